@@ -1,0 +1,247 @@
+//! The bearing: rings, balls and what follows from their dimensions.
+
+use std::f64::consts::{PI, TAU};
+
+use crate::error::{Allowed, InputError, not_negative, positive};
+use crate::hertz::{self, PointContact};
+
+/// Dimensions and inertia of the bearing, as a designer states them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BearingDimensions {
+    /// N, number of balls; 3 or more.
+    pub balls: usize,
+    /// Rw.
+    pub ball_radius_m: f64,
+    /// Ri, radius of the inner ring at the bottom of its groove.
+    pub inner_groove_bottom_radius_m: f64,
+    /// Ro, radius of the outer ring at the bottom of its groove.
+    pub outer_groove_bottom_radius_m: f64,
+    /// Ros, radius of the outer ring's shoulder.
+    pub outer_shoulder_radius_m: f64,
+    /// Radius of curvature of the inner groove in the meridian plane.
+    pub inner_groove_curvature_radius_m: f64,
+    /// Re, radius of curvature of the outer groove in the meridian plane.
+    pub outer_groove_curvature_radius_m: f64,
+    /// mi, the inner ring with what turns with it.
+    pub inner_ring_mass_kg: f64,
+    /// C of Zhao 2022, Eq. (14).
+    pub inner_ring_drag_n_s_m: f64,
+}
+
+/// Elastic material of balls and rings (one material for all).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Material {
+    /// Density.
+    pub density_kg_m3: f64,
+    /// Young's modulus E.
+    pub youngs_modulus_pa: f64,
+    /// Poisson's ratio ν, 0 to below 0.5.
+    pub poisson_ratio: f64,
+}
+
+/// A bearing with every constant that follows from its dimensions.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bearing {
+    dimensions: BearingDimensions,
+    material: Material,
+    inner_contact: PointContact,
+    outer_contact: PointContact,
+    ball_contact: PointContact,
+}
+
+impl Bearing {
+    /// Checks that the parts fit together and derives the constants.
+    ///
+    /// # Errors
+    /// An [`InputError`] naming the first field that cannot be: a dimension not
+    /// above zero, balls larger than the space between the rings, more balls
+    /// than fit on the pitch circle, grooves tighter than the ball, a shoulder
+    /// outside (Rm, Ro).
+    pub fn new(dimensions: BearingDimensions, material: Material) -> Result<Self, InputError> {
+        let d = &dimensions;
+        positive("ball_radius_m", d.ball_radius_m)?;
+        positive("inner_groove_bottom_radius_m", d.inner_groove_bottom_radius_m)?;
+        positive("outer_groove_bottom_radius_m", d.outer_groove_bottom_radius_m)?;
+        positive("outer_shoulder_radius_m", d.outer_shoulder_radius_m)?;
+        positive("inner_groove_curvature_radius_m", d.inner_groove_curvature_radius_m)?;
+        positive("outer_groove_curvature_radius_m", d.outer_groove_curvature_radius_m)?;
+        positive("inner_ring_mass_kg", d.inner_ring_mass_kg)?;
+        not_negative("inner_ring_drag_n_s_m", d.inner_ring_drag_n_s_m)?;
+        positive("density_kg_m3", material.density_kg_m3)?;
+        positive("youngs_modulus_pa", material.youngs_modulus_pa)?;
+        if !(0.0..0.5).contains(&material.poisson_ratio) {
+            return Err(InputError::rule(
+                "poisson_ratio",
+                material.poisson_ratio,
+                "at least 0 and less than 0.5",
+            ));
+        }
+        if d.balls < 3 {
+            return Err(InputError::new("balls", d.balls as f64, Allowed::AtLeast(3.0, "")));
+        }
+        let clearance = d.outer_groove_bottom_radius_m
+            - d.inner_groove_bottom_radius_m
+            - 2.0 * d.ball_radius_m;
+        // Dimensions given in millimetres do not add up to zero exactly.
+        if clearance < -ROUNDING_M {
+            return Err(InputError::new(
+                "ball_radius_m",
+                d.ball_radius_m,
+                Allowed::AtMost(
+                    (d.outer_groove_bottom_radius_m - d.inner_groove_bottom_radius_m) / 2.0,
+                    "half the distance between the groove bottoms: the radial clearance Ro - Ri - 2 Rw must not be negative",
+                ),
+            ));
+        }
+        let pitch = (d.outer_groove_bottom_radius_m + d.inner_groove_bottom_radius_m) / 2.0;
+        let most = (TAU / (2.0 * (d.ball_radius_m / pitch).asin())).floor();
+        if d.balls as f64 > most {
+            return Err(InputError::new(
+                "balls",
+                d.balls as f64,
+                Allowed::AtMost(most, "more do not fit on the pitch circle"),
+            ));
+        }
+        if clearance > 2.0 * d.ball_radius_m {
+            return Err(InputError::new(
+                "outer_groove_bottom_radius_m",
+                d.outer_groove_bottom_radius_m,
+                Allowed::AtMost(
+                    d.inner_groove_bottom_radius_m + 4.0 * d.ball_radius_m,
+                    "with more room than that between the rings a ball passes another",
+                ),
+            ));
+        }
+        for (field, radius) in [
+            ("inner_groove_curvature_radius_m", d.inner_groove_curvature_radius_m),
+            ("outer_groove_curvature_radius_m", d.outer_groove_curvature_radius_m),
+        ] {
+            if radius <= d.ball_radius_m {
+                return Err(InputError::new(
+                    field,
+                    radius,
+                    Allowed::Above(d.ball_radius_m, "the radius of the ball"),
+                ));
+            }
+        }
+        if d.outer_shoulder_radius_m <= pitch
+            || d.outer_shoulder_radius_m >= d.outer_groove_bottom_radius_m
+        {
+            return Err(InputError::new(
+                "outer_shoulder_radius_m",
+                d.outer_shoulder_radius_m,
+                Allowed::Between(
+                    pitch,
+                    d.outer_groove_bottom_radius_m,
+                    "pitch circle and groove bottom",
+                ),
+            ));
+        }
+        let ball = 1.0 / d.ball_radius_m;
+        let inner_contact = PointContact::new(
+            [ball, ball],
+            [
+                1.0 / d.inner_groove_bottom_radius_m,
+                -1.0 / d.inner_groove_curvature_radius_m,
+            ],
+            &material,
+        );
+        let outer_contact = PointContact::new(
+            [ball, ball],
+            [
+                -1.0 / d.outer_groove_bottom_radius_m,
+                -1.0 / d.outer_groove_curvature_radius_m,
+            ],
+            &material,
+        );
+        let ball_contact = PointContact::new([ball, ball], [ball, ball], &material);
+        Ok(Self { dimensions, material, inner_contact, outer_contact, ball_contact })
+    }
+
+    /// The dimensions as given.
+    pub fn dimensions(&self) -> &BearingDimensions {
+        &self.dimensions
+    }
+
+    /// The material as given.
+    pub fn material(&self) -> &Material {
+        &self.material
+    }
+
+    /// N.
+    pub fn balls(&self) -> usize {
+        self.dimensions.balls
+    }
+
+    /// Rw.
+    pub fn ball_radius_m(&self) -> f64 {
+        self.dimensions.ball_radius_m
+    }
+
+    /// Rm = (Ro + Ri)/2.
+    pub fn pitch_radius_m(&self) -> f64 {
+        let d = &self.dimensions;
+        (d.outer_groove_bottom_radius_m + d.inner_groove_bottom_radius_m) / 2.0
+    }
+
+    /// Ro − Rw: distance of a ball's centre that just touches the plain outer
+    /// raceway. It stands for Rm in Zhao 2022, Eq. (4) to (8), so that the
+    /// contact path ends on the plain raceway at any clearance.
+    pub fn touching_radius_m(&self) -> f64 {
+        self.dimensions.outer_groove_bottom_radius_m - self.dimensions.ball_radius_m
+    }
+
+    /// Ro − Ri − 2Rw, the radial play of one ball between the rings, 0 or more.
+    /// The radial internal clearance of ISO 5753-1 is a diametral play: twice this.
+    pub fn radial_clearance_m(&self) -> f64 {
+        let d = &self.dimensions;
+        let play = d.outer_groove_bottom_radius_m
+            - d.inner_groove_bottom_radius_m
+            - 2.0 * d.ball_radius_m;
+        if play.abs() < ROUNDING_M { 0.0 } else { play }
+    }
+
+    /// m, mass of a ball.
+    pub fn ball_mass_kg(&self) -> f64 {
+        4.0 / 3.0 * PI * self.ball_radius_m().powi(3) * self.material.density_kg_m3
+    }
+
+    /// Jr = 2/5 m Rw², inertia of a ball about a diameter.
+    pub fn ball_inertia_kg_m2(&self) -> f64 {
+        0.4 * self.ball_mass_kg() * self.ball_radius_m().powi(2)
+    }
+
+    /// ε = 2 asin(Rw/Rm), the angle that one ball takes up on the pitch circle
+    /// (Zhao 2022, Eq. (10)).
+    pub fn ball_angle_rad(&self) -> f64 {
+        2.0 * (self.ball_radius_m() / self.pitch_radius_m()).asin()
+    }
+
+    /// 2π/N − ε, the gap of evenly spaced balls (Zhao 2022, Eq. (10)).
+    pub fn uniform_gap_rad(&self) -> f64 {
+        TAU / self.balls() as f64 - self.ball_angle_rad()
+    }
+
+    /// Ball against inner raceway.
+    pub fn inner_contact(&self) -> &PointContact {
+        &self.inner_contact
+    }
+
+    /// Ball against plain outer raceway.
+    pub fn outer_contact(&self) -> &PointContact {
+        &self.outer_contact
+    }
+
+    /// Ball against ball.
+    pub fn ball_contact(&self) -> &PointContact {
+        &self.ball_contact
+    }
+
+    /// E* of two bodies of the bearing's material: 1/E* = 2(1 − ν²)/E.
+    pub fn contact_modulus_pa(&self) -> f64 {
+        hertz::contact_modulus_pa(&self.material)
+    }
+}
+
+/// Below this a difference of dimensions is rounding: a thousandth of a nanometre.
+const ROUNDING_M: f64 = 1e-12;

@@ -1,0 +1,284 @@
+//! A case: everything that one computation needs, in SI units.
+
+use crate::bearing::Bearing;
+use crate::error::{InputError, not_negative, positive};
+use crate::raceway::Raceway;
+
+/// Which set of equations is integrated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Profile {
+    /// As published: centrifugal force added in Zhao 2022, Eq. (12), spin of
+    /// Eq. (13) taken relative to the frame that turns with the ball's orbit,
+    /// friction on the discrete raceway along the contact path.
+    Paper,
+    /// Consistent mechanics: inertial frame, absolute spin, friction along the
+    /// sliding velocity.
+    Physical,
+}
+
+/// Friction against sliding speed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FrictionLaw {
+    /// μ·tanh(ΔV/scale)·N.
+    Smooth,
+    /// μ·sign(ΔV)·N while sliding, whatever holds within the cone while rolling.
+    Coulomb,
+}
+
+/// Loads and speed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Operation {
+    /// ωi, counter-clockwise.
+    pub inner_speed_rad_s: f64,
+    /// Fr, along −Y.
+    pub radial_load_n: f64,
+    /// g, along −Y.
+    pub gravity_m_s2: f64,
+}
+
+/// Contact and friction parameters.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Contact {
+    /// μ.
+    pub friction_coefficient: f64,
+    /// Law of friction.
+    pub friction_law: FrictionLaw,
+    /// ΔV at the knee of the smooth law.
+    pub slip_scale_m_s: f64,
+    /// c of the raceway contacts, F = K δ^(3/2) + c √δ dδ/dt, N·s·m^(−3/2).
+    pub damping_n_s_m1_5: f64,
+    /// Coefficient of restitution between balls, above 0, at most 1.
+    pub ball_restitution: f64,
+    /// K at the inner raceway, N·m^(−3/2); from Hertz if `None`.
+    pub inner_stiffness_n_m1_5: Option<f64>,
+    /// K at the outer raceway, N·m^(−3/2); from Hertz if `None`.
+    pub outer_stiffness_n_m1_5: Option<f64>,
+    /// K between balls, N·m^(−3/2); from Hertz if `None`.
+    pub ball_stiffness_n_m1_5: Option<f64>,
+}
+
+/// Gaps between neighbouring balls at the start.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Gaps {
+    /// 2π/N − ε everywhere.
+    Uniform,
+    /// N gaps; gap k lies between ball k and ball k+1 (the last: ball N and ball 1).
+    List(Vec<f64>),
+}
+
+/// Initial state.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Start {
+    /// Static equilibrium at speed, balls rolling.
+    Settled {
+        /// Gaps at the start.
+        gaps: Gaps,
+        /// ψ of ball 1.
+        lead_ball_angle_rad: f64,
+    },
+    /// Every ball on Rm in pure rolling, the ring at rest where it is put.
+    Rolling {
+        /// Gaps at the start.
+        gaps: Gaps,
+        /// ψ of ball 1.
+        lead_ball_angle_rad: f64,
+        /// Centre of the inner ring.
+        ring_x_m: f64,
+        /// Centre of the inner ring.
+        ring_y_m: f64,
+    },
+}
+
+impl Start {
+    /// Gaps at the start.
+    pub fn gaps(&self) -> &Gaps {
+        match self {
+            Self::Settled { gaps, .. } | Self::Rolling { gaps, .. } => gaps,
+        }
+    }
+
+    /// ψ of ball 1.
+    pub fn lead_ball_angle_rad(&self) -> f64 {
+        match *self {
+            Self::Settled { lead_ball_angle_rad, .. } | Self::Rolling { lead_ball_angle_rad, .. } => {
+                lead_ball_angle_rad
+            }
+        }
+    }
+}
+
+/// Integration method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// Fourth-order Adams–Bashforth–Moulton, predict–evaluate–correct–evaluate.
+    Abm4,
+}
+
+/// How the equations are integrated.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solver {
+    /// Method.
+    pub method: Method,
+    /// Step.
+    pub step_s: f64,
+    /// Simulated time.
+    pub duration_s: f64,
+}
+
+/// Housing that carries the outer ring: one mass on a spring and a damper in
+/// each direction. It turns the reaction on the outer ring into an acceleration;
+/// the ring itself stays fixed in the equations of motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Housing {
+    /// Mass of housing and outer ring.
+    pub mass_kg: f64,
+    /// Stiffness of the support.
+    pub stiffness_n_m: f64,
+    /// Damping of the support.
+    pub damping_n_s_m: f64,
+}
+
+/// What a run leaves behind.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Output {
+    /// Time between rows.
+    pub interval_s: f64,
+}
+
+/// One computation, complete.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Case {
+    /// Free text.
+    pub title: String,
+    /// Rings and balls.
+    pub bearing: Bearing,
+    /// Discrete raceways; none for a conventional outer ring.
+    pub raceways: Vec<Raceway>,
+    /// Loads and speed.
+    pub operation: Operation,
+    /// Contact and friction.
+    pub contact: Contact,
+    /// Equations.
+    pub profile: Profile,
+    /// Initial state.
+    pub start: Start,
+    /// Integration.
+    pub solver: Solver,
+    /// Seed of whatever is random.
+    pub seed: u64,
+    /// Housing for the vibration of the outer ring.
+    pub housing: Option<Housing>,
+    /// Output.
+    pub output: Output,
+}
+
+/// Longest run that is accepted, in steps.
+pub const STEPS_MAX: f64 = 1e12;
+
+impl Case {
+    /// Checks everything that [`Bearing::new`] and [`Raceway::new`] have not.
+    ///
+    /// # Errors
+    /// An [`InputError`] naming the first field that cannot be.
+    pub fn check(&self) -> Result<(), InputError> {
+        let Operation { inner_speed_rad_s, radial_load_n, gravity_m_s2 } = self.operation;
+        positive("inner_speed_rad_s", inner_speed_rad_s)?;
+        not_negative("radial_load_n", radial_load_n)?;
+        not_negative("gravity_m_s2", gravity_m_s2)?;
+        let c = &self.contact;
+        not_negative("friction_coefficient", c.friction_coefficient)?;
+        positive("slip_scale_m_s", c.slip_scale_m_s)?;
+        not_negative("damping_n_s_m1_5", c.damping_n_s_m1_5)?;
+        if !(c.ball_restitution > 0.0 && c.ball_restitution <= 1.0) {
+            return Err(InputError::rule(
+                "ball_restitution",
+                c.ball_restitution,
+                "more than 0 and at most 1",
+            ));
+        }
+        for (field, stiffness) in [
+            ("inner_stiffness_n_m1_5", c.inner_stiffness_n_m1_5),
+            ("outer_stiffness_n_m1_5", c.outer_stiffness_n_m1_5),
+            ("ball_stiffness_n_m1_5", c.ball_stiffness_n_m1_5),
+        ] {
+            if let Some(value) = stiffness {
+                positive(field, value)?;
+            }
+        }
+        for raceway in &self.raceways {
+            raceway.fits(&self.bearing)?;
+        }
+        crate::raceway::apart(&self.raceways)?;
+        self.check_start()?;
+        positive("step_s", self.solver.step_s)?;
+        positive("duration_s", self.solver.duration_s)?;
+        let steps = self.solver.duration_s / self.solver.step_s;
+        if steps > STEPS_MAX {
+            return Err(InputError::rule(
+                "duration_s",
+                self.solver.duration_s,
+                format!("at most {:e}: {steps:.3e} steps are more than the limit of 1e12", STEPS_MAX * self.solver.step_s),
+            ));
+        }
+        positive("interval_s", self.output.interval_s)?;
+        if let Some(h) = &self.housing {
+            positive("mass_kg", h.mass_kg)?;
+            positive("stiffness_n_m", h.stiffness_n_m)?;
+            not_negative("damping_n_s_m", h.damping_n_s_m)?;
+        }
+        Ok(())
+    }
+
+    fn check_start(&self) -> Result<(), InputError> {
+        let start = &self.start;
+        if !start.lead_ball_angle_rad().is_finite() {
+            return Err(InputError::rule(
+                "lead_ball_angle_rad",
+                start.lead_ball_angle_rad(),
+                "a finite angle",
+            ));
+        }
+        if let &Start::Rolling { ring_x_m, ring_y_m, .. } = start {
+            // A ball pressed in by a tenth of its radius is far past any elastic contact.
+            let most = self.bearing.radial_clearance_m() + 0.1 * self.bearing.ball_radius_m();
+            for (field, value) in [("ring_x_m", ring_x_m), ("ring_y_m", ring_y_m)] {
+                if !(value.abs() <= most) {
+                    return Err(InputError::rule(
+                        field,
+                        value,
+                        format!("within ±{most:e} of the centre"),
+                    ));
+                }
+            }
+        }
+        if let Gaps::List(gaps) = start.gaps() {
+            let n = self.bearing.balls();
+            if gaps.len() != n {
+                return Err(InputError::rule(
+                    "gaps",
+                    gaps.len() as f64,
+                    format!("a list of {n} gaps, one per ball"),
+                ));
+            }
+            if let Some(&bad) = gaps.iter().find(|g| !(**g >= 0.0)) {
+                return Err(InputError::rule("gaps", bad, "0 or more each: balls cannot overlap"));
+            }
+            let sum: f64 = gaps.iter().sum();
+            let room = n as f64 * self.bearing.uniform_gap_rad();
+            // A list printed with four decimals of a degree passes.
+            if (sum - room).abs() > n as f64 * 1e-4_f64.to_radians() {
+                return Err(InputError::rule(
+                    "gaps",
+                    sum,
+                    format!("gaps that add up to 2π − N ε = {room}"),
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// The same case with other raceways.
+    pub fn with_raceways(&self, raceways: Vec<Raceway>) -> Self {
+        Self { raceways, ..self.clone() }
+    }
+}

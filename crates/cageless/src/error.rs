@@ -1,0 +1,79 @@
+//! What is wrong with an input, in SI units.
+
+/// A value that no bearing, raceway or run can have.
+///
+/// `field` is the name of the offending public field (`"axial_span_m"`); its
+/// suffix is the unit of `value` and of the numbers in `allowed`.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{field} = {value} is not possible: it must be {allowed}")]
+pub struct InputError {
+    /// Name of the field, with its unit as suffix.
+    pub field: &'static str,
+    /// The value given.
+    pub value: f64,
+    /// What it may be.
+    pub allowed: Allowed,
+}
+
+/// The values that a field may take.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Allowed {
+    /// More than this.
+    Above(f64, &'static str),
+    /// This or more.
+    AtLeast(f64, &'static str),
+    /// Less than this.
+    Below(f64, &'static str),
+    /// This or less.
+    AtMost(f64, &'static str),
+    /// Between the two, bounds excluded.
+    Between(f64, f64, &'static str),
+    /// A condition in words.
+    Rule(String),
+}
+
+impl std::fmt::Display for Allowed {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let reason = |f: &mut std::fmt::Formatter<'_>, why: &str| {
+            if why.is_empty() { Ok(()) } else { write!(f, " ({why})") }
+        };
+        match self {
+            Self::Above(low, why) => write!(f, "more than {low}").and_then(|()| reason(f, why)),
+            Self::AtLeast(low, why) => write!(f, "at least {low}").and_then(|()| reason(f, why)),
+            Self::Below(high, why) => write!(f, "less than {high}").and_then(|()| reason(f, why)),
+            Self::AtMost(high, why) => write!(f, "at most {high}").and_then(|()| reason(f, why)),
+            Self::Between(low, high, why) => {
+                write!(f, "between {low} and {high}").and_then(|()| reason(f, why))
+            }
+            Self::Rule(rule) => f.write_str(rule),
+        }
+    }
+}
+
+impl InputError {
+    pub(crate) fn new(field: &'static str, value: f64, allowed: Allowed) -> Self {
+        Self { field, value, allowed }
+    }
+
+    pub(crate) fn rule(field: &'static str, value: f64, rule: impl Into<String>) -> Self {
+        Self::new(field, value, Allowed::Rule(rule.into()))
+    }
+}
+
+/// Passes a finite value above zero.
+pub(crate) fn positive(field: &'static str, value: f64) -> Result<(), InputError> {
+    if value.is_finite() && value > 0.0 {
+        Ok(())
+    } else {
+        Err(InputError::new(field, value, Allowed::Above(0.0, "")))
+    }
+}
+
+/// Passes a finite value of zero or more.
+pub(crate) fn not_negative(field: &'static str, value: f64) -> Result<(), InputError> {
+    if value.is_finite() && value >= 0.0 {
+        Ok(())
+    } else {
+        Err(InputError::new(field, value, Allowed::AtLeast(0.0, "")))
+    }
+}

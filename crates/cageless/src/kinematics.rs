@@ -1,0 +1,23 @@
+//! Rolling kinematics of a ball between the rings (Zhao 2022, Eq. (1) to (3)).
+
+use crate::bearing::Bearing;
+
+/// Ω(r) = ωi·Ri/Rm · (1 − Rw/(r + Rw)), the orbital speed of pure rolling with
+/// effective contact radius `r` at the outer raceway (Zhao 2022, Eq. (3)), rad/s.
+pub fn rolling_orbit_speed_rad_s(bearing: &Bearing, inner_speed_rad_s: f64, r_m: f64) -> f64 {
+    let d = bearing.dimensions();
+    inner_speed_rad_s * d.inner_groove_bottom_radius_m / bearing.pitch_radius_m()
+        * (1.0 - d.ball_radius_m / (r_m + d.ball_radius_m))
+}
+
+/// Spin of pure rolling relative to the frame that turns with the ball's orbit,
+/// ωb = Ω(r + Rm)/r (Zhao 2022, Eq. (1) with ΔVo = 0), rad/s, clockwise.
+pub fn rolling_relative_spin_rad_s(bearing: &Bearing, orbit_speed_rad_s: f64, r_m: f64) -> f64 {
+    orbit_speed_rad_s * (r_m + bearing.pitch_radius_m()) / r_m
+}
+
+/// Absolute spin of pure rolling, ω = Ω·Rm/r, rad/s, clockwise: the surface of the
+/// ball rests on the outer raceway.
+pub fn rolling_spin_rad_s(bearing: &Bearing, orbit_speed_rad_s: f64, r_m: f64) -> f64 {
+    orbit_speed_rad_s * bearing.pitch_radius_m() / r_m
+}

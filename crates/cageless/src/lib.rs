@@ -1,0 +1,34 @@
+//! Physics of cageless (full-complement) ball bearings whose outer ring carries
+//! a *discrete raceway*: a short local groove that slows each ball a little as
+//! it passes, so that the balls spread apart.
+//!
+//! The model is that of Zhao, Zhou, Wang, *Discrete Dynamics of Balls in
+//! Cageless Ball Bearings*, Symmetry 2022, 14, 2242 ("Zhao 2022" below), with a
+//! switch between the equations as published and a physically consistent set
+//! ([`Profile`]).
+//!
+//! # Frame
+//! Origin at the centre of the fixed outer ring; +Y up, gravity and radial load
+//! along −Y, the inner ring turns counter-clockwise. ψ is the position angle of
+//! a ball from −Y, counter-clockwise positive. Balls are numbered along the
+//! motion: ball i+1 is ahead of ball i. Everything is plain SI `f64` (radians,
+//! seconds, metres, newtons); public names end in their unit.
+
+pub mod bearing;
+pub mod case;
+pub mod collision;
+pub mod error;
+pub mod hertz;
+pub mod kinematics;
+pub mod numerics;
+pub mod raceway;
+pub mod snapshot;
+
+pub use bearing::{Bearing, BearingDimensions, Material};
+pub use case::{
+    Case, Contact, FrictionLaw, Gaps, Housing, Method, Operation, Output, Profile, Solver, Start,
+};
+pub use collision::Collision;
+pub use error::InputError;
+pub use raceway::{Raceway, RacewayDimensions};
+pub use snapshot::{RingSnapshot, Snapshot};
