@@ -60,11 +60,23 @@ impl Bearing {
     pub fn new(dimensions: BearingDimensions, material: Material) -> Result<Self, InputError> {
         let d = &dimensions;
         positive("ball_radius_m", d.ball_radius_m)?;
-        positive("inner_groove_bottom_radius_m", d.inner_groove_bottom_radius_m)?;
-        positive("outer_groove_bottom_radius_m", d.outer_groove_bottom_radius_m)?;
+        positive(
+            "inner_groove_bottom_radius_m",
+            d.inner_groove_bottom_radius_m,
+        )?;
+        positive(
+            "outer_groove_bottom_radius_m",
+            d.outer_groove_bottom_radius_m,
+        )?;
         positive("outer_shoulder_radius_m", d.outer_shoulder_radius_m)?;
-        positive("inner_groove_curvature_radius_m", d.inner_groove_curvature_radius_m)?;
-        positive("outer_groove_curvature_radius_m", d.outer_groove_curvature_radius_m)?;
+        positive(
+            "inner_groove_curvature_radius_m",
+            d.inner_groove_curvature_radius_m,
+        )?;
+        positive(
+            "outer_groove_curvature_radius_m",
+            d.outer_groove_curvature_radius_m,
+        )?;
         positive("inner_ring_mass_kg", d.inner_ring_mass_kg)?;
         not_negative("inner_ring_drag_n_s_m", d.inner_ring_drag_n_s_m)?;
         positive("density_kg_m3", material.density_kg_m3)?;
@@ -77,11 +89,14 @@ impl Bearing {
             ));
         }
         if d.balls < 3 {
-            return Err(InputError::new("balls", d.balls as f64, Allowed::AtLeast(3.0, "")));
+            return Err(InputError::new(
+                "balls",
+                d.balls as f64,
+                Allowed::AtLeast(3.0, ""),
+            ));
         }
-        let clearance = d.outer_groove_bottom_radius_m
-            - d.inner_groove_bottom_radius_m
-            - 2.0 * d.ball_radius_m;
+        let clearance =
+            d.outer_groove_bottom_radius_m - d.inner_groove_bottom_radius_m - 2.0 * d.ball_radius_m;
         // Dimensions given in millimetres do not add up to zero exactly.
         if clearance < -ROUNDING_M {
             return Err(InputError::new(
@@ -113,8 +128,14 @@ impl Bearing {
             ));
         }
         for (field, radius) in [
-            ("inner_groove_curvature_radius_m", d.inner_groove_curvature_radius_m),
-            ("outer_groove_curvature_radius_m", d.outer_groove_curvature_radius_m),
+            (
+                "inner_groove_curvature_radius_m",
+                d.inner_groove_curvature_radius_m,
+            ),
+            (
+                "outer_groove_curvature_radius_m",
+                d.outer_groove_curvature_radius_m,
+            ),
         ] {
             if radius <= d.ball_radius_m {
                 return Err(InputError::new(
@@ -155,7 +176,13 @@ impl Bearing {
             &material,
         );
         let ball_contact = PointContact::new([ball, ball], [ball, ball], &material);
-        Ok(Self { dimensions, material, inner_contact, outer_contact, ball_contact })
+        Ok(Self {
+            dimensions,
+            material,
+            inner_contact,
+            outer_contact,
+            ball_contact,
+        })
     }
 
     /// The dimensions as given.
@@ -195,9 +222,8 @@ impl Bearing {
     /// The radial internal clearance of ISO 5753-1 is a diametral play: twice this.
     pub fn radial_clearance_m(&self) -> f64 {
         let d = &self.dimensions;
-        let play = d.outer_groove_bottom_radius_m
-            - d.inner_groove_bottom_radius_m
-            - 2.0 * d.ball_radius_m;
+        let play =
+            d.outer_groove_bottom_radius_m - d.inner_groove_bottom_radius_m - 2.0 * d.ball_radius_m;
         if play.abs() < ROUNDING_M { 0.0 } else { play }
     }
 

@@ -100,9 +100,14 @@ impl Start {
     /// ψ of ball 1.
     pub fn lead_ball_angle_rad(&self) -> f64 {
         match *self {
-            Self::Settled { lead_ball_angle_rad, .. } | Self::Rolling { lead_ball_angle_rad, .. } => {
-                lead_ball_angle_rad
+            Self::Settled {
+                lead_ball_angle_rad,
+                ..
             }
+            | Self::Rolling {
+                lead_ball_angle_rad,
+                ..
+            } => lead_ball_angle_rad,
         }
     }
 }
@@ -181,7 +186,11 @@ impl Case {
     /// # Errors
     /// An [`InputError`] naming the first field that cannot be.
     pub fn check(&self) -> Result<(), InputError> {
-        let Operation { inner_speed_rad_s, radial_load_n, gravity_m_s2 } = self.operation;
+        let Operation {
+            inner_speed_rad_s,
+            radial_load_n,
+            gravity_m_s2,
+        } = self.operation;
         positive("inner_speed_rad_s", inner_speed_rad_s)?;
         not_negative("radial_load_n", radial_load_n)?;
         not_negative("gravity_m_s2", gravity_m_s2)?;
@@ -217,7 +226,10 @@ impl Case {
             return Err(InputError::rule(
                 "duration_s",
                 self.solver.duration_s,
-                format!("at most {:e}: {steps:.3e} steps are more than the limit of 1e12", STEPS_MAX * self.solver.step_s),
+                format!(
+                    "at most {:e}: {steps:.3e} steps are more than the limit of 1e12",
+                    STEPS_MAX * self.solver.step_s
+                ),
             ));
         }
         positive("interval_s", self.output.interval_s)?;
@@ -238,7 +250,10 @@ impl Case {
                 "a finite angle",
             ));
         }
-        if let &Start::Rolling { ring_x_m, ring_y_m, .. } = start {
+        if let &Start::Rolling {
+            ring_x_m, ring_y_m, ..
+        } = start
+        {
             // A ball pressed in by a tenth of its radius is far past any elastic contact.
             let most = self.bearing.radial_clearance_m() + 0.1 * self.bearing.ball_radius_m();
             for (field, value) in [("ring_x_m", ring_x_m), ("ring_y_m", ring_y_m)] {
@@ -261,7 +276,11 @@ impl Case {
                 ));
             }
             if let Some(&bad) = gaps.iter().find(|g| !(**g >= 0.0)) {
-                return Err(InputError::rule("gaps", bad, "0 or more each: balls cannot overlap"));
+                return Err(InputError::rule(
+                    "gaps",
+                    bad,
+                    "0 or more each: balls cannot overlap",
+                ));
             }
             let sum: f64 = gaps.iter().sum();
             let room = n as f64 * self.bearing.uniform_gap_rad();
@@ -279,6 +298,9 @@ impl Case {
 
     /// The same case with other raceways.
     pub fn with_raceways(&self, raceways: Vec<Raceway>) -> Self {
-        Self { raceways, ..self.clone() }
+        Self {
+            raceways,
+            ..self.clone()
+        }
     }
 }

@@ -35,7 +35,11 @@ pub enum Allowed {
 impl std::fmt::Display for Allowed {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let reason = |f: &mut std::fmt::Formatter<'_>, why: &str| {
-            if why.is_empty() { Ok(()) } else { write!(f, " ({why})") }
+            if why.is_empty() {
+                Ok(())
+            } else {
+                write!(f, " ({why})")
+            }
         };
         match self {
             Self::Above(low, why) => write!(f, "more than {low}").and_then(|()| reason(f, why)),
@@ -52,7 +56,11 @@ impl std::fmt::Display for Allowed {
 
 impl InputError {
     pub(crate) fn new(field: &'static str, value: f64, allowed: Allowed) -> Self {
-        Self { field, value, allowed }
+        Self {
+            field,
+            value,
+            allowed,
+        }
     }
 
     pub(crate) fn rule(field: &'static str, value: f64, rule: impl Into<String>) -> Self {

@@ -43,7 +43,11 @@ impl PointContact {
         let long = (3.0 * k_minus_e_over_m / (2.0 * PI * modulus * a_curv)).cbrt();
         let short = long * (1.0 - m).sqrt();
         let deflection = 3.0 * k / (2.0 * PI * long * modulus);
-        let (first, second) = if sums[0] > sums[1] { (short, long) } else { (long, short) };
+        let (first, second) = if sums[0] > sums[1] {
+            (short, long)
+        } else {
+            (long, short)
+        };
         Self {
             stiffness_n_m1_5: deflection.powf(-1.5),
             first_axis_m_n1_3: first,
@@ -55,7 +59,10 @@ impl PointContact {
     /// direction, then across it.
     pub fn semi_axes_m(&self, load_n: f64) -> [f64; 2] {
         let scale = load_n.max(0.0).cbrt();
-        [self.first_axis_m_n1_3 * scale, self.second_axis_m_n1_3 * scale]
+        [
+            self.first_axis_m_n1_3 * scale,
+            self.second_axis_m_n1_3 * scale,
+        ]
     }
 
     /// Largest pressure p₀ = 3F/(2πab) under `load_n`; 0 without load.
@@ -89,8 +96,11 @@ fn eccentricity_squared(ratio: f64) -> f64 {
 mod tests {
     use super::*;
 
-    const STEEL: Material =
-        Material { density_kg_m3: 7850.0, youngs_modulus_pa: 206e9, poisson_ratio: 0.3 };
+    const STEEL: Material = Material {
+        density_kg_m3: 7850.0,
+        youngs_modulus_pa: 206e9,
+        poisson_ratio: 0.3,
+    };
 
     /// Johnson, Eq. (4.22) to (4.24): two spheres.
     #[test]

@@ -17,12 +17,18 @@
 pub mod bearing;
 pub mod case;
 pub mod collision;
+pub mod dynamics;
+pub mod equilibrium;
 pub mod error;
 pub mod hertz;
+pub mod integrator;
 pub mod kinematics;
 pub mod numerics;
 pub mod raceway;
 pub mod snapshot;
+pub mod start;
+pub mod state;
+pub mod traction;
 
 pub use bearing::{Bearing, BearingDimensions, Material};
 pub use case::{

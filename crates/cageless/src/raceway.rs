@@ -63,12 +63,19 @@ impl Raceway {
     /// An [`InputError`] if the span violates Eq. (8), the path leaves the plain
     /// raceway outwards (Eq. (9)), or an angle is out of range.
     pub fn new(dimensions: RacewayDimensions, bearing: &Bearing) -> Result<Self, InputError> {
-        let RacewayDimensions { axial_span_m: span, half_angle_rad: theta, centre_angle_rad } =
-            dimensions;
+        let RacewayDimensions {
+            axial_span_m: span,
+            half_angle_rad: theta,
+            centre_angle_rad,
+        } = dimensions;
         positive("axial_span_m", span)?;
         positive("half_angle_rad", theta)?;
         if theta >= FRAC_PI_2 {
-            return Err(InputError::new("half_angle_rad", theta, Allowed::Below(FRAC_PI_2, "")));
+            return Err(InputError::new(
+                "half_angle_rad",
+                theta,
+                Allowed::Below(FRAC_PI_2, ""),
+            ));
         }
         if !(centre_angle_rad.abs() <= TAU) {
             return Err(InputError::new(
@@ -82,7 +89,10 @@ impl Raceway {
             return Err(InputError::new(
                 "axial_span_m",
                 span,
-                Allowed::Below(limit, "the contact points must stay on the groove, Zhao 2022, Eq. (8)"),
+                Allowed::Below(
+                    limit,
+                    "the contact points must stay on the groove, Zhao 2022, Eq. (8)",
+                ),
             ));
         }
         let d = bearing.dimensions();
@@ -97,8 +107,12 @@ impl Raceway {
         };
         raceway.check_path()?;
         let end = theta.sin().powi(2);
-        raceway.radius_polynomial =
-            Polynomial::fit(|s| raceway.radius_by_root(s.sqrt().asin()), 0.0, end, RADIUS_DEGREE);
+        raceway.radius_polynomial = Polynomial::fit(
+            |s| raceway.radius_by_root(s.sqrt().asin()),
+            0.0,
+            end,
+            RADIUS_DEGREE,
+        );
         raceway.direction_polynomial = Polynomial::fit(
             |s| {
                 let x = raceway.path_x_m(s.sqrt().asin());
@@ -233,7 +247,8 @@ impl Raceway {
             self.path_end_m() * (1.0 + 1e-12),
             0.0,
         );
-        x.unwrap_or_else(|| self.path_end_m()).copysign(local_angle_rad)
+        x.unwrap_or_else(|| self.path_end_m())
+            .copysign(local_angle_rad)
     }
 
     fn radius_by_root(&self, local_angle_rad: f64) -> f64 {
@@ -335,7 +350,9 @@ pub(crate) fn apart(raceways: &[Raceway]) -> Result<(), InputError> {
                 return Err(InputError::rule(
                     "centre_angle_rad",
                     other.dimensions.centre_angle_rad,
-                    format!("at least {least} away from the middle of every other raceway, or they overlap"),
+                    format!(
+                        "at least {least} away from the middle of every other raceway, or they overlap"
+                    ),
                 ));
             }
         }
@@ -346,7 +363,9 @@ pub(crate) fn apart(raceways: &[Raceway]) -> Result<(), InputError> {
 /// 2·√(Rw² − (Ros − Rm)²), which lC must stay below (Zhao 2022, Eq. (8)).
 pub fn axial_span_limit_m(bearing: &Bearing) -> f64 {
     let rise = bearing.dimensions().outer_shoulder_radius_m - bearing.touching_radius_m();
-    2.0 * (bearing.ball_radius_m().powi(2) - rise.max(0.0).powi(2)).max(0.0).sqrt()
+    2.0 * (bearing.ball_radius_m().powi(2) - rise.max(0.0).powi(2))
+        .max(0.0)
+        .sqrt()
 }
 
 /// a, b, c of Zhao 2022, Eq. (5).

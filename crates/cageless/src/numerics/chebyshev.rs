@@ -45,7 +45,10 @@ impl Polynomial {
     /// Value at `x`.
     pub fn value(&self, x: f64) -> f64 {
         let u = self.scale * x + self.shift;
-        self.coefficients.iter().rev().fold(0.0, |sum, c| sum * u + c)
+        self.coefficients
+            .iter()
+            .rev()
+            .fold(0.0, |sum, c| sum * u + c)
     }
 }
 

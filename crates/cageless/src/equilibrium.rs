@@ -1,0 +1,334 @@
+//! Static equilibrium at speed: where the ring settles and how the balls share the load.
+//!
+//! Each ball stays at its ψ and takes its weight, the centrifugal force m·vt²/|rb| of
+//! rolling (in the `paper` profile Fw of Zhao 2022, Eq. (15), on top) and the normal
+//! forces of both raceways; friction is left out. The ring takes load, weight and the
+//! reactions.
+
+use crate::bearing::Bearing;
+use crate::case::{Case, Gaps, Profile};
+use crate::error::InputError;
+use crate::hertz::PointContact;
+use crate::kinematics::rolling_orbit_speed_rad_s;
+use crate::numerics::root;
+
+/// Balls at rest in the turning frame, and the ring.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Equilibrium {
+    /// Centre of the inner ring.
+    pub ring_x_m: f64,
+    /// Centre of the inner ring.
+    pub ring_y_m: f64,
+    /// ψ of each ball, increasing from that of ball 1 through one turn.
+    pub ball_angle_rad: Vec<f64>,
+    /// |rb| of each ball.
+    pub ball_distance_m: Vec<f64>,
+    /// r of each ball.
+    pub effective_radius_m: Vec<f64>,
+    /// Normal force at the inner raceway.
+    pub inner_force_n: Vec<f64>,
+    /// Normal force at the outer raceway.
+    pub outer_force_n: Vec<f64>,
+    /// K at the inner raceway.
+    pub inner_stiffness_n_m1_5: f64,
+    /// K at the outer raceway.
+    pub outer_stiffness_n_m1_5: f64,
+    /// Largest Hertz pressure at the inner raceway.
+    pub inner_stress_max_pa: f64,
+    /// Largest Hertz pressure at the outer raceway; on a discrete raceway that of one of
+    /// the two contact points.
+    pub outer_stress_max_pa: f64,
+}
+
+/// The solver did not reach equilibrium.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum EquilibriumError {
+    /// The case itself is wrong.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// No convergence.
+    #[error(
+        "no static equilibrium found: {residual_n:e} N of force are left on the ring after \
+         {iterations} iterations; the load may be too large for these contacts"
+    )]
+    NotConverged {
+        /// Force left on the ring.
+        residual_n: f64,
+        /// Iterations made.
+        iterations: usize,
+    },
+}
+
+/// ψ of every ball at the start, increasing from ψ of ball 1 (Zhao 2022, Section 4.1).
+pub fn start_angles_rad(case: &Case) -> Vec<f64> {
+    let bearing = &case.bearing;
+    let n = bearing.balls();
+    let mut angle = case.start.lead_ball_angle_rad();
+    (0..n)
+        .map(|k| {
+            let here = angle;
+            angle += bearing.ball_angle_rad()
+                + match case.start.gaps() {
+                    Gaps::Uniform => bearing.uniform_gap_rad(),
+                    Gaps::List(gaps) => gaps[k],
+                };
+            here
+        })
+        .collect()
+}
+
+/// r of a ball at ψ in a case.
+pub fn effective_radius_m(case: &Case, angle_rad: f64) -> f64 {
+    case.raceways
+        .iter()
+        .find(|raceway| raceway.contains(angle_rad))
+        .map_or(case.bearing.ball_radius_m(), |raceway| {
+            raceway.effective_radius_m(angle_rad)
+        })
+}
+
+/// What one ball contributes.
+struct BallProblem {
+    angle: f64,
+    /// Unit vector e.
+    e: [f64; 2],
+    /// Outward force that does not come from a contact, times |rb| where it is
+    /// centrifugal: push = steady + turning/|rb|.
+    steady: f64,
+    turning: f64,
+}
+
+struct Problem<'c> {
+    bearing: &'c Bearing,
+    inner_stiffness: f64,
+    outer_stiffness: f64,
+    balls: Vec<BallProblem>,
+    /// Load and weight on the ring, −Y.
+    down: f64,
+}
+
+/// Solution of one ball for a given ring.
+struct BallSolution {
+    distance: f64,
+    inner: f64,
+    outer: f64,
+    /// Direction from the ring's centre to the ball.
+    ei: [f64; 2],
+    /// d(inner)/d(approach of the ring).
+    stiffness: f64,
+}
+
+impl Problem<'_> {
+    fn ball(&self, ball: &BallProblem, ring: [f64; 2]) -> BallSolution {
+        let touching = self.bearing.touching_radius_m();
+        let reach =
+            self.bearing.dimensions().inner_groove_bottom_radius_m + self.bearing.ball_radius_m();
+        let forces = |distance: f64| {
+            let offset = [
+                distance * ball.e[0] - ring[0],
+                distance * ball.e[1] - ring[1],
+            ];
+            let length = offset[0].hypot(offset[1]);
+            let ei = offset.map(|c| c / length);
+            let inner = self.inner_stiffness * (reach - length).max(0.0).powf(1.5);
+            let outer = self.outer_stiffness * (distance - touching).max(0.0).powf(1.5);
+            let cosine = ei[0] * ball.e[0] + ei[1] * ball.e[1];
+            let net = inner * cosine + ball.steady + ball.turning / distance - outer;
+            (net, inner, outer, ei, reach - length)
+        };
+        // Outward push falls with the distance; a ball's radius either way brackets it.
+        let width = self.bearing.ball_radius_m();
+        let distance = root::brent(|d| forces(d).0, touching - width, touching + width, 0.0)
+            .unwrap_or(touching);
+        let (_, inner, outer, ei, approach) = forces(distance);
+        let slope = |k: f64, deflection: f64| 1.5 * k * deflection.max(0.0).sqrt();
+        let (ki, ko) = (
+            slope(self.inner_stiffness, approach),
+            slope(self.outer_stiffness, distance - touching),
+        );
+        let stiffness = if ki > 0.0 { ki * ko / (ki + ko) } else { 0.0 };
+        BallSolution {
+            distance,
+            inner,
+            outer,
+            ei,
+            stiffness,
+        }
+    }
+
+    /// Force left on the ring and its stiffness against displacement.
+    fn ring(&self, ring: [f64; 2]) -> ([f64; 2], [[f64; 2]; 2]) {
+        let mut force = [0.0, -self.down];
+        let mut stiffness = [[0.0; 2]; 2];
+        for ball in &self.balls {
+            let s = self.ball(ball, ring);
+            for a in 0..2 {
+                force[a] -= s.inner * s.ei[a];
+                for b in 0..2 {
+                    stiffness[a][b] += s.stiffness * s.ei[a] * s.ei[b];
+                }
+            }
+        }
+        (force, stiffness)
+    }
+}
+
+/// Solves the equilibrium of `case` with its balls at their starting angles.
+///
+/// # Errors
+/// The case is impossible, or the iteration does not converge.
+pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
+    case.check()?;
+    let bearing = &case.bearing;
+    let angles = start_angles_rad(case);
+    let c = &case.contact;
+    let mass = bearing.ball_mass_kg();
+    let d = bearing.dimensions();
+    let radii: Vec<f64> = angles
+        .iter()
+        .map(|&a| effective_radius_m(case, a))
+        .collect();
+    let balls = angles
+        .iter()
+        .zip(&radii)
+        .map(|(&angle, &r)| {
+            let (sin, cos) = angle.sin_cos();
+            let speed = rolling_speed_m_s(case, r);
+            let doubled = match case.profile {
+                Profile::Paper => mass * speed * speed / bearing.pitch_radius_m(),
+                Profile::Physical => 0.0,
+            };
+            BallProblem {
+                angle,
+                e: [sin, -cos],
+                steady: mass * case.operation.gravity_m_s2 * cos + doubled,
+                turning: mass * speed * speed,
+            }
+        })
+        .collect();
+    let problem = Problem {
+        bearing,
+        inner_stiffness: c
+            .inner_stiffness_n_m1_5
+            .unwrap_or(bearing.inner_contact().stiffness_n_m1_5),
+        outer_stiffness: c
+            .outer_stiffness_n_m1_5
+            .unwrap_or(bearing.outer_contact().stiffness_n_m1_5),
+        balls,
+        down: case.operation.radial_load_n + d.inner_ring_mass_kg * case.operation.gravity_m_s2,
+    };
+    let ring = settle_ring(&problem, bearing)?;
+    let solutions: Vec<BallSolution> = problem
+        .balls
+        .iter()
+        .map(|ball| problem.ball(ball, ring))
+        .collect();
+    let inner_force_n: Vec<f64> = solutions.iter().map(|s| s.inner).collect();
+    let outer_force_n: Vec<f64> = solutions.iter().map(|s| s.outer).collect();
+    let stress = |worst: f64, p: f64| worst.max(p);
+    Ok(Equilibrium {
+        ring_x_m: ring[0],
+        ring_y_m: ring[1],
+        ball_angle_rad: problem.balls.iter().map(|b| b.angle).collect(),
+        ball_distance_m: solutions.iter().map(|s| s.distance).collect(),
+        inner_stress_max_pa: inner_force_n
+            .iter()
+            .map(|&f| bearing.inner_contact().peak_stress_pa(f))
+            .fold(0.0, stress),
+        outer_stress_max_pa: outer_force_n
+            .iter()
+            .zip(&radii)
+            .map(|(&f, &r)| outer_stress_pa(bearing, r, f))
+            .fold(0.0, stress),
+        effective_radius_m: radii,
+        inner_force_n,
+        outer_force_n,
+        inner_stiffness_n_m1_5: problem.inner_stiffness,
+        outer_stiffness_n_m1_5: problem.outer_stiffness,
+    })
+}
+
+/// vt = Ω(r)·Rm of rolling.
+fn rolling_speed_m_s(case: &Case, r_m: f64) -> f64 {
+    rolling_orbit_speed_rad_s(&case.bearing, case.operation.inner_speed_rad_s, r_m)
+        * case.bearing.pitch_radius_m()
+}
+
+/// Peak Hertz pressure at the outer raceway of a ball with effective radius `r_m` under
+/// the radial force `force_n`. Where r < Rw two points share it, each with
+/// F′o = Fo·Rw/(2r) (Zhao 2022, Eq. (19)); the ring's curvature in the plane of rolling
+/// is then that of a cone at the contact point, (r/Rw)/(Ro − Rw + r).
+pub fn outer_stress_pa(bearing: &Bearing, r_m: f64, force_n: f64) -> f64 {
+    let rw = bearing.ball_radius_m();
+    if r_m >= rw {
+        return bearing.outer_contact().peak_stress_pa(force_n);
+    }
+    let cosine = r_m / rw;
+    PointContact::new(
+        [1.0 / rw; 2],
+        [
+            -cosine / (bearing.touching_radius_m() + r_m),
+            -1.0 / bearing.dimensions().outer_groove_curvature_radius_m,
+        ],
+        bearing.material(),
+    )
+    .peak_stress_pa(force_n / (2.0 * cosine))
+}
+
+/// Newton's method on the ring's centre with step halving.
+fn settle_ring(problem: &Problem<'_>, bearing: &Bearing) -> Result<[f64; 2], EquilibriumError> {
+    const ITERATIONS: usize = 200;
+    let scale = problem.down.max(1e-6);
+    let norm = |f: [f64; 2]| f[0].hypot(f[1]);
+    // Deep enough for contact below; the Hertz law is convex from there.
+    let series = (problem.inner_stiffness.powf(-2.0 / 3.0)
+        + problem.outer_stiffness.powf(-2.0 / 3.0))
+        * (4.37 * problem.down / problem.balls.len() as f64).powf(2.0 / 3.0);
+    let mut ring = [0.0, -(bearing.radial_clearance_m() + series)];
+    let (mut force, mut stiffness) = problem.ring(ring);
+    for _ in 0..ITERATIONS {
+        if norm(force) <= 1e-12 * scale {
+            return Ok(ring);
+        }
+        // Where few balls carry, the ring is free sideways; a little stiffness keeps
+        // the step finite.
+        let soft = 1e-9 * (stiffness[0][0] + stiffness[1][1]).max(1.0);
+        let (a, b, d) = (
+            stiffness[0][0] + soft,
+            stiffness[0][1],
+            stiffness[1][1] + soft,
+        );
+        let determinant = a * d - b * b;
+        let mut step = [
+            (d * force[0] - b * force[1]) / determinant,
+            (a * force[1] - b * force[0]) / determinant,
+        ];
+        let most = 0.05 * bearing.ball_radius_m();
+        let length = norm(step);
+        if length > most {
+            step = step.map(|s| s * most / length);
+        }
+        let mut accepted = false;
+        for _ in 0..40 {
+            let trial = [ring[0] + step[0], ring[1] + step[1]];
+            let (f, k) = problem.ring(trial);
+            if norm(f) < norm(force) {
+                (ring, force, stiffness) = (trial, f, k);
+                accepted = true;
+                break;
+            }
+            step = step.map(|s| s / 2.0);
+        }
+        if !accepted {
+            break;
+        }
+    }
+    // Rounding of 1e-18 m in a deflection is this much force.
+    if norm(force) <= 1e-7 * scale {
+        return Ok(ring);
+    }
+    Err(EquilibriumError::NotConverged {
+        residual_n: norm(force),
+        iterations: ITERATIONS,
+    })
+}

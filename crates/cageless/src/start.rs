@@ -1,0 +1,54 @@
+//! The state that a run starts from.
+
+use crate::case::{Case, Profile, Start};
+use crate::equilibrium::{self, EquilibriumError, effective_radius_m, start_angles_rad};
+use crate::kinematics::{
+    rolling_orbit_speed_rad_s, rolling_relative_spin_rad_s, rolling_spin_rad_s,
+};
+use crate::state::State;
+
+/// State at t = 0 and ψ of every ball.
+///
+/// `Rolling`: balls on Rm with Ω(r) and the spin of Zhao 2022, Eq. (1) to (3), each with
+/// its own r. `Settled`: the same speeds at the distances of the static equilibrium, so
+/// that no contact slides in the equations of the case's profile.
+///
+/// # Errors
+/// The case is impossible or has no equilibrium.
+pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError> {
+    case.check()?;
+    let bearing = &case.bearing;
+    let n = bearing.balls();
+    let pitch = bearing.pitch_radius_m();
+    let mut state = State::new(n, pitch);
+    let angles = start_angles_rad(case);
+    let (distances, ring) = match case.start {
+        Start::Rolling {
+            ring_x_m, ring_y_m, ..
+        } => (vec![pitch; n], [ring_x_m, ring_y_m]),
+        Start::Settled { .. } => {
+            let e = equilibrium::solve(case)?;
+            (e.ball_distance_m, [e.ring_x_m, e.ring_y_m])
+        }
+    };
+    for (k, (&angle, &distance)) in angles.iter().zip(&distances).enumerate() {
+        let r = effective_radius_m(case, angle);
+        let orbit = rolling_orbit_speed_rad_s(bearing, case.operation.inner_speed_rad_s, r);
+        let (speed, spin) = match case.profile {
+            Profile::Physical => (orbit * pitch, rolling_spin_rad_s(bearing, orbit, r)),
+            Profile::Paper => (
+                orbit * distance,
+                rolling_relative_spin_rad_s(bearing, orbit, r),
+            ),
+        };
+        let (sin, cos) = angle.sin_cos();
+        state.set_ball(
+            k,
+            [distance * sin, -distance * cos],
+            [speed * cos, speed * sin],
+            spin,
+        );
+    }
+    state.set_ring([ring[0], ring[1], 0.0, 0.0]);
+    Ok((state, angles))
+}
