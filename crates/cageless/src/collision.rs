@@ -1,5 +1,11 @@
 //! Contacts between neighbouring balls.
 
+use std::f64::consts::TAU;
+
+use crate::integrator::hermite;
+use crate::numerics::root;
+use crate::simulation::{Control, Observer, ObserverError, Scene, View};
+
 /// One contact of two neighbouring balls, from touch to parting.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Collision {
@@ -19,4 +25,170 @@ pub struct Collision {
     pub peak_force_n: f64,
     /// ∫ normal force dt.
     pub impulse_n_s: f64,
+}
+
+/// Finds every contact between neighbours and passes it on when it ends.
+///
+/// Times of touch and parting are roots of the interpolated distance; impulses are
+/// sums by the trapezoidal rule over the steps. A contact that is still closed at the
+/// end of the run is passed on by [`Self::close`].
+pub struct CollisionDetector<F> {
+    ball_diameter: f64,
+    deflections: Vec<f64>,
+    forces: Vec<f64>,
+    open: Vec<Option<Collision>>,
+    sink: F,
+}
+
+impl<F: FnMut(Collision) -> Result<(), ObserverError>> CollisionDetector<F> {
+    /// Passes each contact to `sink` when it ends.
+    pub fn new(sink: F) -> Self {
+        Self {
+            ball_diameter: 0.0,
+            deflections: vec![],
+            forces: vec![],
+            open: vec![],
+            sink,
+        }
+    }
+
+    /// Passes on the contacts that are still closed at `time_s`.
+    ///
+    /// # Errors
+    /// Those of the sink.
+    pub fn close(&mut self, time_s: f64) -> Result<(), ObserverError> {
+        for collision in self.open.iter_mut().filter_map(Option::take) {
+            (self.sink)(Collision {
+                duration_s: time_s - collision.start_s,
+                ..collision
+            })?;
+        }
+        Ok(())
+    }
+
+    /// When the surfaces of ball `k` and the ball ahead touch or part within the step.
+    fn crossing_s(&self, view: &View<'_, '_>, k: usize) -> f64 {
+        let layout = view.layout();
+        let next = (k + 1) % layout.balls;
+        let deflection = |time_s: f64| {
+            let offset = |group: usize| {
+                let at = layout.group(group);
+                hermite(&view.step, at + next, time_s) - hermite(&view.step, at + k, time_s)
+            };
+            self.ball_diameter - offset(0).hypot(offset(1))
+        };
+        let (from, to) = (view.step.from_s, view.step.to_s);
+        // Within rounding of an end the interpolant may miss the change of sign.
+        root::brent(deflection, from, to, 1e-6 * (to - from)).unwrap_or(from)
+    }
+
+    fn touch(&self, view: &View<'_, '_>, k: usize) -> Collision {
+        let layout = view.layout();
+        let next = (k + 1) % layout.balls;
+        let start_s = self.crossing_s(view, k);
+        let state = view.state(start_s);
+        let (x, y, vx, vy) = (state.x_m(), state.y_m(), state.vx_m_s(), state.vy_m_s());
+        let (dx, dy) = (x[next] - x[k], y[next] - y[k]);
+        let speed = ((vx[k] - vx[next]) * dx + (vy[k] - vy[next]) * dy) / dx.hypot(dy);
+        Collision {
+            start_s,
+            duration_s: 0.0,
+            ball: k,
+            next_ball: next,
+            angle_rad: (x[k] + x[next]).atan2(-(y[k] + y[next])),
+            approach_speed_m_s: speed,
+            peak_force_n: 0.0,
+            impulse_n_s: 0.0,
+        }
+    }
+}
+
+impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDetector<F> {
+    fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
+        let n = scene.model.balls();
+        self.ball_diameter = 2.0 * scene.case.bearing.ball_radius_m();
+        self.forces = vec![0.0; n];
+        self.open = vec![None; n];
+        let (x, y) = (scene.start.x_m(), scene.start.y_m());
+        self.deflections = (0..n)
+            .map(|k| {
+                let next = (k + 1) % n;
+                self.ball_diameter - (x[next] - x[k]).hypot(y[next] - y[k])
+            })
+            .collect();
+        for k in 0..n {
+            if self.deflections[k] > 0.0 {
+                let next = (k + 1) % n;
+                self.open[k] = Some(Collision {
+                    start_s: 0.0,
+                    duration_s: 0.0,
+                    ball: k,
+                    next_ball: next,
+                    angle_rad: (x[k] + x[next]).atan2(-(y[k] + y[next])),
+                    approach_speed_m_s: 0.0,
+                    peak_force_n: 0.0,
+                    impulse_n_s: 0.0,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+        let (forces, deflections, _) = view.rhs.pairs();
+        let (from, to) = (view.step.from_s, view.step.to_s);
+        for k in 0..deflections.len() {
+            let (before, after) = (self.deflections[k], deflections[k]);
+            if before <= 0.0 && after <= 0.0 {
+                continue;
+            }
+            let mut since = from;
+            if before <= 0.0 {
+                let touch = self.touch(view, k);
+                since = touch.start_s;
+                self.open[k] = Some(touch);
+            }
+            if let Some(collision) = &mut self.open[k] {
+                collision.peak_force_n = collision.peak_force_n.max(forces[k]);
+            }
+            let until = if after > 0.0 {
+                to
+            } else {
+                self.crossing_s(view, k)
+            };
+            if let Some(mut collision) = self.open[k] {
+                collision.impulse_n_s += 0.5 * (until - since) * (self.forces[k] + forces[k]);
+                if after > 0.0 {
+                    self.open[k] = Some(collision);
+                } else {
+                    self.open[k] = None;
+                    collision.duration_s = until - collision.start_s;
+                    (self.sink)(collision)?;
+                }
+            }
+        }
+        self.deflections.copy_from_slice(deflections);
+        self.forces.copy_from_slice(forces);
+        Ok(Control::Continue)
+    }
+}
+
+/// Closed form of the elastic impact of two equal spheres under F = K δ^(3/2)
+/// (Johnson, *Contact Mechanics*, section 11.4): largest deflection, largest force and
+/// duration at approach speed `speed_m_s`, with m the mass of one sphere.
+pub fn hertz_impact(stiffness_n_m1_5: f64, mass_kg: f64, speed_m_s: f64) -> (f64, f64, f64) {
+    let reduced = mass_kg / 2.0;
+    let deflection = (1.25 * reduced * speed_m_s.powi(2) / stiffness_n_m1_5).powf(0.4);
+    // 2 ∫₀¹ dx/√(1 − x^(5/2)) = 2 √π Γ(2/5)/(5/2 · Γ(9/10)).
+    const SHAPE: f64 = 2.943_275_064_2;
+    (
+        deflection,
+        stiffness_n_m1_5 * deflection.powf(1.5),
+        SHAPE * deflection / speed_m_s,
+    )
+}
+
+/// ψ wrapped to (−π, π].
+pub fn wrap_angle_rad(angle: f64) -> f64 {
+    angle - ((angle / TAU) - 0.5).ceil() * TAU
 }

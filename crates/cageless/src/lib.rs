@@ -17,6 +17,7 @@
 pub mod bearing;
 pub mod case;
 pub mod collision;
+pub mod design;
 pub mod dynamics;
 pub mod equilibrium;
 pub mod error;
@@ -24,11 +25,17 @@ pub mod hertz;
 pub mod integrator;
 pub mod kinematics;
 pub mod numerics;
+pub mod passage;
 pub mod raceway;
+pub mod recorder;
+pub mod simulation;
 pub mod snapshot;
+pub mod spacing;
 pub mod start;
 pub mod state;
+pub mod summary;
 pub mod traction;
+pub mod vibration;
 
 pub use bearing::{Bearing, BearingDimensions, Material};
 pub use case::{

@@ -50,10 +50,10 @@ pub struct SurfacePoint {
     pub normal: [f64; 3],
 }
 
-/// Degree at which r(sin²ψ) is exact to rounding.
-const RADIUS_DEGREE: usize = 14;
-/// The direction factor has poles closer to the interval than r.
-const DIRECTION_DEGREE: usize = 24;
+/// Error of r(sin²ψ), m: below the rounding of Ro.
+const RADIUS_TOLERANCE_M: f64 = 1e-18;
+/// Error of the direction factor.
+const DIRECTION_TOLERANCE: f64 = 1e-13;
 
 impl Raceway {
     /// Lays the contact path (Zhao 2022, Eq. (4), (5)) and checks that the ring can
@@ -102,8 +102,8 @@ impl Raceway {
             groove_bottom_radius_m: d.outer_groove_bottom_radius_m,
             groove_curvature_radius_m: d.outer_groove_curvature_radius_m,
             path: path_coefficients(bearing, span, theta),
-            radius_polynomial: Polynomial::fit(|_| 0.0, 0.0, 1.0, 0),
-            direction_polynomial: Polynomial::fit(|_| 0.0, 0.0, 1.0, 0),
+            radius_polynomial: Polynomial::fit(|_| 0.0, 0.0, 1.0, 0.0),
+            direction_polynomial: Polynomial::fit(|_| 0.0, 0.0, 1.0, 0.0),
         };
         raceway.check_path()?;
         let end = theta.sin().powi(2);
@@ -111,7 +111,7 @@ impl Raceway {
             |s| raceway.radius_by_root(s.sqrt().asin()),
             0.0,
             end,
-            RADIUS_DEGREE,
+            RADIUS_TOLERANCE_M,
         );
         raceway.direction_polynomial = Polynomial::fit(
             |s| {
@@ -121,7 +121,7 @@ impl Raceway {
             },
             0.0,
             end,
-            DIRECTION_DEGREE,
+            DIRECTION_TOLERANCE,
         );
         Ok(raceway)
     }

@@ -15,26 +15,17 @@ pub struct Polynomial {
 }
 
 impl Polynomial {
-    /// Interpolates `f` at the `degree + 1` Chebyshev nodes of [lo, hi]; the ends
-    /// themselves are not evaluated.
-    pub fn fit(f: impl Fn(f64) -> f64, lo: f64, hi: f64, degree: usize) -> Self {
-        let n = degree + 1;
-        let values: Vec<f64> = (0..n)
-            .map(|k| {
-                let u = (PI * (k as f64 + 0.5) / n as f64).cos();
-                f(lo + (hi - lo) * (u + 1.0) / 2.0)
-            })
-            .collect();
-        let chebyshev: Vec<f64> = (0..n)
-            .map(|j| {
-                let sum: f64 = values
-                    .iter()
-                    .enumerate()
-                    .map(|(k, v)| v * (PI * j as f64 * (k as f64 + 0.5) / n as f64).cos())
-                    .sum();
-                sum * if j == 0 { 1.0 } else { 2.0 } / n as f64
-            })
-            .collect();
+    /// Interpolates `f` on [lo, hi] with the lowest of a few degrees whose last Chebyshev
+    /// coefficients are below `tolerance`, or the highest. The ends themselves are not
+    /// evaluated.
+    pub fn fit(f: impl Fn(f64) -> f64, lo: f64, hi: f64, tolerance: f64) -> Self {
+        let mut chebyshev = vec![];
+        for degree in [14, 19, 24, 32, 40] {
+            chebyshev = coefficients(&f, lo, hi, degree);
+            if chebyshev[degree - 1..].iter().all(|c| c.abs() <= tolerance) {
+                break;
+            }
+        }
         Self {
             coefficients: to_powers(&chebyshev),
             scale: 2.0 / (hi - lo),
@@ -50,6 +41,25 @@ impl Polynomial {
             .rev()
             .fold(0.0, |sum, c| sum * u + c)
     }
+}
+
+/// Chebyshev coefficients of the interpolant at the `degree + 1` Chebyshev nodes.
+fn coefficients(f: &impl Fn(f64) -> f64, lo: f64, hi: f64, degree: usize) -> Vec<f64> {
+    let n = degree + 1;
+    let node = |k: usize| PI * (k as f64 + 0.5) / n as f64;
+    let values: Vec<f64> = (0..n)
+        .map(|k| f(lo + (hi - lo) * (node(k).cos() + 1.0) / 2.0))
+        .collect();
+    (0..n)
+        .map(|j| {
+            let sum: f64 = values
+                .iter()
+                .enumerate()
+                .map(|(k, v)| v * (j as f64 * node(k)).cos())
+                .sum();
+            sum * if j == 0 { 1.0 } else { 2.0 } / n as f64
+        })
+        .collect()
 }
 
 /// Σ a_j T_j(u) as powers of u, by T_{j+1} = 2u T_j − T_{j−1}.
@@ -83,7 +93,7 @@ mod tests {
 
     #[test]
     fn follows_an_analytic_function() {
-        let p = Polynomial::fit(f64::exp, -0.5, 0.25, 14);
+        let p = Polynomial::fit(f64::exp, -0.5, 0.25, 1e-16);
         for k in 0..=100 {
             let x = -0.5 + 0.0075 * f64::from(k);
             assert!((p.value(x) - x.exp()).abs() < 3e-16 * 4.0, "{x}");

@@ -1,0 +1,149 @@
+//! How each ball passes each discrete raceway.
+
+use crate::raceway::Raceway;
+use crate::simulation::{Control, Observer, ObserverError, Scene, View};
+
+/// One ball through one raceway.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Passage {
+    /// Index (from 0) of the ball.
+    pub ball: usize,
+    /// Index (from 0) of the raceway.
+    pub raceway: usize,
+    /// When it came in.
+    pub enter_s: f64,
+    /// When it went out.
+    pub leave_s: f64,
+    /// Gap to the ball ahead on coming in.
+    pub gap_enter_rad: f64,
+    /// Smallest gap to the ball ahead while inside.
+    pub gap_min_rad: f64,
+    /// Gap to the ball ahead on going out.
+    pub gap_leave_rad: f64,
+    /// Contacts with either neighbour that began while inside.
+    pub collisions: u32,
+    /// Largest |ΔVi| or |ΔVo| while inside.
+    pub slip_max_m_s: f64,
+    /// Largest and smallest orbital speed while inside.
+    pub orbit_speed_range_rad_s: [f64; 2],
+}
+
+/// Follows the balls through the raceways; a passage counts when the ball has come in
+/// and gone out during the run.
+pub struct PassageRecorder {
+    raceways: Vec<Raceway>,
+    ball_angle: f64,
+    /// Local ψ of each ball at the end of the last step, per raceway.
+    inside: Vec<Option<Passage>>,
+    /// Balls that start inside a raceway are let out first.
+    seen_outside: Vec<bool>,
+    touching: Vec<bool>,
+    /// What was found.
+    pub passages: Vec<Passage>,
+}
+
+impl PassageRecorder {
+    /// An empty record.
+    pub fn new() -> Self {
+        Self {
+            raceways: vec![],
+            ball_angle: 0.0,
+            inside: vec![],
+            seen_outside: vec![],
+            touching: vec![],
+            passages: vec![],
+        }
+    }
+}
+
+impl Default for PassageRecorder {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Observer for PassageRecorder {
+    fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
+        let n = scene.model.balls();
+        self.raceways = scene.case.raceways.clone();
+        self.ball_angle = scene.case.bearing.ball_angle_rad();
+        self.inside = vec![None; n * self.raceways.len()];
+        self.seen_outside = vec![false; n * self.raceways.len()];
+        self.touching = vec![false; n];
+        Ok(())
+    }
+
+    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+        let layout = view.layout();
+        let n = layout.balls;
+        let after = view.step.after;
+        let (x, y) = (
+            &after[layout.group(0)..][..n],
+            &after[layout.group(1)..][..n],
+        );
+        let (vx, vy) = (
+            &after[layout.group(2)..][..n],
+            &after[layout.group(3)..][..n],
+        );
+        let (inner, outer) = view.rhs.slips();
+        let (inner_force, outer_force) = view.rhs.normal_forces();
+        let (_, deflections, _) = view.rhs.pairs();
+        for k in 0..n {
+            let previous = (k + n - 1) % n;
+            let touched = (deflections[k] > 0.0 && !self.touching[k]) as u32
+                + (deflections[previous] > 0.0 && !self.touching[previous]) as u32;
+            let angle = x[k].atan2(-y[k]);
+            for (r, raceway) in self.raceways.iter().enumerate() {
+                let slot = k * self.raceways.len() + r;
+                if !raceway.contains(angle) {
+                    self.seen_outside[slot] = true;
+                    if let Some(mut passage) = self.inside[slot].take() {
+                        passage.leave_s = view.step.to_s;
+                        self.passages.push(passage);
+                    }
+                    continue;
+                }
+                if !self.seen_outside[slot] {
+                    continue;
+                }
+                let next = (k + 1) % n;
+                let cross = x[k] * y[next] - y[k] * x[next];
+                let gap = cross.atan2(x[k] * x[next] + y[k] * y[next]) - self.ball_angle;
+                let orbit = (x[k] * vy[k] - y[k] * vx[k]) / (x[k] * x[k] + y[k] * y[k]);
+                // A contact without load may slide as it likes.
+                let slip = if inner_force[k] > 0.0 {
+                    inner[k].abs()
+                } else {
+                    0.0
+                }
+                .max(if outer_force[k] > 0.0 {
+                    outer[k].abs()
+                } else {
+                    0.0
+                });
+                let passage = self.inside[slot].get_or_insert(Passage {
+                    ball: k,
+                    raceway: r,
+                    enter_s: view.step.to_s,
+                    leave_s: view.step.to_s,
+                    gap_enter_rad: gap,
+                    gap_min_rad: gap,
+                    gap_leave_rad: gap,
+                    collisions: 0,
+                    slip_max_m_s: 0.0,
+                    orbit_speed_range_rad_s: [orbit, orbit],
+                });
+                passage.gap_min_rad = passage.gap_min_rad.min(gap);
+                passage.gap_leave_rad = gap;
+                passage.collisions += touched;
+                passage.slip_max_m_s = passage.slip_max_m_s.max(slip);
+                let [low, high] = passage.orbit_speed_range_rad_s;
+                passage.orbit_speed_range_rad_s = [low.min(orbit), high.max(orbit)];
+            }
+        }
+        for (t, d) in self.touching.iter_mut().zip(deflections) {
+            *t = *d > 0.0;
+        }
+        Ok(Control::Continue)
+    }
+}

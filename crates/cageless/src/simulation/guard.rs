@@ -1,0 +1,138 @@
+//! What ends a run that has left the physical range.
+
+use crate::dynamics::{Model, RightHandSide};
+use crate::state::State;
+
+/// Why a run had to stop.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Cause {
+    /// NaN or infinity in the state.
+    NotFinite,
+    /// A ball (index from 0) pressed into or through the inner ring.
+    ThroughInnerRing(usize),
+    /// A ball (index from 0) pressed into or through the outer ring.
+    ThroughOuterRing(usize),
+    /// A ball (index from 0) pressed into or through the ball ahead.
+    ThroughBall(usize),
+    /// Energy that nothing supplied.
+    EnergyFromNowhere {
+        /// Energy now − energy at the start − net work.
+        residual_j: f64,
+        /// Sum of the absolute flows.
+        flows_j: f64,
+    },
+    /// The error control could not resolve a step.
+    NotResolved,
+}
+
+/// When and why a run stopped.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stop {
+    /// Simulated time.
+    pub time_s: f64,
+    /// What happened.
+    pub cause: Cause,
+}
+
+impl std::fmt::Display for Cause {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::NotFinite => f.write_str("a state is no longer a finite number"),
+            Self::ThroughInnerRing(k) => write!(f, "ball {} went through the inner ring", k + 1),
+            Self::ThroughOuterRing(k) => write!(f, "ball {} went through the outer ring", k + 1),
+            Self::ThroughBall(k) => write!(f, "ball {} went through the ball ahead of it", k + 1),
+            Self::EnergyFromNowhere {
+                residual_j,
+                flows_j,
+            } => write!(
+                f,
+                "{residual_j:.3e} J of energy appeared that nothing supplied ({:.1} % of all flows)",
+                100.0 * residual_j.abs() / flows_j
+            ),
+            Self::NotResolved => f.write_str("a step could not be resolved"),
+        }
+    }
+}
+
+impl Cause {
+    /// What to change.
+    pub fn advice(&self) -> &'static str {
+        match self {
+            Self::ThroughInnerRing(_) | Self::ThroughOuterRing(_) | Self::ThroughBall(_) => {
+                "halve solver.step_us; if it happens again at the same time, the load \
+                 (operation.radial_load_n) or the start (start.ring_y_um) presses the parts \
+                 through each other"
+            }
+            Self::NotFinite | Self::EnergyFromNowhere { .. } | Self::NotResolved => {
+                "halve solver.step_us, or give the contacts some damping (contact.damping, \
+                 contact.ball_restitution)"
+            }
+        }
+    }
+}
+
+/// Deflection that no elastic contact survives, as a share of the ball radius.
+const DEFLECTION_MAX: f64 = 0.05;
+/// The state is looked at this often, steps.
+const LOOK_EVERY: u64 = 8;
+/// The ledger is balanced this often, steps.
+const BALANCE_EVERY: u64 = 512;
+/// Energy from nowhere that is let pass, as a share of the sum of all flows or of the
+/// energy at the start, whichever is larger.
+const RESIDUAL_MAX: f64 = 0.05;
+
+/// Watches for states that cannot be.
+pub(super) struct Guard {
+    start_energy: f64,
+    deflection_max: f64,
+    /// A ball this far off the outer raceway is inside the inner ring.
+    gap_max: f64,
+}
+
+impl Guard {
+    pub fn new(model: &Model, start: &State, ball_radius: f64, clearance: f64) -> Self {
+        Self {
+            start_energy: model.energy_j(start),
+            deflection_max: DEFLECTION_MAX * ball_radius,
+            gap_max: clearance + ball_radius,
+        }
+    }
+
+    pub fn start_energy_j(&self) -> f64 {
+        self.start_energy
+    }
+
+    /// Looks at the state after `steps` steps; `rhs` was last evaluated there.
+    pub fn check(&self, steps: u64, rhs: &RightHandSide<'_>, values: &[f64]) -> Result<(), Cause> {
+        if !steps.is_multiple_of(LOOK_EVERY) {
+            return Ok(());
+        }
+        if !values.iter().sum::<f64>().is_finite() {
+            return Err(Cause::NotFinite);
+        }
+        let (inner, outer) = rhs.deflections();
+        let (_, pair, _) = rhs.pairs();
+        for k in 0..inner.len() {
+            if outer[k] > self.deflection_max {
+                return Err(Cause::ThroughOuterRing(k));
+            }
+            if inner[k] > self.deflection_max || outer[k] < -self.gap_max {
+                return Err(Cause::ThroughInnerRing(k));
+            }
+            if pair[k] > self.deflection_max {
+                return Err(Cause::ThroughBall(k));
+            }
+        }
+        if steps.is_multiple_of(BALANCE_EVERY) {
+            let state = State::from_values(rhs.model().layout(), values.to_vec());
+            let (residual_j, flows_j) = rhs.model().energy_residual_j(self.start_energy, &state);
+            if residual_j > RESIDUAL_MAX * flows_j.max(self.start_energy) {
+                return Err(Cause::EnergyFromNowhere {
+                    residual_j,
+                    flows_j,
+                });
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,9 @@
+//! A run: the equations of a case, advanced and watched.
+
+mod guard;
+mod observer;
+mod run;
+
+pub use guard::{Cause, Stop};
+pub use observer::{Observer, ObserverError, Scene, View};
+pub use run::{Control, Ending, RunOutcome, run, run_from};

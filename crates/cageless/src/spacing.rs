@@ -1,0 +1,236 @@
+//! Spacing of the balls, and the critical gap of a discrete raceway.
+//!
+//! The **critical gap**: let one pair roll into the raceway with gap g. It is the
+//! largest g, read when the leading ball reaches the raceway, at which the pair's gap
+//! falls to 0 between then and the trailing ball leaving. It is what β0 of Zhao 2022,
+//! Eq. (11), means once balls may slip.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use crate::case::{Case, Gaps, Start};
+use crate::equilibrium::{self, EquilibriumError};
+use crate::numerics::root;
+use crate::simulation::{Control, Ending, Observer, ObserverError, Scene, Stop, View, run};
+
+/// What counts as the pair touching.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Touch {
+    /// The angle ψ(i+1) − ψ(i) − ε falls to 0.
+    Angle,
+    /// The balls' surfaces meet, δb > 0. Loaded balls sit outside Rm, so this comes a
+    /// little later.
+    Surface,
+}
+
+/// How the critical gap is measured.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PairTest {
+    /// ψ of the trailing ball at the start, from the middle of the raceway (negative).
+    pub trailing_start_rad: f64,
+    /// What counts as touching.
+    pub touch: Touch,
+    /// Gap to the neighbours of the pair over the gap that the other N − 1 spacings
+    /// would have if all were equal; 1 keeps them equal.
+    pub neighbours_wider: f64,
+    /// Where the ring starts; at its static equilibrium if `None`.
+    pub ring_y_m: Option<f64>,
+}
+
+impl Default for PairTest {
+    /// From ψ = −90°, by angle, the other spacings equal, ring in equilibrium.
+    fn default() -> Self {
+        Self {
+            trailing_start_rad: -FRAC_PI_2,
+            touch: Touch::Angle,
+            neighbours_wider: 1.0,
+            ring_y_m: None,
+        }
+    }
+}
+
+/// Why there is no critical gap.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum CriticalGapError {
+    /// The case is impossible or has no equilibrium.
+    #[error(transparent)]
+    Case(#[from] EquilibriumError),
+    /// The run left the physical range.
+    #[error("at t = {} s {}: {}", .0.time_s, .0.cause, .0.cause.advice())]
+    Stopped(Stop),
+    /// The pair did not reach the raceway.
+    #[error("the pair did not pass the raceway within {0} s: the balls do not roll")]
+    NotPassed(f64),
+    /// No raceway, or it never closes the gap.
+    #[error("the gap of a pair never closes on this raceway")]
+    NeverCloses,
+    /// The gap closes from anywhere.
+    #[error("the gap of a pair closes from any gap that the bearing has room for")]
+    AlwaysCloses,
+}
+
+/// Gap read at the entrance and the smallest after it, for one starting gap.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct PairResult {
+    entrance: f64,
+    smallest: f64,
+}
+
+/// Watches the pair ball 1 (trailing), ball 2 (leading).
+struct PairWatch {
+    centre: f64,
+    half_angle: f64,
+    ball_angle: f64,
+    diameter: f64,
+    touch: Touch,
+    last_gap: f64,
+    last_lead: f64,
+    entrance: Option<f64>,
+    smallest: f64,
+    passed: bool,
+}
+
+impl Observer for PairWatch {
+    fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
+        self.last_gap = scene.start_angle_rad[1] - scene.start_angle_rad[0] - self.ball_angle;
+        self.last_lead = scene.start_angle_rad[1] - self.centre;
+        Ok(())
+    }
+
+    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+        let (trail, lead) = (
+            view.angle_after_rad(0) - self.centre,
+            view.angle_after_rad(1) - self.centre,
+        );
+        let gap = lead - trail - self.ball_angle;
+        if self.entrance.is_none() && lead >= -self.half_angle {
+            let s = (-self.half_angle - self.last_lead) / (lead - self.last_lead);
+            self.entrance = Some(self.last_gap + s * (gap - self.last_gap));
+        }
+        if self.entrance.is_some() {
+            let closeness = match self.touch {
+                Touch::Angle => gap,
+                Touch::Surface => {
+                    let layout = view.layout();
+                    let (x, y) = (layout.group(0), layout.group(1));
+                    let after = view.step.after;
+                    let chord = (after[x + 1] - after[x]).hypot(after[y + 1] - after[y]);
+                    chord / self.diameter - 1.0
+                }
+            };
+            self.smallest = self.smallest.min(closeness);
+        }
+        (self.last_gap, self.last_lead) = (gap, lead);
+        if trail >= self.half_angle {
+            self.passed = true;
+            return Ok(Control::Interrupt);
+        }
+        Ok(Control::Continue)
+    }
+}
+
+/// One passage of the pair with gap `start_gap` at the start.
+fn pass(
+    case: &Case,
+    test: &PairTest,
+    ring_y: f64,
+    start_gap: f64,
+) -> Result<PairResult, CriticalGapError> {
+    let raceway = &case.raceways[0];
+    let bearing = &case.bearing;
+    let n = bearing.balls();
+    let room = n as f64 * bearing.uniform_gap_rad() - start_gap;
+    let even = room / (n - 1) as f64;
+    let beside = even * test.neighbours_wider;
+    let rest = if n > 3 {
+        (room - 2.0 * beside) / (n - 3) as f64
+    } else {
+        even
+    };
+    let mut gaps = vec![rest; n];
+    gaps[0] = start_gap;
+    if n > 3 {
+        gaps[1] = beside;
+        gaps[n - 1] = beside;
+    }
+    let centre = raceway.dimensions().centre_angle_rad;
+    let half_angle = raceway.half_angle_rad();
+    let trailing = test
+        .trailing_start_rad
+        .min(-(half_angle + bearing.ball_angle_rad() + start_gap) - 5f64.to_radians());
+    let mut case = Case {
+        start: Start::Rolling {
+            gaps: Gaps::List(gaps),
+            lead_ball_angle_rad: centre + trailing,
+            ring_x_m: 0.0,
+            ring_y_m: ring_y,
+        },
+        ..case.clone()
+    };
+    // A slow ball may need twice the time of pure rolling.
+    let orbit = crate::kinematics::rolling_orbit_speed_rad_s(
+        bearing,
+        case.operation.inner_speed_rad_s,
+        bearing.ball_radius_m(),
+    );
+    case.solver.duration_s = 3.0 * (half_angle - trailing) / orbit;
+    let mut watch = PairWatch {
+        centre,
+        half_angle,
+        ball_angle: bearing.ball_angle_rad(),
+        diameter: 2.0 * bearing.ball_radius_m(),
+        touch: test.touch,
+        last_gap: 0.0,
+        last_lead: 0.0,
+        entrance: None,
+        smallest: f64::INFINITY,
+        passed: false,
+    };
+    let outcome = run(&case, &mut [&mut watch], &mut |_| Control::Continue)?;
+    if let Ending::Stopped(stop) = outcome.ending {
+        return Err(CriticalGapError::Stopped(stop));
+    }
+    match watch.entrance {
+        Some(entrance) if watch.passed => Ok(PairResult {
+            entrance,
+            smallest: watch.smallest,
+        }),
+        _ => Err(CriticalGapError::NotPassed(case.solver.duration_s)),
+    }
+}
+
+/// Critical gap of the case's first raceway, rad, to about 1e-5°.
+///
+/// # Errors
+/// [`CriticalGapError`].
+pub fn critical_gap_rad(case: &Case, test: &PairTest) -> Result<f64, CriticalGapError> {
+    if case.raceways.is_empty() {
+        return Err(CriticalGapError::NeverCloses);
+    }
+    let bearing = &case.bearing;
+    let ring_y = match test.ring_y_m {
+        Some(y) => y,
+        None => equilibrium::solve(case)?.ring_y_m,
+    };
+    let n = bearing.balls() as f64;
+    // Everything that the other balls leave free, but for a little.
+    let room = 0.9 * (TAU - n * bearing.ball_angle_rad());
+    let mut low = 0.0;
+    let mut high = bearing.uniform_gap_rad().max(room / n);
+    while pass(case, test, ring_y, high)?.smallest <= 0.0 {
+        low = high;
+        high *= 1.25;
+        if high > room {
+            return Err(CriticalGapError::AlwaysCloses);
+        }
+    }
+    let bracket = root::try_brent(
+        |gap| pass(case, test, ring_y, gap).map(|p| p.smallest),
+        low,
+        high,
+        2e-7,
+    )?;
+    match bracket {
+        Some(start) => Ok(pass(case, test, ring_y, start)?.entrance),
+        None => Err(CriticalGapError::NeverCloses),
+    }
+}

@@ -1,0 +1,110 @@
+//! Cases that the tests share.
+#![allow(dead_code)] // each test file uses some
+
+use std::f64::consts::TAU;
+
+use cageless::{
+    Bearing, BearingDimensions, Case, Contact, FrictionLaw, Gaps, Material, Method, Operation,
+    Output, Profile, Raceway, RacewayDimensions, Solver, Start,
+};
+
+/// Zhao 2022, Table 1, with the usual values for what the paper leaves out.
+pub fn dimensions() -> BearingDimensions {
+    BearingDimensions {
+        balls: 14,
+        ball_radius_m: 4.7625e-3,
+        inner_groove_bottom_radius_m: 18.24e-3,
+        outer_groove_bottom_radius_m: 27.765e-3,
+        outer_shoulder_radius_m: 26e-3,
+        inner_groove_curvature_radius_m: 4.953e-3,
+        outer_groove_curvature_radius_m: 4.953e-3,
+        inner_ring_mass_kg: 0.2,
+        inner_ring_drag_n_s_m: 2000.0,
+    }
+}
+
+pub fn steel() -> Material {
+    Material {
+        density_kg_m3: 7850.0,
+        youngs_modulus_pa: 206e9,
+        poisson_ratio: 0.3,
+    }
+}
+
+/// The ten structures of Zhao 2022, Table 2: lC in mm, θ in degrees, β0 by Eq. (11) as
+/// printed there, simulated value.
+pub const STRUCTURES: [(f64, f64, f64, f64); 10] = [
+    (4.95, 35.0, 1.8153, 1.8131),
+    (5.0, 30.5, 1.8176, 1.8281),
+    (5.05, 27.5, 1.8185, 1.8323),
+    (5.1, 25.2, 1.8171, 1.8190),
+    (5.15, 23.5, 1.8183, 1.7932),
+    (5.2, 22.0, 1.8156, 1.7552),
+    (5.4, 18.167, 1.8161, 1.6589),
+    (5.6, 15.774, 1.8161, 1.6594),
+    (5.8, 14.062, 1.8161, 1.5416),
+    (6.0, 12.717, 1.8160, 1.4538),
+];
+
+pub fn raceway(bearing: &Bearing, span_mm: f64, angle_deg: f64, centre_deg: f64) -> Raceway {
+    Raceway::new(
+        RacewayDimensions {
+            axial_span_m: span_mm * 1e-3,
+            half_angle_rad: angle_deg.to_radians(),
+            centre_angle_rad: centre_deg.to_radians(),
+        },
+        bearing,
+    )
+    .unwrap()
+}
+
+/// Conventional outer ring, 12 000 rpm, 1500 N, damped contacts, smooth friction.
+pub fn conventional(dimensions: BearingDimensions) -> Case {
+    Case {
+        title: String::new(),
+        bearing: Bearing::new(dimensions, steel()).unwrap(),
+        raceways: vec![],
+        operation: Operation {
+            inner_speed_rad_s: 12_000.0 * TAU / 60.0,
+            radial_load_n: 1500.0,
+            gravity_m_s2: 9.81,
+        },
+        contact: Contact {
+            friction_coefficient: 0.007,
+            friction_law: FrictionLaw::Smooth,
+            slip_scale_m_s: 0.02,
+            damping_n_s_m1_5: 2e5,
+            ball_restitution: 0.95,
+            inner_stiffness_n_m1_5: None,
+            outer_stiffness_n_m1_5: None,
+            ball_stiffness_n_m1_5: None,
+        },
+        profile: Profile::Physical,
+        start: Start::Settled {
+            gaps: Gaps::Uniform,
+            lead_ball_angle_rad: 0.0,
+        },
+        solver: Solver {
+            method: Method::Abm4,
+            step_s: 1e-6,
+            duration_s: 0.02,
+        },
+        seed: 0,
+        housing: None,
+        output: Output { interval_s: 1e-4 },
+    }
+}
+
+/// The same with a discrete raceway at the bottom.
+pub fn structure(span_mm: f64, angle_deg: f64) -> Case {
+    let case = conventional(dimensions());
+    let raceway = raceway(&case.bearing, span_mm, angle_deg, 0.0);
+    case.with_raceways(vec![raceway])
+}
+
+/// Without contact damping.
+pub fn undamped(mut case: Case) -> Case {
+    case.contact.damping_n_s_m1_5 = 0.0;
+    case.contact.ball_restitution = 1.0;
+    case
+}

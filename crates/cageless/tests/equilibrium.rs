@@ -1,0 +1,129 @@
+//! Static equilibrium against closed forms and an independent balance.
+
+mod common;
+
+use cageless::equilibrium::{Equilibrium, outer_stress_pa, solve};
+use cageless::{Case, Profile, Start};
+use common::{conventional, dimensions, structure};
+
+/// Forces on every ball and on the ring, put together again from the result alone.
+fn check_balance(case: &Case, e: &Equilibrium) {
+    let bearing = &case.bearing;
+    let (mut ring_x, mut ring_y) = (0.0, 0.0);
+    for k in 0..bearing.balls() {
+        let (sin, cos) = e.ball_angle_rad[k].sin_cos();
+        let (x, y) = (e.ball_distance_m[k] * sin, -e.ball_distance_m[k] * cos);
+        let (dx, dy) = (x - e.ring_x_m, y - e.ring_y_m);
+        let distance = dx.hypot(dy);
+        let inner_deflection =
+            bearing.dimensions().inner_groove_bottom_radius_m + bearing.ball_radius_m() - distance;
+        let outer_deflection = e.ball_distance_m[k] - bearing.touching_radius_m();
+        let hertz = |k: f64, d: f64| k * d.max(0.0).powf(1.5);
+        let inner = hertz(e.inner_stiffness_n_m1_5, inner_deflection);
+        let outer = hertz(e.outer_stiffness_n_m1_5, outer_deflection);
+        assert!(
+            (inner - e.inner_force_n[k]).abs() < 1e-6 * (1.0 + inner),
+            "{k}"
+        );
+        assert!(
+            (outer - e.outer_force_n[k]).abs() < 1e-6 * (1.0 + outer),
+            "{k}"
+        );
+        let r = e.effective_radius_m[k];
+        let speed = case.operation.inner_speed_rad_s
+            * bearing.dimensions().inner_groove_bottom_radius_m
+            * r
+            / (r + bearing.ball_radius_m());
+        let mass = bearing.ball_mass_kg();
+        let mut push =
+            mass * speed * speed / e.ball_distance_m[k] + mass * case.operation.gravity_m_s2 * cos;
+        if case.profile == Profile::Paper {
+            push += mass * speed * speed / bearing.pitch_radius_m();
+        }
+        let cosine = (dx * sin - dy * cos) / distance;
+        assert!(
+            (inner * cosine + push - outer).abs() < 1e-6 * (1.0 + outer),
+            "{k}"
+        );
+        ring_x -= inner * dx / distance;
+        ring_y -= inner * dy / distance;
+    }
+    let down = case.operation.radial_load_n
+        + bearing.dimensions().inner_ring_mass_kg * case.operation.gravity_m_s2;
+    assert!(
+        ring_x.abs() < 1e-5 && (ring_y - down).abs() < 1e-5,
+        "{ring_x} {ring_y}"
+    );
+}
+
+#[test]
+fn every_part_is_in_balance() {
+    for profile in [Profile::Physical, Profile::Paper] {
+        for (lead, clearance) in [(0.0, 0.0), (0.1, 0.0), (0.0, 6e-6), (0.2, 20e-6)] {
+            let mut case = structure(5.1, 25.2);
+            if clearance > 0.0 {
+                let mut d = dimensions();
+                d.outer_groove_bottom_radius_m += clearance;
+                case = conventional(d);
+            }
+            case.profile = profile;
+            if let Start::Settled {
+                lead_ball_angle_rad,
+                ..
+            } = &mut case.start
+            {
+                *lead_ball_angle_rad = lead;
+            }
+            check_balance(&case, &solve(&case).unwrap());
+        }
+    }
+}
+
+/// Stribeck's number: Qmax = 4.37 Fr/N for many balls without clearance (Harris,
+/// *Rolling Bearing Analysis*, chapter on load distribution).
+#[test]
+fn stribecks_number() {
+    for balls in [50, 100, 200] {
+        let mut d = dimensions();
+        d.balls = balls;
+        let pitch =
+            d.ball_radius_m / (std::f64::consts::PI / (f64::from(balls as u32) + 0.5)).sin();
+        d.inner_groove_bottom_radius_m = pitch - d.ball_radius_m;
+        d.outer_groove_bottom_radius_m = pitch + d.ball_radius_m;
+        d.outer_shoulder_radius_m = d.outer_groove_bottom_radius_m - 1e-3;
+        let mut case = conventional(d);
+        case.operation.inner_speed_rad_s = 1.0;
+        case.operation.gravity_m_s2 = 0.0;
+        let e = solve(&case).unwrap();
+        let most = e.inner_force_n.iter().copied().fold(0.0, f64::max);
+        let number = most * f64::from(balls as u32) / case.operation.radial_load_n;
+        assert!((number - 4.37).abs() < 0.015, "{balls}: {number}");
+    }
+}
+
+/// With the same load the raceway's two contact points are less loaded each, but the
+/// ring is flatter there.
+#[test]
+fn stress_on_the_discrete_raceway() {
+    let case = structure(5.1, 25.2);
+    let rw = case.bearing.ball_radius_m();
+    let plain = outer_stress_pa(&case.bearing, rw, 500.0);
+    let limit = outer_stress_pa(&case.bearing, rw * (1.0 - 1e-12), 500.0);
+    // Two points share the load: p₀ goes with its cube root.
+    assert!((limit / plain - 0.5f64.cbrt()).abs() < 1e-6);
+    let inside = outer_stress_pa(&case.bearing, 0.85 * rw, 500.0);
+    assert!(inside > limit && inside < plain);
+}
+
+#[test]
+fn an_unloaded_ring_floats() {
+    let mut case = conventional(dimensions());
+    case.operation.radial_load_n = 0.0;
+    case.operation.gravity_m_s2 = 0.0;
+    let e = solve(&case).unwrap();
+    assert!(
+        e.inner_force_n.iter().all(|f| *f < 1e-3),
+        "{:?}",
+        e.inner_force_n
+    );
+}

@@ -1,0 +1,159 @@
+//! A free impact of two balls against conservation laws and closed forms.
+
+mod common;
+
+use cageless::collision::{Collision, CollisionDetector, hertz_impact};
+use cageless::integrator::{Abm4, Integrator};
+use cageless::simulation::{Control, run_from};
+use cageless::state::State;
+use cageless::{Case, dynamics};
+use common::{conventional, dimensions, undamped};
+
+/// Rings so far apart, and everything else so quiet, that balls 1 and 2 meet in free
+/// flight.
+fn free_flight() -> Case {
+    let mut d = dimensions();
+    d.balls = 3;
+    d.outer_groove_bottom_radius_m = d.inner_groove_bottom_radius_m + 3.0 * d.ball_radius_m;
+    d.outer_shoulder_radius_m = d.outer_groove_bottom_radius_m - 1e-3;
+    let mut case = undamped(conventional(d));
+    case.operation.gravity_m_s2 = 0.0;
+    case.operation.radial_load_n = 0.0;
+    case.contact.friction_coefficient = 0.0;
+    case.solver.step_s = 0.1e-6;
+    case.solver.duration_s = 200e-6;
+    case
+}
+
+/// Balls 1 and 2 approach along x at `speed`, 1 µm apart.
+fn approaching(case: &Case, speed: f64) -> (State, Vec<f64>) {
+    let rw = case.bearing.ball_radius_m();
+    let y = -case.bearing.pitch_radius_m();
+    let mut state = State::new(3, case.bearing.pitch_radius_m());
+    let x = rw + 0.5e-6;
+    state.set_ball(0, [-x, y], [speed / 2.0, 0.0], 0.0);
+    state.set_ball(1, [x, y], [-speed / 2.0, 0.0], 0.0);
+    state.set_ball(2, [0.0, -y], [0.0, 0.0], 0.0);
+    let angles = vec![-(x / -y).atan(), (x / -y).atan(), std::f64::consts::PI];
+    (state, angles)
+}
+
+fn impact(case: &Case, speed: f64) -> (Collision, State) {
+    let (state, angles) = approaching(case, speed);
+    let mut found = vec![];
+    let mut detector = CollisionDetector::new(|c| {
+        found.push(c);
+        Ok(())
+    });
+    let end = run_from(case, &state, &angles, &mut [&mut detector], &mut |_| {
+        Control::Continue
+    })
+    .unwrap()
+    .state;
+    drop(detector);
+    assert_eq!(found.len(), 1);
+    (found[0], end)
+}
+
+#[test]
+fn elastic_impact_follows_hertz() {
+    let case = free_flight();
+    let speed = 0.1;
+    let (collision, end) = impact(&case, speed);
+    let k = case.bearing.ball_contact().stiffness_n_m1_5;
+    let mass = case.bearing.ball_mass_kg();
+    let (_, force, duration) = hertz_impact(k, mass, speed);
+    assert!((collision.peak_force_n / force - 1.0).abs() < 1e-4);
+    assert!((collision.duration_s / duration - 1.0).abs() < 1e-4);
+    assert!((collision.approach_speed_m_s / speed - 1.0).abs() < 1e-9);
+    // Equal balls exchange velocities: m·speed of impulse.
+    assert!((collision.impulse_n_s / (mass * speed) - 1.0).abs() < 1e-4);
+    assert!((end.vx_m_s()[0] + speed / 2.0).abs() < 1e-6 * speed);
+    assert!((collision.angle_rad).abs() < 1e-6);
+    assert_eq!((collision.ball, collision.next_ball), (0, 1));
+    // About the 45 µs that an impact at 0.1 m/s is known to last.
+    assert!((40e-6..60e-6).contains(&duration), "{duration}");
+}
+
+#[test]
+fn momentum_is_conserved_to_rounding() {
+    let mut case = free_flight();
+    case.contact.ball_restitution = 0.7;
+    case.contact.friction_coefficient = 0.1;
+    let (mut state, angles) = approaching(&case, 0.3);
+    // An oblique impact of spinning balls.
+    let (rw, y) = (case.bearing.ball_radius_m(), -case.bearing.pitch_radius_m());
+    state.set_ball(0, [-(rw + 0.5e-6), y], [0.2, 0.05], 900.0);
+    let before = state.clone();
+    let end = run_from(&case, &state, &angles, &mut [], &mut |_| Control::Continue)
+        .unwrap()
+        .state;
+    let mass = case.bearing.ball_mass_kg();
+    let inertia = case.bearing.ball_inertia_kg_m2();
+    let momentum = |s: &State| {
+        let sum = |v: &[f64]| v[0] + v[1];
+        // Angular momentum about the origin, spins clockwise.
+        let angular: f64 = (0..2)
+            .map(|k| {
+                mass * (s.x_m()[k] * s.vy_m_s()[k] - s.y_m()[k] * s.vx_m_s()[k])
+                    - inertia * s.spin_state_rad_s()[k]
+            })
+            .sum();
+        [mass * sum(s.vx_m_s()), mass * sum(s.vy_m_s()), angular]
+    };
+    let (m0, m1) = (momentum(&before), momentum(&end));
+    assert!(
+        end.spin_state_rad_s()[0] < 899.0,
+        "friction must have acted"
+    );
+    assert!((m1[0] - m0[0]).abs() < 1e-14 * mass, "{m0:?} {m1:?}");
+    assert!((m1[1] - m0[1]).abs() < 1e-14 * mass, "{m0:?} {m1:?}");
+    // The lever arm is Rw, not half the distance of the squeezed balls: 1 µm in 5 mm.
+    assert!((m1[2] - m0[2]).abs() < 2e-3 * (m0[2] + inertia * 900.0).abs());
+}
+
+/// e is what comes out; the clamp at zero force lets a little more back.
+#[test]
+fn restitution_is_what_was_asked_for() {
+    for (wanted, out) in [(0.95, 0.9505), (0.8, 0.81), (0.5, 0.55)] {
+        let mut case = free_flight();
+        case.contact.ball_restitution = wanted;
+        let speed = 0.1;
+        let (_, end) = impact(&case, speed);
+        let got = (end.vx_m_s()[1] - end.vx_m_s()[0]) / speed;
+        assert!((got - out).abs() < 0.006, "{wanted}: {got}");
+        assert!(got >= wanted - 1e-6);
+    }
+    let mut gentle = free_flight();
+    gentle.contact.ball_restitution = 0.95;
+    let (_, end) = impact(&gentle, 0.1);
+    let got = (end.vx_m_s()[1] - end.vx_m_s()[0]) / 0.1;
+    assert!((got - 0.9505).abs() < 1e-4, "{got}");
+}
+
+/// A damped contact opens at a force of zero with δ still positive and starts with the
+/// infinite slope of √δ: crossing it by error control keeps the accuracy at large steps.
+#[test]
+fn damped_impact_converges() {
+    let result = |step: f64| {
+        let mut case = free_flight();
+        case.contact.ball_restitution = 0.8;
+        case.solver.step_s = step;
+        let (state, _) = approaching(&case, 0.1);
+        let model = dynamics::Model::new(&case).unwrap();
+        let mut rhs = dynamics::RightHandSide::new(&model);
+        let mut method = Abm4::new(model.layout().len(), step);
+        method.restart(&mut rhs, 0.0, state.values());
+        for _ in 0..(100e-6 / step).round() as u32 {
+            method.advance(&mut rhs).unwrap();
+        }
+        method.step().after[model.layout().group(2)]
+    };
+    let reference = result(0.0125e-6);
+    let (coarse, fine) = (
+        (result(1e-6) - reference).abs(),
+        (result(0.25e-6) - reference).abs(),
+    );
+    assert!(coarse < 1e-5, "{coarse:e}");
+    assert!(fine < coarse / 8.0, "{coarse:e} {fine:e}");
+}
