@@ -1,1 +1,15 @@
-//! Placeholder.
+//! Files of Cageless: case files in TOML, results in Parquet and JSON.
+//!
+//! Human units (`_mm`, `_deg`, `_rpm`, `_us`) exist only here and in figures;
+//! [`cageless`] itself is plain SI.
+//!
+//! ```
+//! use cageless_io::case_file::{CaseFile, template};
+//!
+//! let file = CaseFile::parse(&template(false), "template", &[])?;
+//! assert_eq!(file.case().bearing.balls(), 14);
+//! assert_eq!(file.document().operation.inner_speed_rpm, 12000.0);
+//! # Ok::<(), cageless_io::case_file::CaseError>(())
+//! ```
+
+pub mod case_file;

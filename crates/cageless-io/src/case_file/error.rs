@@ -1,0 +1,66 @@
+//! The one message that a bad case file ends in.
+
+/// What is wrong with a case file: where, which key, the value given and what is
+/// allowed, in the unit of the file.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{place}: {message}")]
+pub struct CaseError {
+    /// `file:line`, `file` or the text of the `--set` at fault.
+    place: String,
+    line: Option<usize>,
+    key: Option<String>,
+    message: String,
+}
+
+impl CaseError {
+    /// An error of the file as a whole.
+    pub(super) fn of_file(name: &str, message: String) -> Self {
+        Self {
+            place: name.to_owned(),
+            line: None,
+            key: None,
+            message,
+        }
+    }
+
+    /// An error on a line of the file, which counts from 1.
+    pub(super) fn on_line(name: &str, line: usize, key: Option<String>, message: String) -> Self {
+        Self {
+            place: format!("{name}:{line}"),
+            line: Some(line),
+            key,
+            message,
+        }
+    }
+
+    /// An error of a `--set`.
+    pub(super) fn of_override(text: &str, key: Option<String>, message: String) -> Self {
+        Self {
+            place: format!("--set {text}"),
+            line: None,
+            key,
+            message,
+        }
+    }
+
+    pub(super) fn with_key(mut self, key: impl Into<String>) -> Self {
+        self.key = Some(key.into());
+        self
+    }
+
+    /// Dotted key at fault (`raceway.axial_span_mm`), or the section. None if the
+    /// file as a whole is at fault.
+    pub fn key(&self) -> Option<&str> {
+        self.key.as_deref()
+    }
+
+    /// Line at fault, counted from 1. None if the value does not stand in a file.
+    pub fn line(&self) -> Option<usize> {
+        self.line
+    }
+
+    /// The message without its place.
+    pub fn message(&self) -> &str {
+        &self.message
+    }
+}

@@ -1,0 +1,151 @@
+//! The case file: one computation, in TOML and in the units of the workshop.
+//!
+//! Reading goes through four steps, one file each: [`tree`] (TOML with the place
+//! of every value), [`overrides`] (`--set`), [`read`] (types and defaults, into a
+//! [`CaseDocument`]) and [`convert`] (SI units and the checks of [`cageless`]).
+//! Whatever is wrong ends in one [`CaseError`] that names the place, the key, the
+//! value and what is allowed, in the unit of the file.
+
+mod convert;
+mod document;
+mod error;
+mod keys;
+mod named;
+mod overrides;
+mod read;
+mod reader;
+mod rules;
+mod template;
+mod tree;
+mod unit;
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+pub use document::{
+    BearingDocument, CaseDocument, ContactDocument, GapsDocument, HousingDocument,
+    MaterialDocument, ModelDocument, OperationDocument, OutputDocument, RacewayDocument,
+    SolverDocument, StartDocument, StartState,
+};
+pub use error::CaseError;
+pub use template::template;
+
+use tree::Places;
+
+/// The only schema of case files so far.
+pub const SCHEMA: u64 = 1;
+
+/// A case file that was read, checked and converted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CaseFile {
+    case: cageless::Case,
+    document: CaseDocument,
+    defaults: Vec<String>,
+}
+
+impl CaseFile {
+    /// Reads a case file and applies `overrides`, each the text of one
+    /// `--set section.key=value`.
+    ///
+    /// # Errors
+    /// A [`CaseError`] if the file cannot be read, is not UTF-8 or is refused by
+    /// [`CaseFile::parse`].
+    pub fn read(path: &Path, overrides: &[String]) -> Result<Self, CaseError> {
+        let name = path.display().to_string();
+        let text = read_text(path).map_err(|message| CaseError::of_file(&name, message))?;
+        Self::parse(&text, &name, overrides)
+    }
+
+    /// Parses the text of a case file; `name` stands for it in messages.
+    ///
+    /// # Errors
+    /// A [`CaseError`] for anything but a complete and possible case: bad TOML,
+    /// unknown or missing keys, wrong types, impossible values.
+    pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Self, CaseError> {
+        let mut root = tree::parse(text, name)?;
+        overrides::apply(&mut root, overrides)?;
+        let places = Places::of(&root, name);
+        let (document, defaults) = read::document(&root, &places)?;
+        let case = convert::case(&document, &places)?;
+        Ok(Self {
+            case,
+            document,
+            defaults,
+        })
+    }
+
+    /// Checks a document that was made by other means than a file; `name` stands
+    /// for it in messages. No key counts as a default.
+    ///
+    /// # Errors
+    /// A [`CaseError`] without a line if the case is impossible.
+    pub fn from_document(document: CaseDocument, name: &str) -> Result<Self, CaseError> {
+        let case = convert::case(&document, &Places::nowhere(name))?;
+        Ok(Self {
+            case,
+            document,
+            defaults: Vec::new(),
+        })
+    }
+
+    /// The case in SI units.
+    pub fn case(&self) -> &cageless::Case {
+        &self.case
+    }
+
+    /// The case in the units of the file, every default filled in. The Hertz
+    /// stiffnesses are the exception: they follow from the geometry and stay out,
+    /// so that the document can be changed; see [`CaseFile::document_as_run`].
+    pub fn document(&self) -> &CaseDocument {
+        &self.document
+    }
+
+    /// [`CaseFile::document`] with the stiffnesses that Hertz gives filled in as
+    /// well: what a run used, for the record.
+    pub fn document_as_run(&self) -> CaseDocument {
+        let mut document = self.document.clone();
+        let (bearing, contact) = (&self.case.bearing, &mut document.contact);
+        for (given, hertz) in [
+            (&mut contact.inner_stiffness, bearing.inner_contact()),
+            (&mut contact.outer_stiffness, bearing.outer_contact()),
+            (&mut contact.ball_stiffness, bearing.ball_contact()),
+        ] {
+            given.get_or_insert(hertz.stiffness_n_m1_5);
+        }
+        document
+    }
+
+    /// Dotted keys that the file left out and that took their default, in the
+    /// order of the file format.
+    pub fn defaults(&self) -> &[String] {
+        &self.defaults
+    }
+}
+
+/// No case file comes near this; `/dev/zero` does.
+const SIZE_MAX: u64 = 16 << 20;
+
+fn read_text(path: &Path) -> Result<String, String> {
+    // Opening a directory succeeds on Unix; the message of the read that fails
+    // later does not help.
+    if path.is_dir() {
+        return Err("is a directory, not a case file".to_owned());
+    }
+    let file = File::open(path).map_err(|e| format!("cannot be opened: {e}"))?;
+    let mut bytes = Vec::new();
+    file.take(SIZE_MAX + 1)
+        .read_to_end(&mut bytes)
+        .map_err(|e| format!("cannot be read: {e}"))?;
+    if bytes.len() as u64 > SIZE_MAX {
+        return Err(format!(
+            "is larger than {} MiB: not a case file",
+            SIZE_MAX >> 20
+        ));
+    }
+    String::from_utf8(bytes).map_err(|e| {
+        let good = e.utf8_error().valid_up_to();
+        let line = 1 + e.as_bytes()[..good].iter().filter(|&&b| b == b'\n').count();
+        format!("is not UTF-8 text: line {line} has a byte that does not belong there")
+    })
+}

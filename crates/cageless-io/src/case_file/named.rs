@@ -1,0 +1,67 @@
+//! Choices that a case file makes by name.
+
+use cageless::{FrictionLaw, Method, Profile};
+use serde::Serializer;
+
+use super::document::StartState;
+
+/// A choice with a name for each value. A new value needs one more line here.
+pub(super) trait Named: Copy + PartialEq + 'static {
+    /// Every name with its value.
+    const NAMES: &'static [(&'static str, Self)];
+
+    /// The value of a name.
+    fn from_name(name: &str) -> Option<Self> {
+        Self::NAMES
+            .iter()
+            .find(|(n, _)| *n == name)
+            .map(|&(_, value)| value)
+    }
+
+    /// The name of a value.
+    fn name(self) -> &'static str {
+        Self::NAMES
+            .iter()
+            .find(|(_, value)| *value == self)
+            .map_or("", |&(name, _)| name)
+    }
+
+    /// `"one" or "other"`, for messages.
+    fn choices() -> String {
+        let quoted: Vec<_> = Self::NAMES
+            .iter()
+            .map(|(name, _)| format!("\"{name}\""))
+            .collect();
+        match quoted.split_last() {
+            Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
+            _ => quoted.concat(),
+        }
+    }
+}
+
+impl Named for FrictionLaw {
+    const NAMES: &'static [(&'static str, Self)] =
+        &[("smooth", Self::Smooth), ("coulomb", Self::Coulomb)];
+}
+
+impl Named for Profile {
+    const NAMES: &'static [(&'static str, Self)] =
+        &[("physical", Self::Physical), ("paper", Self::Paper)];
+}
+
+impl Named for StartState {
+    const NAMES: &'static [(&'static str, Self)] =
+        &[("settled", Self::Settled), ("rolling", Self::Rolling)];
+}
+
+impl Named for Method {
+    const NAMES: &'static [(&'static str, Self)] = &[("abm4", Self::Abm4)];
+}
+
+/// Writes the name of a choice.
+pub(super) fn serialize<T: Named, S: Serializer>(
+    value: &T,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(value.name())
+}

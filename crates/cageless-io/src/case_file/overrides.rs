@@ -1,0 +1,124 @@
+//! `--set section.key=value`: changes to a case file from the command line.
+
+use std::collections::BTreeMap;
+
+use super::error::CaseError;
+use super::tree::{self, Node, Origin, Place, Section, Value};
+
+/// Applies the overrides in order; the last one wins. Whether the keys exist and
+/// the values fit is for the reader to say: it finds the override in their place.
+pub(super) fn apply(root: &mut Section, overrides: &[String]) -> Result<(), CaseError> {
+    overrides.iter().try_for_each(|text| apply_one(root, text))
+}
+
+fn apply_one(root: &mut Section, text: &str) -> Result<(), CaseError> {
+    let fail = |key: Option<&str>, message: String| {
+        Err(CaseError::of_override(
+            text,
+            key.map(str::to_owned),
+            message,
+        ))
+    };
+    let Some((key, value)) = text.split_once('=') else {
+        return fail(None, "has no `=`: write section.key=value".to_owned());
+    };
+    let (key, value) = (key.trim(), value.trim());
+    let parts: Vec<&str> = key.split('.').map(str::trim).collect();
+    if parts.len() > 3 || parts.iter().any(|part| !is_bare(part)) {
+        return fail(
+            None,
+            format!("`{key}` is not a key: write section.key=value"),
+        );
+    }
+    if value.is_empty() {
+        return fail(
+            Some(key),
+            "has no value: write section.key=value".to_owned(),
+        );
+    }
+    let node = match tree::parse_override(value, text) {
+        Ok(node) => node,
+        Err(_) if is_word(value) => Node {
+            value: Value::Text(value.to_owned()),
+            place: Place {
+                origin: Origin::Override(text.to_owned()),
+                written: format!("\"{value}\""),
+            },
+        },
+        Err(why) => {
+            return fail(
+                Some(key),
+                format!("`{value}` is not a value of TOML: {why}"),
+            );
+        }
+    };
+    insert(root, &parts, node).or_else(|message| fail(Some(key), message))
+}
+
+/// Puts the value where it belongs; makes the section if there is none.
+fn insert(root: &mut Section, path: &[&str], node: Node) -> Result<(), String> {
+    let (name, index, key) = match *path {
+        [key] => {
+            root.insert(key.to_owned(), node);
+            return Ok(());
+        }
+        [name, key] => (name, None, key),
+        [name, index, key] => (name, Some(index), key),
+        _ => return Err("is not a key: write section.key=value".to_owned()),
+    };
+    let new = || Node {
+        value: Value::Section(BTreeMap::new()),
+        place: node.place.clone(),
+    };
+    let section = match (
+        &mut root.entry(name.to_owned()).or_insert_with(new).value,
+        index,
+    ) {
+        (Value::Section(section), None) => section,
+        (Value::List(list), index) => section_of(list, name, index, key)?,
+        (Value::Section(_), Some(_)) => return Err(format!("there is only one [{name}]")),
+        _ => return Err(format!("`{name}` is not a section in the case file")),
+    };
+    section.insert(key.to_owned(), node);
+    Ok(())
+}
+
+/// One of the `[[name]]` sections, `index` counting from 1.
+fn section_of<'a>(
+    list: &'a mut [Node],
+    name: &str,
+    index: Option<&str>,
+    key: &str,
+) -> Result<&'a mut Section, String> {
+    let count = list.len();
+    let index: usize = match index {
+        Some(index) => index.parse().unwrap_or(0),
+        None if count == 1 => 1,
+        None => {
+            return Err(format!(
+                "there are {count} [[{name}]] sections: write {name}.1.{key} for the first"
+            ));
+        }
+    };
+    match index.checked_sub(1).and_then(|k| list.get_mut(k)) {
+        Some(Node {
+            value: Value::Section(section),
+            ..
+        }) => Ok(section),
+        _ => Err(format!(
+            "there are {count} [[{name}]] sections, counted from 1"
+        )),
+    }
+}
+
+fn is_bare(part: &str) -> bool {
+    !part.is_empty()
+        && part
+            .chars()
+            .all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '-'))
+}
+
+/// Text that was meant as a string, its quotes lost to the shell.
+fn is_word(value: &str) -> bool {
+    !value.starts_with(['"', '\'', '[', '{']) && !value.contains(['"', '=', '#'])
+}

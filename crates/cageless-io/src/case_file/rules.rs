@@ -1,0 +1,128 @@
+//! What is allowed, in the units of the file.
+
+use cageless::case::STEPS_MAX;
+use cageless::error::Allowed;
+use cageless::{Bearing, Case, InputError};
+
+use super::document::{CaseDocument, GapsDocument};
+use super::keys::Key;
+use super::unit::{Side, Unit, round};
+
+/// What a field of [`cageless`] may be, in the unit of its key. Rules in words that
+/// hold numbers in SI units are put anew.
+pub(super) fn in_file_units(
+    error: &InputError,
+    key: &Key,
+    document: &CaseDocument,
+    raceway: Option<usize>,
+) -> String {
+    let unit = key.unit;
+    let reason = |why: &str| {
+        if why.is_empty() {
+            String::new()
+        } else {
+            format!(" ({why})")
+        }
+    };
+    match &error.allowed {
+        Allowed::Above(low, why) => {
+            format!("more than {}{}", unit.show(*low, Side::Lower), reason(why))
+        }
+        Allowed::AtLeast(low, why) => {
+            format!("at least {}{}", unit.show(*low, Side::Lower), reason(why))
+        }
+        Allowed::Below(high, why) => {
+            format!("less than {}{}", unit.show(*high, Side::Upper), reason(why))
+        }
+        Allowed::AtMost(high, why) => {
+            format!("at most {}{}", unit.show(*high, Side::Upper), reason(why))
+        }
+        Allowed::Between(low, high, why) => format!(
+            "between {} and {}{}",
+            unit.show(*low, Side::Lower),
+            unit.show(*high, Side::Upper),
+            reason(why)
+        ),
+        Allowed::Rule(rule) => match (error.field, raceway) {
+            ("duration_s", _) => duration(document),
+            ("half_angle_rad", Some(index)) if index < document.raceway.len() => format!(
+                "an angle at which the contact path rises steadily to the plain raceway (Zhao \
+                 2022, Eq. (9)): with axial_span_mm = {} it turns back or leaves the groove",
+                document.raceway[index].axial_span_mm
+            ),
+            _ => rule.clone(),
+        },
+    }
+}
+
+fn duration(document: &CaseDocument) -> String {
+    let solver = &document.solver;
+    let step_s = Unit::Microsecond.to_si(solver.step_us);
+    format!(
+        "at most {} s with step_us = {}: it would take {:.3e} steps, and {STEPS_MAX:e} are the limit",
+        round(STEPS_MAX * step_s, Side::Upper),
+        solver.step_us,
+        solver.duration_s / step_s,
+    )
+}
+
+/// What is given and what is allowed as `start.gaps`.
+pub(super) fn gaps(document: &CaseDocument, bearing: &Bearing) -> (String, String) {
+    let n = bearing.balls();
+    let GapsDocument::ListDeg(gaps) = &document.start.gaps else {
+        return ("\"uniform\"".to_owned(), format!("a list of {n} gaps"));
+    };
+    let value = format!("{gaps:?}");
+    if gaps.len() != n {
+        let allowed = format!(
+            "a list of {n} gaps in deg, one per ball; these are {}",
+            gaps.len()
+        );
+        return (value, allowed);
+    }
+    if let Some((k, gap)) = gaps.iter().enumerate().find(|(_, gap)| !(**gap >= 0.0)) {
+        let allowed = format!(
+            "0 deg or more each, balls cannot overlap; gap {} is {gap}",
+            k + 1
+        );
+        return (value, allowed);
+    }
+    let room = n as f64 * Unit::Degree.from_si(bearing.uniform_gap_rad());
+    let allowed = format!(
+        "gaps that add up to {:.4} deg, which is 360 - {n} ε (Zhao 2022, Eq. (10)); these add up \
+         to {:.4}",
+        room,
+        gaps.iter().sum::<f64>()
+    );
+    (value, allowed)
+}
+
+/// Where the ring may start; the limit is that of [`cageless::Case::check`].
+pub(super) fn ring(bearing: &Bearing) -> String {
+    let most = bearing.radial_clearance_m() + 0.1 * bearing.ball_radius_m();
+    let most = round(Unit::Micrometre.from_si(most), Side::Upper);
+    format!("between -{most} um and {most} um (the clearance and a tenth of the ball's radius)")
+}
+
+/// The first two raceways that overlap, and how far apart they must be.
+pub(super) fn overlap(case: &Case) -> Option<(usize, usize, String)> {
+    let raceways = &case.raceways;
+    let overlap = |one: usize, other: usize| {
+        let pair = vec![raceways[one].clone(), raceways[other].clone()];
+        case.with_raceways(pair)
+            .check()
+            .is_err_and(|e| e.field == "centre_angle_rad")
+    };
+    let pairs =
+        (0..raceways.len()).flat_map(|one| (one + 1..raceways.len()).map(move |o| (one, o)));
+    let (one, other) = pairs
+        .into_iter()
+        .find(|&(one, other)| overlap(one, other))?;
+    let apart = raceways[one].half_angle_rad() + raceways[other].half_angle_rad();
+    let allowed = format!(
+        "{} or more away from the middle of raceway {}, or the two overlap",
+        Unit::Degree.show(apart, Side::Lower),
+        one + 1
+    );
+    Some((one, other, allowed))
+}

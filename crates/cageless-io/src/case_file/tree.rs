@@ -1,0 +1,271 @@
+//! TOML as a tree that remembers where each value stands.
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use toml::Spanned;
+use toml::de::{DeString, DeTable, DeValue};
+
+use super::error::CaseError;
+
+/// Keys of a section with their values.
+pub(super) type Section = BTreeMap<String, Node>;
+
+/// A value and its place.
+#[derive(Debug, Clone)]
+pub(super) struct Node {
+    pub value: Value,
+    pub place: Place,
+}
+
+/// A value of TOML.
+#[derive(Debug, Clone)]
+pub(super) enum Value {
+    Integer(i64),
+    Number(f64),
+    Text(String),
+    List(Vec<Node>),
+    Section(Section),
+    /// What no key takes: a truth value or a date.
+    Other,
+}
+
+/// Where a value stands.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Origin {
+    /// On this line of the file, counted from 1.
+    Line(usize),
+    /// In a `--set` of this text.
+    Override(String),
+}
+
+/// Where a value stands and how it is written there.
+#[derive(Debug, Clone)]
+pub(super) struct Place {
+    pub origin: Origin,
+    pub written: String,
+}
+
+/// The places of all keys of one file, by dotted key.
+#[derive(Debug)]
+pub(super) struct Places {
+    file: String,
+    places: BTreeMap<String, Place>,
+}
+
+impl Places {
+    /// For a document that was not read from a file.
+    pub(super) fn nowhere(name: &str) -> Self {
+        Self {
+            file: name.to_owned(),
+            places: BTreeMap::new(),
+        }
+    }
+
+    /// Of everything below `root`.
+    pub(super) fn of(root: &Section, name: &str) -> Self {
+        let mut places = Self::nowhere(name);
+        places.collect("", root);
+        places
+    }
+
+    fn collect(&mut self, prefix: &str, section: &Section) {
+        for (key, node) in section {
+            self.collect_node(join(prefix, key), node);
+        }
+    }
+
+    fn collect_node(&mut self, path: String, node: &Node) {
+        match &node.value {
+            Value::Section(section) => self.collect(&path, section),
+            // A single [[raceway]] goes by the same keys as [raceway].
+            Value::List(list) => match list.as_slice() {
+                [
+                    Node {
+                        value: Value::Section(section),
+                        ..
+                    },
+                ] => self.collect(&path, section),
+                several => {
+                    for (k, item) in several.iter().enumerate() {
+                        if matches!(item.value, Value::Section(_)) {
+                            self.collect_node(format!("{path}.{}", k + 1), item);
+                        }
+                    }
+                }
+            },
+            _ => {}
+        }
+        self.places.insert(path, node.place.clone());
+    }
+
+    /// How the value of a dotted key is written, if it is.
+    pub(super) fn written(&self, path: &str) -> Option<&str> {
+        self.places.get(path).map(|p| p.written.as_str())
+    }
+
+    /// An error at a dotted key, or at its section if the key is not written.
+    pub(super) fn error(&self, path: &str, message: String) -> CaseError {
+        let mut place = None;
+        let mut known = path;
+        while place.is_none() && !known.is_empty() {
+            place = self.places.get(known);
+            known = known.rsplit_once('.').map_or("", |(front, _)| front);
+        }
+        match place {
+            Some(place) => self.error_at(place, path, message),
+            None => CaseError::of_file(&self.file, message).with_key(path),
+        }
+    }
+
+    /// An error at a place.
+    pub(super) fn error_at(&self, place: &Place, path: &str, message: String) -> CaseError {
+        let key = Some(path.to_owned());
+        match &place.origin {
+            Origin::Line(line) => CaseError::on_line(&self.file, *line, key, message),
+            Origin::Override(text) => CaseError::of_override(text, key, message),
+        }
+    }
+}
+
+/// `section.key`, or the key alone at the head of the file.
+pub(super) fn join(section: &str, key: &str) -> String {
+    if section.is_empty() {
+        key.to_owned()
+    } else {
+        format!("{section}.{key}")
+    }
+}
+
+/// Parses a case file.
+pub(super) fn parse(text: &str, name: &str) -> Result<Section, CaseError> {
+    // Windows editors put it there; it is not part of the text.
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let table = DeTable::parse(text).map_err(|e| syntax_error(text, name, &e))?;
+    let origin = |span: &Range<usize>| Origin::Line(line_of(text, span.start));
+    Ok(section(table.get_ref(), text, &origin))
+}
+
+/// Parses the value of a `--set`; the error is what is wrong with it.
+pub(super) fn parse_override(value: &str, whole: &str) -> Result<Node, String> {
+    let parsed = DeValue::parse(value).map_err(|e| e.message().to_owned())?;
+    let origin = |_: &Range<usize>| Origin::Override(whole.to_owned());
+    let place = Place {
+        origin: origin(&(0..0)),
+        written: value.to_owned(),
+    };
+    Ok(Node {
+        value: convert(parsed.get_ref(), value, &origin),
+        place,
+    })
+}
+
+type OriginOf<'a> = dyn Fn(&Range<usize>) -> Origin + 'a;
+
+fn section(table: &DeTable<'_>, text: &str, origin: &OriginOf<'_>) -> Section {
+    let entry = |(key, value): (&Spanned<DeString<'_>>, &Spanned<DeValue<'_>>)| {
+        let place = Place {
+            origin: origin(&key.span()),
+            written: excerpt(text, value.span()),
+        };
+        let value = convert(value.get_ref(), text, origin);
+        (key.get_ref().to_string(), Node { value, place })
+    };
+    table.iter().map(entry).collect()
+}
+
+fn convert(value: &DeValue<'_>, text: &str, origin: &OriginOf<'_>) -> Value {
+    match value {
+        DeValue::String(s) => Value::Text(s.to_string()),
+        DeValue::Integer(i) => match i64::from_str_radix(i.as_str(), i.radix()) {
+            Ok(integer) => Value::Integer(integer),
+            // Too many digits for an integer, yet a number.
+            Err(_) => Value::Number(i.as_str().parse().unwrap_or(f64::INFINITY)),
+        },
+        DeValue::Float(f) => Value::Number(f.as_str().parse().unwrap_or(f64::NAN)),
+        DeValue::Boolean(_) | DeValue::Datetime(_) => Value::Other,
+        DeValue::Array(items) => Value::List(
+            items
+                .iter()
+                .map(|item| Node {
+                    place: Place {
+                        origin: origin(&item.span()),
+                        written: excerpt(text, item.span()),
+                    },
+                    value: convert(item.get_ref(), text, origin),
+                })
+                .collect(),
+        ),
+        DeValue::Table(table) => Value::Section(section(table, text, origin)),
+    }
+}
+
+fn line_of(text: &str, offset: usize) -> usize {
+    let offset = offset.min(text.len());
+    1 + text.as_bytes()[..offset]
+        .iter()
+        .filter(|&&b| b == b'\n')
+        .count()
+}
+
+/// Longest excerpt of a file in a message, in characters.
+const EXCERPT_MAX: usize = 60;
+
+/// A value as it is written, on one line and of bearable length.
+fn excerpt(text: &str, span: Range<usize>) -> String {
+    let written = text
+        .get(span)
+        .unwrap_or("")
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
+    if written.chars().count() <= EXCERPT_MAX {
+        return written;
+    }
+    written.chars().take(EXCERPT_MAX).chain(['…']).collect()
+}
+
+fn syntax_error(text: &str, name: &str, error: &toml::de::Error) -> CaseError {
+    let Some(span) = error.span() else {
+        return CaseError::of_file(name, format!("is not TOML: {}", error.message()));
+    };
+    let line = line_of(text, span.start);
+    let source = text.lines().nth(line - 1).unwrap_or("").trim();
+    let message = format!(
+        "is not TOML: {}: `{}`",
+        error.message(),
+        excerpt(source, 0..source.len())
+    );
+    CaseError::on_line(name, line, key_on_line(text, line), message)
+}
+
+/// The dotted key that a line seems to set. A file that is not TOML has no tree
+/// to ask.
+fn key_on_line(text: &str, line: usize) -> Option<String> {
+    let bare = |s: &str| {
+        !s.is_empty()
+            && s.chars()
+                .all(|c| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '.'))
+    };
+    let header = |line: &str| {
+        let name = line
+            .trim()
+            .strip_prefix('[')?
+            .split(']')
+            .next()?
+            .trim_matches(['[', ' ']);
+        bare(name).then(|| name.to_owned())
+    };
+    let current = text.lines().nth(line - 1)?;
+    if let Some(section) = header(current) {
+        return Some(section);
+    }
+    let key = current.split('=').next()?.trim();
+    let before: Vec<_> = text.lines().take(line - 1).collect();
+    let section = before
+        .into_iter()
+        .rev()
+        .find_map(header)
+        .unwrap_or_default();
+    bare(key).then(|| join(&section, key))
+}
