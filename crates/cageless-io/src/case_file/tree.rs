@@ -251,7 +251,7 @@ fn key_on_line(text: &str, line: usize) -> Option<String> {
         let name = line
             .trim()
             .strip_prefix('[')?
-            .split(']')
+            .split([']', '#'])
             .next()?
             .trim_matches(['[', ' ']);
         bare(name).then(|| name.to_owned())

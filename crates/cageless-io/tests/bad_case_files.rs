@@ -1,0 +1,350 @@
+//! Every way in which a case file can be wrong ends in one message that names the
+//! place, the key, the value and what is allowed.
+
+mod common;
+
+use cageless_io::case_file::{CaseFile, template};
+use common::{edited, line_of, refused};
+
+/// What is replaced in the template, by what, the key that the message must name and
+/// fragments that it must have.
+type Row = (
+    &'static str,
+    &'static str,
+    &'static str,
+    &'static [&'static str],
+);
+
+const SPAN: &str = "axial_span_mm = 5.1";
+const THETA: &str = "half_angle_deg = 25.2";
+const START: &str = "# [start]";
+
+#[rustfmt::skip]
+const EDITS: &[Row] = &[
+    // Names.
+    ("balls = 14", "balls = 14\ncolour = 1", "bearing.colour", &["not a key of [bearing]", "its keys are balls"]),
+    ("[material]", "[lubricant]\nfilm_um = 1\n[material]", "lubricant", &["not a section", "its sections are bearing"]),
+    ("[material]", "[materiel]", "materiel", &["did you mean [material]?"]),
+    ("axial_span_mm", "axial_spam_mm", "raceway.axial_spam_mm", &["did you mean axial_span_mm?"]),
+    ("axial_span_mm = 5.1", "axial_span_m = 0.0051", "raceway.axial_span_m", &["did you mean axial_span_mm?"]),
+    ("gravity_m_s2 = 9.81", "gravity_m_s2 = 9.81\ndensity_kg_m3 = 1.0", "operation.density_kg_m3", &["did you mean material.density_kg_m3?"]),
+    ("title =", "titel =", "titel", &["did you mean title?"]),
+    ("title =", "balls = 14\ntitle =", "balls", &["did you mean bearing.balls?"]),
+    ("ball_radius_mm = 4.7625", "# ", "bearing.ball_radius_mm", &["missing in [bearing]", "radius of a ball, in mm"]),
+    ("profile = \"physical\"", "# ", "model.profile", &["missing in [model]", "\"physical\" or \"paper\""]),
+    ("step_us = 1.0", "# ", "solver.step_us", &["missing in [solver]", "step of the integration, in us"]),
+    ("balls = 14", "balls = 14\nballs = 15", "bearing.balls", &["not TOML", "duplicate key", "balls = 15"]),
+    ("[material]", "[bearing]", "bearing", &["not TOML", "duplicate key"]),
+    ("balls = 14", "balls = = 14", "bearing.balls", &["not TOML", "balls = = 14"]),
+    ("[material]", "[material", "material", &["not TOML"]),
+    // Types.
+    ("ball_radius_mm = 4.7625", "ball_radius_mm = \"4.7625\"", "bearing.ball_radius_mm", &["= \"4.7625\" is not possible", "a number in mm, without quotes"]),
+    ("ball_radius_mm = 4.7625", "ball_radius_mm = true", "bearing.ball_radius_mm", &["= true", "a number in mm"]),
+    ("ball_radius_mm = 4.7625", "ball_radius_mm = 1979-05-27", "bearing.ball_radius_mm", &["a number in mm"]),
+    ("ball_radius_mm = 4.7625", "ball_radius_mm = [4.7625]", "bearing.ball_radius_mm", &["= [4.7625]", "a number in mm"]),
+    ("ball_radius_mm = 4.7625", "ball_radius_mm = { value = 4.7625 }", "bearing.ball_radius_mm", &["a number in mm"]),
+    ("title = \"Zhao 2022, structure (d)\"", "title = 7", "title", &["= 7 ", "text in quotes"]),
+    ("profile = \"physical\"", "profile = 1", "model.profile", &["= 1 ", "\"physical\" or \"paper\""]),
+    ("balls = 14", "balls = 13.5", "bearing.balls", &["= 13.5", "a whole number"]),
+    ("balls = 14", "balls = -14", "bearing.balls", &["= -14", "a whole number, 0 or more"]),
+    ("# seed = 0", "seed = -1", "solver.seed", &["= -1", "a whole number, 0 or more"]),
+    ("# seed = 0", "seed = 99999999999999999999", "solver.seed", &["below 2^63"]),
+    ("step_us = 1.0", "step_us = \"auto\"", "solver.step_us", &["a number in us"]),
+    ("[material]", "[[material]]", "material", &["once only"]),
+    ("schema = 1", "schema = 1\nhousing = 5", "housing", &["= 5 ", "a section, [housing]"]),
+    (START, "[start]\ngaps = \"equal\" #", "start.gaps", &["\"equal\"", "\"uniform\" or a list of gaps in deg"]),
+    (START, "[start]\ngaps = [1.8, \"a\"] #", "start.gaps", &["\"a\"", "a number in deg"]),
+    // Numbers.
+    ("ball_radius_mm = 4.7625", "ball_radius_mm = 0", "bearing.ball_radius_mm", &["= 0 ", "more than 0 mm"]),
+    ("ball_radius_mm = 4.7625", "ball_radius_mm = -4.7625", "bearing.ball_radius_mm", &["= -4.7625", "more than 0 mm"]),
+    ("ball_radius_mm = 4.7625", "ball_radius_mm = nan", "bearing.ball_radius_mm", &["= nan", "a finite number of mm"]),
+    ("inner_speed_rpm = 12000.0", "inner_speed_rpm = inf", "operation.inner_speed_rpm", &["= inf", "a finite number of rpm"]),
+    ("youngs_modulus_gpa = 206.0", "youngs_modulus_gpa = 1e305", "material.youngs_modulus_gpa", &["= 1e305", "a finite number of GPa"]),
+    ("youngs_modulus_gpa = 206.0", "youngs_modulus_gpa = -206.0", "material.youngs_modulus_gpa", &["= -206.0", "more than 0 GPa"]),
+    ("inner_speed_rpm = 12000.0", "inner_speed_rpm = 0.0", "operation.inner_speed_rpm", &["more than 0 rpm"]),
+    ("radial_load_n = 1500.0", "radial_load_n = -1500.0", "operation.radial_load_n", &["at least 0 N"]),
+    ("inner_ring_mass_kg = 0.2", "inner_ring_mass_kg = 0.0", "bearing.inner_ring_mass_kg", &["more than 0 kg"]),
+    ("damping = 2.0e5", "damping = -1.0", "contact.damping", &["at least 0 N s/m^1.5"]),
+    ("# inner_stiffness = 2.8e10", "inner_stiffness = 0", "contact.inner_stiffness", &["more than 0 N/m^1.5"]),
+    ("poisson_ratio = 0.3", "poisson_ratio = 0.5", "material.poisson_ratio", &["= 0.5", "less than 0.5"]),
+    ("# ball_restitution = 0.95", "ball_restitution = 0", "contact.ball_restitution", &["more than 0 and at most 1"]),
+    ("# ball_restitution = 0.95", "ball_restitution = 1.5", "contact.ball_restitution", &["= 1.5", "more than 0 and at most 1"]),
+    // Geometry.
+    ("balls = 14", "balls = 16", "bearing.balls", &["= 16", "at most 15", "do not fit"]),
+    ("balls = 14", "balls = 2", "bearing.balls", &["= 2 ", "at least 3"]),
+    ("ball_radius_mm = 4.7625", "ball_radius_mm = 4.8", "bearing.ball_radius_mm", &["= 4.8", "at most 4.7625 mm", "clearance"]),
+    ("inner_groove_curvature_radius_mm = 4.953", "inner_groove_curvature_radius_mm = 4.7", "bearing.inner_groove_curvature_radius_mm", &["= 4.7", "more than 4.7625 mm", "radius of the ball"]),
+    ("outer_shoulder_radius_mm = 26.0", "outer_shoulder_radius_mm = 28.0", "bearing.outer_shoulder_radius_mm", &["= 28.0", "between 23.0025 mm and 27.765 mm"]),
+    ("outer_shoulder_radius_mm = 26.0", "outer_shoulder_radius_mm = 20.0", "bearing.outer_shoulder_radius_mm", &["between 23.0025 mm and 27.765 mm"]),
+    (SPAN, "axial_span_mm = 8.0", "raceway.axial_span_mm", &["= 8.0", "less than 7.4017", "mm", "Eq. (8)"]),
+    (SPAN, "axial_span_mm = 0", "raceway.axial_span_mm", &["more than 0 mm"]),
+    (THETA, "half_angle_deg = 60", "raceway.half_angle_deg", &["= 60", "Eq. (9)", "axial_span_mm = 5.1"]),
+    (THETA, "half_angle_deg = 90", "raceway.half_angle_deg", &["= 90", "less than 90 deg"]),
+    (THETA, "half_angle_deg = -5", "raceway.half_angle_deg", &["more than 0 deg"]),
+    ("# centre_angle_deg = 0.0", "centre_angle_deg = 400", "raceway.centre_angle_deg", &["between -360 deg and 360 deg"]),
+    ("[raceway]", "[[raceway]]\naxial_span_mm = 5.1\nhalf_angle_deg = 20\ncentre_angle_deg = 30\n[[raceway]]", "raceway.2.centre_angle_deg", &["45.2 deg or more away from the middle of raceway 1"]),
+    ("[raceway]", "[[raceway]]\naxial_span_mm = 9\nhalf_angle_deg = 20\ncentre_angle_deg = 180\n[[raceway]]", "raceway.1.axial_span_mm", &["= 9 ", "less than 7.4017"]),
+    ("# outer_ring_outer_radius_mm = 31.0", "outer_ring_outer_radius_mm = 27.0", "bearing.outer_ring_outer_radius_mm", &["= 27.0", "more than 27.765 mm"]),
+    ("# outer_ring_width_mm = 16.0", "outer_ring_width_mm = 0", "bearing.outer_ring_width_mm", &["more than 0 mm"]),
+    ("balls = 14", "balls = 14\nball_radius_deviation_um = [0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0, 0, 0, 0, 0]", "bearing.ball_radius_deviation_um", &["not 0.5 um", "not part of the model yet"]),
+    ("balls = 14", "balls = 14\nball_radius_deviation_um = [0, 0]", "bearing.ball_radius_deviation_um", &["a list of 14 numbers"]),
+    ("balls = 14", "balls = 14\nball_radius_deviation_um = 0", "bearing.ball_radius_deviation_um", &["a list of numbers"]),
+    // Start.
+    (START, "[start]\ngaps = [1.8, 1.8] #", "start.gaps", &["= [1.8, 1.8]", "a list of 14 gaps", "these are 2"]),
+    (START, "[start]\ngaps = [2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2] #", "start.gaps", &["add up to 25.4251 deg", "these add up to 28.0000"]),
+    (START, "[start]\ngaps = [-1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2.4251] #", "start.gaps", &["0 deg or more", "gap 1 is -1"]),
+    (START, "[start]\ngaps = [inf, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2.4251] #", "start.gaps", &["a finite number of deg"]),
+    (START, "[start]\nring_y_um = -10 #", "start.ring_y_um", &["= -10", "left out unless start.state = \"rolling\""]),
+    (START, "[start]\nring_x_um = 0 #", "start.ring_x_um", &["left out unless"]),
+    (START, "[start]\nstate = \"rolling\"\nring_y_um = -2200 #", "start.ring_y_um", &["= -2200", "between -476.25 um and 476.25 um"]),
+    (START, "[start]\nstate = \"rollin\" #", "start.state", &["\"rollin\"", "\"settled\" or \"rolling\""]),
+    (START, "[start]\nlead_ball_angle_deg = nan #", "start.lead_ball_angle_deg", &["a finite number of deg"]),
+    // Choices.
+    ("profile = \"physical\"", "profile = \"realistic\"", "model.profile", &["\"realistic\"", "\"physical\" or \"paper\""]),
+    ("friction_law = \"smooth\"", "friction_law = \"stribeck\"", "contact.friction_law", &["\"stribeck\"", "\"smooth\" or \"coulomb\""]),
+    ("method = \"abm4\"", "method = \"euler\"", "solver.method", &["\"euler\"", "\"abm4\""]),
+    ("schema = 1", "schema = 2", "schema", &["= 2 ", "the only schema"]),
+    ("schema = 1", "schema = \"1\"", "schema", &["\"1\""]),
+    // Run.
+    ("step_us = 1.0", "step_us = 0", "solver.step_us", &["= 0 ", "more than 0 us"]),
+    ("step_us = 1.0", "step_us = -1.0", "solver.step_us", &["= -1.0", "more than 0 us"]),
+    ("duration_s = 0.5", "duration_s = 2e6", "solver.duration_s", &["= 2e6", "at most 1000000 s with step_us = 1", "2.000e12 steps"]),
+    ("duration_s = 0.5", "duration_s = -0.5", "solver.duration_s", &["more than 0 s"]),
+    ("interval_us = 100.0", "interval_us = 0.0", "output.interval_us", &["more than 0 us"]),
+];
+
+/// An override of the template, the key that the message must name and fragments.
+type SetRow = (&'static str, Option<&'static str>, &'static [&'static str]);
+
+#[rustfmt::skip]
+const SETS: &[SetRow] = &[
+    ("raceway.axial_span_mm", None, &["has no `=`"]),
+    ("=5", None, &["is not a key"]),
+    ("a.b.c.d=5", None, &["is not a key"]),
+    ("raceway..axial_span_mm=5", None, &["is not a key"]),
+    ("raceway.axial_span_mm=", Some("raceway.axial_span_mm"), &["has no value"]),
+    ("start.gaps=[1.8, 1.8", Some("start.gaps"), &["not a value of TOML"]),
+    ("raceway.axial_span_mm=8", Some("raceway.axial_span_mm"), &["raceway.axial_span_mm = 8 is", "less than 7.4017"]),
+    ("raceway.axial_spam_mm=5", Some("raceway.axial_spam_mm"), &["did you mean axial_span_mm?"]),
+    ("raceways.axial_span_mm=5", Some("raceways"), &["did you mean [raceway]?"]),
+    ("axial_span_mm=5", Some("axial_span_mm"), &["did you mean raceway.axial_span_mm?"]),
+    ("raceway.2.axial_span_mm=5", Some("raceway.2.axial_span_mm"), &["only one [raceway]"]),
+    ("operation.inner_speed_rpm=12k", Some("operation.inner_speed_rpm"), &["= \"12k\"", "a number in rpm"]),
+    ("model.profile=papers", Some("model.profile"), &["\"papers\"", "\"physical\" or \"paper\""]),
+    ("housing.mass_kg=1.0", Some("housing.stiffness_n_m"), &["missing in [housing]"]),
+    ("bearing=1", Some("bearing"), &["a section, [bearing]"]),
+    ("title.text=1", Some("title.text"), &["`title` is not a section"]),
+    ("seed=4", None, &[]),
+];
+
+#[test]
+fn every_bad_value_is_named_with_its_line_and_what_is_allowed() {
+    let mut wrong = String::new();
+    for &(from, to, key, fragments) in EDITS {
+        let text = edited(from, to);
+        let error = refused(&text, &[]);
+        let message = error.to_string();
+        let named = error.key() == Some(key) && message.starts_with("case.toml:");
+        if !named || error.line().is_none() || fragments.iter().any(|f| !message.contains(f)) {
+            wrong.push_str(&format!("{to}\n  {message}\n  key {:?}\n", error.key()));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong}");
+}
+
+#[test]
+fn bad_overrides_quote_themselves() {
+    let mut wrong = String::new();
+    for &(set, key, fragments) in SETS {
+        if fragments.is_empty() {
+            let file = CaseFile::parse(&template(false), "case.toml", &[set.to_owned()]);
+            assert_eq!(file.map(|f| f.case().seed), Ok(4));
+            continue;
+        }
+        let error = refused(&template(false), &[set]);
+        let message = error.to_string();
+        let quoted = message.starts_with(&format!("--set {set}: ")) && error.line().is_none();
+        if !quoted || error.key() != key || fragments.iter().any(|f| !message.contains(f)) {
+            wrong.push_str(&format!("{set}\n  {message}\n  key {:?}\n", error.key()));
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong}");
+}
+
+#[test]
+fn the_line_is_that_of_the_key_and_a_missing_key_that_of_its_section() {
+    let text = edited("axial_span_mm = 5.1", "axial_span_mm = 8.0");
+    let error = refused(&text, &[]);
+    let line = line_of(&text, "axial_span_mm");
+    assert_eq!(error.line(), Some(line));
+    assert_eq!(
+        error.to_string(),
+        format!(
+            "case.toml:{line}: raceway.axial_span_mm = 8.0 is not possible: it must be less than \
+             7.40172 mm (the contact points must stay on the groove, Zhao 2022, Eq. (8))"
+        )
+    );
+    let text = edited("half_angle_deg = 25.2", "# ");
+    assert_eq!(
+        refused(&text, &[]).line(),
+        Some(line_of(&text, "[raceway]"))
+    );
+    // The same with the line ends and the mark of a Windows editor.
+    let text = format!("\u{feff}{}", text.replace('\n', "\r\n"));
+    assert_eq!(
+        refused(&text, &[]).line(),
+        Some(line_of(&text, "[raceway]"))
+    );
+}
+
+#[test]
+fn each_of_several_raceways_has_its_own_lines() {
+    let second = "[[raceway]]\naxial_span_mm = 9\nhalf_angle_deg = 20\ncentre_angle_deg = 180\n";
+    let text =
+        edited("[raceway]", "[[raceway]]").replace("[operation]", &format!("{second}[operation]"));
+    let error = refused(&text, &[]);
+    assert_eq!(error.key(), Some("raceway.2.axial_span_mm"));
+    assert_eq!(error.line(), Some(line_of(&text, "axial_span_mm = 9")));
+    let good = ["raceway.2.axial_span_mm=5.2".to_owned()];
+    let file = CaseFile::parse(&text, "case.toml", &good).unwrap();
+    assert_eq!(file.document().raceway[1].axial_span_mm, 5.2);
+    let error = refused(&text, &["raceway.axial_span_mm=5.2"]);
+    assert!(
+        error
+            .message()
+            .contains("write raceway.1.axial_span_mm for the first"),
+        "{error}"
+    );
+    let error = refused(&text, &["raceway.3.axial_span_mm=5.2"]);
+    assert!(
+        error.message().contains("there are 2 [[raceway]] sections"),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_missing_section_is_named_with_the_key_that_it_should_hold() {
+    let text = template(false);
+    for section in [
+        "bearing",
+        "material",
+        "operation",
+        "contact",
+        "model",
+        "solver",
+        "output",
+    ] {
+        let (before, rest) = text.split_once(&format!("\n[{section}]")).unwrap();
+        let after = rest
+            .split_once("\n[")
+            .map_or(String::new(), |(_, after)| format!("\n[{after}"));
+        let error = refused(&format!("{before}{after}"), &[]);
+        assert!(
+            error
+                .message()
+                .contains(&format!("its section [{section}]")),
+            "{error}"
+        );
+        assert!(
+            error
+                .key()
+                .is_some_and(|k| k.starts_with(&format!("{section}."))),
+            "{error}"
+        );
+    }
+    let error = refused("", &[]);
+    assert_eq!(error.key(), Some("bearing.balls"));
+    assert_eq!(error.line(), None);
+}
+
+#[test]
+fn a_seed_given_twice_is_refused() {
+    let text = edited("schema = 1", "schema = 1\nseed = 3").replace("# seed = 0", "seed = 4");
+    let error = refused(&text, &[]);
+    assert_eq!(error.key(), Some("solver.seed"));
+    assert!(error.message().contains("head of the file"), "{error}");
+}
+
+#[test]
+fn files_that_cannot_be_read_are_named() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("none.toml");
+    let error = CaseFile::read(&path, &[]).unwrap_err();
+    assert!(
+        error.to_string().contains("none.toml: cannot be opened"),
+        "{error}"
+    );
+    assert_eq!((error.key(), error.line()), (None, None));
+
+    let error = CaseFile::read(dir.path(), &[]).unwrap_err();
+    assert!(
+        error
+            .to_string()
+            .ends_with("is a directory, not a case file"),
+        "{error}"
+    );
+
+    let path = dir.path().join("latin1.toml");
+    std::fs::write(&path, b"schema = 1\ntitle = \"\xe9\"\n").unwrap();
+    let error = CaseFile::read(&path, &[]).unwrap_err();
+    assert!(
+        error
+            .to_string()
+            .contains("latin1.toml: is not UTF-8 text: line 2"),
+        "{error}"
+    );
+
+    let path = dir.path().join("endless.toml");
+    std::fs::File::create(&path)
+        .unwrap()
+        .set_len(1 << 40)
+        .unwrap();
+    let error = CaseFile::read(&path, &[]).unwrap_err();
+    assert!(
+        error.to_string().contains("is larger than 16 MiB"),
+        "{error}"
+    );
+
+    let path = dir.path().join("prose.toml");
+    std::fs::write(&path, "Dear all,\n").unwrap();
+    let error = CaseFile::read(&path, &[]).unwrap_err();
+    assert!(
+        error.to_string().contains("prose.toml:1: is not TOML"),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_document_made_by_hand_is_checked_as_well() {
+    let document = || {
+        CaseFile::parse(&template(false), "t", &[])
+            .unwrap()
+            .document()
+            .clone()
+    };
+    let refused = |d| CaseFile::from_document(d, "row 3").unwrap_err();
+
+    let mut d = document();
+    d.raceway[0].axial_span_mm = 8.0;
+    let error = refused(d);
+    assert_eq!(error.key(), Some("raceway.axial_span_mm"));
+    assert!(
+        error
+            .to_string()
+            .starts_with("row 3: raceway.axial_span_mm = 8 mm is"),
+        "{error}"
+    );
+
+    let mut d = document();
+    d.contact.damping = f64::NAN;
+    assert_eq!(refused(d).key(), Some("contact.damping"));
+    let mut d = document();
+    d.schema = 7;
+    assert_eq!(refused(d).key(), Some("schema"));
+    let mut d = document();
+    d.solver.seed = u64::MAX;
+    assert_eq!(refused(d).key(), Some("solver.seed"));
+    let mut d = document();
+    d.start.ring_y_um = Some(1.0);
+    assert_eq!(refused(d).key(), Some("start.ring_y_um"));
+}

@@ -1,0 +1,399 @@
+//! What a good case file becomes, and what no file may do.
+
+mod common;
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use cageless::{FrictionLaw, Gaps, Method, Profile, Start};
+use cageless_io::case_file::{CaseFile, GapsDocument, template};
+use common::edited;
+use proptest::prelude::*;
+
+fn parse(text: &str) -> CaseFile {
+    CaseFile::parse(text, "case.toml", &[]).unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn cases() -> Vec<std::path::PathBuf> {
+    let dir = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
+    let entries = std::fs::read_dir(dir).unwrap().map(|e| e.unwrap().path());
+    let mut files: Vec<_> = entries
+        .filter(|p| p.extension().is_some_and(|e| e == "toml"))
+        .collect();
+    files.sort();
+    files
+}
+
+#[test]
+fn the_template_is_the_bearing_of_the_paper_in_si_units() {
+    let file = parse(&template(false));
+    let case = file.case();
+    let d = case.bearing.dimensions();
+    assert_eq!(d.balls, 14);
+    assert_eq!(d.ball_radius_m, 4.7625e-3);
+    assert_eq!(d.inner_groove_bottom_radius_m, 18.24e-3);
+    assert_eq!(d.outer_groove_bottom_radius_m, 27.765e-3);
+    assert_eq!(d.outer_shoulder_radius_m, 26e-3);
+    assert_eq!(d.inner_groove_curvature_radius_m, 4.953e-3);
+    assert_eq!(d.outer_groove_curvature_radius_m, 4.953e-3);
+    assert_eq!(
+        (d.inner_ring_mass_kg, d.inner_ring_drag_n_s_m),
+        (0.2, 2000.0)
+    );
+    let m = case.bearing.material();
+    assert_eq!(
+        (m.density_kg_m3, m.youngs_modulus_pa, m.poisson_ratio),
+        (7850.0, 206e9, 0.3)
+    );
+    let r = case.raceways[0].dimensions();
+    assert_eq!((r.axial_span_m, r.centre_angle_rad), (5.1e-3, 0.0));
+    assert_eq!(r.half_angle_rad, 25.2f64.to_radians());
+    let o = &case.operation;
+    assert!((o.inner_speed_rad_s - 1256.637_061_435_917).abs() < 1e-9);
+    assert_eq!((o.radial_load_n, o.gravity_m_s2), (1500.0, 9.81));
+    let c = &case.contact;
+    assert_eq!((c.friction_coefficient, c.slip_scale_m_s), (0.007, 0.02));
+    assert_eq!(
+        (c.friction_law, c.damping_n_s_m1_5),
+        (FrictionLaw::Smooth, 2e5)
+    );
+    assert_eq!((c.ball_restitution, c.inner_stiffness_n_m1_5), (0.95, None));
+    assert_eq!(case.profile, Profile::Physical);
+    assert_eq!(
+        case.start,
+        Start::Settled {
+            gaps: Gaps::Uniform,
+            lead_ball_angle_rad: 0.0
+        }
+    );
+    assert_eq!(
+        (case.solver.method, case.solver.step_s),
+        (Method::Abm4, 1e-6)
+    );
+    assert_eq!(
+        (case.solver.duration_s, case.output.interval_s),
+        (0.5, 1e-4)
+    );
+    assert_eq!((case.seed, &case.housing), (0, &None));
+}
+
+#[test]
+fn defaults_that_were_filled_in_are_listed() {
+    assert_eq!(
+        parse(&template(false)).defaults(),
+        [
+            "raceway.centre_angle_deg",
+            "contact.ball_restitution",
+            "contact.inner_stiffness",
+            "contact.outer_stiffness",
+            "contact.ball_stiffness",
+            "start.state",
+            "start.gaps",
+            "start.lead_ball_angle_deg",
+            "solver.seed",
+        ]
+    );
+    let bare = edited("schema = 1 ", "# ")
+        .replace("title = ", "# ")
+        .replace("method = ", "# ")
+        .replace("# [start]", "[start]\nstate = \"rolling\" #");
+    let file = parse(&bare);
+    for key in [
+        "schema",
+        "title",
+        "start.ring_x_um",
+        "start.ring_y_um",
+        "solver.method",
+    ] {
+        assert!(
+            file.defaults().iter().any(|d| d == key),
+            "{key}: {:?}",
+            file.defaults()
+        );
+    }
+    assert_eq!(
+        (file.document().schema, file.document().title.as_str()),
+        (1, "")
+    );
+    assert_eq!(file.document().start.ring_x_um, Some(0.0));
+}
+
+#[test]
+fn the_commented_lines_of_the_template_are_good_keys() {
+    // "# key = value" is a key; "#  text" and the words of the head are not.
+    let key = |line: &str| {
+        let line = line.strip_prefix("# ")?;
+        let named = line
+            .split_once(" = ")
+            .is_some_and(|(key, _)| !key.contains(' '));
+        (named || line.starts_with('[')).then(|| line.to_owned())
+    };
+    let all: Vec<_> = template(false)
+        .lines()
+        .map(|l| key(l).unwrap_or_else(|| l.to_owned()))
+        .collect();
+    let text = all
+        .join("\n")
+        .replace("state = \"settled\"", "state = \"rolling\"");
+    let file = parse(&text);
+    assert_eq!(file.defaults(), <[String; 0]>::default());
+    assert_eq!(
+        file.case().housing.as_ref().map(|h| h.stiffness_n_m),
+        Some(1e8)
+    );
+    assert_eq!(file.document().bearing.outer_ring_width_mm, Some(16.0));
+}
+
+#[test]
+fn a_conventional_template_differs_in_nothing_but_the_raceway() {
+    let conventional = parse(&template(true));
+    assert!(conventional.case().raceways.is_empty());
+    assert!(!template(true).contains("axial_span_mm"));
+    let with = parse(&template(false));
+    assert_eq!(conventional.case().bearing, with.case().bearing);
+    assert_eq!(conventional.case().contact, with.case().contact);
+}
+
+#[test]
+fn every_case_that_comes_with_cageless_is_good() {
+    let files = cases();
+    assert_eq!(files.len(), 14, "{files:?}");
+    for path in files {
+        let file = CaseFile::read(&path, &[]).unwrap_or_else(|e| panic!("{e}"));
+        assert!(!file.case().title.is_empty(), "{}", path.display());
+        let conventional = path.to_string_lossy().contains("conventional");
+        assert_eq!(
+            file.case().raceways.is_empty(),
+            conventional,
+            "{}",
+            path.display()
+        );
+    }
+}
+
+#[test]
+fn the_ten_structures_are_those_of_table_2() {
+    let table = [
+        (4.95, 35.0),
+        (5.0, 30.5),
+        (5.05, 27.5),
+        (5.1, 25.2),
+        (5.15, 23.5),
+        (5.2, 22.0),
+        (5.4, 18.167),
+        (5.6, 15.774),
+        (5.8, 14.062),
+        (6.0, 12.717),
+    ];
+    let files: Vec<_> = cases()
+        .into_iter()
+        .filter(|p| p.to_string_lossy().contains("zhao-"))
+        .collect();
+    assert_eq!(files.len(), table.len());
+    for (path, (span, angle)) in files.iter().zip(table) {
+        let file = CaseFile::read(path, &[]).unwrap();
+        let raceway = file.document().raceway[0];
+        assert_eq!(
+            (raceway.axial_span_mm, raceway.half_angle_deg),
+            (span, angle)
+        );
+        let letter = path.to_string_lossy().replace(".toml", "").pop().unwrap();
+        let title = format!("Zhao 2022, structure ({letter}): lC {span} mm, θ {angle}°");
+        let numbers = |s: &str| s.replace(".0 ", " ").replace(".0°", "°");
+        assert_eq!(numbers(&file.case().title), numbers(&title));
+    }
+}
+
+#[test]
+fn a_document_goes_to_toml_and_back() {
+    let mut texts: Vec<String> = cases()
+        .iter()
+        .map(|p| std::fs::read_to_string(p).unwrap())
+        .collect();
+    let gap = parse(&template(false))
+        .case()
+        .bearing
+        .uniform_gap_rad()
+        .to_degrees();
+    texts.push(edited(
+        "# [start]",
+        &format!("[start]\ngaps = {:?} #", [gap; 14]),
+    ));
+    texts.push(edited(
+        "[raceway]",
+        "[[raceway]]\naxial_span_mm = 5.2\nhalf_angle_deg = 20\ncentre_angle_deg = 180\n[[raceway]]",
+    ));
+    texts.push(edited(
+        "balls = 14",
+        &format!("balls = 14\nball_radius_deviation_um = {:?}", [0.0; 14]),
+    ));
+    for text in texts {
+        let file = parse(&text);
+        let toml = file.document().to_toml().unwrap();
+        let back = parse(&toml);
+        assert_eq!(back.case(), file.case(), "{toml}");
+        assert_eq!(back.document(), file.document(), "{toml}");
+        let again = CaseFile::from_document(file.document().clone(), "document").unwrap();
+        assert_eq!(again.case(), file.case());
+        // What is recorded as run parses too, and its stiffnesses are those of Hertz.
+        let run = parse(&file.document_as_run().to_toml().unwrap());
+        let hertz = file.case().bearing.outer_contact().stiffness_n_m1_5;
+        let used = file.case().contact.outer_stiffness_n_m1_5.unwrap_or(hertz);
+        assert_eq!(run.case().contact.outer_stiffness_n_m1_5, Some(used));
+    }
+}
+
+#[test]
+fn the_document_has_exactly_the_keys_of_the_file() {
+    fn keys(prefix: &str, value: &serde_json::Value, all: &mut BTreeSet<String>) {
+        match value {
+            serde_json::Value::Object(map) => {
+                map.iter()
+                    .for_each(|(k, v)| keys(&format!("{prefix}.{k}"), v, all));
+            }
+            _ => {
+                all.insert(prefix.trim_start_matches('.').to_owned());
+            }
+        }
+    }
+    let file = parse(&template(false));
+    let json = serde_json::to_value(file.document()).unwrap();
+    assert_eq!(json["raceway"]["axial_span_mm"], 5.1);
+    assert_eq!(json["start"]["gaps"], "uniform");
+    assert_eq!(json["model"]["profile"], "physical");
+    assert_eq!(json["bearing"]["balls"], 14);
+    let mut all = BTreeSet::new();
+    keys("", &json, &mut all);
+    // Every key of the document can be set.
+    for key in &all {
+        let value = key.split('.').fold(&json, |value, part| &value[part]);
+        let set = format!("{key}={value}");
+        let again = CaseFile::parse(&template(false), "t", std::slice::from_ref(&set));
+        assert_eq!(
+            again.map(|f| f.case().clone()).as_ref(),
+            Ok(file.case()),
+            "{set}"
+        );
+    }
+    assert_eq!(all.len(), 34, "{all:?}");
+}
+
+#[test]
+fn overrides_win_over_the_file_and_the_last_over_the_first() {
+    let sets = |sets: &[&str]| {
+        let sets: Vec<_> = sets.iter().map(|s| (*s).to_owned()).collect();
+        CaseFile::parse(&template(true), "case.toml", &sets).unwrap_or_else(|e| panic!("{e}"))
+    };
+    let file = sets(&[
+        "operation.inner_speed_rpm=3000",
+        "raceway.axial_span_mm = 5.0",
+        "raceway.axial_span_mm=5.2",
+        "raceway.half_angle_deg=22",
+        "model.profile=paper",
+        "contact.friction_law=\"coulomb\"",
+        "title=as a test",
+        "start.state=rolling",
+        "start.ring_y_um=-10",
+        "solver.seed=0x10",
+        "contact.outer_stiffness=1.3e10",
+    ]);
+    let case = file.case();
+    assert_eq!(file.document().operation.inner_speed_rpm, 3000.0);
+    assert_eq!(case.raceways[0].dimensions().axial_span_m, 5.2e-3);
+    assert_eq!(
+        (case.profile, case.contact.friction_law),
+        (Profile::Paper, FrictionLaw::Coulomb)
+    );
+    assert_eq!((case.title.as_str(), case.seed), ("as a test", 16));
+    assert_eq!(case.contact.outer_stiffness_n_m1_5, Some(1.3e10));
+    assert!(
+        matches!(
+            case.start,
+            Start::Rolling {
+                ring_y_m: -1e-5,
+                ..
+            }
+        ),
+        "{:?}",
+        case.start
+    );
+    let gap = case.bearing.uniform_gap_rad().to_degrees();
+    let file = sets(&[&format!("start.gaps={:?}", vec![gap; 14])]);
+    assert_eq!(
+        file.document().start.gaps,
+        GapsDocument::ListDeg(vec![gap; 14])
+    );
+}
+
+#[test]
+fn fifteen_balls_just_fit() {
+    assert_eq!(
+        parse(&edited("balls = 14", "balls = 15.0"))
+            .case()
+            .bearing
+            .balls(),
+        15
+    );
+}
+
+proptest! {
+    #[test]
+    fn no_text_makes_the_reader_panic(bytes in proptest::collection::vec(any::<u8>(), 0..400)) {
+        let text = String::from_utf8_lossy(&bytes);
+        let _ = CaseFile::parse(&text, "noise", &[]);
+        let _ = CaseFile::parse(&template(false), "template", &[text.into_owned()]);
+    }
+
+    #[test]
+    fn no_mutation_of_the_template_makes_the_reader_panic(
+        edits in proptest::collection::vec((any::<prop::sample::Index>(), 0usize..4, any::<u8>()), 1..6)
+    ) {
+        let mut bytes = template(false).into_bytes();
+        for (index, kind, byte) in edits {
+            let at = index.index(bytes.len());
+            match kind {
+                0 => bytes[at] = byte % 128,
+                1 => bytes.insert(at, byte % 128),
+                2 => { bytes.remove(at); }
+                // Numbers grow and shrink.
+                _ => bytes.splice(at..at, *b"9e9").for_each(drop),
+            }
+        }
+        let _ = CaseFile::parse(&String::from_utf8_lossy(&bytes), "mutant", &[]);
+    }
+
+    #[test]
+    fn no_value_of_any_key_makes_the_reader_panic(
+        key in prop::sample::select(numeric_keys()),
+        value in prop_oneof![
+            any::<f64>().prop_map(|v| format!("{v:e}")),
+            any::<i64>().prop_map(|v| v.to_string()),
+            (-300i32..300).prop_map(|e| format!("1e{e}")),
+            (0.5f64..2.0).prop_map(|v| v.to_string()),
+            Just("[]".to_owned()),
+            Just("{}".to_owned()),
+            Just("[[1, 2], {}]".to_owned()),
+        ],
+    ) {
+        let set = format!("{key}={value}");
+        if let Err(error) = CaseFile::parse(&template(false), "template", &[set]) {
+            prop_assert!(error.key().is_some());
+        }
+    }
+}
+
+fn numeric_keys() -> Vec<String> {
+    let mut section = String::new();
+    let mut keys = Vec::new();
+    for line in template(false).lines() {
+        let line = line.trim_start_matches("# ");
+        if let Some(name) = line.strip_prefix('[') {
+            section = format!("{}.", name.split(']').next().unwrap());
+        } else if let Some((key, _)) = line.split_once(" = ")
+            && !key.contains(' ')
+        {
+            keys.push(format!("{section}{key}"));
+        }
+    }
+    keys
+}
