@@ -218,16 +218,25 @@ impl System for RightHandSide<'_> {
         self.evaluate(y, dydt);
     }
 
-    /// Contacts whose force starts with infinite slope (damped: √δ), and, in the
-    /// `paper` profile, the raceway's ends, where the direction of friction jumps.
+    /// Damped contacts, whose force starts with infinite slope and ends with a kink where
+    /// it is clamped at zero, and, in the `paper` profile, the raceway's ends, where the
+    /// direction of friction jumps.
     fn regime(&self) -> u64 {
         let (m, l) = (self.model, &self.lanes);
+        let phase = |damped: bool, deflection: f64, force: f64| {
+            if damped {
+                u64::from(deflection > 0.0) + u64::from(force > 0.0)
+            } else {
+                0
+            }
+        };
+        let (raceways, balls) = (m.damping > 0.0, m.ball_damping > 0.0);
         let mut hash = 0u64;
         for j in 0..m.balls() {
-            let bits = u64::from(m.damping > 0.0 && l.inner_deflection[j] > 0.0)
-                | u64::from(m.damping > 0.0 && l.outer_deflection[j] > 0.0) << 1
-                | u64::from(m.ball_damping > 0.0 && l.pair_deflection[j] > 0.0) << 2
-                | u64::from(m.profile == Profile::Paper && l.inside[j] > 0.0) << 3;
+            let bits = phase(raceways, l.inner_deflection[j], l.inner_force[j])
+                | phase(raceways, l.outer_deflection[j], l.outer_force[j]) << 2
+                | phase(balls, l.pair_deflection[j], l.pair_force[j]) << 4
+                | u64::from(m.profile == Profile::Paper && l.inside[j] > 0.0) << 6;
             // FNV-1a.
             hash = (hash ^ bits)
                 .wrapping_mul(0x0000_0100_0000_01b3)

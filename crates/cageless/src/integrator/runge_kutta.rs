@@ -48,7 +48,7 @@ const ERROR: [f64; 7] = [
 ];
 
 /// Error per sub-step, in the scales of the system, when crossing an interval.
-const TOLERANCE: f64 = 1e-9;
+const TOLERANCE: f64 = 1e-11;
 
 /// The state became so rough or so large that no step resolves it.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
