@@ -13,3 +13,4 @@
 //! ```
 
 pub mod case_file;
+pub mod results;

@@ -1,0 +1,46 @@
+//! Why results could not be written.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// What went wrong with the results of a run.
+#[derive(Debug, thiserror::Error)]
+pub enum ResultError {
+    /// The folder of `--out` cannot be used.
+    #[error("--out {}: cannot be written to: {source}", path.display())]
+    Out {
+        /// The folder, or the file in it.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// Another run is writing to the same folder.
+    #[error("--out {}: another run is writing there; choose another folder or wait", path.display())]
+    Busy {
+        /// The file in question.
+        path: PathBuf,
+    },
+    /// Rows could not be written.
+    #[error("cannot write {}: {source}", path.display())]
+    Table {
+        /// The file.
+        path: PathBuf,
+        /// What Parquet says.
+        source: parquet::errors::ParquetError,
+    },
+    /// The arrays of a snapshot are not of one length.
+    #[error("the snapshot at {time_s} s has arrays of different lengths")]
+    Ragged {
+        /// Time of the snapshot.
+        time_s: f64,
+    },
+}
+
+impl ResultError {
+    pub(super) fn out(path: &Path, source: io::Error) -> Self {
+        Self::Out {
+            path: path.to_owned(),
+            source,
+        }
+    }
+}

@@ -1,0 +1,217 @@
+//! Results of `run --out DIR`: three tables in Parquet and a summary in JSON.
+//!
+//! | file | a row per |
+//! |---|---|
+//! | `balls.parquet` | output time and ball |
+//! | `ring.parquet` | output time |
+//! | `collisions.parquet` | collision |
+//! | `summary.json` | (one document, [`SummaryFile`]) |
+//!
+//! Balls count from 1. The footer of each table has `schema`, `version`, `isa`
+//! (instruction set), `case` (JSON, as run) and for each column `unit:<column>`.
+//!
+//! Tables grow under a hidden name and take their own when they are complete, so
+//! that a file that is there can be read. Memory does not grow with the run.
+
+mod error;
+mod partial;
+mod summary;
+mod table;
+
+use std::iter::repeat_n;
+use std::path::Path;
+
+use cageless::{Collision, Snapshot};
+
+use crate::case_file::CaseDocument;
+
+pub use error::ResultError;
+pub use partial::write_atomically;
+pub use summary::{Stopped, SummaryFile};
+
+use table::{Column, Table};
+
+/// Version of the layout of results.
+pub const SCHEMA: u64 = 1;
+
+/// Version of Cageless that writes.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// What every table says about the run in its footer.
+#[derive(Debug, Clone, Copy)]
+pub struct Metadata<'a> {
+    /// Instruction set that the run used.
+    pub isa: &'a str,
+    /// The case as run.
+    pub case: &'a CaseDocument,
+}
+
+const fn number(name: &'static str, unit: &'static str) -> Column {
+    Column {
+        name,
+        unit,
+        integer: false,
+    }
+}
+
+const fn ball(name: &'static str) -> Column {
+    Column {
+        name,
+        unit: "1",
+        integer: true,
+    }
+}
+
+/// Columns of `balls.parquet`.
+const BALLS: &[Column] = &[
+    number("time_s", "s"),
+    ball("ball"),
+    number("angle_rad", "rad"),
+    number("x_m", "m"),
+    number("y_m", "m"),
+    number("vx_m_s", "m/s"),
+    number("vy_m_s", "m/s"),
+    number("spin_rad_s", "rad/s"),
+    number("orbit_speed_rad_s", "rad/s"),
+    number("gap_rad", "rad"),
+    number("effective_radius_m", "m"),
+    number("inner_force_n", "N"),
+    number("outer_force_n", "N"),
+    number("inner_slip_m_s", "m/s"),
+    number("outer_slip_m_s", "m/s"),
+];
+
+/// Columns of `ring.parquet`.
+const RING: &[Column] = &[
+    number("time_s", "s"),
+    number("x_m", "m"),
+    number("y_m", "m"),
+    number("vx_m_s", "m/s"),
+    number("vy_m_s", "m/s"),
+    number("ax_m_s2", "m/s^2"),
+    number("ay_m_s2", "m/s^2"),
+    number("outer_force_x_n", "N"),
+    number("outer_force_y_n", "N"),
+];
+
+/// Columns of `collisions.parquet`.
+const COLLISIONS: &[Column] = &[
+    number("start_s", "s"),
+    number("duration_s", "s"),
+    ball("ball"),
+    ball("next_ball"),
+    number("angle_rad", "rad"),
+    number("approach_speed_m_s", "m/s"),
+    number("peak_force_n", "N"),
+    number("impulse_n_s", "N s"),
+];
+
+/// Writes the tables of one run as it goes. Without [`RunWriter::finish`] it leaves
+/// nothing behind.
+#[derive(Debug)]
+pub struct RunWriter {
+    balls: Table,
+    ring: Table,
+    collisions: Table,
+}
+
+impl RunWriter {
+    /// Opens the tables in `dir`, which is created if missing. Tables of an earlier
+    /// run stay until this one is finished.
+    ///
+    /// # Errors
+    /// If `dir` cannot be created or written to, or another run is writing there.
+    pub fn create(dir: &Path, metadata: &Metadata<'_>) -> Result<Self, ResultError> {
+        std::fs::create_dir_all(dir).map_err(|source| ResultError::out(dir, source))?;
+        let case = serde_json::to_string(metadata.case)
+            .map_err(|e| ResultError::out(dir, std::io::Error::other(e)))?;
+        let footer = [
+            ("schema", SCHEMA.to_string()),
+            ("version", VERSION.to_owned()),
+            ("isa", metadata.isa.to_owned()),
+            ("case", case),
+        ];
+        let open = |name: &str, columns| Table::create(&dir.join(name), columns, &footer);
+        Ok(Self {
+            balls: open("balls.parquet", BALLS)?,
+            ring: open("ring.parquet", RING)?,
+            collisions: open("collisions.parquet", COLLISIONS)?,
+        })
+    }
+
+    /// Adds the rows of one output time.
+    ///
+    /// # Errors
+    /// If writing fails, or the arrays of the snapshot are not of one length.
+    pub fn snapshot(&mut self, s: &Snapshot) -> Result<(), ResultError> {
+        let n = s.balls();
+        let arrays: [&[f64]; 13] = [
+            &s.angle_rad,
+            &s.x_m,
+            &s.y_m,
+            &s.vx_m_s,
+            &s.vy_m_s,
+            &s.spin_rad_s,
+            &s.orbit_speed_rad_s,
+            &s.gap_rad,
+            &s.effective_radius_m,
+            &s.inner_force_n,
+            &s.outer_force_n,
+            &s.inner_slip_m_s,
+            &s.outer_slip_m_s,
+        ];
+        if arrays.iter().any(|a| a.len() != n) {
+            return Err(ResultError::Ragged { time_s: s.time_s });
+        }
+        self.balls.numbers(0, repeat_n(s.time_s, n));
+        self.balls.ball_numbers(1, 0..n);
+        for (k, array) in arrays.into_iter().enumerate() {
+            self.balls.numbers(k + 2, array.iter().copied());
+        }
+        self.balls.rows_added()?;
+
+        let r = &s.ring;
+        let row = [
+            s.time_s,
+            r.x_m,
+            r.y_m,
+            r.vx_m_s,
+            r.vy_m_s,
+            r.ax_m_s2,
+            r.ay_m_s2,
+            r.outer_force_x_n,
+            r.outer_force_y_n,
+        ];
+        for (k, value) in row.into_iter().enumerate() {
+            self.ring.numbers(k, [value]);
+        }
+        self.ring.rows_added()
+    }
+
+    /// Adds a collision.
+    ///
+    /// # Errors
+    /// If writing fails.
+    pub fn collision(&mut self, c: &Collision) -> Result<(), ResultError> {
+        let table = &mut self.collisions;
+        table.numbers(0, [c.start_s]);
+        table.numbers(1, [c.duration_s]);
+        table.ball_numbers(2, [c.ball]);
+        table.ball_numbers(3, [c.next_ball]);
+        table.numbers(4, [c.angle_rad]);
+        table.numbers(5, [c.approach_speed_m_s]);
+        table.numbers(6, [c.peak_force_n]);
+        table.numbers(7, [c.impulse_n_s]);
+        table.rows_added()
+    }
+
+    /// Completes the tables and gives them their names, after a run that stopped
+    /// early as well: they hold all rows up to then.
+    ///
+    /// # Errors
+    /// If writing fails; the tables that could be completed are there.
+    pub fn finish(self) -> Result<(), ResultError> {
+        let done = [self.balls, self.ring, self.collisions].map(Table::finish);
+        done.into_iter().collect()
+    }
+}
