@@ -1,8 +1,8 @@
 //! The case file: one computation, in TOML and in the units of the workshop.
 //!
-//! Reading goes through four steps, one file each: [`tree`] (TOML with the place
-//! of every value), [`overrides`] (`--set`), [`read`] (types and defaults, into a
-//! [`CaseDocument`]) and [`convert`] (SI units and the checks of [`cageless`]).
+//! Reading goes through four steps, one file each: `tree` (TOML with the place
+//! of every value), `overrides` (`--set`), `read` (types and defaults, into a
+//! [`CaseDocument`]) and `convert` (SI units and the checks of [`cageless`]).
 //! Whatever is wrong ends in one [`CaseError`] that names the place, the key, the
 //! value and what is allowed, in the unit of the file.
 

@@ -80,14 +80,14 @@ pub(super) fn gaps(document: &CaseDocument, bearing: &Bearing) -> (String, Strin
         );
         return (value, allowed);
     }
-    if let Some((k, gap)) = gaps.iter().enumerate().find(|(_, gap)| !(**gap >= 0.0)) {
+    if let Some((k, gap)) = gaps.iter().enumerate().find(|(_, gap)| **gap < 0.0) {
         let allowed = format!(
             "0 deg or more each, balls cannot overlap; gap {} is {gap}",
             k + 1
         );
         return (value, allowed);
     }
-    let room = n as f64 * Unit::Degree.from_si(bearing.uniform_gap_rad());
+    let room = n as f64 * Unit::Degree.of_si(bearing.uniform_gap_rad());
     let allowed = format!(
         "gaps that add up to {:.4} deg, which is 360 - {n} ε (Zhao 2022, Eq. (10)); these add up \
          to {:.4}",
@@ -100,7 +100,7 @@ pub(super) fn gaps(document: &CaseDocument, bearing: &Bearing) -> (String, Strin
 /// Where the ring may start; the limit is that of [`cageless::Case::check`].
 pub(super) fn ring(bearing: &Bearing) -> String {
     let most = bearing.radial_clearance_m() + 0.1 * bearing.ball_radius_m();
-    let most = round(Unit::Micrometre.from_si(most), Side::Upper);
+    let most = round(Unit::Micrometre.of_si(most), Side::Upper);
     format!("between -{most} um and {most} um (the clearance and a tenth of the ball's radius)")
 }
 

@@ -46,7 +46,7 @@ impl Unit {
     }
 
     /// From SI to the file's unit.
-    pub(super) fn from_si(self, value: f64) -> f64 {
+    pub(super) fn of_si(self, value: f64) -> f64 {
         match self {
             Self::None | Self::Si(_) => value,
             Self::Millimetre => shift(value, 3),
@@ -59,7 +59,7 @@ impl Unit {
 
     /// A number of this unit, given in SI, for a message: `7.40173 mm`.
     pub(super) fn show(self, si: f64, side: Side) -> String {
-        let number = round(self.from_si(si), side);
+        let number = round(self.of_si(si), side);
         match self.symbol() {
             "" => number.to_string(),
             symbol => format!("{number} {symbol}"),
@@ -134,7 +134,7 @@ mod tests {
             Unit::Gigapascal,
             Unit::Microsecond,
         ] {
-            let back = unit.from_si(unit.to_si(7.3));
+            let back = unit.of_si(unit.to_si(7.3));
             assert!((back - 7.3).abs() < 1e-14 * 7.3, "{unit:?}: {back}");
         }
     }
