@@ -1,0 +1,215 @@
+//! What reports are made of, in the units in which it is shown: degrees,
+//! millimetres, micrometres, m/s, newtons.
+//!
+//! A value that could not be had is `f64::NAN` in a trace and `None` elsewhere; both
+//! become `null` in JSON, a break in a line and a dash in a table.
+
+use cageless::{Bearing, Raceway};
+use serde::Serialize;
+
+/// Where a figure's or table's numbers come from; printed under it.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Provenance {
+    /// The case: bearing, structure, speed, load.
+    pub case: String,
+    /// `paper` or `physical`; `None` where nothing was simulated.
+    pub profile: Option<String>,
+    /// Friction law with its scale, for example `smooth, 0.02 m/s`.
+    pub friction_law: Option<String>,
+    /// Integration method.
+    pub method: Option<String>,
+    /// Step, µs.
+    pub step_us: Option<f64>,
+    /// What was discarded as transient, in words; empty if nothing was.
+    pub discarded: String,
+}
+
+/// One of the paper's discrete raceways.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Structure {
+    /// Letter in the paper's Fig. 8: `a` to `j`; may be empty.
+    pub letter: String,
+    /// lC, mm.
+    pub axial_span_mm: f64,
+    /// θ, degrees.
+    pub half_angle_deg: f64,
+}
+
+impl Structure {
+    /// `(d) lC 5.1 mm, θ 25.2°`.
+    pub fn label(&self) -> String {
+        let size = format!("lC {} mm, θ {}°", self.axial_span_mm, self.half_angle_deg);
+        if self.letter.is_empty() {
+            size
+        } else {
+            format!("({}) {size}", self.letter)
+        }
+    }
+}
+
+/// A line of a parameter or result table.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Parameter {
+    /// What it is.
+    pub name: String,
+    /// Symbol in the paper; may be empty.
+    pub symbol: String,
+    /// Value as it is to be printed.
+    pub value: String,
+    /// Unit; may be empty.
+    pub unit: String,
+    /// Where it is from: `Table 1`, `not in the paper: …`; may be empty.
+    pub source: String,
+}
+
+/// Outline of a bearing, for drawings to scale.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct BearingOutline {
+    /// N.
+    pub balls: usize,
+    /// Rw, mm.
+    pub ball_radius_mm: f64,
+    /// Ri, mm.
+    pub inner_groove_bottom_radius_mm: f64,
+    /// Ro, mm.
+    pub outer_groove_bottom_radius_mm: f64,
+    /// Rm, mm.
+    pub pitch_radius_mm: f64,
+    /// ε of Zhao 2022, Eq. (10), degrees: the angle from ball to ball in contact.
+    pub ball_angle_deg: f64,
+}
+
+impl BearingOutline {
+    /// Outline of `bearing`.
+    pub fn of(bearing: &Bearing) -> Self {
+        let d = bearing.dimensions();
+        let pitch = (d.inner_groove_bottom_radius_m + d.outer_groove_bottom_radius_m) / 2.0;
+        Self {
+            balls: d.balls,
+            ball_radius_mm: d.ball_radius_m * 1e3,
+            inner_groove_bottom_radius_mm: d.inner_groove_bottom_radius_m * 1e3,
+            outer_groove_bottom_radius_mm: d.outer_groove_bottom_radius_m * 1e3,
+            pitch_radius_mm: pitch * 1e3,
+            ball_angle_deg: 2.0 * (d.ball_radius_m / pitch).asin().to_degrees(),
+        }
+    }
+}
+
+/// The part of the turn that a discrete raceway takes up.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct Sector {
+    /// ψ of its middle, degrees.
+    pub centre_angle_deg: f64,
+    /// θ, degrees.
+    pub half_angle_deg: f64,
+}
+
+impl Sector {
+    /// Sector of `raceway`.
+    pub fn of(raceway: &Raceway) -> Self {
+        let d = raceway.dimensions();
+        Self {
+            centre_angle_deg: d.centre_angle_rad.to_degrees(),
+            half_angle_deg: d.half_angle_rad.to_degrees(),
+        }
+    }
+}
+
+/// The balls of one bearing over time.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Motion {
+    /// Title above the drawing, for example `Conventional`.
+    pub title: String,
+    /// Rings and balls.
+    pub outline: BearingOutline,
+    /// Discrete raceways; empty for a conventional outer ring.
+    pub sectors: Vec<Sector>,
+    /// Times of the samples, s, increasing.
+    pub time_s: Vec<f64>,
+    /// ψ, degrees, continuous (not wrapped): `angle_deg[ball][sample]`.
+    pub angle_deg: Vec<Vec<f64>>,
+    /// Gap to the ball ahead, degrees: `gap_deg[ball][sample]`; if empty, the
+    /// difference of the angles less ε.
+    pub gap_deg: Vec<Vec<f64>>,
+    /// Provenance.
+    pub provenance: Provenance,
+}
+
+/// An acceleration signal and its spectrum.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct VibrationSignal {
+    /// Legend entry, for example `conventional`.
+    pub name: String,
+    /// Time, s.
+    pub time_s: Vec<f64>,
+    /// Acceleration of the outer ring, m/s².
+    pub acceleration_m_s2: Vec<f64>,
+    /// Frequencies of the spectrum, Hz.
+    pub frequency_hz: Vec<f64>,
+    /// Single-sided amplitude, m/s².
+    pub amplitude_m_s2: Vec<f64>,
+    /// Root mean square of the acceleration, m/s².
+    pub rms_m_s2: Option<f64>,
+}
+
+/// Acceleration of the outer ring, one or more signals to compare (Fig. 12).
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Vibration {
+    /// Signals, drawn one above the other on one scale.
+    pub signals: Vec<VibrationSignal>,
+    /// Frequencies worth a mark in the spectrum, for example that of ball passing.
+    pub marks: Vec<FrequencyMark>,
+    /// Provenance.
+    pub provenance: Provenance,
+}
+
+/// A frequency worth a mark in a spectrum.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct FrequencyMark {
+    /// Frequency, Hz.
+    pub frequency_hz: f64,
+    /// Short label.
+    pub label: String,
+}
+
+/// A labelled moment.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Event {
+    /// Label drawn at the line: `t0`, `a`.
+    pub label: String,
+    /// Time, s.
+    pub time_s: f64,
+    /// What happens then; goes into the caption.
+    pub meaning: String,
+}
+
+/// How a claim of the paper fared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Verdict {
+    /// The computation says the same.
+    Confirmed,
+    /// Some of it.
+    Partly,
+    /// The computation says otherwise.
+    NotConfirmed,
+    /// The paper contradicts itself, or a formula cannot be as printed.
+    Erratum,
+    /// It cannot be decided by computation.
+    NotTested,
+}
+
+/// A claim of the paper beside what was found.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Claim {
+    /// Quoted or paraphrased.
+    pub claim: String,
+    /// Place in the paper: `Section 4.3, Fig. 8`.
+    pub place: String,
+    /// What we find.
+    pub finding: String,
+    /// The numbers behind it; may be empty.
+    pub numbers: String,
+    /// How it fared.
+    pub verdict: Verdict,
+}

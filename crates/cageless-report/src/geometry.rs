@@ -1,0 +1,136 @@
+//! Shape of a discrete raceway, sampled for drawing (Fig. 1b and 2).
+
+use cageless::{Bearing, Raceway};
+use serde::Serialize;
+
+use crate::data::{Provenance, Structure};
+
+/// The contact track on a discrete raceway and on the ball (Fig. 1b).
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct ContactTrack {
+    /// The raceway.
+    pub structure: Structure,
+    /// ψ from the middle of the raceway, degrees.
+    pub angle_deg: Vec<f64>,
+    /// r, mm.
+    pub effective_radius_mm: Vec<f64>,
+    /// z of the branch z > 0, mm; the other is its mirror image.
+    pub axial_mm: Vec<f64>,
+    /// Rw, mm.
+    pub ball_radius_mm: f64,
+    /// Provenance.
+    pub provenance: Provenance,
+}
+
+/// The surface of a discrete raceway and a little of the plain one (Fig. 2).
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct RacewaySurface {
+    /// The raceway.
+    pub structure: Structure,
+    /// x of the points, mm: `x_mm[along][across]`.
+    pub x_mm: Vec<Vec<f64>>,
+    /// y of the points, mm.
+    pub y_mm: Vec<Vec<f64>>,
+    /// z of the points, mm.
+    pub z_mm: Vec<Vec<f64>>,
+    /// Distance from the plain groove, µm; positive where material is taken away.
+    pub deviation_um: Vec<Vec<f64>>,
+    /// Contact track, branch z > 0, points `[x, y, z]`, mm.
+    pub track_mm: Vec<[f64; 3]>,
+    /// Provenance.
+    pub provenance: Provenance,
+}
+
+/// Points of a contact track.
+const TRACK_POINTS: usize = 241;
+/// Points of a surface along the raceway.
+const ALONG: usize = 121;
+/// Points of a surface across one side of the groove.
+const ACROSS: usize = 25;
+/// How far past the ends of the raceway drawings reach, over θ.
+const MARGIN: f64 = 1.2;
+
+impl ContactTrack {
+    /// Samples the track of `raceway`.
+    pub fn sample(raceway: &Raceway, bearing: &Bearing, structure: Structure) -> Self {
+        let centre = raceway.dimensions().centre_angle_rad;
+        let rw = bearing.ball_radius_m();
+        let mut track = Self {
+            provenance: geometric(&structure),
+            structure,
+            ball_radius_mm: rw * 1e3,
+            ..Self::default()
+        };
+        for k in 0..TRACK_POINTS {
+            let local = raceway.half_angle_rad() * MARGIN * fraction(k, TRACK_POINTS);
+            let r = raceway.effective_radius_m(centre + local);
+            track.angle_deg.push(local.to_degrees());
+            track.effective_radius_mm.push(r * 1e3);
+            track.axial_mm.push((rw * rw - r * r).max(0.0).sqrt() * 1e3);
+        }
+        track
+    }
+}
+
+impl RacewaySurface {
+    /// Samples the surface of `raceway`, turned so that its middle is at the bottom.
+    pub fn sample(raceway: &Raceway, bearing: &Bearing, structure: Structure) -> Self {
+        let centre = raceway.dimensions().centre_angle_rad;
+        let d = bearing.dimensions();
+        let re = d.outer_groove_curvature_radius_m;
+        let plain = d.outer_groove_bottom_radius_m - re;
+        let mut surface = Self {
+            provenance: geometric(&structure),
+            structure,
+            ..Self::default()
+        };
+        for k in 0..ALONG {
+            let local = raceway.half_angle_rad() * MARGIN * fraction(k, ALONG);
+            let [low, high] = raceway.meridian_range_rad(centre + local, bearing);
+            let (mut xs, mut ys, mut zs, mut deviations) = (vec![], vec![], vec![], vec![]);
+            for m in 0..2 * ACROSS {
+                let side = if m < ACROSS { -1.0 } else { 1.0 };
+                let step = if m < ACROSS {
+                    ACROSS - 1 - m
+                } else {
+                    m - ACROSS
+                };
+                let eta = low + (high - low) * step as f64 / (ACROSS - 1) as f64;
+                let point = raceway.surface(centre + local, eta);
+                let [x, y, z] = point.position_m;
+                let rho = x.hypot(y);
+                xs.push(rho * local.sin() * 1e3);
+                ys.push(-rho * local.cos() * 1e3);
+                zs.push(side * z * 1e3);
+                deviations.push(((rho - plain).hypot(z) - re) * 1e6);
+            }
+            surface.x_mm.push(xs);
+            surface.y_mm.push(ys);
+            surface.z_mm.push(zs);
+            surface.deviation_um.push(deviations);
+        }
+        for k in 0..TRACK_POINTS {
+            let local = raceway.half_angle_rad() * MARGIN * fraction(k, TRACK_POINTS);
+            let r = raceway.effective_radius_m(centre + local);
+            let rw = bearing.ball_radius_m();
+            let rho = d.outer_groove_bottom_radius_m - rw + r;
+            let z = (rw * rw - r * r).max(0.0).sqrt();
+            surface
+                .track_mm
+                .push([rho * local.sin() * 1e3, -rho * local.cos() * 1e3, z * 1e3]);
+        }
+        surface
+    }
+}
+
+/// −1 to 1.
+fn fraction(k: usize, points: usize) -> f64 {
+    2.0 * k as f64 / (points - 1) as f64 - 1.0
+}
+
+fn geometric(structure: &Structure) -> Provenance {
+    Provenance {
+        case: structure.label(),
+        ..Provenance::default()
+    }
+}

@@ -1,0 +1,114 @@
+//! One simulation.
+
+use serde::Serialize;
+
+use crate::data::{BearingOutline, Motion, Parameter, Provenance, Sector, Vibration};
+
+/// All that the page of one run shows. What is left empty is left out of the page.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct RunData {
+    /// Title of the case.
+    pub title: String,
+    /// Name and version of the program, instruction set.
+    pub software: String,
+    /// First paragraph: what was run and what came out.
+    pub lead: String,
+    /// Warnings.
+    pub warnings: Vec<String>,
+    /// Case as run, one line per key.
+    pub parameters: Vec<Parameter>,
+    /// Results of `summary.json`, one line per key.
+    pub results: Vec<Parameter>,
+    /// Rings and balls.
+    pub outline: BearingOutline,
+    /// Discrete raceways.
+    pub sectors: Vec<Sector>,
+    /// End of the transient, s.
+    pub settled_after_s: f64,
+    /// The uniform gap 360°/N − ε, degrees.
+    pub uniform_gap_deg: f64,
+    /// Orbital speed of pure rolling on the plain raceway, degrees/s.
+    pub rolling_orbit_speed_deg_s: Option<f64>,
+    /// Time of the histories, s.
+    pub time_s: Vec<f64>,
+    /// Histories of the balls, ball 1 first.
+    pub balls: Vec<BallHistory>,
+    /// The inner ring.
+    pub ring: RingHistory,
+    /// Contacts between balls.
+    pub collisions: Vec<CollisionPoint>,
+    /// Ledger of energy.
+    pub energy: Vec<EnergyItem>,
+    /// Energy that the ledger misses over the largest entry.
+    pub energy_residual_relative: Option<f64>,
+    /// Vibration of the outer ring.
+    pub vibration: Option<Vibration>,
+    /// The balls in motion.
+    pub motion: Option<Motion>,
+    /// Provenance of every figure.
+    pub provenance: Provenance,
+}
+
+/// One ball over [`RunData::time_s`]; a history left empty is not drawn.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct BallHistory {
+    /// ψ, degrees, continuous.
+    pub angle_deg: Vec<f64>,
+    /// Gap to the ball ahead, degrees.
+    pub gap_deg: Vec<f64>,
+    /// Orbital speed, degrees/s.
+    pub orbit_speed_deg_s: Vec<f64>,
+    /// ΔVi, m/s.
+    pub inner_slip_m_s: Vec<f64>,
+    /// ΔVo, m/s.
+    pub outer_slip_m_s: Vec<f64>,
+    /// Fi, N.
+    pub inner_force_n: Vec<f64>,
+    /// Fo, N.
+    pub outer_force_n: Vec<f64>,
+    /// Centre, mm.
+    pub x_mm: Vec<f64>,
+    /// Velocity of the centre, m/s.
+    pub vx_m_s: Vec<f64>,
+    /// Velocity of the centre, m/s.
+    pub vy_m_s: Vec<f64>,
+}
+
+/// The centre of the inner ring.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct RingHistory {
+    /// Time, s.
+    pub time_s: Vec<f64>,
+    /// Centre, µm.
+    pub x_um: Vec<f64>,
+    /// Centre, µm.
+    pub y_um: Vec<f64>,
+}
+
+/// One contact of two neighbouring balls.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct CollisionPoint {
+    /// Start, s.
+    pub time_s: f64,
+    /// Number of the ball behind, from 1.
+    pub ball: usize,
+    /// Number of the ball ahead, from 1.
+    pub next_ball: usize,
+    /// ψ halfway between the two, degrees, −180 to 180.
+    pub angle_deg: f64,
+    /// Speed of approach, m/s.
+    pub approach_speed_m_s: f64,
+    /// Largest normal force, N.
+    pub peak_force_n: f64,
+    /// Impulse, N·s.
+    pub impulse_n_s: f64,
+}
+
+/// An entry of the ledger of energy.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct EnergyItem {
+    /// What it is.
+    pub name: String,
+    /// Energy, J; positive into the bearing.
+    pub energy_j: f64,
+}
