@@ -6,26 +6,26 @@
 //! ([`to_json`]).
 
 pub mod data;
+pub mod figure;
+pub mod figures;
 pub mod geometry;
+pub mod motion;
+pub mod page;
+pub mod plot;
 pub mod reproduce;
 pub mod run;
+pub mod sampling;
+pub mod table;
+pub mod tables;
+pub mod text;
 
 pub use data::*;
+pub use figure::Figure;
 pub use geometry::{ContactTrack, RacewaySurface};
+pub use motion::MotionFigure;
+pub use page::{Note, Page};
 pub use reproduce::*;
 pub use run::*;
-
-/// The page with every table and figure of the paper.
-pub fn reproduce_page(data: &ReproduceData) -> String {
-    let _ = data;
-    String::new()
-}
-
-/// The page of one run.
-pub fn run_page(data: &RunData) -> String {
-    let _ = data;
-    String::new()
-}
 
 /// All numbers of a report as one JSON document, unrounded.
 ///

@@ -3,7 +3,11 @@
 use serde::Serialize;
 
 use crate::data::{Claim, Event, Motion, Parameter, Provenance, Structure, Vibration};
+use crate::figures::{self, design, orbit, phase, shape, spacing, vibration};
 use crate::geometry::{ContactTrack, RacewaySurface};
+use crate::motion::MotionFigure;
+use crate::page::{Note, Page};
+use crate::tables;
 
 /// All that the reproduction of the paper shows.
 ///
@@ -224,3 +228,91 @@ pub struct OrbitSpeed {
     /// Pure rolling at the same ψ (Zhao 2022, Eq. (3)), degrees/s; may be empty.
     pub rolling_deg_s: Vec<f64>,
 }
+
+/// Moments of the high-speed photographs in the paper's Fig. 13 and 14, s.
+const PHOTOGRAPHS_S: [f64; 4] = [0.05, 0.1, 0.15, 0.2];
+
+/// The page with every table and figure of the paper.
+pub fn reproduce_page(data: &ReproduceData) -> String {
+    let mut page = Page::new(
+        "Discrete dynamics of balls in cageless ball bearings, reproduced",
+        &data.lead,
+        &data.software,
+    );
+    page.note(Note::Remark, SOURCE);
+    if !data.claims.is_empty() {
+        page.section("Claims of the paper and what was found");
+        page.claims(&data.claims);
+    }
+    if !data.table1.is_empty() {
+        page.section("Parameters");
+        page.table(&tables::table1(&data.table1));
+    }
+    if data.contact_track.is_some() || data.surface.is_some() {
+        page.section("The discrete raceway");
+        data.contact_track
+            .iter()
+            .for_each(|t| page.figure(&shape::contact_track(t)));
+        data.surface
+            .iter()
+            .for_each(|s| page.figure(&shape::surface(s)));
+    }
+    if let Some(curve) = &data.design_curve {
+        page.section("Axial span and half angle");
+        page.figure(&design::curve(curve));
+    }
+    if !data.gap_histories.is_empty() || !data.neighbours.is_empty() {
+        page.section("Spacing of the balls");
+        data.gap_histories
+            .iter()
+            .for_each(|g| page.figure(&spacing::gap_history(g)));
+        data.neighbours
+            .iter()
+            .for_each(|n| page.figure(&spacing::neighbours(n)));
+    }
+    if let Some(table) = &data.table2 {
+        page.section("Ten structures: theory and simulation");
+        page.table(&tables::table2(table));
+        tables::spread(table).iter().for_each(|t| page.table(t));
+        page.figure(&design::table2(table));
+    }
+    if !data.phase_portraits.is_empty() {
+        page.section("Phase portraits of ball 1");
+        for portraits in &data.phase_portraits {
+            page.figure(&phase::velocities(portraits));
+            page.figure(&phase::positions(portraits));
+        }
+    }
+    if !data.orbit_speeds.is_empty() {
+        page.section("Orbital speed in the discrete raceway");
+        data.orbit_speeds
+            .iter()
+            .for_each(|s| page.figure(&orbit::speeds(s)));
+    }
+    if !data.vibrations.is_empty() {
+        page.section("Vibration");
+        for vibration in &data.vibrations {
+            let label = figures::labelled("Figure 12", &vibration.provenance);
+            page.figure(&vibration::vibration(&label, vibration));
+        }
+    }
+    if !data.motions.is_empty() {
+        page.section("Balls in motion");
+        page.motion(&MotionFigure {
+            label: "Figures 13 and 14".to_owned(),
+            caption: "The balls over time, to scale. The inner ring turns counter-clockwise, load \
+                      and gravity point down; the discrete raceway is shaded orange, balls 1 and \
+                      2 blue, touching balls ringed. The buttons show the moments of the paper's \
+                      photographs."
+                .to_owned(),
+            bearings: data.motions.clone(),
+            moments_s: PHOTOGRAPHS_S.to_vec(),
+        });
+    }
+    page.html()
+}
+
+const SOURCE: &str = "Zhao, Y.; Zhou, G.; Wang, Q. Discrete Dynamics of Balls in Cageless Ball \
+    Bearings. Symmetry 2022, 14, 2242, doi 10.3390/sym14112242 (CC BY). Numbers of figures, tables \
+    and equations are the paper's. Gap: angle from a ball to the ball ahead less the angle of two \
+    balls in contact; 0 is contact. ψ: place of a ball, from the bottom, counter-clockwise.";

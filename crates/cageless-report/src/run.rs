@@ -3,6 +3,10 @@
 use serde::Serialize;
 
 use crate::data::{BearingOutline, Motion, Parameter, Provenance, Sector, Vibration};
+use crate::figures::{history, vibration};
+use crate::motion::MotionFigure;
+use crate::page::{Note, Page};
+use crate::tables::parameter_table;
 
 /// All that the page of one run shows. What is left empty is left out of the page.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
@@ -111,4 +115,82 @@ pub struct EnergyItem {
     pub name: String,
     /// Energy, J; positive into the bearing.
     pub energy_j: f64,
+}
+
+/// The page of one run.
+pub fn run_page(data: &RunData) -> String {
+    let mut page = Page::new(&data.title, &data.lead, &data.software);
+    for warning in &data.warnings {
+        page.note(Note::Warning, warning);
+    }
+    if !data.results.is_empty() {
+        page.section("Results");
+        let source = Some(data.provenance.clone());
+        page.table(&parameter_table(
+            "Results",
+            "What the run came to.",
+            &data.results,
+            source,
+        ));
+    }
+    if let Some(motion) = &data.motion {
+        page.section("Balls in motion");
+        page.motion(&MotionFigure {
+            label: "Motion".to_owned(),
+            caption: "The balls over time, to scale. The inner ring turns counter-clockwise, load \
+                      and gravity point down; the discrete raceway is shaded orange, balls 1 and \
+                      2 blue, touching balls ringed."
+                .to_owned(),
+            bearings: vec![motion.clone()],
+            moments_s: Vec::new(),
+        });
+    }
+    let sections: [(&str, [Option<crate::figure::Figure>; 3]); 3] = [
+        (
+            "Spacing and collisions",
+            [history::gaps(data), history::collisions(data), None],
+        ),
+        (
+            "Motion of the balls",
+            [
+                history::orbit_speed(data),
+                history::slip(data),
+                history::phase(data),
+            ],
+        ),
+        (
+            "Forces, ring and energy",
+            [
+                history::loads(data),
+                history::ring_orbit(data),
+                history::energy(data),
+            ],
+        ),
+    ];
+    for (title, figures) in &sections {
+        if figures.iter().any(Option::is_some) {
+            page.section(title);
+            figures
+                .iter()
+                .flatten()
+                .for_each(|figure| page.figure(figure));
+        }
+        if *title == "Spacing and collisions" && data.collisions.is_empty() {
+            page.note(Note::Remark, "No two balls touched.");
+        }
+    }
+    if let Some(signals) = &data.vibration {
+        page.section("Vibration");
+        page.figure(&vibration::vibration("Vibration", signals));
+    }
+    if !data.parameters.is_empty() {
+        page.section("The case as run");
+        page.table(&parameter_table(
+            "Case",
+            "Every key of the case.",
+            &data.parameters,
+            None,
+        ));
+    }
+    page.html()
 }

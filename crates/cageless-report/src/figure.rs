@@ -1,0 +1,85 @@
+//! A figure: plot, number, caption, provenance, and buttons that save it.
+
+use crate::data::Provenance;
+use crate::plot::Plot;
+use crate::text::{escape, script_json, short, slug};
+
+/// A numbered figure.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// `Figure 6, paper profile`; its slug is the anchor and the name of saved files.
+    pub label: String,
+    /// What is drawn and what to see in it.
+    pub caption: String,
+    /// Where its numbers come from.
+    pub provenance: Provenance,
+    /// The plot.
+    pub plot: Plot,
+}
+
+impl Figure {
+    /// HTML with the anchor `id`.
+    pub fn html(&self, id: &str) -> String {
+        format!(
+            "<figure id=\"{id}\" class=\"fig\">\n\
+             <div class=\"scroll\"><div class=\"plot\" id=\"{id}-plot\" role=\"img\" \
+             aria-label=\"{label}\" style=\"height:{height}px;min-width:{width}px\"></div></div>\n\
+             <script type=\"application/json\" id=\"{id}-spec\">{spec}</script>\n\
+             {below}</figure>\n",
+            label = escape(&self.label),
+            height = self.plot.height_px,
+            width = self.plot.min_width_px,
+            spec = script_json(&self.plot.spec()),
+            below = below(id, &self.label, &self.caption, &[&self.provenance]),
+        )
+    }
+
+    /// Anchor that the label asks for.
+    pub fn slug(&self) -> String {
+        slug(&self.label)
+    }
+}
+
+/// Caption, provenance and buttons under whatever is drawn.
+pub(crate) fn below(id: &str, label: &str, caption: &str, sources: &[&Provenance]) -> String {
+    let mut out = format!(
+        "<figcaption><div class=\"caption\"><b>{}.</b> {}",
+        escape(label),
+        escape(caption)
+    );
+    for source in sources {
+        out.push_str(&format!(
+            "<div class=\"provenance\">{}</div>",
+            escape(&source.line())
+        ));
+    }
+    out.push_str(&format!(
+        "</div><div class=\"save\"><button type=\"button\" data-save=\"svg\" data-figure=\"{id}\">SVG</button>\
+         <button type=\"button\" data-save=\"png\" data-figure=\"{id}\">PNG</button></div></figcaption>\n"
+    ));
+    out
+}
+
+impl Provenance {
+    /// One line: case, profile, friction law, method and step, what was discarded.
+    pub fn line(&self) -> String {
+        let mut parts = vec![self.case.clone()];
+        parts.extend(self.profile.as_ref().map(|p| format!("profile {p}")));
+        parts.extend(self.friction_law.as_ref().map(|f| format!("friction {f}")));
+        match (&self.method, self.step_us) {
+            (Some(method), Some(step)) => parts.push(format!("{method}, step {} µs", short(step))),
+            (Some(method), None) => parts.push(method.clone()),
+            (None, Some(step)) => parts.push(format!("step {} µs", short(step))),
+            (None, None) => {}
+        }
+        if self.profile.is_none() {
+            parts.push("geometry alone, nothing simulated".to_owned());
+        } else if self.discarded.is_empty() {
+            parts.push("nothing discarded".to_owned());
+        } else {
+            parts.push(format!("discarded: {}", self.discarded));
+        }
+        parts.retain(|part| !part.is_empty());
+        parts.join(" · ")
+    }
+}

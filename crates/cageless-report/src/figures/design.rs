@@ -1,0 +1,152 @@
+//! Choice of the discrete raceway: θ over lC (Fig. 5) and Table 2 as a figure.
+
+use serde_json::{Value, json};
+
+use crate::figure::Figure;
+use crate::plot::{PALETTE, Plot, line, markers, number, plain, with};
+use crate::reproduce::{DesignCurve, LimitedQuantity, Table2};
+use crate::sampling::range;
+
+/// Fig. 5: θ over lC that satisfies Zhao 2022, Eq. (11), with the paper's structures.
+pub fn curve(design: &DesignCurve) -> Figure {
+    let mut plot = Plot::new(470)
+        .legend()
+        .axis("xaxis", "Axial span lC (mm)", json!({}))
+        .axis("yaxis", "Half angle θ of the raceway (°)", json!({}))
+        .trace(with(
+            line(
+                "Eq. (11)",
+                &design.axial_span_mm,
+                &design.half_angle_deg,
+                PALETTE[0],
+            ),
+            json!({ "line": { "width": 2.2 } }),
+        ));
+    if !design.half_angle_polar_deg.is_empty() {
+        plot = plot.trace(with(
+            line(
+                "Eq. (11) with the ball's own ψ",
+                &design.axial_span_mm,
+                &design.half_angle_polar_deg,
+                PALETTE[2],
+            ),
+            json!({ "line": { "dash": "dash", "width": 1.8 } }),
+        ));
+    }
+    let spans: Vec<f64> = design.paper.iter().map(|s| s.axial_span_mm).collect();
+    let angles: Vec<f64> = design.paper.iter().map(|s| s.half_angle_deg).collect();
+    let letters: Value = design.paper.iter().map(|s| plain(&s.letter)).collect();
+    plot = plot.trace(with(
+        markers("structures of the paper", &spans, &angles, PALETTE[1]),
+        json!({
+            "mode": "markers+text", "text": letters, "textposition": "top right",
+            "hovertemplate": "(%{text}) lC %{x} mm, θ %{y}°<extra></extra>",
+        }),
+    ));
+    for limit in &design.limits {
+        let label = plain(&limit.label);
+        let small = json!({ "font": { "size": 11, "color": "#555" } });
+        plot = match limit.quantity {
+            LimitedQuantity::AxialSpan => plot.vertical("x", "y", limit.value, "dash").text(
+                &label,
+                (limit.value, 0.98),
+                ("x", "y domain"),
+                with(
+                    json!({ "xanchor": "right", "yanchor": "top", "textangle": -90 }),
+                    small,
+                ),
+            ),
+            LimitedQuantity::HalfAngle => plot.horizontal("x", "y", limit.value, "dash").text(
+                &label,
+                (0.985, limit.value),
+                ("x domain", "y"),
+                with(json!({ "xanchor": "right", "yanchor": "bottom" }), small),
+            ),
+        };
+    }
+    Figure {
+        label: "Figure 5".to_owned(),
+        caption: format!(
+            "Half angle θ over axial span lC of the discrete raceways that restore the uniform \
+             gap of {:.4}° (Zhao 2022, Eq. (10), (11)), the paper's structures (a) to (j), and \
+             the limits on both.",
+            design.uniform_gap_deg
+        ),
+        provenance: design.provenance.clone(),
+        plot,
+    }
+}
+
+/// Table 2 drawn: critical gap over θ, per variant, with the paper's columns.
+pub fn table2(table: &Table2) -> Figure {
+    let theta: Vec<f64> = table
+        .rows
+        .iter()
+        .map(|r| r.structure.half_angle_deg)
+        .collect();
+    let column = |of: &dyn Fn(&crate::reproduce::Table2Row) -> f64| -> Vec<f64> {
+        table.rows.iter().map(of).collect()
+    };
+    let theory = column(&|r| r.theory_deg);
+    let paper = column(&|r| r.paper_simulated_deg);
+    let mut plot = Plot::new(460)
+        .legend()
+        .axis("xaxis", "Half angle θ of the raceway (°)", json!({}))
+        .axis("yaxis", "Critical gap (°)", json!({}))
+        .trace(with(
+            line("theory, Eq. (11)", &theta, &theory, "#777777"),
+            json!({ "line": { "dash": "dash" } }),
+        ));
+    let symbols = [
+        "square-open",
+        "diamond-open",
+        "triangle-up-open",
+        "triangle-down-open",
+    ];
+    let colours = [PALETTE[0], PALETTE[5], PALETTE[2], PALETTE[4]];
+    for (k, variant) in table.variants.iter().enumerate() {
+        let gaps = column(&|r| {
+            r.critical_gap_deg
+                .get(k)
+                .copied()
+                .flatten()
+                .unwrap_or(f64::NAN)
+        });
+        let name = format!("{}, {}", variant.profile, variant.friction_law);
+        plot = plot.trace(with(
+            line(&name, &theta, &gaps, colours[k % 4]),
+            json!({ "mode": "lines+markers", "marker": { "symbol": symbols[k % 4], "size": 8 } }),
+        ));
+    }
+    plot = plot.trace(with(
+        markers("paper, simulated", &theta, &paper, "#111111"),
+        json!({ "marker": { "symbol": "x", "size": 9 } }),
+    ));
+    for row in table.rows.iter().filter(|r| !r.remark.is_empty()) {
+        let at = (row.structure.half_angle_deg, row.paper_simulated_deg);
+        plot = plot.text(
+            &format!("lC {:.2} mm", row.structure.axial_span_mm),
+            at,
+            ("x", "y"),
+            json!({
+                "showarrow": true, "arrowhead": 0, "arrowcolor": "#777", "ax": -10, "ay": -34,
+                "font": { "size": 11, "color": "#555" },
+            }),
+        );
+    }
+    let (low, high) = range(&theta);
+    let room = (high - low) * 0.04;
+    plot = plot.axis(
+        "xaxis",
+        "Half angle θ of the raceway (°)",
+        json!({ "range": [number(low - room), number(high + room)] }),
+    );
+    Figure {
+        label: "Table 2 as a figure".to_owned(),
+        caption: "Critical gap over θ: the paper's simulated column (crosses), the computed \
+                  variants, and the theory that supposes rolling without slip."
+            .to_owned(),
+        provenance: table.provenance.clone(),
+        plot,
+    }
+}

@@ -1,0 +1,370 @@
+//! Figures of a single run: histories of all balls, ring, loads, collisions, energy.
+
+use serde_json::{Value, json};
+
+use super::{on, shade_sectors};
+use crate::figure::Figure;
+use crate::plot::{PALETTE, Plot, line, markers, number, numbers, plain, with};
+use crate::run::{BallHistory, RunData};
+use crate::sampling::{curve, history, range, wrapped};
+use crate::text::short;
+
+/// One history of a ball.
+type History = fn(&BallHistory) -> &Vec<f64>;
+
+/// Points of all traces of a figure with one trace per ball.
+const POINTS_OF_ALL: usize = 28_000;
+/// Collisions drawn at most.
+const COLLISIONS: usize = 4000;
+
+/// Gaps of all pairs over time.
+pub fn gaps(run: &RunData) -> Option<Figure> {
+    let plot = per_ball(run, "Gap to the ball ahead (°)", |ball| &ball.gap_deg)?
+        .horizontal("x", "y", 0.0, "solid")
+        .horizontal("x", "y", run.uniform_gap_deg, "dot");
+    Some(figure(
+        run,
+        "Gaps",
+        "Gaps of all pairs over time; 0 is contact, the dotted line is the uniform gap. Ball 1 to \
+         2 is drawn strong; click a ball in the legend to hide it, double-click to see it alone.",
+        plot,
+    ))
+}
+
+/// Orbital speeds over time.
+pub fn orbit_speed(run: &RunData) -> Option<Figure> {
+    let mut plot = per_ball(run, "Orbital speed (°/s)", |ball| &ball.orbit_speed_deg_s)?;
+    if let Some(rolling) = run.rolling_orbit_speed_deg_s {
+        plot = plot.horizontal("x", "y", rolling, "dot");
+    }
+    Some(figure(
+        run,
+        "Orbital speed",
+        "Orbital speeds of the balls over time; the dotted line is pure rolling on the plain \
+         raceway.",
+        plot,
+    ))
+}
+
+/// ΔVi and ΔVo over time.
+pub fn slip(run: &RunData) -> Option<Figure> {
+    let mut plot = with_time(run, Plot::new(620), "y2")
+        .axis(
+            "yaxis",
+            "Slip inside ΔVi (m/s)",
+            json!({ "domain": [0.54, 1.0], "anchor": "x" }),
+        )
+        .axis(
+            "yaxis2",
+            "Slip outside ΔVo (m/s)",
+            json!({ "domain": [0.0, 0.46], "anchor": "x" }),
+        );
+    let kinds: [(History, &str); 2] = [(|b| &b.inner_slip_m_s, "y"), (|b| &b.outer_slip_m_s, "y2")];
+    let mut any = false;
+    for (of, y) in kinds {
+        for (k, ball) in run.balls.iter().enumerate().rev() {
+            if of(ball).is_empty() {
+                continue;
+            }
+            any = true;
+            let trace = ball_trace(run, k, of(ball), 2 * run.balls.len());
+            plot = plot.trace(on(with(trace, json!({ "showlegend": y == "y" })), "x", y));
+        }
+    }
+    any.then(|| {
+        figure(
+            run,
+            "Slip",
+            "Sliding speeds at the inner and the outer raceway over time. Positive ΔVi speeds \
+             orbit and spin up, positive ΔVo slows the orbit and speeds the spin up.",
+            plot,
+        )
+    })
+}
+
+/// Phase portrait of ball 1.
+pub fn phase(run: &RunData) -> Option<Figure> {
+    let ball = run
+        .balls
+        .first()
+        .filter(|b| !b.vx_m_s.is_empty() && !b.vy_m_s.is_empty())?;
+    let from = settled(run);
+    let upto = |v: &Vec<f64>| v.len().min(run.time_s.len()).max(from);
+    let (vx, vy) = (
+        &ball.vx_m_s[from.min(ball.vx_m_s.len())..upto(&ball.vx_m_s)],
+        &ball.vy_m_s[from.min(ball.vy_m_s.len())..upto(&ball.vy_m_s)],
+    );
+    let (px, py) = curve(vx, vy, 8000);
+    let plot = Plot::new(560)
+        .axis(
+            "xaxis",
+            "vx (m/s)",
+            json!({ "scaleanchor": "y", "constrain": "domain" }),
+        )
+        .axis("yaxis", "vy (m/s)", json!({ "constrain": "domain" }))
+        .trace(with(
+            line("ball 1", &px, &py, PALETTE[0]),
+            json!({ "line": { "width": 1 } }),
+        ));
+    Some(figure(
+        run,
+        "Phase portrait of ball 1",
+        "Velocity of the centre of ball 1, y against x, after the transient.",
+        plot,
+    ))
+}
+
+/// Path of the inner ring's centre.
+pub fn ring_orbit(run: &RunData) -> Option<Figure> {
+    let ring = &run.ring;
+    if ring.x_um.is_empty() {
+        return None;
+    }
+    let n = ring.x_um.len().min(ring.y_um.len()).min(ring.time_s.len());
+    let cut = ring.time_s[..n].partition_point(|t| *t < run.settled_after_s);
+    let mut plot = Plot::new(540)
+        .legend()
+        .axis(
+            "xaxis",
+            "Ring x (µm)",
+            json!({ "scaleanchor": "y", "constrain": "domain" }),
+        )
+        .axis("yaxis", "Ring y (µm)", json!({ "constrain": "domain" }));
+    if cut > 0 {
+        let (x, y) = curve(&ring.x_um[..cut], &ring.y_um[..cut], 3000);
+        plot = plot.trace(line("transient, discarded", &x, &y, "#c4c4c4"));
+    }
+    let (x, y) = curve(&ring.x_um[cut..n], &ring.y_um[cut..n], 6000);
+    plot = plot.trace(with(
+        line("settled", &x, &y, PALETTE[0]),
+        json!({ "line": { "width": 1 } }),
+    ));
+    Some(figure(
+        run,
+        "Path of the inner ring",
+        "Centre of the inner ring, from the centre of the outer ring; load and gravity point down.",
+        plot,
+    ))
+}
+
+/// Contact loads of ball 1 over the turn.
+pub fn loads(run: &RunData) -> Option<Figure> {
+    let ball = run
+        .balls
+        .first()
+        .filter(|b| !b.inner_force_n.is_empty() && !b.angle_deg.is_empty())?;
+    let from = settled(run).min(ball.angle_deg.len());
+    let mut plot = Plot::new(440)
+        .legend()
+        .axis(
+            "xaxis",
+            "ψ, 0 at the bottom (°)",
+            json!({ "range": [-180, 180], "dtick": 45 }),
+        )
+        .axis(
+            "yaxis",
+            "Contact force (N)",
+            json!({ "rangemode": "tozero" }),
+        );
+    plot = shade_sectors(plot, &run.sectors, "x", "y");
+    for (values, name, colour) in [
+        (&ball.outer_force_n, "outer raceway Fo", PALETTE[1]),
+        (&ball.inner_force_n, "inner raceway Fi", PALETTE[0]),
+    ] {
+        let values = values.get(from..).unwrap_or_default();
+        let (angle, force) = wrapped(&ball.angle_deg[from..], values);
+        let (x, y) = curve_with_breaks(&angle, &force);
+        plot = plot.trace(with(
+            line(name, &x, &y, colour),
+            json!({ "line": { "width": 1 } }),
+        ));
+    }
+    Some(figure(
+        run,
+        "Contact loads over the turn",
+        "Normal forces on ball 1 at both raceways against its place, all turns after the transient; the discrete raceway is shaded.",
+        plot,
+    ))
+}
+
+/// Place of collisions over time.
+pub fn collisions(run: &RunData) -> Option<Figure> {
+    let mut hits = run.collisions.clone();
+    hits.sort_by(|a, b| b.impulse_n_s.total_cmp(&a.impulse_n_s));
+    let most = hits.first()?.impulse_n_s.max(1e-300);
+    let total = hits.len();
+    hits.truncate(COLLISIONS);
+    let column =
+        |of: fn(&crate::run::CollisionPoint) -> f64| -> Vec<f64> { hits.iter().map(of).collect() };
+    let size: Vec<f64> = hits
+        .iter()
+        .map(|c| 4.0 + 16.0 * (c.impulse_n_s / most).max(0.0).sqrt())
+        .collect();
+    let text: Value = hits
+        .iter()
+        .map(|c| {
+            format!(
+                "balls {} and {}<br>approach {} m/s<br>peak {} N<br>impulse {} N·s",
+                c.ball,
+                c.next_ball,
+                short(c.approach_speed_m_s),
+                short(c.peak_force_n),
+                short(c.impulse_n_s)
+            )
+        })
+        .collect();
+    let mut plot = with_time(run, Plot::new(460), "y").axis(
+        "yaxis",
+        "ψ of the contact, 0 at the bottom (°)",
+        json!({ "range": [-180, 180], "dtick": 45 }),
+    );
+    for sector in &run.sectors {
+        for edge in [
+            sector.centre_angle_deg - sector.half_angle_deg,
+            sector.centre_angle_deg + sector.half_angle_deg,
+        ] {
+            plot = plot.horizontal("x", "y", edge - 360.0 * (edge / 360.0).round(), "dash");
+        }
+    }
+    plot = plot.trace(with(
+        markers("collisions", &column(|c| c.time_s), &column(|c| c.angle_deg), PALETTE[1]),
+        json!({
+            "marker": { "size": numbers(&size), "opacity": 0.55, "line": { "width": 0.5, "color": "#7a3500" } },
+            "text": text, "hovertemplate": "%{text}<br>t %{x} s, ψ %{y}°<extra></extra>",
+        }),
+    ));
+    let drawn = if total > COLLISIONS {
+        format!(" The {COLLISIONS} strongest are drawn.")
+    } else {
+        String::new()
+    };
+    Some(figure(
+        run,
+        "Collisions",
+        &format!(
+            "{total} contacts between balls: place over time. The area of a marker grows with the impulse, the largest \
+         being {} N·s; dashed lines are the ends of the discrete raceway.{drawn}",
+            short(most)
+        ),
+        plot,
+    ))
+}
+
+/// Ledger of energy.
+pub fn energy(run: &RunData) -> Option<Figure> {
+    if run.energy.is_empty() {
+        return None;
+    }
+    let names: Value = run.energy.iter().map(|item| plain(&item.name)).collect();
+    let values: Vec<f64> = run.energy.iter().map(|item| item.energy_j).collect();
+    let colours: Value = values
+        .iter()
+        .map(|v| if *v < 0.0 { PALETTE[1] } else { PALETTE[0] })
+        .collect();
+    let labels: Value = values.iter().map(|v| format!("{} J", short(*v))).collect();
+    let (low, high) = range(&values);
+    let room = (high.max(0.0) - low.min(0.0)).max(1e-12) * 0.16;
+    let bounds = json!([
+        number(low.min(0.0) - if low < 0.0 { room } else { 0.0 }),
+        number(high.max(0.0) + if high > 0.0 { room } else { 0.0 }),
+    ]);
+    let plot = Plot::new(36 * run.energy.len() as u32 + 130)
+        .axis("xaxis", "Energy, positive into the bearing (J)", json!({ "range": bounds, "zeroline": true, "zerolinecolor": "#555" }))
+        .axis("yaxis", "", json!({ "type": "category", "autorange": "reversed" }))
+        .trace(json!({
+            "type": "bar", "orientation": "h", "y": names, "x": numbers(&values),
+            "marker": { "color": colours }, "text": labels, "textposition": "outside", "cliponaxis": false,
+        }));
+    let rest = run.energy_residual_relative.map_or(String::new(), |r| {
+        format!(
+            " What the ledger misses is {} of its largest entry.",
+            short(r)
+        )
+    });
+    Some(figure(
+        run,
+        "Ledger of energy",
+        &format!("Work and energy over the run.{rest}"),
+        plot,
+    ))
+}
+
+fn figure(run: &RunData, label: &str, caption: &str, plot: Plot) -> Figure {
+    Figure {
+        label: label.to_owned(),
+        caption: caption.to_owned(),
+        provenance: run.provenance.clone(),
+        plot,
+    }
+}
+
+/// First row after the transient; 0 if nothing is left after it.
+fn settled(run: &RunData) -> usize {
+    let from = run.time_s.partition_point(|t| *t < run.settled_after_s);
+    if from < run.time_s.len() { from } else { 0 }
+}
+
+/// Time axis along the bottom of all panels, transient shaded.
+fn with_time(run: &RunData, plot: Plot, anchor: &str) -> Plot {
+    let times = run.time_s.iter().chain(&run.ring.time_s);
+    let begin = times.clone().copied().fold(0.0, f64::min);
+    let end = times.copied().fold(run.settled_after_s, f64::max);
+    plot.axis(
+        "xaxis",
+        "Time t (s)",
+        json!({ "anchor": anchor, "range": [number(begin), number(end)] }),
+    )
+    .discarded("x", "paper", begin, run.settled_after_s)
+}
+
+/// A panel over time with one trace per ball, ball 1 drawn last and strong.
+fn per_ball(run: &RunData, title: &str, of: impl Fn(&BallHistory) -> &Vec<f64>) -> Option<Plot> {
+    let mut plot = with_time(run, Plot::new(470), "y")
+        .legend()
+        .set("margin", json!({ "l": 72, "r": 24, "t": 30, "b": 58 }))
+        .set("legend", json!({ "orientation": "v", "x": 1.01, "y": 1, "font": { "size": 11 }, "traceorder": "reversed" }))
+        .axis("yaxis", title, json!({ "tickformat": if title.contains("°/s") { ",.0f" } else { "" } }));
+    let mut any = false;
+    for (k, ball) in run.balls.iter().enumerate().rev() {
+        if !of(ball).is_empty() {
+            any = true;
+            plot = plot.trace(ball_trace(run, k, of(ball), run.balls.len()));
+        }
+    }
+    any.then_some(plot)
+}
+
+fn ball_trace(run: &RunData, k: usize, values: &[f64], traces: usize) -> Value {
+    let points = (POINTS_OF_ALL / traces.max(1)).clamp(800, 4000);
+    let (x, y) = history(&run.time_s, values, points);
+    let colour = PALETTE[k % PALETTE.len()];
+    let dash = ["solid", "dash", "dot"][k / PALETTE.len() % 3];
+    let look = if k == 0 {
+        json!({ "line": { "width": 2 } })
+    } else {
+        json!({ "line": { "width": 1, "dash": dash }, "opacity": 0.55 })
+    };
+    with(
+        with(line(&format!("ball {}", k + 1), &x, &y, colour), look),
+        json!({ "legendgroup": k + 1 }),
+    )
+}
+
+/// Thins each stretch between breaks by itself.
+fn curve_with_breaks(x: &[f64], y: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    let total = x.len().max(1);
+    let (mut xs, mut ys) = (Vec::new(), Vec::new());
+    let mut from = 0;
+    for at in (0..=x.len()).filter(|&i| i == x.len() || x[i].is_nan()) {
+        let share = (8000 * (at - from) / total).max(8);
+        let (px, py) = curve(&x[from..at], &y[from..at], share);
+        xs.extend(px);
+        ys.extend(py);
+        if at < x.len() {
+            xs.push(f64::NAN);
+            ys.push(f64::NAN);
+        }
+        from = at + 1;
+    }
+    (xs, ys)
+}

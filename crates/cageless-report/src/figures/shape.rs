@@ -1,0 +1,184 @@
+//! Shape of the discrete raceway: contact track (Fig. 1b), surface (Fig. 2).
+
+use serde_json::{Value, json};
+
+use super::on;
+use crate::figure::Figure;
+use crate::geometry::{ContactTrack, RacewaySurface};
+use crate::plot::{GREY, PALETTE, Plot, SECTOR, line, number, numbers, with};
+use crate::sampling::range;
+
+/// Fig. 1b: the contact points on the ball, and r and z against ψ.
+pub fn contact_track(track: &ContactTrack) -> Figure {
+    let theta = track.structure.half_angle_deg;
+    let rw = track.ball_radius_mm;
+    let turn: Vec<f64> = (0..=180).map(|k| f64::from(2 * k).to_radians()).collect();
+    let circle_x: Vec<f64> = turn.iter().map(|a| rw * a.sin()).collect();
+    let circle_y: Vec<f64> = turn.iter().map(|a| rw * a.cos()).collect();
+    let mirrored: Vec<f64> = track.axial_mm.iter().map(|z| -z).collect();
+    let below: Vec<f64> = track.effective_radius_mm.iter().map(|r| -r).collect();
+    let (least, _) = range(&track.effective_radius_mm);
+    let half_span = track.structure.axial_span_mm / 2.0;
+    let mut plot = Plot::new(470)
+        .at_least(860)
+        .set("margin", json!({ "l": 64, "r": 20, "t": 40, "b": 58 }))
+        .axis(
+            "xaxis",
+            "Axial position z on the ball (mm)",
+            json!({
+                "domain": [0.0, 0.4], "scaleanchor": "y", "constrain": "domain", "anchor": "y",
+            }),
+        )
+        .axis(
+            "yaxis",
+            "Outward from the ball's centre (mm)",
+            json!({ "constrain": "domain" }),
+        )
+        .axis(
+            "xaxis2",
+            "",
+            json!({
+                "domain": [0.52, 1.0], "anchor": "y2", "matches": "x3", "showticklabels": false,
+            }),
+        )
+        .axis(
+            "yaxis2",
+            "Contact radius r (mm)",
+            json!({ "domain": [0.55, 1.0], "anchor": "x2" }),
+        )
+        .axis(
+            "xaxis3",
+            "ψ from the middle of the raceway (°)",
+            json!({
+                "domain": [0.52, 1.0], "anchor": "y3",
+            }),
+        )
+        .axis(
+            "yaxis3",
+            "Axial position z (mm)",
+            json!({ "domain": [0.0, 0.45], "anchor": "x3" }),
+        );
+    for (x, y) in [("x2", "y2"), ("x3", "y3")] {
+        plot = plot.band(x, y, -theta, theta, SECTOR);
+    }
+    let thick = json!({ "line": { "width": 4 } });
+    plot = plot
+        .trace(line("ball", &circle_x, &circle_y, GREY))
+        .trace(with(
+            line("track, z > 0", &track.axial_mm, &below, PALETTE[0]),
+            thick.clone(),
+        ))
+        .trace(with(
+            line("track, z < 0", &mirrored, &below, PALETTE[1]),
+            thick,
+        ))
+        .trace(with(
+            line("lC", &[-half_span, half_span], &[-least, -least], "#333333"),
+            json!({ "line": { "dash": "dot" } }),
+        ))
+        .text(
+            &format!("lC = {} mm", track.structure.axial_span_mm),
+            (0.0, -least),
+            ("x", "y"),
+            json!({ "yanchor": "bottom" }),
+        )
+        .trace(on(
+            line(
+                "r",
+                &track.angle_deg,
+                &track.effective_radius_mm,
+                PALETTE[2],
+            ),
+            "x2",
+            "y2",
+        ))
+        .trace(on(
+            line("z > 0", &track.angle_deg, &track.axial_mm, PALETTE[0]),
+            "x3",
+            "y3",
+        ))
+        .trace(on(
+            line("z < 0", &track.angle_deg, &mirrored, PALETTE[1]),
+            "x3",
+            "y3",
+        ));
+    Figure {
+        label: "Figure 1b".to_owned(),
+        caption: format!(
+            "Contact track on the ball. Left: the meridian section of the ball with the two \
+             branches of the track (blue z > 0, orange z < 0), outward being down as at the \
+             bottom of the bearing. Right: effective contact radius r and axial position z along \
+             the raceway (shaded, θ = {theta}°), Zhao 2022, Eq. (4) to (6)."
+        ),
+        provenance: track.provenance.clone(),
+        plot,
+    }
+}
+
+/// Fig. 2: the surface, in three dimensions.
+pub fn surface(surface: &RacewaySurface) -> Figure {
+    let grid = |rows: &[Vec<f64>]| -> Value { rows.iter().map(|row| numbers(row)).collect() };
+    let all: Vec<f64> = surface.deviation_um.iter().flatten().copied().collect();
+    let (low, high) = range(&all);
+    let most = low.abs().max(high.abs());
+    let column = |k: usize| -> Vec<f64> { surface.track_mm.iter().map(|p| lift(p)[k]).collect() };
+    let (x, y, z) = (column(0), column(1), column(2));
+    let mirrored: Vec<f64> = z.iter().map(|z| -z).collect();
+    let track = |z: &[f64]| {
+        json!({
+            "type": "scatter3d", "mode": "lines", "name": "contact track", "hoverinfo": "skip",
+            "x": numbers(&x), "y": numbers(&y), "z": numbers(z),
+            "line": { "color": "#111111", "width": 5 },
+        })
+    };
+    let title = |text: &str| {
+        json!({ "title": { "text": text }, "backgroundcolor": "#fff",
+        "gridcolor": "#dddddd", "showbackground": false, "zeroline": false })
+    };
+    let plot = Plot::new(560)
+        .set("margin", json!({ "l": 0, "r": 0, "t": 10, "b": 0 }))
+        .set("scene", json!({
+            "xaxis": title("x (mm)"), "yaxis": title("y (mm)"), "zaxis": title("z (mm)"),
+            "aspectmode": "data",
+            "camera": {
+                "up": { "x": 0, "y": 1, "z": 0 },
+                "eye": { "x": 0.75, "y": 1.15, "z": 1.05 },
+                "center": { "x": 0, "y": -0.05, "z": 0 },
+                "projection": { "type": "orthographic" },
+            },
+        }))
+        .trace(json!({
+            "type": "surface",
+            "x": grid(&surface.x_mm), "y": grid(&surface.y_mm), "z": grid(&surface.z_mm),
+            "surfacecolor": grid(&surface.deviation_um),
+            "cmin": number(-most), "cmax": number(most),
+            "colorscale": [[0, "#2166ac"], [0.5, "#f2f2f2"], [1, "#b2182b"]],
+            "colorbar": {
+                "title": { "text": "Deviation from<br>the plain groove (µm)" },
+                "thickness": 16, "len": 0.75,
+            },
+            "lighting": { "ambient": 0.75, "diffuse": 0.5, "specular": 0.08, "roughness": 0.8 },
+            "hovertemplate": "x %{x:.3f} mm<br>y %{y:.3f} mm<br>z %{z:.3f} mm<br>%{surfacecolor:.1f} µm<extra></extra>",
+        }))
+        .trace(track(&z))
+        .trace(track(&mirrored));
+    Figure {
+        label: "Figure 2".to_owned(),
+        caption: format!(
+            "Surface of the discrete raceway and a fifth of θ of the plain raceway at each end, \
+             to scale, up to the shoulder; drag to turn it. Colour: distance from the plain \
+             groove, positive where material is taken away. Black: the contact tracks, drawn \
+             0.05 mm above the surface. Zhao 2022, Eq. (7); deviations {low:.1} to {high:.1} µm."
+        ),
+        provenance: surface.provenance.clone(),
+        plot,
+    }
+}
+
+/// A point of the track, a little closer to the axis, so that the surface does not
+/// hide it.
+fn lift(point: &[f64; 3]) -> [f64; 3] {
+    let rho = point[0].hypot(point[1]);
+    let scale = if rho > 0.0 { 1.0 - 0.05 / rho } else { 1.0 };
+    [point[0] * scale, point[1] * scale, point[2]]
+}

@@ -1,0 +1,108 @@
+//! Vibration of the outer ring: signals and spectra (Fig. 12).
+
+use serde_json::json;
+
+use super::{axis_name, axis_ref, on};
+use crate::data::Vibration;
+use crate::figure::Figure;
+use crate::plot::{PALETTE, POINTS, Plot, line, number, plain, with};
+use crate::sampling::{history, range};
+use crate::text::short;
+
+/// Highest frequency of the spectrum, Hz: half the paper's sampling rate.
+pub const HIGHEST_HZ: f64 = 2500.0;
+
+/// Signals one above the other on one scale, spectra below.
+pub fn vibration(label: &str, vibration: &Vibration) -> Figure {
+    let count = vibration.signals.len().max(1);
+    let most = vibration
+        .signals
+        .iter()
+        .map(|s| range(&s.acceleration_m_s2))
+        .fold(1e-12, |most: f64, (low, high)| most.max(-low).max(high))
+        * 1.08;
+    // Pixels from the top down: signals, then the spectrum.
+    let (panel, between, room, spectrum) = (170.0, 34.0, 72.0, 250.0);
+    let inner = panel * count as f64 + between * (count - 1) as f64 + room + spectrum;
+    let mut plot =
+        Plot::new(inner as u32 + 110).set("margin", json!({ "l": 72, "r": 24, "t": 46, "b": 64 }));
+    let mut sizes = Vec::new();
+    for (k, signal) in vibration.signals.iter().enumerate() {
+        let (x, y) = (axis_ref("x", k), axis_ref("y", k));
+        let high = 1.0 - (panel + between) * k as f64 / inner;
+        let last = k + 1 == count;
+        let colour = PALETTE[k % PALETTE.len()];
+        let (time, value) = history(&signal.time_s, &signal.acceleration_m_s2, POINTS);
+        plot = plot
+            .axis(&axis_name("x", k), if last { "Time t (s)" } else { "" }, json!({
+                "anchor": y, "showticklabels": last,
+                "matches": if k == 0 { None } else { Some("x") },
+            }))
+            .axis(&axis_name("y", k), "Acceleration (m/s²)", json!({
+                "anchor": x, "domain": [high - panel / inner, high],
+                "range": [number(-most), number(most)],
+                "matches": if k == 0 { None } else { Some("y") },
+            }))
+            .trace(on(with(line(&signal.name, &time, &value, colour), json!({ "line": { "width": 1 } })), &x, &y))
+            .text(
+                &plain(&signal.name),
+                (0.0, 1.01),
+                (&format!("{x} domain"), &format!("{y} domain")),
+                json!({ "xanchor": "left", "yanchor": "bottom", "font": { "color": colour, "size": 13 } }),
+            );
+        if let Some(rms) = signal.rms_m_s2 {
+            sizes.push(format!("{} {} m/s² rms", signal.name, short(rms)));
+        }
+    }
+    let (x, y) = (axis_ref("x", count), axis_ref("y", count));
+    plot = plot
+        .axis(&axis_name("x", count), "Frequency f (Hz)", json!({ "anchor": y, "range": [0, HIGHEST_HZ] }))
+        .axis(&axis_name("y", count), "Amplitude (m/s²)", json!({
+            "anchor": x, "domain": [0.0, spectrum / inner], "type": "log", "exponentformat": "power",
+            "dtick": 1,
+        }));
+    for (k, signal) in vibration.signals.iter().enumerate() {
+        let upto = signal
+            .frequency_hz
+            .iter()
+            .take_while(|f| **f <= HIGHEST_HZ)
+            .count();
+        let upto = upto.min(signal.amplitude_m_s2.len());
+        let (f, a) = history(
+            &signal.frequency_hz[..upto],
+            &signal.amplitude_m_s2[..upto],
+            POINTS,
+        );
+        plot = plot.trace(on(
+            with(
+                line(&signal.name, &f, &a, PALETTE[k % PALETTE.len()]),
+                json!({ "line": { "width": 1.1 } }),
+            ),
+            &x,
+            &y,
+        ));
+    }
+    for mark in &vibration.marks {
+        plot = plot.vertical(&x, &y, mark.frequency_hz, "dot").text(
+            &plain(&mark.label),
+            (mark.frequency_hz, 1.0),
+            (&x, &format!("{y} domain")),
+            json!({ "yanchor": "bottom", "font": { "size": 11, "color": "#555" } }),
+        );
+    }
+    Figure {
+        label: label.to_owned(),
+        caption: format!(
+            "Acceleration of the outer ring over time, on one scale, and below its single-sided \
+             amplitude spectrum up to {HIGHEST_HZ} Hz.{}{}",
+            if sizes.is_empty() { "" } else { " " },
+            if sizes.is_empty() {
+                String::new()
+            } else {
+                format!("{}.", sizes.join(", "))
+            }
+        ),
+        provenance: vibration.provenance.clone(),
+        plot,
+    }
+}

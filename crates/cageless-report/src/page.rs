@@ -1,0 +1,180 @@
+//! One self-contained HTML page: nothing is loaded from anywhere.
+
+use std::collections::HashSet;
+use std::sync::OnceLock;
+
+use crate::data::{Claim, Verdict};
+use crate::figure::Figure;
+use crate::motion::MotionFigure;
+use crate::table::Table;
+use crate::text::{escape, slug};
+
+/// A page under construction.
+#[derive(Debug, Clone, Default)]
+pub struct Page {
+    title: String,
+    lead: String,
+    software: String,
+    body: String,
+    contents: Vec<(String, String)>,
+    ids: HashSet<String>,
+    section_open: bool,
+    plots: bool,
+    motion: bool,
+}
+
+/// Weight of a note.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Note {
+    /// By the way.
+    Remark,
+    /// To be minded.
+    Warning,
+}
+
+impl Page {
+    /// An empty page.
+    pub fn new(title: &str, lead: &str, software: &str) -> Self {
+        Self {
+            title: title.to_owned(),
+            lead: lead.to_owned(),
+            software: software.to_owned(),
+            ..Self::default()
+        }
+    }
+
+    /// Starts a section; it appears in the table of contents.
+    pub fn section(&mut self, title: &str) {
+        let id = self.unique(&slug(title));
+        if self.section_open {
+            self.body.push_str("</section>\n");
+        }
+        self.section_open = true;
+        self.body.push_str(&format!(
+            "<section id=\"{id}\"><h2>{}</h2>\n",
+            escape(title)
+        ));
+        self.contents.push((id, title.to_owned()));
+    }
+
+    /// Adds a paragraph.
+    pub fn paragraph(&mut self, text: &str) {
+        self.body.push_str(&format!("<p>{}</p>\n", escape(text)));
+    }
+
+    /// Adds a note in a box.
+    pub fn note(&mut self, weight: Note, text: &str) {
+        let class = match weight {
+            Note::Remark => "note",
+            Note::Warning => "note warning",
+        };
+        self.body
+            .push_str(&format!("<p class=\"{class}\">{}</p>\n", escape(text)));
+    }
+
+    /// Adds a figure.
+    pub fn figure(&mut self, figure: &Figure) {
+        let id = self.unique(&figure.slug());
+        self.plots = true;
+        self.body.push_str(&figure.html(&id));
+    }
+
+    /// Adds a table.
+    pub fn table(&mut self, table: &Table) {
+        let id = self.unique(&table.slug());
+        self.body.push_str(&table.html(&id));
+    }
+
+    /// Adds balls in motion.
+    pub fn motion(&mut self, motion: &MotionFigure) {
+        let id = self.unique(&motion.slug());
+        self.motion = true;
+        self.body.push_str(&motion.html(&id));
+    }
+
+    /// Adds claims with their verdicts.
+    pub fn claims(&mut self, claims: &[Claim]) {
+        for claim in claims {
+            let (class, verdict) = match claim.verdict {
+                Verdict::Confirmed => ("confirmed", "confirmed"),
+                Verdict::Partly => ("partly", "partly confirmed"),
+                Verdict::NotConfirmed => ("refuted", "not confirmed"),
+                Verdict::Erratum => ("erratum", "erratum"),
+                Verdict::NotTested => ("untested", "not tested"),
+            };
+            self.body.push_str(&format!(
+                "<div class=\"claim {class}\"><div class=\"said\"><span class=\"place\">{}</span> {}</div>\
+                 <div class=\"found\"><span class=\"verdict\">{verdict}</span> {}",
+                escape(&claim.place),
+                escape(&claim.claim),
+                escape(&claim.finding),
+            ));
+            if !claim.numbers.is_empty() {
+                self.body.push_str(&format!(
+                    "<div class=\"numbers\">{}</div>",
+                    escape(&claim.numbers)
+                ));
+            }
+            self.body.push_str("</div></div>\n");
+        }
+    }
+
+    /// The page.
+    pub fn html(mut self) -> String {
+        if self.section_open {
+            self.body.push_str("</section>\n");
+        }
+        let mut contents = String::new();
+        for (id, title) in &self.contents {
+            contents.push_str(&format!("<li><a href=\"#{id}\">{}</a></li>", escape(title)));
+        }
+        let mut scripts = String::new();
+        if self.plots {
+            scripts.push_str(&format!("<script>{}</script>\n", plotly_js()));
+        }
+        scripts.push_str(&format!("<script>{}</script>\n", include_str!("page.js")));
+        if self.motion {
+            scripts.push_str(&format!("<script>{}</script>\n", include_str!("motion.js")));
+        }
+        let lead = if self.lead.is_empty() {
+            String::new()
+        } else {
+            format!("<p class=\"lead\">{}</p>\n", escape(&self.lead))
+        };
+        format!(
+            "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n\
+             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+             <title>{title}</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>{css}</style></head>\n\
+             <body><header><h1>{title}</h1>\n{lead}</header>\n\
+             <nav aria-label=\"Contents\"><ol>{contents}</ol></nav>\n\
+             <noscript><p class=\"note warning\">The figures are drawn by JavaScript, which is \
+             switched off here; tables and captions can be read without it.</p></noscript>\n\
+             <main>\n{body}</main>\n<footer>{software}</footer>\n{scripts}</body></html>\n",
+            title = escape(&self.title),
+            css = include_str!("page.css"),
+            body = self.body,
+            software = escape(&self.software),
+        )
+    }
+
+    fn unique(&mut self, wanted: &str) -> String {
+        let mut id = wanted.to_owned();
+        let mut k = 2;
+        while !self.ids.insert(id.clone()) {
+            id = format!("{wanted}-{k}");
+            k += 1;
+        }
+        id
+    }
+}
+
+/// plotly.js as the crate `plotly` carries it, without the MathJax beside it.
+fn plotly_js() -> &'static str {
+    static SOURCE: OnceLock<String> = OnceLock::new();
+    SOURCE.get_or_init(|| {
+        let both = plotly::Plot::offline_js_sources();
+        let first = both.split("</script>").next().unwrap_or_default();
+        let start = first.find('>').map_or(0, |at| at + 1);
+        first[start..].to_owned()
+    })
+}

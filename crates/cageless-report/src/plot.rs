@@ -1,0 +1,225 @@
+//! The specification of one plot: traces, axes, marks, in the JSON that plotly.js reads.
+
+use serde_json::{Map, Value, json};
+
+/// Colours that stay apart for colour-blind readers (Okabe and Ito).
+pub const PALETTE: [&str; 7] = [
+    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#444444",
+];
+/// Lines that recede.
+pub const GREY: &str = "#9a9a9a";
+/// Shade of what is discarded.
+pub const DISCARDED: &str = "rgba(120,120,120,0.16)";
+/// Shade of the discrete raceway.
+pub const SECTOR: &str = "rgba(230,159,0,0.16)";
+/// Fonts of figures.
+pub const FONT: &str = "Helvetica Neue, Helvetica, Arial, Liberation Sans, sans-serif";
+/// Points of a trace of which a figure has few.
+pub const POINTS: usize = 4000;
+
+/// A plot under construction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plot {
+    data: Vec<Value>,
+    layout: Map<String, Value>,
+    shapes: Vec<Value>,
+    annotations: Vec<Value>,
+    /// Height on the page, pixels.
+    pub height_px: u32,
+    /// Width below which it scrolls instead of shrinking, pixels.
+    pub min_width_px: u32,
+}
+
+impl Plot {
+    /// An empty plot.
+    pub fn new(height_px: u32) -> Self {
+        let layout = json!({
+            "font": { "family": FONT, "size": 13, "color": "#222" },
+            "paper_bgcolor": "#fff",
+            "plot_bgcolor": "#fff",
+            "margin": { "l": 72, "r": 24, "t": 44, "b": 58 },
+            "hovermode": "closest",
+            "showlegend": false,
+            "legend": {
+                "orientation": "h", "x": 0, "y": 1.0, "yanchor": "bottom",
+                "font": { "size": 12 }, "bgcolor": "rgba(255,255,255,0)",
+            },
+        });
+        let Value::Object(layout) = layout else {
+            unreachable!("an object literal")
+        };
+        Self {
+            data: Vec::new(),
+            layout,
+            shapes: Vec::new(),
+            annotations: Vec::new(),
+            height_px,
+            min_width_px: 560,
+        }
+    }
+
+    /// Sets the least width.
+    pub fn at_least(mut self, min_width_px: u32) -> Self {
+        self.min_width_px = min_width_px;
+        self
+    }
+
+    /// Sets a key of the layout.
+    pub fn set(mut self, key: &str, value: Value) -> Self {
+        self.layout.insert(key.to_owned(), value);
+        self
+    }
+
+    /// Shows the legend above the plot.
+    pub fn legend(self) -> Self {
+        self.set("showlegend", true.into())
+    }
+
+    /// Sets axis `name` (`xaxis`, `yaxis2`), titled `title`, with further keys.
+    pub fn axis(mut self, name: &str, title: &str, more: Value) -> Self {
+        let mut axis = json!({
+            "title": { "text": title, "standoff": 8 },
+            "showline": true, "linecolor": "#555", "linewidth": 1,
+            "ticks": "outside", "ticklen": 4, "tickcolor": "#555",
+            "gridcolor": "#e6e6e6", "zeroline": false, "automargin": true,
+        });
+        merge(&mut axis, more);
+        self.layout.insert(name.to_owned(), axis);
+        self
+    }
+
+    /// Adds a trace.
+    pub fn trace(mut self, trace: Value) -> Self {
+        self.data.push(trace);
+        self
+    }
+
+    /// Shades `from` to `to` along x over the whole height of the axis `y`
+    /// (`y`, `y2`), or of all panels (`paper`).
+    pub fn band(mut self, x: &str, y: &str, from: f64, to: f64, colour: &str) -> Self {
+        self.shapes.push(json!({
+            "type": "rect", "layer": "below", "line": { "width": 0 }, "fillcolor": colour,
+            "xref": x, "yref": domain(y), "x0": number(from), "x1": number(to), "y0": 0, "y1": 1,
+        }));
+        self
+    }
+
+    /// Draws a vertical line at `at` over the whole height of the axis `y`.
+    pub fn vertical(mut self, x: &str, y: &str, at: f64, dash: &str) -> Self {
+        self.shapes.push(json!({
+            "type": "line", "layer": "below",
+            "line": { "width": 1, "color": "#555", "dash": dash },
+            "xref": x, "yref": domain(y), "x0": number(at), "x1": number(at), "y0": 0, "y1": 1,
+        }));
+        self
+    }
+
+    /// Draws a horizontal line at `at` over the whole width of the axis `x`.
+    pub fn horizontal(mut self, x: &str, y: &str, at: f64, dash: &str) -> Self {
+        self.shapes.push(json!({
+            "type": "line", "layer": "below",
+            "line": { "width": 1, "color": "#555", "dash": dash },
+            "xref": domain(x), "yref": y, "y0": number(at), "y1": number(at), "x0": 0, "x1": 1,
+        }));
+        self
+    }
+
+    /// Writes `text` at (`x`, `y`) of the references `xref`, `yref`.
+    pub fn text(mut self, text: &str, at: (f64, f64), refs: (&str, &str), more: Value) -> Self {
+        let mut annotation = json!({
+            "text": text, "showarrow": false, "font": { "size": 12, "color": "#333" },
+            "x": number(at.0), "y": number(at.1), "xref": refs.0, "yref": refs.1,
+        });
+        merge(&mut annotation, more);
+        self.annotations.push(annotation);
+        self
+    }
+
+    /// Shades the time up to `until` as discarded and says so.
+    pub fn discarded(self, x: &str, y: &str, from: f64, until: f64) -> Self {
+        if until <= from {
+            return self;
+        }
+        self.band(x, y, from, until, DISCARDED).text(
+            "discarded",
+            ((from + until) / 2.0, 1.0),
+            (x, &domain(y)),
+            json!({ "yanchor": "top", "font": { "size": 11, "color": "#666" } }),
+        )
+    }
+
+    /// The specification that plotly.js reads.
+    pub fn spec(&self) -> Value {
+        let mut layout = self.layout.clone();
+        layout.insert("shapes".to_owned(), self.shapes.clone().into());
+        layout.insert("annotations".to_owned(), self.annotations.clone().into());
+        json!({ "data": self.data, "layout": layout })
+    }
+}
+
+/// `paper` or the domain of an axis.
+fn domain(axis: &str) -> String {
+    if axis == "paper" {
+        axis.to_owned()
+    } else {
+        format!("{axis} domain")
+    }
+}
+
+/// A line through (`x`, `y`) as they are; names are plain text.
+pub fn line(name: &str, x: &[f64], y: &[f64], colour: &str) -> Value {
+    json!({
+        "type": "scatter", "mode": "lines", "name": plain(name),
+        "x": numbers(x), "y": numbers(y), "line": { "color": colour, "width": 1.4 },
+    })
+}
+
+/// Markers at (`x`, `y`).
+pub fn markers(name: &str, x: &[f64], y: &[f64], colour: &str) -> Value {
+    json!({
+        "type": "scatter", "mode": "markers", "name": plain(name),
+        "x": numbers(x), "y": numbers(y), "marker": { "color": colour, "size": 8 },
+    })
+}
+
+/// `trace` with further keys, merged at every level.
+pub fn with(mut trace: Value, more: Value) -> Value {
+    merge(&mut trace, more);
+    trace
+}
+
+fn merge(into: &mut Value, more: Value) {
+    match (into, more) {
+        (Value::Object(into), Value::Object(more)) => {
+            for (key, value) in more {
+                merge(into.entry(key).or_insert(Value::Null), value);
+            }
+        }
+        (into, more) => *into = more,
+    }
+}
+
+/// Text without the markup that plotly.js would read in it.
+pub fn plain(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+}
+
+/// Six significant digits; `null` for what is not a number.
+pub fn number(value: f64) -> Value {
+    if !value.is_finite() {
+        return Value::Null;
+    }
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    if rounded == rounded.trunc() && rounded.abs() < 1e9 {
+        (rounded as i64).into()
+    } else {
+        rounded.into()
+    }
+}
+
+/// [`number`] of each.
+pub fn numbers(values: &[f64]) -> Value {
+    values.iter().copied().map(number).collect()
+}

@@ -1,0 +1,126 @@
+//! A table with units in its header and numbers aligned right.
+
+use crate::data::Provenance;
+use crate::text::{escape, slug};
+
+/// A cell.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Cell {
+    /// Text as printed.
+    pub text: String,
+    /// Whether it is a number, to be aligned right.
+    pub numeric: bool,
+    /// Whether it recedes: a difference beside its value.
+    pub dim: bool,
+}
+
+impl Cell {
+    /// Text, aligned left.
+    pub fn text(text: impl Into<String>) -> Self {
+        Self {
+            text: text.into(),
+            ..Self::default()
+        }
+    }
+
+    /// A number, aligned right.
+    pub fn number(text: impl Into<String>) -> Self {
+        Self {
+            text: text.into(),
+            numeric: true,
+            dim: false,
+        }
+    }
+
+    /// A number that recedes.
+    pub fn dim(text: impl Into<String>) -> Self {
+        Self {
+            text: text.into(),
+            numeric: true,
+            dim: true,
+        }
+    }
+}
+
+/// A row.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Row {
+    /// Cells, one per column.
+    pub cells: Vec<Cell>,
+    /// Whether the row is called out.
+    pub marked: bool,
+    /// Whether it is a summary under a rule.
+    pub summary: bool,
+}
+
+/// A table.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Table {
+    /// `Table 2`; its slug is the anchor.
+    pub label: String,
+    /// What it shows.
+    pub caption: String,
+    /// Headings over several columns, as `(text, columns)`; may be empty.
+    pub groups: Vec<(String, usize)>,
+    /// Headings with units, and whether the column holds numbers.
+    pub columns: Vec<(String, bool)>,
+    /// Rows.
+    pub rows: Vec<Row>,
+    /// Provenance; `None` where the rows carry their own.
+    pub provenance: Option<Provenance>,
+}
+
+impl Table {
+    /// HTML with the anchor `id`.
+    pub fn html(&self, id: &str) -> String {
+        let mut out = format!(
+            "<figure id=\"{id}\" class=\"tab\"><figcaption><div class=\"caption\"><b>{}.</b> {}",
+            escape(&self.label),
+            escape(&self.caption)
+        );
+        if let Some(source) = &self.provenance {
+            out.push_str(&format!(
+                "<div class=\"provenance\">{}</div>",
+                escape(&source.line())
+            ));
+        }
+        out.push_str("</div></figcaption><div class=\"scroll\"><table><thead>");
+        if !self.groups.is_empty() {
+            out.push_str("<tr class=\"groups\">");
+            for (text, span) in &self.groups {
+                out.push_str(&format!("<th colspan=\"{span}\">{}</th>", escape(text)));
+            }
+            out.push_str("</tr>");
+        }
+        out.push_str("<tr>");
+        for (text, numeric) in &self.columns {
+            let class = if *numeric { " class=\"num\"" } else { "" };
+            out.push_str(&format!("<th scope=\"col\"{class}>{}</th>", escape(text)));
+        }
+        out.push_str("</tr></thead><tbody>\n");
+        for row in &self.rows {
+            let class = match (row.marked, row.summary) {
+                (true, _) => " class=\"marked\"",
+                (_, true) => " class=\"summary\"",
+                _ => "",
+            };
+            out.push_str(&format!("<tr{class}>"));
+            for cell in &row.cells {
+                let class = match (cell.numeric, cell.dim) {
+                    (_, true) => " class=\"num dim\"",
+                    (true, _) => " class=\"num\"",
+                    _ => "",
+                };
+                out.push_str(&format!("<td{class}>{}</td>", escape(&cell.text)));
+            }
+            out.push_str("</tr>\n");
+        }
+        out.push_str("</tbody></table></div></figure>\n");
+        out
+    }
+
+    /// Anchor that the label asks for.
+    pub fn slug(&self) -> String {
+        slug(&self.label)
+    }
+}

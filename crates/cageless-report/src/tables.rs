@@ -1,0 +1,251 @@
+//! The tables: parameters (Table 1), critical gaps (Table 2) and their spread.
+
+use crate::data::{Parameter, Provenance};
+use crate::reproduce::{Table2, Table2Row};
+use crate::table::{Cell, Row, Table};
+use crate::text::{fixed, signed};
+
+/// Table 1 and what the paper leaves out.
+pub fn table1(parameters: &[Parameter]) -> Table {
+    parameter_table(
+        "Table 1",
+        "Parameters of the paper, and those that it does not give.",
+        parameters,
+        None,
+    )
+}
+
+/// A table of parameters or results.
+pub fn parameter_table(
+    label: &str,
+    caption: &str,
+    parameters: &[Parameter],
+    provenance: Option<Provenance>,
+) -> Table {
+    let symbols = parameters.iter().any(|p| !p.symbol.is_empty());
+    let sources = parameters.iter().any(|p| !p.source.is_empty());
+    let mut columns = vec![("Parameter".to_owned(), false)];
+    if symbols {
+        columns.push(("Symbol".to_owned(), false));
+    }
+    columns.extend([("Value".to_owned(), true), ("Unit".to_owned(), false)]);
+    if sources {
+        columns.push(("Source".to_owned(), false));
+    }
+    let rows = parameters
+        .iter()
+        .map(|p| {
+            let mut cells = vec![Cell::text(&p.name)];
+            if symbols {
+                cells.push(Cell::text(&p.symbol));
+            }
+            cells.extend([Cell::number(&p.value), Cell::text(&p.unit)]);
+            if sources {
+                cells.push(Cell::text(&p.source));
+            }
+            Row {
+                cells,
+                ..Row::default()
+            }
+        })
+        .collect();
+    Table {
+        label: label.to_owned(),
+        caption: caption.to_owned(),
+        columns,
+        rows,
+        provenance,
+        ..Table::default()
+    }
+}
+
+/// Table 2: theory and critical gap, computed beside the paper's.
+pub fn table2(table: &Table2) -> Table {
+    let polar = table.rows.iter().any(|r| r.theory_polar_deg.is_some());
+    let remarks = table.rows.iter().any(|r| !r.remark.is_empty());
+    let mut groups = vec![
+        ("Structure".to_owned(), 2),
+        ("Theory β0, Eq. (11) (°)".to_owned(), 2 + usize::from(polar)),
+        ("Paper, simulated (°)".to_owned(), 2),
+    ];
+    let number = |text: &str| (text.to_owned(), true);
+    let mut columns = vec![
+        number("lC (mm)"),
+        number("θ (°)"),
+        number("computed"),
+        number("paper"),
+    ];
+    if polar {
+        columns.push(number("own ψ"));
+    }
+    columns.extend([number("gap"), number("less theory")]);
+    for variant in &table.variants {
+        groups.push((
+            format!("{}, {} (°)", variant.profile, variant.friction_law),
+            2,
+        ));
+        columns.extend([number("gap"), number("Δ paper")]);
+    }
+    if remarks {
+        groups.push((String::new(), 1));
+        columns.push(("Remark".to_owned(), false));
+    }
+    let mut rows: Vec<Row> = table
+        .rows
+        .iter()
+        .map(|r| table2_row(table, r, polar, remarks))
+        .collect();
+    rows.push(summary(
+        table,
+        "largest |Δ|, all rows",
+        polar,
+        remarks,
+        |_| true,
+    ));
+    if remarks {
+        rows.push(summary(
+            table,
+            "without the marked rows",
+            polar,
+            remarks,
+            |r| r.remark.is_empty(),
+        ));
+    }
+    Table {
+        label: "Table 2".to_owned(),
+        caption: "Discrete angular spacing of the ten structures: theory, the paper's simulated \
+                  values, and the computed critical gap, the largest with which a pair still \
+                  touches on its way through the raceway. Δ: computed less the paper's \
+                  simulated value."
+            .to_owned(),
+        groups,
+        columns,
+        rows,
+        provenance: Some(table.provenance.clone()),
+    }
+}
+
+fn table2_row(table: &Table2, row: &Table2Row, polar: bool, remarks: bool) -> Row {
+    let four = |v: Option<f64>| fixed(v, 4);
+    let mut cells = vec![
+        Cell::number(fixed(Some(row.structure.axial_span_mm), 2)),
+        Cell::number(fixed(Some(row.structure.half_angle_deg), 3)),
+        Cell::number(four(Some(row.theory_deg))),
+        Cell::number(four(Some(row.paper_theory_deg))),
+    ];
+    if polar {
+        cells.push(Cell::number(four(row.theory_polar_deg)));
+    }
+    cells.push(Cell::number(four(Some(row.paper_simulated_deg))));
+    cells.push(Cell::dim(signed(
+        Some(row.paper_simulated_deg - row.paper_theory_deg),
+        4,
+    )));
+    for k in 0..table.variants.len() {
+        let gap = row.critical_gap_deg.get(k).copied().flatten();
+        cells.push(Cell::number(four(gap)));
+        cells.push(Cell::dim(signed(
+            gap.map(|g| g - row.paper_simulated_deg),
+            4,
+        )));
+    }
+    if remarks {
+        cells.push(Cell::text(&row.remark));
+    }
+    Row {
+        cells,
+        marked: !row.remark.is_empty(),
+        summary: false,
+    }
+}
+
+/// Largest difference to the paper per variant, over the rows that `counts`.
+fn summary(
+    table: &Table2,
+    name: &str,
+    polar: bool,
+    remarks: bool,
+    counts: impl Fn(&Table2Row) -> bool,
+) -> Row {
+    let mut cells = vec![Cell::text(name)];
+    cells.resize(6 + usize::from(polar), Cell::default());
+    for k in 0..table.variants.len() {
+        let most = table
+            .rows
+            .iter()
+            .filter(|row| counts(row))
+            .filter_map(|row| {
+                Some(
+                    (row.critical_gap_deg.get(k).copied().flatten()? - row.paper_simulated_deg)
+                        .abs(),
+                )
+            })
+            .filter(|d| d.is_finite())
+            .reduce(f64::max);
+        cells.push(Cell::default());
+        cells.push(Cell::number(fixed(most, 4)));
+    }
+    if remarks {
+        cells.push(Cell::default());
+    }
+    Row {
+        cells,
+        marked: false,
+        summary: true,
+    }
+}
+
+/// How far the critical gaps move with what the paper leaves open; `None` if nothing
+/// was varied.
+pub fn spread(table: &Table2) -> Option<Table> {
+    if table.spreads.is_empty() {
+        return None;
+    }
+    let mut columns = vec![("Changed".to_owned(), false), ("Variant".to_owned(), false)];
+    for row in &table.rows {
+        columns.push((fixed(Some(row.structure.axial_span_mm), 2), true));
+    }
+    columns.push(("largest".to_owned(), true));
+    let rows = table
+        .spreads
+        .iter()
+        .map(|s| {
+            let mut cells = vec![Cell::text(&s.cause), Cell::text(&s.variant)];
+            for k in 0..table.rows.len() {
+                cells.push(Cell::number(signed(
+                    s.change_deg.get(k).copied().flatten(),
+                    4,
+                )));
+            }
+            let most = s
+                .change_deg
+                .iter()
+                .flatten()
+                .copied()
+                .filter(|c| c.is_finite());
+            let most = most.reduce(|a, b| if b.abs() > a.abs() { b } else { a });
+            cells.push(Cell::number(signed(most, 4)));
+            Row {
+                cells,
+                ..Row::default()
+            }
+        })
+        .collect();
+    Some(Table {
+        label: "Spread of Table 2".to_owned(),
+        caption: "How far the computed critical gaps move with what the paper leaves open: change \
+                  in degrees per structure, in the order of Table 2."
+            .to_owned(),
+        groups: vec![
+            (String::new(), 2),
+            (
+                "Change of the critical gap (°) at lC (mm)".to_owned(),
+                table.rows.len(),
+            ),
+            (String::new(), 1),
+        ],
+        columns,
+        rows,
+        provenance: Some(table.provenance.clone()),
+    })
+}

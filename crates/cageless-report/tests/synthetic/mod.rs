@@ -1,0 +1,541 @@
+//! Made-up data of plausible shape: balls that roll exactly, on real geometry.
+
+use cageless::kinematics::rolling_orbit_speed_rad_s;
+use cageless::{Bearing, BearingDimensions, Material, Raceway, RacewayDimensions};
+use cageless_report::*;
+
+/// lC, θ, theory and simulated value of the paper's Table 2.
+pub const STRUCTURES: [(&str, f64, f64, f64, f64); 10] = [
+    ("a", 4.95, 35.0, 1.8153, 1.8131),
+    ("b", 5.0, 30.5, 1.8176, 1.8281),
+    ("c", 5.05, 27.5, 1.8185, 1.8323),
+    ("d", 5.1, 25.2, 1.8171, 1.8190),
+    ("e", 5.15, 23.5, 1.8183, 1.7932),
+    ("f", 5.2, 22.0, 1.8156, 1.7552),
+    ("g", 5.4, 18.167, 1.8161, 1.6589),
+    ("h", 5.6, 15.774, 1.8161, 1.6594),
+    ("i", 5.8, 14.062, 1.8161, 1.5416),
+    ("j", 6.0, 12.717, 1.8160, 1.4538),
+];
+const SPEED: f64 = 12_000.0 * std::f64::consts::PI / 30.0;
+const STEP: f64 = 2e-5;
+
+pub fn bearing() -> Bearing {
+    Bearing::new(
+        BearingDimensions {
+            balls: 14,
+            ball_radius_m: 4.7625e-3,
+            inner_groove_bottom_radius_m: 18.24e-3,
+            outer_groove_bottom_radius_m: 27.765e-3,
+            outer_shoulder_radius_m: 26e-3,
+            inner_groove_curvature_radius_m: 4.953e-3,
+            outer_groove_curvature_radius_m: 4.953e-3,
+            inner_ring_mass_kg: 0.2,
+            inner_ring_drag_n_s_m: 2000.0,
+        },
+        Material {
+            density_kg_m3: 7850.0,
+            youngs_modulus_pa: 206e9,
+            poisson_ratio: 0.3,
+        },
+    )
+    .expect("the paper's bearing")
+}
+
+pub fn structure(k: usize) -> Structure {
+    let (letter, span, theta, ..) = STRUCTURES[k];
+    Structure {
+        letter: letter.into(),
+        axial_span_mm: span,
+        half_angle_deg: theta,
+    }
+}
+
+pub fn raceway(k: usize) -> Raceway {
+    let dimensions = RacewayDimensions {
+        axial_span_m: STRUCTURES[k].1 * 1e-3,
+        half_angle_rad: STRUCTURES[k].2.to_radians(),
+        centre_angle_rad: 0.0,
+    };
+    Raceway::new(dimensions, &bearing()).expect("the paper's raceway")
+}
+
+fn source(k: usize, profile: &str) -> Provenance {
+    Provenance {
+        case: format!(
+            "Zhao 2022, structure {}, 12 000 rpm, 1500 N",
+            structure(k).label()
+        ),
+        profile: Some(profile.into()),
+        friction_law: Some("smooth, 0.02 m/s".into()),
+        method: Some("ABM4".into()),
+        step_us: Some(1.0),
+        discarded: "the first 0.1 s".into(),
+    }
+}
+
+/// ψ (degrees) and Ω (degrees/s) of balls that roll, `gap` apart in turn.
+pub struct Rolling {
+    pub time: Vec<f64>,
+    pub angle: Vec<Vec<f64>>,
+    pub speed: Vec<Vec<f64>>,
+}
+
+pub fn rolling(raceway: Option<&Raceway>, duration: f64, wobble: f64) -> Rolling {
+    let bearing = bearing();
+    let speed_at = |psi: f64, t: f64, k: usize| {
+        let r = raceway.map_or(bearing.ball_radius_m(), |d| d.effective_radius_m(psi));
+        let noise = wobble * ((t * 90.0 + k as f64).sin() + (t * 37.0 * k as f64).cos());
+        rolling_orbit_speed_rad_s(&bearing, SPEED, r) * (1.0 + noise)
+    };
+    let mut out = Rolling {
+        time: vec![],
+        angle: vec![vec![]; 14],
+        speed: vec![vec![]; 14],
+    };
+    let mut psi: Vec<f64> = (0..14)
+        .map(|k| f64::from(k) * std::f64::consts::TAU / 14.0)
+        .collect();
+    for step in 0..=(duration / STEP).round() as usize {
+        let t = step as f64 * STEP;
+        out.time.push(t);
+        for (k, angle) in psi.iter_mut().enumerate() {
+            let here = speed_at(*angle, t, k);
+            out.angle[k].push(angle.to_degrees());
+            out.speed[k].push(here.to_degrees());
+            *angle += STEP * speed_at(*angle + here * STEP / 2.0, t, k);
+        }
+    }
+    out
+}
+
+pub fn gaps(angle: &[Vec<f64>], epsilon: f64) -> Vec<Vec<f64>> {
+    let n = angle.len();
+    (0..n)
+        .map(|k| {
+            let turn = if k + 1 == n { 360.0 } else { 0.0 };
+            let ahead = &angle[(k + 1) % n];
+            ahead
+                .iter()
+                .zip(&angle[k])
+                .map(|(a, b)| a + turn - b - epsilon)
+                .collect()
+        })
+        .collect()
+}
+
+fn motion(title: &str, raceways: &[Raceway], wobble: f64, profile: &str) -> Motion {
+    let run = rolling(raceways.first(), 0.21, wobble);
+    let thin = |v: &Vec<f64>| v.iter().step_by(5).copied().collect::<Vec<f64>>();
+    Motion {
+        title: title.into(),
+        outline: BearingOutline::of(&bearing()),
+        sectors: raceways.iter().map(Sector::of).collect(),
+        time_s: thin(&run.time),
+        angle_deg: run.angle.iter().map(thin).collect(),
+        gap_deg: vec![],
+        provenance: source(3, profile),
+    }
+}
+
+fn vibration(names: &[(&str, f64)]) -> Vibration {
+    let signals = names
+        .iter()
+        .map(|(name, size)| {
+            let time: Vec<f64> = (0..5000).map(|k| f64::from(k) * 2e-4).collect();
+            let wave = |t: &f64| {
+                let seed = (t * 1e6).sin() * 43758.5453;
+                size * ((t * std::f64::consts::TAU * 280.0).sin() + 3.0 * (seed - seed.floor() - 0.5))
+            };
+            let f: Vec<f64> = (0..2500).map(f64::from).collect();
+            let a = f
+                .iter()
+                .map(|f| size * (0.02 + 1.0 / (1.0 + (f - 280.0).powi(2) / 9.0)))
+                .collect();
+            VibrationSignal {
+                name: (*name).into(),
+                acceleration_m_s2: time.iter().map(wave).collect(),
+                time_s: time,
+                frequency_hz: f,
+                amplitude_m_s2: a,
+                rms_m_s2: Some(*size),
+            }
+        })
+        .collect();
+    let mark = FrequencyMark {
+        frequency_hz: 280.0,
+        label: "ball passing".into(),
+    };
+    Vibration {
+        signals,
+        marks: vec![mark],
+        provenance: source(3, "physical"),
+    }
+}
+
+fn verdict(k: usize) -> String {
+    ["double collision", "smooth", "slips"][if k < 3 {
+        0
+    } else if k < 6 {
+        1
+    } else {
+        2
+    }]
+    .into()
+}
+
+fn event(label: &str, time_s: f64, meaning: &str) -> Event {
+    Event {
+        label: label.into(),
+        time_s,
+        meaning: meaning.into(),
+    }
+}
+
+pub fn reproduce() -> ReproduceData {
+    let bearing = bearing();
+    let outline = BearingOutline::of(&bearing);
+    let uniform = 360.0 / 14.0 - outline.ball_angle_deg;
+    let run = rolling(Some(&raceway(0)), 0.6, 0.0004);
+    let gap = gaps(&run.angle, outline.ball_angle_deg);
+    let turn = 20_000..20_640;
+    let stage = |k: usize| run.time[turn.start] + 0.0128 * k as f64 / 4.0;
+    let history = |profile: &str| GapHistory {
+        structure: structure(0),
+        ball: 1,
+        time_s: run.time.clone(),
+        gap_deg: gap[0].clone(),
+        settled_after_s: 0.1,
+        turn_time_s: run.time[turn.clone()].to_vec(),
+        turn_gap_deg: gap[0][turn.clone()].to_vec(),
+        stages: vec![
+            event("a", stage(0), "into the unloaded zone"),
+            event("b", stage(1), "into the loaded zone"),
+            event("c", stage(2), "into the discrete raceway"),
+            event("d", stage(3), "out of it"),
+            event("e", stage(4), "end of the turn"),
+        ],
+        uniform_gap_deg: uniform,
+        provenance: source(0, profile),
+    };
+    let window = 20_000..20_400;
+    let cut = |v: &Vec<f64>| v[window.clone()].to_vec();
+    let neighbours = Neighbours {
+        structure: structure(0),
+        time_s: cut(&run.time),
+        orbit_speed_deg_s: [cut(&run.speed[0]), cut(&run.speed[1]), cut(&run.speed[2])],
+        gap_deg: [cut(&gap[0]), cut(&gap[1])],
+        balls: [1, 2, 3],
+        events: (0..5)
+            .map(|k| {
+                event(
+                    &format!("t{k}"),
+                    0.4 + 0.0012 * f64::from(k + 1),
+                    "something happens",
+                )
+            })
+            .collect(),
+        provenance: source(0, "paper"),
+    };
+    let portraits = (0..10)
+        .map(|k| {
+            let r = rolling(Some(&raceway(k)), 0.06, 0.0004);
+            let pairs = || r.angle[0].iter().map(|a| a.to_radians()).zip(&r.speed[0]);
+            let v = |s: &f64| s.to_radians() * 23.0025e-3;
+            PhasePortrait {
+                structure: structure(k),
+                verdict: verdict(k),
+                x_mm: pairs().map(|(a, _)| 23.0025 * a.sin()).collect(),
+                vx_m_s: pairs().map(|(a, s)| v(s) * a.cos()).collect(),
+                vy_m_s: pairs().map(|(a, s)| v(s) * a.sin()).collect(),
+            }
+        })
+        .collect();
+    let passages = (0..10)
+        .map(|k| {
+            let angle: Vec<f64> = (-450..=450).map(|d| f64::from(d) / 10.0).collect();
+            let rolling: Vec<f64> = angle
+                .iter()
+                .map(|a| {
+                    let r = raceway(k).effective_radius_m(a.to_radians());
+                    rolling_orbit_speed_rad_s(&bearing, SPEED, r).to_degrees()
+                })
+                .collect();
+            let lag = k * 2;
+            let speed = (0..angle.len())
+                .map(|i| rolling[i.saturating_sub(lag)] * 1.0005)
+                .collect();
+            OrbitSpeed {
+                structure: structure(k),
+                verdict: verdict(k),
+                angle_deg: angle,
+                speed_deg_s: speed,
+                rolling_deg_s: rolling,
+            }
+        })
+        .collect();
+    ReproduceData {
+        software: "cageless 0.1.0, x86-64 AVX2 <synthetic data>".into(),
+        lead: "Synthetic data: this page only shows what a report looks like. Nothing in it was simulated.".into(),
+        table1: table1(),
+        table2: Some(table2()),
+        contact_track: Some(ContactTrack::sample(&raceway(3), &bearing, structure(3))),
+        surface: Some(RacewaySurface::sample(&raceway(3), &bearing, structure(3))),
+        design_curve: Some(design_curve(uniform)),
+        gap_histories: vec![history("paper"), history("physical")],
+        neighbours: vec![neighbours],
+        phase_portraits: vec![PhasePortraits { portraits, provenance: source(3, "paper") }],
+        orbit_speeds: vec![OrbitSpeeds { passages, provenance: source(3, "physical") }],
+        vibrations: vec![vibration(&[("conventional", 40.0), ("discrete raceway", 12.0)])],
+        motions: vec![
+            motion("Figure 13: conventional", &[], 0.004, "physical"),
+            motion("Figure 14: discrete raceway, lC 5.1 mm, θ 25.2°", &[raceway(3)], 0.0, "physical"),
+        ],
+        claims: claims(),
+    }
+}
+
+fn parameter(name: &str, symbol: &str, value: &str, unit: &str, source: &str) -> Parameter {
+    Parameter {
+        name: name.into(),
+        symbol: symbol.into(),
+        value: value.into(),
+        unit: unit.into(),
+        source: source.into(),
+    }
+}
+
+fn table1() -> Vec<Parameter> {
+    vec![
+        parameter("Ball radius", "Rw", "4.7625", "mm", "Table 1"),
+        parameter(
+            "Radius of the outer groove bottom",
+            "Ro",
+            "27.765",
+            "mm",
+            "Table 1",
+        ),
+        parameter("Number of balls", "N", "14", "", "Table 1"),
+        parameter("Inner ring speed", "ωi", "12 000", "rpm", "Table 1"),
+        parameter(
+            "Groove curvature radius, outer",
+            "Re",
+            "4.953",
+            "mm",
+            "not in the paper: 0.52 × ball diameter",
+        ),
+    ]
+}
+
+fn table2() -> Table2 {
+    let shift = [
+        [0.012, 0.001],
+        [0.0074, 0.001],
+        [-0.02, 0.003],
+        [-0.0237, 0.003],
+    ];
+    let rows = STRUCTURES
+        .iter()
+        .enumerate()
+        .map(|(k, (.., theory, simulated))| Table2Row {
+            structure: structure(k),
+            theory_deg: theory + 2e-5,
+            theory_polar_deg: Some(theory + 0.003 * k as f64),
+            paper_theory_deg: *theory,
+            paper_simulated_deg: *simulated,
+            critical_gap_deg: shift
+                .iter()
+                .enumerate()
+                .map(|(v, s)| {
+                    (k != 2 || v != 3).then(|| {
+                        simulated + s[0] + s[1] * k as f64 - if k == 7 { 0.06 } else { 0.0 }
+                    })
+                })
+                .collect(),
+            remark: if k == 7 {
+                "does not follow its neighbours".into()
+            } else {
+                String::new()
+            },
+        })
+        .collect();
+    let variant = |p: &str, f: &str| Variant {
+        profile: p.into(),
+        friction_law: f.into(),
+    };
+    let spread = |cause: &str, size: f64| Spread {
+        cause: cause.into(),
+        variant: "paper, coulomb".into(),
+        change_deg: (0..10)
+            .map(|k| (k != 4).then_some(size * (1.0 - 0.1 * f64::from(k))))
+            .collect(),
+    };
+    Table2 {
+        variants: vec![
+            variant("paper", "coulomb"),
+            variant("paper", "smooth"),
+            variant("physical", "coulomb"),
+            variant("physical", "smooth"),
+        ],
+        rows,
+        spreads: vec![
+            spread("step 1 to 0.5 µs", 0.004),
+            spread("start at ψ = −120°", 0.01),
+            spread("damping 2e5 to 4e5", -0.003),
+            spread("groove radius 0.52 to 0.53", 0.002),
+            spread("touch read as δb > 0", -0.0131),
+        ],
+        provenance: source(3, "paper and physical"),
+    }
+}
+
+fn design_curve(uniform: f64) -> DesignCurve {
+    let span: Vec<f64> = (0..100).map(|k| 4.9 + 0.025 * f64::from(k)).collect();
+    let theta = |s: &f64| {
+        12.0 + 14.0 / (1.0 + 2.0 * (s - 5.0).max(-0.3)).powi(3) - 4.0 * (s - 5.5).max(0.0)
+    };
+    DesignCurve {
+        half_angle_deg: span.iter().map(theta).collect(),
+        half_angle_polar_deg: span.iter().map(|s| theta(s) + 0.8).collect(),
+        axial_span_mm: span,
+        uniform_gap_deg: uniform,
+        paper: (0..10).map(structure).collect(),
+        limits: vec![
+            DesignLimit {
+                quantity: LimitedQuantity::AxialSpan,
+                value: 7.4,
+                label: "Eq. (8): lC < 7.40 mm".into(),
+            },
+            DesignLimit {
+                quantity: LimitedQuantity::HalfAngle,
+                value: 25.714,
+                label: "three balls inside above ε + β0".into(),
+            },
+            DesignLimit {
+                quantity: LimitedQuantity::HalfAngle,
+                value: 22.0,
+                label: "the paper's lower limit 22°".into(),
+            },
+        ],
+        provenance: Provenance {
+            case: "Zhao 2022, Table 1".into(),
+            ..Provenance::default()
+        },
+    }
+}
+
+fn claims() -> Vec<Claim> {
+    let claim = |claim: &str, verdict| Claim {
+        claim: claim.into(),
+        place: "Section 4.3, Fig. 8".into(),
+        finding: "What the computation finds, in a sentence or two that say how far it goes."
+            .into(),
+        numbers: "critical gap 1.8264° against 1.8190°; Δ = +0.0074°".into(),
+        verdict,
+    };
+    vec![
+        claim(
+            "“Each ball may collide twice in the discrete raceway” when three balls fit into it.",
+            Verdict::Confirmed,
+        ),
+        claim(
+            "The critical gap of structure (h) is 1.6594°.",
+            Verdict::NotConfirmed,
+        ),
+        claim(
+            "Below θ = 22° the ball slips & does not reach the theoretical speed <rolling>.",
+            Verdict::Partly,
+        ),
+        claim("2(ε + β0) = 51.17°.", Verdict::Erratum),
+        claim("Vibration falls in the test rig.", Verdict::NotTested),
+    ]
+}
+
+pub fn run_data() -> RunData {
+    let bearing = bearing();
+    let outline = BearingOutline::of(&bearing);
+    let raceway = raceway(3);
+    let r = rolling(Some(&raceway), 0.5, 0.0006);
+    let gap = gaps(&r.angle, outline.ball_angle_deg);
+    let balls = (0..14)
+        .map(|k| {
+            let psi: Vec<f64> = r.angle[k].iter().map(|a| a.to_radians()).collect();
+            let load = |a: &f64| 700.0 * a.cos().max(0.0).powf(1.5);
+            let v: Vec<f64> = r.speed[k]
+                .iter()
+                .map(|s| s.to_radians() * 23.0025e-3)
+                .collect();
+            BallHistory {
+                angle_deg: r.angle[k].clone(),
+                gap_deg: gap[k].clone(),
+                orbit_speed_deg_s: r.speed[k].clone(),
+                inner_slip_m_s: psi
+                    .iter()
+                    .map(|a| 0.02 * (1.0 - a.cos()) + 0.01 * (5.0 * a).sin())
+                    .collect(),
+                outer_slip_m_s: psi.iter().map(|a| -0.01 * (1.0 - a.cos())).collect(),
+                inner_force_n: psi.iter().map(load).collect(),
+                outer_force_n: psi.iter().map(|a| load(a) + 22.0).collect(),
+                x_mm: psi.iter().map(|a| 23.0025 * a.sin()).collect(),
+                vx_m_s: psi.iter().zip(&v).map(|(a, v)| v * a.cos()).collect(),
+                vy_m_s: psi.iter().zip(&v).map(|(a, v)| v * a.sin()).collect(),
+            }
+        })
+        .collect();
+    let ring = |f: fn(f64) -> f64| r.time.iter().map(|t| f(*t)).collect::<Vec<f64>>();
+    RunData {
+        title: "Zhao 2022, structure (d) <synthetic>".into(),
+        software: "cageless 0.1.0".into(),
+        lead: "Synthetic data: nothing here was simulated.".into(),
+        warnings: vec!["A warning with <angle brackets> & an ampersand.".into()],
+        parameters: table1(),
+        results: vec![
+            parameter("Collisions", "", "214", "", ""),
+            parameter("Smallest gap", "", "−0.0021", "°", ""),
+        ],
+        outline,
+        sectors: vec![Sector::of(&raceway)],
+        settled_after_s: 0.1,
+        uniform_gap_deg: 1.8161,
+        rolling_orbit_speed_deg_s: Some(28_551.0),
+        time_s: r.time.clone(),
+        balls,
+        ring: RingHistory {
+            x_um: ring(|t| 0.6 * (t * 1759.0).sin() + 2.0 * (-t * 60.0).exp()),
+            y_um: ring(|t| {
+                -22.0 + 0.4 * (t * 1759.0).cos() + 9.0 * (-t * 50.0).exp() * (t * 3000.0).cos()
+            }),
+            time_s: r.time.clone(),
+        },
+        collisions: (0..214)
+            .map(|k| CollisionPoint {
+                time_s: 0.002 + 0.0023 * f64::from(k),
+                ball: k as usize % 14 + 1,
+                next_ball: (k as usize + 1) % 14 + 1,
+                angle_deg: 20.0 * (f64::from(k) * 0.7).sin() + if k % 9 == 0 { 100.0 } else { 0.0 },
+                approach_speed_m_s: 0.05,
+                peak_force_n: 12.0,
+                impulse_n_s: 2e-4 * (1.0 + (f64::from(k) * 1.3).sin()),
+            })
+            .collect(),
+        energy: [
+            ("work of the drive", 812.0),
+            ("friction, inner raceway", -401.3),
+            ("friction, outer raceway", -322.0),
+            ("damping", -88.1),
+            ("change of kinetic energy", -0.55),
+        ]
+        .map(|(name, energy_j)| EnergyItem {
+            name: name.into(),
+            energy_j,
+        })
+        .to_vec(),
+        energy_residual_relative: Some(3.2e-7),
+        vibration: Some(vibration(&[
+            ("outer ring, x", 20.0),
+            ("outer ring, y", 31.0),
+        ])),
+        motion: Some(motion("Structure (d)", &[raceway], 0.0, "physical")),
+        provenance: source(3, "physical"),
+    }
+}
