@@ -2,7 +2,7 @@
 
 use crate::data::Provenance;
 use crate::plot::Plot;
-use crate::text::{escape, script_json, short, slug};
+use crate::text::{escape, rich, script_json, short, slug};
 
 /// A numbered figure.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,13 +44,13 @@ impl Figure {
 pub(crate) fn below(id: &str, label: &str, caption: &str, sources: &[&Provenance]) -> String {
     let mut out = format!(
         "<figcaption><div class=\"caption\"><b>{}.</b> {}",
-        escape(label),
-        escape(caption)
+        rich(label),
+        rich(caption)
     );
     for source in sources {
         out.push_str(&format!(
             "<div class=\"provenance\">{}</div>",
-            escape(&source.line())
+            rich(&source.line())
         ));
     }
     out.push_str(&format!(

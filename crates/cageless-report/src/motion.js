@@ -62,10 +62,10 @@
         if (gap[k] < gap[least]) least = k;
         if (touching[k]) pairs++;
       });
-      b.lines[0].textContent = "t = " + now.toFixed(4) + " s     smallest gap " + gap[least].toFixed(3).replace("-", "\u2212")
+      b.lines[0].textContent = "t = " + now.toFixed(4) + " s  ·  smallest gap " + gap[least].toFixed(3).replace("-", "\u2212")
         + "° (balls " + (least + 1) + ", " + ((least + 1) % count + 1) + ")";
       b.lines[1].textContent = (pairs === 1 ? "1 pair touches" : pairs + " pairs touch")
-        + ",  gap of balls 1, 2: " + gap[0].toFixed(3).replace("-", "\u2212") + "°";
+        + "  ·  gap of balls 1, 2: " + gap[0].toFixed(3).replace("-", "\u2212") + "°";
     }
 
     function update() {

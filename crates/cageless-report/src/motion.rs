@@ -54,7 +54,8 @@ impl MotionFigure {
                 "<button type=\"button\" data-moment=\"{moment}\">{moment} s</button>"
             );
         }
-        let sources: Vec<&Provenance> = self.bearings.iter().map(|b| &b.provenance).collect();
+        let mut sources: Vec<&Provenance> = self.bearings.iter().map(|b| &b.provenance).collect();
+        sources.dedup();
         format!(
             "<figure id=\"{id}\" class=\"fig motion{single}\">\n<div class=\"scroll\">{svg}</div>\n\
              <div class=\"controls\"><button type=\"button\" data-play>Play</button>\
@@ -162,7 +163,7 @@ fn bearing(motion: &Motion, half: f64) -> String {
     let mut out = format!(
         "<text y=\"{:.3}\" font-size=\"2.7\" font-weight=\"700\" text-anchor=\"middle\" fill=\"{INK}\">{}</text>\n",
         -half - 1.0,
-        escape(&motion.title)
+        title(&motion.title)
     );
     out.push_str(&annulus(
         o.outer_groove_bottom_radius_mm,
@@ -216,6 +217,15 @@ fn bearing(motion: &Motion, half: f64) -> String {
         );
     }
     out
+}
+
+/// Text of the drawing, lC with its index.
+fn title(text: &str) -> String {
+    escape(text).replace(
+        "lC ",
+        "<tspan font-style=\"italic\">l</tspan><tspan font-size=\"1.9\" dy=\"0.5\">C</tspan>\
+         <tspan dy=\"-0.5\"> </tspan>",
+    )
 }
 
 fn annulus(inside: f64, outside: f64) -> String {

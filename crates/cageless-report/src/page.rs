@@ -7,7 +7,7 @@ use crate::data::{Claim, Verdict};
 use crate::figure::Figure;
 use crate::motion::MotionFigure;
 use crate::table::Table;
-use crate::text::{escape, slug};
+use crate::text::{escape, rich, slug};
 
 /// A page under construction.
 #[derive(Debug, Clone, Default)]
@@ -50,16 +50,14 @@ impl Page {
             self.body.push_str("</section>\n");
         }
         self.section_open = true;
-        self.body.push_str(&format!(
-            "<section id=\"{id}\"><h2>{}</h2>\n",
-            escape(title)
-        ));
+        self.body
+            .push_str(&format!("<section id=\"{id}\"><h2>{}</h2>\n", rich(title)));
         self.contents.push((id, title.to_owned()));
     }
 
     /// Adds a paragraph.
     pub fn paragraph(&mut self, text: &str) {
-        self.body.push_str(&format!("<p>{}</p>\n", escape(text)));
+        self.body.push_str(&format!("<p>{}</p>\n", rich(text)));
     }
 
     /// Adds a note in a box.
@@ -69,7 +67,7 @@ impl Page {
             Note::Warning => "note warning",
         };
         self.body
-            .push_str(&format!("<p class=\"{class}\">{}</p>\n", escape(text)));
+            .push_str(&format!("<p class=\"{class}\">{}</p>\n", rich(text)));
     }
 
     /// Adds a figure.
@@ -105,14 +103,14 @@ impl Page {
             self.body.push_str(&format!(
                 "<div class=\"claim {class}\"><div class=\"said\"><span class=\"place\">{}</span> {}</div>\
                  <div class=\"found\"><span class=\"verdict\">{verdict}</span> {}",
-                escape(&claim.place),
-                escape(&claim.claim),
-                escape(&claim.finding),
+                rich(&claim.place),
+                rich(&claim.claim),
+                rich(&claim.finding),
             ));
             if !claim.numbers.is_empty() {
                 self.body.push_str(&format!(
                     "<div class=\"numbers\">{}</div>",
-                    escape(&claim.numbers)
+                    rich(&claim.numbers)
                 ));
             }
             self.body.push_str("</div></div>\n");
@@ -126,7 +124,7 @@ impl Page {
         }
         let mut contents = String::new();
         for (id, title) in &self.contents {
-            contents.push_str(&format!("<li><a href=\"#{id}\">{}</a></li>", escape(title)));
+            contents.push_str(&format!("<li><a href=\"#{id}\">{}</a></li>", rich(title)));
         }
         let mut scripts = String::new();
         if self.plots {
@@ -139,7 +137,7 @@ impl Page {
         let lead = if self.lead.is_empty() {
             String::new()
         } else {
-            format!("<p class=\"lead\">{}</p>\n", escape(&self.lead))
+            format!("<p class=\"lead\">{}</p>\n", rich(&self.lead))
         };
         format!(
             "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n\
@@ -153,7 +151,7 @@ impl Page {
             title = escape(&self.title),
             css = include_str!("page.css"),
             body = self.body,
-            software = escape(&self.software),
+            software = rich(&self.software),
         )
     }
 

@@ -78,7 +78,7 @@ impl Plot {
     /// Sets axis `name` (`xaxis`, `yaxis2`), titled `title`, with further keys.
     pub fn axis(mut self, name: &str, title: &str, more: Value) -> Self {
         let mut axis = json!({
-            "title": { "text": title, "standoff": 8 },
+            "title": { "text": crate::text::symbols(title), "standoff": 8 },
             "showline": true, "linecolor": "#555", "linewidth": 1,
             "ticks": "outside", "ticklen": 4, "tickcolor": "#555",
             "gridcolor": "#e6e6e6", "zeroline": false, "automargin": true,
@@ -107,7 +107,7 @@ impl Plot {
     /// Draws a vertical line at `at` over the whole height of the axis `y`.
     pub fn vertical(mut self, x: &str, y: &str, at: f64, dash: &str) -> Self {
         self.shapes.push(json!({
-            "type": "line", "layer": "below",
+            "type": "line", "layer": "above", "opacity": 0.75,
             "line": { "width": 1, "color": "#555", "dash": dash },
             "xref": x, "yref": domain(y), "x0": number(at), "x1": number(at), "y0": 0, "y1": 1,
         }));
@@ -117,7 +117,7 @@ impl Plot {
     /// Draws a horizontal line at `at` over the whole width of the axis `x`.
     pub fn horizontal(mut self, x: &str, y: &str, at: f64, dash: &str) -> Self {
         self.shapes.push(json!({
-            "type": "line", "layer": "below",
+            "type": "line", "layer": "above", "opacity": 0.75,
             "line": { "width": 1, "color": "#555", "dash": dash },
             "xref": domain(x), "yref": y, "y0": number(at), "y1": number(at), "x0": 0, "x1": 1,
         }));
@@ -199,11 +199,13 @@ fn merge(into: &mut Value, more: Value) {
     }
 }
 
-/// Text without the markup that plotly.js would read in it.
+/// Text without the markup that plotly.js would read in it; lC and β0 get their index.
 pub fn plain(text: &str) -> String {
-    text.replace('&', "&amp;")
+    let escaped = text
+        .replace('&', "&amp;")
         .replace('<', "&lt;")
-        .replace('>', "&gt;")
+        .replace('>', "&gt;");
+    crate::text::symbols(&escaped)
 }
 
 /// Six significant digits; `null` for what is not a number.

@@ -1,7 +1,7 @@
 //! A table with units in its header and numbers aligned right.
 
 use crate::data::Provenance;
-use crate::text::{escape, slug};
+use crate::text::{rich, slug};
 
 /// A cell.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -12,6 +12,8 @@ pub struct Cell {
     pub numeric: bool,
     /// Whether it recedes: a difference beside its value.
     pub dim: bool,
+    /// Columns it takes up; 0 counts as 1.
+    pub columns: usize,
 }
 
 impl Cell {
@@ -29,6 +31,7 @@ impl Cell {
             text: text.into(),
             numeric: true,
             dim: false,
+            columns: 1,
         }
     }
 
@@ -38,6 +41,7 @@ impl Cell {
             text: text.into(),
             numeric: true,
             dim: true,
+            columns: 1,
         }
     }
 }
@@ -45,7 +49,7 @@ impl Cell {
 /// A row.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Row {
-    /// Cells, one per column.
+    /// Cells from left to right.
     pub cells: Vec<Cell>,
     /// Whether the row is called out.
     pub marked: bool,
@@ -75,27 +79,27 @@ impl Table {
     pub fn html(&self, id: &str) -> String {
         let mut out = format!(
             "<figure id=\"{id}\" class=\"tab\"><figcaption><div class=\"caption\"><b>{}.</b> {}",
-            escape(&self.label),
-            escape(&self.caption)
+            rich(&self.label),
+            rich(&self.caption)
         );
         if let Some(source) = &self.provenance {
             out.push_str(&format!(
                 "<div class=\"provenance\">{}</div>",
-                escape(&source.line())
+                rich(&source.line())
             ));
         }
         out.push_str("</div></figcaption><div class=\"scroll\"><table><thead>");
         if !self.groups.is_empty() {
             out.push_str("<tr class=\"groups\">");
             for (text, span) in &self.groups {
-                out.push_str(&format!("<th colspan=\"{span}\">{}</th>", escape(text)));
+                out.push_str(&format!("<th colspan=\"{span}\">{}</th>", rich(text)));
             }
             out.push_str("</tr>");
         }
         out.push_str("<tr>");
         for (text, numeric) in &self.columns {
             let class = if *numeric { " class=\"num\"" } else { "" };
-            out.push_str(&format!("<th scope=\"col\"{class}>{}</th>", escape(text)));
+            out.push_str(&format!("<th scope=\"col\"{class}>{}</th>", rich(text)));
         }
         out.push_str("</tr></thead><tbody>\n");
         for row in &self.rows {
@@ -111,7 +115,11 @@ impl Table {
                     (true, _) => " class=\"num\"",
                     _ => "",
                 };
-                out.push_str(&format!("<td{class}>{}</td>", escape(&cell.text)));
+                let span = match cell.columns {
+                    0 | 1 => String::new(),
+                    columns => format!(" colspan=\"{columns}\""),
+                };
+                out.push_str(&format!("<td{class}{span}>{}</td>", rich(&cell.text)));
             }
             out.push_str("</tr>\n");
         }

@@ -167,8 +167,10 @@ fn summary(
     remarks: bool,
     counts: impl Fn(&Table2Row) -> bool,
 ) -> Row {
-    let mut cells = vec![Cell::text(name)];
-    cells.resize(6 + usize::from(polar), Cell::default());
+    let mut cells = vec![Cell {
+        columns: 6 + usize::from(polar),
+        ..Cell::text(name)
+    }];
     for k in 0..table.variants.len() {
         let most = table
             .rows

@@ -16,6 +16,33 @@ pub fn escape(text: &str) -> String {
     out
 }
 
+/// [`escape`], with the paper's symbols lC and β0 set with their index.
+pub fn rich(text: &str) -> String {
+    symbols(&escape(text))
+}
+
+/// lC and β0 with a subscript, in text that is already escaped. A small l beside a
+/// capital C cannot be told from an I otherwise.
+pub(crate) fn symbols(escaped: &str) -> String {
+    let mut out = String::with_capacity(escaped.len());
+    let mut rest = escaped;
+    while let Some(at) = rest.find("lC") {
+        let inside = rest[..at]
+            .chars()
+            .next_back()
+            .is_some_and(char::is_alphanumeric)
+            || rest[at + 2..]
+                .chars()
+                .next()
+                .is_some_and(char::is_alphanumeric);
+        out.push_str(&rest[..at]);
+        out.push_str(if inside { "lC" } else { "<i>l</i><sub>C</sub>" });
+        rest = &rest[at + 2..];
+    }
+    out.push_str(rest);
+    out.replace("β0", "β<sub>0</sub>")
+}
+
 /// JSON that can stand inside a `script` element.
 pub fn script_json(value: &serde_json::Value) -> String {
     value
@@ -67,7 +94,7 @@ pub fn short(value: f64) -> String {
     if !(-4.0..6.0).contains(&magnitude) {
         let text = format!("{value:.2e}");
         return match text.split_once('e') {
-            Some((digits, power)) => minus(&format!("{digits} × 10^{power}")),
+            Some((digits, power)) => format!("{} × 10{}", minus(digits), raised(power)),
             None => text,
         };
     }
@@ -81,6 +108,13 @@ pub fn short(value: f64) -> String {
     minus(&text)
 }
 
+/// A whole number in superscript digits.
+fn raised(power: &str) -> String {
+    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let raise = |c: char| c.to_digit(10).map_or('⁻', |d| digits[d as usize]);
+    power.chars().map(raise).collect()
+}
+
 fn minus(text: &str) -> String {
     text.replace('-', "\u{2212}")
 }
@@ -92,6 +126,10 @@ mod tests {
     #[test]
     fn text_is_escaped_and_numbers_are_readable() {
         assert_eq!(escape("<b a='\"'>&"), "&lt;b a=&#39;&quot;&#39;&gt;&amp;");
+        assert_eq!(
+            rich("lC < 5, calC, β0"),
+            "<i>l</i><sub>C</sub> &lt; 5, calC, β<sub>0</sub>"
+        );
         let value = serde_json::json!("</script><!--");
         assert!(!script_json(&value).contains('<'));
         assert_eq!(
@@ -106,6 +144,6 @@ mod tests {
         assert_eq!(signed(Some(0.0105), 4), "+0.0105");
         assert_eq!(short(12345.0), "12345");
         assert_eq!(short(0.050), "0.05");
-        assert_eq!(short(1.5e-7), "1.50 × 10^\u{2212}7");
+        assert_eq!(short(1.5e-7), "1.50 × 10⁻⁷");
     }
 }

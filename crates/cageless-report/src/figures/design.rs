@@ -125,7 +125,7 @@ pub fn table2(table: &Table2) -> Figure {
     for row in table.rows.iter().filter(|r| !r.remark.is_empty()) {
         let at = (row.structure.half_angle_deg, row.paper_simulated_deg);
         plot = plot.text(
-            &format!("lC {:.2} mm", row.structure.axial_span_mm),
+            &plain(&format!("lC {:.2} mm", row.structure.axial_span_mm)),
             at,
             ("x", "y"),
             json!({

@@ -19,9 +19,11 @@ const COLLISIONS: usize = 4000;
 
 /// Gaps of all pairs over time.
 pub fn gaps(run: &RunData) -> Option<Figure> {
-    let plot = per_ball(run, "Gap to the ball ahead (°)", |ball| &ball.gap_deg)?
-        .horizontal("x", "y", 0.0, "solid")
-        .horizontal("x", "y", run.uniform_gap_deg, "dot");
+    let plot = per_ball(run, "Gap to the ball ahead (°)", true, |ball| {
+        &ball.gap_deg
+    })?
+    .horizontal("x", "y", 0.0, "solid")
+    .horizontal("x", "y", run.uniform_gap_deg, "dot");
     Some(figure(
         run,
         "Gaps",
@@ -33,15 +35,17 @@ pub fn gaps(run: &RunData) -> Option<Figure> {
 
 /// Orbital speeds over time.
 pub fn orbit_speed(run: &RunData) -> Option<Figure> {
-    let mut plot = per_ball(run, "Orbital speed (°/s)", |ball| &ball.orbit_speed_deg_s)?;
+    let mut plot = per_ball(run, "Orbital speed (°/s)", false, |ball| {
+        &ball.orbit_speed_deg_s
+    })?;
     if let Some(rolling) = run.rolling_orbit_speed_deg_s {
         plot = plot.horizontal("x", "y", rolling, "dot");
     }
     Some(figure(
         run,
         "Orbital speed",
-        "Orbital speeds of the balls over time; the dotted line is pure rolling on the plain \
-         raceway.",
+        "Orbital speed of ball 1 over time; the dotted line is pure rolling on the plain raceway. \
+         Click a ball in the legend to add it.",
         plot,
     ))
 }
@@ -49,6 +53,8 @@ pub fn orbit_speed(run: &RunData) -> Option<Figure> {
 /// ΔVi and ΔVo over time.
 pub fn slip(run: &RunData) -> Option<Figure> {
     let mut plot = with_time(run, Plot::new(620), "y2")
+        .legend()
+        .set("legend", ball_legend())
         .axis(
             "yaxis",
             "Slip inside ΔVi (m/s)",
@@ -67,7 +73,7 @@ pub fn slip(run: &RunData) -> Option<Figure> {
                 continue;
             }
             any = true;
-            let trace = ball_trace(run, k, of(ball), 2 * run.balls.len());
+            let trace = ball_trace(run, k, of(ball), 2 * run.balls.len(), false);
             plot = plot.trace(on(with(trace, json!({ "showlegend": y == "y" })), "x", y));
         }
     }
@@ -75,7 +81,8 @@ pub fn slip(run: &RunData) -> Option<Figure> {
         figure(
             run,
             "Slip",
-            "Sliding speeds at the inner and the outer raceway over time. Positive ΔVi speeds \
+            "Sliding speeds of ball 1 at the inner and the outer raceway over time; click a ball in \
+             the legend to add it. Positive ΔVi speeds \
              orbit and spin up, positive ΔVo slows the orbit and speeds the spin up.",
             plot,
         )
@@ -114,38 +121,58 @@ pub fn phase(run: &RunData) -> Option<Figure> {
     ))
 }
 
-/// Path of the inner ring's centre.
+/// Path of the inner ring's centre: all of it, and enlarged after the transient.
 pub fn ring_orbit(run: &RunData) -> Option<Figure> {
     let ring = &run.ring;
-    if ring.x_um.is_empty() {
+    let n = ring.x_um.len().min(ring.y_um.len()).min(ring.time_s.len());
+    if n == 0 {
         return None;
     }
-    let n = ring.x_um.len().min(ring.y_um.len()).min(ring.time_s.len());
     let cut = ring.time_s[..n].partition_point(|t| *t < run.settled_after_s);
-    let mut plot = Plot::new(540)
-        .legend()
+    let (x, y) = curve(&ring.x_um[cut..n], &ring.y_um[cut..n], 6000);
+    let settled = |colour: &str| {
+        with(
+            line("settled", &x, &y, colour),
+            json!({ "line": { "width": 1 } }),
+        )
+    };
+    let plot = Plot::new(500).at_least(800).legend();
+    if cut == 0 {
+        let plot = plot
+            .axis("xaxis", "Ring x (µm)", json!({ "scaleanchor": "y" }))
+            .axis("yaxis", "Ring y (µm)", json!({}))
+            .trace(settled(PALETTE[0]));
+        return Some(figure(run, "Path of the inner ring", RING, plot));
+    }
+    let (x0, y0) = curve(&ring.x_um[..cut], &ring.y_um[..cut], 3000);
+    let plot = plot
         .axis(
             "xaxis",
             "Ring x (µm)",
-            json!({ "scaleanchor": "y", "constrain": "domain" }),
+            json!({ "scaleanchor": "y", "domain": [0.0, 0.44] }),
         )
-        .axis("yaxis", "Ring y (µm)", json!({ "constrain": "domain" }));
-    if cut > 0 {
-        let (x, y) = curve(&ring.x_um[..cut], &ring.y_um[..cut], 3000);
-        plot = plot.trace(line("transient, discarded", &x, &y, "#c4c4c4"));
-    }
-    let (x, y) = curve(&ring.x_um[cut..n], &ring.y_um[cut..n], 6000);
-    plot = plot.trace(with(
-        line("settled", &x, &y, PALETTE[0]),
-        json!({ "line": { "width": 1 } }),
-    ));
-    Some(figure(
-        run,
-        "Path of the inner ring",
-        "Centre of the inner ring, from the centre of the outer ring; load and gravity point down.",
-        plot,
-    ))
+        .axis("yaxis", "Ring y (µm)", json!({}))
+        .axis(
+            "xaxis2",
+            "Ring x (µm)",
+            json!({
+                "scaleanchor": "y2", "domain": [0.56, 1.0], "anchor": "y2",
+            }),
+        )
+        .axis("yaxis2", "Ring y (µm)", json!({ "anchor": "x2" }))
+        .trace(line("transient, discarded", &x0, &y0, "#c4c4c4"))
+        .trace(settled(PALETTE[0]))
+        .trace(on(
+            with(settled(PALETTE[0]), json!({ "showlegend": false })),
+            "x2",
+            "y2",
+        ));
+    let caption = format!("{RING} Left: all of the run; right: after the transient, enlarged.");
+    Some(figure(run, "Path of the inner ring", &caption, plot))
 }
+
+const RING: &str = "Centre of the inner ring, from the centre of the outer ring; load and gravity \
+    point down.";
 
 /// Contact loads of ball 1 over the turn.
 pub fn loads(run: &RunData) -> Option<Figure> {
@@ -317,36 +344,58 @@ fn with_time(run: &RunData, plot: Plot, anchor: &str) -> Plot {
     .discarded("x", "paper", begin, run.settled_after_s)
 }
 
-/// A panel over time with one trace per ball, ball 1 drawn last and strong.
-fn per_ball(run: &RunData, title: &str, of: impl Fn(&BallHistory) -> &Vec<f64>) -> Option<Plot> {
+/// One entry per ball, at the right.
+fn ball_legend() -> Value {
+    json!({
+        "orientation": "v", "x": 1.01, "y": 1, "font": { "size": 11 }, "traceorder": "reversed",
+    })
+}
+
+/// A panel over time with one trace per ball, ball 1 drawn last and strong, the
+/// others shown at once or when asked for.
+fn per_ball(
+    run: &RunData,
+    title: &str,
+    all: bool,
+    of: impl Fn(&BallHistory) -> &Vec<f64>,
+) -> Option<Plot> {
     let mut plot = with_time(run, Plot::new(470), "y")
         .legend()
         .set("margin", json!({ "l": 72, "r": 24, "t": 30, "b": 58 }))
-        .set("legend", json!({ "orientation": "v", "x": 1.01, "y": 1, "font": { "size": 11 }, "traceorder": "reversed" }))
-        .axis("yaxis", title, json!({ "tickformat": if title.contains("°/s") { ",.0f" } else { "" } }));
+        .set("legend", ball_legend())
+        .axis(
+            "yaxis",
+            title,
+            json!({ "tickformat": if title.contains("°/s") { ",.0f" } else { "" } }),
+        );
     let mut any = false;
     for (k, ball) in run.balls.iter().enumerate().rev() {
         if !of(ball).is_empty() {
             any = true;
-            plot = plot.trace(ball_trace(run, k, of(ball), run.balls.len()));
+            plot = plot.trace(ball_trace(run, k, of(ball), run.balls.len(), all));
         }
     }
     any.then_some(plot)
 }
 
-fn ball_trace(run: &RunData, k: usize, values: &[f64], traces: usize) -> Value {
-    let points = (POINTS_OF_ALL / traces.max(1)).clamp(800, 4000);
+fn ball_trace(run: &RunData, k: usize, values: &[f64], traces: usize, shown: bool) -> Value {
+    let points = if k == 0 {
+        4000
+    } else {
+        (POINTS_OF_ALL / traces.max(1)).clamp(800, 4000)
+    };
     let (x, y) = history(&run.time_s, values, points);
     let colour = PALETTE[k % PALETTE.len()];
     let dash = ["solid", "dash", "dot"][k / PALETTE.len() % 3];
-    let look = if k == 0 {
-        json!({ "line": { "width": 2 } })
-    } else {
-        json!({ "line": { "width": 1, "dash": dash }, "opacity": 0.55 })
-    };
+    let width = if k == 0 { 1.8 } else { 1.0 };
     with(
-        with(line(&format!("ball {}", k + 1), &x, &y, colour), look),
-        json!({ "legendgroup": k + 1 }),
+        line(&format!("ball {}", k + 1), &x, &y, colour),
+        json!({
+            "line": { "width": width, "dash": dash },
+            "opacity": if k == 0 || !shown { 1.0 } else { 0.55 },
+            "visible": if k == 0 || shown { Value::Bool(true) } else { "legendonly".into() },
+            "legendgroup": k + 1,
+        }),
     )
 }
 

@@ -5,8 +5,9 @@ use serde_json::{Value, json};
 use super::on;
 use crate::figure::Figure;
 use crate::geometry::{ContactTrack, RacewaySurface};
-use crate::plot::{GREY, PALETTE, Plot, SECTOR, line, number, numbers, with};
+use crate::plot::{GREY, PALETTE, Plot, SECTOR, line, number, numbers, plain, with};
 use crate::sampling::range;
+use crate::text::fixed;
 
 /// Fig. 1b: the contact points on the ball, and r and z against ψ.
 pub fn contact_track(track: &ContactTrack) -> Figure {
@@ -19,6 +20,7 @@ pub fn contact_track(track: &ContactTrack) -> Figure {
     let below: Vec<f64> = track.effective_radius_mm.iter().map(|r| -r).collect();
     let (least, _) = range(&track.effective_radius_mm);
     let half_span = track.structure.axial_span_mm / 2.0;
+    let edge = json!([number(-1.08 * rw), number(1.08 * rw)]);
     let mut plot = Plot::new(470)
         .at_least(860)
         .set("margin", json!({ "l": 64, "r": 20, "t": 40, "b": 58 }))
@@ -26,13 +28,13 @@ pub fn contact_track(track: &ContactTrack) -> Figure {
             "xaxis",
             "Axial position z on the ball (mm)",
             json!({
-                "domain": [0.0, 0.4], "scaleanchor": "y", "constrain": "domain", "anchor": "y",
+                "domain": [0.0, 0.4], "scaleanchor": "y", "constrain": "domain", "anchor": "y", "range": edge,
             }),
         )
         .axis(
             "yaxis",
             "Outward from the ball's centre (mm)",
-            json!({ "constrain": "domain" }),
+            json!({ "constrain": "domain", "range": edge }),
         )
         .axis(
             "xaxis2",
@@ -77,7 +79,7 @@ pub fn contact_track(track: &ContactTrack) -> Figure {
             json!({ "line": { "dash": "dot" } }),
         ))
         .text(
-            &format!("lC = {} mm", track.structure.axial_span_mm),
+            &plain(&format!("lC = {} mm", track.structure.axial_span_mm)),
             (0.0, -least),
             ("x", "y"),
             json!({ "yanchor": "bottom" }),
@@ -133,7 +135,7 @@ pub fn surface(surface: &RacewaySurface) -> Figure {
     };
     let title = |text: &str| {
         json!({ "title": { "text": text }, "backgroundcolor": "#fff",
-        "gridcolor": "#dddddd", "showbackground": false, "zeroline": false })
+        "gridcolor": "#dddddd", "showbackground": false, "zeroline": false, "nticks": 5 })
     };
     let plot = Plot::new(560)
         .set("margin", json!({ "l": 0, "r": 0, "t": 10, "b": 0 }))
@@ -168,7 +170,9 @@ pub fn surface(surface: &RacewaySurface) -> Figure {
             "Surface of the discrete raceway and a fifth of θ of the plain raceway at each end, \
              to scale, up to the shoulder; drag to turn it. Colour: distance from the plain \
              groove, positive where material is taken away. Black: the contact tracks, drawn \
-             0.05 mm above the surface. Zhao 2022, Eq. (7); deviations {low:.1} to {high:.1} µm."
+             0.05 mm above the surface. Zhao 2022, Eq. (7); deviations {} to {} µm.",
+            fixed(Some(low), 1),
+            fixed(Some(high), 1)
         ),
         provenance: surface.provenance.clone(),
         plot,

@@ -48,10 +48,10 @@ pub fn gap_history(gap: &GapHistory) -> Figure {
             .horizontal(x, y, 0.0, "solid");
     }
     plot = plot.text(
-        &format!("β0 = {:.4}°", gap.uniform_gap_deg),
-        (1.0, gap.uniform_gap_deg),
+        &plain(&format!("β0 = {:.4}°", gap.uniform_gap_deg)),
+        (0.03, gap.uniform_gap_deg),
         ("x2 domain", "y2"),
-        json!({ "xanchor": "right", "yanchor": "bottom", "font": { "size": 11 } }),
+        json!({ "xanchor": "left", "yanchor": "bottom", "font": { "size": 11 } }),
     );
     let mut meanings = String::new();
     for stage in &gap.stages {

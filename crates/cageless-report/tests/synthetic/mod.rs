@@ -145,7 +145,8 @@ fn vibration(names: &[(&str, f64)]) -> Vibration {
             let time: Vec<f64> = (0..5000).map(|k| f64::from(k) * 2e-4).collect();
             let wave = |t: &f64| {
                 let seed = (t * 1e6).sin() * 43758.5453;
-                size * ((t * std::f64::consts::TAU * 280.0).sin() + 3.0 * (seed - seed.floor() - 0.5))
+                size * ((t * std::f64::consts::TAU * 280.0).sin()
+                    + 3.0 * (seed - seed.floor() - 0.5))
             };
             let f: Vec<f64> = (0..2500).map(f64::from).collect();
             let a = f
