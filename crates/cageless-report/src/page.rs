@@ -45,7 +45,7 @@ impl Page {
 
     /// Starts a section; it appears in the table of contents.
     pub fn section(&mut self, title: &str) {
-        let id = self.unique(&slug(title));
+        let id = self.unique(&format!("section-{}", slug(title)));
         if self.section_open {
             self.body.push_str("</section>\n");
         }

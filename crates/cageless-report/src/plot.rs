@@ -166,11 +166,11 @@ fn domain(axis: &str) -> String {
     }
 }
 
-/// A line through (`x`, `y`) as they are; names are plain text.
+/// A line through (`x`, `y`), every point of it; the name is plain text.
 pub fn line(name: &str, x: &[f64], y: &[f64], colour: &str) -> Value {
     json!({
         "type": "scatter", "mode": "lines", "name": plain(name),
-        "x": numbers(x), "y": numbers(y), "line": { "color": colour, "width": 1.4 },
+        "x": numbers(x), "y": numbers(y), "line": { "color": colour, "width": 1.4, "simplify": false },
     })
 }
 

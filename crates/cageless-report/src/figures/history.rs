@@ -96,12 +96,8 @@ pub fn phase(run: &RunData) -> Option<Figure> {
         .first()
         .filter(|b| !b.vx_m_s.is_empty() && !b.vy_m_s.is_empty())?;
     let from = settled(run);
-    let upto = |v: &Vec<f64>| v.len().min(run.time_s.len()).max(from);
-    let (vx, vy) = (
-        &ball.vx_m_s[from.min(ball.vx_m_s.len())..upto(&ball.vx_m_s)],
-        &ball.vy_m_s[from.min(ball.vy_m_s.len())..upto(&ball.vy_m_s)],
-    );
-    let (px, py) = curve(vx, vy, 8000);
+    let after = |v: &[f64]| v.get(from..).unwrap_or_default().to_vec();
+    let (px, py) = curve(&after(&ball.vx_m_s), &after(&ball.vy_m_s), 8000);
     let plot = Plot::new(560)
         .axis(
             "xaxis",

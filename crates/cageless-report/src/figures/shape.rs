@@ -33,7 +33,7 @@ pub fn contact_track(track: &ContactTrack) -> Figure {
         )
         .axis(
             "yaxis",
-            "Outward from the ball's centre (mm)",
+            "Radial position y on the ball (mm)",
             json!({ "constrain": "domain", "range": edge }),
         )
         .axis(

@@ -51,7 +51,7 @@ pub fn vibration(label: &str, vibration: &Vibration) -> Figure {
                 json!({ "xanchor": "left", "yanchor": "bottom", "font": { "color": colour, "size": 13 } }),
             );
         if let Some(rms) = signal.rms_m_s2 {
-            sizes.push(format!("{} {} m/s² rms", signal.name, short(rms)));
+            sizes.push(format!("{}: {} m/s²", signal.name, short(rms)));
         }
     }
     let (x, y) = (axis_ref("x", count), axis_ref("y", count));
@@ -99,7 +99,7 @@ pub fn vibration(label: &str, vibration: &Vibration) -> Figure {
             if sizes.is_empty() {
                 String::new()
             } else {
-                format!("{}.", sizes.join(", "))
+                format!("Root mean square of {}.", sizes.join("; "))
             }
         ),
         provenance: vibration.provenance.clone(),

@@ -1,4 +1,5 @@
 //! Made-up data of plausible shape: balls that roll exactly, on real geometry.
+#![allow(dead_code, reason = "each user of this module takes what it needs")]
 
 use cageless::kinematics::rolling_orbit_speed_rad_s;
 use cageless::{Bearing, BearingDimensions, Material, Raceway, RacewayDimensions};

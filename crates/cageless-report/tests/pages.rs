@@ -1,0 +1,262 @@
+//! What every page must be: self-contained, valid, labelled.
+
+mod synthetic;
+
+use std::collections::HashSet;
+
+use cageless_report::*;
+use serde_json::Value;
+
+fn pages() -> [(&'static str, String); 2] {
+    [
+        ("reproduce", reproduce_page(&synthetic::reproduce())),
+        ("run", run_page(&synthetic::run_data())),
+    ]
+}
+
+/// The page without the contents of its scripts, and those contents.
+fn split(page: &str) -> (String, Vec<String>) {
+    let (mut html, mut scripts) = (String::new(), Vec::new());
+    let mut rest = page;
+    while let Some(at) = rest.find("<script") {
+        let open = at + rest[at..].find('>').expect("a tag ends") + 1;
+        let close = open + rest[open..].find("</script>").expect("a script ends");
+        html.push_str(&rest[..open]);
+        scripts.push(rest[open..close].to_owned());
+        rest = &rest[close..];
+    }
+    html.push_str(rest);
+    (html, scripts)
+}
+
+/// Values of `name="…"` in `html`.
+fn attributes<'a>(html: &'a str, name: &str) -> Vec<&'a str> {
+    let key = format!(" {name}=\"");
+    html.split(&key)
+        .skip(1)
+        .filter_map(|part| part.split('"').next())
+        .collect()
+}
+
+/// Specifications of the plots, with the anchor of their figure.
+fn specs(page: &str) -> Vec<(String, Value)> {
+    let mut out = Vec::new();
+    for part in page
+        .split("<script type=\"application/json\" id=\"")
+        .skip(1)
+    {
+        let id = part.split("-spec\"").next().expect("an id").to_owned();
+        let json = part
+            .split_once('>')
+            .and_then(|(_, t)| t.split("</script").next());
+        let value = serde_json::from_str(json.expect("a body")).expect("valid JSON");
+        out.push((id, value));
+    }
+    out
+}
+
+#[test]
+fn pages_load_nothing() {
+    for (name, page) in pages() {
+        let (html, scripts) = split(&page);
+        assert!(attributes(&html, "src").is_empty(), "{name}");
+        for target in attributes(&html, "href") {
+            assert!(
+                target.starts_with('#') || target.starts_with("data:"),
+                "{name}: {target}"
+            );
+        }
+        assert!(
+            !html.contains("@import") && !html.contains("url("),
+            "{name}"
+        );
+        // plotly.js comes along; MathJax, which the same crate carries, does not.
+        assert_eq!(
+            scripts.iter().filter(|s| s.contains("plotly.js v")).count(),
+            1,
+            "{name}"
+        );
+        assert!(
+            !page.contains("MathJax.loader") && page.len() < 12_000_000,
+            "{name}: {}",
+            page.len()
+        );
+    }
+}
+
+#[test]
+fn ids_are_unique_and_anchors_lead_somewhere() {
+    for (name, page) in pages() {
+        let (html, _) = split(&page);
+        let ids = attributes(&html, "id");
+        let unique: HashSet<_> = ids.iter().collect();
+        assert_eq!(ids.len(), unique.len(), "{name}");
+        for target in attributes(&html, "href")
+            .iter()
+            .filter_map(|t| t.strip_prefix('#'))
+        {
+            assert!(unique.contains(&target), "{name}: {target}");
+        }
+        for figure in attributes(&html, "data-figure") {
+            assert!(unique.contains(&figure), "{name}: {figure}");
+        }
+    }
+}
+
+#[test]
+fn axes_have_units_and_figures_have_captions_and_provenance() {
+    for (name, page) in pages() {
+        let specs = specs(&page);
+        assert!(specs.len() >= 8, "{name}");
+        for (id, spec) in &specs {
+            let layout = spec["layout"].as_object().expect("a layout");
+            let scene = layout.get("scene").and_then(Value::as_object);
+            let axes = layout.iter().chain(scene.into_iter().flatten());
+            let mut titled = 0;
+            for (key, axis) in axes.filter(|(key, _)| key[1..].starts_with("axis")) {
+                let title = axis["title"]["text"].as_str().unwrap_or_default();
+                let bare = axis["showticklabels"] == false || axis["type"] == "category";
+                assert!(
+                    bare || title.ends_with(')') && title.contains('('),
+                    "{name}, {id}, {key}: {title}"
+                );
+                titled += usize::from(title.ends_with(')'));
+            }
+            assert!(titled >= 1, "{name}, {id}");
+        }
+        for figure in page.split("<figure ").skip(1) {
+            let figure = figure.split("</figure>").next().unwrap_or_default();
+            let caption = figure
+                .split("class=\"caption\"><b>")
+                .nth(1)
+                .expect("a caption");
+            assert!(caption.len() > 20, "{name}");
+            if figure.contains("data-save") {
+                assert!(
+                    figure.contains("class=\"provenance\""),
+                    "{name}: {}",
+                    &caption[..40]
+                );
+                assert!(
+                    figure.contains("data-save=\"svg\"") && figure.contains("data-save=\"png\"")
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn text_is_escaped() {
+    let mut run = synthetic::run_data();
+    run.title = "<img src=x onerror=alert(1)>".into();
+    run.provenance.case = "a </script><b>case</b>".into();
+    run.energy[0].name = "<b>work</b>".into();
+    run.motion
+        .iter_mut()
+        .for_each(|m| m.title = "</svg><u>".into());
+    let page = run_page(&run);
+    let (html, _) = split(&page);
+    for raw in ["<img", "<b>case", "<u>", "<synthetic>", "<angle"] {
+        assert!(!html.contains(raw), "{raw}");
+    }
+    assert!(html.contains("&lt;img src=x onerror=alert(1)&gt;"));
+    let (_, energy) = specs(&page)
+        .into_iter()
+        .find(|(id, _)| id == "ledger-of-energy")
+        .expect("a ledger");
+    assert_eq!(energy["data"][0]["y"][0], "&lt;b&gt;work&lt;/b&gt;");
+}
+
+#[test]
+fn what_is_not_a_number_is_null_and_numbers_survive() {
+    let mut data = synthetic::reproduce();
+    data.gap_histories[0].gap_deg[3] = f64::NAN;
+    data.gap_histories[0].turn_gap_deg[4] = f64::INFINITY;
+    data.motions[0].angle_deg[0][0] = f64::NAN;
+    specs(&reproduce_page(&data));
+    let json = to_json(&data).expect("data of plain numbers");
+    let value: Value = serde_json::from_str(&json).expect("valid JSON");
+    assert!(value["gap_histories"][0]["gap_deg"][3].is_null());
+    assert!(value["table2"]["rows"][2]["critical_gap_deg"][3].is_null());
+    let theory = data.table2.as_ref().expect("a table").rows[0].theory_deg;
+    // The reader of serde_json may be off in the last digit; the text is exact, see below.
+    let read = value["table2"]["rows"][0]["theory_deg"]
+        .as_f64()
+        .expect("a number");
+    assert!((read - theory).abs() < 1e-15, "{read} {theory}");
+    assert_eq!(value["claims"][3]["verdict"], "erratum");
+
+    let awkward = [
+        0.1 + 0.2,
+        1.0 / 3.0,
+        5e-324,
+        1.797e308,
+        -2.5e-7,
+        123_456_789.123_456_79,
+    ];
+    let text = to_json(&awkward).expect("numbers");
+    let back: Vec<f64> = text
+        .trim_matches(['[', ']'])
+        .split(',')
+        .filter_map(|t| t.parse().ok())
+        .collect();
+    assert_eq!(back, awkward);
+}
+
+#[test]
+fn data_that_are_missing_or_too_short_leave_a_page() {
+    for page in [
+        reproduce_page(&ReproduceData::default()),
+        run_page(&RunData::default()),
+    ] {
+        assert!(page.contains("</html>"));
+    }
+    let mut run = synthetic::run_data();
+    run.time_s.truncate(10);
+    run.balls[0].vx_m_s.truncate(3);
+    run.balls[1].gap_deg.clear();
+    run.ring.y_um.truncate(1);
+    run.settled_after_s = 1e9;
+    if let Some(motion) = &mut run.motion {
+        motion.angle_deg[2].truncate(5);
+    }
+    specs(&run_page(&run));
+    let empty = ReproduceData {
+        gap_histories: vec![GapHistory::default()],
+        neighbours: vec![Neighbours::default()],
+        phase_portraits: vec![PhasePortraits::default()],
+        orbit_speeds: vec![OrbitSpeeds::default()],
+        vibrations: vec![Vibration::default()],
+        motions: vec![Motion::default()],
+        table2: Some(Table2::default()),
+        design_curve: Some(DesignCurve::default()),
+        surface: Some(RacewaySurface::default()),
+        contact_track: Some(ContactTrack::default()),
+        ..ReproduceData::default()
+    };
+    specs(&reproduce_page(&empty));
+}
+
+#[test]
+fn the_raceway_surface_carries_the_contact_track() {
+    let bearing = synthetic::bearing();
+    let surface = RacewaySurface::sample(&synthetic::raceway(3), &bearing, synthetic::structure(3));
+    for point in surface.track_mm.iter().skip(24).step_by(24).take(8) {
+        let nearest = (0..surface.x_mm.len())
+            .flat_map(|k| (0..surface.x_mm[k].len()).map(move |m| (k, m)))
+            .map(|(k, m)| {
+                let apart = [
+                    surface.x_mm[k][m] - point[0],
+                    surface.y_mm[k][m] - point[1],
+                    surface.z_mm[k][m] - point[2],
+                ];
+                apart.iter().map(|d| d * d).sum::<f64>().sqrt()
+            })
+            .fold(f64::INFINITY, f64::min);
+        // Within half the spacing of the grid.
+        assert!(nearest < 0.15, "{point:?} is {nearest} mm from the surface");
+    }
+    let track = ContactTrack::sample(&synthetic::raceway(3), &bearing, synthetic::structure(3));
+    let widest = track.axial_mm.iter().copied().fold(0.0, f64::max);
+    assert!((2.0 * widest - 5.1).abs() < 1e-9, "{widest}");
+}
