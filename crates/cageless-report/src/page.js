@@ -14,11 +14,23 @@
     el.replaceChildren(message);
   }
 
+  // WebGL does not reach paper: a picture of the scene, as last turned, stands in for it.
+  function keepForPrint(el) {
+    const picture = document.createElement("img");
+    picture.className = "printed";
+    picture.alt = el.getAttribute("aria-label");
+    el.after(picture);
+    const take = () => Plotly.toImage(el, { format: "png", width: 1000, height: el.clientHeight, scale: 2 })
+      .then((url) => { picture.src = url; }, () => picture.remove());
+    el.on("plotly_relayout", take);
+    return take();
+  }
+
   function draw(el) {
     if (!done.has(el)) {
       const spec = JSON.parse(document.getElementById(el.id.replace(/-plot$/, "-spec")).textContent);
       const drawn = new Promise((resolve) => resolve(Plotly.newPlot(el, spec.data, spec.layout, config)));
-      done.set(el, drawn.catch((error) => failed(el, error)));
+      done.set(el, drawn.then(() => spec.layout.scene && keepForPrint(el)).catch((error) => failed(el, error)));
     }
     return done.get(el);
   }
