@@ -1,0 +1,141 @@
+//! Choosing a raceway: constraints and theoretical gap (here), a verdict from the motion,
+//! a recommendation.
+
+mod recommendation;
+mod verdict;
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use crate::bearing::Bearing;
+use crate::kinematics::rolling_orbit_speed_rad_s;
+use crate::numerics::{quadrature, root};
+use crate::raceway::{Raceway, RacewayDimensions, axial_span_limit_m};
+
+pub use recommendation::{Recommendation, recommend};
+pub use verdict::{
+    Judgement, PassageStatistics, SLIP_SHORTFALL, TWICE_SHARE, Verdict, judge, judge_watched,
+    steady_after_s, steady_case,
+};
+
+/// What φ means in Zhao 2022, Eq. (11).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Eq11 {
+    /// x = Ro·sin φ, as published. It takes φ for the polar angle.
+    Published,
+    /// φ is the position angle ψ of the ball.
+    Polar,
+}
+
+/// β0 = ½ ∫ (r + Rw)/r dφ − ε over [−ε/2, ε/2], the gap that a passage without slip
+/// closes exactly (Zhao 2022, Eq. (11)), rad.
+pub fn theoretical_gap_rad(bearing: &Bearing, raceway: &Raceway, meaning: Eq11) -> f64 {
+    let epsilon = bearing.ball_angle_rad();
+    let (rw, ro) = (
+        bearing.ball_radius_m(),
+        bearing.dimensions().outer_groove_bottom_radius_m,
+    );
+    let theta = raceway.half_angle_rad();
+    let centre = raceway.dimensions().centre_angle_rad;
+    let integrand = |phi: f64| {
+        let r = match meaning {
+            Eq11::Published => raceway.effective_radius_at_x_m(ro * phi.sin()),
+            Eq11::Polar => raceway.effective_radius_m(centre + phi),
+        };
+        (r + rw) / r
+    };
+    // The integrand is even, smooth up to θ and 2 beyond.
+    let end = (epsilon / 2.0).min(theta);
+    let inside = quadrature::gauss(integrand, 0.0, end, 8);
+    inside + 2.0 * (epsilon / 2.0 - end) - epsilon
+}
+
+/// θ at which a raceway of span lC has β0 = `gap_rad` (Zhao 2022, Fig. 5), or `None` if
+/// no angle that the bearing allows does.
+pub fn half_angle_for_gap_rad(
+    bearing: &Bearing,
+    axial_span_m: f64,
+    gap_rad: f64,
+    meaning: Eq11,
+) -> Option<f64> {
+    let gap = |theta: f64| {
+        let dimensions = RacewayDimensions {
+            axial_span_m,
+            half_angle_rad: theta,
+            centre_angle_rad: 0.0,
+        };
+        Raceway::new(dimensions, bearing)
+            .map(|raceway| theoretical_gap_rad(bearing, &raceway, meaning))
+    };
+    // β0 grows with θ; the path exists up to an angle that depends on the span.
+    let (mut low, mut high) = (1e-3, FRAC_PI_2 * 0.999);
+    if gap(high).is_err() {
+        let (mut good, mut bad) = (low, high);
+        gap(good).ok()?;
+        while bad - good > 1e-9 {
+            let middle = 0.5 * (good + bad);
+            if gap(middle).is_ok() {
+                good = middle
+            } else {
+                bad = middle
+            }
+        }
+        high = good;
+    }
+    if gap(low).ok()? > gap_rad {
+        low = 1e-6;
+    }
+    root::try_brent(|theta| gap(theta).map(|g| g - gap_rad), low, high, 1e-12).ok()?
+}
+
+/// One point of the lC–θ curve of Zhao 2022, Fig. 5.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CurvePoint {
+    /// lC.
+    pub axial_span_m: f64,
+    /// θ by Eq. (11) as published.
+    pub half_angle_rad: Option<f64>,
+    /// θ by Eq. (11) with the true polar angle.
+    pub half_angle_polar_rad: Option<f64>,
+}
+
+/// θ over lC for the gap of evenly spaced balls, at `points` spans up to the limit of
+/// Eq. (8); spans that no angle serves are left out.
+pub fn span_angle_curve(bearing: &Bearing, points: usize) -> Vec<CurvePoint> {
+    let limit = axial_span_limit_m(bearing);
+    let gap = bearing.uniform_gap_rad();
+    (1..points)
+        .map(|k| {
+            let axial_span_m = limit * k as f64 / points as f64;
+            let angle = |meaning| half_angle_for_gap_rad(bearing, axial_span_m, gap, meaning);
+            CurvePoint {
+                axial_span_m,
+                half_angle_rad: angle(Eq11::Published),
+                half_angle_polar_rad: angle(Eq11::Polar),
+            }
+        })
+        .filter(|p| p.half_angle_rad.is_some() || p.half_angle_polar_rad.is_some())
+        .collect()
+}
+
+/// Largest number of balls inside a raceway at once, when they touch: ⌊2θ/ε⌋ + 1.
+pub fn balls_in_raceway_max(bearing: &Bearing, raceway: &Raceway) -> usize {
+    (2.0 * raceway.half_angle_rad() / bearing.ball_angle_rad()).floor() as usize + 1
+}
+
+/// Gap outside the raceways when N balls roll by evenly in time, without slip: each
+/// takes T = (1/N) ∮ dψ/Ω(r(ψ)), and the balls outside are Ω·T apart. It is wider than
+/// 2π/N − ε, because the balls inside are closer.
+pub fn steady_gap_rad(bearing: &Bearing, raceways: &[Raceway]) -> f64 {
+    let rw = bearing.ball_radius_m();
+    let speed = |r: f64| rolling_orbit_speed_rad_s(bearing, 1.0, r);
+    let outside = speed(rw);
+    let delay: f64 = raceways
+        .iter()
+        .map(|raceway| {
+            let centre = raceway.dimensions().centre_angle_rad;
+            let excess = |psi: f64| outside / speed(raceway.effective_radius_m(centre + psi)) - 1.0;
+            2.0 * quadrature::gauss(excess, 0.0, raceway.half_angle_rad() * (1.0 - 1e-12), 8)
+        })
+        .sum();
+    (TAU + delay) / bearing.balls() as f64 - bearing.ball_angle_rad()
+}
