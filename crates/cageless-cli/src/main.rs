@@ -1,2 +1,32 @@
-//! Placeholder.
-fn main() {}
+//! The `cageless` command.
+
+mod args;
+mod commands;
+mod failure;
+mod format;
+mod progress;
+mod reproduce;
+mod run_report;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+fn main() -> ExitCode {
+    let args = match args::Args::try_parse() {
+        Ok(args) => args,
+        // Help and version are answers; everything else is bad input.
+        Err(error) => {
+            let _ = error.print();
+            return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
+        }
+    };
+    let stop = progress::catch_interrupt();
+    match commands::dispatch(args, &stop) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("error: {failure}");
+            failure.exit_code()
+        }
+    }
+}

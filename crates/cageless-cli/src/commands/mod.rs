@@ -1,0 +1,103 @@
+//! The commands.
+
+mod design;
+mod run;
+mod static_equilibrium;
+
+use std::path::Path;
+
+use cageless_io::case_file::{CaseFile, template};
+use cageless_io::results::write_atomically;
+use serde::Serialize;
+
+use crate::args::{Args, CaseArgs, Command};
+use crate::failure::Failure;
+use crate::format::pairs;
+use crate::progress::StopFlag;
+
+/// Does what was asked.
+pub fn dispatch(args: Args, stop: &StopFlag) -> Result<(), Failure> {
+    match args.command {
+        Command::Reproduce(args) => crate::reproduce::reproduce(&args, stop),
+        Command::New(args) => print(&template(args.conventional)),
+        Command::Check(args) => check(&args),
+        Command::Static(args) => static_equilibrium::static_equilibrium(&args),
+        Command::Design(args) => design::design(&args, stop),
+        Command::Run(args) => run::run(&args, stop),
+    }
+}
+
+/// Prints to stdout. A reader that has had enough (`cageless new | head`) is no failure.
+pub fn print(text: &str) -> Result<(), Failure> {
+    use std::io::Write;
+    match std::io::stdout().lock().write_all(text.as_bytes()) {
+        Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
+        other => Ok(other?),
+    }
+}
+
+/// Reads the case of a command.
+pub fn read_case(args: &CaseArgs) -> Result<CaseFile, Failure> {
+    Ok(CaseFile::read(&args.case, &args.set)?)
+}
+
+/// Prints a result as JSON or text, and leaves the JSON as `NAME.json` in the folder.
+pub fn deliver<T: Serialize>(
+    args: &CaseArgs,
+    name: &str,
+    result: &T,
+    text: &str,
+) -> Result<(), Failure> {
+    let json = serde_json::to_string_pretty(result)? + "\n";
+    if let Some(dir) = &args.out {
+        make_folder(dir)?;
+        write_atomically(&dir.join(name), json.as_bytes())?;
+    }
+    print(if args.json { &json } else { text })
+}
+
+/// Makes the folder of `--out`.
+pub fn make_folder(dir: &Path) -> Result<(), Failure> {
+    std::fs::create_dir_all(dir)
+        .map_err(|error| Failure::Input(format!("--out {}: {error}", dir.display())))
+}
+
+fn check(args: &CaseArgs) -> Result<(), Failure> {
+    let file = read_case(args)?;
+    let bearing = &file.case().bearing;
+    let mut lines = vec![
+        ("case", format!("{} is valid", args.case.display())),
+        ("balls", format!("{}", bearing.balls())),
+        (
+            "radial clearance",
+            format!(
+                "{:.3} µm (diametral {:.3} µm)",
+                bearing.radial_clearance_m() * 1e6,
+                2e6 * bearing.radial_clearance_m()
+            ),
+        ),
+        (
+            "ε",
+            format!("{:.4}°", bearing.ball_angle_rad().to_degrees()),
+        ),
+        (
+            "uniform gap",
+            format!("{:.4}°", bearing.uniform_gap_rad().to_degrees()),
+        ),
+    ];
+    if !file.defaults().is_empty() {
+        lines.push(("defaults taken", file.defaults().join(", ")));
+    }
+    #[derive(Serialize)]
+    struct Checked<'a> {
+        valid: bool,
+        case: cageless_io::case_file::CaseDocument,
+        defaults: &'a [String],
+    }
+    let result = Checked {
+        valid: true,
+        case: file.document_as_run(),
+        defaults: file.defaults(),
+    };
+    deliver(args, "check.json", &result, &pairs(&lines))
+}

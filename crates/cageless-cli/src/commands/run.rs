@@ -1,0 +1,231 @@
+//! `cageless run`.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::time::Instant;
+
+use cageless::Case;
+use cageless::collision::CollisionDetector;
+use cageless::dynamics::InstructionSet;
+use cageless::recorder::Recorder;
+use cageless::simulation::{Ending, Observer, RunOutcome, run as simulate};
+use cageless::start::initial_state;
+use cageless::state::Work;
+use cageless::summary::{Summary, SummaryRecorder};
+use cageless::vibration::VibrationRecorder;
+use cageless_io::case_file::CaseFile;
+use cageless_io::results::{
+    Metadata, RunWriter, SCHEMA, Stopped, SummaryFile, VERSION, write_atomically,
+};
+use cageless_report::{run_page, to_json};
+
+use super::{make_folder, print, read_case};
+use crate::args::CaseArgs;
+use crate::failure::Failure;
+use crate::format::pairs;
+use crate::progress::{Progress, StopFlag};
+use crate::run_report::{Histories, run_data};
+
+/// Simulates a case.
+pub fn run(args: &CaseArgs, stop: &StopFlag) -> Result<(), Failure> {
+    let file = read_case(args)?;
+    let case = file.case();
+    // A case that cannot start must not touch the folder.
+    initial_state(case)?;
+    let document = file.document_as_run();
+    let isa = InstructionSet::detect().name();
+    let writer = match &args.out {
+        Some(dir) => {
+            make_folder(dir)?;
+            let metadata = Metadata {
+                isa,
+                case: &document,
+            };
+            let writer = RunWriter::create(dir, &metadata)
+                .map_err(|error| Failure::Input(error.to_string()))?;
+            Some(RefCell::new(writer))
+        }
+        None => None,
+    };
+
+    let mut summary = SummaryRecorder::new();
+    let mut vibration = case.housing.as_ref().map(VibrationRecorder::new);
+    let mut histories = RefCell::new(Histories::new());
+    let started = Instant::now();
+    let outcome = {
+        let mut recorder = Recorder::new(case.output.interval_s, |snapshot| {
+            if let Some(writer) = &writer {
+                writer.borrow_mut().snapshot(&snapshot)?;
+            }
+            histories.borrow_mut().push(snapshot);
+            Ok(())
+        });
+        let mut collisions = CollisionDetector::new(|collision| {
+            if let Some(writer) = &writer {
+                writer.borrow_mut().collision(&collision)?;
+            }
+            histories.borrow_mut().collide(&collision);
+            Ok(())
+        });
+        let progress = Progress::new("run", 1.0, stop);
+        let mut observers: Vec<&mut dyn Observer> = vec![&mut summary, &mut collisions];
+        if args.out.is_some() {
+            observers.push(&mut recorder);
+            if let Some(vibration) = &mut vibration {
+                observers.push(vibration);
+            }
+        }
+        let outcome = simulate(
+            case,
+            &mut observers,
+            &mut progress.run_control(case.solver.duration_s, 1.0),
+        )?;
+        collisions
+            .close(outcome.end_s)
+            .map_err(|error| Failure::Other(anyhow::anyhow!(error)))?;
+        outcome
+    };
+    let wall_s = started.elapsed().as_secs_f64();
+
+    if let Some(writer) = writer {
+        writer.into_inner().finish()?;
+    }
+    let summary_file = summarise(&file, &outcome, summary.summary(), isa, wall_s);
+    if let Some(dir) = &args.out {
+        summary_file.write(dir)?;
+        let data = run_data(
+            &file,
+            &outcome,
+            &summary_file,
+            histories.get_mut(),
+            vibration.as_ref(),
+        );
+        write_atomically(&dir.join("report.html"), run_page(&data).as_bytes())?;
+        write_atomically(&dir.join("report.json"), to_json(&data)?.as_bytes())?;
+    }
+    print(&if args.json {
+        summary_file.to_json()?
+    } else {
+        text(case, &outcome, &summary_file)
+    })?;
+    let kept = match &args.out {
+        Some(dir) => format!(" What was computed until then is in {}.", dir.display()),
+        None => String::new(),
+    };
+    match outcome.ending {
+        Ending::Complete => Ok(()),
+        Ending::Interrupted => Err(Failure::Interrupted(format!(
+            "interrupted at t = {:.6} s.{kept}",
+            outcome.end_s
+        ))),
+        Ending::Stopped(stop) => Err(Failure::stopped(&stop, &kept)),
+        Ending::ObserverFailed(error) => Err(Failure::Other(anyhow::anyhow!(error))),
+    }
+}
+
+fn summarise(
+    file: &CaseFile,
+    outcome: &RunOutcome,
+    summary: Option<Summary>,
+    isa: &str,
+    wall_s: f64,
+) -> SummaryFile {
+    let mut energy: BTreeMap<String, f64> = Work::ALL
+        .into_iter()
+        .map(|work| (work.name().to_owned(), outcome.state.work_j(work)))
+        .collect();
+    energy.insert(
+        "change".to_owned(),
+        outcome.end_energy_j - outcome.start_energy_j,
+    );
+    let mut warnings = warnings(file.case());
+    if summary.is_none() {
+        warnings.push("the run ended within its transient: no statistics".to_owned());
+    }
+    let number = |f: fn(&Summary) -> f64| summary.as_ref().map_or(f64::NAN, f);
+    SummaryFile {
+        schema: SCHEMA,
+        version: VERSION.to_owned(),
+        isa: isa.to_owned(),
+        case: file.document_as_run(),
+        defaults: file.defaults().to_vec(),
+        collisions: summary.map_or(0, |s| s.collisions),
+        gap_min_deg: number(|s| s.gap_min_rad).to_degrees(),
+        gap_max_deg: number(|s| s.gap_max_rad).to_degrees(),
+        ring_x_um_mean: number(|s| s.ring_x_mean_m * 1e6),
+        ring_y_um_mean: number(|s| s.ring_y_mean_m * 1e6),
+        slip_max_m_s: number(|s| s.slip_max_m_s),
+        energy_residual_relative: outcome.energy_residual_relative,
+        energy,
+        steps: outcome.steps,
+        rhs_evaluations: outcome.rhs_evaluations,
+        wall_s,
+        settled_after_s: number(|s| s.settled_after_s),
+        warnings,
+        stopped: match &outcome.ending {
+            Ending::Stopped(stop) => Some(Stopped {
+                time_s: stop.time_s,
+                cause: stop.cause.to_string(),
+                advice: stop.cause.advice().to_owned(),
+            }),
+            _ => None,
+        },
+    }
+}
+
+/// Largest step at which ABM4 stays unbiased without contact damping.
+const UNDAMPED_STEP_S: f64 = 0.5e-6;
+
+fn warnings(case: &Case) -> Vec<String> {
+    let mut warnings = vec![];
+    if case.contact.damping_n_s_m1_5 == 0.0 && case.solver.step_s > UNDAMPED_STEP_S {
+        warnings.push(
+            "without contact damping ABM4 gains energy at steps above 0.5 µs: statistics are \
+             biased (solver.step_us)"
+                .to_owned(),
+        );
+    }
+    warnings
+}
+
+fn text(case: &Case, outcome: &RunOutcome, s: &SummaryFile) -> String {
+    let mut lines = vec![
+        (
+            "simulated",
+            format!("{:.6} s in {} steps", outcome.end_s, outcome.steps),
+        ),
+        ("statistics after", format!("{:.6} s", s.settled_after_s)),
+        ("collisions between balls", format!("{}", s.collisions)),
+        (
+            "gap",
+            format!("{:.4}° to {:.4}°", s.gap_min_deg, s.gap_max_deg),
+        ),
+        (
+            "ring, mean",
+            format!("x {:.4} µm, y {:.4} µm", s.ring_x_um_mean, s.ring_y_um_mean),
+        ),
+        (
+            "largest slip under load",
+            format!("{:.4} m/s", s.slip_max_m_s),
+        ),
+        (
+            "energy residual",
+            format!("{:.2e} of all flows", s.energy_residual_relative),
+        ),
+        (
+            "speed",
+            format!(
+                "{:.2} s per simulated second",
+                s.wall_s / outcome.end_s.max(1e-12)
+            ),
+        ),
+    ];
+    if !case.title.is_empty() {
+        lines.insert(0, ("case", case.title.clone()));
+    }
+    let mut text = pairs(&lines);
+    for warning in &s.warnings {
+        text += &format!("warning: {warning}\n");
+    }
+    text
+}
