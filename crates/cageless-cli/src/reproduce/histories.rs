@@ -1,0 +1,264 @@
+//! The gap of a pair over time (Fig. 6) and three neighbours in the raceway (Fig. 7), of
+//! structure (a).
+
+use std::f64::consts::TAU;
+
+use cageless::collision::{Collision, CollisionDetector};
+use cageless::recorder::Recorder;
+use cageless::simulation::{Ending, run};
+use cageless::snapshot::Snapshot;
+use cageless::{Case, FrictionLaw, Profile};
+use cageless_report::{Event, GapHistory, Neighbours, Provenance};
+use rayon::prelude::*;
+
+use super::READINGS;
+use super::cases::{self, label};
+use crate::failure::Failure;
+use crate::progress::Progress;
+use crate::run_report::provenance;
+
+/// Seconds on one core, roughly.
+pub const WORK: f64 = 1.5;
+
+/// Sampling.
+const INTERVAL_S: f64 = 10e-6;
+/// The long history is thinned to this.
+const COARSE: usize = 10;
+/// Transient of the long history.
+const SETTLED_AFTER_S: f64 = 0.1;
+/// An inner contact that carries more than this is in the load zone, N.
+const LOADED_N: f64 = 1.0;
+/// Fig. 7 begins and ends this much outside the passage.
+const MARGIN_S: f64 = 3e-4;
+
+/// Fig. 6 and 7 under one reading of the equations.
+pub struct History {
+    /// Fig. 6.
+    pub gap: GapHistory,
+    /// Fig. 7.
+    pub neighbours: Neighbours,
+    /// Change of the gap in the unloaded zone of the turn shown, degrees.
+    pub unloaded_change_deg: f64,
+    /// Change of the gap within the raceway, degrees.
+    pub raceway_change_deg: f64,
+    /// Both collisions of the paper's Fig. 7 were found.
+    pub twice: bool,
+}
+
+/// Runs structure (a) under both readings.
+pub fn compute(progress: &Progress) -> Result<Vec<History>, Failure> {
+    READINGS
+        .par_iter()
+        .map(|&reading| one(reading, progress))
+        .collect()
+}
+
+fn one(reading: (Profile, FrictionLaw), progress: &Progress) -> Result<History, Failure> {
+    // As in the paper: balls in pure rolling, the ring where it was before the load came.
+    let overrides = [
+        "start.state=\"rolling\"".to_owned(),
+        "start.ring_y_um=0.0".to_owned(),
+        "solver.duration_s=0.3".to_owned(),
+    ];
+    let case = cases::structure(0, reading, &overrides)?;
+    let mut snapshots: Vec<Snapshot> = vec![];
+    let mut collisions: Vec<Collision> = vec![];
+    let mut recorder = Recorder::new(INTERVAL_S, |snapshot| {
+        snapshots.push(snapshot);
+        Ok(())
+    });
+    let mut detector = CollisionDetector::new(|collision| {
+        collisions.push(collision);
+        Ok(())
+    });
+    let outcome = run(
+        &case,
+        &mut [&mut recorder, &mut detector],
+        &mut progress.run_control(case.solver.duration_s, WORK / 2.0),
+    )?;
+    drop((recorder, detector));
+    if let Ending::Stopped(stop) = &outcome.ending {
+        return Err(Failure::stopped(stop, ""));
+    }
+    let source = provenance(&case, format!("t < {SETTLED_AFTER_S} s (shaded)"));
+    let (neighbours, ball, twice) = neighbours(&case, &snapshots, &collisions, &source);
+    let (gap, unloaded_change_deg, raceway_change_deg) =
+        gap_history(&case, &snapshots, ball, source);
+    Ok(History {
+        gap,
+        neighbours,
+        unloaded_change_deg,
+        raceway_change_deg,
+        twice,
+    })
+}
+
+/// When ball `k` passes ψ = `angle` (plus whole turns) nearest to `near_s`, on the side
+/// `before` or after it.
+fn passes_s(
+    snapshots: &[Snapshot],
+    k: usize,
+    angle: f64,
+    near_s: f64,
+    before: bool,
+) -> Option<f64> {
+    let turn = |s: &Snapshot| ((s.angle_rad[k] - angle) / TAU).floor();
+    let mut crossings = snapshots
+        .windows(2)
+        .filter(|pair| turn(&pair[0]) != turn(&pair[1]))
+        .map(|pair| pair[1].time_s);
+    if before {
+        crossings.take_while(|t| *t <= near_s).last()
+    } else {
+        crossings.find(|t| *t > near_s)
+    }
+}
+
+/// Largest |ψ| at which an inner contact carries load in the settled part.
+fn load_zone_rad(snapshots: &[Snapshot]) -> f64 {
+    let mut angles: Vec<f64> = snapshots
+        .iter()
+        .filter(|s| s.time_s > SETTLED_AFTER_S)
+        .step_by(COARSE)
+        .flat_map(|s| {
+            (0..s.balls())
+                .filter(|&k| s.inner_force_n[k] > LOADED_N)
+                .map(|k| cageless::collision::wrap_angle_rad(s.angle_rad[k]).abs())
+        })
+        .collect();
+    angles.sort_by(f64::total_cmp);
+    // A ball thrown against the ring once in a while does not widen the load zone.
+    angles.get(angles.len() * 99 / 100).copied().unwrap_or(0.0)
+}
+
+fn gap_history(
+    case: &Case,
+    snapshots: &[Snapshot],
+    ball: usize,
+    provenance: Provenance,
+) -> (GapHistory, f64, f64) {
+    let ahead = (ball + 1) % case.bearing.balls();
+    let theta = case.raceways[0].half_angle_rad();
+    let zone = load_zone_rad(snapshots);
+    let end_s = snapshots.last().map_or(0.0, |s| s.time_s);
+    // The last turn that is whole: stage e is the trailing ball leaving the load zone.
+    let e = passes_s(snapshots, ball, zone, end_s, true).unwrap_or(end_s);
+    let d = passes_s(snapshots, ball, theta, e, true).unwrap_or(e);
+    let c = passes_s(snapshots, ahead, -theta, d, true).unwrap_or(d);
+    let b = passes_s(snapshots, ball, -zone, c, true).unwrap_or(c);
+    let a = passes_s(snapshots, ball, zone, b, true).unwrap_or(b);
+    let stage = |label: &str, time_s: f64, meaning: &str| Event {
+        label: label.to_owned(),
+        time_s,
+        meaning: meaning.to_owned(),
+    };
+    let turn: Vec<&Snapshot> = snapshots
+        .iter()
+        .filter(|s| s.time_s >= a && s.time_s <= e)
+        .collect();
+    let gap = |s: &Snapshot| s.gap_rad[ball].to_degrees();
+    let range = |from: f64, to: f64| {
+        let inside = turn
+            .iter()
+            .filter(|s| s.time_s >= from && s.time_s <= to)
+            .map(|s| gap(s));
+        let (low, high) = inside.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), g| {
+            (l.min(g), h.max(g))
+        });
+        high - low
+    };
+    let history = GapHistory {
+        structure: label(0, case),
+        ball: ball + 1,
+        time_s: snapshots.iter().step_by(COARSE).map(|s| s.time_s).collect(),
+        gap_deg: snapshots.iter().step_by(COARSE).map(gap).collect(),
+        settled_after_s: SETTLED_AFTER_S,
+        turn_time_s: turn.iter().map(|s| s.time_s).collect(),
+        turn_gap_deg: turn.iter().map(|s| gap(s)).collect(),
+        stages: vec![
+            stage("a", a, "the trailing ball leaves the load zone"),
+            stage("b", b, "it comes back into the load zone"),
+            stage("c", c, "the leading ball enters the discrete raceway"),
+            stage("d", d, "the trailing ball leaves the discrete raceway"),
+            stage("e", e, "the trailing ball leaves the load zone again"),
+        ],
+        uniform_gap_deg: case.bearing.uniform_gap_rad().to_degrees(),
+        provenance,
+    };
+    (history, range(a, b), range(c, d))
+}
+
+/// A ball hit by both neighbours in one passage, the last one in the run; else the last
+/// passage.
+fn neighbours(
+    case: &Case,
+    snapshots: &[Snapshot],
+    collisions: &[Collision],
+    source: &Provenance,
+) -> (Neighbours, usize, bool) {
+    let n = case.bearing.balls();
+    let theta = case.raceways[0].half_angle_rad();
+    let end_s = snapshots.last().map_or(0.0, |s| s.time_s);
+    let enter = |k: usize, near: f64| passes_s(snapshots, k, -theta, near, true);
+    // t2: ball i hits i+1; t4: i−1 hits i, later, while i is still inside.
+    let double = collisions
+        .iter()
+        .rev()
+        .filter(|c| c.start_s > SETTLED_AFTER_S)
+        .find_map(|c| {
+            let i = c.next_ball;
+            let (t4, t1) = (c.start_s, enter(i, c.start_s)?);
+            let left = passes_s(snapshots, i, theta, t1, false)?;
+            let t2 = collisions
+                .iter()
+                .find(|o| o.ball == i && o.start_s > t1 && o.start_s < t4)?
+                .start_s;
+            (t4 < left).then_some((i, t1, Some(t2), Some(t4)))
+        });
+    let fallback = || {
+        let t1 = enter(1, end_s - 0.01).unwrap_or(0.0);
+        (1, t1, None, None)
+    };
+    let (i, t1, t2, t4) = double.unwrap_or_else(fallback);
+    let (behind, ahead) = ((i + n - 1) % n, (i + 1) % n);
+    let t0 = enter(ahead, t1).unwrap_or(t1);
+    let t3 = passes_s(snapshots, behind, -theta, t1, false).unwrap_or(t1);
+    let left = passes_s(snapshots, behind, theta, t3, false).unwrap_or(end_s);
+    let shown: Vec<&Snapshot> = snapshots
+        .iter()
+        .filter(|s| s.time_s >= t0 - MARGIN_S && s.time_s <= left + MARGIN_S)
+        .collect();
+    let speed = |k: usize| -> Vec<f64> {
+        shown
+            .iter()
+            .map(|s| s.orbit_speed_rad_s[k].to_degrees())
+            .collect()
+    };
+    let gap = |k: usize| -> Vec<f64> { shown.iter().map(|s| s.gap_rad[k].to_degrees()).collect() };
+    let event = |label: &str, time: Option<f64>, meaning: &str| {
+        time.map(|time_s| Event {
+            label: label.to_owned(),
+            time_s,
+            meaning: meaning.to_owned(),
+        })
+    };
+    let figure = Neighbours {
+        structure: label(0, case),
+        time_s: shown.iter().map(|s| s.time_s).collect(),
+        orbit_speed_deg_s: [speed(behind), speed(i), speed(ahead)],
+        gap_deg: [gap(behind), gap(i)],
+        balls: [behind + 1, i + 1, ahead + 1],
+        events: [
+            event("t0", Some(t0), "ball i+1 enters the discrete raceway"),
+            event("t1", Some(t1), "ball i enters it"),
+            event("t2", t2, "ball i hits ball i+1"),
+            event("t3", Some(t3), "ball i−1 enters it"),
+            event("t4", t4, "ball i−1 hits ball i"),
+        ]
+        .into_iter()
+        .flatten()
+        .collect(),
+        provenance: source.clone(),
+    };
+    (figure, i, t2.is_some() && t4.is_some())
+}
