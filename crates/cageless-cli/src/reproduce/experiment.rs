@@ -28,6 +28,8 @@ const SETTLED_AFTER_S: f64 = 0.5;
 pub struct Bearing {
     /// Contacts between balls after [`SETTLED_AFTER_S`], per second.
     pub collisions_per_s: f64,
+    /// Share of all contacts at 60° < |ψ| < 150°, where the load lets go or takes hold.
+    pub transition_share: f64,
     /// RMS of the vibration, m/s².
     pub rms_m_s2: f64,
     /// Standard deviation of the gaps at the start and the end, degrees.
@@ -127,6 +129,10 @@ fn one(case: &Case, name: &str, progress: &Progress) -> Result<One, Failure> {
     let deviation = |s: Option<&Snapshot>| s.map_or(f64::NAN, |s| deviation_deg(&s.gap_rad));
     let bearing = Bearing {
         collisions_per_s: late as f64 / (duration_s - SETTLED_AFTER_S),
+        transition_share: {
+            let between = |c: &&Collision| (60.0..150.0).contains(&c.angle_rad.to_degrees().abs());
+            collisions.iter().filter(between).count() as f64 / collisions.len().max(1) as f64
+        },
         rms_m_s2: signal.rms_m_s2.unwrap_or(f64::NAN),
         gap_deviation_deg: [deviation(snapshots.first()), deviation(last.as_ref())],
         touching: [0.05, 0.1, 0.15, 0.2].map(|moment| touching_at(&snapshots, moment)),

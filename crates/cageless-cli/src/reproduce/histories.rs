@@ -28,6 +28,8 @@ const COARSE: usize = 10;
 const SETTLED_AFTER_S: f64 = 0.1;
 /// An inner contact that carries more than this is in the load zone, N.
 const LOADED_N: f64 = 1.0;
+/// Index of a ball that starts in the upper half: its gap feels only the start.
+const FAR_FROM_RACEWAY: usize = 6;
 /// Fig. 7 begins and ends this much outside the passage.
 const MARGIN_S: f64 = 3e-4;
 
@@ -41,6 +43,8 @@ pub struct History {
     pub unloaded_change_deg: f64,
     /// Change of the gap within the raceway, degrees.
     pub raceway_change_deg: f64,
+    /// Change of the gap in the first millisecond, degrees.
+    pub first_change_deg: f64,
     /// Both collisions of the paper's Fig. 7 were found.
     pub twice: bool,
 }
@@ -84,11 +88,23 @@ fn one(reading: (Profile, FrictionLaw), progress: &Progress) -> Result<History, 
     let (neighbours, ball, twice) = neighbours(&case, &snapshots, &collisions, &source);
     let (gap, unloaded_change_deg, raceway_change_deg) =
         gap_history(&case, &snapshots, ball, source);
+    let first = |s: &&Snapshot| s.time_s <= 1e-3;
+    let early: Vec<f64> = snapshots
+        .iter()
+        .take_while(first)
+        .map(|s| s.gap_rad[FAR_FROM_RACEWAY])
+        .collect();
+    let first_change_deg = early
+        .iter()
+        .map(|g| (g - early[0]).abs())
+        .fold(0.0, f64::max)
+        .to_degrees();
     Ok(History {
         gap,
         neighbours,
         unloaded_change_deg,
         raceway_change_deg,
+        first_change_deg,
         twice,
     })
 }

@@ -33,7 +33,7 @@ pub fn reproduce(args: &Reproduce, stop: &StopFlag) -> Result<(), Failure> {
     make_folder(&args.out)?;
     let started = Instant::now();
     let progress = Progress::new("reproduce", WORK, stop);
-    let ((table2, structures), (histories, experiment)) = rayon::join(
+    let ((table2, structures), ((histories, experiment), extra)) = rayon::join(
         || {
             rayon::join(
                 || table2::compute(&progress),
@@ -42,8 +42,13 @@ pub fn reproduce(args: &Reproduce, stop: &StopFlag) -> Result<(), Failure> {
         },
         || {
             rayon::join(
-                || histories::compute(&progress),
-                || experiment::compute(&progress),
+                || {
+                    rayon::join(
+                        || histories::compute(&progress),
+                        || experiment::compute(&progress),
+                    )
+                },
+                || claims::compute(&progress),
             )
         },
     );
@@ -53,9 +58,17 @@ pub fn reproduce(args: &Reproduce, stop: &StopFlag) -> Result<(), Failure> {
         ));
     }
     let (table2, structures) = (table2?, structures?);
-    let (histories, experiment) = (histories?, experiment?);
+    let (histories, experiment, extra) = (histories?, experiment?, extra?);
     drop(progress);
     let case_d = cases::structure(3, READINGS[1], &[])?;
+    let claims = claims::claims(&claims::Evidence {
+        case: &case_d,
+        table2: &table2,
+        structures: &structures,
+        histories: &histories,
+        experiment: &experiment,
+        extra: &extra,
+    });
     let data = ReproduceData {
         software: format!("Cageless {VERSION}, {}", InstructionSet::detect().name()),
         lead: claims::lead(&table2),
@@ -63,7 +76,7 @@ pub fn reproduce(args: &Reproduce, stop: &StopFlag) -> Result<(), Failure> {
         contact_track: Some(parameters::contact_track(&case_d)),
         surface: Some(parameters::surface(&case_d)),
         design_curve: Some(parameters::design_curve(&case_d)),
-        claims: claims::claims(&case_d, &table2, &structures, &histories, &experiment),
+        claims,
         table2: Some(table2.table),
         gap_histories: histories.iter().map(|h| h.gap.clone()).collect(),
         neighbours: histories.into_iter().map(|h| h.neighbours).collect(),
@@ -89,4 +102,5 @@ pub fn reproduce(args: &Reproduce, stop: &StopFlag) -> Result<(), Failure> {
 }
 
 /// Units of work for the progress bar, about a second each on one core.
-const WORK: f64 = table2::WORK + structures::WORK + histories::WORK + experiment::WORK;
+const WORK: f64 =
+    table2::WORK + structures::WORK + histories::WORK + experiment::WORK + claims::WORK;

@@ -179,8 +179,7 @@ pub fn compute(progress: &Progress) -> Result<Computed, Failure> {
                 .map(|c| find(c, k, None, false))
                 .collect(),
             remark: if k == ODD_ROW {
-                "the paper's value does not follow its neighbours: it repeats that of 5.40 mm"
-                    .to_owned()
+                "repeats the value of 5.40 mm".to_owned()
             } else {
                 String::new()
             },
