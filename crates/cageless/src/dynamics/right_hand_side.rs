@@ -4,12 +4,12 @@
 //! compiled for several instruction sets and picks one at run time. No operation
 //! depends on the width of a vector and none is fused, so all give the same bits.
 
-use super::lanes::{Lanes, sum};
+use super::lanes::{Lane, Lanes, sum};
 use super::model::{Groove, Model};
 use crate::case::{FrictionLaw, Profile};
 use crate::integrator::System;
 use crate::snapshot::{RingSnapshot, Snapshot};
-use crate::state::{BALLS_MAX, State, Work};
+use crate::state::{BALLS_MAX, LANES, State, Work};
 use crate::traction::tanh;
 
 /// Vector instructions that the right-hand side was compiled for.
@@ -351,21 +351,11 @@ fn raceway<const PAPER: bool>(m: &Model, g: &Groove, l: &mut Lanes, n: usize) {
         let cosine = l.ex[j] * g.sin_centre - l.ey[j] * g.cos_centre;
         let s = sine * sine;
         l.u[j] = s * g.scale + g.shift;
-        l.p[j] = 0.0;
-        l.q[j] = 0.0;
         l.sine[j] = if cosine > 0.0 && s < g.end { sine } else { 2.0 };
     }
-    for &c in g.radius.iter().rev() {
-        for j in 0..n {
-            l.p[j] = l.p[j] * l.u[j] + c;
-        }
-    }
+    horner(&g.radius, &l.u, &mut l.p, n);
     if PAPER {
-        for &c in g.direction.iter().rev() {
-            for j in 0..n {
-                l.q[j] = l.q[j] * l.u[j] + c;
-            }
-        }
+        horner(&g.direction, &l.u, &mut l.q, n);
     }
     for j in 0..n {
         let inside = l.sine[j] <= 1.0;
@@ -381,6 +371,23 @@ fn raceway<const PAPER: bool>(m: &Model, g: &Groove, l: &mut Lanes, n: usize) {
             l.dir_y[j] = if inside { dir_y } else { l.dir_y[j] };
             l.inside[j] = if inside { 1.0 } else { l.inside[j] };
         }
+    }
+}
+
+/// Σ c_k u^k for every entry; the sums of one vector of entries stay in registers.
+#[inline(always)]
+fn horner(coefficients: &[f64], u: &Lane, sums: &mut Lane, n: usize) {
+    for (u, sums) in u[..n]
+        .chunks_exact(LANES)
+        .zip(sums[..n].chunks_exact_mut(LANES))
+    {
+        let mut sum = [0.0; LANES];
+        for &c in coefficients.iter().rev() {
+            for (s, u) in sum.iter_mut().zip(u) {
+                *s = *s * u + c;
+            }
+        }
+        sums.copy_from_slice(&sum);
     }
 }
 
@@ -518,12 +525,12 @@ fn pair_deflections(m: &Model, l: &mut Lanes, n: usize) -> bool {
     l.next_y[..last].copy_from_slice(&l.y[1..=last]);
     l.next_x[last] = l.x[0];
     l.next_y[last] = l.y[0];
-    let mut most = [0.0f64; crate::state::LANES];
+    let mut most = [0.0f64; LANES];
     for j in 0..n {
         let (dx, dy) = (l.next_x[j] - l.x[j], l.next_y[j] - l.y[j]);
         l.pair_deflection[j] = (2.0 * m.ball_radius - (dx * dx + dy * dy).sqrt()) * l.active[j];
     }
-    for chunk in l.pair_deflection[..n].chunks_exact(crate::state::LANES) {
+    for chunk in l.pair_deflection[..n].chunks_exact(LANES) {
         for (a, b) in most.iter_mut().zip(chunk) {
             *a = if *b > *a { *b } else { *a };
         }
