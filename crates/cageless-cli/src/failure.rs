@@ -80,6 +80,7 @@ impl From<CriticalGapError> for Failure {
         match error {
             CriticalGapError::Case(error) => error.into(),
             CriticalGapError::Stopped(stop) => Self::stopped(&stop, ""),
+            CriticalGapError::Interrupted => Self::Interrupted("interrupted".to_owned()),
             error => Self::Unphysical(error.to_string()),
         }
     }

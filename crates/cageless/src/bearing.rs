@@ -3,7 +3,8 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::error::{Allowed, InputError, not_negative, positive};
-use crate::hertz::{self, PointContact};
+use crate::hertz::PointContact;
+use crate::state::BALLS_MAX;
 
 /// Dimensions and inertia of the bearing, as a designer states them.
 #[derive(Debug, Clone, PartialEq)]
@@ -56,7 +57,7 @@ impl Bearing {
     /// An [`InputError`] naming the first field that cannot be: a dimension not
     /// above zero, balls larger than the space between the rings, more balls
     /// than fit on the pitch circle, grooves tighter than the ball, a shoulder
-    /// outside (Rm, Ro).
+    /// outside (Ro − Rw, Ro).
     pub fn new(dimensions: BearingDimensions, material: Material) -> Result<Self, InputError> {
         let d = &dimensions;
         positive("ball_radius_m", d.ball_radius_m)?;
@@ -95,8 +96,7 @@ impl Bearing {
                 Allowed::AtLeast(3.0, ""),
             ));
         }
-        let clearance =
-            d.outer_groove_bottom_radius_m - d.inner_groove_bottom_radius_m - 2.0 * d.ball_radius_m;
+        let clearance = play_m(d);
         // Dimensions given in millimetres do not add up to zero exactly.
         if clearance < -ROUNDING_M {
             return Err(InputError::new(
@@ -106,6 +106,13 @@ impl Bearing {
                     (d.outer_groove_bottom_radius_m - d.inner_groove_bottom_radius_m) / 2.0,
                     "half the distance between the groove bottoms: the radial clearance Ro - Ri - 2 Rw must not be negative",
                 ),
+            ));
+        }
+        if d.balls > BALLS_MAX {
+            return Err(InputError::new(
+                "balls",
+                d.balls as f64,
+                Allowed::AtMost(BALLS_MAX as f64, "room in the vectors"),
             ));
         }
         let pitch = (d.outer_groove_bottom_radius_m + d.inner_groove_bottom_radius_m) / 2.0;
@@ -145,16 +152,17 @@ impl Bearing {
                 ));
             }
         }
-        if d.outer_shoulder_radius_m <= pitch
+        let touching = d.outer_groove_bottom_radius_m - d.ball_radius_m;
+        if d.outer_shoulder_radius_m <= touching
             || d.outer_shoulder_radius_m >= d.outer_groove_bottom_radius_m
         {
             return Err(InputError::new(
                 "outer_shoulder_radius_m",
                 d.outer_shoulder_radius_m,
                 Allowed::Between(
-                    pitch,
+                    touching,
                     d.outer_groove_bottom_radius_m,
-                    "pitch circle and groove bottom",
+                    "ball centre at the outer raceway and groove bottom",
                 ),
             ));
         }
@@ -221,9 +229,7 @@ impl Bearing {
     /// Ro − Ri − 2Rw, the radial play of one ball between the rings, 0 or more.
     /// The radial internal clearance of ISO 5753-1 is a diametral play: twice this.
     pub fn radial_clearance_m(&self) -> f64 {
-        let d = &self.dimensions;
-        let play =
-            d.outer_groove_bottom_radius_m - d.inner_groove_bottom_radius_m - 2.0 * d.ball_radius_m;
+        let play = play_m(&self.dimensions);
         if play.abs() < ROUNDING_M { 0.0 } else { play }
     }
 
@@ -262,12 +268,12 @@ impl Bearing {
     pub fn ball_contact(&self) -> &PointContact {
         &self.ball_contact
     }
-
-    /// E* of two bodies of the bearing's material: 1/E* = 2(1 − ν²)/E.
-    pub fn contact_modulus_pa(&self) -> f64 {
-        hertz::contact_modulus_pa(&self.material)
-    }
 }
 
 /// Below this a difference of dimensions is rounding: a thousandth of a nanometre.
 const ROUNDING_M: f64 = 1e-12;
+
+/// Ro − Ri − 2Rw as the dimensions give it.
+fn play_m(d: &BearingDimensions) -> f64 {
+    d.outer_groove_bottom_radius_m - d.inner_groove_bottom_radius_m - 2.0 * d.ball_radius_m
+}

@@ -1,7 +1,7 @@
 //! A case: everything that one computation needs, in SI units.
 
 use crate::bearing::Bearing;
-use crate::error::{InputError, not_negative, positive};
+use crate::error::{Allowed, InputError, not_negative, positive};
 use crate::raceway::Raceway;
 
 /// Which set of equations is integrated.
@@ -21,7 +21,8 @@ pub enum Profile {
 pub enum FrictionLaw {
     /// μ·tanh(ΔV/scale)·N.
     Smooth,
-    /// μ·sign(ΔV)·N while sliding, whatever holds within the cone while rolling.
+    /// μ·sign(ΔV)·N while sliding, whatever holds within the cone while rolling. Holding
+    /// is relaxed over a few steps: results are of order one in `step_s`.
     Coulomb,
 }
 
@@ -180,6 +181,9 @@ pub struct Case {
 /// Longest run that is accepted, in steps.
 pub const STEPS_MAX: f64 = 1e12;
 
+/// Most output times of a run.
+pub const ROWS_MAX: f64 = 1e8;
+
 impl Case {
     /// Checks everything that [`Bearing::new`] and [`Raceway::new`] have not.
     ///
@@ -233,6 +237,14 @@ impl Case {
             ));
         }
         positive("interval_s", self.output.interval_s)?;
+        let least = self.solver.duration_s / ROWS_MAX;
+        if self.output.interval_s < least {
+            return Err(InputError::new(
+                "interval_s",
+                self.output.interval_s,
+                Allowed::AtLeast(least, "a hundred million output times"),
+            ));
+        }
         if let Some(h) = &self.housing {
             positive("mass_kg", h.mass_kg)?;
             positive("stiffness_n_m", h.stiffness_n_m)?;
@@ -294,6 +306,20 @@ impl Case {
             }
         }
         Ok(())
+    }
+
+    /// K at the inner raceway, at the outer raceway and between balls, N·m^(−3/2): as
+    /// given, else from Hertz.
+    pub fn stiffness_n_m1_5(&self) -> [f64; 3] {
+        let (c, b) = (&self.contact, &self.bearing);
+        [
+            c.inner_stiffness_n_m1_5
+                .unwrap_or(b.inner_contact().stiffness_n_m1_5),
+            c.outer_stiffness_n_m1_5
+                .unwrap_or(b.outer_contact().stiffness_n_m1_5),
+            c.ball_stiffness_n_m1_5
+                .unwrap_or(b.ball_contact().stiffness_n_m1_5),
+        ]
     }
 
     /// The same case with other raceways.

@@ -27,7 +27,8 @@ pub struct Collision {
     pub impulse_n_s: f64,
 }
 
-/// Finds every contact between neighbours and passes it on when it ends.
+/// Finds the contacts between neighbours that last for a step or longer and passes each
+/// on when it ends.
 ///
 /// Times of touch and parting are roots of the interpolated distance; impulses are
 /// sums by the trapezoidal rule over the steps. A contact that is still closed at the
@@ -66,8 +67,9 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> CollisionDetector<F> {
         Ok(())
     }
 
-    /// When the surfaces of ball `k` and the ball ahead touch or part within the step.
-    fn crossing_s(&self, view: &View<'_, '_>, k: usize) -> f64 {
+    /// When the surfaces of ball `k` and the ball ahead touch or part within the step;
+    /// `otherwise` if rounding hides it at an end.
+    fn crossing_s(&self, view: &View<'_, '_>, k: usize, otherwise: f64) -> f64 {
         let layout = view.layout();
         let next = (k + 1) % layout.balls;
         let deflection = |time_s: f64| {
@@ -78,14 +80,13 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> CollisionDetector<F> {
             self.ball_diameter - offset(0).hypot(offset(1))
         };
         let (from, to) = (view.step.from_s, view.step.to_s);
-        // Within rounding of an end the interpolant may miss the change of sign.
-        root::brent(deflection, from, to, 1e-6 * (to - from)).unwrap_or(from)
+        root::brent(deflection, from, to, 1e-6 * (to - from)).unwrap_or(otherwise)
     }
 
     fn touch(&self, view: &View<'_, '_>, k: usize) -> Collision {
         let layout = view.layout();
         let next = (k + 1) % layout.balls;
-        let start_s = self.crossing_s(view, k);
+        let start_s = self.crossing_s(view, k, view.step.from_s);
         let state = view.state(start_s);
         let (x, y, vx, vy) = (state.x_m(), state.y_m(), state.vx_m_s(), state.vy_m_s());
         let (dx, dy) = (x[next] - x[k], y[next] - y[k]);
@@ -154,7 +155,7 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDet
             let until = if after > 0.0 {
                 to
             } else {
-                self.crossing_s(view, k)
+                self.crossing_s(view, k, to)
             };
             if let Some(mut collision) = self.open[k] {
                 collision.impulse_n_s += 0.5 * (until - since) * (self.forces[k] + forces[k]);

@@ -136,8 +136,8 @@ impl Problem<'_> {
             let net = inner * cosine + ball.steady + ball.turning / distance - outer;
             (net, inner, outer, ei, reach - length)
         };
-        // Outward push falls with the distance; a ball's radius either way brackets it.
-        let width = self.bearing.ball_radius_m();
+        // Outward push falls with the distance; all the room there is brackets it.
+        let width = self.bearing.ball_radius_m() + self.bearing.radial_clearance_m();
         let distance = root::brent(|d| forces(d).0, touching - width, touching + width, 0.0)
             .unwrap_or(touching);
         let (_, inner, outer, ei, approach) = forces(distance);
@@ -181,7 +181,7 @@ pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
     case.check()?;
     let bearing = &case.bearing;
     let angles = start_angles_rad(case);
-    let c = &case.contact;
+    let [inner_stiffness, outer_stiffness, _] = case.stiffness_n_m1_5();
     let mass = bearing.ball_mass_kg();
     let d = bearing.dimensions();
     let radii: Vec<f64> = angles
@@ -208,12 +208,8 @@ pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
         .collect();
     let problem = Problem {
         bearing,
-        inner_stiffness: c
-            .inner_stiffness_n_m1_5
-            .unwrap_or(bearing.inner_contact().stiffness_n_m1_5),
-        outer_stiffness: c
-            .outer_stiffness_n_m1_5
-            .unwrap_or(bearing.outer_contact().stiffness_n_m1_5),
+        inner_stiffness,
+        outer_stiffness,
         balls,
         down: case.operation.radial_load_n + d.inner_ring_mass_kg * case.operation.gravity_m_s2,
     };

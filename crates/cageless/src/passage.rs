@@ -2,6 +2,7 @@
 
 use crate::raceway::Raceway;
 use crate::simulation::{Control, Observer, ObserverError, Scene, View};
+use crate::spacing::gap_rad;
 
 /// One ball through one raceway.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -20,8 +21,10 @@ pub struct Passage {
     pub gap_min_rad: f64,
     /// Gap to the ball ahead on going out.
     pub gap_leave_rad: f64,
-    /// Contacts with either neighbour that began while inside.
-    pub collisions: u32,
+    /// Contacts with the ball ahead that began while inside.
+    pub collisions_ahead: u32,
+    /// Contacts with the ball behind that began while inside.
+    pub collisions_behind: u32,
     /// Largest |ΔVi| or |ΔVo| while inside.
     pub slip_max_m_s: f64,
     /// Largest and smallest orbital speed while inside.
@@ -33,7 +36,7 @@ pub struct Passage {
 pub struct PassageRecorder {
     raceways: Vec<Raceway>,
     ball_angle: f64,
-    /// Local ψ of each ball at the end of the last step, per raceway.
+    /// The passage under way of each ball through each raceway.
     inside: Vec<Option<Passage>>,
     /// Balls that start inside a raceway are let out first.
     seen_outside: Vec<bool>,
@@ -90,8 +93,8 @@ impl Observer for PassageRecorder {
         let (_, deflections, _) = view.rhs.pairs();
         for k in 0..n {
             let previous = (k + n - 1) % n;
-            let touched = (deflections[k] > 0.0 && !self.touching[k]) as u32
-                + (deflections[previous] > 0.0 && !self.touching[previous]) as u32;
+            let begun = |pair: usize| u32::from(deflections[pair] > 0.0 && !self.touching[pair]);
+            let (ahead, behind) = (begun(k), begun(previous));
             let angle = x[k].atan2(-y[k]);
             for (r, raceway) in self.raceways.iter().enumerate() {
                 let slot = k * self.raceways.len() + r;
@@ -106,9 +109,7 @@ impl Observer for PassageRecorder {
                 if !self.seen_outside[slot] {
                     continue;
                 }
-                let next = (k + 1) % n;
-                let cross = x[k] * y[next] - y[k] * x[next];
-                let gap = cross.atan2(x[k] * x[next] + y[k] * y[next]) - self.ball_angle;
+                let gap = gap_rad(x, y, k, self.ball_angle);
                 let orbit = (x[k] * vy[k] - y[k] * vx[k]) / (x[k] * x[k] + y[k] * y[k]);
                 // A contact without load may slide as it likes.
                 let slip = if inner_force[k] > 0.0 {
@@ -129,13 +130,15 @@ impl Observer for PassageRecorder {
                     gap_enter_rad: gap,
                     gap_min_rad: gap,
                     gap_leave_rad: gap,
-                    collisions: 0,
+                    collisions_ahead: 0,
+                    collisions_behind: 0,
                     slip_max_m_s: 0.0,
                     orbit_speed_range_rad_s: [orbit, orbit],
                 });
                 passage.gap_min_rad = passage.gap_min_rad.min(gap);
                 passage.gap_leave_rad = gap;
-                passage.collisions += touched;
+                passage.collisions_ahead += ahead;
+                passage.collisions_behind += behind;
                 passage.slip_max_m_s = passage.slip_max_m_s.max(slip);
                 let [low, high] = passage.orbit_speed_range_rad_s;
                 passage.orbit_speed_range_rad_s = [low.min(orbit), high.max(orbit)];

@@ -50,8 +50,8 @@ pub struct SurfacePoint {
     pub normal: [f64; 3],
 }
 
-/// Error of r(sin²ψ), m: below the rounding of Ro.
-const RADIUS_TOLERANCE_M: f64 = 1e-18;
+/// Error of r(sin²ψ), m: a few roundings of Ro.
+const RADIUS_TOLERANCE_M: f64 = 1e-17;
 /// Error of the direction factor.
 const DIRECTION_TOLERANCE: f64 = 1e-13;
 
@@ -217,7 +217,7 @@ impl Raceway {
         self.groove_bottom_radius_m - self.ball_radius_m
     }
 
-    /// ψ from the middle of the raceway, wrapped to (−π, π].
+    /// ψ from the middle of the raceway, wrapped to [−π, π].
     pub fn local_angle_rad(&self, angle_rad: f64) -> f64 {
         let turn = (angle_rad - self.dimensions.centre_angle_rad) / TAU;
         (turn - turn.round()) * TAU
@@ -299,7 +299,9 @@ impl Raceway {
 
     /// Point of the raceway surface at ψ and meridian angle η, the angle at Oe between
     /// the outward radius and the point. η ≥ 0 lies on the side z ≥ 0, η < 0 on its
-    /// mirror image; η = 0 belongs to the side z > 0.
+    /// mirror image. From the range of
+    /// [`Self::meridian_range_rad`] upwards the surface is that of the groove; nearer to
+    /// η = 0 the circle goes on beyond the plane z = 0.
     pub fn surface(&self, angle_rad: f64, meridian_rad: f64) -> SurfacePoint {
         let local = self.local_angle_rad(angle_rad);
         surface_point(
@@ -336,7 +338,18 @@ impl Raceway {
 
     /// Checks that the raceway was laid out for this bearing.
     pub(crate) fn fits(&self, bearing: &Bearing) -> Result<(), InputError> {
-        Self::new(self.dimensions, bearing).map(|_| ())
+        let d = bearing.dimensions();
+        let same = self.ball_radius_m == d.ball_radius_m
+            && self.groove_bottom_radius_m == d.outer_groove_bottom_radius_m
+            && self.groove_curvature_radius_m == d.outer_groove_curvature_radius_m;
+        if same && self.dimensions.axial_span_m < axial_span_limit_m(bearing) {
+            return Ok(());
+        }
+        Err(InputError::rule(
+            "axial_span_m",
+            self.dimensions.axial_span_m,
+            "the span of a raceway laid out for this very bearing (Raceway::new)",
+        ))
     }
 }
 

@@ -12,6 +12,15 @@ use crate::equilibrium::{self, EquilibriumError};
 use crate::numerics::root;
 use crate::simulation::{Control, Ending, Observer, ObserverError, Scene, Stop, View, run};
 
+/// Gap between ball `k` and the ball ahead, from their places: the angle from one to the
+/// other, forwards, less ε; −ε to 2π − ε.
+pub fn gap_rad(x_m: &[f64], y_m: &[f64], k: usize, ball_angle_rad: f64) -> f64 {
+    let next = (k + 1) % x_m.len();
+    let sine = x_m[k] * y_m[next] - y_m[k] * x_m[next];
+    let cosine = x_m[k] * x_m[next] + y_m[k] * y_m[next];
+    sine.atan2(cosine).rem_euclid(TAU) - ball_angle_rad
+}
+
 /// What counts as the pair touching.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Touch {
@@ -25,12 +34,14 @@ pub enum Touch {
 /// How the critical gap is measured.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PairTest {
-    /// ψ of the trailing ball at the start, from the middle of the raceway (negative).
+    /// ψ of the trailing ball at the start, from the middle of the raceway (negative). A
+    /// pair that would start inside a wide raceway starts 5° before it.
     pub trailing_start_rad: f64,
     /// What counts as touching.
     pub touch: Touch,
     /// Gap to the neighbours of the pair over the gap that the other N − 1 spacings
-    /// would have if all were equal; 1 keeps them equal.
+    /// would have if all were equal; 1 keeps them equal (as do three balls, which have no
+    /// others).
     pub neighbours_wider: f64,
     /// Where the ring starts; at its static equilibrium if `None`.
     pub ring_y_m: Option<f64>,
@@ -57,6 +68,9 @@ pub enum CriticalGapError {
     /// The run left the physical range.
     #[error("at t = {} s {}: {}", .0.time_s, .0.cause, .0.cause.advice())]
     Stopped(Stop),
+    /// Ended by the caller.
+    #[error("interrupted")]
+    Interrupted,
     /// The pair did not reach the raceway.
     #[error("the pair did not pass the raceway within {0} s: the balls do not roll")]
     NotPassed(f64),
@@ -166,7 +180,7 @@ fn pass(
         },
         ..case.clone()
     };
-    // A slow ball may need twice the time of pure rolling.
+    // A sliding ball may need more than the time of pure rolling; thrice is enough.
     let orbit = crate::kinematics::rolling_orbit_speed_rad_s(
         bearing,
         case.operation.inner_speed_rad_s,

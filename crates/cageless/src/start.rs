@@ -10,8 +10,9 @@ use crate::state::State;
 /// State at t = 0 and ψ of every ball.
 ///
 /// `Rolling`: balls on Rm with Ω(r) and the spin of Zhao 2022, Eq. (1) to (3), each with
-/// its own r. `Settled`: the same speeds at the distances of the static equilibrium, so
-/// that no contact slides in the equations of the case's profile.
+/// its own r. `Settled`: the same speeds at the distances of the static equilibrium. In the
+/// `physical` profile no contact slides then; in `paper` the inner one by some mm/s, as
+/// its Eq. (2) and (3) agree only on Rm.
 ///
 /// # Errors
 /// The case is impossible or has no equilibrium.

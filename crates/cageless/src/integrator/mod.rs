@@ -17,8 +17,8 @@ pub trait System {
     fn derivative(&mut self, time_s: f64, y: &[f64], dydt: &mut [f64]);
 
     /// Fingerprint of the smooth piece of f that the last evaluation lay in. Where it
-    /// changes between two steps, f or its slope has jumped and the history of a
-    /// multistep method must not reach across.
+    /// changes between two steps, f has jumped, or changed so abruptly that the history of
+    /// a multistep method must not reach across. The system decides what counts.
     fn regime(&self) -> u64 {
         0
     }

@@ -50,6 +50,9 @@ const ERROR: [f64; 7] = [
 /// Error per sub-step, in the scales of the system, when crossing an interval.
 const TOLERANCE: f64 = 1e-11;
 
+/// A jump takes some tens of sub-steps to cross.
+const ATTEMPTS_MAX: u32 = 10_000;
+
 /// The state became so rough or so large that no step resolves it.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("the equations cannot be resolved at t = {time_s} s")]
@@ -81,7 +84,7 @@ impl RungeKutta {
     /// and after; the system's last evaluation is at the end.
     ///
     /// # Errors
-    /// [`CrossingError`] when the state is no longer finite.
+    /// [`CrossingError`] when the state is no longer finite or takes too many sub-steps.
     pub fn cross<S: System>(
         &mut self,
         system: &mut S,
@@ -92,7 +95,14 @@ impl RungeKutta {
     ) -> Result<(), CrossingError> {
         let mut done = 0.0;
         let mut size = h;
+        let mut attempts = 0;
         while done < h {
+            attempts += 1;
+            if attempts > ATTEMPTS_MAX {
+                return Err(CrossingError {
+                    time_s: from_s + done,
+                });
+            }
             let last = done + size >= h * (1.0 - 1e-12);
             let trial = if last { h - done } else { size };
             let error = self.attempt(system, from_s + done, trial, y, rate) / TOLERANCE;

@@ -16,7 +16,8 @@ pub struct Polynomial {
 
 impl Polynomial {
     /// Interpolates `f` on [lo, hi] with the lowest of a few degrees whose last Chebyshev
-    /// coefficients are below `tolerance`, or the highest. The ends themselves are not
+    /// coefficients are below `tolerance`, or the highest. A tolerance below the rounding
+    /// of `f` only costs: high degrees amplify it. The ends themselves are not
     /// evaluated.
     pub fn fit(f: impl Fn(f64) -> f64, lo: f64, hi: f64, tolerance: f64) -> Self {
         let mut chebyshev = vec![];
@@ -93,10 +94,10 @@ mod tests {
 
     #[test]
     fn follows_an_analytic_function() {
-        let p = Polynomial::fit(f64::exp, -0.5, 0.25, 1e-16);
+        let p = Polynomial::fit(f64::exp, -0.5, 0.25, 1e-15);
         for k in 0..=100 {
             let x = -0.5 + 0.0075 * f64::from(k);
-            assert!((p.value(x) - x.exp()).abs() < 3e-16 * 4.0, "{x}");
+            assert!((p.value(x) - x.exp()).abs() < 3e-15, "{x}");
         }
     }
 }

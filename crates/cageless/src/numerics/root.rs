@@ -20,8 +20,8 @@ pub fn try_brent<E>(
 ) -> Result<Option<f64>, E> {
     let (mut a, mut b) = (a, b);
     let (mut fa, mut fb) = (f(a)?, f(b)?);
-    // NaN fails both comparisons.
-    if !(fa * fb <= 0.0) {
+    // NaN fails all comparisons.
+    if !((fa <= 0.0 && fb >= 0.0) || (fa >= 0.0 && fb <= 0.0)) {
         return Ok(None);
     }
     let (mut c, mut fc) = (a, fa);

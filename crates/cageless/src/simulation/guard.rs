@@ -104,9 +104,18 @@ impl Guard {
 
     /// Looks at the state after `steps` steps; `rhs` was last evaluated there.
     pub fn check(&self, steps: u64, rhs: &RightHandSide<'_>, values: &[f64]) -> Result<(), Cause> {
-        if !steps.is_multiple_of(LOOK_EVERY) {
-            return Ok(());
+        if steps.is_multiple_of(BALANCE_EVERY) {
+            self.look(rhs, values)?;
+            self.balance(rhs, values)
+        } else if steps.is_multiple_of(LOOK_EVERY) {
+            self.look(rhs, values)
+        } else {
+            Ok(())
         }
+    }
+
+    /// Looks at a state where `rhs` was last evaluated.
+    pub fn look(&self, rhs: &RightHandSide<'_>, values: &[f64]) -> Result<(), Cause> {
         if !values.iter().sum::<f64>().is_finite() {
             return Err(Cause::NotFinite);
         }
@@ -123,15 +132,17 @@ impl Guard {
                 return Err(Cause::ThroughBall(k));
             }
         }
-        if steps.is_multiple_of(BALANCE_EVERY) {
-            let state = State::from_values(rhs.model().layout(), values.to_vec());
-            let (residual_j, flows_j) = rhs.model().energy_residual_j(self.start_energy, &state);
-            if residual_j > RESIDUAL_MAX * flows_j.max(self.start_energy) {
-                return Err(Cause::EnergyFromNowhere {
-                    residual_j,
-                    flows_j,
-                });
-            }
+        Ok(())
+    }
+
+    fn balance(&self, rhs: &RightHandSide<'_>, values: &[f64]) -> Result<(), Cause> {
+        let state = State::from_values(rhs.model().layout(), values.to_vec());
+        let (residual_j, flows_j) = rhs.model().energy_residual_j(self.start_energy, &state);
+        if residual_j > RESIDUAL_MAX * flows_j.max(self.start_energy) {
+            return Err(Cause::EnergyFromNowhere {
+                residual_j,
+                flows_j,
+            });
         }
         Ok(())
     }

@@ -141,7 +141,10 @@ pub fn run_from(
             break;
         }
         ending = show(&step, &rhs, &probe, &mut turns, observers);
-        if steps.is_multiple_of(ASK_EVERY) && control(step.to_s) == Control::Interrupt {
+        if matches!(ending, Ending::Complete)
+            && steps.is_multiple_of(ASK_EVERY)
+            && control(step.to_s) == Control::Interrupt
+        {
             ending = Ending::Interrupted;
         }
     }
@@ -161,6 +164,14 @@ pub fn run_from(
     if matches!(ending, Ending::Complete) && rest > 1e-6 * h {
         ending = finish(rest, &mut last, &mut rhs, &probe, &mut turns, observers);
         steps += 1;
+    }
+    if matches!(ending, Ending::Complete)
+        && let Err(cause) = guard.look(&rhs, &last.values)
+    {
+        ending = Ending::Stopped(Stop {
+            time_s: last.time_s,
+            cause,
+        });
     }
     let state = State::from_values(model.layout(), last.values);
     let (residual, flows) = model.energy_residual_j(guard.start_energy_j(), &state);
