@@ -212,7 +212,7 @@ fn coulomb_friction_sticks() {
         let end = complete(&case).state;
         let model = Model::new(&case).unwrap();
         let mut rhs = RightHandSide::new(&model);
-        let snapshot = rhs.snapshot(0.0, &end, &vec![0.0; 14]);
+        let snapshot = rhs.snapshot(0.0, &end, &[0.0; 14]);
         // The most loaded ball rolls.
         let k = (0..14)
             .max_by(|a, b| snapshot.inner_force_n[*a].total_cmp(&snapshot.inner_force_n[*b]))

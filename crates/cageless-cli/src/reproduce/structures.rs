@@ -69,18 +69,19 @@ fn one(
     let orbit_s = end_s / 32.0;
     let from_s = (end_s - PORTRAIT_ORBITS * orbit_s).max(steady_after_s(&case));
     let mut snapshots: Vec<Snapshot> = vec![];
-    let mut recorder = Recorder::new(INTERVAL_S, |snapshot| {
-        if snapshot.time_s >= from_s {
-            snapshots.push(snapshot);
-        }
-        Ok(())
-    });
-    let judgement = judge_watched(
-        &case,
-        &mut [&mut recorder],
-        &mut progress.run_control(end_s, share),
-    )?;
-    drop(recorder);
+    let judgement = {
+        let mut recorder = Recorder::new(INTERVAL_S, |snapshot| {
+            if snapshot.time_s >= from_s {
+                snapshots.push(snapshot);
+            }
+            Ok(())
+        });
+        judge_watched(
+            &case,
+            &mut [&mut recorder],
+            &mut progress.run_control(end_s, share),
+        )?
+    };
     let structure = label(k, &case);
     let verdict = judgement.verdict.name().to_owned();
     let portrait = PhasePortrait {
