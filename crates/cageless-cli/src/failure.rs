@@ -88,7 +88,25 @@ impl From<CriticalGapError> for Failure {
 
 impl From<ResultError> for Failure {
     fn from(error: ResultError) -> Self {
-        Self::Other(error.into())
+        use std::io::ErrorKind::{
+            IsADirectory, NotADirectory, NotFound, PermissionDenied, ReadOnlyFilesystem,
+        };
+        // A place that cannot be written to is bad input; a disk that is full is not.
+        let unusable = [
+            IsADirectory,
+            NotADirectory,
+            NotFound,
+            PermissionDenied,
+            ReadOnlyFilesystem,
+        ];
+        match &error {
+            ResultError::Busy { .. } => Self::Input(error.to_string()),
+            ResultError::Out { source, .. } if unusable.contains(&source.kind()) => {
+                Self::Input(error.to_string())
+            }
+            // The message has its cause in it.
+            _ => Self::Other(anyhow::Error::msg(error.to_string())),
+        }
     }
 }
 

@@ -62,6 +62,17 @@ pub fn make_folder(dir: &Path) -> Result<(), Failure> {
         .map_err(|error| Failure::Input(format!("--out {}: {error}", dir.display())))
 }
 
+/// Refuses a folder where a file is to be.
+pub fn writable(path: &Path) -> Result<(), Failure> {
+    if path.is_dir() {
+        return Err(Failure::Input(format!(
+            "--out {}: is a directory where a file is to be",
+            path.display()
+        )));
+    }
+    Ok(())
+}
+
 fn check(args: &CaseArgs) -> Result<(), Failure> {
     let file = read_case(args)?;
     let bearing = &file.case().bearing;

@@ -19,12 +19,17 @@ use cageless_io::results::{
 };
 use cageless_report::{run_page, to_json};
 
-use super::{make_folder, print, read_case};
+use super::{make_folder, print, read_case, writable};
 use crate::args::CaseArgs;
 use crate::failure::Failure;
 use crate::format::pairs;
 use crate::progress::{Progress, StopFlag};
 use crate::run_report::{Histories, run_data};
+
+/// Files beside the tables.
+const SUMMARY: &str = "summary.json";
+const PAGE: &str = "report.html";
+const PAGE_DATA: &str = "report.json";
 
 /// Simulates a case.
 pub fn run(args: &CaseArgs, stop: &StopFlag) -> Result<(), Failure> {
@@ -37,13 +42,15 @@ pub fn run(args: &CaseArgs, stop: &StopFlag) -> Result<(), Failure> {
     let writer = match &args.out {
         Some(dir) => {
             make_folder(dir)?;
+            // Better found out now than when the run is over.
+            for name in [SUMMARY, PAGE, PAGE_DATA] {
+                writable(&dir.join(name))?;
+            }
             let metadata = Metadata {
                 isa,
                 case: &document,
             };
-            let writer = RunWriter::create(dir, &metadata)
-                .map_err(|error| Failure::Input(error.to_string()))?;
-            Some(RefCell::new(writer))
+            Some(RefCell::new(RunWriter::create(dir, &metadata)?))
         }
         None => None,
     };
@@ -100,8 +107,8 @@ pub fn run(args: &CaseArgs, stop: &StopFlag) -> Result<(), Failure> {
             histories.get_mut(),
             vibration.as_ref(),
         );
-        write_atomically(&dir.join("report.html"), run_page(&data).as_bytes())?;
-        write_atomically(&dir.join("report.json"), to_json(&data)?.as_bytes())?;
+        write_atomically(&dir.join(PAGE), run_page(&data).as_bytes())?;
+        write_atomically(&dir.join(PAGE_DATA), to_json(&data)?.as_bytes())?;
     }
     print(&if args.json {
         summary_file.to_json()?

@@ -28,6 +28,10 @@ impl PartialFile {
                 "not a file name",
             ))
         })?;
+        // The rename at the end would find out, when all the work is done.
+        if path.is_dir() {
+            return Err(fail(io::ErrorKind::IsADirectory.into()));
+        }
         let partial = path.with_file_name(format!(".{}.partial", name.to_string_lossy()));
         let file = loop {
             // Not truncated: it may belong to another run until the lock is had.
