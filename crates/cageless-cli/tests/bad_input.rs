@@ -1,0 +1,364 @@
+//! Bad input ends in exit code 2 and one line that names file, line and key.
+
+mod common;
+
+use std::path::Path;
+
+use common::*;
+
+/// What replaces what in the case file of `cageless new`, and the key that the message
+/// must name. The line is that of the replacement, or of the section if a key is missing.
+const FILES: &[(&str, &str, &str)] = &[
+    ("balls = 14 ", "balls = 2 ", "bearing.balls"),
+    ("balls = 14 ", "balls = 13.5 ", "bearing.balls"),
+    ("balls = 14 ", "balls = -14 ", "bearing.balls"),
+    ("balls = 14 ", "balls = 300 ", "bearing.balls"),
+    ("balls = 14 ", "balls = \"14\" ", "bearing.balls"),
+    ("balls = 14 ", "# none ", "bearing.balls"),
+    (
+        "ball_radius_mm = 4.7625 ",
+        "ball_radius_mm = 0 ",
+        "bearing.ball_radius_mm",
+    ),
+    (
+        "ball_radius_mm = 4.7625 ",
+        "ball_radius_mm = nan ",
+        "bearing.ball_radius_mm",
+    ),
+    (
+        "ball_radius_mm = 4.7625 ",
+        "ball_radius_mm = 1e308 ",
+        "bearing.ball_radius_mm",
+    ),
+    (
+        "ball_radius_mm = 4.7625 ",
+        "ball_radius_m = 4.7625e-3 ",
+        "bearing.ball_radius_m",
+    ),
+    (
+        "inner_groove_curvature_radius_mm = 4.953 ",
+        "inner_groove_curvature_radius_mm = 4.7 ",
+        "bearing.inner_groove_curvature_radius_mm",
+    ),
+    (
+        "inner_ring_mass_kg = 0.2 ",
+        "inner_ring_mass_kg = 0 ",
+        "bearing.inner_ring_mass_kg",
+    ),
+    (
+        "density_kg_m3 = 7850.0",
+        "density_kg_m3 = -7850.0",
+        "material.density_kg_m3",
+    ),
+    (
+        "poisson_ratio = 0.3 ",
+        "poisson_ratio = 0.5 ",
+        "material.poisson_ratio",
+    ),
+    (
+        "axial_span_mm = 5.1 ",
+        "axial_span_mm = 7.5 ",
+        "raceway.axial_span_mm",
+    ),
+    (
+        "axial_span_mm = 5.1 ",
+        "axial_span_mm = inf ",
+        "raceway.axial_span_mm",
+    ),
+    (
+        "axial_span_mm = 5.1 ",
+        "axial_spam_mm = 5.1 ",
+        "raceway.axial_spam_mm",
+    ),
+    (
+        "half_angle_deg = 25.2 ",
+        "half_angle_deg = 90 ",
+        "raceway.half_angle_deg",
+    ),
+    (
+        "inner_speed_rpm = 12000.0 ",
+        "inner_speed_rpm = 0 ",
+        "operation.inner_speed_rpm",
+    ),
+    (
+        "radial_load_n = 1500.0 ",
+        "radial_load_n = \"1500 N\" ",
+        "operation.radial_load_n",
+    ),
+    (
+        "radial_load_n = 1500.0 ",
+        "radial_load_n = true ",
+        "operation.radial_load_n",
+    ),
+    (
+        "friction_coefficient = 0.007 ",
+        "friction_coefficient = -0.007 ",
+        "contact.friction_coefficient",
+    ),
+    (
+        "\"smooth\"      ",
+        "\"sticky\"      ",
+        "contact.friction_law",
+    ),
+    (
+        "slip_scale_m_s = 0.02 ",
+        "slip_scale_m_s = 0 ",
+        "contact.slip_scale_m_s",
+    ),
+    ("damping = 2.0e5 ", "damping = -1 ", "contact.damping"),
+    (
+        "# ball_restitution = 0.95 ",
+        "ball_restitution = 0 ",
+        "contact.ball_restitution",
+    ),
+    (
+        "# inner_stiffness = 2.8e10 ",
+        "inner_stiffness = 0 ",
+        "contact.inner_stiffness",
+    ),
+    (
+        "profile = \"physical\" ",
+        "profile = \"Physical!\" ",
+        "model.profile",
+    ),
+    ("profile = \"physical\" ", "# none ", "model.profile"),
+    ("# [start] ", "[start]\nring_y_um = 3 ", "start.ring_y_um"),
+    ("# [start] ", "[start]\ngaps = [1.8, 1.8] ", "start.gaps"),
+    ("# [start] ", "[start]\ngaps = \"even\" ", "start.gaps"),
+    (
+        "# [start] ",
+        "[start]\nlead_ball_angle_deg = nan ",
+        "start.lead_ball_angle_deg",
+    ),
+    ("method = \"abm4\" ", "method = \"euler\" ", "solver.method"),
+    ("step_us = 1.0 ", "step_us = 0 ", "solver.step_us"),
+    ("step_us = 1.0 ", "step_us = 1e-9 ", "solver.duration_s"),
+    (
+        "duration_s = 0.5 ",
+        "duration_s = -0.5 ",
+        "solver.duration_s",
+    ),
+    ("# seed = 0 ", "seed = -1 ", "solver.seed"),
+    ("schema = 1 ", "schema = 2 ", "schema"),
+    ("schema = 1 ", "colour = 1 ", "colour"),
+    (
+        "title = \"Zhao 2022, structure (d)\" ",
+        "title = 5 ",
+        "title",
+    ),
+    ("[material] ", "[materials] ", "materials"),
+    ("[solver]", "[solver]\nstep_us = 2.0", "step_us"),
+    (
+        "interval_us = 100.0 ",
+        "interval_us = 0 ",
+        "output.interval_us",
+    ),
+    (
+        "interval_us = 100.0 ",
+        "interval_us = 100,0 ",
+        "interval_us",
+    ),
+];
+
+fn edited(from: &str, to: &str) -> String {
+    let new = call(&["new"]).stdout;
+    assert_eq!(
+        new.matches(from).count(),
+        1,
+        "`{from}` stands once in the file"
+    );
+    new.replace(from, to)
+}
+
+/// Exit code 2, nothing on stdout, one line on stderr.
+fn assert_refused(answer: &Answer, what: &str) {
+    assert_eq!(answer.code, Some(2), "{what}: {answer:?}");
+    assert_eq!(answer.stdout, "", "{what}");
+    assert!(
+        answer.stderr.starts_with("error: "),
+        "{what}: {}",
+        answer.stderr
+    );
+    assert_eq!(
+        answer.stderr.lines().count(),
+        1,
+        "{what}: {}",
+        answer.stderr
+    );
+}
+
+#[test]
+fn bad_case_files() {
+    assert!(FILES.len() > 25);
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("case.toml");
+    for &(from, to, key) in FILES {
+        let text = edited(from, to);
+        std::fs::write(&path, &text).unwrap();
+        let answer = call_on("check", &path, &[], &[]);
+        assert_refused(&answer, to);
+        assert!(answer.stderr.contains(key), "{to}: {}", answer.stderr);
+
+        let place = format!("error: {}:", path.display());
+        let line: Option<usize> = answer
+            .stderr
+            .strip_prefix(&place)
+            .and_then(|rest| rest.split(':').next()?.parse().ok());
+        let line = line.unwrap_or_else(|| panic!("{to}: no line: {}", answer.stderr));
+        let last = key.rsplit('.').next().unwrap();
+        let shown = text.lines().nth(line - 1).unwrap();
+        let section = key.split('.').next().unwrap();
+        assert!(
+            shown.contains(last) || shown.starts_with(&format!("[{section}]")),
+            "{to}: line {line} is `{shown}`: {}",
+            answer.stderr
+        );
+    }
+}
+
+/// Every command refuses it alike, and before it makes the folder of `--out`.
+#[test]
+fn all_commands_check_first() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("case.toml");
+    std::fs::write(
+        &path,
+        edited("axial_span_mm = 5.1 ", "axial_span_mm = 7.5 "),
+    )
+    .unwrap();
+    let out = dir.path().join("out");
+    for command in ["check", "static", "design", "run"] {
+        for more in [&["--json", "--out", out.to_str().unwrap()][..], &[]] {
+            let answer = call_on(command, &path, &[], more);
+            assert_refused(&answer, command);
+            let message = "raceway.axial_span_mm = 7.5 ";
+            assert!(answer.stderr.contains(message), "{}", answer.stderr);
+            assert!(answer.stderr.contains("7.4017"), "{}", answer.stderr);
+        }
+    }
+    assert!(!out.exists());
+}
+
+#[test]
+fn bad_overrides() {
+    let case = repository_case("zhao-d.toml");
+    for (set, named) in [
+        ("solver.step_us", "section.key=value"),
+        ("=1", "section.key=value"),
+        ("solver.step_us=", "section.key=value"),
+        ("solver.step_us=fast", "solver.step_us"),
+        ("solver.step_us=-1", "solver.step_us"),
+        ("solver.stepp_us=1", "solver.stepp_us"),
+        ("raceway.half_angle_deg=120", "raceway.half_angle_deg"),
+        ("raceway.2.half_angle_deg=20", "raceway"),
+        ("model.profile=Paper", "model.profile"),
+        ("bearing.balls=1e30", "bearing.balls"),
+        ("bearing.balls=16", "bearing.balls"),
+        ("größe.ß=1", "größe"),
+        ("start.gaps=[1,2", "start.gaps"),
+        ("a.b.c.d=1", "a.b.c.d"),
+    ] {
+        let answer = call_on("run", &case, &[set], &[]);
+        assert_refused(&answer, set);
+        assert!(answer.stderr.contains(named), "{set}: {}", answer.stderr);
+        let place = format!("error: --set {set}: ");
+        assert!(answer.stderr.starts_with(&place), "{}", answer.stderr);
+    }
+}
+
+#[test]
+fn files_that_are_no_case() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = |name: &str, bytes: &[u8]| {
+        let path = dir.path().join(name);
+        std::fs::write(&path, bytes).unwrap();
+        path
+    };
+    for (path, named) in [
+        (
+            dir.path().join("missing.toml"),
+            "missing.toml: cannot be opened",
+        ),
+        (dir.path().to_owned(), "is a directory"),
+        (file("empty.toml", b""), "bearing.balls is missing"),
+        (
+            file("bom.toml", b"\xef\xbb\xbf"),
+            "bearing.balls is missing",
+        ),
+        (file("latin.toml", b"title = \"\xe4\""), "not UTF-8"),
+        (file("nul.toml", b"\0\0\0\0"), "nul.toml:1"),
+        (file("words.toml", b"a bearing, please\n"), "words.toml:1"),
+        (file("json.toml", b"{\"balls\": 14}\n"), "json.toml:1"),
+    ] {
+        for command in ["check", "run"] {
+            let answer = call_on(command, &path, &[], &[]);
+            assert_refused(&answer, named);
+            assert!(answer.stderr.contains(named), "{named}: {}", answer.stderr);
+            let name = path.to_str().unwrap();
+            assert!(answer.stderr.contains(name), "{named}: {}", answer.stderr);
+        }
+    }
+}
+
+/// What Windows editors leave is no mistake.
+#[test]
+fn byte_order_mark_and_crlf_are_read() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("windows.toml");
+    let windows = |text: &str| format!("\u{feff}{}", text.replace('\n', "\r\n"));
+    std::fs::write(&path, windows(&call(&["new"]).stdout)).unwrap();
+    let answer = call_on("check", &path, &[], &[]);
+    assert_eq!(answer.code, Some(0), "{answer:?}");
+
+    std::fs::write(&path, windows(&edited("balls = 14 ", "balls = 1 "))).unwrap();
+    let answer = call_on("check", &path, &[], &[]);
+    assert_refused(&answer, "crlf");
+    let line = edited("balls = 14 ", "balls = 1 ")
+        .lines()
+        .position(|l| l.starts_with("balls ="));
+    let place = format!("windows.toml:{}: bearing.balls = 1 ", line.unwrap() + 1);
+    assert!(answer.stderr.contains(&place), "{}", answer.stderr);
+}
+
+#[test]
+fn folders_that_cannot_be_made() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("file");
+    std::fs::write(&file, "keep me").unwrap();
+    let case = repository_case("zhao-d.toml");
+    let below = |p: &Path| p.join("below").to_str().unwrap().to_owned();
+    for out in [below(&file), file.to_str().unwrap().to_owned()] {
+        for command in ["check", "static", "run"] {
+            let sets = ["solver.duration_s=0.001"];
+            let answer = call_on(command, &case, &sets, &["--out", &out]);
+            assert_refused(&answer, command);
+            assert!(answer.stderr.contains("--out"), "{}", answer.stderr);
+            assert!(answer.stderr.contains(&out), "{}", answer.stderr);
+        }
+    }
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), "keep me");
+}
+
+/// Found before the work is done, not after it.
+#[test]
+fn a_folder_where_a_file_is_to_be() {
+    let dir = tempfile::tempdir().unwrap();
+    let case = repository_case("zhao-d.toml");
+    for (command, name) in [
+        ("check", "check.json"),
+        ("static", "static.json"),
+        ("run", "balls.parquet"),
+        ("run", "summary.json"),
+        ("run", "report.html"),
+    ] {
+        let out = dir.path().join(name);
+        std::fs::create_dir_all(out.join(name)).unwrap();
+        let sets = ["solver.duration_s=0.001"];
+        let answer = call_on(command, &case, &sets, &["--out", out.to_str().unwrap()]);
+        assert_refused(&answer, name);
+        assert!(answer.stderr.contains(name), "{}", answer.stderr);
+        let system = answer.stderr.matches("directory").count();
+        assert_eq!(system, 1, "said once: {}", answer.stderr);
+        assert_eq!(names(&out), [name]);
+    }
+}

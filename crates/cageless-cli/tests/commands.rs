@@ -1,0 +1,351 @@
+//! What every command prints where, and the exit codes of success.
+
+mod common;
+
+use common::*;
+
+/// Top-level keys of `design --json`.
+const DESIGN: &[&str] = &[
+    "epsilon_deg",
+    "uniform_gap_deg",
+    "beta0_deg",
+    "beta0_polar_deg",
+    "axial_span_limit_mm",
+    "half_angle_deg_for_span",
+    "critical_gap_deg",
+    "balls_in_raceway_max",
+    "verdict",
+    "reasons",
+];
+
+/// Top-level keys of `static --json`.
+const STATIC: &[&str] = &[
+    "ring_x_um",
+    "ring_y_um",
+    "ball_angle_deg",
+    "inner_force_n",
+    "outer_force_n",
+    "inner_stiffness",
+    "outer_stiffness",
+    "inner_stress_max_gpa",
+    "outer_stress_max_gpa",
+];
+
+/// Top-level keys of `summary.json` and `run --json`.
+const SUMMARY: &[&str] = &[
+    "schema",
+    "version",
+    "isa",
+    "case",
+    "collisions",
+    "gap_min_deg",
+    "gap_max_deg",
+    "ring_x_um_mean",
+    "ring_y_um_mean",
+    "slip_max_m_s",
+    "energy_residual_relative",
+    "steps",
+    "rhs_evaluations",
+    "wall_s",
+    "settled_after_s",
+    "warnings",
+];
+
+fn assert_keys(value: &serde_json::Value, wanted: &[&str]) {
+    for key in wanted {
+        assert!(value.get(key).is_some(), "{key} is missing in {value}");
+    }
+}
+
+#[test]
+fn help_and_version_are_answers() {
+    for args in [
+        &["--help"][..],
+        &["-h"],
+        &["help"],
+        &["help", "run"],
+        &["run", "--help"],
+        &["new", "--help"],
+        &["design", "-h"],
+        &["--version"],
+        &["-V"],
+    ] {
+        let answer = call(args);
+        assert_eq!(answer.code, Some(0), "{args:?}: {answer:?}");
+        assert!(!answer.stdout.is_empty() && answer.stderr.is_empty());
+    }
+    let version = call(&["--version"]).stdout;
+    assert_eq!(
+        version.trim(),
+        concat!("cageless ", env!("CARGO_PKG_VERSION"))
+    );
+    let help = call(&["--help"]).stdout;
+    for command in ["reproduce", "new", "check", "static", "design", "run"] {
+        assert!(
+            help.contains(&format!("\n  {command} ")),
+            "{command}: {help}"
+        );
+    }
+    assert!(
+        help.contains("Exit codes: 0 done; 2 bad input; 3 "),
+        "{help}"
+    );
+}
+
+#[test]
+fn what_the_command_line_does_not_know_is_bad_input() {
+    let case = repository_case("zhao-d.toml");
+    let case = case.to_str().unwrap();
+    for (args, named) in [
+        (&[][..], "Usage"),
+        (&["fly"], "fly"),
+        (&["--colour"], "--colour"),
+        (&["run"], "CASE"),
+        (&["run", case, "--steps", "3"], "--steps"),
+        (&["run", case, case], "zhao-d.toml"),
+        (&["run", case, "--set"], "--set"),
+        (&["run", case, "--out"], "--out"),
+        (&["new", "--simple"], "--simple"),
+        (&["new", case], "zhao-d.toml"),
+        (&["check"], "CASE"),
+        (&["static", case, "--shard", "1/2"], "--shard"),
+        (&["design"], "CASE"),
+    ] {
+        let answer = call(args);
+        assert_eq!(answer.code, Some(2), "{args:?}: {answer:?}");
+        assert_eq!(answer.stdout, "", "{args:?}");
+        assert!(answer.stderr.contains(named), "{args:?}: {}", answer.stderr);
+    }
+}
+
+#[test]
+fn a_new_case_is_valid_and_commented() {
+    let dir = tempfile::tempdir().unwrap();
+    for (option, raceways) in [(&["new"][..], 1), (&["new", "--conventional"], 0)] {
+        let new = call(option);
+        assert_eq!((new.code, new.stderr.as_str()), (Some(0), ""));
+        assert!(new.stdout.lines().filter(|l| l.contains('#')).count() > 30);
+        let path = dir.path().join(format!("{raceways}.toml"));
+        std::fs::write(&path, &new.stdout).unwrap();
+
+        let check = call_on("check", &path, &[], &[]);
+        assert_eq!((check.code, check.stderr.as_str()), (Some(0), ""));
+        assert!(check.stdout.contains("is valid"), "{}", check.stdout);
+
+        let check = call_on("check", &path, &[], &["--json"]).json();
+        assert_eq!(check["valid"], true);
+        let found = check["case"]["raceway"]["half_angle_deg"].as_f64();
+        assert_eq!(found, (raceways == 1).then_some(25.2), "{check}");
+
+        // The template is ready to run, not only valid.
+        let run = call_on("run", &path, &["solver.duration_s=0.002"], &["--json"]);
+        assert_eq!((run.code, run.stderr.as_str()), (Some(0), ""));
+    }
+}
+
+#[test]
+fn every_case_of_the_repository_is_valid() {
+    let cases = std::fs::read_dir(repository_case("")).unwrap();
+    let mut count = 0;
+    for entry in cases {
+        let path = entry.unwrap().path();
+        let answer = call_on("check", &path, &[], &[]);
+        assert_eq!(
+            answer.code,
+            Some(0),
+            "{}: {}",
+            path.display(),
+            answer.stderr
+        );
+        count += 1;
+    }
+    assert!(count >= 13, "{count}");
+}
+
+#[test]
+fn static_equilibrium_holds_the_load() {
+    let case = repository_case("zhao-d.toml");
+    let text = call_on("static", &case, &[], &[]);
+    assert_eq!((text.code, text.stderr.as_str()), (Some(0), ""));
+    assert!(text.stdout.contains("ring displacement"), "{}", text.stdout);
+
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("made/on/the/way");
+    let answer = call_on(
+        "static",
+        &case,
+        &[],
+        &["--json", "--out", out.to_str().unwrap()],
+    );
+    assert_eq!((answer.code, answer.stderr.as_str()), (Some(0), ""));
+    let e = answer.json();
+    assert_keys(&e, STATIC);
+    assert_eq!(json_file(&out.join("static.json")), e);
+    assert_eq!(names(&out), ["static.json"]);
+
+    let list = |key: &str| -> Vec<f64> {
+        let list = e[key].as_array().unwrap().iter();
+        list.map(|v| v.as_f64().unwrap()).collect()
+    };
+    let (angle, inner, outer) = (
+        list("ball_angle_deg"),
+        list("inner_force_n"),
+        list("outer_force_n"),
+    );
+    assert_eq!((angle.len(), inner.len(), outer.len()), (14, 14, 14));
+    // The ring is at rest: load and weight on it are what the balls push back with,
+    // each along the line from the ring's centre to its own.
+    let ring_y_mm = 1e-3 * e["ring_y_um"].as_f64().unwrap();
+    let up: f64 = (0..14)
+        .map(|k| {
+            let (sin, cos) = angle[k].to_radians().sin_cos();
+            let (x, y) = (23.0025 * sin, -23.0025 * cos - ring_y_mm);
+            -inner[k] * y / x.hypot(y)
+        })
+        .sum();
+    let down = 1500.0 + 0.2 * 9.81;
+    assert!((up - down).abs() < 0.05, "{up} {down}");
+}
+
+#[test]
+fn run_keeps_results_and_progress_apart() {
+    let case = repository_case("zhao-d.toml");
+    let sets = ["solver.duration_s=0.004", "output.interval_us=50"];
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("out");
+
+    let text = call_on("run", &case, &sets, &[]);
+    assert_eq!((text.code, text.stderr.as_str()), (Some(0), ""));
+    assert!(text.stdout.contains("energy residual"), "{}", text.stdout);
+
+    let answer = call_on(
+        "run",
+        &case,
+        &sets,
+        &["--json", "--out", out.to_str().unwrap()],
+    );
+    assert_eq!((answer.code, answer.stderr.as_str()), (Some(0), ""));
+    let summary = answer.json();
+    assert_keys(&summary, SUMMARY);
+    assert_eq!(json_file(&out.join("summary.json")), summary);
+    assert_eq!(names(&out), RUN_FILES);
+    assert!(json_file(&out.join("report.json")).is_object());
+
+    assert_eq!(summary["case"]["solver"]["duration_s"], 0.004);
+    assert_eq!(summary["steps"], 4000);
+    assert!(summary.get("stopped").is_none());
+    let (_, rows) = table(&out.join("balls.parquet"));
+    assert_eq!(rows.len(), 14 * 81);
+    let (_, rows) = table(&out.join("ring.parquet"));
+    assert_eq!(rows.len(), 81);
+}
+
+#[test]
+fn set_takes_the_place_of_the_file() {
+    let case = repository_case("zhao-d.toml");
+    let sets = [
+        "solver.duration_s=0.001",
+        "raceway.half_angle_deg=24",
+        "model.profile=paper",
+        "contact.friction_law=\"coulomb\"",
+        "title=Versuch äöü",
+        "start.lead_ball_angle_deg=-3.5",
+        "seed=7",
+        "solver.duration_s=0.002",
+        "housing.mass_kg=1",
+        "housing.stiffness_n_m=1e8",
+        "housing.damping_n_s_m=500",
+    ];
+    // The file has a seed of its own in [solver].
+    let answer = call_on("run", &case, &sets, &["--json"]);
+    assert_eq!(answer.code, Some(2), "{answer:?}");
+    assert!(answer.stderr.contains("solver.seed"), "{}", answer.stderr);
+    let sets = sets.map(|set| {
+        if set == "seed=7" {
+            "solver.seed=7"
+        } else {
+            set
+        }
+    });
+    let answer = call_on("run", &case, &sets, &["--json"]);
+    assert_eq!(answer.code, Some(0), "{answer:?}");
+    let case = &answer.json()["case"];
+    assert_eq!(case["raceway"]["half_angle_deg"], 24.0);
+    assert_eq!(case["model"]["profile"], "paper");
+    assert_eq!(case["contact"]["friction_law"], "coulomb");
+    assert_eq!(case["title"], "Versuch äöü");
+    assert_eq!(case["start"]["lead_ball_angle_deg"], -3.5);
+    assert_eq!(case["solver"]["seed"], 7);
+    assert_eq!(case["solver"]["duration_s"], 0.002);
+    assert_eq!(case["housing"]["stiffness_n_m"], 1e8);
+}
+
+#[test]
+fn defaults_are_listed() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("case.toml");
+    let text = call(&["new"]).stdout;
+    let text = text
+        .replace("schema = 1", "")
+        .replace("title = ", "# title = ");
+    std::fs::write(&path, text).unwrap();
+    let answer = call_on("run", &path, &["solver.duration_s=0.0001"], &["--json"]);
+    assert_eq!(answer.code, Some(0), "{answer:?}");
+    let summary = answer.json();
+    let defaults: Vec<&str> = summary["defaults"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|v| v.as_str().unwrap())
+        .collect();
+    for key in [
+        "schema",
+        "title",
+        "raceway.centre_angle_deg",
+        "contact.ball_restitution",
+        "contact.inner_stiffness",
+        "contact.outer_stiffness",
+        "contact.ball_stiffness",
+        "start.state",
+        "start.gaps",
+        "start.lead_ball_angle_deg",
+        "solver.seed",
+    ] {
+        assert!(defaults.contains(&key), "{key}: {defaults:?}");
+    }
+    // What a default was is on record as well.
+    assert_eq!(summary["case"]["contact"]["ball_restitution"], 0.95);
+    assert_eq!(summary["case"]["start"]["state"], "settled");
+    assert!(summary["case"]["contact"]["inner_stiffness"].as_f64() > Some(1e10));
+}
+
+#[test]
+fn design_of_a_conventional_ring_has_no_raceway_to_judge() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().to_str().unwrap();
+    let case = repository_case("conventional.toml");
+    let answer = call_on("design", &case, &[], &["--json", "--out", out]);
+    assert_eq!((answer.code, answer.stderr.as_str()), (Some(0), ""));
+    let d = answer.json();
+    assert_keys(&d, DESIGN);
+    assert_eq!(json_file(&dir.path().join("design.json")), d);
+    for key in ["beta0_deg", "critical_gap_deg", "balls_in_raceway_max"] {
+        assert!(d[key].is_null(), "{key}: {}", d[key]);
+    }
+    let text = call_on("design", &case, &[], &[]);
+    assert_eq!((text.code, text.stderr.as_str()), (Some(0), ""));
+    assert!(text.stdout.contains("verdict"), "{}", text.stdout);
+}
+
+/// A reader that stops reading (`cageless new | head -1`) is no failure.
+#[test]
+fn a_closed_pipe_is_no_failure() {
+    let script = format!(
+        "{} new | true; exit ${{PIPESTATUS[0]}}",
+        env!("CARGO_BIN_EXE_cageless")
+    );
+    let status = std::process::Command::new("bash")
+        .args(["-c", &script])
+        .status();
+    assert_eq!(status.unwrap().code(), Some(0));
+}

@@ -1,0 +1,215 @@
+//! However a run ends, what it leaves can be read.
+#![cfg(unix)]
+
+mod common;
+
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+use common::*;
+
+fn run_to(out: &Path, sets: &[&str]) -> Answer {
+    let case = repository_case("zhao-d.toml");
+    call_on("run", &case, sets, &["--out", out.to_str().unwrap()])
+}
+
+/// Starts a run that would take hours.
+fn start_long_run(out: &Path) -> Child {
+    cageless()
+        .arg("run")
+        .arg(repository_case("zhao-d.toml"))
+        .args(["--set", "solver.duration_s=100000", "--out"])
+        .arg(out)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("starts")
+}
+
+fn signal(child: &Child, name: &str) {
+    let status = Command::new("kill")
+        .args([name, &child.id().to_string()])
+        .status();
+    assert!(status.unwrap().success());
+}
+
+/// Waits until the run has written rows.
+fn wait_for_rows(out: &Path) {
+    let partial = out.join(".balls.parquet.partial");
+    let begin = Instant::now();
+    while !std::fs::metadata(&partial).is_ok_and(|m| m.len() > 4) {
+        assert!(begin.elapsed() < Duration::from_secs(60), "no rows");
+        sleep(Duration::from_millis(20));
+    }
+    sleep(Duration::from_millis(300));
+}
+
+/// All tables are complete, times ascend and every number is one.
+fn assert_readable(out: &Path) -> f64 {
+    assert_eq!(names(out), RUN_FILES);
+    let (_, balls) = table(&out.join("balls.parquet"));
+    let (_, ring) = table(&out.join("ring.parquet"));
+    table(&out.join("collisions.parquet"));
+    assert_eq!(balls.len(), 14 * ring.len());
+    assert!(ring.windows(2).all(|w| w[0][0] < w[1][0]));
+    assert!(balls.iter().chain(&ring).flatten().all(|v| v.is_finite()));
+    json_file(&out.join("report.json"));
+    let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(page.trim_end().ends_with("</html>"));
+    ring.last().unwrap()[0]
+}
+
+#[test]
+fn a_run_that_leaves_the_physical_range_says_so_and_keeps_what_it_has() {
+    let dir = tempfile::tempdir().unwrap();
+    let sets = [
+        "contact.damping=0",
+        "solver.step_us=2",
+        "solver.duration_s=2",
+    ];
+    let answer = run_to(dir.path(), &sets);
+    assert_eq!(answer.code, Some(3), "{answer:?}");
+    assert_eq!(answer.stderr.lines().count(), 1, "{}", answer.stderr);
+    let message = &answer.stderr;
+    // When, why, what to change.
+    assert!(message.starts_with("error: at t = 0.0"), "{message}");
+    assert!(message.contains("energy appeared"), "{message}");
+    assert!(
+        message.contains("To change: halve solver.step_us"),
+        "{message}"
+    );
+    assert!(message.contains(dir.path().to_str().unwrap()), "{message}");
+
+    let end = assert_readable(dir.path());
+    let summary = json_file(&dir.path().join("summary.json"));
+    let stopped = &summary["stopped"];
+    let time = stopped["time_s"].as_f64().unwrap();
+    assert!(time > 0.0 && time < 1.0 && end <= time && time - end < 2e-4);
+    for key in ["cause", "advice"] {
+        assert!(!stopped[key].as_str().unwrap().is_empty(), "{summary}");
+    }
+    assert!(!summary["warnings"].as_array().unwrap().is_empty());
+
+    // On stdout the summary is one JSON document all the same.
+    let case = repository_case("zhao-d.toml");
+    let answer = call_on("run", &case, &sets, &["--json"]);
+    assert_eq!(answer.code, Some(3));
+    assert!(answer.json()["stopped"].is_object());
+}
+
+#[test]
+fn ctrl_c_ends_a_run_in_good_order() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("out");
+    let child = start_long_run(&out);
+    wait_for_rows(&out);
+    signal(&child, "-INT");
+    let answer: Answer = child.wait_with_output().unwrap().into();
+    assert_eq!(answer.code, Some(1), "{answer:?}");
+    assert!(answer.stderr.contains("interrupted at t = "), "{answer:?}");
+    assert!(answer.stdout.contains("simulated"), "{answer:?}");
+    let end = assert_readable(&out);
+    assert!(end > 0.01, "{end}");
+    let summary = json_file(&out.join("summary.json"));
+    assert!(summary["steps"].as_u64() > Some(10_000));
+}
+
+/// SIGTERM is how a batch system ends a run.
+#[test]
+fn termination_ends_a_run_in_good_order() {
+    let dir = tempfile::tempdir().unwrap();
+    let child = start_long_run(dir.path());
+    wait_for_rows(dir.path());
+    signal(&child, "-TERM");
+    let answer: Answer = child.wait_with_output().unwrap().into();
+    assert_eq!(answer.code, Some(1), "{answer:?}");
+    assert_readable(dir.path());
+}
+
+#[test]
+fn a_killed_run_leaves_nothing_half_written_under_a_final_name() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path();
+    // Results of an earlier run, which must survive.
+    let sets = ["solver.duration_s=0.002"];
+    assert_eq!(run_to(out, &sets).code, Some(0));
+    let before = std::fs::read(out.join("balls.parquet")).unwrap();
+
+    let mut child = start_long_run(out);
+    wait_for_rows(out);
+    // Nobody else may write there meanwhile, and what is there stays.
+    let answer = run_to(out, &sets);
+    assert_eq!(answer.code, Some(2), "{answer:?}");
+    assert!(
+        answer.stderr.contains("another run is writing there"),
+        "{answer:?}"
+    );
+    signal(&child, "-KILL");
+    child.wait().unwrap();
+    for name in names(out) {
+        assert!(
+            RUN_FILES.contains(&name.as_str())
+                || (name.starts_with('.') && name.ends_with(".partial")),
+            "{name}"
+        );
+    }
+    assert_eq!(std::fs::read(out.join("balls.parquet")).unwrap(), before);
+
+    // The next run takes over and cleans up.
+    assert_eq!(run_to(out, &sets).code, Some(0));
+    assert_readable(out);
+}
+
+#[test]
+fn the_same_case_gives_the_same_bits() {
+    let dir = tempfile::tempdir().unwrap();
+    let sets = ["solver.duration_s=0.05", "output.interval_us=37"];
+    let run = |name: &str, threads: &str| {
+        let out = dir.path().join(name);
+        let mut command = cageless();
+        command.env("RAYON_NUM_THREADS", threads).arg("run");
+        command
+            .arg(repository_case("zhao-a.toml"))
+            .arg("--out")
+            .arg(&out);
+        for set in sets {
+            command.args(["--set", set]);
+        }
+        assert!(command.output().unwrap().status.success());
+        ["balls.parquet", "ring.parquet", "collisions.parquet"].map(|f| {
+            let (_, rows) = table(&out.join(f));
+            let bits = rows.into_iter().flatten().map(f64::to_bits);
+            bits.collect::<Vec<u64>>()
+        })
+    };
+    let (one, other) = (run("one", "1"), run("other", "2"));
+    assert!(one[0].len() > 14 * 15 * 1300 && !one[2].is_empty());
+    assert!(one == other);
+}
+
+/// Rows stand at whole multiples of the interval, from 0 to the last one in the run.
+#[test]
+fn rows_stand_at_multiples_of_the_interval() {
+    let dir = tempfile::tempdir().unwrap();
+    for (duration, interval, rows) in [
+        ("0.003", "100", 31),
+        ("0.00105", "100", 11),
+        ("0.0001", "7", 15),
+        ("0.0001", "0.25", 401),
+        ("0.00001", "100", 1),
+    ] {
+        let sets = [
+            &format!("solver.duration_s={duration}")[..],
+            &format!("output.interval_us={interval}"),
+        ];
+        assert_eq!(run_to(dir.path(), &sets).code, Some(0));
+        let (_, ring) = table(&dir.path().join("ring.parquet"));
+        assert_eq!(ring.len(), rows, "{sets:?}");
+        let interval = 1e-6 * interval.parse::<f64>().unwrap();
+        for (k, row) in ring.iter().enumerate() {
+            assert!((row[0] - k as f64 * interval).abs() < 1e-12, "{row:?}");
+        }
+    }
+}
