@@ -8,7 +8,7 @@ use cageless::state::Work;
 use cageless::vibration::{
     FILTER_CORNER, FILTER_ORDER, Signal, VibrationRecorder, sample_behind_filter, spectrum,
 };
-use cageless::{Case, FrictionLaw, Profile};
+use cageless::{Case, FrictionLaw, Method, Profile};
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::{SummaryFile, VERSION};
 use cageless_report::{
@@ -85,6 +85,15 @@ pub fn profile_name(profile: Profile) -> &'static str {
     }
 }
 
+/// Name of a method in figures.
+pub fn method_name(method: Method) -> &'static str {
+    match method {
+        Method::Abm4 => "ABM4",
+        Method::Symplectic => "leapfrog",
+        Method::Adaptive => "adaptive, order 8",
+    }
+}
+
 /// Where the numbers of a simulated figure come from.
 pub fn provenance(case: &Case, discarded: String) -> Provenance {
     Provenance {
@@ -96,7 +105,7 @@ pub fn provenance(case: &Case, discarded: String) -> Provenance {
             }
             FrictionLaw::Coulomb => "Coulomb".to_owned(),
         }),
-        method: Some("ABM4".to_owned()),
+        method: Some(method_name(case.solver.method).to_owned()),
         step_us: Some(case.solver.step_s * 1e6),
         discarded,
     }

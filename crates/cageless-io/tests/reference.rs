@@ -4,10 +4,9 @@
 
 use std::path::{Path, PathBuf};
 
-use cageless::integrator::{Abm4, Integrator, System};
+use cageless::simulation::{Control, run};
 use cageless::start::initial_state;
-use cageless::state::State;
-use cageless::{Case, dynamics};
+use cageless::{Case, Method, dynamics};
 use cageless_io::case_file::CaseFile;
 
 fn folder() -> PathBuf {
@@ -35,20 +34,21 @@ fn reference(name: &str) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// RMS over the states of (y − reference)/scale at 2 ms.
+/// RMS over the states of (y − reference)/scale at 2 ms, ABM4.
 fn scaled_error(name: &str, step_us: f64) -> f64 {
     let mut case = case(name);
     case.solver.step_s = step_us * 1e-6;
-    let model = dynamics::Model::new(&case).unwrap();
-    let (start, angles) = initial_state(&case).unwrap();
-    let mut rhs = dynamics::RightHandSide::new(&model);
-    let mut method = Abm4::new(rhs.dimension(), case.solver.step_s);
-    method.restart(&mut rhs, 0.0, start.values());
-    for _ in 0..(2000.0 / step_us).round() as u32 {
-        method.advance(&mut rhs).unwrap();
-    }
-    let end = State::from_values(model.layout(), method.step().after.to_vec());
-    let seen = rhs.snapshot(0.0, &end, &angles);
+    error_of(&case, name)
+}
+
+/// The same with the method and step of `case`.
+fn error_of(case: &Case, name: &str) -> f64 {
+    let (_, angles) = initial_state(case).unwrap();
+    let end = run(case, &mut [], &mut |_| Control::Continue)
+        .unwrap()
+        .state;
+    let model = dynamics::Model::new(case).unwrap();
+    let seen = dynamics::RightHandSide::new(&model).snapshot(0.0, &end, &angles);
     let rows = reference(name);
     let n = model.balls();
     assert_eq!(rows.len(), n + 1);
@@ -124,4 +124,36 @@ fn a_step_of_1_us_is_good_enough_for_design() {
         println!("{name}: {error:.2e} at 1 µs");
         assert!(error < 1e-2, "{name}: {error:e}");
     }
+}
+
+/// The adaptive method gives references of its own.
+#[test]
+fn adaptive_agrees_with_the_references() {
+    for (name, tolerance, most) in [
+        ("cb74", 1e-13, 1e-6),
+        ("crowd", 1e-12, 1e-6),
+        ("b16_paper", 1e-10, 1e-8),
+    ] {
+        let mut case = case(name);
+        case.solver.method = Method::Adaptive;
+        case.solver.step_s = 5e-6;
+        case.solver.tolerance = tolerance;
+        let error = error_of(&case, name);
+        println!("{name}: {error:.2e}");
+        assert!(error < most, "{name}: {error:e}");
+    }
+}
+
+/// Leapfrog converges to them, too: order 2 but for the edges of the damped contacts.
+#[test]
+fn leapfrog_converges_to_the_references() {
+    let error = |step_us: f64| {
+        let mut case = case("b16_physical");
+        case.solver.method = Method::Symplectic;
+        case.solver.step_s = step_us * 1e-6;
+        error_of(&case, "b16_physical")
+    };
+    let (coarse, fine) = (error(1.0), error(0.25));
+    println!("{coarse:.2e} {fine:.2e}");
+    assert!((coarse / fine).log2() / 2.0 > 1.4, "{coarse:e} {fine:e}");
 }

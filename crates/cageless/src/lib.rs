@@ -33,6 +33,7 @@ pub mod snapshot;
 pub mod spacing;
 pub mod start;
 pub mod state;
+pub mod step;
 pub mod summary;
 pub mod traction;
 pub mod vibration;

@@ -154,6 +154,8 @@ fn instruction_sets_agree_to_the_bit() {
                 case.profile = profile;
                 case.contact.friction_law = law;
                 rough_start(&mut case);
+                // Three balls carry more each, and friction holds them harder.
+                case.solver.step_s = 0.1e-6;
                 let (mut state, _) = initial_state(&case).unwrap();
                 // Pressed together, so that every contact has something to compute.
                 let ring = state.ring();

@@ -1,6 +1,6 @@
 //! The integrators on problems with known solutions.
 
-use cageless::integrator::{Abm4, Integrator, System};
+use cageless::integrator::{Abm4, Adaptive, Drift, Integrator, Symplectic, System};
 
 /// A pendulum-like smooth oscillator with a nonlinear clock: y = (sin s, cos s) with
 /// s = t + t²/2, so that f depends on t.
@@ -22,7 +22,7 @@ fn error_of_chirp(steps: u32) -> f64 {
     let mut method = Abm4::new(2, h);
     method.restart(&mut Chirp, 0.0, &[0.0, 1.0]);
     for _ in 0..steps {
-        method.advance(&mut Chirp).unwrap();
+        method.advance(&mut Chirp, f64::INFINITY).unwrap();
     }
     let s: f64 = 2.0 + 2.0;
     (method.step().after[0] - s.sin()).hypot(method.step().after[1] - s.cos())
@@ -68,7 +68,7 @@ fn value_after_jump(announced: bool, h: f64) -> f64 {
     let mut method = Abm4::new(1, h);
     method.restart(&mut system, 0.0, &[1.0]);
     for _ in 0..(1.0 / h).round() as u32 {
-        method.advance(&mut system).unwrap();
+        method.advance(&mut system, f64::INFINITY).unwrap();
     }
     method.step().after[0]
 }
@@ -114,10 +114,115 @@ fn stability_interval_of_the_documentation() {
         let mut method = Abm4::new(1, 1.0);
         method.restart(&mut system, 0.0, &[1.0]);
         for _ in 0..400 {
-            method.advance(&mut system).unwrap();
+            method.advance(&mut system, f64::INFINITY).unwrap();
         }
         method.step().after[0].abs()
     };
     assert!(after(1.2) < 1e-3, "{}", after(1.2));
     assert!(after(1.35) > 1.0, "{}", after(1.35));
+}
+
+/// x″ = −ω²x with ω = 1, as places and rates.
+struct Spring;
+
+impl System for Spring {
+    fn dimension(&self) -> usize {
+        2
+    }
+    fn derivative(&mut self, _: f64, y: &[f64], dydt: &mut [f64]) {
+        dydt[0] = y[1];
+        dydt[1] = -y[0];
+    }
+    fn drifts(&self) -> &[Drift] {
+        &[Drift {
+            places: 0,
+            rates: 1,
+            count: 1,
+        }]
+    }
+}
+
+fn swing(h: f64, until: f64) -> [f64; 2] {
+    let mut method = Symplectic::new(2, h);
+    method.restart(&mut Spring, 0.0, &[1.0, 0.0]);
+    while method.step().to_s < until {
+        method.advance(&mut Spring, until).unwrap();
+    }
+    [method.step().after[0], method.step().after[1]]
+}
+
+#[test]
+fn leapfrog_has_order_two() {
+    let error = |h: f64| {
+        let [x, v] = swing(h, 3.0);
+        (x - 3f64.cos()).hypot(v + 3f64.sin())
+    };
+    for h in [0.05, 0.025] {
+        let order = (error(h) / error(h / 2.0)).log2();
+        assert!((order - 2.0).abs() < 0.05, "{h}: {order}");
+    }
+}
+
+/// A hundred thousand periods at ωh = 0.6, where the energy of ABM4 would long have
+/// left the range of numbers.
+#[test]
+fn leapfrog_keeps_its_energy() {
+    let [x, v] = swing(0.6, 6.0e5);
+    let energy = x * x + v * v;
+    assert!((energy - 1.0).abs() < 0.1, "{energy}");
+    let mut method = Abm4::new(2, 0.6);
+    method.restart(&mut Spring, 0.0, &[1.0, 0.0]);
+    for _ in 0..1000 {
+        method.advance(&mut Spring, f64::INFINITY).unwrap();
+    }
+    let grown = method.step().after[0].hypot(method.step().after[1]);
+    assert!(grown > 1.2, "{grown}");
+}
+
+/// The error follows the tolerance down to rounding, with few steps: order 8.
+#[test]
+fn adaptive_meets_its_tolerance() {
+    for tolerance in [1e-6, 1e-9, 1e-12] {
+        let mut method = Adaptive::new(2, 1.0, tolerance);
+        method.restart(&mut Chirp, 0.0, &[0.0, 1.0]);
+        let mut steps = 0;
+        while method.step().to_s < 2.0 {
+            method.advance(&mut Chirp, 2.0).unwrap();
+            steps += 1;
+        }
+        let end = method.step();
+        let error = (end.after[0] - 4f64.sin()).hypot(end.after[1] - 4f64.cos());
+        assert!(error < 20.0 * tolerance, "{tolerance:e}: {error:e}");
+        assert!(steps < 60, "{tolerance:e}: {steps} steps");
+        assert_eq!(end.to_s, 2.0);
+    }
+}
+
+#[test]
+fn adaptive_crosses_a_jump() {
+    let mut system = Jump {
+        announced: false,
+        late: false,
+    };
+    let mut method = Adaptive::new(1, 0.1, 1e-10);
+    method.restart(&mut system, 0.0, &[1.0]);
+    while method.step().to_s < 1.0 {
+        method.advance(&mut system, 1.0).unwrap();
+    }
+    let error = (method.step().after[0] - exact_after_jump()).abs();
+    assert!(error < 1e-8, "{error:e}");
+}
+
+/// Every method ends exactly at the limit, also where that is no multiple of the step.
+#[test]
+fn steps_end_at_the_limit() {
+    let limit = 1.037;
+    let mut abm4 = Abm4::new(2, 0.1);
+    abm4.restart(&mut Chirp, 0.0, &[0.0, 1.0]);
+    while abm4.step().to_s < limit {
+        abm4.advance(&mut Chirp, limit).unwrap();
+    }
+    assert_eq!(abm4.step().to_s, limit);
+    let s: f64 = limit + limit * limit / 2.0;
+    assert!((abm4.step().after[0] - s.sin()).abs() < 1e-3);
 }

@@ -1,18 +1,22 @@
 //! From the document to the case in SI units, with the checks of [`cageless`].
 
+use cageless::step::StepLimits;
 use cageless::{
     Bearing, BearingDimensions, Case, Contact, Gaps, Housing, InputError, Material, Operation,
     Output, Raceway, RacewayDimensions, Solver, Start,
 };
 
 use super::SCHEMA;
-use super::document::{CaseDocument, GapsDocument, RacewayDocument, StartState};
+use super::document::{CaseDocument, GapsDocument, RacewayDocument, StartState, StepDocument};
 use super::error::CaseError;
 use super::keys;
 use super::read::nth;
 use super::rules;
 use super::tree::{Places, join};
 use super::unit::Side;
+
+/// Step of a case whose step is still to be chosen.
+const PROVISIONAL_STEP_S: f64 = 1e-6;
 
 /// Converts and checks.
 pub(super) fn case(document: &CaseDocument, places: &Places) -> Result<Case, CaseError> {
@@ -38,7 +42,7 @@ impl Converter<'_> {
         for (k, raceway) in document.raceway.iter().enumerate() {
             raceways.push(self.raceway(k, raceway, &bearing)?);
         }
-        let case = Case {
+        let mut case = Case {
             title: document.title.clone(),
             bearing,
             raceways,
@@ -53,6 +57,13 @@ impl Converter<'_> {
                 interval_s: self.si("output.interval_us", document.output.interval_us)?,
             },
         };
+        if document.solver.step_us == StepDocument::Auto {
+            let limits = StepLimits::of(&case).map_err(|e| self.refused_case(&e, &case))?;
+            let step_s = limits.automatic_s(case.solver.method);
+            if step_s.is_finite() {
+                case.solver.step_s = step_s;
+            }
+        }
         case.check().map_err(|e| self.refused_case(&e, &case))?;
         Ok(case)
     }
@@ -212,7 +223,12 @@ impl Converter<'_> {
         let s = &self.document.solver;
         Ok(Solver {
             method: s.method,
-            step_s: self.si("solver.step_us", s.step_us)?,
+            step_s: match s.step_us {
+                StepDocument::FixedUs(step) => self.si("solver.step_us", step)?,
+                // Put right once the case is known.
+                StepDocument::Auto => PROVISIONAL_STEP_S,
+            },
+            tolerance: self.si("solver.tolerance", s.tolerance)?,
             duration_s: self.si("solver.duration_s", s.duration_s)?,
         })
     }

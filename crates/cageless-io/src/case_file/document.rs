@@ -211,12 +211,32 @@ pub struct SolverDocument {
     /// Integration method.
     #[serde(serialize_with = "named::serialize")]
     pub method: Method,
-    /// Step.
-    pub step_us: f64,
+    /// Step; the largest one of the adaptive method.
+    pub step_us: StepDocument,
+    /// Error per step of the adaptive method.
+    pub tolerance: f64,
     /// Simulated time.
     pub duration_s: f64,
     /// Seed of whatever is random, at most 2^63 − 1.
     pub seed: u64,
+}
+
+/// `solver.step_us`: `"auto"` or a number.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StepDocument {
+    /// What the stiffest contact and the method allow.
+    Auto,
+    /// In microseconds.
+    FixedUs(f64),
+}
+
+impl Serialize for StepDocument {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Auto => serializer.serialize_str("auto"),
+            Self::FixedUs(step) => serializer.serialize_f64(*step),
+        }
+    }
 }
 
 /// `[housing]`.

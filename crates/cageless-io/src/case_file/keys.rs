@@ -104,6 +104,7 @@ pub(super) const KEYS: &[Key] = &[
 
     key("solver", "method", Plain, "", "integration method"),
     key("solver", "step_us", Microsecond, "step_s", "step of the integration"),
+    key("solver", "tolerance", Plain, "tolerance", "error per step of the adaptive method"),
     key("solver", "duration_s", Si("s"), "duration_s", "simulated time"),
     key("solver", "seed", Plain, "", "seed of whatever is random"),
 

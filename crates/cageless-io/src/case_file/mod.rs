@@ -26,7 +26,7 @@ use std::path::Path;
 pub use document::{
     BearingDocument, CaseDocument, ContactDocument, GapsDocument, HousingDocument,
     MaterialDocument, ModelDocument, OperationDocument, OutputDocument, RacewayDocument,
-    SolverDocument, StartDocument, StartState,
+    SolverDocument, StartDocument, StartState, StepDocument,
 };
 pub use error::CaseError;
 pub use template::template;
@@ -101,8 +101,8 @@ impl CaseFile {
         &self.document
     }
 
-    /// [`CaseFile::document`] with the stiffnesses that Hertz gives filled in as
-    /// well: what a run used, for the record.
+    /// [`CaseFile::document`] with the stiffnesses that Hertz gives and the
+    /// automatic step filled in as well: what a run used, for the record.
     pub fn document_as_run(&self) -> CaseDocument {
         let mut document = self.document.clone();
         let (bearing, contact) = (&self.case.bearing, &mut document.contact);
@@ -112,6 +112,11 @@ impl CaseFile {
             (&mut contact.ball_stiffness, bearing.ball_contact()),
         ] {
             given.get_or_insert(hertz.stiffness_n_m1_5);
+        }
+        // Steps are chosen in decimals of a microsecond; the product has rounding in it.
+        let step_us = (self.case.solver.step_s * 1e15).round() / 1e9;
+        if document.solver.step_us == StepDocument::Auto {
+            document.solver.step_us = StepDocument::FixedUs(step_us);
         }
         document
     }

@@ -55,7 +55,11 @@ impl Named for StartState {
 }
 
 impl Named for Method {
-    const NAMES: &'static [(&'static str, Self)] = &[("abm4", Self::Abm4)];
+    const NAMES: &'static [(&'static str, Self)] = &[
+        ("abm4", Self::Abm4),
+        ("symplectic", Self::Symplectic),
+        ("adaptive", Self::Adaptive),
+    ];
 }
 
 /// Writes the name of a choice.

@@ -6,7 +6,7 @@ use super::SCHEMA;
 use super::document::{
     BearingDocument, CaseDocument, ContactDocument, GapsDocument, HousingDocument,
     MaterialDocument, ModelDocument, OperationDocument, OutputDocument, RacewayDocument,
-    SolverDocument, StartDocument, StartState,
+    SolverDocument, StartDocument, StartState, StepDocument,
 };
 use super::error::CaseError;
 use super::keys;
@@ -47,6 +47,10 @@ pub(super) fn document(
     };
     Ok((document, file.defaults))
 }
+
+/// Error per step of the adaptive method unless told otherwise: a hundredth of what a
+/// figure shows.
+const TOLERANCE: f64 = 1e-8;
 
 struct FileReader<'a> {
     root: &'a Section,
@@ -262,8 +266,19 @@ impl<'a> FileReader<'a> {
     fn solver(&mut self) -> Result<SolverDocument, CaseError> {
         let at_head = self.section("")?.optional_count("seed")?;
         let mut r = self.section("solver")?;
-        let method = r.choice_or("method", Method::Abm4)?;
-        let step_us = r.number("step_us")?;
+        let method = r.choice_or("method", Method::Symplectic)?;
+        let step_us = match r.get("step_us").map(|node| (&node.value, node)) {
+            None => {
+                r.note_default("step_us");
+                StepDocument::Auto
+            }
+            Some((Value::Text(text), _)) if text == "auto" => StepDocument::Auto,
+            Some((Value::Text(_), node)) => {
+                return Err(r.refuse("step_us", node, "\"auto\" or a number of us"));
+            }
+            Some(_) => StepDocument::FixedUs(r.number("step_us")?),
+        };
+        let tolerance = r.number_or("tolerance", TOLERANCE)?;
         let duration_s = r.number("duration_s")?;
         let seed = match (r.optional_count("seed")?, at_head) {
             (Some(_), Some(_)) => {
@@ -278,6 +293,7 @@ impl<'a> FileReader<'a> {
         Ok(SolverDocument {
             method,
             step_us,
+            tolerance,
             duration_s,
             seed,
         })

@@ -1,6 +1,5 @@
 //! What is allowed, in the units of the file.
 
-use cageless::case::STEPS_MAX;
 use cageless::error::Allowed;
 use cageless::{Bearing, Case, InputError};
 
@@ -44,7 +43,6 @@ pub(super) fn in_file_units(
             reason(why)
         ),
         Allowed::Rule(rule) => match (error.field, raceway) {
-            ("duration_s", _) => duration(document),
             ("half_angle_rad", Some(index)) if index < document.raceway.len() => format!(
                 "an angle at which the contact path rises steadily to the plain raceway (Zhao \
                  2022, Eq. (9)): with axial_span_mm = {} it turns back or leaves the groove",
@@ -53,17 +51,6 @@ pub(super) fn in_file_units(
             _ => rule.clone(),
         },
     }
-}
-
-fn duration(document: &CaseDocument) -> String {
-    let solver = &document.solver;
-    let step_s = Unit::Microsecond.to_si(solver.step_us);
-    format!(
-        "at most {} s with step_us = {}: it would take {:.3e} steps, and {STEPS_MAX:e} are the limit",
-        round(STEPS_MAX * step_s, Side::Upper),
-        solver.step_us,
-        solver.duration_s / step_s,
-    )
 }
 
 /// What is given and what is allowed as `start.gaps`.

@@ -7,7 +7,7 @@
 use super::lanes::{Lane, Lanes, sum};
 use super::model::{Groove, Model};
 use crate::case::{FrictionLaw, Profile};
-use crate::integrator::System;
+use crate::integrator::{Drift, System};
 use crate::snapshot::{RingSnapshot, Snapshot};
 use crate::state::{BALLS_MAX, LANES, State, Work};
 use crate::traction::tanh;
@@ -58,6 +58,7 @@ pub struct RightHandSide<'m> {
     lanes: Box<Lanes>,
     isa: InstructionSet,
     evaluations: u64,
+    drifts: [Drift; 2],
 }
 
 impl<'m> RightHandSide<'m> {
@@ -75,11 +76,24 @@ impl<'m> RightHandSide<'m> {
         } else {
             isa
         };
+        let layout = model.layout;
+        let at = layout.ring();
+        let balls = Drift {
+            places: layout.group(0),
+            rates: layout.group(2),
+            count: 2 * layout.stride,
+        };
+        let ring = Drift {
+            places: at,
+            rates: at + 2,
+            count: 2,
+        };
         Self {
             model,
             lanes: Lanes::new(model.balls()),
             isa,
             evaluations: 0,
+            drifts: [balls, ring],
         }
     }
 
@@ -242,6 +256,10 @@ impl System for RightHandSide<'_> {
                 .rotate_left(5);
         }
         hash
+    }
+
+    fn drifts(&self) -> &[Drift] {
+        &self.drifts
     }
 
     fn error_norm(&self, difference: &[f64]) -> f64 {

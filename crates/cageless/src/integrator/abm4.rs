@@ -25,6 +25,8 @@ pub struct Abm4 {
     h: f64,
     start_s: f64,
     steps: u64,
+    from_s: f64,
+    to_s: f64,
     y: Vec<f64>,
     before: Vec<f64>,
     trial: Vec<f64>,
@@ -44,6 +46,8 @@ impl Abm4 {
             h,
             start_s: 0.0,
             steps: 0,
+            from_s: 0.0,
+            to_s: 0.0,
             y: zero(),
             before: zero(),
             trial: zero(),
@@ -54,14 +58,10 @@ impl Abm4 {
         }
     }
 
-    fn time_s(&self, steps: u64) -> f64 {
-        self.start_s + steps as f64 * self.h
-    }
-
     /// Predict, evaluate, correct, evaluate, into `trial` and `history[3]`.
     fn predict_and_correct<S: System>(&mut self, system: &mut S) {
         let [f0, f1, f2, f3] = &mut self.history;
-        let time_s = self.start_s + (self.steps + 1) as f64 * self.h;
+        let time_s = self.to_s;
         for i in 0..self.y.len() {
             let slope = BASHFORTH[0] * f0[i]
                 + BASHFORTH[1] * f1[i]
@@ -81,17 +81,16 @@ impl Abm4 {
 
     /// One step of the starter, into `y` and `history[3]`.
     fn start_up<S: System>(&mut self, system: &mut S) -> Result<(), CrossingError> {
-        let from_s = self.time_s(self.steps);
+        let (from_s, h) = (self.from_s, self.to_s - self.from_s);
         let [newest, .., oldest] = &mut self.history;
         oldest.copy_from_slice(newest);
-        self.starter
-            .cross(system, from_s, self.h, &mut self.y, oldest)
+        self.starter.cross(system, from_s, h, &mut self.y, oldest)
     }
 }
 
 impl Integrator for Abm4 {
     fn restart<S: System>(&mut self, system: &mut S, time_s: f64, y: &[f64]) {
-        self.start_s = time_s;
+        (self.start_s, self.from_s, self.to_s) = (time_s, time_s, time_s);
         self.steps = 0;
         self.y.copy_from_slice(y);
         self.before.copy_from_slice(y);
@@ -100,28 +99,27 @@ impl Integrator for Abm4 {
         self.known = 1;
     }
 
-    fn advance<S: System>(&mut self, system: &mut S) -> Result<(), CrossingError> {
+    fn advance<S: System>(&mut self, system: &mut S, limit_s: f64) -> Result<(), CrossingError> {
         self.before.copy_from_slice(&self.y);
+        self.from_s = self.to_s;
+        let regular = self.start_s + (self.steps + 1) as f64 * self.h;
+        self.to_s = super::bounded(regular, limit_s, self.h);
+        // A last step that the limit cuts short is left to the starter.
+        let whole = (self.to_s - regular).abs() <= 1e-6 * self.h;
         let mut jumped = false;
-        if self.known == 4 {
+        if self.known == 4 && whole {
             self.predict_and_correct(system);
             jumped = system.regime() != self.regime;
             if !jumped {
                 std::mem::swap(&mut self.y, &mut self.trial);
             }
         }
-        if self.known < 4 || jumped {
+        if self.known < 4 || jumped || !whole {
             self.start_up(system)?;
             let regime = system.regime();
             // Rates from before the jump must not be used after it.
-            self.known = if regime == self.regime {
-                self.known + 1
-            } else {
-                1
-            };
-            if jumped {
-                self.known = 1;
-            }
+            let smooth = regime == self.regime && !jumped && whole;
+            self.known = if smooth { self.known + 1 } else { 1 };
             self.regime = regime;
         }
         self.history.rotate_right(1);
@@ -131,8 +129,8 @@ impl Integrator for Abm4 {
 
     fn step(&self) -> Step<'_> {
         Step {
-            from_s: self.time_s(self.steps - 1),
-            to_s: self.time_s(self.steps),
+            from_s: self.from_s,
+            to_s: self.to_s,
             before: &self.before,
             rate_before: &self.history[1],
             after: &self.y,

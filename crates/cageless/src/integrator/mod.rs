@@ -1,12 +1,17 @@
 //! Integration of ordinary differential equations. Nothing here knows of bearings.
 
 mod abm4;
+mod adaptive;
 mod hermite;
 mod runge_kutta;
+mod symplectic;
+pub mod tableau;
 
 pub use abm4::Abm4;
+pub use adaptive::Adaptive;
 pub use hermite::hermite;
-pub use runge_kutta::{CrossingError, RungeKutta};
+pub use runge_kutta::{CrossingError, Made, RungeKutta};
+pub use symplectic::{Drift, Symplectic};
 
 /// A system of ordinary differential equations dy/dt = f(t, y).
 pub trait System {
@@ -21,6 +26,12 @@ pub trait System {
     /// a multistep method must not reach across. The system decides what counts.
     fn regime(&self) -> u64 {
         0
+    }
+
+    /// Which components are places and which their rates; for methods that advance them
+    /// one after the other.
+    fn drifts(&self) -> &[Drift] {
+        &[]
     }
 
     /// Size of a difference of two states in the scales of the problem; 1 is as large
@@ -47,17 +58,27 @@ pub struct Step<'a> {
     pub rate_after: &'a [f64],
 }
 
-/// A method that advances a system in fixed steps.
+/// A method that advances a system step by step.
 pub trait Integrator {
     /// Forgets all history and starts at `y`.
     fn restart<S: System>(&mut self, system: &mut S, time_s: f64, y: &[f64]);
 
-    /// Advances one step of the fixed size.
+    /// Makes the next step, which ends at `limit_s` at the latest.
     ///
     /// # Errors
-    /// [`CrossingError`] if a step across a jump of f could not be resolved.
-    fn advance<S: System>(&mut self, system: &mut S) -> Result<(), CrossingError>;
+    /// [`CrossingError`] if a step could not be resolved.
+    fn advance<S: System>(&mut self, system: &mut S, limit_s: f64) -> Result<(), CrossingError>;
 
-    /// The last step.
+    /// The last step. The system's last evaluation was at its end.
     fn step(&self) -> Step<'_>;
+}
+
+/// End of a step of size `h` that should end at `end_s` but not pass `limit_s`. What
+/// would be left after it, if it is rounding, is taken along.
+fn bounded(end_s: f64, limit_s: f64, h: f64) -> f64 {
+    if end_s > limit_s - 1e-6 * h {
+        limit_s
+    } else {
+        end_s
+    }
 }

@@ -1,54 +1,10 @@
-//! The embedded pair of Dormand and Prince, for starting and for crossing jumps.
+//! Explicit Runge–Kutta pairs with error control.
 
 use super::System;
-
-/// Nodes, stages and weights of the 5(4) pair (Dormand & Prince 1980; Hairer, Nørsett
-/// & Wanner, *Solving Ordinary Differential Equations I*, table II.5.2). The last row
-/// of `A` is the fifth-order solution.
-const C: [f64; 7] = [0.0, 1.0 / 5.0, 3.0 / 10.0, 4.0 / 5.0, 8.0 / 9.0, 1.0, 1.0];
-const A: [[f64; 6]; 7] = [
-    [0.0; 6],
-    [1.0 / 5.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-    [3.0 / 40.0, 9.0 / 40.0, 0.0, 0.0, 0.0, 0.0],
-    [44.0 / 45.0, -56.0 / 15.0, 32.0 / 9.0, 0.0, 0.0, 0.0],
-    [
-        19372.0 / 6561.0,
-        -25360.0 / 2187.0,
-        64448.0 / 6561.0,
-        -212.0 / 729.0,
-        0.0,
-        0.0,
-    ],
-    [
-        9017.0 / 3168.0,
-        -355.0 / 33.0,
-        46732.0 / 5247.0,
-        49.0 / 176.0,
-        -5103.0 / 18656.0,
-        0.0,
-    ],
-    [
-        35.0 / 384.0,
-        0.0,
-        500.0 / 1113.0,
-        125.0 / 192.0,
-        -2187.0 / 6784.0,
-        11.0 / 84.0,
-    ],
-];
-/// Fifth- minus fourth-order weights.
-const ERROR: [f64; 7] = [
-    71.0 / 57600.0,
-    0.0,
-    -71.0 / 16695.0,
-    71.0 / 1920.0,
-    -17253.0 / 339_200.0,
-    22.0 / 525.0,
-    -1.0 / 40.0,
-];
+use super::tableau::{DORMAND_PRINCE_5, Tableau};
 
 /// Error per sub-step, in the scales of the system, when crossing an interval.
-const TOLERANCE: f64 = 1e-11;
+const CROSSING_TOLERANCE: f64 = 1e-11;
 
 /// A jump takes some tens of sub-steps to cross.
 const ATTEMPTS_MAX: u32 = 10_000;
@@ -61,19 +17,27 @@ pub struct CrossingError {
     pub time_s: f64,
 }
 
-/// Work arrays of the pair.
+/// A pair with its work arrays.
 #[derive(Debug, Clone)]
 pub struct RungeKutta {
-    stages: [Vec<f64>; 7],
+    tableau: &'static Tableau,
+    /// f at the stages, and at the end of the step in the last place.
+    stages: Vec<Vec<f64>>,
     trial: Vec<f64>,
     difference: Vec<f64>,
 }
 
 impl RungeKutta {
-    /// For systems of this dimension.
+    /// The fifth-order pair, for systems of this dimension.
     pub fn new(dimension: usize) -> Self {
+        Self::with_tableau(&DORMAND_PRINCE_5, dimension)
+    }
+
+    /// A given pair.
+    pub fn with_tableau(tableau: &'static Tableau, dimension: usize) -> Self {
         Self {
-            stages: std::array::from_fn(|_| vec![0.0; dimension]),
+            tableau,
+            stages: vec![vec![0.0; dimension]; tableau.b.len() + 1],
             trial: vec![0.0; dimension],
             difference: vec![0.0; dimension],
         }
@@ -95,35 +59,66 @@ impl RungeKutta {
     ) -> Result<(), CrossingError> {
         let mut done = 0.0;
         let mut size = h;
-        let mut attempts = 0;
         while done < h {
-            attempts += 1;
-            if attempts > ATTEMPTS_MAX {
-                return Err(CrossingError {
-                    time_s: from_s + done,
-                });
-            }
-            let last = done + size >= h * (1.0 - 1e-12);
-            let trial = if last { h - done } else { size };
-            let error = self.attempt(system, from_s + done, trial, y, rate) / TOLERANCE;
-            if !error.is_finite() {
-                return Err(CrossingError {
-                    time_s: from_s + done,
-                });
-            }
-            // A jump cannot be resolved below this; what it leaves is as small.
-            if error <= 1.0 || trial <= h * 1e-6 {
-                y.copy_from_slice(&self.trial);
-                rate.copy_from_slice(&self.stages[6]);
-                done = if last { h } else { done + trial };
-            }
-            size = trial * (0.9 * error.max(1e-10).powf(-0.2)).clamp(0.1, 5.0);
-            size = size.max(h * 1e-6);
+            let made = self.step(
+                system,
+                from_s + done,
+                size.min(h - done),
+                CROSSING_TOLERANCE,
+                h * 1e-6,
+                y,
+                rate,
+            )?;
+            // Rounding must not leave a rest.
+            done = if made.size >= (h - done) * (1.0 - 1e-12) {
+                h
+            } else {
+                done + made.size
+            };
+            size = made.next;
         }
         Ok(())
     }
 
-    /// One step into `self.trial`, with f there in the last stage; returns its error.
+    /// One step of error control: from `size` downwards until the error is below
+    /// `tolerance` or the size below `least`.
+    ///
+    /// # Errors
+    /// [`CrossingError`] when the state is no longer finite or takes too many attempts.
+    #[allow(clippy::too_many_arguments)] // the state of the step, in and out
+    pub fn step<S: System>(
+        &mut self,
+        system: &mut S,
+        time_s: f64,
+        mut size: f64,
+        tolerance: f64,
+        least: f64,
+        y: &mut [f64],
+        rate: &mut [f64],
+    ) -> Result<Made, CrossingError> {
+        for _ in 0..ATTEMPTS_MAX {
+            let error = self.attempt(system, time_s, size, y, rate) / tolerance;
+            if !error.is_finite() {
+                return Err(CrossingError { time_s });
+            }
+            let factor = 0.9 * error.max(1e-10).powf(-1.0 / self.tableau.order);
+            let next = (size * factor.clamp(0.1, 5.0)).max(least);
+            // A jump cannot be resolved below the least size; what it leaves is as small.
+            if error <= 1.0 || size <= least {
+                let end = self.tableau.b.len();
+                if self.tableau.error.len() <= end {
+                    system.derivative(time_s + size, &self.trial, &mut self.stages[end]);
+                }
+                y.copy_from_slice(&self.trial);
+                rate.copy_from_slice(&self.stages[end]);
+                return Ok(Made { size, next });
+            }
+            size = next;
+        }
+        Err(CrossingError { time_s })
+    }
+
+    /// One step into `self.trial`; returns its error.
     fn attempt<S: System>(
         &mut self,
         system: &mut S,
@@ -132,21 +127,59 @@ impl RungeKutta {
         y: &[f64],
         rate: &[f64],
     ) -> f64 {
+        let t = self.tableau;
+        let count = t.b.len();
         self.stages[0].copy_from_slice(rate);
-        for s in 1..7 {
-            self.trial.copy_from_slice(y);
-            for (k, a) in A[s].iter().enumerate().take(s) {
-                if *a != 0.0 {
-                    for (t, f) in self.trial.iter_mut().zip(&self.stages[k]) {
-                        *t += h * a * f;
-                    }
-                }
-            }
-            system.derivative(time_s + C[s] * h, &self.trial, &mut self.stages[s]);
+        for s in 1..count {
+            combine(&mut self.trial, y, h, t.a[s], &self.stages);
+            system.derivative(time_s + t.c[s] * h, &self.trial, &mut self.stages[s]);
         }
-        for (i, d) in self.difference.iter_mut().enumerate() {
-            *d = h * (0..7).map(|s| ERROR[s] * self.stages[s][i]).sum::<f64>();
+        combine(&mut self.trial, y, h, t.b, &self.stages);
+        if t.error.len() > count {
+            system.derivative(time_s + h, &self.trial, &mut self.stages[count]);
+        }
+        let error = self.estimate(system, h, t.error);
+        if t.lower_error.is_empty() {
+            return error;
+        }
+        // Hairer, Nørsett & Wanner, Eq. (II.10.17): err₅²/√(err₅² + 0.01 err₃²).
+        let lower = self.estimate(system, h, t.lower_error);
+        let size = error.hypot(0.1 * lower);
+        if size > 0.0 {
+            error * error / size
+        } else {
+            size
+        }
+    }
+
+    fn estimate<S: System>(&mut self, system: &S, h: f64, weights: &[f64]) -> f64 {
+        self.difference.fill(0.0);
+        for (w, stage) in weights.iter().zip(&self.stages) {
+            for (d, f) in self.difference.iter_mut().zip(stage) {
+                *d += h * w * f;
+            }
         }
         system.error_norm(&self.difference)
+    }
+}
+
+/// A step that was made and the size for the next.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Made {
+    /// Its size.
+    pub size: f64,
+    /// What the error suggests for the next.
+    pub next: f64,
+}
+
+/// y + h Σ w_k f_k.
+fn combine(out: &mut [f64], y: &[f64], h: f64, weights: &[f64], stages: &[Vec<f64>]) {
+    out.copy_from_slice(y);
+    for (w, stage) in weights.iter().zip(stages) {
+        if *w != 0.0 {
+            for (o, f) in out.iter_mut().zip(stage) {
+                *o += h * w * f;
+            }
+        }
     }
 }

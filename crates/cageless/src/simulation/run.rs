@@ -5,11 +5,11 @@ use std::f64::consts::TAU;
 
 use super::guard::{Cause, Guard, Stop};
 use super::observer::{Observer, Scene, View};
-use crate::case::Case;
+use crate::case::{Case, Method};
 use crate::dynamics::{InstructionSet, Model, RightHandSide};
 use crate::equilibrium::EquilibriumError;
 use crate::error::InputError;
-use crate::integrator::{Abm4, Integrator, RungeKutta, Step, System};
+use crate::integrator::{Abm4, Adaptive, Integrator, Step, Symplectic};
 use crate::start::initial_state;
 use crate::state::State;
 
@@ -87,145 +87,124 @@ pub fn run_from(
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<RunOutcome, InputError> {
     let model = Model::new(case)?;
-    let mut rhs = RightHandSide::new(&model);
-    let bearing = &case.bearing;
-    let guard = Guard::new(
-        &model,
-        start,
-        bearing.ball_radius_m(),
-        bearing.radial_clearance_m(),
-    );
-    let h = case.solver.step_s;
-    let mut method = Abm4::new(model.layout().len(), h);
-    method.restart(&mut rhs, 0.0, start.values());
-    let mut turns: Vec<i64> = (0..model.balls())
-        .map(|k| {
-            let wrapped = start.x_m()[k].atan2(-start.y_m()[k]);
-            ((start_angle_rad[k] - wrapped) / TAU).round() as i64
-        })
-        .collect();
-
-    let probe = RefCell::new(RightHandSide::new(&model));
-    let scene = Scene {
+    let (size, h) = (model.layout().len(), case.solver.step_s);
+    let problem = Problem {
         case,
         model: &model,
         start,
         start_angle_rad,
     };
-    let mut ending = Ending::Complete;
-    for observer in observers.iter_mut() {
-        if let Err(error) = observer.begin(&scene) {
-            ending = Ending::ObserverFailed(error);
+    Ok(match case.solver.method {
+        Method::Abm4 => problem.run(Abm4::new(size, h), observers, control),
+        Method::Symplectic => problem.run(Symplectic::new(size, h), observers, control),
+        Method::Adaptive => {
+            let method = Adaptive::new(size, h, case.solver.tolerance);
+            problem.run(method, observers, control)
         }
-    }
-    // Dividing rounds: a duration of 10000 steps must not become 9999 and a rest.
-    let whole = (case.solver.duration_s / h + 1e-6).floor();
-    let rest = case.solver.duration_s - whole * h;
-    let whole = whole as u64;
-    let mut steps = 0;
-    while steps < whole && matches!(ending, Ending::Complete) {
-        if let Err(error) = method.advance(&mut rhs) {
-            ending = Ending::Stopped(Stop {
-                time_s: error.time_s,
-                cause: Cause::NotResolved,
-            });
-            break;
-        }
-        steps += 1;
-        let step = method.step();
-        if let Err(cause) = guard.check(steps, &rhs, step.after) {
-            ending = Ending::Stopped(Stop {
-                time_s: step.to_s,
-                cause,
-            });
-            break;
-        }
-        ending = show(&step, &rhs, &probe, &mut turns, observers);
-        if matches!(ending, Ending::Complete)
-            && steps.is_multiple_of(ASK_EVERY)
-            && control(step.to_s) == Control::Interrupt
-        {
-            ending = Ending::Interrupted;
-        }
-    }
-    let mut last = Last {
-        time_s: 0.0,
-        values: start.values().to_vec(),
-        rate: vec![],
-    };
-    if steps > 0 {
-        let step = method.step();
-        last = Last {
-            time_s: step.to_s,
-            values: step.after.to_vec(),
-            rate: step.rate_after.to_vec(),
-        };
-    }
-    if matches!(ending, Ending::Complete) && rest > 1e-6 * h {
-        ending = finish(rest, &mut last, &mut rhs, &probe, &mut turns, observers);
-        steps += 1;
-    }
-    if matches!(ending, Ending::Complete)
-        && let Err(cause) = guard.look(&rhs, &last.values)
-    {
-        ending = Ending::Stopped(Stop {
-            time_s: last.time_s,
-            cause,
-        });
-    }
-    let state = State::from_values(model.layout(), last.values);
-    let (residual, flows) = model.energy_residual_j(guard.start_energy_j(), &state);
-    Ok(RunOutcome {
-        ending,
-        end_s: last.time_s,
-        steps,
-        rhs_evaluations: rhs.evaluations(),
-        end_energy_j: model.energy_j(&state),
-        state,
-        start_energy_j: guard.start_energy_j(),
-        energy_residual_relative: if flows > 0.0 { residual / flows } else { 0.0 },
-        instruction_set: rhs.instruction_set(),
     })
 }
 
-/// The end of what was computed.
-struct Last {
-    time_s: f64,
-    values: Vec<f64>,
-    rate: Vec<f64>,
+/// What is to be integrated, from where.
+struct Problem<'a> {
+    case: &'a Case,
+    model: &'a Model,
+    start: &'a State,
+    start_angle_rad: &'a [f64],
 }
 
-/// The last, shorter step of a duration that is not a multiple of the step.
-fn finish<'m>(
-    rest: f64,
-    last: &mut Last,
-    rhs: &mut RightHandSide<'m>,
-    probe: &RefCell<RightHandSide<'m>>,
-    turns: &mut [i64],
-    observers: &mut [&mut dyn Observer],
-) -> Ending {
-    let before = last.values.clone();
-    let from_s = last.time_s;
-    last.rate.resize(before.len(), 0.0);
-    rhs.derivative(from_s, &before, &mut last.rate);
-    let rate_before = last.rate.clone();
-    let mut starter = RungeKutta::new(before.len());
-    if let Err(error) = starter.cross(rhs, from_s, rest, &mut last.values, &mut last.rate) {
-        return Ending::Stopped(Stop {
-            time_s: error.time_s,
-            cause: Cause::NotResolved,
-        });
+impl Problem<'_> {
+    fn run(
+        &self,
+        mut method: impl Integrator,
+        observers: &mut [&mut dyn Observer],
+        control: &mut dyn FnMut(f64) -> Control,
+    ) -> RunOutcome {
+        let Self {
+            case,
+            model,
+            start,
+            start_angle_rad,
+        } = *self;
+        let mut rhs = RightHandSide::new(model);
+        let probe = RefCell::new(RightHandSide::new(model));
+        let guard = Guard::new(
+            model,
+            start,
+            case.bearing.ball_radius_m(),
+            case.bearing.radial_clearance_m(),
+        );
+        method.restart(&mut rhs, 0.0, start.values());
+        let mut turns: Vec<i64> = (0..model.balls())
+            .map(|k| {
+                let wrapped = start.x_m()[k].atan2(-start.y_m()[k]);
+                ((start_angle_rad[k] - wrapped) / TAU).round() as i64
+            })
+            .collect();
+
+        let scene = Scene {
+            case,
+            model,
+            start,
+            start_angle_rad,
+        };
+        let mut ending = Ending::Complete;
+        for observer in observers.iter_mut() {
+            if let Err(error) = observer.begin(&scene) {
+                ending = Ending::ObserverFailed(error);
+            }
+        }
+        let duration = case.solver.duration_s;
+        let mut steps = 0;
+        let mut end_s = 0.0;
+        let mut last = start.values().to_vec();
+        while end_s < duration && matches!(ending, Ending::Complete) {
+            if let Err(error) = method.advance(&mut rhs, duration) {
+                ending = Ending::Stopped(Stop {
+                    time_s: error.time_s,
+                    cause: Cause::NotResolved,
+                });
+                break;
+            }
+            steps += 1;
+            let step = method.step();
+            end_s = step.to_s;
+            let checked = if end_s < duration {
+                guard.check(steps, &rhs, step.after)
+            } else {
+                guard.look(&rhs, step.after)
+            };
+            if let Err(cause) = checked {
+                ending = Ending::Stopped(Stop {
+                    time_s: end_s,
+                    cause,
+                });
+                break;
+            }
+            ending = show(&step, &rhs, &probe, &mut turns, observers);
+            if matches!(ending, Ending::Complete)
+                && steps.is_multiple_of(ASK_EVERY)
+                && control(end_s) == Control::Interrupt
+            {
+                ending = Ending::Interrupted;
+            }
+        }
+        if steps > 0 {
+            last.copy_from_slice(method.step().after);
+        }
+        let state = State::from_values(model.layout(), last);
+        let (residual, flows) = model.energy_residual_j(guard.start_energy_j(), &state);
+        RunOutcome {
+            ending,
+            end_s,
+            steps,
+            rhs_evaluations: rhs.evaluations(),
+            end_energy_j: model.energy_j(&state),
+            state,
+            start_energy_j: guard.start_energy_j(),
+            energy_residual_relative: if flows > 0.0 { residual / flows } else { 0.0 },
+            instruction_set: rhs.instruction_set(),
+        }
     }
-    last.time_s = from_s + rest;
-    let step = Step {
-        from_s,
-        to_s: last.time_s,
-        before: &before,
-        rate_before: &rate_before,
-        after: &last.values,
-        rate_after: &last.rate,
-    };
-    show(&step, rhs, probe, turns, observers)
 }
 
 /// Counts turns and lets the observers see the step.

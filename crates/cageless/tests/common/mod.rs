@@ -87,6 +87,7 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
         solver: Solver {
             method: Method::Abm4,
             step_s: 1e-6,
+            tolerance: 1e-8,
             duration_s: 0.02,
         },
         seed: 0,
