@@ -130,9 +130,10 @@ const FILES: &[(&str, &str, &str)] = &[
         "[start]\nlead_ball_angle_deg = nan ",
         "start.lead_ball_angle_deg",
     ),
-    ("method = \"abm4\" ", "method = \"euler\" ", "solver.method"),
-    ("step_us = 1.0 ", "step_us = 0 ", "solver.step_us"),
-    ("step_us = 1.0 ", "step_us = 1e-9 ", "solver.duration_s"),
+    ("# method = \"symplectic\" ", "method = \"euler\" ", "solver.method"),
+    ("# step_us = \"auto\" ", "step_us = 0 ", "solver.step_us"),
+    ("# step_us = \"auto\" ", "step_us = 1e-9 ", "solver.duration_s"),
+    ("# step_us = \"auto\" ", "step_us = 20.0 ", "solver.step_us"),
     (
         "duration_s = 0.5 ",
         "duration_s = -0.5 ",
@@ -147,7 +148,7 @@ const FILES: &[(&str, &str, &str)] = &[
         "title",
     ),
     ("[material] ", "[materials] ", "materials"),
-    ("[solver]", "[solver]\nstep_us = 2.0", "step_us"),
+    ("[solver]", "[solver]\nstep_us = 2.0\nstep_us = 1.0", "step_us"),
     (
         "interval_us = 100.0 ",
         "interval_us = 0 ",

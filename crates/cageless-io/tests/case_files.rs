@@ -68,7 +68,7 @@ fn the_template_is_the_bearing_of_the_paper_in_si_units() {
     );
     assert_eq!(
         (case.solver.method, case.solver.step_s),
-        (Method::Abm4, 1e-6)
+        (Method::Symplectic, 2e-6)
     );
     assert_eq!(
         (case.solver.duration_s, case.output.interval_s),
@@ -90,6 +90,9 @@ fn defaults_that_were_filled_in_are_listed() {
             "start.state",
             "start.gaps",
             "start.lead_ball_angle_deg",
+            "solver.method",
+            "solver.step_us",
+            "solver.tolerance",
             "solver.seed",
         ]
     );
@@ -275,7 +278,7 @@ fn the_document_has_exactly_the_keys_of_the_file() {
             "{set}"
         );
     }
-    assert_eq!(all.len(), 34, "{all:?}");
+    assert_eq!(all.len(), 35, "{all:?}");
 }
 
 #[test]

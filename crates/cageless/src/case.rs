@@ -189,8 +189,8 @@ pub struct Case {
 /// Longest run that is accepted, in steps.
 pub const STEPS_MAX: f64 = 1e12;
 
-/// Most output times of a run.
-pub const ROWS_MAX: f64 = 1e8;
+/// Shortest time between rows.
+pub const INTERVAL_MIN_S: f64 = 1e-9;
 
 impl Case {
     /// Checks everything that [`Bearing::new`] and [`Raceway::new`] have not.
@@ -257,12 +257,11 @@ impl Case {
             ));
         }
         positive("interval_s", self.output.interval_s)?;
-        let least = self.solver.duration_s / ROWS_MAX;
-        if self.output.interval_s < least {
+        if self.output.interval_s < INTERVAL_MIN_S {
             return Err(InputError::new(
                 "interval_s",
                 self.output.interval_s,
-                Allowed::AtLeast(least, "a hundred million output times"),
+                Allowed::AtLeast(INTERVAL_MIN_S, "nothing moves in less"),
             ));
         }
         if let Some(h) = &self.housing {
