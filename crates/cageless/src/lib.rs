@@ -16,6 +16,7 @@
 
 pub mod bearing;
 pub mod case;
+pub mod certificate;
 pub mod collision;
 pub mod design;
 pub mod dynamics;

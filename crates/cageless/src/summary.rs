@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use crate::case::Case;
 use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::simulation::{Control, Observer, ObserverError, Scene, View};
 use crate::spacing::gap_rad;
@@ -31,6 +32,17 @@ const TRANSIENT_TURNS: f64 = 2.0;
 /// less than 0.01° in 8 steps of 1 µs.
 const GAPS_EVERY: u64 = 8;
 
+/// The part of a run that is left out as transient: two orbits of the balls, at most half
+/// the run.
+pub fn transient_s(case: &Case) -> f64 {
+    let orbit = rolling_orbit_speed_rad_s(
+        &case.bearing,
+        case.operation.inner_speed_rad_s,
+        case.bearing.ball_radius_m(),
+    );
+    (TRANSIENT_TURNS * TAU / orbit).min(case.solver.duration_s / 2.0)
+}
+
 /// Gathers a [`Summary`].
 pub struct SummaryRecorder {
     settled_after_s: f64,
@@ -45,7 +57,7 @@ pub struct SummaryRecorder {
 }
 
 impl SummaryRecorder {
-    /// Leaves out the first two orbits of the balls, at most half the run.
+    /// Leaves out [`transient_s`].
     pub fn new() -> Self {
         Self {
             settled_after_s: 0.0,
@@ -83,12 +95,7 @@ impl Default for SummaryRecorder {
 impl Observer for SummaryRecorder {
     fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
         let case = scene.case;
-        let orbit = rolling_orbit_speed_rad_s(
-            &case.bearing,
-            case.operation.inner_speed_rad_s,
-            case.bearing.ball_radius_m(),
-        );
-        self.settled_after_s = (TRANSIENT_TURNS * TAU / orbit).min(case.solver.duration_s / 2.0);
+        self.settled_after_s = transient_s(case);
         self.ball_angle = case.bearing.ball_angle_rad();
         self.touching = vec![false; scene.model.balls()];
         Ok(())

@@ -4,3 +4,4 @@ pub mod chebyshev;
 pub mod elliptic;
 pub mod quadrature;
 pub mod root;
+pub mod student;

@@ -1,0 +1,102 @@
+//! Means and deviations over the part of a run after its transient.
+
+use crate::case::Profile;
+use crate::simulation::{Control, Observer, ObserverError, Scene, View};
+use crate::summary::transient_s;
+
+/// Mean and variance of a value that is held for a time, by West's update.
+#[derive(Debug, Clone, Copy, Default)]
+struct Moments {
+    time: f64,
+    mean: f64,
+    squares: f64,
+}
+
+impl Moments {
+    fn add(&mut self, value: f64, time: f64) {
+        self.time += time;
+        let before = value - self.mean;
+        self.mean += before * time / self.time;
+        self.squares += time * before * (value - self.mean);
+    }
+
+    fn deviation(&self) -> f64 {
+        (self.squares / self.time).sqrt()
+    }
+}
+
+/// Balls are looked at this often, steps: their speeds hardly change in between.
+const BALLS_EVERY: u64 = 8;
+
+/// Deviations of the ring and mean speeds of the balls.
+#[derive(Debug, Clone, Default)]
+pub(super) struct MotionRecorder {
+    settled_after_s: f64,
+    relative_spin: bool,
+    ring: [Moments; 2],
+    orbit: Moments,
+    spin: Moments,
+    steps: u64,
+    last_look_s: f64,
+}
+
+impl MotionRecorder {
+    /// Standard deviations of the ring's x and y over time, m.
+    pub fn ring_deviation_m(&self) -> [f64; 2] {
+        self.ring.map(|m| m.deviation())
+    }
+
+    /// Mean orbital speed of the balls, rad/s.
+    pub fn orbit_speed_rad_s(&self) -> f64 {
+        self.orbit.mean
+    }
+
+    /// Mean absolute spin of the balls, rad/s.
+    pub fn spin_rad_s(&self) -> f64 {
+        self.spin.mean
+    }
+}
+
+impl Observer for MotionRecorder {
+    fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
+        *self = Self {
+            settled_after_s: transient_s(scene.case),
+            relative_spin: scene.case.profile == Profile::Paper,
+            ..Self::default()
+        };
+        self.last_look_s = self.settled_after_s;
+        Ok(())
+    }
+
+    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+        let step = &view.step;
+        if step.to_s <= self.settled_after_s {
+            return Ok(Control::Continue);
+        }
+        let layout = view.layout();
+        let at = layout.ring();
+        for (k, moments) in self.ring.iter_mut().enumerate() {
+            moments.add(step.after[at + k], step.to_s - step.from_s);
+        }
+        if self.steps.is_multiple_of(BALLS_EVERY) {
+            let group = |g: usize| &step.after[layout.group(g)..][..layout.balls];
+            let (x, y, vx, vy, spins) = (group(0), group(1), group(2), group(3), group(4));
+            let (mut orbits, mut absolute) = (0.0, 0.0);
+            for k in 0..layout.balls {
+                let orbit = (x[k] * vy[k] - y[k] * vx[k]) / (x[k] * x[k] + y[k] * y[k]);
+                orbits += orbit;
+                absolute += if self.relative_spin {
+                    spins[k] - orbit
+                } else {
+                    spins[k]
+                };
+            }
+            let time = step.to_s - self.last_look_s;
+            self.orbit.add(orbits / layout.balls as f64, time);
+            self.spin.add(absolute / layout.balls as f64, time);
+            self.last_look_s = step.to_s;
+        }
+        self.steps += 1;
+        Ok(Control::Continue)
+    }
+}

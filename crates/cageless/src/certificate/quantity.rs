@@ -1,0 +1,87 @@
+//! The numbers that are judged.
+
+use crate::case::Case;
+use crate::kinematics::{rolling_orbit_speed_rad_s, rolling_spin_rad_s};
+
+/// A number that a run comes to. Those of the first two groups cover the part of the run
+/// after its transient.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    /// Contacts between balls that began.
+    Collisions,
+    /// Smallest gap, rad.
+    GapMin,
+    /// Largest gap, rad.
+    GapMax,
+    /// Mean place of the ring's centre, m.
+    RingXMean,
+    /// Mean place of the ring's centre, m.
+    RingYMean,
+    /// Largest slip at a loaded raceway contact, m/s.
+    SlipMax,
+    /// Standard deviation of the ring's place over time, m.
+    RingXDeviation,
+    /// Standard deviation of the ring's place over time, m.
+    RingYDeviation,
+    /// Mean orbital speed over balls and time, rad/s.
+    OrbitSpeedMean,
+    /// Mean absolute spin over balls and time, rad/s.
+    SpinMean,
+    /// Place of the ring at the end, m.
+    RingXEnd,
+    /// Place of the ring at the end, m.
+    RingYEnd,
+    /// ψ of ball 1 at the end, continuous, rad.
+    LeadBallAngleEnd,
+}
+
+impl Quantity {
+    /// All of them, in the order of their discriminants.
+    pub const ALL: [Self; 13] = [
+        Self::Collisions,
+        Self::GapMin,
+        Self::GapMax,
+        Self::RingXMean,
+        Self::RingYMean,
+        Self::SlipMax,
+        Self::RingXDeviation,
+        Self::RingYDeviation,
+        Self::OrbitSpeedMean,
+        Self::SpinMean,
+        Self::RingXEnd,
+        Self::RingYEnd,
+        Self::LeadBallAngleEnd,
+    ];
+
+    /// Whether it is a value at one instant.
+    pub fn is_point(self) -> bool {
+        matches!(
+            self,
+            Self::RingXEnd | Self::RingYEnd | Self::LeadBallAngleEnd
+        )
+    }
+
+    /// What counts as a large change of it, in its unit; `value` is the number itself.
+    ///
+    /// Places of the ring have the scale of the trajectories' distance, 10 µm; angles the
+    /// uniform gap, at least 0.1°; speeds those of rolling. Collisions, the largest slip and
+    /// deviations are measured by themselves, at least by 1, the slip scale of the
+    /// friction law and 0.1 µm.
+    pub fn scale(self, case: &Case, value: f64) -> f64 {
+        const PLACE_M: f64 = 1e-5;
+        let bearing = &case.bearing;
+        let radius = bearing.ball_radius_m();
+        let orbit = rolling_orbit_speed_rad_s(bearing, case.operation.inner_speed_rad_s, radius);
+        match self {
+            Self::Collisions => value.abs().max(1.0),
+            Self::GapMin | Self::GapMax | Self::LeadBallAngleEnd => {
+                bearing.uniform_gap_rad().max(0.1_f64.to_radians())
+            }
+            Self::RingXMean | Self::RingYMean | Self::RingXEnd | Self::RingYEnd => PLACE_M,
+            Self::SlipMax => value.abs().max(case.contact.slip_scale_m_s),
+            Self::RingXDeviation | Self::RingYDeviation => value.abs().max(0.01 * PLACE_M),
+            Self::OrbitSpeedMean => orbit,
+            Self::SpinMean => rolling_spin_rad_s(bearing, orbit, radius).abs(),
+        }
+    }
+}

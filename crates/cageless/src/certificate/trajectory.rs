@@ -1,0 +1,73 @@
+//! States of a run at a few hundred times, to be compared with those of another run.
+
+use crate::case::Case;
+use crate::integrator::hermite;
+use crate::simulation::{Control, Observer, ObserverError, View};
+
+/// Times at which runs are compared.
+const SAMPLES: usize = 1500;
+
+/// Times t_k = T·(k/n)², rounded to steps: close together at the start, where runs part
+/// within milliseconds, and spread over the whole run.
+pub(super) fn sample_times_s(case: &Case) -> Vec<f64> {
+    let (step, duration) = (case.solver.step_s, case.solver.duration_s);
+    let mut times: Vec<f64> = (1..=SAMPLES)
+        .map(|k| {
+            let share = k as f64 / SAMPLES as f64;
+            ((duration * share * share / step).round().max(1.0) * step).min(duration)
+        })
+        .collect();
+    times.dedup();
+    times
+}
+
+/// Keeps the states of balls and ring at given times.
+#[derive(Debug, Clone, Default)]
+pub(super) struct TrajectoryRecorder {
+    times: Vec<f64>,
+    taken: usize,
+    width: usize,
+    values: Vec<f64>,
+}
+
+impl TrajectoryRecorder {
+    /// At `times`, ascending.
+    pub fn new(times: Vec<f64>) -> Self {
+        Self {
+            times,
+            ..Self::default()
+        }
+    }
+
+    /// State at the k-th time; `None` if the run did not get there.
+    pub fn state(&self, k: usize) -> Option<&[f64]> {
+        self.values.get(k * self.width..(k + 1) * self.width)
+    }
+
+    /// The times.
+    pub fn times_s(&self) -> &[f64] {
+        &self.times
+    }
+}
+
+impl Observer for TrajectoryRecorder {
+    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+        let step = &view.step;
+        // The energy ledger is left out.
+        self.width = view.layout().ledger();
+        let slack = 1e-6 * (step.to_s - step.from_s);
+        while let Some(&time) = self.times.get(self.taken) {
+            if time > step.to_s + slack {
+                break;
+            }
+            if (time - step.to_s).abs() <= slack {
+                self.values.extend_from_slice(&step.after[..self.width]);
+            } else {
+                self.values
+                    .extend((0..self.width).map(|k| hermite(step, k, time)));
+            }
+            self.taken += 1;
+        }
+        Ok(Control::Continue)
+    }
+}
