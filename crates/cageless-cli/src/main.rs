@@ -7,6 +7,7 @@ mod format;
 mod progress;
 mod reproduce;
 mod run_report;
+mod verification;
 
 use std::process::ExitCode;
 

@@ -242,6 +242,7 @@ pub fn run_data(
         },
         collisions: histories.collisions.clone(),
         energy: energy(outcome),
+        certificate: summary.certificate.as_ref().map(crate::verification::table),
         energy_residual_relative: Some(outcome.energy_residual_relative),
         vibration: vibration.map(|recorder| Vibration {
             signals: vec![vibration_signal(

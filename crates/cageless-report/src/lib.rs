@@ -5,6 +5,7 @@
 //! opens without a network, and the same numbers as one JSON document
 //! ([`to_json`]).
 
+pub mod certificate;
 pub mod data;
 pub mod figure;
 pub mod figures;
@@ -19,6 +20,7 @@ pub mod table;
 pub mod tables;
 pub mod text;
 
+pub use certificate::{CertificateRow, CertificateTable};
 pub use data::*;
 pub use figure::Figure;
 pub use geometry::{ContactTrack, RacewaySurface};

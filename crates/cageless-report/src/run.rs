@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::certificate::{CertificateTable, certificate_table};
 use crate::data::{BearingOutline, Motion, Parameter, Provenance, Sector, Vibration};
 use crate::figures::{history, vibration};
 use crate::motion::MotionFigure;
@@ -45,6 +46,8 @@ pub struct RunData {
     pub energy: Vec<EnergyItem>,
     /// Energy that the ledger misses over the largest entry.
     pub energy_residual_relative: Option<f64>,
+    /// How far the results can be trusted.
+    pub certificate: Option<CertificateTable>,
     /// Vibration of the outer ring.
     pub vibration: Option<Vibration>,
     /// The balls in motion.
@@ -132,6 +135,14 @@ pub fn run_page(data: &RunData) -> String {
             &data.results,
             source,
         ));
+    }
+    if let Some(certificate) = &data.certificate {
+        page.section("Certificate");
+        certificate
+            .facts
+            .iter()
+            .for_each(|fact| page.note(Note::Remark, fact));
+        page.table(&certificate_table(certificate, data.provenance.clone()));
     }
     if let Some(motion) = &data.motion {
         page.section("Balls in motion");

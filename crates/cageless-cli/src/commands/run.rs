@@ -2,6 +2,7 @@
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::sync::atomic::Ordering;
 use std::time::Instant;
 
 use cageless::collision::CollisionDetector;
@@ -20,11 +21,12 @@ use cageless_io::results::{
 use cageless_report::{run_page, to_json};
 
 use super::{make_folder, print, read_case, writable};
-use crate::args::CaseArgs;
+use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::format::pairs;
 use crate::progress::{Progress, StopFlag};
 use crate::run_report::{Histories, run_data};
+use crate::verification::{self, Verification};
 
 /// Files beside the tables.
 const SUMMARY: &str = "summary.json";
@@ -32,7 +34,9 @@ const PAGE: &str = "report.html";
 const PAGE_DATA: &str = "report.json";
 
 /// Simulates a case.
-pub fn run(args: &CaseArgs, stop: &StopFlag) -> Result<(), Failure> {
+pub fn run(args: &RunArgs, stop: &StopFlag) -> Result<(), Failure> {
+    let verify = args.verify;
+    let args = &args.case;
     let file = read_case(args)?;
     let case = file.case();
     // A case that cannot start must not touch the folder.
@@ -56,6 +60,7 @@ pub fn run(args: &CaseArgs, stop: &StopFlag) -> Result<(), Failure> {
     };
 
     let mut summary = SummaryRecorder::new();
+    let mut verification = verify.then(|| Verification::new(case));
     let mut vibration = case.housing.as_ref().map(VibrationRecorder::new);
     let mut histories = RefCell::new(Histories::new());
     let started = Instant::now();
@@ -82,6 +87,9 @@ pub fn run(args: &CaseArgs, stop: &StopFlag) -> Result<(), Failure> {
                 observers.push(vibration);
             }
         }
+        if let Some(verification) = &mut verification {
+            observers.push(verification.watch());
+        }
         let outcome = simulate(
             case,
             &mut observers,
@@ -97,7 +105,10 @@ pub fn run(args: &CaseArgs, stop: &StopFlag) -> Result<(), Failure> {
     if let Some(writer) = writer {
         writer.into_inner().finish()?;
     }
-    let summary_file = summarise(&file, &outcome, summary.summary(), isa, wall_s);
+    let mut summary_file = summarise(&file, &outcome, summary.summary(), isa, wall_s);
+    if let Some(verification) = verification {
+        verification.finish(case, &outcome, &mut summary_file, stop);
+    }
     if let Some(dir) = &args.out {
         summary_file.write(dir)?;
         let data = run_data(
@@ -120,6 +131,9 @@ pub fn run(args: &CaseArgs, stop: &StopFlag) -> Result<(), Failure> {
         None => String::new(),
     };
     match outcome.ending {
+        Ending::Complete if verify && stop.load(Ordering::Relaxed) => Err(Failure::Interrupted(
+            format!("interrupted while verifying: the run itself is complete.{kept}"),
+        )),
         Ending::Complete => Ok(()),
         Ending::Interrupted => Err(Failure::Interrupted(format!(
             "interrupted at t = {:.6} s.{kept}",
@@ -169,6 +183,7 @@ fn summarise(
         wall_s,
         settled_after_s: number(|s| s.settled_after_s),
         warnings,
+        certificate: None,
         stopped: match &outcome.ending {
             Ending::Stopped(stop) => Some(Stopped {
                 time_s: stop.time_s,
@@ -232,6 +247,9 @@ fn text(case: &Case, outcome: &RunOutcome, s: &SummaryFile) -> String {
         lines.insert(0, ("case", case.title.clone()));
     }
     let mut text = pairs(&lines);
+    if let Some(certificate) = &s.certificate {
+        text += &verification::text(certificate);
+    }
     for warning in &s.warnings {
         text += &format!("warning: {warning}\n");
     }

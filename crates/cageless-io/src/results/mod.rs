@@ -13,6 +13,7 @@
 //! Tables grow under a hidden name and take their own when they are complete, so
 //! that a file that is there can be read. Memory does not grow with the run.
 
+mod certificate;
 mod error;
 mod partial;
 mod summary;
@@ -25,6 +26,7 @@ use cageless::{Collision, Snapshot};
 
 use crate::case_file::CaseDocument;
 
+pub use certificate::{CertificateFile, CertificateNumber, DistanceColumns, rounded};
 pub use error::ResultError;
 pub use partial::write_atomically;
 pub use summary::{Stopped, SummaryFile};

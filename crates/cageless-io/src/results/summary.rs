@@ -5,6 +5,7 @@ use std::path::Path;
 
 use serde::Serialize;
 
+use super::certificate::CertificateFile;
 use super::error::ResultError;
 use super::partial::write_atomically;
 use crate::case_file::CaseDocument;
@@ -48,6 +49,9 @@ pub struct SummaryFile {
     pub settled_after_s: f64,
     /// What the user should know.
     pub warnings: Vec<String>,
+    /// How far the numbers can be trusted, if that was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub certificate: Option<CertificateFile>,
     /// Why the run stopped early, if it did.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stopped: Option<Stopped>,

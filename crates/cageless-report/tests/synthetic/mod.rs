@@ -533,6 +533,27 @@ pub fn run_data() -> RunData {
         })
         .to_vec(),
         energy_residual_relative: Some(3.2e-7),
+        certificate: Some(CertificateTable {
+            facts: vec!["Runs part by a factor e every 3 ms <synthetic>.".into()],
+            rows: vec![
+                CertificateRow {
+                    name: "gap_min_deg".into(),
+                    value: "−0.0021".into(),
+                    unit: "°".into(),
+                    verdict: "converged".into(),
+                    reason: "changes by 1e-7 & less".into(),
+                    marked: false,
+                },
+                CertificateRow {
+                    name: "ring_y_um_mean".into(),
+                    value: "−22.4".into(),
+                    unit: "µm".into(),
+                    verdict: "neither".into(),
+                    reason: "z = −10".into(),
+                    marked: true,
+                },
+            ],
+        }),
         vibration: Some(vibration(&[
             ("outer ring, x", 20.0),
             ("outer ring, y", 31.0),

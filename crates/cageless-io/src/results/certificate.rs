@@ -1,0 +1,298 @@
+//! The `certificate` of `summary.json`.
+
+use std::collections::BTreeMap;
+
+use cageless::certificate::{Certificate, Judgement, LOST, Loss, Quantity, Verdict};
+use serde::Serialize;
+
+/// The judgement of a run, in the units of `summary.json`. A number that is not finite
+/// becomes `null`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CertificateFile {
+    /// Numbers that change neither with the step nor with the start.
+    pub converged: usize,
+    /// Numbers that change with the start only.
+    pub statistical: usize,
+    /// Numbers that the step biases.
+    pub neither: usize,
+    /// Draws at the step, and as many at half of it.
+    pub members: usize,
+    /// Share of its scale by which a converged number may change.
+    pub tolerance: f64,
+    /// |z| above which a number counts as biased.
+    pub z_limit: f64,
+    /// Step of the run.
+    pub step_us: f64,
+    /// Time in which a distance grows by a factor e; absent if the run does not diverge.
+    pub divergence_time_s: Option<f64>,
+    /// From when on no point of the run is known; absent if not within the run.
+    pub predictability_time_s: Option<f64>,
+    /// Both in words.
+    pub predictability: String,
+    /// Largest distance of near starts over the first.
+    pub growth: f64,
+    /// What the energy ledger misses, relative to the energy turned over.
+    pub energy_residual_relative: f64,
+    /// The same at half the step.
+    pub energy_residual_relative_half_step: f64,
+    /// Momentum without a force, relative to the sum of absolute impulses.
+    pub momentum_residual_relative: f64,
+    /// The same at half the step.
+    pub momentum_residual_relative_half_step: f64,
+    /// Each number.
+    pub numbers: BTreeMap<String, CertificateNumber>,
+    /// Distances from the run over time.
+    pub distance: DistanceColumns,
+}
+
+/// One number.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CertificateNumber {
+    /// `converged`, `statistical` or `neither`.
+    pub verdict: String,
+    /// Unit of all that follows but `z`.
+    pub unit: String,
+    /// Value of the run.
+    pub value: f64,
+    /// Value at half the step.
+    pub half_step_value: f64,
+    /// Change that passes for converged.
+    pub tolerance: f64,
+    /// Largest change with the step.
+    pub step_change: f64,
+    /// Largest change with the start, near ones.
+    pub start_change: f64,
+    /// Mean over the draws at the step.
+    pub mean: f64,
+    /// Mean over the draws at half the step.
+    pub half_step_mean: f64,
+    /// Standard deviation of a draw.
+    pub spread: f64,
+    /// Standard error of `mean`.
+    pub standard_error: f64,
+    /// Difference of the means over its standard error.
+    pub z: f64,
+    /// Why, in words.
+    pub reason: String,
+    /// Place in tables.
+    #[serde(skip)]
+    pub rank: usize,
+}
+
+/// Distances of other members from the run, columns of equal length.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct DistanceColumns {
+    /// Time.
+    pub time_s: Vec<f64>,
+    /// Near starts.
+    pub near: Vec<f64>,
+    /// Half the step.
+    pub half_step: Vec<f64>,
+}
+
+/// Rows of [`DistanceColumns`], about.
+const ROWS: usize = 250;
+
+/// Key, unit and factor from SI.
+fn display(quantity: Quantity) -> (&'static str, &'static str, f64) {
+    let degrees = 1f64.to_degrees();
+    match quantity {
+        Quantity::Collisions => ("collisions", "1", 1.0),
+        Quantity::GapMin => ("gap_min_deg", "°", degrees),
+        Quantity::GapMax => ("gap_max_deg", "°", degrees),
+        Quantity::RingXMean => ("ring_x_um_mean", "µm", 1e6),
+        Quantity::RingYMean => ("ring_y_um_mean", "µm", 1e6),
+        Quantity::SlipMax => ("slip_max_m_s", "m/s", 1.0),
+        Quantity::RingXDeviation => ("ring_x_um_std", "µm", 1e6),
+        Quantity::RingYDeviation => ("ring_y_um_std", "µm", 1e6),
+        Quantity::OrbitSpeedMean => ("orbit_speed_rad_s_mean", "rad/s", 1.0),
+        Quantity::SpinMean => ("spin_rad_s_mean", "rad/s", 1.0),
+        Quantity::RingXEnd => ("ring_x_um_end", "µm", 1e6),
+        Quantity::RingYEnd => ("ring_y_um_end", "µm", 1e6),
+        Quantity::LeadBallAngleEnd => ("ball_1_angle_deg_end", "°", degrees),
+    }
+}
+
+impl CertificateFile {
+    /// In the units of `summary.json`.
+    pub fn new(c: &Certificate) -> Self {
+        let d = &c.divergence;
+        let stride = d.distances.len().div_ceil(ROWS).max(1);
+        let mut distance = DistanceColumns::default();
+        for row in d.distances.iter().step_by(stride) {
+            distance.time_s.push(row.time_s);
+            distance.near.push(row.near);
+            distance.half_step.push(row.half_step);
+        }
+        let numbers = c
+            .judgements
+            .iter()
+            .enumerate()
+            .map(|(rank, j)| {
+                let (key, unit, factor) = display(j.quantity);
+                (key.to_owned(), number(c, j, rank, unit, factor))
+            })
+            .collect();
+        Self {
+            converged: c.count(Verdict::Converged),
+            statistical: c.count(Verdict::Statistical),
+            neither: c.count(Verdict::Neither),
+            members: c.members,
+            tolerance: c.tolerance,
+            z_limit: c.z_limit,
+            step_us: c.step_s * 1e6,
+            divergence_time_s: d.divergence_time_s,
+            predictability_time_s: d.predictability_time_s,
+            predictability: predictability(c),
+            growth: d.growth,
+            energy_residual_relative: c.energy_residual_relative[0],
+            energy_residual_relative_half_step: c.energy_residual_relative[1],
+            momentum_residual_relative: c.momentum_residual_relative[0],
+            momentum_residual_relative_half_step: c.momentum_residual_relative[1],
+            numbers,
+            distance,
+        }
+    }
+
+    /// The numbers in the order of tables.
+    pub fn ranked(&self) -> Vec<(&str, &CertificateNumber)> {
+        let mut numbers: Vec<_> = self.numbers.iter().map(|(k, n)| (k.as_str(), n)).collect();
+        numbers.sort_by_key(|(_, n)| n.rank);
+        numbers
+    }
+
+    /// Warning about numbers that the step biases, if there are any.
+    pub fn warning(&self) -> Option<String> {
+        let biased: Vec<&str> = self
+            .ranked()
+            .into_iter()
+            .filter(|(_, n)| n.verdict == Verdict::Neither.name())
+            .map(|(key, _)| key)
+            .collect();
+        (!biased.is_empty()).then(|| {
+            format!(
+                "changed by the step beyond chance: {}; halve solver.step_us and verify again",
+                biased.join(", ")
+            )
+        })
+    }
+}
+
+fn number(
+    c: &Certificate,
+    j: &Judgement,
+    rank: usize,
+    unit: &str,
+    factor: f64,
+) -> CertificateNumber {
+    let to = |value: f64| value * factor;
+    let suffix = if unit == "1" {
+        String::new()
+    } else {
+        format!(" {unit}")
+    };
+    let known = format!(
+        "{} ± {:.1e}{suffix} over {} starts, each ± {:.1e}",
+        rounded(to(j.mean), to(j.standard_error)),
+        to(j.standard_error),
+        c.members,
+        to(j.spread)
+    );
+    let reason = match j.verdict {
+        Verdict::Converged => {
+            let systematic = if j.z.abs() > c.z_limit && c.divergence.divergence_time_s.is_some() {
+                format!("; the step moves it all the same (z = {:.1})", j.z)
+            } else {
+                String::new()
+            };
+            format!(
+                "changes by {:.1e} with the step and {:.1e} with the start, at most {:.1e}{suffix} \
+                 allowed{systematic}",
+                to(j.step_change),
+                to(j.turn_change),
+                to(j.tolerance)
+            )
+        }
+        Verdict::Statistical if j.beyond_predictability => format!(
+            "an instant beyond the predictability time: one draw out of {known}; z = {:.1} at half \
+             the step",
+            j.z
+        ),
+        Verdict::Statistical => format!(
+            "{known}; z = {:.1} at half the step, within ±{:.1}",
+            j.z, c.z_limit
+        ),
+        Verdict::Neither if j.z.abs() < 1e3 => format!(
+            "half the step moves the mean by {:+.1e}{suffix}, z = {:.1} beyond ±{:.1}; {known}",
+            to(j.half_step_mean - j.mean),
+            j.z,
+            c.z_limit
+        ),
+        Verdict::Neither => format!(
+            "half the step changes it by {:.1e}{suffix}, more than the {:.1e} allowed and far more \
+             than the start does ({:.1e})",
+            to(j.step_change),
+            to(j.tolerance),
+            to(j.spread)
+        ),
+    };
+    CertificateNumber {
+        verdict: j.verdict.name().to_owned(),
+        unit: unit.to_owned(),
+        value: to(j.value),
+        half_step_value: to(j.half_step_value),
+        tolerance: to(j.tolerance),
+        step_change: to(j.step_change),
+        start_change: to(j.turn_change),
+        mean: to(j.mean),
+        half_step_mean: to(j.half_step_mean),
+        spread: to(j.spread),
+        standard_error: to(j.standard_error),
+        z: j.z,
+        reason,
+        rank,
+    }
+}
+
+/// `value` to one digit beyond the first of `error`.
+pub fn rounded(value: f64, error: f64) -> String {
+    let decimals = if error > 0.0 {
+        (1.0 - error.log10().floor()).clamp(0.0, 9.0) as usize
+    } else {
+        6
+    };
+    format!("{value:.decimals$}")
+}
+
+fn predictability(c: &Certificate) -> String {
+    let d = &c.divergence;
+    let growth = match (d.divergence_time_s, d.fitted_over_s) {
+        (Some(time), Some([from, to])) => format!(
+            "runs from near starts part by a factor e every {:.2} ms (fitted from {:.1} ms to {:.1} \
+             ms)",
+            time * 1e3,
+            from * 1e3,
+            to * 1e3
+        ),
+        _ => format!(
+            "the run does not diverge: the distance of near starts grows by a factor of {:.1} at \
+             most",
+            d.growth
+        ),
+    };
+    let limit = match (d.predictability_time_s, d.loss) {
+        (Some(time), Some(loss)) => format!(
+            "points are lost after {:.2} ms, where {} reaches {LOST} of the scales",
+            time * 1e3,
+            match loss {
+                Loss::Step => "the distance to the run at half the step",
+                Loss::Start => "the distance of near starts",
+            }
+        ),
+        _ => format!(
+            "points are known to the end, {} s: no distance reaches {LOST} of the scales",
+            c.duration_s
+        ),
+    };
+    format!("{growth}; {limit}")
+}
