@@ -52,3 +52,12 @@ pub fn pairs(rows: &[(&str, String)]) -> String {
         })
         .collect()
 }
+
+/// A number with its unit; a dash if there is none (no statistics of a run too short).
+pub fn shown(value: f64, digits: usize, unit: &str) -> String {
+    if value.is_finite() {
+        format!("{value:.digits$}{unit}")
+    } else {
+        "-".to_owned()
+    }
+}

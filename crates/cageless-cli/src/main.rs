@@ -22,8 +22,7 @@ fn main() -> ExitCode {
             return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
         }
     };
-    let stop = progress::catch_interrupt();
-    match commands::dispatch(args, &stop) {
+    match commands::dispatch(args) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             eprintln!("error: {failure}");

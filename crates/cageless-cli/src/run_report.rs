@@ -16,6 +16,8 @@ use cageless_report::{
     Provenance, RingHistory, RunData, Sector, Vibration, VibrationSignal,
 };
 
+use crate::format::shown;
+
 /// Sampling of vibration signals, as in the paper's experiment.
 pub const SAMPLING_HZ: f64 = 5000.0;
 
@@ -199,7 +201,12 @@ pub fn run_data(
         case.operation.inner_speed_rad_s,
         bearing.ball_radius_m(),
     );
-    let provenance = provenance(case, format!("t < {settled:.4} s"));
+    let discarded = if settled.is_finite() {
+        format!("t < {settled:.4} s")
+    } else {
+        "nothing".to_owned()
+    };
+    let provenance = provenance(case, discarded.clone());
     let snapshots = &histories.snapshots;
     let mut warnings = summary.warnings.clone();
     if let Some(stopped) = &summary.stopped {
@@ -252,7 +259,7 @@ pub fn run_data(
             )],
             marks: vec![ball_pass_mark(case)],
             provenance: Provenance {
-                discarded: format!("t < {settled:.4} s; {}", filter_note(case)),
+                discarded: format!("{discarded}; {}", filter_note(case)),
                 ..provenance.clone()
             },
         }),
@@ -277,9 +284,22 @@ fn last_orbits(snapshots: &[Snapshot], orbit_rad_s: f64) -> Vec<Snapshot> {
 }
 
 fn lead(case: &Case, outcome: &RunOutcome, summary: &SummaryFile) -> String {
+    let statistics = if summary.settled_after_s.is_finite() {
+        format!(
+            " After {:.4} s: {} contacts between balls, gaps from {:.3}° to {:.3}°, ring at \
+             ({:.3}, {:.3}) µm on average.",
+            summary.settled_after_s,
+            summary.collisions,
+            summary.gap_min_deg,
+            summary.gap_max_deg,
+            summary.ring_x_um_mean,
+            summary.ring_y_um_mean
+        )
+    } else {
+        String::new()
+    };
     format!(
-        "{} balls, {:.0} rpm, {:.0} N, {}: {:.4} s simulated in {} steps. After {:.4} s: {} \
-         contacts between balls, gaps from {:.3}° to {:.3}°, ring at ({:.3}, {:.3}) µm on average.",
+        "{} balls, {:.0} rpm, {:.0} N, {}: {:.4} s simulated in {} steps.{statistics}",
         case.bearing.balls(),
         case.operation.inner_speed_rad_s * 60.0 / std::f64::consts::TAU,
         case.operation.radial_load_n,
@@ -290,12 +310,6 @@ fn lead(case: &Case, outcome: &RunOutcome, summary: &SummaryFile) -> String {
         },
         outcome.end_s,
         outcome.steps,
-        summary.settled_after_s,
-        summary.collisions,
-        summary.gap_min_deg,
-        summary.gap_max_deg,
-        summary.ring_x_um_mean,
-        summary.ring_y_um_mean
     )
 }
 
@@ -337,21 +351,21 @@ fn flatten(prefix: &str, value: &serde_json::Value, add: &mut impl FnMut(&str, S
 fn results(s: &SummaryFile) -> Vec<Parameter> {
     vec![
         parameter("collisions between balls", s.collisions.to_string(), ""),
-        parameter("smallest gap", format!("{:.4}", s.gap_min_deg), "°"),
-        parameter("largest gap", format!("{:.4}", s.gap_max_deg), "°"),
+        parameter("smallest gap", shown(s.gap_min_deg, 4, ""), "°"),
+        parameter("largest gap", shown(s.gap_max_deg, 4, ""), "°"),
         parameter(
             "mean place of the ring, x",
-            format!("{:.4}", s.ring_x_um_mean),
+            shown(s.ring_x_um_mean, 4, ""),
             "µm",
         ),
         parameter(
             "mean place of the ring, y",
-            format!("{:.4}", s.ring_y_um_mean),
+            shown(s.ring_y_um_mean, 4, ""),
             "µm",
         ),
         parameter(
             "largest slip under load",
-            format!("{:.4}", s.slip_max_m_s),
+            shown(s.slip_max_m_s, 4, ""),
             "m/s",
         ),
         parameter(
@@ -359,7 +373,7 @@ fn results(s: &SummaryFile) -> Vec<Parameter> {
             format!("{:.2e}", s.energy_residual_relative),
             "",
         ),
-        parameter("statistics after", format!("{:.5}", s.settled_after_s), "s"),
+        parameter("statistics after", shown(s.settled_after_s, 5, ""), "s"),
         parameter("steps", s.steps.to_string(), ""),
         parameter(
             "evaluations of the equations",

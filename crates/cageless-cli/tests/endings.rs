@@ -20,7 +20,7 @@ fn start_long_run(out: &Path) -> Child {
     cageless()
         .arg("run")
         .arg(repository_case("zhao-d.toml"))
-        .args(["--set", "solver.duration_s=100000", "--out"])
+        .args(["--set", "solver.duration_s=5000", "--out"])
         .arg(out)
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
@@ -36,11 +36,12 @@ fn signal(child: &Child, name: &str) {
 }
 
 /// Waits until the run has written rows.
-fn wait_for_rows(out: &Path) {
+fn wait_for_rows(child: &mut Child, out: &Path) {
     let partial = out.join(".balls.parquet.partial");
     let begin = Instant::now();
     while !std::fs::metadata(&partial).is_ok_and(|m| m.len() > 4) {
         assert!(begin.elapsed() < Duration::from_secs(60), "no rows");
+        assert_eq!(child.try_wait().unwrap(), None, "ended at once");
         sleep(Duration::from_millis(20));
     }
     sleep(Duration::from_millis(300));
@@ -103,8 +104,8 @@ fn a_run_that_leaves_the_physical_range_says_so_and_keeps_what_it_has() {
 fn ctrl_c_ends_a_run_in_good_order() {
     let dir = tempfile::tempdir().unwrap();
     let out = dir.path().join("out");
-    let child = start_long_run(&out);
-    wait_for_rows(&out);
+    let mut child = start_long_run(&out);
+    wait_for_rows(&mut child, &out);
     signal(&child, "-INT");
     let answer: Answer = child.wait_with_output().unwrap().into();
     assert_eq!(answer.code, Some(1), "{answer:?}");
@@ -114,14 +115,17 @@ fn ctrl_c_ends_a_run_in_good_order() {
     assert!(end > 0.01, "{end}");
     let summary = json_file(&out.join("summary.json"));
     assert!(summary["steps"].as_u64() > Some(10_000));
+    // The summary alone tells that it is not of the whole run.
+    let warning = summary["warnings"][0].as_str().unwrap();
+    assert!(warning.starts_with("interrupted at t = "), "{warning}");
 }
 
 /// SIGTERM is how a batch system ends a run.
 #[test]
 fn termination_ends_a_run_in_good_order() {
     let dir = tempfile::tempdir().unwrap();
-    let child = start_long_run(dir.path());
-    wait_for_rows(dir.path());
+    let mut child = start_long_run(dir.path());
+    wait_for_rows(&mut child, dir.path());
     signal(&child, "-TERM");
     let answer: Answer = child.wait_with_output().unwrap().into();
     assert_eq!(answer.code, Some(1), "{answer:?}");
@@ -138,7 +142,7 @@ fn a_killed_run_leaves_nothing_half_written_under_a_final_name() {
     let before = std::fs::read(out.join("balls.parquet")).unwrap();
 
     let mut child = start_long_run(out);
-    wait_for_rows(out);
+    wait_for_rows(&mut child, out);
     // Nobody else may write there meanwhile, and what is there stays.
     let answer = run_to(out, &sets);
     assert_eq!(answer.code, Some(2), "{answer:?}");
@@ -212,4 +216,40 @@ fn rows_stand_at_multiples_of_the_interval() {
             assert!((row[0] - k as f64 * interval).abs() < 1e-12, "{row:?}");
         }
     }
+}
+
+/// Steps so large that energy is lost are not passed over in silence.
+#[test]
+fn energy_unaccounted_for_is_a_warning() {
+    let dir = tempfile::tempdir().unwrap();
+    let sets = ["solver.duration_s=0.01", "solver.step_us=20"];
+    let answer = run_to(dir.path(), &sets);
+    let summary = json_file(&dir.path().join("summary.json"));
+    let residual = summary["energy_residual_relative"].as_f64().unwrap();
+    assert!(residual.abs() > 0.01, "{residual}");
+    if answer.code == Some(0) {
+        let warnings = summary["warnings"].to_string();
+        assert!(warnings.contains("unaccounted for"), "{warnings}");
+        assert!(answer.stdout.contains("warning: "), "{}", answer.stdout);
+    } else {
+        assert_eq!(answer.code, Some(3), "{answer:?}");
+    }
+}
+
+/// A run that stops before there are statistics shows none, rather than NaN.
+#[test]
+fn no_statistics_are_no_numbers() {
+    let dir = tempfile::tempdir().unwrap();
+    let sets = ["operation.radial_load_n=1e5", "solver.duration_s=0.01"];
+    let answer = run_to(dir.path(), &sets);
+    assert_eq!(answer.code, Some(3), "{answer:?}");
+    let page = std::fs::read_to_string(dir.path().join("report.html")).unwrap();
+    let text = page.split("<script").next().unwrap();
+    for shown in [&answer.stdout[..], &answer.stderr, text] {
+        assert!(!shown.contains("NaN") && !shown.contains("inf"), "{shown}");
+    }
+    let summary = json_file(&dir.path().join("summary.json"));
+    assert!(summary["gap_min_deg"].is_null());
+    let warnings = summary["warnings"].to_string();
+    assert!(warnings.contains("no statistics"), "{warnings}");
 }

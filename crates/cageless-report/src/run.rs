@@ -44,7 +44,7 @@ pub struct RunData {
     pub collisions: Vec<CollisionPoint>,
     /// Ledger of energy.
     pub energy: Vec<EnergyItem>,
-    /// Energy that the ledger misses over the largest entry.
+    /// Energy that the ledger misses over the sum of all flows.
     pub energy_residual_relative: Option<f64>,
     /// How far the results can be trusted.
     pub certificate: Option<CertificateTable>,

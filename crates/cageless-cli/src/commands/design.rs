@@ -13,7 +13,7 @@ use super::{deliver, read_case};
 use crate::args::CaseArgs;
 use crate::failure::Failure;
 use crate::format::pairs;
-use crate::progress::{Progress, StopFlag};
+use crate::progress::{Progress, catch_interrupt};
 
 /// `design --json`.
 #[derive(Debug, Serialize)]
@@ -70,11 +70,11 @@ struct Curve {
 const CURVE_POINTS: usize = 60;
 
 /// Analyses the case's raceway.
-pub fn design(args: &CaseArgs, stop: &StopFlag) -> Result<(), Failure> {
+pub fn design(args: &CaseArgs) -> Result<(), Failure> {
     let file = read_case(args)?;
     let case = file.case();
     // The run of all balls is most of the work; the recommendation takes about as long.
-    let progress = Progress::new("design", 2.0, stop);
+    let progress = Progress::new("design", 2.0, &catch_interrupt());
     let judgement = judge(
         case,
         &mut progress.run_control(steady_case(case).solver.duration_s, 1.0),

@@ -13,17 +13,17 @@ use serde::Serialize;
 use crate::args::{Args, CaseArgs, Command};
 use crate::failure::Failure;
 use crate::format::pairs;
-use crate::progress::StopFlag;
+use crate::progress::catch_interrupt;
 
 /// Does what was asked.
-pub fn dispatch(args: Args, stop: &StopFlag) -> Result<(), Failure> {
+pub fn dispatch(args: Args) -> Result<(), Failure> {
     match args.command {
-        Command::Reproduce(args) => crate::reproduce::reproduce(&args, stop),
+        Command::Reproduce(args) => crate::reproduce::reproduce(&args, &catch_interrupt()),
         Command::New(args) => print(&template(args.conventional)),
         Command::Check(args) => check(&args),
         Command::Static(args) => static_equilibrium::static_equilibrium(&args),
-        Command::Design(args) => design::design(&args, stop),
-        Command::Run(args) => run::run(&args, stop),
+        Command::Design(args) => design::design(&args),
+        Command::Run(args) => run::run(&args),
     }
 }
 

@@ -23,8 +23,8 @@ use cageless_report::{run_page, to_json};
 use super::{make_folder, print, read_case, writable};
 use crate::args::RunArgs;
 use crate::failure::Failure;
-use crate::format::pairs;
-use crate::progress::{Progress, StopFlag};
+use crate::format::{pairs, shown};
+use crate::progress::{Progress, catch_interrupt};
 use crate::run_report::{Histories, run_data};
 use crate::verification::{self, Verification};
 
@@ -34,7 +34,7 @@ const PAGE: &str = "report.html";
 const PAGE_DATA: &str = "report.json";
 
 /// Simulates a case.
-pub fn run(args: &RunArgs, stop: &StopFlag) -> Result<(), Failure> {
+pub fn run(args: &RunArgs) -> Result<(), Failure> {
     let verify = args.verify;
     let args = &args.case;
     let file = read_case(args)?;
@@ -59,6 +59,7 @@ pub fn run(args: &RunArgs, stop: &StopFlag) -> Result<(), Failure> {
         None => None,
     };
 
+    let stop = catch_interrupt();
     let mut summary = SummaryRecorder::new();
     let mut verification = verify.then(|| Verification::new(case));
     let mut vibration = case.housing.as_ref().map(VibrationRecorder::new);
@@ -79,7 +80,7 @@ pub fn run(args: &RunArgs, stop: &StopFlag) -> Result<(), Failure> {
             histories.borrow_mut().collide(&collision);
             Ok(())
         });
-        let progress = Progress::new("run", 1.0, stop);
+        let progress = Progress::new("run", 1.0, &stop);
         let mut observers: Vec<&mut dyn Observer> = vec![&mut summary, &mut collisions];
         if args.out.is_some() {
             observers.push(&mut recorder);
@@ -107,7 +108,7 @@ pub fn run(args: &RunArgs, stop: &StopFlag) -> Result<(), Failure> {
     }
     let mut summary_file = summarise(&file, &outcome, summary.summary(), isa, wall_s);
     if let Some(verification) = verification {
-        verification.finish(case, &outcome, &mut summary_file, stop);
+        verification.finish(case, &outcome, &mut summary_file, &stop);
     }
     if let Some(dir) = &args.out {
         summary_file.write(dir)?;
@@ -160,6 +161,22 @@ fn summarise(
         outcome.end_energy_j - outcome.start_energy_j,
     );
     let mut warnings = warnings(file.case());
+    if matches!(outcome.ending, Ending::Interrupted) {
+        warnings.push(format!(
+            "interrupted at t = {:.6} s of {} s",
+            outcome.end_s,
+            file.case().solver.duration_s
+        ));
+    }
+    // A run that stopped says so itself.
+    let residual = outcome.energy_residual_relative;
+    if residual.abs() > RESIDUAL_SHARE && !matches!(outcome.ending, Ending::Stopped(_)) {
+        warnings.push(format!(
+            "{:.1} % of all energy flows are unaccounted for: do not trust these numbers, halve \
+             solver.step_us",
+            100.0 * residual
+        ));
+    }
     if summary.is_none() {
         warnings.push("the run ended within its transient: no statistics".to_owned());
     }
@@ -198,6 +215,9 @@ fn summarise(
 /// Largest step at which ABM4 stays unbiased without contact damping.
 const UNDAMPED_STEP_S: f64 = 0.5e-6;
 
+/// Share of all energy flows that may be unaccounted for without a warning.
+const RESIDUAL_SHARE: f64 = 0.01;
+
 fn warnings(case: &Case) -> Vec<String> {
     let mut warnings = vec![];
     let undamped = case.contact.damping_n_s_m1_5 == 0.0;
@@ -217,20 +237,25 @@ fn text(case: &Case, outcome: &RunOutcome, s: &SummaryFile) -> String {
             "simulated",
             format!("{:.6} s in {} steps", outcome.end_s, outcome.steps),
         ),
-        ("statistics after", format!("{:.6} s", s.settled_after_s)),
+        ("statistics after", shown(s.settled_after_s, 6, " s")),
         ("collisions between balls", format!("{}", s.collisions)),
         (
             "gap",
-            format!("{:.4}° to {:.4}°", s.gap_min_deg, s.gap_max_deg),
+            format!(
+                "{} to {}",
+                shown(s.gap_min_deg, 4, "°"),
+                shown(s.gap_max_deg, 4, "°")
+            ),
         ),
         (
             "ring, mean",
-            format!("x {:.4} µm, y {:.4} µm", s.ring_x_um_mean, s.ring_y_um_mean),
+            format!(
+                "x {}, y {}",
+                shown(s.ring_x_um_mean, 4, " µm"),
+                shown(s.ring_y_um_mean, 4, " µm")
+            ),
         ),
-        (
-            "largest slip under load",
-            format!("{:.4} m/s", s.slip_max_m_s),
-        ),
+        ("largest slip under load", shown(s.slip_max_m_s, 4, " m/s")),
         (
             "energy residual",
             format!("{:.2e} of all flows", s.energy_residual_relative),

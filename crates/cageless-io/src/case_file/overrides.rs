@@ -59,10 +59,21 @@ fn apply_one(root: &mut Section, text: &str) -> Result<(), CaseError> {
 fn insert(root: &mut Section, path: &[&str], node: Node) -> Result<(), String> {
     let (name, index, key) = match *path {
         [key] => {
+            // The two places of the seed are one key; the file may have the other.
+            if let ("seed", Some(Value::Section(solver))) =
+                (key, root.get_mut("solver").map(|node| &mut node.value))
+            {
+                solver.remove("seed");
+            }
             root.insert(key.to_owned(), node);
             return Ok(());
         }
-        [name, key] => (name, None, key),
+        [name, key] => {
+            if (name, key) == ("solver", "seed") {
+                root.remove("seed");
+            }
+            (name, None, key)
+        }
         [name, index, key] => (name, Some(index), key),
         _ => return Err("is not a key: write section.key=value".to_owned()),
     };

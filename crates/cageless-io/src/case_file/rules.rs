@@ -5,7 +5,7 @@ use cageless::{Bearing, Case, InputError};
 
 use super::document::{CaseDocument, GapsDocument};
 use super::keys::Key;
-use super::unit::{Side, Unit, round};
+use super::unit::{Side, Unit, decimal, round};
 
 /// What a field of [`cageless`] may be, in the unit of its key. Rules in words that
 /// hold numbers in SI units are put anew.
@@ -46,7 +46,7 @@ pub(super) fn in_file_units(
             ("half_angle_rad", Some(index)) if index < document.raceway.len() => format!(
                 "an angle at which the contact path rises steadily to the plain raceway (Zhao \
                  2022, Eq. (9)): with axial_span_mm = {} it turns back or leaves the groove",
-                document.raceway[index].axial_span_mm
+                decimal(document.raceway[index].axial_span_mm)
             ),
             _ => rule.clone(),
         },

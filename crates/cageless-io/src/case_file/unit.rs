@@ -59,11 +59,20 @@ impl Unit {
 
     /// A number of this unit, given in SI, for a message: `7.40173 mm`.
     pub(super) fn show(self, si: f64, side: Side) -> String {
-        let number = round(self.of_si(si), side);
+        let number = decimal(round(self.of_si(si), side));
         match self.symbol() {
-            "" => number.to_string(),
+            "" => number,
             symbol => format!("{number} {symbol}"),
         }
+    }
+}
+
+/// A number as people write it: neither three hundred zeros nor an exponent without need.
+pub(super) fn decimal(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() || (1e-6..1e12).contains(&value.abs()) {
+        value.to_string()
+    } else {
+        format!("{value:e}")
     }
 }
 
@@ -137,6 +146,16 @@ mod tests {
             let back = unit.of_si(unit.to_si(7.3));
             assert!((back - 7.3).abs() < 1e-14 * 7.3, "{unit:?}: {back}");
         }
+    }
+
+    #[test]
+    fn numbers_are_as_short_as_people_write_them() {
+        assert_eq!(decimal(4.7625), "4.7625");
+        assert_eq!(decimal(-0.00001), "-0.00001");
+        assert_eq!(decimal(0.0), "0");
+        assert_eq!(decimal(1e-300), "1e-300");
+        assert_eq!(decimal(-2.5e295), "-2.5e295");
+        assert_eq!(Unit::Millimetre.show(1e-308, Side::Nearest), "1e-305 mm");
     }
 
     #[test]

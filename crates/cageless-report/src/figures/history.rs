@@ -300,7 +300,7 @@ pub fn energy(run: &RunData) -> Option<Figure> {
         }));
     let rest = run.energy_residual_relative.map_or(String::new(), |r| {
         format!(
-            " What the ledger misses is {} of its largest entry.",
+            " What the ledger misses is {} of all energy flows.",
             short(r)
         )
     });
