@@ -130,9 +130,17 @@ const FILES: &[(&str, &str, &str)] = &[
         "[start]\nlead_ball_angle_deg = nan ",
         "start.lead_ball_angle_deg",
     ),
-    ("# method = \"symplectic\" ", "method = \"euler\" ", "solver.method"),
+    (
+        "# method = \"symplectic\" ",
+        "method = \"euler\" ",
+        "solver.method",
+    ),
     ("# step_us = \"auto\" ", "step_us = 0 ", "solver.step_us"),
-    ("# step_us = \"auto\" ", "step_us = 1e-9 ", "solver.duration_s"),
+    (
+        "# step_us = \"auto\" ",
+        "step_us = 1e-9 ",
+        "solver.duration_s",
+    ),
     ("# step_us = \"auto\" ", "step_us = 20.0 ", "solver.step_us"),
     (
         "duration_s = 0.5 ",
@@ -148,7 +156,11 @@ const FILES: &[(&str, &str, &str)] = &[
         "title",
     ),
     ("[material] ", "[materials] ", "materials"),
-    ("[solver]", "[solver]\nstep_us = 2.0\nstep_us = 1.0", "step_us"),
+    (
+        "[solver]",
+        "[solver]\nstep_us = 2.0\nstep_us = 1.0",
+        "step_us",
+    ),
     (
         "interval_us = 100.0 ",
         "interval_us = 0 ",
