@@ -1,0 +1,40 @@
+//! Measurements of Cageless, one command each: see README.md.
+
+mod equations;
+mod instructions;
+mod peers;
+mod problem;
+mod statistics;
+mod textbook;
+
+use anyhow::Result;
+use clap::{Parser, Subcommand};
+
+#[derive(Debug, Parser)]
+#[command(version, about = "Measurements of Cageless")]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Work against precision on CB74, beside other solvers
+    Peers(peers::Options),
+    /// Instructions and time per evaluation of the right-hand side
+    Instructions(instructions::Options),
+    /// Statistics of an ensemble of CB74 against the published ones
+    Statistics(statistics::Options),
+    /// Evaluates the right-hand side, for a counter of instructions around it
+    #[command(hide = true)]
+    Evaluate(instructions::EvaluateOptions),
+}
+
+fn main() -> Result<()> {
+    match Arguments::parse().command {
+        Command::Peers(options) => peers::run(&options),
+        Command::Instructions(options) => instructions::run(&options),
+        Command::Statistics(options) => statistics::run(&options),
+        Command::Evaluate(options) => instructions::evaluate(&options),
+    }
+}

@@ -1,0 +1,97 @@
+//! The problem that everything here is measured on: case CB74 and its reference
+//! trajectory.
+
+use anyhow::{Result, ensure};
+use cageless::start::initial_state;
+use cageless::state::State;
+use cageless::{Case, FrictionLaw, Profile};
+use cageless_io::case_file::CaseFile;
+
+const CASE: &str = include_str!("../../../cases/cb74.toml");
+const REFERENCE: &str = include_str!("../../cageless-io/tests/reference/cb74_2ms.csv");
+
+/// Time at which the reference trajectory gives the state.
+pub const REFERENCE_S: f64 = 0.002;
+
+/// Scales of x, y, vx, vy of a ball and of its spin.
+const BALL: [f64; 5] = [1e-5, 1e-5, 1.0, 1.0, 200.0];
+/// Scales of X, Y, Ẋ, Ẏ of the ring.
+const RING: [f64; 4] = [1e-5, 1e-5, 0.1, 0.1];
+
+/// CB74 with overrides as the command line takes them (`section.key=value`).
+///
+/// # Errors
+/// A key or value that the case file does not admit.
+pub fn cb74(overrides: &[String]) -> Result<Case> {
+    let case = CaseFile::parse(CASE, "cb74.toml", overrides)?
+        .case()
+        .clone();
+    ensure!(
+        case.profile == Profile::Physical && case.contact.friction_law == FrictionLaw::Smooth,
+        "the bench knows CB74 in the physical profile with the smooth law only"
+    );
+    Ok(case)
+}
+
+/// The 5 N + 4 states without padding and energy ledger, each over its scale: x of every
+/// ball, then y, vx, vy, spin, then the ring.
+pub fn scaled(state: &State) -> Vec<f64> {
+    let groups = [
+        state.x_m(),
+        state.y_m(),
+        state.vx_m_s(),
+        state.vy_m_s(),
+        state.spin_state_rad_s(),
+    ];
+    let balls = groups
+        .iter()
+        .zip(BALL)
+        .flat_map(|(group, scale)| group.iter().map(move |v| v / scale));
+    balls
+        .chain(state.ring().iter().zip(RING).map(|(v, scale)| v / scale))
+        .collect()
+}
+
+/// Scale of each of the 5 N + 4 states.
+pub fn scales(balls: usize) -> Vec<f64> {
+    BALL.iter()
+        .flat_map(|&scale| std::iter::repeat_n(scale, balls))
+        .chain(RING)
+        .collect()
+}
+
+/// Start of a case and ψ of its balls.
+///
+/// # Errors
+/// The start has no equilibrium.
+pub fn start(case: &Case) -> Result<(State, Vec<f64>)> {
+    Ok(initial_state(case)?)
+}
+
+/// The reference at 2 ms in the order and the scales of [`scaled`].
+pub fn reference() -> Vec<f64> {
+    let rows: Vec<Vec<f64>> = REFERENCE
+        .lines()
+        .filter(|line| !line.starts_with('#') && !line.starts_with("body"))
+        .map(|line| {
+            line.split(',')
+                .skip(1)
+                .filter_map(|v| v.parse().ok())
+                .collect()
+        })
+        .collect();
+    let Some((ring, balls)) = rows.split_last() else {
+        return vec![];
+    };
+    let states = (0..5).flat_map(|group| balls.iter().map(move |row| row[group] / BALL[group]));
+    states
+        .chain(ring.iter().zip(RING).map(|(v, scale)| v / scale))
+        .collect()
+}
+
+/// RMS over the states of the difference of two scaled states.
+pub fn rms_difference(a: &[f64], b: &[f64]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    let sum: f64 = a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum();
+    (sum / a.len() as f64).sqrt()
+}

@@ -1,0 +1,244 @@
+//! Statistics of an ensemble of CB74 beyond the time that trajectories can be compared,
+//! against those of the published ensemble.
+
+use std::time::Instant;
+
+use anyhow::{Result, bail};
+use cageless::case::Start;
+use cageless::simulation::{self, Control, Ending, Observer, ObserverError, Scene, View};
+use clap::Args;
+use rayon::prelude::*;
+
+use crate::problem;
+
+/// Options of `statistics`.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// Method, as in a case file.
+    #[arg(long, default_value = "abm4")]
+    method: String,
+    /// Step, µs.
+    #[arg(long, default_value_t = 0.5)]
+    step_us: f64,
+    /// Members; member k starts turned by k × 1.7e-11 rad.
+    #[arg(long, default_value_t = 32)]
+    members: usize,
+    /// Further keys of the case, as `run --set` takes them.
+    #[arg(long = "set", value_name = "SECTION.KEY=VALUE")]
+    set: Vec<String>,
+    /// Members of the published ensemble. Only the spread of one of them is published;
+    /// as many as here, unless given.
+    #[arg(long)]
+    reference_members: Option<usize>,
+}
+
+/// Between one member and the next.
+const TURN_RAD: f64 = 1.7e-11;
+/// What is averaged over.
+const WINDOW_S: [f64; 2] = [0.1, 0.4];
+
+/// One statistic of the published ensemble (RK4, 0.5 µs): mean, spread of one member.
+struct Published {
+    name: &'static str,
+    mean: f64,
+    spread: f64,
+    digits: usize,
+}
+
+const PUBLISHED: [Published; 6] = [
+    published("ring mean y, µm", -22.5219, 0.0037, 4),
+    published("ring std y, µm", 0.135, 0.009, 4),
+    published("ring std x, µm", 0.165, 0.011, 4),
+    published("mean ball speed, m/s", 11.3830, 0.000_07, 5),
+    published("mean spin, rad/s", 2420.66, 0.007, 4),
+    published("onsets of contact", 82.0, 29.0, 1),
+];
+
+const fn published(name: &'static str, mean: f64, spread: f64, digits: usize) -> Published {
+    Published {
+        name,
+        mean,
+        spread,
+        digits,
+    }
+}
+
+/// Sums over the window, weighted with the step.
+struct Sums {
+    diameter_m: f64,
+    touching: Vec<bool>,
+    time_s: f64,
+    x: f64,
+    y: f64,
+    x2: f64,
+    y2: f64,
+    speed: f64,
+    spin: f64,
+    onsets: u64,
+    /// Shifts the squares to where they do not cancel.
+    origin: [f64; 2],
+}
+
+impl Sums {
+    fn new() -> Self {
+        Self {
+            diameter_m: 0.0,
+            touching: vec![],
+            time_s: 0.0,
+            x: 0.0,
+            y: 0.0,
+            x2: 0.0,
+            y2: 0.0,
+            speed: 0.0,
+            spin: 0.0,
+            onsets: 0,
+            origin: [0.0, -22.5e-6],
+        }
+    }
+
+    /// In the order and the units of [`PUBLISHED`].
+    fn statistics(&self) -> [f64; 6] {
+        let mean = |sum: f64| sum / self.time_s;
+        let deviation =
+            |sum: f64, squares: f64| 1e6 * (mean(squares) - mean(sum).powi(2)).max(0.0).sqrt();
+        [
+            1e6 * (mean(self.y) + self.origin[1]),
+            deviation(self.y, self.y2),
+            deviation(self.x, self.x2),
+            mean(self.speed),
+            mean(self.spin),
+            self.onsets as f64,
+        ]
+    }
+}
+
+impl Observer for Sums {
+    fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
+        self.diameter_m = 2.0 * scene.case.bearing.ball_radius_m();
+        self.touching = vec![false; scene.model.balls()];
+        Ok(())
+    }
+
+    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+        let layout = view.layout();
+        let (n, values) = (layout.balls, view.step.after);
+        let group = |g: usize| &values[layout.group(g)..][..n];
+        let [x, y, vx, vy, spin] = [0, 1, 2, 3, 4].map(group);
+        let inside = view.step.from_s >= WINDOW_S[0] * (1.0 - 1e-12);
+        for k in 0..n {
+            let next = if k + 1 == n { 0 } else { k + 1 };
+            let (dx, dy) = (x[next] - x[k], y[next] - y[k]);
+            let touching = dx * dx + dy * dy < self.diameter_m * self.diameter_m;
+            if touching && !self.touching[k] && inside {
+                self.onsets += 1;
+            }
+            self.touching[k] = touching;
+        }
+        if !inside {
+            return Ok(Control::Continue);
+        }
+        let weight = view.step.to_s - view.step.from_s;
+        let ring = &values[layout.ring()..];
+        let (rx, ry) = (ring[0] - self.origin[0], ring[1] - self.origin[1]);
+        let speed: f64 = (0..n).map(|k| (vx[k] * vx[k] + vy[k] * vy[k]).sqrt()).sum();
+        self.time_s += weight;
+        self.x += weight * rx;
+        self.y += weight * ry;
+        self.x2 += weight * rx * rx;
+        self.y2 += weight * ry * ry;
+        self.speed += weight * speed / n as f64;
+        self.spin += weight * spin.iter().sum::<f64>() / n as f64;
+        Ok(Control::Continue)
+    }
+}
+
+/// Runs the ensemble and prints the comparison.
+///
+/// # Errors
+/// The case is impossible, or a member did not get to the end.
+fn ensemble(options: &Options) -> Result<Vec<[f64; 6]>> {
+    let mut overrides = vec![
+        format!("solver.method={}", options.method),
+        format!("solver.step_us={:?}", options.step_us),
+        format!("solver.duration_s={:?}", WINDOW_S[1]),
+    ];
+    overrides.extend(options.set.iter().cloned());
+    let case = problem::cb74(&overrides)?;
+    (0..options.members)
+        .into_par_iter()
+        .map(|member| {
+            let mut case = case.clone();
+            let (Start::Rolling {
+                lead_ball_angle_rad,
+                ..
+            }
+            | Start::Settled {
+                lead_ball_angle_rad,
+                ..
+            }) = &mut case.start;
+            *lead_ball_angle_rad += member as f64 * TURN_RAD;
+            let mut sums = Sums::new();
+            let outcome = simulation::run(&case, &mut [&mut sums], &mut |_| Control::Continue)?;
+            match outcome.ending {
+                Ending::Complete => Ok(sums.statistics()),
+                Ending::Stopped(stop) => {
+                    bail!(
+                        "member {member} stopped at {} s: {}",
+                        stop.time_s,
+                        stop.cause
+                    )
+                }
+                ending => bail!("member {member}: {ending:?}"),
+            }
+        })
+        .collect()
+}
+
+/// The command.
+///
+/// # Errors
+/// Those of [`ensemble`], or fewer than two members.
+pub fn run(options: &Options) -> Result<()> {
+    if options.members < 2 {
+        bail!("--members must be 2 or more: one member has no spread");
+    }
+    let clock = Instant::now();
+    let members = ensemble(options)?;
+    let wall_s = clock.elapsed().as_secs_f64();
+    let k = members.len() as f64;
+    let reference_members = options.reference_members.unwrap_or(members.len()) as f64;
+    println!(
+        "CB74, {}, {} µs, {} members, {} to {} s; {wall_s:.1} s on {} threads",
+        options.method,
+        options.step_us,
+        members.len(),
+        WINDOW_S[0],
+        WINDOW_S[1],
+        rayon::current_num_threads()
+    );
+    println!(
+        "{:<22} {:>12} {:>10} {:>10} {:>12} {:>10} {:>10}",
+        "", "mean", "spread", "error", "published", "spread", "deviation"
+    );
+    let mut worst = 0.0f64;
+    for (at, p) in PUBLISHED.iter().enumerate() {
+        let mean = members.iter().map(|m| m[at]).sum::<f64>() / k;
+        let squares: f64 = members.iter().map(|m| (m[at] - mean).powi(2)).sum();
+        let spread = (squares / (k - 1.0)).sqrt();
+        let error = spread / k.sqrt();
+        let combined = (error.powi(2) + p.spread.powi(2) / reference_members).sqrt();
+        let deviation = (mean - p.mean) / combined;
+        worst = worst.max(deviation.abs());
+        let (d, e) = (p.digits, p.digits + 1);
+        println!(
+            "{:<22} {mean:>12.d$} {spread:>10.e$} {error:>10.e$} {:>12} {:>10} {deviation:>+10.2}",
+            p.name, p.mean, p.spread,
+        );
+    }
+    println!(
+        "spread: standard deviation of one member; error: of the mean; deviation: in combined"
+    );
+    println!("standard errors, the published ensemble taken to have {reference_members} members");
+    println!("largest deviation {worst:.2}");
+    Ok(())
+}
