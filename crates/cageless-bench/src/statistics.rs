@@ -26,10 +26,17 @@ pub struct Options {
     /// Further keys of the case, as `run --set` takes them.
     #[arg(long = "set", value_name = "SECTION.KEY=VALUE")]
     set: Vec<String>,
-    /// Members of the published ensemble. Only the spread of one of them is published;
-    /// as many as here, unless given.
+    /// Members of the published ensemble: not published, only the spread of one of them
+    /// is. The published means carry this uncertainty.
+    #[arg(long, default_value_t = 16)]
+    reference_members: usize,
+    /// Compare with an ensemble of this step, µs, and as many members, computed here with
+    /// `--against-method`, instead of with the published one.
     #[arg(long)]
-    reference_members: Option<usize>,
+    against_step_us: Option<f64>,
+    /// Method of that ensemble.
+    #[arg(long, default_value = "abm4")]
+    against_method: String,
 }
 
 /// Between one member and the next.
@@ -38,6 +45,7 @@ const TURN_RAD: f64 = 1.7e-11;
 const WINDOW_S: [f64; 2] = [0.1, 0.4];
 
 /// One statistic of the published ensemble (RK4, 0.5 µs): mean, spread of one member.
+#[derive(Debug, Clone, Copy)]
 struct Published {
     name: &'static str,
     mean: f64,
@@ -152,14 +160,14 @@ impl Observer for Sums {
     }
 }
 
-/// Runs the ensemble and prints the comparison.
+/// Statistics of every member, in the order of [`PUBLISHED`].
 ///
 /// # Errors
 /// The case is impossible, or a member did not get to the end.
-fn ensemble(options: &Options) -> Result<Vec<[f64; 6]>> {
+fn ensemble(options: &Options, method: &str, step_us: f64) -> Result<Vec<[f64; 6]>> {
     let mut overrides = vec![
-        format!("solver.method={}", options.method),
-        format!("solver.step_us={:?}", options.step_us),
+        format!("solver.method={method}"),
+        format!("solver.step_us={step_us:?}"),
         format!("solver.duration_s={:?}", WINDOW_S[1]),
     ];
     overrides.extend(options.set.iter().cloned());
@@ -194,19 +202,36 @@ fn ensemble(options: &Options) -> Result<Vec<[f64; 6]>> {
         .collect()
 }
 
-/// The command.
+/// Mean over the members and standard deviation of one, of statistic `at`.
+fn mean_and_spread(members: &[[f64; 6]], at: usize) -> (f64, f64) {
+    let k = members.len() as f64;
+    let mean = members.iter().map(|m| m[at]).sum::<f64>() / k;
+    let squares: f64 = members.iter().map(|m| (m[at] - mean).powi(2)).sum();
+    (mean, (squares / (k - 1.0)).sqrt())
+}
+
+/// Runs the ensemble and prints the comparison.
 ///
 /// # Errors
 /// Those of [`ensemble`], or fewer than two members.
 pub fn run(options: &Options) -> Result<()> {
-    if options.members < 2 {
-        bail!("--members must be 2 or more: one member has no spread");
+    if options.members < 2 || options.reference_members < 1 {
+        bail!("--members must be 2 or more, --reference-members 1 or more: one has no spread");
     }
     let clock = Instant::now();
-    let members = ensemble(options)?;
+    let members = ensemble(options, &options.method, options.step_us)?;
     let wall_s = clock.elapsed().as_secs_f64();
-    let k = members.len() as f64;
-    let reference_members = options.reference_members.unwrap_or(members.len()) as f64;
+    let mut reference = PUBLISHED;
+    let mut reference_members = options.reference_members;
+    let mut source = "published (RK4, 0.5 µs)".to_owned();
+    if let Some(step_us) = options.against_step_us {
+        let own = ensemble(options, &options.against_method, step_us)?;
+        for (at, statistic) in reference.iter_mut().enumerate() {
+            (statistic.mean, statistic.spread) = mean_and_spread(&own, at);
+        }
+        reference_members = own.len();
+        source = format!("{}, {step_us} µs", options.against_method);
+    }
     println!(
         "CB74, {}, {} µs, {} members, {} to {} s; {wall_s:.1} s on {} threads",
         options.method,
@@ -216,29 +241,27 @@ pub fn run(options: &Options) -> Result<()> {
         WINDOW_S[1],
         rayon::current_num_threads()
     );
+    println!("reference: {source}, {reference_members} members");
     println!(
         "{:<22} {:>12} {:>10} {:>10} {:>12} {:>10} {:>10}",
-        "", "mean", "spread", "error", "published", "spread", "deviation"
+        "", "mean", "spread", "error", "reference", "spread", "deviation"
     );
     let mut worst = 0.0f64;
-    for (at, p) in PUBLISHED.iter().enumerate() {
-        let mean = members.iter().map(|m| m[at]).sum::<f64>() / k;
-        let squares: f64 = members.iter().map(|m| (m[at] - mean).powi(2)).sum();
-        let spread = (squares / (k - 1.0)).sqrt();
-        let error = spread / k.sqrt();
-        let combined = (error.powi(2) + p.spread.powi(2) / reference_members).sqrt();
-        let deviation = (mean - p.mean) / combined;
+    for (at, r) in reference.iter().enumerate() {
+        let (mean, spread) = mean_and_spread(&members, at);
+        let error = spread / (members.len() as f64).sqrt();
+        let combined = error.hypot(r.spread / (reference_members as f64).sqrt());
+        let deviation = (mean - r.mean) / combined;
         worst = worst.max(deviation.abs());
-        let (d, e) = (p.digits, p.digits + 1);
+        let (d, e) = (r.digits, r.digits + 1);
         println!(
-            "{:<22} {mean:>12.d$} {spread:>10.e$} {error:>10.e$} {:>12} {:>10} {deviation:>+10.2}",
-            p.name, p.mean, p.spread,
+            "{:<22} {mean:>12.d$} {spread:>10.e$} {error:>10.e$} {:>12.d$} {:>10.e$} {deviation:>+10.2}",
+            r.name, r.mean, r.spread,
         );
     }
     println!(
         "spread: standard deviation of one member; error: of the mean; deviation: in combined"
     );
-    println!("standard errors, the published ensemble taken to have {reference_members} members");
-    println!("largest deviation {worst:.2}");
+    println!("standard errors; largest {worst:.2}");
     Ok(())
 }

@@ -22,7 +22,7 @@ use peer::{Peer, Problem};
 #[derive(Debug, Args)]
 pub struct Options {
     /// Repetitions of each timing; all solvers take turns in each.
-    #[arg(long, default_value_t = 5)]
+    #[arg(long, default_value_t = 11)]
     repetitions: usize,
     /// Simulated time of each timing, ms.
     #[arg(long, default_value_t = 10.0)]
