@@ -160,7 +160,16 @@ mod tests {
     /// the scales of the states.
     #[test]
     fn the_textbook_says_what_the_library_says() {
-        for state in crate::instructions::states_on_the_way(40, 1e-4).unwrap() {
+        let mut touching = 0;
+        for state in crate::instructions::states_on_the_way(800, 5e-5).unwrap() {
+            let (x, y) = (state.x_m(), state.y_m());
+            let n = x.len();
+            touching += (0..n)
+                .filter(|&k| {
+                    let next = (k + 1) % n;
+                    (x[next] - x[k]).hypot(y[next] - y[k]) < 2.0 * 4.7625e-3
+                })
+                .count();
             let z = problem::scaled(&state);
             let case = problem::cb74(&[]).unwrap();
             let [a, b] = Implementation::ALL.map(|which| {
@@ -172,5 +181,6 @@ mod tests {
                 assert!((a - b).abs() * 1e-3 < 1e-9, "state {k}: {a} {b}");
             }
         }
+        assert!(touching > 0, "no contact between balls among the states");
     }
 }
