@@ -23,7 +23,7 @@ enum Command {
     Peers(peers::Options),
     /// Instructions and time per evaluation of the right-hand side
     Instructions(instructions::Options),
-    /// Statistics of an ensemble of CB74 against the published ones
+    /// Statistics of an ensemble of CB74 against the reference ones
     Statistics(statistics::Options),
     /// Evaluates the right-hand side, for a counter of instructions around it
     #[command(hide = true)]

@@ -1,5 +1,5 @@
 //! Statistics of an ensemble of CB74 beyond the time that trajectories can be compared,
-//! against those of the published ensemble.
+//! against those of the reference ensemble.
 
 use std::time::Instant;
 
@@ -26,12 +26,12 @@ pub struct Options {
     /// Further keys of the case, as `run --set` takes them.
     #[arg(long = "set", value_name = "SECTION.KEY=VALUE")]
     set: Vec<String>,
-    /// Members of the published ensemble: not published, only the spread of one of them
-    /// is. The published means carry this uncertainty.
+    /// Members of the reference ensemble: not given, only the spread of one of them
+    /// is. The given means carry this uncertainty.
     #[arg(long, default_value_t = 16)]
     reference_members: usize,
     /// Compare with an ensemble of this step, µs, and as many members, computed here with
-    /// `--against-method`, instead of with the published one.
+    /// `--against-method`, instead of with the reference one.
     #[arg(long)]
     against_step_us: Option<f64>,
     /// Method of that ensemble.
@@ -44,7 +44,7 @@ const TURN_RAD: f64 = 1.7e-11;
 /// What is averaged over.
 const WINDOW_S: [f64; 2] = [0.1, 0.4];
 
-/// One statistic of the published ensemble (RK4, 0.5 µs): mean, spread of one member.
+/// One statistic of the reference ensemble (RK4, 0.5 µs): mean, spread of one member.
 #[derive(Debug, Clone, Copy)]
 struct Published {
     name: &'static str,
