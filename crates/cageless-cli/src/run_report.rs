@@ -2,6 +2,7 @@
 
 use cageless::collision::Collision;
 use cageless::kinematics::rolling_orbit_speed_rad_s;
+use cageless::passage::Passage;
 use cageless::simulation::RunOutcome;
 use cageless::snapshot::Snapshot;
 use cageless::state::Work;
@@ -191,6 +192,7 @@ pub fn run_data(
     outcome: &RunOutcome,
     summary: &SummaryFile,
     histories: &Histories,
+    passages: &[Passage],
     vibration: Option<&VibrationRecorder>,
 ) -> RunData {
     let case = file.case();
@@ -232,7 +234,7 @@ pub fn run_data(
         lead: lead(case, outcome, summary),
         warnings,
         parameters: parameters(file),
-        results: results(summary),
+        results: [results(summary), passage_results(passages, settled)].concat(),
         outline: BearingOutline::of(bearing),
         sectors: case.raceways.iter().map(Sector::of).collect(),
         settled_after_s: settled,
@@ -346,6 +348,57 @@ fn flatten(prefix: &str, value: &serde_json::Value, add: &mut impl FnMut(&str, S
         serde_json::Value::String(text) => add(prefix, text.clone()),
         other => add(prefix, other.to_string()),
     }
+}
+
+/// How the balls passed the discrete raceways after the transient.
+fn passage_results(passages: &[Passage], settled_s: f64) -> Vec<Parameter> {
+    let steady: Vec<&Passage> = passages.iter().filter(|p| p.enter_s > settled_s).collect();
+    if steady.is_empty() {
+        return vec![];
+    }
+    let n = steady.len() as f64;
+    let mean = |f: &dyn Fn(&Passage) -> f64| steady.iter().map(|p| f(p)).sum::<f64>() / n;
+    let hit_by_both = |p: &Passage| p.collisions_ahead > 0 && p.collisions_behind > 0;
+    vec![
+        parameter(
+            "passages through a discrete raceway",
+            steady.len().to_string(),
+            "",
+        ),
+        parameter(
+            "time of a passage, mean",
+            shown(mean(&|p| (p.leave_s - p.enter_s) * 1e3), 3, ""),
+            "ms",
+        ),
+        parameter(
+            "contacts with neighbours per passage, mean",
+            shown(
+                mean(&|p| f64::from(p.collisions_ahead + p.collisions_behind)),
+                3,
+                "",
+            ),
+            "",
+        ),
+        parameter(
+            "passages hit by both neighbours",
+            shown(
+                100.0 * mean(&|p| f64::from(u8::from(hit_by_both(p)))),
+                1,
+                "",
+            ),
+            "%",
+        ),
+        parameter(
+            "largest slip in a passage, mean",
+            shown(mean(&|p| p.slip_max_m_s), 4, ""),
+            "m/s",
+        ),
+        parameter(
+            "smallest gap ahead in a passage, mean",
+            shown(mean(&|p| p.gap_min_rad.to_degrees()), 4, ""),
+            "°",
+        ),
+    ]
 }
 
 fn results(s: &SummaryFile) -> Vec<Parameter> {

@@ -7,7 +7,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use crate::case::{Case, Gaps, Start};
+use crate::case::{Case, FrictionLaw, Gaps, Start};
 use crate::equilibrium::{self, EquilibriumError};
 use crate::numerics::root;
 use crate::simulation::{Control, Ending, Observer, ObserverError, Scene, Stop, View, run};
@@ -45,6 +45,9 @@ pub struct PairTest {
     pub neighbours_wider: f64,
     /// Where the ring starts; at its static equilibrium if `None`.
     pub ring_y_m: Option<f64>,
+    /// Largest step under Coulomb friction, whose results are of order one in the step; a
+    /// larger one of the case gives way to it.
+    pub coulomb_step_max_s: f64,
 }
 
 impl Default for PairTest {
@@ -55,6 +58,7 @@ impl Default for PairTest {
             touch: Touch::Angle,
             neighbours_wider: 1.0,
             ring_y_m: None,
+            coulomb_step_max_s: 0.25e-6,
         }
     }
 }
@@ -180,6 +184,9 @@ fn pass(
         },
         ..case.clone()
     };
+    if case.contact.friction_law == FrictionLaw::Coulomb {
+        case.solver.step_s = case.solver.step_s.min(test.coulomb_step_max_s);
+    }
     // A sliding ball may need more than the time of pure rolling; thrice is enough.
     let orbit = crate::kinematics::rolling_orbit_speed_rad_s(
         bearing,

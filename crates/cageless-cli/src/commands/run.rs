@@ -7,6 +7,7 @@ use std::time::Instant;
 
 use cageless::collision::CollisionDetector;
 use cageless::dynamics::InstructionSet;
+use cageless::passage::PassageRecorder;
 use cageless::recorder::Recorder;
 use cageless::simulation::{Ending, Observer, RunOutcome, run as simulate};
 use cageless::start::initial_state;
@@ -63,6 +64,7 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     let mut summary = SummaryRecorder::new();
     let mut verification = verify.then(|| Verification::new(case));
     let mut vibration = case.housing.as_ref().map(VibrationRecorder::new);
+    let mut passages = PassageRecorder::new();
     let mut histories = RefCell::new(Histories::new());
     let started = Instant::now();
     let outcome = {
@@ -84,6 +86,7 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
         let mut observers: Vec<&mut dyn Observer> = vec![&mut summary, &mut collisions];
         if args.out.is_some() {
             observers.push(&mut recorder);
+            observers.push(&mut passages);
             if let Some(vibration) = &mut vibration {
                 observers.push(vibration);
             }
@@ -117,6 +120,7 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
             &outcome,
             &summary_file,
             histories.get_mut(),
+            &passages.passages,
             vibration.as_ref(),
         );
         write_atomically(&dir.join(PAGE), run_page(&data).as_bytes())?;

@@ -45,8 +45,16 @@ struct Change {
     test: PairTest,
 }
 
+/// The steps of the table are its own.
+fn usual_test() -> PairTest {
+    PairTest {
+        coulomb_step_max_s: f64::INFINITY,
+        ..PairTest::default()
+    }
+}
+
 fn changes() -> Vec<Change> {
-    let usual = PairTest::default();
+    let usual = usual_test();
     let with = |cause, overrides| Change {
         cause,
         overrides,
@@ -146,7 +154,7 @@ pub fn compute(progress: &Progress) -> Result<Computed, Failure> {
             }
             let step = if coarse { SPREAD_STEP_US } else { STEP_US };
             let mut overrides = vec![step_override(step)];
-            let mut test = PairTest::default();
+            let mut test = usual_test();
             if let Some(change) = change.map(|k| &changes[k]) {
                 overrides.extend(change.overrides.iter().map(|&o| o.to_owned()));
                 test = change.test;
