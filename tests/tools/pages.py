@@ -252,6 +252,8 @@ def motion(tab, name):
 
 
 def page(browser, name, path, screens):
+    if not path.is_file():
+        raise RuntimeError(f"{path} is missing")
     tab = browser.open(path.resolve().as_uri())
     plots(tab, name)
     export(tab, name)

@@ -64,7 +64,8 @@ INTEGERS = {"ball", "next_ball"}
 OPTIONAL = {
     "schema", "title", "raceway.centre_angle_deg", "contact.ball_restitution",
     "contact.inner_stiffness", "contact.outer_stiffness", "contact.ball_stiffness",
-    "start.state", "start.gaps", "start.lead_ball_angle_deg", "solver.seed",
+    "start.state", "start.gaps", "start.lead_ball_angle_deg",
+    "solver.method", "solver.step_us", "solver.tolerance", "solver.seed",
 }  # fmt: skip
 
 passed = failed = 0
@@ -307,7 +308,7 @@ def summary(run):
     residual = s["energy_residual_relative"]
     check(f"{run.name}: energy residual", abs(residual) < 1e-3, residual)
     flows = s["energy"]
-    check(f"{run.name}: steps", s["steps"] > 0 and s["rhs_evaluations"] >= 2 * s["steps"])
+    check(f"{run.name}: steps", s["steps"] > 0 and s["rhs_evaluations"] >= s["steps"])
     check(f"{run.name}: energies are numbers", all(isinstance(v, float) for v in flows.values()))
 
     given = {key for key in self_and_children("", run.given)}
@@ -369,7 +370,7 @@ def main():
         "solver.step_us=0.25", "solver.duration_s=0.01", "output.interval_us=10",
     )  # fmt: skip
     dense = Run(binary, scratch, "dense", "solver.duration_s=0.004", "output.interval_us=1",
-                "solver.step_us=0.5")
+                "solver.step_us=0.5", "solver.method=abm4")
     lively = Run(
         binary, scratch, "lively", "raceway.axial_span_mm=4.95", "raceway.half_angle_deg=35",
         "solver.duration_s=0.1", "output.interval_us=50",
@@ -385,7 +386,8 @@ def main():
     impacts(lively)
 
     # Leaves the physical range before there are statistics; its page is shown all the same.
-    call(binary, scratch / "case.toml", scratch / "stopped", "operation.radial_load_n=1e5", code=3)
+    pressed = ("start.state=rolling", "start.ring_y_um=-450")
+    call(binary, scratch / "case.toml", scratch / "stopped", *pressed, code=3)
 
     version = subprocess.run([binary, "--version"], check=True, capture_output=True, text=True)
     check("version", version.stdout.split()[1] == damped.summary["version"])

@@ -260,6 +260,9 @@ fn bad_overrides() {
         ("=1", "section.key=value"),
         ("solver.step_us=", "section.key=value"),
         ("solver.step_us=fast", "solver.step_us"),
+        // Unstable for the stiffest contact.
+        ("solver.step_us=20", "it must be at most 3."),
+        ("solver.step_us=1e300", "solver.step_us = 1e300"),
         ("solver.step_us=-1", "solver.step_us"),
         ("solver.stepp_us=1", "solver.stepp_us"),
         ("raceway.half_angle_deg=120", "raceway.half_angle_deg"),

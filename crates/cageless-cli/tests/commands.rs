@@ -299,6 +299,8 @@ fn defaults_are_listed() {
         "start.state",
         "start.gaps",
         "start.lead_ball_angle_deg",
+        "solver.method",
+        "solver.step_us",
         "solver.seed",
     ] {
         assert!(defaults.contains(&key), "{key}: {defaults:?}");
@@ -306,6 +308,7 @@ fn defaults_are_listed() {
     // What a default was is on record as well.
     assert_eq!(summary["case"]["contact"]["ball_restitution"], 0.95);
     assert_eq!(summary["case"]["start"]["state"], "settled");
+    assert_eq!(summary["case"]["solver"]["method"], "symplectic");
     assert!(summary["case"]["contact"]["inner_stiffness"].as_f64() > Some(1e10));
 }
 

@@ -218,29 +218,12 @@ fn rows_stand_at_multiples_of_the_interval() {
     }
 }
 
-/// Steps so large that energy is lost are not passed over in silence.
-#[test]
-fn energy_unaccounted_for_is_a_warning() {
-    let dir = tempfile::tempdir().unwrap();
-    let sets = ["solver.duration_s=0.01", "solver.step_us=20"];
-    let answer = run_to(dir.path(), &sets);
-    let summary = json_file(&dir.path().join("summary.json"));
-    let residual = summary["energy_residual_relative"].as_f64().unwrap();
-    assert!(residual.abs() > 0.01, "{residual}");
-    if answer.code == Some(0) {
-        let warnings = summary["warnings"].to_string();
-        assert!(warnings.contains("unaccounted for"), "{warnings}");
-        assert!(answer.stdout.contains("warning: "), "{}", answer.stdout);
-    } else {
-        assert_eq!(answer.code, Some(3), "{answer:?}");
-    }
-}
-
 /// A run that stops before there are statistics shows none, rather than NaN.
 #[test]
 fn no_statistics_are_no_numbers() {
     let dir = tempfile::tempdir().unwrap();
-    let sets = ["operation.radial_load_n=1e5", "solver.duration_s=0.01"];
+    // The ring presses balls further into the raceway than any contact survives.
+    let sets = ["start.state=rolling", "start.ring_y_um=-450"];
     let answer = run_to(dir.path(), &sets);
     assert_eq!(answer.code, Some(3), "{answer:?}");
     let page = std::fs::read_to_string(dir.path().join("report.html")).unwrap();
