@@ -10,8 +10,10 @@ pub struct StepLimits {
     /// ω of the fastest oscillation: a ball on the stiffness of its contacts under the
     /// largest forces to be expected.
     pub contact_rad_s: f64,
-    /// Fastest decay: friction of the smooth law on a loaded ball, or damping.
-    pub decay_1_s: f64,
+    /// Decay of a ball's bounce by contact damping.
+    pub damping_1_s: f64,
+    /// Decay of slip by friction of the smooth law on a loaded ball.
+    pub friction_1_s: f64,
     /// Whether the contacts are damped.
     pub damped: bool,
 }
@@ -66,20 +68,38 @@ impl StepLimits {
             case.contact.damping_n_s_m1_5 * (deflection(inner) + deflection(outer)) / mass;
         Ok(Self {
             contact_rad_s,
-            decay_1_s: friction.max(damping),
+            damping_1_s: damping,
+            friction_1_s: friction,
             damped: case.contact.damping_n_s_m1_5 > 0.0,
         })
     }
 
-    /// Step beyond which the method is unstable.
-    pub fn largest_s(&self, method: Method) -> f64 {
+    /// Largest (ωh, λh) that the method bears.
+    fn bounds(method: Method) -> [f64; 2] {
         match method {
             // Imaginary axis: violent growth from 0.93; real axis: −1.28.
-            Method::Abm4 => (0.93 / self.contact_rad_s).min(1.28 / self.decay_1_s),
-            Method::Symplectic => (2.0 / self.contact_rad_s).min(2.0 / self.decay_1_s),
+            Method::Abm4 => [0.93, 1.28],
+            // Velocities are extrapolated: half of what leapfrog bears on the real axis.
+            Method::Symplectic => [2.0, 1.0],
             // Error control finds its own step.
-            Method::Adaptive => f64::INFINITY,
+            Method::Adaptive => [f64::INFINITY, f64::INFINITY],
         }
+    }
+
+    /// Step beyond which the contacts are unstable under the method.
+    pub fn largest_s(&self, method: Method) -> f64 {
+        let [oscillation, decay] = Self::bounds(method);
+        (oscillation / self.contact_rad_s).min(decay / self.damping_1_s)
+    }
+
+    /// Step beyond which smooth friction no longer settles: slip then jumps to and fro
+    /// about zero, bounded by μN, where it should decay.
+    pub fn friction_resolved_to_s(&self, method: Method) -> f64 {
+        Self::bounds(method)[1] / self.friction_1_s
+    }
+
+    fn decay_1_s(&self) -> f64 {
+        self.damping_1_s.max(self.friction_1_s)
     }
 
     /// Step of `step_us = "auto"`: unbiased statistics, rounded down to 1, 1.5, 2, 3, 5, 7
@@ -91,9 +111,9 @@ impl StepLimits {
         let wanted = match method {
             Method::Abm4 => {
                 let share = if self.damped { 0.4 } else { 0.17 };
-                (share / self.contact_rad_s).min(0.5 / self.decay_1_s)
+                (share / self.contact_rad_s).min(0.5 / self.decay_1_s())
             }
-            Method::Symplectic => (0.65 / self.contact_rad_s).min(0.7 / self.decay_1_s),
+            Method::Symplectic => (0.65 / self.contact_rad_s).min(0.7 / self.decay_1_s()),
             Method::Adaptive => 2.0 / self.contact_rad_s,
         };
         let power = 10f64.powf(wanted.log10().floor());

@@ -12,6 +12,7 @@ use cageless::recorder::Recorder;
 use cageless::simulation::{Ending, Observer, RunOutcome, run as simulate};
 use cageless::start::initial_state;
 use cageless::state::Work;
+use cageless::step::StepLimits;
 use cageless::summary::{Summary, SummaryRecorder};
 use cageless::vibration::VibrationRecorder;
 use cageless::{Case, Method};
@@ -224,6 +225,18 @@ const RESIDUAL_SHARE: f64 = 0.01;
 
 fn warnings(case: &Case) -> Vec<String> {
     let mut warnings = vec![];
+    let method = case.solver.method;
+    if let Ok(limits) = StepLimits::of(case) {
+        let resolved = limits.friction_resolved_to_s(method);
+        if case.solver.step_s > resolved {
+            warnings.push(format!(
+                "friction of the smooth law decays faster than the step follows: slip near zero \
+                 is wrong above {:.2} µs (solver.step_us, contact.slip_scale_m_s)",
+                resolved * 1e6
+            ));
+        }
+    }
+
     let undamped = case.contact.damping_n_s_m1_5 == 0.0;
     if case.solver.method == Method::Abm4 && undamped && case.solver.step_s > UNDAMPED_STEP_S {
         warnings.push(
