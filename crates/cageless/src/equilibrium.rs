@@ -280,7 +280,14 @@ fn settle_ring(problem: &Problem<'_>, bearing: &Bearing) -> Result<[f64; 2], Equ
     let series = (problem.inner_stiffness.powf(-2.0 / 3.0)
         + problem.outer_stiffness.powf(-2.0 / 3.0))
         * (4.37 * problem.down / problem.balls.len() as f64).powf(2.0 / 3.0);
-    let mut ring = [0.0, -(bearing.radial_clearance_m() + series)];
+    // Balls thrown against the outer raceway leave the ring that much more room.
+    let thrown = problem
+        .balls
+        .iter()
+        .map(|b| b.steady + b.turning / bearing.touching_radius_m())
+        .map(|push| (push.max(0.0) / problem.outer_stiffness).powf(2.0 / 3.0))
+        .fold(0.0, f64::max);
+    let mut ring = [0.0, -(bearing.radial_clearance_m() + thrown + series)];
     let (mut force, mut stiffness) = problem.ring(ring);
     for _ in 0..ITERATIONS {
         if norm(force) <= 1e-12 * scale {

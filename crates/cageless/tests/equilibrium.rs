@@ -115,6 +115,19 @@ fn stress_on_the_discrete_raceway() {
     assert!(inside > limit && inside < plain);
 }
 
+/// A ring with hardly any load hangs on the balls that are thrown outwards.
+#[test]
+fn a_light_load_at_speed_finds_its_equilibrium() {
+    for load in [0.0, 1.0, 2.0, 10.0] {
+        for speed in [100.0, 1257.0, 5000.0] {
+            let mut case = structure(5.1, 25.2);
+            case.operation.radial_load_n = load;
+            case.operation.inner_speed_rad_s = speed;
+            check_balance(&case, &solve(&case).unwrap());
+        }
+    }
+}
+
 #[test]
 fn an_unloaded_ring_floats() {
     let mut case = conventional(dimensions());
