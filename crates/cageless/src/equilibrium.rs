@@ -276,6 +276,10 @@ fn settle_ring(problem: &Problem<'_>, bearing: &Bearing) -> Result<[f64; 2], Equ
     const ITERATIONS: usize = 200;
     let scale = problem.down.max(1e-6);
     let norm = |f: [f64; 2]| f[0].hypot(f[1]);
+    // Nothing pulls: the ring stays in the middle.
+    if norm(problem.ring([0.0; 2]).0) <= 1e-12 * scale {
+        return Ok([0.0; 2]);
+    }
     // Deep enough for contact below; the Hertz law is convex from there.
     let series = (problem.inner_stiffness.powf(-2.0 / 3.0)
         + problem.outer_stiffness.powf(-2.0 / 3.0))
