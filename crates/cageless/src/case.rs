@@ -234,7 +234,7 @@ impl Case {
         positive("step_s", self.solver.step_s)?;
         positive("tolerance", self.solver.tolerance)?;
         positive("duration_s", self.solver.duration_s)?;
-        let limits = crate::step::StepLimits::of(self)?;
+        let limits = crate::step::StepLimits::of(self);
         if self.solver.step_s > limits.largest_s(self.solver.method) {
             return Err(InputError::new(
                 "step_s",

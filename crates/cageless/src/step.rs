@@ -1,7 +1,6 @@
 //! Which steps a case allows: the stiffest contact against the stability of the method.
 
 use crate::case::{Case, FrictionLaw, Method};
-use crate::error::InputError;
 use crate::kinematics::rolling_orbit_speed_rad_s;
 
 /// Fastest rates of a case.
@@ -27,10 +26,7 @@ impl StepLimits {
     /// Estimates the rates: Qmax ≈ 5 (Fr + weights)/N + centrifugal force, a quarter more, in
     /// both raceway contacts of one ball, and an impact of two balls at the speed
     /// difference that the deepest raceway makes.
-    ///
-    /// # Errors
-    /// None of its own; for callers that check on the way.
-    pub fn of(case: &Case) -> Result<Self, InputError> {
+    pub fn of(case: &Case) -> Self {
         let bearing = &case.bearing;
         let d = bearing.dimensions();
         let mass = bearing.ball_mass_kg();
@@ -66,12 +62,12 @@ impl StepLimits {
         let deflection = |k: f64| (load / k).powf(2.0 / 3.0).sqrt();
         let damping =
             case.contact.damping_n_s_m1_5 * (deflection(inner) + deflection(outer)) / mass;
-        Ok(Self {
+        Self {
             contact_rad_s,
             damping_1_s: damping,
             friction_1_s: friction,
             damped: case.contact.damping_n_s_m1_5 > 0.0,
-        })
+        }
     }
 
     /// Largest (ωh, λh) that the method bears.

@@ -226,19 +226,16 @@ const RESIDUAL_SHARE: f64 = 0.01;
 fn warnings(case: &Case) -> Vec<String> {
     let mut warnings = vec![];
     let method = case.solver.method;
-    if let Ok(limits) = StepLimits::of(case) {
-        let resolved = limits.friction_resolved_to_s(method);
-        if case.solver.step_s > resolved {
-            warnings.push(format!(
-                "friction of the smooth law decays faster than the step follows: slip near zero \
-                 is wrong above {:.2} µs (solver.step_us, contact.slip_scale_m_s)",
-                resolved * 1e6
-            ));
-        }
+    let resolved = StepLimits::of(case).friction_resolved_to_s(method);
+    if case.solver.step_s > resolved {
+        warnings.push(format!(
+            "friction of the smooth law decays faster than the step follows: slip near zero is \
+             wrong above {:.2} µs (solver.step_us, contact.slip_scale_m_s)",
+            resolved * 1e6
+        ));
     }
-
     let undamped = case.contact.damping_n_s_m1_5 == 0.0;
-    if case.solver.method == Method::Abm4 && undamped && case.solver.step_s > UNDAMPED_STEP_S {
+    if method == Method::Abm4 && undamped && case.solver.step_s > UNDAMPED_STEP_S {
         warnings.push(
             "without contact damping ABM4 gains energy at steps above 0.5 µs: statistics are \
              biased (solver.step_us, or solver.method = \"symplectic\")"

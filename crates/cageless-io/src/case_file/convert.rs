@@ -58,8 +58,7 @@ impl Converter<'_> {
             },
         };
         if document.solver.step_us == StepDocument::Auto {
-            let limits = StepLimits::of(&case).map_err(|e| self.refused_case(&e, &case))?;
-            let step_s = limits.automatic_s(case.solver.method);
+            let step_s = StepLimits::of(&case).automatic_s(case.solver.method);
             if step_s.is_finite() {
                 case.solver.step_s = step_s;
             }

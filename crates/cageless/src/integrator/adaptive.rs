@@ -67,14 +67,15 @@ impl Integrator for Adaptive {
             &mut self.y,
             &mut self.rate,
         )?;
+        let reached = made.size == end - self.from_s;
         // A step cut short by the limit says little of the next.
-        let cut = end - self.from_s < wanted && made.size == end - self.from_s;
+        let cut = reached && made.size < wanted;
         self.size = if cut {
             wanted.max(made.next)
         } else {
             made.next
         };
-        self.to_s = if made.size == end - self.from_s {
+        self.to_s = if reached {
             end
         } else {
             self.from_s + made.size
