@@ -69,8 +69,7 @@ pub struct Library<'m> {
 impl<'m> Library<'m> {
     /// Around a right-hand side of `model`.
     pub fn new(model: &'m Model, rhs: RightHandSide<'m>) -> Self {
-        // Any radius that keeps the padding apart will do.
-        let state = State::new(model.balls(), 0.02);
+        let state = State::new(model.balls());
         Self {
             rhs,
             balls: model.balls(),
@@ -93,7 +92,7 @@ impl Equations for Library<'_> {
             }
         }
         for k in 0..4 {
-            values[layout.ring() + k] = z[5 * n + k] * self.scales[5 * n + k];
+            values[layout.ring(k)] = z[5 * n + k] * self.scales[5 * n + k];
         }
         self.rhs
             .derivative(0.0, self.state.values(), &mut self.rate);
@@ -105,7 +104,7 @@ impl Equations for Library<'_> {
             }
         }
         for k in 0..4 {
-            dzdt[5 * n + k] = self.rate[layout.ring() + k] / self.scales[5 * n + k];
+            dzdt[5 * n + k] = self.rate[layout.ring(k)] / self.scales[5 * n + k];
         }
     }
 

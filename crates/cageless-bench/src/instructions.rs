@@ -95,7 +95,7 @@ impl Variant {
         if self == Self::Textbook {
             return rate[..5 * layout.balls + 4].to_vec();
         }
-        plain(&State::from_values(layout, rate))
+        plain(&State::taken(layout, &rate))
     }
 }
 

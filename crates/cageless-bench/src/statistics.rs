@@ -4,6 +4,7 @@
 use std::time::Instant;
 
 use anyhow::{Result, bail};
+use cageless::Case;
 use cageless::case::Start;
 use cageless::simulation::{self, Control, Ending, Observer, ObserverError, Scene, View};
 use clap::Args;
@@ -20,9 +21,15 @@ pub struct Options {
     /// Step, µs.
     #[arg(long, default_value_t = 0.5)]
     step_us: f64,
-    /// Members; member k starts turned by k × 1.7e-11 rad.
+    /// Members; member k starts turned by k times the turn.
     #[arg(long, default_value_t = 32)]
     members: usize,
+    /// Turn of the start from one member to the next, rad.
+    #[arg(long, default_value_t = TURN_RAD)]
+    turn_rad: f64,
+    /// Compute each bearing for itself instead of several side by side.
+    #[arg(long)]
+    alone: bool,
     /// Further keys of the case, as `run --set` takes them.
     #[arg(long = "set", value_name = "SECTION.KEY=VALUE")]
     set: Vec<String>,
@@ -39,7 +46,7 @@ pub struct Options {
     against_method: String,
 }
 
-/// Between one member and the next.
+/// Between one member of the reference ensemble and the next.
 const TURN_RAD: f64 = 1.7e-11;
 /// What is averaged over.
 const WINDOW_S: [f64; 2] = [0.1, 0.4];
@@ -73,8 +80,8 @@ const fn published(name: &'static str, mean: f64, spread: f64, digits: usize) ->
 
 /// Sums over the window, weighted with the step.
 struct Sums {
-    diameter_m: f64,
     touching: Vec<bool>,
+    touched: bool,
     time_s: f64,
     x: f64,
     y: f64,
@@ -90,8 +97,8 @@ struct Sums {
 impl Sums {
     fn new() -> Self {
         Self {
-            diameter_m: 0.0,
             touching: vec![],
+            touched: false,
             time_s: 0.0,
             x: 0.0,
             y: 0.0,
@@ -122,32 +129,30 @@ impl Sums {
 
 impl Observer for Sums {
     fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
-        self.diameter_m = 2.0 * scene.case.bearing.ball_radius_m();
         self.touching = vec![false; scene.model.balls()];
         Ok(())
     }
 
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
         let layout = view.layout();
-        let (n, values) = (layout.balls, view.step.after);
-        let group = |g: usize| &values[layout.group(g)..][..n];
-        let [x, y, vx, vy, spin] = [0, 1, 2, 3, 4].map(group);
+        let n = layout.balls;
+        let [vx, vy, spin] = [2, 3, 4].map(|group| view.after(group));
         let inside = view.step.from_s >= WINDOW_S[0] * (1.0 - 1e-12);
-        for k in 0..n {
-            let next = if k + 1 == n { 0 } else { k + 1 };
-            let (dx, dy) = (x[next] - x[k], y[next] - y[k]);
-            let touching = dx * dx + dy * dy < self.diameter_m * self.diameter_m;
-            if touching && !self.touching[k] && inside {
-                self.onsets += 1;
+        let touch = view.contacts.balls_touch();
+        if touch || self.touched {
+            for (k, touching) in self.touching.iter_mut().enumerate() {
+                let now = touch && view.contacts.pair_deflection_m(k) > 0.0;
+                self.onsets += u64::from(now && !*touching && inside);
+                *touching = now;
             }
-            self.touching[k] = touching;
         }
+        self.touched = touch;
         if !inside {
             return Ok(Control::Continue);
         }
         let weight = view.step.to_s - view.step.from_s;
-        let ring = &values[layout.ring()..];
-        let (rx, ry) = (ring[0] - self.origin[0], ring[1] - self.origin[1]);
+        let ring = |k: usize| view.step.after[layout.ring(k)] - self.origin[k];
+        let (rx, ry) = (ring(0), ring(1));
         let speed: f64 = (0..n).map(|k| (vx[k] * vx[k] + vy[k] * vy[k]).sqrt()).sum();
         self.time_s += weight;
         self.x += weight * rx;
@@ -172,8 +177,7 @@ fn ensemble(options: &Options, method: &str, step_us: f64) -> Result<Vec<[f64; 6
     ];
     overrides.extend(options.set.iter().cloned());
     let case = problem::cb74(&overrides)?;
-    (0..options.members)
-        .into_par_iter()
+    let cases: Vec<Case> = (0..options.members)
         .map(|member| {
             let mut case = case.clone();
             let (Start::Rolling {
@@ -184,22 +188,45 @@ fn ensemble(options: &Options, method: &str, step_us: f64) -> Result<Vec<[f64; 6
                 lead_ball_angle_rad,
                 ..
             }) = &mut case.start;
-            *lead_ball_angle_rad += member as f64 * TURN_RAD;
-            let mut sums = Sums::new();
-            let outcome = simulation::run(&case, &mut [&mut sums], &mut |_| Control::Continue)?;
-            match outcome.ending {
-                Ending::Complete => Ok(sums.statistics()),
-                Ending::Stopped(stop) => {
-                    bail!(
-                        "member {member} stopped at {} s: {}",
-                        stop.time_s,
-                        stop.cause
-                    )
-                }
-                ending => bail!("member {member}: {ending:?}"),
-            }
+            *lead_ball_angle_rad += member as f64 * options.turn_rad;
+            case
         })
-        .collect()
+        .collect();
+    let batches = if options.alone {
+        (0..cases.len()).map(|member| vec![member]).collect()
+    } else {
+        simulation::batches(&cases)
+    };
+    let statistics: Vec<Vec<[f64; 6]>> = batches
+        .into_par_iter()
+        .map(|batch| together(&cases, &batch))
+        .collect::<Result<_>>()?;
+    Ok(statistics.concat())
+}
+
+/// Members of one batch, side by side.
+fn together(cases: &[Case], batch: &[usize]) -> Result<Vec<[f64; 6]>> {
+    let members: Vec<&Case> = batch.iter().map(|k| &cases[*k]).collect();
+    let mut sums: Vec<Sums> = batch.iter().map(|_| Sums::new()).collect();
+    let mut observers: Vec<Vec<&mut dyn Observer>> = sums
+        .iter_mut()
+        .map(|s| vec![s as &mut dyn Observer])
+        .collect();
+    let outcomes = simulation::run_batch(&members, &mut observers, &mut |_| Control::Continue);
+    for (member, outcome) in batch.iter().zip(outcomes) {
+        match outcome?.ending {
+            Ending::Complete => {}
+            Ending::Stopped(stop) => {
+                bail!(
+                    "member {member} stopped at {} s: {}",
+                    stop.time_s,
+                    stop.cause
+                )
+            }
+            ending => bail!("member {member}: {ending:?}"),
+        }
+    }
+    Ok(sums.iter().map(Sums::statistics).collect())
 }
 
 /// Mean over the members and standard deviation of one, of statistic `at`.
@@ -240,6 +267,16 @@ pub fn run(options: &Options) -> Result<()> {
         WINDOW_S[0],
         WINDOW_S[1],
         rayon::current_num_threads()
+    );
+    let threads = rayon::current_num_threads() as f64;
+    println!(
+        "{:.4} s of a core per bearing and simulated second, {}",
+        wall_s * threads / members.len() as f64 / WINDOW_S[1],
+        if options.alone {
+            "each for itself"
+        } else {
+            "side by side"
+        }
     );
     println!("reference: {source}, {reference_members} members");
     println!(

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Args as Group, Parser, Subcommand};
+use clap::{Args as Group, Parser, Subcommand, ValueEnum};
 
 /// Simulate and design cageless ball bearings with a discrete raceway.
 #[derive(Debug, Parser)]
@@ -11,6 +11,21 @@ pub struct Args {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
+    /// Vector instructions to compute with, at most those of this processor. Results have
+    /// the same bits with all of them.
+    #[arg(long, value_enum, global = true)]
+    pub isa: Option<Isa>,
+}
+
+/// Vector instructions.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub enum Isa {
+    /// What every processor of this kind has.
+    Baseline,
+    /// 256-bit vectors.
+    Avx2,
+    /// 512-bit vectors.
+    Avx512,
 }
 
 const EXIT_CODES: &str = "Exit codes: 0 done; 2 bad input; 3 the run left the physical range or did \

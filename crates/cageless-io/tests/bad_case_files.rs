@@ -89,7 +89,7 @@ const EDITS: &[Row] = &[
     ("[raceway]", "[[raceway]]\naxial_span_mm = 9\nhalf_angle_deg = 20\ncentre_angle_deg = 180\n[[raceway]]", "raceway.1.axial_span_mm", &["= 9 ", "less than 7.4017"]),
     ("# outer_ring_outer_radius_mm = 31.0", "outer_ring_outer_radius_mm = 27.0", "bearing.outer_ring_outer_radius_mm", &["= 27.0", "more than 27.765 mm"]),
     ("# outer_ring_width_mm = 16.0", "outer_ring_width_mm = 0", "bearing.outer_ring_width_mm", &["more than 0 mm"]),
-    ("balls = 14", "balls = 14\nball_radius_deviation_um = [0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0, 0, 0, 0, 0]", "bearing.ball_radius_deviation_um", &["not 0.5 um", "not part of the model yet"]),
+    ("balls = 14", "balls = 14\nball_radius_deviation_um = [0, 0, 0, 0, 50, 0, 0, 0, 0, 0, 0, 0, 0, 0]", "bearing.ball_radius_deviation_um", &["47.625 um", "1 % of the ball radius"]),
     ("balls = 14", "balls = 14\nball_radius_deviation_um = [0, 0]", "bearing.ball_radius_deviation_um", &["a list of 14 numbers"]),
     ("balls = 14", "balls = 14\nball_radius_deviation_um = 0", "bearing.ball_radius_deviation_um", &["a list of numbers"]),
     // Start.

@@ -230,6 +230,10 @@ fn a_document_goes_to_toml_and_back() {
         "balls = 14",
         &format!("balls = 14\nball_radius_deviation_um = {:?}", [0.0; 14]),
     ));
+    texts.push(edited(
+        "balls = 14",
+        &format!("balls = 14\nball_radius_deviation_um = {:?}", [-0.25; 14]),
+    ));
     for text in texts {
         let file = parse(&text);
         let toml = file.document().to_toml().unwrap();

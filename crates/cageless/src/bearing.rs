@@ -48,7 +48,24 @@ pub struct Bearing {
     inner_contact: PointContact,
     outer_contact: PointContact,
     ball_contact: PointContact,
+    /// Rw of every ball − Rw; empty if all are equal.
+    deviations_m: Vec<f64>,
 }
+
+/// One ball of a bearing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ball {
+    /// Its radius.
+    pub radius_m: f64,
+    /// m.
+    pub mass_kg: f64,
+    /// Jr = 2/5 m Rw², about a diameter.
+    pub inertia_kg_m2: f64,
+}
+
+/// Largest deviation of a ball's radius, as a share of the nominal one. The coarsest grade of
+/// ISO 3290-1 (G200) lets the diameter deviate by less than a tenth of that.
+const DEVIATION_MAX: f64 = 0.01;
 
 impl Bearing {
     /// Checks that the parts fit together and derives the constants.
@@ -167,22 +184,9 @@ impl Bearing {
             ));
         }
         let ball = 1.0 / d.ball_radius_m;
-        let inner_contact = PointContact::new(
-            [ball, ball],
-            [
-                1.0 / d.inner_groove_bottom_radius_m,
-                -1.0 / d.inner_groove_curvature_radius_m,
-            ],
-            &material,
-        );
-        let outer_contact = PointContact::new(
-            [ball, ball],
-            [
-                -1.0 / d.outer_groove_bottom_radius_m,
-                -1.0 / d.outer_groove_curvature_radius_m,
-            ],
-            &material,
-        );
+        let [inner, outer] = ring_curvatures(d);
+        let inner_contact = PointContact::new([ball, ball], inner, &material);
+        let outer_contact = PointContact::new([ball, ball], outer, &material);
         let ball_contact = PointContact::new([ball, ball], [ball, ball], &material);
         Ok(Self {
             dimensions,
@@ -190,7 +194,88 @@ impl Bearing {
             inner_contact,
             outer_contact,
             ball_contact,
+            deviations_m: vec![],
         })
+    }
+
+    /// The same bearing with balls whose radii differ from the nominal one by
+    /// `deviations_m`, one entry per ball; none makes them equal again.
+    ///
+    /// # Errors
+    /// An [`InputError`] if there are not N entries, or one is beyond 1 % of Rw.
+    pub fn with_ball_radius_deviations(
+        mut self,
+        deviations_m: Vec<f64>,
+    ) -> Result<Self, InputError> {
+        const FIELD: &str = "ball_radius_deviation_m";
+        let balls = self.balls();
+        if !deviations_m.is_empty() && deviations_m.len() != balls {
+            return Err(InputError::rule(
+                FIELD,
+                deviations_m.len() as f64,
+                format!("a list of {balls}, one entry per ball"),
+            ));
+        }
+        let most = DEVIATION_MAX * self.ball_radius_m();
+        if let Some(&wrong) = deviations_m.iter().find(|d| !(d.abs() <= most)) {
+            return Err(InputError::new(
+                FIELD,
+                wrong,
+                Allowed::Between(-most, most, "1 % of the ball radius"),
+            ));
+        }
+        let equal = deviations_m.iter().all(|d| *d == 0.0);
+        self.deviations_m = if equal { vec![] } else { deviations_m };
+        Ok(self)
+    }
+
+    /// Deviation of every ball's radius from the nominal one; empty if all are equal.
+    pub fn ball_radius_deviations_m(&self) -> &[f64] {
+        &self.deviations_m
+    }
+
+    /// Ball `k`, counted from 0.
+    pub fn ball(&self, k: usize) -> Ball {
+        self.ball_of(self.ball_radius_m() + self.deviations_m.get(k).copied().unwrap_or(0.0))
+    }
+
+    fn ball_of(&self, radius_m: f64) -> Ball {
+        let mass_kg = 4.0 / 3.0 * PI * radius_m.powi(3) * self.material.density_kg_m3;
+        Ball {
+            radius_m,
+            mass_kg,
+            inertia_kg_m2: 0.4 * mass_kg * radius_m.powi(2),
+        }
+    }
+
+    /// Angle between ball `k` and the ball ahead when they touch on the pitch circle: ε for
+    /// two nominal balls.
+    pub fn pair_angle_rad(&self, k: usize) -> f64 {
+        let sum = self.ball(k).radius_m + self.ball((k + 1) % self.balls()).radius_m;
+        2.0 * (sum / 2.0 / self.pitch_radius_m()).asin()
+    }
+
+    /// Gap of evenly spaced balls: what the balls leave free of a turn, over N.
+    pub fn even_gap_rad(&self) -> f64 {
+        let n = self.balls();
+        (TAU - (0..n).map(|k| self.pair_angle_rad(k)).sum::<f64>()) / n as f64
+    }
+
+    /// K at the inner raceway, at the plain outer raceway of ball `k`, and between it and the
+    /// ball ahead, N·m^(−3/2).
+    pub fn ball_stiffness_n_m1_5(&self, k: usize) -> [f64; 3] {
+        if self.deviations_m.is_empty() {
+            return [
+                self.inner_contact.stiffness_n_m1_5,
+                self.outer_contact.stiffness_n_m1_5,
+                self.ball_contact.stiffness_n_m1_5,
+            ];
+        }
+        let one = [1.0 / self.ball(k).radius_m; 2];
+        let next = [1.0 / self.ball((k + 1) % self.balls()).radius_m; 2];
+        let [inner, outer] = ring_curvatures(&self.dimensions);
+        [inner, outer, next]
+            .map(|other| PointContact::new(one, other, &self.material).stiffness_n_m1_5)
     }
 
     /// The dimensions as given.
@@ -233,14 +318,14 @@ impl Bearing {
         if play.abs() < ROUNDING_M { 0.0 } else { play }
     }
 
-    /// m, mass of a ball.
+    /// m, mass of a nominal ball.
     pub fn ball_mass_kg(&self) -> f64 {
-        4.0 / 3.0 * PI * self.ball_radius_m().powi(3) * self.material.density_kg_m3
+        self.ball_of(self.ball_radius_m()).mass_kg
     }
 
-    /// Jr = 2/5 m Rw², inertia of a ball about a diameter.
+    /// Jr = 2/5 m Rw², inertia of a nominal ball about a diameter.
     pub fn ball_inertia_kg_m2(&self) -> f64 {
-        0.4 * self.ball_mass_kg() * self.ball_radius_m().powi(2)
+        self.ball_of(self.ball_radius_m()).inertia_kg_m2
     }
 
     /// ε = 2 asin(Rw/Rm), the angle that one ball takes up on the pitch circle
@@ -268,6 +353,21 @@ impl Bearing {
     pub fn ball_contact(&self) -> &PointContact {
         &self.ball_contact
     }
+}
+
+/// Principal curvatures of the raceways at the bottom of their grooves, in the plane of
+/// rolling and across: inner, outer.
+fn ring_curvatures(d: &BearingDimensions) -> [[f64; 2]; 2] {
+    [
+        [
+            1.0 / d.inner_groove_bottom_radius_m,
+            -1.0 / d.inner_groove_curvature_radius_m,
+        ],
+        [
+            -1.0 / d.outer_groove_bottom_radius_m,
+            -1.0 / d.outer_groove_curvature_radius_m,
+        ],
+    ]
 }
 
 /// Below this a difference of dimensions is rounding: a thousandth of a nanometre.

@@ -314,9 +314,12 @@ impl Case {
                 ));
             }
             let sum: f64 = gaps.iter().sum();
-            let room = n as f64 * self.bearing.uniform_gap_rad();
-            // A list printed with four decimals of a degree passes.
-            if (sum - room).abs() > n as f64 * 1e-4_f64.to_radians() {
+            let room = n as f64 * self.bearing.even_gap_rad();
+            // A list printed with four decimals of a degree passes, and one for nominal
+            // balls: the last gap takes what is left.
+            let nominal = n as f64 * self.bearing.uniform_gap_rad();
+            let slack = n as f64 * 1e-4_f64.to_radians() + (room - nominal).abs();
+            if (sum - room).abs() > slack {
                 return Err(InputError::rule(
                     "gaps",
                     sum,
@@ -338,6 +341,18 @@ impl Case {
                 .unwrap_or(b.outer_contact().stiffness_n_m1_5),
             c.ball_stiffness_n_m1_5
                 .unwrap_or(b.ball_contact().stiffness_n_m1_5),
+        ]
+    }
+
+    /// K of ball `k` at the inner raceway, at the outer raceway and against the ball ahead,
+    /// N·m^(−3/2): as given, else from Hertz with the radii of these balls.
+    pub fn ball_stiffness_n_m1_5(&self, k: usize) -> [f64; 3] {
+        let c = &self.contact;
+        let [inner, outer, ball] = self.bearing.ball_stiffness_n_m1_5(k);
+        [
+            c.inner_stiffness_n_m1_5.unwrap_or(inner),
+            c.outer_stiffness_n_m1_5.unwrap_or(outer),
+            c.ball_stiffness_n_m1_5.unwrap_or(ball),
         ]
     }
 

@@ -34,7 +34,7 @@ pub struct Collision {
 /// sums by the trapezoidal rule over the steps. A contact that is still closed at the
 /// end of the run is passed on by [`Self::close`].
 pub struct CollisionDetector<F> {
-    ball_diameter: f64,
+    distances: Vec<f64>,
     deflections: Vec<f64>,
     forces: Vec<f64>,
     open: Vec<Option<Collision>>,
@@ -45,7 +45,7 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> CollisionDetector<F> {
     /// Passes each contact to `sink` when it ends.
     pub fn new(sink: F) -> Self {
         Self {
-            ball_diameter: 0.0,
+            distances: vec![],
             deflections: vec![],
             forces: vec![],
             open: vec![],
@@ -74,10 +74,10 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> CollisionDetector<F> {
         let next = (k + 1) % layout.balls;
         let deflection = |time_s: f64| {
             let offset = |group: usize| {
-                let at = layout.group(group);
-                hermite(&view.step, at + next, time_s) - hermite(&view.step, at + k, time_s)
+                hermite(&view.step, layout.ball(group, next), time_s)
+                    - hermite(&view.step, layout.ball(group, k), time_s)
             };
-            self.ball_diameter - offset(0).hypot(offset(1))
+            self.distances[k] - offset(0).hypot(offset(1))
         };
         let (from, to) = (view.step.from_s, view.step.to_s);
         root::brent(deflection, from, to, 1e-6 * (to - from)).unwrap_or(otherwise)
@@ -107,14 +107,14 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> CollisionDetector<F> {
 impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDetector<F> {
     fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
         let n = scene.model.balls();
-        self.ball_diameter = 2.0 * scene.case.bearing.ball_radius_m();
+        self.distances = (0..n).map(|k| scene.model.pair_distance_m(k)).collect();
         self.forces = vec![0.0; n];
         self.open = vec![None; n];
         let (x, y) = (scene.start.x_m(), scene.start.y_m());
         self.deflections = (0..n)
             .map(|k| {
                 let next = (k + 1) % n;
-                self.ball_diameter - (x[next] - x[k]).hypot(y[next] - y[k])
+                self.distances[k] - (x[next] - x[k]).hypot(y[next] - y[k])
             })
             .collect();
         for k in 0..n {
@@ -136,10 +136,12 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDet
     }
 
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
-        let (forces, deflections, _) = view.rhs.pairs();
+        let c = &view.contacts;
         let (from, to) = (view.step.from_s, view.step.to_s);
-        for k in 0..deflections.len() {
-            let (before, after) = (self.deflections[k], deflections[k]);
+        for k in 0..c.balls() {
+            let (before, after) = (self.deflections[k], c.pair_deflection_m(k));
+            let (force_before, force) = (self.forces[k], c.pair_force_n(k));
+            (self.deflections[k], self.forces[k]) = (after, force);
             if before <= 0.0 && after <= 0.0 {
                 continue;
             }
@@ -150,7 +152,7 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDet
                 self.open[k] = Some(touch);
             }
             if let Some(collision) = &mut self.open[k] {
-                collision.peak_force_n = collision.peak_force_n.max(forces[k]);
+                collision.peak_force_n = collision.peak_force_n.max(force);
             }
             let until = if after > 0.0 {
                 to
@@ -158,7 +160,7 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDet
                 self.crossing_s(view, k, to)
             };
             if let Some(mut collision) = self.open[k] {
-                collision.impulse_n_s += 0.5 * (until - since) * (self.forces[k] + forces[k]);
+                collision.impulse_n_s += 0.5 * (until - since) * (force_before + force);
                 if after > 0.0 {
                     self.open[k] = Some(collision);
                 } else {
@@ -168,8 +170,6 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDet
                 }
             }
         }
-        self.deflections.copy_from_slice(deflections);
-        self.forces.copy_from_slice(forces);
         Ok(Control::Continue)
     }
 }

@@ -9,8 +9,9 @@ use crate::bearing::Bearing;
 use crate::case::{Case, Gaps, Profile};
 use crate::error::InputError;
 use crate::hertz::PointContact;
-use crate::kinematics::rolling_orbit_speed_rad_s;
+use crate::kinematics::orbit_speed_of_rad_s;
 use crate::numerics::root;
+use crate::seat::{self, Seat};
 
 /// Balls at rest in the turning frame, and the ring.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,9 +30,9 @@ pub struct Equilibrium {
     pub inner_force_n: Vec<f64>,
     /// Normal force at the outer raceway.
     pub outer_force_n: Vec<f64>,
-    /// K at the inner raceway.
+    /// K of a nominal ball at the inner raceway.
     pub inner_stiffness_n_m1_5: f64,
-    /// K at the outer raceway.
+    /// K of a nominal ball at the outer raceway.
     pub outer_stiffness_n_m1_5: f64,
     /// Largest Hertz pressure at the inner raceway.
     pub inner_stress_max_pa: f64,
@@ -67,9 +68,9 @@ pub fn start_angles_rad(case: &Case) -> Vec<f64> {
     (0..n)
         .map(|k| {
             let here = angle;
-            angle += bearing.ball_angle_rad()
+            angle += bearing.pair_angle_rad(k)
                 + match case.start.gaps() {
-                    Gaps::Uniform => bearing.uniform_gap_rad(),
+                    Gaps::Uniform => bearing.even_gap_rad(),
                     Gaps::List(gaps) => gaps[k],
                 };
             here
@@ -77,19 +78,19 @@ pub fn start_angles_rad(case: &Case) -> Vec<f64> {
         .collect()
 }
 
-/// r of a ball at ψ in a case.
-pub fn effective_radius_m(case: &Case, angle_rad: f64) -> f64 {
-    case.raceways
-        .iter()
-        .find(|raceway| raceway.contains(angle_rad))
-        .map_or(case.bearing.ball_radius_m(), |raceway| {
-            raceway.effective_radius_m(angle_rad)
-        })
+/// Where ball `k` sits in the outer ring at ψ.
+pub fn seat(case: &Case, k: usize, angle_rad: f64) -> Seat {
+    let radius = case.bearing.ball(k).radius_m;
+    seat::seat(&case.bearing, &case.raceways, angle_rad, radius)
 }
 
 /// What one ball contributes.
 struct BallProblem {
     angle: f64,
+    radius: f64,
+    seat: Seat,
+    inner_stiffness: f64,
+    outer_stiffness: f64,
     /// Unit vector e.
     e: [f64; 2],
     /// Outward force that does not come from a contact, times |rb| where it is
@@ -100,8 +101,6 @@ struct BallProblem {
 
 struct Problem<'c> {
     bearing: &'c Bearing,
-    inner_stiffness: f64,
-    outer_stiffness: f64,
     balls: Vec<BallProblem>,
     /// Load and weight on the ring, −Y.
     down: f64,
@@ -120,9 +119,8 @@ struct BallSolution {
 
 impl Problem<'_> {
     fn ball(&self, ball: &BallProblem, ring: [f64; 2]) -> BallSolution {
-        let touching = self.bearing.touching_radius_m();
-        let reach =
-            self.bearing.dimensions().inner_groove_bottom_radius_m + self.bearing.ball_radius_m();
+        let touching = ball.seat.touching_radius_m;
+        let reach = self.bearing.dimensions().inner_groove_bottom_radius_m + ball.radius;
         let forces = |distance: f64| {
             let offset = [
                 distance * ball.e[0] - ring[0],
@@ -130,8 +128,8 @@ impl Problem<'_> {
             ];
             let length = offset[0].hypot(offset[1]);
             let ei = offset.map(|c| c / length);
-            let inner = self.inner_stiffness * (reach - length).max(0.0).powf(1.5);
-            let outer = self.outer_stiffness * (distance - touching).max(0.0).powf(1.5);
+            let inner = ball.inner_stiffness * (reach - length).max(0.0).powf(1.5);
+            let outer = ball.outer_stiffness * (distance - touching).max(0.0).powf(1.5);
             let cosine = ei[0] * ball.e[0] + ei[1] * ball.e[1];
             let net = inner * cosine + ball.steady + ball.turning / distance - outer;
             (net, inner, outer, ei, reach - length)
@@ -143,8 +141,8 @@ impl Problem<'_> {
         let (_, inner, outer, ei, approach) = forces(distance);
         let slope = |k: f64, deflection: f64| 1.5 * k * deflection.max(0.0).sqrt();
         let (ki, ko) = (
-            slope(self.inner_stiffness, approach),
-            slope(self.outer_stiffness, distance - touching),
+            slope(ball.inner_stiffness, approach),
+            slope(ball.outer_stiffness, distance - touching),
         );
         let stiffness = if ki > 0.0 { ki * ko / (ki + ko) } else { 0.0 };
         BallSolution {
@@ -182,34 +180,39 @@ pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
     let bearing = &case.bearing;
     let angles = start_angles_rad(case);
     let [inner_stiffness, outer_stiffness, _] = case.stiffness_n_m1_5();
-    let mass = bearing.ball_mass_kg();
     let d = bearing.dimensions();
-    let radii: Vec<f64> = angles
+    let balls: Vec<BallProblem> = angles
         .iter()
-        .map(|&a| effective_radius_m(case, a))
-        .collect();
-    let balls = angles
-        .iter()
-        .zip(&radii)
-        .map(|(&angle, &r)| {
+        .enumerate()
+        .map(|(k, &angle)| {
             let (sin, cos) = angle.sin_cos();
-            let speed = rolling_speed_m_s(case, r);
+            let (ball, seat) = (bearing.ball(k), seat(case, k, angle));
+            let orbit = orbit_speed_of_rad_s(
+                bearing,
+                ball.radius_m,
+                case.operation.inner_speed_rad_s,
+                seat.effective_radius_m,
+            );
+            let speed = orbit * bearing.pitch_radius_m();
             let doubled = match case.profile {
-                Profile::Paper => mass * speed * speed / bearing.pitch_radius_m(),
+                Profile::Paper => ball.mass_kg * speed * speed / bearing.pitch_radius_m(),
                 Profile::Physical => 0.0,
             };
+            let [inner_stiffness, outer_stiffness, _] = case.ball_stiffness_n_m1_5(k);
             BallProblem {
                 angle,
+                radius: ball.radius_m,
+                seat,
+                inner_stiffness,
+                outer_stiffness,
                 e: [sin, -cos],
-                steady: mass * case.operation.gravity_m_s2 * cos + doubled,
-                turning: mass * speed * speed,
+                steady: ball.mass_kg * case.operation.gravity_m_s2 * cos + doubled,
+                turning: ball.mass_kg * speed * speed,
             }
         })
         .collect();
     let problem = Problem {
         bearing,
-        inner_stiffness,
-        outer_stiffness,
         balls,
         down: case.operation.radial_load_n + d.inner_ring_mass_kg * case.operation.gravity_m_s2,
     };
@@ -233,21 +236,19 @@ pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
             .fold(0.0, stress),
         outer_stress_max_pa: outer_force_n
             .iter()
-            .zip(&radii)
-            .map(|(&f, &r)| outer_stress_pa(bearing, r, f))
+            .zip(&problem.balls)
+            .map(|(&f, ball)| outer_stress_pa(bearing, ball.seat.effective_radius_m, f))
             .fold(0.0, stress),
-        effective_radius_m: radii,
+        effective_radius_m: problem
+            .balls
+            .iter()
+            .map(|b| b.seat.effective_radius_m)
+            .collect(),
         inner_force_n,
         outer_force_n,
-        inner_stiffness_n_m1_5: problem.inner_stiffness,
-        outer_stiffness_n_m1_5: problem.outer_stiffness,
+        inner_stiffness_n_m1_5: inner_stiffness,
+        outer_stiffness_n_m1_5: outer_stiffness,
     })
-}
-
-/// vt = Ω(r)·Rm of rolling.
-fn rolling_speed_m_s(case: &Case, r_m: f64) -> f64 {
-    rolling_orbit_speed_rad_s(&case.bearing, case.operation.inner_speed_rad_s, r_m)
-        * case.bearing.pitch_radius_m()
 }
 
 /// Peak Hertz pressure at the outer raceway of a ball with effective radius `r_m` under
@@ -281,15 +282,17 @@ fn settle_ring(problem: &Problem<'_>, bearing: &Bearing) -> Result<[f64; 2], Equ
         return Ok([0.0; 2]);
     }
     // Deep enough for contact below; the Hertz law is convex from there.
-    let series = (problem.inner_stiffness.powf(-2.0 / 3.0)
-        + problem.outer_stiffness.powf(-2.0 / 3.0))
+    let first = &problem.balls[0];
+    let series = (first.inner_stiffness.powf(-2.0 / 3.0) + first.outer_stiffness.powf(-2.0 / 3.0))
         * (4.37 * problem.down / problem.balls.len() as f64).powf(2.0 / 3.0);
     // Balls thrown against the outer raceway leave the ring that much more room.
     let thrown = problem
         .balls
         .iter()
-        .map(|b| b.steady + b.turning / bearing.touching_radius_m())
-        .map(|push| (push.max(0.0) / problem.outer_stiffness).powf(2.0 / 3.0))
+        .map(|b| {
+            let push = b.steady + b.turning / bearing.touching_radius_m();
+            (push.max(0.0) / b.outer_stiffness).powf(2.0 / 3.0)
+        })
         .fold(0.0, f64::max);
     let mut ring = [0.0, -(bearing.radial_clearance_m() + thrown + series)];
     let (mut force, mut stiffness) = problem.ring(ring);

@@ -5,9 +5,18 @@ use crate::bearing::Bearing;
 /// Ω(r) = ωi·Ri/Rm · (1 − Rw/(r + Rw)), the orbital speed of pure rolling with
 /// effective contact radius `r` at the outer raceway (Zhao 2022, Eq. (3)), rad/s.
 pub fn rolling_orbit_speed_rad_s(bearing: &Bearing, inner_speed_rad_s: f64, r_m: f64) -> f64 {
-    let d = bearing.dimensions();
-    inner_speed_rad_s * d.inner_groove_bottom_radius_m / bearing.pitch_radius_m()
-        * (1.0 - d.ball_radius_m / (r_m + d.ball_radius_m))
+    orbit_speed_of_rad_s(bearing, bearing.ball_radius_m(), inner_speed_rad_s, r_m)
+}
+
+/// The same for a ball of radius `ball_radius_m` in place of Rw.
+pub fn orbit_speed_of_rad_s(
+    bearing: &Bearing,
+    ball_radius_m: f64,
+    inner_speed_rad_s: f64,
+    r_m: f64,
+) -> f64 {
+    inner_speed_rad_s * bearing.dimensions().inner_groove_bottom_radius_m / bearing.pitch_radius_m()
+        * (1.0 - ball_radius_m / (r_m + ball_radius_m))
 }
 
 /// Spin of pure rolling relative to the frame that turns with the ball's orbit,

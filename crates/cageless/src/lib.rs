@@ -29,6 +29,7 @@ pub mod numerics;
 pub mod passage;
 pub mod raceway;
 pub mod recorder;
+pub mod seat;
 pub mod simulation;
 pub mod snapshot;
 pub mod spacing;
@@ -39,7 +40,7 @@ pub mod summary;
 pub mod traction;
 pub mod vibration;
 
-pub use bearing::{Bearing, BearingDimensions, Material};
+pub use bearing::{Ball, Bearing, BearingDimensions, Material};
 pub use case::{
     Case, Contact, FrictionLaw, Gaps, Housing, Method, Operation, Output, Profile, Solver, Start,
 };

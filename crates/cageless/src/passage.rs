@@ -35,7 +35,7 @@ pub struct Passage {
 /// and gone out during the run.
 pub struct PassageRecorder {
     raceways: Vec<Raceway>,
-    ball_angle: f64,
+    pair_angles: Vec<f64>,
     /// The passage under way of each ball through each raceway.
     inside: Vec<Option<Passage>>,
     /// Balls that start inside a raceway are let out first.
@@ -50,7 +50,7 @@ impl PassageRecorder {
     pub fn new() -> Self {
         Self {
             raceways: vec![],
-            ball_angle: 0.0,
+            pair_angles: vec![],
             inside: vec![],
             seen_outside: vec![],
             touching: vec![],
@@ -69,7 +69,7 @@ impl Observer for PassageRecorder {
     fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
         let n = scene.model.balls();
         self.raceways = scene.case.raceways.clone();
-        self.ball_angle = scene.case.bearing.ball_angle_rad();
+        self.pair_angles = (0..n).map(|k| scene.model.pair_angle_rad(k)).collect();
         self.inside = vec![None; n * self.raceways.len()];
         self.seen_outside = vec![false; n * self.raceways.len()];
         self.touching = vec![false; n];
@@ -77,23 +77,13 @@ impl Observer for PassageRecorder {
     }
 
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
-        let layout = view.layout();
-        let n = layout.balls;
-        let after = view.step.after;
-        let (x, y) = (
-            &after[layout.group(0)..][..n],
-            &after[layout.group(1)..][..n],
-        );
-        let (vx, vy) = (
-            &after[layout.group(2)..][..n],
-            &after[layout.group(3)..][..n],
-        );
-        let (inner, outer) = view.rhs.slips();
-        let (inner_force, outer_force) = view.rhs.normal_forces();
-        let (_, deflections, _) = view.rhs.pairs();
+        let n = view.layout().balls;
+        let (x, y) = (view.after(0), view.after(1));
+        let c = &view.contacts;
         for k in 0..n {
             let previous = (k + n - 1) % n;
-            let begun = |pair: usize| u32::from(deflections[pair] > 0.0 && !self.touching[pair]);
+            let begun =
+                |pair: usize| u32::from(c.pair_deflection_m(pair) > 0.0 && !self.touching[pair]);
             let (ahead, behind) = (begun(k), begun(previous));
             let angle = x[k].atan2(-y[k]);
             for (r, raceway) in self.raceways.iter().enumerate() {
@@ -109,19 +99,12 @@ impl Observer for PassageRecorder {
                 if !self.seen_outside[slot] {
                     continue;
                 }
-                let gap = gap_rad(x, y, k, self.ball_angle);
-                let orbit = (x[k] * vy[k] - y[k] * vx[k]) / (x[k] * x[k] + y[k] * y[k]);
+                let gap = gap_rad(x, y, k, self.pair_angles[k]);
+                let orbit = c.orbit_speed_rad_s(k);
                 // A contact without load may slide as it likes.
-                let slip = if inner_force[k] > 0.0 {
-                    inner[k].abs()
-                } else {
-                    0.0
-                }
-                .max(if outer_force[k] > 0.0 {
-                    outer[k].abs()
-                } else {
-                    0.0
-                });
+                let slip = |slip: f64, force: f64| if force > 0.0 { slip.abs() } else { 0.0 };
+                let slip = slip(c.inner_slip_m_s(k), c.inner_force_n(k))
+                    .max(slip(c.outer_slip_m_s(k), c.outer_force_n(k)));
                 let passage = self.inside[slot].get_or_insert(Passage {
                     ball: k,
                     raceway: r,
@@ -144,8 +127,8 @@ impl Observer for PassageRecorder {
                 passage.orbit_speed_range_rad_s = [low.min(orbit), high.max(orbit)];
             }
         }
-        for (t, d) in self.touching.iter_mut().zip(deflections) {
-            *t = *d > 0.0;
+        for (k, touching) in self.touching.iter_mut().enumerate() {
+            *touching = c.pair_deflection_m(k) > 0.0;
         }
         Ok(Control::Continue)
     }

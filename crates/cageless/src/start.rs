@@ -1,10 +1,8 @@
 //! The state that a run starts from.
 
 use crate::case::{Case, Profile, Start};
-use crate::equilibrium::{self, EquilibriumError, effective_radius_m, start_angles_rad};
-use crate::kinematics::{
-    rolling_orbit_speed_rad_s, rolling_relative_spin_rad_s, rolling_spin_rad_s,
-};
+use crate::equilibrium::{self, EquilibriumError, seat, start_angles_rad};
+use crate::kinematics::{orbit_speed_of_rad_s, rolling_relative_spin_rad_s, rolling_spin_rad_s};
 use crate::state::State;
 
 /// State at t = 0 and ψ of every ball.
@@ -21,7 +19,7 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
     let bearing = &case.bearing;
     let n = bearing.balls();
     let pitch = bearing.pitch_radius_m();
-    let mut state = State::new(n, pitch);
+    let mut state = State::new(n);
     let angles = start_angles_rad(case);
     let (distances, ring) = match case.start {
         Start::Rolling {
@@ -33,8 +31,9 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
         }
     };
     for (k, (&angle, &distance)) in angles.iter().zip(&distances).enumerate() {
-        let r = effective_radius_m(case, angle);
-        let orbit = rolling_orbit_speed_rad_s(bearing, case.operation.inner_speed_rad_s, r);
+        let r = seat(case, k, angle).effective_radius_m;
+        let radius = bearing.ball(k).radius_m;
+        let orbit = orbit_speed_of_rad_s(bearing, radius, case.operation.inner_speed_rad_s, r);
         let (speed, spin) = match case.profile {
             Profile::Physical => (orbit * pitch, rolling_spin_rad_s(bearing, orbit, r)),
             Profile::Paper => (

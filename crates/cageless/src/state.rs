@@ -1,17 +1,23 @@
 //! The state vector: what the integrators advance.
 
-/// Places of the groups in the flat state vector. Arrays over the balls are padded
-/// to a multiple of [`LANES`], so that whole vectors can be computed.
+/// Places of the groups in the flat vector that an integrator advances: of one bearing,
+/// whose arrays over the balls are padded to a multiple of [`LANES`], or of [`LANES`]
+/// bearings side by side, whose entries for the same ball lie next to each other. Whole
+/// vectors are computed either way.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Layout {
     /// N.
     pub balls: usize,
-    /// Length of one padded array over the balls.
+    /// Length of one array over the balls.
     pub stride: usize,
+    /// Bearings side by side.
+    members: usize,
+    /// The one whose places are given.
+    member: usize,
 }
 
 /// Padding of the arrays over the balls.
-pub const LANES: usize = 8;
+pub const LANES: usize = 16;
 
 /// Largest number of balls.
 pub const BALLS_MAX: usize = 256;
@@ -92,33 +98,109 @@ impl Work {
 }
 
 impl Layout {
-    /// Layout for `balls` balls.
+    /// Layout for one bearing of `balls` balls.
     pub fn new(balls: usize) -> Self {
         Self {
             balls,
             stride: balls.next_multiple_of(LANES),
+            members: 1,
+            member: 0,
         }
     }
 
-    /// Length of the state vector.
-    #[allow(clippy::len_without_is_empty)] // never empty
-    pub fn len(&self) -> usize {
-        self.ledger() + Work::ALL.len()
+    /// Layout for [`LANES`] bearings of `balls` balls each, with the places of the first.
+    pub fn side_by_side(balls: usize) -> Self {
+        Self {
+            balls,
+            stride: balls * LANES,
+            members: LANES,
+            member: 0,
+        }
     }
 
-    /// Start of x, y, vx, vy, spin (groups 0 to 4).
+    /// The same vector with the places of another bearing.
+    pub fn of_member(self, member: usize) -> Self {
+        assert!(member < self.members);
+        Self { member, ..self }
+    }
+
+    /// Bearings side by side.
+    pub fn members(&self) -> usize {
+        self.members
+    }
+
+    /// Which of them the places belong to.
+    pub fn member(&self) -> usize {
+        self.member
+    }
+
+    /// Length of the vector.
+    #[allow(clippy::len_without_is_empty)] // never empty
+    pub fn len(&self) -> usize {
+        5 * self.stride + (4 + Work::ALL.len()) * self.members
+    }
+
+    /// Start of x, y, vx, vy, spin (groups 0 to 4) of all balls and bearings.
     pub fn group(&self, group: usize) -> usize {
         group * self.stride
     }
 
-    /// Start of the ring's X, Y, Ẋ, Ẏ.
-    pub fn ring(&self) -> usize {
-        5 * self.stride
+    /// Place of ball `k` in a group.
+    pub fn ball(&self, group: usize, k: usize) -> usize {
+        debug_assert!(k < self.balls);
+        group * self.stride + k * self.members + self.member
     }
 
-    /// Start of the energy ledger.
-    pub fn ledger(&self) -> usize {
-        self.ring() + 4
+    /// Place of the ring's X, Y, Ẋ, Ẏ (0 to 3).
+    pub fn ring(&self, k: usize) -> usize {
+        5 * self.stride + k * self.members + self.member
+    }
+
+    /// Place of an entry of the energy ledger.
+    pub fn work(&self, work: Work) -> usize {
+        5 * self.stride + (4 + work as usize) * self.members + self.member
+    }
+
+    /// One group of a vector, ball by ball.
+    pub fn balls_of<'a>(&self, values: &'a [f64], group: usize) -> Balls<'a> {
+        Balls {
+            values: &values[group * self.stride + self.member..],
+            step: self.members,
+            count: self.balls,
+        }
+    }
+}
+
+/// One quantity of every ball of a bearing within a vector.
+#[derive(Debug, Clone, Copy)]
+pub struct Balls<'a> {
+    values: &'a [f64],
+    step: usize,
+    count: usize,
+}
+
+impl<'a> Balls<'a> {
+    /// N.
+    #[allow(clippy::len_without_is_empty)] // never empty
+    pub fn len(&self) -> usize {
+        self.count
+    }
+
+    /// Ball by ball.
+    pub fn iter(&self) -> impl Iterator<Item = f64> + use<'a> {
+        self.values
+            .iter()
+            .step_by(self.step)
+            .take(self.count)
+            .copied()
+    }
+}
+
+impl std::ops::Index<usize> for Balls<'_> {
+    type Output = f64;
+
+    fn index(&self, k: usize) -> &f64 {
+        &self.values[k * self.step]
     }
 }
 
@@ -130,23 +212,69 @@ pub struct State {
 }
 
 impl State {
-    /// Everything zero, but for padding balls, which sit apart from each other on a
-    /// circle of radius `pitch_radius_m` so that no distance between them vanishes.
-    pub fn new(balls: usize, pitch_radius_m: f64) -> Self {
+    /// Everything zero.
+    pub fn new(balls: usize) -> Self {
         let layout = Layout::new(balls);
-        let mut values = vec![0.0; layout.len()];
-        for k in balls..layout.stride {
-            let (sin, cos) = (k as f64).sin_cos();
-            values[layout.group(0) + k] = pitch_radius_m * sin;
-            values[layout.group(1) + k] = -pitch_radius_m * cos;
-        }
-        Self { layout, values }
+        let mut state = Self {
+            layout,
+            values: vec![0.0; layout.len()],
+        };
+        state.spread_padding();
+        state
     }
 
-    /// Wraps a vector that an integrator has advanced.
-    pub fn from_values(layout: Layout, values: Vec<f64>) -> Self {
+    /// Padding balls must not share a place.
+    fn spread_padding(&mut self) {
+        for k in self.layout.balls..self.layout.stride {
+            let (sin, cos) = (k as f64).sin_cos();
+            self.values[self.layout.group(0) + k] = sin;
+            self.values[self.layout.group(1) + k] = -cos;
+        }
+    }
+
+    /// Takes the state of one bearing out of a vector that an integrator has advanced.
+    pub fn taken(layout: Layout, values: &[f64]) -> Self {
         assert_eq!(values.len(), layout.len());
-        Self { layout, values }
+        Self::assembled(layout, |k| values[k])
+    }
+
+    /// Puts a state together from the places of one bearing in a vector.
+    pub(crate) fn assembled(layout: Layout, value: impl Fn(usize) -> f64) -> Self {
+        let own = Layout::new(layout.balls);
+        let mut values = vec![0.0; own.len()];
+        for group in 0..5 {
+            for k in 0..layout.balls {
+                values[own.ball(group, k)] = value(layout.ball(group, k));
+            }
+        }
+        for k in 0..4 {
+            values[own.ring(k)] = value(layout.ring(k));
+        }
+        for work in Work::ALL {
+            values[own.work(work)] = value(layout.work(work));
+        }
+        let mut state = Self {
+            layout: own,
+            values,
+        };
+        state.spread_padding();
+        state
+    }
+
+    /// Puts the state into the places of one bearing in a vector.
+    pub fn put_into(&self, layout: Layout, values: &mut [f64]) {
+        let own = self.layout;
+        for group in 0..5 {
+            for k in 0..own.balls {
+                values[layout.ball(group, k)] = self.values[own.ball(group, k)];
+            }
+        }
+        for k in 0..4 {
+            values[layout.ring(k)] = self.values[own.ring(k)];
+        }
+        for work in Work::ALL {
+            values[layout.work(work)] = self.values[own.work(work)];
+        }
     }
 
     /// Layout of [`Self::values`].
@@ -216,23 +344,18 @@ impl State {
 
     /// X, Y, Ẋ, Ẏ of the ring's centre, m and m/s.
     pub fn ring(&self) -> [f64; 4] {
-        let at = self.layout.ring();
-        [
-            self.values[at],
-            self.values[at + 1],
-            self.values[at + 2],
-            self.values[at + 3],
-        ]
+        std::array::from_fn(|k| self.values[self.layout.ring(k)])
     }
 
     /// Puts the ring.
     pub fn set_ring(&mut self, ring: [f64; 4]) {
-        let at = self.layout.ring();
-        self.values[at..at + 4].copy_from_slice(&ring);
+        for (k, value) in ring.into_iter().enumerate() {
+            self.values[self.layout.ring(k)] = value;
+        }
     }
 
     /// One entry of the energy ledger, J.
     pub fn work_j(&self, work: Work) -> f64 {
-        self.values[self.layout.ledger() + work as usize]
+        self.values[self.layout.work(work)]
     }
 }

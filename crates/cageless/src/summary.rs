@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use crate::case::Case;
 use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::simulation::{Control, Observer, ObserverError, Scene, View};
-use crate::spacing::gap_rad;
+use crate::spacing::GapRange;
 
 /// Headline numbers over the part of a run after [`Self::settled_after_s`].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,14 +46,14 @@ pub fn transient_s(case: &Case) -> f64 {
 /// Gathers a [`Summary`].
 pub struct SummaryRecorder {
     settled_after_s: f64,
-    ball_angle: f64,
+    gaps: GapRange,
     steps: u64,
     collisions: u64,
-    gap_range: [f64; 2],
     ring_sum: [f64; 2],
     time: f64,
     slip_max: f64,
     touching: Vec<bool>,
+    touched: bool,
 }
 
 impl SummaryRecorder {
@@ -61,14 +61,14 @@ impl SummaryRecorder {
     pub fn new() -> Self {
         Self {
             settled_after_s: 0.0,
-            ball_angle: 0.0,
+            gaps: GapRange::default(),
             steps: 0,
             collisions: 0,
-            gap_range: [f64::INFINITY, f64::NEG_INFINITY],
             ring_sum: [0.0; 2],
             time: 0.0,
             slip_max: 0.0,
             touching: vec![],
+            touched: false,
         }
     }
 
@@ -77,8 +77,8 @@ impl SummaryRecorder {
         (self.time > 0.0).then(|| Summary {
             settled_after_s: self.settled_after_s,
             collisions: self.collisions,
-            gap_min_rad: self.gap_range[0],
-            gap_max_rad: self.gap_range[1],
+            gap_min_rad: self.gaps.range_rad()[0],
+            gap_max_rad: self.gaps.range_rad()[1],
             ring_x_mean_m: self.ring_sum[0] / self.time,
             ring_y_mean_m: self.ring_sum[1] / self.time,
             slip_max_m_s: self.slip_max,
@@ -96,48 +96,36 @@ impl Observer for SummaryRecorder {
     fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
         let case = scene.case;
         self.settled_after_s = transient_s(case);
-        self.ball_angle = case.bearing.ball_angle_rad();
+        self.gaps = GapRange::new(scene.model);
         self.touching = vec![false; scene.model.balls()];
         Ok(())
     }
 
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
-        let (_, deflections, _) = view.rhs.pairs();
+        let contacts = &view.contacts;
         let counted = view.step.to_s > self.settled_after_s;
-        for (touching, deflection) in self.touching.iter_mut().zip(deflections) {
-            let now = *deflection > 0.0;
-            self.collisions += u64::from(counted && now && !*touching);
-            *touching = now;
+        let touch = contacts.balls_touch();
+        if touch || self.touched {
+            for (k, touching) in self.touching.iter_mut().enumerate() {
+                let now = touch && contacts.pair_deflection_m(k) > 0.0;
+                self.collisions += u64::from(counted && now && !*touching);
+                *touching = now;
+            }
         }
+        self.touched = touch;
         if !counted {
             return Ok(Control::Continue);
         }
         let layout = view.layout();
-        let n = layout.balls;
         let h = view.step.to_s - view.step.from_s;
-        let at = layout.ring();
         for k in 0..2 {
-            self.ring_sum[k] += 0.5 * h * (view.step.before[at + k] + view.step.after[at + k]);
+            let at = layout.ring(k);
+            self.ring_sum[k] += 0.5 * h * (view.step.before[at] + view.step.after[at]);
         }
         self.time += h;
-        let (inner, outer) = view.rhs.slips();
-        let (inner_force, outer_force) = view.rhs.normal_forces();
-        for (slips, forces) in [(inner, inner_force), (outer, outer_force)] {
-            for (slip, force) in slips.iter().zip(forces) {
-                if *force > 0.0 {
-                    self.slip_max = self.slip_max.max(slip.abs());
-                }
-            }
-        }
+        self.slip_max = self.slip_max.max(contacts.slip_max_m_s());
         if self.steps.is_multiple_of(GAPS_EVERY) {
-            let (x, y) = (
-                &view.step.after[..n],
-                &view.step.after[layout.group(1)..][..n],
-            );
-            for k in 0..n {
-                let gap = gap_rad(x, y, k, self.ball_angle);
-                self.gap_range = [self.gap_range[0].min(gap), self.gap_range[1].max(gap)];
-            }
+            self.gaps.look(view.after(0), view.after(1));
         }
         self.steps += 1;
         Ok(Control::Continue)

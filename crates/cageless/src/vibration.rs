@@ -143,7 +143,7 @@ impl Observer for VibrationRecorder {
         self.add(
             view.step.from_s,
             view.step.to_s,
-            view.rhs.outer_ring_force_n(),
+            view.contacts.outer_ring_force_n(),
         );
         Ok(Control::Continue)
     }

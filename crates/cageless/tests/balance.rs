@@ -130,9 +130,10 @@ fn pure_rolling_stays_pure_rolling() {
     let mut rhs = RightHandSide::new(&model);
     let mut rate = vec![0.0; model.layout().len()];
     rhs.derivative(0.0, state.values(), &mut rate);
-    let (inner, outer) = rhs.slips();
+    let contacts = rhs.contacts();
     for k in 0..14 {
-        assert!(inner[k].abs() < 1e-12 && outer[k].abs() < 1e-12);
+        assert!(contacts.inner_slip_m_s(k).abs() < 1e-12);
+        assert!(contacts.outer_slip_m_s(k).abs() < 1e-12);
     }
     let end = complete(&case).state;
     for (before, after) in state.spin_state_rad_s().iter().zip(end.spin_state_rad_s()) {
@@ -290,7 +291,7 @@ fn the_caller_can_interrupt() {
 /// `State` round-trips what it was given.
 #[test]
 fn state_keeps_what_it_is_given() {
-    let mut state = State::new(5, 0.02);
+    let mut state = State::new(5);
     state.set_ball(3, [1.0, 2.0], [3.0, 4.0], 5.0);
     state.set_ring([6.0, 7.0, 8.0, 9.0]);
     assert_eq!((state.x_m()[3], state.vy_m_s()[3]), (1.0, 4.0));

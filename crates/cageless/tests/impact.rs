@@ -29,7 +29,7 @@ fn free_flight() -> Case {
 fn approaching(case: &Case, speed: f64) -> (State, Vec<f64>) {
     let rw = case.bearing.ball_radius_m();
     let y = -case.bearing.pitch_radius_m();
-    let mut state = State::new(3, case.bearing.pitch_radius_m());
+    let mut state = State::new(3);
     let x = rw + 0.5e-6;
     state.set_ball(0, [-x, y], [speed / 2.0, 0.0], 0.0);
     state.set_ball(1, [x, y], [-speed / 2.0, 0.0], 0.0);

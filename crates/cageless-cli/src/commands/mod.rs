@@ -6,17 +6,21 @@ mod static_equilibrium;
 
 use std::path::Path;
 
+use cageless::dynamics::InstructionSet;
 use cageless_io::case_file::{CaseFile, template};
 use cageless_io::results::write_atomically;
 use serde::Serialize;
 
-use crate::args::{Args, CaseArgs, Command};
+use crate::args::{Args, CaseArgs, Command, Isa};
 use crate::failure::Failure;
 use crate::format::pairs;
 use crate::progress::catch_interrupt;
 
 /// Does what was asked.
 pub fn dispatch(args: Args) -> Result<(), Failure> {
+    if let Some(isa) = args.isa {
+        limit_instructions(isa)?;
+    }
     match args.command {
         Command::Reproduce(args) => crate::reproduce::reproduce(&args, &catch_interrupt()),
         Command::New(args) => print(&template(args.conventional)),
@@ -25,6 +29,28 @@ pub fn dispatch(args: Args) -> Result<(), Failure> {
         Command::Design(args) => design::design(&args),
         Command::Run(args) => run::run(&args),
     }
+}
+
+fn limit_instructions(isa: Isa) -> Result<(), Failure> {
+    let set = match isa {
+        Isa::Baseline => InstructionSet::Baseline,
+        Isa::Avx2 => InstructionSet::Avx2,
+        Isa::Avx512 => InstructionSet::Avx512,
+    };
+    if !set.available() {
+        let allowed: Vec<&str> = InstructionSet::ALL
+            .into_iter()
+            .filter(|set| set.available())
+            .map(InstructionSet::name)
+            .collect();
+        return Err(Failure::Input(format!(
+            "--isa {}: this processor does not have it; allowed here: {}",
+            set.name(),
+            allowed.join(", ")
+        )));
+    }
+    set.limit_to();
+    Ok(())
 }
 
 /// Prints to stdout. A reader that has had enough (`cageless new | head`) is no failure.

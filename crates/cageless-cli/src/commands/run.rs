@@ -44,7 +44,7 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     // A case that cannot start must not touch the folder.
     initial_state(case)?;
     let document = file.document_as_run();
-    let isa = InstructionSet::detect().name();
+    let isa = InstructionSet::chosen().name();
     let writer = match &args.out {
         Some(dir) => {
             make_folder(dir)?;

@@ -70,7 +70,7 @@ pub fn reproduce(args: &Reproduce, stop: &StopFlag) -> Result<(), Failure> {
         extra: &extra,
     });
     let data = ReproduceData {
-        software: format!("Cageless {VERSION}, {}", InstructionSet::detect().name()),
+        software: format!("Cageless {VERSION}, {}", InstructionSet::chosen().name()),
         lead: claims::lead(&table2),
         table1: parameters::table1(&case_d),
         contact_track: Some(parameters::contact_track(&case_d)),

@@ -99,7 +99,8 @@ impl Converter<'_> {
             youngs_modulus_pa: si("youngs_modulus_gpa", m.youngs_modulus_gpa)?,
             poisson_ratio: si("poisson_ratio", m.poisson_ratio)?,
         };
-        Bearing::new(dimensions, material).map_err(|e| self.refused(&e, None))
+        let bearing = Bearing::new(dimensions, material).map_err(|e| self.refused(&e, None))?;
+        self.scattered(bearing)
     }
 
     /// What no computation uses yet, but a file may carry.
@@ -123,22 +124,27 @@ impl Converter<'_> {
                 return Err(self.refuse(key, &width.to_string(), "more than 0 mm"));
             }
         }
+        Ok(())
+    }
+
+    /// Gives the balls their own radii.
+    fn scattered(&self, bearing: Bearing) -> Result<Bearing, CaseError> {
+        let b = &self.document.bearing;
         let Some(deviations) = &b.ball_radius_deviation_um else {
-            return Ok(());
+            return Ok(bearing);
         };
         let key = "bearing.ball_radius_deviation_um";
         if deviations.len() != b.balls {
             let allowed = format!("a list of {} numbers in um, one per ball", b.balls);
             return Err(self.refuse(key, &format!("a list of {}", deviations.len()), &allowed));
         }
-        if let Some(deviation) = deviations.iter().find(|d| **d != 0.0) {
-            let allowed = format!(
-                "0 for every ball, or left out (not {deviation} um): balls of different radii \
-                 are not part of the model yet"
-            );
-            return Err(self.refuse(key, &format!("{deviations:?}"), &allowed));
-        }
-        Ok(())
+        let deviations_m = deviations
+            .iter()
+            .map(|d| self.si(key, *d))
+            .collect::<Result<_, _>>()?;
+        bearing
+            .with_ball_radius_deviations(deviations_m)
+            .map_err(|e| self.refused(&e, None))
     }
 
     fn raceway(

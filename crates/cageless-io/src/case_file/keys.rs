@@ -69,7 +69,7 @@ pub(super) const KEYS: &[Key] = &[
     key("bearing", "outer_groove_curvature_radius_mm", Millimetre, "outer_groove_curvature_radius_m", "Re, radius of the outer groove in the meridian plane"),
     key("bearing", "inner_ring_mass_kg", Si("kg"), "inner_ring_mass_kg", "mass of the inner ring with what turns with it"),
     key("bearing", "inner_ring_drag_n_s_m", Si("N s/m"), "inner_ring_drag_n_s_m", "C of Zhao 2022, Eq. (14), damping of the inner ring"),
-    key("bearing", "ball_radius_deviation_um", Micrometre, "", "deviation of each ball's radius"),
+    key("bearing", "ball_radius_deviation_um", Micrometre, "ball_radius_deviation_m", "deviation of each ball's radius"),
     key("bearing", "outer_ring_outer_radius_mm", Millimetre, "", "outer radius of the outer ring"),
     key("bearing", "outer_ring_width_mm", Millimetre, "", "width of the outer ring"),
 

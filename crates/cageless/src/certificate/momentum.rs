@@ -11,7 +11,7 @@ use crate::simulation::{Control, Observer, ObserverError, Scene, View};
 /// Impulses are sums by the trapezoidal rule over the steps.
 #[derive(Debug, Clone, Default)]
 pub(super) struct MomentumBalance {
-    ball_mass: f64,
+    ball_masses: Vec<f64>,
     ring_mass: f64,
     ring_drag: f64,
     radial_load: f64,
@@ -38,8 +38,14 @@ impl MomentumBalance {
 
     fn momentum(&self, layout: crate::state::Layout, values: &[f64]) -> [f64; 2] {
         [0, 1].map(|k| {
-            let balls: f64 = values[layout.group(2 + k)..][..layout.balls].iter().sum();
-            self.ball_mass * balls + self.ring_mass * values[layout.ring() + 2 + k]
+            let speeds = layout.balls_of(values, 2 + k);
+            let balls: f64 = self
+                .ball_masses
+                .iter()
+                .zip(speeds.iter())
+                .map(|(m, v)| m * v)
+                .sum();
+            balls + self.ring_mass * values[layout.ring(2 + k)]
         })
     }
 
@@ -51,9 +57,8 @@ impl MomentumBalance {
         values: &[f64],
         outer: [f64; 2],
     ) -> ([f64; 2], f64) {
-        let at = layout.ring();
-        let (vx, vy) = (values[at + 2], values[at + 3]);
-        let weight = (self.ring_mass + layout.balls as f64 * self.ball_mass) * self.gravity;
+        let (vx, vy) = (values[layout.ring(2)], values[layout.ring(3)]);
+        let weight = (self.ring_mass + self.ball_masses.iter().sum::<f64>()) * self.gravity;
         let mut force = [
             -outer[0] - self.ring_drag * vx,
             -outer[1] - self.ring_drag * vy - self.radial_load - weight,
@@ -61,12 +66,12 @@ impl MomentumBalance {
         let mut absolute =
             outer[0].hypot(outer[1]) + self.ring_drag * vx.hypot(vy) + self.radial_load + weight;
         if let Some(radius) = self.centrifugal_radius {
-            let group = |g: usize| &values[layout.group(g)..][..layout.balls];
+            let group = |g: usize| layout.balls_of(values, g);
             let (x, y, vx, vy) = (group(0), group(1), group(2), group(3));
             for k in 0..layout.balls {
                 let rho = x[k].hypot(y[k]);
                 let vt = (x[k] * vy[k] - y[k] * vx[k]) / rho;
-                let centrifugal = self.ball_mass * vt * vt / radius;
+                let centrifugal = self.ball_masses[k] * vt * vt / radius;
                 force[0] += centrifugal * x[k] / rho;
                 force[1] += centrifugal * y[k] / rho;
                 absolute += centrifugal;
@@ -81,7 +86,9 @@ impl Observer for MomentumBalance {
         let case = scene.case;
         let d = case.bearing.dimensions();
         *self = Self {
-            ball_mass: case.bearing.ball_mass_kg(),
+            ball_masses: (0..case.bearing.balls())
+                .map(|k| case.bearing.ball(k).mass_kg)
+                .collect(),
             ring_mass: d.inner_ring_mass_kg,
             ring_drag: d.inner_ring_drag_n_s_m,
             radial_load: case.operation.radial_load_n,
@@ -103,7 +110,8 @@ impl Observer for MomentumBalance {
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
         let step = &view.step;
         let layout = view.layout();
-        let (force, absolute) = self.external(layout, step.after, view.rhs.outer_ring_force_n());
+        let (force, absolute) =
+            self.external(layout, step.after, view.contacts.outer_ring_force_n());
         if let Some((force_before, absolute_before)) = self.last {
             let half = 0.5 * (step.to_s - step.from_s);
             for k in 0..2 {

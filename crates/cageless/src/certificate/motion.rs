@@ -1,6 +1,5 @@
 //! Means and deviations over the part of a run after its transient.
 
-use crate::case::Profile;
 use crate::simulation::{Control, Observer, ObserverError, Scene, View};
 use crate::summary::transient_s;
 
@@ -32,7 +31,6 @@ const BALLS_EVERY: u64 = 8;
 #[derive(Debug, Clone, Default)]
 pub(super) struct MotionRecorder {
     settled_after_s: f64,
-    relative_spin: bool,
     ring: [Moments; 2],
     orbit: Moments,
     spin: Moments,
@@ -61,7 +59,6 @@ impl Observer for MotionRecorder {
     fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
         *self = Self {
             settled_after_s: transient_s(scene.case),
-            relative_spin: scene.case.profile == Profile::Paper,
             ..Self::default()
         };
         self.last_look_s = self.settled_after_s;
@@ -74,26 +71,17 @@ impl Observer for MotionRecorder {
             return Ok(Control::Continue);
         }
         let layout = view.layout();
-        let at = layout.ring();
         for (k, moments) in self.ring.iter_mut().enumerate() {
-            moments.add(step.after[at + k], step.to_s - step.from_s);
+            moments.add(step.after[layout.ring(k)], step.to_s - step.from_s);
         }
         if self.steps.is_multiple_of(BALLS_EVERY) {
-            let group = |g: usize| &step.after[layout.group(g)..][..layout.balls];
-            let (x, y, vx, vy, spins) = (group(0), group(1), group(2), group(3), group(4));
-            let (mut orbits, mut absolute) = (0.0, 0.0);
-            for k in 0..layout.balls {
-                let orbit = (x[k] * vy[k] - y[k] * vx[k]) / (x[k] * x[k] + y[k] * y[k]);
-                orbits += orbit;
-                absolute += if self.relative_spin {
-                    spins[k] - orbit
-                } else {
-                    spins[k]
-                };
-            }
+            let c = &view.contacts;
+            let mean = |value: &dyn Fn(usize) -> f64| {
+                (0..layout.balls).map(value).sum::<f64>() / layout.balls as f64
+            };
             let time = step.to_s - self.last_look_s;
-            self.orbit.add(orbits / layout.balls as f64, time);
-            self.spin.add(absolute / layout.balls as f64, time);
+            self.orbit.add(mean(&|k| c.orbit_speed_rad_s(k)), time);
+            self.spin.add(mean(&|k| c.spin_rad_s(k)), time);
             self.last_look_s = step.to_s;
         }
         self.steps += 1;

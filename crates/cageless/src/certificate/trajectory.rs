@@ -1,8 +1,8 @@
 //! States of a run at a few hundred times, to be compared with those of another run.
 
 use crate::case::Case;
-use crate::integrator::hermite;
 use crate::simulation::{Control, Observer, ObserverError, View};
+use crate::state::{Layout, State, Work};
 
 /// Times at which runs are compared.
 const SAMPLES: usize = 1500;
@@ -54,18 +54,18 @@ impl Observer for TrajectoryRecorder {
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
         let step = &view.step;
         // The energy ledger is left out.
-        self.width = view.layout().ledger();
+        self.width = Layout::new(view.layout().balls).work(Work::Drive);
         let slack = 1e-6 * (step.to_s - step.from_s);
         while let Some(&time) = self.times.get(self.taken) {
             if time > step.to_s + slack {
                 break;
             }
-            if (time - step.to_s).abs() <= slack {
-                self.values.extend_from_slice(&step.after[..self.width]);
+            let state = if (time - step.to_s).abs() <= slack {
+                State::taken(view.layout(), step.after)
             } else {
-                self.values
-                    .extend((0..self.width).map(|k| hermite(step, k, time)));
-            }
+                view.state(time)
+            };
+            self.values.extend_from_slice(&state.values()[..self.width]);
             self.taken += 1;
         }
         Ok(Control::Continue)

@@ -1,158 +1,228 @@
-//! Arrays over the balls in which the right-hand side works.
+//! Blocks of numbers in which the right-hand side works: neighbouring balls of one bearing, or
+//! the same ball of several bearings.
 
-use crate::state::{BALLS_MAX, LANES};
+use crate::state::LANES;
 
-/// One quantity of every ball.
-pub(super) type Lane = [f64; BALLS_MAX];
-
-/// Work arrays of one evaluation. Fields of one fixed-size struct, so that the
-/// compiler knows that they do not overlap and turns each loop into vector code.
-/// After an evaluation they hold everything that can be seen of the bearing.
-#[derive(Clone)]
+/// One quantity of a block.
+#[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C, align(64))]
-pub(super) struct Lanes {
-    /// 1 for a ball, 0 for padding.
-    pub active: Lane,
-    pub x: Lane,
-    pub y: Lane,
-    pub vx: Lane,
-    pub vy: Lane,
-    pub spin: Lane,
-    /// Absolute spin.
-    pub absolute: Lane,
-    /// Unit vector from the centre of the bearing to the ball.
-    pub ex: Lane,
-    pub ey: Lane,
-    pub rho: Lane,
-    /// Tangential and radial velocity about the centre of the bearing.
-    pub vt: Lane,
-    pub vr: Lane,
-    /// r, and direction of friction at the outer raceway.
-    pub radius: Lane,
-    pub dir_x: Lane,
-    pub dir_y: Lane,
-    /// sin²ψ, mapped; values of the polynomials.
-    pub u: Lane,
-    pub p: Lane,
-    pub q: Lane,
-    pub inside: Lane,
-    pub sine: Lane,
-    pub outer_deflection: Lane,
-    pub outer_force: Lane,
-    pub outer_slip: Lane,
-    pub outer_friction: Lane,
-    pub inner_deflection: Lane,
-    pub inner_force: Lane,
-    pub inner_slip: Lane,
-    /// Sums over contacts.
-    pub fx: Lane,
-    pub fy: Lane,
-    pub torque: Lane,
-    pub ring_fx: Lane,
-    pub ring_fy: Lane,
-    /// The ball ahead.
-    pub next_x: Lane,
-    pub next_y: Lane,
-    pub next_vx: Lane,
-    pub next_vy: Lane,
-    pub next_absolute: Lane,
-    pub next_orbit: Lane,
-    /// Deflection, its rate and force of the contact with the ball ahead.
-    pub pair_deflection: Lane,
-    pub pair_rate: Lane,
-    pub pair_force: Lane,
-    pub pair_fx: Lane,
-    pub pair_fy: Lane,
-    pub pair_torque: Lane,
-    /// Powers of the ledger.
-    pub drive: Lane,
-    pub weight: Lane,
-    pub inner_loss: Lane,
-    pub outer_loss: Lane,
-    pub ball_loss: Lane,
-    pub damping_loss: Lane,
-    pub pair_damping: Lane,
-    pub centrifugal: Lane,
-    pub direction: Lane,
-    pub frame: Lane,
-    pub pair_frame: Lane,
-}
+pub(super) struct Block(pub [f64; LANES]);
 
-impl Lanes {
-    pub fn new(balls: usize) -> Box<Self> {
-        const ZERO: Lane = [0.0; BALLS_MAX];
-        let mut lanes = Box::new(Self {
-            active: ZERO,
-            x: ZERO,
-            y: ZERO,
-            vx: ZERO,
-            vy: ZERO,
-            spin: ZERO,
-            absolute: ZERO,
-            ex: ZERO,
-            ey: ZERO,
-            rho: ZERO,
-            vt: ZERO,
-            vr: ZERO,
-            radius: ZERO,
-            dir_x: ZERO,
-            dir_y: ZERO,
-            u: ZERO,
-            p: ZERO,
-            q: ZERO,
-            inside: ZERO,
-            sine: ZERO,
-            outer_deflection: ZERO,
-            outer_force: ZERO,
-            outer_slip: ZERO,
-            outer_friction: ZERO,
-            inner_deflection: ZERO,
-            inner_force: ZERO,
-            inner_slip: ZERO,
-            fx: ZERO,
-            fy: ZERO,
-            torque: ZERO,
-            ring_fx: ZERO,
-            ring_fy: ZERO,
-            next_x: ZERO,
-            next_y: ZERO,
-            next_vx: ZERO,
-            next_vy: ZERO,
-            next_absolute: ZERO,
-            next_orbit: ZERO,
-            pair_deflection: ZERO,
-            pair_rate: ZERO,
-            pair_force: ZERO,
-            pair_fx: ZERO,
-            pair_fy: ZERO,
-            pair_torque: ZERO,
-            drive: ZERO,
-            weight: ZERO,
-            inner_loss: ZERO,
-            outer_loss: ZERO,
-            ball_loss: ZERO,
-            damping_loss: ZERO,
-            pair_damping: ZERO,
-            centrifugal: ZERO,
-            direction: ZERO,
-            frame: ZERO,
-            pair_frame: ZERO,
-        });
-        lanes.active[..balls].fill(1.0);
-        lanes
+impl Block {
+    pub const ZERO: Self = Self([0.0; LANES]);
+
+    pub fn all(value: f64) -> Self {
+        Self([value; LANES])
     }
 }
 
-/// Sum of the first `n` entries, `n` a multiple of [`LANES`], in an order that does
-/// not depend on the instruction set.
-#[inline(always)]
-pub(super) fn sum(lane: &Lane, n: usize) -> f64 {
-    let mut partial = [0.0; LANES];
-    for chunk in lane[..n].chunks_exact(LANES) {
-        for (p, c) in partial.iter_mut().zip(chunk) {
-            *p += c;
+/// What one evaluation leaves behind of a block. Fields of one struct, so that the compiler
+/// knows that they do not overlap.
+#[derive(Clone)]
+pub(super) struct Entry {
+    /// Unit vector from the centre of the bearing to the ball.
+    pub ex: Block,
+    pub ey: Block,
+    /// Tangential velocity over distance from the centre.
+    pub orbit: Block,
+    /// Spin, absolute.
+    pub absolute: Block,
+    /// r.
+    pub radius: Block,
+    /// `paper` profile: direction of friction at the outer raceway.
+    pub dir_x: Block,
+    pub dir_y: Block,
+    /// `paper` profile: 1 within a discrete raceway.
+    pub inside: Block,
+    pub outer_deflection: Block,
+    pub outer_force: Block,
+    pub outer_slip: Block,
+    pub outer_friction: Block,
+    /// Part of the outer force along ψ, where the seat of a ball rises.
+    pub uphill: Block,
+    pub inner_deflection: Block,
+    pub inner_force: Block,
+    pub inner_slip: Block,
+    /// Deflection, its rate and force of the contact with the ball ahead.
+    pub pair_deflection: Block,
+    pub pair_rate: Block,
+    pub pair_force: Block,
+    /// Sums over the contacts of the ball.
+    pub fx: Block,
+    pub fy: Block,
+    pub torque: Block,
+}
+
+impl Entry {
+    pub const ZERO: Self = Self {
+        ex: Block::ZERO,
+        ey: Block::ZERO,
+        orbit: Block::ZERO,
+        absolute: Block::ZERO,
+        radius: Block::ZERO,
+        dir_x: Block::ZERO,
+        dir_y: Block::ZERO,
+        inside: Block::ZERO,
+        outer_deflection: Block::ZERO,
+        outer_force: Block::ZERO,
+        outer_slip: Block::ZERO,
+        outer_friction: Block::ZERO,
+        uphill: Block::ZERO,
+        inner_deflection: Block::ZERO,
+        inner_force: Block::ZERO,
+        inner_slip: Block::ZERO,
+        pair_deflection: Block::ZERO,
+        pair_rate: Block::ZERO,
+        pair_force: Block::ZERO,
+        fx: Block::ZERO,
+        fy: Block::ZERO,
+        torque: Block::ZERO,
+    };
+}
+
+/// What is needed only while one block is computed.
+pub(super) struct Scratch {
+    pub rho: Block,
+    pub vt: Block,
+    /// dδo/dt.
+    pub approach: Block,
+    /// Ro − Rw, or where a ball of another radius sits.
+    pub touching: Block,
+    /// d(touching)/dψ; 0 for nominal balls.
+    pub incline: Block,
+    /// sin²ψ from the middle of a raceway, mapped.
+    pub u: Block,
+    pub sine: Block,
+    pub cosine: Block,
+    /// Values of polynomials.
+    pub p: Block,
+    pub q: Block,
+    pub slope: Block,
+}
+
+impl Scratch {
+    pub const ZERO: Self = Self {
+        rho: Block::ZERO,
+        vt: Block::ZERO,
+        approach: Block::ZERO,
+        touching: Block::ZERO,
+        incline: Block::ZERO,
+        u: Block::ZERO,
+        sine: Block::ZERO,
+        cosine: Block::ZERO,
+        p: Block::ZERO,
+        q: Block::ZERO,
+        slope: Block::ZERO,
+    };
+}
+
+/// What is summed over the balls: the force on the inner ring and the powers of the energy
+/// ledger.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Sum {
+    RingX,
+    RingY,
+    Drive,
+    Weight,
+    InnerLoss,
+    OuterLoss,
+    DampingLoss,
+    /// Of contacts between balls.
+    BallLoss,
+    PairDamping,
+    /// In the `paper` profile.
+    Centrifugal,
+    Direction,
+    Frame,
+    PairFrame,
+}
+
+impl Sum {
+    pub const COUNT: usize = 13;
+    pub const ALWAYS: [Self; 7] = [
+        Self::RingX,
+        Self::RingY,
+        Self::Drive,
+        Self::Weight,
+        Self::InnerLoss,
+        Self::OuterLoss,
+        Self::DampingLoss,
+    ];
+    pub const PAPER: [Self; 3] = [Self::Centrifugal, Self::Direction, Self::Frame];
+    pub const TOUCHING: [Self; 2] = [Self::BallLoss, Self::PairDamping];
+}
+
+/// Partial sums: ball k adds to number k mod 4 and the four are added in one order, whether
+/// the lanes of a block are balls or bearings. A bearing has the same bits alone and beside
+/// others.
+const PARTS: usize = 4;
+
+/// Shares of a block in the sums.
+pub(super) type Shares = [Block; Sum::COUNT];
+
+/// Sums over the balls of one bearing, or of each of the bearings side by side.
+#[derive(Clone)]
+pub(super) struct Sums {
+    /// Of the only bearing.
+    alone: [[f64; PARTS]; Sum::COUNT],
+    beside: [Shares; PARTS],
+}
+
+impl Sums {
+    pub const ZERO: Self = Self {
+        alone: [[0.0; PARTS]; Sum::COUNT],
+        beside: [[Block::ZERO; Sum::COUNT]; PARTS],
+    };
+
+    #[inline(always)]
+    pub fn clear(&mut self, alone: bool) {
+        if alone {
+            self.alone = [[0.0; PARTS]; Sum::COUNT];
+        } else {
+            self.beside = [[Block::ZERO; Sum::COUNT]; PARTS];
         }
     }
-    ((partial[0] + partial[4]) + (partial[2] + partial[6]))
-        + ((partial[1] + partial[5]) + (partial[3] + partial[7]))
+
+    /// Adds the shares of the balls of one block of the only bearing.
+    #[inline(always)]
+    pub fn add_balls(&mut self, sums: &[Sum], shares: &Shares) {
+        for &sum in sums {
+            let (total, share) = (&mut self.alone[sum as usize], &shares[sum as usize].0);
+            for four in share.chunks_exact(PARTS) {
+                for part in 0..PARTS {
+                    total[part] += four[part];
+                }
+            }
+        }
+    }
+
+    /// Adds the shares of ball `k` of the bearings side by side.
+    #[inline(always)]
+    pub fn add_bearings(&mut self, sums: &[Sum], shares: &Shares, k: usize) {
+        let totals = &mut self.beside[k % PARTS];
+        for &sum in sums {
+            let (total, share) = (&mut totals[sum as usize].0, &shares[sum as usize].0);
+            for l in 0..LANES {
+                total[l] += share[l];
+            }
+        }
+    }
+
+    /// Total of the only bearing.
+    #[inline(always)]
+    pub fn alone(&self, sum: Sum) -> f64 {
+        let p = &self.alone[sum as usize];
+        (p[0] + p[2]) + (p[1] + p[3])
+    }
+
+    /// Totals of the bearings side by side.
+    #[inline(always)]
+    pub fn beside(&self, sum: Sum) -> Block {
+        let p = |part: usize, lane: usize| self.beside[part][sum as usize].0[lane];
+        let mut total = Block::ZERO;
+        for l in 0..LANES {
+            total.0[l] = (p(0, l) + p(2, l)) + (p(1, l) + p(3, l));
+        }
+        total
+    }
 }

@@ -1,7 +1,10 @@
 //! Every constant of the equations of motion, derived once from a case.
 
+use crate::bearing::Bearing;
 use crate::case::{Case, FrictionLaw, Profile};
 use crate::error::InputError;
+use crate::raceway::Raceway;
+use crate::seat::seat;
 use crate::state::{Layout, State, Work};
 use crate::traction::restitution_damping;
 
@@ -17,10 +20,29 @@ pub(super) struct Groove {
     pub shift: f64,
     /// r over u.
     pub radius: Vec<f64>,
+    /// dr/du over u.
+    pub radius_slope: Vec<f64>,
     /// 1/√(1 + y′² + z′²) over u.
     pub direction: Vec<f64>,
     /// dy/dx = x(4a x² + 2b).
     pub slope: [f64; 2],
+}
+
+/// Constants of one ball and of its contact with the ball ahead.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct BallConstants {
+    pub radius: f64,
+    pub mass: f64,
+    pub inertia: f64,
+    pub inner_stiffness: f64,
+    pub outer_stiffness: f64,
+    /// Distance of the centres when ball and ball ahead touch.
+    pub pair_distance: f64,
+    pub pair_stiffness: f64,
+    /// α √(m K), m the reduced mass of the two.
+    pub pair_damping: f64,
+    /// Angle between the two when they touch on the pitch circle.
+    pub pair_angle: f64,
 }
 
 /// The equations of motion of one case.
@@ -29,34 +51,34 @@ pub struct Model {
     pub(super) layout: Layout,
     pub(super) profile: Profile,
     pub(super) law: FrictionLaw,
-    /// Rw.
+    pub(super) balls: Vec<BallConstants>,
+    /// Whether the balls' radii differ.
+    pub(super) unequal: bool,
+    /// Rw, nominal.
     pub(super) ball_radius: f64,
+    /// Re.
+    pub(super) groove_curvature_radius: f64,
     /// Rm.
     pub(super) pitch_radius: f64,
-    /// Ro − Rw.
-    pub(super) touching_radius: f64,
+    /// Ro.
+    pub(super) outer_radius: f64,
     /// Ri.
     pub(super) inner_radius: f64,
-    pub(super) ball_mass: f64,
-    pub(super) ball_inertia: f64,
     pub(super) ring_mass: f64,
     pub(super) ring_drag: f64,
     pub(super) inner_speed: f64,
     pub(super) radial_load: f64,
     pub(super) gravity: f64,
-    pub(super) inner_stiffness: f64,
-    pub(super) outer_stiffness: f64,
-    pub(super) ball_stiffness: f64,
     pub(super) damping: f64,
-    /// α √(m K) of the contact between balls.
-    pub(super) ball_damping: f64,
+    pub(super) ball_damped: bool,
     pub(super) friction: f64,
     /// 1/scale of the smooth law.
     pub(super) inverse_slip_scale: f64,
     /// Coulomb law: friction per slip within the cone, N·s/m.
     pub(super) stick_gain: f64,
     pub(super) grooves: Vec<Groove>,
-    pub(super) ball_angle: f64,
+    bearing: Bearing,
+    raceways: Vec<Raceway>,
 }
 
 /// Coulomb law: share of a slip within the friction cone that one step takes away.
@@ -80,8 +102,26 @@ impl Model {
         let bearing = &case.bearing;
         let d = bearing.dimensions();
         let c = &case.contact;
-        let ball_mass = bearing.ball_mass_kg();
-        let [inner_stiffness, outer_stiffness, ball_stiffness] = case.stiffness_n_m1_5();
+        let alpha = restitution_damping(c.ball_restitution);
+        let balls: Vec<BallConstants> = (0..d.balls)
+            .map(|k| {
+                let (ball, next) = (bearing.ball(k), bearing.ball((k + 1) % d.balls));
+                let [inner_stiffness, outer_stiffness, pair_stiffness] =
+                    case.ball_stiffness_n_m1_5(k);
+                let reduced = ball.mass_kg * next.mass_kg / (ball.mass_kg + next.mass_kg);
+                BallConstants {
+                    radius: ball.radius_m,
+                    mass: ball.mass_kg,
+                    inertia: ball.inertia_kg_m2,
+                    inner_stiffness,
+                    outer_stiffness,
+                    pair_distance: ball.radius_m + next.radius_m,
+                    pair_stiffness,
+                    pair_damping: alpha * (reduced * pair_stiffness).sqrt(),
+                    pair_angle: bearing.pair_angle_rad(k),
+                }
+            })
+            .collect();
         let grooves = case
             .raceways
             .iter()
@@ -96,39 +136,41 @@ impl Model {
                     scale: radius.scale,
                     shift: radius.shift,
                     radius: radius.coefficients.clone(),
+                    radius_slope: (1..radius.coefficients.len())
+                        .map(|k| k as f64 * radius.coefficients[k])
+                        .collect(),
                     direction: raceway.direction_polynomial().coefficients.clone(),
                     slope: [4.0 * a, 2.0 * b],
                 }
             })
             .collect();
         // 2/7 m is the mass that a force at the surface of a free ball feels.
-        let stick_gain = STICK_SHARE * 2.0 / 7.0 * ball_mass / case.solver.step_s;
+        let lightest = balls.iter().map(|b| b.mass).fold(f64::INFINITY, f64::min);
+        let stick_gain = STICK_SHARE * 2.0 / 7.0 * lightest / case.solver.step_s;
         Ok(Self {
             layout: Layout::new(d.balls),
             profile: case.profile,
             law: c.friction_law,
+            balls,
+            unequal: !bearing.ball_radius_deviations_m().is_empty(),
             ball_radius: d.ball_radius_m,
+            groove_curvature_radius: d.outer_groove_curvature_radius_m,
             pitch_radius: bearing.pitch_radius_m(),
-            touching_radius: bearing.touching_radius_m(),
+            outer_radius: d.outer_groove_bottom_radius_m,
             inner_radius: d.inner_groove_bottom_radius_m,
-            ball_mass,
-            ball_inertia: bearing.ball_inertia_kg_m2(),
             ring_mass: d.inner_ring_mass_kg,
             ring_drag: d.inner_ring_drag_n_s_m,
             inner_speed: case.operation.inner_speed_rad_s,
             radial_load: case.operation.radial_load_n,
             gravity: case.operation.gravity_m_s2,
-            inner_stiffness,
-            outer_stiffness,
-            ball_stiffness,
             damping: c.damping_n_s_m1_5,
-            ball_damping: restitution_damping(c.ball_restitution)
-                * (ball_mass / 2.0 * ball_stiffness).sqrt(),
+            ball_damped: alpha > 0.0,
             friction: c.friction_coefficient,
             inverse_slip_scale: 1.0 / c.slip_scale_m_s,
             stick_gain,
             grooves,
-            ball_angle: bearing.ball_angle_rad(),
+            bearing: bearing.clone(),
+            raceways: case.raceways.clone(),
         })
     }
 
@@ -147,14 +189,19 @@ impl Model {
         self.layout.balls
     }
 
-    /// K at the inner raceway, N·m^(−3/2).
-    pub fn inner_stiffness_n_m1_5(&self) -> f64 {
-        self.inner_stiffness
+    /// What bearings side by side must have in common.
+    pub fn kind(&self) -> impl PartialEq + use<> {
+        (self.balls(), self.profile, self.law, self.unequal)
     }
 
-    /// K at the outer raceway, N·m^(−3/2).
-    pub fn outer_stiffness_n_m1_5(&self) -> f64 {
-        self.outer_stiffness
+    /// Angle between ball `k` and the ball ahead when they touch on the pitch circle.
+    pub fn pair_angle_rad(&self, k: usize) -> f64 {
+        self.balls[k].pair_angle
+    }
+
+    /// Distance of the centres of ball `k` and the ball ahead when they touch.
+    pub fn pair_distance_m(&self, k: usize) -> f64 {
+        self.balls[k].pair_distance
     }
 
     /// Kinetic and elastic energy, J. In the `paper` profile the spin is that of
@@ -164,23 +211,26 @@ impl Model {
         let [ring_x, ring_y, ring_vx, ring_vy] = state.ring();
         let elastic = |k: f64, deflection: f64| 0.4 * k * deflection.max(0.0).powf(2.5);
         let mut sum = 0.5 * self.ring_mass * (ring_vx * ring_vx + ring_vy * ring_vy);
-        for k in 0..self.balls() {
+        for (k, ball) in self.balls.iter().enumerate() {
             let (vx, vy) = (state.vx_m_s()[k], state.vy_m_s()[k]);
             let spin = state.spin_state_rad_s()[k];
             let next = (k + 1) % self.balls();
-            sum += 0.5 * self.ball_mass * (vx * vx + vy * vy)
-                + 0.5 * self.ball_inertia * spin * spin
+            let touching = if self.unequal {
+                let angle = x[k].atan2(-y[k]);
+                seat(&self.bearing, &self.raceways, angle, ball.radius).touching_radius_m
+            } else {
+                self.outer_radius - ball.radius
+            };
+            sum += 0.5 * ball.mass * (vx * vx + vy * vy)
+                + 0.5 * ball.inertia * spin * spin
+                + elastic(ball.outer_stiffness, x[k].hypot(y[k]) - touching)
                 + elastic(
-                    self.outer_stiffness,
-                    x[k].hypot(y[k]) - self.touching_radius,
+                    ball.inner_stiffness,
+                    self.inner_radius + ball.radius - (x[k] - ring_x).hypot(y[k] - ring_y),
                 )
                 + elastic(
-                    self.inner_stiffness,
-                    self.inner_radius + self.ball_radius - (x[k] - ring_x).hypot(y[k] - ring_y),
-                )
-                + elastic(
-                    self.ball_stiffness,
-                    2.0 * self.ball_radius - (x[next] - x[k]).hypot(y[next] - y[k]),
+                    ball.pair_stiffness,
+                    ball.pair_distance - (x[next] - x[k]).hypot(y[next] - y[k]),
                 );
         }
         sum

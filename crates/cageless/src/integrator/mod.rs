@@ -28,8 +28,8 @@ pub trait System {
         0
     }
 
-    /// Which components are places and which their rates; for methods that advance them
-    /// one after the other.
+    /// Which components are places and which their rates, in ascending order of the places;
+    /// for methods that advance them one after the other.
     fn drifts(&self) -> &[Drift] {
         &[]
     }

@@ -23,7 +23,6 @@ pub struct Symplectic {
     before: Vec<f64>,
     rate: Vec<f64>,
     rate_before: Vec<f64>,
-    predicted: Vec<f64>,
 }
 
 impl Symplectic {
@@ -40,7 +39,6 @@ impl Symplectic {
             before: zero(),
             rate: zero(),
             rate_before: zero(),
-            predicted: zero(),
         }
     }
 }
@@ -54,15 +52,19 @@ impl Integrator for Symplectic {
         system.derivative(time_s, y, &mut self.rate);
     }
 
+    #[inline(always)] // into callers compiled for wider vectors
     fn advance<S: System>(&mut self, system: &mut S, limit_s: f64) -> Result<(), CrossingError> {
-        self.before.copy_from_slice(&self.y);
+        std::mem::swap(&mut self.before, &mut self.y);
         std::mem::swap(&mut self.rate_before, &mut self.rate);
         self.from_s = self.to_s;
         let regular = self.start_s + (self.steps + 1) as f64 * self.h;
         self.to_s = super::bounded(regular, limit_s, self.h);
         let h = self.to_s - self.from_s;
-        for k in 0..self.y.len() {
-            self.predicted[k] = self.before[k] + h * self.rate_before[k];
+        let n = self.y.len();
+        let (before, rate_before) = (&self.before[..n], &self.rate_before[..n]);
+        let y = &mut self.y[..n];
+        for k in 0..n {
+            y[k] = before[k] + h * rate_before[k];
         }
         for &Drift {
             places,
@@ -70,19 +72,26 @@ impl Integrator for Symplectic {
             count,
         } in system.drifts()
         {
+            let (speed, push) = (&before[rates..][..count], &rate_before[rates..][..count]);
+            let (from, to) = (&before[places..][..count], &mut y[places..][..count]);
             for k in 0..count {
-                let half = self.before[rates + k] + 0.5 * h * self.rate_before[rates + k];
-                self.predicted[places + k] = self.before[places + k] + h * half;
+                to[k] = from[k] + h * (speed[k] + 0.5 * h * push[k]);
             }
         }
         self.steps += 1;
-        system.derivative(self.to_s, &self.predicted, &mut self.rate);
-        // The trapezoidal rule for all but the places.
-        for k in 0..self.y.len() {
-            self.y[k] = self.before[k] + 0.5 * h * (self.rate_before[k] + self.rate[k]);
-        }
-        for &Drift { places, count, .. } in system.drifts() {
-            self.y[places..places + count].copy_from_slice(&self.predicted[places..places + count]);
+        system.derivative(self.to_s, y, &mut self.rate);
+        // The trapezoidal rule for all but the places, which stay.
+        let rate = &self.rate[..n];
+        let mut from = 0;
+        let ends = system
+            .drifts()
+            .iter()
+            .map(|d| (d.places, d.places + d.count));
+        for (to, next) in ends.chain([(n, n)]) {
+            for k in from..to {
+                y[k] = before[k] + 0.5 * h * (rate_before[k] + rate[k]);
+            }
+            from = next;
         }
         Ok(())
     }

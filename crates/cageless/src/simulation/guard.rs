@@ -1,7 +1,8 @@
 //! What ends a run that has left the physical range.
 
-use crate::dynamics::{Model, RightHandSide};
-use crate::state::State;
+use crate::case::Case;
+use crate::dynamics::{Contacts, Model};
+use crate::state::{Layout, State};
 
 /// Why a run had to stop.
 #[derive(Debug, Clone, PartialEq)]
@@ -82,19 +83,25 @@ const BALANCE_EVERY: u64 = 512;
 const RESIDUAL_MAX: f64 = 0.05;
 
 /// Watches for states that cannot be.
-pub(super) struct Guard {
+pub(super) struct Guard<'m> {
+    model: &'m Model,
+    /// Places of the bearing.
+    layout: Layout,
     start_energy: f64,
     deflection_max: f64,
     /// A ball this far off the outer raceway is inside the inner ring.
     gap_max: f64,
 }
 
-impl Guard {
-    pub fn new(model: &Model, start: &State, ball_radius: f64, clearance: f64) -> Self {
+impl<'m> Guard<'m> {
+    pub fn new(model: &'m Model, layout: Layout, case: &Case, start: &State) -> Self {
+        let bearing = &case.bearing;
         Self {
+            model,
+            layout,
             start_energy: model.energy_j(start),
-            deflection_max: DEFLECTION_MAX * ball_radius,
-            gap_max: clearance + ball_radius,
+            deflection_max: DEFLECTION_MAX * bearing.ball_radius_m(),
+            gap_max: bearing.radial_clearance_m() + bearing.ball_radius_m(),
         }
     }
 
@@ -102,42 +109,44 @@ impl Guard {
         self.start_energy
     }
 
-    /// Looks at the state after `steps` steps; `rhs` was last evaluated there.
-    pub fn check(&self, steps: u64, rhs: &RightHandSide<'_>, values: &[f64]) -> Result<(), Cause> {
+    /// Looks at the state after `steps` steps; `contacts` are as of there.
+    pub fn check(&self, steps: u64, contacts: &Contacts<'_>, values: &[f64]) -> Result<(), Cause> {
         if steps.is_multiple_of(BALANCE_EVERY) {
-            self.look(rhs, values)?;
-            self.balance(rhs, values)
+            self.look(contacts, values)?;
+            self.balance(values)
         } else if steps.is_multiple_of(LOOK_EVERY) {
-            self.look(rhs, values)
+            self.look(contacts, values)
         } else {
             Ok(())
         }
     }
 
-    /// Looks at a state where `rhs` was last evaluated.
-    pub fn look(&self, rhs: &RightHandSide<'_>, values: &[f64]) -> Result<(), Cause> {
-        if !values.iter().sum::<f64>().is_finite() {
+    /// Looks at a state whose contacts are given.
+    pub fn look(&self, contacts: &Contacts<'_>, values: &[f64]) -> Result<(), Cause> {
+        let layout = self.layout;
+        let balls = (0..5).flat_map(|group| layout.balls_of(values, group).iter());
+        let ring = (0..4).map(|k| values[layout.ring(k)]);
+        if !balls.chain(ring).sum::<f64>().is_finite() {
             return Err(Cause::NotFinite);
         }
-        let (inner, outer) = rhs.deflections();
-        let (_, pair, _) = rhs.pairs();
-        for k in 0..inner.len() {
-            if outer[k] > self.deflection_max {
+        for k in 0..layout.balls {
+            let outer = contacts.outer_deflection_m(k);
+            if outer > self.deflection_max {
                 return Err(Cause::ThroughOuterRing(k));
             }
-            if inner[k] > self.deflection_max || outer[k] < -self.gap_max {
+            if contacts.inner_deflection_m(k) > self.deflection_max || outer < -self.gap_max {
                 return Err(Cause::ThroughInnerRing(k));
             }
-            if pair[k] > self.deflection_max {
+            if contacts.pair_deflection_m(k) > self.deflection_max {
                 return Err(Cause::ThroughBall(k));
             }
         }
         Ok(())
     }
 
-    fn balance(&self, rhs: &RightHandSide<'_>, values: &[f64]) -> Result<(), Cause> {
-        let state = State::from_values(rhs.model().layout(), values.to_vec());
-        let (residual_j, flows_j) = rhs.model().energy_residual_j(self.start_energy, &state);
+    fn balance(&self, values: &[f64]) -> Result<(), Cause> {
+        let state = State::taken(self.layout, values);
+        let (residual_j, flows_j) = self.model.energy_residual_j(self.start_energy, &state);
         if residual_j > RESIDUAL_MAX * flows_j.max(self.start_energy) {
             return Err(Cause::EnergyFromNowhere {
                 residual_j,

@@ -5,10 +5,10 @@ use std::f64::consts::TAU;
 
 use super::run::Control;
 use crate::case::Case;
-use crate::dynamics::{Model, RightHandSide};
+use crate::dynamics::{Contacts, Model, RightHandSide};
 use crate::integrator::{Step, hermite};
 use crate::snapshot::Snapshot;
-use crate::state::{Layout, State};
+use crate::state::{Balls, Layout, State};
 
 /// An observer could not go on (a file that cannot be written, say).
 pub type ObserverError = Box<dyn std::error::Error + Send + Sync>;
@@ -28,52 +28,51 @@ pub struct Scene<'a> {
 
 /// One step of a run.
 pub struct View<'a, 'm> {
-    /// States and rates at both ends.
+    /// States and rates at both ends, perhaps with those of other bearings in between:
+    /// [`Self::layout`] has the places.
     pub step: Step<'a>,
-    /// The right-hand side, its work arrays as of the end of the step.
-    pub rhs: &'a RightHandSide<'m>,
+    /// What the right-hand side saw at the end of the step.
+    pub contacts: Contacts<'a>,
     /// A second right-hand side, to look at states within the step.
-    pub probe: &'a RefCell<RightHandSide<'m>>,
-    /// Full turns of each ball at the end of the step: ψ = turn·2π + atan2(x, −y).
-    pub turns: &'a [i64],
+    pub(super) probe: &'a RefCell<RightHandSide<'m>>,
+    /// Continuous ψ of each ball less than half a turn ago.
+    pub(super) recent_angle_rad: &'a [f64],
+    pub(super) layout: Layout,
 }
 
 impl View<'_, '_> {
-    /// Layout of the states.
+    /// Places of this bearing in the vectors of the step.
     pub fn layout(&self) -> Layout {
-        self.rhs.model().layout()
+        self.layout
+    }
+
+    /// One group (x, y, vx, vy, spin: 0 to 4) at the end of the step.
+    pub fn after(&self, group: usize) -> Balls<'_> {
+        self.layout.balls_of(self.step.after, group)
     }
 
     /// Continuous ψ of ball `k` at `time_s` within the step.
     pub fn angle_rad(&self, k: usize, time_s: f64) -> f64 {
-        let layout = self.layout();
-        let x = hermite(&self.step, layout.group(0) + k, time_s);
-        let y = hermite(&self.step, layout.group(1) + k, time_s);
-        unwrap_angle(x.atan2(-y), self.angle_after_rad(k))
+        let x = hermite(&self.step, self.layout.ball(0, k), time_s);
+        let y = hermite(&self.step, self.layout.ball(1, k), time_s);
+        unwrap_angle(x.atan2(-y), self.recent_angle_rad[k])
     }
 
     /// Continuous ψ of ball `k` at the end of the step.
     pub fn angle_after_rad(&self, k: usize) -> f64 {
-        let layout = self.layout();
-        let (x, y) = (
-            self.step.after[layout.group(0) + k],
-            self.step.after[layout.group(1) + k],
-        );
-        x.atan2(-y) + self.turns[k] as f64 * TAU
+        let (x, y) = (self.after(0)[k], self.after(1)[k]);
+        unwrap_angle(x.atan2(-y), self.recent_angle_rad[k])
     }
 
     /// State at `time_s` within the step, by interpolation.
     pub fn state(&self, time_s: f64) -> State {
-        let values = (0..self.step.after.len())
-            .map(|k| hermite(&self.step, k, time_s))
-            .collect();
-        State::from_values(self.layout(), values)
+        State::assembled(self.layout, |place| hermite(&self.step, place, time_s))
     }
 
     /// Everything that can be seen at `time_s` within the step.
     pub fn snapshot(&self, time_s: f64) -> Snapshot {
         let state = self.state(time_s);
-        let angles: Vec<f64> = (0..self.layout().balls)
+        let angles: Vec<f64> = (0..self.layout.balls)
             .map(|k| self.angle_rad(k, time_s))
             .collect();
         self.probe.borrow_mut().snapshot(time_s, &state, &angles)

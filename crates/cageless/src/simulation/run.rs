@@ -1,15 +1,13 @@
 //! The loop over the steps.
 
-use std::cell::RefCell;
-use std::f64::consts::TAU;
-
-use super::guard::{Cause, Guard, Stop};
-use super::observer::{Observer, Scene, View};
+use super::course::Course;
+use super::guard::{Cause, Stop};
+use super::observer::{Observer, Scene};
 use crate::case::{Case, Method};
 use crate::dynamics::{InstructionSet, Model, RightHandSide};
 use crate::equilibrium::EquilibriumError;
 use crate::error::InputError;
-use crate::integrator::{Abm4, Adaptive, Integrator, Step, Symplectic};
+use crate::integrator::{Abm4, Adaptive, Integrator, Symplectic};
 use crate::start::initial_state;
 use crate::state::State;
 
@@ -87,162 +85,87 @@ pub fn run_from(
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<RunOutcome, InputError> {
     let model = Model::new(case)?;
-    let (size, h) = (model.layout().len(), case.solver.step_s);
-    let problem = Problem {
+    let rhs = RightHandSide::new(&model);
+    let scene = Scene {
         case,
         model: &model,
         start,
         start_angle_rad,
     };
-    Ok(match case.solver.method {
-        Method::Abm4 => problem.run(Abm4::new(size, h), observers, control),
-        Method::Symplectic => problem.run(Symplectic::new(size, h), observers, control),
+    let mut course = Course::new(scene, rhs.layout(), observers);
+    drive(rhs, std::slice::from_mut(&mut course), control);
+    Ok(course.outcome())
+}
+
+/// Advances bearings of one kind, method, step and duration, alone or side by side, until
+/// each has come to its end.
+pub(super) fn drive<'m>(
+    mut rhs: RightHandSide<'m>,
+    courses: &mut [Course<'_, 'm, '_>],
+    control: &mut dyn FnMut(f64) -> Control,
+) {
+    let solver = &courses[0].scene.case.solver;
+    let (size, h) = (rhs.layout().len(), solver.step_s);
+    let mut start = vec![0.0; size];
+    for member in 0..rhs.layout().members() {
+        // Lanes without a bearing of their own repeat the last.
+        let course = &courses[member.min(courses.len() - 1)];
+        let places = rhs.layout().of_member(member);
+        course.scene.start.put_into(places, &mut start);
+    }
+    if rhs.layout().members() == 1 {
+        // With the places of its padding.
+        start.copy_from_slice(courses[0].scene.start.values());
+    }
+    match solver.method {
+        Method::Abm4 => advance(Abm4::new(size, h), &mut rhs, &start, courses, control),
+        Method::Symplectic => {
+            advance(Symplectic::new(size, h), &mut rhs, &start, courses, control);
+        }
         Method::Adaptive => {
-            let method = Adaptive::new(size, h, case.solver.tolerance);
-            problem.run(method, observers, control)
+            let method = Adaptive::new(size, h, solver.tolerance);
+            advance(method, &mut rhs, &start, courses, control);
         }
-    })
+    }
 }
 
-/// What is to be integrated, from where.
-struct Problem<'a> {
-    case: &'a Case,
-    model: &'a Model,
-    start: &'a State,
-    start_angle_rad: &'a [f64],
-}
-
-impl Problem<'_> {
-    fn run(
-        &self,
-        mut method: impl Integrator,
-        observers: &mut [&mut dyn Observer],
-        control: &mut dyn FnMut(f64) -> Control,
-    ) -> RunOutcome {
-        let Self {
-            case,
-            model,
-            start,
-            start_angle_rad,
-        } = *self;
-        let mut rhs = RightHandSide::new(model);
-        let probe = RefCell::new(RightHandSide::new(model));
-        let guard = Guard::new(
-            model,
-            start,
-            case.bearing.ball_radius_m(),
-            case.bearing.radial_clearance_m(),
-        );
-        method.restart(&mut rhs, 0.0, start.values());
-        let mut turns: Vec<i64> = (0..model.balls())
-            .map(|k| {
-                let wrapped = start.x_m()[k].atan2(-start.y_m()[k]);
-                ((start_angle_rad[k] - wrapped) / TAU).round() as i64
-            })
-            .collect();
-
-        let scene = Scene {
-            case,
-            model,
-            start,
-            start_angle_rad,
-        };
-        let mut ending = Ending::Complete;
-        for observer in observers.iter_mut() {
-            if let Err(error) = observer.begin(&scene) {
-                ending = Ending::ObserverFailed(error);
-            }
-        }
-        let duration = case.solver.duration_s;
-        let mut steps = 0;
-        let mut end_s = 0.0;
-        let mut last = start.values().to_vec();
-        while end_s < duration && matches!(ending, Ending::Complete) {
-            if let Err(error) = method.advance(&mut rhs, duration) {
-                ending = Ending::Stopped(Stop {
+fn advance<'m>(
+    mut method: impl Integrator,
+    rhs: &mut RightHandSide<'m>,
+    start: &[f64],
+    courses: &mut [Course<'_, 'm, '_>],
+    control: &mut dyn FnMut(f64) -> Control,
+) {
+    method.restart(rhs, 0.0, start);
+    let duration = courses[0].scene.case.solver.duration_s;
+    let mut steps = 0;
+    while courses.iter().any(Course::under_way) {
+        if let Err(error) = rhs.advance(&mut method, duration) {
+            for course in courses.iter_mut() {
+                let stop = Stop {
                     time_s: error.time_s,
                     cause: Cause::NotResolved,
-                });
-                break;
+                };
+                course.end(Ending::Stopped(stop), method.step().after);
             }
-            steps += 1;
-            let step = method.step();
-            end_s = step.to_s;
-            let checked = if end_s < duration {
-                guard.check(steps, &rhs, step.after)
-            } else {
-                guard.look(&rhs, step.after)
-            };
-            if let Err(cause) = checked {
-                ending = Ending::Stopped(Stop {
-                    time_s: end_s,
-                    cause,
-                });
-                break;
-            }
-            ending = show(&step, &rhs, &probe, &mut turns, observers);
-            if matches!(ending, Ending::Complete)
-                && steps.is_multiple_of(ASK_EVERY)
-                && control(end_s) == Control::Interrupt
-            {
-                ending = Ending::Interrupted;
-            }
+            break;
         }
-        if steps > 0 {
-            last.copy_from_slice(method.step().after);
+        steps += 1;
+        let step = method.step();
+        for course in courses.iter_mut().filter(|c| c.under_way()) {
+            course.follow(&step, rhs, steps, duration);
         }
-        let state = State::from_values(model.layout(), last);
-        let (residual, flows) = model.energy_residual_j(guard.start_energy_j(), &state);
-        RunOutcome {
-            ending,
-            end_s,
-            steps,
-            rhs_evaluations: rhs.evaluations(),
-            end_energy_j: model.energy_j(&state),
-            state,
-            start_energy_j: guard.start_energy_j(),
-            energy_residual_relative: if flows > 0.0 { residual / flows } else { 0.0 },
-            instruction_set: rhs.instruction_set(),
+        if step.to_s >= duration {
+            break;
         }
-    }
-}
-
-/// Counts turns and lets the observers see the step.
-fn show<'m>(
-    step: &Step<'_>,
-    rhs: &RightHandSide<'m>,
-    probe: &RefCell<RightHandSide<'m>>,
-    turns: &mut [i64],
-    observers: &mut [&mut dyn Observer],
-) -> Ending {
-    let layout = rhs.model().layout();
-    for (k, turn) in turns.iter_mut().enumerate() {
-        let (x0, x1) = (
-            step.before[layout.group(0) + k],
-            step.after[layout.group(0) + k],
-        );
-        // At the top, where atan2(x, −y) jumps from π to −π.
-        if step.after[layout.group(1) + k] > 0.0 {
-            if x0 >= 0.0 && x1 < 0.0 {
-                *turn += 1;
-            } else if x0 < 0.0 && x1 >= 0.0 {
-                *turn -= 1;
+        if steps.is_multiple_of(ASK_EVERY) && control(step.to_s) == Control::Interrupt {
+            for course in courses.iter_mut() {
+                course.end(Ending::Interrupted, step.after);
             }
         }
     }
-    let view = View {
-        step: *step,
-        rhs,
-        probe,
-        turns,
-    };
-    let mut ending = Ending::Complete;
-    for observer in observers.iter_mut() {
-        match observer.step(&view) {
-            Ok(Control::Continue) => {}
-            Ok(Control::Interrupt) => ending = Ending::Interrupted,
-            Err(error) => return Ending::ObserverFailed(error),
-        }
+    for course in courses {
+        course.rhs_evaluations = rhs.evaluations();
+        course.instruction_set = rhs.instruction_set();
     }
-    ending
 }

@@ -1,0 +1,66 @@
+//! Vector instructions.
+
+use std::sync::atomic::{AtomicU8, Ordering};
+
+/// Number in [`InstructionSet::ALL`] of the widest instructions that may be used.
+static WIDEST: AtomicU8 = AtomicU8::new(u8::MAX);
+
+/// Vector instructions that the right-hand side was compiled for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum InstructionSet {
+    /// What every processor of the target has.
+    Baseline,
+    /// 256-bit vectors (x86-64).
+    Avx2,
+    /// 512-bit vectors (x86-64).
+    Avx512,
+}
+
+impl InstructionSet {
+    /// All, from the narrowest.
+    pub const ALL: [Self; 3] = [Self::Baseline, Self::Avx2, Self::Avx512];
+
+    /// The widest that this processor has.
+    pub fn detect() -> Self {
+        #[cfg(target_arch = "x86_64")]
+        {
+            if std::arch::is_x86_feature_detected!("avx512f")
+                && std::arch::is_x86_feature_detected!("avx512vl")
+                && std::arch::is_x86_feature_detected!("avx512dq")
+            {
+                return Self::Avx512;
+            }
+            if std::arch::is_x86_feature_detected!("avx2") {
+                return Self::Avx2;
+            }
+        }
+        Self::Baseline
+    }
+
+    /// The widest that this processor has and [`Self::limit_to`] admits: what runs are
+    /// computed with.
+    pub fn chosen() -> Self {
+        let limit = usize::from(WIDEST.load(Ordering::Relaxed)).min(Self::ALL.len() - 1);
+        Self::detect().min(Self::ALL[limit])
+    }
+
+    /// Computes with nothing wider in the whole process from now on. Results have the same
+    /// bits; only their time differs.
+    pub fn limit_to(self) {
+        WIDEST.store(self as u8, Ordering::Relaxed);
+    }
+
+    /// Whether this processor has it.
+    pub fn available(self) -> bool {
+        self <= Self::detect()
+    }
+
+    /// Name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Baseline => "baseline",
+            Self::Avx2 => "avx2",
+            Self::Avx512 => "avx512",
+        }
+    }
+}

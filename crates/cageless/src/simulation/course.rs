@@ -1,0 +1,159 @@
+//! One bearing on its way through a run.
+
+use std::cell::RefCell;
+
+use super::guard::{Guard, Stop};
+use super::observer::{Observer, Scene, View, unwrap_angle};
+use super::run::{Control, Ending, RunOutcome};
+use crate::dynamics::{InstructionSet, RightHandSide};
+use crate::integrator::Step;
+use crate::kinematics::rolling_orbit_speed_rad_s;
+use crate::state::{Layout, State};
+
+/// ψ is brought up to date when a rolling ball has gone this far: well below the half turn
+/// beyond which it would be lost, even for a ball that is thrown.
+const RECENT_RAD: f64 = 0.3;
+
+/// Follows one bearing through the steps, which it may share with others.
+pub(super) struct Course<'s, 'm, 'o> {
+    pub scene: Scene<'m>,
+    /// Places of the bearing in the vectors of the steps.
+    layout: Layout,
+    guard: Guard<'m>,
+    probe: RefCell<RightHandSide<'m>>,
+    observers: &'o mut [&'s mut dyn Observer],
+    recent_angle: Vec<f64>,
+    recent_s: f64,
+    recent_for_s: f64,
+    ending: Option<Ending>,
+    end_s: f64,
+    steps: u64,
+    last: State,
+    pub rhs_evaluations: u64,
+    pub instruction_set: InstructionSet,
+}
+
+impl<'s, 'm, 'o> Course<'s, 'm, 'o> {
+    pub fn new(
+        scene: Scene<'m>,
+        layout: Layout,
+        observers: &'o mut [&'s mut dyn Observer],
+    ) -> Self {
+        let Scene {
+            case, model, start, ..
+        } = scene;
+        let mut ending = None;
+        for observer in observers.iter_mut() {
+            if let Err(error) = observer.begin(&scene) {
+                ending = Some(Ending::ObserverFailed(error));
+            }
+        }
+        let orbit = rolling_orbit_speed_rad_s(
+            &case.bearing,
+            case.operation.inner_speed_rad_s,
+            case.bearing.ball_radius_m(),
+        );
+        Self {
+            scene,
+            layout,
+            guard: Guard::new(model, layout, case, start),
+            probe: RefCell::new(RightHandSide::new(model)),
+            observers,
+            recent_angle: scene.start_angle_rad.to_vec(),
+            recent_s: 0.0,
+            recent_for_s: RECENT_RAD / orbit,
+            ending,
+            end_s: 0.0,
+            steps: 0,
+            last: start.clone(),
+            rhs_evaluations: 0,
+            instruction_set: InstructionSet::Baseline,
+        }
+    }
+
+    /// Whether the bearing has not come to its end.
+    pub fn under_way(&self) -> bool {
+        self.ending.is_none()
+    }
+
+    /// Ends here, unless it has already, at the state in `values`.
+    pub fn end(&mut self, ending: Ending, values: &[f64]) {
+        if self.under_way() {
+            self.last = State::taken(self.layout, values);
+            self.ending = Some(ending);
+        }
+    }
+
+    /// Looks at a step, shows it to the observers, and ends at `duration_s`.
+    pub fn follow(
+        &mut self,
+        step: &Step<'_>,
+        rhs: &RightHandSide<'m>,
+        steps: u64,
+        duration_s: f64,
+    ) {
+        (self.end_s, self.steps) = (step.to_s, steps);
+        let contacts = rhs.contacts_of(self.layout.member());
+        let at_end = step.to_s >= duration_s;
+        let checked = if at_end {
+            self.guard.look(&contacts, step.after)
+        } else {
+            self.guard.check(steps, &contacts, step.after)
+        };
+        if let Err(cause) = checked {
+            let time_s = step.to_s;
+            self.end(Ending::Stopped(Stop { time_s, cause }), step.after);
+            return;
+        }
+        if step.to_s - self.recent_s > self.recent_for_s {
+            self.update_angles(step);
+        }
+        let view = View {
+            step: *step,
+            contacts,
+            probe: &self.probe,
+            recent_angle_rad: &self.recent_angle,
+            layout: self.layout,
+        };
+        let mut ending = at_end.then_some(Ending::Complete);
+        for observer in self.observers.iter_mut() {
+            match observer.step(&view) {
+                Ok(Control::Continue) => {}
+                Ok(Control::Interrupt) => ending = Some(Ending::Interrupted),
+                Err(error) => {
+                    ending = Some(Ending::ObserverFailed(error));
+                    break;
+                }
+            }
+        }
+        if let Some(ending) = ending {
+            self.end(ending, step.after);
+        }
+    }
+
+    fn update_angles(&mut self, step: &Step<'_>) {
+        let x = self.layout.balls_of(step.after, 0);
+        let y = self.layout.balls_of(step.after, 1);
+        for (k, recent) in self.recent_angle.iter_mut().enumerate() {
+            *recent = unwrap_angle(x[k].atan2(-y[k]), *recent);
+        }
+        self.recent_s = step.to_s;
+    }
+
+    /// What the run came to.
+    pub fn outcome(self) -> RunOutcome {
+        let model = self.scene.model;
+        let (residual, flows) = model.energy_residual_j(self.guard.start_energy_j(), &self.last);
+        RunOutcome {
+            ending: self.ending.unwrap_or(Ending::Interrupted),
+            end_s: self.end_s,
+            steps: self.steps,
+            rhs_evaluations: self.rhs_evaluations,
+            end_energy_j: model.energy_j(&self.last),
+            state: self.last,
+            start_energy_j: self.guard.start_energy_j(),
+            energy_residual_relative: if flows > 0.0 { residual / flows } else { 0.0 },
+            instruction_set: self.instruction_set,
+        }
+    }
+}

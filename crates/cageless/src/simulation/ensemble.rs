@@ -1,0 +1,159 @@
+//! Many bearings at once, side by side in the lanes of the vectors.
+
+use super::course::Course;
+use super::observer::{Observer, Scene};
+use super::run::{Control, RunOutcome, drive, run};
+use crate::case::{Case, FrictionLaw, Method, Profile};
+use crate::dynamics::{InstructionSet, Model, RightHandSide};
+use crate::equilibrium::EquilibriumError;
+use crate::start::initial_state;
+use crate::state::{LANES, State};
+
+/// What cases that run side by side must have in common. Methods with a memory or a step of
+/// their own would let one bearing change the steps of another.
+#[derive(PartialEq)]
+struct Kind {
+    balls: usize,
+    profile: Profile,
+    law: FrictionLaw,
+    unequal: bool,
+    step_s: f64,
+    duration_s: f64,
+}
+
+impl Kind {
+    fn of(case: &Case) -> Option<Self> {
+        (case.solver.method == Method::Symplectic).then(|| Self {
+            balls: case.bearing.balls(),
+            profile: case.profile,
+            law: case.contact.friction_law,
+            unequal: !case.bearing.ball_radius_deviations_m().is_empty(),
+            step_s: case.solver.step_s,
+            duration_s: case.solver.duration_s,
+        })
+    }
+}
+
+/// Fewer bearings than this are as fast one after the other.
+const LEAST: usize = 4;
+
+/// Groups cases that can run side by side, up to [`LANES`] each, and the others one by one; the
+/// entries are indices. How cases are grouped changes no bit of their results.
+pub fn batches(cases: &[Case]) -> Vec<Vec<usize>> {
+    let mut open: Vec<(Kind, Vec<usize>)> = vec![];
+    let mut batches = vec![];
+    for (k, case) in cases.iter().enumerate() {
+        let Some(kind) = Kind::of(case) else {
+            batches.push(vec![k]);
+            continue;
+        };
+        match open.iter_mut().find(|(other, _)| *other == kind) {
+            Some((_, members)) => members.push(k),
+            None => open.push((kind, vec![k])),
+        }
+    }
+    for (_, members) in open {
+        for group in members.chunks(LANES) {
+            if group.len() < LEAST {
+                batches.extend(group.iter().map(|k| vec![*k]));
+            } else {
+                batches.push(group.to_vec());
+            }
+        }
+    }
+    batches.sort();
+    batches
+}
+
+/// Runs the cases of one of the [`batches`], each watched by its own observers. Outcomes have
+/// the bits that [`run`] gives.
+///
+/// # Errors
+/// For each case those of [`run`].
+///
+/// # Panics
+/// If the cases cannot run side by side.
+pub fn run_batch(
+    cases: &[&Case],
+    observers: &mut [Vec<&mut dyn Observer>],
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Vec<Result<RunOutcome, EquilibriumError>> {
+    assert_eq!(cases.len(), observers.len(), "observers for each case");
+    if let ([case], [observers]) = (cases, &mut *observers) {
+        return vec![run(case, observers, control)];
+    }
+    let kind = Kind::of(cases[0]);
+    assert!(
+        kind.is_some() && cases.len() <= LANES && cases.iter().all(|c| Kind::of(c) == kind),
+        "cases side by side must be of one kind"
+    );
+    let prepared: Vec<Result<Prepared, EquilibriumError>> =
+        cases.iter().map(|case| Prepared::new(case)).collect();
+    let ready: Vec<(&Case, &Prepared)> = cases
+        .iter()
+        .zip(&prepared)
+        .filter_map(|(case, p)| Some((*case, p.as_ref().ok()?)))
+        .collect();
+    let mut outcomes = side_by_side(&ready, observers, &prepared, control).into_iter();
+    prepared
+        .into_iter()
+        .map(|p| {
+            p.map(|_| {
+                outcomes
+                    .next()
+                    .expect("one outcome per case that could start")
+            })
+        })
+        .collect()
+}
+
+/// A case with what it starts from.
+struct Prepared {
+    model: Model,
+    start: State,
+    angles: Vec<f64>,
+}
+
+impl Prepared {
+    fn new(case: &Case) -> Result<Self, EquilibriumError> {
+        let (start, angles) = initial_state(case)?;
+        Ok(Self {
+            model: Model::new(case)?,
+            start,
+            angles,
+        })
+    }
+}
+
+fn side_by_side(
+    ready: &[(&Case, &Prepared)],
+    observers: &mut [Vec<&mut dyn Observer>],
+    prepared: &[Result<Prepared, EquilibriumError>],
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Vec<RunOutcome> {
+    let Some(last) = ready.last() else {
+        return vec![];
+    };
+    let models = std::array::from_fn(|lane| &ready.get(lane).unwrap_or(last).1.model);
+    let rhs = RightHandSide::side_by_side(models, InstructionSet::chosen());
+    let watched = observers
+        .iter_mut()
+        .zip(prepared)
+        .filter(|(_, p)| p.is_ok());
+    let mut courses: Vec<Course<'_, '_, '_>> = ready
+        .iter()
+        .zip(watched)
+        .enumerate()
+        .map(|(member, ((case, prepared), (observers, _)))| {
+            let scene = Scene {
+                case,
+                model: &prepared.model,
+                start: &prepared.start,
+                start_angle_rad: &prepared.angles,
+            };
+            Course::new(scene, rhs.layout().of_member(member), observers)
+        })
+        .collect();
+    drive(rhs, &mut courses, control);
+    courses.into_iter().map(Course::outcome).collect()
+}

@@ -1,0 +1,152 @@
+//! Bearings side by side.
+
+mod common;
+
+use cageless::dynamics::InstructionSet;
+use cageless::simulation::{Control, Observer, batches, run, run_batch};
+use cageless::summary::{Summary, SummaryRecorder};
+use cageless::{Case, Gaps, Method, Profile, Start};
+use common::{conventional, dimensions, raceway, structure};
+
+/// Cases that differ in everything that may differ side by side.
+fn mixed(count: usize) -> Vec<Case> {
+    (0..count)
+        .map(|k| {
+            let mut case = match k % 3 {
+                0 => conventional(dimensions()),
+                1 => structure(5.1, 25.2),
+                _ => {
+                    let case = structure(5.6, 15.774);
+                    let top = raceway(&case.bearing, 4.95, 35.0, 160.0);
+                    let raceways = vec![case.raceways[0].clone(), top];
+                    case.with_raceways(raceways)
+                }
+            };
+            case.operation.radial_load_n = 500.0 + 100.0 * k as f64;
+            case.operation.inner_speed_rad_s *= 1.0 + 0.02 * k as f64;
+            let n = case.bearing.balls();
+            let room = n as f64 * case.bearing.uniform_gap_rad();
+            let mut gaps = vec![(room - 0.002) / (n - 1) as f64; n];
+            gaps[k % n] = 0.002;
+            case.start = Start::Settled {
+                gaps: Gaps::List(gaps),
+                lead_ball_angle_rad: 0.1 * k as f64,
+            };
+            case.solver.method = Method::Symplectic;
+            case.solver.step_s = 1e-6;
+            case.solver.duration_s = 0.003;
+            case
+        })
+        .collect()
+}
+
+fn alone(case: &Case) -> (Vec<f64>, Option<Summary>) {
+    let mut summary = SummaryRecorder::new();
+    let outcome = run(case, &mut [&mut summary], &mut |_| Control::Continue).unwrap();
+    (outcome.state.values().to_vec(), summary.summary())
+}
+
+fn together(cases: &[&Case]) -> Vec<(Vec<f64>, Option<Summary>)> {
+    let mut summaries: Vec<SummaryRecorder> =
+        cases.iter().map(|_| SummaryRecorder::new()).collect();
+    let mut observers: Vec<Vec<&mut dyn Observer>> = summaries
+        .iter_mut()
+        .map(|s| vec![s as &mut dyn Observer])
+        .collect();
+    let outcomes = run_batch(cases, &mut observers, &mut |_| Control::Continue);
+    outcomes
+        .into_iter()
+        .zip(&summaries)
+        .map(|(o, s)| (o.unwrap().state.values().to_vec(), s.summary()))
+        .collect()
+}
+
+/// A bearing has the same bits alone and beside any others, in either profile, with equal and
+/// unequal balls, on every instruction set.
+#[test]
+fn company_changes_no_bit() {
+    let kinds: [fn(&mut Case); 3] = [
+        |_| {},
+        |case| case.profile = Profile::Paper,
+        |case| {
+            let n = case.bearing.balls();
+            let deviations = (0..n).map(|k| 1e-7 * (k % 5) as f64).collect();
+            let bearing = case.bearing.clone();
+            case.bearing = bearing.with_ball_radius_deviations(deviations).unwrap();
+            // Their angles take more of the turn.
+            case.start = Start::Settled {
+                gaps: Gaps::Uniform,
+                lead_ball_angle_rad: case.start.lead_ball_angle_rad(),
+            };
+        },
+    ];
+    for change in kinds {
+        let mut cases = mixed(11);
+        cases.iter_mut().for_each(change);
+        let expected: Vec<_> = cases.iter().map(alone).collect();
+        assert!(
+            expected.iter().any(|(_, s)| s.unwrap().collisions > 0)
+                || !cases[0].bearing.ball_radius_deviations_m().is_empty()
+        );
+        for isa in InstructionSet::ALL.into_iter().filter(|i| i.available()) {
+            isa.limit_to();
+            let all: Vec<&Case> = cases.iter().collect();
+            assert_eq!(together(&all), expected, "{}", isa.name());
+            // Other company, other lanes.
+            assert_eq!(together(&all[3..8]), expected[3..8], "{}", isa.name());
+        }
+    }
+}
+
+/// A bearing that cannot start, or leaves the physical range, ends alone.
+#[test]
+fn one_bearing_does_not_take_the_others_along() {
+    let mut cases = mixed(5);
+    let expected: Vec<_> = cases.iter().map(alone).collect();
+    cases[1].contact.friction_coefficient = f64::NAN;
+    cases[3].start = Start::Rolling {
+        gaps: Gaps::Uniform,
+        lead_ball_angle_rad: 0.0,
+        ring_x_m: 0.0,
+        // Deep in the balls: they are pressed through a raceway at once.
+        ring_y_m: -400e-6,
+    };
+    let all: Vec<&Case> = cases.iter().collect();
+    let mut observers: Vec<Vec<&mut dyn Observer>> = all.iter().map(|_| vec![]).collect();
+    let outcomes = run_batch(&all, &mut observers, &mut |_| Control::Continue);
+    assert!(outcomes[1].is_err());
+    for k in [0, 2, 4] {
+        let outcome = outcomes[k].as_ref().unwrap();
+        assert_eq!(outcome.state.values(), expected[k].0);
+        assert_eq!(outcome.end_s, 0.003);
+    }
+    let stopped = outcomes[3].as_ref().unwrap();
+    assert!(stopped.end_s < 0.001, "{:?}", stopped.ending);
+}
+
+/// Only cases of one kind, step and duration share a batch; none is lost.
+#[test]
+fn batches_hold_every_case_once() {
+    let mut cases = mixed(40);
+    cases[2].solver.method = Method::Abm4;
+    cases[3].solver.duration_s = 0.002;
+    for case in &mut cases[20..25] {
+        case.profile = Profile::Paper;
+    }
+    let batches = batches(&cases);
+    let mut all: Vec<usize> = batches.iter().flatten().copied().collect();
+    all.sort();
+    assert_eq!(all, (0..40).collect::<Vec<_>>());
+    for batch in &batches {
+        let kind = |k: usize| {
+            (
+                cases[k].profile,
+                cases[k].solver.duration_s,
+                cases[k].solver.method,
+            )
+        };
+        assert!(batch.iter().all(|k| kind(*k) == kind(batch[0])));
+    }
+    assert!(batches.contains(&vec![2]) && batches.contains(&vec![3]));
+    assert!(batches.contains(&vec![20, 21, 22, 23, 24]));
+}
