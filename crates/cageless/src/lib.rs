@@ -37,6 +37,7 @@ pub mod start;
 pub mod state;
 pub mod step;
 pub mod summary;
+pub mod surface;
 pub mod traction;
 pub mod vibration;
 

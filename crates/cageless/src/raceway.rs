@@ -266,6 +266,55 @@ impl Raceway {
         &self.direction_polynomial
     }
 
+    /// α, the contact angle at local ψ within ±θ (cos α = r/Rw, from the radial direction,
+    /// branch z > 0), and dα/dψ. At the ends the slope is the limit from within; it is not
+    /// 0 there, which is the kink.
+    pub fn contact_angle_rad(&self, local_angle_rad: f64) -> [f64; 2] {
+        let theta = self.dimensions.half_angle_rad;
+        let local = local_angle_rad.abs().min(theta);
+        // Closer than this to an end, r'/sin α is mostly rounding, and α goes by its slope.
+        let near = theta * (1.0 - 1e-4);
+        let end = self.contact_angle_end_slope();
+        let [angle, slope] = if local <= near {
+            self.contact_angle_within(local)
+        } else {
+            let [_, inner] = self.contact_angle_within(near);
+            let share = (local - near) / (theta - near);
+            let slope = inner + share * (end - inner);
+            // The slope is linear from here to the end, where α is 0.
+            [(slope + end) / 2.0 * (local - theta), slope]
+        };
+        [angle, slope * local_angle_rad.signum()]
+    }
+
+    fn contact_angle_within(&self, local_angle_rad: f64) -> [f64; 2] {
+        let x = self.path_x_m(local_angle_rad);
+        let (y, slope) = (self.path_y_m(x), self.path_slope(x));
+        let rho = x.hypot(y);
+        let z = self.path_z_m(x);
+        // dψ/dx of tan ψ = −x/y; −sin α dα = dr/Rw.
+        let turning = (x * slope - y) / (rho * rho);
+        let rise = (x + y * slope) / rho;
+        let angle = z.atan2(rho - self.touching_radius_m());
+        let slope = if rise == 0.0 {
+            0.0
+        } else {
+            -rise / z / turning
+        };
+        [angle, slope]
+    }
+
+    /// dα/dψ at +θ: r ≈ Rw − κ/2 (X − x)², so that α ≈ √(κ/Rw) (X − x).
+    fn contact_angle_end_slope(&self) -> f64 {
+        let [a, b, _] = self.path;
+        let x = self.path_end_m();
+        let (y, slope) = (self.path_y_m(x), self.path_slope(x));
+        let bend = 12.0 * a * x * x + 2.0 * b;
+        let curvature = -(1.0 + slope * slope + y * bend) / self.groove_bottom_radius_m;
+        let turning = (x * slope - y) / self.groove_bottom_radius_m.powi(2);
+        -(curvature.max(0.0) / self.ball_radius_m).sqrt() / turning
+    }
+
     /// Centre of groove curvature Oe at path abscissa x, branch z > 0 of the contact
     /// point (Zhao 2022, Eq. (7)), in local coordinates.
     pub fn groove_centre_m(&self, x_m: f64) -> [f64; 3] {
@@ -393,7 +442,7 @@ fn path_coefficients(bearing: &Bearing, span_m: f64, theta: f64) -> [f64; 3] {
     [a, b, c]
 }
 
-fn surface_point(curve: [f64; 4], re: f64, angle: f64, meridian: f64) -> SurfacePoint {
+pub(crate) fn surface_point(curve: [f64; 4], re: f64, angle: f64, meridian: f64) -> SurfacePoint {
     let [radial, axial, radial_slope, axial_slope] = curve;
     let side = if meridian < 0.0 { -1.0 } else { 1.0 };
     let (sin_m, cos_m) = meridian.abs().sin_cos();

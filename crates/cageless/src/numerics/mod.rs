@@ -1,5 +1,6 @@
 //! The little numerical analysis that the physics rests on.
 
+pub mod bspline;
 pub mod chebyshev;
 pub mod elliptic;
 pub mod quadrature;

@@ -1,0 +1,98 @@
+//! The contact angle along a discrete raceway, blended at its ends.
+
+use crate::error::InputError;
+use crate::raceway::Raceway;
+
+/// A discrete raceway with its blends.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Zone {
+    raceway: Raceway,
+    blend: Option<Blend>,
+}
+
+/// α = (1 − t)³ (c₀ + c₁ t + c₂ t²) with t = (|ψ| − start)/length: at t = 0 it continues α
+/// with its slope and curvature, at t = 1 all three are 0.
+#[derive(Debug, Clone, PartialEq)]
+struct Blend {
+    start_rad: f64,
+    length_rad: f64,
+    coefficients: [f64; 3],
+}
+
+impl Zone {
+    /// Blends over the last `length_rad` before each end; 0 for none.
+    pub(super) fn new(raceway: &Raceway, length_rad: f64) -> Result<Self, InputError> {
+        let blend = (length_rad > 0.0).then(|| Blend::new(raceway, length_rad));
+        if let Some(blend) = &blend {
+            let rises = |k: i32| blend.contact_angle_rad(f64::from(k) / 100.0)[1] > 0.0;
+            if (0..100).any(rises) {
+                return Err(InputError::rule(
+                    "blend_m",
+                    length_rad,
+                    "a length over which the contact angle falls steadily to 0",
+                ));
+            }
+        }
+        Ok(Self {
+            raceway: raceway.clone(),
+            blend,
+        })
+    }
+
+    pub(super) fn raceway(&self) -> &Raceway {
+        &self.raceway
+    }
+
+    /// Local ψ at which the blend before +θ starts.
+    pub(super) fn blend_start_rad(&self) -> Option<f64> {
+        self.blend.as_ref().map(|b| b.start_rad)
+    }
+
+    /// α and dα/dψ at local ψ within ±θ, at the ends the limits from within.
+    pub(super) fn contact_angle_rad(&self, local_angle_rad: f64) -> [f64; 2] {
+        let local = local_angle_rad.abs();
+        match &self.blend {
+            Some(blend) if local > blend.start_rad => {
+                let [angle, slope] =
+                    blend.contact_angle_rad((local - blend.start_rad) / blend.length_rad);
+                [angle, slope * local_angle_rad.signum()]
+            }
+            _ => self.raceway.contact_angle_rad(local_angle_rad),
+        }
+    }
+}
+
+impl Blend {
+    fn new(raceway: &Raceway, length_rad: f64) -> Self {
+        let start_rad = raceway.half_angle_rad() - length_rad;
+        let slope_at = |local: f64| raceway.contact_angle_rad(local)[1];
+        // Far from the end in its own scale, where the slope is analytic.
+        let h = length_rad / 8.0;
+        let bend = (8.0 * (slope_at(start_rad + h) - slope_at(start_rad - h))
+            - slope_at(start_rad + 2.0 * h)
+            + slope_at(start_rad - 2.0 * h))
+            / (12.0 * h);
+        let [value, slope] = raceway.contact_angle_rad(start_rad);
+        let (slope, bend) = (slope * length_rad, bend * length_rad * length_rad);
+        Self {
+            start_rad,
+            length_rad,
+            coefficients: [
+                value,
+                3.0 * value + slope,
+                6.0 * value + 3.0 * slope + bend / 2.0,
+            ],
+        }
+    }
+
+    /// α and dα/dψ at t in 0 to 1.
+    fn contact_angle_rad(&self, t: f64) -> [f64; 2] {
+        let [c0, c1, c2] = self.coefficients;
+        let rest = (1.0 - t).max(0.0);
+        let (value, slope) = ((c2 * t + c1) * t + c0, 2.0 * c2 * t + c1);
+        [
+            rest.powi(3) * value,
+            rest.powi(2) * (rest * slope - 3.0 * value) / self.length_rad,
+        ]
+    }
+}

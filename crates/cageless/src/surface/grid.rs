@@ -1,0 +1,83 @@
+//! Points of the groove in rows: one row per ψ, from shoulder to shoulder.
+
+use std::f64::consts::PI;
+
+use super::{Meridian, OuterRing, wrapped};
+
+/// Rows of the groove all round.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Grid {
+    /// Section of each row, ascending in ψ from −π.
+    pub meridians: Vec<Meridian>,
+    /// Steps from the ridge to a shoulder; a row has 2·(steps + 1) points, two of them at
+    /// the ridge, with the normals of either half.
+    pub steps: usize,
+}
+
+impl Grid {
+    /// Lays rows no further apart than `spacing_m` at the bottom of the groove, and points
+    /// in them no further apart along the arc. The ends of raceways and blends are rows.
+    pub fn new(ring: &OuterRing, spacing_m: f64) -> Self {
+        let step = spacing_m / ring.groove_bottom_radius_m();
+        let mut meridians: Vec<Meridian> = ring
+            .sectors()
+            .iter()
+            .flat_map(|sector| {
+                let ends = ring.smooth_parts(sector);
+                let rows = ends.windows(2).flat_map(|ends| {
+                    let count = ((ends[1] - ends[0]) / step).ceil().max(1.0);
+                    let (start, length) = (ends[0], ends[1] - ends[0]);
+                    (0..count as usize).map(move |k| start + length * k as f64 / count)
+                });
+                rows.map(|psi| ring.meridian_in(sector, psi))
+                    .collect::<Vec<_>>()
+            })
+            .map(|m| Meridian {
+                angle_rad: wrapped(m.angle_rad),
+                ..m
+            })
+            .collect();
+        meridians.sort_by(|a, b| a.angle_rad.total_cmp(&b.angle_rad));
+        let steps = (widest_arc_rad(ring) * ring.curvature_radius_m() / spacing_m).ceil();
+        Self {
+            meridians,
+            steps: steps.max(1.0) as usize,
+        }
+    }
+
+    /// η of the points of a row from the shoulder at z < 0 to that at z > 0.
+    pub fn row_rad(&self, meridian: &Meridian) -> Vec<f64> {
+        row_rad(meridian, self.steps)
+    }
+
+    /// Largest distance of neighbouring rows at the bottom of the groove.
+    pub fn row_distance_m(&self, ring: &OuterRing) -> f64 {
+        let angles = self.meridians.iter().map(|m| m.angle_rad);
+        let next = angles
+            .clone()
+            .skip(1)
+            .chain(angles.clone().take(1).map(|a| a + 2.0 * PI));
+        let widest = angles.zip(next).map(|(a, b)| b - a).fold(0.0, f64::max);
+        widest * ring.groove_bottom_radius_m()
+    }
+}
+
+/// η of 2·(steps + 1) points from the shoulder at z < 0 to that at z > 0.
+pub(super) fn row_rad(meridian: &Meridian, steps: usize) -> Vec<f64> {
+    let (valley, shoulder) = (meridian.valley_rad(), meridian.shoulder_rad());
+    let eta = |k: usize| valley + (shoulder - valley) * k as f64 / steps as f64;
+    let lower = (0..=steps).rev().map(|k| -eta(k));
+    lower.chain((0..=steps).map(eta)).collect()
+}
+
+/// Longest arc from the ridge to a shoulder.
+pub(super) fn widest_arc_rad(ring: &OuterRing) -> f64 {
+    let middles = ring.sectors();
+    let arcs = middles.iter().flat_map(|s| {
+        [s.start_rad, s.middle_rad()].map(|psi| {
+            let m = ring.meridian_in(s, psi);
+            m.shoulder_rad() - m.valley_rad()
+        })
+    });
+    arcs.fold(0.0, f64::max)
+}

@@ -1,0 +1,344 @@
+//! The outer ring as a solid: cylinder outside, plane faces, two shoulders and the groove
+//! with its discrete raceways, exactly and as a B-spline or a mesh of triangles.
+//!
+//! In every meridian plane the groove is an arc of radius Re on each side of z = 0 that
+//! touches a ball on the circle of radius T = Ro − Rw at the contact angle ±α(ψ); on the
+//! plain raceway α = 0. Where a discrete raceway ends, α has a kink; a blend of a stated
+//! length replaces its last stretch by a polynomial that meets both neighbours with
+//! their curvature. The ball's centre stays on its circle all the while.
+
+mod blend;
+mod grid;
+mod meridian;
+mod mesh;
+mod patch;
+mod sector;
+
+use std::f64::consts::{FRAC_PI_4, PI};
+
+use crate::bearing::Bearing;
+use crate::error::{Allowed, InputError, not_negative, positive};
+use crate::numerics::quadrature::gauss;
+use crate::raceway::{Raceway, SurfacePoint, apart};
+
+use blend::Zone;
+pub use grid::Grid;
+pub use meridian::Meridian;
+pub use mesh::Mesh;
+pub use patch::{Patch, PatchError, Side};
+pub use sector::Sector;
+
+/// What the outer ring has besides its groove.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OuterRingDimensions {
+    /// Radius of the cylinder outside.
+    pub outer_ring_outer_radius_m: f64,
+    /// Axial distance of the side faces.
+    pub outer_ring_width_m: f64,
+    /// Length of the blend at each end of each discrete raceway, along the bottom of the
+    /// groove, inside ±θ; 0 leaves the kink.
+    pub blend_m: f64,
+}
+
+/// An outer ring.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OuterRing {
+    dimensions: OuterRingDimensions,
+    /// T = Ro − Rw.
+    touching_radius_m: f64,
+    /// Re − Rw.
+    offset_m: f64,
+    /// Re.
+    curvature_radius_m: f64,
+    /// Ros.
+    shoulder_radius_m: f64,
+    /// Ro.
+    groove_bottom_radius_m: f64,
+    zones: Vec<Zone>,
+}
+
+/// Shortest blend in shares of half a raceway: in less, the kink is not resolved.
+const BLEND_SHARE_MIN: f64 = 0.002;
+/// Longest blend in shares of half a raceway: the middle half stays as designed.
+const BLEND_SHARE_MAX: f64 = 0.5;
+/// Gauss panels of ten points between two points where the surface is not smooth.
+const VOLUME_PANELS: usize = 24;
+
+impl OuterRing {
+    /// Lays out the solid and checks that it is one.
+    ///
+    /// # Errors
+    /// An [`InputError`] if raceways overlap or belong to another bearing, the groove
+    /// would cut through the ring or its side faces, or a blend does not fit.
+    pub fn new(
+        bearing: &Bearing,
+        raceways: &[Raceway],
+        dimensions: OuterRingDimensions,
+    ) -> Result<Self, InputError> {
+        positive(
+            "outer_ring_outer_radius_m",
+            dimensions.outer_ring_outer_radius_m,
+        )?;
+        positive("outer_ring_width_m", dimensions.outer_ring_width_m)?;
+        not_negative("blend_m", dimensions.blend_m)?;
+        for raceway in raceways {
+            raceway.fits(bearing)?;
+        }
+        apart(raceways)?;
+        let d = bearing.dimensions();
+        let zones = raceways.iter().map(|r| {
+            check_blend(r, d.outer_groove_bottom_radius_m, dimensions.blend_m)?;
+            Zone::new(r, dimensions.blend_m / d.outer_groove_bottom_radius_m)
+        });
+        let ring = Self {
+            dimensions,
+            touching_radius_m: bearing.touching_radius_m(),
+            offset_m: d.outer_groove_curvature_radius_m - d.ball_radius_m,
+            curvature_radius_m: d.outer_groove_curvature_radius_m,
+            shoulder_radius_m: d.outer_shoulder_radius_m,
+            groove_bottom_radius_m: d.outer_groove_bottom_radius_m,
+            zones: zones.collect::<Result<_, _>>()?,
+        };
+        ring.check_walls()?;
+        Ok(ring)
+    }
+
+    /// The groove neither breaks through the cylinder outside nor through a side face.
+    fn check_walls(&self) -> Result<(), InputError> {
+        let d = &self.dimensions;
+        let meridians = || {
+            std::iter::once(self.plain_meridian(0.0))
+                .chain((0..self.zones.len()).map(|k| self.zone_meridian(k, 0.0)))
+        };
+        let deepest = meridians().map(|m| m.radius_m(0.0)).fold(0.0, f64::max);
+        if d.outer_ring_outer_radius_m <= deepest {
+            return Err(InputError::new(
+                "outer_ring_outer_radius_m",
+                d.outer_ring_outer_radius_m,
+                Allowed::Above(deepest, "the bottom of the groove at its deepest"),
+            ));
+        }
+        let widest = meridians()
+            .map(|m| 2.0 * m.height_m(m.shoulder_rad()))
+            .fold(0.0, f64::max);
+        if d.outer_ring_width_m <= widest {
+            return Err(InputError::new(
+                "outer_ring_width_m",
+                d.outer_ring_width_m,
+                Allowed::Above(widest, "the groove between its shoulders"),
+            ));
+        }
+        Ok(())
+    }
+
+    /// As given.
+    pub fn dimensions(&self) -> &OuterRingDimensions {
+        &self.dimensions
+    }
+
+    /// Ros.
+    pub fn shoulder_radius_m(&self) -> f64 {
+        self.shoulder_radius_m
+    }
+
+    /// Ro.
+    pub fn groove_bottom_radius_m(&self) -> f64 {
+        self.groove_bottom_radius_m
+    }
+
+    /// Re.
+    pub fn curvature_radius_m(&self) -> f64 {
+        self.curvature_radius_m
+    }
+
+    /// Section of the groove at ψ.
+    pub fn meridian(&self, angle_rad: f64) -> Meridian {
+        let within = |(k, zone): (usize, &Zone)| {
+            let raceway = zone.raceway();
+            raceway
+                .contains(angle_rad)
+                .then(|| self.zone_meridian(k, raceway.local_angle_rad(angle_rad)))
+        };
+        match self.zones.iter().enumerate().find_map(within) {
+            Some(meridian) => Meridian {
+                angle_rad,
+                ..meridian
+            },
+            None => self.plain_meridian(angle_rad),
+        }
+    }
+
+    /// Section of a sector at ψ; at its ends the limit from within.
+    pub fn meridian_in(&self, sector: &Sector, angle_rad: f64) -> Meridian {
+        match sector.raceway {
+            Some(k) => Meridian {
+                angle_rad,
+                ..self.zone_meridian(k, angle_rad - sector.middle_rad())
+            },
+            None => self.plain_meridian(angle_rad),
+        }
+    }
+
+    fn plain_meridian(&self, angle_rad: f64) -> Meridian {
+        self.section(angle_rad, [0.0, 0.0])
+    }
+
+    fn zone_meridian(&self, zone: usize, local_angle_rad: f64) -> Meridian {
+        let zone = &self.zones[zone];
+        let angle = zone.raceway().dimensions().centre_angle_rad + local_angle_rad;
+        self.section(angle, zone.contact_angle_rad(local_angle_rad))
+    }
+
+    /// Eq. (7) in terms of α: the centre of the arc is Re − Rw behind the ball's centre on
+    /// the line through the contact point.
+    fn section(&self, angle_rad: f64, [contact, slope]: [f64; 2]) -> Meridian {
+        let (sin, cos) = contact.sin_cos();
+        Meridian {
+            angle_rad,
+            contact_angle_rad: contact,
+            centre_radius_m: self.touching_radius_m - self.offset_m * cos,
+            centre_height_m: -self.offset_m * sin,
+            radius_slope_m: self.offset_m * sin * slope,
+            height_slope_m: -self.offset_m * cos * slope,
+            curvature_radius_m: self.curvature_radius_m,
+            shoulder_radius_m: self.shoulder_radius_m,
+        }
+    }
+
+    /// Point of the groove at ψ and meridian angle η, the angle at the centre of the arc
+    /// between the outward radius and the point; η < 0 is the side z < 0.
+    pub fn point(&self, angle_rad: f64, meridian_rad: f64) -> SurfacePoint {
+        self.meridian(angle_rad).point(meridian_rad)
+    }
+
+    /// Distance of a point near the groove from its surface, positive inside the ring's
+    /// material; off by the square of the distance over the radii of curvature.
+    pub fn distance_m(&self, position_m: [f64; 3]) -> f64 {
+        let [x, y, z] = position_m;
+        let meridian = self.meridian(x.atan2(-y));
+        meridian.distance_m(x.hypot(y), z)
+    }
+
+    /// Volume of the solid by Gauss quadrature over ψ of the exact area moment of each
+    /// section; relative error below 1e-12.
+    pub fn volume_m3(&self) -> f64 {
+        let d = &self.dimensions;
+        let rim = d.outer_ring_outer_radius_m.powi(2) * d.outer_ring_width_m;
+        let moment = |m: Meridian| {
+            let groove = m.height_m(m.shoulder_rad());
+            let wall = d.outer_ring_width_m / 2.0 - groove;
+            rim / 2.0 - m.hollow_moment_m3() - self.shoulder_radius_m.powi(2) * wall
+        };
+        self.sectors()
+            .iter()
+            .map(|sector| match sector.raceway {
+                None => (sector.end_rad - sector.start_rad) * moment(self.plain_meridian(0.0)),
+                Some(_) => self
+                    .smooth_parts(sector)
+                    .windows(2)
+                    .map(|ends| {
+                        let f = |angle| moment(self.meridian_in(sector, angle));
+                        gauss(f, ends[0], ends[1], VOLUME_PANELS)
+                    })
+                    .sum(),
+            })
+            .sum()
+    }
+
+    /// Largest angle between the normals on both sides of an end of a discrete raceway as
+    /// designed: 45° up the groove and at the shoulder. 0 without raceways.
+    pub fn design_kink_rad(&self) -> [f64; 2] {
+        let kinks = self.zones.iter().map(|zone| {
+            let end = zone.raceway().half_angle_rad();
+            let m = self.section(0.0, zone.raceway().contact_angle_rad(end));
+            [m.tilt_rad(FRAC_PI_4), m.tilt_rad(m.shoulder_rad())]
+        });
+        kinks.fold([0.0; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])])
+    }
+
+    /// [`Self::design_kink_rad`] if it is left, 0 if it is blended.
+    pub fn kink_rad(&self) -> [f64; 2] {
+        if self.dimensions.blend_m > 0.0 {
+            [0.0; 2]
+        } else {
+            self.design_kink_rad()
+        }
+    }
+
+    /// Largest angle between the normals of the two halves of a discrete raceway, which
+    /// meet at z = 0 between the two contact points.
+    pub fn ridge_rad(&self) -> f64 {
+        let ridges = (0..self.zones.len()).map(|k| 2.0 * self.zone_meridian(k, 0.0).valley_rad());
+        ridges.fold(0.0, f64::max)
+    }
+
+    /// Largest distance between the blended surface and the one designed.
+    pub fn blend_deviation_m(&self) -> f64 {
+        const SAMPLES: usize = 400;
+        let zones = self
+            .zones
+            .iter()
+            .filter_map(|z| Some((z, z.blend_start_rad()?)));
+        zones
+            .flat_map(|(zone, start)| {
+                let end = zone.raceway().half_angle_rad();
+                (0..=SAMPLES).map(move |k| {
+                    let local = start + (end - start) * k as f64 / SAMPLES as f64;
+                    let designed = self.section(0.0, zone.raceway().contact_angle_rad(local));
+                    let blended = self.section(0.0, zone.contact_angle_rad(local));
+                    [blended.valley_rad(), blended.shoulder_rad()]
+                        .map(|eta| {
+                            let [rho, z] = [blended.radius_at_m(eta), blended.height_m(eta)];
+                            designed.distance_m(rho, z).abs()
+                        })
+                        .into_iter()
+                        .fold(0.0, f64::max)
+                })
+            })
+            .fold(0.0, f64::max)
+    }
+
+    /// How far the discrete raceways stand out of the plain groove, and how far they lie
+    /// below it. The walls that meet the ball at ±α are closer to it than those of the plain
+    /// groove: a raceway cannot be cut into a finished plain one.
+    pub fn relief_m(&self) -> [f64; 2] {
+        const SAMPLES: usize = 1000;
+        let plain = self.plain_meridian(0.0);
+        let middles = (0..self.zones.len()).map(|k| self.zone_meridian(k, 0.0));
+        middles.fold([0.0f64; 2], |relief, m| {
+            let (valley, range) = (m.valley_rad(), m.shoulder_rad() - m.valley_rad());
+            (0..=SAMPLES).fold(relief, |[above, below], k| {
+                let eta = valley + range * k as f64 / SAMPLES as f64;
+                let inside = plain.distance_m(m.radius_at_m(eta), m.height_m(eta));
+                [above.max(-inside), below.max(inside)]
+            })
+        })
+    }
+
+    /// The raceways, in the order given.
+    pub fn raceways(&self) -> impl Iterator<Item = &Raceway> {
+        self.zones.iter().map(Zone::raceway)
+    }
+}
+
+fn check_blend(raceway: &Raceway, bottom_m: f64, blend_m: f64) -> Result<(), InputError> {
+    let half = raceway.half_angle_rad() * bottom_m;
+    let (least, most) = (BLEND_SHARE_MIN * half, BLEND_SHARE_MAX * half);
+    if blend_m == 0.0 || (blend_m >= least && blend_m <= most) {
+        return Ok(());
+    }
+    Err(InputError::new(
+        "blend_m",
+        blend_m,
+        Allowed::Between(
+            least,
+            most,
+            "or 0, which leaves the kink; half the length of the shortest half raceway at most",
+        ),
+    ))
+}
+
+/// ψ wrapped to [−π, π).
+fn wrapped(angle_rad: f64) -> f64 {
+    (angle_rad + PI).rem_euclid(2.0 * PI) - PI
+}

@@ -1,0 +1,294 @@
+//! The groove of one sector as a bicubic B-spline.
+
+use super::{Meridian, OuterRing, Sector, wrapped};
+use crate::numerics::bspline::{Vec3, basis, interpolate, interval};
+
+/// Half of the groove.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// z ≥ 0.
+    Upper,
+    /// z ≤ 0.
+    Lower,
+}
+
+/// C² bicubic B-spline surface of one half of a sector's groove. The first parameter is ψ,
+/// the second runs from 0 at z = 0 to 1 at the shoulder, in equal steps of η.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Patch {
+    /// Breakpoints over ψ, ascending; the first and the last are fourfold knots.
+    pub along_rad: Vec<f64>,
+    /// Breakpoints from ridge to shoulder; the first and the last are fourfold knots.
+    pub across: Vec<f64>,
+    /// Control points, `[along][across]`, two more than breakpoints each way.
+    pub control_m: Vec<Vec<Vec3>>,
+}
+
+/// The tolerance is out of reach.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error(
+    "a B-spline of {POINTS_MAX} points per stretch is still {reached_m:e} m off the surface, \
+     more than {tolerance_m:e} m"
+)]
+pub struct PatchError {
+    /// What was asked for.
+    pub tolerance_m: f64,
+    /// What was reached.
+    pub reached_m: f64,
+}
+
+/// Most intervals between two points where the surface is not smooth.
+const POINTS_MAX: usize = 2000;
+
+impl Patch {
+    /// Interpolates the surface, with its own tangents at the ends, at as many points as
+    /// [`Patch::deviation_m`] needs to stay below `tolerance_m`.
+    ///
+    /// # Errors
+    /// A [`PatchError`] if the points would become too many.
+    pub fn fit(
+        ring: &OuterRing,
+        sector: &Sector,
+        side: Side,
+        tolerance_m: f64,
+    ) -> Result<Self, PatchError> {
+        let ends = ring.smooth_parts(sector);
+        let mut along = vec![4; ends.len() - 1];
+        let mut across = 4;
+        loop {
+            let along_rad = subdivided(&ends, &along);
+            let patch = Self::interpolated(ring, sector, along_rad, uniform(across));
+            let reached_m = patch.deviation_m(ring, sector);
+            if reached_m <= tolerance_m {
+                return Ok(patch.turned_to(side));
+            }
+            // At its sites a direction is exact: what is off there is the other's.
+            let mut refined = false;
+            let half = tolerance_m / 2.0;
+            for (part, count) in along.iter_mut().enumerate() {
+                let within = [ends[part], ends[part + 1]];
+                if patch.deviation_along_m(ring, sector, within) > half {
+                    (*count, refined) = (finer(*count), true);
+                }
+            }
+            if !refined || patch.deviation_across_m(ring, sector) > half {
+                across = finer(across);
+            }
+            if along.iter().chain([&across]).any(|&n| n > POINTS_MAX) {
+                return Err(PatchError {
+                    tolerance_m,
+                    reached_m,
+                });
+            }
+        }
+    }
+
+    fn interpolated(
+        ring: &OuterRing,
+        sector: &Sector,
+        along_rad: Vec<f64>,
+        across: Vec<f64>,
+    ) -> Self {
+        let fibre = |psi: f64| Fibre::new(ring.meridian_in(sector, psi));
+        let rows: Vec<Vec<Vec3>> = (along_rad.iter())
+            .map(|&psi| {
+                let fibre = fibre(psi);
+                let points: Vec<Vec3> = across.iter().map(|&u| fibre.point(u)).collect();
+                interpolate(&across, &points, [fibre.across(0.0), fibre.across(1.0)])
+            })
+            .collect();
+        let slopes = [along_rad[0], along_rad[along_rad.len() - 1]].map(|psi| {
+            let fibre = fibre(psi);
+            let slopes: Vec<Vec3> = across.iter().map(|&u| fibre.along(u)).collect();
+            interpolate(&across, &slopes, [fibre.twist(0.0), fibre.twist(1.0)])
+        });
+        let columns: Vec<Vec<Vec3>> = (0..across.len() + 2)
+            .map(|k| {
+                let values: Vec<Vec3> = rows.iter().map(|row| row[k]).collect();
+                interpolate(&along_rad, &values, [slopes[0][k], slopes[1][k]])
+            })
+            .collect();
+        let control_m = (0..along_rad.len() + 2)
+            .map(|i| columns.iter().map(|column| column[i]).collect())
+            .collect();
+        Self {
+            along_rad,
+            across,
+            control_m,
+        }
+    }
+
+    fn turned_to(mut self, side: Side) -> Self {
+        if side == Side::Lower {
+            for point in self.control_m.iter_mut().flatten() {
+                point[2] = -point[2];
+            }
+        }
+        self
+    }
+
+    /// Point of the B-spline.
+    pub fn point_m(&self, angle_rad: f64, across: f64) -> Vec3 {
+        let (i, j) = (
+            interval(&self.along_rad, angle_rad),
+            interval(&self.across, across),
+        );
+        let (b, c) = (
+            basis(&self.along_rad, i, angle_rad),
+            basis(&self.across, j, across),
+        );
+        let mut point = [0.0; 3];
+        for (k, along) in b.iter().enumerate() {
+            for (l, across) in c.iter().enumerate() {
+                for (sum, value) in point.iter_mut().zip(self.control_m[i + k][j + l]) {
+                    *sum += along * across * value;
+                }
+            }
+        }
+        point
+    }
+
+    /// Largest distance from the analytic surface, and of the last row from the shoulder's
+    /// cylinder, at nine points of each interval each way that are not sites.
+    pub fn deviation_m(&self, ring: &OuterRing, sector: &Sector) -> f64 {
+        let along = between(&self.along_rad);
+        let mut across = between(&self.across);
+        across.extend([0.0, 1.0]);
+        self.worst_m(ring, sector, &along, &across)
+    }
+
+    fn deviation_along_m(&self, ring: &OuterRing, sector: &Sector, within: [f64; 2]) -> f64 {
+        let inside = |psi: &f64| (within[0]..=within[1]).contains(psi);
+        let along: Vec<f64> = between(&self.along_rad)
+            .into_iter()
+            .filter(inside)
+            .collect();
+        let middle = self.across.len() / 2;
+        self.worst_m(ring, sector, &along, &[0.0, self.across[middle], 1.0])
+    }
+
+    fn deviation_across_m(&self, ring: &OuterRing, sector: &Sector) -> f64 {
+        let sites = &self.along_rad;
+        let along = [sites[0], sites[sites.len() / 2]];
+        self.worst_m(ring, sector, &along, &between(&self.across))
+    }
+
+    fn worst_m(&self, ring: &OuterRing, sector: &Sector, along: &[f64], across: &[f64]) -> f64 {
+        let mut worst = 0.0f64;
+        for &psi in along {
+            for &u in across {
+                let [x, y, z] = self.point_m(psi, u);
+                let rho = x.hypot(y);
+                let middle = sector.middle_rad();
+                let own = middle + wrapped(x.atan2(-y) - middle);
+                let meridian = ring.meridian_in(sector, own);
+                worst = worst.max(meridian.distance_m(rho, z).abs());
+                if u == 1.0 {
+                    worst = worst.max((rho - ring.shoulder_radius_m()).abs());
+                }
+            }
+        }
+        worst
+    }
+}
+
+/// One section of the surface over the second parameter, with its derivatives.
+struct Fibre {
+    meridian: Meridian,
+    valley: f64,
+    range: f64,
+    /// dη/dψ at fixed parameter: at the ridge, and how much more at the shoulder.
+    drift: [f64; 2],
+}
+
+impl Fibre {
+    fn new(meridian: Meridian) -> Self {
+        let valley = meridian.valley_rad();
+        let [valley_slope, shoulder_slope] = meridian.limit_slopes();
+        Self {
+            valley,
+            range: meridian.shoulder_rad() - valley,
+            drift: [valley_slope, shoulder_slope - valley_slope],
+            meridian,
+        }
+    }
+
+    fn eta(&self, u: f64) -> f64 {
+        self.valley + u * self.range
+    }
+
+    /// Of components along e, t and k.
+    fn vector(&self, [radial, tangential, axial]: Vec3) -> Vec3 {
+        let (sin, cos) = self.meridian.angle_rad.sin_cos();
+        [
+            radial * sin + tangential * cos,
+            -radial * cos + tangential * sin,
+            axial,
+        ]
+    }
+
+    fn point(&self, u: f64) -> Vec3 {
+        let (m, eta) = (&self.meridian, self.eta(u));
+        // Both halves share the ridge, to the last bit.
+        let height = if u == 0.0 { 0.0 } else { m.height_m(eta) };
+        self.vector([m.radius_at_m(eta), 0.0, height])
+    }
+
+    /// ∂S/∂u.
+    fn across(&self, u: f64) -> Vec3 {
+        let (sin, cos) = self.eta(u).sin_cos();
+        let arc = self.meridian.curvature_radius_m * self.range;
+        self.vector([-arc * sin, 0.0, arc * cos])
+    }
+
+    /// ∂S/∂ψ at fixed u.
+    fn along(&self, u: f64) -> Vec3 {
+        let (m, eta) = (&self.meridian, self.eta(u));
+        let (sin, cos) = eta.sin_cos();
+        let drift = m.curvature_radius_m * (self.drift[0] + u * self.drift[1]);
+        let axial = m.height_slope_m + drift * cos;
+        self.vector([
+            m.radius_slope_m - drift * sin,
+            m.radius_at_m(eta),
+            if u == 0.0 { 0.0 } else { axial },
+        ])
+    }
+
+    /// ∂²S/∂u∂ψ.
+    fn twist(&self, u: f64) -> Vec3 {
+        let (sin, cos) = self.eta(u).sin_cos();
+        let re = self.meridian.curvature_radius_m;
+        let (arc, change) = (re * self.range, re * self.drift[1]);
+        let drift = self.drift[0] + u * self.drift[1];
+        self.vector([
+            -change * sin - arc * cos * drift,
+            -arc * sin,
+            change * cos - arc * sin * drift,
+        ])
+    }
+}
+
+fn finer(count: usize) -> usize {
+    count + count.div_ceil(3)
+}
+
+fn uniform(count: usize) -> Vec<f64> {
+    (0..=count).map(|k| k as f64 / count as f64).collect()
+}
+
+/// The ends and, between each two, the points of so many equal parts.
+pub(super) fn subdivided(ends: &[f64], counts: &[usize]) -> Vec<f64> {
+    let parts = ends.windows(2).zip(counts).flat_map(|(ends, &count)| {
+        (0..count).map(move |k| ends[0] + (ends[1] - ends[0]) * k as f64 / count as f64)
+    });
+    parts.chain(ends.last().copied()).collect()
+}
+
+/// Nine points of each interval.
+fn between(sites: &[f64]) -> Vec<f64> {
+    let points = |ends: &[f64]| {
+        let (start, length) = (ends[0], ends[1] - ends[0]);
+        (1..10).map(move |k| start + length * f64::from(k) / 10.0)
+    };
+    sites.windows(2).flat_map(points).collect()
+}
