@@ -46,6 +46,8 @@ pub enum Command {
     Design(CaseArgs),
     /// Simulate a case.
     Run(RunArgs),
+    /// The outer ring for CAD and machining: STEP, STL or a table of points.
+    Export(ExportArgs),
 }
 
 /// `reproduce`.
@@ -77,6 +79,54 @@ pub struct RunArgs {
     /// converged, which are statistical and which the step biases: 17 times the work.
     #[arg(long)]
     pub verify: bool,
+}
+
+/// `export`.
+#[derive(Debug, Group)]
+pub struct ExportArgs {
+    /// Case file (TOML) with bearing.outer_ring_outer_radius_mm and
+    /// bearing.outer_ring_width_mm.
+    #[arg(value_name = "CASE")]
+    pub case: PathBuf,
+    /// Replace a value of the case file; may be repeated.
+    #[arg(long, value_name = "SECTION.KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Kind of file.
+    #[arg(long)]
+    pub format: CadFormat,
+    /// Length of the blend between each end of a discrete raceway and the plain groove, inside
+    /// the raceway; 0 leaves the kink. Default: 0.5, or a fifth of the shortest half raceway if
+    /// that is shorter.
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    pub blend_mm: Option<f64>,
+    /// step: largest distance of the B-splines from the analytic surface. Default: 0.01.
+    #[arg(long, value_name = "UM", allow_negative_numbers = true)]
+    pub tolerance_um: Option<f64>,
+    /// stl: largest distance of a triangle from the analytic surface. Default: 5.
+    #[arg(long, value_name = "UM", allow_negative_numbers = true)]
+    pub chord_um: Option<f64>,
+    /// csv: largest distance of neighbouring points. Default: 0.5.
+    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    pub spacing_mm: Option<f64>,
+    /// Print the numbers as one JSON document.
+    #[arg(long)]
+    pub json: bool,
+    /// File, if the name ends in .step, .stp, .stl or .csv; else a folder, which gets
+    /// outer_ring.step, .stl or .csv and export.json. Without it the file goes to stdout, and
+    /// with --json only the numbers.
+    #[arg(long, value_name = "PATH")]
+    pub out: Option<PathBuf>,
+}
+
+/// Kinds of files of `export`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum CadFormat {
+    /// One solid of B-splines, tori, cylinders and planes, AP214.
+    Step,
+    /// Triangles, binary.
+    Stl,
+    /// Surface points, normals and contact track for a five-axis program.
+    Csv,
 }
 
 /// Whatever works on a case.

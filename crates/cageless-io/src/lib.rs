@@ -1,4 +1,5 @@
-//! Files of Cageless: case files in TOML, results in Parquet and JSON.
+//! Files of Cageless: case files in TOML, results in Parquet and JSON, the outer ring in
+//! STEP, STL and as points.
 //!
 //! Human units (`_mm`, `_deg`, `_rpm`, `_us`) exist only here and in figures;
 //! [`cageless`] itself is plain SI.
@@ -12,5 +13,6 @@
 //! # Ok::<(), cageless_io::case_file::CaseError>(())
 //! ```
 
+pub mod cad;
 pub mod case_file;
 pub mod results;

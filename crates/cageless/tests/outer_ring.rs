@@ -4,7 +4,7 @@ mod common;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use cageless::surface::{Grid, Mesh, OuterRing, OuterRingDimensions, Patch, Side};
+use cageless::surface::{Grid, Mesh, OuterRing, OuterRingDimensions, Patch};
 use cageless::{Bearing, Raceway};
 use common::{STRUCTURES, dimensions, raceway, steel};
 
@@ -280,7 +280,7 @@ fn patches_follow_the_surface() {
     for r in [structure_d(0.0), structure_d(0.5e-3), several(0.3e-3)] {
         for sector in r.sectors() {
             for tolerance in [1e-7, 1e-8, 1e-9] {
-                let patch = Patch::fit(&r, &sector, Side::Upper, tolerance).unwrap();
+                let patch = Patch::fit(&r, &sector, tolerance).unwrap();
                 let stated = patch.deviation_m(&r, &sector);
                 assert!(stated <= tolerance);
                 let mut worst = 0.0f64;
@@ -294,10 +294,11 @@ fn patches_follow_the_surface() {
                     }
                 }
                 assert!(worst <= 1.01 * stated, "{worst:e} {stated:e}");
-                let mirrored = Patch::fit(&r, &sector, Side::Lower, tolerance).unwrap();
-                assert_eq!(mirrored.point_m(sector.middle_rad(), 0.5)[2], {
-                    -patch.point_m(sector.middle_rad(), 0.5)[2]
-                });
+                let mirrored = patch.mirrored();
+                assert_eq!(mirrored.deviation_m(&r, &sector), stated);
+                let middle = sector.middle_rad();
+                let heights = [&patch, &mirrored].map(|p| p.point_m(middle, 0.5)[2]);
+                assert_eq!(heights[0], -heights[1]);
             }
         }
     }
@@ -308,7 +309,7 @@ fn patches_follow_the_surface() {
 fn deviation_is_honest() {
     let r = structure_d(0.5e-3);
     let sector = r.sectors()[0];
-    let good = Patch::fit(&r, &sector, Side::Upper, 1e-8).unwrap();
+    let good = Patch::fit(&r, &sector, 1e-8).unwrap();
     for (i, j) in [(3, 3), (20, 0), (0, 5), (20, 5)] {
         let mut bad = good.clone();
         let p = &mut bad.control_m[i][j];
@@ -326,7 +327,7 @@ fn deviation_is_honest() {
 fn patches_meet_the_plain_raceway_smoothly() {
     let r = structure_d(0.5e-3);
     let sector = r.sectors()[0];
-    let patch = Patch::fit(&r, &sector, Side::Upper, 1e-8).unwrap();
+    let patch = Patch::fit(&r, &sector, 1e-8).unwrap();
     let h = (patch.along_rad[1] - patch.along_rad[0]) * 1e-4;
     for u in [0.0, 0.37, 1.0] {
         let (p, q) = (

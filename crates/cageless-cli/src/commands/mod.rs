@@ -1,6 +1,7 @@
 //! The commands.
 
 mod design;
+mod export;
 mod run;
 mod static_equilibrium;
 
@@ -28,6 +29,7 @@ pub fn dispatch(args: Args) -> Result<(), Failure> {
         Command::Static(args) => static_equilibrium::static_equilibrium(&args),
         Command::Design(args) => design::design(&args),
         Command::Run(args) => run::run(&args),
+        Command::Export(args) => export::export(&args),
     }
 }
 
@@ -55,8 +57,14 @@ fn limit_instructions(isa: Isa) -> Result<(), Failure> {
 
 /// Prints to stdout. A reader that has had enough (`cageless new | head`) is no failure.
 pub fn print(text: &str) -> Result<(), Failure> {
+    print_bytes(text.as_bytes())
+}
+
+/// [`print`] for what is not text.
+pub fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
     use std::io::Write;
-    match std::io::stdout().lock().write_all(text.as_bytes()) {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(bytes).and_then(|()| out.flush()) {
         Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
         other => Ok(other?),
     }

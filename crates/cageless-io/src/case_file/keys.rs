@@ -70,8 +70,8 @@ pub(super) const KEYS: &[Key] = &[
     key("bearing", "inner_ring_mass_kg", Si("kg"), "inner_ring_mass_kg", "mass of the inner ring with what turns with it"),
     key("bearing", "inner_ring_drag_n_s_m", Si("N s/m"), "inner_ring_drag_n_s_m", "C of Zhao 2022, Eq. (14), damping of the inner ring"),
     key("bearing", "ball_radius_deviation_um", Micrometre, "ball_radius_deviation_m", "deviation of each ball's radius"),
-    key("bearing", "outer_ring_outer_radius_mm", Millimetre, "", "outer radius of the outer ring"),
-    key("bearing", "outer_ring_width_mm", Millimetre, "", "width of the outer ring"),
+    key("bearing", "outer_ring_outer_radius_mm", Millimetre, "outer_ring_outer_radius_m", "outer radius of the outer ring"),
+    key("bearing", "outer_ring_width_mm", Millimetre, "outer_ring_width_m", "width of the outer ring"),
 
     key("material", "density_kg_m3", Si("kg/m^3"), "density_kg_m3", "density of the balls"),
     key("material", "youngs_modulus_gpa", Gigapascal, "youngs_modulus_pa", "E of balls and rings"),

@@ -14,6 +14,7 @@ mod named;
 mod overrides;
 mod read;
 mod reader;
+mod ring;
 mod rules;
 mod template;
 mod tree;
@@ -42,6 +43,7 @@ pub struct CaseFile {
     case: cageless::Case,
     document: CaseDocument,
     defaults: Vec<String>,
+    places: Places,
 }
 
 impl CaseFile {
@@ -72,6 +74,7 @@ impl CaseFile {
             case,
             document,
             defaults,
+            places,
         })
     }
 
@@ -81,11 +84,13 @@ impl CaseFile {
     /// # Errors
     /// A [`CaseError`] without a line if the case is impossible.
     pub fn from_document(document: CaseDocument, name: &str) -> Result<Self, CaseError> {
-        let case = convert::case(&document, &Places::nowhere(name))?;
+        let places = Places::nowhere(name);
+        let case = convert::case(&document, &places)?;
         Ok(Self {
             case,
             document,
             defaults: Vec::new(),
+            places,
         })
     }
 

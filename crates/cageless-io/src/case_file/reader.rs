@@ -225,7 +225,7 @@ impl<'a> Reader<'a> {
 }
 
 /// What a key means, with its unit.
-fn describe(key: &Key) -> String {
+pub(super) fn describe(key: &Key) -> String {
     match key.unit.symbol() {
         "" => key.meaning.to_owned(),
         unit => format!("{}, in {unit}", key.meaning),

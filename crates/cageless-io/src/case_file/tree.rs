@@ -40,14 +40,14 @@ pub(super) enum Origin {
 }
 
 /// Where a value stands and how it is written there.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Place {
     pub origin: Origin,
     pub written: String,
 }
 
 /// The places of all keys of one file, by dotted key.
-#[derive(Debug)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Places {
     file: String,
     places: BTreeMap<String, Place>,

@@ -25,7 +25,7 @@ use blend::Zone;
 pub use grid::Grid;
 pub use meridian::Meridian;
 pub use mesh::Mesh;
-pub use patch::{Patch, PatchError, Side};
+pub use patch::{Patch, PatchError};
 pub use sector::Sector;
 
 /// What the outer ring has besides its groove.

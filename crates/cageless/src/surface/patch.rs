@@ -3,16 +3,7 @@
 use super::{Meridian, OuterRing, Sector, wrapped};
 use crate::numerics::bspline::{Vec3, basis, interpolate, interval};
 
-/// Half of the groove.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
-    /// z ≥ 0.
-    Upper,
-    /// z ≤ 0.
-    Lower,
-}
-
-/// C² bicubic B-spline surface of one half of a sector's groove. The first parameter is ψ,
+/// C² bicubic B-spline surface of one half of a sector's groove, z ≥ 0 unless mirrored. The first parameter is ψ,
 /// the second runs from 0 at z = 0 to 1 at the shoulder, in equal steps of η.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Patch {
@@ -46,12 +37,7 @@ impl Patch {
     ///
     /// # Errors
     /// A [`PatchError`] if the points would become too many.
-    pub fn fit(
-        ring: &OuterRing,
-        sector: &Sector,
-        side: Side,
-        tolerance_m: f64,
-    ) -> Result<Self, PatchError> {
+    pub fn fit(ring: &OuterRing, sector: &Sector, tolerance_m: f64) -> Result<Self, PatchError> {
         let ends = ring.smooth_parts(sector);
         let mut along = vec![4; ends.len() - 1];
         let mut across = 4;
@@ -60,7 +46,7 @@ impl Patch {
             let patch = Self::interpolated(ring, sector, along_rad, uniform(across));
             let reached_m = patch.deviation_m(ring, sector);
             if reached_m <= tolerance_m {
-                return Ok(patch.turned_to(side));
+                return Ok(patch);
             }
             // At its sites a direction is exact: what is off there is the other's.
             let mut refined = false;
@@ -118,13 +104,13 @@ impl Patch {
         }
     }
 
-    fn turned_to(mut self, side: Side) -> Self {
-        if side == Side::Lower {
-            for point in self.control_m.iter_mut().flatten() {
-                point[2] = -point[2];
-            }
+    /// The other half.
+    pub fn mirrored(&self) -> Self {
+        let mut mirrored = self.clone();
+        for point in mirrored.control_m.iter_mut().flatten() {
+            point[2] = -point[2];
         }
-        self
+        mirrored
     }
 
     /// Point of the B-spline.

@@ -1,0 +1,446 @@
+//! The outer ring as faces, edges and vertices, in metres.
+//!
+//! Meridian planes between sectors cut the groove and the shoulders; the cylinder outside
+//! is in two halves and each side face is whole. Plain sectors are tori; discrete raceways
+//! two B-spline faces that meet in a ridge at z = 0.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use cageless::numerics::bspline::Vec3;
+use cageless::surface::{OuterRing, Patch, PatchError, Sector};
+
+/// Curve of an edge.
+#[derive(Debug)]
+pub(super) enum Curve {
+    /// Along this unit vector.
+    Line(Vec3),
+    /// About `axis` through `centre`.
+    Circle {
+        centre: Vec3,
+        axis: Vec3,
+        reference: Vec3,
+        radius_m: f64,
+    },
+    /// Cubic with these breakpoints.
+    Spline { sites: Vec<f64>, control: Vec<Vec3> },
+}
+
+/// Surface of a face. The reference direction of a cylinder or a torus points away from
+/// the face, so that no face crosses the seam.
+#[derive(Debug)]
+pub(super) enum Surface {
+    /// z = this.
+    Plane(f64),
+    /// About Z.
+    Cylinder { radius_m: f64, reference: Vec3 },
+    /// About Z, in the plane z = 0.
+    Torus {
+        major_m: f64,
+        minor_m: f64,
+        reference: Vec3,
+    },
+    /// Half of a sector's groove.
+    Spline(Patch),
+}
+
+/// A curve between two vertices.
+#[derive(Debug)]
+pub(super) struct Edge {
+    pub curve: Curve,
+    pub start: usize,
+    pub end: usize,
+}
+
+/// An edge in a loop, along its curve or against it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Use {
+    pub edge: usize,
+    pub forward: bool,
+}
+
+/// A surface within loops; the first is the outer one. Seen against the outward normal of
+/// the solid, the outer loop goes counter-clockwise.
+#[derive(Debug)]
+pub(super) struct Face {
+    pub surface: Surface,
+    /// Whether the surface's own normal points out of the solid.
+    pub outward: bool,
+    pub loops: Vec<Vec<Use>>,
+}
+
+/// A closed shell.
+#[derive(Debug, Default)]
+pub(super) struct Solid {
+    pub vertices: Vec<Vec3>,
+    pub edges: Vec<Edge>,
+    pub faces: Vec<Face>,
+    /// Largest distance of its B-splines from the analytic surface.
+    pub deviation_m: f64,
+}
+
+/// Edges and vertices in the meridian plane where a sector starts: upper before lower.
+struct Station {
+    /// At the side faces.
+    rim: [usize; 2],
+    /// At the edges of the groove.
+    shoulder: [usize; 2],
+    bottom: usize,
+    /// Along ±z: upper from groove to rim, lower from rim to groove.
+    wall: [usize; 2],
+    /// Upper from shoulder to bottom, lower from bottom to shoulder.
+    arc: [usize; 2],
+}
+
+/// Edges along ψ of a sector.
+struct Span {
+    rim: [usize; 2],
+    shoulder: [usize; 2],
+    /// `None` where the groove is one face.
+    ridge: Option<usize>,
+}
+
+impl Solid {
+    /// Builds the shell, its B-splines within `tolerance_m` of the surface.
+    pub(super) fn of(ring: &OuterRing, tolerance_m: f64) -> Result<Self, PatchError> {
+        let mut solid = Self::default();
+        let sectors = ring.sectors();
+        let stations: Vec<Station> = (sectors.iter())
+            .map(|sector| solid.station(ring, sector))
+            .collect();
+        let mut rims = Vec::new();
+        for (k, sector) in sectors.iter().enumerate() {
+            let ends = [&stations[k], &stations[(k + 1) % sectors.len()]];
+            let patches = if is_torus(ring, sector) {
+                None
+            } else {
+                let upper = Patch::fit(ring, sector, tolerance_m)?;
+                solid.deviation_m = solid.deviation_m.max(upper.deviation_m(ring, sector));
+                let lower = upper.mirrored();
+                Some([upper, lower])
+            };
+            let span = solid.span(ring, sector, ends, patches.as_ref());
+            solid.groove(ring, sector, ends, &span, patches);
+            solid.shoulders(ring, sector, ends, &span);
+            rims.push(span.rim);
+        }
+        solid.outside(ring, sectors[0].start_rad, &rims);
+        Ok(solid)
+    }
+
+    fn vertex(&mut self, position: Vec3) -> usize {
+        self.vertices.push(position);
+        self.vertices.len() - 1
+    }
+
+    fn edge(&mut self, curve: Curve, start: usize, end: usize) -> usize {
+        self.edges.push(Edge { curve, start, end });
+        self.edges.len() - 1
+    }
+
+    fn face(&mut self, surface: Surface, outward: bool, loops: &[&[Use]]) {
+        self.faces.push(Face {
+            surface,
+            outward,
+            loops: loops.iter().map(|l| l.to_vec()).collect(),
+        });
+    }
+
+    fn station(&mut self, ring: &OuterRing, sector: &Sector) -> Station {
+        let psi = sector.start_rad;
+        let (e, t) = (radial(psi), radial(psi + FRAC_PI_2));
+        let meridian = ring.meridian_in(sector, psi);
+        let half = ring.dimensions().outer_ring_width_m / 2.0;
+        let ros = ring.shoulder_radius_m();
+        let groove = meridian.height_m(meridian.shoulder_rad());
+        let at = |rho: f64, z: f64| [rho * e[0], rho * e[1], z];
+        let rim = [half, -half].map(|z| self.vertex(at(ros, z)));
+        let shoulder = [groove, -groove].map(|z| self.vertex(at(ros, z)));
+        let bottom = self.vertex(at(ring.groove_bottom_radius_m(), 0.0));
+        let up = || Curve::Line([0.0, 0.0, 1.0]);
+        let arc = || Curve::Circle {
+            centre: at(meridian.centre_radius_m, 0.0),
+            axis: t,
+            reference: e,
+            radius_m: meridian.curvature_radius_m,
+        };
+        Station {
+            wall: [
+                self.edge(up(), shoulder[0], rim[0]),
+                self.edge(up(), rim[1], shoulder[1]),
+            ],
+            // About t the circle runs from +z to −z.
+            arc: [
+                self.edge(arc(), shoulder[0], bottom),
+                self.edge(arc(), bottom, shoulder[1]),
+            ],
+            rim,
+            shoulder,
+            bottom,
+        }
+    }
+
+    fn span(
+        &mut self,
+        ring: &OuterRing,
+        sector: &Sector,
+        [from, to]: [&Station; 2],
+        patches: Option<&[Patch; 2]>,
+    ) -> Span {
+        let half = ring.dimensions().outer_ring_width_m / 2.0;
+        let meridian = ring.meridian_in(sector, sector.start_rad);
+        let groove = meridian.height_m(meridian.shoulder_rad());
+        let ros = ring.shoulder_radius_m();
+        let rim = [0, 1].map(|k| {
+            let z = [half, -half][k];
+            self.edge(circle(ros, z), from.rim[k], to.rim[k])
+        });
+        let shoulder = [0, 1].map(|k| {
+            let curve = match patches {
+                Some(patches) => row(&patches[k], patches[k].across.len() + 1),
+                None => circle(ros, [groove, -groove][k]),
+            };
+            self.edge(curve, from.shoulder[k], to.shoulder[k])
+        });
+        let ridge = patches.map(|p| self.edge(row(&p[0], 0), from.bottom, to.bottom));
+        Span {
+            rim,
+            shoulder,
+            ridge,
+        }
+    }
+
+    /// The groove's outward normal points to the axis, where k, t, −k, −t go around
+    /// counter-clockwise.
+    fn groove(
+        &mut self,
+        ring: &OuterRing,
+        sector: &Sector,
+        [from, to]: [&Station; 2],
+        span: &Span,
+        patches: Option<[Patch; 2]>,
+    ) {
+        let (Some([upper, lower]), Some(ridge)) = (patches, span.ridge) else {
+            let torus = Surface::Torus {
+                major_m: ring.groove_bottom_radius_m() - ring.curvature_radius_m(),
+                minor_m: ring.curvature_radius_m(),
+                reference: radial(sector.middle_rad() + PI),
+            };
+            let around = [
+                back(from.arc[1]),
+                back(from.arc[0]),
+                along(span.shoulder[0]),
+                along(to.arc[0]),
+                along(to.arc[1]),
+                back(span.shoulder[1]),
+            ];
+            return self.face(torus, false, &[&around]);
+        };
+        let above = [
+            back(from.arc[0]),
+            along(span.shoulder[0]),
+            along(to.arc[0]),
+            back(ridge),
+        ];
+        let below = [
+            back(from.arc[1]),
+            along(ridge),
+            along(to.arc[1]),
+            back(span.shoulder[1]),
+        ];
+        // t × k = e points into the material, and t × (−k) out of it.
+        self.face(Surface::Spline(upper), false, &[&above]);
+        self.face(Surface::Spline(lower), true, &[&below]);
+    }
+
+    fn shoulders(
+        &mut self,
+        ring: &OuterRing,
+        sector: &Sector,
+        [from, to]: [&Station; 2],
+        span: &Span,
+    ) {
+        let cylinder = || Surface::Cylinder {
+            radius_m: ring.shoulder_radius_m(),
+            reference: radial(sector.middle_rad() + PI),
+        };
+        let above = [
+            along(from.wall[0]),
+            along(span.rim[0]),
+            back(to.wall[0]),
+            back(span.shoulder[0]),
+        ];
+        let below = [
+            along(from.wall[1]),
+            along(span.shoulder[1]),
+            back(to.wall[1]),
+            back(span.rim[1]),
+        ];
+        self.face(cylinder(), false, &[&above]);
+        self.face(cylinder(), false, &[&below]);
+    }
+
+    /// The cylinder outside, in halves, and the side faces with their bores.
+    fn outside(&mut self, ring: &OuterRing, start_rad: f64, rims: &[[usize; 2]]) {
+        let d = ring.dimensions();
+        let (radius_m, half) = (d.outer_ring_outer_radius_m, d.outer_ring_width_m / 2.0);
+        let heights = [half, -half];
+        let corners = [start_rad, start_rad + PI].map(|psi| {
+            let e = radial(psi);
+            heights.map(|z| self.vertex([radius_m * e[0], radius_m * e[1], z]))
+        });
+        let lines =
+            corners.map(|[upper, lower]| self.edge(Curve::Line([0.0, 0.0, 1.0]), lower, upper));
+        let arcs = [[0, 1], [1, 0]].map(|[from, to]: [usize; 2]| {
+            [0, 1].map(|k| {
+                let ends = (corners[from][k], corners[to][k]);
+                self.edge(circle(radius_m, heights[k]), ends.0, ends.1)
+            })
+        });
+        for half in 0..2 {
+            let cylinder = Surface::Cylinder {
+                radius_m,
+                reference: radial(start_rad + PI * (half as f64 + 1.5)),
+            };
+            // Outwards, t, k, −t, −k go around counter-clockwise.
+            let around = [
+                along(arcs[half][1]),
+                along(lines[1 - half]),
+                back(arcs[half][0]),
+                back(lines[half]),
+            ];
+            self.face(cylinder, true, &[&around]);
+        }
+        let outer = |k: usize| arcs.map(|pair| pair[k]);
+        let upper = outer(0).map(along);
+        let lower: Vec<Use> = outer(1).into_iter().rev().map(back).collect();
+        let bore_above: Vec<Use> = rims.iter().rev().map(|rim| back(rim[0])).collect();
+        let bore_below: Vec<Use> = rims.iter().map(|rim| along(rim[1])).collect();
+        self.face(Surface::Plane(half), true, &[&upper, &bore_above]);
+        self.face(Surface::Plane(-half), false, &[&lower, &bore_below]);
+    }
+}
+
+/// A plain sector of a groove whose circle does not cross the axis: a torus may not cross
+/// itself in STEP.
+fn is_torus(ring: &OuterRing, sector: &Sector) -> bool {
+    sector.raceway.is_none() && ring.groove_bottom_radius_m() > 2.0 * ring.curvature_radius_m()
+}
+
+fn along(edge: usize) -> Use {
+    Use {
+        edge,
+        forward: true,
+    }
+}
+
+fn back(edge: usize) -> Use {
+    Use {
+        edge,
+        forward: false,
+    }
+}
+
+/// e(ψ).
+fn radial(psi: f64) -> Vec3 {
+    [psi.sin(), -psi.cos(), 0.0]
+}
+
+/// About Z at this height.
+fn circle(radius_m: f64, z: f64) -> Curve {
+    Curve::Circle {
+        centre: [0.0, 0.0, z],
+        axis: [0.0, 0.0, 1.0],
+        reference: [0.0, -1.0, 0.0],
+        radius_m,
+    }
+}
+
+/// A row of a patch along ψ.
+fn row(patch: &Patch, across: usize) -> Curve {
+    Curve::Spline {
+        sites: patch.along_rad.clone(),
+        control: patch
+            .control_m
+            .iter()
+            .map(|points| points[across])
+            .collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case_file::{CaseFile, template};
+    use cageless::surface::OuterRingDimensions;
+
+    fn solid(conventional: bool, blend_m: f64) -> Solid {
+        let file = CaseFile::parse(&template(conventional), "template", &[]).unwrap();
+        let case = file.case();
+        let size = OuterRingDimensions {
+            outer_ring_outer_radius_m: 31e-3,
+            outer_ring_width_m: 16e-3,
+            blend_m,
+        };
+        let ring = OuterRing::new(&case.bearing, &case.raceways, size).unwrap();
+        Solid::of(&ring, 1e-8).unwrap()
+    }
+
+    /// Every edge bounds two faces, once each way; each loop closes; a ring has genus 1.
+    #[test]
+    fn shell_is_closed_and_oriented() {
+        for solid in [solid(true, 0.0), solid(false, 0.0), solid(false, 5e-4)] {
+            let mut uses = vec![[0; 2]; solid.edges.len()];
+            for face in &solid.faces {
+                for around in &face.loops {
+                    let ends = |u: &Use| {
+                        let edge = &solid.edges[u.edge];
+                        if u.forward {
+                            (edge.start, edge.end)
+                        } else {
+                            (edge.end, edge.start)
+                        }
+                    };
+                    for (k, one) in around.iter().enumerate() {
+                        uses[one.edge][usize::from(one.forward)] += 1;
+                        let next = &around[(k + 1) % around.len()];
+                        assert_eq!(ends(one).1, ends(next).0);
+                    }
+                }
+            }
+            assert!(uses.iter().all(|u| *u == [1, 1]), "{uses:?}");
+            let holes: usize = solid.faces.iter().map(|f| f.loops.len() - 1).sum();
+            assert_eq!(holes, 2);
+            let euler = solid.vertices.len() as isize - solid.edges.len() as isize
+                + solid.faces.len() as isize
+                - holes as isize;
+            assert_eq!(euler, 0);
+        }
+    }
+
+    /// Curves start and end at their vertices.
+    #[test]
+    fn curves_run_between_their_vertices() {
+        let solid = solid(false, 5e-4);
+        let distance = |a: Vec3, b: Vec3| (0..3).map(|c| (a[c] - b[c]).powi(2)).sum::<f64>().sqrt();
+        for edge in &solid.edges {
+            let [start, end] = [edge.start, edge.end].map(|k| solid.vertices[k]);
+            match &edge.curve {
+                Curve::Line(direction) => {
+                    let length = distance(start, end);
+                    let reached = [0, 1, 2].map(|c| start[c] + length * direction[c]);
+                    assert!(distance(reached, end) < 1e-15);
+                }
+                Curve::Circle {
+                    centre, radius_m, ..
+                } => {
+                    assert!((distance(start, *centre) - radius_m).abs() < 1e-15);
+                    assert!((distance(end, *centre) - radius_m).abs() < 1e-15);
+                }
+                Curve::Spline { control, .. } => {
+                    assert!(distance(start, control[0]) < 1e-15);
+                    assert!(distance(end, control[control.len() - 1]) < 1e-15);
+                }
+            }
+        }
+    }
+}

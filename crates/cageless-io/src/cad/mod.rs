@@ -1,0 +1,8 @@
+//! The outer ring for CAD and machining: STEP, STL and a table of points, in millimetres
+//! and in the frame of the bearing (+Y up, the axis along Z, ψ from −Y counter-clockwise).
+
+mod brep;
+mod part21;
+pub mod points;
+pub mod step;
+pub mod stl;

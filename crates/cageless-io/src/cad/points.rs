@@ -1,0 +1,95 @@
+//! Points of the groove for a five-axis program: a table of positions and outward normals,
+//! with the track of the contact points.
+//!
+//! | column | |
+//! |---|---|
+//! | `kind` | `contact`: where the balls touch, at η = ±α; `surface`: the groove |
+//! | `side` | 1 for z > 0, −1 for z < 0; both halves have their own row at z = 0 |
+//! | `psi_deg` | ψ from −180 to 180, ascending |
+//! | `eta_deg` | meridian angle at the centre of the arc, from the outward radius, with the sign of the side |
+//! | `x_mm`, `y_mm`, `z_mm` | position, frame of the bearing |
+//! | `nx`, `ny`, `nz` | unit normal, out of the ring's material |
+
+use std::fmt::Write;
+
+use cageless::surface::{Grid, Meridian, OuterRing};
+
+/// Head of the table.
+pub const COLUMNS: &str = "kind,side,psi_deg,eta_deg,x_mm,y_mm,z_mm,nx,ny,nz";
+
+/// A table of points and what it holds.
+#[derive(Debug)]
+pub struct PointFile {
+    /// The file: CSV, LF, ASCII.
+    pub text: String,
+    /// Largest distance of a point as written from the surface.
+    pub deviation_m: f64,
+    /// Rows of kind `surface`.
+    pub surface_points: usize,
+    /// Rows of kind `contact`.
+    pub contact_points: usize,
+    /// Largest distance between neighbouring sections at the bottom of the groove.
+    pub row_distance_m: f64,
+}
+
+/// Writes points of the groove no further apart than `spacing_m`, along its bottom and
+/// along its arcs.
+pub fn write(ring: &OuterRing, spacing_m: f64) -> PointFile {
+    let grid = Grid::new(ring, spacing_m);
+    let mut table = Table {
+        ring,
+        text: format!("{COLUMNS}\n"),
+        deviation_m: 0.0,
+        rows: 0,
+    };
+    for side in [-1.0, 1.0] {
+        for m in &grid.meridians {
+            table.row("contact", m, side, side * m.contact_angle_rad);
+        }
+    }
+    let contact_points = table.rows;
+    for m in &grid.meridians {
+        for (k, eta) in grid.row_rad(m).into_iter().enumerate() {
+            let side = if k <= grid.steps { -1.0 } else { 1.0 };
+            table.row("surface", m, side, eta);
+        }
+    }
+    PointFile {
+        deviation_m: table.deviation_m,
+        surface_points: table.rows - contact_points,
+        contact_points,
+        row_distance_m: grid.row_distance_m(ring),
+        text: table.text,
+    }
+}
+
+struct Table<'a> {
+    ring: &'a OuterRing,
+    text: String,
+    deviation_m: f64,
+    rows: usize,
+}
+
+impl Table<'_> {
+    fn row(&mut self, kind: &str, meridian: &Meridian, side: f64, eta: f64) {
+        // Mirrored, so that −0 is on its side as well.
+        let mut point = meridian.point(eta.abs());
+        point.position_m[2] *= side;
+        point.normal[2] *= side;
+        // Picometres; the last digit of an f64 is 4e-15 mm here.
+        let position = point.position_m.map(|c| format!("{:.9}", c * 1e3));
+        let read = |k: usize| position[k].parse::<f64>().unwrap_or(f64::NAN) * 1e-3;
+        let off = self.ring.distance_m([read(0), read(1), read(2)]).abs();
+        self.deviation_m = self.deviation_m.max(off);
+        let [x, y, z] = position;
+        let [nx, ny, nz] = point.normal;
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            self.text,
+            "{kind},{side},{:.9},{:.9},{x},{y},{z},{nx:.12},{ny:.12},{nz:.12}",
+            meridian.angle_rad.to_degrees(),
+            side * eta.abs().to_degrees(),
+        );
+        self.rows += 1;
+    }
+}

@@ -1,0 +1,80 @@
+//! STL: the ring as triangles, binary, millimetres in single precision.
+
+use cageless::InputError;
+use cageless::surface::{Mesh, OuterRing};
+use stl_io::{Normal, Triangle, Vertex};
+
+/// An STL file and what it holds.
+#[derive(Debug)]
+pub struct StlFile {
+    /// The file.
+    pub bytes: Vec<u8>,
+    /// Largest distance of a triangle from the surface, rounding to single precision
+    /// included.
+    pub deviation_m: f64,
+    /// Number of triangles.
+    pub triangles: usize,
+    /// Number of corners, each shared by several triangles.
+    pub vertices: usize,
+    /// Volume within the triangles.
+    pub volume_m3: f64,
+}
+
+/// Why there is no STL.
+#[derive(Debug, thiserror::Error)]
+pub enum StlError {
+    /// The chord error is out of range.
+    #[error(transparent)]
+    Chord(#[from] InputError),
+    /// The bytes could not be put together.
+    #[error("cannot write the STL: {0}")]
+    Write(#[from] std::io::Error),
+}
+
+/// Meshes the ring with a chord error of at most `chord_m` and writes it. The same ring
+/// gives the same bytes.
+///
+/// # Errors
+/// A [`StlError`] if `chord_m` is out of the range of [`Mesh::new`].
+pub fn write(ring: &OuterRing, chord_m: f64) -> Result<StlFile, StlError> {
+    // Half a unit in the last place of the largest coordinate, each way.
+    let largest_mm = ring.dimensions().outer_ring_outer_radius_m * 1e3;
+    let rounding_m = 3f64.sqrt() * largest_mm * f64::from(f32::EPSILON) / 2.0 * 1e-3;
+    let mut mesh = Mesh::new(ring, chord_m)?;
+    if mesh.deviation_m + rounding_m > chord_m {
+        mesh = Mesh::new(ring, chord_m - rounding_m)?;
+    }
+    let vertices: Vec<[f32; 3]> = (mesh.vertices_m.iter())
+        .map(|v| v.map(|c| (c * 1e3) as f32))
+        .collect();
+    let triangles: Vec<Triangle> = (mesh.triangles.iter())
+        .map(|t| triangle(t.map(|k| vertices[k as usize])))
+        .collect();
+    let mut bytes = Vec::new();
+    stl_io::write_stl(&mut bytes, triangles.iter())?;
+    Ok(StlFile {
+        bytes,
+        deviation_m: mesh.deviation_m + rounding_m,
+        triangles: triangles.len(),
+        vertices: vertices.len(),
+        volume_m3: mesh.volume_m3(),
+    })
+}
+
+fn triangle(corners: [[f32; 3]; 3]) -> Triangle {
+    let [a, b, c] = corners.map(|p| p.map(f64::from));
+    let (u, v) = (
+        [b[0] - a[0], b[1] - a[1], b[2] - a[2]],
+        [c[0] - a[0], c[1] - a[1], c[2] - a[2]],
+    );
+    let n = [
+        u[1] * v[2] - u[2] * v[1],
+        u[2] * v[0] - u[0] * v[2],
+        u[0] * v[1] - u[1] * v[0],
+    ];
+    let length = n.iter().map(|x| x * x).sum::<f64>().sqrt();
+    Triangle {
+        normal: Normal::new(n.map(|x| (x / length) as f32)),
+        vertices: corners.map(Vertex::new),
+    }
+}

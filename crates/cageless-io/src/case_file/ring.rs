@@ -1,0 +1,50 @@
+//! What `export` needs of a case file besides the case: the outside of the outer ring.
+
+use cageless::InputError;
+use cageless::surface::OuterRingDimensions;
+
+use super::convert::Converter;
+use super::tree::join;
+use super::unit::Unit;
+use super::{CaseError, CaseFile, keys, reader};
+
+const SECTION: &str = "bearing";
+
+impl CaseFile {
+    /// The outside of the outer ring, to be blended over `blend_m`.
+    ///
+    /// # Errors
+    /// A [`CaseError`] if the file leaves out one of its two dimensions.
+    pub fn outer_ring_dimensions(&self, blend_m: f64) -> Result<OuterRingDimensions, CaseError> {
+        let b = &self.document.bearing;
+        let required = |name: &str, value: Option<f64>| {
+            value
+                .map(|mm| Unit::Millimetre.to_si(mm))
+                .ok_or_else(|| self.missing_for_export(name))
+        };
+        Ok(OuterRingDimensions {
+            outer_ring_outer_radius_m: required(
+                "outer_ring_outer_radius_mm",
+                b.outer_ring_outer_radius_mm,
+            )?,
+            outer_ring_width_m: required("outer_ring_width_mm", b.outer_ring_width_mm)?,
+            blend_m,
+        })
+    }
+
+    /// What is wrong with the outer ring, in terms of the file.
+    pub fn refused(&self, error: &InputError) -> CaseError {
+        let converter = Converter {
+            document: &self.document,
+            places: &self.places,
+        };
+        converter.refused(error, None)
+    }
+
+    fn missing_for_export(&self, name: &str) -> CaseError {
+        let path = join(SECTION, name);
+        let meaning = keys::find(SECTION, name).map_or_else(String::new, reader::describe);
+        let message = format!("{path} is missing in [{SECTION}], and `export` needs it: {meaning}");
+        self.places.error(&path, message)
+    }
+}
