@@ -2,7 +2,7 @@
 //!
 //! Meridian planes between sectors cut the groove and the shoulders; the cylinder outside
 //! is in two halves and each side face is whole. Plain sectors are tori; discrete raceways
-//! two B-spline faces that meet in a ridge at z = 0.
+//! and their blends two B-spline faces each that meet in a ridge at z = 0.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -155,14 +155,15 @@ impl Solid {
         let at = |rho: f64, z: f64| [rho * e[0], rho * e[1], z];
         let rim = [half, -half].map(|z| self.vertex(at(ros, z)));
         let shoulder = [groove, -groove].map(|z| self.vertex(at(ros, z)));
-        let bottom = self.vertex(at(ring.groove_bottom_radius_m(), 0.0));
+        let bottom = self.vertex(at(meridian.radius_m(0.0), 0.0));
         let up = || Curve::Line([0.0, 0.0, 1.0]);
-        let arc = || Curve::Circle {
-            centre: at(meridian.centre_radius_m, 0.0),
+        let arc = |height: f64| Curve::Circle {
+            centre: at(meridian.centre_radius_m, height),
             axis: t,
             reference: e,
             radius_m: meridian.curvature_radius_m,
         };
+        let height = meridian.centre_height_m;
         Station {
             wall: [
                 self.edge(up(), shoulder[0], rim[0]),
@@ -170,8 +171,8 @@ impl Solid {
             ],
             // About t the circle runs from +z to −z.
             arc: [
-                self.edge(arc(), shoulder[0], bottom),
-                self.edge(arc(), bottom, shoulder[1]),
+                self.edge(arc(height), shoulder[0], bottom),
+                self.edge(arc(-height), bottom, shoulder[1]),
             ],
             rim,
             shoulder,

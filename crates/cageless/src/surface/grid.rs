@@ -19,18 +19,14 @@ impl Grid {
     /// in them no further apart along the arc. The ends of raceways and blends are rows.
     pub fn new(ring: &OuterRing, spacing_m: f64) -> Self {
         let step = spacing_m / ring.groove_bottom_radius_m();
-        let mut meridians: Vec<Meridian> = ring
-            .sectors()
+        let sectors = ring.sectors();
+        let mut meridians: Vec<Meridian> = sectors
             .iter()
             .flat_map(|sector| {
-                let ends = ring.smooth_parts(sector);
-                let rows = ends.windows(2).flat_map(|ends| {
-                    let count = ((ends[1] - ends[0]) / step).ceil().max(1.0);
-                    let (start, length) = (ends[0], ends[1] - ends[0]);
-                    (0..count as usize).map(move |k| start + length * k as f64 / count)
-                });
-                rows.map(|psi| ring.meridian_in(sector, psi))
-                    .collect::<Vec<_>>()
+                let (start, length) = (sector.start_rad, sector.end_rad - sector.start_rad);
+                let count = (length / step).ceil().max(1.0);
+                (0..count as usize)
+                    .map(move |k| ring.meridian_in(sector, start + length * k as f64 / count))
             })
             .map(|m| Meridian {
                 angle_rad: wrapped(m.angle_rad),

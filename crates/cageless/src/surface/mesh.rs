@@ -1,7 +1,7 @@
 //! The solid as a closed mesh of triangles.
 
 use super::grid::{row_rad, widest_arc_rad};
-use super::patch::subdivided;
+use super::patch::equal_parts;
 use super::{Meridian, OuterRing};
 use crate::error::{Allowed, InputError};
 use crate::numerics::bspline::Vec3;
@@ -51,29 +51,27 @@ impl Mesh {
         let steps = (widest_arc_rad(ring) / arc).ceil().max(2.0) as usize;
         let mut rows = Vec::new();
         let mut deviation_m = 0.0f64;
+        let outside = ring.dimensions().outer_ring_outer_radius_m;
+        // Sagitta of the cylinder outside: R(1 − cos Δ/2).
+        let widest = 2.0 * (1.0 - 0.99 * chord_m / outside).acos();
         for sector in ring.sectors() {
-            for ends in ring.smooth_parts(&sector).windows(2) {
-                let outside = ring.dimensions().outer_ring_outer_radius_m;
-                // Sagitta of the cylinder outside: R(1 − cos Δ/2).
-                let widest = 2.0 * (1.0 - 0.99 * chord_m / outside).acos();
-                let mut count = ((ends[1] - ends[0]) / widest).ceil().max(2.0) as usize;
-                loop {
-                    let angles = subdivided(ends, &[count]);
-                    let part: Vec<Row> = (angles.iter())
-                        .map(|&psi| Row::new(ring.meridian_in(&sector, psi), steps))
-                        .collect();
-                    let locate = |angle: f64| ring.meridian_in(&sector, angle);
-                    let groove = worst_m(&part, locate);
-                    if groove <= chord_m {
-                        let half = (ends[1] - ends[0]) / count as f64 / 2.0;
-                        let sagitta = outside * (1.0 - half.cos());
-                        deviation_m = deviation_m.max(groove).max(sagitta);
-                        rows.extend(part.into_iter().take(count));
-                        break;
-                    }
-                    let more = (groove / chord_m).sqrt().clamp(1.05, 4.0);
-                    count = (count as f64 * more).ceil() as usize;
+            let length = sector.end_rad - sector.start_rad;
+            let mut count = (length / widest).ceil().max(2.0) as usize;
+            loop {
+                let part: Vec<Row> = equal_parts(sector.start_rad, sector.end_rad, count)
+                    .into_iter()
+                    .map(|psi| Row::new(ring.meridian_in(&sector, psi), steps))
+                    .collect();
+                let groove = worst_m(&part, |angle| ring.meridian_in(&sector, angle));
+                if groove <= chord_m {
+                    let sagitta = outside * (1.0 - (length / count as f64 / 2.0).cos());
+                    deviation_m = deviation_m.max(groove).max(sagitta);
+                    // The last row is the first of the next sector.
+                    rows.extend(part.into_iter().take(count));
+                    break;
                 }
+                let more = (groove / chord_m).sqrt().clamp(1.05, 4.0);
+                count = (count as f64 * more).ceil() as usize;
             }
         }
         Ok(Self::closed(ring, &rows, deviation_m))

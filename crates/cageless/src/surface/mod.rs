@@ -61,7 +61,7 @@ pub struct OuterRing {
 const BLEND_SHARE_MIN: f64 = 0.002;
 /// Longest blend in shares of half a raceway: the middle half stays as designed.
 const BLEND_SHARE_MAX: f64 = 0.5;
-/// Gauss panels of ten points between two points where the surface is not smooth.
+/// Gauss panels of ten points in a sector of a discrete raceway.
 const VOLUME_PANELS: usize = 24;
 
 impl OuterRing {
@@ -171,10 +171,13 @@ impl OuterRing {
     /// Section of a sector at ψ; at its ends the limit from within.
     pub fn meridian_in(&self, sector: &Sector, angle_rad: f64) -> Meridian {
         match sector.raceway {
-            Some(k) => Meridian {
-                angle_rad,
-                ..self.zone_meridian(k, angle_rad - sector.middle_rad())
-            },
+            Some(k) => {
+                let centre = self.zones[k].raceway().dimensions().centre_angle_rad;
+                Meridian {
+                    angle_rad,
+                    ..self.zone_meridian(k, wrapped(angle_rad - centre))
+                }
+            }
             None => self.plain_meridian(angle_rad),
         }
     }
@@ -233,14 +236,10 @@ impl OuterRing {
             .iter()
             .map(|sector| match sector.raceway {
                 None => (sector.end_rad - sector.start_rad) * moment(self.plain_meridian(0.0)),
-                Some(_) => self
-                    .smooth_parts(sector)
-                    .windows(2)
-                    .map(|ends| {
-                        let f = |angle| moment(self.meridian_in(sector, angle));
-                        gauss(f, ends[0], ends[1], VOLUME_PANELS)
-                    })
-                    .sum(),
+                Some(_) => {
+                    let f = |angle| moment(self.meridian_in(sector, angle));
+                    gauss(f, sector.start_rad, sector.end_rad, VOLUME_PANELS)
+                }
             })
             .sum()
     }

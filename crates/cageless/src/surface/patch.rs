@@ -18,7 +18,7 @@ pub struct Patch {
 /// The tolerance is out of reach.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error(
-    "a B-spline of {POINTS_MAX} points per stretch is still {reached_m:e} m off the surface, \
+    "a B-spline of {INTERVALS_MAX} intervals each way is still {reached_m:e} m off the surface, \
      more than {tolerance_m:e} m"
 )]
 pub struct PatchError {
@@ -28,8 +28,8 @@ pub struct PatchError {
     pub reached_m: f64,
 }
 
-/// Most intervals between two points where the surface is not smooth.
-const POINTS_MAX: usize = 2000;
+/// Most intervals each way, give or take a third.
+const INTERVALS_MAX: usize = 500;
 
 impl Patch {
     /// Interpolates the surface, with its own tangents at the ends, at as many points as
@@ -38,33 +38,28 @@ impl Patch {
     /// # Errors
     /// A [`PatchError`] if the points would become too many.
     pub fn fit(ring: &OuterRing, sector: &Sector, tolerance_m: f64) -> Result<Self, PatchError> {
-        let ends = ring.smooth_parts(sector);
-        let mut along = vec![4; ends.len() - 1];
-        let mut across = 4;
+        let (mut along, mut across) = (4, 4);
         loop {
-            let along_rad = subdivided(&ends, &along);
-            let patch = Self::interpolated(ring, sector, along_rad, uniform(across));
+            let along_rad = equal_parts(sector.start_rad, sector.end_rad, along);
+            let patch = Self::interpolated(ring, sector, along_rad, equal_parts(0.0, 1.0, across));
             let reached_m = patch.deviation_m(ring, sector);
             if reached_m <= tolerance_m {
                 return Ok(patch);
             }
-            // At its sites a direction is exact: what is off there is the other's.
-            let mut refined = false;
-            let half = tolerance_m / 2.0;
-            for (part, count) in along.iter_mut().enumerate() {
-                let within = [ends[part], ends[part + 1]];
-                if patch.deviation_along_m(ring, sector, within) > half {
-                    (*count, refined) = (finer(*count), true);
-                }
-            }
-            if !refined || patch.deviation_across_m(ring, sector) > half {
-                across = finer(across);
-            }
-            if along.iter().chain([&across]).any(|&n| n > POINTS_MAX) {
+            if along.max(across) > INTERVALS_MAX {
                 return Err(PatchError {
                     tolerance_m,
                     reached_m,
                 });
+            }
+            // At its sites a direction is exact: what is off there is the other's.
+            let half = tolerance_m / 2.0;
+            let off_along = patch.deviation_along_m(ring, sector) > half;
+            if off_along {
+                along = finer(along);
+            }
+            if !off_along || patch.deviation_across_m(ring, sector) > half {
+                across = finer(across);
             }
         }
     }
@@ -143,14 +138,9 @@ impl Patch {
         self.worst_m(ring, sector, &along, &across)
     }
 
-    fn deviation_along_m(&self, ring: &OuterRing, sector: &Sector, within: [f64; 2]) -> f64 {
-        let inside = |psi: &f64| (within[0]..=within[1]).contains(psi);
-        let along: Vec<f64> = between(&self.along_rad)
-            .into_iter()
-            .filter(inside)
-            .collect();
-        let middle = self.across.len() / 2;
-        self.worst_m(ring, sector, &along, &[0.0, self.across[middle], 1.0])
+    fn deviation_along_m(&self, ring: &OuterRing, sector: &Sector) -> f64 {
+        let across = [0.0, self.across[self.across.len() / 2], 1.0];
+        self.worst_m(ring, sector, &between(&self.along_rad), &across)
     }
 
     fn deviation_across_m(&self, ring: &OuterRing, sector: &Sector) -> f64 {
@@ -258,16 +248,10 @@ fn finer(count: usize) -> usize {
     count + count.div_ceil(3)
 }
 
-fn uniform(count: usize) -> Vec<f64> {
-    (0..=count).map(|k| k as f64 / count as f64).collect()
-}
-
-/// The ends and, between each two, the points of so many equal parts.
-pub(super) fn subdivided(ends: &[f64], counts: &[usize]) -> Vec<f64> {
-    let parts = ends.windows(2).zip(counts).flat_map(|(ends, &count)| {
-        (0..count).map(move |k| ends[0] + (ends[1] - ends[0]) * k as f64 / count as f64)
-    });
-    parts.chain(ends.last().copied()).collect()
+/// The ends of so many equal parts.
+pub(super) fn equal_parts(start: f64, end: f64, count: usize) -> Vec<f64> {
+    let inner = (0..count).map(|k| start + (end - start) * k as f64 / count as f64);
+    inner.chain([end]).collect()
 }
 
 /// Nine points of each interval.

@@ -1,4 +1,5 @@
-//! The ring in sectors that are either a discrete raceway or plain.
+//! The ring in sectors within which its surface is smooth: plain ones, discrete raceways and
+//! their blends.
 
 use std::f64::consts::{PI, TAU};
 
@@ -11,8 +12,10 @@ pub struct Sector {
     pub start_rad: f64,
     /// ψ of its end, above the start; the start of the next sector, give or take a turn.
     pub end_rad: f64,
-    /// Index of the discrete raceway that it is; `None` for a plain one.
+    /// Index of the discrete raceway that it belongs to; `None` for a plain one.
     pub raceway: Option<usize>,
+    /// Whether it is a blend at an end of that raceway.
+    pub blend: bool,
 }
 
 /// Raceways closer than this touch: it is rounding of their angles.
@@ -28,47 +31,44 @@ impl Sector {
 impl OuterRing {
     /// The sectors in the order of ψ, all round, none of more than 180°.
     pub fn sectors(&self) -> Vec<Sector> {
-        let mut zones: Vec<Sector> = (self.zones.iter().enumerate())
-            .map(|(k, zone)| {
-                let d = zone.raceway().dimensions();
-                let middle = wrapped(d.centre_angle_rad);
-                Sector {
-                    start_rad: middle - d.half_angle_rad,
-                    end_rad: middle + d.half_angle_rad,
-                    raceway: Some(k),
-                }
-            })
-            .collect();
-        zones.sort_by(|a, b| a.start_rad.total_cmp(&b.start_rad));
-        let Some(first) = zones.first().copied() else {
+        let mut zones: Vec<Vec<Sector>> = (0..self.zones.len()).map(|k| self.parts(k)).collect();
+        zones.sort_by(|a, b| a[0].start_rad.total_cmp(&b[0].start_rad));
+        let Some(first) = zones.first().map(|zone| zone[0].start_rad) else {
             return plain(-PI, PI);
         };
-        let starts = zones[1..].iter().map(|z| z.start_rad);
-        let next: Vec<f64> = starts.chain([first.start_rad + TAU]).collect();
+        let starts = zones[1..].iter().map(|zone| zone[0].start_rad);
+        let next: Vec<f64> = starts.chain([first + TAU]).collect();
         zones
-            .iter()
+            .into_iter()
             .zip(next)
-            .flat_map(|(&zone, next)| {
-                let mut sectors = vec![zone];
-                if next - zone.end_rad > TOUCHING_RAD {
-                    sectors.extend(plain(zone.end_rad, next));
+            .flat_map(|(mut sectors, next)| {
+                let end = sectors[sectors.len() - 1].end_rad;
+                if next - end > TOUCHING_RAD {
+                    sectors.extend(plain(end, next));
                 }
                 sectors
             })
             .collect()
     }
 
-    /// ψ between which a sector is smooth, its ends included.
-    pub(super) fn smooth_parts(&self, sector: &Sector) -> Vec<f64> {
-        let (start, end) = (sector.start_rad, sector.end_rad);
-        let blend = sector.raceway.and_then(|k| {
-            let zone = &self.zones[k];
-            Some(zone.raceway().half_angle_rad() - zone.blend_start_rad()?)
-        });
-        match blend {
-            Some(length) => vec![start, start + length, end - length, end],
-            None => vec![start, end],
-        }
+    /// A discrete raceway: blend, middle, blend; or the middle alone.
+    fn parts(&self, index: usize) -> Vec<Sector> {
+        let zone = &self.zones[index];
+        let d = zone.raceway().dimensions();
+        let (middle, theta) = (wrapped(d.centre_angle_rad), d.half_angle_rad);
+        let ends = match zone.blend_start_rad() {
+            Some(start) => vec![-theta, -start, start, theta],
+            None => vec![-theta, theta],
+        };
+        let parts = ends.len() - 1;
+        (0..parts)
+            .map(|k| Sector {
+                start_rad: middle + ends[k],
+                end_rad: middle + ends[k + 1],
+                raceway: Some(index),
+                blend: parts == 3 && k != 1,
+            })
+            .collect()
     }
 }
 
@@ -81,6 +81,7 @@ fn plain(start_rad: f64, end_rad: f64) -> Vec<Sector> {
             start_rad: angle(k as f64),
             end_rad: angle(k as f64 + 1.0),
             raceway: None,
+            blend: false,
         })
         .collect()
 }
