@@ -67,7 +67,7 @@ impl Blend {
         let start_rad = raceway.half_angle_rad() - length_rad;
         let slope_at = |local: f64| raceway.contact_angle_rad(local)[1];
         // Far from the end in its own scale, where the slope is analytic.
-        let h = length_rad / 8.0;
+        let h = length_rad / 32.0;
         let bend = (8.0 * (slope_at(start_rad + h) - slope_at(start_rad - h))
             - slope_at(start_rad + 2.0 * h)
             + slope_at(start_rad - 2.0 * h))

@@ -1,0 +1,266 @@
+//! `cageless export`: what it prints and writes where, and what it refuses.
+//! What is in the files is checked by `tests/tools/cad.py`.
+
+mod common;
+
+use std::path::Path;
+
+use common::*;
+
+const SIZE: [&str; 2] = [
+    "bearing.outer_ring_outer_radius_mm=31",
+    "bearing.outer_ring_width_mm=16",
+];
+
+fn export(sets: &[&str], more: &[&str]) -> Answer {
+    let sets = [&SIZE[..], sets].concat();
+    call_on("export", &repository_case("zhao-d.toml"), &sets, more)
+}
+
+fn assert_refused(answer: &Answer, fragments: &[&str]) {
+    assert_eq!(answer.code, Some(2), "{answer:?}");
+    assert_eq!(answer.stdout, "", "{answer:?}");
+    for fragment in fragments {
+        assert!(answer.stderr.contains(fragment), "{fragment}: {answer:?}");
+    }
+}
+
+#[test]
+fn a_file_and_its_numbers() {
+    let dir = tempfile::tempdir().unwrap();
+    for (format, own) in [
+        (
+            "step",
+            &["tolerance_um", "faces", "bspline_faces", "control_points"][..],
+        ),
+        (
+            "stl",
+            &["chord_um", "triangles", "vertices", "mesh_volume_mm3"],
+        ),
+        ("csv", &["spacing_mm", "surface_points", "contact_points"]),
+    ] {
+        let path = dir.path().join(format!("ring.{format}"));
+        let out = path.to_str().unwrap();
+        let answer = export(&[], &["--format", format, "--json", "--out", out]);
+        assert_eq!(answer.code, Some(0), "{answer:?}");
+        assert_eq!(answer.stderr, "");
+        let d = answer.json();
+        let number = |key: &str| d[key].as_f64().unwrap_or_else(|| panic!("{key}: {d}"));
+        assert_eq!(d["format"], format);
+        assert_eq!(d["file"], out);
+        assert_eq!(
+            number("bytes"),
+            std::fs::metadata(&path).unwrap().len() as f64
+        );
+        for key in own {
+            assert!(number(key) > 0.0, "{key}");
+        }
+        assert!((number("volume_mm3") - 12_767.968).abs() < 1e-3);
+        let most = [("step", 0.01), ("stl", 5.0), ("csv", 1e-3)];
+        let most = most.iter().find(|m| m.0 == format).unwrap().1;
+        assert!(number("deviation_um") <= most, "{d}");
+        assert_eq!(number("blend_mm"), 0.5);
+        assert!((0.5..2.0).contains(&number("blend_deviation_um")));
+        assert_eq!(number("kink_45_deg"), 0.0);
+        assert!((number("design_kink_45_deg") - 0.654).abs() < 1e-3);
+        // The same bytes again.
+        let first = std::fs::read(&path).unwrap();
+        export(&[], &["--format", format, "--out", out]);
+        assert_eq!(std::fs::read(&path).unwrap(), first);
+    }
+    assert_eq!(names(dir.path()), ["ring.csv", "ring.step", "ring.stl"]);
+}
+
+#[test]
+fn a_folder_gets_the_file_and_its_numbers() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("new").join("folder");
+    let more = ["--format", "step", "--out", out.to_str().unwrap()];
+    let answer = export(&[], &more);
+    assert_eq!(answer.code, Some(0), "{answer:?}");
+    assert!(answer.stdout.contains("volume of the ring"));
+    assert_eq!(names(&out), ["export.json", "outer_ring.step"]);
+    assert_eq!(json_file(&out.join("export.json"))["bspline_faces"], 6);
+}
+
+/// Without `--out` the file itself, and the numbers beside it; with `--json` the numbers.
+#[test]
+fn stdout_takes_one_thing() {
+    let answer = export(&[], &["--format", "csv"]);
+    assert_eq!(answer.code, Some(0), "{answer:?}");
+    assert!(
+        answer
+            .stdout
+            .starts_with("kind,side,psi_deg,eta_deg,x_mm,y_mm,z_mm,nx,ny,nz\n")
+    );
+    assert!(answer.stderr.contains("deviation from the surface"));
+    let answer = export(&[], &["--format", "step"]);
+    assert!(answer.stdout.starts_with("ISO-10303-21;\n"));
+    assert!(answer.stdout.ends_with("END-ISO-10303-21;\n"));
+    let answer = export(&[], &["--format", "stl", "--json"]);
+    assert!(answer.json()["file"].is_null());
+}
+
+/// The user chooses: blended over a stated length, or the kink left and its angle stated.
+#[test]
+fn the_kink_is_blended_or_stated() {
+    let numbers =
+        |blend: &str| export(&[], &["--format", "step", "--json", "--blend-mm", blend]).json();
+    let left = numbers("0");
+    assert_eq!(left["kink_45_deg"], left["design_kink_45_deg"]);
+    assert_eq!(left["blend_deviation_um"], 0.0);
+    assert_eq!(left["bspline_faces"], 2);
+    let blended = numbers("1.25");
+    assert_eq!(blended["blend_mm"], 1.25);
+    assert_eq!(blended["kink_shoulder_deg"], 0.0);
+    let text = export(&[], &["--format", "step", "--json", "--blend-mm", "0"]);
+    assert_eq!(text.code, Some(0));
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("ring.step");
+    let more = [
+        "--format",
+        "step",
+        "--blend-mm",
+        "0",
+        "--out",
+        out.to_str().unwrap(),
+    ];
+    assert!(export(&[], &more).stdout.contains("left: 0.6544°"));
+}
+
+#[test]
+fn what_only_export_needs_is_asked_for() {
+    let case = repository_case("zhao-d.toml");
+    for (set, missing) in [
+        (SIZE[0], "outer_ring_width_mm"),
+        (SIZE[1], "outer_ring_outer_radius_mm"),
+    ] {
+        let answer = call_on("export", &case, &[set], &["--format", "step"]);
+        let key = format!("bearing.{missing} is missing in [bearing], and `export` needs it");
+        assert_refused(&answer, &[&key, "zhao-d.toml:6:", "in mm"]);
+        assert_eq!(answer.stderr.lines().count(), 1, "{}", answer.stderr);
+    }
+}
+
+#[test]
+fn rings_that_cannot_be() {
+    for (set, fragments) in [
+        // Deeper in the raceway than Ro.
+        (
+            "bearing.outer_ring_outer_radius_mm=27.78",
+            &["outer_ring_outer_radius_mm = 27.78", "more than 27.793"][..],
+        ),
+        (
+            "bearing.outer_ring_outer_radius_mm=27",
+            &["more than 27.765 mm"],
+        ),
+        (
+            "bearing.outer_ring_width_mm=7.5",
+            &["outer_ring_width_mm = 7.5", "more than 7.58"],
+        ),
+        (
+            "bearing.outer_ring_width_mm=nan",
+            &["a finite number of mm"],
+        ),
+    ] {
+        let answer = export(&[set], &["--format", "step", "--json"]);
+        assert_refused(&answer, fragments);
+        assert!(
+            answer.stderr.starts_with(&format!("error: --set {set}: ")),
+            "{answer:?}"
+        );
+    }
+}
+
+#[test]
+fn flags_that_cannot_be() {
+    for (more, fragments) in [
+        (
+            &["--format", "step", "--blend-mm", "-1"][..],
+            &["--blend-mm -1 mm", "at least 0"][..],
+        ),
+        (
+            &["--format", "step", "--blend-mm", "7"],
+            &["--blend-mm 7 mm", "6.10", "or 0"],
+        ),
+        (
+            &["--format", "step", "--blend-mm", "0.001"],
+            &["--blend-mm 0.001 mm", "0.0244"],
+        ),
+        (&["--format", "step", "--blend-mm", "nan"], &["--blend-mm"]),
+        (
+            &["--format", "step", "--tolerance-um", "0"],
+            &["--tolerance-um 0", "0.0001"],
+        ),
+        (
+            &["--format", "step", "--tolerance-um", "inf"],
+            &["--tolerance-um inf"],
+        ),
+        (
+            &["--format", "step", "--chord-um", "5"],
+            &["--chord-um 5", "--format stl"],
+        ),
+        (
+            &["--format", "stl", "--json", "--chord-um", "0.001"],
+            &["--chord-um 0.001 µm", "0.05 µm"],
+        ),
+        (
+            &["--format", "stl", "--json", "--chord-um", "500"],
+            &["--chord-um 500 µm", "100 µm"],
+        ),
+        (
+            &["--format", "csv", "--spacing-mm", "0"],
+            &["--spacing-mm 0", "0.01"],
+        ),
+        (
+            &["--format", "csv", "--spacing-mm", "nan"],
+            &["--spacing-mm NaN"],
+        ),
+        (&["--format", "iges"], &["iges", "step, stl, csv"]),
+        (&[], &["--format"]),
+        (
+            &["--format", "stl", "--out", "ring.step"],
+            &["ring.step", "--format step"],
+        ),
+    ] {
+        assert_refused(&export(&[], more), fragments);
+    }
+}
+
+#[test]
+fn places_that_cannot_be_written_to() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("file");
+    std::fs::write(&file, "keep me").unwrap();
+    let folder = dir.path().join("there.step").join("outer_ring.step");
+    std::fs::create_dir_all(&folder).unwrap();
+    let text = |p: &Path| p.to_str().unwrap().to_owned();
+    for out in [
+        text(&file),
+        text(&file.join("below")),
+        text(&file.join("ring.step")),
+        text(&dir.path().join("missing").join("ring.step")),
+        // A folder in spite of its name, in which another has the name of the file.
+        text(folder.parent().unwrap()),
+    ] {
+        let answer = export(&[], &["--format", "step", "--out", &out]);
+        assert_refused(&answer, &["--out", &out]);
+    }
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), "keep me");
+    assert_eq!(names(dir.path()), ["file", "there.step"]);
+}
+
+/// A raceway so short that half a millimetre would be most of it is blended over less.
+#[test]
+fn short_raceways_have_short_blends() {
+    let answer = export(
+        &["raceway.half_angle_deg=3", "raceway.axial_span_mm=6"],
+        &["--format", "step", "--json"],
+    );
+    assert_eq!(answer.code, Some(0), "{answer:?}");
+    let blend = answer.json()["blend_mm"].as_f64().unwrap();
+    assert!(
+        (blend - 0.2 * 3f64.to_radians() * 27.765).abs() < 1e-9,
+        "{blend}"
+    );
+}

@@ -1,0 +1,413 @@
+"""Files of `cageless export`, read by the tools that users have.
+
+OpenCASCADE opens the STEP files, trimesh the STL files and the csv module the points. The
+surface that they are held against is worked out again here, in numpy, from Eq. (4) to (7)
+of Zhao 2022 and the blend of docs/theory/cad.md.
+
+    python cad.py path/to/cageless path/to/a/scratch/folder
+"""
+
+import csv
+import json
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import trimesh
+from OCP.BRep import BRep_Builder, BRep_Tool
+from OCP.BRepAdaptor import BRepAdaptor_Surface
+from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeVertex
+from OCP.BRepCheck import BRepCheck_Analyzer
+from OCP.BRepClass import BRepClass_FaceClassifier
+from OCP.BRepExtrema import BRepExtrema_DistShapeShape
+from OCP.BRepGProp import BRepGProp
+from OCP.BRepTools import BRepTools
+from OCP.GeomAbs import GeomAbs_SurfaceType as Kind
+from OCP.gp import gp_Pnt, gp_Pnt2d
+from OCP.GProp import GProp_GProps
+from OCP.IFSelect import IFSelect_ReturnStatus
+from OCP.ShapeAnalysis import ShapeAnalysis_ShapeTolerance
+from OCP.ShapeFix import ShapeFix_Shape
+from OCP.STEPControl import STEPControl_Reader
+from OCP.TopAbs import TopAbs_ShapeEnum as Shape
+from OCP.TopAbs import TopAbs_State
+from OCP.TopExp import TopExp_Explorer
+from OCP.TopoDS import TopoDS, TopoDS_Compound
+
+# Bearing, raceways (span mm, half angle °, centre °) and blends in mm that each case is
+# exported with. 6.9 mm by 10° and 4 mm by 40° are near the constraints, Eq. (8) and (9).
+PAPER = {}
+SLIM = {"outer_ring_outer_radius_mm": 27.9, "outer_ring_width_mm": 7.6}
+# Three large balls: the circle of the groove crosses the axis.
+THREE = {
+    "balls": 3, "ball_radius_mm": 4.0, "inner_groove_bottom_radius_mm": 0.65,
+    "outer_groove_bottom_radius_mm": 8.65, "outer_shoulder_radius_mm": 7.0,
+    "inner_groove_curvature_radius_mm": 4.2, "outer_groove_curvature_radius_mm": 4.4,
+    "outer_ring_outer_radius_mm": 11.0, "outer_ring_width_mm": 10.0,
+}  # fmt: skip
+LARGE = {
+    "balls": 20, "ball_radius_mm": 40.0, "inner_groove_bottom_radius_mm": 220.0,
+    "outer_groove_bottom_radius_mm": 300.05, "outer_shoulder_radius_mm": 288.0,
+    "inner_groove_curvature_radius_mm": 41.6, "outer_groove_curvature_radius_mm": 42.4,
+    "outer_ring_outer_radius_mm": 350.0, "outer_ring_width_mm": 120.0,
+}  # fmt: skip
+CASES = {
+    "conventional": (PAPER, [], [0.5]),
+    "structure-d": (PAPER, [(5.1, 25.2, 0.0)], [0.5, 0.0]),
+    "two": (PAPER, [(5.1, 25.2, 17.3), (6.0, 12.717, -141.9)], [0.3, 0.0]),
+    "touching": (PAPER, [(5.6, 15.774, 171.0), (5.1, 20.0, -153.225_999_99)], [2.0, 0.0]),
+    "narrow": (SLIM, [(6.9, 10.0, 90.0)], [0.01, 2.4]),
+    "wide": (PAPER, [(4.0, 40.0, -90.0)], [1.0]),
+    "three-balls": (THREE, [(4.0, 25.0, 200.0)], [0.5]),
+    "large": (LARGE, [(42.0, 20.0, -33.3)], [0.0, 10.0]),
+}
+
+passed = failed = 0
+
+
+def check(what, ok, detail=""):
+    global passed, failed
+    if ok:
+        passed += 1
+    else:
+        failed += 1
+        print(f"FAILED: {what} {detail}")
+
+
+def below(what, found, allowed):
+    worst = float(np.max(np.abs(found), initial=0.0))
+    check(what, worst <= allowed, f"({worst:.3e}, allowed {allowed:.1e})")
+
+
+class Ring:
+    """The analytic outer ring in millimetres and radians."""
+
+    def __init__(self, case, blend):
+        b = case["bearing"]
+        self.rw, self.ro = b["ball_radius_mm"], b["outer_groove_bottom_radius_mm"]
+        self.re, self.ros = b["outer_groove_curvature_radius_mm"], b["outer_shoulder_radius_mm"]
+        self.outer, self.width = b["outer_ring_outer_radius_mm"], b["outer_ring_width_mm"]
+        self.t = self.ro - self.rw
+        self.blend = blend
+        raceways = case.get("raceway", [])
+        self.raceways = [
+            (r["axial_span_mm"], np.radians(r["half_angle_deg"]), np.radians(r.get("centre_angle_deg", 0.0)))
+            for r in (raceways if isinstance(raceways, list) else [raceways])
+        ]  # fmt: skip
+
+    def path_angle(self, span, theta, psi):
+        """Contact angle of Eq. (4) to (6) at |psi| <= theta, by bisection for x."""
+        ro, sin, cos = self.ro, np.sin(theta), np.cos(theta)
+        c = -(self.t + np.sqrt(self.rw**2 - span**2 / 4))
+        rise = ro * sin * np.tan(theta)
+        a = (rise + 2 * ro * cos + 2 * c) / (2 * ro**4 * sin**4)
+        b = -(4 * c + rise + 4 * ro * cos) / (2 * ro**2 * sin**2)
+        psi = np.abs(psi)
+        low, high = np.zeros_like(psi), np.full_like(psi, ro * sin * (1 + 1e-9))
+        for _ in range(60):
+            x = (low + high) / 2
+            ahead = x * np.cos(psi) + (a * x**4 + b * x**2 + c) * np.sin(psi) > 0
+            low, high = np.where(ahead, low, x), np.where(ahead, x, high)
+        x = (low + high) / 2
+        r = np.hypot(x, a * x**4 + b * x**2 + c) - self.t
+        return np.arctan2(np.sqrt(np.maximum(self.rw**2 - r**2, 0)), r)
+
+    def contact_angle(self, psi):
+        """Contact angle all round, blended."""
+        angle = np.zeros_like(psi)
+        for span, theta, centre in self.raceways:
+            local = np.abs((psi - centre + np.pi) % (2 * np.pi) - np.pi)
+            inside = local < theta
+            angle[inside] = self.path_angle(span, theta, local[inside])
+            length = self.blend / self.ro
+            if length == 0:
+                continue
+            start = theta - length
+            # Value, slope and curvature there, by a polynomial through its surroundings;
+            # one side of it lies within the blend, where the path is smooth as well.
+            at = np.linspace(-0.8, 0.8, 17)
+            fit = np.polynomial.Polynomial.fit(at, self.path_angle(span, theta, start + at * length), 10)
+            value, slope, bend = fit(0.0), fit.deriv()(0.0), fit.deriv(2)(0.0)
+            t = (local - start) / length
+            within = inside & (t > 0)
+            t = t[within]
+            angle[within] = (1 - t) ** 3 * (
+                value + (3 * value + slope) * t + (6 * value + 3 * slope + bend / 2) * t**2
+            )
+        return angle
+
+    def groove(self, psi, z):
+        """Radius of the groove."""
+        angle = self.contact_angle(psi)
+        back = self.re - self.rw
+        rise = np.abs(z) + back * np.sin(angle)
+        return self.t - back * np.cos(angle) + np.sqrt(self.re**2 - rise**2)
+
+    def groove_distance(self, points):
+        """Distance from the groove, along the radius foreshortened by its slope."""
+        psi, rho = np.arctan2(points[:, 0], -points[:, 1]), np.hypot(points[:, 0], points[:, 1])
+        n = self.normal(psi, points[:, 2])
+        out = -n[:, 0] * np.sin(psi) + n[:, 1] * np.cos(psi)
+        return (rho - self.groove(psi, points[:, 2])) * np.abs(out)
+
+    def normal(self, psi, z):
+        """Normal out of the material, by differences within each half."""
+        h, k = 1e-6, np.where(z < 0, -1e-5, 1e-5)
+        rho = self.groove(psi, z)
+        along = (self.groove(psi + h, z) - self.groove(psi - h, z)) / (2 * h) / rho
+        across = (-3 * rho + 4 * self.groove(psi, z + k) - self.groove(psi, z + 2 * k)) / (2 * k)
+        e = np.stack([np.sin(psi), -np.cos(psi), 0 * psi], axis=1)
+        t = np.stack([np.cos(psi), np.sin(psi), 0 * psi], axis=1)
+        n = -e + along[:, None] * t + across[:, None] * np.array([0.0, 0.0, 1.0])
+        return n / np.linalg.norm(n, axis=1)[:, None]
+
+    def random_points(self, count, generator):
+        """On the groove, half of them where the raceways are."""
+        psi = generator.uniform(-np.pi, np.pi, count)
+        for k, (_, theta, centre) in enumerate(self.raceways):
+            part = slice(k * count // 2 // len(self.raceways), (k + 1) * count // 2 // len(self.raceways))
+            psi[part] = centre + theta * generator.uniform(-1.05, 1.05, len(psi[part]))
+        back, angle = self.re - self.rw, self.contact_angle(psi)
+        top = np.sqrt(self.re**2 - (self.ros - self.t + back * np.cos(angle)) ** 2) - back * np.sin(angle)
+        z = top * generator.uniform(-1, 1, count)
+        rho = self.groove(psi, z)
+        return np.stack([rho * np.sin(psi), -rho * np.cos(psi), z], axis=1)
+
+    def volume(self):
+        """By the trapezium rule over z within Gauss over each smooth stretch of psi."""
+        cuts = [np.array([-np.pi, np.pi])]
+        length = self.blend / self.ro
+        for _, theta, centre in self.raceways:
+            cuts.append(centre + np.array([-theta, -theta + length, theta - length, theta]))
+        cuts = np.unique((np.concatenate(cuts) + np.pi) % (2 * np.pi) - np.pi)
+        cuts = np.append(cuts[cuts < np.pi], np.pi)
+        nodes, weights = np.polynomial.legendre.leggauss(60)
+        # In η, so that the arc is smooth; from the ridge to the shoulder.
+        u, w = np.polynomial.legendre.leggauss(40)
+        back, total = self.re - self.rw, 0.0
+        for start, end in zip(cuts, cuts[1:]):
+            psi = (start + end) / 2 + (end - start) / 2 * nodes
+            angle = self.contact_angle(psi)[:, None]
+            radius, height = self.t - back * np.cos(angle), -back * np.sin(angle)
+            low, high = np.arcsin(-height / self.re), np.arccos((self.ros - radius) / self.re)
+            eta = low + (high - low) * (u + 1) / 2
+            rho, dz = radius + self.re * np.cos(eta), self.re * np.cos(eta) * (high - low) / 2
+            hollow = np.sum(w * (rho**2 - self.ros**2) * dz, axis=1)
+            blank = (self.outer**2 - self.ros**2) * self.width / 2
+            total += np.sum(weights * (blank - hollow)) * (end - start) / 2
+        return total
+
+
+def case_file(binary, path, bearing, raceways):
+    text = subprocess.run([binary, "new", "--conventional"], check=True, capture_output=True, text=True).stdout
+    text = text.replace("# outer_ring_", "outer_ring_")
+    for key, value in bearing.items():
+        lines = [line for line in text.splitlines() if line.startswith(f"{key} = ")]
+        assert len(lines) == 1, key
+        text = text.replace(lines[0], f"{key} = {value}")
+    for span, angle, centre in raceways:
+        text += f"\n[[raceway]]\naxial_span_mm = {span}\nhalf_angle_deg = {angle}\ncentre_angle_deg = {centre}\n"
+    path.write_text(text)
+    return tomllib.loads(text)
+
+
+def export(binary, case, out, *more):
+    command = [binary, "export", case, "--format", out.suffix[1:], "--out", out, "--json", *more]
+    ended = subprocess.run([str(c) for c in command], capture_output=True, text=True)
+    if ended.returncode or ended.stderr:
+        raise RuntimeError(f"exit code {ended.returncode} of {command}: {ended.stderr}")
+    return json.loads(ended.stdout)
+
+
+def explore(shape, kind):
+    found, explorer = [], TopExp_Explorer(shape, kind)
+    while explorer.More():
+        found.append(explorer.Current())
+        explorer.Next()
+    return found
+
+
+def face_points(face, count, generator):
+    """Random points of a face within its bounds."""
+    surface = BRepAdaptor_Surface(face)
+    classifier = BRepClass_FaceClassifier()
+    u0, u1, v0, v1 = BRepTools.UVBounds_s(face)
+    points = []
+    for _ in range(20 * count):
+        u, v = generator.uniform(u0, u1), generator.uniform(v0, v1)
+        classifier.Perform(face, gp_Pnt2d(u, v), 1e-9)
+        if classifier.State() == TopAbs_State.TopAbs_IN:
+            p = surface.Value(u, v)
+            points.append([p.X(), p.Y(), p.Z()])
+            if len(points) == count:
+                break
+    return np.array(points)
+
+
+def step(name, path, said, ring, generator):
+    reader = STEPControl_Reader()
+    check(f"{name}: read", reader.ReadFile(str(path)) == IFSelect_ReturnStatus.IFSelect_RetDone)
+    check(f"{name}: one root", reader.NbRootsForTransfer() == 1 and reader.TransferRoots() == 1)
+    troubles = reader.WS().TransferReader().TransientProcess().CheckList(False)
+    check(f"{name}: transferred without a word", troubles.IsEmpty(False))
+    solid = reader.OneShape()
+    check(f"{name}: a solid", solid.ShapeType() == Shape.TopAbs_SOLID)
+    shells = explore(solid, Shape.TopAbs_SHELL)
+    check(f"{name}: one closed shell", len(shells) == 1 and BRep_Tool.IsClosed_s(shells[0]))
+    check(f"{name}: valid", BRepCheck_Analyzer(solid, True).IsValid())
+    check(f"{name}: nothing to heal", not ShapeFix_Shape(solid).Perform())
+    below(f"{name}: tolerances in mm", ShapeAnalysis_ShapeTolerance().Tolerance(solid, 1), 1e-5)
+
+    analytic = ring.volume()
+    below(f"{name}: stated volume", said["volume_mm3"] / analytic - 1, 1e-10)
+    for way in ("GK", "default"):
+        props = GProp_GProps()
+        if way == "GK":
+            BRepGProp.VolumePropertiesGK_s(solid, props, 1e-9, True, True)
+        else:
+            BRepGProp.VolumeProperties_s(solid, props)
+        below(f"{name}: volume ({way})", props.Mass() / analytic - 1, 1e-6)
+
+    faces = [TopoDS.Face(face) for face in explore(solid, Shape.TopAbs_FACE)]
+    check(f"{name}: faces", len(faces) == said["faces"], len(faces))
+    kinds = [BRepAdaptor_Surface(face).GetType() for face in faces]
+    check(f"{name}: B-spline faces", kinds.count(Kind.GeomAbs_BSplineSurface) == said["bspline_faces"])
+    grooves = [f for f, k in zip(faces, kinds) if k in (Kind.GeomAbs_BSplineSurface, Kind.GeomAbs_Torus)]
+    each = 1000 // len(grooves) + 1
+    points = np.concatenate([face_points(face, each, generator) for face in grooves])
+    check(f"{name}: a thousand points", len(points) >= 1000, len(points))
+    off = ring.groove_distance(points)
+    below(f"{name}: groove faces against the surface, mm", off, 1e-4)
+    below(f"{name}: and against the stated deviation", off, said["deviation_um"] * 1.1e-3 + 1e-9)
+    for face, kind in zip(faces, kinds):
+        if kind not in (Kind.GeomAbs_BSplineSurface, Kind.GeomAbs_Torus):
+            points = face_points(face, 20, generator)
+            rho = np.hypot(points[:, 0], points[:, 1])
+            walls = [rho - ring.outer, rho - ring.ros, np.abs(points[:, 2]) - ring.width / 2]
+            below(f"{name}: other faces", np.min(np.abs(walls), axis=0), 1e-9)
+
+    # The other way round: points of the analytic surface lie on the shell of groove faces.
+    groove, builder = TopoDS_Compound(), BRep_Builder()
+    builder.MakeCompound(groove)
+    for face in grooves:
+        builder.Add(groove, face)
+    distances = [
+        BRepExtrema_DistShapeShape(BRepBuilderAPI_MakeVertex(gp_Pnt(*p)).Vertex(), groove).Value()
+        for p in ring.random_points(100, generator)
+    ]
+    below(f"{name}: the surface against the faces, mm", distances, 1e-4)
+
+
+def stl(name, path, said, ring, generator):
+    mesh = trimesh.load(path)
+    check(f"{name}: watertight", mesh.is_watertight)
+    check(f"{name}: wound consistently", mesh.is_winding_consistent)
+    check(f"{name}: a ring", mesh.euler_number == 0)
+    check(f"{name}: triangles", len(mesh.faces) == said["triangles"])
+    check(f"{name}: corners", len(mesh.vertices) == said["vertices"], len(mesh.vertices))
+    chord = 1e-3 * said["chord_um"]
+    below(f"{name}: stated deviation", said["deviation_um"] * 1e-3, chord)
+    check(f"{name}: normals outwards", mesh.volume > 0)
+    below(f"{name}: volume", mesh.volume - ring.volume(), mesh.area * chord)
+    below(f"{name}: stated mesh volume", mesh.volume / said["mesh_volume_mm3"] - 1, 1e-6)
+    # Normals as stored, not as trimesh works them out again.
+    stored = np.frombuffer(path.read_bytes()[84:], dtype=np.dtype([("n", "<f4", 3), ("v", "<f4", (3, 3)), ("a", "<u2")]))
+    corners = stored["v"].astype(float)
+    n = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    n /= np.linalg.norm(n, axis=1)[:, None]
+    below(f"{name}: stored normals", n - stored["n"], 1e-6)
+    # Points within triangles, on the groove and on the cylinder outside.
+    share = generator.dirichlet([1, 1, 1], len(corners))
+    points = np.einsum("tk,tkc->tc", share, corners)
+    e = points[:, :2] / np.linalg.norm(points[:, :2], axis=1)[:, None]
+    inward = np.einsum("tc,tc->t", n[:, :2], e) < -1e-3
+    groove = inward & (np.linalg.norm(corners[:, :, :2], axis=2).max(axis=1) > ring.ros + 1e-4)
+    below(f"{name}: groove", ring.groove_distance(points[groove]), chord)
+    outside = np.einsum("tc,tc->t", n[:, :2], e) > 0.5
+    below(f"{name}: outside", np.linalg.norm(points[outside, :2], axis=1) - ring.outer, chord)
+
+
+def points(name, path, said, ring):
+    with path.open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    kinds = np.array([row["kind"] for row in rows])
+    table = {key: np.array([float(row[key]) for row in rows]) for key in rows[0] if key != "kind"}
+    check(f"{name}: kinds", set(kinds) == {"contact", "surface"})
+    for kind in ("contact", "surface"):
+        check(f"{name}: rows of {kind}", np.count_nonzero(kinds == kind) == said[f"{kind}_points"])
+    p = np.stack([table[f"{c}_mm"] for c in "xyz"], axis=1)
+    n = np.stack([table[f"n{c}"] for c in "xyz"], axis=1)
+    psi, eta, side = np.radians(table["psi_deg"]), np.radians(table["eta_deg"]), table["side"]
+    below(f"{name}: unit normals", np.linalg.norm(n, axis=1) - 1, 1e-11)
+    rho = np.hypot(p[:, 0], p[:, 1])
+    below(f"{name}: psi", p[:, :2] - rho[:, None] * np.stack([np.sin(psi), -np.cos(psi)], axis=1), 1e-8)
+    check(f"{name}: sides", np.all(p[:, 2] * side >= 0) and np.all(np.abs(side) == 1))
+    below(f"{name}: on the surface, mm", ring.groove_distance(p), 5e-8 + 1e-3 * said["deviation_um"])
+    # Normals are orthogonal to the surface; where ends of raceways have a kink there are two.
+    smooth = np.full(len(psi), True)
+    for _, theta, centre in ring.raceways:
+        local = np.abs((psi - centre + np.pi) % (2 * np.pi) - np.pi)
+        smooth &= (np.abs(local - theta) > 1e-4 * theta) | (ring.blend > 0)
+    towards = np.where(p[:, 2] == 0, 1e-12 * side, p[:, 2])
+    below(f"{name}: normals", (ring.normal(psi, towards) - n)[smooth], 3e-6)
+    # At an end without blend, rounding of r to 4e-15 mm is 2e-7 mm of z here.
+    # The contact track: balls on the circle of radius T touch there, at plus and minus alpha.
+    contact = kinds == "contact"
+    angle = ring.contact_angle(psi[contact])
+    below(f"{name}: contact angle", np.abs(eta[contact]) - angle, 1e-7)
+    below(f"{name}: contact radius", rho[contact] - ring.t - ring.rw * np.cos(angle), 5e-8)
+    below(f"{name}: contact height", p[contact, 2] - side[contact] * ring.rw * np.sin(angle), 5e-7)
+    ball = ring.t * np.stack([np.sin(psi), -np.cos(psi), 0 * psi], axis=1)[contact] - p[contact]
+    t = np.stack([np.cos(psi), np.sin(psi), 0 * psi], axis=1)[contact]
+    flat = n[contact] - np.einsum("pc,pc->p", n[contact], t)[:, None] * t
+    cosine = np.einsum("pc,pc->p", flat, ball) / np.linalg.norm(flat, axis=1) / ring.rw
+    below(f"{name}: normals point at the ball's centre", cosine - 1, 1e-9)
+    for one in (-1, 1):
+        track = psi[contact & (side == one)]
+        steps = np.append(np.diff(track), track[0] + 2 * np.pi - track[-1])
+        check(f"{name}: the track ascends", np.all(steps > 0))
+        below(f"{name}: spacing", steps * ring.ro, said["spacing_mm"] * (1 + 1e-9))
+    for span, theta, centre in ring.raceways:
+        local = np.abs((psi - centre + np.pi) % (2 * np.pi) - np.pi)
+        nearest = np.argmin(np.where(contact, local, np.inf))
+        below(f"{name}: span in the middle", 2 * np.abs(p[nearest, 2]) - span, 0.01 * span)
+
+
+def main():
+    binary, scratch = Path(sys.argv[1]).resolve(), Path(sys.argv[2])
+    scratch.mkdir(parents=True, exist_ok=True)
+    generator = np.random.default_rng(1)
+    for name, (bearing, raceways, blends) in CASES.items():
+        path = scratch / f"{name}.toml"
+        case = case_file(binary, path, bearing, raceways)
+        for blend in blends:
+            ring, which = Ring(case, blend), f"{name}-{blend}"
+            more = ("--blend-mm", blend)
+            out = scratch / f"{which}.step"
+            said = export(binary, path, out, *more)
+            step(f"{which} STEP", out, said, ring, generator)
+            below(f"{which}: deviation under 0.1 µm by default", said["deviation_um"], 0.1)
+            check(f"{which}: kink", (said["kink_45_deg"] > 0.1) == (bool(raceways) and blend == 0))
+            out = scratch / f"{which}.stl"
+            stl(f"{which} STL", out, export(binary, path, out, *more), ring, generator)
+            out = scratch / f"{which}.csv"
+            points(f"{which} CSV", out, export(binary, path, out, *more), ring)
+    # As coarse and as fine as asked for.
+    path = scratch / "two.toml"
+    ring = Ring(tomllib.loads(path.read_text()), 0.3)
+    for tolerance in (1.0, 0.001):
+        out = scratch / f"tolerance-{tolerance}.step"
+        said = export(binary, path, out, "--blend-mm", 0.3, "--tolerance-um", tolerance)
+        below(f"tolerance {tolerance}", said["deviation_um"], tolerance)
+    for chord in (50, 0.5):
+        out = scratch / f"chord-{chord}.stl"
+        said = export(binary, path, out, "--blend-mm", 0.3, "--chord-um", chord)
+        stl(f"chord {chord}", out, said, ring, generator)
+    print(f"{passed} passed, {failed} failed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
