@@ -328,22 +328,13 @@ impl Raceway {
     /// Distance of Oe from the bearing axis, its z, and the derivatives of both with
     /// respect to ψ, at local ψ (branch z > 0).
     fn groove_curve(&self, local_angle_rad: f64) -> [f64; 4] {
-        let (rw, re) = (self.ball_radius_m, self.groove_curvature_radius_m);
-        let factor = (rw - re) / rw;
-        if local_angle_rad.abs() >= self.dimensions.half_angle_rad {
-            return [self.groove_bottom_radius_m - re, 0.0, 0.0, 0.0];
-        }
-        let x = self.path_x_m(local_angle_rad);
-        let y = self.path_y_m(x);
-        let rho = x.hypot(y);
-        let slope = self.path_slope(x);
-        // dψ/dx of tan ψ = −x/y.
-        let turning = (x * slope - y) / (rho * rho);
-        let radial = factor * (rho - self.touching_radius_m()) + self.touching_radius_m();
-        let radial_slope = factor * (x + y * slope) / rho / turning;
-        let axial = factor * self.path_z_m(x);
-        let axial_slope = factor * self.path_axial_slope(x) / turning;
-        [radial, axial, radial_slope, axial_slope]
+        let offset = self.groove_curvature_radius_m - self.ball_radius_m;
+        let contact = if local_angle_rad.abs() < self.dimensions.half_angle_rad {
+            self.contact_angle_rad(local_angle_rad)
+        } else {
+            [0.0; 2]
+        };
+        groove_centre(self.touching_radius_m(), offset, contact)
     }
 
     /// Point of the raceway surface at ψ and meridian angle η, the angle at Oe between
@@ -440,6 +431,23 @@ fn path_coefficients(bearing: &Bearing, span_m: f64, theta: f64) -> [f64; 3] {
     let a = (rise + 2.0 * ro * cos + 2.0 * c) / (2.0 * ro.powi(4) * sin.powi(4));
     let b = -(4.0 * c + rise + 4.0 * ro * cos) / (2.0 * ro * ro * sin * sin);
     [a, b, c]
+}
+
+/// Eq. (7) in terms of α: Oe is Re − Rw behind the ball's centre on the line through the
+/// contact point. Its distance from the axis, its z, and the derivatives of both with
+/// respect to ψ, from α and dα/dψ.
+pub(crate) fn groove_centre(
+    touching_m: f64,
+    offset_m: f64,
+    [contact, slope]: [f64; 2],
+) -> [f64; 4] {
+    let (sin, cos) = contact.sin_cos();
+    [
+        touching_m - offset_m * cos,
+        -offset_m * sin,
+        offset_m * sin * slope,
+        -offset_m * cos * slope,
+    ]
 }
 
 pub(crate) fn surface_point(curve: [f64; 4], re: f64, angle: f64, meridian: f64) -> SurfacePoint {

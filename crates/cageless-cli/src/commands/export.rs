@@ -218,7 +218,11 @@ fn contents(
                 title => title,
             };
             let step = step::write(ring, title, tolerance_um * 1e-6).map_err(|error| {
-                Failure::Input(format!("--tolerance-um {tolerance_um}: {error}"))
+                Failure::Input(format!(
+                    "--tolerance-um {tolerance_um}: is out of reach: the finest B-spline is still \
+                     {:.3e} µm off the surface",
+                    error.reached_m * 1e6
+                ))
             })?;
             let counts = Counts::Step {
                 tolerance_um,

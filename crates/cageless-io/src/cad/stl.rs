@@ -40,10 +40,7 @@ pub fn write(ring: &OuterRing, chord_m: f64) -> Result<StlFile, StlError> {
     // Half a unit in the last place of the largest coordinate, each way.
     let largest_mm = ring.dimensions().outer_ring_outer_radius_m * 1e3;
     let rounding_m = 3f64.sqrt() * largest_mm * f64::from(f32::EPSILON) / 2.0 * 1e-3;
-    let mut mesh = Mesh::new(ring, chord_m)?;
-    if mesh.deviation_m + rounding_m > chord_m {
-        mesh = Mesh::new(ring, chord_m - rounding_m)?;
-    }
+    let mesh = Mesh::new(ring, chord_m, rounding_m)?;
     let vertices: Vec<[f32; 3]> = (mesh.vertices_m.iter())
         .map(|v| v.map(|c| (c * 1e3) as f32))
         .collect();
@@ -54,7 +51,7 @@ pub fn write(ring: &OuterRing, chord_m: f64) -> Result<StlFile, StlError> {
     stl_io::write_stl(&mut bytes, triangles.iter())?;
     Ok(StlFile {
         bytes,
-        deviation_m: mesh.deviation_m + rounding_m,
+        deviation_m: mesh.deviation_m,
         triangles: triangles.len(),
         vertices: vertices.len(),
         volume_m3: mesh.volume_m3(),

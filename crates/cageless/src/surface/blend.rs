@@ -1,7 +1,12 @@
 //! The contact angle along a discrete raceway, blended at its ends.
 
-use crate::error::InputError;
+use crate::error::{Allowed, InputError};
 use crate::raceway::Raceway;
+
+/// Shortest blend in shares of half a raceway: in less, the kink is not resolved.
+const SHARE_MIN: f64 = 0.002;
+/// Longest blend in shares of half a raceway: the middle half stays as designed.
+const SHARE_MAX: f64 = 0.5;
 
 /// A discrete raceway with its blends.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,16 +25,30 @@ struct Blend {
 }
 
 impl Zone {
-    /// Blends over the last `length_rad` before each end; 0 for none.
-    pub(super) fn new(raceway: &Raceway, length_rad: f64) -> Result<Self, InputError> {
-        let blend = (length_rad > 0.0).then(|| Blend::new(raceway, length_rad));
+    /// Blends over the last `blend_m` before each end, along a circle of `bottom_m`; 0 for
+    /// none.
+    pub(super) fn new(raceway: &Raceway, blend_m: f64, bottom_m: f64) -> Result<Self, InputError> {
+        let half = raceway.half_angle_rad() * bottom_m;
+        let (least, most) = (SHARE_MIN * half, SHARE_MAX * half);
+        if blend_m != 0.0 && !(blend_m >= least && blend_m <= most) {
+            return Err(InputError::new(
+                "blend_m",
+                blend_m,
+                Allowed::Between(
+                    least,
+                    most,
+                    "or 0, which leaves the kink; half of half the shortest raceway at most",
+                ),
+            ));
+        }
+        let blend = (blend_m > 0.0).then(|| Blend::new(raceway, blend_m / bottom_m));
         if let Some(blend) = &blend {
             let rises = |k: i32| blend.contact_angle_rad(f64::from(k) / 100.0)[1] > 0.0;
             if (0..100).any(rises) {
                 return Err(InputError::rule(
                     "blend_m",
-                    length_rad,
-                    "a length over which the contact angle falls steadily to 0",
+                    blend_m,
+                    "shorter: the contact angle must fall steadily to 0 over it",
                 ));
             }
         }

@@ -15,37 +15,47 @@ pub struct Mesh {
     /// Indices of the corners of each triangle.
     pub triangles: Vec<[u32; 3]>,
     /// Largest distance from the analytic surface, measured in the middle of edges and of
-    /// triangles.
+    /// triangles, and the rounding allowed for.
     pub deviation_m: f64,
 }
 
-/// Finest chord error: single precision of an STL is a twentieth of it.
+/// Finest chord error: millions of triangles.
 const CHORD_MIN_M: f64 = 5e-8;
+/// Least chord error in units of what writing moves a corner.
+const ROUNDINGS: f64 = 10.0;
 /// Coarsest chord error.
 const CHORD_MAX_M: f64 = 1e-4;
 /// Share of the chord error that the arcs across the groove take up.
 const ACROSS_SHARE: f64 = 0.4;
 
 impl Mesh {
-    /// Meshes the ring so that no triangle is further than `chord_m` from its surface.
+    /// Meshes the ring so that no triangle is further than `chord_m` from its surface, even
+    /// if each corner is moved by `rounding_m`.
     ///
     /// # Errors
-    /// An [`InputError`] if `chord_m` is outside 0.05 µm to 100 µm, or more than half the
-    /// wall behind the groove.
-    pub fn new(ring: &OuterRing, chord_m: f64) -> Result<Self, InputError> {
+    /// An [`InputError`] if `chord_m` is below 0.05 µm or ten times the rounding, or above
+    /// 100 µm or half the wall behind the groove.
+    pub fn new(ring: &OuterRing, chord_m: f64, rounding_m: f64) -> Result<Self, InputError> {
         let wall = ring.dimensions().outer_ring_outer_radius_m - ring.deepest_radius_m();
+        let least = CHORD_MIN_M.max(ROUNDINGS * rounding_m);
         let most = CHORD_MAX_M.min(wall / 2.0);
-        if !(chord_m >= CHORD_MIN_M && chord_m <= most) {
+        if !(chord_m >= least && chord_m <= most) {
             return Err(InputError::new(
                 "chord_m",
                 chord_m,
                 Allowed::Between(
-                    CHORD_MIN_M,
+                    least,
                     most,
-                    "from what single precision resolves to half the wall behind the groove or 100 µm",
+                    "ten times the rounding of coordinates or 0.05 µm; half the wall behind the groove or 100 µm",
                 ),
             ));
         }
+        let mut mesh = Self::within(ring, chord_m - rounding_m);
+        mesh.deviation_m += rounding_m;
+        Ok(mesh)
+    }
+
+    fn within(ring: &OuterRing, chord_m: f64) -> Self {
         let re = ring.curvature_radius_m();
         let arc = (8.0 * ACROSS_SHARE * chord_m / re).sqrt();
         let steps = (widest_arc_rad(ring) / arc).ceil().max(2.0) as usize;
@@ -74,7 +84,7 @@ impl Mesh {
                 count = (count as f64 * more).ceil() as usize;
             }
         }
-        Ok(Self::closed(ring, &rows, deviation_m))
+        Self::closed(ring, &rows, deviation_m)
     }
 
     /// Joins the rows, each continued around the section of the ring.

@@ -19,7 +19,7 @@ use std::f64::consts::{FRAC_PI_4, PI};
 use crate::bearing::Bearing;
 use crate::error::{Allowed, InputError, not_negative, positive};
 use crate::numerics::quadrature::gauss;
-use crate::raceway::{Raceway, SurfacePoint, apart};
+use crate::raceway::{Raceway, SurfacePoint, apart, groove_centre};
 
 use blend::Zone;
 pub use grid::Grid;
@@ -57,10 +57,6 @@ pub struct OuterRing {
     zones: Vec<Zone>,
 }
 
-/// Shortest blend in shares of half a raceway: in less, the kink is not resolved.
-const BLEND_SHARE_MIN: f64 = 0.002;
-/// Longest blend in shares of half a raceway: the middle half stays as designed.
-const BLEND_SHARE_MAX: f64 = 0.5;
 /// Gauss panels of ten points in a sector of a discrete raceway.
 const VOLUME_PANELS: usize = 24;
 
@@ -86,17 +82,15 @@ impl OuterRing {
         }
         apart(raceways)?;
         let d = bearing.dimensions();
-        let zones = raceways.iter().map(|r| {
-            check_blend(r, d.outer_groove_bottom_radius_m, dimensions.blend_m)?;
-            Zone::new(r, dimensions.blend_m / d.outer_groove_bottom_radius_m)
-        });
+        let bottom_m = d.outer_groove_bottom_radius_m;
+        let zones = (raceways.iter()).map(|r| Zone::new(r, dimensions.blend_m, bottom_m));
         let ring = Self {
             dimensions,
             touching_radius_m: bearing.touching_radius_m(),
             offset_m: d.outer_groove_curvature_radius_m - d.ball_radius_m,
             curvature_radius_m: d.outer_groove_curvature_radius_m,
             shoulder_radius_m: d.outer_shoulder_radius_m,
-            groove_bottom_radius_m: d.outer_groove_bottom_radius_m,
+            groove_bottom_radius_m: bottom_m,
             zones: zones.collect::<Result<_, _>>()?,
         };
         ring.check_walls()?;
@@ -192,17 +186,16 @@ impl OuterRing {
         self.section(angle, zone.contact_angle_rad(local_angle_rad))
     }
 
-    /// Eq. (7) in terms of α: the centre of the arc is Re − Rw behind the ball's centre on
-    /// the line through the contact point.
-    fn section(&self, angle_rad: f64, [contact, slope]: [f64; 2]) -> Meridian {
-        let (sin, cos) = contact.sin_cos();
+    fn section(&self, angle_rad: f64, contact: [f64; 2]) -> Meridian {
+        let [radius, height, radius_slope, height_slope] =
+            groove_centre(self.touching_radius_m, self.offset_m, contact);
         Meridian {
             angle_rad,
-            contact_angle_rad: contact,
-            centre_radius_m: self.touching_radius_m - self.offset_m * cos,
-            centre_height_m: -self.offset_m * sin,
-            radius_slope_m: self.offset_m * sin * slope,
-            height_slope_m: -self.offset_m * cos * slope,
+            contact_angle_rad: contact[0],
+            centre_radius_m: radius,
+            centre_height_m: height,
+            radius_slope_m: radius_slope,
+            height_slope_m: height_slope,
             curvature_radius_m: self.curvature_radius_m,
             shoulder_radius_m: self.shoulder_radius_m,
         }
@@ -318,23 +311,6 @@ impl OuterRing {
     pub fn raceways(&self) -> impl Iterator<Item = &Raceway> {
         self.zones.iter().map(Zone::raceway)
     }
-}
-
-fn check_blend(raceway: &Raceway, bottom_m: f64, blend_m: f64) -> Result<(), InputError> {
-    let half = raceway.half_angle_rad() * bottom_m;
-    let (least, most) = (BLEND_SHARE_MIN * half, BLEND_SHARE_MAX * half);
-    if blend_m == 0.0 || (blend_m >= least && blend_m <= most) {
-        return Ok(());
-    }
-    Err(InputError::new(
-        "blend_m",
-        blend_m,
-        Allowed::Between(
-            least,
-            most,
-            "or 0, which leaves the kink; half the length of the shortest half raceway at most",
-        ),
-    ))
 }
 
 /// ψ wrapped to [−π, π).

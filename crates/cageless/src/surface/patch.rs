@@ -18,7 +18,7 @@ pub struct Patch {
 /// The tolerance is out of reach.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error(
-    "a B-spline of {INTERVALS_MAX} intervals each way is still {reached_m:e} m off the surface, \
+    "a B-spline of {INTERVALS_MAX} intervals each way is still {reached_m:.3e} m off the surface, \
      more than {tolerance_m:e} m"
 )]
 pub struct PatchError {
