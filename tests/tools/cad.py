@@ -295,7 +295,7 @@ def step(name, path, said, ring, generator):
         builder.Add(groove, face)
     distances = [
         BRepExtrema_DistShapeShape(BRepBuilderAPI_MakeVertex(gp_Pnt(*p)).Vertex(), groove).Value()
-        for p in ring.random_points(100, generator)
+        for p in ring.random_points(1000, generator)
     ]
     below(f"{name}: the surface against the faces, mm", distances, 1e-4)
 

@@ -129,6 +129,17 @@ pub enum CadFormat {
     Csv,
 }
 
+impl CadFormat {
+    /// As on the command line, and the ending of the file.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Step => "step",
+            Self::Stl => "stl",
+            Self::Csv => "csv",
+        }
+    }
+}
+
 /// Whatever works on a case.
 #[derive(Debug, Group)]
 pub struct CaseArgs {

@@ -163,8 +163,14 @@ fn rings_that_cannot_be() {
             &["a finite number of mm"],
         ),
     ] {
-        let answer = export(&[set], &["--format", "step", "--json"]);
+        let dir = tempfile::tempdir().unwrap();
+        let out = dir.path().join("out");
+        let answer = export(
+            &[set],
+            &["--format", "step", "--out", out.to_str().unwrap()],
+        );
         assert_refused(&answer, fragments);
+        assert!(!out.exists());
         assert!(
             answer.stderr.starts_with(&format!("error: --set {set}: ")),
             "{answer:?}"

@@ -9,15 +9,13 @@ use cageless::surface::OuterRing;
 use cageless_io::cad::{points, step, stl};
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::write_atomically;
-use serde::Serialize;
 
+use super::export_result::{Counts, ExportResult};
 use super::{make_folder, print, print_bytes};
 use crate::args::{CadFormat, ExportArgs};
 use crate::failure::Failure;
-use crate::format::pairs;
 
-/// Shorter than what a ball's contact ellipse covers along ψ, long enough for a grinder:
-/// the deviation of the paper's structure (d) stays below its machining error of 2 µm.
+/// The paper's structure (d) stays within its machining error of 2 µm (docs/theory/cad.md).
 const BLEND_MM: f64 = 0.5;
 /// Share of half a raceway that the default blend takes at most.
 const BLEND_SHARE: f64 = 0.2;
@@ -28,70 +26,14 @@ const CHORD_UM: f64 = 5.0;
 const SPACING_MM: f64 = 0.5;
 const SPACING_RANGE_MM: [f64; 2] = [0.01, 100.0];
 
-/// `export --json`.
-#[derive(Debug, Serialize)]
-struct ExportResult {
-    format: &'static str,
-    /// Where it was written; null if nowhere or to stdout.
-    file: Option<String>,
-    bytes: usize,
-    /// Of the analytic solid.
-    volume_mm3: f64,
-    /// Largest distance of the file from the analytic surface.
-    deviation_um: f64,
-    /// Length of the blends; 0 for none.
-    blend_mm: f64,
-    /// Largest distance between the blended surface and the one designed.
-    blend_deviation_um: f64,
-    /// Angle left between the normals at an end of a raceway, 45° up the groove and at the
-    /// shoulder; 0 if blended.
-    kink_45_deg: f64,
-    kink_shoulder_deg: f64,
-    /// The same of the raceway as designed.
-    design_kink_45_deg: f64,
-    design_kink_shoulder_deg: f64,
-    /// Angle between the normals of the two halves of a raceway, which meet at z = 0.
-    ridge_deg: f64,
-    /// How far the raceways stand out of the plain groove, and lie below it.
-    above_plain_um: f64,
-    below_plain_um: f64,
-    raceways: usize,
-    #[serde(flatten)]
-    counts: Counts,
-}
-
-/// What the file holds.
-#[derive(Debug, Serialize)]
-#[serde(untagged)]
-enum Counts {
-    Step {
-        tolerance_um: f64,
-        faces: usize,
-        bspline_faces: usize,
-        edges: usize,
-        control_points: usize,
-    },
-    Stl {
-        chord_um: f64,
-        triangles: usize,
-        vertices: usize,
-        mesh_volume_mm3: f64,
-    },
-    Csv {
-        spacing_mm: f64,
-        row_distance_mm: f64,
-        surface_points: usize,
-        contact_points: usize,
-    },
-}
-
 /// Writes the outer ring of a case.
 pub fn export(args: &ExportArgs) -> Result<(), Failure> {
     let file = CaseFile::read(&args.case, &args.set)?;
     check_flags(args)?;
-    let path = target(args)?;
     let ring = outer_ring(&file, args)?;
     let (bytes, deviation_m, counts) = contents(&file, &ring, args)?;
+    // Only now, so that bad input leaves no folder behind.
+    let path = target(args)?;
     let written = match &path {
         Some(path) => {
             write_atomically(path, &bytes)?;
@@ -99,7 +41,7 @@ pub fn export(args: &ExportArgs) -> Result<(), Failure> {
         }
         None => None,
     };
-    let result = summary(
+    let result = ExportResult::new(
         &ring,
         args.format,
         written,
@@ -115,19 +57,11 @@ pub fn export(args: &ExportArgs) -> Result<(), Failure> {
     }
     match (path, args.json) {
         (_, true) => print(&json),
-        (Some(_), false) => print(&text(&result)),
+        (Some(_), false) => print(&result.text()),
         (None, false) => {
-            eprint!("{}", text(&result));
+            eprint!("{}", result.text());
             print_bytes(&bytes)
         }
-    }
-}
-
-fn name(format: CadFormat) -> &'static str {
-    match format {
-        CadFormat::Step => "step",
-        CadFormat::Stl => "stl",
-        CadFormat::Csv => "csv",
     }
 }
 
@@ -143,8 +77,8 @@ fn check_flags(args: &ExportArgs) -> Result<(), Failure> {
         {
             return Err(Failure::Input(format!(
                 "{flag} {value}: goes with --format {} only, not with {}",
-                name(format),
-                name(args.format)
+                format.name(),
+                args.format.name()
             )));
         }
     }
@@ -177,13 +111,13 @@ fn target(args: &ExportArgs) -> Result<Option<PathBuf>, Failure> {
             return Err(Failure::Input(format!(
                 "--out {}: is the name of a file of --format {}, not of {}",
                 out.display(),
-                name(format),
-                name(args.format)
+                format.name(),
+                args.format.name()
             )));
         }
         None => make_folder(out)?,
     }
-    Ok(Some(out.join(format!("outer_ring.{}", name(args.format)))))
+    Ok(Some(out.join(format!("outer_ring.{}", args.format.name()))))
 }
 
 fn outer_ring(file: &CaseFile, args: &ExportArgs) -> Result<OuterRing, Failure> {
@@ -285,131 +219,4 @@ fn refused_flag(flag: &str, error: &InputError, scale: f64, unit: &str) -> Failu
         "{flag} {}: is not possible: it must be {allowed}",
         shown(error.value)
     ))
-}
-
-fn summary(
-    ring: &OuterRing,
-    format: CadFormat,
-    file: Option<String>,
-    bytes: usize,
-    deviation_m: f64,
-    counts: Counts,
-) -> ExportResult {
-    let [kink_45_deg, kink_shoulder_deg] = ring.kink_rad().map(f64::to_degrees);
-    let [design_kink_45_deg, design_kink_shoulder_deg] =
-        ring.design_kink_rad().map(f64::to_degrees);
-    let [above_plain_um, below_plain_um] = ring.relief_m().map(|m| m * 1e6);
-    let raceways = ring.raceways().count();
-    ExportResult {
-        format: name(format),
-        file,
-        bytes,
-        volume_mm3: ring.volume_m3() * 1e9,
-        deviation_um: deviation_m * 1e6,
-        blend_mm: if raceways == 0 {
-            0.0
-        } else {
-            ring.dimensions().blend_m * 1e3
-        },
-        blend_deviation_um: ring.blend_deviation_m() * 1e6,
-        kink_45_deg,
-        kink_shoulder_deg,
-        design_kink_45_deg,
-        design_kink_shoulder_deg,
-        ridge_deg: ring.ridge_rad().to_degrees(),
-        above_plain_um,
-        below_plain_um,
-        raceways,
-        counts,
-    }
-}
-
-fn text(r: &ExportResult) -> String {
-    let mut lines = vec![
-        (
-            "file",
-            format!(
-                "{}, {} bytes",
-                r.file.as_deref().unwrap_or("stdout"),
-                r.bytes
-            ),
-        ),
-        ("volume of the ring", format!("{:.6} mm³", r.volume_mm3)),
-        (
-            "deviation from the surface",
-            format!("{:.6} µm", r.deviation_um),
-        ),
-    ];
-    lines.push(match r.counts {
-        Counts::Step {
-            tolerance_um,
-            faces,
-            bspline_faces,
-            edges,
-            control_points,
-        } => (
-            "solid",
-            format!(
-                "{faces} faces, {bspline_faces} of them B-splines with {control_points} control \
-                 points; {edges} edges; tolerance {tolerance_um} µm"
-            ),
-        ),
-        Counts::Stl {
-            chord_um,
-            triangles,
-            vertices,
-            mesh_volume_mm3,
-        } => (
-            "mesh",
-            format!(
-                "{triangles} triangles, {vertices} corners, {mesh_volume_mm3:.6} mm³; chord error \
-                 at most {chord_um} µm"
-            ),
-        ),
-        Counts::Csv {
-            spacing_mm,
-            row_distance_mm,
-            surface_points,
-            contact_points,
-        } => (
-            "points",
-            format!(
-                "{surface_points} of the surface, {contact_points} of the contact track; sections \
-                 {row_distance_mm:.4} mm apart, spacing at most {spacing_mm} mm"
-            ),
-        ),
-    });
-    if r.raceways > 0 {
-        let kink = format!(
-            "{:.4}° 45° up the groove, {:.4}° at the shoulder",
-            r.design_kink_45_deg, r.design_kink_shoulder_deg
-        );
-        lines.extend([
-            ("discrete raceways", r.raceways.to_string()),
-            (
-                "kink at their ends",
-                if r.blend_mm > 0.0 {
-                    format!(
-                        "blended over {} mm (was {kink}); off the design by {:.4} µm at most",
-                        (r.blend_mm * 1e6).round() / 1e6,
-                        r.blend_deviation_um
-                    )
-                } else {
-                    format!("left: {kink}")
-                },
-            ),
-            (
-                "ridge between contact points",
-                format!("{:.4}°", r.ridge_deg),
-            ),
-            (
-                "against the plain groove",
-                format!(
-                    "{:.3} µm proud at most, {:.3} µm deeper at most",
-                    r.above_plain_um, r.below_plain_um
-                ),
-            ),
-        ]);
-    }
-    pairs(&lines)
 }

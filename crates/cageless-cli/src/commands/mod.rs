@@ -2,6 +2,7 @@
 
 mod design;
 mod export;
+mod export_result;
 mod run;
 mod static_equilibrium;
 
