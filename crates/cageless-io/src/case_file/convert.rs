@@ -103,7 +103,7 @@ impl Converter<'_> {
         self.scattered(bearing)
     }
 
-    /// What no computation uses yet, but a file may carry.
+    /// What only `export` needs, but any file may carry.
     fn check_export_dimensions(&self) -> Result<(), CaseError> {
         let b = &self.document.bearing;
         if let Some(radius) = b.outer_ring_outer_radius_mm {
