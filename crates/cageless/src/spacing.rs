@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use crate::case::{Case, FrictionLaw, Gaps, Start};
 use crate::dynamics::Model;
 use crate::equilibrium::{self, EquilibriumError};
-use crate::numerics::root;
+use crate::numerics::root::{self, Rise};
 use crate::simulation::{Control, Ending, Observer, ObserverError, Scene, Stop, View, run};
 use crate::state::Balls;
 
@@ -174,7 +174,7 @@ struct PairWatch {
     centre: f64,
     half_angle: f64,
     ball_angle: f64,
-    diameter: f64,
+    pitch_diameter: f64,
     touch: Touch,
     last_gap: f64,
     last_lead: f64,
@@ -206,7 +206,8 @@ impl Observer for PairWatch {
                 Touch::Surface => {
                     let (x, y) = (view.after(0), view.after(1));
                     let chord = (x[1] - x[0]).hypot(y[1] - y[0]);
-                    chord / self.diameter - 1.0
+                    // The gap of balls so far apart on the pitch circle.
+                    2.0 * (chord / self.pitch_diameter).asin() - self.ball_angle
                 }
             };
             self.smallest = self.smallest.min(closeness);
@@ -272,7 +273,7 @@ fn pass(
         centre,
         half_angle,
         ball_angle: bearing.ball_angle_rad(),
-        diameter: 2.0 * bearing.ball_radius_m(),
+        pitch_diameter: 2.0 * bearing.pitch_radius_m(),
         touch: test.touch,
         last_gap: 0.0,
         last_lead: 0.0,
@@ -309,23 +310,21 @@ pub fn critical_gap_rad(case: &Case, test: &PairTest) -> Result<f64, CriticalGap
     let n = bearing.balls() as f64;
     // Everything that the other balls leave free, but for a little.
     let room = 0.9 * (TAU - n * bearing.ball_angle_rad());
-    let mut low = 0.0;
-    let mut high = bearing.uniform_gap_rad().max(room / n);
-    while pass(case, test, ring_y, high)?.smallest <= 0.0 {
-        low = high;
-        high *= 1.25;
-        if high > room {
-            return Err(CriticalGapError::AlwaysCloses);
-        }
-    }
-    let bracket = root::try_brent(
-        |gap| pass(case, test, ring_y, gap).map(|p| p.smallest),
-        low,
-        high,
+    let mut entrance = f64::NAN;
+    let found = root::try_rise(
+        |gap| {
+            let passed = pass(case, test, ring_y, gap)?;
+            entrance = passed.entrance;
+            Ok::<_, CriticalGapError>(passed.smallest)
+        },
+        // A little above, where pairs pass freely and the smallest gap is a smooth function.
+        1.03 * bearing.uniform_gap_rad(),
+        [0.0, room],
         2e-7,
     )?;
-    match bracket {
-        Some(start) => Ok(pass(case, test, ring_y, start)?.entrance),
-        None => Err(CriticalGapError::NeverCloses),
+    match found {
+        Rise::At(_) => Ok(entrance),
+        Rise::Below => Err(CriticalGapError::NeverCloses),
+        Rise::Above => Err(CriticalGapError::AlwaysCloses),
     }
 }

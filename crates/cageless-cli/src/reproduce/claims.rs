@@ -30,26 +30,34 @@ pub struct Extra {
 
 /// Computes what the claims need beyond the figures.
 pub fn compute(progress: &Progress) -> Result<Extra, Failure> {
-    let mut recommendations = vec![];
-    for reading in READINGS {
+    let recommendation = |reading: (Profile, FrictionLaw)| {
         let found = match recommend(&cases::structure(3, reading, &[])?) {
             Ok(found) => found,
             Err(CriticalGapError::Case(error)) => return Err(error.into()),
             Err(_) => None,
         };
-        recommendations.push(found);
-        progress.add(WORK / 4.0);
-    }
-    let mut at_speeds_deg = [[f64::NAN; 2]; 2];
-    for (row, structure) in [3, 7].into_iter().enumerate() {
-        for (column, rpm) in ["3000.0", "12000.0"].into_iter().enumerate() {
+        progress.add(WORK / 3.0);
+        Ok::<_, Failure>(found)
+    };
+    let at_speeds = |structure: usize| {
+        let mut gaps_deg = [f64::NAN; 2];
+        for (gap, rpm) in gaps_deg.iter_mut().zip(["3000.0", "12000.0"]) {
             let overrides = [format!("operation.inner_speed_rpm={rpm}")];
             let case = cases::structure(structure, READINGS[1], &overrides)?;
-            at_speeds_deg[row][column] =
-                critical_gap_rad(&case, &PairTest::default())?.to_degrees();
+            *gap = critical_gap_rad(&case, &PairTest::default())?.to_degrees();
         }
-        progress.add(WORK / 4.0);
-    }
+        progress.add(WORK / 6.0);
+        Ok::<_, Failure>(gaps_deg)
+    };
+    let ((published, consistent), (d, h)) = rayon::join(
+        || {
+            rayon::join(
+                || recommendation(READINGS[0]),
+                || recommendation(READINGS[1]),
+            )
+        },
+        || rayon::join(|| at_speeds(3), || at_speeds(7)),
+    );
     let mut top_force_n = [0.0; 2];
     for (force, profile) in top_force_n
         .iter_mut()
@@ -60,8 +68,8 @@ pub fn compute(progress: &Progress) -> Result<Extra, Failure> {
         *force = solve(&case)?.outer_force_n[7];
     }
     Ok(Extra {
-        recommendations,
-        at_speeds_deg,
+        recommendations: vec![published?, consistent?],
+        at_speeds_deg: [d?, h?],
         top_force_n,
     })
 }

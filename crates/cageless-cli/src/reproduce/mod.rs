@@ -33,29 +33,20 @@ pub fn reproduce(args: &Reproduce, stop: &StopFlag) -> Result<(), Failure> {
     make_folder(&args.out)?;
     let started = Instant::now();
     let progress = Progress::new("reproduce", WORK, stop);
-    let ((table2, structures), ((histories, experiment), extra)) = rayon::join(
-        || {
-            rayon::join(
-                || table2::compute(&progress),
-                || structures::compute(&progress),
-            )
-        },
-        || {
-            rayon::join(
-                || {
-                    rayon::join(
-                        || histories::compute(&progress),
-                        || experiment::compute(&progress),
-                    )
-                },
-                || claims::compute(&progress),
-            )
-        },
-    );
+    let (mut table2, mut structures) = (not_computed(), not_computed());
+    let (mut histories, mut experiment, mut extra) =
+        (not_computed(), not_computed(), not_computed());
+    // The threads take up the parts in this order: those that divide worst come first, the
+    // many small tasks of Table 2 last, so that no thread waits long for another at the end.
+    rayon::scope_fifo(|scope| {
+        scope.spawn_fifo(|_| extra = claims::compute(&progress));
+        scope.spawn_fifo(|_| experiment = experiment::compute(&progress));
+        scope.spawn_fifo(|_| histories = histories::compute(&progress));
+        scope.spawn_fifo(|_| structures = structures::compute(&progress));
+        scope.spawn_fifo(|_| table2 = table2::compute(&progress));
+    });
     if progress.interrupted() {
-        return Err(Failure::Interrupted(
-            "interrupted: no report was written".to_owned(),
-        ));
+        return not_computed();
     }
     let (table2, structures) = (table2?, structures?);
     let (histories, experiment, extra) = (histories?, experiment?, extra?);
@@ -98,6 +89,12 @@ pub fn reproduce(args: &Reproduce, stop: &StopFlag) -> Result<(), Failure> {
         table2::text(&data),
         page.display(),
         started.elapsed().as_secs_f64()
+    ))
+}
+
+fn not_computed<T>() -> Result<T, Failure> {
+    Err(Failure::Interrupted(
+        "interrupted: no report was written".to_owned(),
     ))
 }
 

@@ -42,7 +42,15 @@ pub struct Computed {
 struct Change {
     cause: &'static str,
     overrides: &'static [&'static str],
+    step_us: f64,
     test: PairTest,
+}
+
+impl Change {
+    /// Whether it computes the same.
+    fn is(&self, other: &Self) -> bool {
+        (self.overrides, self.step_us, self.test) == (other.overrides, other.step_us, other.test)
+    }
 }
 
 /// The steps of the table are its own.
@@ -58,15 +66,22 @@ fn changes() -> Vec<Change> {
     let with = |cause, overrides| Change {
         cause,
         overrides,
+        step_us: SPREAD_STEP_US,
         test: usual,
     };
     let tested = |cause, test| Change {
         cause,
         overrides: &[],
+        step_us: SPREAD_STEP_US,
         test,
     };
     vec![
-        with("step 1 to 0.25 µs", &["solver.step_us=0.25"]),
+        Change {
+            cause: "step 1 to 0.25 µs",
+            overrides: &[],
+            step_us: STEP_US,
+            test: usual,
+        },
         tested(
             "start of the trailing ball at ψ = −120°",
             PairTest {
@@ -135,40 +150,50 @@ fn step_override(step_us: f64) -> String {
 /// Computes all gaps.
 pub fn compute(progress: &Progress) -> Result<Computed, Failure> {
     let changes = changes();
-    // Every gap is one task: column, row, change (`None` for the table itself and for the
-    // base of the spreads).
-    let mut tasks: Vec<(usize, usize, Option<usize>, bool)> = vec![];
-    for row in 0..10 {
-        tasks.extend((0..VARIANTS.len()).map(|column| (column, row, None, false)));
-        for column in SPREAD_OF {
-            tasks.push((column, row, None, true));
-            tasks.extend((0..changes.len()).map(|change| (column, row, Some(change), true)));
+    // One task for every gap, the longest first: those of the table itself, then for the
+    // columns whose spread is shown the base of the spreads and every change.
+    let base = Change {
+        cause: "",
+        overrides: &[],
+        step_us: SPREAD_STEP_US,
+        test: usual_test(),
+    };
+    let fine = Change {
+        step_us: STEP_US,
+        ..base
+    };
+    let mut tasks: Vec<(usize, usize, &Change)> = vec![];
+    for column in 0..VARIANTS.len() {
+        tasks.extend((0..10).map(|row| (column, row, &fine)));
+    }
+    for column in SPREAD_OF {
+        for change in std::iter::once(&base).chain(&changes) {
+            // What differs from the table in nothing is computed once.
+            if !change.is(&fine) {
+                tasks.extend((0..10).map(|row| (column, row, change)));
+            }
         }
     }
     let share = WORK / tasks.len() as f64;
     let gaps: Vec<Option<f64>> = tasks
         .par_iter()
-        .map(|&(column, row, change, coarse)| {
+        .with_max_len(1)
+        .map(|&(column, row, change)| {
             if progress.interrupted() {
                 return Ok(None);
             }
-            let step = if coarse { SPREAD_STEP_US } else { STEP_US };
-            let mut overrides = vec![step_override(step)];
-            let mut test = usual_test();
-            if let Some(change) = change.map(|k| &changes[k]) {
-                overrides.extend(change.overrides.iter().map(|&o| o.to_owned()));
-                test = change.test;
-            }
+            let mut overrides = vec![step_override(change.step_us)];
+            overrides.extend(change.overrides.iter().map(|&o| o.to_owned()));
             let case = cases::structure(row, VARIANTS[column], &overrides)?;
-            let gap = gap_deg(&case, &test);
+            let gap = gap_deg(&case, &change.test);
             progress.add(share);
             gap
         })
         .collect::<Result<_, Failure>>()?;
-    let find = |column: usize, row: usize, change: Option<usize>, coarse: bool| {
+    let find = |column: usize, row: usize, change: &Change| {
         tasks
             .iter()
-            .position(|t| *t == (column, row, change, coarse))
+            .position(|t| (t.0, t.1) == (column, row) && t.2.is(change))
             .and_then(|k| gaps[k])
     };
 
@@ -183,9 +208,7 @@ pub fn compute(progress: &Progress) -> Result<Computed, Failure> {
             theory_polar_deg: Some(theory(Eq11::Polar)),
             paper_theory_deg: published.theory_deg,
             paper_simulated_deg: published.simulated_deg,
-            critical_gap_deg: (0..VARIANTS.len())
-                .map(|c| find(c, k, None, false))
-                .collect(),
+            critical_gap_deg: (0..VARIANTS.len()).map(|c| find(c, k, &fine)).collect(),
             remark: if k == ODD_ROW {
                 "repeats the value of 5.40 mm".to_owned()
             } else {
@@ -196,14 +219,14 @@ pub fn compute(progress: &Progress) -> Result<Computed, Failure> {
     let mut spreads = vec![];
     for column in SPREAD_OF {
         let (profile, law) = VARIANTS[column];
-        for (change, what) in changes.iter().enumerate() {
+        for change in &changes {
             spreads.push(Spread {
-                cause: what.cause.to_owned(),
+                cause: change.cause.to_owned(),
                 variant: format!("{}, {}", profile_name(profile), law_name(law)),
                 change_deg: (0..10)
                     .map(|row| {
-                        let base = find(column, row, None, true)?;
-                        find(column, row, Some(change), true).map(|gap| gap - base)
+                        let before = find(column, row, &base)?;
+                        find(column, row, change).map(|gap| gap - before)
                     })
                     .collect(),
             });

@@ -76,9 +76,78 @@ pub fn try_brent<E>(
     Ok(Some(b))
 }
 
+/// Where a rising function passes zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Rise {
+    /// Here, the last point at which it was evaluated.
+    At(f64),
+    /// Below the range: it is above zero at the low end.
+    Below,
+    /// Above the range: it is not above zero at the high end.
+    Above,
+}
+
+/// Where a rising `f` passes zero between `low` and `high`, to `tolerance` in the argument.
+/// For an `f` that costs much, is smooth above its root and of a slope near 1, and tells
+/// little of the root's distance below it: Newton's method with the slope between the last
+/// points above, bisection where that leads nowhere.
+///
+/// # Errors
+/// Whatever `f` returns.
+pub fn try_rise<E>(
+    mut f: impl FnMut(f64) -> Result<f64, E>,
+    guess: f64,
+    [low, high]: [f64; 2],
+    tolerance: f64,
+) -> Result<Rise, E> {
+    let mut x = guess.clamp(low, high);
+    let (mut above, mut below) = (None::<(f64, f64)>, None::<f64>);
+    let mut slope = 1.0;
+    let mut reach = 2e-3 * (high - low);
+    let mut was_below = false;
+    for _ in 0..200 {
+        let value = f(x)?;
+        if value > 0.0 && x <= low {
+            return Ok(Rise::Below);
+        }
+        if value <= 0.0 && x >= high {
+            return Ok(Rise::Above);
+        }
+        // Newton's method from below led to another point below.
+        let misled = was_below && value <= 0.0;
+        was_below = value <= 0.0;
+        if value > 0.0 {
+            if let Some((right, more)) = above
+                && more > value
+            {
+                slope = (more - value) / (right - x);
+            }
+            above = Some((x, value));
+        } else {
+            below = Some(x);
+        }
+        let (left, right) = (below.unwrap_or(low), above.map_or(high, |(x, _)| x));
+        if value.abs() <= slope * tolerance || right - left <= tolerance {
+            return Ok(Rise::At(x));
+        }
+        let newton = x - value / slope;
+        x = if above.is_none() {
+            reach *= 2.0;
+            (x + reach).min(high)
+        } else if newton > left && newton < right && !misled {
+            newton
+        } else if below.is_none() {
+            low
+        } else {
+            0.5 * (left + right)
+        };
+    }
+    Ok(Rise::At(x))
+}
+
 #[cfg(test)]
 mod tests {
-    use super::brent;
+    use super::{Rise, brent, try_rise};
 
     #[test]
     fn finds_the_root_of_a_cubic() {
@@ -90,5 +159,35 @@ mod tests {
     fn refuses_an_interval_without_sign_change() {
         assert_eq!(brent(|x| x * x + 1.0, -1.0, 1.0, 1e-12), None);
         assert_eq!(brent(|_| f64::NAN, -1.0, 1.0, 1e-12), None);
+    }
+
+    /// Smooth above the root, flat or jumping below: what the smallest gap of a pair does.
+    #[test]
+    fn a_rise_is_found_with_few_evaluations() {
+        for root in [0.011, 0.024, 0.0313, 0.0319, 0.05] {
+            let mut calls = 0;
+            let mut f = |x: f64| {
+                calls += 1;
+                let d = x - root;
+                Ok::<_, ()>(if d > 0.0 {
+                    0.9 * d + 8.0 * d * d
+                } else {
+                    -2e-4 * (-d / (1e-3 - d))
+                })
+            };
+            let Ok(Rise::At(found)) = try_rise(&mut f, 0.0317, [0.0, 0.4], 2e-7) else {
+                panic!("no root at {root}");
+            };
+            assert!((found - root).abs() < 3e-7, "{found} {root}");
+            assert!(calls <= 9, "{calls} for {root}");
+        }
+    }
+
+    #[test]
+    fn a_rise_outside_the_range_is_told() {
+        let rise = |at: f64| try_rise(|x| Ok::<_, ()>(x - at), 0.3, [0.0, 1.0], 1e-9);
+        assert_eq!(rise(-0.1), Ok(Rise::Below));
+        assert_eq!(rise(1.1), Ok(Rise::Above));
+        assert!(matches!(rise(0.77), Ok(Rise::At(x)) if (x - 0.77).abs() < 1e-9));
     }
 }
