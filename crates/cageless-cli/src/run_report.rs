@@ -1,20 +1,21 @@
 //! From a run to the data of its report.
 
+use std::collections::VecDeque;
+
 use cageless::collision::Collision;
 use cageless::kinematics::rolling_orbit_speed_rad_s;
-use cageless::passage::Passage;
+use cageless::passage::{Passage, PassageTally};
 use cageless::simulation::RunOutcome;
 use cageless::snapshot::Snapshot;
 use cageless::state::Work;
-use cageless::vibration::{
-    FILTER_CORNER, FILTER_ORDER, Signal, VibrationRecorder, sample_behind_filter, spectrum,
-};
+use cageless::thinning::Thinning;
+use cageless::vibration::{FILTER_CORNER, FILTER_ORDER, Measurement};
 use cageless::{Case, FrictionLaw, Method, Profile};
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::{SummaryFile, VERSION};
 use cageless_report::{
     BallHistory, BearingOutline, CollisionPoint, EnergyItem, FrequencyMark, Motion, Parameter,
-    Provenance, RingHistory, RunData, Sector, Vibration, VibrationSignal,
+    Provenance, Recent, RingHistory, RunData, Sector, Vibration, VibrationSignal,
 };
 
 use crate::format::shown;
@@ -22,61 +23,70 @@ use crate::format::shown;
 /// Sampling of vibration signals, as in the paper's experiment.
 pub const SAMPLING_HZ: f64 = 5000.0;
 
-/// Most snapshots and collisions that are kept for the figures.
-const KEPT: usize = 8000;
+/// Most rows of the histories, for up to 14 balls; fewer for more.
+const ROWS: usize = 8000;
+/// Most of the last snapshots that are kept one by one.
+const RECENT: usize = 2500;
+/// Collisions that are kept at least, the strongest.
+const COLLISIONS: usize = 4000;
 
 /// What the figures need of a run, thinned out as it grows: memory does not depend on
 /// the length of the run.
 pub struct Histories {
-    snapshots: Vec<Snapshot>,
-    seen: usize,
-    stride: usize,
+    interval_s: f64,
+    rows: Thinning<Snapshot>,
+    recent: VecDeque<Snapshot>,
     collisions: Vec<CollisionPoint>,
     collisions_seen: usize,
+    passages: PassageTally,
 }
 
 impl Histories {
-    /// Nothing yet.
-    pub fn new() -> Self {
+    /// Of a run of `case`, of which nothing has been seen yet.
+    pub fn new(case: &Case) -> Self {
+        let balls = case.bearing.balls();
         Self {
-            snapshots: vec![],
-            seen: 0,
-            stride: 1,
+            interval_s: case.output.interval_s,
+            rows: Thinning::new((ROWS * 14 / balls).min(ROWS)),
+            recent: VecDeque::new(),
             collisions: vec![],
             collisions_seen: 0,
+            passages: PassageTally::new(),
         }
     }
 
-    /// Keeps a snapshot, or every second, fourth … of them.
+    /// Takes a snapshot.
     pub fn push(&mut self, snapshot: Snapshot) {
-        if self.seen.is_multiple_of(self.stride) {
-            self.snapshots.push(snapshot);
+        if self.recent.len() == RECENT {
+            self.recent.pop_front();
         }
-        self.seen += 1;
-        if self.snapshots.len() > KEPT {
-            let mut k = 0;
-            self.snapshots.retain(|_| {
-                k += 1;
-                k % 2 == 1
-            });
-            self.stride *= 2;
-        }
+        self.recent.push_back(snapshot.clone());
+        self.rows.push(snapshot);
     }
 
-    /// Keeps a collision, the first few thousand of them.
+    /// Takes a collision.
     pub fn collide(&mut self, c: &Collision) {
         self.collisions_seen += 1;
-        if self.collisions.len() < KEPT {
-            self.collisions.push(CollisionPoint {
-                time_s: c.start_s,
-                ball: c.ball + 1,
-                next_ball: c.next_ball + 1,
-                angle_deg: c.angle_rad.to_degrees(),
-                approach_speed_m_s: c.approach_speed_m_s,
-                peak_force_n: c.peak_force_n,
-                impulse_n_s: c.impulse_n_s,
-            });
+        self.collisions.push(CollisionPoint {
+            time_s: c.start_s,
+            ball: c.ball + 1,
+            next_ball: c.next_ball + 1,
+            angle_deg: c.angle_rad.to_degrees(),
+            approach_speed_m_s: c.approach_speed_m_s,
+            peak_force_n: c.peak_force_n,
+            impulse_n_s: c.impulse_n_s,
+        });
+        if self.collisions.len() == 2 * COLLISIONS {
+            let weaker =
+                |a: &CollisionPoint, b: &CollisionPoint| b.impulse_n_s.total_cmp(&a.impulse_n_s);
+            self.collisions.select_nth_unstable_by(COLLISIONS, weaker);
+            self.collisions.truncate(COLLISIONS);
         }
+    }
+
+    /// Takes a passage after the transient.
+    pub fn pass(&mut self, passage: &Passage) {
+        self.passages.add(passage);
     }
 }
 
@@ -132,19 +142,21 @@ pub fn motion(case: &Case, title: &str, snapshots: &[Snapshot], provenance: Prov
     }
 }
 
-/// A vibration signal as it is shown: behind the filter, after the transient.
-pub fn vibration_signal(name: &str, acceleration: &Signal, after_s: f64) -> VibrationSignal {
-    let sampled = sample_behind_filter(acceleration, SAMPLING_HZ).after(after_s);
-    let s = spectrum(&sampled);
+/// A vibration signal as it is shown.
+pub fn vibration_signal(name: &str, measured: &Measurement) -> VibrationSignal {
+    let trace = measured.trace();
+    let spectrum = measured.spectrum();
     VibrationSignal {
         name: name.to_owned(),
-        time_s: (0..sampled.values.len())
-            .map(|k| sampled.time_s(k))
-            .collect(),
-        rms_m_s2: (!sampled.values.is_empty()).then(|| sampled.rms()),
-        acceleration_m_s2: sampled.values,
-        frequency_hz: s.frequency_hz,
-        amplitude_m_s2: s.amplitude,
+        time_s: trace.iter().map(|point| point[0]).collect(),
+        acceleration_m_s2: trace.iter().map(|point| point[1]).collect(),
+        stretch_s: measured.trace_stretch_s(),
+        rms_m_s2: (measured.samples() > 0).then(|| measured.rms()),
+        peak_m_s2: (measured.samples() > 0).then(|| measured.peak()),
+        resolution_hz: (spectrum.stretch_s > 0.0).then(|| 1.0 / spectrum.stretch_s),
+        averages: spectrum.stretches,
+        frequency_hz: spectrum.frequency_hz,
+        amplitude_m_s2: spectrum.amplitude,
     }
 }
 
@@ -191,9 +203,8 @@ pub fn run_data(
     file: &CaseFile,
     outcome: &RunOutcome,
     summary: &SummaryFile,
-    histories: &Histories,
-    passages: &[Passage],
-    vibration: Option<&VibrationRecorder>,
+    histories: Histories,
+    vibration: Option<&Measurement>,
 ) -> RunData {
     let case = file.case();
     let settled = summary.settled_after_s;
@@ -209,7 +220,10 @@ pub fn run_data(
         "nothing".to_owned()
     };
     let provenance = provenance(case, discarded.clone());
-    let snapshots = &histories.snapshots;
+    let stretch = histories.rows.stretch();
+    let snapshots = histories.rows.into_rows();
+    let recent: Vec<Snapshot> = histories.recent.into();
+    let thinned = stretch > 1;
     let mut warnings = summary.warnings.clone();
     if let Some(stopped) = &summary.stopped {
         warnings.push(format!(
@@ -217,13 +231,8 @@ pub fn run_data(
             stopped.time_s, stopped.cause, stopped.advice
         ));
     }
-    if histories.collisions_seen > histories.collisions.len() {
-        warnings.push(format!(
-            "figures show the first {} of {} collisions; all are in collisions.parquet",
-            histories.collisions.len(),
-            histories.collisions_seen
-        ));
-    }
+    // Neighbouring rows of thinned histories are no path of the ring.
+    let path = if thinned { &recent } else { &snapshots };
     RunData {
         title: if case.title.is_empty() {
             "Run".to_owned()
@@ -234,7 +243,7 @@ pub fn run_data(
         lead: lead(case, outcome, summary),
         warnings,
         parameters: parameters(file),
-        results: [results(summary), passage_results(passages, settled)].concat(),
+        results: [results(summary), passage_results(&histories.passages)].concat(),
         outline: BearingOutline::of(bearing),
         sectors: case.raceways.iter().map(Sector::of).collect(),
         settled_after_s: settled,
@@ -242,47 +251,42 @@ pub fn run_data(
         rolling_orbit_speed_deg_s: Some(orbit.to_degrees()),
         time_s: snapshots.iter().map(|s| s.time_s).collect(),
         balls: (0..bearing.balls())
-            .map(|k| ball_history(snapshots, k))
+            .map(|k| ball_history(&snapshots, k))
             .collect(),
+        stretch_s: thinned.then_some(stretch as f64 * histories.interval_s),
+        recent: thinned.then(|| Recent {
+            from_s: recent.first().map_or(0.0, |s| s.time_s),
+            ball: ball_history(&recent, 0),
+        }),
         ring: RingHistory {
-            time_s: snapshots.iter().map(|s| s.time_s).collect(),
-            x_um: snapshots.iter().map(|s| s.ring.x_m * 1e6).collect(),
-            y_um: snapshots.iter().map(|s| s.ring.y_m * 1e6).collect(),
+            time_s: path.iter().map(|s| s.time_s).collect(),
+            x_um: path.iter().map(|s| s.ring.x_m * 1e6).collect(),
+            y_um: path.iter().map(|s| s.ring.y_m * 1e6).collect(),
         },
-        collisions: histories.collisions.clone(),
+        collisions: histories.collisions,
+        collisions_total: histories.collisions_seen,
         energy: energy(outcome),
         certificate: summary.certificate.as_ref().map(crate::verification::table),
         energy_residual_relative: Some(outcome.energy_residual_relative),
-        vibration: vibration.map(|recorder| Vibration {
-            signals: vec![vibration_signal(
-                "outer ring",
-                &recorder.acceleration()[1],
-                settled,
-            )],
+        vibration: vibration.map(|measured| Vibration {
+            signals: vec![vibration_signal("outer ring", measured)],
             marks: vec![ball_pass_mark(case)],
             provenance: Provenance {
                 discarded: format!("{discarded}; {}", filter_note(case)),
                 ..provenance.clone()
             },
         }),
-        motion: (snapshots.len() > 1)
-            .then(|| motion(case, "", &last_orbits(snapshots, orbit), provenance.clone())),
+        motion: (recent.len() > 1)
+            .then(|| motion(case, "", last_orbits(&recent, orbit), provenance.clone())),
         provenance,
     }
 }
 
 /// The last few orbits: the motion drawing interpolates, so samples must be close.
-fn last_orbits(snapshots: &[Snapshot], orbit_rad_s: f64) -> Vec<Snapshot> {
-    const MOST: usize = 2500;
-    let end = snapshots.last().map_or(0.0, |s| s.time_s);
+fn last_orbits(recent: &[Snapshot], orbit_rad_s: f64) -> &[Snapshot] {
+    let end = recent.last().map_or(0.0, |s| s.time_s);
     let from = end - 8.0 * std::f64::consts::TAU / orbit_rad_s;
-    let shown: Vec<Snapshot> = snapshots
-        .iter()
-        .filter(|s| s.time_s >= from)
-        .cloned()
-        .collect();
-    let skip = shown.len().saturating_sub(MOST);
-    shown[skip..].to_vec()
+    &recent[recent.partition_point(|s| s.time_s < from)..]
 }
 
 fn lead(case: &Case, outcome: &RunOutcome, summary: &SummaryFile) -> String {
@@ -351,51 +355,47 @@ fn flatten(prefix: &str, value: &serde_json::Value, add: &mut impl FnMut(&str, S
 }
 
 /// How the balls passed the discrete raceways after the transient.
-fn passage_results(passages: &[Passage], settled_s: f64) -> Vec<Parameter> {
-    let steady: Vec<&Passage> = passages.iter().filter(|p| p.enter_s > settled_s).collect();
-    if steady.is_empty() {
+fn passage_results(passages: &PassageTally) -> Vec<Parameter> {
+    if passages.count == 0 {
         return vec![];
     }
-    let n = steady.len() as f64;
-    let mean = |f: &dyn Fn(&Passage) -> f64| steady.iter().map(|p| f(p)).sum::<f64>() / n;
-    let hit_by_both = |p: &Passage| p.collisions_ahead > 0 && p.collisions_behind > 0;
+    let line = |name: &str, value: f64, decimals: usize, unit: &str| {
+        parameter(name, shown(value, decimals, ""), unit)
+    };
     vec![
         parameter(
             "passages through a discrete raceway",
-            steady.len().to_string(),
+            passages.count.to_string(),
             "",
         ),
-        parameter(
+        line(
             "time of a passage, mean",
-            shown(mean(&|p| (p.leave_s - p.enter_s) * 1e3), 3, ""),
+            passages.duration_mean_s() * 1e3,
+            3,
             "ms",
         ),
-        parameter(
+        line(
             "contacts with neighbours per passage, mean",
-            shown(
-                mean(&|p| f64::from(p.collisions_ahead + p.collisions_behind)),
-                3,
-                "",
-            ),
+            passages.collisions_mean(),
+            3,
             "",
         ),
-        parameter(
+        line(
             "passages hit by both neighbours",
-            shown(
-                100.0 * mean(&|p| f64::from(u8::from(hit_by_both(p)))),
-                1,
-                "",
-            ),
+            100.0 * passages.twice_share(),
+            1,
             "%",
         ),
-        parameter(
+        line(
             "largest slip in a passage, mean",
-            shown(mean(&|p| p.slip_max_m_s), 4, ""),
+            passages.slip_mean_m_s(),
+            4,
             "m/s",
         ),
-        parameter(
+        line(
             "smallest gap ahead in a passage, mean",
-            shown(mean(&|p| p.gap_min_rad.to_degrees()), 4, ""),
+            passages.gap_min_mean_rad().to_degrees(),
+            4,
             "°",
         ),
     ]

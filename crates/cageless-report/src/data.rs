@@ -144,12 +144,21 @@ pub struct VibrationSignal {
     pub time_s: Vec<f64>,
     /// Acceleration of the outer ring, m/s².
     pub acceleration_m_s2: Vec<f64>,
+    /// If the signal is given by the lowest and the highest value of stretches of it, their
+    /// length, s.
+    pub stretch_s: Option<f64>,
     /// Frequencies of the spectrum, Hz.
     pub frequency_hz: Vec<f64>,
     /// Single-sided amplitude, m/s².
     pub amplitude_m_s2: Vec<f64>,
     /// Root mean square of the acceleration, m/s².
     pub rms_m_s2: Option<f64>,
+    /// Largest absolute acceleration, m/s².
+    pub peak_m_s2: Option<f64>,
+    /// Distance of the spectrum's frequencies, Hz.
+    pub resolution_hz: Option<f64>,
+    /// How many overlapping stretches of the signal the spectrum is averaged over.
+    pub averages: usize,
 }
 
 /// Acceleration of the outer ring, one or more signals to compare (Fig. 12).

@@ -38,10 +38,17 @@ pub struct RunData {
     pub time_s: Vec<f64>,
     /// Histories of the balls, ball 1 first.
     pub balls: Vec<BallHistory>,
-    /// The inner ring.
+    /// If the histories give the lowest and the highest value of stretches of the run, two
+    /// rows for each, their length, s.
+    pub stretch_s: Option<f64>,
+    /// The end of a run with such histories, row by row.
+    pub recent: Option<Recent>,
+    /// The inner ring; of a run with such histories, the end of it.
     pub ring: RingHistory,
-    /// Contacts between balls.
+    /// Contacts between balls, of too many the strongest.
     pub collisions: Vec<CollisionPoint>,
+    /// How many there were.
+    pub collisions_total: usize,
     /// Ledger of energy.
     pub energy: Vec<EnergyItem>,
     /// Energy that the ledger misses over the sum of all flows.
@@ -79,6 +86,15 @@ pub struct BallHistory {
     pub vx_m_s: Vec<f64>,
     /// Velocity of the centre, m/s.
     pub vy_m_s: Vec<f64>,
+}
+
+/// Ball 1 over the last part of a run.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Recent {
+    /// Begin, s.
+    pub from_s: f64,
+    /// The ball.
+    pub ball: BallHistory,
 }
 
 /// The centre of the inner ring.

@@ -260,3 +260,33 @@ fn the_raceway_surface_carries_the_contact_track() {
     let widest = track.axial_mm.iter().copied().fold(0.0, f64::max);
     assert!((2.0 * widest - 5.1).abs() < 1e-9, "{widest}");
 }
+
+/// A long run says how fine its histories and spectra are, and from when on paths are shown.
+#[test]
+fn a_thinned_run_says_so() {
+    let mut data = synthetic::run_data();
+    let plain = run_page(&data);
+    assert!(!plain.contains("lowest and highest value"));
+    data.stretch_s = Some(0.0128);
+    data.recent = Some(Recent {
+        from_s: 99.5,
+        ball: data.balls[0].clone(),
+    });
+    data.collisions_total = 123_456;
+    let signal = &mut data.vibration.as_mut().unwrap().signals[0];
+    signal.stretch_s = Some(0.0256);
+    signal.averages = 121;
+    signal.resolution_hz = Some(0.5);
+    let page = run_page(&data);
+    for text in [
+        "Every 12.8 ms of the run are shown by their lowest and highest value.",
+        "y against x, after t = 99.5 s",
+        "all turns after t = 99.5 s",
+        "123456 contacts between balls",
+        "every 25.6 ms are shown",
+        "a value every 0.5 Hz",
+        "over 121 stretches of 2 s",
+    ] {
+        assert!(page.contains(text), "{text}");
+    }
+}

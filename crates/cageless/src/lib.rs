@@ -38,6 +38,7 @@ pub mod state;
 pub mod step;
 pub mod summary;
 pub mod surface;
+pub mod thinning;
 pub mod traction;
 pub mod vibration;
 

@@ -31,9 +31,89 @@ pub struct Passage {
     pub orbit_speed_range_rad_s: [f64; 2],
 }
 
-/// Follows the balls through the raceways; a passage counts when the ball has come in
-/// and gone out during the run.
-pub struct PassageRecorder {
+/// What passages had in common, gathered as they come.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PassageTally {
+    /// How many.
+    pub count: u64,
+    sums: [f64; 6],
+    /// Largest and smallest gap to the ball ahead on going out.
+    pub gap_leave_range_rad: [f64; 2],
+}
+
+impl PassageTally {
+    /// Of no passage.
+    pub fn new() -> Self {
+        Self {
+            count: 0,
+            sums: [0.0; 6],
+            gap_leave_range_rad: [f64::INFINITY, f64::NEG_INFINITY],
+        }
+    }
+
+    /// Adds a passage.
+    pub fn add(&mut self, p: &Passage) {
+        self.count += 1;
+        let twice = p.collisions_ahead > 0 && p.collisions_behind > 0;
+        let values = [
+            p.leave_s - p.enter_s,
+            f64::from(p.collisions_ahead + p.collisions_behind),
+            f64::from(u8::from(twice)),
+            p.slip_max_m_s,
+            p.gap_min_rad,
+            p.orbit_speed_range_rad_s[0],
+        ];
+        for (sum, value) in self.sums.iter_mut().zip(values) {
+            *sum += value;
+        }
+        let [low, high] = self.gap_leave_range_rad;
+        self.gap_leave_range_rad = [low.min(p.gap_leave_rad), high.max(p.gap_leave_rad)];
+    }
+
+    fn mean(&self, k: usize) -> f64 {
+        self.sums[k] / self.count as f64
+    }
+
+    /// Mean time inside; like all means NaN without passages.
+    pub fn duration_mean_s(&self) -> f64 {
+        self.mean(0)
+    }
+
+    /// Mean number of contacts with either neighbour that began inside.
+    pub fn collisions_mean(&self) -> f64 {
+        self.mean(1)
+    }
+
+    /// Share of the passages in which both neighbours hit.
+    pub fn twice_share(&self) -> f64 {
+        self.mean(2)
+    }
+
+    /// Mean over the passages of the largest |ΔVi| or |ΔVo| in each.
+    pub fn slip_mean_m_s(&self) -> f64 {
+        self.mean(3)
+    }
+
+    /// Mean of the smallest gap ahead in each.
+    pub fn gap_min_mean_rad(&self) -> f64 {
+        self.mean(4)
+    }
+
+    /// Mean of the smallest orbital speed in each.
+    pub fn slowest_mean_rad_s(&self) -> f64 {
+        self.mean(5)
+    }
+}
+
+impl Default for PassageTally {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// Follows the balls through the raceways and passes each passage on when the ball goes
+/// out; one counts when the ball has come in and gone out during the run.
+pub struct PassageRecorder<F> {
     raceways: Vec<Raceway>,
     pair_angles: Vec<f64>,
     /// The passage under way of each ball through each raceway.
@@ -41,31 +121,24 @@ pub struct PassageRecorder {
     /// Balls that start inside a raceway are let out first.
     seen_outside: Vec<bool>,
     touching: Vec<bool>,
-    /// What was found.
-    pub passages: Vec<Passage>,
+    sink: F,
 }
 
-impl PassageRecorder {
-    /// An empty record.
-    pub fn new() -> Self {
+impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
+    /// Passes each passage to `sink` when it ends.
+    pub fn new(sink: F) -> Self {
         Self {
             raceways: vec![],
             pair_angles: vec![],
             inside: vec![],
             seen_outside: vec![],
             touching: vec![],
-            passages: vec![],
+            sink,
         }
     }
 }
 
-impl Default for PassageRecorder {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
-impl Observer for PassageRecorder {
+impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorder<F> {
     fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
         let n = scene.model.balls();
         self.raceways = scene.case.raceways.clone();
@@ -92,7 +165,7 @@ impl Observer for PassageRecorder {
                     self.seen_outside[slot] = true;
                     if let Some(mut passage) = self.inside[slot].take() {
                         passage.leave_s = view.step.to_s;
-                        self.passages.push(passage);
+                        (self.sink)(passage)?;
                     }
                     continue;
                 }

@@ -3,9 +3,11 @@
 use crate::simulation::{Control, Observer, ObserverError, Scene, View};
 use crate::snapshot::Snapshot;
 
-/// Passes a [`Snapshot`] at t = 0 and after every interval to a closure.
+/// Passes a [`Snapshot`] at t = 0, after every interval and at the end of the run to a
+/// closure.
 pub struct Recorder<F> {
     interval_s: f64,
+    end_s: f64,
     taken: u64,
     sink: F,
 }
@@ -15,6 +17,7 @@ impl<F: FnMut(Snapshot) -> Result<(), ObserverError>> Recorder<F> {
     pub fn new(interval_s: f64, sink: F) -> Self {
         Self {
             interval_s,
+            end_s: f64::INFINITY,
             taken: 0,
             sink,
         }
@@ -25,6 +28,7 @@ impl<F: FnMut(Snapshot) -> Result<(), ObserverError>> Observer for Recorder<F> {
     fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
         let mut rhs = crate::dynamics::RightHandSide::new(scene.model);
         self.taken = 1;
+        self.end_s = scene.case.solver.duration_s;
         (self.sink)(rhs.snapshot(0.0, scene.start, scene.start_angle_rad))
     }
 
@@ -34,10 +38,15 @@ impl<F: FnMut(Snapshot) -> Result<(), ObserverError>> Observer for Recorder<F> {
         loop {
             let time_s = self.taken as f64 * self.interval_s;
             if time_s > view.step.to_s + slack {
-                return Ok(Control::Continue);
+                break;
             }
             (self.sink)(view.snapshot(time_s.min(view.step.to_s)))?;
             self.taken += 1;
         }
+        let last_s = (self.taken - 1) as f64 * self.interval_s;
+        if view.step.to_s >= self.end_s && self.end_s > last_s + slack {
+            (self.sink)(view.snapshot(view.step.to_s))?;
+        }
+        Ok(Control::Continue)
     }
 }

@@ -62,4 +62,80 @@ impl Snapshot {
     pub fn balls(&self) -> usize {
         self.x_m.len()
     }
+
+    /// The arrays over the balls, in the order of the fields.
+    pub fn arrays(&self) -> [&[f64]; 13] {
+        [
+            &self.angle_rad,
+            &self.x_m,
+            &self.y_m,
+            &self.vx_m_s,
+            &self.vy_m_s,
+            &self.spin_rad_s,
+            &self.orbit_speed_rad_s,
+            &self.gap_rad,
+            &self.effective_radius_m,
+            &self.inner_force_n,
+            &self.outer_force_n,
+            &self.inner_slip_m_s,
+            &self.outer_slip_m_s,
+        ]
+    }
+
+    pub(crate) fn arrays_mut(&mut self) -> [&mut [f64]; 13] {
+        [
+            &mut self.angle_rad,
+            &mut self.x_m,
+            &mut self.y_m,
+            &mut self.vx_m_s,
+            &mut self.vy_m_s,
+            &mut self.spin_rad_s,
+            &mut self.orbit_speed_rad_s,
+            &mut self.gap_rad,
+            &mut self.effective_radius_m,
+            &mut self.inner_force_n,
+            &mut self.outer_force_n,
+            &mut self.inner_slip_m_s,
+            &mut self.outer_slip_m_s,
+        ]
+    }
+}
+
+impl RingSnapshot {
+    /// The values, in the order of the fields.
+    pub fn values(&self) -> [f64; 8] {
+        [
+            self.x_m,
+            self.y_m,
+            self.vx_m_s,
+            self.vy_m_s,
+            self.ax_m_s2,
+            self.ay_m_s2,
+            self.outer_force_x_n,
+            self.outer_force_y_n,
+        ]
+    }
+
+    pub(crate) fn from_values(values: [f64; 8]) -> Self {
+        let [
+            x_m,
+            y_m,
+            vx_m_s,
+            vy_m_s,
+            ax_m_s2,
+            ay_m_s2,
+            outer_force_x_n,
+            outer_force_y_n,
+        ] = values;
+        Self {
+            x_m,
+            y_m,
+            vx_m_s,
+            vy_m_s,
+            ax_m_s2,
+            ay_m_s2,
+            outer_force_x_n,
+            outer_force_y_n,
+        }
+    }
 }

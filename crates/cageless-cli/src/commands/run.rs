@@ -13,7 +13,7 @@ use cageless::simulation::{Ending, Observer, RunOutcome, run as simulate};
 use cageless::start::initial_state;
 use cageless::state::Work;
 use cageless::step::StepLimits;
-use cageless::summary::{Summary, SummaryRecorder};
+use cageless::summary::{Summary, SummaryRecorder, transient_s};
 use cageless::vibration::VibrationRecorder;
 use cageless::{Case, Method};
 use cageless_io::case_file::CaseFile;
@@ -27,7 +27,7 @@ use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::format::{pairs, shown};
 use crate::progress::{Progress, catch_interrupt};
-use crate::run_report::{Histories, run_data};
+use crate::run_report::{Histories, SAMPLING_HZ, run_data};
 use crate::verification::{self, Verification};
 
 /// Files beside the tables.
@@ -64,9 +64,10 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     let stop = catch_interrupt();
     let mut summary = SummaryRecorder::new();
     let mut verification = verify.then(|| Verification::new(case));
-    let mut vibration = case.housing.as_ref().map(VibrationRecorder::new);
-    let mut passages = PassageRecorder::new();
-    let mut histories = RefCell::new(Histories::new());
+    let settled_s = transient_s(case);
+    let mut vibration = (case.housing.as_ref())
+        .map(|housing| VibrationRecorder::new(housing, SAMPLING_HZ, settled_s));
+    let histories = RefCell::new(Histories::new(case));
     let started = Instant::now();
     let outcome = {
         let mut recorder = Recorder::new(case.output.interval_s, |snapshot| {
@@ -81,6 +82,12 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
                 writer.borrow_mut().collision(&collision)?;
             }
             histories.borrow_mut().collide(&collision);
+            Ok(())
+        });
+        let mut passages = PassageRecorder::new(|passage| {
+            if passage.enter_s > settled_s {
+                histories.borrow_mut().pass(&passage);
+            }
             Ok(())
         });
         let progress = Progress::new("run", 1.0, &stop);
@@ -120,9 +127,11 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
             &file,
             &outcome,
             &summary_file,
-            histories.get_mut(),
-            &passages.passages,
-            vibration.as_ref(),
+            histories.into_inner(),
+            vibration
+                .as_ref()
+                .map(|recorder| &recorder.measurements()[1])
+                .filter(|measured| measured.samples() > 0),
         );
         write_atomically(&dir.join(PAGE), run_page(&data).as_bytes())?;
         write_atomically(&dir.join(PAGE_DATA), to_json(&data)?.as_bytes())?;

@@ -12,7 +12,9 @@ use rayon::prelude::*;
 use super::cases;
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::run_report::{ball_pass_mark, filter_note, motion, provenance, vibration_signal};
+use crate::run_report::{
+    SAMPLING_HZ, ball_pass_mark, filter_note, motion, provenance, vibration_signal,
+};
 
 /// Seconds on one core, roughly.
 pub const WORK: f64 = 3.0;
@@ -95,7 +97,7 @@ fn one(case: &Case, name: &str, progress: &Progress) -> Result<One, Failure> {
             "the case of the experiment needs a [housing]".to_owned(),
         ));
     };
-    let mut vibration = VibrationRecorder::new(housing);
+    let mut vibration = VibrationRecorder::new(housing, SAMPLING_HZ, SETTLED_AFTER_S);
     let mut snapshots: Vec<Snapshot> = vec![];
     let mut last: Option<Snapshot> = None;
     let mut collisions: Vec<Collision> = vec![];
@@ -121,7 +123,7 @@ fn one(case: &Case, name: &str, progress: &Progress) -> Result<One, Failure> {
     if let Ending::Stopped(stop) = &outcome.ending {
         return Err(Failure::stopped(stop, ""));
     }
-    let signal = vibration_signal(name, &vibration.acceleration()[1], SETTLED_AFTER_S);
+    let signal = vibration_signal(name, &vibration.measurements()[1]);
     let late = collisions
         .iter()
         .filter(|c| c.start_s > SETTLED_AFTER_S)

@@ -64,7 +64,7 @@ const fn ball(name: &'static str) -> Column {
     }
 }
 
-/// Columns of `balls.parquet`.
+/// Columns of `balls.parquet`; from the third on as in [`Snapshot::arrays`].
 const BALLS: &[Column] = &[
     number("time_s", "s"),
     ball("ball"),
@@ -83,7 +83,7 @@ const BALLS: &[Column] = &[
     number("outer_slip_m_s", "m/s"),
 ];
 
-/// Columns of `ring.parquet`.
+/// Columns of `ring.parquet`; from the second on as in [`cageless::RingSnapshot::values`].
 const RING: &[Column] = &[
     number("time_s", "s"),
     number("x_m", "m"),
@@ -147,21 +147,7 @@ impl RunWriter {
     /// If writing fails, or the arrays of the snapshot are not of one length.
     pub fn snapshot(&mut self, s: &Snapshot) -> Result<(), ResultError> {
         let n = s.balls();
-        let arrays: [&[f64]; 13] = [
-            &s.angle_rad,
-            &s.x_m,
-            &s.y_m,
-            &s.vx_m_s,
-            &s.vy_m_s,
-            &s.spin_rad_s,
-            &s.orbit_speed_rad_s,
-            &s.gap_rad,
-            &s.effective_radius_m,
-            &s.inner_force_n,
-            &s.outer_force_n,
-            &s.inner_slip_m_s,
-            &s.outer_slip_m_s,
-        ];
+        let arrays = s.arrays();
         if arrays.iter().any(|a| a.len() != n) {
             return Err(ResultError::Ragged { time_s: s.time_s });
         }
@@ -172,20 +158,9 @@ impl RunWriter {
         }
         self.balls.rows_added()?;
 
-        let r = &s.ring;
-        let row = [
-            s.time_s,
-            r.x_m,
-            r.y_m,
-            r.vx_m_s,
-            r.vy_m_s,
-            r.ax_m_s2,
-            r.ay_m_s2,
-            r.outer_force_x_n,
-            r.outer_force_y_n,
-        ];
-        for (k, value) in row.into_iter().enumerate() {
-            self.ring.numbers(k, [value]);
+        self.ring.numbers(0, [s.time_s]);
+        for (k, value) in s.ring.values().into_iter().enumerate() {
+            self.ring.numbers(k + 1, [value]);
         }
         self.ring.rows_added()
     }

@@ -27,8 +27,12 @@ pub fn gaps(run: &RunData) -> Option<Figure> {
     Some(figure(
         run,
         "Gaps",
-        "Gaps of all pairs over time; 0 is contact, the dotted line is the uniform gap. Ball 1 to \
-         2 is drawn strong; click a ball in the legend to hide it, double-click to see it alone.",
+        &format!(
+            "Gaps of all pairs over time; 0 is contact, the dotted line is the uniform gap. Ball 1 \
+             to 2 is drawn strong; click a ball in the legend to hide it, double-click to see it \
+             alone.{}",
+            stretches(run)
+        ),
         plot,
     ))
 }
@@ -44,8 +48,11 @@ pub fn orbit_speed(run: &RunData) -> Option<Figure> {
     Some(figure(
         run,
         "Orbital speed",
-        "Orbital speed of ball 1 over time; the dotted line is pure rolling on the plain raceway. \
-         Click a ball in the legend to add it.",
+        &format!(
+            "Orbital speed of ball 1 over time; the dotted line is pure rolling on the plain \
+             raceway. Click a ball in the legend to add it.{}",
+            stretches(run)
+        ),
         plot,
     ))
 }
@@ -81,9 +88,12 @@ pub fn slip(run: &RunData) -> Option<Figure> {
         figure(
             run,
             "Slip",
-            "Sliding speeds of ball 1 at the inner and the outer raceway over time; click a ball in \
-             the legend to add it. Positive ΔVi speeds \
-             orbit and spin up, positive ΔVo slows the orbit and speeds the spin up.",
+            &format!(
+                "Sliding speeds of ball 1 at the inner and the outer raceway over time; click a \
+                 ball in the legend to add it. Positive ΔVi speeds orbit and spin up, positive ΔVo \
+                 slows the orbit and speeds the spin up.{}",
+                stretches(run)
+            ),
             plot,
         )
     })
@@ -91,11 +101,10 @@ pub fn slip(run: &RunData) -> Option<Figure> {
 
 /// Phase portrait of ball 1.
 pub fn phase(run: &RunData) -> Option<Figure> {
-    let ball = run
-        .balls
-        .first()
-        .filter(|b| !b.vx_m_s.is_empty() && !b.vy_m_s.is_empty())?;
-    let from = settled(run);
+    let (ball, from, part) = shown_ball(run)?;
+    if ball.vx_m_s.is_empty() || ball.vy_m_s.is_empty() {
+        return None;
+    }
     let after = |v: &[f64]| v.get(from..).unwrap_or_default().to_vec();
     let (px, py) = curve(&after(&ball.vx_m_s), &after(&ball.vy_m_s), 8000);
     let plot = Plot::new(560)
@@ -112,7 +121,7 @@ pub fn phase(run: &RunData) -> Option<Figure> {
     Some(figure(
         run,
         "Phase portrait of ball 1",
-        "Velocity of the centre of ball 1, y against x, after the transient.",
+        &format!("Velocity of the centre of ball 1, y against x, {part}."),
         plot,
     ))
 }
@@ -138,7 +147,15 @@ pub fn ring_orbit(run: &RunData) -> Option<Figure> {
             .axis("xaxis", "Ring x (µm)", json!({ "scaleanchor": "y" }))
             .axis("yaxis", "Ring y (µm)", json!({}))
             .trace(settled(PALETTE[0]));
-        return Some(figure(run, "Path of the inner ring", RING, plot));
+        let part = run.recent.as_ref().map_or(String::new(), |recent| {
+            format!(" Shown after t = {} s.", short(recent.from_s))
+        });
+        return Some(figure(
+            run,
+            "Path of the inner ring",
+            &format!("{RING}{part}"),
+            plot,
+        ));
     }
     let (x0, y0) = curve(&ring.x_um[..cut], &ring.y_um[..cut], 3000);
     let plot = plot
@@ -172,11 +189,11 @@ const RING: &str = "Centre of the inner ring, from the centre of the outer ring;
 
 /// Contact loads of ball 1 over the turn.
 pub fn loads(run: &RunData) -> Option<Figure> {
-    let ball = run
-        .balls
-        .first()
-        .filter(|b| !b.inner_force_n.is_empty() && !b.angle_deg.is_empty())?;
-    let from = settled(run).min(ball.angle_deg.len());
+    let (ball, from, part) = shown_ball(run)?;
+    if ball.inner_force_n.is_empty() || ball.angle_deg.is_empty() {
+        return None;
+    }
+    let from = from.min(ball.angle_deg.len());
     let mut plot = Plot::new(440)
         .legend()
         .axis(
@@ -205,7 +222,10 @@ pub fn loads(run: &RunData) -> Option<Figure> {
     Some(figure(
         run,
         "Contact loads over the turn",
-        "Normal forces on ball 1 at both raceways against its place, all turns after the transient; the discrete raceway is shaded.",
+        &format!(
+            "Normal forces on ball 1 at both raceways against its place, all turns {part}; the \
+             discrete raceway is shaded."
+        ),
         plot,
     ))
 }
@@ -215,7 +235,7 @@ pub fn collisions(run: &RunData) -> Option<Figure> {
     let mut hits = run.collisions.clone();
     hits.sort_by(|a, b| b.impulse_n_s.total_cmp(&a.impulse_n_s));
     let most = hits.first()?.impulse_n_s.max(1e-300);
-    let total = hits.len();
+    let total = run.collisions_total.max(hits.len());
     hits.truncate(COLLISIONS);
     let column =
         |of: fn(&crate::run::CollisionPoint) -> f64| -> Vec<f64> { hits.iter().map(of).collect() };
@@ -319,6 +339,32 @@ fn figure(run: &RunData, label: &str, caption: &str, plot: Plot) -> Figure {
         provenance: run.provenance.clone(),
         plot,
     }
+}
+
+/// Ball 1, its first row to be shown in a plane, and which part of the run that is.
+fn shown_ball(run: &RunData) -> Option<(&BallHistory, usize, String)> {
+    Some(match &run.recent {
+        Some(recent) => (
+            &recent.ball,
+            0,
+            format!("after t = {} s", short(recent.from_s)),
+        ),
+        None => (
+            run.balls.first()?,
+            settled(run),
+            "after the transient".to_owned(),
+        ),
+    })
+}
+
+/// How histories over time were thinned.
+fn stretches(run: &RunData) -> String {
+    run.stretch_s.map_or(String::new(), |stretch| {
+        format!(
+            " Every {} ms of the run are shown by their lowest and highest value.",
+            short(stretch * 1e3)
+        )
+    })
 }
 
 /// First row after the transient; 0 if nothing is left after it.

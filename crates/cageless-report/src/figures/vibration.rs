@@ -51,7 +51,10 @@ pub fn vibration(label: &str, vibration: &Vibration) -> Figure {
                 json!({ "xanchor": "left", "yanchor": "bottom", "font": { "color": colour, "size": 13 } }),
             );
         if let Some(rms) = signal.rms_m_s2 {
-            sizes.push(format!("{}: {} m/s²", signal.name, short(rms)));
+            let peak = signal.peak_m_s2.map_or(String::new(), |peak| {
+                format!(" (largest {} m/s²)", short(peak))
+            });
+            sizes.push(format!("{}: {} m/s²{peak}", signal.name, short(rms)));
         }
     }
     let (x, y) = (axis_ref("x", count), axis_ref("y", count));
@@ -94,7 +97,9 @@ pub fn vibration(label: &str, vibration: &Vibration) -> Figure {
         label: label.to_owned(),
         caption: format!(
             "Acceleration of the outer ring over time, on one scale, and below its single-sided \
-             amplitude spectrum up to {HIGHEST_HZ} Hz.{}{}",
+             amplitude spectrum up to {HIGHEST_HZ} Hz{}.{}{}{}",
+            resolution(vibration),
+            stretches(vibration),
             if sizes.is_empty() { "" } else { " " },
             if sizes.is_empty() {
                 String::new()
@@ -104,5 +109,45 @@ pub fn vibration(label: &str, vibration: &Vibration) -> Figure {
         ),
         provenance: vibration.provenance.clone(),
         plot,
+    }
+}
+
+/// How fine the spectrum is.
+fn resolution(vibration: &Vibration) -> String {
+    let Some(signal) = vibration.signals.first() else {
+        return String::new();
+    };
+    let Some(resolution) = signal.resolution_hz else {
+        return String::new();
+    };
+    let averaged = if signal.averages > 1 {
+        format!(
+            ", root mean square over {} stretches of {} s that overlap by half",
+            signal.averages,
+            short(1.0 / resolution)
+        )
+    } else {
+        String::new()
+    };
+    format!(
+        ", a value every {} Hz (Hann window){averaged}",
+        short(resolution)
+    )
+}
+
+/// How the trace over time was thinned.
+fn stretches(vibration: &Vibration) -> String {
+    let longest = vibration
+        .signals
+        .iter()
+        .filter_map(|signal| signal.stretch_s)
+        .fold(0.0, f64::max);
+    if longest > 0.0 {
+        format!(
+            " Over time, every {} ms are shown by their lowest and highest value.",
+            short(longest * 1e3)
+        )
+    } else {
+        String::new()
     }
 }

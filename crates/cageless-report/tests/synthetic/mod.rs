@@ -161,6 +161,10 @@ fn vibration(names: &[(&str, f64)]) -> Vibration {
                 frequency_hz: f,
                 amplitude_m_s2: a,
                 rms_m_s2: Some(*size),
+                peak_m_s2: Some(4.0 * size),
+                resolution_hz: Some(1.0),
+                averages: 1,
+                stretch_s: None,
             }
         })
         .collect();
@@ -509,7 +513,10 @@ pub fn run_data() -> RunData {
             }),
             time_s: r.time.clone(),
         },
-        collisions: (0..214)
+        stretch_s: None,
+        recent: None,
+        collisions_total: 214,
+        collisions: (0..214_u32)
             .map(|k| CollisionPoint {
                 time_s: 0.002 + 0.0023 * f64::from(k),
                 ball: k as usize % 14 + 1,

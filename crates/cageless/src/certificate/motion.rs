@@ -1,28 +1,8 @@
 //! Means and deviations over the part of a run after its transient.
 
+use crate::numerics::moments::Moments;
 use crate::simulation::{Control, Observer, ObserverError, Scene, View};
 use crate::summary::transient_s;
-
-/// Mean and variance of a value that is held for a time, by West's update.
-#[derive(Debug, Clone, Copy, Default)]
-struct Moments {
-    time: f64,
-    mean: f64,
-    squares: f64,
-}
-
-impl Moments {
-    fn add(&mut self, value: f64, time: f64) {
-        self.time += time;
-        let before = value - self.mean;
-        self.mean += before * time / self.time;
-        self.squares += time * before * (value - self.mean);
-    }
-
-    fn deviation(&self) -> f64 {
-        (self.squares / self.time).sqrt()
-    }
-}
 
 /// Balls are looked at this often, steps: their speeds hardly change in between.
 const BALLS_EVERY: u64 = 8;
@@ -46,12 +26,12 @@ impl MotionRecorder {
 
     /// Mean orbital speed of the balls, rad/s.
     pub fn orbit_speed_rad_s(&self) -> f64 {
-        self.orbit.mean
+        self.orbit.mean()
     }
 
     /// Mean absolute spin of the balls, rad/s.
     pub fn spin_rad_s(&self) -> f64 {
-        self.spin.mean
+        self.spin.mean()
     }
 }
 

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::{Eq11, theoretical_gap_rad};
 use crate::case::{Case, Gaps, Start};
 use crate::kinematics::rolling_orbit_speed_rad_s;
-use crate::passage::{Passage, PassageRecorder};
+use crate::passage::{PassageRecorder, PassageTally};
 use crate::raceway::Raceway;
 use crate::simulation::{Control, Ending, Observer, Stop, run};
 use crate::spacing::{CriticalGapError, PairTest, critical_gap_rad};
@@ -248,41 +248,40 @@ fn steady_passages(
     let rw = bearing.ball_radius_m();
     let speed = |r: f64| rolling_orbit_speed_rad_s(bearing, case.operation.inner_speed_rad_s, r);
     let case = steady_case(case);
-    let mut recorder = PassageRecorder::new();
-    let mut observers: Vec<&mut dyn Observer> = vec![&mut recorder];
-    observers.extend(watchers.iter_mut().map(|w| &mut **w as &mut dyn Observer));
-    let outcome = run(&case, &mut observers, control)?;
+    let after_s = steady_after_s(&case);
+    let mut tally = PassageTally::new();
+    let outcome = {
+        let mut recorder = PassageRecorder::new(|passage| {
+            if passage.raceway == 0 && passage.enter_s > after_s {
+                tally.add(&passage);
+            }
+            Ok(())
+        });
+        let mut observers: Vec<&mut dyn Observer> = vec![&mut recorder];
+        observers.extend(watchers.iter_mut().map(|w| &mut **w as &mut dyn Observer));
+        run(&case, &mut observers, control)?
+    };
     match outcome.ending {
         Ending::Stopped(stop) => return Ok((None, Some(stop))),
         Ending::Interrupted => return Err(CriticalGapError::Interrupted),
         _ => {}
     }
-    let steady: Vec<_> = recorder
-        .passages
-        .iter()
-        .filter(|p| p.raceway == 0 && p.enter_s > steady_after_s(&case))
-        .collect();
-    if steady.is_empty() {
+    if tally.count == 0 {
         return Ok((None, None));
     }
-    let n = steady.len() as f64;
     let raceway = &case.raceways[0];
     let slowest = speed(raceway.effective_radius_m(raceway.dimensions().centre_angle_rad));
     let drop = speed(rw) - slowest;
-    let mean = |f: &dyn Fn(&Passage) -> f64| steady.iter().map(|p| f(p)).sum::<f64>() / n;
-    let leave =
-        |f: fn(f64, f64) -> f64, from: f64| steady.iter().map(|p| p.gap_leave_rad).fold(from, f);
+    let [gap_leave_min_rad, gap_leave_max_rad] = tally.gap_leave_range_rad;
     Ok((
         Some(PassageStatistics {
-            passages: steady.len(),
-            collisions_mean: mean(&|p| f64::from(p.collisions_ahead + p.collisions_behind)),
-            twice_share: mean(&|p| {
-                f64::from(u8::from(p.collisions_ahead > 0 && p.collisions_behind > 0))
-            }),
-            slip_mean_m_s: mean(&|p| p.slip_max_m_s),
-            speed_drop_share: mean(&|p| (speed(rw) - p.orbit_speed_range_rad_s[0]) / drop),
-            gap_leave_max_rad: leave(f64::max, f64::NEG_INFINITY),
-            gap_leave_min_rad: leave(f64::min, f64::INFINITY),
+            passages: tally.count as usize,
+            collisions_mean: tally.collisions_mean(),
+            twice_share: tally.twice_share(),
+            slip_mean_m_s: tally.slip_mean_m_s(),
+            speed_drop_share: (speed(rw) - tally.slowest_mean_rad_s()) / drop,
+            gap_leave_max_rad,
+            gap_leave_min_rad,
         }),
         None,
     ))

@@ -3,6 +3,7 @@
 pub mod bspline;
 pub mod chebyshev;
 pub mod elliptic;
+pub mod moments;
 pub mod quadrature;
 pub mod root;
 pub mod student;

@@ -1,0 +1,35 @@
+//! Mean and deviation of a series as it comes.
+
+/// Mean and variance of values with weights (times for which they are held, say), by West's
+/// update (1979).
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Moments {
+    weight: f64,
+    mean: f64,
+    squares: f64,
+}
+
+impl Moments {
+    /// Adds a value.
+    pub fn add(&mut self, value: f64, weight: f64) {
+        self.weight += weight;
+        let before = value - self.mean;
+        self.mean += before * weight / self.weight;
+        self.squares += weight * before * (value - self.mean);
+    }
+
+    /// Sum of the weights.
+    pub fn weight(&self) -> f64 {
+        self.weight
+    }
+
+    /// Mean; 0 if nothing was added.
+    pub fn mean(&self) -> f64 {
+        self.mean
+    }
+
+    /// Standard deviation; NaN if nothing was added.
+    pub fn deviation(&self) -> f64 {
+        (self.squares / self.weight).sqrt()
+    }
+}
