@@ -1,5 +1,6 @@
 //! Measurements of Cageless, one command each: see README.md.
 
+mod endurance;
 mod equations;
 mod instructions;
 mod peers;
@@ -25,6 +26,8 @@ enum Command {
     Instructions(instructions::Options),
     /// Statistics of an ensemble of CB74 against the reference ones
     Statistics(statistics::Options),
+    /// A long run of CB74 without damping: drift of energy, lost balls
+    Endurance(endurance::Options),
     /// Evaluates the right-hand side, for a counter of instructions around it
     #[command(hide = true)]
     Evaluate(instructions::EvaluateOptions),
@@ -35,6 +38,7 @@ fn main() -> Result<()> {
         Command::Peers(options) => peers::run(&options),
         Command::Instructions(options) => instructions::run(&options),
         Command::Statistics(options) => statistics::run(&options),
+        Command::Endurance(options) => endurance::run(&options),
         Command::Evaluate(options) => instructions::evaluate(&options),
     }
 }
