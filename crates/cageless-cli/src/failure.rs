@@ -38,7 +38,7 @@ impl Failure {
             "at t = {:.6} s {}. To change: {}.{kept}",
             stop.time_s,
             stop.cause,
-            stop.cause.advice()
+            stop.advice()
         ))
     }
 }

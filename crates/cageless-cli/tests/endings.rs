@@ -78,7 +78,7 @@ fn a_run_that_leaves_the_physical_range_says_so_and_keeps_what_it_has() {
     assert!(message.starts_with("error: at t = 0.0"), "{message}");
     assert!(message.contains("energy appeared"), "{message}");
     assert!(
-        message.contains("To change: halve solver.step_us"),
+        message.contains("To change: set solver.step_us to 1, half"),
         "{message}"
     );
     assert!(message.contains(dir.path().to_str().unwrap()), "{message}");

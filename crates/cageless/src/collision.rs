@@ -21,7 +21,7 @@ pub struct Collision {
     pub angle_rad: f64,
     /// Speed at which the surfaces approached along the line of centres at first touch.
     pub approach_speed_m_s: f64,
-    /// Largest normal force.
+    /// Largest normal force, located between steps.
     pub peak_force_n: f64,
     /// ∫ normal force dt.
     pub impulse_n_s: f64,
@@ -30,13 +30,17 @@ pub struct Collision {
 /// Finds the contacts between neighbours that last for a step or longer and passes each
 /// on when it ends.
 ///
-/// Times of touch and parting are roots of the interpolated distance; impulses are
-/// sums by the trapezoidal rule over the steps. A contact that is still closed at the
+/// Times of touch and parting are roots of the interpolated distance; the peak is that of
+/// the parabola through the forces at the three steps around it; impulses are sums by the
+/// trapezoidal rule over the steps. A contact that is still closed at the
 /// end of the run is passed on by [`Self::close`].
 pub struct CollisionDetector<F> {
     distances: Vec<f64>,
     deflections: Vec<f64>,
     forces: Vec<f64>,
+    /// Forces a step earlier, and the length of that step.
+    earlier: Vec<f64>,
+    earlier_step_s: f64,
     open: Vec<Option<Collision>>,
     sink: F,
 }
@@ -48,6 +52,8 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> CollisionDetector<F> {
             distances: vec![],
             deflections: vec![],
             forces: vec![],
+            earlier: vec![],
+            earlier_step_s: 0.0,
             open: vec![],
             sink,
         }
@@ -109,6 +115,7 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDet
         let n = scene.model.balls();
         self.distances = (0..n).map(|k| scene.model.pair_distance_m(k)).collect();
         self.forces = vec![0.0; n];
+        self.earlier = vec![0.0; n];
         self.open = vec![None; n];
         let (x, y) = (scene.start.x_m(), scene.start.y_m());
         self.deflections = (0..n)
@@ -142,6 +149,7 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDet
             let (before, after) = (self.deflections[k], c.pair_deflection_m(k));
             let (force_before, force) = (self.forces[k], c.pair_force_n(k));
             (self.deflections[k], self.forces[k]) = (after, force);
+            let earlier = std::mem::replace(&mut self.earlier[k], force_before);
             if before <= 0.0 && after <= 0.0 {
                 continue;
             }
@@ -152,7 +160,9 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDet
                 self.open[k] = Some(touch);
             }
             if let Some(collision) = &mut self.open[k] {
-                collision.peak_force_n = collision.peak_force_n.max(force);
+                let around = [earlier, force_before, force];
+                let peak = parabola_peak(around, self.earlier_step_s, to - from);
+                collision.peak_force_n = collision.peak_force_n.max(peak);
             }
             let until = if after > 0.0 {
                 to
@@ -170,8 +180,24 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDet
                 }
             }
         }
+        self.earlier_step_s = to - from;
         Ok(Control::Continue)
     }
+}
+
+/// Highest value of the parabola through three values, `before` and `after` apart, if the
+/// middle one is the largest and the others are above zero; else the largest value.
+fn parabola_peak([a, b, c]: [f64; 3], before: f64, after: f64) -> f64 {
+    let largest = a.max(b).max(c);
+    // Where a force is clamped or begins it is no parabola.
+    if !(a > 0.0 && c > 0.0 && b > a && b > c) {
+        return largest;
+    }
+    // b + s·t − q·t², by divided differences.
+    let (rise, fall) = ((b - a) / before, (b - c) / after);
+    let q = (rise + fall) / (before + after);
+    let s = rise - q * before;
+    b + s * s / (4.0 * q)
 }
 
 /// Closed form of the elastic impact of two equal spheres under F = K δ^(3/2)

@@ -1,5 +1,7 @@
 //! How each ball passes each discrete raceway.
 
+use crate::integrator::hermite;
+use crate::numerics::root;
 use crate::raceway::Raceway;
 use crate::simulation::{Control, Observer, ObserverError, Scene, View};
 use crate::spacing::gap_rad;
@@ -11,7 +13,7 @@ pub struct Passage {
     pub ball: usize,
     /// Index (from 0) of the raceway.
     pub raceway: usize,
-    /// When it came in.
+    /// When it came in; like [`Self::leave_s`] located within the step.
     pub enter_s: f64,
     /// When it went out.
     pub leave_s: f64,
@@ -111,10 +113,35 @@ impl Default for PassageTally {
     }
 }
 
+/// The part of the turn that a raceway takes up.
+#[derive(Debug, Clone, Copy)]
+struct Sector {
+    sin_centre: f64,
+    cos_centre: f64,
+    cos_half: f64,
+}
+
+impl Sector {
+    fn of(raceway: &Raceway) -> Self {
+        let d = raceway.dimensions();
+        let (sin_centre, cos_centre) = d.centre_angle_rad.sin_cos();
+        Self {
+            sin_centre,
+            cos_centre,
+            cos_half: d.half_angle_rad.cos(),
+        }
+    }
+
+    /// |rb|·(cos(ψ − centre) − cos θ): above zero inside, with ψ from −Y.
+    fn inside_by(&self, x: f64, y: f64) -> f64 {
+        x * self.sin_centre - y * self.cos_centre - self.cos_half * (x * x + y * y).sqrt()
+    }
+}
+
 /// Follows the balls through the raceways and passes each passage on when the ball goes
 /// out; one counts when the ball has come in and gone out during the run.
 pub struct PassageRecorder<F> {
-    raceways: Vec<Raceway>,
+    sectors: Vec<Sector>,
     pair_angles: Vec<f64>,
     /// The passage under way of each ball through each raceway.
     inside: Vec<Option<Passage>>,
@@ -128,7 +155,7 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
     /// Passes each passage to `sink` when it ends.
     pub fn new(sink: F) -> Self {
         Self {
-            raceways: vec![],
+            sectors: vec![],
             pair_angles: vec![],
             inside: vec![],
             seen_outside: vec![],
@@ -136,15 +163,29 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
             sink,
         }
     }
+
+    /// When ball `k` crosses the end of a raceway within the step, and its gap to the ball
+    /// ahead there.
+    fn end(&self, view: &View<'_, '_>, k: usize, sector: &Sector) -> (f64, f64) {
+        let layout = view.layout();
+        let (from, to) = (view.step.from_s, view.step.to_s);
+        let place = |group: usize, time_s: f64| hermite(&view.step, layout.ball(group, k), time_s);
+        let inside_by = |time_s: f64| sector.inside_by(place(0, time_s), place(1, time_s));
+        let time_s = root::brent(inside_by, from, to, 1e-6 * (to - from)).unwrap_or(to);
+        let state = view.state(time_s);
+        let [x, y] = [0, 1].map(|group| state.layout().balls_of(state.values(), group));
+        let gap = gap_rad(x, y, k, self.pair_angles[k]);
+        (time_s, gap)
+    }
 }
 
 impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorder<F> {
     fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
         let n = scene.model.balls();
-        self.raceways = scene.case.raceways.clone();
+        self.sectors = scene.case.raceways.iter().map(Sector::of).collect();
         self.pair_angles = (0..n).map(|k| scene.model.pair_angle_rad(k)).collect();
-        self.inside = vec![None; n * self.raceways.len()];
-        self.seen_outside = vec![false; n * self.raceways.len()];
+        self.inside = vec![None; n * self.sectors.len()];
+        self.seen_outside = vec![false; n * self.sectors.len()];
         self.touching = vec![false; n];
         Ok(())
     }
@@ -158,13 +199,15 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
             let begun =
                 |pair: usize| u32::from(c.pair_deflection_m(pair) > 0.0 && !self.touching[pair]);
             let (ahead, behind) = (begun(k), begun(previous));
-            let angle = x[k].atan2(-y[k]);
-            for (r, raceway) in self.raceways.iter().enumerate() {
-                let slot = k * self.raceways.len() + r;
-                if !raceway.contains(angle) {
+            for r in 0..self.sectors.len() {
+                let slot = k * self.sectors.len() + r;
+                if self.sectors[r].inside_by(x[k], y[k]) <= 0.0 {
                     self.seen_outside[slot] = true;
                     if let Some(mut passage) = self.inside[slot].take() {
-                        passage.leave_s = view.step.to_s;
+                        let (leave_s, gap) = self.end(view, k, &self.sectors[r]);
+                        passage.leave_s = leave_s;
+                        passage.gap_leave_rad = gap;
+                        passage.gap_min_rad = passage.gap_min_rad.min(gap);
                         (self.sink)(passage)?;
                     }
                     continue;
@@ -178,26 +221,29 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
                 let slip = |slip: f64, force: f64| if force > 0.0 { slip.abs() } else { 0.0 };
                 let slip = slip(c.inner_slip_m_s(k), c.inner_force_n(k))
                     .max(slip(c.outer_slip_m_s(k), c.outer_force_n(k)));
-                let passage = self.inside[slot].get_or_insert(Passage {
-                    ball: k,
-                    raceway: r,
-                    enter_s: view.step.to_s,
-                    leave_s: view.step.to_s,
-                    gap_enter_rad: gap,
-                    gap_min_rad: gap,
-                    gap_leave_rad: gap,
-                    collisions_ahead: 0,
-                    collisions_behind: 0,
-                    slip_max_m_s: 0.0,
-                    orbit_speed_range_rad_s: [orbit, orbit],
+                let mut passage = self.inside[slot].unwrap_or_else(|| {
+                    let (enter_s, gap) = self.end(view, k, &self.sectors[r]);
+                    Passage {
+                        ball: k,
+                        raceway: r,
+                        enter_s,
+                        leave_s: enter_s,
+                        gap_enter_rad: gap,
+                        gap_min_rad: gap,
+                        gap_leave_rad: gap,
+                        collisions_ahead: 0,
+                        collisions_behind: 0,
+                        slip_max_m_s: 0.0,
+                        orbit_speed_range_rad_s: [orbit, orbit],
+                    }
                 });
                 passage.gap_min_rad = passage.gap_min_rad.min(gap);
-                passage.gap_leave_rad = gap;
                 passage.collisions_ahead += ahead;
                 passage.collisions_behind += behind;
                 passage.slip_max_m_s = passage.slip_max_m_s.max(slip);
                 let [low, high] = passage.orbit_speed_range_rad_s;
                 passage.orbit_speed_range_rad_s = [low.min(orbit), high.max(orbit)];
+                self.inside[slot] = Some(passage);
             }
         }
         for (k, touching) in self.touching.iter_mut().enumerate() {

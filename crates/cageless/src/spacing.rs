@@ -146,7 +146,7 @@ pub enum CriticalGapError {
     #[error(transparent)]
     Case(#[from] EquilibriumError),
     /// The run left the physical range.
-    #[error("at t = {} s {}: {}", .0.time_s, .0.cause, .0.cause.advice())]
+    #[error("at t = {} s {}: {}", .0.time_s, .0.cause, .0.advice())]
     Stopped(Stop),
     /// Ended by the caller.
     #[error("interrupted")]

@@ -75,6 +75,28 @@ fn elastic_impact_follows_hertz() {
     assert!((40e-6..60e-6).contains(&duration), "{duration}");
 }
 
+/// Touch, parting and peak lie between steps, and are found there.
+#[test]
+fn an_impact_of_a_few_steps_is_located() {
+    let mut case = free_flight();
+    case.solver.step_s = 3e-6;
+    let speed = 0.1;
+    let (collision, _) = impact(&case, speed);
+    let k = case.bearing.ball_contact().stiffness_n_m1_5;
+    let (_, force, duration) = hertz_impact(k, case.bearing.ball_mass_kg(), speed);
+    assert!(
+        (collision.peak_force_n / force - 1.0).abs() < 1e-3,
+        "{} {force}",
+        collision.peak_force_n
+    );
+    assert!(
+        (collision.duration_s / duration - 1.0).abs() < 1e-3,
+        "{} {duration}",
+        collision.duration_s
+    );
+    assert!((collision.start_s - 1e-6 / speed).abs() < 1e-9);
+}
+
 #[test]
 fn momentum_is_conserved_to_rounding() {
     let mut case = free_flight();

@@ -186,9 +186,10 @@ fn summarise(
     let residual = outcome.energy_residual_relative;
     if residual.abs() > RESIDUAL_SHARE && !matches!(outcome.ending, Ending::Stopped(_)) {
         warnings.push(format!(
-            "{:.1} % of all energy flows are unaccounted for: do not trust these numbers, halve \
-             solver.step_us",
-            100.0 * residual
+            "{:.1} % of all energy flows are unaccounted for: do not trust these numbers, set \
+             solver.step_us to less than the {} µs of this run",
+            100.0 * residual,
+            file.case().solver.step_s * 1e6
         ));
     }
     if summary.is_none() {
@@ -219,7 +220,7 @@ fn summarise(
             Ending::Stopped(stop) => Some(Stopped {
                 time_s: stop.time_s,
                 cause: stop.cause.to_string(),
-                advice: stop.cause.advice().to_owned(),
+                advice: stop.advice(),
             }),
             _ => None,
         },

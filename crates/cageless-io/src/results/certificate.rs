@@ -171,8 +171,9 @@ impl CertificateFile {
             .collect();
         (!biased.is_empty()).then(|| {
             format!(
-                "changed by the step beyond chance: {}; halve solver.step_us and verify again",
-                biased.join(", ")
+                "changed by the step beyond chance: {}; set solver.step_us to {} and verify again",
+                biased.join(", "),
+                self.step_us / 2.0
             )
         })
     }

@@ -102,7 +102,13 @@ impl<'s, 'm, 'o> Course<'s, 'm, 'o> {
         };
         if let Err(cause) = checked {
             let time_s = step.to_s;
-            self.end(Ending::Stopped(Stop { time_s, cause }), step.after);
+            let step_s = self.scene.case.solver.step_s;
+            let stop = Stop {
+                time_s,
+                step_s,
+                cause,
+            };
+            self.end(Ending::Stopped(stop), step.after);
             return;
         }
         if step.to_s - self.recent_s > self.recent_for_s {

@@ -31,6 +31,8 @@ pub enum Cause {
 pub struct Stop {
     /// Simulated time.
     pub time_s: f64,
+    /// Step of the run.
+    pub step_s: f64,
     /// What happened.
     pub cause: Cause,
 }
@@ -55,19 +57,24 @@ impl std::fmt::Display for Cause {
     }
 }
 
-impl Cause {
+impl Stop {
     /// What to change.
-    pub fn advice(&self) -> &'static str {
-        match self {
-            Self::ThroughInnerRing(_) | Self::ThroughOuterRing(_) | Self::ThroughBall(_) => {
-                "halve solver.step_us; if it happens again at the same time, the load \
-                 (operation.radial_load_n) or the start (start.ring_y_um) presses the parts \
-                 through each other"
+    pub fn advice(&self) -> String {
+        // To the last digit that a case file needs.
+        let half_us = (self.step_s * 0.5e6 * 1e6).round() / 1e6;
+        let halve = format!("set solver.step_us to {half_us}, half the step of this run");
+        match self.cause {
+            Cause::ThroughInnerRing(_) | Cause::ThroughOuterRing(_) | Cause::ThroughBall(_) => {
+                format!(
+                    "{halve}; if it happens again at the same time, the load \
+                     (operation.radial_load_n) or the start (start.ring_y_um) presses the parts \
+                     through each other"
+                )
             }
-            Self::NotFinite | Self::EnergyFromNowhere { .. } | Self::NotResolved => {
-                "halve solver.step_us, or give the contacts some damping (contact.damping, \
+            Cause::NotFinite | Cause::EnergyFromNowhere { .. } | Cause::NotResolved => format!(
+                "{halve}, or give the contacts some damping (contact.damping, \
                  contact.ball_restitution)"
-            }
+            ),
         }
     }
 }

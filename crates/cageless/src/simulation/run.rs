@@ -144,6 +144,7 @@ fn advance<'m>(
             for course in courses.iter_mut() {
                 let stop = Stop {
                     time_s: error.time_s,
+                    step_s: course.scene.case.solver.step_s,
                     cause: Cause::NotResolved,
                 };
                 course.end(Ending::Stopped(stop), method.step().after);
