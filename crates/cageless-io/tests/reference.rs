@@ -2,36 +2,19 @@
 //! equations in quadruple precision (DOP853 with error control, r(ψ) by root finding,
 //! contact edges located). Files in `reference/`.
 
-use std::path::{Path, PathBuf};
+mod common;
 
 use cageless::simulation::{Control, run};
 use cageless::start::initial_state;
 use cageless::{Case, Method, dynamics};
 use cageless_io::case_file::CaseFile;
-
-fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/reference")
-}
+use common::{folder, reference};
 
 fn case(name: &str) -> Case {
     CaseFile::read(&folder().join(format!("{name}.toml")), &[])
         .unwrap()
         .case()
         .clone()
-}
-
-/// Rows of the reference: x, y, vx, vy, spin; the last row is the ring.
-fn reference(name: &str) -> Vec<Vec<f64>> {
-    let text = std::fs::read_to_string(folder().join(format!("{name}_2ms.csv"))).unwrap();
-    text.lines()
-        .filter(|line| !line.starts_with('#') && !line.starts_with("body"))
-        .map(|line| {
-            line.split(',')
-                .skip(1)
-                .filter_map(|v| v.parse().ok())
-                .collect()
-        })
-        .collect()
 }
 
 /// RMS over the states of (y − reference)/scale at 2 ms, ABM4.

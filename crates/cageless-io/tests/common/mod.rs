@@ -1,6 +1,8 @@
 //! What the tests share.
 #![allow(dead_code, reason = "each test file uses its part")]
 
+use std::path::{Path, PathBuf};
+
 use cageless_io::case_file::{CaseError, CaseFile, template};
 
 /// The template with one piece of text replaced.
@@ -25,4 +27,23 @@ pub fn line_of(text: &str, start: &str) -> usize {
         .lines()
         .position(|l| l.starts_with(start))
         .expect("the line is there")
+}
+
+/// Folder of the reference trajectories.
+pub fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/reference")
+}
+
+/// Rows of the reference: x, y, vx, vy, spin; the last row is the ring.
+pub fn reference(name: &str) -> Vec<Vec<f64>> {
+    let text = std::fs::read_to_string(folder().join(format!("{name}_2ms.csv"))).unwrap();
+    text.lines()
+        .filter(|line| !line.starts_with('#') && !line.starts_with("body"))
+        .map(|line| {
+            line.split(',')
+                .skip(1)
+                .filter_map(|v| v.parse().ok())
+                .collect()
+        })
+        .collect()
 }

@@ -1,0 +1,151 @@
+//! Jumps of the right-hand side: closing in on them by error control, as `abm4` does,
+//! against locating them and starting anew there.
+//! `cargo test -p cageless-io --test crossing -- --nocapture` prints the comparison.
+
+mod common;
+
+use cageless::Case;
+use cageless::dynamics::{Model, RightHandSide};
+use cageless::integrator::{Abm4, CrossingError, Integrator, RungeKutta, Step, System, hermite};
+use cageless::start::initial_state;
+use cageless::state::State;
+use cageless_io::case_file::CaseFile;
+
+/// ABM4 that locates each change of regime within the step by bisection on the cubic
+/// through its ends, to a millionth of the step, steps up to it, across it, and starts anew
+/// beyond.
+struct Located {
+    inner: Abm4,
+    crossing: RungeKutta,
+    h: f64,
+    regime: u64,
+    y: Vec<f64>,
+    rate: Vec<f64>,
+    found: u32,
+}
+
+impl Located {
+    fn new(dimension: usize, h: f64) -> Self {
+        Self {
+            inner: Abm4::new(dimension, h),
+            crossing: RungeKutta::new(dimension),
+            h,
+            regime: 0,
+            y: vec![0.0; dimension],
+            rate: vec![0.0; dimension],
+            found: 0,
+        }
+    }
+
+    /// Offset of the first change of regime in the last step.
+    fn locate<S: System>(&mut self, system: &mut S) -> f64 {
+        let step = self.inner.step();
+        let (mut same, mut changed) = (0.0, step.to_s - step.from_s);
+        while changed - same > 1e-6 * self.h {
+            let middle = 0.5 * (same + changed);
+            for (k, value) in self.y.iter_mut().enumerate() {
+                *value = hermite(&step, k, step.from_s + middle);
+            }
+            system.derivative(step.from_s + middle, &self.y, &mut self.rate);
+            if system.regime() == self.regime {
+                same = middle;
+            } else {
+                changed = middle;
+            }
+        }
+        changed
+    }
+}
+
+impl Integrator for Located {
+    fn restart<S: System>(&mut self, system: &mut S, time_s: f64, y: &[f64]) {
+        self.inner.restart(system, time_s, y);
+        self.regime = system.regime();
+    }
+
+    fn advance<S: System>(&mut self, system: &mut S, limit_s: f64) -> Result<(), CrossingError> {
+        self.inner.advance(system, limit_s)?;
+        if system.regime() == self.regime {
+            return Ok(());
+        }
+        self.found += 1;
+        let edge = self.locate(system);
+        let from_s = self.inner.step().from_s;
+        self.y.copy_from_slice(self.inner.step().before);
+        self.rate.copy_from_slice(self.inner.step().rate_before);
+        self.crossing
+            .cross(system, from_s, edge, &mut self.y, &mut self.rate)?;
+        self.restart(system, from_s + edge, &self.y.clone());
+        Ok(())
+    }
+
+    fn step(&self) -> Step<'_> {
+        self.inner.step()
+    }
+}
+
+const END_S: f64 = 0.002;
+
+/// State at 2 ms and evaluations of the right-hand side.
+fn end(case: &Case, method: &mut impl Integrator) -> (Vec<f64>, u64) {
+    let model = Model::new(case).unwrap();
+    let mut rhs = RightHandSide::new(&model);
+    let (start, _) = initial_state(case).unwrap();
+    method.restart(&mut rhs, 0.0, start.values());
+    while method.step().to_s < END_S {
+        method.advance(&mut rhs, END_S).unwrap();
+    }
+    (method.step().after.to_vec(), rhs.evaluations())
+}
+
+fn error(case: &Case, name: &str, values: &[f64]) -> f64 {
+    let model = Model::new(case).unwrap();
+    let layout = model.layout();
+    let rows = common::reference(name);
+    let mut difference = vec![0.0; layout.len()];
+    let n = layout.balls;
+    let state = State::from_values(layout, values.to_vec());
+    // The reference gives the absolute spin.
+    let seen = RightHandSide::new(&model).snapshot(END_S, &state, &vec![0.0; n]);
+    for k in 0..n {
+        for group in 0..4 {
+            let at = layout.group(group) + k;
+            difference[at] = values[at] - rows[k][group];
+        }
+        difference[layout.group(4) + k] = seen.spin_rad_s[k] - rows[k][4];
+    }
+    for k in 0..4 {
+        difference[layout.ring() + k] = values[layout.ring() + k] - rows[n][k];
+    }
+    RightHandSide::new(&model).error_norm(&difference)
+}
+
+/// Where damped contacts close, the slope of the force is infinite: whatever locates the
+/// edge must approach it by small steps from behind all the same. Locating is no more
+/// accurate and costs more.
+#[test]
+fn error_control_crosses_jumps_as_well_as_location() {
+    for name in ["clear6_damped", "crowd", "b16_physical", "b16r"] {
+        let path = common::folder().join(format!("{name}.toml"));
+        let mut case = CaseFile::read(&path, &[]).unwrap().case().clone();
+        for step_us in [1.0, 0.5, 0.25] {
+            case.solver.step_s = step_us * 1e-6;
+            let model = Model::new(&case).unwrap();
+            let dimension = model.layout().len();
+            let (y, evaluations) = end(&case, &mut Abm4::new(dimension, case.solver.step_s));
+            let mut located = Located::new(dimension, case.solver.step_s);
+            let (z, more) = end(&case, &mut located);
+            let (controlled, by_location) = (error(&case, name, &y), error(&case, name, &z));
+            println!(
+                "{name:14} {step_us:4} µs, {:3} changes: error {controlled:.1e} in {evaluations:6} \
+                 evaluations, located {by_location:.1e} in {more:6}",
+                located.found
+            );
+            assert!(
+                controlled < 1.5 * by_location + 1e-9,
+                "{name}, {step_us} µs"
+            );
+            assert!(evaluations < more);
+        }
+    }
+}
