@@ -2,7 +2,7 @@
 //!
 //! | file | a row per |
 //! |---|---|
-//! | `balls.parquet` | output time and ball |
+//! | `balls.parquet` | output time and ball; the last time is the end of the run |
 //! | `ring.parquet` | output time |
 //! | `collisions.parquet` | collision |
 //! | `summary.json` | (one document, [`SummaryFile`]) |
