@@ -8,12 +8,13 @@ use cageless::{Case, Gaps, Start};
 
 fn passages(case: &Case) -> Vec<Passage> {
     let mut found = vec![];
-    let mut recorder = PassageRecorder::new(|passage| {
-        found.push(passage);
-        Ok(())
-    });
-    run(case, &mut [&mut recorder], &mut |_| Control::Continue).unwrap();
-    drop(recorder);
+    {
+        let mut recorder = PassageRecorder::new(|passage| {
+            found.push(passage);
+            Ok(())
+        });
+        run(case, &mut [&mut recorder], &mut |_| Control::Continue).unwrap();
+    }
     found
 }
 

@@ -12,12 +12,13 @@ fn the_last_row_is_at_the_end() {
         let mut case = common::conventional(common::dimensions());
         case.solver.duration_s = duration_s;
         let mut times = vec![];
-        let mut recorder = Recorder::new(1e-4, |snapshot| {
-            times.push(snapshot.time_s);
-            Ok(())
-        });
-        run(&case, &mut [&mut recorder], &mut |_| Control::Continue).unwrap();
-        drop(recorder);
+        {
+            let mut recorder = Recorder::new(1e-4, |snapshot| {
+                times.push(snapshot.time_s);
+                Ok(())
+            });
+            run(&case, &mut [&mut recorder], &mut |_| Control::Continue).unwrap();
+        }
         assert_eq!(times.len(), rows, "{times:?}");
         assert_eq!(times[0], 0.0);
         assert!((times[rows - 1] - duration_s).abs() < 1e-12, "{times:?}");
