@@ -4,8 +4,9 @@
 use std::time::Instant;
 
 use anyhow::{Result, bail};
+use cageless::dynamics::Model;
 use cageless::simulation::{self, Control, Ending, Observer, ObserverError, Scene, View};
-use cageless::spacing::gap_rad;
+use cageless::spacing::GapRange;
 use cageless::state::State;
 use cageless::step::StepLimits;
 use clap::Args;
@@ -52,13 +53,13 @@ struct Line {
 const NOTHING: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
 
 /// Ranges within the stretch under way, and the lines so far.
-struct Watch {
+struct Watch<'m> {
+    model: &'m Model,
     stretch_s: f64,
     start_energy_j: f64,
-    ball_angle: f64,
     steps: u64,
     ring: [[f64; 2]; 2],
-    gap: [f64; 2],
+    gaps: GapRange,
     slip: f64,
     lines: Vec<Line>,
 }
@@ -67,31 +68,26 @@ fn widen(range: &mut [f64; 2], value: f64) {
     *range = [range[0].min(value), range[1].max(value)];
 }
 
-impl Observer for Watch {
+impl Observer for Watch<'_> {
     fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
-        self.start_energy_j = scene.model.energy_j(scene.start);
-        self.ball_angle = scene.case.bearing.ball_angle_rad();
+        self.start_energy_j = self.model.energy_j(scene.start);
         Ok(())
     }
 
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
         let (layout, after) = (view.layout(), view.step.after);
         for (k, range) in self.ring.iter_mut().enumerate() {
-            widen(range, after[layout.ring() + k]);
+            widen(range, after[layout.ring(k)]);
         }
         if self.steps.is_multiple_of(GAPS_EVERY) {
-            let (x, y) = (
-                &after[layout.group(0)..][..layout.balls],
-                &after[layout.group(1)..][..layout.balls],
-            );
+            self.gaps.look(view.after(0), view.after(1));
+            let c = &view.contacts;
             for k in 0..layout.balls {
-                widen(&mut self.gap, gap_rad(x, y, k, self.ball_angle));
-            }
-            let (inner, outer) = view.rhs.slips();
-            let (inner_force, outer_force) = view.rhs.normal_forces();
-            for (slips, forces) in [(inner, inner_force), (outer, outer_force)] {
-                for (slip, force) in slips.iter().zip(forces) {
-                    if *force > 0.0 {
+                for (slip, force) in [
+                    (c.inner_slip_m_s(k), c.inner_force_n(k)),
+                    (c.outer_slip_m_s(k), c.outer_force_n(k)),
+                ] {
+                    if force > 0.0 {
                         self.slip = self.slip.max(slip.abs());
                     }
                 }
@@ -100,8 +96,7 @@ impl Observer for Watch {
         self.steps += 1;
         let due_s = (self.lines.len() + 1) as f64 * self.stretch_s;
         if view.step.to_s >= due_s * (1.0 - 1e-12) {
-            let state = State::from_values(layout, after.to_vec());
-            let model = view.rhs.model();
+            let (state, model) = (State::taken(layout, after), self.model);
             let (residual_j, flows_j) = model.energy_residual_j(self.start_energy_j, &state);
             self.lines.push(Line {
                 end_s: view.step.to_s,
@@ -110,11 +105,11 @@ impl Observer for Watch {
                 flows_j,
                 ring_x_um: self.ring[0].map(|v| v * 1e6),
                 ring_y_um: self.ring[1].map(|v| v * 1e6),
-                gap_deg: self.gap.map(f64::to_degrees),
+                gap_deg: self.gaps.range_rad().map(f64::to_degrees),
                 slip_m_s: self.slip,
             });
             self.ring = [NOTHING; 2];
-            self.gap = NOTHING;
+            self.gaps = GapRange::new(model);
             self.slip = 0.0;
         }
         Ok(Control::Continue)
@@ -142,13 +137,14 @@ pub fn run(options: &Options) -> Result<()> {
         case.solver.method,
         case.solver.step_s * 1e6
     );
+    let model = Model::new(&case)?;
     let mut watch = Watch {
+        model: &model,
         stretch_s: options.seconds / options.lines.max(1) as f64,
         start_energy_j: 0.0,
-        ball_angle: 0.0,
         steps: 0,
         ring: [NOTHING; 2],
-        gap: NOTHING,
+        gaps: GapRange::new(&model),
         slip: 0.0,
         lines: vec![],
     };
@@ -167,7 +163,7 @@ pub fn run(options: &Options) -> Result<()> {
     verdict(&watch.lines)
 }
 
-fn print_lines(watch: &Watch) {
+fn print_lines(watch: &Watch<'_>) {
     println!("at the start {:.6} J are stored", watch.start_energy_j);
     println!(
         "{:>8} {:>11} {:>13} {:>12} {:>10} {:>17} {:>19} {:>17} {:>9}",

@@ -104,18 +104,18 @@ fn error(case: &Case, name: &str, values: &[f64]) -> f64 {
     let rows = common::reference(name);
     let mut difference = vec![0.0; layout.len()];
     let n = layout.balls;
-    let state = State::from_values(layout, values.to_vec());
+    let state = State::taken(layout, values);
     // The reference gives the absolute spin.
     let seen = RightHandSide::new(&model).snapshot(END_S, &state, &vec![0.0; n]);
     for k in 0..n {
         for group in 0..4 {
-            let at = layout.group(group) + k;
+            let at = layout.ball(group, k);
             difference[at] = values[at] - rows[k][group];
         }
-        difference[layout.group(4) + k] = seen.spin_rad_s[k] - rows[k][4];
+        difference[layout.ball(4, k)] = seen.spin_rad_s[k] - rows[k][4];
     }
     for k in 0..4 {
-        difference[layout.ring() + k] = values[layout.ring() + k] - rows[n][k];
+        difference[layout.ring(k)] = values[layout.ring(k)] - rows[n][k];
     }
     RightHandSide::new(&model).error_norm(&difference)
 }
