@@ -83,6 +83,7 @@ fn defaults_that_were_filled_in_are_listed() {
         parse(&template(false)).defaults(),
         [
             "raceway.centre_angle_deg",
+            "raceway.depth_error_um",
             "contact.ball_restitution",
             "contact.inner_stiffness",
             "contact.outer_stiffness",
@@ -282,7 +283,7 @@ fn the_document_has_exactly_the_keys_of_the_file() {
             "{set}"
         );
     }
-    assert_eq!(all.len(), 35, "{all:?}");
+    assert_eq!(all.len(), 36, "{all:?}");
 }
 
 #[test]

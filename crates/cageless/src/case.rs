@@ -356,6 +356,13 @@ impl Case {
         ]
     }
 
+    /// Whether every ball sits in the outer ring where a nominal one does in a raceway as
+    /// designed.
+    pub fn nominal_seats(&self) -> bool {
+        self.bearing.ball_radius_deviations_m().is_empty()
+            && self.raceways.iter().all(|r| r.depth_error_m() == 0.0)
+    }
+
     /// The same case with other raceways.
     pub fn with_raceways(&self, raceways: Vec<Raceway>) -> Self {
         Self {

@@ -39,6 +39,8 @@ pub struct Raceway {
     radius_polynomial: Polynomial,
     /// 1/√(1 + y′² + z′²) over sin²ψ.
     direction_polynomial: Polynomial,
+    /// Depth that was milled too much in the middle.
+    depth_error_m: f64,
 }
 
 /// A point of the raceway surface.
@@ -104,6 +106,7 @@ impl Raceway {
             path: path_coefficients(bearing, span, theta),
             radius_polynomial: Polynomial::fit(|_| 0.0, 0.0, 1.0, 0.0),
             direction_polynomial: Polynomial::fit(|_| 0.0, 0.0, 1.0, 0.0),
+            depth_error_m: 0.0,
         };
         raceway.check_path()?;
         let end = theta.sin().powi(2);
@@ -151,6 +154,44 @@ impl Raceway {
             }
         }
         Ok(())
+    }
+
+    /// The same raceway, milled too deep by `depth_error_m` in its middle (negative: not deep
+    /// enough), measured along the normal of its flanks. The error runs out to nothing at the
+    /// ends, as E (1 − sin²ψ/sin²θ)².
+    ///
+    /// # Errors
+    /// An [`InputError`] beyond a tenth of Re − Rw: the ball would touch elsewhere.
+    pub fn with_depth_error(mut self, depth_error_m: f64) -> Result<Self, InputError> {
+        let most = 0.1 * (self.groove_curvature_radius_m - self.ball_radius_m);
+        if !(depth_error_m.abs() <= most) {
+            return Err(InputError::new(
+                "depth_error_m",
+                depth_error_m,
+                Allowed::Between(
+                    -most,
+                    most,
+                    "a tenth of what the groove's curvature radius exceeds the ball's",
+                ),
+            ));
+        }
+        self.depth_error_m = depth_error_m;
+        Ok(self)
+    }
+
+    /// Depth milled too much in the middle.
+    pub fn depth_error_m(&self) -> f64 {
+        self.depth_error_m
+    }
+
+    /// Depth milled too much at ψ.
+    pub fn depth_error_at_m(&self, angle_rad: f64) -> f64 {
+        let (local, end) = (self.local_angle_rad(angle_rad), self.half_angle_rad());
+        if local.abs() < end {
+            self.depth_error_m * (1.0 - (local.sin() / end.sin()).powi(2)).powi(2)
+        } else {
+            0.0
+        }
     }
 
     /// lC, θ and position.

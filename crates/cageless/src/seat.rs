@@ -9,7 +9,8 @@
 //!
 //!   distance from the axis = Ro − Rw + h − (Re − Rw) cos α,   r = R·h/(Re − R).
 //!
-//! On the plain raceway, α = 0, these are Ro − R and R.
+//! On the plain raceway, α = 0, these are Ro − R and R. A raceway milled too deep by e along the
+//! normals of its flanks has flanks of radius Re + e about the same Oe.
 
 use crate::bearing::Bearing;
 use crate::raceway::Raceway;
@@ -33,7 +34,8 @@ pub fn seat(bearing: &Bearing, raceways: &[Raceway], angle_rad: f64, ball_radius
         };
     };
     let nominal = raceway.effective_radius_m(angle_rad);
-    if ball_radius_m == d.ball_radius_m {
+    let error = raceway.depth_error_at_m(angle_rad);
+    if ball_radius_m == d.ball_radius_m && error == 0.0 {
         return Seat {
             touching_radius_m: bearing.touching_radius_m(),
             effective_radius_m: nominal,
@@ -41,7 +43,7 @@ pub fn seat(bearing: &Bearing, raceways: &[Raceway], angle_rad: f64, ball_radius
     }
     let cosine = nominal / d.ball_radius_m;
     let re = d.outer_groove_curvature_radius_m;
-    let (own, other) = (re - ball_radius_m, re - d.ball_radius_m);
+    let (own, other) = (re + error - ball_radius_m, re - d.ball_radius_m);
     let h = (own * own - other * other * (1.0 - cosine * cosine)).sqrt();
     Seat {
         touching_radius_m: bearing.touching_radius_m() + h - other * cosine,
@@ -103,6 +105,29 @@ mod tests {
                 assert!((seat.effective_radius_m - arm).abs() < 1e-12);
             }
         }
+    }
+
+    /// In the middle, too deep by e is what a ball smaller by e sees, but for its arm.
+    #[test]
+    fn depth_lets_the_ball_out() {
+        let bearing = bearing();
+        let dimensions = RacewayDimensions {
+            axial_span_m: 5.1e-3,
+            half_angle_rad: 25.2f64.to_radians(),
+            centre_angle_rad: 0.0,
+        };
+        let raceway = Raceway::new(dimensions, &bearing).unwrap();
+        let radius = bearing.ball_radius_m();
+        let deep = [raceway.clone().with_depth_error(2e-6).unwrap()];
+        let smaller = seat(&bearing, &[raceway], 0.0, radius - 2e-6);
+        let deeper = seat(&bearing, &deep, 0.0, radius);
+        assert!((deeper.touching_radius_m - smaller.touching_radius_m).abs() < 1e-15);
+        // It sits 2 µm over cos α further out.
+        let out = deeper.touching_radius_m - bearing.touching_radius_m();
+        let cosine = deep[0].effective_radius_m(0.0) / radius;
+        assert!((out / (2e-6 / cosine) - 1.0).abs() < 0.02, "{out}");
+        let end = seat(&bearing, &deep, 25.199f64.to_radians(), radius);
+        assert!((end.touching_radius_m - bearing.touching_radius_m()).abs() < 1e-9);
     }
 
     #[test]

@@ -67,6 +67,47 @@ fn the_ledger_closes() {
     assert!(fine < coarse / 4.0, "{coarse:e} {fine:e}");
 }
 
+/// So it does in a raceway that is not as deep as designed.
+#[test]
+fn the_ledger_closes_in_a_raceway_of_wrong_depth() {
+    for error in [-2e-6, 2e-6] {
+        let mut case = settled(undamped(structure(5.1, 25.2)));
+        let raceway = case.raceways[0].clone().with_depth_error(error).unwrap();
+        case = case.with_raceways(vec![raceway]);
+        case.solver.step_s = 0.25e-6;
+        let outcome = run(&case, &mut [], &mut |_| Control::Continue).unwrap();
+        let residual = outcome.energy_residual_relative.abs();
+        assert!(residual < 1e-6, "{error:e}: {residual:e}");
+    }
+}
+
+/// Whatever stands in the lanes that no ball fills, it is not felt.
+#[test]
+fn padding_is_not_felt() {
+    for balls in 3..=17 {
+        let mut d = dimensions();
+        d.balls = balls;
+        let grow = balls as f64 / 14.0;
+        if balls > 14 {
+            d.outer_groove_bottom_radius_m *= grow;
+            d.inner_groove_bottom_radius_m = d.outer_groove_bottom_radius_m - 9.525e-3;
+            d.outer_shoulder_radius_m = d.outer_groove_bottom_radius_m - 1.765e-3;
+        }
+        let case = conventional(d);
+        let wide = common::raceway(&case.bearing, 4.95, 35.0, 0.0);
+        let case = scattered(case.with_raceways(vec![wide]), |k| -1e-6 * (k % 3) as f64);
+        let (state, _) = cageless::start::initial_state(&settled(case.clone())).unwrap();
+        let model = cageless::dynamics::Model::new(&case).unwrap();
+        let mut rate = vec![0.0; state.values().len()];
+        let mut rhs = cageless::dynamics::RightHandSide::new(&model);
+        cageless::integrator::System::derivative(&mut rhs, 0.0, state.values(), &mut rate);
+        assert!(
+            rate.iter().all(|r| r.is_finite()),
+            "{balls} balls: {rate:?}"
+        );
+    }
+}
+
 /// The largest ball carries the most, the others share what it leaves.
 #[test]
 fn a_large_ball_carries_more() {

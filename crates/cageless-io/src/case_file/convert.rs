@@ -160,7 +160,10 @@ impl Converter<'_> {
             half_angle_rad: si("half_angle_deg", raceway.half_angle_deg)?,
             centre_angle_rad: si("centre_angle_deg", raceway.centre_angle_deg)?,
         };
-        Raceway::new(dimensions, bearing).map_err(|e| self.refused(&e, Some(index)))
+        let depth_error_m = si("depth_error_um", raceway.depth_error_um)?;
+        Raceway::new(dimensions, bearing)
+            .and_then(|raceway| raceway.with_depth_error(depth_error_m))
+            .map_err(|e| self.refused(&e, Some(index)))
     }
 
     fn operation(&self) -> Result<Operation, CaseError> {

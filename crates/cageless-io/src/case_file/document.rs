@@ -114,6 +114,8 @@ pub struct RacewayDocument {
     pub half_angle_deg: f64,
     /// ψ of its middle.
     pub centre_angle_deg: f64,
+    /// Depth milled too much in the middle.
+    pub depth_error_um: f64,
 }
 
 /// `[operation]`.

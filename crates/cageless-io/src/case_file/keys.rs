@@ -80,6 +80,7 @@ pub(super) const KEYS: &[Key] = &[
     key("raceway", "axial_span_mm", Millimetre, "axial_span_m", "lC, largest axial distance between the two contact points"),
     key("raceway", "half_angle_deg", Degree, "half_angle_rad", "θ, half the angle that the raceway takes up"),
     key("raceway", "centre_angle_deg", Degree, "centre_angle_rad", "ψ of the middle of the raceway"),
+    key("raceway", "depth_error_um", Micrometre, "depth_error_m", "depth milled too much in the middle, along the normal"),
 
     key("operation", "inner_speed_rpm", RevolutionPerMinute, "inner_speed_rad_s", "speed of the inner ring"),
     key("operation", "radial_load_n", Si("N"), "radial_load_n", "Fr, load on the inner ring, downwards"),

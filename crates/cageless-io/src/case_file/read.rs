@@ -203,6 +203,7 @@ impl<'a> FileReader<'a> {
                 axial_span_mm: r.number("axial_span_mm")?,
                 half_angle_deg: r.number("half_angle_deg")?,
                 centre_angle_deg: r.number_or("centre_angle_deg", 0.0)?,
+                depth_error_um: r.number_or("depth_error_um", 0.0)?,
             });
         }
         Ok(raceways)

@@ -222,21 +222,27 @@ fn raceway<const PAPER: bool>(p: &Parameters, g: &GrooveBlock, entry: &mut Entry
     }
 }
 
-/// Seats of balls of other radii, see [`crate::seat`], with the incline
-/// d(touching)/dψ = (Re − Rw) c′ ((Re − Rw) c/h − 1), c = r/Rw; r of the nominal ball
+/// Seats of balls of other radii or in a raceway milled too deep, see [`crate::seat`]. With
+/// f = Re − Rw, c = r/Rw and g = Re + e − R the ball's centre lies h = √(g² − f²(1 − c²))
+/// beyond Oe, and the seat rises by dT/dψ = (g e′ + f² c c′)/h − f c′. r of the nominal ball
 /// comes in p and that of the ball itself leaves in it.
 #[inline(always)]
 fn seats(p: &Parameters, g: &GrooveBlock, entry: &Entry, s: &mut Scratch) {
     for l in 0..LANES {
         let inside = s.sine.0[l] <= 1.0;
-        let cosine = s.p.0[l] / p.ball_radius.0[l];
-        let (flank, own) = (p.flank.0[l], p.curvature.0[l] - entry.radius.0[l]);
-        let h = (own * own - flank * flank * (1.0 - cosine * cosine)).sqrt();
-        // du/dψ = 2 scale sin ψ cos ψ.
-        let turning = 2.0 * g.scale.0[l] * s.sine.0[l] * s.cosine.0[l];
-        let slope = s.slope.0[l] * turning / p.ball_radius.0[l];
-        let incline = flank * slope * (flank * cosine / h - 1.0);
-        let touching = p.path_radius.0[l] + h - flank * cosine;
+        let (sine, cosine) = (s.sine.0[l], s.cosine.0[l]);
+        let c = s.p.0[l] / p.ball_radius.0[l];
+        // e = E (1 − sin²ψ/sin²θ)².
+        let depth = 1.0 - sine * sine * g.inverse_end.0[l];
+        let error = g.error.0[l] * depth * depth;
+        let (flank, own) = (p.flank.0[l], p.curvature.0[l] + error - entry.radius.0[l]);
+        let h = (own * own - flank * flank * (1.0 - c * c)).sqrt();
+        // d(sin²ψ)/dψ, and u = scale sin²ψ + shift.
+        let turning = 2.0 * sine * cosine;
+        let c_slope = s.slope.0[l] * g.scale.0[l] * turning / p.ball_radius.0[l];
+        let error_slope = -2.0 * g.error.0[l] * depth * g.inverse_end.0[l] * turning;
+        let incline = (own * error_slope + flank * flank * c * c_slope) / h - flank * c_slope;
+        let touching = p.path_radius.0[l] + h - flank * c;
         let incline = if inside { incline } else { 0.0 };
         s.touching.0[l] = if inside { touching } else { s.touching.0[l] };
         s.incline.0[l] += incline;

@@ -26,6 +26,8 @@ pub(super) struct Groove {
     pub direction: Vec<f64>,
     /// dy/dx = x(4a x² + 2b).
     pub slope: [f64; 2],
+    /// Depth milled too much in the middle.
+    pub error: f64,
 }
 
 /// Constants of one ball and of its contact with the ball ahead.
@@ -52,7 +54,7 @@ pub struct Model {
     pub(super) profile: Profile,
     pub(super) law: FrictionLaw,
     pub(super) balls: Vec<BallConstants>,
-    /// Whether the balls' radii differ.
+    /// Whether seats differ from those of nominal balls in raceways as designed.
     pub(super) unequal: bool,
     /// Rw, nominal.
     pub(super) ball_radius: f64,
@@ -141,6 +143,7 @@ impl Model {
                         .collect(),
                     direction: raceway.direction_polynomial().coefficients.clone(),
                     slope: [4.0 * a, 2.0 * b],
+                    error: raceway.depth_error_m(),
                 }
             })
             .collect();
@@ -152,7 +155,7 @@ impl Model {
             profile: case.profile,
             law: c.friction_law,
             balls,
-            unequal: !bearing.ball_radius_deviations_m().is_empty(),
+            unequal: !case.nominal_seats(),
             ball_radius: d.ball_radius_m,
             groove_curvature_radius: d.outer_groove_curvature_radius_m,
             pitch_radius: bearing.pitch_radius_m(),

@@ -37,6 +37,10 @@ pub(super) struct GrooveBlock {
     pub scale: Block,
     pub shift: Block,
     pub slope: [Block; 2],
+    /// Depth milled too much in the middle.
+    pub error: Block,
+    /// 1/sin²θ.
+    pub inverse_end: Block,
     /// Coefficients of even and odd powers.
     pub radius: Vec<[Block; 2]>,
     pub radius_slope: Vec<[Block; 2]>,
@@ -49,7 +53,7 @@ pub(super) struct Parameters {
     pub layout: Layout,
     pub profile: Profile,
     pub law: FrictionLaw,
-    /// Whether any bearing has balls of different radii.
+    /// Whether seats differ from those of nominal balls in raceways as designed.
     pub unequal: bool,
     /// Rw, nominal.
     pub ball_radius: Block,
@@ -114,11 +118,11 @@ impl Parameters {
         let same = layout.members() > 1 && !unequal;
         let balls = (0..if same { 1 } else { layout.stride / LANES })
             .map(|block| {
-                // Padding has no stiffness, no mass and no size, and so feels nothing.
+                // Padding has neither stiffness nor mass, and so feels nothing.
                 let each = |value: &dyn Fn(&Model, usize) -> f64| per_ball(block, value, 0.0);
                 BallBlock {
                     damping: each(&|m, _| m.damping),
-                    radius: per_ball(block, &|m, k| m.balls[k].radius, 1.0),
+                    radius: per_ball(block, &|m, k| m.balls[k].radius, first.ball_radius),
                     mass: each(&|m, k| m.balls[k].mass),
                     inverse_mass: each(&|m, k| 1.0 / m.balls[k].mass),
                     inverse_inertia: each(&|m, k| 1.0 / m.balls[k].inertia),
@@ -183,6 +187,8 @@ fn groove_block(models: &[&Model], k: usize) -> GrooveBlock {
         scale: of(&|g| g.scale, 0.0),
         shift: of(&|g| g.shift, 0.0),
         slope: [of(&|g| g.slope[0], 0.0), of(&|g| g.slope[1], 0.0)],
+        error: of(&|g| g.error, 0.0),
+        inverse_end: of(&|g| 1.0 / g.end, 0.0),
         radius: polynomial(&|g| &g.radius),
         radius_slope: polynomial(&|g| &g.radius_slope),
         direction: polynomial(&|g| &g.direction),

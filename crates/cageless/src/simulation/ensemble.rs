@@ -16,7 +16,7 @@ struct Kind {
     balls: usize,
     profile: Profile,
     law: FrictionLaw,
-    unequal: bool,
+    nominal_seats: bool,
     step_s: f64,
     duration_s: f64,
 }
@@ -27,7 +27,7 @@ impl Kind {
             balls: case.bearing.balls(),
             profile: case.profile,
             law: case.contact.friction_law,
-            unequal: !case.bearing.ball_radius_deviations_m().is_empty(),
+            nominal_seats: case.nominal_seats(),
             step_s: case.solver.step_s,
             duration_s: case.solver.duration_s,
         })
