@@ -1,7 +1,9 @@
 //! What can be said on the command line.
 
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
+use cageless_sweep::Shard;
 use clap::{Args as Group, Parser, Subcommand, ValueEnum};
 
 /// Simulate and design cageless ball bearings with a discrete raceway.
@@ -48,6 +50,8 @@ pub enum Command {
     Run(RunArgs),
     /// The outer ring for CAD and machining: STEP, STL or a table of points.
     Export(ExportArgs),
+    /// Compute many variants of a case; started again, it goes on where it was left.
+    Sweep(SweepArgs),
 }
 
 /// `reproduce`.
@@ -138,6 +142,77 @@ impl CadFormat {
             Self::Csv => "csv",
         }
     }
+}
+
+/// `sweep`.
+#[derive(Debug, Group)]
+#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
+pub struct SweepArgs {
+    /// Joining shards instead of computing.
+    #[command(subcommand)]
+    pub command: Option<SweepCommand>,
+    /// Plan (TOML): a case, what varies in it, what to compute.
+    #[arg(value_name = "PLAN", required = true)]
+    pub plan: Option<PathBuf>,
+    /// Compute one share of N, the I-th, into a file of its own.
+    #[arg(long, value_name = "I/N")]
+    pub shard: Option<Shard>,
+    /// Threads; as many as there are cores by default.
+    #[arg(long, value_name = "N")]
+    pub threads: Option<NonZeroUsize>,
+    /// Where the result goes.
+    #[command(flatten)]
+    pub output: SweepOutput,
+}
+
+/// What can be done with shards.
+#[derive(Debug, Subcommand)]
+pub enum SweepCommand {
+    /// Join the results of all shards into one file, and say what is missing.
+    Merge(MergeArgs),
+}
+
+/// `sweep merge`.
+#[derive(Debug, Group)]
+pub struct MergeArgs {
+    /// Results of the shards.
+    #[arg(value_name = "SHARD", required = true)]
+    pub shards: Vec<PathBuf>,
+    /// Where the result goes.
+    #[command(flatten)]
+    pub output: SweepOutput,
+}
+
+/// Where a sweep leaves its result.
+#[derive(Debug, Group)]
+pub struct SweepOutput {
+    /// Folder for `sweep.parquet`; by default `out/` and the name of the plan, for shards
+    /// theirs.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Print one JSON document.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `report`.
+#[derive(Debug, Group)]
+pub struct ReportArgs {
+    /// Result of a sweep, or its folder.
+    #[arg(value_name = "SWEEP")]
+    pub sweep: PathBuf,
+    /// Column of which less is better; may be repeated.
+    #[arg(long, value_name = "COLUMN")]
+    pub low: Vec<String>,
+    /// Column of which more is better; may be repeated.
+    #[arg(long, value_name = "COLUMN")]
+    pub high: Vec<String>,
+    /// Folder for the report; that of the result by default.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Print all numbers as one JSON document.
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Whatever works on a case.

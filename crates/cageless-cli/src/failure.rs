@@ -8,6 +8,7 @@ use cageless::simulation::Stop;
 use cageless::spacing::CriticalGapError;
 use cageless_io::case_file::CaseError;
 use cageless_io::results::ResultError;
+use cageless_sweep::SweepError;
 
 /// A failed command.
 #[derive(Debug)]
@@ -86,22 +87,43 @@ impl From<CriticalGapError> for Failure {
     }
 }
 
+/// A place that cannot be written to is bad input; a disk that is full is not.
+fn is_unusable(error: &std::io::Error) -> bool {
+    use std::io::ErrorKind::{
+        AlreadyExists, IsADirectory, NotADirectory, NotFound, PermissionDenied, ReadOnlyFilesystem,
+    };
+    matches!(
+        error.kind(),
+        AlreadyExists
+            | IsADirectory
+            | NotADirectory
+            | NotFound
+            | PermissionDenied
+            | ReadOnlyFilesystem
+    )
+}
+
+impl From<SweepError> for Failure {
+    fn from(error: SweepError) -> Self {
+        match error {
+            SweepError::Plan(error) => error.into(),
+            SweepError::Input(message) => Self::Input(message),
+            SweepError::Files(error) => error.into(),
+            SweepError::Folder { ref source, .. } if is_unusable(source) => {
+                Self::Input(error.to_string())
+            }
+            error => Self::Other(anyhow::Error::msg(error.to_string())),
+        }
+    }
+}
+
 impl From<ResultError> for Failure {
     fn from(error: ResultError) -> Self {
-        use std::io::ErrorKind::{
-            IsADirectory, NotADirectory, NotFound, PermissionDenied, ReadOnlyFilesystem,
-        };
-        // A place that cannot be written to is bad input; a disk that is full is not.
-        let unusable = [
-            IsADirectory,
-            NotADirectory,
-            NotFound,
-            PermissionDenied,
-            ReadOnlyFilesystem,
-        ];
         match &error {
-            ResultError::Busy { .. } => Self::Input(error.to_string()),
-            ResultError::Out { source, .. } if unusable.contains(&source.kind()) => {
+            ResultError::Busy { .. } | ResultError::Unreadable { .. } => {
+                Self::Input(error.to_string())
+            }
+            ResultError::Out { source, .. } if is_unusable(source) => {
                 Self::Input(error.to_string())
             }
             // The message has its cause in it.

@@ -1,5 +1,5 @@
-//! Files of Cageless: case files in TOML, results in Parquet and JSON, the outer ring in
-//! STEP, STL and as points.
+//! Files of Cageless: case files and plans in TOML, results in Parquet and JSON, the outer
+//! ring in STEP, STL and as points.
 //!
 //! Human units (`_mm`, `_deg`, `_rpm`, `_us`) exist only here and in figures;
 //! [`cageless`] itself is plain SI.
@@ -15,4 +15,5 @@
 
 pub mod cad;
 pub mod case_file;
+pub mod plan_file;
 pub mod results;

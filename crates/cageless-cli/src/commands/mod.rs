@@ -5,6 +5,7 @@ mod export;
 mod export_result;
 mod run;
 mod static_equilibrium;
+mod sweep;
 
 use std::path::Path;
 
@@ -31,6 +32,7 @@ pub fn dispatch(args: Args) -> Result<(), Failure> {
         Command::Design(args) => design::design(&args),
         Command::Run(args) => run::run(&args),
         Command::Export(args) => export::export(&args),
+        Command::Sweep(args) => sweep::sweep(&args),
     }
 }
 

@@ -14,7 +14,7 @@ pub struct CaseError {
 
 impl CaseError {
     /// An error of the file as a whole.
-    pub(super) fn of_file(name: &str, message: String) -> Self {
+    pub(crate) fn of_file(name: &str, message: String) -> Self {
         Self {
             place: name.to_owned(),
             line: None,
@@ -24,7 +24,7 @@ impl CaseError {
     }
 
     /// An error on a line of the file, which counts from 1.
-    pub(super) fn on_line(name: &str, line: usize, key: Option<String>, message: String) -> Self {
+    pub(crate) fn on_line(name: &str, line: usize, key: Option<String>, message: String) -> Self {
         Self {
             place: format!("{name}:{line}"),
             line: Some(line),
@@ -34,7 +34,7 @@ impl CaseError {
     }
 
     /// An error of a `--set`.
-    pub(super) fn of_override(text: &str, key: Option<String>, message: String) -> Self {
+    pub(crate) fn of_override(text: &str, key: Option<String>, message: String) -> Self {
         Self {
             place: format!("--set {text}"),
             line: None,
@@ -43,7 +43,7 @@ impl CaseError {
         }
     }
 
-    pub(super) fn with_key(mut self, key: impl Into<String>) -> Self {
+    pub(crate) fn with_key(mut self, key: impl Into<String>) -> Self {
         self.key = Some(key.into());
         self
     }

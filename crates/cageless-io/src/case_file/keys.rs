@@ -5,7 +5,7 @@ use super::unit::Unit;
 
 /// One key.
 #[derive(Debug)]
-pub(super) struct Key {
+pub(crate) struct Key {
     /// Section; empty for the head of the file.
     pub section: &'static str,
     pub name: &'static str,
@@ -16,7 +16,7 @@ pub(super) struct Key {
 }
 
 /// Sections and what each holds, in the order of the template.
-pub(super) const SECTIONS: &[(&str, &str)] = &[
+pub(crate) const SECTIONS: &[(&str, &str)] = &[
     ("bearing", "dimensions and masses of rings and balls"),
     ("material", "elastic material of rings and balls"),
     ("raceway", "the discrete raceway"),
@@ -54,7 +54,7 @@ const HERTZ: Unit = Si("N/m^1.5");
 
 /// The table.
 #[rustfmt::skip]
-pub(super) const KEYS: &[Key] = &[
+pub(crate) const KEYS: &[Key] = &[
     key("", "schema", Plain, "", "version of the file format"),
     key("", "title", Plain, "", "free text"),
     // The file format shows the seed below [solver]; at the head it means the same.
@@ -117,23 +117,23 @@ pub(super) const KEYS: &[Key] = &[
 ];
 
 /// The keys of a section.
-pub(super) fn of_section(section: &str) -> impl Iterator<Item = &'static Key> {
+pub(crate) fn of_section(section: &str) -> impl Iterator<Item = &'static Key> {
     KEYS.iter().filter(move |k| k.section == section)
 }
 
 /// Looks up a key.
-pub(super) fn find(section: &str, name: &str) -> Option<&'static Key> {
+pub(crate) fn find(section: &str, name: &str) -> Option<&'static Key> {
     of_section(section).find(|k| k.name == name)
 }
 
 /// The key that sets a field of [`cageless`].
-pub(super) fn of_field(field: &str) -> Option<&'static Key> {
+pub(crate) fn of_field(field: &str) -> Option<&'static Key> {
     KEYS.iter()
         .find(|k| !k.field.is_empty() && k.field == field)
 }
 
 /// What a section holds, if there is one of that name.
-pub(super) fn section_meaning(section: &str) -> Option<&'static str> {
+pub(crate) fn section_meaning(section: &str) -> Option<&'static str> {
     SECTIONS
         .iter()
         .find(|(name, _)| *name == section)
@@ -141,7 +141,7 @@ pub(super) fn section_meaning(section: &str) -> Option<&'static str> {
 }
 
 /// The candidate that `given` was most likely meant to be.
-pub(super) fn nearest<'a>(
+pub(crate) fn nearest<'a>(
     given: &str,
     candidates: impl Iterator<Item = &'a str>,
 ) -> Option<&'a str> {

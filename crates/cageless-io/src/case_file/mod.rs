@@ -6,24 +6,26 @@
 //! Whatever is wrong ends in one [`CaseError`] that names the place, the key, the
 //! value and what is allowed, in the unit of the file.
 
+pub(crate) mod base;
 mod convert;
 mod document;
 mod error;
-mod keys;
+pub(crate) mod keys;
 mod named;
 mod overrides;
-mod read;
+pub(crate) mod read;
 mod reader;
 mod ring;
 mod rules;
 mod template;
-mod tree;
-mod unit;
+pub(crate) mod tree;
+pub(crate) mod unit;
 
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
+pub use base::{CaseBase, CaseValue, Change};
 pub use document::{
     BearingDocument, CaseDocument, ContactDocument, GapsDocument, HousingDocument,
     MaterialDocument, ModelDocument, OperationDocument, OutputDocument, RacewayDocument,
@@ -55,7 +57,8 @@ impl CaseFile {
     /// [`CaseFile::parse`].
     pub fn read(path: &Path, overrides: &[String]) -> Result<Self, CaseError> {
         let name = path.display().to_string();
-        let text = read_text(path).map_err(|message| CaseError::of_file(&name, message))?;
+        let text =
+            read_text(path, "case file").map_err(|message| CaseError::of_file(&name, message))?;
         Self::parse(&text, &name, overrides)
     }
 
@@ -67,8 +70,12 @@ impl CaseFile {
     pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Self, CaseError> {
         let mut root = tree::parse(text, name)?;
         overrides::apply(&mut root, overrides)?;
-        let places = Places::of(&root, name);
-        let (document, defaults) = read::document(&root, &places)?;
+        Self::of_tree(&root, name)
+    }
+
+    fn of_tree(root: &tree::Section, name: &str) -> Result<Self, CaseError> {
+        let places = Places::of(root, name);
+        let (document, defaults) = read::document(root, &places)?;
         let case = convert::case(&document, &places)?;
         Ok(Self {
             case,
@@ -126,6 +133,29 @@ impl CaseFile {
         document
     }
 
+    /// The value of a dotted key, its default if it has one; `None` if it is left out or
+    /// not a key.
+    pub fn value(&self, key: &str) -> Option<CaseValue> {
+        let document = toml::Value::try_from(&self.document).ok()?;
+        let step = |value: &toml::Value, part: &str| match (value, part.parse::<usize>()) {
+            (toml::Value::Array(items), Ok(number)) => items.get(number.checked_sub(1)?).cloned(),
+            (value, _) => value.get(part).cloned(),
+        };
+        let found = key
+            .split('.')
+            .try_fold(document, |at, part| step(&at, part));
+        match found? {
+            toml::Value::Float(value) => Some(CaseValue::Number(value)),
+            toml::Value::Integer(value) => Some(CaseValue::Integer(value)),
+            toml::Value::String(text) => Some(CaseValue::Text(text)),
+            toml::Value::Array(items) => {
+                let items: Option<_> = items.iter().map(toml::Value::as_float).collect();
+                items.map(CaseValue::Numbers)
+            }
+            _ => None,
+        }
+    }
+
     /// Dotted keys that the file left out and that took their default, in the
     /// order of the file format.
     pub fn defaults(&self) -> &[String] {
@@ -136,11 +166,12 @@ impl CaseFile {
 /// No case file comes near this; `/dev/zero` does.
 const SIZE_MAX: u64 = 16 << 20;
 
-fn read_text(path: &Path) -> Result<String, String> {
+/// The text of a file; `what` it should be, for messages.
+pub(crate) fn read_text(path: &Path, what: &str) -> Result<String, String> {
     // Opening a directory succeeds on Unix; the message of the read that fails
     // later does not help.
     if path.is_dir() {
-        return Err("is a directory, not a case file".to_owned());
+        return Err(format!("is a directory, not a {what}"));
     }
     let file = File::open(path).map_err(|e| format!("cannot be opened: {e}"))?;
     let mut bytes = Vec::new();
@@ -149,7 +180,7 @@ fn read_text(path: &Path) -> Result<String, String> {
         .map_err(|e| format!("cannot be read: {e}"))?;
     if bytes.len() as u64 > SIZE_MAX {
         return Err(format!(
-            "is larger than {} MiB: not a case file",
+            "is larger than {} MiB: not a {what}",
             SIZE_MAX >> 20
         ));
     }

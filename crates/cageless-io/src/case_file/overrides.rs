@@ -56,7 +56,7 @@ fn apply_one(root: &mut Section, text: &str) -> Result<(), CaseError> {
 }
 
 /// Puts the value where it belongs; makes the section if there is none.
-fn insert(root: &mut Section, path: &[&str], node: Node) -> Result<(), String> {
+pub(super) fn insert(root: &mut Section, path: &[&str], node: Node) -> Result<(), String> {
     let (name, index, key) = match *path {
         [key] => {
             // The two places of the seed are one key; the file may have the other.

@@ -323,7 +323,7 @@ pub(super) fn nth(name: &str, k: usize, count: usize) -> String {
 }
 
 /// What may have been meant by an unknown name.
-fn hint(section: &str, name: &str) -> String {
+pub(crate) fn hint(section: &str, name: &str) -> String {
     let known = || keys::of_section(section).map(|k| k.name);
     let sections = || keys::SECTIONS.iter().map(|&(name, _)| name);
     if section.is_empty() {

@@ -9,18 +9,18 @@ use toml::de::{DeString, DeTable, DeValue};
 use super::error::CaseError;
 
 /// Keys of a section with their values.
-pub(super) type Section = BTreeMap<String, Node>;
+pub(crate) type Section = BTreeMap<String, Node>;
 
 /// A value and its place.
 #[derive(Debug, Clone)]
-pub(super) struct Node {
+pub(crate) struct Node {
     pub value: Value,
     pub place: Place,
 }
 
 /// A value of TOML.
 #[derive(Debug, Clone)]
-pub(super) enum Value {
+pub(crate) enum Value {
     Integer(i64),
     Number(f64),
     Text(String),
@@ -32,30 +32,32 @@ pub(super) enum Value {
 
 /// Where a value stands.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Origin {
+pub(crate) enum Origin {
     /// On this line of the file, counted from 1.
     Line(usize),
     /// In a `--set` of this text.
     Override(String),
+    /// On a line of another file, counted from 1: in a plan.
+    Elsewhere(String, usize),
 }
 
 /// Where a value stands and how it is written there.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Place {
+pub(crate) struct Place {
     pub origin: Origin,
     pub written: String,
 }
 
 /// The places of all keys of one file, by dotted key.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Places {
+pub(crate) struct Places {
     file: String,
     places: BTreeMap<String, Place>,
 }
 
 impl Places {
     /// For a document that was not read from a file.
-    pub(super) fn nowhere(name: &str) -> Self {
+    pub(crate) fn nowhere(name: &str) -> Self {
         Self {
             file: name.to_owned(),
             places: BTreeMap::new(),
@@ -63,7 +65,7 @@ impl Places {
     }
 
     /// Of everything below `root`.
-    pub(super) fn of(root: &Section, name: &str) -> Self {
+    pub(crate) fn of(root: &Section, name: &str) -> Self {
         let mut places = Self::nowhere(name);
         places.collect("", root);
         places
@@ -100,12 +102,12 @@ impl Places {
     }
 
     /// How the value of a dotted key is written, if it is.
-    pub(super) fn written(&self, path: &str) -> Option<&str> {
+    pub(crate) fn written(&self, path: &str) -> Option<&str> {
         self.places.get(path).map(|p| p.written.as_str())
     }
 
     /// An error at a dotted key, or at its section if the key is not written.
-    pub(super) fn error(&self, path: &str, message: String) -> CaseError {
+    pub(crate) fn error(&self, path: &str, message: String) -> CaseError {
         let mut place = None;
         let mut known = path;
         while place.is_none() && !known.is_empty() {
@@ -119,17 +121,18 @@ impl Places {
     }
 
     /// An error at a place.
-    pub(super) fn error_at(&self, place: &Place, path: &str, message: String) -> CaseError {
+    pub(crate) fn error_at(&self, place: &Place, path: &str, message: String) -> CaseError {
         let key = Some(path.to_owned());
         match &place.origin {
             Origin::Line(line) => CaseError::on_line(&self.file, *line, key, message),
             Origin::Override(text) => CaseError::of_override(text, key, message),
+            Origin::Elsewhere(file, line) => CaseError::on_line(file, *line, key, message),
         }
     }
 }
 
 /// `section.key`, or the key alone at the head of the file.
-pub(super) fn join(section: &str, key: &str) -> String {
+pub(crate) fn join(section: &str, key: &str) -> String {
     if section.is_empty() {
         key.to_owned()
     } else {
@@ -138,7 +141,7 @@ pub(super) fn join(section: &str, key: &str) -> String {
 }
 
 /// Parses a case file.
-pub(super) fn parse(text: &str, name: &str) -> Result<Section, CaseError> {
+pub(crate) fn parse(text: &str, name: &str) -> Result<Section, CaseError> {
     // Windows editors put it there; it is not part of the text.
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let table = DeTable::parse(text).map_err(|e| syntax_error(text, name, &e))?;
@@ -147,7 +150,7 @@ pub(super) fn parse(text: &str, name: &str) -> Result<Section, CaseError> {
 }
 
 /// Parses the value of a `--set`; the error is what is wrong with it.
-pub(super) fn parse_override(value: &str, whole: &str) -> Result<Node, String> {
+pub(crate) fn parse_override(value: &str, whole: &str) -> Result<Node, String> {
     let parsed = DeValue::parse(value).map_err(|e| e.message().to_owned())?;
     let origin = |_: &Range<usize>| Origin::Override(whole.to_owned());
     let place = Place {

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 /// Unit of a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Unit {
+pub(crate) enum Unit {
     /// No unit.
     None,
     /// A unit of the SI system, as [`cageless`] has it.
@@ -19,7 +19,7 @@ pub(super) enum Unit {
 
 impl Unit {
     /// How the unit is written; empty if there is none.
-    pub(super) fn symbol(self) -> &'static str {
+    pub(crate) fn symbol(self) -> &'static str {
         match self {
             Self::None => "",
             Self::Si(symbol) => symbol,
@@ -68,7 +68,7 @@ impl Unit {
 }
 
 /// A number as people write it: neither three hundred zeros nor an exponent without need.
-pub(super) fn decimal(value: f64) -> String {
+pub(crate) fn decimal(value: f64) -> String {
     if value == 0.0 || !value.is_finite() || (1e-6..1e12).contains(&value.abs()) {
         value.to_string()
     } else {

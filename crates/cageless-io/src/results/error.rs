@@ -20,6 +20,14 @@ pub enum ResultError {
         /// The file in question.
         path: PathBuf,
     },
+    /// A table cannot be read.
+    #[error("{}: cannot be read: {message}", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        message: String,
+    },
     /// Rows could not be written.
     #[error("cannot write {}: {source}", path.display())]
     Table {
@@ -39,6 +47,20 @@ pub enum ResultError {
 impl ResultError {
     pub(super) fn out(path: &Path, source: io::Error) -> Self {
         Self::Out {
+            path: path.to_owned(),
+            source,
+        }
+    }
+
+    pub(super) fn unreadable(path: &Path, why: impl ToString) -> Self {
+        Self::Unreadable {
+            path: path.to_owned(),
+            message: why.to_string(),
+        }
+    }
+
+    pub(super) fn table(path: &Path, source: parquet::errors::ParquetError) -> Self {
+        Self::Table {
             path: path.to_owned(),
             source,
         }

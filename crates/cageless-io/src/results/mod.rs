@@ -1,4 +1,5 @@
-//! Results of `run --out DIR`: three tables in Parquet and a summary in JSON.
+//! Results of `run --out DIR`: three tables in Parquet and a summary in JSON; and the
+//! tables of sweeps ([`RowsWriter`], [`RowsReader`]).
 //!
 //! | file | a row per |
 //! |---|---|
@@ -16,6 +17,7 @@
 mod certificate;
 mod error;
 mod partial;
+mod rows;
 mod summary;
 mod table;
 
@@ -29,6 +31,7 @@ use crate::case_file::CaseDocument;
 pub use certificate::{CertificateFile, CertificateNumber, DistanceColumns, rounded};
 pub use error::ResultError;
 pub use partial::write_atomically;
+pub use rows::{Cell, ColumnKind, ColumnSpec, Row, RowsReader, RowsWriter};
 pub use summary::{Stopped, SummaryFile};
 
 use table::{Column, Table};

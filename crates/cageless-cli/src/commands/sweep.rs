@@ -1,0 +1,194 @@
+//! `cageless sweep`.
+
+use std::cell::Cell;
+use std::io::IsTerminal;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::Ordering;
+use std::time::{Duration, Instant};
+
+use cageless_io::plan_file::PlanFile;
+use cageless_sweep::{Failures, Job, Progress, Shard, Sweep, failures, merge, run};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use serde::Serialize;
+
+use super::print;
+use crate::args::{MergeArgs, SweepArgs, SweepCommand, SweepOutput};
+use crate::failure::Failure;
+use crate::format::pairs;
+use crate::progress::catch_interrupt;
+
+/// `sweep --json`.
+#[derive(Debug, Serialize)]
+struct SweepResult {
+    result: PathBuf,
+    variants: u64,
+    failed: u64,
+    first_reason: Option<String>,
+    computed_now: u64,
+    variants_per_s: Option<f64>,
+    wall_s: f64,
+}
+
+/// Computes a sweep, or joins shards.
+pub fn sweep(args: &SweepArgs) -> Result<(), Failure> {
+    if let Some(SweepCommand::Merge(args)) = &args.command {
+        return join(args);
+    }
+    let Some(path) = &args.plan else {
+        return Err(Failure::Input("a plan is missing".to_owned()));
+    };
+    let sweep = Sweep::new(PlanFile::read(path)?)?;
+    let job = Job {
+        result: folder(&args.output, path).join(file_name(args.shard)),
+        shard: args.shard,
+        threads: args.threads,
+    };
+    let stop = catch_interrupt();
+    let display = Display::new();
+    let done = run(&sweep, &job, |progress| {
+        display.show(progress);
+        stop.load(Ordering::Relaxed)
+    })?;
+    drop(display);
+    let progress = done.progress;
+    if !done.complete {
+        return Err(Failure::Interrupted(format!(
+            "interrupted at {} of {} variants, which are kept: the same command goes on",
+            progress.done, progress.total
+        )));
+    }
+    deliver(&args.output, job.result, progress.total, Some(&progress))
+}
+
+/// `sweep merge`.
+fn join(args: &MergeArgs) -> Result<(), Failure> {
+    let folder = match &args.output.out {
+        Some(folder) => folder.clone(),
+        None => args.shards[0].parent().unwrap_or(Path::new("")).to_owned(),
+    };
+    super::make_folder(&folder)?;
+    let result = folder.join(file_name(None));
+    let variants = merge(&args.shards, &result)?;
+    deliver(&args.output, result, variants, None)
+}
+
+/// `--out`, or what stands for it.
+fn folder(output: &SweepOutput, plan: &Path) -> PathBuf {
+    let stem = || Path::new("out").join(plan.file_stem().unwrap_or("sweep".as_ref()));
+    output.out.clone().unwrap_or_else(stem)
+}
+
+fn file_name(shard: Option<Shard>) -> String {
+    match shard {
+        Some(shard) => format!("sweep.shard-{}-of-{}.parquet", shard.number(), shard.of()),
+        None => "sweep.parquet".to_owned(),
+    }
+}
+
+fn deliver(
+    output: &SweepOutput,
+    result: PathBuf,
+    variants: u64,
+    progress: Option<&Progress>,
+) -> Result<(), Failure> {
+    let Failures { count, first } = failures(&result)?;
+    let computed = progress.filter(|p| p.done_now > 0);
+    let result = SweepResult {
+        result,
+        variants,
+        failed: count,
+        first_reason: first,
+        computed_now: progress.map_or(0, |p| p.done_now),
+        variants_per_s: computed.map(Progress::rate),
+        wall_s: progress.map_or(0.0, |p| p.elapsed.as_secs_f64()),
+    };
+    print(&if output.json {
+        serde_json::to_string_pretty(&result)? + "\n"
+    } else {
+        text(&result)
+    })
+}
+
+fn text(result: &SweepResult) -> String {
+    let mut lines = vec![
+        ("result", result.result.display().to_string()),
+        ("variants", result.variants.to_string()),
+    ];
+    if let Some(rate) = result.variants_per_s {
+        lines.push(("computed now", result.computed_now.to_string()));
+        lines.push(("rate", format!("{} per second", shown_rate(rate))));
+    }
+    lines.push(match &result.first_reason {
+        None => ("failed", "none".to_owned()),
+        Some(reason) => ("failed", format!("{}; the first: {reason}", result.failed)),
+    });
+    pairs(&lines)
+}
+
+fn shown_rate(rate: f64) -> String {
+    match rate {
+        rate if rate >= 100.0 => format!("{rate:.0}"),
+        rate => format!("{rate:.2}"),
+    }
+}
+
+/// Progress on stderr: a bar on a terminal, lines now and then in the log of a job.
+struct Display {
+    bar: ProgressBar,
+    terminal: bool,
+    last: Cell<Option<Instant>>,
+}
+
+/// Work shorter than this shows nothing.
+const SILENT: Duration = Duration::from_secs(2);
+/// Time between lines of a log.
+const LOG_EVERY: Duration = Duration::from_secs(30);
+
+impl Display {
+    fn new() -> Self {
+        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
+        if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %") {
+            bar.set_style(style);
+        }
+        Self {
+            bar,
+            terminal: std::io::stderr().is_terminal(),
+            last: Cell::new(None),
+        }
+    }
+
+    fn show(&self, progress: &Progress) {
+        if progress.elapsed < SILENT {
+            return;
+        }
+        let left = match progress.left() {
+            Some(left) => indicatif::HumanDuration(left).to_string(),
+            None => "unknown time".to_owned(),
+        };
+        let message = format!(
+            "{} of {} variants, {} per second, {left} left",
+            progress.done,
+            progress.total,
+            shown_rate(progress.rate()),
+        );
+        let last = self.last.get();
+        if self.terminal {
+            if last.is_none() {
+                self.bar.set_draw_target(ProgressDrawTarget::stderr());
+                self.bar.set_length(progress.total);
+                self.last.set(Some(Instant::now()));
+            }
+            self.bar.set_position(progress.done);
+            self.bar.set_message(message);
+        } else if last.is_none_or(|at| at.elapsed() >= LOG_EVERY) {
+            self.last.set(Some(Instant::now()));
+            eprintln!("{message}");
+        }
+    }
+}
+
+impl Drop for Display {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}

@@ -1,0 +1,151 @@
+//! A case whose values are replaced before it is read: what the variants of a plan share.
+
+use std::path::Path;
+
+use super::error::CaseError;
+use super::tree::{self, Node, Origin, Place, Section, Value};
+use super::unit::decimal;
+use super::{CaseFile, overrides, read_text};
+
+/// The text of a case, parsed but not yet read.
+#[derive(Debug, Clone)]
+pub struct CaseBase {
+    root: Section,
+    name: String,
+}
+
+/// A value for a key, in the unit of the case file.
+#[derive(Debug, Clone, PartialEq)]
+pub enum CaseValue {
+    /// A number.
+    Number(f64),
+    /// A whole number.
+    Integer(i64),
+    /// A name.
+    Text(String),
+    /// A list of numbers.
+    Numbers(Vec<f64>),
+}
+
+/// A key and its new value.
+#[derive(Debug, Clone, Copy)]
+pub struct Change<'a> {
+    /// `section.key`, or `raceway.2.key` for the second of several raceways.
+    pub key: &'a str,
+    /// The value.
+    pub value: &'a CaseValue,
+    /// File and line that the change comes from, for messages.
+    pub place: (&'a str, usize),
+}
+
+impl CaseBase {
+    /// Reads the text of a case file.
+    ///
+    /// # Errors
+    /// A [`CaseError`] if the file cannot be read or is not TOML.
+    pub fn read(path: &Path) -> Result<Self, CaseError> {
+        let name = path.display().to_string();
+        let text =
+            read_text(path, "case file").map_err(|message| CaseError::of_file(&name, message))?;
+        let root = tree::parse(&text, &name)?;
+        Ok(Self { root, name })
+    }
+
+    pub(crate) fn of_tree(root: Section, name: &str) -> Self {
+        Self {
+            root,
+            name: name.to_owned(),
+        }
+    }
+
+    /// Replaces values for good.
+    ///
+    /// # Errors
+    /// A [`CaseError`] if a key has no place in this case. Whether it exists and the
+    /// value fits, [`CaseBase::with`] says.
+    pub fn change(&mut self, changes: &[Change<'_>]) -> Result<(), CaseError> {
+        changes.iter().try_for_each(|c| replace(&mut self.root, c))
+    }
+
+    /// The case with `changes`.
+    ///
+    /// # Errors
+    /// A [`CaseError`] that names file and line of the change at fault, or of the base.
+    pub fn with(&self, changes: &[Change<'_>]) -> Result<CaseFile, CaseError> {
+        let mut root = self.root.clone();
+        changes.iter().try_for_each(|c| replace(&mut root, c))?;
+        CaseFile::of_tree(&root, &self.name)
+    }
+}
+
+impl CaseValue {
+    /// `None` for what no variant can be given: tables, dates, mixed lists.
+    pub(crate) fn of(value: &Value) -> Option<Self> {
+        Some(match value {
+            Value::Integer(i) => Self::Integer(*i),
+            Value::Number(f) => Self::Number(*f),
+            Value::Text(text) => Self::Text(text.clone()),
+            Value::List(items) => {
+                let number = |node: &Node| match Self::of(&node.value)? {
+                    Self::Number(f) => Some(f),
+                    Self::Integer(i) => Some(i as f64),
+                    _ => None,
+                };
+                Self::Numbers(items.iter().map(number).collect::<Option<_>>()?)
+            }
+            Value::Section(_) | Value::Other => return None,
+        })
+    }
+
+    /// As TOML.
+    pub fn written(&self) -> String {
+        match self {
+            Self::Number(f) => decimal(*f),
+            Self::Integer(i) => i.to_string(),
+            Self::Text(text) => quoted(text),
+            Self::Numbers(list) => {
+                let list: Vec<_> = list.iter().map(|f| decimal(*f)).collect();
+                format!("[{}]", list.join(", "))
+            }
+        }
+    }
+}
+
+/// A text as TOML, on one line whatever is in it.
+pub(crate) fn quoted(text: &str) -> String {
+    let mut out = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => out.extend(['\\', c]),
+            c if c.is_control() => out.push_str(&format!("\\u{:04X}", u32::from(c))),
+            c => out.push(c),
+        }
+    }
+    out + "\""
+}
+
+fn replace(root: &mut Section, change: &Change<'_>) -> Result<(), CaseError> {
+    let (file, line) = change.place;
+    let origin = Origin::Elsewhere(file.to_owned(), line);
+    let path: Vec<&str> = change.key.split('.').collect();
+    overrides::insert(root, &path, node(change.value, &origin)).map_err(|message| {
+        let key = Some(change.key.to_owned());
+        CaseError::on_line(file, line, key, format!("{}: {message}", change.key))
+    })
+}
+
+fn node(value: &CaseValue, origin: &Origin) -> Node {
+    let number = |f: &f64| node(&CaseValue::Number(*f), origin);
+    Node {
+        value: match value {
+            CaseValue::Number(f) => Value::Number(*f),
+            CaseValue::Integer(i) => Value::Integer(*i),
+            CaseValue::Text(text) => Value::Text(text.clone()),
+            CaseValue::Numbers(list) => Value::List(list.iter().map(number).collect()),
+        },
+        place: Place {
+            origin: origin.clone(),
+            written: value.written(),
+        },
+    }
+}

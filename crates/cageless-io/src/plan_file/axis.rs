@@ -1,0 +1,130 @@
+//! One key that varies.
+
+use crate::case_file::CaseValue;
+use crate::case_file::keys;
+
+/// A key and its values.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// `section.key`, or `raceway.2.key` for the second of several raceways.
+    pub key: String,
+    /// What it takes.
+    pub values: AxisValues,
+    /// Line of the plan.
+    pub line: usize,
+}
+
+/// Values of an axis.
+#[derive(Debug, Clone, PartialEq)]
+pub enum AxisValues {
+    /// These: all numbers or all names, at least one.
+    List(Vec<CaseValue>),
+    /// A range.
+    Range(Range),
+}
+
+/// Numbers from one end to the other, both included.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    /// First.
+    pub from: f64,
+    /// Last.
+    pub to: f64,
+    /// How many, 2 or more. Axes of samples, which take any value between, have none.
+    pub count: Option<u64>,
+    /// How they are spaced.
+    pub scale: Scale,
+}
+
+/// Spacing of a range.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scale {
+    /// Equal differences.
+    Linear,
+    /// Equal ratios; both ends are then above 0.
+    Log,
+}
+
+impl Scale {
+    pub(super) const NAMES: [(&'static str, Self); 2] =
+        [("linear", Self::Linear), ("log", Self::Log)];
+}
+
+impl Range {
+    /// The value at `share` of the way, 0 to 1, to twelve digits: 5.1 stays 5.1, and the
+    /// last bits of exp and ln, which differ between systems, do not matter.
+    pub fn at(&self, share: f64) -> f64 {
+        let value = match self.scale {
+            _ if share <= 0.0 => return self.from,
+            _ if share >= 1.0 => return self.to,
+            Scale::Linear => self.from + (self.to - self.from) * share,
+            Scale::Log => (self.from.ln() + (self.to / self.from).ln() * share).exp(),
+        };
+        twelve_digits(value)
+    }
+}
+
+/// Rounds to twelve significant digits.
+pub fn twelve_digits(value: f64) -> f64 {
+    format!("{value:.11e}").parse().unwrap_or(value)
+}
+
+impl Axis {
+    /// Number of values; `None` if it takes any value of a range.
+    pub fn len(&self) -> Option<u64> {
+        match &self.values {
+            AxisValues::List(list) => Some(list.len() as u64),
+            AxisValues::Range(range) => range.count,
+        }
+    }
+
+    /// No values: never, an axis has one at least.
+    pub fn is_empty(&self) -> bool {
+        self.len() == Some(0)
+    }
+
+    /// Value number `index`, counted from 0.
+    pub fn value(&self, index: u64) -> CaseValue {
+        match &self.values {
+            AxisValues::List(list) => list[index as usize % list.len()].clone(),
+            AxisValues::Range(range) => {
+                let last = range.count.unwrap_or(2).max(2) - 1;
+                CaseValue::Number(range.at(index as f64 / last as f64))
+            }
+        }
+    }
+
+    /// The value at `share` of the axis, 0 to below 1.
+    pub fn value_at(&self, share: f64) -> CaseValue {
+        match &self.values {
+            AxisValues::List(list) => {
+                let index = (share * list.len() as f64) as usize;
+                list[index.min(list.len() - 1)].clone()
+            }
+            AxisValues::Range(range) => CaseValue::Number(range.at(share)),
+        }
+    }
+
+    /// Unit of the values; empty if none.
+    pub fn unit(&self) -> &'static str {
+        unit(&self.key)
+    }
+
+    /// Whether the values are names.
+    pub fn is_text(&self) -> bool {
+        matches!(&self.values, AxisValues::List(list)
+            if list.iter().any(|v| matches!(v, CaseValue::Text(_))))
+    }
+}
+
+/// Unit of a dotted key of the case file; empty if none.
+pub fn unit(key: &str) -> &'static str {
+    let (section, name) = split(key);
+    keys::find(section, name).map_or("", |k| k.unit.symbol())
+}
+
+/// Section and name: `raceway.2.half_angle_deg` is `half_angle_deg` in `raceway`.
+pub(super) fn split(key: &str) -> (&str, &str) {
+    let section = key.split_once('.').map_or("", |(section, _)| section);
+    (section, key.rsplit_once('.').map_or(key, |(_, name)| name))
+}

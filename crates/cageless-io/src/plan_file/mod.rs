@@ -1,0 +1,185 @@
+//! The plan of a sweep: a case, what varies in it and what is computed of each variant.
+//!
+//! ```toml
+//! case = "bearing.toml"
+//! compute = ["static", "run"]
+//!
+//! [grid]
+//! raceway.half_angle_deg = { from = 20.0, to = 30.0, count = 11 }
+//! model.profile = ["physical", "paper"]
+//! ```
+//!
+//! Whatever is wrong ends in one [`CaseError`], as in a case file.
+
+mod axis;
+mod normal;
+mod read;
+
+use std::path::Path;
+
+use crate::case_file::{CaseBase, CaseError, CaseFile, read_text};
+
+pub use axis::{Axis, AxisValues, Range, Scale, twelve_digits, unit};
+pub use normal::difference;
+
+/// The only schema of plans so far.
+pub const SCHEMA: u64 = 1;
+
+/// A plan that was read and checked.
+#[derive(Debug, Clone)]
+pub struct PlanFile {
+    /// Name of the file, for messages.
+    pub name: String,
+    /// Free text.
+    pub title: String,
+    /// Seed of whatever is random, at most 2^63 − 1.
+    pub seed: u64,
+    /// The case, with the changes of `[set]`.
+    pub base: CaseBase,
+    /// [`PlanFile::base`] as it is read, possible in itself.
+    pub base_file: CaseFile,
+    /// Axes of the grid in the order of the case file's keys; the last varies fastest.
+    pub grid: Vec<Axis>,
+    /// Points in the space of further axes, taken for each node of the grid.
+    pub samples: Option<Samples>,
+    /// Random deviations, for each of those points.
+    pub scatter: Option<Scatter>,
+    /// What is computed, without repetition.
+    pub compute: Vec<Computation>,
+    /// Columns to keep besides the inputs; all if `None`.
+    pub keep: Option<Vec<Kept>>,
+}
+
+/// How points are laid in the space of the axes of `[samples]`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SampleMethod {
+    /// Sobol's sequence, shifted by the seed.
+    Sobol,
+    /// One point in each of `count` slices of each axis.
+    LatinHypercube,
+    /// Independent points.
+    Random,
+}
+
+/// `[samples]`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Samples {
+    /// How the points are laid.
+    pub method: SampleMethod,
+    /// Number of points.
+    pub count: u64,
+    /// Axes in the order of the case file's keys.
+    pub axes: Vec<Axis>,
+}
+
+/// `[scatter]`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scatter {
+    /// Draws for each point.
+    pub repeats: u64,
+    /// What is scattered, in the order of the case file's keys.
+    pub keys: Vec<ScatteredKey>,
+}
+
+/// A key with random deviations.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ScatteredKey {
+    /// `section.key`.
+    pub key: String,
+    /// How its value deviates; of a list, each item by itself.
+    pub law: ScatterLaw,
+    /// Line of the plan.
+    pub line: usize,
+}
+
+/// Distribution of a deviation, in the unit of the key.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ScatterLaw {
+    /// Normal, of this standard deviation.
+    Normal(f64),
+    /// Uniform, up to this on either side.
+    Uniform(f64),
+    /// `start.gaps` only: every arrangement of the balls is as likely as any other.
+    Any,
+}
+
+/// What may be computed of a variant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Computation {
+    /// Static equilibrium.
+    Static,
+    /// Closed forms of the design: limits, β0, gaps.
+    Design,
+    /// Critical gap and verdict, from the motion.
+    Verdict,
+    /// A run of the case.
+    Run,
+}
+
+/// A column that the plan keeps.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Kept {
+    /// Its name.
+    pub name: String,
+    /// Line of the plan.
+    pub line: usize,
+}
+
+impl PlanFile {
+    /// Reads a plan and its base case, whose path counts from the folder of the plan.
+    ///
+    /// # Errors
+    /// A [`CaseError`] if one of the files cannot be read, or for anything but a complete
+    /// plan of a possible base case.
+    pub fn read(path: &Path) -> Result<Self, CaseError> {
+        let name = path.display().to_string();
+        let text = read_text(path, "plan").map_err(|m| CaseError::of_file(&name, m))?;
+        Self::parse(&text, &name, path.parent().unwrap_or(Path::new("")))
+    }
+
+    /// Parses the text of a plan; `name` stands for it in messages, `folder` is where the
+    /// path of its case counts from.
+    ///
+    /// # Errors
+    /// Those of [`PlanFile::read`].
+    pub fn parse(text: &str, name: &str, folder: &Path) -> Result<Self, CaseError> {
+        read::plan(text, name, folder)
+    }
+
+    /// The plan as flat TOML: every default filled in, the case in it, one key per line,
+    /// nothing of comments and order. It reads back as the same plan.
+    ///
+    /// # Errors
+    /// None that a plan from a file can cause.
+    pub fn normal(&self) -> Result<String, CaseError> {
+        normal::text(self)
+    }
+
+    /// The message at a line of the plan: file, line, key, what is wrong.
+    pub fn error(&self, line: usize, key: &str, message: String) -> CaseError {
+        CaseError::on_line(&self.name, line, Some(key.to_owned()), message)
+    }
+}
+
+impl SampleMethod {
+    const NAMES: [(&'static str, Self); 3] = [
+        ("sobol", Self::Sobol),
+        ("latin-hypercube", Self::LatinHypercube),
+        ("random", Self::Random),
+    ];
+}
+
+impl Computation {
+    const NAMES: [(&'static str, Self); 4] = [
+        ("static", Self::Static),
+        ("design", Self::Design),
+        ("verdict", Self::Verdict),
+        ("run", Self::Run),
+    ];
+
+    /// Name in a plan.
+    pub fn name(self) -> &'static str {
+        let named = Self::NAMES.iter().find(|(_, c)| *c == self);
+        named.map_or("", |(name, _)| name)
+    }
+}

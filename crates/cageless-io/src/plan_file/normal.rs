@@ -1,0 +1,128 @@
+//! A plan in its normal form: what it comes to, whatever it looks like.
+
+use toml::Value;
+
+use super::axis::Axis;
+use super::{AxisValues, Computation, PlanFile, SCHEMA, SampleMethod, Scale, ScatterLaw};
+use crate::case_file::CaseError;
+use crate::case_file::base::quoted;
+
+/// One key per line.
+pub(super) fn text(plan: &PlanFile) -> Result<String, CaseError> {
+    let mut lines = vec![
+        format!("schema = {SCHEMA}"),
+        format!("title = {}", quoted(&plan.title)),
+        format!("seed = {}", plan.seed),
+    ];
+    let names: Vec<_> = plan.compute.iter().map(|c| quoted(c.name())).collect();
+    lines.push(format!("compute = [{}]", names.join(", ")));
+    if let Some(keep) = &plan.keep {
+        let names: Vec<_> = keep.iter().map(|k| quoted(&k.name)).collect();
+        lines.push(format!("keep = [{}]", names.join(", ")));
+    }
+    for axis in &plan.grid {
+        lines.push(format!("grid.{} = {}", axis.key, specification(axis)));
+    }
+    if let Some(samples) = &plan.samples {
+        let method = name_of(&SampleMethod::NAMES, samples.method);
+        lines.push(format!("samples.method = {}", quoted(method)));
+        lines.push(format!("samples.count = {}", samples.count));
+        for axis in &samples.axes {
+            lines.push(format!("samples.{} = {}", axis.key, specification(axis)));
+        }
+    }
+    if let Some(scatter) = &plan.scatter {
+        lines.push(format!("scatter.repeats = {}", scatter.repeats));
+        for key in &scatter.keys {
+            let law = match key.law {
+                ScatterLaw::Normal(width) => format!("{{ normal = {} }}", Value::from(width)),
+                ScatterLaw::Uniform(width) => format!("{{ uniform = {} }}", Value::from(width)),
+                ScatterLaw::Any => quoted("any"),
+            };
+            lines.push(format!("scatter.{} = {law}", key.key));
+        }
+    }
+    let case = Value::try_from(plan.base_file.document()).map_err(|e| {
+        CaseError::of_file(
+            &plan.name,
+            format!("the case cannot be written as TOML: {e}"),
+        )
+    })?;
+    flatten("case", &case, &mut lines);
+    Ok(lines.join("\n") + "\n")
+}
+
+fn flatten(prefix: &str, value: &Value, lines: &mut Vec<String>) {
+    match value {
+        Value::Table(table) => {
+            for (key, value) in table {
+                flatten(&format!("{prefix}.{key}"), value, lines);
+            }
+        }
+        Value::String(text) => lines.push(format!("{prefix} = {}", quoted(text))),
+        value => lines.push(format!("{prefix} = {value}")),
+    }
+}
+
+fn specification(axis: &Axis) -> String {
+    match &axis.values {
+        AxisValues::List(list) => {
+            let list: Vec<_> = list.iter().map(|v| v.written()).collect();
+            format!("[{}]", list.join(", "))
+        }
+        AxisValues::Range(range) => {
+            let count = range.count.map(|n| format!("count = {n}, "));
+            format!(
+                "{{ from = {}, to = {}, {}scale = {} }}",
+                Value::from(range.from),
+                Value::from(range.to),
+                count.unwrap_or_default(),
+                quoted(name_of(&Scale::NAMES, range.scale)),
+            )
+        }
+    }
+}
+
+fn name_of<T: PartialEq + Copy>(names: &[(&'static str, T)], value: T) -> &'static str {
+    let named = names.iter().find(|(_, v)| *v == value);
+    named.map_or("", |&(name, _)| name)
+}
+
+/// What differs between two plans in their normal form, a line for each key; empty if
+/// nothing does.
+pub fn difference(before: &str, now: &str) -> Vec<String> {
+    let keys = |text: &str| -> Vec<(String, String)> {
+        text.lines()
+            .filter_map(|line| line.split_once(" = "))
+            .map(|(key, value)| (key.to_owned(), value.to_owned()))
+            .collect()
+    };
+    let (before, now) = (keys(before), keys(now));
+    let find = |list: &[(String, String)], key: &str| {
+        let found = list.iter().find(|(k, _)| k == key);
+        found.map(|(_, value)| value.clone())
+    };
+    let mut lines = Vec::new();
+    for (key, old) in &before {
+        match find(&now, key) {
+            Some(new) if new == *old => {}
+            Some(new) => lines.push(format!("{key} was {old}, is {new}")),
+            None => lines.push(format!("{key} was {old}, is left out")),
+        }
+    }
+    for (key, new) in &now {
+        if find(&before, key).is_none() {
+            lines.push(format!("{key} was left out, is {new}"));
+        }
+    }
+    lines
+}
+
+impl Computation {
+    /// Those of a list of names, in the order in which they are done.
+    pub(super) fn in_order(mut list: Vec<Self>) -> Vec<Self> {
+        list.sort_unstable();
+        list.dedup();
+        list
+    }
+}

@@ -1,0 +1,510 @@
+//! From the text of a plan to the plan.
+
+use std::path::Path;
+
+use super::axis::split;
+use super::{
+    Axis, AxisValues, Computation, Kept, PlanFile, Range, SCHEMA, SampleMethod, Samples, Scale,
+    Scatter, ScatterLaw, ScatteredKey,
+};
+use crate::case_file::tree::{self, Node, Origin, Section, Value};
+use crate::case_file::{CaseBase, CaseError, CaseValue, Change, keys, read};
+
+/// What may stand at the head of a plan, sections last.
+const HEAD: [&str; 10] = [
+    "schema", "title", "seed", "compute", "keep", "case", "set", "grid", "samples", "scatter",
+];
+/// Keys of a case that say nothing about the bearing.
+const FIXED: [&str; 2] = ["schema", "title"];
+/// Keys that are lists with an item for each ball.
+const PER_BALL: [&str; 2] = ["bearing.ball_radius_deviation_um", "start.gaps"];
+
+pub(super) fn plan(text: &str, name: &str, folder: &Path) -> Result<PlanFile, CaseError> {
+    let root = tree::parse(text, name)?;
+    let reader = PlanReader { root: &root, name };
+    reader.check_head()?;
+    reader.schema()?;
+    let mut base = reader.base(folder)?;
+    let set = reader.set()?;
+    let changes: Vec<_> = set
+        .iter()
+        .map(|(key, value, line)| Change {
+            key,
+            value,
+            place: (name, *line),
+        })
+        .collect();
+    base.change(&changes)?;
+    let base_file = base.with(&[])?;
+    let plan = PlanFile {
+        name: name.to_owned(),
+        title: reader.text("title")?.unwrap_or_default(),
+        seed: reader.count("", "seed", reader.root, 0)?.unwrap_or(0),
+        grid: reader.grid()?,
+        samples: reader.samples()?,
+        scatter: reader.scatter()?,
+        compute: reader.compute()?,
+        keep: reader.keep()?,
+        base,
+        base_file,
+    };
+    let axes = plan
+        .grid
+        .iter()
+        .chain(plan.samples.iter().flat_map(|s| &s.axes));
+    if let Some((one, other)) = twice(axes.collect()) {
+        let message = format!(
+            "{} varies on line {} already: an axis belongs to the grid or to the samples",
+            other.key, one.line
+        );
+        return Err(plan.error(other.line, &other.key, message));
+    }
+    Ok(plan)
+}
+
+/// The first two axes of one key.
+fn twice(axes: Vec<&Axis>) -> Option<(&Axis, &Axis)> {
+    axes.iter().enumerate().find_map(|(k, one)| {
+        let other = axes[k + 1..].iter().find(|other| other.key == one.key)?;
+        Some((*one, *other))
+    })
+}
+
+struct PlanReader<'a> {
+    root: &'a Section,
+    name: &'a str,
+}
+
+/// A key of the case file somewhere below a section of the plan.
+struct Entry<'a> {
+    key: String,
+    node: &'a Node,
+}
+
+impl<'a> PlanReader<'a> {
+    fn check_head(&self) -> Result<(), CaseError> {
+        let unknown = self.root.iter().filter(|(key, _)| !HEAD.contains(&&***key));
+        let Some((key, node)) = unknown.min_by_key(|(_, node)| line(node)) else {
+            return Ok(());
+        };
+        let hint = match keys::nearest(key, HEAD.into_iter()) {
+            Some(near) => format!("did you mean {near}?"),
+            None => format!("a plan has {}", HEAD.join(", ")),
+        };
+        Err(self.error(node, key, format!("{key} is not a key of a plan; {hint}")))
+    }
+
+    fn schema(&self) -> Result<(), CaseError> {
+        match self.root.get("schema") {
+            None => Ok(()),
+            Some(node) if matches!(node.value, Value::Integer(v) if v == SCHEMA as i64) => Ok(()),
+            Some(node) => Err(self.refuse(
+                "schema",
+                node,
+                &format!("{SCHEMA}, the only schema of plans that this version of Cageless reads"),
+            )),
+        }
+    }
+
+    fn base(&self, folder: &Path) -> Result<CaseBase, CaseError> {
+        match self.root.get("case").map(|node| (&node.value, node)) {
+            Some((Value::Text(path), node)) => CaseBase::read(&folder.join(path)).map_err(|e| {
+                // A file that is there speaks for itself.
+                match e.line() {
+                    Some(_) => e,
+                    None => self.error(node, "case", format!("case = {}: {e}", node.place.written)),
+                }
+            }),
+            Some((Value::Section(root), _)) => Ok(CaseBase::of_tree(root.clone(), self.name)),
+            Some((_, node)) => Err(self.refuse(
+                "case",
+                node,
+                "the path of a case file in quotes, or the case itself, [case]",
+            )),
+            None => Err(CaseError::of_file(
+                self.name,
+                "case is missing: the path of a case file, or the case itself, [case]".to_owned(),
+            )
+            .with_key("case")),
+        }
+    }
+
+    fn set(&self) -> Result<Vec<(String, CaseValue, usize)>, CaseError> {
+        let mut changes = Vec::new();
+        for Entry { key, node } in self.entries("set", &[])? {
+            let Some(value) = CaseValue::of(&node.value) else {
+                return Err(self.refuse(&key, node, "a number, a name or a list of numbers"));
+            };
+            changes.push((key, value, line(node)));
+        }
+        Ok(changes)
+    }
+
+    fn grid(&self) -> Result<Vec<Axis>, CaseError> {
+        let mut axes = Vec::new();
+        for entry in self.entries("grid", &[])? {
+            axes.push(self.axis(entry, true)?);
+        }
+        Ok(axes)
+    }
+
+    fn samples(&self) -> Result<Option<Samples>, CaseError> {
+        let Some(section) = self.section("samples")? else {
+            return Ok(None);
+        };
+        let head = &self.root["samples"];
+        let allowed = choices(&SampleMethod::NAMES);
+        let Some(node) = section.get("method") else {
+            let message = format!("samples.method is missing: {allowed}");
+            return Err(self.error(head, "samples.method", message));
+        };
+        let method = choice(&SampleMethod::NAMES, node)
+            .ok_or_else(|| self.refuse("samples.method", node, &allowed))?;
+        let Some(count) = self.count("samples", "count", section, 1)? else {
+            let message = "samples.count is missing: the number of points".to_owned();
+            return Err(self.error(head, "samples.count", message));
+        };
+        let mut axes = Vec::new();
+        for entry in self.entries("samples", &["method", "count"])? {
+            axes.push(self.axis(entry, false)?);
+        }
+        if axes.is_empty() {
+            let message = "samples has no axes: section.key = { from = …, to = … }".to_owned();
+            return Err(self.error(head, "samples", message));
+        }
+        Ok(Some(Samples {
+            method,
+            count,
+            axes,
+        }))
+    }
+
+    fn scatter(&self) -> Result<Option<Scatter>, CaseError> {
+        let Some(section) = self.section("scatter")? else {
+            return Ok(None);
+        };
+        let repeats = self.count("scatter", "repeats", section, 1)?.unwrap_or(1);
+        let mut list = Vec::new();
+        for Entry { key, node } in self.entries("scatter", &["repeats"])? {
+            let law = self.law(&key, node)?;
+            let line = line(node);
+            list.push(ScatteredKey { key, law, line });
+        }
+        if list.is_empty() {
+            let message =
+                "scatter has no keys: section.key = { normal = … } or { uniform = … }".to_owned();
+            return Err(self.error(&self.root["scatter"], "scatter", message));
+        }
+        Ok(Some(Scatter {
+            repeats,
+            keys: list,
+        }))
+    }
+
+    fn law(&self, key: &str, node: &Node) -> Result<ScatterLaw, CaseError> {
+        let gaps = key == "start.gaps";
+        let allowed = format!(
+            "{{ normal = STANDARD_DEVIATION }} or {{ uniform = HALF_WIDTH }}{}",
+            if gaps { ", or \"any\"" } else { "" }
+        );
+        match &node.value {
+            Value::Text(text) if gaps && text == "any" => return Ok(ScatterLaw::Any),
+            Value::Section(section) => {
+                let mut entries = section.iter();
+                if let (Some((name, node)), None) = (entries.next(), entries.next()) {
+                    let width = number(node).filter(|w| w.is_finite() && *w >= 0.0);
+                    let law = match name.as_str() {
+                        "normal" => ScatterLaw::Normal as fn(f64) -> ScatterLaw,
+                        "uniform" => ScatterLaw::Uniform,
+                        _ => return Err(self.refuse(key, node, &allowed)),
+                    };
+                    let path = format!("{key}.{name}");
+                    return width
+                        .map(law)
+                        .ok_or_else(|| self.refuse(&path, node, "a number, 0 or more"));
+                }
+            }
+            _ => {}
+        }
+        Err(self.refuse(key, node, &allowed))
+    }
+
+    fn compute(&self) -> Result<Vec<Computation>, CaseError> {
+        let allowed = format!("a list of {}", choices(&Computation::NAMES));
+        let Some(node) = self.root.get("compute") else {
+            let message = format!("compute is missing: {allowed}");
+            return Err(CaseError::of_file(self.name, message).with_key("compute"));
+        };
+        let refused = || self.refuse("compute", node, &allowed);
+        let Value::List(items) = &node.value else {
+            return Err(refused());
+        };
+        let list: Option<Vec<_>> = items
+            .iter()
+            .map(|item| choice(&Computation::NAMES, item))
+            .collect();
+        match list {
+            Some(list) if !list.is_empty() => Ok(Computation::in_order(list)),
+            _ => Err(refused()),
+        }
+    }
+
+    fn keep(&self) -> Result<Option<Vec<Kept>>, CaseError> {
+        let Some(node) = self.root.get("keep") else {
+            return Ok(None);
+        };
+        let refused = || self.refuse("keep", node, "a list of columns in quotes");
+        let Value::List(items) = &node.value else {
+            return Err(refused());
+        };
+        let column = |item: &Node| match &item.value {
+            Value::Text(name) => Some(Kept {
+                name: name.clone(),
+                line: line(item),
+            }),
+            _ => None,
+        };
+        let list: Option<Vec<_>> = items.iter().map(column).collect();
+        list.map(Some).ok_or_else(refused)
+    }
+
+    /// An axis: a list or a range. On an axis of the grid a range needs a count.
+    fn axis(&self, entry: Entry<'_>, counted: bool) -> Result<Axis, CaseError> {
+        let Entry { key, node } = entry;
+        let allowed = if counted {
+            "a list, or { from = …, to = …, count = …, scale = \"linear\" or \"log\" }"
+        } else {
+            "a list, or { from = …, to = …, scale = \"linear\" or \"log\" }"
+        };
+        if PER_BALL.contains(&key.as_str()) {
+            let message = format!("{key} has a value for each ball: it varies in [scatter]");
+            return Err(self.error(node, &key, message));
+        }
+        let values = match &node.value {
+            Value::List(items) => {
+                let list: Option<Vec<_>> = items.iter().map(|i| CaseValue::of(&i.value)).collect();
+                let list = list.filter(|list| alike(list));
+                AxisValues::List(list.ok_or_else(|| {
+                    self.refuse(&key, node, "a list of numbers or of names, at least one")
+                })?)
+            }
+            Value::Section(range) => {
+                AxisValues::Range(self.range(&key, node, range, counted, allowed)?)
+            }
+            _ => return Err(self.refuse(&key, node, allowed)),
+        };
+        Ok(Axis {
+            key,
+            values,
+            line: line(node),
+        })
+    }
+
+    fn range(
+        &self,
+        key: &str,
+        node: &Node,
+        range: &Section,
+        counted: bool,
+        allowed: &str,
+    ) -> Result<Range, CaseError> {
+        let known =
+            |name: &str| matches!(name, "from" | "to" | "scale") || counted && name == "count";
+        if let Some((name, inner)) = range.iter().find(|(name, _)| !known(name)) {
+            let message = format!("{key}.{name} is not part of an axis: it must be {allowed}");
+            return Err(self.error(inner, &format!("{key}.{name}"), message));
+        }
+        let end = |name: &str| match range.get(name) {
+            None => Err(self.error(
+                node,
+                &format!("{key}.{name}"),
+                format!("{key}.{name} is missing: an axis is {allowed}"),
+            )),
+            Some(inner) => number(inner)
+                .filter(|v| v.is_finite())
+                .ok_or_else(|| self.refuse(&format!("{key}.{name}"), inner, "a finite number")),
+        };
+        let (from, to) = (end("from")?, end("to")?);
+        let scale = match range.get("scale") {
+            None => Scale::Linear,
+            Some(inner) => choice(&Scale::NAMES, inner).ok_or_else(|| {
+                self.refuse(&format!("{key}.scale"), inner, &choices(&Scale::NAMES))
+            })?,
+        };
+        if scale == Scale::Log && !(from > 0.0 && to > 0.0) {
+            let allowed = "a range above 0 at both ends, as scale is \"log\"";
+            return Err(self.refuse(key, node, allowed));
+        }
+        let count = match (counted, self.count(key, "count", range, 2)?) {
+            (true, None) => {
+                let message = format!("{key}.count is missing: an axis is {allowed}");
+                return Err(self.error(node, &format!("{key}.count"), message));
+            }
+            (_, count) => count,
+        };
+        Ok(Range {
+            from,
+            to,
+            count,
+            scale,
+        })
+    }
+
+    /// The keys of the case file below a section of the plan, in the order of the file
+    /// format; `own` are keys of the plan itself.
+    fn entries(&self, name: &str, own: &[&str]) -> Result<Vec<Entry<'a>>, CaseError> {
+        let mut entries = Vec::new();
+        for (section, node) in self.section(name)?.into_iter().flatten() {
+            if own.contains(&section.as_str()) {
+                continue;
+            }
+            let Value::Section(inner) = &node.value else {
+                let hint = match keys::KEYS.iter().find(|k| k.name == section) {
+                    Some(k) if !k.section.is_empty() => {
+                        format!("did you mean {}.{}?", k.section, k.name)
+                    }
+                    Some(_) => "it does not vary".to_owned(),
+                    None => "a key is written section.key".to_owned(),
+                };
+                let message = format!("{name}.{section} is not a key of a case file; {hint}");
+                return Err(self.error(node, section, message));
+            };
+            if keys::section_meaning(section).is_none() {
+                let message = format!(
+                    "{section} is not a section of a case file; {}",
+                    read::hint("", section)
+                );
+                return Err(self.error(node, section, message));
+            }
+            for (key, node) in inner {
+                match &node.value {
+                    Value::Section(of_one) if key.parse::<usize>().is_ok() => {
+                        for (inner_key, node) in of_one {
+                            self.entry(section, Some(key), inner_key, node, &mut entries)?;
+                        }
+                    }
+                    _ => self.entry(section, None, key, node, &mut entries)?,
+                }
+            }
+        }
+        entries.sort_by_key(|e: &Entry<'_>| {
+            let (section, name) = split(&e.key);
+            let place = keys::KEYS
+                .iter()
+                .position(|k| (k.section, k.name) == (section, name));
+            (place, e.key.clone())
+        });
+        Ok(entries)
+    }
+
+    fn entry(
+        &self,
+        section: &str,
+        index: Option<&str>,
+        key: &str,
+        node: &'a Node,
+        entries: &mut Vec<Entry<'a>>,
+    ) -> Result<(), CaseError> {
+        let path = match index {
+            Some(index) => format!("{section}.{index}.{key}"),
+            None => format!("{section}.{key}"),
+        };
+        if keys::find(section, key).is_none() || FIXED.contains(&key) {
+            let message = format!(
+                "{path} is not a key of [{section}]; {}",
+                read::hint(section, key)
+            );
+            return Err(self.error(node, &path, message));
+        }
+        entries.push(Entry { key: path, node });
+        Ok(())
+    }
+
+    fn section(&self, name: &str) -> Result<Option<&'a Section>, CaseError> {
+        match self.root.get(name).map(|node| (&node.value, node)) {
+            None => Ok(None),
+            Some((Value::Section(section), _)) => Ok(Some(section)),
+            Some((_, node)) => Err(self.refuse(name, node, &format!("a section, [{name}]"))),
+        }
+    }
+
+    fn text(&self, name: &str) -> Result<Option<String>, CaseError> {
+        match self.root.get(name).map(|node| (&node.value, node)) {
+            None => Ok(None),
+            Some((Value::Text(text), _)) => Ok(Some(text.clone())),
+            Some((_, node)) => Err(self.refuse(name, node, "text in quotes")),
+        }
+    }
+
+    fn count(
+        &self,
+        prefix: &str,
+        name: &str,
+        section: &Section,
+        least: i64,
+    ) -> Result<Option<u64>, CaseError> {
+        let Some(node) = section.get(name) else {
+            return Ok(None);
+        };
+        match node.value {
+            Value::Integer(n) if n >= least => Ok(Some(n as u64)),
+            _ => Err(self.refuse(
+                &tree::join(prefix, name),
+                node,
+                &format!("a whole number, {least} or more"),
+            )),
+        }
+    }
+
+    fn refuse(&self, key: &str, node: &Node, allowed: &str) -> CaseError {
+        let message = format!(
+            "{key} = {} is not possible: it must be {allowed}",
+            node.place.written
+        );
+        self.error(node, key, message)
+    }
+
+    fn error(&self, node: &Node, key: &str, message: String) -> CaseError {
+        CaseError::on_line(self.name, line(node), Some(key.to_owned()), message)
+    }
+}
+
+/// Line of a node of a file.
+fn line(node: &Node) -> usize {
+    match node.place.origin {
+        Origin::Line(line) | Origin::Elsewhere(_, line) => line,
+        Origin::Override(_) => 0,
+    }
+}
+
+fn number(node: &Node) -> Option<f64> {
+    match node.value {
+        Value::Integer(i) => Some(i as f64),
+        Value::Number(f) => Some(f),
+        _ => None,
+    }
+}
+
+/// Whether all are numbers, or all are names or numbers; not empty, no lists.
+fn alike(list: &[CaseValue]) -> bool {
+    !list.is_empty() && !list.iter().any(|v| matches!(v, CaseValue::Numbers(_)))
+}
+
+fn choice<T: Copy>(names: &[(&'static str, T)], node: &Node) -> Option<T> {
+    let Value::Text(text) = &node.value else {
+        return None;
+    };
+    let named = names.iter().find(|(name, _)| name == text);
+    named.map(|&(_, value)| value)
+}
+
+fn choices<T>(names: &[(&'static str, T)]) -> String {
+    let quoted: Vec<_> = names
+        .iter()
+        .map(|(name, _)| format!("\"{name}\""))
+        .collect();
+    match quoted.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
+        _ => quoted.concat(),
+    }
+}

@@ -1,0 +1,219 @@
+//! Reading the tables of sweeps.
+
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::path::{Path, PathBuf};
+
+use parquet::basic::{Repetition, Type as PhysicalType};
+use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
+use parquet::data_type::DataType;
+use parquet::errors::ParquetError;
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::schema::types::TypePtr;
+
+use super::{Cell, ColumnKind, ColumnSpec, Row, UNIT};
+use crate::results::error::ResultError;
+
+/// A table that is there.
+pub struct RowsReader {
+    path: PathBuf,
+    reader: SerializedFileReader<File>,
+    columns: Vec<ColumnSpec>,
+    footer: BTreeMap<String, String>,
+}
+
+impl RowsReader {
+    /// Opens a table.
+    ///
+    /// # Errors
+    /// If the file cannot be read or is not a table of this kind.
+    pub fn open(path: &Path) -> Result<Self, ResultError> {
+        let file = File::open(path).map_err(|e| ResultError::unreadable(path, e))?;
+        let reader =
+            SerializedFileReader::new(file).map_err(|e| ResultError::unreadable(path, e))?;
+        let metadata = reader.metadata().file_metadata();
+        let footer: BTreeMap<_, _> = metadata
+            .key_value_metadata()
+            .into_iter()
+            .flatten()
+            .filter_map(|entry| Some((entry.key.clone(), entry.value.clone()?)))
+            .collect();
+        let columns = metadata
+            .schema()
+            .get_fields()
+            .iter()
+            .map(|field| column(field, &footer))
+            .collect::<Option<_>>()
+            .ok_or_else(|| ResultError::unreadable(path, "its columns are not those of a sweep"))?;
+        Ok(Self {
+            path: path.to_owned(),
+            reader,
+            columns,
+            footer,
+        })
+    }
+
+    /// Where the table is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Its columns.
+    pub fn columns(&self) -> &[ColumnSpec] {
+        &self.columns
+    }
+
+    /// An entry of the footer.
+    pub fn footer(&self, key: &str) -> Option<&str> {
+        self.footer.get(key).map(String::as_str)
+    }
+
+    /// Number of rows.
+    pub fn rows(&self) -> u64 {
+        u64::try_from(self.reader.metadata().file_metadata().num_rows()).unwrap_or(0)
+    }
+
+    /// Number of groups of rows.
+    pub fn groups(&self) -> usize {
+        self.reader.num_row_groups()
+    }
+
+    /// The rows of a group.
+    ///
+    /// # Errors
+    /// If they cannot be read.
+    pub fn group(&self, index: usize) -> Result<Vec<Row>, ResultError> {
+        let all: Vec<usize> = (0..self.columns.len()).collect();
+        self.columns_of_group(index, &all)
+    }
+
+    /// Some of the columns of a group, as rows of these alone.
+    ///
+    /// # Errors
+    /// If they cannot be read.
+    pub fn columns_of_group(
+        &self,
+        index: usize,
+        wanted: &[usize],
+    ) -> Result<Vec<Row>, ResultError> {
+        self.read_group(index, wanted)
+            .map_err(|e| ResultError::unreadable(&self.path, e))
+    }
+
+    fn read_group(&self, index: usize, wanted: &[usize]) -> Result<Vec<Row>, ParquetError> {
+        let group = self.reader.get_row_group(index)?;
+        let count = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
+        let mut rows: Vec<Row> = (0..count)
+            .map(|_| Row::with_capacity(wanted.len()))
+            .collect();
+        for &column in wanted {
+            let cells = read_column(group.get_column_reader(column)?, count)?;
+            if cells.len() != count {
+                let message = "its columns are not of one length".to_owned();
+                return Err(ParquetError::General(message));
+            }
+            for (row, cell) in rows.iter_mut().zip(cells) {
+                row.push(cell);
+            }
+        }
+        Ok(rows)
+    }
+}
+
+/// The column of a field; `None` if it is none of ours.
+fn column(field: &TypePtr, footer: &BTreeMap<String, String>) -> Option<ColumnSpec> {
+    let optional = field.get_basic_info().repetition() == Repetition::OPTIONAL;
+    let kind = if field.is_group() {
+        ColumnKind::Numbers
+    } else {
+        match (field.get_physical_type(), optional) {
+            (PhysicalType::INT64, false) => ColumnKind::Index,
+            (PhysicalType::INT64, true) => ColumnKind::Integer,
+            (PhysicalType::DOUBLE, true) => ColumnKind::Number,
+            (PhysicalType::BYTE_ARRAY, true) => ColumnKind::Text,
+            _ => return None,
+        }
+    };
+    let name = field.name().to_owned();
+    let unit = footer.get(&format!("{UNIT}{name}")).cloned();
+    Some(ColumnSpec {
+        unit: unit.unwrap_or_default(),
+        name,
+        kind,
+    })
+}
+
+fn read_column(reader: ColumnReader, count: usize) -> Result<Vec<Cell>, ParquetError> {
+    match reader {
+        ColumnReader::Int64ColumnReader(reader) => {
+            let (values, levels, _) = read_all(reader, count)?;
+            Ok(cells(values, levels, Cell::Integer))
+        }
+        ColumnReader::DoubleColumnReader(reader) => {
+            let (values, levels, repetition) = read_all(reader, count)?;
+            if repetition.is_empty() {
+                return Ok(cells(values, levels, Cell::Number));
+            }
+            Ok(lists(values, &levels, &repetition))
+        }
+        ColumnReader::ByteArrayColumnReader(reader) => {
+            let (values, levels, _) = read_all(reader, count)?;
+            let texts = values
+                .iter()
+                .map(|bytes| bytes.as_utf8().map(str::to_owned))
+                .collect::<Result<Vec<_>, _>>()?;
+            Ok(cells(texts, levels, Cell::Text))
+        }
+        _ => Err(ParquetError::General("unknown type of column".to_owned())),
+    }
+}
+
+/// Values, definition and repetition levels of a whole column.
+type Column<T> = (Vec<T>, Vec<i16>, Vec<i16>);
+
+fn read_all<T: DataType>(
+    mut reader: ColumnReaderImpl<T>,
+    count: usize,
+) -> Result<Column<T::T>, ParquetError> {
+    let (mut values, mut definition, mut repetition) = (Vec::new(), Vec::new(), Vec::new());
+    reader.read_records(
+        count,
+        Some(&mut definition),
+        Some(&mut repetition),
+        &mut values,
+    )?;
+    Ok((values, definition, repetition))
+}
+
+fn cells<T>(values: Vec<T>, levels: Vec<i16>, cell: fn(T) -> Cell) -> Vec<Cell> {
+    // A column that is never null has no levels.
+    if levels.is_empty() {
+        return values.into_iter().map(cell).collect();
+    }
+    let mut values = values.into_iter();
+    levels
+        .into_iter()
+        .map(|level| match level {
+            0 => Cell::Null,
+            _ => values.next().map_or(Cell::Null, cell),
+        })
+        .collect()
+}
+
+fn lists(values: Vec<f64>, definition: &[i16], repetition: &[i16]) -> Vec<Cell> {
+    let mut values = values.into_iter();
+    let mut cells: Vec<Cell> = Vec::new();
+    for (definition, repetition) in definition.iter().zip(repetition) {
+        let item = if *definition == 2 {
+            values.next()
+        } else {
+            None
+        };
+        match (cells.last_mut(), repetition) {
+            (Some(Cell::Numbers(list)), 1) => list.extend(item),
+            _ if *definition == 0 => cells.push(Cell::Null),
+            _ => cells.push(Cell::Numbers(item.into_iter().collect())),
+        }
+    }
+    cells
+}

@@ -1,0 +1,38 @@
+//! Why a sweep cannot go on.
+
+use cageless_io::case_file::CaseError;
+use cageless_io::results::ResultError;
+
+/// What went wrong with a sweep as a whole. A variant that fails is a row.
+#[derive(Debug, thiserror::Error)]
+pub enum SweepError {
+    /// The plan is wrong.
+    #[error(transparent)]
+    Plan(#[from] CaseError),
+    /// What was asked for is not possible.
+    #[error("{0}")]
+    Input(String),
+    /// Files cannot be written or read.
+    #[error(transparent)]
+    Files(#[from] ResultError),
+    /// Files of the sweep in progress cannot be handled.
+    #[error("{}: {source}", path.display())]
+    Folder {
+        /// File or folder.
+        path: std::path::PathBuf,
+        /// What the system says.
+        source: std::io::Error,
+    },
+    /// The threads could not be started.
+    #[error("cannot start threads: {0}")]
+    Threads(String),
+}
+
+impl SweepError {
+    pub(crate) fn folder(path: &std::path::Path, source: std::io::Error) -> Self {
+        Self::Folder {
+            path: path.to_owned(),
+            source,
+        }
+    }
+}

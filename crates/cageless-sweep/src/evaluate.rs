@@ -1,0 +1,312 @@
+//! From a range of variants to their rows.
+
+use std::ops::Range;
+
+use cageless::Case;
+use cageless::design::judge;
+use cageless::equilibrium;
+use cageless::simulation::{Control, Ending, RunOutcome, run};
+use cageless::spacing::CriticalGapError;
+use cageless::summary::{Summary, SummaryRecorder};
+use cageless_io::case_file::{CaseError, CaseFile};
+use cageless_io::plan_file::{Computation, PlanFile};
+use cageless_io::results::{Cell, ColumnKind, ColumnSpec, Row};
+
+use crate::error::SweepError;
+use crate::figures::{FIGURES, Figure, Finished, Source};
+use crate::probe;
+use crate::variants::Variants;
+
+/// A plan that can be computed.
+#[derive(Debug, Clone)]
+pub struct Sweep {
+    variants: Variants,
+    figures: Vec<Figure>,
+    columns: Vec<ColumnSpec>,
+    normal: String,
+}
+
+/// Asked now and then whether to give up.
+pub type Stop<'a> = &'a (dyn Fn() -> bool + Sync);
+
+/// A column beside the inputs and the figures.
+pub(crate) const INDEX: &str = "variant";
+pub(crate) const REASON: &str = "reason";
+
+impl Sweep {
+    /// Checks what the plan asks for.
+    ///
+    /// # Errors
+    /// Too many variants, columns that there are none of, or no variant that is a
+    /// possible case.
+    pub fn new(plan: PlanFile) -> Result<Self, SweepError> {
+        let normal = plan.normal()?;
+        let variants = Variants::new(plan)?;
+        let figures = kept(variants.plan())?;
+        let mut columns = vec![spec(INDEX, ColumnKind::Index)];
+        columns.extend_from_slice(variants.columns());
+        columns.push(spec(REASON, ColumnKind::Text));
+        columns.extend(figures.iter().map(Figure::column));
+        probe::some_are_possible(&variants)?;
+        Ok(Self {
+            variants,
+            figures,
+            columns,
+            normal,
+        })
+    }
+
+    /// Number of variants; their indices count from 0.
+    pub fn variants(&self) -> u64 {
+        self.variants.count()
+    }
+
+    /// The plan.
+    pub fn plan(&self) -> &PlanFile {
+        self.variants.plan()
+    }
+
+    /// The plan in its normal form, which reads back as a plan.
+    pub fn normal(&self) -> &str {
+        &self.normal
+    }
+
+    /// Columns of the rows: the index, the inputs, the reason of a failure, the figures.
+    pub fn columns(&self) -> &[ColumnSpec] {
+        &self.columns
+    }
+
+    /// Place of a column.
+    pub fn column(&self, name: &str) -> Option<usize> {
+        self.columns.iter().position(|c| c.name == name)
+    }
+
+    /// The case of a variant.
+    ///
+    /// # Errors
+    /// A [`CaseError`] if it is impossible.
+    pub fn case(&self, index: u64) -> Result<CaseFile, CaseError> {
+        self.variants.variant(index).1
+    }
+
+    /// Rows of a range of variants, in order; `None` if `stop` said so. Always the same
+    /// rows on one instruction set, however the variants are cut into ranges.
+    pub fn evaluate(&self, range: Range<u64>, stop: Stop<'_>) -> Option<Vec<Row>> {
+        let mut batch: Vec<Variant> = range.map(|index| self.begin(index)).collect();
+        for variant in &mut batch {
+            self.solve(variant);
+            self.describe(variant);
+            if stop() || !self.judge(variant, stop) {
+                return None;
+            }
+        }
+        self.run(&mut batch, stop)?;
+        Some(batch.into_iter().map(Variant::row).collect())
+    }
+
+    fn begin(&self, index: u64) -> Variant {
+        let (inputs, case) = self.variants.variant(index);
+        let mut variant = Variant {
+            index,
+            inputs,
+            case: None,
+            figures: vec![Cell::Null; self.figures.len()],
+            reasons: Vec::new(),
+        };
+        match case {
+            Ok(file) => variant.case = Some(file.case().clone()),
+            // Without file and line: the same row wherever the plan lies.
+            Err(error) => variant.reasons.push(error.message().to_owned()),
+        }
+        variant
+    }
+
+    fn wants(&self, computation: Computation) -> bool {
+        self.figures.iter().any(|f| f.computation() == computation)
+    }
+
+    fn solve(&self, variant: &mut Variant) {
+        let Some(case) = variant
+            .case
+            .as_ref()
+            .filter(|_| self.wants(Computation::Static))
+        else {
+            return;
+        };
+        match equilibrium::solve(case) {
+            Ok(solved) => variant.fill(&self.figures, |source| match source {
+                Source::Static(of) => Some(of(&solved)),
+                _ => None,
+            }),
+            Err(error) => variant.failed(Computation::Static, &error),
+        }
+    }
+
+    fn describe(&self, variant: &mut Variant) {
+        let Some(case) = variant.case.clone() else {
+            return;
+        };
+        variant.fill(&self.figures, |source| match source {
+            Source::Design(of) => Some(of(&case)),
+            _ => None,
+        });
+    }
+
+    /// Says whether to go on.
+    fn judge(&self, variant: &mut Variant, stop: Stop<'_>) -> bool {
+        let Some(case) = variant
+            .case
+            .as_ref()
+            .filter(|_| self.wants(Computation::Verdict))
+        else {
+            return true;
+        };
+        match judge(case, &mut |_| control(stop)) {
+            Ok(judgement) => {
+                variant.fill(&self.figures, |source| match source {
+                    Source::Verdict(of) => Some(of(&judgement)),
+                    _ => None,
+                });
+                if let Some(stop) = &judgement.stopped {
+                    variant.failed(Computation::Verdict, &stopped(stop));
+                }
+            }
+            Err(CriticalGapError::Interrupted) => return false,
+            Err(error) => variant.failed(Computation::Verdict, &error),
+        }
+        true
+    }
+
+    fn run(&self, batch: &mut [Variant], stop: Stop<'_>) -> Option<()> {
+        if !self.wants(Computation::Run) {
+            return Some(());
+        }
+        let cases: Vec<&Case> = batch.iter().filter_map(|v| v.case.as_ref()).collect();
+        let mut runs = runs(&cases, stop)?.into_iter();
+        for variant in batch.iter_mut().filter(|v| v.case.is_some()) {
+            match runs.next() {
+                Some(Ok(run)) => self.record(variant, &run),
+                Some(Err(reason)) => variant.failed(Computation::Run, &reason),
+                None => {}
+            }
+        }
+        Some(())
+    }
+
+    fn record(&self, variant: &mut Variant, run: &OneRun) {
+        let finished = Finished {
+            outcome: &run.outcome,
+            summary: run.summary.as_ref(),
+        };
+        if let Ending::Stopped(stop) = &run.outcome.ending {
+            return variant.failed(Computation::Run, &stopped(stop));
+        }
+        variant.fill(&self.figures, |source| match source {
+            Source::Run(of) => Some(of(&finished)),
+            _ => None,
+        });
+    }
+}
+
+fn spec(name: &str, kind: ColumnKind) -> ColumnSpec {
+    ColumnSpec {
+        name: name.to_owned(),
+        unit: String::new(),
+        kind,
+    }
+}
+
+/// The figures that the plan keeps.
+fn kept(plan: &PlanFile) -> Result<Vec<Figure>, CaseError> {
+    let computed = || {
+        let figures = FIGURES.iter().copied();
+        figures.filter(|f| plan.compute.contains(&f.computation()))
+    };
+    let Some(keep) = &plan.keep else {
+        return Ok(computed().collect());
+    };
+    for kept in keep {
+        if computed().any(|f| f.name == kept.name) {
+            continue;
+        }
+        let why = match FIGURES.iter().find(|f| f.name == kept.name) {
+            Some(figure) => format!("compute leaves out \"{}\"", figure.computation().name()),
+            None => format!(
+                "there are {}",
+                computed().map(|f| f.name).collect::<Vec<_>>().join(", ")
+            ),
+        };
+        let message = format!("keep has \"{}\", which is not computed: {why}", kept.name);
+        return Err(plan.error(kept.line, "keep", message));
+    }
+    let wanted = |f: &Figure| keep.iter().any(|kept| kept.name == f.name);
+    Ok(computed().filter(wanted).collect())
+}
+
+/// One variant on its way to a row.
+struct Variant {
+    index: u64,
+    inputs: Vec<Cell>,
+    case: Option<Case>,
+    figures: Vec<Cell>,
+    reasons: Vec<String>,
+}
+
+impl Variant {
+    fn fill(&mut self, figures: &[Figure], value: impl Fn(Source) -> Option<Cell>) {
+        for (cell, figure) in self.figures.iter_mut().zip(figures) {
+            if let Some(found) = value(figure.of) {
+                *cell = found;
+            }
+        }
+    }
+
+    fn failed(&mut self, computation: Computation, why: &dyn ToString) {
+        self.reasons
+            .push(format!("{}: {}", computation.name(), why.to_string()));
+    }
+
+    fn row(self) -> Row {
+        let mut row = vec![Cell::Integer(self.index as i64)];
+        row.extend(self.inputs);
+        row.push(match self.reasons.is_empty() {
+            true => Cell::Null,
+            false => Cell::Text(self.reasons.join("; ")),
+        });
+        row.extend(self.figures);
+        row
+    }
+}
+
+struct OneRun {
+    outcome: RunOutcome,
+    summary: Option<Summary>,
+}
+
+/// Runs of several cases, in their order; `None` if interrupted.
+fn runs(cases: &[&Case], stop: Stop<'_>) -> Option<Vec<Result<OneRun, String>>> {
+    let one = |case: &&Case| {
+        let mut summary = SummaryRecorder::new();
+        match run(case, &mut [&mut summary], &mut |_| control(stop)) {
+            Ok(outcome) if matches!(outcome.ending, Ending::Interrupted) => None,
+            Ok(outcome) => Some(Ok(OneRun {
+                outcome,
+                summary: summary.summary(),
+            })),
+            Err(error) => Some(Err(error.to_string())),
+        }
+    };
+    cases.iter().map(one).collect()
+}
+
+fn control(stop: Stop<'_>) -> Control {
+    if stop() {
+        Control::Interrupt
+    } else {
+        Control::Continue
+    }
+}
+
+fn stopped(stop: &cageless::simulation::Stop) -> String {
+    format!("at t = {:.6} s {}", stop.time_s, stop.cause)
+}

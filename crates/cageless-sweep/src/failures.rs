@@ -1,0 +1,38 @@
+//! The variants of a result that failed.
+
+use std::path::Path;
+
+use cageless_io::results::{Cell, RowsReader};
+
+use crate::error::SweepError;
+use crate::evaluate::REASON;
+
+/// How many failed, and why the first did.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Failures {
+    /// Rows with a reason.
+    pub count: u64,
+    /// The first reason.
+    pub first: Option<String>,
+}
+
+/// Counts the failed variants of a result.
+///
+/// # Errors
+/// If it cannot be read.
+pub fn failures(result: &Path) -> Result<Failures, SweepError> {
+    let table = RowsReader::open(result)?;
+    let mut failures = Failures::default();
+    let Some(reason) = table.columns().iter().position(|c| c.name == REASON) else {
+        return Ok(failures);
+    };
+    for group in 0..table.groups() {
+        for row in table.columns_of_group(group, &[reason])? {
+            if let [Cell::Text(why)] = row.as_slice() {
+                failures.count += 1;
+                failures.first.get_or_insert_with(|| why.clone());
+            }
+        }
+    }
+    Ok(failures)
+}

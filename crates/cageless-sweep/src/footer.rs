@@ -1,0 +1,87 @@
+//! What a table of a sweep says about itself.
+
+use cageless_io::plan_file::difference;
+use cageless_io::results::{RowsReader, VERSION};
+
+use crate::error::SweepError;
+use crate::evaluate::Sweep;
+use crate::ranges::Shard;
+
+/// Version of the layout of the tables.
+const SCHEMA: u64 = 1;
+
+/// What a table belongs to: rows of one identity may stand together.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Identity {
+    /// Version of Cageless.
+    pub version: String,
+    /// The plan in its normal form.
+    pub plan: String,
+    /// Its seed.
+    pub seed: u64,
+    /// Number of variants of the whole plan.
+    pub variants: u64,
+}
+
+impl Identity {
+    /// Of a sweep that this program computes.
+    pub fn of(sweep: &Sweep) -> Self {
+        Self {
+            version: VERSION.to_owned(),
+            plan: sweep.normal().to_owned(),
+            seed: sweep.plan().seed,
+            variants: sweep.variants(),
+        }
+    }
+
+    /// Of a table that is there; `None` if it is not one of a sweep.
+    pub fn read(table: &RowsReader) -> Option<Self> {
+        let number = |key| table.footer(key)?.parse().ok();
+        (number("schema")? == SCHEMA).then_some(())?;
+        Some(Self {
+            version: table.footer("version")?.to_owned(),
+            plan: table.footer("plan")?.to_owned(),
+            seed: number("seed")?,
+            variants: number("variants")?,
+        })
+    }
+
+    /// The footer of a table, computed with the instruction sets `isa`.
+    pub(crate) fn footer(&self, isa: &[String], shard: Option<Shard>) -> Vec<(String, String)> {
+        let entry = |key: &str, value: String| (key.to_owned(), value);
+        let mut footer = vec![
+            entry("schema", SCHEMA.to_string()),
+            entry("version", self.version.clone()),
+            entry("isa", isa.join(", ")),
+            entry("seed", self.seed.to_string()),
+            entry("variants", self.variants.to_string()),
+            entry("plan", self.plan.clone()),
+        ];
+        footer.extend(shard.map(|shard| entry("shard", shard.to_string())));
+        footer
+    }
+
+    /// As text that [`Identity::differences`] reads.
+    pub(crate) fn text(&self) -> String {
+        format!("version = {}\n{}", self.version, self.plan)
+    }
+
+    /// Refuses another identity, with the differences.
+    pub(crate) fn must_be(&self, before: &str, what: &str, remedy: &str) -> Result<(), SweepError> {
+        let differences = difference(before, &self.text());
+        if differences.is_empty() {
+            return Ok(());
+        }
+        Err(SweepError::Input(format!(
+            "{what} is of another plan: {}. {remedy}",
+            differences.join("; ")
+        )))
+    }
+}
+
+/// Adds the instruction sets of a table to a sorted list.
+pub(crate) fn add_isa(list: &mut Vec<String>, isa: &str) {
+    list.extend(isa.split(", ").filter(|s| !s.is_empty()).map(str::to_owned));
+    list.sort_unstable();
+    list.dedup();
+}

@@ -1,0 +1,66 @@
+//! Shards into one file.
+
+use std::path::{Path, PathBuf};
+
+use cageless_io::results::RowsReader;
+
+use crate::assemble::assemble;
+use crate::error::SweepError;
+use crate::footer::{Identity, add_isa};
+use crate::parts::index;
+use crate::ranges::{Ranges, listed};
+
+/// Joins the results of shards into the file that one run would have written, and says
+/// how many variants it has.
+///
+/// # Errors
+/// A file is not of the same sweep, a variant is missing or there twice, or files cannot
+/// be read or written.
+pub fn merge(shards: &[PathBuf], result: &Path) -> Result<u64, SweepError> {
+    let mut known: Option<(Identity, PathBuf)> = None;
+    let mut columns = Vec::new();
+    let (mut isa, mut tables, mut there) = (Vec::new(), Vec::new(), Ranges::default());
+    for path in shards {
+        let table = RowsReader::open(path)?;
+        let identity = Identity::read(&table).ok_or_else(|| {
+            SweepError::Input(format!("{} is not the result of a sweep", path.display()))
+        })?;
+        if let Some((first, of)) = &known {
+            let remedy = format!("It does not go with {}", of.display());
+            identity.must_be(&first.text(), &path.display().to_string(), &remedy)?;
+        }
+        let mut first = u64::MAX;
+        for group in 0..table.groups() {
+            for row in table.columns_of_group(group, &[0])? {
+                first = first.min(index(&row));
+                if !there.insert(index(&row)) {
+                    return Err(SweepError::Input(format!(
+                        "{}: variant {} is in another shard as well: give each shard once",
+                        path.display(),
+                        index(&row)
+                    )));
+                }
+            }
+        }
+        add_isa(&mut isa, table.footer("isa").unwrap_or_default());
+        columns = table.columns().to_vec();
+        tables.push((first, path.clone()));
+        known.get_or_insert((identity, path.clone()));
+    }
+    let Some((identity, _)) = known else {
+        return Err(SweepError::Input("there are no shards to merge".to_owned()));
+    };
+    let missing = there.missing(0..identity.variants);
+    if !missing.is_empty() {
+        return Err(SweepError::Input(format!(
+            "{} of {} variants are missing: {}",
+            missing.iter().map(|r| r.end - r.start).sum::<u64>(),
+            identity.variants,
+            listed(&missing)
+        )));
+    }
+    tables.sort_unstable();
+    let footer = identity.footer(&isa, None);
+    assemble(result, &columns, &footer, &tables, 0..identity.variants)?;
+    Ok(identity.variants)
+}

@@ -1,0 +1,170 @@
+//! The work folder beside a result that is not complete: what was computed so far.
+//!
+//! `FILE.parts/` holds `plan.toml` (whose rows these are), `lock` (held while somebody
+//! computes) and tables of rows, each complete under its name or not there. No row is in
+//! two of them.
+
+use std::fs::{File, OpenOptions, TryLockError};
+use std::io;
+use std::path::{Path, PathBuf};
+
+use cageless_io::results::{Cell, ColumnSpec, Row, RowsReader, RowsWriter, write_atomically};
+
+use crate::error::SweepError;
+use crate::footer::{Identity, add_isa};
+use crate::ranges::Ranges;
+
+/// The open work folder.
+#[derive(Debug)]
+pub(crate) struct Parts {
+    folder: PathBuf,
+    /// Unlocked when it is dropped.
+    _lock: File,
+}
+
+/// What a work folder holds.
+#[derive(Debug, Default)]
+pub(crate) struct Stock {
+    pub done: Ranges,
+    /// Each table with its first index.
+    pub tables: Vec<(u64, PathBuf)>,
+    pub isa: Vec<String>,
+}
+
+const LOCK: &str = "lock";
+const PLAN: &str = "plan.toml";
+
+impl Parts {
+    /// Opens or makes the work folder of `result`.
+    pub(crate) fn open(result: &Path) -> Result<Self, SweepError> {
+        let name = result.file_name().unwrap_or_default().to_string_lossy();
+        let folder = result.with_file_name(format!("{name}.parts"));
+        loop {
+            std::fs::create_dir_all(&folder).map_err(|e| SweepError::folder(&folder, e))?;
+            let path = folder.join(LOCK);
+            let file = OpenOptions::new()
+                .create(true)
+                .write(true)
+                .truncate(false)
+                .open(&path);
+            let file = match file {
+                Ok(file) => file,
+                // Another process has just finished and taken the folder away.
+                Err(e) if e.kind() == io::ErrorKind::NotFound => continue,
+                Err(e) => return Err(SweepError::folder(&path, e)),
+            };
+            match file.try_lock() {
+                Err(TryLockError::WouldBlock) => {
+                    return Err(SweepError::Input(format!(
+                        "{}: another process is computing this sweep; wait for it, or take \
+                         another --out",
+                        result.display()
+                    )));
+                }
+                // Some network file systems have no locks; do without.
+                Err(TryLockError::Error(_)) | Ok(()) => {}
+            }
+            if path.exists() {
+                let _lock = file;
+                return Ok(Self { folder, _lock });
+            }
+        }
+    }
+
+    /// Claims the folder for a sweep, or refuses if it belongs to another.
+    pub(crate) fn claim(&self, identity: &Identity) -> Result<(), SweepError> {
+        let path = self.folder.join(PLAN);
+        match std::fs::read_to_string(&path) {
+            Ok(before) => identity.must_be(
+                &before,
+                &format!("what was computed in {}", self.folder.display()),
+                "Take the plan back, choose another --out, or remove that folder",
+            ),
+            Err(e) if e.kind() == io::ErrorKind::NotFound => {
+                Ok(write_atomically(&path, identity.text().as_bytes())?)
+            }
+            Err(e) => Err(SweepError::folder(&path, e)),
+        }
+    }
+
+    /// What is there; what a killed process left half-written is removed.
+    pub(crate) fn stock(&self) -> Result<Stock, SweepError> {
+        let fail = |e| SweepError::folder(&self.folder, e);
+        let mut stock = Stock::default();
+        for entry in std::fs::read_dir(&self.folder).map_err(fail)? {
+            let path = entry.map_err(fail)?.path();
+            match path.extension().and_then(|e| e.to_str()) {
+                Some("partial") => std::fs::remove_file(&path).map_err(fail)?,
+                Some("parquet") => stock.add(path)?,
+                _ => {}
+            }
+        }
+        stock.tables.sort_unstable();
+        Ok(stock)
+    }
+
+    /// Writes rows, which need not hang together.
+    pub(crate) fn keep(
+        &self,
+        columns: &[ColumnSpec],
+        footer: &[(String, String)],
+        mut rows: Vec<Row>,
+    ) -> Result<(), SweepError> {
+        rows.sort_unstable_by_key(|row| index(row));
+        let Some(first) = rows.first().map(|row| index(row)) else {
+            return Ok(());
+        };
+        let path = self.folder.join(format!("rows-{first:010}.parquet"));
+        let mut table = RowsWriter::create(&path, columns, footer)?;
+        for row in rows {
+            table.push(row)?;
+        }
+        Ok(table.finish()?)
+    }
+
+    /// Removes the folder, now that the result is complete.
+    pub(crate) fn remove(self) -> Result<(), SweepError> {
+        std::fs::remove_dir_all(&self.folder).map_err(|e| SweepError::folder(&self.folder, e))
+    }
+
+    /// Removes the folder if there is nothing in it but the lock.
+    pub(crate) fn remove_if_empty(self) {
+        let others = |name: &std::ffi::OsStr| name != LOCK;
+        let empty = std::fs::read_dir(&self.folder)
+            .is_ok_and(|mut dir| !dir.any(|e| e.is_ok_and(|e| others(&e.file_name()))));
+        if empty {
+            // It is in nobody's way if it stays.
+            let _ = std::fs::remove_dir_all(&self.folder);
+        }
+    }
+}
+
+impl Stock {
+    fn add(&mut self, path: PathBuf) -> Result<(), SweepError> {
+        let table = RowsReader::open(&path)?;
+        add_isa(&mut self.isa, table.footer("isa").unwrap_or_default());
+        let mut first = u64::MAX;
+        for group in 0..table.groups() {
+            for row in table.columns_of_group(group, &[0])? {
+                first = first.min(index(&row));
+                if !self.done.insert(index(&row)) {
+                    return Err(SweepError::Input(format!(
+                        "{}: variant {} is in another table as well; remove this one",
+                        path.display(),
+                        index(&row)
+                    )));
+                }
+            }
+        }
+        self.tables.push((first, path));
+        Ok(())
+    }
+}
+
+/// Index of the variant of a row.
+pub(crate) fn index(row: &Row) -> u64 {
+    match row.first() {
+        Some(Cell::Integer(index)) => u64::try_from(*index).unwrap_or(u64::MAX),
+        _ => u64::MAX,
+    }
+}

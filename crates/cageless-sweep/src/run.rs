@@ -1,0 +1,176 @@
+//! A sweep into a file: resumed where it was left, complete at its end.
+
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use cageless::dynamics::InstructionSet;
+use cageless_io::results::{Row, RowsReader};
+
+use crate::assemble::assemble;
+use crate::error::SweepError;
+use crate::evaluate::Sweep;
+use crate::footer::Identity;
+use crate::parts::Parts;
+use crate::ranges::Shard;
+use crate::work::work;
+
+/// What is to be computed, and where to.
+#[derive(Debug, Clone)]
+pub struct Job {
+    /// The file of the result; `FILE.parts` beside it holds what is not complete.
+    pub result: PathBuf,
+    /// The part of the sweep to compute; all of it if `None`.
+    pub shard: Option<Shard>,
+    /// Threads; as many as there are cores if `None`.
+    pub threads: Option<NonZeroUsize>,
+}
+
+/// How far a sweep is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Progress {
+    /// Variants of this job.
+    pub total: u64,
+    /// Computed, by earlier calls as well.
+    pub done: u64,
+    /// Computed by this call.
+    pub done_now: u64,
+    /// Time since this call began.
+    pub elapsed: Duration,
+}
+
+impl Progress {
+    /// Variants per second, in this call.
+    pub fn rate(&self) -> f64 {
+        self.done_now as f64 / self.elapsed.as_secs_f64().max(1e-9)
+    }
+
+    /// Time left at that rate; `None` before the first variant.
+    pub fn left(&self) -> Option<Duration> {
+        let left = (self.total - self.done) as f64 / self.rate();
+        Duration::try_from_secs_f64(left).ok()
+    }
+}
+
+/// How a call ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Done {
+    /// Whether the result is there; otherwise the caller stopped it.
+    pub complete: bool,
+    /// How far it came.
+    pub progress: Progress,
+}
+
+/// Rows are put away after this share of the time since the call began …
+const SHARE: u32 = 20;
+/// … but not more often than this …
+const OFTEN: Duration = Duration::from_millis(100);
+/// … and not less often than this.
+const SELDOM: Duration = Duration::from_secs(30);
+/// Rows that wait in memory at most.
+const WAITING_MAX: usize = 65_536;
+
+/// Computes a sweep, or what is missing of it. `watch` hears of the progress ten times a
+/// second and says whether to stop; what was computed is kept.
+///
+/// # Errors
+/// The result or the work folder belongs to another plan or is in use, or cannot be
+/// written to.
+pub fn run(
+    sweep: &Sweep,
+    job: &Job,
+    mut watch: impl FnMut(&Progress) -> bool,
+) -> Result<Done, SweepError> {
+    let started = Instant::now();
+    let identity = Identity::of(sweep);
+    let range = match job.shard {
+        Some(shard) => shard.range(sweep.variants()),
+        None => 0..sweep.variants(),
+    };
+    let mut progress = Progress {
+        total: range.end - range.start,
+        done: 0,
+        done_now: 0,
+        elapsed: Duration::ZERO,
+    };
+    if let Some(folder) = job.result.parent() {
+        std::fs::create_dir_all(folder).map_err(|e| SweepError::folder(folder, e))?;
+    }
+    let parts = Parts::open(&job.result)?;
+    let prepared = is_complete(&identity, job, progress.total)
+        .and_then(|complete| Ok((complete, parts.claim(&identity)?)));
+    match prepared {
+        Err(error) => {
+            parts.remove_if_empty();
+            return Err(error);
+        }
+        Ok((true, ())) => {
+            parts.remove()?;
+            progress.done = progress.total;
+            return Ok(Done {
+                complete: true,
+                progress,
+            });
+        }
+        Ok((false, ())) => {}
+    }
+
+    let stock = parts.stock()?;
+    let missing = stock.done.missing(range.clone());
+    progress.done = progress.total - missing.iter().map(|r| r.end - r.start).sum::<u64>();
+    let isa = InstructionSet::detect().name();
+    let footer = identity.footer(&[isa.to_owned()], job.shard);
+    let mut waiting: Vec<Row> = Vec::new();
+    let mut put_away = Instant::now();
+    let threads = job.threads.map_or(0, NonZeroUsize::get);
+    let worked = work(sweep, missing, threads, |rows| {
+        progress.done += rows.len() as u64;
+        progress.done_now += rows.len() as u64;
+        progress.elapsed = started.elapsed();
+        waiting.extend(rows);
+        let due = (progress.elapsed / SHARE).clamp(OFTEN, SELDOM);
+        if waiting.len() >= WAITING_MAX || put_away.elapsed() >= due {
+            parts.keep(sweep.columns(), &footer, std::mem::take(&mut waiting))?;
+            put_away = Instant::now();
+        }
+        Ok(watch(&progress))
+    });
+    worked?;
+    parts.keep(sweep.columns(), &footer, waiting)?;
+    progress.elapsed = started.elapsed();
+    if progress.done < progress.total {
+        return Ok(Done {
+            complete: false,
+            progress,
+        });
+    }
+    let stock = parts.stock()?;
+    let footer = identity.footer(&stock.isa, job.shard);
+    assemble(&job.result, sweep.columns(), &footer, &stock.tables, range)?;
+    parts.remove()?;
+    Ok(Done {
+        complete: true,
+        progress,
+    })
+}
+
+/// Whether the result is there already.
+fn is_complete(identity: &Identity, job: &Job, total: u64) -> Result<bool, SweepError> {
+    let path = &job.result;
+    if !path.exists() {
+        return Ok(false);
+    }
+    let remedy = "Choose another --out, or remove it";
+    let foreign = |why: &str| SweepError::Input(format!("{} {why}. {remedy}", path.display()));
+    if path.is_dir() {
+        return Err(foreign("is a directory where the result is to be"));
+    }
+    let found = RowsReader::open(path)?;
+    let before = Identity::read(&found).ok_or_else(|| foreign("is not the result of a sweep"))?;
+    identity.must_be(&before.text(), &path.display().to_string(), remedy)?;
+    let shard = job.shard.map(|s| s.to_string());
+    if found.footer("shard") != shard.as_deref() || found.rows() != total {
+        return Err(foreign("holds another part of the sweep"));
+    }
+    Ok(true)
+}

@@ -1,0 +1,379 @@
+//! From the index of a variant to its case.
+
+use cageless::{Gaps, Start};
+use cageless_io::case_file::{CaseError, CaseFile, CaseValue, Change};
+use cageless_io::plan_file::{
+    Axis, AxisValues, PlanFile, SampleMethod, ScatterLaw, ScatteredKey, twelve_digits, unit,
+};
+use cageless_io::results::{Cell, ColumnKind, ColumnSpec};
+
+use crate::latin::LatinHypercube;
+use crate::random::{Purpose, Stream};
+use crate::sobol::{self, Sobol};
+
+/// Most variants of a plan.
+pub(crate) const VARIANTS_MAX: u64 = 1_000_000_000;
+
+/// Keys with a value for each ball.
+const DEVIATION: &str = "bearing.ball_radius_deviation_um";
+const GAPS: &str = "start.gaps";
+/// Keys that are whole numbers.
+const WHOLE: [&str; 2] = ["bearing.balls", "solver.seed"];
+
+/// The variants of a plan, each a pure function of its index.
+#[derive(Debug, Clone)]
+pub(crate) struct Variants {
+    plan: PlanFile,
+    points: Points,
+    count: u64,
+    /// Value of each scattered key in the base case.
+    centres: Vec<Option<CaseValue>>,
+    columns: Vec<ColumnSpec>,
+}
+
+#[derive(Debug, Clone)]
+enum Points {
+    None,
+    Sobol(Sobol),
+    LatinHypercube(LatinHypercube),
+    Random,
+}
+
+/// A key, its value and where the plan gives it.
+struct Setting<'a> {
+    key: &'a str,
+    value: CaseValue,
+    line: usize,
+}
+
+impl Variants {
+    pub(crate) fn new(plan: PlanFile) -> Result<Self, CaseError> {
+        let count = count(&plan)?;
+        let points = points(&plan)?;
+        let scattered = plan.scatter.iter().flat_map(|s| &s.keys);
+        let centres = scattered
+            .map(|key| centre(&plan, key))
+            .collect::<Result<_, _>>()?;
+        let columns = columns(&plan);
+        Ok(Self {
+            plan,
+            points,
+            count,
+            centres,
+            columns,
+        })
+    }
+
+    pub(crate) fn plan(&self) -> &PlanFile {
+        &self.plan
+    }
+
+    pub(crate) fn count(&self) -> u64 {
+        self.count
+    }
+
+    /// Columns of the inputs: axes of the grid, of the samples, scattered keys.
+    pub(crate) fn columns(&self) -> &[ColumnSpec] {
+        &self.columns
+    }
+
+    fn scattered(&self) -> impl Iterator<Item = &ScatteredKey> {
+        self.plan.scatter.iter().flat_map(|s| &s.keys)
+    }
+
+    /// The inputs of a variant and its case, or why there is none.
+    pub(crate) fn variant(&self, index: u64) -> (Vec<Cell>, Result<CaseFile, CaseError>) {
+        let (settings, failed) = self.settings(index);
+        let cells = self.cells(&settings);
+        let case = match failed {
+            Some(error) => Err(error),
+            None => self.read(&settings),
+        };
+        (cells, case)
+    }
+
+    fn read(&self, settings: &[Setting<'_>]) -> Result<CaseFile, CaseError> {
+        let changes: Vec<_> = settings
+            .iter()
+            .map(|s| Change {
+                key: s.key,
+                value: &s.value,
+                place: (&self.plan.name, s.line),
+            })
+            .collect();
+        self.plan.base.with(&changes)
+    }
+
+    /// In the order of [`Variants::columns`]; null for what could not be drawn.
+    fn cells(&self, settings: &[Setting<'_>]) -> Vec<Cell> {
+        let columns = self.columns.iter().enumerate();
+        columns
+            .map(|(k, column)| match settings.get(k).map(|s| &s.value) {
+                Some(value) => cell(value, column.kind),
+                None => Cell::Null,
+            })
+            .collect()
+    }
+
+    /// What the variant changes, axes first; and why the rest could not be drawn, if so.
+    fn settings(&self, index: u64) -> (Vec<Setting<'_>>, Option<CaseError>) {
+        let repeats = self.plan.scatter.as_ref().map_or(1, |s| s.repeats);
+        let samples = self.plan.samples.as_ref().map_or(1, |s| s.count);
+        let (rest, repeat) = (index / repeats, index % repeats);
+        let (mut node, sample) = (rest / samples, rest % samples);
+        let mut settings: Vec<Setting<'_>> = Vec::new();
+        for axis in self.plan.grid.iter().rev() {
+            let length = axis.len().unwrap_or(1).max(1);
+            settings.push(setting(axis, axis.value(node % length)));
+            node /= length;
+        }
+        settings.reverse();
+        for (k, axis) in self.plan.samples.iter().flat_map(|s| &s.axes).enumerate() {
+            settings.push(setting(axis, axis.value_at(self.place(sample, k))));
+        }
+        // The same deviations at every node of the grid: what differs is the node.
+        let draw = sample * repeats + repeat;
+        for (k, (key, centre)) in self.scattered().zip(&self.centres).enumerate() {
+            let stream = Stream::new(self.plan.seed, Purpose::Scatter, k, draw);
+            let drawn = self.deviated(key, centre.as_ref(), &settings, stream);
+            match (drawn, settings.iter_mut().find(|s| s.key == key.key)) {
+                (Ok(value), Some(varied)) => varied.value = value,
+                (Ok(value), None) => settings.push(Setting {
+                    key: &key.key,
+                    value,
+                    line: key.line,
+                }),
+                (Err(error), _) => return (settings, Some(error)),
+            }
+        }
+        (settings, None)
+    }
+
+    /// Place of a sample on an axis, 0 to 1.
+    fn place(&self, sample: u64, axis: usize) -> f64 {
+        match &self.points {
+            Points::None => 0.0,
+            Points::Sobol(sobol) => sobol.at(sample, axis),
+            Points::LatinHypercube(hypercube) => hypercube.at(sample, axis),
+            Points::Random => Stream::new(self.plan.seed, Purpose::Place, axis, sample).uniform(),
+        }
+    }
+
+    fn deviated(
+        &self,
+        key: &ScatteredKey,
+        centre: Option<&CaseValue>,
+        settings: &[Setting<'_>],
+        mut stream: Stream,
+    ) -> Result<CaseValue, CaseError> {
+        let mut deviation = || match key.law {
+            ScatterLaw::Normal(width) => width * stream.normal(),
+            ScatterLaw::Uniform(width) => width * (2.0 * stream.uniform() - 1.0),
+            ScatterLaw::Any => stream.exponential(),
+        };
+        let varied = settings.iter().find(|s| s.key == key.key);
+        match key.key.as_str() {
+            DEVIATION => {
+                let balls = self.read(settings)?.document().bearing.balls;
+                let centres = match centre {
+                    Some(CaseValue::Numbers(list)) if list.len() == balls => list.clone(),
+                    _ => vec![0.0; balls],
+                };
+                let list = centres.iter().map(|c| twelve_digits(c + deviation()));
+                Ok(CaseValue::Numbers(list.collect()))
+            }
+            GAPS => {
+                let file = self.read(settings)?;
+                let centres = gaps_deg(&file);
+                let list = centres.iter().map(|_| deviation()).collect();
+                Ok(CaseValue::Numbers(match key.law {
+                    ScatterLaw::Any => arranged(&centres, list),
+                    _ => shifted(&centres, list),
+                }))
+            }
+            _ => {
+                let value = varied.map(|s| &s.value).or(centre);
+                let value = match value {
+                    Some(CaseValue::Number(value)) => *value,
+                    Some(CaseValue::Integer(value)) => *value as f64,
+                    _ => return Err(no_centre(&self.plan, key)),
+                };
+                Ok(CaseValue::Number(twelve_digits(value + deviation())))
+            }
+        }
+    }
+}
+
+/// Gaps that make a whole turn, as likely one way as any other: the spacings of points
+/// thrown at random on what the balls leave free.
+fn arranged(centres: &[f64], list: Vec<f64>) -> Vec<f64> {
+    let (room, sum) = (centres.iter().sum::<f64>(), list.iter().sum::<f64>());
+    let share = |x: f64| twelve_digits(room * x / sum);
+    list.into_iter().map(share).collect()
+}
+
+/// Gaps with deviations whose mean is taken off, so that they still make a whole turn.
+fn shifted(centres: &[f64], list: Vec<f64>) -> Vec<f64> {
+    let mean = list.iter().sum::<f64>() / list.len() as f64;
+    let gap = |(centre, x): (&f64, f64)| twelve_digits(centre + x - mean);
+    centres.iter().zip(list).map(gap).collect()
+}
+
+/// The gaps of a case, in degrees.
+fn gaps_deg(file: &CaseFile) -> Vec<f64> {
+    let bearing = &file.case().bearing;
+    let (Start::Settled { gaps, .. } | Start::Rolling { gaps, .. }) = &file.case().start;
+    match gaps {
+        Gaps::Uniform => vec![bearing.uniform_gap_rad().to_degrees(); bearing.balls()],
+        Gaps::List(list) => list.iter().map(|gap| gap.to_degrees()).collect(),
+    }
+}
+
+fn setting(axis: &Axis, value: CaseValue) -> Setting<'_> {
+    Setting {
+        key: &axis.key,
+        value,
+        line: axis.line,
+    }
+}
+
+fn is_per_ball(key: &str) -> bool {
+    [DEVIATION, GAPS].contains(&key)
+}
+
+/// The name of an input: its key with underscores, and the unit if the key has none.
+fn column_name(key: &str) -> String {
+    let name = key.replace('.', "_");
+    if key == GAPS { name + "_deg" } else { name }
+}
+
+fn cell(value: &CaseValue, kind: ColumnKind) -> Cell {
+    match (value, kind) {
+        (CaseValue::Text(text), _) => Cell::Text(text.clone()),
+        (value, ColumnKind::Text) => Cell::Text(value.written()),
+        (CaseValue::Numbers(list), _) => Cell::Numbers(list.clone()),
+        (CaseValue::Integer(value), ColumnKind::Integer) => Cell::Integer(*value),
+        // Of a range; what is not whole is refused by the case and has no cell.
+        (CaseValue::Number(value), ColumnKind::Integer) if value.fract() == 0.0 => {
+            Cell::Integer(*value as i64)
+        }
+        (CaseValue::Number(_), ColumnKind::Integer) => Cell::Null,
+        (CaseValue::Integer(value), _) => Cell::Number(*value as f64),
+        (CaseValue::Number(value), _) => Cell::Number(*value),
+    }
+}
+
+/// Axes of the grid, then of the samples.
+fn axes(plan: &PlanFile) -> impl Iterator<Item = &Axis> {
+    let samples = plan.samples.iter().flat_map(|s| &s.axes);
+    plan.grid.iter().chain(samples)
+}
+
+fn columns(plan: &PlanFile) -> Vec<ColumnSpec> {
+    let of_axes = axes(plan).map(|axis| ColumnSpec {
+        name: column_name(&axis.key),
+        unit: axis.unit().to_owned(),
+        kind: match axis {
+            axis if axis.is_text() => ColumnKind::Text,
+            axis if WHOLE.contains(&axis.key.as_str()) => ColumnKind::Integer,
+            _ => ColumnKind::Number,
+        },
+    });
+    let scattered = plan.scatter.iter().flat_map(|s| &s.keys);
+    // What varies and is scattered has one column.
+    let scattered = scattered.filter(|key| !axes(plan).any(|axis| axis.key == key.key));
+    let of_scattered = scattered.map(|key| ColumnSpec {
+        name: column_name(&key.key),
+        unit: unit(&key.key).to_owned(),
+        kind: if is_per_ball(&key.key) {
+            ColumnKind::Numbers
+        } else {
+            ColumnKind::Number
+        },
+    });
+    of_axes.chain(of_scattered).collect()
+}
+
+fn count(plan: &PlanFile) -> Result<u64, CaseError> {
+    let axes = plan.grid.iter().map(|a| (a.line, a.len().unwrap_or(1)));
+    let samples = plan.samples.iter().map(|s| (s.axes[0].line, s.count));
+    let scatter = plan.scatter.iter().map(|s| (s.keys[0].line, s.repeats));
+    let mut total = 1_u128;
+    let mut largest = (0, 0);
+    for (line, length) in axes.chain(samples).chain(scatter) {
+        total = total.saturating_mul(u128::from(length));
+        largest = largest.max((length, line));
+    }
+    match u64::try_from(total) {
+        Ok(total) if total <= VARIANTS_MAX => Ok(total),
+        _ => {
+            let message = format!(
+                "the plan has {} variants: at most {VARIANTS_MAX} are possible; take fewer values \
+                 here, or samples in place of a grid",
+                in_words(total)
+            );
+            Err(plan.error(largest.1, "grid", message))
+        }
+    }
+}
+
+fn in_words(count: u128) -> String {
+    match count {
+        u128::MAX => "more than 10^38".to_owned(),
+        count if count >= 1_000_000_000_000_000 => format!("{:.1e}", count as f64),
+        count => count.to_string(),
+    }
+}
+
+fn points(plan: &PlanFile) -> Result<Points, CaseError> {
+    let Some(samples) = &plan.samples else {
+        return Ok(Points::None);
+    };
+    let (axes, count) = (samples.axes.len(), samples.count);
+    match samples.method {
+        SampleMethod::Random => Ok(Points::Random),
+        SampleMethod::LatinHypercube => Ok(Points::LatinHypercube(LatinHypercube::new(
+            axes, count, plan.seed,
+        ))),
+        SampleMethod::Sobol if axes <= sobol::DIMENSIONS && count <= sobol::POINTS => {
+            Ok(Points::Sobol(Sobol::new(axes, plan.seed)))
+        }
+        SampleMethod::Sobol => {
+            let message = format!(
+                "Sobol's sequence is there for {} axes and 2^32 points, not for {axes} axes and \
+                 {count} points: \"latin-hypercube\" takes any number",
+                sobol::DIMENSIONS
+            );
+            Err(plan.error(samples.axes[0].line, "samples.method", message))
+        }
+    }
+}
+
+/// What a scattered key deviates from. An axis of the same key comes first.
+fn centre(plan: &PlanFile, key: &ScatteredKey) -> Result<Option<CaseValue>, CaseError> {
+    let centre = plan.base_file.value(&key.key);
+    if WHOLE.contains(&key.key.as_str()) {
+        let message = format!("{} is a whole number: it cannot be scattered", key.key);
+        return Err(plan.error(key.line, &key.key, message));
+    }
+    let numeric = match axes(plan).find(|axis| axis.key == key.key) {
+        Some(axis) => match &axis.values {
+            AxisValues::Range(_) => true,
+            AxisValues::List(_) => !axis.is_text(),
+        },
+        None => matches!(centre, Some(CaseValue::Number(_) | CaseValue::Integer(_))),
+    };
+    if numeric || is_per_ball(&key.key) {
+        Ok(centre)
+    } else {
+        Err(no_centre(plan, key))
+    }
+}
+
+fn no_centre(plan: &PlanFile, key: &ScatteredKey) -> CaseError {
+    let message = format!(
+        "{} has no number in the case that it could deviate from",
+        key.key
+    );
+    plan.error(key.line, &key.key, message)
+}
