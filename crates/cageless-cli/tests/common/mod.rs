@@ -124,3 +124,25 @@ pub fn table(path: &Path) -> (Vec<String>, Vec<Vec<f64>>) {
         .collect();
     (columns, rows)
 }
+
+/// A row of a table as JSON, by its columns.
+pub fn row(path: &Path, index: usize) -> Value {
+    let file = File::open(path).unwrap_or_else(|e| panic!("{}: {e}", path.display()));
+    let reader = SerializedFileReader::new(file).expect("a table");
+    let mut rows = reader.get_row_iter(None).expect("rows");
+    let row = rows
+        .nth(index)
+        .expect("a row")
+        .expect("a row that can be read");
+    let cells = row.get_column_iter().map(|(name, field)| {
+        let value = match field {
+            Field::Null => Value::Null,
+            Field::Double(value) => (*value).into(),
+            Field::Long(value) => (*value).into(),
+            Field::Str(text) => text.as_str().into(),
+            other => other.to_string().into(),
+        };
+        (name.clone(), value)
+    });
+    Value::Object(cells.collect())
+}
