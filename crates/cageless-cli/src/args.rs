@@ -52,6 +52,8 @@ pub enum Command {
     Export(ExportArgs),
     /// Compute many variants of a case; started again, it goes on where it was left.
     Sweep(SweepArgs),
+    /// Analyse a finished sweep: main effects, maps, best and failed variants.
+    Report(ReportArgs),
 }
 
 /// `reproduce`.

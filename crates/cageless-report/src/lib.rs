@@ -1,8 +1,8 @@
 //! Figures and self-contained HTML reports of Cageless.
 //!
 //! Nothing is simulated here: data in display units go in ([`ReproduceData`],
-//! [`RunData`]), one HTML page comes out ([`reproduce_page`], [`run_page`]) that
-//! opens without a network, and the same numbers as one JSON document
+//! [`RunData`], [`SweepData`]), one HTML page comes out ([`reproduce_page`], [`run_page`],
+//! [`sweep_page`]) that opens without a network, and the same numbers as one JSON document
 //! ([`to_json`]).
 
 pub mod certificate;
@@ -16,6 +16,7 @@ pub mod plot;
 pub mod reproduce;
 pub mod run;
 pub mod sampling;
+pub mod sweep;
 pub mod table;
 pub mod tables;
 pub mod text;
@@ -28,6 +29,7 @@ pub use motion::MotionFigure;
 pub use page::{Note, Page};
 pub use reproduce::*;
 pub use run::*;
+pub use sweep::*;
 
 /// All numbers of a report as one JSON document, unrounded.
 ///

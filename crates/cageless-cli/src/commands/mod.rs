@@ -3,6 +3,7 @@
 mod design;
 mod export;
 mod export_result;
+mod report;
 mod run;
 mod static_equilibrium;
 mod sweep;
@@ -33,6 +34,7 @@ pub fn dispatch(args: Args) -> Result<(), Failure> {
         Command::Run(args) => run::run(&args),
         Command::Export(args) => export::export(&args),
         Command::Sweep(args) => sweep::sweep(&args),
+        Command::Report(args) => report::report(&args),
     }
 }
 

@@ -6,6 +6,7 @@ pub mod orbit;
 pub mod phase;
 pub mod shape;
 pub mod spacing;
+pub mod sweep;
 pub mod vibration;
 
 use serde_json::{Value, json};

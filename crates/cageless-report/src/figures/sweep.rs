@@ -1,0 +1,157 @@
+//! What the outputs of a sweep depend on.
+
+use serde_json::{Value, json};
+
+use super::{axis_name, axis_ref, on, panels};
+use crate::data::Provenance;
+use crate::figure::Figure;
+use crate::plot::{PALETTE, Plot, numbers, plain};
+use crate::sweep::{HeatMap, Levels, MainEffect, SweepData, SweepOutput};
+
+/// Panels side by side.
+const ACROSS: usize = 3;
+/// Height of a row of panels, pixels.
+const ROW_PX: u32 = 300;
+
+/// Share of the variance of each output that each input explains.
+pub fn shares(data: &SweepData) -> Figure {
+    let names: Value = data.inputs.iter().map(|i| plain(&i.name)).collect();
+    // plotly draws from below.
+    let outputs: Vec<&SweepOutput> = data.outputs.iter().rev().collect();
+    let labels: Value = outputs.iter().map(|o| plain(&o.quantity.name)).collect();
+    let percent = |share: &Option<f64>| share.map_or(f64::NAN, |s| 100.0 * s);
+    let z: Value = outputs
+        .iter()
+        .map(|o| numbers(&o.shares.iter().map(percent).collect::<Vec<_>>()))
+        .collect();
+    let text: Value = outputs
+        .iter()
+        .map(|o| {
+            let shown = |s: &Option<f64>| s.map_or(String::new(), |s| format!("{:.0}", 100.0 * s));
+            o.shares.iter().map(shown).collect::<Value>()
+        })
+        .collect();
+    let height = 130 + 26 * outputs.len() as u32;
+    let plot = Plot::new(height.max(240))
+        .axis(
+            "xaxis",
+            "",
+            json!({ "side": "top", "showgrid": false, "type": "category" }),
+        )
+        .axis(
+            "yaxis",
+            "",
+            json!({ "showgrid": false, "type": "category" }),
+        )
+        .trace(json!({
+            "type": "heatmap", "x": names, "y": labels, "z": z, "text": text,
+            "texttemplate": "%{text}", "zmin": 0, "zmax": 100, "colorscale": "Blues",
+            "reversescale": true, "xgap": 1, "ygap": 1,
+            "colorbar": { "title": { "text": "%" }, "thickness": 12 },
+            "hovertemplate": "%{y} by %{x}: %{z:.1f} %<extra></extra>",
+        }));
+    Figure {
+        label: "What matters".to_owned(),
+        caption: "Share of the variance of each output, in percent, that each input explains \
+                  alone (correlation ratio η²). What is missing from 100 in a row is the \
+                  inputs' acting together, and chance; with few variants at a level, chance \
+                  alone gives some."
+            .to_owned(),
+        provenance: data.provenance.clone(),
+        plot,
+    }
+}
+
+/// An output over each of the inputs that explain most.
+pub fn effects(output: &SweepOutput, provenance: &Provenance) -> Figure {
+    let count = output.effects.len();
+    let rows = count.div_ceil(ACROSS);
+    let across = panels(count.min(ACROSS), 0.07);
+    let up = panels(rows, 0.28 / rows.max(1) as f64 + 0.06);
+    let mut plot = Plot::new(ROW_PX * rows as u32 + 40).at_least(760);
+    for (k, effect) in output.effects.iter().enumerate() {
+        // The first row of panels is the uppermost.
+        let (column, row) = (k % ACROSS, rows - 1 - k / ACROSS);
+        let (x, y) = (axis_ref("x", k), axis_ref("y", k));
+        let title = if column == 0 {
+            output.quantity.label()
+        } else {
+            String::new()
+        };
+        let mut along = json!({ "domain": across[column], "anchor": y });
+        if matches!(effect.levels, Levels::Names(_)) {
+            along["type"] = "category".into();
+        }
+        let mut upwards = json!({ "domain": up[row], "anchor": x });
+        if k > 0 {
+            upwards["matches"] = "y".into();
+        }
+        plot = plot
+            .axis(&axis_name("x", k), &effect.input.label(), along)
+            .axis(&axis_name("y", k), &title, upwards);
+        for trace in effect_traces(effect) {
+            plot = plot.trace(on(trace, &x, &y));
+        }
+    }
+    Figure {
+        label: format!("Effects on {}", output.quantity.name),
+        caption: format!(
+            "Mean of {} at each level of an input, over all others; shaded: from the least to \
+             the most.",
+            output.quantity.name
+        ),
+        provenance: provenance.clone(),
+        plot,
+    }
+}
+
+fn effect_traces(effect: &MainEffect) -> [Value; 3] {
+    let edge = |values: &[f64]| {
+        json!({
+            "type": "scatter", "mode": "lines", "x": levels(&effect.levels), "y": numbers(values),
+            "line": { "width": 0, "color": PALETTE[0] }, "hoverinfo": "skip",
+        })
+    };
+    let mut above = edge(&effect.max);
+    above["fill"] = "tonexty".into();
+    above["fillcolor"] = "rgba(0,114,178,0.14)".into();
+    let mean = json!({
+        "type": "scatter", "mode": "lines+markers", "x": levels(&effect.levels),
+        "y": numbers(&effect.mean), "line": { "color": PALETTE[0], "width": 1.6 },
+        "marker": { "color": PALETTE[0], "size": 6 },
+    });
+    [edge(&effect.min), above, mean]
+}
+
+/// The mean of an output over two inputs.
+pub fn map(output: &SweepOutput, map: &HeatMap, provenance: &Provenance) -> Figure {
+    let axis = |levels: &Levels| match levels {
+        Levels::Names(_) => json!({ "type": "category", "showgrid": false }),
+        Levels::Numbers(_) => json!({ "showgrid": false }),
+    };
+    let z: Value = map.mean.iter().map(|row| numbers(row)).collect();
+    let plot = Plot::new(440)
+        .axis("xaxis", &map.x_input.label(), axis(&map.x))
+        .axis("yaxis", &map.y_input.label(), axis(&map.y))
+        .trace(json!({
+            "type": "heatmap", "x": levels(&map.x), "y": levels(&map.y), "z": z,
+            "colorscale": "Viridis",
+            "colorbar": { "title": { "text": plain(&output.quantity.unit) }, "thickness": 14 },
+        }));
+    Figure {
+        label: format!("Map of {}", output.quantity.name),
+        caption: format!(
+            "Mean of {} over the two inputs that explain most of it.",
+            output.quantity.label()
+        ),
+        provenance: provenance.clone(),
+        plot,
+    }
+}
+
+fn levels(levels: &Levels) -> Value {
+    match levels {
+        Levels::Numbers(values) => numbers(values),
+        Levels::Names(names) => names.iter().map(|n| plain(n)).collect(),
+    }
+}

@@ -1,0 +1,188 @@
+//! How outputs change with inputs.
+
+use cageless_io::results::Row;
+use cageless_report::{HeatMap, MainEffect, SweepOutput};
+
+use super::quantities::{Output, Quantities};
+use super::table::Table;
+use crate::error::SweepError;
+
+/// Inputs that an output is drawn over.
+const DRAWN: usize = 6;
+
+/// Count, sums and range of an output at one level.
+#[derive(Clone, Copy)]
+struct Moments {
+    count: f64,
+    /// Counted from [`Output::origin`].
+    sum: f64,
+    squares: f64,
+    min: f64,
+    max: f64,
+}
+
+impl Moments {
+    const NONE: Self = Self {
+        count: 0.0,
+        sum: 0.0,
+        squares: 0.0,
+        min: f64::INFINITY,
+        max: f64::NEG_INFINITY,
+    };
+
+    fn add(&mut self, value: f64) {
+        self.count += 1.0;
+        self.sum += value;
+        self.squares += value * value;
+        self.min = self.min.min(value);
+        self.max = self.max.max(value);
+    }
+
+    /// NaN without values.
+    fn mean(&self) -> f64 {
+        self.sum / self.count
+    }
+}
+
+/// Moments of each output at each level of each input.
+type Levels = Vec<Vec<Vec<Moments>>>;
+
+/// Columns of the inputs, then of the outputs.
+fn wanted(quantities: &Quantities) -> Vec<usize> {
+    let inputs = quantities.inputs.iter().map(|i| i.column);
+    inputs
+        .chain(quantities.outputs.iter().map(|o| o.column))
+        .collect()
+}
+
+/// The outputs with the shares and effects of all inputs.
+pub(super) fn gather(
+    table: &Table,
+    quantities: &Quantities,
+) -> Result<Vec<SweepOutput>, SweepError> {
+    let (inputs, outputs) = (&quantities.inputs, &quantities.outputs);
+    let empty = || inputs.iter().map(|i| vec![Moments::NONE; i.count()]);
+    let mut levels: Levels = outputs.iter().map(|_| empty().collect()).collect();
+    let mut all = vec![Moments::NONE; outputs.len()];
+    table.each(&wanted(quantities), |row| {
+        let at: Vec<_> = inputs
+            .iter()
+            .zip(row)
+            .map(|(i, cell)| i.level(cell))
+            .collect();
+        for (k, output) in outputs.iter().enumerate() {
+            let Some(value) = output.value(&row[inputs.len() + k]) else {
+                continue;
+            };
+            let value = value - output.origin;
+            all[k].add(value);
+            for (moments, level) in levels[k].iter_mut().zip(&at) {
+                if let Some(level) = level {
+                    moments[*level].add(value);
+                }
+            }
+        }
+    })?;
+    let of_output = |((output, levels), all): ((&Output, &Vec<Vec<Moments>>), &Moments)| {
+        let shares: Vec<_> = levels.iter().map(|l| share(l, all)).collect();
+        let effects = most(&shares, DRAWN)
+            .into_iter()
+            .map(|k| effect(quantities, output, k, &levels[k]))
+            .collect();
+        SweepOutput {
+            quantity: output.quantity(),
+            shares,
+            effects,
+            map: None,
+        }
+    };
+    Ok(outputs
+        .iter()
+        .zip(&levels)
+        .zip(&all)
+        .map(of_output)
+        .collect())
+}
+
+/// Correlation ratio η²: variance between the levels over the whole variance.
+fn share(levels: &[Moments], all: &Moments) -> Option<f64> {
+    let mean = all.mean();
+    let whole = all.squares - all.count * mean * mean;
+    let filled = levels.iter().filter(|l| l.count > 0.0);
+    let between: f64 = filled.map(|l| l.count * (l.mean() - mean).powi(2)).sum();
+    let share = between / whole;
+    share.is_finite().then(|| share.clamp(0.0, 1.0))
+}
+
+/// Inputs with the largest shares, those first.
+fn most(shares: &[Option<f64>], count: usize) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..shares.len()).collect();
+    let share = |k: usize| shares[k].unwrap_or(-1.0);
+    order.sort_by(|a, b| share(*b).total_cmp(&share(*a)));
+    order.truncate(count);
+    order
+}
+
+fn effect(
+    quantities: &Quantities,
+    output: &Output,
+    input: usize,
+    levels: &[Moments],
+) -> MainEffect {
+    let input = &quantities.inputs[input];
+    let of = |value: fn(&Moments) -> f64| {
+        let value = |m: &Moments| value(m) + output.origin;
+        levels.iter().map(value).collect()
+    };
+    MainEffect {
+        input: input.quantity(),
+        levels: input.levels(),
+        mean: of(Moments::mean),
+        min: of(|m| m.min),
+        max: of(|m| m.max),
+    }
+}
+
+/// For each output its mean over the two inputs that explain most.
+pub(super) fn maps(
+    table: &Table,
+    quantities: &Quantities,
+    outputs: &[SweepOutput],
+) -> Result<Vec<Option<HeatMap>>, SweepError> {
+    let inputs = &quantities.inputs;
+    let pair = |output: &SweepOutput| match *most(&output.shares, 2) {
+        [x, y] => Some((x, y)),
+        _ => None,
+    };
+    let pairs: Vec<_> = outputs.iter().map(pair).collect();
+    let grid = |pair: &Option<(usize, usize)>| match *pair {
+        Some((x, y)) => vec![vec![Moments::NONE; inputs[x].count()]; inputs[y].count()],
+        None => Vec::new(),
+    };
+    let mut grids: Vec<Vec<Vec<Moments>>> = pairs.iter().map(grid).collect();
+    table.each(&wanted(quantities), |row: &Row| {
+        for (k, output) in quantities.outputs.iter().enumerate() {
+            let (Some((x, y)), Some(value)) = (pairs[k], output.value(&row[inputs.len() + k]))
+            else {
+                continue;
+            };
+            if let (Some(column), Some(line)) = (inputs[x].level(&row[x]), inputs[y].level(&row[y]))
+            {
+                grids[k][line][column].add(value - output.origin);
+            }
+        }
+    })?;
+    let map = |((pair, grid), output): ((&Option<(usize, usize)>, &Vec<Vec<Moments>>), &Output)| {
+        let (x, y) = (*pair)?;
+        let mean = |m: &Moments| m.mean() + output.origin;
+        Some(HeatMap {
+            x_input: inputs[x].quantity(),
+            x: inputs[x].levels(),
+            y_input: inputs[y].quantity(),
+            y: inputs[y].levels(),
+            mean: grid.iter().map(|l| l.iter().map(mean).collect()).collect(),
+        })
+    };
+    let maps = pairs.iter().zip(&grids).zip(&quantities.outputs);
+    Ok(maps.map(map).collect())
+}

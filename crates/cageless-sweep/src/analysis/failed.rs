@@ -1,0 +1,41 @@
+//! Why variants failed.
+
+use std::collections::BTreeMap;
+
+use cageless_io::results::Cell;
+use cageless_report::FailureGroup;
+
+use super::table::Table;
+use crate::error::SweepError;
+
+/// Reasons that are told apart; further ones count as the last.
+const GROUPS_MAX: usize = 20;
+
+/// Failed variants by their reason, the most frequent first.
+pub(super) fn groups(table: &Table) -> Result<Vec<FailureGroup>, SweepError> {
+    let mut groups: BTreeMap<String, FailureGroup> = BTreeMap::new();
+    table.each(&[0, table.reason()], |row| {
+        let [index, Cell::Text(reason)] = row.as_slice() else {
+            return;
+        };
+        let mut kind = without_numbers(reason);
+        if groups.len() >= GROUPS_MAX && !groups.contains_key(&kind) {
+            kind = String::new();
+        }
+        let group = groups.entry(kind).or_insert_with(|| FailureGroup {
+            count: 0,
+            variant: index.number().unwrap_or(0.0) as u64,
+            reason: reason.clone(),
+        });
+        group.count += 1;
+    })?;
+    let mut groups: Vec<_> = groups.into_values().collect();
+    groups.sort_by_key(|group| (std::cmp::Reverse(group.count), group.variant));
+    Ok(groups)
+}
+
+/// What is left of a reason when its numbers are taken out.
+fn without_numbers(reason: &str) -> String {
+    let kept = |c: &char| !c.is_ascii_digit() && !matches!(c, '.' | '-' | '+');
+    reason.chars().filter(kept).collect()
+}

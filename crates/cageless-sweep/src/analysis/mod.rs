@@ -1,0 +1,113 @@
+//! Analysis of a finished sweep: main effects, maps, best and failed variants.
+//!
+//! The result is read group by group, three times; memory does not grow with it.
+
+mod best;
+mod effects;
+mod failed;
+mod quantities;
+mod table;
+
+use std::path::Path;
+
+use cageless_io::results::RowsReader;
+use cageless_report::data::{Parameter, Provenance};
+use cageless_report::{SweepData, SweepOutput};
+
+use crate::error::SweepError;
+use crate::figures::Aim;
+use crate::footer::Identity;
+
+use quantities::Quantities;
+use table::Table;
+
+/// What the user wants of an output.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Goal {
+    /// Its column.
+    pub column: String,
+    /// Which way is better.
+    pub aim: Aim,
+}
+
+/// Reads the result of a sweep and works out what its report shows. Without `goals`,
+/// the best variants are sought by every output of which it can be said what is better.
+///
+/// # Errors
+/// If the file is not the complete result of a sweep, cannot be read, or a goal is not
+/// one of its numbers.
+pub fn analyse(path: &Path, goals: &[Goal]) -> Result<SweepData, SweepError> {
+    let reader = RowsReader::open(path)?;
+    let identity = Identity::read(&reader).ok_or_else(|| {
+        SweepError::Input(format!("{} is not the result of a sweep", path.display()))
+    })?;
+    let isa = reader.footer("isa").unwrap_or_default().to_owned();
+    let table = Table::new(reader)?;
+    let quantities = Quantities::scan(&table)?;
+    let goals = best::goals(&table, &quantities, goals)?;
+    let effects = effects::gather(&table, &quantities)?;
+    let maps = effects::maps(&table, &quantities, &effects)?;
+    let outputs: Vec<SweepOutput> = effects
+        .into_iter()
+        .zip(maps)
+        .map(|(output, map)| SweepOutput { map, ..output })
+        .collect();
+    let failures = failed::groups(&table)?;
+    let failed = failures.iter().map(|group| group.count).sum();
+    let setting = |key: &str| {
+        let mut lines = identity.plan.lines();
+        let value = lines.find_map(|line| line.strip_prefix(key)?.strip_prefix(" = "));
+        value.map(|value| value.trim_matches('"').to_owned())
+    };
+    let title = setting("title").filter(|title| !title.is_empty());
+    let rows = table.rows();
+    Ok(SweepData {
+        title: title.clone().unwrap_or_else(|| "A sweep".to_owned()),
+        software: format!(
+            "Cageless {}, {isa}, seed {}",
+            identity.version, identity.seed
+        ),
+        lead: lead(rows, &identity, &quantities),
+        variants: rows,
+        failed,
+        inputs: quantities.inputs.iter().map(|i| i.quantity()).collect(),
+        outputs,
+        constants: quantities.constants.clone(),
+        best: best::find(&table, &quantities, &goals)?,
+        failures,
+        plan: parameters(&identity.plan),
+        provenance: Provenance {
+            case: title.unwrap_or_else(|| path.display().to_string()),
+            profile: Some(match table.column("model_profile") {
+                Some(_) => "varies".to_owned(),
+                None => setting("case.model.profile").unwrap_or_default(),
+            }),
+            discarded: match table.column("run_settled_after_s") {
+                Some(_) => "the transient of each run".to_owned(),
+                None => String::new(),
+            },
+            ..Provenance::default()
+        },
+    })
+}
+
+fn lead(rows: u64, identity: &Identity, quantities: &Quantities) -> String {
+    let part = if rows < identity.variants {
+        format!(" of {}", identity.variants)
+    } else {
+        String::new()
+    };
+    let names: Vec<_> = quantities.inputs.iter().map(|i| i.name.as_str()).collect();
+    format!("{rows}{part} variants. What varies: {}.", names.join(", "))
+}
+
+fn parameters(plan: &str) -> Vec<Parameter> {
+    plan.lines()
+        .filter_map(|line| line.split_once(" = "))
+        .map(|(name, value)| Parameter {
+            name: name.to_owned(),
+            value: value.to_owned(),
+            ..Parameter::default()
+        })
+        .collect()
+}

@@ -1,0 +1,226 @@
+//! What varies: inputs with their levels, outputs with their ranges.
+
+use cageless_io::results::{Cell, ColumnSpec};
+use cageless_report::data::Parameter;
+use cageless_report::text::short;
+use cageless_report::{Levels, SweepQuantity};
+
+use super::table::Table;
+use crate::error::SweepError;
+
+/// Values that an input may have to be shown one by one.
+const LEVELS_MAX: usize = 24;
+/// Stretches into which others are divided.
+const STRETCHES: usize = 12;
+/// Names of a text output that are followed.
+const NAMES_MAX: usize = 8;
+
+/// Inputs and outputs that are not the same everywhere.
+pub(super) struct Quantities {
+    pub inputs: Vec<Input>,
+    pub outputs: Vec<Output>,
+    pub constants: Vec<Parameter>,
+}
+
+/// An input.
+pub(super) struct Input {
+    pub name: String,
+    pub unit: String,
+    pub column: usize,
+    scale: Scale,
+}
+
+/// How the values of an input are sorted into levels.
+enum Scale {
+    Names(Vec<String>),
+    Values(Vec<f64>),
+    Stretches { from: f64, to: f64 },
+}
+
+/// An output, or the share of one of its names.
+pub(super) struct Output {
+    pub name: String,
+    pub unit: String,
+    pub column: usize,
+    pub is_name: Option<String>,
+    /// A value of it, to count from: what is large and hardly varies loses no digits.
+    pub origin: f64,
+}
+
+impl Input {
+    pub(super) fn quantity(&self) -> SweepQuantity {
+        SweepQuantity {
+            name: self.name.clone(),
+            unit: self.unit.clone(),
+        }
+    }
+
+    /// Number of levels.
+    pub(super) fn count(&self) -> usize {
+        match &self.scale {
+            Scale::Names(names) => names.len(),
+            Scale::Values(values) => values.len(),
+            Scale::Stretches { .. } => STRETCHES,
+        }
+    }
+
+    /// Level of a value; `None` if there is none.
+    pub(super) fn level(&self, cell: &Cell) -> Option<usize> {
+        match (&self.scale, cell) {
+            (Scale::Names(names), Cell::Text(name)) => names.iter().position(|n| n == name),
+            (Scale::Values(values), cell) => {
+                let value = cell.number()?;
+                values.iter().position(|v| *v == value)
+            }
+            (Scale::Stretches { from, to }, cell) => {
+                let share = (cell.number()? - from) / (to - from);
+                Some(((share * STRETCHES as f64) as usize).min(STRETCHES - 1))
+            }
+            _ => None,
+        }
+    }
+
+    /// Its levels, for figures.
+    pub(super) fn levels(&self) -> Levels {
+        match &self.scale {
+            Scale::Names(names) => Levels::Names(names.clone()),
+            Scale::Values(values) => Levels::Numbers(values.clone()),
+            Scale::Stretches { from, to } => {
+                let middle = |k: usize| from + (to - from) * (k as f64 + 0.5) / STRETCHES as f64;
+                Levels::Numbers((0..STRETCHES).map(middle).collect())
+            }
+        }
+    }
+}
+
+impl Output {
+    pub(super) fn quantity(&self) -> SweepQuantity {
+        SweepQuantity {
+            name: self.name.clone(),
+            unit: self.unit.clone(),
+        }
+    }
+
+    /// Its value in a row; `None` if there is none.
+    pub(super) fn value(&self, cell: &Cell) -> Option<f64> {
+        match (&self.is_name, cell) {
+            (Some(name), Cell::Text(text)) => Some(f64::from(u8::from(name == text))),
+            (Some(_), _) => None,
+            (None, cell) => cell.number(),
+        }
+    }
+}
+
+/// Values of one column.
+#[derive(Default)]
+struct Seen {
+    names: Vec<String>,
+    values: Vec<f64>,
+    many: bool,
+    range: Option<[f64; 2]>,
+}
+
+impl Seen {
+    fn see(&mut self, cell: &Cell) {
+        if let Cell::Text(name) = cell {
+            if !self.names.contains(name) {
+                self.many |= self.names.len() == LEVELS_MAX;
+                if !self.many {
+                    self.names.push(name.clone());
+                }
+            }
+        }
+        let Some(value) = cell.number() else {
+            return;
+        };
+        let [low, high] = self.range.unwrap_or([value; 2]);
+        self.range = Some([low.min(value), high.max(value)]);
+        if !self.many && !self.values.contains(&value) {
+            self.many = self.values.len() == LEVELS_MAX;
+            self.values.push(value);
+        }
+    }
+
+    fn scale(mut self) -> Option<Scale> {
+        if !self.names.is_empty() {
+            return (self.names.len() > 1).then_some(Scale::Names(self.names));
+        }
+        let [from, to] = self.range.filter(|[from, to]| from < to)?;
+        if self.many {
+            return Some(Scale::Stretches { from, to });
+        }
+        self.values.sort_unstable_by(f64::total_cmp);
+        Some(Scale::Values(self.values))
+    }
+}
+
+impl Quantities {
+    /// Looks at every value once.
+    pub(super) fn scan(table: &Table) -> Result<Self, SweepError> {
+        let (inputs, outputs) = (table.inputs(), table.outputs());
+        let wanted: Vec<usize> = inputs.iter().chain(&outputs).copied().collect();
+        let mut seen: Vec<Seen> = wanted.iter().map(|_| Seen::default()).collect();
+        table.each(&wanted, |row| {
+            row.iter()
+                .zip(&mut seen)
+                .for_each(|(cell, seen)| seen.see(cell));
+        })?;
+        let mut quantities = Self {
+            inputs: Vec::new(),
+            outputs: Vec::new(),
+            constants: Vec::new(),
+        };
+        for (k, (column, seen)) in wanted.into_iter().zip(seen).enumerate() {
+            let spec = &table.columns()[column];
+            if k < inputs.len() {
+                quantities.input(spec, column, seen);
+            } else {
+                quantities.output(spec, column, seen);
+            }
+        }
+        Ok(quantities)
+    }
+
+    fn input(&mut self, spec: &ColumnSpec, column: usize, seen: Seen) {
+        self.inputs.extend(seen.scale().map(|scale| Input {
+            name: spec.name.clone(),
+            unit: spec.unit.clone(),
+            column,
+            scale,
+        }));
+    }
+
+    fn output(&mut self, spec: &ColumnSpec, column: usize, mut seen: Seen) {
+        seen.names.truncate(NAMES_MAX);
+        if seen.names.len() > 1 {
+            let of_name = |name: &String| Output {
+                name: format!("{} = {name}", spec.name),
+                unit: String::new(),
+                column,
+                is_name: Some(name.clone()),
+                origin: 0.0,
+            };
+            self.outputs.extend(seen.names.iter().map(of_name));
+            return;
+        }
+        match seen.range {
+            Some([low, high]) if low < high => self.outputs.push(Output {
+                name: spec.name.clone(),
+                unit: spec.unit.clone(),
+                column,
+                is_name: None,
+                origin: low,
+            }),
+            range => {
+                let number = range.map(|[value, _]| short(value));
+                let value = number.or(seen.names.pop());
+                self.constants.extend(value.map(|value| Parameter {
+                    name: spec.name.clone(),
+                    value,
+                    unit: spec.unit.clone(),
+                    ..Parameter::default()
+                }));
+            }
+        }
+    }
+}

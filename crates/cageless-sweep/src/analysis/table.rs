@@ -1,0 +1,75 @@
+//! The result as columns of a kind.
+
+use cageless_io::results::{ColumnKind, ColumnSpec, Row, RowsReader};
+
+use crate::error::SweepError;
+use crate::evaluate::{INDEX, REASON};
+
+/// The result of a sweep: its index, then inputs, the reason, then outputs.
+pub(super) struct Table {
+    reader: RowsReader,
+    reason: usize,
+}
+
+impl Table {
+    pub(super) fn new(reader: RowsReader) -> Result<Self, SweepError> {
+        let columns = reader.columns();
+        let reason = columns.iter().position(|c| c.name == REASON);
+        let index = columns.first().is_some_and(|c| c.name == INDEX);
+        match reason {
+            Some(reason) if index => Ok(Self { reader, reason }),
+            _ => Err(SweepError::Input(format!(
+                "{} lacks the columns of a sweep",
+                reader.path().display()
+            ))),
+        }
+    }
+
+    pub(super) fn rows(&self) -> u64 {
+        self.reader.rows()
+    }
+
+    pub(super) fn path(&self) -> &std::path::Path {
+        self.reader.path()
+    }
+
+    pub(super) fn reason(&self) -> usize {
+        self.reason
+    }
+
+    pub(super) fn column(&self, name: &str) -> Option<usize> {
+        self.columns().iter().position(|c| c.name == name)
+    }
+
+    pub(super) fn columns(&self) -> &[ColumnSpec] {
+        self.reader.columns()
+    }
+
+    /// Inputs that are single values.
+    pub(super) fn inputs(&self) -> Vec<usize> {
+        self.single(1..self.reason)
+    }
+
+    /// Outputs that are single values.
+    pub(super) fn outputs(&self) -> Vec<usize> {
+        self.single(self.reason + 1..self.columns().len())
+    }
+
+    fn single(&self, mut columns: std::ops::Range<usize>) -> Vec<usize> {
+        let single = |k: &usize| self.columns()[*k].kind != ColumnKind::Numbers;
+        columns.by_ref().filter(single).collect()
+    }
+
+    /// Shows every row, of the columns `wanted` alone.
+    pub(super) fn each(
+        &self,
+        wanted: &[usize],
+        mut see: impl FnMut(&Row),
+    ) -> Result<(), SweepError> {
+        for group in 0..self.reader.groups() {
+            let rows = self.reader.columns_of_group(group, wanted)?;
+            rows.iter().for_each(&mut see);
+        }
+        Ok(())
+    }
+}

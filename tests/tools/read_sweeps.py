@@ -1,0 +1,124 @@
+"""The result of `cageless sweep`, read by the tools that users have.
+
+DuckDB, pandas and polars must find the types, the units and the nulls in place.
+
+    python read_sweeps.py path/to/cageless path/to/a/scratch/folder
+"""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import duckdb
+import numpy as np
+import pandas as pd
+import polars as pl
+import pyarrow as pa
+import pyarrow.parquet as pq
+
+PLAN = """
+seed = 5
+case = {case}
+compute = ["static", "design", "run"]
+[set]
+solver.duration_s = 0.002
+[grid]
+bearing.balls = [13, 14]
+model.profile = ["physical", "paper"]
+[samples]
+method = "sobol"
+count = 4
+raceway.half_angle_deg = {{ from = 20.0, to = 120.0 }}
+[scatter]
+repeats = 2
+start.gaps = {{ uniform = 0.5 }}
+"""
+ROWS = 32
+
+# Type and unit of some columns, of every kind.
+COLUMNS = {
+    "variant": (pa.int64(), None),
+    "bearing_balls": (pa.int64(), None),
+    "model_profile": (pa.string(), None),
+    "raceway_half_angle_deg": (pa.float64(), "deg"),
+    "start_gaps_deg": (pa.list_(pa.field("element", pa.float64(), nullable=False)), "deg"),
+    "reason": (pa.string(), None),
+    "static_ring_y_um": (pa.float64(), "um"),
+    "static_inner_force_n": (pa.list_(pa.field("element", pa.float64(), nullable=False)), "N"),
+    "run_collisions": (pa.int64(), None),
+    "run_slip_max_m_s": (pa.float64(), "m/s"),
+}
+
+passed = failed = 0
+
+
+def check(what, ok, detail=""):
+    global passed, failed
+    if ok:
+        passed += 1
+    else:
+        failed += 1
+        print(f"FAILED: {what} {detail}")
+
+
+def main():
+    binary, scratch = Path(sys.argv[1]).resolve(), Path(sys.argv[2])
+    scratch.mkdir(parents=True, exist_ok=True)
+    plan, out = scratch / "plan.toml", scratch / "out"
+    case = Path(__file__).resolve().parents[2] / "cases" / "zhao-d.toml"
+    plan.write_text(PLAN.format(case=json.dumps(str(case))))
+    path = out / "sweep.parquet"
+    path.unlink(missing_ok=True)
+    subprocess.run([binary, "sweep", plan, "--out", out], check=True, capture_output=True)
+
+    schema = pq.read_schema(path)
+    metadata = {key.decode(): value.decode() for key, value in schema.metadata.items()}
+    for name, (kind, unit) in COLUMNS.items():
+        check(f"type of {name}", schema.field(name).type == kind, schema.field(name).type)
+        check(f"unit of {name}", metadata.get(f"unit:{name}") == unit, metadata.get(f"unit:{name}"))
+    check("footer", {"schema", "version", "isa", "seed", "variants", "plan"} <= metadata.keys())
+    check("seed", metadata["seed"] == "5" and metadata["variants"] == str(ROWS))
+
+    # The plan in the footer is a plan again, and gives the same rows.
+    (scratch / "again.toml").write_text(metadata["plan"])
+    again = scratch / "again" / "sweep.parquet"
+    again.unlink(missing_ok=True)
+    command = [binary, "sweep", scratch / "again.toml", "--out", again.parent]
+    subprocess.run(command, check=True, capture_output=True)
+    check("plan of the footer", again.read_bytes() == path.read_bytes())
+
+    frame = pd.read_parquet(path)
+    check("rows", len(frame) == ROWS and (frame["variant"] == np.arange(ROWS)).all())
+    broken = frame["raceway_half_angle_deg"] >= 90
+    check("some fail and some do not", 0 < broken.sum() < ROWS, broken.sum())
+    check("a reason says why", frame.loc[broken, "reason"].str.contains("half_angle_deg").all())
+    check("others have figures", frame.loc[frame["reason"].isna(), "static_ring_y_um"].lt(0).all())
+    check("failed ones have none", frame.loc[broken, "static_ring_y_um"].isna().all())
+    check("lists", all(len(g) == n for g, n in zip(frame["start_gaps_deg"], frame["bearing_balls"])
+                       if g is not None))
+
+    lazy = pl.read_parquet(path)
+    check("polars: types", lazy.schema["model_profile"] == pl.String
+          and lazy.schema["run_collisions"] == pl.Int64
+          and lazy.schema["static_inner_force_n"] == pl.List(pl.Float64), lazy.schema)
+    check("polars: nulls", lazy["static_ring_y_um"].null_count() == int(frame["static_ring_y_um"].isna().sum()))
+
+    rows = duckdb.sql(f"""
+        select model_profile, count(*), count(reason), avg(static_ring_y_um)
+        from '{path}' group by all order by 1""").fetchall()
+    means = frame.groupby("model_profile")["static_ring_y_um"].mean()
+    check("duckdb: groups", [r[0] for r in rows] == ["paper", "physical"], rows)
+    check("duckdb: means", np.allclose([r[3] for r in rows], means.to_numpy(), rtol=1e-12), rows)
+    kind = duckdb.sql(f"select typeof(static_inner_force_n) from '{path}' limit 1").fetchall()[0][0]
+    check("duckdb: lists", kind == "DOUBLE[]", kind)
+
+    subprocess.run([binary, "report", out], check=True, capture_output=True)
+    report = json.loads((out / "report.json").read_text())
+    check("report", report["variants"] == ROWS and report["failed"] == int(frame["reason"].notna().sum()))
+    print(f"{passed} passed, {failed} failed")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
