@@ -50,9 +50,19 @@ pub struct SweepQuantity {
 impl SweepQuantity {
     /// `name (unit)`.
     pub fn label(&self) -> String {
-        match self.unit.as_str() {
+        match self.sign() {
             "" => self.name.clone(),
             unit => format!("{} ({unit})", self.name),
+        }
+    }
+
+    /// The unit as people write it.
+    pub fn sign(&self) -> &str {
+        match self.unit.as_str() {
+            "um" => "µm",
+            "us" => "µs",
+            "deg" => "°",
+            unit => unit,
         }
     }
 }

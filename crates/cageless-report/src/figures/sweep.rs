@@ -7,6 +7,7 @@ use crate::data::Provenance;
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, numbers, plain};
 use crate::sweep::{HeatMap, Levels, MainEffect, SweepData, SweepOutput};
+use crate::text::short;
 
 /// Panels side by side.
 const ACROSS: usize = 3;
@@ -125,18 +126,16 @@ fn effect_traces(effect: &MainEffect) -> [Value; 3] {
 
 /// The mean of an output over two inputs.
 pub fn map(output: &SweepOutput, map: &HeatMap, provenance: &Provenance) -> Figure {
-    let axis = |levels: &Levels| match levels {
-        Levels::Names(_) => json!({ "type": "category", "showgrid": false }),
-        Levels::Numbers(_) => json!({ "showgrid": false }),
-    };
+    // Levels, not a scale: cells of one size, whatever the distances.
+    let axis = || json!({ "type": "category", "showgrid": false });
     let z: Value = map.mean.iter().map(|row| numbers(row)).collect();
     let plot = Plot::new(440)
-        .axis("xaxis", &map.x_input.label(), axis(&map.x))
-        .axis("yaxis", &map.y_input.label(), axis(&map.y))
+        .axis("xaxis", &map.x_input.label(), axis())
+        .axis("yaxis", &map.y_input.label(), axis())
         .trace(json!({
-            "type": "heatmap", "x": levels(&map.x), "y": levels(&map.y), "z": z,
+            "type": "heatmap", "x": names(&map.x), "y": names(&map.y), "z": z,
             "colorscale": "Viridis",
-            "colorbar": { "title": { "text": plain(&output.quantity.unit) }, "thickness": 14 },
+            "colorbar": { "title": { "text": plain(output.quantity.sign()) }, "thickness": 14 },
         }));
     Figure {
         label: format!("Map of {}", output.quantity.name),
@@ -152,6 +151,13 @@ pub fn map(output: &SweepOutput, map: &HeatMap, provenance: &Provenance) -> Figu
 fn levels(levels: &Levels) -> Value {
     match levels {
         Levels::Numbers(values) => numbers(values),
+        Levels::Names(names) => names.iter().map(|n| plain(n)).collect(),
+    }
+}
+
+fn names(levels: &Levels) -> Value {
+    match levels {
+        Levels::Numbers(values) => values.iter().map(|v| short(*v)).collect(),
         Levels::Names(names) => names.iter().map(|n| plain(n)).collect(),
     }
 }

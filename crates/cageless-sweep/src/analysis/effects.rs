@@ -7,8 +7,10 @@ use super::quantities::{Output, Quantities};
 use super::table::Table;
 use crate::error::SweepError;
 
-/// Inputs that an output is drawn over.
+/// Inputs that an output is drawn over, at most …
 const DRAWN: usize = 6;
+/// … and the share that they must explain.
+const SHARE_MIN: f64 = 0.01;
 
 /// Count, sums and range of an output at one level.
 #[derive(Clone, Copy)]
@@ -87,6 +89,7 @@ pub(super) fn gather(
         let shares: Vec<_> = levels.iter().map(|l| share(l, all)).collect();
         let effects = most(&shares, DRAWN)
             .into_iter()
+            .filter(|k| shares[*k].unwrap_or(0.0) >= SHARE_MIN)
             .map(|k| effect(quantities, output, k, &levels[k]))
             .collect();
         SweepOutput {
@@ -151,7 +154,7 @@ pub(super) fn maps(
 ) -> Result<Vec<Option<HeatMap>>, SweepError> {
     let inputs = &quantities.inputs;
     let pair = |output: &SweepOutput| match *most(&output.shares, 2) {
-        [x, y] => Some((x, y)),
+        [x, y] if output.shares[x].unwrap_or(0.0) >= SHARE_MIN => Some((x, y)),
         _ => None,
     };
     let pairs: Vec<_> = outputs.iter().map(pair).collect();

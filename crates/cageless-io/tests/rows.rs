@@ -1,0 +1,99 @@
+//! Tables of sweeps come back as they were written.
+
+use cageless_io::results::{Cell, ColumnKind, ColumnSpec, Row, RowsReader, RowsWriter};
+
+fn columns() -> Vec<ColumnSpec> {
+    let column = |name: &str, unit: &str, kind| ColumnSpec {
+        name: name.to_owned(),
+        unit: unit.to_owned(),
+        kind,
+    };
+    vec![
+        column("variant", "", ColumnKind::Index),
+        column("load_n", "N", ColumnKind::Number),
+        column("balls", "", ColumnKind::Integer),
+        column("profile", "", ColumnKind::Text),
+        column("gaps_deg", "deg", ColumnKind::Numbers),
+    ]
+}
+
+/// Every kind of cell, null and not, at the ends of lists and groups of rows.
+fn row(k: i64) -> Row {
+    let some = |every: i64, cell: Cell| if k % every == 0 { Cell::Null } else { cell };
+    vec![
+        Cell::Integer(k),
+        some(3, Cell::Number(k as f64 / 7.0)),
+        some(5, Cell::Integer(-k)),
+        some(7, Cell::Text(format!("name {} é", k % 4))),
+        some(
+            4,
+            Cell::Numbers((0..k % 6).map(|j| j as f64 - 0.5).collect()),
+        ),
+    ]
+}
+
+#[test]
+fn every_kind_of_cell_comes_back() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("rows.parquet");
+    let footer = [("plan".to_owned(), "a = 1\nb = \"ü\"".to_owned())];
+    let mut writer = RowsWriter::create(&path, &columns(), &footer).unwrap();
+    let count = 40_000;
+    (0..count).for_each(|k| writer.push(row(k)).unwrap());
+    assert!(!path.exists());
+    writer.finish().unwrap();
+
+    let reader = RowsReader::open(&path).unwrap();
+    assert_eq!(reader.columns(), columns());
+    assert_eq!(reader.rows(), count as u64);
+    assert_eq!(reader.footer("plan"), Some("a = 1\nb = \"ü\""));
+    assert_eq!(reader.footer("unit:gaps_deg"), Some("deg"));
+    assert!(reader.groups() > 1);
+    let mut k = 0;
+    for group in 0..reader.groups() {
+        let names = reader.columns_of_group(group, &[3]).unwrap();
+        for (found, name) in reader.group(group).unwrap().into_iter().zip(names) {
+            assert_eq!(found, row(k));
+            assert_eq!(name, [row(k)[3].clone()]);
+            k += 1;
+        }
+    }
+    assert_eq!(k, count);
+}
+
+#[test]
+fn numbers_that_are_none_are_null_and_misfits_are_refused() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("rows.parquet");
+    let mut writer = RowsWriter::create(&path, &columns(), &[]).unwrap();
+    let mut odd = row(1);
+    odd[1] = Cell::Number(f64::NAN);
+    writer.push(odd).unwrap();
+    writer.finish().unwrap();
+    let reader = RowsReader::open(&path).unwrap();
+    assert_eq!(reader.group(0).unwrap()[0][1], Cell::Null);
+
+    for (k, cell) in [
+        (0, Cell::Null),
+        (1, Cell::Integer(1)),
+        (3, Cell::Number(1.0)),
+    ] {
+        let mut writer = RowsWriter::create(&path, &columns(), &[]).unwrap();
+        let mut wrong = row(1);
+        wrong[k] = cell;
+        writer.push(wrong).unwrap();
+        assert!(writer.finish().is_err());
+    }
+    // The one that was there still is.
+    assert_eq!(RowsReader::open(&path).unwrap().rows(), 1);
+}
+
+#[test]
+fn what_is_no_table_is_refused() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("rows.parquet");
+    let message = |path| RowsReader::open(path).err().expect("refused").to_string();
+    assert!(message(&path).contains("cannot be read"));
+    std::fs::write(&path, "no table").unwrap();
+    assert!(message(&path).contains("cannot be read"));
+}

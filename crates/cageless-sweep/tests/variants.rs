@@ -1,0 +1,216 @@
+//! What a plan says comes out, variant by variant.
+
+use std::path::Path;
+
+use cageless_io::case_file::template;
+use cageless_io::plan_file::{PlanFile, difference};
+use cageless_io::results::{Cell, Row};
+use cageless_sweep::Sweep;
+
+fn plan(text: &str) -> PlanFile {
+    let folder = tempfile::tempdir().expect("a folder");
+    std::fs::write(folder.path().join("case.toml"), template(false)).expect("written");
+    let text = format!("case = \"case.toml\"\n{text}");
+    PlanFile::parse(&text, "plan", folder.path()).expect("a plan")
+}
+
+fn rows(sweep: &Sweep) -> Vec<Row> {
+    sweep
+        .evaluate(0..sweep.variants(), &|| false)
+        .expect("rows")
+}
+
+fn column(sweep: &Sweep, rows: &[Row], name: &str) -> Vec<Cell> {
+    let k = sweep.column(name).unwrap_or_else(|| panic!("no {name}"));
+    rows.iter().map(|row| row[k].clone()).collect()
+}
+
+fn numbers(sweep: &Sweep, rows: &[Row], name: &str) -> Vec<f64> {
+    let cells = column(sweep, rows, name);
+    cells
+        .iter()
+        .map(|c| c.number().expect("a number"))
+        .collect()
+}
+
+const ALL: &str = "\
+seed = 9
+compute = [\"design\"]
+keep = [\"design_beta0_deg\"]
+[grid]
+operation.radial_load_n = [500, 1000]
+bearing.balls = { from = 12, to = 14, count = 3 }
+model.profile = [\"physical\", \"paper\"]
+[samples]
+method = \"latin-hypercube\"
+count = 4
+contact.friction_coefficient = { from = 0.001, to = 0.1, scale = \"log\" }
+solver.method = [\"abm4\", \"symplectic\"]
+[scatter]
+repeats = 2
+bearing.inner_ring_mass_kg = { uniform = 0.05 }
+start.gaps = { normal = 0.2 }
+";
+
+#[test]
+fn the_grid_is_a_product_whose_last_axis_varies_fastest() {
+    let sweep = Sweep::new(plan(ALL)).expect("a sweep");
+    assert_eq!(sweep.variants(), 3 * 2 * 2 * 4 * 2);
+    let rows = rows(&sweep);
+    let balls = numbers(&sweep, &rows, "bearing_balls");
+    let loads = numbers(&sweep, &rows, "operation_radial_load_n");
+    let profiles = column(&sweep, &rows, "model_profile");
+    let friction = numbers(&sweep, &rows, "contact_friction_coefficient");
+    for (k, row) in rows.iter().enumerate() {
+        assert_eq!(row[0], Cell::Integer(k as i64));
+        assert_eq!(row.len(), sweep.columns().len());
+        // In the order of a case file: balls, load, profile; then points, then repeats.
+        assert_eq!(balls[k], [12.0, 13.0, 14.0][k / 32]);
+        assert_eq!(loads[k], [500.0, 1000.0][k / 16 % 2]);
+        assert_eq!(
+            profiles[k],
+            Cell::Text(["physical", "paper"][k / 8 % 2].to_owned())
+        );
+        // The same points at every node.
+        assert_eq!(friction[k], friction[k % 8 / 2 * 2]);
+        assert!((0.001..=0.1).contains(&friction[k]));
+    }
+    // One point in each quarter of the logarithmic axis.
+    let mut quarters: Vec<_> = (0..4)
+        .map(|k| ((friction[2 * k].log10() + 3.0) * 2.0) as usize)
+        .collect();
+    quarters.sort_unstable();
+    assert_eq!(quarters, [0, 1, 2, 3]);
+}
+
+#[test]
+fn rows_do_not_depend_on_how_they_are_cut() {
+    let sweep = Sweep::new(plan(ALL)).expect("a sweep");
+    let whole = rows(&sweep);
+    for k in [0, 5, 47, 95] {
+        let one = sweep.evaluate(k..k + 1, &|| false).expect("a row");
+        assert_eq!(one, whole[k as usize..=k as usize]);
+    }
+    let again = Sweep::new(plan(ALL)).expect("a sweep");
+    assert_eq!(rows(&again), whole);
+    let other = Sweep::new(plan(&ALL.replace("seed = 9", "seed = 10"))).expect("a sweep");
+    assert_ne!(rows(&other), whole);
+    assert_eq!(sweep.evaluate(0..96, &|| true), None);
+}
+
+#[test]
+fn gaps_are_scattered_about_the_uniform_gap_and_fill_the_turn() {
+    for (law, spread) in [
+        ("{ normal = 0.2 }", 0.2),
+        ("{ uniform = 0.2 }", 0.2 / 3f64.sqrt()),
+    ] {
+        let text =
+            format!("compute = [\"design\"]\n[scatter]\nrepeats = 200\nstart.gaps = {law}\n");
+        let sweep = Sweep::new(plan(&text)).expect("a sweep");
+        let rows = rows(&sweep);
+        let uniform = numbers(&sweep, &rows, "design_uniform_gap_deg")[0];
+        let mut squares = 0.0;
+        for cell in column(&sweep, &rows, "start_gaps_deg") {
+            let Cell::Numbers(gaps) = cell else {
+                panic!("a list");
+            };
+            assert_eq!(gaps.len(), 14);
+            assert!((gaps.iter().sum::<f64>() - 14.0 * uniform).abs() < 1e-8);
+            squares += gaps.iter().map(|g| (g - uniform).powi(2)).sum::<f64>();
+        }
+        // The mean taken off costs one degree of freedom.
+        let found = (squares / (200.0 * 13.0)).sqrt();
+        assert!((found / spread - 1.0).abs() < 0.06, "{law}: {found}");
+    }
+}
+
+#[test]
+fn any_arrangement_is_possible_and_gaps_are_exponential() {
+    let text = "compute = [\"design\"]\n[scatter]\nrepeats = 400\nstart.gaps = \"any\"\n";
+    let sweep = Sweep::new(plan(text)).expect("a sweep");
+    let rows = rows(&sweep);
+    let uniform = numbers(&sweep, &rows, "design_uniform_gap_deg")[0];
+    assert!(
+        column(&sweep, &rows, "reason")
+            .iter()
+            .all(|c| *c == Cell::Null)
+    );
+    let first: Vec<f64> = column(&sweep, &rows, "start_gaps_deg")
+        .iter()
+        .map(|cell| match cell {
+            Cell::Numbers(gaps) => gaps[0] / uniform,
+            _ => panic!("a list"),
+        })
+        .collect();
+    // A spacing of 14 in all: P(gap > mean) = (1 − 1/14)^13.
+    let wider = first.iter().filter(|g| **g > 1.0).count() as f64 / 400.0;
+    assert!((wider - (13.0_f64 / 14.0).powi(13)).abs() < 0.1, "{wider}");
+}
+
+#[test]
+fn a_failed_variant_is_a_row_with_its_reason() {
+    let text = "compute = [\"static\"]\n[grid]\nraceway.half_angle_deg = [25.0, 95.0]\n";
+    let sweep = Sweep::new(plan(text)).expect("a sweep");
+    let rows = rows(&sweep);
+    assert_eq!(column(&sweep, &rows, "reason")[0], Cell::Null);
+    let Cell::Text(reason) = &column(&sweep, &rows, "reason")[1] else {
+        panic!("a reason");
+    };
+    assert!(
+        reason.starts_with("raceway.half_angle_deg = 95 is not possible"),
+        "{reason}"
+    );
+    assert_eq!(column(&sweep, &rows, "static_ring_y_um")[1], Cell::Null);
+    assert_eq!(
+        numbers(&sweep, &rows, "raceway_half_angle_deg"),
+        [25.0, 95.0]
+    );
+}
+
+#[test]
+fn the_normal_form_is_the_same_plan() {
+    let first = plan(ALL);
+    let normal = first.normal().expect("text");
+    let again = PlanFile::parse(&normal, "normal", Path::new("")).expect("a plan");
+    assert_eq!(again.normal().expect("text"), normal);
+    let rows_of = |plan| rows(&Sweep::new(plan).expect("a sweep"));
+    assert_eq!(rows_of(again), rows_of(first));
+    // Order and comments do not matter; a default written out is none.
+    let moved = ALL
+        .replace("operation.radial_load_n = [500, 1000]\n", "")
+        .replace(
+            "[samples]",
+            "operation.radial_load_n = [500.0, 1e3] # N\n[samples]",
+        );
+    assert_eq!(plan(&moved).normal().expect("text"), normal);
+    let changed = plan(&ALL.replace("count = 3", "count = 2"))
+        .normal()
+        .expect("text");
+    let told = difference(&normal, &changed);
+    assert_eq!(told.len(), 1, "{told:?}");
+    assert!(told[0].starts_with("grid.bearing.balls was { from = 12.0, to = 14.0, count = 3"));
+}
+
+#[test]
+fn one_raceway_of_several_can_vary() {
+    let text = "compute = [\"design\"]\n[grid]\nraceway.2.half_angle_deg = [12.0, 14.0]\n";
+    let folder = tempfile::tempdir().expect("a folder");
+    let case = template(false).replace("[raceway]", "[[raceway]]").replace(
+        "[operation]",
+        "[[raceway]]\naxial_span_mm = 5.1\nhalf_angle_deg = 13.0\ncentre_angle_deg = 180.0\n[operation]",
+    );
+    std::fs::write(folder.path().join("case.toml"), case).expect("written");
+    let text = format!("case = \"case.toml\"\n{text}");
+    let plan = PlanFile::parse(&text, "plan", folder.path()).expect("a plan");
+    let sweep = Sweep::new(plan).expect("a sweep");
+    assert_eq!(
+        sweep.case(1).expect("a case").document().raceway[1].half_angle_deg,
+        14.0
+    );
+    assert_eq!(
+        sweep.case(1).expect("a case").document().raceway[0].half_angle_deg,
+        25.2
+    );
+    let again = PlanFile::parse(sweep.normal(), "normal", Path::new("")).expect("a plan");
+    assert_eq!(again.normal().expect("text"), sweep.normal());
+}
