@@ -6,6 +6,7 @@ mod instructions;
 mod peers;
 mod problem;
 mod statistics;
+mod sweep;
 mod textbook;
 
 use anyhow::Result;
@@ -28,6 +29,8 @@ enum Command {
     Statistics(statistics::Options),
     /// A long run of CB74 without damping: drift of energy, lost balls
     Endurance(endurance::Options),
+    /// Speed of a sweep against that of the bare library
+    Sweep(sweep::Options),
     /// Evaluates the right-hand side, for a counter of instructions around it
     #[command(hide = true)]
     Evaluate(instructions::EvaluateOptions),
@@ -39,6 +42,7 @@ fn main() -> Result<()> {
         Command::Instructions(options) => instructions::run(&options),
         Command::Statistics(options) => statistics::run(&options),
         Command::Endurance(options) => endurance::run(&options),
+        Command::Sweep(options) => sweep::run_command(&options),
         Command::Evaluate(options) => instructions::evaluate(&options),
     }
 }
