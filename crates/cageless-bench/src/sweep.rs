@@ -10,7 +10,8 @@ use cageless::design::{
     Eq11, balls_in_raceway_max, half_angle_for_gap_rad, steady_gap_rad, theoretical_gap_rad,
 };
 use cageless::raceway::axial_span_limit_m;
-use cageless::simulation::{Control, run};
+use cageless::simulation::{Control, Observer, batches, run_batch};
+use cageless::state::LANES;
 use cageless::summary::SummaryRecorder;
 use cageless_io::case_file::template;
 use cageless_io::plan_file::PlanFile;
@@ -49,7 +50,7 @@ pub fn run_command(options: &Options) -> Result<()> {
     let axes = "operation.radial_load_n = { from = 500.0, to = 3000.0 }\n\
                 raceway.half_angle_deg = { from = 15.0, to = 35.0 }";
     for (name, count, compute, library) in [
-        ("design", options.designs, "design", design as fn(&Case)),
+        ("design", options.designs, "design", designs as fn(&[Case])),
         ("runs of 0.05 s", options.runs, "run", simulate),
     ] {
         let plan = format!(
@@ -65,7 +66,7 @@ pub fn run_command(options: &Options) -> Result<()> {
     Ok(())
 }
 
-fn measure(name: &str, plan: &str, library: fn(&Case), options: &Options) -> Result<()> {
+fn measure(name: &str, plan: &str, library: fn(&[Case]), options: &Options) -> Result<()> {
     let folder = tempfile::tempdir()?;
     std::fs::write(folder.path().join("case.toml"), template(false))?;
     let sweep = Sweep::new(PlanFile::parse(plan, "plan", folder.path())?)?;
@@ -79,7 +80,7 @@ fn measure(name: &str, plan: &str, library: fn(&Case), options: &Options) -> Res
     let (mut bare, mut whole) = (Vec::new(), Vec::new());
     for _ in 0..options.repetitions.max(1) {
         bare.push(cost(|| {
-            pool.install(|| cases.par_iter().for_each(library));
+            pool.install(|| cases.par_chunks(LANES).for_each(library));
             Ok(())
         })?);
         whole.push(cost(|| compute(&sweep, folder.path(), options))?);
@@ -123,10 +124,22 @@ fn design(case: &Case) {
     ));
 }
 
-fn simulate(case: &Case) {
-    let mut summary = SummaryRecorder::new();
-    let outcome = run(case, &mut [&mut summary], &mut |_| Control::Continue);
-    std::hint::black_box((outcome.is_ok(), summary.summary()));
+fn designs(cases: &[Case]) {
+    cases.iter().for_each(design);
+}
+
+/// As many side by side as the library can.
+fn simulate(cases: &[Case]) {
+    for members in batches(cases) {
+        let mut summaries: Vec<_> = members.iter().map(|_| SummaryRecorder::new()).collect();
+        let mut observers: Vec<Vec<&mut dyn Observer>> = summaries
+            .iter_mut()
+            .map(|summary| vec![summary as &mut dyn Observer])
+            .collect();
+        let together: Vec<&Case> = members.iter().map(|k| &cases[*k]).collect();
+        let outcomes = run_batch(&together, &mut observers, &mut |_| Control::Continue);
+        std::hint::black_box((outcomes.len(), summaries.len()));
+    }
 }
 
 fn cost(work: impl FnOnce() -> Result<()>) -> Result<Cost> {

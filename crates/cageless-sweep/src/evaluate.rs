@@ -5,8 +5,9 @@ use std::ops::Range;
 use cageless::Case;
 use cageless::design::judge;
 use cageless::equilibrium;
-use cageless::simulation::{Control, Ending, RunOutcome, run};
+use cageless::simulation::{Control, Ending, Observer, RunOutcome, batches, run_batch};
 use cageless::spacing::CriticalGapError;
+use cageless::state::LANES;
 use cageless::summary::{Summary, SummaryRecorder};
 use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_io::plan_file::{Computation, PlanFile};
@@ -79,6 +80,16 @@ impl Sweep {
     /// Place of a column.
     pub fn column(&self, name: &str) -> Option<usize> {
         self.columns.iter().position(|c| c.name == name)
+    }
+
+    /// How many variants are worth computing together: ranges of fewer leave lanes of the
+    /// vectors empty.
+    pub fn together(&self) -> u64 {
+        if self.wants(Computation::Run) {
+            LANES as u64
+        } else {
+            1
+        }
     }
 
     /// The case of a variant.
@@ -181,7 +192,7 @@ impl Sweep {
         if !self.wants(Computation::Run) {
             return Some(());
         }
-        let cases: Vec<&Case> = batch.iter().filter_map(|v| v.case.as_ref()).collect();
+        let cases: Vec<Case> = batch.iter().filter_map(|v| v.case.clone()).collect();
         let mut runs = runs(&cases, stop)?.into_iter();
         for variant in batch.iter_mut().filter(|v| v.case.is_some()) {
             match runs.next() {
@@ -283,20 +294,30 @@ struct OneRun {
     summary: Option<Summary>,
 }
 
-/// Runs of several cases, in their order; `None` if interrupted.
-fn runs(cases: &[&Case], stop: Stop<'_>) -> Option<Vec<Result<OneRun, String>>> {
-    let one = |case: &&Case| {
-        let mut summary = SummaryRecorder::new();
-        match run(case, &mut [&mut summary], &mut |_| control(stop)) {
-            Ok(outcome) if matches!(outcome.ending, Ending::Interrupted) => None,
-            Ok(outcome) => Some(Ok(OneRun {
-                outcome,
-                summary: summary.summary(),
-            })),
-            Err(error) => Some(Err(error.to_string())),
+/// Runs of several cases, in their order; `None` if interrupted. Those that can go side by
+/// side do, which changes no bit of them.
+fn runs(cases: &[Case], stop: Stop<'_>) -> Option<Vec<Result<OneRun, String>>> {
+    let mut done: Vec<Option<Result<OneRun, String>>> = cases.iter().map(|_| None).collect();
+    for members in batches(cases) {
+        let mut summaries: Vec<_> = members.iter().map(|_| SummaryRecorder::new()).collect();
+        let mut observers: Vec<Vec<&mut dyn Observer>> = summaries
+            .iter_mut()
+            .map(|summary| vec![summary as &mut dyn Observer])
+            .collect();
+        let together: Vec<&Case> = members.iter().map(|k| &cases[*k]).collect();
+        let outcomes = run_batch(&together, &mut observers, &mut |_| control(stop));
+        for ((k, outcome), summary) in members.iter().zip(outcomes).zip(&summaries) {
+            done[*k] = Some(match outcome {
+                Ok(outcome) if matches!(outcome.ending, Ending::Interrupted) => return None,
+                Ok(outcome) => Ok(OneRun {
+                    outcome,
+                    summary: summary.summary(),
+                }),
+                Err(error) => Err(error.to_string()),
+            });
         }
-    };
-    cases.iter().map(one).collect()
+    }
+    done.into_iter().collect()
 }
 
 fn control(stop: Stop<'_>) -> Control {

@@ -118,7 +118,7 @@ pub fn run(
     let stock = parts.stock()?;
     let missing = stock.done.missing(range.clone());
     progress.done = progress.total - missing.iter().map(|r| r.end - r.start).sum::<u64>();
-    let isa = InstructionSet::detect().name();
+    let isa = InstructionSet::chosen().name();
     let footer = identity.footer(&[isa.to_owned()], job.shard);
     let mut waiting: Vec<Row> = Vec::new();
     let mut put_away = Instant::now();

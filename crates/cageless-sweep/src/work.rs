@@ -23,6 +23,8 @@ const TICK: Duration = Duration::from_millis(100);
 struct Queue {
     ranges: VecDeque<Range<u64>>,
     batch: u64,
+    /// Least size of a batch.
+    together: u64,
 }
 
 impl Queue {
@@ -42,7 +44,7 @@ impl Queue {
         let ideal = variants as f64 * BATCH.as_secs_f64() / time.as_secs_f64().max(1e-9);
         // Not more than twice at once: the next may be slower.
         let ideal = ideal.min(2.0 * self.batch as f64);
-        self.batch = (ideal as u64).clamp(1, BATCH_MAX);
+        self.batch = (ideal as u64).clamp(self.together, BATCH_MAX);
     }
 }
 
@@ -61,7 +63,8 @@ pub(crate) fn work(
         .map_err(|e| SweepError::Threads(e.to_string()))?;
     let queue = Mutex::new(Queue {
         ranges: missing.into(),
-        batch: 1,
+        batch: sweep.together(),
+        together: sweep.together(),
     });
     let stop = AtomicBool::new(false);
     let (sender, receiver) = sync_channel(4 * pool.current_num_threads());

@@ -214,3 +214,55 @@ fn one_raceway_of_several_can_vary() {
     let again = PlanFile::parse(sweep.normal(), "normal", Path::new("")).expect("a plan");
     assert_eq!(again.normal().expect("text"), sweep.normal());
 }
+
+/// Some go side by side in the lanes of the vectors, some alone: two numbers of balls, two
+/// methods, failures in between.
+#[test]
+fn runs_do_not_depend_on_what_they_are_computed_with() {
+    let text = "compute = [\"run\"]\n[set]\nsolver.duration_s = 0.0005\n[grid]\n\
+                bearing.balls = [13, 14]\nraceway.half_angle_deg = [22.0, 25.0, 95.0]\n\
+                solver.method = [\"symplectic\", \"abm4\"]\n[scatter]\nrepeats = 4\n\
+                bearing.ball_radius_deviation_um = { normal = 0.5 }\nstart.gaps = \"any\"\n";
+    let sweep = Sweep::new(plan(text)).expect("a sweep");
+    let whole = rows(&sweep);
+    assert_eq!(whole.len(), 48);
+    for cut in [1, 5, 16] {
+        let starts = (0..48).step_by(cut);
+        let pieces = starts.flat_map(|k| {
+            let end = (k + cut as u64).min(48);
+            sweep.evaluate(k..end, &|| false).expect("rows")
+        });
+        assert_eq!(pieces.collect::<Vec<_>>(), whole, "{cut}");
+    }
+    let failed = column(&sweep, &whole, "reason");
+    assert_eq!(failed.iter().filter(|c| **c != Cell::Null).count(), 16);
+    let steps = column(&sweep, &whole, "run_steps");
+    assert!(
+        steps
+            .iter()
+            .zip(&failed)
+            .all(|(s, f)| (*s == Cell::Null) == (*f != Cell::Null))
+    );
+}
+
+#[test]
+fn every_ball_gets_a_radius_of_its_own() {
+    let text = "compute = [\"static\"]\n[scatter]\nrepeats = 50\n\
+                bearing.ball_radius_deviation_um = { uniform = 0.8 }\n";
+    let sweep = Sweep::new(plan(text)).expect("a sweep");
+    let rows = rows(&sweep);
+    let mut all = Vec::new();
+    for cell in column(&sweep, &rows, "bearing_ball_radius_deviation_um") {
+        let Cell::Numbers(list) = cell else {
+            panic!("a list");
+        };
+        assert_eq!(list.len(), 14);
+        all.extend(list);
+    }
+    assert!(all.iter().all(|d| d.abs() <= 0.8));
+    // The variance of a uniform distribution, to four standard errors.
+    let variance = all.iter().map(|d| d * d).sum::<f64>() / all.len() as f64;
+    assert!((variance / (0.64 / 3.0) - 1.0).abs() < 0.14, "{variance}");
+    let ring = numbers(&sweep, &rows, "static_ring_y_um");
+    assert!(ring.iter().any(|y| *y != ring[0]), "radii must matter");
+}
