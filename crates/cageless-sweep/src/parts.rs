@@ -110,8 +110,8 @@ impl Parts {
         footer: &[(String, String)],
         mut rows: Vec<Row>,
     ) -> Result<(), SweepError> {
-        rows.sort_unstable_by_key(|row| index(row));
-        let Some(first) = rows.first().map(|row| index(row)) else {
+        rows.sort_unstable_by_key(index);
+        let Some(first) = rows.first().map(index) else {
             return Ok(());
         };
         let path = self.folder.join(format!("rows-{first:010}.parquet"));

@@ -14,6 +14,7 @@
 mod axis;
 mod normal;
 mod read;
+mod read_axis;
 
 use std::path::Path;
 

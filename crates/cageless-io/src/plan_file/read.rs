@@ -4,8 +4,7 @@ use std::path::Path;
 
 use super::axis::split;
 use super::{
-    Axis, AxisValues, Computation, Kept, PlanFile, Range, SCHEMA, SampleMethod, Samples, Scale,
-    Scatter, ScatterLaw, ScatteredKey,
+    Axis, Computation, Kept, PlanFile, SCHEMA, SampleMethod, Samples, Scatter, ScatteredKey,
 };
 use crate::case_file::tree::{self, Node, Origin, Section, Value};
 use crate::case_file::{CaseBase, CaseError, CaseValue, Change, keys, read};
@@ -16,8 +15,6 @@ const HEAD: [&str; 10] = [
 ];
 /// Keys of a case that say nothing about the bearing.
 const FIXED: [&str; 2] = ["schema", "title"];
-/// Keys that are lists with an item for each ball.
-const PER_BALL: [&str; 2] = ["bearing.ball_radius_deviation_um", "start.gaps"];
 
 pub(super) fn plan(text: &str, name: &str, folder: &Path) -> Result<PlanFile, CaseError> {
     let root = tree::parse(text, name)?;
@@ -70,15 +67,15 @@ fn twice(axes: Vec<&Axis>) -> Option<(&Axis, &Axis)> {
     })
 }
 
-struct PlanReader<'a> {
+pub(super) struct PlanReader<'a> {
     root: &'a Section,
     name: &'a str,
 }
 
 /// A key of the case file somewhere below a section of the plan.
-struct Entry<'a> {
-    key: String,
-    node: &'a Node,
+pub(super) struct Entry<'a> {
+    pub key: String,
+    pub node: &'a Node,
 }
 
 impl<'a> PlanReader<'a> {
@@ -201,34 +198,6 @@ impl<'a> PlanReader<'a> {
         }))
     }
 
-    fn law(&self, key: &str, node: &Node) -> Result<ScatterLaw, CaseError> {
-        let gaps = key == "start.gaps";
-        let allowed = format!(
-            "{{ normal = STANDARD_DEVIATION }} or {{ uniform = HALF_WIDTH }}{}",
-            if gaps { ", or \"any\"" } else { "" }
-        );
-        match &node.value {
-            Value::Text(text) if gaps && text == "any" => return Ok(ScatterLaw::Any),
-            Value::Section(section) => {
-                let mut entries = section.iter();
-                if let (Some((name, node)), None) = (entries.next(), entries.next()) {
-                    let width = number(node).filter(|w| w.is_finite() && *w >= 0.0);
-                    let law = match name.as_str() {
-                        "normal" => ScatterLaw::Normal as fn(f64) -> ScatterLaw,
-                        "uniform" => ScatterLaw::Uniform,
-                        _ => return Err(self.refuse(key, node, &allowed)),
-                    };
-                    let path = format!("{key}.{name}");
-                    return width
-                        .map(law)
-                        .ok_or_else(|| self.refuse(&path, node, "a number, 0 or more"));
-                }
-            }
-            _ => {}
-        }
-        Err(self.refuse(key, node, &allowed))
-    }
-
     fn compute(&self) -> Result<Vec<Computation>, CaseError> {
         let allowed = format!("a list of {}", choices(&Computation::NAMES));
         let Some(node) = self.root.get("compute") else {
@@ -266,88 +235,6 @@ impl<'a> PlanReader<'a> {
         };
         let list: Option<Vec<_>> = items.iter().map(column).collect();
         list.map(Some).ok_or_else(refused)
-    }
-
-    /// An axis: a list or a range. On an axis of the grid a range needs a count.
-    fn axis(&self, entry: Entry<'_>, counted: bool) -> Result<Axis, CaseError> {
-        let Entry { key, node } = entry;
-        let allowed = if counted {
-            "a list, or { from = …, to = …, count = …, scale = \"linear\" or \"log\" }"
-        } else {
-            "a list, or { from = …, to = …, scale = \"linear\" or \"log\" }"
-        };
-        if PER_BALL.contains(&key.as_str()) {
-            let message = format!("{key} has a value for each ball: it varies in [scatter]");
-            return Err(self.error(node, &key, message));
-        }
-        let values = match &node.value {
-            Value::List(items) => {
-                let list: Option<Vec<_>> = items.iter().map(|i| CaseValue::of(&i.value)).collect();
-                let list = list.filter(|list| alike(list));
-                AxisValues::List(list.ok_or_else(|| {
-                    self.refuse(&key, node, "a list of numbers or of names, at least one")
-                })?)
-            }
-            Value::Section(range) => {
-                AxisValues::Range(self.range(&key, node, range, counted, allowed)?)
-            }
-            _ => return Err(self.refuse(&key, node, allowed)),
-        };
-        Ok(Axis {
-            key,
-            values,
-            line: line(node),
-        })
-    }
-
-    fn range(
-        &self,
-        key: &str,
-        node: &Node,
-        range: &Section,
-        counted: bool,
-        allowed: &str,
-    ) -> Result<Range, CaseError> {
-        let known =
-            |name: &str| matches!(name, "from" | "to" | "scale") || counted && name == "count";
-        if let Some((name, inner)) = range.iter().find(|(name, _)| !known(name)) {
-            let message = format!("{key}.{name} is not part of an axis: it must be {allowed}");
-            return Err(self.error(inner, &format!("{key}.{name}"), message));
-        }
-        let end = |name: &str| match range.get(name) {
-            None => Err(self.error(
-                node,
-                &format!("{key}.{name}"),
-                format!("{key}.{name} is missing: an axis is {allowed}"),
-            )),
-            Some(inner) => number(inner)
-                .filter(|v| v.is_finite())
-                .ok_or_else(|| self.refuse(&format!("{key}.{name}"), inner, "a finite number")),
-        };
-        let (from, to) = (end("from")?, end("to")?);
-        let scale = match range.get("scale") {
-            None => Scale::Linear,
-            Some(inner) => choice(&Scale::NAMES, inner).ok_or_else(|| {
-                self.refuse(&format!("{key}.scale"), inner, &choices(&Scale::NAMES))
-            })?,
-        };
-        if scale == Scale::Log && !(from > 0.0 && to > 0.0) {
-            let allowed = "a range above 0 at both ends, as scale is \"log\"";
-            return Err(self.refuse(key, node, allowed));
-        }
-        let count = match (counted, self.count(key, "count", range, 2)?) {
-            (true, None) => {
-                let message = format!("{key}.count is missing: an axis is {allowed}");
-                return Err(self.error(node, &format!("{key}.count"), message));
-            }
-            (_, count) => count,
-        };
-        Ok(Range {
-            from,
-            to,
-            count,
-            scale,
-        })
     }
 
     /// The keys of the case file below a section of the plan, in the order of the file
@@ -436,7 +323,7 @@ impl<'a> PlanReader<'a> {
         }
     }
 
-    fn count(
+    pub(super) fn count(
         &self,
         prefix: &str,
         name: &str,
@@ -456,7 +343,7 @@ impl<'a> PlanReader<'a> {
         }
     }
 
-    fn refuse(&self, key: &str, node: &Node, allowed: &str) -> CaseError {
+    pub(super) fn refuse(&self, key: &str, node: &Node, allowed: &str) -> CaseError {
         let message = format!(
             "{key} = {} is not possible: it must be {allowed}",
             node.place.written
@@ -464,33 +351,20 @@ impl<'a> PlanReader<'a> {
         self.error(node, key, message)
     }
 
-    fn error(&self, node: &Node, key: &str, message: String) -> CaseError {
+    pub(super) fn error(&self, node: &Node, key: &str, message: String) -> CaseError {
         CaseError::on_line(self.name, line(node), Some(key.to_owned()), message)
     }
 }
 
 /// Line of a node of a file.
-fn line(node: &Node) -> usize {
+pub(super) fn line(node: &Node) -> usize {
     match node.place.origin {
         Origin::Line(line) | Origin::Elsewhere(_, line) => line,
         Origin::Override(_) => 0,
     }
 }
 
-fn number(node: &Node) -> Option<f64> {
-    match node.value {
-        Value::Integer(i) => Some(i as f64),
-        Value::Number(f) => Some(f),
-        _ => None,
-    }
-}
-
-/// Whether all are numbers, or all are names or numbers; not empty, no lists.
-fn alike(list: &[CaseValue]) -> bool {
-    !list.is_empty() && !list.iter().any(|v| matches!(v, CaseValue::Numbers(_)))
-}
-
-fn choice<T: Copy>(names: &[(&'static str, T)], node: &Node) -> Option<T> {
+pub(super) fn choice<T: Copy>(names: &[(&'static str, T)], node: &Node) -> Option<T> {
     let Value::Text(text) = &node.value else {
         return None;
     };
@@ -498,7 +372,7 @@ fn choice<T: Copy>(names: &[(&'static str, T)], node: &Node) -> Option<T> {
     named.map(|&(_, value)| value)
 }
 
-fn choices<T>(names: &[(&'static str, T)]) -> String {
+pub(super) fn choices<T>(names: &[(&'static str, T)]) -> String {
     let quoted: Vec<_> = names
         .iter()
         .map(|(name, _)| format!("\"{name}\""))

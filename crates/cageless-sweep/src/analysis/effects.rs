@@ -175,17 +175,19 @@ pub(super) fn maps(
             }
         }
     })?;
-    let map = |((pair, grid), output): ((&Option<(usize, usize)>, &Vec<Vec<Moments>>), &Output)| {
-        let (x, y) = (*pair)?;
+    let map = |(k, output): (usize, &Output)| {
+        let (x, y) = pairs[k]?;
         let mean = |m: &Moments| m.mean() + output.origin;
         Some(HeatMap {
             x_input: inputs[x].quantity(),
             x: inputs[x].levels(),
             y_input: inputs[y].quantity(),
             y: inputs[y].levels(),
-            mean: grid.iter().map(|l| l.iter().map(mean).collect()).collect(),
+            mean: grids[k]
+                .iter()
+                .map(|line| line.iter().map(mean).collect())
+                .collect(),
         })
     };
-    let maps = pairs.iter().zip(&grids).zip(&quantities.outputs);
-    Ok(maps.map(map).collect())
+    Ok(quantities.outputs.iter().enumerate().map(map).collect())
 }

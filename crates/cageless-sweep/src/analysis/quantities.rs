@@ -122,12 +122,12 @@ struct Seen {
 
 impl Seen {
     fn see(&mut self, cell: &Cell) {
-        if let Cell::Text(name) = cell {
-            if !self.names.contains(name) {
-                self.many |= self.names.len() == LEVELS_MAX;
-                if !self.many {
-                    self.names.push(name.clone());
-                }
+        if let Cell::Text(name) = cell
+            && !self.names.contains(name)
+        {
+            self.many |= self.names.len() == LEVELS_MAX;
+            if !self.many {
+                self.names.push(name.clone());
             }
         }
         let Some(value) = cell.number() else {
