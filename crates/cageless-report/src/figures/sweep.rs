@@ -36,12 +36,12 @@ pub fn shares(data: &SweepData) -> Figure {
     let plot = Plot::new(height.max(240))
         .axis(
             "xaxis",
-            "",
+            "Input",
             json!({ "side": "top", "showgrid": false, "type": "category" }),
         )
         .axis(
             "yaxis",
-            "",
+            "Output",
             json!({ "showgrid": false, "type": "category" }),
         )
         .trace(json!({
@@ -71,25 +71,22 @@ pub fn effects(output: &SweepOutput, provenance: &Provenance) -> Figure {
     let up = panels(rows, 0.28 / rows.max(1) as f64 + 0.06);
     let mut plot = Plot::new(ROW_PX * rows as u32 + 40).at_least(760);
     for (k, effect) in output.effects.iter().enumerate() {
-        // The first row of panels is the uppermost.
-        let (column, row) = (k % ACROSS, rows - 1 - k / ACROSS);
-        let (x, y) = (axis_ref("x", k), axis_ref("y", k));
-        let title = if column == 0 {
-            output.quantity.label()
-        } else {
-            String::new()
-        };
+        let (column, row) = (k % ACROSS, k / ACROSS);
+        // One y-axis for a row of panels.
+        let (x, y) = (axis_ref("x", k), axis_ref("y", row));
         let mut along = json!({ "domain": across[column], "anchor": y });
         if matches!(effect.levels, Levels::Names(_)) {
             along["type"] = "category".into();
         }
-        let mut upwards = json!({ "domain": up[row], "anchor": x });
-        if k > 0 {
-            upwards["matches"] = "y".into();
+        plot = plot.axis(&axis_name("x", k), &effect.input.label(), along);
+        if column == 0 {
+            // The first row is the uppermost.
+            let mut upwards = json!({ "domain": up[rows - 1 - row], "anchor": x });
+            if row > 0 {
+                upwards["matches"] = "y".into();
+            }
+            plot = plot.axis(&axis_name("y", row), &output.quantity.label(), upwards);
         }
-        plot = plot
-            .axis(&axis_name("x", k), &effect.input.label(), along)
-            .axis(&axis_name("y", k), &title, upwards);
         for trace in effect_traces(effect) {
             plot = plot.trace(on(trace, &x, &y));
         }
