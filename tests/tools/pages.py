@@ -168,8 +168,8 @@ AXES = """
   const flat = Object.keys(full).filter((k) => /^[xy]axis\\d*$/.test(k)).map((k) => [k, full[k]]);
   // Of axes that go together, the outermost has the title; inner ones have no labels either.
   // Names along an axis need no title above them.
-  return flat.concat(scenes).filter(([, axis]) => axis.visible && axis.showticklabels !== false && axis.type !== "category")
-    .map(([name, axis]) => [el.id, name, title(axis)]);
+  return flat.concat(scenes).filter(([, axis]) => axis.visible && axis.showticklabels !== false)
+    .map(([name, axis]) => [el.id, name, axis.type === "category" ? "names" : title(axis)]);
 })
 """
 
