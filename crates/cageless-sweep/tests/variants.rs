@@ -61,6 +61,8 @@ fn the_grid_is_a_product_whose_last_axis_varies_fastest() {
     let loads = numbers(&sweep, &rows, "operation_radial_load_n");
     let profiles = column(&sweep, &rows, "model_profile");
     let friction = numbers(&sweep, &rows, "contact_friction_coefficient");
+    let mass = numbers(&sweep, &rows, "bearing_inner_ring_mass_kg");
+    assert!(mass[0] != mass[1] && mass.iter().all(|m| (m - 0.2).abs() <= 0.05));
     for (k, row) in rows.iter().enumerate() {
         assert_eq!(row[0], Cell::Integer(k as i64));
         assert_eq!(row.len(), sweep.columns().len());
@@ -71,7 +73,8 @@ fn the_grid_is_a_product_whose_last_axis_varies_fastest() {
             profiles[k],
             Cell::Text(["physical", "paper"][k / 8 % 2].to_owned())
         );
-        // The same points at every node.
+        // The same points and the same deviations at every node.
+        assert_eq!(mass[k], mass[k % 8]);
         assert_eq!(friction[k], friction[k % 8 / 2 * 2]);
         assert!((0.001..=0.1).contains(&friction[k]));
     }
