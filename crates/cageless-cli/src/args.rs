@@ -46,6 +46,8 @@ pub enum Command {
     Static(CaseArgs),
     /// Constraints, β0, the lC–θ curve, critical gap, verdict and recommendation.
     Design(CaseArgs),
+    /// What machining errors, ball scatter, friction, clearance, speed and load do to the verdict.
+    Tolerance(ToleranceArgs),
     /// Simulate a case.
     Run(RunArgs),
     /// The outer ring for CAD and machining: STEP, STL or a table of points.
@@ -215,6 +217,41 @@ pub struct ReportArgs {
     /// Print all numbers as one JSON document.
     #[arg(long)]
     pub json: bool,
+}
+
+/// `tolerance`.
+#[derive(Debug, Group)]
+pub struct ToleranceArgs {
+    /// Case, output.
+    #[command(flatten)]
+    pub case: CaseArgs,
+    /// Bearings in which everything deviates at once; 0 for the table alone.
+    #[arg(long, default_value_t = 200)]
+    pub samples: u64,
+    /// Depth of the raceways, µm to either side.
+    #[arg(long, value_name = "UM", default_value_t = 2.0)]
+    pub groove_depth_um: f64,
+    /// Axial span lC, µm to either side.
+    #[arg(long, value_name = "UM", default_value_t = 20.0)]
+    pub axial_span_um: f64,
+    /// Half angle θ, degrees to either side.
+    #[arg(long, value_name = "DEG", default_value_t = 0.1)]
+    pub half_angle_deg: f64,
+    /// Grade of the balls by ISO 3290-1, 0 for balls all equal.
+    #[arg(long, value_name = "G", default_value_t = 10)]
+    pub ball_grade: u32,
+    /// Friction coefficient, to either side.
+    #[arg(long, value_name = "MU", default_value_t = 0.002)]
+    pub friction: f64,
+    /// Radial clearance, µm to either side.
+    #[arg(long, value_name = "UM", default_value_t = 5.0)]
+    pub clearance_um: f64,
+    /// Speed, per cent to either side.
+    #[arg(long, value_name = "PERCENT", default_value_t = 5.0)]
+    pub speed_percent: f64,
+    /// Load, per cent to either side.
+    #[arg(long, value_name = "PERCENT", default_value_t = 20.0)]
+    pub load_percent: f64,
 }
 
 /// Whatever works on a case.

@@ -20,6 +20,7 @@ pub mod sweep;
 pub mod table;
 pub mod tables;
 pub mod text;
+pub mod tolerance;
 
 pub use certificate::{CertificateRow, CertificateTable};
 pub use data::*;

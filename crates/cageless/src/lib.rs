@@ -39,6 +39,7 @@ pub mod step;
 pub mod summary;
 pub mod surface;
 pub mod thinning;
+pub mod tolerance;
 pub mod traction;
 pub mod vibration;
 

@@ -7,6 +7,7 @@ mod report;
 mod run;
 mod static_equilibrium;
 mod sweep;
+mod tolerance;
 
 use std::path::Path;
 
@@ -31,6 +32,7 @@ pub fn dispatch(args: Args) -> Result<(), Failure> {
         Command::Check(args) => check(&args),
         Command::Static(args) => static_equilibrium::static_equilibrium(&args),
         Command::Design(args) => design::design(&args),
+        Command::Tolerance(args) => tolerance::tolerance(&args),
         Command::Run(args) => run::run(&args),
         Command::Export(args) => export::export(&args),
         Command::Sweep(args) => sweep::sweep(&args),

@@ -11,7 +11,7 @@ use crate::simulation::{Control, Ending, Observer, Stop, run};
 use crate::spacing::{CriticalGapError, PairTest, critical_gap_rad};
 
 /// What to think of a raceway.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Verdict {
     /// Balls pass without sliding and without being hit from both sides.
     Smooth,

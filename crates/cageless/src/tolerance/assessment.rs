@@ -1,0 +1,207 @@
+//! From judged trials to a tolerance table and the probability that the verdict holds.
+
+use super::deviation::{Influence, Trial};
+use crate::design::{Judgement, Verdict};
+
+/// What became of one trial.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outcome {
+    /// The verdict.
+    pub verdict: Verdict,
+    /// Critical gap, if there is one.
+    pub critical_gap_rad: Option<f64>,
+    /// Share of passages hit by both neighbours.
+    pub twice_share: Option<f64>,
+    /// Contacts with neighbours per passage.
+    pub collisions_mean: Option<f64>,
+    /// Largest slip per passage, mean.
+    pub slip_mean_m_s: Option<f64>,
+    /// Why it is infeasible, if it is.
+    pub reason: Option<String>,
+}
+
+impl Outcome {
+    /// Of a bearing that was judged.
+    pub fn judged(judgement: &Judgement) -> Self {
+        let passages = judgement.passages.as_ref();
+        Self {
+            verdict: judgement.verdict,
+            critical_gap_rad: judgement.critical_gap_rad,
+            twice_share: passages.map(|p| p.twice_share),
+            collisions_mean: passages.map(|p| p.collisions_mean),
+            slip_mean_m_s: passages.map(|p| p.slip_mean_m_s),
+            reason: (judgement.verdict == Verdict::Infeasible)
+                .then(|| judgement.reasons.join("; ")),
+        }
+    }
+
+    /// Of a bearing that cannot be built.
+    pub fn impossible(reason: String) -> Self {
+        Self {
+            verdict: Verdict::Infeasible,
+            critical_gap_rad: None,
+            twice_share: None,
+            collisions_mean: None,
+            slip_mean_m_s: None,
+            reason: Some(reason),
+        }
+    }
+}
+
+/// Lowest and highest value; `None` without any.
+pub type Interval = Option<[f64; 2]>;
+
+fn interval(values: impl Iterator<Item = f64>) -> Interval {
+    values.fold(None, |range: Interval, v| {
+        let [low, high] = range.unwrap_or([v, v]);
+        Some([low.min(v), high.max(v)])
+    })
+}
+
+/// One row of the tolerance table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InfluenceResult {
+    /// What alone deviates.
+    pub influence: Influence,
+    /// Trials, and those with the verdict of the bearing as drawn.
+    pub trials: usize,
+    /// As above.
+    pub held: usize,
+    /// Verdicts that came out, worst last.
+    pub verdicts: Vec<Verdict>,
+    /// Critical gaps, this and the numbers below with those of the bearing as drawn.
+    pub critical_gap_rad: Interval,
+    /// Shares of passages hit by both neighbours.
+    pub twice_share: Interval,
+    /// Slip per passage.
+    pub slip_mean_m_s: Interval,
+}
+
+/// The bearings in which everything deviates.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Samples {
+    /// How many.
+    pub count: usize,
+    /// Those with the verdict of the bearing as drawn.
+    pub held: usize,
+    /// How often each verdict came out.
+    pub verdicts: [(Verdict, usize); 4],
+    /// Probability that the verdict holds, with its 95 % interval (Wilson 1927).
+    pub probability: f64,
+    /// As above.
+    pub probability_interval: [f64; 2],
+    /// 5 %, 50 % and 95 % quantile of the critical gap of those that have one.
+    pub critical_gap_quantiles_rad: Option<[f64; 3]>,
+    /// Every outcome.
+    pub outcomes: Vec<Outcome>,
+}
+
+/// The tolerance table and the probability.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Assessment {
+    /// The bearing as drawn.
+    pub nominal: Outcome,
+    /// One influence at a time; those without a tolerance are left out.
+    pub influences: Vec<InfluenceResult>,
+    /// All at once; `None` without samples.
+    pub samples: Option<Samples>,
+}
+
+/// Puts together what became of [`super::trials`], in their order.
+///
+/// # Panics
+/// If there is not one outcome per trial, the first that of the bearing as drawn.
+pub fn assess(trials: &[Trial], outcomes: &[Outcome]) -> Assessment {
+    assert!(!trials.is_empty() && trials.len() == outcomes.len());
+    let nominal = outcomes[0].clone();
+    let judged = || trials.iter().zip(outcomes).skip(1);
+    let influences = Influence::ALL
+        .into_iter()
+        .filter_map(|influence| {
+            let of: Vec<&Outcome> = judged()
+                .filter(|(trial, _)| trial.influence == Some(influence))
+                .map(|(_, outcome)| outcome)
+                .collect();
+            (!of.is_empty()).then(|| row(influence, &nominal, &of))
+        })
+        .collect();
+    let sampled: Vec<Outcome> = judged()
+        .filter(|(trial, _)| trial.influence.is_none())
+        .map(|(_, outcome)| outcome.clone())
+        .collect();
+    Assessment {
+        influences,
+        samples: (!sampled.is_empty()).then(|| samples(&nominal, sampled)),
+        nominal,
+    }
+}
+
+fn row(influence: Influence, nominal: &Outcome, of: &[&Outcome]) -> InfluenceResult {
+    let mut verdicts: Vec<Verdict> = of.iter().map(|o| o.verdict).collect();
+    verdicts.sort();
+    verdicts.dedup();
+    let all = || of.iter().copied().chain([nominal]);
+    InfluenceResult {
+        influence,
+        trials: of.len(),
+        held: of.iter().filter(|o| o.verdict == nominal.verdict).count(),
+        verdicts,
+        critical_gap_rad: interval(all().filter_map(|o| o.critical_gap_rad)),
+        twice_share: interval(all().filter_map(|o| o.twice_share)),
+        slip_mean_m_s: interval(all().filter_map(|o| o.slip_mean_m_s)),
+    }
+}
+
+fn samples(nominal: &Outcome, outcomes: Vec<Outcome>) -> Samples {
+    let count = outcomes.len();
+    let number = |verdict| outcomes.iter().filter(|o| o.verdict == verdict).count();
+    let held = number(nominal.verdict);
+    let mut gaps: Vec<f64> = outcomes.iter().filter_map(|o| o.critical_gap_rad).collect();
+    gaps.sort_by(f64::total_cmp);
+    let quantile = |share: f64| gaps[(share * (gaps.len() - 1) as f64).round() as usize];
+    Samples {
+        count,
+        held,
+        verdicts: [
+            Verdict::Smooth,
+            Verdict::DoubleCollision,
+            Verdict::Slips,
+            Verdict::Infeasible,
+        ]
+        .map(|verdict| (verdict, number(verdict))),
+        probability: held as f64 / count as f64,
+        probability_interval: wilson(held, count),
+        critical_gap_quantiles_rad: (!gaps.is_empty()).then(|| [0.05, 0.5, 0.95].map(quantile)),
+        outcomes,
+    }
+}
+
+/// 97.5 % quantile of the normal distribution.
+const NORMAL_975: f64 = 1.959_963_984_540_054;
+
+/// Wilson's interval of a probability of which `held` of `count` trials are known, 95 %
+/// (E. B. Wilson, J. Am. Stat. Assoc. 22, 1927, 209–212).
+fn wilson(held: usize, count: usize) -> [f64; 2] {
+    let (n, p) = (count as f64, held as f64 / count as f64);
+    let z2 = NORMAL_975 * NORMAL_975;
+    let middle = (p + z2 / (2.0 * n)) / (1.0 + z2 / n);
+    let half = (z2 * (p * (1.0 - p) / n + z2 / (4.0 * n * n))).sqrt() / (1.0 + z2 / n);
+    [(middle - half).max(0.0), (middle + half).min(1.0)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Limits as tabulated: 0 of 10, 5 of 10, 10 of 10.
+    #[test]
+    fn wilson_is_that_of_the_tables() {
+        for (held, low, high) in [(0, 0.0, 0.2775), (5, 0.2366, 0.7634), (10, 0.7225, 1.0)] {
+            let [a, b] = wilson(held, 10);
+            assert!(
+                (a - low).abs() < 5e-5 && (b - high).abs() < 5e-5,
+                "{held}: {a} {b}"
+            );
+        }
+    }
+}

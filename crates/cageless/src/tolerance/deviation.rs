@@ -1,0 +1,265 @@
+//! Bearings that deviate from their drawing and operate beside their design point.
+
+use chacha20::ChaCha8Rng;
+use chacha20::rand_core::{Rng, SeedableRng};
+
+use super::grade::BallGrade;
+use crate::bearing::Bearing;
+use crate::case::Case;
+use crate::error::InputError;
+use crate::raceway::{Raceway, RacewayDimensions};
+
+/// Something that is not what the drawing says.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Influence {
+    /// Depth of the raceways.
+    GrooveDepth,
+    /// lC.
+    AxialSpan,
+    /// θ.
+    HalfAngle,
+    /// Radii of the balls within their lot.
+    BallRadius,
+    /// μ.
+    Friction,
+    /// Radial clearance Ro − Ri − 2Rw.
+    Clearance,
+    /// Speed of the inner ring.
+    Speed,
+    /// Radial load.
+    Load,
+}
+
+impl Influence {
+    /// All, in the order of tables.
+    pub const ALL: [Self; 8] = [
+        Self::GrooveDepth,
+        Self::AxialSpan,
+        Self::HalfAngle,
+        Self::BallRadius,
+        Self::Friction,
+        Self::Clearance,
+        Self::Speed,
+        Self::Load,
+    ];
+
+    /// Name in tables and files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::GrooveDepth => "groove depth",
+            Self::AxialSpan => "axial span",
+            Self::HalfAngle => "half angle",
+            Self::BallRadius => "ball radii",
+            Self::Friction => "friction coefficient",
+            Self::Clearance => "radial clearance",
+            Self::Speed => "speed",
+            Self::Load => "load",
+        }
+    }
+}
+
+/// How far each may deviate to either side.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tolerances {
+    /// Of the depth in the middle of a raceway, along the normal.
+    pub groove_depth_m: f64,
+    /// Of lC.
+    pub axial_span_m: f64,
+    /// Of θ.
+    pub half_angle_rad: f64,
+    /// Lot that the balls come from; `None`: all equal.
+    pub ball_grade: Option<BallGrade>,
+    /// Of μ.
+    pub friction: f64,
+    /// Of Ro − Ri − 2Rw; what would be less than none is left out.
+    pub clearance_m: f64,
+    /// Of the speed, as a share.
+    pub speed_share: f64,
+    /// Of the load, as a share.
+    pub load_share: f64,
+}
+
+impl Tolerances {
+    /// Lowest and highest deviation of `influence` in a case; of the balls' radii that of one
+    /// ball.
+    pub fn range(&self, case: &Case, influence: Influence) -> [f64; 2] {
+        let both = |t: f64| [-t, t];
+        match influence {
+            Influence::GrooveDepth => both(self.groove_depth_m),
+            Influence::AxialSpan => both(self.axial_span_m),
+            Influence::HalfAngle => both(self.half_angle_rad),
+            Influence::BallRadius => both(self.ball_grade.map_or(0.0, |g| g.radius_deviation_m())),
+            Influence::Friction => both(self.friction),
+            Influence::Clearance => {
+                let own = case.bearing.radial_clearance_m();
+                [-self.clearance_m.min(own), self.clearance_m]
+            }
+            Influence::Speed => both(self.speed_share * case.operation.inner_speed_rad_s),
+            Influence::Load => both(self.load_share * case.operation.radial_load_n),
+        }
+    }
+}
+
+/// One bearing's deviations from the case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Deviation {
+    /// Of everything but the balls, in the order of [`Influence::ALL`], SI units.
+    values: [f64; Influence::ALL.len()],
+    /// Of the balls' radii; empty: none.
+    ball_radius_m: Vec<f64>,
+}
+
+impl Deviation {
+    fn none() -> Self {
+        Self {
+            values: [0.0; Influence::ALL.len()],
+            ball_radius_m: vec![],
+        }
+    }
+
+    fn one(influence: Influence, value: f64) -> Self {
+        let mut deviation = Self::none();
+        deviation.values[influence as usize] = value;
+        deviation
+    }
+
+    /// Value of one influence, SI units; of the balls' radii 0.
+    pub fn value(&self, influence: Influence) -> f64 {
+        self.values[influence as usize]
+    }
+
+    /// Deviations of the balls' radii; empty if all are nominal.
+    pub fn ball_radius_m(&self) -> &[f64] {
+        &self.ball_radius_m
+    }
+
+    /// The case of this bearing.
+    ///
+    /// # Errors
+    /// The bearing is impossible, say because the raceway violates Zhao 2022, Eq. (8) or (9).
+    pub fn apply(&self, case: &Case) -> Result<Case, InputError> {
+        let of = |influence: Influence| self.value(influence);
+        let mut dimensions = case.bearing.dimensions().clone();
+        dimensions.inner_groove_bottom_radius_m -= of(Influence::Clearance);
+        let mut radii = case.bearing.ball_radius_deviations_m().to_vec();
+        if radii.is_empty() {
+            radii.clone_from(&self.ball_radius_m);
+        } else {
+            for (radius, more) in radii.iter_mut().zip(&self.ball_radius_m) {
+                *radius += more;
+            }
+        }
+        let bearing = Bearing::new(dimensions, case.bearing.material().clone())?
+            .with_ball_radius_deviations(radii)?;
+        let raceways = case
+            .raceways
+            .iter()
+            .map(|raceway| {
+                let designed = *raceway.dimensions();
+                let dimensions = RacewayDimensions {
+                    axial_span_m: designed.axial_span_m + of(Influence::AxialSpan),
+                    half_angle_rad: designed.half_angle_rad + of(Influence::HalfAngle),
+                    ..designed
+                };
+                Raceway::new(dimensions, &bearing)?
+                    .with_depth_error(raceway.depth_error_m() + of(Influence::GrooveDepth))
+            })
+            .collect::<Result<_, _>>()?;
+        let mut varied = Case {
+            bearing,
+            raceways,
+            ..case.clone()
+        };
+        varied.contact.friction_coefficient += of(Influence::Friction);
+        varied.operation.inner_speed_rad_s += of(Influence::Speed);
+        varied.operation.radial_load_n += of(Influence::Load);
+        varied.check()?;
+        Ok(varied)
+    }
+}
+
+/// A bearing to be judged.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Trial {
+    /// What alone deviates; `None`: nothing, or all at once.
+    pub influence: Option<Influence>,
+    /// By how much.
+    pub deviation: Deviation,
+}
+
+/// Lots of balls drawn for the row of the balls' radii.
+const LOTS: u64 = 4;
+
+/// The case as drawn (first), then each influence at both ends of its range with all else as
+/// drawn (for the balls several lots), then `samples` bearings in which everything deviates at
+/// once. Every deviation is uniform within its range and independent of the others, the radius
+/// of each ball on its own; the same seed gives the same bearings.
+pub fn trials(case: &Case, tolerances: &Tolerances, samples: u64, seed: u64) -> Vec<Trial> {
+    let mut trials = vec![Trial {
+        influence: None,
+        deviation: Deviation::none(),
+    }];
+    let lot = |stream: &mut Stream| {
+        let [low, high] = tolerances.range(case, Influence::BallRadius);
+        if low == high {
+            return vec![];
+        }
+        (0..case.bearing.balls())
+            .map(|_| stream.between(low, high))
+            .collect()
+    };
+    for influence in Influence::ALL {
+        let range = tolerances.range(case, influence);
+        if influence == Influence::BallRadius {
+            if range[1] > 0.0 {
+                trials.extend((0..LOTS).map(|k| Trial {
+                    influence: Some(influence),
+                    deviation: Deviation {
+                        ball_radius_m: lot(&mut Stream::new(seed, 1, k)),
+                        ..Deviation::none()
+                    },
+                }));
+            }
+            continue;
+        }
+        trials.extend(range.into_iter().filter(|v| *v != 0.0).map(|value| Trial {
+            influence: Some(influence),
+            deviation: Deviation::one(influence, value),
+        }));
+    }
+    trials.extend((0..samples).map(|k| {
+        let mut stream = Stream::new(seed, 2, k);
+        let mut deviation = Deviation::none();
+        for influence in Influence::ALL {
+            let [low, high] = tolerances.range(case, influence);
+            if influence != Influence::BallRadius {
+                deviation.values[influence as usize] = stream.between(low, high);
+            }
+        }
+        deviation.ball_radius_m = lot(&mut stream);
+        Trial {
+            influence: None,
+            deviation,
+        }
+    }));
+    trials
+}
+
+/// Random numbers that depend on nothing but the seed, what they are for, and their place.
+struct Stream(ChaCha8Rng);
+
+impl Stream {
+    fn new(seed: u64, purpose: u64, index: u64) -> Self {
+        let mut key = [0; 32];
+        key[..8].copy_from_slice(&seed.to_le_bytes());
+        key[8..16].copy_from_slice(&purpose.to_le_bytes());
+        let mut rng = ChaCha8Rng::from_seed(key);
+        rng.set_stream(index);
+        Self(rng)
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        let unit = (self.0.next_u64() >> 11) as f64 * 2f64.powi(-53);
+        low + unit * (high - low)
+    }
+}

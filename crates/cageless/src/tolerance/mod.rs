@@ -1,0 +1,10 @@
+//! What becomes of a verdict when the bearing is made and run as real bearings are: within
+//! tolerances.
+
+mod assessment;
+mod deviation;
+mod grade;
+
+pub use assessment::{Assessment, InfluenceResult, Interval, Outcome, Samples, assess};
+pub use deviation::{Deviation, Influence, Tolerances, Trial, trials};
+pub use grade::{BALL_GRADES, BallGrade, ball_grade};
