@@ -1,0 +1,100 @@
+//! `cageless tolerance`: its table, its probability, and what it refuses.
+
+mod common;
+
+use common::*;
+
+const QUICK: [&str; 2] = ["solver.method=symplectic", "solver.step_us=auto"];
+/// Machining and balls alone.
+const FEW: [&str; 12] = [
+    "--axial-span-um",
+    "0",
+    "--half-angle-deg",
+    "0",
+    "--friction",
+    "0",
+    "--clearance-um",
+    "0",
+    "--speed-percent",
+    "0",
+    "--load-percent",
+    "0",
+];
+
+#[test]
+fn table_and_probability() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("tolerance");
+    let case = repository_case("zhao-d.toml");
+    let more = ["--samples", "3", "--json", "--out", out.to_str().unwrap()];
+    let answer = call_on("tolerance", &case, &QUICK, &[&FEW[..], &more].concat());
+    assert_eq!(answer.code, Some(0), "{answer:?}");
+    let json = answer.json();
+    assert_eq!(json["nominal_verdict"], "smooth");
+    let rows = json["influences"].as_array().unwrap();
+    let influences: Vec<&str> = rows.iter().map(|r| r["name"].as_str().unwrap()).collect();
+    assert_eq!(influences, ["groove depth", "ball radii"]);
+    assert_eq!(
+        (&rows[0]["high"], &rows[0]["trials"]),
+        (&2.0.into(), &2.into())
+    );
+    // A deeper groove sets the balls further out, where the gap closes earlier or later.
+    let gaps = rows[0]["critical_gap_deg"].as_array().unwrap();
+    let nominal = json["nominal_critical_gap_deg"].as_f64().unwrap();
+    let [low, high] = [0, 1].map(|k| gaps[k].as_f64().unwrap());
+    assert!(low < nominal && nominal < high, "{low} {nominal} {high}");
+    // G10: a lot varies by 0.5 µm in diameter.
+    assert_eq!(rows[1]["high"], 0.125);
+    let samples = &json["samples"];
+    assert_eq!(samples["count"], 3);
+    let held = samples["held"].as_u64().unwrap() as f64;
+    assert_eq!(samples["probability"].as_f64().unwrap(), held / 3.0);
+    assert_eq!(common::names(&out), ["report.html", "tolerance.json"]);
+    // The same bearings, whatever the number of threads.
+    let again = cageless()
+        .env("RAYON_NUM_THREADS", "1")
+        .arg("tolerance")
+        .arg(&case)
+        .args([
+            "--set",
+            QUICK[0],
+            "--set",
+            QUICK[1],
+            "--samples",
+            "3",
+            "--json",
+        ])
+        .args(FEW)
+        .output()
+        .unwrap();
+    assert_eq!(Answer::from(again).stdout, answer.stdout);
+}
+
+#[test]
+fn bad_tolerances_are_refused() {
+    let case = repository_case("zhao-d.toml");
+    for (more, fragments) in [
+        (
+            &["--friction", "0.5"][..],
+            &["--friction 0.5", "from 0 to 0.007"][..],
+        ),
+        (&["--ball-grade", "7"], &["--ball-grade 7", "3, 5, 10, 16"]),
+        (
+            &["--groove-depth-um", "nan"],
+            &["--groove-depth-um NaN", "0 or more"],
+        ),
+        (
+            &["--samples", "1000000"],
+            &["--samples 1000000", "at most 100000"],
+        ),
+    ] {
+        let answer = call_on("tolerance", &case, &[], more);
+        assert_eq!(answer.code, Some(2), "{answer:?}");
+        for fragment in fragments {
+            assert!(answer.stderr.contains(fragment), "{fragment}: {answer:?}");
+        }
+    }
+    let answer = call_on("tolerance", &repository_case("conventional.toml"), &[], &[]);
+    assert_eq!(answer.code, Some(2));
+    assert!(answer.stderr.contains("no [raceway]"), "{answer:?}");
+}
