@@ -11,7 +11,7 @@ use cageless::design::{
 };
 use cageless::raceway::axial_span_limit_m;
 use cageless::simulation::{Control, Observer, batches, run_batch};
-use cageless::state::LANES;
+use cageless::state::MEMBERS;
 use cageless::summary::SummaryRecorder;
 use cageless_io::case_file::template;
 use cageless_io::plan_file::PlanFile;
@@ -80,7 +80,7 @@ fn measure(name: &str, plan: &str, library: fn(&[Case]), options: &Options) -> R
     let (mut bare, mut whole) = (Vec::new(), Vec::new());
     for _ in 0..options.repetitions.max(1) {
         bare.push(cost(|| {
-            pool.install(|| cases.par_chunks(LANES).for_each(library));
+            pool.install(|| cases.par_chunks(MEMBERS).for_each(library));
             Ok(())
         })?);
         whole.push(cost(|| compute(&sweep, folder.path(), options))?);

@@ -7,7 +7,7 @@ use cageless::design::judge;
 use cageless::equilibrium;
 use cageless::simulation::{Control, Ending, Observer, RunOutcome, batches, run_batch};
 use cageless::spacing::CriticalGapError;
-use cageless::state::LANES;
+use cageless::state::MEMBERS;
 use cageless::summary::{Summary, SummaryRecorder};
 use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_io::plan_file::{Computation, PlanFile};
@@ -86,7 +86,7 @@ impl Sweep {
     /// vectors empty.
     pub fn together(&self) -> u64 {
         if self.wants(Computation::Run) {
-            LANES as u64
+            MEMBERS as u64
         } else {
             1
         }

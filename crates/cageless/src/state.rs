@@ -1,9 +1,9 @@
 //! The state vector: what the integrators advance.
 
 /// Places of the groups in the flat vector that an integrator advances: of one bearing,
-/// whose arrays over the balls are padded to a multiple of [`LANES`], or of [`LANES`]
-/// bearings side by side, whose entries for the same ball lie next to each other. Whole
-/// vectors are computed either way.
+/// or of [`MEMBERS`] bearings side by side, whose entries for the same ball lie next to each
+/// other. Arrays over the balls are padded to a multiple of [`LANES`], so that whole vectors
+/// are computed either way.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Layout {
     /// N.
@@ -18,6 +18,9 @@ pub struct Layout {
 
 /// Padding of the arrays over the balls.
 pub const LANES: usize = 16;
+
+/// Bearings side by side; two balls of each fill a block.
+pub const MEMBERS: usize = 8;
 
 /// Largest number of balls.
 pub const BALLS_MAX: usize = 256;
@@ -108,12 +111,12 @@ impl Layout {
         }
     }
 
-    /// Layout for [`LANES`] bearings of `balls` balls each, with the places of the first.
+    /// Layout for [`MEMBERS`] bearings of `balls` balls each, with the places of the first.
     pub fn side_by_side(balls: usize) -> Self {
         Self {
             balls,
-            stride: balls * LANES,
-            members: LANES,
+            stride: (balls * MEMBERS).next_multiple_of(LANES),
+            members: MEMBERS,
             member: 0,
         }
     }
@@ -140,6 +143,11 @@ impl Layout {
         5 * self.stride + (4 + Work::ALL.len()) * self.members
     }
 
+    /// Entries of an array over the balls that are not padding.
+    pub fn entries(&self) -> usize {
+        self.balls * self.members
+    }
+
     /// Start of x, y, vx, vy, spin (groups 0 to 4) of all balls and bearings.
     pub fn group(&self, group: usize) -> usize {
         group * self.stride
@@ -159,6 +167,15 @@ impl Layout {
     /// Place of an entry of the energy ledger.
     pub fn work(&self, work: Work) -> usize {
         5 * self.stride + (4 + work as usize) * self.members + self.member
+    }
+
+    /// Puts the balls of the padding somewhere: not at the centre, and no two in one place.
+    pub(crate) fn spread_padding(&self, values: &mut [f64]) {
+        for k in self.entries()..self.stride {
+            let (sin, cos) = (k as f64).sin_cos();
+            values[self.group(0) + k] = sin;
+            values[self.group(1) + k] = -cos;
+        }
     }
 
     /// One group of a vector, ball by ball.
@@ -219,17 +236,8 @@ impl State {
             layout,
             values: vec![0.0; layout.len()],
         };
-        state.spread_padding();
+        state.layout.spread_padding(&mut state.values);
         state
-    }
-
-    /// Padding balls must not share a place.
-    fn spread_padding(&mut self) {
-        for k in self.layout.balls..self.layout.stride {
-            let (sin, cos) = (k as f64).sin_cos();
-            self.values[self.layout.group(0) + k] = sin;
-            self.values[self.layout.group(1) + k] = -cos;
-        }
     }
 
     /// Takes the state of one bearing out of a vector that an integrator has advanced.
@@ -257,7 +265,7 @@ impl State {
             layout: own,
             values,
         };
-        state.spread_padding();
+        state.layout.spread_padding(&mut state.values);
         state
     }
 

@@ -10,6 +10,17 @@ use common::{conventional, dimensions, raceway, structure};
 
 /// Cases that differ in everything that may differ side by side.
 fn mixed(count: usize) -> Vec<Case> {
+    mixed_of(14, count)
+}
+
+fn mixed_of(balls: usize, count: usize) -> Vec<Case> {
+    let with_balls = |case: Case| {
+        let mut d = case.bearing.dimensions().clone();
+        d.balls = balls;
+        let material = case.bearing.material().clone();
+        let bearing = cageless::Bearing::new(d, material).unwrap();
+        Case { bearing, ..case }
+    };
     (0..count)
         .map(|k| {
             let mut case = match k % 3 {
@@ -22,6 +33,7 @@ fn mixed(count: usize) -> Vec<Case> {
                     case.with_raceways(raceways)
                 }
             };
+            case = with_balls(case);
             case.operation.radial_load_n = 500.0 + 100.0 * k as f64;
             case.operation.inner_speed_rad_s *= 1.0 + 0.02 * k as f64;
             let n = case.bearing.balls();
@@ -80,8 +92,14 @@ fn company_changes_no_bit() {
             };
         },
     ];
-    for change in kinds {
-        let mut cases = mixed(11);
+    // An odd number leaves a lane of each bearing empty.
+    for (balls, change) in [
+        (14, kinds[0]),
+        (13, kinds[0]),
+        (14, kinds[1]),
+        (13, kinds[2]),
+    ] {
+        let mut cases = mixed_of(balls, 11);
         cases.iter_mut().for_each(change);
         let expected: Vec<_> = cases.iter().map(alone).collect();
         assert!(
@@ -91,9 +109,9 @@ fn company_changes_no_bit() {
         for isa in InstructionSet::ALL.into_iter().filter(|i| i.available()) {
             isa.limit_to();
             let all: Vec<&Case> = cases.iter().collect();
-            assert_eq!(together(&all), expected, "{}", isa.name());
+            assert!(together(&all[..8]) == expected[..8], "{}", isa.name());
             // Other company, other lanes.
-            assert_eq!(together(&all[3..8]), expected[3..8], "{}", isa.name());
+            assert!(together(&all[5..]) == expected[5..], "{}", isa.name());
         }
     }
 }

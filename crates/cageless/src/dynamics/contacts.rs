@@ -19,22 +19,17 @@ impl Contacts<'_> {
         self.layout.balls
     }
 
+    #[inline]
     fn at(&self, block: impl Fn(&Entry) -> &Block, k: usize) -> f64 {
-        let (row, lane) = if self.layout.members() == 1 {
-            (k / LANES, k % LANES)
-        } else {
-            (k, self.layout.member())
-        };
-        block(&self.work.entries[row]).0[lane]
+        let entry = k * self.layout.members() + self.layout.member();
+        block(&self.work.entries[entry / LANES]).0[entry % LANES]
     }
 
     /// Largest over the lanes that belong to the bearing.
     fn most(&self, block: &Block) -> f64 {
-        if self.layout.members() == 1 {
-            block.0.iter().fold(0.0, |most, v| f64::max(most, *v))
-        } else {
-            block.0[self.layout.member()]
-        }
+        let own = block.0.iter().skip(self.layout.member());
+        own.step_by(self.layout.members())
+            .fold(0.0, |most, v| f64::max(most, *v))
     }
 
     /// Normal force at the inner raceway, N.

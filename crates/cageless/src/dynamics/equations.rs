@@ -5,7 +5,7 @@
 use super::lanes::{Block, Entry, Scratch, Shares, Sum, Sums};
 use super::parameters::{BallBlock, GrooveBlock, Parameters};
 use crate::case::{FrictionLaw, Profile};
-use crate::state::{LANES, Work};
+use crate::state::{LANES, MEMBERS, Work};
 use crate::traction::tanh;
 
 /// Work arrays of an evaluation; they hold everything that can be seen of it afterwards.
@@ -84,7 +84,10 @@ fn equations<const PAPER: bool, const COULOMB: bool>(
         if alone {
             ring[k] = Block::all(y[5 * n + k]);
         } else {
-            ring[k].0 = *block_at(y, 5 * n + k * LANES);
+            let of = &y[5 * n + k * MEMBERS..][..MEMBERS];
+            for l in 0..LANES {
+                ring[k].0[l] = of[l % MEMBERS];
+            }
         }
     }
     w.sums.clear(alone);
@@ -130,8 +133,8 @@ fn equations<const PAPER: bool, const COULOMB: bool>(
     if alone {
         ring_and_ledger::<PAPER>(p, 0, &ring, &|sum| w.sums.alone(sum), dydt);
     } else {
-        for lane in 0..LANES {
-            ring_and_ledger::<PAPER>(p, lane, &ring, &|sum| w.sums.beside(sum).0[lane], dydt);
+        for member in 0..MEMBERS {
+            ring_and_ledger::<PAPER>(p, member, &ring, &|sum| w.sums.beside(sum, member), dydt);
         }
     }
 }
@@ -139,9 +142,9 @@ fn equations<const PAPER: bool, const COULOMB: bool>(
 #[inline(always)]
 fn add(sums: &mut Sums, which: &[Sum], shares: &Shares, alone: bool, block: usize) {
     if alone {
-        sums.add_balls(which, shares);
+        sums.add_alone(which, shares);
     } else {
-        sums.add_bearings(which, shares, block);
+        sums.add_beside(which, shares, block);
     }
 }
 
@@ -469,7 +472,7 @@ fn pair_deflections(p: &Parameters, w: &mut Workspace, y: &[f64]) {
 /// Values of the ball ahead at the place of each ball.
 #[inline(always)]
 fn forwards(p: &Parameters, values: &[f64], next: &mut [Block]) {
-    let (shift, count) = (p.layout.members(), p.layout.balls * p.layout.members());
+    let (shift, count) = (p.layout.members(), p.layout.entries());
     let next = flat_mut(next);
     next[..count - shift].copy_from_slice(&values[shift..count]);
     next[count - shift..count].copy_from_slice(&values[..shift]);
@@ -478,7 +481,7 @@ fn forwards(p: &Parameters, values: &[f64], next: &mut [Block]) {
 /// Values of the ball behind at the place of each ball.
 #[inline(always)]
 fn backwards(p: &Parameters, values: &[Block], behind: &mut [Block]) {
-    let (shift, count) = (p.layout.members(), p.layout.balls * p.layout.members());
+    let (shift, count) = (p.layout.members(), p.layout.entries());
     let (values, behind) = (flat(values), flat_mut(behind));
     behind[shift..count].copy_from_slice(&values[..count - shift]);
     behind[..shift].copy_from_slice(&values[count - shift..count]);
@@ -606,17 +609,17 @@ fn accelerations(p: &Parameters, w: &Workspace, y: &[f64], dydt: &mut [f64]) {
 }
 
 /// Acceleration of the inner ring (Zhao 2022, Eq. (14)) and the powers of the energy ledger
-/// of the bearing in `lane`.
+/// of one bearing.
 #[inline(always)]
 fn ring_and_ledger<const PAPER: bool>(
     p: &Parameters,
-    lane: usize,
+    member: usize,
     ring: &[Block; 4],
     total: &impl Fn(Sum) -> f64,
     dydt: &mut [f64],
 ) {
-    let layout = p.layout.of_member(lane);
-    let of = |block: &Block| block.0[lane];
+    let layout = p.layout.of_member(member);
+    let of = |block: &Block| block.0[member];
     let (mass, drag, load) = (of(&p.ring_mass), of(&p.ring_drag), of(&p.radial_load));
     let (vx, vy) = (of(&ring[2]), of(&ring[3]));
     let weight = mass * of(&p.gravity);

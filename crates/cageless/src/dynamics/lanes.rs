@@ -1,7 +1,7 @@
 //! Blocks of numbers in which the right-hand side works: neighbouring balls of one bearing, or
-//! the same ball of several bearings.
+//! two balls of several bearings.
 
-use crate::state::LANES;
+use crate::state::{LANES, MEMBERS};
 
 /// One quantity of a block.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -165,27 +165,27 @@ pub(super) type Shares = [Block; Sum::COUNT];
 pub(super) struct Sums {
     /// Of the only bearing.
     alone: [[f64; PARTS]; Sum::COUNT],
-    beside: [Shares; PARTS],
+    beside: [[[f64; MEMBERS]; Sum::COUNT]; PARTS],
 }
 
 impl Sums {
     pub const ZERO: Self = Self {
         alone: [[0.0; PARTS]; Sum::COUNT],
-        beside: [[Block::ZERO; Sum::COUNT]; PARTS],
+        beside: [[[0.0; MEMBERS]; Sum::COUNT]; PARTS],
     };
 
     #[inline(always)]
     pub fn clear(&mut self, alone: bool) {
         if alone {
-            self.alone = [[0.0; PARTS]; Sum::COUNT];
+            self.alone = Self::ZERO.alone;
         } else {
-            self.beside = [[Block::ZERO; Sum::COUNT]; PARTS];
+            self.beside = Self::ZERO.beside;
         }
     }
 
     /// Adds the shares of the balls of one block of the only bearing.
     #[inline(always)]
-    pub fn add_balls(&mut self, sums: &[Sum], shares: &Shares) {
+    pub fn add_alone(&mut self, sums: &[Sum], shares: &Shares) {
         for &sum in sums {
             let (total, share) = (&mut self.alone[sum as usize], &shares[sum as usize].0);
             for four in share.chunks_exact(PARTS) {
@@ -196,14 +196,18 @@ impl Sums {
         }
     }
 
-    /// Adds the shares of ball `k` of the bearings side by side.
+    /// Adds the shares of a block of the bearings side by side.
     #[inline(always)]
-    pub fn add_bearings(&mut self, sums: &[Sum], shares: &Shares, k: usize) {
-        let totals = &mut self.beside[k % PARTS];
+    pub fn add_beside(&mut self, sums: &[Sum], shares: &Shares, block: usize) {
+        const BALLS: usize = LANES / MEMBERS;
         for &sum in sums {
-            let (total, share) = (&mut totals[sum as usize].0, &shares[sum as usize].0);
-            for l in 0..LANES {
-                total[l] += share[l];
+            let share = &shares[sum as usize].0;
+            for ball in 0..BALLS {
+                let part = (block * BALLS + ball) % PARTS;
+                let total = &mut self.beside[part][sum as usize];
+                for member in 0..MEMBERS {
+                    total[member] += share[ball * MEMBERS + member];
+                }
             }
         }
     }
@@ -215,14 +219,10 @@ impl Sums {
         (p[0] + p[2]) + (p[1] + p[3])
     }
 
-    /// Totals of the bearings side by side.
+    /// Total of one of the bearings side by side.
     #[inline(always)]
-    pub fn beside(&self, sum: Sum) -> Block {
-        let p = |part: usize, lane: usize| self.beside[part][sum as usize].0[lane];
-        let mut total = Block::ZERO;
-        for l in 0..LANES {
-            total.0[l] = (p(0, l) + p(2, l)) + (p(1, l) + p(3, l));
-        }
-        total
+    pub fn beside(&self, sum: Sum, member: usize) -> f64 {
+        let p = |part: usize| self.beside[part][sum as usize][member];
+        (p(0) + p(2)) + (p(1) + p(3))
     }
 }

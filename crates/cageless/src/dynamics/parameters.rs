@@ -90,8 +90,8 @@ impl Parameters {
         }
     }
 
-    /// Of the bearings whose places `layout` has; lane l is bearing l, or ball l of the
-    /// only one.
+    /// Of the bearings whose places `layout` has; lane l belongs to bearing l modulo their
+    /// number.
     pub fn new(models: &[&Model], layout: Layout) -> Self {
         let first = models[0];
         let of = |value: &dyn Fn(&Model) -> f64| {
@@ -102,11 +102,8 @@ impl Parameters {
         let grooves = models.iter().map(|m| m.grooves.len()).max().unwrap_or(0);
         let per_ball = |block: usize, value: &dyn Fn(&Model, usize) -> f64, padding: f64| {
             Block(std::array::from_fn(|lane| {
-                let (model, ball) = if layout.members() == 1 {
-                    (first, block * LANES + lane)
-                } else {
-                    (models[lane], block)
-                };
+                let entry = block * LANES + lane;
+                let (model, ball) = (models[entry % models.len()], entry / models.len());
                 if ball < layout.balls {
                     value(model, ball)
                 } else {
@@ -115,7 +112,7 @@ impl Parameters {
             }))
         };
         let unequal = models.iter().any(|m| m.unequal);
-        let same = layout.members() > 1 && !unequal;
+        let same = layout.entries() == layout.stride && !unequal;
         let balls = (0..if same { 1 } else { layout.stride / LANES })
             .map(|block| {
                 // Padding has neither stiffness nor mass, and so feels nothing.

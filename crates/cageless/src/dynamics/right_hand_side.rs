@@ -9,7 +9,7 @@ use super::parameters::Parameters;
 use crate::case::Profile;
 use crate::integrator::{CrossingError, Drift, Integrator, System};
 use crate::snapshot::{RingSnapshot, Snapshot};
-use crate::state::{LANES, Layout, State};
+use crate::state::{Layout, MEMBERS, State};
 
 /// The equations of motion with the work arrays to evaluate them.
 #[derive(Clone)]
@@ -34,13 +34,13 @@ impl<'m> RightHandSide<'m> {
         Self::of(vec![model], model.layout, isa)
     }
 
-    /// [`LANES`] bearings side by side, each in one lane of every block, with the same number
+    /// [`MEMBERS`] bearings side by side, each in its own lanes of every block, with the same number
     /// of balls, profile and friction law, and all with equal balls or none. Each gets the
     /// bits that it gets alone.
     ///
     /// # Panics
     /// If they differ in one of these.
-    pub fn side_by_side(models: [&'m Model; LANES], isa: InstructionSet) -> Self {
+    pub fn side_by_side(models: [&'m Model; MEMBERS], isa: InstructionSet) -> Self {
         let first = models[0];
         assert!(
             models.iter().all(|m| m.kind() == first.kind()),

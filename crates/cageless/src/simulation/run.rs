@@ -107,15 +107,12 @@ pub(super) fn drive<'m>(
     let solver = &courses[0].scene.case.solver;
     let (size, h) = (rhs.layout().len(), solver.step_s);
     let mut start = vec![0.0; size];
+    rhs.layout().spread_padding(&mut start);
     for member in 0..rhs.layout().members() {
         // Lanes without a bearing of their own repeat the last.
         let course = &courses[member.min(courses.len() - 1)];
         let places = rhs.layout().of_member(member);
         course.scene.start.put_into(places, &mut start);
-    }
-    if rhs.layout().members() == 1 {
-        // With the places of its padding.
-        start.copy_from_slice(courses[0].scene.start.values());
     }
     match solver.method {
         Method::Abm4 => advance(Abm4::new(size, h), &mut rhs, &start, courses, control),
