@@ -45,7 +45,7 @@ pub enum Command {
     /// Static equilibrium: ring displacement, load per ball, contact stress.
     Static(CaseArgs),
     /// Constraints, β0, the lC–θ curve, critical gap, verdict and recommendation.
-    Design(CaseArgs),
+    Design(DesignArgs),
     /// What machining errors, ball scatter, friction, clearance, speed and load do to the verdict.
     Tolerance(ToleranceArgs),
     /// Simulate a case.
@@ -252,6 +252,18 @@ pub struct ToleranceArgs {
     /// Load, per cent to either side.
     #[arg(long, value_name = "PERCENT", default_value_t = 20.0)]
     pub load_percent: f64,
+}
+
+/// `design`.
+#[derive(Debug, Group)]
+pub struct DesignArgs {
+    /// Case, output.
+    #[command(flatten)]
+    pub case: CaseArgs,
+    /// Search for the best raceway for the speeds and loads of the section [search], or of the
+    /// case. With --out a search that was stopped goes on where it was.
+    #[arg(long)]
+    pub search: bool,
 }
 
 /// Whatever works on a case.

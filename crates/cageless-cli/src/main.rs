@@ -2,11 +2,13 @@
 
 mod args;
 mod commands;
+mod design_report;
 mod failure;
 mod format;
 mod progress;
 mod reproduce;
 mod run_report;
+mod search;
 mod verification;
 
 use std::process::ExitCode;

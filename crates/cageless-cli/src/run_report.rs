@@ -189,7 +189,8 @@ pub fn filter_note(case: &Case) -> String {
     )
 }
 
-fn parameter(name: &str, value: String, unit: &str) -> Parameter {
+/// A line of a table.
+pub fn parameter(name: &str, value: String, unit: &str) -> Parameter {
     Parameter {
         name: name.to_owned(),
         value,
@@ -320,7 +321,7 @@ fn lead(case: &Case, outcome: &RunOutcome, summary: &SummaryFile) -> String {
 }
 
 /// One line per key of the case.
-fn parameters(file: &CaseFile) -> Vec<Parameter> {
+pub fn parameters(file: &CaseFile) -> Vec<Parameter> {
     let mut lines = vec![];
     let document = serde_json::to_value(file.document_as_run()).unwrap_or_default();
     flatten("", &document, &mut |key, value| {

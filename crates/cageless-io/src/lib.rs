@@ -15,5 +15,6 @@
 
 pub mod cad;
 pub mod case_file;
+pub mod journal;
 pub mod plan_file;
 pub mod results;

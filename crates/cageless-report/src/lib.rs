@@ -1,12 +1,14 @@
 //! Figures and self-contained HTML reports of Cageless.
 //!
 //! Nothing is simulated here: data in display units go in ([`ReproduceData`],
-//! [`RunData`], [`SweepData`]), one HTML page comes out ([`reproduce_page`], [`run_page`],
-//! [`sweep_page`]) that opens without a network, and the same numbers as one JSON document
+//! [`RunData`], [`DesignData`], [`SweepData`]), one HTML page comes out ([`reproduce_page`],
+//! [`run_page`], [`design_page`], [`sweep_page`]) that opens without a network, and the same
+//! numbers as one JSON document
 //! ([`to_json`]).
 
 pub mod certificate;
 pub mod data;
+pub mod design;
 pub mod figure;
 pub mod figures;
 pub mod geometry;
@@ -16,6 +18,7 @@ pub mod plot;
 pub mod reproduce;
 pub mod run;
 pub mod sampling;
+pub mod search_tables;
 pub mod sweep;
 pub mod table;
 pub mod tables;
@@ -24,6 +27,7 @@ pub mod tolerance;
 
 pub use certificate::{CertificateRow, CertificateTable};
 pub use data::*;
+pub use design::*;
 pub use figure::Figure;
 pub use geometry::{ContactTrack, RacewaySurface};
 pub use motion::MotionFigure;

@@ -19,6 +19,8 @@ pub struct Passage {
     pub leave_s: f64,
     /// Gap to the ball ahead on coming in.
     pub gap_enter_rad: f64,
+    /// Gap of the ball behind on coming in: what the critical gap is to be compared with.
+    pub gap_behind_rad: f64,
     /// Smallest gap to the ball ahead while inside.
     pub gap_min_rad: f64,
     /// Gap to the ball ahead on going out.
@@ -165,8 +167,8 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
     }
 
     /// When ball `k` crosses the end of a raceway within the step, and its gap to the ball
-    /// ahead there.
-    fn end(&self, view: &View<'_, '_>, k: usize, sector: &Sector) -> (f64, f64) {
+    /// ahead and that of the ball behind there.
+    fn end(&self, view: &View<'_, '_>, k: usize, sector: &Sector) -> (f64, [f64; 2]) {
         let layout = view.layout();
         let (from, to) = (view.step.from_s, view.step.to_s);
         let place = |group: usize, time_s: f64| hermite(&view.step, layout.ball(group, k), time_s);
@@ -174,8 +176,9 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
         let time_s = root::brent(inside_by, from, to, 1e-6 * (to - from)).unwrap_or(to);
         let state = view.state(time_s);
         let [x, y] = [0, 1].map(|group| state.layout().balls_of(state.values(), group));
-        let gap = gap_rad(x, y, k, self.pair_angles[k]);
-        (time_s, gap)
+        let previous = (k + layout.balls - 1) % layout.balls;
+        let gaps = [k, previous].map(|k| gap_rad(x, y, k, self.pair_angles[k]));
+        (time_s, gaps)
     }
 }
 
@@ -204,7 +207,7 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
                 if self.sectors[r].inside_by(x[k], y[k]) <= 0.0 {
                     self.seen_outside[slot] = true;
                     if let Some(mut passage) = self.inside[slot].take() {
-                        let (leave_s, gap) = self.end(view, k, &self.sectors[r]);
+                        let (leave_s, [gap, _]) = self.end(view, k, &self.sectors[r]);
                         passage.leave_s = leave_s;
                         passage.gap_leave_rad = gap;
                         passage.gap_min_rad = passage.gap_min_rad.min(gap);
@@ -222,13 +225,14 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
                 let slip = slip(c.inner_slip_m_s(k), c.inner_force_n(k))
                     .max(slip(c.outer_slip_m_s(k), c.outer_force_n(k)));
                 let mut passage = self.inside[slot].unwrap_or_else(|| {
-                    let (enter_s, gap) = self.end(view, k, &self.sectors[r]);
+                    let (enter_s, [gap, behind]) = self.end(view, k, &self.sectors[r]);
                     Passage {
                         ball: k,
                         raceway: r,
                         enter_s,
                         leave_s: enter_s,
                         gap_enter_rad: gap,
+                        gap_behind_rad: behind,
                         gap_min_rad: gap,
                         gap_leave_rad: gap,
                         collisions_ahead: 0,

@@ -121,6 +121,11 @@ pub struct PairTest {
     pub neighbours_wider: f64,
     /// Where the ring starts; at its static equilibrium if `None`.
     pub ring_y_m: Option<f64>,
+    /// Error of the starting gap.
+    pub tolerance_rad: f64,
+    /// Gaps above this are not tried: one that closes counts as [`CriticalGapError::AlwaysCloses`].
+    /// `None` for all that the bearing has room for.
+    pub gap_max_rad: Option<f64>,
     /// Largest step under Coulomb friction, whose results are of order one in the step; a
     /// larger one of the case gives way to it.
     pub coulomb_step_max_s: f64,
@@ -134,6 +139,8 @@ impl Default for PairTest {
             touch: Touch::Angle,
             neighbours_wider: 1.0,
             ring_y_m: None,
+            tolerance_rad: 2e-7,
+            gap_max_rad: None,
             coulomb_step_max_s: 0.25e-6,
         }
     }
@@ -158,7 +165,7 @@ pub enum CriticalGapError {
     #[error("the gap of a pair never closes on this raceway")]
     NeverCloses,
     /// The gap closes from anywhere.
-    #[error("the gap of a pair closes from any gap that the bearing has room for")]
+    #[error("the gap of a pair closes from any gap that is tried")]
     AlwaysCloses,
 }
 
@@ -294,7 +301,7 @@ fn pass(
     }
 }
 
-/// Critical gap of the case's first raceway, rad, to about 1e-5°.
+/// Critical gap of the case's first raceway, rad, to about [`PairTest::tolerance_rad`].
 ///
 /// # Errors
 /// [`CriticalGapError`].
@@ -310,6 +317,7 @@ pub fn critical_gap_rad(case: &Case, test: &PairTest) -> Result<f64, CriticalGap
     let n = bearing.balls() as f64;
     // Everything that the other balls leave free, but for a little.
     let room = 0.9 * (TAU - n * bearing.ball_angle_rad());
+    let most = test.gap_max_rad.map_or(room, |gap| gap.min(room));
     let mut entrance = f64::NAN;
     let found = root::try_rise(
         |gap| {
@@ -319,8 +327,8 @@ pub fn critical_gap_rad(case: &Case, test: &PairTest) -> Result<f64, CriticalGap
         },
         // A little above, where pairs pass freely and the smallest gap is a smooth function.
         1.03 * bearing.uniform_gap_rad(),
-        [0.0, room],
-        2e-7,
+        [0.0, most],
+        test.tolerance_rad,
     )?;
     match found {
         Rise::At(_) => Ok(entrance),

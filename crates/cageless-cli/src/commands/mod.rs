@@ -1,6 +1,6 @@
 //! The commands.
 
-mod design;
+pub mod design;
 mod export;
 mod export_result;
 mod report;

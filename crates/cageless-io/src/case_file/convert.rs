@@ -1,5 +1,6 @@
 //! From the document to the case in SI units, with the checks of [`cageless`].
 
+use cageless::design::search::Request;
 use cageless::step::StepLimits;
 use cageless::{
     Bearing, BearingDimensions, Case, Contact, Gaps, Housing, InputError, Material, Operation,
@@ -19,8 +20,11 @@ use super::unit::Side;
 const PROVISIONAL_STEP_S: f64 = 1e-6;
 
 /// Converts and checks.
-pub(super) fn case(document: &CaseDocument, places: &Places) -> Result<Case, CaseError> {
-    Converter { document, places }.case()
+pub(super) fn case(document: &CaseDocument, places: &Places) -> Result<(Case, Request), CaseError> {
+    let converter = Converter { document, places };
+    let case = converter.case()?;
+    let search = converter.search(&case)?;
+    Ok((case, search))
 }
 
 /// Conversion of one document; `places` says where its values come from.
@@ -262,7 +266,7 @@ impl Converter<'_> {
     }
 
     /// The value of a dotted key in SI units; refuses what is not finite.
-    fn si(&self, path: &str, value: f64) -> Result<f64, CaseError> {
+    pub(super) fn si(&self, path: &str, value: f64) -> Result<f64, CaseError> {
         let (section, name) = split(path);
         let unit = keys::find(section, name).map_or(super::unit::Unit::None, |k| k.unit);
         let si = unit.to_si(value);
@@ -318,7 +322,7 @@ impl Converter<'_> {
 
     /// "KEY = VALUE is not possible: it must be ALLOWED", the value as written if it
     /// is, otherwise `value`.
-    fn refuse(&self, path: &str, value: &str, allowed: &str) -> CaseError {
+    pub(super) fn refuse(&self, path: &str, value: &str, allowed: &str) -> CaseError {
         let value = self.places.written(path).unwrap_or(value);
         let message = format!("{path} = {value} is not possible: it must be {allowed}");
         self.places.error(path, message)

@@ -42,6 +42,9 @@ pub struct CaseDocument {
     pub housing: Option<HousingDocument>,
     /// What a run writes.
     pub output: OutputDocument,
+    /// What a search for the raceway looks at.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub search: Option<SearchDocument>,
 }
 
 impl CaseDocument {
@@ -257,4 +260,55 @@ pub struct HousingDocument {
 pub struct OutputDocument {
     /// Time between rows.
     pub interval_us: f64,
+}
+
+/// `[search]`: what `design --search` looks at. What is `None` is that of the case, or all
+/// that the geometry allows.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SearchDocument {
+    /// Speeds to be borne.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub inner_speed_rpm: Option<RangeDocument>,
+    /// Loads to be borne.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub radial_load_n: Option<RangeDocument>,
+    /// Spans lC.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub axial_span_mm: Option<RangeDocument>,
+    /// Angles θ.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub half_angle_deg: Option<RangeDocument>,
+    /// Places of one raceway.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub centre_angle_deg: Option<RangeDocument>,
+    /// Raceways at most.
+    pub raceways_max: usize,
+    /// Share of the steady gap that the raceway must guarantee.
+    pub spread_min: f64,
+    /// Uneven starts per structure.
+    pub starts: u64,
+    /// Runs of all balls at most.
+    pub budget: usize,
+    /// Further speeds to draw maps at.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub map_speed_rpm: Option<Vec<f64>>,
+}
+
+/// A number, or the lowest and the highest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RangeDocument {
+    /// Lowest.
+    pub low: f64,
+    /// Highest.
+    pub high: f64,
+}
+
+impl Serialize for RangeDocument {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        if self.low == self.high {
+            serializer.serialize_f64(self.low)
+        } else {
+            [self.low, self.high].serialize(serializer)
+        }
+    }
 }

@@ -27,6 +27,7 @@ pub(crate) const SECTIONS: &[(&str, &str)] = &[
     ("solver", "integration"),
     ("housing", "the support of the outer ring"),
     ("output", "what a run writes"),
+    ("search", "what a search for the raceway looks at"),
 ];
 
 const fn key(
@@ -114,6 +115,17 @@ pub(crate) const KEYS: &[Key] = &[
     key("housing", "damping_n_s_m", Si("N s/m"), "damping_n_s_m", "damping of the support"),
 
     key("output", "interval_us", Microsecond, "interval_s", "time between rows of the result"),
+
+    key("search", "inner_speed_rpm", RevolutionPerMinute, "", "speed, or lowest and highest, to be borne"),
+    key("search", "radial_load_n", Si("N"), "", "load, or lowest and highest, to be borne"),
+    key("search", "axial_span_mm", Millimetre, "", "lC, or narrowest and widest"),
+    key("search", "half_angle_deg", Degree, "", "θ, or smallest and largest"),
+    key("search", "centre_angle_deg", Degree, "", "ψ of the middle of one raceway, or first and last"),
+    key("search", "raceways_max", Plain, "", "number of raceways at most"),
+    key("search", "spread_min", Plain, "", "share of the steady gap that the raceway must guarantee"),
+    key("search", "starts", Plain, "", "uneven starts per structure"),
+    key("search", "budget", Plain, "", "runs of all balls at most"),
+    key("search", "map_speed_rpm", RevolutionPerMinute, "", "further speeds to draw maps at"),
 ];
 
 /// The keys of a section.

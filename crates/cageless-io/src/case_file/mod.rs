@@ -17,6 +17,7 @@ pub(crate) mod read;
 mod reader;
 mod ring;
 mod rules;
+mod search;
 mod template;
 pub(crate) mod tree;
 pub(crate) mod unit;
@@ -29,11 +30,12 @@ pub use base::{CaseBase, CaseValue, Change};
 pub use document::{
     BearingDocument, CaseDocument, ContactDocument, GapsDocument, HousingDocument,
     MaterialDocument, ModelDocument, OperationDocument, OutputDocument, RacewayDocument,
-    SolverDocument, StartDocument, StartState, StepDocument,
+    RangeDocument, SearchDocument, SolverDocument, StartDocument, StartState, StepDocument,
 };
 pub use error::CaseError;
 pub use template::template;
 
+use cageless::design::search::Request;
 use tree::Places;
 
 /// The only schema of case files so far.
@@ -43,6 +45,7 @@ pub const SCHEMA: u64 = 1;
 #[derive(Debug, Clone, PartialEq)]
 pub struct CaseFile {
     case: cageless::Case,
+    search: Request,
     document: CaseDocument,
     defaults: Vec<String>,
     places: Places,
@@ -76,9 +79,10 @@ impl CaseFile {
     fn of_tree(root: &tree::Section, name: &str) -> Result<Self, CaseError> {
         let places = Places::of(root, name);
         let (document, defaults) = read::document(root, &places)?;
-        let case = convert::case(&document, &places)?;
+        let (case, search) = convert::case(&document, &places)?;
         Ok(Self {
             case,
+            search,
             document,
             defaults,
             places,
@@ -92,9 +96,10 @@ impl CaseFile {
     /// A [`CaseError`] without a line if the case is impossible.
     pub fn from_document(document: CaseDocument, name: &str) -> Result<Self, CaseError> {
         let places = Places::nowhere(name);
-        let case = convert::case(&document, &places)?;
+        let (case, search) = convert::case(&document, &places)?;
         Ok(Self {
             case,
+            search,
             document,
             defaults: Vec::new(),
             places,
@@ -104,6 +109,12 @@ impl CaseFile {
     /// The case in SI units.
     pub fn case(&self) -> &cageless::Case {
         &self.case
+    }
+
+    /// What `[search]` asks for, in SI units; without the section, the case's own operating
+    /// point and one raceway anywhere that the geometry allows.
+    pub fn search(&self) -> &Request {
+        &self.search
     }
 
     /// The case in the units of the file, every default filled in. The Hertz

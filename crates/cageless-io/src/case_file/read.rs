@@ -6,7 +6,7 @@ use super::SCHEMA;
 use super::document::{
     BearingDocument, CaseDocument, ContactDocument, GapsDocument, HousingDocument,
     MaterialDocument, ModelDocument, OperationDocument, OutputDocument, RacewayDocument,
-    SolverDocument, StartDocument, StartState, StepDocument,
+    SearchDocument, SolverDocument, StartDocument, StartState, StepDocument,
 };
 use super::error::CaseError;
 use super::keys;
@@ -44,6 +44,7 @@ pub(super) fn document(
         output: OutputDocument {
             interval_us: file.section("output")?.number("interval_us")?,
         },
+        search: file.search()?,
     };
     Ok((document, file.defaults))
 }
@@ -298,6 +299,25 @@ impl<'a> FileReader<'a> {
             duration_s,
             seed,
         })
+    }
+
+    fn search(&mut self) -> Result<Option<SearchDocument>, CaseError> {
+        if !self.root.contains_key("search") {
+            return Ok(None);
+        }
+        let mut r = self.section("search")?;
+        Ok(Some(SearchDocument {
+            inner_speed_rpm: r.optional_range("inner_speed_rpm")?,
+            radial_load_n: r.optional_range("radial_load_n")?,
+            axial_span_mm: r.optional_range("axial_span_mm")?,
+            half_angle_deg: r.optional_range("half_angle_deg")?,
+            centre_angle_deg: r.optional_range("centre_angle_deg")?,
+            raceways_max: r.count_or("raceways_max", 1)? as usize,
+            spread_min: r.number_or("spread_min", cageless::design::search::SPREAD_MIN)?,
+            starts: r.count_or("starts", 2)?,
+            budget: r.count_or("budget", cageless::design::search::BUDGET as u64)? as usize,
+            map_speed_rpm: r.optional_list("map_speed_rpm")?,
+        }))
     }
 
     fn housing(&mut self) -> Result<Option<HousingDocument>, CaseError> {

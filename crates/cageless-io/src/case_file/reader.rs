@@ -1,5 +1,6 @@
 //! Typed access to one section.
 
+use super::document::RangeDocument;
 use super::error::CaseError;
 use super::keys::{self, Key};
 use super::named::Named;
@@ -83,6 +84,31 @@ impl<'a> Reader<'a> {
         match count {
             Some(count) => Ok(Some(count)),
             None => Err(self.refuse(name, node, "a whole number, 0 or more and below 2^63")),
+        }
+    }
+
+    /// A whole number, 0 or more, that has a default.
+    pub(super) fn count_or(&mut self, name: &str, default: u64) -> Result<u64, CaseError> {
+        let given = self.optional_count(name)?;
+        Ok(self.or_default(name, given, default))
+    }
+
+    /// A number or the lowest and the highest, that may be left out.
+    pub(super) fn optional_range(&self, name: &str) -> Result<Option<RangeDocument>, CaseError> {
+        let Some(node) = self.get(name) else {
+            return Ok(None);
+        };
+        let numbers = match &node.value {
+            Value::List(_) => self.optional_list(name)?.unwrap_or_default(),
+            _ => vec![self.as_number(name, node)?],
+        };
+        match *numbers {
+            [one] => Ok(Some(RangeDocument {
+                low: one,
+                high: one,
+            })),
+            [low, high] if low <= high => Ok(Some(RangeDocument { low, high })),
+            _ => Err(self.refuse(name, node, "a number, or [lowest, highest]")),
         }
     }
 

@@ -4,6 +4,7 @@ pub mod design;
 pub mod history;
 pub mod orbit;
 pub mod phase;
+pub mod search;
 pub mod shape;
 pub mod spacing;
 pub mod sweep;

@@ -2,6 +2,7 @@
 //! a recommendation.
 
 mod recommendation;
+pub mod search;
 mod verdict;
 
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -13,8 +14,8 @@ use crate::raceway::{Raceway, RacewayDimensions, axial_span_limit_m};
 
 pub use recommendation::{Recommendation, recommend};
 pub use verdict::{
-    Judgement, PassageStatistics, SLIP_SHORTFALL, TWICE_SHARE, Verdict, judge, judge_watched,
-    steady_after_s, steady_case,
+    Judgement, PassageStatistics, RacewayJudgement, SLIP_SHORTFALL, TWICE_SHARE, Verdict, judge,
+    judge_watched, steady_after_s, steady_case,
 };
 
 /// What φ means in Zhao 2022, Eq. (11).

@@ -54,18 +54,33 @@ pub struct PassageStatistics {
     pub gap_leave_min_rad: f64,
 }
 
-/// Judgement of a raceway with what it rests on.
+/// Judgement of one raceway with what it rests on.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Judgement {
+pub struct RacewayJudgement {
     /// The verdict.
     pub verdict: Verdict,
     /// Why, in numbers.
     pub reasons: Vec<String>,
-    /// Critical gap, if there is one.
+    /// Critical gap of this raceway alone in the ring, if there is one.
     pub critical_gap_rad: Option<f64>,
-    /// Statistics of the run; `None` if it did not get so far.
+    /// Statistics of the run of all balls past all raceways; `None` if it did not get so far.
     pub passages: Option<PassageStatistics>,
-    /// How the run of all balls ended, if before its time.
+}
+
+/// Judgement of all raceways of a case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Judgement {
+    /// The worst verdict.
+    pub verdict: Verdict,
+    /// Why, in numbers, of every raceway.
+    pub reasons: Vec<String>,
+    /// Largest critical gap: what all raceways together guarantee.
+    pub critical_gap_rad: Option<f64>,
+    /// Statistics of the first raceway with the worst verdict.
+    pub passages: Option<PassageStatistics>,
+    /// Each raceway, in the order of the case.
+    pub raceways: Vec<RacewayJudgement>,
+    /// How a run ended, if before its time.
     pub stopped: Option<Stop>,
 }
 
@@ -81,10 +96,11 @@ pub const TWICE_SHARE: f64 = 0.25;
 /// Ball orbits discarded before the passages are counted, and counted.
 const TURNS: [f64; 2] = [16.0, 16.0];
 
-/// Judges the case's first raceway by what Zhao 2022, Section 4.3, looks at: does the
+/// Judges the case's raceways by what Zhao 2022, Section 4.3, looks at: does the
 /// separation suffer from slip, are balls hit twice per passage, or do they pass
-/// smoothly. The balls start evenly spaced in static equilibrium; the first 16 of 32
-/// orbits are discarded.
+/// smoothly. The critical gap is that of each raceway alone; then all balls, evenly spaced
+/// at the start and in static equilibrium, pass all raceways for 32 orbits of which the first
+/// 16 are discarded.
 ///
 /// # Errors
 /// The case is impossible.
@@ -104,49 +120,104 @@ pub fn judge_watched(
     watchers: &mut [&mut dyn Observer],
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<Judgement, CriticalGapError> {
-    let Some(raceway) = case.raceways.first() else {
-        return Ok(infeasible(
-            "the outer ring has no discrete raceway".to_owned(),
-            None,
-        ));
-    };
-    let critical = match critical_gap_rad(case, &PairTest::default()) {
-        Ok(gap) => gap,
-        Err(CriticalGapError::Case(error)) => return Err(error.into()),
-        Err(CriticalGapError::Stopped(stop)) => {
-            return Ok(infeasible(
-                format!("the run of one pair stopped: {}", stop.cause),
-                Some(stop),
-            ));
+    if case.raceways.is_empty() {
+        let none = infeasible("the outer ring has no discrete raceway".to_owned(), None);
+        return Ok(summary(vec![none], None).without_raceways());
+    }
+    let mut criticals = vec![];
+    for raceway in &case.raceways {
+        let alone = case.with_raceways(vec![raceway.clone()]);
+        match critical_gap_rad(&alone, &PairTest::default()) {
+            Ok(gap) => criticals.push(Ok(gap)),
+            Err(CriticalGapError::Case(error)) => return Err(error.into()),
+            Err(CriticalGapError::Stopped(stop)) => {
+                let reason = format!("the run of one pair stopped: {}", stop.cause);
+                return Ok(summary(vec![infeasible(reason, None)], Some(stop)));
+            }
+            Err(error) => criticals.push(Err(error.to_string())),
         }
-        Err(error) => return Ok(infeasible(error.to_string(), None)),
-    };
+    }
+    if let [Err(reason)] = criticals.as_slice() {
+        return Ok(summary(vec![infeasible(reason.clone(), None)], None));
+    }
     let (statistics, stopped) = steady_passages(case, watchers, control)?;
-    let Some(statistics) = statistics else {
-        let mut judgement = infeasible(
-            stopped.as_ref().map_or_else(
-                || "the balls do not pass the raceway".to_owned(),
-                |stop| format!("the run stopped at {} s: {}", stop.time_s, stop.cause),
-            ),
-            stopped,
-        );
-        judgement.critical_gap_rad = Some(critical);
-        return Ok(judgement);
-    };
-    Ok(decide(case, raceway, critical, statistics))
+    let judged = criticals
+        .into_iter()
+        .enumerate()
+        .map(|(k, critical)| {
+            let critical = match critical {
+                Ok(critical) => critical,
+                Err(reason) => return infeasible(reason, None),
+            };
+            match statistics.get(k).copied().flatten() {
+                Some(statistics) => decide(case, &case.raceways[k], critical, statistics),
+                None => {
+                    let reason = stopped.as_ref().map_or_else(
+                        || "the balls do not pass the raceway".to_owned(),
+                        |stop| format!("the run stopped at {} s: {}", stop.time_s, stop.cause),
+                    );
+                    infeasible(reason, Some(critical))
+                }
+            }
+        })
+        .collect();
+    Ok(summary(judged, stopped))
 }
 
-fn infeasible(reason: String, stopped: Option<Stop>) -> Judgement {
-    Judgement {
+fn infeasible(reason: String, critical_gap_rad: Option<f64>) -> RacewayJudgement {
+    RacewayJudgement {
         verdict: Verdict::Infeasible,
         reasons: vec![reason],
-        critical_gap_rad: None,
+        critical_gap_rad,
         passages: None,
+    }
+}
+
+/// The judgement of all from that of each.
+fn summary(raceways: Vec<RacewayJudgement>, stopped: Option<Stop>) -> Judgement {
+    let verdict = raceways
+        .iter()
+        .map(|r| r.verdict)
+        .max()
+        .unwrap_or(Verdict::Infeasible);
+    let several = raceways.len() > 1;
+    let reasons = raceways
+        .iter()
+        .enumerate()
+        .flat_map(|(k, r)| {
+            r.reasons.iter().map(move |reason| {
+                if several {
+                    format!("raceway {}: {reason}", k + 1)
+                } else {
+                    reason.clone()
+                }
+            })
+        })
+        .collect();
+    Judgement {
+        verdict,
+        reasons,
+        critical_gap_rad: raceways
+            .iter()
+            .filter_map(|r| r.critical_gap_rad)
+            .reduce(f64::max),
+        passages: raceways
+            .iter()
+            .find(|r| r.verdict == verdict)
+            .and_then(|r| r.passages),
+        raceways,
         stopped,
     }
 }
 
-fn decide(case: &Case, raceway: &Raceway, critical: f64, s: PassageStatistics) -> Judgement {
+impl Judgement {
+    fn without_raceways(mut self) -> Self {
+        self.raceways.clear();
+        self
+    }
+}
+
+fn decide(case: &Case, raceway: &Raceway, critical: f64, s: PassageStatistics) -> RacewayJudgement {
     let bearing = &case.bearing;
     let beta0 = theoretical_gap_rad(bearing, raceway, Eq11::Published);
     let shortfall = 1.0 - critical / beta0;
@@ -201,12 +272,11 @@ fn decide(case: &Case, raceway: &Raceway, critical: f64, s: PassageStatistics) -
             },
         ),
     ];
-    Judgement {
+    RacewayJudgement {
         verdict,
         reasons,
         critical_gap_rad: Some(critical),
         passages: Some(s),
-        stopped: None,
     }
 }
 
@@ -238,22 +308,19 @@ fn orbit_s(case: &Case) -> f64 {
     )
 }
 
-/// Runs all balls and counts the passages of the second half.
+/// Runs all balls and counts the passages of the second half, raceway by raceway.
 fn steady_passages(
     case: &Case,
     watchers: &mut [&mut dyn Observer],
     control: &mut dyn FnMut(f64) -> Control,
-) -> Result<(Option<PassageStatistics>, Option<Stop>), CriticalGapError> {
-    let bearing = &case.bearing;
-    let rw = bearing.ball_radius_m();
-    let speed = |r: f64| rolling_orbit_speed_rad_s(bearing, case.operation.inner_speed_rad_s, r);
+) -> Result<(Vec<Option<PassageStatistics>>, Option<Stop>), CriticalGapError> {
     let case = steady_case(case);
     let after_s = steady_after_s(&case);
-    let mut tally = PassageTally::new();
+    let mut tallies = vec![PassageTally::new(); case.raceways.len()];
     let outcome = {
         let mut recorder = PassageRecorder::new(|passage| {
-            if passage.raceway == 0 && passage.enter_s > after_s {
-                tally.add(&passage);
+            if passage.enter_s > after_s {
+                tallies[passage.raceway].add(&passage);
             }
             Ok(())
         });
@@ -262,27 +329,36 @@ fn steady_passages(
         run(&case, &mut observers, control)?
     };
     match outcome.ending {
-        Ending::Stopped(stop) => return Ok((None, Some(stop))),
+        Ending::Stopped(stop) => return Ok((vec![], Some(stop))),
         Ending::Interrupted => return Err(CriticalGapError::Interrupted),
         _ => {}
     }
+    let raceways = case.raceways.iter().zip(&tallies);
+    Ok((
+        raceways
+            .map(|(raceway, tally)| statistics(&case, raceway, tally))
+            .collect(),
+        None,
+    ))
+}
+
+fn statistics(case: &Case, raceway: &Raceway, tally: &PassageTally) -> Option<PassageStatistics> {
     if tally.count == 0 {
-        return Ok((None, None));
+        return None;
     }
-    let raceway = &case.raceways[0];
+    let bearing = &case.bearing;
+    let rw = bearing.ball_radius_m();
+    let speed = |r: f64| rolling_orbit_speed_rad_s(bearing, case.operation.inner_speed_rad_s, r);
     let slowest = speed(raceway.effective_radius_m(raceway.dimensions().centre_angle_rad));
     let drop = speed(rw) - slowest;
     let [gap_leave_min_rad, gap_leave_max_rad] = tally.gap_leave_range_rad;
-    Ok((
-        Some(PassageStatistics {
-            passages: tally.count as usize,
-            collisions_mean: tally.collisions_mean(),
-            twice_share: tally.twice_share(),
-            slip_mean_m_s: tally.slip_mean_m_s(),
-            speed_drop_share: (speed(rw) - tally.slowest_mean_rad_s()) / drop,
-            gap_leave_max_rad,
-            gap_leave_min_rad,
-        }),
-        None,
-    ))
+    Some(PassageStatistics {
+        passages: tally.count as usize,
+        collisions_mean: tally.collisions_mean(),
+        twice_share: tally.twice_share(),
+        slip_mean_m_s: tally.slip_mean_m_s(),
+        speed_drop_share: (speed(rw) - tally.slowest_mean_rad_s()) / drop,
+        gap_leave_max_rad,
+        gap_leave_min_rad,
+    })
 }

@@ -1,0 +1,192 @@
+//! From a design to the data of its report.
+
+use cageless::Case;
+use cageless::design::{span_angle_curve, steady_after_s, steady_case};
+use cageless::dynamics::InstructionSet;
+use cageless::raceway::axial_span_limit_m;
+use cageless::snapshot::Snapshot;
+use cageless_io::case_file::CaseFile;
+use cageless_io::results::VERSION;
+use cageless_report::{
+    ContactTrack, DesignCurve, DesignData, DesignLimit, LimitedQuantity, Parameter, Provenance,
+    RacewaySurface, Structure,
+};
+
+use crate::commands::design::DesignResult;
+use crate::run_report::{motion, parameter, parameters, provenance};
+
+/// Orbits of the balls that the page shows.
+pub const PORTRAIT_ORBITS: f64 = 3.0;
+/// Points of the curve of Eq. (11).
+const CURVE_POINTS: usize = 240;
+
+/// Everything on the page of a design.
+pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot]) -> DesignData {
+    let case = file.case();
+    let steady = steady_case(case);
+    let discarded = format!("t < {:.4} s", steady_after_s(case));
+    let source = provenance(&steady, discarded);
+    let own = own_structure(case);
+    DesignData {
+        title: if case.title.is_empty() {
+            "Design".to_owned()
+        } else {
+            format!("Design: {}", case.title)
+        },
+        software: format!("Cageless {VERSION}, {}", InstructionSet::detect().name()),
+        lead: lead(case, result),
+        warnings: vec![],
+        results: results(result),
+        reasons: result.reasons.clone(),
+        curve: Some(curve(case, result, &own)),
+        contact_track: case
+            .raceways
+            .first()
+            .map(|r| ContactTrack::sample(r, &case.bearing, own.clone())),
+        surface: case
+            .raceways
+            .first()
+            .map(|r| RacewaySurface::sample(r, &case.bearing, own.clone())),
+        motion: (!snapshots.is_empty())
+            .then(|| motion(case, result.verdict, snapshots, source.clone())),
+        search: result.search.clone(),
+        parameters: parameters(file),
+        provenance: source,
+    }
+}
+
+fn own_structure(case: &Case) -> Structure {
+    let d = case.raceways.first().map(|r| *r.dimensions());
+    Structure {
+        letter: String::new(),
+        // Rounding away what the conversion to SI leaves.
+        axial_span_mm: d.map_or(f64::NAN, |d| (d.axial_span_m * 1e9).round() / 1e6),
+        half_angle_deg: d.map_or(f64::NAN, |d| {
+            (d.half_angle_rad.to_degrees() * 1e9).round() / 1e9
+        }),
+    }
+}
+
+fn lead(case: &Case, result: &DesignResult) -> String {
+    let ring = match case.raceways.len() {
+        0 => "conventional outer ring".to_owned(),
+        1 => "one discrete raceway".to_owned(),
+        n => format!("{n} discrete raceways"),
+    };
+    let searched = result
+        .search
+        .as_ref()
+        .and_then(|s| s.findings.first())
+        .map_or(String::new(), |finding| format!(" {finding}"));
+    format!(
+        "{} balls, {:.0} rpm, {:.0} N, {ring}: {}.{searched}",
+        case.bearing.balls(),
+        case.operation.inner_speed_rad_s * 60.0 / std::f64::consts::TAU,
+        case.operation.radial_load_n,
+        result.verdict
+    )
+}
+
+fn results(r: &DesignResult) -> Vec<Parameter> {
+    let angle = |name: &str, value: Option<f64>| {
+        parameter(
+            name,
+            value.map_or("–".to_owned(), |v| format!("{v:.4}")),
+            "°",
+        )
+    };
+    let mut lines = vec![
+        parameter("verdict", r.verdict.to_owned(), ""),
+        angle("ε, angle of a ball", Some(r.epsilon_deg)),
+        angle("uniform gap 360°/N − ε", Some(r.uniform_gap_deg)),
+        angle("β0, Eq. (11)", r.beta0_deg),
+        angle("β0 with the polar angle", r.beta0_polar_deg),
+        angle("gap outside in steady flow", Some(r.steady_gap_deg)),
+        angle("critical gap", r.critical_gap_deg),
+        angle(
+            "margin: steady less critical gap",
+            r.critical_gap_deg.map(|c| r.steady_gap_deg - c),
+        ),
+        parameter(
+            "limit of lC, Eq. (8)",
+            format!("{:.4}", r.axial_span_limit_mm),
+            "mm",
+        ),
+        angle("θ of Eq. (11) for this lC", r.half_angle_deg_for_span),
+        parameter(
+            "balls inside at most",
+            r.balls_in_raceway_max
+                .map_or("–".to_owned(), |n| n.to_string()),
+            "",
+        ),
+        angle("kink at the ends, 45° up the groove", r.kink_deg),
+    ];
+    if r.raceways.len() > 1 {
+        for one in &r.raceways {
+            lines.push(angle(
+                &format!(
+                    "critical gap of the raceway at ψ = {:.1}° ({})",
+                    one.centre_angle_deg, one.verdict
+                ),
+                one.critical_gap_deg,
+            ));
+        }
+    }
+    if let Some(n) = &r.recommendation {
+        lines.push(parameter(
+            "on the curve of Eq. (11), in the middle of what works",
+            format!("lC {:.3} mm, θ {:.3}°", n.axial_span_mm, n.half_angle_deg),
+            "",
+        ));
+    }
+    lines
+}
+
+fn curve(case: &Case, result: &DesignResult, own: &Structure) -> DesignCurve {
+    let bearing = &case.bearing;
+    let points = span_angle_curve(bearing, CURVE_POINTS);
+    let degrees = |angle: Option<f64>| angle.map_or(f64::NAN, f64::to_degrees);
+    let limit = |quantity, value, label: &str| DesignLimit {
+        quantity,
+        value,
+        label: label.to_owned(),
+    };
+    let mut limits = vec![
+        limit(
+            LimitedQuantity::AxialSpan,
+            axial_span_limit_m(bearing) * 1e3,
+            "Eq. (8)",
+        ),
+        limit(
+            LimitedQuantity::HalfAngle,
+            result.epsilon_deg + result.uniform_gap_deg,
+            "three balls inside",
+        ),
+    ];
+    if let Some(n) = &result.recommendation {
+        limits.push(limit(
+            LimitedQuantity::HalfAngle,
+            n.half_angle_min_deg,
+            "slip",
+        ));
+    }
+    DesignCurve {
+        axial_span_mm: points.iter().map(|p| p.axial_span_m * 1e3).collect(),
+        half_angle_deg: points.iter().map(|p| degrees(p.half_angle_rad)).collect(),
+        half_angle_polar_deg: points
+            .iter()
+            .map(|p| degrees(p.half_angle_polar_rad))
+            .collect(),
+        uniform_gap_deg: result.uniform_gap_deg,
+        paper: if own.axial_span_mm.is_finite() {
+            vec![own.clone()]
+        } else {
+            vec![]
+        },
+        limits,
+        provenance: Provenance {
+            case: case.title.clone(),
+            ..Provenance::default()
+        },
+    }
+}

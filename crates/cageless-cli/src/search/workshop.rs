@@ -1,0 +1,173 @@
+//! Runs the batches of a search on all threads and keeps a journal.
+
+use std::collections::{HashMap, HashSet};
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+
+use cageless::Case;
+use cageless::design::search::{Interrupted, Job, Motion, Numbers, Outcome, Spacing, Stage, Task};
+use cageless::simulation::Control;
+use cageless_io::case_file::CaseFile;
+use cageless_io::journal::{Entry, Journal, JournalError};
+use cageless_io::results::VERSION;
+use rayon::prelude::*;
+
+use crate::commands::make_folder;
+use crate::failure::Failure;
+use crate::progress::{Progress, StopFlag};
+
+/// Name of the journal in the folder of `--out`.
+const JOURNAL: &str = "search.journal";
+/// Work of a critical gap over that of a run of all balls.
+const SPACING_WORK: f64 = 0.08;
+
+/// Where jobs are done.
+pub struct Workshop<'c> {
+    case: &'c Case,
+    stop: StopFlag,
+    known: HashMap<String, Outcome>,
+    journal: Option<(Mutex<Journal>, PathBuf)>,
+    write_error: Mutex<Option<std::io::Error>>,
+}
+
+impl<'c> Workshop<'c> {
+    /// Opens the journal in the folder, if there is one, and takes over what it holds.
+    pub fn new(file: &'c CaseFile, out: Option<&Path>, stop: &StopFlag) -> Result<Self, Failure> {
+        let mut workshop = Self {
+            case: file.case(),
+            stop: StopFlag::clone(stop),
+            known: HashMap::new(),
+            journal: None,
+            write_error: Mutex::new(None),
+        };
+        let Some(dir) = out else { return Ok(workshop) };
+        make_folder(dir)?;
+        let path = dir.join(JOURNAL);
+        let owner = format!(
+            "cageless {VERSION} design --search\n{}",
+            file.document_as_run().to_toml()?
+        );
+        let (journal, entries) = Journal::open(&path, &owner).map_err(|error| match error {
+            JournalError::Foreign(_) => Failure::Input(error.to_string()),
+            error @ JournalError::Io { .. } => Failure::Input(format!("--out {error}")),
+        })?;
+        workshop.known = entries
+            .into_iter()
+            .filter_map(|(key, entry)| Some((key.clone(), outcome(&key, entry)?)))
+            .collect();
+        workshop.journal = Some((Mutex::new(journal), path));
+        Ok(workshop)
+    }
+
+    /// Runs what is not known yet, in any order; the outcomes come in that of the jobs.
+    pub fn execute(&mut self, stage: Stage, jobs: &[Job]) -> Result<Vec<Outcome>, Interrupted> {
+        let keys: Vec<String> = jobs.iter().map(Job::key).collect();
+        let mut seen = HashSet::new();
+        let todo: Vec<usize> = (0..jobs.len())
+            .filter(|&k| !self.known.contains_key(&keys[k]) && seen.insert(&keys[k]))
+            .collect();
+        let progress = Progress::new(
+            &format!("search: {}", stage.name()),
+            todo.iter().map(|&k| work(&jobs[k])).sum(),
+            &self.stop,
+        );
+        let this = &*self;
+        let done: Vec<Option<Outcome>> = todo
+            .par_iter()
+            .with_max_len(1)
+            .map(|&k| this.one(&jobs[k], &keys[k], &progress))
+            .collect();
+        drop(progress);
+        for (k, outcome) in todo.into_iter().zip(done) {
+            self.known
+                .insert(keys[k].clone(), outcome.ok_or(Interrupted)?);
+        }
+        keys.iter()
+            .map(|key| self.known.get(key).cloned().ok_or(Interrupted))
+            .collect()
+    }
+
+    fn one(&self, job: &Job, key: &str, progress: &Progress) -> Option<Outcome> {
+        if progress.interrupted() || self.failed() {
+            return None;
+        }
+        let outcome = job.run(self.case, &mut |_| {
+            if progress.interrupted() {
+                Control::Interrupt
+            } else {
+                Control::Continue
+            }
+        })?;
+        progress.add(work(job));
+        if let Some((journal, _)) = &self.journal {
+            let written = lock(journal).add(key, &entry(&outcome));
+            if let Err(error) = written {
+                lock(&self.write_error).get_or_insert(error);
+                return None;
+            }
+        }
+        Some(outcome)
+    }
+
+    fn failed(&self) -> bool {
+        lock(&self.write_error).is_some()
+    }
+
+    /// Whether the journal could be written.
+    pub fn check(&self) -> Result<(), Failure> {
+        match (lock(&self.write_error).take(), &self.journal) {
+            (Some(error), Some((_, path))) => Err(Failure::Other(
+                anyhow::Error::new(error).context(format!("{}", path.display())),
+            )),
+            _ => Ok(()),
+        }
+    }
+
+    /// Removes the journal: there is nothing left to go on with.
+    pub fn finish(self) {
+        if let Some((_, path)) = self.journal {
+            // A journal that stays only makes the next search short.
+            let _ = std::fs::remove_file(path);
+        }
+    }
+}
+
+/// No thread panics while it holds one of these.
+fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+    mutex
+        .lock()
+        .unwrap_or_else(std::sync::PoisonError::into_inner)
+}
+
+fn work(job: &Job) -> f64 {
+    match job.task {
+        Task::Spacing => SPACING_WORK,
+        Task::Motion(_) => 1.0,
+    }
+}
+
+fn entry(outcome: &Outcome) -> Entry {
+    outcome.clone().map(|numbers| match numbers {
+        Numbers::Spacing(s) => vec![s.critical_gap_rad, s.shortfall, s.stress_pa],
+        Numbers::Motion(m) => m.values().to_vec(),
+    })
+}
+
+/// The inverse of [`entry`]; the number of values tells what they are.
+fn outcome(key: &str, entry: Entry) -> Option<Outcome> {
+    let values = match entry {
+        Ok(values) => values,
+        Err(reason) => return Some(Err(reason)),
+    };
+    if key.starts_with("spacing") {
+        let [critical_gap_rad, shortfall, stress_pa] = values.try_into().ok()?;
+        Some(Ok(Numbers::Spacing(Spacing {
+            critical_gap_rad,
+            shortfall,
+            stress_pa,
+        })))
+    } else {
+        let values = values.try_into().ok()?;
+        Some(Ok(Numbers::Motion(Motion::from_values(values))))
+    }
+}

@@ -1,0 +1,165 @@
+//! `design --search`: what it leaves, that it goes on where it was stopped, and what it refuses.
+
+mod common;
+
+use std::path::Path;
+use std::process::Stdio;
+use std::time::{Duration, Instant};
+
+use common::*;
+
+/// A search that is soon done: one span, few angles, few runs.
+const SMALL: [&str; 4] = [
+    "search.axial_span_mm=5.1",
+    "search.half_angle_deg=[24,26]",
+    "search.starts=1",
+    "search.budget=4",
+];
+
+fn search_command(out: &Path) -> std::process::Command {
+    let mut command = cageless();
+    command.arg("design").arg(repository_case("zhao-d.toml"));
+    for set in SMALL {
+        command.args(["--set", set]);
+    }
+    command.args(["--search", "--json", "--out"]).arg(out);
+    command
+}
+
+/// Killed in the middle on two threads, then continued: the same bytes as in one go on one.
+#[test]
+fn a_search_that_was_killed_goes_on_and_finds_the_same() {
+    let dir = tempfile::tempdir().unwrap();
+    let (whole, parts) = (dir.path().join("whole"), dir.path().join("parts"));
+    let answer: Answer = search_command(&whole)
+        .env("RAYON_NUM_THREADS", "1")
+        .output()
+        .unwrap()
+        .into();
+    assert_eq!((answer.code, answer.stderr.as_str()), (Some(0), ""));
+    assert_eq!(names(&whole), ["design.json", "report.html", "report.json"]);
+
+    let mut child = search_command(&parts)
+        .env("RAYON_NUM_THREADS", "2")
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let journal = parts.join("search.journal");
+    let lines = || std::fs::read_to_string(&journal).map_or(0, |t| t.lines().count());
+    let patience = Instant::now();
+    while lines() < 12 && patience.elapsed() < Duration::from_secs(300) {
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(lines() >= 12, "killed too early");
+    assert!(!parts.join("design.json").exists(), "killed too late");
+
+    // Another case does not take this folder for its own.
+    let other = call_on(
+        "design",
+        &repository_case("zhao-e.toml"),
+        &SMALL,
+        &["--search", "--out", parts.to_str().unwrap()],
+    );
+    assert_eq!(other.code, Some(2), "{other:?}");
+    assert!(other.stderr.contains("search.journal"), "{}", other.stderr);
+    assert_eq!(
+        (other.stdout.as_str(), other.stderr.lines().count()),
+        ("", 1)
+    );
+
+    let answer: Answer = search_command(&parts).output().unwrap().into();
+    assert_eq!(answer.code, Some(0), "{}", answer.stderr);
+    assert_eq!(names(&parts), names(&whole));
+    for name in ["design.json", "report.json"] {
+        let read = |folder: &Path| std::fs::read(folder.join(name)).unwrap();
+        assert!(read(&parts) == read(&whole), "{name} differs");
+    }
+
+    let search = &answer.json()["search"];
+    assert!(search["recommended"]["points"][0]["motion"]["friction_w"].as_f64() > Some(0.0));
+    assert!(!search["front"].as_array().unwrap().is_empty());
+    for row in search["maps"][0]["verdict"].as_array().unwrap() {
+        for verdict in row.as_array().unwrap() {
+            assert!(
+                !verdict.as_str().unwrap().is_empty(),
+                "a cell without reason"
+            );
+        }
+    }
+}
+
+#[test]
+fn nothing_to_recommend_is_bad_input_with_a_reason() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("out");
+    let case = repository_case("zhao-d.toml");
+    for (set, said) in [
+        // Too shallow to spread anything.
+        ("search.axial_span_mm=1", "shallow"),
+        // Beyond the shoulder.
+        ("search.axial_span_mm=[7.5,8]", "eq-8"),
+    ] {
+        let sets = [set, "search.half_angle_deg=[10,14]", "search.budget=4"];
+        let more = ["--search", "--json", "--out", out.to_str().unwrap()];
+        let answer = call_on("design", &case, &sets, &more);
+        assert_eq!(answer.code, Some(2), "{answer:?}");
+        assert_eq!(
+            (answer.stdout.as_str(), answer.stderr.lines().count()),
+            ("", 1)
+        );
+        assert!(
+            answer.stderr.contains("no raceway meets"),
+            "{}",
+            answer.stderr
+        );
+        assert!(answer.stderr.contains(said), "{set}: {}", answer.stderr);
+        // The map shows why.
+        assert!(out.join("report.html").exists());
+        std::fs::remove_dir_all(&out).unwrap();
+    }
+    let sets = ["search.radial_load_n=[100,300000]"];
+    let answer = call_on("design", &case, &sets, &["--search"]);
+    assert_eq!(answer.code, Some(2), "{answer:?}");
+    assert!(answer.stderr.contains("ISO 76"), "{}", answer.stderr);
+    assert!(answer.stderr.contains("300000 N"), "{}", answer.stderr);
+}
+
+/// Two raceways are both judged, and the worse verdict counts.
+#[test]
+fn every_raceway_of_a_case_is_judged() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("two.toml");
+    let text = std::fs::read_to_string(repository_case("zhao-d.toml")).unwrap();
+    let second = "[[raceway]]\naxial_span_mm = 6.0\nhalf_angle_deg = 12.717\n\
+                  centre_angle_deg = 60.0\n\n[operation]";
+    let text = text
+        .replace("[raceway]", "[[raceway]]")
+        .replace("[operation]", second);
+    std::fs::write(&path, text).unwrap();
+    let answer = call_on("design", &path, &[], &["--json"]);
+    assert_eq!(answer.code, Some(0), "{}", answer.stderr);
+    let d = answer.json();
+    let raceways = d["raceways"].as_array().unwrap();
+    let verdicts: Vec<&str> = raceways
+        .iter()
+        .map(|r| r["verdict"].as_str().unwrap())
+        .collect();
+    assert_eq!(verdicts.len(), 2);
+    assert_eq!(verdicts[1], "slips", "short, deep and hardly loaded");
+    assert_eq!(d["verdict"], "slips");
+    let gaps: Vec<f64> = raceways
+        .iter()
+        .map(|r| r["critical_gap_deg"].as_f64().unwrap())
+        .collect();
+    assert!(gaps[1] < gaps[0]);
+    assert_eq!(d["critical_gap_deg"].as_f64(), Some(gaps[0]));
+    let reasons = d["reasons"].as_array().unwrap();
+    assert!(
+        reasons
+            .iter()
+            .any(|r| r.as_str().unwrap().starts_with("raceway 2:"))
+    );
+}

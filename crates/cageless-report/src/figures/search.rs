@@ -1,0 +1,409 @@
+//! Maps and trade-offs of a search.
+
+use serde_json::{Value, json};
+
+use super::{axis_name, axis_ref, on, panels};
+use crate::design::{MapData, PointNumbers, SearchData, StructureData};
+use crate::figure::Figure;
+use crate::plot::{GREY, PALETTE, Plot, line, markers, number, numbers, plain, with};
+use crate::sampling::range;
+
+/// Verdicts of a map, each with its colour and its name in the legend.
+const VERDICTS: [(&str, &str, &str); 8] = [
+    ("smooth", "#009e73", "works"),
+    ("shallow", "#dcdcdc", "hardly spreads"),
+    ("slips", "#d55e00", "slips"),
+    ("crowded", "#56b4e9", "even flow collides"),
+    ("double-collision", "#f0e442", "hit from both sides"),
+    ("stress", "#cc79a7", "contact stress"),
+    ("failed", "#444444", "run failed"),
+    ("eq-9", "#ffffff", ""),
+];
+
+/// Panels beside each other at most.
+const ACROSS: usize = 3;
+
+/// The maps, slowest first.
+fn by_speed(search: &SearchData) -> Vec<&MapData> {
+    let mut maps: Vec<&MapData> = search.maps.iter().collect();
+    maps.sort_by(|a, b| a.point.inner_speed_rpm.total_cmp(&b.point.inner_speed_rpm));
+    maps
+}
+
+/// Panels of maps: place of each, size of the figure.
+struct Grid {
+    x: Vec<[f64; 2]>,
+    y: Vec<[f64; 2]>,
+    across: usize,
+}
+
+impl Grid {
+    fn of(count: usize) -> Self {
+        let across = count.clamp(1, ACROSS);
+        let down = count.div_ceil(across).max(1);
+        let mut y = panels(down, 0.2);
+        y.reverse();
+        Self {
+            x: panels(across, 0.07),
+            y,
+            across,
+        }
+    }
+
+    fn height_px(&self) -> u32 {
+        110 + 330 * self.y.len() as u32
+    }
+
+    fn place(&self, k: usize) -> ([f64; 2], [f64; 2]) {
+        (self.x[k % self.across], self.y[k / self.across])
+    }
+}
+
+/// Adds axes, title, Eq. (11), structures and marks of panel `k` over its cells.
+fn dress(plot: Plot, grid: &Grid, k: usize, search: &SearchData, map: &MapData) -> Plot {
+    let (x_name, y_name) = (axis_name("x", k), axis_name("y", k));
+    let (x, y) = (axis_ref("x", k), axis_ref("y", k));
+    let (x_place, y_place) = grid.place(k);
+    let edge = |values: &[f64]| {
+        let (low, high) = range(values);
+        let half = (high - low) / (2.0 * (values.len().max(2) - 1) as f64);
+        json!([number(low - half), number(high + half)])
+    };
+    let first = k.is_multiple_of(grid.across);
+    let mut plot = plot
+        .axis(
+            &x_name,
+            "Axial span lC (mm)",
+            json!({ "domain": x_place, "anchor": y, "range": edge(&map.axial_span_mm), "showgrid": false }),
+        )
+        .axis(
+            &y_name,
+            if first { "Half angle θ (°)" } else { "" },
+            json!({
+                "domain": y_place, "anchor": x, "range": edge(&map.half_angle_deg),
+                "showgrid": false, "showticklabels": first,
+            }),
+        )
+        .text(
+            &plain(&map.point.label()),
+            (0.5, 1.02),
+            (&format!("{x} domain"), &format!("{y} domain")),
+            json!({ "yanchor": "bottom", "font": { "size": 13 } }),
+        )
+        .trace(on(
+            with(
+                line(
+                    "Eq. (11) for the uniform gap",
+                    &search.curve_axial_span_mm,
+                    &search.curve_half_angle_deg,
+                    "#000000",
+                ),
+                json!({ "line": { "width": 2 }, "legendgroup": "eq11", "showlegend": k == 0 }),
+            ),
+            &x,
+            &y,
+        ));
+    if !search.paper.is_empty() {
+        let spans: Vec<f64> = search.paper.iter().map(|s| s.axial_span_mm).collect();
+        let angles: Vec<f64> = search.paper.iter().map(|s| s.half_angle_deg).collect();
+        let letters: Value = search.paper.iter().map(|s| plain(&s.letter)).collect();
+        plot = plot.trace(on(
+            with(
+                markers("structures of the paper", &spans, &angles, "#ffffff"),
+                json!({
+                    "marker": { "size": 7, "line": { "width": 1.4, "color": "#000" } },
+                    "mode": "markers+text", "text": letters, "textposition": "top right",
+                    "textfont": { "size": 10 }, "legendgroup": "paper", "showlegend": k == 0,
+                    "hovertemplate": "(%{text}) lC %{x} mm, θ %{y}°<extra></extra>",
+                }),
+            ),
+            &x,
+            &y,
+        ));
+    }
+    for (name, structure, symbol, colour) in [
+        ("the case's own", &search.own, "square", PALETTE[4]),
+        ("recommended", &search.recommended, "star", "#ffdd00"),
+    ] {
+        let Some(s) = structure else { continue };
+        plot = plot.trace(on(
+            with(
+                markers(name, &[s.axial_span_mm], &[s.half_angle_deg], colour),
+                json!({
+                    "marker": { "size": if symbol == "star" { 15 } else { 9 }, "symbol": symbol,
+                                "line": { "width": 1.4, "color": "#000" } },
+                    "legendgroup": name, "showlegend": k == 0,
+                    "hovertemplate": format!("{name}: lC %{{x}} mm, θ %{{y}}°<extra></extra>"),
+                }),
+            ),
+            &x,
+            &y,
+        ));
+    }
+    plot
+}
+
+fn frame(grid: &Grid) -> Plot {
+    Plot::new(grid.height_px())
+        .at_least(320 * grid.across as u32)
+        .legend()
+        .set("margin", json!({ "l": 64, "r": 24, "t": 84, "b": 58 }))
+        .set(
+            "legend",
+            json!({ "orientation": "h", "x": 0, "y": 1.09, "yanchor": "bottom", "font": { "size": 12 } }),
+        )
+}
+
+/// Verdict of every cell, one panel per speed.
+pub fn verdicts(search: &SearchData) -> Figure {
+    let grid = Grid::of(search.maps.len());
+    let mut plot = frame(&grid);
+    let count = VERDICTS.len() as f64;
+    // Bands of one colour each.
+    let scale: Vec<Value> = VERDICTS
+        .iter()
+        .enumerate()
+        .flat_map(|(k, (_, colour, _))| {
+            let k = k as f64;
+            [
+                json!([number(k / count), colour]),
+                json!([number((k + 1.0) / count), colour]),
+            ]
+        })
+        .collect();
+    for (k, map) in by_speed(search).into_iter().enumerate() {
+        let codes: Vec<Vec<Value>> = map
+            .verdict
+            .iter()
+            .map(|row| {
+                row.iter()
+                    .map(|name| {
+                        let code = VERDICTS.iter().position(|v| v.0 == name);
+                        // Eq. (8), (9) and overlaps stay blank.
+                        code.filter(|&c| c + 1 < VERDICTS.len())
+                            .map_or(Value::Null, |c| json!(c as f64 + 0.5))
+                    })
+                    .collect()
+            })
+            .collect();
+        plot = plot.trace(on(
+            json!({
+                "type": "heatmap", "x": numbers(&map.axial_span_mm), "y": numbers(&map.half_angle_deg),
+                "z": codes, "text": map.verdict, "zmin": 0, "zmax": count, "colorscale": scale,
+                "showscale": false, "name": "verdict",
+                "hovertemplate": "lC %{x} mm, θ %{y}°: %{text}<extra></extra>",
+            }),
+            &axis_ref("x", k),
+            &axis_ref("y", k),
+        ));
+        plot = dress(plot, &grid, k, search, map);
+    }
+    for (name, colour, label) in &VERDICTS[..VERDICTS.len() - 1] {
+        let seen = search
+            .maps
+            .iter()
+            .any(|m| m.verdict.iter().flatten().any(|v| v == name));
+        if seen {
+            plot = plot.trace(with(
+                markers(label, &[f64::NAN], &[f64::NAN], colour),
+                json!({ "marker": { "symbol": "square", "size": 12 } }),
+            ));
+        }
+    }
+    Figure {
+        label: "Design map, verdicts".to_owned(),
+        caption: "Where raceways work, and what excludes them elsewhere: too shallow to spread \
+                  the balls, sliding balls, a critical gap above the steady gap, or balls that are \
+                  hit from both sides on their way through. Blank: excluded by Eq. (8) or (9), or raceways that overlap. Slip takes over from the \
+                  right, where raceways are short and deep, and reaches further at higher speed."
+            .to_owned(),
+        provenance: search.provenance.clone(),
+        plot,
+    }
+}
+
+/// Critical gap of every cell, one panel per speed.
+pub fn critical_gaps(search: &SearchData) -> Figure {
+    let grid = Grid::of(search.maps.len());
+    let mut plot = frame(&grid).set(
+        "coloraxis",
+        json!({
+            "cmin": 0, "cmax": 1.5, "colorscale": "Viridis",
+            "colorbar": { "title": { "text": "over steady gap" }, "thickness": 14, "tickformat": ".0%" },
+        }),
+    );
+    for (k, map) in by_speed(search).into_iter().enumerate() {
+        let mut shares: Vec<Vec<Value>> = vec![];
+        let mut texts: Vec<Vec<String>> = vec![];
+        for (gaps, steady) in map.critical_gap_deg.iter().zip(&map.steady_gap_deg) {
+            shares.push(
+                gaps.iter()
+                    .zip(steady)
+                    .map(|(gap, steady)| match (gap, steady) {
+                        (Some(gap), Some(steady)) => number(gap / steady),
+                        _ => Value::Null,
+                    })
+                    .collect(),
+            );
+            texts.push(gaps.iter().map(|g| crate::text::fixed(*g, 3)).collect());
+        }
+        let (x, y) = (axis_ref("x", k), axis_ref("y", k));
+        let cells = json!({ "x": numbers(&map.axial_span_mm), "y": numbers(&map.half_angle_deg), "z": shares });
+        plot = plot
+            .trace(on(
+                with(
+                    cells.clone(),
+                    json!({
+                        "type": "heatmap", "coloraxis": "coloraxis", "text": texts, "name": "critical gap",
+                        "hovertemplate": "lC %{x} mm, θ %{y}°: critical gap %{text}°, %{z:.0%} of the steady gap<extra></extra>",
+                    }),
+                ),
+                &x,
+                &y,
+            ))
+            .trace(on(
+                with(
+                    cells,
+                    json!({
+                        "type": "contour", "showscale": false, "hoverinfo": "skip", "showlegend": false,
+                        "contours": { "coloring": "none", "start": search.spread_min, "end": 1.0,
+                                      "size": number(1.0 - search.spread_min), "showlabels": true,
+                                      "labelfont": { "size": 10, "color": "#fff" }, "labelformat": ".0%" },
+                        "line": { "color": "#fff", "width": 1.6 },
+                    }),
+                ),
+                &x,
+                &y,
+            ));
+        plot = dress(plot, &grid, k, search, map);
+    }
+    Figure {
+        label: "Design map, critical gap".to_owned(),
+        caption: format!(
+            "Critical gap over steady gap (colour, cut off at 150 %). White lines: {:.0} % and \
+             100 %, between which a raceway spreads the balls and leaves room in steady flow.",
+            100.0 * search.spread_min
+        ),
+        provenance: search.provenance.clone(),
+        plot,
+    }
+}
+
+/// A number of a structure, the worst of its operating points.
+fn worst(structure: &StructureData, of: fn(&PointNumbers) -> Option<f64>) -> f64 {
+    structure
+        .points
+        .iter()
+        .map(|n| of(n).unwrap_or(f64::NAN))
+        .fold(f64::NEG_INFINITY, f64::max)
+}
+
+type Quantity = (&'static str, fn(&PointNumbers) -> Option<f64>);
+
+/// What is drawn against what.
+const PAIRS: [[Quantity; 2]; 4] = [
+    [
+        ("Unevenness (% of the steady gap)", |n| {
+            Some(100.0 * n.motion?.unevenness)
+        }),
+        ("Collisions once sorted (per ball and turn)", |n| {
+            Some(n.motion?.collisions_late)
+        }),
+    ],
+    [
+        ("Unevenness (% of the steady gap)", |n| {
+            Some(100.0 * n.motion?.unevenness)
+        }),
+        ("Friction loss (W)", |n| Some(n.motion?.friction_w)),
+    ],
+    [
+        ("Margin in steady flow (°)", |n| n.margin_deg),
+        ("Slip (m/s)", |n| Some(n.motion?.slip_m_s)),
+    ],
+    [
+        ("Contact stress (GPa)", |n| n.stress_gpa),
+        ("Vibration (N)", |n| Some(n.motion?.force_deviation_n)),
+    ],
+];
+
+/// Trade-offs of the acceptable structures.
+pub fn trade_offs(search: &SearchData) -> Figure {
+    let accepted = |front: bool| -> Vec<&StructureData> {
+        search
+            .band
+            .iter()
+            .filter(|s| s.status == "accepted" && s.on_front == front)
+            .collect()
+    };
+    let (x_places, y_places) = (panels(2, 0.12), panels(2, 0.2));
+    let mut plot = Plot::new(720)
+        .at_least(720)
+        .legend()
+        .set("margin", json!({ "l": 72, "r": 24, "t": 60, "b": 58 }))
+        .set(
+            "legend",
+            json!({ "orientation": "h", "x": 0, "y": 1.03, "yanchor": "bottom", "font": { "size": 12 } }),
+        );
+    let groups: [(&str, Vec<&StructureData>, &str, u32, &str); 4] = [
+        ("acceptable", accepted(false), GREY, 6, "circle"),
+        ("Pareto front", accepted(true), PALETTE[0], 7, "circle"),
+        (
+            "the case's own",
+            search.own_from_usual_starts.iter().collect(),
+            PALETTE[4],
+            11,
+            "square",
+        ),
+        (
+            "recommended",
+            search.recommended_from_usual_starts.iter().collect(),
+            "#ffdd00",
+            15,
+            "star",
+        ),
+    ];
+    for (k, pair) in PAIRS.iter().enumerate() {
+        let (x, y) = (axis_ref("x", k), axis_ref("y", k));
+        plot = plot
+            .axis(
+                &axis_name("x", k),
+                pair[0].0,
+                json!({ "domain": x_places[k % 2], "anchor": y }),
+            )
+            .axis(
+                &axis_name("y", k),
+                pair[1].0,
+                json!({ "domain": y_places[1 - k / 2], "anchor": x }),
+            );
+        for (name, structures, colour, size, symbol) in &groups {
+            if structures.is_empty() {
+                continue;
+            }
+            let values = |of: fn(&PointNumbers) -> Option<f64>| -> Vec<f64> {
+                structures.iter().map(|s| worst(s, of)).collect()
+            };
+            let labels: Vec<String> = structures.iter().map(|s| plain(&s.label())).collect();
+            plot = plot.trace(on(
+                with(
+                    markers(name, &values(pair[0].1), &values(pair[1].1), colour),
+                    json!({
+                        "marker": { "size": size, "symbol": symbol,
+                                    "line": { "width": if *size > 8 { 1.2 } else { 0.0 }, "color": "#000" } },
+                        "text": labels, "legendgroup": name, "showlegend": k == 0,
+                        "hovertemplate": "%{text}<br>%{x:.4g}, %{y:.4g}<extra></extra>",
+                    }),
+                ),
+                &x,
+                &y,
+            ));
+        }
+    }
+    Figure {
+        label: "Trade-offs".to_owned(),
+        caption: "Acceptable structures, each at the worst of its operating points. What spreads \
+                  the balls more evenly costs friction."
+            .to_owned(),
+        provenance: search.provenance.clone(),
+        plot,
+    }
+}

@@ -1,0 +1,267 @@
+//! Tables of a search.
+
+use crate::design::{MotionNumbers, PointNumbers, SearchData, StructureData};
+use crate::table::{Cell, Row, Table};
+use crate::text::fixed;
+
+/// Rows of the front that are printed.
+const FRONT_ROWS: usize = 24;
+
+fn columns(names: &[(&str, bool)]) -> Vec<(String, bool)> {
+    names
+        .iter()
+        .map(|&(name, numeric)| (name.to_owned(), numeric))
+        .collect()
+}
+
+fn percent(share: Option<f64>, decimals: usize) -> String {
+    fixed(share.map(|s| 100.0 * s), decimals)
+}
+
+/// A number of a structure at a point, its error and its decimals.
+type Quantity = (
+    &'static str,
+    usize,
+    fn(&PointNumbers) -> Option<f64>,
+    Option<fn(&MotionNumbers) -> f64>,
+);
+
+/// What is printed of each structure; the last function picks a number of the motion, which
+/// may have an error.
+const QUANTITIES: [Quantity; 12] = [
+    ("critical gap (°)", 3, |n| n.critical_gap_deg, None),
+    ("margin (°)", 3, |n| n.margin_deg, None),
+    (
+        "slip takes (%)",
+        1,
+        |n| Some(100.0 * n.slip_shortfall?),
+        None,
+    ),
+    ("contact stress (GPa)", 2, |n| n.stress_gpa, None),
+    (
+        "collisions per ball and turn",
+        3,
+        |_| None,
+        Some(|m| m.collisions),
+    ),
+    (
+        "the same once sorted",
+        3,
+        |_| None,
+        Some(|m| m.collisions_late),
+    ),
+    (
+        "hit by both (%)",
+        1,
+        |_| None,
+        Some(|m| 100.0 * m.twice_share),
+    ),
+    ("impulse (mN·s)", 3, |_| None, Some(|m| m.impulse_mn_s)),
+    ("unevenness", 3, |_| None, Some(|m| m.unevenness)),
+    ("slip (m/s)", 3, |_| None, Some(|m| m.slip_m_s)),
+    ("vibration (N)", 2, |_| None, Some(|m| m.force_deviation_n)),
+    ("friction (W)", 2, |_| None, Some(|m| m.friction_w)),
+];
+
+/// `0.052 ± 0.004`, or without the error if there is none.
+fn shown(quantity: &Quantity, n: &PointNumbers) -> String {
+    let (_, decimals, plain, of_motion) = quantity;
+    let Some(of) = of_motion else {
+        return fixed(plain(n), *decimals);
+    };
+    let value = fixed(n.motion.as_ref().map(of), *decimals);
+    match &n.errors {
+        Some(errors) => format!("{value} ± {}", fixed(Some(of(errors)), *decimals)),
+        None => value,
+    }
+}
+
+/// The recommendation beside the case's own structure.
+pub fn comparison(search: &SearchData) -> Table {
+    let structures: Vec<(&str, &StructureData)> = [
+        ("recommended", &search.recommended),
+        ("the case's own", &search.own),
+    ]
+    .into_iter()
+    .filter_map(|(role, s)| s.as_ref().map(|s| (role, s)))
+    .collect();
+    let mut head = columns(&[("", false)]);
+    for _ in &structures {
+        head.extend(search.points.iter().map(|p| (p.label(), true)));
+    }
+    let mut groups = vec![(String::new(), 1)];
+    groups.extend(
+        structures
+            .iter()
+            .map(|(role, s)| (format!("{role}: {}", s.label()), search.points.len())),
+    );
+    let row = |name: &str, cell: &dyn Fn(&StructureData, &PointNumbers) -> String| {
+        let mut cells = vec![Cell::text(name)];
+        for (_, structure) in &structures {
+            cells.extend(
+                structure
+                    .points
+                    .iter()
+                    .map(|n| Cell::number(cell(structure, n))),
+            );
+        }
+        Row {
+            cells,
+            ..Row::default()
+        }
+    };
+    let mut rows = vec![
+        row("β0 of Eq. (11) (°)", &|s, _| fixed(s.beta0_deg, 3)),
+        row("steady gap (°)", &|s, _| fixed(s.steady_gap_deg, 3)),
+    ];
+    rows.extend(
+        QUANTITIES
+            .iter()
+            .map(|quantity| row(quantity.0, &|_, n| shown(quantity, n))),
+    );
+    Table {
+        label: "Comparison".to_owned(),
+        caption: "From at least twelve uneven starts, ± standard error of the mean. Margin: \
+                  steady gap less critical gap. Once sorted: in the second half of the run. \
+                  Unevenness: standard deviation of the gaps on arrival over the steady gap. \
+                  Vibration: standard deviation of the force on the outer ring."
+            .to_owned(),
+        groups,
+        columns: head,
+        rows,
+        provenance: Some(search.provenance.clone()),
+    }
+}
+
+/// What excludes how much.
+pub fn rejections(search: &SearchData) -> Table {
+    Table {
+        label: "Rejections".to_owned(),
+        caption: "Structures of the maps at the operating points and of the band between them \
+                  that each requirement excludes; the first that fails counts."
+            .to_owned(),
+        columns: columns(&[
+            ("requirement", false),
+            ("structures", true),
+            ("meaning", false),
+        ]),
+        rows: search
+            .rejections
+            .iter()
+            .map(|r| Row {
+                cells: vec![
+                    Cell::text(&r.reason),
+                    Cell::number(r.count.to_string()),
+                    Cell::text(&r.meaning),
+                ],
+                ..Row::default()
+            })
+            .collect(),
+        ..Table::default()
+    }
+}
+
+/// Places of the raceways.
+pub fn placements(search: &SearchData) -> Table {
+    let mut head = columns(&[
+        ("ψ of the middles (°)", false),
+        ("looked at", true),
+        ("acceptable", true),
+        ("slip takes at least (%)", true),
+        ("best", false),
+    ]);
+    head.extend(columns(&[
+        ("margin (°)", true),
+        ("collisions once sorted", true),
+        ("unevenness", true),
+        ("friction (W)", true),
+    ]));
+    let rows = search
+        .placements
+        .iter()
+        .map(|p| {
+            let places: Vec<String> = p
+                .centre_angles_deg
+                .iter()
+                .map(|c| fixed(Some(*c), 0))
+                .collect();
+            let first = p.best.as_ref().and_then(|b| b.points.first());
+            let mut cells = vec![
+                Cell::text(places.join(", ")),
+                Cell::number(p.structures.to_string()),
+                Cell::number(p.accepted.to_string()),
+                Cell::number(percent(p.least_shortfall, 1)),
+                Cell::text(p.best.as_ref().map_or("–".to_owned(), |b| {
+                    format!("lC {:.3} mm, θ {:.2}°", b.axial_span_mm, b.half_angle_deg)
+                })),
+            ];
+            cells.extend(
+                [
+                    fixed(first.and_then(|n| n.margin_deg), 3),
+                    fixed(first.and_then(|n| Some(n.motion?.collisions_late)), 3),
+                    fixed(first.and_then(|n| Some(n.motion?.unevenness)), 3),
+                    fixed(first.and_then(|n| Some(n.motion?.friction_w)), 2),
+                ]
+                .map(Cell::number),
+            );
+            Row {
+                cells,
+                ..Row::default()
+            }
+        })
+        .collect();
+    Table {
+        label: "Places".to_owned(),
+        caption: "Where and how many: places of the raceways, with the best acceptable structure \
+                  at each (numbers at the first operating point)."
+            .to_owned(),
+        columns: head,
+        rows,
+        ..Table::default()
+    }
+}
+
+/// The Pareto front.
+pub fn front(search: &SearchData) -> Table {
+    let several = search.placements.len() > 1;
+    let mut head = columns(&[("lC (mm)", true), ("θ (°)", true)]);
+    if several {
+        head.push(("ψ (°)".to_owned(), false));
+    }
+    head.extend(QUANTITIES.iter().map(|q| (q.0.to_owned(), true)));
+    let rows = search
+        .front
+        .iter()
+        .take(FRONT_ROWS)
+        .filter_map(|structure| {
+            let n = structure.points.first()?;
+            let mut cells = vec![
+                Cell::number(fixed(Some(structure.axial_span_mm), 3)),
+                Cell::number(fixed(Some(structure.half_angle_deg), 2)),
+            ];
+            if several {
+                let places = structure.centre_angles_deg.iter();
+                let places: Vec<String> = places.map(|c| fixed(Some(*c), 0)).collect();
+                cells.push(Cell::text(places.join(", ")));
+            }
+            cells.extend(QUANTITIES.iter().map(|q| Cell::number(shown(q, n))));
+            Some(Row {
+                cells,
+                ..Row::default()
+            })
+        })
+        .collect();
+    Table {
+        label: "Pareto front".to_owned(),
+        caption: format!(
+            "Structures that no other beats in everything, nearest to the best in everything \
+             first ({} of {} shown; numbers at the first operating point, from {} uneven starts).",
+            search.front.len().min(FRONT_ROWS),
+            search.front.len(),
+            search.starts
+        ),
+        columns: head,
+        rows,
+        ..Table::default()
+    }
+}

@@ -1,0 +1,145 @@
+//! What makes one structure better than another: objectives, Pareto front, choice.
+
+/// A number that is to be small.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Objective {
+    /// Name in files.
+    pub key: &'static str,
+    /// Name in tables and figures.
+    pub label: &'static str,
+}
+
+/// Number of objectives.
+pub const OBJECTIVES: usize = 7;
+
+/// What is weighed, each at the worst of the operating points. SI units and shares.
+pub const ALL_OBJECTIVES: [Objective; OBJECTIVES] = [
+    Objective {
+        key: "unevenness",
+        label: "unevenness of the gaps",
+    },
+    Objective {
+        key: "collisions_late",
+        label: "collisions per ball and turn, once sorted",
+    },
+    Objective {
+        key: "used_share",
+        label: "critical over steady gap",
+    },
+    Objective {
+        key: "slip_m_s",
+        label: "slip",
+    },
+    Objective {
+        key: "stress_pa",
+        label: "contact stress",
+    },
+    Objective {
+        key: "force_deviation_n",
+        label: "vibration",
+    },
+    Objective {
+        key: "friction_w",
+        label: "friction loss",
+    },
+];
+
+/// Differences below this share of the range count as none.
+pub const RESOLUTION: f64 = 0.01;
+
+/// Scale of the objectives: smallest and largest on the front.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scale {
+    low: [f64; OBJECTIVES],
+    high: [f64; OBJECTIVES],
+}
+
+impl Scale {
+    /// Over a set; `None` of none.
+    pub fn of<'a>(all: impl IntoIterator<Item = &'a [f64; OBJECTIVES]>) -> Option<Self> {
+        let mut scale: Option<Self> = None;
+        for one in all {
+            let s = scale.get_or_insert(Self {
+                low: *one,
+                high: *one,
+            });
+            for k in 0..OBJECTIVES {
+                s.low[k] = s.low[k].min(one[k]);
+                s.high[k] = s.high[k].max(one[k]);
+            }
+        }
+        scale
+    }
+
+    fn range(&self, k: usize) -> f64 {
+        self.high[k] - self.low[k]
+    }
+
+    /// Distance from the best that any has in each objective, root mean square over the
+    /// objectives, 0 to 1 within the scale: compromise programming (Zeleny 1973) with equal
+    /// weights.
+    pub fn distance(&self, one: &[f64; OBJECTIVES]) -> f64 {
+        let square = |k: usize| {
+            let range = self.range(k);
+            // What is the same for all does not decide.
+            if range > 0.0 {
+                ((one[k] - self.low[k]) / range).powi(2)
+            } else {
+                0.0
+            }
+        };
+        ((0..OBJECTIVES).map(square).sum::<f64>() / OBJECTIVES as f64).sqrt()
+    }
+}
+
+/// Indices of those that no other beats: none is at least as good in everything, to
+/// [`RESOLUTION`] of the range, and better by more than that in something.
+pub fn pareto_front(all: &[[f64; OBJECTIVES]]) -> Vec<usize> {
+    let Some(scale) = Scale::of(all) else {
+        return vec![];
+    };
+    let beats = |a: &[f64; OBJECTIVES], b: &[f64; OBJECTIVES]| {
+        let better = |k: usize| (b[k] - a[k]) / scale.range(k).max(f64::MIN_POSITIVE);
+        (0..OBJECTIVES).all(|k| better(k) >= 0.0) && (0..OBJECTIVES).any(|k| better(k) > RESOLUTION)
+    };
+    (0..all.len())
+        .filter(|&k| !all.iter().any(|other| beats(other, &all[k])))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn point(first: f64, second: f64) -> [f64; OBJECTIVES] {
+        let mut all = [1.0; OBJECTIVES];
+        all[0] = first;
+        all[1] = second;
+        all
+    }
+
+    #[test]
+    fn the_front_of_a_staircase() {
+        let all = [
+            point(0.0, 4.0),
+            point(1.0, 1.0),
+            point(4.0, 0.0),
+            point(2.0, 2.0),
+            point(4.0, 1.0),
+        ];
+        assert_eq!(pareto_front(&all), [0, 1, 2]);
+        assert!(pareto_front(&[]).is_empty());
+        // All the same: none beats another.
+        assert_eq!(pareto_front(&[point(1.0, 1.0); 3]), [0, 1, 2]);
+    }
+
+    #[test]
+    fn the_corner_of_the_front_is_nearest_to_the_best() {
+        let all = [point(0.0, 4.0), point(1.0, 1.0), point(4.0, 0.0)];
+        let scale = Scale::of(&all).unwrap();
+        let distances = all.map(|p| scale.distance(&p));
+        assert!(distances[1] < distances[0] && distances[1] < distances[2]);
+        let expected = (2.0 * 0.25f64.powi(2) / OBJECTIVES as f64).sqrt();
+        assert!((distances[1] - expected).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,292 @@
+//! The run that separates structures: balls that start unevenly spaced.
+//!
+//! Equal balls that start evenly hardly ever meet. Here each gap is drawn evenly between 0
+//! and twice the mean, and scaled to the room that there is; the raceway has to sort the
+//! balls, at the price of collisions, and then to let them be.
+
+use std::f64::consts::TAU;
+
+use crate::case::{Case, Gaps, Start};
+use crate::equilibrium::EquilibriumError;
+use crate::kinematics::rolling_orbit_speed_rad_s;
+use crate::passage::{Passage, PassageRecorder};
+use crate::simulation::{Control, Ending, Observer, ObserverError, Scene, Stop, View, run};
+use crate::state::Work;
+
+/// Orbits of the balls in a disturbed run; spacing is looked at in the second half.
+pub const TURNS: f64 = 32.0;
+
+/// What a disturbed run came to.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Motion {
+    /// Contacts between balls, per ball and orbit; with one raceway, per passage.
+    pub collisions: f64,
+    /// The same in the second half, when the balls have been sorted.
+    pub collisions_late: f64,
+    /// Impulse between balls, per ball and orbit, N·s.
+    pub impulse_n_s: f64,
+    /// Share of the passages of the second half in which both neighbours hit.
+    pub twice_share: f64,
+    /// Standard deviation of the gaps of pairs on arrival, second half.
+    pub gap_deviation_rad: f64,
+    /// Smallest gap of a pair on arrival, second half.
+    pub gap_min_rad: f64,
+    /// Mean gap of a pair on arrival, second half.
+    pub gap_mean_rad: f64,
+    /// Largest slip at a loaded contact, mean over the passages of the second half.
+    pub slip_m_s: f64,
+    /// Standard deviation of the force of the balls on the outer ring, both directions
+    /// together, second half.
+    pub force_deviation_n: f64,
+    /// Power lost to friction, W.
+    pub friction_w: f64,
+}
+
+impl Motion {
+    /// The numbers in the order of the fields, for files.
+    pub fn values(&self) -> [f64; 10] {
+        [
+            self.collisions,
+            self.collisions_late,
+            self.impulse_n_s,
+            self.twice_share,
+            self.gap_deviation_rad,
+            self.gap_min_rad,
+            self.gap_mean_rad,
+            self.slip_m_s,
+            self.force_deviation_n,
+            self.friction_w,
+        ]
+    }
+
+    /// The inverse of [`Self::values`].
+    pub fn from_values(values: [f64; 10]) -> Self {
+        let [
+            collisions,
+            collisions_late,
+            impulse_n_s,
+            twice_share,
+            gap_deviation_rad,
+            gap_min_rad,
+            gap_mean_rad,
+            slip_m_s,
+            force_deviation_n,
+            friction_w,
+        ] = values;
+        Self {
+            collisions,
+            collisions_late,
+            impulse_n_s,
+            twice_share,
+            gap_deviation_rad,
+            gap_min_rad,
+            gap_mean_rad,
+            slip_m_s,
+            force_deviation_n,
+            friction_w,
+        }
+    }
+
+    /// Mean of several; zero of none.
+    pub fn mean(all: &[Self]) -> Self {
+        let mut sum = [0.0; 10];
+        for motion in all {
+            for (s, v) in sum.iter_mut().zip(motion.values()) {
+                *s += v / all.len() as f64;
+            }
+        }
+        Self::from_values(sum)
+    }
+}
+
+/// Why a disturbed run has no numbers.
+#[derive(Debug, thiserror::Error)]
+pub enum DisturbedError {
+    /// The case is impossible or has no equilibrium.
+    #[error(transparent)]
+    Case(#[from] EquilibriumError),
+    /// The run left the physical range.
+    #[error("the run of all balls stopped at {} s: {}", .0.time_s, .0.cause)]
+    Stopped(Stop),
+    /// Ended by the caller.
+    #[error("interrupted")]
+    Interrupted,
+    /// Nothing rolls.
+    #[error("the balls do not pass the raceway")]
+    NoPassages,
+}
+
+/// Gaps of start `start` under `seed`, each drawn evenly between 0 and twice the mean and
+/// scaled to the room.
+pub fn uneven_gaps_rad(case: &Case, seed: u64, start: u64) -> Vec<f64> {
+    let n = case.bearing.balls();
+    let drawn: Vec<f64> = (0..n as u64).map(|k| unit(seed, start, k)).collect();
+    let room = n as f64 * case.bearing.uniform_gap_rad();
+    let sum: f64 = drawn.iter().sum();
+    drawn.iter().map(|d| d / sum * room).collect()
+}
+
+/// A number in (0, 1) for each triple of numbers: SplitMix64 (Steele, Lea, Flood 2014).
+fn unit(seed: u64, start: u64, k: u64) -> f64 {
+    let mut z = seed
+        .wrapping_add((start + 1).wrapping_mul(0xd1b5_4a32_d192_ed03))
+        .wrapping_add((k + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15));
+    for multiplier in [0xbf58_476d_1ce4_e5b9, 0x94d0_49bb_1331_11eb] {
+        z = (z ^ (z >> 30)).wrapping_mul(multiplier);
+    }
+    z ^= z >> 31;
+    ((z >> 12) as f64 + 0.5) / (1u64 << 52) as f64
+}
+
+/// Runs `case` from uneven start number `start` for [`TURNS`] orbits.
+///
+/// # Errors
+/// The case is impossible, the run stops or the balls do not pass.
+pub fn disturbed(
+    case: &Case,
+    start: u64,
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Result<Motion, DisturbedError> {
+    let bearing = &case.bearing;
+    let orbit_s = TAU
+        / rolling_orbit_speed_rad_s(
+            bearing,
+            case.operation.inner_speed_rad_s,
+            bearing.ball_radius_m(),
+        );
+    let mut case = Case {
+        start: Start::Settled {
+            gaps: Gaps::List(uneven_gaps_rad(case, case.seed, start)),
+            lead_ball_angle_rad: case.start.lead_ball_angle_rad(),
+        },
+        ..case.clone()
+    };
+    case.solver.duration_s = TURNS * orbit_s;
+    let half_s = case.solver.duration_s / 2.0;
+    let mut late: Vec<Passage> = vec![];
+    let mut contacts = ContactCounter::new(half_s);
+    let outcome = {
+        let mut passages = PassageRecorder::new(|passage: Passage| {
+            if passage.enter_s > half_s {
+                late.push(passage);
+            }
+            Ok(())
+        });
+        run(&case, &mut [&mut passages, &mut contacts], control)?
+    };
+    match outcome.ending {
+        Ending::Stopped(stop) => return Err(DisturbedError::Stopped(stop)),
+        Ending::Complete => {}
+        _ => return Err(DisturbedError::Interrupted),
+    }
+    // Spacing is read at one raceway; whatever comes by is the same.
+    let arrivals: Vec<f64> = late
+        .iter()
+        .filter(|p| p.raceway == 0)
+        .map(|p| p.gap_behind_rad)
+        .collect();
+    if arrivals.is_empty() {
+        return Err(DisturbedError::NoPassages);
+    }
+    let mean = |values: &mut dyn Iterator<Item = f64>, count: usize| {
+        values.sum::<f64>() / count.max(1) as f64
+    };
+    let gap_mean_rad = mean(&mut arrivals.iter().copied(), arrivals.len());
+    let variance = mean(
+        &mut arrivals.iter().map(|g| (g - gap_mean_rad).powi(2)),
+        arrivals.len(),
+    );
+    let friction: f64 = [Work::InnerFriction, Work::OuterFriction, Work::BallFriction]
+        .iter()
+        .map(|&work| outcome.state.work_j(work))
+        .sum();
+    let ball_turns = bearing.balls() as f64 * TURNS;
+    Ok(Motion {
+        collisions: contacts.begun[0] / ball_turns,
+        collisions_late: contacts.begun[1] / (ball_turns / 2.0),
+        impulse_n_s: contacts.impulse_n_s / ball_turns,
+        twice_share: mean(
+            &mut late
+                .iter()
+                .map(|p| f64::from(u8::from(p.collisions_ahead > 0 && p.collisions_behind > 0))),
+            late.len(),
+        ),
+        gap_deviation_rad: variance.sqrt(),
+        gap_min_rad: arrivals.iter().copied().fold(f64::INFINITY, f64::min),
+        gap_mean_rad,
+        slip_m_s: mean(&mut late.iter().map(|p| p.slip_max_m_s), late.len()),
+        force_deviation_n: contacts.force_deviation_n(),
+        friction_w: friction / case.solver.duration_s,
+    })
+}
+
+/// Counts contacts between balls and follows the force on the outer ring.
+struct ContactCounter {
+    half_s: f64,
+    touching: Vec<bool>,
+    /// Contacts begun: in all, and in the second half.
+    begun: [f64; 2],
+    impulse_n_s: f64,
+    last_force_sum: f64,
+    time_s: f64,
+    force_sum: [f64; 2],
+    force_square_sum: [f64; 2],
+}
+
+impl ContactCounter {
+    fn new(half_s: f64) -> Self {
+        Self {
+            half_s,
+            touching: vec![],
+            begun: [0.0; 2],
+            impulse_n_s: 0.0,
+            last_force_sum: 0.0,
+            time_s: 0.0,
+            force_sum: [0.0; 2],
+            force_square_sum: [0.0; 2],
+        }
+    }
+
+    fn force_deviation_n(&self) -> f64 {
+        (0..2)
+            .map(|k| {
+                let mean = self.force_sum[k] / self.time_s;
+                (self.force_square_sum[k] / self.time_s - mean * mean).max(0.0)
+            })
+            .sum::<f64>()
+            .sqrt()
+    }
+}
+
+impl Observer for ContactCounter {
+    fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
+        self.touching = vec![false; scene.model.balls()];
+        Ok(())
+    }
+
+    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+        let c = &view.contacts;
+        let h = view.step.to_s - view.step.from_s;
+        let late = view.step.to_s > self.half_s;
+        let mut sum = 0.0;
+        for (k, touching) in self.touching.iter_mut().enumerate() {
+            let now = c.pair_deflection_m(k) > 0.0;
+            if now && !*touching {
+                self.begun[0] += 1.0;
+                self.begun[1] += f64::from(u8::from(late));
+            }
+            *touching = now;
+            sum += c.pair_force_n(k);
+        }
+        self.impulse_n_s += 0.5 * h * (self.last_force_sum + sum);
+        self.last_force_sum = sum;
+        if late {
+            self.time_s += h;
+            for (k, force) in c.outer_ring_force_n().into_iter().enumerate() {
+                self.force_sum[k] += h * force;
+                self.force_square_sum[k] += h * force * force;
+            }
+        }
+        Ok(Control::Continue)
+    }
+}

@@ -1,0 +1,347 @@
+//! Structures with all that is known of them, and the batches of work that find it out.
+
+use super::choice::OBJECTIVES;
+use super::disturbed::Motion;
+use super::job::{Interrupted, Job, Numbers, Outcome, Spacing, Task};
+use super::rejection::{Cause, Rejection};
+use super::structure::{ClosedForms, Structure};
+use super::{CONFIRMING_STARTS, Execute, Request, Stage};
+use crate::bearing::Bearing;
+
+/// A structure with what is known of it; later stages are left empty once it is rejected.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Evaluation {
+    /// The raceways.
+    pub structure: Structure,
+    /// Index of its placement in [`Request::placements`].
+    pub placement: usize,
+    /// Closed forms; `None` if the bearing cannot carry the raceways.
+    pub forms: Option<ClosedForms>,
+    /// Critical gap and stress at each operating point.
+    pub spacing: Vec<Option<Spacing>>,
+    /// Mean over the uneven starts at each operating point.
+    pub motion: Vec<Option<Motion>>,
+    /// Why it is not acceptable.
+    pub rejection: Option<Rejection>,
+    /// What is weighed, in the order of [`super::ALL_OBJECTIVES`]; `None` if it is rejected or
+    /// was left out by the budget.
+    pub objectives: Option<[f64; OBJECTIVES]>,
+    /// Whether no other beats it.
+    pub on_front: bool,
+}
+
+/// Runs from several starts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Statistics {
+    /// Each run, in the order of the starts.
+    pub runs: Vec<Motion>,
+    /// Mean over the starts.
+    pub mean: Motion,
+    /// Standard error of each mean.
+    pub error: Motion,
+}
+
+impl Statistics {
+    /// Of two runs or more.
+    pub fn of(runs: Vec<Motion>) -> Self {
+        let mean = Motion::mean(&runs);
+        let n = runs.len() as f64;
+        let mut square = [0.0; 10];
+        for motion in &runs {
+            for ((s, v), m) in square.iter_mut().zip(motion.values()).zip(mean.values()) {
+                *s += (v - m).powi(2);
+            }
+        }
+        Self {
+            mean,
+            error: Motion::from_values(square.map(|s| (s / (n - 1.0) / n).sqrt())),
+            runs,
+        }
+    }
+
+    /// Difference to another structure from the same starts, run by run: what the starts do to
+    /// both alike drops out.
+    pub fn less(&self, other: &Self) -> Self {
+        let pairs = self.runs.iter().zip(&other.runs);
+        Self::of(
+            pairs
+                .map(|(a, b)| {
+                    let mut difference = a.values();
+                    for (d, v) in difference.iter_mut().zip(b.values()) {
+                        *d -= v;
+                    }
+                    Motion::from_values(difference)
+                })
+                .collect(),
+        )
+    }
+}
+
+/// A structure from more starts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Confirmed {
+    /// `recommended`, or `own`: the case's.
+    pub role: &'static str,
+    /// With the means over the starts that all structures had, to be compared with them.
+    pub evaluation: Evaluation,
+    /// Statistics at each operating point; empty if a run failed.
+    pub statistics: Vec<Statistics>,
+}
+
+/// Where work is sent and what for.
+pub(super) struct Batch<'r, 'e> {
+    pub request: &'r Request,
+    pub execute: &'r mut Execute<'e>,
+    pub bearing: &'r Bearing,
+}
+
+impl Evaluation {
+    /// What the closed forms say.
+    pub(super) fn new(batch: &Batch<'_, '_>, structure: Structure, placement: usize) -> Self {
+        let points = batch.request.points.len();
+        let (forms, cause) = match structure.raceways(batch.bearing) {
+            Ok(raceways) => {
+                let forms = ClosedForms::of(batch.bearing, &raceways);
+                let cause = Cause::of_closed_forms(&forms, batch.request.spread_min);
+                (Some(forms), cause)
+            }
+            Err(error) => (None, Some(Cause::of_geometry(&error))),
+        };
+        Self {
+            structure,
+            placement,
+            forms,
+            spacing: vec![None; points],
+            motion: vec![None; points],
+            rejection: cause.map(|cause| Rejection { cause, point: None }),
+            objectives: None,
+            on_front: false,
+        }
+    }
+
+    /// The first cause found at any point.
+    fn reject(&mut self, found: impl Fn(&Self, usize) -> Option<Cause>) {
+        if self.rejection.is_some() {
+            return;
+        }
+        self.rejection = (0..self.spacing.len()).find_map(|point| {
+            found(self, point).map(|cause| Rejection {
+                cause,
+                point: Some(point),
+            })
+        });
+    }
+
+    fn rate(&mut self) {
+        let Some(forms) = self.forms else { return };
+        if self.rejection.is_some() {
+            return;
+        }
+        let mut worst = [f64::NEG_INFINITY; OBJECTIVES];
+        for (spacing, motion) in self.spacing.iter().zip(&self.motion) {
+            let (Some(s), Some(m)) = (spacing, motion) else {
+                return;
+            };
+            let here = [
+                m.gap_deviation_rad / forms.steady_gap_rad,
+                m.collisions_late,
+                s.critical_gap_rad / forms.steady_gap_rad,
+                m.slip_m_s,
+                s.stress_pa,
+                m.force_deviation_n,
+                m.friction_w,
+            ];
+            for (w, h) in worst.iter_mut().zip(here) {
+                *w = w.max(h);
+            }
+        }
+        self.objectives = Some(worst);
+    }
+}
+
+impl Batch<'_, '_> {
+    /// Whether a structure lies within what was asked for.
+    pub fn within(&self, structure: &Structure) -> bool {
+        let inside = |range: Option<[f64; 2]>, value: f64| {
+            // Snapping to whole micrometres may step over an end by rounding.
+            range.is_none_or(|[low, high]| {
+                value >= low * (1.0 - 1e-9) && value <= high * (1.0 + 1e-9)
+            })
+        };
+        inside(self.request.axial_span_range_m, structure.axial_span_m)
+            && inside(self.request.half_angle_range_rad, structure.half_angle_rad)
+    }
+
+    pub fn execute(&mut self, stage: Stage, jobs: &[Job]) -> Result<Vec<Outcome>, Interrupted> {
+        if jobs.is_empty() {
+            return Ok(vec![]);
+        }
+        let outcomes = (self.execute)(stage, jobs)?;
+        assert_eq!(outcomes.len(), jobs.len(), "one outcome per job");
+        Ok(outcomes)
+    }
+
+    /// Critical gap and stress of all that are not rejected.
+    pub fn spacing(
+        &mut self,
+        stage: Stage,
+        evaluations: &mut [Evaluation],
+    ) -> Result<(), Interrupted> {
+        let mut jobs = vec![];
+        let mut places = vec![];
+        for (k, e) in evaluations.iter().enumerate() {
+            if e.rejection.is_some() {
+                continue;
+            }
+            for (p, &point) in self.request.points.iter().enumerate() {
+                places.push((k, p));
+                jobs.push(Job {
+                    structure: e.structure.clone(),
+                    point,
+                    task: Task::Spacing,
+                });
+            }
+        }
+        let outcomes = self.execute(stage, &jobs)?;
+        let spread_min = self.request.spread_min;
+        for ((k, p), outcome) in places.into_iter().zip(outcomes) {
+            let e = &mut evaluations[k];
+            match outcome {
+                Ok(Numbers::Spacing(spacing)) => e.spacing[p] = Some(spacing),
+                Ok(Numbers::Motion(_)) => unreachable!("outcome of another task"),
+                Err(reason) => fail(e, reason, p),
+            }
+        }
+        for e in evaluations {
+            e.reject(|e, p| {
+                let (forms, spacing) = (e.forms?, e.spacing[p]?);
+                Cause::of_spacing(&forms, &spacing, spread_min)
+            });
+        }
+        Ok(())
+    }
+
+    /// Motion of at most `limit` of those that are not rejected, spread evenly over them.
+    pub fn motion(
+        &mut self,
+        stage: Stage,
+        evaluations: &mut [Evaluation],
+        limit: usize,
+    ) -> Result<(), Interrupted> {
+        let mut left: Vec<usize> = (0..evaluations.len())
+            .filter(|&k| evaluations[k].rejection.is_none())
+            .collect();
+        if left.len() > limit {
+            let count = left.len();
+            left = (0..limit).map(|k| left[k * count / limit]).collect();
+        }
+        let starts = self.request.starts;
+        let jobs: Vec<Job> = left
+            .iter()
+            .flat_map(|&k| self.motion_jobs(&evaluations[k].structure, starts))
+            .collect();
+        let outcomes = self.execute(stage, &jobs)?;
+        let points = self.request.points.len();
+        let mut runs = outcomes.chunks(starts as usize);
+        for k in left {
+            for p in 0..points {
+                let of_point = runs.next().unwrap_or_default();
+                match motions(of_point) {
+                    Ok(all) => evaluations[k].motion[p] = Some(Motion::mean(&all)),
+                    Err(reason) => fail(&mut evaluations[k], reason, p),
+                }
+            }
+            evaluations[k].reject(|e, p| Cause::of_motion(&e.motion[p]?));
+            evaluations[k].rate();
+        }
+        Ok(())
+    }
+
+    /// Runs of a structure at one point from the usual starts.
+    pub(super) fn motion_jobs_at(
+        &self,
+        structure: &Structure,
+        point: super::OperatingPoint,
+    ) -> Vec<Job> {
+        (0..self.request.starts)
+            .map(|start| Job {
+                structure: structure.clone(),
+                point,
+                task: Task::Motion(start),
+            })
+            .collect()
+    }
+
+    fn motion_jobs(&self, structure: &Structure, starts: u64) -> Vec<Job> {
+        let points = self.request.points.iter();
+        points
+            .flat_map(|&point| (0..starts).map(move |start| (point, start)))
+            .map(|(point, start)| Job {
+                structure: structure.clone(),
+                point,
+                task: Task::Motion(start),
+            })
+            .collect()
+    }
+
+    /// Numbers of one structure from [`CONFIRMING_STARTS`] starts or more, whether it is
+    /// acceptable or not.
+    pub fn confirm(
+        &mut self,
+        role: &'static str,
+        structure: &Structure,
+    ) -> Result<Confirmed, Interrupted> {
+        let mut one = [Evaluation::new(self, structure.clone(), 0)];
+        let from_geometry = one[0].rejection.take();
+        if one[0].forms.is_some() {
+            self.spacing(Stage::Confirm, &mut one)?;
+        }
+        let usual = self.request.starts as usize;
+        let starts = CONFIRMING_STARTS.max(self.request.starts);
+        let jobs = self.motion_jobs(structure, starts);
+        let outcomes = self.execute(Stage::Confirm, &jobs)?;
+        let [mut evaluation] = one;
+        let mut statistics = vec![];
+        for (p, runs) in outcomes.chunks(starts as usize).enumerate() {
+            match motions(runs) {
+                Ok(all) => {
+                    evaluation.motion[p] = Some(Motion::mean(&all[..usual]));
+                    statistics.push(Statistics::of(all));
+                }
+                Err(reason) => fail(&mut evaluation, reason, p),
+            }
+        }
+        evaluation.reject(|e, p| Cause::of_motion(&e.motion[p]?));
+        if from_geometry.is_some() {
+            evaluation.rejection = from_geometry;
+        }
+        evaluation.rate();
+        if statistics.len() < self.request.points.len() {
+            statistics.clear();
+        }
+        Ok(Confirmed {
+            role,
+            evaluation,
+            statistics,
+        })
+    }
+}
+
+/// The motions of several runs, or why one has none.
+pub(super) fn motions(outcomes: &[Outcome]) -> Result<Vec<Motion>, String> {
+    outcomes
+        .iter()
+        .map(|outcome| match outcome {
+            Ok(Numbers::Motion(motion)) => Ok(*motion),
+            Ok(Numbers::Spacing(_)) => unreachable!("outcome of another task"),
+            Err(reason) => Err(reason.clone()),
+        })
+        .collect()
+}
+
+fn fail(evaluation: &mut Evaluation, reason: String, point: usize) {
+    evaluation.rejection.get_or_insert(Rejection {
+        cause: Cause::Failed(reason),
+        point: Some(point),
+    });
+}

@@ -1,0 +1,175 @@
+//! The pieces of work of a search: pure functions of the case, to be run in any order on any
+//! thread.
+
+use super::disturbed::{Motion, disturbed};
+use super::structure::{OperatingPoint, Structure};
+use crate::case::{Case, Gaps, Start};
+use crate::design::{Eq11, steady_gap_rad, theoretical_gap_rad};
+use crate::equilibrium;
+use crate::raceway::Raceway;
+use crate::simulation::Control;
+use crate::spacing::{CriticalGapError, PairTest, critical_gap_rad};
+
+/// What is to be found out about a structure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Task {
+    /// Critical gap and contact stress.
+    Spacing,
+    /// A run of all balls from this uneven start.
+    Motion(u64),
+}
+
+/// One piece of work.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Job {
+    /// The raceways.
+    pub structure: Structure,
+    /// Speed and load.
+    pub point: OperatingPoint,
+    /// What is to be found out.
+    pub task: Task,
+}
+
+/// Critical gap and contact stress of a structure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spacing {
+    /// Largest critical gap of the raceways, each alone in the ring: what all of them
+    /// together guarantee. No more than [`CROWDED_MAX`] steady gaps are looked at.
+    pub critical_gap_rad: f64,
+    /// Largest share of β0 that slip takes from a critical gap; 0 where that is beyond
+    /// [`CROWDED_MAX`].
+    pub shortfall: f64,
+    /// Largest Hertz pressure at the outer raceway while the balls go by.
+    pub stress_pa: f64,
+}
+
+/// What a job came to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Numbers {
+    /// Of [`Task::Spacing`].
+    Spacing(Spacing),
+    /// Of [`Task::Motion`].
+    Motion(Motion),
+}
+
+/// Numbers, or why there are none.
+pub type Outcome = Result<Numbers, String>;
+
+/// The caller wants the search to end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("interrupted")]
+pub struct Interrupted;
+
+/// Error of a critical gap in a search: a tenth of what choices of the experiment move it by.
+const GAP_TOLERANCE_RAD: f64 = 2e-5;
+/// Balls beside the pair stand off by this much, or a deep raceway would be measured by how
+/// they push the pair together.
+const NEIGHBOURS_WIDER: f64 = 1.4;
+/// Critical gaps above this multiple of the steady gap are not told apart: balls collide.
+pub const CROWDED_MAX: f64 = 1.5;
+/// Places within one spacing of the balls at which the load is looked at.
+const POSITIONS: usize = 8;
+
+impl Job {
+    /// A name that no other job of the same case has.
+    pub fn key(&self) -> String {
+        let mut key = match self.task {
+            Task::Spacing => "spacing".to_owned(),
+            Task::Motion(start) => format!("motion {start}"),
+        };
+        let (s, p) = (&self.structure, &self.point);
+        for value in [
+            s.axial_span_m,
+            s.half_angle_rad,
+            p.inner_speed_rad_s,
+            p.radial_load_n,
+        ]
+        .iter()
+        .chain(&s.centres_rad)
+        {
+            // Decimal digits that lead back to the same bits.
+            key += &format!(" {value:?}");
+        }
+        key
+    }
+
+    /// Does the work. `None` if `control` ended it.
+    pub fn run(&self, case: &Case, control: &mut dyn FnMut(f64) -> Control) -> Option<Outcome> {
+        let raceways = match self.structure.raceways(&case.bearing) {
+            Ok(raceways) => raceways,
+            Err(error) => return Some(Err(error.to_string())),
+        };
+        match self.task {
+            Task::Spacing => {
+                let spacing = spacing(case, &self.point, &raceways);
+                Some(spacing.map(Numbers::Spacing).map_err(|e| e.to_string()))
+            }
+            Task::Motion(start) => {
+                let case = self.point.case(case, raceways);
+                match disturbed(&case, start, control) {
+                    Ok(motion) => Some(Ok(Numbers::Motion(motion))),
+                    Err(super::disturbed::DisturbedError::Interrupted) => None,
+                    Err(error) => Some(Err(error.to_string())),
+                }
+            }
+        }
+    }
+}
+
+/// Critical gaps, each raceway alone, and stress of all.
+fn spacing(
+    case: &Case,
+    point: &OperatingPoint,
+    raceways: &[Raceway],
+) -> Result<Spacing, CriticalGapError> {
+    let most = CROWDED_MAX * steady_gap_rad(&case.bearing, raceways);
+    let test = PairTest {
+        neighbours_wider: NEIGHBOURS_WIDER,
+        tolerance_rad: GAP_TOLERANCE_RAD,
+        gap_max_rad: Some(most),
+        ..PairTest::default()
+    };
+    let mut spacing = Spacing {
+        critical_gap_rad: 0.0,
+        shortfall: f64::NEG_INFINITY,
+        stress_pa: peak_stress_pa(&point.case(case, raceways.to_vec()))?.1,
+    };
+    for raceway in raceways {
+        let beta0 = theoretical_gap_rad(&case.bearing, raceway, Eq11::Published);
+        let alone = point.case(case, vec![raceway.clone()]);
+        let (gap, shortfall) = match critical_gap_rad(&alone, &test) {
+            Ok(gap) => (gap, 1.0 - gap / beta0),
+            // Nothing closes on a raceway that does not slow the balls.
+            Err(CriticalGapError::NeverCloses) => (0.0, 1.0),
+            // What slip takes is not known then, and does not matter.
+            Err(CriticalGapError::AlwaysCloses) => (most, 0.0),
+            Err(error) => return Err(error),
+        };
+        spacing.critical_gap_rad = spacing.critical_gap_rad.max(gap);
+        spacing.shortfall = spacing.shortfall.max(shortfall);
+    }
+    Ok(spacing)
+}
+
+/// Largest Hertz pressure at the inner and at the outer raceway, over places of the balls
+/// within one spacing, Pa.
+///
+/// # Errors
+/// The case is impossible or has no equilibrium.
+pub fn peak_stress_pa(case: &Case) -> Result<(f64, f64), equilibrium::EquilibriumError> {
+    let pitch = std::f64::consts::TAU / case.bearing.balls() as f64;
+    let mut case = case.clone();
+    let mut peak = (0.0f64, 0.0f64);
+    for k in 0..POSITIONS {
+        case.start = Start::Settled {
+            gaps: Gaps::Uniform,
+            lead_ball_angle_rad: pitch * k as f64 / POSITIONS as f64,
+        };
+        let e = equilibrium::solve(&case)?;
+        peak = (
+            peak.0.max(e.inner_stress_max_pa),
+            peak.1.max(e.outer_stress_max_pa),
+        );
+    }
+    Ok(peak)
+}

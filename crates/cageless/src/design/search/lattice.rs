@@ -1,0 +1,292 @@
+//! The structures that are looked at: a coarse lattice for the maps, and a band in which the
+//! closed forms leave a chance.
+
+use std::f64::consts::FRAC_PI_2;
+
+use super::disturbed::Motion;
+use super::evaluation::{Batch, Evaluation, motions};
+use super::job::{Interrupted, Job, Numbers, Spacing, Task};
+use super::rejection::Cause;
+use super::structure::{ClosedForms, OperatingPoint, Structure};
+use super::{Request, Stage};
+use crate::bearing::Bearing;
+use crate::design::SLIP_SHORTFALL;
+use crate::raceway::axial_span_limit_m;
+
+/// Cells of the maps along lC and θ.
+const MAP: [usize; 2] = [30, 18];
+/// Lines of the band along θ, and structures on each.
+const BAND: [usize; 2] = [26, 9];
+/// Spans at which β0 is tabulated to find those of the band.
+const TABLE: usize = 40;
+
+/// One cell of a map.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MapCell {
+    /// The raceways.
+    pub structure: Structure,
+    /// Closed forms; `None` if the bearing cannot carry the raceways.
+    pub forms: Option<ClosedForms>,
+    /// Critical gap and stress.
+    pub spacing: Option<Spacing>,
+    /// Why it is not acceptable.
+    pub cause: Option<Cause>,
+}
+
+/// Critical gaps over lC and θ at one speed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpeedMap {
+    /// Speed and load.
+    pub point: OperatingPoint,
+    /// lC of the columns.
+    pub axial_span_m: Vec<f64>,
+    /// θ of the rows.
+    pub half_angle_rad: Vec<f64>,
+    /// Row by row.
+    pub cells: Vec<MapCell>,
+}
+
+/// Whole micrometres and hundredths of a degree: what a drawing states.
+pub(super) fn snapped(structure: &Structure) -> Structure {
+    Structure {
+        axial_span_m: (structure.axial_span_m * 1e6).round() / 1e6,
+        half_angle_rad: ((structure.half_angle_rad.to_degrees() * 100.0).round() / 100.0)
+            .to_radians(),
+        ..structure.clone()
+    }
+}
+
+/// `count` values from `low` to `high`, the ends included.
+fn spread([low, high]: [f64; 2], count: usize) -> Vec<f64> {
+    if high <= low {
+        return vec![low];
+    }
+    let step = (high - low) / (count - 1) as f64;
+    (0..count).map(|k| low + step * k as f64).collect()
+}
+
+/// Ranges of lC and θ to look at: those asked for, else all that Eq. (8) and (9) allow.
+fn ranges(request: &Request, bearing: &Bearing) -> [[f64; 2]; 2] {
+    let limit = axial_span_limit_m(bearing);
+    let spans = request
+        .axial_span_range_m
+        .unwrap_or([limit / MAP[0] as f64, limit * (1.0 - 0.5 / MAP[0] as f64)]);
+    let angles = request.half_angle_range_rad.unwrap_or_else(|| {
+        let widest = widest_angle_rad(bearing, spans[1].min(limit * (1.0 - 1e-9)));
+        [widest / MAP[1] as f64, widest]
+    });
+    [spans, angles]
+}
+
+/// Largest θ at which a path of the span is possible; it grows with the span.
+fn widest_angle_rad(bearing: &Bearing, axial_span_m: f64) -> f64 {
+    let possible = |half_angle_rad: f64| {
+        let structure = Structure {
+            axial_span_m,
+            half_angle_rad,
+            centres_rad: vec![0.0],
+        };
+        structure.raceways(bearing).is_ok()
+    };
+    let (mut low, mut high) = (1e-2, FRAC_PI_2 * 0.999);
+    while high - low > 1e-3 {
+        let middle = 0.5 * (low + high);
+        if possible(middle) {
+            low = middle
+        } else {
+            high = middle
+        }
+    }
+    low
+}
+
+/// The maps at the operating points and at the further speeds.
+pub(super) fn maps(batch: &mut Batch<'_, '_>) -> Result<Vec<SpeedMap>, Interrupted> {
+    let request = batch.request;
+    let [spans, angles] = ranges(request, batch.bearing);
+    let (spans, angles) = (spread(spans, MAP[0]), spread(angles, MAP[1]));
+    let mut cells = vec![];
+    for &half_angle_rad in &angles {
+        for &axial_span_m in &spans {
+            let structure = snapped(&Structure {
+                axial_span_m,
+                half_angle_rad,
+                centres_rad: request.placements[0].clone(),
+            });
+            let (forms, cause) = match structure.raceways(batch.bearing) {
+                Ok(raceways) => (Some(ClosedForms::of(batch.bearing, &raceways)), None),
+                Err(error) => (None, Some(Cause::of_geometry(&error))),
+            };
+            cells.push(MapCell {
+                structure,
+                forms,
+                spacing: None,
+                cause,
+            });
+        }
+    }
+    let load = request.points.first().map_or(0.0, |p| p.radial_load_n);
+    let further = request
+        .map_speeds_rad_s
+        .iter()
+        .map(|&inner_speed_rad_s| OperatingPoint {
+            inner_speed_rad_s,
+            radial_load_n: load,
+        });
+    let points: Vec<OperatingPoint> = request.points.iter().copied().chain(further).collect();
+    let mut maps: Vec<SpeedMap> = points
+        .into_iter()
+        .map(|point| SpeedMap {
+            point,
+            axial_span_m: spans.clone(),
+            half_angle_rad: angles.clone(),
+            cells: cells.clone(),
+        })
+        .collect();
+    fill(batch, &mut maps)?;
+    Ok(maps)
+}
+
+fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrupted> {
+    let mut jobs = vec![];
+    for map in maps.iter() {
+        for cell in map.cells.iter().filter(|c| c.cause.is_none()) {
+            jobs.push(Job {
+                structure: cell.structure.clone(),
+                point: map.point,
+                task: Task::Spacing,
+            });
+        }
+    }
+    let mut outcomes = batch.execute(Stage::Map, &jobs)?.into_iter();
+    let spread_min = batch.request.spread_min;
+    for cell in maps.iter_mut().flat_map(|m| &mut m.cells) {
+        if cell.cause.is_some() {
+            continue;
+        }
+        cell.cause = match (outcomes.next(), &cell.forms) {
+            (Some(Ok(Numbers::Spacing(spacing))), Some(forms)) => {
+                cell.spacing = Some(spacing);
+                Cause::of_closed_forms(forms, spread_min)
+                    .or_else(|| Cause::of_spacing(forms, &spacing, spread_min))
+            }
+            (Some(Err(reason)), _) => Some(Cause::Failed(reason)),
+            _ => unreachable!("one spacing per job"),
+        };
+    }
+    // What critical gap and stress leave over has to stand the motion of all balls.
+    let left = |maps: &mut [SpeedMap]| -> Vec<(usize, usize)> {
+        let open = |m: &SpeedMap| {
+            (0..m.cells.len())
+                .filter(|&c| m.cells[c].cause.is_none())
+                .collect::<Vec<_>>()
+        };
+        maps.iter()
+            .enumerate()
+            .flat_map(|(k, m)| open(m).into_iter().map(move |c| (k, c)))
+            .collect()
+    };
+    let places = left(maps);
+    let jobs: Vec<Job> = places
+        .iter()
+        .flat_map(|&(k, c)| batch.motion_jobs_at(&maps[k].cells[c].structure, maps[k].point))
+        .collect();
+    let outcomes = batch.execute(Stage::Map, &jobs)?;
+    for ((k, c), runs) in places
+        .into_iter()
+        .zip(outcomes.chunks(batch.request.starts as usize))
+    {
+        maps[k].cells[c].cause = match motions(runs) {
+            Ok(all) => Cause::of_motion(&Motion::mean(&all)),
+            Err(reason) => Some(Cause::Failed(reason)),
+        };
+    }
+    Ok(())
+}
+
+/// The band of all placements. Without slip the critical gap is β0, with slip it may fall
+/// short of it by [`SLIP_SHORTFALL`]; so β0 over the steady gap must lie between
+/// [`Request::spread_min`] and 1/(1 − that).
+pub(super) fn band(batch: &Batch<'_, '_>) -> Vec<Evaluation> {
+    let [_, angles] = ranges(batch.request, batch.bearing);
+    let mut evaluations = vec![];
+    for placement in 0..batch.request.placements.len() {
+        for half_angle_rad in spread(angles, BAND[0]) {
+            evaluations.extend(line(batch, placement, half_angle_rad));
+        }
+    }
+    evaluations
+}
+
+/// Lines of the band halfway to the next on both sides of those on which something is
+/// acceptable.
+pub(super) fn closer(batch: &Batch<'_, '_>, known: &[Evaluation]) -> Vec<Evaluation> {
+    let [_, [low, high]] = ranges(batch.request, batch.bearing);
+    let half = (high - low) / (BAND[0] - 1) as f64 / 2.0;
+    let mut lines: Vec<(usize, f64)> = vec![];
+    for e in known.iter().filter(|e| e.objectives.is_some()) {
+        for half_angle_rad in [
+            e.structure.half_angle_rad - half,
+            e.structure.half_angle_rad + half,
+        ] {
+            // Lines of two neighbours meet but for the rounding to hundredths of a degree.
+            let new = lines
+                .iter()
+                .all(|(p, a)| *p != e.placement || (a - half_angle_rad).abs() > 0.5 * half);
+            if new && half > 0.0 && (low..=high).contains(&half_angle_rad) {
+                lines.push((e.placement, half_angle_rad));
+            }
+        }
+    }
+    lines
+        .into_iter()
+        .flat_map(|(placement, half_angle_rad)| line(batch, placement, half_angle_rad))
+        .collect()
+}
+
+/// The structures of the band at one angle.
+fn line(batch: &Batch<'_, '_>, placement: usize, half_angle_rad: f64) -> Vec<Evaluation> {
+    let [spans, _] = ranges(batch.request, batch.bearing);
+    let at = |axial_span_m: f64| {
+        snapped(&Structure {
+            axial_span_m,
+            half_angle_rad,
+            centres_rad: batch.request.placements[placement].clone(),
+        })
+    };
+    let table: Vec<(f64, f64)> = spread(spans, TABLE)
+        .into_iter()
+        .filter_map(|span| {
+            let raceways = at(span).raceways(batch.bearing).ok()?;
+            Some((span, ClosedForms::of(batch.bearing, &raceways).share()))
+        })
+        .collect();
+    // A hair inside, or rounding to micrometres would throw out the first.
+    let shares = [
+        1.005 * batch.request.spread_min,
+        1.0 / (1.0 - SLIP_SHORTFALL),
+    ];
+    let mut found: Vec<Structure> = spread(shares, BAND[1])
+        .into_iter()
+        .filter_map(|share| span_of_share(&table, share))
+        .map(at)
+        .filter(|structure| batch.within(structure))
+        .collect();
+    // A range of one span has that one.
+    if let ([only], true) = (table.as_slice(), found.is_empty()) {
+        found.push(at(only.0));
+    }
+    found.dedup();
+    found
+        .into_iter()
+        .map(|structure| Evaluation::new(batch, structure, placement))
+        .collect()
+}
+
+/// Span at which the tabulated share, which grows with it, reaches `share`.
+fn span_of_share(table: &[(f64, f64)], share: f64) -> Option<f64> {
+    table.windows(2).find_map(|pair| {
+        let [(x0, y0), (x1, y1)] = [pair[0], pair[1]];
+        (y0 <= share && share < y1).then(|| x0 + (share - y0) / (y1 - y0) * (x1 - x0))
+    })
+}

@@ -1,0 +1,394 @@
+//! Search for the discrete raceway: which spans and angles, where and how many.
+//!
+//! In stages, each looking only at what the one before left over:
+//! 1. a **map**: closed forms and critical gap on a coarse lattice over all that Zhao 2022,
+//!    Eq. (8) and (9), allow, at every speed;
+//! 2. a **band**: for each angle the spans whose β0 lies between what spreads the balls and
+//!    what makes evenly flowing balls collide; critical gap and stress there;
+//! 3. **motion**: runs of all balls from uneven starts for what is left; then the same between
+//!    the lines of the band on which something is acceptable;
+//! 4. the Pareto front, the structure nearest to the best in everything, and COBYLA from
+//!    there;
+//! 5. more starts for the recommendation and for the case's own raceway.
+//!
+//! Nothing here starts a thread: batches of [`Job`]s go to the caller, who runs them in any
+//! order. The same case and seed lead to the same result. Derivations: `docs/theory/design.md`.
+
+mod choice;
+mod disturbed;
+mod evaluation;
+mod job;
+mod lattice;
+mod placement;
+mod polish;
+mod rejection;
+mod structure;
+
+pub use choice::{ALL_OBJECTIVES, OBJECTIVES, Objective, RESOLUTION, Scale, pareto_front};
+pub use disturbed::{DisturbedError, Motion, TURNS, disturbed, uneven_gaps_rad};
+pub use evaluation::{Confirmed, Evaluation, Statistics};
+pub use job::{CROWDED_MAX, Interrupted, Job, Numbers, Outcome, Spacing, Task, peak_stress_pa};
+pub use lattice::{MapCell, SpeedMap};
+pub use placement::placements;
+pub use rejection::{Cause, Rejection, STRESS_LIMIT_PA};
+pub use structure::{ClosedForms, OperatingPoint, Structure};
+
+use crate::case::Case;
+use crate::design::{SLIP_SHORTFALL, TWICE_SHARE};
+use crate::equilibrium::EquilibriumError;
+use crate::error::InputError;
+use choice::Scale as Ruler;
+use evaluation::Batch;
+
+/// What is asked of a search.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Request {
+    /// Operating points; a structure must be acceptable at all of them.
+    pub points: Vec<OperatingPoint>,
+    /// Further speeds to draw maps at, under the load of the first point.
+    pub map_speeds_rad_s: Vec<f64>,
+    /// Spans lC to look at, the limits included; `None` for all that Eq. (8) allows.
+    pub axial_span_range_m: Option<[f64; 2]>,
+    /// Angles θ to look at, the limits included; `None` for all that Eq. (9) allows.
+    pub half_angle_range_rad: Option<[f64; 2]>,
+    /// Places of the raceways, ψ of their middles; the map is drawn for the first.
+    pub placements: Vec<Vec<f64>>,
+    /// Share of the steady gap that a raceway must guarantee, above 0 and below 1.
+    pub spread_min: f64,
+    /// Uneven starts per structure, 1 or more.
+    pub starts: u64,
+    /// Runs of all balls for the front at most.
+    pub budget: usize,
+}
+
+impl Request {
+    /// The case's own operating point, one raceway where the case has its first (at the
+    /// bottom if it has none), all that the geometry allows.
+    pub fn of(case: &Case) -> Self {
+        let centre = case
+            .raceways
+            .first()
+            .map_or(0.0, |r| r.dimensions().centre_angle_rad);
+        Self {
+            points: vec![OperatingPoint::of(case)],
+            map_speeds_rad_s: vec![],
+            axial_span_range_m: None,
+            half_angle_range_rad: None,
+            placements: vec![vec![centre]],
+            spread_min: SPREAD_MIN,
+            starts: 2,
+            budget: BUDGET,
+        }
+    }
+}
+
+/// Default of [`Request::budget`].
+pub const BUDGET: usize = 200;
+/// Default of [`Request::spread_min`].
+pub const SPREAD_MIN: f64 = 0.8;
+/// Starts of the confirmation.
+pub const CONFIRMING_STARTS: u64 = 12;
+
+/// What is being computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stage {
+    /// Critical gaps of the map.
+    Map,
+    /// Critical gaps of the band.
+    Band,
+    /// Runs of all balls.
+    Motion,
+    /// Steps of the optimiser.
+    Polish,
+    /// More starts.
+    Confirm,
+}
+
+impl Stage {
+    /// Name for people.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Map => "map of critical gaps",
+            Self::Band => "critical gaps in the band",
+            Self::Motion => "motion of all balls",
+            Self::Polish => "optimiser",
+            Self::Confirm => "confirmation",
+        }
+    }
+}
+
+/// Runs a batch of jobs and returns their outcomes in their order.
+pub type Execute<'e> = dyn FnMut(Stage, &[Job]) -> Result<Vec<Outcome>, Interrupted> + 'e;
+
+/// Why a search has no result.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SearchError {
+    /// Ended by the caller.
+    #[error(transparent)]
+    Interrupted(#[from] Interrupted),
+    /// No raceway can help: the operating range itself is impossible.
+    #[error("{0}")]
+    Impossible(String),
+    /// The case is impossible.
+    #[error(transparent)]
+    Case(#[from] InputError),
+}
+
+/// What a search found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Found {
+    /// What was asked.
+    pub request: Request,
+    /// Maps: one per operating point, then one per further speed.
+    pub maps: Vec<SpeedMap>,
+    /// Every structure of the band, with numbers or the reason of its rejection; that of the
+    /// optimiser last, if it found a better one.
+    pub evaluations: Vec<Evaluation>,
+    /// Index of the recommended structure.
+    pub recommended: Option<usize>,
+    /// The recommendation and the case's own structure (if it has one), from more starts.
+    pub confirmed: Vec<Confirmed>,
+}
+
+impl Found {
+    /// The structures on the Pareto front.
+    pub fn front(&self) -> impl Iterator<Item = &Evaluation> {
+        self.evaluations.iter().filter(|e| e.on_front)
+    }
+
+    /// How many cells of the maps at the operating points and structures of the band each
+    /// cause excludes, those that exclude most first.
+    pub fn rejections(&self) -> Vec<(&'static str, usize)> {
+        let points = self.request.points.len();
+        let cells = self.maps[..points]
+            .iter()
+            .flat_map(|m| &m.cells)
+            .filter_map(|c| c.cause.as_ref());
+        let band = self
+            .evaluations
+            .iter()
+            .filter_map(|e| e.rejection.as_ref().map(|r| &r.cause));
+        let mut counts: Vec<(&'static str, usize)> =
+            Cause::NAMES.iter().map(|&name| (name, 0)).collect();
+        for cause in cells.chain(band) {
+            if let Some(count) = counts.iter_mut().find(|c| c.0 == cause.name()) {
+                count.1 += 1;
+            }
+        }
+        counts.retain(|c| c.1 > 0);
+        counts.sort_by_key(|c| std::cmp::Reverse(c.1));
+        counts
+    }
+
+    /// The rejected structure of the band that misses by least at some operating point.
+    pub fn closest(&self) -> Option<&Evaluation> {
+        let excess = |e: &Evaluation| {
+            // What the closed forms exclude lies at the edge of the band by construction.
+            e.rejection
+                .as_ref()
+                .filter(|r| r.point.is_some())
+                .map_or(f64::INFINITY, |r| r.cause.excess(self.request.spread_min))
+        };
+        self.evaluations
+            .iter()
+            .filter(|e| excess(e).is_finite())
+            .min_by(|a, b| excess(a).total_cmp(&excess(b)))
+    }
+}
+
+/// Searches. The seed is the case's.
+///
+/// # Errors
+/// The operating range is impossible whatever the raceway, or `execute` ended the search. An
+/// empty region is no error: [`Found::recommended`] is `None` then.
+pub fn search(
+    case: &Case,
+    request: &Request,
+    execute: &mut Execute<'_>,
+) -> Result<Found, SearchError> {
+    check_points(case, request)?;
+    let mut batch = Batch {
+        request,
+        execute,
+        bearing: &case.bearing,
+    };
+    let maps = lattice::maps(&mut batch)?;
+    let mut evaluations = lattice::band(&batch);
+    batch.spacing(Stage::Band, &mut evaluations)?;
+    let limit = request.budget / (request.points.len() * request.starts as usize).max(1);
+    // A third is kept for a closer look at what is acceptable.
+    batch.motion(Stage::Motion, &mut evaluations, (limit - limit / 3).max(1))?;
+    let done = evaluations.iter().filter(|e| e.motion[0].is_some()).count();
+    let mut closer = lattice::closer(&batch, &evaluations);
+    batch.spacing(Stage::Band, &mut closer)?;
+    batch.motion(Stage::Motion, &mut closer, limit.saturating_sub(done))?;
+    evaluations.append(&mut closer);
+    let recommended = recommend(&mut batch, &mut evaluations)?;
+    let mut confirmed = vec![];
+    if let Some(best) = recommended {
+        confirmed.push(batch.confirm("recommended", &evaluations[best].structure)?);
+    }
+    if let Some(own) = Structure::of(case) {
+        confirmed.push(batch.confirm("own", &own)?);
+    }
+    Ok(Found {
+        request: request.clone(),
+        maps,
+        evaluations,
+        recommended,
+        confirmed,
+    })
+}
+
+/// The front, the choice and the optimiser.
+fn recommend(
+    batch: &mut Batch<'_, '_>,
+    evaluations: &mut Vec<Evaluation>,
+) -> Result<Option<usize>, Interrupted> {
+    let rated: Vec<usize> = (0..evaluations.len())
+        .filter(|&k| evaluations[k].objectives.is_some())
+        .collect();
+    let objectives: Vec<[f64; OBJECTIVES]> = rated
+        .iter()
+        .filter_map(|&k| evaluations[k].objectives)
+        .collect();
+    let front: Vec<usize> = pareto_front(&objectives)
+        .into_iter()
+        .map(|k| rated[k])
+        .collect();
+    for &k in &front {
+        evaluations[k].on_front = true;
+    }
+    let Some(ruler) = Ruler::of(
+        front
+            .iter()
+            .filter_map(|&k| evaluations[k].objectives.as_ref()),
+    ) else {
+        return Ok(None);
+    };
+    let distance = |e: &Evaluation| {
+        e.objectives
+            .as_ref()
+            .map_or(f64::INFINITY, |o| ruler.distance(o))
+    };
+    let best = front
+        .into_iter()
+        .min_by(|&a, &b| distance(&evaluations[a]).total_cmp(&distance(&evaluations[b])));
+    let Some(best) = best else { return Ok(None) };
+    let polished = polish_from(batch, &evaluations[best], &distance)?;
+    Ok(Some(match polished {
+        Some(better) => {
+            evaluations.push(better);
+            evaluations.len() - 1
+        }
+        None => best,
+    }))
+}
+
+/// Steps of the optimiser: about half a cell of the band.
+const SPAN_STEP: f64 = 0.02;
+const ANGLE_STEP: f64 = 0.05;
+
+/// COBYLA from a structure, over shares of its span and angle.
+fn polish_from(
+    batch: &mut Batch<'_, '_>,
+    from: &Evaluation,
+    distance: &dyn Fn(&Evaluation) -> f64,
+) -> Result<Option<Evaluation>, Interrupted> {
+    let mut interrupted = false;
+    let mut seen: Vec<([f64; 2], Evaluation)> = vec![];
+    let spread_min = batch.request.spread_min;
+    let value = |e: &Evaluation| polish::Value {
+        objective: distance(e).min(2.0),
+        constraints: e.slack(spread_min),
+    };
+    let start = value(from);
+    let found = polish::minimise(2.0, start, &mut |[x, y]| {
+        let structure = lattice::snapped(&Structure {
+            axial_span_m: from.structure.axial_span_m * (1.0 + SPAN_STEP * x),
+            half_angle_rad: from.structure.half_angle_rad * (1.0 + ANGLE_STEP * y),
+            ..from.structure.clone()
+        });
+        let mut one = vec![Evaluation::new(batch, structure, from.placement)];
+        let allowed = batch.within(&one[0].structure);
+        if !interrupted && allowed {
+            let done = batch
+                .spacing(Stage::Polish, &mut one)
+                .and_then(|()| batch.motion(Stage::Polish, &mut one, 1));
+            interrupted = done.is_err();
+        }
+        let one = one.swap_remove(0);
+        let mut value = value(&one);
+        if !allowed {
+            value.constraints[0] = -1.0;
+        }
+        seen.push(([x, y], one));
+        value
+    });
+    if interrupted {
+        return Err(Interrupted);
+    }
+    Ok(found.and_then(|place| {
+        seen.into_iter()
+            .find(|(p, _)| *p == place)
+            .map(|(_, mut evaluation)| {
+                evaluation.on_front = true;
+                evaluation
+            })
+            .filter(|e| e.objectives.is_some())
+    }))
+}
+
+/// Refuses operating points that overload the inner raceway, or that have no equilibrium,
+/// whatever the outer ring looks like.
+fn check_points(case: &Case, request: &Request) -> Result<(), SearchError> {
+    for point in &request.points {
+        let at = format!(
+            "at {:.0} rpm and {} N",
+            point.inner_speed_rad_s * 60.0 / std::f64::consts::TAU,
+            point.radial_load_n
+        );
+        let plain = point.case(case, vec![]);
+        match peak_stress_pa(&plain) {
+            Ok((inner, _)) if inner > STRESS_LIMIT_PA => {
+                return Err(SearchError::Impossible(format!(
+                    "{at} the contact stress at the inner raceway is {:.2} GPa, above the {} GPa \
+                     of ISO 76: no raceway in the outer ring changes that, lower the load or the \
+                     speed",
+                    inner * 1e-9,
+                    STRESS_LIMIT_PA * 1e-9
+                )));
+            }
+            Ok(_) => {}
+            Err(EquilibriumError::Input(error)) => return Err(error.into()),
+            Err(error) => return Err(SearchError::Impossible(format!("{at} {error}"))),
+        }
+    }
+    Ok(())
+}
+
+/// Slack of the requirements that change smoothly, each 0 or more if met.
+pub(super) const REQUIREMENTS: usize = 4;
+
+impl Evaluation {
+    /// Slip, room in steady flow, spread, double collisions; the worst point of each.
+    fn slack(&self, spread_min: f64) -> [f64; REQUIREMENTS] {
+        let Some(forms) = self.forms else {
+            return [-1.0; REQUIREMENTS];
+        };
+        let mut slack = [f64::INFINITY; REQUIREMENTS];
+        for spacing in &self.spacing {
+            let Some(s) = spacing else {
+                return [-1.0; REQUIREMENTS];
+            };
+            let share = s.critical_gap_rad / forms.steady_gap_rad;
+            slack[0] = slack[0].min(SLIP_SHORTFALL - s.shortfall);
+            slack[1] = slack[1].min(1.0 - share);
+            slack[2] = slack[2].min(share - spread_min);
+        }
+        for motion in self.motion.iter().flatten() {
+            slack[3] = slack[3].min(TWICE_SHARE - motion.twice_share);
+        }
+        slack.map(|s| if s.is_finite() { s } else { 0.0 })
+    }
+}

@@ -1,0 +1,117 @@
+//! What is searched: structures, and the closed forms that need no motion.
+
+use crate::bearing::Bearing;
+use crate::case::{Case, Method};
+use crate::design::{Eq11, steady_gap_rad, theoretical_gap_rad};
+use crate::error::InputError;
+use crate::raceway::{Raceway, RacewayDimensions};
+use crate::step::StepLimits;
+
+/// Equal discrete raceways at given places.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Structure {
+    /// lC.
+    pub axial_span_m: f64,
+    /// θ.
+    pub half_angle_rad: f64,
+    /// ψ of the middle of each raceway.
+    pub centres_rad: Vec<f64>,
+}
+
+impl Structure {
+    /// The raceways in a bearing.
+    ///
+    /// # Errors
+    /// The [`InputError`] of [`Raceway::new`], or that two of them overlap.
+    pub fn raceways(&self, bearing: &Bearing) -> Result<Vec<Raceway>, InputError> {
+        let raceways = self
+            .centres_rad
+            .iter()
+            .map(|&centre_angle_rad| {
+                let dimensions = RacewayDimensions {
+                    axial_span_m: self.axial_span_m,
+                    half_angle_rad: self.half_angle_rad,
+                    centre_angle_rad,
+                };
+                Raceway::new(dimensions, bearing)
+            })
+            .collect::<Result<Vec<_>, _>>()?;
+        crate::raceway::apart(&raceways)?;
+        Ok(raceways)
+    }
+
+    /// The structure of a case whose raceways are equal; `None` without raceways, or if they
+    /// differ.
+    pub fn of(case: &Case) -> Option<Self> {
+        let first = case.raceways.first()?.dimensions();
+        let equal = case.raceways.iter().all(|r| {
+            r.dimensions().axial_span_m == first.axial_span_m
+                && r.half_angle_rad() == first.half_angle_rad
+        });
+        equal.then(|| Self {
+            axial_span_m: first.axial_span_m,
+            half_angle_rad: first.half_angle_rad,
+            centres_rad: case
+                .raceways
+                .iter()
+                .map(|r| r.dimensions().centre_angle_rad)
+                .collect(),
+        })
+    }
+}
+
+/// Speed and load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OperatingPoint {
+    /// ωi.
+    pub inner_speed_rad_s: f64,
+    /// Fr.
+    pub radial_load_n: f64,
+}
+
+impl OperatingPoint {
+    /// That of a case.
+    pub fn of(case: &Case) -> Self {
+        Self {
+            inner_speed_rad_s: case.operation.inner_speed_rad_s,
+            radial_load_n: case.operation.radial_load_n,
+        }
+    }
+
+    /// `case` with these raceways at this point, integrated by leapfrog at its automatic
+    /// step: the fastest method whose statistics are unbiased.
+    pub fn case(&self, case: &Case, raceways: Vec<Raceway>) -> Case {
+        let mut case = case.with_raceways(raceways);
+        case.operation.inner_speed_rad_s = self.inner_speed_rad_s;
+        case.operation.radial_load_n = self.radial_load_n;
+        case.solver.method = Method::Symplectic;
+        case.solver.step_s = StepLimits::of(&case).automatic_s(Method::Symplectic);
+        case
+    }
+}
+
+/// What follows from the geometry alone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ClosedForms {
+    /// β0 of Zhao 2022, Eq. (11), as published.
+    pub theoretical_gap_rad: f64,
+    /// Gap outside the raceways in steady flow, [`steady_gap_rad`].
+    pub steady_gap_rad: f64,
+}
+
+impl ClosedForms {
+    /// Of equal raceways.
+    pub fn of(bearing: &Bearing, raceways: &[Raceway]) -> Self {
+        Self {
+            theoretical_gap_rad: raceways.first().map_or(0.0, |raceway| {
+                theoretical_gap_rad(bearing, raceway, Eq11::Published)
+            }),
+            steady_gap_rad: steady_gap_rad(bearing, raceways),
+        }
+    }
+
+    /// β0 over the steady gap.
+    pub fn share(&self) -> f64 {
+        self.theoretical_gap_rad / self.steady_gap_rad
+    }
+}

@@ -1,0 +1,269 @@
+//! The search for a raceway: what its numbers mean, and that it finds the same again.
+
+mod common;
+
+use std::collections::HashMap;
+use std::f64::consts::FRAC_PI_4;
+
+use cageless::design::search::{
+    Cause, Execute, Found, Job, Numbers, OperatingPoint, Outcome, Request, SearchError, Spacing,
+    Structure, Task, disturbed, search, uneven_gaps_rad,
+};
+use cageless::design::{Eq11, steady_gap_rad, theoretical_gap_rad};
+use cageless::simulation::Control;
+use cageless::{Case, Raceway};
+use common::*;
+
+fn go_on(_: f64) -> Control {
+    Control::Continue
+}
+
+/// The structure of a case at its own operating point, by the search's own method.
+fn as_searched(span_mm: f64, angle_deg: f64) -> Case {
+    let case = structure(span_mm, angle_deg);
+    OperatingPoint::of(&case).case(&case, case.raceways.clone())
+}
+
+fn spacing(case: &Case, structure: Structure) -> Spacing {
+    let job = Job {
+        structure,
+        point: OperatingPoint::of(case),
+        task: Task::Spacing,
+    };
+    match job.run(case, &mut go_on) {
+        Some(Ok(Numbers::Spacing(spacing))) => spacing,
+        other => panic!("{other:?}"),
+    }
+}
+
+/// Balls that come by anyhow are on average as far apart as the steady gap says, which is
+/// well above the uniform gap, and no pair arrives much closer than the critical gap.
+#[test]
+fn steady_and_critical_gap_are_those_of_the_motion() {
+    let case = as_searched(4.5, 25.0);
+    let steady = steady_gap_rad(&case.bearing, &case.raceways);
+    assert!(steady > 1.05 * case.bearing.uniform_gap_rad());
+    let critical = spacing(&case, Structure::of(&case).unwrap()).critical_gap_rad;
+    for start in 0..2 {
+        let motion = disturbed(&case, start, &mut go_on).unwrap();
+        let mean = motion.gap_mean_rad / steady;
+        assert!((mean - 1.0).abs() < 0.01, "{start}: {mean}");
+        let least = motion.gap_min_rad / critical;
+        assert!((0.95..1.6).contains(&least), "{start}: {least}");
+        assert!(motion.twice_share < 0.25 && motion.gap_deviation_rad > 0.0);
+    }
+}
+
+#[test]
+fn uneven_gaps_fill_the_room_and_follow_the_seed() {
+    let case = structure(5.1, 25.2);
+    let room = 14.0 * case.bearing.uniform_gap_rad();
+    let draws: Vec<Vec<f64>> = (0..4)
+        .map(|k| uneven_gaps_rad(&case, k / 2, k % 2))
+        .collect();
+    for gaps in &draws {
+        assert_eq!(gaps.len(), 14);
+        assert!((gaps.iter().sum::<f64>() - room).abs() < 1e-12);
+        assert!(gaps.iter().all(|g| *g > 0.0));
+    }
+    assert_eq!(draws[0], uneven_gaps_rad(&case, 0, 0));
+    for k in 1..4 {
+        assert_ne!(draws[0], draws[k]);
+    }
+}
+
+/// Without slip the critical gap is β0 with the true angle; where a raceway is does not matter
+/// if nothing pulls downwards.
+#[test]
+fn critical_gap_without_slip_and_without_a_direction() {
+    let case = as_searched(4.5, 25.0);
+    let polar = theoretical_gap_rad(&case.bearing, &case.raceways[0], Eq11::Polar);
+    let found = spacing(&case, Structure::of(&case).unwrap());
+    assert!((found.critical_gap_rad / polar - 1.0).abs() < 2e-3);
+
+    let mut weightless = case.clone();
+    weightless.operation.radial_load_n = 0.0;
+    weightless.operation.gravity_m_s2 = 0.0;
+    let outcomes: Vec<Option<Outcome>> = [0.0, 1.1, -2.5]
+        .iter()
+        .map(|&centre| {
+            let job = Job {
+                structure: Structure {
+                    axial_span_m: 4.5e-3,
+                    half_angle_rad: 25f64.to_radians(),
+                    centres_rad: vec![centre],
+                },
+                point: OperatingPoint::of(&weightless),
+                task: Task::Spacing,
+            };
+            job.run(&weightless, &mut go_on)
+        })
+        .collect();
+    for other in &outcomes[1..] {
+        match (&outcomes[0], other) {
+            (Some(Ok(Numbers::Spacing(a))), Some(Ok(Numbers::Spacing(b)))) => {
+                // Turned by 63° or more, rounding differs from the first step on.
+                assert!((a.critical_gap_rad / b.critical_gap_rad - 1.0).abs() < 2e-3);
+            }
+            (Some(Err(a)), Some(Err(b))) => assert_eq!(a, b),
+            pair => panic!("{pair:?}"),
+        }
+    }
+}
+
+/// A mirrored pair of raceways guarantees what the worse of the two does alone, and widens the
+/// steady gap by as much again.
+#[test]
+fn several_raceways() {
+    let case = as_searched(4.5, 25.0);
+    let at = |centres: &[f64]| Structure {
+        axial_span_m: 4.5e-3,
+        half_angle_rad: 25f64.to_radians(),
+        centres_rad: centres.to_vec(),
+    };
+    let (left, right) = (-FRAC_PI_4, FRAC_PI_4);
+    let alone: Vec<Spacing> = [left, right]
+        .iter()
+        .map(|&c| spacing(&case, at(&[c])))
+        .collect();
+    let both = spacing(&case, at(&[left, right]));
+    let largest = alone[0].critical_gap_rad.max(alone[1].critical_gap_rad);
+    assert!((both.critical_gap_rad - largest).abs() < 1e-12);
+    let gap = |s: &Structure| steady_gap_rad(&case.bearing, &s.raceways(&case.bearing).unwrap());
+    let uniform = case.bearing.uniform_gap_rad();
+    let one = gap(&at(&[left])) - uniform;
+    assert!(((gap(&at(&[left, right])) - uniform) / one - 2.0).abs() < 1e-9);
+}
+
+/// In the middle of the raceway the surface curves along the rolling direction as the contact
+/// stress supposes: (r/Rw)/(Ro − Rw + r), hollow.
+#[test]
+fn curvature_behind_the_contact_stress() {
+    let case = structure(5.1, 25.2);
+    let raceway: &Raceway = &case.raceways[0];
+    let bearing = &case.bearing;
+    let (rw, r) = (bearing.ball_radius_m(), raceway.effective_radius_m(0.0));
+    let meridian = (r / rw).acos();
+    let h = 1e-4;
+    let point = |psi: f64| raceway.surface(psi, meridian);
+    let (before, here, after) = (point(-h), point(0.0), point(h));
+    let along: Vec<f64> = (0..3)
+        .map(|k| (after.position_m[k] - before.position_m[k]) / (2.0 * h))
+        .collect();
+    let bending: Vec<f64> = (0..3)
+        .map(|k| (after.position_m[k] - 2.0 * here.position_m[k] + before.position_m[k]) / (h * h))
+        .collect();
+    let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(x, y)| x * y).sum() };
+    // Of the curve at constant meridian angle; the normal points to the ball.
+    let curvature = dot(&bending, &here.normal) / dot(&along, &along);
+    let expected = (r / rw) / (bearing.touching_radius_m() + r);
+    // The contact path goes the same way there, so it has the same normal curvature.
+    assert!(
+        (curvature / expected - 1.0).abs() < 1e-3,
+        "{curvature} {expected}"
+    );
+}
+
+/// A request that is soon done: one span, few runs.
+fn small(case: &Case) -> Request {
+    Request {
+        axial_span_range_m: Some([5.1e-3, 5.1e-3]),
+        half_angle_range_rad: Some([24f64.to_radians(), 26f64.to_radians()]),
+        starts: 1,
+        budget: 4,
+        ..Request::of(case)
+    }
+}
+
+fn run(case: &Case, request: &Request, execute: &mut Execute<'_>) -> Found {
+    search(case, request, execute).unwrap()
+}
+
+/// Whatever the order of the jobs, and with any part of them known beforehand.
+#[test]
+fn the_same_again_in_any_order_and_after_a_stop() {
+    let case = structure(5.1, 25.2);
+    let request = small(&case);
+    let mut known: HashMap<String, Outcome> = HashMap::new();
+    let first = run(&case, &request, &mut |_, jobs| {
+        let done: Vec<Outcome> = jobs
+            .iter()
+            .map(|job| job.run(&case, &mut go_on).unwrap())
+            .collect();
+        for (job, outcome) in jobs.iter().zip(&done) {
+            known.insert(job.key(), outcome.clone());
+        }
+        Ok(done)
+    });
+    let best = &first.evaluations[first.recommended.expect("something is acceptable")];
+    assert!(best.on_front && best.rejection.is_none());
+    assert_eq!(first.confirmed.len(), 2);
+
+    let mut keys: Vec<String> = known.keys().cloned().collect();
+    keys.sort();
+    for key in keys.iter().step_by(8) {
+        known.remove(key);
+    }
+    let mut computed = 0;
+    let again = run(&case, &request, &mut |_, jobs| {
+        let mut done: Vec<Outcome> = jobs
+            .iter()
+            .rev()
+            .map(|job| {
+                known.get(&job.key()).cloned().unwrap_or_else(|| {
+                    computed += 1;
+                    job.run(&case, &mut go_on).unwrap()
+                })
+            })
+            .collect();
+        done.reverse();
+        Ok(done)
+    });
+    assert!(computed >= keys.len() / 8);
+    assert_eq!(first, again);
+}
+
+#[test]
+fn a_region_without_a_raceway_says_what_excludes_it() {
+    let case = structure(5.1, 25.2);
+    let request = Request {
+        axial_span_range_m: Some([1e-3, 1e-3]),
+        ..small(&case)
+    };
+    let found = run(&case, &request, &mut |_, jobs| {
+        Ok(jobs
+            .iter()
+            .map(|job| job.run(&case, &mut go_on).unwrap())
+            .collect())
+    });
+    assert_eq!(found.recommended, None);
+    let excluded: Vec<&str> = found.rejections().iter().map(|r| r.0).collect();
+    assert!(
+        excluded
+            .iter()
+            .all(|name| ["shallow", "eq-9"].contains(name))
+            && !excluded.is_empty(),
+        "{excluded:?}"
+    );
+    let every = found.maps[0].cells.iter().all(|c| c.cause.is_some());
+    assert!(every, "every cell has its reason");
+    assert!(matches!(
+        found.evaluations[0].rejection.as_ref().map(|r| &r.cause),
+        Some(Cause::Shallow(_) | Cause::Path)
+    ));
+}
+
+#[test]
+fn an_impossible_load_is_refused() {
+    let case = structure(5.1, 25.2);
+    let mut request = small(&case);
+    request.points[0].radial_load_n = 3e5;
+    let error = search(&case, &request, &mut |_, _| panic!("nothing to compute")).unwrap_err();
+    let SearchError::Impossible(message) = error else {
+        panic!("{error:?}");
+    };
+    assert!(
+        message.contains("300000 N") && message.contains("ISO 76"),
+        "{message}"
+    );
+}
