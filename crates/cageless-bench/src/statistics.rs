@@ -46,6 +46,8 @@ pub struct Options {
     against_method: String,
 }
 
+/// Balls are looked at this often, steps: their speeds hardly change in between.
+const BALLS_EVERY: u64 = 8;
 /// Between one member of the reference ensemble and the next.
 const TURN_RAD: f64 = 1.7e-11;
 /// What is averaged over.
@@ -89,6 +91,10 @@ struct Sums {
     y2: f64,
     speed: f64,
     spin: f64,
+    /// Time that the sums over the balls stand for, and that waits for the next look.
+    balls_s: f64,
+    balls_waiting_s: f64,
+    steps: u64,
     onsets: u64,
     /// Shifts the squares to where they do not cancel.
     origin: [f64; 2],
@@ -106,6 +112,9 @@ impl Sums {
             y2: 0.0,
             speed: 0.0,
             spin: 0.0,
+            balls_s: 0.0,
+            balls_waiting_s: 0.0,
+            steps: 0,
             onsets: 0,
             origin: [0.0, -22.5e-6],
         }
@@ -120,8 +129,8 @@ impl Sums {
             1e6 * (mean(self.y) + self.origin[1]),
             deviation(self.y, self.y2),
             deviation(self.x, self.x2),
-            mean(self.speed),
-            mean(self.spin),
+            self.speed / self.balls_s,
+            self.spin / self.balls_s,
             self.onsets as f64,
         ]
     }
@@ -136,7 +145,6 @@ impl Observer for Sums {
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
         let layout = view.layout();
         let n = layout.balls;
-        let [vx, vy, spin] = [2, 3, 4].map(|group| view.after(group));
         let inside = view.step.from_s >= WINDOW_S[0] * (1.0 - 1e-12);
         let touch = view.contacts.balls_touch();
         if touch || self.touched {
@@ -153,14 +161,21 @@ impl Observer for Sums {
         let weight = view.step.to_s - view.step.from_s;
         let ring = |k: usize| view.step.after[layout.ring(k)] - self.origin[k];
         let (rx, ry) = (ring(0), ring(1));
-        let speed: f64 = (0..n).map(|k| (vx[k] * vx[k] + vy[k] * vy[k]).sqrt()).sum();
         self.time_s += weight;
         self.x += weight * rx;
         self.y += weight * ry;
         self.x2 += weight * rx * rx;
         self.y2 += weight * ry * ry;
-        self.speed += weight * speed / n as f64;
-        self.spin += weight * spin.iter().sum::<f64>() / n as f64;
+        self.balls_waiting_s += weight;
+        self.steps += 1;
+        if self.steps.is_multiple_of(BALLS_EVERY) {
+            let [vx, vy, spin] = [2, 3, 4].map(|group| view.after(group));
+            let speed: f64 = (0..n).map(|k| vx[k].hypot(vy[k])).sum();
+            self.balls_s += self.balls_waiting_s;
+            self.speed += self.balls_waiting_s * speed / n as f64;
+            self.spin += self.balls_waiting_s * spin.iter().sum::<f64>() / n as f64;
+            self.balls_waiting_s = 0.0;
+        }
         Ok(Control::Continue)
     }
 }

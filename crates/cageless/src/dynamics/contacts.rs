@@ -25,13 +25,6 @@ impl Contacts<'_> {
         block(&self.work.entries[entry / LANES]).0[entry % LANES]
     }
 
-    /// Largest over the lanes that belong to the bearing.
-    fn most(&self, block: &Block) -> f64 {
-        let own = block.0.iter().skip(self.layout.member());
-        own.step_by(self.layout.members())
-            .fold(0.0, |most, v| f64::max(most, *v))
-    }
-
     /// Normal force at the inner raceway, N.
     pub fn inner_force_n(&self, k: usize) -> f64 {
         self.at(|e| &e.inner_force, k)
@@ -99,12 +92,12 @@ impl Contacts<'_> {
 
     /// Whether any two balls touch.
     pub fn balls_touch(&self) -> bool {
-        self.most(&self.work.pair_most) > 0.0
+        self.work.pair_most[self.layout.member()] > 0.0
     }
 
     /// Largest |ΔVi| or |ΔVo| at contacts that carry load.
     pub fn slip_max_m_s(&self) -> f64 {
-        self.most(&self.work.slip_most)
+        self.work.slip_most[self.layout.member()]
     }
 
     /// What the balls put on the outer ring, friction included, N.

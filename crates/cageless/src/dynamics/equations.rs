@@ -18,10 +18,10 @@ pub(super) struct Workspace {
     /// What the contact with the ball ahead puts on a ball, and with the ball behind.
     ahead: [Vec<Block>; 3],
     behind: [Vec<Block>; 3],
-    /// Largest pair deflection of each lane.
-    pub pair_most: Block,
-    /// Largest |ΔV| under load of each lane.
-    pub slip_most: Block,
+    /// Largest pair deflection of each bearing, 0 if no balls touch.
+    pub pair_most: [f64; MEMBERS],
+    /// Largest |ΔV| under load of each bearing.
+    pub slip_most: [f64; MEMBERS],
 }
 
 impl Workspace {
@@ -34,8 +34,8 @@ impl Workspace {
             next: std::array::from_fn(|_| zero()),
             ahead: std::array::from_fn(|_| zero()),
             behind: std::array::from_fn(|_| zero()),
-            pair_most: Block::ZERO,
-            slip_most: Block::ZERO,
+            pair_most: [0.0; MEMBERS],
+            slip_most: [0.0; MEMBERS],
         }
     }
 }
@@ -91,7 +91,7 @@ fn equations<const PAPER: bool, const COULOMB: bool>(
         }
     }
     w.sums.clear(alone);
-    w.slip_most = Block::ZERO;
+    let mut slip_most = Block::ZERO;
     let mut s = Scratch::ZERO;
     let mut shares = [Block::ZERO; Sum::COUNT];
     for (block, entry) in w.entries.iter_mut().enumerate() {
@@ -113,14 +113,15 @@ fn equations<const PAPER: bool, const COULOMB: bool>(
             uphill_force(entry, &mut s);
         }
         inner_contact::<PAPER, COULOMB>(p, ball, entry, &mut shares, motion, &ring);
-        slips(entry, &mut w.slip_most);
+        slips(entry, &mut slip_most);
         add(&mut w.sums, &Sum::ALWAYS, &shares, alone, block);
         if PAPER {
             add(&mut w.sums, &Sum::PAPER, &shares, alone, block);
         }
     }
-    pair_deflections(p, w, y);
-    if w.pair_most.0.iter().any(|d| *d > 0.0) {
+    w.slip_most = most(&slip_most, alone);
+    w.pair_most = most(&pair_deflections(p, w, y), alone);
+    if w.pair_most.iter().any(|d| *d > 0.0) {
         pair_contact::<PAPER, COULOMB>(p, w, y);
     } else {
         for entry in &mut w.entries {
@@ -441,9 +442,25 @@ fn slips(entry: &Entry, most: &mut Block) {
     }
 }
 
-/// δb of each ball with the ball ahead (Zhao 2022, Eq. (17)), and the largest.
+/// Largest of the lanes of each bearing; of the only one it comes first.
 #[inline(always)]
-fn pair_deflections(p: &Parameters, w: &mut Workspace, y: &[f64]) {
+fn most(lanes: &Block, alone: bool) -> [f64; MEMBERS] {
+    let larger = |a: f64, b: f64| if b > a { b } else { a };
+    let mut most = [0.0; MEMBERS];
+    for l in 0..LANES {
+        most[l % MEMBERS] = larger(most[l % MEMBERS], lanes.0[l]);
+    }
+    if alone {
+        for k in 1..MEMBERS {
+            most[0] = larger(most[0], most[k]);
+        }
+    }
+    most
+}
+
+/// δb of each ball with the ball ahead (Zhao 2022, Eq. (17)); returns the largest.
+#[inline(always)]
+fn pair_deflections(p: &Parameters, w: &mut Workspace, y: &[f64]) -> Block {
     let n = p.layout.stride;
     for group in 0..2 {
         forwards(p, &y[group * n..][..n], &mut w.next[group]);
@@ -466,7 +483,7 @@ fn pair_deflections(p: &Parameters, w: &mut Workspace, y: &[f64]) {
             };
         }
     }
-    w.pair_most = most;
+    most
 }
 
 /// Values of the ball ahead at the place of each ball.
