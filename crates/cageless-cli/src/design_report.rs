@@ -8,12 +8,11 @@ use cageless::snapshot::Snapshot;
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::VERSION;
 use cageless_report::{
-    ContactTrack, DesignCurve, DesignData, DesignLimit, LimitedQuantity, Parameter, Provenance,
-    RacewaySurface, Structure,
+    ContactTrack, DesignCurve, DesignData, DesignLimit, DesignResult, LimitedQuantity, Parameter,
+    Provenance, RacewaySurface, Structure,
 };
 
-use crate::commands::design::DesignResult;
-use crate::run_report::{motion, parameter, parameters, provenance};
+use cageless_report::run_report::{motion, parameter, parameters, provenance};
 
 /// Orbits of the balls that the page shows.
 pub const PORTRAIT_ORBITS: f64 = 3.0;

@@ -35,12 +35,7 @@ impl Failure {
 
     /// A run that stopped.
     pub fn stopped(stop: &Stop, kept: &str) -> Self {
-        Self::Unphysical(format!(
-            "at t = {:.6} s {}. To change: {}.{kept}",
-            stop.time_s,
-            stop.cause,
-            stop.advice()
-        ))
+        Self::Unphysical(format!("{stop}{kept}"))
     }
 }
 
@@ -87,48 +82,22 @@ impl From<CriticalGapError> for Failure {
     }
 }
 
-/// A place that cannot be written to is bad input; a disk that is full is not.
-fn is_unusable(error: &std::io::Error) -> bool {
-    use std::io::ErrorKind::{
-        AlreadyExists, IsADirectory, NotADirectory, NotFound, PermissionDenied, ReadOnlyFilesystem,
-    };
-    matches!(
-        error.kind(),
-        AlreadyExists
-            | IsADirectory
-            | NotADirectory
-            | NotFound
-            | PermissionDenied
-            | ReadOnlyFilesystem
-    )
-}
-
 impl From<SweepError> for Failure {
     fn from(error: SweepError) -> Self {
-        match error {
-            SweepError::Plan(error) => error.into(),
-            SweepError::Input(message) => Self::Input(message),
-            SweepError::Files(error) => error.into(),
-            SweepError::Folder { ref source, .. } if is_unusable(source) => {
-                Self::Input(error.to_string())
-            }
-            error => Self::Other(anyhow::Error::msg(error.to_string())),
+        if error.is_input() {
+            return Self::Input(error.to_string());
         }
+        Self::Other(anyhow::Error::msg(error.to_string()))
     }
 }
 
 impl From<ResultError> for Failure {
     fn from(error: ResultError) -> Self {
-        match &error {
-            ResultError::Busy { .. } | ResultError::Unreadable { .. } => {
-                Self::Input(error.to_string())
-            }
-            ResultError::Out { source, .. } if is_unusable(source) => {
-                Self::Input(error.to_string())
-            }
-            // The message has its cause in it.
-            _ => Self::Other(anyhow::Error::msg(error.to_string())),
+        if error.is_input() {
+            return Self::Input(error.to_string());
         }
+        // The message has its cause in it.
+        Self::Other(anyhow::Error::msg(error.to_string()))
     }
 }
 

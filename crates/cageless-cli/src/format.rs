@@ -1,5 +1,7 @@
 //! Plain text tables for the terminal.
 
+pub use cageless_report::text::shown;
+
 /// Lines up columns: text to the left, numbers to the right. The first row is the head.
 pub fn columns(rows: &[Vec<String>]) -> String {
     let width = |k: usize| {
@@ -51,13 +53,4 @@ pub fn pairs(rows: &[(&str, String)]) -> String {
             )
         })
         .collect()
-}
-
-/// A number with its unit; a dash if there is none (no statistics of a run too short).
-pub fn shown(value: f64, digits: usize, unit: &str) -> String {
-    if value.is_finite() {
-        format!("{value:.digits$}{unit}")
-    } else {
-        "-".to_owned()
-    }
 }

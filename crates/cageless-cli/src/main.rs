@@ -7,7 +7,6 @@ mod failure;
 mod format;
 mod progress;
 mod reproduce;
-mod run_report;
 mod search;
 mod verification;
 

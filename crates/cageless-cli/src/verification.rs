@@ -1,10 +1,10 @@
 //! `cageless run --verify`: the members of a certificate, run on all cores.
 
 use cageless::Case;
-use cageless::certificate::{Certificate, FAR, Member, MemberError, Verdict, Watch, members};
+use cageless::certificate::{Certificate, FAR, Member, MemberError, Watch, members};
 use cageless::simulation::{Ending, Observer, RunOutcome};
-use cageless_io::results::{CertificateFile, CertificateNumber, SummaryFile, rounded};
-use cageless_report::{CertificateRow, CertificateTable};
+use cageless_io::results::{CertificateFile, SummaryFile};
+use cageless_report::certificate::{facts, value};
 use rayon::prelude::*;
 
 use crate::format::{columns, pairs};
@@ -79,52 +79,6 @@ impl Verification {
     }
 }
 
-/// The value to the digits that are known of it.
-fn value(number: &CertificateNumber) -> String {
-    let known = if number.verdict == Verdict::Converged.name() {
-        number.tolerance
-    } else {
-        number.spread
-    };
-    if number.unit == "1" {
-        format!("{}", number.value)
-    } else {
-        rounded(number.value, known)
-    }
-}
-
-fn facts(c: &CertificateFile) -> [(&'static str, String); 4] {
-    [
-        (
-            "verified",
-            format!(
-                "{} numbers converged, {} statistical, {} neither ({} starts, steps of {} and {} µs)",
-                c.converged,
-                c.statistical,
-                c.neither,
-                c.members,
-                c.step_us,
-                c.step_us / 2.0
-            ),
-        ),
-        ("predictability", c.predictability.clone()),
-        (
-            "energy balance",
-            format!(
-                "{:.1e} of all flows missing, {:.1e} at half the step",
-                c.energy_residual_relative, c.energy_residual_relative_half_step
-            ),
-        ),
-        (
-            "momentum balance",
-            format!(
-                "{:.1e} of all impulses missing, {:.1e} at half the step",
-                c.momentum_residual_relative, c.momentum_residual_relative_half_step
-            ),
-        ),
-    ]
-}
-
 /// For the terminal.
 pub fn text(c: &CertificateFile) -> String {
     let head = ["number", "value", "unit", "verdict", "because"].map(str::to_owned);
@@ -139,26 +93,4 @@ pub fn text(c: &CertificateFile) -> String {
         ]);
     }
     format!("\n{}\n{}", pairs(&facts(c)), columns(&rows))
-}
-
-/// For the report page.
-pub fn table(c: &CertificateFile) -> CertificateTable {
-    CertificateTable {
-        facts: facts(c)
-            .into_iter()
-            .map(|(name, fact)| format!("{name}: {fact}"))
-            .collect(),
-        rows: c
-            .ranked()
-            .into_iter()
-            .map(|(name, number)| CertificateRow {
-                name: name.to_owned(),
-                value: value(number),
-                unit: number.unit.clone(),
-                verdict: number.verdict.clone(),
-                reason: number.reason.clone(),
-                marked: number.verdict == Verdict::Neither.name(),
-            })
-            .collect(),
-    }
 }

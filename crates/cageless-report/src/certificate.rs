@@ -1,5 +1,7 @@
 //! How far the results of a run can be trusted.
 
+use cageless::certificate::Verdict;
+use cageless_io::results::{CertificateFile, CertificateNumber, rounded};
 use serde::Serialize;
 
 use crate::data::Provenance;
@@ -29,6 +31,77 @@ pub struct CertificateRow {
     pub reason: String,
     /// Whether the row is called out.
     pub marked: bool,
+}
+
+impl CertificateTable {
+    /// Of the certificate of a summary.
+    pub fn of(c: &CertificateFile) -> Self {
+        Self {
+            facts: facts(c)
+                .into_iter()
+                .map(|(name, fact)| format!("{name}: {fact}"))
+                .collect(),
+            rows: c
+                .ranked()
+                .into_iter()
+                .map(|(name, number)| CertificateRow {
+                    name: name.to_owned(),
+                    value: value(number),
+                    unit: number.unit.clone(),
+                    verdict: number.verdict.clone(),
+                    reason: number.reason.clone(),
+                    marked: number.verdict == Verdict::Neither.name(),
+                })
+                .collect(),
+        }
+    }
+}
+
+/// The value to the digits that are known of it.
+pub fn value(number: &CertificateNumber) -> String {
+    let known = if number.verdict == Verdict::Converged.name() {
+        number.tolerance
+    } else {
+        number.spread
+    };
+    if number.unit == "1" {
+        format!("{}", number.value)
+    } else {
+        rounded(number.value, known)
+    }
+}
+
+/// Predictability and balances: name and finding.
+pub fn facts(c: &CertificateFile) -> [(&'static str, String); 4] {
+    [
+        (
+            "verified",
+            format!(
+                "{} numbers converged, {} statistical, {} neither ({} starts, steps of {} and {} µs)",
+                c.converged,
+                c.statistical,
+                c.neither,
+                c.members,
+                c.step_us,
+                c.step_us / 2.0
+            ),
+        ),
+        ("predictability", c.predictability.clone()),
+        (
+            "energy balance",
+            format!(
+                "{:.1e} of all flows missing, {:.1e} at half the step",
+                c.energy_residual_relative, c.energy_residual_relative_half_step
+            ),
+        ),
+        (
+            "momentum balance",
+            format!(
+                "{:.1e} of all impulses missing, {:.1e} at half the step",
+                c.momentum_residual_relative, c.momentum_residual_relative_half_step
+            ),
+        ),
+    ]
 }
 
 /// The table of the certificate.

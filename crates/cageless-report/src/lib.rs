@@ -9,6 +9,7 @@
 pub mod certificate;
 pub mod data;
 pub mod design;
+mod design_result;
 pub mod figure;
 pub mod figures;
 pub mod geometry;
@@ -17,8 +18,10 @@ pub mod page;
 pub mod plot;
 pub mod reproduce;
 pub mod run;
+pub mod run_report;
 pub mod sampling;
 pub mod search_tables;
+mod static_result;
 pub mod sweep;
 pub mod table;
 pub mod tables;
@@ -28,12 +31,16 @@ pub mod tolerance;
 pub use certificate::{CertificateRow, CertificateTable};
 pub use data::*;
 pub use design::*;
+pub use design_result::{
+    Curve, DesignResult, PassageNumbers, RacewayNumbers, RecommendationNumbers,
+};
 pub use figure::Figure;
 pub use geometry::{ContactTrack, RacewaySurface};
 pub use motion::MotionFigure;
 pub use page::{Note, Page};
 pub use reproduce::*;
 pub use run::*;
+pub use static_result::StaticResult;
 pub use sweep::*;
 
 /// All numbers of a report as one JSON document, unrounded.

@@ -119,6 +119,15 @@ fn minus(text: &str) -> String {
     text.replace('-', "\u{2212}")
 }
 
+/// A number with its unit; a dash if there is none (no statistics of a run too short).
+pub fn shown(value: f64, digits: usize, unit: &str) -> String {
+    if value.is_finite() {
+        format!("{value:.digits$}{unit}")
+    } else {
+        "-".to_owned()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

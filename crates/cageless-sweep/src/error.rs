@@ -1,7 +1,7 @@
 //! Why a sweep cannot go on.
 
 use cageless_io::case_file::CaseError;
-use cageless_io::results::ResultError;
+use cageless_io::results::{ResultError, is_unusable};
 
 /// What went wrong with a sweep as a whole. A variant that fails is a row.
 #[derive(Debug, thiserror::Error)]
@@ -29,6 +29,16 @@ pub enum SweepError {
 }
 
 impl SweepError {
+    /// Whether what was asked for is at fault, not the machine.
+    pub fn is_input(&self) -> bool {
+        match self {
+            Self::Plan(_) | Self::Input(_) => true,
+            Self::Files(error) => error.is_input(),
+            Self::Folder { source, .. } => is_unusable(source),
+            Self::Threads(_) => false,
+        }
+    }
+
     pub(crate) fn folder(path: &std::path::Path, source: std::io::Error) -> Self {
         Self::Folder {
             path: path.to_owned(),

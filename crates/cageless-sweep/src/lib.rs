@@ -30,6 +30,7 @@
 
 pub mod analysis;
 mod assemble;
+mod collection;
 mod error;
 mod evaluate;
 mod failures;
@@ -46,6 +47,7 @@ mod sobol;
 mod variants;
 mod work;
 
+pub use collection::{Collection, write_part};
 pub use error::SweepError;
 pub use evaluate::{Stop, Sweep};
 pub use failures::{Failures, failures};

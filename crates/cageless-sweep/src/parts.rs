@@ -114,7 +114,7 @@ impl Parts {
         let Some(first) = rows.first().map(index) else {
             return Ok(());
         };
-        let path = self.folder.join(format!("rows-{first:010}.parquet"));
+        let path = self.folder.join(part_name(first));
         let mut table = RowsWriter::create(&path, columns, footer)?;
         for row in rows {
             table.push(row)?;
@@ -159,6 +159,11 @@ impl Stock {
         self.tables.push((first, path));
         Ok(())
     }
+}
+
+/// Name of a table whose first variant is this one.
+pub(crate) fn part_name(first: u64) -> String {
+    format!("rows-{first:010}.parquet")
 }
 
 /// Index of the variant of a row.

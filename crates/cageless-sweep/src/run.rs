@@ -4,14 +4,11 @@ use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-use cageless::dynamics::InstructionSet;
-use cageless_io::results::{Row, RowsReader};
+use cageless_io::results::Row;
 
-use crate::assemble::assemble;
+use crate::collection::Collection;
 use crate::error::SweepError;
 use crate::evaluate::Sweep;
-use crate::footer::Identity;
-use crate::parts::Parts;
 use crate::ranges::Shard;
 use crate::work::work;
 
@@ -82,44 +79,15 @@ pub fn run(
     mut watch: impl FnMut(&Progress) -> bool,
 ) -> Result<Done, SweepError> {
     let started = Instant::now();
-    let identity = Identity::of(sweep);
-    let range = match job.shard {
-        Some(shard) => shard.range(sweep.variants()),
-        None => 0..sweep.variants(),
-    };
+    let collection = Collection::open(sweep, &job.result, job.shard)?;
+    let missing = collection.missing()?;
+    let left: u64 = missing.iter().map(|r| r.end - r.start).sum();
     let mut progress = Progress {
-        total: range.end - range.start,
-        done: 0,
+        total: collection.total(),
+        done: collection.total() - left,
         done_now: 0,
         elapsed: Duration::ZERO,
     };
-    if let Some(folder) = job.result.parent() {
-        std::fs::create_dir_all(folder).map_err(|e| SweepError::folder(folder, e))?;
-    }
-    let parts = Parts::open(&job.result)?;
-    let prepared = is_complete(&identity, job, progress.total)
-        .and_then(|complete| Ok((complete, parts.claim(&identity)?)));
-    match prepared {
-        Err(error) => {
-            parts.remove_if_empty();
-            return Err(error);
-        }
-        Ok((true, ())) => {
-            parts.remove()?;
-            progress.done = progress.total;
-            return Ok(Done {
-                complete: true,
-                progress,
-            });
-        }
-        Ok((false, ())) => {}
-    }
-
-    let stock = parts.stock()?;
-    let missing = stock.done.missing(range.clone());
-    progress.done = progress.total - missing.iter().map(|r| r.end - r.start).sum::<u64>();
-    let isa = InstructionSet::chosen().name();
-    let footer = identity.footer(&[isa.to_owned()], job.shard);
     let mut waiting: Vec<Row> = Vec::new();
     let mut put_away = Instant::now();
     let threads = job.threads.map_or(0, NonZeroUsize::get);
@@ -130,47 +98,16 @@ pub fn run(
         waiting.extend(rows);
         let due = (progress.elapsed / SHARE).clamp(OFTEN, SELDOM);
         if waiting.len() >= WAITING_MAX || put_away.elapsed() >= due {
-            parts.keep(sweep.columns(), &footer, std::mem::take(&mut waiting))?;
+            collection.keep(std::mem::take(&mut waiting))?;
             put_away = Instant::now();
         }
         Ok(watch(&progress))
     });
     worked?;
-    parts.keep(sweep.columns(), &footer, waiting)?;
+    collection.keep(waiting)?;
     progress.elapsed = started.elapsed();
-    if progress.done < progress.total {
-        return Ok(Done {
-            complete: false,
-            progress,
-        });
-    }
-    let stock = parts.stock()?;
-    let footer = identity.footer(&stock.isa, job.shard);
-    assemble(&job.result, sweep.columns(), &footer, &stock.tables, range)?;
-    parts.remove()?;
     Ok(Done {
-        complete: true,
+        complete: collection.finish()?,
         progress,
     })
-}
-
-/// Whether the result is there already.
-fn is_complete(identity: &Identity, job: &Job, total: u64) -> Result<bool, SweepError> {
-    let path = &job.result;
-    if !path.exists() {
-        return Ok(false);
-    }
-    let remedy = "Choose another --out, or remove it";
-    let foreign = |why: &str| SweepError::Input(format!("{} {why}. {remedy}", path.display()));
-    if path.is_dir() {
-        return Err(foreign("is a directory where the result is to be"));
-    }
-    let found = RowsReader::open(path)?;
-    let before = Identity::read(&found).ok_or_else(|| foreign("is not the result of a sweep"))?;
-    identity.must_be(&before.text(), &path.display().to_string(), remedy)?;
-    let shard = job.shard.map(|s| s.to_string());
-    if found.footer("shard") != shard.as_deref() || found.rows() != total {
-        return Err(foreign("holds another part of the sweep"));
-    }
-    Ok(true)
 }

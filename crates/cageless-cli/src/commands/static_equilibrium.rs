@@ -1,44 +1,18 @@
 //! `cageless static`.
 
 use cageless::equilibrium::solve;
-use serde::Serialize;
+use cageless_report::StaticResult;
 
 use super::{deliver, read_case};
 use crate::args::CaseArgs;
 use crate::failure::Failure;
 use crate::format::{columns, pairs};
 
-/// `static --json`.
-#[derive(Debug, Serialize)]
-struct StaticResult {
-    ring_x_um: f64,
-    ring_y_um: f64,
-    ball_angle_deg: Vec<f64>,
-    inner_force_n: Vec<f64>,
-    outer_force_n: Vec<f64>,
-    effective_radius_mm: Vec<f64>,
-    inner_stiffness: f64,
-    outer_stiffness: f64,
-    inner_stress_max_gpa: f64,
-    outer_stress_max_gpa: f64,
-}
-
 /// Solves and shows the equilibrium.
 pub fn static_equilibrium(args: &CaseArgs) -> Result<(), Failure> {
     let file = read_case(args)?;
     let e = solve(file.case())?;
-    let result = StaticResult {
-        ring_x_um: e.ring_x_m * 1e6,
-        ring_y_um: e.ring_y_m * 1e6,
-        ball_angle_deg: e.ball_angle_rad.iter().map(|a| a.to_degrees()).collect(),
-        inner_force_n: e.inner_force_n,
-        outer_force_n: e.outer_force_n,
-        effective_radius_mm: e.effective_radius_m.iter().map(|r| r * 1e3).collect(),
-        inner_stiffness: e.inner_stiffness_n_m1_5,
-        outer_stiffness: e.outer_stiffness_n_m1_5,
-        inner_stress_max_gpa: e.inner_stress_max_pa * 1e-9,
-        outer_stress_max_gpa: e.outer_stress_max_pa * 1e-9,
-    };
+    let result = StaticResult::new(e);
     let head = ["ball", "ψ °", "r mm", "inner force N", "outer force N"];
     let mut rows = vec![head.map(str::to_owned).to_vec()];
     for k in 0..result.ball_angle_deg.len() {

@@ -10,6 +10,7 @@ use cageless::tolerance::{
     Assessment, BALL_GRADES, Influence, Outcome, Tolerances, Trial, assess, ball_grade, trials,
 };
 use cageless_io::results::{VERSION, write_atomically};
+use cageless_report::run_report::provenance;
 use cageless_report::tolerance::{
     InfluenceRow, SampleData, ToleranceData, VerdictCount, tolerance_page,
 };
@@ -21,7 +22,6 @@ use crate::args::ToleranceArgs;
 use crate::failure::Failure;
 use crate::format::columns;
 use crate::progress::{Progress, catch_interrupt};
-use crate::run_report::provenance;
 
 const PAGE: &str = "report.html";
 const NUMBERS: &str = "tolerance.json";

@@ -5,7 +5,7 @@ use cageless_io::case_file::CaseFile;
 use cageless_report::Structure;
 
 use crate::failure::Failure;
-use crate::run_report::profile_name;
+use cageless_report::run_report::profile_name;
 
 macro_rules! case_text {
     ($name:literal) => {

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use super::cases;
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::run_report::{
+use cageless_report::run_report::{
     SAMPLING_HZ, ball_pass_mark, filter_note, motion, provenance, vibration_signal,
 };
 

@@ -13,7 +13,7 @@ use super::READINGS;
 use super::cases::{self, label};
 use crate::failure::Failure;
 use crate::progress::Progress;
-use crate::run_report::provenance;
+use cageless_report::run_report::provenance;
 
 /// Seconds on one core, roughly.
 pub const WORK: f64 = 12.0;

@@ -13,7 +13,7 @@ use cageless_report::{
 use super::findings;
 use crate::failure::Failure;
 use crate::reproduce::paper_structures;
-use crate::run_report::provenance;
+use cageless_report::run_report::provenance;
 
 /// Points of the curve of Eq. (11).
 const CURVE_POINTS: usize = 120;

@@ -44,7 +44,33 @@ pub enum ResultError {
     },
 }
 
+/// Whether this is about a place that cannot be written to, which is for the user to
+/// change, unlike a disk that is full.
+pub fn is_unusable(error: &io::Error) -> bool {
+    use io::ErrorKind::{
+        AlreadyExists, IsADirectory, NotADirectory, NotFound, PermissionDenied, ReadOnlyFilesystem,
+    };
+    matches!(
+        error.kind(),
+        AlreadyExists
+            | IsADirectory
+            | NotADirectory
+            | NotFound
+            | PermissionDenied
+            | ReadOnlyFilesystem
+    )
+}
+
 impl ResultError {
+    /// Whether what was asked for is at fault, not the machine.
+    pub fn is_input(&self) -> bool {
+        match self {
+            Self::Busy { .. } | Self::Unreadable { .. } => true,
+            Self::Out { source, .. } => is_unusable(source),
+            Self::Table { .. } | Self::Ragged { .. } => false,
+        }
+    }
+
     pub(super) fn out(path: &Path, source: io::Error) -> Self {
         Self::Out {
             path: path.to_owned(),

@@ -29,12 +29,14 @@ use cageless::{Collision, Snapshot};
 use crate::case_file::CaseDocument;
 
 pub use certificate::{CertificateFile, CertificateNumber, DistanceColumns, rounded};
-pub use error::ResultError;
+pub use error::{ResultError, is_unusable};
 pub use partial::write_atomically;
 pub use rows::{Cell, ColumnKind, ColumnSpec, Row, RowsReader, RowsWriter};
 pub use summary::{Stopped, SummaryFile};
 
-use table::{Column, Table};
+pub use table::Column;
+
+use table::Table;
 
 /// Version of the layout of results.
 pub const SCHEMA: u64 = 1;
@@ -68,7 +70,7 @@ const fn ball(name: &'static str) -> Column {
 }
 
 /// Columns of `balls.parquet`; from the third on as in [`Snapshot::arrays`].
-const BALLS: &[Column] = &[
+pub const BALLS: &[Column] = &[
     number("time_s", "s"),
     ball("ball"),
     number("angle_rad", "rad"),
@@ -87,7 +89,7 @@ const BALLS: &[Column] = &[
 ];
 
 /// Columns of `ring.parquet`; from the second on as in [`cageless::RingSnapshot::values`].
-const RING: &[Column] = &[
+pub const RING: &[Column] = &[
     number("time_s", "s"),
     number("x_m", "m"),
     number("y_m", "m"),
@@ -100,7 +102,7 @@ const RING: &[Column] = &[
 ];
 
 /// Columns of `collisions.parquet`.
-const COLLISIONS: &[Column] = &[
+pub const COLLISIONS: &[Column] = &[
     number("start_s", "s"),
     number("duration_s", "s"),
     ball("ball"),
@@ -110,6 +112,21 @@ const COLLISIONS: &[Column] = &[
     number("peak_force_n", "N"),
     number("impulse_n_s", "N s"),
 ];
+
+/// A row of [`COLLISIONS`].
+pub fn collision_values(c: &Collision) -> [f64; COLLISIONS.len()] {
+    let number = |index: usize| (index + 1) as f64;
+    [
+        c.start_s,
+        c.duration_s,
+        number(c.ball),
+        number(c.next_ball),
+        c.angle_rad,
+        c.approach_speed_m_s,
+        c.peak_force_n,
+        c.impulse_n_s,
+    ]
+}
 
 /// Writes the tables of one run as it goes. Without [`RunWriter::finish`] it leaves
 /// nothing behind.
@@ -155,7 +172,7 @@ impl RunWriter {
             return Err(ResultError::Ragged { time_s: s.time_s });
         }
         self.balls.numbers(0, repeat_n(s.time_s, n));
-        self.balls.ball_numbers(1, 0..n);
+        self.balls.whole_numbers(1, (1..).take(n));
         for (k, array) in arrays.into_iter().enumerate() {
             self.balls.numbers(k + 2, array.iter().copied());
         }
@@ -174,14 +191,13 @@ impl RunWriter {
     /// If writing fails.
     pub fn collision(&mut self, c: &Collision) -> Result<(), ResultError> {
         let table = &mut self.collisions;
-        table.numbers(0, [c.start_s]);
-        table.numbers(1, [c.duration_s]);
-        table.ball_numbers(2, [c.ball]);
-        table.ball_numbers(3, [c.next_ball]);
-        table.numbers(4, [c.angle_rad]);
-        table.numbers(5, [c.approach_speed_m_s]);
-        table.numbers(6, [c.peak_force_n]);
-        table.numbers(7, [c.impulse_n_s]);
+        for (k, (column, value)) in COLLISIONS.iter().zip(collision_values(c)).enumerate() {
+            if column.integer {
+                table.whole_numbers(k, [value as i32]);
+            } else {
+                table.numbers(k, [value]);
+            }
+        }
         table.rows_added()
     }
 

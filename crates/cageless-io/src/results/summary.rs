@@ -3,12 +3,18 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use cageless::simulation::{Ending, RunOutcome};
+use cageless::state::Work;
+use cageless::step::StepLimits;
+use cageless::summary::Summary;
+use cageless::{Case, Method};
 use serde::Serialize;
 
 use super::certificate::CertificateFile;
 use super::error::ResultError;
 use super::partial::write_atomically;
-use crate::case_file::CaseDocument;
+use super::{SCHEMA, VERSION};
+use crate::case_file::{CaseDocument, CaseFile};
 
 /// The summary of a run. A number that is not finite becomes `null`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -69,6 +75,74 @@ pub struct Stopped {
 }
 
 impl SummaryFile {
+    /// The summary of a run of `file`; `summary` is what the run's recorder has.
+    pub fn new(
+        file: &CaseFile,
+        outcome: &RunOutcome,
+        summary: Option<Summary>,
+        wall_s: f64,
+    ) -> Self {
+        let mut energy: BTreeMap<String, f64> = Work::ALL
+            .into_iter()
+            .map(|work| (work.name().to_owned(), outcome.state.work_j(work)))
+            .collect();
+        energy.insert(
+            "change".to_owned(),
+            outcome.end_energy_j - outcome.start_energy_j,
+        );
+        let mut warnings = warnings(file.case());
+        if matches!(outcome.ending, Ending::Interrupted) {
+            warnings.push(format!(
+                "interrupted at t = {:.6} s of {} s",
+                outcome.end_s,
+                file.case().solver.duration_s
+            ));
+        }
+        // A run that stopped says so itself.
+        let residual = outcome.energy_residual_relative;
+        if residual.abs() > RESIDUAL_SHARE && !matches!(outcome.ending, Ending::Stopped(_)) {
+            warnings.push(format!(
+                "{:.1} % of all energy flows are unaccounted for: do not trust these numbers, set \
+                 solver.step_us to less than the {} µs of this run",
+                100.0 * residual,
+                file.case().solver.step_s * 1e6
+            ));
+        }
+        if summary.is_none() {
+            warnings.push("the run ended within its transient: no statistics".to_owned());
+        }
+        let number = |f: fn(&Summary) -> f64| summary.as_ref().map_or(f64::NAN, f);
+        Self {
+            schema: SCHEMA,
+            version: VERSION.to_owned(),
+            isa: outcome.instruction_set.name().to_owned(),
+            case: file.document_as_run(),
+            defaults: file.defaults().to_vec(),
+            collisions: summary.map_or(0, |s| s.collisions),
+            gap_min_deg: number(|s| s.gap_min_rad).to_degrees(),
+            gap_max_deg: number(|s| s.gap_max_rad).to_degrees(),
+            ring_x_um_mean: number(|s| s.ring_x_mean_m * 1e6),
+            ring_y_um_mean: number(|s| s.ring_y_mean_m * 1e6),
+            slip_max_m_s: number(|s| s.slip_max_m_s),
+            energy_residual_relative: outcome.energy_residual_relative,
+            energy,
+            steps: outcome.steps,
+            rhs_evaluations: outcome.rhs_evaluations,
+            wall_s,
+            settled_after_s: number(|s| s.settled_after_s),
+            warnings,
+            certificate: None,
+            stopped: match &outcome.ending {
+                Ending::Stopped(stop) => Some(Stopped {
+                    time_s: stop.time_s,
+                    cause: stop.cause.to_string(),
+                    advice: stop.advice(),
+                }),
+                _ => None,
+            },
+        }
+    }
+
     /// The summary as indented JSON with a final line end.
     ///
     /// # Errors
@@ -88,4 +162,32 @@ impl SummaryFile {
             .map_err(|e| ResultError::out(&path, std::io::Error::other(e)))?;
         write_atomically(&path, json.as_bytes())
     }
+}
+
+/// Largest step at which ABM4 stays unbiased without contact damping.
+const UNDAMPED_STEP_S: f64 = 0.5e-6;
+
+/// Share of all energy flows that may be unaccounted for without a warning.
+const RESIDUAL_SHARE: f64 = 0.01;
+
+fn warnings(case: &Case) -> Vec<String> {
+    let mut warnings = vec![];
+    let method = case.solver.method;
+    let resolved = StepLimits::of(case).friction_resolved_to_s(method);
+    if case.solver.step_s > resolved {
+        warnings.push(format!(
+            "friction of the smooth law decays faster than the step follows: slip near zero is \
+             wrong above {:.2} µs (solver.step_us, contact.slip_scale_m_s)",
+            resolved * 1e6
+        ));
+    }
+    let undamped = case.contact.damping_n_s_m1_5 == 0.0;
+    if method == Method::Abm4 && undamped && case.solver.step_s > UNDAMPED_STEP_S {
+        warnings.push(
+            "without contact damping ABM4 gains energy at steps above 0.5 µs: statistics are \
+             biased (solver.step_us, or solver.method = \"symplectic\")"
+                .to_owned(),
+        );
+    }
+    warnings
 }

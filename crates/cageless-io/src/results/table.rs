@@ -16,8 +16,10 @@ use super::partial::PartialFile;
 
 /// A column of a table.
 #[derive(Debug)]
-pub(super) struct Column {
+pub struct Column {
+    /// Name, with the unit at its end.
     pub name: &'static str,
+    /// Unit.
     pub unit: &'static str,
     /// 32-bit integers instead of doubles.
     pub integer: bool,
@@ -78,11 +80,10 @@ impl Table {
         }
     }
 
-    /// Adds balls to a column, given by their index from 0.
-    pub(super) fn ball_numbers(&mut self, column: usize, balls: impl IntoIterator<Item = usize>) {
-        let number = |index: usize| i32::try_from(index + 1).unwrap_or(i32::MAX);
+    /// Adds to a column of whole numbers.
+    pub(super) fn whole_numbers(&mut self, column: usize, values: impl IntoIterator<Item = i32>) {
         match &mut self.columns[column] {
-            Values::Integers(all) => all.extend(balls.into_iter().map(number)),
+            Values::Integers(all) => all.extend(values),
             Values::Numbers(_) => debug_assert!(false, "column {column} holds numbers"),
         }
     }

@@ -37,6 +37,13 @@ pub struct Stop {
     pub cause: Cause,
 }
 
+impl std::fmt::Display for Stop {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { time_s, cause, .. } = self;
+        write!(f, "at t = {time_s:.6} s {cause}. To change: {}.", self.advice())
+    }
+}
+
 impl std::fmt::Display for Cause {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {

@@ -13,12 +13,14 @@ use cageless::vibration::{FILTER_CORNER, FILTER_ORDER, Measurement};
 use cageless::{Case, FrictionLaw, Method, Profile};
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::{SummaryFile, VERSION};
-use cageless_report::{
-    BallHistory, BearingOutline, CollisionPoint, EnergyItem, FrequencyMark, Motion, Parameter,
-    Provenance, Recent, RingHistory, RunData, Sector, Vibration, VibrationSignal,
-};
 
-use crate::format::shown;
+use crate::certificate::CertificateTable;
+use crate::data::{
+    BearingOutline, FrequencyMark, Motion, Parameter, Provenance, Sector, Vibration,
+    VibrationSignal,
+};
+use crate::run::{BallHistory, CollisionPoint, EnergyItem, Recent, RingHistory, RunData};
+use crate::text::shown;
 
 /// Sampling of vibration signals, as in the paper's experiment.
 pub const SAMPLING_HZ: f64 = 5000.0;
@@ -267,7 +269,7 @@ pub fn run_data(
         collisions: histories.collisions,
         collisions_total: histories.collisions_seen,
         energy: energy(outcome),
-        certificate: summary.certificate.as_ref().map(crate::verification::table),
+        certificate: summary.certificate.as_ref().map(CertificateTable::of),
         energy_residual_relative: Some(outcome.energy_residual_relative),
         vibration: vibration.map(|measured| Vibration {
             signals: vec![vibration_signal("outer ring", measured)],

@@ -1,0 +1,186 @@
+//! The numbers of a design, in the units in which they are shown.
+
+use cageless::Case;
+use cageless::design::{
+    Eq11, Judgement, PassageStatistics, Recommendation, balls_in_raceway_max,
+    half_angle_for_gap_rad, span_angle_curve, steady_gap_rad, theoretical_gap_rad,
+};
+use cageless::raceway::axial_span_limit_m;
+use serde::Serialize;
+
+use crate::SearchData;
+
+/// `design --json`. Numbers of one raceway are those of the first; the critical gap is the
+/// largest, the verdict the worst of all.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DesignResult {
+    /// ε of Zhao 2022, Eq. (10), degrees.
+    pub epsilon_deg: f64,
+    /// 360°/N − ε, degrees.
+    pub uniform_gap_deg: f64,
+    /// Eq. (11) as published.
+    pub beta0_deg: Option<f64>,
+    /// Eq. (11) with the true polar angle.
+    pub beta0_polar_deg: Option<f64>,
+    /// Largest lC, Zhao 2022, Eq. (8), mm.
+    pub axial_span_limit_mm: f64,
+    /// θ by Eq. (11) for the case's own span and the uniform gap.
+    pub half_angle_deg_for_span: Option<f64>,
+    /// Gap below which neighbours touch in the raceway, degrees.
+    pub critical_gap_deg: Option<f64>,
+    /// Gap outside the raceways when all balls roll by evenly.
+    pub steady_gap_deg: f64,
+    /// Most balls inside at once.
+    pub balls_in_raceway_max: Option<usize>,
+    /// `smooth`, `double-collision`, `slips` or `infeasible`.
+    pub verdict: &'static str,
+    /// Why, in words.
+    pub reasons: Vec<String>,
+    /// How the balls passed the raceway.
+    pub passages: Option<PassageNumbers>,
+    /// Kink of the groove at the ends of the raceway, 45° up, degrees.
+    pub kink_deg: Option<f64>,
+    /// Each raceway.
+    pub raceways: Vec<RacewayNumbers>,
+    /// The middle of what is usable of the curve of Eq. (11).
+    pub recommendation: Option<RecommendationNumbers>,
+    /// The lC–θ curve, Fig. 5.
+    pub curve: Curve,
+    /// What `--search` found.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub search: Option<SearchData>,
+}
+
+/// One raceway.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RacewayNumbers {
+    /// lC, mm.
+    pub axial_span_mm: f64,
+    /// θ, degrees.
+    pub half_angle_deg: f64,
+    /// ψ of its middle, degrees.
+    pub centre_angle_deg: f64,
+    /// Eq. (11) as published, degrees.
+    pub beta0_deg: f64,
+    /// Gap below which neighbours touch in the raceway, degrees.
+    pub critical_gap_deg: Option<f64>,
+    /// `smooth`, `double-collision`, `slips` or `infeasible`.
+    pub verdict: &'static str,
+    /// How the balls passed the raceway.
+    pub passages: Option<PassageNumbers>,
+}
+
+/// Passages of balls through a raceway.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PassageNumbers {
+    /// How many.
+    pub passages: usize,
+    /// Contacts with neighbours per passage.
+    pub collisions_mean: f64,
+    /// Share of the passages hit by both neighbours.
+    pub twice_share: f64,
+    /// Largest slip in a passage, mean, m/s.
+    pub slip_mean_m_s: f64,
+    /// Share of its speed that a ball loses.
+    pub speed_drop_share: f64,
+    /// Smallest gap on leaving, degrees.
+    pub gap_leave_min_deg: f64,
+    /// Largest gap on leaving, degrees.
+    pub gap_leave_max_deg: f64,
+}
+
+/// The middle of the usable part of the curve of Eq. (11).
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RecommendationNumbers {
+    /// Least usable θ, degrees.
+    pub half_angle_min_deg: f64,
+    /// Largest usable θ, degrees.
+    pub half_angle_max_deg: f64,
+    /// θ, degrees.
+    pub half_angle_deg: f64,
+    /// lC, mm.
+    pub axial_span_mm: f64,
+}
+
+/// The lC–θ curve, Fig. 5.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Curve {
+    /// lC, mm.
+    pub axial_span_mm: Vec<f64>,
+    /// θ, degrees.
+    pub half_angle_deg: Vec<Option<f64>>,
+    /// θ with the true polar angle, degrees.
+    pub half_angle_polar_deg: Vec<Option<f64>>,
+}
+
+/// Points of the curve.
+const CURVE_POINTS: usize = 60;
+
+impl DesignResult {
+    /// Of what was found about `case`.
+    pub fn new(case: &Case, judgement: Judgement, recommendation: Option<Recommendation>) -> Self {
+        let bearing = &case.bearing;
+        let raceway = case.raceways.first();
+        let gap = bearing.uniform_gap_rad();
+        let curve = span_angle_curve(bearing, CURVE_POINTS);
+        let degrees = |angle: Option<f64>| angle.map(f64::to_degrees);
+        Self {
+            epsilon_deg: bearing.ball_angle_rad().to_degrees(),
+            uniform_gap_deg: gap.to_degrees(),
+            beta0_deg: degrees(raceway.map(|r| theoretical_gap_rad(bearing, r, Eq11::Published))),
+            beta0_polar_deg: degrees(raceway.map(|r| theoretical_gap_rad(bearing, r, Eq11::Polar))),
+            axial_span_limit_mm: axial_span_limit_m(bearing) * 1e3,
+            half_angle_deg_for_span: degrees(raceway.and_then(|r| {
+                half_angle_for_gap_rad(bearing, r.dimensions().axial_span_m, gap, Eq11::Published)
+            })),
+            critical_gap_deg: degrees(judgement.critical_gap_rad),
+            steady_gap_deg: steady_gap_rad(bearing, &case.raceways).to_degrees(),
+            balls_in_raceway_max: raceway.map(|r| balls_in_raceway_max(bearing, r)),
+            verdict: judgement.verdict.name(),
+            reasons: judgement.reasons,
+            passages: judgement.passages.map(passage_numbers),
+            raceways: case
+                .raceways
+                .iter()
+                .zip(&judgement.raceways)
+                .map(|(raceway, judged)| RacewayNumbers {
+                    axial_span_mm: raceway.dimensions().axial_span_m * 1e3,
+                    half_angle_deg: raceway.half_angle_rad().to_degrees(),
+                    centre_angle_deg: raceway.dimensions().centre_angle_rad.to_degrees(),
+                    beta0_deg: theoretical_gap_rad(bearing, raceway, Eq11::Published).to_degrees(),
+                    critical_gap_deg: degrees(judged.critical_gap_rad),
+                    verdict: judged.verdict.name(),
+                    passages: judged.passages.map(passage_numbers),
+                })
+                .collect(),
+            kink_deg: degrees(raceway.map(|r| r.kink_angle_rad(std::f64::consts::FRAC_PI_4))),
+            recommendation: recommendation.map(|r| RecommendationNumbers {
+                half_angle_min_deg: r.half_angle_min_rad.to_degrees(),
+                half_angle_max_deg: r.half_angle_max_rad.to_degrees(),
+                half_angle_deg: r.half_angle_rad.to_degrees(),
+                axial_span_mm: r.axial_span_m * 1e3,
+            }),
+            curve: Curve {
+                axial_span_mm: curve.iter().map(|p| p.axial_span_m * 1e3).collect(),
+                half_angle_deg: curve.iter().map(|p| degrees(p.half_angle_rad)).collect(),
+                half_angle_polar_deg: curve
+                    .iter()
+                    .map(|p| degrees(p.half_angle_polar_rad))
+                    .collect(),
+            },
+            search: None,
+        }
+    }
+}
+
+fn passage_numbers(p: PassageStatistics) -> PassageNumbers {
+    PassageNumbers {
+        passages: p.passages,
+        collisions_mean: p.collisions_mean,
+        twice_share: p.twice_share,
+        slip_mean_m_s: p.slip_mean_m_s,
+        speed_drop_share: p.speed_drop_share,
+        gap_leave_min_deg: p.gap_leave_min_rad.to_degrees(),
+        gap_leave_max_deg: p.gap_leave_max_rad.to_degrees(),
+    }
+}

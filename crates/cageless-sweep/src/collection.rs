@@ -1,0 +1,198 @@
+//! A sweep into a file, whoever computes its rows: resumed where it was left, complete at
+//! its end.
+
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use cageless::dynamics::InstructionSet;
+use cageless_io::results::{ColumnSpec, Row, RowsReader, RowsWriter, write_atomically};
+
+use crate::assemble::assemble;
+use crate::error::SweepError;
+use crate::evaluate::{Stop, Sweep};
+use crate::footer::Identity;
+use crate::parts::{Parts, part_name};
+use crate::ranges::Shard;
+
+/// A result in the making. [`crate::run`] computes on the threads of this machine; a
+/// scheduler hands out [`Collection::missing`], lets [`write_part`] compute each range
+/// anywhere, and brings the files back.
+#[derive(Debug)]
+pub struct Collection {
+    columns: Vec<ColumnSpec>,
+    identity: Identity,
+    result: PathBuf,
+    shard: Option<Shard>,
+    range: Range<u64>,
+    /// `None` once the result is there.
+    parts: Option<Parts>,
+}
+
+impl Collection {
+    /// Opens the result, and takes up what is there of it.
+    ///
+    /// # Errors
+    /// The result or its work folder belongs to another plan or is in use, or cannot be
+    /// written to.
+    pub fn open(sweep: &Sweep, result: &Path, shard: Option<Shard>) -> Result<Self, SweepError> {
+        let whole = 0..sweep.variants();
+        let range = shard.map_or(whole, |shard| shard.range(sweep.variants()));
+        if let Some(folder) = result.parent() {
+            std::fs::create_dir_all(folder).map_err(|e| SweepError::folder(folder, e))?;
+        }
+        let parts = Parts::open(result)?;
+        let mut collection = Self {
+            columns: sweep.columns().to_vec(),
+            identity: Identity::of(sweep),
+            result: result.to_owned(),
+            shard,
+            range,
+            parts: None,
+        };
+        match collection.prepare(&parts) {
+            Err(error) => {
+                parts.remove_if_empty();
+                return Err(error);
+            }
+            Ok(true) => parts.remove()?,
+            Ok(false) => collection.parts = Some(parts),
+        }
+        Ok(collection)
+    }
+
+    /// Number of variants of the result.
+    pub fn total(&self) -> u64 {
+        self.range.end - self.range.start
+    }
+
+    /// Variants that nobody has computed, in order.
+    ///
+    /// # Errors
+    /// If what is there cannot be read.
+    pub fn missing(&self) -> Result<Vec<Range<u64>>, SweepError> {
+        match &self.parts {
+            Some(parts) => Ok(parts.stock()?.done.missing(self.range.clone())),
+            None => Ok(Vec::new()),
+        }
+    }
+
+    /// The file for a range of [`Self::missing`], in a folder that goes when the result
+    /// is complete: [`write_part`] may write it.
+    pub fn part(&self, first: u64) -> PathBuf {
+        let name = self.result.file_name().unwrap_or_default();
+        let folder = format!("{}.parts", name.to_string_lossy());
+        self.result.with_file_name(folder).join(part_name(first))
+    }
+
+    /// Takes a file that [`write_part`] has written elsewhere.
+    ///
+    /// # Errors
+    /// It is not of this sweep, or cannot be written.
+    pub fn add(&self, first: u64, part: &[u8]) -> Result<(), SweepError> {
+        if self.parts.is_none() {
+            return Ok(());
+        }
+        let path = self.part(first);
+        write_atomically(&path, part)?;
+        let checked = self.check(&path);
+        if checked.is_err() {
+            // What is foreign must not stay.
+            let _ = std::fs::remove_file(&path);
+        }
+        checked
+    }
+
+    fn check(&self, path: &Path) -> Result<(), SweepError> {
+        let table = RowsReader::open(path)?;
+        let what = path.display().to_string();
+        let Some(found) = Identity::read(&table) else {
+            return Err(SweepError::Input(format!("{what} is not part of a sweep")));
+        };
+        let remedy = "Every computer must have the same version of Cageless";
+        self.identity.must_be(&found.text(), &what, remedy)
+    }
+
+    /// Puts rows away, which need not hang together.
+    pub(crate) fn keep(&self, rows: Vec<Row>) -> Result<(), SweepError> {
+        let Some(parts) = &self.parts else {
+            return Ok(());
+        };
+        let isa = [InstructionSet::chosen().name().to_owned()];
+        let footer = self.identity.footer(&isa, self.shard);
+        parts.keep(&self.columns, &footer, rows)
+    }
+
+    /// Makes the result if nothing is missing; says whether it did.
+    ///
+    /// # Errors
+    /// If files cannot be read or written.
+    pub fn finish(self) -> Result<bool, SweepError> {
+        let Some(parts) = self.parts else {
+            return Ok(true);
+        };
+        let stock = parts.stock()?;
+        if !stock.done.missing(self.range.clone()).is_empty() {
+            return Ok(false);
+        }
+        let footer = self.identity.footer(&stock.isa, self.shard);
+        let columns = &self.columns;
+        assemble(&self.result, columns, &footer, &stock.tables, self.range)?;
+        parts.remove()?;
+        Ok(true)
+    }
+
+    /// Claims the work folder; says whether the result is there already.
+    fn prepare(&self, parts: &Parts) -> Result<bool, SweepError> {
+        if self.is_complete()? {
+            return Ok(true);
+        }
+        parts.claim(&self.identity)?;
+        Ok(false)
+    }
+
+    fn is_complete(&self) -> Result<bool, SweepError> {
+        let path = &self.result;
+        if !path.exists() {
+            return Ok(false);
+        }
+        let remedy = "Choose another --out, or remove it";
+        let foreign = |why: &str| SweepError::Input(format!("{} {why}. {remedy}", path.display()));
+        if path.is_dir() {
+            return Err(foreign("is a directory where the result is to be"));
+        }
+        let found = RowsReader::open(path)?;
+        let before =
+            Identity::read(&found).ok_or_else(|| foreign("is not the result of a sweep"))?;
+        let what = path.display().to_string();
+        self.identity.must_be(&before.text(), &what, remedy)?;
+        let shard = self.shard.map(|s| s.to_string());
+        if found.footer("shard") != shard.as_deref() || found.rows() != self.total() {
+            return Err(foreign("holds another part of the sweep"));
+        }
+        Ok(true)
+    }
+}
+
+/// Computes a range of variants into a file, on this thread; says whether it did, or
+/// `stop` told it not to.
+///
+/// # Errors
+/// If the file cannot be written.
+pub fn write_part(
+    sweep: &Sweep,
+    range: Range<u64>,
+    path: &Path,
+    stop: Stop<'_>,
+) -> Result<bool, SweepError> {
+    let Some(rows) = sweep.evaluate(range, stop) else {
+        return Ok(false);
+    };
+    let isa = [InstructionSet::chosen().name().to_owned()];
+    let footer = Identity::of(sweep).footer(&isa, None);
+    let mut table = RowsWriter::create(path, sweep.columns(), &footer)?;
+    for row in rows {
+        table.push(row)?;
+    }
+    table.finish()?;
+    Ok(true)
+}
