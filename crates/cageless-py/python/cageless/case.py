@@ -1,0 +1,379 @@
+"""A case: one computation, complete."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from . import _cageless
+from .errors import UnphysicalError
+from .results import Design, Run, Static
+from .sections import (
+    Bearing,
+    Contact,
+    Housing,
+    Material,
+    Model,
+    Operation,
+    Output,
+    Raceway,
+    Section,
+    Solver,
+    Start,
+    table,
+)
+
+__all__ = ["Case", "template"]
+
+
+def template(conventional: bool = False) -> str:
+    """A commented case file, that of ``cageless new``.
+
+    Parameters
+    ----------
+    conventional : bool
+        Leave the discrete raceway out.
+
+    Returns
+    -------
+    str
+        TOML.
+
+    Examples
+    --------
+    >>> import cageless
+    >>> cageless.Case.from_toml(cageless.template()).bearing.balls
+    14
+    """
+    return _cageless.template(conventional)
+
+
+def changes(values: Mapping[str, Any]) -> list[str]:
+    """``section.key=value`` for each, as ``--set`` takes it."""
+    # The value as TOML: what stands behind `_ = `.
+    written = {key: _cageless.to_toml({"_": value}) for key, value in values.items()}
+    return [f"{key}={text.split('=', 1)[1].strip()}" for key, text in written.items()]
+
+
+class Case:
+    """A bearing, its operation and how it is to be simulated, checked when it is made.
+
+    Parameters
+    ----------
+    bearing, material, operation, contact, model, solver, output
+        The sections of a case file.
+    raceway : Raceway or sequence of Raceway, optional
+        Discrete raceways; none for a conventional outer ring.
+    start : Start, optional
+        Initial state.
+    housing : Housing, optional
+        Support of the outer ring.
+    title : str
+        Free text.
+
+    Raises
+    ------
+    InputError
+        If the case cannot be, with the key at fault.
+
+    Examples
+    --------
+    >>> from cageless import *
+    >>> case = Case(
+    ...     bearing=Bearing(
+    ...         balls=14, ball_radius_mm=4.7625,
+    ...         inner_groove_bottom_radius_mm=18.24, outer_groove_bottom_radius_mm=27.765,
+    ...         outer_shoulder_radius_mm=26.0,
+    ...         inner_groove_curvature_radius_mm=4.953, outer_groove_curvature_radius_mm=4.953,
+    ...         inner_ring_mass_kg=0.2, inner_ring_drag_n_s_m=2000.0,
+    ...     ),
+    ...     raceway=Raceway(axial_span_mm=5.1, half_angle_deg=25.2),
+    ...     material=Material(density_kg_m3=7850.0, youngs_modulus_gpa=206.0, poisson_ratio=0.3),
+    ...     operation=Operation(inner_speed_rpm=12000.0, radial_load_n=1500.0),
+    ...     contact=Contact(friction_coefficient=0.007, friction_law="smooth",
+    ...                     slip_scale_m_s=0.02, damping=2.0e5),
+    ...     model=Model(profile="physical"),
+    ...     solver=Solver(duration_s=0.002),
+    ...     output=Output(interval_us=100.0),
+    ... )
+    >>> case.contact.ball_restitution
+    0.95
+    >>> case.replace({"raceway.half_angle_deg": 500.0})
+    Traceback (most recent call last):
+    cageless.errors.InputError: raceway.half_angle_deg = 500.0 is not possible: ...
+    """
+
+    _file: _cageless.CaseFile
+    _sections: dict[str, Any]
+
+    def __init__(
+        self,
+        *,
+        bearing: Bearing,
+        material: Material,
+        operation: Operation,
+        contact: Contact,
+        model: Model,
+        solver: Solver,
+        output: Output,
+        raceway: Raceway | Sequence[Raceway] | None = None,
+        start: Start | None = None,
+        housing: Housing | None = None,
+        title: str = "",
+    ) -> None:
+        several = [raceway] if isinstance(raceway, Raceway) else list(raceway or [])
+        given: dict[str, Section | None] = {
+            "bearing": bearing,
+            "material": material,
+            "operation": operation,
+            "contact": contact,
+            "model": model,
+            "start": start,
+            "solver": solver,
+            "housing": housing,
+            "output": output,
+        }
+        values: dict[str, Any] = {"title": title} if title else {}
+        values |= {name: part.values() for name, part in given.items() if part is not None}
+        if several:
+            sections = [each.values() for each in several]
+            values["raceway"] = sections[0] if len(sections) == 1 else sections
+        self._take(_cageless.CaseFile.of_values(values))
+
+    def _take(self, file: _cageless.CaseFile) -> None:
+        self._file = file
+        self._sections = json.loads(file.document(False))
+
+    @classmethod
+    def _of(cls, file: _cageless.CaseFile) -> Case:
+        case = cls.__new__(cls)
+        case._take(file)
+        return case
+
+    @classmethod
+    def from_file(
+        cls, path: str | os.PathLike[str], changes: Mapping[str, Any] | None = None
+    ) -> Case:
+        """Reads a case file.
+
+        Parameters
+        ----------
+        path : path
+            TOML.
+        changes : mapping, optional
+            Values for keys ``section.key``, as ``--set`` gives them to the command.
+
+        Raises
+        ------
+        InputError
+            With file and line.
+        """
+        return cls._of(_cageless.CaseFile.read(os.fspath(path), _changes(changes)))
+
+    @classmethod
+    def from_toml(
+        cls, text: str, changes: Mapping[str, Any] | None = None, name: str = "case"
+    ) -> Case:
+        """Reads the text of a case file, which messages call `name`."""
+        return cls._of(_cageless.CaseFile.parse(text, name, _changes(changes)))
+
+    def replace(self, changes: Mapping[str, Any]) -> Case:
+        """The case with other values.
+
+        Parameters
+        ----------
+        changes : mapping
+            Values for keys ``section.key``, or ``raceway.2.key`` for the second of several.
+
+        Examples
+        --------
+        >>> import cageless
+        >>> case = cageless.Case.from_toml(cageless.template())
+        >>> case.replace({"raceway.half_angle_deg": 24.0}).raceways[0].half_angle_deg
+        24.0
+        """
+        return Case._of(self._file.changed(_changes(changes)))
+
+    def to_toml(self) -> str:
+        """The case as a case file, every default filled in."""
+        return self._file.to_toml()
+
+    def _document(self) -> dict[str, Any]:
+        return self._sections
+
+    def to_dict(self) -> dict[str, Any]:
+        """The case as run: every default, the stiffnesses of Hertz and the step filled in."""
+        found: dict[str, Any] = json.loads(self._file.document(True))
+        return found
+
+    @property
+    def title(self) -> str:
+        """Free text."""
+        return str(self._sections["title"])
+
+    @property
+    def defaults(self) -> list[str]:
+        """Keys that took their default."""
+        return self._file.defaults()
+
+    @property
+    def bearing(self) -> Bearing:
+        """Rings and balls."""
+        return Bearing(**self._sections["bearing"])
+
+    @property
+    def material(self) -> Material:
+        """Elastic material."""
+        return Material(**self._sections["material"])
+
+    @property
+    def raceways(self) -> tuple[Raceway, ...]:
+        """Discrete raceways."""
+        found = self._sections.get("raceway", [])
+        several = found if isinstance(found, list) else [found]
+        return tuple(Raceway(**each) for each in several)
+
+    @property
+    def operation(self) -> Operation:
+        """Speed and load."""
+        return Operation(**self._sections["operation"])
+
+    @property
+    def contact(self) -> Contact:
+        """Friction, damping and stiffness."""
+        return Contact(**self._sections["contact"])
+
+    @property
+    def model(self) -> Model:
+        """The set of equations."""
+        return Model(**self._sections["model"])
+
+    @property
+    def start(self) -> Start:
+        """Initial state."""
+        return Start(**self._sections["start"])
+
+    @property
+    def solver(self) -> Solver:
+        """Integration."""
+        return Solver(**self._sections["solver"])
+
+    @property
+    def housing(self) -> Housing | None:
+        """Support of the outer ring."""
+        found = self._sections.get("housing")
+        return None if found is None else Housing(**found)
+
+    @property
+    def output(self) -> Output:
+        """What a run leaves behind."""
+        return Output(**self._sections["output"])
+
+    @property
+    def radial_clearance_um(self) -> float:
+        """Ro − Ri − 2 Rw: half the radial internal clearance of ISO 5753-1."""
+        return self._file.derived()["radial_clearance_um"]
+
+    @property
+    def epsilon_deg(self) -> float:
+        """ε of Zhao 2022, Eq. (10): the angle of two balls in contact."""
+        return self._file.derived()["epsilon_deg"]
+
+    @property
+    def uniform_gap_deg(self) -> float:
+        """360°/N − ε."""
+        return self._file.derived()["uniform_gap_deg"]
+
+    def run(self) -> Run:
+        """Simulates the case.
+
+        Other threads of Python go on meanwhile; Ctrl-C ends it.
+
+        Returns
+        -------
+        Run
+
+        Raises
+        ------
+        UnphysicalError
+            If the run left the physical range; its ``run`` has what was computed.
+
+        Examples
+        --------
+        >>> import cageless
+        >>> case = cageless.Case.from_toml(cageless.template(), {"solver.duration_s": 0.002})
+        >>> run = case.run()
+        >>> run.angle_rad.shape  # times × balls
+        (21, 14)
+        """
+        run = Run(self._file.run())
+        stopped = run.stopped
+        if stopped is not None:
+            error = UnphysicalError(stopped)
+            error.run = run
+            raise error
+        return run
+
+    def static(self) -> Static:
+        """Static equilibrium: ring displacement, load of each ball, contact stress.
+
+        Returns
+        -------
+        Static
+
+        Examples
+        --------
+        >>> import cageless
+        >>> static = cageless.Case.from_toml(cageless.template()).static()
+        >>> round(static.ring_y_um, 2)
+        -12.6
+        """
+        return Static(json.loads(self._file.static_equilibrium()))
+
+    def design(self) -> Design:
+        """Analyses the raceway: limits, β0, critical gap, verdict, recommendation.
+
+        Takes seconds: the verdict rests on a run of all balls.
+
+        Returns
+        -------
+        Design
+
+        Raises
+        ------
+        UnphysicalError
+            If that run left the physical range.
+        """
+        found, stopped = self._file.design()
+        if stopped is not None:
+            raise stopped
+        return Design(json.loads(found))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Case) and self._file == other._file
+
+    def __hash__(self) -> int:
+        return hash(self.to_toml())
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (Case.from_toml, (self.to_toml(),))
+
+    def __repr__(self) -> str:
+        kind = "conventional" if not self.raceways else f"{len(self.raceways)} raceway"
+        return f"<Case {self.title!r}: {self.bearing.balls} balls, {kind}>"
+
+    def _repr_html_(self) -> str:
+        rows: list[tuple[str, object]] = []
+        for section, values in self.to_dict().items():
+            for item in values if isinstance(values, list) else [values]:
+                if isinstance(item, dict):
+                    rows.extend((f"{section}.{key}", value) for key, value in item.items())
+                else:
+                    rows.append((section, item))
+        return table(rows, self.title or "Case")
+
+
+def _changes(values: Mapping[str, Any] | None) -> list[str]:
+    return changes(values or {})

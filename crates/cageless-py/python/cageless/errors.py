@@ -1,0 +1,50 @@
+"""Exceptions. Their messages are those of the command ``cageless``."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .results import Run
+
+__all__ = ["CagelessError", "InputError", "UnphysicalError"]
+
+
+class CagelessError(Exception):
+    """Whatever goes wrong in Cageless; of no narrower kind: a full disk, say."""
+
+
+class InputError(CagelessError, ValueError):
+    """An input that cannot be: which key, its value, and what is allowed.
+
+    The command ends with exit code 2.
+
+    Attributes
+    ----------
+    key : str or None
+        Key at fault, ``section.key``, where it is one of a case or plan.
+    line : int or None
+        Line of the file, from 1, where there is one.
+    """
+
+    def __init__(self, message: str, key: str | None = None, line: int | None = None) -> None:
+        super().__init__(message, key, line)
+        self.key = key
+        self.line = line
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+class UnphysicalError(CagelessError, ArithmeticError):
+    """A run that left the physical range, or a search that did not converge.
+
+    The command ends with exit code 3.
+
+    Attributes
+    ----------
+    run : Run or None
+        What was computed until then.
+    """
+
+    run: Run | None = None

@@ -1,0 +1,14 @@
+"""Figures of the reports as figures of plotly."""
+
+from __future__ import annotations
+
+import json
+
+import plotly.graph_objects as go
+
+__all__ = ["figure"]
+
+
+def figure(spec: str) -> go.Figure:
+    """A figure from its JSON."""
+    return go.Figure(json.loads(spec))

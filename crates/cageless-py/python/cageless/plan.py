@@ -1,0 +1,173 @@
+"""The plan of a sweep: a case, what varies in it, what is computed of each variant."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any, Literal
+
+from . import _cageless
+from .case import Case
+from .errors import InputError
+from .sections import table
+
+__all__ = ["Plan", "span"]
+
+
+def span(
+    low: float, high: float, count: int | None = None, scale: Literal["linear", "log"] = "linear"
+) -> dict[str, Any]:
+    """A range for an axis of a plan.
+
+    Parameters
+    ----------
+    low, high : float
+        Both ends, which belong to it.
+    count : int, optional
+        Number of values; required on a grid, forbidden in samples.
+    scale : {"linear", "log"}
+        How values are spread.
+
+    Examples
+    --------
+    >>> span(500.0, 3000.0, 6)
+    {'from': 500.0, 'to': 3000.0, 'count': 6}
+    """
+    found: dict[str, Any] = {"from": float(low), "to": float(high)}
+    if count is not None:
+        found["count"] = count
+    if scale != "linear":
+        found["scale"] = scale
+    return found
+
+
+def nested(values: Mapping[str, Any]) -> dict[str, Any]:
+    """Dotted keys as dictionaries in dictionaries."""
+    tree: dict[str, Any] = {}
+    for dotted, value in values.items():
+        *path, name = dotted.split(".")
+        at = tree
+        for part in path:
+            at = at.setdefault(part, {})
+            if not isinstance(at, dict):
+                raise InputError(f"{dotted} is not possible beside {part}", dotted)
+        at[name] = value
+    return tree
+
+
+class Plan:
+    """What a sweep computes; see docs/sweeps.md for the meaning of its parts.
+
+    Parameters
+    ----------
+    case : Case
+        The case that varies.
+    compute : sequence of str
+        ``"static"``, ``"design"``, ``"verdict"``, ``"run"``.
+    grid : mapping, optional
+        Axes of which every combination is taken: ``section.key`` to a list of values, or
+        to a :func:`span`.
+    samples : mapping, optional
+        ``method``, ``count`` and further axes.
+    scatter : mapping, optional
+        ``repeats`` and deviations, such as ``{"normal": 0.5}``.
+    keep : sequence of str, optional
+        Columns to keep besides the inputs; all if left out.
+    seed : int
+        Of whatever is random.
+    title : str
+        Free text.
+
+    Examples
+    --------
+    >>> import cageless
+    >>> case = cageless.Case.from_toml(cageless.template())
+    >>> plan = cageless.Plan(
+    ...     case=case,
+    ...     compute=["static"],
+    ...     grid={"operation.radial_load_n": cageless.span(500.0, 3000.0, 6)},
+    ... )
+    >>> len(plan)
+    6
+    >>> plan.case(0).operation.radial_load_n
+    500.0
+    """
+
+    _sweep: _cageless.Sweep
+
+    def __init__(
+        self,
+        *,
+        case: Case,
+        compute: Sequence[str],
+        grid: Mapping[str, Any] | None = None,
+        samples: Mapping[str, Any] | None = None,
+        scatter: Mapping[str, Any] | None = None,
+        keep: Sequence[str] | None = None,
+        seed: int = 0,
+        title: str = "",
+    ) -> None:
+        head: dict[str, Any] = {"title": title, "seed": seed, "compute": list(compute)}
+        if keep is not None:
+            head["keep"] = list(keep)
+        parts = {"grid": grid, "samples": samples, "scatter": scatter}
+        head |= {name: nested(part) for name, part in parts.items() if part is not None}
+        head["case"] = case._document()
+        text = _cageless.to_toml(head)
+        self._sweep = _cageless.Sweep.parse(text, "plan", ".")
+
+    @classmethod
+    def _of(cls, sweep: _cageless.Sweep) -> Plan:
+        plan = cls.__new__(cls)
+        plan._sweep = sweep
+        return plan
+
+    @classmethod
+    def from_file(cls, path: str | os.PathLike[str]) -> Plan:
+        """Reads a plan; the path of its case counts from its folder."""
+        return cls._of(_cageless.Sweep.read(os.fspath(path)))
+
+    @classmethod
+    def from_toml(cls, text: str, folder: str | os.PathLike[str] = ".") -> Plan:
+        """Reads the text of a plan; paths in it count from `folder`."""
+        return cls._of(_cageless.Sweep.parse(text, "plan", os.fspath(folder)))
+
+    def to_toml(self) -> str:
+        """The plan with its case and every default, one key per line."""
+        return self._sweep.normal()
+
+    def case(self, variant: int) -> Case:
+        """The case of a variant, counted from 0.
+
+        Raises
+        ------
+        InputError
+            If that variant is an impossible case.
+        """
+        return Case._of(self._sweep.case(variant))
+
+    def cases(self) -> Iterator[Case]:
+        """The cases of all variants."""
+        return (self.case(variant) for variant in range(len(self)))
+
+    def __len__(self) -> int:
+        return self._sweep.variants()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (Plan.from_toml, (self.to_toml(),))
+
+    def __repr__(self) -> str:
+        return f"<Plan of {len(self)} variants>"
+
+    def _repr_html_(self) -> str:
+        rows: list[tuple[str, object]] = [("variants", len(self))]
+        lines = (line.partition(" = ") for line in self.to_toml().splitlines())
+        rows += [(key, value) for key, _, value in lines if value]
+        return table(rows, "Plan")
+
+
+def read(plan: Plan | str | os.PathLike[str]) -> Plan:
+    """A plan, or the file of one."""
+    return plan if isinstance(plan, Plan) else Plan.from_file(Path(plan))
+

@@ -1,0 +1,274 @@
+"""What computations of one case come to."""
+
+from __future__ import annotations
+
+import json
+import os
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _cageless
+from .figures import figure
+from .sections import table
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import plotly.graph_objects as go
+
+__all__ = ["Design", "Run", "Static"]
+
+Floats = npt.NDArray[np.float64]
+
+
+class Run:
+    """A simulated run.
+
+    Arrays of the balls have the shape (times, balls), those of the ring (times,). They are
+    not copies and cannot be written to. Units and meanings are those of the files of
+    ``cageless run``: the tables of :meth:`data_balls` and so on are these files.
+    """
+
+    def __init__(self, run: _cageless.Run) -> None:
+        self._run = run
+        self._arrays = run.arrays()
+
+    @cached_property
+    def summary(self) -> dict[str, Any]:
+        """``summary.json``: headline numbers, the case as run, warnings."""
+        found: dict[str, Any] = json.loads(self._run.summary())
+        return found
+
+    @property
+    def stopped(self) -> str | None:
+        """Why the run stopped early, if it did."""
+        return self._run.stopped()
+
+    @property
+    def warnings(self) -> list[str]:
+        """What the user should know."""
+        return list(self.summary["warnings"])
+
+    @property
+    def time_s(self) -> Floats:
+        """Output times."""
+        return self._arrays["ring"]["time_s"]
+
+    @property
+    def angle_rad(self) -> Floats:
+        """ψ of the balls, continuous (not wrapped)."""
+        return self._arrays["balls"]["angle_rad"]
+
+    @property
+    def gap_rad(self) -> Floats:
+        """Gap to the ball ahead."""
+        return self._arrays["balls"]["gap_rad"]
+
+    def balls(self, column: str) -> Floats:
+        """A column of ``balls.parquet`` as (times, balls).
+
+        Parameters
+        ----------
+        column : str
+            ``angle_rad``, ``x_m``, ``y_m``, ``vx_m_s``, ``vy_m_s``, ``spin_rad_s``,
+            ``orbit_speed_rad_s``, ``gap_rad``, ``effective_radius_m``, ``inner_force_n``,
+            ``outer_force_n``, ``inner_slip_m_s`` or ``outer_slip_m_s``.
+        """
+        return self._arrays["balls"][column]
+
+    def ring(self, column: str) -> Floats:
+        """A column of ``ring.parquet``."""
+        return self._arrays["ring"][column]
+
+    def collisions(self, column: str) -> npt.NDArray[Any]:
+        """A column of ``collisions.parquet``."""
+        return self._arrays["collisions"][column]
+
+    def data_balls(self) -> pd.DataFrame:
+        """``balls.parquet``: a row per output time and ball."""
+        import pandas as pd
+
+        times, balls = self.angle_rad.shape
+        frame = {
+            "time_s": np.repeat(self.time_s, balls),
+            "ball": np.tile(np.arange(1, balls + 1, dtype=np.int32), times),
+        }
+        # Views of arrays whose rows follow each other.
+        frame |= {name: array.reshape(-1) for name, array in self._arrays["balls"].items()}
+        return pd.DataFrame(frame, copy=False)
+
+    def data_ring(self) -> pd.DataFrame:
+        """``ring.parquet``: a row per output time."""
+        import pandas as pd
+
+        return pd.DataFrame(self._arrays["ring"], copy=False)
+
+    def data_collisions(self) -> pd.DataFrame:
+        """``collisions.parquet``: a row per contact of two balls."""
+        import pandas as pd
+
+        return pd.DataFrame(self._arrays["collisions"], copy=False)
+
+    def data_summary(self) -> pd.Series[Any]:
+        """The headline numbers of the summary."""
+        import pandas as pd
+
+        numbers = {k: v for k, v in self.summary.items() if isinstance(v, (int, float))}
+        return pd.Series(numbers, name="summary")
+
+    def _figure(self, name: str) -> go.Figure:
+        return figure(self._run.figure(name))
+
+    def plot_gaps(self) -> go.Figure:
+        """Gaps between neighbours over time."""
+        return self._figure("gaps")
+
+    def plot_collisions(self) -> go.Figure:
+        """Contacts between balls: where, when, how hard."""
+        return self._figure("collisions")
+
+    def plot_orbit_speed(self) -> go.Figure:
+        """Orbital speed of the balls over ψ."""
+        return self._figure("orbit_speed")
+
+    def plot_slip(self) -> go.Figure:
+        """Sliding speeds at the raceways."""
+        return self._figure("slip")
+
+    def plot_phase(self) -> go.Figure:
+        """Phase portraits of a ball."""
+        return self._figure("phase")
+
+    def plot_loads(self) -> go.Figure:
+        """Forces at the raceways."""
+        return self._figure("loads")
+
+    def plot_ring_orbit(self) -> go.Figure:
+        """Orbit of the inner ring's centre."""
+        return self._figure("ring_orbit")
+
+    def plot_energy(self) -> go.Figure:
+        """Ledger of energy."""
+        return self._figure("energy")
+
+    def plot_vibration(self) -> go.Figure:
+        """Vibration of the outer ring, of a case with a housing."""
+        return self._figure("vibration")
+
+    def report(self, path: str | os.PathLike[str]) -> Path:
+        """Writes the report page of ``cageless run``, which works offline."""
+        path = Path(path)
+        path.write_text(self._run.page(), encoding="utf-8")
+        return path
+
+    def __repr__(self) -> str:
+        return f"<Run of {self.summary['case']['title']!r}, {self.time_s[-1]:g} s>"
+
+    def _repr_html_(self) -> str:
+        rows = [(str(name), value) for name, value in self.data_summary().items()]
+        rows += [("warning", warning) for warning in self.warnings]
+        return table(rows, f"Run of {self.summary['case']['title']}")
+
+
+@dataclass(frozen=True)
+class Static:
+    """A static equilibrium; keys are those of ``cageless static --json``."""
+
+    values: dict[str, Any]
+
+    @property
+    def ring_x_um(self) -> float:
+        """Centre of the inner ring."""
+        return float(self.values["ring_x_um"])
+
+    @property
+    def ring_y_um(self) -> float:
+        """Centre of the inner ring."""
+        return float(self.values["ring_y_um"])
+
+    @property
+    def ball_angle_deg(self) -> Floats:
+        """ψ of each ball."""
+        return np.array(self.values["ball_angle_deg"])
+
+    @property
+    def inner_force_n(self) -> Floats:
+        """Normal force of each ball at the inner raceway."""
+        return np.array(self.values["inner_force_n"])
+
+    @property
+    def outer_force_n(self) -> Floats:
+        """Normal force of each ball at the outer raceway."""
+        return np.array(self.values["outer_force_n"])
+
+    @property
+    def inner_stress_max_gpa(self) -> float:
+        """Largest Hertz stress at the inner raceway."""
+        return float(self.values["inner_stress_max_gpa"])
+
+    @property
+    def outer_stress_max_gpa(self) -> float:
+        """Largest Hertz stress at the outer raceway."""
+        return float(self.values["outer_stress_max_gpa"])
+
+    def data_balls(self) -> pd.DataFrame:
+        """A row per ball, counted from 1."""
+        import pandas as pd
+
+        lists = {k: v for k, v in self.values.items() if isinstance(v, list)}
+        balls = pd.RangeIndex(1, len(self.ball_angle_deg) + 1, name="ball")
+        return pd.DataFrame(lists, index=balls)
+
+    def _repr_html_(self) -> str:
+        rows = [(k, v) for k, v in self.values.items() if not isinstance(v, list)]
+        return table(rows, "Static equilibrium") + self.data_balls().to_html()
+
+
+@dataclass(frozen=True)
+class Design:
+    """The analysis of a raceway; keys are those of ``cageless design --json``."""
+
+    values: dict[str, Any]
+
+    @property
+    def verdict(self) -> str:
+        """``smooth``, ``double-collision``, ``slips`` or ``infeasible``."""
+        return str(self.values["verdict"])
+
+    @property
+    def reasons(self) -> list[str]:
+        """Why, in words."""
+        return list(self.values["reasons"])
+
+    @property
+    def critical_gap_deg(self) -> float | None:
+        """Gap below which neighbours touch in the raceway."""
+        found: float | None = self.values["critical_gap_deg"]
+        return found
+
+    @property
+    def beta0_deg(self) -> float | None:
+        """Gap that Zhao 2022, Eq. (11) gives."""
+        found: float | None = self.values["beta0_deg"]
+        return found
+
+    @property
+    def recommendation(self) -> dict[str, float] | None:
+        """A raceway in the middle of what is usable."""
+        found: dict[str, float] | None = self.values["recommendation"]
+        return found
+
+    def data_curve(self) -> pd.DataFrame:
+        """The lC–θ curve of Eq. (11)."""
+        import pandas as pd
+
+        return pd.DataFrame(self.values["curve"], dtype=float)
+
+    def _repr_html_(self) -> str:
+        rows = [(k, v) for k, v in self.values.items() if not isinstance(v, (list, dict))]
+        rows += [("reason", reason) for reason in self.reasons]
+        return table(rows, "Design")

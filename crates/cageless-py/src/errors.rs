@@ -1,0 +1,79 @@
+//! Errors of the library as exceptions of the package, with the messages of the command.
+
+use cageless::equilibrium::EquilibriumError;
+use cageless::simulation::Stop;
+use cageless::spacing::CriticalGapError;
+use cageless_io::case_file::CaseError;
+use cageless_io::results::ResultError;
+use cageless_sweep::SweepError;
+use pyo3::exceptions::PyKeyboardInterrupt;
+use pyo3::prelude::*;
+
+mod package {
+    pyo3::import_exception!(cageless.errors, CagelessError);
+    pyo3::import_exception!(cageless.errors, InputError);
+    pyo3::import_exception!(cageless.errors, UnphysicalError);
+}
+
+use package::{CagelessError, InputError, UnphysicalError};
+
+pub fn input(message: impl ToString) -> PyErr {
+    InputError::new_err(message.to_string())
+}
+
+pub fn other(message: impl ToString) -> PyErr {
+    CagelessError::new_err(message.to_string())
+}
+
+/// An error of a text that the user has not written: the message without its place.
+pub fn of_values(error: &CaseError) -> PyErr {
+    InputError::new_err((
+        error.message().to_owned(),
+        error.key().map(str::to_owned),
+        None::<usize>,
+    ))
+}
+
+pub fn of_file(error: &CaseError) -> PyErr {
+    InputError::new_err((
+        error.to_string(),
+        error.key().map(str::to_owned),
+        error.line(),
+    ))
+}
+
+pub fn stopped(stop: &Stop) -> PyErr {
+    UnphysicalError::new_err(stop.to_string())
+}
+
+pub fn of_start(error: &EquilibriumError) -> PyErr {
+    match error {
+        EquilibriumError::Input(error) => input(error),
+        EquilibriumError::NotConverged { .. } => UnphysicalError::new_err(error.to_string()),
+    }
+}
+
+pub fn of_gap(error: &CriticalGapError) -> PyErr {
+    match error {
+        CriticalGapError::Case(error) => of_start(error),
+        CriticalGapError::Stopped(stop) => stopped(stop),
+        CriticalGapError::Interrupted => PyKeyboardInterrupt::new_err(()),
+        error => UnphysicalError::new_err(error.to_string()),
+    }
+}
+
+pub fn of_sweep(error: &SweepError) -> PyErr {
+    match error {
+        SweepError::Plan(error) => of_file(error),
+        error if error.is_input() => input(error),
+        error => other(error),
+    }
+}
+
+pub fn of_results(error: &ResultError) -> PyErr {
+    if error.is_input() {
+        input(error)
+    } else {
+        other(error)
+    }
+}

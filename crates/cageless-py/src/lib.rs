@@ -1,0 +1,30 @@
+//! The extension module `cageless._cageless`: what the Python package `cageless` computes
+//! with. The package itself, with its documentation, is in `python/cageless`.
+
+mod arrays;
+mod case_file;
+mod errors;
+mod report;
+mod run;
+mod signals;
+mod sweep;
+mod table;
+mod values;
+
+use pyo3::prelude::*;
+
+#[pymodule]
+fn _cageless(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("__version__", cageless_io::results::VERSION)?;
+    module.add_class::<case_file::CaseFile>()?;
+    module.add_class::<run::Run>()?;
+    module.add_class::<sweep::Sweep>()?;
+    module.add_class::<sweep::Collection>()?;
+    module.add_class::<report::Report>()?;
+    module.add_function(wrap_pyfunction!(case_file::template, module)?)?;
+    module.add_function(wrap_pyfunction!(case_file::instruction_set, module)?)?;
+    module.add_function(wrap_pyfunction!(values::to_toml, module)?)?;
+    module.add_function(wrap_pyfunction!(sweep::merge, module)?)?;
+    module.add_function(wrap_pyfunction!(table::read_table, module)?)?;
+    module.add_function(wrap_pyfunction!(report::analyse, module)?)
+}

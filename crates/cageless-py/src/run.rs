@@ -1,0 +1,168 @@
+//! A run and what it came to.
+
+use std::cell::RefCell;
+use std::sync::OnceLock;
+use std::time::Instant;
+
+use cageless::collision::CollisionDetector;
+use cageless::passage::{Passage, PassageRecorder};
+use cageless::recorder::Recorder;
+use cageless::simulation::{Ending, Observer, RunOutcome, run};
+use cageless::summary::SummaryRecorder;
+use cageless::vibration::VibrationRecorder;
+use cageless_io::case_file::CaseFile;
+use cageless_io::results::SummaryFile;
+use cageless_report::figures::{history, vibration};
+use cageless_report::run_report::{Histories, run_data};
+use cageless_report::{Figure, RunData, run_page};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::arrays::Recording;
+use crate::errors::{input, of_start, other};
+use crate::signals::Signals;
+
+/// A run that came to its end, or to where it stopped.
+#[pyclass(frozen, module = "cageless._cageless")]
+pub struct Run {
+    arrays: Py<PyDict>,
+    summary: SummaryFile,
+    material: Material,
+    data: OnceLock<RunData>,
+}
+
+/// What figures are made of.
+struct Material {
+    file: CaseFile,
+    outcome: RunOutcome,
+    histories: Histories,
+    passages: Vec<Passage>,
+    vibration: Option<VibrationRecorder>,
+}
+
+/// Runs a case with everything recorded.
+pub fn simulate(py: Python<'_>, file: &CaseFile) -> PyResult<Run> {
+    let signals = Signals::new();
+    let done = py.detach(|| record(file, &signals));
+    signals.raised()?;
+    let (material, summary, recording) = done?;
+    Ok(Run {
+        arrays: recording.into_arrays(py)?.unbind(),
+        summary,
+        material,
+        data: OnceLock::new(),
+    })
+}
+
+fn record(file: &CaseFile, signals: &Signals) -> PyResult<(Material, SummaryFile, Recording)> {
+    let case = file.case();
+    let started = Instant::now();
+    let mut summary = SummaryRecorder::new();
+    let mut passages = PassageRecorder::new();
+    let mut vibration = case.housing.as_ref().map(VibrationRecorder::new);
+    let kept = RefCell::new((Recording::default(), Histories::new()));
+    let outcome = {
+        let mut recorder = Recorder::new(case.output.interval_s, |snapshot| {
+            let (recording, histories) = &mut *kept.borrow_mut();
+            recording.snapshot(&snapshot);
+            histories.push(snapshot);
+            Ok(())
+        });
+        let mut collisions = CollisionDetector::new(|collision| {
+            let (recording, histories) = &mut *kept.borrow_mut();
+            histories.collide(&collision);
+            recording.collide(collision);
+            Ok(())
+        });
+        let mut observers: Vec<&mut dyn Observer> =
+            vec![&mut summary, &mut collisions, &mut recorder, &mut passages];
+        if let Some(vibration) = &mut vibration {
+            observers.push(vibration);
+        }
+        let outcome = run(case, &mut observers, &mut |_| signals.control());
+        let outcome = outcome.map_err(|error| of_start(&error))?;
+        collisions.close(outcome.end_s).map_err(other)?;
+        outcome
+    };
+    let wall_s = started.elapsed().as_secs_f64();
+    let (recording, histories) = kept.into_inner();
+    let summary = SummaryFile::new(file, &outcome, summary.summary(), wall_s);
+    let material = Material {
+        file: file.clone(),
+        outcome,
+        histories,
+        passages: passages.passages,
+        vibration,
+    };
+    Ok((material, summary, recording))
+}
+
+impl Run {
+    fn data(&self) -> &RunData {
+        self.data.get_or_init(|| {
+            let m = &self.material;
+            run_data(
+                &m.file,
+                &m.outcome,
+                &self.summary,
+                &m.histories,
+                &m.passages,
+                m.vibration.as_ref(),
+            )
+        })
+    }
+}
+
+/// Figures of a run by name.
+const FIGURES: [(&str, fn(&RunData) -> Option<Figure>); 9] = [
+    ("gaps", history::gaps),
+    ("collisions", history::collisions),
+    ("orbit_speed", history::orbit_speed),
+    ("slip", history::slip),
+    ("phase", history::phase),
+    ("loads", history::loads),
+    ("ring_orbit", history::ring_orbit),
+    ("energy", history::energy),
+    ("vibration", |data| {
+        let vibration_data = data.vibration.as_ref()?;
+        Some(vibration::vibration("Vibration", vibration_data))
+    }),
+];
+
+#[pymethods]
+impl Run {
+    /// `{"balls": …, "ring": …, "collisions": …}`, the same arrays at every call.
+    fn arrays(&self, py: Python<'_>) -> Py<PyDict> {
+        self.arrays.clone_ref(py)
+    }
+
+    /// `summary.json`.
+    fn summary(&self) -> PyResult<String> {
+        self.summary.to_json().map_err(other)
+    }
+
+    /// Why the run stopped early: the message of the command.
+    fn stopped(&self) -> Option<String> {
+        match &self.material.outcome.ending {
+            Ending::Stopped(stop) => Some(stop.to_string()),
+            _ => None,
+        }
+    }
+
+    /// A figure in the JSON of plotly.
+    fn figure(&self, py: Python<'_>, name: &str) -> PyResult<String> {
+        let Some((_, make)) = FIGURES.iter().find(|(n, _)| *n == name) else {
+            return Err(input(format!("there is no figure {name:?}")));
+        };
+        let figure = py.detach(|| make(self.data()));
+        match figure {
+            Some(figure) => Ok(figure.plot.spec().to_string()),
+            None => Err(input(format!("this run has nothing to show as {name:?}"))),
+        }
+    }
+
+    /// `report.html`.
+    fn page(&self, py: Python<'_>) -> String {
+        py.detach(|| run_page(self.data()))
+    }
+}
