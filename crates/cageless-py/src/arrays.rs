@@ -1,7 +1,7 @@
 //! What a run leaves behind, as arrays of numpy that take over the memory it was put in.
 
 use cageless::{Collision, Snapshot};
-use cageless_io::results::{BALLS, COLLISIONS, RING, ball_values, collision_values, ring_values};
+use cageless_io::results::{BALLS, COLLISIONS, RING, collision_values};
 use numpy::ndarray::Array2;
 use numpy::{IntoPyArray, PyArrayMethods};
 use pyo3::prelude::*;
@@ -12,7 +12,7 @@ use crate::errors::other;
 /// Columns of the three tables, as they grow.
 #[derive(Default)]
 pub struct Recording {
-    times: usize,
+    time_s: Vec<f64>,
     balls: Vec<Vec<f64>>,
     ring: Vec<Vec<f64>>,
     collisions: Vec<Collision>,
@@ -20,8 +20,8 @@ pub struct Recording {
 
 impl Recording {
     pub fn snapshot(&mut self, snapshot: &Snapshot) {
-        let (balls, ring) = (ball_values(snapshot), ring_values(snapshot));
-        self.times += 1;
+        let (balls, ring) = (snapshot.arrays(), snapshot.ring.values());
+        self.time_s.push(snapshot.time_s);
         self.balls.resize_with(balls.len(), Vec::new);
         self.ring.resize_with(ring.len(), Vec::new);
         for (column, values) in self.balls.iter_mut().zip(balls) {
@@ -38,17 +38,18 @@ impl Recording {
 
     /// `{"balls": {name: times × balls}, "ring": {name: times}, "collisions": {name: …}}`.
     pub fn into_arrays(self, py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
+        let times = self.time_s.len();
         let tables = PyDict::new(py);
         let balls = PyDict::new(py);
         // The first two columns of the file say what the axes of the arrays do.
         for (column, values) in BALLS[2..].iter().zip(self.balls) {
-            let shape = (self.times, values.len() / self.times.max(1));
+            let shape = (times, values.len() / times.max(1));
             let array = Array2::from_shape_vec(shape, values).map_err(other)?;
             balls.set_item(column.name, frozen(array.into_pyarray(py)))?;
         }
         tables.set_item("balls", balls)?;
         let ring = PyDict::new(py);
-        for (column, values) in RING.iter().zip(self.ring) {
+        for (column, values) in RING.iter().zip([self.time_s].into_iter().chain(self.ring)) {
             ring.set_item(column.name, frozen(values.into_pyarray(py)))?;
         }
         tables.set_item("ring", ring)?;

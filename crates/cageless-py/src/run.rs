@@ -1,19 +1,19 @@
 //! A run and what it came to.
 
 use std::cell::RefCell;
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock};
 use std::time::Instant;
 
 use cageless::collision::CollisionDetector;
-use cageless::passage::{Passage, PassageRecorder};
+use cageless::passage::PassageRecorder;
 use cageless::recorder::Recorder;
 use cageless::simulation::{Ending, Observer, RunOutcome, run};
-use cageless::summary::SummaryRecorder;
+use cageless::summary::{SummaryRecorder, transient_s};
 use cageless::vibration::VibrationRecorder;
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::SummaryFile;
 use cageless_report::figures::{history, vibration};
-use cageless_report::run_report::{Histories, run_data};
+use cageless_report::run_report::{Histories, SAMPLING_HZ, run_data};
 use cageless_report::{Figure, RunData, run_page};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -35,8 +35,8 @@ pub struct Run {
 struct Material {
     file: CaseFile,
     outcome: RunOutcome,
-    histories: Histories,
-    passages: Vec<Passage>,
+    /// Gone into the data once a figure was asked for.
+    histories: Mutex<Option<Histories>>,
     vibration: Option<VibrationRecorder>,
 }
 
@@ -58,9 +58,10 @@ fn record(file: &CaseFile, signals: &Signals) -> PyResult<(Material, SummaryFile
     let case = file.case();
     let started = Instant::now();
     let mut summary = SummaryRecorder::new();
-    let mut passages = PassageRecorder::new();
-    let mut vibration = case.housing.as_ref().map(VibrationRecorder::new);
-    let kept = RefCell::new((Recording::default(), Histories::new()));
+    let settled_s = transient_s(case);
+    let mut vibration = (case.housing.as_ref())
+        .map(|housing| VibrationRecorder::new(housing, SAMPLING_HZ, settled_s));
+    let kept = RefCell::new((Recording::default(), Histories::new(case)));
     let outcome = {
         let mut recorder = Recorder::new(case.output.interval_s, |snapshot| {
             let (recording, histories) = &mut *kept.borrow_mut();
@@ -72,6 +73,12 @@ fn record(file: &CaseFile, signals: &Signals) -> PyResult<(Material, SummaryFile
             let (recording, histories) = &mut *kept.borrow_mut();
             histories.collide(&collision);
             recording.collide(collision);
+            Ok(())
+        });
+        let mut passages = PassageRecorder::new(|passage| {
+            if passage.enter_s > settled_s {
+                kept.borrow_mut().1.pass(&passage);
+            }
             Ok(())
         });
         let mut observers: Vec<&mut dyn Observer> =
@@ -90,8 +97,7 @@ fn record(file: &CaseFile, signals: &Signals) -> PyResult<(Material, SummaryFile
     let material = Material {
         file: file.clone(),
         outcome,
-        histories,
-        passages: passages.passages,
+        histories: Mutex::new(Some(histories)),
         vibration,
     };
     Ok((material, summary, recording))
@@ -101,13 +107,15 @@ impl Run {
     fn data(&self) -> &RunData {
         self.data.get_or_init(|| {
             let m = &self.material;
+            let histories = m.histories.lock().ok().and_then(|mut kept| kept.take());
+            let histories = histories.unwrap_or_else(|| Histories::new(m.file.case()));
+            let measured = (m.vibration.as_ref()).map(|recorder| &recorder.measurements()[1]);
             run_data(
                 &m.file,
                 &m.outcome,
                 &self.summary,
-                &m.histories,
-                &m.passages,
-                m.vibration.as_ref(),
+                histories,
+                measured.filter(|measured| measured.samples() > 0),
             )
         })
     }

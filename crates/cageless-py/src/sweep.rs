@@ -20,7 +20,7 @@ pub struct Sweep {
 }
 
 /// How often a caller hears of the progress.
-const TELL_EVERY: Duration = Duration::from_millis(500);
+const TELL_EVERY: Duration = Duration::from_millis(100);
 
 #[pymethods]
 impl Sweep {

@@ -17,13 +17,15 @@ fn table(values: &Bound<'_, PyDict>) -> PyResult<Table> {
         .iter()
         .map(|(key, item)| {
             let key: String = key.extract()?;
-            let item = value(&item).map_err(|_| {
-                input(format!(
+            let section = item.is_instance_of::<PyDict>();
+            let item = value(&item).map_err(|error| match section {
+                true => error,
+                false => input(format!(
                     "{key} = {} is not possible: it must be a number, a text, a list or a \
                      dictionary",
                     item.repr()
                         .map_or_else(|_| "?".to_owned(), |r| r.to_string())
-                ))
+                )),
             })?;
             Ok((key, item))
         })

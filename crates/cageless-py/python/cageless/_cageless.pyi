@@ -4,6 +4,23 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, final
 
+import numpy.typing as npt
+
+__all__ = [
+    "CaseFile",
+    "Collection",
+    "Report",
+    "Run",
+    "Sweep",
+    "__version__",
+    "analyse",
+    "instruction_set",
+    "merge",
+    "read_table",
+    "template",
+    "to_toml",
+]
+
 __version__: str
 
 def template(conventional: bool) -> str: ...
@@ -33,7 +50,7 @@ class CaseFile:
 
 @final
 class Run:
-    def arrays(self) -> dict[str, dict[str, Any]]: ...
+    def arrays(self) -> dict[str, dict[str, npt.NDArray[Any]]]: ...
     def summary(self) -> str: ...
     def stopped(self) -> str | None: ...
     def figure(self, name: str) -> str: ...

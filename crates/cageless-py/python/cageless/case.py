@@ -52,8 +52,7 @@ def template(conventional: bool = False) -> str:
 
 def changes(values: Mapping[str, Any]) -> list[str]:
     """``section.key=value`` for each, as ``--set`` takes it."""
-    # The value as TOML: what stands behind `_ = `.
-    written = {key: _cageless.to_toml({"_": value}) for key, value in values.items()}
+    written = {key: _cageless.to_toml({key: value}) for key, value in values.items()}
     return [f"{key}={text.split('=', 1)[1].strip()}" for key, text in written.items()]
 
 
@@ -328,7 +327,7 @@ class Case:
         >>> import cageless
         >>> static = cageless.Case.from_toml(cageless.template()).static()
         >>> round(static.ring_y_um, 2)
-        -12.6
+        -13.18
         """
         return Static(json.loads(self._file.static_equilibrium()))
 

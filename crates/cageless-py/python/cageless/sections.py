@@ -116,11 +116,14 @@ class Raceway(Section):
         θ; it reaches from −θ to θ.
     centre_angle_deg : float, optional
         ψ of its middle; 0, the default, is the bottom, where the load is.
+    depth_error_um : float, optional
+        How much deeper than designed the raceway was made.
     """
 
     axial_span_mm: float
     half_angle_deg: float
     centre_angle_deg: float | None = None
+    depth_error_um: float | None = None
 
 
 @dataclass(frozen=True, kw_only=True)

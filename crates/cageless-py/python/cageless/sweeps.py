@@ -54,7 +54,7 @@ def sweep(
     shard : (int, int), optional
         Number I of N parts, from 1.
     progress : callable, optional
-        Called with the variants done and their total, twice a second.
+        Called with the variants done and their total, now and then.
     client : distributed.Client, optional
         Computes on the cluster of this client, of Dask, and shows Dask's own progress.
     shared : bool

@@ -40,7 +40,11 @@ pub struct Stop {
 impl std::fmt::Display for Stop {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { time_s, cause, .. } = self;
-        write!(f, "at t = {time_s:.6} s {cause}. To change: {}.", self.advice())
+        write!(
+            f,
+            "at t = {time_s:.6} s {cause}. To change: {}.",
+            self.advice()
+        )
     }
 }
 

@@ -1,0 +1,45 @@
+"""One bearing: its load, its raceway, its motion.
+
+Writes gaps.html, orbit_speed.html and ring_orbit.html.
+"""
+
+from __future__ import annotations
+
+import cageless
+
+case = cageless.Case(
+    title="A bearing of my own",
+    bearing=cageless.Bearing(
+        balls=14,
+        ball_radius_mm=4.7625,
+        inner_groove_bottom_radius_mm=18.24,
+        outer_groove_bottom_radius_mm=27.765,
+        outer_shoulder_radius_mm=26.0,
+        inner_groove_curvature_radius_mm=4.953,
+        outer_groove_curvature_radius_mm=4.953,
+        inner_ring_mass_kg=0.2,
+        inner_ring_drag_n_s_m=2000.0,
+    ),
+    raceway=cageless.Raceway(axial_span_mm=5.1, half_angle_deg=25.2),
+    material=cageless.Material(
+        density_kg_m3=7850.0, youngs_modulus_gpa=206.0, poisson_ratio=0.3
+    ),
+    operation=cageless.Operation(inner_speed_rpm=12000.0, radial_load_n=1500.0),
+    contact=cageless.Contact(
+        friction_coefficient=0.007, friction_law="smooth", slip_scale_m_s=0.02, damping=2.0e5
+    ),
+    model=cageless.Model(profile="physical"),
+    solver=cageless.Solver(duration_s=0.1),
+    output=cageless.Output(interval_us=100.0),
+)
+
+static = case.static()
+print(f"ring displaced by {static.ring_y_um:.2f} µm")
+print(f"largest load of a ball {static.outer_force_n.max():.0f} N")
+print(f"largest stress {static.outer_stress_max_gpa:.2f} GPa")
+
+run = case.run()
+print(run.data_summary())
+run.plot_gaps().write_html("gaps.html")
+run.plot_orbit_speed().write_html("orbit_speed.html")
+run.plot_ring_orbit().write_html("ring_orbit.html")

@@ -1,0 +1,137 @@
+"""Cases: from keywords, from files, and their errors."""
+
+from __future__ import annotations
+
+import copy
+import dataclasses
+import pickle
+from pathlib import Path
+
+import cageless
+import pytest
+from cageless import sections
+from conftest import ROOT, Command, numbers
+
+
+def test_keywords_make_the_case_that_the_file_makes() -> None:
+    read = cageless.Case.from_toml(cageless.template())
+    made = cageless.Case(
+        title=read.title,
+        bearing=read.bearing,
+        material=read.material,
+        raceway=read.raceways,
+        operation=read.operation,
+        contact=read.contact,
+        model=read.model,
+        start=read.start,
+        solver=read.solver,
+        housing=read.housing,
+        output=read.output,
+    )
+    assert made == read
+    assert made.to_toml() == read.to_toml()
+
+
+def test_every_key_of_the_format_is_a_field_and_the_other_way_round() -> None:
+    text = cageless.template()
+    for kind in sections.Section.__subclasses__():
+        name = kind.__name__.lower()
+        known = {field.name for field in dataclasses.fields(kind)}
+        with pytest.raises(cageless.InputError) as error:
+            cageless.Case.from_toml(text, {f"{name}.qqqqqqqqqqqqqqqqqqqq": 1.0})
+        listed = str(error.value).partition("its keys are ")[2].split(", ")
+        assert set(listed) == known
+
+
+def test_several_raceways_and_lists_per_ball() -> None:
+    case = cageless.Case.from_toml(cageless.template())
+    [one] = case.raceways
+    both = dataclasses.replace(one, centre_angle_deg=180.0)
+    made = cageless.Case(
+        bearing=dataclasses.replace(case.bearing, ball_radius_deviation_um=[0.5] * 14),
+        material=case.material,
+        raceway=[one, both],
+        operation=case.operation,
+        contact=case.contact,
+        model=case.model,
+        solver=case.solver,
+        output=case.output,
+    )
+    assert [r.centre_angle_deg for r in made.raceways] == [0.0, 180.0]
+    assert made.replace({"raceway.2.half_angle_deg": 24.0}).raceways[1].half_angle_deg == 24.0
+    assert made.bearing.ball_radius_deviation_um == [0.5] * 14
+
+
+def test_a_case_survives_pickle_and_copy() -> None:
+    for path in sorted((ROOT / "cases").glob("*.toml")):
+        case = cageless.Case.from_file(path)
+        assert pickle.loads(pickle.dumps(case)) == case
+        assert copy.deepcopy(case) == case
+        assert hash(copy.copy(case)) == hash(case)
+
+
+@pytest.mark.parametrize(
+    ("key", "value"),
+    [
+        ("raceway.half_angle_deg", 500.0),
+        ("raceway.axial_spam_mm", 5.0),
+        ("bearing.balls", 2),
+        ("solver.method", "euler"),
+        ("contact.friction_coefficient", -0.1),
+        ("operation.inner_speed_rpm", float("nan")),
+    ],
+)
+def test_messages_are_those_of_the_command(
+    command: Command, tmp_path: Path, key: str, value: object
+) -> None:
+    path = tmp_path / "case.toml"
+    path.write_text(cageless.template())
+    with pytest.raises(cageless.InputError) as error:
+        cageless.Case.from_file(path, {key: value})
+    failed = command("check", path, "--set", f"{key}={value}", code=2)
+    assert failed.stderr == f"error: {error.value}\n".replace(f'"{value}"', str(value), 1) or (
+        failed.stderr == f"error: {error.value}\n"
+    )
+    assert error.value.key == key
+    assert isinstance(error.value, ValueError)
+
+
+def test_a_file_at_fault_is_named_with_its_line(command: Command, tmp_path: Path) -> None:
+    path = tmp_path / "case.toml"
+    path.write_text(cageless.template().replace("balls = 14", "balls = 2"))
+    with pytest.raises(cageless.InputError) as error:
+        cageless.Case.from_file(path)
+    assert command("check", path, code=2).stderr == f"error: {error.value}\n"
+    assert error.value.line == path.read_text().splitlines().index(
+        next(line for line in path.read_text().splitlines() if line.startswith("balls"))
+    ) + 1
+    assert pickle.loads(pickle.dumps(error.value)).line == error.value.line
+
+
+def test_values_that_no_file_can_hold_are_refused() -> None:
+    case = cageless.Case.from_toml(cageless.template())
+    with pytest.raises(cageless.InputError, match="title"):
+        case.replace({"title": object()})
+    with pytest.raises(cageless.InputError, match="seed"):
+        case.replace({"solver.seed": 2**70})
+
+
+def test_defaults_and_the_case_as_run_are_those_of_check(command: Command, tmp_path: Path) -> None:
+    path = tmp_path / "case.toml"
+    path.write_text(cageless.template())
+    checked = numbers(command("check", path, "--json").stdout)
+    case = cageless.Case.from_file(path)
+    assert case.defaults == checked["defaults"]
+    assert case.to_dict() == checked["case"]
+
+
+def test_static_and_design_are_those_of_the_command(command: Command) -> None:
+    path = ROOT / "cases" / "zhao-d.toml"
+    case = cageless.Case.from_file(path)
+    assert case.static().values == numbers(command("static", path, "--json").stdout)
+    assert case.design().values == numbers(command("design", path, "--json").stdout)
+    assert case.static().data_balls().shape[0] == case.bearing.balls
+    assert "Static" in case.static()._repr_html_()
+    assert "verdict" in case.design()._repr_html_()
+    assert "raceway.half_angle_deg" in case._repr_html_()
+    assert "ball_radius_mm" in case.bearing._repr_html_()

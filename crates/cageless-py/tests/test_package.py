@@ -1,0 +1,60 @@
+"""Types, documentation and examples of the package."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import cageless
+import pytest
+
+HERE = Path(__file__).resolve().parent
+EXAMPLES = sorted((HERE.parent / "examples").glob("*.py"))
+SETTINGS = HERE.parent / "pyproject.toml"
+
+
+def check(*args: object) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", *map(str, args)], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_types_hold_in_package_tests_and_examples() -> None:
+    assert (Path(cageless.__file__).parent / "py.typed").exists()
+    check("mypy", "--config-file", SETTINGS, HERE.parent / "python", HERE, *EXAMPLES)
+
+
+def test_stubs_are_complete() -> None:
+    check("mypy.stubtest", "--mypy-config-file", SETTINGS, "cageless._cageless")
+
+
+@pytest.mark.parametrize("name", sorted(cageless.__all__))
+def test_every_name_is_documented(name: str) -> None:
+    thing = getattr(cageless, name)
+    if isinstance(thing, str):
+        return
+    assert thing.__doc__, name
+    if isinstance(thing, type):
+        for key, member in vars(thing).items():
+            if not key.startswith("_") and (callable(member) or isinstance(member, property)):
+                assert member.__doc__, f"{name}.{key}"
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_examples_run_and_leave_their_figures(path: Path, tmp_path: Path) -> None:
+    environment = os.environ | {"PYTHONWARNINGS": "error::FutureWarning"}
+    done = subprocess.run(
+        [sys.executable, str(path)],
+        capture_output=True,
+        text=True,
+        check=False,
+        cwd=tmp_path,
+        env=environment,
+    )
+    assert done.returncode == 0, done.stderr
+    figures = list(tmp_path.glob("*.html"))
+    assert figures, "no figure"
+    assert all("Plotly.newPlot" in figure.read_text() for figure in figures)

@@ -1,0 +1,156 @@
+"""Runs: against the command, as arrays, interrupted, stopped."""
+
+from __future__ import annotations
+
+import json
+import re
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import cageless
+import numpy as np
+import pandas as pd
+import plotly.graph_objects as go
+import pytest
+from conftest import Command, numbers
+
+
+@pytest.fixture(scope="module")
+def both(
+    command: Command, tmp_path_factory: pytest.TempPathFactory
+) -> tuple[cageless.Run, Path]:
+    """One run from Python, and the folder of the command's."""
+    from conftest import lively
+
+    folder = tmp_path_factory.mktemp("run")
+    path = folder / "case.toml"
+    path.write_text(lively().to_toml())
+    command("run", path, "--out", folder)
+    return cageless.Case.from_file(path).run(), folder
+
+
+def same(frame: pd.DataFrame, path: Path) -> None:
+    """The same columns with the same bits."""
+    written = pd.read_parquet(path)
+    assert list(frame.columns) == list(written.columns)
+    assert len(frame) == len(written) > 0
+    for name in frame.columns:
+        one, other = frame[name].to_numpy(), written[name].to_numpy()
+        assert one.dtype == other.dtype, name
+        assert one.tobytes() == other.tobytes(), name
+
+
+def test_tables_have_the_bits_of_the_command(both: tuple[cageless.Run, Path]) -> None:
+    run, folder = both
+    same(run.data_balls(), folder / "balls.parquet")
+    same(run.data_ring(), folder / "ring.parquet")
+    same(run.data_collisions(), folder / "collisions.parquet")
+
+
+def test_the_summary_is_that_of_the_command(both: tuple[cageless.Run, Path]) -> None:
+    run, folder = both
+    written = numbers((folder / "summary.json").read_text())
+    assert written.pop("wall_s") > 0.0
+    assert {k: v for k, v in run.summary.items() if k != "wall_s"} == written
+    assert run.data_summary()["collisions"] == written["collisions"] > 0
+
+
+def test_figures_are_those_of_the_report(both: tuple[cageless.Run, Path]) -> None:
+    run, folder = both
+    page = (folder / "report.html").read_text()
+    specs = re.findall(r'<script type="application/json" id="[^"]*-spec">(.*?)</script>', page)
+    shown = [json.loads(spec) for spec in specs]
+    names = [name for name in dir(run) if name.startswith("plot_")]
+    assert len(names) == 9
+    for name in names:
+        figure = getattr(run, name)()
+        assert isinstance(figure, go.Figure)
+        made = json.loads(run._run.figure(name.removeprefix("plot_")))
+        assert made in shown, name
+        assert len(figure.data) == len(made["data"])
+
+
+def test_the_page_is_that_of_the_report(both: tuple[cageless.Run, Path], tmp_path: Path) -> None:
+    run, folder = both
+    page = run.report(tmp_path / "page.html").read_text()
+    assert page == (folder / "report.html").read_text()
+
+
+def test_arrays_are_not_copied_and_not_writeable(both: tuple[cageless.Run, Path]) -> None:
+    run, _ = both
+    assert run.gap_rad is run.balls("gap_rad")
+    assert run.gap_rad.shape == (len(run.time_s), 14)
+    with pytest.raises(ValueError):
+        run.gap_rad[0, 0] = 1.0
+    frame = run.data_balls()
+    assert np.shares_memory(frame["gap_rad"].to_numpy(), run.gap_rad)
+    assert np.shares_memory(run.data_ring()["x_m"].to_numpy(), run.ring("x_m"))
+    assert len(run.collisions("ball")) == len(run.data_collisions())
+    assert "collisions" in run._repr_html_()
+
+
+def test_a_run_that_stops_says_why_and_keeps_what_there_is(
+    command: Command, tmp_path: Path
+) -> None:
+    case = cageless.Case.from_toml(
+        cageless.template(),
+        {"start.state": "rolling", "start.ring_y_um": -450.0, "solver.duration_s": 0.05},
+    )
+    path = tmp_path / "case.toml"
+    path.write_text(case.to_toml())
+    with pytest.raises(cageless.UnphysicalError) as error:
+        case.run()
+    stderr = command("run", path, code=3).stderr
+    assert stderr == f"error: {error.value}\n"
+    run = error.value.run
+    assert run is not None
+    assert run.stopped == str(error.value)
+    assert 0.0 <= run.time_s[-1] < 0.05
+    assert run.summary["stopped"]["advice"] in str(error.value)
+
+
+INTERRUPTED = """
+import cageless, sys, time
+case = cageless.Case.from_toml(cageless.template(), {"solver.duration_s": 1000.0})
+print("started", flush=True)
+try:
+    case.WHAT
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+"""
+
+
+@pytest.mark.parametrize(
+    "what",
+    [
+        "run()",
+        "from_toml(''); cageless.sweep(cageless.Plan(case=case, compute=['run'], "
+        "grid={'operation.radial_load_n': [500.0, 600.0]}))",
+    ],
+)
+def test_ctrl_c_ends_a_computation(what: str) -> None:
+    code = INTERRUPTED.replace("case.WHAT", what.partition("; ")[2] or f"case.{what}")
+    process = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
+    assert process.stdout is not None
+    assert process.stdout.readline() == "started\n"
+    time.sleep(0.5)
+    process.send_signal(signal.SIGINT)
+    sent = time.monotonic()
+    rest, _ = process.communicate(timeout=20)
+    assert rest == "interrupted\n"
+    assert time.monotonic() - sent < 10.0
+
+
+def test_other_threads_go_on_meanwhile() -> None:
+    case = cageless.Case.from_toml(cageless.template(), {"solver.duration_s": 0.3})
+    worker = threading.Thread(target=case.run)
+    worker.start()
+    turns = 0
+    while worker.is_alive():
+        time.sleep(0.001)
+        turns += 1
+    assert turns > 20
