@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use cageless_report::figures::sweep;
-use cageless_report::{Figure, SweepData, SweepOutput, sweep_page, to_json};
+use cageless_report::{SweepData, SweepOutput, sweep_page, to_json};
 use cageless_sweep::Aim;
 use cageless_sweep::analysis::Goal;
 use pyo3::prelude::*;
@@ -49,7 +49,7 @@ impl Report {
         if self.data.outputs.is_empty() || self.data.inputs.is_empty() {
             return Err(input("nothing varies in this sweep"));
         }
-        Ok(spec(&sweep::shares(&self.data)))
+        Ok(sweep::shares(&self.data).json())
     }
 
     /// An output over the inputs that explain most of it.
@@ -58,7 +58,7 @@ impl Report {
         if output.effects.is_empty() {
             return Err(input(format!("no input explains {column}")));
         }
-        Ok(spec(&sweep::effects(output, &self.data.provenance)))
+        Ok(sweep::effects(output, &self.data.provenance).json())
     }
 
     /// An output over the two inputs that explain most of it.
@@ -67,7 +67,7 @@ impl Report {
         let Some(map) = &output.map else {
             return Err(input(format!("{column} depends on fewer than two inputs")));
         };
-        Ok(spec(&sweep::map(output, map, &self.data.provenance)))
+        Ok(sweep::map(output, map, &self.data.provenance).json())
     }
 }
 
@@ -83,8 +83,4 @@ impl Report {
             ))
         })
     }
-}
-
-fn spec(figure: &Figure) -> String {
-    figure.plot.spec().to_string()
 }

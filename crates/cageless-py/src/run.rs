@@ -121,8 +121,11 @@ impl Run {
     }
 }
 
+/// A figure of a run, if there is anything to show.
+type Make = fn(&RunData) -> Option<Figure>;
+
 /// Figures of a run by name.
-const FIGURES: [(&str, fn(&RunData) -> Option<Figure>); 9] = [
+const FIGURES: [(&str, Make); 9] = [
     ("gaps", history::gaps),
     ("collisions", history::collisions),
     ("orbit_speed", history::orbit_speed),
@@ -132,8 +135,8 @@ const FIGURES: [(&str, fn(&RunData) -> Option<Figure>); 9] = [
     ("ring_orbit", history::ring_orbit),
     ("energy", history::energy),
     ("vibration", |data| {
-        let vibration_data = data.vibration.as_ref()?;
-        Some(vibration::vibration("Vibration", vibration_data))
+        let measured = data.vibration.as_ref()?;
+        Some(vibration::vibration("Vibration", measured))
     }),
 ];
 
@@ -164,7 +167,7 @@ impl Run {
         };
         let figure = py.detach(|| make(self.data()));
         match figure {
-            Some(figure) => Ok(figure.plot.spec().to_string()),
+            Some(figure) => Ok(figure.json()),
             None => Err(input(format!("this run has nothing to show as {name:?}"))),
         }
     }

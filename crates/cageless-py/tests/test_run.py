@@ -70,6 +70,7 @@ def test_figures_are_those_of_the_report(both: tuple[cageless.Run, Path]) -> Non
         figure = getattr(run, name)()
         assert isinstance(figure, go.Figure)
         made = json.loads(run._run.figure(name.removeprefix("plot_")))
+        assert made["layout"].pop("height") == figure.layout.height > 200
         assert made in shown, name
         assert len(figure.data) == len(made["data"])
 

@@ -34,6 +34,13 @@ impl Figure {
         )
     }
 
+    /// The plot on its own, in the JSON of plotly, as high as on a page.
+    pub fn json(&self) -> String {
+        let mut spec = self.plot.spec();
+        spec["layout"]["height"] = self.plot.height_px.into();
+        spec.to_string()
+    }
+
     /// Anchor that the label asks for.
     pub fn slug(&self) -> String {
         slug(&self.label)

@@ -10,5 +10,7 @@ __all__ = ["figure"]
 
 
 def figure(spec: str) -> go.Figure:
-    """A figure from its JSON."""
-    return go.Figure(json.loads(spec))
+    """A figure from its JSON, as it is: without the template of plotly.py."""
+    found = json.loads(spec)
+    found["layout"].setdefault("template", go.layout.Template())
+    return go.Figure(found)

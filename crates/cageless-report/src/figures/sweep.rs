@@ -11,6 +11,14 @@ use crate::text::short;
 
 /// Panels side by side.
 const ACROSS: usize = 3;
+/// From nothing to everything. In so many colours: plotly.py reads the names the other way
+/// round than plotly.js.
+const BLUES: [(f64, &str); 4] = [
+    (0.0, "#f7fbff"),
+    (0.35, "#9ecae1"),
+    (0.7, "#3182bd"),
+    (1.0, "#08306b"),
+];
 /// Height of a row of panels, pixels.
 const ROW_PX: u32 = 300;
 
@@ -46,8 +54,8 @@ pub fn shares(data: &SweepData) -> Figure {
         )
         .trace(json!({
             "type": "heatmap", "x": names, "y": labels, "z": z, "text": text,
-            "texttemplate": "%{text}", "zmin": 0, "zmax": 100, "colorscale": "Blues",
-            "reversescale": true, "xgap": 1, "ygap": 1,
+            "texttemplate": "%{text}", "zmin": 0, "zmax": 100, "colorscale": BLUES,
+            "xgap": 1, "ygap": 1,
             "colorbar": { "title": { "text": "%" }, "thickness": 12 },
             "hovertemplate": "%{y} by %{x}: %{z:.1f} %<extra></extra>",
         }));

@@ -1,0 +1,42 @@
+"""What Python adds to a run of 0.05 s: the time of `case.run()`, arrays made, over that of
+the command, which only sums up. Both in turn, medians.
+
+    python crates/cageless-py/benchmarks/overhead.py target/release/cageless
+"""
+
+from __future__ import annotations
+
+import json
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import cageless
+
+ROUNDS = 31
+
+command = sys.argv[1]
+case = cageless.Case.from_toml(cageless.template(), {"solver.duration_s": 0.05})
+with tempfile.TemporaryDirectory() as folder:
+    path = Path(folder) / "case.toml"
+    path.write_text(case.to_toml())
+    python: list[float] = []
+    inside: list[float] = []
+    bare: list[float] = []
+    for _ in range(ROUNDS):
+        began = time.perf_counter()
+        run = case.run()
+        python.append(time.perf_counter() - began)
+        inside.append(run.summary["wall_s"])
+        printed = subprocess.run(
+            [command, "run", str(path), "--json"], capture_output=True, check=True
+        )
+        bare.append(json.loads(printed.stdout)["wall_s"])
+
+for name, times in [("case.run()", python), ("of it, in Rust", inside), ("command", bare)]:
+    print(f"{name:15} {1e3 * statistics.median(times):8.2f} ms, least {1e3 * min(times):8.2f} ms")
+share = statistics.median(python) / statistics.median(bare) - 1.0
+print(f"overhead        {100.0 * share:8.2f} % of medians, {100.0 * (min(python) / min(bare) - 1.0):.2f} % of least")

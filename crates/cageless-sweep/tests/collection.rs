@@ -1,0 +1,79 @@
+//! Rows that others compute.
+
+use std::fs;
+use std::path::Path;
+
+use cageless_io::case_file::template;
+use cageless_io::plan_file::PlanFile;
+use cageless_sweep::{Collection, Job, Sweep, run, write_part};
+
+/// The variants of [`sweep`].
+const ALL: std::ops::Range<u64> = 0..7;
+
+fn sweep(folder: &Path, seed: u64) -> Sweep {
+    fs::write(folder.join("case.toml"), template(false)).expect("written");
+    let plan = format!(
+        "seed = {seed}\ncompute = [\"static\"]\ncase = \"case.toml\"\n[samples]\n\
+         method = \"random\"\ncount = 7\n\
+         operation.radial_load_n = {{ from = 500.0, to = 1500.0 }}"
+    );
+    let plan = PlanFile::parse(&plan, "plan", folder).expect("a plan");
+    Sweep::new(plan).expect("a sweep")
+}
+
+fn part(sweep: &Sweep, range: std::ops::Range<u64>, folder: &Path) -> Vec<u8> {
+    let path = folder.join("elsewhere.parquet");
+    assert!(write_part(sweep, range, &path, &|| false).expect("written"));
+    fs::read(path).expect("read")
+}
+
+#[test]
+fn parts_from_elsewhere_make_the_result_of_one_run() {
+    let dir = tempfile::tempdir().expect("a folder");
+    let sweep = sweep(dir.path(), 1);
+    let alone = Job {
+        result: dir.path().join("alone.parquet"),
+        shard: None,
+        threads: None,
+    };
+    run(&sweep, &alone, |_| false).expect("computed");
+
+    let result = dir.path().join("together.parquet");
+    let collection = Collection::open(&sweep, &result, None).expect("opened");
+    assert_eq!(collection.missing().expect("read"), vec![ALL]);
+    let middle = part(&sweep, 2..5, dir.path());
+    collection.add(2, &middle).expect("taken");
+    assert_eq!(collection.missing().expect("read"), [0..2, 5..7]);
+    // Nobody else may work on it; whoever comes later goes on.
+    let busy = Collection::open(&sweep, &result, None).expect_err("in use");
+    assert!(busy.to_string().contains("another process"), "{busy}");
+    assert!(!collection.finish().expect("read"));
+    assert!(!result.exists());
+
+    let collection = Collection::open(&sweep, &result, None).expect("opened");
+    for range in collection.missing().expect("read") {
+        let path = collection.part(range.start);
+        assert!(write_part(&sweep, range, &path, &|| false).expect("written"));
+    }
+    assert!(collection.finish().expect("made"));
+    assert_eq!(
+        fs::read(result).expect("read"),
+        fs::read(alone.result).expect("read")
+    );
+}
+
+#[test]
+fn a_part_of_another_sweep_is_refused_and_does_not_stay() {
+    let dir = tempfile::tempdir().expect("a folder");
+    let (one, other) = (sweep(dir.path(), 1), sweep(dir.path(), 2));
+    let result = dir.path().join("result.parquet");
+    let collection = Collection::open(&one, &result, None).expect("opened");
+    let foreign = part(&other, ALL, dir.path());
+    let error = collection.add(0, &foreign).expect_err("foreign");
+    assert!(
+        error.is_input() && error.to_string().contains("seed"),
+        "{error}"
+    );
+    assert!(collection.add(0, b"no table").is_err());
+    assert_eq!(collection.missing().expect("read"), vec![ALL]);
+}
