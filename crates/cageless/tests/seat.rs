@@ -1,0 +1,64 @@
+//! Where balls sit in the outer ring.
+
+mod common;
+
+use cageless::seat::{Seat, seat};
+use cageless::{Bearing, Raceway};
+use common::{dimensions, raceway, steel};
+
+fn paper() -> (Bearing, Raceway) {
+    let bearing = Bearing::new(dimensions(), steel()).unwrap();
+    let raceway = raceway(&bearing, 5.1, 25.2, 0.0);
+    (bearing, raceway)
+}
+
+/// The distance of the ball's centre from Oe, taken from the surface itself, is Re − R.
+#[test]
+fn the_ball_touches_both_flanks() {
+    let (bearing, raceway) = paper();
+    let re = bearing.dimensions().outer_groove_curvature_radius_m;
+    for angle in [0.0, 0.1, -0.3, 0.43] {
+        for deviation in [-20e-6, -1e-6, 0.0, 1e-6, 20e-6] {
+            let radius = bearing.ball_radius_m() + deviation;
+            let Seat {
+                touching_radius_m,
+                effective_radius_m,
+            } = seat(&bearing, std::slice::from_ref(&raceway), angle, radius);
+            let centre = raceway.groove_centre_m(raceway.path_x_m(angle));
+            let radial = centre[0].hypot(centre[1]);
+            let distance = (touching_radius_m - radial).hypot(centre[2]);
+            assert!(
+                (distance - (re - radius)).abs() < 1e-12,
+                "{angle} {deviation}"
+            );
+            // The contact points lie on the line from Oe through the centre.
+            let arm = radius * (touching_radius_m - radial) / distance;
+            assert!((effective_radius_m - arm).abs() < 1e-12);
+        }
+    }
+}
+
+/// In the middle, too deep by e is what a ball smaller by e sees, but for its arm.
+#[test]
+fn depth_lets_the_ball_out() {
+    let (bearing, raceway) = paper();
+    let radius = bearing.ball_radius_m();
+    let deep = [raceway.clone().with_depth_error(2e-6).unwrap()];
+    let smaller = seat(&bearing, &[raceway], 0.0, radius - 2e-6);
+    let deeper = seat(&bearing, &deep, 0.0, radius);
+    assert!((deeper.touching_radius_m - smaller.touching_radius_m).abs() < 1e-15);
+    // It sits 2 µm over cos α further out.
+    let out = deeper.touching_radius_m - bearing.touching_radius_m();
+    let cosine = deep[0].effective_radius_m(0.0) / radius;
+    assert!((out / (2e-6 / cosine) - 1.0).abs() < 0.02, "{out}");
+    let end = seat(&bearing, &deep, 25.199f64.to_radians(), radius);
+    assert!((end.touching_radius_m - bearing.touching_radius_m()).abs() < 1e-9);
+}
+
+#[test]
+fn the_plain_raceway_holds_any_ball_at_its_bottom() {
+    let (bearing, _) = paper();
+    let seat = seat(&bearing, &[], 1.0, 4.77e-3);
+    assert!((seat.touching_radius_m - (27.765e-3 - 4.77e-3)).abs() < 1e-15);
+    assert_eq!(seat.effective_radius_m, 4.77e-3);
+}
