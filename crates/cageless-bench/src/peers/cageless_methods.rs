@@ -50,8 +50,10 @@ impl Cageless {
             let cases: Result<Vec<_>> = settings
                 .iter()
                 .map(|&setting| {
+                    // The step of the case would bound the adaptive one.
                     let case = problem::cb74(&[
                         format!("solver.method={method}"),
+                        "solver.step_us=auto".to_owned(),
                         format!("{key}={setting:?}"),
                     ])?;
                     Ok((setting, case))

@@ -1,10 +1,11 @@
-//! Steps by error control, order 8(5,3).
+//! Steps by error control, order 8(5,3) or, for loose tolerances, 5(4).
 
-use super::tableau::DORMAND_PRINCE_8;
+use super::tableau::{DORMAND_PRINCE_8, TSITOURAS_5};
 use super::{CrossingError, Integrator, RungeKutta, Step, System};
 
-/// The method: Dormand & Prince's pair of order 8 with the error of each step, in the
-/// scales of the system, below a tolerance. Where f has an edge (δ^(3/2), √δ, a jump) the
+/// The method: Dormand & Prince's pair of order 8, or Tsitouras' of order 5 for a tolerance of
+/// [`LOOSE`] and more, with the error of each step, in the scales of the system, below the
+/// tolerance. Where f has an edge (δ^(3/2), √δ, a jump) the
 /// steps shrink until it is crossed.
 #[derive(Debug, Clone)]
 pub struct Adaptive {
@@ -20,6 +21,9 @@ pub struct Adaptive {
     rate_before: Vec<f64>,
 }
 
+/// From this tolerance on the steps are so long for the edges of f that a high order is wasted:
+/// on CB74 the pair of order 5 then takes half the evaluations.
+pub const LOOSE: f64 = 1e-6;
 /// Least step as a share of the largest.
 const LEAST: f64 = 1e-8;
 
@@ -29,7 +33,14 @@ impl Adaptive {
     pub fn new(dimension: usize, most: f64, tolerance: f64) -> Self {
         let zero = || vec![0.0; dimension];
         Self {
-            pair: RungeKutta::with_tableau(&DORMAND_PRINCE_8, dimension),
+            pair: RungeKutta::with_tableau(
+                if tolerance >= LOOSE {
+                    &TSITOURAS_5
+                } else {
+                    &DORMAND_PRINCE_8
+                },
+                dimension,
+            ),
             most,
             tolerance,
             size: most,
