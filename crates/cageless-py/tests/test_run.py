@@ -115,7 +115,9 @@ def test_a_run_that_stops_says_why_and_keeps_what_there_is(
 
 
 INTERRUPTED = """
-import cageless, sys, time
+import cageless, signal
+# A program started in the background of a shell ignores Ctrl-C.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 case = cageless.Case.from_toml(cageless.template(), {"solver.duration_s": 1000.0})
 print("started", flush=True)
 try:
