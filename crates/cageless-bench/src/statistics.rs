@@ -6,6 +6,7 @@ use std::time::Instant;
 use anyhow::{Result, bail};
 use cageless::Case;
 use cageless::case::Start;
+use cageless::onsets::Onsets;
 use cageless::simulation::{self, Control, Ending, Observer, ObserverError, Scene, View};
 use clap::Args;
 use rayon::prelude::*;
@@ -82,8 +83,7 @@ const fn published(name: &'static str, mean: f64, spread: f64, digits: usize) ->
 
 /// Sums over the window, weighted with the step.
 struct Sums {
-    touching: Vec<bool>,
-    touched: bool,
+    onsets: Onsets,
     time_s: f64,
     x: f64,
     y: f64,
@@ -95,7 +95,7 @@ struct Sums {
     balls_s: f64,
     balls_waiting_s: f64,
     steps: u64,
-    onsets: u64,
+    contacts: u64,
     /// Shifts the squares to where they do not cancel.
     origin: [f64; 2],
 }
@@ -103,8 +103,7 @@ struct Sums {
 impl Sums {
     fn new() -> Self {
         Self {
-            touching: vec![],
-            touched: false,
+            onsets: Onsets::new(0),
             time_s: 0.0,
             x: 0.0,
             y: 0.0,
@@ -115,7 +114,7 @@ impl Sums {
             balls_s: 0.0,
             balls_waiting_s: 0.0,
             steps: 0,
-            onsets: 0,
+            contacts: 0,
             origin: [0.0, -22.5e-6],
         }
     }
@@ -131,14 +130,14 @@ impl Sums {
             deviation(self.x, self.x2),
             self.speed / self.balls_s,
             self.spin / self.balls_s,
-            self.onsets as f64,
+            self.contacts as f64,
         ]
     }
 }
 
 impl Observer for Sums {
     fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
-        self.touching = vec![false; scene.model.balls()];
+        self.onsets = Onsets::new(scene.model.balls());
         Ok(())
     }
 
@@ -146,18 +145,11 @@ impl Observer for Sums {
         let layout = view.layout();
         let n = layout.balls;
         let inside = view.step.from_s >= WINDOW_S[0] * (1.0 - 1e-12);
-        let touch = view.contacts.balls_touch();
-        if touch || self.touched {
-            for (k, touching) in self.touching.iter_mut().enumerate() {
-                let now = touch && view.contacts.pair_deflection_m(k) > 0.0;
-                self.onsets += u64::from(now && !*touching && inside);
-                *touching = now;
-            }
-        }
-        self.touched = touch;
+        self.onsets.look(&view.contacts);
         if !inside {
             return Ok(Control::Continue);
         }
+        self.contacts += u64::from(self.onsets.count());
         let weight = view.step.to_s - view.step.from_s;
         let ring = |k: usize| view.step.after[layout.ring(k)] - self.origin[k];
         let (rx, ry) = (ring(0), ring(1));

@@ -26,6 +26,7 @@ pub mod hertz;
 pub mod integrator;
 pub mod kinematics;
 pub mod numerics;
+pub mod onsets;
 pub mod passage;
 pub mod raceway;
 pub mod recorder;

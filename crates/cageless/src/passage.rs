@@ -2,9 +2,10 @@
 
 use crate::integrator::hermite;
 use crate::numerics::root;
+use crate::onsets::Onsets;
 use crate::raceway::Raceway;
 use crate::simulation::{Control, Observer, ObserverError, Scene, View};
-use crate::spacing::gap_rad;
+use crate::spacing::Direction;
 
 /// One ball through one raceway.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -140,16 +141,23 @@ impl Sector {
     }
 }
 
+/// A passage, and where the ball was nearest to the one ahead.
+#[derive(Debug, Clone, Copy)]
+struct UnderWay {
+    passage: Passage,
+    nearest: Direction,
+}
+
 /// Follows the balls through the raceways and passes each passage on when the ball goes
 /// out; one counts when the ball has come in and gone out during the run.
 pub struct PassageRecorder<F> {
     sectors: Vec<Sector>,
     pair_angles: Vec<f64>,
     /// The passage under way of each ball through each raceway.
-    inside: Vec<Option<Passage>>,
+    inside: Vec<Option<UnderWay>>,
     /// Balls that start inside a raceway are let out first.
     seen_outside: Vec<bool>,
-    touching: Vec<bool>,
+    onsets: Onsets,
     sink: F,
 }
 
@@ -161,14 +169,14 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
             pair_angles: vec![],
             inside: vec![],
             seen_outside: vec![],
-            touching: vec![],
+            onsets: Onsets::new(0),
             sink,
         }
     }
 
-    /// When ball `k` crosses the end of a raceway within the step, and its gap to the ball
-    /// ahead and that of the ball behind there.
-    fn end(&self, view: &View<'_, '_>, k: usize, sector: &Sector) -> (f64, [f64; 2]) {
+    /// When ball `k` crosses the end of a raceway within the step, and the angle to the ball
+    /// ahead and that from the ball behind there.
+    fn end(&self, view: &View<'_, '_>, k: usize, sector: &Sector) -> (f64, [Direction; 2]) {
         let layout = view.layout();
         let (from, to) = (view.step.from_s, view.step.to_s);
         let place = |group: usize, time_s: f64| hermite(&view.step, layout.ball(group, k), time_s);
@@ -177,8 +185,7 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
         let state = view.state(time_s);
         let [x, y] = [0, 1].map(|group| state.layout().balls_of(state.values(), group));
         let previous = (k + layout.balls - 1) % layout.balls;
-        let gaps = [k, previous].map(|k| gap_rad(x, y, k, self.pair_angles[k]));
-        (time_s, gaps)
+        (time_s, [k, previous].map(|k| Direction::to_next(x, y, k)))
     }
 }
 
@@ -189,7 +196,7 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
         self.pair_angles = (0..n).map(|k| scene.model.pair_angle_rad(k)).collect();
         self.inside = vec![None; n * self.sectors.len()];
         self.seen_outside = vec![false; n * self.sectors.len()];
-        self.touching = vec![false; n];
+        self.onsets = Onsets::new(n);
         Ok(())
     }
 
@@ -197,20 +204,23 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
         let n = view.layout().balls;
         let (x, y) = (view.after(0), view.after(1));
         let c = &view.contacts;
-        for k in 0..n {
-            let previous = (k + n - 1) % n;
-            let begun =
-                |pair: usize| u32::from(c.pair_deflection_m(pair) > 0.0 && !self.touching[pair]);
-            let (ahead, behind) = (begun(k), begun(previous));
-            for r in 0..self.sectors.len() {
-                let slot = k * self.sectors.len() + r;
-                if self.sectors[r].inside_by(x[k], y[k]) <= 0.0 {
+        self.onsets.look(c);
+        for (r, sector) in self.sectors.iter().enumerate() {
+            for k in 0..n {
+                let slot = r * n + k;
+                if sector.inside_by(x[k], y[k]) <= 0.0 {
                     self.seen_outside[slot] = true;
-                    if let Some(mut passage) = self.inside[slot].take() {
-                        let (leave_s, [gap, _]) = self.end(view, k, &self.sectors[r]);
+                    if let Some(UnderWay {
+                        mut passage,
+                        nearest,
+                    }) = self.inside[slot].take()
+                    {
+                        let (leave_s, [leave, _]) = self.end(view, k, sector);
+                        let pair_angle = self.pair_angles[k];
                         passage.leave_s = leave_s;
-                        passage.gap_leave_rad = gap;
-                        passage.gap_min_rad = passage.gap_min_rad.min(gap);
+                        passage.gap_leave_rad = leave.gap_rad(pair_angle);
+                        let least = passage.gap_enter_rad.min(passage.gap_leave_rad);
+                        passage.gap_min_rad = least.min(nearest.gap_rad(pair_angle));
                         (self.sink)(passage)?;
                     }
                     continue;
@@ -218,40 +228,46 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
                 if !self.seen_outside[slot] {
                     continue;
                 }
-                let gap = gap_rad(x, y, k, self.pair_angles[k]);
+                let previous = if k == 0 { n - 1 } else { k - 1 };
+                let now = Direction::to_next(x, y, k);
                 let orbit = c.orbit_speed_rad_s(k);
                 // A contact without load may slide as it likes.
                 let slip = |slip: f64, force: f64| if force > 0.0 { slip.abs() } else { 0.0 };
                 let slip = slip(c.inner_slip_m_s(k), c.inner_force_n(k))
                     .max(slip(c.outer_slip_m_s(k), c.outer_force_n(k)));
-                let mut passage = self.inside[slot].unwrap_or_else(|| {
-                    let (enter_s, [gap, behind]) = self.end(view, k, &self.sectors[r]);
-                    Passage {
-                        ball: k,
-                        raceway: r,
-                        enter_s,
-                        leave_s: enter_s,
-                        gap_enter_rad: gap,
-                        gap_behind_rad: behind,
-                        gap_min_rad: gap,
-                        gap_leave_rad: gap,
-                        collisions_ahead: 0,
-                        collisions_behind: 0,
-                        slip_max_m_s: 0.0,
-                        orbit_speed_range_rad_s: [orbit, orbit],
-                    }
-                });
-                passage.gap_min_rad = passage.gap_min_rad.min(gap);
-                passage.collisions_ahead += ahead;
-                passage.collisions_behind += behind;
+                if self.inside[slot].is_none() {
+                    let (enter_s, [ahead, behind]) = self.end(view, k, sector);
+                    let gap = ahead.gap_rad(self.pair_angles[k]);
+                    self.inside[slot] = Some(UnderWay {
+                        passage: Passage {
+                            ball: k,
+                            raceway: r,
+                            enter_s,
+                            leave_s: enter_s,
+                            gap_enter_rad: gap,
+                            gap_behind_rad: behind.gap_rad(self.pair_angles[previous]),
+                            gap_min_rad: gap,
+                            gap_leave_rad: gap,
+                            collisions_ahead: 0,
+                            collisions_behind: 0,
+                            slip_max_m_s: 0.0,
+                            orbit_speed_range_rad_s: [orbit, orbit],
+                        },
+                        nearest: now,
+                    });
+                }
+                let Some(UnderWay { passage, nearest }) = &mut self.inside[slot] else {
+                    continue;
+                };
+                if now.below(*nearest) {
+                    *nearest = now;
+                }
+                passage.collisions_ahead += u32::from(self.onsets.begun(k));
+                passage.collisions_behind += u32::from(self.onsets.begun(previous));
                 passage.slip_max_m_s = passage.slip_max_m_s.max(slip);
                 let [low, high] = passage.orbit_speed_range_rad_s;
                 passage.orbit_speed_range_rad_s = [low.min(orbit), high.max(orbit)];
-                self.inside[slot] = Some(passage);
             }
-        }
-        for (k, touching) in self.touching.iter_mut().enumerate() {
-            *touching = c.pair_deflection_m(k) > 0.0;
         }
         Ok(Control::Continue)
     }

@@ -14,86 +14,87 @@ use crate::numerics::root::{self, Rise};
 use crate::simulation::{Control, Ending, Observer, ObserverError, Scene, Stop, View, run};
 use crate::state::Balls;
 
-/// Sine and cosine of the angle from ball `k` to the ball ahead, forwards, both times the
-/// distances of the two from the axis.
-fn angle_to_next(x_m: Balls<'_>, y_m: Balls<'_>, k: usize) -> [f64; 2] {
-    let next = if k + 1 == x_m.len() { 0 } else { k + 1 };
-    [
-        x_m[k] * y_m[next] - y_m[k] * x_m[next],
-        x_m[k] * x_m[next] + y_m[k] * y_m[next],
-    ]
+/// An angle from 0 to 2π by its sine and cosine, both times the same length: two can be
+/// compared without angle functions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Direction {
+    sine: f64,
+    cosine: f64,
 }
 
-/// Gap between ball `k` and the ball ahead, from their places: the angle from one to the
-/// other, forwards, less `pair_angle_rad`, that of two balls that touch
-/// ([`Model::pair_angle_rad`]).
-pub fn gap_rad(x_m: Balls<'_>, y_m: Balls<'_>, k: usize, pair_angle_rad: f64) -> f64 {
-    let [sine, cosine] = angle_to_next(x_m, y_m, k);
-    sine.atan2(cosine).rem_euclid(TAU) - pair_angle_rad
+impl Direction {
+    /// From ball `k` to the ball ahead, forwards.
+    pub fn to_next(x_m: Balls<'_>, y_m: Balls<'_>, k: usize) -> Self {
+        let next = if k + 1 == x_m.len() { 0 } else { k + 1 };
+        Self {
+            sine: x_m[k] * y_m[next] - y_m[k] * x_m[next],
+            cosine: x_m[k] * x_m[next] + y_m[k] * y_m[next],
+        }
+    }
+
+    /// Whether the angle is the smaller one.
+    pub fn below(self, other: Self) -> bool {
+        let (beyond, other_beyond) = (self.sine < 0.0, other.sine < 0.0);
+        if beyond != other_beyond {
+            return other_beyond;
+        }
+        // Within half a turn the sign of sin(a − b) orders a and b.
+        self.sine * other.cosine < self.cosine * other.sine
+    }
+
+    /// The angle, less `pair_angle_rad`, that of two balls that touch
+    /// ([`Model::pair_angle_rad`]).
+    pub fn gap_rad(self, pair_angle_rad: f64) -> f64 {
+        self.sine.atan2(self.cosine).rem_euclid(TAU) - pair_angle_rad
+    }
 }
 
 /// Smallest and largest gap that was seen between each pair of neighbours.
-///
-/// Angles below half a turn are compared through their sines and cosines, without angle
-/// functions.
 #[derive(Debug, Clone, Default)]
 pub struct GapRange {
     pair_angles: Vec<f64>,
-    /// Sine and cosine of the smallest and the largest angle of each pair.
-    least: Vec<[f64; 2]>,
-    most: Vec<[f64; 2]>,
-    seen: bool,
-    /// Of the angles beyond half a turn.
-    wide: [f64; 2],
+    /// Smallest and largest angle of each pair; empty before the first look.
+    range: Vec<[Direction; 2]>,
 }
 
 impl GapRange {
     /// For the balls of a model.
     pub fn new(model: &Model) -> Self {
-        let n = model.balls();
         Self {
-            pair_angles: (0..n).map(|k| model.pair_angle_rad(k)).collect(),
-            least: vec![[0.0, -1.0]; n],
-            most: vec![[0.0, 1.0]; n],
-            seen: false,
-            wide: [f64::INFINITY, f64::NEG_INFINITY],
+            pair_angles: (0..model.balls())
+                .map(|k| model.pair_angle_rad(k))
+                .collect(),
+            range: vec![],
         }
     }
 
     /// Looks at the places of the balls.
     pub fn look(&mut self, x_m: Balls<'_>, y_m: Balls<'_>) {
-        self.seen = true;
-        for k in 0..self.pair_angles.len() {
-            let angle = angle_to_next(x_m, y_m, k);
-            if angle[0] < 0.0 {
-                let gap = gap_rad(x_m, y_m, k, self.pair_angles[k]);
-                self.wide = [self.wide[0].min(gap), self.wide[1].max(gap)];
-                continue;
+        let at = |k| Direction::to_next(x_m, y_m, k);
+        if self.range.is_empty() {
+            self.range = (0..self.pair_angles.len()).map(|k| [at(k); 2]).collect();
+        }
+        for (k, [least, most]) in self.range.iter_mut().enumerate() {
+            let now = at(k);
+            if now.below(*least) {
+                *least = now;
             }
-            // Within half a turn the sign of sin(a − b) orders a and b.
-            let beyond = |b: [f64; 2]| angle[0] * b[1] - angle[1] * b[0];
-            if beyond(self.least[k]) < 0.0 {
-                self.least[k] = angle;
-            }
-            if beyond(self.most[k]) > 0.0 {
-                self.most[k] = angle;
+            if most.below(now) {
+                *most = now;
             }
         }
     }
 
     /// Smallest and largest gap of all, rad; infinite before the first look.
     pub fn range_rad(&self) -> [f64; 2] {
-        let [mut least, mut most] = self.wide;
-        let gap = |angle: [f64; 2], k: usize| angle[0].atan2(angle[1]) - self.pair_angles[k];
-        for k in 0..self.pair_angles.len() {
-            if self.seen && self.least[k] != [0.0, -1.0] {
-                least = least.min(gap(self.least[k], k));
-            }
-            if self.seen && self.most[k] != [0.0, 1.0] {
-                most = most.max(gap(self.most[k], k));
-            }
-        }
-        [least, most]
+        let pairs = self.range.iter().zip(&self.pair_angles);
+        pairs.fold(
+            [f64::INFINITY, f64::NEG_INFINITY],
+            |[low, high], (range, &pair)| {
+                let [least, most] = range.map(|d| d.gap_rad(pair));
+                [low.min(least), high.max(most)]
+            },
+        )
     }
 }
 

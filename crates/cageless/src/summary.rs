@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use crate::case::Case;
 use crate::kinematics::rolling_orbit_speed_rad_s;
+use crate::onsets::Onsets;
 use crate::simulation::{Control, Observer, ObserverError, Scene, View};
 use crate::spacing::GapRange;
 
@@ -52,8 +53,7 @@ pub struct SummaryRecorder {
     ring_sum: [f64; 2],
     time: f64,
     slip_max: f64,
-    touching: Vec<bool>,
-    touched: bool,
+    onsets: Onsets,
 }
 
 impl SummaryRecorder {
@@ -67,8 +67,7 @@ impl SummaryRecorder {
             ring_sum: [0.0; 2],
             time: 0.0,
             slip_max: 0.0,
-            touching: vec![],
-            touched: false,
+            onsets: Onsets::new(0),
         }
     }
 
@@ -97,25 +96,18 @@ impl Observer for SummaryRecorder {
         let case = scene.case;
         self.settled_after_s = transient_s(case);
         self.gaps = GapRange::new(scene.model);
-        self.touching = vec![false; scene.model.balls()];
+        self.onsets = Onsets::new(scene.model.balls());
         Ok(())
     }
 
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
         let contacts = &view.contacts;
         let counted = view.step.to_s > self.settled_after_s;
-        let touch = contacts.balls_touch();
-        if touch || self.touched {
-            for (k, touching) in self.touching.iter_mut().enumerate() {
-                let now = touch && contacts.pair_deflection_m(k) > 0.0;
-                self.collisions += u64::from(counted && now && !*touching);
-                *touching = now;
-            }
-        }
-        self.touched = touch;
+        self.onsets.look(contacts);
         if !counted {
             return Ok(Control::Continue);
         }
+        self.collisions += u64::from(self.onsets.count());
         let layout = view.layout();
         let h = view.step.to_s - view.step.from_s;
         for k in 0..2 {

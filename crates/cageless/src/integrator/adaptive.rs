@@ -4,7 +4,7 @@ use super::tableau::{DORMAND_PRINCE_8, TSITOURAS_5};
 use super::{CrossingError, Integrator, RungeKutta, Step, System};
 
 /// The method: Dormand & Prince's pair of order 8, or Tsitouras' of order 5 for a tolerance of
-/// [`LOOSE`] and more, with the error of each step, in the scales of the system, below the
+/// 1e-6 and more, with the error of each step, in the scales of the system, below the
 /// tolerance. Where f has an edge (δ^(3/2), √δ, a jump) the
 /// steps shrink until it is crossed.
 #[derive(Debug, Clone)]
@@ -23,7 +23,7 @@ pub struct Adaptive {
 
 /// From this tolerance on the steps are so long for the edges of f that a high order is wasted:
 /// on CB74 the pair of order 5 then takes half the evaluations.
-pub const LOOSE: f64 = 1e-6;
+const LOOSE: f64 = 1e-6;
 /// Least step as a share of the largest.
 const LEAST: f64 = 1e-8;
 
