@@ -7,7 +7,7 @@ use std::f64::consts::FRAC_PI_4;
 
 use cageless::design::search::{
     Cause, Execute, Found, Job, Numbers, OperatingPoint, Outcome, Request, SearchError, Spacing,
-    Structure, Task, disturbed, search, uneven_gaps_rad,
+    Structure, Task, disturbed, run_jobs, search, uneven_gaps_rad,
 };
 use cageless::design::{Eq11, steady_gap_rad, theoretical_gap_rad};
 use cageless::simulation::Control;
@@ -30,7 +30,7 @@ fn spacing(case: &Case, structure: Structure) -> Spacing {
         point: OperatingPoint::of(case),
         task: Task::Spacing,
     };
-    match job.run(case, &mut go_on) {
+    match run_jobs(case, &[&job], &mut go_on).swap_remove(0) {
         Some(Ok(Numbers::Spacing(spacing))) => spacing,
         other => panic!("{other:?}"),
     }
@@ -45,7 +45,9 @@ fn steady_and_critical_gap_are_those_of_the_motion() {
     assert!(steady > 1.05 * case.bearing.uniform_gap_rad());
     let critical = spacing(&case, Structure::of(&case).unwrap()).critical_gap_rad;
     for start in 0..2 {
-        let motion = disturbed(&case, start, &mut go_on).unwrap();
+        let motion = disturbed(&[(&case, start)], &mut go_on)
+            .swap_remove(0)
+            .unwrap();
         let mean = motion.gap_mean_rad / steady;
         assert!((mean - 1.0).abs() < 0.01, "{start}: {mean}");
         let least = motion.gap_min_rad / critical;
@@ -96,7 +98,7 @@ fn critical_gap_without_slip_and_without_a_direction() {
                 point: OperatingPoint::of(&weightless),
                 task: Task::Spacing,
             };
-            job.run(&weightless, &mut go_on)
+            run_jobs(&weightless, &[&job], &mut go_on).swap_remove(0)
         })
         .collect();
     for other in &outcomes[1..] {
@@ -179,17 +181,21 @@ fn run(case: &Case, request: &Request, execute: &mut Execute<'_>) -> Found {
     search(case, request, execute).unwrap()
 }
 
-/// Whatever the order of the jobs, and with any part of them known beforehand.
+/// The outcomes of jobs that are done together.
+fn all(case: &Case, jobs: &[Job]) -> Vec<Outcome> {
+    let jobs: Vec<&Job> = jobs.iter().collect();
+    let outcomes = run_jobs(case, &jobs, &mut go_on);
+    outcomes.into_iter().map(Option::unwrap).collect()
+}
+
+/// Whatever the order of the jobs, done together or one by one, and with any part of them known beforehand.
 #[test]
 fn the_same_again_in_any_order_and_after_a_stop() {
     let case = structure(5.1, 25.2);
     let request = small(&case);
     let mut known: HashMap<String, Outcome> = HashMap::new();
     let first = run(&case, &request, &mut |_, jobs| {
-        let done: Vec<Outcome> = jobs
-            .iter()
-            .map(|job| job.run(&case, &mut go_on).unwrap())
-            .collect();
+        let done = all(&case, jobs);
         for (job, outcome) in jobs.iter().zip(&done) {
             known.insert(job.key(), outcome.clone());
         }
@@ -212,7 +218,7 @@ fn the_same_again_in_any_order_and_after_a_stop() {
             .map(|job| {
                 known.get(&job.key()).cloned().unwrap_or_else(|| {
                     computed += 1;
-                    job.run(&case, &mut go_on).unwrap()
+                    all(&case, std::slice::from_ref(job)).swap_remove(0)
                 })
             })
             .collect();
@@ -230,12 +236,7 @@ fn a_region_without_a_raceway_says_what_excludes_it() {
         axial_span_range_m: Some([1e-3, 1e-3]),
         ..small(&case)
     };
-    let found = run(&case, &request, &mut |_, jobs| {
-        Ok(jobs
-            .iter()
-            .map(|job| job.run(&case, &mut go_on).unwrap())
-            .collect())
-    });
+    let found = run(&case, &request, &mut |_, jobs| Ok(all(&case, jobs)));
     assert_eq!(found.recommended, None);
     let excluded: Vec<&str> = found.rejections().iter().map(|r| r.0).collect();
     assert!(

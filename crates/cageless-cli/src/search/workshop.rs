@@ -5,8 +5,11 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 use cageless::Case;
-use cageless::design::search::{Interrupted, Job, Motion, Numbers, Outcome, Spacing, Stage, Task};
+use cageless::design::search::{
+    Interrupted, Job, Motion, Numbers, Outcome, Spacing, Stage, Task, run_jobs,
+};
 use cageless::simulation::Control;
+use cageless::state::MEMBERS;
 use cageless_io::case_file::CaseFile;
 use cageless_io::journal::{Entry, Journal, JournalError};
 use cageless_io::results::VERSION;
@@ -72,13 +75,20 @@ impl<'c> Workshop<'c> {
             &self.stop,
         );
         let this = &*self;
-        let done: Vec<Option<Outcome>> = todo
+        let groups = groups(jobs, &todo, rayon::current_num_threads());
+        let done: Vec<Vec<Option<Outcome>>> = groups
             .par_iter()
             .with_max_len(1)
-            .map(|&k| this.one(&jobs[k], &keys[k], &progress))
+            .map(|group| {
+                let together: Vec<(&Job, &str)> = group
+                    .iter()
+                    .map(|&k| (&jobs[k], keys[k].as_str()))
+                    .collect();
+                this.several(&together, &progress)
+            })
             .collect();
         drop(progress);
-        for (k, outcome) in todo.into_iter().zip(done) {
+        for (&k, outcome) in groups.iter().flatten().zip(done.into_iter().flatten()) {
             self.known
                 .insert(keys[k].clone(), outcome.ok_or(Interrupted)?);
         }
@@ -87,18 +97,28 @@ impl<'c> Workshop<'c> {
             .collect()
     }
 
-    fn one(&self, job: &Job, key: &str, progress: &Progress) -> Option<Outcome> {
+    /// Outcomes of jobs that are done together, those of the journal included.
+    fn several(&self, jobs: &[(&Job, &str)], progress: &Progress) -> Vec<Option<Outcome>> {
         if progress.interrupted() || self.failed() {
-            return None;
+            return vec![None; jobs.len()];
         }
-        let outcome = job.run(self.case, &mut |_| {
+        let together: Vec<&Job> = jobs.iter().map(|(job, _)| *job).collect();
+        let outcomes = run_jobs(self.case, &together, &mut |_| {
             if progress.interrupted() {
                 Control::Interrupt
             } else {
                 Control::Continue
             }
-        })?;
-        progress.add(work(job));
+        });
+        progress.add(together.iter().map(|job| work(job)).sum());
+        let pairs = jobs.iter().zip(outcomes);
+        pairs
+            .map(|((_, key), outcome)| self.noted(key, outcome?))
+            .collect()
+    }
+
+    /// The outcome, once it stands in the journal.
+    fn noted(&self, key: &str, outcome: Outcome) -> Option<Outcome> {
         if let Some((journal, _)) = &self.journal {
             let written = lock(journal).add(key, &entry(&outcome));
             if let Err(error) = written {
@@ -137,6 +157,18 @@ fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
     mutex
         .lock()
         .unwrap_or_else(std::sync::PoisonError::into_inner)
+}
+
+/// The jobs to do, those together that are quicker so, without leaving a thread idle.
+fn groups(jobs: &[Job], todo: &[usize], threads: usize) -> Vec<Vec<usize>> {
+    let (shared, alone): (Vec<usize>, Vec<usize>) =
+        todo.iter().copied().partition(|&k| jobs[k].is_shared());
+    let rounds = shared.len().div_ceil(MEMBERS * threads).max(1);
+    let size = shared.len().div_ceil(rounds * threads).max(1);
+    let alone = alone.into_iter().map(|k| vec![k]);
+    alone
+        .chain(shared.chunks(size).map(<[usize]>::to_vec))
+        .collect()
 }
 
 fn work(job: &Job) -> f64 {

@@ -9,8 +9,11 @@ use std::f64::consts::TAU;
 use crate::case::{Case, Gaps, Start};
 use crate::equilibrium::EquilibriumError;
 use crate::kinematics::rolling_orbit_speed_rad_s;
+use crate::onsets::Onsets;
 use crate::passage::{Passage, PassageRecorder};
-use crate::simulation::{Control, Ending, Observer, ObserverError, Scene, Stop, View, run};
+use crate::simulation::{
+    Control, Ending, Observer, ObserverError, RunOutcome, Scene, Stop, View, batches, run_batch,
+};
 use crate::state::Work;
 
 /// Orbits of the balls in a disturbed run; spacing is looked at in the second half.
@@ -138,21 +141,67 @@ fn unit(seed: u64, start: u64, k: u64) -> f64 {
     ((z >> 12) as f64 + 0.5) / (1u64 << 52) as f64
 }
 
-/// Runs `case` from uneven start number `start` for [`TURNS`] orbits.
+/// Runs each case from its uneven start of that number for [`TURNS`] orbits, side by side where
+/// they can be; who runs beside whom changes no bit.
 ///
 /// # Errors
-/// The case is impossible, the run stops or the balls do not pass.
+/// For each: the case is impossible, the run stops or the balls do not pass.
 pub fn disturbed(
-    case: &Case,
-    start: u64,
+    cases: &[(&Case, u64)],
     control: &mut dyn FnMut(f64) -> Control,
-) -> Result<Motion, DisturbedError> {
-    let bearing = &case.bearing;
+) -> Vec<Result<Motion, DisturbedError>> {
+    let cases: Vec<Case> = cases
+        .iter()
+        .map(|&(case, start)| uneven(case, start))
+        .collect();
+    let mut motions = vec![];
+    for members in batches(&cases) {
+        let together: Vec<&Case> = members.iter().map(|&k| &cases[k]).collect();
+        let mut late: Vec<Vec<Passage>> = vec![vec![]; together.len()];
+        let half_s = together[0].solver.duration_s / 2.0;
+        let mut contacts: Vec<ContactCounter> = together
+            .iter()
+            .map(|_| ContactCounter::new(half_s))
+            .collect();
+        let outcomes = {
+            let mut passages: Vec<_> = late
+                .iter_mut()
+                .map(|late| {
+                    PassageRecorder::new(move |passage: Passage| {
+                        if passage.enter_s > half_s {
+                            late.push(passage);
+                        }
+                        Ok(())
+                    })
+                })
+                .collect();
+            let mut observers: Vec<Vec<&mut dyn Observer>> = passages
+                .iter_mut()
+                .zip(&mut contacts)
+                .map(|(passages, contacts)| vec![passages as &mut dyn Observer, contacts])
+                .collect();
+            run_batch(&together, &mut observers, control)
+        };
+        let seen = late.iter().zip(&contacts);
+        let ended = outcomes.into_iter().zip(together).zip(seen);
+        for (&k, ((outcome, case), (late, contacts))) in members.iter().zip(ended) {
+            let motion = outcome
+                .map_err(DisturbedError::Case)
+                .and_then(|outcome| motion(case, &outcome, late, contacts));
+            motions.push((k, motion));
+        }
+    }
+    motions.sort_by_key(|(k, _)| *k);
+    motions.into_iter().map(|(_, motion)| motion).collect()
+}
+
+/// `case` with uneven start number `start` and as long as [`TURNS`] orbits.
+fn uneven(case: &Case, start: u64) -> Case {
     let orbit_s = TAU
         / rolling_orbit_speed_rad_s(
-            bearing,
+            &case.bearing,
             case.operation.inner_speed_rad_s,
-            bearing.ball_radius_m(),
+            case.bearing.ball_radius_m(),
         );
     let mut case = Case {
         start: Start::Settled {
@@ -162,20 +211,18 @@ pub fn disturbed(
         ..case.clone()
     };
     case.solver.duration_s = TURNS * orbit_s;
-    let half_s = case.solver.duration_s / 2.0;
-    let mut late: Vec<Passage> = vec![];
-    let mut contacts = ContactCounter::new(half_s);
-    let outcome = {
-        let mut passages = PassageRecorder::new(|passage: Passage| {
-            if passage.enter_s > half_s {
-                late.push(passage);
-            }
-            Ok(())
-        });
-        run(&case, &mut [&mut passages, &mut contacts], control)?
-    };
-    match outcome.ending {
-        Ending::Stopped(stop) => return Err(DisturbedError::Stopped(stop)),
+    case
+}
+
+/// What a run came to, from the passages of its second half and its contacts.
+fn motion(
+    case: &Case,
+    outcome: &RunOutcome,
+    late: &[Passage],
+    contacts: &ContactCounter,
+) -> Result<Motion, DisturbedError> {
+    match &outcome.ending {
+        Ending::Stopped(stop) => return Err(DisturbedError::Stopped(stop.clone())),
         Ending::Complete => {}
         _ => return Err(DisturbedError::Interrupted),
     }
@@ -200,7 +247,7 @@ pub fn disturbed(
         .iter()
         .map(|&work| outcome.state.work_j(work))
         .sum();
-    let ball_turns = bearing.balls() as f64 * TURNS;
+    let ball_turns = case.bearing.balls() as f64 * TURNS;
     Ok(Motion {
         collisions: contacts.begun[0] / ball_turns,
         collisions_late: contacts.begun[1] / (ball_turns / 2.0),
@@ -223,7 +270,7 @@ pub fn disturbed(
 /// Counts contacts between balls and follows the force on the outer ring.
 struct ContactCounter {
     half_s: f64,
-    touching: Vec<bool>,
+    onsets: Onsets,
     /// Contacts begun: in all, and in the second half.
     begun: [f64; 2],
     impulse_n_s: f64,
@@ -237,7 +284,7 @@ impl ContactCounter {
     fn new(half_s: f64) -> Self {
         Self {
             half_s,
-            touching: vec![],
+            onsets: Onsets::new(0),
             begun: [0.0; 2],
             impulse_n_s: 0.0,
             last_force_sum: 0.0,
@@ -260,7 +307,7 @@ impl ContactCounter {
 
 impl Observer for ContactCounter {
     fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
-        self.touching = vec![false; scene.model.balls()];
+        self.onsets = Onsets::new(scene.model.balls());
         Ok(())
     }
 
@@ -268,16 +315,15 @@ impl Observer for ContactCounter {
         let c = &view.contacts;
         let h = view.step.to_s - view.step.from_s;
         let late = view.step.to_s > self.half_s;
-        let mut sum = 0.0;
-        for (k, touching) in self.touching.iter_mut().enumerate() {
-            let now = c.pair_deflection_m(k) > 0.0;
-            if now && !*touching {
-                self.begun[0] += 1.0;
-                self.begun[1] += f64::from(u8::from(late));
-            }
-            *touching = now;
-            sum += c.pair_force_n(k);
-        }
+        self.onsets.look(c);
+        let begun = f64::from(self.onsets.count());
+        self.begun[0] += begun;
+        self.begun[1] += if late { begun } else { 0.0 };
+        let sum = if c.balls_touch() {
+            (0..c.balls()).map(|k| c.pair_force_n(k)).sum()
+        } else {
+            0.0
+        };
         self.impulse_n_s += 0.5 * h * (self.last_force_sum + sum);
         self.last_force_sum = sum;
         if late {

@@ -1,7 +1,7 @@
 //! The pieces of work of a search: pure functions of the case, to be run in any order on any
 //! thread.
 
-use super::disturbed::{Motion, disturbed};
+use super::disturbed::{DisturbedError, Motion, disturbed};
 use super::structure::{OperatingPoint, Structure};
 use crate::case::{Case, Gaps, Start};
 use crate::design::{Eq11, steady_gap_rad, theoretical_gap_rad};
@@ -93,27 +93,43 @@ impl Job {
         key
     }
 
-    /// Does the work. `None` if `control` ended it.
-    pub fn run(&self, case: &Case, control: &mut dyn FnMut(f64) -> Control) -> Option<Outcome> {
-        let raceways = match self.structure.raceways(&case.bearing) {
-            Ok(raceways) => raceways,
-            Err(error) => return Some(Err(error.to_string())),
-        };
-        match self.task {
-            Task::Spacing => {
-                let spacing = spacing(case, &self.point, &raceways);
-                Some(spacing.map(Numbers::Spacing).map_err(|e| e.to_string()))
+    /// Whether jobs of this kind are quicker done several at once ([`run_jobs`]).
+    pub fn is_shared(&self) -> bool {
+        matches!(self.task, Task::Motion(_))
+    }
+}
+
+/// Does the work of several jobs, their runs side by side; outcomes come in the order of the
+/// jobs, `None` where `control` ended a run. Which jobs are done together changes no outcome.
+pub fn run_jobs(
+    case: &Case,
+    jobs: &[&Job],
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Vec<Option<Outcome>> {
+    let mut outcomes: Vec<Option<Outcome>> = vec![None; jobs.len()];
+    let mut runs: Vec<(usize, Case, u64)> = vec![];
+    for (k, job) in jobs.iter().enumerate() {
+        match (job.structure.raceways(&case.bearing), job.task) {
+            (Err(error), _) => outcomes[k] = Some(Err(error.to_string())),
+            (Ok(raceways), Task::Spacing) => {
+                let spacing = spacing(case, &job.point, &raceways);
+                let numbers = spacing.map(Numbers::Spacing).map_err(|e| e.to_string());
+                outcomes[k] = Some(numbers);
             }
-            Task::Motion(start) => {
-                let case = self.point.case(case, raceways);
-                match disturbed(&case, start, control) {
-                    Ok(motion) => Some(Ok(Numbers::Motion(motion))),
-                    Err(super::disturbed::DisturbedError::Interrupted) => None,
-                    Err(error) => Some(Err(error.to_string())),
-                }
+            (Ok(raceways), Task::Motion(start)) => {
+                runs.push((k, job.point.case(case, raceways), start));
             }
         }
     }
+    let cases: Vec<(&Case, u64)> = runs.iter().map(|(_, case, start)| (case, *start)).collect();
+    for ((k, ..), motion) in runs.iter().zip(disturbed(&cases, control)) {
+        outcomes[*k] = match motion {
+            Ok(motion) => Some(Ok(Numbers::Motion(motion))),
+            Err(DisturbedError::Interrupted) => None,
+            Err(error) => Some(Err(error.to_string())),
+        };
+    }
+    outcomes
 }
 
 /// Critical gaps, each raceway alone, and stress of all.

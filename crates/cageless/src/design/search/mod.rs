@@ -27,7 +27,9 @@ mod structure;
 pub use choice::{ALL_OBJECTIVES, OBJECTIVES, Objective, RESOLUTION, Scale, pareto_front};
 pub use disturbed::{DisturbedError, Motion, TURNS, disturbed, uneven_gaps_rad};
 pub use evaluation::{Confirmed, Evaluation, Statistics};
-pub use job::{CROWDED_MAX, Interrupted, Job, Numbers, Outcome, Spacing, Task, peak_stress_pa};
+pub use job::{
+    CROWDED_MAX, Interrupted, Job, Numbers, Outcome, Spacing, Task, peak_stress_pa, run_jobs,
+};
 pub use lattice::{MapCell, SpeedMap};
 pub use placement::placements;
 pub use rejection::{Cause, Rejection, STRESS_LIMIT_PA};
