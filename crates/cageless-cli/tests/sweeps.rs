@@ -151,6 +151,9 @@ fn threads_and_shards_do_not_change_a_byte() {
         "{answer:?}"
     );
     assert_eq!(call_sweep(&plan, &out, &["--shard", "4/3"]).code, Some(2));
+    let answer = call_sweep(&plan, &out, &["--threads", "1025"]);
+    assert_eq!(answer.code, Some(2));
+    assert!(answer.stderr.contains("1 to 1024"), "{}", answer.stderr);
 }
 
 #[test]

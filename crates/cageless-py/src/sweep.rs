@@ -6,7 +6,7 @@ use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use cageless_io::plan_file::PlanFile;
-use cageless_sweep::{Job, Shard, SweepError, write_part};
+use cageless_sweep::{Job, Shard, SweepError, THREADS_MAX, write_part};
 use pyo3::prelude::*;
 
 use crate::case_file::CaseFile;
@@ -198,7 +198,11 @@ fn share((number, of): (u64, u64)) -> PyResult<Shard> {
 }
 
 fn count(threads: usize) -> PyResult<NonZeroUsize> {
-    let refused = || input("threads = 0 is not possible: it must be 1 or more");
+    let refused = || {
+        input(format!(
+            "threads = 0 is not possible: 1 to {THREADS_MAX} are"
+        ))
+    };
     NonZeroUsize::new(threads).ok_or_else(refused)
 }
 

@@ -19,7 +19,7 @@ pub struct Job {
     pub result: PathBuf,
     /// The part of the sweep to compute; all of it if `None`.
     pub shard: Option<Shard>,
-    /// Threads; as many as there are cores if `None`.
+    /// Threads, [`THREADS_MAX`] at most; as many as there are cores if `None`.
     pub threads: Option<NonZeroUsize>,
 }
 
@@ -64,6 +64,8 @@ const SHARE: u32 = 20;
 const OFTEN: Duration = Duration::from_millis(100);
 /// … and not less often than this.
 const SELDOM: Duration = Duration::from_secs(30);
+/// More threads than any machine has cores only wait for each other.
+pub const THREADS_MAX: usize = 1024;
 /// Rows that wait in memory at most.
 const WAITING_MAX: usize = 65_536;
 
@@ -71,14 +73,20 @@ const WAITING_MAX: usize = 65_536;
 /// second and says whether to stop; what was computed is kept.
 ///
 /// # Errors
-/// The result or the work folder belongs to another plan or is in use, or cannot be
-/// written to.
+/// There are too many threads, or the result or the work folder belongs to another plan or is
+/// in use, or cannot be written to.
 pub fn run(
     sweep: &Sweep,
     job: &Job,
     mut watch: impl FnMut(&Progress) -> bool,
 ) -> Result<Done, SweepError> {
     let started = Instant::now();
+    let threads = job.threads.map_or(0, NonZeroUsize::get);
+    if threads > THREADS_MAX {
+        return Err(SweepError::Input(format!(
+            "threads = {threads} is not possible: 1 to {THREADS_MAX} are"
+        )));
+    }
     let collection = Collection::open(sweep, &job.result, job.shard)?;
     let missing = collection.missing()?;
     let left: u64 = missing.iter().map(|r| r.end - r.start).sum();
@@ -90,7 +98,6 @@ pub fn run(
     };
     let mut waiting: Vec<Row> = Vec::new();
     let mut put_away = Instant::now();
-    let threads = job.threads.map_or(0, NonZeroUsize::get);
     let worked = work(sweep, missing, threads, |rows| {
         progress.done += rows.len() as u64;
         progress.done_now += rows.len() as u64;
