@@ -8,7 +8,6 @@ mod format;
 mod progress;
 mod reproduce;
 mod search;
-mod verification;
 
 use std::process::ExitCode;
 

@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use cageless::simulation::Control;
+use cageless_study::{Watcher, Work};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// Set once the user has asked to stop.
@@ -59,9 +60,10 @@ impl Progress {
             stop: Arc::clone(stop),
         }
     }
+}
 
-    /// Reports that `units` more are done; says whether to go on.
-    pub fn add(&self, units: f64) -> Control {
+impl Work for Progress {
+    fn add(&self, units: f64) -> Control {
         let parts = (units * PARTS) as u64;
         let done = self.done.fetch_add(parts, Ordering::Relaxed) + parts;
         if self.started.elapsed() > SILENT {
@@ -77,24 +79,21 @@ impl Progress {
         }
     }
 
-    /// Whether the user has asked to stop.
-    pub fn interrupted(&self) -> bool {
+    fn interrupted(&self) -> bool {
         self.stop.load(Ordering::Relaxed)
     }
+}
 
-    /// A control for one run of `duration_s` that counts as `units`.
-    pub fn run_control(&self, duration_s: f64, units: f64) -> impl FnMut(f64) -> Control + '_ {
-        let mut reported = 0.0;
-        move |time_s| {
-            let share = (time_s / duration_s).min(1.0);
-            let more = (share - reported) * units;
-            // The bar need not be told of less.
-            if more * PARTS < 1.0 && !self.interrupted() {
-                return Control::Continue;
-            }
-            reported = share;
-            self.add(more)
-        }
+/// Shows each part of a study as a bar.
+pub struct Bars<'s>(pub &'s StopFlag);
+
+impl Watcher for Bars<'_> {
+    fn begin(&self, what: &str, units: f64) -> Box<dyn Work + '_> {
+        Box::new(Progress::new(what, units, self.0))
+    }
+
+    fn interrupted(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
     }
 }
 

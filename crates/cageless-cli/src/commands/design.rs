@@ -8,6 +8,7 @@ use cageless::spacing::CriticalGapError;
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::write_atomically;
 use cageless_report::{DesignResult, design_page, to_json};
+use cageless_study::Work;
 
 use super::{deliver, make_folder, read_case, writable};
 use crate::args::DesignArgs;

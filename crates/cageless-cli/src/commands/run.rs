@@ -13,16 +13,18 @@ use cageless::simulation::{Ending, Observer, RunOutcome, run as simulate};
 use cageless::start::initial_state;
 use cageless::summary::{SummaryRecorder, transient_s};
 use cageless::vibration::VibrationRecorder;
-use cageless_io::results::{Metadata, RunWriter, SummaryFile, write_atomically};
+use cageless_io::results::{CertificateFile, Metadata, RunWriter, SummaryFile, write_atomically};
+use cageless_report::certificate::{facts, value};
 use cageless_report::run_report::{Histories, SAMPLING_HZ, run_data};
 use cageless_report::{run_page, to_json};
+use cageless_study::Work;
+use cageless_study::verification::Verification;
 
 use super::{make_folder, print, read_case, writable};
 use crate::args::RunArgs;
 use crate::failure::Failure;
-use crate::format::{pairs, shown};
-use crate::progress::{Progress, catch_interrupt};
-use crate::verification::{self, Verification};
+use crate::format::{columns, pairs, shown};
+use crate::progress::{Bars, Progress, catch_interrupt};
 
 /// Files beside the tables.
 const SUMMARY: &str = "summary.json";
@@ -113,7 +115,7 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     }
     let mut summary_file = SummaryFile::new(&file, &outcome, summary.summary(), wall_s);
     if let Some(verification) = verification {
-        verification.finish(case, &outcome, &mut summary_file, &stop);
+        verification.finish(case, &outcome, &mut summary_file, &Bars(&stop));
     }
     if let Some(dir) = &args.out {
         summary_file.write(dir)?;
@@ -195,10 +197,26 @@ fn text(case: &Case, outcome: &RunOutcome, s: &SummaryFile) -> String {
     }
     let mut text = pairs(&lines);
     if let Some(certificate) = &s.certificate {
-        text += &verification::text(certificate);
+        text += &verified(certificate);
     }
     for warning in &s.warnings {
         text += &format!("warning: {warning}\n");
     }
     text
+}
+
+/// The certificate for the terminal.
+fn verified(c: &CertificateFile) -> String {
+    let head = ["number", "value", "unit", "verdict", "because"].map(str::to_owned);
+    let mut rows = vec![head.to_vec()];
+    for (name, number) in c.ranked() {
+        rows.push(vec![
+            name.to_owned(),
+            value(number),
+            number.unit.clone(),
+            number.verdict.clone(),
+            number.reason.clone(),
+        ]);
+    }
+    format!("\n{}\n{}", pairs(&facts(c)), columns(&rows))
 }

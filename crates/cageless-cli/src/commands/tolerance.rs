@@ -15,6 +15,7 @@ use cageless_report::tolerance::{
     InfluenceRow, SampleData, ToleranceData, VerdictCount, tolerance_page,
 };
 use cageless_report::{Provenance, to_json};
+use cageless_study::Work;
 use rayon::prelude::*;
 
 use super::{make_folder, print, read_case, writable};

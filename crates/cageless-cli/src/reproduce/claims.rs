@@ -5,6 +5,7 @@ use cageless::equilibrium::solve;
 use cageless::spacing::{CriticalGapError, PairTest, critical_gap_rad};
 use cageless::{Case, FrictionLaw, Profile};
 use cageless_report::{Claim, Verdict};
+use cageless_study::Work;
 
 use super::READINGS;
 use super::cases::{self, PUBLISHED};

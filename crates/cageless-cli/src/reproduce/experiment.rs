@@ -15,6 +15,7 @@ use crate::progress::Progress;
 use cageless_report::run_report::{
     SAMPLING_HZ, ball_pass_mark, filter_note, motion, provenance, vibration_signal,
 };
+use cageless_study::Work;
 
 /// Seconds on one core, roughly.
 pub const WORK: f64 = 3.0;

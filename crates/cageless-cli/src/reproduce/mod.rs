@@ -14,6 +14,7 @@ use cageless::dynamics::InstructionSet;
 use cageless::{Bearing, FrictionLaw, Profile};
 use cageless_io::results::{VERSION, write_atomically};
 use cageless_report::{ReproduceData, Structure, reproduce_page, to_json};
+use cageless_study::Work;
 
 use crate::args::Reproduce;
 use crate::commands::{make_folder, print};

@@ -14,6 +14,7 @@ use super::cases::{self, label};
 use crate::failure::Failure;
 use crate::progress::Progress;
 use cageless_report::run_report::provenance;
+use cageless_study::Work;
 
 /// Seconds on one core, roughly.
 pub const WORK: f64 = 12.0;

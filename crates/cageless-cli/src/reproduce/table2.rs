@@ -14,6 +14,7 @@ use crate::failure::Failure;
 use crate::format::columns;
 use crate::progress::Progress;
 use cageless_report::run_report::profile_name;
+use cageless_study::Work;
 
 /// Columns.
 const VARIANTS: [(Profile, FrictionLaw); 4] = [

@@ -13,6 +13,7 @@ use cageless::state::MEMBERS;
 use cageless_io::case_file::CaseFile;
 use cageless_io::journal::{Entry, Journal, JournalError};
 use cageless_io::results::VERSION;
+use cageless_study::Work;
 use rayon::prelude::*;
 
 use crate::commands::make_folder;

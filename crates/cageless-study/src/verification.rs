@@ -1,14 +1,13 @@
-//! `cageless run --verify`: the members of a certificate, run on all cores.
+//! How far the numbers of a run can be trusted: the members of its certificate, run on all
+//! threads.
 
 use cageless::Case;
 use cageless::certificate::{Certificate, FAR, Member, MemberError, Watch, members};
 use cageless::simulation::{Ending, Observer, RunOutcome};
 use cageless_io::results::{CertificateFile, SummaryFile};
-use cageless_report::certificate::{facts, value};
 use rayon::prelude::*;
 
-use crate::format::{columns, pairs};
-use crate::progress::{Progress, StopFlag};
+use crate::watcher::Watcher;
 
 /// A verification in progress: the first member is the run itself.
 pub struct Verification {
@@ -37,7 +36,7 @@ impl Verification {
         case: &Case,
         outcome: &RunOutcome,
         summary: &mut SummaryFile,
-        stop: &StopFlag,
+        watcher: &dyn Watcher,
     ) {
         if !matches!(outcome.ending, Ending::Complete) {
             summary
@@ -45,7 +44,7 @@ impl Verification {
                 .push("not verified: the run did not come to its end".to_owned());
             return;
         }
-        match self.certify(case, outcome, stop) {
+        match self.certify(case, outcome, watcher) {
             Ok(certificate) => {
                 let certificate = CertificateFile::new(&certificate);
                 summary.warnings.extend(certificate.warning());
@@ -59,12 +58,12 @@ impl Verification {
         self,
         case: &Case,
         outcome: &RunOutcome,
-        stop: &StopFlag,
+        watcher: &dyn Watcher,
     ) -> Result<Certificate, MemberError> {
         let first = self.watch.record(outcome)?;
         let others = &self.members[1..];
         let work = |member: &Member| if member.role.half_step { 2.0 } else { 1.0 };
-        let progress = Progress::new("verify", others.iter().map(work).sum(), stop);
+        let progress = watcher.begin("verify", others.iter().map(work).sum());
         // In any order, collected in theirs.
         let records: Result<Vec<_>, MemberError> = others
             .par_iter()
@@ -77,20 +76,4 @@ impl Verification {
         all.extend(records?);
         Certificate::new(case, &all).map_err(|error| MemberError::Case(error.into()))
     }
-}
-
-/// For the terminal.
-pub fn text(c: &CertificateFile) -> String {
-    let head = ["number", "value", "unit", "verdict", "because"].map(str::to_owned);
-    let mut rows = vec![head.to_vec()];
-    for (name, number) in c.ranked() {
-        rows.push(vec![
-            name.to_owned(),
-            value(number),
-            number.unit.clone(),
-            number.verdict.clone(),
-            number.reason.clone(),
-        ]);
-    }
-    format!("\n{}\n{}", pairs(&facts(c)), columns(&rows))
 }
