@@ -8,6 +8,7 @@ use cageless::simulation::Stop;
 use cageless::spacing::CriticalGapError;
 use cageless_io::case_file::CaseError;
 use cageless_io::results::ResultError;
+use cageless_study::StudyError;
 use cageless_sweep::SweepError;
 
 /// A failed command.
@@ -78,6 +79,24 @@ impl From<CriticalGapError> for Failure {
             CriticalGapError::Stopped(stop) => Self::stopped(&stop, ""),
             CriticalGapError::Interrupted => Self::Interrupted("interrupted".to_owned()),
             error => Self::Unphysical(error.to_string()),
+        }
+    }
+}
+
+impl From<StudyError> for Failure {
+    fn from(error: StudyError) -> Self {
+        match error {
+            StudyError::File(error) => error.into(),
+            StudyError::Case(error) => error.into(),
+            StudyError::Run(error) => error.into(),
+            StudyError::Input(message) | StudyError::Foreign(message) => Self::Input(message),
+            StudyError::Interrupted => {
+                Self::Interrupted("interrupted before there was a result".to_owned())
+            }
+            error @ StudyError::Folder { .. } => Self::Input(format!("--out {error}")),
+            error @ StudyError::Journal { .. } => {
+                Self::Other(anyhow::Error::msg(error.to_string()))
+            }
         }
     }
 }

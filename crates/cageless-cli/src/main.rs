@@ -7,7 +7,6 @@ mod failure;
 mod format;
 mod progress;
 mod reproduce;
-mod search;
 
 use std::process::ExitCode;
 

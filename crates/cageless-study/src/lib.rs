@@ -1,10 +1,14 @@
 //! Studies of one case: what takes many runs of a bearing, done on all threads of the rayon
 //! pool that they are called from. Results have the same bits on any number of threads.
 //!
-//! [`verification`] says how far the numbers of a run can be trusted. A [`Watcher`] hears of
-//! the progress and can end the work.
+//! [`verification`] says how far the numbers of a run can be trusted, [`search`] finds the best
+//! raceway. A [`Watcher`] hears of the progress and can end the work.
 
+mod error;
+pub mod paper;
+pub mod search;
 pub mod verification;
 mod watcher;
 
+pub use error::StudyError;
 pub use watcher::{Silent, Watcher, Work};

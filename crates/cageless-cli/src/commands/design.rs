@@ -1,5 +1,7 @@
 //! `cageless design`.
 
+use std::path::Path;
+
 use cageless::Case;
 use cageless::design::{Judgement, Recommendation, judge_watched, recommend, steady_case};
 use cageless::recorder::Recorder;
@@ -8,15 +10,14 @@ use cageless::spacing::CriticalGapError;
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::write_atomically;
 use cageless_report::{DesignResult, design_page, to_json};
-use cageless_study::Work;
+use cageless_study::{StudyError, Work, search};
 
 use super::{deliver, make_folder, read_case, writable};
 use crate::args::DesignArgs;
 use crate::design_report::{PORTRAIT_ORBITS, design_data};
 use crate::failure::Failure;
 use crate::format::pairs;
-use crate::progress::{Progress, StopFlag, catch_interrupt};
-use crate::search;
+use crate::progress::{Bars, Progress, StopFlag, catch_interrupt};
 
 /// Files in the folder of `--out`.
 const NUMBERS: &str = "design.json";
@@ -45,7 +46,9 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
     let mut result = DesignResult::new(file.case(), judgement, recommendation);
     let mut none_found = None;
     if searching {
-        let (found, data) = search::run(&file, args.out.as_deref(), &stop)?;
+        let out = args.out.as_deref();
+        let (found, data) =
+            search::run(&file, out, &Bars(&stop)).map_err(|error| search_failed(error, out))?;
         none_found = found
             .recommended
             .is_none()
@@ -65,6 +68,20 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
         // A search does not need the case's own raceway.
         Some(stop) if !searching => Err(Failure::stopped(&stop, "")),
         _ => Ok(()),
+    }
+}
+
+/// What becomes of a search that was ended.
+fn search_failed(error: StudyError, out: Option<&Path>) -> Failure {
+    match (error, out) {
+        (StudyError::Interrupted, Some(dir)) => Failure::Interrupted(format!(
+            "interrupted: the same command goes on from what is in {}",
+            dir.display()
+        )),
+        (StudyError::Interrupted, None) => {
+            Failure::Interrupted("interrupted: with --out DIR a search can be continued".to_owned())
+        }
+        (error, _) => error.into(),
     }
 }
 

@@ -1,11 +1,11 @@
 //! The cases of the paper, as they stand in `cases/`, and its numbers.
 
-use cageless::{Case, FrictionLaw, Profile};
+use cageless::Case;
 use cageless_io::case_file::CaseFile;
-use cageless_report::Structure;
+
+pub use cageless_study::paper::{label, law_name, structure};
 
 use crate::failure::Failure;
-use cageless_report::run_report::profile_name;
 
 macro_rules! case_text {
     ($name:literal) => {
@@ -15,20 +15,6 @@ macro_rules! case_text {
         )
     };
 }
-
-/// The ten structures.
-const STRUCTURES: [(&str, &str); 10] = [
-    case_text!("zhao-a"),
-    case_text!("zhao-b"),
-    case_text!("zhao-c"),
-    case_text!("zhao-d"),
-    case_text!("zhao-e"),
-    case_text!("zhao-f"),
-    case_text!("zhao-g"),
-    case_text!("zhao-h"),
-    case_text!("zhao-i"),
-    case_text!("zhao-j"),
-];
 
 const EXPERIMENT: [(&str, &str); 2] = [
     case_text!("experiment-3000rpm-conventional"),
@@ -71,55 +57,13 @@ pub const PUBLISHED: [Published; 10] = {
 /// Row of the structure lC = 5.60 mm, which does not follow its neighbours.
 pub const ODD_ROW: usize = 7;
 
-fn parse((name, text): (&str, &str), overrides: &[String]) -> Result<Case, Failure> {
-    Ok(
-        CaseFile::parse(text, &format!("cases/{name}.toml"), overrides)?
-            .case()
-            .clone(),
-    )
-}
-
-fn reading_overrides((profile, law): (Profile, FrictionLaw)) -> [String; 2] {
-    [
-        format!("model.profile=\"{}\"", profile_name(profile)),
-        format!("contact.friction_law=\"{}\"", law_name(law)),
-    ]
-}
-
-/// Name of a friction law in files.
-pub fn law_name(law: FrictionLaw) -> &'static str {
-    match law {
-        FrictionLaw::Smooth => "smooth",
-        FrictionLaw::Coulomb => "coulomb",
-    }
-}
-
-/// Structure `k` of Table 2 under one reading of the equations, with further overrides
-/// (`section.key=value`).
-pub fn structure(
-    k: usize,
-    reading: (Profile, FrictionLaw),
-    overrides: &[String],
-) -> Result<Case, Failure> {
-    let mut all = reading_overrides(reading).to_vec();
-    all.extend_from_slice(overrides);
-    parse(STRUCTURES[k], &all)
+fn parse((name, text): (&str, &str)) -> Result<Case, Failure> {
+    Ok(CaseFile::parse(text, &format!("cases/{name}.toml"), &[])?
+        .case()
+        .clone())
 }
 
 /// The bearings of Fig. 12 to 14: conventional, discrete.
 pub fn experiment() -> Result<[Case; 2], Failure> {
-    Ok([parse(EXPERIMENT[0], &[])?, parse(EXPERIMENT[1], &[])?])
-}
-
-/// How the report names structure `k`.
-pub fn label(k: usize, case: &Case) -> Structure {
-    let d = case.raceways.first().map(|raceway| *raceway.dimensions());
-    Structure {
-        letter: char::from(b'a' + k as u8).to_string(),
-        // Rounding away what the conversion to SI leaves.
-        axial_span_mm: d.map_or(f64::NAN, |d| (d.axial_span_m * 1e9).round() / 1e6),
-        half_angle_deg: d.map_or(f64::NAN, |d| {
-            (d.half_angle_rad.to_degrees() * 1e9).round() / 1e9
-        }),
-    }
+    Ok([parse(EXPERIMENT[0])?, parse(EXPERIMENT[1])?])
 }

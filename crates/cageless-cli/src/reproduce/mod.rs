@@ -11,9 +11,9 @@ mod table2;
 use std::time::Instant;
 
 use cageless::dynamics::InstructionSet;
-use cageless::{Bearing, FrictionLaw, Profile};
+use cageless::{FrictionLaw, Profile};
 use cageless_io::results::{VERSION, write_atomically};
-use cageless_report::{ReproduceData, Structure, reproduce_page, to_json};
+use cageless_report::{ReproduceData, reproduce_page, to_json};
 use cageless_study::Work;
 
 use crate::args::Reproduce;
@@ -27,29 +27,6 @@ const READINGS: [(Profile, FrictionLaw); 2] = [
     (Profile::Paper, FrictionLaw::Coulomb),
     (Profile::Physical, FrictionLaw::Smooth),
 ];
-
-/// The structures of the paper, if `bearing` is the paper's; else none.
-pub fn paper_structures(bearing: &Bearing) -> Result<Vec<Structure>, Failure> {
-    let all = (0..cases::PUBLISHED.len())
-        .map(|k| Ok((k, cases::structure(k, READINGS[1], &[])?)))
-        .collect::<Result<Vec<_>, Failure>>()?;
-    // Curvatures, masses and damping are not the paper's.
-    let geometry = |bearing: &Bearing| {
-        let d = bearing.dimensions();
-        (
-            d.balls,
-            d.ball_radius_m,
-            d.inner_groove_bottom_radius_m,
-            d.outer_groove_bottom_radius_m,
-            d.outer_shoulder_radius_m,
-        )
-    };
-    Ok(all
-        .iter()
-        .filter(|(_, case)| geometry(&case.bearing) == geometry(bearing))
-        .map(|(k, case)| cases::label(*k, case))
-        .collect())
-}
 
 /// Regenerates the paper.
 pub fn reproduce(args: &Reproduce, stop: &StopFlag) -> Result<(), Failure> {

@@ -11,15 +11,15 @@ use cageless_report::{
 };
 
 use super::findings;
-use crate::failure::Failure;
-use crate::reproduce::paper_structures;
+use crate::error::StudyError;
+use crate::paper::structures_of;
 use cageless_report::run_report::provenance;
 
 /// Points of the curve of Eq. (11).
 const CURVE_POINTS: usize = 120;
 
 /// Everything that is shown of a search.
-pub fn search_data(file: &CaseFile, found: &Found) -> Result<SearchData, Failure> {
+pub fn search_data(file: &CaseFile, found: &Found) -> Result<SearchData, StudyError> {
     let (case, request) = (file.case(), &found.request);
     let confirmed = |role: &str| found.confirmed.iter().find(|c| c.role == role);
     let mut data = SearchData {
@@ -38,7 +38,7 @@ pub fn search_data(file: &CaseFile, found: &Found) -> Result<SearchData, Failure
         rejections: rejections(found),
         placements: placements(found),
         maps: found.maps.iter().map(map_data).collect(),
-        paper: paper_structures(&case.bearing)?,
+        paper: structures_of(&case.bearing)?,
         provenance: search_provenance(file, found),
         ..SearchData::default()
     };

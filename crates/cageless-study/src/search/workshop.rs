@@ -11,16 +11,14 @@ use cageless::design::search::{
 use cageless::simulation::Control;
 use cageless::state::MEMBERS;
 use cageless_io::case_file::CaseFile;
-use cageless_io::journal::{Entry, Journal, JournalError};
+use cageless_io::journal::{Entry, Journal};
 use cageless_io::results::VERSION;
-use cageless_study::Work;
 use rayon::prelude::*;
 
-use crate::commands::make_folder;
-use crate::failure::Failure;
-use crate::progress::{Progress, StopFlag};
+use crate::error::StudyError;
+use crate::watcher::{Watcher, Work};
 
-/// Name of the journal in the folder of `--out`.
+/// Name of the journal in the folder of a search.
 const JOURNAL: &str = "search.journal";
 /// Work of a critical gap over that of a run of all balls.
 const SPACING_WORK: f64 = 0.08;
@@ -28,7 +26,7 @@ const SPACING_WORK: f64 = 0.08;
 /// Where jobs are done.
 pub struct Workshop<'c> {
     case: &'c Case,
-    stop: StopFlag,
+    watcher: &'c dyn Watcher,
     known: HashMap<String, Outcome>,
     journal: Option<(Mutex<Journal>, PathBuf)>,
     write_error: Mutex<Option<std::io::Error>>,
@@ -36,25 +34,26 @@ pub struct Workshop<'c> {
 
 impl<'c> Workshop<'c> {
     /// Opens the journal in the folder, if there is one, and takes over what it holds.
-    pub fn new(file: &'c CaseFile, out: Option<&Path>, stop: &StopFlag) -> Result<Self, Failure> {
+    pub fn new(
+        file: &'c CaseFile,
+        out: Option<&Path>,
+        watcher: &'c dyn Watcher,
+    ) -> Result<Self, StudyError> {
         let mut workshop = Self {
             case: file.case(),
-            stop: StopFlag::clone(stop),
+            watcher,
             known: HashMap::new(),
             journal: None,
             write_error: Mutex::new(None),
         };
         let Some(dir) = out else { return Ok(workshop) };
-        make_folder(dir)?;
+        std::fs::create_dir_all(dir).map_err(|error| StudyError::folder(dir, error))?;
         let path = dir.join(JOURNAL);
         let owner = format!(
             "cageless {VERSION} design --search\n{}",
             file.document_as_run().to_toml()?
         );
-        let (journal, entries) = Journal::open(&path, &owner).map_err(|error| match error {
-            JournalError::Foreign(_) => Failure::Input(error.to_string()),
-            error @ JournalError::Io { .. } => Failure::Input(format!("--out {error}")),
-        })?;
+        let (journal, entries) = Journal::open(&path, &owner)?;
         workshop.known = entries
             .into_iter()
             .filter_map(|(key, entry)| Some((key.clone(), outcome(&key, entry)?)))
@@ -70,10 +69,9 @@ impl<'c> Workshop<'c> {
         let todo: Vec<usize> = (0..jobs.len())
             .filter(|&k| !self.known.contains_key(&keys[k]) && seen.insert(&keys[k]))
             .collect();
-        let progress = Progress::new(
+        let progress = self.watcher.begin(
             &format!("search: {}", stage.name()),
             todo.iter().map(|&k| work(&jobs[k])).sum(),
-            &self.stop,
         );
         let this = &*self;
         let groups = groups(jobs, &todo, rayon::current_num_threads());
@@ -85,7 +83,7 @@ impl<'c> Workshop<'c> {
                     .iter()
                     .map(|&k| (&jobs[k], keys[k].as_str()))
                     .collect();
-                this.several(&together, &progress)
+                this.several(&together, &*progress)
             })
             .collect();
         drop(progress);
@@ -99,7 +97,7 @@ impl<'c> Workshop<'c> {
     }
 
     /// Outcomes of jobs that are done together, those of the journal included.
-    fn several(&self, jobs: &[(&Job, &str)], progress: &Progress) -> Vec<Option<Outcome>> {
+    fn several(&self, jobs: &[(&Job, &str)], progress: &dyn Work) -> Vec<Option<Outcome>> {
         if progress.interrupted() || self.failed() {
             return vec![None; jobs.len()];
         }
@@ -135,11 +133,12 @@ impl<'c> Workshop<'c> {
     }
 
     /// Whether the journal could be written.
-    pub fn check(&self) -> Result<(), Failure> {
+    pub fn check(&self) -> Result<(), StudyError> {
         match (lock(&self.write_error).take(), &self.journal) {
-            (Some(error), Some((_, path))) => Err(Failure::Other(
-                anyhow::Error::new(error).context(format!("{}", path.display())),
-            )),
+            (Some(source), Some((_, path))) => Err(StudyError::Journal {
+                path: path.clone(),
+                source,
+            }),
             _ => Ok(()),
         }
     }

@@ -1,0 +1,66 @@
+//! Why a study has no result.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use cageless::InputError;
+use cageless::spacing::CriticalGapError;
+use cageless_io::case_file::CaseError;
+use cageless_io::journal::JournalError;
+
+/// What went wrong with a study.
+#[derive(Debug, thiserror::Error)]
+pub enum StudyError {
+    /// The case is wrong.
+    #[error(transparent)]
+    File(#[from] CaseError),
+    /// The case is impossible.
+    #[error(transparent)]
+    Case(#[from] InputError),
+    /// What was asked for is not possible.
+    #[error("{0}")]
+    Input(String),
+    /// A run that everything rests on left the physical range, or did not converge.
+    #[error(transparent)]
+    Run(#[from] CriticalGapError),
+    /// Ended by the watcher.
+    #[error("interrupted")]
+    Interrupted,
+    /// The folder cannot be used.
+    #[error("{}: {source}", path.display())]
+    Folder {
+        /// Folder or file in it.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// The journal in the folder is another's.
+    #[error("{0}")]
+    Foreign(String),
+    /// What was computed cannot be kept: a full disk, say.
+    #[error("{}: {source}", path.display())]
+    Journal {
+        /// File.
+        path: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+}
+
+impl StudyError {
+    pub(crate) fn folder(path: &Path, source: io::Error) -> Self {
+        Self::Folder {
+            path: path.to_owned(),
+            source,
+        }
+    }
+}
+
+impl From<JournalError> for StudyError {
+    fn from(error: JournalError) -> Self {
+        match error {
+            JournalError::Foreign(_) => Self::Foreign(error.to_string()),
+            JournalError::Io { path, source } => Self::Folder { path, source },
+        }
+    }
+}

@@ -1,0 +1,49 @@
+//! The search for the best raceway: the library's search on all threads, with a journal.
+
+mod data;
+mod findings;
+mod workshop;
+
+use std::path::Path;
+
+use cageless::design::search::{Found, SearchError, search};
+use cageless_io::case_file::CaseFile;
+use cageless_report::SearchData;
+
+use crate::error::StudyError;
+use crate::watcher::Watcher;
+use workshop::Workshop;
+
+pub use findings::why_none;
+
+/// Searches for the best raceway of a case, as its section `[search]` asks. With a folder,
+/// what was computed is kept there until the search is over, and a search that was ended or
+/// killed goes on where it was.
+///
+/// # Errors
+/// The case or the operating range is impossible, the folder cannot be used, or the watcher
+/// ended the search. That no raceway is acceptable is no error; see [`why_none`].
+pub fn run(
+    file: &CaseFile,
+    folder: Option<&Path>,
+    watcher: &dyn Watcher,
+) -> Result<(Found, SearchData), StudyError> {
+    let mut workshop = Workshop::new(file, folder, watcher)?;
+    let found = search(file.case(), file.search(), &mut |stage, jobs| {
+        workshop.execute(stage, jobs)
+    });
+    workshop.check()?;
+    let found = match found {
+        Ok(found) => found,
+        Err(SearchError::Impossible(message)) => {
+            return Err(StudyError::Input(format!(
+                "no raceway can be recommended: {message}"
+            )));
+        }
+        Err(SearchError::Case(error)) => return Err(error.into()),
+        Err(SearchError::Interrupted(_)) => return Err(StudyError::Interrupted),
+    };
+    workshop.finish();
+    let data = data::search_data(file, &found)?;
+    Ok((found, data))
+}
