@@ -88,6 +88,12 @@ impl From<StudyError> for Failure {
         match error {
             StudyError::File(error) => error.into(),
             StudyError::Case(error) => error.into(),
+            StudyError::Option(error) => Self::Input(format!(
+                "--{} {} {}",
+                error.option.replace('_', "-"),
+                error.value,
+                error.problem
+            )),
             StudyError::Run(error) => error.into(),
             StudyError::Input(message) | StudyError::Foreign(message) => Self::Input(message),
             StudyError::Interrupted => {

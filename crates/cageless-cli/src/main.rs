@@ -2,7 +2,6 @@
 
 mod args;
 mod commands;
-mod design_report;
 mod failure;
 mod format;
 mod progress;

@@ -9,6 +9,7 @@
 pub mod certificate;
 pub mod data;
 pub mod design;
+pub mod design_report;
 mod design_result;
 pub mod figure;
 pub mod figures;

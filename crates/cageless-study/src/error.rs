@@ -20,6 +20,9 @@ pub enum StudyError {
     /// What was asked for is not possible.
     #[error("{0}")]
     Input(String),
+    /// An option of the study is not possible.
+    #[error(transparent)]
+    Option(#[from] OptionError),
     /// A run that everything rests on left the physical range, or did not converge.
     #[error(transparent)]
     Run(#[from] CriticalGapError),
@@ -45,6 +48,18 @@ pub enum StudyError {
         /// What the system says.
         source: io::Error,
     },
+}
+
+/// An option that is not possible, named with underscores: callers write it as their users do.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{option} = {value} {problem}")]
+pub struct OptionError {
+    /// Name.
+    pub option: &'static str,
+    /// Value as it was given.
+    pub value: String,
+    /// What is wrong with it, to be read after name and value.
+    pub problem: String,
 }
 
 impl StudyError {

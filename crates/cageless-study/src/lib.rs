@@ -1,14 +1,16 @@
 //! Studies of one case: what takes many runs of a bearing, done on all threads of the rayon
 //! pool that they are called from. Results have the same bits on any number of threads.
 //!
-//! [`verification`] says how far the numbers of a run can be trusted, [`search`] finds the best
-//! raceway. A [`Watcher`] hears of the progress and can end the work.
+//! [`verification`] says how far the numbers of a run can be trusted, [`design`] judges a
+//! raceway, [`search`] finds the best one, [`tolerance`] says whether a verdict holds as made. A [`Watcher`] hears of the progress and can end the work.
 
+pub mod design;
 mod error;
 pub mod paper;
 pub mod search;
+pub mod tolerance;
 pub mod verification;
 mod watcher;
 
-pub use error::StudyError;
+pub use error::{OptionError, StudyError};
 pub use watcher::{Silent, Watcher, Work};

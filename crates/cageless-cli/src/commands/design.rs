@@ -3,21 +3,18 @@
 use std::path::Path;
 
 use cageless::Case;
-use cageless::design::{Judgement, Recommendation, judge_watched, recommend, steady_case};
-use cageless::recorder::Recorder;
-use cageless::snapshot::Snapshot;
-use cageless::spacing::CriticalGapError;
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::write_atomically;
+use cageless_report::design_report::design_data;
 use cageless_report::{DesignResult, design_page, to_json};
-use cageless_study::{StudyError, Work, search};
+use cageless_study::design::{Judged, judged};
+use cageless_study::{StudyError, search};
 
 use super::{deliver, make_folder, read_case, writable};
 use crate::args::DesignArgs;
-use crate::design_report::{PORTRAIT_ORBITS, design_data};
 use crate::failure::Failure;
 use crate::format::pairs;
-use crate::progress::{Bars, Progress, StopFlag, catch_interrupt};
+use crate::progress::{Bars, catch_interrupt};
 
 /// Files in the folder of `--out`.
 const NUMBERS: &str = "design.json";
@@ -41,7 +38,7 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
         judgement,
         recommendation,
         snapshots,
-    } = judged(file.case(), &stop)?;
+    } = judged(file.case(), &Bars(&stop))?;
     let stopped = judgement.stopped.clone();
     let mut result = DesignResult::new(file.case(), judgement, recommendation);
     let mut none_found = None;
@@ -94,56 +91,6 @@ fn place(file: &CaseFile, message: &str) -> String {
         format!("{title}: {message}")
     }
 }
-
-/// What is known of the case's own raceways.
-struct Judged {
-    judgement: Judgement,
-    recommendation: Option<Recommendation>,
-    /// The end of the run that was judged.
-    snapshots: Vec<Snapshot>,
-}
-
-fn judged(case: &Case, stop: &StopFlag) -> Result<Judged, Failure> {
-    let steady = steady_case(case);
-    let end_s = steady.solver.duration_s;
-    let from_s = end_s * (1.0 - PORTRAIT_ORBITS / 32.0);
-    // The run of all balls is most of the work; the recommendation takes about as long.
-    let progress = Progress::new("design", 2.0, stop);
-    let mut snapshots = vec![];
-    let judgement = {
-        let interval_s = (end_s - from_s) / SNAPSHOTS;
-        let mut recorder = Recorder::new(interval_s, |snapshot: Snapshot| {
-            if snapshot.time_s >= from_s {
-                snapshots.push(snapshot);
-            }
-            Ok(())
-        });
-        judge_watched(
-            case,
-            &mut [&mut recorder],
-            &mut progress.run_control(end_s, 1.0),
-        )
-    };
-    if progress.interrupted() {
-        return Err(Failure::Interrupted(
-            "interrupted before there was a result".to_owned(),
-        ));
-    }
-    let recommendation = match recommend(case) {
-        Ok(found) => found,
-        Err(CriticalGapError::Case(error)) => return Err(error.into()),
-        // No run of a pair can be judged here; the verdict says why.
-        Err(_) => None,
-    };
-    Ok(Judged {
-        judgement: judgement?,
-        recommendation,
-        snapshots,
-    })
-}
-
-/// Moments of the motion that are shown.
-const SNAPSHOTS: f64 = 400.0;
 
 fn text(case: &Case, r: &DesignResult) -> String {
     let degrees = |value: Option<f64>| value.map_or("-".to_owned(), |v| format!("{v:.4}°"));

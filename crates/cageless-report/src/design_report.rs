@@ -1,5 +1,10 @@
 //! From a design to the data of its report.
 
+use crate::run_report::{motion, parameter, parameters, provenance};
+use crate::{
+    ContactTrack, DesignCurve, DesignData, DesignLimit, DesignResult, LimitedQuantity, Parameter,
+    Provenance, RacewaySurface, Structure,
+};
 use cageless::Case;
 use cageless::design::{span_angle_curve, steady_after_s, steady_case};
 use cageless::dynamics::InstructionSet;
@@ -7,12 +12,6 @@ use cageless::raceway::axial_span_limit_m;
 use cageless::snapshot::Snapshot;
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::VERSION;
-use cageless_report::{
-    ContactTrack, DesignCurve, DesignData, DesignLimit, DesignResult, LimitedQuantity, Parameter,
-    Provenance, RacewaySurface, Structure,
-};
-
-use cageless_report::run_report::{motion, parameter, parameters, provenance};
 
 /// Orbits of the balls that the page shows.
 pub const PORTRAIT_ORBITS: f64 = 3.0;

@@ -1,0 +1,248 @@
+//! What machining errors, scatter and operation do to the verdict on a raceway.
+
+use cageless::design::{Verdict, judge, steady_case};
+use cageless::dynamics::InstructionSet;
+use cageless::spacing::CriticalGapError;
+use cageless::tolerance::{
+    Assessment, BALL_GRADES, Influence, Outcome, Tolerances, Trial, assess, ball_grade, trials,
+};
+use cageless::{Case, Raceway};
+use cageless_io::results::VERSION;
+use cageless_report::Provenance;
+use cageless_report::run_report::provenance;
+use cageless_report::tolerance::{InfluenceRow, SampleData, ToleranceData, VerdictCount};
+use rayon::prelude::*;
+
+use crate::error::{OptionError, StudyError};
+use crate::watcher::Watcher;
+
+/// More would take days.
+const SAMPLES_MAX: u64 = 100_000;
+
+/// How far each may deviate, as a drawing says it, and how many bearings to judge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Request {
+    /// Bearings in which everything deviates at once.
+    pub samples: u64,
+    /// Depth of the raceways, µm to either side.
+    pub groove_depth_um: f64,
+    /// Axial span lC, µm to either side.
+    pub axial_span_um: f64,
+    /// Half angle θ, degrees to either side.
+    pub half_angle_deg: f64,
+    /// Grade of the balls by ISO 3290-1, 0 for balls all equal.
+    pub ball_grade: u32,
+    /// Friction coefficient, to either side.
+    pub friction: f64,
+    /// Radial clearance, µm to either side.
+    pub clearance_um: f64,
+    /// Speed, per cent to either side.
+    pub speed_percent: f64,
+    /// Load, per cent to either side.
+    pub load_percent: f64,
+}
+
+/// What a case made to these tolerances is worth. `name` is what messages call the case.
+///
+/// # Errors
+/// A tolerance is impossible, there is no raceway or its verdict is `infeasible` as drawn, a
+/// run did not converge, or the watcher ended the work.
+pub fn tolerance(
+    case: &Case,
+    name: &str,
+    request: &Request,
+    watcher: &dyn Watcher,
+) -> Result<ToleranceData, StudyError> {
+    let tolerances = request.check(case, name)?;
+    let trials = trials(case, &tolerances, request.samples, case.seed);
+    let outcomes = judge_all(case, &trials, watcher)?;
+    if outcomes[0].verdict == Verdict::Infeasible {
+        return Err(StudyError::Input(format!(
+            "{name}: the raceway as drawn is infeasible, and so are its tolerances: {}",
+            outcomes[0].reason.as_deref().unwrap_or_default()
+        )));
+    }
+    let assessment = assess(&trials, &outcomes);
+    Ok(data(case, request, &tolerances, &assessment))
+}
+
+impl Request {
+    /// What this allows in a case.
+    ///
+    /// # Errors
+    /// [`StudyError::Option`] or [`StudyError::Input`]; `name` is what the message calls the case.
+    pub fn check(&self, case: &Case, name: &str) -> Result<Tolerances, StudyError> {
+        if case.raceways.is_empty() {
+            return Err(StudyError::Input(format!(
+                "{name}: there is no [raceway] whose verdict could hold"
+            )));
+        }
+        if self.samples > SAMPLES_MAX {
+            let allowed = format!("at most {SAMPLES_MAX}");
+            return Err(refused("samples", self.samples.to_string(), &allowed));
+        }
+        for (option, value, most) in self.limits(case) {
+            if !(value >= 0.0 && value <= most && value.is_finite()) {
+                let allowed = if most.is_finite() {
+                    format!("from 0 to {most:.6}")
+                } else {
+                    "0 or more".to_owned()
+                };
+                return Err(refused(option, value.to_string(), &allowed));
+            }
+        }
+        let grade = ball_grade(self.ball_grade);
+        if grade.is_none() && self.ball_grade != 0 {
+            let grades: Vec<String> = BALL_GRADES.iter().map(|g| g.number.to_string()).collect();
+            let allowed = format!("a grade of ISO 3290-1 ({}), or 0", grades.join(", "));
+            return Err(refused("ball_grade", self.ball_grade.to_string(), &allowed));
+        }
+        Ok(Tolerances {
+            groove_depth_m: self.groove_depth_um * 1e-6,
+            axial_span_m: self.axial_span_um * 1e-6,
+            half_angle_rad: self.half_angle_deg.to_radians(),
+            ball_grade: grade,
+            friction: self.friction,
+            clearance_m: self.clearance_um * 1e-6,
+            speed_share: self.speed_percent / 100.0,
+            load_share: self.load_percent / 100.0,
+        })
+    }
+
+    /// Name, value and largest possible value of each deviation.
+    fn limits(&self, case: &Case) -> [(&'static str, f64, f64); 7] {
+        let least = |of: &dyn Fn(&Raceway) -> f64| {
+            let values = case.raceways.iter().map(of);
+            values.fold(f64::INFINITY, f64::min)
+        };
+        let half_angle = least(&|r| r.half_angle_rad().to_degrees());
+        let span = least(&|r| r.dimensions().axial_span_m * 1e6);
+        [
+            ("groove_depth_um", self.groove_depth_um, f64::INFINITY),
+            ("axial_span_um", self.axial_span_um, span),
+            ("half_angle_deg", self.half_angle_deg, half_angle),
+            ("friction", self.friction, case.contact.friction_coefficient),
+            ("clearance_um", self.clearance_um, f64::INFINITY),
+            ("speed_percent", self.speed_percent, 100.0),
+            ("load_percent", self.load_percent, 100.0),
+        ]
+    }
+}
+
+fn refused(option: &'static str, value: String, allowed: &str) -> StudyError {
+    let problem = format!("is not possible: it must be {allowed}");
+    StudyError::Option(OptionError {
+        option,
+        value,
+        problem,
+    })
+}
+
+fn judge_all(
+    case: &Case,
+    trials: &[Trial],
+    watcher: &dyn Watcher,
+) -> Result<Vec<Outcome>, StudyError> {
+    let progress = watcher.begin("tolerance", trials.len() as f64);
+    let outcomes: Result<Vec<Outcome>, StudyError> = trials
+        .par_iter()
+        .map(|trial| match trial.deviation.apply(case) {
+            Err(error) => {
+                progress.add(1.0);
+                Ok(Outcome::impossible(error.to_string()))
+            }
+            Ok(varied) => {
+                let duration_s = steady_case(&varied).solver.duration_s;
+                match judge(&varied, &mut progress.run_control(duration_s, 1.0)) {
+                    Ok(judgement) => Ok(Outcome::judged(&judgement)),
+                    Err(CriticalGapError::Case(error)) => {
+                        Ok(Outcome::impossible(error.to_string()))
+                    }
+                    Err(error) => Err(error.into()),
+                }
+            }
+        })
+        .collect();
+    if progress.interrupted() {
+        return Err(StudyError::Interrupted);
+    }
+    outcomes
+}
+
+/// Value and unit of an influence's range in the units of the drawing.
+fn shown_range(influence: Influence, [low, high]: [f64; 2]) -> ([f64; 2], &'static str) {
+    let (factor, unit) = match influence {
+        Influence::GrooveDepth
+        | Influence::AxialSpan
+        | Influence::BallRadius
+        | Influence::Clearance => (1e6, "µm"),
+        Influence::HalfAngle => (1f64.to_degrees(), "°"),
+        Influence::Friction => (1.0, ""),
+        Influence::Speed => (30.0 / std::f64::consts::PI, "rpm"),
+        Influence::Load => (1.0, "N"),
+    };
+    ([low * factor, high * factor], unit)
+}
+
+fn data(case: &Case, request: &Request, tolerances: &Tolerances, a: &Assessment) -> ToleranceData {
+    let degrees = |range: Option<[f64; 2]>| range.map(|r| r.map(f64::to_degrees));
+    ToleranceData {
+        title: format!("Tolerances: {}", case.title),
+        software: format!("Cageless {VERSION}, {}", InstructionSet::chosen().name()),
+        provenance: Provenance {
+            discarded: "the first 16 orbits of each run".to_owned(),
+            ..provenance(case, String::new())
+        },
+        ball_grade: request.ball_grade,
+        nominal_verdict: a.nominal.verdict.name().to_owned(),
+        nominal_critical_gap_deg: a.nominal.critical_gap_rad.map(f64::to_degrees),
+        nominal_twice_share: a.nominal.twice_share,
+        nominal_slip_m_s: a.nominal.slip_mean_m_s,
+        uniform_gap_deg: case.bearing.uniform_gap_rad().to_degrees(),
+        influences: a
+            .influences
+            .iter()
+            .map(|row| {
+                let (range, unit) =
+                    shown_range(row.influence, tolerances.range(case, row.influence));
+                InfluenceRow {
+                    name: row.influence.name().to_owned(),
+                    low: range[0],
+                    high: range[1],
+                    unit: unit.to_owned(),
+                    trials: row.trials,
+                    held: row.held,
+                    verdicts: row.verdicts.iter().map(|v| v.name().to_owned()).collect(),
+                    critical_gap_deg: degrees(row.critical_gap_rad),
+                    twice_share: row.twice_share,
+                    slip_mean_m_s: row.slip_mean_m_s,
+                }
+            })
+            .collect(),
+        samples: a.samples.as_ref().map(|s| SampleData {
+            count: s.count,
+            seed: case.seed,
+            held: s.held,
+            probability: s.probability,
+            probability_interval: s.probability_interval,
+            verdicts: s
+                .verdicts
+                .iter()
+                .map(|(verdict, count)| VerdictCount {
+                    verdict: verdict.name().to_owned(),
+                    count: *count,
+                    critical_gap_deg: s
+                        .outcomes
+                        .iter()
+                        .filter(|o| o.verdict == *verdict)
+                        .filter_map(|o| o.critical_gap_rad.map(f64::to_degrees))
+                        .collect(),
+                })
+                .collect(),
+            critical_gap_quantiles_deg: s
+                .critical_gap_quantiles_rad
+                .map(|q| q.map(f64::to_degrees)),
+            first_impossible: s.outcomes.iter().find_map(|o| o.reason.clone()),
+        }),
+    }
+}
