@@ -3,6 +3,7 @@
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
+use cageless_io::cad::Format;
 use cageless_sweep::Shard;
 use clap::{Args as Group, Parser, Subcommand, ValueEnum};
 
@@ -137,13 +138,12 @@ pub enum CadFormat {
     Csv,
 }
 
-impl CadFormat {
-    /// As on the command line, and the ending of the file.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Step => "step",
-            Self::Stl => "stl",
-            Self::Csv => "csv",
+impl From<CadFormat> for Format {
+    fn from(format: CadFormat) -> Self {
+        match format {
+            CadFormat::Step => Self::Step,
+            CadFormat::Stl => Self::Stl,
+            CadFormat::Csv => Self::Csv,
         }
     }
 }

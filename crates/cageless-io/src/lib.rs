@@ -16,5 +16,8 @@
 pub mod cad;
 pub mod case_file;
 pub mod journal;
+mod option_error;
 pub mod plan_file;
 pub mod results;
+
+pub use option_error::OptionError;

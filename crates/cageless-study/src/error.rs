@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use cageless::InputError;
 use cageless::spacing::CriticalGapError;
+use cageless_io::OptionError;
 use cageless_io::case_file::CaseError;
 use cageless_io::journal::JournalError;
 
@@ -48,18 +49,6 @@ pub enum StudyError {
         /// What the system says.
         source: io::Error,
     },
-}
-
-/// An option that is not possible, named with underscores: callers write it as their users do.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{option} = {value} {problem}")]
-pub struct OptionError {
-    /// Name.
-    pub option: &'static str,
-    /// Value as it was given.
-    pub value: String,
-    /// What is wrong with it, to be read after name and value.
-    pub problem: String,
 }
 
 impl StudyError {

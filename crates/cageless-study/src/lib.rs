@@ -12,5 +12,5 @@ pub mod tolerance;
 pub mod verification;
 mod watcher;
 
-pub use error::{OptionError, StudyError};
+pub use error::StudyError;
 pub use watcher::{Silent, Watcher, Work};

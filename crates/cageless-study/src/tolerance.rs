@@ -7,13 +7,14 @@ use cageless::tolerance::{
     Assessment, BALL_GRADES, Influence, Outcome, Tolerances, Trial, assess, ball_grade, trials,
 };
 use cageless::{Case, Raceway};
+use cageless_io::OptionError;
 use cageless_io::results::VERSION;
 use cageless_report::Provenance;
 use cageless_report::run_report::provenance;
 use cageless_report::tolerance::{InfluenceRow, SampleData, ToleranceData, VerdictCount};
 use rayon::prelude::*;
 
-use crate::error::{OptionError, StudyError};
+use crate::error::StudyError;
 use crate::watcher::Watcher;
 
 /// More would take days.

@@ -1,55 +1,36 @@
 //! `cageless export`.
 
 use std::io::IsTerminal;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use cageless::InputError;
-use cageless::error::Allowed;
-use cageless::surface::OuterRing;
-use cageless_io::cad::{points, step, stl};
+use cageless_io::cad::{Counts, ExportError, ExportNumbers, ExportOptions, Format, export as ring};
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::write_atomically;
 
-use super::export_result::{Counts, ExportResult};
 use super::{make_folder, print, print_bytes};
-use crate::args::{CadFormat, ExportArgs};
+use crate::args::ExportArgs;
 use crate::failure::Failure;
-
-/// The paper's structure (d) stays within its machining error of 2 µm (docs/theory/cad.md).
-const BLEND_MM: f64 = 0.5;
-/// Share of half a raceway that the default blend takes at most.
-const BLEND_SHARE: f64 = 0.2;
-const TOLERANCE_UM: f64 = 0.01;
-/// Finer is below the rounding of coordinates, coarser no longer a STEP of precision.
-const TOLERANCE_RANGE_UM: [f64; 2] = [1e-4, 1.0];
-const CHORD_UM: f64 = 5.0;
-const SPACING_MM: f64 = 0.5;
-const SPACING_RANGE_MM: [f64; 2] = [0.01, 100.0];
+use crate::format::pairs;
 
 /// Writes the outer ring of a case.
 pub fn export(args: &ExportArgs) -> Result<(), Failure> {
     let file = CaseFile::read(&args.case, &args.set)?;
-    check_flags(args)?;
-    let ring = outer_ring(&file, args)?;
-    let (bytes, deviation_m, counts) = contents(&file, &ring, args)?;
-    // Only now, so that bad input leaves no folder behind.
-    let path = target(args)?;
-    let written = match &path {
-        Some(path) => {
-            write_atomically(path, &bytes)?;
-            Some(path.display().to_string())
-        }
-        None => None,
+    let format = args.format.into();
+    let options = ExportOptions {
+        blend_mm: args.blend_mm,
+        tolerance_um: args.tolerance_um,
+        chord_um: args.chord_um,
+        spacing_mm: args.spacing_mm,
     };
-    let result = ExportResult::new(
-        &ring,
-        args.format,
-        written,
-        bytes.len(),
-        deviation_m,
-        counts,
-    );
-    let json = serde_json::to_string_pretty(&result)? + "\n";
+    options.check(&[format])?;
+    let mut made = ring(&file, format, &options)?;
+    // Only now, so that bad input leaves no folder behind.
+    let path = target(args, format)?;
+    if let Some(path) = &path {
+        write_atomically(path, &made.bytes)?;
+        made.numbers.file = Some(path.display().to_string());
+    }
+    let json = serde_json::to_string_pretty(&made.numbers)? + "\n";
     if let (Some(dir), Some(path)) = (&args.out, &path)
         && dir != path
     {
@@ -57,166 +38,154 @@ pub fn export(args: &ExportArgs) -> Result<(), Failure> {
     }
     match (path, args.json) {
         (_, true) => print(&json),
-        (Some(_), false) => print(&result.text()),
+        (Some(_), false) => print(&text(&made.numbers)),
         (None, false) => {
-            eprint!("{}", result.text());
-            print_bytes(&bytes)
+            eprint!("{}", text(&made.numbers));
+            print_bytes(&made.bytes)
         }
     }
-}
-
-/// Refuses what does not go with the format.
-fn check_flags(args: &ExportArgs) -> Result<(), Failure> {
-    for (flag, value, format) in [
-        ("--tolerance-um", args.tolerance_um, CadFormat::Step),
-        ("--chord-um", args.chord_um, CadFormat::Stl),
-        ("--spacing-mm", args.spacing_mm, CadFormat::Csv),
-    ] {
-        if let Some(value) = value
-            && format != args.format
-        {
-            return Err(Failure::Input(format!(
-                "{flag} {value}: goes with --format {} only, not with {}",
-                format.name(),
-                args.format.name()
-            )));
-        }
-    }
-    Ok(())
 }
 
 /// The file to write; `None` for stdout or, with `--json`, nowhere.
-fn target(args: &ExportArgs) -> Result<Option<PathBuf>, Failure> {
+fn target(args: &ExportArgs, format: Format) -> Result<Option<PathBuf>, Failure> {
     let Some(out) = &args.out else {
-        let binary = args.format == CadFormat::Stl && !args.json;
+        let binary = format == Format::Stl && !args.json;
         if binary && std::io::stdout().is_terminal() {
             let message = "--out FILE is needed: an STL is binary, and stdout is a terminal";
             return Err(Failure::Input(message.to_owned()));
         }
         return Ok(None);
     };
-    let ending = |path: &Path| {
-        let ending = path.extension()?.to_str()?.to_ascii_lowercase();
-        match ending.as_str() {
-            "step" | "stp" => Some(CadFormat::Step),
-            "stl" => Some(CadFormat::Stl),
-            "csv" => Some(CadFormat::Csv),
-            _ => None,
-        }
-    };
-    match ending(out) {
+    match Format::of(out) {
         _ if out.is_dir() => {}
-        Some(format) if format == args.format => return Ok(Some(out.clone())),
-        Some(format) => {
+        Some(named) if named == format => return Ok(Some(out.clone())),
+        Some(named) => {
             return Err(Failure::Input(format!(
                 "--out {}: is the name of a file of --format {}, not of {}",
                 out.display(),
-                format.name(),
-                args.format.name()
+                named.name(),
+                format.name()
             )));
         }
         None => make_folder(out)?,
     }
-    Ok(Some(out.join(format!("outer_ring.{}", args.format.name()))))
+    Ok(Some(out.join(format!("outer_ring.{}", format.name()))))
 }
 
-fn outer_ring(file: &CaseFile, args: &ExportArgs) -> Result<OuterRing, Failure> {
-    let case = file.case();
-    let bottom_m = case.bearing.dimensions().outer_groove_bottom_radius_m;
-    let share = (case.raceways.iter())
-        .map(|r| BLEND_SHARE * r.half_angle_rad() * bottom_m)
-        .fold(BLEND_MM * 1e-3, f64::min);
-    let blend_m = args.blend_mm.map_or(share, |mm| mm * 1e-3);
-    let dimensions = file.outer_ring_dimensions(blend_m)?;
-    OuterRing::new(&case.bearing, &case.raceways, dimensions).map_err(|error| {
-        if error.field == "blend_m" {
-            refused_flag("--blend-mm", &error, 1e3, "mm")
-        } else {
-            file.refused(&error).into()
-        }
-    })
-}
-
-/// The file, its deviation from the surface, and what it holds.
-fn contents(
-    file: &CaseFile,
-    ring: &OuterRing,
-    args: &ExportArgs,
-) -> Result<(Vec<u8>, f64, Counts), Failure> {
-    match args.format {
-        CadFormat::Step => {
-            let tolerance_um = args.tolerance_um.unwrap_or(TOLERANCE_UM);
-            within("--tolerance-um", tolerance_um, TOLERANCE_RANGE_UM, "µm")?;
-            let title = match file.case().title.as_str() {
-                "" => "outer ring",
-                title => title,
-            };
-            let step = step::write(ring, title, tolerance_um * 1e-6).map_err(|error| {
-                Failure::Input(format!(
-                    "--tolerance-um {tolerance_um}: is out of reach: the finest B-spline is still \
-                     {:.3e} µm off the surface",
-                    error.reached_m * 1e6
-                ))
-            })?;
-            let counts = Counts::Step {
-                tolerance_um,
-                faces: step.faces,
-                bspline_faces: step.spline_faces,
-                edges: step.edges,
-                control_points: step.control_points,
-            };
-            Ok((step.text.into_bytes(), step.deviation_m, counts))
-        }
-        CadFormat::Stl => {
-            let chord_um = args.chord_um.unwrap_or(CHORD_UM);
-            let stl = stl::write(ring, chord_um * 1e-6).map_err(|error| match error {
-                stl::StlError::Chord(error) => refused_flag("--chord-um", &error, 1e6, "µm"),
-                stl::StlError::Write(error) => error.into(),
-            })?;
-            let counts = Counts::Stl {
-                chord_um,
-                triangles: stl.triangles,
-                vertices: stl.vertices,
-                mesh_volume_mm3: stl.volume_m3 * 1e9,
-            };
-            Ok((stl.bytes, stl.deviation_m, counts))
-        }
-        CadFormat::Csv => {
-            let spacing_mm = args.spacing_mm.unwrap_or(SPACING_MM);
-            within("--spacing-mm", spacing_mm, SPACING_RANGE_MM, "mm")?;
-            let table = points::write(ring, spacing_mm * 1e-3);
-            let counts = Counts::Csv {
-                spacing_mm,
-                row_distance_mm: table.row_distance_m * 1e3,
-                surface_points: table.surface_points,
-                contact_points: table.contact_points,
-            };
-            Ok((table.text.into_bytes(), table.deviation_m, counts))
+impl From<ExportError> for Failure {
+    fn from(error: ExportError) -> Self {
+        let flag = |option: &str| format!("--{}", option.replace('_', "-"));
+        match error {
+            ExportError::Case(error) => error.into(),
+            ExportError::Option(error) => Self::Input(format!(
+                "{} {}: {}",
+                flag(error.option),
+                error.value,
+                error.problem
+            )),
+            ExportError::Format {
+                option,
+                value,
+                format,
+                given,
+            } => Self::Input(format!(
+                "{} {value}: goes with --format {} only, not with {}",
+                flag(option),
+                format.name(),
+                given.name()
+            )),
+            ExportError::Write(error) => error.into(),
         }
     }
 }
 
-fn within(flag: &str, value: f64, [least, most]: [f64; 2], unit: &str) -> Result<(), Failure> {
-    if (least..=most).contains(&value) {
-        return Ok(());
+/// For the terminal.
+fn text(r: &ExportNumbers) -> String {
+    let mut lines = vec![
+        (
+            "file",
+            format!(
+                "{}, {} bytes",
+                r.file.as_deref().unwrap_or("stdout"),
+                r.bytes
+            ),
+        ),
+        ("volume of the ring", format!("{:.6} mm³", r.volume_mm3)),
+        (
+            "deviation from the surface",
+            format!("{:.6} µm", r.deviation_um),
+        ),
+    ];
+    lines.push(match r.counts {
+        Counts::Step {
+            tolerance_um,
+            faces,
+            bspline_faces,
+            edges,
+            control_points,
+        } => (
+            "solid",
+            format!(
+                "{faces} faces, {bspline_faces} of them B-splines with {control_points} control \
+                 points; {edges} edges; tolerance {tolerance_um} µm"
+            ),
+        ),
+        Counts::Stl {
+            chord_um,
+            triangles,
+            vertices,
+            mesh_volume_mm3,
+        } => (
+            "mesh",
+            format!(
+                "{triangles} triangles, {vertices} corners, {mesh_volume_mm3:.6} mm³; chord error \
+                 at most {chord_um} µm"
+            ),
+        ),
+        Counts::Csv {
+            spacing_mm,
+            row_distance_mm,
+            surface_points,
+            contact_points,
+        } => (
+            "points",
+            format!(
+                "{surface_points} of the surface, {contact_points} of the contact track; sections \
+                 {row_distance_mm:.4} mm apart, spacing at most {spacing_mm} mm"
+            ),
+        ),
+    });
+    if r.raceways > 0 {
+        let kink = format!(
+            "{:.4}° 45° up the groove, {:.4}° at the shoulder",
+            r.design_kink_45_deg, r.design_kink_shoulder_deg
+        );
+        lines.extend([
+            ("discrete raceways", r.raceways.to_string()),
+            (
+                "kink at their ends",
+                if r.blend_mm > 0.0 {
+                    format!(
+                        "blended over {} mm (was {kink}); off the design by {:.4} µm at most",
+                        (r.blend_mm * 1e6).round() / 1e6,
+                        r.blend_deviation_um
+                    )
+                } else {
+                    format!("left: {kink}")
+                },
+            ),
+            (
+                "ridge between contact points",
+                format!("{:.4}°", r.ridge_deg),
+            ),
+            (
+                "against the plain groove",
+                format!(
+                    "{:.3} µm proud at most, {:.3} µm deeper at most",
+                    r.above_plain_um, r.below_plain_um
+                ),
+            ),
+        ]);
     }
-    Err(Failure::Input(format!(
-        "{flag} {value}: is not possible: it must be between {least} and {most} {unit}"
-    )))
-}
-
-/// An error of [`cageless`] in terms of a flag, `scale` of its units to the SI unit.
-fn refused_flag(flag: &str, error: &InputError, scale: f64, unit: &str) -> Failure {
-    let shown = |si: f64| format!("{} {unit}", (si * scale * 1e6).round() / 1e6);
-    let allowed = match &error.allowed {
-        Allowed::Between(least, most, why) => {
-            format!("between {} and {} ({why})", shown(*least), shown(*most))
-        }
-        Allowed::AtLeast(least, _) => format!("at least {}", shown(*least)),
-        other => other.to_string(),
-    };
-    Failure::Input(format!(
-        "{flag} {}: is not possible: it must be {allowed}",
-        shown(error.value)
-    ))
+    pairs(&lines)
 }

@@ -2,7 +2,6 @@
 
 pub mod design;
 mod export;
-mod export_result;
 mod report;
 mod run;
 mod static_equilibrium;

@@ -2,7 +2,12 @@
 //! and in the frame of the bearing (+Y up, the axis along Z, ψ from −Y counter-clockwise).
 
 mod brep;
+mod export;
+mod numbers;
 mod part21;
 pub mod points;
 pub mod step;
 pub mod stl;
+
+pub use export::{Export, ExportError, ExportOptions, Format, export};
+pub use numbers::{Counts, ExportNumbers};

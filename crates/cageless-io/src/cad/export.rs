@@ -1,0 +1,265 @@
+//! The outer ring of a case as a file.
+
+use std::path::Path;
+
+use cageless::InputError;
+use cageless::error::Allowed;
+use cageless::surface::OuterRing;
+use serde::Serialize;
+
+use super::numbers::{Counts, ExportNumbers};
+use super::{points, step, stl};
+use crate::OptionError;
+use crate::case_file::{CaseError, CaseFile};
+
+/// The paper's structure (d) stays within its machining error of 2 µm (docs/theory/cad.md).
+const BLEND_MM: f64 = 0.5;
+/// Share of half a raceway that the default blend takes at most.
+const BLEND_SHARE: f64 = 0.2;
+const TOLERANCE_UM: f64 = 0.01;
+/// Finer is below the rounding of coordinates, coarser no longer a STEP of precision.
+const TOLERANCE_RANGE_UM: [f64; 2] = [1e-4, 1.0];
+const CHORD_UM: f64 = 5.0;
+const SPACING_MM: f64 = 0.5;
+const SPACING_RANGE_MM: [f64; 2] = [0.01, 100.0];
+
+/// Kinds of files.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Format {
+    /// One solid of B-splines, tori, cylinders and planes, AP214.
+    Step,
+    /// Triangles, binary.
+    Stl,
+    /// Surface points, normals and contact track for a five-axis program.
+    Csv,
+}
+
+impl Format {
+    /// All.
+    pub const ALL: [Self; 3] = [Self::Step, Self::Stl, Self::Csv];
+
+    /// `step`, `stl` or `csv`, which is the ending of the file as well.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Step => "step",
+            Self::Stl => "stl",
+            Self::Csv => "csv",
+        }
+    }
+
+    /// The format of a file whose name ends in `.step`, `.stp`, `.stl` or `.csv`.
+    pub fn of(path: &Path) -> Option<Self> {
+        let ending = path.extension()?.to_str()?.to_ascii_lowercase();
+        match ending.as_str() {
+            "stp" => Some(Self::Step),
+            ending => Self::ALL.into_iter().find(|f| f.name() == ending),
+        }
+    }
+}
+
+/// How to export, in the units of drawings; `None` takes the default.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ExportOptions {
+    /// Length of the blend between each end of a discrete raceway and the plain groove, inside
+    /// the raceway; 0 leaves the kink. Default: 0.5, or a fifth of the shortest half raceway if
+    /// that is shorter.
+    pub blend_mm: Option<f64>,
+    /// Of STEP: largest distance of the B-splines from the analytic surface. Default: 0.01.
+    pub tolerance_um: Option<f64>,
+    /// Of STL: largest distance of a triangle from the analytic surface. Default: 5.
+    pub chord_um: Option<f64>,
+    /// Of CSV: largest distance of neighbouring points. Default: 0.5.
+    pub spacing_mm: Option<f64>,
+}
+
+/// Why there is no file.
+#[derive(Debug, thiserror::Error)]
+pub enum ExportError {
+    /// The case lacks the outside of the ring, or its ring is impossible.
+    #[error(transparent)]
+    Case(#[from] CaseError),
+    /// An option is not possible.
+    #[error(transparent)]
+    Option(#[from] OptionError),
+    /// An option that goes with a format that was not asked for.
+    #[error("{option} = {value} goes with the format {} only, not with {}", .format.name(), .given.name())]
+    Format {
+        /// Name, with underscores.
+        option: &'static str,
+        /// Value.
+        value: f64,
+        /// What it goes with.
+        format: Format,
+        /// What was asked for.
+        given: Format,
+    },
+    /// The bytes could not be put together.
+    #[error(transparent)]
+    Write(#[from] std::io::Error),
+}
+
+/// The outer ring as a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Export {
+    /// The file.
+    pub bytes: Vec<u8>,
+    /// Its numbers.
+    pub numbers: ExportNumbers,
+}
+
+impl ExportOptions {
+    /// Refuses what goes with none of the formats.
+    ///
+    /// # Errors
+    /// [`ExportError::Format`].
+    pub fn check(&self, formats: &[Format]) -> Result<(), ExportError> {
+        for (option, value, format) in [
+            ("tolerance_um", self.tolerance_um, Format::Step),
+            ("chord_um", self.chord_um, Format::Stl),
+            ("spacing_mm", self.spacing_mm, Format::Csv),
+        ] {
+            if let (Some(value), Some(&given)) = (value, formats.first())
+                && !formats.contains(&format)
+            {
+                return Err(ExportError::Format {
+                    option,
+                    value,
+                    format,
+                    given,
+                });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The outer ring of a case in one format; options of other formats are left alone.
+///
+/// # Errors
+/// An [`ExportError`] if the case lacks the outside of the ring, or case or options are
+/// impossible.
+pub fn export(
+    file: &CaseFile,
+    format: Format,
+    options: &ExportOptions,
+) -> Result<Export, ExportError> {
+    let ring = outer_ring(file, options)?;
+    let (bytes, deviation_m, counts) = contents(file, &ring, format, options)?;
+    let numbers = ExportNumbers::new(&ring, format, bytes.len(), deviation_m, counts);
+    Ok(Export { bytes, numbers })
+}
+
+fn outer_ring(file: &CaseFile, options: &ExportOptions) -> Result<OuterRing, ExportError> {
+    let case = file.case();
+    let bottom_m = case.bearing.dimensions().outer_groove_bottom_radius_m;
+    let share = (case.raceways.iter())
+        .map(|r| BLEND_SHARE * r.half_angle_rad() * bottom_m)
+        .fold(BLEND_MM * 1e-3, f64::min);
+    let blend_m = options.blend_mm.map_or(share, |mm| mm * 1e-3);
+    let dimensions = file.outer_ring_dimensions(blend_m)?;
+    OuterRing::new(&case.bearing, &case.raceways, dimensions).map_err(|error| {
+        if error.field == "blend_m" {
+            refused("blend_mm", &error, 1e3, "mm").into()
+        } else {
+            file.refused(&error).into()
+        }
+    })
+}
+
+/// The file, its deviation from the surface, and what it holds.
+fn contents(
+    file: &CaseFile,
+    ring: &OuterRing,
+    format: Format,
+    options: &ExportOptions,
+) -> Result<(Vec<u8>, f64, Counts), ExportError> {
+    match format {
+        Format::Step => {
+            let tolerance_um = options.tolerance_um.unwrap_or(TOLERANCE_UM);
+            within("tolerance_um", tolerance_um, TOLERANCE_RANGE_UM, "µm")?;
+            let title = match file.case().title.as_str() {
+                "" => "outer ring",
+                title => title,
+            };
+            let step =
+                step::write(ring, title, tolerance_um * 1e-6).map_err(|error| OptionError {
+                    option: "tolerance_um",
+                    value: tolerance_um.to_string(),
+                    problem: format!(
+                        "is out of reach: the finest B-spline is still {:.3e} µm off the surface",
+                        error.reached_m * 1e6
+                    ),
+                })?;
+            let counts = Counts::Step {
+                tolerance_um,
+                faces: step.faces,
+                bspline_faces: step.spline_faces,
+                edges: step.edges,
+                control_points: step.control_points,
+            };
+            Ok((step.text.into_bytes(), step.deviation_m, counts))
+        }
+        Format::Stl => {
+            let chord_um = options.chord_um.unwrap_or(CHORD_UM);
+            let stl = stl::write(ring, chord_um * 1e-6).map_err(|error| match error {
+                stl::StlError::Chord(error) => {
+                    ExportError::from(refused("chord_um", &error, 1e6, "µm"))
+                }
+                stl::StlError::Write(error) => error.into(),
+            })?;
+            let counts = Counts::Stl {
+                chord_um,
+                triangles: stl.triangles,
+                vertices: stl.vertices,
+                mesh_volume_mm3: stl.volume_m3 * 1e9,
+            };
+            Ok((stl.bytes, stl.deviation_m, counts))
+        }
+        Format::Csv => {
+            let spacing_mm = options.spacing_mm.unwrap_or(SPACING_MM);
+            within("spacing_mm", spacing_mm, SPACING_RANGE_MM, "mm")?;
+            let table = points::write(ring, spacing_mm * 1e-3);
+            let counts = Counts::Csv {
+                spacing_mm,
+                row_distance_mm: table.row_distance_m * 1e3,
+                surface_points: table.surface_points,
+                contact_points: table.contact_points,
+            };
+            Ok((table.text.into_bytes(), table.deviation_m, counts))
+        }
+    }
+}
+
+fn within(
+    option: &'static str,
+    value: f64,
+    [least, most]: [f64; 2],
+    unit: &str,
+) -> Result<(), OptionError> {
+    if (least..=most).contains(&value) {
+        return Ok(());
+    }
+    Err(OptionError {
+        option,
+        value: value.to_string(),
+        problem: format!("is not possible: it must be between {least} and {most} {unit}"),
+    })
+}
+
+/// An error of [`cageless`] in terms of an option, `scale` of its units to the SI unit.
+fn refused(option: &'static str, error: &InputError, scale: f64, unit: &str) -> OptionError {
+    let shown = |si: f64| format!("{} {unit}", (si * scale * 1e6).round() / 1e6);
+    let allowed = match &error.allowed {
+        Allowed::Between(least, most, why) => {
+            format!("between {} and {} ({why})", shown(*least), shown(*most))
+        }
+        Allowed::AtLeast(least, _) => format!("at least {}", shown(*least)),
+        other => other.to_string(),
+    };
+    OptionError {
+        option,
+        value: shown(error.value),
+        problem: format!("is not possible: it must be {allowed}"),
+    }
+}

@@ -1,0 +1,125 @@
+//! The numbers of an exported ring.
+
+use cageless::surface::OuterRing;
+use serde::Serialize;
+
+use super::export::Format;
+
+/// `export --json`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ExportNumbers {
+    /// Kind of file.
+    pub format: Format,
+    /// Where it was written; `None` if nowhere or to stdout.
+    pub file: Option<String>,
+    /// Size of the file.
+    pub bytes: usize,
+    /// Volume of the analytic solid.
+    pub volume_mm3: f64,
+    /// Largest distance of the file from the analytic surface.
+    pub deviation_um: f64,
+    /// Length of the blends; 0 for none.
+    pub blend_mm: f64,
+    /// Largest distance between the blended surface and the one designed.
+    pub blend_deviation_um: f64,
+    /// Angle left between the normals at an end of a raceway, 45° up the groove; 0 if
+    /// blended.
+    pub kink_45_deg: f64,
+    /// At the shoulder.
+    pub kink_shoulder_deg: f64,
+    /// The same of the raceway as designed.
+    pub design_kink_45_deg: f64,
+    /// At the shoulder.
+    pub design_kink_shoulder_deg: f64,
+    /// Angle between the normals of the two halves of a raceway, which meet at z = 0.
+    pub ridge_deg: f64,
+    /// How far the raceways stand out of the plain groove at most.
+    pub above_plain_um: f64,
+    /// Below it.
+    pub below_plain_um: f64,
+    /// Number of discrete raceways.
+    pub raceways: usize,
+    /// What the file holds.
+    #[serde(flatten)]
+    pub counts: Counts,
+}
+
+/// What the file holds.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Counts {
+    /// Of STEP.
+    Step {
+        /// Largest distance from the analytic surface that was allowed.
+        tolerance_um: f64,
+        /// Faces.
+        faces: usize,
+        /// Those of B-splines.
+        bspline_faces: usize,
+        /// Edges.
+        edges: usize,
+        /// Of the B-splines.
+        control_points: usize,
+    },
+    /// Of STL.
+    Stl {
+        /// Largest distance from the analytic surface that was allowed.
+        chord_um: f64,
+        /// Triangles.
+        triangles: usize,
+        /// Corners.
+        vertices: usize,
+        /// Volume of the mesh.
+        mesh_volume_mm3: f64,
+    },
+    /// Of CSV.
+    Csv {
+        /// Largest distance of neighbouring points that was allowed.
+        spacing_mm: f64,
+        /// Distance of the sections.
+        row_distance_mm: f64,
+        /// Points of the surface.
+        surface_points: usize,
+        /// Points of the contact track.
+        contact_points: usize,
+    },
+}
+
+impl ExportNumbers {
+    /// The numbers of a file of `bytes` bytes.
+    pub(super) fn new(
+        ring: &OuterRing,
+        format: Format,
+        bytes: usize,
+        deviation_m: f64,
+        counts: Counts,
+    ) -> Self {
+        let [kink_45_deg, kink_shoulder_deg] = ring.kink_rad().map(f64::to_degrees);
+        let [design_kink_45_deg, design_kink_shoulder_deg] =
+            ring.design_kink_rad().map(f64::to_degrees);
+        let [above_plain_um, below_plain_um] = ring.relief_m().map(|m| m * 1e6);
+        let raceways = ring.raceways().count();
+        Self {
+            format,
+            file: None,
+            bytes,
+            volume_mm3: ring.volume_m3() * 1e9,
+            deviation_um: deviation_m * 1e6,
+            blend_mm: if raceways == 0 {
+                0.0
+            } else {
+                ring.dimensions().blend_m * 1e3
+            },
+            blend_deviation_um: ring.blend_deviation_m() * 1e6,
+            kink_45_deg,
+            kink_shoulder_deg,
+            design_kink_45_deg,
+            design_kink_shoulder_deg,
+            ridge_deg: ring.ridge_rad().to_degrees(),
+            above_plain_um,
+            below_plain_um,
+            raceways,
+            counts,
+        }
+    }
+}
