@@ -36,6 +36,8 @@ from OCP.TopAbs import TopAbs_State
 from OCP.TopExp import TopExp_Explorer
 from OCP.TopoDS import TopoDS, TopoDS_Compound
 
+from checks import check, exit_code
+
 # Bearing, raceways (span mm, half angle °, centre °) and blends in mm that each case is
 # exported with. 6.9 mm by 10° and 4 mm by 40° are near the constraints, Eq. (8) and (9).
 PAPER = {}
@@ -63,17 +65,6 @@ CASES = {
     "three-balls": (THREE, [(4.0, 25.0, 200.0)], [0.5]),
     "large": (LARGE, [(42.0, 20.0, -33.3)], [0.0, 10.0]),
 }
-
-passed = failed = 0
-
-
-def check(what, ok, detail=""):
-    global passed, failed
-    if ok:
-        passed += 1
-    else:
-        failed += 1
-        print(f"FAILED: {what} {detail}")
 
 
 def below(what, found, allowed):
@@ -405,8 +396,7 @@ def main():
         out = scratch / f"chord-{chord}.stl"
         said = export(binary, path, out, "--blend-mm", 0.3, "--chord-um", chord)
         stl(f"chord {chord}", out, said, ring, generator)
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed else 0
+    return exit_code()
 
 
 if __name__ == "__main__":

@@ -16,6 +16,8 @@ import tempfile
 import time
 from pathlib import Path
 
+from checks import check, exit_code
+
 FLAGS = [
     "--headless", "--no-sandbox", "--disable-quic", "--no-first-run",
     "--disable-background-networking", "--disable-component-update", "--disable-sync",
@@ -26,17 +28,6 @@ FLAGS = [
 ]  # fmt: skip
 BROWSERS = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"]
 PATIENCE_S = 180
-
-passed = failed = 0
-
-
-def check(what, ok, detail=""):
-    global passed, failed
-    if ok:
-        passed += 1
-    else:
-        failed += 1
-        print(f"FAILED: {what} {detail}")
 
 
 class Browser:
@@ -293,8 +284,7 @@ def main():
                     page(browser, name, Path(path), screens)
                 except RuntimeError as error:
                     check(f"{name}: opens", False, error)
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed else 0
+    return exit_code()
 
 
 if __name__ == "__main__":

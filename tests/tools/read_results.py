@@ -19,6 +19,8 @@ import polars as pl
 import pyarrow as pa
 import pyarrow.parquet as pq
 
+from checks import check, exit_code
+
 BALLS = {
     "time_s": "s",
     "ball": "1",
@@ -67,17 +69,6 @@ OPTIONAL = {
     "start.state", "start.gaps", "start.lead_ball_angle_deg",
     "solver.method", "solver.step_us", "solver.tolerance", "solver.seed",
 }  # fmt: skip
-
-passed = failed = 0
-
-
-def check(what, ok, detail=""):
-    global passed, failed
-    if ok:
-        passed += 1
-    else:
-        failed += 1
-        print(f"FAILED: {what} {detail}")
 
 
 def close(what, found, expected, tolerance):
@@ -393,8 +384,7 @@ def main():
 
     version = subprocess.run([binary, "--version"], check=True, capture_output=True, text=True)
     check("version", version.stdout.split()[1] == damped.summary["version"])
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed else 0
+    return exit_code()
 
 
 if __name__ == "__main__":

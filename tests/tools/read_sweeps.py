@@ -17,6 +17,8 @@ import polars as pl
 import pyarrow as pa
 import pyarrow.parquet as pq
 
+from checks import check, exit_code
+
 PLAN = """
 seed = 5
 case = {case}
@@ -49,17 +51,6 @@ COLUMNS = {
     "run_collisions": (pa.int64(), None),
     "run_slip_max_m_s": (pa.float64(), "m/s"),
 }
-
-passed = failed = 0
-
-
-def check(what, ok, detail=""):
-    global passed, failed
-    if ok:
-        passed += 1
-    else:
-        failed += 1
-        print(f"FAILED: {what} {detail}")
 
 
 def main():
@@ -116,8 +107,7 @@ def main():
     subprocess.run([binary, "report", out], check=True, capture_output=True)
     report = json.loads((out / "report.json").read_text())
     check("report", report["variants"] == ROWS and report["failed"] == int(frame["reason"].notna().sum()))
-    print(f"{passed} passed, {failed} failed")
-    return 1 if failed else 0
+    return exit_code()
 
 
 if __name__ == "__main__":
