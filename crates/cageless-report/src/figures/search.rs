@@ -20,6 +20,8 @@ const VERDICTS: [(&str, &str, &str); 8] = [
     ("eq-9", "#ffffff", ""),
 ];
 
+/// Width of the raceways shown that hardly spread the balls, over that of the others.
+const SHALLOW_SHOWN: f64 = 0.4;
 /// Panels beside each other at most.
 const ACROSS: usize = 3;
 
@@ -59,28 +61,53 @@ impl Grid {
     }
 }
 
+/// Where the axis of spans begins: of the raceways that hardly spread the balls anywhere, some
+/// are enough.
+fn shown_from_mm(search: &SearchData) -> f64 {
+    let (mut works, mut widest) = (f64::INFINITY, 0.0f64);
+    for map in &search.maps {
+        for row in &map.verdict {
+            for (span, verdict) in map.axial_span_mm.iter().zip(row) {
+                widest = widest.max(*span);
+                if !["shallow", "eq-8", "eq-9", "overlap"].contains(&verdict.as_str()) {
+                    works = works.min(*span);
+                }
+            }
+        }
+    }
+    if works.is_finite() {
+        works - SHALLOW_SHOWN * (widest - works)
+    } else {
+        0.0
+    }
+}
+
 /// Adds axes, title, Eq. (11), structures and marks of panel `k` over its cells.
 fn dress(plot: Plot, grid: &Grid, k: usize, search: &SearchData, map: &MapData) -> Plot {
     let (x_name, y_name) = (axis_name("x", k), axis_name("y", k));
     let (x, y) = (axis_ref("x", k), axis_ref("y", k));
     let (x_place, y_place) = grid.place(k);
-    let edge = |values: &[f64]| {
+    let edges = |values: &[f64]| {
         let (low, high) = range(values);
         let half = (high - low) / (2.0 * (values.len().max(2) - 1) as f64);
-        json!([number(low - half), number(high + half)])
+        (low - half, high + half)
     };
+    let (shown, widest) = (shown_from_mm(search), edges(&map.axial_span_mm));
+    let spans = json!([number(widest.0.max(shown)), number(widest.1)]);
+    let (least, most) = edges(&map.half_angle_deg);
+    let angles = json!([number(least), number(most)]);
     let first = k.is_multiple_of(grid.across);
     let mut plot = plot
         .axis(
             &x_name,
             "Axial span lC (mm)",
-            json!({ "domain": x_place, "anchor": y, "range": edge(&map.axial_span_mm), "showgrid": false }),
+            json!({ "domain": x_place, "anchor": y, "range": spans, "showgrid": false }),
         )
         .axis(
             &y_name,
             if first { "Half angle θ (°)" } else { "" },
             json!({
-                "domain": y_place, "anchor": x, "range": edge(&map.half_angle_deg),
+                "domain": y_place, "anchor": x, "range": angles,
                 "showgrid": false, "showticklabels": first,
             }),
         )
@@ -147,7 +174,7 @@ fn frame(grid: &Grid) -> Plot {
     Plot::new(grid.height_px())
         .at_least(320 * grid.across as u32)
         .legend()
-        .set("margin", json!({ "l": 64, "r": 24, "t": 84, "b": 58 }))
+        .set("margin", json!({ "l": 64, "r": 24, "t": 104, "b": 58 }))
         .set(
             "legend",
             json!({ "orientation": "h", "x": 0, "y": 1.09, "yanchor": "bottom", "font": { "size": 12 } }),
@@ -214,8 +241,9 @@ pub fn verdicts(search: &SearchData) -> Figure {
         label: "Design map, verdicts".to_owned(),
         caption: "Where raceways work, and what excludes them elsewhere: too shallow to spread \
                   the balls, sliding balls, a critical gap above the steady gap, or balls that are \
-                  hit from both sides on their way through. Blank: excluded by Eq. (8) or (9), or raceways that overlap. Slip takes over from the \
-                  right, where raceways are short and deep, and reaches further at higher speed."
+                  hit from both sides on their way through. Blank: excluded by Eq. (8) or (9), or \
+                  raceways that overlap. Slip takes over from the right, where raceways are short \
+                  and deep, and reaches further at higher speed. Double-click to see all spans."
             .to_owned(),
         provenance: search.provenance.clone(),
         plot,
