@@ -100,7 +100,7 @@ impl From<StudyError> for Failure {
                 Self::Interrupted("interrupted before there was a result".to_owned())
             }
             error @ StudyError::Folder { .. } => Self::Input(format!("--out {error}")),
-            error @ StudyError::Journal { .. } => {
+            error @ (StudyError::Threads(_) | StudyError::Journal { .. }) => {
                 Self::Other(anyhow::Error::msg(error.to_string()))
             }
         }

@@ -1,19 +1,23 @@
 //! A case and what can be computed of it.
 
+use std::collections::HashMap;
 use std::path::PathBuf;
 
-use cageless::design::{judge, recommend};
 use cageless::dynamics::InstructionSet;
 use cageless::equilibrium::solve;
-use cageless::spacing::CriticalGapError;
+use cageless_io::cad::ExportOptions;
 use cageless_io::case_file;
-use cageless_report::{DesignResult, StaticResult};
+use cageless_report::StaticResult;
+use cageless_study::tolerance::Request;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::errors::{of_file, of_gap, of_start, of_values, other, stopped};
+use crate::attend::Attendance;
+use crate::design::{Design, Search, judge};
+use crate::errors::{input, of_file, of_start, of_values, other};
+use crate::export;
 use crate::run::{Run, simulate};
-use crate::signals::Signals;
+use crate::tolerance::Tolerance;
 use crate::values::to_toml;
 
 /// A case that was read and checked.
@@ -100,9 +104,16 @@ impl CaseFile {
         self.file.document() == other.file.document()
     }
 
-    /// Runs the case.
-    fn run(&self, py: Python<'_>) -> PyResult<Run> {
-        simulate(py, &self.file)
+    /// Runs the case, and the runs that say how far it can be trusted if it is to be verified.
+    fn run(
+        &self,
+        py: Python<'_>,
+        verify: bool,
+        threads: Option<i64>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Run> {
+        let attendance = Attendance::new(threads, progress)?;
+        simulate(py, &self.file, verify.then_some(attendance))
     }
 
     /// `static --json`.
@@ -112,26 +123,75 @@ impl CaseFile {
         serde_json::to_string(&StaticResult::new(solved)).map_err(other)
     }
 
-    /// `design --json`, and the exception if a run that it rests on stopped.
-    fn design(&self, py: Python<'_>) -> PyResult<(String, Option<PyErr>)> {
-        let case = self.file.case();
-        let signals = Signals::new();
-        let found = py.detach(|| {
-            let judgement = judge(case, &mut |_| signals.control())?;
-            if signals.stop() {
-                return Err(CriticalGapError::Interrupted);
-            }
-            match recommend(case) {
-                Err(CriticalGapError::Case(error)) => Err(CriticalGapError::Case(error)),
-                // No run of a pair can be judged here; the verdict says why.
-                recommendation => Ok((judgement, recommendation.ok().flatten())),
-            }
-        });
-        signals.raised()?;
-        let (judgement, recommendation) = found.map_err(|error| of_gap(&error))?;
-        let stop = judgement.stopped.as_ref().map(stopped);
-        let result = DesignResult::new(case, judgement, recommendation);
-        let json = serde_json::to_string(&result).map_err(other)?;
-        Ok((json, stop))
+    /// Judges the raceways, and the exception if a run that it rests on stopped.
+    fn design(&self, py: Python<'_>) -> PyResult<(Design, Option<PyErr>)> {
+        judge(py, &self.file)
     }
+
+    /// Searches for the best raceway.
+    fn search(
+        &self,
+        py: Python<'_>,
+        folder: Option<PathBuf>,
+        threads: Option<i64>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Search> {
+        let attendance = Attendance::new(threads, progress)?;
+        Search::find(py, &self.file, folder, attendance)
+    }
+
+    /// Judges the bearing within tolerances; `deviations` by name, those of the command.
+    fn tolerance(
+        &self,
+        py: Python<'_>,
+        samples: i64,
+        ball_grade: i64,
+        deviations: HashMap<String, f64>,
+        threads: Option<i64>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Tolerance> {
+        let of = |name: &str| deviations.get(name).copied().unwrap_or(0.0);
+        let request = Request {
+            samples: whole("samples", samples)?,
+            groove_depth_um: of("groove_depth_um"),
+            axial_span_um: of("axial_span_um"),
+            half_angle_deg: of("half_angle_deg"),
+            ball_grade: whole("ball_grade", ball_grade)?,
+            friction: of("friction"),
+            clearance_um: of("clearance_um"),
+            speed_percent: of("speed_percent"),
+            load_percent: of("load_percent"),
+        };
+        let attendance = Attendance::new(threads, progress)?;
+        Tolerance::study(py, &self.file, &request, attendance)
+    }
+
+    /// Writes the outer ring; a list of the numbers of `export --json`.
+    #[expect(clippy::too_many_arguments, reason = "the options of the command")]
+    fn export(
+        &self,
+        py: Python<'_>,
+        out: PathBuf,
+        formats: Option<Vec<String>>,
+        blend_mm: Option<f64>,
+        tolerance_um: Option<f64>,
+        chord_um: Option<f64>,
+        spacing_mm: Option<f64>,
+    ) -> PyResult<String> {
+        let options = ExportOptions {
+            blend_mm,
+            tolerance_um,
+            chord_um,
+            spacing_mm,
+        };
+        export::write(py, &self.file, &out, formats, &options)
+    }
+}
+
+fn whole<T: TryFrom<i64>>(option: &str, value: i64) -> PyResult<T> {
+    T::try_from(value).map_err(|_| {
+        input(format!(
+            "{option} = {value} is not possible: it must be 0 or more"
+        ))
+    })
 }

@@ -1,10 +1,15 @@
 //! Errors of the library as exceptions of the package, with the messages of the command.
 
+use std::io;
+use std::path::Path;
+
 use cageless::equilibrium::EquilibriumError;
 use cageless::simulation::Stop;
 use cageless::spacing::CriticalGapError;
+use cageless_io::cad::ExportError;
 use cageless_io::case_file::CaseError;
-use cageless_io::results::ResultError;
+use cageless_io::results::{ResultError, is_unusable};
+use cageless_study::StudyError;
 use cageless_sweep::SweepError;
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
@@ -75,5 +80,43 @@ pub fn of_results(error: &ResultError) -> PyErr {
         input(error)
     } else {
         other(error)
+    }
+}
+
+pub fn of_study(error: &StudyError) -> PyErr {
+    match error {
+        StudyError::File(error) => of_values(error),
+        StudyError::Run(error) => of_gap(error),
+        StudyError::Option(refused) => {
+            InputError::new_err((error.to_string(), Some(refused.option), None::<usize>))
+        }
+        StudyError::Case(_)
+        | StudyError::Input(_)
+        | StudyError::Foreign(_)
+        | StudyError::Folder { .. } => input(error),
+        StudyError::Interrupted => PyKeyboardInterrupt::new_err(()),
+        StudyError::Threads(_) | StudyError::Journal { .. } => other(error),
+    }
+}
+
+pub fn of_export(error: &ExportError) -> PyErr {
+    let option = |option: &'static str| {
+        InputError::new_err((error.to_string(), Some(option), None::<usize>))
+    };
+    match error {
+        ExportError::Case(error) => of_values(error),
+        ExportError::Option(refused) => option(refused.option),
+        ExportError::Format { option: name, .. } => option(name),
+        ExportError::Write(_) => other(error),
+    }
+}
+
+/// A folder that cannot be made.
+pub fn of_folder(path: &Path, error: io::Error) -> PyErr {
+    let message = format!("{}: {error}", path.display());
+    if is_unusable(&error) {
+        input(message)
+    } else {
+        other(message)
     }
 }

@@ -2,13 +2,17 @@
 //! with. The package itself, with its documentation, is in `python/cageless`.
 
 mod arrays;
+mod attend;
 mod case_file;
+mod design;
 mod errors;
+mod export;
 mod report;
 mod run;
 mod signals;
 mod sweep;
 mod table;
+mod tolerance;
 mod values;
 
 use pyo3::prelude::*;
@@ -18,6 +22,9 @@ fn _cageless(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", cageless_io::results::VERSION)?;
     module.add_class::<case_file::CaseFile>()?;
     module.add_class::<run::Run>()?;
+    module.add_class::<design::Design>()?;
+    module.add_class::<design::Search>()?;
+    module.add_class::<tolerance::Tolerance>()?;
     module.add_class::<sweep::Sweep>()?;
     module.add_class::<sweep::Collection>()?;
     module.add_class::<report::Report>()?;

@@ -15,10 +15,12 @@ use cageless_io::results::SummaryFile;
 use cageless_report::figures::{history, vibration};
 use cageless_report::run_report::{Histories, SAMPLING_HZ, run_data};
 use cageless_report::{Figure, RunData, run_page};
+use cageless_study::verification::Verification;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays::Recording;
+use crate::attend::Attendance;
 use crate::errors::{input, of_start, other};
 use crate::signals::Signals;
 
@@ -40,12 +42,20 @@ struct Material {
     vibration: Option<VibrationRecorder>,
 }
 
-/// Runs a case with everything recorded.
-pub fn simulate(py: Python<'_>, file: &CaseFile) -> PyResult<Run> {
+/// Runs a case with everything recorded, and verifies it where that is attended to.
+pub fn simulate(py: Python<'_>, file: &CaseFile, verify: Option<Attendance>) -> PyResult<Run> {
     let signals = Signals::new();
-    let done = py.detach(|| record(file, &signals));
+    let mut verification = verify.as_ref().map(|_| Verification::new(file.case()));
+    let watch = verification.as_mut().map(Verification::watch);
+    let done = py.detach(|| record(file, &signals, watch));
     signals.raised()?;
-    let (material, summary, recording) = done?;
+    let (material, mut summary, recording) = done?;
+    if let (Some(attendance), Some(verification)) = (verify, verification) {
+        let (case, outcome) = (file.case(), &material.outcome);
+        attendance.attend(py, |watcher| {
+            verification.finish(case, outcome, &mut summary, watcher);
+        })?;
+    }
     Ok(Run {
         arrays: recording.into_arrays(py)?.unbind(),
         summary,
@@ -54,7 +64,11 @@ pub fn simulate(py: Python<'_>, file: &CaseFile) -> PyResult<Run> {
     })
 }
 
-fn record(file: &CaseFile, signals: &Signals) -> PyResult<(Material, SummaryFile, Recording)> {
+fn record(
+    file: &CaseFile,
+    signals: &Signals,
+    watch: Option<&mut (dyn Observer + Send)>,
+) -> PyResult<(Material, SummaryFile, Recording)> {
     let case = file.case();
     let started = Instant::now();
     let mut summary = SummaryRecorder::new();
@@ -85,6 +99,9 @@ fn record(file: &CaseFile, signals: &Signals) -> PyResult<(Material, SummaryFile
             vec![&mut summary, &mut collisions, &mut recorder, &mut passages];
         if let Some(vibration) = &mut vibration {
             observers.push(vibration);
+        }
+        if let Some(watch) = watch {
+            observers.push(watch);
         }
         let outcome = run(case, &mut observers, &mut |_| signals.control());
         let outcome = outcome.map_err(|error| of_start(&error))?;
@@ -150,6 +167,13 @@ impl Run {
     /// `summary.json`.
     fn summary(&self) -> PyResult<String> {
         self.summary.to_json().map_err(other)
+    }
+
+    /// Names of the numbers of the certificate, in the order of tables; `None` without one.
+    fn certified(&self) -> Option<Vec<String>> {
+        let certificate = self.summary.certificate.as_ref()?;
+        let names = certificate.ranked().into_iter();
+        Some(names.map(|(name, _)| name.to_owned()).collect())
     }
 
     /// Why the run stopped early: the message of the command.

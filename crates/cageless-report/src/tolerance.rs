@@ -199,7 +199,7 @@ fn influence_table(data: &ToleranceData) -> Table {
 }
 
 /// Range of the critical gap over each influence.
-fn influence_figure(data: &ToleranceData) -> Figure {
+pub fn influence_figure(data: &ToleranceData) -> Figure {
     let rows: Vec<&InfluenceRow> = data
         .influences
         .iter()
@@ -274,7 +274,8 @@ fn verdict_table(data: &ToleranceData, samples: &SampleData) -> Table {
     }
 }
 
-fn sample_figure(data: &ToleranceData, samples: &SampleData) -> Figure {
+/// Critical gaps of the bearings in which everything deviates, by verdict.
+pub fn sample_figure(data: &ToleranceData, samples: &SampleData) -> Figure {
     let mut plot = Plot::new(360)
         .legend()
         .set("barmode", json!("stack"))

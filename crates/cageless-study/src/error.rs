@@ -30,6 +30,9 @@ pub enum StudyError {
     /// Ended by the watcher.
     #[error("interrupted")]
     Interrupted,
+    /// The threads could not be started.
+    #[error("cannot start threads: {0}")]
+    Threads(String),
     /// The folder cannot be used.
     #[error("{}: {source}", path.display())]
     Folder {

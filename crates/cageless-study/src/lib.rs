@@ -8,9 +8,11 @@ pub mod design;
 mod error;
 pub mod paper;
 pub mod search;
+mod threads;
 pub mod tolerance;
 pub mod verification;
 mod watcher;
 
 pub use error::StudyError;
+pub use threads::on_threads;
 pub use watcher::{Silent, Watcher, Work};

@@ -24,7 +24,7 @@ impl Verification {
     }
 
     /// What must watch the run itself.
-    pub fn watch(&mut self) -> &mut dyn Observer {
+    pub fn watch(&mut self) -> &mut (dyn Observer + Send) {
         &mut self.watch
     }
 

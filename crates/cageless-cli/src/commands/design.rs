@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use cageless::Case;
-use cageless_io::case_file::CaseFile;
 use cageless_io::results::write_atomically;
 use cageless_report::design_report::design_data;
 use cageless_report::{DesignResult, design_page, to_json};
@@ -46,10 +45,7 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
         let out = args.out.as_deref();
         let (found, data) =
             search::run(&file, out, &Bars(&stop)).map_err(|error| search_failed(error, out))?;
-        none_found = found
-            .recommended
-            .is_none()
-            .then(|| search::why_none(&found));
+        none_found = search::refusal(&file, &found);
         result.search = Some(data);
     }
     if let Some(dir) = &args.out {
@@ -58,7 +54,7 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
         write_atomically(&dir.join(PAGE_DATA), to_json(&data)?.as_bytes())?;
     }
     if let Some(message) = none_found {
-        return Err(Failure::Input(place(&file, &message)));
+        return Err(Failure::Input(message));
     }
     deliver(args, NUMBERS, &result, &text(file.case(), &result))?;
     match stopped {
@@ -79,16 +75,6 @@ fn search_failed(error: StudyError, out: Option<&Path>) -> Failure {
             Failure::Interrupted("interrupted: with --out DIR a search can be continued".to_owned())
         }
         (error, _) => error.into(),
-    }
-}
-
-/// A message about the case as a whole.
-fn place(file: &CaseFile, message: &str) -> String {
-    let title = &file.case().title;
-    if title.is_empty() {
-        message.to_owned()
-    } else {
-        format!("{title}: {message}")
     }
 }
 

@@ -12,9 +12,8 @@ use cageless_report::SearchData;
 
 use crate::error::StudyError;
 use crate::watcher::Watcher;
+use findings::why_none;
 use workshop::Workshop;
-
-pub use findings::why_none;
 
 /// Searches for the best raceway of a case, as its section `[search]` asks. With a folder,
 /// what was computed is kept there until the search is over, and a search that was ended or
@@ -22,7 +21,7 @@ pub use findings::why_none;
 ///
 /// # Errors
 /// The case or the operating range is impossible, the folder cannot be used, or the watcher
-/// ended the search. That no raceway is acceptable is no error; see [`why_none`].
+/// ended the search. That no raceway is acceptable is no error; see [`refusal`].
 pub fn run(
     file: &CaseFile,
     folder: Option<&Path>,
@@ -46,4 +45,16 @@ pub fn run(
     workshop.finish();
     let data = data::search_data(file, &found)?;
     Ok((found, data))
+}
+
+/// Why there is nothing to recommend, if there is nothing.
+pub fn refusal(file: &CaseFile, found: &Found) -> Option<String> {
+    if found.recommended.is_some() {
+        return None;
+    }
+    let message = why_none(found);
+    Some(match file.case().title.as_str() {
+        "" => message,
+        title => format!("{title}: {message}"),
+    })
 }

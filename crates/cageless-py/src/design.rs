@@ -1,0 +1,150 @@
+//! The verdict on a raceway, and the search for the best one.
+
+use cageless_io::case_file::CaseFile;
+use cageless_report::design_report::design_data;
+use cageless_report::figures::{design, search, shape};
+use cageless_report::{DesignData, DesignResult, Figure, SearchData, design_page};
+use cageless_study::design::{Judged, judged};
+use cageless_study::{StudyError, Watcher};
+use pyo3::prelude::*;
+
+use crate::attend::Attendance;
+use crate::errors::{input, of_study, other, stopped};
+
+/// What is known of a case's own raceways.
+#[pyclass(frozen, module = "cageless._cageless")]
+pub struct Design {
+    result: DesignResult,
+    data: DesignData,
+}
+
+/// Judges a case; the exception if a run that it rests on stopped.
+pub fn judge(py: Python<'_>, file: &CaseFile) -> PyResult<(Design, Option<PyErr>)> {
+    let attendance = Attendance::new(Some(1), None)?;
+    let found = attendance.attend(py, |watcher| analyse(file, None, watcher))?;
+    found.map_err(|error| of_study(&error))
+}
+
+fn analyse(
+    file: &CaseFile,
+    search: Option<SearchData>,
+    watcher: &dyn Watcher,
+) -> Result<(Design, Option<PyErr>), StudyError> {
+    let Judged {
+        judgement,
+        recommendation,
+        snapshots,
+    } = judged(file.case(), watcher)?;
+    let stop = judgement.stopped.as_ref().map(stopped);
+    let mut result = DesignResult::new(file.case(), judgement, recommendation);
+    result.search = search;
+    let data = design_data(file, &result, &snapshots);
+    Ok((Design { result, data }, stop))
+}
+
+#[pymethods]
+impl Design {
+    /// `design --json`.
+    fn numbers(&self) -> PyResult<String> {
+        serde_json::to_string(&self.result).map_err(other)
+    }
+
+    /// A figure in the JSON of plotly.
+    fn figure(&self, py: Python<'_>, name: &str) -> PyResult<String> {
+        let data = &self.data;
+        let figure = py.detach(|| match name {
+            "curve" => data.curve.as_ref().map(design::curve),
+            "contact_track" => data.contact_track.as_ref().map(shape::contact_track),
+            "surface" => data.surface.as_ref().map(shape::surface),
+            _ => None,
+        });
+        match figure {
+            Some(figure) => Ok(figure.json()),
+            None => Err(input(format!("this case has nothing to show as {name:?}"))),
+        }
+    }
+
+    /// `report.html`.
+    fn page(&self, py: Python<'_>) -> String {
+        py.detach(|| design_page(&self.data))
+    }
+}
+
+/// What a search found.
+#[pyclass(frozen, module = "cageless._cageless")]
+pub struct Search {
+    file: CaseFile,
+    data: SearchData,
+    refusal: Option<String>,
+}
+
+impl Search {
+    /// Searches, or goes on with what is in the folder.
+    pub fn find(
+        py: Python<'_>,
+        file: &CaseFile,
+        folder: Option<std::path::PathBuf>,
+        attendance: Attendance,
+    ) -> PyResult<Self> {
+        let found = attendance.attend(py, |watcher| {
+            cageless_study::search::run(file, folder.as_deref(), watcher)
+        })?;
+        let (found, data) = found.map_err(|error| of_study(&error))?;
+        Ok(Self {
+            file: file.clone(),
+            refusal: cageless_study::search::refusal(file, &found),
+            data,
+        })
+    }
+}
+
+/// A figure of a search.
+type Make = fn(&SearchData) -> Figure;
+
+const FIGURES: [(&str, Make); 3] = [
+    ("verdicts", search::verdicts),
+    ("critical_gaps", search::critical_gaps),
+    ("trade_offs", search::trade_offs),
+];
+
+#[pymethods]
+impl Search {
+    /// `search` of `design --search --json`.
+    fn numbers(&self) -> PyResult<String> {
+        serde_json::to_string(&self.data).map_err(other)
+    }
+
+    /// Why there is nothing to recommend: the message of the command.
+    fn refusal(&self) -> Option<String> {
+        self.refusal.clone()
+    }
+
+    /// The case that was searched for.
+    fn case(&self) -> crate::case_file::CaseFile {
+        crate::case_file::CaseFile {
+            file: self.file.clone(),
+        }
+    }
+
+    /// A figure in the JSON of plotly.
+    fn figure(&self, py: Python<'_>, name: &str) -> PyResult<String> {
+        let Some((_, make)) = FIGURES.iter().find(|(n, _)| *n == name) else {
+            return Err(input(format!("there is no figure {name:?}")));
+        };
+        if name == "trade_offs" && self.data.front.is_empty() {
+            return Err(input("this search has nothing to show as \"trade_offs\""));
+        }
+        Ok(py.detach(|| make(&self.data)).json())
+    }
+
+    /// `report.html`, for which the case's own raceway is judged.
+    fn page(&self, py: Python<'_>) -> PyResult<String> {
+        let attendance = Attendance::new(Some(1), None)?;
+        let search = Some(self.data.clone());
+        let found = attendance.attend(py, |watcher| {
+            let (design, _) = analyse(&self.file, search, watcher)?;
+            Ok(design_page(&design.data))
+        })?;
+        found.map_err(|error: StudyError| of_study(&error))
+    }
+}

@@ -1,0 +1,87 @@
+//! The outer ring as files.
+
+use std::path::{Path, PathBuf};
+
+use cageless_io::cad::{ExportNumbers, ExportOptions, Format, export};
+use cageless_io::case_file::CaseFile;
+use cageless_io::results::write_atomically;
+use pyo3::prelude::*;
+
+use crate::errors::{input, of_export, of_folder, of_results, other};
+
+/// Numbers of the files in a folder.
+const NUMBERS: &str = "export.json";
+
+/// Writes the ring as one file, or as several into a folder; the numbers are JSON.
+pub fn write(
+    py: Python<'_>,
+    file: &CaseFile,
+    out: &Path,
+    formats: Option<Vec<String>>,
+    options: &ExportOptions,
+) -> PyResult<String> {
+    let named = Format::of(out).filter(|_| !out.is_dir());
+    let formats = match formats {
+        Some(names) => names.iter().map(|n| format(n)).collect::<PyResult<_>>()?,
+        None => named.map_or(Format::ALL.to_vec(), |format| vec![format]),
+    };
+    check(out, named, &formats)?;
+    options.check(&formats).map_err(|e| of_export(&e))?;
+    py.detach(|| {
+        let made = formats.iter().map(|&format| export(file, format, options));
+        let mut made = made
+            .collect::<Result<Vec<_>, _>>()
+            .map_err(|e| of_export(&e))?;
+        // Only now, so that bad input leaves no folder behind.
+        if named.is_none() {
+            std::fs::create_dir_all(out).map_err(|e| of_folder(out, e))?;
+        }
+        for (format, made) in formats.iter().zip(&mut made) {
+            let path = match named {
+                Some(_) => PathBuf::from(out),
+                None => out.join(format!("outer_ring.{}", format.name())),
+            };
+            write_atomically(&path, &made.bytes).map_err(|e| of_results(&e))?;
+            made.numbers.file = Some(path.display().to_string());
+        }
+        let numbers: Vec<&ExportNumbers> = made.iter().map(|m| &m.numbers).collect();
+        if named.is_none() {
+            let json = match numbers.as_slice() {
+                [one] => serde_json::to_string_pretty(one),
+                several => serde_json::to_string_pretty(several),
+            };
+            let json = json.map_err(other)? + "\n";
+            write_atomically(&out.join(NUMBERS), json.as_bytes()).map_err(|e| of_results(&e))?;
+        }
+        serde_json::to_string(&numbers).map_err(other)
+    })
+}
+
+fn format(name: &str) -> PyResult<Format> {
+    let known = Format::ALL.into_iter().find(|f| f.name() == name);
+    known.ok_or_else(|| {
+        input(format!(
+            "formats = {name:?} is not possible: it must be of step, stl, csv"
+        ))
+    })
+}
+
+fn check(out: &Path, named: Option<Format>, formats: &[Format]) -> PyResult<()> {
+    let Some(first) = formats.first() else {
+        let message = "formats = [] is not possible: it must be of step, stl, csv";
+        return Err(input(message));
+    };
+    match named {
+        Some(named) if formats != [named] => Err(input(format!(
+            "out = {}: is the name of a file of format {}, not of {}",
+            out.display(),
+            named.name(),
+            formats
+                .iter()
+                .find(|f| **f != named)
+                .unwrap_or(first)
+                .name()
+        ))),
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,58 @@
+//! A bearing within its tolerances.
+
+use cageless_io::case_file::CaseFile;
+use cageless_report::to_json;
+use cageless_report::tolerance::{ToleranceData, influence_figure, sample_figure, tolerance_page};
+use cageless_study::tolerance::{Request, tolerance};
+use pyo3::prelude::*;
+
+use crate::attend::Attendance;
+use crate::errors::{input, of_study, other};
+
+/// What a case made to its tolerances is worth.
+#[pyclass(frozen, module = "cageless._cageless")]
+pub struct Tolerance {
+    data: ToleranceData,
+}
+
+impl Tolerance {
+    pub fn study(
+        py: Python<'_>,
+        file: &CaseFile,
+        request: &Request,
+        attendance: Attendance,
+    ) -> PyResult<Self> {
+        let done = attendance.attend(py, |watcher| {
+            tolerance(file.case(), "case", request, watcher)
+        })?;
+        let data = done.map_err(|error| of_study(&error))?;
+        Ok(Self { data })
+    }
+}
+
+#[pymethods]
+impl Tolerance {
+    /// `tolerance --json`.
+    fn numbers(&self) -> PyResult<String> {
+        to_json(&self.data).map_err(other)
+    }
+
+    /// A figure in the JSON of plotly.
+    fn figure(&self, py: Python<'_>, name: &str) -> PyResult<String> {
+        let data = &self.data;
+        let figure = py.detach(|| match name {
+            "influences" => Some(influence_figure(data)),
+            "samples" => data.samples.as_ref().map(|s| sample_figure(data, s)),
+            _ => None,
+        });
+        match figure {
+            Some(figure) => Ok(figure.json()),
+            None => Err(input(format!("there is nothing to show as {name:?}"))),
+        }
+    }
+
+    /// `report.html`.
+    fn page(&self, py: Python<'_>) -> String {
+        py.detach(|| tolerance_page(&self.data))
+    }
+}
