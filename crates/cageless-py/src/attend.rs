@@ -7,7 +7,7 @@ use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use cageless::simulation::Control;
-use cageless_study::{Watcher, Work, on_threads};
+use cageless_study::{THREADS_MAX, Watcher, Work, on_threads};
 use pyo3::prelude::*;
 
 use crate::errors::{input, of_study};
@@ -83,7 +83,7 @@ fn count(threads: i64) -> PyResult<NonZeroUsize> {
     let count = usize::try_from(threads).ok().and_then(NonZeroUsize::new);
     count.ok_or_else(|| {
         input(format!(
-            "threads = {threads} is not possible: it must be 1 or more"
+            "threads = {threads} is not possible: 1 to {THREADS_MAX} are"
         ))
     })
 }

@@ -119,13 +119,6 @@ impl Search {
         self.refusal.clone()
     }
 
-    /// The case that was searched for.
-    fn case(&self) -> crate::case_file::CaseFile {
-        crate::case_file::CaseFile {
-            file: self.file.clone(),
-        }
-    }
-
     /// A figure in the JSON of plotly.
     fn figure(&self, py: Python<'_>, name: &str) -> PyResult<String> {
         let Some((_, make)) = FIGURES.iter().find(|(n, _)| *n == name) else {

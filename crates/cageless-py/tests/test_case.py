@@ -125,13 +125,19 @@ def test_defaults_and_the_case_as_run_are_those_of_check(command: Command, tmp_p
     assert case.to_dict() == checked["case"]
 
 
-def test_static_and_design_are_those_of_the_command(command: Command) -> None:
+def test_static_and_design_are_those_of_the_command(command: Command, tmp_path: Path) -> None:
     path = ROOT / "cases" / "zhao-d.toml"
     case = cageless.Case.from_file(path)
     assert case.static().values == numbers(command("static", path, "--json").stdout)
-    assert case.design().values == numbers(command("design", path, "--json").stdout)
+    design = case.design()
+    printed = command("design", path, "--json", "--out", tmp_path).stdout
+    assert design.values == numbers(printed)
+    page = design.report(tmp_path / "python.html").read_text()
+    assert page == (tmp_path / "report.html").read_text()
+    for figure in [design.plot_curve(), design.plot_contact_track(), design.plot_surface()]:
+        assert len(figure.data) > 0
     assert case.static().data_balls().shape[0] == case.bearing.balls
     assert "Static" in case.static()._repr_html_()
-    assert "verdict" in case.design()._repr_html_()
+    assert "verdict" in design._repr_html_()
     assert "raceway.half_angle_deg" in case._repr_html_()
     assert "ball_radius_mm" in case.bearing._repr_html_()

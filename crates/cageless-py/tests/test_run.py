@@ -131,6 +131,8 @@ except KeyboardInterrupt:
     "what",
     [
         "run()",
+        "tolerance(samples=100_000)",
+        "search(budget=100_000)",
         "from_toml(''); cageless.sweep(cageless.Plan(case=case, compute=['run'], "
         "grid={'operation.radial_load_n': [500.0, 600.0]}))",
     ],
@@ -143,7 +145,10 @@ def test_ctrl_c_ends_a_computation(what: str) -> None:
     time.sleep(0.5)
     process.send_signal(signal.SIGINT)
     sent = time.monotonic()
-    rest, _ = process.communicate(timeout=20)
+    try:
+        rest, _ = process.communicate(timeout=20)
+    finally:
+        process.kill()
     assert rest == "interrupted\n"
     assert time.monotonic() - sent < 10.0
 

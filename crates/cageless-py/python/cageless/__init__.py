@@ -1,7 +1,8 @@
 """Simulation and design of cageless ball bearings with a discrete raceway.
 
 A :class:`Case` is a bearing, its operation and how it is to be simulated. ``case.run()``,
-``case.static()`` and ``case.design()`` compute; :func:`sweep` computes many variants of a
+``case.static()``, ``case.design()``, ``case.search()`` and ``case.tolerance()`` compute,
+``case.export()`` writes the ring for CAD; :func:`sweep` computes many variants of a
 case, here or on a cluster. Results have arrays of numpy, ``data_*()`` as frames of pandas
 and ``plot_*()`` as figures of plotly. Names end in their unit.
 
@@ -15,9 +16,12 @@ Examples
 
 from ._cageless import __version__, instruction_set
 from .case import Case, template
+from .certificates import Certificate
 from .errors import CagelessError, InputError, UnphysicalError
+from .exports import Export
 from .plan import Plan, span
 from .results import Design, Run, Static
+from .searches import SearchMap, SearchResult
 from .sections import (
     Bearing,
     Contact,
@@ -31,13 +35,16 @@ from .sections import (
     Start,
 )
 from .sweeps import SweepReport, SweepResult, merge, report, sweep
+from .tolerances import ToleranceResult
 
 __all__ = [
     "Bearing",
     "CagelessError",
     "Case",
+    "Certificate",
     "Contact",
     "Design",
+    "Export",
     "Housing",
     "InputError",
     "Material",
@@ -47,11 +54,14 @@ __all__ = [
     "Plan",
     "Raceway",
     "Run",
+    "SearchMap",
+    "SearchResult",
     "Solver",
     "Start",
     "Static",
     "SweepReport",
     "SweepResult",
+    "ToleranceResult",
     "UnphysicalError",
     "__version__",
     "instruction_set",

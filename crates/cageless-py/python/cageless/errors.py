@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from .results import Run
+    from .searches import SearchResult
 
 __all__ = ["CagelessError", "InputError", "UnphysicalError"]
 
@@ -25,7 +26,11 @@ class InputError(CagelessError, ValueError):
         Key at fault, ``section.key``, where it is one of a case or plan.
     line : int or None
         Line of the file, from 1, where there is one.
+    search : SearchResult or None
+        What a search came to that has nothing to recommend.
     """
+
+    search: SearchResult | None = None
 
     def __init__(self, message: str, key: str | None = None, line: int | None = None) -> None:
         super().__init__(message, key, line)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _cageless
+from .certificates import Certificate
 from .figures import figure
 from .sections import table
 
@@ -52,6 +53,13 @@ class Run:
     def warnings(self) -> list[str]:
         """What the user should know."""
         return list(self.summary["warnings"])
+
+    @cached_property
+    def certificate(self) -> Certificate | None:
+        """How far the numbers of a verified run can be trusted; None if it was not to be
+        verified, or could not be, which is a warning then."""
+        names = self._run.certified()
+        return None if names is None else Certificate(self.summary["certificate"], names)
 
     @property
     def time_s(self) -> Floats:
@@ -171,7 +179,8 @@ class Run:
     def _repr_html_(self) -> str:
         rows = [(str(name), value) for name, value in self.data_summary().items()]
         rows += [("warning", warning) for warning in self.warnings]
-        return table(rows, f"Run of {self.summary['case']['title']}")
+        found = table(rows, f"Run of {self.summary['case']['title']}")
+        return found + (self.certificate._repr_html_() if self.certificate else "")
 
 
 @dataclass(frozen=True)
@@ -233,6 +242,7 @@ class Design:
     """The analysis of a raceway; keys are those of ``cageless design --json``."""
 
     values: dict[str, Any]
+    _design: _cageless.Design = field(repr=False, compare=False)
 
     @property
     def verdict(self) -> str:
@@ -267,6 +277,24 @@ class Design:
         import pandas as pd
 
         return pd.DataFrame(self.values["curve"], dtype=float)
+
+    def plot_curve(self) -> go.Figure:
+        """θ over lC by Eq. (11), with the case's raceway and the limits."""
+        return figure(self._design.figure("curve"))
+
+    def plot_contact_track(self) -> go.Figure:
+        """Contact track of the case's first raceway."""
+        return figure(self._design.figure("contact_track"))
+
+    def plot_surface(self) -> go.Figure:
+        """Surface of the case's first raceway."""
+        return figure(self._design.figure("surface"))
+
+    def report(self, path: str | os.PathLike[str]) -> Path:
+        """Writes the report page of ``cageless design``, which works offline."""
+        path = Path(path)
+        path.write_text(self._design.page(), encoding="utf-8")
+        return path
 
     def _repr_html_(self) -> str:
         rows = [(k, v) for k, v in self.values.items() if not isinstance(v, (list, dict))]

@@ -1,0 +1,259 @@
+"""Certificates, searches, tolerances, exports: against the command, ended, refused."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import cageless
+import numpy as np
+import pytest
+from conftest import ROOT, Command, lively, numbers
+
+CASE = ROOT / "cases" / "zhao-d.toml"
+QUICK = {"solver.method": "symplectic", "solver.step_us": "auto"}
+SMALL: dict[str, Any] = {
+    "axial_span_mm": 5.1,
+    "half_angle_deg": [24.0, 26.0],
+    "starts": 1,
+    "budget": 4,
+}
+RING = {"bearing.outer_ring_outer_radius_mm": 31.0, "bearing.outer_ring_width_mm": 16.0}
+
+
+def sets(changes: dict[str, Any]) -> list[str]:
+    return [word for k, v in changes.items() for word in ("--set", f"{k}={json.dumps(v)}")]
+
+
+def small() -> cageless.Case:
+    return cageless.Case.from_file(CASE, QUICK)
+
+
+def test_a_certificate_is_that_of_the_command(command: Command, tmp_path: Path) -> None:
+    path = tmp_path / "case.toml"
+    case = lively()
+    path.write_text(case.to_toml())
+    printed = command("run", path, "--verify", "--out", tmp_path).stdout
+    written = numbers((tmp_path / "summary.json").read_text())
+    run = cageless.Case.from_file(path).run(verify=True, threads=2)
+    certificate = run.certificate
+    assert certificate is not None
+    assert certificate.values == written["certificate"]
+    assert run.warnings == written["warnings"]
+    counts = [certificate.converged, certificate.statistical, certificate.neither]
+    assert sum(counts) == len(certificate.names) == 13
+    # The order of the table that the command prints.
+    order = [line.split()[0] for line in printed.splitlines() if line.split()]
+    assert [name for name in order if name in certificate.names][-13:] == certificate.names
+    frame = certificate.data_numbers()
+    name = certificate.names[0]
+    assert frame.verdict[name] == certificate.verdict(name)
+    assert frame.standard_error[name] == certificate.standard_error(name)
+    assert certificate.distance("near").shape == certificate.distance("time_s").shape
+    assert list(certificate.data_distance().columns) == ["time_s", "near", "half_step"]
+    ledger = certificate.data_ledger()
+    assert ledger["residual_relative"]["energy"] == certificate.energy_residual_relative
+    assert certificate.predictability in run._repr_html_()
+    page = run.report(tmp_path / "python.html").read_text()
+    assert page == (tmp_path / "report.html").read_text()
+    assert case.run().certificate is None
+
+
+@pytest.fixture(scope="module")
+def found() -> cageless.SearchResult:
+    """A search that is soon done."""
+    changes = QUICK | {f"search.{k}": v for k, v in SMALL.items()}
+    return cageless.Case.from_file(CASE, changes).search()
+
+
+def test_a_search_that_was_ended_is_finished_by_the_command(
+    command: Command, found: cageless.SearchResult, tmp_path: Path
+) -> None:
+    def give_up(what: str, share: float) -> None:
+        if "confirmation" in what:
+            raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        small().search(**SMALL, out=tmp_path, threads=1, progress=give_up)
+    journal = tmp_path / "search.journal"
+    assert len(journal.read_text().splitlines()) > 20
+    with pytest.raises(cageless.InputError, match="search.journal: was left by another case"):
+        small().search(**SMALL | {"budget": 5}, out=tmp_path)
+    asked = QUICK | {f"search.{k}": v for k, v in SMALL.items()}
+    command("design", CASE, "--search", *sets(asked), "--out", tmp_path)
+    assert not journal.exists()
+    written = numbers((tmp_path / "design.json").read_text())
+    assert found.values == written["search"]
+    page = found.report(tmp_path / "python.html").read_text()
+    assert page == (tmp_path / "report.html").read_text()
+
+
+def test_a_search_shows_what_it_found(found: cageless.SearchResult) -> None:
+    [raceway] = found.recommended
+    assert found.case.raceways[0].half_angle_deg == raceway.half_angle_deg
+    assert found.case.replace({"solver.duration_s": 0.001}).run().stopped is None
+    structures, front = found.data_structures(), found.data_front()
+    assert len(structures) == len(found.values["band"]) > len(front) > 0
+    rejected = structures[structures.status == "rejected"]
+    assert rejected.reason.notna().all()
+    assert structures.on_front.sum() == len(front)
+    confirmed = found.data_confirmation().set_index("role")
+    assert confirmed.half_angle_deg["recommended"] == raceway.half_angle_deg
+    assert confirmed.friction_w_error["own"] > 0.0
+    assert found.data_placements().structures[0] == len(structures)
+    [chart] = found.maps
+    assert chart.critical_gap_deg.shape == (len(chart.half_angle_deg), len(chart.axial_span_mm))
+    cells = found.data_map()
+    assert set(found.data_rejections().reason) == (
+        set(cells.verdict) - {"smooth"} | set(rejected.reason)
+    )
+    row, column = 2, len(chart.axial_span_mm) - 1
+    cell = cells.iloc[row * len(chart.axial_span_mm) + column]
+    assert cell.half_angle_deg == chart.half_angle_deg[row]
+    np.testing.assert_equal(cell.critical_gap_deg, chart.critical_gap_deg[row, column])
+    for figure in [
+        found.plot_verdicts(),
+        found.plot_critical_gaps(),
+        found.plot_trade_offs(),
+    ]:
+        assert len(figure.data) > 0
+    assert found.findings[0] in found._repr_html_().replace("&#x27;", "'")
+    assert f"{raceway.half_angle_deg:.2f}°" in repr(found)
+
+
+def test_nothing_to_recommend_is_an_exception_with_the_maps(command: Command) -> None:
+    asked: dict[str, Any] = {"axial_span_mm": 1.0, "half_angle_deg": [10.0, 14.0], "budget": 4}
+    case = small()
+    with pytest.raises(cageless.InputError, match="shallow") as error:
+        case.search(**asked)
+    changes = QUICK | {f"search.{k}": v for k, v in asked.items()}
+    stderr = command("design", CASE, "--search", *sets(changes), code=2).stderr
+    assert stderr == f"error: {error.value}\n"
+    search = error.value.search
+    assert search is not None
+    assert search.recommended == ()
+    assert set(search.maps[0].verdict.flat) == {"shallow"}
+
+
+def test_tolerances_are_those_of_the_command(command: Command, tmp_path: Path) -> None:
+    none = ["axial_span_um", "half_angle_deg", "friction", "clearance_um", "speed_percent"]
+    given: dict[str, Any] = dict.fromkeys(none, 0.0) | {"samples": 3, "load_percent": 50.0}
+    flags = [word for k, v in given.items() for word in (f"--{k.replace('_', '-')}", v)]
+    command("tolerance", CASE, *sets(QUICK), *flags, "--out", tmp_path)
+    told: list[tuple[str, float]] = []
+    result = small().tolerance(**given, threads=1, progress=lambda *at: told.append(at))
+    assert result.values == numbers((tmp_path / "tolerance.json").read_text())
+    page = result.report(tmp_path / "python.html").read_text()
+    assert page == (tmp_path / "report.html").read_text()
+    assert told
+    assert all(what == "tolerance" and 0.0 <= share <= 1.0 for what, share in told)
+    assert result.verdict == "smooth"
+    influences = result.data_influences().set_index("name")
+    assert list(influences.index) == ["groove depth", "ball radii", "load"]
+    assert result.decides == list(influences.index[influences.held < influences.trials])
+    gap = result.critical_gap_deg
+    assert gap is not None
+    assert influences.critical_gap_deg_min["load"] <= gap <= influences.critical_gap_deg_max["load"]
+    verdicts = result.data_verdicts().set_index("verdict")["count"]
+    assert verdicts.sum() == 3
+    assert result.probability == verdicts["smooth"] / 3
+    assert len(result.critical_gaps_deg("smooth")) == verdicts["smooth"]
+    assert len(result.plot_influences().data) > 0
+    assert len(result.plot_samples().data) > 0
+    assert "probability" in result._repr_html_()
+
+
+def test_exports_have_the_bytes_of_the_command(command: Command, tmp_path: Path) -> None:
+    case = cageless.Case.from_file(CASE, RING)
+    made = case.export(tmp_path / "python", ["step", "csv"], spacing_mm=1.0)
+    assert made.formats == ["step", "csv"]
+    assert sorted(p.name for p in (tmp_path / "python").iterdir()) == [
+        "export.json",
+        "outer_ring.csv",
+        "outer_ring.step",
+    ]
+    for name, options in {"step": [], "csv": ["--spacing-mm", 1]}.items():
+        out = tmp_path / f"ring.{name}"
+        args = ["--format", name, *options, "--out", out, "--json"]
+        printed = numbers(command("export", CASE, *sets(RING), *args).stdout)
+        file = tmp_path / "python" / f"outer_ring.{name}"
+        assert file in made.files
+        assert file.read_bytes() == out.read_bytes()
+        [one] = [each for each in made.values if each["format"] == name]
+        assert one | {"file": None} == printed | {"file": None}
+        assert made.deviation_um[name] == printed["deviation_um"]
+    written = numbers((tmp_path / "python" / "export.json").read_text())
+    assert written == made.values
+    one_file = case.export(tmp_path / "ring.stl", chord_um=20.0, blend_mm=0.0)
+    assert one_file.files == [tmp_path / "ring.stl"]
+    assert one_file.blend_mm == 0.0 < made.blend_mm
+    assert one_file.deviation_um["stl"] > made.deviation_um["step"]
+    assert made.data_files().bytes["step"] == (tmp_path / "ring.step").stat().st_size
+    assert "ring.stl" in one_file._repr_html_()
+
+
+Refused = tuple[Callable[[cageless.Case], object], list[str]]
+REFUSED: list[Refused] = [
+    (lambda c: c.export("x", "step", blend_mm=7.0), ["export", "step", "--blend-mm", "7"]),
+    (lambda c: c.export("x", "csv", spacing_mm=0.0), ["export", "csv", "--spacing-mm", "0"]),
+    (lambda c: c.export("x", "stl", chord_um=500.0), ["export", "stl", "--chord-um", "500"]),
+    (lambda c: c.tolerance(friction=0.5), ["tolerance", "", "--friction", "0.5"]),
+    (lambda c: c.tolerance(ball_grade=7), ["tolerance", "", "--ball-grade", "7"]),
+    (lambda c: c.tolerance(samples=10**6), ["tolerance", "", "--samples", "1000000"]),
+]
+
+
+@pytest.mark.parametrize(("call", "flags"), REFUSED, ids=[r[1][2] for r in REFUSED])
+def test_options_are_refused_in_the_words_of_the_command(
+    command: Command, tmp_path: Path, call: Callable[[cageless.Case], object], flags: list[str]
+) -> None:
+    case = cageless.Case.from_file(CASE, RING)
+    with pytest.raises(cageless.InputError) as error:
+        call(case)
+    key = error.value.key
+    assert key == flags[2].removeprefix("--").replace("-", "_")
+    kind = ["--format", flags[1]] if flags[1] else []
+    out = ["--out", tmp_path / "x"]
+    failed = command(flags[0], CASE, *sets(RING), *kind, *flags[2:], *out, code=2)
+    said = str(error.value).partition(" is not possible: ")[2]
+    assert said
+    assert failed.stderr.endswith(f"is not possible: {said}\n")
+    assert not (tmp_path / "x").exists()
+
+
+def test_what_no_command_could_ask_is_refused_too(tmp_path: Path) -> None:
+    case = cageless.Case.from_file(CASE, RING)
+    calls: list[Callable[[], object]] = [
+        lambda: case.tolerance(samples=-1),
+        lambda: case.tolerance(threads=0),
+        lambda: case.tolerance(threads=100_000),
+        lambda: case.export(tmp_path / "x", "dxf"),
+        lambda: case.export(tmp_path / "x", []),
+        lambda: case.export(tmp_path / "x.stl", "step"),
+        lambda: case.export(tmp_path / "x", "step", chord_um=5.0),
+    ]
+    for call in calls:
+        with pytest.raises(cageless.InputError):
+            call()
+    assert list(tmp_path.iterdir()) == []
+    plain = cageless.Case.from_file(CASE)
+    with pytest.raises(cageless.InputError, match="outer_ring_outer_radius_mm is missing") as error:
+        plain.export(tmp_path / "x")
+    assert error.value.key == "bearing.outer_ring_outer_radius_mm"
+    with pytest.raises(cageless.InputError, match="no \\[raceway\\]"):
+        plain.with_raceways().tolerance()
+    (tmp_path / "file").write_text("")
+    with pytest.raises(cageless.InputError, match="file"):
+        case.export(tmp_path / "file" / "x", "step")
+
+
+def test_raceways_are_replaced() -> None:
+    case = small()
+    one = cageless.Raceway(axial_span_mm=5.3, half_angle_deg=24.0)
+    other = cageless.Raceway(axial_span_mm=5.3, half_angle_deg=24.0, centre_angle_deg=180.0)
+    assert case.with_raceways().raceways == ()
+    both = case.with_raceways(one, other)
+    assert [r.centre_angle_deg for r in both.raceways] == [0.0, 180.0]
+    assert both.with_raceways(*case.raceways) == case
