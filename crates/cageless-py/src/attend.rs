@@ -79,7 +79,8 @@ impl Attendance {
     }
 }
 
-fn count(threads: i64) -> PyResult<NonZeroUsize> {
+/// A number of threads.
+pub fn count(threads: i64) -> PyResult<NonZeroUsize> {
     let count = usize::try_from(threads).ok().and_then(NonZeroUsize::new);
     count.ok_or_else(|| {
         input(format!(

@@ -1,14 +1,14 @@
 //! Sweeps.
 
-use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use cageless_io::plan_file::PlanFile;
-use cageless_sweep::{Job, Shard, SweepError, THREADS_MAX, write_part};
+use cageless_sweep::{Job, Shard, SweepError, write_part};
 use pyo3::prelude::*;
 
+use crate::attend::count;
 use crate::case_file::CaseFile;
 use crate::errors::{input, of_file, of_sweep, of_values, other};
 use crate::signals::Signals;
@@ -73,7 +73,7 @@ impl Sweep {
         py: Python<'_>,
         result: PathBuf,
         shard: Option<(u64, u64)>,
-        threads: Option<usize>,
+        threads: Option<i64>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<()> {
         let job = Job {
@@ -195,15 +195,6 @@ fn share((number, of): (u64, u64)) -> PyResult<Shard> {
         ))
     };
     Shard::new(number, of).ok_or_else(refused)
-}
-
-fn count(threads: usize) -> PyResult<NonZeroUsize> {
-    let refused = || {
-        input(format!(
-            "threads = 0 is not possible: 1 to {THREADS_MAX} are"
-        ))
-    };
-    NonZeroUsize::new(threads).ok_or_else(refused)
 }
 
 /// Joins shards; says how many variants the result has.

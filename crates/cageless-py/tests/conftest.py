@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
@@ -72,6 +73,20 @@ def plan() -> cageless.Plan:
         scatter={"repeats": 2, "bearing.ball_radius_deviation_um": {"normal": 0.5}},
         seed=7,
     )
+
+
+def figures(page: Path) -> list[Any]:
+    """The figures of a report page, as plotly gets them."""
+    text = page.read_text()
+    specs = re.findall(r'<script type="application/json" id="[^"]*-spec">(.*?)</script>', text)
+    return [json.loads(spec) for spec in specs]
+
+
+def made(spec: str) -> Any:
+    """A figure from the extension module, as a page has it."""
+    found = json.loads(spec)
+    found["layout"].pop("height")
+    return found
 
 
 def numbers(text: str) -> Any:

@@ -10,7 +10,7 @@ from pathlib import Path
 import cageless
 import pytest
 from cageless import sections
-from conftest import ROOT, Command, numbers
+from conftest import ROOT, Command, figures, made, numbers
 
 
 def test_keywords_make_the_case_that_the_file_makes() -> None:
@@ -136,6 +136,8 @@ def test_static_and_design_are_those_of_the_command(command: Command, tmp_path: 
     assert page == (tmp_path / "report.html").read_text()
     for figure in [design.plot_curve(), design.plot_contact_track(), design.plot_surface()]:
         assert len(figure.data) > 0
+    for name in ["curve", "contact_track", "surface"]:
+        assert made(design._design.figure(name)) in figures(tmp_path / "report.html"), name
     assert case.static().data_balls().shape[0] == case.bearing.balls
     assert "Static" in case.static()._repr_html_()
     assert "verdict" in design._repr_html_()

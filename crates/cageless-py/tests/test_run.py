@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 import signal
 import subprocess
 import sys
@@ -16,7 +15,7 @@ import numpy as np
 import pandas as pd
 import plotly.graph_objects as go
 import pytest
-from conftest import Command, numbers
+from conftest import Command, figures, numbers
 
 
 @pytest.fixture(scope="module")
@@ -61,9 +60,7 @@ def test_the_summary_is_that_of_the_command(both: tuple[cageless.Run, Path]) -> 
 
 def test_figures_are_those_of_the_report(both: tuple[cageless.Run, Path]) -> None:
     run, folder = both
-    page = (folder / "report.html").read_text()
-    specs = re.findall(r'<script type="application/json" id="[^"]*-spec">(.*?)</script>', page)
-    shown = [json.loads(spec) for spec in specs]
+    shown = figures(folder / "report.html")
     names = [name for name in dir(run) if name.startswith("plot_")]
     assert len(names) == 9
     for name in names:

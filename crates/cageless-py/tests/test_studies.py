@@ -10,7 +10,7 @@ from typing import Any
 import cageless
 import numpy as np
 import pytest
-from conftest import ROOT, Command, lively, numbers
+from conftest import ROOT, Command, figures, lively, made, numbers
 
 CASE = ROOT / "cases" / "zhao-d.toml"
 QUICK = {"solver.method": "symplectic", "solver.step_us": "auto"}
@@ -88,6 +88,8 @@ def test_a_search_that_was_ended_is_finished_by_the_command(
     assert found.values == written["search"]
     page = found.report(tmp_path / "python.html").read_text()
     assert page == (tmp_path / "report.html").read_text()
+    for name in ["verdicts", "critical_gaps", "trade_offs"]:
+        assert made(found._search.figure(name)) in figures(tmp_path / "report.html"), name
 
 
 def test_a_search_shows_what_it_found(found: cageless.SearchResult) -> None:
@@ -134,6 +136,8 @@ def test_nothing_to_recommend_is_an_exception_with_the_maps(command: Command) ->
     search = error.value.search
     assert search is not None
     assert search.recommended == ()
+    with pytest.raises(cageless.InputError, match="no raceway meets"):
+        _ = search.case
     assert set(search.maps[0].verdict.flat) == {"shallow"}
 
 
@@ -147,6 +151,8 @@ def test_tolerances_are_those_of_the_command(command: Command, tmp_path: Path) -
     assert result.values == numbers((tmp_path / "tolerance.json").read_text())
     page = result.report(tmp_path / "python.html").read_text()
     assert page == (tmp_path / "report.html").read_text()
+    for name in ["influences", "samples"]:
+        assert made(result._tolerance.figure(name)) in figures(tmp_path / "report.html"), name
     assert told
     assert all(what == "tolerance" and 0.0 <= share <= 1.0 for what, share in told)
     assert result.verdict == "smooth"
@@ -167,8 +173,8 @@ def test_tolerances_are_those_of_the_command(command: Command, tmp_path: Path) -
 
 def test_exports_have_the_bytes_of_the_command(command: Command, tmp_path: Path) -> None:
     case = cageless.Case.from_file(CASE, RING)
-    made = case.export(tmp_path / "python", ["step", "csv"], spacing_mm=1.0)
-    assert made.formats == ["step", "csv"]
+    several = case.export(tmp_path / "python", ["step", "csv"], spacing_mm=1.0)
+    assert several.formats == ["step", "csv"]
     assert sorted(p.name for p in (tmp_path / "python").iterdir()) == [
         "export.json",
         "outer_ring.csv",
@@ -179,18 +185,18 @@ def test_exports_have_the_bytes_of_the_command(command: Command, tmp_path: Path)
         args = ["--format", name, *options, "--out", out, "--json"]
         printed = numbers(command("export", CASE, *sets(RING), *args).stdout)
         file = tmp_path / "python" / f"outer_ring.{name}"
-        assert file in made.files
+        assert file in several.files
         assert file.read_bytes() == out.read_bytes()
-        [one] = [each for each in made.values if each["format"] == name]
+        [one] = [each for each in several.values if each["format"] == name]
         assert one | {"file": None} == printed | {"file": None}
-        assert made.deviation_um[name] == printed["deviation_um"]
+        assert several.deviation_um[name] == printed["deviation_um"]
     written = numbers((tmp_path / "python" / "export.json").read_text())
-    assert written == made.values
+    assert written == several.values
     one_file = case.export(tmp_path / "ring.stl", chord_um=20.0, blend_mm=0.0)
     assert one_file.files == [tmp_path / "ring.stl"]
-    assert one_file.blend_mm == 0.0 < made.blend_mm
-    assert one_file.deviation_um["stl"] > made.deviation_um["step"]
-    assert made.data_files().bytes["step"] == (tmp_path / "ring.step").stat().st_size
+    assert one_file.blend_mm == 0.0 < several.blend_mm
+    assert one_file.deviation_um["stl"] > several.deviation_um["step"]
+    assert several.data_files().bytes["step"] == (tmp_path / "ring.step").stat().st_size
     assert "ring.stl" in one_file._repr_html_()
 
 

@@ -4,14 +4,11 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from . import _cageless
-from .errors import InputError, UnphysicalError
-from .exports import Export
-from .results import Design, Run, Static
-from .searches import SearchResult
+from .computations import Computations
 from .sections import (
     Bearing,
     Contact,
@@ -26,7 +23,6 @@ from .sections import (
     Start,
     table,
 )
-from .tolerances import ToleranceResult
 
 __all__ = ["Case", "template"]
 
@@ -59,7 +55,7 @@ def changes(values: Mapping[str, Any]) -> list[str]:
     return [f"{key}={text.split('=', 1)[1].strip()}" for key, text in written.items()]
 
 
-class Case:
+class Case(Computations):
     """A bearing, its operation and how it is to be simulated, checked when it is made.
 
     Parameters
@@ -107,7 +103,6 @@ class Case:
     cageless.errors.InputError: raceway.half_angle_deg = 500.0 is not possible: ...
     """
 
-    _file: _cageless.CaseFile
     _sections: dict[str, Any]
 
     def __init__(
@@ -304,312 +299,6 @@ class Case:
     def uniform_gap_deg(self) -> float:
         """360°/N − ε."""
         return self._file.derived()["uniform_gap_deg"]
-
-    def run(
-        self,
-        *,
-        verify: bool = False,
-        threads: int | None = None,
-        progress: Callable[[str, float], object] | None = None,
-    ) -> Run:
-        """Simulates the case.
-
-        Other threads of Python go on meanwhile; Ctrl-C ends it.
-
-        Parameters
-        ----------
-        verify : bool
-            Repeat the run from turned starts and at half the step, and say in the
-            ``certificate`` of the run which numbers are converged, which are statistical and
-            which the step biases: 17 times the work.
-        threads : int, optional
-            Threads that repeat the run; as many as there are cores if left out.
-        progress : callable, optional
-            Called while the run is repeated, now and then, with what is done and its share
-            that is done, from 0 to 1.
-
-        Returns
-        -------
-        Run
-
-        Raises
-        ------
-        UnphysicalError
-            If the run left the physical range; its ``run`` has what was computed.
-
-        Examples
-        --------
-        >>> import cageless
-        >>> case = cageless.Case.from_toml(cageless.template(), {"solver.duration_s": 0.002})
-        >>> run = case.run()
-        >>> run.angle_rad.shape  # times × balls
-        (21, 14)
-        >>> case.run(verify=True).certificate
-        <Certificate: 13 converged, 0 statistical, 0 neither>
-        """
-        run = Run(self._file.run(verify, threads, progress))
-        stopped = run.stopped
-        if stopped is not None:
-            error = UnphysicalError(stopped)
-            error.run = run
-            raise error
-        return run
-
-    def static(self) -> Static:
-        """Static equilibrium: ring displacement, load of each ball, contact stress.
-
-        Returns
-        -------
-        Static
-
-        Examples
-        --------
-        >>> import cageless
-        >>> static = cageless.Case.from_toml(cageless.template()).static()
-        >>> round(static.ring_y_um, 2)
-        -13.18
-        """
-        return Static(json.loads(self._file.static_equilibrium()))
-
-    def design(self) -> Design:
-        """Analyses the raceway: limits, β0, critical gap, verdict, recommendation.
-
-        Takes seconds: the verdict rests on a run of all balls.
-
-        Returns
-        -------
-        Design
-
-        Raises
-        ------
-        UnphysicalError
-            If that run left the physical range.
-        """
-        found, stopped = self._file.design()
-        if stopped is not None:
-            raise stopped
-        return Design(json.loads(found.numbers()), found)
-
-    def search(
-        self,
-        *,
-        inner_speed_rpm: float | Sequence[float] | None = None,
-        radial_load_n: float | Sequence[float] | None = None,
-        axial_span_mm: float | Sequence[float] | None = None,
-        half_angle_deg: float | Sequence[float] | None = None,
-        centre_angle_deg: float | Sequence[float] | None = None,
-        raceways_max: int | None = None,
-        spread_min: float | None = None,
-        starts: int | None = None,
-        budget: int | None = None,
-        map_speed_rpm: Sequence[float] | None = None,
-        out: str | os.PathLike[str] | None = None,
-        threads: int | None = None,
-        progress: Callable[[str, float], object] | None = None,
-    ) -> SearchResult:
-        """Searches for the best raceway, as ``cageless design --search`` does.
-
-        Takes minutes. What is left out of the first ten parameters is that of the section
-        ``[search]`` of the case, or its default.
-
-        Parameters
-        ----------
-        inner_speed_rpm, radial_load_n : float or (float, float), optional
-            Speeds and loads that the raceway must bear, one or lowest and highest.
-        axial_span_mm, half_angle_deg : float or (float, float), optional
-            lC and θ to look at; all that the groove allows by default.
-        centre_angle_deg : float or (float, float), optional
-            ψ of the middle of one raceway, or first and last.
-        raceways_max : int, optional
-            Number of raceways at most.
-        spread_min : float, optional
-            Share of the steady gap that the raceway must guarantee.
-        starts : int, optional
-            Uneven starts per structure.
-        budget : int, optional
-            Runs of all balls at most.
-        map_speed_rpm : sequence of float, optional
-            Further speeds to draw maps at.
-        out : path, optional
-            Folder that keeps what was computed until the search is over: after an
-            interruption the same call, or the command, goes on from there.
-        threads : int, optional
-            Threads; as many as there are cores if left out.
-        progress : callable, optional
-            Called now and then with what is done and its share that is done, from 0 to 1.
-
-        Returns
-        -------
-        SearchResult
-
-        Raises
-        ------
-        InputError
-            If no raceway meets every requirement; its ``search`` has the maps that show why.
-
-        Examples
-        --------
-        >>> import cageless
-        >>> case = cageless.Case.from_toml(cageless.template())
-        >>> case.search(budget=1)
-        Traceback (most recent call last):
-        cageless.errors.InputError: search.budget = 1 is not possible: it must be 2 or more: ...
-        """
-        asked: dict[str, Any] = {
-            "inner_speed_rpm": inner_speed_rpm,
-            "radial_load_n": radial_load_n,
-            "axial_span_mm": axial_span_mm,
-            "half_angle_deg": half_angle_deg,
-            "centre_angle_deg": centre_angle_deg,
-            "raceways_max": raceways_max,
-            "spread_min": spread_min,
-            "starts": starts,
-            "budget": budget,
-            "map_speed_rpm": map_speed_rpm,
-        }
-        given = {f"search.{key}": value for key, value in asked.items() if value is not None}
-        case = self.replace(given) if given else self
-        folder = None if out is None else os.fspath(out)
-        found = SearchResult(case._file.search(folder, threads, progress), case)
-        refusal = found._search.refusal()
-        if refusal is not None:
-            error = InputError(refusal)
-            error.search = found
-            raise error
-        return found
-
-    def tolerance(
-        self,
-        *,
-        samples: int = 200,
-        groove_depth_um: float = 2.0,
-        axial_span_um: float = 20.0,
-        half_angle_deg: float = 0.1,
-        ball_grade: int = 10,
-        friction: float = 0.002,
-        clearance_um: float = 5.0,
-        speed_percent: float = 5.0,
-        load_percent: float = 20.0,
-        threads: int | None = None,
-        progress: Callable[[str, float], object] | None = None,
-    ) -> ToleranceResult:
-        """Says whether the verdict on the raceway holds as made and run, as
-        ``cageless tolerance`` does: within tolerances to either side of the case.
-
-        Takes minutes: every bearing is run until it is judged.
-
-        Parameters
-        ----------
-        samples : int
-            Bearings in which everything deviates at once; 0 for the influences alone.
-        groove_depth_um : float
-            Depth of the raceways.
-        axial_span_um : float
-            lC.
-        half_angle_deg : float
-            θ.
-        ball_grade : int
-            Grade of the balls by ISO 3290-1, 0 for balls all equal.
-        friction : float
-            μ.
-        clearance_um : float
-            Radial clearance.
-        speed_percent, load_percent : float
-            Speed and load, as shares of those of the case.
-        threads : int, optional
-            Threads; as many as there are cores if left out.
-        progress : callable, optional
-            Called now and then with what is done and its share that is done, from 0 to 1.
-
-        Returns
-        -------
-        ToleranceResult
-
-        Raises
-        ------
-        InputError
-            If a tolerance is not possible, or the raceway is infeasible as drawn.
-
-        Examples
-        --------
-        >>> import cageless
-        >>> case = cageless.Case.from_toml(cageless.template())
-        >>> case.tolerance(ball_grade=7)
-        Traceback (most recent call last):
-        cageless.errors.InputError: ball_grade = 7 is not possible: it must be a grade of ...
-        """
-        deviations = {
-            "groove_depth_um": float(groove_depth_um),
-            "axial_span_um": float(axial_span_um),
-            "half_angle_deg": float(half_angle_deg),
-            "friction": float(friction),
-            "clearance_um": float(clearance_um),
-            "speed_percent": float(speed_percent),
-            "load_percent": float(load_percent),
-        }
-        found = self._file.tolerance(samples, ball_grade, deviations, threads, progress)
-        return ToleranceResult(found)
-
-    def export(
-        self,
-        out: str | os.PathLike[str],
-        formats: str | Sequence[str] | None = None,
-        *,
-        blend_mm: float | None = None,
-        tolerance_um: float | None = None,
-        chord_um: float | None = None,
-        spacing_mm: float | None = None,
-    ) -> Export:
-        """Writes the outer ring for CAD and machining, as ``cageless export`` does.
-
-        The case needs ``bearing.outer_ring_outer_radius_mm`` and
-        ``bearing.outer_ring_width_mm``.
-
-        Parameters
-        ----------
-        out : path
-            A file, if the name ends in ``.step``, ``.stp``, ``.stl`` or ``.csv``; else a
-            folder, which gets ``outer_ring.step`` and so on, and ``export.json``.
-        formats : str or sequence of str, optional
-            ``"step"``, ``"stl"``, ``"csv"``; what the file is called, or all three.
-        blend_mm : float, optional
-            Length of the blend between each end of a discrete raceway and the plain groove;
-            0 leaves the kink. Default: 0.5, or a fifth of the shortest half raceway if that
-            is shorter.
-        tolerance_um : float, optional
-            STEP: largest distance of the B-splines from the analytic surface. Default: 0.01.
-        chord_um : float, optional
-            STL: largest distance of a triangle from the analytic surface. Default: 5.
-        spacing_mm : float, optional
-            CSV: largest distance of neighbouring points. Default: 0.5.
-
-        Returns
-        -------
-        Export
-
-        Raises
-        ------
-        InputError
-            If the case lacks the outside of the ring, or an option is not possible.
-
-        Examples
-        --------
-        >>> import cageless, tempfile
-        >>> ring = {"bearing.outer_ring_outer_radius_mm": 31.0, "bearing.outer_ring_width_mm": 16.0}
-        >>> case = cageless.Case.from_toml(cageless.template(), ring)
-        >>> with tempfile.TemporaryDirectory() as folder:
-        ...     made = case.export(folder, ["step", "stl"], chord_um=10.0)
-        >>> made.formats
-        ['step', 'stl']
-        >>> made.deviation_um["step"] < 0.01
-        True
-        """
-        several = [formats] if isinstance(formats, str) else formats
-        names = None if several is None else list(several)
-        made = self._file.export(
-            os.fspath(out), names, blend_mm, tolerance_um, chord_um, spacing_mm
-        )
-        return Export(json.loads(made))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Case) and self._file == other._file

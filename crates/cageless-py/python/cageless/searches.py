@@ -13,6 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _cageless
+from .errors import InputError
 from .figures import figure
 from .sections import Raceway, table
 
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     import plotly.graph_objects as go
 
     from .case import Case
+    from .computations import Computations
 
 __all__ = ["SearchMap", "SearchResult"]
 
@@ -56,7 +58,7 @@ class SearchMap:
 class SearchResult:
     """What a search found; keys are those of ``search`` in ``cageless design --search --json``."""
 
-    def __init__(self, search: _cageless.Search, case: Case) -> None:
+    def __init__(self, search: _cageless.Search, case: Computations) -> None:
         self._search = search
         self._case = case
 
@@ -83,9 +85,17 @@ class SearchResult:
 
     @property
     def case(self) -> Case:
-        """The case with the recommended structure, to be run."""
-        title = f"{self._case.title or 'Case'}: recommended raceway"
-        return self._case.with_raceways(*self.recommended).replace({"title": title})
+        """The case with the recommended structure, to be run.
+
+        Raises
+        ------
+        InputError
+            If there is nothing to recommend.
+        """
+        if not self.recommended:
+            raise InputError(self.findings[0])
+        case = self._case.with_raceways(*self.recommended)
+        return case.replace({"title": f"{case.title or 'Case'}: recommended raceway"})
 
     @property
     def maps(self) -> list[SearchMap]:
