@@ -54,3 +54,8 @@ pub fn pairs(rows: &[(&str, String)]) -> String {
         })
         .collect()
 }
+
+/// A line for each warning.
+pub fn warnings(all: &[String]) -> String {
+    all.iter().map(|w| format!("warning: {w}\n")).collect()
+}

@@ -96,35 +96,39 @@ fn nothing_to_recommend_is_bad_input_with_a_reason() {
     let dir = tempfile::tempdir().unwrap();
     let out = dir.path().join("out");
     let case = repository_case("zhao-d.toml");
-    for (set, said) in [
-        // Too shallow to spread anything.
-        ("search.axial_span_mm=1", "shallow"),
-        // Beyond the shoulder.
-        ("search.axial_span_mm=[7.5,8]", "eq-8"),
-    ] {
-        let sets = [set, "search.half_angle_deg=[10,14]", "search.budget=4"];
-        let more = ["--search", "--json", "--out", out.to_str().unwrap()];
-        let answer = call_on("design", &case, &sets, &more);
-        assert_eq!(answer.code, Some(2), "{answer:?}");
-        assert_eq!(
-            (answer.stdout.as_str(), answer.stderr.lines().count()),
-            ("", 1)
-        );
-        assert!(
-            answer.stderr.contains("no raceway meets"),
-            "{}",
-            answer.stderr
-        );
-        assert!(answer.stderr.contains(said), "{set}: {}", answer.stderr);
-        // The map shows why.
-        assert!(out.join("report.html").exists());
-        std::fs::remove_dir_all(&out).unwrap();
-    }
-    let sets = ["search.radial_load_n=[100,300000]"];
-    let answer = call_on("design", &case, &sets, &["--search"]);
+    // Too shallow to spread anything.
+    let sets = [
+        "search.axial_span_mm=1",
+        "search.half_angle_deg=[10,14]",
+        "search.budget=4",
+    ];
+    let more = ["--search", "--out", out.to_str().unwrap()];
+    let answer = call_on("design", &case, &sets, &more);
     assert_eq!(answer.code, Some(2), "{answer:?}");
-    assert!(answer.stderr.contains("ISO 76"), "{}", answer.stderr);
-    assert!(answer.stderr.contains("300000 N"), "{}", answer.stderr);
+    assert_eq!(
+        (answer.stdout.as_str(), answer.stderr.lines().count()),
+        ("", 1)
+    );
+    for said in ["no raceway meets", "hardly spreads"] {
+        assert!(answer.stderr.contains(said), "{}", answer.stderr);
+    }
+    // The map shows why, and the numbers are there for programs.
+    assert!(out.join("report.html").exists() && !out.join("search.journal").exists());
+    let numbers = std::fs::read_to_string(out.join("design.json")).unwrap();
+    let asked = call_on("design", &case, &sets, &["--search", "--json"]);
+    assert_eq!((asked.code, asked.stdout == numbers), (Some(2), true));
+    let numbers: serde_json::Value = serde_json::from_str(&numbers).unwrap();
+    assert!(numbers["search"]["recommended"].is_null());
+    for (set, said) in [
+        ("search.axial_span_mm=[7.5,8]", ["Eq. (8)", "7.4017 mm"]),
+        ("search.radial_load_n=[100,100000]", ["ISO 76", "100000 N"]),
+    ] {
+        let answer = call_on("design", &case, &[set], &["--search"]);
+        assert_eq!(answer.code, Some(2), "{answer:?}");
+        for said in said {
+            assert!(answer.stderr.contains(said), "{}", answer.stderr);
+        }
+    }
 }
 
 /// Two raceways are both judged, and the worse verdict counts.

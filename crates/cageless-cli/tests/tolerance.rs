@@ -81,7 +81,11 @@ fn bad_tolerances_are_refused() {
         (&["--ball-grade", "7"], &["--ball-grade 7", "3, 5, 10, 16"]),
         (
             &["--groove-depth-um", "nan"],
-            &["--groove-depth-um NaN", "0 or more"],
+            &["--groove-depth-um NaN", "from 0 to 19.05"],
+        ),
+        (
+            &["--clearance-um", "1e4"],
+            &["--clearance-um 10000", "from 0 to 476.25"],
         ),
         (
             &["--samples", "1000000"],

@@ -102,11 +102,15 @@ const EDITS: &[Row] = &[
     ("# centre_angle_deg = 0.0", "centre_angle_deg = 400", "raceway.centre_angle_deg", &["between -360 deg and 360 deg"]),
     ("[raceway]", "[[raceway]]\naxial_span_mm = 5.1\nhalf_angle_deg = 20\ncentre_angle_deg = 30\n[[raceway]]", "raceway.2.centre_angle_deg", &["45.2 deg or more away from the middle of raceway 1"]),
     ("[raceway]", "[[raceway]]\naxial_span_mm = 9\nhalf_angle_deg = 20\ncentre_angle_deg = 180\n[[raceway]]", "raceway.1.axial_span_mm", &["= 9 ", "less than 7.4017"]),
-    ("# outer_ring_outer_radius_mm = 31.0", "outer_ring_outer_radius_mm = 27.0", "bearing.outer_ring_outer_radius_mm", &["= 27.0", "more than 27.765 mm"]),
-    ("# outer_ring_width_mm = 16.0", "outer_ring_width_mm = 0", "bearing.outer_ring_width_mm", &["more than 0 mm"]),
+    ("outer_ring_outer_radius_mm = 31.0", "outer_ring_outer_radius_mm = 27.0", "bearing.outer_ring_outer_radius_mm", &["= 27.0", "more than 27.765 mm"]),
+    ("outer_ring_width_mm = 16.0", "outer_ring_width_mm = 0", "bearing.outer_ring_width_mm", &["more than 0 mm"]),
     ("balls = 14", "balls = 14\nball_radius_deviation_um = [0, 0, 0, 0, 50, 0, 0, 0, 0, 0, 0, 0, 0, 0]", "bearing.ball_radius_deviation_um", &["47.625 um", "1 % of the ball radius"]),
     ("balls = 14", "balls = 14\nball_radius_deviation_um = [0, 0]", "bearing.ball_radius_deviation_um", &["a list of 14 numbers"]),
     ("balls = 14", "balls = 14\nball_radius_deviation_um = 0", "bearing.ball_radius_deviation_um", &["a list of numbers"]),
+    // What no contact bears, and no step resolves.
+    ("radial_load_n = 1500.0", "radial_load_n = 1e6", "operation.radial_load_n", &["= 1e6 ", "at most 285152 N", "elastic contact"]),
+    ("inner_speed_rpm = 12000.0", "inner_speed_rpm = 1e6", "operation.inner_speed_rpm", &["= 1e6 ", "at most 850425 rpm", "elastic contact"]),
+    ("damping = 2.0e5", "damping = 1e300", "solver.step_us", &["\"auto\"", "3e-301 s", "too many for solver.duration_s"]),
     // Start.
     (START, "[start]\ngaps = [1.8, 1.8] #", "start.gaps", &["= [1.8, 1.8]", "a list of 14 gaps", "these are 2"]),
     (START, "[start]\ngaps = [2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2] #", "start.gaps", &["add up to 25.4251 deg", "these add up to 28.0000"]),

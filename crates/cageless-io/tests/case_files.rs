@@ -284,7 +284,7 @@ fn the_document_has_exactly_the_keys_of_the_file() {
             "{set}"
         );
     }
-    assert_eq!(all.len(), 36, "{all:?}");
+    assert_eq!(all.len(), 38, "{all:?}");
 }
 
 #[test]

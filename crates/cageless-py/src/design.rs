@@ -90,6 +90,9 @@ impl Search {
             cageless_study::search::run(file, folder.as_deref(), watcher)
         })?;
         let (found, data) = found.map_err(|error| of_study(&error))?;
+        if let Some(folder) = &folder {
+            cageless_study::search::forget(folder);
+        }
         Ok(Self {
             file: file.clone(),
             refusal: cageless_study::search::refusal(file, &found),

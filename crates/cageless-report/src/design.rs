@@ -176,6 +176,8 @@ pub struct MotionNumbers {
     pub gap_min_deg: f64,
     /// Largest slip, mean over the passages, m/s.
     pub slip_m_s: f64,
+    /// Share of the theoretical drop of orbital speed that the balls reach.
+    pub speed_drop_share: f64,
     /// Standard deviation of the force on the outer ring, N.
     pub force_deviation_n: f64,
     /// Friction loss, W.

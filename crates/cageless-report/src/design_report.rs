@@ -33,7 +33,7 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
         },
         software: format!("Cageless {VERSION}, {}", InstructionSet::detect().name()),
         lead: lead(case, result),
-        warnings: vec![],
+        warnings: result.warnings.clone(),
         results: results(result),
         reasons: result.reasons.clone(),
         curve: Some(curve(case, result, &own)),

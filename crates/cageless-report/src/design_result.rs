@@ -5,6 +5,7 @@ use cageless::design::{
     Eq11, Judgement, PassageStatistics, Recommendation, balls_in_raceway_max,
     half_angle_for_gap_rad, span_angle_curve, steady_gap_rad, theoretical_gap_rad,
 };
+use cageless::equilibrium;
 use cageless::raceway::axial_span_limit_m;
 use serde::Serialize;
 
@@ -36,6 +37,8 @@ pub struct DesignResult {
     pub verdict: &'static str,
     /// Why, in words.
     pub reasons: Vec<String>,
+    /// What to mind.
+    pub warnings: Vec<String>,
     /// How the balls passed the raceway.
     pub passages: Option<PassageNumbers>,
     /// Kink of the groove at the ends of the raceway, 45° up, degrees.
@@ -124,7 +127,9 @@ impl DesignResult {
         let gap = bearing.uniform_gap_rad();
         let curve = span_angle_curve(bearing, CURVE_POINTS);
         let degrees = |angle: Option<f64>| angle.map(f64::to_degrees);
+        let overload = equilibrium::solve(case).ok().and_then(|e| e.overload());
         Self {
+            warnings: overload.into_iter().collect(),
             epsilon_deg: bearing.ball_angle_rad().to_degrees(),
             uniform_gap_deg: gap.to_degrees(),
             beta0_deg: degrees(raceway.map(|r| theoretical_gap_rad(bearing, r, Eq11::Published))),

@@ -28,11 +28,11 @@ type Quantity = (
 
 /// What is printed of each structure; the last function picks a number of the motion, which
 /// may have an error.
-const QUANTITIES: [Quantity; 12] = [
+const QUANTITIES: [Quantity; 14] = [
     ("critical gap (°)", 3, |n| n.critical_gap_deg, None),
     ("margin (°)", 3, |n| n.margin_deg, None),
     (
-        "slip takes (%)",
+        "short of β0 (%)",
         1,
         |n| Some(100.0 * n.slip_shortfall?),
         None,
@@ -58,7 +58,19 @@ const QUANTITIES: [Quantity; 12] = [
     ),
     ("impulse (mN·s)", 3, |_| None, Some(|m| m.impulse_mn_s)),
     ("unevenness", 3, |_| None, Some(|m| m.unevenness)),
+    (
+        "smallest gap on arrival (°)",
+        3,
+        |_| None,
+        Some(|m| m.gap_min_deg),
+    ),
     ("slip (m/s)", 3, |_| None, Some(|m| m.slip_m_s)),
+    (
+        "drop of speed (%)",
+        1,
+        |_| None,
+        Some(|m| 100.0 * m.speed_drop_share),
+    ),
     ("vibration (N)", 2, |_| None, Some(|m| m.force_deviation_n)),
     ("friction (W)", 2, |_| None, Some(|m| m.friction_w)),
 ];
@@ -122,7 +134,9 @@ pub fn comparison(search: &SearchData) -> Table {
     Table {
         label: "Comparison".to_owned(),
         caption: "From at least twelve uneven starts, ± standard error of the mean. Margin: \
-                  steady gap less critical gap. Once sorted: in the second half of the run. \
+                  steady gap less critical gap. Short of β0: what slip takes from the critical \
+                  gap. Drop of speed: share of the theoretical drop of orbital speed that the \
+                  balls reach. Once sorted: in the second half of the run. \
                   Unevenness: standard deviation of the gaps on arrival over the steady gap. \
                   Vibration: standard deviation of the force on the outer ring."
             .to_owned(),

@@ -26,12 +26,15 @@ pub struct StaticResult {
     pub inner_stress_max_gpa: f64,
     /// Largest Hertz stress at the outer raceway, GPa.
     pub outer_stress_max_gpa: f64,
+    /// What to mind.
+    pub warnings: Vec<String>,
 }
 
 impl StaticResult {
     /// Of an equilibrium.
     pub fn new(e: Equilibrium) -> Self {
         Self {
+            warnings: e.overload().into_iter().collect(),
             ring_x_um: e.ring_x_m * 1e6,
             ring_y_um: e.ring_y_m * 1e6,
             ball_angle_deg: e.ball_angle_rad.iter().map(|a| a.to_degrees()).collect(),

@@ -84,12 +84,11 @@ impl Request {
         }
         for (option, value, most) in self.limits(case) {
             if !(value >= 0.0 && value <= most && value.is_finite()) {
-                let allowed = if most.is_finite() {
-                    format!("from 0 to {most:.6}")
-                } else {
-                    "0 or more".to_owned()
-                };
-                return Err(refused(option, value.to_string(), &allowed));
+                return Err(refused(
+                    option,
+                    value.to_string(),
+                    &format!("from 0 to {most:.6}"),
+                ));
             }
         }
         let grade = ball_grade(self.ball_grade);
@@ -118,12 +117,15 @@ impl Request {
         };
         let half_angle = least(&|r| r.half_angle_rad().to_degrees());
         let span = least(&|r| r.dimensions().axial_span_m * 1e6);
+        let depth = least(&|r| r.depth_error_max_m() * 1e6);
+        // A ring this far off its centre presses no ball against the other side.
+        let clearance = 0.1 * case.bearing.ball_radius_m() * 1e6;
         [
-            ("groove_depth_um", self.groove_depth_um, f64::INFINITY),
+            ("groove_depth_um", self.groove_depth_um, depth),
             ("axial_span_um", self.axial_span_um, span),
             ("half_angle_deg", self.half_angle_deg, half_angle),
             ("friction", self.friction, case.contact.friction_coefficient),
-            ("clearance_um", self.clearance_um, f64::INFINITY),
+            ("clearance_um", self.clearance_um, clearance),
             ("speed_percent", self.speed_percent, 100.0),
             ("load_percent", self.load_percent, 100.0),
         ]

@@ -2,6 +2,8 @@
 
 use crate::bearing::Bearing;
 use crate::error::{Allowed, InputError, not_negative, positive};
+use crate::hertz::DEFLECTION_SHARE_MAX;
+use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::raceway::Raceway;
 
 /// Which set of equations is integrated.
@@ -230,6 +232,7 @@ impl Case {
             raceway.fits(&self.bearing)?;
         }
         crate::raceway::apart(&self.raceways)?;
+        self.check_elastic()?;
         self.check_start()?;
         positive("step_s", self.solver.step_s)?;
         positive("tolerance", self.solver.tolerance)?;
@@ -268,6 +271,54 @@ impl Case {
             positive("mass_kg", h.mass_kg)?;
             positive("stiffness_n_m", h.stiffness_n_m)?;
             not_negative("damping_n_s_m", h.damping_n_s_m)?;
+        }
+        Ok(())
+    }
+
+    /// Refuses speeds and loads that press a ball in deeper than any elastic contact bears, the
+    /// most loaded ball taking 5/N of the load (Stribeck) and its own centrifugal force.
+    fn check_elastic(&self) -> Result<(), InputError> {
+        let bearing = &self.bearing;
+        let [inner, outer, _] = self.stiffness_n_m1_5();
+        let deflection = DEFLECTION_SHARE_MAX * bearing.ball_radius_m();
+        let bears = inner.min(outer) * deflection.powf(1.5);
+        let Operation {
+            inner_speed_rad_s,
+            radial_load_n,
+            gravity_m_s2,
+        } = self.operation;
+        let orbit = rolling_orbit_speed_rad_s(bearing, inner_speed_rad_s, bearing.ball_radius_m());
+        let mass = bearing.ball_mass_kg();
+        let centrifugal = mass * orbit.powi(2) * bearing.pitch_radius_m();
+        let elastic = "an elastic contact bears a deflection of 5 % of the ball radius";
+        if !(centrifugal <= bears) {
+            let most = inner_speed_rad_s * (bears / centrifugal).sqrt();
+            return Err(InputError::new(
+                "inner_speed_rad_s",
+                inner_speed_rad_s,
+                if most > 0.0 {
+                    Allowed::AtMost(most, elastic)
+                } else {
+                    Allowed::Rule(format!("less: {elastic}"))
+                },
+            ));
+        }
+        let weight = (bearing.dimensions().inner_ring_mass_kg + mass) * gravity_m_s2;
+        let most = (bears - centrifugal) * bearing.balls() as f64 / 5.0 - weight;
+        if !(radial_load_n <= most) {
+            return Err(if most >= 0.0 {
+                InputError::new(
+                    "radial_load_n",
+                    radial_load_n,
+                    Allowed::AtMost(most, elastic),
+                )
+            } else {
+                InputError::rule(
+                    "gravity_m_s2",
+                    gravity_m_s2,
+                    format!("less: {elastic}, and the weight of the ring is too much"),
+                )
+            });
         }
         Ok(())
     }

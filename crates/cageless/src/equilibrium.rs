@@ -8,7 +8,7 @@
 use crate::bearing::Bearing;
 use crate::case::{Case, Gaps, Profile};
 use crate::error::InputError;
-use crate::hertz::PointContact;
+use crate::hertz::{PointContact, STRESS_LIMIT_PA};
 use crate::kinematics::orbit_speed_of_rad_s;
 use crate::numerics::root;
 use crate::seat::{self, Seat};
@@ -39,6 +39,25 @@ pub struct Equilibrium {
     /// Largest Hertz pressure at the outer raceway; on a discrete raceway that of one of
     /// the two contact points.
     pub outer_stress_max_pa: f64,
+}
+
+impl Equilibrium {
+    /// Says so if a contact bears more than [`STRESS_LIMIT_PA`].
+    pub fn overload(&self) -> Option<String> {
+        let (ring, stress) = if self.inner_stress_max_pa > self.outer_stress_max_pa {
+            ("inner", self.inner_stress_max_pa)
+        } else {
+            ("outer", self.outer_stress_max_pa)
+        };
+        (stress > STRESS_LIMIT_PA).then(|| {
+            format!(
+                "the contact stress at the {ring} raceway is {:.2} GPa, above the {} GPa that \
+                 leave a lasting indentation (ISO 76)",
+                stress * 1e-9,
+                STRESS_LIMIT_PA * 1e-9
+            )
+        })
+    }
 }
 
 /// The solver did not reach equilibrium.

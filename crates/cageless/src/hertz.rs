@@ -7,6 +7,12 @@ use std::f64::consts::PI;
 use crate::bearing::Material;
 use crate::numerics::{elliptic, root};
 
+/// Largest pressure that a ball bearing is to bear: 4200 MPa leave an indentation of some
+/// 1e-4 of the ball's diameter (ISO 76).
+pub const STRESS_LIMIT_PA: f64 = 4.2e9;
+/// Deflection that no elastic contact survives, as a share of the ball radius.
+pub const DEFLECTION_SHARE_MAX: f64 = 0.05;
+
 /// Constants of a point contact. The load–deflection law is F = K δ^(3/2).
 #[derive(Debug, Clone, PartialEq)]
 pub struct PointContact {

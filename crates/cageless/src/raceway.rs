@@ -163,7 +163,7 @@ impl Raceway {
     /// # Errors
     /// An [`InputError`] beyond a tenth of Re − Rw: the ball would touch elsewhere.
     pub fn with_depth_error(mut self, depth_error_m: f64) -> Result<Self, InputError> {
-        let most = 0.1 * (self.groove_curvature_radius_m - self.ball_radius_m);
+        let most = self.depth_error_max_m();
         if !(depth_error_m.abs() <= most) {
             return Err(InputError::new(
                 "depth_error_m",
@@ -177,6 +177,11 @@ impl Raceway {
         }
         self.depth_error_m = depth_error_m;
         Ok(self)
+    }
+
+    /// Largest depth error that [`Self::with_depth_error`] takes, either way.
+    pub fn depth_error_max_m(&self) -> f64 {
+        0.1 * (self.groove_curvature_radius_m - self.ball_radius_m)
     }
 
     /// Depth milled too much in the middle.

@@ -7,9 +7,9 @@ use crate::kinematics::rolling_orbit_speed_rad_s;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StepLimits {
     /// ω of the fastest oscillation: a ball on the stiffness of its contacts under the
-    /// largest forces to be expected.
+    /// largest forces to be expected, and the inner ring on those that carry it.
     pub contact_rad_s: f64,
-    /// Decay of a ball's bounce by contact damping.
+    /// Decay of the bounce of a ball by contact damping, and of the ring by that and its drag.
     pub damping_1_s: f64,
     /// Decay of slip by friction of the smooth law on a loaded ball.
     pub friction_1_s: f64,
@@ -19,13 +19,16 @@ pub struct StepLimits {
 
 /// Balls that meet faster than by the drop of orbital speed in a raceway have been thrown.
 const LEAST_IMPACT_M_S: f64 = 0.1;
+/// Share of the balls whose stiffness at full load together carries the ring.
+const CARRYING_SHARE: f64 = 0.25;
 /// Peaks over the static load that the limits allow for.
 const OVERLOAD: f64 = 1.25;
 
 impl StepLimits {
     /// Estimates the rates: Qmax ≈ 5 (Fr + weights)/N + centrifugal force, a quarter more, in
     /// both raceway contacts of one ball, and an impact of two balls at the speed
-    /// difference that the deepest raceway makes.
+    /// difference that the deepest raceway makes. Springs between ball and ring count at both
+    /// masses: k (1/m + n/M) is an upper bound of ω².
     pub fn of(case: &Case) -> Self {
         let bearing = &case.bearing;
         let d = bearing.dimensions();
@@ -49,7 +52,11 @@ impl StepLimits {
             .map(|r| speed(rw) - speed(r.effective_radius_m(r.dimensions().centre_angle_rad)))
             .fold(LEAST_IMPACT_M_S, f64::max);
         let (_, peak, _) = crate::collision::hertz_impact(ball, mass, impact);
-        let contact_rad_s = ((raceways + 2.0 * slope(ball, peak)) / mass).sqrt();
+        let carrying = CARRYING_SHARE * d.balls as f64;
+        let ring_mass = d.inner_ring_mass_kg;
+        let contact_rad_s = ((raceways + 2.0 * slope(ball, peak)) / mass
+            + carrying * slope(inner, load) / ring_mass)
+            .sqrt();
         // Both friction forces of a ball together feel 1/5 of its mass.
         let friction = match case.contact.friction_law {
             FrictionLaw::Smooth => {
@@ -60,8 +67,9 @@ impl StepLimits {
             FrictionLaw::Coulomb => 0.0,
         };
         let deflection = |k: f64| (load / k).powf(2.0 / 3.0).sqrt();
-        let damping =
-            case.contact.damping_n_s_m1_5 * (deflection(inner) + deflection(outer)) / mass;
+        let damper = |k: f64| case.contact.damping_n_s_m1_5 * deflection(k);
+        let damping = (damper(inner) + damper(outer)) / mass
+            + (carrying * damper(inner) + d.inner_ring_drag_n_s_m) / ring_mass;
         Self {
             contact_rad_s,
             damping_1_s: damping,

@@ -12,7 +12,7 @@ use cageless_study::{StudyError, search};
 use super::{deliver, make_folder, read_case, writable};
 use crate::args::DesignArgs;
 use crate::failure::Failure;
-use crate::format::pairs;
+use crate::format::{pairs, warnings};
 use crate::progress::{Bars, catch_interrupt};
 
 /// Files in the folder of `--out`.
@@ -53,10 +53,17 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
         write_atomically(&dir.join(PAGE), design_page(&data).as_bytes())?;
         write_atomically(&dir.join(PAGE_DATA), to_json(&data)?.as_bytes())?;
     }
+    let text = match none_found {
+        Some(_) => String::new(),
+        None => text(file.case(), &result),
+    };
+    deliver(args, NUMBERS, &result, &text)?;
+    if let (true, Some(dir)) = (searching, &args.out) {
+        search::forget(dir);
+    }
     if let Some(message) = none_found {
         return Err(Failure::Input(message));
     }
-    deliver(args, NUMBERS, &result, &text(file.case(), &result))?;
     match stopped {
         // A search does not need the case's own raceway.
         Some(stop) if !searching => Err(Failure::stopped(&stop, "")),
@@ -130,16 +137,24 @@ fn text(case: &Case, r: &DesignResult) -> String {
     for reason in &r.reasons {
         text += &format!("  - {reason}\n");
     }
+    // The search knows better.
+    let by = if r.search.is_some() {
+        "by Eq. (11) alone"
+    } else {
+        "recommended"
+    };
     text += &match &r.recommendation {
         Some(n) => format!(
-            "recommended: lC {:.3} mm, θ {:.3}° (on the curve of Eq. (11), in the middle of the \
+            "{by}: lC {:.3} mm, θ {:.3}° (on the curve of Eq. (11), in the middle of the \
              range of θ from {:.2}° (slip) to {:.2}° (three balls inside))\n",
             n.axial_span_mm, n.half_angle_deg, n.half_angle_min_deg, n.half_angle_max_deg
         ),
-        None => "recommended: none; on the curve of Eq. (11) balls slip too much wherever three \
-                 do not fit inside at once\n"
-            .to_owned(),
+        None => format!(
+            "{by}: none; on the curve of Eq. (11) balls slip too much wherever three do not fit \
+             inside at once\n"
+        ),
     };
+    text += &warnings(&r.warnings);
     if let Some(search) = &r.search {
         text += "search:\n";
         for finding in &search.findings {

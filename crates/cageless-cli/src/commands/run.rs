@@ -23,7 +23,7 @@ use cageless_study::verification::Verification;
 use super::{make_folder, print, read_case, writable};
 use crate::args::RunArgs;
 use crate::failure::Failure;
-use crate::format::{columns, pairs, shown};
+use crate::format::{columns, pairs, shown, warnings};
 use crate::progress::{Bars, Progress, catch_interrupt};
 
 /// Files beside the tables.
@@ -199,10 +199,7 @@ fn text(case: &Case, outcome: &RunOutcome, s: &SummaryFile) -> String {
     if let Some(certificate) = &s.certificate {
         text += &verified(certificate);
     }
-    for warning in &s.warnings {
-        text += &format!("warning: {warning}\n");
-    }
-    text
+    text + &warnings(&s.warnings)
 }
 
 /// The certificate for the terminal.

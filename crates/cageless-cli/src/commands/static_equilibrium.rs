@@ -6,7 +6,7 @@ use cageless_report::StaticResult;
 use super::{deliver, read_case};
 use crate::args::CaseArgs;
 use crate::failure::Failure;
-use crate::format::{columns, pairs};
+use crate::format::{columns, pairs, warnings};
 
 /// Solves and shows the equilibrium.
 pub fn static_equilibrium(args: &CaseArgs) -> Result<(), Failure> {
@@ -46,6 +46,7 @@ pub fn static_equilibrium(args: &CaseArgs) -> Result<(), Failure> {
             format!("{:.4} GPa", result.outer_stress_max_gpa),
         ),
     ]) + "\n"
-        + &columns(&rows);
+        + &columns(&rows)
+        + &warnings(&result.warnings);
     deliver(args, "static.json", &result, &text)
 }

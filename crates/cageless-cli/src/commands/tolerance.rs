@@ -81,7 +81,8 @@ fn text(data: &ToleranceData) -> String {
     for row in &data.influences {
         rows.push(vec![
             row.name.clone(),
-            format!("{:.3}", row.low),
+            // Not -0.000.
+            format!("{:.3}", row.low + 0.0),
             format!("{:.3}", row.high),
             row.unit.clone(),
             range(row.critical_gap_deg, 4),

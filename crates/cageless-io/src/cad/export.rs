@@ -242,14 +242,24 @@ fn within(
     }
     Err(OptionError {
         option,
-        value: value.to_string(),
+        value: plain(value),
         problem: format!("is not possible: it must be between {least} and {most} {unit}"),
     })
 }
 
+/// To six decimals, or with an exponent where these would say nothing.
+fn plain(value: f64) -> String {
+    if value == 0.0 || (1e-6..1e9).contains(&value.abs()) {
+        ((value * 1e6).round() / 1e6).to_string()
+    } else {
+        // Rounding away what the conversion from SI leaves.
+        format!("{:e}", format!("{value:.5e}").parse().unwrap_or(value))
+    }
+}
+
 /// An error of [`cageless`] in terms of an option, `scale` of its units to the SI unit.
 fn refused(option: &'static str, error: &InputError, scale: f64, unit: &str) -> OptionError {
-    let shown = |si: f64| format!("{} {unit}", (si * scale * 1e6).round() / 1e6);
+    let shown = |si: f64| format!("{} {unit}", plain(si * scale));
     let allowed = match &error.allowed {
         Allowed::Between(least, most, why) => {
             format!("between {} and {} ({why})", shown(*least), shown(*most))

@@ -16,6 +16,9 @@ use super::rules;
 use super::tree::{Places, join};
 use super::unit::Side;
 
+/// No contact of a bearing needs steps this short.
+const NO_STEP_S: f64 = 1e-12;
+
 /// Step of a case whose step is still to be chosen.
 const PROVISIONAL_STEP_S: f64 = 1e-6;
 
@@ -61,13 +64,19 @@ impl Converter<'_> {
                 interval_s: self.si("output.interval_us", document.output.interval_us)?,
             },
         };
-        if document.solver.step_us == StepDocument::Auto {
+        let automatic = document.solver.step_us == StepDocument::Auto;
+        if automatic {
             let step_s = StepLimits::of(&case).automatic_s(case.solver.method);
             if step_s.is_finite() {
                 case.solver.step_s = step_s;
             }
         }
-        case.check().map_err(|e| self.refused_case(&e, &case))?;
+        case.check().map_err(|e| match e.field {
+            "step_s" | "duration_s" if automatic && case.solver.step_s < NO_STEP_S => {
+                self.no_step(&case)
+            }
+            _ => self.refused_case(&e, &case),
+        })?;
         Ok(case)
     }
 
@@ -318,6 +327,21 @@ impl Converter<'_> {
             },
             _ => self.refused(error, None),
         }
+    }
+
+    /// The contacts of a case need steps too short for its duration. Which of the many values
+    /// that decide is at fault cannot be told.
+    fn no_step(&self, case: &Case) -> CaseError {
+        let Solver {
+            step_s, duration_s, ..
+        } = case.solver;
+        let message = format!(
+            "solver.step_us = \"auto\" is not possible: the contacts of this case need steps of \
+             {:e} s, too many for solver.duration_s = {duration_s}; speed, load, material, \
+             mass and drag of the inner ring, stiffness and damping of the contacts decide",
+            step_s.max(f64::MIN_POSITIVE)
+        );
+        self.places.error("solver.step_us", message)
     }
 
     /// "KEY = VALUE is not possible: it must be ALLOWED", the value as written if it

@@ -9,13 +9,15 @@ use crate::plot::{GREY, PALETTE, Plot, line, markers, number, numbers, plain, wi
 use crate::sampling::range;
 
 /// Verdicts of a map, each with its colour and its name in the legend.
-const VERDICTS: [(&str, &str, &str); 8] = [
+const VERDICTS: [(&str, &str, &str); 10] = [
     ("smooth", "#009e73", "works"),
     ("shallow", "#dcdcdc", "hardly spreads"),
     ("slips", "#d55e00", "slips"),
     ("crowded", "#56b4e9", "even flow collides"),
     ("double-collision", "#f0e442", "hit from both sides"),
     ("stress", "#cc79a7", "contact stress"),
+    ("slides", "#7f3b08", "slides"),
+    ("lost", "#999999", "gap lost"),
     ("failed", "#444444", "run failed"),
     ("eq-9", "#ffffff", ""),
 ];

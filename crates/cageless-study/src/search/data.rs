@@ -134,6 +134,7 @@ fn motion_data(m: &Motion, steady_gap_rad: f64) -> MotionNumbers {
         unevenness: m.gap_deviation_rad / steady_gap_rad,
         gap_min_deg: m.gap_min_rad.to_degrees(),
         slip_m_s: m.slip_m_s,
+        speed_drop_share: m.speed_drop_share,
         force_deviation_n: m.force_deviation_n,
         friction_w: m.friction_w,
     }
@@ -169,7 +170,7 @@ fn front(found: &Found) -> Vec<StructureData> {
     front.into_iter().map(structure_data).collect()
 }
 
-fn rejections(found: &Found) -> Vec<RejectionCount> {
+pub(super) fn rejections(found: &Found) -> Vec<RejectionCount> {
     let meaning = |name: &str| match name {
         "eq-8" => "the contact points leave the groove (Zhao 2022, Eq. (8))",
         "eq-9" => "the contact path leaves the groove or turns back (Zhao 2022, Eq. (9))",
@@ -178,6 +179,8 @@ fn rejections(found: &Found) -> Vec<RejectionCount> {
         "slips" => "balls slide so much that the separation suffers",
         "crowded" => "critical gap above the steady gap: even evenly flowing balls collide",
         "stress" => "contact stress above 4.2 GPa (ISO 76)",
+        "slides" => "balls slide over the raceway instead of being slowed by it",
+        "lost" => "the gap is lost again before the balls come back",
         "double-collision" => "too many passages hit by both neighbours",
         _ => "a run failed",
     };

@@ -3,6 +3,8 @@
 use cageless::design::search::{Evaluation, Found, Motion};
 use cageless_report::{SearchData, StructureData};
 
+use super::data::rejections;
+
 /// Differences beyond this many standard errors count.
 const SIGNIFICANT: f64 = 2.0;
 
@@ -57,12 +59,14 @@ fn recommendation(data: &SearchData, best: &StructureData) -> String {
         .zip(&best.points)
         .map(|(point, n)| {
             let critical = n.critical_gap_deg.unwrap_or(f64::NAN);
+            let shortfall = n.slip_shortfall.unwrap_or(f64::NAN);
             format!(
                 "at {} it guarantees {critical:.3}° of the steady {steady:.3}° (margin {:.3}°), \
-                 slip takes {:.1} %",
+                 {:.1} % {} β0",
                 point.label(),
                 n.margin_deg.unwrap_or(f64::NAN),
-                100.0 * n.slip_shortfall.unwrap_or(f64::NAN),
+                100.0 * shortfall.abs(),
+                if shortfall < 0.0 { "above" } else { "short of" },
             )
         })
         .collect();
@@ -126,10 +130,9 @@ fn comparison(found: &Found, best: &StructureData, own: &StructureData, point: u
 
 /// Which requirement leaves nothing.
 pub fn why_none(found: &Found) -> String {
-    let counts: Vec<String> = found
-        .rejections()
+    let counts: Vec<String> = rejections(found)
         .iter()
-        .map(|(name, count)| format!("{name} {count}"))
+        .map(|r| format!("{} ({})", r.meaning, r.count))
         .collect();
     let closest = found.closest().map_or(
         "; the geometry (Zhao 2022, Eq. (8), (9)) or search.spread_min excludes all of them"
@@ -154,7 +157,7 @@ pub fn why_none(found: &Found) -> String {
         },
     );
     format!(
-        "no raceway meets every requirement (structures excluded by each: {}){closest}",
-        counts.join(", ")
+        "no raceway meets every requirement; structures that each excludes: {}{closest}",
+        counts.join("; ")
     )
 }

@@ -16,8 +16,8 @@ use findings::why_none;
 use workshop::Workshop;
 
 /// Searches for the best raceway of a case, as its section `[search]` asks. With a folder,
-/// what was computed is kept there until the search is over, and a search that was ended or
-/// killed goes on where it was.
+/// what was computed is kept there until [`forget`], and a search that was ended or killed, or
+/// whose result could not be stored, goes on where it was.
 ///
 /// # Errors
 /// The case or the operating range is impossible, the folder cannot be used, or the watcher
@@ -42,7 +42,6 @@ pub fn run(
         Err(SearchError::Case(error)) => return Err(error.into()),
         Err(SearchError::Interrupted(_)) => return Err(StudyError::Interrupted),
     };
-    workshop.finish();
     let data = data::search_data(file, &found)?;
     Ok((found, data))
 }
@@ -57,4 +56,10 @@ pub fn refusal(file: &CaseFile, found: &Found) -> Option<String> {
         "" => message,
         title => format!("{title}: {message}"),
     })
+}
+
+/// Removes what [`run`] kept in the folder: the result is where it belongs.
+pub fn forget(folder: &Path) {
+    // A journal that stays only makes the next search short.
+    let _ = std::fs::remove_file(folder.join(workshop::JOURNAL));
 }

@@ -19,7 +19,7 @@ use crate::error::StudyError;
 use crate::watcher::{Watcher, Work};
 
 /// Name of the journal in the folder of a search.
-const JOURNAL: &str = "search.journal";
+pub const JOURNAL: &str = "search.journal";
 /// Work of a critical gap over that of a run of all balls.
 const SPACING_WORK: f64 = 0.08;
 
@@ -140,14 +140,6 @@ impl<'c> Workshop<'c> {
                 source,
             }),
             _ => Ok(()),
-        }
-    }
-
-    /// Removes the journal: there is nothing left to go on with.
-    pub fn finish(self) {
-        if let Some((_, path)) = self.journal {
-            // A journal that stays only makes the next search short.
-            let _ = std::fs::remove_file(path);
         }
     }
 }

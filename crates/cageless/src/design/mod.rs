@@ -14,8 +14,8 @@ use crate::raceway::{Raceway, RacewayDimensions, axial_span_limit_m};
 
 pub use recommendation::{Recommendation, recommend};
 pub use verdict::{
-    Judgement, PassageStatistics, RacewayJudgement, SLIP_SHORTFALL, TWICE_SHARE, Verdict, judge,
-    judge_watched, steady_after_s, steady_case,
+    Judgement, PassageStatistics, RacewayJudgement, SLIP_SHORTFALL, SPEED_DROP_SHARE, TWICE_SHARE,
+    Verdict, judge, judge_watched, steady_after_s, steady_case,
 };
 
 /// What φ means in Zhao 2022, Eq. (11).

@@ -2,6 +2,7 @@
 
 use crate::case::Case;
 use crate::dynamics::{Contacts, Model};
+use crate::hertz::DEFLECTION_SHARE_MAX;
 use crate::state::{Layout, State};
 
 /// Why a run had to stop.
@@ -90,8 +91,6 @@ impl Stop {
     }
 }
 
-/// Deflection that no elastic contact survives, as a share of the ball radius.
-const DEFLECTION_MAX: f64 = 0.05;
 /// The state is looked at this often, steps.
 const LOOK_EVERY: u64 = 8;
 /// The ledger is balanced this often, steps.
@@ -118,7 +117,7 @@ impl<'m> Guard<'m> {
             model,
             layout,
             start_energy: model.energy_j(start),
-            deflection_max: DEFLECTION_MAX * bearing.ball_radius_m(),
+            deflection_max: DEFLECTION_SHARE_MAX * bearing.ball_radius_m(),
             gap_max: bearing.radial_clearance_m() + bearing.ball_radius_m(),
         }
     }

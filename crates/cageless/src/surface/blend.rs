@@ -37,7 +37,7 @@ impl Zone {
                 Allowed::Between(
                     least,
                     most,
-                    "or 0, which leaves the kink; half of half the shortest raceway at most",
+                    "or 0, which leaves the kink; a quarter of the length of the raceway at most",
                 ),
             ));
         }

@@ -7,10 +7,11 @@
 use std::f64::consts::TAU;
 
 use crate::case::{Case, Gaps, Start};
+use crate::design::verdict::speed_drop_share;
 use crate::equilibrium::EquilibriumError;
 use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::onsets::Onsets;
-use crate::passage::{Passage, PassageRecorder};
+use crate::passage::{Passage, PassageRecorder, PassageTally};
 use crate::simulation::{
     Control, Ending, Observer, ObserverError, RunOutcome, Scene, Stop, View, batches, run_batch,
 };
@@ -38,6 +39,9 @@ pub struct Motion {
     pub gap_mean_rad: f64,
     /// Largest slip at a loaded contact, mean over the passages of the second half.
     pub slip_m_s: f64,
+    /// Share of the theoretical drop of orbital speed that the balls reach, mean over the
+    /// passages of the second half, of the raceway with the least.
+    pub speed_drop_share: f64,
     /// Standard deviation of the force of the balls on the outer ring, both directions
     /// together, second half.
     pub force_deviation_n: f64,
@@ -45,9 +49,12 @@ pub struct Motion {
     pub friction_w: f64,
 }
 
+/// Numbers of a motion.
+pub const VALUES: usize = 11;
+
 impl Motion {
     /// The numbers in the order of the fields, for files.
-    pub fn values(&self) -> [f64; 10] {
+    pub fn values(&self) -> [f64; VALUES] {
         [
             self.collisions,
             self.collisions_late,
@@ -57,13 +64,14 @@ impl Motion {
             self.gap_min_rad,
             self.gap_mean_rad,
             self.slip_m_s,
+            self.speed_drop_share,
             self.force_deviation_n,
             self.friction_w,
         ]
     }
 
     /// The inverse of [`Self::values`].
-    pub fn from_values(values: [f64; 10]) -> Self {
+    pub fn from_values(values: [f64; VALUES]) -> Self {
         let [
             collisions,
             collisions_late,
@@ -73,6 +81,7 @@ impl Motion {
             gap_min_rad,
             gap_mean_rad,
             slip_m_s,
+            speed_drop_share,
             force_deviation_n,
             friction_w,
         ] = values;
@@ -85,6 +94,7 @@ impl Motion {
             gap_min_rad,
             gap_mean_rad,
             slip_m_s,
+            speed_drop_share,
             force_deviation_n,
             friction_w,
         }
@@ -92,7 +102,7 @@ impl Motion {
 
     /// Mean of several; zero of none.
     pub fn mean(all: &[Self]) -> Self {
-        let mut sum = [0.0; 10];
+        let mut sum = [0.0; VALUES];
         for motion in all {
             for (s, v) in sum.iter_mut().zip(motion.values()) {
                 *s += v / all.len() as f64;
@@ -262,9 +272,26 @@ fn motion(
         gap_min_rad: arrivals.iter().copied().fold(f64::INFINITY, f64::min),
         gap_mean_rad,
         slip_m_s: mean(&mut late.iter().map(|p| p.slip_max_m_s), late.len()),
+        speed_drop_share: least_speed_drop_share(case, late),
         force_deviation_n: contacts.force_deviation_n(),
         friction_w: friction / case.solver.duration_s,
     })
+}
+
+/// Of each raceway that balls pass, the share of its drop of orbital speed; the least of them.
+fn least_speed_drop_share(case: &Case, passages: &[Passage]) -> f64 {
+    let mut tallies = vec![PassageTally::new(); case.raceways.len()];
+    for passage in passages {
+        tallies[passage.raceway].add(passage);
+    }
+    let passed = case
+        .raceways
+        .iter()
+        .zip(&tallies)
+        .filter(|(_, t)| t.count > 0);
+    passed
+        .map(|(raceway, tally)| speed_drop_share(case, raceway, tally.slowest_mean_rad_s()))
+        .fold(f64::INFINITY, f64::min)
 }
 
 /// Counts contacts between balls and follows the force on the outer ring.

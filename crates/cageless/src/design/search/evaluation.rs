@@ -1,7 +1,7 @@
 //! Structures with all that is known of them, and the batches of work that find it out.
 
 use super::choice::OBJECTIVES;
-use super::disturbed::Motion;
+use super::disturbed::{Motion, VALUES};
 use super::job::{Interrupted, Job, Numbers, Outcome, Spacing, Task};
 use super::rejection::{Cause, Rejection};
 use super::structure::{ClosedForms, Structure};
@@ -46,7 +46,7 @@ impl Statistics {
     pub fn of(runs: Vec<Motion>) -> Self {
         let mean = Motion::mean(&runs);
         let n = runs.len() as f64;
-        let mut square = [0.0; 10];
+        let mut square = [0.0; VALUES];
         for motion in &runs {
             for ((s, v), m) in square.iter_mut().zip(motion.values()).zip(mean.values()) {
                 *s += (v - m).powi(2);
@@ -251,7 +251,7 @@ impl Batch<'_, '_> {
                     Err(reason) => fail(&mut evaluations[k], reason, p),
                 }
             }
-            evaluations[k].reject(|e, p| Cause::of_motion(&e.motion[p]?));
+            evaluations[k].reject(|e, p| Cause::of_motion(&e.motion[p]?, &e.spacing[p]?));
             evaluations[k].rate();
         }
         Ok(())
@@ -311,7 +311,7 @@ impl Batch<'_, '_> {
                 Err(reason) => fail(&mut evaluation, reason, p),
             }
         }
-        evaluation.reject(|e, p| Cause::of_motion(&e.motion[p]?));
+        evaluation.reject(|e, p| Cause::of_motion(&e.motion[p]?, &e.spacing[p]?));
         if from_geometry.is_some() {
             evaluation.rejection = from_geometry;
         }

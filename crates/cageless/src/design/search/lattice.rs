@@ -65,17 +65,20 @@ fn spread([low, high]: [f64; 2], count: usize) -> Vec<f64> {
     (0..count).map(|k| low + step * k as f64).collect()
 }
 
-/// Ranges of lC and θ to look at: those asked for, else all that Eq. (8) and (9) allow.
-fn ranges(request: &Request, bearing: &Bearing) -> [[f64; 2]; 2] {
-    let limit = axial_span_limit_m(bearing);
-    let spans = request
+/// Ranges of lC and θ to look at: what is asked for of all that Eq. (8) and (9) allow. Empty,
+/// its end below its begin, if they allow nothing of it.
+pub(super) fn ranges(request: &Request, bearing: &Bearing) -> [[f64; 2]; 2] {
+    let limit = axial_span_limit_m(bearing) * (1.0 - 1e-9);
+    let step = limit / MAP[0] as f64;
+    let [low, high] = request
         .axial_span_range_m
-        .unwrap_or([limit / MAP[0] as f64, limit * (1.0 - 0.5 / MAP[0] as f64)]);
-    let angles = request.half_angle_range_rad.unwrap_or_else(|| {
-        let widest = widest_angle_rad(bearing, spans[1].min(limit * (1.0 - 1e-9)));
-        [widest / MAP[1] as f64, widest]
-    });
-    [spans, angles]
+        .unwrap_or([step, limit - 0.5 * step]);
+    let spans = [low, high.min(limit)];
+    let widest = widest_angle_rad(bearing, spans[1]);
+    let [low, high] = request
+        .half_angle_range_rad
+        .unwrap_or([widest / MAP[1] as f64, widest]);
+    [spans, [low, high.min(widest)]]
 }
 
 /// Largest θ at which a path of the span is possible; it grows with the span.
@@ -196,9 +199,11 @@ fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrup
         .into_iter()
         .zip(outcomes.chunks(batch.request.starts as usize))
     {
-        maps[k].cells[c].cause = match motions(runs) {
-            Ok(all) => Cause::of_motion(&Motion::mean(&all)),
-            Err(reason) => Some(Cause::Failed(reason)),
+        let cell = &mut maps[k].cells[c];
+        cell.cause = match (motions(runs), &cell.spacing) {
+            (Ok(all), Some(spacing)) => Cause::of_motion(&Motion::mean(&all), spacing),
+            (Err(reason), _) => Some(Cause::Failed(reason)),
+            (Ok(_), None) => None,
         };
     }
     Ok(())

@@ -25,20 +25,22 @@ mod rejection;
 mod structure;
 
 pub use choice::{ALL_OBJECTIVES, OBJECTIVES, Objective, RESOLUTION, Scale, pareto_front};
-pub use disturbed::{DisturbedError, Motion, TURNS, disturbed, uneven_gaps_rad};
+pub use disturbed::{DisturbedError, Motion, TURNS, VALUES, disturbed, uneven_gaps_rad};
 pub use evaluation::{Confirmed, Evaluation, Statistics};
 pub use job::{
     CROWDED_MAX, Interrupted, Job, Numbers, Outcome, Spacing, Task, peak_stress_pa, run_jobs,
 };
 pub use lattice::{MapCell, SpeedMap};
 pub use placement::placements;
-pub use rejection::{Cause, Rejection, STRESS_LIMIT_PA};
+pub use rejection::{Cause, KEPT_SHARE, Rejection};
 pub use structure::{ClosedForms, OperatingPoint, Structure};
 
 use crate::case::Case;
 use crate::design::{SLIP_SHORTFALL, TWICE_SHARE};
 use crate::equilibrium::EquilibriumError;
 use crate::error::InputError;
+use crate::hertz::STRESS_LIMIT_PA;
+use crate::raceway::axial_span_limit_m;
 use choice::Scale as Ruler;
 use evaluation::Batch;
 
@@ -209,6 +211,7 @@ pub fn search(
     execute: &mut Execute<'_>,
 ) -> Result<Found, SearchError> {
     check_points(case, request)?;
+    check_ranges(case, request)?;
     let mut batch = Batch {
         request,
         execute,
@@ -228,7 +231,9 @@ pub fn search(
     let recommended = recommend(&mut batch, &mut evaluations)?;
     let mut confirmed = vec![];
     if let Some(best) = recommended {
-        confirmed.push(batch.confirm("recommended", &evaluations[best].structure)?);
+        let mut best_confirmed = batch.confirm("recommended", &evaluations[best].structure)?;
+        best_confirmed.evaluation.on_front = evaluations[best].on_front;
+        confirmed.push(best_confirmed);
     }
     if let Some(own) = Structure::of(case) {
         confirmed.push(batch.confirm("own", &own)?);
@@ -365,6 +370,28 @@ fn check_points(case: &Case, request: &Request) -> Result<(), SearchError> {
             Err(EquilibriumError::Input(error)) => return Err(error.into()),
             Err(error) => return Err(SearchError::Impossible(format!("{at} {error}"))),
         }
+    }
+    Ok(())
+}
+
+/// Refuses ranges of which Eq. (8) and (9) allow nothing.
+fn check_ranges(case: &Case, request: &Request) -> Result<(), SearchError> {
+    let [spans, angles] = lattice::ranges(request, &case.bearing);
+    if spans[1] < spans[0] {
+        return Err(SearchError::Impossible(format!(
+            "search.axial_span_mm begins at {} mm, beyond the limit of {:.4} mm that the groove \
+             sets (Zhao 2022, Eq. (8))",
+            spans[0] * 1e3,
+            axial_span_limit_m(&case.bearing) * 1e3
+        )));
+    }
+    if angles[1] < angles[0] {
+        return Err(SearchError::Impossible(format!(
+            "search.half_angle_deg begins at {:.2}°, beyond the {:.2}° up to which the contact \
+             path of the widest raceway stays in the groove (Zhao 2022, Eq. (9))",
+            angles[0].to_degrees(),
+            angles[1].to_degrees()
+        )));
     }
     Ok(())
 }

@@ -3,12 +3,14 @@
 use super::disturbed::Motion;
 use super::job::Spacing;
 use super::structure::ClosedForms;
-use crate::design::{SLIP_SHORTFALL, TWICE_SHARE};
+use crate::design::{SLIP_SHORTFALL, SPEED_DROP_SHARE, TWICE_SHARE};
 use crate::error::InputError;
+use crate::hertz::STRESS_LIMIT_PA;
 
-/// Largest pressure that a ball bearing is to bear: 4200 MPa leave an indentation of some
-/// 1e-4 of the ball's diameter (ISO 76).
-pub const STRESS_LIMIT_PA: f64 = 4.2e9;
+/// Least gap with which balls come back, over the critical gap, which the raceway guarantees.
+/// In the load zone it is 0.7 (at low speed) to 1; where a raceway lies so that its way out has
+/// no load, a fifth.
+pub const KEPT_SHARE: f64 = 0.5;
 
 /// What is wrong with a structure.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,6 +29,11 @@ pub enum Cause {
     Slips(f64),
     /// This share of the passages is hit by both neighbours.
     DoubleCollision(f64),
+    /// The balls reach this share of the theoretical drop of orbital speed: they slide over the
+    /// raceway, and its critical gap means nothing.
+    Slides(f64),
+    /// Balls come back with this share of the gap that the raceway gave them.
+    Lost(f64),
     /// This pressure at the outer raceway, Pa.
     Stress(f64),
     /// A run failed.
@@ -44,7 +51,7 @@ pub struct Rejection {
 
 impl Cause {
     /// Names of all causes, in the order in which they are tested.
-    pub const NAMES: [&'static str; 9] = [
+    pub const NAMES: [&'static str; 11] = [
         "eq-8",
         "eq-9",
         "overlap",
@@ -52,6 +59,8 @@ impl Cause {
         "slips",
         "crowded",
         "stress",
+        "slides",
+        "lost",
         "double-collision",
         "failed",
     ];
@@ -66,6 +75,8 @@ impl Cause {
             Self::Slips(_) => "slips",
             Self::Crowded(_) => "crowded",
             Self::Stress(_) => "stress",
+            Self::Slides(_) => "slides",
+            Self::Lost(_) => "lost",
             Self::DoubleCollision(_) => "double-collision",
             Self::Failed(_) => "failed",
         }
@@ -79,6 +90,8 @@ impl Cause {
             Self::Slips(shortfall) => shortfall - SLIP_SHORTFALL,
             Self::DoubleCollision(share) => share - TWICE_SHARE,
             Self::Stress(pa) => pa / STRESS_LIMIT_PA - 1.0,
+            Self::Slides(share) => SPEED_DROP_SHARE - share,
+            Self::Lost(share) => KEPT_SHARE - share,
             Self::Span | Self::Path | Self::Overlap | Self::Failed(_) => f64::INFINITY,
         }
     }
@@ -119,8 +132,17 @@ impl Cause {
     }
 
     /// What the motion of all balls excludes.
-    pub(super) fn of_motion(motion: &Motion) -> Option<Self> {
-        (motion.twice_share > TWICE_SHARE).then_some(Self::DoubleCollision(motion.twice_share))
+    pub(super) fn of_motion(motion: &Motion, spacing: &Spacing) -> Option<Self> {
+        let kept = motion.gap_min_rad / spacing.critical_gap_rad;
+        if motion.speed_drop_share < SPEED_DROP_SHARE {
+            Some(Self::Slides(motion.speed_drop_share))
+        } else if kept < KEPT_SHARE {
+            Some(Self::Lost(kept))
+        } else if motion.twice_share > TWICE_SHARE {
+            Some(Self::DoubleCollision(motion.twice_share))
+        } else {
+            None
+        }
     }
 }
 
@@ -152,6 +174,20 @@ impl std::fmt::Display for Cause {
                 "slip takes {:.1} % of the separation ({:.0} % allowed)",
                 percent(shortfall),
                 100.0 * SLIP_SHORTFALL
+            ),
+            Self::Slides(share) => write!(
+                f,
+                "the balls slide over it: {:.0} % of the theoretical drop of orbital speed \
+                 ({:.0} % needed)",
+                percent(share),
+                100.0 * SPEED_DROP_SHARE
+            ),
+            Self::Lost(share) => write!(
+                f,
+                "the gap is lost again: balls come back with as little as {:.0} % of the critical \
+                 gap ({:.0} % needed)",
+                percent(share),
+                100.0 * KEPT_SHARE
             ),
             Self::DoubleCollision(share) => write!(
                 f,
