@@ -166,6 +166,44 @@ fn a_killed_run_leaves_nothing_half_written_under_a_final_name() {
     assert_readable(out);
 }
 
+/// Files that grow beyond a limit cannot be written, as on a disk that is full: while rows
+/// come, or when the tables are closed, of which only one is too large then.
+#[test]
+fn a_full_disk_leaves_the_files_of_one_run() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path();
+    assert_eq!(run_to(out, &["solver.duration_s=0.002"]).code, Some(0));
+    let read = || -> Vec<Vec<u8>> {
+        let names = RUN_FILES.iter();
+        names.map(|f| std::fs::read(out.join(f)).unwrap()).collect()
+    };
+    let before = read();
+    for (blocks, duration) in [("16", "0.002"), ("2000", "1")] {
+        let mut command = Command::new("bash");
+        command.args([
+            "-c",
+            "trap '' XFSZ; ulimit -f $1; shift; exec \"$@\"",
+            "bash",
+        ]);
+        command.args([blocks, env!("CARGO_BIN_EXE_cageless"), "run"]);
+        command
+            .arg(repository_case("zhao-d.toml"))
+            .arg("--out")
+            .arg(out);
+        command.args(["--set", "operation.inner_speed_rpm=9000"]);
+        command.args(["--set", &format!("solver.duration_s={duration}")]);
+        let answer = Answer::from(command.output().unwrap());
+        assert_eq!(answer.code, Some(1), "{answer:?}");
+        assert_eq!(answer.stderr.lines().count(), 1, "{answer:?}");
+        let message = &answer.stderr;
+        assert!(message.contains("cannot write ") && message.contains("balls.parquet: "));
+        assert!(!message.contains("ring.parquet"), "{message}");
+        assert!(message.contains("is as it was"), "{message}");
+        assert_eq!(names(out), RUN_FILES);
+        assert!(read() == before, "{blocks}");
+    }
+}
+
 #[test]
 fn the_same_case_gives_the_same_bits() {
     let dir = tempfile::tempdir().unwrap();

@@ -312,6 +312,33 @@ fn an_unfinished_run_leaves_the_earlier_one_alone() {
     assert_eq!(rows(&open(&dir.path().join("ring.parquet")))[0][0], 3.0);
 }
 
+/// One table cannot take its name: it is named, and nothing says that the others are of the
+/// run that the summary was of.
+#[test]
+fn tables_of_two_runs_never_look_complete() {
+    let dir = tempfile::tempdir().unwrap();
+    let about = ["summary.json", "report.html", "report.json"];
+    let mut run = writer(dir.path()).unwrap();
+    run.snapshot(&snapshot(1.0, 3)).unwrap();
+    run.finish().unwrap();
+    for name in about {
+        std::fs::write(dir.path().join(name), "of the first run").unwrap();
+    }
+    let mut run = writer(dir.path()).unwrap();
+    run.snapshot(&snapshot(2.0, 3)).unwrap();
+    let ring = dir.path().join("ring.parquet");
+    std::fs::remove_file(&ring).unwrap();
+    std::fs::create_dir_all(ring.join("full")).unwrap();
+    let message = run.finish().unwrap_err().to_string();
+    assert!(message.contains("ring.parquet: "), "{message}");
+    assert!(!message.contains("balls.parquet"), "{message}");
+    assert!(message.contains("are not of one run"), "{message}");
+    assert_eq!(
+        files(dir.path()),
+        ["balls.parquet", "collisions.parquet", "ring.parquet"]
+    );
+}
+
 #[test]
 fn a_folder_that_cannot_be_written_is_named() {
     let dir = tempfile::tempdir().unwrap();

@@ -110,6 +110,12 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     };
     let wall_s = started.elapsed().as_secs_f64();
 
+    if let (Ending::ObserverFailed(error), Some(dir)) = (&outcome.ending, &args.out) {
+        return Err(Failure::Other(anyhow::anyhow!(
+            "{error}; the rest of {} is as it was",
+            dir.display()
+        )));
+    }
     if let Some(writer) = writer {
         writer.into_inner().finish()?;
     }

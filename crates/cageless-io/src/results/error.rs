@@ -36,6 +36,14 @@ pub enum ResultError {
         /// What Parquet says.
         source: parquet::errors::ParquetError,
     },
+    /// The tables of a run could not all be written; and what is there now.
+    #[error("{}; {left}", joined(.errors))]
+    Run {
+        /// One for each table.
+        errors: Vec<Self>,
+        /// What the folder holds.
+        left: String,
+    },
     /// The arrays of a snapshot are not of one length.
     #[error("the snapshot at {time_s} s has arrays of different lengths")]
     Ragged {
@@ -67,6 +75,7 @@ impl ResultError {
         match self {
             Self::Busy { .. } | Self::Unreadable { .. } => true,
             Self::Out { source, .. } => is_unusable(source),
+            Self::Run { errors, .. } => errors.iter().all(Self::is_input),
             Self::Table { .. } | Self::Ragged { .. } => false,
         }
     }
@@ -91,4 +100,9 @@ impl ResultError {
             source,
         }
     }
+}
+
+fn joined(errors: &[ResultError]) -> String {
+    let errors: Vec<_> = errors.iter().map(ToString::to_string).collect();
+    errors.join("; ")
 }

@@ -11,8 +11,9 @@
 //! Balls count from 1. The footer of each table has `schema`, `version`, `isa`
 //! (instruction set), `case` (JSON, as run) and for each column `unit:<column>`.
 //!
-//! Tables grow under a hidden name and take their own when they are complete, so
-//! that a file that is there can be read. Memory does not grow with the run.
+//! Tables grow under a hidden name and take their own when all of them are complete, so
+//! that a file that is there can be read, and a `summary.json` stands beside the tables of its
+//! own run. Memory does not grow with the run.
 
 mod certificate;
 mod error;
@@ -22,7 +23,7 @@ mod summary;
 mod table;
 
 use std::iter::repeat_n;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use cageless::{Collision, Snapshot};
 
@@ -36,6 +37,7 @@ pub use summary::{Stopped, SummaryFile};
 
 pub use table::Column;
 
+use partial::PartialFile;
 use table::Table;
 
 /// Version of the layout of results.
@@ -43,6 +45,9 @@ pub const SCHEMA: u64 = 1;
 
 /// Version of Cageless that writes.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+
+/// Files that say something about the tables beside them, written after these.
+pub const ABOUT_TABLES: [&str; 3] = ["summary.json", "report.html", "report.json"];
 
 /// What every table says about the run in its footer.
 #[derive(Debug, Clone, Copy)]
@@ -132,6 +137,7 @@ pub fn collision_values(c: &Collision) -> [f64; COLLISIONS.len()] {
 /// nothing behind.
 #[derive(Debug)]
 pub struct RunWriter {
+    dir: PathBuf,
     balls: Table,
     ring: Table,
     collisions: Table,
@@ -155,6 +161,7 @@ impl RunWriter {
         ];
         let open = |name: &str, columns| Table::create(&dir.join(name), columns, &footer);
         Ok(Self {
+            dir: dir.to_owned(),
             balls: open("balls.parquet", BALLS)?,
             ring: open("ring.parquet", RING)?,
             collisions: open("collisions.parquet", COLLISIONS)?,
@@ -202,12 +209,47 @@ impl RunWriter {
     }
 
     /// Completes the tables and gives them their names, after a run that stopped
-    /// early as well: they hold all rows up to then.
+    /// early as well: they hold all rows up to then. Nothing takes a name before all
+    /// tables are complete on the disk; then [`ABOUT_TABLES`] of an earlier run go first.
     ///
     /// # Errors
-    /// If writing fails; the tables that could be completed are there.
+    /// If writing fails: the folder is then as it was, but for its hidden files. If a
+    /// complete table cannot take its name, those that could have theirs, and nothing in
+    /// the folder claims that they are one run's. All tables that failed are named.
     pub fn finish(self) -> Result<(), ResultError> {
-        let done = [self.balls, self.ring, self.collisions].map(Table::finish);
-        done.into_iter().collect()
+        let closed = [self.balls, self.ring, self.collisions].map(Table::close);
+        let dir = &self.dir;
+        let tables = all(closed).map_err(|errors| ResultError::Run {
+            errors,
+            left: format!("the rest of {} is as it was", dir.display()),
+        })?;
+        for name in ABOUT_TABLES {
+            let path = dir.join(name);
+            match std::fs::remove_file(&path) {
+                Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
+                    return Err(ResultError::out(&path, error));
+                }
+                _ => {}
+            }
+        }
+        let renamed = all(tables.into_iter().map(PartialFile::rename));
+        renamed.map(drop).map_err(|errors| {
+            let left = format!("the tables in {} are not of one run", dir.display());
+            ResultError::Run { errors, left }
+        })
     }
+}
+
+/// What came of all, or everything that went wrong.
+fn all<T>(
+    results: impl IntoIterator<Item = Result<T, ResultError>>,
+) -> Result<Vec<T>, Vec<ResultError>> {
+    let (mut good, mut bad) = (Vec::new(), Vec::new());
+    for result in results {
+        match result {
+            Ok(value) => good.push(value),
+            Err(error) => bad.push(error),
+        }
+    }
+    if bad.is_empty() { Ok(good) } else { Err(bad) }
 }

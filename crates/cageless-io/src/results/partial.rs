@@ -70,12 +70,21 @@ impl PartialFile {
     }
 
     /// Gives the file its name.
-    pub(super) fn commit(mut self) -> Result<(), ResultError> {
-        let done = self
-            .file
-            .sync_all()
-            .and_then(|()| std::fs::rename(&self.partial, &self.path));
-        done.map_err(|source| ResultError::out(&self.path, source))?;
+    pub(super) fn commit(self) -> Result<(), ResultError> {
+        self.sync()?;
+        self.rename()
+    }
+
+    /// Puts the content on the disk: whatever lacks room has failed then.
+    pub(super) fn sync(&self) -> Result<(), ResultError> {
+        let done = self.file.sync_all();
+        done.map_err(|source| ResultError::out(&self.path, source))
+    }
+
+    /// Gives the file, which is complete and [synced](Self::sync), its name.
+    pub(super) fn rename(mut self) -> Result<(), ResultError> {
+        std::fs::rename(&self.partial, &self.path)
+            .map_err(|source| ResultError::out(&self.path, source))?;
         self.committed = true;
         Ok(())
     }

@@ -97,8 +97,8 @@ impl Table {
         }
     }
 
-    /// Writes what is left and gives the file its name.
-    pub(super) fn finish(mut self) -> Result<(), ResultError> {
+    /// Writes what is left; the file lacks only its name then.
+    pub(super) fn close(mut self) -> Result<PartialFile, ResultError> {
         if self.rows() > 0 {
             self.write_group()?;
         }
@@ -107,7 +107,8 @@ impl Table {
             .writer
             .into_inner()
             .map_err(|source| ResultError::Table { path, source })?;
-        file.commit()
+        file.sync()?;
+        Ok(file)
     }
 
     fn rows(&self) -> usize {
