@@ -143,33 +143,14 @@ impl Collection {
 
     /// Claims the work folder; says whether the result is there already.
     fn prepare(&self, parts: &Parts) -> Result<bool, SweepError> {
-        if self.is_complete()? {
+        if self
+            .identity
+            .is_there(&self.result, self.shard, self.total())?
+        {
             return Ok(true);
         }
         parts.claim(&self.identity)?;
         Ok(false)
-    }
-
-    fn is_complete(&self) -> Result<bool, SweepError> {
-        let path = &self.result;
-        if !path.exists() {
-            return Ok(false);
-        }
-        let remedy = "Choose another --out, or remove it";
-        let foreign = |why: &str| SweepError::Input(format!("{} {why}. {remedy}", path.display()));
-        if path.is_dir() {
-            return Err(foreign("is a directory where the result is to be"));
-        }
-        let found = RowsReader::open(path)?;
-        let before =
-            Identity::read(&found).ok_or_else(|| foreign("is not the result of a sweep"))?;
-        let what = path.display().to_string();
-        self.identity.must_be(&before.text(), &what, remedy)?;
-        let shard = self.shard.map(|s| s.to_string());
-        if found.footer("shard") != shard.as_deref() || found.rows() != self.total() {
-            return Err(foreign("holds another part of the sweep"));
-        }
-        Ok(true)
     }
 }
 

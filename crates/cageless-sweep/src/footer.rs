@@ -1,5 +1,7 @@
 //! What a table of a sweep says about itself.
 
+use std::path::Path;
+
 use cageless_io::plan_file::difference;
 use cageless_io::results::{RowsReader, VERSION};
 
@@ -64,6 +66,33 @@ impl Identity {
     /// As text that [`Identity::differences`] reads.
     pub(crate) fn text(&self) -> String {
         format!("version = {}\n{}", self.version, self.plan)
+    }
+
+    /// Whether `result` is there and holds all `rows` of this sweep, or of a shard of it.
+    /// Anything else in its place is refused, with the differences.
+    pub(crate) fn is_there(
+        &self,
+        result: &Path,
+        shard: Option<Shard>,
+        rows: u64,
+    ) -> Result<bool, SweepError> {
+        if !result.exists() {
+            return Ok(false);
+        }
+        let remedy = "Choose another --out, or remove it";
+        let what = result.display().to_string();
+        let foreign = |why: &str| SweepError::Input(format!("{what} {why}. {remedy}"));
+        if result.is_dir() {
+            return Err(foreign("is a directory where the result is to be"));
+        }
+        let found = RowsReader::open(result)?;
+        let before = Self::read(&found).ok_or_else(|| foreign("is not the result of a sweep"))?;
+        self.must_be(&before.text(), &what, remedy)?;
+        let shard = shard.map(|s| s.to_string());
+        if found.footer("shard") != shard.as_deref() || found.rows() != rows {
+            return Err(foreign("holds another part of the sweep"));
+        }
+        Ok(true)
     }
 
     /// Refuses another identity, with the differences.

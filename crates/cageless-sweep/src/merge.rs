@@ -14,8 +14,8 @@ use crate::ranges::{Ranges, listed};
 /// how many variants it has.
 ///
 /// # Errors
-/// A file is not of the same sweep, a variant is missing or there twice, or files cannot
-/// be read or written.
+/// A file, or what is there in place of the result, is not of the same sweep, a variant is
+/// missing or there twice, or files cannot be read or written.
 pub fn merge(shards: &[PathBuf], result: &Path) -> Result<u64, SweepError> {
     let mut known: Option<(Identity, PathBuf)> = None;
     let mut columns = Vec::new();
@@ -59,6 +59,8 @@ pub fn merge(shards: &[PathBuf], result: &Path) -> Result<u64, SweepError> {
             listed(&missing)
         )));
     }
+    // The same result may be there: it is made anew.
+    identity.is_there(result, None, identity.variants)?;
     tables.sort_unstable();
     let footer = identity.footer(&isa, None);
     assemble(result, &columns, &footer, &tables, 0..identity.variants)?;

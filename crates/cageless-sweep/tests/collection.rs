@@ -5,7 +5,7 @@ use std::path::Path;
 
 use cageless_io::case_file::template;
 use cageless_io::plan_file::PlanFile;
-use cageless_sweep::{Collection, Job, Sweep, run, write_part};
+use cageless_sweep::{Collection, Job, Sweep, merge, run, write_part};
 
 /// The variants of [`sweep`].
 const ALL: std::ops::Range<u64> = 0..7;
@@ -60,6 +60,48 @@ fn parts_from_elsewhere_make_the_result_of_one_run() {
         fs::read(result).expect("read"),
         fs::read(alone.result).expect("read")
     );
+}
+
+#[test]
+fn merging_replaces_no_result_of_another_plan() {
+    let dir = tempfile::tempdir().expect("a folder");
+    let job = |name: &str, shard: Option<&str>| Job {
+        result: dir.path().join(name),
+        shard: shard.map(|s| s.parse().expect("a shard")),
+        threads: None,
+    };
+    let (one, other) = (sweep(dir.path(), 1), sweep(dir.path(), 2));
+    let result = dir.path().join("sweep.parquet");
+    run(&one, &job("sweep.parquet", None), |_| false).expect("computed");
+    let before = fs::read(&result).expect("read");
+    let shards = |sweep: &Sweep, name: &str| {
+        ["1/2", "2/2"].map(|shard| {
+            let job = job(&format!("{name}-{}", &shard[..1]), Some(shard));
+            run(sweep, &job, |_| false).expect("computed");
+            job.result
+        })
+    };
+    let own = shards(&one, "own");
+    let error = merge(&shards(&other, "other"), &result).expect_err("another plan");
+    let message = error.to_string();
+    assert!(error.is_input(), "{message}");
+    assert!(
+        message.contains("sweep.parquet is of another plan: seed was 1, is 2"),
+        "{message}"
+    );
+    assert!(fs::read(&result).expect("read") == before);
+    // The same again is no harm; a shard in its place, or something else, is.
+    assert_eq!(merge(&own, &result).expect("merged"), 7);
+    assert!(fs::read(&result).expect("read") == before);
+    for (content, why) in [
+        (fs::read(&own[0]).expect("read"), "another part"),
+        (b"a = 1\n".to_vec(), "cannot be read"),
+    ] {
+        fs::write(&result, &content).expect("written");
+        let message = merge(&own, &result).expect_err("foreign").to_string();
+        assert!(message.contains(why), "{message}");
+        assert!(fs::read(&result).expect("read") == content);
+    }
 }
 
 #[test]
