@@ -115,9 +115,15 @@ fn ctrl_c_ends_a_run_in_good_order() {
     assert!(end > 0.01, "{end}");
     let summary = json_file(&out.join("summary.json"));
     assert!(summary["steps"].as_u64() > Some(10_000));
-    // The summary alone tells that it is not of the whole run.
-    let warning = summary["warnings"][0].as_str().unwrap();
-    assert!(warning.starts_with("interrupted at t = "), "{warning}");
+    // The summary alone tells that it is not of the whole run, and why.
+    let stopped = &summary["stopped"];
+    assert_eq!(stopped["cause"], "interrupted", "{summary}");
+    assert!(stopped["time_s"].as_f64().unwrap() >= end, "{summary}");
+    let advice = stopped["advice"].as_str().unwrap();
+    assert!(advice.contains("to its end at 5000 s"), "{advice}");
+    let page = json_file(&out.join("report.json"));
+    let warnings = page["warnings"].to_string();
+    assert_eq!(warnings.matches("interrupted").count(), 1, "{warnings}");
 }
 
 /// SIGTERM is how a batch system ends a run.

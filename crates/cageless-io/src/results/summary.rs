@@ -59,7 +59,7 @@ pub struct SummaryFile {
     /// How far the numbers can be trusted, if that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub certificate: Option<CertificateFile>,
-    /// Why the run stopped early, if it did.
+    /// Why the run stopped early, if it did: it left the physical range, or was interrupted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stopped: Option<Stopped>,
 }
@@ -69,10 +69,34 @@ pub struct SummaryFile {
 pub struct Stopped {
     /// Simulated time reached.
     pub time_s: f64,
-    /// What happened.
+    /// What happened; [`Stopped::INTERRUPTED`] if the user ended it.
     pub cause: String,
     /// What to change.
     pub advice: String,
+}
+
+impl Stopped {
+    /// Cause of a run that the user ended: nothing is wrong with what it has.
+    pub const INTERRUPTED: &str = "interrupted";
+}
+
+fn stopped(case: &Case, outcome: &RunOutcome) -> Option<Stopped> {
+    match &outcome.ending {
+        Ending::Stopped(stop) => Some(Stopped {
+            time_s: stop.time_s,
+            cause: stop.cause.to_string(),
+            advice: stop.advice(),
+        }),
+        Ending::Interrupted => Some(Stopped {
+            time_s: outcome.end_s,
+            cause: Stopped::INTERRUPTED.to_owned(),
+            advice: format!(
+                "let it run to its end at {} s, or set solver.duration_s to less",
+                case.solver.duration_s
+            ),
+        }),
+        Ending::Complete | Ending::ObserverFailed(_) => None,
+    }
 }
 
 impl SummaryFile {
@@ -92,13 +116,6 @@ impl SummaryFile {
             outcome.end_energy_j - outcome.start_energy_j,
         );
         let mut warnings = warnings(file.case());
-        if matches!(outcome.ending, Ending::Interrupted) {
-            warnings.push(format!(
-                "interrupted at t = {:.6} s of {} s",
-                outcome.end_s,
-                file.case().solver.duration_s
-            ));
-        }
         // A run that stopped says so itself.
         let residual = outcome.energy_residual_relative;
         if residual.abs() > RESIDUAL_SHARE && !matches!(outcome.ending, Ending::Stopped(_)) {
@@ -133,14 +150,7 @@ impl SummaryFile {
             settled_after_s: number(|s| s.settled_after_s),
             warnings,
             certificate: None,
-            stopped: match &outcome.ending {
-                Ending::Stopped(stop) => Some(Stopped {
-                    time_s: stop.time_s,
-                    cause: stop.cause.to_string(),
-                    advice: stop.advice(),
-                }),
-                _ => None,
-            },
+            stopped: stopped(file.case(), outcome),
         }
     }
 
