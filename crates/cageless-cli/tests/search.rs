@@ -65,6 +65,15 @@ fn a_search_that_was_killed_goes_on_and_finds_the_same() {
     );
     assert_eq!(other.code, Some(2), "{other:?}");
     assert!(other.stderr.contains("search.journal"), "{}", other.stderr);
+    let difference = "request: title was \"Zhao 2022, structure (d): lC 5.1 mm";
+    assert!(other.stderr.contains(difference), "{}", other.stderr);
+    let difference = "raceway.axial_span_mm was 5.1, is 5.15";
+    assert!(other.stderr.contains(difference), "{}", other.stderr);
+    let mut changed = search_command(&parts);
+    let changed: Answer = (changed.args(["--set", "search.budget=8"]).output().unwrap()).into();
+    assert_eq!(changed.code, Some(2), "{changed:?}");
+    let difference = "another request: search.budget was 4, is 8: remove it";
+    assert!(changed.stderr.contains(difference), "{}", changed.stderr);
     assert_eq!(
         (other.stdout.as_str(), other.stderr.lines().count()),
         ("", 1)

@@ -1,8 +1,8 @@
 //! A journal of finished pieces of work, so that a long computation that was killed goes on
 //! where it stopped.
 //!
-//! One JSON document per line: the first says whose journal it is, each other holds the name
-//! of a piece of work and its outcome. Numbers are stored as their bits: what is read back is
+//! One JSON document per line: the first says whose journal it is, as a list of lines, each
+//! other holds the name of a piece of work and its outcome. Numbers are stored as their bits: what is read back is
 //! what was computed. A line that was cut off by the end of the program is dropped.
 
 use std::collections::HashMap;
@@ -11,6 +11,8 @@ use std::io::{self, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
+
+use crate::plan_file::difference;
 
 /// Numbers, or why there are none.
 pub type Entry = Result<Vec<f64>, String>;
@@ -25,11 +27,13 @@ pub struct Journal {
 #[derive(Debug, thiserror::Error)]
 pub enum JournalError {
     /// It belongs to something else.
-    #[error(
-        "{}: was left by another case, another request or another version: remove it or choose \
-         another folder", .0.display()
-    )]
-    Foreign(PathBuf),
+    #[error("{}: {why}: remove it or choose another folder", .path.display())]
+    Foreign {
+        /// The file.
+        path: PathBuf,
+        /// What is different.
+        why: String,
+    },
     /// It cannot be read or written.
     #[error("{}: {source}", .path.display())]
     Io {
@@ -42,7 +46,52 @@ pub enum JournalError {
 
 #[derive(Serialize, Deserialize)]
 struct Head {
-    journal_of: String,
+    journal_of: Vec<String>,
+}
+
+/// Differences that a message names.
+const NAMED: usize = 3;
+
+/// The lines of an owner: `key = value` with the section before the key, so that each says
+/// by itself what it is about.
+fn lines(owner: &str) -> Vec<String> {
+    let (mut section, mut counts) = (String::new(), HashMap::new());
+    let mut lines = vec![];
+    for line in owner.lines().map(str::trim).filter(|l| !l.is_empty()) {
+        let inner = |open, close| line.strip_prefix(open)?.strip_suffix(close);
+        if let Some(name) = inner("[[", "]]") {
+            let count = counts.entry(name).or_insert(0);
+            *count += 1;
+            section = format!("{name}.{count}.");
+        } else if let Some(name) = inner("[", "]") {
+            section = format!("{name}.");
+        } else {
+            lines.push(format!("{section}{line}"));
+        }
+    }
+    lines
+}
+
+/// What is different about another owner, in words.
+fn why(before: &[String], now: &[String]) -> String {
+    let is_key = |line: &&String| line.contains(" = ");
+    let heading = |lines: &[String]| -> Vec<String> {
+        let others = lines.iter().filter(|l| !is_key(l));
+        others.cloned().collect()
+    };
+    let (was, is) = (heading(before), heading(now));
+    let mut found = difference(&before.join("\n"), &now.join("\n"));
+    if was != is {
+        let change = format!("it is of {}, this is {}", was.join(", "), is.join(", "));
+        found.insert(0, change);
+    }
+    let more = found.len().saturating_sub(NAMED);
+    found.truncate(NAMED);
+    let more = match more {
+        0 => String::new(),
+        more => format!("; and {more} more"),
+    };
+    format!("was left by another request: {}{more}", found.join("; "))
 }
 
 #[derive(Serialize, Deserialize)]
@@ -56,11 +105,11 @@ struct Line {
 
 impl Journal {
     /// Opens the journal of `owner` (a text that changes with everything that the outcomes
-    /// depend on) or begins one, and returns what it holds.
+    /// depend on: headings and TOML) or begins one, and returns what it holds.
     ///
     /// # Errors
-    /// [`JournalError::Foreign`] if it has another owner, [`JournalError::Io`] if it cannot be
-    /// read or written.
+    /// [`JournalError::Foreign`] with what differs if it has another owner,
+    /// [`JournalError::Io`] if it cannot be read or written.
     pub fn open(path: &Path, owner: &str) -> Result<(Self, HashMap<String, Entry>), JournalError> {
         let failed = |source| JournalError::Io {
             path: path.to_owned(),
@@ -71,6 +120,11 @@ impl Journal {
             Err(error) if error.kind() == io::ErrorKind::NotFound => vec![],
             Err(error) => return Err(failed(error)),
         };
+        let foreign = |why: String| JournalError::Foreign {
+            path: path.to_owned(),
+            why,
+        };
+        let owner = lines(owner);
         let mut entries = HashMap::new();
         let mut good = 0;
         for (k, line) in text.split_inclusive(|&b| b == b'\n').enumerate() {
@@ -79,7 +133,8 @@ impl Journal {
                     Ok(head) if head.journal_of == owner => {}
                     // Cut off while the head was written: nothing is lost.
                     Err(_) if !line.ends_with(b"\n") => break,
-                    _ => return Err(JournalError::Foreign(path.to_owned())),
+                    Ok(head) => return Err(foreign(why(&head.journal_of, &owner))),
+                    Err(_) => return Err(foreign("is no journal of this version".to_owned())),
                 }
             } else {
                 let Ok(read) = serde_json::from_slice::<Line>(line) else {
@@ -106,9 +161,7 @@ impl Journal {
         file.seek(SeekFrom::End(0)).map_err(failed)?;
         let mut journal = Self { file };
         if good == 0 {
-            let head = Head {
-                journal_of: owner.to_owned(),
-            };
+            let head = Head { journal_of: owner };
             journal.line(&head).map_err(failed)?;
         }
         Ok((journal, entries))
@@ -170,8 +223,45 @@ mod tests {
         assert_eq!(std::fs::metadata(&path).unwrap().len() as usize, whole);
         assert!(matches!(
             Journal::open(&path, "you"),
-            Err(JournalError::Foreign(_))
+            Err(JournalError::Foreign { .. })
         ));
+    }
+
+    #[test]
+    fn another_owner_hears_what_is_different() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("journal");
+        let before = "made by 0.9\ntitle = \"a\"\n\n[search]\nbudget = 4\nseed = 1\n\n\
+                      [[raceway]]\nspan = 5\n\n[[raceway]]\nspan = 6\n";
+        Journal::open(&path, before).unwrap();
+        let message = |from: &str, to: &str| {
+            let now = before.replace(from, to);
+            Journal::open(&path, &now).unwrap_err().to_string()
+        };
+        let text = message("budget = 4", "budget = 8");
+        assert!(
+            text.contains("request: search.budget was 4, is 8: remove"),
+            "{text}"
+        );
+        let text = message("span = 6", "span = 7");
+        assert!(text.contains("raceway.2.span was 6, is 7"), "{text}");
+        let text = message("0.9", "1.0");
+        assert!(
+            text.contains("it is of made by 0.9, this is made by 1.0"),
+            "{text}"
+        );
+        let text = message(before, "made by 1.0\n[search]\nbudget = 4");
+        let first =
+            "this is made by 1.0; title was \"a\", is left out; search.seed was 1, is left out";
+        assert!(text.contains(first), "{text}");
+        assert!(text.contains("; and 2 more: remove it"), "{text}");
+        Journal::open(&path, before).unwrap();
+        // Whoever looks into it sees a line for each key.
+        let head = std::fs::read_to_string(&path).unwrap();
+        assert!(
+            head.contains("\"search.budget = 4\",\"search.seed = 1\""),
+            "{head}"
+        );
     }
 
     #[test]

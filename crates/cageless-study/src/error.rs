@@ -66,7 +66,7 @@ impl StudyError {
 impl From<JournalError> for StudyError {
     fn from(error: JournalError) -> Self {
         match error {
-            JournalError::Foreign(_) => Self::Foreign(error.to_string()),
+            JournalError::Foreign { .. } => Self::Foreign(error.to_string()),
             JournalError::Io { path, source } => Self::Folder { path, source },
         }
     }
