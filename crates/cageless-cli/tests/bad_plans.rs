@@ -33,6 +33,11 @@ const PLANS: &[Row] = &[
     ("[grid]\noperation.radial_load_n = { from = 1.0, to = 30.0, count = 3, scale = \"cubic\" }", 4, &["\"linear\" or \"log\""]),
     ("[grid]\nstart.gaps = [[1.0, 2.0]]", 4, &["start.gaps has a value for each ball", "[scatter]"]),
     ("[grid]\noperation.radial_load_n = [1.0]\n[samples]\nmethod = \"sobol\"\ncount = 4\noperation.radial_load_n = { from = 1.0, to = 2.0 }", 8, &["varies on line 4 already"]),
+    ("[set]\nraceway.axial_span_mm = 5.2\n[grid]\nraceway.axial_span_mm = [5.0, 5.1]", 4, &["raceway.axial_span_mm varies on line 6", "[set] has no effect"]),
+    ("[samples]\nmethod = \"sobol\"\ncount = 4\noperation.radial_load_n = { from = 1.0, to = 2.0 }\n[set]\noperation.radial_load_n = 1.0", 8, &["varies on line 6", "[set] has no effect"]),
+    ("[grid]\nsearch.budget = [4, 8]", 4, &["search.budget is for `cageless design --search`"]),
+    ("[set]\nsearch.starts = 2\n[grid]\nraceway.axial_span_mm = [5.0, 5.1]", 4, &["changes nothing that a sweep computes"]),
+    ("[scatter]\nsearch.spread_min = { normal = 0.1 }", 4, &["changes nothing that a sweep computes"]),
     ("[samples]\ncount = 4\noperation.radial_load_n = { from = 1.0, to = 2.0 }", 3, &["samples.method is missing"]),
     ("[samples]\nmethod = \"halton\"\ncount = 4\noperation.radial_load_n = { from = 1.0, to = 2.0 }", 4, &["\"sobol\", \"latin-hypercube\" or \"random\""]),
     ("[samples]\nmethod = \"sobol\"\ncount = 0\noperation.radial_load_n = { from = 1.0, to = 2.0 }", 5, &["a whole number, 1 or more"]),
@@ -137,4 +142,28 @@ fn a_place_that_cannot_be_written_to_is_refused_at_once() {
         assert!(answer.stderr.contains(out.to_str().unwrap()), "{answer:?}");
     }
     assert_eq!(names(&foreign), ["sweep.parquet"]);
+}
+
+/// What varies may need a value in `[set]` all the same: the case must be possible as it stands.
+#[test]
+fn a_value_that_the_case_lacks_may_be_set_and_varied() {
+    let dir = tempfile::tempdir().unwrap();
+    let case = repository_case("zhao-d.toml");
+    let case = std::fs::read_to_string(case).unwrap();
+    let case: String = (case.split_inclusive('\n'))
+        .filter(|line| !line.starts_with("axial_span_mm"))
+        .collect();
+    std::fs::write(dir.path().join("case.toml"), case).unwrap();
+    let plan = dir.path().join("plan.toml");
+    let text = "case = \"case.toml\"\ncompute = [\"static\"]\n[set]\nraceway.axial_span_mm = 5.2\n\
+                [grid]\nraceway.axial_span_mm = [5.0, 5.1]\n";
+    std::fs::write(&plan, text).unwrap();
+    let out = dir.path().join("out");
+    let answer = call(&[
+        "sweep",
+        plan.to_str().unwrap(),
+        "--out",
+        out.to_str().unwrap(),
+    ]);
+    assert_eq!(answer.code, Some(0), "{answer:?}");
 }

@@ -21,7 +21,8 @@ pub(super) fn plan(text: &str, name: &str, folder: &Path) -> Result<PlanFile, Ca
     let reader = PlanReader { root: &root, name };
     reader.check_head()?;
     reader.schema()?;
-    let mut base = reader.base(folder)?;
+    let case = reader.base(folder)?;
+    let mut base = case.clone();
     let set = reader.set()?;
     let changes: Vec<_> = set
         .iter()
@@ -49,20 +50,46 @@ pub(super) fn plan(text: &str, name: &str, folder: &Path) -> Result<PlanFile, Ca
         .grid
         .iter()
         .chain(plan.samples.iter().flat_map(|s| &s.axes));
-    if let Some((one, other)) = twice(axes.collect()) {
+    let axes: Vec<_> = axes.collect();
+    if let Some((one, other)) = twice(&axes) {
         let message = format!(
             "{} varies on line {} already: an axis belongs to the grid or to the samples",
             other.key, one.line
         );
         return Err(plan.error(other.line, &other.key, message));
     }
+    for change in &changes {
+        let varied = axes
+            .iter()
+            .find(|axis| plain(&axis.key) == plain(change.key));
+        if let Some(axis) = varied.filter(|_| is_possible_without(&case, &changes, change.key)) {
+            let message = format!(
+                "{} varies on line {}: its value in [set] has no effect, leave it out",
+                change.key, axis.line
+            );
+            return Err(plan.error(change.place.1, change.key, message));
+        }
+    }
     Ok(plan)
 }
 
+/// Whether there is a case without this one of the changes.
+fn is_possible_without(case: &CaseBase, changes: &[Change<'_>], key: &str) -> bool {
+    let others = changes.iter().filter(|change| change.key != key);
+    let others: Vec<_> = others.copied().collect();
+    case.with(&others).is_ok()
+}
+
+/// The key without the number of the first section, which may be left out.
+fn plain(key: &str) -> String {
+    key.replacen(".1.", ".", 1)
+}
+
 /// The first two axes of one key.
-fn twice(axes: Vec<&Axis>) -> Option<(&Axis, &Axis)> {
+fn twice<'a>(axes: &[&'a Axis]) -> Option<(&'a Axis, &'a Axis)> {
     axes.iter().enumerate().find_map(|(k, one)| {
-        let other = axes[k + 1..].iter().find(|other| other.key == one.key)?;
+        let mut others = axes[k + 1..].iter();
+        let other = others.find(|other| plain(&other.key) == plain(&one.key))?;
         Some((*one, *other))
     })
 }
@@ -300,6 +327,12 @@ impl<'a> PlanReader<'a> {
             let message = format!(
                 "{path} is not a key of [{section}]; {}",
                 read::hint(section, key)
+            );
+            return Err(self.error(node, &path, message));
+        }
+        if section == "search" {
+            let message = format!(
+                "{path} is for `cageless design --search`: it changes nothing that a sweep computes"
             );
             return Err(self.error(node, &path, message));
         }
