@@ -3,8 +3,9 @@
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
+use cageless::tolerance::BALL_GRADES;
 use cageless_io::cad::Format;
-use cageless_sweep::Shard;
+use cageless_sweep::{Shard, THREADS_MAX};
 use clap::{Args as Group, Parser, Subcommand, ValueEnum};
 
 /// Simulate and design cageless ball bearings with a discrete raceway.
@@ -106,16 +107,16 @@ pub struct ExportArgs {
     /// Length of the blend between each end of a discrete raceway and the plain groove, inside
     /// the raceway; 0 leaves the kink. Default: 0.5, or a fifth of the shortest half raceway if
     /// that is shorter.
-    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    #[arg(long, value_parser = number, value_name = "MM", allow_negative_numbers = true)]
     pub blend_mm: Option<f64>,
     /// step: largest distance of the B-splines from the analytic surface. Default: 0.01.
-    #[arg(long, value_name = "UM", allow_negative_numbers = true)]
+    #[arg(long, value_parser = number, value_name = "UM", allow_negative_numbers = true)]
     pub tolerance_um: Option<f64>,
     /// stl: largest distance of a triangle from the analytic surface. Default: 5.
-    #[arg(long, value_name = "UM", allow_negative_numbers = true)]
+    #[arg(long, value_parser = number, value_name = "UM", allow_negative_numbers = true)]
     pub chord_um: Option<f64>,
     /// csv: largest distance of neighbouring points. Default: 0.5.
-    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    #[arg(long, value_parser = number, value_name = "MM", allow_negative_numbers = true)]
     pub spacing_mm: Option<f64>,
     /// Print the numbers as one JSON document.
     #[arg(long)]
@@ -162,7 +163,7 @@ pub struct SweepArgs {
     #[arg(long, value_name = "I/N")]
     pub shard: Option<Shard>,
     /// Threads; as many as there are cores by default.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_parser = threads, value_name = "N")]
     pub threads: Option<NonZeroUsize>,
     /// Where the result goes.
     #[command(flatten)]
@@ -226,31 +227,31 @@ pub struct ToleranceArgs {
     #[command(flatten)]
     pub case: CaseArgs,
     /// Bearings in which everything deviates at once; 0 for the table alone.
-    #[arg(long, default_value_t = 200)]
+    #[arg(long, value_parser = whole, default_value_t = 200)]
     pub samples: u64,
     /// Depth of the raceways, µm to either side.
-    #[arg(long, value_name = "UM", default_value_t = 2.0)]
+    #[arg(long, value_parser = number, value_name = "UM", default_value_t = 2.0)]
     pub groove_depth_um: f64,
     /// Axial span lC, µm to either side.
-    #[arg(long, value_name = "UM", default_value_t = 20.0)]
+    #[arg(long, value_parser = number, value_name = "UM", default_value_t = 20.0)]
     pub axial_span_um: f64,
     /// Half angle θ, degrees to either side.
-    #[arg(long, value_name = "DEG", default_value_t = 0.1)]
+    #[arg(long, value_parser = number, value_name = "DEG", default_value_t = 0.1)]
     pub half_angle_deg: f64,
     /// Grade of the balls by ISO 3290-1, 0 for balls all equal.
-    #[arg(long, value_name = "G", default_value_t = 10)]
+    #[arg(long, value_parser = ball_grade, value_name = "G", default_value_t = 10)]
     pub ball_grade: u32,
     /// Friction coefficient, to either side.
-    #[arg(long, value_name = "MU", default_value_t = 0.002)]
+    #[arg(long, value_parser = number, value_name = "MU", default_value_t = 0.002)]
     pub friction: f64,
     /// Radial clearance, µm to either side.
-    #[arg(long, value_name = "UM", default_value_t = 5.0)]
+    #[arg(long, value_parser = number, value_name = "UM", default_value_t = 5.0)]
     pub clearance_um: f64,
     /// Speed, per cent to either side.
-    #[arg(long, value_name = "PERCENT", default_value_t = 5.0)]
+    #[arg(long, value_parser = number, value_name = "PERCENT", default_value_t = 5.0)]
     pub speed_percent: f64,
     /// Load, per cent to either side.
-    #[arg(long, value_name = "PERCENT", default_value_t = 20.0)]
+    #[arg(long, value_parser = number, value_name = "PERCENT", default_value_t = 20.0)]
     pub load_percent: f64,
 }
 
@@ -281,4 +282,29 @@ pub struct CaseArgs {
     /// Folder for files.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+}
+
+fn number(text: &str) -> Result<f64, String> {
+    text.parse().map_err(|_| "it must be a number".to_owned())
+}
+
+fn whole(text: &str) -> Result<u64, String> {
+    let allowed = |_| "it must be a whole number, 0 or more".to_owned();
+    text.parse().map_err(allowed)
+}
+
+fn threads(text: &str) -> Result<NonZeroUsize, String> {
+    let count = text
+        .parse()
+        .ok()
+        .filter(|n: &NonZeroUsize| n.get() <= THREADS_MAX);
+    count.ok_or_else(|| format!("1 to {THREADS_MAX} are allowed"))
+}
+
+/// Whether there is such a grade, the study says.
+fn ball_grade(text: &str) -> Result<u32, String> {
+    text.parse().map_err(|_| {
+        let grades: Vec<_> = BALL_GRADES.iter().map(|g| g.number.to_string()).collect();
+        format!("allowed are 0 for balls all equal, {}", grades.join(", "))
+    })
 }

@@ -7,6 +7,7 @@ use cageless::equilibrium::EquilibriumError;
 use cageless::simulation::Stop;
 use cageless::spacing::CriticalGapError;
 use cageless_io::case_file::CaseError;
+use cageless_io::in_words;
 use cageless_io::results::ResultError;
 use cageless_study::StudyError;
 use cageless_sweep::SweepError;
@@ -99,10 +100,15 @@ impl From<StudyError> for Failure {
             StudyError::Interrupted => {
                 Self::Interrupted("interrupted before there was a result".to_owned())
             }
-            error @ StudyError::Folder { .. } => Self::Input(format!("--out {error}")),
-            error @ (StudyError::Threads(_) | StudyError::Journal { .. }) => {
-                Self::Other(anyhow::Error::msg(error.to_string()))
+            error @ StudyError::Threads(_) => Self::Other(anyhow::Error::msg(error.to_string())),
+            StudyError::Folder { path, source } => {
+                Self::Input(format!("--out {}: {}", path.display(), in_words(&source)))
             }
+            StudyError::Journal { path, source } => Self::Other(anyhow::anyhow!(
+                "cannot write {}: {}",
+                path.display(),
+                in_words(&source)
+            )),
         }
     }
 }

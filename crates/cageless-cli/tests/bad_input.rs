@@ -350,7 +350,12 @@ fn folders_that_cannot_be_made() {
             assert_refused(&answer, command);
             assert!(answer.stderr.contains("--out"), "{}", answer.stderr);
             assert!(answer.stderr.contains(&out), "{}", answer.stderr);
+            assert!(answer.stderr.contains("is a file, "), "{}", answer.stderr);
+            assert!(!answer.stderr.contains("os error"), "{}", answer.stderr);
         }
+        let answer = call_on("design", &case, &[], &["--search", "--out", &out]);
+        assert_refused(&answer, "design");
+        assert!(answer.stderr.contains("is a file, "), "{}", answer.stderr);
     }
     assert_eq!(std::fs::read_to_string(&file).unwrap(), "keep me");
 }
@@ -376,5 +381,78 @@ fn a_folder_where_a_file_is_to_be() {
         let system = answer.stderr.matches("directory").count();
         assert_eq!(system, 1, "said once: {}", answer.stderr);
         assert_eq!(names(&out), [name]);
+    }
+}
+
+/// What parses the options has words of its own; the answer says what is allowed.
+#[test]
+fn options_that_are_no_numbers() {
+    let case = repository_case("zhao-d.toml");
+    let case = case.to_str().unwrap();
+    for (args, allowed) in [
+        (
+            &["sweep", "plan.toml", "--threads", "0"][..],
+            "1 to 1024 are allowed",
+        ),
+        (
+            &["sweep", "plan.toml", "--threads=two"],
+            "1 to 1024 are allowed",
+        ),
+        (
+            &["tolerance", case, "--ball-grade=2.5"],
+            "0 for balls all equal, 3, 5, 10, 16",
+        ),
+        (
+            &["tolerance", case, "--samples=-1"],
+            "a whole number, 0 or more",
+        ),
+        (&["tolerance", case, "--friction=some"], "must be a number"),
+        (
+            &["export", case, "--format=step", "--blend-mm=x"],
+            "must be a number",
+        ),
+    ] {
+        let answer = call(args);
+        assert_eq!(answer.code, Some(2), "{answer:?}");
+        assert!(answer.stderr.contains(allowed), "{}", answer.stderr);
+    }
+}
+
+/// Files that are no tables are said to be none in the words of users.
+#[test]
+fn tables_that_are_none() {
+    let dir = tempfile::tempdir().unwrap();
+    let (text, folder) = (dir.path().join("plan.toml"), dir.path().join("x.parquet"));
+    std::fs::write(&text, "seed = 1\n".repeat(100)).unwrap();
+    std::fs::create_dir_all(folder.join("sweep.parquet")).unwrap();
+    let (text, folder) = (text.to_str().unwrap(), folder.to_str().unwrap());
+    for (args, said) in [
+        (
+            &["report", text][..],
+            "plan.toml: cannot be read: it is not a Parquet file",
+        ),
+        (
+            &["sweep", "merge", text],
+            "plan.toml: cannot be read: it is not a Parquet file",
+        ),
+        (
+            &["report", folder],
+            "sweep.parquet: cannot be read: is a directory",
+        ),
+        (
+            &["sweep", "merge", folder],
+            "x.parquet: cannot be read: is a directory",
+        ),
+        (
+            &["report", "none.parquet"],
+            "none.parquet: cannot be read: no such file",
+        ),
+    ] {
+        let answer = call(args);
+        assert_refused(&answer, said);
+        assert!(answer.stderr.contains(said), "{}", answer.stderr);
+        for word in ["External", "Parquet error", "os error"] {
+            assert!(!answer.stderr.contains(word), "{}", answer.stderr);
+        }
     }
 }

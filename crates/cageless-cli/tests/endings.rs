@@ -205,6 +205,10 @@ fn a_full_disk_leaves_the_files_of_one_run() {
         assert!(message.contains("cannot write ") && message.contains("balls.parquet: "));
         assert!(!message.contains("ring.parquet"), "{message}");
         assert!(message.contains("is as it was"), "{message}");
+        assert!(
+            message.contains("balls.parquet: file too large;"),
+            "{message}"
+        );
         assert_eq!(names(out), RUN_FILES);
         assert!(read() == before, "{blocks}");
     }

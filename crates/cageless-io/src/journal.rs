@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use crate::plan_file::difference;
+use crate::system::in_words;
 
 /// Numbers, or why there are none.
 pub type Entry = Result<Vec<f64>, String>;
@@ -35,7 +36,7 @@ pub enum JournalError {
         why: String,
     },
     /// It cannot be read or written.
-    #[error("{}: {source}", .path.display())]
+    #[error("{}: {}", .path.display(), in_words(.source))]
     Io {
         /// The file.
         path: PathBuf,

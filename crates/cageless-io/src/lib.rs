@@ -19,5 +19,7 @@ pub mod journal;
 mod option_error;
 pub mod plan_file;
 pub mod results;
+mod system;
 
 pub use option_error::OptionError;
+pub use system::in_words;

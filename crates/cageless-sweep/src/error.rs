@@ -1,6 +1,7 @@
 //! Why a sweep cannot go on.
 
 use cageless_io::case_file::CaseError;
+use cageless_io::in_words;
 use cageless_io::results::{ResultError, is_unusable};
 
 /// What went wrong with a sweep as a whole. A variant that fails is a row.
@@ -16,7 +17,7 @@ pub enum SweepError {
     #[error(transparent)]
     Files(#[from] ResultError),
     /// Files of the sweep in progress cannot be handled.
-    #[error("{}: {source}", path.display())]
+    #[error("{}: {}", path.display(), in_words(.source))]
     Folder {
         /// File or folder.
         path: std::path::PathBuf,

@@ -154,13 +154,13 @@ pub enum CriticalGapError {
     #[error(transparent)]
     Case(#[from] EquilibriumError),
     /// The run left the physical range.
-    #[error("at t = {} s {}: {}", .0.time_s, .0.cause, .0.advice())]
+    #[error("at t = {:.6} s {}: {}", .0.time_s, .0.cause, .0.advice())]
     Stopped(Stop),
     /// Ended by the caller.
     #[error("interrupted")]
     Interrupted,
     /// The pair did not reach the raceway.
-    #[error("the pair did not pass the raceway within {0} s: the balls do not roll")]
+    #[error("the pair did not pass the raceway within {:.2} ms: the balls do not roll", 1e3 * .0)]
     NotPassed(f64),
     /// No raceway, or it never closes the gap.
     #[error("the gap of a pair never closes on this raceway")]

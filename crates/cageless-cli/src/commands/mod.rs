@@ -12,6 +12,7 @@ use std::path::Path;
 
 use cageless::dynamics::InstructionSet;
 use cageless_io::case_file::{CaseFile, template};
+use cageless_io::in_words;
 use cageless_io::results::write_atomically;
 use serde::Serialize;
 
@@ -99,7 +100,7 @@ pub fn deliver<T: Serialize>(
 /// Makes the folder of `--out`.
 pub fn make_folder(dir: &Path) -> Result<(), Failure> {
     std::fs::create_dir_all(dir)
-        .map_err(|error| Failure::Input(format!("--out {}: {error}", dir.display())))
+        .map_err(|error| Failure::Input(format!("--out {}: {}", dir.display(), in_words(&error))))
 }
 
 /// Refuses a folder where a file is to be.

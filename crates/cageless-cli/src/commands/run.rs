@@ -112,7 +112,7 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
 
     if let (Ending::ObserverFailed(error), Some(dir)) = (&outcome.ending, &args.out) {
         return Err(Failure::Other(anyhow::anyhow!(
-            "{error}; the rest of {} is as it was",
+            "{error}; {} is as it was",
             dir.display()
         )));
     }

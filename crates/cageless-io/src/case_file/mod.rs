@@ -35,6 +35,7 @@ pub use document::{
 pub use error::CaseError;
 pub use template::template;
 
+use crate::system::in_words;
 use cageless::design::search::Request;
 use tree::Places;
 
@@ -184,11 +185,11 @@ pub(crate) fn read_text(path: &Path, what: &str) -> Result<String, String> {
     if path.is_dir() {
         return Err(format!("is a directory, not a {what}"));
     }
-    let file = File::open(path).map_err(|e| format!("cannot be opened: {e}"))?;
+    let file = File::open(path).map_err(|e| format!("cannot be opened: {}", in_words(&e)))?;
     let mut bytes = Vec::new();
     file.take(SIZE_MAX + 1)
         .read_to_end(&mut bytes)
-        .map_err(|e| format!("cannot be read: {e}"))?;
+        .map_err(|e| format!("cannot be read: {}", in_words(&e)))?;
     if bytes.len() as u64 > SIZE_MAX {
         return Err(format!(
             "is larger than {} MiB: not a {what}",

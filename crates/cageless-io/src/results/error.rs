@@ -3,11 +3,15 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
+use parquet::errors::ParquetError;
+
+use crate::system::in_words;
+
 /// What went wrong with the results of a run.
 #[derive(Debug, thiserror::Error)]
 pub enum ResultError {
     /// The folder of `--out` cannot be used.
-    #[error("--out {}: cannot be written to: {source}", path.display())]
+    #[error("--out {}: cannot be written to: {}", path.display(), in_words(.source))]
     Out {
         /// The folder, or the file in it.
         path: PathBuf,
@@ -29,12 +33,12 @@ pub enum ResultError {
         message: String,
     },
     /// Rows could not be written.
-    #[error("cannot write {}: {source}", path.display())]
+    #[error("cannot write {}: {}", path.display(), of_parquet(.source))]
     Table {
         /// The file.
         path: PathBuf,
         /// What Parquet says.
-        source: parquet::errors::ParquetError,
+        source: ParquetError,
     },
     /// The tables of a run could not all be written; and what is there now.
     #[error("{}; {left}", joined(.errors))]
@@ -87,14 +91,24 @@ impl ResultError {
         }
     }
 
-    pub(super) fn unreadable(path: &Path, why: impl ToString) -> Self {
+    pub(super) fn unreadable(path: &Path, why: impl Into<String>) -> Self {
         Self::Unreadable {
             path: path.to_owned(),
-            message: why.to_string(),
+            message: why.into(),
         }
     }
 
-    pub(super) fn table(path: &Path, source: parquet::errors::ParquetError) -> Self {
+    /// A table that Parquet cannot read: what the system says, or else `why`.
+    pub(super) fn damaged(path: &Path, error: &ParquetError, why: &str) -> Self {
+        match system_error(error) {
+            Some(error) if error.kind() != io::ErrorKind::UnexpectedEof => {
+                Self::unreadable(path, in_words(error))
+            }
+            _ => Self::unreadable(path, why),
+        }
+    }
+
+    pub(super) fn table(path: &Path, source: ParquetError) -> Self {
         Self::Table {
             path: path.to_owned(),
             source,
@@ -105,4 +119,20 @@ impl ResultError {
 fn joined(errors: &[ResultError]) -> String {
     let errors: Vec<_> = errors.iter().map(ToString::to_string).collect();
     errors.join("; ")
+}
+
+fn system_error(error: &ParquetError) -> Option<&io::Error> {
+    match error {
+        ParquetError::External(source) => source.downcast_ref(),
+        _ => None,
+    }
+}
+
+/// What Parquet says, without its own names for errors.
+fn of_parquet(error: &ParquetError) -> String {
+    match (system_error(error), error) {
+        (Some(error), _) => in_words(error),
+        (None, ParquetError::General(text) | ParquetError::EOF(text)) => text.clone(),
+        (None, error) => error.to_string(),
+    }
 }

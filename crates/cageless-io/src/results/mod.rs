@@ -221,7 +221,7 @@ impl RunWriter {
         let dir = &self.dir;
         let tables = all(closed).map_err(|errors| ResultError::Run {
             errors,
-            left: format!("the rest of {} is as it was", dir.display()),
+            left: format!("{} is as it was", dir.display()),
         })?;
         for name in ABOUT_TABLES {
             let path = dir.join(name);

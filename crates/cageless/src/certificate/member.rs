@@ -75,7 +75,7 @@ pub enum MemberError {
     #[error(transparent)]
     Case(#[from] EquilibriumError),
     /// The run left the physical range.
-    #[error("{0} stopped at t = {time} s: {cause}", time = .1.time_s, cause = .1.cause)]
+    #[error("{0} stopped at t = {time:.6} s: {cause}", time = .1.time_s, cause = .1.cause)]
     Stopped(Role, Stop),
     /// Ended by the caller.
     #[error("interrupted")]

@@ -13,6 +13,7 @@ use parquet::schema::types::TypePtr;
 
 use super::{Cell, ColumnKind, ColumnSpec, Row, UNIT};
 use crate::results::error::ResultError;
+use crate::system::in_words;
 
 /// A table that is there.
 pub struct RowsReader {
@@ -28,9 +29,10 @@ impl RowsReader {
     /// # Errors
     /// If the file cannot be read or is not a table of this kind.
     pub fn open(path: &Path) -> Result<Self, ResultError> {
-        let file = File::open(path).map_err(|e| ResultError::unreadable(path, e))?;
-        let reader =
-            SerializedFileReader::new(file).map_err(|e| ResultError::unreadable(path, e))?;
+        let file = File::open(path).map_err(|e| ResultError::unreadable(path, in_words(&e)))?;
+        let reader = SerializedFileReader::new(file).map_err(|e| {
+            ResultError::damaged(path, &e, "it is not a Parquet file, or a damaged one")
+        })?;
         let metadata = reader.metadata().file_metadata();
         let footer: BTreeMap<_, _> = metadata
             .key_value_metadata()
@@ -97,7 +99,7 @@ impl RowsReader {
         wanted: &[usize],
     ) -> Result<Vec<Row>, ResultError> {
         self.read_group(index, wanted)
-            .map_err(|e| ResultError::unreadable(&self.path, e))
+            .map_err(|e| ResultError::damaged(&self.path, &e, "its data are damaged"))
     }
 
     fn read_group(&self, index: usize, wanted: &[usize]) -> Result<Vec<Row>, ParquetError> {
