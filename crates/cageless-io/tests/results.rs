@@ -210,7 +210,7 @@ fn tables_read_back_as_they_were_written() {
             };
             assert_eq!(footer[&format!("unit:{name}")], unit);
         }
-        assert_eq!(footer.len(), 4 + names.len());
+        assert_eq!(footer.len(), 6 + names.len());
         assert_eq!(
             (footer["schema"].as_str(), footer["isa"].as_str()),
             ("1", "avx2+fma")

@@ -97,3 +97,39 @@ fn what_is_no_table_is_refused() {
     std::fs::write(&path, "no table").unwrap();
     assert!(message(&path).contains("cannot be read"));
 }
+
+/// Wherever bytes are overwritten, it is read or refused, with its name.
+#[test]
+fn a_damaged_table_is_no_accident() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("rows.parquet");
+    let mut writer = RowsWriter::create(&path, &columns(), &[]).unwrap();
+    (0..40).for_each(|k| writer.push(row(k)).unwrap());
+    writer.finish().unwrap();
+    let whole = std::fs::read(&path).unwrap();
+    let read = |bytes: &[u8]| {
+        std::fs::write(&path, bytes).unwrap();
+        let table = RowsReader::open(&path)?;
+        (0..table.groups()).try_for_each(|group| table.group(group).map(drop))
+    };
+    let rows: usize = {
+        let table = RowsReader::open(&path).unwrap();
+        table.footer("crc32_bytes").unwrap().parse().unwrap()
+    };
+    assert!(rows > 500 && rows < whole.len());
+    for at in 0..whole.len() {
+        for fill in [0x00, 0x5a, 0xff] {
+            let mut damaged = whole.clone();
+            damaged[at..(at + 16).min(whole.len())].fill(fill);
+            let refused = read(&damaged).map_err(|error| error.to_string());
+            let changed = damaged[..rows] != whole[..rows];
+            assert!(refused.is_err() || !changed, "{fill} at {at} of {rows}");
+            if let Err(message) = refused {
+                let named = "rows.parquet: cannot be read: ";
+                assert!(message.contains(named), "{message}");
+            }
+        }
+        assert!(read(&whole[..at]).is_err(), "the first {at} bytes");
+    }
+    assert!(read(&whole).is_ok());
+}

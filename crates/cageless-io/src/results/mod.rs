@@ -9,13 +9,15 @@
 //! | `summary.json` | (one document, [`SummaryFile`]) |
 //!
 //! Balls count from 1. The footer of each table has `schema`, `version`, `isa`
-//! (instruction set), `case` (JSON, as run) and for each column `unit:<column>`.
+//! (instruction set), `case` (JSON, as run), for each column `unit:<column>`, and `crc32` (of the
+//! first `crc32_bytes` bytes of the file, which are all rows).
 //!
 //! Tables grow under a hidden name and take their own when all of them are complete, so
 //! that a file that is there can be read, and a `summary.json` stands beside the tables of its
 //! own run. Memory does not grow with the run.
 
 mod certificate;
+mod checksum;
 mod error;
 mod partial;
 mod rows;

@@ -12,6 +12,8 @@ use super::error::ResultError;
 #[derive(Debug)]
 pub(super) struct PartialFile {
     file: File,
+    bytes: u64,
+    checksum: crc32fast::Hasher,
     partial: PathBuf,
     path: PathBuf,
     committed: bool,
@@ -58,10 +60,17 @@ impl PartialFile {
         file.set_len(0).map_err(fail)?;
         Ok(Self {
             file,
+            bytes: 0,
+            checksum: crc32fast::Hasher::new(),
             partial,
             path: path.to_owned(),
             committed: false,
         })
+    }
+
+    /// How many bytes were written, and their CRC-32.
+    pub(super) fn written(&self) -> (u64, u32) {
+        (self.bytes, self.checksum.clone().finalize())
     }
 
     /// Where the file will be.
@@ -92,7 +101,10 @@ impl PartialFile {
 
 impl Write for PartialFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.file.write(bytes)
+        let count = self.file.write(bytes)?;
+        self.bytes += count as u64;
+        self.checksum.update(&bytes[..count]);
+        Ok(count)
     }
 
     fn flush(&mut self) -> io::Result<()> {

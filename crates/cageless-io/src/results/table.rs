@@ -11,6 +11,7 @@ use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{ColumnPath, Type};
 
 use super::VERSION;
+use super::checksum::seal;
 use super::error::ResultError;
 use super::partial::PartialFile;
 
@@ -103,9 +104,8 @@ impl Table {
             self.write_group()?;
         }
         let path = self.writer.inner().path().to_owned();
-        let file = self
-            .writer
-            .into_inner()
+        let file = seal(&mut self.writer)
+            .and_then(|()| self.writer.into_inner())
             .map_err(|source| ResultError::Table { path, source })?;
         file.sync()?;
         Ok(file)

@@ -12,6 +12,7 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::schema::types::TypePtr;
 
 use super::{Cell, ColumnKind, ColumnSpec, Row, UNIT};
+use crate::results::checksum::is_intact;
 use crate::results::error::ResultError;
 use crate::system::in_words;
 
@@ -27,7 +28,7 @@ impl RowsReader {
     /// Opens a table.
     ///
     /// # Errors
-    /// If the file cannot be read or is not a table of this kind.
+    /// If the file cannot be read, is damaged or is not a table of this kind.
     pub fn open(path: &Path) -> Result<Self, ResultError> {
         let file = File::open(path).map_err(|e| ResultError::unreadable(path, in_words(&e)))?;
         let reader = SerializedFileReader::new(file).map_err(|e| {
@@ -47,6 +48,12 @@ impl RowsReader {
             .map(|field| column(field, &footer))
             .collect::<Option<_>>()
             .ok_or_else(|| ResultError::unreadable(path, "its columns are not those of a sweep"))?;
+        // Not only for what would be read wrongly: Parquet panics at some damage.
+        let intact = is_intact(path, &footer);
+        if !intact.map_err(|e| ResultError::unreadable(path, in_words(&e)))? {
+            let message = "it is damaged: its rows are not those that were written";
+            return Err(ResultError::unreadable(path, message));
+        }
         Ok(Self {
             path: path.to_owned(),
             reader,
@@ -105,15 +112,15 @@ impl RowsReader {
     fn read_group(&self, index: usize, wanted: &[usize]) -> Result<Vec<Row>, ParquetError> {
         let group = self.reader.get_row_group(index)?;
         let count = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
-        let mut rows: Vec<Row> = (0..count)
-            .map(|_| Row::with_capacity(wanted.len()))
-            .collect();
+        // Grows with what is there, whatever a damaged footer says about the count.
+        let mut rows: Vec<Row> = Vec::new();
         for &column in wanted {
             let cells = read_column(group.get_column_reader(column)?, count)?;
             if cells.len() != count {
                 let message = "its columns are not of one length".to_owned();
                 return Err(ParquetError::General(message));
             }
+            rows.resize_with(count, || Row::with_capacity(wanted.len()));
             for (row, cell) in rows.iter_mut().zip(cells) {
                 row.push(cell);
             }

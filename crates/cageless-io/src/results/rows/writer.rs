@@ -14,6 +14,7 @@ use parquet::schema::types::{PrimitiveTypeBuilder, Type, TypePtr};
 
 use super::{Cell, ColumnKind, ColumnSpec, Row, UNIT};
 use crate::results::VERSION;
+use crate::results::checksum::seal;
 use crate::results::error::ResultError;
 use crate::results::partial::PartialFile;
 
@@ -69,9 +70,8 @@ impl RowsWriter {
             self.write_group()?;
         }
         let path = self.writer.inner().path().to_owned();
-        let file = self
-            .writer
-            .into_inner()
+        let file = seal(&mut self.writer)
+            .and_then(|()| self.writer.into_inner())
             .map_err(|e| ResultError::table(&path, e))?;
         file.commit()
     }
