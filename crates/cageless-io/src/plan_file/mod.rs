@@ -12,6 +12,7 @@
 //! Whatever is wrong ends in one [`CaseError`], as in a case file.
 
 mod axis;
+mod conflict;
 mod normal;
 mod read;
 mod read_axis;

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::axis::split;
+use super::conflict;
 use super::{
     Axis, Computation, Kept, PlanFile, SCHEMA, SampleMethod, Samples, Scatter, ScatteredKey,
 };
@@ -46,52 +47,8 @@ pub(super) fn plan(text: &str, name: &str, folder: &Path) -> Result<PlanFile, Ca
         base,
         base_file,
     };
-    let axes = plan
-        .grid
-        .iter()
-        .chain(plan.samples.iter().flat_map(|s| &s.axes));
-    let axes: Vec<_> = axes.collect();
-    if let Some((one, other)) = twice(&axes) {
-        let message = format!(
-            "{} varies on line {} already: an axis belongs to the grid or to the samples",
-            other.key, one.line
-        );
-        return Err(plan.error(other.line, &other.key, message));
-    }
-    for change in &changes {
-        let varied = axes
-            .iter()
-            .find(|axis| plain(&axis.key) == plain(change.key));
-        if let Some(axis) = varied.filter(|_| is_possible_without(&case, &changes, change.key)) {
-            let message = format!(
-                "{} varies on line {}: its value in [set] has no effect, leave it out",
-                change.key, axis.line
-            );
-            return Err(plan.error(change.place.1, change.key, message));
-        }
-    }
+    conflict::check(&plan, &case, &changes)?;
     Ok(plan)
-}
-
-/// Whether there is a case without this one of the changes.
-fn is_possible_without(case: &CaseBase, changes: &[Change<'_>], key: &str) -> bool {
-    let others = changes.iter().filter(|change| change.key != key);
-    let others: Vec<_> = others.copied().collect();
-    case.with(&others).is_ok()
-}
-
-/// The key without the number of the first section, which may be left out.
-fn plain(key: &str) -> String {
-    key.replacen(".1.", ".", 1)
-}
-
-/// The first two axes of one key.
-fn twice<'a>(axes: &[&'a Axis]) -> Option<(&'a Axis, &'a Axis)> {
-    axes.iter().enumerate().find_map(|(k, one)| {
-        let mut others = axes[k + 1..].iter();
-        let other = others.find(|other| plain(&other.key) == plain(&one.key))?;
-        Some((*one, *other))
-    })
 }
 
 pub(super) struct PlanReader<'a> {
