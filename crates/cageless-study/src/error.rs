@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 
 use cageless::InputError;
 use cageless::spacing::CriticalGapError;
-use cageless_io::OptionError;
 use cageless_io::case_file::CaseError;
 use cageless_io::journal::JournalError;
+use cageless_io::{OptionError, in_words};
 
 /// What went wrong with a study.
 #[derive(Debug, thiserror::Error)]
@@ -34,7 +34,7 @@ pub enum StudyError {
     #[error("cannot start threads: {0}")]
     Threads(String),
     /// The folder cannot be used.
-    #[error("{}: {source}", path.display())]
+    #[error("{}: {}", path.display(), in_words(source))]
     Folder {
         /// Folder or file in it.
         path: PathBuf,
@@ -45,7 +45,7 @@ pub enum StudyError {
     #[error("{0}")]
     Foreign(String),
     /// What was computed cannot be kept: a full disk, say.
-    #[error("{}: {source}", path.display())]
+    #[error("{}: {}", path.display(), in_words(source))]
     Journal {
         /// File.
         path: PathBuf,

@@ -107,7 +107,8 @@ def merge(
     Raises
     ------
     InputError
-        If a shard is missing, there twice, or of another plan.
+        If a shard is missing, there twice, or of another plan, or if `out` holds the result of
+        another plan.
     """
     path = Path(out) / NAME
     path.parent.mkdir(parents=True, exist_ok=True)

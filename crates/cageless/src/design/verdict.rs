@@ -157,7 +157,7 @@ pub fn judge_watched(
                 None => {
                     let reason = stopped.as_ref().map_or_else(
                         || "the balls do not pass the raceway".to_owned(),
-                        |stop| format!("the run stopped at {} s: {}", stop.time_s, stop.cause),
+                        |stop| format!("the run stopped at {:.6} s: {}", stop.time_s, stop.cause),
                     );
                     infeasible(reason, Some(critical))
                 }

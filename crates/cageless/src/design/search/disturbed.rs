@@ -119,7 +119,7 @@ pub enum DisturbedError {
     #[error(transparent)]
     Case(#[from] EquilibriumError),
     /// The run left the physical range.
-    #[error("the run of all balls stopped at {} s: {}", .0.time_s, .0.cause)]
+    #[error("the run of all balls stopped at {:.6} s: {}", .0.time_s, .0.cause)]
     Stopped(Stop),
     /// Ended by the caller.
     #[error("interrupted")]
