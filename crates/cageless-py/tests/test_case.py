@@ -139,6 +139,9 @@ def test_static_and_design_are_those_of_the_command(command: Command, tmp_path: 
     for name in ["curve", "contact_track", "surface"]:
         assert made(design._design.figure(name)) in figures(tmp_path / "report.html"), name
     assert case.static().data_balls().shape[0] == case.bearing.balls
+    assert case.static().warnings == design.warnings == []
+    overloaded = case.replace({"operation.radial_load_n": 3e4}).static()
+    assert "4.2 GPa" in overloaded.warnings[0]
     assert "Static" in case.static()._repr_html_()
     assert "verdict" in design._repr_html_()
     assert "raceway.half_angle_deg" in case._repr_html_()

@@ -224,11 +224,17 @@ class Static:
         """Largest Hertz stress at the outer raceway."""
         return float(self.values["outer_stress_max_gpa"])
 
+    @property
+    def warnings(self) -> list[str]:
+        """What to mind: a contact stress above 4.2 GPa, say."""
+        return list(self.values["warnings"])
+
     def data_balls(self) -> pd.DataFrame:
         """A row per ball, counted from 1."""
         import pandas as pd
 
-        lists = {k: v for k, v in self.values.items() if isinstance(v, list)}
+        columns = ["ball_angle_deg", "inner_force_n", "outer_force_n", "effective_radius_mm"]
+        lists = {name: self.values[name] for name in columns}
         balls = pd.RangeIndex(1, len(self.ball_angle_deg) + 1, name="ball")
         return pd.DataFrame(lists, index=balls)
 
@@ -253,6 +259,11 @@ class Design:
     def reasons(self) -> list[str]:
         """Why, in words."""
         return list(self.values["reasons"])
+
+    @property
+    def warnings(self) -> list[str]:
+        """What to mind: a contact stress above 4.2 GPa, say."""
+        return list(self.values["warnings"])
 
     @property
     def critical_gap_deg(self) -> float | None:
