@@ -162,7 +162,7 @@ impl Observer for Sums {
         self.steps += 1;
         if self.steps.is_multiple_of(BALLS_EVERY) {
             let [vx, vy, spin] = [2, 3, 4].map(|group| view.after(group));
-            let speed: f64 = (0..n).map(|k| vx[k].hypot(vy[k])).sum();
+            let speed: f64 = (0..n).map(|k| (vx[k] * vx[k] + vy[k] * vy[k]).sqrt()).sum();
             self.balls_s += self.balls_waiting_s;
             self.speed += self.balls_waiting_s * speed / n as f64;
             self.spin += self.balls_waiting_s * spin.iter().sum::<f64>() / n as f64;

@@ -20,6 +20,8 @@ pub(super) struct Workspace {
     behind: [Vec<Block>; 3],
     /// Largest pair deflection of each bearing, 0 if no balls touch.
     pub pair_most: [f64; MEMBERS],
+    /// Whether the entries hold forces between balls.
+    pairs_loaded: bool,
     /// Largest |ΔV| under load of each bearing.
     pub slip_most: [f64; MEMBERS],
 }
@@ -35,6 +37,7 @@ impl Workspace {
             ahead: std::array::from_fn(|_| zero()),
             behind: std::array::from_fn(|_| zero()),
             pair_most: [0.0; MEMBERS],
+            pairs_loaded: false,
             slip_most: [0.0; MEMBERS],
         }
     }
@@ -123,12 +126,14 @@ fn equations<const PAPER: bool, const COULOMB: bool>(
     w.pair_most = most(&pair_deflections(p, w, y), alone);
     if w.pair_most.iter().any(|d| *d > 0.0) {
         pair_contact::<PAPER, COULOMB>(p, w, y);
-    } else {
+        w.pairs_loaded = true;
+    } else if w.pairs_loaded {
         for entry in &mut w.entries {
             // The last contact would be seen otherwise.
             entry.pair_force = Block::ZERO;
             entry.pair_rate = Block::ZERO;
         }
+        w.pairs_loaded = false;
     }
     accelerations(p, w, y, dydt);
     if alone {
