@@ -80,7 +80,7 @@ fn record(
         let mut recorder = Recorder::new(case.output.interval_s, |snapshot| {
             let (recording, histories) = &mut *kept.borrow_mut();
             recording.snapshot(&snapshot);
-            histories.push(snapshot);
+            histories.push(&snapshot);
             Ok(())
         });
         let mut collisions = CollisionDetector::new(|collision| {

@@ -127,9 +127,8 @@ impl DesignResult {
         let gap = bearing.uniform_gap_rad();
         let curve = span_angle_curve(bearing, CURVE_POINTS);
         let degrees = |angle: Option<f64>| angle.map(f64::to_degrees);
-        let overload = equilibrium::solve(case).ok().and_then(|e| e.overload());
         Self {
-            warnings: overload.into_iter().collect(),
+            warnings: equilibrium::overload(case).into_iter().collect(),
             epsilon_deg: bearing.ball_angle_rad().to_degrees(),
             uniform_gap_deg: gap.to_degrees(),
             beta0_deg: degrees(raceway.map(|r| theoretical_gap_rad(bearing, r, Eq11::Published))),

@@ -1,6 +1,7 @@
 //! From a run to the data of its report.
 
 use std::collections::VecDeque;
+use std::sync::Arc;
 
 use cageless::collision::Collision;
 use cageless::kinematics::rolling_orbit_speed_rad_s;
@@ -36,8 +37,8 @@ const COLLISIONS: usize = 4000;
 /// the length of the run.
 pub struct Histories {
     interval_s: f64,
-    rows: Thinning<Snapshot>,
-    recent: VecDeque<Snapshot>,
+    rows: Thinning<Arc<[f64]>>,
+    recent: VecDeque<Arc<[f64]>>,
     collisions: Vec<CollisionPoint>,
     collisions_seen: usize,
     passages: PassageTally,
@@ -58,12 +59,13 @@ impl Histories {
     }
 
     /// Takes a snapshot.
-    pub fn push(&mut self, snapshot: Snapshot) {
+    pub fn push(&mut self, snapshot: &Snapshot) {
+        let row = snapshot.to_row();
         if self.recent.len() == RECENT {
             self.recent.pop_front();
         }
-        self.recent.push_back(snapshot.clone());
-        self.rows.push(snapshot);
+        self.recent.push_back(Arc::clone(&row));
+        self.rows.push(row);
     }
 
     /// Takes a collision.
@@ -224,8 +226,9 @@ pub fn run_data(
     };
     let provenance = provenance(case, discarded.clone());
     let stretch = histories.rows.stretch();
-    let snapshots = histories.rows.into_rows();
-    let recent: Vec<Snapshot> = histories.recent.into();
+    let of_row = |row: &Arc<[f64]>| Snapshot::from_row(row);
+    let snapshots: Vec<Snapshot> = histories.rows.into_rows().iter().map(of_row).collect();
+    let recent: Vec<Snapshot> = histories.recent.iter().map(of_row).collect();
     let thinned = stretch > 1;
     let mut warnings = summary.warnings.clone();
     if let Some(stopped) = &summary.stopped {

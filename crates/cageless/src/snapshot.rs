@@ -1,5 +1,12 @@
 //! Everything that can be seen of a bearing at one instant.
 
+use std::sync::Arc;
+
+/// Arrays over the balls.
+const ARRAYS: usize = 13;
+/// Time and ring, before the arrays of a row.
+const HEAD: usize = 9;
+
 /// Structure of arrays over the balls; index k is ball k+1.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Snapshot {
@@ -64,7 +71,7 @@ impl Snapshot {
     }
 
     /// The arrays over the balls, in the order of the fields.
-    pub fn arrays(&self) -> [&[f64]; 13] {
+    pub fn arrays(&self) -> [&[f64]; ARRAYS] {
         [
             &self.angle_rad,
             &self.x_m,
@@ -82,22 +89,47 @@ impl Snapshot {
         ]
     }
 
-    pub(crate) fn arrays_mut(&mut self) -> [&mut [f64]; 13] {
-        [
-            &mut self.angle_rad,
-            &mut self.x_m,
-            &mut self.y_m,
-            &mut self.vx_m_s,
-            &mut self.vy_m_s,
-            &mut self.spin_rad_s,
-            &mut self.orbit_speed_rad_s,
-            &mut self.gap_rad,
-            &mut self.effective_radius_m,
-            &mut self.inner_force_n,
-            &mut self.outer_force_n,
-            &mut self.inner_slip_m_s,
-            &mut self.outer_slip_m_s,
-        ]
+    /// All values in one row: less to allocate where many are kept.
+    pub fn to_row(&self) -> Arc<[f64]> {
+        let arrays = self.arrays();
+        let mut row = Vec::with_capacity(HEAD + arrays.len() * self.balls());
+        row.push(self.time_s);
+        row.extend(self.ring.values());
+        row.extend(arrays.into_iter().flatten());
+        row.into()
+    }
+
+    /// The inverse of [`Self::to_row`].
+    ///
+    /// # Panics
+    /// If it is no such row.
+    pub fn from_row(row: &[f64]) -> Self {
+        let (head, arrays) = row.split_at(HEAD);
+        let ring = head[1..].try_into().expect("time and ring come first");
+        let balls = arrays.len() / ARRAYS;
+        assert!(
+            balls * ARRAYS == arrays.len(),
+            "as many values of each kind"
+        );
+        let mut arrays = (0..ARRAYS).map(|k| arrays[k * balls..][..balls].to_vec());
+        let mut next = || arrays.next().unwrap_or_default();
+        Self {
+            time_s: head[0],
+            angle_rad: next(),
+            x_m: next(),
+            y_m: next(),
+            vx_m_s: next(),
+            vy_m_s: next(),
+            spin_rad_s: next(),
+            orbit_speed_rad_s: next(),
+            gap_rad: next(),
+            effective_radius_m: next(),
+            inner_force_n: next(),
+            outer_force_n: next(),
+            inner_slip_m_s: next(),
+            outer_slip_m_s: next(),
+            ring: RingSnapshot::from_values(ring),
+        }
     }
 }
 
@@ -116,7 +148,7 @@ impl RingSnapshot {
         ]
     }
 
-    pub(crate) fn from_values(values: [f64; 8]) -> Self {
+    fn from_values(values: [f64; 8]) -> Self {
         let [
             x_m,
             y_m,
@@ -137,5 +169,20 @@ impl RingSnapshot {
             outer_force_x_n,
             outer_force_y_n,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_row_leads_back_to_its_snapshot() {
+        let row: Vec<f64> = (0..HEAD + 3 * ARRAYS).map(|k| k as f64).collect();
+        let snapshot = Snapshot::from_row(&row);
+        assert_eq!((snapshot.time_s, snapshot.ring.outer_force_y_n), (0.0, 8.0));
+        assert_eq!(snapshot.angle_rad, [9.0, 10.0, 11.0]);
+        assert_eq!(snapshot.outer_slip_m_s, [45.0, 46.0, 47.0]);
+        assert_eq!(*snapshot.to_row(), *row);
     }
 }

@@ -1,6 +1,6 @@
 //! Long series in bounded memory that keep their extremes.
 
-use crate::snapshot::{RingSnapshot, Snapshot};
+use std::sync::Arc;
 
 /// A row of values of which the lowest and the highest can be told one by one.
 pub trait Row: Clone {
@@ -16,17 +16,11 @@ impl<const N: usize> Row for [f64; N] {
     }
 }
 
-impl Row for Snapshot {
+impl Row for Arc<[f64]> {
     fn combine(&mut self, other: &Self, choose: fn(f64, f64) -> f64) {
-        self.time_s = choose(self.time_s, other.time_s);
-        for (values, others) in self.arrays_mut().into_iter().zip(other.arrays()) {
-            for (value, other) in values.iter_mut().zip(others) {
-                *value = choose(*value, *other);
-            }
+        for (value, other) in Arc::make_mut(self).iter_mut().zip(other.iter()) {
+            *value = choose(*value, *other);
         }
-        let mut ring = self.ring.values();
-        ring.combine(&other.ring.values(), choose);
-        self.ring = RingSnapshot::from_values(ring);
     }
 }
 

@@ -2,7 +2,7 @@
 
 mod common;
 
-use cageless::equilibrium::{Equilibrium, outer_stress_pa, solve};
+use cageless::equilibrium::{Equilibrium, outer_stress_pa, overload, solve};
 use cageless::{Case, Profile, Start};
 use common::{conventional, dimensions, structure};
 
@@ -122,6 +122,7 @@ fn a_light_load_at_speed_finds_its_equilibrium() {
         for speed in [100.0, 1257.0, 5000.0] {
             let mut case = structure(5.1, 25.2);
             case.operation.radial_load_n = load;
+        case.solver.step_s = 1e-7;
             case.operation.inner_speed_rad_s = speed;
             check_balance(&case, &solve(&case).unwrap());
         }
@@ -139,4 +140,19 @@ fn an_unloaded_ring_floats() {
         "{:?}",
         e.inner_force_n
     );
+}
+
+/// The short cut for cases that are far from it misses no overload.
+#[test]
+fn overload_is_told_whenever_there_is_one() {
+    let mut told = 0;
+    for load in [0.0, 1500.0, 5e3, 1e4, 1.5e4, 2e4, 2.5e4, 3e4, 1e5] {
+        let mut case = structure(5.1, 25.2);
+        case.operation.radial_load_n = load;
+        case.solver.step_s = 1e-7;
+        let found = overload(&case);
+        assert_eq!(found, solve(&case).unwrap().overload(), "{load}");
+        told += i32::from(found.is_some_and(|text| text.contains("4.2 GPa")));
+    }
+    assert!((1..9).contains(&told), "{told}");
 }

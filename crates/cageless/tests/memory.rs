@@ -52,7 +52,7 @@ fn peak_bytes(case: &Case) -> (usize, u64, u64) {
     let mut watch = members(case, 1)[0].watch();
     {
         let mut recorder = Recorder::new(1e-4, |snapshot| {
-            rows.push(snapshot);
+            rows.push(snapshot.to_row());
             Ok(())
         });
         let mut passages = PassageRecorder::new(|passage| {

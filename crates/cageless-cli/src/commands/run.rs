@@ -70,7 +70,7 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
             if let Some(writer) = &writer {
                 writer.borrow_mut().snapshot(&snapshot)?;
             }
-            histories.borrow_mut().push(snapshot);
+            histories.borrow_mut().push(&snapshot);
             Ok(())
         });
         let mut collisions = CollisionDetector::new(|collision| {

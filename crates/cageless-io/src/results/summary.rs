@@ -182,8 +182,7 @@ const UNDAMPED_STEP_S: f64 = 0.5e-6;
 const RESIDUAL_SHARE: f64 = 0.01;
 
 fn warnings(case: &Case) -> Vec<String> {
-    let overload = equilibrium::solve(case).ok().and_then(|e| e.overload());
-    let mut warnings: Vec<String> = overload.into_iter().collect();
+    let mut warnings: Vec<String> = equilibrium::overload(case).into_iter().collect();
     let method = case.solver.method;
     let resolved = StepLimits::of(case).friction_resolved_to_s(method);
     if case.solver.step_s > resolved {
