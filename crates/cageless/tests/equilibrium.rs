@@ -122,7 +122,7 @@ fn a_light_load_at_speed_finds_its_equilibrium() {
         for speed in [100.0, 1257.0, 5000.0] {
             let mut case = structure(5.1, 25.2);
             case.operation.radial_load_n = load;
-        case.solver.step_s = 1e-7;
+            case.solver.step_s = 1e-7;
             case.operation.inner_speed_rad_s = speed;
             check_balance(&case, &solve(&case).unwrap());
         }
