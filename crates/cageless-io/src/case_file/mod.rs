@@ -11,7 +11,7 @@ mod convert;
 mod document;
 mod error;
 pub(crate) mod keys;
-mod named;
+pub(crate) mod named;
 mod overrides;
 pub(crate) mod read;
 mod reader;

@@ -1,4 +1,4 @@
-//! Choices that a case file makes by name.
+//! Choices that a case file or a plan makes by name.
 
 use cageless::{FrictionLaw, Method, Profile};
 use serde::Serializer;
@@ -6,7 +6,7 @@ use serde::Serializer;
 use super::document::StartState;
 
 /// A choice with a name for each value. A new value needs one more line here.
-pub(super) trait Named: Copy + PartialEq + 'static {
+pub(crate) trait Named: Copy + PartialEq + 'static {
     /// Every name with its value.
     const NAMES: &'static [(&'static str, Self)];
 

@@ -2,6 +2,7 @@
 
 use crate::case_file::CaseValue;
 use crate::case_file::keys;
+use crate::case_file::named::Named;
 
 /// A key and its values.
 #[derive(Debug, Clone, PartialEq)]
@@ -45,9 +46,8 @@ pub enum Scale {
     Log,
 }
 
-impl Scale {
-    pub(super) const NAMES: [(&'static str, Self); 2] =
-        [("linear", Self::Linear), ("log", Self::Log)];
+impl Named for Scale {
+    const NAMES: &'static [(&'static str, Self)] = &[("linear", Self::Linear), ("log", Self::Log)];
 }
 
 impl Range {

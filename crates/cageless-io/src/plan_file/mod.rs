@@ -19,6 +19,7 @@ mod read_axis;
 
 use std::path::Path;
 
+use crate::case_file::named::Named;
 use crate::case_file::{CaseBase, CaseError, CaseFile, read_text};
 
 pub use axis::{Axis, AxisValues, Range, Scale, twelve_digits, unit};
@@ -163,25 +164,26 @@ impl PlanFile {
     }
 }
 
-impl SampleMethod {
-    const NAMES: [(&'static str, Self); 3] = [
+impl Named for SampleMethod {
+    const NAMES: &'static [(&'static str, Self)] = &[
         ("sobol", Self::Sobol),
         ("latin-hypercube", Self::LatinHypercube),
         ("random", Self::Random),
     ];
 }
 
-impl Computation {
-    const NAMES: [(&'static str, Self); 4] = [
+impl Named for Computation {
+    const NAMES: &'static [(&'static str, Self)] = &[
         ("static", Self::Static),
         ("design", Self::Design),
         ("verdict", Self::Verdict),
         ("run", Self::Run),
     ];
+}
 
+impl Computation {
     /// Name in a plan.
     pub fn name(self) -> &'static str {
-        let named = Self::NAMES.iter().find(|(_, c)| *c == self);
-        named.map_or("", |(name, _)| name)
+        Named::name(self)
     }
 }

@@ -3,9 +3,10 @@
 use toml::Value;
 
 use super::axis::Axis;
-use super::{AxisValues, Computation, PlanFile, SCHEMA, SampleMethod, Scale, ScatterLaw};
+use super::{AxisValues, Computation, PlanFile, SCHEMA, ScatterLaw};
 use crate::case_file::CaseError;
 use crate::case_file::base::quoted;
+use crate::case_file::named::Named;
 
 /// One key per line.
 pub(super) fn text(plan: &PlanFile) -> Result<String, CaseError> {
@@ -24,7 +25,7 @@ pub(super) fn text(plan: &PlanFile) -> Result<String, CaseError> {
         lines.push(format!("grid.{} = {}", axis.key, specification(axis)));
     }
     if let Some(samples) = &plan.samples {
-        let method = name_of(&SampleMethod::NAMES, samples.method);
+        let method = samples.method.name();
         lines.push(format!("samples.method = {}", quoted(method)));
         lines.push(format!("samples.count = {}", samples.count));
         for axis in &samples.axes {
@@ -77,15 +78,10 @@ fn specification(axis: &Axis) -> String {
                 Value::from(range.from),
                 Value::from(range.to),
                 count.unwrap_or_default(),
-                quoted(name_of(&Scale::NAMES, range.scale)),
+                quoted(range.scale.name()),
             )
         }
     }
-}
-
-fn name_of<T: PartialEq + Copy>(names: &[(&'static str, T)], value: T) -> &'static str {
-    let named = names.iter().find(|(_, v)| *v == value);
-    named.map_or("", |&(name, _)| name)
 }
 
 /// What differs between two plans in their normal form, a line for each key; empty if

@@ -7,6 +7,7 @@ use super::conflict;
 use super::{
     Axis, Computation, Kept, PlanFile, SCHEMA, SampleMethod, Samples, Scatter, ScatteredKey,
 };
+use crate::case_file::named::Named;
 use crate::case_file::tree::{self, Node, Origin, Section, Value};
 use crate::case_file::{CaseBase, CaseError, CaseValue, Change, keys, read};
 
@@ -134,12 +135,12 @@ impl<'a> PlanReader<'a> {
             return Ok(None);
         };
         let head = &self.root["samples"];
-        let allowed = choices(&SampleMethod::NAMES);
+        let allowed = SampleMethod::choices();
         let Some(node) = section.get("method") else {
             let message = format!("samples.method is missing: {allowed}");
             return Err(self.error(head, "samples.method", message));
         };
-        let method = choice(&SampleMethod::NAMES, node)
+        let method = choice::<SampleMethod>(node)
             .ok_or_else(|| self.refuse("samples.method", node, &allowed))?;
         let Some(count) = self.count("samples", "count", section, 1)? else {
             let message = "samples.count is missing: the number of points".to_owned();
@@ -183,7 +184,7 @@ impl<'a> PlanReader<'a> {
     }
 
     fn compute(&self) -> Result<Vec<Computation>, CaseError> {
-        let allowed = format!("a list of {}", choices(&Computation::NAMES));
+        let allowed = format!("a list of {}", Computation::choices());
         let Some(node) = self.root.get("compute") else {
             let message = format!("compute is missing: {allowed}");
             return Err(CaseError::of_file(self.name, message).with_key("compute"));
@@ -192,10 +193,7 @@ impl<'a> PlanReader<'a> {
         let Value::List(items) = &node.value else {
             return Err(refused());
         };
-        let list: Option<Vec<_>> = items
-            .iter()
-            .map(|item| choice(&Computation::NAMES, item))
-            .collect();
+        let list: Option<Vec<_>> = items.iter().map(choice).collect();
         match list {
             Some(list) if !list.is_empty() => Ok(Computation::in_order(list)),
             _ => Err(refused()),
@@ -354,21 +352,10 @@ pub(super) fn line(node: &Node) -> usize {
     }
 }
 
-pub(super) fn choice<T: Copy>(names: &[(&'static str, T)], node: &Node) -> Option<T> {
-    let Value::Text(text) = &node.value else {
-        return None;
-    };
-    let named = names.iter().find(|(name, _)| name == text);
-    named.map(|&(_, value)| value)
-}
-
-pub(super) fn choices<T>(names: &[(&'static str, T)]) -> String {
-    let quoted: Vec<_> = names
-        .iter()
-        .map(|(name, _)| format!("\"{name}\""))
-        .collect();
-    match quoted.split_last() {
-        Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
-        _ => quoted.concat(),
+/// The choice that a text names.
+pub(super) fn choice<T: Named>(node: &Node) -> Option<T> {
+    match &node.value {
+        Value::Text(text) => T::from_name(text),
+        _ => None,
     }
 }

@@ -1,7 +1,8 @@
 //! Axes and distributions in the text of a plan.
 
-use super::read::{Entry, PlanReader, choice, choices, line};
+use super::read::{Entry, PlanReader, choice, line};
 use super::{Axis, AxisValues, Range, Scale, ScatterLaw};
+use crate::case_file::named::Named;
 use crate::case_file::tree::{Node, Section, Value};
 use crate::case_file::{CaseError, CaseValue};
 
@@ -68,9 +69,8 @@ impl PlanReader<'_> {
         let (from, to) = (end("from")?, end("to")?);
         let scale = match range.get("scale") {
             None => Scale::Linear,
-            Some(inner) => choice(&Scale::NAMES, inner).ok_or_else(|| {
-                self.refuse(&format!("{key}.scale"), inner, &choices(&Scale::NAMES))
-            })?,
+            Some(inner) => choice(inner)
+                .ok_or_else(|| self.refuse(&format!("{key}.scale"), inner, &Scale::choices()))?,
         };
         if scale == Scale::Log && !(from > 0.0 && to > 0.0) {
             let allowed = "a range above 0 at both ends, as scale is \"log\"";
