@@ -143,7 +143,6 @@ fn results(r: &DesignResult) -> Vec<Parameter> {
 fn curve(case: &Case, result: &DesignResult, own: &Structure) -> DesignCurve {
     let bearing = &case.bearing;
     let points = span_angle_curve(bearing, CURVE_POINTS);
-    let degrees = |angle: Option<f64>| angle.map_or(f64::NAN, f64::to_degrees);
     let limit = |quantity, value, label: &str| DesignLimit {
         quantity,
         value,
@@ -169,13 +168,6 @@ fn curve(case: &Case, result: &DesignResult, own: &Structure) -> DesignCurve {
         ));
     }
     DesignCurve {
-        axial_span_mm: points.iter().map(|p| p.axial_span_m * 1e3).collect(),
-        half_angle_deg: points.iter().map(|p| degrees(p.half_angle_rad)).collect(),
-        half_angle_polar_deg: points
-            .iter()
-            .map(|p| degrees(p.half_angle_polar_rad))
-            .collect(),
-        uniform_gap_deg: result.uniform_gap_deg,
         paper: if own.axial_span_mm.is_finite() {
             vec![own.clone()]
         } else {
@@ -186,5 +178,6 @@ fn curve(case: &Case, result: &DesignResult, own: &Structure) -> DesignCurve {
             case: case.title.clone(),
             ..Provenance::default()
         },
+        ..DesignCurve::new(&points, result.uniform_gap_deg)
     }
 }

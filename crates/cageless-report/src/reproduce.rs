@@ -1,5 +1,6 @@
 //! Every table and figure of Zhao 2022 beside the paper's own numbers.
 
+use cageless::design::CurvePoint;
 use serde::Serialize;
 
 use crate::data::{Claim, Event, Motion, Parameter, Provenance, Structure, Vibration};
@@ -114,6 +115,23 @@ pub struct DesignCurve {
     pub limits: Vec<DesignLimit>,
     /// Provenance.
     pub provenance: Provenance,
+}
+
+impl DesignCurve {
+    /// The curve alone, nothing marked.
+    pub fn new(points: &[CurvePoint], uniform_gap_deg: f64) -> Self {
+        let degrees = |angle: Option<f64>| angle.map_or(f64::NAN, f64::to_degrees);
+        Self {
+            axial_span_mm: points.iter().map(|p| p.axial_span_m * 1e3).collect(),
+            half_angle_deg: points.iter().map(|p| degrees(p.half_angle_rad)).collect(),
+            half_angle_polar_deg: points
+                .iter()
+                .map(|p| degrees(p.half_angle_polar_rad))
+                .collect(),
+            uniform_gap_deg,
+            ..Self::default()
+        }
+    }
 }
 
 /// A constraint on a discrete raceway.

@@ -148,16 +148,8 @@ pub fn surface(case: &Case) -> RacewaySurface {
 pub fn design_curve(case: &Case) -> DesignCurve {
     let bearing = &case.bearing;
     let curve = span_angle_curve(bearing, 240);
-    let degrees = |angle: Option<f64>| angle.map_or(f64::NAN, f64::to_degrees);
     let (epsilon, gap) = (bearing.ball_angle_rad(), bearing.uniform_gap_rad());
     DesignCurve {
-        axial_span_mm: curve.iter().map(|p| p.axial_span_m * 1e3).collect(),
-        half_angle_deg: curve.iter().map(|p| degrees(p.half_angle_rad)).collect(),
-        half_angle_polar_deg: curve
-            .iter()
-            .map(|p| degrees(p.half_angle_polar_rad))
-            .collect(),
-        uniform_gap_deg: gap.to_degrees(),
         paper: (0..10)
             .filter_map(|k| {
                 cases::structure(k, READINGS[0], &[])
@@ -186,5 +178,6 @@ pub fn design_curve(case: &Case) -> DesignCurve {
             case: case.title.clone(),
             ..Provenance::default()
         },
+        ..DesignCurve::new(&curve, gap.to_degrees())
     }
 }
