@@ -4,7 +4,6 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 
 use cageless::collision::Collision;
-use cageless::kinematics::rolling_orbit_speed_rad_s;
 use cageless::passage::{Passage, PassageTally};
 use cageless::simulation::RunOutcome;
 use cageless::snapshot::Snapshot;
@@ -167,11 +166,7 @@ pub fn vibration_signal(name: &str, measured: &Measurement) -> VibrationSignal {
 /// Frequency at which rolling balls pass a point of the outer ring.
 pub fn ball_pass_mark(case: &Case) -> FrequencyMark {
     let bearing = &case.bearing;
-    let orbit = rolling_orbit_speed_rad_s(
-        bearing,
-        case.operation.inner_speed_rad_s,
-        bearing.ball_radius_m(),
-    );
+    let orbit = case.rolling_orbit_speed_rad_s();
     FrequencyMark {
         frequency_hz: bearing.balls() as f64 * orbit / std::f64::consts::TAU,
         label: "ball passing".to_owned(),
@@ -214,11 +209,7 @@ pub fn run_data(
     let case = file.case();
     let settled = summary.settled_after_s;
     let bearing = &case.bearing;
-    let orbit = rolling_orbit_speed_rad_s(
-        bearing,
-        case.operation.inner_speed_rad_s,
-        bearing.ball_radius_m(),
-    );
+    let orbit = case.rolling_orbit_speed_rad_s();
     let discarded = if settled.is_finite() {
         format!("t < {settled:.4} s")
     } else {

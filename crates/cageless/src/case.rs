@@ -1,5 +1,7 @@
 //! A case: everything that one computation needs, in SI units.
 
+use std::f64::consts::TAU;
+
 use crate::bearing::Bearing;
 use crate::error::{Allowed, InputError, not_negative, positive};
 use crate::hertz::DEFLECTION_SHARE_MAX;
@@ -287,9 +289,8 @@ impl Case {
             radial_load_n,
             gravity_m_s2,
         } = self.operation;
-        let orbit = rolling_orbit_speed_rad_s(bearing, inner_speed_rad_s, bearing.ball_radius_m());
         let mass = bearing.ball_mass_kg();
-        let centrifugal = mass * orbit.powi(2) * bearing.pitch_radius_m();
+        let centrifugal = self.centrifugal_force_n();
         let elastic = "an elastic contact bears a deflection of 5 % of the ball radius";
         if !(centrifugal <= bears) {
             let most = inner_speed_rad_s * (bears / centrifugal).sqrt();
@@ -379,6 +380,28 @@ impl Case {
             }
         }
         Ok(())
+    }
+
+    /// Orbital speed of a nominal ball that rolls on the plain raceway, rad/s.
+    pub fn rolling_orbit_speed_rad_s(&self) -> f64 {
+        let bearing = &self.bearing;
+        rolling_orbit_speed_rad_s(
+            bearing,
+            self.operation.inner_speed_rad_s,
+            bearing.ball_radius_m(),
+        )
+    }
+
+    /// Time of one orbit of such a ball, s.
+    pub fn rolling_orbit_s(&self) -> f64 {
+        TAU / self.rolling_orbit_speed_rad_s()
+    }
+
+    /// Centrifugal force on such a ball, N.
+    pub(crate) fn centrifugal_force_n(&self) -> f64 {
+        let bearing = &self.bearing;
+        let speed = self.rolling_orbit_speed_rad_s() * bearing.pitch_radius_m();
+        bearing.ball_mass_kg() * speed.powi(2) / bearing.pitch_radius_m()
     }
 
     /// K at the inner raceway, at the outer raceway and between balls, N·m^(−3/2): as

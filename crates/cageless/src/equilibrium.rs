@@ -64,16 +64,10 @@ impl Equilibrium {
 pub fn overload(case: &Case) -> Option<String> {
     let bearing = &case.bearing;
     let operation = &case.operation;
-    let orbit = orbit_speed_of_rad_s(
-        bearing,
-        bearing.ball_radius_m(),
-        operation.inner_speed_rad_s,
-        bearing.ball_radius_m(),
-    );
     let balls_kg = bearing.balls() as f64 * bearing.ball_mass_kg();
     let most = operation.radial_load_n
         + (bearing.dimensions().inner_ring_mass_kg + balls_kg) * operation.gravity_m_s2
-        + bearing.ball_mass_kg() * orbit.powi(2) * bearing.pitch_radius_m();
+        + case.centrifugal_force_n();
     // One ball that carried everything would bear it easily, on a discrete raceway as well.
     let easily = |contact: &PointContact| contact.peak_stress_pa(most) < 0.8 * STRESS_LIMIT_PA;
     if easily(bearing.inner_contact()) && easily(bearing.outer_contact()) {

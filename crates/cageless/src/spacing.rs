@@ -271,12 +271,7 @@ fn pass(
         case.solver.step_s = case.solver.step_s.min(test.coulomb_step_max_s);
     }
     // A sliding ball may need more than the time of pure rolling; thrice is enough.
-    let orbit = crate::kinematics::rolling_orbit_speed_rad_s(
-        bearing,
-        case.operation.inner_speed_rad_s,
-        bearing.ball_radius_m(),
-    );
-    case.solver.duration_s = 3.0 * (half_angle - trailing) / orbit;
+    case.solver.duration_s = 3.0 * (half_angle - trailing) / case.rolling_orbit_speed_rad_s();
     let mut watch = PairWatch {
         centre,
         half_angle,

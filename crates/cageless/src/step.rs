@@ -39,7 +39,7 @@ impl StepLimits {
             rolling_orbit_speed_rad_s(bearing, case.operation.inner_speed_rad_s, r)
                 * bearing.pitch_radius_m()
         };
-        let centrifugal = mass * speed(rw).powi(2) / bearing.pitch_radius_m();
+        let centrifugal = case.centrifugal_force_n();
         let down = case.operation.radial_load_n
             + (d.inner_ring_mass_kg + mass) * case.operation.gravity_m_s2;
         let load = OVERLOAD * (5.0 * down / d.balls as f64 + centrifugal);

@@ -1,9 +1,6 @@
 //! Headline numbers of a run.
 
-use std::f64::consts::TAU;
-
 use crate::case::Case;
-use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::onsets::Onsets;
 use crate::simulation::{Control, Observer, ObserverError, Scene, View};
 use crate::spacing::GapRange;
@@ -36,12 +33,7 @@ const GAPS_EVERY: u64 = 8;
 /// The part of a run that is left out as transient: two orbits of the balls, at most half
 /// the run.
 pub fn transient_s(case: &Case) -> f64 {
-    let orbit = rolling_orbit_speed_rad_s(
-        &case.bearing,
-        case.operation.inner_speed_rad_s,
-        case.bearing.ball_radius_m(),
-    );
-    (TRANSIENT_TURNS * TAU / orbit).min(case.solver.duration_s / 2.0)
+    (TRANSIENT_TURNS * case.rolling_orbit_s()).min(case.solver.duration_s / 2.0)
 }
 
 /// Gathers a [`Summary`].

@@ -1,7 +1,7 @@
 //! The numbers that are judged.
 
 use crate::case::Case;
-use crate::kinematics::{rolling_orbit_speed_rad_s, rolling_spin_rad_s};
+use crate::kinematics::rolling_spin_rad_s;
 
 /// A number that a run comes to. Those of the first two groups cover the part of the run
 /// after its transient.
@@ -71,7 +71,7 @@ impl Quantity {
         const PLACE_M: f64 = 1e-5;
         let bearing = &case.bearing;
         let radius = bearing.ball_radius_m();
-        let orbit = rolling_orbit_speed_rad_s(bearing, case.operation.inner_speed_rad_s, radius);
+        let orbit = case.rolling_orbit_speed_rad_s();
         match self {
             Self::Collisions => value.abs().max(1.0),
             Self::GapMin | Self::GapMax | Self::LeadBallAngleEnd => {

@@ -1,7 +1,5 @@
 //! A verdict on a raceway from the motion of the balls (Zhao 2022, Section 4.3).
 
-use std::f64::consts::TAU;
-
 use super::{Eq11, theoretical_gap_rad};
 use crate::case::{Case, Gaps, Start};
 use crate::kinematics::rolling_orbit_speed_rad_s;
@@ -293,23 +291,13 @@ pub fn steady_case(case: &Case) -> Case {
         },
         ..case.clone()
     };
-    steady.solver.duration_s = (TURNS[0] + TURNS[1]) * orbit_s(case);
+    steady.solver.duration_s = (TURNS[0] + TURNS[1]) * case.rolling_orbit_s();
     steady
 }
 
 /// What [`judge`] discards before it counts passages.
 pub fn steady_after_s(case: &Case) -> f64 {
-    TURNS[0] * orbit_s(case)
-}
-
-/// Time of one orbit of a rolling ball on the plain raceway.
-fn orbit_s(case: &Case) -> f64 {
-    let bearing = &case.bearing;
-    TAU / rolling_orbit_speed_rad_s(
-        bearing,
-        case.operation.inner_speed_rad_s,
-        bearing.ball_radius_m(),
-    )
+    TURNS[0] * case.rolling_orbit_s()
 }
 
 /// Runs all balls and counts the passages of the second half, raceway by raceway.

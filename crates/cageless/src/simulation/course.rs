@@ -7,7 +7,6 @@ use super::observer::{Observer, Scene, View, unwrap_angle};
 use super::run::{Control, Ending, RunOutcome};
 use crate::dynamics::{InstructionSet, RightHandSide};
 use crate::integrator::Step;
-use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::state::{Layout, State};
 
 /// ψ is brought up to date when a rolling ball has gone this far: well below the half turn
@@ -48,11 +47,7 @@ impl<'s, 'm, 'o> Course<'s, 'm, 'o> {
                 ending = Some(Ending::ObserverFailed(error));
             }
         }
-        let orbit = rolling_orbit_speed_rad_s(
-            &case.bearing,
-            case.operation.inner_speed_rad_s,
-            case.bearing.ball_radius_m(),
-        );
+        let orbit = case.rolling_orbit_speed_rad_s();
         Self {
             scene,
             layout,

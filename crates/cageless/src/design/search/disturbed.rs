@@ -4,12 +4,9 @@
 //! and twice the mean, and scaled to the room that there is; the raceway has to sort the
 //! balls, at the price of collisions, and then to let them be.
 
-use std::f64::consts::TAU;
-
 use crate::case::{Case, Gaps, Start};
 use crate::design::verdict::speed_drop_share;
 use crate::equilibrium::EquilibriumError;
-use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::onsets::Onsets;
 use crate::passage::{Passage, PassageRecorder, PassageTally};
 use crate::simulation::{
@@ -207,12 +204,6 @@ pub fn disturbed(
 
 /// `case` with uneven start number `start` and as long as [`TURNS`] orbits.
 fn uneven(case: &Case, start: u64) -> Case {
-    let orbit_s = TAU
-        / rolling_orbit_speed_rad_s(
-            &case.bearing,
-            case.operation.inner_speed_rad_s,
-            case.bearing.ball_radius_m(),
-        );
     let mut case = Case {
         start: Start::Settled {
             gaps: Gaps::List(uneven_gaps_rad(case, case.seed, start)),
@@ -220,7 +211,7 @@ fn uneven(case: &Case, start: u64) -> Case {
         },
         ..case.clone()
     };
-    case.solver.duration_s = TURNS * orbit_s;
+    case.solver.duration_s = TURNS * case.rolling_orbit_s();
     case
 }
 
@@ -245,14 +236,12 @@ fn motion(
     if arrivals.is_empty() {
         return Err(DisturbedError::NoPassages);
     }
-    let mean = |values: &mut dyn Iterator<Item = f64>, count: usize| {
-        values.sum::<f64>() / count.max(1) as f64
-    };
-    let gap_mean_rad = mean(&mut arrivals.iter().copied(), arrivals.len());
-    let variance = mean(
-        &mut arrivals.iter().map(|g| (g - gap_mean_rad).powi(2)),
-        arrivals.len(),
-    );
+    let count = arrivals.len() as f64;
+    let gap_mean_rad = arrivals.iter().sum::<f64>() / count;
+    let square = |gap: &f64| (gap - gap_mean_rad).powi(2);
+    let variance = arrivals.iter().map(square).sum::<f64>() / count;
+    let mut tally = PassageTally::new();
+    late.iter().for_each(|passage| tally.add(passage));
     let friction: f64 = [Work::InnerFriction, Work::OuterFriction, Work::BallFriction]
         .iter()
         .map(|&work| outcome.state.work_j(work))
@@ -262,16 +251,11 @@ fn motion(
         collisions: contacts.begun[0] / ball_turns,
         collisions_late: contacts.begun[1] / (ball_turns / 2.0),
         impulse_n_s: contacts.impulse_n_s / ball_turns,
-        twice_share: mean(
-            &mut late
-                .iter()
-                .map(|p| f64::from(u8::from(p.collisions_ahead > 0 && p.collisions_behind > 0))),
-            late.len(),
-        ),
+        twice_share: tally.twice_share(),
         gap_deviation_rad: variance.sqrt(),
         gap_min_rad: arrivals.iter().copied().fold(f64::INFINITY, f64::min),
         gap_mean_rad,
-        slip_m_s: mean(&mut late.iter().map(|p| p.slip_max_m_s), late.len()),
+        slip_m_s: tally.slip_mean_m_s(),
         speed_drop_share: least_speed_drop_share(case, late),
         force_deviation_n: contacts.force_deviation_n(),
         friction_w: friction / case.solver.duration_s,
