@@ -91,6 +91,8 @@ pub struct Confirmed {
 /// Where work is sent and what for.
 pub(super) struct Batch<'r, 'e> {
     pub request: &'r Request,
+    /// Of lC and of θ, what is asked for of all that Eq. (8) and (9) allow.
+    pub ranges: [[f64; 2]; 2],
     pub execute: &'r mut Execute<'e>,
     pub bearing: &'r Bearing,
 }

@@ -106,7 +106,7 @@ fn widest_angle_rad(bearing: &Bearing, axial_span_m: f64) -> f64 {
 /// The maps at the operating points and at the further speeds.
 pub(super) fn maps(batch: &mut Batch<'_, '_>) -> Result<Vec<SpeedMap>, Interrupted> {
     let request = batch.request;
-    let [spans, angles] = ranges(request, batch.bearing);
+    let [spans, angles] = batch.ranges;
     let (spans, angles) = (spread(spans, MAP[0]), spread(angles, MAP[1]));
     let mut cells = vec![];
     for &half_angle_rad in &angles {
@@ -213,7 +213,7 @@ fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrup
 /// short of it by [`SLIP_SHORTFALL`]; so β0 over the steady gap must lie between
 /// [`Request::spread_min`] and 1/(1 − that).
 pub(super) fn band(batch: &Batch<'_, '_>) -> Vec<Evaluation> {
-    let [_, angles] = ranges(batch.request, batch.bearing);
+    let [_, angles] = batch.ranges;
     let mut evaluations = vec![];
     for placement in 0..batch.request.placements.len() {
         for half_angle_rad in spread(angles, BAND[0]) {
@@ -226,7 +226,7 @@ pub(super) fn band(batch: &Batch<'_, '_>) -> Vec<Evaluation> {
 /// Lines of the band halfway to the next on both sides of those on which something is
 /// acceptable.
 pub(super) fn closer(batch: &Batch<'_, '_>, known: &[Evaluation]) -> Vec<Evaluation> {
-    let [_, [low, high]] = ranges(batch.request, batch.bearing);
+    let [_, [low, high]] = batch.ranges;
     let half = (high - low) / (BAND[0] - 1) as f64 / 2.0;
     let mut lines: Vec<(usize, f64)> = vec![];
     for e in known.iter().filter(|e| e.objectives.is_some()) {
@@ -251,7 +251,7 @@ pub(super) fn closer(batch: &Batch<'_, '_>, known: &[Evaluation]) -> Vec<Evaluat
 
 /// The structures of the band at one angle.
 fn line(batch: &Batch<'_, '_>, placement: usize, half_angle_rad: f64) -> Vec<Evaluation> {
-    let [spans, _] = ranges(batch.request, batch.bearing);
+    let [spans, _] = batch.ranges;
     let at = |axial_span_m: f64| {
         snapped(&Structure {
             axial_span_m,

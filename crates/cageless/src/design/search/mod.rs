@@ -211,9 +211,9 @@ pub fn search(
     execute: &mut Execute<'_>,
 ) -> Result<Found, SearchError> {
     check_points(case, request)?;
-    check_ranges(case, request)?;
     let mut batch = Batch {
         request,
+        ranges: ranges(case, request)?,
         execute,
         bearing: &case.bearing,
     };
@@ -374,8 +374,8 @@ fn check_points(case: &Case, request: &Request) -> Result<(), SearchError> {
     Ok(())
 }
 
-/// Refuses ranges of which Eq. (8) and (9) allow nothing.
-fn check_ranges(case: &Case, request: &Request) -> Result<(), SearchError> {
+/// Ranges of lC and θ to look at; refuses those of which Eq. (8) and (9) allow nothing.
+fn ranges(case: &Case, request: &Request) -> Result<[[f64; 2]; 2], SearchError> {
     let [spans, angles] = lattice::ranges(request, &case.bearing);
     if spans[1] < spans[0] {
         return Err(SearchError::Impossible(format!(
@@ -393,7 +393,7 @@ fn check_ranges(case: &Case, request: &Request) -> Result<(), SearchError> {
             angles[1].to_degrees()
         )));
     }
-    Ok(())
+    Ok([spans, angles])
 }
 
 /// Slack of the requirements that change smoothly, each 0 or more if met.
