@@ -14,5 +14,5 @@ pub mod verification;
 mod watcher;
 
 pub use error::StudyError;
-pub use threads::{THREADS_MAX, on_threads};
+pub use threads::{THREADS_MAX, on_threads, pool};
 pub use watcher::{Silent, Watcher, Work};

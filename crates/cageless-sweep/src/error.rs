@@ -3,6 +3,7 @@
 use cageless_io::case_file::CaseError;
 use cageless_io::in_words;
 use cageless_io::results::{ResultError, is_unusable};
+use cageless_study::StudyError;
 
 /// What went wrong with a sweep as a whole. A variant that fails is a row.
 #[derive(Debug, thiserror::Error)]
@@ -24,9 +25,9 @@ pub enum SweepError {
         /// What the system says.
         source: std::io::Error,
     },
-    /// The threads could not be started.
-    #[error("cannot start threads: {0}")]
-    Threads(String),
+    /// There are too many threads, or they could not be started.
+    #[error(transparent)]
+    Threads(#[from] StudyError),
 }
 
 impl SweepError {
@@ -36,7 +37,7 @@ impl SweepError {
             Self::Plan(_) | Self::Input(_) => true,
             Self::Files(error) => error.is_input(),
             Self::Folder { source, .. } => is_unusable(source),
-            Self::Threads(_) => false,
+            Self::Threads(error) => matches!(error, StudyError::Input(_)),
         }
     }
 

@@ -55,4 +55,4 @@ pub use figures::{Aim, FIGURES, Figure};
 pub use footer::Identity;
 pub use merge::merge;
 pub use ranges::{Ranges, Shard};
-pub use run::{Done, Job, Progress, THREADS_MAX, run};
+pub use run::{Done, Job, Progress, run};

@@ -19,7 +19,7 @@ pub struct Job {
     pub result: PathBuf,
     /// The part of the sweep to compute; all of it if `None`.
     pub shard: Option<Shard>,
-    /// Threads, [`THREADS_MAX`] at most; as many as there are cores if `None`.
+    /// Threads, [`THREADS_MAX`](cageless_study::THREADS_MAX) at most; as many as there are cores if `None`.
     pub threads: Option<NonZeroUsize>,
 }
 
@@ -64,8 +64,6 @@ const SHARE: u32 = 20;
 const OFTEN: Duration = Duration::from_millis(100);
 /// … and not less often than this.
 const SELDOM: Duration = Duration::from_secs(30);
-/// More threads than any machine has cores only wait for each other.
-pub const THREADS_MAX: usize = 1024;
 /// Rows that wait in memory at most.
 const WAITING_MAX: usize = 65_536;
 
@@ -81,12 +79,8 @@ pub fn run(
     mut watch: impl FnMut(&Progress) -> bool,
 ) -> Result<Done, SweepError> {
     let started = Instant::now();
-    let threads = job.threads.map_or(0, NonZeroUsize::get);
-    if threads > THREADS_MAX {
-        return Err(SweepError::Input(format!(
-            "threads = {threads} is not possible: 1 to {THREADS_MAX} are"
-        )));
-    }
+    // Of its own: the thread of the caller waits here, which no worker may do.
+    let pool = cageless_study::pool(job.threads)?;
     let collection = Collection::open(sweep, &job.result, job.shard)?;
     let missing = collection.missing()?;
     let left: u64 = missing.iter().map(|r| r.end - r.start).sum();
@@ -98,7 +92,7 @@ pub fn run(
     };
     let mut waiting: Vec<Row> = Vec::new();
     let mut put_away = Instant::now();
-    let worked = work(sweep, missing, threads, |rows| {
+    let worked = work(sweep, missing, &pool, |rows| {
         progress.done += rows.len() as u64;
         progress.done_now += rows.len() as u64;
         progress.elapsed = started.elapsed();

@@ -8,6 +8,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::time::{Duration, Instant};
 
 use cageless_io::results::Row;
+use rayon::ThreadPool;
 
 use crate::error::SweepError;
 use crate::evaluate::Sweep;
@@ -48,19 +49,14 @@ impl Queue {
     }
 }
 
-/// Computes `missing` on `threads` threads; `take` gets the rows as they come, and now
+/// Computes `missing` on the threads of `pool`; `take` gets the rows as they come, and now
 /// and then none, and says whether to stop. Its error stops the work as well.
 pub(crate) fn work(
     sweep: &Sweep,
     missing: Vec<Range<u64>>,
-    threads: usize,
+    pool: &ThreadPool,
     mut take: impl FnMut(Vec<Row>) -> Result<bool, SweepError>,
 ) -> Result<(), SweepError> {
-    // Of its own: the thread of the caller waits here, which no worker may do.
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(threads)
-        .build()
-        .map_err(|e| SweepError::Threads(e.to_string()))?;
     let queue = Mutex::new(Queue {
         ranges: missing.into(),
         batch: sweep.together(),
