@@ -7,6 +7,7 @@
 //! ([`to_json`]).
 
 pub mod certificate;
+pub mod comparison;
 pub mod data;
 pub mod design;
 pub mod design_report;
@@ -30,6 +31,7 @@ pub mod text;
 pub mod tolerance;
 
 pub use certificate::{CertificateRow, CertificateTable};
+pub use comparison::{Change, ComparisonCell, Difference, Estimate, RingComparison};
 pub use data::*;
 pub use design::*;
 pub use design_result::{

@@ -1,10 +1,12 @@
 //! Every table and figure of Zhao 2022 beside the paper's own numbers.
 
 use cageless::design::CurvePoint;
+use cageless::vibration::AFTER_CONTACT_S;
 use serde::Serialize;
 
+use crate::comparison::RingComparison;
 use crate::data::{Claim, Event, Motion, Parameter, Provenance, Structure, Vibration};
-use crate::figures::{self, design, orbit, phase, shape, spacing, vibration};
+use crate::figures::{self, comparison, design, orbit, phase, shape, spacing, vibration};
 use crate::geometry::{ContactTrack, RacewaySurface};
 use crate::motion::MotionFigure;
 use crate::page::{Note, Page};
@@ -40,6 +42,8 @@ pub struct ReproduceData {
     pub orbit_speeds: Vec<OrbitSpeeds>,
     /// Fig. 12.
     pub vibrations: Vec<Vibration>,
+    /// Section 5 with lots of balls of several grades.
+    pub ring_comparison: Option<RingComparison>,
     /// Fig. 13 and 14: two bearings side by side, conventional first.
     pub motions: Vec<Motion>,
     /// The paper's claims.
@@ -313,6 +317,37 @@ pub fn reproduce_page(data: &ReproduceData) -> String {
             let label = figures::labelled("Figure 12", &vibration.provenance);
             page.figure(&vibration::vibration(&label, vibration));
         }
+    }
+    if let Some(rings) = &data.ring_comparison {
+        page.section("Rings compared with equal and unequal balls");
+        page.paragraph(&format!(
+            "{} At passing: the part of the power spectrum at the multiples of the balls' mean \
+             orbital frequency, where everything lies that recurs with each orbit, contacts \
+             included if they do; between: the rest. The squares of the two add up to that of the \
+             RMS, start by start. Contacts cut out: the housing under the same force, but with a \
+             straight line from each touch of two balls to {} ms after they part; contacts alone: \
+             the housing under what was cut out. These two add up as signals; their squares do \
+             not where they are correlated. Contacts: from touch to parting, in the part of the \
+             run that is not discarded.",
+            rings.starts,
+            AFTER_CONTACT_S * 1e3
+        ));
+        page.paragraph(&format!(
+            "Left out by the model: {}.",
+            rings.left_out.join(", ")
+        ));
+        let searches: Vec<String> = rings
+            .search_commands
+            .iter()
+            .map(|command| format!("`{command}`"))
+            .collect();
+        page.paragraph(&format!(
+            "To repeat the comparison: `{}`. The raceways found by search: {}.",
+            rings.command,
+            searches.join(", ")
+        ));
+        page.figure(&comparison::comparison(rings));
+        rings.tables().iter().for_each(|t| page.table(t));
     }
     if !data.motions.is_empty() {
         page.section("Balls in motion");

@@ -170,6 +170,28 @@ fn text_is_escaped() {
 }
 
 #[test]
+fn rings_are_compared_with_error_bars() {
+    let page = reproduce_page(&synthetic::reproduce());
+    let (html, _) = split(&page);
+    assert!(html.contains("120.0 ± 6.9"), "a mean with its error");
+    assert!(html.contains("Left out by the model: tilt."));
+    let specs = specs(&page);
+    let (_, spec) = specs
+        .iter()
+        .find(|(id, _)| id == "rings-compared")
+        .expect("a figure");
+    for trace in spec["data"].as_array().expect("traces") {
+        assert_eq!(trace["type"], "bar");
+        let (bars, errors) = (&trace["y"], &trace["error_y"]["array"]);
+        assert_eq!(
+            bars.as_array().map(Vec::len),
+            errors.as_array().map(Vec::len)
+        );
+        assert!(errors[0].as_f64().expect("an error") > 0.0);
+    }
+}
+
+#[test]
 fn what_is_not_a_number_is_null_and_numbers_survive() {
     let mut data = synthetic::reproduce();
     data.gap_histories[0].gap_deg[3] = f64::NAN;
@@ -234,6 +256,7 @@ fn data_that_are_missing_or_too_short_leave_a_page() {
         phase_portraits: vec![PhasePortraits::default()],
         orbit_speeds: vec![OrbitSpeeds::default()],
         vibrations: vec![Vibration::default()],
+        ring_comparison: Some(RingComparison::default()),
         motions: vec![Motion::default()],
         table2: Some(Table2::default()),
         design_curve: Some(DesignCurve::default()),

@@ -4,13 +4,14 @@ use cageless::design::{Judgement, Recommendation, Verdict as Judged, recommend};
 use cageless::equilibrium::solve;
 use cageless::spacing::{CriticalGapError, PairTest, critical_gap_rad};
 use cageless::{Case, FrictionLaw, Profile};
-use cageless_report::{Claim, Verdict};
+use cageless_report::{Claim, RingComparison, Verdict};
 use cageless_study::Work;
 
 use super::READINGS;
 use super::cases::{self, PUBLISHED};
 use super::experiment::Experiment;
 use super::histories::History;
+use super::section5_claims;
 use super::structures::Ten;
 use super::table2::Computed;
 use crate::failure::Failure;
@@ -114,6 +115,8 @@ pub struct Evidence<'a> {
     pub histories: &'a [History],
     /// Fig. 12 to 14.
     pub experiment: &'a Experiment,
+    /// Section 5 with lots of balls.
+    pub comparison: &'a RingComparison,
     /// The rest.
     pub extra: &'a Extra,
 }
@@ -125,7 +128,7 @@ pub fn claims(e: &Evidence<'_>) -> Vec<Claim> {
     simulation(&mut list, e);
     structures(&mut list, e);
     recommendation(&mut list, e);
-    experiment(&mut list, e);
+    list.0.extend(section5_claims::claims(e));
     equations(&mut list, e);
     list.0
 }
@@ -452,79 +455,6 @@ fn recommendation(list: &mut List, e: &Evidence<'_>) {
             format!("`paper`: {}; `physical`: {}", range(paper), range(physical)),
         );
     }
-}
-
-fn experiment(list: &mut List, e: &Evidence<'_>) {
-    let [conventional, discrete] = &e.experiment.bearings[..] else {
-        return;
-    };
-    list.add(
-        if discrete.rms_m_s2 < conventional.rms_m_s2 {
-            Verdict::Confirmed
-        } else {
-            Verdict::NotConfirmed
-        },
-        "Section 5, Fig. 12",
-        "The discrete raceway lowers the vibration, because balls collide less.",
-        "Not in the model: balls of equal size in a perfect conventional ring hardly collide once \
-         they have spread, while each close pair touches in the discrete raceway until it has been \
-         driven apart, and the groove itself excites the housing. What makes real balls collide in \
-         a conventional ring, differences of size among them, is not in the paper's model.",
-        format!(
-            "RMS {:.3} m/s² conventional, {:.3} m/s² discrete; {:.0} and {:.0} contacts per second",
-            conventional.rms_m_s2,
-            discrete.rms_m_s2,
-            conventional.collisions_per_s,
-            discrete.collisions_per_s
-        ),
-    );
-    list.add(
-        if discrete.gap_deviation_deg[1] < conventional.gap_deviation_deg[1] {
-            Verdict::Confirmed
-        } else {
-            Verdict::NotConfirmed
-        },
-        "Sections 5 and 6",
-        "The discrete raceway spreads the balls evenly.",
-        "Starting from four bunches, both bearings open the bunches in the first turns; only the \
-         discrete raceway goes on evening the gaps.",
-        format!(
-            "standard deviation of the gaps {:.2}° at the start; after 1 s {:.2}° conventional, \
-             {:.2}° discrete",
-            discrete.gap_deviation_deg[0],
-            conventional.gap_deviation_deg[1],
-            discrete.gap_deviation_deg[1]
-        ),
-    );
-    let counts = |t: &[usize; 4]| t.map(|n| n.to_string()).join(", ");
-    list.add(
-        Verdict::NotConfirmed,
-        "Section 5, Fig. 13, 14",
-        "At 0.05, 0.1, 0.15 and 0.2 s balls touch in the conventional bearing and hardly in the \
-         discrete one.",
-        "The photographs show two different bearings; their starts are not known. From one and \
-         the same start the model does not show the difference at these moments.",
-        format!(
-            "pairs closer than 0.01°: conventional {}, discrete {}",
-            counts(&conventional.touching),
-            counts(&discrete.touching)
-        ),
-    );
-    list.add(
-        if conventional.transition_share > 0.5 {
-            Verdict::Confirmed
-        } else {
-            Verdict::NotConfirmed
-        },
-        "Section 4.3, citing [39]",
-        "In a conventional bearing balls collide mostly in the transition between the loaded and \
-         the unloaded zone.",
-        "Where the load lets go of a ball or takes it again, neighbours meet.",
-        format!(
-            "{:.0} % of the contacts at 60° < |ψ| < 150°",
-            100.0 * conventional.transition_share
-        ),
-    );
 }
 
 fn equations(list: &mut List, e: &Evidence<'_>) {

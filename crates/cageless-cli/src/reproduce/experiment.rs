@@ -148,7 +148,8 @@ fn one(case: &Case, name: &str, progress: &Progress) -> Result<One, Failure> {
     })
 }
 
-fn deviation_deg(gaps: &[f64]) -> f64 {
+/// Standard deviation of `gaps`, radians, in degrees.
+pub fn deviation_deg(gaps: &[f64]) -> f64 {
     let n = gaps.len() as f64;
     let mean = gaps.iter().sum::<f64>() / n;
     (gaps.iter().map(|g| (g - mean).powi(2)).sum::<f64>() / n)

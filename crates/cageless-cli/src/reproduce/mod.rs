@@ -2,9 +2,11 @@
 
 mod cases;
 mod claims;
+mod comparison;
 mod experiment;
 mod histories;
 mod parameters;
+mod section5_claims;
 mod structures;
 mod table2;
 
@@ -37,10 +39,12 @@ pub fn reproduce(args: &Reproduce, stop: &StopFlag) -> Result<(), Failure> {
     let (mut table2, mut structures) = (not_computed(), not_computed());
     let (mut histories, mut experiment, mut extra) =
         (not_computed(), not_computed(), not_computed());
+    let mut comparison = not_computed();
     // The threads take up the parts in this order: those that divide worst come first, the
     // many small tasks of Table 2 last, so that no thread waits long for another at the end.
     rayon::scope_fifo(|scope| {
         scope.spawn_fifo(|_| extra = claims::compute(&progress));
+        scope.spawn_fifo(|_| comparison = comparison::compute(&progress));
         scope.spawn_fifo(|_| experiment = experiment::compute(&progress));
         scope.spawn_fifo(|_| histories = histories::compute(&progress));
         scope.spawn_fifo(|_| structures = structures::compute(&progress));
@@ -51,6 +55,7 @@ pub fn reproduce(args: &Reproduce, stop: &StopFlag) -> Result<(), Failure> {
     }
     let (table2, structures) = (table2?, structures?);
     let (histories, experiment, extra) = (histories?, experiment?, extra?);
+    let comparison = comparison?;
     drop(progress);
     let case_d = cases::structure(3, READINGS[1], &[])?;
     let claims = claims::claims(&claims::Evidence {
@@ -59,6 +64,7 @@ pub fn reproduce(args: &Reproduce, stop: &StopFlag) -> Result<(), Failure> {
         structures: &structures,
         histories: &histories,
         experiment: &experiment,
+        comparison: &comparison,
         extra: &extra,
     });
     let data = ReproduceData {
@@ -75,6 +81,7 @@ pub fn reproduce(args: &Reproduce, stop: &StopFlag) -> Result<(), Failure> {
         phase_portraits: structures.iter().map(|s| s.portraits.clone()).collect(),
         orbit_speeds: structures.into_iter().map(|s| s.speeds).collect(),
         vibrations: vec![experiment.vibration],
+        ring_comparison: Some(comparison),
         motions: experiment.motions,
     };
     let json = to_json(&data)?;
@@ -100,5 +107,9 @@ fn not_computed<T>() -> Result<T, Failure> {
 }
 
 /// Units of work for the progress bar, about a second each on one core.
-const WORK: f64 =
-    table2::WORK + structures::WORK + histories::WORK + experiment::WORK + claims::WORK;
+const WORK: f64 = table2::WORK
+    + structures::WORK
+    + histories::WORK
+    + experiment::WORK
+    + comparison::WORK
+    + claims::WORK;

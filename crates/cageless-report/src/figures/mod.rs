@@ -1,5 +1,6 @@
 //! The figures, each a function of its data.
 
+pub mod comparison;
 pub mod design;
 pub mod history;
 pub mod orbit;

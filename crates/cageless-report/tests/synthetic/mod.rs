@@ -293,11 +293,63 @@ pub fn reproduce() -> ReproduceData {
         phase_portraits: vec![PhasePortraits { portraits, provenance: source(3, "paper") }],
         orbit_speeds: vec![OrbitSpeeds { passages, provenance: source(3, "physical") }],
         vibrations: vec![vibration(&[("conventional", 40.0), ("discrete raceway", 12.0)])],
+        ring_comparison: Some(ring_comparison()),
         motions: vec![
             motion("Figure 13: conventional", &[], 0.004, "physical"),
             motion("Figure 14: discrete raceway, lC 5.1 mm, θ 25.2°", &[raceway(3)], 0.0, "physical"),
         ],
         claims: claims(),
+    }
+}
+
+fn ring_comparison() -> RingComparison {
+    let around = |mean: f64| Estimate::new(&[0.9 * mean, mean, 1.1 * mean]).expect("values");
+    let mut cells = vec![];
+    for speed_rpm in [3000.0, 12_000.0] {
+        for (lot, variation_um) in [("equal balls", 0.0), ("G10", 0.5)] {
+            for (ring, raceway) in [
+                ("conventional", None),
+                ("structure (d)", Some(structure(3))),
+            ] {
+                let rms = around(if raceway.is_some() { 0.45 } else { 0.03 });
+                let difference = Difference {
+                    rms_m_s2: rms,
+                    rms_at_passing_m_s2: rms,
+                    rms_between_m_s2: rms,
+                    rms_without_contacts_m_s2: rms,
+                    rms_from_contacts_m_s2: rms,
+                    gap_deviation_deg: rms,
+                    contacts_per_s: rms,
+                    impulse_rate_n: rms,
+                };
+                cells.push(ComparisonCell {
+                    speed_rpm,
+                    lot: lot.into(),
+                    lot_diameter_variation_um: variation_um,
+                    ring: ring.into(),
+                    difference: raceway.is_some().then_some(difference),
+                    raceway,
+                    rms_m_s2: rms,
+                    rms_at_passing_m_s2: rms,
+                    rms_between_m_s2: rms,
+                    rms_without_contacts_m_s2: rms,
+                    rms_from_contacts_m_s2: rms,
+                    gap_deviation_deg: around(1.3),
+                    contacts_per_s: around(120.0),
+                    approach_speed_m_s: Some(around(0.09)),
+                    impulse_n_s: None,
+                    impulse_rate_n: rms,
+                });
+            }
+        }
+    }
+    RingComparison {
+        cells,
+        starts: "3 starts per combination.".into(),
+        command: "cageless reproduce".into(),
+        search_commands: vec!["cageless design case.toml --search".into()],
+        left_out: vec!["tilt".into()],
+        provenance: source(3, "physical"),
     }
 }
 

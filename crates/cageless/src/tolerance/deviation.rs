@@ -200,13 +200,9 @@ pub fn trials(case: &Case, tolerances: &Tolerances, samples: u64, seed: u64) -> 
         deviation: Deviation::none(),
     }];
     let lot = |stream: &mut Stream| {
-        let [low, high] = tolerances.range(case, Influence::BallRadius);
-        if low == high {
-            return vec![];
-        }
-        (0..case.bearing.balls())
-            .map(|_| stream.between(low, high))
-            .collect()
+        tolerances
+            .ball_grade
+            .map_or(vec![], |grade| stream.lot(grade, case.bearing.balls()))
     };
     for influence in Influence::ALL {
         let range = tolerances.range(case, influence);
@@ -215,7 +211,7 @@ pub fn trials(case: &Case, tolerances: &Tolerances, samples: u64, seed: u64) -> 
                 trials.extend((0..LOTS).map(|k| Trial {
                     influence: Some(influence),
                     deviation: Deviation {
-                        ball_radius_m: lot(&mut Stream::new(seed, 1, k)),
+                        ball_radius_m: lot(&mut Stream::new(seed, LOT, k)),
                         ..Deviation::none()
                     },
                 }));
@@ -245,6 +241,16 @@ pub fn trials(case: &Case, tolerances: &Tolerances, samples: u64, seed: u64) -> 
     trials
 }
 
+/// Deviations of the radii of `balls` balls of one lot, uniform within what the grade admits and
+/// independent of each other. The same seed and index give the same lot; lots of the same seed
+/// and index in two grades differ by a factor alone.
+pub fn ball_lot_m(grade: BallGrade, balls: usize, seed: u64, index: u64) -> Vec<f64> {
+    Stream::new(seed, LOT, index).lot(grade, balls)
+}
+
+/// What the streams of single lots are for.
+const LOT: u64 = 1;
+
 /// Random numbers that depend on nothing but the seed, what they are for, and their place.
 struct Stream(ChaCha8Rng);
 
@@ -256,6 +262,11 @@ impl Stream {
         let mut rng = ChaCha8Rng::from_seed(key);
         rng.set_stream(index);
         Self(rng)
+    }
+
+    fn lot(&mut self, grade: BallGrade, balls: usize) -> Vec<f64> {
+        let most = grade.radius_deviation_m();
+        (0..balls).map(|_| self.between(-most, most)).collect()
     }
 
     fn between(&mut self, low: f64, high: f64) -> f64 {

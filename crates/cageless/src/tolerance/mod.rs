@@ -6,5 +6,5 @@ mod deviation;
 mod grade;
 
 pub use assessment::{Assessment, InfluenceResult, Interval, Outcome, Samples, assess};
-pub use deviation::{Deviation, Influence, Tolerances, Trial, trials};
+pub use deviation::{Deviation, Influence, Tolerances, Trial, ball_lot_m, trials};
 pub use grade::{BALL_GRADES, BallGrade, ball_grade};

@@ -9,16 +9,21 @@
 
 mod filter;
 mod oscillator;
+mod passing;
+mod response;
 mod spectrum;
+mod without_contacts;
 
 pub use filter::{Decimator, FILTER_CORNER, FILTER_ORDER};
+pub use passing::{LEAST_ORBITS, PassingSplit};
 pub use spectrum::{Spectrum, Welch, spectrum};
+pub use without_contacts::{AFTER_CONTACT_S, WithoutContacts};
 
 use crate::case::Housing;
 use crate::numerics::moments::Moments;
 use crate::simulation::{Control, Observer, ObserverError, Scene, View};
 use crate::thinning::Thinning;
-use oscillator::Oscillator;
+use response::Response;
 
 /// Values in a stretch of [`Welch`]'s average: 1.6 s at 5 kHz.
 pub const STRETCH: usize = 8192;
@@ -100,6 +105,11 @@ impl Measurement {
         (samples > 1).then(|| samples as f64 * self.decimator.interval_s())
     }
 
+    /// Time between samples.
+    pub fn interval_s(&self) -> f64 {
+        self.decimator.interval_s()
+    }
+
     /// Amplitude spectrum, averaged over stretches of [`STRETCH`] samples if there are as
     /// many.
     pub fn spectrum(&self) -> Spectrum {
@@ -107,89 +117,40 @@ impl Measurement {
     }
 }
 
+/// Sampling of the housing's motion; resolves 10 kHz and all housings below it.
+pub const HOUSING_INTERVAL_S: f64 = 1e-5;
+
 /// Measures the acceleration of the housing.
 ///
 /// The force is averaged over the time between samples (a first defence against
 /// aliasing of the 30 kHz bounce of the balls), then moves the housing exactly as a
 /// force constant over that time would.
 pub struct VibrationRecorder {
-    housing: Housing,
-    interval_s: f64,
-    /// Impulse gathered since the last sample.
-    impulse: [f64; 2],
-    since_s: f64,
-    last_force: [f64; 2],
-    motion: Option<[Oscillator; 2]>,
-    measurements: [Measurement; 2],
+    response: Response,
 }
-
-/// Sampling of the housing's motion; resolves 10 kHz and all housings below it.
-pub const HOUSING_INTERVAL_S: f64 = 1e-5;
 
 impl VibrationRecorder {
     /// On a housing, sampled at `rate_hz`, leaving out what comes before `after_s`.
     pub fn new(housing: &Housing, rate_hz: f64, after_s: f64) -> Self {
-        let measurement = Measurement::new(HOUSING_INTERVAL_S, rate_hz, after_s);
         Self {
-            housing: housing.clone(),
-            interval_s: HOUSING_INTERVAL_S,
-            impulse: [0.0; 2],
-            since_s: 0.0,
-            last_force: [0.0; 2],
-            motion: None,
-            measurements: [measurement.clone(), measurement],
+            response: Response::new(housing, rate_hz, after_s),
         }
     }
 
     /// Acceleration of the outer ring along x and y, m/s².
     pub fn measurements(&self) -> &[Measurement; 2] {
-        &self.measurements
-    }
-
-    /// Adds what acted until `to_s`, closing samples on the way.
-    fn add(&mut self, from_s: f64, to_s: f64, force: [f64; 2]) {
-        let slope = |k: usize| (force[k] - self.last_force[k]) / (to_s - from_s);
-        let slopes = [slope(0), slope(1)];
-        let mut at = from_s;
-        loop {
-            let sample_end = self.since_s + self.interval_s;
-            let until = sample_end.min(to_s);
-            for (k, slope) in slopes.iter().enumerate() {
-                let middle = self.last_force[k] + slope * ((at + until) / 2.0 - from_s);
-                self.impulse[k] += middle * (until - at);
-            }
-            if sample_end > to_s {
-                break;
-            }
-            self.close_sample();
-            at = until;
-        }
-        self.last_force = force;
-    }
-
-    fn close_sample(&mut self) {
-        let mean = self.impulse.map(|i| i / self.interval_s);
-        let motion = self.motion.get_or_insert_with(|| {
-            mean.map(|f| Oscillator::new(&self.housing, self.interval_s, f))
-        });
-        for k in 0..2 {
-            self.measurements[k].push(motion[k].push(mean[k]));
-        }
-        self.impulse = [0.0; 2];
-        self.since_s += self.interval_s;
+        &self.response.measurements
     }
 }
 
 impl Observer for VibrationRecorder {
     fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
-        let mut rhs = crate::dynamics::RightHandSide::new(scene.model);
-        let snapshot = rhs.snapshot(0.0, scene.start, scene.start_angle_rad);
-        self.last_force = [snapshot.ring.outer_force_x_n, snapshot.ring.outer_force_y_n];
+        self.response.begin(scene);
         Ok(())
     }
 
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
-        self.add(
+        self.response.add(
             view.step.from_s,
             view.step.to_s,
             view.contacts.outer_ring_force_n(),

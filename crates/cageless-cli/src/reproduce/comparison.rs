@@ -1,0 +1,500 @@
+//! The experiment of Section 5 with balls of several grades: conventional ring, structure (d)
+//! and raceways found by search, from the same starts with the same balls.
+
+use std::f64::consts::TAU;
+
+use cageless::collision::{Collision, CollisionDetector};
+use cageless::design::search::uneven_gaps_rad;
+use cageless::simulation::{
+    Control, Ending, Observer, ObserverError, RunOutcome, View, batches, run_batch,
+};
+use cageless::step::StepLimits;
+use cageless::tolerance::{ball_grade, ball_lot_m};
+use cageless::vibration::{Measurement, PassingSplit, VibrationRecorder, WithoutContacts};
+use cageless::{Case, Gaps, Method, Raceway, RacewayDimensions, Start};
+use cageless_report::run_report::{SAMPLING_HZ, filter_note, provenance};
+use cageless_report::{
+    ComparisonCell, Difference, Estimate, Provenance, RingComparison, Structure,
+};
+use cageless_study::Work;
+use rayon::prelude::*;
+
+use super::cases;
+use crate::failure::Failure;
+use crate::progress::Progress;
+
+/// Seconds on one core, roughly.
+pub const WORK: f64 = 30.0;
+
+/// Seed of starts and lots.
+const SEED: u64 = 5;
+/// Starts per combination: as many as run side by side.
+const STARTS: u64 = 8;
+/// Bunches of balls at the start.
+const BUNCHES: usize = 4;
+/// Gap within a bunch.
+const GAP_IN_BUNCH_DEG: f64 = 0.05;
+/// Grades of ISO 3290-1 besides equal balls.
+const GRADES: [u32; 3] = [5, 10, 28];
+
+/// A speed with the raceway that `design --search` recommends for it.
+struct Speed {
+    rpm: f64,
+    duration_s: f64,
+    found_axial_span_mm: f64,
+    found_half_angle_deg: f64,
+}
+
+/// Twenty orbits of the balls at the lower speed, forty at the higher; the first half is
+/// discarded.
+const SPEEDS: [Speed; 2] = [
+    Speed {
+        rpm: 3000.0,
+        duration_s: 1.0,
+        found_axial_span_mm: 5.921,
+        found_half_angle_deg: 13.16,
+    },
+    Speed {
+        rpm: 12_000.0,
+        duration_s: 0.5,
+        found_axial_span_mm: 5.093,
+        found_half_angle_deg: 24.06,
+    },
+];
+
+/// Names of the rings, in the order of the cells.
+pub const CONVENTIONAL: &str = "conventional";
+/// The paper's sample.
+pub const STRUCTURE_D: &str = "structure (d)";
+/// What `design --search` recommends.
+pub const FOUND: &str = "found by search";
+
+/// What the model leaves out of the paper's experiment.
+const LEFT_OUT: [&str; 4] = [
+    "tilt of the rings",
+    "waviness of rings and balls",
+    "the lubricant film",
+    "starting and touching down",
+];
+
+/// One combination.
+struct Plan {
+    case: Case,
+    rpm: f64,
+    lot: String,
+    lot_variation_m: f64,
+    ring: &'static str,
+}
+
+/// What one start gave.
+struct Outcome {
+    mean_square: f64,
+    at_passing: f64,
+    between: f64,
+    without_contacts: f64,
+    from_contacts: f64,
+    gap_deviation_deg: f64,
+    contacts_per_s: f64,
+    approach_speed_m_s: f64,
+    impulse_n_s: f64,
+    impulse_rate_n: f64,
+}
+
+/// Runs every combination.
+pub fn compute(progress: &Progress) -> Result<RingComparison, Failure> {
+    let plans = plans()?;
+    let total_s: f64 = plans.iter().map(|p| p.case.solver.duration_s).sum();
+    let found: Vec<Vec<Outcome>> = plans
+        .par_iter()
+        .map(|plan| {
+            let units = WORK * plan.case.solver.duration_s / total_s;
+            outcomes(plan, progress, units)
+        })
+        .collect::<Result<_, Failure>>()?;
+    let rings = plans.len() / SPEEDS.len() / (1 + GRADES.len());
+    let cells = plans
+        .iter()
+        .zip(&found)
+        .enumerate()
+        .map(|(k, (plan, outcomes))| {
+            let conventional = &found[k - k % rings];
+            cell(plan, outcomes, (k % rings > 0).then_some(conventional))
+        })
+        .collect::<Result<_, Failure>>()?;
+    Ok(RingComparison {
+        cells,
+        starts: format!(
+            "{STARTS} starts per combination, the same for every ring: {BUNCHES} bunches of balls \
+             whose sizes are drawn at random, gaps of {GAP_IN_BUNCH_DEG}° within a bunch; radii \
+             of the balls drawn for each start, uniform within what the grade admits (seed \
+             {SEED})."
+        ),
+        command: "cargo run --release -- reproduce".to_owned(),
+        search_commands: SPEEDS
+            .iter()
+            .map(|speed| {
+                format!(
+                    "cageless design cases/zhao-d.toml --set operation.inner_speed_rpm={} --search",
+                    speed.rpm
+                )
+            })
+            .collect(),
+        left_out: LEFT_OUT.map(str::to_owned).to_vec(),
+        provenance: source(&plans),
+    })
+}
+
+/// The combinations, by speed, lot and ring.
+fn plans() -> Result<Vec<Plan>, Failure> {
+    let [conventional, discrete] = cases::experiment()?;
+    let mut plans = vec![];
+    for speed in &SPEEDS {
+        let found = with_raceway(&discrete, speed)?;
+        let rings = [
+            (CONVENTIONAL, &conventional),
+            (STRUCTURE_D, &discrete),
+            (FOUND, &found),
+        ];
+        let mut lots = vec![("equal balls".to_owned(), None)];
+        lots.extend(GRADES.map(|number| (format!("G{number}"), ball_grade(number))));
+        for (lot, grade) in lots {
+            for (ring, case) in rings {
+                let mut case = case.clone();
+                case.operation.inner_speed_rad_s = speed.rpm * TAU / 60.0;
+                case.solver.duration_s = speed.duration_s;
+                case.solver.method = Method::Symplectic;
+                case.solver.step_s = StepLimits::of(&case).automatic_s(Method::Symplectic);
+                plans.push(Plan {
+                    case,
+                    rpm: speed.rpm,
+                    lot: lot.clone(),
+                    lot_variation_m: grade.map_or(0.0, |g| g.lot_variation_m),
+                    ring,
+                });
+            }
+        }
+    }
+    Ok(plans)
+}
+
+fn with_raceway(case: &Case, speed: &Speed) -> Result<Case, Failure> {
+    let dimensions = RacewayDimensions {
+        axial_span_m: speed.found_axial_span_mm * 1e-3,
+        half_angle_rad: speed.found_half_angle_deg.to_radians(),
+        ..*case.raceways[0].dimensions()
+    };
+    let raceway = Raceway::new(dimensions, &case.bearing)?;
+    Ok(Case {
+        raceways: vec![raceway],
+        ..case.clone()
+    })
+}
+
+impl Plan {
+    fn settled_after_s(&self) -> f64 {
+        self.case.solver.duration_s / 2.0
+    }
+
+    /// The case of start `start`, with its own lot of balls.
+    fn start(&self, start: u64) -> Result<Case, Failure> {
+        let mut case = self.case.clone();
+        let grade = GRADES
+            .into_iter()
+            .filter_map(ball_grade)
+            .find(|g| g.lot_variation_m == self.lot_variation_m);
+        if let Some(grade) = grade {
+            let lot = ball_lot_m(grade, case.bearing.balls(), SEED, start);
+            case.bearing = case.bearing.with_ball_radius_deviations(lot)?;
+        }
+        case.start = Start::Settled {
+            gaps: Gaps::List(bunched_gaps_rad(&case, start)),
+            lead_ball_angle_rad: case.start.lead_ball_angle_rad(),
+        };
+        case.check()?;
+        Ok(case)
+    }
+}
+
+/// Gaps of [`BUNCHES`] bunches: the places between them are drawn at random and share what the
+/// gaps within the bunches leave.
+fn bunched_gaps_rad(case: &Case, start: u64) -> Vec<f64> {
+    let n = case.bearing.balls();
+    let drawn = uneven_gaps_rad(case, SEED, start);
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_by(|a, b| drawn[*b].total_cmp(&drawn[*a]));
+    let within = GAP_IN_BUNCH_DEG.to_radians();
+    let room = n as f64 * case.bearing.even_gap_rad() - (n - BUNCHES) as f64 * within;
+    let mut gaps = vec![within; n];
+    for k in &order[..BUNCHES] {
+        gaps[*k] = room / BUNCHES as f64;
+    }
+    gaps
+}
+
+/// Mean orbital frequency of the balls in the part of a run that is not discarded.
+struct OrbitMeter {
+    after_s: f64,
+    first: Option<[f64; 2]>,
+    last: [f64; 2],
+    until_s: f64,
+}
+
+impl OrbitMeter {
+    fn new(after_s: f64, until_s: f64) -> Self {
+        Self {
+            after_s,
+            first: None,
+            last: [f64::NAN; 2],
+            until_s,
+        }
+    }
+
+    fn orbit_hz(&self) -> Option<f64> {
+        let [from_s, from] = self.first?;
+        let [to_s, to] = self.last;
+        Some((to - from) / (to_s - from_s) / TAU)
+    }
+}
+
+impl Observer for OrbitMeter {
+    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+        let time_s = view.step.to_s;
+        if time_s >= self.after_s && (self.first.is_none() || time_s >= self.until_s) {
+            let balls = view.layout().balls;
+            let mean = (0..balls).map(|k| view.angle_after_rad(k)).sum::<f64>() / balls as f64;
+            self.last = [time_s, mean];
+            self.first.get_or_insert(self.last);
+        }
+        Ok(Control::Continue)
+    }
+}
+
+/// Runs every start of a combination, side by side.
+fn outcomes(plan: &Plan, progress: &Progress, units: f64) -> Result<Vec<Outcome>, Failure> {
+    let cases: Vec<Case> = (0..STARTS)
+        .map(|k| plan.start(k))
+        .collect::<Result<_, _>>()?;
+    let mut outcomes = vec![];
+    for members in batches(&cases) {
+        let together: Vec<&Case> = members.iter().map(|k| &cases[*k]).collect();
+        let share = units * together.len() as f64 / cases.len() as f64;
+        outcomes.extend(side_by_side(&together, plan, progress, share)?);
+    }
+    Ok(outcomes)
+}
+
+fn side_by_side(
+    cases: &[&Case],
+    plan: &Plan,
+    progress: &Progress,
+    units: f64,
+) -> Result<Vec<Outcome>, Failure> {
+    let (duration_s, after_s) = (plan.case.solver.duration_s, plan.settled_after_s());
+    let Some(housing) = &plan.case.housing else {
+        return Err(Failure::Input(
+            "the case of the experiment needs a [housing]".to_owned(),
+        ));
+    };
+    let mut vibrations: Vec<VibrationRecorder> = cases
+        .iter()
+        .map(|_| VibrationRecorder::new(housing, SAMPLING_HZ, after_s))
+        .collect();
+    let mut quiet: Vec<WithoutContacts> = cases
+        .iter()
+        .map(|_| WithoutContacts::new(housing, SAMPLING_HZ, after_s))
+        .collect();
+    let mut orbits: Vec<OrbitMeter> = cases
+        .iter()
+        .map(|_| OrbitMeter::new(after_s, duration_s))
+        .collect();
+    let mut contacts: Vec<Vec<Collision>> = vec![vec![]; cases.len()];
+    let ended = {
+        let mut detectors: Vec<_> = contacts
+            .iter_mut()
+            .map(|contacts| {
+                CollisionDetector::new(move |contact: Collision| {
+                    if contact.start_s >= after_s {
+                        contacts.push(contact);
+                    }
+                    Ok(())
+                })
+            })
+            .collect();
+        let mut observers: Vec<Vec<&mut dyn Observer>> = vibrations
+            .iter_mut()
+            .zip(&mut quiet)
+            .zip(&mut orbits)
+            .zip(&mut detectors)
+            .map(|(((v, q), o), d)| vec![v as &mut dyn Observer, q, o, d])
+            .collect();
+        let ended = run_batch(
+            cases,
+            &mut observers,
+            &mut progress.run_control(duration_s, units),
+        );
+        drop(observers);
+        for detector in &mut detectors {
+            detector
+                .close(duration_s)
+                .map_err(|error| Failure::Other(anyhow::anyhow!(error)))?;
+        }
+        ended
+    };
+    let mut outcomes = vec![];
+    for (k, ended) in ended.into_iter().enumerate() {
+        let ended = ended?;
+        if let Ending::Stopped(stop) = &ended.ending {
+            return Err(Failure::stopped(stop, ""));
+        }
+        let Some(orbit_hz) = orbits[k].orbit_hz() else {
+            return super::not_computed();
+        };
+        let vertical = [vibrations[k].measurements(), quiet[k].measurements()].map(|m| &m[1]);
+        outcomes.push(outcome(cases[k], &ended, vertical, orbit_hz, &contacts[k])?);
+    }
+    Ok(outcomes)
+}
+
+fn outcome(
+    case: &Case,
+    ended: &RunOutcome,
+    [vertical, quiet]: [&Measurement; 2],
+    orbit_hz: f64,
+    contacts: &[Collision],
+) -> Result<Outcome, Failure> {
+    let of = |m: &Measurement| -> Vec<f64> { m.trace().iter().map(|[_, a]| *a).collect() };
+    let (values, quiet_values) = (of(vertical), of(quiet));
+    let cut_out: Vec<f64> = values
+        .iter()
+        .zip(&quiet_values)
+        .map(|(a, b)| a - b)
+        .collect();
+    let split = match PassingSplit::new(&values, vertical.interval_s(), orbit_hz) {
+        Some(split) if vertical.trace_stretch_s().is_none() => split,
+        _ => {
+            return Err(Failure::Input(
+                "the run is too short or too long to split its vibration".to_owned(),
+            ));
+        }
+    };
+    let measured_s = case.solver.duration_s / 2.0;
+    let count = contacts.len() as f64;
+    let sum = |of: fn(&Collision) -> f64| contacts.iter().map(of).sum::<f64>();
+    let impulse_n_s = sum(|c| c.impulse_n_s);
+    Ok(Outcome {
+        mean_square: split.at_passing + split.between,
+        at_passing: split.at_passing,
+        between: split.between,
+        without_contacts: quiet.rms(),
+        from_contacts: (cut_out.iter().map(|a| a * a).sum::<f64>() / cut_out.len() as f64).sqrt(),
+        gap_deviation_deg: gap_deviation_deg(case, ended),
+        contacts_per_s: count / measured_s,
+        // Without contacts NaN, which estimates leave out.
+        approach_speed_m_s: sum(|c| c.approach_speed_m_s) / count,
+        impulse_n_s: impulse_n_s / count,
+        impulse_rate_n: impulse_n_s / measured_s,
+    })
+}
+
+fn gap_deviation_deg(case: &Case, ended: &RunOutcome) -> f64 {
+    let (x, y) = (ended.state.x_m(), ended.state.y_m());
+    let n = case.bearing.balls();
+    let gaps: Vec<f64> = (0..n)
+        .map(|k| {
+            let next = (k + 1) % n;
+            let ahead = (x[k] * y[next] - y[k] * x[next]).atan2(x[k] * x[next] + y[k] * y[next]);
+            ahead - case.bearing.pair_angle_rad(k)
+        })
+        .collect();
+    super::experiment::deviation_deg(&gaps)
+}
+
+fn estimate(outcomes: &[Outcome], of: impl Fn(&Outcome) -> f64) -> Option<Estimate> {
+    Estimate::new(&outcomes.iter().map(of).collect::<Vec<f64>>())
+}
+
+fn cell(
+    plan: &Plan,
+    outcomes: &[Outcome],
+    conventional: Option<&Vec<Outcome>>,
+) -> Result<ComparisonCell, Failure> {
+    let always = |of: fn(&Outcome) -> f64| estimate(outcomes, of).ok_or_else(no_value);
+    let difference = conventional
+        .map(|conventional| {
+            let less = |of: fn(&Outcome) -> f64| {
+                let pairs = outcomes.iter().zip(conventional);
+                let differences: Vec<f64> = pairs.map(|(a, b)| of(a) - of(b)).collect();
+                Estimate::new(&differences).ok_or_else(no_value)
+            };
+            Ok::<_, Failure>(Difference {
+                rms_m_s2: less(|o| o.mean_square.sqrt())?,
+                rms_at_passing_m_s2: less(|o| o.at_passing.sqrt())?,
+                rms_between_m_s2: less(|o| o.between.sqrt())?,
+                rms_without_contacts_m_s2: less(|o| o.without_contacts)?,
+                rms_from_contacts_m_s2: less(|o| o.from_contacts)?,
+                gap_deviation_deg: less(|o| o.gap_deviation_deg)?,
+                contacts_per_s: less(|o| o.contacts_per_s)?,
+                impulse_rate_n: less(|o| o.impulse_rate_n)?,
+            })
+        })
+        .transpose()?;
+    let raceway = plan.case.raceways.first().map(|raceway| {
+        let d = raceway.dimensions();
+        // Rounding away what the conversion to SI leaves.
+        Structure {
+            letter: String::new(),
+            axial_span_mm: (d.axial_span_m * 1e9).round() / 1e6,
+            half_angle_deg: (d.half_angle_rad.to_degrees() * 1e9).round() / 1e9,
+        }
+    });
+    Ok(ComparisonCell {
+        speed_rpm: plan.rpm,
+        lot: plan.lot.clone(),
+        lot_diameter_variation_um: plan.lot_variation_m * 1e6,
+        ring: plan.ring.to_owned(),
+        raceway,
+        rms_m_s2: always(|o| o.mean_square.sqrt())?,
+        rms_at_passing_m_s2: always(|o| o.at_passing.sqrt())?,
+        rms_between_m_s2: always(|o| o.between.sqrt())?,
+        rms_without_contacts_m_s2: always(|o| o.without_contacts)?,
+        rms_from_contacts_m_s2: always(|o| o.from_contacts)?,
+        gap_deviation_deg: always(|o| o.gap_deviation_deg)?,
+        contacts_per_s: always(|o| o.contacts_per_s)?,
+        approach_speed_m_s: estimate(outcomes, |o| o.approach_speed_m_s),
+        impulse_n_s: estimate(outcomes, |o| o.impulse_n_s),
+        impulse_rate_n: always(|o| o.impulse_rate_n)?,
+        difference,
+    })
+}
+
+fn no_value() -> Failure {
+    Failure::Input("a start of the comparison of rings gave no number".to_owned())
+}
+
+fn source(plans: &[Plan]) -> Provenance {
+    let case = &plans[0].case;
+    let mut steps: Vec<f64> = plans.iter().map(|p| p.case.solver.step_s * 1e6).collect();
+    steps.sort_by(f64::total_cmp);
+    steps.dedup();
+    let steps: Vec<String> = steps
+        .into_iter()
+        .map(|s| cageless_report::text::short(s))
+        .collect();
+    let durations = SPEEDS.map(|s| format!("{} s at {} rpm", s.duration_s, s.rpm));
+    Provenance {
+        case: "Zhao 2022, experiment: 1.5 kN".to_owned(),
+        method: Some(format!("leapfrog, step {} µs", steps.join(" to "))),
+        step_us: None,
+        ..provenance(
+            case,
+            format!(
+                "the first half of {}; {}",
+                durations.join(" and "),
+                filter_note(case)
+            ),
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,293 @@
+//! Outer rings compared from the same starts with the same lots of balls (Zhao 2022,
+//! Section 5).
+
+use cageless::numerics::moments::Moments;
+use cageless::numerics::student::two_sided_limit;
+use serde::Serialize;
+
+use crate::data::{Provenance, Structure};
+use crate::table::{Cell, Row, Table};
+use crate::text::short;
+
+/// Probability of calling a difference one that is none.
+pub const SIGNIFICANCE: f64 = 0.05;
+
+/// Mean over independent starts with its standard error.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Estimate {
+    /// Mean.
+    pub mean: f64,
+    /// Standard error of the mean; NaN for a single start.
+    pub standard_error: f64,
+    /// Number of starts that have a value.
+    pub starts: usize,
+}
+
+/// What a difference between two rings amounts to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Change {
+    /// Lower, significantly.
+    Lower,
+    /// Higher, significantly.
+    Higher,
+    /// Not significant.
+    Undecided,
+}
+
+impl Estimate {
+    /// Mean of the finite values; `None` if there are none.
+    pub fn new(values: &[f64]) -> Option<Self> {
+        let mut moments = Moments::default();
+        values
+            .iter()
+            .filter(|v| v.is_finite())
+            .for_each(|v| moments.add(*v, 1.0));
+        let n = moments.weight();
+        (n > 0.0).then(|| Self {
+            mean: moments.mean(),
+            // Deviation of the values over n − 1, of the mean over n.
+            standard_error: moments.deviation() / (n - 1.0).sqrt(),
+            starts: n as usize,
+        })
+    }
+
+    /// Sign of a mean difference under Student's two-sided test at [`SIGNIFICANCE`].
+    pub fn change(&self) -> Change {
+        if self.starts < 2 {
+            return Change::Undecided;
+        }
+        let limit = two_sided_limit(SIGNIFICANCE, self.starts - 1) * self.standard_error;
+        if self.mean > limit {
+            Change::Higher
+        } else if self.mean < -limit {
+            Change::Lower
+        } else {
+            Change::Undecided
+        }
+    }
+
+    /// `0.43 ± 0.02`: the error with two significant digits, the mean to the same decimal.
+    pub fn text(&self) -> String {
+        let error = self.standard_error;
+        if !error.is_finite() || error == 0.0 {
+            return short(self.mean);
+        }
+        let decimals = (1.0 - error.log10().floor()).clamp(0.0, 9.0) as usize;
+        let number = |v: f64| crate::text::fixed(Some(v), decimals);
+        format!("{} ± {}", number(self.mean), number(error))
+    }
+}
+
+/// Rings, lots of balls and speeds, each combination from several starts.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct RingComparison {
+    /// One cell per combination: by speed, lot and ring, the conventional ring first.
+    pub cells: Vec<ComparisonCell>,
+    /// How the starts and lots were drawn.
+    pub starts: String,
+    /// Command that gives the numbers again.
+    pub command: String,
+    /// Commands that found the raceways.
+    pub search_commands: Vec<String>,
+    /// What the model leaves out of the paper's experiment.
+    pub left_out: Vec<String>,
+    /// Provenance.
+    pub provenance: Provenance,
+}
+
+/// One ring with one lot of balls at one speed: means over the starts.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ComparisonCell {
+    /// Speed of the inner ring, rpm.
+    pub speed_rpm: f64,
+    /// `equal balls`, or the grade of ISO 3290-1: `G5`.
+    pub lot: String,
+    /// VDwL of the grade, µm; 0 for equal balls.
+    pub lot_diameter_variation_um: f64,
+    /// `conventional`, `structure (d)`, `found by search`.
+    pub ring: String,
+    /// The discrete raceway; `None` for the conventional ring.
+    pub raceway: Option<Structure>,
+    /// RMS of the vertical acceleration of the housing, m/s².
+    pub rms_m_s2: Estimate,
+    /// Its part at the multiples of the orbital frequency, m/s²; with the part between, start by
+    /// start, its square adds up to that of the RMS.
+    pub rms_at_passing_m_s2: Estimate,
+    /// Its part between the multiples of the orbital frequency, m/s².
+    pub rms_between_m_s2: Estimate,
+    /// RMS of the acceleration under a force from which the contacts between balls are cut out,
+    /// m/s².
+    pub rms_without_contacts_m_s2: Estimate,
+    /// RMS of the acceleration under what was cut out, m/s².
+    pub rms_from_contacts_m_s2: Estimate,
+    /// Standard deviation of the gaps at the end, degrees.
+    pub gap_deviation_deg: Estimate,
+    /// Contacts between balls per second.
+    pub contacts_per_s: Estimate,
+    /// Mean approach speed of a contact, m/s; `None` without contacts.
+    pub approach_speed_m_s: Option<Estimate>,
+    /// Mean impulse of a contact, N·s; `None` without contacts.
+    pub impulse_n_s: Option<Estimate>,
+    /// Sum of the impulses of the contacts per second, N.
+    pub impulse_rate_n: Estimate,
+    /// Differences from the conventional ring, start by start; `None` for that itself.
+    pub difference: Option<Difference>,
+}
+
+/// A ring less the conventional one with the same balls from the same starts.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Difference {
+    /// RMS of the acceleration of the housing, m/s².
+    pub rms_m_s2: Estimate,
+    /// Its part at the multiples of the orbital frequency, m/s².
+    pub rms_at_passing_m_s2: Estimate,
+    /// Its part between them, m/s².
+    pub rms_between_m_s2: Estimate,
+    /// RMS with the contacts cut out of the force, m/s².
+    pub rms_without_contacts_m_s2: Estimate,
+    /// RMS under what was cut out, m/s².
+    pub rms_from_contacts_m_s2: Estimate,
+    /// Standard deviation of the gaps at the end, degrees.
+    pub gap_deviation_deg: Estimate,
+    /// Contacts between balls per second.
+    pub contacts_per_s: Estimate,
+    /// Sum of the impulses of the contacts per second, N.
+    pub impulse_rate_n: Estimate,
+}
+
+impl RingComparison {
+    /// The speeds, in the order of the cells.
+    pub fn speeds_rpm(&self) -> Vec<f64> {
+        let mut speeds: Vec<f64> = self.cells.iter().map(|c| c.speed_rpm).collect();
+        speeds.dedup();
+        speeds
+    }
+
+    /// The cells of one speed.
+    pub fn at_speed(&self, speed_rpm: f64) -> impl Iterator<Item = &ComparisonCell> {
+        self.cells.iter().filter(move |c| c.speed_rpm == speed_rpm)
+    }
+
+    /// A table per speed.
+    pub fn tables(&self) -> Vec<Table> {
+        self.speeds_rpm()
+            .into_iter()
+            .map(|speed_rpm| self.table(speed_rpm))
+            .collect()
+    }
+
+    fn table(&self, speed_rpm: f64) -> Table {
+        let number = |text: &str| (text.to_owned(), true);
+        let columns = vec![
+            ("Balls".to_owned(), false),
+            ("Outer ring".to_owned(), false),
+            number("all"),
+            number("at passing"),
+            number("between"),
+            number("contacts cut out"),
+            number("contacts alone"),
+            number("SD at the end (°)"),
+            number("per second"),
+            number("approach (mm/s)"),
+            number("impulse (mN·s)"),
+            number("impulses per second (N)"),
+        ];
+        let group = |text: &str, columns: usize| (text.to_owned(), columns);
+        let mut last = String::new();
+        let rows = self
+            .at_speed(speed_rpm)
+            .map(|c| {
+                let lot = if c.lot == last {
+                    String::new()
+                } else {
+                    last.clone_from(&c.lot);
+                    c.lot.clone()
+                };
+                Row {
+                    cells: c.row(lot),
+                    ..Row::default()
+                }
+            })
+            .collect();
+        Table {
+            label: format!("Rings at {speed_rpm} rpm"),
+            caption: "RMS of the vertical acceleration of the housing, its part at the multiples \
+                      of the orbital frequency and the part between them; the same under a \
+                      force without the contacts between balls, and under the contacts alone; \
+                      standard deviation (SD) of the gaps at the end; contacts between balls. Means over the starts \
+                      ± their standard error."
+                .to_owned(),
+            groups: vec![
+                group("", 2),
+                group("RMS acceleration (m/s²)", 5),
+                group("Gaps", 1),
+                group("Contacts between balls", 4),
+            ],
+            columns,
+            rows,
+            provenance: Some(self.provenance.clone()),
+        }
+    }
+}
+
+impl ComparisonCell {
+    /// Name of the ring with the dimensions of its raceway.
+    pub fn ring_text(&self) -> String {
+        match &self.raceway {
+            Some(r) => format!(
+                "{}: {} mm, {}°",
+                self.ring, r.axial_span_mm, r.half_angle_deg
+            ),
+            None => self.ring.clone(),
+        }
+    }
+
+    fn row(&self, lot: String) -> Vec<Cell> {
+        let scaled = |e: Option<Estimate>, by: f64| {
+            Cell::number(e.map_or("–".to_owned(), |e| {
+                Estimate {
+                    mean: e.mean * by,
+                    standard_error: e.standard_error * by,
+                    ..e
+                }
+                .text()
+            }))
+        };
+        let plain = |e: Estimate| scaled(Some(e), 1.0);
+        vec![
+            Cell::text(lot),
+            Cell::text(self.ring_text()),
+            plain(self.rms_m_s2),
+            plain(self.rms_at_passing_m_s2),
+            plain(self.rms_between_m_s2),
+            plain(self.rms_without_contacts_m_s2),
+            plain(self.rms_from_contacts_m_s2),
+            plain(self.gap_deviation_deg),
+            plain(self.contacts_per_s),
+            scaled(self.approach_speed_m_s, 1e3),
+            scaled(self.impulse_n_s, 1e3),
+            plain(self.impulse_rate_n),
+        ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Mean 3, deviation √2.5 over n − 1, standard error √0.5; t(5 %, 4) = 2.776.
+    #[test]
+    fn an_estimate_has_its_standard_error() {
+        let e = Estimate::new(&[1.0, 2.0, 3.0, 4.0, 5.0, f64::NAN]).unwrap();
+        assert_eq!((e.mean, e.starts), (3.0, 5));
+        assert!((e.standard_error - 0.5f64.sqrt()).abs() < 1e-15);
+        assert_eq!(e.change(), Change::Higher);
+        assert_eq!(e.text(), "3.00 ± 0.71");
+        let shifted = |by: f64| Estimate::new(&[1.0, 2.0, 3.0, 4.0, 5.0].map(|v| v - by)).unwrap();
+        assert_eq!(shifted(6.0).change(), Change::Lower);
+        assert_eq!(shifted(1.1).change(), Change::Undecided);
+        assert!(Estimate::new(&[f64::NAN]).is_none());
+        assert_eq!(Estimate::new(&[1.0]).unwrap().change(), Change::Undecided);
+    }
+}
