@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use cageless::{FrictionLaw, Gaps, Method, Profile, Start};
-use cageless_io::case_file::{CaseFile, GapsDocument, template};
+use cageless_io::case_file::{CaseFile, GapsDocument, Source, template, unit};
 use common::edited;
 use proptest::prelude::*;
 
@@ -405,4 +405,76 @@ fn numeric_keys() -> Vec<String> {
         }
     }
     keys
+}
+
+/// Text of the template without the lines that `left_out` names.
+fn template_without(left_out: impl Fn(&str, &str) -> bool) -> String {
+    let mut section = String::new();
+    let text = template(false);
+    let kept = text.lines().filter(|line| {
+        if let Some(name) = line.strip_prefix('[').and_then(|l| l.split(']').next()) {
+            section = name.to_owned();
+        }
+        !left_out(&section, line)
+    });
+    kept.map(|line| format!("{line}\n")).collect()
+}
+
+#[test]
+fn sections_that_are_left_out_take_the_values_of_the_template() {
+    let optional = ["material", "contact", "model", "solver", "output"];
+    let short = template_without(|section, line| {
+        optional.contains(&section) || line.starts_with("gravity_m_s2")
+    });
+    assert!(!short.contains("youngs_modulus_gpa =") && !short.contains("\n[output]"));
+    let short = CaseFile::parse(&short, "short.toml", &[]).unwrap();
+    let full = CaseFile::parse(&template(false), "full.toml", &[]).unwrap();
+    assert_eq!(short.document(), full.document());
+    assert_eq!(short.case(), full.case());
+    for key in [
+        "material.youngs_modulus_gpa",
+        "operation.gravity_m_s2",
+        "contact.slip_scale_m_s",
+        "model.profile",
+        "solver.duration_s",
+        "output.interval_us",
+    ] {
+        assert!(short.defaults().iter().any(|d| d == key), "{key}");
+        assert!(!full.defaults().iter().any(|d| d == key), "{key}");
+    }
+}
+
+#[test]
+fn coulomb_friction_needs_no_scale_of_the_smooth_law() {
+    let text = template_without(|_, line| line.starts_with("slip_scale_m_s"))
+        .replace("friction_law = \"smooth\"", "friction_law = \"coulomb\"");
+    let file = CaseFile::parse(&text, "case.toml", &[]).unwrap();
+    assert!(
+        file.defaults()
+            .contains(&"contact.slip_scale_m_s".to_owned())
+    );
+}
+
+#[test]
+fn every_value_has_its_source_and_unit() {
+    let sets = ["raceway.half_angle_deg=24".to_owned(), "seed=7".to_owned()];
+    let file = CaseFile::parse(&template(false), "case.toml", &sets).unwrap();
+    for (key, source) in [
+        ("raceway.half_angle_deg", Source::Override),
+        ("solver.seed", Source::Override),
+        ("raceway.axial_span_mm", Source::CaseFile),
+        ("title", Source::CaseFile),
+        ("contact.ball_restitution", Source::Default),
+        ("contact.inner_stiffness", Source::Default),
+    ] {
+        assert_eq!(file.source(key), source, "{key}");
+    }
+    for (key, printed) in [
+        ("raceway.2.half_angle_deg", "°"),
+        ("output.interval_us", "µs"),
+        ("contact.damping", "N·s/m^1.5"),
+        ("model.profile", ""),
+    ] {
+        assert_eq!(unit(key), printed, "{key}");
+    }
 }

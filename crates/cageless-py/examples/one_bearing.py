@@ -21,16 +21,9 @@ case = cageless.Case(
         inner_ring_drag_n_s_m=2000.0,
     ),
     raceway=cageless.Raceway(axial_span_mm=5.1, half_angle_deg=25.2),
-    material=cageless.Material(
-        density_kg_m3=7850.0, youngs_modulus_gpa=206.0, poisson_ratio=0.3
-    ),
     operation=cageless.Operation(inner_speed_rpm=12000.0, radial_load_n=1500.0),
-    contact=cageless.Contact(
-        friction_coefficient=0.007, friction_law="smooth", slip_scale_m_s=0.02, damping=2.0e5
-    ),
-    model=cageless.Model(profile="physical"),
+    contact=cageless.Contact(friction_coefficient=0.01),
     solver=cageless.Solver(duration_s=0.1),
-    output=cageless.Output(interval_us=100.0),
 )
 
 static = case.static()

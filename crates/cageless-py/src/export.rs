@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use cageless_io::cad::{ExportNumbers, ExportOptions, Format, export};
+use cageless_io::cad::{ExportNumbers, ExportOptions, Format, export, names_file};
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::write_atomically;
 use pyo3::prelude::*;
@@ -20,7 +20,15 @@ pub fn write(
     formats: Option<Vec<String>>,
     options: &ExportOptions,
 ) -> PyResult<String> {
-    let named = Format::of(out).filter(|_| !out.is_dir());
+    let file_is_meant = names_file(out);
+    let named = Format::of(out).filter(|_| file_is_meant);
+    if file_is_meant && named.is_none() {
+        return Err(input(format!(
+            "out = {}: the name of a file ends in .step, .stp, .stl or .csv, that of a folder has \
+             no ending, or a slash at its end",
+            out.display()
+        )));
+    }
     let formats = match formats {
         Some(names) => names.iter().map(|n| format(n)).collect::<PyResult<_>>()?,
         None => named.map_or(Format::ALL.to_vec(), |format| vec![format]),

@@ -121,6 +121,23 @@ fn record(
 }
 
 impl Run {
+    /// Why a figure is empty, and what would fill it.
+    fn nothing_to_show(&self, name: &str) -> String {
+        let case = self.material.file.case();
+        let why = match name {
+            "vibration" if case.housing.is_none() => {
+                "the case has no [housing], whose acceleration it shows: add \
+                 Housing(mass_kg=…, stiffness_n_m=…, damping_n_s_m=…)"
+            }
+            "collisions" => "no balls touched",
+            _ => {
+                "the run is too short after its transient: lengthen solver.duration_s or shorten \
+                 output.interval_us"
+            }
+        };
+        format!("{name} has nothing to show: {why}")
+    }
+
     fn data(&self) -> &RunData {
         self.data.get_or_init(|| {
             let m = &self.material;
@@ -192,7 +209,7 @@ impl Run {
         let figure = py.detach(|| make(self.data()));
         match figure {
             Some(figure) => Ok(figure.json()),
-            None => Err(input(format!("this run has nothing to show as {name:?}"))),
+            None => Err(input(self.nothing_to_show(name))),
         }
     }
 

@@ -1,6 +1,6 @@
 //! Sweeps.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
@@ -37,6 +37,18 @@ impl Sweep {
     fn parse(py: Python<'_>, text: &str, name: &str, folder: PathBuf) -> PyResult<Self> {
         let plan = PlanFile::parse(text, name, &folder).map_err(|e| of_file(&e))?;
         Self::checked(py, plan)
+    }
+
+    /// Takes the text of a plan made of values, of whose lines its user knows nothing.
+    #[staticmethod]
+    fn of_values(py: Python<'_>, text: &str) -> PyResult<Self> {
+        let plan = PlanFile::parse(text, "plan", Path::new(".")).map_err(|e| of_values(&e))?;
+        let sweep = py.detach(|| cageless_sweep::Sweep::new(plan));
+        match sweep {
+            Ok(sweep) => Ok(Self { sweep }),
+            Err(SweepError::Plan(error)) => Err(of_values(&error)),
+            Err(error) => Err(of_sweep(&error)),
+        }
     }
 
     /// Number of variants.

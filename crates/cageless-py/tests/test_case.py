@@ -146,3 +146,34 @@ def test_static_and_design_are_those_of_the_command(command: Command, tmp_path: 
     assert "verdict" in design._repr_html_()
     assert "raceway.half_angle_deg" in case._repr_html_()
     assert "ball_radius_mm" in case.bearing._repr_html_()
+
+
+def test_what_is_left_out_takes_the_default_of_the_case_file() -> None:
+    full = cageless.Case.from_toml(cageless.template())
+    made = cageless.Case(
+        title=full.title,
+        bearing=full.bearing,
+        raceway=full.raceways,
+        operation=cageless.Operation(inner_speed_rpm=12000.0, radial_load_n=1500.0),
+    )
+    assert made == full
+    given = cageless.Contact(friction_coefficient=0.03, friction_law="coulomb")
+    made = cageless.Case(bearing=full.bearing, operation=full.operation, contact=given)
+    assert made.contact.slip_scale_m_s == full.contact.slip_scale_m_s
+    assert made.contact.friction_coefficient == 0.03
+
+
+def test_sections_are_merged_into_those_of_the_case() -> None:
+    case = cageless.Case.from_toml(cageless.template())
+    flat = case.replace({"raceway.half_angle_deg": 24.0, "contact.damping": 1e5})
+    nested = case.replace({"raceway": {"half_angle_deg": 24.0}, "contact": {"damping": 1e5}})
+    assert nested == flat
+    assert nested.raceways[0].axial_span_mm == 5.1
+    assert case.replace({"contact": cageless.Contact(damping=1e5)}).contact == flat.contact
+    two = case.with_raceways(case.raceways[0], cageless.Raceway(
+        axial_span_mm=5.1, half_angle_deg=25.2, centre_angle_deg=180.0
+    ))
+    two = two.replace({"raceway": {"2": {"half_angle_deg": 20.0}}})
+    assert [r.half_angle_deg for r in two.raceways] == [25.2, 20.0]
+    read = cageless.Case.from_toml(cageless.template(), {"raceway": {"half_angle_deg": 24.0}})
+    assert read.raceways[0].half_angle_deg == 24.0

@@ -159,3 +159,33 @@ def test_other_threads_go_on_meanwhile() -> None:
         time.sleep(0.001)
         turns += 1
     assert turns > 20
+
+
+def test_messages_name_columns_sections_and_folders(tmp_path: Path) -> None:
+    case = cageless.Case.from_toml(cageless.template(), {"solver.duration_s": 0.002})
+    run = case.run()
+    with pytest.raises(KeyError) as missing:
+        run.balls("inner_force")
+    assert isinstance(missing.value, cageless.ColumnError)
+    assert isinstance(missing.value, cageless.CagelessError)
+    message = str(missing.value)
+    assert "'inner_force' is not a column of balls: did you mean inner_force_n?" in message
+    assert "its columns are angle_rad" in message
+    with pytest.raises(cageless.InputError, match=r"the case has no \[housing\]"):
+        run.plot_vibration()
+    path = tmp_path / "none" / "page.html"
+    with pytest.raises(cageless.InputError, match="the folder .*none is not there"):
+        run.report(path)
+    with pytest.raises(cageless.InputError, match="is a directory"):
+        run.report(tmp_path)
+    (tmp_path / "file").write_text("")
+    with pytest.raises(cageless.InputError, match="is not there"):
+        case.design().report(tmp_path / "file" / "page.html")
+
+
+def test_a_file_of_no_format_makes_no_folder(tmp_path: Path) -> None:
+    ring = {"bearing": {"outer_ring_outer_radius_mm": 31.0, "outer_ring_width_mm": 16.0}}
+    case = cageless.Case.from_toml(cageless.template(), ring)
+    with pytest.raises(cageless.InputError, match=r"ends in \.step"):
+        case.export(tmp_path / "ring.obj", ["stl"])
+    assert not list(tmp_path.iterdir())

@@ -148,3 +148,21 @@ def test_a_cluster_that_loses_a_worker_gives_the_same_bytes(
         cageless.sweep(plan, out=out, client=client, shared=shared)
         assert time.monotonic() - began < 1.0
     assert not (out / "sweep.parquet.parts").exists()
+
+
+def test_a_plan_of_keywords_has_no_lines() -> None:
+    case = cageless.Case.from_toml(cageless.template())
+    for axis, said in [
+        ({"operation.radial_load": [1.0]}, "operation.radial_load is not a key of [operation]"),
+        ({"raceway.half_angle_deg": ["a"]}, "raceway.half_angle_deg"),
+    ]:
+        with pytest.raises(cageless.InputError) as error:
+            cageless.Plan(case=case, compute=["static"], grid=axis)
+        assert error.value.line is None
+        assert str(error.value).startswith(said), str(error.value)
+
+
+def test_a_run_is_not_a_sweep(tmp_path: Path) -> None:
+    (tmp_path / "summary.json").write_text("{}")
+    with pytest.raises(cageless.InputError, match="the result of `cageless run`, not of a sweep"):
+        cageless.report(tmp_path)

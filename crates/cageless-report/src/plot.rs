@@ -135,16 +135,17 @@ impl Plot {
         self
     }
 
-    /// Shades the time up to `until` as discarded and says so.
+    /// Shades the time up to `until` as discarded and says so, from the left end of the shade
+    /// on: centred in a short one, the label would lie across the axis.
     pub fn discarded(self, x: &str, y: &str, from: f64, until: f64) -> Self {
         if until <= from {
             return self;
         }
         self.band(x, y, from, until, DISCARDED).text(
             "discarded",
-            ((from + until) / 2.0, 1.0),
+            (from, 1.0),
             (x, &domain(y)),
-            json!({ "yanchor": "top", "font": { "size": 11, "color": "#666" } }),
+            json!({ "xanchor": "left", "xshift": 3, "yanchor": "top", "font": { "size": 11, "color": "#666" } }),
         )
     }
 

@@ -11,7 +11,7 @@ use cageless::state::Work;
 use cageless::thinning::Thinning;
 use cageless::vibration::{FILTER_CORNER, FILTER_ORDER, Measurement};
 use cageless::{Case, FrictionLaw, Method, Profile};
-use cageless_io::case_file::CaseFile;
+use cageless_io::case_file::{CaseFile, unit};
 use cageless_io::results::{SummaryFile, VERSION};
 
 use crate::certificate::CertificateTable;
@@ -321,21 +321,23 @@ pub fn parameters(file: &CaseFile) -> Vec<Parameter> {
     let mut lines = vec![];
     let document = serde_json::to_value(file.document_as_run()).unwrap_or_default();
     flatten("", &document, &mut |key, value| {
-        let source = if file.defaults().iter().any(|d| d == key) {
-            "default"
-        } else {
-            "case file"
-        };
         lines.push(Parameter {
-            source: source.to_owned(),
-            ..parameter(key, value, "")
+            source: file.source(key).name().to_owned(),
+            ..parameter(key, value, unit(key))
         });
     });
     lines
 }
 
+/// Calls `add` with every dotted key and its value; items of a list of sections are counted
+/// from 1.
 fn flatten(prefix: &str, value: &serde_json::Value, add: &mut impl FnMut(&str, String)) {
     match value {
+        serde_json::Value::Array(items) if items.iter().all(serde_json::Value::is_object) => {
+            for (k, item) in items.iter().enumerate() {
+                flatten(&format!("{prefix}.{}", k + 1), item, add);
+            }
+        }
         serde_json::Value::Object(map) => {
             for (key, value) in map {
                 let name = if prefix.is_empty() {

@@ -86,38 +86,29 @@ pub fn table2(table: &Table2) -> Table {
         ));
         columns.extend([number("gap"), number("Δ paper")]);
     }
-    if remarks {
-        groups.push((String::new(), 1));
-        columns.push(("Remark".to_owned(), false));
-    }
     let mut rows: Vec<Row> = table
         .rows
         .iter()
-        .map(|r| table2_row(table, r, polar, remarks))
+        .map(|r| table2_row(table, r, polar))
         .collect();
-    rows.push(summary(
-        table,
-        "largest |Δ|, all rows",
-        polar,
-        remarks,
-        |_| true,
-    ));
+    rows.push(summary(table, "largest |Δ|, all rows", polar, |_| true));
+    let mut caption = "Discrete angular spacing of the ten structures: theory, the paper's \
+                       simulated values, and the computed critical gap, the largest with which a \
+                       pair still touches on its way through the raceway. Δ: computed less the \
+                       paper's simulated value."
+        .to_owned();
     if remarks {
-        rows.push(summary(
-            table,
-            "without the marked rows",
-            polar,
-            remarks,
-            |r| r.remark.is_empty(),
-        ));
+        rows.push(summary(table, "without the marked rows", polar, |r| {
+            r.remark.is_empty()
+        }));
+        for row in table.rows.iter().filter(|r| !r.remark.is_empty()) {
+            let span = fixed(Some(row.structure.axial_span_mm), 2);
+            caption.push_str(&format!(" Marked: lC {span} mm {}.", row.remark));
+        }
     }
     Table {
         label: "Table 2".to_owned(),
-        caption: "Discrete angular spacing of the ten structures: theory, the paper's simulated \
-                  values, and the computed critical gap, the largest with which a pair still \
-                  touches on its way through the raceway. Δ: computed less the paper's \
-                  simulated value."
-            .to_owned(),
+        caption,
         groups,
         columns,
         rows,
@@ -125,7 +116,7 @@ pub fn table2(table: &Table2) -> Table {
     }
 }
 
-fn table2_row(table: &Table2, row: &Table2Row, polar: bool, remarks: bool) -> Row {
+fn table2_row(table: &Table2, row: &Table2Row, polar: bool) -> Row {
     let four = |v: Option<f64>| fixed(v, 4);
     let mut cells = vec![
         Cell::number(fixed(Some(row.structure.axial_span_mm), 2)),
@@ -149,9 +140,6 @@ fn table2_row(table: &Table2, row: &Table2Row, polar: bool, remarks: bool) -> Ro
             4,
         )));
     }
-    if remarks {
-        cells.push(Cell::text(&row.remark));
-    }
     Row {
         cells,
         marked: !row.remark.is_empty(),
@@ -160,13 +148,7 @@ fn table2_row(table: &Table2, row: &Table2Row, polar: bool, remarks: bool) -> Ro
 }
 
 /// Largest difference to the paper per variant, over the rows that `counts`.
-fn summary(
-    table: &Table2,
-    name: &str,
-    polar: bool,
-    remarks: bool,
-    counts: impl Fn(&Table2Row) -> bool,
-) -> Row {
+fn summary(table: &Table2, name: &str, polar: bool, counts: impl Fn(&Table2Row) -> bool) -> Row {
     let mut cells = vec![Cell {
         columns: 6 + usize::from(polar),
         ..Cell::text(name)
@@ -186,9 +168,6 @@ fn summary(
             .reduce(f64::max);
         cells.push(Cell::default());
         cells.push(Cell::number(fixed(most, 4)));
-    }
-    if remarks {
-        cells.push(Cell::default());
     }
     Row {
         cells,

@@ -16,9 +16,24 @@ pub fn escape(text: &str) -> String {
     out
 }
 
-/// [`escape`], with the paper's symbols lC and β0 set with their index.
+/// [`escape`], with the paper's symbols lC and β0 set with their index and with what stands
+/// between backticks as code.
 pub fn rich(text: &str) -> String {
-    symbols(&escape(text))
+    code(&symbols(&escape(text)))
+}
+
+/// Pairs of backticks as elements; one without its partner stays.
+fn code(escaped: &str) -> String {
+    let mut out = String::with_capacity(escaped.len());
+    let mut rest = escaped;
+    while let Some((before, after)) = rest.split_once('`') {
+        let Some((inside, after)) = after.split_once('`') else {
+            break;
+        };
+        out.push_str(&format!("{before}<code>{inside}</code>"));
+        rest = after;
+    }
+    out + rest
 }
 
 /// lC and β0 with a subscript, in text that is already escaped. A small l beside a
@@ -138,6 +153,10 @@ mod tests {
         assert_eq!(
             rich("lC < 5, calC, β0"),
             "<i>l</i><sub>C</sub> &lt; 5, calC, β<sub>0</sub>"
+        );
+        assert_eq!(
+            rich("`a < b` and `c`, one ` left"),
+            "<code>a &lt; b</code> and <code>c</code>, one ` left"
         );
         let value = serde_json::json!("</script><!--");
         assert!(!script_json(&value).contains('<'));

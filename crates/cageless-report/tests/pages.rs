@@ -320,3 +320,126 @@ fn a_thinned_run_says_so() {
         assert!(page.contains(text), "{text}");
     }
 }
+
+#[test]
+fn code_between_backticks_is_set_as_code() {
+    let mut data = synthetic::reproduce();
+    data.claims[0].numbers = "0.031° in `paper`, 0.034° in `physical`".into();
+    data.claims[0].finding = "found in `paper`".into();
+    let (html, _) = split(&reproduce_page(&data));
+    assert!(html.contains("0.031° in <code>paper</code>, 0.034° in <code>physical</code>"));
+    assert!(!html.contains('`'));
+}
+
+/// A remark per row would be a column that is empty but for one cell, and the table wider than
+/// the page.
+#[test]
+fn remarks_of_table_2_stand_in_its_caption() {
+    let mut data = synthetic::reproduce();
+    let table = data.table2.as_mut().expect("a table");
+    table.rows.iter_mut().for_each(|row| row.remark.clear());
+    table.rows[4].remark = "repeats the value of 5.40 mm".into();
+    let span = format!("{:.2}", table.rows[4].structure.axial_span_mm);
+    let (html, _) = split(&reproduce_page(&data));
+    let (_, table) = html.split_once("id=\"table-2\"").expect("Table 2");
+    let (caption, rows) = table.split_once("<tbody>").expect("rows");
+    let said = format!("Marked: <i>l</i><sub>C</sub> {span} mm repeats the value of 5.40 mm.");
+    assert!(caption.contains(&said), "{caption}");
+    assert!(!caption.contains("Remark"));
+    let (rows, _) = rows.split_once("</tbody>").expect("an end");
+    assert!(!rows.contains("repeats") && rows.contains("class=\"marked\""));
+}
+
+#[test]
+fn the_label_of_what_is_discarded_begins_in_its_shade() {
+    let mut data = synthetic::run_data();
+    // So short a transient that a centred label would lie across the axis.
+    data.settled_after_s = data.time_s[0] + 1e-3;
+    let begin = data.time_s[0];
+    let mut labels = 0;
+    for (id, spec) in specs(&run_page(&data)) {
+        let annotations = spec["layout"]["annotations"].as_array().expect("a list");
+        for label in annotations.iter().filter(|a| a["text"] == "discarded") {
+            assert_eq!(label["x"].as_f64(), Some(begin), "{id}");
+            assert_eq!(label["xanchor"], "left", "{id}");
+            labels += 1;
+        }
+    }
+    assert!(labels >= 2, "{labels}");
+}
+
+/// The figure of a design page whose anchor begins with `id`.
+fn search_figure(search: SearchData, id: &str) -> Value {
+    let data = DesignData {
+        search: Some(search),
+        ..synthetic::design()
+    };
+    let found = specs(&design_page(&data));
+    let (_, spec) = (found.into_iter())
+        .find(|(name, _)| name.starts_with(id))
+        .unwrap_or_else(|| panic!("{id} is missing"));
+    spec
+}
+
+fn synthetic_search() -> SearchData {
+    synthetic::design().search.expect("a search")
+}
+
+#[test]
+fn axes_of_trade_offs_show_what_is_acceptable() {
+    let mut search = synthetic_search();
+    // The raceway of the case, hit far more often than any that is acceptable.
+    let mut own = search.band[0].clone();
+    own.status = "rejected".into();
+    for point in &mut own.points {
+        if let Some(motion) = &mut point.motion {
+            motion.collisions_late = 36.0;
+            motion.unevenness = 5.0;
+        }
+    }
+    search.own_from_usual_starts = Some(own);
+    let spec = search_figure(search, "trade-offs");
+    let range = |axis: &str| {
+        let range = &spec["layout"][axis]["range"];
+        [0, 1].map(|k| range[k].as_f64().expect("a range"))
+    };
+    let (x, y) = (range("xaxis"), range("yaxis"));
+    assert!(y[1] < 36.0 && x[1] < 500.0, "{x:?} {y:?}");
+    for trace in spec["data"].as_array().expect("traces") {
+        if trace["xaxis"] != "x" || trace["yaxis"] != "y" {
+            continue;
+        }
+        let at = |axis: &str| trace[axis][0].as_f64().expect("a number");
+        assert!((x[0]..=x[1]).contains(&at("x")) && (y[0]..=y[1]).contains(&at("y")));
+        if trace["name"] == "the case's own" {
+            // At the edge, with its values.
+            assert_eq!([at("x"), at("y")], [x[1], y[1]]);
+            assert_eq!(trace["text"][0], "500, 36");
+        }
+    }
+}
+
+#[test]
+fn the_recommended_raceway_lies_on_its_own_verdict() {
+    let mut search = synthetic_search();
+    for map in &mut search.maps {
+        let cells = map.verdict.iter_mut().flatten();
+        cells.for_each(|verdict| *verdict = "shallow".to_owned());
+    }
+    search.band[1].status = "rejected".into();
+    search.band[1].reason = Some("slips".into());
+    let best = search.band[0].clone();
+    let spec = search_figure(search, "design-map-verdicts");
+    let traces = spec["data"].as_array().expect("traces");
+    let tried: Vec<_> = (traces.iter())
+        .filter(|t| t["name"] == "structures tried")
+        .collect();
+    assert_eq!(tried.len(), 1, "at the speed that is asked for");
+    let (colours, x) = (&tried[0]["marker"]["color"], &tried[0]["x"]);
+    assert!((x[0].as_f64().expect("a place") - best.axial_span_mm).abs() < 1e-3);
+    assert_eq!(
+        (&colours[0], &colours[1]),
+        (&"#009e73".into(), &"#d55e00".into())
+    );
+    assert!(traces.iter().any(|t| t["name"] == "works"), "the legend");
+}

@@ -63,6 +63,13 @@ pub struct Ball {
     pub inertia_kg_m2: f64,
 }
 
+/// Largest radius of a groove in the meridian plane over the diameter of the ball. Grooves of
+/// bearings have 0.51 to 0.58.
+const CONFORMITY_MAX: f64 = 1.0;
+
+/// Least number of balls: two cannot carry a load from every side.
+pub const BALLS_MIN: usize = 3;
+
 /// Largest deviation of a ball's radius, as a share of the nominal one. The coarsest grade of
 /// ISO 3290-1 (G200) lets the diameter deviate by less than a tenth of that.
 const DEVIATION_MAX: f64 = 0.01;
@@ -106,11 +113,11 @@ impl Bearing {
                 "at least 0 and less than 0.5",
             ));
         }
-        if d.balls < 3 {
+        if d.balls < BALLS_MIN {
             return Err(InputError::new(
                 "balls",
                 d.balls as f64,
-                Allowed::AtLeast(3.0, ""),
+                Allowed::AtLeast(BALLS_MIN as f64, ""),
             ));
         }
         let clearance = play_m(d);
@@ -166,6 +173,17 @@ impl Bearing {
                     field,
                     radius,
                     Allowed::Above(d.ball_radius_m, "the radius of the ball"),
+                ));
+            }
+            let flattest = CONFORMITY_MAX * 2.0 * d.ball_radius_m;
+            if radius > flattest {
+                return Err(InputError::new(
+                    field,
+                    radius,
+                    Allowed::AtMost(
+                        flattest,
+                        "the diameter of the ball; grooves have 0.51 to 0.58 of it",
+                    ),
                 ));
             }
         }

@@ -1,5 +1,7 @@
 //! What is wrong with an input, in SI units.
 
+use crate::limits::within;
+
 /// A value that no bearing, raceway or run can have.
 ///
 /// `field` is the name of the offending public field (`"axial_span_m"`); its
@@ -68,19 +70,19 @@ impl InputError {
     }
 }
 
-/// Passes a finite value above zero.
+/// Passes a finite value above zero, within the limits of its field.
 pub(crate) fn positive(field: &'static str, value: f64) -> Result<(), InputError> {
     if value.is_finite() && value > 0.0 {
-        Ok(())
+        within(field, value)
     } else {
         Err(InputError::new(field, value, Allowed::Above(0.0, "")))
     }
 }
 
-/// Passes a finite value of zero or more.
+/// Passes a finite value of zero or more, within the limits of its field.
 pub(crate) fn not_negative(field: &'static str, value: f64) -> Result<(), InputError> {
     if value.is_finite() && value >= 0.0 {
-        Ok(())
+        within(field, value)
     } else {
         Err(InputError::new(field, value, Allowed::AtLeast(0.0, "")))
     }

@@ -3,7 +3,9 @@
 use std::io::IsTerminal;
 use std::path::PathBuf;
 
-use cageless_io::cad::{Counts, ExportError, ExportNumbers, ExportOptions, Format, export as ring};
+use cageless_io::cad::{
+    Counts, ExportError, ExportNumbers, ExportOptions, Format, export as ring, names_file,
+};
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::write_atomically;
 
@@ -56,19 +58,23 @@ fn target(args: &ExportArgs, format: Format) -> Result<Option<PathBuf>, Failure>
         }
         return Ok(None);
     };
-    match Format::of(out) {
-        _ if out.is_dir() => {}
-        Some(named) if named == format => return Ok(Some(out.clone())),
-        Some(named) => {
-            return Err(Failure::Input(format!(
-                "--out {}: is the name of a file of --format {}, not of {}",
-                out.display(),
+    if names_file(out) {
+        let refuse = |why: String| Err(Failure::Input(format!("--out {}: {why}", out.display())));
+        return match Format::of(out) {
+            Some(named) if named == format => Ok(Some(out.clone())),
+            Some(named) => refuse(format!(
+                "is the name of a file of --format {}, not of {}",
                 named.name(),
                 format.name()
-            )));
-        }
-        None => make_folder(out)?,
+            )),
+            None => refuse(format!(
+                "a file of --format {0} ends in .{0}; the name of a folder that is to be made \
+                 has no ending, or a slash at its end",
+                format.name()
+            )),
+        };
     }
+    make_folder(out)?;
     Ok(Some(out.join(format!("outer_ring.{}", format.name()))))
 }
 

@@ -10,6 +10,7 @@ mod tolerance;
 
 use std::path::Path;
 
+use cageless::SCOPE;
 use cageless::dynamics::InstructionSet;
 use cageless_io::case_file::{CaseFile, template};
 use cageless_io::in_words;
@@ -140,16 +141,22 @@ fn check(args: &CaseArgs) -> Result<(), Failure> {
     if !file.defaults().is_empty() {
         lines.push(("defaults taken", file.defaults().join(", ")));
     }
+    for (k, statement) in SCOPE.into_iter().enumerate() {
+        lines.push((if k == 0 { "scope" } else { "" }, statement.to_owned()));
+    }
+    /// `check.json`.
     #[derive(Serialize)]
     struct Checked<'a> {
         valid: bool,
         case: cageless_io::case_file::CaseDocument,
         defaults: &'a [String],
+        scope: [&'static str; SCOPE.len()],
     }
     let result = Checked {
         valid: true,
         case: file.document_as_run(),
         defaults: file.defaults(),
+        scope: SCOPE,
     };
     deliver(args, "check.json", &result, &pairs(&lines))
 }

@@ -17,14 +17,10 @@ const PAGE_DATA: &str = "report.json";
 
 /// Analyses a finished sweep.
 pub fn report(args: &ReportArgs) -> Result<(), Failure> {
-    let inside = args.sweep.join("sweep.parquet");
-    let path = if args.sweep.is_dir() {
-        &inside
-    } else {
-        &args.sweep
-    };
+    let path = args.sweep.as_path();
     let folder = match &args.out {
         Some(folder) => folder,
+        None if path.is_dir() => path,
         None => path.parent().unwrap_or(Path::new("")),
     };
     let goals = |names: &[String], aim| {

@@ -58,6 +58,13 @@ impl Format {
     }
 }
 
+/// Whether a path that is to be written names a file: it has an ending, is no folder that is
+/// there and is not marked as one by a separator at its end.
+pub fn names_file(path: &Path) -> bool {
+    let marked = path.as_os_str().to_string_lossy();
+    path.extension().is_some() && !path.is_dir() && !marked.ends_with(std::path::is_separator)
+}
+
 /// How to export, in the units of drawings; `None` takes the default.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ExportOptions {

@@ -9,5 +9,5 @@ pub mod points;
 pub mod step;
 pub mod stl;
 
-pub use export::{Export, ExportError, ExportOptions, Format, export};
+pub use export::{Export, ExportError, ExportOptions, Format, export, names_file};
 pub use numbers::{Counts, ExportNumbers};

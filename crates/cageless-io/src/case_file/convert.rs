@@ -14,7 +14,10 @@ use super::keys;
 use super::read::nth;
 use super::rules;
 use super::tree::{Places, join};
-use super::unit::Side;
+use super::unit::{Side, decimal, round};
+
+/// Outer radius of the outer ring at most, and half its width, over the radius of its groove.
+const OUTER_RADII_MAX: f64 = 10.0;
 
 /// No contact of a bearing needs steps this short.
 const NO_STEP_S: f64 = 1e-12;
@@ -122,11 +125,19 @@ impl Converter<'_> {
         if let Some(radius) = b.outer_ring_outer_radius_mm {
             self.si("bearing.outer_ring_outer_radius_mm", radius)?;
             let least = b.outer_groove_bottom_radius_mm;
+            let most = decimal(round(OUTER_RADII_MAX * least, Side::Upper));
             if radius <= least {
                 return Err(self.refuse(
                     "bearing.outer_ring_outer_radius_mm",
                     &radius.to_string(),
                     &format!("more than {least} mm (the bottom of the groove)"),
+                ));
+            }
+            if radius > OUTER_RADII_MAX * least {
+                return Err(self.refuse(
+                    "bearing.outer_ring_outer_radius_mm",
+                    &radius.to_string(),
+                    &format!("at most {most} mm (ten times the bottom of the groove)"),
                 ));
             }
         }
@@ -135,6 +146,13 @@ impl Converter<'_> {
             if width <= 0.0 {
                 let key = "bearing.outer_ring_width_mm";
                 return Err(self.refuse(key, &width.to_string(), "more than 0 mm"));
+            }
+            let widest = 2.0 * OUTER_RADII_MAX * b.outer_groove_bottom_radius_mm;
+            if width > widest {
+                let key = "bearing.outer_ring_width_mm";
+                let most = decimal(round(widest, Side::Upper));
+                let allowed = format!("at most {most} mm (ten times the diameter of the groove)");
+                return Err(self.refuse(key, &width.to_string(), &allowed));
             }
         }
         Ok(())

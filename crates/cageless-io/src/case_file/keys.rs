@@ -1,6 +1,8 @@
 //! Every key of a case file: its unit, what it means and the field of
 //! [`cageless`] that it sets.
 
+use cageless::bearing::BALLS_MIN;
+
 use super::unit::Unit;
 
 /// One key.
@@ -53,13 +55,16 @@ use Unit::{
 /// Unit of K in F = K·δ^1.5.
 const HERTZ: Unit = Si("N/m^1.5");
 
+/// Meaning of the seed, which has two places.
+const SEED: &str = "seed of random starts (run --verify, design --search) and samples (tolerance)";
+
 /// The table.
 #[rustfmt::skip]
 pub(crate) const KEYS: &[Key] = &[
     key("", "schema", Plain, "", "version of the file format"),
     key("", "title", Plain, "", "free text"),
     // The file format shows the seed below [solver]; at the head it means the same.
-    key("", "seed", Plain, "", "seed of whatever is random"),
+    key("", "seed", Plain, "", SEED),
 
     key("bearing", "balls", Plain, "balls", "N, number of balls"),
     key("bearing", "ball_radius_mm", Millimetre, "ball_radius_m", "Rw, radius of a ball"),
@@ -108,7 +113,7 @@ pub(crate) const KEYS: &[Key] = &[
     key("solver", "step_us", Microsecond, "step_s", "step of the integration"),
     key("solver", "tolerance", Plain, "tolerance", "error per step of the adaptive method"),
     key("solver", "duration_s", Si("s"), "duration_s", "simulated time"),
-    key("solver", "seed", Plain, "", "seed of whatever is random"),
+    key("solver", "seed", Plain, "", SEED),
 
     key("housing", "mass_kg", Si("kg"), "mass_kg", "mass of housing and outer ring"),
     key("housing", "stiffness_n_m", Si("N/m"), "stiffness_n_m", "stiffness of the support"),
@@ -116,8 +121,8 @@ pub(crate) const KEYS: &[Key] = &[
 
     key("output", "interval_us", Microsecond, "interval_s", "time between rows of the result"),
 
-    key("search", "inner_speed_rpm", RevolutionPerMinute, "", "speed, or lowest and highest, to be borne"),
-    key("search", "radial_load_n", Si("N"), "", "load, or lowest and highest, to be borne"),
+    key("search", "inner_speed_rpm", RevolutionPerMinute, "", "speed, or lowest and highest"),
+    key("search", "radial_load_n", Si("N"), "", "load, or lowest and highest"),
     key("search", "axial_span_mm", Millimetre, "", "lC, or narrowest and widest"),
     key("search", "half_angle_deg", Degree, "", "θ, or smallest and largest"),
     key("search", "centre_angle_deg", Degree, "", "ψ of the middle of one raceway, or first and last"),
@@ -127,6 +132,55 @@ pub(crate) const KEYS: &[Key] = &[
     key("search", "budget", Plain, "", "runs of all balls at most"),
     key("search", "map_speed_rpm", RevolutionPerMinute, "", "further speeds to draw maps at"),
 ];
+
+/// A key whose value is a whole number, with the least and the greatest value; none where
+/// something else limits it.
+pub(crate) struct Whole {
+    section: &'static str,
+    name: &'static str,
+    pub least: u64,
+    pub most: Option<u64>,
+}
+
+const fn whole(section: &'static str, name: &'static str, least: u64, most: Option<u64>) -> Whole {
+    Whole {
+        section,
+        name,
+        least,
+        most,
+    }
+}
+
+/// Every key of this kind. Of raceways, more than four leave hardly any plain raceway between
+/// them.
+const WHOLE: &[Whole] = &[
+    whole("bearing", "balls", BALLS_MIN as u64, None),
+    whole("search", "raceways_max", 1, Some(4)),
+    whole("search", "starts", 1, Some(64)),
+    whole("search", "budget", 1, None),
+];
+
+/// What a whole number may be; 0 or more and below 2^63, which TOML can hold, unless the key
+/// has limits.
+pub(crate) fn whole_number(section: &str, name: &str) -> &'static Whole {
+    const ANY: &Whole = &whole("", "", 0, Some(i64::MAX as u64));
+    let of_key = |w: &&Whole| (w.section, w.name) == (section, name);
+    WHOLE.iter().find(of_key).unwrap_or(ANY)
+}
+
+impl Whole {
+    /// What is allowed, in words.
+    pub(crate) fn allowed(&self) -> String {
+        let least = self.least;
+        match self.most {
+            None => format!("a whole number, {least} or more"),
+            Some(most) if most == i64::MAX as u64 => {
+                format!("a whole number, {least} or more and below 2^63")
+            }
+            Some(most) => format!("a whole number from {least} to {most}"),
+        }
+    }
+}
 
 /// The keys of a section.
 pub(crate) fn of_section(section: &str) -> impl Iterator<Item = &'static Key> {

@@ -8,6 +8,7 @@
 
 pub(crate) mod base;
 mod convert;
+mod defaults;
 mod document;
 mod error;
 pub(crate) mod keys;
@@ -37,7 +38,7 @@ pub use template::template;
 
 use crate::system::in_words;
 use cageless::design::search::Request;
-use tree::Places;
+use tree::{Origin, Places};
 
 /// The only schema of case files so far.
 pub const SCHEMA: u64 = 1;
@@ -168,11 +169,59 @@ impl CaseFile {
         }
     }
 
+    /// Where the value of a dotted key of [`CaseFile::document_as_run`] comes from.
+    pub fn source(&self, key: &str) -> Source {
+        if self.defaults.iter().any(|d| d == key) {
+            return Source::Default;
+        }
+        // The seed may stand at the head of the file as well.
+        let places = &self.places;
+        let other = (key == "solver.seed").then_some("seed");
+        let origin = places.origin(key);
+        match origin.or_else(|| places.origin(other?)) {
+            Some(Origin::Override(_)) => Source::Override,
+            Some(Origin::Elsewhere(..)) => Source::Plan,
+            Some(Origin::Line(_)) | None => Source::CaseFile,
+        }
+    }
+
     /// Dotted keys that the file left out and that took their default, in the
     /// order of the file format.
     pub fn defaults(&self) -> &[String] {
         &self.defaults
     }
+}
+
+/// Where a value of a case comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Source {
+    /// The key is left out.
+    Default,
+    /// The case file, or the document that stands for it.
+    CaseFile,
+    /// A `--set` of the command line, or a replacement.
+    Override,
+    /// The plan of a sweep.
+    Plan,
+}
+
+impl Source {
+    /// The name for a reader.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Default => "default",
+            Self::CaseFile => "case file",
+            Self::Override => "--set",
+            Self::Plan => "plan",
+        }
+    }
+}
+
+/// The unit of a dotted key as it is printed; empty if it has none.
+pub fn unit(key: &str) -> &'static str {
+    let section = key.split_once('.').map_or("", |(section, _)| section);
+    let name = key.rsplit_once('.').map_or(key, |(_, name)| name);
+    keys::find(section, name).map_or("", |k| k.unit.printed())
 }
 
 /// No case file comes near this; `/dev/zero` does.

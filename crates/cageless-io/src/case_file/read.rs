@@ -1,8 +1,7 @@
 //! From the tree to the document: which keys there are, their types and defaults.
 
-use cageless::Method;
-
 use super::SCHEMA;
+use super::defaults;
 use super::document::{
     BearingDocument, CaseDocument, ContactDocument, GapsDocument, HousingDocument,
     MaterialDocument, ModelDocument, OperationDocument, OutputDocument, RacewayDocument,
@@ -36,22 +35,22 @@ pub(super) fn document(
         operation: file.operation()?,
         contact: file.contact()?,
         model: ModelDocument {
-            profile: file.section("model")?.choice("profile")?,
+            profile: file
+                .section("model")?
+                .choice_or("profile", defaults::PROFILE)?,
         },
         start: file.start()?,
         solver: file.solver()?,
         housing: file.housing()?,
         output: OutputDocument {
-            interval_us: file.section("output")?.number("interval_us")?,
+            interval_us: file
+                .section("output")?
+                .number_or("interval_us", defaults::INTERVAL_US)?,
         },
         search: file.search()?,
     };
     Ok((document, file.defaults))
 }
-
-/// Error per step of the adaptive method unless told otherwise: a hundredth of what a
-/// figure shows.
-const TOLERANCE: f64 = 1e-8;
 
 struct FileReader<'a> {
     root: &'a Section,
@@ -176,11 +175,11 @@ impl<'a> FileReader<'a> {
     }
 
     fn material(&mut self) -> Result<MaterialDocument, CaseError> {
-        let r = self.section("material")?;
+        let mut r = self.section("material")?;
         Ok(MaterialDocument {
-            density_kg_m3: r.number("density_kg_m3")?,
-            youngs_modulus_gpa: r.number("youngs_modulus_gpa")?,
-            poisson_ratio: r.number("poisson_ratio")?,
+            density_kg_m3: r.number_or("density_kg_m3", defaults::DENSITY_KG_M3)?,
+            youngs_modulus_gpa: r.number_or("youngs_modulus_gpa", defaults::YOUNGS_MODULUS_GPA)?,
+            poisson_ratio: r.number_or("poisson_ratio", defaults::POISSON_RATIO)?,
         })
     }
 
@@ -211,22 +210,23 @@ impl<'a> FileReader<'a> {
     }
 
     fn operation(&mut self) -> Result<OperationDocument, CaseError> {
-        let r = self.section("operation")?;
+        let mut r = self.section("operation")?;
         Ok(OperationDocument {
             inner_speed_rpm: r.number("inner_speed_rpm")?,
             radial_load_n: r.number("radial_load_n")?,
-            gravity_m_s2: r.number("gravity_m_s2")?,
+            gravity_m_s2: r.number_or("gravity_m_s2", defaults::GRAVITY_M_S2)?,
         })
     }
 
     fn contact(&mut self) -> Result<ContactDocument, CaseError> {
         let mut r = self.section("contact")?;
         Ok(ContactDocument {
-            friction_coefficient: r.number("friction_coefficient")?,
-            friction_law: r.choice("friction_law")?,
-            slip_scale_m_s: r.number("slip_scale_m_s")?,
-            damping: r.number("damping")?,
-            ball_restitution: r.number_or("ball_restitution", 0.95)?,
+            friction_coefficient: r
+                .number_or("friction_coefficient", defaults::FRICTION_COEFFICIENT)?,
+            friction_law: r.choice_or("friction_law", defaults::FRICTION_LAW)?,
+            slip_scale_m_s: r.number_or("slip_scale_m_s", defaults::SLIP_SCALE_M_S)?,
+            damping: r.number_or("damping", defaults::DAMPING)?,
+            ball_restitution: r.number_or("ball_restitution", defaults::BALL_RESTITUTION)?,
             inner_stiffness: r.derived_number("inner_stiffness")?,
             outer_stiffness: r.derived_number("outer_stiffness")?,
             ball_stiffness: r.derived_number("ball_stiffness")?,
@@ -235,7 +235,7 @@ impl<'a> FileReader<'a> {
 
     fn start(&mut self) -> Result<StartDocument, CaseError> {
         let mut r = self.section("start")?;
-        let state = r.choice_or("state", StartState::Settled)?;
+        let state = r.choice_or("state", defaults::START_STATE)?;
         let mut ring = |name: &str| match state {
             StartState::Rolling => r.number_or(name, 0.0).map(Some),
             // Refused by the conversion, once for all ways to a document.
@@ -268,7 +268,7 @@ impl<'a> FileReader<'a> {
     fn solver(&mut self) -> Result<SolverDocument, CaseError> {
         let at_head = self.section("")?.optional_count("seed")?;
         let mut r = self.section("solver")?;
-        let method = r.choice_or("method", Method::Symplectic)?;
+        let method = r.choice_or("method", defaults::METHOD)?;
         let step_us = match r.get("step_us").map(|node| (&node.value, node)) {
             None => {
                 r.note_default("step_us");
@@ -280,8 +280,8 @@ impl<'a> FileReader<'a> {
             }
             Some(_) => StepDocument::FixedUs(r.number("step_us")?),
         };
-        let tolerance = r.number_or("tolerance", TOLERANCE)?;
-        let duration_s = r.number("duration_s")?;
+        let tolerance = r.number_or("tolerance", defaults::TOLERANCE)?;
+        let duration_s = r.number_or("duration_s", defaults::DURATION_S)?;
         let seed = match (r.optional_count("seed")?, at_head) {
             (Some(_), Some(_)) => {
                 return Err(r.misplaced("seed", "stands at the head of the file as well: drop one"));

@@ -83,7 +83,10 @@ impl<'a> Reader<'a> {
         };
         match count {
             Some(count) => Ok(Some(count)),
-            None => Err(self.refuse(name, node, "a whole number, 0 or more and below 2^63")),
+            None => {
+                let rule = keys::whole_number(self.section, name);
+                Err(self.refuse(name, node, &rule.allowed()))
+            }
         }
     }
 
@@ -123,15 +126,6 @@ impl<'a> Reader<'a> {
             Some(node) => return Err(self.refuse(name, node, "text in quotes")),
         };
         Ok(self.or_default(name, given, default.to_owned()))
-    }
-
-    /// A required choice by name.
-    pub(super) fn choice<T: Named>(&self, name: &str) -> Result<T, CaseError> {
-        self.optional_choice(name)?.ok_or_else(|| {
-            let mut error = self.missing_text(name);
-            error.push_str(&format!(" ({})", T::choices()));
-            self.places.error(&self.dotted(name), error)
-        })
     }
 
     /// A choice by name that has a default.

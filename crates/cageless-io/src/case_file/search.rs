@@ -6,11 +6,8 @@ use cageless::design::search::{OperatingPoint, Request, placements};
 use super::convert::Converter;
 use super::document::RangeDocument;
 use super::error::CaseError;
+use super::keys;
 
-/// Raceways at most: with more, hardly any plain raceway is left between them.
-const RACEWAYS_MAX: usize = 4;
-/// Starts at most.
-const STARTS_MAX: u64 = 64;
 /// Further maps at most.
 const MAPS_MAX: usize = 8;
 
@@ -57,11 +54,7 @@ impl Converter<'_> {
                 |v| (-180.0..=180.0).contains(&v),
             )?
             .unwrap_or([request.placements[0][0]; 2]);
-        self.within(
-            "raceways_max",
-            search.raceways_max as u64,
-            RACEWAYS_MAX as u64,
-        )?;
+        self.whole("raceways_max", search.raceways_max as u64)?;
         request.placements = placements(centres, search.raceways_max);
         let spread = search.spread_min;
         if !(spread > 0.0 && spread < 1.0) {
@@ -69,7 +62,7 @@ impl Converter<'_> {
             return Err(self.refuse("search.spread_min", &spread.to_string(), allowed));
         }
         request.spread_min = spread;
-        self.within("starts", search.starts, STARTS_MAX)?;
+        self.whole("starts", search.starts)?;
         request.starts = search.starts;
         let least = request.points.len() as u64 * request.starts;
         if (search.budget as u64) < least {
@@ -114,12 +107,16 @@ impl Converter<'_> {
         Ok(Some([self.si(&path, low)?, self.si(&path, high)?]))
     }
 
-    fn within(&self, name: &str, value: u64, most: u64) -> Result<(), CaseError> {
-        if (1..=most).contains(&value) {
+    fn whole(&self, name: &str, value: u64) -> Result<(), CaseError> {
+        let rule = keys::whole_number("search", name);
+        if (rule.least..=rule.most.unwrap_or(u64::MAX)).contains(&value) {
             return Ok(());
         }
-        let allowed = format!("a whole number from 1 to {most}");
-        Err(self.refuse(&format!("search.{name}"), &value.to_string(), &allowed))
+        Err(self.refuse(
+            &format!("search.{name}"),
+            &value.to_string(),
+            &rule.allowed(),
+        ))
     }
 }
 

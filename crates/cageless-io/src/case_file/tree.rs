@@ -106,6 +106,11 @@ impl Places {
         self.places.get(path).map(|p| p.written.as_str())
     }
 
+    /// Where the value of a dotted key stands, if it is written.
+    pub(crate) fn origin(&self, path: &str) -> Option<&Origin> {
+        self.places.get(path).map(|p| &p.origin)
+    }
+
     /// An error at a dotted key, or at its section if the key is not written.
     pub(crate) fn error(&self, path: &str, message: String) -> CaseError {
         let mut place = None;

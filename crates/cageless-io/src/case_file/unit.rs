@@ -32,6 +32,20 @@ impl Unit {
         }
     }
 
+    /// [`Unit::symbol`] as it is set in print.
+    pub(crate) fn printed(self) -> &'static str {
+        match self {
+            Self::Micrometre => "µm",
+            Self::Degree => "°",
+            Self::Microsecond => "µs",
+            Self::Si("N s/m") => "N·s/m",
+            Self::Si("N s/m^1.5") => "N·s/m^1.5",
+            Self::Si("kg/m^3") => "kg/m³",
+            Self::Si("m/s^2") => "m/s²",
+            unit => unit.symbol(),
+        }
+    }
+
     /// From the file's unit to SI. 0.2 us is the same number as 2e-7 s, so that a case
     /// file and a program that uses [`cageless`] itself start from the same bits.
     pub(super) fn to_si(self, value: f64) -> f64 {

@@ -17,7 +17,7 @@ Examples
 from ._cageless import __version__, instruction_set
 from .case import Case, template
 from .certificates import Certificate
-from .errors import CagelessError, InputError, UnphysicalError
+from .errors import CagelessError, ColumnError, InputError, UnphysicalError
 from .exports import Export
 from .plan import Plan, span
 from .results import Design, Run, Static
@@ -41,6 +41,7 @@ __all__ = [
     "Bearing",
     "CagelessError",
     "Case",
+    "ColumnError",
     "Certificate",
     "Contact",
     "Design",

@@ -49,9 +49,22 @@ def template(conventional: bool = False) -> str:
     return _cageless.template(conventional)
 
 
+def dotted(values: Mapping[str, Any], section: str = "") -> dict[str, Any]:
+    """Sections in sections as ``section.key``."""
+    found: dict[str, Any] = {}
+    for key, value in values.items():
+        name = f"{section}.{key}" if section else str(key)
+        inner = value.values() if isinstance(value, Section) else value
+        if isinstance(inner, Mapping):
+            found |= dotted(inner, name)
+        else:
+            found[name] = inner
+    return found
+
+
 def changes(values: Mapping[str, Any]) -> list[str]:
     """``section.key=value`` for each, as ``--set`` takes it."""
-    written = {key: _cageless.to_toml({key: value}) for key, value in values.items()}
+    written = {key: _cageless.to_toml({key: value}) for key, value in dotted(values).items()}
     return [f"{key}={text.split('=', 1)[1].strip()}" for key, text in written.items()]
 
 
@@ -60,8 +73,13 @@ class Case(Computations):
 
     Parameters
     ----------
-    bearing, material, operation, contact, model, solver, output
-        The sections of a case file.
+    bearing : Bearing
+        Rings and balls.
+    operation : Operation
+        Speed and load.
+    material, contact, model, solver, output
+        Further sections of a case file. A section, or a key of it, that is left out takes the
+        default of the case file: its value in :func:`template`.
     raceway : Raceway or sequence of Raceway, optional
         Discrete raceways; none for a conventional outer ring.
     start : Start, optional
@@ -88,16 +106,11 @@ class Case(Computations):
     ...         inner_ring_mass_kg=0.2, inner_ring_drag_n_s_m=2000.0,
     ...     ),
     ...     raceway=Raceway(axial_span_mm=5.1, half_angle_deg=25.2),
-    ...     material=Material(density_kg_m3=7850.0, youngs_modulus_gpa=206.0, poisson_ratio=0.3),
     ...     operation=Operation(inner_speed_rpm=12000.0, radial_load_n=1500.0),
-    ...     contact=Contact(friction_coefficient=0.007, friction_law="smooth",
-    ...                     slip_scale_m_s=0.02, damping=2.0e5),
-    ...     model=Model(profile="physical"),
     ...     solver=Solver(duration_s=0.002),
-    ...     output=Output(interval_us=100.0),
     ... )
-    >>> case.contact.ball_restitution
-    0.95
+    >>> case.contact.friction_coefficient, case.operation.gravity_m_s2
+    (0.007, 9.81)
     >>> case.replace({"raceway.half_angle_deg": 500.0})
     Traceback (most recent call last):
     cageless.errors.InputError: raceway.half_angle_deg = 500.0 is not possible: ...
@@ -109,12 +122,12 @@ class Case(Computations):
         self,
         *,
         bearing: Bearing,
-        material: Material,
         operation: Operation,
-        contact: Contact,
-        model: Model,
-        solver: Solver,
-        output: Output,
+        material: Material | None = None,
+        contact: Contact | None = None,
+        model: Model | None = None,
+        solver: Solver | None = None,
+        output: Output | None = None,
         raceway: Raceway | Sequence[Raceway] | None = None,
         start: Start | None = None,
         housing: Housing | None = None,
@@ -160,7 +173,8 @@ class Case(Computations):
         path : path
             TOML.
         changes : mapping, optional
-            Values for keys ``section.key``, as ``--set`` gives them to the command.
+            Values for keys ``section.key``, as ``--set`` gives them to the command, or
+            sections in sections.
 
         Raises
         ------
@@ -182,7 +196,9 @@ class Case(Computations):
         Parameters
         ----------
         changes : mapping
-            Values for keys ``section.key``, or ``raceway.2.key`` for the second of several.
+            Values for keys ``section.key``, or ``raceway.2.key`` for the second of several. A
+            dictionary or a section is merged into that of its name: keys that it does not give
+            stay as they are.
 
         Examples
         --------
@@ -190,6 +206,8 @@ class Case(Computations):
         >>> case = cageless.Case.from_toml(cageless.template())
         >>> case.replace({"raceway.half_angle_deg": 24.0}).raceways[0].half_angle_deg
         24.0
+        >>> case.replace({"raceway": {"half_angle_deg": 24.0}}).raceways[0]
+        Raceway(axial_span_mm=5.1, half_angle_deg=24.0, centre_angle_deg=0.0, depth_error_um=0.0)
         """
         return Case._of(self._file.changed(_changes(changes)))
 

@@ -8,7 +8,7 @@ if TYPE_CHECKING:
     from .results import Run
     from .searches import SearchResult
 
-__all__ = ["CagelessError", "InputError", "UnphysicalError"]
+__all__ = ["CagelessError", "ColumnError", "InputError", "UnphysicalError"]
 
 
 class CagelessError(Exception):
@@ -39,6 +39,10 @@ class InputError(CagelessError, ValueError):
 
     def __str__(self) -> str:
         return str(self.args[0])
+
+
+class ColumnError(InputError, KeyError):
+    """A column that a result does not have; the message lists those that it has."""
 
 
 class UnphysicalError(CagelessError, ArithmeticError):

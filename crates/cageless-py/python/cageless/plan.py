@@ -75,7 +75,7 @@ class Plan:
     keep : sequence of str, optional
         Columns to keep besides the inputs; all if left out.
     seed : int
-        Of whatever is random.
+        Seed of samples and scatter.
     title : str
         Free text.
 
@@ -115,7 +115,7 @@ class Plan:
         head |= {name: nested(part) for name, part in parts.items() if part is not None}
         head["case"] = case._document()
         text = _cageless.to_toml(head)
-        self._sweep = _cageless.Sweep.parse(text, "plan", ".")
+        self._sweep = _cageless.Sweep.of_values(text)
 
     @classmethod
     def _of(cls, sweep: _cageless.Sweep) -> Plan:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import json
 import os
 from dataclasses import dataclass, field
@@ -12,8 +13,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _cageless
+from . import _cageless, pages
 from .certificates import Certificate
+from .errors import ColumnError
 from .figures import figure
 from .sections import table
 
@@ -76,6 +78,15 @@ class Run:
         """Gap to the ball ahead."""
         return self._arrays["balls"]["gap_rad"]
 
+    def _column(self, of: str, column: str) -> npt.NDArray[Any]:
+        columns = self._arrays[of]
+        if column in columns:
+            return columns[column]
+        near = difflib.get_close_matches(str(column), columns, 1)
+        hint = f"did you mean {near[0]}? " if near else ""
+        listed = ", ".join(columns)
+        raise ColumnError(f"{column!r} is not a column of {of}: {hint}its columns are {listed}")
+
     def balls(self, column: str) -> Floats:
         """A column of ``balls.parquet`` as (times, balls).
 
@@ -85,16 +96,21 @@ class Run:
             ``angle_rad``, ``x_m``, ``y_m``, ``vx_m_s``, ``vy_m_s``, ``spin_rad_s``,
             ``orbit_speed_rad_s``, ``gap_rad``, ``effective_radius_m``, ``inner_force_n``,
             ``outer_force_n``, ``inner_slip_m_s`` or ``outer_slip_m_s``.
+
+        Raises
+        ------
+        ColumnError
+            If there is no such column; also a ``KeyError``.
         """
-        return self._arrays["balls"][column]
+        return self._column("balls", column)
 
     def ring(self, column: str) -> Floats:
         """A column of ``ring.parquet``."""
-        return self._arrays["ring"][column]
+        return self._column("ring", column)
 
     def collisions(self, column: str) -> npt.NDArray[Any]:
         """A column of ``collisions.parquet``."""
-        return self._arrays["collisions"][column]
+        return self._column("collisions", column)
 
     def data_balls(self) -> pd.DataFrame:
         """``balls.parquet``: a row per output time and ball."""
@@ -169,9 +185,7 @@ class Run:
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Writes the report page of ``cageless run``, which works offline."""
-        path = Path(path)
-        path.write_text(self._run.page(), encoding="utf-8")
-        return path
+        return pages.write(path, self._run.page())
 
     def __repr__(self) -> str:
         return f"<Run of {self.summary['case']['title']!r}, {self.time_s[-1]:g} s>"
@@ -303,9 +317,7 @@ class Design:
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Writes the report page of ``cageless design``, which works offline."""
-        path = Path(path)
-        path.write_text(self._design.page(), encoding="utf-8")
-        return path
+        return pages.write(path, self._design.page())
 
     def _repr_html_(self) -> str:
         rows = [(k, v) for k, v in self.values.items() if not isinstance(v, (list, dict))]

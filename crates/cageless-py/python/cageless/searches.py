@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _cageless
+from . import _cageless, pages
 from .errors import InputError
 from .figures import figure
 from .sections import Raceway, table
@@ -202,9 +202,7 @@ class SearchResult:
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Writes the report page of ``cageless design --search``, which works offline. Takes
         seconds: the page has the verdict on the case's own raceway."""
-        path = Path(path)
-        path.write_text(self._search.page(), encoding="utf-8")
-        return path
+        return pages.write(path, self._search.page())
 
     def __repr__(self) -> str:
         if not self.recommended:

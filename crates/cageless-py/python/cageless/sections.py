@@ -91,17 +91,17 @@ class Material(Section):
 
     Parameters
     ----------
-    density_kg_m3 : float
+    density_kg_m3 : float, optional
         Density of the balls.
-    youngs_modulus_gpa : float
+    youngs_modulus_gpa : float, optional
         E.
-    poisson_ratio : float
+    poisson_ratio : float, optional
         0 to below 0.5.
     """
 
-    density_kg_m3: float
-    youngs_modulus_gpa: float
-    poisson_ratio: float
+    density_kg_m3: float | None = None
+    youngs_modulus_gpa: float | None = None
+    poisson_ratio: float | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -136,13 +136,13 @@ class Operation(Section):
         Speed of the inner ring, counter-clockwise.
     radial_load_n : float
         Fr, downwards.
-    gravity_m_s2 : float
+    gravity_m_s2 : float, optional
         g, downwards.
     """
 
     inner_speed_rpm: float
     radial_load_n: float
-    gravity_m_s2: float = 9.81
+    gravity_m_s2: float | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -151,13 +151,13 @@ class Contact(Section):
 
     Parameters
     ----------
-    friction_coefficient : float
+    friction_coefficient : float, optional
         μ.
-    friction_law : {"smooth", "coulomb"}
+    friction_law : {"smooth", "coulomb"}, optional
         Friction against sliding speed.
-    slip_scale_m_s : float
-        Sliding speed at the knee of the smooth law.
-    damping : float
+    slip_scale_m_s : float, optional
+        Sliding speed at the knee of the smooth law; ``"coulomb"`` does not use it.
+    damping : float, optional
         c of the raceway contacts, N·s·m^−1.5.
     ball_restitution : float, optional
         Coefficient of restitution between balls, above 0, at most 1.
@@ -165,10 +165,10 @@ class Contact(Section):
         K in N·m^−1.5, in place of what Hertz gives.
     """
 
-    friction_coefficient: float
-    friction_law: Literal["smooth", "coulomb"]
-    slip_scale_m_s: float
-    damping: float
+    friction_coefficient: float | None = None
+    friction_law: Literal["smooth", "coulomb"] | None = None
+    slip_scale_m_s: float | None = None
+    damping: float | None = None
     ball_restitution: float | None = None
     inner_stiffness: float | None = None
     outer_stiffness: float | None = None
@@ -181,11 +181,11 @@ class Model(Section):
 
     Parameters
     ----------
-    profile : {"physical", "paper"}
+    profile : {"physical", "paper"}, optional
         Consistent mechanics, or the equations as published.
     """
 
-    profile: Literal["physical", "paper"]
+    profile: Literal["physical", "paper"] | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -217,7 +217,7 @@ class Solver(Section):
 
     Parameters
     ----------
-    duration_s : float
+    duration_s : float, optional
         Simulated time.
     method : {"symplectic", "abm4", "adaptive"}, optional
         Integration method.
@@ -226,10 +226,11 @@ class Solver(Section):
     tolerance : float, optional
         Error per step, only for ``"adaptive"``.
     seed : int, optional
-        Seed of whatever is random.
+        Seed of the random starts and samples of ``run(verify=True)``, ``search`` and
+        ``tolerance``; a plain run has nothing random in it.
     """
 
-    duration_s: float
+    duration_s: float | None = None
     method: Literal["symplectic", "abm4", "adaptive"] | None = None
     step_us: Literal["auto"] | float | None = None
     tolerance: float | None = None
@@ -257,8 +258,8 @@ class Output(Section):
 
     Parameters
     ----------
-    interval_us : float
+    interval_us : float, optional
         Time between rows.
     """
 
-    interval_us: float
+    interval_us: float | None = None

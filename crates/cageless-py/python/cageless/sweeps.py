@@ -10,7 +10,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from . import _cageless
+from . import _cageless, pages
 from .figures import figure
 from .plan import Plan, read
 from .sections import table
@@ -265,9 +265,7 @@ class SweepReport:
 
     def write(self, path: str | os.PathLike[str]) -> Path:
         """Writes the report page of ``cageless report``, which works offline."""
-        path = Path(path)
-        path.write_text(self._report.page(), encoding="utf-8")
-        return path
+        return pages.write(path, self._report.page())
 
     def _repr_html_(self) -> str:
         rows: list[tuple[str, object]] = [

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _cageless
+from . import _cageless, pages
 from .figures import figure
 from .sections import table
 
@@ -115,9 +115,7 @@ class ToleranceResult:
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Writes the report page of ``cageless tolerance``, which works offline."""
-        path = Path(path)
-        path.write_text(self._tolerance.page(), encoding="utf-8")
-        return path
+        return pages.write(path, self._tolerance.page())
 
     def __repr__(self) -> str:
         if self.probability is None:

@@ -7,6 +7,7 @@ use crate::design::{MapData, PointNumbers, SearchData, StructureData};
 use crate::figure::Figure;
 use crate::plot::{GREY, PALETTE, Plot, line, markers, number, numbers, plain, with};
 use crate::sampling::range;
+use crate::text::short;
 
 /// Verdicts of a map, each with its colour and its name in the legend.
 const VERDICTS: [(&str, &str, &str); 10] = [
@@ -151,7 +152,7 @@ fn dress(plot: Plot, grid: &Grid, k: usize, search: &SearchData, map: &MapData) 
         ));
     }
     for (name, structure, symbol, colour) in [
-        ("the case's own", &search.own, "square", PALETTE[4]),
+        (OWN, &search.own, "square", PALETTE[4]),
         ("recommended", &search.recommended, "star", "#ffdd00"),
     ] {
         let Some(s) = structure else { continue };
@@ -181,6 +182,40 @@ fn frame(grid: &Grid) -> Plot {
             "legend",
             json!({ "orientation": "h", "x": 0, "y": 1.09, "yanchor": "bottom", "font": { "size": 12 } }),
         )
+}
+
+/// Verdict of a structure in the words of the maps; `None` if it was not run.
+fn verdict_of(structure: &StructureData) -> Option<&str> {
+    match structure.status.as_str() {
+        "accepted" => Some("smooth"),
+        "rejected" => structure.reason.as_deref(),
+        _ => None,
+    }
+}
+
+/// The structures of the band, each at its own place: between the cells of a map lies more than
+/// the whole band of raceways that work.
+fn tried(search: &SearchData) -> Value {
+    let (mut spans, mut angles) = (vec![], vec![]);
+    let (mut colours, mut texts) = (vec![], vec![]);
+    for structure in &search.band {
+        let verdict = verdict_of(structure);
+        let Some(shown) = VERDICTS.iter().find(|v| Some(v.0) == verdict) else {
+            continue;
+        };
+        spans.push(structure.axial_span_mm);
+        angles.push(structure.half_angle_deg);
+        colours.push(shown.1);
+        texts.push(plain(&format!("{}: {}", structure.label(), shown.2)));
+    }
+    with(
+        markers("structures tried", &spans, &angles, "#ffffff"),
+        json!({
+            "showlegend": false,
+            "marker": { "size": 6, "color": colours, "line": { "width": 0.8, "color": "#000" } },
+            "text": texts, "hovertemplate": "%{text}<extra></extra>",
+        }),
+    )
 }
 
 /// Verdict of every cell, one panel per speed.
@@ -225,13 +260,16 @@ pub fn verdicts(search: &SearchData) -> Figure {
             &axis_ref("x", k),
             &axis_ref("y", k),
         ));
+        let speed = map.point.inner_speed_rpm;
+        if search.points.iter().any(|p| p.inner_speed_rpm == speed) {
+            let (x, y) = (axis_ref("x", k), axis_ref("y", k));
+            plot = plot.trace(on(tried(search), &x, &y));
+        }
         plot = dress(plot, &grid, k, search, map);
     }
     for (name, colour, label) in &VERDICTS[..VERDICTS.len() - 1] {
-        let seen = search
-            .maps
-            .iter()
-            .any(|m| m.verdict.iter().flatten().any(|v| v == name));
+        let seen = (search.maps.iter()).any(|m| m.verdict.iter().flatten().any(|v| v == name))
+            || search.band.iter().any(|s| verdict_of(s) == Some(*name));
         if seen {
             plot = plot.trace(with(
                 markers(label, &[f64::NAN], &[f64::NAN], colour),
@@ -244,7 +282,9 @@ pub fn verdicts(search: &SearchData) -> Figure {
         caption: "Where raceways work, and what excludes them elsewhere: too shallow to spread \
                   the balls, sliding balls, a critical gap above the steady gap, or balls that are \
                   hit from both sides on their way through. Blank: excluded by Eq. (8) or (9), or \
-                  raceways that overlap. Slip takes over from the right, where raceways are short \
+                  raceways that overlap. Cells have the verdict of their middle; circles are structures that \
+                  were tried, each at its own place, with all requirements at all operating \
+                  points. Slip takes over from the right, where raceways are short \
                   and deep, and reaches further at higher speed. Double-click to see all spans."
             .to_owned(),
         provenance: search.provenance.clone(),
@@ -356,6 +396,49 @@ const PAIRS: [[Quantity; 2]; 4] = [
     ],
 ];
 
+/// Name of the case's own structure in legends.
+const OWN: &str = "the case's own";
+
+/// Range of an axis that shows all `values` with room around them; `None` without values.
+fn frame_of(values: &[f64]) -> Option<[f64; 2]> {
+    let finite: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
+    if finite.is_empty() {
+        return None;
+    }
+    let (low, high) = range(&finite);
+    let room = 0.08 * (high - low).max(1e-3 * high.abs()).max(1e-9);
+    Some([low - room, high + room])
+}
+
+/// A mark at the edge of the frames with its values, for a point outside of them.
+fn outside(point: &[f64; 2], frames: [Option<[f64; 2]>; 2]) -> Option<Value> {
+    let [Some(x), Some(y)] = frames else {
+        return None;
+    };
+    let at = [point[0].clamp(x[0], x[1]), point[1].clamp(y[0], y[1])];
+    if !point.iter().all(|v| v.is_finite()) || at == *point {
+        return None;
+    }
+    let text = format!("{}, {}", short(point[0]), short(point[1]));
+    let side = if at[0] > 0.5 * (x[0] + x[1]) {
+        "left"
+    } else {
+        "right"
+    };
+    let height = if at[1] > 0.5 * (y[0] + y[1]) {
+        "bottom"
+    } else {
+        "top"
+    };
+    Some(with(
+        markers(OWN, &[at[0]], &[at[1]], ""),
+        json!({
+            "mode": "markers+text", "text": [text], "cliponaxis": false,
+            "textposition": format!("{height} {side}"), "textfont": { "size": 11 },
+        }),
+    ))
+}
+
 /// Trade-offs of the acceptable structures.
 pub fn trade_offs(search: &SearchData) -> Figure {
     let accepted = |front: bool| -> Vec<&StructureData> {
@@ -378,7 +461,7 @@ pub fn trade_offs(search: &SearchData) -> Figure {
         ("acceptable", accepted(false), GREY, 6, "circle"),
         ("Pareto front", accepted(true), PALETTE[0], 7, "circle"),
         (
-            "the case's own",
+            OWN,
             search.own_from_usual_starts.iter().collect(),
             PALETTE[4],
             11,
@@ -394,16 +477,24 @@ pub fn trade_offs(search: &SearchData) -> Figure {
     ];
     for (k, pair) in PAIRS.iter().enumerate() {
         let (x, y) = (axis_ref("x", k), axis_ref("y", k));
+        let frames = pair.map(|(_, of)| {
+            let shown = groups.iter().filter(|g| g.0 != OWN).flat_map(|g| &g.1);
+            frame_of(&shown.map(|s| worst(s, of)).collect::<Vec<_>>())
+        });
+        let axis = |place: [f64; 2], anchor: &str, frame: Option<[f64; 2]>| match frame {
+            Some(frame) => json!({ "domain": place, "anchor": anchor, "range": numbers(&frame) }),
+            None => json!({ "domain": place, "anchor": anchor }),
+        };
         plot = plot
             .axis(
                 &axis_name("x", k),
                 pair[0].0,
-                json!({ "domain": x_places[k % 2], "anchor": y }),
+                axis(x_places[k % 2], &y, frames[0]),
             )
             .axis(
                 &axis_name("y", k),
                 pair[1].0,
-                json!({ "domain": y_places[1 - k / 2], "anchor": x }),
+                axis(y_places[1 - k / 2], &x, frames[1]),
             );
         for (name, structures, colour, size, symbol) in &groups {
             if structures.is_empty() {
@@ -413,6 +504,22 @@ pub fn trade_offs(search: &SearchData) -> Figure {
                 structures.iter().map(|s| worst(s, of)).collect()
             };
             let labels: Vec<String> = structures.iter().map(|s| plain(&s.label())).collect();
+            if *name == OWN
+                && let Some(mark) = outside(&pair.map(|(_, of)| values(of)[0]), frames)
+            {
+                let trace = with(
+                    mark,
+                    json!({
+                        "legendgroup": name, "showlegend": k == 0, "name": name,
+                        "marker": { "size": size, "symbol": symbol, "color": colour,
+                                    "line": { "width": 1.2, "color": "#000" } },
+                        "hovertext": labels,
+                        "hovertemplate": "%{hovertext}<br>outside: %{text}<extra></extra>",
+                    }),
+                );
+                plot = plot.trace(on(trace, &x, &y));
+                continue;
+            }
             plot = plot.trace(on(
                 with(
                     markers(name, &values(pair[0].1), &values(pair[1].1), colour),
@@ -431,7 +538,9 @@ pub fn trade_offs(search: &SearchData) -> Figure {
     Figure {
         label: "Trade-offs".to_owned(),
         caption: "Acceptable structures, each at the worst of its operating points. What spreads \
-                  the balls more evenly costs friction."
+                  the balls more evenly costs friction. The axes show the acceptable structures; \
+                  the case's own raceway, where it lies outside, is drawn at the edge with its \
+                  values (horizontal, vertical)."
             .to_owned(),
         provenance: search.provenance.clone(),
         plot,

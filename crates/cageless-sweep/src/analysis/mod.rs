@@ -21,6 +21,31 @@ use crate::footer::Identity;
 use quantities::Quantities;
 use table::Table;
 
+/// Result of a sweep in its folder.
+const RESULT: &str = "sweep.parquet";
+
+/// Numbers that other commands leave in their folder, and the command.
+const OTHERS: [(&str, &str); 6] = [
+    ("summary.json", "run"),
+    ("design.json", "design"),
+    ("tolerance.json", "tolerance"),
+    ("static.json", "static"),
+    ("export.json", "export"),
+    ("check.json", "check"),
+];
+
+/// The folder at `path` or around it and the command that left its result there, if there is
+/// nothing of a sweep.
+fn other_result(path: &Path) -> Option<(&Path, &'static str)> {
+    let folder = if path.is_dir() { path } else { path.parent()? };
+    let table = path.is_file() && path.extension().is_some_and(|e| e == "parquet");
+    if table || folder.join(RESULT).exists() {
+        return None;
+    }
+    let made = OTHERS.iter().find(|(file, _)| folder.join(file).exists())?;
+    Some((folder, made.1))
+}
+
 /// What the user wants of an output.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Goal {
@@ -30,13 +55,23 @@ pub struct Goal {
     pub aim: Aim,
 }
 
-/// Reads the result of a sweep and works out what its report shows. Without `goals`,
+/// Reads the result of a sweep, its file or the folder of it, and works out what its report
+/// shows. Without `goals`,
 /// the best variants are sought by every output of which it can be said what is better.
 ///
 /// # Errors
 /// If the file is not the complete result of a sweep, cannot be read, or a goal is not
 /// one of its numbers.
 pub fn analyse(path: &Path, goals: &[Goal]) -> Result<SweepData, SweepError> {
+    if let Some((folder, command)) = other_result(path) {
+        return Err(SweepError::Input(format!(
+            "{} is the result of `cageless {command}`, not of a sweep: its page is report.html in \
+             that folder; `cageless report` takes the folder of `cageless sweep`",
+            folder.display()
+        )));
+    }
+    let inside = path.join(RESULT);
+    let path = if path.is_dir() { &inside } else { path };
     let reader = RowsReader::open(path)?;
     let identity = Identity::read(&reader).ok_or_else(|| {
         SweepError::Input(format!("{} is not the result of a sweep", path.display()))

@@ -1,0 +1,110 @@
+//! What the command states to a reader: the scope of the model, the origin of values, what a
+//! folder or a file name stands for.
+
+mod common;
+
+use common::*;
+
+/// What README says before its first command.
+fn first_screen() -> String {
+    let path = repository_case("../README.md");
+    let text = std::fs::read_to_string(path).expect("README.md");
+    let (first, _) = text.split_once("## Two commands").expect("its commands");
+    first.to_owned()
+}
+
+#[test]
+fn the_scope_stands_in_check_and_on_the_first_screen_of_the_readme() {
+    let case = repository_case("zhao-d.toml");
+    let text = call_on("check", &case, &[], &[]).stdout;
+    let answer = call_on("check", &case, &[], &["--json"]).json();
+    let scope: Vec<&str> = (answer["scope"].as_array().expect("a list").iter())
+        .map(|statement| statement.as_str().expect("text"))
+        .collect();
+    assert_eq!(scope, cageless::SCOPE);
+    let readme = first_screen();
+    let listed: Vec<&str> = (readme.lines())
+        .filter_map(|line| line.strip_prefix("- "))
+        .collect();
+    assert_eq!(listed, cageless::SCOPE);
+    for statement in cageless::SCOPE {
+        assert!(text.contains(statement), "{statement}: {text}");
+    }
+    for word in [
+        "planar",
+        "axial load",
+        "tilt",
+        "preload",
+        "outer ring fixed",
+        "constant speed",
+        "dry laws of friction",
+        "heat",
+    ] {
+        assert!(scope.iter().any(|s| s.contains(word)), "{word}");
+    }
+}
+
+#[test]
+fn the_case_table_of_a_page_has_sources_and_units() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().to_str().unwrap();
+    let sets = ["raceway.axial_span_mm=5.2", "solver.duration_s=0.002"];
+    let case = repository_case("zhao-d.toml");
+    let answer = call_on("run", &case, &sets, &["--out", out]);
+    assert_eq!(answer.code, Some(0), "{answer:?}");
+    let data = json_file(&dir.path().join("report.json"));
+    let lines = data["parameters"].as_array().expect("a table");
+    let line = |name: &str| {
+        let line = lines.iter().find(|line| line["name"] == name);
+        let line = line.unwrap_or_else(|| panic!("{name} is missing"));
+        [&line["value"], &line["unit"], &line["source"]].map(|v| v.as_str().unwrap_or("?"))
+    };
+    assert_eq!(line("raceway.axial_span_mm"), ["5.2", "mm", "--set"]);
+    assert_eq!(line("solver.duration_s"), ["0.002", "s", "--set"]);
+    assert_eq!(line("raceway.half_angle_deg"), ["25.2", "°", "case file"]);
+    assert_eq!(line("raceway.depth_error_um"), ["0.0", "µm", "default"]);
+}
+
+#[test]
+fn a_file_name_of_another_format_makes_no_folder() {
+    let dir = tempfile::tempdir().unwrap();
+    let case = repository_case("zhao-d.toml");
+    for (format, name, said) in [
+        ("stl", "r.obj", "a file of --format stl ends in .stl"),
+        ("csv", "ring.txt", "a file of --format csv ends in .csv"),
+        ("step", "ring.stl", "is the name of a file of --format stl"),
+    ] {
+        let out = dir.path().join(name);
+        let out = out.to_str().unwrap();
+        let answer = call_on("export", &case, &[], &["--format", format, "--out", out]);
+        assert_eq!(answer.code, Some(2), "{answer:?}");
+        assert!(answer.stderr.contains(said), "{}", answer.stderr);
+        assert!(names(dir.path()).is_empty(), "{name} was made");
+    }
+    // A folder is marked by a slash, or is there.
+    let out = format!("{}/ring.v2/", dir.path().display());
+    let answer = call_on("export", &case, &[], &["--format", "csv", "--out", &out]);
+    assert_eq!(answer.code, Some(0), "{answer:?}");
+    assert_eq!(names(&dir.path().join("ring.v2")).len(), 2);
+}
+
+#[test]
+fn the_folder_of_a_run_is_no_sweep_and_report_says_so() {
+    let dir = tempfile::tempdir().unwrap();
+    let (run, design) = (dir.path().join("run"), dir.path().join("design"));
+    let case = repository_case("zhao-d.toml");
+    let out = ["--out", run.to_str().unwrap()];
+    let answer = call_on("run", &case, &["solver.duration_s=0.001"], &out);
+    assert_eq!(answer.code, Some(0), "{answer:?}");
+    std::fs::create_dir(&design).unwrap();
+    std::fs::write(design.join("design.json"), "{}").unwrap();
+    let summary = run.join("summary.json");
+    for (path, command) in [(&run, "run"), (&summary, "run"), (&design, "design")] {
+        let answer = call(&["report", path.to_str().unwrap()]);
+        assert_eq!(answer.code, Some(2), "{answer:?}");
+        let said = format!(
+            "is the result of `cageless {command}`, not of a sweep: its page is report.html in that folder"
+        );
+        assert!(answer.stderr.contains(&said), "{}", answer.stderr);
+    }
+}

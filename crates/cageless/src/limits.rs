@@ -1,0 +1,64 @@
+//! Limits of single input values. They are wide enough for every bearing and catch what was
+//! meant in another unit: a modulus in MPa, a radius in metres, a density in g/cm³.
+
+use crate::error::{Allowed, InputError};
+
+/// Least and greatest value of an input field, both allowed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limit {
+    /// Field of [`InputError`]; its suffix is the unit of the two values.
+    pub field: &'static str,
+    /// Least value; `-∞` where a check elsewhere has the lower limit.
+    pub least: f64,
+    /// Greatest value.
+    pub most: f64,
+    /// Reason for both.
+    pub reason: &'static str,
+}
+
+const fn limit(field: &'static str, least: f64, most: f64, reason: &'static str) -> Limit {
+    Limit {
+        field,
+        least,
+        most,
+        reason,
+    }
+}
+
+const NONE: f64 = f64::NEG_INFINITY;
+const STIFFNESS: &str = "from plastic balls of a tenth of a millimetre to steel balls of a metre";
+
+/// Every field with limits of its own. Dimensions that are limited by each other (radii of
+/// grooves and shoulders, number of balls), by the elastic contact (speed, load) and by the
+/// step (damping) are not listed.
+#[rustfmt::skip]
+pub const LIMITS: &[Limit] = &[
+    limit("ball_radius_m", 5e-5, 0.5, "balls of bearings have diameters from 0.1 mm to 1 m"),
+    limit("inner_ring_mass_kg", 1e-6, 1e6, "from a miniature ring to the rotor of a power station"),
+    limit("density_kg_m3", 500.0, 25_000.0, "no solid of bearings is outside; steel has 7850 kg/m^3"),
+    limit("youngs_modulus_pa", 5e8, 1.3e12, "from PTFE to diamond; steel has 206 GPa"),
+    limit("gravity_m_s2", NONE, 1000.0, "about 100 times that of the Earth"),
+    limit("friction_coefficient", NONE, 2.0, "clean metals in vacuum stay below; it is no percentage"),
+    limit("slip_scale_m_s", 1e-6, 10.0, "the smooth law is a step below and no friction above"),
+    limit("inner_stiffness_n_m1_5", 1e6, 1e14, STIFFNESS),
+    limit("outer_stiffness_n_m1_5", 1e6, 1e14, STIFFNESS),
+    limit("ball_stiffness_n_m1_5", 1e6, 1e14, STIFFNESS),
+    limit("tolerance", NONE, 0.01, "the motion is not resolved beyond"),
+    limit("mass_kg", 1e-3, 1e6, "from a miniature housing to a machine"),
+    limit("stiffness_n_m", 1e3, 1e13, "from foam to a block of steel; 1 N/um is 1e6 N/m"),
+];
+
+/// Passes a value within the limits of its field, and every value of a field without limits.
+pub(crate) fn within(field: &'static str, value: f64) -> Result<(), InputError> {
+    let Some(limit) = LIMITS.iter().find(|l| l.field == field) else {
+        return Ok(());
+    };
+    let refuse = |allowed| Err(InputError::new(field, value, allowed));
+    if value < limit.least {
+        refuse(Allowed::AtLeast(limit.least, limit.reason))
+    } else if value > limit.most {
+        refuse(Allowed::AtMost(limit.most, limit.reason))
+    } else {
+        Ok(())
+    }
+}

@@ -1,0 +1,162 @@
+"""The picture of the README, with the numbers of its caption.
+
+    python picture.py path/to/cageless folder [README.md]
+
+Runs a conventional bearing and one with a discrete raceway from the same bunch of balls, draws
+both at the end of their runs with their gaps, writes `motion.png` and prints the caption. With a
+README, checks that the caption stands in it.
+"""
+
+import json
+import math
+import statistics
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from checks import check, exit_code
+from pages import Browser
+
+ROOT = Path(__file__).resolve().parents[2]
+CASES = {"conventional": "conventional.toml", "discrete": "zhao-d.toml"}
+TITLES = {
+    "conventional": "Conventional outer ring",
+    "discrete": "Discrete raceway, <i>l</i><sub>C</sub> 5.1 mm, <i>θ</i> 25.2°",
+}
+DURATION_S = 1.0
+# Gap between the balls of the bunch at the start.
+BUNCHED_DEG = 0.1
+# End of the scale of the bars; a taller one is cut and has its value beside it.
+SCALE_DEG = 5.0
+SETTINGS = [f"solver.duration_s={DURATION_S}", "solver.method=symplectic", "solver.step_us=auto"]
+
+
+def room_deg(bearing):
+    """360° less the angles of all balls in contact."""
+    pitch = (bearing["inner_groove_bottom_radius_mm"] + bearing["outer_groove_bottom_radius_mm"]) / 2
+    return 360 - bearing["balls"] * 2 * math.degrees(math.asin(bearing["ball_radius_mm"] / pitch))
+
+
+class Bearing:
+    """One run and what the picture says of it."""
+
+    def __init__(self, cageless, name, folder):
+        case, self.name, self.folder = ROOT / "cases" / CASES[name], name, folder / name
+        checked = subprocess.run(
+            [cageless, "check", case, "--json"], check=True, capture_output=True, text=True
+        )
+        self.case = json.loads(checked.stdout)["case"]
+        balls, room = self.case["bearing"]["balls"], room_deg(self.case["bearing"])
+        bunch = [BUNCHED_DEG] * (balls - 1)
+        sets = [*SETTINGS, f"start.gaps={[*bunch, round(room - sum(bunch), 9)]}"]
+        options = [part for text in sets for part in ("--set", text)]
+        run = subprocess.run(
+            [cageless, "run", case, "--out", self.folder, "--json", *options],
+            check=True, capture_output=True, text=True,
+        )  # fmt: skip
+        self.summary = json.loads(run.stdout)
+        data = json.loads((self.folder / "report.json").read_text())
+        self.uniform = room / balls
+        gaps = [ball["gap_deg"] for ball in data["balls"]]
+        self.gaps = [of_ball[-1] for of_ball in gaps]
+        late = [k for k, time in enumerate(data["time_s"]) if time >= DURATION_S / 2]
+        self.deviation = statistics.fmean(
+            statistics.pstdev(of_ball[k] for of_ball in gaps) for k in late
+        )
+        self.deviation_at_end = statistics.pstdev(self.gaps)
+        self.contacts = self.summary["collisions"]
+        self.transient = self.summary["settled_after_s"]
+
+    def drawing(self, browser):
+        """The bearing of the report page at the end of the run, as SVG."""
+        tab = browser.open((self.folder / "report.html").resolve().as_uri())
+        return tab.js(
+            "(() => { const f = document.querySelector('figure.motion');"
+            " const s = f.querySelector('[data-time]'); s.value = s.max;"
+            " s.dispatchEvent(new Event('input'));"
+            " const svg = f.querySelector('svg'); svg.setAttribute('width', 620);"
+            " return svg.outerHTML; })()"
+        )
+
+    def bars(self):
+        """The gaps of all pairs as bars, the uniform gap as a line."""
+        width, height, tall = 560, 110, 80
+        slot, per_degree = width / len(self.gaps), tall / SCALE_DEG
+        parts = []
+        for k, gap in enumerate(self.gaps):
+            size = min(max(gap, 0), SCALE_DEG) * per_degree
+            parts.append(
+                f'<rect x="{slot * (k + 0.15):.1f}" y="{tall - size:.1f}" width="{0.7 * slot:.1f}"'
+                f' height="{size:.1f}" fill="#0072b2"/>'
+                f'<text x="{slot * (k + 0.5):.1f}" y="{height - 14}" text-anchor="middle">{k + 1}</text>'
+            )
+            if gap > SCALE_DEG:
+                parts.append(
+                    f'<text x="{slot * (k + 0.1):.1f}" y="12" text-anchor="end">{gap:.1f}°</text>'
+                )
+        line = tall - self.uniform * per_degree
+        parts.append(
+            f'<path d="M0,{line:.1f}H{width}" stroke="#d55e00" stroke-dasharray="5 4"/>'
+            f'<path d="M0,{tall}H{width}" stroke="#555"/>'
+        )
+        return (
+            f'<svg width="620" viewBox="-30 -22 620 {height + 24}" font-size="13" fill="#333">'
+            f'<text y="-8">gap from each ball to the next; dashed: uniform, {self.uniform:.1f}°;'
+            f" standard deviation {self.deviation_at_end:.1f}°</text>{''.join(parts)}</svg>"
+        )
+
+
+def caption(bearings):
+    """What the picture shows, in the numbers of its runs."""
+    plain, discrete = bearings["conventional"], bearings["discrete"]
+    operation = plain.case["operation"]
+    return (
+        f"Both bearings started from the same bunch, {BUNCHED_DEG}° between neighbours, at"
+        f" {operation['inner_speed_rpm']:.0f} rpm and {operation['radial_load_n']:.0f} N. After"
+        f" {DURATION_S:g} s the balls of the conventional one are still bunched: over the second"
+        f" half of the run the gaps scatter by {plain.deviation:.1f}° (standard deviation) about"
+        f" the uniform {plain.uniform:.1f}°. The discrete raceway has spread them:"
+        f" {discrete.deviation:.1f}°. It evens the gaps out; it does not end contacts between"
+        f" balls: {discrete.contacts} against {plain.contacts} from {discrete.transient:.3f} s on."
+    )
+
+
+def main():
+    cageless, folder = sys.argv[1], Path(sys.argv[2])
+    folder.mkdir(parents=True, exist_ok=True)
+    bearings = {name: Bearing(cageless, name, folder) for name in CASES}
+    with tempfile.TemporaryDirectory(dir=folder, ignore_cleanup_errors=True) as profile:
+        with Browser(profile) as browser:
+            columns = "".join(
+                f"<div><h2>{TITLES[name]}</h2>{bearing.drawing(browser)}{bearing.bars()}</div>"
+                for name, bearing in bearings.items()
+            )
+            page = folder / "picture.html"
+            page.write_text(
+                "<!DOCTYPE html><meta charset='utf-8'><style>body{margin:0;display:flex;"
+                "font-family:DejaVu Sans,Helvetica,Arial,sans-serif;background:#fff;color:#222}"
+                "div{width:630px;text-align:center}h2{font-size:17px;margin:14px 0 0}"
+                f"svg{{display:block;margin:0 auto}}h2+svg{{margin-top:-50px}}h2{{height:22px;line-height:22px}}sub{{line-height:0}}</style>{columns}",
+                encoding="utf-8",
+            )
+            tab = browser.open(page.resolve().as_uri())
+            height = tab.js("Math.ceil(document.body.getBoundingClientRect().height)")
+            clip = {"x": 0, "y": 0, "width": 1260, "height": height + 8, "scale": 1}
+            tab.screenshot(folder / "motion.png", clip=clip, captureBeyondViewport=True)
+    text = caption(bearings)
+    print(text)
+    plain, discrete = bearings["conventional"], bearings["discrete"]
+    check("picture: the discrete raceway has spread the balls at the instant that is drawn",
+          discrete.deviation_at_end < plain.deviation_at_end / 3,
+          (discrete.deviation_at_end, plain.deviation_at_end))  # fmt: skip
+    touching = [sum(gap <= 0 for gap in b.gaps) for b in (plain, discrete)]
+    check("picture: no more pairs touch with it than without", touching[1] <= touching[0], touching)
+    if len(sys.argv) > 3:
+        readme = " ".join(Path(sys.argv[3]).read_text(encoding="utf-8").split())
+        check("picture: the README has its caption", text in readme, text)
+    return exit_code()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
