@@ -152,10 +152,11 @@ def test_a_cluster_that_loses_a_worker_gives_the_same_bytes(
 
 def test_a_plan_of_keywords_has_no_lines() -> None:
     case = cageless.Case.from_toml(cageless.template())
-    for axis, said in [
+    wrong: list[tuple[dict[str, list[object]], str]] = [
         ({"operation.radial_load": [1.0]}, "operation.radial_load is not a key of [operation]"),
         ({"raceway.half_angle_deg": ["a"]}, "raceway.half_angle_deg"),
-    ]:
+    ]
+    for axis, said in wrong:
         with pytest.raises(cageless.InputError) as error:
             cageless.Plan(case=case, compute=["static"], grid=axis)
         assert error.value.line is None

@@ -406,7 +406,11 @@ fn frame_of(values: &[f64]) -> Option<[f64; 2]> {
         return None;
     }
     let (low, high) = range(&finite);
-    let room = 0.08 * (high - low).max(1e-3 * high.abs()).max(1e-9);
+    let room = match (high - low, high.abs()) {
+        (0.0, 0.0) => 1.0,
+        (0.0, size) => 0.1 * size,
+        (span, _) => 0.08 * span,
+    };
     Some([low - room, high + room])
 }
 
