@@ -121,7 +121,6 @@ const FILES: &[(&str, &str, &str)] = &[
         "profile = \"Physical!\" ",
         "model.profile",
     ),
-    ("profile = \"physical\" ", "# none ", "model.profile"),
     ("# [start] ", "[start]\nring_y_um = 3 ", "start.ring_y_um"),
     ("# [start] ", "[start]\ngaps = [1.8, 1.8] ", "start.gaps"),
     ("# [start] ", "[start]\ngaps = \"even\" ", "start.gaps"),

@@ -69,6 +69,10 @@ fn the_case_table_of_a_page_has_sources_and_units() {
 fn a_file_name_of_another_format_makes_no_folder() {
     let dir = tempfile::tempdir().unwrap();
     let case = repository_case("zhao-d.toml");
+    let ring = [
+        "bearing.outer_ring_outer_radius_mm=31",
+        "bearing.outer_ring_width_mm=16",
+    ];
     for (format, name, said) in [
         ("stl", "r.obj", "a file of --format stl ends in .stl"),
         ("csv", "ring.txt", "a file of --format csv ends in .csv"),
@@ -76,14 +80,14 @@ fn a_file_name_of_another_format_makes_no_folder() {
     ] {
         let out = dir.path().join(name);
         let out = out.to_str().unwrap();
-        let answer = call_on("export", &case, &[], &["--format", format, "--out", out]);
+        let answer = call_on("export", &case, &ring, &["--format", format, "--out", out]);
         assert_eq!(answer.code, Some(2), "{answer:?}");
         assert!(answer.stderr.contains(said), "{}", answer.stderr);
         assert!(names(dir.path()).is_empty(), "{name} was made");
     }
     // A folder is marked by a slash, or is there.
     let out = format!("{}/ring.v2/", dir.path().display());
-    let answer = call_on("export", &case, &[], &["--format", "csv", "--out", &out]);
+    let answer = call_on("export", &case, &ring, &["--format", "csv", "--out", &out]);
     assert_eq!(answer.code, Some(0), "{answer:?}");
     assert_eq!(names(&dir.path().join("ring.v2")).len(), 2);
 }
