@@ -327,7 +327,9 @@ pub fn reproduce_page(data: &ReproduceData) -> String {
              RMS, start by start. Contacts cut out: the housing under the same force, but with a \
              straight line from each touch of two balls to {} ms after they part; contacts alone: \
              the housing under what was cut out. These two add up as signals; their squares do \
-             not where they are correlated. Contacts: from touch to parting, in the part of the \
+             not where they are correlated, as they are where balls stay in contact for much of a \
+             passage: the line then takes out force of the passage as well, and the rest may \
+             exceed the whole. Contacts: from touch to parting, in the part of the \
              run that is not discarded.",
             rings.starts,
             AFTER_CONTACT_S * 1e3

@@ -183,9 +183,9 @@ fn vibration(rings: &RingComparison) -> Claim {
     };
     let finding = format!(
         "Against a conventional ring with the same balls from the same starts the vibration with \
-         structure (d) is {}, with the raceways that a search recommends {}. {} Contacts between \
-         balls are {} in number; their impulse per second is {}. With the contacts cut out of the \
-         force the vibration is {}. The model leaves out {}, of which the test rig had all.",
+         structure (d) is {}, with the raceways that a search recommends {}. {} Structure (d): \
+         contacts between balls per second {}, their impulse per second {}, vibration with the \
+         contacts cut out of the force {}. The model leaves out {}.",
         rms.text(),
         found.text(),
         unequal_balls(rings),
@@ -312,7 +312,7 @@ mod tests {
         let c = vibration(&lower);
         assert_eq!(c.verdict, Verdict::Confirmed);
         assert!(c.finding.contains("structure (d) is lower in all 4 cases"));
-        assert!(c.finding.contains("fewer in all 4 cases in number"));
+        assert!(c.finding.contains("per second fewer in all 4 cases"));
         assert_eq!(spacing(&lower).verdict, Verdict::Confirmed);
 
         let turned = rings(|_, unequal| if unequal { -0.5 } else { 0.5 });
