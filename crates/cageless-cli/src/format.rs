@@ -1,5 +1,7 @@
 //! Plain text tables for the terminal.
 
+use std::io::IsTerminal;
+
 pub use cageless_report::text::shown;
 
 /// Lines up columns: text to the left, numbers to the right. The first row is the head.
@@ -55,7 +57,48 @@ pub fn pairs(rows: &[(&str, String)]) -> String {
         .collect()
 }
 
+/// PASS or FAIL with its reason, in green or red on a terminal.
+pub fn judged(passes: Option<bool>, headline: &str) -> String {
+    if !std::io::stdout().is_terminal() || std::env::var_os("NO_COLOR").is_some() {
+        return headline.to_owned();
+    }
+    coloured(passes, headline)
+}
+
+/// The first word of a headline and what precedes its reason in the colour of the verdict.
+fn coloured(passes: Option<bool>, headline: &str) -> String {
+    let colour = match passes {
+        Some(true) => "32",
+        Some(false) => "31",
+        None => return headline.to_owned(),
+    };
+    let word = headline.find(|c: char| !c.is_alphabetic());
+    let (word, rest) = headline.split_at(word.unwrap_or(headline.len()));
+    format!("\u{1b}[1;{colour}m{word}\u{1b}[0m{rest}")
+}
+
 /// A line for each warning.
 pub fn warnings(all: &[String]) -> String {
     all.iter().map(|w| format!("warning: {w}\n")).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::coloured;
+
+    #[test]
+    fn a_verdict_has_the_colour_of_its_word() {
+        assert_eq!(
+            coloured(Some(true), "PASS: smooth"),
+            "\u{1b}[1;32mPASS\u{1b}[0m: smooth"
+        );
+        assert_eq!(
+            coloured(Some(false), "FAIL; slips"),
+            "\u{1b}[1;31mFAIL\u{1b}[0m; slips"
+        );
+        assert_eq!(
+            coloured(None, "not judged: no raceway"),
+            "not judged: no raceway"
+        );
+    }
 }

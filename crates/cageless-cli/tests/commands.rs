@@ -15,6 +15,8 @@ const DESIGN: &[&str] = &[
     "critical_gap_deg",
     "balls_in_raceway_max",
     "verdict",
+    "passes",
+    "headline",
     "reasons",
 ];
 
@@ -322,12 +324,25 @@ fn design_of_a_conventional_ring_has_no_raceway_to_judge() {
     let d = answer.json();
     assert_keys(&d, DESIGN);
     assert_eq!(json_file(&dir.path().join("design.json")), d);
-    for key in ["beta0_deg", "critical_gap_deg", "balls_in_raceway_max"] {
+    for key in [
+        "beta0_deg",
+        "critical_gap_deg",
+        "balls_in_raceway_max",
+        "passes",
+        "margin",
+    ] {
         assert!(d[key].is_null(), "{key}: {}", d[key]);
     }
+    assert_eq!(d["verdict"], "not-judged");
     let text = call_on("design", &case, &[], &[]);
     assert_eq!((text.code, text.stderr.as_str()), (Some(0), ""));
-    assert!(text.stdout.contains("verdict"), "{}", text.stdout);
+    assert!(
+        text.stdout.contains("not judged: the outer ring has no"),
+        "{}",
+        text.stdout
+    );
+    let page = std::fs::read_to_string(dir.path().join("report.html")).unwrap();
+    assert!(page.contains("class=\"judged unjudged\"") && !page.contains("infeasible"));
 }
 
 /// A reader that stops reading (`cageless new | head -1`) is no failure.

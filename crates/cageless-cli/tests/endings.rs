@@ -286,3 +286,52 @@ fn no_statistics_are_no_numbers() {
     let warnings = summary["warnings"].to_string();
     assert!(warnings.contains("no statistics"), "{warnings}");
 }
+
+/// A case whose critical gap alone takes minutes: a small bearing with many balls at low speed,
+/// integrated with error control.
+const SLOW: [&str; 6] = [
+    "operation.inner_speed_rpm=30",
+    "operation.radial_load_n=0",
+    "contact.damping=0",
+    "model.profile=paper",
+    "solver.method=adaptive",
+    "bearing.ball_radius_deviation_um=[2,-3,4,1,5,4,-1,2,3,2,1,-3,4,-2]",
+];
+
+/// The first passage of a pair is left as soon as that is asked for, whatever looks for it.
+#[test]
+fn a_critical_gap_can_be_interrupted() {
+    for more in [&["design"][..], &["tolerance", "--samples", "2"]] {
+        let mut command = cageless();
+        command.arg(more[0]).arg(repository_case("zhao-d.toml"));
+        for set in SLOW {
+            command.args(["--set", set]);
+        }
+        let mut child = command
+            .args(&more[1..])
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .expect("starts");
+        sleep(Duration::from_millis(1500));
+        assert_eq!(child.try_wait().unwrap(), None, "ended at once");
+        signal(&child, "-TERM");
+        let begin = Instant::now();
+        while child.try_wait().unwrap().is_none() {
+            if begin.elapsed() > Duration::from_secs(20) {
+                child.kill().unwrap();
+                panic!("{more:?} goes on");
+            }
+            sleep(Duration::from_millis(20));
+        }
+        let answer: Answer = child.wait_with_output().unwrap().into();
+        assert_eq!(answer.code, Some(1), "{answer:?}");
+        assert_eq!(answer.stdout, "");
+        assert!(
+            answer
+                .stderr
+                .contains("interrupted before there was a result"),
+            "{answer:?}"
+        );
+    }
+}

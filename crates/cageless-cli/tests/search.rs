@@ -88,6 +88,14 @@ fn a_search_that_was_killed_goes_on_and_finds_the_same() {
     }
 
     let search = &answer.json()["search"];
+    let verdict = &search["recommended_verdicts"][0];
+    assert_eq!(
+        (&verdict["passes"], &verdict["verdict"]),
+        (&true.into(), &"smooth".into())
+    );
+    for (name, passes) in [("recommended", true), ("own", true)] {
+        assert_eq!(search[name]["passes"], passes, "{name}");
+    }
     assert!(search["recommended"]["points"][0]["motion"]["friction_w"].as_f64() > Some(0.0));
     assert!(!search["front"].as_array().unwrap().is_empty());
     for row in search["maps"][0]["verdict"].as_array().unwrap() {
@@ -101,7 +109,7 @@ fn a_search_that_was_killed_goes_on_and_finds_the_same() {
 }
 
 #[test]
-fn nothing_to_recommend_is_bad_input_with_a_reason() {
+fn nothing_to_recommend_is_an_outcome_with_a_reason() {
     let dir = tempfile::tempdir().unwrap();
     let out = dir.path().join("out");
     let case = repository_case("zhao-d.toml");
@@ -113,19 +121,20 @@ fn nothing_to_recommend_is_bad_input_with_a_reason() {
     ];
     let more = ["--search", "--out", out.to_str().unwrap()];
     let answer = call_on("design", &case, &sets, &more);
-    assert_eq!(answer.code, Some(2), "{answer:?}");
+    assert_eq!(answer.code, Some(3), "{answer:?}");
     assert_eq!(
         (answer.stdout.as_str(), answer.stderr.lines().count()),
         ("", 1)
     );
-    for said in ["no raceway meets", "hardly spreads"] {
+    let maps = format!("{} has the maps", out.join("report.html").display());
+    for said in ["no raceway meets", "hardly spreads", &maps] {
         assert!(answer.stderr.contains(said), "{}", answer.stderr);
     }
     // The map shows why, and the numbers are there for programs.
     assert!(out.join("report.html").exists() && !out.join("search.journal").exists());
     let numbers = std::fs::read_to_string(out.join("design.json")).unwrap();
     let asked = call_on("design", &case, &sets, &["--search", "--json"]);
-    assert_eq!((asked.code, asked.stdout == numbers), (Some(2), true));
+    assert_eq!((asked.code, asked.stdout == numbers), (Some(3), true));
     let numbers: serde_json::Value = serde_json::from_str(&numbers).unwrap();
     assert!(numbers["search"]["recommended"].is_null());
     for (set, said) in [

@@ -47,8 +47,23 @@ fn table_and_probability() {
     assert_eq!(rows[1]["high"], 0.125);
     let samples = &json["samples"];
     assert_eq!(samples["count"], 3);
-    let held = samples["held"].as_u64().unwrap() as f64;
-    assert_eq!(samples["probability"].as_f64().unwrap(), held / 3.0);
+    let passed = samples["passed"].as_u64().unwrap();
+    assert_eq!(
+        samples["pass_probability"].as_f64(),
+        Some(passed as f64 / 3.0)
+    );
+    assert_eq!(json["nominal_passes"], true);
+    let word = if passed == 3 {
+        "PASS: 3 of 3"
+    } else {
+        "FAIL: "
+    };
+    assert_eq!(json["passes"], passed == 3);
+    assert!(
+        json["headline"].as_str().unwrap().starts_with(word),
+        "{}",
+        json["headline"]
+    );
     assert_eq!(common::names(&out), ["report.html", "tolerance.json"]);
     // The same bearings, whatever the number of threads.
     let again = cageless()
@@ -68,6 +83,46 @@ fn table_and_probability() {
         .output()
         .unwrap();
     assert_eq!(Answer::from(again).stdout, answer.stdout);
+}
+
+/// A design that fails as drawn does not pass because it surely fails.
+#[test]
+fn the_probability_is_that_of_passing() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("tolerance");
+    let case = repository_case("full-6205.toml");
+    let sets = [
+        "raceway.axial_span_mm=2.769",
+        "raceway.half_angle_deg=15.779",
+    ];
+    let more = ["--samples", "4", "--out", out.to_str().unwrap()];
+    let answer = call_on("tolerance", &case, &sets, &[&FEW[..], &more].concat());
+    assert_eq!(answer.code, Some(0), "{answer:?}");
+    let headline = answer.stdout.lines().next().unwrap();
+    assert!(
+        headline.starts_with("FAIL: 0 of 4 bearings pass"),
+        "{headline}"
+    );
+    assert!(
+        headline.contains("as drawn FAIL: double-collision"),
+        "{headline}"
+    );
+    let json = json_file(&out.join("tolerance.json"));
+    assert_eq!(
+        (
+            &json["passes"],
+            &json["nominal_passes"],
+            &json["nominal_verdict"]
+        ),
+        (&false.into(), &false.into(), &"double-collision".into())
+    );
+    let samples = &json["samples"];
+    assert_eq!(samples["pass_probability"], 0.0);
+    let [low, high] = [0, 1].map(|k| samples["pass_probability_interval"][k].as_f64().unwrap());
+    assert!(low == 0.0 && high < 0.5, "{low} to {high}");
+    let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(page.contains("class=\"judged fail\""));
+    assert!(page.contains("probability of passing 0.0 %"));
 }
 
 #[test]

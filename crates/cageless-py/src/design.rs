@@ -34,7 +34,7 @@ fn analyse(
         judgement,
         recommendation,
         snapshots,
-    } = judged(file.case(), watcher)?;
+    } = judged(file, watcher)?;
     let stop = judgement.stopped.as_ref().map(stopped);
     let mut result = DesignResult::new(file.case(), judgement, recommendation);
     result.search = search;

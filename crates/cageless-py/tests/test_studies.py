@@ -104,6 +104,8 @@ def test_a_search_shows_what_it_found(found: cageless.SearchResult) -> None:
     confirmed = found.data_confirmation().set_index("role")
     assert confirmed.half_angle_deg["recommended"] == raceway.half_angle_deg
     assert confirmed.friction_w_error["own"] > 0.0
+    [verdict] = found.verdicts
+    assert found.passes is verdict["passes"] is (verdict["verdict"] == "smooth")
     assert found.data_placements().structures[0] == len(structures)
     [chart] = found.maps
     assert chart.critical_gap_deg.shape == (len(chart.half_angle_deg), len(chart.axial_span_mm))
@@ -128,17 +130,19 @@ def test_a_search_shows_what_it_found(found: cageless.SearchResult) -> None:
 def test_nothing_to_recommend_is_an_exception_with_the_maps(command: Command) -> None:
     asked: dict[str, Any] = {"axial_span_mm": 1.0, "half_angle_deg": [10.0, 14.0], "budget": 4}
     case = small()
-    with pytest.raises(cageless.InputError, match="hardly spreads the balls") as error:
+    with pytest.raises(cageless.UnphysicalError, match="hardly spreads the balls") as error:
         case.search(**asked)
     changes = QUICK | {f"search.{k}": v for k, v in asked.items()}
-    stderr = command("design", CASE, "--search", *sets(changes), code=2).stderr
+    stderr = command("design", CASE, "--search", *sets(changes), code=3).stderr
     assert stderr == f"error: {error.value}\n"
     search = error.value.search
     assert search is not None
     assert search.recommended == ()
-    with pytest.raises(cageless.InputError, match="no raceway meets"):
+    with pytest.raises(cageless.UnphysicalError, match="no raceway meets"):
         _ = search.case
     assert set(search.maps[0].verdict.flat) == {"shallow"}
+    assert not search.maps[0].passes.any()
+    assert search.passes is None
 
 
 def test_tolerances_are_those_of_the_command(command: Command, tmp_path: Path) -> None:
@@ -158,13 +162,16 @@ def test_tolerances_are_those_of_the_command(command: Command, tmp_path: Path) -
     assert result.verdict == "smooth"
     influences = result.data_influences().set_index("name")
     assert list(influences.index) == ["groove depth", "ball radii", "load"]
-    assert result.decides == list(influences.index[influences.held < influences.trials])
+    assert result.nominal_passes
+    assert result.decides == list(influences.index[influences.passed < influences.trials])
     gap = result.critical_gap_deg
     assert gap is not None
     assert influences.critical_gap_deg_min["load"] <= gap <= influences.critical_gap_deg_max["load"]
     verdicts = result.data_verdicts().set_index("verdict")["count"]
     assert verdicts.sum() == 3
-    assert result.probability == verdicts["smooth"] / 3
+    assert result.pass_probability == verdicts["smooth"] / 3
+    assert result.headline.startswith("PASS" if result.passes else "FAIL")
+    assert f"passes with probability {result.pass_probability:g}" in repr(result)
     assert len(result.critical_gaps_deg("smooth")) == verdicts["smooth"]
     assert len(result.plot_influences().data) > 0
     assert len(result.plot_samples().data) > 0

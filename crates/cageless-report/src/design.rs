@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use cageless::design::search::NEIGHBOURS_WIDER;
+
 use crate::data::{Motion, Parameter, Provenance, Structure};
 use crate::figures::search as figures;
 use crate::figures::{design, shape};
@@ -23,10 +25,18 @@ pub struct DesignData {
     pub lead: String,
     /// Warnings.
     pub warnings: Vec<String>,
+    /// Whether the case's own raceways pass; `None` without one.
+    pub passes: Option<bool>,
+    /// PASS or FAIL with the reason and the margin.
+    pub headline: String,
     /// Numbers of the case's own raceways.
     pub results: Vec<Parameter>,
     /// What the verdict rests on.
     pub reasons: Vec<String>,
+    /// Whether the raceway of the recommendation passes; `None` if there is none.
+    pub recommendation_passes: Option<bool>,
+    /// The raceway near the curve of Eq. (11) with its verdict; empty if there is none.
+    pub recommendation: String,
     /// θ over lC by Eq. (11), with the case's structure and the limits.
     pub curve: Option<DesignCurve>,
     /// Contact track of the case's first raceway.
@@ -58,6 +68,8 @@ pub struct SearchData {
     pub seed: u64,
     /// The recommended structure, from more starts.
     pub recommended: Option<StructureData>,
+    /// Verdict on the recommended structure, entered as the case's own, at each operating point.
+    pub recommended_verdicts: Vec<PointVerdict>,
     /// The case's own structure, likewise.
     pub own: Option<StructureData>,
     /// The recommended structure from the starts that all had, to be compared with them.
@@ -82,6 +94,17 @@ pub struct SearchData {
     pub paper: Vec<Structure>,
     /// Provenance of critical gaps and motion.
     pub provenance: Provenance,
+}
+
+/// Verdict of `design` on a structure at one operating point.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct PointVerdict {
+    /// `smooth`, `double-collision`, `slips` or `infeasible`.
+    pub verdict: String,
+    /// Whether the structure passes.
+    pub passes: Option<bool>,
+    /// PASS or FAIL with the verdict, the criterion that decides, and its margin.
+    pub headline: String,
 }
 
 /// Speed and load.
@@ -111,6 +134,8 @@ pub struct StructureData {
     pub centre_angles_deg: Vec<f64>,
     /// `accepted`, `rejected`, or `left out` by the budget.
     pub status: String,
+    /// Whether every requirement is met; null if it was left out.
+    pub passes: Option<bool>,
     /// Short name of the reason of a rejection: `slips`, `eq-9`.
     pub reason: Option<String>,
     /// The reason in words; empty if there is none.
@@ -225,6 +250,8 @@ pub struct MapData {
     pub steady_gap_deg: Vec<Vec<Option<f64>>>,
     /// `smooth`, or the short name of the reason of a rejection.
     pub verdict: Vec<Vec<String>>,
+    /// Whether every requirement is met.
+    pub passes: Vec<Vec<bool>>,
 }
 
 /// The page of `design`.
@@ -238,6 +265,10 @@ pub fn design_page(data: &DesignData) -> String {
     }
     if !data.results.is_empty() {
         page.section("The raceway of the case");
+        page.verdict(data.passes, &data.headline);
+        if data.search.is_some() && data.passes.is_some() {
+            page.note(Note::Remark, &two_critical_gaps());
+        }
         page.table(&parameter_table(
             "Verdict",
             "What the case's own outer ring comes to.",
@@ -247,6 +278,10 @@ pub fn design_page(data: &DesignData) -> String {
         data.reasons
             .iter()
             .for_each(|reason| page.note(Note::Remark, reason));
+    }
+    if !data.recommendation.is_empty() {
+        page.section("A raceway near the curve of Eq. (11)");
+        page.verdict(data.recommendation_passes, &data.recommendation);
     }
     if let Some(curve) = &data.curve {
         let mut figure = design::curve(curve);
@@ -289,6 +324,15 @@ pub fn design_page(data: &DesignData) -> String {
 
 fn search_sections(page: &mut Page, search: &SearchData) {
     page.section("Recommendation");
+    let several = search.points.len() > 1;
+    for (point, verdict) in search.points.iter().zip(&search.recommended_verdicts) {
+        let at = if several {
+            format!("At {}, from even spacing: ", point.label())
+        } else {
+            String::new()
+        };
+        page.verdict(verdict.passes, &format!("{at}{}", verdict.headline));
+    }
     search
         .findings
         .iter()
@@ -309,6 +353,17 @@ fn search_sections(page: &mut Page, search: &SearchData) {
         page.figure(&figures::trade_offs(search));
         page.table(&tables::front(search));
     }
+}
+
+/// Why a raceway may have two critical gaps on one page.
+pub fn two_critical_gaps() -> String {
+    format!(
+        "The critical gap in this section is measured with all other balls evenly spaced; the \
+         critical gaps of the search are measured with the neighbours of the pair {:.0} % further \
+         off, so that in a deep raceway they do not push the pair together. The two differ where \
+         neighbours interfere, and there may be none here.",
+        100.0 * (NEIGHBOURS_WIDER - 1.0)
+    )
 }
 
 const MAPS: &str = "Each cell is a raceway of span lC and half angle θ. Its critical gap is the \

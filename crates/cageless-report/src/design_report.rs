@@ -1,6 +1,7 @@
 //! From a design to the data of its report.
 
 use crate::run_report::{motion, parameter, parameters, provenance};
+use crate::text::pass_word;
 use crate::{
     ContactTrack, DesignCurve, DesignData, DesignLimit, DesignResult, LimitedQuantity, Parameter,
     Provenance, RacewaySurface, Structure,
@@ -25,6 +26,10 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
     let discarded = format!("t < {:.4} s", steady_after_s(case));
     let source = provenance(&steady, discarded);
     let own = own_structure(case);
+    let title = match result.passes {
+        Some(_) => format!("{}: {}", pass_word(result.passes), result.verdict),
+        None => String::new(),
+    };
     DesignData {
         title: if case.title.is_empty() {
             "Design".to_owned()
@@ -34,7 +39,13 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
         software: format!("Cageless {VERSION}, {}", InstructionSet::detect().name()),
         lead: lead(case, result),
         warnings: result.warnings.clone(),
+        passes: result.passes,
+        headline: result.headline.clone(),
         results: results(result),
+        recommendation_passes: result.recommendation.as_ref().and_then(|r| r.passes),
+        recommendation: (result.recommendation.as_ref()).map_or(String::new(), |r| {
+            format!("{}. Its verdict: {}", r.sentence(), r.headline)
+        }),
         reasons: result.reasons.clone(),
         curve: Some(curve(case, result, &own)),
         contact_track: case
@@ -45,8 +56,7 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
             .raceways
             .first()
             .map(|r| RacewaySurface::sample(r, &case.bearing, own.clone())),
-        motion: (!snapshots.is_empty())
-            .then(|| motion(case, result.verdict, snapshots, source.clone())),
+        motion: (!snapshots.is_empty()).then(|| motion(case, &title, snapshots, source.clone())),
         search: result.search.clone(),
         parameters: parameters(file),
         provenance: source,
@@ -81,7 +91,7 @@ fn lead(case: &Case, result: &DesignResult) -> String {
         case.bearing.balls(),
         case.operation.inner_speed_rad_s * 60.0 / std::f64::consts::TAU,
         case.operation.radial_load_n,
-        result.verdict
+        result.headline
     )
 }
 
@@ -94,6 +104,7 @@ fn results(r: &DesignResult) -> Vec<Parameter> {
         )
     };
     let mut lines = vec![
+        parameter("pass or fail", pass_word(r.passes).to_owned(), ""),
         parameter("verdict", r.verdict.to_owned(), ""),
         angle("ε, angle of a ball", Some(r.epsilon_deg)),
         angle("uniform gap 360°/N − ε", Some(r.uniform_gap_deg)),
@@ -129,13 +140,6 @@ fn results(r: &DesignResult) -> Vec<Parameter> {
                 one.critical_gap_deg,
             ));
         }
-    }
-    if let Some(n) = &r.recommendation {
-        lines.push(parameter(
-            "on the curve of Eq. (11), in the middle of what works",
-            format!("lC {:.3} mm, θ {:.3}°", n.axial_span_mm, n.half_angle_deg),
-            "",
-        ));
     }
     lines
 }

@@ -2,7 +2,7 @@
 
 use cageless::Case;
 use cageless::design::{
-    Eq11, Judgement, PassageStatistics, Recommendation, balls_in_raceway_max,
+    Criterion, Eq11, Judgement, PassageStatistics, Recommendation, balls_in_raceway_max,
     half_angle_for_gap_rad, span_angle_curve, steady_gap_rad, theoretical_gap_rad,
 };
 use cageless::equilibrium;
@@ -33,8 +33,17 @@ pub struct DesignResult {
     pub steady_gap_deg: f64,
     /// Most balls inside at once.
     pub balls_in_raceway_max: Option<usize>,
-    /// `smooth`, `double-collision`, `slips` or `infeasible`.
+    /// `smooth`, `double-collision`, `slips` or `infeasible`; `not-judged` without a discrete
+    /// raceway.
     pub verdict: &'static str,
+    /// Whether the raceways pass; null without one.
+    pub passes: Option<bool>,
+    /// PASS or FAIL with the verdict, the criterion that decides, and its margin.
+    pub headline: String,
+    /// The criterion that decides: `separation`, `deceleration` or `both-neighbours`.
+    pub criterion: Option<&'static str>,
+    /// Distance from the limit of that criterion, a share of 1, negative if it fails.
+    pub margin: Option<f64>,
     /// Why, in words.
     pub reasons: Vec<String>,
     /// What to mind.
@@ -45,7 +54,7 @@ pub struct DesignResult {
     pub kink_deg: Option<f64>,
     /// Each raceway.
     pub raceways: Vec<RacewayNumbers>,
-    /// The middle of what is usable of the curve of Eq. (11).
+    /// A raceway near the curve of Eq. (11) with its verdict.
     pub recommendation: Option<RecommendationNumbers>,
     /// The lC–θ curve, Fig. 5.
     pub curve: Curve,
@@ -69,6 +78,8 @@ pub struct RacewayNumbers {
     pub critical_gap_deg: Option<f64>,
     /// `smooth`, `double-collision`, `slips` or `infeasible`.
     pub verdict: &'static str,
+    /// Whether the raceway passes.
+    pub passes: Option<bool>,
     /// How the balls passed the raceway.
     pub passages: Option<PassageNumbers>,
 }
@@ -92,17 +103,73 @@ pub struct PassageNumbers {
     pub gap_leave_max_deg: f64,
 }
 
-/// The middle of the usable part of the curve of Eq. (11).
+/// A raceway near the curve of Eq. (11), in the place of the case's own: recommended if it passes
+/// its verdict, else only a starting point.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RecommendationNumbers {
     /// Least usable θ, degrees.
     pub half_angle_min_deg: f64,
     /// Largest usable θ, degrees.
     pub half_angle_max_deg: f64,
-    /// θ, degrees.
+    /// θ as judged, degrees.
     pub half_angle_deg: f64,
-    /// lC, mm.
+    /// lC as judged, mm.
     pub axial_span_mm: f64,
+    /// Whether the raceway passes its verdict at the load and speed of the case.
+    pub passes: Option<bool>,
+    /// `smooth`, `double-collision`, `slips` or `infeasible`.
+    pub verdict: &'static str,
+    /// PASS or FAIL with the verdict, the criterion that decides, and its margin.
+    pub headline: String,
+    /// Why, in words.
+    pub reasons: Vec<String>,
+    /// Gap below which neighbours touch in the raceway, degrees.
+    pub critical_gap_deg: Option<f64>,
+    /// Raceways that were judged.
+    pub judged: usize,
+    /// θ of the closed-form starting point: the middle of the usable range on the curve, degrees.
+    pub starting_half_angle_deg: f64,
+    /// lC of the closed-form starting point, mm.
+    pub starting_axial_span_mm: f64,
+}
+
+impl RecommendationNumbers {
+    /// Whether this is the starting point itself.
+    pub fn is_starting_point(&self) -> bool {
+        self.axial_span_mm == self.starting_axial_span_mm
+            && self.half_angle_deg == self.starting_half_angle_deg
+    }
+
+    /// What it is, its size and where it comes from, in a sentence.
+    pub fn sentence(&self) -> String {
+        let size = format!(
+            "lC {:.3} mm, θ {:.3}°",
+            self.axial_span_mm, self.half_angle_deg
+        );
+        let range = format!(
+            "the usable range of θ on the curve of Eq. (11), {:.2}° (sliding) to {:.2}° (three \
+             balls inside)",
+            self.half_angle_min_deg, self.half_angle_max_deg
+        );
+        let start = format!(
+            "lC {:.3} mm, θ {:.3}°",
+            self.starting_axial_span_mm, self.starting_half_angle_deg
+        );
+        match (self.passes, self.is_starting_point()) {
+            (Some(true), true) => format!("recommended: {size}, in the middle of {range}"),
+            (Some(true), false) => format!(
+                "recommended: {size}, near the starting point {start} in the middle of {range}, \
+                 which fails; {} raceways judged",
+                self.judged
+            ),
+            _ => format!(
+                "nothing recommended; starting point, which fails: {size}, in the middle of \
+                 {range}; {} raceways near it were judged and none passes; design --search looks \
+                 further",
+                self.judged
+            ),
+        }
+    }
 }
 
 /// The lC–θ curve, Fig. 5.
@@ -141,6 +208,10 @@ impl DesignResult {
             steady_gap_deg: steady_gap_rad(bearing, &case.raceways).to_degrees(),
             balls_in_raceway_max: raceway.map(|r| balls_in_raceway_max(bearing, r)),
             verdict: judgement.verdict.name(),
+            passes: judgement.passes(),
+            headline: judgement.headline(),
+            criterion: judgement.deciding.map(Criterion::name),
+            margin: judgement.deciding.map(Criterion::margin),
             reasons: judgement.reasons,
             passages: judgement.passages.map(passage_numbers),
             raceways: case
@@ -154,16 +225,12 @@ impl DesignResult {
                     beta0_deg: theoretical_gap_rad(bearing, raceway, Eq11::Published).to_degrees(),
                     critical_gap_deg: degrees(judged.critical_gap_rad),
                     verdict: judged.verdict.name(),
+                    passes: judged.verdict.passes(),
                     passages: judged.passages.map(passage_numbers),
                 })
                 .collect(),
             kink_deg: degrees(raceway.map(|r| r.kink_angle_rad(std::f64::consts::FRAC_PI_4))),
-            recommendation: recommendation.map(|r| RecommendationNumbers {
-                half_angle_min_deg: r.half_angle_min_rad.to_degrees(),
-                half_angle_max_deg: r.half_angle_max_rad.to_degrees(),
-                half_angle_deg: r.half_angle_rad.to_degrees(),
-                axial_span_mm: r.axial_span_m * 1e3,
-            }),
+            recommendation: recommendation.map(recommendation_numbers),
             curve: Curve {
                 axial_span_mm: curve.iter().map(|p| p.axial_span_m * 1e3).collect(),
                 half_angle_deg: curve.iter().map(|p| degrees(p.half_angle_rad)).collect(),
@@ -174,6 +241,27 @@ impl DesignResult {
             },
             search: None,
         }
+    }
+}
+
+fn recommendation_numbers(r: Recommendation) -> RecommendationNumbers {
+    // As judged and printed; the conversion to SI leaves rounding.
+    let millimetres = |length_m: f64| (length_m * 1e6).round() / 1e3;
+    let degrees = |angle_rad: f64| (angle_rad.to_degrees() * 1e3).round() / 1e3;
+    let start = &r.starting_point;
+    RecommendationNumbers {
+        half_angle_min_deg: start.half_angle_min_rad.to_degrees(),
+        half_angle_max_deg: start.half_angle_max_rad.to_degrees(),
+        half_angle_deg: degrees(r.dimensions.half_angle_rad),
+        axial_span_mm: millimetres(r.dimensions.axial_span_m),
+        passes: r.judgement.passes(),
+        verdict: r.judgement.verdict.name(),
+        headline: r.judgement.headline(),
+        critical_gap_deg: r.judgement.critical_gap_rad.map(f64::to_degrees),
+        reasons: r.judgement.reasons,
+        judged: r.judged,
+        starting_half_angle_deg: degrees(start.half_angle_rad),
+        starting_axial_span_mm: millimetres(start.axial_span_m),
     }
 }
 

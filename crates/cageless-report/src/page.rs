@@ -70,6 +70,24 @@ impl Page {
             .push_str(&format!("<p class=\"{class}\">{}</p>\n", rich(text)));
     }
 
+    /// Adds a verdict in a box: green if it passes, red if it fails, grey if nothing was judged.
+    pub fn verdict(&mut self, passes: Option<bool>, headline: &str) {
+        let class = match passes {
+            Some(true) => "pass",
+            Some(false) => "fail",
+            None => "unjudged",
+        };
+        let sign = match passes {
+            Some(true) => "✔ ",
+            Some(false) => "✘ ",
+            None => "",
+        };
+        self.body.push_str(&format!(
+            "<p class=\"judged {class}\" role=\"status\">{sign}{}</p>\n",
+            rich(headline)
+        ));
+    }
+
     /// Adds a figure.
     pub fn figure(&mut self, figure: &Figure) {
         let id = self.unique(&figure.slug());

@@ -20,6 +20,10 @@ pub struct RunData {
     pub lead: String,
     /// Warnings.
     pub warnings: Vec<String>,
+    /// Whether the passages of the run keep the limits; `None` if none was judged.
+    pub passes: Option<bool>,
+    /// PASS or FAIL with the reason and the margin; empty if there is nothing to say.
+    pub headline: String,
     /// Case as run, one line per key.
     pub parameters: Vec<Parameter>,
     /// Results of `summary.json`, one line per key.
@@ -139,6 +143,9 @@ pub struct EnergyItem {
 /// The page of one run.
 pub fn run_page(data: &RunData) -> String {
     let mut page = Page::new(&data.title, &data.lead, &data.software);
+    if !data.headline.is_empty() {
+        page.verdict(data.passes, &data.headline);
+    }
     for warning in &data.warnings {
         page.note(Note::Warning, warning);
     }

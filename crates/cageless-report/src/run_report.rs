@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 
 use cageless::collision::Collision;
+use cageless::design::RunVerdict;
 use cageless::passage::{Passage, PassageTally};
 use cageless::simulation::RunOutcome;
 use cageless::snapshot::Snapshot;
@@ -41,6 +42,8 @@ pub struct Histories {
     collisions: Vec<CollisionPoint>,
     collisions_seen: usize,
     passages: PassageTally,
+    /// Of each raceway.
+    raceways: Vec<PassageTally>,
 }
 
 impl Histories {
@@ -54,6 +57,7 @@ impl Histories {
             collisions: vec![],
             collisions_seen: 0,
             passages: PassageTally::new(),
+            raceways: vec![PassageTally::new(); case.raceways.len()],
         }
     }
 
@@ -90,6 +94,12 @@ impl Histories {
     /// Takes a passage after the transient.
     pub fn pass(&mut self, passage: &Passage) {
         self.passages.add(passage);
+        self.raceways[passage.raceway].add(passage);
+    }
+
+    /// Verdict on the passages that were taken.
+    pub fn verdict(&self, case: &Case) -> RunVerdict {
+        RunVerdict::of(case, &self.raceways)
     }
 }
 
@@ -216,6 +226,7 @@ pub fn run_data(
         "nothing".to_owned()
     };
     let provenance = provenance(case, discarded.clone());
+    let verdict = histories.verdict(case);
     let stretch = histories.rows.stretch();
     let of_row = |row: &Arc<[f64]>| Snapshot::from_row(row);
     let snapshots: Vec<Snapshot> = histories.rows.into_rows().iter().map(of_row).collect();
@@ -240,6 +251,8 @@ pub fn run_data(
         lead: lead(case, outcome, summary),
         warnings,
         parameters: parameters(file),
+        passes: verdict.verdict.passes(),
+        headline: verdict.headline,
         results: [results(summary), passage_results(&histories.passages)].concat(),
         outline: BearingOutline::of(bearing),
         sectors: case.raceways.iter().map(Sector::of).collect(),

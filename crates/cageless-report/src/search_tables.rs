@@ -1,5 +1,7 @@
 //! Tables of a search.
 
+use cageless::design::search::NEIGHBOURS_WIDER;
+
 use crate::design::{MotionNumbers, PointNumbers, SearchData, StructureData};
 use crate::table::{Cell, Row, Table};
 use crate::text::fixed;
@@ -133,13 +135,16 @@ pub fn comparison(search: &SearchData) -> Table {
     );
     Table {
         label: "Comparison".to_owned(),
-        caption: "From at least twelve uneven starts, ± standard error of the mean. Margin: \
+        caption: format!(
+            "From at least twelve uneven starts, ± standard error of the mean. Critical gaps are measured with the neighbours of the \
+                  pair {:.0} % further off than at even spacing. Margin: \
                   steady gap less critical gap. Short of β0: what slip takes from the critical \
                   gap. Drop of speed: share of the theoretical drop of orbital speed that the \
                   balls reach. Once sorted: in the second half of the run. \
                   Unevenness: standard deviation of the gaps on arrival over the steady gap. \
-                  Vibration: standard deviation of the force on the outer ring."
-            .to_owned(),
+                  Vibration: standard deviation of the force on the outer ring.",
+            100.0 * (NEIGHBOURS_WIDER - 1.0)
+        ),
         groups,
         columns: head,
         rows,

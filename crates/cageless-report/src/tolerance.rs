@@ -8,7 +8,7 @@ use crate::figure::Figure;
 use crate::page::{Note, Page};
 use crate::plot::{GREY, PALETTE, Plot, number, numbers};
 use crate::table::{Cell, Row, Table};
-use crate::text::short;
+use crate::text::{pass_word, short};
 
 /// One influence on its own.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -21,10 +21,10 @@ pub struct InfluenceRow {
     pub high: f64,
     /// Unit of the deviation; empty for a pure number.
     pub unit: String,
-    /// Bearings judged, and those with the verdict of the drawing.
+    /// Bearings judged.
     pub trials: usize,
-    /// As above.
-    pub held: usize,
+    /// Bearings that pass.
+    pub passed: usize,
     /// Verdicts that came out.
     pub verdicts: Vec<String>,
     /// Smallest and largest critical gap, degrees.
@@ -40,6 +40,8 @@ pub struct InfluenceRow {
 pub struct VerdictCount {
     /// Its name.
     pub verdict: String,
+    /// Whether a bearing with it passes.
+    pub passes: Option<bool>,
     /// How often.
     pub count: usize,
     /// Critical gaps of these bearings, degrees.
@@ -53,12 +55,12 @@ pub struct SampleData {
     pub count: usize,
     /// Seed that they come from.
     pub seed: u64,
-    /// Those with the verdict of the drawing.
-    pub held: usize,
-    /// Probability that the verdict holds.
-    pub probability: f64,
-    /// Its 95 % interval.
-    pub probability_interval: [f64; 2],
+    /// Bearings that pass.
+    pub passed: usize,
+    /// Probability of passing.
+    pub pass_probability: f64,
+    /// 95 % interval of the probability of passing.
+    pub pass_probability_interval: [f64; 2],
     /// By verdict.
     pub verdicts: Vec<VerdictCount>,
     /// 5 %, 50 % and 95 % quantile of the critical gap, degrees.
@@ -78,6 +80,12 @@ pub struct ToleranceData {
     pub provenance: Provenance,
     /// Grade of the balls, 0 for equal ones.
     pub ball_grade: u32,
+    /// Whether the tolerances pass: the bearing as drawn, and enough of those that deviate.
+    pub passes: bool,
+    /// PASS or FAIL with the probability of passing and the reason.
+    pub headline: String,
+    /// Whether the bearing as drawn passes.
+    pub nominal_passes: bool,
     /// Verdict as drawn.
     pub nominal_verdict: String,
     /// Critical gap as drawn, degrees.
@@ -96,22 +104,8 @@ pub struct ToleranceData {
 
 /// The self-contained page.
 pub fn tolerance_page(data: &ToleranceData) -> String {
-    let lead = match &data.samples {
-        Some(s) => format!(
-            "As drawn, the raceway is judged *{}*. With everything deviating at once that verdict \
-             holds with a probability of {:.1} % (95 % interval {:.1} to {:.1} %, {} bearings).",
-            data.nominal_verdict,
-            100.0 * s.probability,
-            100.0 * s.probability_interval[0],
-            100.0 * s.probability_interval[1],
-            s.count
-        ),
-        None => format!(
-            "As drawn, the raceway is judged *{}*.",
-            data.nominal_verdict
-        ),
-    };
-    let mut page = Page::new(&data.title, &lead.replace('*', ""), &data.software);
+    let mut page = Page::new(&data.title, "", &data.software);
+    page.verdict(Some(data.passes), &data.headline);
     page.section("One at a time");
     page.table(&influence_table(data));
     page.figure(&influence_figure(data));
@@ -147,7 +141,7 @@ fn influence_table(data: &ToleranceData) -> Table {
             number(data.nominal_critical_gap_deg, 4),
             number(data.nominal_twice_share.map(|s| 100.0 * s), 0),
             number(data.nominal_slip_m_s, 3),
-            Cell::text(""),
+            Cell::text(pass_word(Some(data.nominal_passes))),
             Cell::text(&data.nominal_verdict),
         ],
         marked: true,
@@ -161,7 +155,7 @@ fn influence_table(data: &ToleranceData) -> Table {
             range(row.critical_gap_deg, 4),
             range(row.twice_share.map(|s| s.map(|v| 100.0 * v)), 0),
             range(row.slip_mean_m_s, 3),
-            Cell::text(format!("{} of {}", row.held, row.trials)),
+            Cell::text(format!("{} of {}", row.passed, row.trials)),
             Cell::text(row.verdicts.join(", ")),
         ],
         ..Row::default()
@@ -187,7 +181,7 @@ fn influence_table(data: &ToleranceData) -> Table {
             ("Critical gap (°)", true),
             ("Hit by both neighbours (% of passages)", true),
             ("Slip per passage (m/s)", true),
-            ("Verdict holds", false),
+            ("Pass", false),
             ("Verdicts", false),
         ]
         .map(|(text, numeric)| (text.to_owned(), numeric))
@@ -246,6 +240,7 @@ fn verdict_table(data: &ToleranceData, samples: &SampleData) -> Table {
         .map(|v| Row {
             cells: vec![
                 Cell::text(&v.verdict),
+                Cell::text(pass_word(v.passes)),
                 Cell::number(v.count.to_string()),
                 Cell::number(format!(
                     "{:.1}",
@@ -265,6 +260,7 @@ fn verdict_table(data: &ToleranceData, samples: &SampleData) -> Table {
         ),
         columns: vec![
             ("Verdict".to_owned(), false),
+            ("Pass or fail".to_owned(), false),
             ("Bearings".to_owned(), true),
             ("Share (%)".to_owned(), true),
         ],

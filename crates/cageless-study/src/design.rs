@@ -1,12 +1,14 @@
 //! What is known of a case's own raceways.
 
-use cageless::Case;
 use cageless::design::{Judgement, Recommendation, judge_watched, recommend, steady_case};
+use cageless::raceway::RacewayDimensions;
 use cageless::recorder::Recorder;
 use cageless::snapshot::Snapshot;
 use cageless::spacing::CriticalGapError;
+use cageless_io::case_file::{CaseFile, RacewayDocument};
 use cageless_report::design_report::PORTRAIT_ORBITS;
 
+use crate::entered::{entered, raceway_document};
 use crate::error::StudyError;
 use crate::watcher::Watcher;
 
@@ -15,7 +17,7 @@ use crate::watcher::Watcher;
 pub struct Judged {
     /// The verdict.
     pub judgement: Judgement,
-    /// A raceway in the middle of what is usable.
+    /// A raceway that passes its verdict, or the starting point with the verdict that it fails.
     pub recommendation: Option<Recommendation>,
     /// The end of the run that was judged.
     pub snapshots: Vec<Snapshot>,
@@ -24,16 +26,20 @@ pub struct Judged {
 /// Moments of the motion that are kept.
 const SNAPSHOTS: f64 = 400.0;
 
-/// Judges the raceways of a case.
+/// A recommendation takes as long as the verdict on the case's own raceway if the starting point
+/// passes, and up to five times as long as a rule if it does not.
+const RECOMMENDATION_WORK: f64 = 1.5;
+
+/// Judges the raceways of a case, and finds one near the curve of Eq. (11) that passes.
 ///
 /// # Errors
 /// The case is impossible, a run did not converge, or the watcher ended the work.
-pub fn judged(case: &Case, watcher: &dyn Watcher) -> Result<Judged, StudyError> {
+pub fn judged(file: &CaseFile, watcher: &dyn Watcher) -> Result<Judged, StudyError> {
+    let case = file.case();
     let steady = steady_case(case);
     let end_s = steady.solver.duration_s;
     let from_s = end_s * (1.0 - PORTRAIT_ORBITS / 32.0);
-    // The run of all balls is most of the work; the recommendation takes about as long.
-    let progress = watcher.begin("design", 2.0);
+    let progress = watcher.begin("design", 1.0 + RECOMMENDATION_WORK);
     let mut snapshots = vec![];
     let judgement = {
         let interval_s = (end_s - from_s) / SNAPSHOTS;
@@ -46,14 +52,25 @@ pub fn judged(case: &Case, watcher: &dyn Watcher) -> Result<Judged, StudyError> 
         judge_watched(
             case,
             &mut [&mut recorder],
-            &mut progress.run_control(end_s, 1.0),
+            &mut progress.run_control(1.0, 1.0),
         )
     };
     if progress.interrupted() {
         return Err(StudyError::Interrupted);
     }
-    let recommendation = match recommend(case) {
+    let entered = |dimensions: RacewayDimensions| {
+        let first = file.document().raceway.first();
+        let depth_error_um = first.map_or(0.0, |raceway| raceway.depth_error_um);
+        let raceway = RacewayDocument {
+            depth_error_um,
+            ..raceway_document(&dimensions)
+        };
+        entered(file, vec![raceway], None)
+    };
+    let mut control = progress.run_control(1.0, RECOMMENDATION_WORK);
+    let recommendation = match recommend(case, &entered, &mut *control) {
         Ok(found) => found,
+        Err(CriticalGapError::Interrupted) => return Err(StudyError::Interrupted),
         Err(CriticalGapError::Case(error)) => return Err(CriticalGapError::Case(error).into()),
         // No run of a pair can be judged here; the verdict says why.
         Err(_) => None,

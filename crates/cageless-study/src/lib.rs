@@ -2,9 +2,11 @@
 //! pool that they are called from. Results have the same bits on any number of threads.
 //!
 //! [`verification`] says how far the numbers of a run can be trusted, [`design`] judges a
-//! raceway, [`search`] finds the best one, [`tolerance`] says whether a verdict holds as made. A [`Watcher`] hears of the progress and can end the work.
+//! raceway, [`search`] finds the best one, [`tolerance`] gives the probability that it passes
+//! as made. A [`Watcher`] follows the progress and can end the work.
 
 pub mod design;
+mod entered;
 mod error;
 pub mod paper;
 pub mod search;

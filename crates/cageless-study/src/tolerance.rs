@@ -1,6 +1,6 @@
 //! What machining errors, scatter and operation do to the verdict on a raceway.
 
-use cageless::design::{Verdict, judge, steady_case};
+use cageless::design::judge;
 use cageless::dynamics::InstructionSet;
 use cageless::spacing::CriticalGapError;
 use cageless::tolerance::{
@@ -46,8 +46,8 @@ pub struct Request {
 /// What a case made to these tolerances is worth. `name` is what messages call the case.
 ///
 /// # Errors
-/// A tolerance is impossible, there is no raceway or its verdict is `infeasible` as drawn, a
-/// run did not converge, or the watcher ended the work.
+/// A tolerance is impossible, there is no raceway, a run did not converge, or the watcher ended
+/// the work.
 pub fn tolerance(
     case: &Case,
     name: &str,
@@ -57,12 +57,6 @@ pub fn tolerance(
     let tolerances = request.check(case, name)?;
     let trials = trials(case, &tolerances, request.samples, case.seed);
     let outcomes = judge_all(case, &trials, watcher)?;
-    if outcomes[0].verdict == Verdict::Infeasible {
-        return Err(StudyError::Input(format!(
-            "{name}: the raceway as drawn is infeasible, and so are its tolerances: {}",
-            outcomes[0].reason.as_deref().unwrap_or_default()
-        )));
-    }
     let assessment = assess(&trials, &outcomes);
     Ok(data(case, request, &tolerances, &assessment))
 }
@@ -75,7 +69,7 @@ impl Request {
     pub fn check(&self, case: &Case, name: &str) -> Result<Tolerances, StudyError> {
         if case.raceways.is_empty() {
             return Err(StudyError::Input(format!(
-                "{name}: there is no [raceway] whose verdict could hold"
+                "{name}: there is no [raceway] to be judged"
             )));
         }
         if self.samples > SAMPLES_MAX {
@@ -154,16 +148,11 @@ fn judge_all(
                 progress.add(1.0);
                 Ok(Outcome::impossible(error.to_string()))
             }
-            Ok(varied) => {
-                let duration_s = steady_case(&varied).solver.duration_s;
-                match judge(&varied, &mut progress.run_control(duration_s, 1.0)) {
-                    Ok(judgement) => Ok(Outcome::judged(&judgement)),
-                    Err(CriticalGapError::Case(error)) => {
-                        Ok(Outcome::impossible(error.to_string()))
-                    }
-                    Err(error) => Err(error.into()),
-                }
-            }
+            Ok(varied) => match judge(&varied, &mut progress.run_control(1.0, 1.0)) {
+                Ok(judgement) => Ok(Outcome::judged(&judgement)),
+                Err(CriticalGapError::Case(error)) => Ok(Outcome::impossible(error.to_string())),
+                Err(error) => Err(error.into()),
+            },
         })
         .collect();
     if progress.interrupted() {
@@ -197,6 +186,9 @@ fn data(case: &Case, request: &Request, tolerances: &Tolerances, a: &Assessment)
             ..provenance(case, String::new())
         },
         ball_grade: request.ball_grade,
+        passes: a.passes(),
+        headline: a.headline(),
+        nominal_passes: a.nominal.passes(),
         nominal_verdict: a.nominal.verdict.name().to_owned(),
         nominal_critical_gap_deg: a.nominal.critical_gap_rad.map(f64::to_degrees),
         nominal_twice_share: a.nominal.twice_share,
@@ -214,7 +206,7 @@ fn data(case: &Case, request: &Request, tolerances: &Tolerances, a: &Assessment)
                     high: range[1],
                     unit: unit.to_owned(),
                     trials: row.trials,
-                    held: row.held,
+                    passed: row.passed,
                     verdicts: row.verdicts.iter().map(|v| v.name().to_owned()).collect(),
                     critical_gap_deg: degrees(row.critical_gap_rad),
                     twice_share: row.twice_share,
@@ -225,14 +217,15 @@ fn data(case: &Case, request: &Request, tolerances: &Tolerances, a: &Assessment)
         samples: a.samples.as_ref().map(|s| SampleData {
             count: s.count,
             seed: case.seed,
-            held: s.held,
-            probability: s.probability,
-            probability_interval: s.probability_interval,
+            passed: s.passed,
+            pass_probability: s.pass_probability,
+            pass_probability_interval: s.pass_probability_interval,
             verdicts: s
                 .verdicts
                 .iter()
                 .map(|(verdict, count)| VerdictCount {
                     verdict: verdict.name().to_owned(),
+                    passes: verdict.passes(),
                     count: *count,
                     critical_gap_deg: s
                         .outcomes

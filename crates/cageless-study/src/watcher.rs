@@ -19,7 +19,17 @@ pub trait Work: Sync {
     /// Whether the work is to end.
     fn interrupted(&self) -> bool;
 
-    /// A control for one run of `duration_s` that counts as `units`.
+    /// [`Control::Interrupt`] once the work is to end.
+    fn control(&self) -> Control {
+        if self.interrupted() {
+            Control::Interrupt
+        } else {
+            Control::Continue
+        }
+    }
+
+    /// A control for one run of `duration_s`, or with 1 for work that reports the share that is
+    /// done, that counts as `units`.
     fn run_control<'s>(
         &'s self,
         duration_s: f64,

@@ -272,3 +272,35 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
         Ok(Control::Continue)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Passage, PassageTally};
+
+    /// Two contacts with the same neighbour are no hits from both sides.
+    #[test]
+    fn hits_from_both_sides_need_both_neighbours() {
+        let share = |hits: [[u32; 2]; 2]| {
+            let mut tally = PassageTally::new();
+            for [collisions_ahead, collisions_behind] in hits {
+                tally.add(&Passage {
+                    ball: 0,
+                    raceway: 0,
+                    enter_s: 0.0,
+                    leave_s: 1.0,
+                    gap_enter_rad: 0.1,
+                    gap_behind_rad: 0.1,
+                    gap_min_rad: 0.0,
+                    gap_leave_rad: 0.1,
+                    collisions_ahead,
+                    collisions_behind,
+                    slip_max_m_s: 0.0,
+                    orbit_speed_range_rad_s: [1.0, 2.0],
+                });
+            }
+            tally.twice_share()
+        };
+        assert_eq!(share([[2, 0], [0, 3]]), 0.0);
+        assert_eq!(share([[1, 1], [2, 0]]), 0.5);
+    }
+}

@@ -166,7 +166,7 @@ pub enum CriticalGapError {
     #[error("the gap of a pair never closes on this raceway")]
     NeverCloses,
     /// The gap closes from anywhere.
-    #[error("the gap of a pair closes from any gap that is tried")]
+    #[error("balls touch in the raceway whatever their spacing on entry")]
     AlwaysCloses,
 }
 
@@ -229,12 +229,14 @@ impl Observer for PairWatch {
     }
 }
 
-/// One passage of the pair with gap `start_gap` at the start.
+/// One passage of the pair with gap `start_gap` at the start; `control` is called with the share
+/// of the passage that is done.
 fn pass(
     case: &Case,
     test: &PairTest,
     ring_y: f64,
     start_gap: f64,
+    control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<PairResult, CriticalGapError> {
     let raceway = &case.raceways[0];
     let bearing = &case.bearing;
@@ -271,7 +273,8 @@ fn pass(
         case.solver.step_s = case.solver.step_s.min(test.coulomb_step_max_s);
     }
     // A sliding ball may need more than the time of pure rolling; thrice is enough.
-    case.solver.duration_s = 3.0 * (half_angle - trailing) / case.rolling_orbit_speed_rad_s();
+    let rolling_s = (half_angle - trailing) / case.rolling_orbit_speed_rad_s();
+    case.solver.duration_s = 3.0 * rolling_s;
     let mut watch = PairWatch {
         centre,
         half_angle,
@@ -284,9 +287,14 @@ fn pass(
         smallest: f64::INFINITY,
         passed: false,
     };
-    let outcome = run(&case, &mut [&mut watch], &mut |_| Control::Continue)?;
-    if let Ending::Stopped(stop) = outcome.ending {
-        return Err(CriticalGapError::Stopped(stop));
+    let outcome = run(&case, &mut [&mut watch], &mut |time_s| {
+        control((time_s / rolling_s).min(1.0))
+    })?;
+    match outcome.ending {
+        Ending::Stopped(stop) => return Err(CriticalGapError::Stopped(stop)),
+        // The watch ends the run as well, once the pair has passed.
+        Ending::Interrupted if !watch.passed => return Err(CriticalGapError::Interrupted),
+        _ => {}
     }
     match watch.entrance {
         Some(entrance) if watch.passed => Ok(PairResult {
@@ -297,11 +305,20 @@ fn pass(
     }
 }
 
+/// Passages that a critical gap takes as a rule.
+const PASSAGES: f64 = 4.0;
+
 /// Critical gap of the case's first raceway, rad, to about [`PairTest::tolerance_rad`].
+/// `control` is called every thousand steps or so with the estimated share of the work that is
+/// done, 0 to 1, which never falls.
 ///
 /// # Errors
 /// [`CriticalGapError`].
-pub fn critical_gap_rad(case: &Case, test: &PairTest) -> Result<f64, CriticalGapError> {
+pub fn critical_gap_rad(
+    case: &Case,
+    test: &PairTest,
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Result<f64, CriticalGapError> {
     if case.raceways.is_empty() {
         return Err(CriticalGapError::NeverCloses);
     }
@@ -315,9 +332,12 @@ pub fn critical_gap_rad(case: &Case, test: &PairTest) -> Result<f64, CriticalGap
     let room = 0.9 * (TAU - n * bearing.ball_angle_rad());
     let most = test.gap_max_rad.map_or(room, |gap| gap.min(room));
     let mut entrance = f64::NAN;
+    let mut passages = 0.0;
     let found = root::try_rise(
         |gap| {
-            let passed = pass(case, test, ring_y, gap)?;
+            let mut share = |part: f64| control(((passages + part) / PASSAGES).min(1.0));
+            let passed = pass(case, test, ring_y, gap, &mut share)?;
+            passages += 1.0;
             entrance = passed.entrance;
             Ok::<_, CriticalGapError>(passed.smallest)
         },

@@ -94,6 +94,7 @@ fn outcomes_are_counted() {
         collisions_mean: None,
         slip_mean_m_s: None,
         reason: None,
+        headline: String::new(),
     };
     let mut outcomes = vec![outcome(Verdict::Smooth, 0.03); all.len()];
     // The low end of the friction, and three of the samples.
@@ -111,11 +112,16 @@ fn outcomes_are_counted() {
         } else {
             0
         };
-        assert_eq!(row.trials - row.held, expected, "{}", row.influence.name());
+        assert_eq!(
+            row.trials - row.passed,
+            expected,
+            "{}",
+            row.influence.name()
+        );
     }
     let samples = assessment.samples.unwrap();
-    assert_eq!((samples.count, samples.held), (10, 7));
+    assert_eq!((samples.count, samples.passed), (10, 7));
     assert_eq!(samples.critical_gap_quantiles_rad, Some([0.01, 0.03, 0.03]));
-    let [low, high] = samples.probability_interval;
+    let [low, high] = samples.pass_probability_interval;
     assert!(low < 0.7 && 0.7 < high);
 }

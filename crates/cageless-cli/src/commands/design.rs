@@ -6,13 +6,13 @@ use cageless::Case;
 use cageless_io::results::write_atomically;
 use cageless_report::design_report::design_data;
 use cageless_report::{DesignResult, design_page, to_json};
-use cageless_study::design::{Judged, judged};
+use cageless_study::design::{Judged, judged as study};
 use cageless_study::{StudyError, search};
 
 use super::{deliver, make_folder, read_case, writable};
 use crate::args::DesignArgs;
 use crate::failure::Failure;
-use crate::format::{pairs, warnings};
+use crate::format::{judged, pairs, warnings};
 use crate::progress::{Bars, catch_interrupt};
 
 /// Files in the folder of `--out`.
@@ -37,7 +37,7 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
         judgement,
         recommendation,
         snapshots,
-    } = judged(file.case(), &Bars(&stop))?;
+    } = study(&file, &Bars(&stop))?;
     let stopped = judgement.stopped.clone();
     let mut result = DesignResult::new(file.case(), judgement, recommendation);
     let mut none_found = None;
@@ -62,7 +62,10 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
         search::forget(dir);
     }
     if let Some(message) = none_found {
-        return Err(Failure::Input(message));
+        let written = args.out.as_ref().map_or(String::new(), |dir| {
+            format!("; {} has the maps", dir.join(PAGE).display())
+        });
+        return Err(Failure::Unphysical(message + &written));
     }
     match stopped {
         // A search does not need the case's own raceway.
@@ -131,7 +134,7 @@ fn text(case: &Case, r: &DesignResult) -> String {
                 .map_or("-".to_owned(), |n| n.to_string()),
         ),
         ("kink at the ends, 45° up", degrees(r.kink_deg)),
-        ("verdict", r.verdict.to_owned()),
+        ("verdict", judged(r.passes, &r.headline)),
     ]);
     let mut text = pairs(&lines);
     for reason in &r.reasons {
@@ -139,19 +142,19 @@ fn text(case: &Case, r: &DesignResult) -> String {
     }
     // The search knows better.
     let by = if r.search.is_some() {
-        "by Eq. (11) alone"
+        "near the curve of Eq. (11), "
     } else {
-        "recommended"
+        ""
     };
     text += &match &r.recommendation {
         Some(n) => format!(
-            "{by}: lC {:.3} mm, θ {:.3}° (on the curve of Eq. (11), in the middle of the \
-             range of θ from {:.2}° (slip) to {:.2}° (three balls inside))\n",
-            n.axial_span_mm, n.half_angle_deg, n.half_angle_min_deg, n.half_angle_max_deg
+            "{by}{}\n  - its verdict: {}\n",
+            n.sentence(),
+            judged(n.passes, &n.headline)
         ),
         None => format!(
-            "{by}: none; on the curve of Eq. (11) balls slip too much wherever three do not fit \
-             inside at once\n"
+            "{by}nothing recommended: on the curve of Eq. (11) balls slip too much wherever three \
+             do not fit inside at once; design --search looks further\n"
         ),
     };
     text += &warnings(&r.warnings);

@@ -6,6 +6,7 @@ use std::time::Instant;
 
 use cageless::Case;
 use cageless::collision::CollisionDetector;
+use cageless::design::RunVerdict;
 use cageless::dynamics::InstructionSet;
 use cageless::passage::PassageRecorder;
 use cageless::recorder::Recorder;
@@ -23,7 +24,7 @@ use cageless_study::verification::Verification;
 use super::{make_folder, print, read_case, writable};
 use crate::args::RunArgs;
 use crate::failure::Failure;
-use crate::format::{columns, pairs, shown, warnings};
+use crate::format::{columns, judged, pairs, shown, warnings};
 use crate::progress::{Bars, Progress, catch_interrupt};
 
 /// Files beside the tables.
@@ -123,6 +124,7 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     if let Some(verification) = verification {
         verification.finish(case, &outcome, &mut summary_file, &Bars(&stop));
     }
+    let verdict = histories.borrow().verdict(case);
     if let Some(dir) = &args.out {
         summary_file.write(dir)?;
         let data = run_data(
@@ -141,7 +143,9 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     print(&if args.json {
         summary_file.to_json()?
     } else {
-        text(case, &outcome, &summary_file)
+        // Passages are followed only for the page.
+        let verdict = args.out.is_some().then_some(&verdict);
+        text(case, &outcome, &summary_file, verdict)
     })?;
     let kept = match &args.out {
         Some(dir) => format!(" What was computed until then is in {}.", dir.display()),
@@ -161,7 +165,12 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     }
 }
 
-fn text(case: &Case, outcome: &RunOutcome, s: &SummaryFile) -> String {
+fn text(
+    case: &Case,
+    outcome: &RunOutcome,
+    s: &SummaryFile,
+    verdict: Option<&RunVerdict>,
+) -> String {
     let mut lines = vec![
         (
             "simulated",
@@ -200,6 +209,12 @@ fn text(case: &Case, outcome: &RunOutcome, s: &SummaryFile) -> String {
     ];
     if !case.title.is_empty() {
         lines.insert(0, ("case", case.title.clone()));
+    }
+    if let Some(verdict) = verdict {
+        lines.push((
+            "verdict",
+            judged(verdict.verdict.passes(), &verdict.headline),
+        ));
     }
     let mut text = pairs(&lines);
     if let Some(certificate) = &s.certificate {

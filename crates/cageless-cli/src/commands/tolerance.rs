@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use cageless_io::results::write_atomically;
+use cageless_report::text::pass_word;
 use cageless_report::to_json;
 use cageless_report::tolerance::{ToleranceData, tolerance_page};
 use cageless_study::tolerance::{Request, tolerance as study};
@@ -10,7 +11,7 @@ use cageless_study::tolerance::{Request, tolerance as study};
 use super::{make_folder, print, read_case, writable};
 use crate::args::ToleranceArgs;
 use crate::failure::Failure;
-use crate::format::columns;
+use crate::format::{columns, judged};
 use crate::progress::{Bars, catch_interrupt};
 
 const PAGE: &str = "report.html";
@@ -72,7 +73,7 @@ fn text(data: &ToleranceData) -> String {
             "",
             "critical gap, °",
             "slip, m/s",
-            "verdict holds",
+            "pass",
             "verdicts",
         ]
         .map(str::to_owned)
@@ -87,12 +88,13 @@ fn text(data: &ToleranceData) -> String {
             row.unit.clone(),
             range(row.critical_gap_deg, 4),
             range(row.slip_mean_m_s, 3),
-            format!("{} of {}", row.held, row.trials),
+            format!("{} of {}", row.passed, row.trials),
             row.verdicts.join(", "),
         ]);
     }
     let mut text = format!(
-        "as drawn: {}, critical gap {}\n\n{}",
+        "{}\nas drawn: {}, critical gap {}\n\n{}",
+        judged(Some(data.passes), &data.headline),
         data.nominal_verdict,
         data.nominal_critical_gap_deg
             .map_or("-".to_owned(), |gap| format!("{gap:.4}°")),
@@ -100,15 +102,20 @@ fn text(data: &ToleranceData) -> String {
     );
     if let Some(s) = &data.samples {
         text += &format!(
-            "\n{} bearings in which everything deviates: the verdict holds with probability \
-             {:.1} % (95 %: {:.1} to {:.1} %)\n",
+            "\n{} bearings in which everything deviates: probability of passing {:.1} % (95 %: \
+             {:.1} to {:.1} %)\n",
             s.count,
-            100.0 * s.probability,
-            100.0 * s.probability_interval[0],
-            100.0 * s.probability_interval[1]
+            100.0 * s.pass_probability,
+            100.0 * s.pass_probability_interval[0],
+            100.0 * s.pass_probability_interval[1]
         );
         for verdict in &s.verdicts {
-            text += &format!("  {}: {}\n", verdict.verdict, verdict.count);
+            text += &format!(
+                "  {} ({}): {}\n",
+                verdict.verdict,
+                pass_word(verdict.passes),
+                verdict.count
+            );
         }
         if let Some([low, middle, high]) = s.critical_gap_quantiles_deg {
             text +=

@@ -1,6 +1,6 @@
 //! The claims of the paper one by one, with what we find, and its errata.
 
-use cageless::design::{Judgement, Recommendation, Verdict as Judged, recommend};
+use cageless::design::{Judgement, StartingPoint, Verdict as Judged, starting_point};
 use cageless::equilibrium::solve;
 use cageless::spacing::{CriticalGapError, PairTest, critical_gap_rad};
 use cageless::{Case, FrictionLaw, Profile};
@@ -22,8 +22,8 @@ pub const WORK: f64 = 2.0;
 
 /// Computations that only claims need.
 pub struct Extra {
-    /// Recommended range under each reading.
-    recommendations: Vec<Option<Recommendation>>,
+    /// Usable part of the curve of Eq. (11) under each reading.
+    starting_points: Vec<Option<StartingPoint>>,
     /// Critical gap of (d) and (h), `physical`, smooth, at 3000 and 12 000 rpm, degrees.
     at_speeds_deg: [[f64; 2]; 2],
     /// Outer force on the topmost ball at rest in the turning frame, per profile, N.
@@ -32,8 +32,9 @@ pub struct Extra {
 
 /// Computes what the claims need beyond the figures.
 pub fn compute(progress: &Progress) -> Result<Extra, Failure> {
-    let recommendation = |reading: (Profile, FrictionLaw)| {
-        let found = match recommend(&cases::structure(3, reading, &[])?) {
+    let usable = |reading: (Profile, FrictionLaw)| {
+        let case = cases::structure(3, reading, &[])?;
+        let found = match starting_point(&case, &mut |_| progress.control()) {
             Ok(found) => found,
             Err(CriticalGapError::Case(error)) => return Err(error.into()),
             Err(_) => None,
@@ -46,18 +47,14 @@ pub fn compute(progress: &Progress) -> Result<Extra, Failure> {
         for (gap, rpm) in gaps_deg.iter_mut().zip(["3000.0", "12000.0"]) {
             let overrides = [format!("operation.inner_speed_rpm={rpm}")];
             let case = cases::structure(structure, READINGS[1], &overrides)?;
-            *gap = critical_gap_rad(&case, &PairTest::default())?.to_degrees();
+            let found = critical_gap_rad(&case, &PairTest::default(), &mut |_| progress.control());
+            *gap = found?.to_degrees();
         }
         progress.add(WORK / 6.0);
         Ok::<_, Failure>(gaps_deg)
     };
     let ((published, consistent), (d, h)) = rayon::join(
-        || {
-            rayon::join(
-                || recommendation(READINGS[0]),
-                || recommendation(READINGS[1]),
-            )
-        },
+        || rayon::join(|| usable(READINGS[0]), || usable(READINGS[1])),
         || rayon::join(|| at_speeds(3), || at_speeds(7)),
     );
     let mut top_force_n = [0.0; 2];
@@ -70,7 +67,7 @@ pub fn compute(progress: &Progress) -> Result<Extra, Failure> {
         *force = solve(&case)?.outer_force_n[7];
     }
     Ok(Extra {
-        recommendations: vec![published?, consistent?],
+        starting_points: vec![published?, consistent?],
         at_speeds_deg: [d?, h?],
         top_force_n,
     })
@@ -434,7 +431,7 @@ fn recommendation(list: &mut List, e: &Evidence<'_>) {
          in from 2(ε + β0) on, not from 2ε.",
         format!("sample 2θ = 50.4°, 2ε = {:.1}°, 2(ε + β0) = {:.2}°", 2.0 * epsilon, 2.0 * (epsilon + gap)),
     );
-    let range = |r: &Option<Recommendation>| {
+    let range = |r: &Option<StartingPoint>| {
         r.map_or("none".to_owned(), |r| {
             format!(
                 "2θ in [{:.1}°, {:.1}°], middle lC {:.3} mm, θ {:.2}°",
@@ -445,7 +442,7 @@ fn recommendation(list: &mut List, e: &Evidence<'_>) {
             )
         })
     };
-    if let [paper, physical] = &e.extra.recommendations[..] {
+    if let [paper, physical] = &e.extra.starting_points[..] {
         list.add(
             Verdict::Partly,
             "Section 4.3",

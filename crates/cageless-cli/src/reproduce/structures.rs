@@ -80,7 +80,7 @@ fn one(
         judge_watched(
             &case,
             &mut [&mut recorder],
-            &mut progress.run_control(end_s, share),
+            &mut progress.run_control(1.0, share),
         )?
     };
     let structure = label(k, &case);

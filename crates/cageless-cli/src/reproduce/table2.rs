@@ -136,10 +136,15 @@ fn changes() -> Vec<Change> {
     ]
 }
 
-fn gap_deg(case: &Case, test: &PairTest) -> Result<Option<f64>, Failure> {
-    match critical_gap_rad(case, test) {
+/// Critical gap in degrees; `None` where there is none, or the user ended the work.
+fn gap_deg(case: &Case, test: &PairTest, progress: &Progress) -> Result<Option<f64>, Failure> {
+    match critical_gap_rad(case, test, &mut |_| progress.control()) {
         Ok(gap) => Ok(Some(gap.to_degrees())),
-        Err(CriticalGapError::NeverCloses | CriticalGapError::AlwaysCloses) => Ok(None),
+        Err(
+            CriticalGapError::NeverCloses
+            | CriticalGapError::AlwaysCloses
+            | CriticalGapError::Interrupted,
+        ) => Ok(None),
         Err(error) => Err(error.into()),
     }
 }
@@ -186,7 +191,7 @@ pub fn compute(progress: &Progress) -> Result<Computed, Failure> {
             let mut overrides = vec![step_override(change.step_us)];
             overrides.extend(change.overrides.iter().map(|&o| o.to_owned()));
             let case = cases::structure(row, VARIANTS[column], &overrides)?;
-            let gap = gap_deg(&case, &change.test);
+            let gap = gap_deg(&case, &change.test, progress);
             progress.add(share);
             gap
         })

@@ -174,7 +174,7 @@ class Computations(ABC):
 
         Raises
         ------
-        InputError
+        UnphysicalError
             If no raceway meets every requirement; its ``search`` has the maps that show why.
 
         Examples
@@ -203,7 +203,7 @@ class Computations(ABC):
         found = SearchResult(case._file.search(folder, threads, progress), case)
         refusal = found._search.refusal()
         if refusal is not None:
-            error = InputError(refusal)
+            error = UnphysicalError(refusal)
             error.search = found
             raise error
         return found
@@ -223,8 +223,8 @@ class Computations(ABC):
         threads: int | None = None,
         progress: Callable[[str, float], object] | None = None,
     ) -> ToleranceResult:
-        """Says whether the verdict on the raceway holds as made and run, as
-        ``cageless tolerance`` does: within tolerances to either side of the case.
+        """Probability that the raceway passes as made and run, as ``cageless tolerance`` computes
+        it: within tolerances to either side of the case.
 
         Takes minutes: every bearing is run until it is judged.
 
@@ -258,7 +258,7 @@ class Computations(ABC):
         Raises
         ------
         InputError
-            If a tolerance is not possible, or the raceway is infeasible as drawn.
+            If a tolerance is not possible, or there is no discrete raceway.
 
         Examples
         --------

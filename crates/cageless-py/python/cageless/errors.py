@@ -26,11 +26,7 @@ class InputError(CagelessError, ValueError):
         Key at fault, ``section.key``, where it is one of a case or plan.
     line : int or None
         Line of the file, from 1, where there is one.
-    search : SearchResult or None
-        What a search came to that has nothing to recommend.
     """
-
-    search: SearchResult | None = None
 
     def __init__(self, message: str, key: str | None = None, line: int | None = None) -> None:
         super().__init__(message, key, line)
@@ -54,6 +50,9 @@ class UnphysicalError(CagelessError, ArithmeticError):
     ----------
     run : Run or None
         What was computed until then.
+    search : SearchResult or None
+        A search that has nothing to recommend, with its maps.
     """
 
     run: Run | None = None
+    search: SearchResult | None = None

@@ -266,8 +266,20 @@ class Design:
 
     @property
     def verdict(self) -> str:
-        """``smooth``, ``double-collision``, ``slips`` or ``infeasible``."""
+        """``smooth``, ``double-collision``, ``slips`` or ``infeasible``; ``not-judged`` without a
+        discrete raceway."""
         return str(self.values["verdict"])
+
+    @property
+    def passes(self) -> bool | None:
+        """Whether the raceways pass; None without one."""
+        found: bool | None = self.values["passes"]
+        return found
+
+    @property
+    def headline(self) -> str:
+        """PASS or FAIL with the verdict, the criterion that decides, and its margin."""
+        return str(self.values["headline"])
 
     @property
     def reasons(self) -> list[str]:
@@ -292,9 +304,10 @@ class Design:
         return found
 
     @property
-    def recommendation(self) -> dict[str, float] | None:
-        """A raceway in the middle of what is usable."""
-        found: dict[str, float] | None = self.values["recommendation"]
+    def recommendation(self) -> dict[str, Any] | None:
+        """A raceway near the curve of Eq. (11) with its ``verdict``: recommended if it ``passes``,
+        else only a starting point for a search."""
+        found: dict[str, Any] | None = self.values["recommendation"]
         return found
 
     def data_curve(self) -> pd.DataFrame:

@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _cageless, pages
-from .errors import InputError
+from .errors import UnphysicalError
 from .figures import figure
 from .sections import Raceway, table
 
@@ -44,6 +44,8 @@ class SearchMap:
         is none.
     verdict : array of str
         ``smooth``, or the short name of what excludes the raceway.
+    passes : array of bool
+        Whether the raceway meets every requirement.
     """
 
     inner_speed_rpm: float
@@ -53,6 +55,7 @@ class SearchMap:
     critical_gap_deg: Floats
     steady_gap_deg: Floats
     verdict: npt.NDArray[np.str_]
+    passes: npt.NDArray[np.bool_]
 
 
 class SearchResult:
@@ -74,6 +77,19 @@ class SearchResult:
         return list(self.values["findings"])
 
     @property
+    def passes(self) -> bool | None:
+        """Whether the recommended structure passes the verdict of ``design`` at every speed and
+        load; None if there is none."""
+        verdicts = self.values["recommended_verdicts"]
+        return all(each["passes"] for each in verdicts) if verdicts else None
+
+    @property
+    def verdicts(self) -> list[dict[str, Any]]:
+        """Verdict of ``design`` on the recommended structure at each speed and load: ``verdict``,
+        ``passes`` and ``headline``."""
+        return list(self.values["recommended_verdicts"])
+
+    @property
     def recommended(self) -> tuple[Raceway, ...]:
         """The recommended structure; empty if there is none."""
         found = self.values["recommended"]
@@ -89,11 +105,11 @@ class SearchResult:
 
         Raises
         ------
-        InputError
+        UnphysicalError
             If there is nothing to recommend.
         """
         if not self.recommended:
-            raise InputError(self.findings[0])
+            raise UnphysicalError(self.findings[0])
         case = self._case.with_raceways(*self.recommended)
         return case.replace({"title": f"{case.title or 'Case'}: recommended raceway"})
 
@@ -109,6 +125,7 @@ class SearchResult:
                 critical_gap_deg=np.array(each["critical_gap_deg"], dtype=float),
                 steady_gap_deg=np.array(each["steady_gap_deg"], dtype=float),
                 verdict=np.array(each["verdict"], dtype=str),
+                passes=np.array(each["passes"], dtype=bool),
             )
             for each in self.values["maps"]
         ]

@@ -23,8 +23,7 @@ __all__ = ["ToleranceResult"]
 
 
 class ToleranceResult:
-    """Whether the verdict on a raceway holds as made; keys are those of
-    ``cageless tolerance --json``."""
+    """Whether a raceway passes as made; keys are those of ``cageless tolerance --json``."""
 
     def __init__(self, tolerance: _cageless.Tolerance) -> None:
         self._tolerance = tolerance
@@ -37,8 +36,23 @@ class ToleranceResult:
 
     @property
     def verdict(self) -> str:
-        """Verdict as drawn: ``smooth``, ``double-collision`` or ``slips``."""
+        """Verdict as drawn: ``smooth``, ``double-collision``, ``slips`` or ``infeasible``."""
         return str(self.values["nominal_verdict"])
+
+    @property
+    def passes(self) -> bool:
+        """Whether the bearing as drawn passes, and 95 % of those in which everything deviates."""
+        return bool(self.values["passes"])
+
+    @property
+    def nominal_passes(self) -> bool:
+        """Whether the bearing as drawn passes."""
+        return bool(self.values["nominal_passes"])
+
+    @property
+    def headline(self) -> str:
+        """PASS or FAIL with the probability of passing and the reason."""
+        return str(self.values["headline"])
 
     @property
     def critical_gap_deg(self) -> float | None:
@@ -52,22 +66,28 @@ class ToleranceResult:
         return found or {}
 
     @property
-    def probability(self) -> float | None:
-        """Probability that the verdict holds when everything deviates at once; None without
-        samples."""
-        return self._samples.get("probability")
+    def pass_probability(self) -> float | None:
+        """Probability of passing when everything deviates at once; None without samples."""
+        return self._samples.get("pass_probability")
 
     @property
-    def probability_interval(self) -> tuple[float, float] | None:
-        """Its 95 % interval."""
-        found = self._samples.get("probability_interval")
+    def pass_probability_interval(self) -> tuple[float, float] | None:
+        """95 % interval of the probability of passing."""
+        found = self._samples.get("pass_probability_interval")
         return None if found is None else (found[0], found[1])
 
     @property
     def decides(self) -> list[str]:
-        """What alone, within its range, changes the verdict; the surest to do so first."""
-        rows = [row for row in self.values["influences"] if row["held"] < row["trials"]]
-        rows.sort(key=lambda row: row["held"] / row["trials"])
+        """What alone, within its range, makes the bearing fail if it passes as drawn, or pass if it
+        fails; the surest to do so first."""
+        nominal = self.nominal_passes
+
+        def changed(row: dict[str, Any]) -> float:
+            share: float = row["passed"] / row["trials"]
+            return 1.0 - share if nominal else share
+
+        rows = [row for row in self.values["influences"] if changed(row) > 0.0]
+        rows.sort(key=changed, reverse=True)
         return [str(row["name"]) for row in rows]
 
     def critical_gaps_deg(self, verdict: str) -> npt.NDArray[np.float64]:
@@ -100,10 +120,10 @@ class ToleranceResult:
         import pandas as pd
 
         rows = [
-            {"verdict": each["verdict"], "count": each["count"]}
+            {key: each[key] for key in ("verdict", "passes", "count")}
             for each in self._samples.get("verdicts", [])
         ]
-        return pd.DataFrame(rows, columns=["verdict", "count"])
+        return pd.DataFrame(rows, columns=["verdict", "passes", "count"])
 
     def plot_influences(self) -> go.Figure:
         """Range of the critical gap over each influence."""
@@ -118,15 +138,20 @@ class ToleranceResult:
         return pages.write(path, self._tolerance.page())
 
     def __repr__(self) -> str:
-        if self.probability is None:
-            return f"<Tolerance: {self.verdict} as drawn>"
-        return f"<Tolerance: {self.verdict} holds with probability {self.probability:g}>"
+        word = "PASS" if self.passes else "FAIL"
+        if self.pass_probability is None:
+            return f"<Tolerance: {word}, {self.verdict} as drawn>"
+        return (
+            f"<Tolerance: {word}, passes with probability {self.pass_probability:g}, "
+            f"{self.verdict} as drawn>"
+        )
 
     def _repr_html_(self) -> str:
         rows: list[tuple[str, object]] = [
+            ("verdict", self.headline),
             ("as drawn", self.verdict),
             ("critical gap, °", self.critical_gap_deg),
-            ("probability that it holds", self.probability),
-            ("95 % interval", self.probability_interval),
+            ("probability of passing", self.pass_probability),
+            ("95 % interval", self.pass_probability_interval),
         ]
         return table(rows, "Tolerances") + str(self.data_influences().to_html())

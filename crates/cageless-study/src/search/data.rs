@@ -6,8 +6,8 @@ use cageless::design::search::{
 use cageless::design::span_angle_curve;
 use cageless_io::case_file::CaseFile;
 use cageless_report::{
-    MapData, MotionNumbers, PlacementData, PointData, PointNumbers, Provenance, RejectionCount,
-    SearchData, StructureData,
+    MapData, MotionNumbers, PlacementData, PointData, PointNumbers, PointVerdict, Provenance,
+    RejectionCount, SearchData, StructureData,
 };
 
 use super::findings;
@@ -19,7 +19,11 @@ use cageless_report::run_report::provenance;
 const CURVE_POINTS: usize = 120;
 
 /// Everything that is shown of a search.
-pub fn search_data(file: &CaseFile, found: &Found) -> Result<SearchData, StudyError> {
+pub fn search_data(
+    file: &CaseFile,
+    found: &Found,
+    verdicts: Vec<PointVerdict>,
+) -> Result<SearchData, StudyError> {
     let (case, request) = (file.case(), &found.request);
     let confirmed = |role: &str| found.confirmed.iter().find(|c| c.role == role);
     let mut data = SearchData {
@@ -28,6 +32,7 @@ pub fn search_data(file: &CaseFile, found: &Found) -> Result<SearchData, StudyEr
         starts: request.starts,
         seed: case.seed,
         recommended: confirmed("recommended").map(confirmed_data),
+        recommended_verdicts: verdicts,
         own: confirmed("own").map(confirmed_data),
         own_from_usual_starts: confirmed("own").map(|c| structure_data(&c.evaluation)),
         recommended_from_usual_starts: found
@@ -99,6 +104,7 @@ fn structure_data(e: &Evaluation) -> StructureData {
         half_angle_deg: degrees(&[e.structure.half_angle_rad])[0],
         centre_angles_deg: degrees(&e.structure.centres_rad),
         status: status.to_owned(),
+        passes: (status != "left out").then_some(status == "accepted"),
         reason,
         why,
         on_front: e.on_front,
@@ -246,5 +252,6 @@ fn map_data(map: &SpeedMap) -> MapData {
         verdict: grid(map, columns, |c| {
             c.cause.as_ref().map_or("smooth", Cause::name).to_owned()
         }),
+        passes: grid(map, columns, |c| c.cause.is_none()),
     }
 }

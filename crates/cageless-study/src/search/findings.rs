@@ -14,6 +14,13 @@ pub fn findings(found: &Found, data: &SearchData) -> Vec<String> {
         return vec![why_none(found)];
     };
     let mut all = vec![recommendation(data, best)];
+    for (point, verdict) in data.points.iter().zip(&data.recommended_verdicts) {
+        all.push(format!(
+            "At {}, entered as the case's own, it is judged {}.",
+            point.label(),
+            verdict.headline
+        ));
+    }
     if let Some(own) = &data.own {
         for (k, point) in data.points.iter().enumerate() {
             all.push(format!(
@@ -70,8 +77,17 @@ fn recommendation(data: &SearchData, best: &StructureData) -> String {
             )
         })
         .collect();
+    let failing = data
+        .recommended_verdicts
+        .iter()
+        .any(|v| v.passes != Some(true));
     format!(
-        "Recommended: {}; {}.{}",
+        "{}: {}; {}.{}",
+        if failing {
+            "Nothing recommended; starting point, which fails its verdict from even spacing"
+        } else {
+            "Recommended"
+        },
         best.label(),
         numbers.join("; "),
         if best.why.is_empty() {

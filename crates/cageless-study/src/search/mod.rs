@@ -7,9 +7,14 @@ mod workshop;
 use std::path::Path;
 
 use cageless::design::search::{Found, SearchError, search};
+use cageless::design::{Verdict, judge};
+use cageless::raceway::RacewayDimensions;
+use cageless::spacing::CriticalGapError;
 use cageless_io::case_file::CaseFile;
-use cageless_report::SearchData;
+use cageless_report::{PointVerdict, SearchData};
+use rayon::prelude::*;
 
+use crate::entered::{entered, raceway_document};
 use crate::error::StudyError;
 use crate::watcher::Watcher;
 use findings::why_none;
@@ -42,8 +47,55 @@ pub fn run(
         Err(SearchError::Case(error)) => return Err(error.into()),
         Err(SearchError::Interrupted(_)) => return Err(StudyError::Interrupted),
     };
-    let data = data::search_data(file, &found)?;
+    let verdicts = verdicts(file, &found, watcher)?;
+    let data = data::search_data(file, &found, verdicts)?;
     Ok((found, data))
+}
+
+/// Verdict on the recommended structure at every operating point, as it is when the structure is
+/// entered as the case's own.
+fn verdicts(
+    file: &CaseFile,
+    found: &Found,
+    watcher: &dyn Watcher,
+) -> Result<Vec<PointVerdict>, StudyError> {
+    let Some(best) = found.recommended.map(|k| &found.evaluations[k].structure) else {
+        return Ok(vec![]);
+    };
+    let raceways: Vec<_> = best
+        .centres_rad
+        .iter()
+        .map(|&centre_angle_rad| {
+            raceway_document(&RacewayDimensions {
+                axial_span_m: best.axial_span_m,
+                half_angle_rad: best.half_angle_rad,
+                centre_angle_rad,
+            })
+        })
+        .collect();
+    let points = &found.request.points;
+    let progress = watcher.begin("search: verdict", points.len() as f64);
+    points
+        .par_iter()
+        .map(|point| {
+            let Some(case) = entered(file, raceways.clone(), Some(point)) else {
+                return Ok(PointVerdict {
+                    verdict: Verdict::Infeasible.name().to_owned(),
+                    passes: Some(false),
+                    headline: "FAIL: infeasible; the case cannot have this raceway".to_owned(),
+                });
+            };
+            match judge(&case, &mut progress.run_control(1.0, 1.0)) {
+                Ok(judgement) => Ok(PointVerdict {
+                    verdict: judgement.verdict.name().to_owned(),
+                    passes: judgement.passes(),
+                    headline: judgement.headline(),
+                }),
+                Err(CriticalGapError::Interrupted) => Err(StudyError::Interrupted),
+                Err(error) => Err(error.into()),
+            }
+        })
+        .collect()
 }
 
 /// Why there is nothing to recommend, if there is nothing.

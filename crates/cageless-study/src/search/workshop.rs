@@ -8,7 +8,6 @@ use cageless::Case;
 use cageless::design::search::{
     Interrupted, Job, Motion, Numbers, Outcome, Spacing, Stage, Task, run_jobs,
 };
-use cageless::simulation::Control;
 use cageless::state::MEMBERS;
 use cageless_io::case_file::CaseFile;
 use cageless_io::journal::{Entry, Journal};
@@ -102,13 +101,7 @@ impl<'c> Workshop<'c> {
             return vec![None; jobs.len()];
         }
         let together: Vec<&Job> = jobs.iter().map(|(job, _)| *job).collect();
-        let outcomes = run_jobs(self.case, &together, &mut |_| {
-            if progress.interrupted() {
-                Control::Interrupt
-            } else {
-                Control::Continue
-            }
-        });
+        let outcomes = run_jobs(self.case, &together, &mut |_| progress.control());
         progress.add(together.iter().map(|job| work(job)).sum());
         let pairs = jobs.iter().zip(outcomes);
         pairs

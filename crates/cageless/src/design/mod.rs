@@ -1,7 +1,9 @@
 //! Choosing a raceway: constraints and theoretical gap (here), a verdict from the motion,
 //! a recommendation.
 
+mod criterion;
 mod recommendation;
+mod run_verdict;
 pub mod search;
 mod verdict;
 
@@ -12,7 +14,9 @@ use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::numerics::{quadrature, root};
 use crate::raceway::{Raceway, RacewayDimensions, axial_span_limit_m};
 
-pub use recommendation::{Recommendation, recommend};
+pub use criterion::{Criterion, percent_beside};
+pub use recommendation::{Recommendation, StartingPoint, recommend, starting_point};
+pub use run_verdict::RunVerdict;
 pub use verdict::{
     Judgement, PassageStatistics, RacewayJudgement, SLIP_SHORTFALL, SPEED_DROP_SHARE, TWICE_SHARE,
     Verdict, judge, judge_watched, steady_after_s, steady_case,

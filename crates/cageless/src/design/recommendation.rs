@@ -1,36 +1,84 @@
-//! The range of raceways that work, between sliding and collisions.
+//! A raceway near the curve of Zhao 2022, Eq. (11), that passes its verdict.
 
-use super::{Eq11, SLIP_SHORTFALL, half_angle_for_gap_rad, theoretical_gap_rad};
+use super::search::SPREAD_MIN;
+use super::{
+    Eq11, Judgement, SLIP_SHORTFALL, Verdict, half_angle_for_gap_rad, judge, steady_gap_rad,
+    theoretical_gap_rad,
+};
 use crate::case::Case;
 use crate::numerics::root;
 use crate::raceway::{Raceway, RacewayDimensions, axial_span_limit_m};
+use crate::simulation::Control;
 use crate::spacing::{CriticalGapError, PairTest, critical_gap_rad};
 
-/// Raceways on the curve of Zhao 2022, Eq. (11), for the gap of evenly spaced balls.
+/// The usable part of the curve of Zhao 2022, Eq. (11), for the gap of evenly spaced balls, and
+/// its middle. Critical gaps bound it; the motion of all balls is not looked at.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Recommendation {
+pub struct StartingPoint {
     /// Smallest θ, below which slip takes more than [`SLIP_SHORTFALL`] of the separation.
     pub half_angle_min_rad: f64,
     /// Largest θ = ε + uniform gap, above which three evenly spaced balls are inside at once.
     pub half_angle_max_rad: f64,
-    /// Recommended θ, in the middle.
+    /// θ in the middle.
     pub half_angle_rad: f64,
-    /// lC that goes with it.
+    /// lC that goes with it on the curve.
     pub axial_span_m: f64,
+}
+
+/// A raceway with its verdict: a recommendation if it passes, else the starting point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Recommendation {
+    /// The usable part of the curve of Eq. (11) that it comes from.
+    pub starting_point: StartingPoint,
+    /// lC in whole micrometres and θ in whole thousandths of a degree, as judged.
+    pub dimensions: RacewayDimensions,
+    /// Verdict on the raceway in the place of the case's own.
+    pub judgement: Judgement,
+    /// Raceways that were judged.
+    pub judged: usize,
+}
+
+impl Recommendation {
+    /// Whether the raceway passes its verdict; else it is only a starting point.
+    pub fn passes(&self) -> bool {
+        self.judgement.passes() == Some(true)
+    }
+}
+
+/// β0 of the raceways that are judged, over the gap of evenly spaced balls. Balls that are just
+/// apart in the raceway collide on the least disturbance; a little less room in it prevents that.
+const DEPTHS: [f64; 6] = [1.0, 0.97, 0.94, 0.91, 0.88, 0.85];
+/// θ of the raceways that are judged, from the middle of the usable range (0) to its upper end
+/// (1). Balls slide less in longer raceways.
+const ANGLES: [f64; 2] = [0.0, 0.5];
+/// A raceway with this share of the largest margin to every limit ends the search for a better
+/// one.
+const COMFORTABLE: f64 = 0.5;
+
+/// Whole micrometres and thousandths of a degree.
+fn rounded(dimensions: RacewayDimensions) -> RacewayDimensions {
+    RacewayDimensions {
+        axial_span_m: (dimensions.axial_span_m * 1e6).round() / 1e6,
+        half_angle_rad: ((dimensions.half_angle_rad.to_degrees() * 1e3).round() / 1e3).to_radians(),
+        ..dimensions
+    }
+}
+
+/// ψ of the middle of the case's first raceway; the bottom if it has none.
+fn centre_angle_rad(case: &Case) -> f64 {
+    case.raceways
+        .first()
+        .map_or(0.0, |raceway| raceway.dimensions().centre_angle_rad)
 }
 
 /// Raceway of span lC on the curve of Eq. (11), in the place of the case's own.
 fn on_curve(case: &Case, axial_span_m: f64) -> Option<Raceway> {
     let gap = case.bearing.uniform_gap_rad();
     let half_angle_rad = half_angle_for_gap_rad(&case.bearing, axial_span_m, gap, Eq11::Published)?;
-    let centre_angle_rad = case
-        .raceways
-        .first()
-        .map_or(0.0, |raceway| raceway.dimensions().centre_angle_rad);
     let dimensions = RacewayDimensions {
         axial_span_m,
         half_angle_rad,
-        centre_angle_rad,
+        centre_angle_rad: centre_angle_rad(case),
     };
     Raceway::new(dimensions, &case.bearing).ok()
 }
@@ -55,20 +103,30 @@ fn span_for_angle(case: &Case, half_angle: f64) -> Option<f64> {
 }
 
 /// Share of β0 that slip takes from the critical gap.
-fn shortfall(case: &Case, raceway: Raceway) -> Result<f64, CriticalGapError> {
+fn shortfall(
+    case: &Case,
+    raceway: Raceway,
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Result<f64, CriticalGapError> {
     let beta0 = theoretical_gap_rad(&case.bearing, &raceway, Eq11::Published);
     let case = case.with_raceways(vec![raceway]);
-    Ok(1.0 - critical_gap_rad(&case, &PairTest::default())? / beta0)
+    Ok(1.0 - critical_gap_rad(&case, &PairTest::default(), control)? / beta0)
 }
+
+/// Critical gaps that [`starting_point`] takes as a rule.
+const CRITICAL_GAPS: f64 = 8.0;
 
 /// Finds the range of θ on the curve of Eq. (11) within which the separation neither
 /// suffers from slip nor lets three balls into the raceway at once, and the raceway in
 /// its middle. `None` if there is no such range: slip takes over before the third ball
-/// is kept out.
+/// is kept out. `control` is called with the estimated share of the work that is done.
 ///
 /// # Errors
-/// The case is impossible or one of its runs fails.
-pub fn recommend(case: &Case) -> Result<Option<Recommendation>, CriticalGapError> {
+/// The case is impossible, one of its runs fails, or `control` ended the work.
+pub fn starting_point(
+    case: &Case,
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Result<Option<StartingPoint>, CriticalGapError> {
     let bearing = &case.bearing;
     let half_angle_max_rad = bearing.ball_angle_rad() + bearing.uniform_gap_rad();
     let limit = axial_span_limit_m(bearing) * (1.0 - 1e-6);
@@ -78,8 +136,14 @@ pub fn recommend(case: &Case) -> Result<Option<Recommendation>, CriticalGapError
     ) else {
         return Ok(None);
     };
-    let excess = |span: f64| match on_curve(case, span) {
-        Some(raceway) => Ok(shortfall(case, raceway)? - SLIP_SHORTFALL),
+    let mut gaps = 0.0;
+    let mut excess = |span: f64| match on_curve(case, span) {
+        Some(raceway) => {
+            let mut share = |part: f64| control(((gaps + part) / CRITICAL_GAPS).min(1.0));
+            let shortfall = shortfall(case, raceway, &mut share)?;
+            gaps += 1.0;
+            Ok(shortfall - SLIP_SHORTFALL)
+        }
         None => Err(CriticalGapError::NeverCloses),
     };
     if excess(narrow)? > 0.0 {
@@ -90,12 +154,12 @@ pub fn recommend(case: &Case) -> Result<Option<Recommendation>, CriticalGapError
     } else {
         // To a hundredth of the ball's radius: finer than the threshold means anything.
         let tolerance = 1e-3 * bearing.ball_radius_m();
-        let wide = root::try_brent(excess, narrow, limit, tolerance)?.unwrap_or(limit);
+        let wide = root::try_brent(&mut excess, narrow, limit, tolerance)?.unwrap_or(limit);
         on_curve(case, wide).map_or(half_angle_max_rad, |raceway| raceway.half_angle_rad())
     };
     let half_angle_rad = 0.5 * (half_angle_min_rad + half_angle_max_rad);
     Ok(
-        span_for_angle(case, half_angle_rad).map(|axial_span_m| Recommendation {
+        span_for_angle(case, half_angle_rad).map(|axial_span_m| StartingPoint {
             half_angle_min_rad,
             half_angle_max_rad,
             half_angle_rad,
@@ -103,3 +167,133 @@ pub fn recommend(case: &Case) -> Result<Option<Recommendation>, CriticalGapError
         }),
     )
 }
+
+/// lC at which a raceway of this θ has β0 = `gap_rad`, below the span `widest_m`.
+fn span_for_gap(case: &Case, half_angle_rad: f64, gap_rad: f64, widest_m: f64) -> Option<f64> {
+    let excess = |axial_span_m: f64| {
+        let dimensions = RacewayDimensions {
+            axial_span_m,
+            half_angle_rad,
+            centre_angle_rad: 0.0,
+        };
+        Raceway::new(dimensions, &case.bearing).map_or(f64::NAN, |raceway| {
+            theoretical_gap_rad(&case.bearing, &raceway, Eq11::Published) - gap_rad
+        })
+    };
+    // The path exists above a span that depends on the angle.
+    let narrowest = (1..20)
+        .map(|k| widest_m * f64::from(k) / 20.0)
+        .find(|&span| excess(span).is_finite())?;
+    root::brent(excess, narrowest, widest_m * (1.0 + 1e-6), 1e-9)
+}
+
+/// The raceways to be judged at one angle, the deepest first; the starting point is left out.
+fn neighbours(case: &Case, start: &StartingPoint, share: f64) -> Vec<RacewayDimensions> {
+    let half_angle_rad =
+        start.half_angle_rad + share * (start.half_angle_max_rad - start.half_angle_rad);
+    let Some(widest_m) = span_for_angle(case, half_angle_rad) else {
+        return vec![];
+    };
+    let uniform = case.bearing.uniform_gap_rad();
+    DEPTHS
+        .into_iter()
+        .filter(|&depth| depth < 1.0 || share > 0.0)
+        .filter_map(|depth| {
+            let gap = depth * uniform;
+            let axial_span_m = span_for_gap(case, half_angle_rad, gap, widest_m)?;
+            let dimensions = rounded(RacewayDimensions {
+                axial_span_m,
+                half_angle_rad,
+                centre_angle_rad: centre_angle_rad(case),
+            });
+            let raceway = Raceway::new(dimensions, &case.bearing).ok()?;
+            // A shallower raceway passes without spreading the balls.
+            let steady = steady_gap_rad(&case.bearing, std::slice::from_ref(&raceway));
+            (gap >= SPREAD_MIN * steady).then_some(dimensions)
+        })
+        .collect()
+}
+
+/// A raceway that passes its verdict at the load and speed of the case: the middle of the usable
+/// part of the curve of Eq. (11) if that passes, else shallower and longer ones near it, of which
+/// the first with half of the possible margin, or the one with the largest margin, is taken. If
+/// none passes, the middle with its verdict. `None` if the curve has no usable part.
+///
+/// `entered` is the case with a raceway in the place of its own, as it is judged when the raceway
+/// is entered in its file; `None` if that is impossible. `control` is called with the estimated
+/// share of the work that is done.
+///
+/// # Errors
+/// The case is impossible, one of the runs for the starting point fails, or `control` ended the
+/// work.
+pub fn recommend(
+    case: &Case,
+    entered: &dyn Fn(RacewayDimensions) -> Option<Case>,
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Result<Option<Recommendation>, CriticalGapError> {
+    let Some(start) = starting_point(case, &mut |part| control(STARTING_SHARE * part))? else {
+        return Ok(None);
+    };
+    let mut judged = 0u8;
+    let mut judged_raceway = |dimensions: RacewayDimensions| {
+        let Some(case) = entered(dimensions) else {
+            return Ok(None);
+        };
+        let mut share = |part: f64| {
+            // How many more follow is not known: each takes half of what is left.
+            let left = 0.5f64.powf(f64::from(judged) + part);
+            control(1.0 - (1.0 - STARTING_SHARE) * left)
+        };
+        let judgement = match judge(&case, &mut share) {
+            Err(CriticalGapError::Interrupted) => return Err(CriticalGapError::Interrupted),
+            Err(_) => return Ok(None),
+            Ok(judgement) => judgement,
+        };
+        judged += 1;
+        Ok(Some(Recommendation {
+            starting_point: start,
+            dimensions,
+            judgement,
+            judged: judged as usize,
+        }))
+    };
+    let middle = judged_raceway(rounded(RacewayDimensions {
+        axial_span_m: start.axial_span_m,
+        half_angle_rad: start.half_angle_rad,
+        centre_angle_rad: centre_angle_rad(case),
+    }))?;
+    if middle.as_ref().is_some_and(Recommendation::passes) {
+        return Ok(middle);
+    }
+    let mut angles = ANGLES;
+    // A shallower raceway slows the balls less, but only a longer one leaves them more time.
+    if matches!(&middle, Some(m) if m.judgement.verdict == Verdict::Slips) {
+        angles.reverse();
+    }
+    let margin = |r: &Recommendation| {
+        let deciding = r.judgement.deciding;
+        deciding.map_or(f64::NEG_INFINITY, |criterion| criterion.relative_margin())
+    };
+    let mut best: Option<Recommendation> = None;
+    for dimensions in angles
+        .into_iter()
+        .flat_map(|share| neighbours(case, &start, share))
+    {
+        let Some(found) = judged_raceway(dimensions)?.filter(Recommendation::passes) else {
+            continue;
+        };
+        if best.as_ref().is_none_or(|b| margin(&found) > margin(b)) {
+            best = Some(found);
+        }
+        if best.as_ref().is_some_and(|b| margin(b) >= COMFORTABLE) {
+            break;
+        }
+    }
+    Ok(best.or(middle).map(|r| Recommendation {
+        judged: judged as usize,
+        ..r
+    }))
+}
+
+/// Share of the work of a recommendation that its starting point takes, roughly.
+const STARTING_SHARE: f64 = 0.3;

@@ -1,5 +1,6 @@
 //! A verdict on a raceway from the motion of the balls (Zhao 2022, Section 4.3).
 
+use super::criterion::Criterion;
 use super::{Eq11, theoretical_gap_rad};
 use crate::case::{Case, Gaps, Start};
 use crate::kinematics::rolling_orbit_speed_rad_s;
@@ -8,9 +9,11 @@ use crate::raceway::Raceway;
 use crate::simulation::{Control, Ending, Observer, Stop, run};
 use crate::spacing::{CriticalGapError, PairTest, critical_gap_rad};
 
-/// What to think of a raceway.
+/// Verdict on a raceway, the worst last.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Verdict {
+    /// There is no discrete raceway to judge.
+    NotJudged,
     /// Balls pass without sliding and without being hit from both sides.
     Smooth,
     /// Balls are hit by both neighbours in one passage.
@@ -22,9 +25,19 @@ pub enum Verdict {
 }
 
 impl Verdict {
+    /// Whether the raceway passes; `None` where there is none to judge.
+    pub fn passes(self) -> Option<bool> {
+        match self {
+            Self::NotJudged => None,
+            Self::Smooth => Some(true),
+            Self::DoubleCollision | Self::Slips | Self::Infeasible => Some(false),
+        }
+    }
+
     /// Name in files.
     pub fn name(self) -> &'static str {
         match self {
+            Self::NotJudged => "not-judged",
             Self::Smooth => "smooth",
             Self::DoubleCollision => "double-collision",
             Self::Slips => "slips",
@@ -59,6 +72,8 @@ pub struct RacewayJudgement {
     pub verdict: Verdict,
     /// Why, in numbers.
     pub reasons: Vec<String>,
+    /// The criteria in the order in which they are tested; empty if the motion cannot be judged.
+    pub criteria: Vec<Criterion>,
     /// Critical gap of this raceway alone in the ring, if there is one.
     pub critical_gap_rad: Option<f64>,
     /// Statistics of the run of all balls past all raceways; `None` if it did not get so far.
@@ -72,6 +87,9 @@ pub struct Judgement {
     pub verdict: Verdict,
     /// Why, in numbers, of every raceway.
     pub reasons: Vec<String>,
+    /// The criterion that decides: the first that fails on the first raceway with the worst
+    /// verdict, or of all that are met the one nearest to its limit.
+    pub deciding: Option<Criterion>,
     /// Largest critical gap: what all raceways together guarantee.
     pub critical_gap_rad: Option<f64>,
     /// Statistics of the first raceway with the worst verdict.
@@ -97,14 +115,20 @@ pub const TWICE_SHARE: f64 = 0.25;
 /// Ball orbits discarded before the passages are counted, and counted.
 const TURNS: [f64; 2] = [16.0, 16.0];
 
+/// Work of one critical gap over that of one orbit of all balls, roughly.
+const GAP_ORBITS: f64 = 1.5;
+
 /// Judges the case's raceways by what Zhao 2022, Section 4.3, looks at: does the
 /// separation suffer from slip, are balls hit twice per passage, or do they pass
 /// smoothly. The critical gap is that of each raceway alone; then all balls, evenly spaced
 /// at the start and in static equilibrium, pass all raceways for 32 orbits of which the first
 /// 16 are discarded.
 ///
+/// `control` is called every thousand steps or so with the estimated share of the work that is
+/// done, 0 to 1.
+///
 /// # Errors
-/// The case is impossible.
+/// The case is impossible, or `control` ended the work.
 pub fn judge(
     case: &Case,
     control: &mut dyn FnMut(f64) -> Control,
@@ -115,22 +139,34 @@ pub fn judge(
 /// [`judge`], with others watching the run of all balls.
 ///
 /// # Errors
-/// The case is impossible.
+/// The case is impossible, or `control` ended the work.
 pub fn judge_watched(
     case: &Case,
     watchers: &mut [&mut dyn Observer],
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<Judgement, CriticalGapError> {
     if case.raceways.is_empty() {
-        let none = infeasible("the outer ring has no discrete raceway".to_owned(), None);
-        return Ok(summary(vec![none], None).without_raceways());
+        return Ok(Judgement {
+            verdict: Verdict::NotJudged,
+            reasons: vec!["the outer ring has no discrete raceway".to_owned()],
+            deciding: None,
+            critical_gap_rad: None,
+            passages: None,
+            raceways: vec![],
+            stopped: None,
+        });
     }
+    let gap_orbits = GAP_ORBITS * case.raceways.len() as f64;
+    let orbits = gap_orbits + TURNS[0] + TURNS[1];
     let mut criticals = vec![];
-    for raceway in &case.raceways {
+    for (k, raceway) in case.raceways.iter().enumerate() {
         let alone = case.with_raceways(vec![raceway.clone()]);
-        match critical_gap_rad(&alone, &PairTest::default()) {
+        let mut share = |part: f64| control(GAP_ORBITS * (k as f64 + part) / orbits);
+        match critical_gap_rad(&alone, &PairTest::default(), &mut share) {
             Ok(gap) => criticals.push(Ok(gap)),
-            Err(CriticalGapError::Case(error)) => return Err(error.into()),
+            Err(error @ (CriticalGapError::Case(_) | CriticalGapError::Interrupted)) => {
+                return Err(error);
+            }
             Err(CriticalGapError::Stopped(stop)) => {
                 let reason = format!("the run of one pair stopped: {}", stop.cause);
                 return Ok(summary(vec![infeasible(reason, None)], Some(stop)));
@@ -141,7 +177,10 @@ pub fn judge_watched(
     if let [Err(reason)] = criticals.as_slice() {
         return Ok(summary(vec![infeasible(reason.clone(), None)], None));
     }
-    let (statistics, stopped) = steady_passages(case, watchers, control)?;
+    let orbit_s = case.rolling_orbit_s();
+    let (statistics, stopped) = steady_passages(case, watchers, &mut |time_s| {
+        control(((gap_orbits + time_s / orbit_s) / orbits).min(1.0))
+    })?;
     let judged = criticals
         .into_iter()
         .enumerate()
@@ -169,6 +208,7 @@ fn infeasible(reason: String, critical_gap_rad: Option<f64>) -> RacewayJudgement
     RacewayJudgement {
         verdict: Verdict::Infeasible,
         reasons: vec![reason],
+        criteria: vec![],
         critical_gap_rad,
         passages: None,
     }
@@ -195,9 +235,17 @@ fn summary(raceways: Vec<RacewayJudgement>, stopped: Option<Stop>) -> Judgement 
             })
         })
         .collect();
+    let worst = || raceways.iter().filter(|r| r.verdict == verdict);
+    let deciding = if verdict == Verdict::Smooth {
+        let all: Vec<Criterion> = worst().flat_map(|r| r.criteria.iter().copied()).collect();
+        Criterion::deciding(&all)
+    } else {
+        worst().find_map(|r| Criterion::deciding(&r.criteria))
+    };
     Judgement {
         verdict,
         reasons,
+        deciding,
         critical_gap_rad: raceways
             .iter()
             .filter_map(|r| r.critical_gap_rad)
@@ -212,9 +260,23 @@ fn summary(raceways: Vec<RacewayJudgement>, stopped: Option<Stop>) -> Judgement 
 }
 
 impl Judgement {
-    fn without_raceways(mut self) -> Self {
-        self.raceways.clear();
-        self
+    /// Whether all raceways pass; `None` where there is none to judge.
+    pub fn passes(&self) -> Option<bool> {
+        self.verdict.passes()
+    }
+
+    /// PASS or FAIL with the verdict, the criterion that decides, and its margin.
+    pub fn headline(&self) -> String {
+        let name = self.verdict.name();
+        let reason = match &self.deciding {
+            Some(criterion) => criterion.to_string(),
+            None => self.reasons.join("; "),
+        };
+        match self.passes() {
+            None => format!("not judged: {reason}"),
+            Some(true) => format!("PASS: {name}; nearest to its limit: {reason}"),
+            Some(false) => format!("FAIL: {name}; {reason}"),
+        }
     }
 }
 
@@ -224,13 +286,12 @@ fn decide(case: &Case, raceway: &Raceway, critical: f64, s: PassageStatistics) -
     let shortfall = 1.0 - critical / beta0;
     let three = 2.0 * (bearing.ball_angle_rad() + bearing.uniform_gap_rad());
     let wide = 2.0 * raceway.half_angle_rad();
-    let verdict = if shortfall > SLIP_SHORTFALL || s.speed_drop_share < SPEED_DROP_SHARE {
-        Verdict::Slips
-    } else if s.twice_share > TWICE_SHARE {
-        Verdict::DoubleCollision
-    } else {
-        Verdict::Smooth
-    };
+    let criteria = vec![
+        Criterion::Separation(shortfall),
+        Criterion::Deceleration(s.speed_drop_share),
+        Criterion::BothNeighbours(s.twice_share),
+    ];
+    let verdict = Criterion::deciding(&criteria).map_or(Verdict::Smooth, Criterion::verdict);
     let reasons = vec![
         format!(
             "critical gap {:.4}°, {:.1} % {} β0 = {:.4}° (slips above {:.0} % short)",
@@ -277,6 +338,7 @@ fn decide(case: &Case, raceway: &Raceway, critical: f64, s: PassageStatistics) -
     RacewayJudgement {
         verdict,
         reasons,
+        criteria,
         critical_gap_rad: Some(critical),
         passages: Some(s),
     }

@@ -92,6 +92,9 @@ pub enum Rise {
 /// little of the root's distance below it: Newton's method with the slope between the last
 /// points above, bisection where that leads nowhere.
 ///
+/// Values below the root may be small anywhere: one within the tolerance counts as the root
+/// only where a slope between two points above led to it.
+///
 /// # Errors
 /// Whatever `f` returns.
 pub fn try_rise<E>(
@@ -103,6 +106,7 @@ pub fn try_rise<E>(
     let mut x = guess.clamp(low, high);
     let (mut above, mut below) = (None::<(f64, f64)>, None::<f64>);
     let mut slope = 1.0;
+    let (mut measured, mut led) = (false, false);
     let mut reach = 2e-3 * (high - low);
     let mut was_below = false;
     for _ in 0..200 {
@@ -121,16 +125,19 @@ pub fn try_rise<E>(
                 && more > value
             {
                 slope = (more - value) / (right - x);
+                measured = true;
             }
             above = Some((x, value));
         } else {
             below = Some(x);
         }
         let (left, right) = (below.unwrap_or(low), above.map_or(high, |(x, _)| x));
-        if value.abs() <= slope * tolerance || right - left <= tolerance {
+        let near = value.abs() <= slope * tolerance && (value > 0.0 || led);
+        if near || right - left <= tolerance {
             return Ok(Rise::At(x));
         }
         let newton = x - value / slope;
+        led = measured && value > 0.0 && newton > left;
         x = if above.is_none() {
             reach *= 2.0;
             (x + reach).min(high)
@@ -180,6 +187,22 @@ mod tests {
             };
             assert!((found - root).abs() < 3e-7, "{found} {root}");
             assert!(calls <= 9, "{calls} for {root}");
+        }
+    }
+
+    /// Touching balls are pressed together by next to nothing, however far below the root: at the
+    /// low end, where bisection begins, and at the first guess.
+    #[test]
+    fn a_small_value_below_is_no_root() {
+        for root in [0.0083, 0.0302, 0.0331] {
+            let f = |x: f64| {
+                let d = x - root;
+                Ok::<_, ()>(if d > 0.0 { 2.5 * d } else { -1e-5 })
+            };
+            let Ok(Rise::At(found)) = try_rise(f, 0.0317, [0.0, 0.4], 2e-5) else {
+                panic!("no root at {root}");
+            };
+            assert!((found - root).abs() < 3e-5, "{found} {root}");
         }
     }
 

@@ -1,9 +1,9 @@
-//! From judged trials to a tolerance table and the probability that the verdict holds.
+//! From judged trials to a tolerance table and the probability of passing.
 
 use super::deviation::{Influence, Trial};
 use crate::design::{Judgement, Verdict};
 
-/// What became of one trial.
+/// Result of one trial.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
     /// The verdict.
@@ -18,9 +18,16 @@ pub struct Outcome {
     pub slip_mean_m_s: Option<f64>,
     /// Why it is infeasible, if it is.
     pub reason: Option<String>,
+    /// PASS or FAIL with the verdict, the criterion that decides, and its margin.
+    pub headline: String,
 }
 
 impl Outcome {
+    /// Whether the bearing passes.
+    pub fn passes(&self) -> bool {
+        self.verdict.passes() == Some(true)
+    }
+
     /// Of a bearing that was judged.
     pub fn judged(judgement: &Judgement) -> Self {
         let passages = judgement.passages.as_ref();
@@ -32,6 +39,7 @@ impl Outcome {
             slip_mean_m_s: passages.map(|p| p.slip_mean_m_s),
             reason: (judgement.verdict == Verdict::Infeasible)
                 .then(|| judgement.reasons.join("; ")),
+            headline: judgement.headline(),
         }
     }
 
@@ -43,6 +51,7 @@ impl Outcome {
             twice_share: None,
             collisions_mean: None,
             slip_mean_m_s: None,
+            headline: format!("FAIL: {}; {reason}", Verdict::Infeasible.name()),
             reason: Some(reason),
         }
     }
@@ -63,10 +72,10 @@ fn interval(values: impl Iterator<Item = f64>) -> Interval {
 pub struct InfluenceResult {
     /// What alone deviates.
     pub influence: Influence,
-    /// Trials, and those with the verdict of the bearing as drawn.
+    /// Trials.
     pub trials: usize,
-    /// As above.
-    pub held: usize,
+    /// Trials that pass.
+    pub passed: usize,
     /// Verdicts that came out, worst last.
     pub verdicts: Vec<Verdict>,
     /// Critical gaps, this and the numbers below with those of the bearing as drawn.
@@ -82,19 +91,22 @@ pub struct InfluenceResult {
 pub struct Samples {
     /// How many.
     pub count: usize,
-    /// Those with the verdict of the bearing as drawn.
-    pub held: usize,
+    /// Those that pass.
+    pub passed: usize,
     /// How often each verdict came out.
     pub verdicts: [(Verdict, usize); 4],
-    /// Probability that the verdict holds, with its 95 % interval (Wilson 1927).
-    pub probability: f64,
-    /// As above.
-    pub probability_interval: [f64; 2],
+    /// Probability of passing.
+    pub pass_probability: f64,
+    /// 95 % interval of the probability (Wilson 1927).
+    pub pass_probability_interval: [f64; 2],
     /// 5 %, 50 % and 95 % quantile of the critical gap of those that have one.
     pub critical_gap_quantiles_rad: Option<[f64; 3]>,
     /// Every outcome.
     pub outcomes: Vec<Outcome>,
 }
+
+/// Share of the bearings that have to pass for the tolerances to pass.
+pub const PASS_SHARE: f64 = 0.95;
 
 /// The tolerance table and the probability.
 #[derive(Debug, Clone, PartialEq)]
@@ -105,6 +117,35 @@ pub struct Assessment {
     pub influences: Vec<InfluenceResult>,
     /// All at once; `None` without samples.
     pub samples: Option<Samples>,
+}
+
+impl Assessment {
+    /// Whether the tolerances pass: the bearing as drawn does, and [`PASS_SHARE`] of those in which
+    /// everything deviates, if there are any.
+    pub fn passes(&self) -> bool {
+        let samples = self.samples.as_ref();
+        self.nominal.passes() && samples.is_none_or(|s| s.pass_probability >= PASS_SHARE)
+    }
+
+    /// PASS or FAIL with the probability of passing and the verdict on the bearing as drawn.
+    pub fn headline(&self) -> String {
+        let word = if self.passes() { "PASS" } else { "FAIL" };
+        let nominal = &self.nominal.headline;
+        match &self.samples {
+            None => format!("{word}; as drawn {nominal}"),
+            Some(s) => {
+                let [low, high] = s.pass_probability_interval.map(|p| 100.0 * p);
+                format!(
+                    "{word}: {} of {} bearings pass, probability of passing {:.1} % (95 % interval \
+                     {low:.1} to {high:.1} %, {:.0} % needed); as drawn {nominal}",
+                    s.passed,
+                    s.count,
+                    100.0 * s.pass_probability,
+                    100.0 * PASS_SHARE
+                )
+            }
+        }
+    }
 }
 
 /// Puts together what became of [`super::trials`], in their order.
@@ -131,7 +172,7 @@ pub fn assess(trials: &[Trial], outcomes: &[Outcome]) -> Assessment {
         .collect();
     Assessment {
         influences,
-        samples: (!sampled.is_empty()).then(|| samples(&nominal, sampled)),
+        samples: (!sampled.is_empty()).then(|| samples(sampled)),
         nominal,
     }
 }
@@ -144,7 +185,7 @@ fn row(influence: Influence, nominal: &Outcome, of: &[&Outcome]) -> InfluenceRes
     InfluenceResult {
         influence,
         trials: of.len(),
-        held: of.iter().filter(|o| o.verdict == nominal.verdict).count(),
+        passed: of.iter().filter(|o| o.passes()).count(),
         verdicts,
         critical_gap_rad: interval(all().filter_map(|o| o.critical_gap_rad)),
         twice_share: interval(all().filter_map(|o| o.twice_share)),
@@ -152,16 +193,16 @@ fn row(influence: Influence, nominal: &Outcome, of: &[&Outcome]) -> InfluenceRes
     }
 }
 
-fn samples(nominal: &Outcome, outcomes: Vec<Outcome>) -> Samples {
+fn samples(outcomes: Vec<Outcome>) -> Samples {
     let count = outcomes.len();
     let number = |verdict| outcomes.iter().filter(|o| o.verdict == verdict).count();
-    let held = number(nominal.verdict);
+    let passed = outcomes.iter().filter(|o| o.passes()).count();
     let mut gaps: Vec<f64> = outcomes.iter().filter_map(|o| o.critical_gap_rad).collect();
     gaps.sort_by(f64::total_cmp);
     let quantile = |share: f64| gaps[(share * (gaps.len() - 1) as f64).round() as usize];
     Samples {
         count,
-        held,
+        passed,
         verdicts: [
             Verdict::Smooth,
             Verdict::DoubleCollision,
@@ -169,8 +210,8 @@ fn samples(nominal: &Outcome, outcomes: Vec<Outcome>) -> Samples {
             Verdict::Infeasible,
         ]
         .map(|verdict| (verdict, number(verdict))),
-        probability: held as f64 / count as f64,
-        probability_interval: wilson(held, count),
+        pass_probability: passed as f64 / count as f64,
+        pass_probability_interval: wilson(passed, count),
         critical_gap_quantiles_rad: (!gaps.is_empty()).then(|| [0.05, 0.5, 0.95].map(quantile)),
         outcomes,
     }
@@ -179,10 +220,10 @@ fn samples(nominal: &Outcome, outcomes: Vec<Outcome>) -> Samples {
 /// 97.5 % quantile of the normal distribution.
 const NORMAL_975: f64 = 1.959_963_984_540_054;
 
-/// Wilson's interval of a probability of which `held` of `count` trials are known, 95 %
+/// Wilson's interval of a probability of which `passed` of `count` trials are known, 95 %
 /// (E. B. Wilson, J. Am. Stat. Assoc. 22, 1927, 209–212).
-fn wilson(held: usize, count: usize) -> [f64; 2] {
-    let (n, p) = (count as f64, held as f64 / count as f64);
+fn wilson(passed: usize, count: usize) -> [f64; 2] {
+    let (n, p) = (count as f64, passed as f64 / count as f64);
     let z2 = NORMAL_975 * NORMAL_975;
     let middle = (p + z2 / (2.0 * n)) / (1.0 + z2 / n);
     let half = (z2 * (p * (1.0 - p) / n + z2 / (4.0 * n * n))).sqrt() / (1.0 + z2 / n);
@@ -196,11 +237,11 @@ mod tests {
     /// Limits as tabulated: 0 of 10, 5 of 10, 10 of 10.
     #[test]
     fn wilson_is_that_of_the_tables() {
-        for (held, low, high) in [(0, 0.0, 0.2775), (5, 0.2366, 0.7634), (10, 0.7225, 1.0)] {
-            let [a, b] = wilson(held, 10);
+        for (passed, low, high) in [(0, 0.0, 0.2775), (5, 0.2366, 0.7634), (10, 0.7225, 1.0)] {
+            let [a, b] = wilson(passed, 10);
             assert!(
                 (a - low).abs() < 5e-5 && (b - high).abs() < 5e-5,
-                "{held}: {a} {b}"
+                "{passed}: {a} {b}"
             );
         }
     }

@@ -64,7 +64,7 @@ pub struct Interrupted;
 const GAP_TOLERANCE_RAD: f64 = 2e-5;
 /// Balls beside the pair stand off by this much, or a deep raceway would be measured by how
 /// they push the pair together.
-const NEIGHBOURS_WIDER: f64 = 1.4;
+pub const NEIGHBOURS_WIDER: f64 = 1.4;
 /// Critical gaps above this multiple of the steady gap are not told apart: balls collide.
 pub const CROWDED_MAX: f64 = 1.5;
 /// Places within one spacing of the balls at which the load is looked at.
@@ -112,9 +112,11 @@ pub fn run_jobs(
         match (job.structure.raceways(&case.bearing), job.task) {
             (Err(error), _) => outcomes[k] = Some(Err(error.to_string())),
             (Ok(raceways), Task::Spacing) => {
-                let spacing = spacing(case, &job.point, &raceways);
-                let numbers = spacing.map(Numbers::Spacing).map_err(|e| e.to_string());
-                outcomes[k] = Some(numbers);
+                outcomes[k] = match spacing(case, &job.point, &raceways, control) {
+                    Ok(spacing) => Some(Ok(Numbers::Spacing(spacing))),
+                    Err(CriticalGapError::Interrupted) => None,
+                    Err(error) => Some(Err(error.to_string())),
+                };
             }
             (Ok(raceways), Task::Motion(start)) => {
                 runs.push((k, job.point.case(case, raceways), start));
@@ -137,6 +139,7 @@ fn spacing(
     case: &Case,
     point: &OperatingPoint,
     raceways: &[Raceway],
+    control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<Spacing, CriticalGapError> {
     let most = CROWDED_MAX * steady_gap_rad(&case.bearing, raceways);
     let test = PairTest {
@@ -153,7 +156,7 @@ fn spacing(
     for raceway in raceways {
         let beta0 = theoretical_gap_rad(&case.bearing, raceway, Eq11::Published);
         let alone = point.case(case, vec![raceway.clone()]);
-        let (gap, shortfall) = match critical_gap_rad(&alone, &test) {
+        let (gap, shortfall) = match critical_gap_rad(&alone, &test, control) {
             Ok(gap) => (gap, 1.0 - gap / beta0),
             // Nothing closes on a raceway that does not slow the balls.
             Err(CriticalGapError::NeverCloses) => (0.0, 1.0),

@@ -28,7 +28,8 @@ pub use choice::{ALL_OBJECTIVES, OBJECTIVES, Objective, RESOLUTION, Scale, paret
 pub use disturbed::{DisturbedError, Motion, TURNS, VALUES, disturbed, uneven_gaps_rad};
 pub use evaluation::{Confirmed, Evaluation, Statistics};
 pub use job::{
-    CROWDED_MAX, Interrupted, Job, Numbers, Outcome, Spacing, Task, peak_stress_pa, run_jobs,
+    CROWDED_MAX, Interrupted, Job, NEIGHBOURS_WIDER, Numbers, Outcome, Spacing, Task,
+    peak_stress_pa, run_jobs,
 };
 pub use lattice::{MapCell, SpeedMap};
 pub use placement::placements;

@@ -3,7 +3,7 @@
 use super::disturbed::Motion;
 use super::job::Spacing;
 use super::structure::ClosedForms;
-use crate::design::{SLIP_SHORTFALL, SPEED_DROP_SHARE, TWICE_SHARE};
+use crate::design::{SLIP_SHORTFALL, SPEED_DROP_SHARE, TWICE_SHARE, percent_beside};
 use crate::error::InputError;
 use crate::hertz::STRESS_LIMIT_PA;
 
@@ -148,7 +148,8 @@ impl Cause {
 
 impl std::fmt::Display for Cause {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let percent = |x: &f64| 100.0 * x;
+        // A value that misses its limit must not be printed as the limit.
+        let beside = |x: &f64, limit: f64| percent_beside(*x, limit);
         match self {
             Self::Span => write!(
                 f,
@@ -161,38 +162,38 @@ impl std::fmt::Display for Cause {
             Self::Overlap => write!(f, "raceways overlap"),
             Self::Shallow(share) => write!(
                 f,
-                "guarantees only {:.0} % of the steady gap: hardly spreads the balls",
-                percent(share)
+                "guarantees only {:.1} % of the steady gap: hardly spreads the balls",
+                100.0 * share
             ),
             Self::Crowded(share) => write!(
                 f,
-                "critical gap {:.0} % of the steady gap: even evenly flowing balls collide",
-                percent(share)
+                "critical gap {} of the steady gap: even evenly flowing balls collide",
+                beside(share, 1.0)
             ),
             Self::Slips(shortfall) => write!(
                 f,
-                "slip takes {:.1} % of the separation ({:.0} % allowed)",
-                percent(shortfall),
+                "sliding takes {} of the separation ({:.0} % allowed)",
+                beside(shortfall, SLIP_SHORTFALL),
                 100.0 * SLIP_SHORTFALL
             ),
             Self::Slides(share) => write!(
                 f,
-                "the balls slide over it: {:.0} % of the theoretical drop of orbital speed \
+                "the balls slide over it: {} of the theoretical drop of orbital speed \
                  ({:.0} % needed)",
-                percent(share),
+                beside(share, SPEED_DROP_SHARE),
                 100.0 * SPEED_DROP_SHARE
             ),
             Self::Lost(share) => write!(
                 f,
-                "the gap is lost again: balls come back with as little as {:.0} % of the critical \
+                "the gap is lost again: balls come back with as little as {} of the critical \
                  gap ({:.0} % needed)",
-                percent(share),
+                beside(share, KEPT_SHARE),
                 100.0 * KEPT_SHARE
             ),
             Self::DoubleCollision(share) => write!(
                 f,
-                "{:.0} % of the passages hit by both neighbours ({:.0} % allowed)",
-                percent(share),
+                "{} of the passages hit by both neighbours ({:.0} % allowed)",
+                beside(share, TWICE_SHARE),
                 100.0 * TWICE_SHARE
             ),
             Self::Stress(pa) => write!(

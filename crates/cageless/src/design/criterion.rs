@@ -1,0 +1,167 @@
+//! The criteria of a verdict, each with its value, its limit and the margin between them.
+
+use super::{SLIP_SHORTFALL, SPEED_DROP_SHARE, TWICE_SHARE, Verdict};
+
+/// One requirement on the motion of the balls. Values, limits and margins are shares of 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Criterion {
+    /// Share of β0 by which sliding lowers the critical gap, at most [`SLIP_SHORTFALL`].
+    Separation(f64),
+    /// Share of the kinematic deceleration that the balls reach, at least [`SPEED_DROP_SHARE`].
+    Deceleration(f64),
+    /// Share of the passages in which both neighbours hit, at most [`TWICE_SHARE`].
+    BothNeighbours(f64),
+}
+
+impl Criterion {
+    /// Name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Separation(_) => "separation",
+            Self::Deceleration(_) => "deceleration",
+            Self::BothNeighbours(_) => "both-neighbours",
+        }
+    }
+
+    /// Measured value.
+    pub fn value(self) -> f64 {
+        match self {
+            Self::Separation(value) | Self::Deceleration(value) | Self::BothNeighbours(value) => {
+                value
+            }
+        }
+    }
+
+    /// Limit of the value.
+    pub fn limit(self) -> f64 {
+        match self {
+            Self::Separation(_) => SLIP_SHORTFALL,
+            Self::Deceleration(_) => SPEED_DROP_SHARE,
+            Self::BothNeighbours(_) => TWICE_SHARE,
+        }
+    }
+
+    /// Distance of the value from its limit, negative beyond it.
+    pub fn margin(self) -> f64 {
+        match self {
+            Self::Deceleration(value) => value - SPEED_DROP_SHARE,
+            Self::Separation(value) | Self::BothNeighbours(value) => self.limit() - value,
+        }
+    }
+
+    /// Whether the limit is kept. A value that is not a number keeps none.
+    pub fn is_met(self) -> bool {
+        self.margin() >= 0.0
+    }
+
+    /// The verdict on a raceway that this criterion decides.
+    pub fn verdict(self) -> Verdict {
+        match self {
+            _ if self.is_met() => Verdict::Smooth,
+            Self::Separation(_) | Self::Deceleration(_) => Verdict::Slips,
+            Self::BothNeighbours(_) => Verdict::DoubleCollision,
+        }
+    }
+
+    /// Margin over that of a raceway without sliding and collisions: 1 there, 0 at the limit.
+    pub fn relative_margin(self) -> f64 {
+        let ideal = match self {
+            Self::Deceleration(_) => 1.0 - SPEED_DROP_SHARE,
+            Self::Separation(_) | Self::BothNeighbours(_) => self.limit(),
+        };
+        self.margin() / ideal
+    }
+
+    /// The criterion that decides: the first that fails, else the one nearest to its limit.
+    pub fn deciding(all: &[Self]) -> Option<Self> {
+        all.iter()
+            .find(|c| !c.is_met())
+            .or_else(|| {
+                all.iter()
+                    .min_by(|a, b| a.relative_margin().total_cmp(&b.relative_margin()))
+            })
+            .copied()
+    }
+}
+
+/// Decimals that keep `values` from being printed as equal to the limit that they miss, in per
+/// cent: one at least, six at most.
+fn decimals(value: f64, limit: f64) -> usize {
+    let shown = |x: f64, digits: usize| format!("{:.digits$}", 100.0 * x);
+    (1..6)
+        .find(|&digits| value == limit || shown(value, digits) != shown(limit, digits))
+        .unwrap_or(6)
+}
+
+/// A share in per cent with as many decimals as tell it from its limit: `5.003 %`.
+pub fn percent_beside(value: f64, limit: f64) -> String {
+    format!("{:.*} %", decimals(value, limit), 100.0 * value)
+}
+
+impl std::fmt::Display for Criterion {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let (value, limit) = (self.value(), self.limit());
+        let shown = percent_beside(value, limit);
+        let bound = 100.0 * limit;
+        match self {
+            Self::Separation(_) if value < 0.0 => write!(
+                f,
+                "sliding takes nothing from the separation ({bound:.0} % allowed"
+            ),
+            Self::Separation(_) => write!(
+                f,
+                "sliding takes {shown} of the separation ({bound:.0} % allowed"
+            ),
+            Self::Deceleration(_) => write!(
+                f,
+                "balls reach {shown} of the kinematic deceleration ({bound:.0} % needed"
+            ),
+            Self::BothNeighbours(_) => write!(
+                f,
+                "{shown} of the passages are hit by both neighbours ({bound:.0} % allowed"
+            ),
+        }?;
+        let margin = percent_beside(self.margin().abs(), 0.0);
+        let points = margin.trim_end_matches(" %");
+        if self.is_met() {
+            write!(f, ", margin {points} percentage points)")
+        } else {
+            write!(f, ", missed by {points} percentage points)")
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_value_that_misses_its_limit_is_not_printed_as_the_limit() {
+        assert_eq!(percent_beside(0.42, 0.25), "42.0 %");
+        assert_eq!(percent_beside(0.050_03, 0.05), "5.003 %");
+        assert_eq!(percent_beside(0.05, 0.05), "5.0 %");
+        let text = Criterion::Separation(0.050_03).to_string();
+        assert_eq!(
+            text,
+            "sliding takes 5.003 % of the separation (5 % allowed, missed by 0.003 percentage points)"
+        );
+    }
+
+    #[test]
+    fn the_first_failure_decides_and_else_the_smallest_margin() {
+        let good = [
+            Criterion::Separation(0.01),
+            Criterion::Deceleration(1.0),
+            Criterion::BothNeighbours(0.23),
+        ];
+        assert_eq!(Criterion::deciding(&good), Some(good[2]));
+        let bad = [
+            Criterion::Separation(0.01),
+            Criterion::Deceleration(0.5),
+            Criterion::BothNeighbours(0.9),
+        ];
+        assert_eq!(Criterion::deciding(&bad), Some(bad[1]));
+        assert!(!Criterion::Deceleration(f64::NAN).is_met());
+        assert_eq!(Criterion::deciding(&[]), None);
+    }
+}

@@ -1,0 +1,68 @@
+//! Verdict on the passages of one run.
+
+use super::Verdict;
+use super::criterion::Criterion;
+use super::verdict::speed_drop_share;
+use crate::case::Case;
+use crate::passage::PassageTally;
+
+/// Whether the balls passed the raceways of a run as they should. It rests on deceleration and
+/// contacts alone: the critical gap takes runs of its own, see [`super::judge`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct RunVerdict {
+    /// The worst of the raceways.
+    pub verdict: Verdict,
+    /// The criterion that decides; `None` if nothing was judged.
+    pub deciding: Option<Criterion>,
+    /// PASS or FAIL with the verdict, the criterion that decides, and its margin.
+    pub headline: String,
+}
+
+impl RunVerdict {
+    /// Verdict from the passages through each raceway of the case, in their order.
+    pub fn of(case: &Case, passages: &[PassageTally]) -> Self {
+        let all: Vec<Criterion> = case
+            .raceways
+            .iter()
+            .zip(passages)
+            .filter(|(_, tally)| tally.count > 0)
+            .flat_map(|(raceway, tally)| {
+                let share = speed_drop_share(case, raceway, tally.slowest_mean_rad_s());
+                [
+                    Criterion::Deceleration(share),
+                    Criterion::BothNeighbours(tally.twice_share()),
+                ]
+            })
+            .collect();
+        let deciding = Criterion::deciding(&all);
+        let verdict = match deciding {
+            None => Verdict::NotJudged,
+            Some(criterion) => criterion.verdict(),
+        };
+        let headline = match deciding {
+            None if case.raceways.is_empty() => {
+                "not judged: the outer ring has no discrete raceway".to_owned()
+            }
+            None => {
+                "not judged: no ball has passed a discrete raceway since the transient".to_owned()
+            }
+            Some(criterion) => {
+                let (word, nearest) = if criterion.is_met() {
+                    ("PASS", "nearest to its limit: ")
+                } else {
+                    ("FAIL", "")
+                };
+                format!(
+                    "{word} in this run: {}; {nearest}{criterion}; the separation is judged by \
+                     design",
+                    verdict.name()
+                )
+            }
+        };
+        Self {
+            verdict,
+            deciding,
+            headline,
+        }
+    }
+}
