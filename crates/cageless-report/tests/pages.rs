@@ -442,4 +442,18 @@ fn the_recommended_raceway_lies_on_its_own_verdict() {
         (&"#009e73".into(), &"#d55e00".into())
     );
     assert!(traces.iter().any(|t| t["name"] == "works"), "the legend");
+
+/// Every verdict of a page says whether it passes, in words and in colour, and a page with two
+/// critical gaps of one raceway says why.
+#[test]
+fn pages_say_what_passes() {
+    let page = design_page(&synthetic::design());
+    for said in [
+        "<p class=\"judged pass\" role=\"status\">✔ PASS: smooth</p>",
+        "<p class=\"judged fail\" role=\"status\">✘ nothing recommended; starting point, which fails</p>",
+        "neighbours of the pair 40 % further off",
+    ] {
+        assert!(page.contains(said), "{said}");
+    }
+    assert!(run_page(&synthetic::run_data()).contains("✘ FAIL in this run: double-collision"));
 }

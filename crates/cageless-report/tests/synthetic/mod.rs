@@ -545,6 +545,8 @@ pub fn run_data() -> RunData {
         title: "Zhao 2022, structure (d) <synthetic>".into(),
         software: "cageless 0.1.0".into(),
         lead: "Synthetic data: nothing here was simulated.".into(),
+        passes: Some(false),
+        headline: "FAIL in this run: double-collision".into(),
         warnings: vec!["A warning with <angle brackets> & an ampersand.".into()],
         parameters: table1(),
         results: vec![
@@ -673,11 +675,16 @@ pub fn design() -> DesignData {
             vec!["shallow".into(), "smooth".into(), "slips".into()],
             vec!["double-collision".into(), "eq-9".into(), "crowded".into()],
         ],
+        passes: vec![vec![false, true, false], vec![false; 3]],
     };
     let reproduced = reproduce();
     DesignData {
         title: "Design <synthetic>".to_owned(),
         lead: "What was found.".to_owned(),
+        passes: Some(true),
+        headline: "PASS: smooth".to_owned(),
+        recommendation_passes: Some(false),
+        recommendation: "nothing recommended; starting point, which fails".to_owned(),
         reasons: vec!["critical gap 1.7 of 1.8".to_owned()],
         results: run_data().results,
         curve: reproduced.design_curve,
