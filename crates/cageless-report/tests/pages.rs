@@ -442,6 +442,7 @@ fn the_recommended_raceway_lies_on_its_own_verdict() {
         (&"#009e73".into(), &"#d55e00".into())
     );
     assert!(traces.iter().any(|t| t["name"] == "works"), "the legend");
+}
 
 /// Every verdict of a page says whether it passes, in words and in colour, and a page with two
 /// critical gaps of one raceway says why.
