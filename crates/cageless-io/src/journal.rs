@@ -1,27 +1,33 @@
 //! A journal of finished pieces of work, so that a long computation that was killed goes on
 //! where it stopped.
 //!
-//! One JSON document per line: the first says whose journal it is, as a list of lines, each
-//! other holds the name of a piece of work and its outcome. Numbers are stored as their bits: what is read back is
-//! what was computed. A line that was cut off by the end of the program is dropped.
+//! A line is a checksum and a JSON document: the first document says whose journal it is, as a list
+//! of lines, each other holds the name of a piece of work and its outcome. Numbers are stored as
+//! their bits: what is read back is what was computed. The checksum is the CRC-32 of all documents
+//! up to the end of this one, in eight hexadecimal digits, so that a line that was edited, moved or
+//! removed is found. A line that was cut off by the end of the program is dropped.
 
 use std::collections::HashMap;
-use std::fs::{File, OpenOptions};
-use std::io::{self, Seek, SeekFrom, Write};
+use std::fs::{File, TryLockError};
+use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
+use crc32fast::Hasher;
 use serde::{Deserialize, Serialize};
 
+use crate::files::open_own;
 use crate::plan_file::difference;
 use crate::system::in_words;
 
 /// Numbers, or why there are none.
 pub type Entry = Result<Vec<f64>, String>;
 
-/// A journal open for writing.
+/// A journal open for writing, which no other process can open until it is dropped.
 #[derive(Debug)]
 pub struct Journal {
     file: File,
+    /// Of all documents so far.
+    checksum: Hasher,
 }
 
 /// Why a journal cannot be used.
@@ -34,6 +40,20 @@ pub enum JournalError {
         path: PathBuf,
         /// What is different.
         why: String,
+    },
+    /// Another process is writing to it.
+    #[error("{}: another search is writing there: wait for it or choose another folder", .path.display())]
+    Busy {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A line is not as it was written.
+    #[error("{}:{line}: the line was damaged or edited: remove the file, or what stands from this line on", .path.display())]
+    Damaged {
+        /// The file.
+        path: PathBuf,
+        /// The line, counted from 1.
+        line: usize,
     },
     /// It cannot be read or written.
     #[error("{}: {}", .path.display(), in_words(.source))]
@@ -110,40 +130,53 @@ impl Journal {
     ///
     /// # Errors
     /// [`JournalError::Foreign`] with what differs if it has another owner,
-    /// [`JournalError::Io`] if it cannot be read or written.
+    /// [`JournalError::Busy`] if another process has it open, [`JournalError::Damaged`] if a line
+    /// is not as it was written, [`JournalError::Io`] if it cannot be read or written.
     pub fn open(path: &Path, owner: &str) -> Result<(Self, HashMap<String, Entry>), JournalError> {
         let failed = |source| JournalError::Io {
             path: path.to_owned(),
             source,
         };
-        let text = match std::fs::read(path) {
-            Ok(bytes) => bytes,
-            Err(error) if error.kind() == io::ErrorKind::NotFound => vec![],
-            Err(error) => return Err(failed(error)),
-        };
+        let mut file = open_own(path).map_err(failed)?;
+        match file.try_lock() {
+            Err(TryLockError::WouldBlock) => {
+                return Err(JournalError::Busy {
+                    path: path.to_owned(),
+                });
+            }
+            // Some network file systems have no locks; do without.
+            Err(TryLockError::Error(_)) | Ok(()) => {}
+        }
+        let mut text = vec![];
+        file.read_to_end(&mut text).map_err(failed)?;
         let foreign = |why: String| JournalError::Foreign {
             path: path.to_owned(),
             why,
         };
         let owner = lines(owner);
         let mut entries = HashMap::new();
-        let mut good = 0;
+        let (mut good, mut checksum) = (0, Hasher::new());
         for (k, line) in text.split_inclusive(|&b| b == b'\n').enumerate() {
+            let document = checked(line, &mut checksum);
             if k == 0 {
-                match serde_json::from_slice::<Head>(line) {
-                    Ok(head) if head.journal_of == owner => {}
+                match document.and_then(|json| serde_json::from_slice::<Head>(json).ok()) {
                     // Cut off while the head was written: nothing is lost.
-                    Err(_) if !line.ends_with(b"\n") => break,
-                    Ok(head) => return Err(foreign(why(&head.journal_of, &owner))),
-                    Err(_) => return Err(foreign("is no journal of this version".to_owned())),
+                    _ if !line.ends_with(b"\n") && is_begun(line) => break,
+                    Some(head) if head.journal_of == owner => {}
+                    Some(head) => return Err(foreign(why(&head.journal_of, &owner))),
+                    None => return Err(foreign("is no journal of this version".to_owned())),
                 }
             } else {
-                let Ok(read) = serde_json::from_slice::<Line>(line) else {
-                    break;
-                };
                 if !line.ends_with(b"\n") {
                     break;
                 }
+                let read = document.and_then(|json| serde_json::from_slice::<Line>(json).ok());
+                let Some(read) = read else {
+                    return Err(JournalError::Damaged {
+                        path: path.to_owned(),
+                        line: k + 1,
+                    });
+                };
                 let outcome = match (read.bits, read.failure) {
                     (Some(bits), _) => Ok(bits.into_iter().map(f64::from_bits).collect()),
                     (None, failure) => Err(failure.unwrap_or_default()),
@@ -152,15 +185,9 @@ impl Journal {
             }
             good += line.len();
         }
-        let mut file = OpenOptions::new()
-            .create(true)
-            .truncate(false)
-            .write(true)
-            .open(path)
-            .map_err(failed)?;
         file.set_len(good as u64).map_err(failed)?;
         file.seek(SeekFrom::End(0)).map_err(failed)?;
-        let mut journal = Self { file };
+        let mut journal = Self { file, checksum };
         if good == 0 {
             let head = Head { journal_of: owner };
             journal.line(&head).map_err(failed)?;
@@ -184,10 +211,33 @@ impl Journal {
     }
 
     fn line<T: Serialize>(&mut self, line: &T) -> io::Result<()> {
-        let mut text = serde_json::to_string(line)?;
-        text.push('\n');
-        self.file.write_all(text.as_bytes())
+        let json = serde_json::to_string(line)?;
+        self.checksum.update(json.as_bytes());
+        let checksum = self.checksum.clone().finalize();
+        self.file
+            .write_all(format!("{checksum:08x} {json}\n").as_bytes())
     }
+}
+
+/// Characters of a checksum and the space after it.
+const CHECKSUM_LENGTH: usize = 9;
+
+/// The document of a complete line whose checksum, after those of the lines before, is right.
+fn checked<'l>(line: &'l [u8], before: &mut Hasher) -> Option<&'l [u8]> {
+    let (checksum, json) = line.split_at_checked(CHECKSUM_LENGTH)?;
+    let json = json.strip_suffix(b"\n")?;
+    before.update(json);
+    let expected = format!("{:08x} ", before.clone().finalize());
+    (checksum == expected.as_bytes()).then_some(json)
+}
+
+/// Whether this is the beginning of a head.
+fn is_begun(line: &[u8]) -> bool {
+    let (checksum, json) = line.split_at(line.len().min(CHECKSUM_LENGTH));
+    let digits = checksum.iter().take(CHECKSUM_LENGTH - 1);
+    let begin = b"{\"journal_of\":";
+    let shown = json.len().min(begin.len());
+    digits.into_iter().all(u8::is_ascii_hexdigit) && json[..shown] == begin[..shown]
 }
 
 #[cfg(test)]
@@ -212,7 +262,7 @@ mod tests {
         // Killed in the middle of a line.
         let mut text = std::fs::read(&path).unwrap();
         let whole = text.len();
-        text.extend(b"{\"key\":\"d\",\"bi");
+        text.extend(b"0123abcd {\"key\":\"d\",\"bi");
         std::fs::write(&path, &text).unwrap();
 
         let (journal, known) = Journal::open(&path, "me").unwrap();
@@ -263,6 +313,55 @@ mod tests {
             head.contains("\"search.budget = 4\",\"search.seed = 1\""),
             "{head}"
         );
+    }
+
+    #[test]
+    fn a_second_search_waits_for_the_first() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("journal");
+        let (mut first, _) = Journal::open(&path, "me").unwrap();
+        let busy = Journal::open(&path, "me").unwrap_err();
+        assert!(matches!(busy, JournalError::Busy { .. }), "{busy}");
+        first.add("a", &Ok(vec![1.0])).unwrap();
+        drop(first);
+        let (_, known) = Journal::open(&path, "me").unwrap();
+        assert_eq!(known.len(), 1);
+    }
+
+    #[test]
+    fn edited_lines_are_refused() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("journal");
+        let (mut journal, _) = Journal::open(&path, "me").unwrap();
+        for (k, key) in ["a", "b", "c"].into_iter().enumerate() {
+            journal.add(key, &Ok(vec![k as f64 + 0.5])).unwrap();
+        }
+        drop(journal);
+        let whole = std::fs::read(&path).unwrap();
+        let is_refused = |bytes: &[u8], what: &str| {
+            std::fs::write(&path, bytes).unwrap();
+            assert!(Journal::open(&path, "me").is_err(), "{what}");
+            // It is left as it is.
+            assert_eq!(std::fs::read(&path).unwrap(), bytes, "{what}");
+        };
+        let text = String::from_utf8(whole.clone()).unwrap();
+        let lines: Vec<&str> = text.split_inclusive('\n').collect();
+        let joined = |order: &[usize]| order.iter().map(|&k| lines[k]).collect::<String>();
+        is_refused(joined(&[0, 2, 1, 3]).as_bytes(), "swapped lines");
+        is_refused(joined(&[0, 1, 3]).as_bytes(), "a line removed");
+        is_refused(joined(&[0, 1, 1, 2, 3]).as_bytes(), "a line twice");
+        let keys = text.replace("\"a\"", "\"x\"").replace("\"b\"", "\"a\"");
+        is_refused(keys.as_bytes(), "swapped keys");
+        // But for the last line feed, without which the line counts as cut off.
+        for at in 0..whole.len() - 1 {
+            for bit in 0..8 {
+                let mut damaged = whole.clone();
+                damaged[at] ^= 1 << bit;
+                is_refused(&damaged, &format!("bit {bit} at {at}"));
+            }
+        }
+        std::fs::write(&path, &whole).unwrap();
+        assert_eq!(Journal::open(&path, "me").unwrap().1.len(), 3);
     }
 
     #[test]

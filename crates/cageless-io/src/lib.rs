@@ -15,11 +15,15 @@
 
 pub mod cad;
 pub mod case_file;
+mod files;
 pub mod journal;
 mod option_error;
 pub mod plan_file;
 pub mod results;
 mod system;
+mod terminal;
 
+pub use files::open_own;
 pub use option_error::OptionError;
 pub use system::in_words;
+pub use terminal::on_terminal;

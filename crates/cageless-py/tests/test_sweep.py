@@ -167,3 +167,14 @@ def test_a_run_is_not_a_sweep(tmp_path: Path) -> None:
     (tmp_path / "summary.json").write_text("{}")
     with pytest.raises(cageless.InputError, match="the result of `cageless run`, not of a sweep"):
         cageless.report(tmp_path)
+
+
+def test_damaged_results_are_refused_and_do_not_panic(local: bytes, tmp_path: Path) -> None:
+    length = int.from_bytes(local[-8:-4], "little")
+    path = tmp_path / "damaged.parquet"
+    for at in range(len(local) - 8 - length, len(local), 7):
+        damaged = bytearray(local)
+        damaged[at] ^= 0xFF
+        path.write_bytes(damaged)
+        with pytest.raises(cageless.InputError, match="damaged.parquet: cannot be read"):
+            cageless.report(path)

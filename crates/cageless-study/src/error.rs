@@ -41,7 +41,7 @@ pub enum StudyError {
         /// What the system says.
         source: io::Error,
     },
-    /// The journal in the folder is another's.
+    /// The journal in the folder is another's, in use or damaged.
     #[error("{0}")]
     Foreign(String),
     /// What was computed cannot be kept: a full disk, say.
@@ -66,7 +66,9 @@ impl StudyError {
 impl From<JournalError> for StudyError {
     fn from(error: JournalError) -> Self {
         match error {
-            JournalError::Foreign { .. } => Self::Foreign(error.to_string()),
+            JournalError::Foreign { .. }
+            | JournalError::Busy { .. }
+            | JournalError::Damaged { .. } => Self::Foreign(error.to_string()),
             JournalError::Io { path, source } => Self::Folder { path, source },
         }
     }

@@ -71,7 +71,10 @@ impl Collection {
     /// If what is there cannot be read.
     pub fn missing(&self) -> Result<Vec<Range<u64>>, SweepError> {
         match &self.parts {
-            Some(parts) => Ok(parts.stock()?.done.missing(self.range.clone())),
+            Some(parts) => Ok(parts
+                .stock(&self.identity)?
+                .done
+                .missing(self.range.clone())),
             None => Ok(Vec::new()),
         }
     }
@@ -103,13 +106,8 @@ impl Collection {
     }
 
     fn check(&self, path: &Path) -> Result<(), SweepError> {
-        let table = RowsReader::open(path)?;
-        let what = path.display().to_string();
-        let Some(found) = Identity::read(&table) else {
-            return Err(SweepError::Input(format!("{what} is not part of a sweep")));
-        };
         let remedy = "Every computer must have the same version of Cageless";
-        self.identity.must_be(&found.text(), &what, remedy)
+        self.identity.must_own(&RowsReader::open(path)?, remedy)
     }
 
     /// Puts rows away, which need not hang together.
@@ -130,7 +128,7 @@ impl Collection {
         let Some(parts) = self.parts else {
             return Ok(true);
         };
-        let stock = parts.stock()?;
+        let stock = parts.stock(&self.identity)?;
         if !stock.done.missing(self.range.clone()).is_empty() {
             return Ok(false);
         }

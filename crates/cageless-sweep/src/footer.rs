@@ -95,6 +95,14 @@ impl Identity {
         Ok(true)
     }
 
+    /// Refuses a table of another sweep, or of none.
+    pub(crate) fn must_own(&self, table: &RowsReader, remedy: &str) -> Result<(), SweepError> {
+        let what = table.path().display().to_string();
+        let found = Self::read(table)
+            .ok_or_else(|| SweepError::Input(format!("{what} is not part of a sweep. {remedy}")))?;
+        self.must_be(&found.text(), &what, remedy)
+    }
+
     /// Refuses another identity, with the differences.
     pub(crate) fn must_be(&self, before: &str, what: &str, remedy: &str) -> Result<(), SweepError> {
         let differences = difference(before, &self.text());

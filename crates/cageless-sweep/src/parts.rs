@@ -4,10 +4,11 @@
 //! computes) and tables of rows, each complete under its name or not there. No row is in
 //! two of them.
 
-use std::fs::{File, OpenOptions, TryLockError};
+use std::fs::{File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
 
+use cageless_io::open_own;
 use cageless_io::results::{Cell, ColumnSpec, Row, RowsReader, RowsWriter, write_atomically};
 
 use crate::error::SweepError;
@@ -42,12 +43,7 @@ impl Parts {
         loop {
             std::fs::create_dir_all(&folder).map_err(|e| SweepError::folder(&folder, e))?;
             let path = folder.join(LOCK);
-            let file = OpenOptions::new()
-                .create(true)
-                .write(true)
-                .truncate(false)
-                .open(&path);
-            let file = match file {
+            let file = match open_own(&path) {
                 Ok(file) => file,
                 // Another process has just finished and taken the folder away.
                 Err(e) if e.kind() == io::ErrorKind::NotFound => continue,
@@ -87,15 +83,16 @@ impl Parts {
         }
     }
 
-    /// What is there; what a killed process left half-written is removed.
-    pub(crate) fn stock(&self) -> Result<Stock, SweepError> {
+    /// What is there of a sweep; what a killed process left half-written is removed, and tables
+    /// of another sweep are refused.
+    pub(crate) fn stock(&self, identity: &Identity) -> Result<Stock, SweepError> {
         let fail = |e| SweepError::folder(&self.folder, e);
         let mut stock = Stock::default();
         for entry in std::fs::read_dir(&self.folder).map_err(fail)? {
             let path = entry.map_err(fail)?.path();
             match path.extension().and_then(|e| e.to_str()) {
                 Some("partial") => std::fs::remove_file(&path).map_err(fail)?,
-                Some("parquet") => stock.add(path)?,
+                Some("parquet") => stock.add(path, identity)?,
                 _ => {}
             }
         }
@@ -140,8 +137,9 @@ impl Parts {
 }
 
 impl Stock {
-    fn add(&mut self, path: PathBuf) -> Result<(), SweepError> {
+    fn add(&mut self, path: PathBuf, identity: &Identity) -> Result<(), SweepError> {
         let table = RowsReader::open(&path)?;
+        identity.must_own(&table, "Remove it, and its variants are computed again")?;
         add_isa(&mut self.isa, table.footer("isa").unwrap_or_default());
         let mut first = u64::MAX;
         for group in 0..table.groups() {

@@ -119,3 +119,31 @@ fn a_part_of_another_sweep_is_refused_and_does_not_stay() {
     assert!(collection.add(0, b"no table").is_err());
     assert_eq!(collection.missing().expect("read"), vec![ALL]);
 }
+
+/// The work folder of one plan takes no rows of another, nor what is no table of a sweep.
+#[test]
+fn parts_of_another_plan_are_refused() {
+    let dir = tempfile::tempdir().expect("a folder");
+    let (one, other) = (sweep(dir.path(), 1), sweep(dir.path(), 2));
+    let result = dir.path().join("sweep.parquet");
+    let collection = Collection::open(&one, &result, None).expect("opened");
+    let foreign = part(&other, 2..5, dir.path());
+    let file = collection.part(2);
+    fs::write(&file, foreign).expect("written");
+    let refused = collection.missing().expect_err("of another plan");
+    let message = refused.to_string();
+    assert!(refused.is_input(), "{message}");
+    for said in ["rows-0000000002.parquet", "seed was 2, is 1", "Remove it"] {
+        assert!(message.contains(said), "{message}");
+    }
+    drop(collection);
+    let job = Job {
+        result: result.clone(),
+        shard: None,
+        threads: None,
+    };
+    assert!(run(&one, &job, |_| false).is_err());
+    assert!(!result.exists());
+    fs::remove_file(file).expect("removed");
+    assert!(run(&one, &job, |_| false).expect("computed").complete);
+}

@@ -1,10 +1,11 @@
-//! A checksum of the rows of a table, in its footer: `crc32` of the first `crc32_bytes` bytes of
-//! the file. (The format has one for each page, but the library writes none.)
+//! The checksum of a table: the last key of its footer, `file_crc32`, holds the CRC-32 of all
+//! bytes of the file, its own eight digits counted as zeros.
+//!
+//! It is checked before the footer is interpreted: the Parquet library panics on some damaged
+//! footers and believes others.
 
-use std::collections::BTreeMap;
 use std::fs::File;
-use std::io::{self, Read};
-use std::path::Path;
+use std::io::{self, Read, Seek, SeekFrom};
 
 use crc32fast::Hasher;
 use parquet::errors::ParquetError;
@@ -13,37 +14,112 @@ use parquet::file::writer::SerializedFileWriter;
 
 use super::partial::PartialFile;
 
-const CHECKSUM: &str = "crc32";
-const BYTES: &str = "crc32_bytes";
+/// Name of the checksum in the footer.
+pub(super) const CHECKSUM: &str = "file_crc32";
+const BLANK: &[u8; 8] = b"00000000";
+/// End of every Parquet file, after the length of the footer in four bytes.
+const MAGIC: &[u8; 4] = b"PAR1";
 
-/// Puts the checksum of what was written so far in the footer.
-pub(super) fn seal(writer: &mut SerializedFileWriter<PartialFile>) -> Result<(), ParquetError> {
-    writer.flush()?;
-    let (bytes, checksum) = writer.inner().written();
-    for (key, value) in [
-        (CHECKSUM, format!("{checksum:08x}")),
-        (BYTES, bytes.to_string()),
-    ] {
-        writer.append_key_value_metadata(KeyValue::new(key.to_owned(), value));
-    }
-    Ok(())
+/// Why a file is not a table as it was written.
+#[derive(Debug)]
+pub(super) enum Fault {
+    /// It cannot be read.
+    System(io::Error),
+    /// It does not end as a Parquet file does.
+    NotParquet,
+    /// Its footer has no checksum.
+    NoChecksum,
+    /// Its bytes are not those that were written.
+    Damaged,
 }
 
-/// Whether the file has the bytes that were written; one without a checksum is believed.
-pub(super) fn is_intact(path: &Path, footer: &BTreeMap<String, String>) -> io::Result<bool> {
-    let (Some(checksum), Some(bytes)) = (footer.get(CHECKSUM), footer.get(BYTES)) else {
-        return Ok(true);
+impl From<io::Error> for Fault {
+    fn from(error: io::Error) -> Self {
+        Self::System(error)
+    }
+}
+
+/// Writes the footer with the checksum, and returns the complete file.
+pub(super) fn seal(
+    writer: &mut SerializedFileWriter<PartialFile>,
+) -> Result<PartialFile, ParquetError> {
+    let blank = String::from_utf8_lossy(BLANK).into_owned();
+    writer.append_key_value_metadata(KeyValue::new(CHECKSUM.to_owned(), blank));
+    writer.finish()?;
+    let mut file = writer.inner_mut().take()?;
+    let digits = format!("{:08x}", file.checksum());
+    let place = match digits_at(file.file()) {
+        Ok(place) => place,
+        Err(Fault::System(error)) => return Err(error.into()),
+        Err(fault) => {
+            return Err(ParquetError::General(format!(
+                "footer as written: {fault:?}"
+            )));
+        }
     };
-    let Ok(bytes) = bytes.parse() else {
-        return Ok(false);
-    };
-    let mut file = File::open(path)?.take(bytes);
-    let (mut hasher, mut buffer) = (Hasher::new(), vec![0; 1 << 16]);
+    file.overwrite(place, digits.as_bytes())?;
+    Ok(file)
+}
+
+/// Checks that the file has the bytes that were written.
+pub(super) fn verify(file: &mut File) -> Result<(), Fault> {
+    let place = digits_at(file)?;
+    let mut hasher = Hasher::new();
+    file.seek(SeekFrom::Start(0))?;
+    let mut buffer = vec![0; 1 << 16];
+    let mut before = (&*file).take(place);
+    loop {
+        match before.read(&mut buffer)? {
+            0 => break,
+            count => hasher.update(&buffer[..count]),
+        }
+    }
+    let mut digits = *BLANK;
+    file.read_exact(&mut digits)?;
+    hasher.update(BLANK);
     loop {
         match file.read(&mut buffer)? {
             0 => break,
             count => hasher.update(&buffer[..count]),
         }
     }
-    Ok(file.limit() == 0 && format!("{:08x}", hasher.finalize()) == *checksum)
+    if format!("{:08x}", hasher.finalize()).as_bytes() == digits {
+        Ok(())
+    } else {
+        Err(Fault::Damaged)
+    }
+}
+
+/// Offset of the eight digits in the file.
+fn digits_at(mut file: &File) -> Result<u64, Fault> {
+    let length = file.metadata()?.len();
+    let tail = (MAGIC.len() + size_of::<u32>()) as u64;
+    let end = length.checked_sub(tail).ok_or(Fault::NotParquet)?;
+    file.seek(SeekFrom::Start(end))?;
+    let (mut size, mut magic) = ([0; 4], [0; 4]);
+    file.read_exact(&mut size)?;
+    file.read_exact(&mut magic)?;
+    if magic != *MAGIC {
+        return Err(Fault::NotParquet);
+    }
+    let size = u64::from(u32::from_le_bytes(size));
+    let start = end.checked_sub(size).ok_or(Fault::NotParquet)?;
+    file.seek(SeekFrom::Start(start))?;
+    let mut footer = Vec::new();
+    file.take(size).read_to_end(&mut footer)?;
+    // Thrift's compact protocol: type and length before each of the two texts.
+    let text = |length: usize| [0x18, length as u8];
+    let entry = [
+        &text(CHECKSUM.len()),
+        CHECKSUM.as_bytes(),
+        &text(BLANK.len()),
+    ]
+    .concat();
+    // The last one: a text before it may hold the same bytes.
+    let found = footer.windows(entry.len()).rposition(|w| w == entry);
+    let digits = found.map(|at| at + entry.len()).ok_or(Fault::NoChecksum)?;
+    if digits + BLANK.len() > footer.len() {
+        return Err(Fault::Damaged);
+    }
+    Ok(start + digits as u64)
 }

@@ -24,6 +24,16 @@ pub enum ResultError {
         /// The file in question.
         path: PathBuf,
     },
+    /// The hidden file that is to grow into a result cannot be used.
+    #[error("--out {}: {} {source}", path.display(), partial.display())]
+    Occupied {
+        /// The file of the result.
+        path: PathBuf,
+        /// The hidden file.
+        partial: PathBuf,
+        /// What is in its place.
+        source: io::Error,
+    },
     /// A table cannot be read.
     #[error("{}: cannot be read: {message}", path.display())]
     Unreadable {
@@ -77,7 +87,7 @@ impl ResultError {
     /// Whether what was asked for is at fault, not the machine.
     pub fn is_input(&self) -> bool {
         match self {
-            Self::Busy { .. } | Self::Unreadable { .. } => true,
+            Self::Busy { .. } | Self::Occupied { .. } | Self::Unreadable { .. } => true,
             Self::Out { source, .. } => is_unusable(source),
             Self::Run { errors, .. } => errors.iter().all(Self::is_input),
             Self::Table { .. } | Self::Ragged { .. } => false,

@@ -9,8 +9,8 @@
 //! | `summary.json` | (one document, [`SummaryFile`]) |
 //!
 //! Balls count from 1. The footer of each table has `schema`, `version`, `isa`
-//! (instruction set), `case` (JSON, as run), for each column `unit:<column>`, and `crc32` (of the
-//! first `crc32_bytes` bytes of the file, which are all rows).
+//! (instruction set), `case` (JSON, as run), for each column `unit:<column>`, and `file_crc32`, the
+//! CRC-32 of the whole file with these eight digits as zeros.
 //!
 //! Tables grow under a hidden name and take their own when all of them are complete, so
 //! that a file that is there can be read, and a `summary.json` stands beside the tables of its
@@ -33,13 +33,12 @@ use crate::case_file::CaseDocument;
 
 pub use certificate::{CertificateFile, CertificateNumber, DistanceColumns, rounded};
 pub use error::{ResultError, is_unusable};
-pub use partial::write_atomically;
+pub use partial::{PartialFile, write_atomically};
 pub use rows::{Cell, ColumnKind, ColumnSpec, Row, RowsReader, RowsWriter};
 pub use summary::{Stopped, SummaryFile};
 
 pub use table::Column;
 
-use partial::PartialFile;
 use table::Table;
 
 /// Version of the layout of results.

@@ -1,28 +1,33 @@
 //! Files that appear complete or not at all.
 
-use std::fs::{File, OpenOptions, TryLockError};
-use std::io::{self, Write};
+use std::fs::{File, TryLockError};
+use std::io::{self, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use super::error::ResultError;
+use crate::files::open_own;
 
 /// A file that grows as `.NAME.partial` beside its place and takes its name when it
-/// is committed. Dropped before, it is removed. (Temporary files of the `tempfile`
+/// is [committed](Self::commit). Dropped before, it is removed. (Temporary files of the `tempfile`
 /// crate would be readable by their owner alone.)
 #[derive(Debug)]
-pub(super) struct PartialFile {
+pub struct PartialFile {
     file: File,
-    bytes: u64,
     checksum: crc32fast::Hasher,
     partial: PathBuf,
     path: PathBuf,
-    committed: bool,
+    /// Whether the partial file is no longer this one's to remove.
+    released: bool,
 }
 
 impl PartialFile {
     /// Opens the partial file of `path`. One that a killed run left is taken over, one
     /// that another run is writing is not.
-    pub(super) fn create(path: &Path) -> Result<Self, ResultError> {
+    ///
+    /// # Errors
+    /// If the folder cannot be written to, another process writes the same file, or what is in
+    /// place of the partial file is not a file of this program.
+    pub fn create(path: &Path) -> Result<Self, ResultError> {
         let fail = |source| ResultError::out(path, source);
         let name = path.file_name().ok_or_else(|| {
             fail(io::Error::new(
@@ -37,12 +42,14 @@ impl PartialFile {
         let partial = path.with_file_name(format!(".{}.partial", name.to_string_lossy()));
         let file = loop {
             // Not truncated: it may belong to another run until the lock is had.
-            let file = OpenOptions::new()
-                .create(true)
-                .write(true)
-                .truncate(false)
-                .open(&partial)
-                .map_err(fail)?;
+            let file = open_own(&partial).map_err(|source| match source.kind() {
+                io::ErrorKind::InvalidInput => ResultError::Occupied {
+                    path: path.to_owned(),
+                    partial: partial.clone(),
+                    source,
+                },
+                _ => fail(source),
+            })?;
             match file.try_lock() {
                 Err(TryLockError::WouldBlock) => {
                     return Err(ResultError::Busy {
@@ -60,17 +67,41 @@ impl PartialFile {
         file.set_len(0).map_err(fail)?;
         Ok(Self {
             file,
-            bytes: 0,
             checksum: crc32fast::Hasher::new(),
             partial,
             path: path.to_owned(),
-            committed: false,
+            released: false,
         })
     }
 
-    /// How many bytes were written, and their CRC-32.
-    pub(super) fn written(&self) -> (u64, u32) {
-        (self.bytes, self.checksum.clone().finalize())
+    /// CRC-32 of what was written.
+    pub(super) fn checksum(&self) -> u32 {
+        self.checksum.clone().finalize()
+    }
+
+    /// The open file.
+    pub(super) fn file(&self) -> &File {
+        &self.file
+    }
+
+    /// Replaces bytes that were written.
+    pub(super) fn overwrite(&mut self, offset: u64, bytes: &[u8]) -> io::Result<()> {
+        self.file.seek(SeekFrom::Start(offset))?;
+        self.file.write_all(bytes)?;
+        self.file.seek(SeekFrom::End(0)).map(drop)
+    }
+
+    /// Takes the file out of a writer that cannot give it away; what stays there is a shell.
+    pub(super) fn take(&mut self) -> io::Result<Self> {
+        let file = self.file.try_clone()?;
+        self.released = true;
+        Ok(Self {
+            file,
+            checksum: self.checksum.clone(),
+            partial: self.partial.clone(),
+            path: self.path.clone(),
+            released: false,
+        })
     }
 
     /// Where the file will be.
@@ -79,7 +110,10 @@ impl PartialFile {
     }
 
     /// Gives the file its name.
-    pub(super) fn commit(self) -> Result<(), ResultError> {
+    ///
+    /// # Errors
+    /// If the file cannot be written; a previous file of that name is then untouched.
+    pub fn commit(self) -> Result<(), ResultError> {
         self.sync()?;
         self.rename()
     }
@@ -94,7 +128,7 @@ impl PartialFile {
     pub(super) fn rename(mut self) -> Result<(), ResultError> {
         std::fs::rename(&self.partial, &self.path)
             .map_err(|source| ResultError::out(&self.path, source))?;
-        self.committed = true;
+        self.released = true;
         Ok(())
     }
 }
@@ -102,7 +136,6 @@ impl PartialFile {
 impl Write for PartialFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let count = self.file.write(bytes)?;
-        self.bytes += count as u64;
         self.checksum.update(&bytes[..count]);
         Ok(count)
     }
@@ -114,7 +147,7 @@ impl Write for PartialFile {
 
 impl Drop for PartialFile {
     fn drop(&mut self) {
-        if !self.committed {
+        if !self.released {
             // Nobody is left to hear of a failure.
             let _ = std::fs::remove_file(&self.partial);
         }

@@ -104,9 +104,7 @@ impl Table {
             self.write_group()?;
         }
         let path = self.writer.inner().path().to_owned();
-        let file = seal(&mut self.writer)
-            .and_then(|()| self.writer.into_inner())
-            .map_err(|source| ResultError::Table { path, source })?;
+        let file = seal(&mut self.writer).map_err(|source| ResultError::Table { path, source })?;
         file.sync()?;
         Ok(file)
     }

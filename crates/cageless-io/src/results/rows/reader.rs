@@ -8,11 +8,13 @@ use parquet::basic::{Repetition, Type as PhysicalType};
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::data_type::DataType;
 use parquet::errors::ParquetError;
+use parquet::file::metadata::ParquetMetaData;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::schema::types::TypePtr;
 
+use super::writer::GROUP_ROWS;
 use super::{Cell, ColumnKind, ColumnSpec, Row, UNIT};
-use crate::results::checksum::is_intact;
+use crate::results::checksum::{CHECKSUM, Fault, verify};
 use crate::results::error::ResultError;
 use crate::system::in_words;
 
@@ -30,10 +32,26 @@ impl RowsReader {
     /// # Errors
     /// If the file cannot be read, is damaged or is not a table of this kind.
     pub fn open(path: &Path) -> Result<Self, ResultError> {
-        let file = File::open(path).map_err(|e| ResultError::unreadable(path, in_words(&e)))?;
-        let reader = SerializedFileReader::new(file).map_err(|e| {
-            ResultError::damaged(path, &e, "it is not a Parquet file, or a damaged one")
-        })?;
+        let unreadable = |e: std::io::Error| ResultError::unreadable(path, in_words(&e));
+        // A pipe would be waited for.
+        let kind = std::fs::metadata(path).map_err(unreadable)?;
+        if kind.is_dir() {
+            return Err(unreadable(std::io::ErrorKind::IsADirectory.into()));
+        }
+        if !kind.is_file() {
+            return Err(ResultError::unreadable(path, "it is not a file"));
+        }
+        let mut file = File::open(path).map_err(unreadable)?;
+        // First, since Parquet panics at some damage and believes other.
+        verify(&mut file).map_err(|fault| of_fault(path, fault))?;
+        let reader = SerializedFileReader::new(file)
+            .map_err(|e| ResultError::damaged(path, &e, NOT_PARQUET))?;
+        if !is_readable(reader.metadata(), kind.len()) {
+            return Err(ResultError::unreadable(
+                path,
+                "its groups of rows are impossible",
+            ));
+        }
         let metadata = reader.metadata().file_metadata();
         let footer: BTreeMap<_, _> = metadata
             .key_value_metadata()
@@ -48,12 +66,6 @@ impl RowsReader {
             .map(|field| column(field, &footer))
             .collect::<Option<_>>()
             .ok_or_else(|| ResultError::unreadable(path, "its columns are not those of a sweep"))?;
-        // Not only for what would be read wrongly: Parquet panics at some damage.
-        let intact = is_intact(path, &footer);
-        if !intact.map_err(|e| ResultError::unreadable(path, in_words(&e)))? {
-            let message = "it is damaged: its rows are not those that were written";
-            return Err(ResultError::unreadable(path, message));
-        }
         Ok(Self {
             path: path.to_owned(),
             reader,
@@ -127,6 +139,48 @@ impl RowsReader {
         }
         Ok(rows)
     }
+}
+
+const NOT_PARQUET: &str = "it is not a Parquet file, or a damaged one";
+
+fn of_fault(path: &Path, fault: Fault) -> ResultError {
+    let why = match fault {
+        Fault::System(error) => in_words(&error),
+        Fault::NotParquet => NOT_PARQUET.to_owned(),
+        Fault::NoChecksum => format!(
+            "its footer lacks `{CHECKSUM}`, the checksum of the whole file: it is not a table of \
+             Cageless, or one of an earlier version, which must be computed again"
+        ),
+        Fault::Damaged => "it is damaged: its bytes are not those that were written".to_owned(),
+    };
+    ResultError::unreadable(path, why)
+}
+
+/// Whether all groups of rows lie within the file and are of the size that is written: Parquet
+/// panics at negative places and makes room for whatever number of rows it is told.
+fn is_readable(metadata: &ParquetMetaData, bytes: u64) -> bool {
+    let within = |start: i64, length: i64| {
+        let (start, length) = (u64::try_from(start), u64::try_from(length));
+        let end = start
+            .ok()
+            .zip(length.ok())
+            .and_then(|(s, l)| s.checked_add(l));
+        end.is_some_and(|end| end <= bytes)
+    };
+    let mut rows = 0_i64;
+    for group in metadata.row_groups() {
+        let count = group.num_rows();
+        let columns = group.columns().iter().all(|column| {
+            let data = column.data_page_offset();
+            let start = column.dictionary_page_offset().unwrap_or(data);
+            start <= data && within(start, column.compressed_size()) && within(data, 0)
+        });
+        if !columns || !(0..=GROUP_ROWS as i64).contains(&count) {
+            return false;
+        }
+        rows = rows.saturating_add(count);
+    }
+    rows == metadata.file_metadata().num_rows()
 }
 
 /// The column of a field; `None` if it is none of ours.

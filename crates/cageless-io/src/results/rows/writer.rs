@@ -20,7 +20,7 @@ use crate::results::partial::PartialFile;
 
 /// Rows in a group, whatever the size of the table: the bytes of a file follow from its
 /// rows alone.
-const GROUP_ROWS: usize = 16_384;
+pub(super) const GROUP_ROWS: usize = 16_384;
 
 /// A table in the making; without [`RowsWriter::finish`] it leaves nothing behind.
 #[derive(Debug)]
@@ -70,9 +70,7 @@ impl RowsWriter {
             self.write_group()?;
         }
         let path = self.writer.inner().path().to_owned();
-        let file = seal(&mut self.writer)
-            .and_then(|()| self.writer.into_inner())
-            .map_err(|e| ResultError::table(&path, e))?;
+        let file = seal(&mut self.writer).map_err(|e| ResultError::table(&path, e))?;
         file.commit()
     }
 

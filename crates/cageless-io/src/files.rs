@@ -1,0 +1,44 @@
+//! Files of the program's own, under names that others can guess.
+
+use std::fs::{File, OpenOptions};
+use std::io;
+use std::path::Path;
+
+/// Opens a file to read and write, or makes it. Its name is known beforehand, so that somebody
+/// else may have put something in its place: a link, symbolic or not, would lead the writing to
+/// another file, and a pipe would wait for a reader forever. Both are refused.
+///
+/// # Errors
+/// [`io::ErrorKind::InvalidInput`] for anything but a regular file with one name, else what the
+/// system says.
+pub fn open_own(path: &Path) -> io::Result<File> {
+    let mut options = OpenOptions::new();
+    options.create(true).read(true).write(true).truncate(false);
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::OpenOptionsExt;
+        options.custom_flags(libc::O_NOFOLLOW | libc::O_NONBLOCK);
+    }
+    let is_link = || path.symlink_metadata().is_ok_and(|m| m.is_symlink());
+    let file = match options.open(path) {
+        Err(_) if is_link() => return Err(refused("is a symbolic link")),
+        other => other?,
+    };
+    let metadata = file.metadata()?;
+    if !metadata.is_file() {
+        return Err(refused("is not a regular file"));
+    }
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt;
+        if metadata.nlink() > 1 {
+            return Err(refused("is another file as well, by a hard link"));
+        }
+    }
+    Ok(file)
+}
+
+fn refused(what: &str) -> io::Error {
+    let message = format!("{what}, where a file of the program's own is to be: remove it");
+    io::Error::new(io::ErrorKind::InvalidInput, message)
+}
