@@ -9,6 +9,7 @@ mod reproduce;
 
 use std::process::ExitCode;
 
+use cageless_io::on_terminal;
 use clap::Parser;
 
 fn main() -> ExitCode {
@@ -23,7 +24,7 @@ fn main() -> ExitCode {
     match commands::dispatch(args) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("error: {failure}");
+            eprintln!("error: {}", on_terminal(&failure.to_string()));
             failure.exit_code()
         }
     }

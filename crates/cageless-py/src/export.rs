@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use cageless_io::cad::{ExportNumbers, ExportOptions, Format, export, names_file};
+use cageless_io::cad::{Export, ExportNumbers, ExportOptions, Format, export, names_file};
 use cageless_io::case_file::CaseFile;
-use cageless_io::results::write_atomically;
+use cageless_io::results::{PartialFile, ResultError, write_atomically};
 use pyo3::prelude::*;
 
 use crate::errors::{input, of_export, of_folder, of_results, other};
@@ -37,22 +37,21 @@ pub fn write(
     options.check(&formats).map_err(|e| of_export(&e))?;
     py.detach(|| {
         let made = formats.iter().map(|&format| export(file, format, options));
-        let mut made = made
+        let made = made
             .collect::<Result<Vec<_>, _>>()
             .map_err(|e| of_export(&e))?;
         // Only now, so that bad input leaves no folder behind.
         if named.is_none() {
             std::fs::create_dir_all(out).map_err(|e| of_folder(out, e))?;
         }
-        for (format, made) in formats.iter().zip(&mut made) {
+        let mut numbers = Vec::new();
+        for (format, made) in formats.iter().zip(&made) {
             let path = match named {
                 Some(_) => PathBuf::from(out),
                 None => out.join(format!("outer_ring.{}", format.name())),
             };
-            write_atomically(&path, &made.bytes).map_err(|e| of_results(&e))?;
-            made.numbers.file = Some(path.display().to_string());
+            numbers.push(into_file(made, &path).map_err(|e| of_results(&e))?);
         }
-        let numbers: Vec<&ExportNumbers> = made.iter().map(|m| &m.numbers).collect();
         if named.is_none() {
             let json = match numbers.as_slice() {
                 [one] => serde_json::to_string_pretty(one),
@@ -63,6 +62,17 @@ pub fn write(
         }
         serde_json::to_string(&numbers).map_err(other)
     })
+}
+
+fn into_file(made: &Export, path: &Path) -> Result<ExportNumbers, ResultError> {
+    let mut file = PartialFile::create(path)?;
+    let mut numbers = made.write(&mut file).map_err(|source| ResultError::Out {
+        path: path.to_owned(),
+        source,
+    })?;
+    file.commit()?;
+    numbers.file = Some(path.display().to_string());
+    Ok(numbers)
 }
 
 fn format(name: &str) -> PyResult<Format> {

@@ -1,15 +1,16 @@
 //! `cageless export`.
 
 use std::io::IsTerminal;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use cageless_io::cad::{
-    Counts, ExportError, ExportNumbers, ExportOptions, Format, export as ring, names_file,
+    Counts, Export, ExportError, ExportNumbers, ExportOptions, Format, export as ring, names_file,
 };
 use cageless_io::case_file::CaseFile;
-use cageless_io::results::write_atomically;
+use cageless_io::on_terminal;
+use cageless_io::results::{PartialFile, ResultError, write_atomically};
 
-use super::{make_folder, print, print_bytes};
+use super::{make_folder, print};
 use crate::args::ExportArgs;
 use crate::failure::Failure;
 use crate::format::pairs;
@@ -25,14 +26,19 @@ pub fn export(args: &ExportArgs) -> Result<(), Failure> {
         spacing_mm: args.spacing_mm,
     };
     options.check(&[format])?;
-    let mut made = ring(&file, format, &options)?;
+    let made = ring(&file, format, &options)?;
     // Only now, so that bad input leaves no folder behind.
     let path = target(args, format)?;
-    if let Some(path) = &path {
-        write_atomically(path, &made.bytes)?;
-        made.numbers.file = Some(path.display().to_string());
-    }
-    let json = serde_json::to_string_pretty(&made.numbers)? + "\n";
+    let numbers = match &path {
+        Some(path) => into_file(&made, path)?,
+        None if args.json => made.write(&mut std::io::sink())?,
+        None => match made.write(&mut std::io::stdout().lock()) {
+            // The reader has had enough.
+            Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => return Ok(()),
+            other => other?,
+        },
+    };
+    let json = serde_json::to_string_pretty(&numbers)? + "\n";
     if let (Some(dir), Some(path)) = (&args.out, &path)
         && dir != path
     {
@@ -40,12 +46,24 @@ pub fn export(args: &ExportArgs) -> Result<(), Failure> {
     }
     match (path, args.json) {
         (_, true) => print(&json),
-        (Some(_), false) => print(&text(&made.numbers)),
+        (Some(_), false) => print(&text(&numbers)),
         (None, false) => {
-            eprint!("{}", text(&made.numbers));
-            print_bytes(&made.bytes)
+            eprint!("{}", on_terminal(&text(&numbers)));
+            Ok(())
         }
     }
+}
+
+fn into_file(made: &Export, path: &Path) -> Result<ExportNumbers, Failure> {
+    let mut file = PartialFile::create(path)?;
+    let written = made.write(&mut file);
+    let mut numbers = written.map_err(|source| ResultError::Out {
+        path: path.to_owned(),
+        source,
+    })?;
+    file.commit()?;
+    numbers.file = Some(path.display().to_string());
+    Ok(numbers)
 }
 
 /// The file to write; `None` for stdout or, with `--json`, nowhere.

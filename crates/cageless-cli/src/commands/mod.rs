@@ -13,8 +13,9 @@ use std::path::Path;
 use cageless::SCOPE;
 use cageless::dynamics::InstructionSet;
 use cageless_io::case_file::{CaseFile, template};
-use cageless_io::in_words;
 use cageless_io::results::write_atomically;
+use cageless_io::{in_words, on_terminal};
+use cageless_study::check_environment;
 use serde::Serialize;
 
 use crate::args::{Args, CaseArgs, Command, Isa};
@@ -27,6 +28,7 @@ pub fn dispatch(args: Args) -> Result<(), Failure> {
     if let Some(isa) = args.isa {
         limit_instructions(isa)?;
     }
+    check_environment()?;
     match args.command {
         Command::Reproduce(args) => crate::reproduce::reproduce(&args, &catch_interrupt()),
         Command::New(args) => print(&template(args.conventional)),
@@ -63,16 +65,12 @@ fn limit_instructions(isa: Isa) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Prints to stdout. A reader that has had enough (`cageless new | head`) is no failure.
+/// Prints text to stdout, where nothing in it commands a terminal. A reader that has had enough (`cageless new | head`) is no failure.
 pub fn print(text: &str) -> Result<(), Failure> {
-    print_bytes(text.as_bytes())
-}
-
-/// [`print`] for what is not text.
-pub fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
     use std::io::Write;
     let mut out = std::io::stdout().lock();
-    match out.write_all(bytes).and_then(|()| out.flush()) {
+    let text = on_terminal(text);
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
         other => Ok(other?),
     }

@@ -1,5 +1,6 @@
 //! The outer ring of a case as a file.
 
+use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
 use cageless::InputError;
@@ -106,13 +107,78 @@ pub enum ExportError {
     Write(#[from] std::io::Error),
 }
 
-/// The outer ring as a file.
-#[derive(Debug, Clone, PartialEq)]
+/// The outer ring, ready to be written as a file.
+#[derive(Debug)]
 pub struct Export {
-    /// The file.
-    pub bytes: Vec<u8>,
-    /// Its numbers.
-    pub numbers: ExportNumbers,
+    ring: OuterRing,
+    format: Format,
+    contents: Contents,
+}
+
+#[derive(Debug)]
+enum Contents {
+    /// STEP and STL, whose size follows from the curvature: megabytes.
+    Whole {
+        bytes: Vec<u8>,
+        deviation_m: f64,
+        counts: Counts,
+    },
+    /// CSV, whose size follows from the spacing: up to gigabytes, computed as they are written.
+    Points { spacing_mm: f64 },
+}
+
+impl Export {
+    /// Writes the file and returns its numbers.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write(&self, out: &mut dyn Write) -> io::Result<ExportNumbers> {
+        let (ring, format) = (&self.ring, self.format);
+        match &self.contents {
+            Contents::Whole {
+                bytes,
+                deviation_m,
+                counts,
+            } => {
+                out.write_all(bytes)?;
+                let (size, counts) = (bytes.len() as u64, counts.clone());
+                Ok(ExportNumbers::new(ring, format, size, *deviation_m, counts))
+            }
+            Contents::Points { spacing_mm } => {
+                let mut counter = Counter { out, bytes: 0 };
+                let mut lines = BufWriter::with_capacity(1 << 16, &mut counter);
+                let table = points::write(ring, spacing_mm * 1e-3, &mut lines)?;
+                lines.flush()?;
+                drop(lines);
+                let counts = Counts::Csv {
+                    spacing_mm: *spacing_mm,
+                    row_distance_mm: table.row_distance_m * 1e3,
+                    surface_points: table.surface_points,
+                    contact_points: table.contact_points,
+                };
+                let (size, deviation_m) = (counter.bytes, table.deviation_m);
+                Ok(ExportNumbers::new(ring, format, size, deviation_m, counts))
+            }
+        }
+    }
+}
+
+/// Counts the bytes on their way.
+struct Counter<'a> {
+    out: &'a mut dyn Write,
+    bytes: u64,
+}
+
+impl Write for Counter<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let count = self.out.write(bytes)?;
+        self.bytes += count as u64;
+        Ok(count)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
+    }
 }
 
 impl ExportOptions {
@@ -152,9 +218,12 @@ pub fn export(
     options: &ExportOptions,
 ) -> Result<Export, ExportError> {
     let ring = outer_ring(file, options)?;
-    let (bytes, deviation_m, counts) = contents(file, &ring, format, options)?;
-    let numbers = ExportNumbers::new(&ring, format, bytes.len(), deviation_m, counts);
-    Ok(Export { bytes, numbers })
+    let contents = contents(file, &ring, format, options)?;
+    Ok(Export {
+        ring,
+        format,
+        contents,
+    })
 }
 
 fn outer_ring(file: &CaseFile, options: &ExportOptions) -> Result<OuterRing, ExportError> {
@@ -174,13 +243,12 @@ fn outer_ring(file: &CaseFile, options: &ExportOptions) -> Result<OuterRing, Exp
     })
 }
 
-/// The file, its deviation from the surface, and what it holds.
 fn contents(
     file: &CaseFile,
     ring: &OuterRing,
     format: Format,
     options: &ExportOptions,
-) -> Result<(Vec<u8>, f64, Counts), ExportError> {
+) -> Result<Contents, ExportError> {
     match format {
         Format::Step => {
             let tolerance_um = options.tolerance_um.unwrap_or(TOLERANCE_UM);
@@ -205,7 +273,11 @@ fn contents(
                 edges: step.edges,
                 control_points: step.control_points,
             };
-            Ok((step.text.into_bytes(), step.deviation_m, counts))
+            Ok(Contents::Whole {
+                bytes: step.text.into_bytes(),
+                deviation_m: step.deviation_m,
+                counts,
+            })
         }
         Format::Stl => {
             let chord_um = options.chord_um.unwrap_or(CHORD_UM);
@@ -221,19 +293,16 @@ fn contents(
                 vertices: stl.vertices,
                 mesh_volume_mm3: stl.volume_m3 * 1e9,
             };
-            Ok((stl.bytes, stl.deviation_m, counts))
+            Ok(Contents::Whole {
+                bytes: stl.bytes,
+                deviation_m: stl.deviation_m,
+                counts,
+            })
         }
         Format::Csv => {
             let spacing_mm = options.spacing_mm.unwrap_or(SPACING_MM);
             within("spacing_mm", spacing_mm, SPACING_RANGE_MM, "mm")?;
-            let table = points::write(ring, spacing_mm * 1e-3);
-            let counts = Counts::Csv {
-                spacing_mm,
-                row_distance_mm: table.row_distance_m * 1e3,
-                surface_points: table.surface_points,
-                contact_points: table.contact_points,
-            };
-            Ok((table.text.into_bytes(), table.deviation_m, counts))
+            Ok(Contents::Points { spacing_mm })
         }
     }
 }

@@ -13,7 +13,7 @@ pub struct ExportNumbers {
     /// Where it was written; `None` if nowhere or to stdout.
     pub file: Option<String>,
     /// Size of the file.
-    pub bytes: usize,
+    pub bytes: u64,
     /// Volume of the analytic solid.
     pub volume_mm3: f64,
     /// Largest distance of the file from the analytic surface.
@@ -90,7 +90,7 @@ impl ExportNumbers {
     pub(super) fn new(
         ring: &OuterRing,
         format: Format,
-        bytes: usize,
+        bytes: u64,
         deviation_m: f64,
         counts: Counts,
     ) -> Self {

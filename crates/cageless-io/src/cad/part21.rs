@@ -59,12 +59,13 @@ pub(super) fn real(value: f64) -> String {
     }
 }
 
-/// A string: quotes and backslashes doubled, what is not ASCII by its code.
+/// A string: backslashes doubled, quotes and what is not ASCII by their codes. The standard allows
+/// doubled quotes as well, but OpenCASCADE takes one of them before `)` for the end of the text.
 pub(super) fn string(text: &str) -> String {
     let mut encoded = String::from("'");
     for c in text.chars() {
         match c {
-            '\'' => encoded.push_str("''"),
+            '\'' => encoded.push_str("\\X\\27"),
             '\\' => encoded.push_str("\\\\"),
             ' '..='~' => encoded.push(c),
             _ if c.is_control() => encoded.push(' '),
@@ -108,7 +109,11 @@ mod tests {
 
     #[test]
     fn strings_are_ascii() {
-        assert_eq!(string("it's a \\ θ\n"), "'it''s a \\\\ \\X2\\03B8\\X0\\ '");
+        assert_eq!(
+            string("it's a \\ θ\n"),
+            "'it\\X\\27s a \\\\ \\X2\\03B8\\X0\\ '"
+        );
+        assert_eq!(string("Ring');"), "'Ring\\X\\27);'");
         assert_eq!(string("🙂"), "'\\X4\\0001F642\\X0\\'");
     }
 }

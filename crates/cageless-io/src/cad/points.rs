@@ -10,18 +10,16 @@
 //! | `x_mm`, `y_mm`, `z_mm` | position, frame of the bearing |
 //! | `nx`, `ny`, `nz` | unit normal, out of the ring's material |
 
-use std::fmt::Write;
+use std::io::{self, Write};
 
 use cageless::surface::{Grid, Meridian, OuterRing};
 
 /// Head of the table.
 pub const COLUMNS: &str = "kind,side,psi_deg,eta_deg,x_mm,y_mm,z_mm,nx,ny,nz";
 
-/// A table of points and what it holds.
+/// What a table of points holds.
 #[derive(Debug)]
-pub struct PointFile {
-    /// The file: CSV, LF, ASCII.
-    pub text: String,
+pub struct PointTable {
     /// Largest distance of a point as written from the surface.
     pub deviation_m: f64,
     /// Rows of kind `surface`.
@@ -33,45 +31,48 @@ pub struct PointFile {
 }
 
 /// Writes points of the groove no further apart than `spacing_m`, along its bottom and
-/// along its arcs.
-pub fn write(ring: &OuterRing, spacing_m: f64) -> PointFile {
+/// along its arcs: CSV, LF, ASCII, line by line as they are computed.
+///
+/// # Errors
+/// Those of `out`.
+pub fn write(ring: &OuterRing, spacing_m: f64, out: &mut dyn Write) -> io::Result<PointTable> {
     let grid = Grid::new(ring, spacing_m);
+    writeln!(out, "{COLUMNS}")?;
     let mut table = Table {
         ring,
-        text: format!("{COLUMNS}\n"),
+        out,
         deviation_m: 0.0,
         rows: 0,
     };
     for side in [-1.0, 1.0] {
         for m in &grid.meridians {
-            table.row("contact", m, side, side * m.contact_angle_rad);
+            table.row("contact", m, side, side * m.contact_angle_rad)?;
         }
     }
     let contact_points = table.rows;
     for m in &grid.meridians {
         for (k, eta) in grid.row_rad(m).into_iter().enumerate() {
             let side = if k <= grid.steps { -1.0 } else { 1.0 };
-            table.row("surface", m, side, eta);
+            table.row("surface", m, side, eta)?;
         }
     }
-    PointFile {
+    Ok(PointTable {
         deviation_m: table.deviation_m,
         surface_points: table.rows - contact_points,
         contact_points,
         row_distance_m: grid.row_distance_m(ring),
-        text: table.text,
-    }
+    })
 }
 
 struct Table<'a> {
     ring: &'a OuterRing,
-    text: String,
+    out: &'a mut dyn Write,
     deviation_m: f64,
     rows: usize,
 }
 
 impl Table<'_> {
-    fn row(&mut self, kind: &str, meridian: &Meridian, side: f64, eta: f64) {
+    fn row(&mut self, kind: &str, meridian: &Meridian, side: f64, eta: f64) -> io::Result<()> {
         // Mirrored, so that −0 is on its side as well.
         let mut point = meridian.point(eta.abs());
         point.position_m[2] *= side;
@@ -83,13 +84,13 @@ impl Table<'_> {
         self.deviation_m = self.deviation_m.max(off);
         let [x, y, z] = position;
         let [nx, ny, nz] = point.normal;
-        // Writing to a string cannot fail.
-        let _ = writeln!(
-            self.text,
+        writeln!(
+            self.out,
             "{kind},{side},{:.9},{:.9},{x},{y},{z},{nx:.12},{ny:.12},{nz:.12}",
             meridian.angle_rad.to_degrees(),
             side * eta.abs().to_degrees(),
-        );
+        )?;
         self.rows += 1;
+        Ok(())
     }
 }
