@@ -223,6 +223,86 @@ fn a_full_disk_ends_it_and_more_room_goes_on() {
     assert!(whole(&plan, &out, &[]) == undisturbed);
 }
 
+/// The end of a table is what fails when the rows of a short sweep still wait in memory.
+#[test]
+fn a_disk_that_is_full_at_the_end_is_said_to_be() {
+    let dir = tempfile::tempdir().unwrap();
+    let plan = write_plan(dir.path(), "[grid]\noperation.radial_load_n = [500, 900]\n");
+    let mut failed = 0;
+    for kilobytes in 2..8 {
+        let limited = format!("trap '' XFSZ; ulimit -f {kilobytes}; exec \"$@\"");
+        let out = dir.path().join(kilobytes.to_string());
+        let mut command = Command::new("bash");
+        command.args([
+            "-c",
+            &limited,
+            "bash",
+            env!("CARGO_BIN_EXE_cageless"),
+            "sweep",
+        ]);
+        let answer = Answer::from(command.arg(&plan).arg("--out").arg(&out).output().unwrap());
+        if answer.code != Some(0) {
+            assert_eq!(answer.code, Some(1), "{answer:?}");
+            assert!(answer.stderr.contains(": file too large\n"), "{answer:?}");
+            failed += 1;
+        }
+    }
+    assert!(failed > 0);
+}
+
+/// A path that JSON cannot hold is refused before anything is computed.
+#[test]
+fn a_folder_that_json_cannot_name_is_refused_first() {
+    use std::os::unix::ffi::OsStrExt;
+    let dir = tempfile::tempdir().unwrap();
+    let plan = write_plan(dir.path(), "[grid]\noperation.radial_load_n = [500, 900]\n");
+    let out = dir.path().join(std::ffi::OsStr::from_bytes(b"out-\xff"));
+    let answer = call_sweep(&plan, &out, &["--json"]);
+    assert_eq!(answer.code, Some(2), "{answer:?}");
+    assert!(answer.stderr.contains("not UTF-8"), "{answer:?}");
+    assert!(!out.exists());
+    assert_eq!(call_sweep(&plan, &out, &[]).code, Some(0));
+}
+
+/// The title is the text that the plan holds, whatever TOML wants before quotes.
+#[test]
+fn titles_are_shown_as_they_are_meant() {
+    let dir = tempfile::tempdir().unwrap();
+    let plan = write_plan(dir.path(), "[grid]\noperation.radial_load_n = [500, 900]\n");
+    let text = std::fs::read_to_string(&plan).unwrap();
+    std::fs::write(&plan, format!("title = \"Ring \\\"A\\\" \\\\ θ\"\n{text}")).unwrap();
+    let out = dir.path().join("out");
+    whole(&plan, &out, &[]);
+    let report = call(&["report", out.to_str().unwrap(), "--json"]);
+    assert_eq!(report.json()["title"], "Ring \"A\" \\ θ", "{report:?}");
+}
+
+/// What varies by the rounding of its computation alone is constant.
+#[test]
+fn rounding_is_not_explained() {
+    let dir = tempfile::tempdir().unwrap();
+    let case = repository_case("zhao-d.toml");
+    let plan = dir.path().join("plan.toml");
+    let text = format!(
+        "case = {case:?}\ncompute = [\"static\", \"design\"]\n[grid]\n\
+         raceway.axial_span_mm = [4.9, 5.0, 5.1, 5.2]\nmodel.profile = [\"physical\", \"paper\"]\n"
+    );
+    std::fs::write(&plan, text).unwrap();
+    let out = dir.path().join("out");
+    whole(&plan, &out, &[]);
+    let written = (0..8).map(|k| row(&out.join("sweep.parquet"), k)["static_ring_x_um"].as_f64());
+    let largest = written.flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
+    assert!(largest > 0.0 && largest < 1e-6, "{largest}");
+    let report = call(&["report", out.to_str().unwrap(), "--json"]).json();
+    let list = |key: &str| report[key].as_array().unwrap().clone();
+    let outputs = list("outputs");
+    let is_named = |q: &serde_json::Value| q["quantity"]["name"] == "static_ring_x_um";
+    assert!(!outputs.is_empty() && !outputs.iter().any(is_named));
+    let constants = list("constants");
+    let constant = constants.iter().find(|c| c["name"] == "static_ring_x_um");
+    assert_eq!(constant.unwrap()["value"], "0");
+}
+
 #[test]
 fn two_at_once_on_one_result_are_one_too_many() {
     let dir = tempfile::tempdir().unwrap();

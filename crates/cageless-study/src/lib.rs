@@ -16,5 +16,5 @@ pub mod verification;
 mod watcher;
 
 pub use error::StudyError;
-pub use threads::{THREADS_MAX, on_threads, pool};
+pub use threads::{THREADS_MAX, check_environment, on_threads, pool};
 pub use watcher::{Silent, Watcher, Work};

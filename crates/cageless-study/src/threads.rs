@@ -9,7 +9,36 @@ use crate::error::StudyError;
 /// More threads than any machine has cores only wait for each other.
 pub const THREADS_MAX: usize = 1024;
 
-/// So many threads, [`THREADS_MAX`] at most; as many as there are cores if `None`.
+/// The variables that say how many threads there are where nothing else does.
+const VARIABLES: [&str; 2] = ["RAYON_NUM_THREADS", "RAYON_RS_NUM_CPUS"];
+
+/// Refuses an environment that asks for more than [`THREADS_MAX`] threads, which rayon would
+/// start.
+///
+/// # Errors
+/// [`StudyError::Input`] with the variable.
+pub fn check_environment() -> Result<(), StudyError> {
+    for name in VARIABLES {
+        let Ok(value) = std::env::var(name) else {
+            continue;
+        };
+        // Rayon ignores what is no number.
+        let is_whole = !value.is_empty() && value.bytes().all(|b| b.is_ascii_digit());
+        if is_whole
+            && value
+                .parse()
+                .map_or(true, |threads: usize| threads > THREADS_MAX)
+        {
+            return Err(StudyError::Input(format!(
+                "the environment variable {name} = {value} is not possible: 1 to {THREADS_MAX} are"
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// So many threads, [`THREADS_MAX`] at most; as many as the environment says, or else as there are
+/// cores, if `None`.
 ///
 /// # Errors
 /// [`StudyError::Input`] if there are too many, [`StudyError::Threads`] if they cannot be
@@ -20,6 +49,9 @@ pub fn pool(threads: Option<NonZeroUsize>) -> Result<ThreadPool, StudyError> {
         return Err(StudyError::Input(format!(
             "threads = {threads} is not possible: 1 to {THREADS_MAX} are"
         )));
+    }
+    if threads == 0 {
+        check_environment()?;
     }
     ThreadPoolBuilder::new()
         .num_threads(threads)

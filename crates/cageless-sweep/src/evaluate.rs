@@ -38,9 +38,10 @@ impl Sweep {
     /// Checks what the plan asks for.
     ///
     /// # Errors
-    /// Too many variants, columns that there are none of, or no variant that is a
-    /// possible case.
+    /// Too many variants, columns that there are none of, no variant that is a possible case, or an
+    /// environment that asks for too many threads.
     pub fn new(plan: PlanFile) -> Result<Self, SweepError> {
+        cageless_study::check_environment()?;
         let normal = plan.normal()?;
         let variants = Variants::new(plan)?;
         let figures = kept(variants.plan())?;

@@ -37,9 +37,11 @@ pub fn sweep(args: &SweepArgs) -> Result<(), Failure> {
     let Some(path) = &args.plan else {
         return Err(Failure::Input("a plan is missing".to_owned()));
     };
+    let result = folder(&args.output, path).join(file_name(args.shard));
+    printable(&args.output, &result)?;
     let sweep = Sweep::new(PlanFile::read(path)?)?;
     let job = Job {
-        result: folder(&args.output, path).join(file_name(args.shard)),
+        result,
         shard: args.shard,
         threads: args.threads,
     };
@@ -66,10 +68,22 @@ fn join(args: &MergeArgs) -> Result<(), Failure> {
         Some(folder) => folder.clone(),
         None => args.shards[0].parent().unwrap_or(Path::new("")).to_owned(),
     };
-    super::make_folder(&folder)?;
     let result = folder.join(file_name(None));
+    printable(&args.output, &result)?;
+    super::make_folder(&folder)?;
     let variants = merge(&args.shards, &result)?;
     deliver(&args.output, result, variants, None)
+}
+
+/// Refuses a path that cannot stand in the answer, before anything is computed.
+fn printable(output: &SweepOutput, result: &Path) -> Result<(), Failure> {
+    if output.json && result.to_str().is_none() {
+        return Err(Failure::Input(format!(
+            "{}: the path is not UTF-8, which JSON demands: leave out --json or take another --out",
+            result.display()
+        )));
+    }
+    Ok(())
 }
 
 /// `--out`, or what stands for it.

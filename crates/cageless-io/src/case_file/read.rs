@@ -12,6 +12,9 @@ use super::keys;
 use super::reader::Reader;
 use super::tree::{Node, Places, Section, Value, join};
 
+/// More discrete raceways than fit into any ring that balls roll in.
+const RACEWAYS_MAX: usize = 64;
+
 /// Reads the document and the dotted keys that took their default.
 pub(super) fn document(
     root: &Section,
@@ -192,6 +195,15 @@ impl<'a> FileReader<'a> {
             Value::List(items) => items.as_slice(),
             _ => std::slice::from_ref(node),
         };
+        if items.len() > RACEWAYS_MAX {
+            let message = format!(
+                "{} sections [[{name}]] are not possible: there may be at most {RACEWAYS_MAX}",
+                items.len()
+            );
+            return Err(self
+                .places
+                .error_at(&items[RACEWAYS_MAX].place, name, message));
+        }
         let mut raceways = Vec::new();
         for (k, item) in items.iter().enumerate() {
             let Value::Section(entries) = &item.value else {

@@ -7,6 +7,7 @@ use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
 use super::error::CaseError;
+use crate::on_terminal;
 
 /// Keys of a section with their values.
 pub(crate) type Section = BTreeMap<String, Node>;
@@ -150,7 +151,8 @@ pub(crate) fn parse(text: &str, name: &str) -> Result<Section, CaseError> {
     // Windows editors put it there; it is not part of the text.
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let table = DeTable::parse(text).map_err(|e| syntax_error(text, name, &e))?;
-    let origin = |span: &Range<usize>| Origin::Line(line_of(text, span.start));
+    let lines = Lines::of(text);
+    let origin = |span: &Range<usize>| Origin::Line(lines.at(span.start));
     Ok(section(table.get_ref(), text, &origin))
 }
 
@@ -208,36 +210,46 @@ fn convert(value: &DeValue<'_>, text: &str, origin: &OriginOf<'_>) -> Value {
     }
 }
 
-fn line_of(text: &str, offset: usize) -> usize {
-    let offset = offset.min(text.len());
-    1 + text.as_bytes()[..offset]
-        .iter()
-        .filter(|&&b| b == b'\n')
-        .count()
+/// Offsets of the ends of all lines, so that a file is read once however many values it has.
+struct Lines(Vec<usize>);
+
+impl Lines {
+    fn of(text: &str) -> Self {
+        Self(text.match_indices('\n').map(|(at, _)| at).collect())
+    }
+
+    /// Line of an offset, counted from 1.
+    fn at(&self, offset: usize) -> usize {
+        1 + self.0.partition_point(|end| *end < offset)
+    }
 }
 
 /// Longest excerpt of a file in a message, in characters.
 const EXCERPT_MAX: usize = 60;
 
-/// A value as it is written, on one line and of bearable length.
+/// A value as it is written, on one line and of at most [`EXCERPT_MAX`] characters.
 fn excerpt(text: &str, span: Range<usize>) -> String {
-    let written = text
-        .get(span)
-        .unwrap_or("")
-        .split_whitespace()
-        .collect::<Vec<_>>()
-        .join(" ");
-    if written.chars().count() <= EXCERPT_MAX {
-        return written;
+    let mut written = String::new();
+    let mut characters = 0;
+    // Only the words that are shown are read: a value may be as long as the file.
+    for word in text.get(span).unwrap_or("").split_whitespace() {
+        let space = (characters > 0).then_some(' ');
+        for c in space.into_iter().chain(word.chars()) {
+            if characters == EXCERPT_MAX {
+                return on_terminal(&written).into_owned() + "…";
+            }
+            written.push(c);
+            characters += 1;
+        }
     }
-    written.chars().take(EXCERPT_MAX).chain(['…']).collect()
+    on_terminal(&written).into_owned()
 }
 
 fn syntax_error(text: &str, name: &str, error: &toml::de::Error) -> CaseError {
     let Some(span) = error.span() else {
         return CaseError::of_file(name, format!("is not TOML: {}", error.message()));
     };
-    let line = line_of(text, span.start);
+    let line = Lines::of(text).at(span.start);
     let source = text.lines().nth(line - 1).unwrap_or("").trim();
     let message = format!(
         "is not TOML: {}: `{}`",

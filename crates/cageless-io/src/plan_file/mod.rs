@@ -23,7 +23,7 @@ use crate::case_file::named::Named;
 use crate::case_file::{CaseBase, CaseError, CaseFile, read_text};
 
 pub use axis::{Axis, AxisValues, Range, Scale, twelve_digits, unit};
-pub use normal::difference;
+pub use normal::{difference, text_of};
 
 /// The only schema of plans so far.
 pub const SCHEMA: u64 = 1;

@@ -84,6 +84,17 @@ fn specification(axis: &Axis) -> String {
     }
 }
 
+/// The text of a key of a plan in its normal form; `None` if the key is not there or no text.
+pub fn text_of(plan: &str, key: &str) -> Option<String> {
+    let mut lines = plan.lines();
+    let value = lines.find_map(|line| line.strip_prefix(key)?.strip_prefix(" = "))?;
+    let mut table: toml::Table = toml::from_str(&format!("value = {value}")).ok()?;
+    match table.remove("value")? {
+        Value::String(text) => Some(text),
+        _ => None,
+    }
+}
+
 /// What differs between two plans in their normal form, a line for each key; empty if
 /// nothing does.
 pub fn difference(before: &str, now: &str) -> Vec<String> {

@@ -10,6 +10,7 @@ mod table;
 
 use std::path::Path;
 
+use cageless_io::plan_file::text_of;
 use cageless_io::results::RowsReader;
 use cageless_report::data::{Parameter, Provenance};
 use cageless_report::{SweepData, SweepOutput};
@@ -89,11 +90,7 @@ pub fn analyse(path: &Path, goals: &[Goal]) -> Result<SweepData, SweepError> {
         .collect();
     let failures = failed::groups(&table)?;
     let failed = failures.iter().map(|group| group.count).sum();
-    let setting = |key: &str| {
-        let mut lines = identity.plan.lines();
-        let value = lines.find_map(|line| line.strip_prefix(key)?.strip_prefix(" = "));
-        value.map(|value| value.trim_matches('"').to_owned())
-    };
+    let setting = |key: &str| text_of(&identity.plan, key);
     let title = setting("title").filter(|title| !title.is_empty());
     let rows = table.rows();
     Ok(SweepData {

@@ -15,6 +15,25 @@ const STRETCHES: usize = 12;
 /// Names of a text output that are followed.
 const NAMES_MAX: usize = 8;
 
+/// Share of the natural scale of a quantity below which differences are the rounding of its
+/// computation: the ring of a symmetric bearing is 5e-12 µm off the middle of its 2e4 µm.
+const ROUNDING: f64 = 1e-9;
+
+/// Difference of values between `low` and `high` that says nothing.
+fn rounding(unit: &str, low: f64, high: f64) -> f64 {
+    let scale: f64 = match unit {
+        // The radius of a ring, from which displacements are differences.
+        "um" => 1e4,
+        "mm" => 10.0,
+        "deg" => 360.0,
+        // The speed of a raceway.
+        "m/s" => 10.0,
+        "N" | "GPa" | "s" | "" => 1.0,
+        _ => 0.0,
+    };
+    ROUNDING * scale.max(low.abs()).max(high.abs())
+}
+
 /// Inputs and outputs that are not the same everywhere.
 pub(super) struct Quantities {
     pub inputs: Vec<Input>,
@@ -204,15 +223,21 @@ impl Quantities {
             return;
         }
         match seen.range {
-            Some([low, high]) if low < high => self.outputs.push(Output {
-                name: spec.name.clone(),
-                unit: spec.unit.clone(),
-                column,
-                is_name: None,
-                origin: low,
-            }),
+            Some([low, high]) if high - low > rounding(&spec.unit, low, high) => {
+                self.outputs.push(Output {
+                    name: spec.name.clone(),
+                    unit: spec.unit.clone(),
+                    column,
+                    is_name: None,
+                    origin: low,
+                })
+            }
             range => {
-                let number = range.map(|[value, _]| short(value));
+                let number = range.map(|[low, high]| {
+                    let rounding = rounding(&spec.unit, low, high);
+                    let is_zero = low.abs().max(high.abs()) <= rounding;
+                    short(if is_zero { 0.0 } else { low })
+                });
                 let value = number.or(seen.names.pop());
                 self.constants.extend(value.map(|value| Parameter {
                     name: spec.name.clone(),
