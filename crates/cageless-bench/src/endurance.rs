@@ -5,9 +5,9 @@ use std::time::Instant;
 
 use anyhow::{Result, bail};
 use cageless::dynamics::Model;
+use cageless::dynamics::state::State;
 use cageless::simulation::{self, Control, Ending, Observer, ObserverError, Scene, View};
 use cageless::spacing::GapRange;
-use cageless::state::State;
 use cageless::step::StepLimits;
 use clap::Args;
 
@@ -75,12 +75,14 @@ impl Observer for Watch<'_> {
     }
 
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
-        let (layout, after) = (view.layout(), view.step.after);
-        for (k, range) in self.ring.iter_mut().enumerate() {
-            widen(range, after[layout.ring(k)]);
+        let (layout, after) = (view.layout(), &view.step.y1);
+        let ring = layout.ring_motion(after);
+        for (range, place) in self.ring.iter_mut().zip([ring.x, ring.y]) {
+            widen(range, place);
         }
         if self.steps.is_multiple_of(GAPS_EVERY) {
-            self.gaps.look(view.after(0), view.after(1));
+            let [x, y] = view.positions();
+            self.gaps.look(x, y);
             let c = &view.contacts;
             for k in 0..layout.balls {
                 for (slip, force) in [
@@ -95,11 +97,11 @@ impl Observer for Watch<'_> {
         }
         self.steps += 1;
         let due_s = (self.lines.len() + 1) as f64 * self.stretch_s;
-        if view.step.to_s >= due_s * (1.0 - 1e-12) {
-            let (state, model) = (State::taken(layout, after), self.model);
+        if view.step.t1_s >= due_s * (1.0 - 1e-12) {
+            let (state, model) = (State::from_vector(layout, after), self.model);
             let (residual_j, flows_j) = model.energy_residual_j(self.start_energy_j, &state);
             self.lines.push(Line {
-                end_s: view.step.to_s,
+                end_s: view.step.t1_s,
                 energy_j: model.energy_j(&state),
                 residual_j,
                 flows_j,

@@ -1,9 +1,10 @@
 //! Right-hand sides that every solver here can call: dz/dt = f(z), z the states over
 //! their scales.
 
+use cageless::dynamics::coordinates::{BallCoordinate, RingCoordinate};
+use cageless::dynamics::state::State;
 use cageless::dynamics::{Model, RightHandSide};
 use cageless::integrator::System;
-use cageless::state::State;
 use cageless::{Case, InputError};
 
 use crate::problem;
@@ -84,27 +85,31 @@ impl Equations for Library<'_> {
     fn derivative(&mut self, z: &[f64], dzdt: &mut [f64]) {
         let (n, layout) = (self.balls, self.state.layout());
         let values = self.state.values_mut();
-        for group in 0..5 {
+        for coordinate in BallCoordinate::ALL {
+            let group = coordinate as usize;
             let scale = self.scales[group * n];
-            let into = &mut values[layout.group(group)..][..n];
+            let into = &mut values[layout.array(coordinate)..][..n];
             for (v, z) in into.iter_mut().zip(&z[group * n..]) {
                 *v = z * scale;
             }
         }
-        for k in 0..4 {
-            values[layout.ring(k)] = z[5 * n + k] * self.scales[5 * n + k];
+        for coordinate in RingCoordinate::ALL {
+            let k = coordinate as usize;
+            values[layout.ring(coordinate)] = z[5 * n + k] * self.scales[5 * n + k];
         }
         self.rhs
             .derivative(0.0, self.state.values(), &mut self.rate);
-        for group in 0..5 {
+        for coordinate in BallCoordinate::ALL {
+            let group = coordinate as usize;
             let inverse = 1.0 / self.scales[group * n];
-            let from = &self.rate[layout.group(group)..][..n];
+            let from = &self.rate[layout.array(coordinate)..][..n];
             for (d, rate) in dzdt[group * n..].iter_mut().zip(from) {
                 *d = rate * inverse;
             }
         }
-        for k in 0..4 {
-            dzdt[5 * n + k] = self.rate[layout.ring(k)] / self.scales[5 * n + k];
+        for coordinate in RingCoordinate::ALL {
+            let k = coordinate as usize;
+            dzdt[5 * n + k] = self.rate[layout.ring(coordinate)] / self.scales[5 * n + k];
         }
     }
 

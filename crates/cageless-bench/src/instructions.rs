@@ -6,10 +6,10 @@ use std::process::Command;
 use std::time::Instant;
 
 use anyhow::{Context, Result, bail};
+use cageless::dynamics::state::{Layout, State};
 use cageless::dynamics::{InstructionSet, Model, RightHandSide};
 use cageless::integrator::System;
 use cageless::simulation::{self, Control, Ending, Observer, ObserverError, Scene, View};
-use cageless::state::{Layout, State};
 use clap::{Args, ValueEnum};
 
 use crate::problem;
@@ -95,7 +95,7 @@ impl Variant {
         if self == Self::Textbook {
             return rate[..5 * layout.balls + 4].to_vec();
         }
-        plain(&State::taken(layout, &rate))
+        plain(&State::from_vector(layout, &rate))
     }
 }
 
@@ -131,7 +131,7 @@ impl Observer for Collector {
     }
 
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
-        while self.states.len() as f64 * self.interval_s <= view.step.to_s {
+        while self.states.len() as f64 * self.interval_s <= view.step.t1_s {
             self.states
                 .push(view.state(self.states.len() as f64 * self.interval_s));
         }

@@ -2,8 +2,9 @@
 //! trajectory.
 
 use anyhow::{Result, ensure};
+use cageless::dynamics::coordinates::{BALL, RING};
+use cageless::dynamics::state::State;
 use cageless::start::initial_state;
-use cageless::state::State;
 use cageless::{Case, FrictionLaw, Profile};
 use cageless_io::case_file::CaseFile;
 
@@ -12,11 +13,6 @@ const REFERENCE: &str = include_str!("../../cageless-io/tests/reference/cb74_2ms
 
 /// Time at which the reference trajectory gives the state.
 pub const REFERENCE_S: f64 = 0.002;
-
-/// Scales of x, y, vx, vy of a ball and of its spin.
-const BALL: [f64; 5] = [1e-5, 1e-5, 1.0, 1.0, 200.0];
-/// Scales of X, Y, Ẋ, Ẏ of the ring.
-const RING: [f64; 4] = [1e-5, 1e-5, 0.1, 0.1];
 
 /// CB74 with overrides as the command line takes them (`section.key=value`).
 ///
@@ -46,17 +42,19 @@ pub fn scaled(state: &State) -> Vec<f64> {
     let balls = groups
         .iter()
         .zip(BALL)
-        .flat_map(|(group, scale)| group.iter().map(move |v| v / scale));
+        .flat_map(|(group, c)| group.iter().map(move |v| v / c.error_scale));
+    let ring = state.ring_motion();
+    let ring = [ring.x, ring.y, ring.vx, ring.vy].into_iter().zip(RING);
     balls
-        .chain(state.ring().iter().zip(RING).map(|(v, scale)| v / scale))
+        .chain(ring.map(|(v, c)| v / c.error_scale))
         .collect()
 }
 
 /// Scale of each of the 5 N + 4 states.
 pub fn scales(balls: usize) -> Vec<f64> {
     BALL.iter()
-        .flat_map(|&scale| std::iter::repeat_n(scale, balls))
-        .chain(RING)
+        .flat_map(|c| std::iter::repeat_n(c.error_scale, balls))
+        .chain(RING.iter().map(|c| c.error_scale))
         .collect()
 }
 
@@ -83,9 +81,9 @@ pub fn reference() -> Vec<f64> {
     let Some((ring, balls)) = rows.split_last() else {
         return vec![];
     };
-    let states = (0..5).flat_map(|group| balls.iter().map(move |row| row[group] / BALL[group]));
+    let states = (0..5).flat_map(|group| balls.iter().map(move |row| row[group] / BALL[group].error_scale));
     states
-        .chain(ring.iter().zip(RING).map(|(v, scale)| v / scale))
+        .chain(ring.iter().zip(RING).map(|(v, c)| v / c.error_scale))
         .collect()
 }
 

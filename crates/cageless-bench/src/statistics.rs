@@ -4,6 +4,7 @@
 use std::time::Instant;
 
 use anyhow::{Result, bail};
+use cageless::dynamics::coordinates::BallCoordinate;
 use cageless::Case;
 use cageless::case::Start;
 use cageless::onsets::Onsets;
@@ -144,15 +145,15 @@ impl Observer for Sums {
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
         let layout = view.layout();
         let n = layout.balls;
-        let inside = view.step.from_s >= WINDOW_S[0] * (1.0 - 1e-12);
+        let inside = view.step.t0_s >= WINDOW_S[0] * (1.0 - 1e-12);
         self.onsets.look(&view.contacts);
         if !inside {
             return Ok(Control::Continue);
         }
         self.contacts += u64::from(self.onsets.count());
-        let weight = view.step.to_s - view.step.from_s;
-        let ring = |k: usize| view.step.after[layout.ring(k)] - self.origin[k];
-        let (rx, ry) = (ring(0), ring(1));
+        let weight = view.step.size_s();
+        let ring = layout.ring_motion(&view.step.y1);
+        let (rx, ry) = (ring.x - self.origin[0], ring.y - self.origin[1]);
         self.time_s += weight;
         self.x += weight * rx;
         self.y += weight * ry;
@@ -161,7 +162,8 @@ impl Observer for Sums {
         self.balls_waiting_s += weight;
         self.steps += 1;
         if self.steps.is_multiple_of(BALLS_EVERY) {
-            let [vx, vy, spin] = [2, 3, 4].map(|group| view.after(group));
+            let [vx, vy, spin] = [BallCoordinate::Vx, BallCoordinate::Vy, BallCoordinate::Spin]
+                .map(|coordinate| view.after(coordinate));
             let speed: f64 = (0..n).map(|k| (vx[k] * vx[k] + vy[k] * vy[k]).sqrt()).sum();
             self.balls_s += self.balls_waiting_s;
             self.speed += self.balls_waiting_s * speed / n as f64;

@@ -9,9 +9,9 @@ use cageless::Case;
 use cageless::design::{
     Eq11, balls_in_raceway_max, half_angle_for_gap_rad, steady_gap_rad, theoretical_gap_rad,
 };
+use cageless::dynamics::state::BATCH_WIDTH;
 use cageless::raceway::axial_span_limit_m;
 use cageless::simulation::{Control, Observer, batches, run_batch};
-use cageless::state::MEMBERS;
 use cageless::summary::SummaryRecorder;
 use cageless_io::case_file::template;
 use cageless_io::plan_file::PlanFile;
@@ -80,7 +80,7 @@ fn measure(name: &str, plan: &str, library: fn(&[Case]), options: &Options) -> R
     let (mut bare, mut whole) = (Vec::new(), Vec::new());
     for _ in 0..options.repetitions.max(1) {
         bare.push(cost(|| {
-            pool.install(|| cases.par_chunks(MEMBERS).for_each(library));
+            pool.install(|| cases.par_chunks(BATCH_WIDTH).for_each(library));
             Ok(())
         })?);
         whole.push(cost(|| compute(&sweep, folder.path(), options))?);

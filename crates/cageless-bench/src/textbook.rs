@@ -6,7 +6,7 @@
 //! neighbours is looked at once, and the effective radius takes a few Newton steps on
 //! the contact path, Eq. (4), and no general root finder.
 
-use cageless::traction::restitution_damping;
+use cageless::contact::restitution_damping;
 use cageless::{Case, Raceway};
 
 /// Constants of one case.

@@ -5,20 +5,21 @@
 mod common;
 
 use cageless::Case;
+use cageless::dynamics::coordinates::{BallCoordinate, RingCoordinate};
+use cageless::dynamics::state::State;
 use cageless::dynamics::{Model, RightHandSide};
-use cageless::integrator::{Abm4, CrossingError, Integrator, RungeKutta, Step, System, hermite};
+use cageless::integrator::{Abm4, Integrator, RungeKutta, System, UnresolvedStep};
 use cageless::start::initial_state;
-use cageless::state::State;
 use cageless_io::case_file::CaseFile;
 
-/// ABM4 that locates each change of regime within the step by bisection on the cubic
+/// ABM4 that locates each change of mode within the step by bisection on the cubic
 /// through its ends, to a millionth of the step, steps up to it, across it, and starts anew
 /// beyond.
 struct Located {
-    inner: Abm4,
+    inner: Integrator<Abm4>,
     crossing: RungeKutta,
     h: f64,
-    regime: u64,
+    mode: u64,
     y: Vec<f64>,
     rate: Vec<f64>,
     found: u32,
@@ -27,27 +28,27 @@ struct Located {
 impl Located {
     fn new(dimension: usize, h: f64) -> Self {
         Self {
-            inner: Abm4::new(dimension, h),
+            inner: Integrator::new(Abm4::new(dimension, h), dimension),
             crossing: RungeKutta::new(dimension),
             h,
-            regime: 0,
+            mode: 0,
             y: vec![0.0; dimension],
             rate: vec![0.0; dimension],
             found: 0,
         }
     }
 
-    /// Offset of the first change of regime in the last step.
+    /// Offset of the first change of mode in the last step.
     fn locate<S: System>(&mut self, system: &mut S) -> f64 {
         let step = self.inner.step();
-        let (mut same, mut changed) = (0.0, step.to_s - step.from_s);
+        let (mut same, mut changed) = (0.0, step.t1_s - step.t0_s);
         while changed - same > 1e-6 * self.h {
             let middle = 0.5 * (same + changed);
             for (k, value) in self.y.iter_mut().enumerate() {
-                *value = hermite(&step, k, step.from_s + middle);
+                *value = step.interpolate(k, step.t0_s + middle);
             }
-            system.derivative(step.from_s + middle, &self.y, &mut self.rate);
-            if system.regime() == self.regime {
+            system.derivative(step.t0_s + middle, &self.y, &mut self.rate);
+            if system.mode() == self.mode {
                 same = middle;
             } else {
                 changed = middle;
@@ -57,45 +58,67 @@ impl Located {
     }
 }
 
-impl Integrator for Located {
+impl Stepper for Located {
     fn restart<S: System>(&mut self, system: &mut S, time_s: f64, y: &[f64]) {
         self.inner.restart(system, time_s, y);
-        self.regime = system.regime();
+        self.mode = system.mode();
     }
 
-    fn advance<S: System>(&mut self, system: &mut S, limit_s: f64) -> Result<(), CrossingError> {
+    fn advance<S: System>(&mut self, system: &mut S, limit_s: f64) -> Result<(), UnresolvedStep> {
         self.inner.advance(system, limit_s)?;
-        if system.regime() == self.regime {
+        if system.mode() == self.mode {
             return Ok(());
         }
         self.found += 1;
         let edge = self.locate(system);
-        let from_s = self.inner.step().from_s;
-        self.y.copy_from_slice(self.inner.step().before);
-        self.rate.copy_from_slice(self.inner.step().rate_before);
+        let from_s = self.inner.step().t0_s;
+        self.y.copy_from_slice(&self.inner.step().y0);
+        self.rate.copy_from_slice(&self.inner.step().f0);
         self.crossing
-            .cross(system, from_s, edge, &mut self.y, &mut self.rate)?;
+            .integrate_across(system, from_s, edge, &mut self.y, &mut self.rate)?;
         self.restart(system, from_s + edge, &self.y.clone());
         Ok(())
     }
 
-    fn step(&self) -> Step<'_> {
-        self.inner.step()
+    fn end(&self) -> (f64, &[f64]) {
+        (self.inner.step().t1_s, &self.inner.step().y1)
+    }
+}
+
+/// What both ways have in common.
+trait Stepper {
+    fn restart<S: System>(&mut self, system: &mut S, time_s: f64, y: &[f64]);
+    fn advance<S: System>(&mut self, system: &mut S, limit_s: f64) -> Result<(), UnresolvedStep>;
+    /// Time and state reached.
+    fn end(&self) -> (f64, &[f64]);
+}
+
+impl Stepper for Integrator<Abm4> {
+    fn restart<S: System>(&mut self, system: &mut S, time_s: f64, y: &[f64]) {
+        self.restart(system, time_s, y);
+    }
+
+    fn advance<S: System>(&mut self, system: &mut S, limit_s: f64) -> Result<(), UnresolvedStep> {
+        self.advance(system, limit_s)
+    }
+
+    fn end(&self) -> (f64, &[f64]) {
+        (self.step().t1_s, &self.step().y1)
     }
 }
 
 const END_S: f64 = 0.002;
 
 /// State at 2 ms and evaluations of the right-hand side.
-fn end(case: &Case, method: &mut impl Integrator) -> (Vec<f64>, u64) {
+fn end(case: &Case, method: &mut impl Stepper) -> (Vec<f64>, u64) {
     let model = Model::new(case).unwrap();
     let mut rhs = RightHandSide::new(&model);
     let (start, _) = initial_state(case).unwrap();
     method.restart(&mut rhs, 0.0, start.values());
-    while method.step().to_s < END_S {
+    while method.end().0 < END_S {
         method.advance(&mut rhs, END_S).unwrap();
     }
-    (method.step().after.to_vec(), rhs.evaluations())
+    (method.end().1.to_vec(), rhs.evaluations())
 }
 
 fn error(case: &Case, name: &str, values: &[f64]) -> f64 {
@@ -104,18 +127,22 @@ fn error(case: &Case, name: &str, values: &[f64]) -> f64 {
     let rows = common::reference(name);
     let mut difference = vec![0.0; layout.len()];
     let n = layout.balls;
-    let state = State::taken(layout, values);
+    let state = State::from_vector(layout, values);
     // The reference gives the absolute spin.
     let seen = RightHandSide::new(&model).snapshot(END_S, &state, &vec![0.0; n]);
     for k in 0..n {
-        for group in 0..4 {
-            let at = layout.ball(group, k);
-            difference[at] = values[at] - rows[k][group];
+        for coordinate in BallCoordinate::ALL {
+            let at = layout.ball(coordinate, k);
+            let value = match coordinate {
+                BallCoordinate::Spin => seen.spin_rad_s[k],
+                _ => values[at],
+            };
+            difference[at] = value - rows[k][coordinate as usize];
         }
-        difference[layout.ball(4, k)] = seen.spin_rad_s[k] - rows[k][4];
     }
-    for k in 0..4 {
-        difference[layout.ring(k)] = values[layout.ring(k)] - rows[n][k];
+    for coordinate in RingCoordinate::ALL {
+        let at = layout.ring(coordinate);
+        difference[at] = values[at] - rows[n][coordinate as usize];
     }
     RightHandSide::new(&model).error_norm(&difference)
 }
@@ -132,7 +159,9 @@ fn error_control_crosses_jumps_as_well_as_location() {
             case.solver.step_s = step_us * 1e-6;
             let model = Model::new(&case).unwrap();
             let dimension = model.layout().len();
-            let (y, evaluations) = end(&case, &mut Abm4::new(dimension, case.solver.step_s));
+            let method = Abm4::new(dimension, case.solver.step_s);
+            let mut plain = Integrator::new(method, dimension);
+            let (y, evaluations) = end(&case, &mut plain);
             let mut located = Located::new(dimension, case.solver.step_s);
             let (z, more) = end(&case, &mut located);
             let (controlled, by_location) = (error(&case, name, &y), error(&case, name, &z));

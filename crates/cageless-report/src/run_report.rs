@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use cageless::collision::Collision;
 use cageless::design::RunVerdict;
+use cageless::dynamics::energy::EnergyTerm;
 use cageless::passage::{Passage, PassageTally};
 use cageless::simulation::RunOutcome;
 use cageless::snapshot::Snapshot;
-use cageless::state::Work;
 use cageless::thinning::Thinning;
 use cageless::vibration::{FILTER_CORNER, FILTER_ORDER, Measurement};
 use cageless::{Case, FrictionLaw, Method, Profile};
@@ -466,10 +466,10 @@ fn ball_history(snapshots: &[Snapshot], k: usize) -> BallHistory {
 
 /// The ledger; positive into the bearing.
 fn energy(outcome: &RunOutcome) -> Vec<EnergyItem> {
-    let mut items: Vec<EnergyItem> = Work::ALL
+    let mut items: Vec<EnergyItem> = EnergyTerm::ALL
         .into_iter()
         .map(|work| {
-            let value = outcome.state.work_j(work);
+            let value = outcome.state.energy_term_j(work);
             EnergyItem {
                 name: work.name().replace('_', " "),
                 energy_j: if work.is_loss() { -value } else { value },

@@ -4,10 +4,10 @@ use std::ops::Range;
 
 use cageless::Case;
 use cageless::design::judge;
+use cageless::dynamics::state::BATCH_WIDTH;
 use cageless::equilibrium;
 use cageless::simulation::{Control, Ending, Observer, RunOutcome, batches, run_batch};
 use cageless::spacing::CriticalGapError;
-use cageless::state::MEMBERS;
 use cageless::summary::{Summary, SummaryRecorder};
 use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_io::plan_file::{Computation, PlanFile};
@@ -87,7 +87,7 @@ impl Sweep {
     /// vectors empty.
     pub fn together(&self) -> u64 {
         if self.wants(Computation::Run) {
-            MEMBERS as u64
+            BATCH_WIDTH as u64
         } else {
             1
         }

@@ -2,9 +2,9 @@
 
 use std::f64::consts::{PI, TAU};
 
+use crate::contact::hertz::PointContact;
+use crate::dynamics::state::BALLS_MAX;
 use crate::error::{Allowed, InputError, not_negative, positive};
-use crate::hertz::PointContact;
-use crate::state::BALLS_MAX;
 
 /// Dimensions and inertia of the bearing, as a designer states them.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use crate::bearing::Bearing;
+use crate::contact::hertz::DEFLECTION_SHARE_MAX;
 use crate::error::{Allowed, InputError, not_negative, positive};
-use crate::hertz::DEFLECTION_SHARE_MAX;
 use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::raceway::Raceway;
 

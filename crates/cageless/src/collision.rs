@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::integrator::hermite;
+use crate::dynamics::coordinates::BallCoordinate;
 use crate::numerics::root;
 use crate::simulation::{Control, Observer, ObserverError, Scene, View};
 
@@ -79,20 +79,20 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> CollisionDetector<F> {
         let layout = view.layout();
         let next = (k + 1) % layout.balls;
         let deflection = |time_s: f64| {
-            let offset = |group: usize| {
-                hermite(&view.step, layout.ball(group, next), time_s)
-                    - hermite(&view.step, layout.ball(group, k), time_s)
+            let offset = |coordinate| {
+                view.step.interpolate(layout.ball(coordinate, next), time_s)
+                    - view.step.interpolate(layout.ball(coordinate, k), time_s)
             };
-            self.distances[k] - offset(0).hypot(offset(1))
+            self.distances[k] - offset(BallCoordinate::X).hypot(offset(BallCoordinate::Y))
         };
-        let (from, to) = (view.step.from_s, view.step.to_s);
+        let (from, to) = (view.step.t0_s, view.step.t1_s);
         root::brent(deflection, from, to, 1e-6 * (to - from)).unwrap_or(otherwise)
     }
 
     fn touch(&self, view: &View<'_, '_>, k: usize) -> Collision {
         let layout = view.layout();
         let next = (k + 1) % layout.balls;
-        let start_s = self.crossing_s(view, k, view.step.from_s);
+        let start_s = self.crossing_s(view, k, view.step.t0_s);
         let state = view.state(start_s);
         let (x, y, vx, vy) = (state.x_m(), state.y_m(), state.vx_m_s(), state.vy_m_s());
         let (dx, dy) = (x[next] - x[k], y[next] - y[k]);
@@ -144,7 +144,7 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDet
 
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
         let c = &view.contacts;
-        let (from, to) = (view.step.from_s, view.step.to_s);
+        let (from, to) = (view.step.t0_s, view.step.t1_s);
         for k in 0..c.balls() {
             let (before, after) = (self.deflections[k], c.pair_deflection_m(k));
             let (force_before, force) = (self.forces[k], c.pair_force_n(k));

@@ -7,8 +7,8 @@
 
 use crate::bearing::Bearing;
 use crate::case::{Case, Gaps, Profile};
+use crate::contact::hertz::{PointContact, STRESS_LIMIT_PA};
 use crate::error::InputError;
-use crate::hertz::{PointContact, STRESS_LIMIT_PA};
 use crate::kinematics::orbit_speed_of_rad_s;
 use crate::numerics::root;
 use crate::seat::{self, Seat};

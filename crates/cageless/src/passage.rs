@@ -1,6 +1,6 @@
 //! How each ball passes each discrete raceway.
 
-use crate::integrator::hermite;
+use crate::dynamics::coordinates::BallCoordinate;
 use crate::numerics::root;
 use crate::onsets::Onsets;
 use crate::raceway::Raceway;
@@ -178,12 +178,15 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
     /// ahead and that from the ball behind there.
     fn end(&self, view: &View<'_, '_>, k: usize, sector: &Sector) -> (f64, [Direction; 2]) {
         let layout = view.layout();
-        let (from, to) = (view.step.from_s, view.step.to_s);
-        let place = |group: usize, time_s: f64| hermite(&view.step, layout.ball(group, k), time_s);
-        let inside_by = |time_s: f64| sector.inside_by(place(0, time_s), place(1, time_s));
+        let (from, to) = (view.step.t0_s, view.step.t1_s);
+        let inside_by = |time_s: f64| {
+            let at = |coordinate| view.step.interpolate(layout.ball(coordinate, k), time_s);
+            sector.inside_by(at(BallCoordinate::X), at(BallCoordinate::Y))
+        };
         let time_s = root::brent(inside_by, from, to, 1e-6 * (to - from)).unwrap_or(to);
         let state = view.state(time_s);
-        let [x, y] = [0, 1].map(|group| state.layout().balls_of(state.values(), group));
+        let [x, y] = [BallCoordinate::X, BallCoordinate::Y]
+            .map(|c| state.layout().balls_of(state.values(), c));
         let previous = (k + layout.balls - 1) % layout.balls;
         (time_s, [k, previous].map(|k| Direction::to_next(x, y, k)))
     }
@@ -202,7 +205,7 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
 
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
         let n = view.layout().balls;
-        let (x, y) = (view.after(0), view.after(1));
+        let [x, y] = view.positions();
         let c = &view.contacts;
         self.onsets.look(c);
         for (r, sector) in self.sectors.iter().enumerate() {

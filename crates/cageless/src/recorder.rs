@@ -34,18 +34,18 @@ impl<F: FnMut(Snapshot) -> Result<(), ObserverError>> Observer for Recorder<F> {
 
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
         // Half a millionth of a step decides nothing, but lets 0.3 s mean 3000 × 0.1 ms.
-        let slack = 1e-6 * (view.step.to_s - view.step.from_s);
+        let slack = 1e-6 * (view.step.t1_s - view.step.t0_s);
         loop {
             let time_s = self.taken as f64 * self.interval_s;
-            if time_s > view.step.to_s + slack {
+            if time_s > view.step.t1_s + slack {
                 break;
             }
-            (self.sink)(view.snapshot(time_s.min(view.step.to_s)))?;
+            (self.sink)(view.snapshot(time_s.min(view.step.t1_s)))?;
             self.taken += 1;
         }
         let last_s = (self.taken - 1) as f64 * self.interval_s;
-        if view.step.to_s >= self.end_s && self.end_s > last_s + slack {
-            (self.sink)(view.snapshot(view.step.to_s))?;
+        if view.step.t1_s >= self.end_s && self.end_s > last_s + slack {
+            (self.sink)(view.snapshot(view.step.t1_s))?;
         }
         Ok(Control::Continue)
     }

@@ -9,10 +9,10 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::case::{Case, FrictionLaw, Gaps, Start};
 use crate::dynamics::Model;
+use crate::dynamics::state::Balls;
 use crate::equilibrium::{self, EquilibriumError};
 use crate::numerics::root::{self, Rise};
 use crate::simulation::{Control, Ending, Observer, ObserverError, Scene, Stop, View, run};
-use crate::state::Balls;
 
 /// An angle from 0 to 2π by its sine and cosine, both times the same length: two can be
 /// compared without angle functions.
@@ -212,7 +212,7 @@ impl Observer for PairWatch {
             let closeness = match self.touch {
                 Touch::Angle => gap,
                 Touch::Surface => {
-                    let (x, y) = (view.after(0), view.after(1));
+                    let [x, y] = view.positions();
                     let chord = (x[1] - x[0]).hypot(y[1] - y[0]);
                     // The gap of balls so far apart on the pitch circle.
                     2.0 * (chord / self.pitch_diameter).asin() - self.ball_angle

@@ -1,9 +1,10 @@
 //! The state that a run starts from.
 
 use crate::case::{Case, Profile, Start};
+use crate::dynamics::ball::{BallMotion, Centre};
+use crate::dynamics::state::State;
 use crate::equilibrium::{self, EquilibriumError, seat, start_angles_rad};
 use crate::kinematics::{orbit_speed_of_rad_s, rolling_relative_spin_rad_s, rolling_spin_rad_s};
-use crate::state::State;
 
 /// State at t = 0 and ψ of every ball.
 ///
@@ -44,11 +45,19 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
         let (sin, cos) = angle.sin_cos();
         state.set_ball(
             k,
-            [distance * sin, -distance * cos],
-            [speed * cos, speed * sin],
-            spin,
+            BallMotion {
+                x: distance * sin,
+                y: -distance * cos,
+                vx: speed * cos,
+                vy: speed * sin,
+                spin,
+            },
         );
     }
-    state.set_ring([ring[0], ring[1], 0.0, 0.0]);
+    state.set_ring(Centre {
+        x: ring[0],
+        y: ring[1],
+        ..Centre::default()
+    });
     Ok((state, angles))
 }

@@ -1,6 +1,7 @@
 //! Headline numbers of a run.
 
 use crate::case::Case;
+use crate::dynamics::coordinates::RingCoordinate;
 use crate::onsets::Onsets;
 use crate::simulation::{Control, Observer, ObserverError, Scene, View};
 use crate::spacing::GapRange;
@@ -94,22 +95,26 @@ impl Observer for SummaryRecorder {
 
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
         let contacts = &view.contacts;
-        let counted = view.step.to_s > self.settled_after_s;
+        let counted = view.step.t1_s > self.settled_after_s;
         self.onsets.look(contacts);
         if !counted {
             return Ok(Control::Continue);
         }
         self.collisions += u64::from(self.onsets.count());
         let layout = view.layout();
-        let h = view.step.to_s - view.step.from_s;
-        for k in 0..2 {
-            let at = layout.ring(k);
-            self.ring_sum[k] += 0.5 * h * (view.step.before[at] + view.step.after[at]);
+        let h = view.step.t1_s - view.step.t0_s;
+        for (k, coordinate) in [RingCoordinate::X, RingCoordinate::Y]
+            .into_iter()
+            .enumerate()
+        {
+            let at = layout.ring(coordinate);
+            self.ring_sum[k] += 0.5 * h * (view.step.y0[at] + view.step.y1[at]);
         }
         self.time += h;
         self.slip_max = self.slip_max.max(contacts.slip_max_m_s());
         if self.steps.is_multiple_of(GAPS_EVERY) {
-            self.gaps.look(view.after(0), view.after(1));
+            let [x, y] = view.positions();
+            self.gaps.look(x, y);
         }
         self.steps += 1;
         Ok(Control::Continue)

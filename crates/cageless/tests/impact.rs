@@ -3,9 +3,11 @@
 mod common;
 
 use cageless::collision::{Collision, CollisionDetector, hertz_impact};
+use cageless::dynamics::ball::BallMotion;
+use cageless::dynamics::coordinates::BallCoordinate;
+use cageless::dynamics::state::State;
 use cageless::integrator::{Abm4, Integrator};
 use cageless::simulation::{Control, run_from};
-use cageless::state::State;
 use cageless::{Case, Method, dynamics};
 use common::{conventional, dimensions, undamped};
 
@@ -25,15 +27,20 @@ fn free_flight() -> Case {
     case
 }
 
+/// Motion of a ball.
+fn ball(x: f64, y: f64, vx: f64, vy: f64, spin: f64) -> BallMotion {
+    BallMotion { x, y, vx, vy, spin }
+}
+
 /// Balls 1 and 2 approach along x at `speed`, 1 µm apart.
 fn approaching(case: &Case, speed: f64) -> (State, Vec<f64>) {
     let rw = case.bearing.ball_radius_m();
     let y = -case.bearing.pitch_radius_m();
     let mut state = State::new(3);
     let x = rw + 0.5e-6;
-    state.set_ball(0, [-x, y], [speed / 2.0, 0.0], 0.0);
-    state.set_ball(1, [x, y], [-speed / 2.0, 0.0], 0.0);
-    state.set_ball(2, [0.0, -y], [0.0, 0.0], 0.0);
+    state.set_ball(0, ball(-x, y, speed / 2.0, 0.0, 0.0));
+    state.set_ball(1, ball(x, y, -speed / 2.0, 0.0, 0.0));
+    state.set_ball(2, ball(0.0, -y, 0.0, 0.0, 0.0));
     let angles = vec![-(x / -y).atan(), (x / -y).atan(), std::f64::consts::PI];
     (state, angles)
 }
@@ -109,10 +116,10 @@ fn leapfrog_impacts_keep_their_energy_on_average() {
                 let (mut state, angles) = approaching(&case, speed);
                 // A part of a step's way further off.
                 let off = 0.5 * speed * step_s * f64::from(k) / f64::from(phases);
-                for (ball, side) in [(0, -off), (1, off)] {
-                    let (x, y) = (state.x_m()[ball] + side, state.y_m()[ball]);
-                    let vx = state.vx_m_s()[ball];
-                    state.set_ball(ball, [x, y], [vx, 0.0], 0.0);
+                for (k, side) in [(0, -off), (1, off)] {
+                    let motion = state.ball_motion(k);
+                    let x = motion.x + side;
+                    state.set_ball(k, BallMotion { x, ..motion });
                 }
                 let end = run_from(&case, &state, &angles, &mut [], &mut |_| Control::Continue)
                     .unwrap()
@@ -138,7 +145,7 @@ fn momentum_is_conserved_to_rounding() {
     let (mut state, angles) = approaching(&case, 0.3);
     // An oblique impact of spinning balls.
     let (rw, y) = (case.bearing.ball_radius_m(), -case.bearing.pitch_radius_m());
-    state.set_ball(0, [-(rw + 0.5e-6), y], [0.2, 0.05], 900.0);
+    state.set_ball(0, ball(-(rw + 0.5e-6), y, 0.2, 0.05, 900.0));
     let before = state.clone();
     let end = run_from(&case, &state, &angles, &mut [], &mut |_| Control::Continue)
         .unwrap()
@@ -197,12 +204,13 @@ fn damped_impact_converges() {
         let (state, _) = approaching(&case, 0.1);
         let model = dynamics::Model::new(&case).unwrap();
         let mut rhs = dynamics::RightHandSide::new(&model);
-        let mut method = Abm4::new(model.layout().len(), step);
+        let dimension = model.layout().len();
+        let mut method = Integrator::new(Abm4::new(dimension, step), dimension);
         method.restart(&mut rhs, 0.0, state.values());
         for _ in 0..(100e-6 / step).round() as u32 {
             method.advance(&mut rhs, f64::INFINITY).unwrap();
         }
-        method.step().after[model.layout().group(2)]
+        method.step().y1[model.layout().ball(BallCoordinate::Vx, 0)]
     };
     let reference = result(0.0125e-6);
     let (coarse, fine) = (

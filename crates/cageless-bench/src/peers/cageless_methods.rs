@@ -2,8 +2,8 @@
 
 use anyhow::{Result, bail};
 use cageless::Case;
+use cageless::dynamics::state::State;
 use cageless::simulation::{Control, Ending, run_from};
-use cageless::state::State;
 
 use super::peer::{Peer, Reached, TOLERANCES};
 use crate::problem;

@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use cageless::dynamics::energy::EnergyTerm;
 use cageless::equilibrium;
 use cageless::simulation::{Ending, RunOutcome};
-use cageless::state::Work;
 use cageless::step::StepLimits;
 use cageless::summary::Summary;
 use cageless::{Case, Method};
@@ -107,9 +107,9 @@ impl SummaryFile {
         summary: Option<Summary>,
         wall_s: f64,
     ) -> Self {
-        let mut energy: BTreeMap<String, f64> = Work::ALL
+        let mut energy: BTreeMap<String, f64> = EnergyTerm::ALL
             .into_iter()
-            .map(|work| (work.name().to_owned(), outcome.state.work_j(work)))
+            .map(|work| (work.name().to_owned(), outcome.state.energy_term_j(work)))
             .collect();
         energy.insert(
             "change".to_owned(),

@@ -8,7 +8,7 @@ use cageless::Case;
 use cageless::design::search::{
     Interrupted, Job, Motion, Numbers, Outcome, Spacing, Stage, Task, run_jobs,
 };
-use cageless::state::MEMBERS;
+use cageless::dynamics::state::BATCH_WIDTH;
 use cageless_io::case_file::CaseFile;
 use cageless_io::journal::{Entry, Journal};
 use cageless_io::results::VERSION;
@@ -148,7 +148,7 @@ fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
 fn groups(jobs: &[Job], todo: &[usize], threads: usize) -> Vec<Vec<usize>> {
     let (shared, alone): (Vec<usize>, Vec<usize>) =
         todo.iter().copied().partition(|&k| jobs[k].is_shared());
-    let rounds = shared.len().div_ceil(MEMBERS * threads).max(1);
+    let rounds = shared.len().div_ceil(BATCH_WIDTH * threads).max(1);
     let size = shared.len().div_ceil(rounds * threads).max(1);
     let alone = alone.into_iter().map(|k| vec![k]);
     alone

@@ -199,7 +199,7 @@ impl Watch {
             .summary
             .summary()
             .ok_or(MemberError::Empty(self.role))?;
-        let [ring_x, ring_y, _, _] = outcome.state.ring();
+        let ring = outcome.state.ring_motion();
         let [deviation_x, deviation_y] = self.motion.ring_deviation_m();
         let values = Quantity::ALL.map(|quantity| match quantity {
             Quantity::Collisions => s.collisions as f64,
@@ -212,8 +212,8 @@ impl Watch {
             Quantity::RingYDeviation => deviation_y,
             Quantity::OrbitSpeedMean => self.motion.orbit_speed_rad_s(),
             Quantity::SpinMean => self.motion.spin_rad_s(),
-            Quantity::RingXEnd => ring_x,
-            Quantity::RingYEnd => ring_y,
+            Quantity::RingXEnd => ring.x,
+            Quantity::RingYEnd => ring.y,
             Quantity::LeadBallAngleEnd => self.lead_angle_rad,
         });
         Ok(Record {

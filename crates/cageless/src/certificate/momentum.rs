@@ -1,6 +1,10 @@
 //! Balance of linear momentum.
 
 use crate::case::Profile;
+use crate::contact::centrifugal_force;
+use crate::dynamics::coordinates::BallCoordinate;
+use crate::dynamics::state::Layout;
+use crate::dynamics::{Model, RightHandSide};
 use crate::simulation::{Control, Observer, ObserverError, Scene, View};
 
 /// Compares the linear momentum of balls and inner ring with the impulses of the external
@@ -11,13 +15,7 @@ use crate::simulation::{Control, Observer, ObserverError, Scene, View};
 /// Impulses are sums by the trapezoidal rule over the steps.
 #[derive(Debug, Clone, Default)]
 pub(super) struct MomentumBalance {
-    ball_masses: Vec<f64>,
-    ring_mass: f64,
-    ring_drag: f64,
-    radial_load: f64,
-    gravity: f64,
-    /// Rm where Fw acts.
-    centrifugal_radius: Option<f64>,
+    model: Option<Model>,
     start: [f64; 2],
     now: [f64; 2],
     impulse: [f64; 2],
@@ -35,92 +33,83 @@ impl MomentumBalance {
             0.0
         }
     }
+}
 
-    fn momentum(&self, layout: crate::state::Layout, values: &[f64]) -> [f64; 2] {
-        [0, 1].map(|k| {
-            let speeds = layout.balls_of(values, 2 + k);
-            let balls: f64 = self
-                .ball_masses
-                .iter()
-                .zip(speeds.iter())
-                .map(|(m, v)| m * v)
-                .sum();
-            balls + self.ring_mass * values[layout.ring(2 + k)]
-        })
-    }
+/// Sum of the momenta of balls and inner ring, N·s.
+fn momentum(model: &Model, layout: Layout, values: &[f64]) -> [f64; 2] {
+    let ring = layout.ring_motion(values);
+    [(BallCoordinate::Vx, ring.vx), (BallCoordinate::Vy, ring.vy)].map(|(coordinate, ring)| {
+        let speeds = layout.balls_of(values, coordinate);
+        let balls: f64 = model
+            .balls
+            .iter()
+            .zip(speeds.iter())
+            .map(|(ball, v)| ball.mass * v)
+            .sum();
+        balls + model.ring.mass * ring
+    })
+}
 
-    /// Sum of the external forces at a state where the outer ring is pressed by `outer`, and
-    /// the sum of their absolute values.
-    fn external(
-        &self,
-        layout: crate::state::Layout,
-        values: &[f64],
-        outer: [f64; 2],
-    ) -> ([f64; 2], f64) {
-        let (vx, vy) = (values[layout.ring(2)], values[layout.ring(3)]);
-        let weight = (self.ring_mass + self.ball_masses.iter().sum::<f64>()) * self.gravity;
-        let mut force = [
-            -outer[0] - self.ring_drag * vx,
-            -outer[1] - self.ring_drag * vy - self.radial_load - weight,
-        ];
-        let mut absolute =
-            outer[0].hypot(outer[1]) + self.ring_drag * vx.hypot(vy) + self.radial_load + weight;
-        if let Some(radius) = self.centrifugal_radius {
-            let group = |g: usize| layout.balls_of(values, g);
-            let (x, y, vx, vy) = (group(0), group(1), group(2), group(3));
-            for k in 0..layout.balls {
-                let rho = x[k].hypot(y[k]);
-                let vt = (x[k] * vy[k] - y[k] * vx[k]) / rho;
-                let centrifugal = self.ball_masses[k] * vt * vt / radius;
-                force[0] += centrifugal * x[k] / rho;
-                force[1] += centrifugal * y[k] / rho;
-                absolute += centrifugal;
-            }
+/// Sum of the external forces at a state where the outer ring is pressed by `outer`, and
+/// the sum of their absolute values, N.
+fn external(model: &Model, layout: Layout, values: &[f64], outer: [f64; 2]) -> ([f64; 2], f64) {
+    let motion = layout.ring_motion(values);
+    let ring = &model.ring;
+    let balls: f64 = model.balls.iter().map(|ball| ball.mass).sum();
+    let weight = (ring.mass + balls) * ring.gravity;
+    let mut force = [
+        -outer[0] - ring.drag * motion.vx,
+        -outer[1] - ring.drag * motion.vy - ring.radial_load - weight,
+    ];
+    let mut absolute = outer[0].hypot(outer[1])
+        + ring.drag * motion.vx.hypot(motion.vy)
+        + ring.radial_load
+        + weight;
+    if model.profile == Profile::Paper {
+        for (k, ball) in model.balls.iter().enumerate() {
+            let polar = layout.ball_motion(values, k).about(&model.outer_centre());
+            let centrifugal = centrifugal_force(ball, &model.outer, &polar);
+            force[0] += centrifugal * polar.ex;
+            force[1] += centrifugal * polar.ey;
+            absolute += centrifugal;
         }
-        (force, absolute)
     }
+    (force, absolute)
 }
 
 impl Observer for MomentumBalance {
     fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
-        let case = scene.case;
-        let d = case.bearing.dimensions();
-        *self = Self {
-            ball_masses: (0..case.bearing.balls())
-                .map(|k| case.bearing.ball(k).mass_kg)
-                .collect(),
-            ring_mass: d.inner_ring_mass_kg,
-            ring_drag: d.inner_ring_drag_n_s_m,
-            radial_load: case.operation.radial_load_n,
-            gravity: case.operation.gravity_m_s2,
-            centrifugal_radius: (case.profile == Profile::Paper)
-                .then(|| case.bearing.pitch_radius_m()),
-            ..Self::default()
-        };
-        let layout = scene.start.layout();
-        self.start = self.momentum(layout, scene.start.values());
-        self.now = self.start;
-        let mut rhs = crate::dynamics::RightHandSide::new(scene.model);
+        let (layout, values) = (scene.start.layout(), scene.start.values());
+        let mut rhs = RightHandSide::new(scene.model);
         let s = rhs.snapshot(0.0, scene.start, scene.start_angle_rad).ring;
         let outer = [s.outer_force_x_n, s.outer_force_y_n];
-        self.last = Some(self.external(layout, scene.start.values(), outer));
+        let start = momentum(scene.model, layout, values);
+        *self = Self {
+            start,
+            now: start,
+            last: Some(external(scene.model, layout, values, outer)),
+            model: Some(scene.model.clone()),
+            ..Self::default()
+        };
         Ok(())
     }
 
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
-        let step = &view.step;
-        let layout = view.layout();
-        let (force, absolute) =
-            self.external(layout, step.after, view.contacts.outer_ring_force_n());
+        let Some(model) = &self.model else {
+            return Ok(Control::Continue);
+        };
+        let (step, layout) = (view.step, view.layout());
+        let outer = view.contacts.outer_ring_force_n();
+        let (force, absolute) = external(model, layout, &step.y1, outer);
         if let Some((force_before, absolute_before)) = self.last {
-            let half = 0.5 * (step.to_s - step.from_s);
+            let half = 0.5 * step.size_s();
             for k in 0..2 {
                 self.impulse[k] += half * (force_before[k] + force[k]);
             }
             self.absolute_impulse += half * (absolute_before + absolute);
         }
         self.last = Some((force, absolute));
-        self.now = self.momentum(layout, step.after);
+        self.now = momentum(model, layout, &step.y1);
         Ok(Control::Continue)
     }
 }

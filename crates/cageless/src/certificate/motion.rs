@@ -47,22 +47,23 @@ impl Observer for MotionRecorder {
 
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
         let step = &view.step;
-        if step.to_s <= self.settled_after_s {
+        if step.t1_s <= self.settled_after_s {
             return Ok(Control::Continue);
         }
         let layout = view.layout();
-        for (k, moments) in self.ring.iter_mut().enumerate() {
-            moments.add(step.after[layout.ring(k)], step.to_s - step.from_s);
+        let ring = layout.ring_motion(&step.y1);
+        for (moments, place) in self.ring.iter_mut().zip([ring.x, ring.y]) {
+            moments.add(place, step.size_s());
         }
         if self.steps.is_multiple_of(BALLS_EVERY) {
             let c = &view.contacts;
             let mean = |value: &dyn Fn(usize) -> f64| {
                 (0..layout.balls).map(value).sum::<f64>() / layout.balls as f64
             };
-            let time = step.to_s - self.last_look_s;
+            let time = step.t1_s - self.last_look_s;
             self.orbit.add(mean(&|k| c.orbit_speed_rad_s(k)), time);
             self.spin.add(mean(&|k| c.spin_rad_s(k)), time);
-            self.last_look_s = step.to_s;
+            self.last_look_s = step.t1_s;
         }
         self.steps += 1;
         Ok(Control::Continue)

@@ -1,8 +1,8 @@
 //! States of a run at a few hundred times, to be compared with those of another run.
 
 use crate::case::Case;
+use crate::dynamics::state::{Layout, State};
 use crate::simulation::{Control, Observer, ObserverError, View};
-use crate::state::{Layout, State, Work};
 
 /// Times at which runs are compared.
 const SAMPLES: usize = 1500;
@@ -54,14 +54,14 @@ impl Observer for TrajectoryRecorder {
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
         let step = &view.step;
         // The energy ledger is left out.
-        self.width = Layout::new(view.layout().balls).work(Work::Drive);
-        let slack = 1e-6 * (step.to_s - step.from_s);
+        self.width = Layout::new(view.layout().balls).motion_len();
+        let slack = 1e-6 * (step.t1_s - step.t0_s);
         while let Some(&time) = self.times.get(self.taken) {
-            if time > step.to_s + slack {
+            if time > step.t1_s + slack {
                 break;
             }
-            let state = if (time - step.to_s).abs() <= slack {
-                State::taken(view.layout(), step.after)
+            let state = if (time - step.t1_s).abs() <= slack {
+                State::from_vector(view.layout(), &step.y1)
             } else {
                 view.state(time)
             };

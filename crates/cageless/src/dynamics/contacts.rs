@@ -1,9 +1,9 @@
-//! What an evaluation of the right-hand side saw of one bearing.
+//! The contacts of one bearing as of the last evaluation of the right-hand side.
 
-use super::equations::Workspace;
-use super::lanes::{Block, Entry};
+use super::state::{LANES, Layout};
 use crate::case::Profile;
-use crate::state::{LANES, Layout};
+use crate::simd::Workspace;
+use crate::simd::lanes::Lanes;
 
 /// Contacts of one bearing as of the last evaluation; balls count from 0.
 #[derive(Clone, Copy)]
@@ -13,107 +13,90 @@ pub struct Contacts<'a> {
     pub(super) profile: Profile,
 }
 
+/// Declares a view of one quantity of ball `k`.
+macro_rules! per_ball {
+    ($($(#[$meta:meta])* $name:ident: $($field:ident).+;)*) => {
+        $($(#[$meta])*
+        pub fn $name(&self, k: usize) -> f64 {
+            let (block, lane) = self.place(k);
+            let lanes: &Lanes = &self.work.blocks[block].$($field).+;
+            lanes.0[lane]
+        })*
+    };
+}
+
 impl Contacts<'_> {
     /// N.
     pub fn balls(&self) -> usize {
         self.layout.balls
     }
 
-    #[inline]
-    fn at(&self, block: impl Fn(&Entry) -> &Block, k: usize) -> f64 {
-        let entry = k * self.layout.members() + self.layout.member();
-        block(&self.work.entries[entry / LANES]).0[entry % LANES]
+    /// Block and lane of ball `k`.
+    fn place(&self, k: usize) -> (usize, usize) {
+        let entry = k * self.layout.width() + self.layout.bearing();
+        (entry / LANES, entry % LANES)
     }
 
-    /// Normal force at the inner raceway, N.
-    pub fn inner_force_n(&self, k: usize) -> f64 {
-        self.at(|e| &e.inner_force, k)
-    }
-
-    /// Normal force at the outer raceway, N.
-    pub fn outer_force_n(&self, k: usize) -> f64 {
-        self.at(|e| &e.outer_force, k)
-    }
-
-    /// ΔVi.
-    pub fn inner_slip_m_s(&self, k: usize) -> f64 {
-        self.at(|e| &e.inner_slip, k)
-    }
-
-    /// ΔVo.
-    pub fn outer_slip_m_s(&self, k: usize) -> f64 {
-        self.at(|e| &e.outer_slip, k)
-    }
-
-    /// δi; negative: apart.
-    pub fn inner_deflection_m(&self, k: usize) -> f64 {
-        self.at(|e| &e.inner_deflection, k)
-    }
-
-    /// δo; negative: apart.
-    pub fn outer_deflection_m(&self, k: usize) -> f64 {
-        self.at(|e| &e.outer_deflection, k)
-    }
-
-    /// r.
-    pub fn effective_radius_m(&self, k: usize) -> f64 {
-        self.at(|e| &e.radius, k)
-    }
-
-    /// Orbital speed vt/|rb|.
-    pub fn orbit_speed_rad_s(&self, k: usize) -> f64 {
-        self.at(|e| &e.orbit, k)
-    }
-
-    /// Absolute spin.
-    pub fn spin_rad_s(&self, k: usize) -> f64 {
-        self.at(|e| &e.absolute, k)
+    per_ball! {
+        /// Fi, normal force at the inner raceway, N.
+        inner_force_n: inner.force;
+        /// Fo, normal force at the outer raceway, N.
+        outer_force_n: outer.force;
+        /// ΔVi, m/s.
+        inner_slip_m_s: inner.slip;
+        /// ΔVo, m/s.
+        outer_slip_m_s: outer.slip;
+        /// δi, m; negative: apart.
+        inner_deflection_m: inner.deflection;
+        /// δo, m; negative: apart.
+        outer_deflection_m: outer.deflection;
+        /// r, effective contact radius at the outer raceway, m.
+        effective_radius_m: geometry.effective_radius;
+        /// Orbital speed vt/|rb|, rad/s.
+        orbit_speed_rad_s: polar.orbit;
+        /// Absolute spin, rad/s.
+        spin_rad_s: spin;
+        /// δb between ball `k` and the ball ahead, m; negative: apart.
+        pair_deflection_m: pair.deflection;
+        /// Rate of [`Self::pair_deflection_m`] while any two balls touch, else 0, m/s.
+        pair_rate_m_s: pair.rate;
+        /// Normal force between ball `k` and the ball ahead, N.
+        pair_force_n: pair.force;
     }
 
     /// `paper` profile: whether ball `k` is inside a discrete raceway.
     pub(super) fn inside(&self, k: usize) -> bool {
-        self.at(|e| &e.inside, k) > 0.0
-    }
-
-    /// δb between ball `k` and the ball ahead; negative: apart.
-    pub fn pair_deflection_m(&self, k: usize) -> f64 {
-        self.at(|e| &e.pair_deflection, k)
-    }
-
-    /// Rate of [`Self::pair_deflection_m`] while any two balls touch, else 0.
-    pub fn pair_rate_m_s(&self, k: usize) -> f64 {
-        self.at(|e| &e.pair_rate, k)
-    }
-
-    /// Normal force between ball `k` and the ball ahead, N.
-    pub fn pair_force_n(&self, k: usize) -> f64 {
-        self.at(|e| &e.pair_force, k)
+        let (block, lane) = self.place(k);
+        self.work.blocks[block].geometry.inside.0[lane] > 0.0
     }
 
     /// Whether any two balls touch.
     pub fn balls_touch(&self) -> bool {
-        self.work.pair_most[self.layout.member()] > 0.0
+        self.work.pair_deflection_max[self.layout.bearing()] > 0.0
     }
 
-    /// Largest |ΔVi| or |ΔVo| at contacts that carry load.
+    /// Largest |ΔVi| or |ΔVo| at contacts that carry load, m/s.
     pub fn slip_max_m_s(&self) -> f64 {
-        self.work.slip_most[self.layout.member()]
+        self.work.slip_max[self.layout.bearing()]
     }
 
-    /// What the balls put on the outer ring, friction included, N.
+    /// Force of the balls on the outer ring, friction included, N.
     pub fn outer_ring_force_n(&self) -> [f64; 2] {
         (0..self.balls()).fold([0.0; 2], |[x, y], k| {
-            let at = |block: fn(&Entry) -> &Block| self.at(block, k);
-            let (ex, ey) = (at(|e| &e.ex), at(|e| &e.ey));
-            let (force, uphill) = (at(|e| &e.outer_force), at(|e| &e.uphill));
-            let friction = at(|e| &e.outer_friction);
+            let (block, lane) = self.place(k);
+            let results = &self.work.blocks[block];
+            let (polar, outer) = (results.polar.get(lane), results.outer.get(lane));
+            let slope_force = results.slope_force.0[lane];
             let (dir_x, dir_y) = match self.profile {
-                Profile::Paper => (at(|e| &e.dir_x), at(|e| &e.dir_y)),
-                Profile::Physical => (-ey, ex),
+                Profile::Paper => {
+                    let geometry = results.geometry.get(lane);
+                    (geometry.direction_x, geometry.direction_y)
+                }
+                Profile::Physical => (-polar.ey, polar.ex),
             };
             [
-                x + force * ex + uphill * ey + friction * dir_x,
-                y + force * ey - uphill * ex + friction * dir_y,
+                x + outer.force * polar.ex + slope_force * polar.ey + outer.friction * dir_x,
+                y + outer.force * polar.ey - slope_force * polar.ex + outer.friction * dir_y,
             ]
         })
     }

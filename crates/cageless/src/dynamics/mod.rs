@@ -1,14 +1,16 @@
-//! The equations of motion, Zhao 2022, Eq. (12) to (22), in both profiles.
+//! The equations of motion, Zhao 2022, Eq. (12) to (22), in both profiles: bodies, state,
+//! energy, and the right-hand side over them.
 
+pub mod ball;
 mod contacts;
-mod equations;
-mod instruction_set;
-mod lanes;
-mod model;
-mod parameters;
+pub mod coordinates;
+pub mod energy;
+pub(crate) mod inner_ring;
+pub(crate) mod model;
 mod right_hand_side;
+pub mod state;
 
+pub use crate::simd::InstructionSet;
 pub use contacts::Contacts;
-pub use instruction_set::InstructionSet;
 pub use model::Model;
 pub use right_hand_side::RightHandSide;

@@ -2,14 +2,13 @@
 //! instruction set and chosen at run time.
 
 use super::contacts::Contacts;
-use super::equations::{self, Workspace};
-use super::instruction_set::InstructionSet;
+use super::coordinates::RingCoordinate;
 use super::model::Model;
-use super::parameters::Parameters;
+use super::state::{BATCH_WIDTH, Layout, State};
 use crate::case::Profile;
-use crate::integrator::{CrossingError, Drift, Integrator, System};
+use crate::integrator::{Integrator, Method, SecondOrderBlock, System, UnresolvedStep};
+use crate::simd::{self, InstructionSet, Parameters, Workspace};
 use crate::snapshot::{RingSnapshot, Snapshot};
-use crate::state::{Layout, MEMBERS, State};
 
 /// The equations of motion with the work arrays to evaluate them.
 #[derive(Clone)]
@@ -19,56 +18,45 @@ pub struct RightHandSide<'m> {
     work: Workspace,
     isa: InstructionSet,
     evaluations: u64,
-    drifts: [Drift; 2],
+    second_order_blocks: Vec<SecondOrderBlock>,
 }
 
 impl<'m> RightHandSide<'m> {
-    /// For the instructions that [`InstructionSet::chosen`] says.
+    /// The equations of `model` with the instructions of [`InstructionSet::chosen`].
     pub fn new(model: &'m Model) -> Self {
         Self::with_instruction_set(model, InstructionSet::chosen())
     }
 
-    /// For given instructions; wider ones than the processor has are replaced by its
-    /// own widest.
+    /// The equations of `model` with given instructions; wider ones than the processor has are
+    /// replaced by its own widest.
     pub fn with_instruction_set(model: &'m Model, isa: InstructionSet) -> Self {
-        Self::of(vec![model], model.layout, isa)
+        Self::build(vec![model], model.layout, isa)
     }
 
-    /// [`MEMBERS`] bearings side by side, each in its own lanes of every block, with the same number
+    /// [`BATCH_WIDTH`] bearings side by side, each in its own lanes of every block, with the same number
     /// of balls, profile and friction law, and all with equal balls or none. Each gets the
     /// bits that it gets alone.
     ///
     /// # Panics
     /// If they differ in one of these.
-    pub fn side_by_side(models: [&'m Model; MEMBERS], isa: InstructionSet) -> Self {
+    pub fn side_by_side(models: [&'m Model; BATCH_WIDTH], isa: InstructionSet) -> Self {
         let first = models[0];
         assert!(
             models.iter().all(|m| m.kind() == first.kind()),
             "bearings side by side must be of one kind"
         );
-        Self::of(models.to_vec(), Layout::side_by_side(first.balls()), isa)
+        Self::build(models.to_vec(), Layout::side_by_side(first.balls()), isa)
     }
 
-    fn of(models: Vec<&'m Model>, layout: Layout, isa: InstructionSet) -> Self {
+    fn build(models: Vec<&'m Model>, layout: Layout, isa: InstructionSet) -> Self {
         let parameters = Parameters::new(&models, layout);
-        let ring = layout.of_member(0).ring(0);
-        let balls = Drift {
-            places: layout.group(0),
-            rates: layout.group(2),
-            count: 2 * layout.stride,
-        };
-        let ring = Drift {
-            places: ring,
-            rates: ring + 2 * layout.members(),
-            count: 2 * layout.members(),
-        };
         Self {
             work: Workspace::new(&parameters),
             parameters,
             models,
             isa: isa.min(InstructionSet::detect()),
             evaluations: 0,
-            drifts: [balls, ring],
+            second_order_blocks: layout.second_order_blocks(),
         }
     }
 
@@ -92,16 +80,16 @@ impl<'m> RightHandSide<'m> {
         self.evaluations
     }
 
-    /// What the last evaluation saw of the first bearing.
+    /// Contacts of the first bearing as of the last evaluation.
     pub fn contacts(&self) -> Contacts<'_> {
         self.contacts_of(0)
     }
 
-    /// What the last evaluation saw of one of the bearings.
-    pub fn contacts_of(&self, member: usize) -> Contacts<'_> {
+    /// Contacts of one of the bearings as of the last evaluation.
+    pub fn contacts_of(&self, bearing: usize) -> Contacts<'_> {
         Contacts {
             work: &self.work,
-            layout: self.parameters.layout.of_member(member),
+            layout: self.parameters.layout.of_bearing(bearing),
             profile: self.parameters.profile,
         }
     }
@@ -110,41 +98,41 @@ impl<'m> RightHandSide<'m> {
         self.evaluations += 1;
         let (p, w) = (&self.parameters, &mut self.work);
         match self.isa {
-            InstructionSet::Baseline => equations::evaluate(p, w, y, dydt),
-            // SAFETY: `of` admits only what the processor has.
+            InstructionSet::Baseline => simd::evaluate(p, w, y, dydt),
+            // SAFETY: `build` admits only what the processor has.
             #[cfg(target_arch = "x86_64")]
             InstructionSet::Avx2 => unsafe { evaluate_avx2(p, w, y, dydt) },
-            // SAFETY: as above.
+            // SAFETY: `build` admits only what the processor has.
             #[cfg(target_arch = "x86_64")]
             InstructionSet::Avx512 => unsafe { evaluate_avx512(p, w, y, dydt) },
             #[cfg(not(target_arch = "x86_64"))]
-            _ => equations::evaluate(p, w, y, dydt),
+            _ => simd::evaluate(p, w, y, dydt),
         }
     }
 
-    /// Lets `method` make a step with the instructions of this right-hand side.
+    /// Lets `integrator` make a step with the instructions of this right-hand side.
     ///
     /// # Errors
     /// Those of the method.
-    pub(crate) fn advance<I: Integrator>(
+    pub(crate) fn advance<M: Method>(
         &mut self,
-        method: &mut I,
+        integrator: &mut Integrator<M>,
         limit_s: f64,
-    ) -> Result<(), CrossingError> {
+    ) -> Result<(), UnresolvedStep> {
         match self.isa {
-            InstructionSet::Baseline => method.advance(self, limit_s),
-            // SAFETY: `of` admits only what the processor has.
+            InstructionSet::Baseline => integrator.advance(self, limit_s),
+            // SAFETY: `build` admits only what the processor has.
             #[cfg(target_arch = "x86_64")]
-            InstructionSet::Avx2 => unsafe { advance_avx2(method, self, limit_s) },
-            // SAFETY: as above.
+            InstructionSet::Avx2 => unsafe { advance_avx2(integrator, self, limit_s) },
+            // SAFETY: `build` admits only what the processor has.
             #[cfg(target_arch = "x86_64")]
-            InstructionSet::Avx512 => unsafe { advance_avx512(method, self, limit_s) },
+            InstructionSet::Avx512 => unsafe { advance_avx512(integrator, self, limit_s) },
             #[cfg(not(target_arch = "x86_64"))]
-            _ => method.advance(self, limit_s),
+            _ => integrator.advance(self, limit_s),
         }
     }
 
-    /// Everything that can be seen of a state of the first bearing, alone in its vector.
+    /// Snapshot of a state of the first bearing, alone in its vector.
     /// `angle_rad` are the continuous ψ of its balls, which the state alone does not know
     /// beyond a turn.
     pub fn snapshot(&mut self, time_s: f64, state: &State, angle_rad: &[f64]) -> Snapshot {
@@ -152,7 +140,7 @@ impl<'m> RightHandSide<'m> {
         self.evaluate(state.values(), &mut rate);
         let (n, layout) = (self.model().balls(), state.layout());
         let c = self.contacts();
-        let [x_m, y_m, vx_m_s, vy_m_s] = state.ring();
+        let ring = state.ring_motion();
         let [outer_force_x_n, outer_force_y_n] = c.outer_ring_force_n();
         let each = |value: &dyn Fn(usize) -> f64| (0..n).map(value).collect();
         Snapshot {
@@ -171,7 +159,7 @@ impl<'m> RightHandSide<'m> {
                 } else {
                     0.0
                 };
-                angle_rad[ahead] + turn - angle_rad[k] - self.model().balls[k].pair_angle
+                angle_rad[ahead] + turn - angle_rad[k] - self.model().pair_angle_rad(k)
             }),
             effective_radius_m: each(&|k| c.effective_radius_m(k)),
             inner_force_n: each(&|k| c.inner_force_n(k)),
@@ -179,12 +167,12 @@ impl<'m> RightHandSide<'m> {
             inner_slip_m_s: each(&|k| c.inner_slip_m_s(k)),
             outer_slip_m_s: each(&|k| c.outer_slip_m_s(k)),
             ring: RingSnapshot {
-                x_m,
-                y_m,
-                vx_m_s,
-                vy_m_s,
-                ax_m_s2: rate[layout.ring(2)],
-                ay_m_s2: rate[layout.ring(3)],
+                x_m: ring.x,
+                y_m: ring.y,
+                vx_m_s: ring.vx,
+                vy_m_s: ring.vy,
+                ax_m_s2: rate[layout.ring(RingCoordinate::Vx)],
+                ay_m_s2: rate[layout.ring(RingCoordinate::Vy)],
                 outer_force_x_n,
                 outer_force_y_n,
             },
@@ -195,33 +183,33 @@ impl<'m> RightHandSide<'m> {
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
 fn evaluate_avx2(p: &Parameters, w: &mut Workspace, y: &[f64], dydt: &mut [f64]) {
-    equations::evaluate(p, w, y, dydt);
+    simd::evaluate(p, w, y, dydt);
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f,avx512vl,avx512dq")]
 fn evaluate_avx512(p: &Parameters, w: &mut Workspace, y: &[f64], dydt: &mut [f64]) {
-    equations::evaluate(p, w, y, dydt);
+    simd::evaluate(p, w, y, dydt);
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
-fn advance_avx2<I: Integrator>(
-    method: &mut I,
+fn advance_avx2<M: Method>(
+    integrator: &mut Integrator<M>,
     system: &mut RightHandSide<'_>,
     limit_s: f64,
-) -> Result<(), CrossingError> {
-    method.advance(system, limit_s)
+) -> Result<(), UnresolvedStep> {
+    integrator.advance(system, limit_s)
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f,avx512vl,avx512dq")]
-fn advance_avx512<I: Integrator>(
-    method: &mut I,
+fn advance_avx512<M: Method>(
+    integrator: &mut Integrator<M>,
     system: &mut RightHandSide<'_>,
     limit_s: f64,
-) -> Result<(), CrossingError> {
-    method.advance(system, limit_s)
+) -> Result<(), UnresolvedStep> {
+    integrator.advance(system, limit_s)
 }
 
 impl System for RightHandSide<'_> {
@@ -236,7 +224,7 @@ impl System for RightHandSide<'_> {
     /// Damped contacts, whose force starts with infinite slope and ends with a kink where
     /// it is clamped at zero, and, in the `paper` profile, the raceway's ends, where the
     /// direction of friction jumps.
-    fn regime(&self) -> u64 {
+    fn mode(&self) -> u64 {
         let m = self.model();
         let phase = |damped: bool, deflection: f64, force: f64| {
             if damped {
@@ -245,10 +233,10 @@ impl System for RightHandSide<'_> {
                 0
             }
         };
-        let (raceways, balls) = (m.damping > 0.0, m.ball_damped);
+        let (raceways, balls) = (m.balls[0].raceway_damping > 0.0, m.ball_damped);
         let mut hash = 0u64;
-        for member in 0..self.parameters.layout.members() {
-            let c = self.contacts_of(member);
+        for bearing in 0..self.parameters.layout.width() {
+            let c = self.contacts_of(bearing);
             for k in 0..m.balls() {
                 let bits = phase(raceways, c.inner_deflection_m(k), c.inner_force_n(k))
                     | phase(raceways, c.outer_deflection_m(k), c.outer_force_n(k)) << 2
@@ -262,28 +250,14 @@ impl System for RightHandSide<'_> {
         hash
     }
 
-    fn drifts(&self) -> &[Drift] {
-        &self.drifts
+    fn second_order_blocks(&self) -> &[SecondOrderBlock] {
+        &self.second_order_blocks
     }
 
     fn error_norm(&self, difference: &[f64]) -> f64 {
-        // Scales of the reference trajectories: what moves visibly within one passage.
-        const SCALES: [f64; 5] = [1e-5, 1e-5, 1.0, 1.0, 200.0];
-        const RING: [f64; 4] = [1e-5, 1e-5, 0.1, 0.1];
-        let mut worst = 0.0f64;
-        for member in 0..self.parameters.layout.members() {
-            let layout = self.parameters.layout.of_member(member);
-            let mut sum = 0.0;
-            for (group, scale) in SCALES.iter().enumerate() {
-                for d in layout.balls_of(difference, group).iter() {
-                    sum += (d / scale).powi(2);
-                }
-            }
-            for (k, scale) in RING.iter().enumerate() {
-                sum += (difference[layout.ring(k)] / scale).powi(2);
-            }
-            worst = worst.max((sum / (5 * layout.balls + 4) as f64).sqrt());
-        }
-        worst
+        let layout = self.parameters.layout;
+        (0..layout.width())
+            .map(|bearing| layout.of_bearing(bearing).scaled_rms(difference))
+            .fold(0.0, f64::max)
     }
 }

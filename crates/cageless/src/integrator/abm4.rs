@@ -8,7 +8,7 @@
 //! Source: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*,
 //! section III.1.
 
-use super::{CrossingError, Integrator, RungeKutta, Step, System};
+use super::{FixedSteps, Method, Properties, RungeKutta, StepState, System, UnresolvedStep};
 
 /// Weights of f(n), f(n−1), f(n−2), f(n−3) in the predictor.
 const BASHFORTH: [f64; 4] = [55.0 / 24.0, -59.0 / 24.0, 37.0 / 24.0, -9.0 / 24.0];
@@ -17,124 +17,99 @@ const MOULTON: [f64; 4] = [9.0 / 24.0, 19.0 / 24.0, -5.0 / 24.0, 1.0 / 24.0];
 
 /// The method with its history.
 ///
-/// The first three steps, and each step in which the system changes its regime with
+/// The first three steps, and each step in which the system changes its mode with
 /// the three after it, are made by an error-controlled Runge–Kutta pair: history never
 /// reaches across a jump of f.
 #[derive(Debug, Clone)]
 pub struct Abm4 {
-    h: f64,
-    start_s: f64,
-    steps: u64,
-    from_s: f64,
-    to_s: f64,
-    y: Vec<f64>,
-    before: Vec<f64>,
-    trial: Vec<f64>,
-    /// f at the last four points, newest first.
-    history: [Vec<f64>; 4],
-    /// How many entries of the history belong to the present regime.
+    steps: FixedSteps,
+    /// f at the three points before the start of the step, newest first.
+    history: [Vec<f64>; 3],
+    /// Number of points, the start of the step included, whose f belongs to the present mode.
     known: usize,
-    regime: u64,
+    mode: u64,
     starter: RungeKutta,
 }
 
 impl Abm4 {
-    /// For systems of this dimension, with step `h`.
+    /// Order and stability: violent growth on the imaginary axis from 0.93, real axis −1.28.
+    pub const PROPERTIES: Properties = Properties {
+        order: 4,
+        oscillation_limit: 0.93,
+        decay_limit: 1.28,
+        evaluations: 2,
+    };
+
+    /// The method for systems of this dimension, with step `h`.
     pub fn new(dimension: usize, h: f64) -> Self {
-        let zero = || vec![0.0; dimension];
         Self {
-            h,
-            start_s: 0.0,
-            steps: 0,
-            from_s: 0.0,
-            to_s: 0.0,
-            y: zero(),
-            before: zero(),
-            trial: zero(),
-            history: std::array::from_fn(|_| zero()),
+            steps: FixedSteps::new(h),
+            history: std::array::from_fn(|_| vec![0.0; dimension]),
             known: 0,
-            regime: 0,
+            mode: 0,
             starter: RungeKutta::new(dimension),
         }
     }
 
-    /// Predict, evaluate, correct, evaluate, into `trial` and `history[3]`.
-    fn predict_and_correct<S: System>(&mut self, system: &mut S) {
-        let [f0, f1, f2, f3] = &mut self.history;
-        let time_s = self.to_s;
-        for i in 0..self.y.len() {
+    /// Predicts, evaluates, corrects, evaluates.
+    fn predict_and_correct<S: System>(&self, system: &mut S, step: &mut StepState) {
+        let [f1, f2, f3] = &self.history;
+        let (h, f0) = (self.steps.h, &step.f0);
+        for i in 0..step.y1.len() {
             let slope = BASHFORTH[0] * f0[i]
                 + BASHFORTH[1] * f1[i]
                 + BASHFORTH[2] * f2[i]
                 + BASHFORTH[3] * f3[i];
-            self.trial[i] = self.y[i] + self.h * slope;
+            step.y1[i] = step.y0[i] + h * slope;
         }
-        // The oldest rate is not needed any more.
-        system.derivative(time_s, &self.trial, f3);
-        for i in 0..self.y.len() {
-            let slope =
-                MOULTON[0] * f3[i] + MOULTON[1] * f0[i] + MOULTON[2] * f1[i] + MOULTON[3] * f2[i];
-            self.trial[i] = self.y[i] + self.h * slope;
+        system.derivative(step.t1_s, &step.y1, &mut step.f1);
+        for i in 0..step.y1.len() {
+            let slope = MOULTON[0] * step.f1[i]
+                + MOULTON[1] * f0[i]
+                + MOULTON[2] * f1[i]
+                + MOULTON[3] * f2[i];
+            step.y1[i] = step.y0[i] + h * slope;
         }
-        system.derivative(time_s, &self.trial, f3);
-    }
-
-    /// One step of the starter, into `y` and `history[3]`.
-    fn start_up<S: System>(&mut self, system: &mut S) -> Result<(), CrossingError> {
-        let (from_s, h) = (self.from_s, self.to_s - self.from_s);
-        let [newest, .., oldest] = &mut self.history;
-        oldest.copy_from_slice(newest);
-        self.starter.cross(system, from_s, h, &mut self.y, oldest)
+        system.derivative(step.t1_s, &step.y1, &mut step.f1);
     }
 }
 
-impl Integrator for Abm4 {
-    fn restart<S: System>(&mut self, system: &mut S, time_s: f64, y: &[f64]) {
-        (self.start_s, self.from_s, self.to_s) = (time_s, time_s, time_s);
-        self.steps = 0;
-        self.y.copy_from_slice(y);
-        self.before.copy_from_slice(y);
-        system.derivative(time_s, y, &mut self.history[0]);
-        self.regime = system.regime();
+impl Method for Abm4 {
+    fn restart<S: System>(&mut self, system: &mut S, step: &StepState) {
+        self.steps.restart(step.t1_s);
+        self.mode = system.mode();
         self.known = 1;
     }
 
-    fn advance<S: System>(&mut self, system: &mut S, limit_s: f64) -> Result<(), CrossingError> {
-        self.before.copy_from_slice(&self.y);
-        self.from_s = self.to_s;
-        let regular = self.start_s + (self.steps + 1) as f64 * self.h;
-        self.to_s = super::bounded(regular, limit_s, self.h);
+    fn perform_step<S: System>(
+        &mut self,
+        system: &mut S,
+        step: &mut StepState,
+        limit_s: f64,
+    ) -> Result<(), UnresolvedStep> {
         // A last step that the limit cuts short is left to the starter.
-        let whole = (self.to_s - regular).abs() <= 1e-6 * self.h;
+        let (end, whole) = self.steps.next_end(limit_s);
+        step.t1_s = end;
+        let multistep = self.known == 4 && whole;
         let mut jumped = false;
-        if self.known == 4 && whole {
-            self.predict_and_correct(system);
-            jumped = system.regime() != self.regime;
-            if !jumped {
-                std::mem::swap(&mut self.y, &mut self.trial);
-            }
+        if multistep {
+            self.predict_and_correct(system, step);
+            jumped = system.mode() != self.mode;
         }
-        if self.known < 4 || jumped || !whole {
-            self.start_up(system)?;
-            let regime = system.regime();
+        if !multistep || jumped {
+            step.y1.copy_from_slice(&step.y0);
+            step.f1.copy_from_slice(&step.f0);
+            let h = step.size_s();
+            self.starter
+                .integrate_across(system, step.t0_s, h, &mut step.y1, &mut step.f1)?;
+            let mode = system.mode();
             // Rates from before the jump must not be used after it.
-            let smooth = regime == self.regime && !jumped && whole;
+            let smooth = mode == self.mode && !jumped && whole;
             self.known = if smooth { self.known + 1 } else { 1 };
-            self.regime = regime;
+            self.mode = mode;
         }
         self.history.rotate_right(1);
-        self.steps += 1;
+        self.history[0].copy_from_slice(&step.f0);
         Ok(())
-    }
-
-    fn step(&self) -> Step<'_> {
-        Step {
-            from_s: self.from_s,
-            to_s: self.to_s,
-            before: &self.before,
-            rate_before: &self.history[1],
-            after: &self.y,
-            rate_after: &self.history[0],
-        }
     }
 }

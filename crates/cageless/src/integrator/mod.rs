@@ -1,17 +1,46 @@
 //! Integration of ordinary differential equations. Nothing here knows of bearings.
+//!
+//! A method is one file: a struct that implements [`Method::perform_step`] on a [`StepState`],
+//! and a row of [`Properties`]. [`Integrator`] owns the state of the step.
+//!
+//! ```
+//! use cageless::integrator::{Abm4, Integrator, System};
+//!
+//! /// y″ = −y.
+//! struct Oscillator;
+//!
+//! impl System for Oscillator {
+//!     fn dimension(&self) -> usize {
+//!         2
+//!     }
+//!     fn derivative(&mut self, _time_s: f64, y: &[f64], dydt: &mut [f64]) {
+//!         (dydt[0], dydt[1]) = (y[1], -y[0]);
+//!     }
+//! }
+//!
+//! let mut integrator = Integrator::new(Abm4::new(2, 0.01), 2);
+//! integrator.restart(&mut Oscillator, 0.0, &[0.0, 1.0]);
+//! while integrator.step().t1_s < 1.0 {
+//!     integrator.advance(&mut Oscillator, 1.0)?;
+//! }
+//! assert!((integrator.step().y1[0] - 1f64.sin()).abs() < 1e-8);
+//! # Ok::<(), cageless::integrator::UnresolvedStep>(())
+//! ```
 
 mod abm4;
 mod adaptive;
-mod hermite;
 mod runge_kutta;
-mod symplectic;
+mod step_state;
 pub mod tableau;
+mod velocity_verlet;
 
 pub use abm4::Abm4;
 pub use adaptive::Adaptive;
-pub use hermite::hermite;
-pub use runge_kutta::{CrossingError, Made, RungeKutta};
-pub use symplectic::{Drift, Symplectic};
+pub use runge_kutta::{AcceptedStep, RungeKutta, UnresolvedStep};
+pub use step_state::StepState;
+pub use velocity_verlet::{SecondOrderBlock, VelocityVerlet};
+
+use step_state::FixedSteps;
 
 /// A system of ordinary differential equations dy/dt = f(t, y).
 pub trait System {
@@ -24,13 +53,13 @@ pub trait System {
     /// Fingerprint of the smooth piece of f that the last evaluation lay in. Where it
     /// changes between two steps, f has jumped, or changed so abruptly that the history of
     /// a multistep method must not reach across. The system decides what counts.
-    fn regime(&self) -> u64 {
+    fn mode(&self) -> u64 {
         0
     }
 
-    /// Which components are places and which their rates, in ascending order of the places;
+    /// Components that are positions and their rates, in ascending order of the positions;
     /// for methods that advance them one after the other.
-    fn drifts(&self) -> &[Drift] {
+    fn second_order_blocks(&self) -> &[SecondOrderBlock] {
         &[]
     }
 
@@ -41,44 +70,75 @@ pub trait System {
     }
 }
 
-/// One accepted step: states and rates at both ends.
-#[derive(Debug, Clone, Copy)]
-pub struct Step<'a> {
-    /// Start.
-    pub from_s: f64,
-    /// End.
-    pub to_s: f64,
-    /// State at the start.
-    pub before: &'a [f64],
-    /// f at the start.
-    pub rate_before: &'a [f64],
-    /// State at the end.
-    pub after: &'a [f64],
-    /// f at the end; the system's work arrays are as of this evaluation.
-    pub rate_after: &'a [f64],
+/// Order, stability and cost of a method.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Properties {
+    /// Order of convergence on smooth problems.
+    pub order: u32,
+    /// Largest ωh on y″ = −ω²y that does not grow violently; infinite under error control.
+    pub oscillation_limit: f64,
+    /// Largest λh on y′ = −λy; infinite under error control.
+    pub decay_limit: f64,
+    /// Evaluations of f per step; at least so many under error control.
+    pub evaluations: u32,
 }
 
 /// A method that advances a system step by step.
-pub trait Integrator {
+pub trait Method {
+    /// Forgets all history; the system's last evaluation gave `step.f1` at `step.y1`.
+    fn restart<S: System>(&mut self, system: &mut S, step: &StepState);
+
+    /// Makes the step from `t0_s`, `y0`, `f0`: sets `t1_s`, at most `limit_s`, `y1` and `f1`.
+    /// The system's last evaluation is at the end of the step.
+    ///
+    /// # Errors
+    /// [`UnresolvedStep`] if no step size resolves the equations.
+    fn perform_step<S: System>(
+        &mut self,
+        system: &mut S,
+        step: &mut StepState,
+        limit_s: f64,
+    ) -> Result<(), UnresolvedStep>;
+}
+
+/// A method with the step that it last made.
+#[derive(Debug, Clone)]
+pub struct Integrator<M> {
+    method: M,
+    step: StepState,
+}
+
+impl<M: Method> Integrator<M> {
+    /// Integrates systems of this dimension by `method`.
+    pub fn new(method: M, dimension: usize) -> Self {
+        Self {
+            method,
+            step: StepState::new(dimension),
+        }
+    }
+
     /// Forgets all history and starts at `y`.
-    fn restart<S: System>(&mut self, system: &mut S, time_s: f64, y: &[f64]);
+    pub fn restart<S: System>(&mut self, system: &mut S, time_s: f64, y: &[f64]) {
+        self.step.restart(system, time_s, y);
+        self.method.restart(system, &self.step);
+    }
 
     /// Makes the next step, which ends at `limit_s` at the latest.
     ///
     /// # Errors
-    /// [`CrossingError`] if a step could not be resolved.
-    fn advance<S: System>(&mut self, system: &mut S, limit_s: f64) -> Result<(), CrossingError>;
+    /// [`UnresolvedStep`] if no step size resolves the equations.
+    #[inline(always)] // into callers compiled for wider vectors
+    pub fn advance<S: System>(
+        &mut self,
+        system: &mut S,
+        limit_s: f64,
+    ) -> Result<(), UnresolvedStep> {
+        self.step.begin();
+        self.method.perform_step(system, &mut self.step, limit_s)
+    }
 
     /// The last step. The system's last evaluation was at its end.
-    fn step(&self) -> Step<'_>;
-}
-
-/// End of a step of size `h` that should end at `end_s` but not pass `limit_s`. What
-/// would be left after it, if it is rounding, is taken along.
-fn bounded(end_s: f64, limit_s: f64, h: f64) -> f64 {
-    if end_s > limit_s - 1e-6 * h {
-        limit_s
-    } else {
-        end_s
+    pub fn step(&self) -> &StepState {
+        &self.step
     }
 }

@@ -12,8 +12,8 @@ const ATTEMPTS_MAX: u32 = 10_000;
 /// The state became so rough or so large that no step resolves it.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("the equations cannot be resolved at t = {time_s} s")]
-pub struct CrossingError {
-    /// Where.
+pub struct UnresolvedStep {
+    /// Start of the step, s.
     pub time_s: f64,
 }
 
@@ -48,19 +48,19 @@ impl RungeKutta {
     /// and after; the system's last evaluation is at the end.
     ///
     /// # Errors
-    /// [`CrossingError`] when the state is no longer finite or takes too many sub-steps.
-    pub fn cross<S: System>(
+    /// [`UnresolvedStep`] when the state is no longer finite or takes too many sub-steps.
+    pub fn integrate_across<S: System>(
         &mut self,
         system: &mut S,
         from_s: f64,
         h: f64,
         y: &mut [f64],
         rate: &mut [f64],
-    ) -> Result<(), CrossingError> {
+    ) -> Result<(), UnresolvedStep> {
         let mut done = 0.0;
         let mut size = h;
         while done < h {
-            let made = self.step(
+            let accepted = self.step(
                 system,
                 from_s + done,
                 size.min(h - done),
@@ -70,12 +70,12 @@ impl RungeKutta {
                 rate,
             )?;
             // Rounding must not leave a rest.
-            done = if made.size >= (h - done) * (1.0 - 1e-12) {
+            done = if accepted.size >= (h - done) * (1.0 - 1e-12) {
                 h
             } else {
-                done + made.size
+                done + accepted.size
             };
-            size = made.next;
+            size = accepted.next;
         }
         Ok(())
     }
@@ -84,7 +84,7 @@ impl RungeKutta {
     /// `tolerance` or the size below `least`.
     ///
     /// # Errors
-    /// [`CrossingError`] when the state is no longer finite or takes too many attempts.
+    /// [`UnresolvedStep`] when the state is no longer finite or takes too many attempts.
     #[allow(clippy::too_many_arguments)] // the state of the step, in and out
     pub fn step<S: System>(
         &mut self,
@@ -95,11 +95,11 @@ impl RungeKutta {
         least: f64,
         y: &mut [f64],
         rate: &mut [f64],
-    ) -> Result<Made, CrossingError> {
+    ) -> Result<AcceptedStep, UnresolvedStep> {
         for _ in 0..ATTEMPTS_MAX {
             let error = self.attempt(system, time_s, size, y, rate) / tolerance;
             if !error.is_finite() {
-                return Err(CrossingError { time_s });
+                return Err(UnresolvedStep { time_s });
             }
             let factor = 0.9 * error.max(1e-10).powf(-1.0 / self.tableau.order);
             let next = (size * factor.clamp(0.1, 5.0)).max(least);
@@ -111,11 +111,11 @@ impl RungeKutta {
                 }
                 y.copy_from_slice(&self.trial);
                 rate.copy_from_slice(&self.stages[end]);
-                return Ok(Made { size, next });
+                return Ok(AcceptedStep { size, next });
             }
             size = next;
         }
-        Err(CrossingError { time_s })
+        Err(UnresolvedStep { time_s })
     }
 
     /// One step into `self.trial`; returns its error.
@@ -163,12 +163,12 @@ impl RungeKutta {
     }
 }
 
-/// A step that was made and the size for the next.
+/// An accepted step and the size suggested for the next.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Made {
-    /// Its size.
+pub struct AcceptedStep {
+    /// Size of the step, s.
     pub size: f64,
-    /// What the error suggests for the next.
+    /// Size that the error suggests for the next step, s.
     pub next: f64,
 }
 

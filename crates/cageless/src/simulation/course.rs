@@ -5,9 +5,10 @@ use std::cell::RefCell;
 use super::guard::{Guard, Stop};
 use super::observer::{Observer, Scene, View, unwrap_angle};
 use super::run::{Control, Ending, RunOutcome};
+use crate::dynamics::coordinates::BallCoordinate;
+use crate::dynamics::state::{Layout, State};
 use crate::dynamics::{InstructionSet, RightHandSide};
-use crate::integrator::Step;
-use crate::state::{Layout, State};
+use crate::integrator::StepState;
 
 /// ψ is brought up to date when a rolling ball has gone this far: well below the half turn
 /// beyond which it would be lost, even for a ball that is thrown.
@@ -74,7 +75,7 @@ impl<'s, 'm, 'o> Course<'s, 'm, 'o> {
     /// Ends here, unless it has already, at the state in `values`.
     pub fn end(&mut self, ending: Ending, values: &[f64]) {
         if self.under_way() {
-            self.last = State::taken(self.layout, values);
+            self.last = State::from_vector(self.layout, values);
             self.ending = Some(ending);
         }
     }
@@ -82,35 +83,35 @@ impl<'s, 'm, 'o> Course<'s, 'm, 'o> {
     /// Looks at a step, shows it to the observers, and ends at `duration_s`.
     pub fn follow(
         &mut self,
-        step: &Step<'_>,
+        step: &StepState,
         rhs: &RightHandSide<'m>,
         steps: u64,
         duration_s: f64,
     ) {
-        (self.end_s, self.steps) = (step.to_s, steps);
-        let contacts = rhs.contacts_of(self.layout.member());
-        let at_end = step.to_s >= duration_s;
+        (self.end_s, self.steps) = (step.t1_s, steps);
+        let contacts = rhs.contacts_of(self.layout.bearing());
+        let at_end = step.t1_s >= duration_s;
         let checked = if at_end {
-            self.guard.look(&contacts, step.after)
+            self.guard.look(&contacts, &step.y1)
         } else {
-            self.guard.check(steps, &contacts, step.after)
+            self.guard.check(steps, &contacts, &step.y1)
         };
         if let Err(cause) = checked {
-            let time_s = step.to_s;
+            let time_s = step.t1_s;
             let step_s = self.scene.case.solver.step_s;
             let stop = Stop {
                 time_s,
                 step_s,
                 cause,
             };
-            self.end(Ending::Stopped(stop), step.after);
+            self.end(Ending::Stopped(stop), &step.y1);
             return;
         }
-        if step.to_s - self.recent_s > self.recent_for_s {
+        if step.t1_s - self.recent_s > self.recent_for_s {
             self.update_angles(step);
         }
         let view = View {
-            step: *step,
+            step,
             contacts,
             probe: &self.probe,
             recent_angle_rad: &self.recent_angle,
@@ -128,17 +129,17 @@ impl<'s, 'm, 'o> Course<'s, 'm, 'o> {
             }
         }
         if let Some(ending) = ending {
-            self.end(ending, step.after);
+            self.end(ending, &step.y1);
         }
     }
 
-    fn update_angles(&mut self, step: &Step<'_>) {
-        let x = self.layout.balls_of(step.after, 0);
-        let y = self.layout.balls_of(step.after, 1);
+    fn update_angles(&mut self, step: &StepState) {
+        let x = self.layout.balls_of(&step.y1, BallCoordinate::X);
+        let y = self.layout.balls_of(&step.y1, BallCoordinate::Y);
         for (k, recent) in self.recent_angle.iter_mut().enumerate() {
             *recent = unwrap_angle(x[k].atan2(-y[k]), *recent);
         }
-        self.recent_s = step.to_s;
+        self.recent_s = step.t1_s;
     }
 
     /// What the run came to.

@@ -4,10 +4,10 @@ use super::course::Course;
 use super::observer::{Observer, Scene};
 use super::run::{Control, RunOutcome, drive, run};
 use crate::case::{Case, FrictionLaw, Method, Profile};
+use crate::dynamics::state::{BATCH_WIDTH, State};
 use crate::dynamics::{InstructionSet, Model, RightHandSide};
 use crate::equilibrium::EquilibriumError;
 use crate::start::initial_state;
-use crate::state::{MEMBERS, State};
 
 /// What cases that run side by side must have in common. Methods with a memory or a step of
 /// their own would let one bearing change the steps of another.
@@ -37,7 +37,7 @@ impl Kind {
 /// Fewer bearings than this are as fast one after the other.
 const LEAST: usize = 4;
 
-/// Groups cases that can run side by side, up to [`MEMBERS`] each, and the others one by one; the
+/// Groups cases that can run side by side, up to [`BATCH_WIDTH`] each, and the others one by one; the
 /// entries are indices. How cases are grouped changes no bit of their results.
 pub fn batches(cases: &[Case]) -> Vec<Vec<usize>> {
     let mut open: Vec<(Kind, Vec<usize>)> = vec![];
@@ -53,7 +53,7 @@ pub fn batches(cases: &[Case]) -> Vec<Vec<usize>> {
         }
     }
     for (_, members) in open {
-        for group in members.chunks(MEMBERS) {
+        for group in members.chunks(BATCH_WIDTH) {
             if group.len() < LEAST {
                 batches.extend(group.iter().map(|k| vec![*k]));
             } else {
@@ -84,7 +84,7 @@ pub fn run_batch(
     }
     let kind = Kind::of(cases[0]);
     assert!(
-        kind.is_some() && cases.len() <= MEMBERS && cases.iter().all(|c| Kind::of(c) == kind),
+        kind.is_some() && cases.len() <= BATCH_WIDTH && cases.iter().all(|c| Kind::of(c) == kind),
         "cases side by side must be of one kind"
     );
     let prepared: Vec<Result<Prepared, EquilibriumError>> =
@@ -144,14 +144,14 @@ fn side_by_side(
         .iter()
         .zip(watched)
         .enumerate()
-        .map(|(member, ((case, prepared), (observers, _)))| {
+        .map(|(bearing, ((case, prepared), (observers, _)))| {
             let scene = Scene {
                 case,
                 model: &prepared.model,
                 start: &prepared.start,
                 start_angle_rad: &prepared.angles,
             };
-            Course::new(scene, rhs.layout().of_member(member), observers)
+            Course::new(scene, rhs.layout().of_bearing(bearing), observers)
         })
         .collect();
     drive(rhs, &mut courses, control);

@@ -1,9 +1,9 @@
 //! What ends a run that has left the physical range.
 
 use crate::case::Case;
+use crate::contact::hertz::DEFLECTION_SHARE_MAX;
+use crate::dynamics::state::{Layout, State};
 use crate::dynamics::{Contacts, Model};
-use crate::hertz::DEFLECTION_SHARE_MAX;
-use crate::state::{Layout, State};
 
 /// Why a run had to stop.
 #[derive(Debug, Clone, PartialEq)]
@@ -141,9 +141,7 @@ impl<'m> Guard<'m> {
     /// Looks at a state whose contacts are given.
     pub fn look(&self, contacts: &Contacts<'_>, values: &[f64]) -> Result<(), Cause> {
         let layout = self.layout;
-        let balls = (0..5).flat_map(|group| layout.balls_of(values, group).iter());
-        let ring = (0..4).map(|k| values[layout.ring(k)]);
-        if !balls.chain(ring).sum::<f64>().is_finite() {
+        if !layout.is_finite(values) {
             return Err(Cause::NotFinite);
         }
         for k in 0..layout.balls {
@@ -162,7 +160,7 @@ impl<'m> Guard<'m> {
     }
 
     fn balance(&self, values: &[f64]) -> Result<(), Cause> {
-        let state = State::taken(self.layout, values);
+        let state = State::from_vector(self.layout, values);
         let (residual_j, flows_j) = self.model.energy_residual_j(self.start_energy, &state);
         if residual_j > RESIDUAL_MAX * flows_j.max(self.start_energy) {
             return Err(Cause::EnergyFromNowhere {

@@ -5,10 +5,11 @@ use std::f64::consts::TAU;
 
 use super::run::Control;
 use crate::case::Case;
+use crate::dynamics::coordinates::BallCoordinate;
+use crate::dynamics::state::{Balls, Layout, State};
 use crate::dynamics::{Contacts, Model, RightHandSide};
-use crate::integrator::{Step, hermite};
+use crate::integrator::StepState;
 use crate::snapshot::Snapshot;
-use crate::state::{Balls, Layout, State};
 
 /// An observer could not go on (a file that cannot be written, say).
 pub type ObserverError = Box<dyn std::error::Error + Send + Sync>;
@@ -30,7 +31,7 @@ pub struct Scene<'a> {
 pub struct View<'a, 'm> {
     /// States and rates at both ends, perhaps with those of other bearings in between:
     /// [`Self::layout`] has the places.
-    pub step: Step<'a>,
+    pub step: &'a StepState,
     /// What the right-hand side saw at the end of the step.
     pub contacts: Contacts<'a>,
     /// A second right-hand side, to look at states within the step.
@@ -46,27 +47,36 @@ impl View<'_, '_> {
         self.layout
     }
 
-    /// One group (x, y, vx, vy, spin: 0 to 4) at the end of the step.
-    pub fn after(&self, group: usize) -> Balls<'_> {
-        self.layout.balls_of(self.step.after, group)
+    /// One coordinate of the balls at the end of the step.
+    pub fn after(&self, coordinate: BallCoordinate) -> Balls<'_> {
+        self.layout.balls_of(&self.step.y1, coordinate)
+    }
+
+    /// x and y of the balls at the end of the step.
+    pub fn positions(&self) -> [Balls<'_>; 2] {
+        [self.after(BallCoordinate::X), self.after(BallCoordinate::Y)]
     }
 
     /// Continuous ψ of ball `k` at `time_s` within the step.
     pub fn angle_rad(&self, k: usize, time_s: f64) -> f64 {
-        let x = hermite(&self.step, self.layout.ball(0, k), time_s);
-        let y = hermite(&self.step, self.layout.ball(1, k), time_s);
+        let x = self
+            .step
+            .interpolate(self.layout.ball(BallCoordinate::X, k), time_s);
+        let y = self
+            .step
+            .interpolate(self.layout.ball(BallCoordinate::Y, k), time_s);
         unwrap_angle(x.atan2(-y), self.recent_angle_rad[k])
     }
 
     /// Continuous ψ of ball `k` at the end of the step.
     pub fn angle_after_rad(&self, k: usize) -> f64 {
-        let (x, y) = (self.after(0)[k], self.after(1)[k]);
+        let [x, y] = self.positions().map(|values| values[k]);
         unwrap_angle(x.atan2(-y), self.recent_angle_rad[k])
     }
 
     /// State at `time_s` within the step, by interpolation.
     pub fn state(&self, time_s: f64) -> State {
-        State::assembled(self.layout, |place| hermite(&self.step, place, time_s))
+        State::from_places(self.layout, |place| self.step.interpolate(place, time_s))
     }
 
     /// Everything that can be seen at `time_s` within the step.

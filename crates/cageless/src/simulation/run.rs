@@ -4,12 +4,12 @@ use super::course::Course;
 use super::guard::{Cause, Stop};
 use super::observer::{Observer, Scene};
 use crate::case::{Case, Method};
+use crate::dynamics::state::State;
 use crate::dynamics::{InstructionSet, Model, RightHandSide};
 use crate::equilibrium::EquilibriumError;
 use crate::error::InputError;
-use crate::integrator::{Abm4, Adaptive, Integrator, Symplectic};
+use crate::integrator::{self, Abm4, Adaptive, Integrator, VelocityVerlet};
 use crate::start::initial_state;
-use crate::state::State;
 
 /// How a run ended.
 #[derive(Debug)]
@@ -108,16 +108,16 @@ pub(super) fn drive<'m>(
     let (size, h) = (rhs.layout().len(), solver.step_s);
     let mut start = vec![0.0; size];
     rhs.layout().spread_padding(&mut start);
-    for member in 0..rhs.layout().members() {
+    for bearing in 0..rhs.layout().width() {
         // Lanes without a bearing of their own repeat the last.
-        let course = &courses[member.min(courses.len() - 1)];
-        let places = rhs.layout().of_member(member);
-        course.scene.start.put_into(places, &mut start);
+        let course = &courses[bearing.min(courses.len() - 1)];
+        let places = rhs.layout().of_bearing(bearing);
+        course.scene.start.write_to(places, &mut start);
     }
     match solver.method {
         Method::Abm4 => advance(Abm4::new(size, h), &mut rhs, &start, courses, control),
         Method::Symplectic => {
-            advance(Symplectic::new(size, h), &mut rhs, &start, courses, control);
+            advance(VelocityVerlet::new(h), &mut rhs, &start, courses, control);
         }
         Method::Adaptive => {
             let method = Adaptive::new(size, h, solver.tolerance);
@@ -127,38 +127,39 @@ pub(super) fn drive<'m>(
 }
 
 fn advance<'m>(
-    mut method: impl Integrator,
+    method: impl integrator::Method,
     rhs: &mut RightHandSide<'m>,
     start: &[f64],
     courses: &mut [Course<'_, 'm, '_>],
     control: &mut dyn FnMut(f64) -> Control,
 ) {
-    method.restart(rhs, 0.0, start);
+    let mut integrator = Integrator::new(method, start.len());
+    integrator.restart(rhs, 0.0, start);
     let duration = courses[0].scene.case.solver.duration_s;
     let mut steps = 0;
     while courses.iter().any(Course::under_way) {
-        if let Err(error) = rhs.advance(&mut method, duration) {
+        if let Err(error) = rhs.advance(&mut integrator, duration) {
             for course in courses.iter_mut() {
                 let stop = Stop {
                     time_s: error.time_s,
                     step_s: course.scene.case.solver.step_s,
                     cause: Cause::NotResolved,
                 };
-                course.end(Ending::Stopped(stop), method.step().after);
+                course.end(Ending::Stopped(stop), &integrator.step().y1);
             }
             break;
         }
         steps += 1;
-        let step = method.step();
+        let step = integrator.step();
         for course in courses.iter_mut().filter(|c| c.under_way()) {
-            course.follow(&step, rhs, steps, duration);
+            course.follow(step, rhs, steps, duration);
         }
-        if step.to_s >= duration {
+        if step.t1_s >= duration {
             break;
         }
-        if steps.is_multiple_of(ASK_EVERY) && control(step.to_s) == Control::Interrupt {
+        if steps.is_multiple_of(ASK_EVERY) && control(step.t1_s) == Control::Interrupt {
             for course in courses.iter_mut() {
-                course.end(Ending::Interrupted, step.after);
+                course.end(Ending::Interrupted, &step.y1);
             }
         }
     }

@@ -151,8 +151,8 @@ impl Observer for VibrationRecorder {
 
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
         self.response.add(
-            view.step.from_s,
-            view.step.to_s,
+            view.step.t0_s,
+            view.step.t1_s,
             view.contacts.outer_ring_force_n(),
         );
         Ok(Control::Continue)

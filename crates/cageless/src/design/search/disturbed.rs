@@ -6,13 +6,13 @@
 
 use crate::case::{Case, Gaps, Start};
 use crate::design::verdict::speed_drop_share;
+use crate::dynamics::energy::EnergyTerm;
 use crate::equilibrium::EquilibriumError;
 use crate::onsets::Onsets;
 use crate::passage::{Passage, PassageRecorder, PassageTally};
 use crate::simulation::{
     Control, Ending, Observer, ObserverError, RunOutcome, Scene, Stop, View, batches, run_batch,
 };
-use crate::state::Work;
 
 /// Orbits of the balls in a disturbed run; spacing is looked at in the second half.
 pub const TURNS: f64 = 32.0;
@@ -242,10 +242,14 @@ fn motion(
     let variance = arrivals.iter().map(square).sum::<f64>() / count;
     let mut tally = PassageTally::new();
     late.iter().for_each(|passage| tally.add(passage));
-    let friction: f64 = [Work::InnerFriction, Work::OuterFriction, Work::BallFriction]
-        .iter()
-        .map(|&work| outcome.state.work_j(work))
-        .sum();
+    let friction: f64 = [
+        EnergyTerm::InnerFriction,
+        EnergyTerm::OuterFriction,
+        EnergyTerm::BallFriction,
+    ]
+    .iter()
+    .map(|&work| outcome.state.energy_term_j(work))
+    .sum();
     let ball_turns = case.bearing.balls() as f64 * TURNS;
     Ok(Motion {
         collisions: contacts.begun[0] / ball_turns,
@@ -324,8 +328,8 @@ impl Observer for ContactCounter {
 
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
         let c = &view.contacts;
-        let h = view.step.to_s - view.step.from_s;
-        let late = view.step.to_s > self.half_s;
+        let h = view.step.t1_s - view.step.t0_s;
+        let late = view.step.t1_s > self.half_s;
         self.onsets.look(c);
         let begun = f64::from(self.onsets.count());
         self.begun[0] += begun;

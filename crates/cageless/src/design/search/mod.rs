@@ -37,10 +37,10 @@ pub use rejection::{Cause, KEPT_SHARE, Rejection};
 pub use structure::{ClosedForms, OperatingPoint, Structure};
 
 use crate::case::Case;
+use crate::contact::hertz::STRESS_LIMIT_PA;
 use crate::design::{SLIP_SHORTFALL, TWICE_SHARE};
 use crate::equilibrium::EquilibriumError;
 use crate::error::InputError;
-use crate::hertz::STRESS_LIMIT_PA;
 use crate::raceway::axial_span_limit_m;
 use choice::Scale as Ruler;
 use evaluation::Batch;

@@ -3,9 +3,9 @@
 use super::disturbed::Motion;
 use super::job::Spacing;
 use super::structure::ClosedForms;
+use crate::contact::hertz::STRESS_LIMIT_PA;
 use crate::design::{SLIP_SHORTFALL, SPEED_DROP_SHARE, TWICE_SHARE, percent_beside};
 use crate::error::InputError;
-use crate::hertz::STRESS_LIMIT_PA;
 
 /// Least gap with which balls come back, over the critical gap, which the raceway guarantees.
 /// In the load zone it is 0.7 (at low speed) to 1; where a raceway lies so that its way out has

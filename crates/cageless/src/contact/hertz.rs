@@ -13,6 +13,11 @@ pub const STRESS_LIMIT_PA: f64 = 4.2e9;
 /// Deflection that no elastic contact survives, as a share of the ball radius.
 pub const DEFLECTION_SHARE_MAX: f64 = 0.05;
 
+/// Elastic energy 2/5 K δ^(5/2) of a contact with stiffness K in N·m^(−3/2), J; 0 for δ < 0.
+pub fn energy_j(stiffness_n_m1_5: f64, deflection_m: f64) -> f64 {
+    0.4 * stiffness_n_m1_5 * deflection_m.max(0.0).powf(2.5)
+}
+
 /// Constants of a point contact. The load–deflection law is F = K δ^(3/2).
 #[derive(Debug, Clone, PartialEq)]
 pub struct PointContact {

@@ -1,19 +1,40 @@
-//! Friction against sliding speed, and the damping of normal forces.
+//! Laws of friction over the sliding speed.
 
-use std::f64::consts::PI;
+use crate::case::FrictionLaw;
+use crate::simd::lanes::lane_struct;
 
-/// α(e) of the damped force between balls, K δ^(3/2) + α √(m K) δ^(1/4) dδ/dt, that
-/// gives coefficient of restitution e: α = −√5·ln e/√(π² + ln² e)
-/// (Tsuji, Tanaka & Ishida 1992, Powder Technology 71, 239–250, in closed form).
-///
-/// Exact while the force may pull; clamped at zero it restores a little more
-/// (e = 0.5 gives 0.55, e = 0.95 gives 0.9505).
-pub fn restitution_damping(restitution: f64) -> f64 {
-    let log = restitution.ln();
-    // The sign keeps −0 out for e = 1.
-    (5f64.sqrt() * log.abs()) / PI.hypot(log)
+lane_struct! {
+    /// Constants of the friction of a contact.
+    pub struct Friction per lane FrictionLanes {
+        /// μ.
+        coefficient,
+        /// 1/ΔV at which tanh(ΔV/scale) of the smooth law has its knee, s/m.
+        inverse_slip_scale,
+        /// Coulomb law: friction per sliding speed within the cone, N·s/m.
+        stick_gain,
+    }
 }
 
+/// Friction force along −ΔV under the normal force `normal_n`, N (Zhao 2022, Eq. (20), (21)).
+///
+/// Smooth law: μ·tanh(ΔV/scale)·N. Coulomb's law: g·ΔV bounded by ±μN, the cone with the
+/// relaxed stick of [`crate::dynamics::Model`]; where the ball slides, μ·sign(ΔV)·N.
+#[inline(always)]
+pub fn friction_force(law: FrictionLaw, f: &Friction, slip_m_s: f64, normal_n: f64) -> f64 {
+    let largest = f.coefficient * normal_n;
+    match law {
+        FrictionLaw::Smooth => largest * tanh(slip_m_s * f.inverse_slip_scale),
+        FrictionLaw::Coulomb => {
+            let wanted = f.stick_gain * slip_m_s;
+            let bounded = if wanted > largest { largest } else { wanted };
+            if bounded < -largest {
+                -largest
+            } else {
+                bounded
+            }
+        }
+    }
+}
 /// tanh, the same bits on every instruction set, absolute error below 4e-16: one
 /// expression without branches, so that a loop over it becomes vector code.
 ///
@@ -68,11 +89,5 @@ mod tests {
         assert_eq!(tanh(0.0), 0.0);
         assert_eq!(tanh(1e9), 1.0);
         assert_eq!(tanh(-1e9), -1.0);
-    }
-
-    #[test]
-    fn no_loss_at_full_restitution() {
-        assert_eq!(restitution_damping(1.0), 0.0);
-        assert!((restitution_damping(0.5) - 0.4816).abs() < 1e-3);
     }
 }

@@ -1,0 +1,41 @@
+//! Contacts of a ball as scalar functions on plain structs: Hertz, damping, friction, and the
+//! contacts with outer raceway, inner raceway and neighbouring ball (Zhao 2022, Eq. (16) to
+//! (22)).
+//!
+//! The functions are free of branches on data and of lane indices, so that the vector harness
+//! ([`crate::simd`]) can call them lane by lane; static equilibrium, energy and tests call the
+//! same ones.
+
+mod ball_ball;
+mod friction;
+pub mod hertz;
+mod inner;
+mod normal_force;
+mod outer;
+mod outer_geometry;
+
+pub use ball_ball::{BallBallContact, BallPair, ball_ball_contact, ball_deflection};
+pub use friction::{Friction, friction_force, tanh};
+pub use inner::{InnerContact, InnerRaceway, inner_contact, inner_deflection};
+pub use normal_force::{NormalForce, restitution_damping};
+pub use outer::{
+    OuterContact, OuterGeometry, OuterRaceway, centrifugal_force, outer_contact, outer_deflection,
+    slope_force,
+};
+
+pub use outer_geometry::{
+    OUTSIDE, RacewayConstants, RacewayPosition, RacewayValues, nominal_geometry, unequal_geometry,
+    with_path_direction,
+};
+
+pub(crate) use ball_ball::BallBallContactLanes;
+pub(crate) use friction::FrictionLanes;
+pub(crate) use inner::{InnerContactLanes, InnerRacewayLanes};
+pub(crate) use outer::{OuterContactLanes, OuterGeometryLanes, OuterRacewayLanes};
+pub(crate) use outer_geometry::{RacewayConstantsLanes, RacewayPositionLanes, RacewayValuesLanes};
+
+/// The larger of `x` and 0; 0 for NaN.
+#[inline(always)]
+pub(crate) fn positive(x: f64) -> f64 {
+    if x > 0.0 { x } else { 0.0 }
+}

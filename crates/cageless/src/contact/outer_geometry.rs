@@ -1,0 +1,168 @@
+//! Geometry of the outer contact on a discrete raceway.
+
+use super::{OuterGeometry, OuterRaceway};
+use crate::dynamics::ball::{Ball, PolarMotion};
+use crate::simd::lanes::lane_struct;
+
+lane_struct! {
+    /// Constants of one discrete raceway.
+    pub struct RacewayConstants per lane RacewayConstantsLanes {
+        /// Sine of ψ of its middle.
+        sin_centre,
+        /// Cosine of ψ of its middle.
+        cos_centre,
+        /// sin²θ; −1 where there is no raceway.
+        end,
+        /// 1/sin²θ.
+        inverse_end,
+        /// u = scale·sin²ψ + shift, the variable of the polynomials.
+        scale,
+        /// See `scale`.
+        shift,
+        /// 4a of Zhao 2022, Eq. (5): dy/dx = x(4a x² + 2b).
+        slope_cubic,
+        /// 2b of Zhao 2022, Eq. (5).
+        slope_linear,
+        /// Depth milled too much in the middle, m.
+        depth_error,
+    }
+}
+
+lane_struct! {
+    /// Angular position of a ball from the middle of a raceway.
+    pub struct RacewayPosition per lane RacewayPositionLanes {
+        /// Sine of the angle; [`OUTSIDE`] beyond the ends of the raceway.
+        sine,
+        /// Cosine of the angle.
+        cosine,
+        /// Variable of the polynomials.
+        u,
+    }
+}
+
+lane_struct! {
+    /// Values of the polynomials of a raceway at one ball.
+    pub struct RacewayValues per lane RacewayValuesLanes {
+        /// r of the nominal ball, m.
+        radius,
+        /// dr/du, m.
+        radius_slope,
+        /// 1/√(1 + y′² + z′²) of the contact path.
+        direction,
+    }
+}
+
+/// [`RacewayPosition::sine`] of a ball that is not in the raceway.
+pub const OUTSIDE: f64 = 2.0;
+
+impl RacewayPosition {
+    /// Position of a ball; the raceway covers |ψ| < θ (Zhao 2022, Eq. (6)).
+    #[inline(always)]
+    pub fn new(raceway: &RacewayConstants, polar: &PolarMotion) -> Self {
+        let sine = polar.ex * raceway.cos_centre + polar.ey * raceway.sin_centre;
+        let cosine = polar.ex * raceway.sin_centre - polar.ey * raceway.cos_centre;
+        let square = sine * sine;
+        Self {
+            sine: if cosine > 0.0 && square < raceway.end {
+                sine
+            } else {
+                OUTSIDE
+            },
+            cosine,
+            u: square * raceway.scale + raceway.shift,
+        }
+    }
+
+    /// Whether the ball is in the raceway.
+    #[inline(always)]
+    pub fn inside(&self) -> bool {
+        self.sine <= 1.0
+    }
+}
+
+/// Geometry of a nominal ball: r of Zhao 2022, Eq. (6), on the discrete raceway, `plain`
+/// elsewhere.
+#[inline(always)]
+pub fn nominal_geometry(
+    position: &RacewayPosition,
+    values: &RacewayValues,
+    plain: OuterGeometry,
+) -> OuterGeometry {
+    OuterGeometry {
+        effective_radius: if position.inside() {
+            values.radius
+        } else {
+            plain.effective_radius
+        },
+        ..plain
+    }
+}
+
+/// The geometry with the direction of friction of the `paper` profile: the in-plane part of
+/// the unit tangent of the contact path, (1, y′)/√(1 + y′² + z′²) (r_f of Zhao 2022, Eq. (22)).
+#[inline(always)]
+pub fn with_path_direction(
+    raceway: &RacewayConstants,
+    outer: &OuterRaceway,
+    position: &RacewayPosition,
+    values: &RacewayValues,
+    geometry: OuterGeometry,
+) -> OuterGeometry {
+    let x = (values.radius + outer.orbit_radius) * position.sine;
+    let slope = x * (raceway.slope_cubic * x * x + raceway.slope_linear);
+    let along = values.direction;
+    let across = along * slope;
+    let inside = position.inside();
+    let select = |new: f64, old: f64| if inside { new } else { old };
+    OuterGeometry {
+        direction_x: select(
+            along * raceway.cos_centre - across * raceway.sin_centre,
+            geometry.direction_x,
+        ),
+        direction_y: select(
+            along * raceway.sin_centre + across * raceway.cos_centre,
+            geometry.direction_y,
+        ),
+        inside: select(1.0, geometry.inside),
+        ..geometry
+    }
+}
+
+/// Geometry of a ball of another radius R, or in a raceway milled too deep by e, see
+/// [`crate::seat`]. With f = Re − Rw, c = r/Rw and g = Re + e − R the ball's centre lies
+/// h = √(g² − f²(1 − c²)) beyond Oe, so that |rb| = Ro − Rw + h − f c and r = R h/g, with
+/// the slope d|rb|/dψ = (g e′ + f² c c′)/h − f c′ and e = E (1 − sin²ψ/sin²θ)².
+#[inline(always)]
+pub fn unequal_geometry(
+    raceway: &RacewayConstants,
+    outer: &OuterRaceway,
+    ball: &Ball,
+    position: &RacewayPosition,
+    values: &RacewayValues,
+    plain: OuterGeometry,
+) -> OuterGeometry {
+    let (sine, cosine) = (position.sine, position.cosine);
+    let c = values.radius / outer.ball_radius;
+    let depth = 1.0 - sine * sine * raceway.inverse_end;
+    let error = raceway.depth_error * depth * depth;
+    let (f, g) = (
+        outer.curvature_offset,
+        outer.curvature + error - ball.radius,
+    );
+    let h = (g * g - f * f * (1.0 - c * c)).sqrt();
+    // d(sin²ψ)/dψ, and u = scale sin²ψ + shift.
+    let turning = 2.0 * sine * cosine;
+    let c_slope = values.radius_slope * raceway.scale * turning / outer.ball_radius;
+    let error_slope = -2.0 * raceway.depth_error * depth * raceway.inverse_end * turning;
+    let inside = position.inside();
+    let select = |new: f64, old: f64| if inside { new } else { old };
+    OuterGeometry {
+        orbit_radius: select(outer.orbit_radius + h - f * c, plain.orbit_radius),
+        slope: select(
+            (g * error_slope + f * f * c * c_slope) / h - f * c_slope,
+            plain.slope,
+        ),
+        effective_radius: select(ball.radius * h / g, plain.effective_radius),
+        ..plain
+    }
+}

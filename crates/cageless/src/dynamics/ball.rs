@@ -1,0 +1,130 @@
+//! Constants, motion and acceleration of a ball.
+
+use crate::simd::lanes::lane_struct;
+
+lane_struct! {
+    /// Constants of one ball and of its contacts.
+    pub struct Ball per lane BallLanes {
+        /// R, m.
+        radius,
+        /// m, kg.
+        mass,
+        /// 1/m, 1/kg; 0 keeps padding at rest.
+        inverse_mass,
+        /// 1/J, 1/(kg·m²).
+        inverse_inertia,
+        /// Ro − R: distance from the bearing axis when it just touches the plain outer raceway, m.
+        outer_orbit_radius,
+        /// Ri + R: distance from the centre of the inner ring when it just touches, m.
+        inner_contact_distance,
+        /// K at the inner raceway, N·m^(−3/2).
+        inner_stiffness,
+        /// K at the outer raceway, N·m^(−3/2).
+        outer_stiffness,
+        /// c of both raceway contacts, N·s·m^(−3/2).
+        raceway_damping,
+        /// Distance of the centres of this ball and the ball ahead when they just touch, m.
+        pair_distance,
+        /// K between this ball and the ball ahead, N·m^(−3/2).
+        pair_stiffness,
+        /// α √(m K) between this ball and the ball ahead, m the reduced mass of the two.
+        pair_damping,
+        /// Radius of the ball ahead, m.
+        next_radius,
+    }
+}
+
+lane_struct! {
+    /// Position, velocity and spin of a ball.
+    pub struct BallMotion per lane BallMotionLanes {
+        /// x, m.
+        x,
+        /// y, m.
+        y,
+        /// ẋ, m/s.
+        vx,
+        /// ẏ, m/s.
+        vy,
+        /// ω, rad/s, clockwise positive: the state of Zhao 2022, Eq. (13), absolute in the
+        /// `physical` profile and relative to the orbit in `paper`.
+        spin,
+    }
+}
+
+lane_struct! {
+    /// Motion of a ball's centre in polar coordinates about the centre of a ring, relative to
+    /// that centre.
+    pub struct PolarMotion per lane PolarMotionLanes {
+        /// Unit vector e from the centre to the ball.
+        ex,
+        /// Unit vector e from the centre to the ball.
+        ey,
+        /// |rb|, m.
+        distance,
+        /// vt, m/s, counter-clockwise.
+        tangential,
+        /// d|rb|/dt, m/s.
+        radial,
+        /// Ω = vt/|rb|, rad/s.
+        orbit,
+    }
+}
+
+/// Position and velocity of the centre of a ring.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Centre {
+    /// X, m.
+    pub x: f64,
+    /// Y, m.
+    pub y: f64,
+    /// Ẋ, m/s.
+    pub vx: f64,
+    /// Ẏ, m/s.
+    pub vy: f64,
+}
+
+impl BallMotion {
+    /// Polar coordinates about `centre`: e = r/|r|, vt = v·t with t = e turned by +90°.
+    #[inline(always)]
+    pub fn about(&self, centre: &Centre) -> PolarMotion {
+        let (x, y) = (self.x - centre.x, self.y - centre.y);
+        let (vx, vy) = (self.vx - centre.vx, self.vy - centre.vy);
+        let distance = (x * x + y * y).sqrt();
+        let inverse = 1.0 / distance;
+        let (ex, ey) = (x * inverse, y * inverse);
+        let tangential = vy * ex - vx * ey;
+        PolarMotion {
+            ex,
+            ey,
+            distance,
+            tangential,
+            radial: vx * ex + vy * ey,
+            orbit: tangential * inverse,
+        }
+    }
+}
+
+lane_struct! {
+    /// Sum of the forces and moments on a ball.
+    pub struct BallLoad per lane BallLoadLanes {
+        /// Force along x, N.
+        fx,
+        /// Force along y, N.
+        fy,
+        /// Moment in the sense of the spin, N·m.
+        torque,
+    }
+}
+
+impl BallLoad {
+    /// Acceleration of the centre, m(ẍ, ÿ) = Σ F, and of the spin, J·dωb/dt = Σ M
+    /// (Zhao 2022, Eq. (12), (13)).
+    #[inline(always)]
+    pub fn acceleration(&self, ball: &Ball) -> [f64; 3] {
+        [
+            self.fx * ball.inverse_mass,
+            self.fy * ball.inverse_mass,
+            self.torque * ball.inverse_inertia,
+        ]
+    }
+}

@@ -1,0 +1,135 @@
+//! The coordinates of a bearing: one table that names what the state vector holds.
+
+/// What a coordinate is, so that methods, norms and columns can follow from the table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A position or angle; its rate is another coordinate of the same table.
+    Position,
+    /// The rate of the position with this index in the same table.
+    VelocityOf(usize),
+    /// A rate whose integral is not a coordinate.
+    Rate,
+}
+
+/// One coordinate of every ball, or of a body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Coordinate {
+    /// Name with its unit, as in the columns of the results.
+    pub name: &'static str,
+    /// Unit.
+    pub unit: &'static str,
+    /// Difference that is visible within one passage of a raceway: the scale of errors.
+    pub error_scale: f64,
+    /// What it is.
+    pub kind: Kind,
+}
+
+const fn coordinate(
+    name: &'static str,
+    unit: &'static str,
+    error_scale: f64,
+    kind: Kind,
+) -> Coordinate {
+    Coordinate {
+        name,
+        unit,
+        error_scale,
+        kind,
+    }
+}
+
+/// Index of a coordinate of the balls.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BallCoordinate {
+    /// x of the centre.
+    X,
+    /// y of the centre.
+    Y,
+    /// ẋ of the centre.
+    Vx,
+    /// ẏ of the centre.
+    Vy,
+    /// Spin state of Zhao 2022, Eq. (13).
+    Spin,
+}
+
+impl BallCoordinate {
+    /// All, in the order of the state vector.
+    pub const ALL: [Self; BALL.len()] = [Self::X, Self::Y, Self::Vx, Self::Vy, Self::Spin];
+}
+
+/// Coordinates of every ball.
+pub const BALL: [Coordinate; 5] = [
+    coordinate("x_m", "m", 1e-5, Kind::Position),
+    coordinate("y_m", "m", 1e-5, Kind::Position),
+    coordinate("vx_m_s", "m/s", 1.0, Kind::VelocityOf(0)),
+    coordinate("vy_m_s", "m/s", 1.0, Kind::VelocityOf(1)),
+    coordinate("spin_rad_s", "rad/s", 200.0, Kind::Rate),
+];
+
+/// Index of a coordinate of the inner ring.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RingCoordinate {
+    /// X of the centre.
+    X,
+    /// Y of the centre.
+    Y,
+    /// Ẋ of the centre.
+    Vx,
+    /// Ẏ of the centre.
+    Vy,
+}
+
+impl RingCoordinate {
+    /// All, in the order of the state vector.
+    pub const ALL: [Self; RING.len()] = [Self::X, Self::Y, Self::Vx, Self::Vy];
+}
+
+/// Coordinates of the inner ring.
+pub const RING: [Coordinate; 4] = [
+    coordinate("ring_x_m", "m", 1e-5, Kind::Position),
+    coordinate("ring_y_m", "m", 1e-5, Kind::Position),
+    coordinate("ring_vx_m_s", "m/s", 0.1, Kind::VelocityOf(0)),
+    coordinate("ring_vy_m_s", "m/s", 0.1, Kind::VelocityOf(1)),
+];
+
+/// A run of positions of a table and the run of their rates: first position, first rate, count.
+pub(crate) fn second_order_runs(table: &[Coordinate]) -> Vec<[usize; 3]> {
+    let mut runs: Vec<[usize; 3]> = vec![];
+    for (rate, coordinate) in table.iter().enumerate() {
+        let Kind::VelocityOf(position) = coordinate.kind else {
+            continue;
+        };
+        match runs.last_mut() {
+            Some([first, first_rate, count])
+                if *first + *count == position && *first_rate + *count == rate =>
+            {
+                *count += 1;
+            }
+            _ => runs.push([position, rate, 1]),
+        }
+    }
+    runs
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The enumerations index the tables.
+    #[test]
+    fn indices_follow_the_tables() {
+        for (k, c) in BallCoordinate::ALL.into_iter().enumerate() {
+            assert_eq!(c as usize, k);
+        }
+        for (k, c) in RingCoordinate::ALL.into_iter().enumerate() {
+            assert_eq!(c as usize, k);
+        }
+    }
+
+    #[test]
+    fn positions_and_rates_form_runs() {
+        assert_eq!(second_order_runs(&BALL), [[0, 2, 2]]);
+        assert_eq!(second_order_runs(&RING), [[0, 2, 2]]);
+    }
+}

@@ -1,0 +1,379 @@
+//! The state vector: what the integrators advance.
+
+use super::ball::{BallMotion, Centre};
+use super::coordinates::{
+    BALL, BallCoordinate, Coordinate, RING, RingCoordinate, second_order_runs,
+};
+use super::energy::EnergyTerm;
+use crate::integrator::SecondOrderBlock;
+
+/// Places of the coordinates in the flat vector that an integrator advances: of one bearing,
+/// or of [`BATCH_WIDTH`] bearings side by side, whose entries for the same ball lie next to each
+/// other.
+///
+/// First the coordinates of the balls ([`BALL`]), an array each, padded to a multiple of
+/// [`LANES`], so that whole vectors are computed either way; then those of the bodies
+/// ([`RING`]); then the terms of the energy ledger ([`EnergyTerm`]).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Layout {
+    /// N.
+    pub balls: usize,
+    /// Length of one array over the balls.
+    pub stride: usize,
+    /// Coordinates of the bodies.
+    bodies: &'static [Coordinate],
+    /// Bearings side by side.
+    width: usize,
+    /// The one whose places are given.
+    bearing: usize,
+}
+
+/// Length of a block: what the arrays over the balls are padded to.
+pub const LANES: usize = 16;
+
+/// Bearings side by side; two balls of each fill a block.
+pub const BATCH_WIDTH: usize = 8;
+
+/// Largest number of balls.
+pub const BALLS_MAX: usize = 256;
+
+impl Layout {
+    /// Layout for one bearing of `balls` balls.
+    pub fn new(balls: usize) -> Self {
+        Self::with_width(balls, 1)
+    }
+
+    /// Layout for [`BATCH_WIDTH`] bearings of `balls` balls each, with the places of the first.
+    pub fn side_by_side(balls: usize) -> Self {
+        Self::with_width(balls, BATCH_WIDTH)
+    }
+
+    fn with_width(balls: usize, width: usize) -> Self {
+        Self {
+            balls,
+            stride: (balls * width).next_multiple_of(LANES),
+            bodies: &RING,
+            width,
+            bearing: 0,
+        }
+    }
+
+    /// The same vector with the places of another bearing.
+    pub fn of_bearing(self, bearing: usize) -> Self {
+        assert!(bearing < self.width);
+        Self { bearing, ..self }
+    }
+
+    /// Bearings side by side.
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Index of the bearing whose places are given.
+    pub fn bearing(&self) -> usize {
+        self.bearing
+    }
+
+    /// Length of the vector.
+    #[allow(clippy::len_without_is_empty)] // never empty
+    pub fn len(&self) -> usize {
+        self.bodies_start() + (self.bodies.len() + EnergyTerm::ALL.len()) * self.width
+    }
+
+    /// Length of the motion of one bearing alone, which precedes its energy ledger.
+    pub(crate) fn motion_len(&self) -> usize {
+        self.bodies_start() + self.bodies.len() * self.width
+    }
+
+    fn bodies_start(&self) -> usize {
+        BALL.len() * self.stride
+    }
+
+    /// Entries of an array over the balls that are not padding.
+    pub fn entries(&self) -> usize {
+        self.balls * self.width
+    }
+
+    /// Start of the array of one coordinate of all balls and bearings.
+    pub fn array(&self, coordinate: BallCoordinate) -> usize {
+        coordinate as usize * self.stride
+    }
+
+    /// Place of a coordinate of ball `k`.
+    pub fn ball(&self, coordinate: BallCoordinate, k: usize) -> usize {
+        debug_assert!(k < self.balls);
+        self.array(coordinate) + k * self.width + self.bearing
+    }
+
+    /// Place of a coordinate of the inner ring.
+    pub fn ring(&self, coordinate: RingCoordinate) -> usize {
+        self.body(coordinate as usize)
+    }
+
+    /// Place of a coordinate of the bodies by its index in their table.
+    fn body(&self, index: usize) -> usize {
+        self.bodies_start() + index * self.width + self.bearing
+    }
+
+    /// Place of a term of the energy ledger.
+    pub fn energy_term(&self, term: EnergyTerm) -> usize {
+        self.body(self.bodies.len() + term as usize)
+    }
+
+    /// Gives the balls of the padding distinct positions away from the centre.
+    pub(crate) fn spread_padding(&self, values: &mut [f64]) {
+        for k in self.entries()..self.stride {
+            let (sin, cos) = (k as f64).sin_cos();
+            values[self.array(BallCoordinate::X) + k] = sin;
+            values[self.array(BallCoordinate::Y) + k] = -cos;
+        }
+    }
+
+    /// Motion of ball `k` in a vector.
+    pub fn ball_motion(&self, values: &[f64], k: usize) -> BallMotion {
+        let at = |coordinate| values[self.ball(coordinate, k)];
+        BallMotion {
+            x: at(BallCoordinate::X),
+            y: at(BallCoordinate::Y),
+            vx: at(BallCoordinate::Vx),
+            vy: at(BallCoordinate::Vy),
+            spin: at(BallCoordinate::Spin),
+        }
+    }
+
+    /// Motion of the centre of the inner ring in a vector.
+    pub fn ring_motion(&self, values: &[f64]) -> Centre {
+        let at = |coordinate| values[self.ring(coordinate)];
+        Centre {
+            x: at(RingCoordinate::X),
+            y: at(RingCoordinate::Y),
+            vx: at(RingCoordinate::Vx),
+            vy: at(RingCoordinate::Vy),
+        }
+    }
+
+    /// One coordinate of the balls of this bearing in a vector.
+    pub fn balls_of<'a>(&self, values: &'a [f64], coordinate: BallCoordinate) -> Balls<'a> {
+        Balls {
+            values: &values[self.array(coordinate) + self.bearing..],
+            step: self.width,
+            count: self.balls,
+        }
+    }
+
+    /// Positions and their rates, for methods of second-order systems; in ascending order of
+    /// the positions.
+    pub(crate) fn second_order_blocks(&self) -> Vec<SecondOrderBlock> {
+        let block =
+            |[position, rate, count]: [usize; 3], start: usize, size: usize| SecondOrderBlock {
+                positions: start + position * size,
+                rates: start + rate * size,
+                count: count * size,
+            };
+        let balls = second_order_runs(&BALL).into_iter();
+        let bodies = second_order_runs(self.bodies).into_iter();
+        balls
+            .map(|run| block(run, 0, self.stride))
+            .chain(bodies.map(|run| block(run, self.bodies_start(), self.width)))
+            .collect()
+    }
+
+    /// Places and coordinates of this bearing's motion, without the energy ledger.
+    fn motion(&self) -> impl Iterator<Item = (usize, &'static Coordinate)> + use<> {
+        let layout = *self;
+        let balls = BallCoordinate::ALL.into_iter().flat_map(move |c| {
+            (0..layout.balls).map(move |k| (layout.ball(c, k), &BALL[c as usize]))
+        });
+        let bodies = self.bodies.iter().enumerate();
+        balls.chain(bodies.map(move |(k, c)| (layout.body(k), c)))
+    }
+
+    /// Whether every coordinate of this bearing is finite.
+    pub(crate) fn is_finite(&self, values: &[f64]) -> bool {
+        self.motion()
+            .map(|(place, _)| values[place])
+            .sum::<f64>()
+            .is_finite()
+    }
+
+    /// Root mean square over the coordinates of this bearing of a difference of two vectors in
+    /// the error scales of the coordinates.
+    pub(crate) fn scaled_rms(&self, difference: &[f64]) -> f64 {
+        let sum: f64 = self
+            .motion()
+            .map(|(place, c)| (difference[place] / c.error_scale).powi(2))
+            .sum();
+        let count = BALL.len() * self.balls + self.bodies.len();
+        (sum / count as f64).sqrt()
+    }
+
+    /// Every place of this bearing with the place of the same quantity in `other`.
+    fn pairs(&self, other: Self) -> impl Iterator<Item = (usize, usize)> + use<> {
+        let layout = *self;
+        let balls = BallCoordinate::ALL.into_iter().flat_map(move |c| {
+            (0..layout.balls).map(move |k| (layout.ball(c, k), other.ball(c, k)))
+        });
+        let rest = 0..self.bodies.len() + EnergyTerm::ALL.len();
+        balls.chain(rest.map(move |k| (layout.body(k), other.body(k))))
+    }
+}
+
+/// One quantity of every ball of a bearing within a vector.
+#[derive(Debug, Clone, Copy)]
+pub struct Balls<'a> {
+    values: &'a [f64],
+    step: usize,
+    count: usize,
+}
+
+impl<'a> Balls<'a> {
+    /// N.
+    #[allow(clippy::len_without_is_empty)] // never empty
+    pub fn len(&self) -> usize {
+        self.count
+    }
+
+    /// Ball by ball.
+    pub fn iter(&self) -> impl Iterator<Item = f64> + use<'a> {
+        self.values
+            .iter()
+            .step_by(self.step)
+            .take(self.count)
+            .copied()
+    }
+}
+
+impl std::ops::Index<usize> for Balls<'_> {
+    type Output = f64;
+
+    fn index(&self, k: usize) -> &f64 {
+        &self.values[k * self.step]
+    }
+}
+
+/// State of one bearing: the motion of balls and bodies, and the energy ledger.
+#[derive(Debug, Clone, PartialEq)]
+pub struct State {
+    layout: Layout,
+    values: Vec<f64>,
+}
+
+impl State {
+    /// The state in which everything is zero.
+    pub fn new(balls: usize) -> Self {
+        let layout = Layout::new(balls);
+        let mut state = Self {
+            layout,
+            values: vec![0.0; layout.len()],
+        };
+        state.layout.spread_padding(&mut state.values);
+        state
+    }
+
+    /// The state of one bearing in a vector that an integrator has advanced.
+    pub fn from_vector(layout: Layout, values: &[f64]) -> Self {
+        assert_eq!(values.len(), layout.len());
+        Self::from_places(layout, |place| values[place])
+    }
+
+    /// The state whose quantities are the values at the places of one bearing.
+    pub(crate) fn from_places(layout: Layout, value: impl Fn(usize) -> f64) -> Self {
+        let mut state = Self::new(layout.balls);
+        for (own, place) in state.layout.pairs(layout) {
+            state.values[own] = value(place);
+        }
+        state
+    }
+
+    /// Writes the state to the places of one bearing in a vector.
+    pub fn write_to(&self, layout: Layout, values: &mut [f64]) {
+        for (own, place) in self.layout.pairs(layout) {
+            values[place] = self.values[own];
+        }
+    }
+
+    /// Layout of [`Self::values`].
+    pub fn layout(&self) -> Layout {
+        self.layout
+    }
+
+    /// The flat vector.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// The flat vector.
+    pub fn values_mut(&mut self) -> &mut [f64] {
+        &mut self.values
+    }
+
+    fn array(&self, coordinate: BallCoordinate) -> &[f64] {
+        &self.values[self.layout.array(coordinate)..][..self.layout.balls]
+    }
+
+    /// x of every ball, m.
+    pub fn x_m(&self) -> &[f64] {
+        self.array(BallCoordinate::X)
+    }
+
+    /// y of every ball, m.
+    pub fn y_m(&self) -> &[f64] {
+        self.array(BallCoordinate::Y)
+    }
+
+    /// Velocity along x of every ball, m/s.
+    pub fn vx_m_s(&self) -> &[f64] {
+        self.array(BallCoordinate::Vx)
+    }
+
+    /// Velocity along y of every ball, m/s.
+    pub fn vy_m_s(&self) -> &[f64] {
+        self.array(BallCoordinate::Vy)
+    }
+
+    /// Spin state of every ball, rad/s, clockwise positive: absolute in the `physical`
+    /// profile, relative to the orbit in `paper` (Zhao 2022, Eq. (13)).
+    pub fn spin_state_rad_s(&self) -> &[f64] {
+        self.array(BallCoordinate::Spin)
+    }
+
+    /// Motion of ball `k`.
+    pub fn ball_motion(&self, k: usize) -> BallMotion {
+        self.layout.ball_motion(&self.values, k)
+    }
+
+    /// Sets the motion of ball `k`.
+    pub fn set_ball(&mut self, k: usize, ball: BallMotion) {
+        for (coordinate, value) in [
+            (BallCoordinate::X, ball.x),
+            (BallCoordinate::Y, ball.y),
+            (BallCoordinate::Vx, ball.vx),
+            (BallCoordinate::Vy, ball.vy),
+            (BallCoordinate::Spin, ball.spin),
+        ] {
+            self.values[self.layout.ball(coordinate, k)] = value;
+        }
+    }
+
+    /// Motion of the centre of the inner ring.
+    pub fn ring_motion(&self) -> Centre {
+        self.layout.ring_motion(&self.values)
+    }
+
+    /// Sets the motion of the centre of the inner ring.
+    pub fn set_ring(&mut self, ring: Centre) {
+        for (coordinate, value) in [
+            (RingCoordinate::X, ring.x),
+            (RingCoordinate::Y, ring.y),
+            (RingCoordinate::Vx, ring.vx),
+            (RingCoordinate::Vy, ring.vy),
+        ] {
+            self.values[self.layout.ring(coordinate)] = value;
+        }
+    }
+
+    /// One term of the energy ledger, J.
+    pub fn energy_term_j(&self, term: EnergyTerm) -> f64 {
+        self.values[self.layout.energy_term(term)]
+    }
+}

@@ -1,0 +1,633 @@
+//! The right-hand side, Zhao 2022, Eq. (12) to (22): the scalar functions over the lanes of
+//! every block, the exchange between neighbouring balls, and the sums over the balls.
+
+use super::lanes::{Lanes, flat, flat_mut};
+use super::parameters::{Parameters, Polynomial, RacewayBlock};
+use super::sums::{Addends, Sum, Sums};
+use crate::case::{FrictionLaw, Profile};
+use crate::contact::{
+    BallBallContactLanes, BallPair, InnerContactLanes, OuterContactLanes, OuterGeometry,
+    OuterGeometryLanes, RacewayPosition, RacewayPositionLanes, RacewayValuesLanes,
+    ball_ball_contact, ball_deflection, centrifugal_force, inner_contact, nominal_geometry,
+    outer_contact, slope_force, unequal_geometry, with_path_direction,
+};
+use crate::dynamics::ball::{
+    BallLanes, BallLoad, BallLoadLanes, BallMotion, Centre, PolarMotionLanes,
+};
+use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
+use crate::dynamics::energy::EnergyTerm;
+use crate::dynamics::state::{BATCH_WIDTH, LANES};
+
+/// Per-ball results of one evaluation for a block. Fields of one struct, so that the compiler
+/// knows that they do not overlap.
+#[derive(Clone)]
+pub(crate) struct BlockResults {
+    pub polar: PolarMotionLanes,
+    /// Absolute spin, rad/s.
+    pub spin: Lanes,
+    pub geometry: OuterGeometryLanes,
+    pub outer: OuterContactLanes,
+    /// Force along ψ where the outer contact rises, N.
+    pub slope_force: Lanes,
+    pub inner: InnerContactLanes,
+    /// Contact with the ball ahead; forces are 0 unless any two balls touch.
+    pub pair: BallBallContactLanes,
+    /// Sums over the contacts of each ball and its weight.
+    pub load: BallLoadLanes,
+}
+
+impl BlockResults {
+    const ZERO: Self = Self {
+        polar: PolarMotionLanes::ZERO,
+        spin: Lanes::ZERO,
+        geometry: OuterGeometryLanes::ZERO,
+        outer: OuterContactLanes::ZERO,
+        slope_force: Lanes::ZERO,
+        inner: InnerContactLanes::ZERO,
+        pair: BallBallContactLanes::ZERO,
+        load: BallLoadLanes::ZERO,
+    };
+}
+
+/// Work arrays of an evaluation, and its results.
+#[derive(Clone)]
+pub(crate) struct Workspace {
+    pub blocks: Vec<BlockResults>,
+    sums: Sums,
+    /// The ball ahead: x, y, vx, vy, absolute spin, orbital speed.
+    next: [Vec<Lanes>; 6],
+    /// Force and moment of the contact with the ball ahead, and of that with the ball behind.
+    ahead: [Vec<Lanes>; 3],
+    behind: [Vec<Lanes>; 3],
+    /// Largest deflection between balls of each bearing, m; 0 if none touch.
+    pub pair_deflection_max: [f64; BATCH_WIDTH],
+    /// Whether the results hold forces between balls.
+    pairs_loaded: bool,
+    /// Largest |ΔV| under load of each bearing, m/s.
+    pub slip_max: [f64; BATCH_WIDTH],
+}
+
+impl Workspace {
+    pub fn new(p: &Parameters) -> Self {
+        let blocks = p.layout.stride / LANES;
+        let zero = || vec![Lanes::ZERO; blocks];
+        Self {
+            blocks: vec![BlockResults::ZERO; blocks],
+            sums: Sums::ZERO,
+            next: std::array::from_fn(|_| zero()),
+            ahead: std::array::from_fn(|_| zero()),
+            behind: std::array::from_fn(|_| zero()),
+            pair_deflection_max: [0.0; BATCH_WIDTH],
+            pairs_loaded: false,
+            slip_max: [0.0; BATCH_WIDTH],
+        }
+    }
+}
+
+#[inline(always)]
+pub(crate) fn evaluate(p: &Parameters, w: &mut Workspace, y: &[f64], dydt: &mut [f64]) {
+    match (p.profile, p.law) {
+        (Profile::Physical, FrictionLaw::Smooth) => equations::<false, false>(p, w, y, dydt),
+        (Profile::Physical, FrictionLaw::Coulomb) => equations::<false, true>(p, w, y, dydt),
+        (Profile::Paper, FrictionLaw::Smooth) => equations::<true, false>(p, w, y, dydt),
+        (Profile::Paper, FrictionLaw::Coulomb) => equations::<true, true>(p, w, y, dydt),
+    }
+}
+
+const fn profile(paper: bool) -> Profile {
+    if paper {
+        Profile::Paper
+    } else {
+        Profile::Physical
+    }
+}
+
+const fn law(coulomb: bool) -> FrictionLaw {
+    if coulomb {
+        FrictionLaw::Coulomb
+    } else {
+        FrictionLaw::Smooth
+    }
+}
+
+/// A block of neighbouring entries of a vector.
+#[inline(always)]
+fn block_at(values: &[f64], at: usize) -> &[f64; LANES] {
+    values[at..]
+        .first_chunk()
+        .expect("arrays are padded to whole blocks")
+}
+
+#[inline(always)]
+fn block_mut(values: &mut [f64], at: usize) -> &mut [f64; LANES] {
+    values[at..]
+        .first_chunk_mut()
+        .expect("arrays are padded to whole blocks")
+}
+
+/// The balls of one block in the state vector.
+#[derive(Clone, Copy)]
+struct Motions<'a>([&'a [f64; LANES]; BallCoordinate::ALL.len()]);
+
+impl<'a> Motions<'a> {
+    #[inline(always)]
+    fn new(p: &Parameters, y: &'a [f64], block: usize) -> Self {
+        Self(BallCoordinate::ALL.map(|c| block_at(y, p.layout.array(c) + block * LANES)))
+    }
+
+    #[inline(always)]
+    fn get(&self, lane: usize) -> BallMotion {
+        let [x, y, vx, vy, spin] = self.0.map(|values| values[lane]);
+        BallMotion { x, y, vx, vy, spin }
+    }
+}
+
+/// The inner ring of each lane.
+struct RingLanes([Lanes; RingCoordinate::ALL.len()]);
+
+impl RingLanes {
+    #[inline(always)]
+    fn new(p: &Parameters, y: &[f64]) -> Self {
+        let layout = p.layout.of_bearing(0);
+        Self(RingCoordinate::ALL.map(|c| {
+            let start = layout.ring(c);
+            if layout.width() == 1 {
+                Lanes::all(y[start])
+            } else {
+                let of = &y[start..][..BATCH_WIDTH];
+                Lanes(std::array::from_fn(|lane| of[lane % BATCH_WIDTH]))
+            }
+        }))
+    }
+
+    #[inline(always)]
+    fn get(&self, lane: usize) -> Centre {
+        let [x, y, vx, vy] = [0, 1, 2, 3].map(|k: usize| self.0[k].0[lane]);
+        Centre { x, y, vx, vy }
+    }
+}
+
+#[inline(always)]
+fn equations<const PAPER: bool, const COULOMB: bool>(
+    p: &Parameters,
+    w: &mut Workspace,
+    y: &[f64],
+    dydt: &mut [f64],
+) {
+    assert!(y.len() == p.layout.len() && dydt.len() == y.len());
+    assert!(w.blocks.len() * LANES == p.layout.stride);
+    let alone = p.layout.width() == 1;
+    let ring = RingLanes::new(p, y);
+    w.sums.clear(alone);
+    let mut slip_max = Lanes::ZERO;
+    let mut addends = [Lanes::ZERO; Sum::COUNT];
+    for (block, results) in w.blocks.iter_mut().enumerate() {
+        let motions = Motions::new(p, y, block);
+        let balls = p.balls(block);
+        plain_positions::<PAPER>(balls, results, motions);
+        for raceway in &p.raceways {
+            raceway_geometry::<PAPER>(p, balls, raceway, results);
+        }
+        outer_contacts::<PAPER, COULOMB>(p, balls, results, &mut addends, motions);
+        if p.unequal {
+            slope_forces(results);
+        }
+        inner_contacts::<PAPER, COULOMB>(p, balls, results, &mut addends, motions, &ring);
+        loaded_slips(results, &mut slip_max);
+        w.sums.add(&Sum::RACEWAYS, &addends, alone, block);
+        if PAPER {
+            w.sums.add(&Sum::PAPER, &addends, alone, block);
+        }
+    }
+    w.slip_max = lane_maxima(&slip_max, alone);
+    w.pair_deflection_max = lane_maxima(&pair_deflections(p, w, y), alone);
+    if w.pair_deflection_max.iter().any(|d| *d > 0.0) {
+        pair_contacts::<PAPER, COULOMB>(p, w, y);
+        w.pairs_loaded = true;
+    } else if w.pairs_loaded {
+        // Forces of the last contact must not outlive it.
+        for results in &mut w.blocks {
+            results.pair.force = Lanes::ZERO;
+            results.pair.rate = Lanes::ZERO;
+        }
+        w.pairs_loaded = false;
+    }
+    accelerations(p, w, y, dydt);
+    for bearing in 0..p.layout.width() {
+        ring_and_ledger::<PAPER>(p, bearing, &ring.get(bearing), &w.sums, dydt);
+    }
+}
+
+/// Polar coordinates of every ball and the geometry of its contact on the plain raceway.
+#[inline(always)]
+fn plain_positions<const PAPER: bool>(
+    balls: &BallLanes,
+    results: &mut BlockResults,
+    motions: Motions<'_>,
+) {
+    for lane in 0..LANES {
+        let motion = motions.get(lane);
+        let polar = motion.about(&Centre::default());
+        results.polar.put(lane, polar);
+        results.spin.0[lane] = if PAPER {
+            motion.spin - polar.orbit
+        } else {
+            motion.spin
+        };
+        let plain = OuterGeometry::plain(&balls.get(lane), &polar);
+        results.geometry.put(lane, plain);
+    }
+}
+
+/// Geometry of the outer contact of the balls in one discrete raceway.
+#[inline(always)]
+fn raceway_geometry<const PAPER: bool>(
+    p: &Parameters,
+    balls: &BallLanes,
+    raceway: &RacewayBlock,
+    results: &mut BlockResults,
+) {
+    let mut position = RacewayPositionLanes::ZERO;
+    let mut values = RacewayValuesLanes::ZERO;
+    for lane in 0..LANES {
+        let polar = results.polar.get(lane);
+        position.put(
+            lane,
+            RacewayPosition::new(&raceway.constants.get(lane), &polar),
+        );
+    }
+    polynomial(&raceway.radius, &position.u, &mut values.radius);
+    if PAPER {
+        polynomial(&raceway.direction, &position.u, &mut values.direction);
+    }
+    if p.unequal {
+        polynomial(&raceway.radius_slope, &position.u, &mut values.radius_slope);
+    }
+    let geometries = &mut results.geometry;
+    if PAPER {
+        for lane in 0..LANES {
+            let directed = with_path_direction(
+                &raceway.constants.get(lane),
+                &p.outer.get(lane),
+                &position.get(lane),
+                &values.get(lane),
+                geometries.get(lane),
+            );
+            geometries.put(lane, directed);
+        }
+    }
+    if p.unequal {
+        for lane in 0..LANES {
+            let geometry = unequal_geometry(
+                &raceway.constants.get(lane),
+                &p.outer.get(lane),
+                &balls.get(lane),
+                &position.get(lane),
+                &values.get(lane),
+                geometries.get(lane),
+            );
+            geometries.put(lane, geometry);
+        }
+    } else {
+        for lane in 0..LANES {
+            let plain = geometries.get(lane);
+            let geometry = nominal_geometry(&position.get(lane), &values.get(lane), plain);
+            geometries.put(lane, geometry);
+        }
+    }
+}
+
+/// Σ c_k u^k from the sums of its even and its odd powers, which do not wait for each other.
+#[inline(always)]
+fn polynomial(coefficients: &Polynomial, u: &Lanes, value: &mut Lanes) {
+    let (mut even, mut odd) = ([0.0; LANES], [0.0; LANES]);
+    for [c0, c1] in coefficients.iter().rev() {
+        for lane in 0..LANES {
+            let square = u.0[lane] * u.0[lane];
+            even[lane] = even[lane] * square + c0.0[lane];
+            odd[lane] = odd[lane] * square + c1.0[lane];
+        }
+    }
+    for lane in 0..LANES {
+        value.0[lane] = even[lane] + odd[lane] * u.0[lane];
+    }
+}
+
+/// Outer contacts and weights; starts the loads and the addends.
+#[inline(always)]
+fn outer_contacts<const PAPER: bool, const COULOMB: bool>(
+    p: &Parameters,
+    balls: &BallLanes,
+    results: &mut BlockResults,
+    addends: &mut Addends,
+    motions: Motions<'_>,
+) {
+    for lane in 0..LANES {
+        let (ball, raceway) = (balls.get(lane), p.outer.get(lane));
+        let (motion, polar) = (motions.get(lane), results.polar.get(lane));
+        let outer = outer_contact(
+            profile(PAPER),
+            law(COULOMB),
+            &p.friction.get(lane),
+            &ball,
+            &raceway,
+            &results.geometry.get(lane),
+            &motion,
+            &polar,
+        );
+        let mut load = BallLoad {
+            fx: outer.fx,
+            fy: outer.fy,
+            torque: outer.torque,
+        };
+        if PAPER {
+            let centrifugal = centrifugal_force(&ball, &raceway, &polar);
+            load.fx += centrifugal * polar.ex;
+            load.fy += centrifugal * polar.ey;
+            addends[Sum::Centrifugal as usize].0[lane] =
+                centrifugal * (motion.vx * polar.ex + motion.vy * polar.ey);
+            addends[Sum::FrictionDirection as usize].0[lane] = outer.direction_power;
+            addends[Sum::RelativeSpin as usize].0[lane] = outer.spin_power;
+        }
+        let weight = ball.mass * p.ring.gravity.0[lane];
+        load.fy -= weight;
+        results.outer.put(lane, outer);
+        results.load.put(lane, load);
+        addends[Sum::Weight as usize].0[lane] = -weight * motion.vy;
+        addends[Sum::OuterFriction as usize].0[lane] = outer.friction * outer.slip;
+        addends[Sum::RacewayDamping as usize].0[lane] = outer.damping_power;
+    }
+}
+
+/// Tangential part of outer normal forces where the contact rises along ψ.
+#[inline(always)]
+fn slope_forces(results: &mut BlockResults) {
+    for lane in 0..LANES {
+        let polar = results.polar.get(lane);
+        let force = slope_force(
+            &results.outer.get(lane),
+            &results.geometry.get(lane),
+            polar.distance,
+        );
+        results.slope_force.0[lane] = force;
+        results.load.fx.0[lane] -= force * polar.ey;
+        results.load.fy.0[lane] += force * polar.ex;
+    }
+}
+
+/// Inner contacts; adds to the loads and the addends.
+#[inline(always)]
+fn inner_contacts<const PAPER: bool, const COULOMB: bool>(
+    p: &Parameters,
+    balls: &BallLanes,
+    results: &mut BlockResults,
+    addends: &mut Addends,
+    motions: Motions<'_>,
+    ring: &RingLanes,
+) {
+    for lane in 0..LANES {
+        let (raceway, motion) = (p.inner.get(lane), motions.get(lane));
+        let inner = inner_contact(
+            profile(PAPER),
+            law(COULOMB),
+            &p.friction.get(lane),
+            &balls.get(lane),
+            &raceway,
+            &motion,
+            &motion.about(&ring.get(lane)),
+        );
+        let load = results.load.get(lane);
+        results.load.put(
+            lane,
+            BallLoad {
+                fx: load.fx + inner.fx,
+                fy: load.fy + inner.fy,
+                torque: load.torque + inner.torque,
+            },
+        );
+        results.inner.put(lane, inner);
+        addends[Sum::RingX as usize].0[lane] = -inner.fx;
+        addends[Sum::RingY as usize].0[lane] = -inner.fy;
+        addends[Sum::Drive as usize].0[lane] = inner.friction * raceway.surface_speed;
+        addends[Sum::InnerFriction as usize].0[lane] = inner.friction * inner.slip;
+        addends[Sum::RacewayDamping as usize].0[lane] += inner.damping_power;
+        if PAPER {
+            addends[Sum::RelativeSpin as usize].0[lane] += inner.spin_power;
+        }
+    }
+}
+
+/// Largest |ΔV| at contacts that carry load.
+#[inline(always)]
+fn loaded_slips(results: &BlockResults, largest: &mut Lanes) {
+    for lane in 0..LANES {
+        let loaded = |slip: f64, force: f64| if force > 0.0 { slip.abs() } else { 0.0 };
+        let inner = loaded(results.inner.slip.0[lane], results.inner.force.0[lane]);
+        let outer = loaded(results.outer.slip.0[lane], results.outer.force.0[lane]);
+        largest.0[lane] = larger(largest.0[lane], larger(inner, outer));
+    }
+}
+
+#[inline(always)]
+fn larger(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
+}
+
+/// Largest of the lanes of each bearing; that of the only bearing comes first.
+#[inline(always)]
+fn lane_maxima(lanes: &Lanes, alone: bool) -> [f64; BATCH_WIDTH] {
+    let mut maxima = [0.0; BATCH_WIDTH];
+    for lane in 0..LANES {
+        maxima[lane % BATCH_WIDTH] = larger(maxima[lane % BATCH_WIDTH], lanes.0[lane]);
+    }
+    if alone {
+        for k in 1..BATCH_WIDTH {
+            maxima[0] = larger(maxima[0], maxima[k]);
+        }
+    }
+    maxima
+}
+
+/// Deflection of each ball with the ball ahead; returns the largest of each lane.
+#[inline(always)]
+fn pair_deflections(p: &Parameters, w: &mut Workspace, y: &[f64]) -> Lanes {
+    for (k, coordinate) in [BallCoordinate::X, BallCoordinate::Y]
+        .into_iter()
+        .enumerate()
+    {
+        let values = &y[p.layout.array(coordinate)..][..p.layout.stride];
+        forwards(p, values, &mut w.next[k]);
+    }
+    let mut largest = Lanes::ZERO;
+    let [next_x, next_y, ..] = &w.next;
+    for (block, results) in w.blocks.iter_mut().enumerate() {
+        let balls = p.balls(block);
+        let motions = Motions::new(p, y, block);
+        let (next_x, next_y) = (&next_x[block].0, &next_y[block].0);
+        for lane in 0..LANES {
+            let ball = motions.get(lane);
+            let (dx, dy) = (next_x[lane] - ball.x, next_y[lane] - ball.y);
+            let deflection = ball_deflection(&balls.get(lane), dx, dy);
+            results.pair.deflection.0[lane] = deflection;
+            largest.0[lane] = larger(largest.0[lane], deflection);
+        }
+    }
+    largest
+}
+
+/// Values of the ball ahead at the place of each ball.
+#[inline(always)]
+fn forwards(p: &Parameters, values: &[f64], next: &mut [Lanes]) {
+    let (shift, count) = (p.layout.width(), p.layout.entries());
+    let next = flat_mut(next);
+    next[..count - shift].copy_from_slice(&values[shift..count]);
+    next[count - shift..count].copy_from_slice(&values[..shift]);
+}
+
+/// Values of the ball behind at the place of each ball.
+#[inline(always)]
+fn backwards(p: &Parameters, values: &[Lanes], behind: &mut [Lanes]) {
+    let (shift, count) = (p.layout.width(), p.layout.entries());
+    let (values, behind) = (flat(values), flat_mut(behind));
+    behind[shift..count].copy_from_slice(&values[..count - shift]);
+    behind[..shift].copy_from_slice(&values[count - shift..count]);
+}
+
+/// Contacts between neighbours; adds to the loads of both.
+#[inline(always)]
+fn pair_contacts<const PAPER: bool, const COULOMB: bool>(
+    p: &Parameters,
+    w: &mut Workspace,
+    y: &[f64],
+) {
+    for (k, coordinate) in [(2, BallCoordinate::Vx), (3, BallCoordinate::Vy)] {
+        let values = &y[p.layout.array(coordinate)..][..p.layout.stride];
+        forwards(p, values, &mut w.next[k]);
+    }
+    for (block, results) in w.blocks.iter().enumerate() {
+        w.ahead[0][block] = results.spin;
+        w.ahead[1][block] = results.polar.orbit;
+    }
+    for (k, from) in [(4, 0), (5, 1)] {
+        forwards(p, flat(&w.ahead[from]), &mut w.next[k]);
+    }
+    let alone = p.layout.width() == 1;
+    let [ahead_x, ahead_y, ahead_torque] = &mut w.ahead;
+    let [behind_x, behind_y, behind_torque] = &mut w.behind;
+    let mut addends = [Lanes::ZERO; Sum::COUNT];
+    for (block, results) in w.blocks.iter_mut().enumerate() {
+        let (balls, motions) = (p.balls(block), Motions::new(p, y, block));
+        let next = |k: usize| &w.next[k][block].0;
+        let (next_x, next_y, next_vx, next_vy) = (next(0), next(1), next(2), next(3));
+        let (next_spin, next_orbit) = (next(4), next(5));
+        let (fx, fy) = (&mut ahead_x[block].0, &mut ahead_y[block].0);
+        let (torque, next_torque) = (&mut ahead_torque[block].0, &mut behind_torque[block].0);
+        for lane in 0..LANES {
+            let pair = BallPair {
+                ball: BallMotion {
+                    spin: results.spin.0[lane],
+                    ..motions.get(lane)
+                },
+                next: BallMotion {
+                    x: next_x[lane],
+                    y: next_y[lane],
+                    vx: next_vx[lane],
+                    vy: next_vy[lane],
+                    spin: next_spin[lane],
+                },
+                orbit: results.polar.orbit.0[lane],
+                next_orbit: next_orbit[lane],
+            };
+            let friction = p.friction.get(lane);
+            let contact = ball_ball_contact(law(COULOMB), &friction, &balls.get(lane), &pair);
+            results.pair.rate.0[lane] = contact.rate;
+            results.pair.force.0[lane] = contact.force;
+            fx[lane] = contact.fx;
+            fy[lane] = contact.fy;
+            torque[lane] = contact.torque;
+            next_torque[lane] = contact.next_torque;
+            addends[Sum::BallFriction as usize].0[lane] = contact.friction_power;
+            addends[Sum::BallDamping as usize].0[lane] = contact.damping_power;
+            if PAPER {
+                addends[Sum::BallRelativeSpin as usize].0[lane] = contact.spin_power;
+            }
+        }
+        w.sums.add(&Sum::BALL_CONTACTS, &addends, alone, block);
+        if PAPER {
+            w.sums.add(&[Sum::BallRelativeSpin], &addends, alone, block);
+        }
+    }
+    // Each contact acts on the ball ahead, too; the moments there wait in `behind`.
+    let [.., scratch, _] = &mut w.next;
+    scratch.copy_from_slice(behind_torque);
+    backwards(p, scratch, behind_torque);
+    backwards(p, ahead_x, behind_x);
+    backwards(p, ahead_y, behind_y);
+    for (block, results) in w.blocks.iter_mut().enumerate() {
+        let load = &mut results.load;
+        for lane in 0..LANES {
+            load.fx.0[lane] = load.fx.0[lane] - behind_x[block].0[lane] + ahead_x[block].0[lane];
+            load.fy.0[lane] = load.fy.0[lane] - behind_y[block].0[lane] + ahead_y[block].0[lane];
+            load.torque.0[lane] =
+                load.torque.0[lane] + behind_torque[block].0[lane] + ahead_torque[block].0[lane];
+        }
+    }
+}
+
+/// Velocities and accelerations of the balls.
+#[inline(always)]
+fn accelerations(p: &Parameters, w: &Workspace, y: &[f64], dydt: &mut [f64]) {
+    let velocities = p.layout.array(BallCoordinate::Vx);
+    dydt[..velocities].copy_from_slice(&y[velocities..2 * velocities]);
+    for (block, results) in w.blocks.iter().enumerate() {
+        let balls = p.balls(block);
+        let mut rates = [[0.0; LANES]; 3];
+        for lane in 0..LANES {
+            let acceleration = results.load.get(lane).acceleration(&balls.get(lane));
+            for k in 0..3 {
+                rates[k][lane] = acceleration[k];
+            }
+        }
+        let coordinates = [BallCoordinate::Vx, BallCoordinate::Vy, BallCoordinate::Spin];
+        for (coordinate, rates) in coordinates.into_iter().zip(rates) {
+            *block_mut(dydt, p.layout.array(coordinate) + block * LANES) = rates;
+        }
+    }
+}
+
+/// Motion of the inner ring of one bearing and the powers of its energy ledger.
+#[inline(always)]
+fn ring_and_ledger<const PAPER: bool>(
+    p: &Parameters,
+    bearing: usize,
+    motion: &Centre,
+    sums: &Sums,
+    dydt: &mut [f64],
+) {
+    let layout = p.layout.of_bearing(bearing);
+    let total = |sum: Sum| sums.total(sum, layout.width() == 1, bearing);
+    let ring = p.ring.get(bearing);
+    let [ax, ay] = ring.acceleration(motion, [total(Sum::RingX), total(Sum::RingY)]);
+    dydt[layout.ring(RingCoordinate::X)] = motion.vx;
+    dydt[layout.ring(RingCoordinate::Y)] = motion.vy;
+    dydt[layout.ring(RingCoordinate::Vx)] = ax;
+    dydt[layout.ring(RingCoordinate::Vy)] = ay;
+    let paper = |power: f64| if PAPER { power } else { 0.0 };
+    for term in EnergyTerm::ALL {
+        dydt[layout.energy_term(term)] = match term {
+            EnergyTerm::Drive => total(Sum::Drive),
+            EnergyTerm::Load => -ring.radial_load * motion.vy,
+            EnergyTerm::Weight => total(Sum::Weight) - ring.weight_n() * motion.vy,
+            EnergyTerm::InnerFriction => total(Sum::InnerFriction),
+            EnergyTerm::OuterFriction => total(Sum::OuterFriction),
+            EnergyTerm::BallFriction => total(Sum::BallFriction),
+            EnergyTerm::Damping => total(Sum::RacewayDamping) + total(Sum::BallDamping),
+            EnergyTerm::Drag => ring.drag * (motion.vx * motion.vx + motion.vy * motion.vy),
+            EnergyTerm::Centrifugal => paper(total(Sum::Centrifugal)),
+            EnergyTerm::FrictionDirection => paper(total(Sum::FrictionDirection)),
+            EnergyTerm::RelativeSpin => {
+                paper(total(Sum::RelativeSpin) + total(Sum::BallRelativeSpin))
+            }
+        };
+    }
+}

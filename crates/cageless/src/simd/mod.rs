@@ -1,0 +1,18 @@
+//! The vector harness: the scalar functions of [`crate::contact`] and [`crate::dynamics`]
+//! called lane by lane, compiled for every instruction set.
+//!
+//! A block holds [`LANES`](crate::dynamics::state::LANES) numbers: neighbouring balls of one
+//! bearing, or two balls of each of several bearings. A loop over its lanes loads plain
+//! structs of `f64`, calls one branch-free function and stores the result; the compiler makes
+//! vector code of it. No operation depends on the width of a vector and none is fused, so
+//! every instruction set gives the same bits.
+
+mod harness;
+mod instruction_set;
+pub(crate) mod lanes;
+mod parameters;
+mod sums;
+
+pub(crate) use harness::{Workspace, evaluate};
+pub use instruction_set::InstructionSet;
+pub(crate) use parameters::Parameters;

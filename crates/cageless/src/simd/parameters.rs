@@ -1,0 +1,119 @@
+//! The constants of one bearing, or of several side by side, block by block.
+
+use super::lanes::Lanes;
+use crate::case::{FrictionLaw, Profile};
+use crate::contact::{
+    FrictionLanes, InnerRacewayLanes, OuterRacewayLanes, RacewayConstants, RacewayConstantsLanes,
+};
+use crate::dynamics::Model;
+use crate::dynamics::ball::{Ball, BallLanes};
+use crate::dynamics::inner_ring::InnerRingLanes;
+use crate::dynamics::model::RacewayModel;
+use crate::dynamics::state::{LANES, Layout};
+
+/// Coefficients of a polynomial: of even and of odd powers.
+pub(super) type Polynomial = Vec<[Lanes; 2]>;
+
+/// One discrete raceway of each bearing.
+#[derive(Clone)]
+pub(super) struct RacewayBlock {
+    pub constants: RacewayConstantsLanes,
+    pub radius: Polynomial,
+    pub radius_slope: Polynomial,
+    pub direction: Polynomial,
+}
+
+/// The constants of the equations of motion, lane by lane.
+#[derive(Clone)]
+pub(crate) struct Parameters {
+    pub layout: Layout,
+    pub profile: Profile,
+    pub law: FrictionLaw,
+    /// Whether outer contacts differ from those of nominal balls in raceways as designed.
+    pub unequal: bool,
+    pub friction: FrictionLanes,
+    pub outer: OuterRacewayLanes,
+    pub inner: InnerRacewayLanes,
+    pub ring: InnerRingLanes,
+    pub(super) raceways: Vec<RacewayBlock>,
+    /// Constants of the balls of each block; only one block if all are the same.
+    balls: Vec<BallLanes>,
+}
+
+impl Parameters {
+    /// Constants of the balls of a block.
+    #[inline(always)]
+    pub fn balls(&self, block: usize) -> &BallLanes {
+        if self.balls.len() == 1 {
+            &self.balls[0]
+        } else {
+            &self.balls[block]
+        }
+    }
+
+    /// Constants of the bearings whose places `layout` has; lane l belongs to bearing l modulo
+    /// their number.
+    pub fn new(models: &[&Model], layout: Layout) -> Self {
+        let first = models[0];
+        let model = |lane: usize| models[lane % models.len()];
+        let raceways = models.iter().map(|m| m.raceway_models.len()).max();
+        // Padding has neither stiffness nor mass, and so feels nothing.
+        let padding = Ball {
+            radius: first.outer.ball_radius,
+            ..Ball::default()
+        };
+        let ball = |block: usize, lane: usize| {
+            let entry = block * LANES + lane;
+            let (model, k) = (model(entry), entry / models.len());
+            model.balls.get(k).copied().unwrap_or(padding)
+        };
+        let unequal = models.iter().any(|m| m.unequal);
+        let same = layout.entries() == layout.stride && !unequal;
+        let blocks = if same { 1 } else { layout.stride / LANES };
+        Self {
+            layout,
+            profile: first.profile,
+            law: first.law,
+            unequal,
+            friction: FrictionLanes::from_fn(|lane| model(lane).friction),
+            outer: OuterRacewayLanes::from_fn(|lane| model(lane).outer),
+            inner: InnerRacewayLanes::from_fn(|lane| model(lane).inner),
+            ring: InnerRingLanes::from_fn(|lane| model(lane).ring),
+            raceways: (0..raceways.unwrap_or(0))
+                .map(|k| raceway_block(models, k))
+                .collect(),
+            balls: (0..blocks)
+                .map(|block| BallLanes::from_fn(|lane| ball(block, lane)))
+                .collect(),
+        }
+    }
+}
+
+fn raceway_block(models: &[&Model], k: usize) -> RacewayBlock {
+    let raceway = |lane: usize| models[lane % models.len()].raceway_models.get(k);
+    let absent = RacewayConstants {
+        end: -1.0,
+        ..RacewayConstants::default()
+    };
+    let polynomial = |coefficients: fn(&RacewayModel) -> &Vec<f64>| -> Polynomial {
+        let lengths = (0..models.len()).filter_map(|lane| Some(coefficients(raceway(lane)?).len()));
+        let length = lengths.max().unwrap_or(0);
+        // A shorter polynomial starts with zeros, which change no bit of its value.
+        let coefficient = |c: usize| {
+            Lanes(std::array::from_fn(|lane| {
+                raceway(lane).map_or(0.0, |r| coefficients(r).get(c).copied().unwrap_or(0.0))
+            }))
+        };
+        (0..length.div_ceil(2))
+            .map(|c| [coefficient(2 * c), coefficient(2 * c + 1)])
+            .collect()
+    };
+    RacewayBlock {
+        constants: RacewayConstantsLanes::from_fn(|lane| {
+            raceway(lane).map_or(absent, |r| r.constants)
+        }),
+        radius: polynomial(|r| &r.radius),
+        radius_slope: polynomial(|r| &r.radius_slope),
+        direction: polynomial(|r| &r.direction),
+    }
+}

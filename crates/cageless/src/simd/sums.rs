@@ -1,0 +1,124 @@
+//! Sums over the balls of a bearing, the same bits whether it runs alone or beside others.
+
+use super::lanes::Lanes;
+use crate::dynamics::state::{BATCH_WIDTH, LANES};
+
+/// A quantity that is summed over the balls: the force on the inner ring and the powers of the
+/// energy ledger.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Sum {
+    RingX,
+    RingY,
+    Drive,
+    Weight,
+    InnerFriction,
+    OuterFriction,
+    RacewayDamping,
+    BallFriction,
+    BallDamping,
+    /// `paper` profile only, as are the next three.
+    Centrifugal,
+    FrictionDirection,
+    RelativeSpin,
+    BallRelativeSpin,
+}
+
+impl Sum {
+    pub const COUNT: usize = 13;
+    pub const RACEWAYS: [Self; 7] = [
+        Self::RingX,
+        Self::RingY,
+        Self::Drive,
+        Self::Weight,
+        Self::InnerFriction,
+        Self::OuterFriction,
+        Self::RacewayDamping,
+    ];
+    pub const PAPER: [Self; 3] = [
+        Self::Centrifugal,
+        Self::FrictionDirection,
+        Self::RelativeSpin,
+    ];
+    pub const BALL_CONTACTS: [Self; 2] = [Self::BallFriction, Self::BallDamping];
+}
+
+/// Number of partial sums: ball k adds to number k mod 4 and the four are added in one order,
+/// whether the lanes of a block are balls or bearings.
+const PARTS: usize = 4;
+
+/// What the balls of one block add to each sum.
+pub(super) type Addends = [Lanes; Sum::COUNT];
+
+/// Sums over the balls of one bearing, or of each of the bearings side by side.
+#[derive(Clone)]
+pub(super) struct Sums {
+    /// Those of the only bearing.
+    alone: [[f64; PARTS]; Sum::COUNT],
+    batch: [[[f64; BATCH_WIDTH]; Sum::COUNT]; PARTS],
+}
+
+impl Sums {
+    pub const ZERO: Self = Self {
+        alone: [[0.0; PARTS]; Sum::COUNT],
+        batch: [[[0.0; BATCH_WIDTH]; Sum::COUNT]; PARTS],
+    };
+
+    #[inline(always)]
+    pub fn clear(&mut self, alone: bool) {
+        if alone {
+            self.alone = Self::ZERO.alone;
+        } else {
+            self.batch = Self::ZERO.batch;
+        }
+    }
+
+    /// Adds what the balls of block number `block` contribute to the sums `which`.
+    #[inline(always)]
+    pub fn add(&mut self, which: &[Sum], addends: &Addends, alone: bool, block: usize) {
+        if alone {
+            self.add_alone(which, addends);
+        } else {
+            self.add_batch(which, addends, block);
+        }
+    }
+
+    #[inline(always)]
+    fn add_alone(&mut self, which: &[Sum], addends: &Addends) {
+        for &sum in which {
+            let (total, addend) = (&mut self.alone[sum as usize], &addends[sum as usize].0);
+            for four in addend.chunks_exact(PARTS) {
+                for part in 0..PARTS {
+                    total[part] += four[part];
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn add_batch(&mut self, which: &[Sum], addends: &Addends, block: usize) {
+        const BALLS: usize = LANES / BATCH_WIDTH;
+        for &sum in which {
+            let addend = &addends[sum as usize].0;
+            for ball in 0..BALLS {
+                let part = (block * BALLS + ball) % PARTS;
+                let total = &mut self.batch[part][sum as usize];
+                for bearing in 0..BATCH_WIDTH {
+                    total[bearing] += addend[ball * BATCH_WIDTH + bearing];
+                }
+            }
+        }
+    }
+
+    /// Total of one bearing; the only one has index 0.
+    #[inline(always)]
+    pub fn total(&self, sum: Sum, alone: bool, bearing: usize) -> f64 {
+        let part = |part: usize| {
+            if alone {
+                self.alone[sum as usize][part]
+            } else {
+                self.batch[part][sum as usize][bearing]
+            }
+        };
+        (part(0) + part(2)) + (part(1) + part(3))
+    }
+}
