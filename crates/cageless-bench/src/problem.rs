@@ -45,9 +45,7 @@ pub fn scaled(state: &State) -> Vec<f64> {
         .flat_map(|(group, c)| group.iter().map(move |v| v / c.error_scale));
     let ring = state.ring_motion();
     let ring = [ring.x, ring.y, ring.vx, ring.vy].into_iter().zip(RING);
-    balls
-        .chain(ring.map(|(v, c)| v / c.error_scale))
-        .collect()
+    balls.chain(ring.map(|(v, c)| v / c.error_scale)).collect()
 }
 
 /// Scale of each of the 5 N + 4 states.
@@ -81,7 +79,11 @@ pub fn reference() -> Vec<f64> {
     let Some((ring, balls)) = rows.split_last() else {
         return vec![];
     };
-    let states = (0..5).flat_map(|group| balls.iter().map(move |row| row[group] / BALL[group].error_scale));
+    let states = (0..5).flat_map(|group| {
+        balls
+            .iter()
+            .map(move |row| row[group] / BALL[group].error_scale)
+    });
     states
         .chain(ring.iter().zip(RING).map(|(v, c)| v / c.error_scale))
         .collect()

@@ -4,9 +4,9 @@
 use std::time::Instant;
 
 use anyhow::{Result, bail};
-use cageless::dynamics::coordinates::BallCoordinate;
 use cageless::Case;
 use cageless::case::Start;
+use cageless::dynamics::coordinates::BallCoordinate;
 use cageless::onsets::Onsets;
 use cageless::simulation::{self, Control, Ending, Observer, ObserverError, Scene, View};
 use clap::Args;
