@@ -5,7 +5,6 @@
 mod common;
 
 use cageless::Case;
-use cageless::dynamics::coordinates::{BallCoordinate, RingCoordinate};
 use cageless::dynamics::state::State;
 use cageless::dynamics::{Model, RightHandSide};
 use cageless::integrator::{Abm4, Integrator, RungeKutta, System, UnresolvedStep};
@@ -122,29 +121,8 @@ fn end(case: &Case, method: &mut impl Stepper) -> (Vec<f64>, u64) {
 }
 
 fn error(case: &Case, name: &str, values: &[f64]) -> f64 {
-    let model = Model::new(case).unwrap();
-    let layout = model.layout();
-    let rows = common::reference(name);
-    let mut difference = vec![0.0; layout.len()];
-    let n = layout.balls;
-    let state = State::from_vector(layout, values);
-    // The reference gives the absolute spin.
-    let seen = RightHandSide::new(&model).snapshot(END_S, &state, &vec![0.0; n]);
-    for k in 0..n {
-        for coordinate in BallCoordinate::ALL {
-            let at = layout.ball(coordinate, k);
-            let value = match coordinate {
-                BallCoordinate::Spin => seen.spin_rad_s[k],
-                _ => values[at],
-            };
-            difference[at] = value - rows[k][coordinate as usize];
-        }
-    }
-    for coordinate in RingCoordinate::ALL {
-        let at = layout.ring(coordinate);
-        difference[at] = values[at] - rows[n][coordinate as usize];
-    }
-    RightHandSide::new(&model).error_norm(&difference)
+    let layout = Model::new(case).unwrap().layout();
+    common::scaled_error_of(case, name, &State::from_vector(layout, values))
 }
 
 /// Where damped contacts close, the slope of the force is infinite: whatever locates the

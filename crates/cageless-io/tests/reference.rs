@@ -5,10 +5,9 @@
 mod common;
 
 use cageless::simulation::{Control, run};
-use cageless::start::initial_state;
-use cageless::{Case, Method, dynamics};
+use cageless::{Case, Method};
 use cageless_io::case_file::CaseFile;
-use common::{folder, reference};
+use common::{folder, scaled_error_of};
 
 fn case(name: &str) -> Case {
     CaseFile::read(&folder().join(format!("{name}.toml")), &[])
@@ -26,36 +25,10 @@ fn scaled_error(name: &str, step_us: f64) -> f64 {
 
 /// The same with the method and step of `case`.
 fn error_of(case: &Case, name: &str) -> f64 {
-    let (_, angles) = initial_state(case).unwrap();
     let end = run(case, &mut [], &mut |_| Control::Continue)
         .unwrap()
         .state;
-    let model = dynamics::Model::new(case).unwrap();
-    let seen = dynamics::RightHandSide::new(&model).snapshot(0.0, &end, &angles);
-    let rows = reference(name);
-    let n = model.balls();
-    assert_eq!(rows.len(), n + 1);
-    let mut sum = 0.0;
-    for k in 0..n {
-        let found = [
-            seen.x_m[k],
-            seen.y_m[k],
-            seen.vx_m_s[k],
-            seen.vy_m_s[k],
-            seen.spin_rad_s[k],
-        ];
-        for ((a, b), scale) in found
-            .iter()
-            .zip(&rows[k])
-            .zip([1e-5, 1e-5, 1.0, 1.0, 200.0])
-        {
-            sum += ((a - b) / scale).powi(2);
-        }
-    }
-    for ((a, b), scale) in end.ring().iter().zip(&rows[n]).zip([1e-5, 1e-5, 0.1, 0.1]) {
-        sum += ((a - b) / scale).powi(2);
-    }
-    (sum / (5 * n + 4) as f64).sqrt()
+    scaled_error_of(case, name, &end)
 }
 
 /// The undamped reference case: under 1e-5 at 0.2 µs, and falling by order 4 or better

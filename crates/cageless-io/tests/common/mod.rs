@@ -3,6 +3,11 @@
 
 use std::path::{Path, PathBuf};
 
+use cageless::Case;
+use cageless::dynamics::coordinates::{BallCoordinate, RingCoordinate};
+use cageless::dynamics::state::State;
+use cageless::dynamics::{Model, RightHandSide};
+use cageless::integrator::System;
 use cageless_io::case_file::{CaseError, CaseFile, template};
 
 /// The template with one piece of text replaced.
@@ -46,4 +51,31 @@ pub fn reference(name: &str) -> Vec<Vec<f64>> {
                 .collect()
         })
         .collect()
+}
+
+/// RMS over the coordinates of (state − reference)/scale at 2 ms.
+pub fn scaled_error_of(case: &Case, name: &str, state: &State) -> f64 {
+    let model = Model::new(case).unwrap();
+    let layout = model.layout();
+    let rows = reference(name);
+    let n = layout.balls;
+    assert_eq!(rows.len(), n + 1);
+    // The reference gives the absolute spin.
+    let seen = RightHandSide::new(&model).snapshot(0.0, state, &vec![0.0; n]);
+    let mut difference = vec![0.0; layout.len()];
+    for k in 0..n {
+        for coordinate in BallCoordinate::ALL {
+            let at = layout.ball(coordinate, k);
+            let value = match coordinate {
+                BallCoordinate::Spin => seen.spin_rad_s[k],
+                _ => state.values()[at],
+            };
+            difference[at] = value - rows[k][coordinate as usize];
+        }
+    }
+    for coordinate in RingCoordinate::ALL {
+        let at = layout.ring(coordinate);
+        difference[at] = state.values()[at] - rows[n][coordinate as usize];
+    }
+    RightHandSide::new(&model).error_norm(&difference)
 }
