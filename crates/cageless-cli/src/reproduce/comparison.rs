@@ -258,7 +258,7 @@ impl OrbitMeter {
 
 impl Observer for OrbitMeter {
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
-        let time_s = view.step.to_s;
+        let time_s = view.step.t1_s;
         if time_s >= self.after_s && (self.first.is_none() || time_s >= self.until_s) {
             let balls = view.layout().balls;
             let mean = (0..balls).map(|k| view.angle_after_rad(k)).sum::<f64>() / balls as f64;

@@ -45,7 +45,7 @@ impl Observer for WithoutContacts {
     }
 
     fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
-        let (from_s, to_s) = (view.step.from_s, view.step.to_s);
+        let (from_s, to_s) = (view.step.t0_s, view.step.t1_s);
         if view.contacts.balls_touch() {
             self.touched_s = to_s;
         }
