@@ -15,7 +15,8 @@ lane_struct! {
     }
 }
 
-/// Friction force along −ΔV under the normal force `normal_n`, N (Zhao 2022, Eq. (20), (21)).
+/// Friction force along −ΔV under the normal force `normal_n`, N (Zhao 2022, Eq. (20) and
+/// Eq. (21)).
 ///
 /// Smooth law: μ·tanh(ΔV/scale)·N. Coulomb's law: g·ΔV bounded by ±μN, the cone with the
 /// relaxed stick of [`crate::dynamics::Model`]; where the ball slides, μ·sign(ΔV)·N.

@@ -45,7 +45,7 @@ pub fn inner_deflection(distance_m: f64, ball: &Ball) -> f64 {
     ball.inner_contact_distance - distance_m
 }
 
-/// Normal force and friction of a ball at the inner raceway (Zhao 2022, Eq. (2), (16), (20));
+/// Normal force and friction of a ball at the inner raceway (Zhao 2022, Eq. (2));
 /// `polar` is the motion of the ball about the centre of the ring and relative to it.
 ///
 /// ΔVi is ωi·Ri − (Ωi·Ri + ω·Rw) with the relative spin ω in `paper`, Eq. (2), and the

@@ -87,8 +87,8 @@ pub fn outer_deflection(distance_m: f64, geometry: &OuterGeometry) -> f64 {
     distance_m - geometry.orbit_radius
 }
 
-/// Normal force and friction of a ball at the outer raceway (Zhao 2022, Eq. (1), (18), (19),
-/// (21), (22)).
+/// Normal force and friction of a ball at the outer raceway (Zhao 2022, Eq. (1), Eq. (19) and
+/// Eq. (22)).
 ///
 /// On a discrete raceway each of two points carries F′o = Fo·Rw/(2r), Eq. (19), and friction is
 /// 2μF′o = μ·Fo·Rw/r with arm r, Eq. (22); on the plain one r = Rw makes it μ·Fo, Eq. (21).

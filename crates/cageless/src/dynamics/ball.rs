@@ -118,7 +118,7 @@ lane_struct! {
 
 impl BallLoad {
     /// Acceleration of the centre, m(ẍ, ÿ) = Σ F, and of the spin, J·dωb/dt = Σ M
-    /// (Zhao 2022, Eq. (12), (13)).
+    /// (Zhao 2022, Eq. (12) and Eq. (13)).
     #[inline(always)]
     pub fn acceleration(&self, ball: &Ball) -> [f64; 3] {
         [

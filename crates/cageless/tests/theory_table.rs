@@ -1,0 +1,137 @@
+//! The table "Equation → code" of the theory pages and the sources say the same.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+fn crate_folder() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// Rows of the table: first cell, third cell.
+fn rows() -> Vec<(String, String)> {
+    let path = crate_folder().join("../../docs/theory/README.md");
+    let text = fs::read_to_string(path).unwrap();
+    let (_, table) = text.split_once("## Equation → code").unwrap();
+    let (table, _) = table.split_once("\n## ").unwrap();
+    table
+        .lines()
+        .filter(|line| line.starts_with("| ") && !line.starts_with("| equation"))
+        .map(|line| {
+            let cells: Vec<&str> = line.split('|').map(str::trim).collect();
+            (cells[1].to_owned(), cells[3].to_owned())
+        })
+        .collect()
+}
+
+/// The pairs of name and path in "`a`, `b` in `path`; `c` in `path`".
+fn names_and_paths(cell: &str) -> Vec<(String, String)> {
+    let mut pairs = vec![];
+    for group in cell.split(';') {
+        let quoted: Vec<&str> = group.split('`').skip(1).step_by(2).collect();
+        let (path, names) = quoted.split_last().unwrap();
+        assert!(group.contains("` in `"), "no path in {cell}");
+        pairs.extend(names.iter().map(|n| ((*n).to_owned(), (*path).to_owned())));
+    }
+    pairs
+}
+
+/// The source files at a path of the table: a file, or those of a folder and below.
+fn sources(path: &Path) -> Vec<PathBuf> {
+    if !path.is_dir() {
+        return vec![path.to_owned()];
+    }
+    let entries = fs::read_dir(path).unwrap();
+    entries.flat_map(|e| sources(&e.unwrap().path())).collect()
+}
+
+fn declares(text: &str, name: &str) -> bool {
+    let name = name.rsplit("::").next().unwrap();
+    let ends = |rest: &str| !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_');
+    ["fn", "struct", "enum", "const", "trait", "type"]
+        .iter()
+        .any(|kind| {
+            let declaration = format!("{kind} {name}");
+            text.match_indices(&declaration)
+                .any(|(at, _)| ends(&text[at + declaration.len()..]))
+        })
+}
+
+#[test]
+fn every_name_is_declared_where_the_table_says() {
+    let rows = rows();
+    assert!(rows.len() > 40, "{} rows", rows.len());
+    for (row, cell) in rows {
+        for (name, path) in names_and_paths(&cell) {
+            let files = sources(&crate_folder().join("src").join(&path));
+            let declared = files.iter().any(|file| {
+                let text = fs::read_to_string(file)
+                    .unwrap_or_else(|e| panic!("row {row}: src/{path}: {e}"));
+                declares(&text, &name)
+            });
+            assert!(declared, "row {row}: no `{name}` in src/{path}");
+        }
+    }
+}
+
+/// A function with its doc comment and its body up to the closing brace in its column.
+struct Function {
+    name: String,
+    doc: String,
+    body: String,
+}
+
+fn functions(text: &str) -> Vec<Function> {
+    let lines: Vec<&str> = text.lines().collect();
+    let mut found = vec![];
+    let mut doc = String::new();
+    for (k, line) in lines.iter().enumerate() {
+        let trimmed = line.trim_start();
+        if let Some(comment) = trimmed.strip_prefix("///") {
+            doc.push_str(comment);
+            continue;
+        }
+        if trimmed.starts_with('#') {
+            continue;
+        }
+        let before = trimmed.split('(').next().unwrap();
+        if let Some((qualifiers, name)) = before.split_once("fn ")
+            && (qualifiers.is_empty() || qualifiers.ends_with(' '))
+        {
+            let indent = &line[..line.len() - trimmed.len()];
+            let end = format!("{indent}}}");
+            let body = lines[k..].iter().take_while(|l| **l != end);
+            found.push(Function {
+                name: name.split('<').next().unwrap().to_owned(),
+                doc: doc.clone(),
+                body: body.copied().collect::<Vec<_>>().join("\n"),
+            });
+        }
+        doc.clear();
+    }
+    found
+}
+
+#[test]
+fn every_equation_names_itself_above_one_scalar_function() {
+    let rows = rows();
+    for n in 1..=22 {
+        let equation = format!("Eq. ({n})");
+        let (_, cell) = rows
+            .iter()
+            .find(|(row, _)| *row == equation)
+            .unwrap_or_else(|| panic!("no row for {equation}"));
+        let (name, path) = names_and_paths(cell).remove(0);
+        let name = name.rsplit("::").next().unwrap();
+        let text = fs::read_to_string(crate_folder().join("src").join(&path)).unwrap();
+        let function = functions(&text)
+            .into_iter()
+            .find(|f| f.name == name && f.doc.contains(&equation))
+            .unwrap_or_else(|| panic!("no `{name}` with {equation} above it in src/{path}"));
+        for word in ["lane", "LANES", "[l]"] {
+            assert!(
+                !function.body.contains(word),
+                "{equation}: {word} in {name}"
+            );
+        }
+    }
+}
