@@ -290,6 +290,20 @@ def step(name, path, said, ring, generator):
     below(f"{name}: the surface against the faces, mm", distances, 1e-4)
 
 
+def title(binary, case, out):
+    """A title that looks like the end of an entity is read as it was written."""
+    meant = "Ring ');  it's θ (a','b)"
+    export(binary, case, out, "--set", f"title={json.dumps(meant, ensure_ascii=False)}")
+    reader = STEPControl_Reader()
+    reader.ReadFile(str(out))
+    model = reader.StepModel()
+    entities = range(1, model.NbEntities() + 1)
+    check("title: no errors of syntax", not any(model.IsErrorEntity(k) for k in entities))
+    kinds = {k: model.Entity(k).DynamicType().Name() for k in entities}
+    names = [model.Entity(k).Id() for k, kind in kinds.items() if kind == "StepBasic_Product"]
+    check("title: read", [n and n.ToCString() for n in names] == [meant], str(names))
+
+
 def stl(name, path, said, ring, generator):
     mesh = trimesh.load(path)
     check(f"{name}: watertight", mesh.is_watertight)
@@ -387,6 +401,7 @@ def main():
     # As coarse and as fine as asked for.
     path = scratch / "two.toml"
     ring = Ring(tomllib.loads(path.read_text()), 0.3)
+    title(binary, path, scratch / "title.step")
     for tolerance in (1.0, 0.001):
         out = scratch / f"tolerance-{tolerance}.step"
         said = export(binary, path, out, "--blend-mm", 0.3, "--tolerance-um", tolerance)
