@@ -338,15 +338,10 @@ pub fn reproduce_page(data: &ReproduceData) -> String {
             "Left out by the model: {}.",
             rings.left_out.join(", ")
         ));
-        let searches: Vec<String> = rings
-            .search_commands
-            .iter()
-            .map(|command| format!("`{command}`"))
-            .collect();
         page.paragraph(&format!(
-            "To repeat the comparison: `{}`. The raceways found by search: {}.",
+            "To repeat the comparison: {}. The raceways found by search: {}.",
             rings.command,
-            searches.join(", ")
+            rings.search_commands.join(", ")
         ));
         page.figure(&comparison::comparison(rings));
         rings.tables().iter().for_each(|t| page.table(t));

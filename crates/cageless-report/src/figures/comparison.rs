@@ -12,18 +12,20 @@ type Quantity = fn(&ComparisonCell) -> Estimate;
 
 /// Panels from the top down.
 const ROWS: [(&str, Quantity); 6] = [
-    ("RMS (m/s²)", |c| c.rms_m_s2),
-    ("… at passing", |c| c.rms_at_passing_m_s2),
-    ("… between", |c| c.rms_between_m_s2),
-    ("… contacts cut out", |c| c.rms_without_contacts_m_s2),
-    ("SD of gaps (°)", |c| c.gap_deviation_deg),
-    ("Contacts (1/s)", |c| c.contacts_per_s),
+    ("RMS<br>(m/s²)", |c| c.rms_m_s2),
+    ("At passing<br>(m/s²)", |c| c.rms_at_passing_m_s2),
+    ("Between<br>(m/s²)", |c| c.rms_between_m_s2),
+    ("Contacts cut<br>out (m/s²)", |c| {
+        c.rms_without_contacts_m_s2
+    }),
+    ("SD of gaps<br>(°)", |c| c.gap_deviation_deg),
+    ("Contacts<br>(1/s)", |c| c.contacts_per_s),
 ];
 
 /// A panel per quantity and speed, grouped by lot, a bar per ring.
 pub fn comparison(comparison: &RingComparison) -> Figure {
     let speeds = comparison.speeds_rpm();
-    let across = panels(speeds.len(), 0.1);
+    let across = panels(speeds.len(), 0.16);
     let down = panels(ROWS.len(), 0.035);
     let mut plot = Plot::new(980)
         .at_least(640)
@@ -56,8 +58,8 @@ pub fn comparison(comparison: &RingComparison) -> Figure {
                 )
                 .axis(
                     &axis_name("y", panel),
-                    if column == 0 { title } else { "" },
-                    json!({ "anchor": x, "domain": [low, high], "rangemode": "tozero", "nticks": 5 }),
+                    title,
+                    json!({ "anchor": x, "domain": [low, high], "rangemode": "tozero", "nticks": 5, "title": { "font": { "size": 12 } } }),
                 );
             if row == 0 {
                 plot = plot.text(
