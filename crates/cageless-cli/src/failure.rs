@@ -68,7 +68,9 @@ impl From<EquilibriumError> for Failure {
     fn from(error: EquilibriumError) -> Self {
         match error {
             EquilibriumError::Input(error) => error.into(),
-            error @ EquilibriumError::NotConverged { .. } => Self::Unphysical(error.to_string()),
+            error @ (EquilibriumError::Unsupported | EquilibriumError::NotConverged { .. }) => {
+                Self::Unphysical(error.to_string())
+            }
         }
     }
 }

@@ -54,7 +54,9 @@ pub fn stopped(stop: &Stop) -> PyErr {
 pub fn of_start(error: &EquilibriumError) -> PyErr {
     match error {
         EquilibriumError::Input(error) => input(error),
-        EquilibriumError::NotConverged { .. } => UnphysicalError::new_err(error.to_string()),
+        EquilibriumError::Unsupported | EquilibriumError::NotConverged { .. } => {
+            UnphysicalError::new_err(error.to_string())
+        }
     }
 }
 

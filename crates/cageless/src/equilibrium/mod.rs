@@ -5,13 +5,18 @@
 //! forces of both raceways; friction is left out. The ring takes load, weight and the
 //! reactions.
 
+mod minimum;
+mod newton;
+mod potential;
+
 use crate::bearing::Bearing;
 use crate::case::{Case, Gaps, Profile};
 use crate::contact::hertz::{PointContact, STRESS_LIMIT_PA};
 use crate::error::InputError;
 use crate::kinematics::orbit_speed_of_rad_s;
-use crate::numerics::root;
 use crate::seat::{self, Seat};
+use newton::{BallProblem, BallSolution, Problem};
+use potential::{Potential, PotentialBall};
 
 /// Balls at rest in the turning frame, and the ring.
 #[derive(Debug, Clone, PartialEq)]
@@ -82,15 +87,21 @@ pub enum EquilibriumError {
     /// The case itself is wrong.
     #[error(transparent)]
     Input(#[from] InputError),
+    /// The balls at their angles leave a gap through which the ring falls.
+    #[error(
+        "no static equilibrium exists: the balls at their starting angles leave a gap through \
+         which the loaded ring falls; spread them (start.gaps)"
+    )]
+    Unsupported,
     /// No convergence.
     #[error(
         "no static equilibrium found: {residual_n:e} N of force are left on the ring after \
-         {iterations} iterations; the load may be too large for these contacts"
+         {iterations} steps down its potential energy"
     )]
     NotConverged {
         /// Force left on the ring.
         residual_n: f64,
-        /// Iterations made.
+        /// Steps made.
         iterations: usize,
     },
 }
@@ -117,93 +128,6 @@ pub fn start_angles_rad(case: &Case) -> Vec<f64> {
 pub fn seat(case: &Case, k: usize, angle_rad: f64) -> Seat {
     let radius = case.bearing.ball(k).radius_m;
     seat::seat(&case.bearing, &case.raceways, angle_rad, radius)
-}
-
-/// What one ball contributes.
-struct BallProblem {
-    angle: f64,
-    radius: f64,
-    seat: Seat,
-    inner_stiffness: f64,
-    outer_stiffness: f64,
-    /// Unit vector e.
-    e: [f64; 2],
-    /// Outward force that does not come from a contact, times |rb| where it is
-    /// centrifugal: push = steady + turning/|rb|.
-    steady: f64,
-    turning: f64,
-}
-
-struct Problem<'c> {
-    bearing: &'c Bearing,
-    balls: Vec<BallProblem>,
-    /// Load and weight on the ring, −Y.
-    down: f64,
-}
-
-/// Solution of one ball for a given ring.
-struct BallSolution {
-    distance: f64,
-    inner: f64,
-    outer: f64,
-    /// Direction from the ring's centre to the ball.
-    ei: [f64; 2],
-    /// d(inner)/d(approach of the ring).
-    stiffness: f64,
-}
-
-impl Problem<'_> {
-    fn ball(&self, ball: &BallProblem, ring: [f64; 2]) -> BallSolution {
-        let touching = ball.seat.touching_radius_m;
-        let reach = self.bearing.dimensions().inner_groove_bottom_radius_m + ball.radius;
-        let forces = |distance: f64| {
-            let offset = [
-                distance * ball.e[0] - ring[0],
-                distance * ball.e[1] - ring[1],
-            ];
-            let length = offset[0].hypot(offset[1]);
-            let ei = offset.map(|c| c / length);
-            let inner = ball.inner_stiffness * (reach - length).max(0.0).powf(1.5);
-            let outer = ball.outer_stiffness * (distance - touching).max(0.0).powf(1.5);
-            let cosine = ei[0] * ball.e[0] + ei[1] * ball.e[1];
-            let net = inner * cosine + ball.steady + ball.turning / distance - outer;
-            (net, inner, outer, ei, reach - length)
-        };
-        // Outward push falls with the distance; all the room there is brackets it.
-        let width = self.bearing.ball_radius_m() + self.bearing.radial_clearance_m();
-        let distance = root::brent(|d| forces(d).0, touching - width, touching + width, 0.0)
-            .unwrap_or(touching);
-        let (_, inner, outer, ei, approach) = forces(distance);
-        let slope = |k: f64, deflection: f64| 1.5 * k * deflection.max(0.0).sqrt();
-        let (ki, ko) = (
-            slope(ball.inner_stiffness, approach),
-            slope(ball.outer_stiffness, distance - touching),
-        );
-        let stiffness = if ki > 0.0 { ki * ko / (ki + ko) } else { 0.0 };
-        BallSolution {
-            distance,
-            inner,
-            outer,
-            ei,
-            stiffness,
-        }
-    }
-
-    /// Force left on the ring and its stiffness against displacement.
-    fn ring(&self, ring: [f64; 2]) -> ([f64; 2], [[f64; 2]; 2]) {
-        let mut force = [0.0, -self.down];
-        let mut stiffness = [[0.0; 2]; 2];
-        for ball in &self.balls {
-            let s = self.ball(ball, ring);
-            for a in 0..2 {
-                force[a] -= s.inner * s.ei[a];
-                for b in 0..2 {
-                    stiffness[a][b] += s.stiffness * s.ei[a] * s.ei[b];
-                }
-            }
-        }
-        (force, stiffness)
-    }
 }
 
 /// Solves the equilibrium of `case` with its balls at their starting angles.
@@ -251,7 +175,7 @@ pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
         balls,
         down: case.operation.radial_load_n + d.inner_ring_mass_kg * case.operation.gravity_m_s2,
     };
-    let ring = settle_ring(&problem, bearing)?;
+    let ring = settle_ring(&problem)?;
     let solutions: Vec<BallSolution> = problem
         .balls
         .iter()
@@ -307,73 +231,39 @@ pub fn outer_stress_pa(bearing: &Bearing, r_m: f64, force_n: f64) -> f64 {
     .peak_stress_pa(force_n / (2.0 * cosine))
 }
 
-/// Newton's method on the ring's centre with step halving.
-fn settle_ring(problem: &Problem<'_>, bearing: &Bearing) -> Result<[f64; 2], EquilibriumError> {
-    const ITERATIONS: usize = 200;
-    let scale = problem.down.max(1e-6);
-    let norm = |f: [f64; 2]| f[0].hypot(f[1]);
-    // Nothing pulls: the ring stays in the middle.
-    if norm(problem.ring([0.0; 2]).0) <= 1e-12 * scale {
+/// Where the ring's potential energy is least. Without any force on it it stays in the middle.
+fn settle_ring(problem: &Problem<'_>) -> Result<[f64; 2], EquilibriumError> {
+    if problem.at_rest_in_the_middle() {
         return Ok([0.0; 2]);
     }
-    // Deep enough for contact below; the Hertz law is convex from there.
-    let first = &problem.balls[0];
-    let series = (first.inner_stiffness.powf(-2.0 / 3.0) + first.outer_stiffness.powf(-2.0 / 3.0))
-        * (4.37 * problem.down / problem.balls.len() as f64).powf(2.0 / 3.0);
-    // Balls thrown against the outer raceway leave the ring that much more room.
-    let thrown = problem
-        .balls
-        .iter()
-        .map(|b| {
-            let push = b.steady + b.turning / bearing.touching_radius_m();
-            (push.max(0.0) / b.outer_stiffness).powf(2.0 / 3.0)
-        })
-        .fold(0.0, f64::max);
-    let mut ring = [0.0, -(bearing.radial_clearance_m() + thrown + series)];
-    let (mut force, mut stiffness) = problem.ring(ring);
-    for _ in 0..ITERATIONS {
-        if norm(force) <= 1e-12 * scale {
-            return Ok(ring);
-        }
-        // Where few balls carry, the ring is free sideways; a little stiffness keeps
-        // the step finite.
-        let soft = 1e-9 * (stiffness[0][0] + stiffness[1][1]).max(1.0);
-        let (a, b, d) = (
-            stiffness[0][0] + soft,
-            stiffness[0][1],
-            stiffness[1][1] + soft,
-        );
-        let determinant = a * d - b * b;
-        let mut step = [
-            (d * force[0] - b * force[1]) / determinant,
-            (a * force[1] - b * force[0]) / determinant,
-        ];
-        let most = 0.05 * bearing.ball_radius_m();
-        let length = norm(step);
-        if length > most {
-            step = step.map(|s| s * most / length);
-        }
-        let mut accepted = false;
-        for _ in 0..40 {
-            let trial = [ring[0] + step[0], ring[1] + step[1]];
-            let (f, k) = problem.ring(trial);
-            if norm(f) < norm(force) {
-                (ring, force, stiffness) = (trial, f, k);
-                accepted = true;
-                break;
-            }
-            step = step.map(|s| s / 2.0);
-        }
-        if !accepted {
-            break;
-        }
-    }
-    // Rounding of 1e-18 m in a deflection is this much force.
-    if norm(force) <= 1e-7 * scale {
-        return Ok(ring);
-    }
-    Err(EquilibriumError::NotConverged {
-        residual_n: norm(force),
-        iterations: ITERATIONS,
-    })
+    let bearing = problem.bearing;
+    let potential = Potential {
+        balls: problem
+            .balls
+            .iter()
+            .map(|ball| PotentialBall {
+                e: ball.e,
+                touching: ball.seat.touching_radius_m,
+                slack: bearing.dimensions().inner_groove_bottom_radius_m + ball.radius
+                    - ball.seat.touching_radius_m,
+                inner_stiffness: ball.inner_stiffness,
+                outer_stiffness: ball.outer_stiffness,
+                steady: ball.steady,
+                turning: ball.turning,
+                deepest: bearing.ball_radius_m(),
+            })
+            .collect(),
+        down: problem.down,
+    };
+    let depth = problem.contact_depth_m();
+    let lowest = minimum::lowest_minimum(&potential, depth, 0.05 * bearing.ball_radius_m())?;
+    let [x, y] = lowest.ring;
+    // A ring that several balls hold comes to the same place by Newton's method on the forces,
+    // whose last bits are those of all earlier results.
+    let same = |ring: &[f64; 2]| (ring[0] - x).hypot(ring[1] - y) <= SAME_PLACE * x.hypot(y);
+    let polished = lowest.held().then(|| problem.newton_from_below(depth));
+    Ok(polished.flatten().filter(same).unwrap_or(lowest.ring))
 }
+
+/// Distance of two places of the ring that differ by rounding, as a share of the displacement.
+const SAME_PLACE: f64 = 1e-9;
