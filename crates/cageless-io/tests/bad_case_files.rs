@@ -81,6 +81,7 @@ const EDITS: &[Row] = &[
     ("inner_speed_rpm = 12000.0", "inner_speed_rpm = inf", "operation.inner_speed_rpm", &["= inf", "a finite number of rpm"]),
     ("youngs_modulus_gpa = 206.0", "youngs_modulus_gpa = 1e305", "material.youngs_modulus_gpa", &["= 1e305", "a finite number of GPa"]),
     ("youngs_modulus_gpa = 206.0", "youngs_modulus_gpa = -206.0", "material.youngs_modulus_gpa", &["= -206.0", "more than 0 GPa"]),
+    ("youngs_modulus_gpa = 206.0", "youngs_modulus_gpa = 5e-324", "material.youngs_modulus_gpa", &["= 5e-324", "of the size of a solid's"]),
     ("inner_speed_rpm = 12000.0", "inner_speed_rpm = 0.0", "operation.inner_speed_rpm", &["more than 0 rpm"]),
     ("radial_load_n = 1500.0", "radial_load_n = -1500.0", "operation.radial_load_n", &["at least 0 N"]),
     ("inner_ring_mass_kg = 0.2", "inner_ring_mass_kg = 0.0", "bearing.inner_ring_mass_kg", &["more than 0 kg"]),
@@ -127,6 +128,8 @@ const EDITS: &[Row] = &[
     ("balls = 14", "balls = 14\nball_radius_deviation_um = [0, 0, 0, 0, 50, 0, 0, 0, 0, 0, 0, 0, 0, 0]", "bearing.ball_radius_deviation_um", &["47.625 um", "1 % of the ball radius"]),
     ("balls = 14", "balls = 14\nball_radius_deviation_um = [0, 0]", "bearing.ball_radius_deviation_um", &["a list of 14 numbers"]),
     ("balls = 14", "balls = 14\nball_radius_deviation_um = 0", "bearing.ball_radius_deviation_um", &["a list of numbers"]),
+    ("outer_groove_curvature_radius_mm = 4.953", "outer_groove_curvature_radius_mm = 4.81\nball_radius_deviation_um = [40, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]", "bearing.ball_radius_deviation_um", &["less than", "um", "both flanks of the raceway"]),
+    ("inner_groove_curvature_radius_mm = 4.953", "inner_groove_curvature_radius_mm = 4.78\nball_radius_deviation_um = [0, 20, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]", "bearing.ball_radius_deviation_um", &["less than 17.5", "curvature radius of the grooves"]),
     // What no contact bears, and no step resolves.
     ("radial_load_n = 1500.0", "radial_load_n = 1e6", "operation.radial_load_n", &["= 1e6 ", "at most 285152 N", "elastic contact"]),
     ("inner_speed_rpm = 12000.0", "inner_speed_rpm = 1e6", "operation.inner_speed_rpm", &["= 1e6 ", "at most 850425 rpm", "elastic contact"]),

@@ -206,6 +206,21 @@ impl Bearing {
         let inner_contact = PointContact::new([ball, ball], inner, &material);
         let outer_contact = PointContact::new([ball, ball], outer, &material);
         let ball_contact = PointContact::new([ball, ball], [ball, ball], &material);
+        let elastic = |c: &PointContact| {
+            let stress = c.peak_stress_pa(1.0);
+            c.stiffness_n_m1_5.is_normal() && stress.is_normal()
+        };
+        if ![&inner_contact, &outer_contact, &ball_contact]
+            .into_iter()
+            .all(elastic)
+        {
+            return Err(InputError::rule(
+                "youngs_modulus_pa",
+                material.youngs_modulus_pa,
+                "of the size of a solid's: the stiffness of the contacts is not a number that \
+                 can be computed with",
+            ));
+        }
         Ok(Self {
             dimensions,
             material,
@@ -240,6 +255,23 @@ impl Bearing {
                 FIELD,
                 wrong,
                 Allowed::Between(-most, most, "1 % of the ball radius"),
+            ));
+        }
+        let d = &self.dimensions;
+        let groove = d
+            .inner_groove_curvature_radius_m
+            .min(d.outer_groove_curvature_radius_m);
+        if let Some(&wrong) = deviations_m
+            .iter()
+            .find(|v| d.ball_radius_m + **v >= groove)
+        {
+            return Err(InputError::new(
+                FIELD,
+                wrong,
+                Allowed::Below(
+                    groove - d.ball_radius_m,
+                    "the ball must be smaller than the curvature radius of the grooves",
+                ),
             ));
         }
         let equal = deviations_m.iter().all(|d| *d == 0.0);

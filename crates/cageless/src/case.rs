@@ -234,6 +234,7 @@ impl Case {
             raceway.fits(&self.bearing)?;
         }
         crate::raceway::apart(&self.raceways)?;
+        crate::seat::check(&self.bearing, &self.raceways)?;
         self.check_elastic()?;
         self.check_start()?;
         positive("step_s", self.solver.step_s)?;

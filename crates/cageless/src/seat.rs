@@ -13,6 +13,7 @@
 //! normals of its flanks has flanks of radius Re + e about the same Oe.
 
 use crate::bearing::Bearing;
+use crate::error::{Allowed, InputError};
 use crate::raceway::Raceway;
 
 /// Place of a ball's centre when it just touches the outer ring, and its arm there.
@@ -42,11 +43,72 @@ pub fn seat(bearing: &Bearing, raceways: &[Raceway], angle_rad: f64, ball_radius
         };
     }
     let cosine = nominal / d.ball_radius_m;
-    let re = d.outer_groove_curvature_radius_m;
-    let (own, other) = (re + error - ball_radius_m, re - d.ball_radius_m);
-    let h = (own * own - other * other * (1.0 - cosine * cosine)).sqrt();
+    let [own, other, square] = above_flanks(bearing, cosine, error, ball_radius_m);
+    let h = square.sqrt();
     Seat {
         touching_radius_m: bearing.touching_radius_m() + h - other * cosine,
         effective_radius_m: ball_radius_m * h / own,
     }
+}
+
+/// Re + e − R, Re − Rw and h², which is negative where the ball touches no flank.
+fn above_flanks(bearing: &Bearing, cosine: f64, error_m: f64, ball_radius_m: f64) -> [f64; 3] {
+    let d = bearing.dimensions();
+    let re = d.outer_groove_curvature_radius_m;
+    let (own, other) = (re + error_m - ball_radius_m, re - d.ball_radius_m);
+    [
+        own,
+        other,
+        own * own - other * other * (1.0 - cosine * cosine),
+    ]
+}
+
+/// Angles at which [`check`] tries the seat, from the middle of a raceway to its end.
+const TRIED: u32 = 32;
+
+/// Checks that every ball touches both flanks of every raceway, all along it.
+///
+/// # Errors
+/// An [`InputError`] naming the deviation of the ball that does not, or the depth error.
+pub fn check(bearing: &Bearing, raceways: &[Raceway]) -> Result<(), InputError> {
+    let rw = bearing.ball_radius_m();
+    let largest = bearing
+        .ball_radius_deviations_m()
+        .iter()
+        .fold(0.0, |most: f64, d| most.max(*d));
+    for raceway in raceways {
+        let middle = raceway.dimensions().centre_angle_rad;
+        for k in 0..TRIED {
+            let angle = middle + raceway.half_angle_rad() * f64::from(k) / f64::from(TRIED);
+            let cosine = raceway.effective_radius_m(angle) / rw;
+            let error = raceway.depth_error_at_m(angle);
+            let [own, _, square] = above_flanks(bearing, cosine, error, rw + largest);
+            if own > 0.0 && square > 0.0 {
+                continue;
+            }
+            let room = bearing.dimensions().outer_groove_curvature_radius_m - rw;
+            // own = (Re − Rw) sin α is where the two flanks meet.
+            let most = room + error - room * (1.0 - cosine * cosine).sqrt();
+            return Err(if largest > 0.0 {
+                InputError::new(
+                    "ball_radius_deviation_m",
+                    largest,
+                    Allowed::Below(
+                        most,
+                        "a larger ball does not reach down to both flanks of the raceway",
+                    ),
+                )
+            } else {
+                InputError::new(
+                    "depth_error_m",
+                    raceway.depth_error_m(),
+                    Allowed::Above(
+                        raceway.depth_error_m() - most,
+                        "the balls do not reach down to both flanks of the raceway",
+                    ),
+                )
+            });
+        }
+    }
+    Ok(())
 }

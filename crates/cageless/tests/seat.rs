@@ -2,7 +2,8 @@
 
 mod common;
 
-use cageless::seat::{Seat, seat};
+use cageless::error::Allowed;
+use cageless::seat::{Seat, check, seat};
 use cageless::{Bearing, Raceway};
 use common::{dimensions, raceway, steel};
 
@@ -36,6 +37,35 @@ fn the_ball_touches_both_flanks() {
             assert!((effective_radius_m - arm).abs() < 1e-12);
         }
     }
+}
+
+/// A ball too large for the raceway is refused before its seat is no number.
+#[test]
+fn a_ball_that_reaches_no_flank_is_refused() {
+    let mut d = dimensions();
+    d.outer_groove_curvature_radius_m = 4.81e-3;
+    let bearing = Bearing::new(d, steel()).unwrap();
+    let raceways = [raceway(&bearing, 5.1, 25.2, 0.0)];
+    let with = |deviation_m: f64| {
+        let mut deviations = vec![0.0; 14];
+        deviations[3] = deviation_m;
+        let bearing = bearing.clone().with_ball_radius_deviations(deviations);
+        check(&bearing.unwrap(), &raceways)
+    };
+    assert_eq!(with(0.0), Ok(()));
+    let error = with(40e-6).unwrap_err();
+    assert_eq!(error.field, "ball_radius_deviation_m");
+    let Allowed::Below(most, _) = error.allowed else {
+        panic!("{error}")
+    };
+    // What is allowed has a seat, what is not has none.
+    assert_eq!(with(0.999 * most), Ok(()));
+    let sits = |deviation_m: f64| {
+        let radius = bearing.ball_radius_m() + deviation_m;
+        let s = seat(&bearing, &raceways, 0.0, radius);
+        s.touching_radius_m.is_finite()
+    };
+    assert!(sits(0.999 * most) && !sits(1.001 * most));
 }
 
 /// In the middle, too deep by e is what a ball smaller by e sees, but for its arm.
