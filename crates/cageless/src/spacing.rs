@@ -120,7 +120,8 @@ pub struct PairTest {
     /// would have if all were equal; 1 keeps them equal (as do three balls, which have no
     /// others).
     pub neighbours_wider: f64,
-    /// Where the ring starts; at its static equilibrium if `None`.
+    /// Where the ring starts, balls on Rm; at its static equilibrium if `None`, with clearance
+    /// together with the balls.
     pub ring_y_m: Option<f64>,
     /// Error of the starting gap.
     pub tolerance_rad: f64,
@@ -229,6 +230,30 @@ impl Observer for PairWatch {
     }
 }
 
+/// Start of a passage. Without clearance the balls start on Rm and the ring where it settles:
+/// nothing is pressed in further than by the deflection. With clearance balls on Rm would be
+/// pressed into a settled ring by half of it, so they start settled, too.
+fn pair_start(
+    case: &Case,
+    test: &PairTest,
+    ring_y_m: f64,
+    gaps: Gaps,
+    lead_ball_angle_rad: f64,
+) -> Start {
+    if test.ring_y_m.is_none() && case.bearing.radial_clearance_m() > 0.0 {
+        return Start::Settled {
+            gaps,
+            lead_ball_angle_rad,
+        };
+    }
+    Start::Rolling {
+        gaps,
+        lead_ball_angle_rad,
+        ring_x_m: 0.0,
+        ring_y_m,
+    }
+}
+
 /// One passage of the pair with gap `start_gap` at the start; `control` is called with the share
 /// of the passage that is done.
 fn pass(
@@ -261,12 +286,7 @@ fn pass(
         .trailing_start_rad
         .min(-(half_angle + bearing.ball_angle_rad() + start_gap) - 5f64.to_radians());
     let mut case = Case {
-        start: Start::Rolling {
-            gaps: Gaps::List(gaps),
-            lead_ball_angle_rad: centre + trailing,
-            ring_x_m: 0.0,
-            ring_y_m: ring_y,
-        },
+        start: pair_start(case, test, ring_y, Gaps::List(gaps), centre + trailing),
         ..case.clone()
     };
     if case.contact.friction_law == FrictionLaw::Coulomb {
