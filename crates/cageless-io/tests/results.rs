@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fs::File;
 use std::path::Path;
 
+use cageless::simulation::{Control, run};
 use cageless::{Collision, RingSnapshot, Snapshot};
 use cageless_io::case_file::{CaseFile, template};
 use cageless_io::results::{
@@ -458,4 +459,29 @@ fn a_file_is_replaced_as_a_whole() {
         let mode = |p: &Path| std::fs::metadata(p).unwrap().permissions().mode();
         assert_eq!(mode(&path), mode(&plain), "as readable as any other file");
     }
+}
+
+/// Creep of the relaxed stick beyond that of the smooth law, with the step that ends it.
+#[test]
+fn coulomb_friction_far_from_its_limit_is_warned_of() {
+    let warnings = |step_us: &str| {
+        let overrides = [
+            "contact.friction_law=coulomb",
+            "contact.friction_coefficient=0.3",
+            "solver.duration_s=0.0002",
+            &format!("solver.step_us={step_us}"),
+        ]
+        .map(str::to_owned);
+        let file = CaseFile::parse(&template(false), "case.toml", &overrides).unwrap();
+        let outcome = run(file.case(), &mut [], &mut |_| Control::Continue).unwrap();
+        let found = SummaryFile::new(&file, &outcome, None, 0.0).warnings;
+        found.into_iter().find(|w| w.contains("Coulomb"))
+    };
+    let warning = warnings("auto").expect("a warning");
+    assert!(warning.contains("creep by up to 1."), "{warning}");
+    assert!(
+        warning.contains("solver.step_us to 0.03 or less"),
+        "{warning}"
+    );
+    assert_eq!(warnings("0.03"), None);
 }

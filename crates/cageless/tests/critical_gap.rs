@@ -3,6 +3,7 @@
 mod common;
 
 use cageless::Case;
+use cageless::simulation::Control;
 use cageless::spacing::{PairTest, critical_gap_rad};
 use common::{conventional, dimensions, raceway};
 
@@ -19,7 +20,11 @@ fn with_clearance(clearance_m: f64) -> Case {
 #[test]
 fn clearance_does_not_press_the_balls_into_the_ring() {
     let gap = |clearance_m: f64| {
-        let found = critical_gap_rad(&with_clearance(clearance_m), &PairTest::default());
+        let found = critical_gap_rad(
+            &with_clearance(clearance_m),
+            &PairTest::default(),
+            &mut |_| Control::Continue,
+        );
         found.map(f64::to_degrees)
     };
     let without = gap(0.0).unwrap();

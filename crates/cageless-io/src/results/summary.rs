@@ -192,6 +192,24 @@ fn warnings(case: &Case) -> Vec<String> {
             resolved * 1e6
         ));
     }
+    let limits = StepLimits::of(case);
+    let (creep, knee) = (
+        limits.creep_m_s2 * case.solver.step_s,
+        case.contact.slip_scale_m_s,
+    );
+    if creep > knee {
+        // One digit, down: what is said to be enough is enough.
+        let enough_us = 1e6 * knee / limits.creep_m_s2;
+        let power = enough_us.log10().floor();
+        let digit = (enough_us / 10f64.powf(power)).floor();
+        let enough_us = format!("{digit}e{power}").parse().unwrap_or(enough_us);
+        warnings.push(format!(
+            "Coulomb friction is far from its limit at this step: contacts that should roll creep \
+             by up to {creep:.2} m/s, in proportion to the step, where the smooth law would by \
+             {knee} m/s; slip and friction losses are too large. Set solver.step_us to {enough_us} or less, \
+             or contact.friction_law = \"smooth\""
+        ));
+    }
     let undamped = case.contact.damping_n_s_m1_5 == 0.0;
     if method == Method::Abm4 && undamped && case.solver.step_s > UNDAMPED_STEP_S {
         warnings.push(

@@ -13,4 +13,5 @@ pub mod state;
 pub use crate::simd::InstructionSet;
 pub use contacts::Contacts;
 pub use model::Model;
+pub(crate) use model::STICK_FRACTION;
 pub use right_hand_side::RightHandSide;

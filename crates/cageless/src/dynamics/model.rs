@@ -57,7 +57,7 @@ pub struct Model {
 /// is μ·sign(ΔV)·N exactly. Both raceway contacts of a ball together relax at up
 /// to 10/7 of it, inside the stability interval of ABM4 (1.25); contacts between balls,
 /// which would add to it, always slide.
-const STICK_FRACTION: f64 = 0.4;
+pub(crate) const STICK_FRACTION: f64 = 0.4;
 
 impl Model {
     /// Derives the constants.

@@ -14,6 +14,9 @@ use crate::integrator::StepState;
 /// beyond which it would be lost, even for a ball that is thrown.
 const RECENT_RAD: f64 = 0.3;
 
+/// Flows of less than this share of the energy at the start are rounding: nothing flows.
+const ROUNDING_FRACTION: f64 = 1e-6;
+
 /// Follows one bearing through the steps, which it may share with others.
 pub(super) struct Course<'s, 'm, 'o> {
     pub scene: Scene<'m>,
@@ -146,6 +149,7 @@ impl<'s, 'm, 'o> Course<'s, 'm, 'o> {
     pub fn outcome(self) -> RunOutcome {
         let model = self.scene.model;
         let (residual, flows) = model.energy_residual_j(self.guard.start_energy_j(), &self.last);
+        let turned_over = flows.max(ROUNDING_FRACTION * self.guard.start_energy_j());
         RunOutcome {
             ending: self.ending.unwrap_or(Ending::Interrupted),
             end_s: self.end_s,
@@ -154,7 +158,11 @@ impl<'s, 'm, 'o> Course<'s, 'm, 'o> {
             end_energy_j: model.energy_j(&self.last),
             state: self.last,
             start_energy_j: self.guard.start_energy_j(),
-            energy_residual_relative: if flows > 0.0 { residual / flows } else { 0.0 },
+            energy_residual_relative: if turned_over > 0.0 {
+                residual / turned_over
+            } else {
+                0.0
+            },
             instruction_set: self.instruction_set,
         }
     }

@@ -41,7 +41,8 @@ pub struct RunOutcome {
     pub start_energy_j: f64,
     /// Kinetic and elastic energy at the end.
     pub end_energy_j: f64,
-    /// Energy now − energy at the start − net work, over the sum of absolute flows.
+    /// Energy now − energy at the start − net work, over the sum of absolute flows, at least
+    /// 1e-6 of the energy at the start.
     pub energy_residual_relative: f64,
     /// Instructions used.
     pub instruction_set: InstructionSet,
