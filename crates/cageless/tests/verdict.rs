@@ -10,7 +10,7 @@ use cageless::design::{
 use cageless::raceway::RacewayDimensions;
 use cageless::simulation::Control;
 use cageless::spacing::{CriticalGapError, PairTest, critical_gap_rad};
-use cageless::{Bearing, BearingDimensions, Case, Raceway};
+use cageless::{BearingDimensions, Case, Raceway};
 use common::*;
 
 fn go_on(_: f64) -> Control {
@@ -108,7 +108,8 @@ fn what_is_recommended_passes_its_own_verdict() {
     assert!(headline.contains("missed by"), "{headline}");
 }
 
-/// A pair that touches in a deep raceway is hardly pressed together, which is no root.
+/// A raceway so deep that any gap closes has no critical gap, however near the last gap that is
+/// tried comes to the largest.
 #[test]
 fn a_critical_gap_in_the_map_is_no_smaller_than_those_beside_it() {
     let case = full_6008(5.1, 25.2);

@@ -133,7 +133,8 @@ pub fn try_rise<E>(
         }
         let (left, right) = (below.unwrap_or(low), above.map_or(high, |(x, _)| x));
         let near = value.abs() <= slope * tolerance && (value > 0.0 || led);
-        if near || right - left <= tolerance {
+        // Where nothing was above zero yet, the high end is no bound before it is evaluated.
+        if near || above.is_some() && right - left <= tolerance {
             return Ok(Rise::At(x));
         }
         let newton = x - value / slope;
@@ -204,6 +205,16 @@ mod tests {
             };
             assert!((found - root).abs() < 3e-5, "{found} {root}");
         }
+    }
+
+    /// Steps upwards that end just short of the high end, with nothing above zero before it.
+    #[test]
+    fn the_high_end_is_evaluated_before_it_bounds_the_root() {
+        let (high, tolerance) = (1.0, 1e-3);
+        // The steps are 0.004, 0.008, and so on: the fifth ends 0.4 tolerances short of the end.
+        let guess = 1.0 - 0.4e-3 - 0.002 * (2.0 + 4.0 + 8.0 + 16.0 + 32.0);
+        let rise = try_rise(|_| Ok::<_, ()>(-0.5), guess, [0.0, high], tolerance);
+        assert_eq!(rise, Ok(Rise::Above));
     }
 
     #[test]
