@@ -262,6 +262,20 @@ def page(browser, name, path, screens):
     wide = tab.js("document.documentElement.scrollWidth - document.documentElement.clientWidth")
     check(f"{name}: nothing sticks out to the right", wide <= 0, wide)
 
+    # A window of 1400 pixels, of which the page takes 1100. The Pareto front of a search has
+    # more columns than fit.
+    tab.call(
+        "Emulation.setDeviceMetricsOverride", width=1400, height=900, deviceScaleFactor=1, mobile=False
+    )
+    cut = tab.js(
+        "[...document.querySelectorAll('.tab')].filter((f) => { const s = f.querySelector('.scroll');"
+        " return s.scrollWidth > s.clientWidth; }).map((f) => f.id)"
+    )
+    cut = [table for table in cut if not table.startswith("pareto-front")]
+    check(f"{name}: no table is cut at 1400 pixels", not cut, cut)
+    ticks = tab.js("document.querySelector('main').innerText.includes('`')")
+    check(f"{name}: no backticks", not ticks)
+
     urls = [e["request"]["url"] for e in tab.happened("Network.requestWillBeSent")]
     loaded = [u for u in urls if not u.startswith(("file:", "data:", "blob:"))]
     check(f"{name}: loads nothing", not loaded, loaded)

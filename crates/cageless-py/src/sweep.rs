@@ -42,13 +42,9 @@ impl Sweep {
     /// Takes the text of a plan made of values, of whose lines its user knows nothing.
     #[staticmethod]
     fn of_values(py: Python<'_>, text: &str) -> PyResult<Self> {
-        let plan = PlanFile::parse(text, "plan", Path::new(".")).map_err(|e| of_values(&e))?;
-        let sweep = py.detach(|| cageless_sweep::Sweep::new(plan));
-        match sweep {
-            Ok(sweep) => Ok(Self { sweep }),
-            Err(SweepError::Plan(error)) => Err(of_values(&error)),
-            Err(error) => Err(of_sweep(&error)),
-        }
+        // Without a name, messages have no place.
+        let plan = PlanFile::parse(text, "", Path::new(".")).map_err(|e| of_file(&e))?;
+        Self::checked(py, plan)
     }
 
     /// Number of variants.

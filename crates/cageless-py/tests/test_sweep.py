@@ -154,7 +154,8 @@ def test_a_plan_of_keywords_has_no_lines() -> None:
     case = cageless.Case.from_toml(cageless.template())
     wrong: list[tuple[dict[str, list[object]], str]] = [
         ({"operation.radial_load": [1.0]}, "operation.radial_load is not a key of [operation]"),
-        ({"raceway.half_angle_deg": ["a"]}, "raceway.half_angle_deg"),
+        ({"raceway.half_angle_deg": ["a"]}, "none of the 1 variants is a possible case. The first: "
+         "raceway.half_angle_deg = \"a\" is not possible"),
     ]
     for axis, said in wrong:
         with pytest.raises(cageless.InputError) as error:

@@ -21,8 +21,11 @@ pub(crate) fn some_are_possible(variants: &Variants) -> Result<(), SweepError> {
     match variants.variant(0).1 {
         Ok(_) => Ok(()),
         Err(first) => Err(SweepError::Input(format!(
-            "{}: {} variants is a possible case. The first: {first}",
-            variants.plan().name,
+            "{}{} variants is a possible case. The first: {first}",
+            match variants.plan().name.as_str() {
+                "" => String::new(),
+                name => format!("{name}: "),
+            },
             match probes {
                 probes if probes == count => format!("none of the {count}"),
                 probes => format!("none of {probes} variants spread over the {count}"),

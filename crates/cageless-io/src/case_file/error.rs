@@ -3,13 +3,22 @@
 /// What is wrong with a case file: where, which key, the value given and what is
 /// allowed, in the unit of the file.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{place}: {message}")]
+#[error("{}{message}", before(.place))]
 pub struct CaseError {
-    /// `file:line`, `file` or the text of the `--set` at fault.
+    /// `file:line`, `file` or the text of the `--set` at fault; empty for a text that its user
+    /// has not written and whose lines say nothing.
     place: String,
     line: Option<usize>,
     key: Option<String>,
     message: String,
+}
+
+fn before(place: &str) -> String {
+    if place.is_empty() {
+        String::new()
+    } else {
+        format!("{place}: ")
+    }
 }
 
 impl CaseError {
@@ -23,8 +32,15 @@ impl CaseError {
         }
     }
 
-    /// An error on a line of the file, which counts from 1.
+    /// An error on a line of the file, which counts from 1. Without a name, there is no file
+    /// and no line.
     pub(crate) fn on_line(name: &str, line: usize, key: Option<String>, message: String) -> Self {
+        if name.is_empty() {
+            return Self {
+                key,
+                ..Self::of_file(name, message)
+            };
+        }
         Self {
             place: format!("{name}:{line}"),
             line: Some(line),
