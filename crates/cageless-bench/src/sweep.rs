@@ -15,7 +15,7 @@ use cageless::simulation::{Control, Observer, batches, run_batch};
 use cageless::summary::SummaryRecorder;
 use cageless_io::case_file::template;
 use cageless_io::plan_file::PlanFile;
-use cageless_sweep::{Job, Sweep};
+use cageless_study::sweep::{Job, Sweep};
 use clap::Args;
 use rayon::prelude::*;
 
@@ -103,7 +103,7 @@ fn compute(sweep: &Sweep, folder: &Path, options: &Options) -> Result<()> {
         shard: None,
         threads: options.threads,
     };
-    let done = cageless_sweep::run(sweep, &job, |_| false)?;
+    let done = cageless_study::sweep::run(sweep, &job, |_| false)?;
     ensure!(done.complete, "the sweep is not complete");
     Ok(std::fs::remove_file(&job.result)?)
 }

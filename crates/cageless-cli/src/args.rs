@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use cageless::tolerance::BALL_GRADES;
 use cageless_io::cad::Format;
 use cageless_study::THREADS_MAX;
-use cageless_sweep::Shard;
+use cageless_study::sweep::Shard;
 use clap::{Args as Group, Parser, Subcommand, ValueEnum};
 
 /// Simulate and design cageless ball bearings with a discrete raceway.

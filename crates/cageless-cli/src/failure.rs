@@ -10,7 +10,7 @@ use cageless_io::case_file::CaseError;
 use cageless_io::in_words;
 use cageless_io::results::ResultError;
 use cageless_study::StudyError;
-use cageless_sweep::SweepError;
+use cageless_study::sweep::SweepError;
 
 /// A failed command.
 #[derive(Debug)]

@@ -10,7 +10,7 @@ use cageless_io::cad::ExportError;
 use cageless_io::case_file::CaseError;
 use cageless_io::results::{ResultError, is_unusable};
 use cageless_study::StudyError;
-use cageless_sweep::SweepError;
+use cageless_study::sweep::SweepError;
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use cageless_report::figures::sweep;
 use cageless_report::{SweepData, SweepOutput, sweep_page, to_json};
-use cageless_sweep::Aim;
-use cageless_sweep::analysis::Goal;
+use cageless_study::sweep::Aim;
+use cageless_study::sweep::analysis::Goal;
 use pyo3::prelude::*;
 
 use crate::errors::{input, of_sweep, other};
@@ -27,7 +27,7 @@ pub fn analyse(
     let goal = |aim| move |column| Goal { column, aim };
     let low = low.into_iter().map(goal(Aim::Low));
     let goals: Vec<Goal> = low.chain(high.into_iter().map(goal(Aim::High))).collect();
-    let data = py.detach(|| cageless_sweep::analysis::analyse(&path, &goals));
+    let data = py.detach(|| cageless_study::sweep::analysis::analyse(&path, &goals));
     let data = data.map_err(|e| of_sweep(&e))?;
     Ok(Report { data })
 }

@@ -5,7 +5,7 @@ use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use cageless_io::plan_file::PlanFile;
-use cageless_sweep::{Job, Shard, SweepError, write_part};
+use cageless_study::sweep::{Job, Shard, SweepError, write_part};
 use pyo3::prelude::*;
 
 use crate::attend::count;
@@ -16,7 +16,7 @@ use crate::signals::Signals;
 /// A plan that can be computed.
 #[pyclass(frozen, module = "cageless._cageless")]
 pub struct Sweep {
-    sweep: cageless_sweep::Sweep,
+    sweep: cageless_study::sweep::Sweep,
 }
 
 /// How often a caller hears of the progress.
@@ -92,7 +92,7 @@ impl Sweep {
         let signals = Signals::new();
         let (mut told, mut failed) = (Instant::now(), None);
         let done = py.detach(|| {
-            cageless_sweep::run(&self.sweep, &job, |now| {
+            cageless_study::sweep::run(&self.sweep, &job, |now| {
                 let due = told.elapsed() >= TELL_EVERY || now.done == now.total;
                 if let Some(progress) = progress.as_ref().filter(|_| due) {
                     told = Instant::now();
@@ -111,7 +111,8 @@ impl Sweep {
 
     /// Opens a result for others to compute.
     fn collect(&self, py: Python<'_>, result: PathBuf) -> PyResult<Collection> {
-        let opened = py.detach(|| cageless_sweep::Collection::open(&self.sweep, &result, None));
+        let opened =
+            py.detach(|| cageless_study::sweep::Collection::open(&self.sweep, &result, None));
         let opened = opened.map_err(|e| of_sweep(&e))?;
         Ok(Collection {
             open: Mutex::new(Some(opened)),
@@ -131,14 +132,14 @@ impl Sweep {
 /// A result in the making, locked against others.
 #[pyclass(frozen, module = "cageless._cageless")]
 pub struct Collection {
-    open: Mutex<Option<cageless_sweep::Collection>>,
+    open: Mutex<Option<cageless_study::sweep::Collection>>,
 }
 
 #[pymethods]
 impl Collection {
     /// Ranges of variants that nobody has computed.
     fn missing(&self, py: Python<'_>) -> PyResult<Vec<(u64, u64)>> {
-        let missing = self.with(py, cageless_sweep::Collection::missing)?;
+        let missing = self.with(py, cageless_study::sweep::Collection::missing)?;
         Ok(missing.into_iter().map(|r| (r.start, r.end)).collect())
     }
 
@@ -175,7 +176,7 @@ impl Collection {
     fn with<T: Send>(
         &self,
         py: Python<'_>,
-        work: impl FnOnce(&cageless_sweep::Collection) -> Result<T, SweepError> + Send,
+        work: impl FnOnce(&cageless_study::sweep::Collection) -> Result<T, SweepError> + Send,
     ) -> PyResult<T> {
         py.detach(|| {
             let open = self.open.lock().map_err(other)?;
@@ -190,7 +191,7 @@ fn closed() -> PyErr {
 
 impl Sweep {
     fn checked(py: Python<'_>, plan: PlanFile) -> PyResult<Self> {
-        let sweep = py.detach(|| cageless_sweep::Sweep::new(plan));
+        let sweep = py.detach(|| cageless_study::sweep::Sweep::new(plan));
         let sweep = sweep.map_err(|e| of_sweep(&e))?;
         Ok(Self { sweep })
     }
@@ -208,6 +209,6 @@ fn share((number, of): (u64, u64)) -> PyResult<Shard> {
 /// Joins shards; says how many variants the result has.
 #[pyfunction]
 pub fn merge(py: Python<'_>, shards: Vec<PathBuf>, result: PathBuf) -> PyResult<u64> {
-    let merged = py.detach(|| cageless_sweep::merge(&shards, &result));
+    let merged = py.detach(|| cageless_study::sweep::merge(&shards, &result));
     merged.map_err(|e| of_sweep(&e))
 }

@@ -3,13 +3,14 @@
 //!
 //! [`verification`] says how far the numbers of a run can be trusted, [`design`] judges a
 //! raceway, [`search`] finds the best one, [`tolerance`] gives the probability that it passes
-//! as made. A [`Watcher`] follows the progress and can end the work.
+//! as made, [`sweep`] computes many variants of a case. A [`Watcher`] follows the progress and can end the work.
 
 pub mod design;
 mod entered;
 mod error;
 pub mod paper;
 pub mod search;
+pub mod sweep;
 mod threads;
 pub mod tolerance;
 pub mod verification;

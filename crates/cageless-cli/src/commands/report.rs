@@ -4,8 +4,8 @@ use std::path::Path;
 
 use cageless_io::results::write_atomically;
 use cageless_report::{SweepData, sweep_page, to_json};
-use cageless_sweep::Aim;
-use cageless_sweep::analysis::{Goal, analyse};
+use cageless_study::sweep::Aim;
+use cageless_study::sweep::analysis::{Goal, analyse};
 
 use super::{make_folder, print, writable};
 use crate::args::ReportArgs;

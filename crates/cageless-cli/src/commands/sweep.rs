@@ -7,7 +7,7 @@ use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 use cageless_io::plan_file::PlanFile;
-use cageless_sweep::{Failures, Job, Progress, Shard, Sweep, failures, merge, run};
+use cageless_study::sweep::{Failures, Job, Progress, Shard, Sweep, failures, merge, run};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 

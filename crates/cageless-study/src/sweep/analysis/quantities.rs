@@ -6,7 +6,7 @@ use cageless_report::text::short;
 use cageless_report::{Levels, SweepQuantity};
 
 use super::table::Table;
-use crate::error::SweepError;
+use crate::sweep::error::SweepError;
 
 /// Values that an input may have to be shown one by one.
 const LEVELS_MAX: usize = 24;

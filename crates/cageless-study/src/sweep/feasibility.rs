@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
-use crate::error::SweepError;
-use crate::variants::Variants;
+use super::error::SweepError;
+use super::variants::Variants;
 
 /// Variants that are tried at most, spread over the plan.
 const PROBES: u64 = 20_000;

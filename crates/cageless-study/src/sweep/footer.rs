@@ -5,9 +5,9 @@ use std::path::Path;
 use cageless_io::plan_file::difference;
 use cageless_io::results::{RowsReader, VERSION};
 
-use crate::error::SweepError;
-use crate::evaluate::Sweep;
-use crate::ranges::Shard;
+use super::error::SweepError;
+use super::evaluate::Sweep;
+use super::index_set::Shard;
 
 /// Version of the layout of the tables.
 const SCHEMA: u64 = 1;

@@ -7,14 +7,14 @@ use std::path::{Path, PathBuf};
 use cageless::dynamics::InstructionSet;
 use cageless_io::results::{ColumnSpec, Row, RowsReader, RowsWriter, write_atomically};
 
-use crate::assemble::assemble;
-use crate::error::SweepError;
-use crate::evaluate::{Stop, Sweep};
-use crate::footer::Identity;
-use crate::parts::{Parts, part_name};
-use crate::ranges::Shard;
+use super::checkpoint::{Checkpoint, part_name};
+use super::error::SweepError;
+use super::evaluate::{Stop, Sweep};
+use super::footer::Identity;
+use super::index_set::Shard;
+use super::merge_sorted::merge_sorted;
 
-/// A result in the making. [`crate::run`] computes on the threads of this machine; a
+/// A result in the making. [`super::run`] computes on the threads of this machine; a
 /// scheduler hands out [`Collection::missing`], lets [`write_part`] compute each range
 /// anywhere, and brings the files back.
 #[derive(Debug)]
@@ -25,7 +25,7 @@ pub struct Collection {
     shard: Option<Shard>,
     range: Range<u64>,
     /// `None` once the result is there.
-    parts: Option<Parts>,
+    checkpoint: Option<Checkpoint>,
 }
 
 impl Collection {
@@ -40,22 +40,22 @@ impl Collection {
         if let Some(folder) = result.parent() {
             std::fs::create_dir_all(folder).map_err(|e| SweepError::folder(folder, e))?;
         }
-        let parts = Parts::open(result)?;
+        let checkpoint = Checkpoint::open(result)?;
         let mut collection = Self {
             columns: sweep.columns().to_vec(),
             identity: Identity::of(sweep),
             result: result.to_owned(),
             shard,
             range,
-            parts: None,
+            checkpoint: None,
         };
-        match collection.prepare(&parts) {
+        match collection.prepare(&checkpoint) {
             Err(error) => {
-                parts.remove_if_empty();
+                checkpoint.remove_if_empty();
                 return Err(error);
             }
-            Ok(true) => parts.remove()?,
-            Ok(false) => collection.parts = Some(parts),
+            Ok(true) => checkpoint.remove()?,
+            Ok(false) => collection.checkpoint = Some(checkpoint),
         }
         Ok(collection)
     }
@@ -70,8 +70,8 @@ impl Collection {
     /// # Errors
     /// If what is there cannot be read.
     pub fn missing(&self) -> Result<Vec<Range<u64>>, SweepError> {
-        match &self.parts {
-            Some(parts) => Ok(parts
+        match &self.checkpoint {
+            Some(checkpoint) => Ok(checkpoint
                 .stock(&self.identity)?
                 .done
                 .missing(self.range.clone())),
@@ -92,7 +92,7 @@ impl Collection {
     /// # Errors
     /// It is not of this sweep, or cannot be written.
     pub fn add(&self, first: u64, part: &[u8]) -> Result<(), SweepError> {
-        if self.parts.is_none() {
+        if self.checkpoint.is_none() {
             return Ok(());
         }
         let path = self.part(first);
@@ -110,14 +110,14 @@ impl Collection {
         self.identity.must_own(&RowsReader::open(path)?, remedy)
     }
 
-    /// Puts rows away, which need not hang together.
+    /// Keeps rows, which need not be contiguous.
     pub(crate) fn keep(&self, rows: Vec<Row>) -> Result<(), SweepError> {
-        let Some(parts) = &self.parts else {
+        let Some(checkpoint) = &self.checkpoint else {
             return Ok(());
         };
         let isa = [InstructionSet::chosen().name().to_owned()];
         let footer = self.identity.footer(&isa, self.shard);
-        parts.keep(&self.columns, &footer, rows)
+        checkpoint.keep(&self.columns, &footer, rows)
     }
 
     /// Makes the result if nothing is missing; says whether it did.
@@ -125,29 +125,29 @@ impl Collection {
     /// # Errors
     /// If files cannot be read or written.
     pub fn finish(self) -> Result<bool, SweepError> {
-        let Some(parts) = self.parts else {
+        let Some(checkpoint) = self.checkpoint else {
             return Ok(true);
         };
-        let stock = parts.stock(&self.identity)?;
+        let stock = checkpoint.stock(&self.identity)?;
         if !stock.done.missing(self.range.clone()).is_empty() {
             return Ok(false);
         }
         let footer = self.identity.footer(&stock.isa, self.shard);
         let columns = &self.columns;
-        assemble(&self.result, columns, &footer, &stock.tables, self.range)?;
-        parts.remove()?;
+        merge_sorted(&self.result, columns, &footer, &stock.tables, self.range)?;
+        checkpoint.remove()?;
         Ok(true)
     }
 
     /// Claims the work folder; says whether the result is there already.
-    fn prepare(&self, parts: &Parts) -> Result<bool, SweepError> {
+    fn prepare(&self, checkpoint: &Checkpoint) -> Result<bool, SweepError> {
         if self
             .identity
             .is_there(&self.result, self.shard, self.total())?
         {
             return Ok(true);
         }
-        parts.claim(&self.identity)?;
+        checkpoint.claim(&self.identity)?;
         Ok(false)
     }
 }

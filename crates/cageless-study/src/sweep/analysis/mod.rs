@@ -15,9 +15,9 @@ use cageless_io::results::RowsReader;
 use cageless_report::data::{Parameter, Provenance};
 use cageless_report::{SweepData, SweepOutput};
 
-use crate::error::SweepError;
-use crate::figures::Aim;
-use crate::footer::Identity;
+use crate::sweep::error::SweepError;
+use crate::sweep::footer::Identity;
+use crate::sweep::quantities::Aim;
 
 use quantities::Quantities;
 use table::Table;

@@ -11,13 +11,13 @@ use std::path::{Path, PathBuf};
 use cageless_io::open_own;
 use cageless_io::results::{Cell, ColumnSpec, Row, RowsReader, RowsWriter, write_atomically};
 
-use crate::error::SweepError;
-use crate::footer::{Identity, add_isa};
-use crate::ranges::Ranges;
+use super::error::SweepError;
+use super::footer::{Identity, add_isa};
+use super::index_set::IndexSet;
 
 /// The open work folder.
 #[derive(Debug)]
-pub(crate) struct Parts {
+pub(crate) struct Checkpoint {
     folder: PathBuf,
     /// Unlocked when it is dropped.
     _lock: File,
@@ -26,7 +26,7 @@ pub(crate) struct Parts {
 /// What a work folder holds.
 #[derive(Debug, Default)]
 pub(crate) struct Stock {
-    pub done: Ranges,
+    pub done: IndexSet,
     /// Each table with its first index.
     pub tables: Vec<(u64, PathBuf)>,
     pub isa: Vec<String>,
@@ -35,7 +35,7 @@ pub(crate) struct Stock {
 const LOCK: &str = "lock";
 const PLAN: &str = "plan.toml";
 
-impl Parts {
+impl Checkpoint {
     /// Opens or makes the work folder of `result`.
     pub(crate) fn open(result: &Path) -> Result<Self, SweepError> {
         let name = result.file_name().unwrap_or_default().to_string_lossy();
@@ -100,7 +100,7 @@ impl Parts {
         Ok(stock)
     }
 
-    /// Writes rows, which need not hang together.
+    /// Writes rows, which need not be contiguous.
     pub(crate) fn keep(
         &self,
         columns: &[ColumnSpec],

@@ -5,7 +5,7 @@ use std::path::Path;
 use cageless_io::case_file::template;
 use cageless_io::plan_file::{PlanFile, difference};
 use cageless_io::results::{Cell, Row};
-use cageless_sweep::Sweep;
+use cageless_study::sweep::Sweep;
 
 fn plan(text: &str) -> PlanFile {
     let folder = tempfile::tempdir().expect("a folder");

@@ -1,9 +1,9 @@
 //! Why a sweep cannot go on.
 
+use crate::StudyError;
 use cageless_io::case_file::CaseError;
 use cageless_io::in_words;
 use cageless_io::results::{ResultError, is_unusable};
-use cageless_study::StudyError;
 
 /// What went wrong with a sweep as a whole. A variant that fails is a row.
 #[derive(Debug, thiserror::Error)]

@@ -10,8 +10,8 @@ use std::time::{Duration, Instant};
 use cageless_io::results::Row;
 use rayon::ThreadPool;
 
-use crate::error::SweepError;
-use crate::evaluate::Sweep;
+use super::error::SweepError;
+use super::evaluate::Sweep;
 
 /// Time that a batch should take: long against handing it over, short against the sweep.
 const BATCH: Duration = Duration::from_millis(50);
@@ -51,7 +51,7 @@ impl Queue {
 
 /// Computes `missing` on the threads of `pool`; `take` gets the rows as they come, and now
 /// and then none, and says whether to stop. Its error stops the work as well.
-pub(crate) fn work(
+pub(crate) fn compute(
     sweep: &Sweep,
     missing: Vec<Range<u64>>,
     pool: &ThreadPool,

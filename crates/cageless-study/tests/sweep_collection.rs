@@ -5,7 +5,7 @@ use std::path::Path;
 
 use cageless_io::case_file::template;
 use cageless_io::plan_file::PlanFile;
-use cageless_sweep::{Collection, Job, Sweep, merge, run, write_part};
+use cageless_study::sweep::{Collection, Job, Sweep, merge, run, write_part};
 
 /// The variants of [`sweep`].
 const ALL: std::ops::Range<u64> = 0..7;

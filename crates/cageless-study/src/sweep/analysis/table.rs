@@ -2,8 +2,8 @@
 
 use cageless_io::results::{ColumnKind, ColumnSpec, Row, RowsReader};
 
-use crate::error::SweepError;
-use crate::evaluate::{INDEX, REASON};
+use crate::sweep::error::SweepError;
+use crate::sweep::evaluate::{INDEX, REASON};
 
 /// The result of a sweep: its index, then inputs, the reason, then outputs.
 pub(super) struct Table {

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use cageless_io::results::{Cell, RowsReader};
 
-use crate::error::SweepError;
-use crate::evaluate::REASON;
+use super::error::SweepError;
+use super::evaluate::REASON;
 
 /// How many failed, and why the first did.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]

@@ -16,7 +16,7 @@ use cageless_io::results::{Cell, ColumnKind, ColumnSpec};
 
 /// An output column.
 #[derive(Debug, Clone, Copy)]
-pub struct Figure {
+pub struct Quantity {
     /// Name: that of its computation, then its own with the unit.
     pub name: &'static str,
     /// Unit; empty if there is none.
@@ -43,7 +43,7 @@ pub(crate) struct Finished<'a> {
     pub summary: Option<&'a Summary>,
 }
 
-/// Where a figure comes from.
+/// Where a quantity comes from.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Source {
     Static(fn(&Equilibrium) -> Cell),
@@ -52,7 +52,7 @@ pub(crate) enum Source {
     Run(fn(&Finished<'_>) -> Cell),
 }
 
-impl Figure {
+impl Quantity {
     /// The computation that it is part of.
     pub fn computation(&self) -> Computation {
         match self.of {
@@ -72,8 +72,8 @@ impl Figure {
     }
 }
 
-const fn figure(name: &'static str, unit: &'static str, of: Source) -> Figure {
-    Figure {
+const fn quantity(name: &'static str, unit: &'static str, of: Source) -> Quantity {
+    Quantity {
         name,
         unit,
         kind: ColumnKind::Number,
@@ -82,79 +82,79 @@ const fn figure(name: &'static str, unit: &'static str, of: Source) -> Figure {
     }
 }
 
-const fn list(name: &'static str, unit: &'static str, of: Source) -> Figure {
+const fn list(name: &'static str, unit: &'static str, of: Source) -> Quantity {
     let kind = ColumnKind::Numbers;
-    Figure {
+    Quantity {
         kind,
-        ..figure(name, unit, of)
+        ..quantity(name, unit, of)
     }
 }
 
-const fn integer(name: &'static str, of: Source) -> Figure {
+const fn integer(name: &'static str, of: Source) -> Quantity {
     let kind = ColumnKind::Integer;
-    Figure {
+    Quantity {
         kind,
-        ..figure(name, "", of)
+        ..quantity(name, "", of)
     }
 }
 
-const fn low(figure: Figure) -> Figure {
+const fn low(quantity: Quantity) -> Quantity {
     let aim = Some(Aim::Low);
-    Figure { aim, ..figure }
+    Quantity { aim, ..quantity }
 }
 
-const fn high(figure: Figure) -> Figure {
+const fn high(quantity: Quantity) -> Quantity {
     let aim = Some(Aim::High);
-    Figure { aim, ..figure }
+    Quantity { aim, ..quantity }
 }
 
 use Source::{Design, Run, Static, Verdict};
 
 /// All outputs, in the order of the columns.
 #[rustfmt::skip]
-pub const FIGURES: &[Figure] = &[
-    figure("static_ring_x_um", "um", Static(|e| some(e.ring_x_m * 1e6))),
-    figure("static_ring_y_um", "um", Static(|e| some(e.ring_y_m * 1e6))),
-    figure("static_inner_force_max_n", "N", Static(|e| some(largest(&e.inner_force_n)))),
-    figure("static_outer_force_max_n", "N", Static(|e| some(largest(&e.outer_force_n)))),
+pub const QUANTITIES: &[Quantity] = &[
+    quantity("static_ring_x_um", "um", Static(|e| some(e.ring_x_m * 1e6))),
+    quantity("static_ring_y_um", "um", Static(|e| some(e.ring_y_m * 1e6))),
+    quantity("static_inner_force_max_n", "N", Static(|e| some(largest(&e.inner_force_n)))),
+    quantity("static_outer_force_max_n", "N", Static(|e| some(largest(&e.outer_force_n)))),
     integer("static_loaded_balls", Static(|e| count(e.inner_force_n.iter().filter(|f| **f > 0.0).count()))),
-    figure("static_inner_stiffness_n_m1_5", "N/m^1.5", Static(|e| some(e.inner_stiffness_n_m1_5))),
-    figure("static_outer_stiffness_n_m1_5", "N/m^1.5", Static(|e| some(e.outer_stiffness_n_m1_5))),
-    low(figure("static_inner_stress_max_gpa", "GPa", Static(|e| some(e.inner_stress_max_pa * 1e-9)))),
-    low(figure("static_outer_stress_max_gpa", "GPa", Static(|e| some(e.outer_stress_max_pa * 1e-9)))),
+    quantity("static_inner_stiffness_n_m1_5", "N/m^1.5", Static(|e| some(e.inner_stiffness_n_m1_5))),
+    quantity("static_outer_stiffness_n_m1_5", "N/m^1.5", Static(|e| some(e.outer_stiffness_n_m1_5))),
+    low(quantity("static_inner_stress_max_gpa", "GPa", Static(|e| some(e.inner_stress_max_pa * 1e-9)))),
+    low(quantity("static_outer_stress_max_gpa", "GPa", Static(|e| some(e.outer_stress_max_pa * 1e-9)))),
     list("static_ball_angle_deg", "deg", Static(|e| Cell::Numbers(e.ball_angle_rad.iter().map(|a| a.to_degrees()).collect()))),
     list("static_inner_force_n", "N", Static(|e| Cell::Numbers(e.inner_force_n.clone()))),
     list("static_outer_force_n", "N", Static(|e| Cell::Numbers(e.outer_force_n.clone()))),
 
-    figure("design_epsilon_deg", "deg", Design(|c| degrees(c.bearing.ball_angle_rad()))),
-    figure("design_uniform_gap_deg", "deg", Design(|c| degrees(c.bearing.uniform_gap_rad()))),
-    figure("design_axial_span_limit_mm", "mm", Design(|c| some(axial_span_limit_m(&c.bearing) * 1e3))),
-    figure("design_beta0_deg", "deg", Design(|c| of_raceway(c, |r| theoretical_gap_rad(&c.bearing, r, Eq11::Published).to_degrees()))),
-    figure("design_beta0_polar_deg", "deg", Design(|c| of_raceway(c, |r| theoretical_gap_rad(&c.bearing, r, Eq11::Polar).to_degrees()))),
-    figure("design_half_angle_for_span_deg", "deg", Design(half_angle_for_span)),
-    figure("design_steady_gap_deg", "deg", Design(|c| degrees(steady_gap_rad(&c.bearing, &c.raceways)))),
+    quantity("design_epsilon_deg", "deg", Design(|c| degrees(c.bearing.ball_angle_rad()))),
+    quantity("design_uniform_gap_deg", "deg", Design(|c| degrees(c.bearing.uniform_gap_rad()))),
+    quantity("design_axial_span_limit_mm", "mm", Design(|c| some(axial_span_limit_m(&c.bearing) * 1e3))),
+    quantity("design_beta0_deg", "deg", Design(|c| of_raceway(c, |r| theoretical_gap_rad(&c.bearing, r, Eq11::Published).to_degrees()))),
+    quantity("design_beta0_polar_deg", "deg", Design(|c| of_raceway(c, |r| theoretical_gap_rad(&c.bearing, r, Eq11::Polar).to_degrees()))),
+    quantity("design_half_angle_for_span_deg", "deg", Design(half_angle_for_span)),
+    quantity("design_steady_gap_deg", "deg", Design(|c| degrees(steady_gap_rad(&c.bearing, &c.raceways)))),
     integer("design_balls_in_raceway_max", Design(|c| c.raceways.first().map_or(Cell::Null, |r| count(balls_in_raceway_max(&c.bearing, r))))),
-    low(figure("design_kink_deg", "deg", Design(|c| of_raceway(c, |r| r.kink_angle_rad(FRAC_PI_4).to_degrees())))),
+    low(quantity("design_kink_deg", "deg", Design(|c| of_raceway(c, |r| r.kink_angle_rad(FRAC_PI_4).to_degrees())))),
 
-    Figure { kind: ColumnKind::Text, ..figure("verdict_verdict", "", Verdict(|j| Cell::Text(j.verdict.name().to_owned()))) },
-    figure("verdict_critical_gap_deg", "deg", Verdict(|j| j.critical_gap_rad.map(f64::to_degrees).into())),
+    Quantity { kind: ColumnKind::Text, ..quantity("verdict_verdict", "", Verdict(|j| Cell::Text(j.verdict.name().to_owned()))) },
+    quantity("verdict_critical_gap_deg", "deg", Verdict(|j| j.critical_gap_rad.map(f64::to_degrees).into())),
     integer("verdict_passages", Verdict(|j| j.passages.map_or(Cell::Null, |p| count(p.passages)))),
-    low(figure("verdict_collisions_mean", "", Verdict(|j| of_passages(j, |p| p.collisions_mean)))),
-    low(figure("verdict_twice_share", "", Verdict(|j| of_passages(j, |p| p.twice_share)))),
-    low(figure("verdict_slip_mean_m_s", "m/s", Verdict(|j| of_passages(j, |p| p.slip_mean_m_s)))),
-    high(figure("verdict_speed_drop_share", "", Verdict(|j| of_passages(j, |p| p.speed_drop_share)))),
-    high(figure("verdict_gap_leave_min_deg", "deg", Verdict(|j| of_passages(j, |p| p.gap_leave_min_rad.to_degrees())))),
-    figure("verdict_gap_leave_max_deg", "deg", Verdict(|j| of_passages(j, |p| p.gap_leave_max_rad.to_degrees()))),
+    low(quantity("verdict_collisions_mean", "", Verdict(|j| of_passages(j, |p| p.collisions_mean)))),
+    low(quantity("verdict_twice_share", "", Verdict(|j| of_passages(j, |p| p.twice_share)))),
+    low(quantity("verdict_slip_mean_m_s", "m/s", Verdict(|j| of_passages(j, |p| p.slip_mean_m_s)))),
+    high(quantity("verdict_speed_drop_share", "", Verdict(|j| of_passages(j, |p| p.speed_drop_share)))),
+    high(quantity("verdict_gap_leave_min_deg", "deg", Verdict(|j| of_passages(j, |p| p.gap_leave_min_rad.to_degrees())))),
+    quantity("verdict_gap_leave_max_deg", "deg", Verdict(|j| of_passages(j, |p| p.gap_leave_max_rad.to_degrees()))),
 
     low(integer("run_collisions", Run(|r| r.summary.map_or(Cell::Null, |s| Cell::Integer(s.collisions as i64))))),
-    high(figure("run_gap_min_deg", "deg", Run(|r| of_summary(r, |s| s.gap_min_rad.to_degrees())))),
-    low(figure("run_gap_max_deg", "deg", Run(|r| of_summary(r, |s| s.gap_max_rad.to_degrees())))),
-    figure("run_ring_x_um_mean", "um", Run(|r| of_summary(r, |s| s.ring_x_mean_m * 1e6))),
-    figure("run_ring_y_um_mean", "um", Run(|r| of_summary(r, |s| s.ring_y_mean_m * 1e6))),
-    low(figure("run_slip_max_m_s", "m/s", Run(|r| of_summary(r, |s| s.slip_max_m_s)))),
-    figure("run_settled_after_s", "s", Run(|r| of_summary(r, |s| s.settled_after_s))),
-    figure("run_energy_residual_relative", "", Run(|r| some(r.outcome.energy_residual_relative))),
-    figure("run_end_s", "s", Run(|r| some(r.outcome.end_s))),
+    high(quantity("run_gap_min_deg", "deg", Run(|r| of_summary(r, |s| s.gap_min_rad.to_degrees())))),
+    low(quantity("run_gap_max_deg", "deg", Run(|r| of_summary(r, |s| s.gap_max_rad.to_degrees())))),
+    quantity("run_ring_x_um_mean", "um", Run(|r| of_summary(r, |s| s.ring_x_mean_m * 1e6))),
+    quantity("run_ring_y_um_mean", "um", Run(|r| of_summary(r, |s| s.ring_y_mean_m * 1e6))),
+    low(quantity("run_slip_max_m_s", "m/s", Run(|r| of_summary(r, |s| s.slip_max_m_s)))),
+    quantity("run_settled_after_s", "s", Run(|r| of_summary(r, |s| s.settled_after_s))),
+    quantity("run_energy_residual_relative", "", Run(|r| some(r.outcome.energy_residual_relative))),
+    quantity("run_end_s", "s", Run(|r| some(r.outcome.end_s))),
     integer("run_steps", Run(|r| Cell::Integer(r.outcome.steps as i64))),
     integer("run_rhs_evaluations", Run(|r| Cell::Integer(r.outcome.rhs_evaluations as i64))),
 ];
@@ -203,12 +203,12 @@ mod tests {
 
     #[test]
     fn names_begin_with_their_computation_and_end_with_their_unit() {
-        for (k, figure) in FIGURES.iter().enumerate() {
-            assert!(figure.name.starts_with(figure.computation().name()));
-            let unit = figure.unit.to_lowercase().replace(['/', '.'], "_");
+        for (k, quantity) in QUANTITIES.iter().enumerate() {
+            assert!(quantity.name.starts_with(quantity.computation().name()));
+            let unit = quantity.unit.to_lowercase().replace(['/', '.'], "_");
             let unit = unit.replace('^', "");
-            assert!(figure.name.contains(&unit), "{} {unit}", figure.name);
-            assert!(FIGURES[k + 1..].iter().all(|f| f.name != figure.name));
+            assert!(quantity.name.contains(&unit), "{} {unit}", quantity.name);
+            assert!(QUANTITIES[k + 1..].iter().all(|f| f.name != quantity.name));
         }
     }
 }

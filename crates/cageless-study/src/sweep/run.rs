@@ -6,11 +6,11 @@ use std::time::{Duration, Instant};
 
 use cageless_io::results::Row;
 
-use crate::collection::Collection;
-use crate::error::SweepError;
-use crate::evaluate::Sweep;
-use crate::ranges::Shard;
-use crate::work::work;
+use super::collection::Collection;
+use super::error::SweepError;
+use super::evaluate::Sweep;
+use super::index_set::Shard;
+use super::worker_pool::compute;
 
 /// What is to be computed, and where to.
 #[derive(Debug, Clone)]
@@ -19,7 +19,7 @@ pub struct Job {
     pub result: PathBuf,
     /// The part of the sweep to compute; all of it if `None`.
     pub shard: Option<Shard>,
-    /// Threads, [`THREADS_MAX`](cageless_study::THREADS_MAX) at most; as many as there are cores if `None`.
+    /// Threads, [`THREADS_MAX`](crate::THREADS_MAX) at most; as many as there are cores if `None`.
     pub threads: Option<NonZeroUsize>,
 }
 
@@ -80,7 +80,7 @@ pub fn run(
 ) -> Result<Done, SweepError> {
     let started = Instant::now();
     // Of its own: the thread of the caller waits here, which no worker may do.
-    let pool = cageless_study::pool(job.threads)?;
+    let pool = crate::pool(job.threads)?;
     let collection = Collection::open(sweep, &job.result, job.shard)?;
     let missing = collection.missing()?;
     let left: u64 = missing.iter().map(|r| r.end - r.start).sum();
@@ -92,7 +92,7 @@ pub fn run(
     };
     let mut waiting: Vec<Row> = Vec::new();
     let mut put_away = Instant::now();
-    let worked = work(sweep, missing, &pool, |rows| {
+    let worked = compute(sweep, missing, &pool, |rows| {
         progress.done += rows.len() as u64;
         progress.done_now += rows.len() as u64;
         progress.elapsed = started.elapsed();

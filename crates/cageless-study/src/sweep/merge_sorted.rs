@@ -9,12 +9,12 @@ use std::vec::IntoIter;
 
 use cageless_io::results::{ColumnSpec, Row, RowsReader, RowsWriter};
 
-use crate::error::SweepError;
-use crate::parts::index;
+use super::checkpoint::index;
+use super::error::SweepError;
 
 /// Writes `result` from `tables` (each with its first index, in order), which together
 /// hold every variant of `range` once.
-pub(crate) fn assemble(
+pub(crate) fn merge_sorted(
     result: &Path,
     columns: &[ColumnSpec],
     footer: &[(String, String)],

@@ -6,7 +6,7 @@ use cageless_io::results::Cell;
 use cageless_report::FailureGroup;
 
 use super::table::Table;
-use crate::error::SweepError;
+use crate::sweep::error::SweepError;
 
 /// Reasons that are told apart; further ones count as the last.
 const GROUPS_MAX: usize = 20;

@@ -1,17 +1,17 @@
-//! Sets of indices, and shares of them.
+//! Sets of indices, and the shards of a sweep.
 
 use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Range;
 
-/// A set of indices as ranges that do not touch: small as long as they hang together.
+/// A set of indices, kept as disjoint ranges: compact as long as the indices are contiguous.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Ranges {
+pub struct IndexSet {
     /// Start and end of each.
     ranges: BTreeMap<u64, u64>,
 }
 
-impl Ranges {
+impl IndexSet {
     /// Adds an index; says whether it is new.
     pub fn insert(&mut self, index: u64) -> bool {
         let before = self.ranges.range(..=index).next_back();
@@ -131,7 +131,7 @@ mod tests {
 
     #[test]
     fn ranges_grow_together_and_know_what_is_missing() {
-        let mut ranges = Ranges::default();
+        let mut ranges = IndexSet::default();
         for index in [5, 3, 9, 4, 8, 0] {
             assert!(ranges.insert(index));
             assert!(!ranges.insert(index));

@@ -7,8 +7,8 @@ use cageless_report::{BestVariant, BestVariants};
 use super::Goal;
 use super::quantities::{Input, Output, Quantities};
 use super::table::Table;
-use crate::error::SweepError;
-use crate::figures::{Aim, FIGURES};
+use crate::sweep::error::SweepError;
+use crate::sweep::quantities::{Aim, QUANTITIES};
 
 /// Variants that are named for each goal.
 const NAMED: usize = 8;
@@ -24,7 +24,7 @@ pub(super) fn goals<'q>(
         outputs.find(|o| o.name == name && o.is_name.is_none())
     };
     if wanted.is_empty() {
-        let known = FIGURES.iter().filter_map(|f| Some((f.name, f.aim?)));
+        let known = QUANTITIES.iter().filter_map(|f| Some((f.name, f.aim?)));
         return Ok(known
             .filter_map(|(name, aim)| Some((number(name)?, aim)))
             .collect());

@@ -9,7 +9,7 @@
 //! ```
 //! use cageless_io::case_file::template;
 //! use cageless_io::plan_file::PlanFile;
-//! use cageless_sweep::Sweep;
+//! use cageless_study::sweep::Sweep;
 //!
 //! let plan = r#"
 //!     compute = ["static"]
@@ -17,7 +17,7 @@
 //!     [grid]
 //!     operation.radial_load_n = [500.0, 1500.0]
 //! "#;
-//! let folder = std::env::temp_dir().join("cageless-sweep-doc");
+//! let folder = std::env::temp_dir().join("cageless-study-doc-sweep");
 //! std::fs::create_dir_all(&folder)?;
 //! std::fs::write(folder.join("case.toml"), template(false))?;
 //! let sweep = Sweep::new(PlanFile::parse(plan, "plan", &folder)?)?;
@@ -29,30 +29,30 @@
 //! ```
 
 pub mod analysis;
-mod assemble;
+mod checkpoint;
 mod collection;
 mod error;
 mod evaluate;
 mod failures;
-mod figures;
+mod feasibility;
 mod footer;
-mod latin;
+mod index_set;
+mod latin_hypercube;
 mod merge;
-mod parts;
-mod probe;
+mod merge_sorted;
+mod quantities;
 mod random;
-mod ranges;
 mod run;
 mod sobol;
 mod variants;
-mod work;
+mod worker_pool;
 
 pub use collection::{Collection, write_part};
 pub use error::SweepError;
 pub use evaluate::{Stop, Sweep};
 pub use failures::{Failures, failures};
-pub use figures::{Aim, FIGURES, Figure};
 pub use footer::Identity;
+pub use index_set::{IndexSet, Shard};
 pub use merge::merge;
-pub use ranges::{Ranges, Shard};
+pub use quantities::{Aim, QUANTITIES, Quantity};
 pub use run::{Done, Job, Progress, run};

@@ -5,7 +5,7 @@ use cageless_report::{HeatMap, MainEffect, SweepOutput};
 
 use super::quantities::{Output, Quantities};
 use super::table::Table;
-use crate::error::SweepError;
+use crate::sweep::error::SweepError;
 
 /// Inputs that an output is drawn over, at most …
 const DRAWN: usize = 6;

@@ -13,16 +13,16 @@ use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_io::plan_file::{Computation, PlanFile};
 use cageless_io::results::{Cell, ColumnKind, ColumnSpec, Row};
 
-use crate::error::SweepError;
-use crate::figures::{FIGURES, Figure, Finished, Source};
-use crate::probe;
-use crate::variants::Variants;
+use super::error::SweepError;
+use super::feasibility;
+use super::quantities::{Finished, QUANTITIES, Quantity, Source};
+use super::variants::Variants;
 
 /// A plan that can be computed.
 #[derive(Debug, Clone)]
 pub struct Sweep {
     variants: Variants,
-    figures: Vec<Figure>,
+    quantities: Vec<Quantity>,
     columns: Vec<ColumnSpec>,
     normal: String,
 }
@@ -30,7 +30,7 @@ pub struct Sweep {
 /// Asked now and then whether to give up.
 pub type Stop<'a> = &'a (dyn Fn() -> bool + Sync);
 
-/// A column beside the inputs and the figures.
+/// A column beside the inputs and the quantities.
 pub(crate) const INDEX: &str = "variant";
 pub(crate) const REASON: &str = "reason";
 
@@ -41,18 +41,18 @@ impl Sweep {
     /// Too many variants, columns that there are none of, no variant that is a possible case, or an
     /// environment that asks for too many threads.
     pub fn new(plan: PlanFile) -> Result<Self, SweepError> {
-        cageless_study::check_environment()?;
+        crate::check_environment()?;
         let normal = plan.normal()?;
         let variants = Variants::new(plan)?;
-        let figures = kept(variants.plan())?;
+        let quantities = kept(variants.plan())?;
         let mut columns = vec![spec(INDEX, ColumnKind::Index)];
         columns.extend_from_slice(variants.columns());
         columns.push(spec(REASON, ColumnKind::Text));
-        columns.extend(figures.iter().map(Figure::column));
-        probe::some_are_possible(&variants)?;
+        columns.extend(quantities.iter().map(Quantity::column));
+        feasibility::some_are_possible(&variants)?;
         Ok(Self {
             variants,
-            figures,
+            quantities,
             columns,
             normal,
         })
@@ -73,7 +73,7 @@ impl Sweep {
         &self.normal
     }
 
-    /// Columns of the rows: the index, the inputs, the reason of a failure, the figures.
+    /// Columns of the rows: the index, the inputs, the reason of a failure, the quantities.
     pub fn columns(&self) -> &[ColumnSpec] {
         &self.columns
     }
@@ -122,7 +122,7 @@ impl Sweep {
             index,
             inputs,
             case: None,
-            figures: vec![Cell::Null; self.figures.len()],
+            quantities: vec![Cell::Null; self.quantities.len()],
             reasons: Vec::new(),
         };
         match case {
@@ -134,7 +134,9 @@ impl Sweep {
     }
 
     fn wants(&self, computation: Computation) -> bool {
-        self.figures.iter().any(|f| f.computation() == computation)
+        self.quantities
+            .iter()
+            .any(|f| f.computation() == computation)
     }
 
     fn solve(&self, variant: &mut Variant) {
@@ -146,7 +148,7 @@ impl Sweep {
             return;
         };
         match equilibrium::solve(case) {
-            Ok(solved) => variant.fill(&self.figures, |source| match source {
+            Ok(solved) => variant.fill(&self.quantities, |source| match source {
                 Source::Static(of) => Some(of(&solved)),
                 _ => None,
             }),
@@ -158,7 +160,7 @@ impl Sweep {
         let Some(case) = variant.case.clone() else {
             return;
         };
-        variant.fill(&self.figures, |source| match source {
+        variant.fill(&self.quantities, |source| match source {
             Source::Design(of) => Some(of(&case)),
             _ => None,
         });
@@ -175,7 +177,7 @@ impl Sweep {
         };
         match judge(case, &mut |_| control(stop)) {
             Ok(judgement) => {
-                variant.fill(&self.figures, |source| match source {
+                variant.fill(&self.quantities, |source| match source {
                     Source::Verdict(of) => Some(of(&judgement)),
                     _ => None,
                 });
@@ -213,7 +215,7 @@ impl Sweep {
         if let Ending::Stopped(stop) = &run.outcome.ending {
             return variant.failed(Computation::Run, &stopped(stop));
         }
-        variant.fill(&self.figures, |source| match source {
+        variant.fill(&self.quantities, |source| match source {
             Source::Run(of) => Some(of(&finished)),
             _ => None,
         });
@@ -228,11 +230,11 @@ fn spec(name: &str, kind: ColumnKind) -> ColumnSpec {
     }
 }
 
-/// The figures that the plan keeps.
-fn kept(plan: &PlanFile) -> Result<Vec<Figure>, CaseError> {
+/// The quantities that the plan keeps.
+fn kept(plan: &PlanFile) -> Result<Vec<Quantity>, CaseError> {
     let computed = || {
-        let figures = FIGURES.iter().copied();
-        figures.filter(|f| plan.compute.contains(&f.computation()))
+        let quantities = QUANTITIES.iter().copied();
+        quantities.filter(|f| plan.compute.contains(&f.computation()))
     };
     let Some(keep) = &plan.keep else {
         return Ok(computed().collect());
@@ -241,8 +243,8 @@ fn kept(plan: &PlanFile) -> Result<Vec<Figure>, CaseError> {
         if computed().any(|f| f.name == kept.name) {
             continue;
         }
-        let why = match FIGURES.iter().find(|f| f.name == kept.name) {
-            Some(figure) => format!("compute leaves out \"{}\"", figure.computation().name()),
+        let why = match QUANTITIES.iter().find(|f| f.name == kept.name) {
+            Some(quantity) => format!("compute leaves out \"{}\"", quantity.computation().name()),
             None => format!(
                 "there are {}",
                 computed().map(|f| f.name).collect::<Vec<_>>().join(", ")
@@ -251,7 +253,7 @@ fn kept(plan: &PlanFile) -> Result<Vec<Figure>, CaseError> {
         let message = format!("keep has \"{}\", which is not computed: {why}", kept.name);
         return Err(plan.error(kept.line, "keep", message));
     }
-    let wanted = |f: &Figure| keep.iter().any(|kept| kept.name == f.name);
+    let wanted = |f: &Quantity| keep.iter().any(|kept| kept.name == f.name);
     Ok(computed().filter(wanted).collect())
 }
 
@@ -260,14 +262,14 @@ struct Variant {
     index: u64,
     inputs: Vec<Cell>,
     case: Option<Case>,
-    figures: Vec<Cell>,
+    quantities: Vec<Cell>,
     reasons: Vec<String>,
 }
 
 impl Variant {
-    fn fill(&mut self, figures: &[Figure], value: impl Fn(Source) -> Option<Cell>) {
-        for (cell, figure) in self.figures.iter_mut().zip(figures) {
-            if let Some(found) = value(figure.of) {
+    fn fill(&mut self, quantities: &[Quantity], value: impl Fn(Source) -> Option<Cell>) {
+        for (cell, quantity) in self.quantities.iter_mut().zip(quantities) {
+            if let Some(found) = value(quantity.of) {
                 *cell = found;
             }
         }
@@ -285,7 +287,7 @@ impl Variant {
             true => Cell::Null,
             false => Cell::Text(self.reasons.join("; ")),
         });
-        row.extend(self.figures);
+        row.extend(self.quantities);
         row
     }
 }

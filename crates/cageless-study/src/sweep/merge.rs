@@ -4,11 +4,11 @@ use std::path::{Path, PathBuf};
 
 use cageless_io::results::RowsReader;
 
-use crate::assemble::assemble;
-use crate::error::SweepError;
-use crate::footer::{Identity, add_isa};
-use crate::parts::index;
-use crate::ranges::{Ranges, listed};
+use super::checkpoint::index;
+use super::error::SweepError;
+use super::footer::{Identity, add_isa};
+use super::index_set::{IndexSet, listed};
+use super::merge_sorted::merge_sorted;
 
 /// Joins the results of shards into the file that one run would have written, and says
 /// how many variants it has.
@@ -19,7 +19,7 @@ use crate::ranges::{Ranges, listed};
 pub fn merge(shards: &[PathBuf], result: &Path) -> Result<u64, SweepError> {
     let mut known: Option<(Identity, PathBuf)> = None;
     let mut columns = Vec::new();
-    let (mut isa, mut tables, mut there) = (Vec::new(), Vec::new(), Ranges::default());
+    let (mut isa, mut tables, mut there) = (Vec::new(), Vec::new(), IndexSet::default());
     for path in shards {
         let table = RowsReader::open(path)?;
         let identity = Identity::read(&table).ok_or_else(|| {
@@ -63,6 +63,6 @@ pub fn merge(shards: &[PathBuf], result: &Path) -> Result<u64, SweepError> {
     identity.is_there(result, None, identity.variants)?;
     tables.sort_unstable();
     let footer = identity.footer(&isa, None);
-    assemble(result, &columns, &footer, &tables, 0..identity.variants)?;
+    merge_sorted(result, &columns, &footer, &tables, 0..identity.variants)?;
     Ok(identity.variants)
 }

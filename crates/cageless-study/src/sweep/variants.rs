@@ -7,9 +7,9 @@ use cageless_io::plan_file::{
 };
 use cageless_io::results::{Cell, ColumnKind, ColumnSpec};
 
-use crate::latin::LatinHypercube;
-use crate::random::{Purpose, Stream};
-use crate::sobol::{self, Sobol};
+use super::latin_hypercube::LatinHypercube;
+use super::random::{Purpose, Stream};
+use super::sobol::{self, Sobol};
 
 /// Most variants of a plan.
 pub(crate) const VARIANTS_MAX: u64 = 1_000_000_000;
