@@ -6,7 +6,7 @@ use std::time::Instant;
 use anyhow::{Result, bail};
 use cageless::dynamics::Model;
 use cageless::dynamics::state::State;
-use cageless::simulation::{self, Control, Ending, Observer, ObserverError, Scene, View};
+use cageless::simulation::{self, Control, Ending, Observer, ObserverError, RunContext, StepView};
 use cageless::spacing::GapRange;
 use cageless::step::StepLimits;
 use clap::Args;
@@ -69,12 +69,12 @@ fn widen(range: &mut [f64; 2], value: f64) {
 }
 
 impl Observer for Watch<'_> {
-    fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
-        self.start_energy_j = self.model.energy_j(scene.start);
+    fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
+        self.start_energy_j = self.model.energy_j(context.start);
         Ok(())
     }
 
-    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         let (layout, after) = (view.layout(), &view.step.y1);
         let ring = layout.ring_motion(after);
         for (range, place) in self.ring.iter_mut().zip([ring.x, ring.y]) {

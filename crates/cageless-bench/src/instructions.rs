@@ -9,7 +9,7 @@ use anyhow::{Context, Result, bail};
 use cageless::dynamics::state::{Layout, State};
 use cageless::dynamics::{InstructionSet, Model, RightHandSide};
 use cageless::integrator::System;
-use cageless::simulation::{self, Control, Ending, Observer, ObserverError, Scene, View};
+use cageless::simulation::{self, Control, Ending, Observer, ObserverError, RunContext, StepView};
 use clap::{Args, ValueEnum};
 
 use crate::problem;
@@ -125,12 +125,12 @@ struct Collector {
 }
 
 impl Observer for Collector {
-    fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
-        self.states.push(scene.start.clone());
+    fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
+        self.states.push(context.start.clone());
         Ok(())
     }
 
-    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         while self.states.len() as f64 * self.interval_s <= view.step.t1_s {
             self.states
                 .push(view.state(self.states.len() as f64 * self.interval_s));

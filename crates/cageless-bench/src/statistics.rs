@@ -6,9 +6,9 @@ use std::time::Instant;
 use anyhow::{Result, bail};
 use cageless::Case;
 use cageless::case::Start;
+use cageless::contact_tracker::ContactTracker;
 use cageless::dynamics::coordinates::BallCoordinate;
-use cageless::onsets::Onsets;
-use cageless::simulation::{self, Control, Ending, Observer, ObserverError, Scene, View};
+use cageless::simulation::{self, Control, Ending, Observer, ObserverError, RunContext, StepView};
 use clap::Args;
 use rayon::prelude::*;
 
@@ -84,7 +84,7 @@ const fn published(name: &'static str, mean: f64, spread: f64, digits: usize) ->
 
 /// Sums over the window, weighted with the step.
 struct Sums {
-    onsets: Onsets,
+    contact_tracker: ContactTracker,
     time_s: f64,
     x: f64,
     y: f64,
@@ -104,7 +104,7 @@ struct Sums {
 impl Sums {
     fn new() -> Self {
         Self {
-            onsets: Onsets::new(0),
+            contact_tracker: ContactTracker::new(0),
             time_s: 0.0,
             x: 0.0,
             y: 0.0,
@@ -137,20 +137,20 @@ impl Sums {
 }
 
 impl Observer for Sums {
-    fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
-        self.onsets = Onsets::new(scene.model.balls());
+    fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
+        self.contact_tracker = ContactTracker::new(context.model.balls());
         Ok(())
     }
 
-    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         let layout = view.layout();
         let n = layout.balls;
         let inside = view.step.t0_s >= WINDOW_S[0] * (1.0 - 1e-12);
-        self.onsets.look(&view.contacts);
+        self.contact_tracker.update(&view.contacts);
         if !inside {
             return Ok(Control::Continue);
         }
-        self.contacts += u64::from(self.onsets.count());
+        self.contacts += u64::from(self.contact_tracker.count());
         let weight = view.step.size_s();
         let ring = layout.ring_motion(&view.step.y1);
         let (rx, ry) = (ring.x - self.origin[0], ring.y - self.origin[1]);

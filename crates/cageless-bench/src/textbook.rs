@@ -15,7 +15,7 @@ pub struct Textbook {
     raceways: Vec<Raceway>,
     balls: usize,
     ball_radius: f64,
-    touching_radius: f64,
+    outer_orbit_radius: f64,
     inner_radius: f64,
     ball_mass: f64,
     ball_inertia: f64,
@@ -46,7 +46,7 @@ impl Textbook {
             raceways: case.raceways.clone(),
             balls: d.balls,
             ball_radius: d.ball_radius_m,
-            touching_radius: bearing.touching_radius_m(),
+            outer_orbit_radius: bearing.outer_orbit_radius_m(),
             inner_radius: d.inner_groove_bottom_radius_m,
             ball_mass,
             ball_inertia: bearing.ball_inertia_kg_m2(),
@@ -78,7 +78,7 @@ impl Textbook {
                 continue;
             }
             let (sin, cos) = local.sin_cos();
-            let mut path_x = (self.touching_radius + self.ball_radius) * sin;
+            let mut path_x = (self.outer_orbit_radius + self.ball_radius) * sin;
             for _ in 0..NEWTON_MAX {
                 let value = path_x * cos + raceway.path_y_m(path_x) * sin;
                 let step = value / (cos + raceway.path_slope(path_x) * sin);
@@ -115,7 +115,7 @@ impl Textbook {
             torque[j] = 0.0;
             // Outer raceway, Eq. (18), (19), (22).
             let rho = (x[j] * x[j] + y[j] * y[j]).sqrt();
-            let deflection = rho - self.touching_radius;
+            let deflection = rho - self.outer_orbit_radius;
             if deflection > 0.0 {
                 let (ex, ey) = (x[j] / rho, y[j] / rho);
                 let tangential = vy[j] * ex - vx[j] * ey;

@@ -6,10 +6,10 @@ use std::sync::Arc;
 use cageless::collision::Collision;
 use cageless::design::RunVerdict;
 use cageless::dynamics::energy::EnergyTerm;
+use cageless::min_max_decimator::MinMaxDecimator;
 use cageless::passage::{Passage, PassageTally};
 use cageless::simulation::RunOutcome;
 use cageless::snapshot::Snapshot;
-use cageless::thinning::Thinning;
 use cageless::vibration::{FILTER_CORNER, FILTER_ORDER, Measurement};
 use cageless::{Case, FrictionLaw, Method, Profile};
 use cageless_io::case_file::{CaseFile, unit};
@@ -37,7 +37,7 @@ const COLLISIONS: usize = 4000;
 /// the length of the run.
 pub struct Histories {
     interval_s: f64,
-    rows: Thinning<Arc<[f64]>>,
+    rows: MinMaxDecimator<Arc<[f64]>>,
     recent: VecDeque<Arc<[f64]>>,
     collisions: Vec<CollisionPoint>,
     collisions_seen: usize,
@@ -52,7 +52,7 @@ impl Histories {
         let balls = case.bearing.balls();
         Self {
             interval_s: case.output.interval_s,
-            rows: Thinning::new((ROWS * 14 / balls).min(ROWS)),
+            rows: MinMaxDecimator::new((ROWS * 14 / balls).min(ROWS)),
             recent: VecDeque::new(),
             collisions: vec![],
             collisions_seen: 0,

@@ -112,8 +112,8 @@ fn axes_have_units_and_figures_have_captions_and_provenance() {
         assert!(specs.len() >= least, "{name}");
         for (id, spec) in &specs {
             let layout = spec["layout"].as_object().expect("a layout");
-            let scene = layout.get("scene").and_then(Value::as_object);
-            let axes = layout.iter().chain(scene.into_iter().flatten());
+            let context = layout.get("scene").and_then(Value::as_object);
+            let axes = layout.iter().chain(context.into_iter().flatten());
             let mut titled = 0;
             for (key, axis) in axes.filter(|(key, _)| key[1..].starts_with("axis")) {
                 let title = axis["title"]["text"].as_str().unwrap_or_default();

@@ -357,7 +357,7 @@ impl Bearing {
     /// Ro − Rw: distance of a ball's centre that just touches the plain outer
     /// raceway. It stands for Rm in Zhao 2022, Eq. (4) to (8), so that the
     /// contact path ends on the plain raceway at any clearance.
-    pub fn touching_radius_m(&self) -> f64 {
+    pub fn outer_orbit_radius_m(&self) -> f64 {
         self.dimensions.outer_groove_bottom_radius_m - self.dimensions.ball_radius_m
     }
 

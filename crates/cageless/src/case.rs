@@ -234,7 +234,7 @@ impl Case {
             raceway.fits(&self.bearing)?;
         }
         crate::raceway::apart(&self.raceways)?;
-        crate::seat::check(&self.bearing, &self.raceways)?;
+        crate::outer_contact_geometry::check(&self.bearing, &self.raceways)?;
         self.check_elastic()?;
         self.check_start()?;
         positive("step_s", self.solver.step_s)?;
@@ -433,7 +433,7 @@ impl Case {
 
     /// Whether every ball sits in the outer ring where a nominal one does in a raceway as
     /// designed.
-    pub fn nominal_seats(&self) -> bool {
+    pub fn has_nominal_geometry(&self) -> bool {
         self.bearing.ball_radius_deviations_m().is_empty()
             && self.raceways.iter().all(|r| r.depth_error_m() == 0.0)
     }

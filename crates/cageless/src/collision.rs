@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::numerics::root;
-use crate::simulation::{Control, Observer, ObserverError, Scene, View};
+use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 
 /// One contact of two neighbouring balls, from touch to parting.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -75,7 +75,7 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> CollisionDetector<F> {
 
     /// When the surfaces of ball `k` and the ball ahead touch or part within the step;
     /// `otherwise` if rounding hides it at an end.
-    fn crossing_s(&self, view: &View<'_, '_>, k: usize, otherwise: f64) -> f64 {
+    fn crossing_s(&self, view: &StepView<'_, '_>, k: usize, otherwise: f64) -> f64 {
         let layout = view.layout();
         let next = (k + 1) % layout.balls;
         let deflection = |time_s: f64| {
@@ -89,7 +89,7 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> CollisionDetector<F> {
         root::brent(deflection, from, to, 1e-6 * (to - from)).unwrap_or(otherwise)
     }
 
-    fn touch(&self, view: &View<'_, '_>, k: usize) -> Collision {
+    fn touch(&self, view: &StepView<'_, '_>, k: usize) -> Collision {
         let layout = view.layout();
         let next = (k + 1) % layout.balls;
         let start_s = self.crossing_s(view, k, view.step.t0_s);
@@ -111,13 +111,13 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> CollisionDetector<F> {
 }
 
 impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDetector<F> {
-    fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
-        let n = scene.model.balls();
-        self.distances = (0..n).map(|k| scene.model.pair_distance_m(k)).collect();
+    fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
+        let n = context.model.balls();
+        self.distances = (0..n).map(|k| context.model.pair_distance_m(k)).collect();
         self.forces = vec![0.0; n];
         self.earlier = vec![0.0; n];
         self.open = vec![None; n];
-        let (x, y) = (scene.start.x_m(), scene.start.y_m());
+        let (x, y) = (context.start.x_m(), context.start.y_m());
         self.deflections = (0..n)
             .map(|k| {
                 let next = (k + 1) % n;
@@ -142,7 +142,7 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDet
         Ok(())
     }
 
-    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         let c = &view.contacts;
         let (from, to) = (view.step.t0_s, view.step.t1_s);
         for k in 0..c.balls() {

@@ -1,10 +1,10 @@
 //! How each ball passes each discrete raceway.
 
+use crate::contact_tracker::ContactTracker;
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::numerics::root;
-use crate::onsets::Onsets;
 use crate::raceway::Raceway;
-use crate::simulation::{Control, Observer, ObserverError, Scene, View};
+use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 use crate::spacing::Direction;
 
 /// One ball through one raceway.
@@ -157,7 +157,7 @@ pub struct PassageRecorder<F> {
     inside: Vec<Option<UnderWay>>,
     /// Balls that start inside a raceway are let out first.
     seen_outside: Vec<bool>,
-    onsets: Onsets,
+    contact_tracker: ContactTracker,
     sink: F,
 }
 
@@ -169,14 +169,14 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
             pair_angles: vec![],
             inside: vec![],
             seen_outside: vec![],
-            onsets: Onsets::new(0),
+            contact_tracker: ContactTracker::new(0),
             sink,
         }
     }
 
     /// When ball `k` crosses the end of a raceway within the step, and the angle to the ball
     /// ahead and that from the ball behind there.
-    fn end(&self, view: &View<'_, '_>, k: usize, sector: &Sector) -> (f64, [Direction; 2]) {
+    fn end(&self, view: &StepView<'_, '_>, k: usize, sector: &Sector) -> (f64, [Direction; 2]) {
         let layout = view.layout();
         let (from, to) = (view.step.t0_s, view.step.t1_s);
         let inside_by = |time_s: f64| {
@@ -193,21 +193,21 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
 }
 
 impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorder<F> {
-    fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
-        let n = scene.model.balls();
-        self.sectors = scene.case.raceways.iter().map(Sector::of).collect();
-        self.pair_angles = (0..n).map(|k| scene.model.pair_angle_rad(k)).collect();
+    fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
+        let n = context.model.balls();
+        self.sectors = context.case.raceways.iter().map(Sector::of).collect();
+        self.pair_angles = (0..n).map(|k| context.model.pair_angle_rad(k)).collect();
         self.inside = vec![None; n * self.sectors.len()];
         self.seen_outside = vec![false; n * self.sectors.len()];
-        self.onsets = Onsets::new(n);
+        self.contact_tracker = ContactTracker::new(n);
         Ok(())
     }
 
-    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         let n = view.layout().balls;
         let [x, y] = view.positions();
         let c = &view.contacts;
-        self.onsets.look(c);
+        self.contact_tracker.update(c);
         for (r, sector) in self.sectors.iter().enumerate() {
             for k in 0..n {
                 let slot = r * n + k;
@@ -265,8 +265,8 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
                 if now.below(*nearest) {
                     *nearest = now;
                 }
-                passage.collisions_ahead += u32::from(self.onsets.begun(k));
-                passage.collisions_behind += u32::from(self.onsets.begun(previous));
+                passage.collisions_ahead += u32::from(self.contact_tracker.started(k));
+                passage.collisions_behind += u32::from(self.contact_tracker.started(previous));
                 passage.slip_max_m_s = passage.slip_max_m_s.max(slip);
                 let [low, high] = passage.orbit_speed_range_rad_s;
                 passage.orbit_speed_range_rad_s = [low.min(orbit), high.max(orbit)];

@@ -2,7 +2,7 @@
 //! surface (Zhao 2022, Eq. (4) to (9)).
 //!
 //! In Eq. (4) to (8) the paper's Rm stands for Ro − Rw
-//! ([`Bearing::touching_radius_m`]), so that the path ends on the plain raceway
+//! ([`Bearing::outer_orbit_radius_m`]), so that the path ends on the plain raceway
 //! at any clearance. Local coordinates have the middle of the raceway at −Y.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -253,13 +253,13 @@ impl Raceway {
     /// r at the point of the path with abscissa x (Zhao 2022, Eq. (6)).
     pub fn effective_radius_at_x_m(&self, x_m: f64) -> f64 {
         if x_m.abs() < self.path_end_m() {
-            x_m.hypot(self.path_y_m(x_m)) - self.touching_radius_m()
+            x_m.hypot(self.path_y_m(x_m)) - self.outer_orbit_radius_m()
         } else {
             self.ball_radius_m
         }
     }
 
-    fn touching_radius_m(&self) -> f64 {
+    fn outer_orbit_radius_m(&self) -> f64 {
         self.groove_bottom_radius_m - self.ball_radius_m
     }
 
@@ -299,7 +299,7 @@ impl Raceway {
 
     fn radius_by_root(&self, local_angle_rad: f64) -> f64 {
         let x = self.path_x_m(local_angle_rad);
-        x.hypot(self.path_y_m(x)) - self.touching_radius_m()
+        x.hypot(self.path_y_m(x)) - self.outer_orbit_radius_m()
     }
 
     /// r as a polynomial in sin²ψ.
@@ -341,7 +341,7 @@ impl Raceway {
         // dψ/dx of tan ψ = −x/y; −sin α dα = dr/Rw.
         let turning = (x * slope - y) / (rho * rho);
         let rise = (x + y * slope) / rho;
-        let angle = z.atan2(rho - self.touching_radius_m());
+        let angle = z.atan2(rho - self.outer_orbit_radius_m());
         let slope = if rise == 0.0 {
             0.0
         } else {
@@ -367,7 +367,7 @@ impl Raceway {
         let (rw, re) = (self.ball_radius_m, self.groove_curvature_radius_m);
         let y = self.path_y_m(x_m);
         let rho = x_m.hypot(y);
-        let s = ((rw - re) * rho + self.touching_radius_m() * re) / (rw * rho);
+        let s = ((rw - re) * rho + self.outer_orbit_radius_m() * re) / (rw * rho);
         [x_m * s, y * s, self.path_z_m(x_m) * (rw - re) / rw]
     }
 
@@ -380,7 +380,7 @@ impl Raceway {
         } else {
             [0.0; 2]
         };
-        groove_centre(self.touching_radius_m(), offset, contact)
+        groove_centre(self.outer_orbit_radius_m(), offset, contact)
     }
 
     /// Point of the raceway surface at ψ and meridian angle η, the angle at Oe between
@@ -461,7 +461,7 @@ pub(crate) fn apart(raceways: &[Raceway]) -> Result<(), InputError> {
 
 /// 2·√(Rw² − (Ros − Rm)²), which lC must stay below (Zhao 2022, Eq. (8)).
 pub fn axial_span_limit_m(bearing: &Bearing) -> f64 {
-    let rise = bearing.dimensions().outer_shoulder_radius_m - bearing.touching_radius_m();
+    let rise = bearing.dimensions().outer_shoulder_radius_m - bearing.outer_orbit_radius_m();
     2.0 * (bearing.ball_radius_m().powi(2) - rise.max(0.0).powi(2))
         .max(0.0)
         .sqrt()
@@ -472,7 +472,7 @@ fn path_coefficients(bearing: &Bearing, span_m: f64, theta: f64) -> [f64; 3] {
     let ro = bearing.dimensions().outer_groove_bottom_radius_m;
     let rw = bearing.ball_radius_m();
     let (sin, cos) = theta.sin_cos();
-    let c = -(bearing.touching_radius_m() + (rw * rw - span_m * span_m / 4.0).sqrt());
+    let c = -(bearing.outer_orbit_radius_m() + (rw * rw - span_m * span_m / 4.0).sqrt());
     let rise = ro * sin * theta.tan();
     let a = (rise + 2.0 * ro * cos + 2.0 * c) / (2.0 * ro.powi(4) * sin.powi(4));
     let b = -(4.0 * c + rise + 4.0 * ro * cos) / (2.0 * ro * ro * sin * sin);

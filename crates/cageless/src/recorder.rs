@@ -1,6 +1,6 @@
 //! Snapshots at regular times.
 
-use crate::simulation::{Control, Observer, ObserverError, Scene, View};
+use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 use crate::snapshot::Snapshot;
 
 /// Passes a [`Snapshot`] at t = 0, after every interval and at the end of the run to a
@@ -25,14 +25,14 @@ impl<F: FnMut(Snapshot) -> Result<(), ObserverError>> Recorder<F> {
 }
 
 impl<F: FnMut(Snapshot) -> Result<(), ObserverError>> Observer for Recorder<F> {
-    fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
-        let mut rhs = crate::dynamics::RightHandSide::new(scene.model);
+    fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
+        let mut rhs = crate::dynamics::RightHandSide::new(context.model);
         self.taken = 1;
-        self.end_s = scene.case.solver.duration_s;
-        (self.sink)(rhs.snapshot(0.0, scene.start, scene.start_angle_rad))
+        self.end_s = context.case.solver.duration_s;
+        (self.sink)(rhs.snapshot(0.0, context.start, context.start_angle_rad))
     }
 
-    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         // Half a millionth of a step decides nothing, but lets 0.3 s mean 3000 × 0.1 ms.
         let slack = 1e-6 * (view.step.t1_s - view.step.t0_s);
         loop {

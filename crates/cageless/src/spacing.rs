@@ -12,7 +12,9 @@ use crate::dynamics::Model;
 use crate::dynamics::state::Balls;
 use crate::equilibrium::{self, EquilibriumError};
 use crate::numerics::root::{self, Rise};
-use crate::simulation::{Control, Ending, Observer, ObserverError, Scene, Stop, View, run};
+use crate::simulation::{
+    Control, Ending, Observer, ObserverError, RunContext, StepView, Stop, run,
+};
 
 /// An angle from 0 to 2π by its sine and cosine, both times the same length: two can be
 /// compared without angle functions.
@@ -193,13 +195,13 @@ struct PairWatch {
 }
 
 impl Observer for PairWatch {
-    fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
-        self.last_gap = scene.start_angle_rad[1] - scene.start_angle_rad[0] - self.ball_angle;
-        self.last_lead = scene.start_angle_rad[1] - self.centre;
+    fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
+        self.last_gap = context.start_angle_rad[1] - context.start_angle_rad[0] - self.ball_angle;
+        self.last_lead = context.start_angle_rad[1] - self.centre;
         Ok(())
     }
 
-    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         let (trail, lead) = (
             view.angle_after_rad(0) - self.centre,
             view.angle_after_rad(1) - self.centre,

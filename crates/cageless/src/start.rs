@@ -3,7 +3,7 @@
 use crate::case::{Case, Profile, Start};
 use crate::dynamics::ball::{BallMotion, Centre};
 use crate::dynamics::state::State;
-use crate::equilibrium::{self, EquilibriumError, seat, start_angles_rad};
+use crate::equilibrium::{self, EquilibriumError, ball_outer_geometry, start_angles_rad};
 use crate::kinematics::{orbit_speed_of_rad_s, rolling_relative_spin_rad_s, rolling_spin_rad_s};
 
 /// State at t = 0 and ψ of every ball.
@@ -32,7 +32,7 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
         }
     };
     for (k, (&angle, &distance)) in angles.iter().zip(&distances).enumerate() {
-        let r = seat(case, k, angle).effective_radius_m;
+        let r = ball_outer_geometry(case, k, angle).effective_radius_m;
         let radius = bearing.ball(k).radius_m;
         let orbit = orbit_speed_of_rad_s(bearing, radius, case.operation.inner_speed_rad_s, r);
         let (speed, spin) = match case.profile {

@@ -1,9 +1,9 @@
 //! Headline numbers of a run.
 
 use crate::case::Case;
+use crate::contact_tracker::ContactTracker;
 use crate::dynamics::coordinates::RingCoordinate;
-use crate::onsets::Onsets;
-use crate::simulation::{Control, Observer, ObserverError, Scene, View};
+use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 use crate::spacing::GapRange;
 
 /// Headline numbers over the part of a run after [`Self::settled_after_s`].
@@ -46,7 +46,7 @@ pub struct SummaryRecorder {
     ring_sum: [f64; 2],
     time: f64,
     slip_max: f64,
-    onsets: Onsets,
+    contact_tracker: ContactTracker,
 }
 
 impl SummaryRecorder {
@@ -60,7 +60,7 @@ impl SummaryRecorder {
             ring_sum: [0.0; 2],
             time: 0.0,
             slip_max: 0.0,
-            onsets: Onsets::new(0),
+            contact_tracker: ContactTracker::new(0),
         }
     }
 
@@ -85,22 +85,22 @@ impl Default for SummaryRecorder {
 }
 
 impl Observer for SummaryRecorder {
-    fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
-        let case = scene.case;
+    fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
+        let case = context.case;
         self.settled_after_s = transient_s(case);
-        self.gaps = GapRange::new(scene.model);
-        self.onsets = Onsets::new(scene.model.balls());
+        self.gaps = GapRange::new(context.model);
+        self.contact_tracker = ContactTracker::new(context.model.balls());
         Ok(())
     }
 
-    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         let contacts = &view.contacts;
         let counted = view.step.t1_s > self.settled_after_s;
-        self.onsets.look(contacts);
+        self.contact_tracker.update(contacts);
         if !counted {
             return Ok(Control::Continue);
         }
-        self.collisions += u64::from(self.onsets.count());
+        self.collisions += u64::from(self.contact_tracker.count());
         let layout = view.layout();
         let h = view.step.t1_s - view.step.t0_s;
         for (k, coordinate) in [RingCoordinate::X, RingCoordinate::Y]

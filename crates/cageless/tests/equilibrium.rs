@@ -17,7 +17,7 @@ fn check_balance(case: &Case, e: &Equilibrium) {
         let distance = dx.hypot(dy);
         let inner_deflection =
             bearing.dimensions().inner_groove_bottom_radius_m + bearing.ball_radius_m() - distance;
-        let outer_deflection = e.ball_distance_m[k] - bearing.touching_radius_m();
+        let outer_deflection = e.ball_distance_m[k] - bearing.outer_orbit_radius_m();
         let hertz = |k: f64, d: f64| k * d.max(0.0).powf(1.5);
         let inner = hertz(e.inner_stiffness_n_m1_5, inner_deflection);
         let outer = hertz(e.outer_stiffness_n_m1_5, outer_deflection);

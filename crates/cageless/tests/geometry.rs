@@ -112,7 +112,7 @@ fn effective_radius_lies_on_the_contact_path() {
     for (span, angle, ..) in STRUCTURES {
         let case = structure(span, angle);
         let raceway = &case.raceways[0];
-        let touching = case.bearing.touching_radius_m();
+        let touching = case.bearing.outer_orbit_radius_m();
         for k in -500..=500 {
             let psi = raceway.half_angle_rad() * f64::from(k) / 500.0 * 0.999_999;
             let x = raceway.path_x_m(psi);
@@ -149,7 +149,7 @@ fn surface_touches_the_ball_at_the_contact_path() {
     let case = structure(5.1, 25.2);
     let raceway = &case.raceways[0];
     let (rw, re) = (case.bearing.ball_radius_m(), 4.953e-3);
-    let touching = case.bearing.touching_radius_m();
+    let touching = case.bearing.outer_orbit_radius_m();
     for k in -20..=20 {
         let psi = raceway.half_angle_rad() * f64::from(k) / 20.5;
         let x = raceway.path_x_m(psi);

@@ -7,11 +7,11 @@ use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use cageless::certificate::members;
 use cageless::collision::CollisionDetector;
+use cageless::min_max_decimator::MinMaxDecimator;
 use cageless::passage::{PassageRecorder, PassageTally};
 use cageless::recorder::Recorder;
 use cageless::simulation::{Control, Ending, run};
 use cageless::summary::SummaryRecorder;
-use cageless::thinning::Thinning;
 use cageless::vibration::{STRETCH, VibrationRecorder};
 use cageless::{Case, Housing, Method};
 
@@ -46,7 +46,7 @@ fn peak_bytes(case: &Case) -> (usize, u64, u64) {
     };
     let before = NOW.load(Relaxed);
     MOST.store(before, Relaxed);
-    let mut rows = Thinning::new(40);
+    let mut rows = MinMaxDecimator::new(40);
     let mut tally = PassageTally::new();
     let mut vibration = VibrationRecorder::new(&housing, 1e5, 0.0);
     let mut watch = members(case, 1)[0].watch();

@@ -222,7 +222,7 @@ fn curvature_behind_the_contact_stress() {
     let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(x, y)| x * y).sum() };
     // Of the curve at constant meridian angle; the normal points to the ball.
     let curvature = dot(&bending, &here.normal) / dot(&along, &along);
-    let expected = (r / rw) / (bearing.touching_radius_m() + r);
+    let expected = (r / rw) / (bearing.outer_orbit_radius_m() + r);
     // The contact path goes the same way there, so it has the same normal curvature.
     assert!(
         (curvature / expected - 1.0).abs() < 1e-3,

@@ -49,7 +49,7 @@ fn a_common_deviation_is_another_ball() {
     }
 }
 
-/// The ledger closes, through a discrete raceway, too, where the seat of a ball of another
+/// The ledger closes, through a discrete raceway, too, where the contact geometry of a ball of another
 /// radius rises and falls.
 #[test]
 fn the_ledger_closes() {

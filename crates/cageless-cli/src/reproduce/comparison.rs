@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use cageless::collision::{Collision, CollisionDetector};
 use cageless::design::search::uneven_gaps_rad;
 use cageless::simulation::{
-    Control, Ending, Observer, ObserverError, RunOutcome, View, batches, run_batch,
+    Control, Ending, Observer, ObserverError, RunOutcome, StepView, batches, run_batch,
 };
 use cageless::step::StepLimits;
 use cageless::tolerance::{ball_grade, ball_lot_m};
@@ -257,7 +257,7 @@ impl OrbitMeter {
 }
 
 impl Observer for OrbitMeter {
-    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         let time_s = view.step.t1_s;
         if time_s >= self.after_s && (self.first.is_none() || time_s >= self.until_s) {
             let balls = view.layout().balls;

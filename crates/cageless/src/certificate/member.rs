@@ -7,7 +7,7 @@ use super::trajectory::{TrajectoryRecorder, sample_times_s};
 use crate::case::{Case, Start};
 use crate::equilibrium::EquilibriumError;
 use crate::simulation::{
-    Control, Ending, Observer, ObserverError, RunOutcome, Scene, Stop, View, run,
+    Control, Ending, Observer, ObserverError, RunContext, RunOutcome, StepView, Stop, run,
 };
 use crate::summary::SummaryRecorder;
 
@@ -227,13 +227,13 @@ impl Watch {
 }
 
 impl Observer for Watch {
-    fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
-        self.summary.begin(scene)?;
-        self.motion.begin(scene)?;
-        self.momentum.begin(scene)
+    fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
+        self.summary.begin(context)?;
+        self.motion.begin(context)?;
+        self.momentum.begin(context)
     }
 
-    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         self.lead_angle_rad = view.angle_after_rad(0);
         self.summary.step(view)?;
         self.motion.step(view)?;

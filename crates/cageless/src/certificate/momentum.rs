@@ -5,7 +5,7 @@ use crate::contact::centrifugal_force;
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::dynamics::state::Layout;
 use crate::dynamics::{Model, RightHandSide};
-use crate::simulation::{Control, Observer, ObserverError, Scene, View};
+use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 
 /// Compares the linear momentum of balls and inner ring with the impulses of the external
 /// forces: the outer ring, the radial load, the weights, the drag on the inner ring and, in
@@ -78,23 +78,25 @@ fn external(model: &Model, layout: Layout, values: &[f64], outer: [f64; 2]) -> (
 }
 
 impl Observer for MomentumBalance {
-    fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
-        let (layout, values) = (scene.start.layout(), scene.start.values());
-        let mut rhs = RightHandSide::new(scene.model);
-        let s = rhs.snapshot(0.0, scene.start, scene.start_angle_rad).ring;
+    fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
+        let (layout, values) = (context.start.layout(), context.start.values());
+        let mut rhs = RightHandSide::new(context.model);
+        let s = rhs
+            .snapshot(0.0, context.start, context.start_angle_rad)
+            .ring;
         let outer = [s.outer_force_x_n, s.outer_force_y_n];
-        let start = momentum(scene.model, layout, values);
+        let start = momentum(context.model, layout, values);
         *self = Self {
             start,
             now: start,
-            last: Some(external(scene.model, layout, values, outer)),
-            model: Some(scene.model.clone()),
+            last: Some(external(context.model, layout, values, outer)),
+            model: Some(context.model.clone()),
             ..Self::default()
         };
         Ok(())
     }
 
-    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         let Some(model) = &self.model else {
             return Ok(Control::Continue);
         };

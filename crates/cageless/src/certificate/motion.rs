@@ -1,7 +1,7 @@
 //! Means and deviations over the part of a run after its transient.
 
 use crate::numerics::moments::Moments;
-use crate::simulation::{Control, Observer, ObserverError, Scene, View};
+use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 use crate::summary::transient_s;
 
 /// Balls are looked at this often, steps: their speeds hardly change in between.
@@ -36,16 +36,16 @@ impl MotionRecorder {
 }
 
 impl Observer for MotionRecorder {
-    fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
+    fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
         *self = Self {
-            settled_after_s: transient_s(scene.case),
+            settled_after_s: transient_s(context.case),
             ..Self::default()
         };
         self.last_look_s = self.settled_after_s;
         Ok(())
     }
 
-    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         let step = &view.step;
         if step.t1_s <= self.settled_after_s {
             return Ok(Control::Continue);

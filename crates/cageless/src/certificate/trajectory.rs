@@ -2,7 +2,7 @@
 
 use crate::case::Case;
 use crate::dynamics::state::{Layout, State};
-use crate::simulation::{Control, Observer, ObserverError, View};
+use crate::simulation::{Control, Observer, ObserverError, StepView};
 
 /// Times at which runs are compared.
 const SAMPLES: usize = 1500;
@@ -51,7 +51,7 @@ impl TrajectoryRecorder {
 }
 
 impl Observer for TrajectoryRecorder {
-    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         let step = &view.step;
         // The energy ledger is left out.
         self.width = Layout::new(view.layout().balls).motion_len();

@@ -129,7 +129,7 @@ pub fn with_path_direction(
 }
 
 /// Geometry of a ball of another radius R, or in a raceway milled too deep by e, see
-/// [`crate::seat`]. With f = Re − Rw, c = r/Rw and g = Re + e − R the ball's centre lies
+/// [`crate::outer_contact_geometry`]. With f = Re − Rw, c = r/Rw and g = Re + e − R the ball's centre lies
 /// h = √(g² − f²(1 − c²)) beyond Oe, so that |rb| = Ro − Rw + h − f c and r = R h/g, with
 /// the slope d|rb|/dψ = (g e′ + f² c c′)/h − f c′ and e = E (1 − sin²ψ/sin²θ)².
 #[inline(always)]

@@ -9,8 +9,8 @@ use crate::contact::{
     Friction, InnerRaceway, OuterGeometry, OuterRaceway, RacewayConstants, restitution_damping,
 };
 use crate::error::InputError;
+use crate::outer_contact_geometry::outer_contact_geometry;
 use crate::raceway::Raceway;
-use crate::seat::seat;
 
 /// A discrete raceway as the equations use it.
 #[derive(Debug, Clone, PartialEq)]
@@ -109,7 +109,7 @@ impl Model {
                 .collect(),
             pair_angle: (0..d.balls).map(|k| bearing.pair_angle_rad(k)).collect(),
             balls,
-            unequal: !case.nominal_seats(),
+            unequal: !case.has_nominal_geometry(),
             friction: Friction {
                 coefficient: c.friction_coefficient,
                 inverse_slip_scale: 1.0 / c.slip_scale_m_s,
@@ -174,17 +174,18 @@ impl Model {
         Centre::default()
     }
 
-    /// Geometry of the outer contact of ball `k`, with r and |rb| of [`seat`].
+    /// Geometry of the outer contact of ball `k`, with r and |rb| of [`outer_contact_geometry`].
     pub(crate) fn outer_geometry(&self, k: usize, polar: &PolarMotion) -> OuterGeometry {
         let plain = OuterGeometry::plain(&self.balls[k], polar);
         if !self.unequal {
             return plain;
         }
         let angle = polar.ex.atan2(-polar.ey);
-        let seat = seat(&self.bearing, &self.raceways, angle, self.balls[k].radius);
+        let geometry =
+            outer_contact_geometry(&self.bearing, &self.raceways, angle, self.balls[k].radius);
         OuterGeometry {
-            orbit_radius: seat.touching_radius_m,
-            effective_radius: seat.effective_radius_m,
+            orbit_radius: geometry.outer_orbit_radius_m,
+            effective_radius: geometry.effective_radius_m,
             ..plain
         }
     }

@@ -116,7 +116,7 @@ fn minimum_from(
     let room = potential
         .balls
         .iter()
-        .map(|b| b.touching)
+        .map(|b| b.outer_orbit_radius)
         .fold(f64::INFINITY, f64::min);
     let mut here = potential.at(start);
     let mut radius = longest.min(length(start).max(1e-3 * longest));

@@ -14,7 +14,7 @@ use crate::case::{Case, Gaps, Profile};
 use crate::contact::hertz::{PointContact, STRESS_LIMIT_PA};
 use crate::error::InputError;
 use crate::kinematics::orbit_speed_of_rad_s;
-use crate::seat::{self, Seat};
+use crate::outer_contact_geometry::{OuterContactGeometry, outer_contact_geometry};
 use newton::{BallProblem, BallSolution, Problem};
 use potential::{Potential, PotentialBall};
 
@@ -81,7 +81,7 @@ pub fn overload(case: &Case) -> Option<String> {
     solve(case).ok()?.overload()
 }
 
-/// The solver did not reach equilibrium.
+/// The solver did not inner_contact_distance equilibrium.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum EquilibriumError {
     /// The case itself is wrong.
@@ -124,10 +124,10 @@ pub fn start_angles_rad(case: &Case) -> Vec<f64> {
         .collect()
 }
 
-/// Where ball `k` sits in the outer ring at ψ.
-pub fn seat(case: &Case, k: usize, angle_rad: f64) -> Seat {
+/// Geometry of the outer contact of ball `k` of a case at ψ = `angle_rad`.
+pub fn ball_outer_geometry(case: &Case, k: usize, angle_rad: f64) -> OuterContactGeometry {
     let radius = case.bearing.ball(k).radius_m;
-    seat::seat(&case.bearing, &case.raceways, angle_rad, radius)
+    outer_contact_geometry(&case.bearing, &case.raceways, angle_rad, radius)
 }
 
 /// Solves the equilibrium of `case` with its balls at their starting angles.
@@ -145,12 +145,12 @@ pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
         .enumerate()
         .map(|(k, &angle)| {
             let (sin, cos) = angle.sin_cos();
-            let (ball, seat) = (bearing.ball(k), seat(case, k, angle));
+            let (ball, outer_geometry) = (bearing.ball(k), ball_outer_geometry(case, k, angle));
             let orbit = orbit_speed_of_rad_s(
                 bearing,
                 ball.radius_m,
                 case.operation.inner_speed_rad_s,
-                seat.effective_radius_m,
+                outer_geometry.effective_radius_m,
             );
             let speed = orbit * bearing.pitch_radius_m();
             let doubled = match case.profile {
@@ -161,7 +161,7 @@ pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
             BallProblem {
                 angle,
                 radius: ball.radius_m,
-                seat,
+                outer_geometry,
                 inner_stiffness,
                 outer_stiffness,
                 e: [sin, -cos],
@@ -196,12 +196,12 @@ pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
         outer_stress_max_pa: outer_force_n
             .iter()
             .zip(&problem.balls)
-            .map(|(&f, ball)| outer_stress_pa(bearing, ball.seat.effective_radius_m, f))
+            .map(|(&f, ball)| outer_stress_pa(bearing, ball.outer_geometry.effective_radius_m, f))
             .fold(0.0, stress),
         effective_radius_m: problem
             .balls
             .iter()
-            .map(|b| b.seat.effective_radius_m)
+            .map(|b| b.outer_geometry.effective_radius_m)
             .collect(),
         inner_force_n,
         outer_force_n,
@@ -223,7 +223,7 @@ pub fn outer_stress_pa(bearing: &Bearing, r_m: f64, force_n: f64) -> f64 {
     PointContact::new(
         [1.0 / rw; 2],
         [
-            -cosine / (bearing.touching_radius_m() + r_m),
+            -cosine / (bearing.outer_orbit_radius_m() + r_m),
             -1.0 / bearing.dimensions().outer_groove_curvature_radius_m,
         ],
         bearing.material(),
@@ -243,9 +243,9 @@ fn settle_ring(problem: &Problem<'_>) -> Result<[f64; 2], EquilibriumError> {
             .iter()
             .map(|ball| PotentialBall {
                 e: ball.e,
-                touching: ball.seat.touching_radius_m,
+                outer_orbit_radius: ball.outer_geometry.outer_orbit_radius_m,
                 slack: bearing.dimensions().inner_groove_bottom_radius_m + ball.radius
-                    - ball.seat.touching_radius_m,
+                    - ball.outer_geometry.outer_orbit_radius_m,
                 inner_stiffness: ball.inner_stiffness,
                 outer_stiffness: ball.outer_stiffness,
                 steady: ball.steady,

@@ -2,13 +2,13 @@
 
 use crate::bearing::Bearing;
 use crate::numerics::root;
-use crate::seat::Seat;
+use crate::outer_contact_geometry::OuterContactGeometry;
 
-/// What one ball contributes.
+/// Equilibrium of one ball for a given place of the inner ring.
 pub(super) struct BallProblem {
     pub angle: f64,
     pub radius: f64,
-    pub seat: Seat,
+    pub outer_geometry: OuterContactGeometry,
     pub inner_stiffness: f64,
     pub outer_stiffness: f64,
     /// Unit vector e.
@@ -41,8 +41,9 @@ pub(super) struct BallSolution {
 impl Problem<'_> {
     /// Place and forces of a ball for a given ring.
     pub fn ball(&self, ball: &BallProblem, ring: [f64; 2]) -> BallSolution {
-        let touching = ball.seat.touching_radius_m;
-        let reach = self.bearing.dimensions().inner_groove_bottom_radius_m + ball.radius;
+        let outer_orbit_radius = ball.outer_geometry.outer_orbit_radius_m;
+        let inner_contact_distance =
+            self.bearing.dimensions().inner_groove_bottom_radius_m + ball.radius;
         let forces = |distance: f64| {
             let offset = [
                 distance * ball.e[0] - ring[0],
@@ -50,21 +51,26 @@ impl Problem<'_> {
             ];
             let length = offset[0].hypot(offset[1]);
             let ei = offset.map(|c| c / length);
-            let inner = ball.inner_stiffness * (reach - length).max(0.0).powf(1.5);
-            let outer = ball.outer_stiffness * (distance - touching).max(0.0).powf(1.5);
+            let inner = ball.inner_stiffness * (inner_contact_distance - length).max(0.0).powf(1.5);
+            let outer = ball.outer_stiffness * (distance - outer_orbit_radius).max(0.0).powf(1.5);
             let cosine = ei[0] * ball.e[0] + ei[1] * ball.e[1];
             let net = inner * cosine + ball.steady + ball.turning / distance - outer;
-            (net, inner, outer, ei, reach - length)
+            (net, inner, outer, ei, inner_contact_distance - length)
         };
         // Outward push falls with the distance; all the room there is brackets it.
         let width = self.bearing.ball_radius_m() + self.bearing.radial_clearance_m();
-        let distance = root::brent(|d| forces(d).0, touching - width, touching + width, 0.0)
-            .unwrap_or(touching);
+        let distance = root::brent(
+            |d| forces(d).0,
+            outer_orbit_radius - width,
+            outer_orbit_radius + width,
+            0.0,
+        )
+        .unwrap_or(outer_orbit_radius);
         let (_, inner, outer, ei, approach) = forces(distance);
         let slope = |k: f64, deflection: f64| 1.5 * k * deflection.max(0.0).sqrt();
         let (ki, ko) = (
             slope(ball.inner_stiffness, approach),
-            slope(ball.outer_stiffness, distance - touching),
+            slope(ball.outer_stiffness, distance - outer_orbit_radius),
         );
         let stiffness = if ki > 0.0 { ki * ko / (ki + ko) } else { 0.0 };
         BallSolution {
@@ -108,7 +114,7 @@ impl Problem<'_> {
             .balls
             .iter()
             .map(|b| {
-                let push = b.steady + b.turning / self.bearing.touching_radius_m();
+                let push = b.steady + b.turning / self.bearing.outer_orbit_radius_m();
                 (push.max(0.0) / b.outer_stiffness).powf(2.0 / 3.0)
             })
             .fold(0.0, f64::max);

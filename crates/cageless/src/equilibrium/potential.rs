@@ -17,7 +17,7 @@ pub(super) struct PotentialBall {
     /// Unit vector **e** from the axis to the ball.
     pub e: [f64; 2],
     /// T, distance from the axis at which the ball just touches the outer raceway.
-    pub touching: f64,
+    pub outer_orbit_radius: f64,
     /// Ri + R − T, approach to the centred ring there.
     pub slack: f64,
     pub inner_stiffness: f64,
@@ -74,7 +74,7 @@ impl PotentialBall {
         let share = |k: f64| k.cbrt().powi(2);
         let (inner, outer) = (share(self.inner_stiffness), share(self.outer_stiffness));
         let approach = self.at(ring, 0.0).approach;
-        let push = self.steady + self.turning / self.touching;
+        let push = self.steady + self.turning / self.outer_orbit_radius;
         if push >= 0.0 {
             let thrown = share(push) / outer;
             thrown + (approach - thrown).max(0.0) * inner / (inner + outer)
@@ -89,7 +89,7 @@ impl PotentialBall {
         let along = self.e[0] * ring[0] + self.e[1] * ring[1];
         // Component of R across e; L² = (ρ − along)² + across².
         let across = self.e[0] * ring[1] - self.e[1] * ring[0];
-        let distance = self.touching + beyond;
+        let distance = self.outer_orbit_radius + beyond;
         let length = (distance - along).hypot(across);
         // L − (ρ − along), without the cancellation of a difference of lengths.
         let longer = across * across / (length + (distance - along));
@@ -109,7 +109,7 @@ impl PotentialBall {
 
     /// ∂U/∂u and ∂²U/∂u².
     fn slopes(&self, rest: &Rest) -> [f64; 2] {
-        let distance = self.touching + rest.beyond;
+        let distance = self.outer_orbit_radius + rest.beyond;
         let outer = rest.outer_slope * rest.beyond.max(0.0) / 1.5;
         let turning = self.turning / distance;
         [
@@ -124,7 +124,7 @@ impl PotentialBall {
     /// nothing.
     fn rest(&self, ring: [f64; 2]) -> Rest {
         let away = ring[0].hypot(ring[1]);
-        let (mut low, mut high) = (-0.9 * (self.touching - away), self.deepest);
+        let (mut low, mut high) = (-0.9 * (self.outer_orbit_radius - away), self.deepest);
         let mut rest = self.at(ring, self.guess(ring).clamp(low, high));
         let mut last = high - low;
         for _ in 0..200 {
@@ -170,7 +170,7 @@ impl Potential {
                 elastic(ball.inner_stiffness, rest.approach),
                 elastic(ball.outer_stiffness, rest.beyond),
                 -ball.steady * rest.beyond,
-                -ball.turning * (rest.beyond / ball.touching).ln_1p(),
+                -ball.turning * (rest.beyond / ball.outer_orbit_radius).ln_1p(),
             ] {
                 local.energy += term;
                 local.magnitude += term.abs();
@@ -206,7 +206,7 @@ impl Potential {
     /// Sum of the absolute forces that act from outside: load and weights, centrifugal.
     pub fn forces(&self) -> f64 {
         self.balls.iter().fold(self.down, |sum, ball| {
-            sum + (ball.steady + ball.turning / ball.touching).abs()
+            sum + (ball.steady + ball.turning / ball.outer_orbit_radius).abs()
         })
     }
 }

@@ -1,12 +1,12 @@
-//! A run: the equations of a case, advanced and watched.
+//! Time integration of a case, with observers.
 
-mod course;
-mod ensemble;
+mod batch;
 mod guard;
 mod observer;
 mod run;
+mod run_tracker;
 
-pub use ensemble::{batches, run_batch};
+pub use batch::{batches, run_batch};
 pub use guard::{Cause, Stop};
-pub use observer::{Observer, ObserverError, Scene, View};
+pub use observer::{Observer, ObserverError, RunContext, StepView};
 pub use run::{Control, Ending, RunOutcome, run, run_from};

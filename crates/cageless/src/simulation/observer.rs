@@ -1,4 +1,4 @@
-//! Whatever watches a run.
+//! Observers of a run.
 
 use std::cell::RefCell;
 use std::f64::consts::TAU;
@@ -11,12 +11,12 @@ use crate::dynamics::{Contacts, Model, RightHandSide};
 use crate::integrator::StepState;
 use crate::snapshot::Snapshot;
 
-/// An observer could not go on (a file that cannot be written, say).
+/// Error of an observer, for example a file that cannot be written.
 pub type ObserverError = Box<dyn std::error::Error + Send + Sync>;
 
-/// What stays the same during a run.
+/// Case, equations and initial state of a run.
 #[derive(Clone, Copy)]
-pub struct Scene<'a> {
+pub struct RunContext<'a> {
     /// The case.
     pub case: &'a Case,
     /// Its equations.
@@ -28,20 +28,20 @@ pub struct Scene<'a> {
 }
 
 /// One step of a run.
-pub struct View<'a, 'm> {
+pub struct StepView<'a, 'm> {
     /// States and rates at both ends, perhaps with those of other bearings in between:
     /// [`Self::layout`] has the places.
     pub step: &'a StepState,
-    /// What the right-hand side saw at the end of the step.
+    /// Contacts at the end of the step.
     pub contacts: Contacts<'a>,
-    /// A second right-hand side, to look at states within the step.
-    pub(super) probe: &'a RefCell<RightHandSide<'m>>,
+    /// A second right-hand side for snapshots within the step.
+    pub(super) interpolator: &'a RefCell<RightHandSide<'m>>,
     /// Continuous ψ of each ball less than half a turn ago.
     pub(super) recent_angle_rad: &'a [f64],
     pub(super) layout: Layout,
 }
 
-impl View<'_, '_> {
+impl StepView<'_, '_> {
     /// Places of this bearing in the vectors of the step.
     pub fn layout(&self) -> Layout {
         self.layout
@@ -79,28 +79,30 @@ impl View<'_, '_> {
         State::from_places(self.layout, |place| self.step.interpolate(place, time_s))
     }
 
-    /// Everything that can be seen at `time_s` within the step.
+    /// Snapshot at `time_s` within the step, by interpolation.
     pub fn snapshot(&self, time_s: f64) -> Snapshot {
         let state = self.state(time_s);
         let angles: Vec<f64> = (0..self.layout.balls)
             .map(|k| self.angle_rad(k, time_s))
             .collect();
-        self.probe.borrow_mut().snapshot(time_s, &state, &angles)
+        self.interpolator
+            .borrow_mut()
+            .snapshot(time_s, &state, &angles)
     }
 }
 
-/// `angle` plus whole turns, next to `reference`.
+/// `angle` plus whole turns, nearest to `reference`.
 pub(crate) fn unwrap_angle(angle: f64, reference: f64) -> f64 {
     angle + ((reference - angle) / TAU).round() * TAU
 }
 
-/// Watches a run step by step.
+/// Observer of a run, called after every step.
 pub trait Observer {
     /// Called once, before the first step.
     ///
     /// # Errors
     /// Ends the run.
-    fn begin(&mut self, _scene: &Scene<'_>) -> Result<(), ObserverError> {
+    fn begin(&mut self, _context: &RunContext<'_>) -> Result<(), ObserverError> {
         Ok(())
     }
 
@@ -108,5 +110,5 @@ pub trait Observer {
     ///
     /// # Errors
     /// Ends the run.
-    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError>;
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError>;
 }

@@ -1,8 +1,8 @@
 //! The loop over the steps.
 
-use super::course::Course;
 use super::guard::{Cause, Stop};
-use super::observer::{Observer, Scene};
+use super::observer::{Observer, RunContext};
+use super::run_tracker::RunTracker;
 use crate::case::{Case, Method};
 use crate::dynamics::state::State;
 use crate::dynamics::{InstructionSet, Model, RightHandSide};
@@ -14,17 +14,17 @@ use crate::start::initial_state;
 /// How a run ended.
 #[derive(Debug)]
 pub enum Ending {
-    /// At its full duration.
+    /// Completed its duration.
     Complete,
-    /// At the wish of the caller.
+    /// Interrupted by the caller.
     Interrupted,
-    /// Because it had left the physical range.
+    /// Stopped because it left the physical range.
     Stopped(Stop),
-    /// Because an observer failed.
+    /// Stopped because an observer failed.
     ObserverFailed(super::ObserverError),
 }
 
-/// What a run came to.
+/// Outcome of a run.
 #[derive(Debug)]
 pub struct RunOutcome {
     /// How it ended.
@@ -48,16 +48,16 @@ pub struct RunOutcome {
     pub instruction_set: InstructionSet,
 }
 
-/// What the caller wants of a run in progress.
+/// Request of the caller to a run in progress.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Control {
-    /// Go on.
+    /// Continue the run.
     Continue,
-    /// End here.
+    /// End the run after this step.
     Interrupt,
 }
 
-/// The caller is asked this often, steps.
+/// Steps between two calls of `control`.
 const ASK_EVERY: u64 = 1024;
 
 /// Runs a case. `control` is called every thousand steps or so with the simulated time.
@@ -87,42 +87,41 @@ pub fn run_from(
 ) -> Result<RunOutcome, InputError> {
     let model = Model::new(case)?;
     let rhs = RightHandSide::new(&model);
-    let scene = Scene {
+    let context = RunContext {
         case,
         model: &model,
         start,
         start_angle_rad,
     };
-    let mut course = Course::new(scene, rhs.layout(), observers);
-    drive(rhs, std::slice::from_mut(&mut course), control);
-    Ok(course.outcome())
+    let mut tracker = RunTracker::new(context, rhs.layout(), observers);
+    drive(rhs, std::slice::from_mut(&mut tracker), control);
+    Ok(tracker.outcome())
 }
 
-/// Advances bearings of one kind, method, step and duration, alone or side by side, until
-/// each has come to its end.
+/// Advances bearings of one kind, method, step and duration, alone or side by side, /// each has ended.
 pub(super) fn drive<'m>(
     mut rhs: RightHandSide<'m>,
-    courses: &mut [Course<'_, 'm, '_>],
+    trackers: &mut [RunTracker<'_, 'm, '_>],
     control: &mut dyn FnMut(f64) -> Control,
 ) {
-    let solver = &courses[0].scene.case.solver;
+    let solver = &trackers[0].context.case.solver;
     let (size, h) = (rhs.layout().len(), solver.step_s);
     let mut start = vec![0.0; size];
     rhs.layout().spread_padding(&mut start);
     for bearing in 0..rhs.layout().width() {
         // Lanes without a bearing of their own repeat the last.
-        let course = &courses[bearing.min(courses.len() - 1)];
+        let tracker = &trackers[bearing.min(trackers.len() - 1)];
         let places = rhs.layout().of_bearing(bearing);
-        course.scene.start.write_to(places, &mut start);
+        tracker.context.start.write_to(places, &mut start);
     }
     match solver.method {
-        Method::Abm4 => advance(Abm4::new(size, h), &mut rhs, &start, courses, control),
+        Method::Abm4 => advance(Abm4::new(size, h), &mut rhs, &start, trackers, control),
         Method::Symplectic => {
-            advance(VelocityVerlet::new(h), &mut rhs, &start, courses, control);
+            advance(VelocityVerlet::new(h), &mut rhs, &start, trackers, control);
         }
         Method::Adaptive => {
             let method = Adaptive::new(size, h, solver.tolerance);
-            advance(method, &mut rhs, &start, courses, control);
+            advance(method, &mut rhs, &start, trackers, control);
         }
     }
 }
@@ -131,41 +130,41 @@ fn advance<'m>(
     method: impl integrator::Method,
     rhs: &mut RightHandSide<'m>,
     start: &[f64],
-    courses: &mut [Course<'_, 'm, '_>],
+    trackers: &mut [RunTracker<'_, 'm, '_>],
     control: &mut dyn FnMut(f64) -> Control,
 ) {
     let mut integrator = Integrator::new(method, start.len());
     integrator.restart(rhs, 0.0, start);
-    let duration = courses[0].scene.case.solver.duration_s;
+    let duration = trackers[0].context.case.solver.duration_s;
     let mut steps = 0;
-    while courses.iter().any(Course::under_way) {
+    while trackers.iter().any(RunTracker::under_way) {
         if let Err(error) = rhs.advance(&mut integrator, duration) {
-            for course in courses.iter_mut() {
+            for tracker in trackers.iter_mut() {
                 let stop = Stop {
                     time_s: error.time_s,
-                    step_s: course.scene.case.solver.step_s,
+                    step_s: tracker.context.case.solver.step_s,
                     cause: Cause::NotResolved,
                 };
-                course.end(Ending::Stopped(stop), &integrator.step().y1);
+                tracker.end(Ending::Stopped(stop), &integrator.step().y1);
             }
             break;
         }
         steps += 1;
         let step = integrator.step();
-        for course in courses.iter_mut().filter(|c| c.under_way()) {
-            course.follow(step, rhs, steps, duration);
+        for tracker in trackers.iter_mut().filter(|c| c.under_way()) {
+            tracker.follow(step, rhs, steps, duration);
         }
         if step.t1_s >= duration {
             break;
         }
         if steps.is_multiple_of(ASK_EVERY) && control(step.t1_s) == Control::Interrupt {
-            for course in courses.iter_mut() {
-                course.end(Ending::Interrupted, &step.y1);
+            for tracker in trackers.iter_mut() {
+                tracker.end(Ending::Interrupted, &step.y1);
             }
         }
     }
-    for course in courses {
-        course.rhs_evaluations = rhs.evaluations();
-        course.instruction_set = rhs.instruction_set();
+    for tracker in trackers {
+        tracker.rhs_evaluations = rhs.evaluations();
+        tracker.instruction_set = rhs.instruction_set();
     }
 }

@@ -45,7 +45,7 @@ pub struct OuterRingDimensions {
 pub struct OuterRing {
     dimensions: OuterRingDimensions,
     /// T = Ro − Rw.
-    touching_radius_m: f64,
+    outer_orbit_radius_m: f64,
     /// Re − Rw.
     offset_m: f64,
     /// Re.
@@ -86,7 +86,7 @@ impl OuterRing {
         let zones = (raceways.iter()).map(|r| Zone::new(r, dimensions.blend_m, bottom_m));
         let ring = Self {
             dimensions,
-            touching_radius_m: bearing.touching_radius_m(),
+            outer_orbit_radius_m: bearing.outer_orbit_radius_m(),
             offset_m: d.outer_groove_curvature_radius_m - d.ball_radius_m,
             curvature_radius_m: d.outer_groove_curvature_radius_m,
             shoulder_radius_m: d.outer_shoulder_radius_m,
@@ -188,7 +188,7 @@ impl OuterRing {
 
     fn section(&self, angle_rad: f64, contact: [f64; 2]) -> Meridian {
         let [radius, height, radius_slope, height_slope] =
-            groove_centre(self.touching_radius_m, self.offset_m, contact);
+            groove_centre(self.outer_orbit_radius_m, self.offset_m, contact);
         Meridian {
             angle_rad,
             contact_angle_rad: contact[0],

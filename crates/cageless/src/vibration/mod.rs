@@ -20,9 +20,9 @@ pub use spectrum::{Spectrum, Welch, spectrum};
 pub use without_contacts::{AFTER_CONTACT_S, WithoutContacts};
 
 use crate::case::Housing;
+use crate::min_max_decimator::MinMaxDecimator;
 use crate::numerics::moments::Moments;
-use crate::simulation::{Control, Observer, ObserverError, Scene, View};
-use crate::thinning::Thinning;
+use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 use response::Response;
 
 /// Values in a stretch of [`Welch`]'s average: 1.6 s at 5 kHz.
@@ -40,7 +40,7 @@ pub struct Measurement {
     seen: u64,
     moments: Moments,
     peak: f64,
-    trace: Thinning<[f64; 2]>,
+    trace: MinMaxDecimator<[f64; 2]>,
     welch: Welch,
 }
 
@@ -57,7 +57,7 @@ impl Measurement {
             seen: 0,
             moments: Moments::default(),
             peak: 0.0,
-            trace: Thinning::new(TRACE_POINTS),
+            trace: MinMaxDecimator::new(TRACE_POINTS),
             welch,
         }
     }
@@ -144,12 +144,12 @@ impl VibrationRecorder {
 }
 
 impl Observer for VibrationRecorder {
-    fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
-        self.response.begin(scene);
+    fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
+        self.response.begin(context);
         Ok(())
     }
 
-    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         self.response.add(
             view.step.t0_s,
             view.step.t1_s,

@@ -3,7 +3,7 @@
 use super::oscillator::Oscillator;
 use super::{HOUSING_INTERVAL_S, Measurement};
 use crate::case::Housing;
-use crate::simulation::Scene;
+use crate::simulation::RunContext;
 
 /// Acceleration of the housing along x and y under the force on the outer ring.
 pub(super) struct Response {
@@ -33,9 +33,9 @@ impl Response {
     }
 
     /// Takes the force at the start of a run.
-    pub fn begin(&mut self, scene: &Scene<'_>) {
-        let mut rhs = crate::dynamics::RightHandSide::new(scene.model);
-        let snapshot = rhs.snapshot(0.0, scene.start, scene.start_angle_rad);
+    pub fn begin(&mut self, context: &RunContext<'_>) {
+        let mut rhs = crate::dynamics::RightHandSide::new(context.model);
+        let snapshot = rhs.snapshot(0.0, context.start, context.start_angle_rad);
         self.last_force = [snapshot.ring.outer_force_x_n, snapshot.ring.outer_force_y_n];
     }
 

@@ -3,7 +3,7 @@
 use super::Measurement;
 use super::response::Response;
 use crate::case::Housing;
-use crate::simulation::{Control, Observer, ObserverError, Scene, View};
+use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 
 /// Time after a contact between balls in which the balls still bounce between the raceways.
 pub const AFTER_CONTACT_S: f64 = 1e-4;
@@ -39,12 +39,12 @@ impl WithoutContacts {
 }
 
 impl Observer for WithoutContacts {
-    fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
-        self.response.begin(scene);
+    fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
+        self.response.begin(context);
         Ok(())
     }
 
-    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         let (from_s, to_s) = (view.step.t0_s, view.step.t1_s);
         if view.contacts.balls_touch() {
             self.touched_s = to_s;

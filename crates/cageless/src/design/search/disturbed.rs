@@ -5,13 +5,14 @@
 //! balls, at the price of collisions, and then to let them be.
 
 use crate::case::{Case, Gaps, Start};
+use crate::contact_tracker::ContactTracker;
 use crate::design::verdict::speed_drop_share;
 use crate::dynamics::energy::EnergyTerm;
 use crate::equilibrium::EquilibriumError;
-use crate::onsets::Onsets;
 use crate::passage::{Passage, PassageRecorder, PassageTally};
 use crate::simulation::{
-    Control, Ending, Observer, ObserverError, RunOutcome, Scene, Stop, View, batches, run_batch,
+    Control, Ending, Observer, ObserverError, RunContext, RunOutcome, StepView, Stop, batches,
+    run_batch,
 };
 
 /// Orbits of the balls in a disturbed run; spacing is looked at in the second half.
@@ -285,7 +286,7 @@ fn least_speed_drop_share(case: &Case, passages: &[Passage]) -> f64 {
 /// Counts contacts between balls and follows the force on the outer ring.
 struct ContactCounter {
     half_s: f64,
-    onsets: Onsets,
+    contact_tracker: ContactTracker,
     /// Contacts begun: in all, and in the second half.
     begun: [f64; 2],
     impulse_n_s: f64,
@@ -299,7 +300,7 @@ impl ContactCounter {
     fn new(half_s: f64) -> Self {
         Self {
             half_s,
-            onsets: Onsets::new(0),
+            contact_tracker: ContactTracker::new(0),
             begun: [0.0; 2],
             impulse_n_s: 0.0,
             last_force_sum: 0.0,
@@ -321,17 +322,17 @@ impl ContactCounter {
 }
 
 impl Observer for ContactCounter {
-    fn begin(&mut self, scene: &Scene<'_>) -> Result<(), ObserverError> {
-        self.onsets = Onsets::new(scene.model.balls());
+    fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
+        self.contact_tracker = ContactTracker::new(context.model.balls());
         Ok(())
     }
 
-    fn step(&mut self, view: &View<'_, '_>) -> Result<Control, ObserverError> {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         let c = &view.contacts;
         let h = view.step.t1_s - view.step.t0_s;
         let late = view.step.t1_s > self.half_s;
-        self.onsets.look(c);
-        let begun = f64::from(self.onsets.count());
+        self.contact_tracker.update(c);
+        let begun = f64::from(self.contact_tracker.count());
         self.begun[0] += begun;
         self.begun[1] += if late { begun } else { 0.0 };
         let sum = if c.balls_touch() {

@@ -3,7 +3,7 @@
 mod common;
 
 use cageless::error::Allowed;
-use cageless::seat::{Seat, check, seat};
+use cageless::outer_contact_geometry::{OuterContactGeometry, check, outer_contact_geometry};
 use cageless::{Bearing, Raceway};
 use common::{dimensions, raceway, steel};
 
@@ -21,25 +21,25 @@ fn the_ball_touches_both_flanks() {
     for angle in [0.0, 0.1, -0.3, 0.43] {
         for deviation in [-20e-6, -1e-6, 0.0, 1e-6, 20e-6] {
             let radius = bearing.ball_radius_m() + deviation;
-            let Seat {
-                touching_radius_m,
+            let OuterContactGeometry {
+                outer_orbit_radius_m,
                 effective_radius_m,
-            } = seat(&bearing, std::slice::from_ref(&raceway), angle, radius);
+            } = outer_contact_geometry(&bearing, std::slice::from_ref(&raceway), angle, radius);
             let centre = raceway.groove_centre_m(raceway.path_x_m(angle));
             let radial = centre[0].hypot(centre[1]);
-            let distance = (touching_radius_m - radial).hypot(centre[2]);
+            let distance = (outer_orbit_radius_m - radial).hypot(centre[2]);
             assert!(
                 (distance - (re - radius)).abs() < 1e-12,
                 "{angle} {deviation}"
             );
             // The contact points lie on the line from Oe through the centre.
-            let arm = radius * (touching_radius_m - radial) / distance;
+            let arm = radius * (outer_orbit_radius_m - radial) / distance;
             assert!((effective_radius_m - arm).abs() < 1e-12);
         }
     }
 }
 
-/// A ball too large for the raceway is refused before its seat is no number.
+/// A ball too large for the raceway is refused before its geometry is no number.
 #[test]
 fn a_ball_that_reaches_no_flank_is_refused() {
     let mut d = dimensions();
@@ -58,12 +58,12 @@ fn a_ball_that_reaches_no_flank_is_refused() {
     let Allowed::Below(most, _) = error.allowed else {
         panic!("{error}")
     };
-    // What is allowed has a seat, what is not has none.
+    // What is allowed has a geometry, what is not has none.
     assert_eq!(with(0.999 * most), Ok(()));
     let sits = |deviation_m: f64| {
         let radius = bearing.ball_radius_m() + deviation_m;
-        let s = seat(&bearing, &raceways, 0.0, radius);
-        s.touching_radius_m.is_finite()
+        let s = outer_contact_geometry(&bearing, &raceways, 0.0, radius);
+        s.outer_orbit_radius_m.is_finite()
     };
     assert!(sits(0.999 * most) && !sits(1.001 * most));
 }
@@ -74,21 +74,21 @@ fn depth_lets_the_ball_out() {
     let (bearing, raceway) = paper();
     let radius = bearing.ball_radius_m();
     let deep = [raceway.clone().with_depth_error(2e-6).unwrap()];
-    let smaller = seat(&bearing, &[raceway], 0.0, radius - 2e-6);
-    let deeper = seat(&bearing, &deep, 0.0, radius);
-    assert!((deeper.touching_radius_m - smaller.touching_radius_m).abs() < 1e-15);
+    let smaller = outer_contact_geometry(&bearing, &[raceway], 0.0, radius - 2e-6);
+    let deeper = outer_contact_geometry(&bearing, &deep, 0.0, radius);
+    assert!((deeper.outer_orbit_radius_m - smaller.outer_orbit_radius_m).abs() < 1e-15);
     // It sits 2 µm over cos α further out.
-    let out = deeper.touching_radius_m - bearing.touching_radius_m();
+    let out = deeper.outer_orbit_radius_m - bearing.outer_orbit_radius_m();
     let cosine = deep[0].effective_radius_m(0.0) / radius;
     assert!((out / (2e-6 / cosine) - 1.0).abs() < 0.02, "{out}");
-    let end = seat(&bearing, &deep, 25.199f64.to_radians(), radius);
-    assert!((end.touching_radius_m - bearing.touching_radius_m()).abs() < 1e-9);
+    let end = outer_contact_geometry(&bearing, &deep, 25.199f64.to_radians(), radius);
+    assert!((end.outer_orbit_radius_m - bearing.outer_orbit_radius_m()).abs() < 1e-9);
 }
 
 #[test]
 fn the_plain_raceway_holds_any_ball_at_its_bottom() {
     let (bearing, _) = paper();
-    let seat = seat(&bearing, &[], 1.0, 4.77e-3);
-    assert!((seat.touching_radius_m - (27.765e-3 - 4.77e-3)).abs() < 1e-15);
-    assert_eq!(seat.effective_radius_m, 4.77e-3);
+    let geometry = outer_contact_geometry(&bearing, &[], 1.0, 4.77e-3);
+    assert!((geometry.outer_orbit_radius_m - (27.765e-3 - 4.77e-3)).abs() < 1e-15);
+    assert_eq!(geometry.effective_radius_m, 4.77e-3);
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-/// A row of values of which the lowest and the highest can be told one by one.
+/// A row of values whose minima and maxima are taken value by value.
 pub trait Row: Clone {
     /// Replaces each value by the result of `choose` on it and that of `other`.
     fn combine(&mut self, other: &Self, choose: fn(f64, f64) -> f64);
@@ -24,14 +24,14 @@ impl Row for Arc<[f64]> {
     }
 }
 
-/// A series of at most a given number of rows.
+/// Reduces a series to at most a given number of rows that keep its minima and maxima.
 ///
-/// A series that is short enough is kept as it is. A longer one is divided into stretches
+/// A series within the limit is kept unchanged. A longer one is divided into stretches
 /// of equal length, each shown by two rows, of which one holds the lowest and one the
 /// highest of each value (of the time: its begin and its end). When the rows fill up, two
 /// stretches become one.
 #[derive(Debug, Clone)]
-pub struct Thinning<T> {
+pub struct MinMaxDecimator<T> {
     rows: Vec<T>,
     most: usize,
     stretch: usize,
@@ -39,7 +39,7 @@ pub struct Thinning<T> {
     open: Option<(T, T, usize)>,
 }
 
-impl<T: Row> Thinning<T> {
+impl<T: Row> MinMaxDecimator<T> {
     /// Keeps `most` rows, rounded down to a multiple of four, at least four.
     pub fn new(most: usize) -> Self {
         Self {
@@ -110,23 +110,23 @@ impl<T: Row> Thinning<T> {
 mod tests {
     use super::*;
 
-    fn thinned(n: usize, most: usize) -> (Vec<[f64; 2]>, usize) {
-        let mut thinning = Thinning::new(most);
+    fn decimated(n: usize, most: usize) -> (Vec<[f64; 2]>, usize) {
+        let mut decimator = MinMaxDecimator::new(most);
         for k in 0..n {
             let value = if k == 12_345 {
                 9.0
             } else {
                 (k as f64 * 0.1).sin()
             };
-            thinning.push([k as f64, value]);
+            decimator.push([k as f64, value]);
         }
-        let stretch = thinning.stretch();
-        (thinning.into_rows(), stretch)
+        let stretch = decimator.stretch();
+        (decimator.into_rows(), stretch)
     }
 
     #[test]
     fn a_short_series_is_kept() {
-        let (rows, stretch) = thinned(399, 400);
+        let (rows, stretch) = decimated(399, 400);
         assert_eq!((rows.len(), stretch), (399, 1));
         assert_eq!(rows[7], [7.0, (7.0_f64 * 0.1).sin()]);
     }
@@ -134,7 +134,7 @@ mod tests {
     #[test]
     fn a_long_series_keeps_its_extremes_where_they_were() {
         for n in [400, 401, 20_000, 100_003] {
-            let (rows, stretch) = thinned(n, 400);
+            let (rows, stretch) = decimated(n, 400);
             assert!(
                 rows.len() <= 402 && rows.len() >= 190,
                 "{n}: {}",

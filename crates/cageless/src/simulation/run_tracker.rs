@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 
 use super::guard::{Guard, Stop};
-use super::observer::{Observer, Scene, View, unwrap_angle};
+use super::observer::{Observer, RunContext, StepView, unwrap_angle};
 use super::run::{Control, Ending, RunOutcome};
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::dynamics::state::{Layout, State};
@@ -17,13 +17,13 @@ const RECENT_RAD: f64 = 0.3;
 /// Flows of less than this share of the energy at the start are rounding: nothing flows.
 const ROUNDING_FRACTION: f64 = 1e-6;
 
-/// Follows one bearing through the steps, which it may share with others.
-pub(super) struct Course<'s, 'm, 'o> {
-    pub scene: Scene<'m>,
+/// Tracks one bearing through the steps of a run, alone or in a batch.
+pub(super) struct RunTracker<'s, 'm, 'o> {
+    pub context: RunContext<'m>,
     /// Places of the bearing in the vectors of the steps.
     layout: Layout,
     guard: Guard<'m>,
-    probe: RefCell<RightHandSide<'m>>,
+    interpolator: RefCell<RightHandSide<'m>>,
     observers: &'o mut [&'s mut dyn Observer],
     recent_angle: Vec<f64>,
     recent_s: f64,
@@ -36,29 +36,29 @@ pub(super) struct Course<'s, 'm, 'o> {
     pub instruction_set: InstructionSet,
 }
 
-impl<'s, 'm, 'o> Course<'s, 'm, 'o> {
+impl<'s, 'm, 'o> RunTracker<'s, 'm, 'o> {
     pub fn new(
-        scene: Scene<'m>,
+        context: RunContext<'m>,
         layout: Layout,
         observers: &'o mut [&'s mut dyn Observer],
     ) -> Self {
-        let Scene {
+        let RunContext {
             case, model, start, ..
-        } = scene;
+        } = context;
         let mut ending = None;
         for observer in observers.iter_mut() {
-            if let Err(error) = observer.begin(&scene) {
+            if let Err(error) = observer.begin(&context) {
                 ending = Some(Ending::ObserverFailed(error));
             }
         }
         let orbit = case.rolling_orbit_speed_rad_s();
         Self {
-            scene,
+            context,
             layout,
             guard: Guard::new(model, layout, case, start),
-            probe: RefCell::new(RightHandSide::new(model)),
+            interpolator: RefCell::new(RightHandSide::new(model)),
             observers,
-            recent_angle: scene.start_angle_rad.to_vec(),
+            recent_angle: context.start_angle_rad.to_vec(),
             recent_s: 0.0,
             recent_for_s: RECENT_RAD / orbit,
             ending,
@@ -70,7 +70,7 @@ impl<'s, 'm, 'o> Course<'s, 'm, 'o> {
         }
     }
 
-    /// Whether the bearing has not come to its end.
+    /// Whether the run of the bearing has not ended.
     pub fn under_way(&self) -> bool {
         self.ending.is_none()
     }
@@ -101,7 +101,7 @@ impl<'s, 'm, 'o> Course<'s, 'm, 'o> {
         };
         if let Err(cause) = checked {
             let time_s = step.t1_s;
-            let step_s = self.scene.case.solver.step_s;
+            let step_s = self.context.case.solver.step_s;
             let stop = Stop {
                 time_s,
                 step_s,
@@ -113,10 +113,10 @@ impl<'s, 'm, 'o> Course<'s, 'm, 'o> {
         if step.t1_s - self.recent_s > self.recent_for_s {
             self.update_angles(step);
         }
-        let view = View {
+        let view = StepView {
             step,
             contacts,
-            probe: &self.probe,
+            interpolator: &self.interpolator,
             recent_angle_rad: &self.recent_angle,
             layout: self.layout,
         };
@@ -145,9 +145,9 @@ impl<'s, 'm, 'o> Course<'s, 'm, 'o> {
         self.recent_s = step.t1_s;
     }
 
-    /// What the run came to.
+    /// Outcome of the run.
     pub fn outcome(self) -> RunOutcome {
-        let model = self.scene.model;
+        let model = self.context.model;
         let (residual, flows) = model.energy_residual_j(self.guard.start_energy_j(), &self.last);
         let turned_over = flows.max(ROUNDING_FRACTION * self.guard.start_energy_j());
         RunOutcome {

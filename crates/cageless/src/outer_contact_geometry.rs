@@ -1,4 +1,4 @@
-//! Where a ball of any radius sits in the outer ring.
+//! Geometry of the outer contact of a ball of any radius.
 //!
 //! A discrete raceway is laid out for nominal balls: they touch its two flanks, circles of
 //! radius Re about Oe (Zhao 2022, Eq. (7)), at the contact angle α with cos α = r/Rw, and
@@ -16,37 +16,42 @@ use crate::bearing::Bearing;
 use crate::error::{Allowed, InputError};
 use crate::raceway::Raceway;
 
-/// Place of a ball's centre when it just touches the outer ring, and its arm there.
+/// Orbit radius and effective contact radius of a ball that just touches the outer ring.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Seat {
-    /// Distance from the bearing axis.
-    pub touching_radius_m: f64,
-    /// r, effective contact radius.
+pub struct OuterContactGeometry {
+    /// Distance of the ball centre from the bearing axis, m.
+    pub outer_orbit_radius_m: f64,
+    /// r, effective contact radius, m.
     pub effective_radius_m: f64,
 }
 
-/// Seat of a ball of radius `ball_radius_m` at ψ = `angle_rad`.
-pub fn seat(bearing: &Bearing, raceways: &[Raceway], angle_rad: f64, ball_radius_m: f64) -> Seat {
+/// OuterContactGeometry of the outer contact of a ball of radius `ball_radius_m` at ψ = `angle_rad`.
+pub fn outer_contact_geometry(
+    bearing: &Bearing,
+    raceways: &[Raceway],
+    angle_rad: f64,
+    ball_radius_m: f64,
+) -> OuterContactGeometry {
     let d = bearing.dimensions();
     let Some(raceway) = raceways.iter().find(|r| r.contains(angle_rad)) else {
-        return Seat {
-            touching_radius_m: d.outer_groove_bottom_radius_m - ball_radius_m,
+        return OuterContactGeometry {
+            outer_orbit_radius_m: d.outer_groove_bottom_radius_m - ball_radius_m,
             effective_radius_m: ball_radius_m,
         };
     };
     let nominal = raceway.effective_radius_m(angle_rad);
     let error = raceway.depth_error_at_m(angle_rad);
     if ball_radius_m == d.ball_radius_m && error == 0.0 {
-        return Seat {
-            touching_radius_m: bearing.touching_radius_m(),
+        return OuterContactGeometry {
+            outer_orbit_radius_m: bearing.outer_orbit_radius_m(),
             effective_radius_m: nominal,
         };
     }
     let cosine = nominal / d.ball_radius_m;
     let [own, other, square] = above_flanks(bearing, cosine, error, ball_radius_m);
     let h = square.sqrt();
-    Seat {
-        touching_radius_m: bearing.touching_radius_m() + h - other * cosine,
+    OuterContactGeometry {
+        outer_orbit_radius_m: bearing.outer_orbit_radius_m() + h - other * cosine,
         effective_radius_m: ball_radius_m * h / own,
     }
 }
@@ -63,7 +68,7 @@ fn above_flanks(bearing: &Bearing, cosine: f64, error_m: f64, ball_radius_m: f64
     ]
 }
 
-/// Angles at which [`check`] tries the seat, from the middle of a raceway to its end.
+/// Angles at which [`check`] tests the geometry, from the middle of a raceway to its end.
 const TRIED: u32 = 32;
 
 /// Checks that every ball touches both flanks of every raceway, all along it.

@@ -1,33 +1,33 @@
-//! Many bearings at once, side by side in the lanes of the vectors.
+//! Batches: several bearings integrated side by side in the lanes of the vectors.
 
-use super::course::Course;
-use super::observer::{Observer, Scene};
+use super::observer::{Observer, RunContext};
 use super::run::{Control, RunOutcome, drive, run};
+use super::run_tracker::RunTracker;
 use crate::case::{Case, FrictionLaw, Method, Profile};
 use crate::dynamics::state::{BATCH_WIDTH, State};
 use crate::dynamics::{InstructionSet, Model, RightHandSide};
 use crate::equilibrium::EquilibriumError;
 use crate::start::initial_state;
 
-/// What cases that run side by side must have in common. Methods with a memory or a step of
+/// Properties that all cases of a batch share. Methods with a memory or a step of
 /// their own would let one bearing change the steps of another.
 #[derive(PartialEq)]
 struct Kind {
     balls: usize,
     profile: Profile,
     law: FrictionLaw,
-    nominal_seats: bool,
+    has_nominal_geometry: bool,
     step_s: f64,
     duration_s: f64,
 }
 
 impl Kind {
-    fn of(case: &Case) -> Option<Self> {
+    fn from_case(case: &Case) -> Option<Self> {
         (case.solver.method == Method::Symplectic).then(|| Self {
             balls: case.bearing.balls(),
             profile: case.profile,
             law: case.contact.friction_law,
-            nominal_seats: case.nominal_seats(),
+            has_nominal_geometry: case.has_nominal_geometry(),
             step_s: case.solver.step_s,
             duration_s: case.solver.duration_s,
         })
@@ -43,17 +43,17 @@ pub fn batches(cases: &[Case]) -> Vec<Vec<usize>> {
     let mut open: Vec<(Kind, Vec<usize>)> = vec![];
     let mut batches = vec![];
     for (k, case) in cases.iter().enumerate() {
-        let Some(kind) = Kind::of(case) else {
+        let Some(kind) = Kind::from_case(case) else {
             batches.push(vec![k]);
             continue;
         };
         match open.iter_mut().find(|(other, _)| *other == kind) {
-            Some((_, members)) => members.push(k),
+            Some((_, bearings)) => bearings.push(k),
             None => open.push((kind, vec![k])),
         }
     }
-    for (_, members) in open {
-        for group in members.chunks(BATCH_WIDTH) {
+    for (_, bearings) in open {
+        for group in bearings.chunks(BATCH_WIDTH) {
             if group.len() < LEAST {
                 batches.extend(group.iter().map(|k| vec![*k]));
             } else {
@@ -82,9 +82,11 @@ pub fn run_batch(
     if let ([case], [observers]) = (cases, &mut *observers) {
         return vec![run(case, observers, control)];
     }
-    let kind = Kind::of(cases[0]);
+    let kind = Kind::from_case(cases[0]);
     assert!(
-        kind.is_some() && cases.len() <= BATCH_WIDTH && cases.iter().all(|c| Kind::of(c) == kind),
+        kind.is_some()
+            && cases.len() <= BATCH_WIDTH
+            && cases.iter().all(|c| Kind::from_case(c) == kind),
         "cases side by side must be of one kind"
     );
     let prepared: Vec<Result<Prepared, EquilibriumError>> =
@@ -107,7 +109,7 @@ pub fn run_batch(
         .collect()
 }
 
-/// A case with what it starts from.
+/// A case with its model and initial state.
 struct Prepared {
     model: Model,
     start: State,
@@ -140,20 +142,20 @@ fn side_by_side(
         .iter_mut()
         .zip(prepared)
         .filter(|(_, p)| p.is_ok());
-    let mut courses: Vec<Course<'_, '_, '_>> = ready
+    let mut trackers: Vec<RunTracker<'_, '_, '_>> = ready
         .iter()
         .zip(watched)
         .enumerate()
         .map(|(bearing, ((case, prepared), (observers, _)))| {
-            let scene = Scene {
+            let context = RunContext {
                 case,
                 model: &prepared.model,
                 start: &prepared.start,
                 start_angle_rad: &prepared.angles,
             };
-            Course::new(scene, rhs.layout().of_bearing(bearing), observers)
+            RunTracker::new(context, rhs.layout().of_bearing(bearing), observers)
         })
         .collect();
-    drive(rhs, &mut courses, control);
-    courses.into_iter().map(Course::outcome).collect()
+    drive(rhs, &mut trackers, control);
+    trackers.into_iter().map(RunTracker::outcome).collect()
 }
