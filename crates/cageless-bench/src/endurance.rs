@@ -8,7 +8,7 @@ use cageless::dynamics::Model;
 use cageless::dynamics::state::State;
 use cageless::simulation::{self, Control, Ending, Observer, ObserverError, RunContext, StepView};
 use cageless::spacing::GapRange;
-use cageless::step::StepLimits;
+use cageless::step_limits::StepLimits;
 use clap::Args;
 
 use crate::problem;
@@ -132,7 +132,7 @@ pub fn run(options: &Options) -> Result<()> {
     ];
     overrides.extend(options.set.iter().cloned());
     let case = problem::cb74(&overrides)?;
-    let omega_h = StepLimits::of(&case).contact_rad_s * case.solver.step_s;
+    let omega_h = StepLimits::new(&case).contact_rad_s * case.solver.step_s;
     println!(
         "CB74 without damping, {} s, {:?}, step {} µs (ωh = {omega_h:.2})",
         options.seconds,

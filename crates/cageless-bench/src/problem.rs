@@ -4,7 +4,7 @@
 use anyhow::{Result, ensure};
 use cageless::dynamics::coordinates::{BALL, RING};
 use cageless::dynamics::state::State;
-use cageless::start::initial_state;
+use cageless::initial_conditions::initial_state;
 use cageless::{Case, FrictionLaw, Profile};
 use cageless_io::case_file::CaseFile;
 

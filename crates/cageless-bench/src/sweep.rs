@@ -112,7 +112,7 @@ fn compute(sweep: &Sweep, folder: &Path, options: &Options) -> Result<()> {
 fn design(case: &Case) {
     let bearing = &case.bearing;
     let raceway = &case.raceways[0];
-    let (gap, span) = (bearing.uniform_gap_rad(), raceway.dimensions().axial_span_m);
+    let (gap, span) = (bearing.nominal_gap_rad(), raceway.dimensions().axial_span_m);
     std::hint::black_box((
         axial_span_limit_m(bearing),
         theoretical_gap_rad(bearing, raceway, Eq11::Published),

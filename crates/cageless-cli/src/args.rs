@@ -86,8 +86,8 @@ pub struct RunArgs {
     /// Case, output.
     #[command(flatten)]
     pub case: CaseArgs,
-    /// Repeat the run from turned starts and at half the step, and say which numbers are
-    /// converged, which are statistical and which the step biases: 17 times the work.
+    /// Verify by perturbed starts and half step (17x cost): classify each result as converged,
+    /// statistical or step-biased
     #[arg(long)]
     pub verify: bool,
 }

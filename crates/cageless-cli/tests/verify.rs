@@ -33,11 +33,11 @@ fn a_verified_run_says_what_it_is_worth() {
     );
     assert!(output.status.success(), "{output:?}");
     let printed = text(&output.stdout);
-    assert!(printed.contains("13 numbers converged"), "{printed}");
+    assert!(printed.contains("13 results converged"), "{printed}");
     assert!(!printed.contains("warning"), "{printed}");
     let json: Value =
         serde_json::from_slice(&std::fs::read(dir.path().join("summary.json")).unwrap()).unwrap();
-    let certificate = &json["certificate"];
+    let verification = &json["verification"];
     for key in [
         "collisions",
         "gap_min_deg",
@@ -46,12 +46,12 @@ fn a_verified_run_says_what_it_is_worth() {
         "ring_y_um_mean",
         "slip_max_m_s",
     ] {
-        let number = &certificate["numbers"][key];
+        let number = &verification["numbers"][key];
         assert_eq!(number["value"].as_f64(), json[key].as_f64(), "{key}");
         assert_eq!(number["verdict"], "converged", "{key}");
         assert!(number["reason"].as_str().unwrap().contains("changes by"));
     }
-    assert!(certificate["predictability_time_s"].is_null());
+    assert!(verification["predictability_time_s"].is_null());
     let page = std::fs::read_to_string(dir.path().join("report.html")).unwrap();
     assert!(page.contains("ball_1_angle_deg_end"));
     assert!(page.contains("the run does not diverge"));
@@ -69,17 +69,17 @@ fn a_biased_run_ends_well_with_a_warning() {
         "--set",
         "start.ring_y_um=-10.0",
     ];
-    let certificates = [0, 1].map(|_| {
+    let verifications = [0, 1].map(|_| {
         let output = verify("cb74.toml", &set);
         assert!(output.status.success(), "{output:?}");
         let json: Value = serde_json::from_slice(&output.stdout).unwrap();
         let warnings = json["warnings"].to_string();
         assert!(warnings.contains("ring_y_um_mean"), "{warnings}");
-        let y = &json["certificate"]["numbers"]["ring_y_um_mean"];
-        assert_eq!(y["verdict"], "neither", "{y}");
-        json["certificate"].clone()
+        let y = &json["verification"]["numbers"]["ring_y_um_mean"];
+        assert_eq!(y["verdict"], "step-biased", "{y}");
+        json["verification"].clone()
     });
-    assert_eq!(certificates[0], certificates[1]);
+    assert_eq!(verifications[0], verifications[1]);
 }
 
 /// Without `--verify` nothing is repeated and nothing claimed.
@@ -92,5 +92,5 @@ fn only_on_request() {
         .output()
         .unwrap();
     let json: Value = serde_json::from_slice(&output.stdout).unwrap();
-    assert!(json.get("certificate").is_none());
+    assert!(json.get("verification").is_none());
 }

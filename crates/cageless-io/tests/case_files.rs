@@ -218,7 +218,7 @@ fn a_document_goes_to_toml_and_back() {
     let gap = parse(&template(false))
         .case()
         .bearing
-        .uniform_gap_rad()
+        .nominal_gap_rad()
         .to_degrees();
     texts.push(edited(
         "# [start]",
@@ -326,7 +326,7 @@ fn overrides_win_over_the_file_and_the_last_over_the_first() {
         "{:?}",
         case.start
     );
-    let gap = case.bearing.uniform_gap_rad().to_degrees();
+    let gap = case.bearing.nominal_gap_rad().to_degrees();
     let file = sets(&[&format!("start.gaps={:?}", vec![gap; 14])]);
     assert_eq!(
         file.document().start.gaps,

@@ -7,8 +7,8 @@ mod common;
 use cageless::Case;
 use cageless::dynamics::state::State;
 use cageless::dynamics::{Model, RightHandSide};
+use cageless::initial_conditions::initial_state;
 use cageless::integrator::{Abm4, Integrator, RungeKutta, System, UnresolvedStep};
-use cageless::start::initial_state;
 use cageless_io::case_file::CaseFile;
 
 /// ABM4 that locates each change of mode within the step by bisection on the cubic

@@ -409,7 +409,7 @@ fn the_summary_has_the_agreed_names() {
         wall_s: 1.5,
         settled_after_s: 0.05,
         warnings: vec!["short".to_owned()],
-        certificate: None,
+        verification: None,
         stopped: None,
     };
     summary.write(dir.path()).unwrap();

@@ -21,7 +21,7 @@ found.report("search.html")
 
 best = found.case.replace({"solver.duration_s": 0.02})
 run = best.run(verify=True)
-print(run.certificate)
+print(run.verification)
 
 made = best.tolerance(samples=4)
 print(made, "decides:", made.decides)

@@ -15,7 +15,7 @@ use cageless_io::results::SummaryFile;
 use cageless_report::figures::{history, vibration};
 use cageless_report::run_report::{Histories, SAMPLING_HZ, run_data};
 use cageless_report::{Figure, RunData, run_page};
-use cageless_study::verification::Verification;
+use cageless_study::verification::VerificationRuns;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -45,8 +45,8 @@ struct Material {
 /// Runs a case with everything recorded, and verifies it where that is attended to.
 pub fn simulate(py: Python<'_>, file: &CaseFile, verify: Option<Attendance>) -> PyResult<Run> {
     let signals = Signals::new();
-    let mut verification = verify.as_ref().map(|_| Verification::new(file.case()));
-    let watch = verification.as_mut().map(Verification::watch);
+    let mut verification = verify.as_ref().map(|_| VerificationRuns::new(file.case()));
+    let watch = verification.as_mut().map(VerificationRuns::watch);
     let done = py.detach(|| record(file, &signals, watch));
     signals.raised()?;
     let (material, mut summary, recording) = done?;
@@ -186,10 +186,10 @@ impl Run {
         self.summary.to_json().map_err(other)
     }
 
-    /// Names of the numbers of the certificate, in the order of tables; `None` without one.
+    /// Names of the numbers of the verification, in the order of tables; `None` without one.
     fn certified(&self) -> Option<Vec<String>> {
-        let certificate = self.summary.certificate.as_ref()?;
-        let names = certificate.ranked().into_iter();
+        let verification = self.summary.verification.as_ref()?;
+        let names = verification.ranked().into_iter();
         Some(names.map(|(name, _)| name.to_owned()).collect())
     }
 

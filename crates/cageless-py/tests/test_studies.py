@@ -1,4 +1,4 @@
-"""Certificates, searches, tolerances, exports: against the command, ended, refused."""
+"""Verifications, searches, tolerances, exports: against the command, ended, refused."""
 
 from __future__ import annotations
 
@@ -31,34 +31,34 @@ def small() -> cageless.Case:
     return cageless.Case.from_file(CASE, QUICK)
 
 
-def test_a_certificate_is_that_of_the_command(command: Command, tmp_path: Path) -> None:
+def test_a_verification_is_that_of_the_command(command: Command, tmp_path: Path) -> None:
     path = tmp_path / "case.toml"
     case = lively()
     path.write_text(case.to_toml())
     printed = command("run", path, "--verify", "--out", tmp_path).stdout
     written = numbers((tmp_path / "summary.json").read_text())
     run = cageless.Case.from_file(path).run(verify=True, threads=2)
-    certificate = run.certificate
-    assert certificate is not None
-    assert certificate.values == written["certificate"]
+    verification = run.verification
+    assert verification is not None
+    assert verification.values == written["verification"]
     assert run.warnings == written["warnings"]
-    counts = [certificate.converged, certificate.statistical, certificate.neither]
-    assert sum(counts) == len(certificate.names) == 13
+    counts = [verification.converged, verification.statistical, verification.step_biased]
+    assert sum(counts) == len(verification.names) == 13
     # The order of the table that the command prints.
     order = [line.split()[0] for line in printed.splitlines() if line.split()]
-    assert [name for name in order if name in certificate.names][-13:] == certificate.names
-    frame = certificate.data_numbers()
-    name = certificate.names[0]
-    assert frame.verdict[name] == certificate.verdict(name)
-    assert frame.standard_error[name] == certificate.standard_error(name)
-    assert certificate.distance("near").shape == certificate.distance("time_s").shape
-    assert list(certificate.data_distance().columns) == ["time_s", "near", "half_step"]
-    ledger = certificate.data_ledger()
-    assert ledger["residual_relative"]["energy"] == certificate.energy_residual_relative
-    assert certificate.predictability in run._repr_html_()
+    assert [name for name in order if name in verification.names][-13:] == verification.names
+    frame = verification.data_numbers()
+    name = verification.names[0]
+    assert frame.verdict[name] == verification.verdict(name)
+    assert frame.standard_error[name] == verification.standard_error(name)
+    assert verification.distance("perturbed").shape == verification.distance("time_s").shape
+    assert list(verification.data_distance().columns) == ["time_s", "perturbed", "half_step"]
+    ledger = verification.data_ledger()
+    assert ledger["residual_relative"]["energy"] == verification.energy_residual_relative
+    assert verification.predictability in run._repr_html_()
     page = run.report(tmp_path / "python.html").read_text()
     assert page == (tmp_path / "report.html").read_text()
-    assert case.run().certificate is None
+    assert case.run().verification is None
 
 
 @pytest.fixture(scope="module")

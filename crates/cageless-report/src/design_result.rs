@@ -191,7 +191,7 @@ impl DesignResult {
     pub fn new(case: &Case, judgement: Judgement, recommendation: Option<Recommendation>) -> Self {
         let bearing = &case.bearing;
         let raceway = case.raceways.first();
-        let gap = bearing.uniform_gap_rad();
+        let gap = bearing.nominal_gap_rad();
         let curve = span_angle_curve(bearing, CURVE_POINTS);
         let degrees = |angle: Option<f64>| angle.map(f64::to_degrees);
         Self {

@@ -6,7 +6,6 @@
 //! numbers as one JSON document
 //! ([`to_json`]).
 
-pub mod certificate;
 pub mod comparison;
 pub mod data;
 pub mod design;
@@ -29,8 +28,8 @@ pub mod table;
 pub mod tables;
 pub mod text;
 pub mod tolerance;
+pub mod verification;
 
-pub use certificate::{CertificateRow, CertificateTable};
 pub use comparison::{Change, ComparisonCell, Difference, Estimate, RingComparison};
 pub use data::*;
 pub use design::*;
@@ -45,6 +44,7 @@ pub use reproduce::*;
 pub use run::*;
 pub use static_result::StaticResult;
 pub use sweep::*;
+pub use verification::{VerificationRow, VerificationTable};
 
 /// All numbers of a report as one JSON document, unrounded.
 ///

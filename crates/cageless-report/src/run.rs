@@ -2,12 +2,12 @@
 
 use serde::Serialize;
 
-use crate::certificate::{CertificateTable, certificate_table};
 use crate::data::{BearingOutline, Motion, Parameter, Provenance, Sector, Vibration};
 use crate::figures::{history, vibration};
 use crate::motion::MotionFigure;
 use crate::page::{Note, Page};
 use crate::tables::parameter_table;
+use crate::verification::{VerificationTable, verification_table};
 
 /// All that the page of one run shows. What is left empty is left out of the page.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
@@ -58,7 +58,7 @@ pub struct RunData {
     /// Energy that the ledger misses over the sum of all flows.
     pub energy_residual_relative: Option<f64>,
     /// How far the results can be trusted.
-    pub certificate: Option<CertificateTable>,
+    pub verification: Option<VerificationTable>,
     /// Vibration of the outer ring.
     pub vibration: Option<Vibration>,
     /// The balls in motion.
@@ -159,13 +159,13 @@ pub fn run_page(data: &RunData) -> String {
             source,
         ));
     }
-    if let Some(certificate) = &data.certificate {
-        page.section("Certificate");
-        certificate
+    if let Some(verification) = &data.verification {
+        page.section("Numerical verification");
+        verification
             .facts
             .iter()
             .for_each(|fact| page.note(Note::Remark, fact));
-        page.table(&certificate_table(certificate, data.provenance.clone()));
+        page.table(&verification_table(verification, data.provenance.clone()));
     }
     if let Some(motion) = &data.motion {
         page.section("Balls in motion");

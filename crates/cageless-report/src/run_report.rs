@@ -15,13 +15,13 @@ use cageless::{Case, FrictionLaw, Method, Profile};
 use cageless_io::case_file::{CaseFile, unit};
 use cageless_io::results::{SummaryFile, VERSION};
 
-use crate::certificate::CertificateTable;
 use crate::data::{
     BearingOutline, FrequencyMark, Motion, Parameter, Provenance, Sector, Vibration,
     VibrationSignal,
 };
 use crate::run::{BallHistory, CollisionPoint, EnergyItem, Recent, RingHistory, RunData};
 use crate::text::shown;
+use crate::verification::VerificationTable;
 
 /// Sampling of vibration signals, as in the paper's experiment.
 pub const SAMPLING_HZ: f64 = 5000.0;
@@ -257,7 +257,7 @@ pub fn run_data(
         outline: BearingOutline::of(bearing),
         sectors: case.raceways.iter().map(Sector::of).collect(),
         settled_after_s: settled,
-        uniform_gap_deg: bearing.uniform_gap_rad().to_degrees(),
+        uniform_gap_deg: bearing.nominal_gap_rad().to_degrees(),
         rolling_orbit_speed_deg_s: Some(orbit.to_degrees()),
         time_s: snapshots.iter().map(|s| s.time_s).collect(),
         balls: (0..bearing.balls())
@@ -276,7 +276,7 @@ pub fn run_data(
         collisions: histories.collisions,
         collisions_total: histories.collisions_seen,
         energy: energy(outcome),
-        certificate: summary.certificate.as_ref().map(CertificateTable::of),
+        verification: summary.verification.as_ref().map(VerificationTable::new),
         energy_residual_relative: Some(outcome.energy_residual_relative),
         vibration: vibration.map(|measured| Vibration {
             signals: vec![vibration_signal("outer ring", measured)],

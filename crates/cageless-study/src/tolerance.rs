@@ -193,7 +193,7 @@ fn data(case: &Case, request: &Request, tolerances: &Tolerances, a: &Assessment)
         nominal_critical_gap_deg: a.nominal.critical_gap_rad.map(f64::to_degrees),
         nominal_twice_share: a.nominal.twice_share,
         nominal_slip_m_s: a.nominal.slip_mean_m_s,
-        uniform_gap_deg: case.bearing.uniform_gap_rad().to_degrees(),
+        uniform_gap_deg: case.bearing.nominal_gap_rad().to_degrees(),
         influences: a
             .influences
             .iter()

@@ -1,36 +1,36 @@
-//! How far the numbers of a run can be trusted: the members of its certificate, run on all
-//! threads.
+//! Verification of a run: its replicas, run on all threads.
 
 use cageless::Case;
-use cageless::certificate::{Certificate, FAR, Member, MemberError, Watch, members};
 use cageless::simulation::{Ending, Observer, RunOutcome};
-use cageless_io::results::{CertificateFile, SummaryFile};
+use cageless::verification::{
+    LARGE_PERTURBATIONS, Replica, ReplicaError, ReplicaObserver, Verification, replicas,
+};
+use cageless_io::results::{SummaryFile, VerificationFile};
 use rayon::prelude::*;
 
 use crate::watcher::Watcher;
 
-/// A verification in progress: the first member is the run itself.
-pub struct Verification {
-    members: Vec<Member>,
-    watch: Watch,
+/// Replicas of a verification; the first is the run itself.
+pub struct VerificationRuns {
+    replicas: Vec<Replica>,
+    observer: ReplicaObserver,
 }
 
-impl Verification {
-    /// Of the run of `case`.
+impl VerificationRuns {
+    /// Replicas of the run of `case`.
     pub fn new(case: &Case) -> Self {
-        let members = members(case, FAR);
-        let watch = members[0].watch();
-        Self { members, watch }
+        let replicas = replicas(case, LARGE_PERTURBATIONS);
+        let observer = replicas[0].observer();
+        Self { replicas, observer }
     }
 
-    /// What must watch the run itself.
-    pub fn watch(&mut self) -> &mut (dyn Observer + Send) {
-        &mut self.watch
+    /// Observer of the run itself.
+    pub fn observer(&mut self) -> &mut (dyn Observer + Send) {
+        &mut self.observer
     }
 
-    /// Runs the other members and adds the certificate, or why there is none, to the
-    /// summary. A member that fails leaves the run without a certificate, not without
-    /// results.
+    /// Runs the other replicas and adds the verification to the summary, or a warning that it
+    /// failed. The failure of a replica does not affect the results of the run.
     pub fn finish(
         self,
         case: &Case,
@@ -41,14 +41,14 @@ impl Verification {
         if !matches!(outcome.ending, Ending::Complete) {
             summary
                 .warnings
-                .push("not verified: the run did not come to its end".to_owned());
+                .push("not verified: the run did not complete".to_owned());
             return;
         }
         match self.certify(case, outcome, watcher) {
-            Ok(certificate) => {
-                let certificate = CertificateFile::new(&certificate);
-                summary.warnings.extend(certificate.warning());
-                summary.certificate = Some(certificate);
+            Ok(verification) => {
+                let verification = VerificationFile::new(&verification);
+                summary.warnings.extend(verification.warning());
+                summary.verification = Some(verification);
             }
             Err(error) => summary.warnings.push(format!("not verified: {error}")),
         }
@@ -59,21 +59,21 @@ impl Verification {
         case: &Case,
         outcome: &RunOutcome,
         watcher: &dyn Watcher,
-    ) -> Result<Certificate, MemberError> {
-        let first = self.watch.record(outcome)?;
-        let others = &self.members[1..];
-        let work = |member: &Member| if member.role.half_step { 2.0 } else { 1.0 };
+    ) -> Result<Verification, ReplicaError> {
+        let first = self.observer.record(outcome)?;
+        let others = &self.replicas[1..];
+        let work = |replica: &Replica| if replica.role.half_step { 2.0 } else { 1.0 };
         let progress = watcher.begin("verify", others.iter().map(work).sum());
-        // In any order, collected in theirs.
-        let records: Result<Vec<_>, MemberError> = others
+        // Computed in any order, collected in order.
+        let records: Result<Vec<_>, ReplicaError> = others
             .par_iter()
             .with_max_len(1)
-            .map(|member| {
-                member.run(&mut progress.run_control(case.solver.duration_s, work(member)))
+            .map(|replica| {
+                replica.run(&mut progress.run_control(case.solver.duration_s, work(replica)))
             })
             .collect();
         let mut all = vec![first];
         all.extend(records?);
-        Certificate::new(case, &all).map_err(|error| MemberError::Case(error.into()))
+        Verification::new(case, &all).map_err(|error| ReplicaError::Case(error.into()))
     }
 }

@@ -7,7 +7,7 @@ use cageless::simulation::{Control, run};
 use cageless_io::case_file::{CaseFile, template};
 use cageless_io::results::SummaryFile;
 use cageless_study::tolerance::{Request, tolerance};
-use cageless_study::verification::Verification;
+use cageless_study::verification::VerificationRuns;
 use cageless_study::{Silent, StudyError, THREADS_MAX, Watcher, Work, on_threads, paper, search};
 
 /// Adds up what it hears, and ends the work after so many calls.
@@ -70,15 +70,15 @@ const REQUEST: Request = Request {
 #[test]
 fn progress_comes_to_its_end() {
     let file = case(&["solver.duration_s=0.02"]);
-    let mut verification = Verification::new(file.case());
-    let outcome = run(file.case(), &mut [verification.watch()], &mut |_| {
+    let mut verification = VerificationRuns::new(file.case());
+    let outcome = run(file.case(), &mut [verification.observer()], &mut |_| {
         Control::Continue
     })
     .unwrap();
     let mut summary = SummaryFile::new(&file, &outcome, None, 0.0);
     let listener = Listener::default();
     verification.finish(file.case(), &outcome, &mut summary, &listener);
-    assert!(summary.certificate.is_some(), "{:?}", summary.warnings);
+    assert!(summary.verification.is_some(), "{:?}", summary.warnings);
     let begun = listener.begun.into_inner().unwrap();
     let [(what, units)] = begun.as_slice() else {
         panic!("{begun:?}");

@@ -306,7 +306,7 @@ impl Bearing {
     }
 
     /// Gap of evenly spaced balls: what the balls leave free of a turn, over N.
-    pub fn even_gap_rad(&self) -> f64 {
+    pub fn mean_gap_rad(&self) -> f64 {
         let n = self.balls();
         (TAU - (0..n).map(|k| self.pair_angle_rad(k)).sum::<f64>()) / n as f64
     }
@@ -385,7 +385,7 @@ impl Bearing {
     }
 
     /// 2π/N − ε, the gap of evenly spaced balls (Zhao 2022, Eq. (10)).
-    pub fn uniform_gap_rad(&self) -> f64 {
+    pub fn nominal_gap_rad(&self) -> f64 {
         TAU / self.balls() as f64 - self.ball_angle_rad()
     }
 

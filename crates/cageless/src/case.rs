@@ -240,7 +240,7 @@ impl Case {
         positive("step_s", self.solver.step_s)?;
         positive("tolerance", self.solver.tolerance)?;
         positive("duration_s", self.solver.duration_s)?;
-        let limits = crate::step::StepLimits::of(self);
+        let limits = crate::step_limits::StepLimits::new(self);
         if self.solver.step_s > limits.largest_s(self.solver.method) {
             return Err(InputError::new(
                 "step_s",
@@ -367,10 +367,10 @@ impl Case {
                 ));
             }
             let sum: f64 = gaps.iter().sum();
-            let room = n as f64 * self.bearing.even_gap_rad();
+            let room = n as f64 * self.bearing.mean_gap_rad();
             // A list printed with four decimals of a degree passes, and one for nominal
             // balls: the last gap takes what is left.
-            let nominal = n as f64 * self.bearing.uniform_gap_rad();
+            let nominal = n as f64 * self.bearing.nominal_gap_rad();
             let slack = n as f64 * 1e-4_f64.to_radians() + (room - nominal).abs();
             if (sum - room).abs() > slack {
                 return Err(InputError::rule(

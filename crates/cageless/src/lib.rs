@@ -16,7 +16,6 @@
 
 pub mod bearing;
 pub mod case;
-pub mod certificate;
 pub mod collision;
 pub mod contact;
 pub mod contact_tracker;
@@ -24,6 +23,7 @@ pub mod design;
 pub mod dynamics;
 pub mod equilibrium;
 pub mod error;
+pub mod initial_conditions;
 pub mod integrator;
 pub mod kinematics;
 pub mod limits;
@@ -38,11 +38,11 @@ pub(crate) mod simd;
 pub mod simulation;
 pub mod snapshot;
 pub mod spacing;
-pub mod start;
-pub mod step;
+pub mod step_limits;
 pub mod summary;
 pub mod surface;
 pub mod tolerance;
+pub mod verification;
 pub mod vibration;
 
 pub use bearing::{Ball, Bearing, BearingDimensions, Material};

@@ -268,7 +268,7 @@ fn pass(
     let raceway = &case.raceways[0];
     let bearing = &case.bearing;
     let n = bearing.balls();
-    let room = n as f64 * bearing.uniform_gap_rad() - start_gap;
+    let room = n as f64 * bearing.nominal_gap_rad() - start_gap;
     let even = room / (n - 1) as f64;
     let beside = even * test.neighbours_wider;
     let rest = if n > 3 {
@@ -364,7 +364,7 @@ pub fn critical_gap_rad(
             Ok::<_, CriticalGapError>(passed.smallest)
         },
         // A little above, where pairs pass freely and the smallest gap is a smooth function.
-        1.03 * bearing.uniform_gap_rad(),
+        1.03 * bearing.nominal_gap_rad(),
         [0.0, most],
         test.tolerance_rad,
     )?;

@@ -6,7 +6,7 @@ mod common;
 use std::f64::consts::TAU;
 
 use cageless::simulation::{Control, Ending, RunOutcome, run};
-use cageless::step::StepLimits;
+use cageless::step_limits::StepLimits;
 use cageless::{Case, FrictionLaw, Gaps, Method, Start};
 use common::{conventional, dimensions, structure, undamped};
 
@@ -14,7 +14,7 @@ fn automatic(mut case: Case, load_n: f64, rpm: f64, duration_s: f64) -> Case {
     case.operation.radial_load_n = load_n;
     case.operation.inner_speed_rad_s = rpm * TAU / 60.0;
     case.solver.method = Method::Symplectic;
-    case.solver.step_s = StepLimits::of(&case).automatic_s(Method::Symplectic);
+    case.solver.step_s = StepLimits::new(&case).automatic_s(Method::Symplectic);
     case.solver.duration_s = duration_s;
     case
 }
@@ -105,11 +105,11 @@ fn nothing_is_unaccounted_for_where_nothing_flows() {
 #[test]
 fn coulomb_friction_says_how_far_it_creeps() {
     let mut case = conventional(dimensions());
-    assert_eq!(StepLimits::of(&case).creep_m_s2, 0.0);
+    assert_eq!(StepLimits::new(&case).creep_m_s2, 0.0);
     case.contact.friction_law = FrictionLaw::Coulomb;
-    let low = StepLimits::of(&case).creep_m_s2;
+    let low = StepLimits::new(&case).creep_m_s2;
     case.contact.friction_coefficient = 0.3;
-    let high = StepLimits::of(&case).creep_m_s2;
+    let high = StepLimits::new(&case).creep_m_s2;
     assert!((high / low - 0.3 / 0.007).abs() < 1e-9);
     let force = high / 0.3 * 0.4 * 2.0 / 7.0 * case.bearing.ball_mass_kg();
     assert!((500.0..2000.0).contains(&force), "{force} N");

@@ -7,9 +7,9 @@ use cageless::dynamics::coordinates::BallCoordinate;
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::dynamics::state::State;
 use cageless::dynamics::{InstructionSet, Model, RightHandSide};
+use cageless::initial_conditions::initial_state;
 use cageless::integrator::System;
 use cageless::simulation::{Cause, Control, Ending, RunOutcome, run};
-use cageless::start::initial_state;
 use cageless::{Case, FrictionLaw, Gaps, Profile, Start};
 use common::{conventional, dimensions, raceway, structure, undamped};
 
@@ -26,7 +26,7 @@ fn complete(case: &Case) -> RunOutcome {
 fn rough_start(case: &mut Case) {
     // One pair close together, so that there are collisions.
     let n = case.bearing.balls();
-    let room = n as f64 * case.bearing.uniform_gap_rad();
+    let room = n as f64 * case.bearing.nominal_gap_rad();
     let mut gaps = vec![(room - 0.002) / (n - 1) as f64; n];
     gaps[2] = 0.002;
     case.start = Start::Rolling {

@@ -37,7 +37,7 @@ fn mixed_of(balls: usize, count: usize) -> Vec<Case> {
             case.operation.radial_load_n = 500.0 + 100.0 * k as f64;
             case.operation.inner_speed_rad_s *= 1.0 + 0.02 * k as f64;
             let n = case.bearing.balls();
-            let room = n as f64 * case.bearing.uniform_gap_rad();
+            let room = n as f64 * case.bearing.nominal_gap_rad();
             let mut gaps = vec![(room - 0.002) / (n - 1) as f64; n];
             gaps[k % n] = 0.002;
             case.start = Start::Settled {

@@ -5,7 +5,7 @@ mod common;
 
 use cageless::collision::CollisionDetector;
 use cageless::simulation::{Control, Ending, RunOutcome, run};
-use cageless::step::StepLimits;
+use cageless::step_limits::StepLimits;
 use cageless::summary::{Summary, SummaryRecorder};
 use cageless::{Case, Method};
 
@@ -38,7 +38,7 @@ fn a_second_without_damping_keeps_energy_and_balls() {
     };
     case.solver.method = Method::Symplectic;
     case.solver.duration_s = 1.0;
-    let automatic = StepLimits::of(&case).automatic_s(Method::Symplectic);
+    let automatic = StepLimits::new(&case).automatic_s(Method::Symplectic);
     let mut at = |step_s: f64| {
         case.solver.step_s = step_s;
         let (outcome, summary, collisions) = second(&case);

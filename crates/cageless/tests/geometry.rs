@@ -18,7 +18,7 @@ fn close(a: f64, b: f64, tolerance: f64) -> bool {
 fn table_1_gives_the_papers_angles() {
     let bearing = Bearing::new(dimensions(), steel()).unwrap();
     assert!(close(bearing.ball_angle_rad().to_degrees(), 23.8982, 5e-5));
-    assert!(close(bearing.uniform_gap_rad().to_degrees(), 1.8161, 5e-5));
+    assert!(close(bearing.nominal_gap_rad().to_degrees(), 1.8161, 5e-5));
     assert!(close(axial_span_limit_m(&bearing) * 1e3, 7.4017, 5e-5));
     assert_eq!(bearing.radial_clearance_m(), 0.0);
 }
@@ -54,7 +54,7 @@ fn half_angle_inverts_eq_11() {
     let bearing = Bearing::new(dimensions(), steel()).unwrap();
     for meaning in [Eq11::Published, Eq11::Polar] {
         for span in [5.0e-3, 5.7e-3, 7.0e-3] {
-            let gap = bearing.uniform_gap_rad();
+            let gap = bearing.nominal_gap_rad();
             let angle = half_angle_for_gap_rad(&bearing, span, gap, meaning).unwrap();
             let raceway = Raceway::new(
                 RacewayDimensions {
@@ -73,7 +73,7 @@ fn half_angle_inverts_eq_11() {
         }
         // So narrow a groove cannot slow the balls enough at any angle.
         assert_eq!(
-            half_angle_for_gap_rad(&bearing, 1e-3, bearing.uniform_gap_rad(), meaning),
+            half_angle_for_gap_rad(&bearing, 1e-3, bearing.nominal_gap_rad(), meaning),
             None
         );
     }
@@ -96,7 +96,7 @@ fn as_many_balls_inside_as_fit() {
 #[test]
 fn steady_flow_widens_the_gaps_outside() {
     let case = structure(5.1, 25.2);
-    let uniform = case.bearing.uniform_gap_rad();
+    let uniform = case.bearing.nominal_gap_rad();
     assert!(close(steady_gap_rad(&case.bearing, &[]), uniform, 1e-12));
     let steady = steady_gap_rad(&case.bearing, &case.raceways);
     assert!(steady > uniform + 0.1f64.to_radians());

@@ -5,13 +5,13 @@ mod common;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-use cageless::certificate::members;
 use cageless::collision::CollisionDetector;
 use cageless::min_max_decimator::MinMaxDecimator;
 use cageless::passage::{PassageRecorder, PassageTally};
 use cageless::recorder::Recorder;
 use cageless::simulation::{Control, Ending, run};
 use cageless::summary::SummaryRecorder;
+use cageless::verification::replicas;
 use cageless::vibration::{STRETCH, VibrationRecorder};
 use cageless::{Case, Housing, Method};
 
@@ -49,7 +49,7 @@ fn peak_bytes(case: &Case) -> (usize, u64, u64) {
     let mut rows = MinMaxDecimator::new(40);
     let mut tally = PassageTally::new();
     let mut vibration = VibrationRecorder::new(&housing, 1e5, 0.0);
-    let mut watch = members(case, 1)[0].watch();
+    let mut watch = replicas(case, 1)[0].observer();
     {
         let mut recorder = Recorder::new(1e-4, |snapshot| {
             rows.push(snapshot.to_row());

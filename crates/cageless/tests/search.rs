@@ -43,7 +43,7 @@ fn spacing(case: &Case, structure: Structure) -> Spacing {
 fn steady_and_critical_gap_are_those_of_the_motion() {
     let case = as_searched(4.5, 25.0);
     let steady = steady_gap_rad(&case.bearing, &case.raceways);
-    assert!(steady > 1.05 * case.bearing.uniform_gap_rad());
+    assert!(steady > 1.05 * case.bearing.nominal_gap_rad());
     let critical = spacing(&case, Structure::of(&case).unwrap()).critical_gap_rad;
     for start in 0..2 {
         let motion = disturbed(&[(&case, start)], &mut go_on)
@@ -123,7 +123,7 @@ fn ranges_end_where_the_groove_does() {
 #[test]
 fn uneven_gaps_fill_the_room_and_follow_the_seed() {
     let case = structure(5.1, 25.2);
-    let room = 14.0 * case.bearing.uniform_gap_rad();
+    let room = 14.0 * case.bearing.nominal_gap_rad();
     let draws: Vec<Vec<f64>> = (0..4)
         .map(|k| uneven_gaps_rad(&case, k / 2, k % 2))
         .collect();
@@ -196,7 +196,7 @@ fn several_raceways() {
     let largest = alone[0].critical_gap_rad.max(alone[1].critical_gap_rad);
     assert!((both.critical_gap_rad - largest).abs() < 1e-12);
     let gap = |s: &Structure| steady_gap_rad(&case.bearing, &s.raceways(&case.bearing).unwrap());
-    let uniform = case.bearing.uniform_gap_rad();
+    let uniform = case.bearing.nominal_gap_rad();
     let one = gap(&at(&[left])) - uniform;
     assert!(((gap(&at(&[left, right])) - uniform) / one - 2.0).abs() < 1e-9);
 }

@@ -366,13 +366,13 @@ fn a_ring_that_no_ball_carries_is_refused_with_the_reason() {
     let mut case = conventional(dimensions());
     let n = case.bearing.balls();
     let mut gaps = vec![0.0; n];
-    gaps[n - 1] = n as f64 * case.bearing.uniform_gap_rad();
+    gaps[n - 1] = n as f64 * case.bearing.nominal_gap_rad();
     case.bearing = {
         let mut d = dimensions();
         d.balls = 3;
         Bearing::new(d, steel()).unwrap()
     };
-    let room = 3.0 * case.bearing.uniform_gap_rad();
+    let room = 3.0 * case.bearing.nominal_gap_rad();
     case.start = Start::Settled {
         gaps: Gaps::List(vec![0.0, 0.0, room]),
         lead_ball_angle_rad: PI,

@@ -96,7 +96,8 @@ fn padding_is_not_felt() {
         let case = conventional(d);
         let wide = common::raceway(&case.bearing, 4.95, 35.0, 0.0);
         let case = scattered(case.with_raceways(vec![wide]), |k| -1e-6 * (k % 3) as f64);
-        let (state, _) = cageless::start::initial_state(&settled(case.clone())).unwrap();
+        let (state, _) =
+            cageless::initial_conditions::initial_state(&settled(case.clone())).unwrap();
         let model = cageless::dynamics::Model::new(&case).unwrap();
         let mut rate = vec![0.0; state.values().len()];
         let mut rhs = cageless::dynamics::RightHandSide::new(&model);

@@ -133,7 +133,7 @@ fn check(args: &CaseArgs) -> Result<(), Failure> {
         ),
         (
             "uniform gap",
-            format!("{:.4}°", bearing.uniform_gap_rad().to_degrees()),
+            format!("{:.4}°", bearing.nominal_gap_rad().to_degrees()),
         ),
     ];
     if !file.defaults().is_empty() {

@@ -8,18 +8,18 @@ use cageless::Case;
 use cageless::collision::CollisionDetector;
 use cageless::design::RunVerdict;
 use cageless::dynamics::InstructionSet;
+use cageless::initial_conditions::initial_state;
 use cageless::passage::PassageRecorder;
 use cageless::recorder::Recorder;
 use cageless::simulation::{Ending, Observer, RunOutcome, run as simulate};
-use cageless::start::initial_state;
 use cageless::summary::{SummaryRecorder, transient_s};
 use cageless::vibration::VibrationRecorder;
-use cageless_io::results::{CertificateFile, Metadata, RunWriter, SummaryFile, write_atomically};
-use cageless_report::certificate::{facts, value};
+use cageless_io::results::{Metadata, RunWriter, SummaryFile, VerificationFile, write_atomically};
 use cageless_report::run_report::{Histories, SAMPLING_HZ, run_data};
+use cageless_report::verification::{facts, value};
 use cageless_report::{run_page, to_json};
 use cageless_study::Work;
-use cageless_study::verification::Verification;
+use cageless_study::verification::VerificationRuns;
 
 use super::{make_folder, print, read_case, writable};
 use crate::args::RunArgs;
@@ -60,7 +60,7 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
 
     let stop = catch_interrupt();
     let mut summary = SummaryRecorder::new();
-    let mut verification = verify.then(|| Verification::new(case));
+    let mut verification = verify.then(|| VerificationRuns::new(case));
     let settled_s = transient_s(case);
     let mut vibration = (case.housing.as_ref())
         .map(|housing| VibrationRecorder::new(housing, SAMPLING_HZ, settled_s));
@@ -97,7 +97,7 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
             }
         }
         if let Some(verification) = &mut verification {
-            observers.push(verification.watch());
+            observers.push(verification.observer());
         }
         let outcome = simulate(
             case,
@@ -217,15 +217,15 @@ fn text(
         ));
     }
     let mut text = pairs(&lines);
-    if let Some(certificate) = &s.certificate {
-        text += &verified(certificate);
+    if let Some(verification) = &s.verification {
+        text += &verified(verification);
     }
     text + &warnings(&s.warnings)
 }
 
-/// The certificate for the terminal.
-fn verified(c: &CertificateFile) -> String {
-    let head = ["number", "value", "unit", "verdict", "because"].map(str::to_owned);
+/// Verification as text for the terminal.
+fn verified(c: &VerificationFile) -> String {
+    let head = ["result", "value", "unit", "verdict", "reason"].map(str::to_owned);
     let mut rows = vec![head.to_vec()];
     for (name, number) in c.ranked() {
         rows.push(vec![

@@ -134,7 +134,7 @@ fn theory(list: &mut List, e: &Evidence<'_>) {
     let bearing = &e.case.bearing;
     let (epsilon, gap) = (
         bearing.ball_angle_rad().to_degrees(),
-        bearing.uniform_gap_rad().to_degrees(),
+        bearing.nominal_gap_rad().to_degrees(),
     );
     let (rw, rm) = (bearing.ball_radius_m(), bearing.pitch_radius_m());
     // As printed: arccos((2Rm² − Rw²)/(2Rm²)) doubled, that is, the chord is Rw.
@@ -411,7 +411,7 @@ fn recommendation(list: &mut List, e: &Evidence<'_>) {
     let bearing = &e.case.bearing;
     let (epsilon, gap) = (
         bearing.ball_angle_rad().to_degrees(),
-        bearing.uniform_gap_rad().to_degrees(),
+        bearing.nominal_gap_rad().to_degrees(),
     );
     list.add(
         Verdict::Erratum,

@@ -8,7 +8,7 @@ use cageless::design::search::uneven_gaps_rad;
 use cageless::simulation::{
     Control, Ending, Observer, ObserverError, RunOutcome, StepView, batches, run_batch,
 };
-use cageless::step::StepLimits;
+use cageless::step_limits::StepLimits;
 use cageless::tolerance::{ball_grade, ball_lot_m};
 use cageless::vibration::{Measurement, PassingSplit, VibrationRecorder, WithoutContacts};
 use cageless::{Case, Gaps, Method, Raceway, RacewayDimensions, Start};
@@ -163,7 +163,7 @@ fn plans() -> Result<Vec<Plan>, Failure> {
                 case.operation.inner_speed_rad_s = speed.rpm * TAU / 60.0;
                 case.solver.duration_s = speed.duration_s;
                 case.solver.method = Method::Symplectic;
-                case.solver.step_s = StepLimits::of(&case).automatic_s(Method::Symplectic);
+                case.solver.step_s = StepLimits::new(&case).automatic_s(Method::Symplectic);
                 plans.push(Plan {
                     case,
                     rpm: speed.rpm,
@@ -223,7 +223,7 @@ fn bunched_gaps_rad(case: &Case, start: u64) -> Vec<f64> {
     let mut order: Vec<usize> = (0..n).collect();
     order.sort_by(|a, b| drawn[*b].total_cmp(&drawn[*a]));
     let within = GAP_IN_BUNCH_DEG.to_radians();
-    let room = n as f64 * case.bearing.even_gap_rad() - (n - BUNCHES) as f64 * within;
+    let room = n as f64 * case.bearing.mean_gap_rad() - (n - BUNCHES) as f64 * within;
     let mut gaps = vec![within; n];
     for k in &order[..BUNCHES] {
         gaps[*k] = room / BUNCHES as f64;

@@ -199,7 +199,7 @@ fn gap_history(
             stage("d", d, "the trailing ball leaves the discrete raceway"),
             stage("e", e, "the trailing ball leaves the load zone again"),
         ],
-        uniform_gap_deg: case.bearing.uniform_gap_rad().to_degrees(),
+        uniform_gap_deg: case.bearing.nominal_gap_rad().to_degrees(),
         provenance,
     };
     (history, range(a, b), range(c, d))

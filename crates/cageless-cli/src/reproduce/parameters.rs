@@ -148,7 +148,7 @@ pub fn surface(case: &Case) -> RacewaySurface {
 pub fn design_curve(case: &Case) -> DesignCurve {
     let bearing = &case.bearing;
     let curve = span_angle_curve(bearing, 240);
-    let (epsilon, gap) = (bearing.ball_angle_rad(), bearing.uniform_gap_rad());
+    let (epsilon, gap) = (bearing.ball_angle_rad(), bearing.nominal_gap_rad());
     DesignCurve {
         paper: (0..10)
             .filter_map(|k| {

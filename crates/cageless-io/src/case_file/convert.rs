@@ -1,7 +1,7 @@
 //! From the document to the case in SI units, with the checks of [`cageless`].
 
 use cageless::design::search::Request;
-use cageless::step::StepLimits;
+use cageless::step_limits::StepLimits;
 use cageless::{
     Bearing, BearingDimensions, Case, Contact, Gaps, Housing, InputError, Material, Operation,
     Output, Raceway, RacewayDimensions, Solver, Start,
@@ -69,7 +69,7 @@ impl Converter<'_> {
         };
         let automatic = document.solver.step_us == StepDocument::Auto;
         if automatic {
-            let step_s = StepLimits::of(&case).automatic_s(case.solver.method);
+            let step_s = StepLimits::new(&case).automatic_s(case.solver.method);
             if step_s.is_finite() {
                 case.solver.step_s = step_s;
             }

@@ -74,7 +74,7 @@ pub(super) fn gaps(document: &CaseDocument, bearing: &Bearing) -> (String, Strin
         );
         return (value, allowed);
     }
-    let room = n as f64 * Unit::Degree.of_si(bearing.uniform_gap_rad());
+    let room = n as f64 * Unit::Degree.of_si(bearing.nominal_gap_rad());
     let allowed = format!(
         "gaps that add up to {:.4} deg, which is 360 - {n} ε (Zhao 2022, Eq. (10)); these add up \
          to {:.4}",

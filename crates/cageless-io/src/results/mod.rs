@@ -16,13 +16,13 @@
 //! that a file that is there can be read, and a `summary.json` stands beside the tables of its
 //! own run. Memory does not grow with the run.
 
-mod certificate;
 mod checksum;
 mod error;
 mod partial;
 mod rows;
 mod summary;
 mod table;
+mod verification;
 
 use std::iter::repeat_n;
 use std::path::{Path, PathBuf};
@@ -31,11 +31,11 @@ use cageless::{Collision, Snapshot};
 
 use crate::case_file::CaseDocument;
 
-pub use certificate::{CertificateFile, CertificateNumber, DistanceColumns, rounded};
 pub use error::{ResultError, is_unusable};
 pub use partial::{PartialFile, write_atomically};
 pub use rows::{Cell, ColumnKind, ColumnSpec, Row, RowsReader, RowsWriter};
 pub use summary::{Stopped, SummaryFile};
+pub use verification::{DistanceColumns, VerificationFile, VerificationNumber, rounded};
 
 pub use table::Column;
 

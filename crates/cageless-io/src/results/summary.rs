@@ -6,14 +6,14 @@ use std::path::Path;
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::equilibrium;
 use cageless::simulation::{Ending, RunOutcome};
-use cageless::step::StepLimits;
+use cageless::step_limits::StepLimits;
 use cageless::summary::Summary;
 use cageless::{Case, Method};
 use serde::Serialize;
 
-use super::certificate::CertificateFile;
 use super::error::ResultError;
 use super::partial::write_atomically;
+use super::verification::VerificationFile;
 use super::{SCHEMA, VERSION};
 use crate::case_file::{CaseDocument, CaseFile};
 
@@ -58,7 +58,7 @@ pub struct SummaryFile {
     pub warnings: Vec<String>,
     /// How far the numbers can be trusted, if that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub certificate: Option<CertificateFile>,
+    pub verification: Option<VerificationFile>,
     /// Why the run stopped early, if it did: it left the physical range, or was interrupted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stopped: Option<Stopped>,
@@ -149,7 +149,7 @@ impl SummaryFile {
             wall_s,
             settled_after_s: number(|s| s.settled_after_s),
             warnings,
-            certificate: None,
+            verification: None,
             stopped: stopped(file.case(), outcome),
         }
     }
@@ -184,7 +184,7 @@ const RESIDUAL_SHARE: f64 = 0.01;
 fn warnings(case: &Case) -> Vec<String> {
     let mut warnings: Vec<String> = equilibrium::overload(case).into_iter().collect();
     let method = case.solver.method;
-    let resolved = StepLimits::of(case).friction_resolved_to_s(method);
+    let resolved = StepLimits::new(case).friction_resolved_to_s(method);
     if case.solver.step_s > resolved {
         warnings.push(format!(
             "friction of the smooth law decays faster than the step follows: slip near zero is \
@@ -192,7 +192,7 @@ fn warnings(case: &Case) -> Vec<String> {
             resolved * 1e6
         ));
     }
-    let limits = StepLimits::of(case);
+    let limits = StepLimits::new(case);
     let (creep, knee) = (
         limits.creep_m_s2 * case.solver.step_s,
         case.contact.slip_scale_m_s,

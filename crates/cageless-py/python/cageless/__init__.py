@@ -16,7 +16,7 @@ Examples
 
 from ._cageless import __version__, instruction_set
 from .case import Case, template
-from .certificates import Certificate
+from .verifications import Verification
 from .errors import CagelessError, ColumnError, InputError, UnphysicalError
 from .exports import Export
 from .plan import Plan, span
@@ -42,7 +42,7 @@ __all__ = [
     "CagelessError",
     "Case",
     "ColumnError",
-    "Certificate",
+    "Verification",
     "Contact",
     "Design",
     "Export",

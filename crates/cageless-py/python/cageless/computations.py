@@ -50,7 +50,7 @@ class Computations(ABC):
         ----------
         verify : bool
             Repeat the run from turned starts and at half the step, and say in the
-            ``certificate`` of the run which numbers are converged, which are statistical and
+            ``verification`` of the run which numbers are converged, which are statistical and
             which the step biases: 17 times the work.
         threads : int, optional
             Threads that repeat the run; as many as there are cores if left out.
@@ -74,8 +74,8 @@ class Computations(ABC):
         >>> run = case.run()
         >>> run.angle_rad.shape  # times × balls
         (21, 14)
-        >>> case.run(verify=True).certificate
-        <Certificate: 13 converged, 0 statistical, 0 neither>
+        >>> case.run(verify=True).verification
+        <Verification: 13 converged, 0 statistical, 0 step-biased>
         """
         run = Run(self._file.run(verify, threads, progress))
         stopped = run.stopped

@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _cageless, pages
-from .certificates import Certificate
+from .verifications import Verification
 from .errors import ColumnError
 from .figures import figure
 from .sections import table
@@ -57,11 +57,11 @@ class Run:
         return list(self.summary["warnings"])
 
     @cached_property
-    def certificate(self) -> Certificate | None:
-        """How far the numbers of a verified run can be trusted; None if it was not to be
-        verified, or could not be, which is a warning then."""
+    def verification(self) -> Verification | None:
+        """Numerical verification of the run; None without `verify=True`, or if it failed,
+        which is a warning."""
         names = self._run.certified()
-        return None if names is None else Certificate(self.summary["certificate"], names)
+        return None if names is None else Verification(self.summary["verification"], names)
 
     @property
     def time_s(self) -> Floats:
@@ -194,7 +194,7 @@ class Run:
         rows = [(str(name), value) for name, value in self.data_summary().items()]
         rows += [("warning", warning) for warning in self.warnings]
         found = table(rows, f"Run of {self.summary['case']['title']}")
-        return found + (self.certificate._repr_html_() if self.certificate else "")
+        return found + (self.verification._repr_html_() if self.verification else "")
 
 
 @dataclass(frozen=True)

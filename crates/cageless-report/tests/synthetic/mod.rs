@@ -594,10 +594,10 @@ pub fn run_data() -> RunData {
         })
         .to_vec(),
         energy_residual_relative: Some(3.2e-7),
-        certificate: Some(CertificateTable {
+        verification: Some(VerificationTable {
             facts: vec!["Runs part by a factor e every 3 ms <synthetic>.".into()],
             rows: vec![
-                CertificateRow {
+                VerificationRow {
                     name: "gap_min_deg".into(),
                     value: "−0.0021".into(),
                     unit: "°".into(),
@@ -605,11 +605,11 @@ pub fn run_data() -> RunData {
                     reason: "changes by 1e-7 & less".into(),
                     marked: false,
                 },
-                CertificateRow {
+                VerificationRow {
                     name: "ring_y_um_mean".into(),
                     value: "−22.4".into(),
                     unit: "µm".into(),
-                    verdict: "neither".into(),
+                    verdict: "step-biased".into(),
                     reason: "z = −10".into(),
                     marked: true,
                 },

@@ -127,7 +127,7 @@ pub const QUANTITIES: &[Quantity] = &[
     list("static_outer_force_n", "N", Static(|e| Cell::Numbers(e.outer_force_n.clone()))),
 
     quantity("design_epsilon_deg", "deg", Design(|c| degrees(c.bearing.ball_angle_rad()))),
-    quantity("design_uniform_gap_deg", "deg", Design(|c| degrees(c.bearing.uniform_gap_rad()))),
+    quantity("design_uniform_gap_deg", "deg", Design(|c| degrees(c.bearing.nominal_gap_rad()))),
     quantity("design_axial_span_limit_mm", "mm", Design(|c| some(axial_span_limit_m(&c.bearing) * 1e3))),
     quantity("design_beta0_deg", "deg", Design(|c| of_raceway(c, |r| theoretical_gap_rad(&c.bearing, r, Eq11::Published).to_degrees()))),
     quantity("design_beta0_polar_deg", "deg", Design(|c| of_raceway(c, |r| theoretical_gap_rad(&c.bearing, r, Eq11::Polar).to_degrees()))),
@@ -192,7 +192,7 @@ fn half_angle_for_span(case: &Case) -> Cell {
     let bearing = &case.bearing;
     let angle = case.raceways.first().and_then(|raceway| {
         let span = raceway.dimensions().axial_span_m;
-        half_angle_for_gap_rad(bearing, span, bearing.uniform_gap_rad(), Eq11::Published)
+        half_angle_for_gap_rad(bearing, span, bearing.nominal_gap_rad(), Eq11::Published)
     });
     angle.map(f64::to_degrees).into()
 }

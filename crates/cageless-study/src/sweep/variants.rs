@@ -224,7 +224,7 @@ fn gaps_deg(file: &CaseFile) -> Vec<f64> {
     let bearing = &file.case().bearing;
     let (Start::Settled { gaps, .. } | Start::Rolling { gaps, .. }) = &file.case().start;
     match gaps {
-        Gaps::Uniform => vec![bearing.even_gap_rad().to_degrees(); bearing.balls()],
+        Gaps::Uniform => vec![bearing.mean_gap_rad().to_degrees(); bearing.balls()],
         Gaps::List(list) => list.iter().map(|gap| gap.to_degrees()).collect(),
     }
 }

@@ -107,7 +107,7 @@ pub struct CurvePoint {
 /// Eq. (8); spans that no angle serves are left out.
 pub fn span_angle_curve(bearing: &Bearing, points: usize) -> Vec<CurvePoint> {
     let limit = axial_span_limit_m(bearing);
-    let gap = bearing.uniform_gap_rad();
+    let gap = bearing.nominal_gap_rad();
     (1..points)
         .map(|k| {
             let axial_span_m = limit * k as f64 / points as f64;

@@ -73,7 +73,7 @@ fn centre_angle_rad(case: &Case) -> f64 {
 
 /// Raceway of span lC on the curve of Eq. (11), in the place of the case's own.
 fn on_curve(case: &Case, axial_span_m: f64) -> Option<Raceway> {
-    let gap = case.bearing.uniform_gap_rad();
+    let gap = case.bearing.nominal_gap_rad();
     let half_angle_rad = half_angle_for_gap_rad(&case.bearing, axial_span_m, gap, Eq11::Published)?;
     let dimensions = RacewayDimensions {
         axial_span_m,
@@ -128,7 +128,7 @@ pub fn starting_point(
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<Option<StartingPoint>, CriticalGapError> {
     let bearing = &case.bearing;
-    let half_angle_max_rad = bearing.ball_angle_rad() + bearing.uniform_gap_rad();
+    let half_angle_max_rad = bearing.ball_angle_rad() + bearing.nominal_gap_rad();
     let limit = axial_span_limit_m(bearing) * (1.0 - 1e-6);
     let (Some(narrow), Some(deepest)) = (
         span_for_angle(case, half_angle_max_rad),
@@ -194,7 +194,7 @@ fn neighbours(case: &Case, start: &StartingPoint, share: f64) -> Vec<RacewayDime
     let Some(widest_m) = span_for_angle(case, half_angle_rad) else {
         return vec![];
     };
-    let uniform = case.bearing.uniform_gap_rad();
+    let uniform = case.bearing.nominal_gap_rad();
     DEPTHS
         .into_iter()
         .filter(|&depth| depth < 1.0 || share > 0.0)

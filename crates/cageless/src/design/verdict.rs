@@ -284,7 +284,7 @@ fn decide(case: &Case, raceway: &Raceway, critical: f64, s: PassageStatistics) -
     let bearing = &case.bearing;
     let beta0 = theoretical_gap_rad(bearing, raceway, Eq11::Published);
     let shortfall = 1.0 - critical / beta0;
-    let three = 2.0 * (bearing.ball_angle_rad() + bearing.uniform_gap_rad());
+    let three = 2.0 * (bearing.ball_angle_rad() + bearing.nominal_gap_rad());
     let wide = 2.0 * raceway.half_angle_rad();
     let criteria = vec![
         Criterion::Separation(shortfall),
@@ -324,11 +324,11 @@ fn decide(case: &Case, raceway: &Raceway, critical: f64, s: PassageStatistics) -
         ),
         format!(
             "β0 = {:.0} % of the uniform gap {:.4}°: evenly spaced balls {}",
-            100.0 * beta0 / bearing.uniform_gap_rad(),
-            bearing.uniform_gap_rad().to_degrees(),
-            if beta0 < 0.9 * bearing.uniform_gap_rad() {
+            100.0 * beta0 / bearing.nominal_gap_rad(),
+            bearing.nominal_gap_rad().to_degrees(),
+            if beta0 < 0.9 * bearing.nominal_gap_rad() {
                 "are hardly spread by so shallow a groove"
-            } else if beta0 > 1.1 * bearing.uniform_gap_rad() {
+            } else if beta0 > 1.1 * bearing.nominal_gap_rad() {
                 "collide in so deep a groove"
             } else {
                 "just touch, as they should"

@@ -116,7 +116,7 @@ pub fn start_angles_rad(case: &Case) -> Vec<f64> {
             let here = angle;
             angle += bearing.pair_angle_rad(k)
                 + match case.start.gaps() {
-                    Gaps::Uniform => bearing.even_gap_rad(),
+                    Gaps::Uniform => bearing.mean_gap_rad(),
                     Gaps::List(gaps) => gaps[k],
                 };
             here

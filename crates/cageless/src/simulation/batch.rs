@@ -7,7 +7,7 @@ use crate::case::{Case, FrictionLaw, Method, Profile};
 use crate::dynamics::state::{BATCH_WIDTH, State};
 use crate::dynamics::{InstructionSet, Model, RightHandSide};
 use crate::equilibrium::EquilibriumError;
-use crate::start::initial_state;
+use crate::initial_conditions::initial_state;
 
 /// Properties that all cases of a batch share. Methods with a memory or a step of
 /// their own would let one bearing change the steps of another.

@@ -8,8 +8,8 @@ use crate::dynamics::state::State;
 use crate::dynamics::{InstructionSet, Model, RightHandSide};
 use crate::equilibrium::EquilibriumError;
 use crate::error::InputError;
+use crate::initial_conditions::initial_state;
 use crate::integrator::{self, Abm4, Adaptive, Integrator, VelocityVerlet};
-use crate::start::initial_state;
 
 /// How a run ended.
 #[derive(Debug)]

@@ -132,7 +132,7 @@ pub enum DisturbedError {
 pub fn uneven_gaps_rad(case: &Case, seed: u64, start: u64) -> Vec<f64> {
     let n = case.bearing.balls();
     let drawn: Vec<f64> = (0..n as u64).map(|k| unit(seed, start, k)).collect();
-    let room = n as f64 * case.bearing.uniform_gap_rad();
+    let room = n as f64 * case.bearing.nominal_gap_rad();
     let sum: f64 = drawn.iter().sum();
     drawn.iter().map(|d| d / sum * room).collect()
 }

@@ -5,7 +5,7 @@ use crate::case::{Case, Method};
 use crate::design::{Eq11, steady_gap_rad, theoretical_gap_rad};
 use crate::error::InputError;
 use crate::raceway::{Raceway, RacewayDimensions};
-use crate::step::StepLimits;
+use crate::step_limits::StepLimits;
 
 /// Equal discrete raceways at given places.
 #[derive(Debug, Clone, PartialEq)]
@@ -85,7 +85,7 @@ impl OperatingPoint {
         case.operation.inner_speed_rad_s = self.inner_speed_rad_s;
         case.operation.radial_load_n = self.radial_load_n;
         case.solver.method = Method::Symplectic;
-        case.solver.step_s = StepLimits::of(&case).automatic_s(Method::Symplectic);
+        case.solver.step_s = StepLimits::new(&case).automatic_s(Method::Symplectic);
         case
     }
 }

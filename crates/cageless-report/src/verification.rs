@@ -1,41 +1,41 @@
-//! How far the results of a run can be trusted.
+//! Table of the verification of a run.
 
-use cageless::certificate::Verdict;
-use cageless_io::results::{CertificateFile, CertificateNumber, rounded};
+use cageless::verification::Convergence;
+use cageless_io::results::{VerificationFile, VerificationNumber, rounded};
 use serde::Serialize;
 
 use crate::data::Provenance;
 use crate::table::{Cell, Row, Table};
 
-/// The certificate of a run as it is shown.
+/// Verification of a run as a table.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
-pub struct CertificateTable {
+pub struct VerificationTable {
     /// Predictability and balances, a sentence each.
     pub facts: Vec<String>,
-    /// A row for each number.
-    pub rows: Vec<CertificateRow>,
+    /// Row of each result.
+    pub rows: Vec<VerificationRow>,
 }
 
-/// One number.
+/// Verification of one result as a table row.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
-pub struct CertificateRow {
-    /// Its key in `summary.json`.
+pub struct VerificationRow {
+    /// Key of the result in `summary.json`.
     pub name: String,
-    /// Value as it is to be printed.
+    /// Value as printed.
     pub value: String,
     /// Unit; may be empty.
     pub unit: String,
-    /// `converged`, `statistical` or `neither`.
+    /// `converged`, `statistical` or `step-biased`.
     pub verdict: String,
-    /// Why, in numbers.
+    /// Reason with its numbers.
     pub reason: String,
-    /// Whether the row is called out.
+    /// Whether the row is highlighted.
     pub marked: bool,
 }
 
-impl CertificateTable {
-    /// Of the certificate of a summary.
-    pub fn of(c: &CertificateFile) -> Self {
+impl VerificationTable {
+    /// Table of the verification of a summary.
+    pub fn new(c: &VerificationFile) -> Self {
         Self {
             facts: facts(c)
                 .into_iter()
@@ -44,22 +44,22 @@ impl CertificateTable {
             rows: c
                 .ranked()
                 .into_iter()
-                .map(|(name, number)| CertificateRow {
+                .map(|(name, number)| VerificationRow {
                     name: name.to_owned(),
                     value: value(number),
                     unit: number.unit.clone(),
                     verdict: number.verdict.clone(),
                     reason: number.reason.clone(),
-                    marked: number.verdict == Verdict::Neither.name(),
+                    marked: number.verdict == Convergence::StepBiased.name(),
                 })
                 .collect(),
         }
     }
 }
 
-/// The value to the digits that are known of it.
-pub fn value(number: &CertificateNumber) -> String {
-    let known = if number.verdict == Verdict::Converged.name() {
+/// Value to its significant digits.
+pub fn value(number: &VerificationNumber) -> String {
+    let known = if number.verdict == Convergence::Converged.name() {
         number.tolerance
     } else {
         number.spread
@@ -71,17 +71,18 @@ pub fn value(number: &CertificateNumber) -> String {
     }
 }
 
-/// Predictability and balances: name and finding.
-pub fn facts(c: &CertificateFile) -> [(&'static str, String); 4] {
+/// Counts, predictability and balances: name and finding.
+pub fn facts(c: &VerificationFile) -> [(&'static str, String); 4] {
     [
         (
-            "verified",
+            "verification",
             format!(
-                "{} numbers converged, {} statistical, {} neither ({} starts, steps of {} and {} µs)",
+                "{} results converged, {} chaotic but statistically consistent, {} step-size dependent ({} starts, \
+                 steps of {} and {} µs)",
                 c.converged,
                 c.statistical,
-                c.neither,
-                c.members,
+                c.step_biased,
+                c.replicas,
                 c.step_us,
                 c.step_us / 2.0
             ),
@@ -90,38 +91,38 @@ pub fn facts(c: &CertificateFile) -> [(&'static str, String); 4] {
         (
             "energy balance",
             format!(
-                "{:.1e} of all flows missing, {:.1e} at half the step",
+                "relative error {:.1e}, {:.1e} at half the step",
                 c.energy_residual_relative, c.energy_residual_relative_half_step
             ),
         ),
         (
             "momentum balance",
             format!(
-                "{:.1e} of all impulses missing, {:.1e} at half the step",
+                "relative error {:.1e}, {:.1e} at half the step",
                 c.momentum_residual_relative, c.momentum_residual_relative_half_step
             ),
         ),
     ]
 }
 
-/// The table of the certificate.
-pub fn certificate_table(certificate: &CertificateTable, source: Provenance) -> Table {
+/// Table of the verification.
+pub fn verification_table(verification: &VerificationTable, source: Provenance) -> Table {
     let text = |name: &str| (name.to_owned(), false);
     Table {
-        label: "Certificate".to_owned(),
+        label: "Numerical verification".to_owned(),
         caption: "Each number of the run, repeated from turned starts and at half the step. \
                   Converged: neither changes it by more than the tolerance. Statistical: it \
-                  changes from start to start, and no more with the step. Neither: the step \
+                  changes from start to start, and no more with the step. StepBiased: the step \
                   biases it."
             .to_owned(),
         columns: vec![
-            text("Number"),
+            text("Result"),
             ("Value".to_owned(), true),
             text("Unit"),
-            text("Verdict"),
-            text("Because"),
+            text("Convergence"),
+            text("Reason"),
         ],
-        rows: certificate
+        rows: verification
             .rows
             .iter()
             .map(|row| Row {

@@ -1,66 +1,66 @@
-//! The verdict on one number.
+//! Classification of one result: converged, statistical or biased by the step.
 
 use super::quantity::Quantity;
 
-/// What can be said of a number.
+/// Classification of a result under perturbation of the initial state and halving of the step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Verdict {
-    /// Halving the step and turning the start change it by less than the tolerance.
+pub enum Convergence {
+    /// Halving the step and perturbing the initial state change it by less than the tolerance.
     Converged,
-    /// It changes with the start, and no more with the step: one draw of a distribution,
-    /// known to its standard error.
+    /// Depends on the initial state but not on the step: one sample of a distribution, known to
+    /// its standard error.
     Statistical,
-    /// It changes with the step by more than chance explains: biased by the step.
-    Neither,
+    /// Changes with the step by more than the scatter explains.
+    StepBiased,
 }
 
-impl Verdict {
+impl Convergence {
     /// Name in tables and files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Converged => "converged",
             Self::Statistical => "statistical",
-            Self::Neither => "neither",
+            Self::StepBiased => "step-biased",
         }
     }
 }
 
-/// Values of one number, that of the given start first.
-pub(super) struct Draws<'a> {
-    /// Given and near starts.
-    pub near: &'a [f64],
-    /// Given and far starts.
+/// Samples of one result; that of the given start comes first.
+pub(super) struct Samples<'a> {
+    /// Given start and small perturbations.
+    pub perturbed: &'a [f64],
+    /// Given start and large perturbations.
     pub full: &'a [f64],
     /// The same at half the step.
     pub half: &'a [f64],
 }
 
-/// A number at the step and at half of it, from all starts. In the number's unit.
+/// Statistics of one result at the step and at half the step, in the unit of the result.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Judgement {
-    /// Which number.
+    /// Result that is classified.
     pub quantity: Quantity,
-    /// What can be said of it.
-    pub verdict: Verdict,
+    /// Classification.
+    pub verdict: Convergence,
     /// Value of the run.
     pub value: f64,
     /// Value at half the step, from the same start.
     pub half_step_value: f64,
-    /// Change that passes for converged.
+    /// Largest change of a converged result.
     pub tolerance: f64,
-    /// Largest change by halving the step, over the given start and the far ones.
+    /// Largest change by halving the step, over the given start and the large perturbations.
     pub step_change: f64,
-    /// Largest change by turning the start to a near one.
-    pub turn_change: f64,
+    /// Largest change by a small perturbation of the start.
+    pub start_change: f64,
     /// Mean of the runs at the step.
     pub mean: f64,
     /// Mean of the runs at half the step.
     pub half_step_mean: f64,
     /// Standard deviation among runs at one step, from both steps together.
     pub spread: f64,
-    /// Of [`Self::mean`]: spread/√members.
+    /// Standard error of [`Self::mean`], spread/√replicas.
     pub standard_error: f64,
-    /// Difference of the two means over its standard error, spread·√(2/members); infinite
+    /// Difference of the two means over its standard error, spread·√(2/replicas); infinite
     /// if there is a difference without spread.
     pub z: f64,
     /// A value at an instant beyond the predictability time: not converged even if it
@@ -69,15 +69,19 @@ pub struct Judgement {
 }
 
 impl Judgement {
-    /// Judges a number.
+    /// Classifies a result.
     pub(super) fn new(
         quantity: Quantity,
-        draws: &Draws<'_>,
+        samples: &Samples<'_>,
         tolerance: f64,
         z_limit: f64,
         beyond_predictability: bool,
     ) -> Self {
-        let Draws { near, full, half } = *draws;
+        let Samples {
+            perturbed,
+            full,
+            half,
+        } = *samples;
         let count = full.len() as f64;
         let mean = |values: &[f64]| values.iter().sum::<f64>() / count;
         let (full_mean, half_mean) = (mean(full), mean(half));
@@ -97,14 +101,14 @@ impl Judgement {
             changes.fold(0.0, |m: f64, c| if c.abs() <= m { m } else { c.abs() })
         };
         let step_change = largest(&mut full.iter().zip(half).map(|(a, b)| b - a));
-        let turn_change = largest(&mut near.iter().map(|v| v - near[0]));
-        let unchanged = step_change <= tolerance && turn_change <= tolerance;
+        let start_change = largest(&mut perturbed.iter().map(|v| v - perturbed[0]));
+        let unchanged = step_change <= tolerance && start_change <= tolerance;
         let verdict = if unchanged && !beyond_predictability {
-            Verdict::Converged
+            Convergence::Converged
         } else if unchanged || z.abs() <= z_limit {
-            Verdict::Statistical
+            Convergence::Statistical
         } else {
-            Verdict::Neither
+            Convergence::StepBiased
         };
         Self {
             quantity,
@@ -113,7 +117,7 @@ impl Judgement {
             half_step_value: half[0],
             tolerance,
             step_change,
-            turn_change,
+            start_change,
             mean: full_mean,
             half_step_mean: half_mean,
             spread,
@@ -128,13 +132,13 @@ impl Judgement {
 mod tests {
     use super::*;
 
-    fn verdict(full: &[f64], half: &[f64], beyond: bool) -> Verdict {
-        let draws = Draws {
-            near: full,
+    fn verdict(full: &[f64], half: &[f64], beyond: bool) -> Convergence {
+        let samples = Samples {
+            perturbed: full,
             full,
             half,
         };
-        Judgement::new(Quantity::RingYMean, &draws, 1e-3, 4.0, beyond).verdict
+        Judgement::new(Quantity::RingYMean, &samples, 1e-3, 4.0, beyond).verdict
     }
 
     #[test]
@@ -142,16 +146,25 @@ mod tests {
         let steady = [1.0, 1.0001, 0.9999];
         let scattered = [1.0, 1.2, 0.9];
         let shifted = [2.0, 2.2, 1.9];
-        assert_eq!(verdict(&steady, &steady, false), Verdict::Converged);
+        assert_eq!(verdict(&steady, &steady, false), Convergence::Converged);
         // A point beyond the predictability time never converges.
-        assert_eq!(verdict(&steady, &steady, true), Verdict::Statistical);
+        assert_eq!(verdict(&steady, &steady, true), Convergence::Statistical);
         assert_eq!(
             verdict(&scattered, &[1.1, 0.95, 1.05], false),
-            Verdict::Statistical
+            Convergence::Statistical
         );
-        assert_eq!(verdict(&scattered, &shifted, false), Verdict::Neither);
+        assert_eq!(
+            verdict(&scattered, &shifted, false),
+            Convergence::StepBiased
+        );
         // No chance at work, but a change with the step.
-        assert_eq!(verdict(&[1.0; 3], &[1.01; 3], false), Verdict::Neither);
-        assert_eq!(verdict(&[f64::NAN; 3], &[1.0; 3], false), Verdict::Neither);
+        assert_eq!(
+            verdict(&[1.0; 3], &[1.01; 3], false),
+            Convergence::StepBiased
+        );
+        assert_eq!(
+            verdict(&[f64::NAN; 3], &[1.0; 3], false),
+            Convergence::StepBiased
+        );
     }
 }

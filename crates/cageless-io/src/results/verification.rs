@@ -1,96 +1,96 @@
-//! The `certificate` of `summary.json`.
+//! The `verification` of `summary.json`.
 
 use std::collections::BTreeMap;
 
-use cageless::certificate::{Certificate, Judgement, LOST, Loss, Quantity, Verdict};
+use cageless::verification::{Convergence, DECORRELATED, Judgement, Loss, Quantity, Verification};
 use serde::Serialize;
 
-/// The judgement of a run, in the units of `summary.json`. A number that is not finite
+/// Verification of a run, in the units of `summary.json`. A number that is not finite
 /// becomes `null`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct CertificateFile {
-    /// Numbers that change neither with the step nor with the start.
+pub struct VerificationFile {
+    /// Number of results that change neither with the step nor with the start.
     pub converged: usize,
-    /// Numbers that change with the start only.
+    /// Number of results that change with the initial state only.
     pub statistical: usize,
-    /// Numbers that the step biases.
-    pub neither: usize,
-    /// Draws at the step, and as many at half of it.
-    pub members: usize,
-    /// Share of its scale by which a converged number may change.
+    /// Number of results biased by the step.
+    pub step_biased: usize,
+    /// Number of samples at the step, and as many at half the step.
+    pub replicas: usize,
+    /// Fraction of its scale by which a converged result may change.
     pub tolerance: f64,
-    /// |z| above which a number counts as biased.
+    /// |z| above which a result counts as biased.
     pub z_limit: f64,
-    /// Step of the run.
+    /// Step of the run, µs.
     pub step_us: f64,
-    /// Time in which a distance grows by a factor e; absent if the run does not diverge.
+    /// Lyapunov time; absent if the run does not diverge.
     pub divergence_time_s: Option<f64>,
-    /// From when on no point of the run is known; absent if not within the run.
+    /// Time after which trajectories are unpredictable; absent if not within the run.
     pub predictability_time_s: Option<f64>,
-    /// Both in words.
+    /// Lyapunov time and predictability as a sentence.
     pub predictability: String,
-    /// Largest distance of near starts over the first.
+    /// Largest distance of perturbed runs over the first.
     pub growth: f64,
-    /// What the energy ledger misses, relative to the energy turned over.
+    /// Energy balance error, relative to the sum of all energy flows.
     pub energy_residual_relative: f64,
-    /// The same at half the step.
+    /// Energy balance error at half the step.
     pub energy_residual_relative_half_step: f64,
-    /// Momentum without a force, relative to the sum of absolute impulses.
+    /// Momentum balance error, relative to the sum of absolute impulses.
     pub momentum_residual_relative: f64,
-    /// The same at half the step.
+    /// Momentum balance error at half the step.
     pub momentum_residual_relative_half_step: f64,
-    /// Each number.
-    pub numbers: BTreeMap<String, CertificateNumber>,
+    /// Results by key.
+    pub numbers: BTreeMap<String, VerificationNumber>,
     /// Distances from the run over time.
     pub distance: DistanceColumns,
 }
 
-/// One number.
+/// Verification of one result.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct CertificateNumber {
-    /// `converged`, `statistical` or `neither`.
+pub struct VerificationNumber {
+    /// `converged`, `statistical` or `step-biased`.
     pub verdict: String,
-    /// Unit of all that follows but `z`.
+    /// Unit of all following values except `z`.
     pub unit: String,
     /// Value of the run.
     pub value: f64,
     /// Value at half the step.
     pub half_step_value: f64,
-    /// Change that passes for converged.
+    /// Largest change of a converged result.
     pub tolerance: f64,
     /// Largest change with the step.
     pub step_change: f64,
-    /// Largest change with the start, near ones.
+    /// Largest change by a small perturbation of the start.
     pub start_change: f64,
-    /// Mean over the draws at the step.
+    /// Mean of the samples at the step.
     pub mean: f64,
-    /// Mean over the draws at half the step.
+    /// Mean over the samples at half the step.
     pub half_step_mean: f64,
-    /// Standard deviation of a draw.
+    /// Standard deviation of one sample.
     pub spread: f64,
     /// Standard error of `mean`.
     pub standard_error: f64,
     /// Difference of the means over its standard error.
     pub z: f64,
-    /// Why, in words.
+    /// Reason as a sentence.
     pub reason: String,
     /// Place in tables.
     #[serde(skip)]
     pub rank: usize,
 }
 
-/// Distances of other members from the run, columns of equal length.
+/// Distances of the replicas from the run, columns of equal length.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct DistanceColumns {
     /// Time.
     pub time_s: Vec<f64>,
     /// Near starts.
-    pub near: Vec<f64>,
+    pub perturbed: Vec<f64>,
     /// Half the step.
     pub half_step: Vec<f64>,
 }
 
-/// Rows of [`DistanceColumns`], about.
+/// Approximate number of rows of [`DistanceColumns`].
 const ROWS: usize = 250;
 
 /// Key, unit and factor from SI.
@@ -113,15 +113,15 @@ fn display(quantity: Quantity) -> (&'static str, &'static str, f64) {
     }
 }
 
-impl CertificateFile {
-    /// In the units of `summary.json`.
-    pub fn new(c: &Certificate) -> Self {
+impl VerificationFile {
+    /// Verification in the units of `summary.json`.
+    pub fn new(c: &Verification) -> Self {
         let d = &c.divergence;
         let stride = d.distances.len().div_ceil(ROWS).max(1);
         let mut distance = DistanceColumns::default();
         for row in d.distances.iter().step_by(stride) {
             distance.time_s.push(row.time_s);
-            distance.near.push(row.near);
+            distance.perturbed.push(row.perturbed);
             distance.half_step.push(row.half_step);
         }
         let numbers = c
@@ -134,10 +134,10 @@ impl CertificateFile {
             })
             .collect();
         Self {
-            converged: c.count(Verdict::Converged),
-            statistical: c.count(Verdict::Statistical),
-            neither: c.count(Verdict::Neither),
-            members: c.members,
+            converged: c.count(Convergence::Converged),
+            statistical: c.count(Convergence::Statistical),
+            step_biased: c.count(Convergence::StepBiased),
+            replicas: c.replicas,
             tolerance: c.tolerance,
             z_limit: c.z_limit,
             step_us: c.step_s * 1e6,
@@ -154,24 +154,24 @@ impl CertificateFile {
         }
     }
 
-    /// The numbers in the order of tables.
-    pub fn ranked(&self) -> Vec<(&str, &CertificateNumber)> {
+    /// Results in the order of tables.
+    pub fn ranked(&self) -> Vec<(&str, &VerificationNumber)> {
         let mut numbers: Vec<_> = self.numbers.iter().map(|(k, n)| (k.as_str(), n)).collect();
         numbers.sort_by_key(|(_, n)| n.rank);
         numbers
     }
 
-    /// Warning about numbers that the step biases, if there are any.
+    /// Warning about results biased by the step, if any.
     pub fn warning(&self) -> Option<String> {
         let biased: Vec<&str> = self
             .ranked()
             .into_iter()
-            .filter(|(_, n)| n.verdict == Verdict::Neither.name())
+            .filter(|(_, n)| n.verdict == Convergence::StepBiased.name())
             .map(|(key, _)| key)
             .collect();
         (!biased.is_empty()).then(|| {
             format!(
-                "changed by the step beyond chance: {}; set solver.step_us to {} and verify again",
+                "dependent on the step beyond scatter: {}; set solver.step_us to {} and verify again",
                 biased.join(", "),
                 self.step_us / 2.0
             )
@@ -180,12 +180,12 @@ impl CertificateFile {
 }
 
 fn number(
-    c: &Certificate,
+    c: &Verification,
     j: &Judgement,
     rank: usize,
     unit: &str,
     factor: f64,
-) -> CertificateNumber {
+) -> VerificationNumber {
     let to = |value: f64| value * factor;
     let suffix = if unit == "1" {
         String::new()
@@ -196,13 +196,13 @@ fn number(
         "{} ± {:.1e}{suffix} over {} starts, each ± {:.1e}",
         rounded(to(j.mean), to(j.standard_error)),
         to(j.standard_error),
-        c.members,
+        c.replicas,
         to(j.spread)
     );
     let reason = match j.verdict {
-        Verdict::Converged => {
+        Convergence::Converged => {
             let systematic = if j.z.abs() > c.z_limit && c.divergence.divergence_time_s.is_some() {
-                format!("; the step moves it all the same (z = {:.1})", j.z)
+                format!("; significant dependence on the step (z = {:.1})", j.z)
             } else {
                 String::new()
             };
@@ -210,41 +210,41 @@ fn number(
                 "changes by {:.1e} with the step and {:.1e} with the start, at most {:.1e}{suffix} \
                  allowed{systematic}",
                 to(j.step_change),
-                to(j.turn_change),
+                to(j.start_change),
                 to(j.tolerance)
             )
         }
-        Verdict::Statistical if j.beyond_predictability => format!(
-            "an instant beyond the predictability time: one draw out of {known}; z = {:.1} at half \
+        Convergence::Statistical if j.beyond_predictability => format!(
+            "value at one instant beyond the predictability time, one sample of {known}; z = {:.1} at half \
              the step",
             j.z
         ),
-        Verdict::Statistical => format!(
+        Convergence::Statistical => format!(
             "{known}; z = {:.1} at half the step, within ±{:.1}",
             j.z, c.z_limit
         ),
-        Verdict::Neither if j.z.abs() < 1e3 => format!(
-            "half the step moves the mean by {:+.1e}{suffix}, z = {:.1} beyond ±{:.1}; {known}",
+        Convergence::StepBiased if j.z.abs() < 1e3 => format!(
+            "half the step changes the mean by {:+.1e}{suffix}, z = {:.1} beyond ±{:.1}; {known}",
             to(j.half_step_mean - j.mean),
             j.z,
             c.z_limit
         ),
-        Verdict::Neither => format!(
+        Convergence::StepBiased => format!(
             "half the step changes it by {:.1e}{suffix}, more than the {:.1e} allowed and far more \
-             than the start does ({:.1e})",
+             than the perturbed starts ({:.1e})",
             to(j.step_change),
             to(j.tolerance),
             to(j.spread)
         ),
     };
-    CertificateNumber {
+    VerificationNumber {
         verdict: j.verdict.name().to_owned(),
         unit: unit.to_owned(),
         value: to(j.value),
         half_step_value: to(j.half_step_value),
         tolerance: to(j.tolerance),
         step_change: to(j.step_change),
-        start_change: to(j.turn_change),
+        start_change: to(j.start_change),
         mean: to(j.mean),
         half_step_mean: to(j.half_step_mean),
         spread: to(j.spread),
@@ -265,33 +265,31 @@ pub fn rounded(value: f64, error: f64) -> String {
     format!("{value:.decimals$}")
 }
 
-fn predictability(c: &Certificate) -> String {
+fn predictability(c: &Verification) -> String {
     let d = &c.divergence;
     let growth = match (d.divergence_time_s, d.fitted_over_s) {
         (Some(time), Some([from, to])) => format!(
-            "runs from near starts part by a factor e every {:.2} ms (fitted from {:.1} ms to {:.1} \
-             ms)",
+            "Lyapunov time {:.2} ms (fitted from {:.1} ms to {:.1} ms)",
             time * 1e3,
             from * 1e3,
             to * 1e3
         ),
         _ => format!(
-            "the run does not diverge: the distance of near starts grows by a factor of {:.1} at \
-             most",
+            "the run does not diverge: the distance of perturbed runs grows by a factor of {:.1} at most",
             d.growth
         ),
     };
     let limit = match (d.predictability_time_s, d.loss) {
         (Some(time), Some(loss)) => format!(
-            "points are lost after {:.2} ms, where {} reaches {LOST} of the scales",
+            "trajectories predictable for {:.2} ms, until {} reaches {DECORRELATED} of the scales",
             time * 1e3,
             match loss {
                 Loss::Step => "the distance to the run at half the step",
-                Loss::Start => "the distance of near starts",
+                Loss::Start => "the distance of perturbed runs",
             }
         ),
         _ => format!(
-            "points are known to the end, {} s: no distance reaches {LOST} of the scales",
+            "trajectories predictable to the end, {} s: no distance reaches {DECORRELATED} of the scales",
             c.duration_s
         ),
     };

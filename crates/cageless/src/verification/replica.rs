@@ -1,4 +1,4 @@
-//! One of the runs that a certificate compares.
+//! One of the runs that a verification compares.
 
 use super::momentum::MomentumBalance;
 use super::motion::MotionRecorder;
@@ -11,66 +11,67 @@ use crate::simulation::{
 };
 use crate::summary::SummaryRecorder;
 
-/// Angle by which near starts are turned: far above rounding, far below any tolerance.
-pub const NEAR_RAD: f64 = 1.7e-11;
-/// Number of near starts.
-pub const NEAR: usize = 2;
-/// Angle by which far starts are turned. They must have parted as early as the run and
-/// the run at half the step do, or events before would show no spread; 0.1 µm along the
-/// circle is what the distance counts as lost, and less than anyone knows of a start.
-pub const FAR_RAD: f64 = 3e-6;
+/// Angle between the starts with small perturbations, rad: far above rounding, far below any tolerance.
+pub const SMALL_PERTURBATION_RAD: f64 = 1.7e-11;
+/// Number of starts with a small perturbation.
+pub const SMALL_PERTURBATIONS: usize = 2;
+/// Angle between the starts with large perturbations, rad. They must decorrelate as early as the
+/// run and the run at half the step do, or earlier events would show no spread; 0.1 µm along the
+/// circle is the distance [`DECORRELATED`](super::DECORRELATED), below the uncertainty of any
+/// initial state.
+pub const LARGE_PERTURBATION_RAD: f64 = 3e-6;
 
-/// How far the start of a member is from that of the run.
+/// Perturbation of the initial state of a replica: all balls turned by one angle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Turn {
-    /// The given start.
+pub enum Perturbation {
+    /// Unperturbed initial state.
     None,
-    /// By some [`NEAR_RAD`]: to see whether the number depends on the start at all, and how
-    /// fast runs part.
-    Near,
-    /// By some [`FAR_RAD`]: to draw from all that the run could as well have been.
-    Far,
+    /// Small multiples of [`SMALL_PERTURBATION_RAD`]: sensitivity to the initial state and rate of
+    /// divergence.
+    Small,
+    /// Small multiples of [`LARGE_PERTURBATION_RAD`]: samples of the statistical ensemble of runs.
+    Large,
 }
 
-/// How a member differs from the run that is judged.
+/// Difference of a replica from the verified run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Role {
-    /// Start.
-    pub turn: Turn,
-    /// Start turned by this angle.
-    pub turn_rad: f64,
-    /// At half the step.
+    /// Size of the perturbation of the initial state.
+    pub perturbation: Perturbation,
+    /// Angle by which all balls are turned.
+    pub perturbation_rad: f64,
+    /// Whether the step is halved.
     pub half_step: bool,
 }
 
 impl std::fmt::Display for Role {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match (self.turn == Turn::None, self.half_step) {
+        match (self.perturbation == Perturbation::None, self.half_step) {
             (true, false) => f.write_str("the run itself"),
             (true, true) => f.write_str("the run at half the step"),
-            (false, false) => write!(f, "the run turned by {:.2e} rad", self.turn_rad),
+            (false, false) => write!(f, "the run turned by {:.2e} rad", self.perturbation_rad),
             (false, true) => write!(
                 f,
                 "the run turned by {:.2e} rad at half the step",
-                self.turn_rad
+                self.perturbation_rad
             ),
         }
     }
 }
 
-/// One of the runs that a certificate compares.
+/// One of the runs that a verification compares.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Member {
-    /// How it differs.
+pub struct Replica {
+    /// Difference from the verified run.
     pub role: Role,
-    /// What is to be run.
+    /// Case of the replica.
     pub case: Case,
     times_s: Vec<f64>,
 }
 
-/// Why a member has no record.
+/// Failure of a replica.
 #[derive(Debug, thiserror::Error)]
-pub enum MemberError {
+pub enum ReplicaError {
     /// The case is impossible or has no equilibrium.
     #[error(transparent)]
     Case(#[from] EquilibriumError),
@@ -80,35 +81,39 @@ pub enum MemberError {
     /// Ended by the caller.
     #[error("interrupted")]
     Interrupted,
-    /// There is nothing after the transient.
+    /// The run ended within its transient.
     #[error("{0} ended within its transient")]
     Empty(Role),
 }
 
-/// The runs that a certificate of `case` compares: the run itself, [`NEAR`] near starts and
-/// `far` far ones, turned by about 1, 2, 3 … times their angle, a little off by the seed;
-/// then the given start and the far ones at half the step.
-pub fn members(case: &Case, far: usize) -> Vec<Member> {
+/// The runs that a verification of `case` compares: the run itself, [`SMALL_PERTURBATIONS`] starts with a
+/// small perturbation and `large` with a large one, about 1, 2, 3 … times the angle, jittered by the
+/// seed; then the given start and the large perturbations at half the step.
+pub fn replicas(case: &Case, large: usize) -> Vec<Replica> {
     let times_s = sample_times_s(case);
-    let starts = |turn: Turn, count: usize, angle: f64| {
+    let starts = |perturbation: Perturbation, count: usize, angle: f64| {
         (1..=count as u64).map(move |k| {
             let off = 0.25 * signed_unit(case.seed, k);
-            (turn, angle * (k as f64 + off))
+            (perturbation, angle * (k as f64 + off))
         })
     };
-    let given = std::iter::once((Turn::None, 0.0));
+    let given = std::iter::once((Perturbation::None, 0.0));
     let full = given
         .clone()
-        .chain(starts(Turn::Near, NEAR, NEAR_RAD))
-        .chain(starts(Turn::Far, far, FAR_RAD));
-    let half = given.chain(starts(Turn::Far, far, FAR_RAD));
+        .chain(starts(
+            Perturbation::Small,
+            SMALL_PERTURBATIONS,
+            SMALL_PERTURBATION_RAD,
+        ))
+        .chain(starts(Perturbation::Large, large, LARGE_PERTURBATION_RAD));
+    let half = given.chain(starts(Perturbation::Large, large, LARGE_PERTURBATION_RAD));
     let roles = full
         .map(|start| (start, false))
         .chain(half.map(|start| (start, true)));
     roles
-        .map(|((turn, turn_rad), half_step)| {
-            let mut member = case.clone();
-            match &mut member.start {
+        .map(|((perturbation, perturbation_rad), half_step)| {
+            let mut replica = case.clone();
+            match &mut replica.start {
                 Start::Settled {
                     lead_ball_angle_rad,
                     ..
@@ -116,20 +121,20 @@ pub fn members(case: &Case, far: usize) -> Vec<Member> {
                 | Start::Rolling {
                     lead_ball_angle_rad,
                     ..
-                } => *lead_ball_angle_rad += turn_rad,
+                } => *lead_ball_angle_rad += perturbation_rad,
             }
             if half_step {
-                member.solver.step_s *= 0.5;
+                replica.solver.step_s *= 0.5;
             }
-            Member {
+            Replica {
                 role: Role {
-                    turn,
-                    turn_rad,
+                    perturbation,
+                    perturbation_rad,
                     half_step,
                 },
-                case: member,
-                // Far starts are not compared point by point.
-                times_s: if turn == Turn::Far {
+                case: replica,
+                // Large perturbations are not compared point by point.
+                times_s: if perturbation == Perturbation::Large {
                     vec![]
                 } else {
                     times_s.clone()
@@ -139,7 +144,7 @@ pub fn members(case: &Case, far: usize) -> Vec<Member> {
         .collect()
 }
 
-/// A number in [−1, 1) for each pair of numbers: SplitMix64 (Steele, Lea, Flood 2014).
+/// Pseudorandom number in [−1, 1) of `seed` and `k`: SplitMix64 (Steele, Lea, Flood 2014).
 fn signed_unit(seed: u64, k: u64) -> f64 {
     let mut z = seed.wrapping_add(k.wrapping_mul(0x9e37_79b9_7f4a_7c15));
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -148,10 +153,10 @@ fn signed_unit(seed: u64, k: u64) -> f64 {
     (z >> 11) as f64 / (1u64 << 52) as f64 - 1.0
 }
 
-impl Member {
-    /// An observer that keeps what the certificate needs of this member.
-    pub fn watch(&self) -> Watch {
-        Watch {
+impl Replica {
+    /// Observer that records the quantities of this replica.
+    pub fn observer(&self) -> ReplicaObserver {
+        ReplicaObserver {
             role: self.role,
             summary: SummaryRecorder::new(),
             motion: MotionRecorder::default(),
@@ -161,19 +166,19 @@ impl Member {
         }
     }
 
-    /// Runs the member. `control` is called as in [`crate::simulation::run`].
+    /// Runs the replica. `control` is called as in [`crate::simulation::run`].
     ///
     /// # Errors
-    /// The run could not start or did not come to its end.
-    pub fn run(&self, control: &mut dyn FnMut(f64) -> Control) -> Result<Record, MemberError> {
-        let mut watch = self.watch();
-        let outcome = run(&self.case, &mut [&mut watch], control)?;
-        watch.record(&outcome)
+    /// The run could not start or did not complete.
+    pub fn run(&self, control: &mut dyn FnMut(f64) -> Control) -> Result<Record, ReplicaError> {
+        let mut observer = self.observer();
+        let outcome = run(&self.case, &mut [&mut observer], control)?;
+        observer.record(&outcome)
     }
 }
 
-/// Keeps what a certificate needs of one run.
-pub struct Watch {
+/// Observer that records the quantities of one replica.
+pub struct ReplicaObserver {
     role: Role,
     summary: SummaryRecorder,
     motion: MotionRecorder,
@@ -182,23 +187,23 @@ pub struct Watch {
     lead_angle_rad: f64,
 }
 
-impl Watch {
-    /// What the run came to.
+impl ReplicaObserver {
+    /// Record of the completed run.
     ///
     /// # Errors
-    /// The run did not come to its end.
-    pub fn record(self, outcome: &RunOutcome) -> Result<Record, MemberError> {
+    /// The run did not complete.
+    pub fn record(self, outcome: &RunOutcome) -> Result<Record, ReplicaError> {
         match &outcome.ending {
             Ending::Complete => {}
-            Ending::Stopped(stop) => return Err(MemberError::Stopped(self.role, stop.clone())),
+            Ending::Stopped(stop) => return Err(ReplicaError::Stopped(self.role, stop.clone())),
             Ending::Interrupted | Ending::ObserverFailed(_) => {
-                return Err(MemberError::Interrupted);
+                return Err(ReplicaError::Interrupted);
             }
         }
         let s = self
             .summary
             .summary()
-            .ok_or(MemberError::Empty(self.role))?;
+            .ok_or(ReplicaError::Empty(self.role))?;
         let ring = outcome.state.ring_motion();
         let [deviation_x, deviation_y] = self.motion.ring_deviation_m();
         let values = Quantity::ALL.map(|quantity| match quantity {
@@ -226,7 +231,7 @@ impl Watch {
     }
 }
 
-impl Observer for Watch {
+impl Observer for ReplicaObserver {
     fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
         self.summary.begin(context)?;
         self.motion.begin(context)?;
@@ -242,7 +247,7 @@ impl Observer for Watch {
     }
 }
 
-/// What a certificate needs of one run.
+/// Quantities and trajectory of one replica.
 #[derive(Debug, Clone)]
 pub struct Record {
     pub(super) role: Role,
@@ -253,7 +258,7 @@ pub struct Record {
 }
 
 impl Record {
-    /// One of its numbers.
+    /// Value of one quantity, in SI units.
     pub fn value(&self, quantity: Quantity) -> f64 {
         self.values[quantity as usize]
     }

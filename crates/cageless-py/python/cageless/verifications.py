@@ -1,4 +1,4 @@
-"""How far the numbers of a run can be trusted."""
+"""Numerical verification of a run."""
 
 from __future__ import annotations
 
@@ -13,65 +13,65 @@ from .sections import table
 if TYPE_CHECKING:
     import pandas as pd
 
-__all__ = ["Certificate"]
+__all__ = ["Verification"]
 
 
 @dataclass(frozen=True)
-class Certificate:
-    """What a run repeated from turned starts and at half the step says of its numbers.
+class Verification:
+    """Which results of a run are converged, from perturbed starts and half the step.
 
-    ``case.run(verify=True).certificate`` has it; keys are those of ``certificate`` in
+    ``case.run(verify=True).verification`` returns it; keys are those of ``verification`` in
     ``summary.json``.
     """
 
     values: dict[str, Any]
     names: list[str]
-    """Numbers that are judged, in the order of tables."""
+    """Keys of the verified results, in the order of tables."""
 
     @property
     def converged(self) -> int:
-        """How many numbers change neither with the step nor with the start."""
+        """Number of results that change neither with the step nor with the initial state."""
         return int(self.values["converged"])
 
     @property
     def statistical(self) -> int:
-        """How many numbers change from start to start, and no more with the step."""
+        """Number of results that depend on the initial state but not on the step."""
         return int(self.values["statistical"])
 
     @property
-    def neither(self) -> int:
-        """How many numbers the step biases: set a smaller step for these."""
-        return int(self.values["neither"])
+    def step_biased(self) -> int:
+        """Number of results biased by the step; a smaller step is needed for these."""
+        return int(self.values["step_biased"])
 
     @property
     def predictability(self) -> str:
-        """How long the run itself is known, in words."""
+        """Lyapunov time and predictability as a sentence."""
         return str(self.values["predictability"])
 
     @property
     def predictability_time_s(self) -> float | None:
-        """From when on no point of the run is known; None if that is beyond its end."""
+        """Time after which trajectories are unpredictable; None if beyond the end of the run."""
         found: float | None = self.values["predictability_time_s"]
         return found
 
     @property
     def divergence_time_s(self) -> float | None:
-        """Time in which near runs part by a factor e; None if they do not part."""
+        """Lyapunov time; None if the run does not diverge."""
         found: float | None = self.values["divergence_time_s"]
         return found
 
     @property
     def energy_residual_relative(self) -> float:
-        """What the energy ledger misses, relative to the energy turned over."""
+        """Energy balance error, relative to the sum of all energy flows."""
         return float(self.values["energy_residual_relative"])
 
     @property
     def momentum_residual_relative(self) -> float:
-        """Momentum without a force, relative to the sum of absolute impulses."""
+        """Momentum balance error, relative to the sum of absolute impulses."""
         return float(self.values["momentum_residual_relative"])
 
     def verdict(self, name: str) -> str:
-        """``converged``, ``statistical`` or ``neither``.
+        """``converged``, ``statistical`` or ``step-biased``.
 
         Parameters
         ----------
@@ -85,25 +85,25 @@ class Certificate:
         return float(self.values["numbers"][name]["standard_error"])
 
     def distance(self, column: str) -> npt.NDArray[np.float64]:
-        """Distance of other runs from this one, ``near`` starts or ``half_step``, over
+        """Distance of the replicas from the run, ``perturbed`` starts or ``half_step``, over
         ``time_s``."""
         return np.array(self.values["distance"][column], dtype=float)
 
     def data_numbers(self) -> pd.DataFrame:
-        """A row per number: verdict, value, mean and standard error over the starts, reason."""
+        """A row per result: verdict, value, mean and standard error over the starts, reason."""
         import pandas as pd
 
         rows = [self.values["numbers"][name] for name in self.names]
         return pd.DataFrame(rows, index=pd.Index(self.names, name="number"))
 
     def data_distance(self) -> pd.DataFrame:
-        """Distances of other runs from this one over time."""
+        """Distances of the replicas from the run over time."""
         import pandas as pd
 
         return pd.DataFrame(self.values["distance"], dtype=float)
 
     def data_ledger(self) -> pd.DataFrame:
-        """What the balances of energy and momentum miss, at the step and at half of it."""
+        """Errors of the energy and momentum balances, at the step and at half the step."""
         import pandas as pd
 
         kinds = ["energy", "momentum"]
@@ -116,14 +116,14 @@ class Certificate:
 
     def __repr__(self) -> str:
         counts = f"{self.converged} converged, {self.statistical} statistical"
-        return f"<Certificate: {counts}, {self.neither} neither>"
+        return f"<Verification: {counts}, {self.step_biased} step-biased>"
 
     def _repr_html_(self) -> str:
         rows: list[tuple[str, object]] = [
             ("converged", self.converged),
             ("statistical", self.statistical),
-            ("neither", self.neither),
+            ("step-biased", self.step_biased),
             ("predictability", self.predictability),
         ]
         shown = self.data_numbers()[["value", "unit", "verdict", "reason"]]
-        return table(rows, "Certificate") + str(shown.to_html())
+        return table(rows, "Numerical verification") + str(shown.to_html())

@@ -71,7 +71,7 @@ impl StepLimits {
     /// the peak of an impact on a raceway, in both raceway contacts of one ball, and an impact of two balls at the speed
     /// difference that the deepest raceway makes. Springs between ball and ring count at both
     /// masses: k (1/m + n/M) is an upper bound of ω².
-    pub fn of(case: &Case) -> Self {
+    pub fn new(case: &Case) -> Self {
         let bearing = &case.bearing;
         let d = bearing.dimensions();
         let mass = bearing.ball_mass_kg();

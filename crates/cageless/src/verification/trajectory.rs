@@ -1,4 +1,4 @@
-//! States of a run at a few hundred times, to be compared with those of another run.
+//! States of a run at the sample times of the divergence.
 
 use crate::case::Case;
 use crate::dynamics::state::{Layout, State};
@@ -7,7 +7,7 @@ use crate::simulation::{Control, Observer, ObserverError, StepView};
 /// Times at which runs are compared.
 const SAMPLES: usize = 1500;
 
-/// Times t_k = T·(k/n)², rounded to steps: close together at the start, where runs part
+/// Times t_k = T·(k/n)², rounded to steps: close together at the start, where runs diverge
 /// within milliseconds, and spread over the whole run.
 pub(super) fn sample_times_s(case: &Case) -> Vec<f64> {
     let (step, duration) = (case.solver.step_s, case.solver.duration_s);
@@ -31,7 +31,7 @@ pub(super) struct TrajectoryRecorder {
 }
 
 impl TrajectoryRecorder {
-    /// At `times`, ascending.
+    /// Recorder of the states at `times`, ascending.
     pub fn new(times: Vec<f64>) -> Self {
         Self {
             times,

@@ -1,19 +1,19 @@
-//! How runs from nearly the same start part, and how long points can be predicted.
+//! Divergence of runs from perturbed initial states, and predictability of point values.
 
-use super::member::Record;
+use super::replica::Record;
 use crate::case::Case;
 use crate::dynamics::{Model, RightHandSide};
 use crate::error::InputError;
 use crate::integrator::System;
 
-/// Distance of two states, in the scales of the reference trajectories, from which on a
-/// point is lost: 0.1 µm in place, 1 cm/s in speed.
-pub const LOST: f64 = 1e-2;
-/// Growth of a distance that is told from a drift of phases.
+/// Distance of two states, in the scales of the reference trajectories, above which they count as
+/// decorrelated: 0.1 µm in position, 1 cm/s in speed.
+pub const DECORRELATED: f64 = 1e-2;
+/// Least growth of a distance that counts as divergence rather than phase drift.
 const DIVERGES: f64 = 1e3;
-/// Growth that is left to the first transient before an exponential is fitted.
+/// Growth within the first transient, before an exponential is fitted.
 const LEAD_IN: f64 = 10.0;
-/// Fewest samples of a fit.
+/// Least number of samples of a fit.
 const FIT_LEAST: usize = 8;
 
 /// Distances from the run at one instant.
@@ -21,51 +21,51 @@ const FIT_LEAST: usize = 8;
 pub struct Distance {
     /// Time.
     pub time_s: f64,
-    /// Of the near starts at the same step, geometric mean.
-    pub near: f64,
-    /// Of the same start at half the step.
+    /// Distance of the perturbed runs at the same step, geometric mean.
+    pub perturbed: f64,
+    /// Distance of the run from the same start at half the step.
     pub half_step: f64,
 }
 
-/// What ended the predictability of points.
+/// Cause that limits the predictability.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Loss {
-    /// The error of the integration.
+    /// Integration error.
     Step,
-    /// The turn of the near starts, smaller than anyone knows a start.
+    /// Perturbation of the initial state, smaller than the uncertainty of any initial state.
     Start,
 }
 
-/// Distances of the members from the run, as the root mean square over positions,
+/// Distances of the replicas from the run, as the root mean square over positions,
 /// velocities and spins in the scales 10 µm, 1 m/s (0.1 m/s of the ring) and 200 rad/s.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Divergence {
-    /// Over time.
+    /// Distances over time.
     pub distances: Vec<Distance>,
-    /// Largest distance of the near starts over the first.
+    /// Largest distance of the perturbed runs over the first.
     pub growth: f64,
-    /// Time in which the distance of the near starts grows by a factor e; `None` if the
-    /// run does not diverge.
+    /// Lyapunov time, s: the distance of perturbed runs grows by a factor e; `None` if the run
+    /// does not diverge.
     pub divergence_time_s: Option<f64>,
-    /// Where that was fitted.
+    /// Interval of the fit, s.
     pub fitted_over_s: Option<[f64; 2]>,
-    /// From when on no point of the run is known; `None` if that is not within the run.
+    /// Time after which trajectories are unpredictable, s; `None` if not within the run.
     pub predictability_time_s: Option<f64>,
-    /// What ends it.
+    /// Cause of the limit.
     pub loss: Option<Loss>,
 }
 
 impl Divergence {
-    /// Compares the run with those from near starts, which follow it, and with the run at
+    /// Compares the run with those from perturbed starts, which follow it, and with the run at
     /// half the step.
     pub(super) fn new(
         case: &Case,
-        near: &[&Record],
+        perturbed: &[&Record],
         half_step: &Record,
     ) -> Result<Self, InputError> {
         let model = Model::new(case)?;
         let rhs = RightHandSide::new(&model);
-        let base = &near[0].trajectory;
+        let base = &perturbed[0].trajectory;
         let distance = |a: &[f64], b: &[f64]| {
             let difference: Vec<f64> = a.iter().zip(b).map(|(a, b)| a - b).collect();
             rhs.error_norm(&difference)
@@ -73,7 +73,7 @@ impl Divergence {
         let mut distances = vec![];
         for (k, &time_s) in base.times_s().iter().enumerate() {
             let Some(state) = base.state(k) else { break };
-            let logs: f64 = near[1..]
+            let logs: f64 = perturbed[1..]
                 .iter()
                 .filter_map(|r| r.trajectory.state(k))
                 .map(|other| distance(state, other).max(f64::MIN_POSITIVE).ln())
@@ -81,7 +81,7 @@ impl Divergence {
             let half = half_step.trajectory.state(k);
             distances.push(Distance {
                 time_s,
-                near: (logs / (near.len() - 1) as f64).exp(),
+                perturbed: (logs / (perturbed.len() - 1) as f64).exp(),
                 half_step: half.map_or(f64::NAN, |other| distance(state, other)),
             });
         }
@@ -89,13 +89,13 @@ impl Divergence {
     }
 
     fn of(distances: Vec<Distance>) -> Self {
-        let first = distances.first().map_or(f64::NAN, |d| d.near);
-        let largest = distances.iter().fold(0.0, |m: f64, d| m.max(d.near));
+        let first = distances.first().map_or(f64::NAN, |d| d.perturbed);
+        let largest = distances.iter().fold(0.0, |m: f64, d| m.max(d.perturbed));
         let growth = largest / first;
-        // NaN counts as lost.
+        // NaN counts as decorrelated.
         let lost = distances
             .iter()
-            .find(|d| !(d.near < LOST && d.half_step < LOST));
+            .find(|d| !(d.perturbed < DECORRELATED && d.half_step < DECORRELATED));
         let fit = if growth >= DIVERGES {
             fit_growth(&distances, first, largest)
         } else {
@@ -107,7 +107,7 @@ impl Divergence {
             fitted_over_s: fit.map(|(_, window)| window),
             predictability_time_s: lost.map(|d| d.time_s),
             loss: lost.map(|d| {
-                if d.half_step < LOST {
+                if d.half_step < DECORRELATED {
                     Loss::Start
                 } else {
                     Loss::Step
@@ -118,26 +118,26 @@ impl Divergence {
     }
 }
 
-/// e-folding time of the near starts by least squares of ln d over t, from the last
+/// e-folding time of the perturbed runs by least squares of ln d over t, from the last
 /// time at which d was within [`LEAD_IN`] of the first to the first at which it reaches
-/// [`LOST`] or a tenth of the largest.
+/// [`DECORRELATED`] or a tenth of the largest.
 fn fit_growth(distances: &[Distance], first: f64, largest: f64) -> Option<(f64, [f64; 2])> {
-    let top = LOST.min(0.1 * largest);
-    let end = distances.iter().position(|d| d.near >= top)?;
+    let top = DECORRELATED.min(0.1 * largest);
+    let end = distances.iter().position(|d| d.perturbed >= top)?;
     let start = distances[..end]
         .iter()
-        .rposition(|d| d.near <= LEAD_IN * first)?;
+        .rposition(|d| d.perturbed <= LEAD_IN * first)?;
     let window = &distances[start..=end];
     if window.len() < FIT_LEAST {
         return None;
     }
     let n = window.len() as f64;
     let mean_t = window.iter().map(|d| d.time_s).sum::<f64>() / n;
-    let mean_l = window.iter().map(|d| d.near.ln()).sum::<f64>() / n;
+    let mean_l = window.iter().map(|d| d.perturbed.ln()).sum::<f64>() / n;
     let (mut tt, mut tl) = (0.0, 0.0);
     for d in window {
         tt += (d.time_s - mean_t).powi(2);
-        tl += (d.time_s - mean_t) * (d.near.ln() - mean_l);
+        tl += (d.time_s - mean_t) * (d.perturbed.ln() - mean_l);
     }
     let rate = tl / tt;
     (rate > 0.0).then(|| {
@@ -152,13 +152,13 @@ fn fit_growth(distances: &[Distance], first: f64, largest: f64) -> Option<(f64, 
 mod tests {
     use super::*;
 
-    fn distances(near: impl Fn(f64) -> f64, half_step: impl Fn(f64) -> f64) -> Vec<Distance> {
+    fn distances(perturbed: impl Fn(f64) -> f64, half_step: impl Fn(f64) -> f64) -> Vec<Distance> {
         (1..=1000)
             .map(|k| {
                 let time_s = 1e-4 * k as f64;
                 Distance {
                     time_s,
-                    near: near(time_s),
+                    perturbed: perturbed(time_s),
                     half_step: half_step(time_s),
                 }
             })

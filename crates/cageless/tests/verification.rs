@@ -2,23 +2,25 @@
 
 mod common;
 
-use cageless::certificate::{Certificate, FAR, Loss, Quantity, Record, Verdict, members};
 use cageless::simulation::Control;
+use cageless::verification::{
+    Convergence, LARGE_PERTURBATIONS, Loss, Quantity, Record, Verification, replicas,
+};
 use cageless::{Case, Gaps, Profile, Start};
 use common::{conventional, dimensions, raceway, structure, undamped};
 
-/// Runs all members, on two threads or one.
-fn certify(case: &Case, threads: usize) -> Certificate {
-    let members = members(case, FAR);
+/// Runs all replicas, on two threads or one.
+fn certify(case: &Case, threads: usize) -> Verification {
+    let replicas = replicas(case, LARGE_PERTURBATIONS);
     let run = |part: &[_]| -> Vec<Record> {
         part.iter()
-            .map(|m: &cageless::certificate::Member| m.run(&mut |_| Control::Continue).unwrap())
+            .map(|m: &cageless::verification::Replica| m.run(&mut |_| Control::Continue).unwrap())
             .collect()
     };
     let records = if threads == 1 {
-        run(&members)
+        run(&replicas)
     } else {
-        let (first, second) = members.split_at(FAR + 3);
+        let (first, second) = replicas.split_at(LARGE_PERTURBATIONS + 3);
         std::thread::scope(|scope| {
             let second = scope.spawn(|| run(second));
             let mut records = run(first);
@@ -26,7 +28,7 @@ fn certify(case: &Case, threads: usize) -> Certificate {
             records
         })
     };
-    Certificate::new(case, &records).unwrap()
+    Verification::new(case, &records).unwrap()
 }
 
 /// The bearing of the reference trajectory CB74: no damping, a ring that is dropped in.
@@ -50,7 +52,7 @@ fn cb74(step_s: f64, duration_s: f64) -> Case {
     case
 }
 
-fn points(c: &Certificate) -> Vec<Verdict> {
+fn points(c: &Verification) -> Vec<Convergence> {
     c.judgements
         .iter()
         .filter(|j| j.quantity.is_point())
@@ -67,9 +69,9 @@ fn a_damped_run_converges() {
         case.solver.duration_s = 0.05;
         let c = certify(&case, 2);
         for j in &c.judgements {
-            assert_eq!(j.verdict, Verdict::Converged, "{profile:?} {j:?}");
+            assert_eq!(j.verdict, Convergence::Converged, "{profile:?} {j:?}");
         }
-        assert_eq!(points(&c), [Verdict::Converged; 3]);
+        assert_eq!(points(&c), [Convergence::Converged; 3]);
         let d = &c.divergence;
         assert!(d.growth < 100.0, "{}", d.growth);
         assert_eq!((d.divergence_time_s, d.predictability_time_s), (None, None));
@@ -87,13 +89,13 @@ fn a_damped_run_converges() {
 fn a_step_that_biases_is_found_out() {
     let c = certify(&cb74(1e-6, 0.2), 2);
     let y = c.judgement(Quantity::RingYMean);
-    assert_eq!(y.verdict, Verdict::Neither, "{y:?}");
+    assert_eq!(y.verdict, Convergence::StepBiased, "{y:?}");
     assert!(y.z.abs() > c.z_limit && y.z < 0.0, "{y:?}");
-    assert!(!points(&c).contains(&Verdict::Converged));
+    assert!(!points(&c).contains(&Convergence::Converged));
 
     let c = certify(&cb74(5e-7, 0.2), 2);
     for j in &c.judgements {
-        assert_ne!(j.verdict, Verdict::Neither, "{j:?}");
+        assert_ne!(j.verdict, Convergence::StepBiased, "{j:?}");
     }
 }
 
@@ -109,28 +111,32 @@ fn points_are_not_converged_beyond_the_predictability_time() {
     let lost = d.predictability_time_s.unwrap();
     assert!((8e-3..16e-3).contains(&lost), "{lost}");
     assert_eq!(d.loss, Some(Loss::Step));
-    assert_eq!(points(&c), [Verdict::Statistical; 3]);
-    // Collisions before near starts part are chance as well: far starts show it.
+    assert_eq!(points(&c), [Convergence::Statistical; 3]);
+    // Collisions before perturbed starts part are chance as well: large perturbations show it.
     for j in &c.judgements {
-        assert_ne!(j.verdict, Verdict::Neither, "{j:?}");
+        assert_ne!(j.verdict, Convergence::StepBiased, "{j:?}");
     }
     let collisions = c.judgement(Quantity::Collisions);
-    assert_eq!(collisions.verdict, Verdict::Statistical, "{collisions:?}");
+    assert_eq!(
+        collisions.verdict,
+        Convergence::Statistical,
+        "{collisions:?}"
+    );
     assert!(collisions.standard_error > 0.5, "{collisions:?}");
     // Nothing is that different between neighbours before they part.
     let early = d.distances.iter().take_while(|d| d.time_s < 5e-3);
     assert!(early.clone().count() > 100);
-    assert!(early.into_iter().all(|d| d.near < 1e-6));
+    assert!(early.into_iter().all(|d| d.perturbed < 1e-6));
 
     let c = certify(&cb74(5e-7, 6e-3), 2);
     assert_eq!(c.divergence.predictability_time_s, None);
-    assert_eq!(points(&c), [Verdict::Converged; 3]);
+    assert_eq!(points(&c), [Convergence::Converged; 3]);
 }
 
-/// The same certificate to the bit, on one thread or two; another seed turns the starts
+/// The same verification to the bit, on one thread or two; another seed turns the starts
 /// by other angles.
 #[test]
-fn a_certificate_is_reproducible() {
+fn a_verification_is_reproducible() {
     let mut case = cb74(1e-6, 0.03);
     let first = certify(&case, 2);
     assert_eq!(first, certify(&case, 1));

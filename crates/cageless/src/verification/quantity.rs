@@ -1,9 +1,9 @@
-//! The numbers that are judged.
+//! Results that a verification classifies.
 
 use crate::case::Case;
 use crate::kinematics::rolling_spin_rad_s;
 
-/// A number that a run comes to. Those of the first two groups cover the part of the run
+/// Scalar result of a run. Those of the first two groups cover the part of the run
 /// after its transient.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
@@ -13,30 +13,30 @@ pub enum Quantity {
     GapMin,
     /// Largest gap, rad.
     GapMax,
-    /// Mean place of the ring's centre, m.
+    /// Mean displacement of the inner ring, m.
     RingXMean,
-    /// Mean place of the ring's centre, m.
+    /// Mean displacement of the inner ring, m.
     RingYMean,
     /// Largest slip at a loaded raceway contact, m/s.
     SlipMax,
-    /// Standard deviation of the ring's place over time, m.
+    /// Standard deviation of the ring displacement over time, m.
     RingXDeviation,
-    /// Standard deviation of the ring's place over time, m.
+    /// Standard deviation of the ring displacement over time, m.
     RingYDeviation,
     /// Mean orbital speed over balls and time, rad/s.
     OrbitSpeedMean,
     /// Mean absolute spin over balls and time, rad/s.
     SpinMean,
-    /// Place of the ring at the end, m.
+    /// Displacement of the ring at the end, m.
     RingXEnd,
-    /// Place of the ring at the end, m.
+    /// Displacement of the ring at the end, m.
     RingYEnd,
     /// ψ of ball 1 at the end, continuous, rad.
     LeadBallAngleEnd,
 }
 
 impl Quantity {
-    /// All of them, in the order of their discriminants.
+    /// All quantities, in the order of their discriminants.
     pub const ALL: [Self; 13] = [
         Self::Collisions,
         Self::GapMin,
@@ -53,7 +53,7 @@ impl Quantity {
         Self::LeadBallAngleEnd,
     ];
 
-    /// Whether it is a value at one instant.
+    /// Whether the quantity is a value at one instant.
     pub fn is_point(self) -> bool {
         matches!(
             self,
@@ -61,11 +61,11 @@ impl Quantity {
         )
     }
 
-    /// What counts as a large change of it, in its unit; `value` is the number itself.
+    /// Scale of the quantity in its unit; `value` is the result itself.
     ///
-    /// Places of the ring have the scale of the trajectories' distance, 10 µm; angles the
-    /// uniform gap, at least 0.1°; speeds those of rolling. Collisions, the largest slip and
-    /// deviations are measured by themselves, at least by 1, the slip scale of the
+    /// Displacements of the ring have the scale of the trajectories' distance, 10 µm; angles the
+    /// nominal gap, at least 0.1°; speeds those of rolling. Collisions, the largest slip and
+    /// deviations are their own scale, at least by 1, the slip scale of the
     /// friction law and 0.1 µm.
     pub fn scale(self, case: &Case, value: f64) -> f64 {
         const PLACE_M: f64 = 1e-5;
@@ -75,7 +75,7 @@ impl Quantity {
         match self {
             Self::Collisions => value.abs().max(1.0),
             Self::GapMin | Self::GapMax | Self::LeadBallAngleEnd => {
-                bearing.uniform_gap_rad().max(0.1_f64.to_radians())
+                bearing.nominal_gap_rad().max(0.1_f64.to_radians())
             }
             Self::RingXMean | Self::RingYMean | Self::RingXEnd | Self::RingYEnd => PLACE_M,
             Self::SlipMax => value.abs().max(case.contact.slip_scale_m_s),
