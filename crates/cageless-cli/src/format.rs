@@ -2,7 +2,7 @@
 
 use std::io::IsTerminal;
 
-pub use cageless_report::text::shown;
+pub use cageless_study::number_text::shown;
 
 /// Lines up columns: text to the left, numbers to the right. The first row is the head.
 pub fn columns(rows: &[Vec<String>]) -> String {

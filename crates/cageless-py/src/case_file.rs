@@ -7,7 +7,7 @@ use cageless::dynamics::InstructionSet;
 use cageless::equilibrium::solve;
 use cageless_io::cad::ExportOptions;
 use cageless_io::case_file;
-use cageless_report::StaticResult;
+use cageless_study::StaticResult;
 use cageless_study::tolerance::Request;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

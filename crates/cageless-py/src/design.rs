@@ -3,7 +3,8 @@
 use cageless_io::case_file::CaseFile;
 use cageless_report::design_report::design_data;
 use cageless_report::figures::{design, search, shape};
-use cageless_report::{DesignData, DesignResult, Figure, SearchData, design_page};
+use cageless_report::{DesignData, Figure, SearchData, design_page};
+use cageless_study::DesignResult;
 use cageless_study::design::{Judged, judged};
 use cageless_study::{StudyError, Watcher};
 use pyo3::prelude::*;

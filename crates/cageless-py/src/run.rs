@@ -13,9 +13,10 @@ use cageless::vibration::VibrationRecorder;
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::SummaryFile;
 use cageless_report::figures::{history, vibration};
-use cageless_report::run_report::{Histories, SAMPLING_HZ, run_data};
+use cageless_report::run_report::run_data;
 use cageless_report::{Figure, RunData, run_page};
 use cageless_study::verification::VerificationRuns;
+use cageless_study::{Histories, SAMPLING_HZ};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

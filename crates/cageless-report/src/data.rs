@@ -7,60 +7,7 @@
 use cageless::{Bearing, Raceway};
 use serde::Serialize;
 
-/// Where a figure's or table's numbers come from; printed under it.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
-pub struct Provenance {
-    /// The case: bearing, structure, speed, load.
-    pub case: String,
-    /// `paper` or `physical`; `None` where nothing was simulated.
-    pub profile: Option<String>,
-    /// Friction law with its scale, for example `smooth, 0.02 m/s`.
-    pub friction_law: Option<String>,
-    /// Integration method.
-    pub method: Option<String>,
-    /// Step, µs.
-    pub step_us: Option<f64>,
-    /// What was discarded as transient, in words; empty if nothing was.
-    pub discarded: String,
-}
-
-/// One of the paper's discrete raceways.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
-pub struct Structure {
-    /// Letter in the paper's Fig. 8: `a` to `j`; may be empty.
-    pub letter: String,
-    /// lC, mm.
-    pub axial_span_mm: f64,
-    /// θ, degrees.
-    pub half_angle_deg: f64,
-}
-
-impl Structure {
-    /// `(d) lC 5.1 mm, θ 25.2°`.
-    pub fn label(&self) -> String {
-        let size = format!("lC {} mm, θ {}°", self.axial_span_mm, self.half_angle_deg);
-        if self.letter.is_empty() {
-            size
-        } else {
-            format!("({}) {size}", self.letter)
-        }
-    }
-}
-
-/// A line of a parameter or result table.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
-pub struct Parameter {
-    /// What it is.
-    pub name: String,
-    /// Symbol in the paper; may be empty.
-    pub symbol: String,
-    /// Value as it is to be printed.
-    pub value: String,
-    /// Unit; may be empty.
-    pub unit: String,
-    /// Where it is from: `Table 1`, `not in the paper: …`; may be empty.
-    pub source: String,
-}
+pub use cageless_study::{Parameter, Provenance, Structure};
 
 /// Outline of a bearing, for drawings to scale.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]

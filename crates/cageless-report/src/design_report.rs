@@ -1,10 +1,10 @@
 //! From a design to the data of its report.
 
-use crate::run_report::{motion, parameter, parameters, provenance};
+use crate::run_report::motion;
 use crate::text::pass_word;
 use crate::{
-    ContactTrack, DesignCurve, DesignData, DesignLimit, DesignResult, LimitedQuantity, Parameter,
-    Provenance, RacewaySurface, Structure,
+    ContactTrack, DesignCurve, DesignData, DesignLimit, LimitedQuantity, Parameter, Provenance,
+    RacewaySurface, Structure,
 };
 use cageless::Case;
 use cageless::design::{span_angle_curve, steady_after_s, steady_case};
@@ -13,9 +13,8 @@ use cageless::raceway::axial_span_limit_m;
 use cageless::snapshot::Snapshot;
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::VERSION;
+use cageless_study::{DesignResult, parameter, parameters, provenance};
 
-/// Orbits of the balls that the page shows.
-pub const PORTRAIT_ORBITS: f64 = 3.0;
 /// Points of the curve of Eq. (11).
 const CURVE_POINTS: usize = 240;
 
@@ -25,7 +24,7 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
     let steady = steady_case(case);
     let discarded = format!("t < {:.4} s", steady_after_s(case));
     let source = provenance(&steady, discarded);
-    let own = own_structure(case);
+    let own = Structure::new("", case.raceways.first());
     let title = match result.passes {
         Some(_) => format!("{}: {}", pass_word(result.passes), result.verdict),
         None => String::new(),
@@ -60,18 +59,6 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
         search: result.search.clone(),
         parameters: parameters(file),
         provenance: source,
-    }
-}
-
-fn own_structure(case: &Case) -> Structure {
-    let d = case.raceways.first().map(|r| *r.dimensions());
-    Structure {
-        letter: String::new(),
-        // Rounding away what the conversion to SI leaves.
-        axial_span_mm: d.map_or(f64::NAN, |d| (d.axial_span_m * 1e9).round() / 1e6),
-        half_angle_deg: d.map_or(f64::NAN, |d| {
-            (d.half_angle_rad.to_degrees() * 1e9).round() / 1e9
-        }),
     }
 }
 

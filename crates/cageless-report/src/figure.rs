@@ -2,7 +2,7 @@
 
 use crate::data::Provenance;
 use crate::plot::Plot;
-use crate::text::{escape, rich, script_json, short, slug};
+use crate::text::{escape, rich, script_json, slug};
 
 /// A numbered figure.
 #[derive(Debug, Clone, PartialEq)]
@@ -65,28 +65,4 @@ pub(crate) fn below(id: &str, label: &str, caption: &str, sources: &[&Provenance
          <button type=\"button\" data-save=\"png\" data-figure=\"{id}\">PNG</button></div></figcaption>\n"
     ));
     out
-}
-
-impl Provenance {
-    /// One line: case, profile, friction law, method and step, what was discarded.
-    pub fn line(&self) -> String {
-        let mut parts = vec![self.case.clone()];
-        parts.extend(self.profile.as_ref().map(|p| format!("profile {p}")));
-        parts.extend(self.friction_law.as_ref().map(|f| format!("friction {f}")));
-        match (&self.method, self.step_us) {
-            (Some(method), Some(step)) => parts.push(format!("{method}, step {} µs", short(step))),
-            (Some(method), None) => parts.push(method.clone()),
-            (None, Some(step)) => parts.push(format!("step {} µs", short(step))),
-            (None, None) => {}
-        }
-        if self.profile.is_none() {
-            parts.push("geometry alone, nothing simulated".to_owned());
-        } else if self.discarded.is_empty() {
-            parts.push("nothing discarded".to_owned());
-        } else {
-            parts.push(format!("discarded: {}", self.discarded));
-        }
-        parts.retain(|part| !part.is_empty());
-        parts.join(" · ")
-    }
 }

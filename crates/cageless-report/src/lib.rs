@@ -10,7 +10,6 @@ pub mod comparison;
 pub mod data;
 pub mod design;
 pub mod design_report;
-mod design_result;
 pub mod figure;
 pub mod figures;
 pub mod geometry;
@@ -22,7 +21,6 @@ pub mod run;
 pub mod run_report;
 pub mod sampling;
 pub mod search_tables;
-mod static_result;
 pub mod sweep;
 pub mod table;
 pub mod tables;
@@ -33,16 +31,12 @@ pub mod verification;
 pub use comparison::{Change, ComparisonCell, Difference, Estimate, RingComparison};
 pub use data::*;
 pub use design::*;
-pub use design_result::{
-    Curve, DesignResult, PassageNumbers, RacewayNumbers, RecommendationNumbers,
-};
 pub use figure::Figure;
 pub use geometry::{ContactTrack, RacewaySurface};
 pub use motion::MotionFigure;
 pub use page::{Note, Page};
 pub use reproduce::*;
 pub use run::*;
-pub use static_result::StaticResult;
 pub use sweep::*;
 pub use verification::{VerificationRow, VerificationTable};
 

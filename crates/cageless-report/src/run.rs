@@ -1,5 +1,6 @@
 //! One simulation.
 
+pub use cageless_study::CollisionPoint;
 use serde::Serialize;
 
 use crate::data::{BearingOutline, Motion, Parameter, Provenance, Sector, Vibration};
@@ -110,25 +111,6 @@ pub struct RingHistory {
     pub x_um: Vec<f64>,
     /// Centre, µm.
     pub y_um: Vec<f64>,
-}
-
-/// One contact of two neighbouring balls.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct CollisionPoint {
-    /// Start, s.
-    pub time_s: f64,
-    /// Number of the ball behind, from 1.
-    pub ball: usize,
-    /// Number of the ball ahead, from 1.
-    pub next_ball: usize,
-    /// ψ halfway between the two, degrees, −180 to 180.
-    pub angle_deg: f64,
-    /// Speed of approach, m/s.
-    pub approach_speed_m_s: f64,
-    /// Largest normal force, N.
-    pub peak_force_n: f64,
-    /// Impulse, N·s.
-    pub impulse_n_s: f64,
 }
 
 /// An entry of the ledger of energy.

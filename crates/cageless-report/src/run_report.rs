@@ -1,141 +1,22 @@
 //! From a run to the data of its report.
 
-use std::collections::VecDeque;
-use std::sync::Arc;
-
-use cageless::collision::Collision;
-use cageless::design::RunVerdict;
+use cageless::Case;
 use cageless::dynamics::energy::EnergyTerm;
-use cageless::min_max_decimator::MinMaxDecimator;
-use cageless::passage::{Passage, PassageTally};
+use cageless::passage::PassageTally;
 use cageless::simulation::RunOutcome;
 use cageless::snapshot::Snapshot;
 use cageless::vibration::{FILTER_CORNER, FILTER_ORDER, Measurement};
-use cageless::{Case, FrictionLaw, Method, Profile};
-use cageless_io::case_file::{CaseFile, unit};
+use cageless_io::case_file::CaseFile;
 use cageless_io::results::{SummaryFile, VERSION};
+use cageless_study::{Histories, RunHistories, SAMPLING_HZ, parameter, parameters, provenance};
 
 use crate::data::{
     BearingOutline, FrequencyMark, Motion, Parameter, Provenance, Sector, Vibration,
     VibrationSignal,
 };
-use crate::run::{BallHistory, CollisionPoint, EnergyItem, Recent, RingHistory, RunData};
+use crate::run::{BallHistory, EnergyItem, Recent, RingHistory, RunData};
 use crate::text::shown;
 use crate::verification::VerificationTable;
-
-/// Sampling of vibration signals, as in the paper's experiment.
-pub const SAMPLING_HZ: f64 = 5000.0;
-
-/// Most rows of the histories, for up to 14 balls; fewer for more.
-const ROWS: usize = 8000;
-/// Most of the last snapshots that are kept one by one.
-const RECENT: usize = 2500;
-/// Collisions that are kept at least, the strongest.
-const COLLISIONS: usize = 4000;
-
-/// What the figures need of a run, thinned out as it grows: memory does not depend on
-/// the length of the run.
-pub struct Histories {
-    interval_s: f64,
-    rows: MinMaxDecimator<Arc<[f64]>>,
-    recent: VecDeque<Arc<[f64]>>,
-    collisions: Vec<CollisionPoint>,
-    collisions_seen: usize,
-    passages: PassageTally,
-    /// Of each raceway.
-    raceways: Vec<PassageTally>,
-}
-
-impl Histories {
-    /// Of a run of `case`, of which nothing has been seen yet.
-    pub fn new(case: &Case) -> Self {
-        let balls = case.bearing.balls();
-        Self {
-            interval_s: case.output.interval_s,
-            rows: MinMaxDecimator::new((ROWS * 14 / balls).min(ROWS)),
-            recent: VecDeque::new(),
-            collisions: vec![],
-            collisions_seen: 0,
-            passages: PassageTally::new(),
-            raceways: vec![PassageTally::new(); case.raceways.len()],
-        }
-    }
-
-    /// Takes a snapshot.
-    pub fn push(&mut self, snapshot: &Snapshot) {
-        let row = snapshot.to_row();
-        if self.recent.len() == RECENT {
-            self.recent.pop_front();
-        }
-        self.recent.push_back(Arc::clone(&row));
-        self.rows.push(row);
-    }
-
-    /// Takes a collision.
-    pub fn collide(&mut self, c: &Collision) {
-        self.collisions_seen += 1;
-        self.collisions.push(CollisionPoint {
-            time_s: c.start_s,
-            ball: c.ball + 1,
-            next_ball: c.next_ball + 1,
-            angle_deg: c.angle_rad.to_degrees(),
-            approach_speed_m_s: c.approach_speed_m_s,
-            peak_force_n: c.peak_force_n,
-            impulse_n_s: c.impulse_n_s,
-        });
-        if self.collisions.len() == 2 * COLLISIONS {
-            let weaker =
-                |a: &CollisionPoint, b: &CollisionPoint| b.impulse_n_s.total_cmp(&a.impulse_n_s);
-            self.collisions.select_nth_unstable_by(COLLISIONS, weaker);
-            self.collisions.truncate(COLLISIONS);
-        }
-    }
-
-    /// Takes a passage after the transient.
-    pub fn pass(&mut self, passage: &Passage) {
-        self.passages.add(passage);
-        self.raceways[passage.raceway].add(passage);
-    }
-
-    /// Verdict on the passages that were taken.
-    pub fn verdict(&self, case: &Case) -> RunVerdict {
-        RunVerdict::of(case, &self.raceways)
-    }
-}
-
-/// Name of a profile in files and figures.
-pub fn profile_name(profile: Profile) -> &'static str {
-    match profile {
-        Profile::Paper => "paper",
-        Profile::Physical => "physical",
-    }
-}
-
-/// Name of a method in figures.
-pub fn method_name(method: Method) -> &'static str {
-    match method {
-        Method::Abm4 => "ABM4",
-        Method::Symplectic => "leapfrog",
-        Method::Adaptive => "adaptive, order 8",
-    }
-}
-
-/// Where the numbers of a simulated figure come from.
-pub fn provenance(case: &Case, discarded: String) -> Provenance {
-    Provenance {
-        case: case.title.clone(),
-        profile: Some(profile_name(case.profile).to_owned()),
-        friction_law: Some(match case.contact.friction_law {
-            FrictionLaw::Smooth => {
-                format!("smooth, tanh(ΔV/{} m/s)", case.contact.slip_scale_m_s)
-            }
-            FrictionLaw::Coulomb => "Coulomb".to_owned(),
-        }),
-        method: Some(method_name(case.solver.method).to_owned()),
-        step_us: Some(case.solver.step_s * 1e6),
-        discarded,
-    }
-}
 
 /// The balls of snapshots in motion.
 pub fn motion(case: &Case, title: &str, snapshots: &[Snapshot], provenance: Provenance) -> Motion {
@@ -198,16 +79,6 @@ pub fn filter_note(case: &Case) -> String {
     )
 }
 
-/// A line of a table.
-pub fn parameter(name: &str, value: String, unit: &str) -> Parameter {
-    Parameter {
-        name: name.to_owned(),
-        value,
-        unit: unit.to_owned(),
-        ..Parameter::default()
-    }
-}
-
 /// Everything on the page of one run.
 pub fn run_data(
     file: &CaseFile,
@@ -227,11 +98,15 @@ pub fn run_data(
     };
     let provenance = provenance(case, discarded.clone());
     let verdict = histories.verdict(case);
-    let stretch = histories.rows.stretch();
-    let of_row = |row: &Arc<[f64]>| Snapshot::from_row(row);
-    let snapshots: Vec<Snapshot> = histories.rows.into_rows().iter().map(of_row).collect();
-    let recent: Vec<Snapshot> = histories.recent.iter().map(of_row).collect();
-    let thinned = stretch > 1;
+    let RunHistories {
+        snapshots,
+        stretch_s,
+        recent,
+        collisions,
+        collisions_total,
+        passages,
+    } = histories.finish();
+    let decimated = stretch_s.is_some();
     let mut warnings = summary.warnings.clone();
     if let Some(stopped) = &summary.stopped {
         warnings.push(format!(
@@ -239,8 +114,8 @@ pub fn run_data(
             stopped.time_s, stopped.cause, stopped.advice
         ));
     }
-    // Neighbouring rows of thinned histories are no path of the ring.
-    let path = if thinned { &recent } else { &snapshots };
+    // Neighbouring rows of decimated histories are no path of the ring.
+    let path = if decimated { &recent } else { &snapshots };
     RunData {
         title: if case.title.is_empty() {
             "Run".to_owned()
@@ -253,7 +128,7 @@ pub fn run_data(
         parameters: parameters(file),
         passes: verdict.verdict.passes(),
         headline: verdict.headline,
-        results: [results(summary), passage_results(&histories.passages)].concat(),
+        results: [results(summary), passage_results(&passages)].concat(),
         outline: BearingOutline::of(bearing),
         sectors: case.raceways.iter().map(Sector::of).collect(),
         settled_after_s: settled,
@@ -263,8 +138,8 @@ pub fn run_data(
         balls: (0..bearing.balls())
             .map(|k| ball_history(&snapshots, k))
             .collect(),
-        stretch_s: thinned.then_some(stretch as f64 * histories.interval_s),
-        recent: thinned.then(|| Recent {
+        stretch_s,
+        recent: decimated.then(|| Recent {
             from_s: recent.first().map_or(0.0, |s| s.time_s),
             ball: ball_history(&recent, 0),
         }),
@@ -273,8 +148,8 @@ pub fn run_data(
             x_um: path.iter().map(|s| s.ring.x_m * 1e6).collect(),
             y_um: path.iter().map(|s| s.ring.y_m * 1e6).collect(),
         },
-        collisions: histories.collisions,
-        collisions_total: histories.collisions_seen,
+        collisions,
+        collisions_total,
         energy: energy(outcome),
         verification: summary.verification.as_ref().map(VerificationTable::new),
         energy_residual_relative: Some(outcome.energy_residual_relative),
@@ -327,43 +202,6 @@ fn lead(case: &Case, outcome: &RunOutcome, summary: &SummaryFile) -> String {
         outcome.end_s,
         outcome.steps,
     )
-}
-
-/// One line per key of the case.
-pub fn parameters(file: &CaseFile) -> Vec<Parameter> {
-    let mut lines = vec![];
-    let document = serde_json::to_value(file.document_as_run()).unwrap_or_default();
-    flatten("", &document, &mut |key, value| {
-        lines.push(Parameter {
-            source: file.source(key).name().to_owned(),
-            ..parameter(key, value, unit(key))
-        });
-    });
-    lines
-}
-
-/// Calls `add` with every dotted key and its value; items of a list of sections are counted
-/// from 1.
-fn flatten(prefix: &str, value: &serde_json::Value, add: &mut impl FnMut(&str, String)) {
-    match value {
-        serde_json::Value::Array(items) if items.iter().all(serde_json::Value::is_object) => {
-            for (k, item) in items.iter().enumerate() {
-                flatten(&format!("{prefix}.{}", k + 1), item, add);
-            }
-        }
-        serde_json::Value::Object(map) => {
-            for (key, value) in map {
-                let name = if prefix.is_empty() {
-                    key.clone()
-                } else {
-                    format!("{prefix}.{key}")
-                };
-                flatten(&name, value, add);
-            }
-        }
-        serde_json::Value::String(text) => add(prefix, text.clone()),
-        other => add(prefix, other.to_string()),
-    }
 }
 
 /// How the balls passed the discrete raceways after the transient.

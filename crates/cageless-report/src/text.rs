@@ -1,4 +1,6 @@
-//! Text for HTML, numbers for readers.
+//! Text for HTML.
+
+pub use cageless_study::number_text::{fixed, short, shown, signed};
 
 /// `text` with the five characters escaped that mean something in HTML.
 pub fn escape(text: &str) -> String {
@@ -93,71 +95,12 @@ pub fn slug(text: &str) -> String {
     }
 }
 
-/// `value` with `decimals` decimals and a true minus sign; a dash if there is none.
-pub fn fixed(value: Option<f64>, decimals: usize) -> String {
-    match value {
-        Some(v) if v.is_finite() => minus(&format!("{v:.decimals$}")),
-        _ => "–".to_owned(),
-    }
-}
-
-/// [`fixed`] with a sign in any case.
-pub fn signed(value: Option<f64>, decimals: usize) -> String {
-    match value {
-        Some(v) if v.is_finite() => minus(&format!("{v:+.decimals$}")),
-        _ => "–".to_owned(),
-    }
-}
-
-/// Three significant digits, without needless zeros.
-pub fn short(value: f64) -> String {
-    if value == 0.0 || !value.is_finite() {
-        return fixed(Some(value), 0);
-    }
-    let magnitude = value.abs().log10().floor();
-    if !(-4.0..6.0).contains(&magnitude) {
-        let text = format!("{value:.2e}");
-        return match text.split_once('e') {
-            Some((digits, power)) => format!("{} × 10{}", minus(digits), raised(power)),
-            None => text,
-        };
-    }
-    let decimals = (2.0 - magnitude).max(0.0) as usize;
-    let text = format!("{value:.decimals$}");
-    let text = if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    } else {
-        text
-    };
-    minus(&text)
-}
-
-/// A whole number in superscript digits.
-fn raised(power: &str) -> String {
-    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    let raise = |c: char| c.to_digit(10).map_or('⁻', |d| digits[d as usize]);
-    power.chars().map(raise).collect()
-}
-
-fn minus(text: &str) -> String {
-    text.replace('-', "\u{2212}")
-}
-
-/// A number with its unit; a dash if there is none (no statistics of a run too short).
-pub fn shown(value: f64, digits: usize, unit: &str) -> String {
-    if value.is_finite() {
-        format!("{value:.digits$}{unit}")
-    } else {
-        "-".to_owned()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn text_is_escaped_and_numbers_are_readable() {
+    fn text_is_escaped() {
         assert_eq!(escape("<b a='\"'>&"), "&lt;b a=&#39;&quot;&#39;&gt;&amp;");
         assert_eq!(
             rich("lC < 5, calC, β0"),
@@ -175,12 +118,5 @@ mod tests {
         );
         assert_eq!(slug("Fig. 6, paper"), "fig-6-paper");
         assert_eq!(slug("ψ"), "part");
-        assert_eq!(fixed(Some(-1.25), 1), "\u{2212}1.2");
-        assert_eq!(fixed(None, 4), "–");
-        assert_eq!(fixed(Some(f64::NAN), 4), "–");
-        assert_eq!(signed(Some(0.0105), 4), "+0.0105");
-        assert_eq!(short(12345.0), "12345");
-        assert_eq!(short(0.050), "0.05");
-        assert_eq!(short(1.5e-7), "1.50 × 10⁻⁷");
     }
 }

@@ -1,106 +1,13 @@
 //! The page of a bearing within its tolerances.
 
-use serde::Serialize;
+pub use cageless_study::tolerance::{InfluenceRow, SampleData, ToleranceData, VerdictCount};
 use serde_json::json;
 
-use crate::data::Provenance;
 use crate::figure::Figure;
 use crate::page::{Note, Page};
 use crate::plot::{GREY, PALETTE, Plot, number, numbers};
 use crate::table::{Cell, Row, Table};
 use crate::text::{pass_word, short};
-
-/// One influence on its own.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct InfluenceRow {
-    /// What deviates.
-    pub name: String,
-    /// Lowest and highest deviation, in `unit`.
-    pub low: f64,
-    /// As above.
-    pub high: f64,
-    /// Unit of the deviation; empty for a pure number.
-    pub unit: String,
-    /// Bearings judged.
-    pub trials: usize,
-    /// Bearings that pass.
-    pub passed: usize,
-    /// Verdicts that came out.
-    pub verdicts: Vec<String>,
-    /// Smallest and largest critical gap, degrees.
-    pub critical_gap_deg: Option<[f64; 2]>,
-    /// Smallest and largest share of passages hit by both neighbours.
-    pub twice_share: Option<[f64; 2]>,
-    /// Smallest and largest mean slip per passage, m/s.
-    pub slip_mean_m_s: Option<[f64; 2]>,
-}
-
-/// How often a verdict came out.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct VerdictCount {
-    /// Its name.
-    pub verdict: String,
-    /// Whether a bearing with it passes.
-    pub passes: Option<bool>,
-    /// How often.
-    pub count: usize,
-    /// Critical gaps of these bearings, degrees.
-    pub critical_gap_deg: Vec<f64>,
-}
-
-/// Bearings in which everything deviates.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct SampleData {
-    /// How many.
-    pub count: usize,
-    /// Seed that they come from.
-    pub seed: u64,
-    /// Bearings that pass.
-    pub passed: usize,
-    /// Probability of passing.
-    pub pass_probability: f64,
-    /// 95 % interval of the probability of passing.
-    pub pass_probability_interval: [f64; 2],
-    /// By verdict.
-    pub verdicts: Vec<VerdictCount>,
-    /// 5 %, 50 % and 95 % quantile of the critical gap, degrees.
-    pub critical_gap_quantiles_deg: Option<[f64; 3]>,
-    /// Why the first infeasible one is.
-    pub first_impossible: Option<String>,
-}
-
-/// Everything on the page.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct ToleranceData {
-    /// Heading.
-    pub title: String,
-    /// Program and instruction set.
-    pub software: String,
-    /// Where the numbers come from.
-    pub provenance: Provenance,
-    /// Grade of the balls, 0 for equal ones.
-    pub ball_grade: u32,
-    /// Whether the tolerances pass: the bearing as drawn, and enough of those that deviate.
-    pub passes: bool,
-    /// PASS or FAIL with the probability of passing and the reason.
-    pub headline: String,
-    /// Whether the bearing as drawn passes.
-    pub nominal_passes: bool,
-    /// Verdict as drawn.
-    pub nominal_verdict: String,
-    /// Critical gap as drawn, degrees.
-    pub nominal_critical_gap_deg: Option<f64>,
-    /// Share of passages hit by both neighbours, as drawn.
-    pub nominal_twice_share: Option<f64>,
-    /// Mean slip per passage, as drawn, m/s.
-    pub nominal_slip_m_s: Option<f64>,
-    /// Gap of evenly spaced balls, degrees.
-    pub uniform_gap_deg: f64,
-    /// One influence at a time.
-    pub influences: Vec<InfluenceRow>,
-    /// All at once.
-    pub samples: Option<SampleData>,
-}
 
 /// The self-contained page.
 pub fn tolerance_page(data: &ToleranceData) -> String {

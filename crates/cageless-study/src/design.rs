@@ -6,7 +6,6 @@ use cageless::recorder::Recorder;
 use cageless::snapshot::Snapshot;
 use cageless::spacing::CriticalGapError;
 use cageless_io::case_file::{CaseFile, RacewayDocument};
-use cageless_report::design_report::PORTRAIT_ORBITS;
 
 use crate::entered::{entered, raceway_document};
 use crate::error::StudyError;
@@ -23,6 +22,8 @@ pub struct Judged {
     pub snapshots: Vec<Snapshot>,
 }
 
+/// Orbits of the balls whose motion is kept.
+pub const PORTRAIT_ORBITS: f64 = 3.0;
 /// Moments of the motion that are kept.
 const SNAPSHOTS: f64 = 400.0;
 

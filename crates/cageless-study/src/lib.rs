@@ -1,21 +1,36 @@
-//! Studies of one case: what takes many runs of a bearing, done on all threads of the rayon
-//! pool that they are called from. Results have the same bits on any number of threads.
+//! Studies of a case: analyses that take one run or many, on all threads of the rayon pool
+//! that they are called from, with their results in display units. Results have the same bits on any number of threads.
 //!
 //! [`verification`] says how far the numbers of a run can be trusted, [`design`] judges a
 //! raceway, [`search`] finds the best one, [`tolerance`] gives the probability that it passes
 //! as made, [`sweep`] computes many variants of a case. A [`Watcher`] follows the progress and can end the work.
 
 pub mod design;
+mod design_result;
 mod entered;
 mod error;
+mod histories;
+pub mod number_text;
 pub mod paper;
+mod parameter;
+mod provenance;
 pub mod search;
+mod static_result;
+mod structure;
 pub mod sweep;
 mod threads;
 pub mod tolerance;
 pub mod verification;
 mod watcher;
 
+pub use design_result::{
+    Curve, DesignResult, PassageNumbers, RacewayNumbers, RecommendationNumbers,
+};
 pub use error::StudyError;
+pub use histories::{CollisionPoint, Histories, RunHistories, SAMPLING_HZ};
+pub use parameter::{Parameter, parameter, parameters};
+pub use provenance::{Provenance, law_name, method_name, profile_name, provenance};
+pub use static_result::StaticResult;
+pub use structure::Structure;
 pub use threads::{THREADS_MAX, check_environment, on_threads, pool};
 pub use watcher::{Silent, Watcher, Work};

@@ -2,8 +2,8 @@
 
 use cageless::{Bearing, Case, FrictionLaw, Profile};
 use cageless_io::case_file::{CaseError, CaseFile};
-use cageless_report::Structure;
-use cageless_report::run_report::profile_name;
+
+use crate::{Structure, law_name, profile_name};
 
 macro_rules! case_text {
     ($name:literal) => {
@@ -52,25 +52,10 @@ fn reading_overrides((profile, law): (Profile, FrictionLaw)) -> [String; 2] {
     ]
 }
 
-/// Name of a friction law in files.
-pub fn law_name(law: FrictionLaw) -> &'static str {
-    match law {
-        FrictionLaw::Smooth => "smooth",
-        FrictionLaw::Coulomb => "coulomb",
-    }
-}
-
 /// How reports name structure `k`.
 pub fn label(k: usize, case: &Case) -> Structure {
-    let d = case.raceways.first().map(|raceway| *raceway.dimensions());
-    Structure {
-        letter: char::from(b'a' + k as u8).to_string(),
-        // Rounding away what the conversion to SI leaves.
-        axial_span_mm: d.map_or(f64::NAN, |d| (d.axial_span_m * 1e9).round() / 1e6),
-        half_angle_deg: d.map_or(f64::NAN, |d| {
-            (d.half_angle_rad.to_degrees() * 1e9).round() / 1e9
-        }),
-    }
+    let letter = char::from(b'a' + k as u8).to_string();
+    Structure::new(&letter, case.raceways.first())
 }
 
 /// The structures of the paper, if `bearing` is the paper's; else none.

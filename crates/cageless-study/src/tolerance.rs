@@ -1,5 +1,7 @@
 //! What machining errors, scatter and operation do to the verdict on a raceway.
 
+mod result;
+
 use cageless::design::judge;
 use cageless::dynamics::InstructionSet;
 use cageless::spacing::CriticalGapError;
@@ -9,13 +11,13 @@ use cageless::tolerance::{
 use cageless::{Case, Raceway};
 use cageless_io::OptionError;
 use cageless_io::results::VERSION;
-use cageless_report::Provenance;
-use cageless_report::run_report::provenance;
-use cageless_report::tolerance::{InfluenceRow, SampleData, ToleranceData, VerdictCount};
 use rayon::prelude::*;
+
+pub use result::{InfluenceRow, SampleData, ToleranceData, VerdictCount};
 
 use crate::error::StudyError;
 use crate::watcher::Watcher;
+use crate::{Provenance, provenance};
 
 /// More would take days.
 const SAMPLES_MAX: u64 = 100_000;

@@ -5,7 +5,8 @@ use std::path::Path;
 use cageless::Case;
 use cageless_io::results::write_atomically;
 use cageless_report::design_report::design_data;
-use cageless_report::{DesignResult, design_page, to_json};
+use cageless_report::{design_page, to_json};
+use cageless_study::DesignResult;
 use cageless_study::design::{Judged, judged as study};
 use cageless_study::{StudyError, search};
 

@@ -15,11 +15,12 @@ use cageless::simulation::{Ending, Observer, RunOutcome, run as simulate};
 use cageless::summary::{SummaryRecorder, transient_s};
 use cageless::vibration::VibrationRecorder;
 use cageless_io::results::{Metadata, RunWriter, SummaryFile, VerificationFile, write_atomically};
-use cageless_report::run_report::{Histories, SAMPLING_HZ, run_data};
+use cageless_report::run_report::run_data;
 use cageless_report::verification::{facts, value};
 use cageless_report::{run_page, to_json};
 use cageless_study::Work;
 use cageless_study::verification::VerificationRuns;
+use cageless_study::{Histories, SAMPLING_HZ};
 
 use super::{make_folder, print, read_case, writable};
 use crate::args::RunArgs;

@@ -1,7 +1,7 @@
 //! `cageless static`.
 
 use cageless::equilibrium::solve;
-use cageless_report::StaticResult;
+use cageless_study::StaticResult;
 
 use super::{deliver, read_case};
 use crate::args::CaseArgs;

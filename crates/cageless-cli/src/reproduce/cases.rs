@@ -3,7 +3,8 @@
 use cageless::Case;
 use cageless_io::case_file::CaseFile;
 
-pub use cageless_study::paper::{label, law_name, structure};
+pub use cageless_study::law_name;
+pub use cageless_study::paper::{label, structure};
 
 use crate::failure::Failure;
 

@@ -12,11 +12,12 @@ use cageless::step_limits::StepLimits;
 use cageless::tolerance::{ball_grade, ball_lot_m};
 use cageless::vibration::{Measurement, PassingSplit, VibrationRecorder, WithoutContacts};
 use cageless::{Case, Gaps, Method, Raceway, RacewayDimensions, Start};
-use cageless_report::run_report::{SAMPLING_HZ, filter_note, provenance};
+use cageless_report::run_report::filter_note;
 use cageless_report::{
     ComparisonCell, Difference, Estimate, Provenance, RingComparison, Structure,
 };
 use cageless_study::Work;
+use cageless_study::{SAMPLING_HZ, provenance};
 use rayon::prelude::*;
 
 use super::cases;
@@ -478,7 +479,7 @@ fn source(plans: &[Plan]) -> Provenance {
     steps.dedup();
     let steps: Vec<String> = steps
         .into_iter()
-        .map(|s| cageless_report::text::short(s))
+        .map(|s| cageless_study::number_text::short(s))
         .collect();
     let durations = SPEEDS.map(|s| format!("{} s at {} rpm", s.duration_s, s.rpm));
     Provenance {

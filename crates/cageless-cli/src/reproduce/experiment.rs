@@ -12,10 +12,8 @@ use rayon::prelude::*;
 use super::cases;
 use crate::failure::Failure;
 use crate::progress::Progress;
-use cageless_report::run_report::{
-    SAMPLING_HZ, ball_pass_mark, filter_note, motion, provenance, vibration_signal,
-};
-use cageless_study::Work;
+use cageless_report::run_report::{ball_pass_mark, filter_note, motion, vibration_signal};
+use cageless_study::{SAMPLING_HZ, Work, provenance};
 
 /// Seconds on one core, roughly.
 pub const WORK: f64 = 3.0;

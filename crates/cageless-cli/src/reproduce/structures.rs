@@ -13,8 +13,8 @@ use super::READINGS;
 use super::cases::{self, label};
 use crate::failure::Failure;
 use crate::progress::Progress;
-use cageless_report::run_report::provenance;
 use cageless_study::Work;
+use cageless_study::provenance;
 
 /// Seconds on one core, roughly.
 pub const WORK: f64 = 12.0;

@@ -13,8 +13,8 @@ use super::cases::{self, ODD_ROW, PUBLISHED, label, law_name};
 use crate::failure::Failure;
 use crate::format::columns;
 use crate::progress::Progress;
-use cageless_report::run_report::profile_name;
 use cageless_study::Work;
+use cageless_study::profile_name;
 
 /// Columns.
 const VARIANTS: [(Profile, FrictionLaw); 4] = [

@@ -5,15 +5,15 @@ use cageless::design::search::{
 };
 use cageless::design::span_angle_curve;
 use cageless_io::case_file::CaseFile;
-use cageless_report::{
-    MapData, MotionNumbers, PlacementData, PointData, PointNumbers, PointVerdict, Provenance,
-    RejectionCount, SearchData, StructureData,
-};
 
 use super::findings;
+use super::result::{
+    MapData, MotionNumbers, PlacementData, PointData, PointNumbers, PointVerdict, RejectionCount,
+    SearchData, StructureData,
+};
 use crate::error::StudyError;
 use crate::paper::structures_of;
-use cageless_report::run_report::provenance;
+use crate::{Provenance, provenance};
 
 /// Points of the curve of Eq. (11).
 const CURVE_POINTS: usize = 120;

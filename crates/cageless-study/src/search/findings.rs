@@ -1,7 +1,7 @@
 //! What a search found, in sentences.
 
+use super::result::{SearchData, StructureData};
 use cageless::design::search::{Evaluation, Found, Motion};
-use cageless_report::{SearchData, StructureData};
 
 use super::data::rejections;
 

@@ -2,6 +2,7 @@
 
 mod data;
 mod findings;
+mod result;
 mod workshop;
 
 use std::path::Path;
@@ -11,12 +12,16 @@ use cageless::design::{Verdict, judge};
 use cageless::raceway::RacewayDimensions;
 use cageless::spacing::CriticalGapError;
 use cageless_io::case_file::CaseFile;
-use cageless_report::{PointVerdict, SearchData};
 use rayon::prelude::*;
 
 use crate::entered::{entered, raceway_document};
 use crate::error::StudyError;
 use crate::watcher::Watcher;
+pub use result::{
+    MapData, MotionNumbers, PlacementData, PointData, PointNumbers, PointVerdict, RejectionCount,
+    SearchData, StructureData,
+};
+
 use findings::why_none;
 use workshop::Workshop;
 

@@ -1,8 +1,8 @@
 //! The best variants.
 
+use super::result::{BestVariant, BestVariants};
+use crate::number_text::short;
 use cageless_io::results::{Cell, Row};
-use cageless_report::text::short;
-use cageless_report::{BestVariant, BestVariants};
 
 use super::Goal;
 use super::quantities::{Input, Output, Quantities};

@@ -1,7 +1,7 @@
 //! How outputs change with inputs.
 
+use super::result::{HeatMap, MainEffect, SweepOutput};
 use cageless_io::results::Row;
-use cageless_report::{HeatMap, MainEffect, SweepOutput};
 
 use super::quantities::{Output, Quantities};
 use super::table::Table;

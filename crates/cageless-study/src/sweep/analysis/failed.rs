@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use super::result::FailureGroup;
 use cageless_io::results::Cell;
-use cageless_report::FailureGroup;
 
 use super::table::Table;
 use crate::sweep::error::SweepError;

@@ -6,14 +6,19 @@ mod best;
 mod effects;
 mod failed;
 mod quantities;
+mod result;
 mod table;
 
 use std::path::Path;
 
 use cageless_io::plan_file::text_of;
 use cageless_io::results::RowsReader;
-use cageless_report::data::{Parameter, Provenance};
-use cageless_report::{SweepData, SweepOutput};
+pub use result::{
+    BestVariant, BestVariants, FailureGroup, HeatMap, Levels, MainEffect, SweepData, SweepOutput,
+    SweepQuantity,
+};
+
+use crate::{Parameter, Provenance};
 
 use crate::sweep::error::SweepError;
 use crate::sweep::footer::Identity;

@@ -1,9 +1,9 @@
 //! What varies: inputs with their levels, outputs with their ranges.
 
+use super::result::{Levels, SweepQuantity};
+use crate::Parameter;
+use crate::number_text::short;
 use cageless_io::results::{Cell, ColumnSpec};
-use cageless_report::data::Parameter;
-use cageless_report::text::short;
-use cageless_report::{Levels, SweepQuantity};
 
 use super::table::Table;
 use crate::sweep::error::SweepError;

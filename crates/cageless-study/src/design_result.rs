@@ -9,7 +9,7 @@ use cageless::equilibrium;
 use cageless::raceway::axial_span_limit_m;
 use serde::Serialize;
 
-use crate::SearchData;
+use crate::search::SearchData;
 
 /// `design --json`. Numbers of one raceway are those of the first; the critical gap is the
 /// largest, the verdict the worst of all.

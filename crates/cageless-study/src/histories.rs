@@ -1,0 +1,143 @@
+//! The histories of a run, decimated as they grow.
+
+use std::collections::VecDeque;
+use std::sync::Arc;
+
+use cageless::Case;
+use cageless::collision::Collision;
+use cageless::design::RunVerdict;
+use cageless::min_max_decimator::MinMaxDecimator;
+use cageless::passage::{Passage, PassageTally};
+use cageless::snapshot::Snapshot;
+use serde::Serialize;
+
+/// One contact of two neighbouring balls.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct CollisionPoint {
+    /// Start, s.
+    pub time_s: f64,
+    /// Number of the ball behind, from 1.
+    pub ball: usize,
+    /// Number of the ball ahead, from 1.
+    pub next_ball: usize,
+    /// ψ halfway between the two, degrees, −180 to 180.
+    pub angle_deg: f64,
+    /// Speed of approach, m/s.
+    pub approach_speed_m_s: f64,
+    /// Largest normal force, N.
+    pub peak_force_n: f64,
+    /// Impulse, N·s.
+    pub impulse_n_s: f64,
+}
+
+/// Sampling of vibration signals, as in the paper's experiment.
+pub const SAMPLING_HZ: f64 = 5000.0;
+
+/// Most rows of the histories, for up to 14 balls; fewer for more.
+const ROWS: usize = 8000;
+/// Most of the last snapshots that are kept one by one.
+const RECENT: usize = 2500;
+/// Collisions that are kept at least, the strongest.
+const COLLISIONS: usize = 4000;
+
+/// What the figures need of a run, thinned out as it grows: memory does not depend on
+/// the length of the run.
+pub struct Histories {
+    interval_s: f64,
+    rows: MinMaxDecimator<Arc<[f64]>>,
+    recent: VecDeque<Arc<[f64]>>,
+    collisions: Vec<CollisionPoint>,
+    collisions_seen: usize,
+    passages: PassageTally,
+    /// Of each raceway.
+    raceways: Vec<PassageTally>,
+}
+
+impl Histories {
+    /// Of a run of `case`, of which nothing has been seen yet.
+    pub fn new(case: &Case) -> Self {
+        let balls = case.bearing.balls();
+        Self {
+            interval_s: case.output.interval_s,
+            rows: MinMaxDecimator::new((ROWS * 14 / balls).min(ROWS)),
+            recent: VecDeque::new(),
+            collisions: vec![],
+            collisions_seen: 0,
+            passages: PassageTally::new(),
+            raceways: vec![PassageTally::new(); case.raceways.len()],
+        }
+    }
+
+    /// Takes a snapshot.
+    pub fn push(&mut self, snapshot: &Snapshot) {
+        let row = snapshot.to_row();
+        if self.recent.len() == RECENT {
+            self.recent.pop_front();
+        }
+        self.recent.push_back(Arc::clone(&row));
+        self.rows.push(row);
+    }
+
+    /// Takes a collision.
+    pub fn collide(&mut self, c: &Collision) {
+        self.collisions_seen += 1;
+        self.collisions.push(CollisionPoint {
+            time_s: c.start_s,
+            ball: c.ball + 1,
+            next_ball: c.next_ball + 1,
+            angle_deg: c.angle_rad.to_degrees(),
+            approach_speed_m_s: c.approach_speed_m_s,
+            peak_force_n: c.peak_force_n,
+            impulse_n_s: c.impulse_n_s,
+        });
+        if self.collisions.len() == 2 * COLLISIONS {
+            let weaker =
+                |a: &CollisionPoint, b: &CollisionPoint| b.impulse_n_s.total_cmp(&a.impulse_n_s);
+            self.collisions.select_nth_unstable_by(COLLISIONS, weaker);
+            self.collisions.truncate(COLLISIONS);
+        }
+    }
+
+    /// Takes a passage after the transient.
+    pub fn pass(&mut self, passage: &Passage) {
+        self.passages.add(passage);
+        self.raceways[passage.raceway].add(passage);
+    }
+
+    /// Verdict on the passages that were taken.
+    pub fn verdict(&self, case: &Case) -> RunVerdict {
+        RunVerdict::of(case, &self.raceways)
+    }
+
+    /// The histories once the run has ended.
+    pub fn finish(self) -> RunHistories {
+        let stretch = self.rows.stretch();
+        let of_row = |row: &Arc<[f64]>| Snapshot::from_row(row);
+        RunHistories {
+            stretch_s: (stretch > 1).then_some(stretch as f64 * self.interval_s),
+            snapshots: self.rows.into_rows().iter().map(of_row).collect(),
+            recent: self.recent.iter().map(of_row).collect(),
+            collisions: self.collisions,
+            collisions_total: self.collisions_seen,
+            passages: self.passages,
+        }
+    }
+}
+
+/// The histories of a run that has ended.
+#[derive(Debug, Clone)]
+pub struct RunHistories {
+    /// Snapshots of the whole run; of a long run, those with the lowest and the highest values
+    /// of each stretch.
+    pub snapshots: Vec<Snapshot>,
+    /// Length of a stretch of a decimated history, s; `None` if every snapshot was kept.
+    pub stretch_s: Option<f64>,
+    /// The last snapshots, undecimated.
+    pub recent: Vec<Snapshot>,
+    /// Contacts between balls, of too many the strongest.
+    pub collisions: Vec<CollisionPoint>,
+    /// Number of contacts between balls.
+    pub collisions_total: usize,
+    /// Passages through the discrete raceways after the transient.
+    pub passages: PassageTally,
+}

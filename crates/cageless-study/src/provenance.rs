@@ -1,0 +1,89 @@
+//! The settings under which a number was computed.
+
+use cageless::{Case, FrictionLaw, Method, Profile};
+use serde::Serialize;
+
+use crate::number_text::short;
+
+/// Where a figure's or table's numbers come from; printed under it.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct Provenance {
+    /// The case: bearing, structure, speed, load.
+    pub case: String,
+    /// `paper` or `physical`; `None` where nothing was simulated.
+    pub profile: Option<String>,
+    /// Friction law with its scale, for example `smooth, 0.02 m/s`.
+    pub friction_law: Option<String>,
+    /// Integration method.
+    pub method: Option<String>,
+    /// Step, µs.
+    pub step_us: Option<f64>,
+    /// What was discarded as transient, in words; empty if nothing was.
+    pub discarded: String,
+}
+
+impl Provenance {
+    /// One line: case, profile, friction law, method and step, what was discarded.
+    pub fn line(&self) -> String {
+        let mut parts = vec![self.case.clone()];
+        parts.extend(self.profile.as_ref().map(|p| format!("profile {p}")));
+        parts.extend(self.friction_law.as_ref().map(|f| format!("friction {f}")));
+        match (&self.method, self.step_us) {
+            (Some(method), Some(step)) => parts.push(format!("{method}, step {} µs", short(step))),
+            (Some(method), None) => parts.push(method.clone()),
+            (None, Some(step)) => parts.push(format!("step {} µs", short(step))),
+            (None, None) => {}
+        }
+        if self.profile.is_none() {
+            parts.push("geometry alone, nothing simulated".to_owned());
+        } else if self.discarded.is_empty() {
+            parts.push("nothing discarded".to_owned());
+        } else {
+            parts.push(format!("discarded: {}", self.discarded));
+        }
+        parts.retain(|part| !part.is_empty());
+        parts.join(" · ")
+    }
+}
+
+/// Name of a profile in files and figures.
+pub fn profile_name(profile: Profile) -> &'static str {
+    match profile {
+        Profile::Paper => "paper",
+        Profile::Physical => "physical",
+    }
+}
+
+/// Name of a method in figures.
+pub fn method_name(method: Method) -> &'static str {
+    match method {
+        Method::Abm4 => "ABM4",
+        Method::Symplectic => "leapfrog",
+        Method::Adaptive => "adaptive, order 8",
+    }
+}
+
+/// Name of a friction law in files.
+pub fn law_name(law: FrictionLaw) -> &'static str {
+    match law {
+        FrictionLaw::Smooth => "smooth",
+        FrictionLaw::Coulomb => "coulomb",
+    }
+}
+
+/// Where the numbers of a simulated figure come from.
+pub fn provenance(case: &Case, discarded: String) -> Provenance {
+    Provenance {
+        case: case.title.clone(),
+        profile: Some(profile_name(case.profile).to_owned()),
+        friction_law: Some(match case.contact.friction_law {
+            FrictionLaw::Smooth => {
+                format!("smooth, tanh(ΔV/{} m/s)", case.contact.slip_scale_m_s)
+            }
+            FrictionLaw::Coulomb => "Coulomb".to_owned(),
+        }),
+        method: Some(method_name(case.solver.method).to_owned()),
+        step_us: Some(case.solver.step_s * 1e6),
+        discarded,
+    }
+}

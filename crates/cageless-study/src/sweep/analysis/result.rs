@@ -1,0 +1,155 @@
+//! The analysis of a finished sweep.
+
+use serde::Serialize;
+
+use crate::{Parameter, Provenance};
+
+/// All that the page of a sweep shows. What is left empty is left out of the page.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct SweepData {
+    /// Title of the plan.
+    pub title: String,
+    /// Name and version of the program, instruction set.
+    pub software: String,
+    /// First paragraph: what was computed.
+    pub lead: String,
+    /// Number of variants.
+    pub variants: u64,
+    /// Those that failed.
+    pub failed: u64,
+    /// Inputs with more than one value.
+    pub inputs: Vec<SweepQuantity>,
+    /// Outputs with more than one value, with what they depend on.
+    pub outputs: Vec<SweepOutput>,
+    /// Outputs that are the same in all variants.
+    pub constants: Vec<Parameter>,
+    /// The best variants.
+    pub best: Vec<BestVariants>,
+    /// Why variants failed.
+    pub failures: Vec<FailureGroup>,
+    /// The plan, one line per key.
+    pub plan: Vec<Parameter>,
+    /// Provenance of every figure.
+    pub provenance: Provenance,
+}
+
+/// An input or an output.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct SweepQuantity {
+    /// Its column.
+    pub name: String,
+    /// Unit; may be empty.
+    pub unit: String,
+}
+
+impl SweepQuantity {
+    /// `name (unit)`.
+    pub fn label(&self) -> String {
+        match self.sign() {
+            "" => self.name.clone(),
+            unit => format!("{} ({unit})", self.name),
+        }
+    }
+
+    /// The unit as people write it.
+    pub fn sign(&self) -> &str {
+        match self.unit.as_str() {
+            "um" => "µm",
+            "us" => "µs",
+            "deg" => "°",
+            unit => unit,
+        }
+    }
+}
+
+/// What an output depends on.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct SweepOutput {
+    /// The output.
+    pub quantity: SweepQuantity,
+    /// Share of its variance that each of [`SweepData::inputs`] explains alone, 0 to 1.
+    pub shares: Vec<Option<f64>>,
+    /// How it changes with the inputs that explain most, these first.
+    pub effects: Vec<MainEffect>,
+    /// Its mean over the two inputs that explain most.
+    pub map: Option<HeatMap>,
+}
+
+/// An output over one input.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct MainEffect {
+    /// The input.
+    pub input: SweepQuantity,
+    /// Its levels.
+    pub levels: Levels,
+    /// Mean of the output at each level.
+    pub mean: Vec<f64>,
+    /// Least.
+    pub min: Vec<f64>,
+    /// Most.
+    pub max: Vec<f64>,
+}
+
+/// Values of an input: those that it takes, or the middles of equal stretches.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Levels {
+    /// Numbers.
+    Numbers(Vec<f64>),
+    /// Names.
+    Names(Vec<String>),
+}
+
+impl Default for Levels {
+    fn default() -> Self {
+        Self::Numbers(Vec::new())
+    }
+}
+
+/// Mean of an output over two inputs.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct HeatMap {
+    /// Input along x.
+    pub x_input: SweepQuantity,
+    /// Its levels.
+    pub x: Levels,
+    /// Input along y.
+    pub y_input: SweepQuantity,
+    /// Its levels.
+    pub y: Levels,
+    /// Mean at each y, at each x; NaN where there is no variant.
+    pub mean: Vec<Vec<f64>>,
+}
+
+/// The best variants by one output.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct BestVariants {
+    /// The output.
+    pub quantity: SweepQuantity,
+    /// Whether more is better.
+    pub high: bool,
+    /// The best first.
+    pub variants: Vec<BestVariant>,
+}
+
+/// One of the best variants.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct BestVariant {
+    /// Its index.
+    pub variant: u64,
+    /// The output.
+    pub value: f64,
+    /// [`SweepData::inputs`] as they are to be printed.
+    pub inputs: Vec<String>,
+}
+
+/// Variants that failed for one reason, numbers apart.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct FailureGroup {
+    /// How many.
+    pub count: u64,
+    /// The first.
+    pub variant: u64,
+    /// Its reason.
+    pub reason: String,
+}
