@@ -1,4 +1,29 @@
 //! The bearing: rings, balls and what follows from their dimensions.
+//!
+//! ```
+//! use cageless::{Bearing, BearingDimensions, Material};
+//!
+//! let dimensions = BearingDimensions {
+//!     balls: 14,
+//!     ball_radius_m: 4.7625e-3,
+//!     inner_groove_bottom_radius_m: 18.24e-3,
+//!     outer_groove_bottom_radius_m: 27.765e-3,
+//!     outer_shoulder_radius_m: 26e-3,
+//!     inner_groove_curvature_radius_m: 4.953e-3,
+//!     outer_groove_curvature_radius_m: 4.953e-3,
+//!     inner_ring_mass_kg: 0.2,
+//!     inner_ring_drag_n_s_m: 2000.0,
+//! };
+//! let steel = Material {
+//!     density_kg_m3: 7850.0,
+//!     youngs_modulus_pa: 206e9,
+//!     poisson_ratio: 0.3,
+//! };
+//! let bearing = Bearing::new(dimensions, steel)?;
+//! assert!((bearing.pitch_radius_m() - 23.0025e-3).abs() < 1e-12);
+//! assert!((bearing.uniform_gap_rad().to_degrees() - 1.8161).abs() < 1e-3);
+//! # Ok::<(), cageless::InputError>(())
+//! ```
 
 use std::f64::consts::{PI, TAU};
 

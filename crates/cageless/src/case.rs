@@ -1,4 +1,14 @@
 //! A case: everything that one computation needs, in SI units.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! assert_eq!(case.bearing.balls(), 14);
+//! assert!(case.check().is_ok());
+//! // Balls orbit at somewhat less than half the speed of the inner ring.
+//! let ratio = case.rolling_orbit_speed_rad_s() / case.operation.inner_speed_rad_s;
+//! assert!(0.35 < ratio && ratio < 0.45);
+//! ```
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,12 @@
 //! Contacts between neighbouring balls.
+//!
+//! ```
+//! use cageless::collision::hertz_impact;
+//!
+//! // Two steel balls of 3.6 g that meet at 0.1 m/s.
+//! let (deflection_m, force_n, duration_s) = hertz_impact(7.4e9, 3.6e-3, 0.1);
+//! assert!(deflection_m < 1e-5 && force_n > 10.0 && duration_s < 1e-3);
+//! ```
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,18 @@
 //! Start of contact between neighbouring balls.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::contact_tracker::ContactTracker;
+//! use cageless::dynamics::{Model, RightHandSide};
+//!
+//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! let model = Model::new(&case)?;
+//! let rhs = RightHandSide::new(&model);
+//! let mut tracker = ContactTracker::new(case.bearing.balls());
+//! tracker.update(&rhs.contacts());
+//! assert_eq!(tracker.count(), 0);
+//! # Ok::<(), cageless::InputError>(())
+//! ```
 
 use crate::dynamics::Contacts;
 

@@ -1,4 +1,13 @@
 //! What is wrong with an input, in SI units.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::{Bearing, BearingDimensions};
+//!
+//! let dimensions = BearingDimensions { balls: 0, ..common::dimensions() };
+//! let error = Bearing::new(dimensions, common::steel()).unwrap_err();
+//! assert_eq!(error.field, "balls");
+//! ```
 
 use crate::limits::within;
 

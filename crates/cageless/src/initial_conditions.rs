@@ -1,4 +1,16 @@
 //! The state that a run starts from.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::start::initial_state;
+//!
+//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//!
+//! let (state, angles) = initial_state(&case)?;
+//! assert_eq!(angles.len(), 14);
+//! assert!(state.ring_motion().y < 0.0);
+//! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
+//! ```
 
 use crate::case::{Case, Profile, Start};
 use crate::dynamics::ball::{BallMotion, Centre};

@@ -1,4 +1,14 @@
 //! Long series in bounded memory that keep their extremes.
+//!
+//! ```
+//! use cageless::thinning::Thinning;
+//!
+//! let mut series = Thinning::new(8);
+//! (0..1000).for_each(|k| series.push([k as f64]));
+//! let rows = series.into_rows();
+//! assert!(rows.len() <= 10);
+//! assert_eq!(rows[0], [0.0]);
+//! ```
 
 use std::sync::Arc;
 

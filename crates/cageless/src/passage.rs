@@ -1,4 +1,21 @@
 //! How each ball passes each discrete raceway.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::passage::{PassageRecorder, PassageTally};
+//! use cageless::simulation::{Control, run};
+//!
+//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//!
+//! let mut tally = PassageTally::new();
+//! let mut recorder = PassageRecorder::new(|passage| {
+//!     tally.add(&passage);
+//!     Ok(())
+//! });
+//! run(&case, &mut [&mut recorder], &mut |_| Control::Continue)?;
+//! assert!(tally.count > 10); // in 20 ms
+//! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
+//! ```
 
 use crate::contact_tracker::ContactTracker;
 use crate::dynamics::coordinates::BallCoordinate;

@@ -4,6 +4,24 @@
 //! In Eq. (4) to (8) the paper's Rm stands for Ro − Rw
 //! ([`Bearing::outer_orbit_radius_m`]), so that the path ends on the plain raceway
 //! at any clearance. Local coordinates have the middle of the raceway at −Y.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::{Raceway, RacewayDimensions};
+//!
+//! # use cageless::Bearing;
+//! let bearing = Bearing::new(common::dimensions(), common::steel())?; // Zhao 2022, Table 1
+//!
+//! let dimensions = RacewayDimensions {
+//!     axial_span_m: 5.1e-3,
+//!     half_angle_rad: 25.2_f64.to_radians(),
+//!     centre_angle_rad: 0.0,
+//! };
+//! let raceway = Raceway::new(dimensions, &bearing)?;
+//! // The effective contact radius is smallest in the middle: balls are slowest there.
+//! assert!(raceway.effective_radius_m(0.0) < bearing.ball_radius_m());
+//! # Ok::<(), cageless::InputError>(())
+//! ```
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 

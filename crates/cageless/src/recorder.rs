@@ -1,4 +1,21 @@
 //! Snapshots at regular times.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::recorder::Recorder;
+//! use cageless::simulation::{Control, run};
+//!
+//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//!
+//! let mut gaps = vec![];
+//! let mut recorder = Recorder::new(1e-3, |snapshot| {
+//!     gaps.push(snapshot.gap_rad[0]);
+//!     Ok(())
+//! });
+//! run(&case, &mut [&mut recorder], &mut |_| Control::Continue)?;
+//! assert_eq!(gaps.len(), 21); // t = 0, 1 … 20 ms
+//! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
+//! ```
 
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 use crate::snapshot::Snapshot;

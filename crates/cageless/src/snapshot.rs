@@ -1,4 +1,19 @@
 //! Everything that can be seen of a bearing at one instant.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::dynamics::{Model, RightHandSide};
+//! use cageless::start::initial_state;
+//!
+//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//!
+//! let model = Model::new(&case)?;
+//! let (state, angles) = initial_state(&case)?;
+//! let snapshot = RightHandSide::new(&model).snapshot(0.0, &state, &angles);
+//! let load_n: f64 = snapshot.inner_force_n.iter().sum();
+//! assert!(load_n > case.operation.radial_load_n);
+//! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
+//! ```
 
 use std::sync::Arc;
 

@@ -4,6 +4,18 @@
 //! largest g, read when the leading ball reaches the raceway, at which the pair's gap
 //! falls to 0 between then and the trailing ball leaving. It is what β0 of Zhao 2022,
 //! Eq. (11), means once balls may slip.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::simulation::Control;
+//! use cageless::spacing::{PairTest, critical_gap_rad};
+//!
+//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//!
+//! let test = PairTest { tolerance_rad: 1e-4, ..PairTest::default() };
+//! let gap = critical_gap_rad(&case, &test, &mut |_| Control::Continue).unwrap();
+//! assert!((1.0..2.0).contains(&gap.to_degrees()));
+//! ```
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 

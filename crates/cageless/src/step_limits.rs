@@ -1,4 +1,15 @@
 //! Which steps a case allows: the stiffest contact against the stability of the method.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::Method;
+//! use cageless::step::StepLimits;
+//!
+//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//!
+//! let limits = StepLimits::of(&case);
+//! assert!(limits.automatic_s(Method::Abm4) <= limits.largest_s(Method::Abm4));
+//! ```
 
 use crate::case::{Case, FrictionLaw, Method, Start};
 use crate::dynamics::STICK_FRACTION;

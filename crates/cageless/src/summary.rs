@@ -1,4 +1,18 @@
 //! Headline numbers of a run.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::simulation::{Control, run};
+//! use cageless::summary::SummaryRecorder;
+//!
+//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//!
+//! let mut recorder = SummaryRecorder::new();
+//! run(&case, &mut [&mut recorder], &mut |_| Control::Continue)?;
+//! let summary = recorder.summary().unwrap();
+//! assert!(summary.gap_min_rad < summary.gap_max_rad);
+//! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
+//! ```
 
 use crate::case::Case;
 use crate::contact_tracker::ContactTracker;

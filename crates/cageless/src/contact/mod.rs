@@ -3,8 +3,22 @@
 //! (22)).
 //!
 //! The functions are free of branches on data and of lane indices, so that the vector harness
-//! ([`crate::simd`]) can call them lane by lane; static equilibrium, energy and tests call the
+//! (`simd`) can call them lane by lane; static equilibrium, energy and tests call the
 //! same ones.
+//!
+//! ```
+//! use cageless::FrictionLaw;
+//! use cageless::contact::{Friction, friction_force};
+//!
+//! let friction = Friction {
+//!     coefficient: 0.007,
+//!     inverse_slip_scale: 1.0 / 0.02,
+//!     ..Friction::default()
+//! };
+//! // Far above the scale of 0.02 m/s the smooth law is μN.
+//! let force_n = friction_force(FrictionLaw::Smooth, &friction, 1.0, 100.0);
+//! assert!((force_n - 0.7).abs() < 1e-12);
+//! ```
 
 mod ball_ball;
 mod friction;

@@ -1,4 +1,13 @@
 //! Constants, motion and acceleration of a ball.
+//!
+//! ```
+//! use cageless::dynamics::ball::{BallMotion, Centre};
+//!
+//! // A ball 2 mm below the centre that moves to the right orbits counter-clockwise.
+//! let ball = BallMotion { y: -2e-3, vx: 1.0, ..BallMotion::default() };
+//! let polar = ball.about(&Centre::default());
+//! assert_eq!((polar.distance, polar.tangential, polar.radial), (2e-3, 1.0, 0.0));
+//! ```
 
 use crate::simd::lanes::lane_struct;
 

@@ -1,4 +1,11 @@
 //! The coordinates of a bearing: one table that names what the state vector holds.
+//!
+//! ```
+//! use cageless::dynamics::coordinates::{BALL, Kind};
+//!
+//! assert_eq!(BALL[2].name, "vx_m_s");
+//! assert_eq!(BALL[2].kind, Kind::VelocityOf(0));
+//! ```
 
 /// What a coordinate is, so that methods, norms and columns can follow from the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,4 +1,11 @@
 //! The energy ledger: terms, and the energy stored in the bodies.
+//!
+//! ```
+//! use cageless::dynamics::energy::EnergyTerm;
+//!
+//! assert_eq!(EnergyTerm::Damping.name(), "damping");
+//! assert!(EnergyTerm::Damping.is_loss());
+//! ```
 
 use super::model::Model;
 use super::state::State;

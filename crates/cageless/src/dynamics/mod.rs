@@ -1,5 +1,18 @@
 //! The equations of motion, Zhao 2022, Eq. (12) to (22), in both profiles: bodies, state,
 //! energy, and the right-hand side over them.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::dynamics::Model;
+//! use cageless::start::initial_state;
+//!
+//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//!
+//! let model = Model::new(&case)?;
+//! let (state, _angles) = initial_state(&case)?;
+//! assert!(model.energy_j(&state) > 0.0);
+//! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
+//! ```
 
 pub mod ball;
 mod contacts;

@@ -1,4 +1,13 @@
 //! The state vector: what the integrators advance.
+//!
+//! ```
+//! use cageless::dynamics::ball::BallMotion;
+//! use cageless::dynamics::state::State;
+//!
+//! let mut state = State::new(14);
+//! state.set_ball(3, BallMotion { x: 0.02, ..BallMotion::default() });
+//! assert_eq!(state.x_m()[3], 0.02);
+//! ```
 
 use super::ball::{BallMotion, Centre};
 use super::coordinates::{

@@ -4,6 +4,18 @@
 //! rolling (in the `paper` profile Fw of Zhao 2022, Eq. (15), on top) and the normal
 //! forces of both raceways; friction is left out. The ring takes load, weight and the
 //! reactions.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::equilibrium;
+//!
+//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//!
+//! let rest = equilibrium::solve(&case)?;
+//! assert!(rest.ring_y_m < 0.0); // the load presses the ring down
+//! assert_eq!(rest.inner_force_n.len(), 14);
+//! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
+//! ```
 
 mod minimum;
 mod newton;

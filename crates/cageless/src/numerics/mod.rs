@@ -1,9 +1,18 @@
 //! The little numerical analysis that the physics rests on.
+//!
+//! ```
+//! use cageless::numerics::moments::Moments;
+//!
+//! let mut moments = Moments::default();
+//! moments.add(1.0, 1.0);
+//! moments.add(3.0, 1.0);
+//! assert_eq!(moments.mean(), 2.0);
+//! ```
 
 pub mod bspline;
-pub mod chebyshev;
-pub mod elliptic;
+pub(crate) mod chebyshev;
+pub(crate) mod elliptic;
 pub mod moments;
-pub mod quadrature;
-pub mod root;
+pub(crate) mod quadrature;
+pub(crate) mod root;
 pub mod student;

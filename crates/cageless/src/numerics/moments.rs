@@ -1,4 +1,14 @@
 //! Mean and deviation of a series as it comes.
+//!
+//! ```
+//! use cageless::numerics::moments::Moments;
+//!
+//! let mut moments = Moments::default();
+//! for value in [1.0, 2.0, 3.0] {
+//!     moments.add(value, 1.0);
+//! }
+//! assert_eq!(moments.mean(), 2.0);
+//! ```
 
 /// Mean and variance of values with weights (times for which they are held, say), by West's
 /// update (1979).

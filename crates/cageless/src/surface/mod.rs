@@ -6,6 +6,22 @@
 //! plain raceway α = 0. Where a discrete raceway ends, α has a kink; a blend of a stated
 //! length replaces its last stretch by a polynomial that meets both neighbours with
 //! their curvature. The ball's centre stays on its circle all the while.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::surface::{OuterRing, OuterRingDimensions};
+//!
+//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//!
+//! let dimensions = OuterRingDimensions {
+//!     outer_ring_outer_radius_m: 31e-3,
+//!     outer_ring_width_m: 16e-3,
+//!     blend_m: 0.0,
+//! };
+//! let ring = OuterRing::new(&case.bearing, &case.raceways, dimensions)?;
+//! assert!(ring.volume_m3() > 0.0);
+//! # Ok::<(), cageless::InputError>(())
+//! ```
 
 mod blend;
 mod grid;

@@ -1,5 +1,12 @@
 //! What becomes of a verdict when the bearing is made and run as real bearings are: within
 //! tolerances.
+//!
+//! ```
+//! use cageless::tolerance::ball_grade;
+//!
+//! let grade = ball_grade(10).unwrap(); // ISO 3290-1, G10
+//! assert!(grade.radius_deviation_m() < 1e-6);
+//! ```
 
 mod assessment;
 mod deviation;

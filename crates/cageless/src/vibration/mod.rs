@@ -6,6 +6,15 @@
 //!
 //! The acceleration is filtered, sampled and evaluated as it comes: memory does not grow
 //! with the run.
+//!
+//! ```
+//! use cageless::vibration::Measurement;
+//!
+//! // A sine of amplitude 2 sampled every 10 µs, kept at 10 kHz.
+//! let mut measurement = Measurement::new(1e-5, 1e4, 0.0);
+//! (0..100_000).for_each(|k| measurement.push(2.0 * (k as f64 * 0.01).sin()));
+//! assert!((measurement.rms() - 2f64.sqrt()).abs() < 0.02);
+//! ```
 
 mod filter;
 mod oscillator;

@@ -1,5 +1,4 @@
-//! Cases that the tests share.
-#![allow(dead_code)] // each test file uses some
+// Cases that the tests, the examples and the examples of the documentation share.
 
 use std::f64::consts::TAU;
 
@@ -9,6 +8,7 @@ use cageless::{
 };
 
 /// Zhao 2022, Table 1, with the usual values for what the paper leaves out.
+#[allow(dead_code)]
 pub fn dimensions() -> BearingDimensions {
     BearingDimensions {
         balls: 14,
@@ -23,6 +23,7 @@ pub fn dimensions() -> BearingDimensions {
     }
 }
 
+#[allow(dead_code)]
 pub fn steel() -> Material {
     Material {
         density_kg_m3: 7850.0,
@@ -33,6 +34,7 @@ pub fn steel() -> Material {
 
 /// The ten structures of Zhao 2022, Table 2: lC in mm, θ in degrees, β0 by Eq. (11) as
 /// printed there, simulated value.
+#[allow(dead_code)]
 pub const STRUCTURES: [(f64, f64, f64, f64); 10] = [
     (4.95, 35.0, 1.8153, 1.8131),
     (5.0, 30.5, 1.8176, 1.8281),
@@ -46,6 +48,7 @@ pub const STRUCTURES: [(f64, f64, f64, f64); 10] = [
     (6.0, 12.717, 1.8160, 1.4538),
 ];
 
+#[allow(dead_code)]
 pub fn raceway(bearing: &Bearing, span_mm: f64, angle_deg: f64, centre_deg: f64) -> Raceway {
     Raceway::new(
         RacewayDimensions {
@@ -59,6 +62,7 @@ pub fn raceway(bearing: &Bearing, span_mm: f64, angle_deg: f64, centre_deg: f64)
 }
 
 /// Conventional outer ring, 12 000 rpm, 1500 N, damped contacts, smooth friction.
+#[allow(dead_code)]
 pub fn conventional(dimensions: BearingDimensions) -> Case {
     Case {
         title: String::new(),
@@ -97,6 +101,7 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
 }
 
 /// The same with a discrete raceway at the bottom.
+#[allow(dead_code)]
 pub fn structure(span_mm: f64, angle_deg: f64) -> Case {
     let case = conventional(dimensions());
     let raceway = raceway(&case.bearing, span_mm, angle_deg, 0.0);
@@ -104,6 +109,7 @@ pub fn structure(span_mm: f64, angle_deg: f64) -> Case {
 }
 
 /// Without contact damping.
+#[allow(dead_code)]
 pub fn undamped(mut case: Case) -> Case {
     case.contact.damping_n_s_m1_5 = 0.0;
     case.contact.ball_restitution = 1.0;

@@ -13,6 +13,16 @@
 //!
 //! Nothing here starts a thread: batches of [`Job`]s go to the caller, who runs them in any
 //! order. The same case and seed lead to the same result. Derivations: `docs/theory/design.md`.
+//!
+//! ```
+//! use cageless::design::search::placements;
+//!
+//! // Places of a single raceway, every 15° within ±90°, the nearest to the load first.
+//! let quarter = std::f64::consts::FRAC_PI_2;
+//! let places = placements([-quarter, quarter], 1);
+//! assert_eq!(places.len(), 13);
+//! assert!(places[0][0].abs() < 1e-12);
+//! ```
 
 mod choice;
 mod disturbed;

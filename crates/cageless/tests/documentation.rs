@@ -1,4 +1,5 @@
-//! The table "Equation → code" of the theory pages and the sources say the same.
+//! The documents and the sources say the same: the table "Equation → code" of the theory pages,
+//! the paths in the guides for contributors, an example in every public module.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -134,4 +135,56 @@ fn every_equation_names_itself_above_one_scalar_function() {
             );
         }
     }
+}
+
+/// Public modules below a module file or `lib.rs`.
+fn public_modules(file: &Path) -> Vec<PathBuf> {
+    let text = fs::read_to_string(file).unwrap();
+    let folder = match file.file_stem().unwrap().to_str().unwrap() {
+        "lib" | "mod" => file.parent().unwrap().to_owned(),
+        _ => file.with_extension(""),
+    };
+    let names = text.lines().filter_map(|line| {
+        let name = line.strip_prefix("pub mod ")?.strip_suffix(';')?;
+        Some(name.to_owned())
+    });
+    let mut found = vec![];
+    for name in names {
+        let [flat, nested] = [format!("{name}.rs"), format!("{name}/mod.rs")];
+        let file = [flat, nested].map(|f| folder.join(f));
+        let file = file.into_iter().find(|f| f.is_file()).unwrap();
+        found.extend(public_modules(&file));
+        found.push(file);
+    }
+    found
+}
+
+#[test]
+fn every_public_module_begins_with_an_example() {
+    let modules = public_modules(&crate_folder().join("src/lib.rs"));
+    assert!(modules.len() > 20, "{} modules", modules.len());
+    for module in modules {
+        let text = fs::read_to_string(&module).unwrap();
+        let head = text.lines().take_while(|line| line.starts_with("//!"));
+        let fences = head.filter(|line| line.starts_with("//! ```")).count();
+        assert!(
+            fences >= 2,
+            "no example at the head of {}",
+            module.display()
+        );
+    }
+}
+
+#[test]
+fn paths_in_the_guides_exist() {
+    let root = crate_folder().join("../..");
+    let mut paths = 0;
+    for guide in ["ARCHITECTURE.md", "CONTRIBUTING.md"] {
+        let text = fs::read_to_string(root.join(guide)).unwrap();
+        for quoted in text.split('`').filter(|q| q.starts_with("crates/")) {
+            assert!(root.join(quoted).exists(), "{guide}: no {quoted}");
+            paths += 1;
+        }
+    }
+    assert!(paths > 30, "{paths} paths");
 }

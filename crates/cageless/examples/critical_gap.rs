@@ -1,0 +1,38 @@
+//! Theoretical gap of a raceway (Zhao 2022, Eq. (11)) beside the critical gap that the motion of
+//! a pair of balls gives: the gap at the entrance that just closes in the raceway.
+//!
+//! `cargo run -p cageless --example critical_gap`
+
+#[path = "../tests/common/mod.rs"] // the bearing of the paper, Table 1
+mod common;
+
+use cageless::design::{Eq11, theoretical_gap_rad};
+use cageless::simulation::Control;
+use cageless::spacing::{PairTest, critical_gap_rad};
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    // 1e-5 rad is enough to print three digits.
+    let test = PairTest {
+        tolerance_rad: 1e-5,
+        ..PairTest::default()
+    };
+    println!("lC, mm    θ, °    Eq. (11), °    critical gap, °");
+    for (span_mm, angle_deg) in [(5.1, 25.2), (6.0, 12.717)] {
+        let case = common::structure(span_mm, angle_deg);
+        let theory = theoretical_gap_rad(&case.bearing, &case.raceways[0], Eq11::Published);
+        let critical = critical_gap_rad(&case, &test, &mut |_| Control::Continue)?;
+        println!(
+            "{span_mm:6.2} {angle_deg:7.2} {:14.3} {:18.3}",
+            theory.to_degrees(),
+            critical.to_degrees()
+        );
+        // A ball that slips loses less speed in the raceway: the gap that closes is smaller.
+        assert!(critical < 1.05 * theory);
+    }
+    Ok(())
+}
+
+#[test]
+fn runs() {
+    main().unwrap();
+}
