@@ -1,9 +1,9 @@
 //! Long series in bounded memory that keep their extremes.
 //!
 //! ```
-//! use cageless::thinning::Thinning;
+//! use cageless::min_max_decimator::MinMaxDecimator;
 //!
-//! let mut series = Thinning::new(8);
+//! let mut series = MinMaxDecimator::new(8);
 //! (0..1000).for_each(|k| series.push([k as f64]));
 //! let rows = series.into_rows();
 //! assert!(rows.len() <= 10);

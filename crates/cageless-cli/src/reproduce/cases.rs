@@ -1,26 +1,7 @@
-//! The cases of the paper, as they stand in `cases/`, and its numbers.
-
-use cageless::Case;
-use cageless_io::case_file::CaseFile;
+//! The cases of the paper and its numbers.
 
 pub use cageless_study::law_name;
-pub use cageless_study::paper::{label, structure};
-
-use crate::failure::Failure;
-
-macro_rules! case_text {
-    ($name:literal) => {
-        (
-            $name,
-            include_str!(concat!("../../../../cases/", $name, ".toml")),
-        )
-    };
-}
-
-const EXPERIMENT: [(&str, &str); 2] = [
-    case_text!("experiment-3000rpm-conventional"),
-    case_text!("experiment-3000rpm"),
-];
+pub use cageless_study::paper::{experiment, label, structure};
 
 /// What the paper says of one structure.
 pub struct Published {
@@ -57,14 +38,3 @@ pub const PUBLISHED: [Published; 10] = {
 
 /// Row of the structure lC = 5.60 mm, which does not follow its neighbours.
 pub const ODD_ROW: usize = 7;
-
-fn parse((name, text): (&str, &str)) -> Result<Case, Failure> {
-    Ok(CaseFile::parse(text, &format!("cases/{name}.toml"), &[])?
-        .case()
-        .clone())
-}
-
-/// The bearings of Fig. 12 to 14: conventional, discrete.
-pub fn experiment() -> Result<[Case; 2], Failure> {
-    Ok([parse(EXPERIMENT[0])?, parse(EXPERIMENT[1])?])
-}
