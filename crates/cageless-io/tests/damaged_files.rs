@@ -1,0 +1,186 @@
+//! Case files, plans, journals and tables with random damage are read or refused, never more:
+//! a short run, always the same, of what the targets of `fuzz/` look at for as long as they are left.
+
+mod fuzz_entries;
+
+use std::fs;
+
+use cageless_io::case_file::template;
+use cageless_io::journal::Journal;
+use cageless_io::results::{Cell, ColumnKind, ColumnSpec, RowsWriter};
+
+/// xorshift64*.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, limit: usize) -> usize {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 33) as usize % limit.max(1)
+    }
+}
+
+/// What TOML and JSON and numbers are made of.
+const TOKENS: [&str; 16] = [
+    "=", "[", "]", "[[", "\"", "\n", "#", "nan", "-1", "0", "1e308", "inf", "true", "{}", ".", "é",
+];
+
+/// `bytes` with one to four changes.
+fn damaged(bytes: &[u8], random: &mut Random) -> Vec<u8> {
+    let mut bytes = bytes.to_vec();
+    for _ in 0..=random.below(4) {
+        let at = random.below(bytes.len());
+        let end = (at + 1 + random.below(40)).min(bytes.len());
+        match random.below(7) {
+            0 => bytes.truncate(at),
+            1 => drop(bytes.drain(at..end)),
+            2 => {
+                let copy = bytes[at..end].to_vec();
+                let to = random.below(bytes.len());
+                bytes.splice(to..to, copy);
+            }
+            3 => {
+                let token = TOKENS[random.below(TOKENS.len())];
+                bytes.splice(at..end.min(at + random.below(8)), token.bytes());
+            }
+            4 => {
+                if let Some(digit) = bytes[at..].iter_mut().find(|b| b.is_ascii_digit()) {
+                    *digit = b'0' + random.below(10) as u8;
+                }
+            }
+            5 => {
+                // A line leaves its place.
+                let mut lines: Vec<&[u8]> = bytes.split_inclusive(|&b| b == b'\n').collect();
+                let line = lines.remove(random.below(lines.len()));
+                lines.insert(random.below(lines.len() + 1), line);
+                bytes = lines.concat();
+            }
+            _ => {
+                if let Some(byte) = bytes.get_mut(at) {
+                    *byte ^= 1 << random.below(8);
+                }
+            }
+        }
+        if bytes.is_empty() {
+            break;
+        }
+    }
+    bytes
+}
+
+/// Reads `count` damaged copies; a panic leaves the copy that caused it in the message.
+fn try_damage(original: &[u8], count: u64, read: impl Fn(&[u8])) {
+    struct Report<'a>(&'a [u8]);
+    impl Drop for Report<'_> {
+        fn drop(&mut self) {
+            if std::thread::panicking() {
+                eprintln!("while reading:\n{}", String::from_utf8_lossy(self.0));
+            }
+        }
+    }
+    read(original);
+    let mut random = Random(0x9E37_79B9_7F4A_7C15);
+    for _ in 0..count {
+        let copy = damaged(original, &mut random);
+        let _report = Report(&copy);
+        read(&copy);
+    }
+}
+
+/// The template with its comments opened: every key is there.
+fn every_key() -> String {
+    let text = template(false);
+    let lines = text.lines().map(|line| {
+        line.strip_prefix("# ")
+            .filter(|rest| rest.starts_with('[') || rest.contains(" = "))
+            .unwrap_or(line)
+    });
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn case_files() {
+    try_damage(template(false).as_bytes(), 1500, fuzz_entries::case);
+    try_damage(every_key().as_bytes(), 500, fuzz_entries::case);
+}
+
+#[test]
+fn plans() {
+    let dir = tempfile::tempdir().unwrap();
+    fs::write(dir.path().join("base.toml"), template(false)).unwrap();
+    let plan = r#"
+schema = 1
+title = "a plan"
+seed = 1
+case = "base.toml"
+compute = ["static", "design", "run"]
+
+[set]
+solver.duration_s = 0.05
+
+[grid]
+raceway.axial_span_mm = { from = 4.95, to = 5.35, count = 5 }
+operation.radial_load_n = [500.0, 1500.0]
+
+[scatter]
+repeats = 10
+start.gaps = "any"
+"#;
+    try_damage(plan.as_bytes(), 500, |bytes| {
+        fuzz_entries::plan(bytes, dir.path());
+    });
+}
+
+#[test]
+fn journals() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("whole.journal");
+    let owner = "a search\n[bearing]\nballs = 14";
+    let (mut journal, _) = Journal::open(&path, owner).unwrap();
+    for k in 0..20 {
+        let outcome = match k % 5 {
+            0 => Err(format!("failure {k}")),
+            _ => Ok(vec![f64::from(k), f64::NAN, -0.0]),
+        };
+        journal.add(&format!("piece {k}"), &outcome).unwrap();
+    }
+    drop(journal);
+    let bytes = fs::read(&path).unwrap();
+    try_damage(&bytes, 500, |bytes| {
+        fuzz_entries::journal(bytes, owner, dir.path());
+    });
+}
+
+#[test]
+fn tables() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path().join("whole.parquet");
+    let column = |name: &str, kind| ColumnSpec {
+        name: name.to_owned(),
+        unit: String::new(),
+        kind,
+    };
+    let columns = [
+        column("variant", ColumnKind::Index),
+        column("load_n", ColumnKind::Number),
+        column("name", ColumnKind::Text),
+        column("gaps_deg", ColumnKind::Numbers),
+    ];
+    let mut writer = RowsWriter::create(&path, &columns, &[]).unwrap();
+    for k in 0..50 {
+        let numbers = (0..k % 4).map(|j| j as f64).collect();
+        let row = vec![
+            Cell::Integer(k),
+            Cell::Number(k as f64 / 7.0),
+            Cell::Text(format!("row {k}")),
+            Cell::Numbers(numbers),
+        ];
+        writer.push(row).unwrap();
+    }
+    writer.finish().unwrap();
+    let bytes = fs::read(&path).unwrap();
+    try_damage(&bytes, 500, |bytes| {
+        fuzz_entries::table(bytes, dir.path());
+    });
+}

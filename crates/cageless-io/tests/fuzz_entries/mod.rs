@@ -1,0 +1,76 @@
+// What may be read: any bytes as a case file, a plan, a journal or a table of results. Shared
+// by the targets of `fuzz/` and by the tests of damaged files. Nothing may panic, and whatever is
+// refused has a message that names the file.
+
+use std::fs;
+use std::path::Path;
+
+use cageless_io::case_file::CaseFile;
+use cageless_io::journal::Journal;
+use cageless_io::plan_file::PlanFile;
+use cageless_io::results::RowsReader;
+
+/// Reads a case file; one that is accepted is accepted again as it was run, with the same case.
+#[allow(dead_code)] // a target reads one kind of file
+pub fn case(bytes: &[u8]) {
+    let Ok(text) = std::str::from_utf8(bytes) else {
+        return;
+    };
+    match CaseFile::parse(text, "fuzz.toml", &[]) {
+        Ok(file) => {
+            assert!(file.case().check().is_ok());
+            let again = CaseFile::from_document(file.document_as_run(), "as run").unwrap();
+            assert_eq!(again.case(), file.case());
+        }
+        Err(error) => assert!(error.to_string().contains("fuzz.toml"), "{error}"),
+    }
+}
+
+/// Reads a plan in `folder`, where its case is.
+#[allow(dead_code)]
+pub fn plan(bytes: &[u8], folder: &Path) {
+    let Ok(text) = std::str::from_utf8(bytes) else {
+        return;
+    };
+    match PlanFile::parse(text, "plan.toml", folder) {
+        Ok(plan) => {
+            let normal = plan.normal().unwrap();
+            let again = PlanFile::parse(&normal, "normal.toml", folder).unwrap();
+            assert_eq!(again.normal().unwrap(), normal);
+        }
+        Err(error) => assert!(!error.to_string().is_empty()),
+    }
+}
+
+/// Opens a journal in `folder`; one that is accepted can be opened again with the same entries.
+#[allow(dead_code)]
+pub fn journal(bytes: &[u8], owner: &str, folder: &Path) {
+    let path = folder.join("fuzz.journal");
+    fs::write(&path, bytes).unwrap();
+    match Journal::open(&path, owner) {
+        Ok((journal, entries)) => {
+            drop(journal);
+            let (_journal, again) = Journal::open(&path, owner).unwrap();
+            assert_eq!(again.len(), entries.len());
+        }
+        Err(error) => assert!(error.to_string().contains("fuzz.journal"), "{error}"),
+    }
+}
+
+/// Reads a table of results in `folder` to its last row.
+#[allow(dead_code)]
+pub fn table(bytes: &[u8], folder: &Path) {
+    let path = folder.join("fuzz.parquet");
+    fs::write(&path, bytes).unwrap();
+    let read = RowsReader::open(&path).and_then(|reader| {
+        let mut rows = 0;
+        for group in 0..reader.groups() {
+            rows += reader.group(group)?.len();
+        }
+        assert_eq!(rows as u64, reader.rows());
+        Ok(())
+    });
+    if let Err(error) = read {
+        assert!(error.to_string().contains("fuzz.parquet"), "{error}");
+    }
+}

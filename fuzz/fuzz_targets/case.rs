@@ -1,0 +1,8 @@
+#![no_main]
+
+#[path = "../../crates/cageless-io/tests/fuzz_entries/mod.rs"]
+mod fuzz_entries;
+
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|bytes: &[u8]| fuzz_entries::case(bytes));
