@@ -59,7 +59,7 @@ pub fn method_name(method: Method) -> &'static str {
     match method {
         Method::Abm4 => "ABM4",
         Method::Symplectic => "leapfrog",
-        Method::Adaptive => "adaptive, order 8",
+        Method::Adaptive => "adaptive Runge–Kutta",
     }
 }
 

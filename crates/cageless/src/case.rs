@@ -132,7 +132,7 @@ impl Start {
 pub enum Method {
     /// Fourth-order Adams–Bashforth–Moulton, predict–evaluate–correct–evaluate.
     Abm4,
-    /// Symplectic Euler, kick then drift: one evaluation per step, no artificial damping,
+    /// Velocity Verlet (leapfrog): one evaluation per step, no artificial damping,
     /// unbiased statistics.
     Symplectic,
     /// Order 8(5,3) with error control, for references.

@@ -174,7 +174,7 @@ impl StepLimits {
     /// Step of `step_us = "auto"`: unbiased statistics, rounded down to 1, 1.5, 2, 3, 5, 7
     /// times a power of ten.
     ///
-    /// Measured on CB74 (undamped, ω = 3e5 1/s): symplectic Euler is unbiased at ωh = 0.6,
+    /// Measured on CB74 (undamped, ω = 3e5 1/s): velocity Verlet is unbiased at ωh = 0.6,
     /// ABM4 at 0.15, with damping at twice that.
     ///
     /// Balls that hardly any load holds fall and bounce, and impacts are what turns the energy

@@ -86,7 +86,7 @@ pub struct BearingDocument {
     pub inner_ring_mass_kg: f64,
     /// C of Zhao 2022, Eq. (14).
     pub inner_ring_drag_n_s_m: f64,
-    /// Deviation of each ball's radius; only zeros so far.
+    /// Deviation of each ball's radius from the nominal one, µm; all zero if left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ball_radius_deviation_um: Option<Vec<f64>>,
     /// Outer radius of the outer ring, for export.

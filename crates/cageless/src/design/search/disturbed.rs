@@ -9,6 +9,7 @@ use crate::contact_tracker::ContactTracker;
 use crate::design::verdict::speed_drop_share;
 use crate::dynamics::energy::EnergyTerm;
 use crate::equilibrium::EquilibriumError;
+use crate::numerics::moments::Moments;
 use crate::passage::{Passage, PassageRecorder, PassageTally};
 use crate::simulation::{
     Control, Ending, Observer, ObserverError, RunContext, RunOutcome, StepView, Stop, batches,
@@ -291,9 +292,7 @@ struct ContactCounter {
     begun: [f64; 2],
     impulse_n_s: f64,
     last_force_sum: f64,
-    time_s: f64,
-    force_sum: [f64; 2],
-    force_square_sum: [f64; 2],
+    force: [Moments; 2],
 }
 
 impl ContactCounter {
@@ -304,20 +303,13 @@ impl ContactCounter {
             begun: [0.0; 2],
             impulse_n_s: 0.0,
             last_force_sum: 0.0,
-            time_s: 0.0,
-            force_sum: [0.0; 2],
-            force_square_sum: [0.0; 2],
+            force: [Moments::default(); 2],
         }
     }
 
     fn force_deviation_n(&self) -> f64 {
-        (0..2)
-            .map(|k| {
-                let mean = self.force_sum[k] / self.time_s;
-                (self.force_square_sum[k] / self.time_s - mean * mean).max(0.0)
-            })
-            .sum::<f64>()
-            .sqrt()
+        let [x, y] = self.force.map(|force| force.deviation());
+        x.hypot(y)
     }
 }
 
@@ -343,10 +335,8 @@ impl Observer for ContactCounter {
         self.impulse_n_s += 0.5 * h * (self.last_force_sum + sum);
         self.last_force_sum = sum;
         if late {
-            self.time_s += h;
-            for (k, force) in c.outer_ring_force_n().into_iter().enumerate() {
-                self.force_sum[k] += h * force;
-                self.force_square_sum[k] += h * force * force;
+            for (moments, force) in self.force.iter_mut().zip(c.outer_ring_force_n()) {
+                moments.add(force, h);
             }
         }
         Ok(Control::Continue)
