@@ -9,8 +9,8 @@ mod common;
 use cageless::Case;
 use cageless::dynamics::state::State;
 use cageless::dynamics::{Model, RightHandSide};
+use cageless::initial_conditions::initial_state;
 use cageless::integrator::{Abm4, Integrator, Method, StepState, System, UnresolvedStep};
-use cageless::start::initial_state;
 
 /// y(1) = y(0) + h/2·(f(0) + f(y(0) + h·f(0))), with one more evaluation at the end of the step.
 struct Heun {

@@ -21,7 +21,7 @@
 //! };
 //! let bearing = Bearing::new(dimensions, steel)?;
 //! assert!((bearing.pitch_radius_m() - 23.0025e-3).abs() < 1e-12);
-//! assert!((bearing.uniform_gap_rad().to_degrees() - 1.8161).abs() < 1e-3);
+//! assert!((bearing.nominal_gap_rad().to_degrees() - 1.8161).abs() < 1e-3);
 //! # Ok::<(), cageless::InputError>(())
 //! ```
 

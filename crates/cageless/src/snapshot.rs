@@ -3,7 +3,7 @@
 //! ```
 //! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
 //! use cageless::dynamics::{Model, RightHandSide};
-//! use cageless::start::initial_state;
+//! use cageless::initial_conditions::initial_state;
 //!
 //! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
 //!

@@ -3,7 +3,7 @@
 //! ```
 //! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
 //! use cageless::Method;
-//! use cageless::step::StepLimits;
+//! use cageless::step_limits::StepLimits;
 //!
 //! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
 //!
