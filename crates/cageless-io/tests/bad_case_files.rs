@@ -81,7 +81,7 @@ const EDITS: &[Row] = &[
     ("inner_speed_rpm = 12000.0", "inner_speed_rpm = inf", "operation.inner_speed_rpm", &["= inf", "a finite number of rpm"]),
     ("youngs_modulus_gpa = 206.0", "youngs_modulus_gpa = 1e305", "material.youngs_modulus_gpa", &["= 1e305", "a finite number of GPa"]),
     ("youngs_modulus_gpa = 206.0", "youngs_modulus_gpa = -206.0", "material.youngs_modulus_gpa", &["= -206.0", "more than 0 GPa"]),
-    ("youngs_modulus_gpa = 206.0", "youngs_modulus_gpa = 5e-324", "material.youngs_modulus_gpa", &["= 5e-324", "of the size of a solid's"]),
+    ("youngs_modulus_gpa = 206.0", "youngs_modulus_gpa = 5e-324", "material.youngs_modulus_gpa", &["= 5e-324", "at least 0.5 GPa"]),
     ("inner_speed_rpm = 12000.0", "inner_speed_rpm = 0.0", "operation.inner_speed_rpm", &["more than 0 rpm"]),
     ("radial_load_n = 1500.0", "radial_load_n = -1500.0", "operation.radial_load_n", &["at least 0 N"]),
     ("inner_ring_mass_kg = 0.2", "inner_ring_mass_kg = 0.0", "bearing.inner_ring_mass_kg", &["more than 0 kg"]),
