@@ -27,7 +27,7 @@ pub struct Options {
     set: Vec<String>,
 }
 
-/// Energy that the ledger may miss, as a share of all its flows.
+/// Energy that the ledger may miss, as a fraction of all its flows.
 const RESIDUAL_MAX: f64 = 1e-3;
 /// Balls whose centres are closer than in contact by this angle have changed places or are
 /// pressed through each other, degrees.
@@ -203,8 +203,8 @@ fn print_lines(watch: &Watch<'_>) {
 /// # Errors
 /// Energy drifts beyond what the ledger explains, or balls have changed places.
 fn verdict(lines: &[Line]) -> Result<()> {
-    let share = |line: &Line| (line.residual_j / line.flows_j).abs();
-    let worst = lines.iter().map(share).fold(0.0, f64::max);
+    let fraction = |line: &Line| (line.residual_j / line.flows_j).abs();
+    let worst = lines.iter().map(fraction).fold(0.0, f64::max);
     let least = lines.iter().map(|l| l.gap_deg[0]).fold(0.0, f64::min);
     if worst > RESIDUAL_MAX {
         bail!("FAIL: the ledger misses {worst:.1e} of all flows, {RESIDUAL_MAX:.0e} is allowed");

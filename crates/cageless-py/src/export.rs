@@ -21,7 +21,7 @@ pub fn write(
     options: &ExportOptions,
 ) -> PyResult<String> {
     let file_is_meant = names_file(out);
-    let named = Format::of(out).filter(|_| file_is_meant);
+    let named = Format::from_path(out).filter(|_| file_is_meant);
     if file_is_meant && named.is_none() {
         return Err(input(format!(
             "out = {}: the name of a file ends in .step, .stp, .stl or .csv, that of a folder has \

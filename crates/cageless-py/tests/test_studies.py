@@ -140,7 +140,7 @@ def test_nothing_to_recommend_is_an_exception_with_the_maps(command: Command) ->
     assert search.recommended == ()
     with pytest.raises(cageless.UnphysicalError, match="no raceway meets"):
         _ = search.case
-    assert set(search.maps[0].verdict.flat) == {"shallow"}
+    assert set(search.maps[0].verdict.flat) == {"insufficient-separation"}
     assert not search.maps[0].passes.any()
     assert search.passes is None
 

@@ -5,7 +5,7 @@ use cageless::numerics::moments::Moments;
 use cageless::numerics::student::two_sided_limit;
 use serde::Serialize;
 
-use crate::data::{Provenance, Structure};
+use crate::data::{Provenance, RacewayLabel};
 use crate::table::{Cell, Row, Table};
 use crate::text::short;
 
@@ -108,7 +108,7 @@ pub struct ComparisonCell {
     /// `conventional`, `structure (d)`, `found by search`.
     pub ring: String,
     /// The discrete raceway; `None` for the conventional ring.
-    pub raceway: Option<Structure>,
+    pub raceway: Option<RacewayLabel>,
     /// RMS of the vertical acceleration of the housing, m/s².
     pub rms_m_s2: Estimate,
     /// Its part at the multiples of the orbital frequency, m/s²; with the part between, start by

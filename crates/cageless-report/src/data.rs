@@ -7,7 +7,7 @@
 use cageless::{Bearing, Raceway};
 use serde::Serialize;
 
-pub use cageless_study::{Parameter, Provenance, Structure};
+pub use cageless_study::{Parameter, Provenance, RacewayLabel};
 
 /// Outline of a bearing, for drawings to scale.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
@@ -28,7 +28,7 @@ pub struct BearingOutline {
 
 impl BearingOutline {
     /// Outline of `bearing`.
-    pub fn of(bearing: &Bearing) -> Self {
+    pub fn new(bearing: &Bearing) -> Self {
         let d = bearing.dimensions();
         let pitch = (d.inner_groove_bottom_radius_m + d.outer_groove_bottom_radius_m) / 2.0;
         Self {
@@ -44,16 +44,16 @@ impl BearingOutline {
 
 /// The part of the turn that a discrete raceway takes up.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct Sector {
+pub struct RacewaySector {
     /// ψ of its middle, degrees.
     pub centre_angle_deg: f64,
     /// θ, degrees.
     pub half_angle_deg: f64,
 }
 
-impl Sector {
-    /// Sector of `raceway`.
-    pub fn of(raceway: &Raceway) -> Self {
+impl RacewaySector {
+    /// RacewaySector of `raceway`.
+    pub fn new(raceway: &Raceway) -> Self {
         let d = raceway.dimensions();
         Self {
             centre_angle_deg: d.centre_angle_rad.to_degrees(),
@@ -70,7 +70,7 @@ pub struct Motion {
     /// Rings and balls.
     pub outline: BearingOutline,
     /// Discrete raceways; empty for a conventional outer ring.
-    pub sectors: Vec<Sector>,
+    pub sectors: Vec<RacewaySector>,
     /// Times of the samples, s, increasing.
     pub time_s: Vec<f64>,
     /// ψ, degrees, continuous (not wrapped): `angle_deg[ball][sample]`.
@@ -142,7 +142,7 @@ pub struct Event {
 /// How a claim of the paper fared.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Verdict {
+pub enum ClaimStatus {
     /// The computation says the same.
     Confirmed,
     /// Some of it.
@@ -167,5 +167,5 @@ pub struct Claim {
     /// The numbers behind it; may be empty.
     pub numbers: String,
     /// How it fared.
-    pub verdict: Verdict,
+    pub verdict: ClaimStatus,
 }

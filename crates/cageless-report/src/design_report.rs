@@ -4,7 +4,7 @@ use crate::run_report::motion;
 use crate::text::pass_word;
 use crate::{
     ContactTrack, DesignCurve, DesignData, DesignLimit, LimitedQuantity, Parameter, Provenance,
-    RacewaySurface, Structure,
+    RacewayLabel, RacewaySurface,
 };
 use cageless::Case;
 use cageless::design::{span_angle_curve, steady_after_s, steady_case};
@@ -24,7 +24,7 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
     let steady = steady_case(case);
     let discarded = format!("t < {:.4} s", steady_after_s(case));
     let source = provenance(&steady, discarded);
-    let own = Structure::new("", case.raceways.first());
+    let own = RacewayLabel::new("", case.raceways.first());
     let title = match result.passes {
         Some(_) => format!("{}: {}", pass_word(result.passes), result.verdict),
         None => String::new(),
@@ -131,7 +131,7 @@ fn results(r: &DesignResult) -> Vec<Parameter> {
     lines
 }
 
-fn curve(case: &Case, result: &DesignResult, own: &Structure) -> DesignCurve {
+fn curve(case: &Case, result: &DesignResult, own: &RacewayLabel) -> DesignCurve {
     let bearing = &case.bearing;
     let points = span_angle_curve(bearing, CURVE_POINTS);
     let limit = |quantity, value, label: &str| DesignLimit {

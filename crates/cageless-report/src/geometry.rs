@@ -3,13 +3,13 @@
 use cageless::{Bearing, Raceway};
 use serde::Serialize;
 
-use crate::data::{Provenance, Structure};
+use crate::data::{Provenance, RacewayLabel};
 
 /// The contact track on a discrete raceway and on the ball (Fig. 1b).
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct ContactTrack {
     /// The raceway.
-    pub structure: Structure,
+    pub structure: RacewayLabel,
     /// ψ from the middle of the raceway, degrees.
     pub angle_deg: Vec<f64>,
     /// r, mm.
@@ -26,7 +26,7 @@ pub struct ContactTrack {
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct RacewaySurface {
     /// The raceway.
-    pub structure: Structure,
+    pub structure: RacewayLabel,
     /// x of the points, mm: `x_mm[along][across]`.
     pub x_mm: Vec<Vec<f64>>,
     /// y of the points, mm.
@@ -52,7 +52,7 @@ const MARGIN: f64 = 1.2;
 
 impl ContactTrack {
     /// Samples the track of `raceway`.
-    pub fn sample(raceway: &Raceway, bearing: &Bearing, structure: Structure) -> Self {
+    pub fn sample(raceway: &Raceway, bearing: &Bearing, structure: RacewayLabel) -> Self {
         let centre = raceway.dimensions().centre_angle_rad;
         let rw = bearing.ball_radius_m();
         let mut track = Self {
@@ -74,7 +74,7 @@ impl ContactTrack {
 
 impl RacewaySurface {
     /// Samples the surface of `raceway`, turned so that its middle is at the bottom.
-    pub fn sample(raceway: &Raceway, bearing: &Bearing, structure: Structure) -> Self {
+    pub fn sample(raceway: &Raceway, bearing: &Bearing, structure: RacewayLabel) -> Self {
         let centre = raceway.dimensions().centre_angle_rad;
         let d = bearing.dimensions();
         let re = d.outer_groove_curvature_radius_m;
@@ -128,7 +128,7 @@ fn fraction(k: usize, points: usize) -> f64 {
     2.0 * k as f64 / (points - 1) as f64 - 1.0
 }
 
-fn geometric(structure: &Structure) -> Provenance {
+fn geometric(structure: &RacewayLabel) -> Provenance {
     Provenance {
         case: structure.label(),
         ..Provenance::default()

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
-use crate::data::{Motion, Provenance, Sector};
+use crate::data::{Motion, Provenance, RacewaySector};
 use crate::figure::below;
 use crate::text::{escape, script_json, slug};
 
@@ -242,7 +242,7 @@ fn annulus(inside: f64, outside: f64) -> String {
     )
 }
 
-fn sector_path(sector: &Sector, inside: f64, outside: f64) -> String {
+fn sector_path(sector: &RacewaySector, inside: f64, outside: f64) -> String {
     let at = |r: f64, angle: f64| {
         let (sin, cos) = angle.to_radians().sin_cos();
         format!("{:.3},{:.3}", r * sin, r * cos)

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 use std::sync::OnceLock;
 
-use crate::data::{Claim, Verdict};
+use crate::data::{Claim, ClaimStatus};
 use crate::figure::Figure;
 use crate::motion::MotionFigure;
 use crate::table::Table;
@@ -112,11 +112,11 @@ impl Page {
     pub fn claims(&mut self, claims: &[Claim]) {
         for claim in claims {
             let (class, verdict) = match claim.verdict {
-                Verdict::Confirmed => ("confirmed", "confirmed"),
-                Verdict::Partly => ("partly", "partly confirmed"),
-                Verdict::NotConfirmed => ("refuted", "not confirmed"),
-                Verdict::Erratum => ("erratum", "erratum"),
-                Verdict::NotTested => ("untested", "not tested"),
+                ClaimStatus::Confirmed => ("confirmed", "confirmed"),
+                ClaimStatus::Partly => ("partly", "partly confirmed"),
+                ClaimStatus::NotConfirmed => ("refuted", "not confirmed"),
+                ClaimStatus::Erratum => ("erratum", "erratum"),
+                ClaimStatus::NotTested => ("untested", "not tested"),
             };
             self.body.push_str(&format!(
                 "<div class=\"claim {class}\"><div class=\"said\"><span class=\"place\">{}</span> {}</div>\

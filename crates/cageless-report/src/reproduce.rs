@@ -5,7 +5,7 @@ use cageless::vibration::AFTER_CONTACT_S;
 use serde::Serialize;
 
 use crate::comparison::RingComparison;
-use crate::data::{Claim, Event, Motion, Parameter, Provenance, Structure, Vibration};
+use crate::data::{Claim, Event, Motion, Parameter, Provenance, RacewayLabel, Vibration};
 use crate::figures::{self, comparison, design, orbit, phase, shape, spacing, vibration};
 use crate::geometry::{ContactTrack, RacewaySurface};
 use crate::motion::MotionFigure;
@@ -76,7 +76,7 @@ pub struct Variant {
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Table2Row {
     /// The raceway.
-    pub structure: Structure,
+    pub structure: RacewayLabel,
     /// β0 of Zhao 2022, Eq. (11), computed, degrees.
     pub theory_deg: f64,
     /// The same with the ball's own ψ as variable of integration, degrees.
@@ -114,7 +114,7 @@ pub struct DesignCurve {
     /// The uniform gap that is asked for, degrees.
     pub uniform_gap_deg: f64,
     /// The paper's structures.
-    pub paper: Vec<Structure>,
+    pub paper: Vec<RacewayLabel>,
     /// Constraints drawn as lines.
     pub limits: Vec<DesignLimit>,
     /// Provenance.
@@ -163,7 +163,7 @@ pub enum LimitedQuantity {
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct GapHistory {
     /// The raceway.
-    pub structure: Structure,
+    pub structure: RacewayLabel,
     /// Number of the ball behind, from 1.
     pub ball: usize,
     /// Time, s.
@@ -188,7 +188,7 @@ pub struct GapHistory {
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Neighbours {
     /// The raceway.
-    pub structure: Structure,
+    pub structure: RacewayLabel,
     /// Time, s.
     pub time_s: Vec<f64>,
     /// Orbital speed of balls i−1, i, i+1, degrees/s.
@@ -216,7 +216,7 @@ pub struct PhasePortraits {
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct PhasePortrait {
     /// The raceway.
-    pub structure: Structure,
+    pub structure: RacewayLabel,
     /// `smooth`, `double collision`, `slips`: what we read from it.
     pub verdict: String,
     /// Position of the ball's centre, mm.
@@ -240,7 +240,7 @@ pub struct OrbitSpeeds {
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct OrbitSpeed {
     /// The raceway.
-    pub structure: Structure,
+    pub structure: RacewayLabel,
     /// `smooth`, `slips`, …
     pub verdict: String,
     /// ψ, degrees.

@@ -3,7 +3,7 @@
 pub use cageless_study::CollisionPoint;
 use serde::Serialize;
 
-use crate::data::{BearingOutline, Motion, Parameter, Provenance, Sector, Vibration};
+use crate::data::{BearingOutline, Motion, Parameter, Provenance, RacewaySector, Vibration};
 use crate::figures::{history, vibration};
 use crate::motion::MotionFigure;
 use crate::page::{Note, Page};
@@ -32,7 +32,7 @@ pub struct RunData {
     /// Rings and balls.
     pub outline: BearingOutline,
     /// Discrete raceways.
-    pub sectors: Vec<Sector>,
+    pub sectors: Vec<RacewaySector>,
     /// End of the transient, s.
     pub settled_after_s: f64,
     /// The uniform gap 360°/N − ε, degrees.

@@ -11,7 +11,7 @@ use cageless_io::results::{SummaryFile, VERSION};
 use cageless_study::{Histories, RunHistories, SAMPLING_HZ, parameter, parameters, provenance};
 
 use crate::data::{
-    BearingOutline, FrequencyMark, Motion, Parameter, Provenance, Sector, Vibration,
+    BearingOutline, FrequencyMark, Motion, Parameter, Provenance, RacewaySector, Vibration,
     VibrationSignal,
 };
 use crate::run::{BallHistory, EnergyItem, Recent, RingHistory, RunData};
@@ -27,8 +27,8 @@ pub fn motion(case: &Case, title: &str, snapshots: &[Snapshot], provenance: Prov
     };
     Motion {
         title: title.to_owned(),
-        outline: BearingOutline::of(&case.bearing),
-        sectors: case.raceways.iter().map(Sector::of).collect(),
+        outline: BearingOutline::new(&case.bearing),
+        sectors: case.raceways.iter().map(RacewaySector::new).collect(),
         time_s: snapshots.iter().map(|s| s.time_s).collect(),
         angle_deg: over(&|s, k| s.angle_rad[k]),
         gap_deg: over(&|s, k| s.gap_rad[k]),
@@ -129,8 +129,8 @@ pub fn run_data(
         passes: verdict.verdict.passes(),
         headline: verdict.headline,
         results: [results(summary), passage_results(&passages)].concat(),
-        outline: BearingOutline::of(bearing),
-        sectors: case.raceways.iter().map(Sector::of).collect(),
+        outline: BearingOutline::new(bearing),
+        sectors: case.raceways.iter().map(RacewaySector::new).collect(),
         settled_after_s: settled,
         uniform_gap_deg: bearing.nominal_gap_rad().to_degrees(),
         rolling_orbit_speed_deg_s: Some(orbit.to_degrees()),
@@ -232,7 +232,7 @@ fn passage_results(passages: &PassageTally) -> Vec<Parameter> {
         ),
         line(
             "passages hit by both neighbours",
-            100.0 * passages.twice_share(),
+            100.0 * passages.double_collision_fraction(),
             1,
             "%",
         ),

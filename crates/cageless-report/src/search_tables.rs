@@ -47,7 +47,7 @@ const QUANTITIES: [Quantity; 14] = [
         Some(|m| m.collisions),
     ),
     (
-        "the same once sorted",
+        "collisions per ball and turn in steady state",
         3,
         |_| None,
         Some(|m| m.collisions_late),
@@ -56,10 +56,10 @@ const QUANTITIES: [Quantity; 14] = [
         "hit by both (%)",
         1,
         |_| None,
-        Some(|m| 100.0 * m.twice_share),
+        Some(|m| 100.0 * m.double_collision_fraction),
     ),
     ("impulse (mN·s)", 3, |_| None, Some(|m| m.impulse_mn_s)),
-    ("unevenness", 3, |_| None, Some(|m| m.unevenness)),
+    ("spacing scatter", 3, |_| None, Some(|m| m.spacing_scatter)),
     (
         "smallest gap on arrival (°)",
         3,
@@ -71,7 +71,7 @@ const QUANTITIES: [Quantity; 14] = [
         "drop of speed (%)",
         1,
         |_| None,
-        Some(|m| 100.0 * m.speed_drop_share),
+        Some(|m| 100.0 * m.speed_drop_fraction),
     ),
     ("vibration (N)", 2, |_| None, Some(|m| m.force_deviation_n)),
     ("friction (W)", 2, |_| None, Some(|m| m.friction_w)),
@@ -140,7 +140,7 @@ pub fn comparison(search: &SearchData) -> Table {
                   pair {:.0} % further off than at even spacing. Margin: \
                   steady gap less critical gap. Short of β0: what slip takes from the critical \
                   gap. Drop of speed: share of the theoretical drop of orbital speed that the \
-                  balls reach. Once sorted: in the second half of the run. \
+                  balls reach. Steady state: second half of the run. \
                   Unevenness: standard deviation of the gaps on arrival over the steady gap. \
                   Vibration: standard deviation of the force on the outer ring.",
             100.0 * (NEIGHBOURS_WIDER - 1.0)
@@ -191,8 +191,8 @@ pub fn placements(search: &SearchData) -> Table {
     ]);
     head.extend(columns(&[
         ("margin (°)", true),
-        ("collisions once sorted", true),
-        ("unevenness", true),
+        ("collisions in steady state", true),
+        ("spacing scatter", true),
         ("friction (W)", true),
     ]));
     let rows = search
@@ -218,7 +218,7 @@ pub fn placements(search: &SearchData) -> Table {
                 [
                     fixed(first.and_then(|n| n.margin_deg), 3),
                     fixed(first.and_then(|n| Some(n.motion?.collisions_late)), 3),
-                    fixed(first.and_then(|n| Some(n.motion?.unevenness)), 3),
+                    fixed(first.and_then(|n| Some(n.motion?.spacing_scatter)), 3),
                     fixed(first.and_then(|n| Some(n.motion?.friction_w)), 2),
                 ]
                 .map(Cell::number),

@@ -394,7 +394,7 @@ fn axes_of_trade_offs_show_what_is_acceptable() {
     for point in &mut own.points {
         if let Some(motion) = &mut point.motion {
             motion.collisions_late = 36.0;
-            motion.unevenness = 5.0;
+            motion.spacing_scatter = 5.0;
         }
     }
     search.own_from_usual_starts = Some(own);
@@ -424,7 +424,7 @@ fn the_recommended_raceway_lies_on_its_own_verdict() {
     let mut search = synthetic_search();
     for map in &mut search.maps {
         let cells = map.verdict.iter_mut().flatten();
-        cells.for_each(|verdict| *verdict = "shallow".to_owned());
+        cells.for_each(|verdict| *verdict = "insufficient-separation".to_owned());
     }
     search.band[1].status = "rejected".into();
     search.band[1].reason = Some("slips".into());

@@ -42,7 +42,7 @@ pub struct DesignResult {
     pub headline: String,
     /// The criterion that decides: `separation`, `deceleration` or `both-neighbours`.
     pub criterion: Option<&'static str>,
-    /// Distance from the limit of that criterion, a share of 1, negative if it fails.
+    /// Distance from the limit of that criterion, a fraction of 1, negative if it fails.
     pub margin: Option<f64>,
     /// Why, in words.
     pub reasons: Vec<String>,
@@ -91,12 +91,12 @@ pub struct PassageNumbers {
     pub passages: usize,
     /// Contacts with neighbours per passage.
     pub collisions_mean: f64,
-    /// Share of the passages hit by both neighbours.
-    pub twice_share: f64,
+    /// Fraction of the passages hit by both neighbours.
+    pub double_collision_fraction: f64,
     /// Largest slip in a passage, mean, m/s.
     pub slip_mean_m_s: f64,
-    /// Share of its speed that a ball loses.
-    pub speed_drop_share: f64,
+    /// Fraction of its speed that a ball loses.
+    pub speed_drop_fraction: f64,
     /// Smallest gap on leaving, degrees.
     pub gap_leave_min_deg: f64,
     /// Largest gap on leaving, degrees.
@@ -269,9 +269,9 @@ fn passage_numbers(p: PassageStatistics) -> PassageNumbers {
     PassageNumbers {
         passages: p.passages,
         collisions_mean: p.collisions_mean,
-        twice_share: p.twice_share,
+        double_collision_fraction: p.double_collision_fraction,
         slip_mean_m_s: p.slip_mean_m_s,
-        speed_drop_share: p.speed_drop_share,
+        speed_drop_fraction: p.speed_drop_fraction,
         gap_leave_min_deg: p.gap_leave_min_rad.to_degrees(),
         gap_leave_max_deg: p.gap_leave_max_rad.to_degrees(),
     }

@@ -106,7 +106,7 @@ impl Histories {
 
     /// Verdict on the passages that were taken.
     pub fn verdict(&self, case: &Case) -> RunVerdict {
-        RunVerdict::of(case, &self.raceways)
+        RunVerdict::from_case(case, &self.raceways)
     }
 
     /// The histories once the run has ended.

@@ -31,6 +31,6 @@ pub use histories::{CollisionPoint, Histories, RunHistories, SAMPLING_HZ};
 pub use parameter::{Parameter, parameter, parameters};
 pub use provenance::{Provenance, law_name, method_name, profile_name, provenance};
 pub use static_result::StaticResult;
-pub use structure::Structure;
+pub use structure::RacewayLabel;
 pub use threads::{THREADS_MAX, check_environment, on_threads, pool};
 pub use watcher::{Silent, Watcher, Work};

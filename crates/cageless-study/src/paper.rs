@@ -14,7 +14,7 @@
 use cageless::{Bearing, Case, FrictionLaw, Profile};
 use cageless_io::case_file::{CaseError, CaseFile, template};
 
-use crate::{Structure, law_name, profile_name};
+use crate::{RacewayLabel, law_name, profile_name};
 
 /// The ten structures of Table 2: lC in mm and θ in degrees.
 pub const STRUCTURES: [(f64, f64); 10] = [
@@ -120,15 +120,15 @@ fn reading_overrides((profile, law): (Profile, FrictionLaw)) -> [String; 2] {
 }
 
 /// How reports name structure `k`.
-pub fn label(k: usize, case: &Case) -> Structure {
-    Structure::new(&letter(k).to_string(), case.raceways.first())
+pub fn label(k: usize, case: &Case) -> RacewayLabel {
+    RacewayLabel::new(&letter(k).to_string(), case.raceways.first())
 }
 
 /// The structures of the paper, if `bearing` is the paper's; else none.
 ///
 /// # Errors
 /// Never: the case files are sound.
-pub fn structures_of(bearing: &Bearing) -> Result<Vec<Structure>, CaseError> {
+pub fn structures_of(bearing: &Bearing) -> Result<Vec<RacewayLabel>, CaseError> {
     // Curvatures, masses and damping are not the paper's.
     let geometry = |bearing: &Bearing| {
         let d = bearing.dimensions();

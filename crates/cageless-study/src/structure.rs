@@ -5,7 +5,7 @@ use serde::Serialize;
 
 /// One of the paper's discrete raceways.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
-pub struct Structure {
+pub struct RacewayLabel {
     /// Letter in the paper's Fig. 8: `a` to `j`; may be empty.
     pub letter: String,
     /// lC, mm.
@@ -14,7 +14,7 @@ pub struct Structure {
     pub half_angle_deg: f64,
 }
 
-impl Structure {
+impl RacewayLabel {
     /// `(d) lC 5.1 mm, θ 25.2°`.
     pub fn label(&self) -> String {
         let size = format!("lC {} mm, θ {}°", self.axial_span_mm, self.half_angle_deg);

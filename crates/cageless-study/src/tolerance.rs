@@ -100,8 +100,8 @@ impl Request {
             ball_grade: grade,
             friction: self.friction,
             clearance_m: self.clearance_um * 1e-6,
-            speed_share: self.speed_percent / 100.0,
-            load_share: self.load_percent / 100.0,
+            speed_fraction: self.speed_percent / 100.0,
+            load_fraction: self.load_percent / 100.0,
         })
     }
 
@@ -193,7 +193,7 @@ fn data(case: &Case, request: &Request, tolerances: &Tolerances, a: &Assessment)
         nominal_passes: a.nominal.passes(),
         nominal_verdict: a.nominal.verdict.name().to_owned(),
         nominal_critical_gap_deg: a.nominal.critical_gap_rad.map(f64::to_degrees),
-        nominal_twice_share: a.nominal.twice_share,
+        nominal_double_collision_fraction: a.nominal.double_collision_fraction,
         nominal_slip_m_s: a.nominal.slip_mean_m_s,
         uniform_gap_deg: case.bearing.nominal_gap_rad().to_degrees(),
         influences: a
@@ -211,7 +211,7 @@ fn data(case: &Case, request: &Request, tolerances: &Tolerances, a: &Assessment)
                     passed: row.passed,
                     verdicts: row.verdicts.iter().map(|v| v.name().to_owned()).collect(),
                     critical_gap_deg: degrees(row.critical_gap_rad),
-                    twice_share: row.twice_share,
+                    double_collision_fraction: row.double_collision_fraction,
                     slip_mean_m_s: row.slip_mean_m_s,
                 }
             })

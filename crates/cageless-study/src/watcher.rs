@@ -28,7 +28,7 @@ pub trait Work: Sync {
         }
     }
 
-    /// A control for one run of `duration_s`, or with 1 for work that reports the share that is
+    /// A control for one run of `duration_s`, or with 1 for work that reports the fraction that is
     /// done, that counts as `units`.
     fn run_control<'s>(
         &'s self,
@@ -37,12 +37,12 @@ pub trait Work: Sync {
     ) -> Box<dyn FnMut(f64) -> Control + 's> {
         let mut reported = 0.0;
         Box::new(move |time_s| {
-            let share = (time_s / duration_s).min(1.0);
-            let more = (share - reported) * units;
+            let fraction = (time_s / duration_s).min(1.0);
+            let more = (fraction - reported) * units;
             if more < LEAST && !self.interrupted() {
                 return Control::Continue;
             }
-            reported = share;
+            reported = fraction;
             self.add(more)
         })
     }

@@ -95,7 +95,7 @@ const CONFORMITY_MAX: f64 = 1.0;
 /// Least number of balls: two cannot carry a load from every side.
 pub const BALLS_MIN: usize = 3;
 
-/// Largest deviation of a ball's radius, as a share of the nominal one. The coarsest grade of
+/// Largest deviation of a ball's radius, as a fraction of the nominal one. The coarsest grade of
 /// ISO 3290-1 (G200) lets the diameter deviate by less than a tenth of that.
 const DEVIATION_MAX: f64 = 0.01;
 

@@ -13,7 +13,7 @@
 use std::f64::consts::TAU;
 
 use crate::bearing::Bearing;
-use crate::contact::hertz::DEFLECTION_SHARE_MAX;
+use crate::contact::hertz::DEFLECTION_FRACTION_MAX;
 use crate::error::{Allowed, InputError, not_negative, positive};
 use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::raceway::Raceway;
@@ -293,7 +293,7 @@ impl Case {
     fn check_elastic(&self) -> Result<(), InputError> {
         let bearing = &self.bearing;
         let [inner, outer, _] = self.stiffness_n_m1_5();
-        let deflection = DEFLECTION_SHARE_MAX * bearing.ball_radius_m();
+        let deflection = DEFLECTION_FRACTION_MAX * bearing.ball_radius_m();
         let bears = inner.min(outer) * deflection.powf(1.5);
         let Operation {
             inner_speed_rad_s,

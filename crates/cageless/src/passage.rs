@@ -106,8 +106,8 @@ impl PassageTally {
         self.mean(1)
     }
 
-    /// Share of the passages in which both neighbours hit.
-    pub fn twice_share(&self) -> f64 {
+    /// Fraction of the passages in which both neighbours hit.
+    pub fn double_collision_fraction(&self) -> f64 {
         self.mean(2)
     }
 
@@ -122,7 +122,7 @@ impl PassageTally {
     }
 
     /// Mean of the smallest orbital speed in each.
-    pub fn slowest_mean_rad_s(&self) -> f64 {
+    pub fn lowest_orbit_speed_mean_rad_s(&self) -> f64 {
         self.mean(5)
     }
 }
@@ -135,14 +135,14 @@ impl Default for PassageTally {
 
 /// The part of the turn that a raceway takes up.
 #[derive(Debug, Clone, Copy)]
-struct Sector {
+struct RacewaySector {
     sin_centre: f64,
     cos_centre: f64,
     cos_half: f64,
 }
 
-impl Sector {
-    fn of(raceway: &Raceway) -> Self {
+impl RacewaySector {
+    fn new(raceway: &Raceway) -> Self {
         let d = raceway.dimensions();
         let (sin_centre, cos_centre) = d.centre_angle_rad.sin_cos();
         Self {
@@ -168,7 +168,7 @@ struct UnderWay {
 /// Follows the balls through the raceways and passes each passage on when the ball goes
 /// out; one counts when the ball has come in and gone out during the run.
 pub struct PassageRecorder<F> {
-    sectors: Vec<Sector>,
+    sectors: Vec<RacewaySector>,
     pair_angles: Vec<f64>,
     /// The passage under way of each ball through each raceway.
     inside: Vec<Option<UnderWay>>,
@@ -193,7 +193,12 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
 
     /// When ball `k` crosses the end of a raceway within the step, and the angle to the ball
     /// ahead and that from the ball behind there.
-    fn end(&self, view: &StepView<'_, '_>, k: usize, sector: &Sector) -> (f64, [Direction; 2]) {
+    fn end(
+        &self,
+        view: &StepView<'_, '_>,
+        k: usize,
+        sector: &RacewaySector,
+    ) -> (f64, [Direction; 2]) {
         let layout = view.layout();
         let (from, to) = (view.step.t0_s, view.step.t1_s);
         let inside_by = |time_s: f64| {
@@ -212,7 +217,12 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
 impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorder<F> {
     fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
         let n = context.model.balls();
-        self.sectors = context.case.raceways.iter().map(Sector::of).collect();
+        self.sectors = context
+            .case
+            .raceways
+            .iter()
+            .map(RacewaySector::new)
+            .collect();
         self.pair_angles = (0..n).map(|k| context.model.pair_angle_rad(k)).collect();
         self.inside = vec![None; n * self.sectors.len()];
         self.seen_outside = vec![false; n * self.sectors.len()];
@@ -300,7 +310,7 @@ mod tests {
     /// Two contacts with the same neighbour are no hits from both sides.
     #[test]
     fn hits_from_both_sides_need_both_neighbours() {
-        let share = |hits: [[u32; 2]; 2]| {
+        let fraction = |hits: [[u32; 2]; 2]| {
             let mut tally = PassageTally::new();
             for [collisions_ahead, collisions_behind] in hits {
                 tally.add(&Passage {
@@ -318,9 +328,9 @@ mod tests {
                     orbit_speed_range_rad_s: [1.0, 2.0],
                 });
             }
-            tally.twice_share()
+            tally.double_collision_fraction()
         };
-        assert_eq!(share([[2, 0], [0, 3]]), 0.0);
-        assert_eq!(share([[1, 1], [2, 0]]), 0.5);
+        assert_eq!(fraction([[2, 0], [0, 3]]), 0.0);
+        assert_eq!(fraction([[1, 1], [2, 0]]), 0.5);
     }
 }

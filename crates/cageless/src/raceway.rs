@@ -343,8 +343,8 @@ impl Raceway {
             self.contact_angle_within(local)
         } else {
             let [_, inner] = self.contact_angle_within(near);
-            let share = (local - near) / (theta - near);
-            let slope = inner + share * (end - inner);
+            let fraction = (local - near) / (theta - near);
+            let slope = inner + fraction * (end - inner);
             // The slope is linear from here to the end, where α is 0.
             [(slope + end) / 2.0 * (local - theta), slope]
         };

@@ -268,7 +268,7 @@ fn pair_start(
     }
 }
 
-/// One passage of the pair with gap `start_gap` at the start; `control` is called with the share
+/// One passage of the pair with gap `start_gap` at the start; `control` is called with the fraction
 /// of the passage that is done.
 fn pass(
     case: &Case,
@@ -343,7 +343,7 @@ fn pass(
 const PASSAGES: f64 = 4.0;
 
 /// Critical gap of the case's first raceway, rad, to about [`PairTest::tolerance_rad`].
-/// `control` is called every thousand steps or so with the estimated share of the work that is
+/// `control` is called every thousand steps or so with the estimated fraction of the work that is
 /// done, 0 to 1, which never falls.
 ///
 /// # Errors
@@ -369,8 +369,8 @@ pub fn critical_gap_rad(
     let mut passages = 0.0;
     let found = root::try_rise(
         |gap| {
-            let mut share = |part: f64| control(((passages + part) / PASSAGES).min(1.0));
-            let passed = pass(case, test, ring_y, gap, &mut share)?;
+            let mut fraction = |part: f64| control(((passages + part) / PASSAGES).min(1.0));
+            let passed = pass(case, test, ring_y, gap, &mut fraction)?;
             passages += 1.0;
             entrance = passed.entrance;
             Ok::<_, CriticalGapError>(passed.smallest)

@@ -36,8 +36,8 @@ pub struct StepLimits {
 
 /// Balls that meet faster than by the drop of orbital speed in a raceway have been thrown.
 const LEAST_IMPACT_M_S: f64 = 0.1;
-/// Share of the balls whose stiffness at full load together carries the ring.
-const CARRYING_SHARE: f64 = 0.25;
+/// Fraction of the balls whose stiffness at full load together carries the ring.
+const CARRYING_FRACTION: f64 = 0.25;
 /// Peaks over the static load that the limits allow for.
 const OVERLOAD: f64 = 1.25;
 
@@ -109,7 +109,7 @@ impl StepLimits {
             .map(|r| speed(rw) - speed(r.effective_radius_m(r.dimensions().centre_angle_rad)))
             .fold(LEAST_IMPACT_M_S, f64::max);
         let (_, peak, _) = crate::collision::hertz_impact(ball, mass, impact);
-        let carrying = CARRYING_SHARE * d.balls as f64;
+        let carrying = CARRYING_FRACTION * d.balls as f64;
         let ring_mass = d.inner_ring_mass_kg;
         let contact_rad_s = ((raceways + 2.0 * slope(ball, peak)) / mass
             + carrying * slope(inner, load) / ring_mass)
@@ -188,8 +188,8 @@ impl StepLimits {
         };
         let wanted = match method {
             Method::Abm4 => {
-                let share = if self.damped { 0.4f64 } else { 0.17 }.min(at_most);
-                (share / self.contact_rad_s).min(0.5 / self.decay_1_s())
+                let fraction = if self.damped { 0.4f64 } else { 0.17 }.min(at_most);
+                (fraction / self.contact_rad_s).min(0.5 / self.decay_1_s())
             }
             Method::Symplectic => {
                 (0.65f64.min(at_most) / self.contact_rad_s).min(0.7 / self.decay_1_s())

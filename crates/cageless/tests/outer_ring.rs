@@ -110,8 +110,8 @@ fn unblended_surface_is_eq_7() {
         for k in 0..500 {
             let psi = 2.0 * PI * f64::from(k) / 500.0;
             let [lo, hi] = raceway.meridian_range_rad(psi, &b);
-            for share in [0.0, 0.3, 1.0] {
-                let eta = lo + share * (hi - lo);
+            for fraction in [0.0, 0.3, 1.0] {
+                let eta = lo + fraction * (hi - lo);
                 let (one, other) = (r.point(psi, eta), raceway.surface(psi, eta));
                 let off = sub(one.position_m, other.position_m);
                 assert!(dot(off, off).sqrt() < 1e-13, "{span} {psi} {eta}");
@@ -128,14 +128,14 @@ fn contact_angle_has_its_slope() {
     for (span, angle, ..) in STRUCTURES {
         let raceway = raceway(&bearing(), span, angle, 0.0);
         let theta = raceway.half_angle_rad();
-        for share in [-0.999_99, -0.7, 0.1, 0.5, 0.9, 0.999, 0.999_95] {
+        for fraction in [-0.999_99, -0.7, 0.1, 0.5, 0.9, 0.999, 0.999_95] {
             let h = 1e-6;
-            let at = |x: f64| raceway.contact_angle_rad(share * theta + x)[0];
+            let at = |x: f64| raceway.contact_angle_rad(fraction * theta + x)[0];
             let found = (at(h) - at(-h)) / (2.0 * h);
-            let slope = raceway.contact_angle_rad(share * theta)[1];
+            let slope = raceway.contact_angle_rad(fraction * theta)[1];
             assert!(
                 (found - slope).abs() < 1e-5,
-                "{span} {share}: {found} {slope}"
+                "{span} {fraction}: {found} {slope}"
             );
         }
         assert!(raceway.contact_angle_rad(theta)[0].abs() < 1e-15);
@@ -318,7 +318,7 @@ fn deviation_is_honest() {
         p[0] += 1e-6 * e[0];
         p[1] += 1e-6 * e[1];
         let found = bad.deviation_m(&r, &sector);
-        // At least the square of the largest share of a cubic's middle control point.
+        // At least the square of the largest fraction of a cubic's middle control point.
         assert!((0.1e-6..1.01e-6).contains(&found), "{i} {j}: {found:e}");
     }
 }
@@ -455,7 +455,7 @@ proptest! {
         span in 0.05f64..7.4,
         angle in 0.5f64..60.0,
         centre in -180.0f64..180.0,
-        share in 0.0021f64..0.499,
+        fraction in 0.0021f64..0.499,
         blended: bool,
     ) {
         let b = bearing();
@@ -467,7 +467,7 @@ proptest! {
         let Ok(raceway) = Raceway::new(dimensions, &b) else {
             return Ok(());
         };
-        let blend_m = if blended { share * angle.to_radians() * 27.765e-3 } else { 0.0 };
+        let blend_m = if blended { fraction * angle.to_radians() * 27.765e-3 } else { 0.0 };
         let ring = OuterRing::new(&b, &[raceway], OuterRingDimensions { blend_m, ..SIZE });
         prop_assert!(ring.is_ok(), "{:?}", ring);
         let ring = ring.unwrap();

@@ -3,7 +3,7 @@
 mod common;
 
 use cageless::Case;
-use cageless::design::Verdict;
+use cageless::design::RacewayVerdict;
 use cageless::tolerance::{Influence, Outcome, Tolerances, Trial, assess, ball_grade, trials};
 use common::structure;
 
@@ -15,8 +15,8 @@ fn tolerances() -> Tolerances {
         ball_grade: ball_grade(10),
         friction: 0.002,
         clearance_m: 5e-6,
-        speed_share: 0.05,
-        load_share: 0.2,
+        speed_fraction: 0.05,
+        load_fraction: 0.2,
     }
 }
 
@@ -44,9 +44,9 @@ fn samples_fill_their_ranges() {
                 .map(|t| t.deviation.value(influence))
                 .collect(),
         };
-        let share = |v: f64| (v - low) / (high - low);
-        assert!(values.iter().all(|v| (0.0..=1.0).contains(&share(*v))));
-        let mean = values.iter().map(|v| share(*v)).sum::<f64>() / values.len() as f64;
+        let fraction = |v: f64| (v - low) / (high - low);
+        assert!(values.iter().all(|v| (0.0..=1.0).contains(&fraction(*v))));
+        let mean = values.iter().map(|v| fraction(*v)).sum::<f64>() / values.len() as f64;
         // Five standard errors of 400 uniform numbers.
         assert!((mean - 0.5).abs() < 0.072, "{}: {mean}", influence.name());
     }
@@ -90,21 +90,21 @@ fn outcomes_are_counted() {
     let outcome = |verdict, gap: f64| Outcome {
         verdict,
         critical_gap_rad: Some(gap),
-        twice_share: None,
+        double_collision_fraction: None,
         collisions_mean: None,
         slip_mean_m_s: None,
         reason: None,
         headline: String::new(),
     };
-    let mut outcomes = vec![outcome(Verdict::Smooth, 0.03); all.len()];
+    let mut outcomes = vec![outcome(RacewayVerdict::Smooth, 0.03); all.len()];
     // The low end of the friction, and three of the samples.
     let friction = all
         .iter()
         .position(|t| t.influence == Some(Influence::Friction))
         .unwrap();
-    outcomes[friction] = outcome(Verdict::Slips, 0.02);
+    outcomes[friction] = outcome(RacewayVerdict::Slips, 0.02);
     let n = all.len();
-    outcomes[n - 3..].fill(outcome(Verdict::Slips, 0.01));
+    outcomes[n - 3..].fill(outcome(RacewayVerdict::Slips, 0.01));
     let assessment = assess(&all, &outcomes);
     for row in &assessment.influences {
         let expected = if row.influence == Influence::Friction {

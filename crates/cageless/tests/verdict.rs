@@ -3,9 +3,9 @@
 
 mod common;
 
-use cageless::design::search::{Job, Numbers, OperatingPoint, Structure, Task, run_jobs};
+use cageless::design::search::{Job, Numbers, OperatingPoint, RacewayLayout, Task, run_jobs};
 use cageless::design::{
-    Criterion, Eq11, Verdict, judge, recommend, starting_point, theoretical_gap_rad,
+    Criterion, Eq11, RacewayVerdict, judge, recommend, starting_point, theoretical_gap_rad,
 };
 use cageless::raceway::RacewayDimensions;
 use cageless::simulation::Control;
@@ -37,13 +37,13 @@ fn full_6008(span_mm: f64, angle_deg: f64) -> Case {
     };
     let plain = conventional(dimensions);
     let raceway = raceway(&plain.bearing, span_mm, angle_deg, 0.0);
-    OperatingPoint::of(&plain).case(&plain, vec![raceway])
+    OperatingPoint::from_case(&plain).case(&plain, vec![raceway])
 }
 
 #[test]
 fn a_ring_without_raceway_is_not_judged() {
     let judgement = judge(&conventional(dimensions()), &mut go_on).unwrap();
-    assert_eq!(judgement.verdict, Verdict::NotJudged);
+    assert_eq!(judgement.verdict, RacewayVerdict::NotJudged);
     assert_eq!(
         (judgement.verdict.name(), judgement.passes()),
         ("not-judged", None)
@@ -60,16 +60,16 @@ fn what_is_recommended_passes_its_own_verdict() {
     let start = starting_point(&case, &mut go_on).unwrap().unwrap();
     let enter = |d: RacewayDimensions| {
         let raceway = Raceway::new(d, &case.bearing).ok()?;
-        Some(OperatingPoint::of(&case).case(&case, vec![raceway]))
+        Some(OperatingPoint::from_case(&case).case(&case, vec![raceway]))
     };
-    let mut shares = vec![];
-    let found = recommend(&case, &enter, &mut |share| {
-        shares.push(share);
+    let mut fractions = vec![];
+    let found = recommend(&case, &enter, &mut |fraction| {
+        fractions.push(fraction);
         Control::Continue
     });
     let found = found.unwrap().unwrap();
-    assert!(shares.iter().all(|s| (0.0..=1.0).contains(s)));
-    assert!(shares.len() > 20, "progress is silent");
+    assert!(fractions.iter().all(|s| (0.0..=1.0).contains(s)));
+    assert!(fractions.len() > 20, "progress is silent");
     assert_eq!(found.starting_point, start);
     assert!(found.passes(), "{}", found.judgement.headline());
     assert!(found.judged > 1 && found.judged <= 12, "{}", found.judged);
@@ -96,10 +96,10 @@ fn what_is_recommended_passes_its_own_verdict() {
     });
     let judgement = judge(&middle.unwrap(), &mut go_on).unwrap();
     assert_eq!(judgement.passes(), Some(false));
-    let Some(Criterion::BothNeighbours(share)) = judgement.deciding else {
+    let Some(Criterion::BothNeighbours(fraction)) = judgement.deciding else {
         panic!("{:?}", judgement.deciding);
     };
-    assert!(share > 0.25, "{share}");
+    assert!(fraction > 0.25, "{fraction}");
     let headline = judgement.headline();
     assert!(
         headline.starts_with("FAIL: double-collision; "),
@@ -115,16 +115,16 @@ fn a_critical_gap_in_the_map_is_no_smaller_than_those_beside_it() {
     let case = full_6008(5.1, 25.2);
     let gap_deg = |span_mm: f64| {
         let job = Job {
-            structure: Structure {
+            structure: RacewayLayout {
                 axial_span_m: span_mm * 1e-3,
                 half_angle_rad: 11.06f64.to_radians(),
                 centres_rad: vec![0.0],
             },
-            point: OperatingPoint::of(&case),
-            task: Task::Spacing,
+            point: OperatingPoint::from_case(&case),
+            task: Task::PairSeparation,
         };
         match run_jobs(&case, &[&job], &mut go_on).swap_remove(0) {
-            Some(Ok(Numbers::Spacing(spacing))) => spacing.critical_gap_rad.to_degrees(),
+            Some(Ok(Numbers::PairSeparation(spacing))) => spacing.critical_gap_rad.to_degrees(),
             other => panic!("{other:?}"),
         }
     };
@@ -159,9 +159,9 @@ fn a_critical_gap_ends_when_told_to() {
     let found = recommend(&case, &enter, &mut |_| interrupt(&mut calls));
     assert_eq!(found, Err(CriticalGapError::Interrupted));
     let job = Job {
-        structure: Structure::of(&case).unwrap(),
-        point: OperatingPoint::of(&case),
-        task: Task::Spacing,
+        structure: RacewayLayout::from_case(&case).unwrap(),
+        point: OperatingPoint::from_case(&case),
+        task: Task::PairSeparation,
     };
     let mut calls = 0;
     let outcomes = run_jobs(&case, &[&job], &mut |_| interrupt(&mut calls));

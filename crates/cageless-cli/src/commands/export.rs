@@ -78,7 +78,7 @@ fn target(args: &ExportArgs, format: Format) -> Result<Option<PathBuf>, Failure>
     };
     if names_file(out) {
         let refuse = |why: String| Err(Failure::Input(format!("--out {}: {why}", out.display())));
-        return match Format::of(out) {
+        return match Format::from_path(out) {
             Some(named) if named == format => Ok(Some(out.clone())),
             Some(named) => refuse(format!(
                 "is the name of a file of --format {}, not of {}",

@@ -94,7 +94,11 @@ fn folder(output: &SweepOutput, plan: &Path) -> PathBuf {
 
 fn file_name(shard: Option<Shard>) -> String {
     match shard {
-        Some(shard) => format!("sweep.shard-{}-of-{}.parquet", shard.number(), shard.of()),
+        Some(shard) => format!(
+            "sweep.shard-{}-of-{}.parquet",
+            shard.number(),
+            shard.total()
+        ),
         None => "sweep.parquet".to_owned(),
     }
 }

@@ -1,10 +1,10 @@
 //! The claims of the paper one by one, with what we find, and its errata.
 
-use cageless::design::{Judgement, StartingPoint, Verdict as Judged, starting_point};
+use cageless::design::{Judgement, RacewayVerdict, StartingPoint, starting_point};
 use cageless::equilibrium::solve;
 use cageless::spacing::{CriticalGapError, PairTest, critical_gap_rad};
 use cageless::{Case, FrictionLaw, Profile};
-use cageless_report::{Claim, RingComparison, Verdict};
+use cageless_report::{Claim, ClaimStatus, RingComparison};
 use cageless_study::Work;
 
 use super::READINGS;
@@ -89,7 +89,14 @@ pub fn lead(table2: &Computed) -> String {
 struct List(Vec<Claim>);
 
 impl List {
-    fn add(&mut self, verdict: Verdict, place: &str, claim: &str, finding: &str, numbers: String) {
+    fn add(
+        &mut self,
+        verdict: ClaimStatus,
+        place: &str,
+        claim: &str,
+        finding: &str,
+        numbers: String,
+    ) {
         self.0.push(Claim {
             claim: claim.to_owned(),
             place: place.to_owned(),
@@ -143,7 +150,7 @@ fn theory(list: &mut List, e: &Evidence<'_>) {
             .acos()
             .to_degrees();
     list.add(
-        Verdict::Erratum,
+        ClaimStatus::Erratum,
         "Eq. (10)",
         "ε = 2 arccos((2Rm² − Rw²)/(2Rm²)).",
         "This is not the angle that a ball takes up, and does not give the paper's own uniform gap; \
@@ -160,7 +167,7 @@ fn theory(list: &mut List, e: &Evidence<'_>) {
         .map(|r| (r.theory_deg - r.paper_theory_deg).abs())
         .fold(0.0, f64::max);
     list.add(
-        Verdict::Confirmed,
+        ClaimStatus::Confirmed,
         "Eq. (11), Table 2",
         "Theoretical gaps β0 of the ten structures.",
         "All ten come out as printed.",
@@ -171,7 +178,7 @@ fn theory(list: &mut List, e: &Evidence<'_>) {
         .filter_map(|r| Some(r.theory_polar_deg? - r.theory_deg))
         .fold(0.0, f64::max);
     list.add(
-        Verdict::Erratum,
+        ClaimStatus::Erratum,
         "Eq. (11)",
         "x = Ro sin φ with φ the angle of integration.",
         "φ is then not the place ψ of the ball (tan ψ = x/(−y)). With ψ every value is larger.",
@@ -183,7 +190,7 @@ fn theory(list: &mut List, e: &Evidence<'_>) {
         ),
     );
     list.add(
-        Verdict::Partly,
+        ClaimStatus::Partly,
         "Section 2.3",
         "The discrete gap does not depend on the speed of the inner ring.",
         "True without slip. With slip the critical gap falls with speed, most for short raceways.",
@@ -200,7 +207,7 @@ fn theory(list: &mut List, e: &Evidence<'_>) {
 fn simulation(list: &mut List, e: &Evidence<'_>) {
     let t = e.table2;
     list.add(
-        Verdict::Confirmed,
+        ClaimStatus::Confirmed,
         "Table 2, simulated values",
         "Simulated gaps of the ten structures.",
         "The model as published with sign(ΔV) gives nine of the ten, if the simulated value is \
@@ -216,7 +223,7 @@ fn simulation(list: &mut List, e: &Evidence<'_>) {
         ),
     );
     list.add(
-        Verdict::NotConfirmed,
+        ClaimStatus::NotConfirmed,
         "Table 2, lC = 5.60 mm",
         "Simulated gap 1.6594°.",
         "It repeats the value of 5.40 mm; every reading of the model gives a smaller one that \
@@ -228,7 +235,7 @@ fn simulation(list: &mut List, e: &Evidence<'_>) {
         ),
     );
     list.add(
-        Verdict::Erratum,
+        ClaimStatus::Erratum,
         "Table 2, lC = 5.80 mm",
         "Difference −0.2645°.",
         "The two numbers beside it differ by more.",
@@ -238,9 +245,9 @@ fn simulation(list: &mut List, e: &Evidence<'_>) {
     if let (Some(paper), Some(physical)) = (paper, physical) {
         list.add(
             if (paper.unloaded_change_deg - 0.033).abs() < 0.01 {
-                Verdict::Confirmed
+                ClaimStatus::Confirmed
             } else {
-                Verdict::Partly
+                ClaimStatus::Partly
             },
             "Section 4.3, Fig. 6, a–b",
             "In the unloaded zone the gap falls by 0.033° by slip; that can be neglected.",
@@ -251,7 +258,7 @@ fn simulation(list: &mut List, e: &Evidence<'_>) {
             ),
         );
         list.add(
-            Verdict::Confirmed,
+            ClaimStatus::Confirmed,
             "Section 4.3, Fig. 6, c–d",
             "In the discrete raceway the gap falls and rises again by about β0.",
             "It does.",
@@ -261,7 +268,7 @@ fn simulation(list: &mut List, e: &Evidence<'_>) {
             ),
         );
         list.add(
-            Verdict::NotConfirmed,
+            ClaimStatus::NotConfirmed,
             "Section 4.3, Fig. 6",
             "The gap falls rapidly at first because the method of integration is perturbed.",
             "No such fall appears; a proper start of the multistep method leaves none. The ring \
@@ -273,9 +280,9 @@ fn simulation(list: &mut List, e: &Evidence<'_>) {
         );
         list.add(
             if paper.twice {
-                Verdict::Confirmed
+                ClaimStatus::Confirmed
             } else {
-                Verdict::NotConfirmed
+                ClaimStatus::NotConfirmed
             },
             "Section 4.3, Fig. 7",
             "Ball i of structure (a) is hit by ball i+1 and then by ball i−1 in one passage.",
@@ -289,7 +296,7 @@ fn simulation(list: &mut List, e: &Evidence<'_>) {
     }
 }
 
-fn share_range(judgements: &[Judgement], f: impl Fn(&Judgement) -> Option<f64>) -> String {
+fn fraction_range(judgements: &[Judgement], f: impl Fn(&Judgement) -> Option<f64>) -> String {
     let (low, high) = judgements
         .iter()
         .filter_map(f)
@@ -309,11 +316,11 @@ fn structures(list: &mut List, e: &Evidence<'_>) {
     };
     let verdict = |found: usize, all: usize| {
         if found == all {
-            Verdict::Confirmed
+            ClaimStatus::Confirmed
         } else if found > 0 {
-            Verdict::Partly
+            ClaimStatus::Partly
         } else {
-            Verdict::NotConfirmed
+            ClaimStatus::NotConfirmed
         }
     };
     let names = |ten: &Ten| {
@@ -324,10 +331,10 @@ fn structures(list: &mut List, e: &Evidence<'_>) {
             .collect::<Vec<_>>()
             .join(", ")
     };
-    let twice = |j: &Judgement| j.passages.map(|p| p.twice_share);
+    let twice = |j: &Judgement| j.passages.map(|p| p.double_collision_fraction);
     let mean = |j: &Judgement| j.passages.map(|p| p.collisions_mean);
     let slip = |j: &Judgement| j.passages.map(|p| p.slip_mean_m_s);
-    let drop = |j: &Judgement| j.passages.map(|p| p.speed_drop_share);
+    let drop = |j: &Judgement| j.passages.map(|p| p.speed_drop_fraction);
     list.add(
         verdict(agree(paper, 0..3), 3),
         "Section 4.3, Fig. 8a–c",
@@ -335,13 +342,13 @@ fn structures(list: &mut List, e: &Evidence<'_>) {
         "Two contacts in one passage are common, though not in each; in `physical` (c) slips \
          enough to be called smooth.",
         format!(
-            "share of passages with two contacts: `paper` {}, `physical` {}",
-            share_range(&paper.judgements[0..3], twice),
-            share_range(&physical.judgements[0..3], twice)
+            "fraction of passages with two contacts: `paper` {}, `physical` {}",
+            fraction_range(&paper.judgements[0..3], twice),
+            fraction_range(&physical.judgements[0..3], twice)
         ),
     );
     list.add(
-        Verdict::Partly,
+        ClaimStatus::Partly,
         "Section 4.3, Fig. 8d–f",
         "In structures (d) to (f) the balls do not collide.",
         "They pass smoothly, but neighbours still touch now and then: evenly spaced balls drift \
@@ -349,8 +356,8 @@ fn structures(list: &mut List, e: &Evidence<'_>) {
         format!(
             "contacts per passage: `paper` {}, `physical` {}; verdicts as in the paper: {} of 3 in \
              `paper`, {} of 3 in `physical`",
-            share_range(&paper.judgements[3..6], mean),
-            share_range(&physical.judgements[3..6], mean),
+            fraction_range(&paper.judgements[3..6], mean),
+            fraction_range(&physical.judgements[3..6], mean),
             agree(paper, 3..6),
             agree(physical, 3..6)
         ),
@@ -362,24 +369,24 @@ fn structures(list: &mut List, e: &Evidence<'_>) {
         "They do, in both profiles.",
         format!(
             "largest slip in a passage: `paper` {} m/s, `physical` {} m/s",
-            share_range(&paper.judgements[6..10], slip),
-            share_range(&physical.judgements[6..10], slip)
+            fraction_range(&paper.judgements[6..10], slip),
+            fraction_range(&physical.judgements[6..10], slip)
         ),
     );
     list.add(
-        Verdict::Partly,
+        ClaimStatus::Partly,
         "Section 4.3, Fig. 9",
         "Below θ = 22° the orbital speed does not reach its theoretical value in the raceway.",
         "It falls behind gradually; with 18.2° it still gets close to the least speed, but late.",
         format!(
-            "share of the theoretical drop reached, (f) to (j): `paper` {}, `physical` {}",
-            share_range(&paper.judgements[5..10], drop),
-            share_range(&physical.judgements[5..10], drop)
+            "fraction of the theoretical drop reached, (f) to (j): `paper` {}, `physical` {}",
+            fraction_range(&paper.judgements[5..10], drop),
+            fraction_range(&physical.judgements[5..10], drop)
         ),
     );
     let smooth = |ten: &Ten| {
         let inside: Vec<char> = (0..10)
-            .filter(|&k| ten.judgements[k].verdict == Judged::Smooth)
+            .filter(|&k| ten.judgements[k].verdict == RacewayVerdict::Smooth)
             .map(|k| char::from(b'a' + k as u8))
             .collect();
         inside
@@ -390,9 +397,9 @@ fn structures(list: &mut List, e: &Evidence<'_>) {
     };
     list.add(
         if agree(paper, 0..10) == 10 {
-            Verdict::Confirmed
+            ClaimStatus::Confirmed
         } else {
-            Verdict::Partly
+            ClaimStatus::Partly
         },
         "Section 4.3",
         "(a)–(c) collide twice, (d)–(f) are reasonable, (g)–(j) slide.",
@@ -414,7 +421,7 @@ fn recommendation(list: &mut List, e: &Evidence<'_>) {
         bearing.nominal_gap_rad().to_degrees(),
     );
     list.add(
-        Verdict::Erratum,
+        ClaimStatus::Erratum,
         "Section 4.3",
         "2(ε + β0) = 51.17°.",
         "The paper's own ε and β0 give more.",
@@ -424,7 +431,7 @@ fn recommendation(list: &mut List, e: &Evidence<'_>) {
         ),
     );
     list.add(
-        Verdict::Erratum,
+        ClaimStatus::Erratum,
         "Sections 4.3, 5, 6",
         "2θ should lie in [44°, 2ε].",
         "The sample that was made does not: its 2θ is larger than 2ε. Three evenly spaced balls fit \
@@ -444,7 +451,7 @@ fn recommendation(list: &mut List, e: &Evidence<'_>) {
     };
     if let [paper, physical] = &e.extra.starting_points[..] {
         list.add(
-            Verdict::Partly,
+            ClaimStatus::Partly,
             "Section 4.3",
             "Balls slide below 2θ = 44°.",
             "In the equations as published the separation loses 5 % to slip a little below that; in \
@@ -457,7 +464,7 @@ fn recommendation(list: &mut List, e: &Evidence<'_>) {
 fn equations(list: &mut List, e: &Evidence<'_>) {
     let [physical, paper] = e.extra.top_force_n;
     list.add(
-        Verdict::Erratum,
+        ClaimStatus::Erratum,
         "Eq. (12), (15)",
         "The centrifugal force Fw is added to the equations of motion.",
         "The frame is inertial: the force comes out of the motion, and with Fw the outer raceway \
@@ -469,7 +476,7 @@ fn equations(list: &mut List, e: &Evidence<'_>) {
         .map(|k| (t.gap_deg(0, k) - t.gap_deg(2, k)).abs())
         .fold(0.0, f64::max);
     list.add(
-        Verdict::Erratum,
+        ClaimStatus::Erratum,
         "Eq. (13), (22)",
         "The spin relative to the orbit enters Eq. (13) as if its frame did not turn; friction on \
          the discrete raceway acts along the contact path.",
@@ -479,7 +486,7 @@ fn equations(list: &mut List, e: &Evidence<'_>) {
         format!("critical gaps fall by up to {shift:.4}° when all three are put right (Coulomb)"),
     );
     list.add(
-        Verdict::NotTested,
+        ClaimStatus::NotTested,
         "throughout",
         "Results of one bearing.",
         "Groove radii, elastic constants, mass and drag of the ring, damping, restitution, step and \

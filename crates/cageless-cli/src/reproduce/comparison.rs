@@ -14,7 +14,7 @@ use cageless::vibration::{Measurement, PassingSplit, VibrationRecorder, WithoutC
 use cageless::{Case, Gaps, Method, Raceway, RacewayDimensions, Start};
 use cageless_report::run_report::filter_note;
 use cageless_report::{
-    ComparisonCell, Difference, Estimate, Provenance, RingComparison, Structure,
+    ComparisonCell, Difference, Estimate, Provenance, RacewayLabel, RingComparison,
 };
 use cageless_study::Work;
 use cageless_study::{SAMPLING_HZ, provenance};
@@ -442,7 +442,7 @@ fn cell(
     let raceway = plan.case.raceways.first().map(|raceway| {
         let d = raceway.dimensions();
         // Rounding away what the conversion to SI leaves.
-        Structure {
+        RacewayLabel {
             letter: String::new(),
             axial_span_mm: (d.axial_span_m * 1e9).round() / 1e6,
             half_angle_deg: (d.half_angle_rad.to_degrees() * 1e9).round() / 1e9,

@@ -30,7 +30,7 @@ pub struct Bearing {
     /// Contacts between balls after [`SETTLED_AFTER_S`], per second.
     pub collisions_per_s: f64,
     /// Share of all contacts at 60° < |ψ| < 150°, where the load lets go or takes hold.
-    pub transition_share: f64,
+    pub transition_fraction: f64,
     /// RMS of the vibration, m/s².
     pub rms_m_s2: f64,
     /// Standard deviation of the gaps at the start and the end, degrees.
@@ -130,7 +130,7 @@ fn one(case: &Case, name: &str, progress: &Progress) -> Result<One, Failure> {
     let deviation = |s: Option<&Snapshot>| s.map_or(f64::NAN, |s| deviation_deg(&s.gap_rad));
     let bearing = Bearing {
         collisions_per_s: late as f64 / (duration_s - SETTLED_AFTER_S),
-        transition_share: {
+        transition_fraction: {
             let between = |c: &&Collision| (60.0..150.0).contains(&c.angle_rad.to_degrees().abs());
             collisions.iter().filter(between).count() as f64 / collisions.len().max(1) as f64
         },

@@ -1,7 +1,7 @@
 //! What is found of the claims of Section 5, worded by the numbers.
 
 use cageless_report::{
-    Change, Claim, ComparisonCell, Difference, Estimate, RingComparison, Verdict,
+    Change, Claim, ClaimStatus, ComparisonCell, Difference, Estimate, RingComparison,
 };
 
 use super::claims::Evidence;
@@ -20,7 +20,7 @@ pub fn claims(e: &Evidence<'_>) -> Vec<Claim> {
     }
     let counts = |t: &[usize; 4]| t.map(|n| n.to_string()).join(", ");
     claims.push(claim(
-        Verdict::NotConfirmed,
+        ClaimStatus::NotConfirmed,
         "Section 5, Fig. 13, 14",
         "At 0.05, 0.1, 0.15 and 0.2 s balls touch in the conventional bearing and hardly in the \
          discrete one.",
@@ -33,10 +33,10 @@ pub fn claims(e: &Evidence<'_>) -> Vec<Claim> {
         ),
     ));
     claims.push(claim(
-        if conventional.transition_share > 0.5 {
-            Verdict::Confirmed
+        if conventional.transition_fraction > 0.5 {
+            ClaimStatus::Confirmed
         } else {
-            Verdict::NotConfirmed
+            ClaimStatus::NotConfirmed
         },
         "Section 4.3, citing [39]",
         "In a conventional bearing balls collide mostly in the transition between the loaded and \
@@ -44,13 +44,13 @@ pub fn claims(e: &Evidence<'_>) -> Vec<Claim> {
         "Where the load lets go of a ball or takes it again, neighbours meet.",
         format!(
             "{:.0} % of the contacts at 60° < |ψ| < 150°",
-            100.0 * conventional.transition_share
+            100.0 * conventional.transition_fraction
         ),
     ));
     claims
 }
 
-fn claim(verdict: Verdict, place: &str, claim: &str, finding: &str, numbers: String) -> Claim {
+fn claim(verdict: ClaimStatus, place: &str, claim: &str, finding: &str, numbers: String) -> Claim {
     Claim {
         claim: claim.to_owned(),
         place: place.to_owned(),
@@ -112,15 +112,15 @@ impl Tally {
         self.lower > 0 && self.lower == self.all()
     }
 
-    fn verdict(self) -> Verdict {
+    fn verdict(self) -> ClaimStatus {
         if self.always_lower() {
-            Verdict::Confirmed
+            ClaimStatus::Confirmed
         } else if self.lower > 0 {
-            Verdict::Partly
+            ClaimStatus::Partly
         } else if self.all() > 0 {
-            Verdict::NotConfirmed
+            ClaimStatus::NotConfirmed
         } else {
-            Verdict::NotTested
+            ClaimStatus::NotTested
         }
     }
 
@@ -178,7 +178,7 @@ fn vibration(rings: &RingComparison) -> Claim {
     let without = Tally::new(rings, STRUCTURE_D, |d| d.rms_without_contacts_m_s2);
     let verdict = match rms.verdict() {
         // Lower vibration for another reason is half of the claim.
-        Verdict::Confirmed if !impulses.always_lower() => Verdict::Partly,
+        ClaimStatus::Confirmed if !impulses.always_lower() => ClaimStatus::Partly,
         verdict => verdict,
     };
     let finding = format!(
@@ -303,21 +303,21 @@ mod tests {
     fn claims_are_worded_by_the_numbers() {
         let higher = rings(|_, _| 0.5);
         let c = vibration(&higher);
-        assert_eq!(c.verdict, Verdict::NotConfirmed);
+        assert_eq!(c.verdict, ClaimStatus::NotConfirmed);
         assert!(c.finding.contains("structure (d) is higher in all 4 cases"));
         assert!(c.finding.contains("do not change that"), "{}", c.finding);
-        assert_eq!(spacing(&higher).verdict, Verdict::NotConfirmed);
+        assert_eq!(spacing(&higher).verdict, ClaimStatus::NotConfirmed);
 
         let lower = rings(|_, _| -0.5);
         let c = vibration(&lower);
-        assert_eq!(c.verdict, Verdict::Confirmed);
+        assert_eq!(c.verdict, ClaimStatus::Confirmed);
         assert!(c.finding.contains("structure (d) is lower in all 4 cases"));
         assert!(c.finding.contains("per second fewer in all 4 cases"));
-        assert_eq!(spacing(&lower).verdict, Verdict::Confirmed);
+        assert_eq!(spacing(&lower).verdict, ClaimStatus::Confirmed);
 
         let turned = rings(|_, unequal| if unequal { -0.5 } else { 0.5 });
         let c = vibration(&turned);
-        assert_eq!(c.verdict, Verdict::Partly);
+        assert_eq!(c.verdict, ClaimStatus::Partly);
         assert!(c.finding.contains("lower in 2, higher in 2 of 4 cases"));
         assert!(
             c.finding
@@ -325,7 +325,7 @@ mod tests {
         );
 
         let same = rings(|_, _| 0.001);
-        assert_eq!(vibration(&same).verdict, Verdict::NotConfirmed);
+        assert_eq!(vibration(&same).verdict, ClaimStatus::NotConfirmed);
         assert!(
             vibration(&same)
                 .finding
@@ -333,7 +333,7 @@ mod tests {
         );
         assert_eq!(
             vibration(&RingComparison::default()).verdict,
-            Verdict::NotTested
+            ClaimStatus::NotTested
         );
     }
 }

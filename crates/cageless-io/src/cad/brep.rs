@@ -7,7 +7,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use cageless::numerics::bspline::Vec3;
-use cageless::surface::{OuterRing, Patch, PatchError, Sector};
+use cageless::surface::{OuterRing, Patch, PatchError, RingSector};
 
 /// Curve of an edge.
 #[derive(Debug)]
@@ -101,7 +101,7 @@ struct Span {
 
 impl Solid {
     /// Builds the shell, its B-splines within `tolerance_m` of the surface.
-    pub(super) fn of(ring: &OuterRing, tolerance_m: f64) -> Result<Self, PatchError> {
+    pub(super) fn new(ring: &OuterRing, tolerance_m: f64) -> Result<Self, PatchError> {
         let mut solid = Self::default();
         let sectors = ring.sectors();
         let stations: Vec<Station> = (sectors.iter())
@@ -145,7 +145,7 @@ impl Solid {
         });
     }
 
-    fn station(&mut self, ring: &OuterRing, sector: &Sector) -> Station {
+    fn station(&mut self, ring: &OuterRing, sector: &RingSector) -> Station {
         let psi = sector.start_rad;
         let (e, t) = (radial(psi), radial(psi + FRAC_PI_2));
         let meridian = ring.meridian_in(sector, psi);
@@ -183,7 +183,7 @@ impl Solid {
     fn span(
         &mut self,
         ring: &OuterRing,
-        sector: &Sector,
+        sector: &RingSector,
         [from, to]: [&Station; 2],
         patches: Option<&[Patch; 2]>,
     ) -> Span {
@@ -215,7 +215,7 @@ impl Solid {
     fn groove(
         &mut self,
         ring: &OuterRing,
-        sector: &Sector,
+        sector: &RingSector,
         [from, to]: [&Station; 2],
         span: &Span,
         patches: Option<[Patch; 2]>,
@@ -256,7 +256,7 @@ impl Solid {
     fn shoulders(
         &mut self,
         ring: &OuterRing,
-        sector: &Sector,
+        sector: &RingSector,
         [from, to]: [&Station; 2],
         span: &Span,
     ) {
@@ -323,7 +323,7 @@ impl Solid {
 
 /// A plain sector of a groove whose circle does not cross the axis: a torus may not cross
 /// itself in STEP.
-fn is_torus(ring: &OuterRing, sector: &Sector) -> bool {
+fn is_torus(ring: &OuterRing, sector: &RingSector) -> bool {
     sector.raceway.is_none() && ring.groove_bottom_radius_m() > 2.0 * ring.curvature_radius_m()
 }
 
@@ -383,7 +383,7 @@ mod tests {
             blend_m,
         };
         let ring = OuterRing::new(&case.bearing, &case.raceways, size).unwrap();
-        Solid::of(&ring, 1e-8).unwrap()
+        Solid::new(&ring, 1e-8).unwrap()
     }
 
     /// Every edge bounds two faces, once each way; each loop closes; a ring has genus 1.

@@ -16,7 +16,7 @@ use crate::case_file::{CaseError, CaseFile};
 /// The paper's structure (d) stays within its machining error of 2 µm (docs/theory/cad.md).
 const BLEND_MM: f64 = 0.5;
 /// Share of half a raceway that the default blend takes at most.
-const BLEND_SHARE: f64 = 0.2;
+const BLEND_FRACTION: f64 = 0.2;
 const TOLERANCE_UM: f64 = 0.01;
 /// Finer is below the rounding of coordinates, coarser no longer a STEP of precision.
 const TOLERANCE_RANGE_UM: [f64; 2] = [1e-4, 1.0];
@@ -50,7 +50,7 @@ impl Format {
     }
 
     /// The format of a file whose name ends in `.step`, `.stp`, `.stl` or `.csv`.
-    pub fn of(path: &Path) -> Option<Self> {
+    pub fn from_path(path: &Path) -> Option<Self> {
         let ending = path.extension()?.to_str()?.to_ascii_lowercase();
         match ending.as_str() {
             "stp" => Some(Self::Step),
@@ -230,7 +230,7 @@ fn outer_ring(file: &CaseFile, options: &ExportOptions) -> Result<OuterRing, Exp
     let case = file.case();
     let bottom_m = case.bearing.dimensions().outer_groove_bottom_radius_m;
     let share = (case.raceways.iter())
-        .map(|r| BLEND_SHARE * r.half_angle_rad() * bottom_m)
+        .map(|r| BLEND_FRACTION * r.half_angle_rad() * bottom_m)
         .fold(BLEND_MM * 1e-3, f64::min);
     let blend_m = options.blend_mm.map_or(share, |mm| mm * 1e-3);
     let dimensions = file.outer_ring_dimensions(blend_m)?;

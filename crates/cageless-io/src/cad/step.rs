@@ -37,7 +37,7 @@ const UNCERTAINTY_MM: f64 = 1e-5;
 /// # Errors
 /// A [`PatchError`] if the tolerance is out of reach.
 pub fn write(ring: &OuterRing, name: &str, tolerance_m: f64) -> Result<StepFile, PatchError> {
-    let solid = Solid::of(ring, tolerance_m)?;
+    let solid = Solid::new(ring, tolerance_m)?;
     let mut data = Part21::default();
     let shell = shell(&mut data, &solid);
     let name = string(name);

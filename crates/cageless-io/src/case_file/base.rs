@@ -80,13 +80,13 @@ impl CaseBase {
 
 impl CaseValue {
     /// `None` for what no variant can be given: tables, dates, mixed lists.
-    pub(crate) fn of(value: &Value) -> Option<Self> {
+    pub(crate) fn from_toml(value: &Value) -> Option<Self> {
         Some(match value {
             Value::Integer(i) => Self::Integer(*i),
             Value::Number(f) => Self::Number(*f),
             Value::Text(text) => Self::Text(text.clone()),
             Value::List(items) => {
-                let number = |node: &Node| match Self::of(&node.value)? {
+                let number = |node: &Node| match Self::from_toml(&node.value)? {
                     Self::Number(f) => Some(f),
                     Self::Integer(i) => Some(i as f64),
                     _ => None,

@@ -127,7 +127,7 @@ pub(crate) const KEYS: &[Key] = &[
     key("search", "half_angle_deg", Degree, "", "θ, or smallest and largest"),
     key("search", "centre_angle_deg", Degree, "", "ψ of the middle of one raceway, or first and last"),
     key("search", "raceways_max", Plain, "", "number of raceways at most"),
-    key("search", "spread_min", Plain, "", "share of the steady gap that the raceway must guarantee"),
+    key("search", "spread_min", Plain, "", "fraction of the steady gap that the raceway must guarantee"),
     key("search", "starts", Plain, "", "uneven starts per structure"),
     key("search", "budget", Plain, "", "runs of all balls at most"),
     key("search", "map_speed_rpm", RevolutionPerMinute, "", "further speeds to draw maps at"),

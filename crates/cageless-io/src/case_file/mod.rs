@@ -79,7 +79,7 @@ impl CaseFile {
     }
 
     fn of_tree(root: &tree::Section, name: &str) -> Result<Self, CaseError> {
-        let places = Places::of(root, name);
+        let places = Places::new(root, name);
         let (document, defaults) = read::document(root, &places)?;
         let (case, search) = convert::case(&document, &places)?;
         Ok(Self {

@@ -14,12 +14,12 @@ const MAPS_MAX: usize = 8;
 impl Converter<'_> {
     /// The request of `[search]`.
     pub(super) fn search(&self, case: &Case) -> Result<Request, CaseError> {
-        let mut request = Request::of(case);
+        let mut request = Request::from_case(case);
         let Some(search) = &self.document.search else {
             return Ok(request);
         };
         let positive = |v: f64| v > 0.0;
-        let own = OperatingPoint::of(case);
+        let own = OperatingPoint::from_case(case);
         let speeds = self
             .range(
                 "inner_speed_rpm",

@@ -66,7 +66,7 @@ impl Places {
     }
 
     /// Of everything below `root`.
-    pub(crate) fn of(root: &Section, name: &str) -> Self {
+    pub(crate) fn new(root: &Section, name: &str) -> Self {
         let mut places = Self::nowhere(name);
         places.collect("", root);
         places
@@ -151,7 +151,7 @@ pub(crate) fn parse(text: &str, name: &str) -> Result<Section, CaseError> {
     // Windows editors put it there; it is not part of the text.
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let table = DeTable::parse(text).map_err(|e| syntax_error(text, name, &e))?;
-    let lines = Lines::of(text);
+    let lines = Lines::new(text);
     let origin = |span: &Range<usize>| Origin::Line(lines.at(span.start));
     Ok(section(table.get_ref(), text, &origin))
 }
@@ -214,7 +214,7 @@ fn convert(value: &DeValue<'_>, text: &str, origin: &OriginOf<'_>) -> Value {
 struct Lines(Vec<usize>);
 
 impl Lines {
-    fn of(text: &str) -> Self {
+    fn new(text: &str) -> Self {
         Self(text.match_indices('\n').map(|(at, _)| at).collect())
     }
 
@@ -249,7 +249,7 @@ fn syntax_error(text: &str, name: &str, error: &toml::de::Error) -> CaseError {
     let Some(span) = error.span() else {
         return CaseError::of_file(name, format!("is not TOML: {}", error.message()));
     };
-    let line = Lines::of(text).at(span.start);
+    let line = Lines::new(text).at(span.start);
     let source = text.lines().nth(line - 1).unwrap_or("").trim();
     let message = format!(
         "is not TOML: {}: `{}`",

@@ -51,14 +51,14 @@ impl Named for Scale {
 }
 
 impl Range {
-    /// The value at `share` of the way, 0 to 1, to twelve digits: 5.1 stays 5.1, and the
+    /// The value at `fraction` of the way, 0 to 1, to twelve digits: 5.1 stays 5.1, and the
     /// last bits of exp and ln, which differ between systems, do not matter.
-    pub fn at(&self, share: f64) -> f64 {
+    pub fn at(&self, fraction: f64) -> f64 {
         let value = match self.scale {
-            _ if share <= 0.0 => return self.from,
-            _ if share >= 1.0 => return self.to,
-            Scale::Linear => self.from + (self.to - self.from) * share,
-            Scale::Log => (self.from.ln() + (self.to / self.from).ln() * share).exp(),
+            _ if fraction <= 0.0 => return self.from,
+            _ if fraction >= 1.0 => return self.to,
+            Scale::Linear => self.from + (self.to - self.from) * fraction,
+            Scale::Log => (self.from.ln() + (self.to / self.from).ln() * fraction).exp(),
         };
         twelve_digits(value)
     }
@@ -94,14 +94,14 @@ impl Axis {
         }
     }
 
-    /// The value at `share` of the axis, 0 to below 1.
-    pub fn value_at(&self, share: f64) -> CaseValue {
+    /// The value at `fraction` of the axis, 0 to below 1.
+    pub fn value_at(&self, fraction: f64) -> CaseValue {
         match &self.values {
             AxisValues::List(list) => {
-                let index = (share * list.len() as f64) as usize;
+                let index = (fraction * list.len() as f64) as usize;
                 list[index.min(list.len() - 1)].clone()
             }
-            AxisValues::Range(range) => CaseValue::Number(range.at(share)),
+            AxisValues::Range(range) => CaseValue::Number(range.at(fraction)),
         }
     }
 

@@ -114,7 +114,7 @@ impl<'a> PlanReader<'a> {
     fn set(&self) -> Result<Vec<(String, CaseValue, usize)>, CaseError> {
         let mut changes = Vec::new();
         for Entry { key, node } in self.entries("set", &[])? {
-            let Some(value) = CaseValue::of(&node.value) else {
+            let Some(value) = CaseValue::from_toml(&node.value) else {
                 return Err(self.refuse(&key, node, "a number, a name or a list of numbers"));
             };
             changes.push((key, value, line(node)));

@@ -24,7 +24,10 @@ impl PlanReader<'_> {
         }
         let values = match &node.value {
             Value::List(items) => {
-                let list: Option<Vec<_>> = items.iter().map(|i| CaseValue::of(&i.value)).collect();
+                let list: Option<Vec<_>> = items
+                    .iter()
+                    .map(|i| CaseValue::from_toml(&i.value))
+                    .collect();
                 let list = list.filter(|list| alike(list));
                 AxisValues::List(list.ok_or_else(|| {
                     self.refuse(&key, node, "a list of numbers or of names, at least one")

@@ -118,7 +118,7 @@ impl SummaryFile {
         let mut warnings = warnings(file.case());
         // A run that stopped says so itself.
         let residual = outcome.energy_residual_relative;
-        if residual.abs() > RESIDUAL_SHARE && !matches!(outcome.ending, Ending::Stopped(_)) {
+        if residual.abs() > RESIDUAL_FRACTION && !matches!(outcome.ending, Ending::Stopped(_)) {
             warnings.push(format!(
                 "{:.1} % of all energy flows are unaccounted for: do not trust these numbers, set \
                  solver.step_us to less than the {} µs of this run",
@@ -179,7 +179,7 @@ impl SummaryFile {
 const UNDAMPED_STEP_S: f64 = 0.5e-6;
 
 /// Share of all energy flows that may be unaccounted for without a warning.
-const RESIDUAL_SHARE: f64 = 0.01;
+const RESIDUAL_FRACTION: f64 = 0.01;
 
 fn warnings(case: &Case) -> Vec<String> {
     let mut warnings: Vec<String> = equilibrium::overload(case).into_iter().collect();

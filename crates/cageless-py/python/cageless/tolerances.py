@@ -105,7 +105,7 @@ class ToleranceResult:
         for influence in self.values["influences"]:
             row: dict[str, Any] = {}
             for key, value in influence.items():
-                if key in ("critical_gap_deg", "twice_share", "slip_mean_m_s"):
+                if key in ("critical_gap_deg", "double_collision_fraction", "slip_mean_m_s"):
                     low, high = value or (np.nan, np.nan)
                     row |= {f"{key}_min": low, f"{key}_max": high}
                 elif key == "verdicts":

@@ -13,7 +13,7 @@ pub mod vibration;
 
 use serde_json::{Value, json};
 
-use crate::data::Sector;
+use crate::data::RacewaySector;
 use crate::plot::{Plot, SECTOR};
 
 /// Places of `count` panels side by side or one above the other, over 0 to 1, with
@@ -50,7 +50,7 @@ fn on(trace: Value, x: &str, y: &str) -> Value {
 }
 
 /// Shades discrete raceways on an axis of ψ in (−180°, 180°].
-fn shade_sectors(mut plot: Plot, sectors: &[Sector], x: &str, y: &str) -> Plot {
+fn shade_sectors(mut plot: Plot, sectors: &[RacewaySector], x: &str, y: &str) -> Plot {
     for sector in sectors {
         let centre = sector.centre_angle_deg - 360.0 * (sector.centre_angle_deg / 360.0).round();
         let (from, to) = (
@@ -77,7 +77,7 @@ pub(crate) fn labelled(label: &str, provenance: &crate::data::Provenance) -> Str
 }
 
 /// Letter, lC and θ, and below it the verdict, for a small panel.
-fn panel_title(structure: &crate::data::Structure, verdict: &str) -> String {
+fn panel_title(structure: &crate::data::RacewayLabel, verdict: &str) -> String {
     let plain = crate::plot::plain;
     let letter = if structure.letter.is_empty() {
         String::new()

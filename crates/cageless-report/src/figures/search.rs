@@ -12,13 +12,21 @@ use crate::text::short;
 /// Verdicts of a map, each with its colour and its name in the legend.
 const VERDICTS: [(&str, &str, &str); 10] = [
     ("smooth", "#009e73", "works"),
-    ("shallow", "#dcdcdc", "hardly spreads"),
+    ("insufficient-separation", "#dcdcdc", "too shallow"),
     ("slips", "#d55e00", "slips"),
-    ("crowded", "#56b4e9", "even flow collides"),
+    (
+        "excessive-separation",
+        "#56b4e9",
+        "collision at even spacing",
+    ),
     ("double-collision", "#f0e442", "hit from both sides"),
     ("stress", "#cc79a7", "contact stress"),
-    ("slides", "#7f3b08", "slides"),
-    ("lost", "#999999", "gap lost"),
+    ("gross-sliding", "#7f3b08", "gross-sliding"),
+    (
+        "gap-not-retained",
+        "#999999",
+        "separation lost before load zone",
+    ),
     ("failed", "#444444", "run failed"),
     ("eq-9", "#ffffff", ""),
 ];
@@ -43,7 +51,7 @@ struct Grid {
 }
 
 impl Grid {
-    fn of(count: usize) -> Self {
+    fn new(count: usize) -> Self {
         let across = count.clamp(1, ACROSS);
         let down = count.div_ceil(across).max(1);
         let mut y = panels(down, 0.2);
@@ -72,7 +80,9 @@ fn shown_from_mm(search: &SearchData) -> f64 {
         for row in &map.verdict {
             for (span, verdict) in map.axial_span_mm.iter().zip(row) {
                 widest = widest.max(*span);
-                if !["shallow", "eq-8", "eq-9", "overlap"].contains(&verdict.as_str()) {
+                if !["insufficient-separation", "eq-8", "eq-9", "overlap"]
+                    .contains(&verdict.as_str())
+                {
                     works = works.min(*span);
                 }
             }
@@ -220,7 +230,7 @@ fn tried(search: &SearchData) -> Value {
 
 /// Verdict of every cell, one panel per speed.
 pub fn verdicts(search: &SearchData) -> Figure {
-    let grid = Grid::of(search.maps.len());
+    let grid = Grid::new(search.maps.len());
     let mut plot = frame(&grid);
     let count = VERDICTS.len() as f64;
     // Bands of one colour each.
@@ -279,7 +289,7 @@ pub fn verdicts(search: &SearchData) -> Figure {
     }
     Figure {
         label: "Design map, verdicts".to_owned(),
-        caption: "Where raceways work, and what excludes them elsewhere: too shallow to spread \
+        caption: "Feasible designs and reasons for exclusion: too shallow to spread \
                   the balls, sliding balls, a critical gap above the steady gap, or balls that are \
                   hit from both sides on their way through. Blank: excluded by Eq. (8) or (9), or \
                   raceways that overlap. Cells have the verdict of their middle; circles are structures that \
@@ -294,7 +304,7 @@ pub fn verdicts(search: &SearchData) -> Figure {
 
 /// Critical gap of every cell, one panel per speed.
 pub fn critical_gaps(search: &SearchData) -> Figure {
-    let grid = Grid::of(search.maps.len());
+    let grid = Grid::new(search.maps.len());
     let mut plot = frame(&grid).set(
         "coloraxis",
         json!({
@@ -303,10 +313,10 @@ pub fn critical_gaps(search: &SearchData) -> Figure {
         }),
     );
     for (k, map) in by_speed(search).into_iter().enumerate() {
-        let mut shares: Vec<Vec<Value>> = vec![];
+        let mut fractions: Vec<Vec<Value>> = vec![];
         let mut texts: Vec<Vec<String>> = vec![];
         for (gaps, steady) in map.critical_gap_deg.iter().zip(&map.steady_gap_deg) {
-            shares.push(
+            fractions.push(
                 gaps.iter()
                     .zip(steady)
                     .map(|(gap, steady)| match (gap, steady) {
@@ -318,7 +328,7 @@ pub fn critical_gaps(search: &SearchData) -> Figure {
             texts.push(gaps.iter().map(|g| crate::text::fixed(*g, 3)).collect());
         }
         let (x, y) = (axis_ref("x", k), axis_ref("y", k));
-        let cells = json!({ "x": numbers(&map.axial_span_mm), "y": numbers(&map.half_angle_deg), "z": shares });
+        let cells = json!({ "x": numbers(&map.axial_span_mm), "y": numbers(&map.half_angle_deg), "z": fractions });
         plot = plot
             .trace(on(
                 with(
@@ -374,15 +384,15 @@ type Quantity = (&'static str, fn(&PointNumbers) -> Option<f64>);
 const PAIRS: [[Quantity; 2]; 4] = [
     [
         ("Unevenness (% of the steady gap)", |n| {
-            Some(100.0 * n.motion?.unevenness)
+            Some(100.0 * n.motion?.spacing_scatter)
         }),
-        ("Collisions once sorted (per ball and turn)", |n| {
+        ("Collisions in steady state (per ball and turn)", |n| {
             Some(n.motion?.collisions_late)
         }),
     ],
     [
         ("Unevenness (% of the steady gap)", |n| {
-            Some(100.0 * n.motion?.unevenness)
+            Some(100.0 * n.motion?.spacing_scatter)
         }),
         ("Friction loss (W)", |n| Some(n.motion?.friction_w)),
     ],

@@ -43,9 +43,9 @@ pub fn bearing() -> Bearing {
     .expect("the paper's bearing")
 }
 
-pub fn structure(k: usize) -> Structure {
+pub fn structure(k: usize) -> RacewayLabel {
     let (letter, span, theta, ..) = STRUCTURES[k];
-    Structure {
+    RacewayLabel {
         letter: letter.into(),
         axial_span_mm: span,
         half_angle_deg: theta,
@@ -130,8 +130,8 @@ fn motion(title: &str, raceways: &[Raceway], wobble: f64, profile: &str) -> Moti
     let thin = |v: &Vec<f64>| v.iter().step_by(5).copied().collect::<Vec<f64>>();
     Motion {
         title: title.into(),
-        outline: BearingOutline::of(&bearing()),
-        sectors: raceways.iter().map(Sector::of).collect(),
+        outline: BearingOutline::new(&bearing()),
+        sectors: raceways.iter().map(RacewaySector::new).collect(),
         time_s: thin(&run.time),
         angle_deg: run.angle.iter().map(thin).collect(),
         gap_deg: vec![],
@@ -200,7 +200,7 @@ fn event(label: &str, time_s: f64, meaning: &str) -> Event {
 
 pub fn reproduce() -> ReproduceData {
     let bearing = bearing();
-    let outline = BearingOutline::of(&bearing);
+    let outline = BearingOutline::new(&bearing);
     let uniform = 360.0 / 14.0 - outline.ball_angle_deg;
     let run = rolling(Some(&raceway(0)), 0.6, 0.0004);
     let gap = gaps(&run.angle, outline.ball_angle_deg);
@@ -494,24 +494,24 @@ fn claims() -> Vec<Claim> {
     vec![
         claim(
             "“Each ball may collide twice in the discrete raceway” when three balls fit into it.",
-            Verdict::Confirmed,
+            ClaimStatus::Confirmed,
         ),
         claim(
             "The critical gap of structure (h) is 1.6594°.",
-            Verdict::NotConfirmed,
+            ClaimStatus::NotConfirmed,
         ),
         claim(
             "Below θ = 22° the ball slips & does not reach the theoretical speed <rolling>.",
-            Verdict::Partly,
+            ClaimStatus::Partly,
         ),
-        claim("2(ε + β0) = 51.17°.", Verdict::Erratum),
-        claim("Vibration falls in the test rig.", Verdict::NotTested),
+        claim("2(ε + β0) = 51.17°.", ClaimStatus::Erratum),
+        claim("Vibration falls in the test rig.", ClaimStatus::NotTested),
     ]
 }
 
 pub fn run_data() -> RunData {
     let bearing = bearing();
-    let outline = BearingOutline::of(&bearing);
+    let outline = BearingOutline::new(&bearing);
     let raceway = raceway(3);
     let r = rolling(Some(&raceway), 0.5, 0.0006);
     let gap = gaps(&r.angle, outline.ball_angle_deg);
@@ -554,7 +554,7 @@ pub fn run_data() -> RunData {
             parameter("Smallest gap", "", "−0.0021", "°", ""),
         ],
         outline,
-        sectors: vec![Sector::of(&raceway)],
+        sectors: vec![RacewaySector::new(&raceway)],
         settled_after_s: 0.1,
         uniform_gap_deg: 1.8161,
         rolling_orbit_speed_deg_s: Some(28_551.0),
@@ -647,7 +647,7 @@ fn searched(k: usize, status: &str) -> StructureData {
             stress_gpa: Some(1.41),
             motion: Some(MotionNumbers {
                 collisions: 0.3,
-                unevenness: 0.2 - 0.02 * x,
+                spacing_scatter: 0.2 - 0.02 * x,
                 friction_w: 0.8 + 0.1 * x,
                 ..MotionNumbers::default()
             }),
@@ -672,8 +672,16 @@ pub fn design() -> DesignData {
         ],
         steady_gap_deg: vec![vec![Some(1.97); 3]; 2],
         verdict: vec![
-            vec!["shallow".into(), "smooth".into(), "slips".into()],
-            vec!["double-collision".into(), "eq-9".into(), "crowded".into()],
+            vec![
+                "insufficient-separation".into(),
+                "smooth".into(),
+                "slips".into(),
+            ],
+            vec![
+                "double-collision".into(),
+                "eq-9".into(),
+                "excessive-separation".into(),
+            ],
         ],
         passes: vec![vec![false, true, false], vec![false; 3]],
     };

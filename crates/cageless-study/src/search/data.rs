@@ -1,7 +1,7 @@
 //! From what the library found to what is shown: display units, names, sentences.
 
 use cageless::design::search::{
-    Cause, Confirmed, Evaluation, Found, MapCell, Motion, OperatingPoint, Scale, SpeedMap,
+    Cause, Confirmed, Evaluation, Found, MapCell, Motion, ObjectiveScale, OperatingPoint, SpeedMap,
 };
 use cageless::design::span_angle_curve;
 use cageless_io::case_file::CaseFile;
@@ -135,12 +135,12 @@ fn motion_data(m: &Motion, steady_gap_rad: f64) -> MotionNumbers {
     MotionNumbers {
         collisions: m.collisions,
         collisions_late: m.collisions_late,
-        twice_share: m.twice_share,
+        double_collision_fraction: m.double_collision_fraction,
         impulse_mn_s: m.impulse_n_s * 1e3,
-        unevenness: m.gap_deviation_rad / steady_gap_rad,
+        spacing_scatter: m.gap_deviation_rad / steady_gap_rad,
         gap_min_deg: m.gap_min_rad.to_degrees(),
         slip_m_s: m.slip_m_s,
-        speed_drop_share: m.speed_drop_share,
+        speed_drop_fraction: m.speed_drop_fraction,
         force_deviation_n: m.force_deviation_n,
         friction_w: m.friction_w,
     }
@@ -157,12 +157,12 @@ fn confirmed_data(c: &Confirmed) -> StructureData {
 }
 
 /// The scale of the front.
-fn scale(found: &Found) -> Option<Scale> {
-    Scale::of(found.front().filter_map(|e| e.objectives.as_ref()))
+fn scale(found: &Found) -> Option<ObjectiveScale> {
+    ObjectiveScale::new(found.front().filter_map(|e| e.objectives.as_ref()))
 }
 
 /// Distance from the best in everything.
-fn distance(scale: &Option<Scale>, e: &Evaluation) -> f64 {
+fn distance(scale: &Option<ObjectiveScale>, e: &Evaluation) -> f64 {
     match (scale, &e.objectives) {
         (Some(scale), Some(objectives)) => scale.distance(objectives),
         _ => f64::INFINITY,
@@ -181,12 +181,16 @@ pub(super) fn rejections(found: &Found) -> Vec<RejectionCount> {
         "eq-8" => "the contact points leave the groove (Zhao 2022, Eq. (8))",
         "eq-9" => "the contact path leaves the groove or turns back (Zhao 2022, Eq. (9))",
         "overlap" => "two raceways overlap",
-        "shallow" => "guarantees too small a share of the steady gap: hardly spreads the balls",
+        "insufficient-separation" => {
+            "guarantees too small a share of the steady gap: hardly spreads the balls"
+        }
         "slips" => "balls slide so much that the separation suffers",
-        "crowded" => "critical gap above the steady gap: even evenly flowing balls collide",
+        "excessive-separation" => {
+            "critical gap above the steady gap: even evenly flowing balls collide"
+        }
         "stress" => "contact stress above 4.2 GPa (ISO 76)",
-        "slides" => "balls slide over the raceway instead of being slowed by it",
-        "lost" => "the gap is lost again before the balls come back",
+        "gross-sliding" => "balls slide over the raceway instead of being slowed by it",
+        "gap-not-retained" => "the gap is lost again before the balls come back",
         "double-collision" => "too many passages hit by both neighbours",
         _ => "a run failed",
     };

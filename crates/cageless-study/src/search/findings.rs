@@ -103,7 +103,7 @@ fn comparison(found: &Found, best: &StructureData, own: &StructureData, point: u
     type Of = fn(&Motion) -> f64;
     let statistical: [(&str, Of, usize); 4] = [
         ("collisions per ball and turn", |n| n.collisions, 3),
-        ("of these once sorted", |n| n.collisions_late, 3),
+        ("of these in steady state", |n| n.collisions_late, 3),
         (
             "gap deviation in degrees",
             |n| n.gap_deviation_rad.to_degrees(),

@@ -8,7 +8,7 @@ mod workshop;
 use std::path::Path;
 
 use cageless::design::search::{Found, SearchError, search};
-use cageless::design::{Verdict, judge};
+use cageless::design::{RacewayVerdict, judge};
 use cageless::raceway::RacewayDimensions;
 use cageless::spacing::CriticalGapError;
 use cageless_io::case_file::CaseFile;
@@ -85,7 +85,7 @@ fn verdicts(
         .map(|point| {
             let Some(case) = entered(file, raceways.clone(), Some(point)) else {
                 return Ok(PointVerdict {
-                    verdict: Verdict::Infeasible.name().to_owned(),
+                    verdict: RacewayVerdict::Infeasible.name().to_owned(),
                     passes: Some(false),
                     headline: "FAIL: infeasible; the case cannot have this raceway".to_owned(),
                 });

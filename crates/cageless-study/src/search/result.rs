@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::{Provenance, Structure};
+use crate::{Provenance, RacewayLabel};
 
 /// What a search found, in display units.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
@@ -42,7 +42,7 @@ pub struct SearchData {
     /// θ by Eq. (11), degrees.
     pub curve_half_angle_deg: Vec<f64>,
     /// Structures of the paper, if this is its bearing.
-    pub paper: Vec<Structure>,
+    pub paper: Vec<RacewayLabel>,
     /// Provenance of critical gaps and motion.
     pub provenance: Provenance,
 }
@@ -143,17 +143,17 @@ pub struct MotionNumbers {
     /// The same once the balls have been sorted.
     pub collisions_late: f64,
     /// Share of the passages hit by both neighbours.
-    pub twice_share: f64,
+    pub double_collision_fraction: f64,
     /// Impulse between balls per ball and turn, mN·s.
     pub impulse_mn_s: f64,
     /// Standard deviation of the gaps on arrival over the steady gap.
-    pub unevenness: f64,
+    pub spacing_scatter: f64,
     /// Smallest gap on arrival, degrees.
     pub gap_min_deg: f64,
     /// Largest slip, mean over the passages, m/s.
     pub slip_m_s: f64,
     /// Share of the theoretical drop of orbital speed that the balls reach.
-    pub speed_drop_share: f64,
+    pub speed_drop_fraction: f64,
     /// Standard deviation of the force on the outer ring, N.
     pub force_deviation_n: f64,
     /// Friction loss, W.

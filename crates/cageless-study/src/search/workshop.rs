@@ -6,7 +6,7 @@ use std::sync::Mutex;
 
 use cageless::Case;
 use cageless::design::search::{
-    Interrupted, Job, Motion, Numbers, Outcome, Spacing, Stage, Task, run_jobs,
+    Interrupted, Job, Motion, Numbers, Outcome, PairSeparation, Stage, Task, run_jobs,
 };
 use cageless::dynamics::state::BATCH_WIDTH;
 use cageless_io::case_file::CaseFile;
@@ -158,14 +158,14 @@ fn groups(jobs: &[Job], todo: &[usize], threads: usize) -> Vec<Vec<usize>> {
 
 fn work(job: &Job) -> f64 {
     match job.task {
-        Task::Spacing => SPACING_WORK,
+        Task::PairSeparation => SPACING_WORK,
         Task::Motion(_) => 1.0,
     }
 }
 
 fn entry(outcome: &Outcome) -> Entry {
     outcome.clone().map(|numbers| match numbers {
-        Numbers::Spacing(s) => vec![s.critical_gap_rad, s.shortfall, s.stress_pa],
+        Numbers::PairSeparation(s) => vec![s.critical_gap_rad, s.shortfall, s.stress_pa],
         Numbers::Motion(m) => m.values().to_vec(),
     })
 }
@@ -178,7 +178,7 @@ fn outcome(key: &str, entry: Entry) -> Option<Outcome> {
     };
     if key.starts_with("spacing") {
         let [critical_gap_rad, shortfall, stress_pa] = values.try_into().ok()?;
-        Some(Ok(Numbers::Spacing(Spacing {
+        Some(Ok(Numbers::PairSeparation(PairSeparation {
             critical_gap_rad,
             shortfall,
             stress_pa,

@@ -43,7 +43,7 @@ impl Collection {
         let checkpoint = Checkpoint::open(result)?;
         let mut collection = Self {
             columns: sweep.columns().to_vec(),
-            identity: Identity::of(sweep),
+            identity: Identity::new(sweep),
             result: result.to_owned(),
             shard,
             range,
@@ -167,7 +167,7 @@ pub fn write_part(
         return Ok(false);
     };
     let isa = [InstructionSet::chosen().name().to_owned()];
-    let footer = Identity::of(sweep).footer(&isa, None);
+    let footer = Identity::new(sweep).footer(&isa, None);
     let mut table = RowsWriter::create(path, sweep.columns(), &footer)?;
     for row in rows {
         table.push(row)?;

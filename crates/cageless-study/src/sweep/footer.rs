@@ -27,7 +27,7 @@ pub struct Identity {
 
 impl Identity {
     /// Of a sweep that this program computes.
-    pub fn of(sweep: &Sweep) -> Self {
+    pub fn new(sweep: &Sweep) -> Self {
         Self {
             version: VERSION.to_owned(),
             plan: sweep.normal().to_owned(),

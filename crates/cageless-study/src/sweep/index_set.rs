@@ -97,7 +97,7 @@ impl Shard {
     }
 
     /// How many there are.
-    pub fn of(self) -> u64 {
+    pub fn total(self) -> u64 {
         self.of
     }
 

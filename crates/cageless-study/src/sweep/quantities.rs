@@ -140,9 +140,9 @@ pub const QUANTITIES: &[Quantity] = &[
     quantity("verdict_critical_gap_deg", "deg", Verdict(|j| j.critical_gap_rad.map(f64::to_degrees).into())),
     integer("verdict_passages", Verdict(|j| j.passages.map_or(Cell::Null, |p| count(p.passages)))),
     low(quantity("verdict_collisions_mean", "", Verdict(|j| of_passages(j, |p| p.collisions_mean)))),
-    low(quantity("verdict_twice_share", "", Verdict(|j| of_passages(j, |p| p.twice_share)))),
+    low(quantity("verdict_double_collision_fraction", "", Verdict(|j| of_passages(j, |p| p.double_collision_fraction)))),
     low(quantity("verdict_slip_mean_m_s", "m/s", Verdict(|j| of_passages(j, |p| p.slip_mean_m_s)))),
-    high(quantity("verdict_speed_drop_share", "", Verdict(|j| of_passages(j, |p| p.speed_drop_share)))),
+    high(quantity("verdict_speed_drop_fraction", "", Verdict(|j| of_passages(j, |p| p.speed_drop_fraction)))),
     high(quantity("verdict_gap_leave_min_deg", "deg", Verdict(|j| of_passages(j, |p| p.gap_leave_min_rad.to_degrees())))),
     quantity("verdict_gap_leave_max_deg", "deg", Verdict(|j| of_passages(j, |p| p.gap_leave_max_rad.to_degrees()))),
 

@@ -24,7 +24,7 @@ pub struct InfluenceRow {
     /// Smallest and largest critical gap, degrees.
     pub critical_gap_deg: Option<[f64; 2]>,
     /// Smallest and largest share of passages hit by both neighbours.
-    pub twice_share: Option<[f64; 2]>,
+    pub double_collision_fraction: Option<[f64; 2]>,
     /// Smallest and largest mean slip per passage, m/s.
     pub slip_mean_m_s: Option<[f64; 2]>,
 }
@@ -85,7 +85,7 @@ pub struct ToleranceData {
     /// Critical gap as drawn, degrees.
     pub nominal_critical_gap_deg: Option<f64>,
     /// Share of passages hit by both neighbours, as drawn.
-    pub nominal_twice_share: Option<f64>,
+    pub nominal_double_collision_fraction: Option<f64>,
     /// Mean slip per passage, as drawn, m/s.
     pub nominal_slip_m_s: Option<f64>,
     /// Gap of evenly spaced balls, degrees.

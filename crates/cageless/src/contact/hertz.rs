@@ -25,8 +25,8 @@ use crate::numerics::{elliptic, root};
 /// Largest pressure that a ball bearing is to bear: 4200 MPa leave an indentation of some
 /// 1e-4 of the ball's diameter (ISO 76).
 pub const STRESS_LIMIT_PA: f64 = 4.2e9;
-/// Deflection that no elastic contact survives, as a share of the ball radius.
-pub const DEFLECTION_SHARE_MAX: f64 = 0.05;
+/// Deflection that no elastic contact survives, as a fraction of the ball radius.
+pub const DEFLECTION_FRACTION_MAX: f64 = 0.05;
 
 /// Elastic energy 2/5 K δ^(5/2) of a contact with stiffness K in N·m^(−3/2), J; 0 for δ < 0.
 pub fn energy_j(stiffness_n_m1_5: f64, deflection_m: f64) -> f64 {

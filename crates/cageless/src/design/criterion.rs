@@ -1,15 +1,15 @@
 //! The criteria of a verdict, each with its value, its limit and the margin between them.
 
-use super::{SLIP_SHORTFALL, SPEED_DROP_SHARE, TWICE_SHARE, Verdict};
+use super::{DOUBLE_COLLISION_FRACTION, RacewayVerdict, SLIP_SHORTFALL, SPEED_DROP_FRACTION};
 
-/// One requirement on the motion of the balls. Values, limits and margins are shares of 1.
+/// One requirement on the motion of the balls. Values, limits and margins are fractions of 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Criterion {
-    /// Share of β0 by which sliding lowers the critical gap, at most [`SLIP_SHORTFALL`].
+    /// Fraction of β0 by which sliding lowers the critical gap, at most [`SLIP_SHORTFALL`].
     Separation(f64),
-    /// Share of the kinematic deceleration that the balls reach, at least [`SPEED_DROP_SHARE`].
+    /// Fraction of the kinematic deceleration that the balls reach, at least [`SPEED_DROP_FRACTION`].
     Deceleration(f64),
-    /// Share of the passages in which both neighbours hit, at most [`TWICE_SHARE`].
+    /// Fraction of the passages in which both neighbours hit, at most [`DOUBLE_COLLISION_FRACTION`].
     BothNeighbours(f64),
 }
 
@@ -36,15 +36,15 @@ impl Criterion {
     pub fn limit(self) -> f64 {
         match self {
             Self::Separation(_) => SLIP_SHORTFALL,
-            Self::Deceleration(_) => SPEED_DROP_SHARE,
-            Self::BothNeighbours(_) => TWICE_SHARE,
+            Self::Deceleration(_) => SPEED_DROP_FRACTION,
+            Self::BothNeighbours(_) => DOUBLE_COLLISION_FRACTION,
         }
     }
 
     /// Distance of the value from its limit, negative beyond it.
     pub fn margin(self) -> f64 {
         match self {
-            Self::Deceleration(value) => value - SPEED_DROP_SHARE,
+            Self::Deceleration(value) => value - SPEED_DROP_FRACTION,
             Self::Separation(value) | Self::BothNeighbours(value) => self.limit() - value,
         }
     }
@@ -55,18 +55,18 @@ impl Criterion {
     }
 
     /// The verdict on a raceway that this criterion decides.
-    pub fn verdict(self) -> Verdict {
+    pub fn verdict(self) -> RacewayVerdict {
         match self {
-            _ if self.is_met() => Verdict::Smooth,
-            Self::Separation(_) | Self::Deceleration(_) => Verdict::Slips,
-            Self::BothNeighbours(_) => Verdict::DoubleCollision,
+            _ if self.is_met() => RacewayVerdict::Smooth,
+            Self::Separation(_) | Self::Deceleration(_) => RacewayVerdict::Slips,
+            Self::BothNeighbours(_) => RacewayVerdict::DoubleCollision,
         }
     }
 
     /// Margin over that of a raceway without sliding and collisions: 1 there, 0 at the limit.
     pub fn relative_margin(self) -> f64 {
         let ideal = match self {
-            Self::Deceleration(_) => 1.0 - SPEED_DROP_SHARE,
+            Self::Deceleration(_) => 1.0 - SPEED_DROP_FRACTION,
             Self::Separation(_) | Self::BothNeighbours(_) => self.limit(),
         };
         self.margin() / ideal
@@ -93,7 +93,7 @@ fn decimals(value: f64, limit: f64) -> usize {
         .unwrap_or(6)
 }
 
-/// A share in per cent with as many decimals as tell it from its limit: `5.003 %`.
+/// A fraction in per cent with as many decimals as tell it from its limit: `5.003 %`.
 pub fn percent_beside(value: f64, limit: f64) -> String {
     format!("{:.*} %", decimals(value, limit), 100.0 * value)
 }

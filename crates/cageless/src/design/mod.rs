@@ -31,8 +31,8 @@ pub use criterion::{Criterion, percent_beside};
 pub use recommendation::{Recommendation, StartingPoint, recommend, starting_point};
 pub use run_verdict::RunVerdict;
 pub use verdict::{
-    Judgement, PassageStatistics, RacewayJudgement, SLIP_SHORTFALL, SPEED_DROP_SHARE, TWICE_SHARE,
-    Verdict, judge, judge_watched, steady_after_s, steady_case,
+    DOUBLE_COLLISION_FRACTION, Judgement, PassageStatistics, RacewayJudgement, RacewayVerdict,
+    SLIP_SHORTFALL, SPEED_DROP_FRACTION, judge, judge_watched, steady_after_s, steady_case,
 };
 
 /// What φ means in Zhao 2022, Eq. (11).

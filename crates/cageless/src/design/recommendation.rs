@@ -2,7 +2,7 @@
 
 use super::search::SPREAD_MIN;
 use super::{
-    Eq11, Judgement, SLIP_SHORTFALL, Verdict, half_angle_for_gap_rad, judge, steady_gap_rad,
+    Eq11, Judgement, RacewayVerdict, SLIP_SHORTFALL, half_angle_for_gap_rad, judge, steady_gap_rad,
     theoretical_gap_rad,
 };
 use crate::case::Case;
@@ -51,7 +51,7 @@ const DEPTHS: [f64; 6] = [1.0, 0.97, 0.94, 0.91, 0.88, 0.85];
 /// θ of the raceways that are judged, from the middle of the usable range (0) to its upper end
 /// (1). Balls slide less in longer raceways.
 const ANGLES: [f64; 2] = [0.0, 0.5];
-/// A raceway with this share of the largest margin to every limit ends the search for a better
+/// A raceway with this fraction of the largest margin to every limit ends the search for a better
 /// one.
 const COMFORTABLE: f64 = 0.5;
 
@@ -102,7 +102,7 @@ fn span_for_angle(case: &Case, half_angle: f64) -> Option<f64> {
     root::brent(difference, some, limit, 1e-9)
 }
 
-/// Share of β0 that slip takes from the critical gap.
+/// Fraction of β0 that slip takes from the critical gap.
 fn shortfall(
     case: &Case,
     raceway: Raceway,
@@ -119,7 +119,7 @@ const CRITICAL_GAPS: f64 = 8.0;
 /// Finds the range of θ on the curve of Eq. (11) within which the separation neither
 /// suffers from slip nor lets three balls into the raceway at once, and the raceway in
 /// its middle. `None` if there is no such range: slip takes over before the third ball
-/// is kept out. `control` is called with the estimated share of the work that is done.
+/// is kept out. `control` is called with the estimated fraction of the work that is done.
 ///
 /// # Errors
 /// The case is impossible, one of its runs fails, or `control` ended the work.
@@ -139,8 +139,8 @@ pub fn starting_point(
     let mut gaps = 0.0;
     let mut excess = |span: f64| match on_curve(case, span) {
         Some(raceway) => {
-            let mut share = |part: f64| control(((gaps + part) / CRITICAL_GAPS).min(1.0));
-            let shortfall = shortfall(case, raceway, &mut share)?;
+            let mut fraction = |part: f64| control(((gaps + part) / CRITICAL_GAPS).min(1.0));
+            let shortfall = shortfall(case, raceway, &mut fraction)?;
             gaps += 1.0;
             Ok(shortfall - SLIP_SHORTFALL)
         }
@@ -188,16 +188,16 @@ fn span_for_gap(case: &Case, half_angle_rad: f64, gap_rad: f64, widest_m: f64) -
 }
 
 /// The raceways to be judged at one angle, the deepest first; the starting point is left out.
-fn neighbours(case: &Case, start: &StartingPoint, share: f64) -> Vec<RacewayDimensions> {
+fn neighbours(case: &Case, start: &StartingPoint, fraction: f64) -> Vec<RacewayDimensions> {
     let half_angle_rad =
-        start.half_angle_rad + share * (start.half_angle_max_rad - start.half_angle_rad);
+        start.half_angle_rad + fraction * (start.half_angle_max_rad - start.half_angle_rad);
     let Some(widest_m) = span_for_angle(case, half_angle_rad) else {
         return vec![];
     };
     let uniform = case.bearing.nominal_gap_rad();
     DEPTHS
         .into_iter()
-        .filter(|&depth| depth < 1.0 || share > 0.0)
+        .filter(|&depth| depth < 1.0 || fraction > 0.0)
         .filter_map(|depth| {
             let gap = depth * uniform;
             let axial_span_m = span_for_gap(case, half_angle_rad, gap, widest_m)?;
@@ -221,7 +221,7 @@ fn neighbours(case: &Case, start: &StartingPoint, share: f64) -> Vec<RacewayDime
 ///
 /// `entered` is the case with a raceway in the place of its own, as it is judged when the raceway
 /// is entered in its file; `None` if that is impossible. `control` is called with the estimated
-/// share of the work that is done.
+/// fraction of the work that is done.
 ///
 /// # Errors
 /// The case is impossible, one of the runs for the starting point fails, or `control` ended the
@@ -231,7 +231,7 @@ pub fn recommend(
     entered: &dyn Fn(RacewayDimensions) -> Option<Case>,
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<Option<Recommendation>, CriticalGapError> {
-    let Some(start) = starting_point(case, &mut |part| control(STARTING_SHARE * part))? else {
+    let Some(start) = starting_point(case, &mut |part| control(STARTING_FRACTION * part))? else {
         return Ok(None);
     };
     let mut judged = 0u8;
@@ -239,12 +239,12 @@ pub fn recommend(
         let Some(case) = entered(dimensions) else {
             return Ok(None);
         };
-        let mut share = |part: f64| {
+        let mut fraction = |part: f64| {
             // How many more follow is not known: each takes half of what is left.
             let left = 0.5f64.powf(f64::from(judged) + part);
-            control(1.0 - (1.0 - STARTING_SHARE) * left)
+            control(1.0 - (1.0 - STARTING_FRACTION) * left)
         };
-        let judgement = match judge(&case, &mut share) {
+        let judgement = match judge(&case, &mut fraction) {
             Err(CriticalGapError::Interrupted) => return Err(CriticalGapError::Interrupted),
             Err(_) => return Ok(None),
             Ok(judgement) => judgement,
@@ -267,7 +267,7 @@ pub fn recommend(
     }
     let mut angles = ANGLES;
     // A shallower raceway slows the balls less, but only a longer one leaves them more time.
-    if matches!(&middle, Some(m) if m.judgement.verdict == Verdict::Slips) {
+    if matches!(&middle, Some(m) if m.judgement.verdict == RacewayVerdict::Slips) {
         angles.reverse();
     }
     let margin = |r: &Recommendation| {
@@ -277,7 +277,7 @@ pub fn recommend(
     let mut best: Option<Recommendation> = None;
     for dimensions in angles
         .into_iter()
-        .flat_map(|share| neighbours(case, &start, share))
+        .flat_map(|fraction| neighbours(case, &start, fraction))
     {
         let Some(found) = judged_raceway(dimensions)?.filter(Recommendation::passes) else {
             continue;
@@ -295,5 +295,5 @@ pub fn recommend(
     }))
 }
 
-/// Share of the work of a recommendation that its starting point takes, roughly.
-const STARTING_SHARE: f64 = 0.3;
+/// Fraction of the work of a recommendation that its starting point takes, roughly.
+const STARTING_FRACTION: f64 = 0.3;

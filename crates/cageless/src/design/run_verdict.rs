@@ -1,8 +1,8 @@
 //! Verdict on the passages of one run.
 
-use super::Verdict;
+use super::RacewayVerdict;
 use super::criterion::Criterion;
-use super::verdict::speed_drop_share;
+use super::verdict::speed_drop_fraction;
 use crate::case::Case;
 use crate::passage::PassageTally;
 
@@ -11,7 +11,7 @@ use crate::passage::PassageTally;
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunVerdict {
     /// The worst of the raceways.
-    pub verdict: Verdict,
+    pub verdict: RacewayVerdict,
     /// The criterion that decides; `None` if nothing was judged.
     pub deciding: Option<Criterion>,
     /// PASS or FAIL with the verdict, the criterion that decides, and its margin.
@@ -20,23 +20,24 @@ pub struct RunVerdict {
 
 impl RunVerdict {
     /// Verdict from the passages through each raceway of the case, in their order.
-    pub fn of(case: &Case, passages: &[PassageTally]) -> Self {
+    pub fn from_case(case: &Case, passages: &[PassageTally]) -> Self {
         let all: Vec<Criterion> = case
             .raceways
             .iter()
             .zip(passages)
             .filter(|(_, tally)| tally.count > 0)
             .flat_map(|(raceway, tally)| {
-                let share = speed_drop_share(case, raceway, tally.slowest_mean_rad_s());
+                let fraction =
+                    speed_drop_fraction(case, raceway, tally.lowest_orbit_speed_mean_rad_s());
                 [
-                    Criterion::Deceleration(share),
-                    Criterion::BothNeighbours(tally.twice_share()),
+                    Criterion::Deceleration(fraction),
+                    Criterion::BothNeighbours(tally.double_collision_fraction()),
                 ]
             })
             .collect();
         let deciding = Criterion::deciding(&all);
         let verdict = match deciding {
-            None => Verdict::NotJudged,
+            None => RacewayVerdict::NotJudged,
             Some(criterion) => criterion.verdict(),
         };
         let headline = match deciding {

@@ -11,7 +11,7 @@ use crate::spacing::{CriticalGapError, PairTest, critical_gap_rad};
 
 /// Verdict on a raceway, the worst last.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Verdict {
+pub enum RacewayVerdict {
     /// There is no discrete raceway to judge.
     NotJudged,
     /// Balls pass without sliding and without being hit from both sides.
@@ -24,7 +24,7 @@ pub enum Verdict {
     Infeasible,
 }
 
-impl Verdict {
+impl RacewayVerdict {
     /// Whether the raceway passes; `None` where there is none to judge.
     pub fn passes(self) -> Option<bool> {
         match self {
@@ -53,12 +53,12 @@ pub struct PassageStatistics {
     pub passages: usize,
     /// Contacts with either neighbour per passage, mean.
     pub collisions_mean: f64,
-    /// Share of passages in which both neighbours hit.
-    pub twice_share: f64,
+    /// Fraction of passages in which both neighbours hit.
+    pub double_collision_fraction: f64,
     /// Largest slip at a loaded contact, mean over the passages.
     pub slip_mean_m_s: f64,
-    /// Share of the theoretical drop of orbital speed that the balls reach, mean.
-    pub speed_drop_share: f64,
+    /// Fraction of the theoretical drop of orbital speed that the balls reach, mean.
+    pub speed_drop_fraction: f64,
     /// Largest gap to the ball ahead on leaving.
     pub gap_leave_max_rad: f64,
     /// Smallest gap to the ball ahead on leaving.
@@ -69,7 +69,7 @@ pub struct PassageStatistics {
 #[derive(Debug, Clone, PartialEq)]
 pub struct RacewayJudgement {
     /// The verdict.
-    pub verdict: Verdict,
+    pub verdict: RacewayVerdict,
     /// Why, in numbers.
     pub reasons: Vec<String>,
     /// The criteria in the order in which they are tested; empty if the motion cannot be judged.
@@ -84,7 +84,7 @@ pub struct RacewayJudgement {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Judgement {
     /// The worst verdict.
-    pub verdict: Verdict,
+    pub verdict: RacewayVerdict,
     /// Why, in numbers, of every raceway.
     pub reasons: Vec<String>,
     /// The criterion that decides: the first that fails on the first raceway with the worst
@@ -100,18 +100,18 @@ pub struct Judgement {
     pub stopped: Option<Stop>,
 }
 
-/// A raceway slips when the critical gap falls this share short of β0 (Eq. (11)). In the
+/// A raceway slips when the critical gap falls this fraction short of β0 (Eq. (11)). In the
 /// `paper` profile those of the paper's ten structures that it calls slipping lose 9 %
 /// and more, the others 3 % at most; the `physical` profile, where balls slip earlier,
 /// adds (f).
 pub const SLIP_SHORTFALL: f64 = 0.05;
 /// A raceway slips as well when the balls reach less of the theoretical drop of orbital speed
 /// than this: they slide over it. A critical gap measured on sliding balls means nothing.
-pub const SPEED_DROP_SHARE: f64 = 0.8;
-/// A raceway collides twice per passage when this share of the passages does. In the
+pub const SPEED_DROP_FRACTION: f64 = 0.8;
+/// A raceway collides twice per passage when this fraction of the passages does. In the
 /// `paper` profile those of the paper's ten structures that it calls so lie well above,
 /// the others well below; in `physical`, (c) falls below.
-pub const TWICE_SHARE: f64 = 0.25;
+pub const DOUBLE_COLLISION_FRACTION: f64 = 0.25;
 /// Ball orbits discarded before the passages are counted, and counted.
 const TURNS: [f64; 2] = [16.0, 16.0];
 
@@ -124,7 +124,7 @@ const GAP_ORBITS: f64 = 1.5;
 /// at the start and in static equilibrium, pass all raceways for 32 orbits of which the first
 /// 16 are discarded.
 ///
-/// `control` is called every thousand steps or so with the estimated share of the work that is
+/// `control` is called every thousand steps or so with the estimated fraction of the work that is
 /// done, 0 to 1.
 ///
 /// # Errors
@@ -147,7 +147,7 @@ pub fn judge_watched(
 ) -> Result<Judgement, CriticalGapError> {
     if case.raceways.is_empty() {
         return Ok(Judgement {
-            verdict: Verdict::NotJudged,
+            verdict: RacewayVerdict::NotJudged,
             reasons: vec!["the outer ring has no discrete raceway".to_owned()],
             deciding: None,
             critical_gap_rad: None,
@@ -161,8 +161,8 @@ pub fn judge_watched(
     let mut criticals = vec![];
     for (k, raceway) in case.raceways.iter().enumerate() {
         let alone = case.with_raceways(vec![raceway.clone()]);
-        let mut share = |part: f64| control(GAP_ORBITS * (k as f64 + part) / orbits);
-        match critical_gap_rad(&alone, &PairTest::default(), &mut share) {
+        let mut fraction = |part: f64| control(GAP_ORBITS * (k as f64 + part) / orbits);
+        match critical_gap_rad(&alone, &PairTest::default(), &mut fraction) {
             Ok(gap) => criticals.push(Ok(gap)),
             Err(error @ (CriticalGapError::Case(_) | CriticalGapError::Interrupted)) => {
                 return Err(error);
@@ -206,7 +206,7 @@ pub fn judge_watched(
 
 fn infeasible(reason: String, critical_gap_rad: Option<f64>) -> RacewayJudgement {
     RacewayJudgement {
-        verdict: Verdict::Infeasible,
+        verdict: RacewayVerdict::Infeasible,
         reasons: vec![reason],
         criteria: vec![],
         critical_gap_rad,
@@ -220,7 +220,7 @@ fn summary(raceways: Vec<RacewayJudgement>, stopped: Option<Stop>) -> Judgement 
         .iter()
         .map(|r| r.verdict)
         .max()
-        .unwrap_or(Verdict::Infeasible);
+        .unwrap_or(RacewayVerdict::Infeasible);
     let several = raceways.len() > 1;
     let reasons = raceways
         .iter()
@@ -236,7 +236,7 @@ fn summary(raceways: Vec<RacewayJudgement>, stopped: Option<Stop>) -> Judgement 
         })
         .collect();
     let worst = || raceways.iter().filter(|r| r.verdict == verdict);
-    let deciding = if verdict == Verdict::Smooth {
+    let deciding = if verdict == RacewayVerdict::Smooth {
         let all: Vec<Criterion> = worst().flat_map(|r| r.criteria.iter().copied()).collect();
         Criterion::deciding(&all)
     } else {
@@ -288,10 +288,10 @@ fn decide(case: &Case, raceway: &Raceway, critical: f64, s: PassageStatistics) -
     let wide = 2.0 * raceway.half_angle_rad();
     let criteria = vec![
         Criterion::Separation(shortfall),
-        Criterion::Deceleration(s.speed_drop_share),
-        Criterion::BothNeighbours(s.twice_share),
+        Criterion::Deceleration(s.speed_drop_fraction),
+        Criterion::BothNeighbours(s.double_collision_fraction),
     ];
-    let verdict = Criterion::deciding(&criteria).map_or(Verdict::Smooth, Criterion::verdict);
+    let verdict = Criterion::deciding(&criteria).map_or(RacewayVerdict::Smooth, Criterion::verdict);
     let reasons = vec![
         format!(
             "critical gap {:.4}°, {:.1} % {} β0 = {:.4}° (slips above {:.0} % short)",
@@ -304,17 +304,17 @@ fn decide(case: &Case, raceway: &Raceway, critical: f64, s: PassageStatistics) -
         format!(
             "{:.0} % of {} passages hit by both neighbours (double-collision above {:.0} %), \
              {:.2} contacts per passage",
-            100.0 * s.twice_share,
+            100.0 * s.double_collision_fraction,
             s.passages,
-            100.0 * TWICE_SHARE,
+            100.0 * DOUBLE_COLLISION_FRACTION,
             s.collisions_mean
         ),
         format!(
             "largest slip in a passage {:.3} m/s on average, {:.0} % of the theoretical drop of \
              orbital speed reached (slips below {:.0} %)",
             s.slip_mean_m_s,
-            100.0 * s.speed_drop_share,
-            100.0 * SPEED_DROP_SHARE
+            100.0 * s.speed_drop_fraction,
+            100.0 * SPEED_DROP_FRACTION
         ),
         format!(
             "2θ = {:.2}°: up to {} evenly spaced balls inside at once (three from {:.2}°)",
@@ -404,17 +404,21 @@ fn statistics(case: &Case, raceway: &Raceway, tally: &PassageTally) -> Option<Pa
     Some(PassageStatistics {
         passages: tally.count as usize,
         collisions_mean: tally.collisions_mean(),
-        twice_share: tally.twice_share(),
+        double_collision_fraction: tally.double_collision_fraction(),
         slip_mean_m_s: tally.slip_mean_m_s(),
-        speed_drop_share: speed_drop_share(case, raceway, tally.slowest_mean_rad_s()),
+        speed_drop_fraction: speed_drop_fraction(
+            case,
+            raceway,
+            tally.lowest_orbit_speed_mean_rad_s(),
+        ),
         gap_leave_max_rad,
         gap_leave_min_rad,
     })
 }
 
-/// Share of the theoretical drop of orbital speed in a raceway that balls reach which fall to
+/// Fraction of the theoretical drop of orbital speed in a raceway that balls reach which fall to
 /// `slowest_rad_s`.
-pub(super) fn speed_drop_share(case: &Case, raceway: &Raceway, slowest_rad_s: f64) -> f64 {
+pub(super) fn speed_drop_fraction(case: &Case, raceway: &Raceway, slowest_rad_s: f64) -> f64 {
     let bearing = &case.bearing;
     let speed = |r: f64| rolling_orbit_speed_rad_s(bearing, case.operation.inner_speed_rad_s, r);
     let plain = speed(bearing.ball_radius_m());

@@ -9,7 +9,7 @@ use super::EquilibriumError;
 use super::potential::{Local, Potential};
 
 const ITERATIONS: usize = 500;
-/// Share of all forces that may be left on the ring.
+/// Fraction of all forces that may be left on the ring.
 const FORCE_TOLERANCE: f64 = 1e-10;
 
 fn length([x, y]: [f64; 2]) -> f64 {

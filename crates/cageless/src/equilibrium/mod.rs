@@ -277,5 +277,5 @@ fn settle_ring(problem: &Problem<'_>) -> Result<[f64; 2], EquilibriumError> {
     Ok(polished.flatten().filter(same).unwrap_or(lowest.ring))
 }
 
-/// Distance of two places of the ring that differ by rounding, as a share of the displacement.
+/// Distance of two places of the ring that differ by rounding, as a fraction of the displacement.
 const SAME_PLACE: f64 = 1e-9;

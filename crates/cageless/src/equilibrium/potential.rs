@@ -71,15 +71,18 @@ pub(super) struct Potential {
 impl PotentialBall {
     /// u at which the ball touches no more than it must for its push, to start from.
     fn guess(&self, ring: [f64; 2]) -> f64 {
-        let share = |k: f64| k.cbrt().powi(2);
-        let (inner, outer) = (share(self.inner_stiffness), share(self.outer_stiffness));
+        let fraction = |k: f64| k.cbrt().powi(2);
+        let (inner, outer) = (
+            fraction(self.inner_stiffness),
+            fraction(self.outer_stiffness),
+        );
         let approach = self.at(ring, 0.0).approach;
         let push = self.steady + self.turning / self.outer_orbit_radius;
         if push >= 0.0 {
-            let thrown = share(push) / outer;
+            let thrown = fraction(push) / outer;
             thrown + (approach - thrown).max(0.0) * inner / (inner + outer)
         } else {
-            let sunk = approach - share(-push) / inner;
+            let sunk = approach - fraction(-push) / inner;
             sunk.min(0.0) + sunk.max(0.0) * inner / (inner + outer)
         }
     }

@@ -62,9 +62,9 @@ pub fn basis(sites: &[f64], interval: usize, x: f64) -> [f64; 4] {
         for r in 0..degree {
             let right = knot(r as isize + 1) - x;
             let left = x - knot(1 - degree as isize + r as isize);
-            let share = values[r] / (right + left);
-            values[r] = carried + right * share;
-            carried = left * share;
+            let fraction = values[r] / (right + left);
+            values[r] = carried + right * fraction;
+            carried = left * fraction;
         }
         values[degree] = carried;
     }

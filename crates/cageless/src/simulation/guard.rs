@@ -1,7 +1,7 @@
 //! What ends a run that has left the physical range.
 
 use crate::case::Case;
-use crate::contact::hertz::DEFLECTION_SHARE_MAX;
+use crate::contact::hertz::DEFLECTION_FRACTION_MAX;
 use crate::dynamics::state::{Layout, State};
 use crate::dynamics::{Contacts, Model};
 
@@ -95,7 +95,7 @@ impl Stop {
 const LOOK_EVERY: u64 = 8;
 /// The ledger is balanced this often, steps.
 const BALANCE_EVERY: u64 = 512;
-/// Energy from nowhere that is let pass, as a share of the sum of all flows or of the
+/// Energy from nowhere that is let pass, as a fraction of the sum of all flows or of the
 /// energy at the start, whichever is larger.
 const RESIDUAL_MAX: f64 = 0.05;
 
@@ -117,7 +117,7 @@ impl<'m> Guard<'m> {
             model,
             layout,
             start_energy: model.energy_j(start),
-            deflection_max: DEFLECTION_SHARE_MAX * bearing.ball_radius_m(),
+            deflection_max: DEFLECTION_FRACTION_MAX * bearing.ball_radius_m(),
             gap_max: bearing.radial_clearance_m() + bearing.ball_radius_m(),
         }
     }

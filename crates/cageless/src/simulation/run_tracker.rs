@@ -14,7 +14,7 @@ use crate::integrator::StepState;
 /// beyond which it would be lost, even for a ball that is thrown.
 const RECENT_RAD: f64 = 0.3;
 
-/// Flows of less than this share of the energy at the start are rounding: nothing flows.
+/// Flows of less than this fraction of the energy at the start are rounding: nothing flows.
 const ROUNDING_FRACTION: f64 = 1e-6;
 
 /// Tracks one bearing through the steps of a run, alone or in a batch.

@@ -3,14 +3,14 @@
 use crate::error::{Allowed, InputError};
 use crate::raceway::Raceway;
 
-/// Shortest blend in shares of half a raceway: in less, the kink is not resolved.
+/// Shortest blend in fractions of half a raceway: in less, the kink is not resolved.
 const SHARE_MIN: f64 = 0.002;
-/// Longest blend in shares of half a raceway: the middle half stays as designed.
+/// Longest blend in fractions of half a raceway: the middle half stays as designed.
 const SHARE_MAX: f64 = 0.5;
 
 /// A discrete raceway with its blends.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Zone {
+pub(super) struct RacewayZone {
     raceway: Raceway,
     blend: Option<Blend>,
 }
@@ -24,7 +24,7 @@ struct Blend {
     coefficients: [f64; 3],
 }
 
-impl Zone {
+impl RacewayZone {
     /// Blends over the last `blend_m` before each end, along a circle of `bottom_m`; 0 for
     /// none.
     pub(super) fn new(raceway: &Raceway, blend_m: f64, bottom_m: f64) -> Result<Self, InputError> {

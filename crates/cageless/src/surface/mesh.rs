@@ -25,8 +25,8 @@ const CHORD_MIN_M: f64 = 5e-8;
 const ROUNDINGS: f64 = 10.0;
 /// Coarsest chord error.
 const CHORD_MAX_M: f64 = 1e-4;
-/// Share of the chord error that the arcs across the groove take up.
-const ACROSS_SHARE: f64 = 0.4;
+/// Fraction of the chord error that the arcs across the groove take up.
+const ACROSS_FRACTION: f64 = 0.4;
 
 impl Mesh {
     /// Meshes the ring so that no triangle is further than `chord_m` from its surface, even
@@ -57,7 +57,7 @@ impl Mesh {
 
     fn within(ring: &OuterRing, chord_m: f64) -> Self {
         let re = ring.curvature_radius_m();
-        let arc = (8.0 * ACROSS_SHARE * chord_m / re).sqrt();
+        let arc = (8.0 * ACROSS_FRACTION * chord_m / re).sqrt();
         let steps = (widest_arc_rad(ring) / arc).ceil().max(2.0) as usize;
         let mut rows = Vec::new();
         let mut deviation_m = 0.0f64;

@@ -37,12 +37,12 @@ use crate::error::{Allowed, InputError, not_negative, positive};
 use crate::numerics::quadrature::gauss;
 use crate::raceway::{Raceway, SurfacePoint, apart, groove_centre};
 
-use blend::Zone;
+use blend::RacewayZone;
 pub use grid::Grid;
 pub use meridian::Meridian;
 pub use mesh::Mesh;
 pub use patch::{Patch, PatchError};
-pub use sector::Sector;
+pub use sector::RingSector;
 
 /// What the outer ring has besides its groove.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,7 +70,7 @@ pub struct OuterRing {
     shoulder_radius_m: f64,
     /// Ro.
     groove_bottom_radius_m: f64,
-    zones: Vec<Zone>,
+    zones: Vec<RacewayZone>,
 }
 
 /// Gauss panels of ten points in a sector of a discrete raceway.
@@ -99,7 +99,7 @@ impl OuterRing {
         apart(raceways)?;
         let d = bearing.dimensions();
         let bottom_m = d.outer_groove_bottom_radius_m;
-        let zones = (raceways.iter()).map(|r| Zone::new(r, dimensions.blend_m, bottom_m));
+        let zones = (raceways.iter()).map(|r| RacewayZone::new(r, dimensions.blend_m, bottom_m));
         let ring = Self {
             dimensions,
             outer_orbit_radius_m: bearing.outer_orbit_radius_m(),
@@ -163,7 +163,7 @@ impl OuterRing {
 
     /// Section of the groove at ψ.
     pub fn meridian(&self, angle_rad: f64) -> Meridian {
-        let within = |(k, zone): (usize, &Zone)| {
+        let within = |(k, zone): (usize, &RacewayZone)| {
             let raceway = zone.raceway();
             raceway
                 .contains(angle_rad)
@@ -179,7 +179,7 @@ impl OuterRing {
     }
 
     /// Section of a sector at ψ; at its ends the limit from within.
-    pub fn meridian_in(&self, sector: &Sector, angle_rad: f64) -> Meridian {
+    pub fn meridian_in(&self, sector: &RingSector, angle_rad: f64) -> Meridian {
         match sector.raceway {
             Some(k) => {
                 let centre = self.zones[k].raceway().dimensions().centre_angle_rad;
@@ -325,7 +325,7 @@ impl OuterRing {
 
     /// The raceways, in the order given.
     pub fn raceways(&self) -> impl Iterator<Item = &Raceway> {
-        self.zones.iter().map(Zone::raceway)
+        self.zones.iter().map(RacewayZone::raceway)
     }
 }
 

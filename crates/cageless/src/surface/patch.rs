@@ -1,6 +1,6 @@
 //! The groove of one sector as a bicubic B-spline.
 
-use super::{Meridian, OuterRing, Sector, wrapped};
+use super::{Meridian, OuterRing, RingSector, wrapped};
 use crate::numerics::bspline::{Vec3, basis, interpolate, interval};
 
 /// C² bicubic B-spline surface of one half of a sector's groove, z ≥ 0 unless mirrored. The first parameter is ψ,
@@ -37,7 +37,11 @@ impl Patch {
     ///
     /// # Errors
     /// A [`PatchError`] if the points would become too many.
-    pub fn fit(ring: &OuterRing, sector: &Sector, tolerance_m: f64) -> Result<Self, PatchError> {
+    pub fn fit(
+        ring: &OuterRing,
+        sector: &RingSector,
+        tolerance_m: f64,
+    ) -> Result<Self, PatchError> {
         let (mut along, mut across) = (4, 4);
         loop {
             let along_rad = equal_parts(sector.start_rad, sector.end_rad, along);
@@ -66,7 +70,7 @@ impl Patch {
 
     fn interpolated(
         ring: &OuterRing,
-        sector: &Sector,
+        sector: &RingSector,
         along_rad: Vec<f64>,
         across: Vec<f64>,
     ) -> Self {
@@ -131,25 +135,25 @@ impl Patch {
 
     /// Largest distance from the analytic surface, and of the last row from the shoulder's
     /// cylinder, at nine points of each interval each way that are not sites.
-    pub fn deviation_m(&self, ring: &OuterRing, sector: &Sector) -> f64 {
+    pub fn deviation_m(&self, ring: &OuterRing, sector: &RingSector) -> f64 {
         let along = between(&self.along_rad);
         let mut across = between(&self.across);
         across.extend([0.0, 1.0]);
         self.worst_m(ring, sector, &along, &across)
     }
 
-    fn deviation_along_m(&self, ring: &OuterRing, sector: &Sector) -> f64 {
+    fn deviation_along_m(&self, ring: &OuterRing, sector: &RingSector) -> f64 {
         let across = [0.0, self.across[self.across.len() / 2], 1.0];
         self.worst_m(ring, sector, &between(&self.along_rad), &across)
     }
 
-    fn deviation_across_m(&self, ring: &OuterRing, sector: &Sector) -> f64 {
+    fn deviation_across_m(&self, ring: &OuterRing, sector: &RingSector) -> f64 {
         let sites = &self.along_rad;
         let along = [sites[0], sites[sites.len() / 2]];
         self.worst_m(ring, sector, &along, &between(&self.across))
     }
 
-    fn worst_m(&self, ring: &OuterRing, sector: &Sector, along: &[f64], across: &[f64]) -> f64 {
+    fn worst_m(&self, ring: &OuterRing, sector: &RingSector, along: &[f64], across: &[f64]) -> f64 {
         let mut worst = 0.0f64;
         for &psi in along {
             for &u in across {

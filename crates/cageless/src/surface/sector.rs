@@ -7,7 +7,7 @@ use super::{OuterRing, wrapped};
 
 /// A part of the ring between two meridian planes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sector {
+pub struct RingSector {
     /// ψ of its start.
     pub start_rad: f64,
     /// ψ of its end, above the start; the start of the next sector, give or take a turn.
@@ -21,7 +21,7 @@ pub struct Sector {
 /// Raceways closer than this touch: it is rounding of their angles.
 const TOUCHING_RAD: f64 = 1e-9;
 
-impl Sector {
+impl RingSector {
     /// ψ halfway.
     pub fn middle_rad(&self) -> f64 {
         (self.start_rad + self.end_rad) / 2.0
@@ -30,8 +30,9 @@ impl Sector {
 
 impl OuterRing {
     /// The sectors in the order of ψ, all round, none of more than 180°.
-    pub fn sectors(&self) -> Vec<Sector> {
-        let mut zones: Vec<Vec<Sector>> = (0..self.zones.len()).map(|k| self.parts(k)).collect();
+    pub fn sectors(&self) -> Vec<RingSector> {
+        let mut zones: Vec<Vec<RingSector>> =
+            (0..self.zones.len()).map(|k| self.parts(k)).collect();
         zones.sort_by(|a, b| a[0].start_rad.total_cmp(&b[0].start_rad));
         let Some(first) = zones.first().map(|zone| zone[0].start_rad) else {
             return plain(-PI, PI);
@@ -52,7 +53,7 @@ impl OuterRing {
     }
 
     /// A discrete raceway: blend, middle, blend; or the middle alone.
-    fn parts(&self, index: usize) -> Vec<Sector> {
+    fn parts(&self, index: usize) -> Vec<RingSector> {
         let zone = &self.zones[index];
         let d = zone.raceway().dimensions();
         let (middle, theta) = (wrapped(d.centre_angle_rad), d.half_angle_rad);
@@ -62,7 +63,7 @@ impl OuterRing {
         };
         let parts = ends.len() - 1;
         (0..parts)
-            .map(|k| Sector {
+            .map(|k| RingSector {
                 start_rad: middle + ends[k],
                 end_rad: middle + ends[k + 1],
                 raceway: Some(index),
@@ -73,11 +74,11 @@ impl OuterRing {
 }
 
 /// A plain stretch in equal parts of at most 180°.
-fn plain(start_rad: f64, end_rad: f64) -> Vec<Sector> {
+fn plain(start_rad: f64, end_rad: f64) -> Vec<RingSector> {
     let count = ((end_rad - start_rad) / PI - 1e-12).ceil().max(1.0);
     let angle = |k: f64| start_rad + (end_rad - start_rad) * k / count;
     (0..count as usize)
-        .map(|k| Sector {
+        .map(|k| RingSector {
             start_rad: angle(k as f64),
             end_rad: angle(k as f64 + 1.0),
             raceway: None,

@@ -1,17 +1,17 @@
 //! From judged trials to a tolerance table and the probability of passing.
 
 use super::deviation::{Influence, Trial};
-use crate::design::{Judgement, Verdict};
+use crate::design::{Judgement, RacewayVerdict};
 
 /// Result of one trial.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
     /// The verdict.
-    pub verdict: Verdict,
+    pub verdict: RacewayVerdict,
     /// Critical gap, if there is one.
     pub critical_gap_rad: Option<f64>,
-    /// Share of passages hit by both neighbours.
-    pub twice_share: Option<f64>,
+    /// Fraction of passages hit by both neighbours.
+    pub double_collision_fraction: Option<f64>,
     /// Contacts with neighbours per passage.
     pub collisions_mean: Option<f64>,
     /// Largest slip per passage, mean.
@@ -34,10 +34,10 @@ impl Outcome {
         Self {
             verdict: judgement.verdict,
             critical_gap_rad: judgement.critical_gap_rad,
-            twice_share: passages.map(|p| p.twice_share),
+            double_collision_fraction: passages.map(|p| p.double_collision_fraction),
             collisions_mean: passages.map(|p| p.collisions_mean),
             slip_mean_m_s: passages.map(|p| p.slip_mean_m_s),
-            reason: (judgement.verdict == Verdict::Infeasible)
+            reason: (judgement.verdict == RacewayVerdict::Infeasible)
                 .then(|| judgement.reasons.join("; ")),
             headline: judgement.headline(),
         }
@@ -46,12 +46,12 @@ impl Outcome {
     /// Of a bearing that cannot be built.
     pub fn impossible(reason: String) -> Self {
         Self {
-            verdict: Verdict::Infeasible,
+            verdict: RacewayVerdict::Infeasible,
             critical_gap_rad: None,
-            twice_share: None,
+            double_collision_fraction: None,
             collisions_mean: None,
             slip_mean_m_s: None,
-            headline: format!("FAIL: {}; {reason}", Verdict::Infeasible.name()),
+            headline: format!("FAIL: {}; {reason}", RacewayVerdict::Infeasible.name()),
             reason: Some(reason),
         }
     }
@@ -77,11 +77,11 @@ pub struct InfluenceResult {
     /// Trials that pass.
     pub passed: usize,
     /// Verdicts that came out, worst last.
-    pub verdicts: Vec<Verdict>,
+    pub verdicts: Vec<RacewayVerdict>,
     /// Critical gaps, this and the numbers below with those of the bearing as drawn.
     pub critical_gap_rad: Interval,
     /// Shares of passages hit by both neighbours.
-    pub twice_share: Interval,
+    pub double_collision_fraction: Interval,
     /// Slip per passage.
     pub slip_mean_m_s: Interval,
 }
@@ -94,7 +94,7 @@ pub struct Samples {
     /// Those that pass.
     pub passed: usize,
     /// How often each verdict came out.
-    pub verdicts: [(Verdict, usize); 4],
+    pub verdicts: [(RacewayVerdict, usize); 4],
     /// Probability of passing.
     pub pass_probability: f64,
     /// 95 % interval of the probability (Wilson 1927).
@@ -105,8 +105,8 @@ pub struct Samples {
     pub outcomes: Vec<Outcome>,
 }
 
-/// Share of the bearings that have to pass for the tolerances to pass.
-pub const PASS_SHARE: f64 = 0.95;
+/// Fraction of the bearings that have to pass for the tolerances to pass.
+pub const PASS_FRACTION: f64 = 0.95;
 
 /// The tolerance table and the probability.
 #[derive(Debug, Clone, PartialEq)]
@@ -120,11 +120,11 @@ pub struct Assessment {
 }
 
 impl Assessment {
-    /// Whether the tolerances pass: the bearing as drawn does, and [`PASS_SHARE`] of those in which
+    /// Whether the tolerances pass: the bearing as drawn does, and [`PASS_FRACTION`] of those in which
     /// everything deviates, if there are any.
     pub fn passes(&self) -> bool {
         let samples = self.samples.as_ref();
-        self.nominal.passes() && samples.is_none_or(|s| s.pass_probability >= PASS_SHARE)
+        self.nominal.passes() && samples.is_none_or(|s| s.pass_probability >= PASS_FRACTION)
     }
 
     /// PASS or FAIL with the probability of passing and the verdict on the bearing as drawn.
@@ -141,7 +141,7 @@ impl Assessment {
                     s.passed,
                     s.count,
                     100.0 * s.pass_probability,
-                    100.0 * PASS_SHARE
+                    100.0 * PASS_FRACTION
                 )
             }
         }
@@ -178,7 +178,7 @@ pub fn assess(trials: &[Trial], outcomes: &[Outcome]) -> Assessment {
 }
 
 fn row(influence: Influence, nominal: &Outcome, of: &[&Outcome]) -> InfluenceResult {
-    let mut verdicts: Vec<Verdict> = of.iter().map(|o| o.verdict).collect();
+    let mut verdicts: Vec<RacewayVerdict> = of.iter().map(|o| o.verdict).collect();
     verdicts.sort();
     verdicts.dedup();
     let all = || of.iter().copied().chain([nominal]);
@@ -188,7 +188,7 @@ fn row(influence: Influence, nominal: &Outcome, of: &[&Outcome]) -> InfluenceRes
         passed: of.iter().filter(|o| o.passes()).count(),
         verdicts,
         critical_gap_rad: interval(all().filter_map(|o| o.critical_gap_rad)),
-        twice_share: interval(all().filter_map(|o| o.twice_share)),
+        double_collision_fraction: interval(all().filter_map(|o| o.double_collision_fraction)),
         slip_mean_m_s: interval(all().filter_map(|o| o.slip_mean_m_s)),
     }
 }
@@ -199,15 +199,15 @@ fn samples(outcomes: Vec<Outcome>) -> Samples {
     let passed = outcomes.iter().filter(|o| o.passes()).count();
     let mut gaps: Vec<f64> = outcomes.iter().filter_map(|o| o.critical_gap_rad).collect();
     gaps.sort_by(f64::total_cmp);
-    let quantile = |share: f64| gaps[(share * (gaps.len() - 1) as f64).round() as usize];
+    let quantile = |fraction: f64| gaps[(fraction * (gaps.len() - 1) as f64).round() as usize];
     Samples {
         count,
         passed,
         verdicts: [
-            Verdict::Smooth,
-            Verdict::DoubleCollision,
-            Verdict::Slips,
-            Verdict::Infeasible,
+            RacewayVerdict::Smooth,
+            RacewayVerdict::DoubleCollision,
+            RacewayVerdict::Slips,
+            RacewayVerdict::Infeasible,
         ]
         .map(|verdict| (verdict, number(verdict))),
         pass_probability: passed as f64 / count as f64,

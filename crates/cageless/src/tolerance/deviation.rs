@@ -73,10 +73,10 @@ pub struct Tolerances {
     pub friction: f64,
     /// Of Ro − Ri − 2Rw; what would be less than none is left out.
     pub clearance_m: f64,
-    /// Of the speed, as a share.
-    pub speed_share: f64,
-    /// Of the load, as a share.
-    pub load_share: f64,
+    /// Of the speed, as a fraction.
+    pub speed_fraction: f64,
+    /// Of the load, as a fraction.
+    pub load_fraction: f64,
 }
 
 impl Tolerances {
@@ -94,8 +94,8 @@ impl Tolerances {
                 let own = case.bearing.radial_clearance_m();
                 [-self.clearance_m.min(own), self.clearance_m]
             }
-            Influence::Speed => both(self.speed_share * case.operation.inner_speed_rad_s),
-            Influence::Load => both(self.load_share * case.operation.radial_load_n),
+            Influence::Speed => both(self.speed_fraction * case.operation.inner_speed_rad_s),
+            Influence::Load => both(self.load_fraction * case.operation.radial_load_n),
         }
     }
 }

@@ -85,10 +85,10 @@ impl Divergence {
                 half_step: half.map_or(f64::NAN, |other| distance(state, other)),
             });
         }
-        Ok(Self::of(distances))
+        Ok(Self::from_distances(distances))
     }
 
-    fn of(distances: Vec<Distance>) -> Self {
+    fn from_distances(distances: Vec<Distance>) -> Self {
         let first = distances.first().map_or(f64::NAN, |d| d.perturbed);
         let largest = distances.iter().fold(0.0, |m: f64, d| m.max(d.perturbed));
         let growth = largest / first;
@@ -168,7 +168,7 @@ mod tests {
     #[test]
     fn exponential_growth_is_measured() {
         let grow = |from: f64| move |t: f64| (from * (t / 3e-3).exp()).min(5.0);
-        let d = Divergence::of(distances(grow(1e-8), grow(1e-6)));
+        let d = Divergence::from_distances(distances(grow(1e-8), grow(1e-6)));
         let time = d.divergence_time_s.unwrap();
         assert!((time / 3e-3 - 1.0).abs() < 1e-6, "{time}");
         // ln(1e4) e-foldings from 1e-6.
@@ -179,7 +179,7 @@ mod tests {
 
     #[test]
     fn a_drift_is_no_divergence() {
-        let d = Divergence::of(distances(|t| 1e-8 * (1.0 + 100.0 * t), |_| 1e-6));
+        let d = Divergence::from_distances(distances(|t| 1e-8 * (1.0 + 100.0 * t), |_| 1e-6));
         assert_eq!((d.divergence_time_s, d.predictability_time_s), (None, None));
     }
 }

@@ -13,8 +13,8 @@ pub(super) fn sample_times_s(case: &Case) -> Vec<f64> {
     let (step, duration) = (case.solver.step_s, case.solver.duration_s);
     let mut times: Vec<f64> = (1..=SAMPLES)
         .map(|k| {
-            let share = k as f64 / SAMPLES as f64;
-            ((duration * share * share / step).round().max(1.0) * step).min(duration)
+            let fraction = k as f64 / SAMPLES as f64;
+            ((duration * fraction * fraction / step).round().max(1.0) * step).min(duration)
         })
         .collect();
     times.dedup();

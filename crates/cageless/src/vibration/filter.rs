@@ -4,7 +4,7 @@ use biquad::{Biquad, Coefficients, DirectForm2Transposed, Type};
 
 /// Order of the anti-alias filter.
 pub const FILTER_ORDER: usize = 8;
-/// Corner of the anti-alias filter as a share of the sampling rate it protects.
+/// Corner of the anti-alias filter as a fraction of the sampling rate it protects.
 pub const FILTER_CORNER: f64 = 0.4;
 
 /// Samples a signal at a lower rate behind a Butterworth low-pass of order

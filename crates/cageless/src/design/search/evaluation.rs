@@ -1,10 +1,10 @@
 //! Structures with all that is known of them, and the batches of work that find it out.
 
-use super::choice::OBJECTIVES;
-use super::disturbed::{Motion, VALUES};
-use super::job::{Interrupted, Job, Numbers, Outcome, Spacing, Task};
+use super::job::{Interrupted, Job, Numbers, Outcome, PairSeparation, Task};
+use super::pareto::OBJECTIVES;
+use super::perturbed_run::{Motion, VALUES};
+use super::raceway_layout::{ClosedForms, RacewayLayout};
 use super::rejection::{Cause, Rejection};
-use super::structure::{ClosedForms, Structure};
 use super::{CONFIRMING_STARTS, Execute, Request, Stage};
 use crate::bearing::Bearing;
 
@@ -12,13 +12,13 @@ use crate::bearing::Bearing;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Evaluation {
     /// The raceways.
-    pub structure: Structure,
+    pub structure: RacewayLayout,
     /// Index of its placement in [`Request::placements`].
     pub placement: usize,
     /// Closed forms; `None` if the bearing cannot carry the raceways.
     pub forms: Option<ClosedForms>,
     /// Critical gap and stress at each operating point.
-    pub spacing: Vec<Option<Spacing>>,
+    pub spacing: Vec<Option<PairSeparation>>,
     /// Mean over the uneven starts at each operating point.
     pub motion: Vec<Option<Motion>>,
     /// Why it is not acceptable.
@@ -43,7 +43,7 @@ pub struct Statistics {
 
 impl Statistics {
     /// Of two runs or more.
-    pub fn of(runs: Vec<Motion>) -> Self {
+    pub fn new(runs: Vec<Motion>) -> Self {
         let mean = Motion::mean(&runs);
         let n = runs.len() as f64;
         let mut square = [0.0; VALUES];
@@ -63,7 +63,7 @@ impl Statistics {
     /// both alike drops out.
     pub fn less(&self, other: &Self) -> Self {
         let pairs = self.runs.iter().zip(&other.runs);
-        Self::of(
+        Self::new(
             pairs
                 .map(|(a, b)| {
                     let mut difference = a.values();
@@ -99,11 +99,11 @@ pub(super) struct Batch<'r, 'e> {
 
 impl Evaluation {
     /// What the closed forms say.
-    pub(super) fn new(batch: &Batch<'_, '_>, structure: Structure, placement: usize) -> Self {
+    pub(super) fn new(batch: &Batch<'_, '_>, structure: RacewayLayout, placement: usize) -> Self {
         let points = batch.request.points.len();
         let (forms, cause) = match structure.raceways(batch.bearing) {
             Ok(raceways) => {
-                let forms = ClosedForms::of(batch.bearing, &raceways);
+                let forms = ClosedForms::new(batch.bearing, &raceways);
                 let cause = Cause::of_closed_forms(&forms, batch.request.spread_min);
                 (Some(forms), cause)
             }
@@ -163,7 +163,7 @@ impl Evaluation {
 
 impl Batch<'_, '_> {
     /// Whether a structure lies within what was asked for.
-    pub fn within(&self, structure: &Structure) -> bool {
+    pub fn within(&self, structure: &RacewayLayout) -> bool {
         let inside = |range: Option<[f64; 2]>, value: f64| {
             // Snapping to whole micrometres may step over an end by rounding.
             range.is_none_or(|[low, high]| {
@@ -200,7 +200,7 @@ impl Batch<'_, '_> {
                 jobs.push(Job {
                     structure: e.structure.clone(),
                     point,
-                    task: Task::Spacing,
+                    task: Task::PairSeparation,
                 });
             }
         }
@@ -209,7 +209,7 @@ impl Batch<'_, '_> {
         for ((k, p), outcome) in places.into_iter().zip(outcomes) {
             let e = &mut evaluations[k];
             match outcome {
-                Ok(Numbers::Spacing(spacing)) => e.spacing[p] = Some(spacing),
+                Ok(Numbers::PairSeparation(spacing)) => e.spacing[p] = Some(spacing),
                 Ok(Numbers::Motion(_)) => unreachable!("outcome of another task"),
                 Err(reason) => fail(e, reason, p),
             }
@@ -262,7 +262,7 @@ impl Batch<'_, '_> {
     /// Runs of a structure at one point from the usual starts.
     pub(super) fn motion_jobs_at(
         &self,
-        structure: &Structure,
+        structure: &RacewayLayout,
         point: super::OperatingPoint,
     ) -> Vec<Job> {
         (0..self.request.starts)
@@ -274,7 +274,7 @@ impl Batch<'_, '_> {
             .collect()
     }
 
-    fn motion_jobs(&self, structure: &Structure, starts: u64) -> Vec<Job> {
+    fn motion_jobs(&self, structure: &RacewayLayout, starts: u64) -> Vec<Job> {
         let points = self.request.points.iter();
         points
             .flat_map(|&point| (0..starts).map(move |start| (point, start)))
@@ -291,7 +291,7 @@ impl Batch<'_, '_> {
     pub fn confirm(
         &mut self,
         role: &'static str,
-        structure: &Structure,
+        structure: &RacewayLayout,
     ) -> Result<Confirmed, Interrupted> {
         let mut one = [Evaluation::new(self, structure.clone(), 0)];
         let from_geometry = one[0].rejection.take();
@@ -308,7 +308,7 @@ impl Batch<'_, '_> {
             match motions(runs) {
                 Ok(all) => {
                     evaluation.motion[p] = Some(Motion::mean(&all[..usual]));
-                    statistics.push(Statistics::of(all));
+                    statistics.push(Statistics::new(all));
                 }
                 Err(reason) => fail(&mut evaluation, reason, p),
             }
@@ -335,7 +335,7 @@ pub(super) fn motions(outcomes: &[Outcome]) -> Result<Vec<Motion>, String> {
         .iter()
         .map(|outcome| match outcome {
             Ok(Numbers::Motion(motion)) => Ok(*motion),
-            Ok(Numbers::Spacing(_)) => unreachable!("outcome of another task"),
+            Ok(Numbers::PairSeparation(_)) => unreachable!("outcome of another task"),
             Err(reason) => Err(reason.clone()),
         })
         .collect()

@@ -1,8 +1,8 @@
 //! The pieces of work of a search: pure functions of the case, to be run in any order on any
 //! thread.
 
-use super::disturbed::{DisturbedError, Motion, disturbed};
-use super::structure::{OperatingPoint, Structure};
+use super::perturbed_run::{Motion, PerturbedRunError, perturbed_runs};
+use super::raceway_layout::{OperatingPoint, RacewayLayout};
 use crate::case::{Case, Gaps, Start};
 use crate::design::{Eq11, steady_gap_rad, theoretical_gap_rad};
 use crate::equilibrium;
@@ -14,7 +14,7 @@ use crate::spacing::{CriticalGapError, PairTest, critical_gap_rad};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Task {
     /// Critical gap and contact stress.
-    Spacing,
+    PairSeparation,
     /// A run of all balls from this uneven start.
     Motion(u64),
 }
@@ -23,7 +23,7 @@ pub enum Task {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Job {
     /// The raceways.
-    pub structure: Structure,
+    pub structure: RacewayLayout,
     /// Speed and load.
     pub point: OperatingPoint,
     /// What is to be found out.
@@ -32,11 +32,11 @@ pub struct Job {
 
 /// Critical gap and contact stress of a structure.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Spacing {
+pub struct PairSeparation {
     /// Largest critical gap of the raceways, each alone in the ring: what all of them
     /// together guarantee. No more than [`CROWDED_MAX`] steady gaps are looked at.
     pub critical_gap_rad: f64,
-    /// Largest share of β0 that slip takes from a critical gap; 0 where that is beyond
+    /// Largest fraction of β0 that slip takes from a critical gap; 0 where that is beyond
     /// [`CROWDED_MAX`].
     pub shortfall: f64,
     /// Largest Hertz pressure at the outer raceway while the balls go by.
@@ -46,8 +46,8 @@ pub struct Spacing {
 /// What a job came to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Numbers {
-    /// Of [`Task::Spacing`].
-    Spacing(Spacing),
+    /// Of [`Task::PairSeparation`].
+    PairSeparation(PairSeparation),
     /// Of [`Task::Motion`].
     Motion(Motion),
 }
@@ -74,7 +74,7 @@ impl Job {
     /// A name that no other job of the same case has.
     pub fn key(&self) -> String {
         let mut key = match self.task {
-            Task::Spacing => "spacing".to_owned(),
+            Task::PairSeparation => "spacing".to_owned(),
             Task::Motion(start) => format!("motion {start}"),
         };
         let (s, p) = (&self.structure, &self.point);
@@ -111,9 +111,9 @@ pub fn run_jobs(
     for (k, job) in jobs.iter().enumerate() {
         match (job.structure.raceways(&case.bearing), job.task) {
             (Err(error), _) => outcomes[k] = Some(Err(error.to_string())),
-            (Ok(raceways), Task::Spacing) => {
+            (Ok(raceways), Task::PairSeparation) => {
                 outcomes[k] = match spacing(case, &job.point, &raceways, control) {
-                    Ok(spacing) => Some(Ok(Numbers::Spacing(spacing))),
+                    Ok(spacing) => Some(Ok(Numbers::PairSeparation(spacing))),
                     Err(CriticalGapError::Interrupted) => None,
                     Err(error) => Some(Err(error.to_string())),
                 };
@@ -124,10 +124,10 @@ pub fn run_jobs(
         }
     }
     let cases: Vec<(&Case, u64)> = runs.iter().map(|(_, case, start)| (case, *start)).collect();
-    for ((k, ..), motion) in runs.iter().zip(disturbed(&cases, control)) {
+    for ((k, ..), motion) in runs.iter().zip(perturbed_runs(&cases, control)) {
         outcomes[*k] = match motion {
             Ok(motion) => Some(Ok(Numbers::Motion(motion))),
-            Err(DisturbedError::Interrupted) => None,
+            Err(PerturbedRunError::Interrupted) => None,
             Err(error) => Some(Err(error.to_string())),
         };
     }
@@ -140,7 +140,7 @@ fn spacing(
     point: &OperatingPoint,
     raceways: &[Raceway],
     control: &mut dyn FnMut(f64) -> Control,
-) -> Result<Spacing, CriticalGapError> {
+) -> Result<PairSeparation, CriticalGapError> {
     let most = CROWDED_MAX * steady_gap_rad(&case.bearing, raceways);
     let test = PairTest {
         neighbours_wider: NEIGHBOURS_WIDER,
@@ -148,7 +148,7 @@ fn spacing(
         gap_max_rad: Some(most),
         ..PairTest::default()
     };
-    let mut spacing = Spacing {
+    let mut spacing = PairSeparation {
         critical_gap_rad: 0.0,
         shortfall: f64::NEG_INFINITY,
         stress_pa: peak_stress_pa(&point.case(case, raceways.to_vec()))?.1,

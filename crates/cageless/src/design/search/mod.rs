@@ -1,12 +1,12 @@
 //! Search for the discrete raceway: which spans and angles, where and how many.
 //!
 //! In stages, each looking only at what the one before left over:
-//! 1. a **map**: closed forms and critical gap on a coarse lattice over all that Zhao 2022,
+//! 1. a **map**: closed forms and critical gap on a coarse grid over all that Zhao 2022,
 //!    Eq. (8) and (9), allow, at every speed;
-//! 2. a **band**: for each angle the spans whose β0 lies between what spreads the balls and
+//! 2. **candidates**: for each angle the spans whose β0 lies between what spreads the balls and
 //!    what makes evenly flowing balls collide; critical gap and stress there;
 //! 3. **motion**: runs of all balls from uneven starts for what is left; then the same between
-//!    the lines of the band on which something is acceptable;
+//!    the lines of the candidates on which something is acceptable;
 //! 4. the Pareto front, the structure nearest to the best in everything, and COBYLA from
 //!    there;
 //! 5. more starts for the recommendation and for the case's own raceway.
@@ -24,35 +24,36 @@
 //! assert!(places[0][0].abs() < 1e-12);
 //! ```
 
-mod choice;
-mod disturbed;
 mod evaluation;
+mod grid;
 mod job;
-mod lattice;
+mod local_optimisation;
+mod pareto;
+mod perturbed_run;
 mod placement;
-mod polish;
+mod raceway_layout;
 mod rejection;
-mod structure;
 
-pub use choice::{ALL_OBJECTIVES, OBJECTIVES, Objective, RESOLUTION, Scale, pareto_front};
-pub use disturbed::{DisturbedError, Motion, TURNS, VALUES, disturbed, uneven_gaps_rad};
 pub use evaluation::{Confirmed, Evaluation, Statistics};
+pub use grid::{MapCell, SpeedMap};
 pub use job::{
-    CROWDED_MAX, Interrupted, Job, NEIGHBOURS_WIDER, Numbers, Outcome, Spacing, Task,
+    CROWDED_MAX, Interrupted, Job, NEIGHBOURS_WIDER, Numbers, Outcome, PairSeparation, Task,
     peak_stress_pa, run_jobs,
 };
-pub use lattice::{MapCell, SpeedMap};
+pub use pareto::{ALL_OBJECTIVES, OBJECTIVES, Objective, ObjectiveScale, RESOLUTION, pareto_front};
+pub use perturbed_run::{
+    Motion, PerturbedRunError, TURNS, VALUES, perturbed_runs, uneven_gaps_rad,
+};
 pub use placement::placements;
-pub use rejection::{Cause, KEPT_SHARE, Rejection};
-pub use structure::{ClosedForms, OperatingPoint, Structure};
+pub use raceway_layout::{ClosedForms, OperatingPoint, RacewayLayout};
+pub use rejection::{Cause, RETAINED_FRACTION, Rejection};
 
 use crate::case::Case;
 use crate::contact::hertz::STRESS_LIMIT_PA;
-use crate::design::{SLIP_SHORTFALL, TWICE_SHARE};
+use crate::design::{DOUBLE_COLLISION_FRACTION, SLIP_SHORTFALL};
 use crate::equilibrium::EquilibriumError;
 use crate::error::InputError;
 use crate::raceway::axial_span_limit_m;
-use choice::Scale as Ruler;
 use evaluation::Batch;
 
 /// What is asked of a search.
@@ -68,7 +69,7 @@ pub struct Request {
     pub half_angle_range_rad: Option<[f64; 2]>,
     /// Places of the raceways, ψ of their middles; the map is drawn for the first.
     pub placements: Vec<Vec<f64>>,
-    /// Share of the steady gap that a raceway must guarantee, above 0 and below 1.
+    /// Fraction of the steady gap that a raceway must guarantee, above 0 and below 1.
     pub spread_min: f64,
     /// Uneven starts per structure, 1 or more.
     pub starts: u64,
@@ -79,13 +80,13 @@ pub struct Request {
 impl Request {
     /// The case's own operating point, one raceway where the case has its first (at the
     /// bottom if it has none), all that the geometry allows.
-    pub fn of(case: &Case) -> Self {
+    pub fn from_case(case: &Case) -> Self {
         let centre = case
             .raceways
             .first()
             .map_or(0.0, |r| r.dimensions().centre_angle_rad);
         Self {
-            points: vec![OperatingPoint::of(case)],
+            points: vec![OperatingPoint::from_case(case)],
             map_speeds_rad_s: vec![],
             axial_span_range_m: None,
             half_angle_range_rad: None,
@@ -110,7 +111,7 @@ pub enum Stage {
     /// Critical gaps of the map.
     Map,
     /// Critical gaps of the band.
-    Band,
+    Candidates,
     /// Runs of all balls.
     Motion,
     /// Steps of the optimiser.
@@ -124,7 +125,7 @@ impl Stage {
     pub fn name(self) -> &'static str {
         match self {
             Self::Map => "map of critical gaps",
-            Self::Band => "critical gaps in the band",
+            Self::Candidates => "critical gaps of the candidates",
             Self::Motion => "motion of all balls",
             Self::Polish => "optimiser",
             Self::Confirm => "confirmation",
@@ -156,7 +157,7 @@ pub struct Found {
     pub request: Request,
     /// Maps: one per operating point, then one per further speed.
     pub maps: Vec<SpeedMap>,
-    /// Every structure of the band, with numbers or the reason of its rejection; that of the
+    /// Every candidates, with numbers or the reason of its rejection; that of the
     /// optimiser last, if it found a better one.
     pub evaluations: Vec<Evaluation>,
     /// Index of the recommended structure.
@@ -171,7 +172,7 @@ impl Found {
         self.evaluations.iter().filter(|e| e.on_front)
     }
 
-    /// How many cells of the maps at the operating points and structures of the band each
+    /// How many cells of the maps at the operating points and candidates each
     /// cause excludes, those that exclude most first.
     pub fn rejections(&self) -> Vec<(&'static str, usize)> {
         let points = self.request.points.len();
@@ -179,13 +180,13 @@ impl Found {
             .iter()
             .flat_map(|m| &m.cells)
             .filter_map(|c| c.cause.as_ref());
-        let band = self
+        let candidates = self
             .evaluations
             .iter()
             .filter_map(|e| e.rejection.as_ref().map(|r| &r.cause));
         let mut counts: Vec<(&'static str, usize)> =
             Cause::NAMES.iter().map(|&name| (name, 0)).collect();
-        for cause in cells.chain(band) {
+        for cause in cells.chain(candidates) {
             if let Some(count) = counts.iter_mut().find(|c| c.0 == cause.name()) {
                 count.1 += 1;
             }
@@ -195,10 +196,10 @@ impl Found {
         counts
     }
 
-    /// The rejected structure of the band that misses by least at some operating point.
+    /// The rejected candidates that misses by least at some operating point.
     pub fn closest(&self) -> Option<&Evaluation> {
         let excess = |e: &Evaluation| {
-            // What the closed forms exclude lies at the edge of the band by construction.
+            // What the closed forms exclude lies at the edge of the candidate range by construction.
             e.rejection
                 .as_ref()
                 .filter(|r| r.point.is_some())
@@ -228,17 +229,17 @@ pub fn search(
         execute,
         bearing: &case.bearing,
     };
-    let maps = lattice::maps(&mut batch)?;
-    let mut evaluations = lattice::band(&batch);
-    batch.spacing(Stage::Band, &mut evaluations)?;
+    let maps = grid::maps(&mut batch)?;
+    let mut evaluations = grid::candidates(&batch);
+    batch.spacing(Stage::Candidates, &mut evaluations)?;
     let limit = request.budget / (request.points.len() * request.starts as usize).max(1);
     // A third is kept for a closer look at what is acceptable.
     batch.motion(Stage::Motion, &mut evaluations, (limit - limit / 3).max(1))?;
     let done = evaluations.iter().filter(|e| e.motion[0].is_some()).count();
-    let mut closer = lattice::closer(&batch, &evaluations);
-    batch.spacing(Stage::Band, &mut closer)?;
-    batch.motion(Stage::Motion, &mut closer, limit.saturating_sub(done))?;
-    evaluations.append(&mut closer);
+    let mut refined = grid::refine(&batch, &evaluations);
+    batch.spacing(Stage::Candidates, &mut refined)?;
+    batch.motion(Stage::Motion, &mut refined, limit.saturating_sub(done))?;
+    evaluations.append(&mut refined);
     let recommended = recommend(&mut batch, &mut evaluations)?;
     let mut confirmed = vec![];
     if let Some(best) = recommended {
@@ -246,7 +247,7 @@ pub fn search(
         best_confirmed.evaluation.on_front = evaluations[best].on_front;
         confirmed.push(best_confirmed);
     }
-    if let Some(own) = Structure::of(case) {
+    if let Some(own) = RacewayLayout::from_case(case) {
         confirmed.push(batch.confirm("own", &own)?);
     }
     Ok(Found {
@@ -277,7 +278,7 @@ fn recommend(
     for &k in &front {
         evaluations[k].on_front = true;
     }
-    let Some(ruler) = Ruler::of(
+    let Some(scale) = ObjectiveScale::new(
         front
             .iter()
             .filter_map(|&k| evaluations[k].objectives.as_ref()),
@@ -287,14 +288,14 @@ fn recommend(
     let distance = |e: &Evaluation| {
         e.objectives
             .as_ref()
-            .map_or(f64::INFINITY, |o| ruler.distance(o))
+            .map_or(f64::INFINITY, |o| scale.distance(o))
     };
     let best = front
         .into_iter()
         .min_by(|&a, &b| distance(&evaluations[a]).total_cmp(&distance(&evaluations[b])));
     let Some(best) = best else { return Ok(None) };
-    let polished = polish_from(batch, &evaluations[best], &distance)?;
-    Ok(Some(match polished {
+    let optimised = optimise_from(batch, &evaluations[best], &distance)?;
+    Ok(Some(match optimised {
         Some(better) => {
             evaluations.push(better);
             evaluations.len() - 1
@@ -303,12 +304,12 @@ fn recommend(
     }))
 }
 
-/// Steps of the optimiser: about half a cell of the band.
+/// Steps of the optimiser: about half a cell of the candidates.
 const SPAN_STEP: f64 = 0.02;
 const ANGLE_STEP: f64 = 0.05;
 
 /// COBYLA from a structure, over shares of its span and angle.
-fn polish_from(
+fn optimise_from(
     batch: &mut Batch<'_, '_>,
     from: &Evaluation,
     distance: &dyn Fn(&Evaluation) -> f64,
@@ -316,13 +317,13 @@ fn polish_from(
     let mut interrupted = false;
     let mut seen: Vec<([f64; 2], Evaluation)> = vec![];
     let spread_min = batch.request.spread_min;
-    let value = |e: &Evaluation| polish::Value {
+    let value = |e: &Evaluation| local_optimisation::Value {
         objective: distance(e).min(2.0),
         constraints: e.slack(spread_min),
     };
     let start = value(from);
-    let found = polish::minimise(2.0, start, &mut |[x, y]| {
-        let structure = lattice::snapped(&Structure {
+    let found = local_optimisation::minimise(2.0, start, &mut |[x, y]| {
+        let structure = grid::snapped(&RacewayLayout {
             axial_span_m: from.structure.axial_span_m * (1.0 + SPAN_STEP * x),
             half_angle_rad: from.structure.half_angle_rad * (1.0 + ANGLE_STEP * y),
             ..from.structure.clone()
@@ -387,7 +388,7 @@ fn check_points(case: &Case, request: &Request) -> Result<(), SearchError> {
 
 /// Ranges of lC and θ to look at; refuses those of which Eq. (8) and (9) allow nothing.
 fn ranges(case: &Case, request: &Request) -> Result<[[f64; 2]; 2], SearchError> {
-    let [spans, angles] = lattice::ranges(request, &case.bearing);
+    let [spans, angles] = grid::ranges(request, &case.bearing);
     if spans[1] < spans[0] {
         return Err(SearchError::Impossible(format!(
             "search.axial_span_mm begins at {} mm, beyond the limit of {:.4} mm that the groove \
@@ -421,13 +422,13 @@ impl Evaluation {
             let Some(s) = spacing else {
                 return [-1.0; REQUIREMENTS];
             };
-            let share = s.critical_gap_rad / forms.steady_gap_rad;
+            let fraction = s.critical_gap_rad / forms.steady_gap_rad;
             slack[0] = slack[0].min(SLIP_SHORTFALL - s.shortfall);
-            slack[1] = slack[1].min(1.0 - share);
-            slack[2] = slack[2].min(share - spread_min);
+            slack[1] = slack[1].min(1.0 - fraction);
+            slack[2] = slack[2].min(fraction - spread_min);
         }
         for motion in self.motion.iter().flatten() {
-            slack[3] = slack[3].min(TWICE_SHARE - motion.twice_share);
+            slack[3] = slack[3].min(DOUBLE_COLLISION_FRACTION - motion.double_collision_fraction);
         }
         slack.map(|s| if s.is_finite() { s } else { 0.0 })
     }

@@ -1,16 +1,18 @@
 //! Why a structure is not acceptable.
 
-use super::disturbed::Motion;
-use super::job::Spacing;
-use super::structure::ClosedForms;
+use super::job::PairSeparation;
+use super::perturbed_run::Motion;
+use super::raceway_layout::ClosedForms;
 use crate::contact::hertz::STRESS_LIMIT_PA;
-use crate::design::{SLIP_SHORTFALL, SPEED_DROP_SHARE, TWICE_SHARE, percent_beside};
+use crate::design::{
+    DOUBLE_COLLISION_FRACTION, SLIP_SHORTFALL, SPEED_DROP_FRACTION, percent_beside,
+};
 use crate::error::InputError;
 
 /// Least gap with which balls come back, over the critical gap, which the raceway guarantees.
 /// In the load zone it is 0.7 (at low speed) to 1; where a raceway lies so that its way out has
 /// no load, a fifth.
-pub const KEPT_SHARE: f64 = 0.5;
+pub const RETAINED_FRACTION: f64 = 0.5;
 
 /// What is wrong with a structure.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,19 +23,19 @@ pub enum Cause {
     Path,
     /// Two raceways overlap.
     Overlap,
-    /// The guaranteed gap is this share of the steady gap, too little to spread the balls.
-    Shallow(f64),
+    /// The guaranteed gap is this fraction of the steady gap, too little to spread the balls.
+    InsufficientSeparation(f64),
     /// The critical gap is this multiple of the steady gap: evenly flowing balls collide.
-    Crowded(f64),
-    /// Slip takes this share from the critical gap.
+    ExcessiveSeparation(f64),
+    /// Slip takes this fraction from the critical gap.
     Slips(f64),
-    /// This share of the passages is hit by both neighbours.
+    /// This fraction of the passages is hit by both neighbours.
     DoubleCollision(f64),
-    /// The balls reach this share of the theoretical drop of orbital speed: they slide over the
+    /// The balls reach this fraction of the theoretical drop of orbital speed: they slide over the
     /// raceway, and its critical gap means nothing.
-    Slides(f64),
-    /// Balls come back with this share of the gap that the raceway gave them.
-    Lost(f64),
+    GrossSliding(f64),
+    /// Balls come back with this fraction of the gap that the raceway gave them.
+    GapNotRetained(f64),
     /// This pressure at the outer raceway, Pa.
     Stress(f64),
     /// A run failed.
@@ -55,12 +57,12 @@ impl Cause {
         "eq-8",
         "eq-9",
         "overlap",
-        "shallow",
+        "insufficient-separation",
         "slips",
-        "crowded",
+        "excessive-separation",
         "stress",
-        "slides",
-        "lost",
+        "gross-sliding",
+        "gap-not-retained",
         "double-collision",
         "failed",
     ];
@@ -71,27 +73,27 @@ impl Cause {
             Self::Span => "eq-8",
             Self::Path => "eq-9",
             Self::Overlap => "overlap",
-            Self::Shallow(_) => "shallow",
+            Self::InsufficientSeparation(_) => "insufficient-separation",
             Self::Slips(_) => "slips",
-            Self::Crowded(_) => "crowded",
+            Self::ExcessiveSeparation(_) => "excessive-separation",
             Self::Stress(_) => "stress",
-            Self::Slides(_) => "slides",
-            Self::Lost(_) => "lost",
+            Self::GrossSliding(_) => "gross-sliding",
+            Self::GapNotRetained(_) => "gap-not-retained",
             Self::DoubleCollision(_) => "double-collision",
             Self::Failed(_) => "failed",
         }
     }
 
-    /// How far beyond its limit, as a share; infinite where there is no limit to compare with.
+    /// How far beyond its limit, as a fraction; infinite where there is no limit to compare with.
     pub fn excess(&self, spread_min: f64) -> f64 {
         match self {
-            Self::Shallow(share) => 1.0 - share / spread_min,
-            Self::Crowded(share) => share - 1.0,
+            Self::InsufficientSeparation(fraction) => 1.0 - fraction / spread_min,
+            Self::ExcessiveSeparation(fraction) => fraction - 1.0,
             Self::Slips(shortfall) => shortfall - SLIP_SHORTFALL,
-            Self::DoubleCollision(share) => share - TWICE_SHARE,
+            Self::DoubleCollision(fraction) => fraction - DOUBLE_COLLISION_FRACTION,
             Self::Stress(pa) => pa / STRESS_LIMIT_PA - 1.0,
-            Self::Slides(share) => SPEED_DROP_SHARE - share,
-            Self::Lost(share) => KEPT_SHARE - share,
+            Self::GrossSliding(fraction) => SPEED_DROP_FRACTION - fraction,
+            Self::GapNotRetained(fraction) => RETAINED_FRACTION - fraction,
             Self::Span | Self::Path | Self::Overlap | Self::Failed(_) => f64::INFINITY,
         }
     }
@@ -108,22 +110,22 @@ impl Cause {
 
     /// What the geometry alone excludes: β0 is what the critical gap is without slip.
     pub(super) fn of_closed_forms(forms: &ClosedForms, spread_min: f64) -> Option<Self> {
-        (forms.share() < spread_min).then(|| Self::Shallow(forms.share()))
+        (forms.fraction() < spread_min).then(|| Self::InsufficientSeparation(forms.fraction()))
     }
 
     /// What critical gap and stress exclude.
     pub(super) fn of_spacing(
         forms: &ClosedForms,
-        spacing: &Spacing,
+        spacing: &PairSeparation,
         spread_min: f64,
     ) -> Option<Self> {
-        let share = spacing.critical_gap_rad / forms.steady_gap_rad;
+        let fraction = spacing.critical_gap_rad / forms.steady_gap_rad;
         if spacing.shortfall > SLIP_SHORTFALL {
             Some(Self::Slips(spacing.shortfall))
-        } else if share > 1.0 {
-            Some(Self::Crowded(share))
-        } else if share < spread_min {
-            Some(Self::Shallow(share))
+        } else if fraction > 1.0 {
+            Some(Self::ExcessiveSeparation(fraction))
+        } else if fraction < spread_min {
+            Some(Self::InsufficientSeparation(fraction))
         } else if spacing.stress_pa > STRESS_LIMIT_PA {
             Some(Self::Stress(spacing.stress_pa))
         } else {
@@ -132,14 +134,14 @@ impl Cause {
     }
 
     /// What the motion of all balls excludes.
-    pub(super) fn of_motion(motion: &Motion, spacing: &Spacing) -> Option<Self> {
+    pub(super) fn of_motion(motion: &Motion, spacing: &PairSeparation) -> Option<Self> {
         let kept = motion.gap_min_rad / spacing.critical_gap_rad;
-        if motion.speed_drop_share < SPEED_DROP_SHARE {
-            Some(Self::Slides(motion.speed_drop_share))
-        } else if kept < KEPT_SHARE {
-            Some(Self::Lost(kept))
-        } else if motion.twice_share > TWICE_SHARE {
-            Some(Self::DoubleCollision(motion.twice_share))
+        if motion.speed_drop_fraction < SPEED_DROP_FRACTION {
+            Some(Self::GrossSliding(motion.speed_drop_fraction))
+        } else if kept < RETAINED_FRACTION {
+            Some(Self::GapNotRetained(kept))
+        } else if motion.double_collision_fraction > DOUBLE_COLLISION_FRACTION {
+            Some(Self::DoubleCollision(motion.double_collision_fraction))
         } else {
             None
         }
@@ -160,15 +162,15 @@ impl std::fmt::Display for Cause {
                 "the contact path leaves the groove or turns back (Zhao 2022, Eq. (9))"
             ),
             Self::Overlap => write!(f, "raceways overlap"),
-            Self::Shallow(share) => write!(
+            Self::InsufficientSeparation(fraction) => write!(
                 f,
                 "guarantees only {:.1} % of the steady gap: hardly spreads the balls",
-                100.0 * share
+                100.0 * fraction
             ),
-            Self::Crowded(share) => write!(
+            Self::ExcessiveSeparation(fraction) => write!(
                 f,
                 "critical gap {} of the steady gap: even evenly flowing balls collide",
-                beside(share, 1.0)
+                beside(fraction, 1.0)
             ),
             Self::Slips(shortfall) => write!(
                 f,
@@ -176,25 +178,25 @@ impl std::fmt::Display for Cause {
                 beside(shortfall, SLIP_SHORTFALL),
                 100.0 * SLIP_SHORTFALL
             ),
-            Self::Slides(share) => write!(
+            Self::GrossSliding(fraction) => write!(
                 f,
                 "the balls slide over it: {} of the theoretical drop of orbital speed \
                  ({:.0} % needed)",
-                beside(share, SPEED_DROP_SHARE),
-                100.0 * SPEED_DROP_SHARE
+                beside(fraction, SPEED_DROP_FRACTION),
+                100.0 * SPEED_DROP_FRACTION
             ),
-            Self::Lost(share) => write!(
+            Self::GapNotRetained(fraction) => write!(
                 f,
                 "the gap is lost again: balls come back with as little as {} of the critical \
                  gap ({:.0} % needed)",
-                beside(share, KEPT_SHARE),
-                100.0 * KEPT_SHARE
+                beside(fraction, RETAINED_FRACTION),
+                100.0 * RETAINED_FRACTION
             ),
-            Self::DoubleCollision(share) => write!(
+            Self::DoubleCollision(fraction) => write!(
                 f,
                 "{} of the passages hit by both neighbours ({:.0} % allowed)",
-                beside(share, TWICE_SHARE),
-                100.0 * TWICE_SHARE
+                beside(fraction, DOUBLE_COLLISION_FRACTION),
+                100.0 * DOUBLE_COLLISION_FRACTION
             ),
             Self::Stress(pa) => write!(
                 f,

@@ -1,4 +1,4 @@
-//! From the best structure of the lattice to the best next to it: Powell's COBYLA, which
+//! From the best structure of the grid to the best next to it: Powell's COBYLA, which
 //! needs no derivatives and keeps to the constraints.
 
 use std::cell::RefCell;

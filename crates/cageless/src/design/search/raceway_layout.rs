@@ -9,7 +9,7 @@ use crate::step_limits::StepLimits;
 
 /// Equal discrete raceways at given places.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Structure {
+pub struct RacewayLayout {
     /// lC.
     pub axial_span_m: f64,
     /// θ.
@@ -18,7 +18,7 @@ pub struct Structure {
     pub centres_rad: Vec<f64>,
 }
 
-impl Structure {
+impl RacewayLayout {
     /// The raceways in a bearing.
     ///
     /// # Errors
@@ -42,7 +42,7 @@ impl Structure {
 
     /// The structure of a case whose raceways are equal; `None` without raceways, or if they
     /// differ.
-    pub fn of(case: &Case) -> Option<Self> {
+    pub fn from_case(case: &Case) -> Option<Self> {
         let first = case.raceways.first()?.dimensions();
         let equal = case.raceways.iter().all(|r| {
             r.dimensions().axial_span_m == first.axial_span_m
@@ -71,7 +71,7 @@ pub struct OperatingPoint {
 
 impl OperatingPoint {
     /// That of a case.
-    pub fn of(case: &Case) -> Self {
+    pub fn from_case(case: &Case) -> Self {
         Self {
             inner_speed_rad_s: case.operation.inner_speed_rad_s,
             radial_load_n: case.operation.radial_load_n,
@@ -101,7 +101,7 @@ pub struct ClosedForms {
 
 impl ClosedForms {
     /// Of equal raceways.
-    pub fn of(bearing: &Bearing, raceways: &[Raceway]) -> Self {
+    pub fn new(bearing: &Bearing, raceways: &[Raceway]) -> Self {
         Self {
             theoretical_gap_rad: raceways.first().map_or(0.0, |raceway| {
                 theoretical_gap_rad(bearing, raceway, Eq11::Published)
@@ -111,7 +111,7 @@ impl ClosedForms {
     }
 
     /// β0 over the steady gap.
-    pub fn share(&self) -> f64 {
+    pub fn fraction(&self) -> f64 {
         self.theoretical_gap_rad / self.steady_gap_rad
     }
 }

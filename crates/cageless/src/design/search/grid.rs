@@ -1,13 +1,13 @@
-//! The structures that are looked at: a coarse lattice for the maps, and a band in which the
+//! The structures that are looked at: a coarse grid for the maps, and candidates for which the
 //! closed forms leave a chance.
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::disturbed::Motion;
 use super::evaluation::{Batch, Evaluation, motions};
-use super::job::{Interrupted, Job, Numbers, Spacing, Task};
+use super::job::{Interrupted, Job, Numbers, PairSeparation, Task};
+use super::perturbed_run::Motion;
+use super::raceway_layout::{ClosedForms, OperatingPoint, RacewayLayout};
 use super::rejection::Cause;
-use super::structure::{ClosedForms, OperatingPoint, Structure};
 use super::{Request, Stage};
 use crate::bearing::Bearing;
 use crate::design::SLIP_SHORTFALL;
@@ -15,20 +15,20 @@ use crate::raceway::axial_span_limit_m;
 
 /// Cells of the maps along lC and θ.
 const MAP: [usize; 2] = [30, 18];
-/// Lines of the band along θ, and structures on each.
-const BAND: [usize; 2] = [26, 9];
-/// Spans at which β0 is tabulated to find those of the band.
+/// lines of the candidates along θ, and structures on each.
+const CANDIDATES: [usize; 2] = [26, 9];
+/// Spans at which β0 is tabulated to find the candidates.
 const TABLE: usize = 40;
 
 /// One cell of a map.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MapCell {
     /// The raceways.
-    pub structure: Structure,
+    pub structure: RacewayLayout,
     /// Closed forms; `None` if the bearing cannot carry the raceways.
     pub forms: Option<ClosedForms>,
     /// Critical gap and stress.
-    pub spacing: Option<Spacing>,
+    pub spacing: Option<PairSeparation>,
     /// Why it is not acceptable.
     pub cause: Option<Cause>,
 }
@@ -47,8 +47,8 @@ pub struct SpeedMap {
 }
 
 /// Whole micrometres and hundredths of a degree: what a drawing states.
-pub(super) fn snapped(structure: &Structure) -> Structure {
-    Structure {
+pub(super) fn snapped(structure: &RacewayLayout) -> RacewayLayout {
+    RacewayLayout {
         axial_span_m: (structure.axial_span_m * 1e6).round() / 1e6,
         half_angle_rad: ((structure.half_angle_rad.to_degrees() * 100.0).round() / 100.0)
             .to_radians(),
@@ -84,7 +84,7 @@ pub(super) fn ranges(request: &Request, bearing: &Bearing) -> [[f64; 2]; 2] {
 /// Largest θ at which a path of the span is possible; it grows with the span.
 fn widest_angle_rad(bearing: &Bearing, axial_span_m: f64) -> f64 {
     let possible = |half_angle_rad: f64| {
-        let structure = Structure {
+        let structure = RacewayLayout {
             axial_span_m,
             half_angle_rad,
             centres_rad: vec![0.0],
@@ -111,13 +111,13 @@ pub(super) fn maps(batch: &mut Batch<'_, '_>) -> Result<Vec<SpeedMap>, Interrupt
     let mut cells = vec![];
     for &half_angle_rad in &angles {
         for &axial_span_m in &spans {
-            let structure = snapped(&Structure {
+            let structure = snapped(&RacewayLayout {
                 axial_span_m,
                 half_angle_rad,
                 centres_rad: request.placements[0].clone(),
             });
             let (forms, cause) = match structure.raceways(batch.bearing) {
-                Ok(raceways) => (Some(ClosedForms::of(batch.bearing, &raceways)), None),
+                Ok(raceways) => (Some(ClosedForms::new(batch.bearing, &raceways)), None),
                 Err(error) => (None, Some(Cause::of_geometry(&error))),
             };
             cells.push(MapCell {
@@ -157,7 +157,7 @@ fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrup
             jobs.push(Job {
                 structure: cell.structure.clone(),
                 point: map.point,
-                task: Task::Spacing,
+                task: Task::PairSeparation,
             });
         }
     }
@@ -168,7 +168,7 @@ fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrup
             continue;
         }
         cell.cause = match (outcomes.next(), &cell.forms) {
-            (Some(Ok(Numbers::Spacing(spacing))), Some(forms)) => {
+            (Some(Ok(Numbers::PairSeparation(spacing))), Some(forms)) => {
                 cell.spacing = Some(spacing);
                 Cause::of_closed_forms(forms, spread_min)
                     .or_else(|| Cause::of_spacing(forms, &spacing, spread_min))
@@ -209,25 +209,25 @@ fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrup
     Ok(())
 }
 
-/// The band of all placements. Without slip the critical gap is β0, with slip it may fall
+/// Candidates of all placements. Without slip the critical gap is β0, with slip it may fall
 /// short of it by [`SLIP_SHORTFALL`]; so β0 over the steady gap must lie between
 /// [`Request::spread_min`] and 1/(1 − that).
-pub(super) fn band(batch: &Batch<'_, '_>) -> Vec<Evaluation> {
+pub(super) fn candidates(batch: &Batch<'_, '_>) -> Vec<Evaluation> {
     let [_, angles] = batch.ranges;
     let mut evaluations = vec![];
     for placement in 0..batch.request.placements.len() {
-        for half_angle_rad in spread(angles, BAND[0]) {
+        for half_angle_rad in spread(angles, CANDIDATES[0]) {
             evaluations.extend(line(batch, placement, half_angle_rad));
         }
     }
     evaluations
 }
 
-/// Lines of the band halfway to the next on both sides of those on which something is
+/// lines of the candidates halfway to the next on both sides of those on which something is
 /// acceptable.
-pub(super) fn closer(batch: &Batch<'_, '_>, known: &[Evaluation]) -> Vec<Evaluation> {
+pub(super) fn refine(batch: &Batch<'_, '_>, known: &[Evaluation]) -> Vec<Evaluation> {
     let [_, [low, high]] = batch.ranges;
-    let half = (high - low) / (BAND[0] - 1) as f64 / 2.0;
+    let half = (high - low) / (CANDIDATES[0] - 1) as f64 / 2.0;
     let mut lines: Vec<(usize, f64)> = vec![];
     for e in known.iter().filter(|e| e.objectives.is_some()) {
         for half_angle_rad in [
@@ -249,11 +249,11 @@ pub(super) fn closer(batch: &Batch<'_, '_>, known: &[Evaluation]) -> Vec<Evaluat
         .collect()
 }
 
-/// The structures of the band at one angle.
+/// The candidates at one angle.
 fn line(batch: &Batch<'_, '_>, placement: usize, half_angle_rad: f64) -> Vec<Evaluation> {
     let [spans, _] = batch.ranges;
     let at = |axial_span_m: f64| {
-        snapped(&Structure {
+        snapped(&RacewayLayout {
             axial_span_m,
             half_angle_rad,
             centres_rad: batch.request.placements[placement].clone(),
@@ -263,17 +263,17 @@ fn line(batch: &Batch<'_, '_>, placement: usize, half_angle_rad: f64) -> Vec<Eva
         .into_iter()
         .filter_map(|span| {
             let raceways = at(span).raceways(batch.bearing).ok()?;
-            Some((span, ClosedForms::of(batch.bearing, &raceways).share()))
+            Some((span, ClosedForms::new(batch.bearing, &raceways).fraction()))
         })
         .collect();
     // A hair inside, or rounding to micrometres would throw out the first.
-    let shares = [
+    let fractions = [
         1.005 * batch.request.spread_min,
         1.0 / (1.0 - SLIP_SHORTFALL),
     ];
-    let mut found: Vec<Structure> = spread(shares, BAND[1])
+    let mut found: Vec<RacewayLayout> = spread(fractions, CANDIDATES[1])
         .into_iter()
-        .filter_map(|share| span_of_share(&table, share))
+        .filter_map(|fraction| span_of_fraction(&table, fraction))
         .map(at)
         .filter(|structure| batch.within(structure))
         .collect();
@@ -288,10 +288,10 @@ fn line(batch: &Batch<'_, '_>, placement: usize, half_angle_rad: f64) -> Vec<Eva
         .collect()
 }
 
-/// Span at which the tabulated share, which grows with it, reaches `share`.
-fn span_of_share(table: &[(f64, f64)], share: f64) -> Option<f64> {
+/// Span at which the tabulated fraction, which grows with it, reaches `fraction`.
+fn span_of_fraction(table: &[(f64, f64)], fraction: f64) -> Option<f64> {
     table.windows(2).find_map(|pair| {
         let [(x0, y0), (x1, y1)] = [pair[0], pair[1]];
-        (y0 <= share && share < y1).then(|| x0 + (share - y0) / (y1 - y0) * (x1 - x0))
+        (y0 <= fraction && fraction < y1).then(|| x0 + (fraction - y0) / (y1 - y0) * (x1 - x0))
     })
 }

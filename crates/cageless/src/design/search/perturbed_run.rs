@@ -6,7 +6,7 @@
 
 use crate::case::{Case, Gaps, Start};
 use crate::contact_tracker::ContactTracker;
-use crate::design::verdict::speed_drop_share;
+use crate::design::verdict::speed_drop_fraction;
 use crate::dynamics::energy::EnergyTerm;
 use crate::equilibrium::EquilibriumError;
 use crate::numerics::moments::Moments;
@@ -16,10 +16,10 @@ use crate::simulation::{
     run_batch,
 };
 
-/// Orbits of the balls in a disturbed run; spacing is looked at in the second half.
+/// Orbits of the balls in a perturbed run; spacing is looked at in the second half.
 pub const TURNS: f64 = 32.0;
 
-/// What a disturbed run came to.
+/// What a perturbed run came to.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Motion {
     /// Contacts between balls, per ball and orbit; with one raceway, per passage.
@@ -28,8 +28,8 @@ pub struct Motion {
     pub collisions_late: f64,
     /// Impulse between balls, per ball and orbit, N·s.
     pub impulse_n_s: f64,
-    /// Share of the passages of the second half in which both neighbours hit.
-    pub twice_share: f64,
+    /// Fraction of the passages of the second half in which both neighbours hit.
+    pub double_collision_fraction: f64,
     /// Standard deviation of the gaps of pairs on arrival, second half.
     pub gap_deviation_rad: f64,
     /// Smallest gap of a pair on arrival, second half.
@@ -38,9 +38,9 @@ pub struct Motion {
     pub gap_mean_rad: f64,
     /// Largest slip at a loaded contact, mean over the passages of the second half.
     pub slip_m_s: f64,
-    /// Share of the theoretical drop of orbital speed that the balls reach, mean over the
+    /// Fraction of the theoretical drop of orbital speed that the balls reach, mean over the
     /// passages of the second half, of the raceway with the least.
-    pub speed_drop_share: f64,
+    pub speed_drop_fraction: f64,
     /// Standard deviation of the force of the balls on the outer ring, both directions
     /// together, second half.
     pub force_deviation_n: f64,
@@ -58,12 +58,12 @@ impl Motion {
             self.collisions,
             self.collisions_late,
             self.impulse_n_s,
-            self.twice_share,
+            self.double_collision_fraction,
             self.gap_deviation_rad,
             self.gap_min_rad,
             self.gap_mean_rad,
             self.slip_m_s,
-            self.speed_drop_share,
+            self.speed_drop_fraction,
             self.force_deviation_n,
             self.friction_w,
         ]
@@ -75,12 +75,12 @@ impl Motion {
             collisions,
             collisions_late,
             impulse_n_s,
-            twice_share,
+            double_collision_fraction,
             gap_deviation_rad,
             gap_min_rad,
             gap_mean_rad,
             slip_m_s,
-            speed_drop_share,
+            speed_drop_fraction,
             force_deviation_n,
             friction_w,
         ] = values;
@@ -88,12 +88,12 @@ impl Motion {
             collisions,
             collisions_late,
             impulse_n_s,
-            twice_share,
+            double_collision_fraction,
             gap_deviation_rad,
             gap_min_rad,
             gap_mean_rad,
             slip_m_s,
-            speed_drop_share,
+            speed_drop_fraction,
             force_deviation_n,
             friction_w,
         }
@@ -111,9 +111,9 @@ impl Motion {
     }
 }
 
-/// Why a disturbed run has no numbers.
+/// Why a perturbed run has no numbers.
 #[derive(Debug, thiserror::Error)]
-pub enum DisturbedError {
+pub enum PerturbedRunError {
     /// The case is impossible or has no equilibrium.
     #[error(transparent)]
     Case(#[from] EquilibriumError),
@@ -155,10 +155,10 @@ fn unit(seed: u64, start: u64, k: u64) -> f64 {
 ///
 /// # Errors
 /// For each: the case is impossible, the run stops or the balls do not pass.
-pub fn disturbed(
+pub fn perturbed_runs(
     cases: &[(&Case, u64)],
     control: &mut dyn FnMut(f64) -> Control,
-) -> Vec<Result<Motion, DisturbedError>> {
+) -> Vec<Result<Motion, PerturbedRunError>> {
     let cases: Vec<Case> = cases
         .iter()
         .map(|&(case, start)| uneven(case, start))
@@ -195,7 +195,7 @@ pub fn disturbed(
         let ended = outcomes.into_iter().zip(together).zip(seen);
         for (&k, ((outcome, case), (late, contacts))) in members.iter().zip(ended) {
             let motion = outcome
-                .map_err(DisturbedError::Case)
+                .map_err(PerturbedRunError::Case)
                 .and_then(|outcome| motion(case, &outcome, late, contacts));
             motions.push((k, motion));
         }
@@ -223,11 +223,11 @@ fn motion(
     outcome: &RunOutcome,
     late: &[Passage],
     contacts: &ContactCounter,
-) -> Result<Motion, DisturbedError> {
+) -> Result<Motion, PerturbedRunError> {
     match &outcome.ending {
-        Ending::Stopped(stop) => return Err(DisturbedError::Stopped(stop.clone())),
+        Ending::Stopped(stop) => return Err(PerturbedRunError::Stopped(stop.clone())),
         Ending::Complete => {}
-        _ => return Err(DisturbedError::Interrupted),
+        _ => return Err(PerturbedRunError::Interrupted),
     }
     // Spacing is read at one raceway; whatever comes by is the same.
     let arrivals: Vec<f64> = late
@@ -236,7 +236,7 @@ fn motion(
         .map(|p| p.gap_behind_rad)
         .collect();
     if arrivals.is_empty() {
-        return Err(DisturbedError::NoPassages);
+        return Err(PerturbedRunError::NoPassages);
     }
     let count = arrivals.len() as f64;
     let gap_mean_rad = arrivals.iter().sum::<f64>() / count;
@@ -257,19 +257,19 @@ fn motion(
         collisions: contacts.begun[0] / ball_turns,
         collisions_late: contacts.begun[1] / (ball_turns / 2.0),
         impulse_n_s: contacts.impulse_n_s / ball_turns,
-        twice_share: tally.twice_share(),
+        double_collision_fraction: tally.double_collision_fraction(),
         gap_deviation_rad: variance.sqrt(),
         gap_min_rad: arrivals.iter().copied().fold(f64::INFINITY, f64::min),
         gap_mean_rad,
         slip_m_s: tally.slip_mean_m_s(),
-        speed_drop_share: least_speed_drop_share(case, late),
+        speed_drop_fraction: least_speed_drop_fraction(case, late),
         force_deviation_n: contacts.force_deviation_n(),
         friction_w: friction / case.solver.duration_s,
     })
 }
 
-/// Of each raceway that balls pass, the share of its drop of orbital speed; the least of them.
-fn least_speed_drop_share(case: &Case, passages: &[Passage]) -> f64 {
+/// Of each raceway that balls pass, the fraction of its drop of orbital speed; the least of them.
+fn least_speed_drop_fraction(case: &Case, passages: &[Passage]) -> f64 {
     let mut tallies = vec![PassageTally::new(); case.raceways.len()];
     for passage in passages {
         tallies[passage.raceway].add(passage);
@@ -280,7 +280,9 @@ fn least_speed_drop_share(case: &Case, passages: &[Passage]) -> f64 {
         .zip(&tallies)
         .filter(|(_, t)| t.count > 0);
     passed
-        .map(|(raceway, tally)| speed_drop_share(case, raceway, tally.slowest_mean_rad_s()))
+        .map(|(raceway, tally)| {
+            speed_drop_fraction(case, raceway, tally.lowest_orbit_speed_mean_rad_s())
+        })
         .fold(f64::INFINITY, f64::min)
 }
 

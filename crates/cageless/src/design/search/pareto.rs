@@ -12,18 +12,18 @@ pub struct Objective {
 /// Number of objectives.
 pub const OBJECTIVES: usize = 7;
 
-/// What is weighed, each at the worst of the operating points. SI units and shares.
+/// What is weighed, each at the worst of the operating points. SI units and fractions.
 pub const ALL_OBJECTIVES: [Objective; OBJECTIVES] = [
     Objective {
-        key: "unevenness",
-        label: "unevenness of the gaps",
+        key: "spacing_scatter",
+        label: "spacing scatter (std. dev. / mean gap)",
     },
     Objective {
         key: "collisions_late",
-        label: "collisions per ball and turn, once sorted",
+        label: "collisions per ball and turn, in steady state",
     },
     Objective {
-        key: "used_share",
+        key: "used_fraction",
         label: "critical over steady gap",
     },
     Objective {
@@ -44,19 +44,19 @@ pub const ALL_OBJECTIVES: [Objective; OBJECTIVES] = [
     },
 ];
 
-/// Differences below this share of the range count as none.
+/// Differences below this fraction of the range count as none.
 pub const RESOLUTION: f64 = 0.01;
 
 /// Scale of the objectives: smallest and largest on the front.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Scale {
+pub struct ObjectiveScale {
     low: [f64; OBJECTIVES],
     high: [f64; OBJECTIVES],
 }
 
-impl Scale {
+impl ObjectiveScale {
     /// Over a set; `None` of none.
-    pub fn of<'a>(all: impl IntoIterator<Item = &'a [f64; OBJECTIVES]>) -> Option<Self> {
+    pub fn new<'a>(all: impl IntoIterator<Item = &'a [f64; OBJECTIVES]>) -> Option<Self> {
         let mut scale: Option<Self> = None;
         for one in all {
             let s = scale.get_or_insert(Self {
@@ -95,7 +95,7 @@ impl Scale {
 /// Indices of those that no other beats: none is at least as good in everything, to
 /// [`RESOLUTION`] of the range, and better by more than that in something.
 pub fn pareto_front(all: &[[f64; OBJECTIVES]]) -> Vec<usize> {
-    let Some(scale) = Scale::of(all) else {
+    let Some(scale) = ObjectiveScale::new(all) else {
         return vec![];
     };
     let beats = |a: &[f64; OBJECTIVES], b: &[f64; OBJECTIVES]| {
@@ -136,7 +136,7 @@ mod tests {
     #[test]
     fn the_corner_of_the_front_is_nearest_to_the_best() {
         let all = [point(0.0, 4.0), point(1.0, 1.0), point(4.0, 0.0)];
-        let scale = Scale::of(&all).unwrap();
+        let scale = ObjectiveScale::new(&all).unwrap();
         let distances = all.map(|p| scale.distance(&p));
         assert!(distances[1] < distances[0] && distances[1] < distances[2]);
         let expected = (2.0 * 0.25f64.powi(2) / OBJECTIVES as f64).sqrt();
