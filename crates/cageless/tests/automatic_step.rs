@@ -30,7 +30,7 @@ fn complete(case: &Case) -> RunOutcome {
 }
 
 fn alternating(mut case: Case, deviation_m: f64) -> Case {
-    let sign = |k: usize| if k % 2 == 0 { 1.0 } else { -1.0 };
+    let sign = |k: usize| if k.is_multiple_of(2) { 1.0 } else { -1.0 };
     let deviations = (0..case.bearing.balls()).map(|k| sign(k) * deviation_m);
     case.bearing = case
         .bearing

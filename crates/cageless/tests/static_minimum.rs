@@ -364,9 +364,6 @@ fn a_ring_on_one_ball_falls_to_the_right() {
 #[test]
 fn a_ring_that_no_ball_carries_is_refused_with_the_reason() {
     let mut case = conventional(dimensions());
-    let n = case.bearing.balls();
-    let mut gaps = vec![0.0; n];
-    gaps[n - 1] = n as f64 * case.bearing.nominal_gap_rad();
     case.bearing = {
         let mut d = dimensions();
         d.balls = 3;
