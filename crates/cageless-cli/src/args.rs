@@ -1,4 +1,4 @@
-//! What can be said on the command line.
+//! Command-line arguments.
 
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -13,7 +13,7 @@ use clap::{Args as Group, Parser, Subcommand, ValueEnum};
 #[derive(Debug, Parser)]
 #[command(name = "cageless", version, max_term_width = 100, after_help = EXIT_CODES)]
 pub struct Args {
-    /// What to do.
+    /// Command to run.
     #[command(subcommand)]
     pub command: Command,
     /// Vector instructions to compute with, at most those of this processor. Results have
@@ -25,7 +25,7 @@ pub struct Args {
 /// Vector instructions.
 #[derive(Debug, Clone, Copy, ValueEnum)]
 pub enum Isa {
-    /// What every processor of this kind has.
+    /// Baseline of the processor family.
     Baseline,
     /// 256-bit vectors.
     Avx2,
@@ -49,13 +49,13 @@ pub enum Command {
     Static(CaseArgs),
     /// Constraints, β0, the lC–θ curve, critical gap, verdict and recommendation.
     Design(DesignArgs),
-    /// What machining errors, ball scatter, friction, clearance, speed and load do to the verdict.
+    /// Sensitivity of the verdict to machining tolerances, ball grade, friction, clearance, speed and load.
     Tolerance(ToleranceArgs),
     /// Simulate a case.
     Run(RunArgs),
     /// The outer ring for CAD and machining: STEP, STL or a table of points.
     Export(ExportArgs),
-    /// Compute many variants of a case; started again, it goes on where it was left.
+    /// Compute many variants of a case; an interrupted sweep resumes.
     Sweep(SweepArgs),
     /// Analyse a finished sweep: main effects, maps, best and failed variants.
     Report(ReportArgs),
@@ -106,7 +106,7 @@ pub struct ExportArgs {
     #[arg(long)]
     pub format: CadFormat,
     /// Length of the blend between each end of a discrete raceway and the plain groove, inside
-    /// the raceway; 0 leaves the kink. Default: 0.5, or a fifth of the shortest half raceway if
+    /// the raceway; 0 leaves the slope discontinuity. Default: 0.5, or a fifth of the shortest half raceway if
     /// that is shorter.
     #[arg(long, value_parser = number, value_name = "MM", allow_negative_numbers = true)]
     pub blend_mm: Option<f64>,
@@ -160,21 +160,21 @@ pub struct SweepArgs {
     /// Plan (TOML): a case, what varies in it, what to compute.
     #[arg(value_name = "PLAN", required = true)]
     pub plan: Option<PathBuf>,
-    /// Compute one share of N, the I-th, into a file of its own.
+    /// Compute shard I of N into its own file.
     #[arg(long, value_name = "I/N")]
     pub shard: Option<Shard>,
-    /// Threads; as many as there are cores by default.
+    /// Number of threads; default: number of cores.
     #[arg(long, value_parser = threads, value_name = "N")]
     pub threads: Option<NonZeroUsize>,
-    /// Where the result goes.
+    /// Output folder.
     #[command(flatten)]
     pub output: SweepOutput,
 }
 
-/// What can be done with shards.
+/// Operations on shards.
 #[derive(Debug, Subcommand)]
 pub enum SweepCommand {
-    /// Join the results of all shards into one file, and say what is missing.
+    /// Join the results of all shards into one file and report missing ones.
     Merge(MergeArgs),
 }
 
@@ -184,12 +184,12 @@ pub struct MergeArgs {
     /// Results of the shards.
     #[arg(value_name = "SHARD", required = true)]
     pub shards: Vec<PathBuf>,
-    /// Where the result goes.
+    /// Output folder.
     #[command(flatten)]
     pub output: SweepOutput,
 }
 
-/// Where a sweep leaves its result.
+/// Output of a sweep.
 #[derive(Debug, Group)]
 pub struct SweepOutput {
     /// Folder for `sweep.parquet`; by default `out/` and the name of the plan, for shards
@@ -207,10 +207,10 @@ pub struct ReportArgs {
     /// Result of a sweep, or its folder.
     #[arg(value_name = "SWEEP")]
     pub sweep: PathBuf,
-    /// Column of which less is better; may be repeated.
+    /// Column to minimise; may be repeated.
     #[arg(long, value_name = "COLUMN")]
     pub low: Vec<String>,
-    /// Column of which more is better; may be repeated.
+    /// Column to maximise; may be repeated.
     #[arg(long, value_name = "COLUMN")]
     pub high: Vec<String>,
     /// Folder for the report; that of the result by default.
@@ -227,31 +227,31 @@ pub struct ToleranceArgs {
     /// Case, output.
     #[command(flatten)]
     pub case: CaseArgs,
-    /// Bearings in which everything deviates at once; 0 for the table alone.
+    /// Monte Carlo sample size; 0: one-at-a-time only.
     #[arg(long, value_parser = whole, default_value_t = 200)]
     pub samples: u64,
-    /// Depth of the raceways, µm to either side.
+    /// Tolerance of the raceway depth, ± µm.
     #[arg(long, value_parser = number, value_name = "UM", default_value_t = 2.0)]
     pub groove_depth_um: f64,
-    /// Axial span lC, µm to either side.
+    /// Tolerance of the axial span lC, ± µm.
     #[arg(long, value_parser = number, value_name = "UM", default_value_t = 20.0)]
     pub axial_span_um: f64,
-    /// Half angle θ, degrees to either side.
+    /// Tolerance of the half angle θ, ± degrees.
     #[arg(long, value_parser = number, value_name = "DEG", default_value_t = 0.1)]
     pub half_angle_deg: f64,
-    /// Grade of the balls by ISO 3290-1, 0 for balls all equal.
+    /// Ball grade of ISO 3290-1; 0: equal balls.
     #[arg(long, value_parser = ball_grade, value_name = "G", default_value_t = 10)]
     pub ball_grade: u32,
-    /// Friction coefficient, to either side.
+    /// Tolerance of the friction coefficient, ±.
     #[arg(long, value_parser = number, value_name = "MU", default_value_t = 0.002)]
     pub friction: f64,
-    /// Radial clearance, µm to either side.
+    /// Tolerance of the radial clearance (half the radial internal clearance Gr of ISO 5753-1), ± µm.
     #[arg(long, value_parser = number, value_name = "UM", default_value_t = 5.0)]
     pub clearance_um: f64,
-    /// Speed, per cent to either side.
+    /// Tolerance of the speed, ± %.
     #[arg(long, value_parser = number, value_name = "PERCENT", default_value_t = 5.0)]
     pub speed_percent: f64,
-    /// Load, per cent to either side.
+    /// Tolerance of the load, ± %.
     #[arg(long, value_parser = number, value_name = "PERCENT", default_value_t = 20.0)]
     pub load_percent: f64,
 }
@@ -263,12 +263,12 @@ pub struct DesignArgs {
     #[command(flatten)]
     pub case: CaseArgs,
     /// Search for the best raceway for the speeds and loads of the section [search], or of the
-    /// case. With --out a search that was stopped goes on where it was.
+    /// case. With --out an interrupted search resumes.
     #[arg(long)]
     pub search: bool,
 }
 
-/// Whatever works on a case.
+/// Arguments of commands that work on a case.
 #[derive(Debug, Group)]
 pub struct CaseArgs {
     /// Case file (TOML); `cageless new` prints one.
@@ -302,7 +302,7 @@ fn threads(text: &str) -> Result<NonZeroUsize, String> {
     count.ok_or_else(|| format!("1 to {THREADS_MAX} are allowed"))
 }
 
-/// Whether there is such a grade, the study says.
+/// The study validates the grade.
 fn ball_grade(text: &str) -> Result<u32, String> {
     text.parse().map_err(|_| {
         let grades: Vec<_> = BALL_GRADES.iter().map(|g| g.number.to_string()).collect();

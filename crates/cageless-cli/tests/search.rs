@@ -127,7 +127,7 @@ fn nothing_to_recommend_is_an_outcome_with_a_reason() {
         ("", 1)
     );
     let maps = format!("{} has the maps", out.join("report.html").display());
-    for said in ["no raceway meets", "hardly spreads", &maps] {
+    for said in ["no raceway meets", "raceway too shallow", &maps] {
         assert!(answer.stderr.contains(said), "{}", answer.stderr);
     }
     // The map shows why, and the numbers are there for programs.

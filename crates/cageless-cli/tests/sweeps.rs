@@ -173,7 +173,7 @@ fn an_interrupt_keeps_what_was_computed() {
     let answer = finish(child);
     assert_eq!(answer.code, Some(1), "{answer:?}");
     assert!(
-        answer.stderr.contains("the same command goes on"),
+        answer.stderr.contains("the same command resumes"),
         "{answer:?}"
     );
     assert!(!out.join("sweep.parquet").exists());

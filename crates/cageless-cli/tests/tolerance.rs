@@ -104,7 +104,7 @@ fn the_probability_is_that_of_passing() {
         "{headline}"
     );
     assert!(
-        headline.contains("as drawn FAIL: double-collision"),
+        headline.contains("nominal design FAIL: hit from both sides"),
         "{headline}"
     );
     let json = json_file(&out.join("tolerance.json"));

@@ -187,7 +187,7 @@ fn a_run_is_judged_by_its_passages() {
     let headline = data["headline"].as_str().unwrap();
     assert_eq!(data["passes"], false, "{headline}");
     assert!(
-        headline.starts_with("FAIL in this run: double-collision; "),
+        headline.starts_with("FAIL in this run: hit from both sides; "),
         "{headline}"
     );
     assert!(answer.stdout.contains(headline), "{}", answer.stdout);

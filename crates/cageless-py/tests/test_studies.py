@@ -130,7 +130,7 @@ def test_a_search_shows_what_it_found(found: cageless.SearchResult) -> None:
 def test_nothing_to_recommend_is_an_exception_with_the_maps(command: Command) -> None:
     asked: dict[str, Any] = {"axial_span_mm": 1.0, "half_angle_deg": [10.0, 14.0], "budget": 4}
     case = small()
-    with pytest.raises(cageless.UnphysicalError, match="hardly spreads the balls") as error:
+    with pytest.raises(cageless.UnphysicalError, match="raceway too shallow") as error:
         case.search(**asked)
     changes = QUICK | {f"search.{k}": v for k, v in asked.items()}
     stderr = command("design", CASE, "--search", *sets(changes), code=3).stderr

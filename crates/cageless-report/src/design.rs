@@ -75,7 +75,7 @@ pub fn design_page(data: &DesignData) -> String {
         }
         page.table(&parameter_table(
             "Verdict",
-            "What the case's own outer ring comes to.",
+            "Verdict on the initial design and its geometry.",
             &data.results,
             Some(data.provenance.clone()),
         ));
@@ -144,7 +144,7 @@ fn search_sections(page: &mut Page, search: &SearchData) {
     if search.recommended.is_some() || search.own.is_some() {
         page.table(&tables::comparison(search));
     }
-    page.section("Where raceways work");
+    page.section("Feasible designs");
     page.paragraph(MAPS);
     page.figure(&figures::verdicts(search));
     page.figure(&figures::critical_gaps(search));
@@ -171,8 +171,7 @@ pub fn two_critical_gaps() -> String {
 }
 
 const MAPS: &str = "Each cell is a raceway of span lC and half angle θ. Its critical gap is the \
-    largest with which a pair of balls still touches on its way through: the smallest gap that the \
-    raceway guarantees. It must not exceed the steady gap, which evenly flowing balls have outside \
-    the raceway, or they would collide for ever; and it must not be much smaller, or the raceway \
-    hardly spreads them. Without slip it is β0 of Eq. (11); what it falls short of that is taken by \
-    slip.";
+    largest with which a pair of balls still touches on its way through: the smallest separation that the \
+    raceway ensures. Above the mean ball spacing outside the raceway in steady state the raceway is \
+    too deep: evenly spaced balls collide. Far below it the raceway is too shallow. Without slip the \
+    critical gap is β0 of Eq. (11); the difference is the loss of separation through sliding.";

@@ -93,29 +93,35 @@ fn results(r: &DesignResult) -> Vec<Parameter> {
     let mut lines = vec![
         parameter("pass or fail", pass_word(r.passes).to_owned(), ""),
         parameter("verdict", r.verdict.to_owned(), ""),
-        angle("ε, angle of a ball", Some(r.epsilon_deg)),
-        angle("uniform gap 360°/N − ε", Some(r.uniform_gap_deg)),
+        angle("ε, angular ball pitch at contact", Some(r.epsilon_deg)),
+        angle("nominal gap 360°/N − ε", Some(r.uniform_gap_deg)),
         angle("β0, Eq. (11)", r.beta0_deg),
         angle("β0 with the polar angle", r.beta0_polar_deg),
-        angle("gap outside in steady flow", Some(r.steady_gap_deg)),
+        angle(
+            "mean ball spacing outside the raceway (steady state)",
+            Some(r.steady_gap_deg),
+        ),
         angle("critical gap", r.critical_gap_deg),
         angle(
-            "margin: steady less critical gap",
+            "separation reserve: mean spacing less critical gap",
             r.critical_gap_deg.map(|c| r.steady_gap_deg - c),
         ),
         parameter(
-            "limit of lC, Eq. (8)",
+            "upper limit of lC, Eq. (8)",
             format!("{:.4}", r.axial_span_limit_mm),
             "mm",
         ),
         angle("θ of Eq. (11) for this lC", r.half_angle_deg_for_span),
         parameter(
-            "balls inside at most",
+            "largest number of balls in the raceway",
             r.balls_in_raceway_max
                 .map_or("–".to_owned(), |n| n.to_string()),
             "",
         ),
-        angle("kink at the ends, 45° up the groove", r.kink_deg),
+        angle(
+            "slope discontinuity at raceway ends (at 45° groove angle)",
+            r.kink_deg,
+        ),
     ];
     if r.raceways.len() > 1 {
         for one in &r.raceways {

@@ -54,9 +54,9 @@ pub struct RunData {
     pub collisions: Vec<CollisionPoint>,
     /// How many there were.
     pub collisions_total: usize,
-    /// Ledger of energy.
+    /// Terms of the energy balance.
     pub energy: Vec<EnergyItem>,
-    /// Energy that the ledger misses over the sum of all flows.
+    /// Energy balance error relative to the sum of all flows.
     pub energy_residual_relative: Option<f64>,
     /// How far the results can be trusted.
     pub verification: Option<VerificationTable>,
@@ -136,7 +136,7 @@ pub fn run_page(data: &RunData) -> String {
         let source = Some(data.provenance.clone());
         page.table(&parameter_table(
             "Results",
-            "What the run came to.",
+            "Summary of results.",
             &data.results,
             source,
         ));
@@ -155,7 +155,7 @@ pub fn run_page(data: &RunData) -> String {
             label: "Motion".to_owned(),
             caption: "The balls over time, to scale. The inner ring turns counter-clockwise, load \
                       and gravity point down; the discrete raceway is shaded orange, balls 1 and \
-                      2 blue, touching balls ringed."
+                      2 blue, balls in contact ringed."
                 .to_owned(),
             bearings: vec![motion.clone()],
             moments_s: Vec::new(),

@@ -257,32 +257,32 @@ fn results(s: &SummaryFile) -> Vec<Parameter> {
         parameter("smallest gap", shown(s.gap_min_deg, 4, ""), "°"),
         parameter("largest gap", shown(s.gap_max_deg, 4, ""), "°"),
         parameter(
-            "mean place of the ring, x",
+            "mean displacement of the inner ring, x",
             shown(s.ring_x_um_mean, 4, ""),
             "µm",
         ),
         parameter(
-            "mean place of the ring, y",
+            "mean displacement of the inner ring, y",
             shown(s.ring_y_um_mean, 4, ""),
             "µm",
         ),
         parameter(
-            "largest slip under load",
+            "largest sliding speed under load",
             shown(s.slip_max_m_s, 4, ""),
             "m/s",
         ),
         parameter(
-            "energy residual over all flows",
+            "energy balance error (relative)",
             format!("{:.2e}", s.energy_residual_relative),
             "",
         ),
-        parameter("statistics after", shown(s.settled_after_s, 5, ""), "s"),
-        parameter("steps", s.steps.to_string(), ""),
         parameter(
-            "evaluations of the equations",
-            s.rhs_evaluations.to_string(),
-            "",
+            "transient discarded until",
+            shown(s.settled_after_s, 5, ""),
+            "s",
         ),
+        parameter("steps", s.steps.to_string(), ""),
+        parameter("force evaluations", s.rhs_evaluations.to_string(), ""),
     ]
 }
 

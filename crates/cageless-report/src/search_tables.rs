@@ -32,9 +32,9 @@ type Quantity = (
 /// may have an error.
 const QUANTITIES: [Quantity; 14] = [
     ("critical gap (°)", 3, |n| n.critical_gap_deg, None),
-    ("margin (°)", 3, |n| n.margin_deg, None),
+    ("reserve (°)", 3, |n| n.margin_deg, None),
     (
-        "short of β0 (%)",
+        "loss of separation through sliding (%)",
         1,
         |n| Some(100.0 * n.slip_shortfall?),
         None,
@@ -53,7 +53,7 @@ const QUANTITIES: [Quantity; 14] = [
         Some(|m| m.collisions_late),
     ),
     (
-        "hit by both (%)",
+        "hit from both sides (%)",
         1,
         |_| None,
         Some(|m| 100.0 * m.double_collision_fraction),
@@ -68,7 +68,7 @@ const QUANTITIES: [Quantity; 14] = [
     ),
     ("slip (m/s)", 3, |_| None, Some(|m| m.slip_m_s)),
     (
-        "drop of speed (%)",
+        "achieved deceleration (% of kinematic value)",
         1,
         |_| None,
         Some(|m| 100.0 * m.speed_drop_fraction),
@@ -94,7 +94,7 @@ fn shown(quantity: &Quantity, n: &PointNumbers) -> String {
 pub fn comparison(search: &SearchData) -> Table {
     let structures: Vec<(&str, &StructureData)> = [
         ("recommended", &search.recommended),
-        ("the case's own", &search.own),
+        ("initial design", &search.own),
     ]
     .into_iter()
     .filter_map(|(role, s)| s.as_ref().map(|s| (role, s)))
@@ -136,12 +136,12 @@ pub fn comparison(search: &SearchData) -> Table {
     Table {
         label: "Comparison".to_owned(),
         caption: format!(
-            "From at least twelve uneven starts, ± standard error of the mean. Critical gaps are measured with the neighbours of the \
-                  pair {:.0} % further off than at even spacing. Margin: \
-                  steady gap less critical gap. Short of β0: what slip takes from the critical \
-                  gap. Drop of speed: share of the theoretical drop of orbital speed that the \
-                  balls reach. Steady state: second half of the run. \
-                  Unevenness: standard deviation of the gaps on arrival over the steady gap. \
+            "From at least twelve unevenly spaced starts, ± standard error of the mean. Critical gaps are measured with the neighbours of the \
+                  pair {:.0} % further off than at even spacing. Reserve: \
+                  steady gap less critical gap. Loss of separation through sliding: shortfall of the \
+                  critical gap below β0. Achieved deceleration: lowest orbital speed in the raceway \
+                  against pure rolling. Steady state: second half of the run. \
+                  Spacing scatter: standard deviation of the gaps on arrival over the steady gap. \
                   Vibration: standard deviation of the force on the outer ring.",
             100.0 * (NEIGHBOURS_WIDER - 1.0)
         ),

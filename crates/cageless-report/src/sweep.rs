@@ -22,7 +22,7 @@ pub fn sweep_page(data: &SweepData) -> String {
         page.note(Note::Warning, &message);
     }
     if !data.outputs.is_empty() && !data.inputs.is_empty() {
-        page.section("What matters");
+        page.section("Sensitivity (main effects)");
         page.figure(&sweep::shares(data));
     }
     if !data.best.is_empty() {
@@ -50,8 +50,8 @@ pub fn sweep_page(data: &SweepData) -> String {
         page.table(&failure_table(data));
     }
     if !data.constants.is_empty() {
-        page.section("The same in all variants");
-        let caption = "Outputs that no input changes.";
+        page.section("Constant outputs");
+        let caption = "Outputs that do not depend on any input.";
         page.table(&parameter_table(
             "Constants",
             caption,
@@ -84,8 +84,8 @@ fn best_table(data: &SweepData, best: &BestVariants) -> Table {
     Table {
         label: format!("Best by {}", best.quantity.name),
         caption: format!(
-            "The variants with the {} {}.",
-            if best.high { "most" } else { "least" },
+            "{} {}.",
+            if best.high { "Highest" } else { "Lowest" },
             best.quantity.name
         ),
         columns,
@@ -110,7 +110,7 @@ fn failure_table(data: &SweepData) -> Table {
         columns: vec![
             ("Variants".to_owned(), true),
             ("First".to_owned(), true),
-            ("Its reason".to_owned(), false),
+            ("Reason of the first".to_owned(), false),
         ],
         rows: data.failures.iter().map(row).collect(),
         ..Table::default()

@@ -42,7 +42,7 @@ fn influence_table(data: &ToleranceData) -> Table {
     };
     let mut rows = vec![Row {
         cells: vec![
-            Cell::text("as drawn"),
+            Cell::text("nominal"),
             Cell::text(""),
             Cell::text(""),
             number(data.nominal_critical_gap_deg, 4),
@@ -73,8 +73,8 @@ fn influence_table(data: &ToleranceData) -> Table {
     Table {
         label: "Table 1".to_owned(),
         caption: format!(
-            "Each influence at both ends of its range, all else as drawn; numbers span these and the \
-             bearing as drawn{}. Machining errors of the \
+            "Each influence at both ends of its range, all else nominal; numbers span these and the \
+             bearing nominal{}. Machining errors of the \
              depth are largest in the middle of the raceway and run out at its ends.",
             match data.ball_grade {
                 0 => String::new(),
@@ -124,11 +124,11 @@ pub fn influence_figure(data: &ToleranceData) -> Figure {
             "hovertemplate": "%{y}: %{base:.4f} … %{x:.4f}°<extra></extra>",
         }));
     if let Some(nominal) = data.nominal_critical_gap_deg {
-        plot = mark(plot, nominal, "as drawn", 1.0, "solid");
+        plot = mark(plot, nominal, "nominal", 1.0, "solid");
     }
     Figure {
         label: "Figure 1".to_owned(),
-        caption: "Critical gap at the ends of each range and as drawn (the line).".to_owned(),
+        caption: "Critical gap at the ends of each range and nominal value (line).".to_owned(),
         provenance: data.provenance.clone(),
         plot,
     }
@@ -165,14 +165,14 @@ fn verdict_table(data: &ToleranceData, samples: &SampleData) -> Table {
         label: "Table 2".to_owned(),
         caption: format!(
             "Verdicts on {} bearings, every deviation uniform within its range and independent of the \
-             others (seed {}); the verdict as drawn is called out.",
+             others (seed {}); the nominal verdict is highlighted.",
             samples.count, samples.seed
         ),
         columns: vec![
             ("Verdict".to_owned(), false),
             ("Pass or fail".to_owned(), false),
             ("Bearings".to_owned(), true),
-            ("Share (%)".to_owned(), true),
+            ("Fraction (%)".to_owned(), true),
         ],
         rows,
         provenance: Some(data.provenance.clone()),
@@ -180,7 +180,7 @@ fn verdict_table(data: &ToleranceData, samples: &SampleData) -> Table {
     }
 }
 
-/// Critical gaps of the bearings in which everything deviates, by verdict.
+/// Critical gaps of the bearings of the Monte Carlo sample, by verdict.
 pub fn sample_figure(data: &ToleranceData, samples: &SampleData) -> Figure {
     let mut plot = Plot::new(360)
         .legend()
@@ -213,7 +213,7 @@ pub fn sample_figure(data: &ToleranceData, samples: &SampleData) -> Figure {
         }));
     }
     if let Some(nominal) = data.nominal_critical_gap_deg {
-        plot = mark(plot, nominal, "as drawn", 1.0, "solid");
+        plot = mark(plot, nominal, "nominal", 1.0, "solid");
     }
     let uniform = data.uniform_gap_deg;
     let quantiles = samples

@@ -411,7 +411,7 @@ fn axes_of_trade_offs_show_what_is_acceptable() {
         }
         let at = |axis: &str| trace[axis][0].as_f64().expect("a number");
         assert!((x[0]..=x[1]).contains(&at("x")) && (y[0]..=y[1]).contains(&at("y")));
-        if trace["name"] == "the case's own" {
+        if trace["name"] == "initial design" {
             // At the edge, with its values.
             assert_eq!([at("x"), at("y")], [x[1], y[1]]);
             assert_eq!(trace["text"][0], "500, 36");
@@ -456,5 +456,5 @@ fn pages_say_what_passes() {
     ] {
         assert!(page.contains(said), "{said}");
     }
-    assert!(run_page(&synthetic::run_data()).contains("✘ FAIL in this run: double-collision"));
+    assert!(run_page(&synthetic::run_data()).contains("✘ FAIL in this run: hit from both sides"));
 }

@@ -102,7 +102,7 @@ fn what_is_recommended_passes_its_own_verdict() {
     assert!(fraction > 0.25, "{fraction}");
     let headline = judgement.headline();
     assert!(
-        headline.starts_with("FAIL: double-collision; "),
+        headline.starts_with("FAIL: hit from both sides; "),
         "{headline}"
     );
     assert!(headline.contains("missed by"), "{headline}");

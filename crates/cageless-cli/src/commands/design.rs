@@ -79,7 +79,7 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
 fn search_failed(error: StudyError, out: Option<&Path>) -> Failure {
     match (error, out) {
         (StudyError::Interrupted, Some(dir)) => Failure::Interrupted(format!(
-            "interrupted: the same command goes on from what is in {}",
+            "interrupted: the same command resumes from the checkpoint in {}",
             dir.display()
         )),
         (StudyError::Interrupted, None) => {
@@ -111,11 +111,11 @@ fn text(case: &Case, r: &DesignResult) -> String {
     lines.extend([
         ("ε", format!("{:.4}°", r.epsilon_deg)),
         (
-            "uniform gap 360°/N − ε",
+            "nominal gap 360°/N − ε",
             format!("{:.4}°", r.uniform_gap_deg),
         ),
         (
-            "limit of lC, Eq. (8)",
+            "upper limit of lC, Eq. (8)",
             format!("{:.4} mm", r.axial_span_limit_mm),
         ),
         ("β0, Eq. (11)", degrees(r.beta0_deg)),
@@ -125,16 +125,19 @@ fn text(case: &Case, r: &DesignResult) -> String {
             degrees(r.half_angle_deg_for_span),
         ),
         (
-            "gap outside in steady flow",
+            "mean ball spacing outside the raceway (steady state)",
             format!("{:.4}°", r.steady_gap_deg),
         ),
         ("critical gap", degrees(r.critical_gap_deg)),
         (
-            "balls inside at most",
+            "largest number of balls in the raceway",
             r.balls_in_raceway_max
                 .map_or("-".to_owned(), |n| n.to_string()),
         ),
-        ("kink at the ends, 45° up", degrees(r.kink_deg)),
+        (
+            "slope discontinuity at raceway ends (at 45° groove angle)",
+            degrees(r.kink_deg),
+        ),
         ("verdict", judged(r.passes, &r.headline)),
     ]);
     let mut text = pairs(&lines);

@@ -33,7 +33,7 @@ pub fn export(args: &ExportArgs) -> Result<(), Failure> {
         Some(path) => into_file(&made, path)?,
         None if args.json => made.write(&mut std::io::sink())?,
         None => match made.write(&mut std::io::stdout().lock()) {
-            // The reader has had enough.
+            // A closed pipe is not an error.
             Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => return Ok(()),
             other => other?,
         },
@@ -181,21 +181,21 @@ fn text(r: &ExportNumbers) -> String {
     });
     if r.raceways > 0 {
         let kink = format!(
-            "{:.4}° 45° up the groove, {:.4}° at the shoulder",
+            "{:.4}° at 45° groove angle, {:.4}° at the shoulder",
             r.design_kink_45_deg, r.design_kink_shoulder_deg
         );
         lines.extend([
             ("discrete raceways", r.raceways.to_string()),
             (
-                "kink at their ends",
+                "slope discontinuity at raceway ends",
                 if r.blend_mm > 0.0 {
                     format!(
-                        "blended over {} mm (was {kink}); off the design by {:.4} µm at most",
+                        "blended over {} mm (was {kink}); max. deviation from nominal {:.4} µm",
                         (r.blend_mm * 1e6).round() / 1e6,
                         r.blend_deviation_um
                     )
                 } else {
-                    format!("left: {kink}")
+                    format!("not blended: {kink}")
                 },
             ),
             (
@@ -203,9 +203,9 @@ fn text(r: &ExportNumbers) -> String {
                 format!("{:.4}°", r.ridge_deg),
             ),
             (
-                "against the plain groove",
+                "deviation from the plain groove",
                 format!(
-                    "{:.3} µm proud at most, {:.3} µm deeper at most",
+                    "max. material above plain groove {:.3} µm, below {:.3} µm",
                     r.above_plain_um, r.below_plain_um
                 ),
             ),

@@ -65,7 +65,7 @@ fn limit_instructions(isa: Isa) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Prints text to stdout, where nothing in it commands a terminal. A reader that has had enough (`cageless new | head`) is no failure.
+/// Prints text to stdout, without control sequences. A closed pipe (`cageless new | head`) is not an error.
 pub fn print(text: &str) -> Result<(), Failure> {
     use std::io::Write;
     let mut out = std::io::stdout().lock();
@@ -120,19 +120,15 @@ fn check(args: &CaseArgs) -> Result<(), Failure> {
         ("case", format!("{} is valid", args.case.display())),
         ("balls", format!("{}", bearing.balls())),
         (
-            "radial clearance",
-            format!(
-                "{:.3} µm (diametral {:.3} µm)",
-                bearing.radial_clearance_m() * 1e6,
-                2e6 * bearing.radial_clearance_m()
-            ),
+            "radial internal clearance Gr",
+            format!("{:.3} µm (ISO 5753-1)", 2e6 * bearing.radial_clearance_m()),
         ),
         (
-            "ε",
+            "ε, angular ball pitch at contact",
             format!("{:.4}°", bearing.ball_angle_rad().to_degrees()),
         ),
         (
-            "uniform gap",
+            "nominal gap 360°/N − ε",
             format!("{:.4}°", bearing.nominal_gap_rad().to_degrees()),
         ),
     ];

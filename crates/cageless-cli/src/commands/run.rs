@@ -177,7 +177,10 @@ fn text(
             "simulated",
             format!("{:.6} s in {} steps", outcome.end_s, outcome.steps),
         ),
-        ("statistics after", shown(s.settled_after_s, 6, " s")),
+        (
+            "transient discarded until",
+            shown(s.settled_after_s, 6, " s"),
+        ),
         ("collisions between balls", format!("{}", s.collisions)),
         (
             "gap",
@@ -188,17 +191,20 @@ fn text(
             ),
         ),
         (
-            "ring, mean",
+            "inner ring, mean displacement",
             format!(
                 "x {}, y {}",
                 shown(s.ring_x_um_mean, 4, " µm"),
                 shown(s.ring_y_um_mean, 4, " µm")
             ),
         ),
-        ("largest slip under load", shown(s.slip_max_m_s, 4, " m/s")),
         (
-            "energy residual",
-            format!("{:.2e} of all flows", s.energy_residual_relative),
+            "largest sliding speed under load",
+            shown(s.slip_max_m_s, 4, " m/s"),
+        ),
+        (
+            "energy balance error",
+            format!("{:.2e} (relative)", s.energy_residual_relative),
         ),
         (
             "speed",

@@ -55,7 +55,7 @@ pub fn sweep(args: &SweepArgs) -> Result<(), Failure> {
     let progress = done.progress;
     if !done.complete {
         return Err(Failure::Interrupted(format!(
-            "interrupted at {} of {} variants, which are kept: the same command goes on",
+            "interrupted at {} of {} variants, which are kept: the same command resumes",
             progress.done, progress.total
         )));
     }

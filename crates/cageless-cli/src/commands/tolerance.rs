@@ -93,7 +93,7 @@ fn text(data: &ToleranceData) -> String {
         ]);
     }
     let mut text = format!(
-        "{}\nas drawn: {}, critical gap {}\n\n{}",
+        "{}\nnominal: {}, critical gap {}\n\n{}",
         judged(Some(data.passes), &data.headline),
         data.nominal_verdict,
         data.nominal_critical_gap_deg
@@ -102,7 +102,7 @@ fn text(data: &ToleranceData) -> String {
     );
     if let Some(s) = &data.samples {
         text += &format!(
-            "\n{} bearings in which everything deviates: probability of passing {:.1} % (95 %: \
+            "\n{} bearings of the Monte Carlo sample: probability of passing {:.1} % (95 %: \
              {:.1} to {:.1} %)\n",
             s.count,
             100.0 * s.pass_probability,

@@ -36,17 +36,17 @@ class ToleranceResult:
 
     @property
     def verdict(self) -> str:
-        """Verdict as drawn: ``smooth``, ``double-collision``, ``slips`` or ``infeasible``."""
+        """Verdict nominal: ``smooth``, ``double-collision``, ``slips`` or ``infeasible``."""
         return str(self.values["nominal_verdict"])
 
     @property
     def passes(self) -> bool:
-        """Whether the bearing as drawn passes, and 95 % of those in which everything deviates."""
+        """Whether the bearing nominal passes, and 95 % of those in which everything deviates."""
         return bool(self.values["passes"])
 
     @property
     def nominal_passes(self) -> bool:
-        """Whether the bearing as drawn passes."""
+        """Whether the bearing nominal passes."""
         return bool(self.values["nominal_passes"])
 
     @property
@@ -56,7 +56,7 @@ class ToleranceResult:
 
     @property
     def critical_gap_deg(self) -> float | None:
-        """Critical gap as drawn."""
+        """Critical gap nominal."""
         found: float | None = self.values["nominal_critical_gap_deg"]
         return found
 
@@ -78,7 +78,7 @@ class ToleranceResult:
 
     @property
     def decides(self) -> list[str]:
-        """What alone, within its range, makes the bearing fail if it passes as drawn, or pass if it
+        """What alone, within its range, makes the bearing fail if it passes nominal, or pass if it
         fails; the surest to do so first."""
         nominal = self.nominal_passes
 
@@ -98,7 +98,7 @@ class ToleranceResult:
 
     def data_influences(self) -> pd.DataFrame:
         """A row per influence alone at both ends of its range; ``_min`` and ``_max`` span
-        these and the bearing as drawn."""
+        these and the bearing nominal."""
         import pandas as pd
 
         rows = []
@@ -140,16 +140,16 @@ class ToleranceResult:
     def __repr__(self) -> str:
         word = "PASS" if self.passes else "FAIL"
         if self.pass_probability is None:
-            return f"<Tolerance: {word}, {self.verdict} as drawn>"
+            return f"<Tolerance: {word}, {self.verdict} nominal>"
         return (
             f"<Tolerance: {word}, passes with probability {self.pass_probability:g}, "
-            f"{self.verdict} as drawn>"
+            f"{self.verdict} nominal>"
         )
 
     def _repr_html_(self) -> str:
         rows: list[tuple[str, object]] = [
             ("verdict", self.headline),
-            ("as drawn", self.verdict),
+            ("nominal", self.verdict),
             ("critical gap, °", self.critical_gap_deg),
             ("probability of passing", self.pass_probability),
             ("95 % interval", self.pass_probability_interval),

@@ -64,12 +64,12 @@ pub fn slip(run: &RunData) -> Option<Figure> {
         .set("legend", ball_legend())
         .axis(
             "yaxis",
-            "Slip inside ΔVi (m/s)",
+            "Sliding speed at inner raceway ΔVi (m/s)",
             json!({ "domain": [0.54, 1.0], "anchor": "x" }),
         )
         .axis(
             "yaxis2",
-            "Slip outside ΔVo (m/s)",
+            "Sliding speed at outer raceway ΔVo (m/s)",
             json!({ "domain": [0.0, 0.46], "anchor": "x" }),
         );
     let kinds: [(History, &str); 2] = [(|b| &b.inner_slip_m_s, "y"), (|b| &b.outer_slip_m_s, "y2")];
@@ -187,7 +187,7 @@ pub fn ring_orbit(run: &RunData) -> Option<Figure> {
 const RING: &str = "Centre of the inner ring, from the centre of the outer ring; load and gravity \
     point down.";
 
-/// Contact loads of ball 1 over the turn.
+/// Loads of ball 1 against its angular position.
 pub fn loads(run: &RunData) -> Option<Figure> {
     let (ball, from, part) = shown_ball(run)?;
     if ball.inner_force_n.is_empty() || ball.angle_deg.is_empty() {
@@ -221,16 +221,16 @@ pub fn loads(run: &RunData) -> Option<Figure> {
     }
     Some(figure(
         run,
-        "Contact loads over the turn",
+        "Ball load vs. angular position ψ",
         &format!(
-            "Normal forces on ball 1 at both raceways against its place, all turns {part}; the \
-             discrete raceway is shaded."
+            "Normal forces on ball 1 at both raceways against its angular position ψ, all turns {part}; \
+             the discrete raceway is shaded."
         ),
         plot,
     ))
 }
 
-/// Place of collisions over time.
+/// Angular position of collisions over time.
 pub fn collisions(run: &RunData) -> Option<Figure> {
     let mut hits = run.collisions.clone();
     hits.sort_by(|a, b| b.impulse_n_s.total_cmp(&a.impulse_n_s));
@@ -293,7 +293,7 @@ pub fn collisions(run: &RunData) -> Option<Figure> {
     ))
 }
 
-/// Ledger of energy.
+/// Energy balance of a run.
 pub fn energy(run: &RunData) -> Option<Figure> {
     if run.energy.is_empty() {
         return None;
@@ -319,14 +319,11 @@ pub fn energy(run: &RunData) -> Option<Figure> {
             "marker": { "color": colours }, "text": labels, "textposition": "outside", "cliponaxis": false,
         }));
     let rest = run.energy_residual_relative.map_or(String::new(), |r| {
-        format!(
-            " What the ledger misses is {} of all energy flows.",
-            short(r)
-        )
+        format!(" Residual: {} of the sum of all energy flows.", short(r))
     });
     Some(figure(
         run,
-        "Ledger of energy",
+        "Energy balance",
         &format!("Work and energy over the run.{rest}"),
         plot,
     ))

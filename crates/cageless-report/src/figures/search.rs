@@ -380,10 +380,10 @@ fn worst(structure: &StructureData, of: fn(&PointNumbers) -> Option<f64>) -> f64
 
 type Quantity = (&'static str, fn(&PointNumbers) -> Option<f64>);
 
-/// What is drawn against what.
+/// Pairs of quantities drawn against each other.
 const PAIRS: [[Quantity; 2]; 4] = [
     [
-        ("Unevenness (% of the steady gap)", |n| {
+        ("Spacing scatter (std. dev., % of the mean gap)", |n| {
             Some(100.0 * n.motion?.spacing_scatter)
         }),
         ("Collisions in steady state (per ball and turn)", |n| {
@@ -391,13 +391,13 @@ const PAIRS: [[Quantity; 2]; 4] = [
         }),
     ],
     [
-        ("Unevenness (% of the steady gap)", |n| {
+        ("Spacing scatter (std. dev., % of the mean gap)", |n| {
             Some(100.0 * n.motion?.spacing_scatter)
         }),
         ("Friction loss (W)", |n| Some(n.motion?.friction_w)),
     ],
     [
-        ("Margin in steady flow (°)", |n| n.margin_deg),
+        ("Separation reserve (°)", |n| n.margin_deg),
         ("Slip (m/s)", |n| Some(n.motion?.slip_m_s)),
     ],
     [
@@ -407,7 +407,7 @@ const PAIRS: [[Quantity; 2]; 4] = [
 ];
 
 /// Name of the case's own structure in legends.
-const OWN: &str = "the case's own";
+const OWN: &str = "initial design";
 
 /// Range of an axis that shows all `values` with room around them; `None` without values.
 fn frame_of(values: &[f64]) -> Option<[f64; 2]> {
@@ -553,7 +553,7 @@ pub fn trade_offs(search: &SearchData) -> Figure {
         label: "Trade-offs".to_owned(),
         caption: "Acceptable structures, each at the worst of its operating points. What spreads \
                   the balls more evenly costs friction. The axes show the acceptable structures; \
-                  the case's own raceway, where it lies outside, is drawn at the edge with its \
+                  the initial design, where it lies outside, is drawn at the edge with its \
                   values (horizontal, vertical)."
             .to_owned(),
         provenance: search.provenance.clone(),

@@ -1,4 +1,4 @@
-//! What the outputs of a sweep depend on.
+//! Sensitivity of the outputs of a sweep.
 
 use serde_json::{Value, json};
 
@@ -60,11 +60,11 @@ pub fn shares(data: &SweepData) -> Figure {
             "hovertemplate": "%{y} by %{x}: %{z:.1f} %<extra></extra>",
         }));
     Figure {
-        label: "What matters".to_owned(),
-        caption: "Share of the variance of each output, in percent, that each input explains \
-                  alone (correlation ratio η²). What is missing from 100 in a row is the \
-                  inputs' acting together, and chance; with few variants at a level, chance \
-                  alone gives some."
+        label: "Sensitivity (main effects)".to_owned(),
+        caption: "Fraction of the variance of each output, in percent, that each input explains \
+                  alone (correlation ratio η²). The remainder to 100 in a row is \
+                  interaction of the inputs and scatter; with few variants at a level, scatter \
+                  alone gives a few percent."
             .to_owned(),
         provenance: data.provenance.clone(),
         plot,
@@ -102,8 +102,7 @@ pub fn effects(output: &SweepOutput, provenance: &Provenance) -> Figure {
     Figure {
         label: format!("Effects on {}", output.quantity.name),
         caption: format!(
-            "Mean of {} at each level of an input, over all others; shaded: from the least to \
-             the most.",
+            "Mean of {} at each level of an input, over all others; band: min–max.",
             output.quantity.name
         ),
         provenance: provenance.clone(),

@@ -182,16 +182,14 @@ pub(super) fn rejections(found: &Found) -> Vec<RejectionCount> {
         "eq-9" => "the contact path leaves the groove or turns back (Zhao 2022, Eq. (9))",
         "overlap" => "two raceways overlap",
         "insufficient-separation" => {
-            "guarantees too small a share of the steady gap: hardly spreads the balls"
+            "separation too small a fraction of the mean ball spacing: raceway too shallow"
         }
-        "slips" => "balls slide so much that the separation suffers",
-        "excessive-separation" => {
-            "critical gap above the steady gap: even evenly flowing balls collide"
-        }
+        "slips" => "loss of separation through sliding",
+        "excessive-separation" => "raceway too deep: evenly spaced balls collide",
         "stress" => "contact stress above 4.2 GPa (ISO 76)",
-        "gross-sliding" => "balls slide over the raceway instead of being slowed by it",
-        "gap-not-retained" => "the gap is lost again before the balls come back",
-        "double-collision" => "too many passages hit by both neighbours",
+        "gross-sliding" => "gross sliding over the raceway",
+        "gap-not-retained" => "separation lost before load zone",
+        "double-collision" => "too many passages hit from both sides",
         _ => "a run failed",
     };
     found

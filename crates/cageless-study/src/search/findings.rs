@@ -1,4 +1,4 @@
-//! What a search found, in sentences.
+//! Narrative of a search: its result in sentences.
 
 use super::result::{SearchData, StructureData};
 use cageless::design::search::{Evaluation, Found, Motion};
@@ -16,7 +16,7 @@ pub fn findings(found: &Found, data: &SearchData) -> Vec<String> {
     let mut all = vec![recommendation(data, best)];
     for (point, verdict) in data.points.iter().zip(&data.recommended_verdicts) {
         all.push(format!(
-            "At {}, entered as the case's own, it is judged {}.",
+            "At {}, with this raceway in the case: {}.",
             point.label(),
             verdict.headline
         ));
@@ -24,7 +24,7 @@ pub fn findings(found: &Found, data: &SearchData) -> Vec<String> {
     if let Some(own) = &data.own {
         for (k, point) in data.points.iter().enumerate() {
             all.push(format!(
-                "At {}, against the case's own {}: {}.",
+                "At {}, against the initial design {}: {}.",
                 point.label(),
                 own.label(),
                 comparison(found, best, own, k)
@@ -32,14 +32,14 @@ pub fn findings(found: &Found, data: &SearchData) -> Vec<String> {
         }
         if !own.why.is_empty() {
             all.push(format!(
-                "The case's own structure is not acceptable: {}.",
+                "The initial design is not acceptable: {}.",
                 own.why
             ));
         }
     }
     let accepted = data.band.iter().filter(|s| s.status == "accepted").count();
     all.push(format!(
-        "{} structures are acceptable, {} of them on the Pareto front; most others: {}.",
+        "{} designs are feasible, {} of them on the Pareto front; most frequent reasons for exclusion: {}.",
         accepted,
         data.front.len(),
         data.rejections
@@ -52,7 +52,7 @@ pub fn findings(found: &Found, data: &SearchData) -> Vec<String> {
     let left_out = data.band.iter().filter(|s| s.status == "left out").count();
     if left_out > 0 {
         all.push(format!(
-            "{left_out} structures were left out by search.budget."
+            "{left_out} designs were left out by search.budget."
         ));
     }
     all
@@ -68,12 +68,12 @@ fn recommendation(data: &SearchData, best: &StructureData) -> String {
             let critical = n.critical_gap_deg.unwrap_or(f64::NAN);
             let shortfall = n.slip_shortfall.unwrap_or(f64::NAN);
             format!(
-                "at {} it guarantees {critical:.3}° of the steady {steady:.3}° (margin {:.3}°), \
+                "at {} it separates balls to at least {critical:.3}°; available {steady:.3}°; reserve {:.3}°; \
                  {:.1} % {} β0",
                 point.label(),
                 n.margin_deg.unwrap_or(f64::NAN),
                 100.0 * shortfall.abs(),
-                if shortfall < 0.0 { "above" } else { "short of" },
+                if shortfall < 0.0 { "above" } else { "below" },
             )
         })
         .collect();
@@ -137,7 +137,7 @@ fn comparison(found: &Found, best: &StructureData, own: &StructureData, point: u
     }
     if let (Some(a), Some(b)) = (best.points[point].margin_deg, own.points[point].margin_deg) {
         parts.push(format!(
-            "margin {a:.3}° against {b:.3}° ({})",
+            "reserve {a:.3}° against {b:.3}° ({})",
             if a > b { "larger" } else { "smaller" }
         ));
     }

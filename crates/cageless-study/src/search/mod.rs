@@ -87,7 +87,7 @@ fn verdicts(
                 return Ok(PointVerdict {
                     verdict: RacewayVerdict::Infeasible.name().to_owned(),
                     passes: Some(false),
-                    headline: "FAIL: infeasible; the case cannot have this raceway".to_owned(),
+                    headline: "FAIL: no solution; the case cannot have this raceway".to_owned(),
                 });
             };
             match judge(&case, &mut progress.run_control(1.0, 1.0)) {

@@ -56,7 +56,7 @@ impl RunVerdict {
                 format!(
                     "{word} in this run: {}; {nearest}{criterion}; the separation is judged by \
                      design",
-                    verdict.name()
+                    verdict.label()
                 )
             }
         };

@@ -34,6 +34,17 @@ impl RacewayVerdict {
         }
     }
 
+    /// Wording for readers.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::NotJudged => "not judged",
+            Self::Smooth => "smooth",
+            Self::DoubleCollision => "hit from both sides",
+            Self::Slips => "excessive sliding",
+            Self::Infeasible => "no solution",
+        }
+    }
+
     /// Name in files.
     pub fn name(self) -> &'static str {
         match self {
@@ -267,7 +278,7 @@ impl Judgement {
 
     /// PASS or FAIL with the verdict, the criterion that decides, and its margin.
     pub fn headline(&self) -> String {
-        let name = self.verdict.name();
+        let name = self.verdict.label();
         let reason = match &self.deciding {
             Some(criterion) => criterion.to_string(),
             None => self.reasons.join("; "),
@@ -294,15 +305,15 @@ fn decide(case: &Case, raceway: &Raceway, critical: f64, s: PassageStatistics) -
     let verdict = Criterion::deciding(&criteria).map_or(RacewayVerdict::Smooth, Criterion::verdict);
     let reasons = vec![
         format!(
-            "critical gap {:.4}°, {:.1} % {} β0 = {:.4}° (slips above {:.0} % short)",
+            "critical gap {:.4}°, {:.1} % {} β0 = {:.4}° (loss of separation through sliding, at most {:.0} % allowed)",
             critical.to_degrees(),
             100.0 * shortfall.abs(),
-            if shortfall < 0.0 { "above" } else { "short of" },
+            if shortfall < 0.0 { "above" } else { "below" },
             beta0.to_degrees(),
             100.0 * SLIP_SHORTFALL
         ),
         format!(
-            "{:.0} % of {} passages hit by both neighbours (double-collision above {:.0} %), \
+            "{:.0} % of {} passages hit from both sides (at most {:.0} % allowed), \
              {:.2} contacts per passage",
             100.0 * s.double_collision_fraction,
             s.passages,
@@ -310,8 +321,8 @@ fn decide(case: &Case, raceway: &Raceway, critical: f64, s: PassageStatistics) -
             s.collisions_mean
         ),
         format!(
-            "largest slip in a passage {:.3} m/s on average, {:.0} % of the theoretical drop of \
-             orbital speed reached (slips below {:.0} %)",
+            "largest slip in a passage {:.3} m/s on average, achieved deceleration {:.0} % of \
+             the kinematic value (at least {:.0} % required)",
             s.slip_mean_m_s,
             100.0 * s.speed_drop_fraction,
             100.0 * SPEED_DROP_FRACTION
@@ -323,15 +334,15 @@ fn decide(case: &Case, raceway: &Raceway, critical: f64, s: PassageStatistics) -
             three.to_degrees(),
         ),
         format!(
-            "β0 = {:.0} % of the uniform gap {:.4}°: evenly spaced balls {}",
+            "β0 = {:.0} % of the nominal gap {:.4}°: evenly spaced balls {}",
             100.0 * beta0 / bearing.nominal_gap_rad(),
             bearing.nominal_gap_rad().to_degrees(),
             if beta0 < 0.9 * bearing.nominal_gap_rad() {
-                "are hardly spread by so shallow a groove"
+                "are not separated: raceway too shallow"
             } else if beta0 > 1.1 * bearing.nominal_gap_rad() {
-                "collide in so deep a groove"
+                "collide: raceway too deep"
             } else {
-                "just touch, as they should"
+                "just touch"
             },
         ),
     ];

@@ -51,7 +51,7 @@ impl Outcome {
             double_collision_fraction: None,
             collisions_mean: None,
             slip_mean_m_s: None,
-            headline: format!("FAIL: {}; {reason}", RacewayVerdict::Infeasible.name()),
+            headline: format!("FAIL: {}; {reason}", RacewayVerdict::Infeasible.label()),
             reason: Some(reason),
         }
     }
@@ -78,7 +78,7 @@ pub struct InfluenceResult {
     pub passed: usize,
     /// Verdicts that came out, worst last.
     pub verdicts: Vec<RacewayVerdict>,
-    /// Critical gaps, this and the numbers below with those of the bearing as drawn.
+    /// Critical gaps, this and the numbers below with those of the nominal bearing.
     pub critical_gap_rad: Interval,
     /// Shares of passages hit by both neighbours.
     pub double_collision_fraction: Interval,
@@ -111,7 +111,7 @@ pub const PASS_FRACTION: f64 = 0.95;
 /// The tolerance table and the probability.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Assessment {
-    /// The bearing as drawn.
+    /// The nominal bearing.
     pub nominal: Outcome,
     /// One influence at a time; those without a tolerance are left out.
     pub influences: Vec<InfluenceResult>,
@@ -120,24 +120,24 @@ pub struct Assessment {
 }
 
 impl Assessment {
-    /// Whether the tolerances pass: the bearing as drawn does, and [`PASS_FRACTION`] of those in which
+    /// Whether the tolerances pass: the nominal bearing does, and [`PASS_FRACTION`] of those in which
     /// everything deviates, if there are any.
     pub fn passes(&self) -> bool {
         let samples = self.samples.as_ref();
         self.nominal.passes() && samples.is_none_or(|s| s.pass_probability >= PASS_FRACTION)
     }
 
-    /// PASS or FAIL with the probability of passing and the verdict on the bearing as drawn.
+    /// PASS or FAIL with the probability of passing and the verdict on the nominal bearing.
     pub fn headline(&self) -> String {
         let word = if self.passes() { "PASS" } else { "FAIL" };
         let nominal = &self.nominal.headline;
         match &self.samples {
-            None => format!("{word}; as drawn {nominal}"),
+            None => format!("{word}; nominal design {nominal}"),
             Some(s) => {
                 let [low, high] = s.pass_probability_interval.map(|p| 100.0 * p);
                 format!(
                     "{word}: {} of {} bearings pass, probability of passing {:.1} % (95 % interval \
-                     {low:.1} to {high:.1} %, {:.0} % needed); as drawn {nominal}",
+                     {low:.1} to {high:.1} %, {:.0} % needed); nominal design {nominal}",
                     s.passed,
                     s.count,
                     100.0 * s.pass_probability,
@@ -151,7 +151,7 @@ impl Assessment {
 /// Puts together what became of [`super::trials`], in their order.
 ///
 /// # Panics
-/// If there is not one outcome per trial, the first that of the bearing as drawn.
+/// If there is not one outcome per trial, the first that of the nominal bearing.
 pub fn assess(trials: &[Trial], outcomes: &[Outcome]) -> Assessment {
     assert!(!trials.is_empty() && trials.len() == outcomes.len());
     let nominal = outcomes[0].clone();

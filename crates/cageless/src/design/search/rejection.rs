@@ -164,37 +164,37 @@ impl std::fmt::Display for Cause {
             Self::Overlap => write!(f, "raceways overlap"),
             Self::InsufficientSeparation(fraction) => write!(
                 f,
-                "guarantees only {:.1} % of the steady gap: hardly spreads the balls",
+                "separation only {:.1} % of the mean ball spacing: raceway too shallow",
                 100.0 * fraction
             ),
             Self::ExcessiveSeparation(fraction) => write!(
                 f,
-                "critical gap {} of the steady gap: even evenly flowing balls collide",
+                "critical gap {} of the mean ball spacing: raceway too deep, evenly spaced balls collide",
                 beside(fraction, 1.0)
             ),
             Self::Slips(shortfall) => write!(
                 f,
-                "sliding takes {} of the separation ({:.0} % allowed)",
+                "loss of separation through sliding {} ({:.0} % allowed)",
                 beside(shortfall, SLIP_SHORTFALL),
                 100.0 * SLIP_SHORTFALL
             ),
             Self::GrossSliding(fraction) => write!(
                 f,
-                "the balls slide over it: {} of the theoretical drop of orbital speed \
-                 ({:.0} % needed)",
+                "gross sliding: achieved deceleration {} of the kinematic value \
+                 ({:.0} % required)",
                 beside(fraction, SPEED_DROP_FRACTION),
                 100.0 * SPEED_DROP_FRACTION
             ),
             Self::GapNotRetained(fraction) => write!(
                 f,
-                "the gap is lost again: balls come back with as little as {} of the critical \
-                 gap ({:.0} % needed)",
+                "separation lost before the load zone: balls return with as little as {} of the critical \
+                 gap ({:.0} % required)",
                 beside(fraction, RETAINED_FRACTION),
                 100.0 * RETAINED_FRACTION
             ),
             Self::DoubleCollision(fraction) => write!(
                 f,
-                "{} of the passages hit by both neighbours ({:.0} % allowed)",
+                "{} of the passages hit from both sides ({:.0} % allowed)",
                 beside(fraction, DOUBLE_COLLISION_FRACTION),
                 100.0 * DOUBLE_COLLISION_FRACTION
             ),
