@@ -297,7 +297,7 @@ def summary(run):
     s = run.summary
     check(f"{run.name}: summary schema", s["schema"] == 1)
     residual = s["energy_residual_relative"]
-    check(f"{run.name}: energy residual", abs(residual) < 1e-3, residual)
+    check(f"{run.name}: energy balance error", abs(residual) < 1e-3, residual)
     flows = s["energy"]
     check(f"{run.name}: steps", s["steps"] > 0 and s["rhs_evaluations"] >= s["steps"])
     check(f"{run.name}: energies are numbers", all(isinstance(v, float) for v in flows.values()))
@@ -314,7 +314,7 @@ def summary(run):
     check(f"{run.name}: smallest gap", np.degrees(gaps.min()) >= s["gap_min_deg"] - 1e-3)
     check(f"{run.name}: largest gap", np.degrees(gaps.max()) <= s["gap_max_deg"] + 1e-3)
     y = 1e6 * run.ring["y_m"][run.ring["time_s"] >= settled].mean()
-    close(f"{run.name}: mean place of the ring", s["ring_y_um_mean"], y, 0.5)
+    close(f"{run.name}: mean displacement of the inner ring", s["ring_y_um_mean"], y, 0.5)
 
 
 def self_and_children(prefix, value):

@@ -6,8 +6,8 @@ use std::time::Instant;
 use anyhow::{Result, bail};
 use cageless::dynamics::Model;
 use cageless::dynamics::state::State;
+use cageless::gap::GapRange;
 use cageless::simulation::{self, Control, Ending, Observer, ObserverError, RunContext, StepView};
-use cageless::spacing::GapRange;
 use cageless::step_limits::StepLimits;
 use clap::Args;
 

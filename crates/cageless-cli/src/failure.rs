@@ -3,11 +3,11 @@
 use std::fmt;
 use std::process::ExitCode;
 
+use cageless::critical_gap::CriticalGapError;
 use cageless::equilibrium::EquilibriumError;
 use cageless::simulation::Stop;
-use cageless::spacing::CriticalGapError;
 use cageless_io::case_file::CaseError;
-use cageless_io::in_words;
+use cageless_io::io_error_message;
 use cageless_io::results::ResultError;
 use cageless_study::StudyError;
 use cageless_study::sweep::SweepError;
@@ -103,13 +103,15 @@ impl From<StudyError> for Failure {
                 Self::Interrupted("interrupted before there was a result".to_owned())
             }
             error @ StudyError::Threads(_) => Self::Other(anyhow::Error::msg(error.to_string())),
-            StudyError::Folder { path, source } => {
-                Self::Input(format!("--out {}: {}", path.display(), in_words(&source)))
-            }
+            StudyError::Folder { path, source } => Self::Input(format!(
+                "--out {}: {}",
+                path.display(),
+                io_error_message(&source)
+            )),
             StudyError::Journal { path, source } => Self::Other(anyhow::anyhow!(
                 "cannot write {}: {}",
                 path.display(),
-                in_words(&source)
+                io_error_message(&source)
             )),
         }
     }

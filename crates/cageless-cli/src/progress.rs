@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use cageless::simulation::Control;
-use cageless_study::{Watcher, Work};
+use cageless_study::{Progress, Work};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// Set once the user has asked to stop.
@@ -31,7 +31,7 @@ const SILENT: Duration = Duration::from_secs(2);
 const PARTS: f64 = 1e4;
 
 /// A bar over a known amount of work, in units that the caller chooses. Threads share it.
-pub struct Progress {
+pub struct Bar {
     bar: ProgressBar,
     started: Instant,
     visible: AtomicBool,
@@ -39,7 +39,7 @@ pub struct Progress {
     stop: StopFlag,
 }
 
-impl Progress {
+impl Bar {
     /// `total` units of work to do.
     pub fn new(what: &str, total: f64, stop: &StopFlag) -> Self {
         let bar = ProgressBar::with_draw_target(
@@ -62,7 +62,7 @@ impl Progress {
     }
 }
 
-impl Work for Progress {
+impl Work for Bar {
     fn add(&self, units: f64) -> Control {
         let parts = (units * PARTS) as u64;
         let done = self.done.fetch_add(parts, Ordering::Relaxed) + parts;
@@ -87,9 +87,9 @@ impl Work for Progress {
 /// Shows each part of a study as a bar.
 pub struct Bars<'s>(pub &'s StopFlag);
 
-impl Watcher for Bars<'_> {
+impl Progress for Bars<'_> {
     fn begin(&self, what: &str, units: f64) -> Box<dyn Work + '_> {
-        Box::new(Progress::new(what, units, self.0))
+        Box::new(Bar::new(what, units, self.0))
     }
 
     fn interrupted(&self) -> bool {
@@ -97,7 +97,7 @@ impl Watcher for Bars<'_> {
     }
 }
 
-impl Drop for Progress {
+impl Drop for Bar {
     fn drop(&mut self) {
         self.bar.finish_and_clear();
     }

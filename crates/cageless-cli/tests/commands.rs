@@ -218,7 +218,11 @@ fn run_keeps_results_and_progress_apart() {
 
     let text = call_on("run", &case, &sets, &[]);
     assert_eq!((text.code, text.stderr.as_str()), (Some(0), ""));
-    assert!(text.stdout.contains("energy residual"), "{}", text.stdout);
+    assert!(
+        text.stdout.contains("energy balance error"),
+        "{}",
+        text.stdout
+    );
 
     let answer = call_on(
         "run",

@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::files::open_own;
 use crate::plan_file::difference;
-use crate::system::in_words;
+use crate::system::io_error_message;
 
 /// Numbers, or why there are none.
 pub type Entry = Result<Vec<f64>, String>;
@@ -56,7 +56,7 @@ pub enum JournalError {
         line: usize,
     },
     /// It cannot be read or written.
-    #[error("{}: {}", .path.display(), in_words(.source))]
+    #[error("{}: {}", .path.display(), io_error_message(.source))]
     Io {
         /// The file.
         path: PathBuf,

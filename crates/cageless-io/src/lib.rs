@@ -25,5 +25,5 @@ mod terminal;
 
 pub use files::open_own;
 pub use option_error::OptionError;
-pub use system::in_words;
+pub use system::io_error_message;
 pub use terminal::on_terminal;

@@ -1,10 +1,10 @@
-//! What the system says about files.
+//! Messages for errors of the file system.
 
 use std::io::{Error, ErrorKind};
 
-/// What is wrong with a file or folder, in the words of users: to be read after its name, without
+/// Message for an error of a file or folder, to be read after its name, without
 /// the number of the system's error.
-pub fn in_words(error: &Error) -> String {
+pub fn io_error_message(error: &Error) -> String {
     match error.kind() {
         // Only making a folder finds that something is in its place.
         ErrorKind::AlreadyExists => "is a file, a folder is needed".to_owned(),

@@ -12,7 +12,7 @@ use cageless_study::tolerance::Request;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::attend::Attendance;
+use crate::background::Background;
 use crate::design::{Design, Search, judge};
 use crate::errors::{input, of_file, of_start, of_values, other};
 use crate::export;
@@ -112,8 +112,8 @@ impl CaseFile {
         threads: Option<i64>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Run> {
-        let attendance = Attendance::new(threads, progress)?;
-        simulate(py, &self.file, verify.then_some(attendance))
+        let background = Background::new(threads, progress)?;
+        simulate(py, &self.file, verify.then_some(background))
     }
 
     /// `static --json`.
@@ -136,8 +136,8 @@ impl CaseFile {
         threads: Option<i64>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Search> {
-        let attendance = Attendance::new(threads, progress)?;
-        Search::find(py, &self.file, folder, attendance)
+        let background = Background::new(threads, progress)?;
+        Search::find(py, &self.file, folder, background)
     }
 
     /// Judges the bearing within tolerances; `deviations` by name, those of the command.
@@ -162,8 +162,8 @@ impl CaseFile {
             speed_percent: of("speed_percent"),
             load_percent: of("load_percent"),
         };
-        let attendance = Attendance::new(threads, progress)?;
-        Tolerance::study(py, &self.file, &request, attendance)
+        let background = Background::new(threads, progress)?;
+        Tolerance::study(py, &self.file, &request, background)
     }
 
     /// Writes the outer ring; a list of the numbers of `export --json`.

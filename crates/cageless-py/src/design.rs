@@ -6,10 +6,10 @@ use cageless_report::figures::{design, search, shape};
 use cageless_report::{DesignData, Figure, SearchData, design_page};
 use cageless_study::DesignResult;
 use cageless_study::design::{Judged, judged};
-use cageless_study::{StudyError, Watcher};
+use cageless_study::{Progress, StudyError};
 use pyo3::prelude::*;
 
-use crate::attend::Attendance;
+use crate::background::Background;
 use crate::errors::{input, of_study, other, stopped};
 
 /// What is known of a case's own raceways.
@@ -21,21 +21,21 @@ pub struct Design {
 
 /// Judges a case; the exception if a run that it rests on stopped.
 pub fn judge(py: Python<'_>, file: &CaseFile) -> PyResult<(Design, Option<PyErr>)> {
-    let attendance = Attendance::new(Some(1), None)?;
-    let found = attendance.attend(py, |watcher| analyse(file, None, watcher))?;
+    let background = Background::new(Some(1), None)?;
+    let found = background.run(py, |progress| analyse(file, None, progress))?;
     found.map_err(|error| of_study(&error))
 }
 
 fn analyse(
     file: &CaseFile,
     search: Option<SearchData>,
-    watcher: &dyn Watcher,
+    progress: &dyn Progress,
 ) -> Result<(Design, Option<PyErr>), StudyError> {
     let Judged {
         judgement,
         recommendation,
         snapshots,
-    } = judged(file, watcher)?;
+    } = judged(file, progress)?;
     let stop = judgement.stopped.as_ref().map(stopped);
     let mut result = DesignResult::new(file.case(), judgement, recommendation);
     result.search = search;
@@ -85,10 +85,10 @@ impl Search {
         py: Python<'_>,
         file: &CaseFile,
         folder: Option<std::path::PathBuf>,
-        attendance: Attendance,
+        background: Background,
     ) -> PyResult<Self> {
-        let found = attendance.attend(py, |watcher| {
-            cageless_study::search::run(file, folder.as_deref(), watcher)
+        let found = background.run(py, |progress| {
+            cageless_study::search::run(file, folder.as_deref(), progress)
         })?;
         let (found, data) = found.map_err(|error| of_study(&error))?;
         if let Some(folder) = &folder {
@@ -136,10 +136,10 @@ impl Search {
 
     /// `report.html`, for which the case's own raceway is judged.
     fn page(&self, py: Python<'_>) -> PyResult<String> {
-        let attendance = Attendance::new(Some(1), None)?;
+        let background = Background::new(Some(1), None)?;
         let search = Some(self.data.clone());
-        let found = attendance.attend(py, |watcher| {
-            let (design, _) = analyse(&self.file, search, watcher)?;
+        let found = background.run(py, |progress| {
+            let (design, _) = analyse(&self.file, search, progress)?;
             Ok(design_page(&design.data))
         })?;
         found.map_err(|error: StudyError| of_study(&error))

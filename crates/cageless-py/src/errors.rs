@@ -3,9 +3,9 @@
 use std::io;
 use std::path::Path;
 
+use cageless::critical_gap::CriticalGapError;
 use cageless::equilibrium::EquilibriumError;
 use cageless::simulation::Stop;
-use cageless::spacing::CriticalGapError;
 use cageless_io::cad::ExportError;
 use cageless_io::case_file::CaseError;
 use cageless_io::results::{ResultError, is_unusable};

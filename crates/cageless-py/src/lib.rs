@@ -2,7 +2,7 @@
 //! with. The package itself, with its documentation, is in `python/cageless`.
 
 mod arrays;
-mod attend;
+mod background;
 mod case_file;
 mod design;
 mod errors;

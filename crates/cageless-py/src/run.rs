@@ -21,7 +21,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays::Recording;
-use crate::attend::Attendance;
+use crate::background::Background;
 use crate::errors::{input, of_start, other};
 use crate::signals::Signals;
 
@@ -44,17 +44,17 @@ struct Material {
 }
 
 /// Runs a case with everything recorded, and verifies it where that is attended to.
-pub fn simulate(py: Python<'_>, file: &CaseFile, verify: Option<Attendance>) -> PyResult<Run> {
+pub fn simulate(py: Python<'_>, file: &CaseFile, verify: Option<Background>) -> PyResult<Run> {
     let signals = Signals::new();
     let mut verification = verify.as_ref().map(|_| VerificationRuns::new(file.case()));
     let watch = verification.as_mut().map(VerificationRuns::watch);
     let done = py.detach(|| record(file, &signals, watch));
     signals.raised()?;
     let (material, mut summary, recording) = done?;
-    if let (Some(attendance), Some(verification)) = (verify, verification) {
+    if let (Some(background), Some(verification)) = (verify, verification) {
         let (case, outcome) = (file.case(), &material.outcome);
-        attendance.attend(py, |watcher| {
-            verification.finish(case, outcome, &mut summary, watcher);
+        background.run(py, |progress| {
+            verification.finish(case, outcome, &mut summary, progress);
         })?;
     }
     Ok(Run {

@@ -8,7 +8,7 @@ use cageless_io::plan_file::PlanFile;
 use cageless_study::sweep::{Job, Shard, SweepError, write_part};
 use pyo3::prelude::*;
 
-use crate::attend::count;
+use crate::background::count;
 use crate::case_file::CaseFile;
 use crate::errors::{input, of_file, of_sweep, of_values, other};
 use crate::signals::Signals;
@@ -19,8 +19,8 @@ pub struct Sweep {
     sweep: cageless_study::sweep::Sweep,
 }
 
-/// How often a caller hears of the progress.
-const TELL_EVERY: Duration = Duration::from_millis(100);
+/// Interval between progress callbacks.
+const REPORT_INTERVAL: Duration = Duration::from_millis(100);
 
 #[pymethods]
 impl Sweep {
@@ -90,14 +90,14 @@ impl Sweep {
             threads: threads.map(count).transpose()?,
         };
         let signals = Signals::new();
-        let (mut told, mut failed) = (Instant::now(), None);
+        let (mut reported, mut failed) = (Instant::now(), None);
         let done = py.detach(|| {
             cageless_study::sweep::run(&self.sweep, &job, |now| {
-                let due = told.elapsed() >= TELL_EVERY || now.done == now.total;
+                let due = reported.elapsed() >= REPORT_INTERVAL || now.done == now.total;
                 if let Some(progress) = progress.as_ref().filter(|_| due) {
-                    told = Instant::now();
-                    let told = Python::attach(|py| progress.call1(py, (now.done, now.total)));
-                    failed = failed.take().or(told.err());
+                    reported = Instant::now();
+                    let reported = Python::attach(|py| progress.call1(py, (now.done, now.total)));
+                    failed = failed.take().or(reported.err());
                 }
                 failed.is_some() || signals.stop()
             })

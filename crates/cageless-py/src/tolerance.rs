@@ -6,7 +6,7 @@ use cageless_report::tolerance::{ToleranceData, influence_figure, sample_figure,
 use cageless_study::tolerance::{Request, tolerance};
 use pyo3::prelude::*;
 
-use crate::attend::Attendance;
+use crate::background::Background;
 use crate::errors::{input, of_study, other};
 
 /// What a case made to its tolerances is worth.
@@ -20,10 +20,10 @@ impl Tolerance {
         py: Python<'_>,
         file: &CaseFile,
         request: &Request,
-        attendance: Attendance,
+        background: Background,
     ) -> PyResult<Self> {
-        let done = attendance.attend(py, |watcher| {
-            tolerance(file.case(), "case", request, watcher)
+        let done = background.run(py, |progress| {
+            tolerance(file.case(), "case", request, progress)
         })?;
         let data = done.map_err(|error| of_study(&error))?;
         Ok(Self { data })

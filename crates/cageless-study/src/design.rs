@@ -1,15 +1,15 @@
 //! What is known of a case's own raceways.
 
+use cageless::critical_gap::CriticalGapError;
 use cageless::design::{Judgement, Recommendation, judge_watched, recommend, steady_case};
 use cageless::raceway::RacewayDimensions;
 use cageless::recorder::Recorder;
 use cageless::snapshot::Snapshot;
-use cageless::spacing::CriticalGapError;
 use cageless_io::case_file::{CaseFile, RacewayDocument};
 
 use crate::entered::{entered, raceway_document};
 use crate::error::StudyError;
-use crate::watcher::Watcher;
+use crate::progress::Progress;
 
 /// The verdict on a case's own raceways and what it rests on.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,13 +34,13 @@ const RECOMMENDATION_WORK: f64 = 1.5;
 /// Judges the raceways of a case, and finds one near the curve of Eq. (11) that passes.
 ///
 /// # Errors
-/// The case is impossible, a run did not converge, or the watcher ended the work.
-pub fn judged(file: &CaseFile, watcher: &dyn Watcher) -> Result<Judged, StudyError> {
+/// The case is impossible, a run did not converge, or the progress ended the work.
+pub fn judged(file: &CaseFile, progress: &dyn Progress) -> Result<Judged, StudyError> {
     let case = file.case();
     let steady = steady_case(case);
     let end_s = steady.solver.duration_s;
     let from_s = end_s * (1.0 - PORTRAIT_ORBITS / 32.0);
-    let progress = watcher.begin("design", 1.0 + RECOMMENDATION_WORK);
+    let task = progress.begin("design", 1.0 + RECOMMENDATION_WORK);
     let mut snapshots = vec![];
     let judgement = {
         let interval_s = (end_s - from_s) / SNAPSHOTS;
@@ -50,11 +50,7 @@ pub fn judged(file: &CaseFile, watcher: &dyn Watcher) -> Result<Judged, StudyErr
             }
             Ok(())
         });
-        judge_watched(
-            case,
-            &mut [&mut recorder],
-            &mut progress.run_control(1.0, 1.0),
-        )
+        judge_watched(case, &mut [&mut recorder], &mut task.run_control(1.0, 1.0))
     };
     if progress.interrupted() {
         return Err(StudyError::Interrupted);
@@ -68,7 +64,7 @@ pub fn judged(file: &CaseFile, watcher: &dyn Watcher) -> Result<Judged, StudyErr
         };
         entered(file, vec![raceway], None)
     };
-    let mut control = progress.run_control(1.0, RECOMMENDATION_WORK);
+    let mut control = task.run_control(1.0, RECOMMENDATION_WORK);
     let recommendation = match recommend(case, &entered, &mut *control) {
         Ok(found) => found,
         Err(CriticalGapError::Interrupted) => return Err(StudyError::Interrupted),

@@ -4,10 +4,10 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use cageless::InputError;
-use cageless::spacing::CriticalGapError;
+use cageless::critical_gap::CriticalGapError;
 use cageless_io::case_file::CaseError;
 use cageless_io::journal::JournalError;
-use cageless_io::{OptionError, in_words};
+use cageless_io::{OptionError, io_error_message};
 
 /// What went wrong with a study.
 #[derive(Debug, thiserror::Error)]
@@ -27,14 +27,14 @@ pub enum StudyError {
     /// A run that everything rests on left the physical range, or did not converge.
     #[error(transparent)]
     Run(#[from] CriticalGapError),
-    /// Ended by the watcher.
+    /// Ended by the progress.
     #[error("interrupted")]
     Interrupted,
     /// The threads could not be started.
     #[error("cannot start threads: {0}")]
     Threads(String),
     /// The folder cannot be used.
-    #[error("{}: {}", path.display(), in_words(source))]
+    #[error("{}: {}", path.display(), io_error_message(source))]
     Folder {
         /// Folder or file in it.
         path: PathBuf,
@@ -45,7 +45,7 @@ pub enum StudyError {
     #[error("{0}")]
     Foreign(String),
     /// What was computed cannot be kept: a full disk, say.
-    #[error("{}: {}", path.display(), in_words(source))]
+    #[error("{}: {}", path.display(), io_error_message(source))]
     Journal {
         /// File.
         path: PathBuf,

@@ -3,7 +3,7 @@
 //!
 //! [`verification`] says how far the numbers of a run can be trusted, [`design`] judges a
 //! raceway, [`search`] finds the best one, [`tolerance`] gives the probability that it passes
-//! as made, [`sweep`] computes many variants of a case. A [`Watcher`] follows the progress and can end the work.
+//! as made, [`sweep`] computes many variants of a case. A [`Progress`] follows the progress and can end the work.
 
 pub mod design;
 mod design_result;
@@ -13,6 +13,7 @@ mod histories;
 pub mod number_text;
 pub mod paper;
 mod parameter;
+mod progress;
 mod provenance;
 pub mod search;
 mod static_result;
@@ -21,7 +22,6 @@ pub mod sweep;
 mod threads;
 pub mod tolerance;
 pub mod verification;
-mod watcher;
 
 pub use design_result::{
     Curve, DesignResult, PassageNumbers, RacewayNumbers, RecommendationNumbers,
@@ -29,8 +29,8 @@ pub use design_result::{
 pub use error::StudyError;
 pub use histories::{CollisionPoint, Histories, RunHistories, SAMPLING_HZ};
 pub use parameter::{Parameter, parameter, parameters};
+pub use progress::{Progress, Silent, Work};
 pub use provenance::{Provenance, law_name, method_name, profile_name, provenance};
 pub use static_result::StaticResult;
 pub use structure::RacewayLabel;
 pub use threads::{THREADS_MAX, check_environment, on_threads, pool};
-pub use watcher::{Silent, Watcher, Work};

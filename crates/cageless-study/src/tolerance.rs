@@ -2,9 +2,9 @@
 
 mod result;
 
+use cageless::critical_gap::CriticalGapError;
 use cageless::design::judge;
 use cageless::dynamics::InstructionSet;
-use cageless::spacing::CriticalGapError;
 use cageless::tolerance::{
     Assessment, BALL_GRADES, Influence, Outcome, Tolerances, Trial, assess, ball_grade, trials,
 };
@@ -16,7 +16,7 @@ use rayon::prelude::*;
 pub use result::{InfluenceRow, SampleData, ToleranceData, VerdictCount};
 
 use crate::error::StudyError;
-use crate::watcher::Watcher;
+use crate::progress::Progress;
 use crate::{Provenance, provenance};
 
 /// More would take days.
@@ -48,17 +48,17 @@ pub struct Request {
 /// What a case made to these tolerances is worth. `name` is what messages call the case.
 ///
 /// # Errors
-/// A tolerance is impossible, there is no raceway, a run did not converge, or the watcher ended
+/// A tolerance is impossible, there is no raceway, a run did not converge, or the progress ended
 /// the work.
 pub fn tolerance(
     case: &Case,
     name: &str,
     request: &Request,
-    watcher: &dyn Watcher,
+    progress: &dyn Progress,
 ) -> Result<ToleranceData, StudyError> {
     let tolerances = request.check(case, name)?;
     let trials = trials(case, &tolerances, request.samples, case.seed);
-    let outcomes = judge_all(case, &trials, watcher)?;
+    let outcomes = judge_all(case, &trials, progress)?;
     let assessment = assess(&trials, &outcomes);
     Ok(data(case, request, &tolerances, &assessment))
 }
@@ -140,17 +140,17 @@ fn refused(option: &'static str, value: String, allowed: &str) -> StudyError {
 fn judge_all(
     case: &Case,
     trials: &[Trial],
-    watcher: &dyn Watcher,
+    progress: &dyn Progress,
 ) -> Result<Vec<Outcome>, StudyError> {
-    let progress = watcher.begin("tolerance", trials.len() as f64);
+    let task = progress.begin("tolerance", trials.len() as f64);
     let outcomes: Result<Vec<Outcome>, StudyError> = trials
         .par_iter()
         .map(|trial| match trial.deviation.apply(case) {
             Err(error) => {
-                progress.add(1.0);
+                task.add(1.0);
                 Ok(Outcome::impossible(error.to_string()))
             }
-            Ok(varied) => match judge(&varied, &mut progress.run_control(1.0, 1.0)) {
+            Ok(varied) => match judge(&varied, &mut task.run_control(1.0, 1.0)) {
                 Ok(judgement) => Ok(Outcome::judged(&judgement)),
                 Err(CriticalGapError::Case(error)) => Ok(Outcome::impossible(error.to_string())),
                 Err(error) => Err(error.into()),

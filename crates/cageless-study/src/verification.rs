@@ -8,7 +8,7 @@ use cageless::verification::{
 use cageless_io::results::{SummaryFile, VerificationFile};
 use rayon::prelude::*;
 
-use crate::watcher::Watcher;
+use crate::progress::Progress;
 
 /// Replicas of a verification; the first is the run itself.
 pub struct VerificationRuns {
@@ -36,7 +36,7 @@ impl VerificationRuns {
         case: &Case,
         outcome: &RunOutcome,
         summary: &mut SummaryFile,
-        watcher: &dyn Watcher,
+        progress: &dyn Progress,
     ) {
         if !matches!(outcome.ending, Ending::Complete) {
             summary
@@ -44,7 +44,7 @@ impl VerificationRuns {
                 .push("not verified: the run did not complete".to_owned());
             return;
         }
-        match self.certify(case, outcome, watcher) {
+        match self.certify(case, outcome, progress) {
             Ok(verification) => {
                 let verification = VerificationFile::new(&verification);
                 summary.warnings.extend(verification.warning());
@@ -58,18 +58,18 @@ impl VerificationRuns {
         self,
         case: &Case,
         outcome: &RunOutcome,
-        watcher: &dyn Watcher,
+        progress: &dyn Progress,
     ) -> Result<Verification, ReplicaError> {
         let first = self.observer.record(outcome)?;
         let others = &self.replicas[1..];
         let work = |replica: &Replica| if replica.role.half_step { 2.0 } else { 1.0 };
-        let progress = watcher.begin("verify", others.iter().map(work).sum());
+        let task = progress.begin("verify", others.iter().map(work).sum());
         // Computed in any order, collected in order.
         let records: Result<Vec<_>, ReplicaError> = others
             .par_iter()
             .with_max_len(1)
             .map(|replica| {
-                replica.run(&mut progress.run_control(case.solver.duration_s, work(replica)))
+                replica.run(&mut task.run_control(case.solver.duration_s, work(replica)))
             })
             .collect();
         let mut all = vec![first];

@@ -8,7 +8,7 @@ use cageless_io::case_file::{CaseFile, template};
 use cageless_io::results::SummaryFile;
 use cageless_study::tolerance::{Request, tolerance};
 use cageless_study::verification::VerificationRuns;
-use cageless_study::{Silent, StudyError, THREADS_MAX, Watcher, Work, on_threads, paper, search};
+use cageless_study::{Progress, Silent, StudyError, THREADS_MAX, Work, on_threads, paper, search};
 
 /// Adds up what it hears, and ends the work after so many calls.
 #[derive(Default)]
@@ -19,7 +19,7 @@ struct Listener {
     enough: Option<usize>,
 }
 
-impl Watcher for Listener {
+impl Progress for Listener {
     fn begin(&self, what: &str, units: f64) -> Box<dyn Work + '_> {
         self.begun.lock().unwrap().push((what.to_owned(), units));
         Box::new(Part(self))

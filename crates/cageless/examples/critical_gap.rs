@@ -6,9 +6,9 @@
 #[path = "../tests/common/mod.rs"] // the bearing of the paper, Table 1
 mod common;
 
+use cageless::critical_gap::{PairTest, critical_gap_rad};
 use cageless::design::{Eq11, theoretical_gap_rad};
 use cageless::simulation::Control;
-use cageless::spacing::{PairTest, critical_gap_rad};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     // 1e-5 rad is enough to print three digits.

@@ -19,10 +19,10 @@
 
 use crate::contact_tracker::ContactTracker;
 use crate::dynamics::coordinates::BallCoordinate;
+use crate::gap::Direction;
 use crate::numerics::root;
 use crate::raceway::Raceway;
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
-use crate::spacing::Direction;
 
 /// One ball through one raceway.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -17,8 +17,8 @@
 use crate::case::Case;
 use crate::contact_tracker::ContactTracker;
 use crate::dynamics::coordinates::RingCoordinate;
+use crate::gap::GapRange;
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
-use crate::spacing::GapRange;
 
 /// Headline numbers over the part of a run after [`Self::settled_after_s`].
 #[derive(Debug, Clone, Copy, PartialEq)]

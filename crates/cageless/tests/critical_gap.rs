@@ -3,8 +3,8 @@
 mod common;
 
 use cageless::Case;
+use cageless::critical_gap::{PairTest, critical_gap_rad};
 use cageless::simulation::Control;
-use cageless::spacing::{PairTest, critical_gap_rad};
 use common::{conventional, dimensions, raceway};
 
 fn with_clearance(clearance_m: f64) -> Case {

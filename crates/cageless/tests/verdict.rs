@@ -3,13 +3,13 @@
 
 mod common;
 
+use cageless::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
 use cageless::design::search::{Job, Numbers, OperatingPoint, RacewayLayout, Task, run_jobs};
 use cageless::design::{
     Criterion, Eq11, RacewayVerdict, judge, recommend, starting_point, theoretical_gap_rad,
 };
 use cageless::raceway::RacewayDimensions;
 use cageless::simulation::Control;
-use cageless::spacing::{CriticalGapError, PairTest, critical_gap_rad};
 use cageless::{BearingDimensions, Case, Raceway};
 use common::*;
 

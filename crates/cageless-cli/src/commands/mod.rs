@@ -14,7 +14,7 @@ use cageless::SCOPE;
 use cageless::dynamics::InstructionSet;
 use cageless_io::case_file::{CaseFile, template};
 use cageless_io::results::write_atomically;
-use cageless_io::{in_words, on_terminal};
+use cageless_io::{io_error_message, on_terminal};
 use cageless_study::check_environment;
 use serde::Serialize;
 
@@ -98,8 +98,13 @@ pub fn deliver<T: Serialize>(
 
 /// Makes the folder of `--out`.
 pub fn make_folder(dir: &Path) -> Result<(), Failure> {
-    std::fs::create_dir_all(dir)
-        .map_err(|error| Failure::Input(format!("--out {}: {}", dir.display(), in_words(&error))))
+    std::fs::create_dir_all(dir).map_err(|error| {
+        Failure::Input(format!(
+            "--out {}: {}",
+            dir.display(),
+            io_error_message(&error)
+        ))
+    })
 }
 
 /// Refuses a folder where a file is to be.

@@ -26,7 +26,7 @@ use super::{make_folder, print, read_case, writable};
 use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::format::{columns, judged, pairs, shown, warnings};
-use crate::progress::{Bars, Progress, catch_interrupt};
+use crate::progress::{Bar, Bars, catch_interrupt};
 
 /// Files beside the tables.
 const SUMMARY: &str = "summary.json";
@@ -88,7 +88,7 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
             }
             Ok(())
         });
-        let progress = Progress::new("run", 1.0, &stop);
+        let progress = Bar::new("run", 1.0, &stop);
         let mut observers: Vec<&mut dyn Observer> = vec![&mut summary, &mut collisions];
         if args.out.is_some() {
             observers.push(&mut recorder);

@@ -1,8 +1,8 @@
 //! The claims of the paper one by one, with what we find, and its errata.
 
+use cageless::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
 use cageless::design::{Judgement, RacewayVerdict, StartingPoint, starting_point};
 use cageless::equilibrium::solve;
-use cageless::spacing::{CriticalGapError, PairTest, critical_gap_rad};
 use cageless::{Case, FrictionLaw, Profile};
 use cageless_report::{Claim, ClaimStatus, RingComparison};
 use cageless_study::Work;
@@ -15,7 +15,7 @@ use super::section5_claims;
 use super::structures::Ten;
 use super::table2::Computed;
 use crate::failure::Failure;
-use crate::progress::Progress;
+use crate::progress::Bar;
 
 /// Seconds on one core, roughly.
 pub const WORK: f64 = 2.0;
@@ -31,7 +31,7 @@ pub struct Extra {
 }
 
 /// Computes what the claims need beyond the figures.
-pub fn compute(progress: &Progress) -> Result<Extra, Failure> {
+pub fn compute(progress: &Bar) -> Result<Extra, Failure> {
     let usable = |reading: (Profile, FrictionLaw)| {
         let case = cases::structure(3, reading, &[])?;
         let found = match starting_point(&case, &mut |_| progress.control()) {

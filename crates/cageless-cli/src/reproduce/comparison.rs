@@ -22,7 +22,7 @@ use rayon::prelude::*;
 
 use super::cases;
 use crate::failure::Failure;
-use crate::progress::Progress;
+use crate::progress::Bar;
 
 /// Seconds on one core, roughly.
 pub const WORK: f64 = 30.0;
@@ -102,7 +102,7 @@ struct Outcome {
 }
 
 /// Runs every combination.
-pub fn compute(progress: &Progress) -> Result<RingComparison, Failure> {
+pub fn compute(progress: &Bar) -> Result<RingComparison, Failure> {
     let plans = plans()?;
     let total_s: f64 = plans.iter().map(|p| p.case.solver.duration_s).sum();
     let found: Vec<Vec<Outcome>> = plans
@@ -271,7 +271,7 @@ impl Observer for OrbitMeter {
 }
 
 /// Runs every start of a combination, side by side.
-fn outcomes(plan: &Plan, progress: &Progress, units: f64) -> Result<Vec<Outcome>, Failure> {
+fn outcomes(plan: &Plan, progress: &Bar, units: f64) -> Result<Vec<Outcome>, Failure> {
     let cases: Vec<Case> = (0..STARTS)
         .map(|k| plan.start(k))
         .collect::<Result<_, _>>()?;
@@ -287,7 +287,7 @@ fn outcomes(plan: &Plan, progress: &Progress, units: f64) -> Result<Vec<Outcome>
 fn side_by_side(
     cases: &[&Case],
     plan: &Plan,
-    progress: &Progress,
+    progress: &Bar,
     units: f64,
 ) -> Result<Vec<Outcome>, Failure> {
     let (duration_s, after_s) = (plan.case.solver.duration_s, plan.settled_after_s());

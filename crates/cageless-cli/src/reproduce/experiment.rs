@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 use super::cases;
 use crate::failure::Failure;
-use crate::progress::Progress;
+use crate::progress::Bar;
 use cageless_report::run_report::{ball_pass_mark, filter_note, motion, vibration_signal};
 use cageless_study::{SAMPLING_HZ, Work, provenance};
 
@@ -56,7 +56,7 @@ struct One {
 }
 
 /// Runs both bearings.
-pub fn compute(progress: &Progress) -> Result<Experiment, Failure> {
+pub fn compute(progress: &Bar) -> Result<Experiment, Failure> {
     let both = cases::experiment()?;
     let names = ["conventional", "discrete raceway"];
     let ones: Vec<One> = both
@@ -90,7 +90,7 @@ pub fn compute(progress: &Progress) -> Result<Experiment, Failure> {
     Ok(experiment)
 }
 
-fn one(case: &Case, name: &str, progress: &Progress) -> Result<One, Failure> {
+fn one(case: &Case, name: &str, progress: &Bar) -> Result<One, Failure> {
     let Some(housing) = &case.housing else {
         return Err(Failure::Input(
             "the case of the experiment needs a [housing]".to_owned(),

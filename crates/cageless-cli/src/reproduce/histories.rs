@@ -14,7 +14,7 @@ use rayon::prelude::*;
 use super::READINGS;
 use super::cases::{self, label};
 use crate::failure::Failure;
-use crate::progress::Progress;
+use crate::progress::Bar;
 use cageless_study::Work;
 use cageless_study::provenance;
 
@@ -51,14 +51,14 @@ pub struct History {
 }
 
 /// Runs structure (a) under both readings.
-pub fn compute(progress: &Progress) -> Result<Vec<History>, Failure> {
+pub fn compute(progress: &Bar) -> Result<Vec<History>, Failure> {
     READINGS
         .par_iter()
         .map(|&reading| one(reading, progress))
         .collect()
 }
 
-fn one(reading: (Profile, FrictionLaw), progress: &Progress) -> Result<History, Failure> {
+fn one(reading: (Profile, FrictionLaw), progress: &Bar) -> Result<History, Failure> {
     // As in the paper: balls in pure rolling, the ring where it was before the load came.
     let overrides = [
         "start.state=\"rolling\"".to_owned(),

@@ -21,7 +21,7 @@ use cageless_study::Work;
 use crate::args::Reproduce;
 use crate::commands::{make_folder, print};
 use crate::failure::Failure;
-use crate::progress::{Progress, StopFlag};
+use crate::progress::{Bar, StopFlag};
 
 /// The two sets of equations, each with the friction law that goes with it: as published,
 /// and as they should be.
@@ -35,7 +35,7 @@ pub fn reproduce(args: &Reproduce, stop: &StopFlag) -> Result<(), Failure> {
     // An output folder that cannot be made must not cost the user the computation.
     make_folder(&args.out)?;
     let started = Instant::now();
-    let progress = Progress::new("reproduce", WORK, stop);
+    let progress = Bar::new("reproduce", WORK, stop);
     let (mut table2, mut structures) = (not_computed(), not_computed());
     let (mut histories, mut experiment, mut extra) =
         (not_computed(), not_computed(), not_computed());

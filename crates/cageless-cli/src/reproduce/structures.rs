@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use super::READINGS;
 use super::cases::{self, label};
 use crate::failure::Failure;
-use crate::progress::Progress;
+use crate::progress::Bar;
 use cageless_study::Work;
 use cageless_study::provenance;
 
@@ -43,7 +43,7 @@ struct One {
 }
 
 /// Runs all structures under both readings.
-pub fn compute(progress: &Progress) -> Result<Vec<Ten>, Failure> {
+pub fn compute(progress: &Bar) -> Result<Vec<Ten>, Failure> {
     let tasks: Vec<(usize, usize)> = (0..2).flat_map(|r| (0..10).map(move |k| (r, k))).collect();
     let share = WORK / tasks.len() as f64;
     let mut found: Vec<One> = tasks
@@ -61,7 +61,7 @@ pub fn compute(progress: &Progress) -> Result<Vec<Ten>, Failure> {
 fn one(
     reading: (Profile, FrictionLaw),
     k: usize,
-    progress: &Progress,
+    progress: &Bar,
     share: f64,
 ) -> Result<One, Failure> {
     let case = cases::structure(k, reading, &[])?;

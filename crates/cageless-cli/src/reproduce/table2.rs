@@ -3,8 +3,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use cageless::critical_gap::{CriticalGapError, PairTest, Touch, critical_gap_rad};
 use cageless::design::{Eq11, theoretical_gap_rad};
-use cageless::spacing::{CriticalGapError, PairTest, Touch, critical_gap_rad};
 use cageless::{Case, FrictionLaw, Profile};
 use cageless_report::{Provenance, ReproduceData, Spread, Table2, Table2Row, Variant};
 use rayon::prelude::*;
@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use super::cases::{self, ODD_ROW, PUBLISHED, label, law_name};
 use crate::failure::Failure;
 use crate::format::columns;
-use crate::progress::Progress;
+use crate::progress::Bar;
 use cageless_study::Work;
 use cageless_study::profile_name;
 
@@ -137,7 +137,7 @@ fn changes() -> Vec<Change> {
 }
 
 /// Critical gap in degrees; `None` where there is none, or the user ended the work.
-fn gap_deg(case: &Case, test: &PairTest, progress: &Progress) -> Result<Option<f64>, Failure> {
+fn gap_deg(case: &Case, test: &PairTest, progress: &Bar) -> Result<Option<f64>, Failure> {
     match critical_gap_rad(case, test, &mut |_| progress.control()) {
         Ok(gap) => Ok(Some(gap.to_degrees())),
         Err(
@@ -154,7 +154,7 @@ fn step_override(step_us: f64) -> String {
 }
 
 /// Computes all gaps.
-pub fn compute(progress: &Progress) -> Result<Computed, Failure> {
+pub fn compute(progress: &Bar) -> Result<Computed, Failure> {
     let changes = changes();
     // One task for every gap, the longest first: those of the table itself, then for the
     // columns whose spread is shown the base of the spreads and every change.

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::error::CaseError;
-use super::tree::{self, Node, Origin, Place, Section, Value};
+use super::spanned_toml::{self, Node, Origin, Place, Section, Value};
 use super::unit::decimal;
 use super::{CaseFile, overrides, read_text};
 
@@ -47,11 +47,11 @@ impl CaseBase {
         let name = path.display().to_string();
         let text =
             read_text(path, "case file").map_err(|message| CaseError::of_file(&name, message))?;
-        let root = tree::parse(&text, &name)?;
+        let root = spanned_toml::parse(&text, &name)?;
         Ok(Self { root, name })
     }
 
-    pub(crate) fn of_tree(root: Section, name: &str) -> Self {
+    pub(crate) fn from_sections(root: Section, name: &str) -> Self {
         Self {
             root,
             name: name.to_owned(),
@@ -74,7 +74,7 @@ impl CaseBase {
     pub fn with(&self, changes: &[Change<'_>]) -> Result<CaseFile, CaseError> {
         let mut root = self.root.clone();
         changes.iter().try_for_each(|c| replace(&mut root, c))?;
-        CaseFile::of_tree(&root, &self.name)
+        CaseFile::from_sections(&root, &self.name)
     }
 }
 

@@ -11,9 +11,9 @@ use super::SCHEMA;
 use super::document::{CaseDocument, GapsDocument, RacewayDocument, StartState, StepDocument};
 use super::error::CaseError;
 use super::keys;
+use super::messages;
 use super::read::nth;
-use super::rules;
-use super::tree::{Places, join};
+use super::spanned_toml::{Places, join};
 use super::unit::{Side, decimal, round};
 
 /// Outer radius of the outer ring at most, and half its width, over the radius of its groove.
@@ -318,22 +318,26 @@ impl Converter<'_> {
             None => key.section.to_owned(),
         };
         let path = join(&section, key.name);
-        let allowed = rules::in_file_units(error, key, self.document, raceway);
+        let allowed = messages::in_file_units(error, key, self.document, raceway);
         self.refuse(&path, &key.unit.show(error.value, Side::Nearest), &allowed)
     }
 
     fn refused_case(&self, error: &InputError, case: &Case) -> CaseError {
         match error.field {
             "gaps" => {
-                let (value, allowed) = rules::gaps(self.document, &case.bearing);
+                let (value, allowed) = messages::gaps(self.document, &case.bearing);
                 self.refuse("start.gaps", &value, &allowed)
             }
             "ring_x_m" | "ring_y_m" => {
                 let path = join("start", keys::of_field(error.field).map_or("", |k| k.name));
                 let value = error.value * 1e6;
-                self.refuse(&path, &format!("{value} um"), &rules::ring(&case.bearing))
+                self.refuse(
+                    &path,
+                    &format!("{value} um"),
+                    &messages::ring(&case.bearing),
+                )
             }
-            "centre_angle_rad" => match rules::overlap(case) {
+            "centre_angle_rad" => match messages::overlap(case) {
                 Some((one, other, allowed)) => {
                     let count = self.document.raceway.len();
                     let path = join(&nth("raceway", other, count), "centre_angle_deg");

@@ -12,15 +12,15 @@ mod defaults;
 mod document;
 mod error;
 pub(crate) mod keys;
+mod messages;
 pub(crate) mod named;
 mod overrides;
 pub(crate) mod read;
 mod reader;
 mod ring;
-mod rules;
 mod search;
+pub(crate) mod spanned_toml;
 mod template;
-pub(crate) mod tree;
 pub(crate) mod unit;
 
 use std::fs::File;
@@ -36,9 +36,9 @@ pub use document::{
 pub use error::CaseError;
 pub use template::template;
 
-use crate::system::in_words;
+use crate::system::io_error_message;
 use cageless::design::search::Request;
-use tree::{Origin, Places};
+use spanned_toml::{Origin, Places};
 
 /// The only schema of case files so far.
 pub const SCHEMA: u64 = 1;
@@ -73,12 +73,12 @@ impl CaseFile {
     /// A [`CaseError`] for anything but a complete and possible case: bad TOML,
     /// unknown or missing keys, wrong types, impossible values.
     pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Self, CaseError> {
-        let mut root = tree::parse(text, name)?;
+        let mut root = spanned_toml::parse(text, name)?;
         overrides::apply(&mut root, overrides)?;
-        Self::of_tree(&root, name)
+        Self::from_sections(&root, name)
     }
 
-    fn of_tree(root: &tree::Section, name: &str) -> Result<Self, CaseError> {
+    fn from_sections(root: &spanned_toml::Section, name: &str) -> Result<Self, CaseError> {
         let places = Places::new(root, name);
         let (document, defaults) = read::document(root, &places)?;
         let (case, search) = convert::case(&document, &places)?;
@@ -234,11 +234,12 @@ pub(crate) fn read_text(path: &Path, what: &str) -> Result<String, String> {
     if path.is_dir() {
         return Err(format!("is a directory, not a {what}"));
     }
-    let file = File::open(path).map_err(|e| format!("cannot be opened: {}", in_words(&e)))?;
+    let file =
+        File::open(path).map_err(|e| format!("cannot be opened: {}", io_error_message(&e)))?;
     let mut bytes = Vec::new();
     file.take(SIZE_MAX + 1)
         .read_to_end(&mut bytes)
-        .map_err(|e| format!("cannot be read: {}", in_words(&e)))?;
+        .map_err(|e| format!("cannot be read: {}", io_error_message(&e)))?;
     if bytes.len() as u64 > SIZE_MAX {
         return Err(format!(
             "is larger than {} MiB: not a {what}",

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::error::CaseError;
-use super::tree::{self, Node, Origin, Place, Section, Value};
+use super::spanned_toml::{self, Node, Origin, Place, Section, Value};
 
 /// Applies the overrides in order; the last one wins. Whether the keys exist and
 /// the values fit is for the reader to say: it finds the override in their place.
@@ -36,7 +36,7 @@ fn apply_one(root: &mut Section, text: &str) -> Result<(), CaseError> {
             "has no value: write section.key=value".to_owned(),
         );
     }
-    let node = match tree::parse_override(value, text) {
+    let node = match spanned_toml::parse_override(value, text) {
         Ok(node) => node,
         Err(_) if is_word(value) => Node {
             value: Value::Text(value.to_owned()),

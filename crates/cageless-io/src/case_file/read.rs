@@ -10,7 +10,7 @@ use super::document::{
 use super::error::CaseError;
 use super::keys;
 use super::reader::Reader;
-use super::tree::{Node, Places, Section, Value, join};
+use super::spanned_toml::{Node, Places, Section, Value, join};
 
 /// More discrete raceways than fit into any ring that balls roll in.
 const RACEWAYS_MAX: usize = 64;

@@ -4,7 +4,7 @@ use super::document::RangeDocument;
 use super::error::CaseError;
 use super::keys::{self, Key};
 use super::named::Named;
-use super::tree::{Node, Places, Section, Value, join};
+use super::spanned_toml::{Node, Places, Section, Value, join};
 
 /// Reads the keys of one section and notes the defaults that it filled in.
 pub(super) struct Reader<'a> {

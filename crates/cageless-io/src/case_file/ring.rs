@@ -4,7 +4,7 @@ use cageless::InputError;
 use cageless::surface::OuterRingDimensions;
 
 use super::convert::Converter;
-use super::tree::join;
+use super::spanned_toml::join;
 use super::unit::Unit;
 use super::{CaseError, CaseFile, keys, reader};
 

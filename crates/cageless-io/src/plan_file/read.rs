@@ -8,7 +8,7 @@ use super::{
     Axis, Computation, Kept, PlanFile, SCHEMA, SampleMethod, Samples, Scatter, ScatteredKey,
 };
 use crate::case_file::named::Named;
-use crate::case_file::tree::{self, Node, Origin, Section, Value};
+use crate::case_file::spanned_toml::{self, Node, Origin, Section, Value};
 use crate::case_file::{CaseBase, CaseError, CaseValue, Change, keys, read};
 
 /// What may stand at the head of a plan, sections last.
@@ -19,7 +19,7 @@ const HEAD: [&str; 10] = [
 const FIXED: [&str; 2] = ["schema", "title"];
 
 pub(super) fn plan(text: &str, name: &str, folder: &Path) -> Result<PlanFile, CaseError> {
-    let root = tree::parse(text, name)?;
+    let root = spanned_toml::parse(text, name)?;
     let reader = PlanReader { root: &root, name };
     reader.check_head()?;
     reader.schema()?;
@@ -97,7 +97,7 @@ impl<'a> PlanReader<'a> {
                     None => self.error(node, "case", format!("case = {}: {e}", node.place.written)),
                 }
             }),
-            Some((Value::Section(root), _)) => Ok(CaseBase::of_tree(root.clone(), self.name)),
+            Some((Value::Section(root), _)) => Ok(CaseBase::from_sections(root.clone(), self.name)),
             Some((_, node)) => Err(self.refuse(
                 "case",
                 node,
@@ -324,7 +324,7 @@ impl<'a> PlanReader<'a> {
         match node.value {
             Value::Integer(n) if n >= least => Ok(Some(n as u64)),
             _ => Err(self.refuse(
-                &tree::join(prefix, name),
+                &spanned_toml::join(prefix, name),
                 node,
                 &format!("a whole number, {least} or more"),
             )),

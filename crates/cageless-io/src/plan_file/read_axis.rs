@@ -3,7 +3,7 @@
 use super::read::{Entry, PlanReader, choice, line};
 use super::{Axis, AxisValues, Range, Scale, ScatterLaw};
 use crate::case_file::named::Named;
-use crate::case_file::tree::{Node, Section, Value};
+use crate::case_file::spanned_toml::{Node, Section, Value};
 use crate::case_file::{CaseError, CaseValue};
 
 /// Keys that are lists with an item for each ball.

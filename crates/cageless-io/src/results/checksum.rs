@@ -12,7 +12,7 @@ use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
 use parquet::file::writer::SerializedFileWriter;
 
-use super::partial::PartialFile;
+use super::atomic_file::PartialFile;
 
 /// Name of the checksum in the footer.
 pub(super) const CHECKSUM: &str = "file_crc32";

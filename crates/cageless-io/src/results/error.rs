@@ -5,13 +5,13 @@ use std::path::{Path, PathBuf};
 
 use parquet::errors::ParquetError;
 
-use crate::system::in_words;
+use crate::system::io_error_message;
 
 /// What went wrong with the results of a run.
 #[derive(Debug, thiserror::Error)]
 pub enum ResultError {
     /// The folder of `--out` cannot be used.
-    #[error("--out {}: cannot be written to: {}", path.display(), in_words(.source))]
+    #[error("--out {}: cannot be written to: {}", path.display(), io_error_message(.source))]
     Out {
         /// The folder, or the file in it.
         path: PathBuf,
@@ -112,7 +112,7 @@ impl ResultError {
     pub(super) fn damaged(path: &Path, error: &ParquetError, why: &str) -> Self {
         match system_error(error) {
             Some(error) if error.kind() != io::ErrorKind::UnexpectedEof => {
-                Self::unreadable(path, in_words(error))
+                Self::unreadable(path, io_error_message(error))
             }
             _ => Self::unreadable(path, why),
         }
@@ -141,7 +141,7 @@ fn system_error(error: &ParquetError) -> Option<&io::Error> {
 /// What Parquet says, without its own names for errors.
 fn of_parquet(error: &ParquetError) -> String {
     match (system_error(error), error) {
-        (Some(error), _) => in_words(error),
+        (Some(error), _) => io_error_message(error),
         (None, ParquetError::General(text) | ParquetError::EOF(text)) => text.clone(),
         (None, error) => error.to_string(),
     }

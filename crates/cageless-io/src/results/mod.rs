@@ -16,10 +16,10 @@
 //! that a file that is there can be read, and a `summary.json` stands beside the tables of its
 //! own run. Memory does not grow with the run.
 
+mod atomic_file;
 mod checksum;
+mod dynamic_table;
 mod error;
-mod partial;
-mod rows;
 mod summary;
 mod table;
 mod verification;
@@ -31,9 +31,9 @@ use cageless::{Collision, Snapshot};
 
 use crate::case_file::CaseDocument;
 
+pub use atomic_file::{PartialFile, write_atomically};
+pub use dynamic_table::{Cell, ColumnKind, ColumnSpec, Row, RowsReader, RowsWriter};
 pub use error::{ResultError, is_unusable};
-pub use partial::{PartialFile, write_atomically};
-pub use rows::{Cell, ColumnKind, ColumnSpec, Row, RowsReader, RowsWriter};
 pub use summary::{Stopped, SummaryFile};
 pub use verification::{DistanceColumns, VerificationFile, VerificationNumber, rounded};
 

@@ -11,8 +11,8 @@ use cageless::summary::Summary;
 use cageless::{Case, Method};
 use serde::Serialize;
 
+use super::atomic_file::write_atomically;
 use super::error::ResultError;
-use super::partial::write_atomically;
 use super::verification::VerificationFile;
 use super::{SCHEMA, VERSION};
 use crate::case_file::{CaseDocument, CaseFile};

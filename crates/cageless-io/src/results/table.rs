@@ -11,9 +11,9 @@ use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{ColumnPath, Type};
 
 use super::VERSION;
+use super::atomic_file::PartialFile;
 use super::checksum::seal;
 use super::error::ResultError;
-use super::partial::PartialFile;
 
 /// A column of a table.
 #[derive(Debug)]

@@ -6,7 +6,7 @@ use cageless::design::search::{
 use cageless::design::span_angle_curve;
 use cageless_io::case_file::CaseFile;
 
-use super::findings;
+use super::narrative;
 use super::result::{
     MapData, MotionNumbers, PlacementData, PointData, PointNumbers, PointVerdict, RejectionCount,
     SearchData, StructureData,
@@ -54,7 +54,7 @@ pub fn search_data(
             data.curve_half_angle_deg.push(angle.to_degrees());
         }
     }
-    data.findings = findings::findings(found, &data);
+    data.findings = narrative::narrative(found, &data);
     Ok(data)
 }
 

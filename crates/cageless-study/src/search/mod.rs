@@ -1,47 +1,47 @@
 //! The search for the best raceway: the library's search on all threads, with a journal.
 
 mod data;
-mod findings;
+mod narrative;
 mod result;
-mod workshop;
+mod task_runner;
 
 use std::path::Path;
 
+use cageless::critical_gap::CriticalGapError;
 use cageless::design::search::{Found, SearchError, search};
 use cageless::design::{RacewayVerdict, judge};
 use cageless::raceway::RacewayDimensions;
-use cageless::spacing::CriticalGapError;
 use cageless_io::case_file::CaseFile;
 use rayon::prelude::*;
 
 use crate::entered::{entered, raceway_document};
 use crate::error::StudyError;
-use crate::watcher::Watcher;
+use crate::progress::Progress;
 pub use result::{
     MapData, MotionNumbers, PlacementData, PointData, PointNumbers, PointVerdict, RejectionCount,
     SearchData, StructureData,
 };
 
-use findings::why_none;
-use workshop::Workshop;
+use narrative::why_none;
+use task_runner::TaskRunner;
 
 /// Searches for the best raceway of a case, as its section `[search]` asks. With a folder,
 /// what was computed is kept there until [`forget`], and a search that was ended or killed, or
 /// whose result could not be stored, goes on where it was.
 ///
 /// # Errors
-/// The case or the operating range is impossible, the folder cannot be used, or the watcher
+/// The case or the operating range is impossible, the folder cannot be used, or the progress
 /// ended the search. That no raceway is acceptable is no error; see [`refusal`].
 pub fn run(
     file: &CaseFile,
     folder: Option<&Path>,
-    watcher: &dyn Watcher,
+    progress: &dyn Progress,
 ) -> Result<(Found, SearchData), StudyError> {
-    let mut workshop = Workshop::new(file, folder, watcher)?;
+    let mut runner = TaskRunner::new(file, folder, progress)?;
     let found = search(file.case(), file.search(), &mut |stage, jobs| {
-        workshop.execute(stage, jobs)
+        runner.execute(stage, jobs)
     });
-    workshop.check()?;
+    runner.check()?;
     let found = match found {
         Ok(found) => found,
         Err(SearchError::Impossible(message)) => {
@@ -52,7 +52,7 @@ pub fn run(
         Err(SearchError::Case(error)) => return Err(error.into()),
         Err(SearchError::Interrupted(_)) => return Err(StudyError::Interrupted),
     };
-    let verdicts = verdicts(file, &found, watcher)?;
+    let verdicts = verdicts(file, &found, progress)?;
     let data = data::search_data(file, &found, verdicts)?;
     Ok((found, data))
 }
@@ -62,7 +62,7 @@ pub fn run(
 fn verdicts(
     file: &CaseFile,
     found: &Found,
-    watcher: &dyn Watcher,
+    progress: &dyn Progress,
 ) -> Result<Vec<PointVerdict>, StudyError> {
     let Some(best) = found.recommended.map(|k| &found.evaluations[k].structure) else {
         return Ok(vec![]);
@@ -79,7 +79,7 @@ fn verdicts(
         })
         .collect();
     let points = &found.request.points;
-    let progress = watcher.begin("search: verdict", points.len() as f64);
+    let task = progress.begin("search: verdict", points.len() as f64);
     points
         .par_iter()
         .map(|point| {
@@ -90,7 +90,7 @@ fn verdicts(
                     headline: "FAIL: no solution; the case cannot have this raceway".to_owned(),
                 });
             };
-            match judge(&case, &mut progress.run_control(1.0, 1.0)) {
+            match judge(&case, &mut task.run_control(1.0, 1.0)) {
                 Ok(judgement) => Ok(PointVerdict {
                     verdict: judgement.verdict.name().to_owned(),
                     passes: judgement.passes(),
@@ -118,5 +118,5 @@ pub fn refusal(file: &CaseFile, found: &Found) -> Option<String> {
 /// Removes what [`run`] kept in the folder: the result is where it belongs.
 pub fn forget(folder: &Path) {
     // A journal that stays only makes the next search short.
-    let _ = std::fs::remove_file(folder.join(workshop::JOURNAL));
+    let _ = std::fs::remove_file(folder.join(task_runner::JOURNAL));
 }

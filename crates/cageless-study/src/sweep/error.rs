@@ -2,7 +2,7 @@
 
 use crate::StudyError;
 use cageless_io::case_file::CaseError;
-use cageless_io::in_words;
+use cageless_io::io_error_message;
 use cageless_io::results::{ResultError, is_unusable};
 
 /// What went wrong with a sweep as a whole. A variant that fails is a row.
@@ -18,7 +18,7 @@ pub enum SweepError {
     #[error(transparent)]
     Files(#[from] ResultError),
     /// Files of the sweep in progress cannot be handled.
-    #[error("{}: {}", path.display(), in_words(.source))]
+    #[error("{}: {}", path.display(), io_error_message(.source))]
     Folder {
         /// File or folder.
         path: std::path::PathBuf,

@@ -3,11 +3,11 @@
 use std::ops::Range;
 
 use cageless::Case;
+use cageless::critical_gap::CriticalGapError;
 use cageless::design::judge;
 use cageless::dynamics::state::BATCH_WIDTH;
 use cageless::equilibrium;
 use cageless::simulation::{Control, Ending, Observer, RunOutcome, batches, run_batch};
-use cageless::spacing::CriticalGapError;
 use cageless::summary::{Summary, SummaryRecorder};
 use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_io::plan_file::{Computation, PlanFile};

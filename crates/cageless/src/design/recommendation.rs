@@ -6,10 +6,10 @@ use super::{
     theoretical_gap_rad,
 };
 use crate::case::Case;
+use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
 use crate::numerics::root;
 use crate::raceway::{Raceway, RacewayDimensions, axial_span_limit_m};
 use crate::simulation::Control;
-use crate::spacing::{CriticalGapError, PairTest, critical_gap_rad};
 
 /// The usable part of the curve of Zhao 2022, Eq. (11), for the gap of evenly spaced balls, and
 /// its middle. Critical gaps bound it; the motion of all balls is not looked at.

@@ -3,11 +3,11 @@
 use super::criterion::Criterion;
 use super::{Eq11, theoretical_gap_rad};
 use crate::case::{Case, Gaps, Start};
+use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
 use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::passage::{PassageRecorder, PassageTally};
 use crate::raceway::Raceway;
 use crate::simulation::{Control, Ending, Observer, Stop, run};
-use crate::spacing::{CriticalGapError, PairTest, critical_gap_rad};
 
 /// Verdict on a raceway, the worst last.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

@@ -4,11 +4,11 @@
 use super::perturbed_run::{Motion, PerturbedRunError, perturbed_runs};
 use super::raceway_layout::{OperatingPoint, RacewayLayout};
 use crate::case::{Case, Gaps, Start};
+use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
 use crate::design::{Eq11, steady_gap_rad, theoretical_gap_rad};
 use crate::equilibrium;
 use crate::raceway::Raceway;
 use crate::simulation::Control;
-use crate::spacing::{CriticalGapError, PairTest, critical_gap_rad};
 
 /// What is to be found out about a structure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

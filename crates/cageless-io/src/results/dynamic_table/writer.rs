@@ -14,9 +14,9 @@ use parquet::schema::types::{PrimitiveTypeBuilder, Type, TypePtr};
 
 use super::{Cell, ColumnKind, ColumnSpec, Row, UNIT};
 use crate::results::VERSION;
+use crate::results::atomic_file::PartialFile;
 use crate::results::checksum::seal;
 use crate::results::error::ResultError;
-use crate::results::partial::PartialFile;
 
 /// Rows in a group, whatever the size of the table: the bytes of a file follow from its
 /// rows alone.

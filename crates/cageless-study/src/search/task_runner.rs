@@ -15,7 +15,7 @@ use cageless_io::results::VERSION;
 use rayon::prelude::*;
 
 use crate::error::StudyError;
-use crate::watcher::{Watcher, Work};
+use crate::progress::{Progress, Work};
 
 /// Name of the journal in the folder of a search.
 pub const JOURNAL: &str = "search.journal";
@@ -23,29 +23,29 @@ pub const JOURNAL: &str = "search.journal";
 const SPACING_WORK: f64 = 0.08;
 
 /// Where jobs are done.
-pub struct Workshop<'c> {
+pub struct TaskRunner<'c> {
     case: &'c Case,
-    watcher: &'c dyn Watcher,
+    progress: &'c dyn Progress,
     known: HashMap<String, Outcome>,
     journal: Option<(Mutex<Journal>, PathBuf)>,
     write_error: Mutex<Option<std::io::Error>>,
 }
 
-impl<'c> Workshop<'c> {
+impl<'c> TaskRunner<'c> {
     /// Opens the journal in the folder, if there is one, and takes over what it holds.
     pub fn new(
         file: &'c CaseFile,
         out: Option<&Path>,
-        watcher: &'c dyn Watcher,
+        progress: &'c dyn Progress,
     ) -> Result<Self, StudyError> {
-        let mut workshop = Self {
+        let mut runner = Self {
             case: file.case(),
-            watcher,
+            progress,
             known: HashMap::new(),
             journal: None,
             write_error: Mutex::new(None),
         };
-        let Some(dir) = out else { return Ok(workshop) };
+        let Some(dir) = out else { return Ok(runner) };
         std::fs::create_dir_all(dir).map_err(|error| StudyError::folder(dir, error))?;
         let path = dir.join(JOURNAL);
         let owner = format!(
@@ -53,12 +53,12 @@ impl<'c> Workshop<'c> {
             file.document_as_run().to_toml()?
         );
         let (journal, entries) = Journal::open(&path, &owner)?;
-        workshop.known = entries
+        runner.known = entries
             .into_iter()
             .filter_map(|(key, entry)| Some((key.clone(), outcome(&key, entry)?)))
             .collect();
-        workshop.journal = Some((Mutex::new(journal), path));
-        Ok(workshop)
+        runner.journal = Some((Mutex::new(journal), path));
+        Ok(runner)
     }
 
     /// Runs what is not known yet, in any order; the outcomes come in that of the jobs.
@@ -68,7 +68,7 @@ impl<'c> Workshop<'c> {
         let todo: Vec<usize> = (0..jobs.len())
             .filter(|&k| !self.known.contains_key(&keys[k]) && seen.insert(&keys[k]))
             .collect();
-        let progress = self.watcher.begin(
+        let progress = self.progress.begin(
             &format!("search: {}", stage.name()),
             todo.iter().map(|&k| work(&jobs[k])).sum(),
         );

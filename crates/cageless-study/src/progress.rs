@@ -1,25 +1,25 @@
-//! Who hears of long work.
+//! Progress reporting and cancellation.
 
 use cageless::simulation::Control;
 
-/// Hears of long work as it begins, part by part.
-pub trait Watcher: Sync {
-    /// Work of so many `units` begins; they are an estimate of the work and have no dimension.
+/// Receiver of the progress of long work, task by task.
+pub trait Progress: Sync {
+    /// Begins a task of `units`, a dimensionless estimate of its work.
     fn begin(&self, what: &str, units: f64) -> Box<dyn Work + '_>;
 
-    /// Whether the work is to end.
+    /// Whether cancellation is requested.
     fn interrupted(&self) -> bool;
 }
 
-/// Work in progress, until it is dropped. Threads share it.
+/// Task in progress until dropped; shared between threads.
 pub trait Work: Sync {
-    /// So many units more are done; says whether to go on.
+    /// Reports `units` of further work done and returns whether to continue.
     fn add(&self, units: f64) -> Control;
 
-    /// Whether the work is to end.
+    /// Whether cancellation is requested.
     fn interrupted(&self) -> bool;
 
-    /// [`Control::Interrupt`] once the work is to end.
+    /// [`Control::Interrupt`] once cancellation is requested.
     fn control(&self) -> Control {
         if self.interrupted() {
             Control::Interrupt
@@ -28,8 +28,8 @@ pub trait Work: Sync {
         }
     }
 
-    /// A control for one run of `duration_s`, or with 1 for work that reports the fraction that is
-    /// done, that counts as `units`.
+    /// Control of one run of `duration_s` that counts as `units`; a duration of 1 for work that
+    /// reports its completed fraction.
     fn run_control<'s>(
         &'s self,
         duration_s: f64,
@@ -48,14 +48,14 @@ pub trait Work: Sync {
     }
 }
 
-/// Work need not be told of less.
+/// Smallest increment worth reporting.
 const LEAST: f64 = 1e-4;
 
-/// Watches nothing and never ends the work.
+/// Reports nothing and never cancels.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Silent;
 
-impl Watcher for Silent {
+impl Progress for Silent {
     fn begin(&self, _: &str, _: f64) -> Box<dyn Work + '_> {
         Box::new(Self)
     }

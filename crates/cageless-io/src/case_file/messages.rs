@@ -1,4 +1,4 @@
-//! What is allowed, in the units of the file.
+//! Messages about allowed values, in the units of the file.
 
 use cageless::error::Allowed;
 use cageless::{Bearing, Case, InputError};
@@ -7,8 +7,8 @@ use super::document::{CaseDocument, GapsDocument};
 use super::keys::Key;
 use super::unit::{Side, Unit, decimal, round};
 
-/// What a field of [`cageless`] may be, in the unit of its key. Rules in words that
-/// hold numbers in SI units are put anew.
+/// Allowed values of a field of [`cageless`], in the unit of its key. Rules that contain numbers
+/// in SI units are rewritten in file units.
 pub(super) fn in_file_units(
     error: &InputError,
     key: &Key,
@@ -53,7 +53,7 @@ pub(super) fn in_file_units(
     }
 }
 
-/// What is given and what is allowed as `start.gaps`.
+/// Given and allowed values of `start.gaps`.
 pub(super) fn gaps(document: &CaseDocument, bearing: &Bearing) -> (String, String) {
     let n = bearing.balls();
     let GapsDocument::ListDeg(gaps) = &document.start.gaps else {
@@ -84,7 +84,7 @@ pub(super) fn gaps(document: &CaseDocument, bearing: &Bearing) -> (String, Strin
     (value, allowed)
 }
 
-/// Where the ring may start; the limit is that of [`cageless::Case::check`].
+/// Allowed initial displacement of the ring; the limit is that of [`cageless::Case::check`].
 pub(super) fn ring(bearing: &Bearing) -> String {
     let most = bearing.radial_clearance_m() + 0.1 * bearing.ball_radius_m();
     let most = round(Unit::Micrometre.of_si(most), Side::Upper);

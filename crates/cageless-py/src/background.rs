@@ -1,4 +1,5 @@
-//! Studies: they work on threads of their own, and the thread that called us listens.
+//! Studies in the background: they run on their own threads while the calling thread handles signals
+//! and progress.
 
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -7,65 +8,65 @@ use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use cageless::simulation::Control;
-use cageless_study::{THREADS_MAX, Watcher, Work, on_threads};
+use cageless_study::{Progress, THREADS_MAX, Work, on_threads};
 use pyo3::prelude::*;
 
 use crate::errors::{input, of_study};
 use crate::signals::Signals;
 
-/// How often signals are looked for.
+/// Interval between checks for signals.
 const EVERY: Duration = Duration::from_millis(20);
-/// How often a caller hears of the progress.
-const TELL_EVERY: Duration = Duration::from_millis(100);
+/// Interval between progress callbacks.
+const REPORT_INTERVAL: Duration = Duration::from_millis(100);
 /// Parts into which a unit of work is divided.
 const PARTS: f64 = 1e6;
 
-/// Where and how a study is done.
-pub struct Attendance {
+/// Threads and progress callback of a study.
+pub struct Background {
     pub threads: Option<NonZeroUsize>,
-    /// Called with what is being done and its share that is done.
+    /// Called with the name of the task and its completed fraction.
     pub progress: Option<Py<PyAny>>,
 }
 
-impl Attendance {
+impl Background {
     pub fn new(threads: Option<i64>, progress: Option<Py<PyAny>>) -> PyResult<Self> {
         let threads = threads.map(count).transpose()?;
         Ok(Self { threads, progress })
     }
 
-    /// Does `work` while the interpreter goes on, hears Ctrl-C and tells of the progress.
-    pub fn attend<T: Send>(
+    /// Runs `work` with the interpreter unlocked, handling Ctrl-C and progress callbacks.
+    pub fn run<T: Send>(
         self,
         py: Python<'_>,
-        work: impl FnOnce(&dyn Watcher) -> T + Send,
+        work: impl FnOnce(&dyn Progress) -> T + Send,
     ) -> PyResult<T> {
-        let (signals, ear) = (Signals::new(), Ear::default());
+        let (signals, relay) = (Signals::new(), ProgressRelay::default());
         let mut failed: Option<PyErr> = None;
         let done = py.detach(|| {
             std::thread::scope(|scope| {
                 let (sender, receiver) = sync_channel(1);
-                let ear = &ear;
+                let relay = &relay;
                 scope.spawn(move || {
                     // The receiver waits for nothing else.
-                    let _ = sender.send(on_threads(self.threads, || work(ear)));
+                    let _ = sender.send(on_threads(self.threads, || work(relay)));
                 });
-                let mut told = Instant::now();
+                let mut reported = Instant::now();
                 loop {
                     match receiver.recv_timeout(EVERY) {
                         Ok(done) => return Some(done),
-                        // The thread has panicked, which goes on when it is joined.
+                        // The thread has panicked; joining it propagates the panic.
                         Err(RecvTimeoutError::Disconnected) => return None,
                         Err(RecvTimeoutError::Timeout) => {}
                     }
                     if let Some(progress) = &self.progress
                         && failed.is_none()
-                        && told.elapsed() >= TELL_EVERY
+                        && reported.elapsed() >= REPORT_INTERVAL
                     {
-                        told = Instant::now();
-                        failed = ear.tell(progress).err();
+                        reported = Instant::now();
+                        failed = relay.tell(progress).err();
                     }
                     if failed.is_some() || signals.stop() {
-                        ear.stop.store(true, Ordering::Relaxed);
+                        relay.stop.store(true, Ordering::Relaxed);
                     }
                 }
             })
@@ -89,16 +90,16 @@ pub fn count(threads: i64) -> PyResult<NonZeroUsize> {
     })
 }
 
-/// What the threads say, and whether they are to end.
+/// Progress of the worker threads and the request to cancel them.
 #[derive(Default)]
-struct Ear {
+struct ProgressRelay {
     stop: AtomicBool,
-    /// What is being done, and its units.
+    /// Current task and its units.
     now: Mutex<Option<(String, f64)>>,
     done: AtomicU64,
 }
 
-impl Ear {
+impl ProgressRelay {
     fn tell(&self, progress: &Py<PyAny>) -> PyResult<()> {
         let now = self.now.lock().unwrap_or_else(PoisonError::into_inner);
         let Some((what, units)) = now.clone() else {
@@ -111,7 +112,7 @@ impl Ear {
     }
 }
 
-impl Watcher for Ear {
+impl Progress for ProgressRelay {
     fn begin(&self, what: &str, units: f64) -> Box<dyn Work + '_> {
         let mut now = self.now.lock().unwrap_or_else(PoisonError::into_inner);
         self.done.store(0, Ordering::Relaxed);
@@ -124,7 +125,7 @@ impl Watcher for Ear {
     }
 }
 
-struct Part<'e>(&'e Ear);
+struct Part<'e>(&'e ProgressRelay);
 
 impl Work for Part<'_> {
     fn add(&self, units: f64) -> Control {

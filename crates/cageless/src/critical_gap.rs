@@ -1,4 +1,4 @@
-//! Spacing of the balls, and the critical gap of a discrete raceway.
+//! The critical gap of a discrete raceway.
 //!
 //! The **critical gap**: let one pair roll into the raceway with gap g. It is the
 //! largest g, read when the leading ball reaches the raceway, at which the pair's gap
@@ -8,7 +8,7 @@
 //! ```
 //! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
 //! use cageless::simulation::Control;
-//! use cageless::spacing::{PairTest, critical_gap_rad};
+//! use cageless::critical_gap::{PairTest, critical_gap_rad};
 //!
 //! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
 //!
@@ -20,97 +20,11 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::case::{Case, FrictionLaw, Gaps, Start};
-use crate::dynamics::Model;
-use crate::dynamics::state::Balls;
 use crate::equilibrium::{self, EquilibriumError};
 use crate::numerics::root::{self, Rise};
 use crate::simulation::{
     Control, Ending, Observer, ObserverError, RunContext, StepView, Stop, run,
 };
-
-/// An angle from 0 to 2π by its sine and cosine, both times the same length: two can be
-/// compared without angle functions.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Direction {
-    sine: f64,
-    cosine: f64,
-}
-
-impl Direction {
-    /// From ball `k` to the ball ahead, forwards.
-    pub fn to_next(x_m: Balls<'_>, y_m: Balls<'_>, k: usize) -> Self {
-        let next = if k + 1 == x_m.len() { 0 } else { k + 1 };
-        Self {
-            sine: x_m[k] * y_m[next] - y_m[k] * x_m[next],
-            cosine: x_m[k] * x_m[next] + y_m[k] * y_m[next],
-        }
-    }
-
-    /// Whether the angle is the smaller one.
-    pub fn below(self, other: Self) -> bool {
-        let (beyond, other_beyond) = (self.sine < 0.0, other.sine < 0.0);
-        if beyond != other_beyond {
-            return other_beyond;
-        }
-        // Within half a turn the sign of sin(a − b) orders a and b.
-        self.sine * other.cosine < self.cosine * other.sine
-    }
-
-    /// The angle, less `pair_angle_rad`, that of two balls that touch
-    /// ([`Model::pair_angle_rad`]).
-    pub fn gap_rad(self, pair_angle_rad: f64) -> f64 {
-        self.sine.atan2(self.cosine).rem_euclid(TAU) - pair_angle_rad
-    }
-}
-
-/// Smallest and largest gap that was seen between each pair of neighbours.
-#[derive(Debug, Clone, Default)]
-pub struct GapRange {
-    pair_angles: Vec<f64>,
-    /// Smallest and largest angle of each pair; empty before the first look.
-    range: Vec<[Direction; 2]>,
-}
-
-impl GapRange {
-    /// For the balls of a model.
-    pub fn new(model: &Model) -> Self {
-        Self {
-            pair_angles: (0..model.balls())
-                .map(|k| model.pair_angle_rad(k))
-                .collect(),
-            range: vec![],
-        }
-    }
-
-    /// Looks at the places of the balls.
-    pub fn look(&mut self, x_m: Balls<'_>, y_m: Balls<'_>) {
-        let at = |k| Direction::to_next(x_m, y_m, k);
-        if self.range.is_empty() {
-            self.range = (0..self.pair_angles.len()).map(|k| [at(k); 2]).collect();
-        }
-        for (k, [least, most]) in self.range.iter_mut().enumerate() {
-            let now = at(k);
-            if now.below(*least) {
-                *least = now;
-            }
-            if most.below(now) {
-                *most = now;
-            }
-        }
-    }
-
-    /// Smallest and largest gap of all, rad; infinite before the first look.
-    pub fn range_rad(&self) -> [f64; 2] {
-        let pairs = self.range.iter().zip(&self.pair_angles);
-        pairs.fold(
-            [f64::INFINITY, f64::NEG_INFINITY],
-            |[low, high], (range, &pair)| {
-                let [least, most] = range.map(|d| d.gap_rad(pair));
-                [low.min(least), high.max(most)]
-            },
-        )
-    }
-}
 
 /// What counts as the pair touching.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

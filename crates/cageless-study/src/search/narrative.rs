@@ -9,7 +9,7 @@ use super::data::rejections;
 const SIGNIFICANT: f64 = 2.0;
 
 /// The sentences for the terminal and the page.
-pub fn findings(found: &Found, data: &SearchData) -> Vec<String> {
+pub fn narrative(found: &Found, data: &SearchData) -> Vec<String> {
     let Some(best) = &data.recommended else {
         return vec![why_none(found)];
     };

@@ -16,7 +16,7 @@ use super::writer::GROUP_ROWS;
 use super::{Cell, ColumnKind, ColumnSpec, Row, UNIT};
 use crate::results::checksum::{CHECKSUM, Fault, verify};
 use crate::results::error::ResultError;
-use crate::system::in_words;
+use crate::system::io_error_message;
 
 /// A table that is there.
 pub struct RowsReader {
@@ -32,7 +32,7 @@ impl RowsReader {
     /// # Errors
     /// If the file cannot be read, is damaged or is not a table of this kind.
     pub fn open(path: &Path) -> Result<Self, ResultError> {
-        let unreadable = |e: std::io::Error| ResultError::unreadable(path, in_words(&e));
+        let unreadable = |e: std::io::Error| ResultError::unreadable(path, io_error_message(&e));
         // A pipe would be waited for.
         let kind = std::fs::metadata(path).map_err(unreadable)?;
         if kind.is_dir() {
@@ -145,7 +145,7 @@ const NOT_PARQUET: &str = "it is not a Parquet file, or a damaged one";
 
 fn of_fault(path: &Path, fault: Fault) -> ResultError {
     let why = match fault {
-        Fault::System(error) => in_words(&error),
+        Fault::System(error) => io_error_message(&error),
         Fault::NotParquet => NOT_PARQUET.to_owned(),
         Fault::NoChecksum => format!(
             "its footer lacks `{CHECKSUM}`, the checksum of the whole file: it is not a table of \
