@@ -7,7 +7,7 @@
 //!
 //! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
 //!
-//! let limits = StepLimits::of(&case);
+//! let limits = StepLimits::new(&case);
 //! assert!(limits.automatic_s(Method::Abm4) <= limits.largest_s(Method::Abm4));
 //! ```
 
