@@ -9,6 +9,7 @@ use cageless::simulation::Stop;
 use cageless_io::case_file::CaseError;
 use cageless_io::io_error_message;
 use cageless_io::results::ResultError;
+use cageless_paper::PaperError;
 use cageless_study::StudyError;
 use cageless_study::sweep::SweepError;
 
@@ -113,6 +114,20 @@ impl From<StudyError> for Failure {
                 path.display(),
                 io_error_message(&source)
             )),
+        }
+    }
+}
+
+impl From<PaperError> for Failure {
+    fn from(error: PaperError) -> Self {
+        match error {
+            PaperError::File(error) => error.into(),
+            PaperError::Case(error) => error.into(),
+            PaperError::CriticalGap(error) => error.into(),
+            PaperError::Equilibrium(error) => error.into(),
+            PaperError::Stopped(stop) => Self::stopped(&stop, ""),
+            PaperError::Interrupted => Self::Interrupted(error.to_string()),
+            PaperError::NoResult(message) => Self::Unphysical(message),
         }
     }
 }

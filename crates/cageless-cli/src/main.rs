@@ -5,7 +5,6 @@ mod commands;
 mod failure;
 mod format;
 mod progress;
-mod reproduce;
 
 use std::process::ExitCode;
 

@@ -2,50 +2,41 @@
 
 mod common;
 
+use cageless_paper::{ODD_ROW, PUBLISHED, Published};
 use common::*;
 use rayon::prelude::*;
-
-/// Name, theory of Table 2, its simulated critical gap, verdict.
-const STRUCTURES: [(char, f64, f64, &str); 10] = [
-    ('a', 1.8153, 1.8131, "double-collision"),
-    ('b', 1.8176, 1.8281, "double-collision"),
-    ('c', 1.8185, 1.8323, "double-collision"),
-    ('d', 1.8171, 1.8190, "smooth"),
-    ('e', 1.8183, 1.7932, "smooth"),
-    ('f', 1.8156, 1.7552, "smooth"),
-    ('g', 1.8161, 1.6589, "slips"),
-    // 5.60 mm: the printed 1.6594 does not follow its neighbours.
-    ('h', 1.8161, f64::NAN, "slips"),
-    ('i', 1.8161, 1.5416, "slips"),
-    ('j', 1.8160, 1.4538, "slips"),
-];
 
 /// The published equations with the published law of friction.
 const AS_PUBLISHED: [&str; 2] = ["model.profile=paper", "contact.friction_law=coulomb"];
 
 #[test]
 fn table_2() {
-    STRUCTURES
-        .par_iter()
-        .for_each(|&(name, beta0, critical, verdict)| {
-            let case = repository_case(&format!("zhao-{name}.toml"));
-            let answer = call_on("design", &case, &AS_PUBLISHED, &["--json"]);
-            assert_eq!(answer.code, Some(0), "{name}: {}", answer.stderr);
-            assert_eq!(answer.stderr, "", "{name}");
-            let d = answer.json();
-            let number = |key: &str| d[key].as_f64().unwrap_or_else(|| panic!("{name}: {key}"));
-            let rounded = |key: &str| (number(key) * 1e4).round() / 1e4;
-            assert_eq!(rounded("epsilon_deg"), 23.8982, "{name}");
-            assert_eq!(rounded("uniform_gap_deg"), 1.8161, "{name}");
-            assert_eq!(rounded("axial_span_limit_mm"), 7.4017, "{name}");
-            assert_eq!(rounded("beta0_deg"), beta0, "{name}");
-            let found = number("critical_gap_deg");
-            assert!(
-                critical.is_nan() || (found - critical).abs() < 0.02,
-                "{name}: critical gap {found}, published {critical}"
-            );
-            assert_eq!(d["verdict"], verdict, "{name}: {}", d["reasons"]);
-        });
+    PUBLISHED.par_iter().enumerate().for_each(|(k, published)| {
+        let Published {
+            letter: name,
+            theory_deg: beta0,
+            simulated_deg: critical,
+            verdict,
+            ..
+        } = *published;
+        let case = repository_case(&format!("zhao-{name}.toml"));
+        let answer = call_on("design", &case, &AS_PUBLISHED, &["--json"]);
+        assert_eq!(answer.code, Some(0), "{name}: {}", answer.stderr);
+        assert_eq!(answer.stderr, "", "{name}");
+        let d = answer.json();
+        let number = |key: &str| d[key].as_f64().unwrap_or_else(|| panic!("{name}: {key}"));
+        let rounded = |key: &str| (number(key) * 1e4).round() / 1e4;
+        assert_eq!(rounded("epsilon_deg"), 23.8982, "{name}");
+        assert_eq!(rounded("uniform_gap_deg"), 1.8161, "{name}");
+        assert_eq!(rounded("axial_span_limit_mm"), 7.4017, "{name}");
+        assert_eq!(rounded("beta0_deg"), beta0, "{name}");
+        let found = number("critical_gap_deg");
+        assert!(
+            k == ODD_ROW || (found - critical).abs() < 0.02,
+            "{name}: critical gap {found}, published {critical}"
+        );
+        assert_eq!(d["verdict"], verdict, "{name}: {}", d["reasons"]);
+    });
 }
 
 /// In the physical profile balls slip earlier; the theory is the same.

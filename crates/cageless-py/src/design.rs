@@ -1,6 +1,7 @@
 //! The verdict on a raceway, and the search for the best one.
 
 use cageless_io::case_file::CaseFile;
+use cageless_paper::structures_of;
 use cageless_report::design_report::design_data;
 use cageless_report::figures::{design, search, shape};
 use cageless_report::{DesignData, Figure, SearchData, design_page};
@@ -90,7 +91,8 @@ impl Search {
         let found = background.run(py, |progress| {
             cageless_study::search::run(file, folder.as_deref(), progress)
         })?;
-        let (found, data) = found.map_err(|error| of_study(&error))?;
+        let (found, mut data) = found.map_err(|error| of_study(&error))?;
+        data.paper = structures_of(&file.case().bearing).map_err(other)?;
         if let Some(folder) = &folder {
             cageless_study::search::forget(folder);
         }

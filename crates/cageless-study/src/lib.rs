@@ -11,7 +11,6 @@ mod entered;
 mod error;
 mod histories;
 pub mod number_text;
-pub mod paper;
 mod parameter;
 mod progress;
 mod provenance;

@@ -8,7 +8,7 @@ use cageless_io::case_file::{CaseFile, template};
 use cageless_io::results::SummaryFile;
 use cageless_study::tolerance::{Request, tolerance};
 use cageless_study::verification::VerificationRuns;
-use cageless_study::{Progress, Silent, StudyError, THREADS_MAX, Work, on_threads, paper, search};
+use cageless_study::{Progress, Silent, StudyError, THREADS_MAX, Work, on_threads, search};
 
 /// Adds up what it hears, and ends the work after so many calls.
 #[derive(Default)]
@@ -128,17 +128,4 @@ fn what_cannot_be_is_refused_by_name() {
     assert!(matches!(on_threads(many, || ()), Err(StudyError::Input(_))));
     let threads = NonZeroUsize::new(3);
     assert_eq!(on_threads(threads, rayon::current_num_threads).unwrap(), 3);
-}
-
-#[test]
-fn the_structures_of_the_paper_are_those_of_its_bearing() {
-    let own = paper::structures_of(&case(&[]).case().bearing).unwrap();
-    assert_eq!(own.len(), 10);
-    assert_eq!((own[3].letter.as_str(), own[3].half_angle_deg), ("d", 25.2));
-    let other = case(&["bearing.balls=13"]);
-    assert!(
-        paper::structures_of(&other.case().bearing)
-            .unwrap()
-            .is_empty()
-    );
 }

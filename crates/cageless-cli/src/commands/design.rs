@@ -4,6 +4,7 @@ use std::path::Path;
 
 use cageless::Case;
 use cageless_io::results::write_atomically;
+use cageless_paper::structures_of;
 use cageless_report::design_report::design_data;
 use cageless_report::{design_page, to_json};
 use cageless_study::DesignResult;
@@ -44,9 +45,10 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
     let mut none_found = None;
     if searching {
         let out = args.out.as_deref();
-        let (found, data) =
+        let (found, mut data) =
             search::run(&file, out, &Bars(&stop)).map_err(|error| search_failed(error, out))?;
         none_found = search::refusal(&file, &found);
+        data.paper = structures_of(&file.case().bearing)?;
         result.search = Some(data);
     }
     if let Some(dir) = &args.out {

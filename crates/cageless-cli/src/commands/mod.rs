@@ -3,6 +3,7 @@
 pub mod design;
 mod export;
 mod report;
+mod reproduce;
 mod run;
 mod static_equilibrium;
 mod sweep;
@@ -21,7 +22,6 @@ use serde::Serialize;
 use crate::args::{Args, CaseArgs, Command, Isa};
 use crate::failure::Failure;
 use crate::format::pairs;
-use crate::progress::catch_interrupt;
 
 /// Does what was asked.
 pub fn dispatch(args: Args) -> Result<(), Failure> {
@@ -30,7 +30,7 @@ pub fn dispatch(args: Args) -> Result<(), Failure> {
     }
     check_environment()?;
     match args.command {
-        Command::Reproduce(args) => crate::reproduce::reproduce(&args, &catch_interrupt()),
+        Command::Reproduce(args) => reproduce::reproduce(&args),
         Command::New(args) => print(&template(args.conventional)),
         Command::Check(args) => check(&args),
         Command::Static(args) => static_equilibrium::static_equilibrium(&args),

@@ -12,7 +12,6 @@ use super::result::{
     SearchData, StructureData,
 };
 use crate::error::StudyError;
-use crate::paper::structures_of;
 use crate::{Provenance, provenance};
 
 /// Points of the curve of Eq. (11).
@@ -43,7 +42,6 @@ pub fn search_data(
         rejections: rejections(found),
         placements: placements(found),
         maps: found.maps.iter().map(map_data).collect(),
-        paper: structures_of(&case.bearing)?,
         provenance: search_provenance(file, found),
         ..SearchData::default()
     };

@@ -4,9 +4,9 @@ use cageless_report::{
     Change, Claim, ClaimStatus, ComparisonCell, Difference, Estimate, RingComparison,
 };
 
-use super::claims::Evidence;
-use super::comparison::{FOUND, STRUCTURE_D};
-use super::experiment::Bearing;
+use crate::claims::Evidence;
+use crate::comparison::{FOUND, STRUCTURE_D};
+use crate::experiment::Bearing;
 
 /// The claims of Section 5.
 pub fn claims(e: &Evidence<'_>) -> Vec<Claim> {
@@ -248,7 +248,7 @@ fn numbers(rings: &RingComparison, what: &str, of: fn(&ComparisonCell) -> Estima
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::reproduce::comparison::CONVENTIONAL;
+    use crate::comparison::CONVENTIONAL;
 
     /// Two speeds with equal balls and G28; a quantity of structure (d) differs by `by(speed,
     /// unequal)` from that of the conventional ring.

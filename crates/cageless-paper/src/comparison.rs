@@ -20,9 +20,8 @@ use cageless_study::Work;
 use cageless_study::{SAMPLING_HZ, provenance};
 use rayon::prelude::*;
 
-use super::cases;
-use crate::failure::Failure;
-use crate::progress::Bar;
+use crate::cases;
+use crate::error::PaperError;
 
 /// Seconds on one core, roughly.
 pub const WORK: f64 = 30.0;
@@ -102,7 +101,7 @@ struct Outcome {
 }
 
 /// Runs every combination.
-pub fn compute(progress: &Bar) -> Result<RingComparison, Failure> {
+pub fn compute(progress: &dyn Work) -> Result<RingComparison, PaperError> {
     let plans = plans()?;
     let total_s: f64 = plans.iter().map(|p| p.case.solver.duration_s).sum();
     let found: Vec<Vec<Outcome>> = plans
@@ -111,7 +110,7 @@ pub fn compute(progress: &Bar) -> Result<RingComparison, Failure> {
             let units = WORK * plan.case.solver.duration_s / total_s;
             outcomes(plan, progress, units)
         })
-        .collect::<Result<_, Failure>>()?;
+        .collect::<Result<_, PaperError>>()?;
     let rings = plans.len() / SPEEDS.len() / (1 + GRADES.len());
     let cells = plans
         .iter()
@@ -121,7 +120,7 @@ pub fn compute(progress: &Bar) -> Result<RingComparison, Failure> {
             let conventional = &found[k - k % rings];
             cell(plan, outcomes, (k % rings > 0).then_some(conventional))
         })
-        .collect::<Result<_, Failure>>()?;
+        .collect::<Result<_, PaperError>>()?;
     Ok(RingComparison {
         cells,
         starts: format!(
@@ -146,7 +145,7 @@ pub fn compute(progress: &Bar) -> Result<RingComparison, Failure> {
 }
 
 /// The combinations, by speed, lot and ring.
-fn plans() -> Result<Vec<Plan>, Failure> {
+fn plans() -> Result<Vec<Plan>, PaperError> {
     let [conventional, discrete] = cases::experiment()?;
     let mut plans = vec![];
     for speed in &SPEEDS {
@@ -178,7 +177,7 @@ fn plans() -> Result<Vec<Plan>, Failure> {
     Ok(plans)
 }
 
-fn with_raceway(case: &Case, speed: &Speed) -> Result<Case, Failure> {
+fn with_raceway(case: &Case, speed: &Speed) -> Result<Case, PaperError> {
     let dimensions = RacewayDimensions {
         axial_span_m: speed.found_axial_span_mm * 1e-3,
         half_angle_rad: speed.found_half_angle_deg.to_radians(),
@@ -197,7 +196,7 @@ impl Plan {
     }
 
     /// The case of start `start`, with its own lot of balls.
-    fn start(&self, start: u64) -> Result<Case, Failure> {
+    fn start(&self, start: u64) -> Result<Case, PaperError> {
         let mut case = self.case.clone();
         let grade = GRADES
             .into_iter()
@@ -271,7 +270,7 @@ impl Observer for OrbitMeter {
 }
 
 /// Runs every start of a combination, side by side.
-fn outcomes(plan: &Plan, progress: &Bar, units: f64) -> Result<Vec<Outcome>, Failure> {
+fn outcomes(plan: &Plan, progress: &dyn Work, units: f64) -> Result<Vec<Outcome>, PaperError> {
     let cases: Vec<Case> = (0..STARTS)
         .map(|k| plan.start(k))
         .collect::<Result<_, _>>()?;
@@ -287,12 +286,12 @@ fn outcomes(plan: &Plan, progress: &Bar, units: f64) -> Result<Vec<Outcome>, Fai
 fn side_by_side(
     cases: &[&Case],
     plan: &Plan,
-    progress: &Bar,
+    progress: &dyn Work,
     units: f64,
-) -> Result<Vec<Outcome>, Failure> {
+) -> Result<Vec<Outcome>, PaperError> {
     let (duration_s, after_s) = (plan.case.solver.duration_s, plan.settled_after_s());
     let Some(housing) = &plan.case.housing else {
-        return Err(Failure::Input(
+        return Err(PaperError::NoResult(
             "the case of the experiment needs a [housing]".to_owned(),
         ));
     };
@@ -337,7 +336,7 @@ fn side_by_side(
         for detector in &mut detectors {
             detector
                 .close(duration_s)
-                .map_err(|error| Failure::Other(anyhow::anyhow!(error)))?;
+                .map_err(|error| PaperError::NoResult(error.to_string()))?;
         }
         ended
     };
@@ -345,7 +344,7 @@ fn side_by_side(
     for (k, ended) in ended.into_iter().enumerate() {
         let ended = ended?;
         if let Ending::Stopped(stop) = &ended.ending {
-            return Err(Failure::stopped(stop, ""));
+            return Err(PaperError::Stopped(stop.clone()));
         }
         let Some(orbit_hz) = orbits[k].orbit_hz() else {
             return super::not_computed();
@@ -362,7 +361,7 @@ fn outcome(
     [vertical, quiet]: [&Measurement; 2],
     orbit_hz: f64,
     contacts: &[Collision],
-) -> Result<Outcome, Failure> {
+) -> Result<Outcome, PaperError> {
     let of = |m: &Measurement| -> Vec<f64> { m.trace().iter().map(|[_, a]| *a).collect() };
     let (values, quiet_values) = (of(vertical), of(quiet));
     let cut_out: Vec<f64> = values
@@ -373,7 +372,7 @@ fn outcome(
     let split = match PassingSplit::new(&values, vertical.interval_s(), orbit_hz) {
         Some(split) if vertical.trace_stretch_s().is_none() => split,
         _ => {
-            return Err(Failure::Input(
+            return Err(PaperError::NoResult(
                 "the run is too short or too long to split its vibration".to_owned(),
             ));
         }
@@ -418,7 +417,7 @@ fn cell(
     plan: &Plan,
     outcomes: &[Outcome],
     conventional: Option<&Vec<Outcome>>,
-) -> Result<ComparisonCell, Failure> {
+) -> Result<ComparisonCell, PaperError> {
     let always = |of: fn(&Outcome) -> f64| estimate(outcomes, of).ok_or_else(no_value);
     let difference = conventional
         .map(|conventional| {
@@ -427,7 +426,7 @@ fn cell(
                 let differences: Vec<f64> = pairs.map(|(a, b)| of(a) - of(b)).collect();
                 Estimate::new(&differences).ok_or_else(no_value)
             };
-            Ok::<_, Failure>(Difference {
+            Ok::<_, PaperError>(Difference {
                 rms_m_s2: less(|o| o.mean_square.sqrt())?,
                 rms_at_passing_m_s2: less(|o| o.at_passing.sqrt())?,
                 rms_between_m_s2: less(|o| o.between.sqrt())?,
@@ -468,8 +467,8 @@ fn cell(
     })
 }
 
-fn no_value() -> Failure {
-    Failure::Input("a start of the comparison of rings gave no number".to_owned())
+fn no_value() -> PaperError {
+    PaperError::NoResult("a start of the comparison of rings gave no number".to_owned())
 }
 
 fn source(plans: &[Plan]) -> Provenance {

@@ -11,10 +11,9 @@ use cageless::{Case, FrictionLaw, Profile};
 use cageless_report::{Event, GapHistory, Neighbours, Provenance};
 use rayon::prelude::*;
 
-use super::READINGS;
-use super::cases::{self, label};
-use crate::failure::Failure;
-use crate::progress::Bar;
+use crate::READINGS;
+use crate::cases::{self, label};
+use crate::error::PaperError;
 use cageless_study::Work;
 use cageless_study::provenance;
 
@@ -51,14 +50,14 @@ pub struct History {
 }
 
 /// Runs structure (a) under both readings.
-pub fn compute(progress: &Bar) -> Result<Vec<History>, Failure> {
+pub fn compute(progress: &dyn Work) -> Result<Vec<History>, PaperError> {
     READINGS
         .par_iter()
         .map(|&reading| one(reading, progress))
         .collect()
 }
 
-fn one(reading: (Profile, FrictionLaw), progress: &Bar) -> Result<History, Failure> {
+fn one(reading: (Profile, FrictionLaw), progress: &dyn Work) -> Result<History, PaperError> {
     // As in the paper: balls in pure rolling, the ring where it was before the load came.
     let overrides = [
         "start.state=\"rolling\"".to_owned(),
@@ -83,7 +82,7 @@ fn one(reading: (Profile, FrictionLaw), progress: &Bar) -> Result<History, Failu
     )?;
     drop((recorder, detector));
     if let Ending::Stopped(stop) = &outcome.ending {
-        return Err(Failure::stopped(stop, ""));
+        return Err(PaperError::Stopped(stop.clone()));
     }
     let source = provenance(&case, format!("t < {SETTLED_AFTER_S} s (shaded)"));
     let (neighbours, ball, twice) = neighbours(&case, &snapshots, &collisions, &source);

@@ -6,15 +6,12 @@ use std::f64::consts::FRAC_PI_2;
 use cageless::critical_gap::{CriticalGapError, PairTest, Touch, critical_gap_rad};
 use cageless::design::{Eq11, theoretical_gap_rad};
 use cageless::{Case, FrictionLaw, Profile};
-use cageless_report::{Provenance, ReproduceData, Spread, Table2, Table2Row, Variant};
+use cageless_report::{Provenance, Spread, Table2, Table2Row, Variant};
 use rayon::prelude::*;
 
-use super::cases::{self, ODD_ROW, PUBLISHED, label, law_name};
-use crate::failure::Failure;
-use crate::format::columns;
-use crate::progress::Bar;
-use cageless_study::Work;
-use cageless_study::profile_name;
+use crate::cases::{self, ODD_ROW, PUBLISHED, label};
+use crate::error::PaperError;
+use cageless_study::{Work, law_name, profile_name};
 
 /// Columns.
 const VARIANTS: [(Profile, FrictionLaw); 4] = [
@@ -137,7 +134,7 @@ fn changes() -> Vec<Change> {
 }
 
 /// Critical gap in degrees; `None` where there is none, or the user ended the work.
-fn gap_deg(case: &Case, test: &PairTest, progress: &Bar) -> Result<Option<f64>, Failure> {
+fn gap_deg(case: &Case, test: &PairTest, progress: &dyn Work) -> Result<Option<f64>, PaperError> {
     match critical_gap_rad(case, test, &mut |_| progress.control()) {
         Ok(gap) => Ok(Some(gap.to_degrees())),
         Err(
@@ -154,7 +151,7 @@ fn step_override(step_us: f64) -> String {
 }
 
 /// Computes all gaps.
-pub fn compute(progress: &Bar) -> Result<Computed, Failure> {
+pub fn compute(progress: &dyn Work) -> Result<Computed, PaperError> {
     let changes = changes();
     // One task for every gap, the longest first: those of the table itself, then for the
     // columns whose spread is shown the base of the spreads and every change.
@@ -195,7 +192,7 @@ pub fn compute(progress: &Bar) -> Result<Computed, Failure> {
             progress.add(share);
             gap
         })
-        .collect::<Result<_, Failure>>()?;
+        .collect::<Result<_, PaperError>>()?;
     let find = |column: usize, row: usize, change: &Change| {
         tasks
             .iter()
@@ -297,37 +294,4 @@ impl Computed {
             .flat_map(|s| s.change_deg.iter().flatten())
             .fold(0.0, |worst, d| f64::max(worst, d.abs()))
     }
-}
-
-/// The table for the terminal.
-pub fn text(data: &ReproduceData) -> String {
-    let Some(table) = &data.table2 else {
-        return String::new();
-    };
-    let mut head: Vec<String> = ["lC mm", "θ °", "β0 Eq.11", "paper", "simulated"]
-        .map(str::to_owned)
-        .to_vec();
-    head.extend(
-        table
-            .variants
-            .iter()
-            .map(|v| format!("{}/{}", v.profile, v.friction_law)),
-    );
-    let mut rows = vec![head];
-    for row in &table.rows {
-        let mut line = vec![
-            format!("{:.2}", row.structure.axial_span_mm),
-            format!("{:.3}", row.structure.half_angle_deg),
-            format!("{:.4}", row.theory_deg),
-            format!("{:.4}", row.paper_theory_deg),
-            format!("{:.4}", row.paper_simulated_deg),
-        ];
-        line.extend(
-            row.critical_gap_deg
-                .iter()
-                .map(|gap| gap.map_or("-".to_owned(), |g| format!("{g:.4}"))),
-        );
-        rows.push(line);
-    }
-    columns(&rows)
 }

@@ -7,8 +7,8 @@ use cageless_report::{
     ContactTrack, DesignCurve, DesignLimit, LimitedQuantity, Parameter, Provenance, RacewaySurface,
 };
 
-use super::READINGS;
-use super::cases::{self, label};
+use crate::READINGS;
+use crate::cases::{self, label};
 
 /// Structure (d), the one that the authors had made.
 const SAMPLE: usize = 3;

@@ -7,15 +7,14 @@ use cageless::{Case, FrictionLaw, Profile};
 use cageless_report::{Claim, ClaimStatus, RingComparison};
 use cageless_study::Work;
 
-use super::READINGS;
-use super::cases::{self, PUBLISHED};
-use super::experiment::Experiment;
-use super::histories::History;
-use super::section5_claims;
-use super::structures::Ten;
-use super::table2::Computed;
-use crate::failure::Failure;
-use crate::progress::Bar;
+use crate::READINGS;
+use crate::cases::{self, PUBLISHED};
+use crate::error::PaperError;
+use crate::experiment::Experiment;
+use crate::histories::History;
+use crate::section5_claims;
+use crate::structures::Ten;
+use crate::table2::Computed;
 
 /// Seconds on one core, roughly.
 pub const WORK: f64 = 2.0;
@@ -31,7 +30,7 @@ pub struct Extra {
 }
 
 /// Computes what the claims need beyond the figures.
-pub fn compute(progress: &Bar) -> Result<Extra, Failure> {
+pub fn compute(progress: &dyn Work) -> Result<Extra, PaperError> {
     let usable = |reading: (Profile, FrictionLaw)| {
         let case = cases::structure(3, reading, &[])?;
         let found = match starting_point(&case, &mut |_| progress.control()) {
@@ -40,7 +39,7 @@ pub fn compute(progress: &Bar) -> Result<Extra, Failure> {
             Err(_) => None,
         };
         progress.add(WORK / 3.0);
-        Ok::<_, Failure>(found)
+        Ok::<_, PaperError>(found)
     };
     let at_speeds = |structure: usize| {
         let mut gaps_deg = [f64::NAN; 2];
@@ -51,7 +50,7 @@ pub fn compute(progress: &Bar) -> Result<Extra, Failure> {
             *gap = found?.to_degrees();
         }
         progress.add(WORK / 6.0);
-        Ok::<_, Failure>(gaps_deg)
+        Ok::<_, PaperError>(gaps_deg)
     };
     let ((published, consistent), (d, h)) = rayon::join(
         || rayon::join(|| usable(READINGS[0]), || usable(READINGS[1])),

@@ -3,10 +3,10 @@
 //!
 //! ```
 //! use cageless::{FrictionLaw, Profile};
-//! use cageless_study::paper;
+//! use cageless_paper::structure;
 //!
 //! let reading = (Profile::Physical, FrictionLaw::Smooth);
-//! let case = paper::structure(3, reading, &[])?; // structure (d)
+//! let case = structure(3, reading, &[])?; // structure (d)
 //! assert_eq!(case.raceways[0].dimensions().axial_span_m, 5.1e-3);
 //! # Ok::<(), cageless_io::case_file::CaseError>(())
 //! ```
@@ -14,29 +14,62 @@
 use cageless::{Bearing, Case, FrictionLaw, Profile};
 use cageless_io::case_file::{CaseError, CaseFile, template};
 
-use crate::{RacewayLabel, law_name, profile_name};
+use cageless_study::{RacewayLabel, law_name, profile_name};
 
-/// The ten structures of Table 2: lC in mm and θ in degrees.
-pub const STRUCTURES: [(f64, f64); 10] = [
-    (4.95, 35.0),
-    (5.0, 30.5),
-    (5.05, 27.5),
-    (5.1, 25.2),
-    (5.15, 23.5),
-    (5.2, 22.0),
-    (5.4, 18.167),
-    (5.6, 15.774),
-    (5.8, 14.062),
-    (6.0, 12.717),
+/// A row of Table 2 with the judgement of Section 4.3.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Published {
+    /// Letter in Fig. 8.
+    pub letter: char,
+    /// Axial span lC, mm.
+    pub axial_span_mm: f64,
+    /// Half angle θ, degrees.
+    pub half_angle_deg: f64,
+    /// β0 of Eq. (11), degrees.
+    pub theory_deg: f64,
+    /// Simulated value, degrees.
+    pub simulated_deg: f64,
+    /// Judgement of Section 4.3, in the words of `design`.
+    pub verdict: &'static str,
+}
+
+/// The ten structures: Zhao 2022, Table 2 and Section 4.3.
+#[rustfmt::skip]
+pub const PUBLISHED: [Published; 10] = [
+    row('a', (4.95, 35.0), 1.8153, 1.8131, "double-collision"),
+    row('b', (5.0, 30.5), 1.8176, 1.8281, "double-collision"),
+    row('c', (5.05, 27.5), 1.8185, 1.8323, "double-collision"),
+    row('d', (5.1, 25.2), 1.8171, 1.8190, "smooth"),
+    row('e', (5.15, 23.5), 1.8183, 1.7932, "smooth"),
+    row('f', (5.2, 22.0), 1.8156, 1.7552, "smooth"),
+    row('g', (5.4, 18.167), 1.8161, 1.6589, "slips"),
+    row('h', (5.6, 15.774), 1.8161, 1.6594, "slips"),
+    row('i', (5.8, 14.062), 1.8161, 1.5416, "slips"),
+    row('j', (6.0, 12.717), 1.8160, 1.4538, "slips"),
 ];
+
+const fn row(
+    letter: char,
+    (axial_span_mm, half_angle_deg): (f64, f64),
+    theory_deg: f64,
+    simulated_deg: f64,
+    verdict: &'static str,
+) -> Published {
+    Published {
+        letter,
+        axial_span_mm,
+        half_angle_deg,
+        theory_deg,
+        simulated_deg,
+        verdict,
+    }
+}
+
+/// Row of the structure lC = 5.60 mm, which does not follow its neighbours.
+pub const ODD_ROW: usize = 7;
 
 /// Structure of the experiment, (d).
 const EXPERIMENT: usize = 3;
-
-/// Letter of structure `k`.
-fn letter(k: usize) -> char {
-    char::from(b'a' + k as u8)
-}
 
 /// The case of the template, which is the bearing of Table 1, with the paper's method and
 /// further overrides.
@@ -54,10 +87,14 @@ fn paper_case(conventional: bool, title: &str, overrides: &[String]) -> Result<C
 
 /// lC and θ of structure `k`.
 fn raceway_overrides(k: usize) -> [String; 2] {
-    let (span_mm, angle_deg) = STRUCTURES[k];
+    let Published {
+        axial_span_mm,
+        half_angle_deg,
+        ..
+    } = PUBLISHED[k];
     [
-        format!("raceway.axial_span_mm={span_mm:?}"),
-        format!("raceway.half_angle_deg={angle_deg:?}"),
+        format!("raceway.axial_span_mm={axial_span_mm:?}"),
+        format!("raceway.half_angle_deg={half_angle_deg:?}"),
     ]
 }
 
@@ -82,7 +119,7 @@ pub fn experiment() -> Result<[Case; 2], CaseError> {
     let conventional = paper_case(true, title, &both)?;
     let title = format!(
         "Zhao 2022, experiment: structure ({}) at 3000 rpm",
-        letter(EXPERIMENT)
+        PUBLISHED[EXPERIMENT].letter
     );
     let discrete = [&both[..], &raceway_overrides(EXPERIMENT)].concat();
     Ok([conventional, paper_case(false, &title, &discrete)?])
@@ -98,11 +135,14 @@ pub fn structure(
     reading: (Profile, FrictionLaw),
     overrides: &[String],
 ) -> Result<Case, CaseError> {
-    let (span_mm, angle_deg) = STRUCTURES[k];
-    let title = format!(
-        "Zhao 2022, structure ({}): lC {span_mm:?} mm, θ {angle_deg:?}°",
-        letter(k)
-    );
+    let Published {
+        letter,
+        axial_span_mm,
+        half_angle_deg,
+        ..
+    } = PUBLISHED[k];
+    let title =
+        format!("Zhao 2022, structure ({letter}): lC {axial_span_mm:?} mm, θ {half_angle_deg:?}°");
     let all = [
         &raceway_overrides(k)[..],
         &reading_overrides(reading),
@@ -121,7 +161,7 @@ fn reading_overrides((profile, law): (Profile, FrictionLaw)) -> [String; 2] {
 
 /// How reports name structure `k`.
 pub fn label(k: usize, case: &Case) -> RacewayLabel {
-    RacewayLabel::new(&letter(k).to_string(), case.raceways.first())
+    RacewayLabel::new(&PUBLISHED[k].letter.to_string(), case.raceways.first())
 }
 
 /// The structures of the paper, if `bearing` is the paper's; else none.
@@ -142,7 +182,7 @@ pub fn structures_of(bearing: &Bearing) -> Result<Vec<RacewayLabel>, CaseError> 
     };
     let reading = (Profile::Physical, FrictionLaw::Smooth);
     let mut here = vec![];
-    for k in 0..STRUCTURES.len() {
+    for k in 0..PUBLISHED.len() {
         let case = structure(k, reading, &[])?;
         if geometry(&case.bearing) == geometry(bearing) {
             here.push(label(k, &case));

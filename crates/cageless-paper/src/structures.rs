@@ -9,10 +9,9 @@ use cageless::{Case, FrictionLaw, Profile};
 use cageless_report::{OrbitSpeed, OrbitSpeeds, PhasePortrait, PhasePortraits, Provenance};
 use rayon::prelude::*;
 
-use super::READINGS;
-use super::cases::{self, label};
-use crate::failure::Failure;
-use crate::progress::Bar;
+use crate::READINGS;
+use crate::cases::{self, label};
+use crate::error::PaperError;
 use cageless_study::Work;
 use cageless_study::provenance;
 
@@ -43,13 +42,13 @@ struct One {
 }
 
 /// Runs all structures under both readings.
-pub fn compute(progress: &Bar) -> Result<Vec<Ten>, Failure> {
+pub fn compute(progress: &dyn Work) -> Result<Vec<Ten>, PaperError> {
     let tasks: Vec<(usize, usize)> = (0..2).flat_map(|r| (0..10).map(move |k| (r, k))).collect();
     let share = WORK / tasks.len() as f64;
     let mut found: Vec<One> = tasks
         .par_iter()
         .map(|&(reading, k)| one(READINGS[reading], k, progress, share))
-        .collect::<Result<_, Failure>>()?;
+        .collect::<Result<_, PaperError>>()?;
     let physical = found.split_off(10);
     [found, physical]
         .into_iter()
@@ -61,9 +60,9 @@ pub fn compute(progress: &Bar) -> Result<Vec<Ten>, Failure> {
 fn one(
     reading: (Profile, FrictionLaw),
     k: usize,
-    progress: &Bar,
+    progress: &dyn Work,
     share: f64,
-) -> Result<One, Failure> {
+) -> Result<One, PaperError> {
     let case = cases::structure(k, reading, &[])?;
     let steady = steady_case(&case);
     let end_s = steady.solver.duration_s;
@@ -134,7 +133,7 @@ fn last_passage(snapshots: &[Snapshot]) -> (Vec<f64>, Vec<f64>) {
         .unzip()
 }
 
-fn gather(ones: Vec<One>, reading: (Profile, FrictionLaw)) -> Result<Ten, Failure> {
+fn gather(ones: Vec<One>, reading: (Profile, FrictionLaw)) -> Result<Ten, PaperError> {
     let case = cases::structure(0, reading, &[])?;
     let source = shared_provenance(&case);
     let mut ten = Ten {

@@ -9,9 +9,8 @@ use cageless::vibration::VibrationRecorder;
 use cageless_report::{Motion, Provenance, Vibration, VibrationSignal};
 use rayon::prelude::*;
 
-use super::cases;
-use crate::failure::Failure;
-use crate::progress::Bar;
+use crate::cases;
+use crate::error::PaperError;
 use cageless_report::run_report::{ball_pass_mark, filter_note, motion, vibration_signal};
 use cageless_study::{SAMPLING_HZ, Work, provenance};
 
@@ -56,14 +55,14 @@ struct One {
 }
 
 /// Runs both bearings.
-pub fn compute(progress: &Bar) -> Result<Experiment, Failure> {
+pub fn compute(progress: &dyn Work) -> Result<Experiment, PaperError> {
     let both = cases::experiment()?;
     let names = ["conventional", "discrete raceway"];
     let ones: Vec<One> = both
         .par_iter()
         .zip(names)
         .map(|(case, name)| one(case, name, progress))
-        .collect::<Result<_, Failure>>()?;
+        .collect::<Result<_, PaperError>>()?;
     let case = &both[1];
     let source = Provenance {
         case: "Zhao 2022, experiment: 3000 rpm, 1.5 kN, four bunches of balls at the start"
@@ -90,9 +89,9 @@ pub fn compute(progress: &Bar) -> Result<Experiment, Failure> {
     Ok(experiment)
 }
 
-fn one(case: &Case, name: &str, progress: &Bar) -> Result<One, Failure> {
+fn one(case: &Case, name: &str, progress: &dyn Work) -> Result<One, PaperError> {
     let Some(housing) = &case.housing else {
-        return Err(Failure::Input(
+        return Err(PaperError::NoResult(
             "the case of the experiment needs a [housing]".to_owned(),
         ));
     };
@@ -120,7 +119,7 @@ fn one(case: &Case, name: &str, progress: &Bar) -> Result<One, Failure> {
     )?;
     drop((recorder, detector));
     if let Ending::Stopped(stop) = &outcome.ending {
-        return Err(Failure::stopped(stop, ""));
+        return Err(PaperError::Stopped(stop.clone()));
     }
     let signal = vibration_signal(name, &vibration.measurements()[1]);
     let late = collisions
