@@ -32,7 +32,7 @@ pub struct EvaluateOptions {
     /// Which right-hand side.
     #[arg(long)]
     variant: Variant,
-    /// How often.
+    /// Number of occurrences.
     #[arg(long)]
     count: u64,
 }

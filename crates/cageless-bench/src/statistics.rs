@@ -48,7 +48,7 @@ pub struct Options {
     against_method: String,
 }
 
-/// Balls are looked at this often, steps: their speeds hardly change in between.
+/// Steps between two samples of the ball speeds, which hardly change in between.
 const BALLS_EVERY: u64 = 8;
 /// Between one member of the reference ensemble and the next.
 const TURN_RAD: f64 = 1.7e-11;

@@ -75,7 +75,7 @@ pub struct Reproduce {
 /// `new`.
 #[derive(Debug, Group)]
 pub struct New {
-    /// Without a discrete raceway.
+    /// Print the case of a conventional bearing, without a discrete raceway.
     #[arg(long)]
     pub conventional: bool,
 }

@@ -1,4 +1,4 @@
-//! How a command fails, and the exit code that goes with it.
+//! Failures of commands and their exit codes.
 
 use std::fmt;
 use std::process::ExitCode;

@@ -1,4 +1,4 @@
-//! A journal of finished pieces of work, so that a long computation that was killed goes on
+//! A journal of finished pieces of work, so that a long computation that was killed resumes
 //! where it stopped.
 //!
 //! A line is a checksum and a JSON document: the first document says whose journal it is, as a list
@@ -26,11 +26,11 @@ pub type Entry = Result<Vec<f64>, String>;
 #[derive(Debug)]
 pub struct Journal {
     file: File,
-    /// Of all documents so far.
+    /// Checksum of all documents so far.
     checksum: Hasher,
 }
 
-/// Why a journal cannot be used.
+/// Error of a journal.
 #[derive(Debug, thiserror::Error)]
 pub enum JournalError {
     /// It belongs to something else.
@@ -38,7 +38,7 @@ pub enum JournalError {
     Foreign {
         /// The file.
         path: PathBuf,
-        /// What is different.
+        /// Difference.
         why: String,
     },
     /// Another process is writing to it.
@@ -93,7 +93,7 @@ fn lines(owner: &str) -> Vec<String> {
     lines
 }
 
-/// What is different about another owner, in words.
+/// Difference from another owner as a sentence.
 fn why(before: &[String], now: &[String]) -> String {
     let is_key = |line: &&String| line.contains(" = ");
     let heading = |lines: &[String]| -> Vec<String> {

@@ -8,6 +8,6 @@ pub struct OptionError {
     pub option: &'static str,
     /// Value as it was given.
     pub value: String,
-    /// What is wrong with it, to be read after name and value.
+    /// Description of the error, to be read after name and value.
     pub problem: String,
 }

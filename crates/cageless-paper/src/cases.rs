@@ -159,7 +159,7 @@ fn reading_overrides((profile, law): (Profile, FrictionLaw)) -> [String; 2] {
     ]
 }
 
-/// How reports name structure `k`.
+/// Label of structure `k` in reports.
 pub fn label(k: usize, case: &Case) -> RacewayLabel {
     RacewayLabel::new(&PUBLISHED[k].letter.to_string(), case.raceways.first())
 }

@@ -69,7 +69,7 @@ pub const STRUCTURE_D: &str = "structure (d)";
 /// What `design --search` recommends.
 pub const FOUND: &str = "found by search";
 
-/// What the model leaves out of the paper's experiment.
+/// Differences of the model from the paper's experiment.
 const LEFT_OUT: [&str; 4] = [
     "tilt of the rings",
     "waviness of rings and balls",

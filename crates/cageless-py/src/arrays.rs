@@ -1,4 +1,4 @@
-//! What a run leaves behind, as arrays of numpy that take over the memory it was put in.
+//! Results of a run as numpy arrays that take over the memory of the vectors.
 
 use cageless::{Collision, Snapshot};
 use cageless_io::results::{BALLS, COLLISIONS, RING, collision_values};

@@ -75,7 +75,7 @@ impl CaseFile {
         self.file.document().to_toml().map_err(|e| of_file(&e))
     }
 
-    /// The same as JSON; `as_run` with what follows from the rest as well.
+    /// Document as JSON; with `as_run` derived values are included.
     fn document(&self, as_run: bool) -> PyResult<String> {
         let document = if as_run {
             self.file.document_as_run()

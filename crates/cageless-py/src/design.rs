@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 use crate::background::Background;
 use crate::errors::{input, of_study, other, stopped};
 
-/// What is known of a case's own raceways.
+/// Verdict and design results of the raceways of a case.
 #[pyclass(frozen, module = "cageless._cageless")]
 pub struct Design {
     result: DesignResult,
@@ -72,7 +72,7 @@ impl Design {
     }
 }
 
-/// What a search found.
+/// Result of a search.
 #[pyclass(frozen, module = "cageless._cageless")]
 pub struct Search {
     file: CaseFile,
@@ -81,7 +81,7 @@ pub struct Search {
 }
 
 impl Search {
-    /// Searches, or goes on with what is in the folder.
+    /// Runs a search, or resumes the one in the folder.
     pub fn find(
         py: Python<'_>,
         file: &CaseFile,
@@ -120,7 +120,7 @@ impl Search {
         serde_json::to_string(&self.data).map_err(other)
     }
 
-    /// Why there is nothing to recommend: the message of the command.
+    /// Reason without a recommendation: the message of the command.
     fn refusal(&self) -> Option<String> {
         self.refusal.clone()
     }

@@ -10,7 +10,7 @@ use pyo3::prelude::*;
 
 use crate::errors::{input, of_sweep, other};
 
-/// What a finished sweep shows.
+/// Report of a finished sweep.
 #[pyclass(frozen, module = "cageless._cageless")]
 pub struct Report {
     data: SweepData,
@@ -44,7 +44,7 @@ impl Report {
         py.detach(|| sweep_page(&self.data))
     }
 
-    /// What matters, in the JSON of plotly.
+    /// Figure of the sensitivity, in the JSON of plotly.
     fn shares(&self) -> PyResult<String> {
         if self.data.outputs.is_empty() || self.data.inputs.is_empty() {
             return Err(input("nothing varies in this sweep"));

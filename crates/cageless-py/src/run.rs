@@ -1,4 +1,4 @@
-//! A run and what it came to.
+//! A run and its results.
 
 use std::cell::RefCell;
 use std::sync::{Mutex, OnceLock};
@@ -25,7 +25,7 @@ use crate::background::Background;
 use crate::errors::{input, of_start, other};
 use crate::signals::Signals;
 
-/// A run that came to its end, or to where it stopped.
+/// A run that completed or stopped early.
 #[pyclass(frozen, module = "cageless._cageless")]
 pub struct Run {
     arrays: Py<PyDict>,
@@ -34,7 +34,7 @@ pub struct Run {
     data: OnceLock<RunData>,
 }
 
-/// What figures are made of.
+/// Data of the figures.
 struct Material {
     file: CaseFile,
     outcome: RunOutcome,
@@ -122,7 +122,7 @@ fn record(
 }
 
 impl Run {
-    /// Why a figure is empty, and what would fill it.
+    /// Reason of an empty figure, with advice.
     fn nothing_to_show(&self, name: &str) -> String {
         let case = self.material.file.case();
         let why = match name {
@@ -194,7 +194,7 @@ impl Run {
         Some(names.map(|(name, _)| name.to_owned()).collect())
     }
 
-    /// Why the run stopped early: the message of the command.
+    /// Reason of an early stop: the message of the command.
     fn stopped(&self) -> Option<String> {
         match &self.material.outcome.ending {
             Ending::Stopped(stop) => Some(stop.to_string()),

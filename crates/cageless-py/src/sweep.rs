@@ -57,7 +57,7 @@ impl Sweep {
         self.sweep.normal().to_owned()
     }
 
-    /// How many variants are worth computing together.
+    /// Number of variants worth computing together.
     fn together(&self) -> u64 {
         self.sweep.together()
     }
@@ -148,7 +148,7 @@ impl Collection {
         self.with(py, |open| Ok(open.total()))
     }
 
-    /// Where the range from `first` may be written to.
+    /// File for the range from `first`.
     fn part(&self, py: Python<'_>, first: u64) -> PyResult<PathBuf> {
         self.with(py, |open| Ok(open.part(first)))
     }

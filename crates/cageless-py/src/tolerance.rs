@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use crate::background::Background;
 use crate::errors::{input, of_study, other};
 
-/// What a case made to its tolerances is worth.
+/// Tolerance analysis of a case.
 #[pyclass(frozen, module = "cageless._cageless")]
 pub struct Tolerance {
     data: ToleranceData,

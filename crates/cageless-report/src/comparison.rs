@@ -23,7 +23,7 @@ pub struct Estimate {
     pub starts: usize,
 }
 
-/// What a difference between two rings amounts to.
+/// Significance of a difference between two rings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Change {
@@ -84,13 +84,13 @@ impl Estimate {
 pub struct RingComparison {
     /// One cell per combination: by speed, lot and ring, the conventional ring first.
     pub cells: Vec<ComparisonCell>,
-    /// How the starts and lots were drawn.
+    /// Sampling of the starts and lots.
     pub starts: String,
     /// Command that gives the numbers again.
     pub command: String,
     /// Commands that found the raceways.
     pub search_commands: Vec<String>,
-    /// What the model leaves out of the paper's experiment.
+    /// Differences of the model from the paper's experiment.
     pub left_out: Vec<String>,
     /// Provenance.
     pub provenance: Provenance,

@@ -1,4 +1,4 @@
-//! What reports are made of, in the units in which it is shown: degrees,
+//! Data of reports in display units: degrees,
 //! millimetres, micrometres, m/s, newtons.
 //!
 //! A value that could not be had is `f64::NAN` in a trace and `None` elsewhere; both
@@ -104,7 +104,7 @@ pub struct VibrationSignal {
     pub peak_m_s2: Option<f64>,
     /// Distance of the spectrum's frequencies, Hz.
     pub resolution_hz: Option<f64>,
-    /// How many overlapping stretches of the signal the spectrum is averaged over.
+    /// Number of overlapping segments over which the spectrum is averaged.
     pub averages: usize,
 }
 
@@ -135,11 +135,11 @@ pub struct Event {
     pub label: String,
     /// Time, s.
     pub time_s: f64,
-    /// What happens then; goes into the caption.
+    /// Description of the event for the caption.
     pub meaning: String,
 }
 
-/// How a claim of the paper fared.
+/// Status of a claim of the paper.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ClaimStatus {
@@ -162,10 +162,10 @@ pub struct Claim {
     pub claim: String,
     /// Place in the paper: `Section 4.3, Fig. 8`.
     pub place: String,
-    /// What we find.
+    /// Finding of this model.
     pub finding: String,
     /// The numbers behind it; may be empty.
     pub numbers: String,
-    /// How it fared.
+    /// Status of the claim.
     pub verdict: ClaimStatus,
 }

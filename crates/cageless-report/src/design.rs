@@ -19,7 +19,7 @@ use crate::reproduce::DesignCurve;
 use crate::search_tables as tables;
 use crate::tables::parameter_table;
 
-/// All that the page of `design` shows. What is left empty is left out of the page.
+/// Data of the page of `design`. Empty parts are omitted from the page.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct DesignData {
     /// Title of the case.
@@ -36,7 +36,7 @@ pub struct DesignData {
     pub headline: String,
     /// Numbers of the case's own raceways.
     pub results: Vec<Parameter>,
-    /// What the verdict rests on.
+    /// Reasons of the verdict.
     pub reasons: Vec<String>,
     /// Whether the raceway of the recommendation passes; `None` if there is none.
     pub recommendation_passes: Option<bool>,
@@ -50,7 +50,7 @@ pub struct DesignData {
     pub surface: Option<RacewaySurface>,
     /// The balls of the run that was judged.
     pub motion: Option<Motion>,
-    /// What a search found.
+    /// Result of a search.
     pub search: Option<SearchData>,
     /// Case as computed, one line per key.
     pub parameters: Vec<Parameter>,
@@ -159,7 +159,7 @@ fn search_sections(page: &mut Page, search: &SearchData) {
     }
 }
 
-/// Why a raceway may have two critical gaps on one page.
+/// Remark on the two critical gaps of a raceway on one page.
 pub fn two_critical_gaps() -> String {
     format!(
         "The critical gap in this section is measured with all other balls evenly spaced; the \

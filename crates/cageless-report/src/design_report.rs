@@ -1,4 +1,4 @@
-//! From a design to the data of its report.
+//! Data of the report of a design.
 
 use crate::run_report::motion;
 use crate::text::pass_word;
@@ -18,7 +18,7 @@ use cageless_study::{DesignResult, parameter, parameters, provenance};
 /// Points of the curve of Eq. (11).
 const CURVE_POINTS: usize = 240;
 
-/// Everything on the page of a design.
+/// Data of the page of a design.
 pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot]) -> DesignData {
     let case = file.case();
     let steady = steady_case(case);

@@ -9,9 +9,9 @@ use crate::text::{escape, rich, script_json, slug};
 pub struct Figure {
     /// `Figure 6, paper profile`; its slug is the anchor and the name of saved files.
     pub label: String,
-    /// What is drawn and what to see in it.
+    /// Caption: what the figure shows.
     pub caption: String,
-    /// Where its numbers come from.
+    /// Provenance of its numbers.
     pub provenance: Provenance,
     /// The plot.
     pub plot: Plot,

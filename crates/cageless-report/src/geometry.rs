@@ -47,7 +47,7 @@ const TRACK_POINTS: usize = 241;
 const ALONG: usize = 121;
 /// Points of a surface across one side of the groove.
 const ACROSS: usize = 25;
-/// How far past the ends of the raceway drawings reach, over θ.
+/// Extent of drawings beyond the ends of the raceway, over θ.
 const MARGIN: f64 = 1.2;
 
 impl ContactTrack {

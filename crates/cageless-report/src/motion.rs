@@ -13,7 +13,7 @@ use crate::text::{escape, script_json, slug};
 pub struct MotionFigure {
     /// `Figure 13 and 14`.
     pub label: String,
-    /// What is drawn and what to see in it.
+    /// Caption: what the figure shows.
     pub caption: String,
     /// Bearings, side by side.
     pub bearings: Vec<Motion>,

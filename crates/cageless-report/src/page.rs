@@ -26,9 +26,9 @@ pub struct Page {
 /// Weight of a note.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Note {
-    /// By the way.
+    /// Remark.
     Remark,
-    /// To be minded.
+    /// Warning.
     Warning,
 }
 

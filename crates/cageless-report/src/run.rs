@@ -10,7 +10,7 @@ use crate::page::{Note, Page};
 use crate::tables::parameter_table;
 use crate::verification::{VerificationTable, verification_table};
 
-/// All that the page of one run shows. What is left empty is left out of the page.
+/// Data of the page of one run. Empty parts are omitted from the page.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct RunData {
     /// Title of the case.
@@ -52,13 +52,13 @@ pub struct RunData {
     pub ring: RingHistory,
     /// Contacts between balls, of too many the strongest.
     pub collisions: Vec<CollisionPoint>,
-    /// How many there were.
+    /// Total number of collisions.
     pub collisions_total: usize,
     /// Terms of the energy balance.
     pub energy: Vec<EnergyItem>,
     /// Energy balance error relative to the sum of all flows.
     pub energy_residual_relative: Option<f64>,
-    /// How far the results can be trusted.
+    /// Numerical verification of the run.
     pub verification: Option<VerificationTable>,
     /// Vibration of the outer ring.
     pub vibration: Option<Vibration>,
@@ -116,7 +116,7 @@ pub struct RingHistory {
 /// An entry of the ledger of energy.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct EnergyItem {
-    /// What it is.
+    /// Name of the quantity.
     pub name: String,
     /// Energy, J; positive into the bearing.
     pub energy_j: f64,

@@ -1,4 +1,4 @@
-//! From a run to the data of its report.
+//! Data of the report of a run.
 
 use cageless::Case;
 use cageless::dynamics::energy::EnergyTerm;
@@ -64,7 +64,7 @@ pub fn ball_pass_mark(case: &Case) -> FrequencyMark {
     }
 }
 
-/// What was done to a vibration signal, for provenances.
+/// Signal processing of a vibration, for provenances.
 pub fn filter_note(case: &Case) -> String {
     let housing = case.housing.as_ref().map_or(String::new(), |h| {
         format!(
@@ -79,7 +79,7 @@ pub fn filter_note(case: &Case) -> String {
     )
 }
 
-/// Everything on the page of one run.
+/// Data of the page of one run.
 pub fn run_data(
     file: &CaseFile,
     outcome: &RunOutcome,
@@ -204,7 +204,7 @@ fn lead(case: &Case, outcome: &RunOutcome, summary: &SummaryFile) -> String {
     )
 }
 
-/// How the balls passed the discrete raceways after the transient.
+/// Statistics of the passages after the transient.
 fn passage_results(passages: &PassageTally) -> Vec<Parameter> {
     if passages.count == 0 {
         return vec![];

@@ -1,6 +1,6 @@
 //! Thinning of long traces, so that a page stays small and no peak is lost.
 
-/// At most about `points` points of a history: in each of `points`/2 stretches the
+/// Decimates a history to about `points` points: in each of `points`/2 segments the
 /// lowest and the highest. A stretch with a gap (NaN) keeps it.
 pub fn history(x: &[f64], y: &[f64], points: usize) -> (Vec<f64>, Vec<f64>) {
     let n = x.len().min(y.len());

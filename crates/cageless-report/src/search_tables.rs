@@ -28,7 +28,7 @@ type Quantity = (
     Option<fn(&MotionNumbers) -> f64>,
 );
 
-/// What is printed of each structure; the last function picks a number of the motion, which
+/// Quantities printed for each design; the last function selects a result of the motion, which
 /// may have an error.
 const QUANTITIES: [Quantity; 14] = [
     ("critical gap (°)", 3, |n| n.critical_gap_deg, None),
@@ -152,7 +152,7 @@ pub fn comparison(search: &SearchData) -> Table {
     }
 }
 
-/// What excludes how much.
+/// Number of designs excluded by each reason.
 pub fn rejections(search: &SearchData) -> Table {
     Table {
         label: "Rejections".to_owned(),

@@ -62,7 +62,7 @@ pub struct Row {
 pub struct Table {
     /// `Table 2`; its slug is the anchor.
     pub label: String,
-    /// What it shows.
+    /// Caption of the table.
     pub caption: String,
     /// Headings over several columns, as `(text, columns)`; may be empty.
     pub groups: Vec<(String, usize)>,

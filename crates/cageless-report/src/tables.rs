@@ -176,7 +176,7 @@ fn summary(table: &Table2, name: &str, polar: bool, counts: impl Fn(&Table2Row) 
     }
 }
 
-/// How far the critical gaps move with what the paper leaves open; `None` if nothing
+/// Sensitivity of the critical gaps to parameters that the paper does not give; `None` if nothing
 /// was varied.
 pub fn spread(table: &Table2) -> Option<Table> {
     if table.spreads.is_empty() {

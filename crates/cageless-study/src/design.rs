@@ -1,4 +1,4 @@
-//! What is known of a case's own raceways.
+//! Verdict and design results of the raceways of a case.
 
 use cageless::critical_gap::CriticalGapError;
 use cageless::design::{Judgement, Recommendation, judge_watched, recommend, steady_case};

@@ -44,11 +44,11 @@ pub struct DesignResult {
     pub criterion: Option<&'static str>,
     /// Distance from the limit of that criterion, a fraction of 1, negative if it fails.
     pub margin: Option<f64>,
-    /// Why, in words.
+    /// Reasons as sentences.
     pub reasons: Vec<String>,
-    /// What to mind.
+    /// Warnings.
     pub warnings: Vec<String>,
-    /// How the balls passed the raceway.
+    /// Statistics of the passages of the balls.
     pub passages: Option<PassageNumbers>,
     /// Kink of the groove at the ends of the raceway, 45° up, degrees.
     pub kink_deg: Option<f64>,
@@ -58,7 +58,7 @@ pub struct DesignResult {
     pub recommendation: Option<RecommendationNumbers>,
     /// The lC–θ curve, Fig. 5.
     pub curve: Curve,
-    /// What `--search` found.
+    /// Result of `--search`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub search: Option<SearchData>,
 }
@@ -80,14 +80,14 @@ pub struct RacewayNumbers {
     pub verdict: &'static str,
     /// Whether the raceway passes.
     pub passes: Option<bool>,
-    /// How the balls passed the raceway.
+    /// Statistics of the passages of the balls.
     pub passages: Option<PassageNumbers>,
 }
 
 /// Passages of balls through a raceway.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PassageNumbers {
-    /// How many.
+    /// Number of samples or passages.
     pub passages: usize,
     /// Contacts with neighbours per passage.
     pub collisions_mean: f64,
@@ -121,7 +121,7 @@ pub struct RecommendationNumbers {
     pub verdict: &'static str,
     /// PASS or FAIL with the verdict, the criterion that decides, and its margin.
     pub headline: String,
-    /// Why, in words.
+    /// Reasons as sentences.
     pub reasons: Vec<String>,
     /// Gap below which neighbours touch in the raceway, degrees.
     pub critical_gap_deg: Option<f64>,
@@ -140,7 +140,7 @@ impl RecommendationNumbers {
             && self.half_angle_deg == self.starting_half_angle_deg
     }
 
-    /// What it is, its size and where it comes from, in a sentence.
+    /// Kind, size and origin of the recommendation as a sentence.
     pub fn sentence(&self) -> String {
         let size = format!(
             "lC {:.3} mm, θ {:.3}°",
@@ -187,7 +187,7 @@ pub struct Curve {
 const CURVE_POINTS: usize = 60;
 
 impl DesignResult {
-    /// Of what was found about `case`.
+    /// Result for the judgement of `case`.
     pub fn new(case: &Case, judgement: Judgement, recommendation: Option<Recommendation>) -> Self {
         let bearing = &case.bearing;
         let raceway = case.raceways.first();

@@ -1,4 +1,4 @@
-//! Why a study has no result.
+//! Errors of studies.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ use cageless_io::case_file::CaseError;
 use cageless_io::journal::JournalError;
 use cageless_io::{OptionError, io_error_message};
 
-/// What went wrong with a study.
+/// Error of a study.
 #[derive(Debug, thiserror::Error)]
 pub enum StudyError {
     /// The case is wrong.
@@ -18,7 +18,7 @@ pub enum StudyError {
     /// The case is impossible.
     #[error(transparent)]
     Case(#[from] InputError),
-    /// What was asked for is not possible.
+    /// The request is not possible.
     #[error("{0}")]
     Input(String),
     /// An option of the study is not possible.
@@ -38,18 +38,18 @@ pub enum StudyError {
     Folder {
         /// Folder or file in it.
         path: PathBuf,
-        /// What the system says.
+        /// Error of the operating system.
         source: io::Error,
     },
     /// The journal in the folder is another's, in use or damaged.
     #[error("{0}")]
     Foreign(String),
-    /// What was computed cannot be kept: a full disk, say.
+    /// Results cannot be stored, for example on a full disk.
     #[error("{}: {}", path.display(), io_error_message(source))]
     Journal {
         /// File.
         path: PathBuf,
-        /// What the system says.
+        /// Error of the operating system.
         source: io::Error,
     },
 }

@@ -40,7 +40,7 @@ const RECENT: usize = 2500;
 /// Collisions that are kept at least, the strongest.
 const COLLISIONS: usize = 4000;
 
-/// What the figures need of a run, thinned out as it grows: memory does not depend on
+/// Histories for the figures of a run, decimated as it grows: memory does not depend on
 /// the length of the run.
 pub struct Histories {
     interval_s: f64,
@@ -49,12 +49,12 @@ pub struct Histories {
     collisions: Vec<CollisionPoint>,
     collisions_seen: usize,
     passages: PassageTally,
-    /// Of each raceway.
+    /// Passages of each raceway.
     raceways: Vec<PassageTally>,
 }
 
 impl Histories {
-    /// Of a run of `case`, of which nothing has been seen yet.
+    /// Empty histories of a run of `case`.
     pub fn new(case: &Case) -> Self {
         let balls = case.bearing.balls();
         Self {

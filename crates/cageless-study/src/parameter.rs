@@ -6,7 +6,7 @@ use serde::Serialize;
 /// A line of a parameter or result table.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Parameter {
-    /// What it is.
+    /// Name of the quantity.
     pub name: String,
     /// Symbol in the paper; may be empty.
     pub symbol: String,
@@ -14,7 +14,7 @@ pub struct Parameter {
     pub value: String,
     /// Unit; may be empty.
     pub unit: String,
-    /// Where it is from: `Table 1`, `not in the paper: …`; may be empty.
+    /// Source: `Table 1`, `not in the paper: …`; may be empty.
     pub source: String,
 }
 

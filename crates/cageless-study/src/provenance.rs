@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use crate::number_text::short;
 
-/// Where a figure's or table's numbers come from; printed under it.
+/// Provenance of a figure or table; printed under it.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Provenance {
     /// The case: bearing, structure, speed, load.
@@ -18,7 +18,7 @@ pub struct Provenance {
     pub method: Option<String>,
     /// Step, µs.
     pub step_us: Option<f64>,
-    /// What was discarded as transient, in words; empty if nothing was.
+    /// Discarded transient as a phrase; empty if nothing was discarded.
     pub discarded: String,
 }
 
@@ -71,7 +71,7 @@ pub fn law_name(law: FrictionLaw) -> &'static str {
     }
 }
 
-/// Where the numbers of a simulated figure come from.
+/// Provenance of a simulated figure.
 pub fn provenance(case: &Case, discarded: String) -> Provenance {
     Provenance {
         case: case.title.clone(),

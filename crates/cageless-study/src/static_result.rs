@@ -26,12 +26,12 @@ pub struct StaticResult {
     pub inner_stress_max_gpa: f64,
     /// Largest Hertz stress at the outer raceway, GPa.
     pub outer_stress_max_gpa: f64,
-    /// What to mind.
+    /// Warnings.
     pub warnings: Vec<String>,
 }
 
 impl StaticResult {
-    /// Of an equilibrium.
+    /// Result of an equilibrium.
     pub fn new(e: Equilibrium) -> Self {
         Self {
             warnings: e.overload().into_iter().collect(),

@@ -1,4 +1,4 @@
-//! What machining errors, scatter and operation do to the verdict on a raceway.
+//! Sensitivity of the verdict on a raceway to machining errors, scatter and operation.
 
 mod result;
 
@@ -22,7 +22,7 @@ use crate::{Provenance, provenance};
 /// More would take days.
 const SAMPLES_MAX: u64 = 100_000;
 
-/// How far each may deviate, as a drawing says it, and how many bearings to judge.
+/// Tolerances in the units of drawings, and Monte Carlo sample size.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Request {
     /// Bearings in which everything deviates at once.
@@ -45,7 +45,7 @@ pub struct Request {
     pub load_percent: f64,
 }
 
-/// What a case made to these tolerances is worth. `name` is what messages call the case.
+/// Tolerance analysis of a case. `name` is the name of the case in messages.
 ///
 /// # Errors
 /// A tolerance is impossible, there is no raceway, a run did not converge, or the progress ended
@@ -64,7 +64,7 @@ pub fn tolerance(
 }
 
 impl Request {
-    /// What this allows in a case.
+    /// Deviations of a case that these tolerances allow.
     ///
     /// # Errors
     /// [`StudyError::Option`] or [`StudyError::Input`]; `name` is what the message calls the case.

@@ -241,7 +241,7 @@ impl Bearing {
         })
     }
 
-    /// The same bearing with balls whose radii differ from the nominal one by
+    /// Bearing with balls whose radii differ from the nominal one by
     /// `deviations_m`, one entry per ball; none makes them equal again.
     ///
     /// # Errors

@@ -18,7 +18,7 @@ use crate::error::{Allowed, InputError, not_negative, positive};
 use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::raceway::Raceway;
 
-/// Which set of equations is integrated.
+/// Set of equations that is integrated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Profile {
     /// As published: centrifugal force added in Zhao 2022, Eq. (12), spin of
@@ -139,7 +139,7 @@ pub enum Method {
     Adaptive,
 }
 
-/// How the equations are integrated.
+/// Method and step of the integration.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solver {
     /// Method.
@@ -166,7 +166,7 @@ pub struct Housing {
     pub damping_n_s_m: f64,
 }
 
-/// What a run leaves behind.
+/// Observations of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Output {
     /// Time between rows.
@@ -288,7 +288,7 @@ impl Case {
         Ok(())
     }
 
-    /// Refuses speeds and loads that press a ball in deeper than any elastic contact bears, the
+    /// Refuses speeds and loads whose deflection exceeds that of any elastic contact, the
     /// most loaded ball taking 5/N of the load (Stribeck) and its own centrifugal force.
     fn check_elastic(&self) -> Result<(), InputError> {
         let bearing = &self.bearing;
@@ -448,7 +448,7 @@ impl Case {
             && self.raceways.iter().all(|r| r.depth_error_m() == 0.0)
     }
 
-    /// The same case with other raceways.
+    /// Case with other raceways.
     pub fn with_raceways(&self, raceways: Vec<Raceway>) -> Self {
         Self {
             raceways,

@@ -17,9 +17,9 @@ use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 /// One contact of two neighbouring balls, from touch to parting.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Collision {
-    /// When they touched.
+    /// Time of first touch.
     pub start_s: f64,
-    /// How long they stayed in contact.
+    /// Duration of the contact.
     pub duration_s: f64,
     /// Index (from 0) of the ball behind; the ball ahead is its neighbour.
     pub ball: usize,

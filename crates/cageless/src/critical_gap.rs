@@ -26,7 +26,7 @@ use crate::simulation::{
     Control, Ending, Observer, ObserverError, RunContext, StepView, Stop, run,
 };
 
-/// What counts as the pair touching.
+/// Criterion of contact of a pair.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Touch {
     /// The angle ψ(i+1) − ψ(i) − ε falls to 0.
@@ -36,13 +36,13 @@ pub enum Touch {
     Surface,
 }
 
-/// How the critical gap is measured.
+/// Settings of the measurement of a critical gap.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PairTest {
     /// ψ of the trailing ball at the start, from the middle of the raceway (negative). A
     /// pair that would start inside a wide raceway starts 5° before it.
     pub trailing_start_rad: f64,
-    /// What counts as touching.
+    /// Criterion of contact.
     pub touch: Touch,
     /// Gap to the neighbours of the pair over the gap that the other N − 1 spacings
     /// would have if all were equal; 1 keeps them equal (as do three balls, which have no
@@ -62,7 +62,7 @@ pub struct PairTest {
 }
 
 impl Default for PairTest {
-    /// From ψ = −90°, by angle, the other spacings equal, ring in equilibrium.
+    /// Pair from ψ = −90°, contact by angle, the other spacings equal, ring in equilibrium.
     fn default() -> Self {
         Self {
             trailing_start_rad: -FRAC_PI_2,
@@ -76,7 +76,7 @@ impl Default for PairTest {
     }
 }
 
-/// Why there is no critical gap.
+/// Error of the computation of a critical gap.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum CriticalGapError {
     /// The case is impossible or has no equilibrium.
@@ -85,7 +85,7 @@ pub enum CriticalGapError {
     /// The run left the physical range.
     #[error("at t = {:.6} s {}: {}", .0.time_s, .0.cause, .0.advice())]
     Stopped(Stop),
-    /// Ended by the caller.
+    /// Interrupted by the caller.
     #[error("interrupted")]
     Interrupted,
     /// The pair did not reach the raceway.
@@ -94,7 +94,7 @@ pub enum CriticalGapError {
     /// No raceway, or it never closes the gap.
     #[error("the gap of a pair never closes on this raceway")]
     NeverCloses,
-    /// The gap closes from anywhere.
+    /// The gap closes from every starting gap.
     #[error("balls touch in the raceway whatever their spacing on entry")]
     AlwaysCloses,
 }

@@ -1,4 +1,4 @@
-//! What is wrong with an input, in SI units.
+//! Errors of input values, in SI units.
 //!
 //! ```
 //! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
@@ -22,7 +22,7 @@ pub struct InputError {
     pub field: &'static str,
     /// The value given.
     pub value: f64,
-    /// What it may be.
+    /// Allowed values.
     pub allowed: Allowed,
 }
 

@@ -14,7 +14,7 @@ pub(crate) struct Direction {
 }
 
 impl Direction {
-    /// From ball `k` to the ball ahead, forwards.
+    /// Direction from ball `k` to the ball ahead, forwards.
     pub fn to_next(x_m: Balls<'_>, y_m: Balls<'_>, k: usize) -> Self {
         let next = if k + 1 == x_m.len() { 0 } else { k + 1 };
         Self {
@@ -49,7 +49,7 @@ pub struct GapRange {
 }
 
 impl GapRange {
-    /// For the balls of a model.
+    /// Gap range of the balls of a model.
     pub fn new(model: &Model) -> Self {
         Self {
             pair_angles: (0..model.balls())
@@ -59,7 +59,7 @@ impl GapRange {
         }
     }
 
-    /// Looks at the places of the balls.
+    /// Takes the positions of the balls.
     pub fn look(&mut self, x_m: Balls<'_>, y_m: Balls<'_>) {
         let at = |k| Direction::to_next(x_m, y_m, k);
         if self.range.is_empty() {

@@ -22,7 +22,7 @@ pub fn rolling_orbit_speed_rad_s(bearing: &Bearing, inner_speed_rad_s: f64, r_m:
     orbit_speed_of_rad_s(bearing, bearing.ball_radius_m(), inner_speed_rad_s, r_m)
 }
 
-/// The same for a ball of radius `ball_radius_m` in place of Rw.
+/// Ω(r) of a ball of radius `ball_radius_m` in place of Rw, rad/s.
 pub fn orbit_speed_of_rad_s(
     bearing: &Bearing,
     ball_radius_m: f64,

@@ -102,7 +102,7 @@ impl<T: Row> MinMaxDecimator<T> {
         };
     }
 
-    /// How many pushed rows a stretch holds; 1 if every row was kept.
+    /// Number of pushed rows in a stretch; 1 if every row was kept.
     pub fn stretch(&self) -> usize {
         self.stretch
     }

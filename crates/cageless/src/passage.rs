@@ -1,4 +1,4 @@
-//! How each ball passes each discrete raceway.
+//! Passages of the balls through the discrete raceways.
 //!
 //! ```
 //! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
@@ -31,9 +31,9 @@ pub struct Passage {
     pub ball: usize,
     /// Index (from 0) of the raceway.
     pub raceway: usize,
-    /// When it came in; like [`Self::leave_s`] located within the step.
+    /// Time at which the ball enters; like [`Self::leave_s`] located within the step.
     pub enter_s: f64,
-    /// When it went out.
+    /// Time at which the ball leaves.
     pub leave_s: f64,
     /// Gap to the ball ahead on coming in.
     pub gap_enter_rad: f64,
@@ -53,10 +53,10 @@ pub struct Passage {
     pub orbit_speed_range_rad_s: [f64; 2],
 }
 
-/// What passages had in common, gathered as they come.
+/// Sums over passages, accumulated one by one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PassageTally {
-    /// How many.
+    /// Number of samples or passages.
     pub count: u64,
     sums: [f64; 6],
     /// Largest and smallest gap to the ball ahead on going out.
@@ -64,7 +64,7 @@ pub struct PassageTally {
 }
 
 impl PassageTally {
-    /// Of no passage.
+    /// Tally without passages.
     pub fn new() -> Self {
         Self {
             count: 0,

@@ -37,7 +37,7 @@ pub struct RacewayDimensions {
     pub axial_span_m: f64,
     /// θ, half the angle that the raceway takes up.
     pub half_angle_rad: f64,
-    /// ψ of its middle.
+    /// ψ of the raceway centre, rad.
     pub centre_angle_rad: f64,
 }
 
@@ -57,7 +57,7 @@ pub struct Raceway {
     radius_polynomial: Polynomial,
     /// 1/√(1 + y′² + z′²) over sin²ψ.
     direction_polynomial: Polynomial,
-    /// Depth that was milled too much in the middle.
+    /// Depth error at the centre, m.
     depth_error_m: f64,
 }
 
@@ -174,7 +174,7 @@ impl Raceway {
         Ok(())
     }
 
-    /// The same raceway, milled too deep by `depth_error_m` in its middle (negative: not deep
+    /// Raceway with the depth error `depth_error_m` at its centre (positive: too deep; negative: not deep
     /// enough), measured along the normal of its flanks. The error runs out to nothing at the
     /// ends, as E (1 − sin²ψ/sin²θ)².
     ///
@@ -202,12 +202,12 @@ impl Raceway {
         0.1 * (self.groove_curvature_radius_m - self.ball_radius_m)
     }
 
-    /// Depth milled too much in the middle.
+    /// Depth error at the centre, m.
     pub fn depth_error_m(&self) -> f64 {
         self.depth_error_m
     }
 
-    /// Depth milled too much at ψ.
+    /// Depth error at ψ, m.
     pub fn depth_error_at_m(&self, angle_rad: f64) -> f64 {
         let (local, end) = (self.local_angle_rad(angle_rad), self.half_angle_rad());
         if local.abs() < end {

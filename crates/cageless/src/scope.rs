@@ -1,4 +1,4 @@
-//! What the model does not contain.
+//! Assumptions and limits of the model.
 
 /// What the model assumes and leaves out, one statement each. Commands and documents quote it,
 /// so that a reader of a result knows what it cannot say.

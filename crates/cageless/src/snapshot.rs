@@ -1,4 +1,4 @@
-//! Everything that can be seen of a bearing at one instant.
+//! Snapshot of a bearing at one instant.
 //!
 //! ```
 //! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
@@ -73,9 +73,9 @@ pub struct RingSnapshot {
     pub ax_m_s2: f64,
     /// Acceleration of the centre.
     pub ay_m_s2: f64,
-    /// What the balls put on the outer ring, friction included.
+    /// Force of the balls on the outer ring, friction included.
     pub outer_force_x_n: f64,
-    /// What the balls put on the outer ring, friction included.
+    /// Force of the balls on the outer ring, friction included.
     pub outer_force_y_n: f64,
 }
 

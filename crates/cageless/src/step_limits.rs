@@ -1,4 +1,4 @@
-//! Which steps a case allows: the stiffest contact against the stability of the method.
+//! Step limits of a case, from the stiffest contact and the stability of the method.
 //!
 //! ```
 //! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
@@ -34,7 +34,7 @@ pub struct StepLimits {
     pub light: bool,
 }
 
-/// Balls that meet faster than by the drop of orbital speed in a raceway have been thrown.
+/// Lower bound of the ball–ball approach speed in the estimate, m/s.
 const LEAST_IMPACT_M_S: f64 = 0.1;
 /// Fraction of the balls whose stiffness at full load together carries the ring.
 const CARRYING_FRACTION: f64 = 0.25;
@@ -143,12 +143,12 @@ impl StepLimits {
         }
     }
 
-    /// Largest (ωh, λh) that the method bears.
+    /// Stability limits (ωh, λh) of the method.
     fn bounds(method: Method) -> [f64; 2] {
         match method {
             // Imaginary axis: violent growth from 0.93; real axis: −1.28.
             Method::Abm4 => [0.93, 1.28],
-            // Velocities are extrapolated: half of what leapfrog bears on the real axis.
+            // Velocities are extrapolated: half the limit of leapfrog on the real axis.
             Method::Symplectic => [2.0, 1.0],
             // Error control finds its own step.
             Method::Adaptive => [f64::INFINITY, f64::INFINITY],

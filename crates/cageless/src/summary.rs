@@ -23,7 +23,7 @@ use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 /// Headline numbers over the part of a run after [`Self::settled_after_s`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Summary {
-    /// What came before is left out as transient.
+    /// End of the discarded transient, s.
     pub settled_after_s: f64,
     /// Contacts between balls that began.
     pub collisions: u64,

@@ -77,7 +77,7 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
     }
 }
 
-/// What becomes of a search that was ended.
+/// Failure of a search that was interrupted.
 fn search_failed(error: StudyError, out: Option<&Path>) -> Failure {
     match (error, out) {
         (StudyError::Interrupted, Some(dir)) => Failure::Interrupted(format!(

@@ -123,7 +123,7 @@ impl From<ExportError> for Failure {
     }
 }
 
-/// For the terminal.
+/// Text for the terminal.
 fn text(r: &ExportNumbers) -> String {
     let mut lines = vec![
         (

@@ -66,22 +66,22 @@ pub fn names_file(path: &Path) -> bool {
     path.extension().is_some() && !path.is_dir() && !marked.ends_with(std::path::is_separator)
 }
 
-/// How to export, in the units of drawings; `None` takes the default.
+/// Options of an export, in the units of drawings; `None`: default.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ExportOptions {
     /// Length of the blend between each end of a discrete raceway and the plain groove, inside
     /// the raceway; 0 leaves the kink. Default: 0.5, or a fifth of the shortest half raceway if
     /// that is shorter.
     pub blend_mm: Option<f64>,
-    /// Of STEP: largest distance of the B-splines from the analytic surface. Default: 0.01.
+    /// STEP: largest distance of the B-splines from the analytic surface. Default: 0.01.
     pub tolerance_um: Option<f64>,
-    /// Of STL: largest distance of a triangle from the analytic surface. Default: 5.
+    /// STL: largest distance of a triangle from the analytic surface. Default: 5.
     pub chord_um: Option<f64>,
-    /// Of CSV: largest distance of neighbouring points. Default: 0.5.
+    /// CSV: largest distance of neighbouring points. Default: 0.5.
     pub spacing_mm: Option<f64>,
 }
 
-/// Why there is no file.
+/// Error of an export.
 #[derive(Debug, thiserror::Error)]
 pub enum ExportError {
     /// The case lacks the outside of the ring, or its ring is impossible.
@@ -97,9 +97,9 @@ pub enum ExportError {
         option: &'static str,
         /// Value.
         value: f64,
-        /// What it goes with.
+        /// Format to which the option belongs.
         format: Format,
-        /// What was asked for.
+        /// Value requested.
         given: Format,
     },
     /// The bytes could not be put together.

@@ -10,7 +10,7 @@ use super::export::Format;
 pub struct ExportNumbers {
     /// Kind of file.
     pub format: Format,
-    /// Where it was written; `None` if nowhere or to stdout.
+    /// Path of the file; `None` without one or on stdout.
     pub file: Option<String>,
     /// Size of the file.
     pub bytes: u64,
@@ -25,30 +25,30 @@ pub struct ExportNumbers {
     /// Angle left between the normals at an end of a raceway, 45° up the groove; 0 if
     /// blended.
     pub kink_45_deg: f64,
-    /// At the shoulder.
+    /// Value at the shoulder.
     pub kink_shoulder_deg: f64,
-    /// The same of the raceway as designed.
+    /// Slope discontinuity of the raceway as designed.
     pub design_kink_45_deg: f64,
-    /// At the shoulder.
+    /// Value at the shoulder.
     pub design_kink_shoulder_deg: f64,
     /// Angle between the normals of the two halves of a raceway, which meet at z = 0.
     pub ridge_deg: f64,
-    /// How far the raceways stand out of the plain groove at most.
+    /// Largest material above the plain groove.
     pub above_plain_um: f64,
     /// Below it.
     pub below_plain_um: f64,
     /// Number of discrete raceways.
     pub raceways: usize,
-    /// What the file holds.
+    /// Contents of the file.
     #[serde(flatten)]
     pub counts: Counts,
 }
 
-/// What the file holds.
+/// Contents of the file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Counts {
-    /// Of STEP.
+    /// Counts of a STEP file.
     Step {
         /// Largest distance from the analytic surface that was allowed.
         tolerance_um: f64,
@@ -58,10 +58,10 @@ pub enum Counts {
         bspline_faces: usize,
         /// Edges.
         edges: usize,
-        /// Of the B-splines.
+        /// Deviation of the B-splines.
         control_points: usize,
     },
-    /// Of STL.
+    /// Counts of an STL file.
     Stl {
         /// Largest distance from the analytic surface that was allowed.
         chord_um: f64,
@@ -72,7 +72,7 @@ pub enum Counts {
         /// Volume of the mesh.
         mesh_volume_mm3: f64,
     },
-    /// Of CSV.
+    /// Counts of a CSV file.
     Csv {
         /// Largest distance of neighbouring points that was allowed.
         spacing_mm: f64,

@@ -17,7 +17,7 @@ use cageless::surface::{Grid, Meridian, OuterRing};
 /// Head of the table.
 pub const COLUMNS: &str = "kind,side,psi_deg,eta_deg,x_mm,y_mm,z_mm,nx,ny,nz";
 
-/// What a table of points holds.
+/// Contents of a table of points.
 #[derive(Debug)]
 pub struct PointTable {
     /// Largest distance of a point as written from the surface.

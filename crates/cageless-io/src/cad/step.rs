@@ -16,7 +16,7 @@ pub struct StepFile {
     pub deviation_m: f64,
     /// Number of faces.
     pub faces: usize,
-    /// How many of them are B-splines.
+    /// Number of B-spline faces.
     pub spline_faces: usize,
     /// Number of edges.
     pub edges: usize,
@@ -208,7 +208,7 @@ fn placement(data: &mut Part21, origin: Vec3, axis: Vec3, reference: Vec3) -> Id
     ))
 }
 
-/// What AP214 wants around a solid: units, product, and the links between them.
+/// Entities that AP214 requires around a solid: units, product, and the links between them.
 fn product(data: &mut Part21, name: &str, solid: Id, deviation_mm: f64) {
     let length = data.add("(LENGTH_UNIT()NAMED_UNIT(*)SI_UNIT(.MILLI.,.METRE.))");
     let angle = data.add("(NAMED_UNIT(*)PLANE_ANGLE_UNIT()SI_UNIT($,.RADIAN.))");

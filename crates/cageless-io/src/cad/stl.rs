@@ -20,7 +20,7 @@ pub struct StlFile {
     pub volume_m3: f64,
 }
 
-/// Why there is no STL.
+/// Error of an STL export.
 #[derive(Debug, thiserror::Error)]
 pub enum StlError {
     /// The chord error is out of range.

@@ -1,4 +1,4 @@
-//! From the document to the case in SI units, with the checks of [`cageless`].
+//! Conversion of the document to the case in SI units, with the checks of [`cageless`].
 
 use cageless::design::search::Request;
 use cageless::step_limits::StepLimits;
@@ -119,7 +119,7 @@ impl Converter<'_> {
         self.scattered(bearing)
     }
 
-    /// What only `export` needs, but any file may carry.
+    /// Keys that only `export` needs and any file may contain.
     fn check_export_dimensions(&self) -> Result<(), CaseError> {
         let b = &self.document.bearing;
         if let Some(radius) = b.outer_ring_outer_radius_mm {
@@ -352,7 +352,7 @@ impl Converter<'_> {
     }
 
     /// The contacts of a case need steps too short for its duration. Which of the many values
-    /// that decide is at fault cannot be told.
+    /// that decide is at fault cannot be determined.
     fn no_step(&self, case: &Case) -> CaseError {
         let Solver {
             step_s, duration_s, ..

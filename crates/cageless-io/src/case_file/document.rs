@@ -40,9 +40,9 @@ pub struct CaseDocument {
     /// Support of the outer ring.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub housing: Option<HousingDocument>,
-    /// What a run writes.
+    /// Output of a run.
     pub output: OutputDocument,
-    /// What a search for the raceway looks at.
+    /// Ranges of a search for the raceway.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub search: Option<SearchDocument>,
 }
@@ -115,9 +115,9 @@ pub struct RacewayDocument {
     pub axial_span_mm: f64,
     /// θ.
     pub half_angle_deg: f64,
-    /// ψ of its middle.
+    /// ψ of the raceway centre, rad.
     pub centre_angle_deg: f64,
-    /// Depth milled too much in the middle.
+    /// Depth error at the centre, m.
     pub depth_error_um: f64,
 }
 
@@ -229,7 +229,7 @@ pub struct SolverDocument {
 /// `solver.step_us`: `"auto"` or a number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum StepDocument {
-    /// What the stiffest contact and the method allow.
+    /// Step from the stiffest contact and the method.
     Auto,
     /// In microseconds.
     FixedUs(f64),
@@ -266,10 +266,10 @@ pub struct OutputDocument {
 /// that the geometry allows.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SearchDocument {
-    /// Speeds to be borne.
+    /// Operating speeds.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub inner_speed_rpm: Option<RangeDocument>,
-    /// Loads to be borne.
+    /// Operating loads.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub radial_load_n: Option<RangeDocument>,
     /// Spans lC.

@@ -1,6 +1,6 @@
 //! The one message that a bad case file ends in.
 
-/// What is wrong with a case file: where, which key, the value given and what is
+/// Error of a case file: place, key, given value and what is
 /// allowed, in the unit of the file.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{}{message}", before(.place))]

@@ -160,7 +160,7 @@ const WHOLE: &[Whole] = &[
     whole("search", "budget", 1, None),
 ];
 
-/// What a whole number may be; 0 or more and below 2^63, which TOML can hold, unless the key
+/// Allowed range of a whole number; 0 or more and below 2^63, the range of TOML, unless the key
 /// has limits.
 pub(crate) fn whole_number(section: &str, name: &str) -> &'static Whole {
     const ANY: &Whole = &whole("", "", 0, Some(i64::MAX as u64));
@@ -169,7 +169,7 @@ pub(crate) fn whole_number(section: &str, name: &str) -> &'static Whole {
 }
 
 impl Whole {
-    /// What is allowed, in words.
+    /// Allowed values as a phrase.
     pub(crate) fn allowed(&self) -> String {
         let least = self.least;
         match self.most {
@@ -198,7 +198,7 @@ pub(crate) fn of_field(field: &str) -> Option<&'static Key> {
         .find(|k| !k.field.is_empty() && k.field == field)
 }
 
-/// What a section holds, if there is one of that name.
+/// Meaning of a section, if there is one of that name.
 pub(crate) fn section_meaning(section: &str) -> Option<&'static str> {
     SECTIONS
         .iter()

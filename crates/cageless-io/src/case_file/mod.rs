@@ -3,7 +3,7 @@
 //! Reading goes through four steps, one file each: `tree` (TOML with the place
 //! of every value), `overrides` (`--set`), `read` (types and defaults, into a
 //! [`CaseDocument`]) and `convert` (SI units and the checks of [`cageless`]).
-//! Whatever is wrong ends in one [`CaseError`] that names the place, the key, the
+//! Every error becomes one [`CaseError`] that names the place, the key, the
 //! value and what is allowed, in the unit of the file.
 
 pub(crate) mod base;
@@ -113,7 +113,7 @@ impl CaseFile {
         &self.case
     }
 
-    /// What `[search]` asks for, in SI units; without the section, the case's own operating
+    /// Request of `[search]`, in SI units; without the section, the case's own operating
     /// point and one raceway anywhere that the geometry allows.
     pub fn search(&self) -> &Request {
         &self.search
@@ -169,7 +169,7 @@ impl CaseFile {
         }
     }
 
-    /// Where the value of a dotted key of [`CaseFile::document_as_run`] comes from.
+    /// Origin of the value of a dotted key of [`CaseFile::document_as_run`].
     pub fn source(&self, key: &str) -> Source {
         if self.defaults.iter().any(|d| d == key) {
             return Source::Default;
@@ -192,7 +192,7 @@ impl CaseFile {
     }
 }
 
-/// Where a value of a case comes from.
+/// Origin of a value of a case.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Source {
     /// The key is left out.

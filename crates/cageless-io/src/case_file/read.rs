@@ -1,4 +1,4 @@
-//! From the tree to the document: which keys there are, their types and defaults.
+//! Reader of the document: keys, their types and defaults.
 
 use super::SCHEMA;
 use super::defaults;
@@ -354,7 +354,7 @@ pub(super) fn nth(name: &str, k: usize, count: usize) -> String {
     }
 }
 
-/// What may have been meant by an unknown name.
+/// Suggestion for an unknown name.
 pub(crate) fn hint(section: &str, name: &str) -> String {
     let known = || keys::of_section(section).map(|k| k.name);
     let sections = || keys::SECTIONS.iter().map(|&(name, _)| name);

@@ -244,7 +244,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// What a key means, with its unit.
+/// Meaning of a key, with its unit.
 pub(super) fn describe(key: &Key) -> String {
     match key.unit.symbol() {
         "" => key.meaning.to_owned(),

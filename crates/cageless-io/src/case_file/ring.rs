@@ -1,4 +1,4 @@
-//! What `export` needs of a case file besides the case: the outside of the outer ring.
+//! Outer dimensions of the outer ring, which only `export` needs.
 
 use cageless::InputError;
 use cageless::surface::OuterRingDimensions;
@@ -32,7 +32,7 @@ impl CaseFile {
         })
     }
 
-    /// What is wrong with the outer ring, in terms of the file.
+    /// Error of the outer ring in terms of the file.
     pub fn refused(&self, error: &InputError) -> CaseError {
         let converter = Converter {
             document: &self.document,

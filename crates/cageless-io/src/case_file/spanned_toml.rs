@@ -27,22 +27,22 @@ pub(crate) enum Value {
     Text(String),
     List(Vec<Node>),
     Section(Section),
-    /// What no key takes: a truth value or a date.
+    /// Value that no key accepts: a Boolean or a date.
     Other,
 }
 
-/// Where a value stands.
+/// Place of a value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Origin {
-    /// On this line of the file, counted from 1.
+    /// Line of the file, counted from 1.
     Line(usize),
     /// In a `--set` of this text.
     Override(String),
-    /// On a line of another file, counted from 1: in a plan.
+    /// Line of another file, counted from 1: a plan.
     Elsewhere(String, usize),
 }
 
-/// Where a value stands and how it is written there.
+/// Place and text of a value.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Place {
     pub origin: Origin,
@@ -65,7 +65,7 @@ impl Places {
         }
     }
 
-    /// Of everything below `root`.
+    /// Places of all values below `root`.
     pub(crate) fn new(root: &Section, name: &str) -> Self {
         let mut places = Self::nowhere(name);
         places.collect("", root);
@@ -102,12 +102,12 @@ impl Places {
         self.places.insert(path, node.place.clone());
     }
 
-    /// How the value of a dotted key is written, if it is.
+    /// Text of the value of a dotted key, if given.
     pub(crate) fn written(&self, path: &str) -> Option<&str> {
         self.places.get(path).map(|p| p.written.as_str())
     }
 
-    /// Where the value of a dotted key stands, if it is written.
+    /// Place of the value of a dotted key, if given.
     pub(crate) fn origin(&self, path: &str) -> Option<&Origin> {
         self.places.get(path).map(|p| &p.origin)
     }

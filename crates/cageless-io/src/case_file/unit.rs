@@ -18,7 +18,7 @@ pub(crate) enum Unit {
 }
 
 impl Unit {
-    /// How the unit is written; empty if there is none.
+    /// Symbol of the unit; empty if there is none.
     pub(crate) fn symbol(self) -> &'static str {
         match self {
             Self::None => "",
@@ -102,7 +102,7 @@ fn shift(value: f64, places: i32) -> f64 {
     shifted.unwrap_or(value)
 }
 
-/// Which way a number in a message may be rounded so that it still holds.
+/// Direction in which a number in a message may be rounded so that the statement stays true.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Side {
     /// A value: to the nearest.

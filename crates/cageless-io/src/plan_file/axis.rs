@@ -9,7 +9,7 @@ use crate::case_file::named::Named;
 pub struct Axis {
     /// `section.key`, or `raceway.2.key` for the second of several raceways.
     pub key: String,
-    /// What it takes.
+    /// Values of the axis.
     pub values: AxisValues,
     /// Line of the plan.
     pub line: usize,
@@ -31,9 +31,9 @@ pub struct Range {
     pub from: f64,
     /// Last.
     pub to: f64,
-    /// How many, 2 or more. Axes of samples, which take any value between, have none.
+    /// Number of values, 2 or more; `None` for the continuous axes of samples.
     pub count: Option<u64>,
-    /// How they are spaced.
+    /// Spacing of the values.
     pub scale: Scale,
 }
 

@@ -9,7 +9,7 @@
 //! model.profile = ["physical", "paper"]
 //! ```
 //!
-//! Whatever is wrong ends in one [`CaseError`], as in a case file.
+//! Every error becomes one [`CaseError`], as in a case file.
 
 mod axis;
 mod conflict;
@@ -47,13 +47,13 @@ pub struct PlanFile {
     pub samples: Option<Samples>,
     /// Random deviations, for each of those points.
     pub scatter: Option<Scatter>,
-    /// What is computed, without repetition.
+    /// Computations, without repetition.
     pub compute: Vec<Computation>,
     /// Columns to keep besides the inputs; all if `None`.
     pub keep: Option<Vec<Kept>>,
 }
 
-/// How points are laid in the space of the axes of `[samples]`.
+/// Method of sampling the space of the axes of `[samples]`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SampleMethod {
     /// Sobol's sequence, shifted by the seed.
@@ -67,7 +67,7 @@ pub enum SampleMethod {
 /// `[samples]`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Samples {
-    /// How the points are laid.
+    /// Method of sampling.
     pub method: SampleMethod,
     /// Number of points.
     pub count: u64,
@@ -80,7 +80,7 @@ pub struct Samples {
 pub struct Scatter {
     /// Draws for each point.
     pub repeats: u64,
-    /// What is scattered, in the order of the case file's keys.
+    /// Scattered keys, in the order of the case file.
     pub keys: Vec<ScatteredKey>,
 }
 
@@ -89,7 +89,7 @@ pub struct Scatter {
 pub struct ScatteredKey {
     /// `section.key`.
     pub key: String,
-    /// How its value deviates; of a list, each item by itself.
+    /// Distribution of the deviation; of a list, each item independently.
     pub law: ScatterLaw,
     /// Line of the plan.
     pub line: usize,
@@ -106,7 +106,7 @@ pub enum ScatterLaw {
     Any,
 }
 
-/// What may be computed of a variant.
+/// Computations of a variant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Computation {
     /// Static equilibrium.

@@ -1,4 +1,4 @@
-//! A plan in its normal form: what it comes to, whatever it looks like.
+//! Normal form of a plan, independent of its notation.
 
 use toml::Value;
 
@@ -95,7 +95,7 @@ pub fn text_of(plan: &str, key: &str) -> Option<String> {
     }
 }
 
-/// What differs between two plans in their normal form, a line for each key; empty if
+/// Differences between two plans in their normal form, a line for each key; empty if
 /// nothing does.
 pub fn difference(before: &str, now: &str) -> Vec<String> {
     let keys = |text: &str| -> Vec<(String, String)> {

@@ -1,4 +1,4 @@
-//! From the text of a plan to the plan.
+//! Reader of plans.
 
 use std::path::Path;
 
@@ -11,7 +11,7 @@ use crate::case_file::named::Named;
 use crate::case_file::spanned_toml::{self, Node, Origin, Section, Value};
 use crate::case_file::{CaseBase, CaseError, CaseValue, Change, keys, read};
 
-/// What may stand at the head of a plan, sections last.
+/// Keys of the top level of a plan, sections last.
 const HEAD: [&str; 10] = [
     "schema", "title", "seed", "compute", "keep", "case", "set", "grid", "samples", "scatter",
 ];

@@ -104,7 +104,7 @@ impl PartialFile {
         })
     }
 
-    /// Where the file will be.
+    /// Final path of the file.
     pub(super) fn path(&self) -> &Path {
         &self.path
     }

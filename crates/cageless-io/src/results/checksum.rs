@@ -20,7 +20,7 @@ const BLANK: &[u8; 8] = b"00000000";
 /// End of every Parquet file, after the length of the footer in four bytes.
 const MAGIC: &[u8; 4] = b"PAR1";
 
-/// Why a file is not a table as it was written.
+/// Damage of a table.
 #[derive(Debug)]
 pub(super) enum Fault {
     /// It cannot be read.

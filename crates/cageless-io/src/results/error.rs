@@ -1,4 +1,4 @@
-//! Why results could not be written.
+//! Errors of writing results.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -7,7 +7,7 @@ use parquet::errors::ParquetError;
 
 use crate::system::io_error_message;
 
-/// What went wrong with the results of a run.
+/// Error of writing or reading results.
 #[derive(Debug, thiserror::Error)]
 pub enum ResultError {
     /// The folder of `--out` cannot be used.
@@ -15,7 +15,7 @@ pub enum ResultError {
     Out {
         /// The folder, or the file in it.
         path: PathBuf,
-        /// What the system says.
+        /// Error of the operating system.
         source: io::Error,
     },
     /// Another run is writing to the same folder.
@@ -31,7 +31,7 @@ pub enum ResultError {
         path: PathBuf,
         /// The hidden file.
         partial: PathBuf,
-        /// What is in its place.
+        /// Kind of the existing entry.
         source: io::Error,
     },
     /// A table cannot be read.
@@ -39,7 +39,7 @@ pub enum ResultError {
     Unreadable {
         /// The file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// Description of the error.
         message: String,
     },
     /// Rows could not be written.
@@ -47,7 +47,7 @@ pub enum ResultError {
     Table {
         /// The file.
         path: PathBuf,
-        /// What Parquet says.
+        /// Error of Parquet.
         source: ParquetError,
     },
     /// The tables of a run could not all be written; and what is there now.
@@ -55,7 +55,7 @@ pub enum ResultError {
     Run {
         /// One for each table.
         errors: Vec<Self>,
-        /// What the folder holds.
+        /// Contents of the folder.
         left: String,
     },
     /// The arrays of a snapshot are not of one length.
@@ -138,7 +138,7 @@ fn system_error(error: &ParquetError) -> Option<&io::Error> {
     }
 }
 
-/// What Parquet says, without its own names for errors.
+/// Message of Parquet without its internal error names.
 fn of_parquet(error: &ParquetError) -> String {
     match (system_error(error), error) {
         (Some(error), _) => io_error_message(error),

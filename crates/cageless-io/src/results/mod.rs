@@ -50,7 +50,7 @@ pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 /// Files that say something about the tables beside them, written after these.
 pub const ABOUT_TABLES: [&str; 3] = ["summary.json", "report.html", "report.json"];
 
-/// What every table says about the run in its footer.
+/// Metadata of a run in the footer of every table.
 #[derive(Debug, Clone, Copy)]
 pub struct Metadata<'a> {
     /// Instruction set that the run used.
@@ -241,7 +241,7 @@ impl RunWriter {
     }
 }
 
-/// What came of all, or everything that went wrong.
+/// Results of all items, or all their errors.
 fn all<T>(
     results: impl IntoIterator<Item = Result<T, ResultError>>,
 ) -> Result<Vec<T>, Vec<ResultError>> {

@@ -42,7 +42,7 @@ pub struct SummaryFile {
     pub ring_y_um_mean: f64,
     /// Largest sliding speed at a raceway.
     pub slip_max_m_s: f64,
-    /// What the energy ledger misses, relative to the energy turned over.
+    /// Energy balance error, relative to the sum of all energy flows.
     pub energy_residual_relative: f64,
     /// Terms of the energy ledger, J.
     pub energy: BTreeMap<String, f64>,
@@ -54,24 +54,24 @@ pub struct SummaryFile {
     pub wall_s: f64,
     /// The statistics cover the run from here on.
     pub settled_after_s: f64,
-    /// What the user should know.
+    /// Warnings of the run.
     pub warnings: Vec<String>,
-    /// How far the numbers can be trusted, if that was asked for.
+    /// Numerical verification, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub verification: Option<VerificationFile>,
-    /// Why the run stopped early, if it did: it left the physical range, or was interrupted.
+    /// Reason of an early stop: the run left the physical range, or was interrupted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stopped: Option<Stopped>,
 }
 
-/// Why a run stopped early.
+/// Reason of an early stop of a run.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Stopped {
     /// Simulated time reached.
     pub time_s: f64,
-    /// What happened; [`Stopped::INTERRUPTED`] if the user ended it.
+    /// Cause of the stop; [`Stopped::INTERRUPTED`] if the user ended the run.
     pub cause: String,
-    /// What to change.
+    /// Advice on what to change.
     pub advice: String,
 }
 

@@ -89,7 +89,7 @@ impl Table {
         }
     }
 
-    /// To be called when all columns have been added to.
+    /// Completes a row; called when all columns have been appended to.
     pub(super) fn rows_added(&mut self) -> Result<(), ResultError> {
         if self.rows() < GROUP_ROWS {
             Ok(())

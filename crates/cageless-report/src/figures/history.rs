@@ -354,7 +354,7 @@ fn shown_ball(run: &RunData) -> Option<(&BallHistory, usize, String)> {
     })
 }
 
-/// How histories over time were thinned.
+/// Remark on the decimation of histories over time.
 fn stretches(run: &RunData) -> String {
     run.stretch_s.map_or(String::new(), |stretch| {
         format!(

@@ -72,7 +72,7 @@ impl Grid {
     }
 }
 
-/// Where the axis of spans begins: of the raceways that hardly spread the balls anywhere, some
+/// Lower end of the axis of spans: of the raceways that are too shallow everywhere, some
 /// are enough.
 fn shown_from_mm(search: &SearchData) -> f64 {
     let (mut works, mut widest) = (f64::INFINITY, 0.0f64);

@@ -112,7 +112,7 @@ pub fn vibration(label: &str, vibration: &Vibration) -> Figure {
     }
 }
 
-/// How fine the spectrum is.
+/// Remark on the resolution of the spectrum.
 fn resolution(vibration: &Vibration) -> String {
     let Some(signal) = vibration.signals.first() else {
         return String::new();
@@ -135,7 +135,7 @@ fn resolution(vibration: &Vibration) -> String {
     )
 }
 
-/// How the trace over time was thinned.
+/// Remark on the decimation of the trace over time.
 fn stretches(vibration: &Vibration) -> String {
     let longest = vibration
         .signals

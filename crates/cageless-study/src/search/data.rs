@@ -1,4 +1,4 @@
-//! From what the library found to what is shown: display units, names, sentences.
+//! Conversion of a search result to display units, names and sentences.
 
 use cageless::design::search::{
     Cause, Confirmed, Evaluation, Found, MapCell, Motion, ObjectiveScale, OperatingPoint, SpeedMap,
@@ -17,7 +17,7 @@ use crate::{Provenance, provenance};
 /// Points of the curve of Eq. (11).
 const CURVE_POINTS: usize = 120;
 
-/// Everything that is shown of a search.
+/// Data of a search for reports.
 pub fn search_data(
     file: &CaseFile,
     found: &Found,

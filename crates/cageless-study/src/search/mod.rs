@@ -27,7 +27,7 @@ use task_runner::TaskRunner;
 
 /// Searches for the best raceway of a case, as its section `[search]` asks. With a folder,
 /// what was computed is kept there until [`forget`], and a search that was ended or killed, or
-/// whose result could not be stored, goes on where it was.
+/// whose result could not be stored, resumes.
 ///
 /// # Errors
 /// The case or the operating range is impossible, the folder cannot be used, or the progress
@@ -103,7 +103,7 @@ fn verdicts(
         .collect()
 }
 
-/// Why there is nothing to recommend, if there is nothing.
+/// Reason without a recommendation; `None` with one.
 pub fn refusal(file: &CaseFile, found: &Found) -> Option<String> {
     if found.recommended.is_some() {
         return None;

@@ -144,7 +144,7 @@ fn comparison(found: &Found, best: &StructureData, own: &StructureData, point: u
     parts.join("; ")
 }
 
-/// Which requirement leaves nothing.
+/// Requirement that excludes all designs, as a sentence.
 pub fn why_none(found: &Found) -> String {
     let counts: Vec<String> = rejections(found)
         .iter()

@@ -4,10 +4,10 @@ use serde::Serialize;
 
 use crate::{Provenance, RacewayLabel};
 
-/// What a search found, in display units.
+/// Result of a search, in display units.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct SearchData {
-    /// What was found, in sentences.
+    /// Findings as sentences.
     pub findings: Vec<String>,
     /// Speeds and loads that a structure must bear.
     pub points: Vec<PointData>,
@@ -31,7 +31,7 @@ pub struct SearchData {
     pub front: Vec<StructureData>,
     /// Every structure of the band.
     pub band: Vec<StructureData>,
-    /// What excludes how many structures.
+    /// Number of designs excluded by each reason.
     pub rejections: Vec<RejectionCount>,
     /// Places of the raceways that were tried.
     pub placements: Vec<PlacementData>,
@@ -140,7 +140,7 @@ pub struct PointNumbers {
 pub struct MotionNumbers {
     /// Contacts between balls per ball and turn.
     pub collisions: f64,
-    /// The same once the balls have been sorted.
+    /// Collisions per ball and turn in steady state (second half of the run).
     pub collisions_late: f64,
     /// Share of the passages hit by both neighbours.
     pub double_collision_fraction: f64,
@@ -160,7 +160,7 @@ pub struct MotionNumbers {
     pub friction_w: f64,
 }
 
-/// How many structures a reason excludes.
+/// Number of designs that a reason excludes.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct RejectionCount {
     /// Short name.

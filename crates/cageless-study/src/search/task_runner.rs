@@ -22,7 +22,7 @@ pub const JOURNAL: &str = "search.journal";
 /// Work of a critical gap over that of a run of all balls.
 const SPACING_WORK: f64 = 0.08;
 
-/// Where jobs are done.
+/// Runner of the jobs of a search, with its journal.
 pub struct TaskRunner<'c> {
     case: &'c Case,
     progress: &'c dyn Progress,

@@ -23,7 +23,7 @@ pub(crate) struct Checkpoint {
     _lock: File,
 }
 
-/// What a work folder holds.
+/// Contents of a work folder.
 #[derive(Debug, Default)]
 pub(crate) struct Stock {
     pub done: IndexSet,
@@ -83,7 +83,7 @@ impl Checkpoint {
         }
     }
 
-    /// What is there of a sweep; what a killed process left half-written is removed, and tables
+    /// Checkpointed part of a sweep; half-written files of a killed process are removed, and tables
     /// of another sweep are refused.
     pub(crate) fn stock(&self, identity: &Identity) -> Result<Stock, SweepError> {
         let fail = |e| SweepError::folder(&self.folder, e);

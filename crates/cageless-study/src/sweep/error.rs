@@ -1,17 +1,17 @@
-//! Why a sweep cannot go on.
+//! Errors of a sweep.
 
 use crate::StudyError;
 use cageless_io::case_file::CaseError;
 use cageless_io::io_error_message;
 use cageless_io::results::{ResultError, is_unusable};
 
-/// What went wrong with a sweep as a whole. A variant that fails is a row.
+/// Error of a sweep as a whole. A variant that fails is a row.
 #[derive(Debug, thiserror::Error)]
 pub enum SweepError {
     /// The plan is wrong.
     #[error(transparent)]
     Plan(#[from] CaseError),
-    /// What was asked for is not possible.
+    /// The request is not possible.
     #[error("{0}")]
     Input(String),
     /// Files cannot be written or read.
@@ -22,7 +22,7 @@ pub enum SweepError {
     Folder {
         /// File or folder.
         path: std::path::PathBuf,
-        /// What the system says.
+        /// Error of the operating system.
         source: std::io::Error,
     },
     /// There are too many threads, or they could not be started.

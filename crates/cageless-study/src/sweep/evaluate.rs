@@ -1,4 +1,4 @@
-//! From a range of variants to their rows.
+//! Evaluation of a range of variants to rows.
 
 use std::ops::Range;
 
@@ -83,7 +83,7 @@ impl Sweep {
         self.columns.iter().position(|c| c.name == name)
     }
 
-    /// How many variants are worth computing together: ranges of fewer leave lanes of the
+    /// Number of variants worth computing together: shorter ranges leave lanes of the
     /// vectors empty.
     pub fn together(&self) -> u64 {
         if self.wants(Computation::Run) {

@@ -7,7 +7,7 @@ use cageless_io::results::{Cell, RowsReader};
 use super::error::SweepError;
 use super::evaluate::REASON;
 
-/// How many failed, and why the first did.
+/// Number of failures and the reason of the first.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Failures {
     /// Rows with a reason.

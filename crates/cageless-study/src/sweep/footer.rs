@@ -1,4 +1,4 @@
-//! What a table of a sweep says about itself.
+//! Footer of a table of a sweep.
 
 use std::path::Path;
 
@@ -12,7 +12,7 @@ use super::index_set::Shard;
 /// Version of the layout of the tables.
 const SCHEMA: u64 = 1;
 
-/// What a table belongs to: rows of one identity may stand together.
+/// Identity of the sweep of a table: rows of one identity may be merged.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Identity {
     /// Version of Cageless.
@@ -26,7 +26,7 @@ pub struct Identity {
 }
 
 impl Identity {
-    /// Of a sweep that this program computes.
+    /// Identity of a sweep of this program.
     pub fn new(sweep: &Sweep) -> Self {
         Self {
             version: VERSION.to_owned(),
@@ -36,7 +36,7 @@ impl Identity {
         }
     }
 
-    /// Of a table that is there; `None` if it is not one of a sweep.
+    /// Identity of an existing table; `None` if it is not one of a sweep.
     pub fn read(table: &RowsReader) -> Option<Self> {
         let number = |key| table.footer(key)?.parse().ok();
         (number("schema")? == SCHEMA).then_some(())?;

@@ -41,7 +41,7 @@ impl IndexSet {
         self.ranges.is_empty()
     }
 
-    /// What of `whole` is not in the set, in order.
+    /// Part of `whole` that is not in the set, in order.
     pub fn missing(&self, whole: Range<u64>) -> Vec<Range<u64>> {
         let mut missing = Vec::new();
         let mut at = whole.start;
@@ -91,12 +91,12 @@ impl Shard {
         (1..=of).contains(&number).then_some(Self { number, of })
     }
 
-    /// Which one, from 1.
+    /// Number of the shard, from 1.
     pub fn number(self) -> u64 {
         self.number
     }
 
-    /// How many there are.
+    /// Number of all shards.
     pub fn total(self) -> u64 {
         self.of
     }

@@ -34,8 +34,8 @@ impl LatinHypercube {
     }
 }
 
-/// Where a random permutation of 0 … count − 1 takes `index`. A Feistel network permutes
-/// the next larger power of 4; from outside `count` it goes on until it is inside again
+/// Image of `index` under a random permutation of 0 … count − 1. A Feistel network permutes
+/// the next larger power of 4; from outside `count` it repeats until it is inside again
 /// (Black and Rogaway, "Ciphers with arbitrary finite domains", CT-RSA 2002).
 fn permuted(index: u64, count: u64, keys: &[u64; ROUNDS]) -> u64 {
     let bits = 64 - count.saturating_sub(1).leading_zeros();

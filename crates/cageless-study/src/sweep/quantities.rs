@@ -1,4 +1,4 @@
-//! What can be computed of a variant: every output column, once.
+//! Table of the quantities of a variant: every output column, once.
 
 use std::f64::consts::FRAC_PI_4;
 
@@ -21,14 +21,14 @@ pub struct Quantity {
     pub name: &'static str,
     /// Unit; empty if there is none.
     pub unit: &'static str,
-    /// What it holds.
+    /// Kind of the contents.
     pub kind: ColumnKind,
-    /// Which way is better, where that can be said.
+    /// Better direction, where there is one.
     pub aim: Option<Aim>,
     pub(crate) of: Source,
 }
 
-/// Which way is better.
+/// Better direction of a quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Aim {
     /// The less the better.
@@ -43,7 +43,7 @@ pub(crate) struct Finished<'a> {
     pub summary: Option<&'a Summary>,
 }
 
-/// Where a quantity comes from.
+/// Source of a quantity.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Source {
     Static(fn(&Equilibrium) -> Cell),

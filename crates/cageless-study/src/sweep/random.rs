@@ -3,7 +3,7 @@
 use chacha20::ChaCha8Rng;
 use chacha20::rand_core::{Rng, SeedableRng};
 
-/// What numbers are for; each purpose has streams of its own.
+/// Purpose of random numbers; each has its own streams.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Purpose {
     /// Shift of Sobol's sequence.

@@ -12,7 +12,7 @@ use super::evaluate::Sweep;
 use super::index_set::Shard;
 use super::worker_pool::compute;
 
-/// What is to be computed, and where to.
+/// Computations and output of a sweep.
 #[derive(Debug, Clone)]
 pub struct Job {
     /// The file of the result; `FILE.parts` beside it holds what is not complete.
@@ -23,7 +23,7 @@ pub struct Job {
     pub threads: Option<NonZeroUsize>,
 }
 
-/// How far a sweep is.
+/// Progress of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Progress {
     /// Variants of this job.
@@ -49,16 +49,16 @@ impl Progress {
     }
 }
 
-/// How a call ended.
+/// Ending of a call.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Done {
     /// Whether the result is there; otherwise the caller stopped it.
     pub complete: bool,
-    /// How far it came.
+    /// Progress at the end of the call.
     pub progress: Progress,
 }
 
-/// Rows are put away after this share of the time since the call began …
+/// Flush interval as a fraction of elapsed time …
 const SHARE: u32 = 20;
 /// … but not more often than this …
 const OFTEN: Duration = Duration::from_millis(100);

@@ -1,4 +1,4 @@
-//! From the index of a variant to its case.
+//! Case of a variant by its index.
 
 use cageless::{Gaps, Start};
 use cageless_io::case_file::{CaseError, CaseFile, CaseValue, Change};
@@ -115,7 +115,7 @@ impl Variants {
             .collect()
     }
 
-    /// What the variant changes, axes first; and why the rest could not be drawn, if so.
+    /// Changes of the variant, axes first, and the reason if the rest could not be drawn.
     fn settings(&self, index: u64) -> (Vec<Setting<'_>>, Option<CaseError>) {
         let repeats = self.plan.scatter.as_ref().map_or(1, |s| s.repeats);
         let samples = self.plan.samples.as_ref().map_or(1, |s| s.count);
@@ -349,7 +349,7 @@ fn points(plan: &PlanFile) -> Result<Points, CaseError> {
     }
 }
 
-/// What a scattered key deviates from. An axis of the same key comes first.
+/// Centre value of a scattered key. An axis of the same key takes precedence.
 fn centre(plan: &PlanFile, key: &ScatteredKey) -> Result<Option<CaseValue>, CaseError> {
     let centre = plan.base_file.value(&key.key);
     if WHOLE.contains(&key.key.as_str()) {

@@ -17,7 +17,7 @@ use super::evaluate::Sweep;
 const BATCH: Duration = Duration::from_millis(50);
 /// Most variants of a batch.
 const BATCH_MAX: u64 = 1024;
-/// How often the caller hears of the progress.
+/// Interval between progress reports.
 const TICK: Duration = Duration::from_millis(100);
 
 /// Variants that are still to be handed out.

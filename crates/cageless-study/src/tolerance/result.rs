@@ -7,11 +7,11 @@ use crate::Provenance;
 /// One influence on its own.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct InfluenceRow {
-    /// What deviates.
+    /// Parameter that deviates.
     pub name: String,
     /// Lowest and highest deviation, in `unit`.
     pub low: f64,
-    /// As above.
+    /// Upper end of the range, in `unit`.
     pub high: f64,
     /// Unit of the deviation; empty for a pure number.
     pub unit: String,
@@ -29,14 +29,14 @@ pub struct InfluenceRow {
     pub slip_mean_m_s: Option<[f64; 2]>,
 }
 
-/// How often a verdict came out.
+/// Number of bearings with a verdict.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct VerdictCount {
     /// Its name.
     pub verdict: String,
     /// Whether a bearing with it passes.
     pub passes: Option<bool>,
-    /// How often.
+    /// Number of occurrences.
     pub count: usize,
     /// Critical gaps of these bearings, degrees.
     pub critical_gap_deg: Vec<f64>,
@@ -45,7 +45,7 @@ pub struct VerdictCount {
 /// Bearings in which everything deviates.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SampleData {
-    /// How many.
+    /// Number of samples or passages.
     pub count: usize,
     /// Seed that they come from.
     pub seed: u64,
@@ -55,22 +55,22 @@ pub struct SampleData {
     pub pass_probability: f64,
     /// 95 % interval of the probability of passing.
     pub pass_probability_interval: [f64; 2],
-    /// By verdict.
+    /// Samples by verdict.
     pub verdicts: Vec<VerdictCount>,
     /// 5 %, 50 % and 95 % quantile of the critical gap, degrees.
     pub critical_gap_quantiles_deg: Option<[f64; 3]>,
-    /// Why the first infeasible one is.
+    /// Reason of the first infeasible one.
     pub first_impossible: Option<String>,
 }
 
-/// Everything on the page.
+/// Data of the tolerance page.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ToleranceData {
     /// Heading.
     pub title: String,
     /// Program and instruction set.
     pub software: String,
-    /// Where the numbers come from.
+    /// Provenance of the numbers.
     pub provenance: Provenance,
     /// Grade of the balls, 0 for equal ones.
     pub ball_grade: u32,

@@ -35,7 +35,7 @@ pub use verdict::{
     SLIP_SHORTFALL, SPEED_DROP_FRACTION, judge, judge_watched, steady_after_s, steady_case,
 };
 
-/// What φ means in Zhao 2022, Eq. (11).
+/// Reading of φ in Zhao 2022, Eq. (11).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Eq11 {
     /// x = Ro·sin φ, as published. It takes φ for the polar angle.

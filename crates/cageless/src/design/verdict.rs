@@ -81,7 +81,7 @@ pub struct PassageStatistics {
 pub struct RacewayJudgement {
     /// The verdict.
     pub verdict: RacewayVerdict,
-    /// Why, in numbers.
+    /// Reasons with their numbers.
     pub reasons: Vec<String>,
     /// The criteria in the order in which they are tested; empty if the motion cannot be judged.
     pub criteria: Vec<Criterion>,
@@ -96,7 +96,7 @@ pub struct RacewayJudgement {
 pub struct Judgement {
     /// The worst verdict.
     pub verdict: RacewayVerdict,
-    /// Why, in numbers, of every raceway.
+    /// Reasons with their numbers, for every raceway.
     pub reasons: Vec<String>,
     /// The criterion that decides: the first that fails on the first raceway with the worst
     /// verdict, or of all that are met the one nearest to its limit.
@@ -107,7 +107,7 @@ pub struct Judgement {
     pub passages: Option<PassageStatistics>,
     /// Each raceway, in the order of the case.
     pub raceways: Vec<RacewayJudgement>,
-    /// How a run ended, if before its time.
+    /// Cause of a run that stopped early.
     pub stopped: Option<Stop>,
 }
 
@@ -368,7 +368,7 @@ pub fn steady_case(case: &Case) -> Case {
     steady
 }
 
-/// What [`judge`] discards before it counts passages.
+/// Transient that [`judge`] discards before it counts passages, s.
 pub fn steady_after_s(case: &Case) -> f64 {
     TURNS[0] * case.rolling_orbit_s()
 }

@@ -59,7 +59,7 @@ pub struct Equilibrium {
 }
 
 impl Equilibrium {
-    /// Says so if a contact bears more than [`STRESS_LIMIT_PA`].
+    /// Warning if the contact pressure exceeds [`STRESS_LIMIT_PA`].
     pub fn overload(&self) -> Option<String> {
         let (ring, stress) = if self.inner_stress_max_pa > self.outer_stress_max_pa {
             ("inner", self.inner_stress_max_pa)
@@ -77,7 +77,7 @@ impl Equilibrium {
     }
 }
 
-/// What [`Equilibrium::overload`] says of a case; `None` as well if it has no equilibrium.
+/// Message of [`Equilibrium::overload`] for a case; `None` also without equilibrium.
 pub fn overload(case: &Case) -> Option<String> {
     let bearing = &case.bearing;
     let operation = &case.operation;

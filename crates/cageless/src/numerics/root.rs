@@ -11,7 +11,7 @@ pub fn brent(mut f: impl FnMut(f64) -> f64, a: f64, b: f64, tolerance: f64) -> O
 /// [`brent`] for a function that can fail; the first failure ends the search.
 ///
 /// # Errors
-/// Whatever `f` returns.
+/// Errors of `f`.
 pub fn try_brent<E>(
     mut f: impl FnMut(f64) -> Result<f64, E>,
     a: f64,
@@ -76,7 +76,7 @@ pub fn try_brent<E>(
     Ok(Some(b))
 }
 
-/// Where a rising function passes zero.
+/// Root of a rising function.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Rise {
     /// Here, the last point at which it was evaluated.
@@ -87,7 +87,7 @@ pub enum Rise {
     Above,
 }
 
-/// Where a rising `f` passes zero between `low` and `high`, to `tolerance` in the argument.
+/// Root of a rising `f` between `low` and `high`, to `tolerance` in the argument.
 /// For an `f` that costs much, is smooth above its root and of a slope near 1, and tells
 /// little of the root's distance below it: Newton's method with the slope between the last
 /// points above, bisection where that leads nowhere.
@@ -96,7 +96,7 @@ pub enum Rise {
 /// only where a slope between two points above led to it.
 ///
 /// # Errors
-/// Whatever `f` returns.
+/// Errors of `f`.
 pub fn try_rise<E>(
     mut f: impl FnMut(f64) -> Result<f64, E>,
     guess: f64,

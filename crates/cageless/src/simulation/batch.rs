@@ -69,7 +69,7 @@ pub fn batches(cases: &[Case]) -> Vec<Vec<usize>> {
 /// the bits that [`run`] gives.
 ///
 /// # Errors
-/// For each case those of [`run`].
+/// Errors of [`run`] per case.
 ///
 /// # Panics
 /// If the cases cannot run side by side.

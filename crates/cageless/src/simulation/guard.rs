@@ -1,11 +1,11 @@
-//! What ends a run that has left the physical range.
+//! Guard against states outside the physical range.
 
 use crate::case::Case;
 use crate::contact::hertz::DEFLECTION_FRACTION_MAX;
 use crate::dynamics::state::{Layout, State};
 use crate::dynamics::{Contacts, Model};
 
-/// Why a run had to stop.
+/// Cause for which a run stopped.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cause {
     /// NaN or infinity in the state.
@@ -16,7 +16,7 @@ pub enum Cause {
     ThroughOuterRing(usize),
     /// A ball (index from 0) pressed into or through the ball ahead.
     ThroughBall(usize),
-    /// Energy that nothing supplied.
+    /// Spurious energy gain.
     EnergyFromNowhere {
         /// Energy now − energy at the start − net work.
         residual_j: f64,
@@ -27,14 +27,14 @@ pub enum Cause {
     NotResolved,
 }
 
-/// When and why a run stopped.
+/// Time and cause at which a run stopped.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stop {
     /// Simulated time.
     pub time_s: f64,
     /// Step of the run.
     pub step_s: f64,
-    /// What happened.
+    /// Cause of the stop.
     pub cause: Cause,
 }
 
@@ -70,7 +70,7 @@ impl std::fmt::Display for Cause {
 }
 
 impl Stop {
-    /// What to change.
+    /// Advice on what to change.
     pub fn advice(&self) -> String {
         // To the last digit that a case file needs.
         let half_us = (self.step_s * 0.5e6 * 1e6).round() / 1e6;
@@ -91,15 +91,15 @@ impl Stop {
     }
 }
 
-/// The state is looked at this often, steps.
+/// Steps between two checks of the state.
 const LOOK_EVERY: u64 = 8;
-/// The ledger is balanced this often, steps.
+/// Steps between two checks of the energy balance.
 const BALANCE_EVERY: u64 = 512;
-/// Energy from nowhere that is let pass, as a fraction of the sum of all flows or of the
+/// Largest tolerated spurious energy gain, as a fraction of the sum of all flows or of the
 /// energy at the start, whichever is larger.
 const RESIDUAL_MAX: f64 = 0.05;
 
-/// Watches for states that cannot be.
+/// Guard against states outside the physical range.
 pub(super) struct Guard<'m> {
     model: &'m Model,
     /// Places of the bearing.
@@ -126,7 +126,7 @@ impl<'m> Guard<'m> {
         self.start_energy
     }
 
-    /// Looks at the state after `steps` steps; `contacts` are as of there.
+    /// Checks the state after `steps` steps, with its contacts.
     pub fn check(&self, steps: u64, contacts: &Contacts<'_>, values: &[f64]) -> Result<(), Cause> {
         if steps.is_multiple_of(BALANCE_EVERY) {
             self.look(contacts, values)?;
@@ -138,7 +138,7 @@ impl<'m> Guard<'m> {
         }
     }
 
-    /// Looks at a state whose contacts are given.
+    /// Checks a state with its contacts.
     pub fn look(&self, contacts: &Contacts<'_>, values: &[f64]) -> Result<(), Cause> {
         let layout = self.layout;
         if !layout.is_finite(values) {

@@ -11,7 +11,7 @@ use crate::error::InputError;
 use crate::initial_conditions::initial_state;
 use crate::integrator::{self, Abm4, Adaptive, Integrator, VelocityVerlet};
 
-/// How a run ended.
+/// Ending of a run.
 #[derive(Debug)]
 pub enum Ending {
     /// Completed its duration.
@@ -27,7 +27,7 @@ pub enum Ending {
 /// Outcome of a run.
 #[derive(Debug)]
 pub struct RunOutcome {
-    /// How it ended.
+    /// Ending of the run.
     pub ending: Ending,
     /// Simulated time reached.
     pub end_s: f64,

@@ -44,7 +44,7 @@ pub use mesh::Mesh;
 pub use patch::{Patch, PatchError};
 pub use sector::RingSector;
 
-/// What the outer ring has besides its groove.
+/// Dimensions of the outer ring other than its groove.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct OuterRingDimensions {
     /// Radius of the cylinder outside.

@@ -22,9 +22,9 @@ pub struct Patch {
      more than {tolerance_m:e} m"
 )]
 pub struct PatchError {
-    /// What was asked for.
+    /// Value requested.
     pub tolerance_m: f64,
-    /// What was reached.
+    /// Deviation reached.
     pub reached_m: f64,
 }
 
@@ -197,7 +197,7 @@ impl Fibre {
         self.valley + u * self.range
     }
 
-    /// Of components along e, t and k.
+    /// Vector from its components along e, t and k.
     fn vector(&self, [radial, tangential, axial]: Vec3) -> Vec3 {
         let (sin, cos) = self.meridian.angle_rad.sin_cos();
         [

@@ -1,4 +1,4 @@
-//! From judged trials to a tolerance table and the probability of passing.
+//! Tolerance table and probability of passing from judged trials.
 
 use super::deviation::{Influence, Trial};
 use crate::design::{Judgement, RacewayVerdict};
@@ -16,7 +16,7 @@ pub struct Outcome {
     pub collisions_mean: Option<f64>,
     /// Largest slip per passage, mean.
     pub slip_mean_m_s: Option<f64>,
-    /// Why it is infeasible, if it is.
+    /// Reason if infeasible.
     pub reason: Option<String>,
     /// PASS or FAIL with the verdict, the criterion that decides, and its margin.
     pub headline: String,
@@ -28,7 +28,7 @@ impl Outcome {
         self.verdict.passes() == Some(true)
     }
 
-    /// Of a bearing that was judged.
+    /// Outcome of a bearing that was judged.
     pub fn judged(judgement: &Judgement) -> Self {
         let passages = judgement.passages.as_ref();
         Self {
@@ -43,7 +43,7 @@ impl Outcome {
         }
     }
 
-    /// Of a bearing that cannot be built.
+    /// Outcome of a bearing that cannot be built.
     pub fn impossible(reason: String) -> Self {
         Self {
             verdict: RacewayVerdict::Infeasible,
@@ -70,7 +70,7 @@ fn interval(values: impl Iterator<Item = f64>) -> Interval {
 /// One row of the tolerance table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InfluenceResult {
-    /// What alone deviates.
+    /// The only influence that deviates.
     pub influence: Influence,
     /// Trials.
     pub trials: usize,
@@ -89,11 +89,11 @@ pub struct InfluenceResult {
 /// The bearings in which everything deviates.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Samples {
-    /// How many.
+    /// Number of samples or passages.
     pub count: usize,
     /// Those that pass.
     pub passed: usize,
-    /// How often each verdict came out.
+    /// Number of each verdict.
     pub verdicts: [(RacewayVerdict, usize); 4],
     /// Probability of passing.
     pub pass_probability: f64,

@@ -58,24 +58,24 @@ impl Influence {
     }
 }
 
-/// How far each may deviate to either side.
+/// Tolerance of each influence, ±.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tolerances {
-    /// Of the depth in the middle of a raceway, along the normal.
+    /// Depth at the centre of a raceway, along the normal.
     pub groove_depth_m: f64,
-    /// Of lC.
+    /// Axial span lC.
     pub axial_span_m: f64,
-    /// Of θ.
+    /// Half angle θ.
     pub half_angle_rad: f64,
     /// Lot that the balls come from; `None`: all equal.
     pub ball_grade: Option<BallGrade>,
-    /// Of μ.
+    /// Friction coefficient μ.
     pub friction: f64,
-    /// Of Ro − Ri − 2Rw; what would be less than none is left out.
+    /// Radial clearance Ro − Ri − 2Rw; negative values are excluded.
     pub clearance_m: f64,
-    /// Of the speed, as a fraction.
+    /// Speed, as a fraction.
     pub speed_fraction: f64,
-    /// Of the load, as a fraction.
+    /// Load, as a fraction.
     pub load_fraction: f64,
 }
 
@@ -103,9 +103,9 @@ impl Tolerances {
 /// One bearing's deviations from the case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Deviation {
-    /// Of everything but the balls, in the order of [`Influence::ALL`], SI units.
+    /// Deviations of all influences except the balls, in the order of [`Influence::ALL`], SI units.
     values: [f64; Influence::ALL.len()],
-    /// Of the balls' radii; empty: none.
+    /// Deviations of the ball radii; empty: none.
     ball_radius_m: Vec<f64>,
 }
 
@@ -181,9 +181,9 @@ impl Deviation {
 /// A bearing to be judged.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trial {
-    /// What alone deviates; `None`: nothing, or all at once.
+    /// The only influence that deviates; `None`: none, or all at once.
     pub influence: Option<Influence>,
-    /// By how much.
+    /// Size of the deviation.
     pub deviation: Deviation,
 }
 
@@ -248,7 +248,7 @@ pub fn ball_lot_m(grade: BallGrade, balls: usize, seed: u64, index: u64) -> Vec<
     Stream::new(seed, LOT, index).lot(grade, balls)
 }
 
-/// What the streams of single lots are for.
+/// Purpose of the random streams of single lots.
 const LOT: u64 = 1;
 
 /// Random numbers that depend on nothing but the seed, what they are for, and their place.

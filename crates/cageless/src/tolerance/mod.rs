@@ -1,4 +1,4 @@
-//! What becomes of a verdict when the bearing is made and run as real bearings are: within
+//! Sensitivity of the verdict to manufacturing and operating tolerances: within
 //! tolerances.
 //!
 //! ```

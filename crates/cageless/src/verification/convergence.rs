@@ -31,7 +31,7 @@ pub(super) struct Samples<'a> {
     pub perturbed: &'a [f64],
     /// Given start and large perturbations.
     pub full: &'a [f64],
-    /// The same at half the step.
+    /// Samples at half the step.
     pub half: &'a [f64],
 }
 

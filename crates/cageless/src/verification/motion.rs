@@ -4,7 +4,7 @@ use crate::numerics::moments::Moments;
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 use crate::summary::transient_s;
 
-/// Balls are looked at this often, steps: their speeds hardly change in between.
+/// Steps between two samples of the ball speeds, which hardly change in between.
 const BALLS_EVERY: u64 = 8;
 
 /// Deviations of the ring and mean speeds of the balls.

@@ -78,7 +78,7 @@ pub enum ReplicaError {
     /// The run left the physical range.
     #[error("{0} stopped at t = {time:.6} s: {cause}", time = .1.time_s, cause = .1.cause)]
     Stopped(Role, Stop),
-    /// Ended by the caller.
+    /// Interrupted by the caller.
     #[error("interrupted")]
     Interrupted,
     /// The run ended within its transient.

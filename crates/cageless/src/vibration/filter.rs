@@ -23,7 +23,7 @@ pub struct Decimator {
 }
 
 impl Decimator {
-    /// From a signal with a value every `interval_s` to `rate_hz`.
+    /// Decimator from a signal with a value every `interval_s` to `rate_hz`.
     pub fn new(interval_s: f64, rate_hz: f64) -> Self {
         let keep = (1.0 / interval_s / rate_hz).round() as usize;
         let sections = if keep < 2 { 0 } else { FILTER_ORDER / 2 };

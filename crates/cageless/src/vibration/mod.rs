@@ -39,7 +39,7 @@ pub const STRETCH: usize = 8192;
 /// Most points of the trace over time.
 const TRACE_POINTS: usize = 8192;
 
-/// What a measurement of the acceleration in one direction shows: sampled behind a filter,
+/// Measured acceleration in one direction: sampled behind a filter,
 /// the transient left out.
 #[derive(Debug, Clone)]
 pub struct Measurement {
@@ -54,7 +54,7 @@ pub struct Measurement {
 }
 
 impl Measurement {
-    /// Of a signal with values every `interval_s` from `interval_s` on, sampled at
+    /// Measurement of a signal with values every `interval_s` from `interval_s` on, sampled at
     /// `rate_hz`, leaving out what comes before `after_s`.
     pub fn new(interval_s: f64, rate_hz: f64, after_s: f64) -> Self {
         let decimator = Decimator::new(interval_s, rate_hz);
@@ -139,7 +139,7 @@ pub struct VibrationRecorder {
 }
 
 impl VibrationRecorder {
-    /// On a housing, sampled at `rate_hz`, leaving out what comes before `after_s`.
+    /// Recorder for a housing, sampled at `rate_hz`, without the transient before `after_s`.
     pub fn new(housing: &Housing, rate_hz: f64, after_s: f64) -> Self {
         Self {
             response: Response::new(housing, rate_hz, after_s),
@@ -215,7 +215,7 @@ mod tests {
         assert!(at(400.0) < 2e-3, "{}", at(400.0));
     }
 
-    /// What comes out as the signal passes is what a computation on all of it gives.
+    /// The result of the streamed signal equals that of a computation on all of it.
     #[test]
     fn a_measurement_in_passing_equals_one_afterwards() {
         let (rate, after_s) = (1e5, 0.1);

@@ -14,7 +14,7 @@ pub(super) struct Oscillator {
 }
 
 impl Oscillator {
-    /// At rest under `force`.
+    /// Oscillator at rest under `force`.
     pub fn new(housing: &Housing, h: f64, force: f64) -> Self {
         let (m, k, c) = (
             housing.mass_kg,

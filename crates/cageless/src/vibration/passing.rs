@@ -19,7 +19,7 @@ pub const LEAST_ORBITS: f64 = 6.0;
 /// Mean square of a signal about its mean, in two parts that add up to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PassingSplit {
-    /// At the multiples of the orbital frequency.
+    /// Amplitudes at the multiples of the orbital frequency.
     pub at_passing: f64,
     /// All the rest.
     pub between: f64,

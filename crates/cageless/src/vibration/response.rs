@@ -18,7 +18,7 @@ pub(super) struct Response {
 }
 
 impl Response {
-    /// On a housing, sampled at `rate_hz`, leaving out what comes before `after_s`.
+    /// Recorder for a housing, sampled at `rate_hz`, without the transient before `after_s`.
     pub fn new(housing: &Housing, rate_hz: f64, after_s: f64) -> Self {
         let measurement = Measurement::new(HOUSING_INTERVAL_S, rate_hz, after_s);
         Self {

@@ -14,7 +14,7 @@ pub struct Spectrum {
     /// Length of the stretches of signal whose spectra were averaged; its inverse is the
     /// distance of the frequencies. 0 if there is no spectrum.
     pub stretch_s: f64,
-    /// How many there were, each overlapping half of the one before.
+    /// Number of segments, each overlapping half of the one before.
     pub stretches: usize,
 }
 

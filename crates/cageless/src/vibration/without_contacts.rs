@@ -23,7 +23,7 @@ pub struct WithoutContacts {
 }
 
 impl WithoutContacts {
-    /// On a housing, sampled at `rate_hz`, leaving out what comes before `after_s`.
+    /// Recorder for a housing, sampled at `rate_hz`, without the transient before `after_s`.
     pub fn new(housing: &Housing, rate_hz: f64, after_s: f64) -> Self {
         Self {
             response: Response::new(housing, rate_hz, after_s),

@@ -19,11 +19,11 @@ pub struct ColumnSpec {
     pub name: String,
     /// Unit; empty if there is none.
     pub unit: String,
-    /// What it holds.
+    /// Kind of the contents.
     pub kind: ColumnKind,
 }
 
-/// What a column holds.
+/// Kind of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ColumnKind {
     /// 64-bit integers, never null.

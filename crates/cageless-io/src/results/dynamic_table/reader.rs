@@ -74,7 +74,7 @@ impl RowsReader {
         })
     }
 
-    /// Where the table is.
+    /// Path of the table.
     pub fn path(&self) -> &Path {
         &self.path
     }

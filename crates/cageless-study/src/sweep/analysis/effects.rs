@@ -1,4 +1,4 @@
-//! How outputs change with inputs.
+//! Effects of the inputs on the outputs.
 
 use super::result::{HeatMap, MainEffect, SweepOutput};
 use cageless_io::results::Row;

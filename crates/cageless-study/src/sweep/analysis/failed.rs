@@ -1,4 +1,4 @@
-//! Why variants failed.
+//! Reasons of failed variants.
 
 use std::collections::BTreeMap;
 
@@ -8,7 +8,7 @@ use cageless_io::results::Cell;
 use super::table::Table;
 use crate::sweep::error::SweepError;
 
-/// Reasons that are told apart; further ones count as the last.
+/// Largest number of distinct reasons; further ones count as the last.
 const GROUPS_MAX: usize = 20;
 
 /// Failed variants by their reason, the most frequent first.
@@ -34,7 +34,7 @@ pub(super) fn groups(table: &Table) -> Result<Vec<FailureGroup>, SweepError> {
     Ok(groups)
 }
 
-/// What is left of a reason when its numbers are taken out.
+/// Reason without its numbers.
 fn without_numbers(reason: &str) -> String {
     let kept = |c: &char| !c.is_ascii_digit() && !matches!(c, '.' | '-' | '+');
     reason.chars().filter(kept).collect()

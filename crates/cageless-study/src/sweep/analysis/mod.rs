@@ -52,12 +52,12 @@ fn other_result(path: &Path) -> Option<(&Path, &'static str)> {
     Some((folder, made.1))
 }
 
-/// What the user wants of an output.
+/// Requested direction of an output.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Goal {
     /// Its column.
     pub column: String,
-    /// Which way is better.
+    /// Better direction of a quantity.
     pub aim: Aim,
 }
 

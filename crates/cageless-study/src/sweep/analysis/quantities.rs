@@ -1,4 +1,4 @@
-//! What varies: inputs with their levels, outputs with their ranges.
+//! Inputs with their levels and outputs with their ranges.
 
 use super::result::{Levels, SweepQuantity};
 use crate::Parameter;
@@ -49,7 +49,7 @@ pub(super) struct Input {
     scale: Scale,
 }
 
-/// How the values of an input are sorted into levels.
+/// Levels of an input.
 enum Scale {
     Names(Vec<String>),
     Values(Vec<f64>),

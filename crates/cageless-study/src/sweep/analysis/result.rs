@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::{Parameter, Provenance};
 
-/// All that the page of a sweep shows. What is left empty is left out of the page.
+/// Data of the page of a sweep. Empty parts are omitted from the page.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct SweepData {
     /// Title of the plan.
@@ -25,7 +25,7 @@ pub struct SweepData {
     pub constants: Vec<Parameter>,
     /// The best variants.
     pub best: Vec<BestVariants>,
-    /// Why variants failed.
+    /// Reasons of failed variants.
     pub failures: Vec<FailureGroup>,
     /// The plan, one line per key.
     pub plan: Vec<Parameter>,
@@ -62,14 +62,14 @@ impl SweepQuantity {
     }
 }
 
-/// What an output depends on.
+/// Sensitivity of an output.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct SweepOutput {
     /// The output.
     pub quantity: SweepQuantity,
     /// Share of its variance that each of [`SweepData::inputs`] explains alone, 0 to 1.
     pub shares: Vec<Option<f64>>,
-    /// How it changes with the inputs that explain most, these first.
+    /// Effects of the inputs that explain most, largest first.
     pub effects: Vec<MainEffect>,
     /// Its mean over the two inputs that explain most.
     pub map: Option<HeatMap>,
@@ -146,7 +146,7 @@ pub struct BestVariant {
 /// Variants that failed for one reason, numbers apart.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct FailureGroup {
-    /// How many.
+    /// Number of samples or passages.
     pub count: u64,
     /// The first.
     pub variant: u64,

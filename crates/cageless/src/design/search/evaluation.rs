@@ -21,9 +21,9 @@ pub struct Evaluation {
     pub spacing: Vec<Option<PairSeparation>>,
     /// Mean over the uneven starts at each operating point.
     pub motion: Vec<Option<Motion>>,
-    /// Why it is not acceptable.
+    /// Reason of the rejection; `None` if acceptable.
     pub rejection: Option<Rejection>,
-    /// What is weighed, in the order of [`super::ALL_OBJECTIVES`]; `None` if it is rejected or
+    /// Objectives in the order of [`super::ALL_OBJECTIVES`]; `None` if it is rejected or
     /// was left out by the budget.
     pub objectives: Option<[f64; OBJECTIVES]>,
     /// Whether no other beats it.
@@ -42,7 +42,7 @@ pub struct Statistics {
 }
 
 impl Statistics {
-    /// Of two runs or more.
+    /// Statistics of two runs or more.
     pub fn new(runs: Vec<Motion>) -> Self {
         let mean = Motion::mean(&runs);
         let n = runs.len() as f64;
@@ -82,23 +82,23 @@ impl Statistics {
 pub struct Confirmed {
     /// `recommended`, or `own`: the case's.
     pub role: &'static str,
-    /// With the means over the starts that all structures had, to be compared with them.
+    /// Candidate with the means over the starts common to all designs, for comparison with them.
     pub evaluation: Evaluation,
     /// Statistics at each operating point; empty if a run failed.
     pub statistics: Vec<Statistics>,
 }
 
-/// Where work is sent and what for.
+/// Receiver of jobs and their stage.
 pub(super) struct Batch<'r, 'e> {
     pub request: &'r Request,
-    /// Of lC and of θ, what is asked for of all that Eq. (8) and (9) allow.
+    /// Ranges of lC and θ: the requested part of what Eq. (8) and (9) allow.
     pub ranges: [[f64; 2]; 2],
     pub execute: &'r mut Execute<'e>,
     pub bearing: &'r Bearing,
 }
 
 impl Evaluation {
-    /// What the closed forms say.
+    /// Results of the closed forms.
     pub(super) fn new(batch: &Batch<'_, '_>, structure: RacewayLayout, placement: usize) -> Self {
         let points = batch.request.points.len();
         let (forms, cause) = match structure.raceways(batch.bearing) {

@@ -29,7 +29,7 @@ pub struct MapCell {
     pub forms: Option<ClosedForms>,
     /// Critical gap and stress.
     pub spacing: Option<PairSeparation>,
-    /// Why it is not acceptable.
+    /// Reason of the rejection; `None` if acceptable.
     pub cause: Option<Cause>,
 }
 

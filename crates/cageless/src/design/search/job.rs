@@ -10,7 +10,7 @@ use crate::equilibrium;
 use crate::raceway::Raceway;
 use crate::simulation::Control;
 
-/// What is to be found out about a structure.
+/// Task of a job.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Task {
     /// Critical gap and contact stress.
@@ -26,7 +26,7 @@ pub struct Job {
     pub structure: RacewayLayout,
     /// Speed and load.
     pub point: OperatingPoint,
-    /// What is to be found out.
+    /// Task of the job.
     pub task: Task,
 }
 
@@ -43,12 +43,12 @@ pub struct PairSeparation {
     pub stress_pa: f64,
 }
 
-/// What a job came to.
+/// Outcome of a job.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Numbers {
-    /// Of [`Task::PairSeparation`].
+    /// Numbers of [`Task::PairSeparation`].
     PairSeparation(PairSeparation),
-    /// Of [`Task::Motion`].
+    /// Numbers of [`Task::Motion`].
     Motion(Motion),
 }
 
@@ -65,7 +65,7 @@ const GAP_TOLERANCE_RAD: f64 = 2e-5;
 /// Balls beside the pair stand off by this much, or a deep raceway would be measured by how
 /// they push the pair together.
 pub const NEIGHBOURS_WIDER: f64 = 1.4;
-/// Critical gaps above this multiple of the steady gap are not told apart: balls collide.
+/// Upper end of the critical gaps that are resolved, as a multiple of the steady gap: balls collide above.
 pub const CROWDED_MAX: f64 = 1.5;
 /// Places within one spacing of the balls at which the load is looked at.
 const POSITIONS: usize = 8;

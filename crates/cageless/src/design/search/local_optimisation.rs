@@ -1,4 +1,4 @@
-//! From the best structure of the grid to the best next to it: Powell's COBYLA, which
+//! Local optimisation from the best design of the grid: Powell's COBYLA, which
 //! needs no derivatives and keeps to the constraints.
 
 use std::cell::RefCell;
@@ -11,9 +11,9 @@ const EVALUATIONS: usize = 24;
 /// Objective and constraints (0 or more is kept) at one place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Value<const C: usize> {
-    /// To be small.
+    /// Objective to minimise.
     pub objective: f64,
-    /// To be 0 or more, each.
+    /// Constraints, each satisfied at 0 or more.
     pub constraints: [f64; C],
 }
 

@@ -56,7 +56,7 @@ use crate::error::InputError;
 use crate::raceway::axial_span_limit_m;
 use evaluation::Batch;
 
-/// What is asked of a search.
+/// Ranges and limits of a search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Request {
     /// Operating points; a structure must be acceptable at all of them.
@@ -105,7 +105,7 @@ pub const SPREAD_MIN: f64 = 0.8;
 /// Starts of the confirmation.
 pub const CONFIRMING_STARTS: u64 = 12;
 
-/// What is being computed.
+/// Stage of a search.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stage {
     /// Critical gaps of the map.
@@ -136,10 +136,10 @@ impl Stage {
 /// Runs a batch of jobs and returns their outcomes in their order.
 pub type Execute<'e> = dyn FnMut(Stage, &[Job]) -> Result<Vec<Outcome>, Interrupted> + 'e;
 
-/// Why a search has no result.
+/// Error of a search.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SearchError {
-    /// Ended by the caller.
+    /// Interrupted by the caller.
     #[error(transparent)]
     Interrupted(#[from] Interrupted),
     /// No raceway can help: the operating range itself is impossible.
@@ -150,10 +150,10 @@ pub enum SearchError {
     Case(#[from] InputError),
 }
 
-/// What a search found.
+/// Result of a search.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Found {
-    /// What was asked.
+    /// The request.
     pub request: Request,
     /// Maps: one per operating point, then one per further speed.
     pub maps: Vec<SpeedMap>,

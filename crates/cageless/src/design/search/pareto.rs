@@ -1,4 +1,4 @@
-//! What makes one structure better than another: objectives, Pareto front, choice.
+//! Objectives, Pareto front and compromise choice of a search.
 
 /// A number that is to be small.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -12,7 +12,7 @@ pub struct Objective {
 /// Number of objectives.
 pub const OBJECTIVES: usize = 7;
 
-/// What is weighed, each at the worst of the operating points. SI units and fractions.
+/// Objectives, each at the worst of the operating points. SI units and fractions.
 pub const ALL_OBJECTIVES: [Objective; OBJECTIVES] = [
     Objective {
         key: "spacing_scatter",
@@ -55,7 +55,7 @@ pub struct ObjectiveScale {
 }
 
 impl ObjectiveScale {
-    /// Over a set; `None` of none.
+    /// Scale over a set of objectives; `None` if the set is empty.
     pub fn new<'a>(all: impl IntoIterator<Item = &'a [f64; OBJECTIVES]>) -> Option<Self> {
         let mut scale: Option<Self> = None;
         for one in all {

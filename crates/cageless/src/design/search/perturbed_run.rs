@@ -19,12 +19,12 @@ use crate::simulation::{
 /// Orbits of the balls in a perturbed run; spacing is looked at in the second half.
 pub const TURNS: f64 = 32.0;
 
-/// What a perturbed run came to.
+/// Result of a perturbed run.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Motion {
     /// Contacts between balls, per ball and orbit; with one raceway, per passage.
     pub collisions: f64,
-    /// The same in the second half, when the balls have been sorted.
+    /// Collisions per ball and turn in steady state (second half of the run).
     pub collisions_late: f64,
     /// Impulse between balls, per ball and orbit, N·s.
     pub impulse_n_s: f64,
@@ -111,7 +111,7 @@ impl Motion {
     }
 }
 
-/// Why a perturbed run has no numbers.
+/// Error of a perturbed run.
 #[derive(Debug, thiserror::Error)]
 pub enum PerturbedRunError {
     /// The case is impossible or has no equilibrium.
@@ -120,10 +120,10 @@ pub enum PerturbedRunError {
     /// The run left the physical range.
     #[error("the run of all balls stopped at {:.6} s: {}", .0.time_s, .0.cause)]
     Stopped(Stop),
-    /// Ended by the caller.
+    /// Interrupted by the caller.
     #[error("interrupted")]
     Interrupted,
-    /// Nothing rolls.
+    /// The balls do not roll.
     #[error("the balls do not pass the raceway")]
     NoPassages,
 }
@@ -154,7 +154,7 @@ fn unit(seed: u64, start: u64, k: u64) -> f64 {
 /// they can be; who runs beside whom changes no bit.
 ///
 /// # Errors
-/// For each: the case is impossible, the run stops or the balls do not pass.
+/// Errors per case: the case is impossible, the run stops or the balls do not pass.
 pub fn perturbed_runs(
     cases: &[(&Case, u64)],
     control: &mut dyn FnMut(f64) -> Control,
@@ -217,7 +217,7 @@ fn uneven(case: &Case, start: u64) -> Case {
     case
 }
 
-/// What a run came to, from the passages of its second half and its contacts.
+/// Observations of a run, from the passages of its second half and its contacts.
 fn motion(
     case: &Case,
     outcome: &RunOutcome,
@@ -268,7 +268,7 @@ fn motion(
     })
 }
 
-/// Of each raceway that balls pass, the fraction of its drop of orbital speed; the least of them.
+/// Least achieved deceleration over the raceways that balls pass, as a fraction of the kinematic one.
 fn least_speed_drop_fraction(case: &Case, passages: &[Passage]) -> f64 {
     let mut tallies = vec![PassageTally::new(); case.raceways.len()];
     for passage in passages {

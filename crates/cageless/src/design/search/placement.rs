@@ -1,4 +1,4 @@
-//! Where raceways are tried.
+//! Placements of the raceways in a search.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! What is searched: structures, and the closed forms that need no motion.
+//! Raceway layouts and their closed forms, which need no simulation.
 
 use crate::bearing::Bearing;
 use crate::case::{Case, Method};
@@ -90,7 +90,7 @@ impl OperatingPoint {
     }
 }
 
-/// What follows from the geometry alone.
+/// Closed-form results of the geometry.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ClosedForms {
     /// β0 of Zhao 2022, Eq. (11), as published.
@@ -100,7 +100,7 @@ pub struct ClosedForms {
 }
 
 impl ClosedForms {
-    /// Of equal raceways.
+    /// Closed forms of equal raceways.
     pub fn new(bearing: &Bearing, raceways: &[Raceway]) -> Self {
         Self {
             theoretical_gap_rad: raceways.first().map_or(0.0, |raceway| {

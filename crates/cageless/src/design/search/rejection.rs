@@ -1,4 +1,4 @@
-//! Why a structure is not acceptable.
+//! Causes of rejection of a raceway design.
 
 use super::job::PairSeparation;
 use super::perturbed_run::Motion;
@@ -14,38 +14,38 @@ use crate::error::InputError;
 /// no load, a fifth.
 pub const RETAINED_FRACTION: f64 = 0.5;
 
-/// What is wrong with a structure.
+/// Cause for which a raceway design is rejected.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cause {
     /// Zhao 2022, Eq. (8): the span is too large for the groove.
     Span,
     /// Zhao 2022, Eq. (9): the contact path leaves the groove or turns back.
     Path,
-    /// Two raceways overlap.
+    /// Overlap of two raceways.
     Overlap,
-    /// The guaranteed gap is this fraction of the steady gap, too little to spread the balls.
+    /// Separation as a fraction of the mean ball spacing; the raceway is too shallow.
     InsufficientSeparation(f64),
-    /// The critical gap is this multiple of the steady gap: evenly flowing balls collide.
+    /// Critical gap as a multiple of the mean ball spacing; the raceway is too deep.
     ExcessiveSeparation(f64),
-    /// Slip takes this fraction from the critical gap.
+    /// Loss of separation through sliding, as a fraction of β0.
     Slips(f64),
-    /// This fraction of the passages is hit by both neighbours.
+    /// Fraction of the passages with hits from both sides.
     DoubleCollision(f64),
     /// The balls reach this fraction of the theoretical drop of orbital speed: they slide over the
     /// raceway, and its critical gap means nothing.
     GrossSliding(f64),
-    /// Balls come back with this fraction of the gap that the raceway gave them.
+    /// Gap on return to the raceway, as a fraction of the critical gap.
     GapNotRetained(f64),
-    /// This pressure at the outer raceway, Pa.
+    /// Contact pressure at the outer raceway, Pa.
     Stress(f64),
-    /// A run failed.
+    /// Failure of a run, with its message.
     Failed(String),
 }
 
-/// Why a structure is not acceptable, and where.
+/// Cause of a rejection and the operating point at which it occurs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rejection {
-    /// What is wrong.
+    /// Cause of the rejection.
     pub cause: Cause,
     /// Index of the operating point; `None` if it is wrong at any.
     pub point: Option<usize>,
@@ -84,7 +84,7 @@ impl Cause {
         }
     }
 
-    /// How far beyond its limit, as a fraction; infinite where there is no limit to compare with.
+    /// Excess over the limit, as a fraction; infinite where there is no numerical limit.
     pub fn excess(&self, spread_min: f64) -> f64 {
         match self {
             Self::InsufficientSeparation(fraction) => 1.0 - fraction / spread_min,
@@ -98,7 +98,7 @@ impl Cause {
         }
     }
 
-    /// From the error of laying out raceways.
+    /// Cause for an error of the raceway geometry.
     pub(super) fn of_geometry(error: &InputError) -> Self {
         match error.field {
             "axial_span_m" => Self::Span,
@@ -108,12 +108,12 @@ impl Cause {
         }
     }
 
-    /// What the geometry alone excludes: β0 is what the critical gap is without slip.
+    /// Cause of rejection by geometry alone: without slip the critical gap is β0.
     pub(super) fn of_closed_forms(forms: &ClosedForms, spread_min: f64) -> Option<Self> {
         (forms.fraction() < spread_min).then(|| Self::InsufficientSeparation(forms.fraction()))
     }
 
-    /// What critical gap and stress exclude.
+    /// Cause of rejection by critical gap and contact stress.
     pub(super) fn of_spacing(
         forms: &ClosedForms,
         spacing: &PairSeparation,
@@ -133,7 +133,7 @@ impl Cause {
         }
     }
 
-    /// What the motion of all balls excludes.
+    /// Cause of rejection by the motion of all balls.
     pub(super) fn of_motion(motion: &Motion, spacing: &PairSeparation) -> Option<Self> {
         let kept = motion.gap_min_rad / spacing.critical_gap_rad;
         if motion.speed_drop_fraction < SPEED_DROP_FRACTION {
