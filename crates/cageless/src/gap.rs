@@ -1,4 +1,23 @@
 //! Gaps between neighbouring balls.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::dynamics::Model;
+//! use cageless::dynamics::coordinates::BallCoordinate;
+//! use cageless::gap::GapRange;
+//! use cageless::initial_conditions::initial_state;
+//!
+//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! let (state, _angles) = initial_state(&case)?;
+//! let [x, y] = [BallCoordinate::X, BallCoordinate::Y]
+//!     .map(|coordinate| state.layout().balls_of(state.values(), coordinate));
+//! let mut range = GapRange::new(&Model::new(&case)?);
+//! range.look(x, y);
+//! // All gaps are equal at the start.
+//! let [least, most] = range.range_rad();
+//! assert!((most - least).abs() < 1e-12 && (least.to_degrees() - 1.816).abs() < 1e-3);
+//! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
+//! ```
 
 use std::f64::consts::TAU;
 
