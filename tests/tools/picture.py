@@ -80,7 +80,7 @@ class Bearing:
         )
 
     def bars(self):
-        """The gaps of all pairs as bars, the uniform gap as a line."""
+        """The gaps of all pairs as bars, the nominal gap as a line."""
         width, height, tall = 560, 110, 80
         slot, per_degree = width / len(self.gaps), tall / SCALE_DEG
         parts = []

@@ -1,4 +1,4 @@
-//! A sweep comes to the same file whatever happens to it.
+//! A sweep yields the same file after any interruption.
 #![cfg(unix)]
 
 mod common;
@@ -73,7 +73,7 @@ fn tables(out: &Path) -> usize {
     }
 }
 
-/// Waits until something has been put away.
+/// Waits until a checkpoint exists.
 fn wait_for_rows(child: &mut Child, out: &Path) {
     let begin = Instant::now();
     while tables(out) == 0 {
@@ -178,7 +178,7 @@ fn an_interrupt_keeps_what_was_computed() {
     );
     assert!(!out.join("sweep.parquet").exists());
 
-    // Another plan may not go on with it; the difference is told.
+    // Another plan may not resume it; the message names the difference.
     let changed = GRID.replace("count = 20", "count = 21");
     let plan = write_plan(dir.path(), &changed);
     let answer = call_sweep(&plan, &out, &[]);

@@ -102,7 +102,7 @@ pub struct Spread {
     pub change_deg: Vec<Option<f64>>,
 }
 
-/// θ over lC such that the discrete raceway restores the uniform gap (Fig. 5).
+/// θ over lC such that the discrete raceway restores the nominal gap (Fig. 5).
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct DesignCurve {
     /// lC of the curve's points, mm.
@@ -111,7 +111,7 @@ pub struct DesignCurve {
     pub half_angle_deg: Vec<f64>,
     /// θ with the ball's own ψ in Eq. (11), degrees; may be empty.
     pub half_angle_polar_deg: Vec<f64>,
-    /// The uniform gap that is asked for, degrees.
+    /// The nominal gap that is asked for, degrees.
     pub uniform_gap_deg: f64,
     /// The paper's structures.
     pub paper: Vec<RacewayLabel>,
@@ -178,7 +178,7 @@ pub struct GapHistory {
     pub turn_gap_deg: Vec<f64>,
     /// Ends of the stages, `a` to `e`.
     pub stages: Vec<Event>,
-    /// The uniform gap β0, degrees.
+    /// The nominal gap β0, degrees.
     pub uniform_gap_deg: f64,
     /// Provenance.
     pub provenance: Provenance,

@@ -35,7 +35,7 @@ pub struct RunData {
     pub sectors: Vec<RacewaySector>,
     /// End of the transient, s.
     pub settled_after_s: f64,
-    /// The uniform gap 360°/N − ε, degrees.
+    /// The nominal gap 360°/N − ε, degrees.
     pub uniform_gap_deg: f64,
     /// Orbital speed of pure rolling on the plain raceway, degrees/s.
     pub rolling_orbit_speed_deg_s: Option<f64>,

@@ -77,8 +77,8 @@ pub fn facts(c: &VerificationFile) -> [(&'static str, String); 4] {
         (
             "verification",
             format!(
-                "{} results converged, {} chaotic but statistically consistent, {} step-size dependent ({} starts, \
-                 steps of {} and {} µs)",
+                "{} results converged, {} chaotic but statistically consistent, {} step-size \
+                 dependent ({} starts, steps of {} and {} µs)",
                 c.converged,
                 c.statistical,
                 c.step_biased,
@@ -110,10 +110,10 @@ pub fn verification_table(verification: &VerificationTable, source: Provenance) 
     let text = |name: &str| (name.to_owned(), false);
     Table {
         label: "Numerical verification".to_owned(),
-        caption: "Each number of the run, repeated from turned starts and at half the step. \
-                  Converged: neither changes it by more than the tolerance. Statistical: it \
-                  changes from start to start, and no more with the step. StepBiased: the step \
-                  biases it."
+        caption: "Results of the run repeated from perturbed initial states and at half the step. \
+                  Converged: neither changes the result by more than the tolerance. \
+                  Statistical: chaotic but statistically consistent, one sample of a distribution \
+                  that does not depend on the step. Step-biased: step-size dependent."
             .to_owned(),
         columns: vec![
             text("Result"),

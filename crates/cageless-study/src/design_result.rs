@@ -25,7 +25,7 @@ pub struct DesignResult {
     pub beta0_polar_deg: Option<f64>,
     /// Largest lC, Zhao 2022, Eq. (8), mm.
     pub axial_span_limit_mm: f64,
-    /// θ by Eq. (11) for the case's own span and the uniform gap.
+    /// θ by Eq. (11) for the case's own span and the nominal gap.
     pub half_angle_deg_for_span: Option<f64>,
     /// Gap below which neighbours touch in the raceway, degrees.
     pub critical_gap_deg: Option<f64>,

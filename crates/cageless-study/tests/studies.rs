@@ -1,4 +1,4 @@
-//! Studies tell of their progress, end when told to, and refuse what cannot be.
+//! Progress, cancellation and errors of studies.
 
 use std::num::NonZeroUsize;
 use std::sync::Mutex;

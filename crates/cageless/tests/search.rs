@@ -38,7 +38,7 @@ fn spacing(case: &Case, structure: RacewayLayout) -> PairSeparation {
 }
 
 /// Balls that come by anyhow are on average as far apart as the steady gap says, which is
-/// well above the uniform gap, and no pair arrives much closer than the critical gap.
+/// well above the nominal gap, and no pair arrives much closer than the critical gap.
 #[test]
 fn steady_and_critical_gap_are_those_of_the_motion() {
     let case = as_searched(4.5, 25.0);

@@ -23,7 +23,7 @@ pub fn repository_case(name: &str) -> PathBuf {
         .join(name)
 }
 
-/// What one call came to.
+/// Result of one call.
 #[derive(Debug)]
 pub struct Answer {
     pub code: Option<i32>,

@@ -118,7 +118,7 @@ impl PartialFile {
         self.rename()
     }
 
-    /// Puts the content on the disk: whatever lacks room has failed then.
+    /// Flushes the content to disk so that an out-of-space error surfaces here.
     pub(super) fn sync(&self) -> Result<(), ResultError> {
         let done = self.file.sync_all();
         done.map_err(|source| ResultError::out(&self.path, source))

@@ -300,7 +300,7 @@ class Case(Computations):
 
     @property
     def output(self) -> Output:
-        """What a run leaves behind."""
+        """Output of a run."""
         return Output(**self._sections["output"])
 
     @property
@@ -310,7 +310,7 @@ class Case(Computations):
 
     @property
     def epsilon_deg(self) -> float:
-        """ε of Zhao 2022, Eq. (10): the angle of two balls in contact."""
+        """ε of Zhao 2022, Eq. (10): angular ball pitch at contact."""
         return self._file.derived()["epsilon_deg"]
 
     @property

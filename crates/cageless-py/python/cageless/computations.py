@@ -1,4 +1,4 @@
-"""What can be computed of a case."""
+"""Computations of a case."""
 
 from __future__ import annotations
 
@@ -49,14 +49,12 @@ class Computations(ABC):
         Parameters
         ----------
         verify : bool
-            Repeat the run from turned starts and at half the step, and say in the
-            ``verification`` of the run which numbers are converged, which are statistical and
-            which the step biases: 17 times the work.
+            Verify by perturbed starts and half step (17x cost); ``verification`` of the run
+            classifies the results as converged, statistical or step-biased.
         threads : int, optional
-            Threads that repeat the run; as many as there are cores if left out.
+            Number of threads; default: number of cores.
         progress : callable, optional
-            Called while the run is repeated, now and then, with what is done and its share
-            that is done, from 0 to 1.
+            Called repeatedly with the name of the task and its completed fraction, 0 to 1.
 
         Returns
         -------
@@ -153,7 +151,7 @@ class Computations(ABC):
         raceways_max : int, optional
             Number of raceways at most.
         spread_min : float, optional
-            Share of the steady gap that the raceway must guarantee.
+            Least separation as a fraction of the mean ball spacing.
         starts : int, optional
             Uneven starts per structure.
         budget : int, optional
@@ -231,7 +229,7 @@ class Computations(ABC):
         Parameters
         ----------
         samples : int
-            Bearings in which everything deviates at once; 0 for the influences alone.
+            Monte Carlo sample size; 0: one-at-a-time only.
         groove_depth_um : float
             Depth of the raceways.
         axial_span_um : float
@@ -243,7 +241,7 @@ class Computations(ABC):
         friction : float
             μ.
         clearance_um : float
-            Radial clearance.
+            Tolerance of the radial clearance (half the radial internal clearance Gr).
         speed_percent, load_percent : float
             Speed and load, as shares of those of the case.
         threads : int, optional
@@ -304,7 +302,7 @@ class Computations(ABC):
             ``"step"``, ``"stl"``, ``"csv"``; what the file is called, or all three.
         blend_mm : float, optional
             Length of the blend between each end of a discrete raceway and the plain groove;
-            0 leaves the kink. Default: 0.5, or a fifth of the shortest half raceway if that
+            0 leaves the slope discontinuity. Default: 0.5, or a fifth of the shortest half raceway if that
             is shorter.
         tolerance_um : float, optional
             STEP: largest distance of the B-splines from the analytic surface. Default: 0.01.

@@ -49,7 +49,7 @@ class UnphysicalError(CagelessError, ArithmeticError):
     Attributes
     ----------
     run : Run or None
-        What was computed until then.
+        Results computed until then.
     search : SearchResult or None
         A search that has nothing to recommend, with its maps.
     """

@@ -27,7 +27,7 @@ def span(
     count : int, optional
         Number of values; required on a grid, forbidden in samples.
     scale : {"linear", "log"}
-        How values are spread.
+        Spacing of the values.
 
     Examples
     --------
@@ -57,7 +57,7 @@ def nested(values: Mapping[str, Any]) -> dict[str, Any]:
 
 
 class Plan:
-    """What a sweep computes; see docs/sweeps.md for the meaning of its parts.
+    """Plan of a sweep; see docs/sweeps.md for the meaning of its parts.
 
     Parameters
     ----------

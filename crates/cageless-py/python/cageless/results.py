@@ -1,4 +1,4 @@
-"""What computations of one case come to."""
+"""Results of the computations of one case."""
 
 from __future__ import annotations
 
@@ -48,12 +48,12 @@ class Run:
 
     @property
     def stopped(self) -> str | None:
-        """Why the run stopped early, if it did."""
+        """Reason of an early stop; None if the run completed."""
         return self._run.stopped()
 
     @property
     def warnings(self) -> list[str]:
-        """What the user should know."""
+        """Warnings of the run."""
         return list(self.summary["warnings"])
 
     @cached_property
@@ -176,7 +176,7 @@ class Run:
         return self._figure("ring_orbit")
 
     def plot_energy(self) -> go.Figure:
-        """Ledger of energy."""
+        """Energy balance."""
         return self._figure("energy")
 
     def plot_vibration(self) -> go.Figure:
@@ -240,7 +240,7 @@ class Static:
 
     @property
     def warnings(self) -> list[str]:
-        """What to mind: a contact stress above 4.2 GPa, say."""
+        """Warnings, for example of a contact stress above 4.2 GPa."""
         return list(self.values["warnings"])
 
     def data_balls(self) -> pd.DataFrame:
@@ -283,12 +283,12 @@ class Design:
 
     @property
     def reasons(self) -> list[str]:
-        """Why, in words."""
+        """Reasons as sentences."""
         return list(self.values["reasons"])
 
     @property
     def warnings(self) -> list[str]:
-        """What to mind: a contact stress above 4.2 GPa, say."""
+        """Warnings, for example of a contact stress above 4.2 GPa."""
         return list(self.values["warnings"])
 
     @property

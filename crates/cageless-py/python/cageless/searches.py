@@ -59,7 +59,7 @@ class SearchMap:
 
 
 class SearchResult:
-    """What a search found; keys are those of ``search`` in ``cageless design --search --json``."""
+    """Result of a search; keys are those of ``search`` in ``cageless design --search --json``."""
 
     def __init__(self, search: _cageless.Search, case: Computations) -> None:
         self._search = search
@@ -67,13 +67,13 @@ class SearchResult:
 
     @cached_property
     def values(self) -> dict[str, Any]:
-        """All numbers of the search."""
+        """All results of the search by key."""
         found: dict[str, Any] = json.loads(self._search.numbers())
         return found
 
     @property
     def findings(self) -> list[str]:
-        """What was found, in sentences."""
+        """Findings as sentences."""
         return list(self.values["findings"])
 
     @property
@@ -162,7 +162,7 @@ class SearchResult:
         return self._frame(self.values["front"])
 
     def data_confirmation(self) -> pd.DataFrame:
-        """The recommended structure and the case's own, from more starts, with standard
+        """The recommended and the initial design, from more starts, with standard
         errors."""
         import pandas as pd
 
@@ -176,7 +176,7 @@ class SearchResult:
         return pd.DataFrame(rows)
 
     def data_rejections(self) -> pd.DataFrame:
-        """What excludes how many structures and cells of the maps."""
+        """Number of designs and map cells excluded by each reason."""
         import pandas as pd
 
         return pd.DataFrame(self.values["rejections"], columns=["reason", "meaning", "count"])
@@ -205,7 +205,7 @@ class SearchResult:
         )
 
     def plot_verdicts(self) -> go.Figure:
-        """Where raceways work, and what excludes them elsewhere."""
+        """Feasible designs and reasons for exclusion."""
         return figure(self._search.figure("verdicts"))
 
     def plot_critical_gaps(self) -> go.Figure:
@@ -213,12 +213,12 @@ class SearchResult:
         return figure(self._search.figure("critical_gaps"))
 
     def plot_trade_offs(self) -> go.Figure:
-        """What the structures of the Pareto front trade for what."""
+        """Trade-offs of the Pareto front."""
         return figure(self._search.figure("trade_offs"))
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Writes the report page of ``cageless design --search``, which works offline. Takes
-        seconds: the page has the verdict on the case's own raceway."""
+        seconds: the page has the verdict on the initial design."""
         return pages.write(path, self._search.page())
 
     def __repr__(self) -> str:

@@ -56,7 +56,7 @@ class Bearing(Section):
     ball_radius_mm : float
         Rw.
     inner_groove_bottom_radius_mm, outer_groove_bottom_radius_mm : float
-        Ri and Ro. Ro − Ri − 2 Rw is the radial clearance.
+        Ri and Ro. Ro − Ri − 2 Rw is half the radial internal clearance Gr of ISO 5753-1.
     outer_shoulder_radius_mm : float
         Ros, bore of the outer ring's shoulder.
     inner_groove_curvature_radius_mm, outer_groove_curvature_radius_mm : float
@@ -111,13 +111,13 @@ class Raceway(Section):
     Parameters
     ----------
     axial_span_mm : float
-        lC, axial distance of the two contact points in its middle.
+        lC, axial distance of the two contact points at the raceway centre.
     half_angle_deg : float
         θ; it reaches from −θ to θ.
     centre_angle_deg : float, optional
-        ψ of its middle; 0, the default, is the bottom, where the load is.
+        Angular position ψ of raceway centre; 0, the default, is the load direction.
     depth_error_um : float, optional
-        How much deeper than designed the raceway was made.
+        Machining error of the raceway depth (positive: too deep).
     """
 
     axial_span_mm: float
@@ -254,7 +254,7 @@ class Housing(Section):
 
 @dataclass(frozen=True, kw_only=True)
 class Output(Section):
-    """What a run leaves behind.
+    """Output of a run.
 
     Parameters
     ----------

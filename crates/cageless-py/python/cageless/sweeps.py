@@ -45,7 +45,7 @@ def sweep(
     Parameters
     ----------
     plan : Plan or path
-        What is to be computed.
+        Computations.
     out : path, optional
         Folder of the result, ``sweep.parquet``; one that is removed with the result's last
         reference if left out.
@@ -178,7 +178,7 @@ class SweepResult:
         return frame[frame["reason"].notna()]
 
     def report(self, low: Sequence[str] = (), high: Sequence[str] = ()) -> SweepReport:
-        """What matters, the best variants; see :func:`report`."""
+        """Sensitivity and best variants; see :func:`report`."""
         return report(self.path, low=low, high=high)
 
     def __len__(self) -> int:
@@ -215,7 +215,7 @@ def report(
 
 
 class SweepReport:
-    """What a finished sweep shows."""
+    """Report of a finished sweep."""
 
     def __init__(self, report: _cageless.Report) -> None:
         self._report = report
@@ -252,7 +252,7 @@ class SweepReport:
         return pd.DataFrame(rows, columns=["by", "high", "variant", "value"])
 
     def plot_shares(self) -> go.Figure:
-        """What matters."""
+        """Sensitivity (main effects)."""
         return figure(self._report.shares())
 
     def plot_effects(self, output: str) -> go.Figure:

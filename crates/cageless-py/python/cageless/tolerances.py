@@ -23,30 +23,30 @@ __all__ = ["ToleranceResult"]
 
 
 class ToleranceResult:
-    """Whether a raceway passes as made; keys are those of ``cageless tolerance --json``."""
+    """Tolerance analysis of a raceway; keys are those of ``cageless tolerance --json``."""
 
     def __init__(self, tolerance: _cageless.Tolerance) -> None:
         self._tolerance = tolerance
 
     @cached_property
     def values(self) -> dict[str, Any]:
-        """All numbers."""
+        """All results by key."""
         found: dict[str, Any] = json.loads(self._tolerance.numbers())
         return found
 
     @property
     def verdict(self) -> str:
-        """Verdict nominal: ``smooth``, ``double-collision``, ``slips`` or ``infeasible``."""
+        """Nominal verdict: ``smooth``, ``double-collision``, ``slips`` or ``infeasible``."""
         return str(self.values["nominal_verdict"])
 
     @property
     def passes(self) -> bool:
-        """Whether the bearing nominal passes, and 95 % of those in which everything deviates."""
+        """Whether the nominal bearing passes, and 95 % of the Monte Carlo sample."""
         return bool(self.values["passes"])
 
     @property
     def nominal_passes(self) -> bool:
-        """Whether the bearing nominal passes."""
+        """Whether the nominal bearing passes."""
         return bool(self.values["nominal_passes"])
 
     @property
@@ -56,7 +56,7 @@ class ToleranceResult:
 
     @property
     def critical_gap_deg(self) -> float | None:
-        """Critical gap nominal."""
+        """Nominal critical gap."""
         found: float | None = self.values["nominal_critical_gap_deg"]
         return found
 
@@ -67,7 +67,7 @@ class ToleranceResult:
 
     @property
     def pass_probability(self) -> float | None:
-        """Probability of passing when everything deviates at once; None without samples."""
+        """Probability of passing in the Monte Carlo sample; None without samples."""
         return self._samples.get("pass_probability")
 
     @property
@@ -78,7 +78,7 @@ class ToleranceResult:
 
     @property
     def decides(self) -> list[str]:
-        """What alone, within its range, makes the bearing fail if it passes nominal, or pass if it
+        """Parameters that alone, within their tolerance, make the bearing fail if the nominal one passes, or pass if it
         fails; the surest to do so first."""
         nominal = self.nominal_passes
 
@@ -91,14 +91,14 @@ class ToleranceResult:
         return [str(row["name"]) for row in rows]
 
     def critical_gaps_deg(self, verdict: str) -> npt.NDArray[np.float64]:
-        """Critical gaps of the bearings with this verdict when everything deviates at once."""
+        """Critical gaps of the bearings with this verdict in the Monte Carlo sample."""
         counts = self._samples.get("verdicts", [])
         found = [each["critical_gap_deg"] for each in counts if each["verdict"] == verdict]
         return np.array(found[0] if found else [], dtype=float)
 
     def data_influences(self) -> pd.DataFrame:
         """A row per influence alone at both ends of its range; ``_min`` and ``_max`` span
-        these and the bearing nominal."""
+        these and the nominal bearing."""
         import pandas as pd
 
         rows = []
@@ -116,7 +116,7 @@ class ToleranceResult:
         return pd.DataFrame(rows)
 
     def data_verdicts(self) -> pd.DataFrame:
-        """How often each verdict came out when everything deviated at once."""
+        """Number of each verdict in the Monte Carlo sample."""
         import pandas as pd
 
         rows = [

@@ -28,7 +28,7 @@ pub fn gaps(run: &RunData) -> Option<Figure> {
         run,
         "Gaps",
         &format!(
-            "Gaps of all pairs over time; 0 is contact, the dotted line is the uniform gap. Ball 1 \
+            "Gaps of all pairs over time; 0 is contact, the dotted line is the nominal gap. Ball 1 \
              to 2 is drawn strong; click a ball in the legend to hide it, double-click to see it \
              alone.{}",
             stretches(run)

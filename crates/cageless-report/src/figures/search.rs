@@ -31,7 +31,7 @@ const VERDICTS: [(&str, &str, &str); 10] = [
     ("eq-9", "#ffffff", ""),
 ];
 
-/// Width of the raceways shown that hardly spread the balls, over that of the others.
+/// Width of the range of too shallow raceways shown, over that of the others.
 const SHALLOW_SHOWN: f64 = 0.4;
 /// Panels beside each other at most.
 const ACROSS: usize = 3;
@@ -133,7 +133,7 @@ fn dress(plot: Plot, grid: &Grid, k: usize, search: &SearchData, map: &MapData) 
         .trace(on(
             with(
                 line(
-                    "Eq. (11) for the uniform gap",
+                    "Eq. (11) for the nominal gap",
                     &search.curve_axial_span_mm,
                     &search.curve_half_angle_deg,
                     "#000000",

@@ -17,7 +17,7 @@ use crate::simulation::Control;
 pub struct StartingPoint {
     /// Smallest θ, below which slip takes more than [`SLIP_SHORTFALL`] of the separation.
     pub half_angle_min_rad: f64,
-    /// Largest θ = ε + uniform gap, above which three evenly spaced balls are inside at once.
+    /// Largest θ = ε + nominal gap, above which three evenly spaced balls are inside at once.
     pub half_angle_max_rad: f64,
     /// θ in the middle.
     pub half_angle_rad: f64,

@@ -63,8 +63,8 @@ pub struct Verification {
     pub judgements: Vec<Judgement>,
     /// Divergence of the replicas.
     pub divergence: Divergence,
-    /// Energy that the ledger misses over the sum of its absolute entries, at the step and at
-    /// half of it.
+    /// Energy balance error relative to the sum of absolute flows, at the step and at half
+    /// the step.
     pub energy_residual_relative: [f64; 2],
     /// Momentum that the external forces do not account for over the sum of their absolute
     /// impulses, at the step and at half of it.

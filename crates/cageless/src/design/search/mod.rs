@@ -4,7 +4,7 @@
 //! 1. a **map**: closed forms and critical gap on a coarse grid over all that Zhao 2022,
 //!    Eq. (8) and (9), allow, at every speed;
 //! 2. **candidates**: for each angle the spans whose β0 lies between what spreads the balls and
-//!    what makes evenly flowing balls collide; critical gap and stress there;
+//!    the depth at which evenly spaced balls collide; critical gap and stress there;
 //! 3. **motion**: runs of all balls from uneven starts for what is left; then the same between
 //!    the lines of the candidates on which something is acceptable;
 //! 4. the Pareto front, the structure nearest to the best in everything, and COBYLA from
