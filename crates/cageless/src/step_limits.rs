@@ -78,7 +78,7 @@ const IMPACT_FRACTION: f64 = 0.2;
 
 impl StepLimits {
     /// Estimates the rates: the largest of Qmax ≈ 5 (Fr + weights)/N + centrifugal force, a
-    /// quarter more, of what presses the parts together without load ([`preload_n`]) and of
+    /// quarter more, of what presses the parts together without load (`preload_n`) and of
     /// the peak of an impact on a raceway, in both raceway contacts of one ball, and an impact of two balls at the speed
     /// difference that the deepest raceway makes. Springs between ball and ring count at both
     /// masses: k (1/m + n/M) is an upper bound of ω².

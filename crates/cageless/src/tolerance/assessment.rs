@@ -120,7 +120,7 @@ pub struct Assessment {
 }
 
 impl Assessment {
-    /// Whether the tolerances pass: the nominal bearing does, and [`PASS_FRACTION`] of those in which
+    /// Whether the tolerances pass: the nominal bearing does, and `PASS_FRACTION` of those in which
     /// everything deviates, if there are any.
     pub fn passes(&self) -> bool {
         let samples = self.samples.as_ref();
