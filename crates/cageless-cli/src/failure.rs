@@ -11,6 +11,7 @@ use cageless_io::io_error_message;
 use cageless_io::results::ResultError;
 use cageless_paper::PaperError;
 use cageless_study::StudyError;
+use cageless_study::run::RunError;
 use cageless_study::sweep::SweepError;
 
 /// A failed command.
@@ -128,6 +129,15 @@ impl From<PaperError> for Failure {
             PaperError::Stopped(stop) => Self::stopped(&stop, ""),
             PaperError::Interrupted => Self::Interrupted(error.to_string()),
             PaperError::NoResult(message) => Self::Unphysical(message),
+        }
+    }
+}
+
+impl From<RunError> for Failure {
+    fn from(error: RunError) -> Self {
+        match error {
+            RunError::Start(error) => error.into(),
+            RunError::Rows(error) => Self::Other(anyhow::anyhow!(error)),
         }
     }
 }

@@ -1,7 +1,9 @@
 //! Results of a run as numpy arrays that take over the memory of the vectors.
 
+use cageless::simulation::ObserverError;
 use cageless::{Collision, Snapshot};
 use cageless_io::results::{BALLS, COLLISIONS, RING, collision_values};
+use cageless_study::run::Rows;
 use numpy::ndarray::Array2;
 use numpy::{IntoPyArray, PyArrayMethods};
 use pyo3::prelude::*;
@@ -18,8 +20,8 @@ pub struct Recording {
     collisions: Vec<Collision>,
 }
 
-impl Recording {
-    pub fn snapshot(&mut self, snapshot: &Snapshot) {
+impl Rows for Recording {
+    fn snapshot(&mut self, snapshot: &Snapshot) -> Result<(), ObserverError> {
         let (balls, ring) = (snapshot.arrays(), snapshot.ring.values());
         self.time_s.push(snapshot.time_s);
         self.balls.resize_with(balls.len(), Vec::new);
@@ -30,12 +32,16 @@ impl Recording {
         for (column, value) in self.ring.iter_mut().zip(ring) {
             column.push(value);
         }
+        Ok(())
     }
 
-    pub fn collide(&mut self, collision: Collision) {
-        self.collisions.push(collision);
+    fn collision(&mut self, collision: &Collision) -> Result<(), ObserverError> {
+        self.collisions.push(*collision);
+        Ok(())
     }
+}
 
+impl Recording {
     /// `{"balls": {name: times × balls}, "ring": {name: times}, "collisions": {name: …}}`.
     pub fn into_arrays(self, py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
         let times = self.time_s.len();

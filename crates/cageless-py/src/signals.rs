@@ -4,6 +4,7 @@ use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use cageless::simulation::Control;
+use cageless_study::{Progress, Work};
 use pyo3::prelude::*;
 
 /// The interpreter is asked this often.
@@ -34,19 +35,34 @@ impl Signals {
         state.1.is_some()
     }
 
-    pub fn control(&self) -> Control {
-        if self.stop() {
-            Control::Interrupt
-        } else {
-            Control::Continue
-        }
-    }
-
     /// The exception that a signal has raised.
     pub fn raised(self) -> PyResult<()> {
         match self.state.into_inner() {
             Ok((_, Some(error))) => Err(error),
             _ => Ok(()),
         }
+    }
+}
+
+/// Reports nothing; a signal cancels.
+impl Progress for Signals {
+    fn begin(&self, _: &str, _: f64) -> Box<dyn Work + '_> {
+        Box::new(Signalled(self))
+    }
+
+    fn interrupted(&self) -> bool {
+        self.stop()
+    }
+}
+
+struct Signalled<'s>(&'s Signals);
+
+impl Work for Signalled<'_> {
+    fn add(&self, _: f64) -> Control {
+        self.control()
+    }
+
+    fn interrupted(&self) -> bool {
+        self.0.stop()
     }
 }

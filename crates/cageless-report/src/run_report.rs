@@ -8,7 +8,8 @@ use cageless::snapshot::Snapshot;
 use cageless::vibration::{FILTER_CORNER, FILTER_ORDER, Measurement};
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::{SummaryFile, VERSION};
-use cageless_study::{Histories, RunHistories, SAMPLING_HZ, parameter, parameters, provenance};
+use cageless_study::run::RunRecord;
+use cageless_study::{RunHistories, SAMPLING_HZ, parameter, parameters, provenance};
 
 use crate::data::{
     BearingOutline, FrequencyMark, Motion, Parameter, Provenance, RacewaySector, Vibration,
@@ -80,13 +81,14 @@ pub fn filter_note(case: &Case) -> String {
 }
 
 /// Data of the page of one run.
-pub fn run_data(
-    file: &CaseFile,
-    outcome: &RunOutcome,
-    summary: &SummaryFile,
-    histories: Histories,
-    vibration: Option<&Measurement>,
-) -> RunData {
+pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
+    let RunRecord {
+        outcome,
+        summary,
+        histories,
+        ..
+    } = record;
+    let vibration = record.vibration();
     let case = file.case();
     let settled = summary.settled_after_s;
     let bearing = &case.bearing;
@@ -105,7 +107,7 @@ pub fn run_data(
         collisions,
         collisions_total,
         passages,
-    } = histories.finish();
+    } = histories.clone().finish();
     let decimated = stretch_s.is_some();
     let mut warnings = summary.warnings.clone();
     if let Some(stopped) = &summary.stopped {

@@ -42,6 +42,7 @@ const COLLISIONS: usize = 4000;
 
 /// Histories for the figures of a run, decimated as it grows: memory does not depend on
 /// the length of the run.
+#[derive(Clone)]
 pub struct Histories {
     interval_s: f64,
     rows: MinMaxDecimator<Arc<[f64]>>,

@@ -1,7 +1,7 @@
 //! Studies of a case: analyses that take one run or many, on all threads of the rayon pool
 //! that they are called from, with their results in display units. Results have the same bits on any number of threads.
 //!
-//! [`verification`] says how far the numbers of a run can be trusted, [`design`] judges a
+//! [`run`] records one run, [`verification`] says how far the numbers of a run can be trusted, [`design`] judges a
 //! raceway, [`search`] finds the best one, [`tolerance`] gives the probability that it passes
 //! as made, [`sweep`] computes many variants of a case. A [`Progress`] follows the progress and can end the work.
 
@@ -14,6 +14,7 @@ pub mod number_text;
 mod parameter;
 mod progress;
 mod provenance;
+pub mod run;
 pub mod search;
 mod static_result;
 mod structure;

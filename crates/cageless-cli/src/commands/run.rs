@@ -1,32 +1,23 @@
 //! `cageless run`.
 
-use std::cell::RefCell;
 use std::sync::atomic::Ordering;
-use std::time::Instant;
 
 use cageless::Case;
-use cageless::collision::CollisionDetector;
 use cageless::design::RunVerdict;
 use cageless::dynamics::InstructionSet;
 use cageless::initial_conditions::initial_state;
-use cageless::passage::PassageRecorder;
-use cageless::recorder::Recorder;
-use cageless::simulation::{Ending, Observer, RunOutcome, run as simulate};
-use cageless::summary::{SummaryRecorder, transient_s};
-use cageless::vibration::VibrationRecorder;
+use cageless::simulation::{Ending, RunOutcome};
 use cageless_io::results::{Metadata, RunWriter, SummaryFile, VerificationFile, write_atomically};
 use cageless_report::run_report::run_data;
 use cageless_report::verification::{facts, value};
 use cageless_report::{run_page, to_json};
-use cageless_study::Work;
-use cageless_study::verification::VerificationRuns;
-use cageless_study::{Histories, SAMPLING_HZ};
+use cageless_study::run::{Options, Rows, RunRecord, run as study};
 
 use super::{make_folder, print, read_case, writable};
 use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::format::{columns, judged, pairs, shown, warnings};
-use crate::progress::{Bar, Bars, catch_interrupt};
+use crate::progress::{Bars, catch_interrupt};
 
 /// Files beside the tables.
 const SUMMARY: &str = "summary.json";
@@ -43,7 +34,7 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     initial_state(case)?;
     let document = file.document_as_run();
     let isa = InstructionSet::chosen().name();
-    let writer = match &args.out {
+    let mut writer = match &args.out {
         Some(dir) => {
             make_folder(dir)?;
             // Better found out now than when the run is over.
@@ -54,93 +45,42 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
                 isa,
                 case: &document,
             };
-            Some(RefCell::new(RunWriter::create(dir, &metadata)?))
+            Some(RunWriter::create(dir, &metadata)?)
         }
         None => None,
     };
 
     let stop = catch_interrupt();
-    let mut summary = SummaryRecorder::new();
-    let mut verification = verify.then(|| VerificationRuns::new(case));
-    let settled_s = transient_s(case);
-    let mut vibration = (case.housing.as_ref())
-        .map(|housing| VibrationRecorder::new(housing, SAMPLING_HZ, settled_s));
-    let histories = RefCell::new(Histories::new(case));
-    let started = Instant::now();
-    let outcome = {
-        let mut recorder = Recorder::new(case.output.interval_s, |snapshot| {
-            if let Some(writer) = &writer {
-                writer.borrow_mut().snapshot(&snapshot)?;
-            }
-            histories.borrow_mut().push(&snapshot);
-            Ok(())
-        });
-        let mut collisions = CollisionDetector::new(|collision| {
-            if let Some(writer) = &writer {
-                writer.borrow_mut().collision(&collision)?;
-            }
-            histories.borrow_mut().collide(&collision);
-            Ok(())
-        });
-        let mut passages = PassageRecorder::new(|passage| {
-            if passage.enter_s > settled_s {
-                histories.borrow_mut().pass(&passage);
-            }
-            Ok(())
-        });
-        let progress = Bar::new("run", 1.0, &stop);
-        let mut observers: Vec<&mut dyn Observer> = vec![&mut summary, &mut collisions];
-        if args.out.is_some() {
-            observers.push(&mut recorder);
-            observers.push(&mut passages);
-            if let Some(vibration) = &mut vibration {
-                observers.push(vibration);
-            }
-        }
-        if let Some(verification) = &mut verification {
-            observers.push(verification.observer());
-        }
-        let outcome = simulate(
-            case,
-            &mut observers,
-            &mut progress.run_control(case.solver.duration_s, 1.0),
-        )?;
-        collisions
-            .close(outcome.end_s)
-            .map_err(|error| Failure::Other(anyhow::anyhow!(error)))?;
-        outcome
+    let options = Options {
+        rows: writer
+            .as_mut()
+            .map(|writer| writer as &mut (dyn Rows + Send)),
+        verify,
     };
-    let wall_s = started.elapsed().as_secs_f64();
+    let mut record = study(&file, options, &Bars(&stop))?;
 
-    if let (Ending::ObserverFailed(error), Some(dir)) = (&outcome.ending, &args.out) {
+    if let (Ending::ObserverFailed(error), Some(dir)) = (&record.outcome.ending, &args.out) {
         return Err(Failure::Other(anyhow::anyhow!(
             "{error}; {} is as it was",
             dir.display()
         )));
     }
     if let Some(writer) = writer {
-        writer.into_inner().finish()?;
+        writer.finish()?;
     }
-    let mut summary_file = SummaryFile::new(&file, &outcome, summary.summary(), wall_s);
-    if let Some(verification) = verification {
-        verification.finish(case, &outcome, &mut summary_file, &Bars(&stop));
-    }
-    let verdict = histories.borrow().verdict(case);
+    record.verify(&file, &Bars(&stop));
+    let verdict = record.histories.verdict(case);
     if let Some(dir) = &args.out {
-        summary_file.write(dir)?;
-        let data = run_data(
-            &file,
-            &outcome,
-            &summary_file,
-            histories.into_inner(),
-            vibration
-                .as_ref()
-                .map(|recorder| &recorder.measurements()[1])
-                .filter(|measured| measured.samples() > 0),
-        );
+        record.summary.write(dir)?;
+        let data = run_data(&file, &record);
         write_atomically(&dir.join(PAGE), run_page(&data).as_bytes())?;
         write_atomically(&dir.join(PAGE_DATA), to_json(&data)?.as_bytes())?;
     }
+    let RunRecord {
+        outcome,
+        summary: summary_file,
+        ..
+    } = record;
     print(&if args.json {
         summary_file.to_json()?
     } else {

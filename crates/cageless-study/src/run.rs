@@ -1,0 +1,162 @@
+//! One run with its record: tables as they grow, summary, histories, vibration, verification.
+
+use std::cell::RefCell;
+use std::time::Instant;
+
+use cageless::collision::{Collision, CollisionDetector};
+use cageless::equilibrium::EquilibriumError;
+use cageless::passage::PassageRecorder;
+use cageless::recorder::Recorder;
+use cageless::simulation::{Observer, ObserverError, RunOutcome, run as simulate};
+use cageless::snapshot::Snapshot;
+use cageless::summary::{SummaryRecorder, transient_s};
+use cageless::vibration::{Measurement, VibrationRecorder};
+use cageless_io::case_file::CaseFile;
+use cageless_io::results::{RunWriter, SummaryFile};
+
+use crate::histories::{Histories, SAMPLING_HZ};
+use crate::progress::Progress;
+use crate::verification::VerificationRuns;
+
+/// Receiver of the rows of a run.
+pub trait Rows {
+    /// Takes a snapshot.
+    ///
+    /// # Errors
+    /// The snapshot cannot be stored; the run ends.
+    fn snapshot(&mut self, snapshot: &Snapshot) -> Result<(), ObserverError>;
+
+    /// Takes a collision.
+    ///
+    /// # Errors
+    /// The collision cannot be stored; the run ends.
+    fn collision(&mut self, collision: &Collision) -> Result<(), ObserverError>;
+}
+
+impl Rows for RunWriter {
+    fn snapshot(&mut self, snapshot: &Snapshot) -> Result<(), ObserverError> {
+        Ok(self.snapshot(snapshot)?)
+    }
+
+    fn collision(&mut self, collision: &Collision) -> Result<(), ObserverError> {
+        Ok(self.collision(collision)?)
+    }
+}
+
+/// What is recorded of a run beside its summary.
+pub struct Options<'r> {
+    /// Receiver of snapshots and collisions; without one, neither histories nor vibration are
+    /// recorded.
+    pub rows: Option<&'r mut (dyn Rows + Send)>,
+    /// Whether [`RunRecord::verify`] is to follow.
+    pub verify: bool,
+}
+
+/// Why there is no record of a run.
+#[derive(Debug, thiserror::Error)]
+pub enum RunError {
+    /// The case is impossible, or its start has no equilibrium.
+    #[error(transparent)]
+    Start(#[from] EquilibriumError),
+    /// The last collisions could not be stored.
+    #[error("{0}")]
+    Rows(ObserverError),
+}
+
+/// A run that has ended.
+pub struct RunRecord {
+    /// How it ended.
+    pub outcome: RunOutcome,
+    /// The content of `summary.json`.
+    pub summary: SummaryFile,
+    /// Histories for figures.
+    pub histories: Histories,
+    vibration: Option<VibrationRecorder>,
+    verification: Option<VerificationRuns>,
+}
+
+impl RunRecord {
+    /// Acceleration of the outer ring after the transient; `None` without a housing or samples.
+    pub fn vibration(&self) -> Option<&Measurement> {
+        let measured = &self.vibration.as_ref()?.measurements()[1];
+        (measured.samples() > 0).then_some(measured)
+    }
+
+    /// Runs the replicas of a verification and adds its result to the summary, if
+    /// [`Options::verify`] asked for it.
+    pub fn verify(&mut self, file: &CaseFile, progress: &dyn Progress) {
+        if let Some(verification) = self.verification.take() {
+            verification.finish(file.case(), &self.outcome, &mut self.summary, progress);
+        }
+    }
+}
+
+/// Runs a case and records it on the calling thread.
+///
+/// # Errors
+/// The case cannot start, or the last rows could not be stored. Everything else is an
+/// [`Ending`](cageless::simulation::Ending) of the outcome.
+pub fn run(
+    file: &CaseFile,
+    options: Options<'_>,
+    progress: &dyn Progress,
+) -> Result<RunRecord, RunError> {
+    let case = file.case();
+    let settled_s = transient_s(case);
+    let recorded = options.rows.is_some();
+    let mut summary = SummaryRecorder::new();
+    let mut verification = options.verify.then(|| VerificationRuns::new(case));
+    let mut vibration = (case.housing.as_ref())
+        .map(|housing| VibrationRecorder::new(housing, SAMPLING_HZ, settled_s));
+    let kept = RefCell::new((options.rows, Histories::new(case)));
+    let started = Instant::now();
+    let outcome = {
+        let mut recorder = Recorder::new(case.output.interval_s, |snapshot| {
+            let (rows, histories) = &mut *kept.borrow_mut();
+            if let Some(rows) = rows {
+                rows.snapshot(&snapshot)?;
+            }
+            histories.push(&snapshot);
+            Ok(())
+        });
+        let mut collisions = CollisionDetector::new(|collision| {
+            let (rows, histories) = &mut *kept.borrow_mut();
+            if let Some(rows) = rows {
+                rows.collision(&collision)?;
+            }
+            histories.collide(&collision);
+            Ok(())
+        });
+        let mut passages = PassageRecorder::new(|passage| {
+            if passage.enter_s > settled_s {
+                kept.borrow_mut().1.pass(&passage);
+            }
+            Ok(())
+        });
+        let work = progress.begin("run", 1.0);
+        let mut observers: Vec<&mut dyn Observer> = vec![&mut summary, &mut collisions];
+        if recorded {
+            observers.push(&mut recorder);
+            observers.push(&mut passages);
+            if let Some(vibration) = &mut vibration {
+                observers.push(vibration);
+            }
+        }
+        if let Some(verification) = &mut verification {
+            observers.push(verification.observer());
+        }
+        let mut control = work.run_control(case.solver.duration_s, 1.0);
+        let outcome = simulate(case, &mut observers, &mut *control)?;
+        collisions.close(outcome.end_s).map_err(RunError::Rows)?;
+        outcome
+    };
+    let wall_s = started.elapsed().as_secs_f64();
+    let (_, histories) = kept.into_inner();
+    Ok(RunRecord {
+        summary: SummaryFile::new(file, &outcome, summary.summary(), wall_s),
+        outcome,
+        histories,
+        vibration,
+        verification,
+    })
+}
