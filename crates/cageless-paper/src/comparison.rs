@@ -478,7 +478,7 @@ fn source(plans: &[Plan]) -> Provenance {
     steps.dedup();
     let steps: Vec<String> = steps
         .into_iter()
-        .map(|s| cageless_study::number_text::short(s))
+        .map(cageless_study::number_text::short)
         .collect();
     let durations = SPEEDS.map(|s| format!("{} s at {} rpm", s.duration_s, s.rpm));
     Provenance {
