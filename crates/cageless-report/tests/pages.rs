@@ -164,8 +164,8 @@ fn text_is_escaped() {
     assert!(html.contains("&lt;img src=x onerror=alert(1)&gt;"));
     let (_, energy) = specs(&page)
         .into_iter()
-        .find(|(id, _)| id == "ledger-of-energy")
-        .expect("a ledger");
+        .find(|(id, _)| id == "energy-balance")
+        .expect("an energy balance");
     assert_eq!(energy["data"][0]["y"][0], "&lt;b&gt;work&lt;/b&gt;");
 }
 

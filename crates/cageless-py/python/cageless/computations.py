@@ -302,8 +302,8 @@ class Computations(ABC):
             ``"step"``, ``"stl"``, ``"csv"``; what the file is called, or all three.
         blend_mm : float, optional
             Length of the blend between each end of a discrete raceway and the plain groove;
-            0 leaves the slope discontinuity. Default: 0.5, or a fifth of the shortest half raceway if that
-            is shorter.
+            0 leaves the slope discontinuity. Default: 0.5, or a fifth of the shortest half
+            raceway if that is shorter.
         tolerance_um : float, optional
             STEP: largest distance of the B-splines from the analytic surface. Default: 0.01.
         chord_um : float, optional

@@ -78,8 +78,8 @@ class ToleranceResult:
 
     @property
     def decides(self) -> list[str]:
-        """Parameters that alone, within their tolerance, make the bearing fail if the nominal one passes, or pass if it
-        fails; the surest to do so first."""
+        """Parameters that alone, within their tolerance, change the verdict of the nominal bearing;
+        the most certain first."""
         nominal = self.nominal_passes
 
         def changed(row: dict[str, Any]) -> float:
