@@ -2,6 +2,7 @@
 
 mod endurance;
 mod equations;
+mod friction;
 mod instructions;
 mod peers;
 mod problem;
@@ -29,6 +30,8 @@ enum Command {
     Statistics(statistics::Options),
     /// A long run of CB74 without damping: drift of energy, lost balls
     Endurance(endurance::Options),
+    /// Cost and statistics of dry friction, beside other solvers
+    Friction(friction::Options),
     /// Speed of a sweep against that of the bare library
     Sweep(sweep::Options),
     /// Evaluates the right-hand side, for a counter of instructions around it
@@ -42,6 +45,7 @@ fn main() -> Result<()> {
         Command::Instructions(options) => instructions::run(&options),
         Command::Statistics(options) => statistics::run(&options),
         Command::Endurance(options) => endurance::run(&options),
+        Command::Friction(options) => friction::run(&options),
         Command::Sweep(options) => sweep::run_command(&options),
         Command::Evaluate(options) => instructions::evaluate(&options),
     }

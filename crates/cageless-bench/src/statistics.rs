@@ -83,7 +83,8 @@ const fn published(name: &'static str, mean: f64, spread: f64, digits: usize) ->
 }
 
 /// Sums over the window, weighted with the step.
-struct Sums {
+pub struct Sums {
+    window_from_s: f64,
     contact_tracker: ContactTracker,
     time_s: f64,
     x: f64,
@@ -102,8 +103,10 @@ struct Sums {
 }
 
 impl Sums {
-    fn new() -> Self {
+    /// Sums from `window_from_s` on.
+    pub fn new(window_from_s: f64) -> Self {
         Self {
+            window_from_s,
             contact_tracker: ContactTracker::new(0),
             time_s: 0.0,
             x: 0.0,
@@ -120,8 +123,8 @@ impl Sums {
         }
     }
 
-    /// In the order and the units of [`PUBLISHED`].
-    fn statistics(&self) -> [f64; 6] {
+    /// The statistics in the order and the units of [`PUBLISHED`].
+    pub fn statistics(&self) -> [f64; 6] {
         let mean = |sum: f64| sum / self.time_s;
         let deviation =
             |sum: f64, squares: f64| 1e6 * (mean(squares) - mean(sum).powi(2)).max(0.0).sqrt();
@@ -145,7 +148,7 @@ impl Observer for Sums {
     fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         let layout = view.layout();
         let n = layout.balls;
-        let inside = view.step.t0_s >= WINDOW_S[0] * (1.0 - 1e-12);
+        let inside = view.step.t0_s >= self.window_from_s * (1.0 - 1e-12);
         self.contact_tracker.update(&view.contacts);
         if !inside {
             return Ok(Control::Continue);
@@ -216,7 +219,7 @@ fn ensemble(options: &Options, method: &str, step_us: f64) -> Result<Vec<[f64; 6
 /// Members of one batch, side by side.
 fn together(cases: &[Case], batch: &[usize]) -> Result<Vec<[f64; 6]>> {
     let members: Vec<&Case> = batch.iter().map(|k| &cases[*k]).collect();
-    let mut sums: Vec<Sums> = batch.iter().map(|_| Sums::new()).collect();
+    let mut sums: Vec<Sums> = batch.iter().map(|_| Sums::new(WINDOW_S[0])).collect();
     let mut observers: Vec<Vec<&mut dyn Observer>> = sums
         .iter_mut()
         .map(|s| vec![s as &mut dyn Observer])

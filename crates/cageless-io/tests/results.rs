@@ -466,6 +466,7 @@ fn a_file_is_replaced_as_a_whole() {
 fn coulomb_friction_far_from_its_limit_is_warned_of() {
     let warnings = |step_us: &str| {
         let overrides = [
+            "solver.method=abm4",
             "contact.friction_law=coulomb",
             "contact.friction_coefficient=0.3",
             "solver.duration_s=0.0002",

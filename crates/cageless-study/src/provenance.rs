@@ -68,6 +68,7 @@ pub fn law_name(law: FrictionLaw) -> &'static str {
     match law {
         FrictionLaw::Smooth => "smooth",
         FrictionLaw::Coulomb => "coulomb",
+        FrictionLaw::Stribeck => "stribeck",
     }
 }
 
@@ -81,6 +82,11 @@ pub fn provenance(case: &Case, discarded: String) -> Provenance {
                 format!("smooth, tanh(ΔV/{} m/s)", case.contact.slip_scale_m_s)
             }
             FrictionLaw::Coulomb => "Coulomb".to_owned(),
+            FrictionLaw::Stribeck => format!(
+                "Stribeck, {} to {}",
+                case.contact.friction_coefficient_max(),
+                case.contact.friction_coefficient
+            ),
         }),
         method: Some(method_name(case.solver.method).to_owned()),
         step_us: Some(case.solver.step_s * 1e6),

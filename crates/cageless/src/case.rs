@@ -35,9 +35,13 @@ pub enum Profile {
 pub enum FrictionLaw {
     /// μ·tanh(ΔV/scale)·N.
     Smooth,
-    /// μ·sign(ΔV)·N while sliding, whatever holds within the cone while rolling. Holding
-    /// is relaxed over a few steps: results are of order one in `step_s`.
+    /// μ·sign(ΔV)·N while sliding, whatever holds within the cone while rolling: exact in
+    /// `symplectic`; relaxed over a few steps in the explicit methods, whose results are of
+    /// order one in `step_s`.
     Coulomb,
+    /// (μ + (μs − μ)·exp(−|ΔV|/v))·tanh(ΔV/scale)·N: friction that drops from static to
+    /// sliding, as dry pairs do.
+    Stribeck,
 }
 
 /// Loads and speed.
@@ -58,7 +62,11 @@ pub struct Contact {
     pub friction_coefficient: f64,
     /// Law of friction.
     pub friction_law: FrictionLaw,
-    /// ΔV at the knee of the smooth law.
+    /// μs of the Stribeck law, at least μ; of no other law.
+    pub static_friction_coefficient: Option<f64>,
+    /// v of the Stribeck law, m/s; of no other law.
+    pub stribeck_speed_m_s: Option<f64>,
+    /// ΔV at the knee of the smooth and Stribeck laws.
     pub slip_scale_m_s: f64,
     /// c of the raceway contacts, F = K δ^(3/2) + c √δ dδ/dt, N·s·m^(−3/2).
     pub damping_n_s_m1_5: f64,
@@ -200,6 +208,48 @@ pub struct Case {
     pub output: Output,
 }
 
+impl Contact {
+    /// Largest coefficient of friction of the law.
+    pub fn friction_coefficient_max(&self) -> f64 {
+        self.static_friction_coefficient
+            .map_or(self.friction_coefficient, |s| {
+                s.max(self.friction_coefficient)
+            })
+    }
+
+    fn check_stribeck(&self) -> Result<(), InputError> {
+        let given = [
+            (
+                "static_friction_coefficient",
+                self.static_friction_coefficient,
+            ),
+            ("stribeck_speed_m_s", self.stribeck_speed_m_s),
+        ];
+        for (field, value) in given {
+            match (self.friction_law, value) {
+                (FrictionLaw::Stribeck, None) => {
+                    let rule = "given: the Stribeck law needs it";
+                    return Err(InputError::rule(field, f64::NAN, rule));
+                }
+                (FrictionLaw::Stribeck, Some(value)) => positive(field, value)?,
+                (_, Some(value)) => {
+                    let rule = "left out: only the Stribeck law has it";
+                    return Err(InputError::rule(field, value, rule));
+                }
+                (_, None) => {}
+            }
+        }
+        if self.friction_coefficient_max() > self.static_friction_coefficient.unwrap_or(f64::MAX) {
+            return Err(InputError::new(
+                "static_friction_coefficient",
+                self.static_friction_coefficient.unwrap_or_default(),
+                Allowed::AtLeast(self.friction_coefficient, "friction drops once balls slide"),
+            ));
+        }
+        Ok(())
+    }
+}
+
 /// Longest run that is accepted, in steps.
 pub const STEPS_MAX: f64 = 1e12;
 
@@ -223,6 +273,7 @@ impl Case {
         let c = &self.contact;
         not_negative("friction_coefficient", c.friction_coefficient)?;
         positive("slip_scale_m_s", c.slip_scale_m_s)?;
+        c.check_stribeck()?;
         not_negative("damping_n_s_m1_5", c.damping_n_s_m1_5)?;
         if !(c.ball_restitution > 0.0 && c.ball_restitution <= 1.0) {
             return Err(InputError::rule(

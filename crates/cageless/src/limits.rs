@@ -39,6 +39,8 @@ pub const LIMITS: &[Limit] = &[
     limit("youngs_modulus_pa", 5e8, 1.3e12, "from PTFE to diamond; steel has 206 GPa"),
     limit("gravity_m_s2", NONE, 1000.0, "about 100 times that of the Earth"),
     limit("friction_coefficient", NONE, 2.0, "clean metals in vacuum stay below; it is no percentage"),
+    limit("static_friction_coefficient", NONE, 2.0, "clean metals in vacuum stay below; it is no percentage"),
+    limit("stribeck_speed_m_s", 1e-6, 1e3, "friction that drops below or above is constant"),
     limit("slip_scale_m_s", 1e-6, 10.0, "the smooth law is a step below and no friction above"),
     limit("inner_stiffness_n_m1_5", 1e6, 1e14, STIFFNESS),
     limit("outer_stiffness_n_m1_5", 1e6, 1e14, STIFFNESS),

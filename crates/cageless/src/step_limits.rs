@@ -13,6 +13,7 @@
 
 use crate::case::{Case, FrictionLaw, Method, Start};
 use crate::dynamics::STICK_FRACTION;
+use crate::integrator::{Abm4, Adaptive, VelocityVerlet};
 use crate::kinematics::rolling_orbit_speed_rad_s;
 
 /// Fastest rates of a case.
@@ -23,11 +24,12 @@ pub struct StepLimits {
     pub contact_rad_s: f64,
     /// Decay of the bounce of a ball by contact damping, and of the ring by that and its drag.
     pub damping_1_s: f64,
-    /// Decay of slip by friction of the smooth law on a loaded ball.
+    /// Decay of slip by friction of the smooth laws on a loaded ball; of explicit methods only.
     pub friction_1_s: f64,
     /// Growth, per second of step, of the creep that the relaxed stick of Coulomb friction
-    /// leaves at the limit of a loaded contact, m/s²; 0 under the smooth law.
-    pub creep_m_s2: f64,
+    /// leaves in explicit methods at the limit of a loaded contact, m/s²; 0 under the smooth laws.
+    creep_m_s2: f64,
+    coulomb: bool,
     /// Whether the contacts are damped.
     pub damped: bool,
     /// Whether impacts, rather than the load, turn the energy over.
@@ -71,6 +73,8 @@ fn preload_n(case: &Case) -> f64 {
     }
 }
 
+/// λh of friction up to which explicit velocity Verlet has unbiased statistics.
+const FRICTION_RESOLVED: f64 = 0.7;
 /// A load below this many times the peak force of the least impact is light.
 const LIGHT: f64 = 4.0;
 /// ωh at which impacts lose 1e-3 of their energy in the ledger.
@@ -116,15 +120,15 @@ impl StepLimits {
             .sqrt();
         // Both friction forces of a ball together feel 1/5 of its mass.
         let friction = match case.contact.friction_law {
-            FrictionLaw::Smooth => {
-                5.0 * case.contact.friction_coefficient * load
+            FrictionLaw::Smooth | FrictionLaw::Stribeck => {
+                5.0 * case.contact.friction_coefficient_max() * load
                     / (mass * case.contact.slip_scale_m_s)
             }
             // Relaxed with the step, see `Model`.
             FrictionLaw::Coulomb => 0.0,
         };
         let creep = match case.contact.friction_law {
-            FrictionLaw::Smooth => 0.0,
+            FrictionLaw::Smooth | FrictionLaw::Stribeck => 0.0,
             FrictionLaw::Coulomb => {
                 case.contact.friction_coefficient * load / (STICK_FRACTION * 2.0 / 7.0 * mass)
             }
@@ -138,21 +142,20 @@ impl StepLimits {
             damping_1_s: damping,
             friction_1_s: friction,
             creep_m_s2: creep,
+            coulomb: case.contact.friction_law == FrictionLaw::Coulomb,
             damped: case.contact.damping_n_s_m1_5 > 0.0,
             light: carried < LIGHT * struck,
         }
     }
 
-    /// Stability limits (ωh, λh) of the method.
+    /// Largest (ωh, λh) at which the method is stable.
     fn bounds(method: Method) -> [f64; 2] {
-        match method {
-            // Imaginary axis: violent growth from 0.93; real axis: −1.28.
-            Method::Abm4 => [0.93, 1.28],
-            // Velocities are extrapolated: half the limit of leapfrog on the real axis.
-            Method::Symplectic => [2.0, 1.0],
-            // Error control finds its own step.
-            Method::Adaptive => [f64::INFINITY, f64::INFINITY],
-        }
+        let properties = match method {
+            Method::Abm4 => Abm4::PROPERTIES,
+            Method::Symplectic => VelocityVerlet::PROPERTIES,
+            Method::Adaptive => Adaptive::PROPERTIES,
+        };
+        [properties.oscillation_limit, properties.decay_limit]
     }
 
     /// Step beyond which the contacts are unstable under the method.
@@ -161,10 +164,30 @@ impl StepLimits {
         (oscillation / self.contact_rad_s).min(decay / self.damping_1_s)
     }
 
+    /// Whether friction is stiff for a step of `step_s`: beyond a λh of 0.7 the production
+    /// method treats it implicitly, below it, with the other forces, to second order. Coulomb's
+    /// law always counts as stiff.
+    pub fn friction_is_stiff(&self, step_s: f64) -> bool {
+        self.coulomb || self.friction_1_s * step_s > FRICTION_RESOLVED
+    }
+
     /// Step beyond which smooth friction no longer settles: slip then jumps to and fro
     /// about zero, bounded by μN, where it should decay.
     pub fn friction_resolved_to_s(&self, method: Method) -> f64 {
-        Self::bounds(method)[1] / self.friction_1_s
+        match method {
+            // Implicit.
+            Method::Symplectic => f64::INFINITY,
+            _ => Self::bounds(method)[1] / self.friction_1_s,
+        }
+    }
+
+    /// Creep that the relaxed stick of Coulomb friction leaves per second of step, m/s²; 0 where
+    /// friction is implicit.
+    pub fn creep_m_s2(&self, method: Method) -> f64 {
+        match method {
+            Method::Symplectic => 0.0,
+            Method::Abm4 | Method::Adaptive => self.creep_m_s2,
+        }
     }
 
     fn decay_1_s(&self) -> f64 {
@@ -191,8 +214,9 @@ impl StepLimits {
                 let fraction = if self.damped { 0.4f64 } else { 0.17 }.min(at_most);
                 (fraction / self.contact_rad_s).min(0.5 / self.decay_1_s())
             }
+            // Friction is implicit.
             Method::Symplectic => {
-                (0.65f64.min(at_most) / self.contact_rad_s).min(0.7 / self.decay_1_s())
+                (0.65f64.min(at_most) / self.contact_rad_s).min(0.7 / self.damping_1_s)
             }
             Method::Adaptive => 2.0 / self.contact_rad_s,
         };

@@ -1,11 +1,11 @@
 //! Work against precision: Cageless beside other solvers on case CB74.
 
 mod cageless_methods;
-mod cvode;
-mod diffsol;
-mod ode_solvers;
+pub mod cvode;
+pub mod diffsol;
+pub mod ode_solvers;
 mod output;
-mod peer;
+pub mod peer;
 
 use std::path::PathBuf;
 use std::time::Instant;

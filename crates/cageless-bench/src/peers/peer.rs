@@ -41,7 +41,7 @@ pub const TOLERANCES: [f64; 11] = [
 
 /// The case and its scaled start, made once: no solver is charged for it.
 pub struct Problem {
-    /// CB74.
+    /// The case.
     pub case: Case,
     /// Scaled start.
     pub start: Vec<f64>,
@@ -53,7 +53,14 @@ impl Problem {
     /// # Errors
     /// The case file is not what it was.
     pub fn new() -> Result<Self> {
-        let case = problem::cb74(&[])?;
+        Self::of(problem::cb74(&[])?)
+    }
+
+    /// Any case.
+    ///
+    /// # Errors
+    /// The case has no start.
+    pub fn of(case: Case) -> Result<Self> {
         let (state, _) = problem::start(&case)?;
         Ok(Self {
             start: problem::scaled(&state),

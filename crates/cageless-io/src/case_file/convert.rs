@@ -213,6 +213,11 @@ impl Converter<'_> {
         Ok(Contact {
             friction_coefficient: si("friction_coefficient", c.friction_coefficient)?,
             friction_law: c.friction_law,
+            static_friction_coefficient: optional(
+                "static_friction_coefficient",
+                c.static_friction_coefficient,
+            )?,
+            stribeck_speed_m_s: optional("stribeck_speed_m_s", c.stribeck_speed_m_s)?,
             slip_scale_m_s: si("slip_scale_m_s", c.slip_scale_m_s)?,
             damping_n_s_m1_5: si("damping", c.damping)?,
             ball_restitution: si("ball_restitution", c.ball_restitution)?,

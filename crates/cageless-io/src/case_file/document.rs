@@ -140,6 +140,12 @@ pub struct ContactDocument {
     /// Law of friction.
     #[serde(serialize_with = "named::serialize")]
     pub friction_law: FrictionLaw,
+    /// μs of the Stribeck law.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub static_friction_coefficient: Option<f64>,
+    /// Sliding speed over which the Stribeck law falls from μs to μ by 1/e.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stribeck_speed_m_s: Option<f64>,
     /// Sliding speed at the knee of the smooth law.
     pub slip_scale_m_s: f64,
     /// c of the raceway contacts, N·s·m^(−3/2).

@@ -94,7 +94,9 @@ pub(crate) const KEYS: &[Key] = &[
 
     key("contact", "friction_coefficient", Plain, "friction_coefficient", "μ"),
     key("contact", "friction_law", Plain, "", "friction against sliding speed"),
-    key("contact", "slip_scale_m_s", Si("m/s"), "slip_scale_m_s", "sliding speed at the knee of the smooth law"),
+    key("contact", "static_friction_coefficient", Plain, "static_friction_coefficient", "μs of the Stribeck law"),
+    key("contact", "stribeck_speed_m_s", Si("m/s"), "stribeck_speed_m_s", "sliding speed over which the Stribeck law falls from μs to μ"),
+    key("contact", "slip_scale_m_s", Si("m/s"), "slip_scale_m_s", "sliding speed at the knee of the smooth and Stribeck laws"),
     key("contact", "damping", Si("N s/m^1.5"), "damping_n_s_m1_5", "contact damping c of ball-raceway contacts, F = K δ^1.5 + c √δ dδ/dt"),
     key("contact", "ball_restitution", Plain, "ball_restitution", "coefficient of restitution between balls"),
     key("contact", "inner_stiffness", HERTZ, "inner_stiffness_n_m1_5", "K at the inner raceway, in place of Hertz"),

@@ -40,8 +40,11 @@ pub(crate) trait Named: Copy + PartialEq + 'static {
 }
 
 impl Named for FrictionLaw {
-    const NAMES: &'static [(&'static str, Self)] =
-        &[("smooth", Self::Smooth), ("coulomb", Self::Coulomb)];
+    const NAMES: &'static [(&'static str, Self)] = &[
+        ("smooth", Self::Smooth),
+        ("coulomb", Self::Coulomb),
+        ("stribeck", Self::Stribeck),
+    ];
 }
 
 impl Named for Profile {

@@ -236,6 +236,8 @@ impl<'a> FileReader<'a> {
             friction_coefficient: r
                 .number_or("friction_coefficient", defaults::FRICTION_COEFFICIENT)?,
             friction_law: r.choice_or("friction_law", defaults::FRICTION_LAW)?,
+            static_friction_coefficient: r.optional_number("static_friction_coefficient")?,
+            stribeck_speed_m_s: r.optional_number("stribeck_speed_m_s")?,
             slip_scale_m_s: r.number_or("slip_scale_m_s", defaults::SLIP_SCALE_M_S)?,
             damping: r.number_or("damping", defaults::DAMPING)?,
             ball_restitution: r.number_or("ball_restitution", defaults::BALL_RESTITUTION)?,

@@ -194,12 +194,12 @@ fn warnings(case: &Case) -> Vec<String> {
     }
     let limits = StepLimits::new(case);
     let (creep, knee) = (
-        limits.creep_m_s2 * case.solver.step_s,
+        limits.creep_m_s2(method) * case.solver.step_s,
         case.contact.slip_scale_m_s,
     );
     if creep > knee {
         // One digit, down: what is said to be enough is enough.
-        let enough_us = 1e6 * knee / limits.creep_m_s2;
+        let enough_us = 1e6 * knee / limits.creep_m_s2(method);
         let power = enough_us.log10().floor();
         let digit = (enough_us / 10f64.powf(power)).floor();
         let enough_us = format!("{digit}e{power}").parse().unwrap_or(enough_us);

@@ -153,10 +153,14 @@ class Contact(Section):
     ----------
     friction_coefficient : float, optional
         μ.
-    friction_law : {"smooth", "coulomb"}, optional
+    friction_law : {"smooth", "coulomb", "stribeck"}, optional
         Friction against sliding speed.
+    static_friction_coefficient : float, optional
+        μs of the Stribeck law, at least μ.
+    stribeck_speed_m_s : float, optional
+        Sliding speed over which the Stribeck law falls from μs to μ.
     slip_scale_m_s : float, optional
-        Sliding speed at the knee of the smooth law; ``"coulomb"`` does not use it.
+        Sliding speed at the knee of the smooth and Stribeck laws; ``"coulomb"`` does not use it.
     damping : float, optional
         c of the raceway contacts, N·s·m^−1.5.
     ball_restitution : float, optional
@@ -166,7 +170,9 @@ class Contact(Section):
     """
 
     friction_coefficient: float | None = None
-    friction_law: Literal["smooth", "coulomb"] | None = None
+    friction_law: Literal["smooth", "coulomb", "stribeck"] | None = None
+    static_friction_coefficient: float | None = None
+    stribeck_speed_m_s: float | None = None
     slip_scale_m_s: float | None = None
     damping: float | None = None
     ball_restitution: float | None = None

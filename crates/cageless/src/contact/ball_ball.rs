@@ -1,25 +1,11 @@
 //! Contact between neighbouring balls.
 
-use super::{Friction, NormalForce, friction_force, positive};
-use crate::case::FrictionLaw;
-use crate::dynamics::ball::{Ball, BallMotion};
+use super::{NormalForce, positive};
+use crate::dynamics::ball::{Ball, BallLoad, BallMotion};
 use crate::simd::lanes::lane_struct;
 
-/// A ball and the ball ahead as their contact sees them.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BallPair {
-    /// The ball.
-    pub ball: BallMotion,
-    /// The ball ahead.
-    pub next: BallMotion,
-    /// Orbital speed of the ball, rad/s (`paper` profile).
-    pub orbit: f64,
-    /// Orbital speed of the ball ahead, rad/s (`paper` profile).
-    pub next_orbit: f64,
-}
-
 lane_struct! {
-    /// Contact of one ball with the ball ahead.
+    /// Contact of one ball with the ball ahead without its friction.
     pub struct BallBallContact per lane BallBallContactLanes {
         /// δb, m; negative: apart.
         deflection,
@@ -27,22 +13,14 @@ lane_struct! {
         rate,
         /// Normal force, N.
         force,
-        /// Friction, N.
-        friction,
-        /// Force on the ball, N; the ball ahead takes the opposite.
-        fx,
-        /// Force on the ball, N.
-        fy,
-        /// Moment on the ball in the sense of its spin, N·m.
-        torque,
-        /// Moment on the ball ahead in the sense of its spin, N·m.
-        next_torque,
-        /// Power dissipated by friction, W.
-        friction_power,
+        /// Sliding speed of the surfaces, m/s.
+        slip,
+        /// x of the unit vector u to the ball ahead.
+        ux,
+        /// y of the unit vector u to the ball ahead.
+        uy,
         /// Power dissipated by damping, W.
         damping_power,
-        /// `paper` profile: power of the relative spin in place of the absolute one, W.
-        spin_power,
     }
 }
 
@@ -52,18 +30,16 @@ pub fn ball_deflection(ball: &Ball, dx_m: f64, dy_m: f64) -> f64 {
     ball.pair_distance - (dx_m * dx_m + dy_m * dy_m).sqrt()
 }
 
-/// Normal force and friction between a ball and the ball ahead; spins are absolute.
+/// Normal force and sliding speed between a ball and the ball ahead; spins are absolute.
 ///
 /// With u the unit vector to the ball ahead and p = u turned by +90°, the surfaces slide at
-/// (v − v′)·p − (ω·R + ω′·R′): friction pushes the balls along p and brakes both spins.
+/// (v − v′)·p − (ω·R + ω′·R′).
 #[inline(always)]
 pub fn ball_ball_contact(
-    law: FrictionLaw,
-    friction: &Friction,
     constants: &Ball,
-    pair: &BallPair,
+    ball: &BallMotion,
+    next: &BallMotion,
 ) -> BallBallContact {
-    let (ball, next) = (&pair.ball, &pair.next);
     let (dx, dy) = (next.x - ball.x, next.y - ball.y);
     let inverse = 1.0 / (dx * dx + dy * dy).sqrt();
     let (ux, uy) = (dx * inverse, dy * inverse);
@@ -76,23 +52,27 @@ pub fn ball_ball_contact(
         positive(deflection),
         rate,
     );
-    let force = normal.force_n;
-    let (radius, next_radius) = (constants.radius, constants.next_radius);
-    let surface = ball.spin * radius + next.spin * next_radius;
-    let slip = vy * ux - vx * uy - surface;
-    let friction = friction_force(law, friction, slip, force);
-    let turning = radius * pair.orbit + next_radius * pair.next_orbit;
+    let surface = ball.spin * constants.radius + next.spin * constants.next_radius;
     BallBallContact {
         deflection,
         rate,
-        force,
-        friction,
-        fx: -force * ux + friction * uy,
-        fy: -force * uy - friction * ux,
-        torque: radius * friction,
-        next_torque: next_radius * friction,
-        friction_power: friction * slip,
+        force: normal.force_n,
+        slip: vy * ux - vx * uy - surface,
+        ux,
+        uy,
         damping_power: normal.damping_power_w,
-        spin_power: friction * turning,
+    }
+}
+
+impl BallBallContact {
+    /// Force and moment on the ball under the friction `friction_n`, which pushes the balls
+    /// along p and brakes both spins; the ball ahead takes the opposite force.
+    #[inline(always)]
+    pub fn load(&self, constants: &Ball, friction_n: f64) -> BallLoad {
+        BallLoad {
+            fx: -self.force * self.ux + friction_n * self.uy,
+            fy: -self.force * self.uy - friction_n * self.ux,
+            torque: constants.radius * friction_n,
+        }
     }
 }

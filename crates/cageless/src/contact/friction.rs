@@ -6,36 +6,58 @@ use crate::simd::lanes::lane_struct;
 lane_struct! {
     /// Constants of the friction of a contact.
     pub struct Friction per lane FrictionLanes {
-        /// μ.
+        /// μ; of the Stribeck law that of fast sliding, μd.
         coefficient,
-        /// 1/ΔV at which tanh(ΔV/scale) of the smooth law has its knee, s/m.
+        /// Stribeck law: μs − μd.
+        static_excess,
+        /// Stribeck law: 1/v of μs − μd falling as exp(−|ΔV|/v), s/m.
+        inverse_stribeck_speed,
+        /// 1/ΔV at which tanh(ΔV/scale) of the smooth and Stribeck laws has its knee, s/m.
         inverse_slip_scale,
-        /// Coulomb law: friction per sliding speed within the cone, N·s/m.
+        /// Coulomb's law in explicit methods: friction per sliding speed within the cone, N·s/m.
         stick_gain,
     }
 }
 
-/// Friction force along −ΔV under the normal force `normal_n`, N (Zhao 2022, Eq. (20) and
-/// Eq. (21)).
+/// Friction force along −ΔV under the normal force `normal_n`, N, and its slope over ΔV, N·s/m
+/// (Zhao 2022, Eq. (20) and Eq. (21)).
 ///
-/// Smooth law: μ·tanh(ΔV/scale)·N. Coulomb's law: g·ΔV bounded by ±μN, the cone with the
-/// relaxed stick of [`crate::dynamics::Model`]; where the ball slides, μ·sign(ΔV)·N.
+/// Smooth law: μ·tanh(ΔV/scale)·N. Stribeck law: the same with μ = μd + (μs − μd)·exp(−|ΔV|/v).
+/// Coulomb's law: g·ΔV bounded by ±μN, the cone with the relaxed stick of
+/// [`crate::dynamics::Model`]; where the ball slides, μ·sign(ΔV)·N. Implicit methods solve
+/// Coulomb's law exactly instead ([`super::coulomb_friction`]).
 #[inline(always)]
-pub fn friction_force(law: FrictionLaw, f: &Friction, slip_m_s: f64, normal_n: f64) -> f64 {
+pub fn friction_force(law: FrictionLaw, f: &Friction, slip_m_s: f64, normal_n: f64) -> [f64; 2] {
     let largest = f.coefficient * normal_n;
     match law {
-        FrictionLaw::Smooth => largest * tanh(slip_m_s * f.inverse_slip_scale),
+        FrictionLaw::Smooth => {
+            let knee = tanh(slip_m_s * f.inverse_slip_scale);
+            let slope = largest * (1.0 - knee * knee) * f.inverse_slip_scale;
+            [largest * knee, slope]
+        }
+        FrictionLaw::Stribeck => {
+            let knee = tanh(slip_m_s * f.inverse_slip_scale);
+            let decay = exp_negative((-slip_m_s.abs() * f.inverse_stribeck_speed).max(-80.0));
+            let excess = f.static_excess * decay * normal_n;
+            let slope = (largest + excess) * (1.0 - knee * knee) * f.inverse_slip_scale
+                - excess * f.inverse_stribeck_speed * knee.abs();
+            [(largest + excess) * knee, slope]
+        }
         FrictionLaw::Coulomb => {
             let wanted = f.stick_gain * slip_m_s;
             let bounded = if wanted > largest { largest } else { wanted };
-            if bounded < -largest {
-                -largest
-            } else {
-                bounded
-            }
+            [
+                if bounded < -largest {
+                    -largest
+                } else {
+                    bounded
+                },
+                f.stick_gain,
+            ]
         }
     }
 }
+
 /// tanh, the same bits on every instruction set, absolute error below 4e-16: one
 /// expression without branches, so that a loop over it becomes vector code.
 ///
@@ -90,5 +112,29 @@ mod tests {
         assert_eq!(tanh(0.0), 0.0);
         assert_eq!(tanh(1e9), 1.0);
         assert_eq!(tanh(-1e9), -1.0);
+    }
+
+    /// The slope is the derivative of the force, by central differences.
+    #[test]
+    fn slopes_are_derivatives() {
+        let f = Friction {
+            coefficient: 0.1,
+            static_excess: 0.2,
+            inverse_stribeck_speed: 10.0,
+            inverse_slip_scale: 50.0,
+            stick_gain: 1.0,
+        };
+        for law in [FrictionLaw::Smooth, FrictionLaw::Stribeck] {
+            for slip in [-1.0, -0.3, -0.02, 1e-3, 0.05, 0.7] {
+                let force = |slip: f64| friction_force(law, &f, slip, 100.0)[0];
+                let h = 1e-6;
+                let expected = (force(slip + h) - force(slip - h)) / (2.0 * h);
+                let found = friction_force(law, &f, slip, 100.0)[1];
+                assert!(
+                    (found - expected).abs() < 1e-5 * (1.0 + expected.abs()),
+                    "{slip}"
+                );
+            }
+        }
     }
 }

@@ -1,8 +1,8 @@
 //! Contact of a ball with the inner raceway.
 
-use super::{Friction, NormalForce, friction_force, positive};
-use crate::case::{FrictionLaw, Profile};
-use crate::dynamics::ball::{Ball, BallMotion, PolarMotion};
+use super::{NormalForce, positive};
+use crate::case::Profile;
+use crate::dynamics::ball::{Ball, BallLoad, BallMotion, PolarMotion};
 use crate::simd::lanes::lane_struct;
 
 lane_struct! {
@@ -16,7 +16,7 @@ lane_struct! {
 }
 
 lane_struct! {
-    /// Inner contact of one ball.
+    /// Inner contact of one ball without its friction.
     pub struct InnerContact per lane InnerContactLanes {
         /// δi, m; negative: apart.
         deflection,
@@ -24,18 +24,8 @@ lane_struct! {
         force,
         /// ΔVi, m/s.
         slip,
-        /// Friction along −ΔVi, N; positive drives the ball.
-        friction,
-        /// Friction and normal force on the ball, N; the ring takes the opposite.
-        fx,
-        /// Friction and normal force on the ball, N.
-        fy,
-        /// Moment about the ball's centre in the sense of its spin, N·m.
-        torque,
         /// Power dissipated by damping, W.
         damping_power,
-        /// `paper` profile: power of the relative spin in place of the absolute one, W.
-        spin_power,
     }
 }
 
@@ -45,7 +35,7 @@ pub fn inner_deflection(distance_m: f64, ball: &Ball) -> f64 {
     ball.inner_contact_distance - distance_m
 }
 
-/// Normal force and friction of a ball at the inner raceway (Zhao 2022, Eq. (2));
+/// Normal force and sliding speed of a ball at the inner raceway (Zhao 2022, Eq. (2));
 /// `polar` is the motion of the ball about the centre of the ring and relative to it.
 ///
 /// ΔVi is ωi·Ri − (Ωi·Ri + ω·Rw) with the relative spin ω in `paper`, Eq. (2), and the
@@ -53,8 +43,6 @@ pub fn inner_deflection(distance_m: f64, ball: &Ball) -> f64 {
 #[inline(always)]
 pub fn inner_contact(
     profile: Profile,
-    law: FrictionLaw,
-    friction: &Friction,
     ball: &Ball,
     raceway: &InnerRaceway,
     motion: &BallMotion,
@@ -67,21 +55,55 @@ pub fn inner_contact(
         positive(deflection),
         -polar.radial,
     );
-    let carried = match profile {
-        Profile::Paper => polar.orbit * raceway.radius,
-        Profile::Physical => polar.tangential,
-    };
-    let slip = raceway.surface_speed - (carried + motion.spin * ball.radius);
-    let friction = friction_force(law, friction, slip, normal.force_n);
     InnerContact {
         deflection,
         force: normal.force_n,
-        slip,
-        friction,
-        fx: normal.force_n * polar.ex - friction * polar.ey,
-        fy: normal.force_n * polar.ey + friction * polar.ex,
-        torque: ball.radius * friction,
+        slip: inner_slip(profile, ball, raceway, motion, polar),
         damping_power: normal.damping_power_w,
-        spin_power: friction * (polar.tangential - carried),
     }
+}
+
+/// ΔVi, m/s, see [`inner_contact`] (Zhao 2022, Eq. (2)).
+#[inline(always)]
+pub fn inner_slip(
+    profile: Profile,
+    ball: &Ball,
+    raceway: &InnerRaceway,
+    motion: &BallMotion,
+    polar: &PolarMotion,
+) -> f64 {
+    let carried = carried_speed(profile, raceway, polar);
+    raceway.surface_speed - (carried + motion.spin * ball.radius)
+}
+
+/// Part of the surface speed of a ball that its orbit makes, m/s.
+#[inline(always)]
+fn carried_speed(profile: Profile, raceway: &InnerRaceway, polar: &PolarMotion) -> f64 {
+    match profile {
+        Profile::Paper => polar.orbit * raceway.radius,
+        Profile::Physical => polar.tangential,
+    }
+}
+
+/// Force and moment of the inner contact on the ball under the friction `friction_n`, μFi
+/// (Zhao 2022, Eq. (20)); the ring takes the opposite force.
+#[inline(always)]
+pub fn inner_load(
+    contact: &InnerContact,
+    ball: &Ball,
+    polar: &PolarMotion,
+    friction_n: f64,
+) -> BallLoad {
+    BallLoad {
+        fx: contact.force * polar.ex - friction_n * polar.ey,
+        fy: contact.force * polar.ey + friction_n * polar.ex,
+        torque: ball.radius * friction_n,
+    }
+}
+
+/// Power of inner friction in the `paper` profile that comes from the relative spin in place of
+/// the absolute one, W.
+#[inline(always)]
+pub fn inner_paper_power(raceway: &InnerRaceway, polar: &PolarMotion, friction_n: f64) -> f64 {
+    friction_n * (polar.tangential - carried_speed(Profile::Paper, raceway, polar))
 }

@@ -16,27 +16,33 @@
 //!     ..Friction::default()
 //! };
 //! // Far above the scale of 0.02 m/s the smooth law is μN.
-//! let force_n = friction_force(FrictionLaw::Smooth, &friction, 1.0, 100.0);
+//! let [force_n, _] = friction_force(FrictionLaw::Smooth, &friction, 1.0, 100.0);
 //! assert!((force_n - 0.7).abs() < 1e-12);
 //! ```
 
 mod ball_ball;
 mod friction;
 pub mod hertz;
+mod implicit_friction;
 mod inner;
 mod normal_force;
 mod outer;
 mod outer_geometry;
 
-pub use ball_ball::{BallBallContact, BallPair, ball_ball_contact, ball_deflection};
+pub use ball_ball::{BallBallContact, ball_ball_contact, ball_deflection};
 pub use friction::{Friction, friction_force, tanh};
-pub use inner::{InnerContact, InnerRaceway, inner_contact, inner_deflection};
+pub use implicit_friction::{
+    MAX_ITERATIONS, RacewayContacts, SlipProblem, Slips, coulomb_friction, newton_step,
+};
+pub use inner::{
+    InnerContact, InnerRaceway, inner_contact, inner_deflection, inner_load, inner_paper_power,
+    inner_slip,
+};
 pub use normal_force::{NormalForce, restitution_damping};
 pub use outer::{
     OuterContact, OuterGeometry, OuterRaceway, centrifugal_force, outer_contact, outer_deflection,
-    slope_force,
+    outer_friction_direction, outer_load, outer_paper_powers, outer_slip, slope_force,
 };
-
 pub use outer_geometry::{
     OUTSIDE, RacewayConstants, RacewayPosition, RacewayValues, nominal_geometry, unequal_geometry,
     with_path_direction,
@@ -44,6 +50,7 @@ pub use outer_geometry::{
 
 pub(crate) use ball_ball::BallBallContactLanes;
 pub(crate) use friction::FrictionLanes;
+pub(crate) use implicit_friction::{SlipProblemLanes, SlipsLanes};
 pub(crate) use inner::{InnerContactLanes, InnerRacewayLanes};
 pub(crate) use outer::{OuterContactLanes, OuterGeometryLanes, OuterRacewayLanes};
 pub(crate) use outer_geometry::{RacewayConstantsLanes, RacewayPositionLanes, RacewayValuesLanes};

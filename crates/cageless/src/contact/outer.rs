@@ -1,8 +1,8 @@
 //! Contact of a ball with the outer raceway, plain or discrete.
 
-use super::{Friction, NormalForce, friction_force, positive};
-use crate::case::{FrictionLaw, Profile};
-use crate::dynamics::ball::{Ball, BallMotion, PolarMotion};
+use super::{NormalForce, positive};
+use crate::case::Profile;
+use crate::dynamics::ball::{Ball, BallLoad, BallMotion, PolarMotion};
 use crate::simd::lanes::lane_struct;
 
 lane_struct! {
@@ -56,7 +56,7 @@ impl OuterGeometry {
 }
 
 lane_struct! {
-    /// Outer contact of one ball.
+    /// Outer contact of one ball without its friction.
     pub struct OuterContact per lane OuterContactLanes {
         /// δo, m; negative: apart.
         deflection,
@@ -64,20 +64,10 @@ lane_struct! {
         force,
         /// ΔVo, m/s.
         slip,
-        /// Friction along −ΔVo, N.
-        friction,
-        /// Friction and normal force on the ball, N.
-        fx,
-        /// Friction and normal force on the ball, N.
-        fy,
-        /// Moment about the ball's centre in the sense of its spin, N·m.
-        torque,
+        /// Normal force that friction acts under, N: that of both contact points, Fo·Rw/r.
+        friction_normal,
         /// Power dissipated by damping, W.
         damping_power,
-        /// `paper` profile: power of friction that does not act along the sliding velocity, W.
-        direction_power,
-        /// `paper` profile: power of the relative spin in place of the absolute one, W.
-        spin_power,
     }
 }
 
@@ -87,26 +77,22 @@ pub fn outer_deflection(distance_m: f64, geometry: &OuterGeometry) -> f64 {
     distance_m - geometry.orbit_radius
 }
 
-/// Normal force and friction of a ball at the outer raceway (Zhao 2022, Eq. (1), Eq. (19) and
-/// Eq. (22)).
+/// Normal force and sliding speed of a ball at the outer raceway (Zhao 2022, Eq. (1) and
+/// Eq. (19)).
 ///
-/// On a discrete raceway each of two points carries F′o = Fo·Rw/(2r), Eq. (19), and friction is
-/// 2μF′o = μ·Fo·Rw/r with arm r, Eq. (22); on the plain one r = Rw makes it μ·Fo, Eq. (21).
-/// ΔVo is Ω(r + Rm) − ω·r with the relative spin ω in `paper`, Eq. (1), and the surface
-/// velocity vt − ω·r of the ball in `physical`.
+/// On a discrete raceway each of two points carries F′o = Fo·Rw/(2r), Eq. (19), so that
+/// friction acts under Fo·Rw/r; on the plain one r = Rw makes it Fo. ΔVo is Ω(r + Rm) − ω·r
+/// with the relative spin ω in `paper`, Eq. (1), and the surface velocity vt − ω·r of the ball
+/// in `physical`.
 #[inline(always)]
-#[allow(clippy::too_many_arguments)] // two switches, then what the contact depends on
 pub fn outer_contact(
     profile: Profile,
-    law: FrictionLaw,
-    friction: &Friction,
     ball: &Ball,
     raceway: &OuterRaceway,
     geometry: &OuterGeometry,
     motion: &BallMotion,
     polar: &PolarMotion,
 ) -> OuterContact {
-    let (r, spin) = (geometry.effective_radius, motion.spin);
     let deflection = outer_deflection(polar.distance, geometry);
     let rate = polar.radial - geometry.slope * polar.orbit;
     let normal = NormalForce::at_raceway(
@@ -115,29 +101,80 @@ pub fn outer_contact(
         positive(deflection),
         rate,
     );
-    let force = normal.force_n;
-    let slip = match profile {
-        Profile::Paper => polar.orbit * (r + raceway.pitch_radius) - spin * r,
-        Profile::Physical => polar.tangential - spin * r,
-    };
-    let friction = friction_force(law, friction, slip, force * ball.radius / r);
-    let (direction_x, direction_y) = match profile {
-        Profile::Paper => (geometry.direction_x, geometry.direction_y),
-        Profile::Physical => (-polar.ey, polar.ex),
-    };
-    let along = direction_x * motion.vx + direction_y * motion.vy;
     OuterContact {
         deflection,
-        force,
-        slip,
-        friction,
-        fx: -force * polar.ex - friction * direction_x,
-        fy: -force * polar.ey - friction * direction_y,
-        torque: r * friction,
+        force: normal.force_n,
+        slip: outer_slip(profile, raceway, geometry, motion, polar),
+        friction_normal: normal.force_n * ball.radius / geometry.effective_radius,
         damping_power: normal.damping_power_w,
-        direction_power: friction * (polar.tangential - along),
-        spin_power: friction * (slip + spin * r - polar.tangential),
     }
+}
+
+/// ΔVo, m/s, see [`outer_contact`] (Zhao 2022, Eq. (1)).
+#[inline(always)]
+pub fn outer_slip(
+    profile: Profile,
+    raceway: &OuterRaceway,
+    geometry: &OuterGeometry,
+    motion: &BallMotion,
+    polar: &PolarMotion,
+) -> f64 {
+    let r = geometry.effective_radius;
+    match profile {
+        Profile::Paper => polar.orbit * (r + raceway.pitch_radius) - motion.spin * r,
+        Profile::Physical => polar.tangential - motion.spin * r,
+    }
+}
+
+/// Direction against which outer friction acts on the ball: along the contact path in `paper`
+/// (r_f of Zhao 2022, Eq. (22)), along the circumference in `physical`.
+#[inline(always)]
+pub fn outer_friction_direction(
+    profile: Profile,
+    geometry: &OuterGeometry,
+    polar: &PolarMotion,
+) -> [f64; 2] {
+    match profile {
+        Profile::Paper => [geometry.direction_x, geometry.direction_y],
+        Profile::Physical => [-polar.ey, polar.ex],
+    }
+}
+
+/// Force and moment of the outer contact on the ball under the friction `friction_n`, which
+/// acts with arm r: 2μF′o on a discrete raceway, μFo on the plain one (Zhao 2022, Eq. (21),
+/// (22)).
+#[inline(always)]
+pub fn outer_load(
+    profile: Profile,
+    contact: &OuterContact,
+    geometry: &OuterGeometry,
+    polar: &PolarMotion,
+    friction_n: f64,
+) -> BallLoad {
+    let [direction_x, direction_y] = outer_friction_direction(profile, geometry, polar);
+    BallLoad {
+        fx: -contact.force * polar.ex - friction_n * direction_x,
+        fy: -contact.force * polar.ey - friction_n * direction_y,
+        torque: geometry.effective_radius * friction_n,
+    }
+}
+
+/// Powers of outer friction in the `paper` profile, W, that friction along the sliding velocity
+/// with the absolute spin would not have: that of its direction, and that of the relative spin.
+#[inline(always)]
+pub fn outer_paper_powers(
+    raceway: &OuterRaceway,
+    geometry: &OuterGeometry,
+    motion: &BallMotion,
+    polar: &PolarMotion,
+    friction_n: f64,
+) -> [f64; 2] {
+    let along = geometry.direction_x * motion.vx + geometry.direction_y * motion.vy;
+    let slip = outer_slip(Profile::Paper, raceway, geometry, motion, polar);
+    [
+        friction_n * (polar.tangential - along),
+        friction_n * (slip + motion.spin * geometry.effective_radius - polar.tangential),
+    ]
 }
 
 /// Force along ψ of an outer contact whose geometry changes with ψ, Fo·(d|rb|/dψ)/|rb|, N:

@@ -113,6 +113,21 @@ impl BallMotion {
     }
 }
 
+impl PolarMotion {
+    /// The same position with the velocities of `ball` and `centre`.
+    #[inline(always)]
+    pub fn with_velocity(&self, ball: &BallMotion, centre: &Centre) -> Self {
+        let (vx, vy) = (ball.vx - centre.vx, ball.vy - centre.vy);
+        let tangential = vy * self.ex - vx * self.ey;
+        Self {
+            tangential,
+            radial: vx * self.ex + vy * self.ey,
+            orbit: tangential / self.distance,
+            ..*self
+        }
+    }
+}
+
 lane_struct! {
     /// Sum of the forces and moments on a ball.
     pub struct BallLoad per lane BallLoadLanes {

@@ -2,6 +2,7 @@
 
 use super::state::{LANES, Layout};
 use crate::case::Profile;
+use crate::contact::outer_friction_direction;
 use crate::simd::Workspace;
 use crate::simd::lanes::Lanes;
 
@@ -87,16 +88,12 @@ impl Contacts<'_> {
             let results = &self.work.blocks[block];
             let (polar, outer) = (results.polar.get(lane), results.outer.get(lane));
             let slope_force = results.slope_force.0[lane];
-            let (dir_x, dir_y) = match self.profile {
-                Profile::Paper => {
-                    let geometry = results.geometry.get(lane);
-                    (geometry.direction_x, geometry.direction_y)
-                }
-                Profile::Physical => (-polar.ey, polar.ex),
-            };
+            let geometry = results.geometry.get(lane);
+            let [dx, dy] = outer_friction_direction(self.profile, &geometry, &polar);
+            let friction = results.outer_friction.0[lane];
             [
-                x + outer.force * polar.ex + slope_force * polar.ey + outer.friction * dir_x,
-                y + outer.force * polar.ey - slope_force * polar.ex + outer.friction * dir_y,
+                x + outer.force * polar.ex + slope_force * polar.ey + friction * dx,
+                y + outer.force * polar.ey - slope_force * polar.ex + friction * dy,
             ]
         })
     }

@@ -11,6 +11,7 @@ use crate::contact::{
 use crate::error::InputError;
 use crate::outer_contact_geometry::outer_contact_geometry;
 use crate::raceway::Raceway;
+use crate::step_limits::StepLimits;
 
 /// A discrete raceway as the equations use it.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,6 +42,8 @@ pub struct Model {
     pub(crate) outer: OuterRaceway,
     pub(crate) inner: InnerRaceway,
     pub(crate) ring: InnerRing,
+    /// Whether methods that can treat friction implicitly are to do so.
+    pub(crate) implicit_friction: bool,
     /// Whether contacts between balls are damped.
     pub(crate) ball_damped: bool,
     pub(crate) raceway_models: Vec<RacewayModel>,
@@ -112,6 +115,8 @@ impl Model {
             unequal: !case.has_nominal_geometry(),
             friction: Friction {
                 coefficient: c.friction_coefficient,
+                static_excess: c.friction_coefficient_max() - c.friction_coefficient,
+                inverse_stribeck_speed: c.stribeck_speed_m_s.map_or(0.0, |v| 1.0 / v),
                 inverse_slip_scale: 1.0 / c.slip_scale_m_s,
                 stick_gain,
             },
@@ -132,6 +137,7 @@ impl Model {
                 radial_load: case.operation.radial_load_n,
                 gravity: case.operation.gravity_m_s2,
             },
+            implicit_friction: StepLimits::new(case).friction_is_stiff(case.solver.step_s),
             ball_damped: alpha > 0.0,
             raceway_models: case.raceways.iter().map(RacewayModel::new).collect(),
             bearing: bearing.clone(),
@@ -156,7 +162,13 @@ impl Model {
 
     /// Properties that bearings side by side must have in common.
     pub fn kind(&self) -> impl PartialEq + use<> {
-        (self.balls(), self.profile, self.law, self.unequal)
+        (
+            self.balls(),
+            self.profile,
+            self.law,
+            self.unequal,
+            self.implicit_friction,
+        )
     }
 
     /// Angle between ball `k` and the ball ahead when they touch on the pitch circle.

@@ -94,19 +94,19 @@ impl<'m> RightHandSide<'m> {
         }
     }
 
-    fn evaluate(&mut self, y: &[f64], dydt: &mut [f64]) {
+    fn evaluate(&mut self, y: &[f64], dydt: &mut [f64], raceway_friction: bool) {
         self.evaluations += 1;
         let (p, w) = (&self.parameters, &mut self.work);
         match self.isa {
-            InstructionSet::Baseline => simd::evaluate(p, w, y, dydt),
+            InstructionSet::Baseline => simd::evaluate(p, w, y, dydt, raceway_friction),
             // SAFETY: `build` admits only what the processor has.
             #[cfg(target_arch = "x86_64")]
-            InstructionSet::Avx2 => unsafe { evaluate_avx2(p, w, y, dydt) },
+            InstructionSet::Avx2 => unsafe { evaluate_avx2(p, w, y, dydt, raceway_friction) },
             // SAFETY: `build` admits only what the processor has.
             #[cfg(target_arch = "x86_64")]
-            InstructionSet::Avx512 => unsafe { evaluate_avx512(p, w, y, dydt) },
+            InstructionSet::Avx512 => unsafe { evaluate_avx512(p, w, y, dydt, raceway_friction) },
             #[cfg(not(target_arch = "x86_64"))]
-            _ => simd::evaluate(p, w, y, dydt),
+            _ => simd::evaluate(p, w, y, dydt, raceway_friction),
         }
     }
 
@@ -137,7 +137,7 @@ impl<'m> RightHandSide<'m> {
     /// beyond a turn.
     pub fn snapshot(&mut self, time_s: f64, state: &State, angle_rad: &[f64]) -> Snapshot {
         let mut rate = vec![0.0; state.layout().len()];
-        self.evaluate(state.values(), &mut rate);
+        self.evaluate(state.values(), &mut rate, true);
         let (n, layout) = (self.model().balls(), state.layout());
         let c = self.contacts();
         let ring = state.ring_motion();
@@ -182,14 +182,52 @@ impl<'m> RightHandSide<'m> {
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx2")]
-fn evaluate_avx2(p: &Parameters, w: &mut Workspace, y: &[f64], dydt: &mut [f64]) {
-    simd::evaluate(p, w, y, dydt);
+fn evaluate_avx2(
+    p: &Parameters,
+    w: &mut Workspace,
+    y: &[f64],
+    dydt: &mut [f64],
+    raceway_friction: bool,
+) {
+    simd::evaluate(p, w, y, dydt, raceway_friction);
 }
 
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx512f,avx512vl,avx512dq")]
-fn evaluate_avx512(p: &Parameters, w: &mut Workspace, y: &[f64], dydt: &mut [f64]) {
-    simd::evaluate(p, w, y, dydt);
+fn evaluate_avx512(
+    p: &Parameters,
+    w: &mut Workspace,
+    y: &[f64],
+    dydt: &mut [f64],
+    raceway_friction: bool,
+) {
+    simd::evaluate(p, w, y, dydt, raceway_friction);
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx2")]
+fn add_friction_avx2(
+    p: &Parameters,
+    w: &mut Workspace,
+    h_s: f64,
+    y0: &[f64],
+    y: &mut [f64],
+    dydt: &mut [f64],
+) {
+    simd::add_implicit_friction(p, w, h_s, y0, y, dydt);
+}
+
+#[cfg(target_arch = "x86_64")]
+#[target_feature(enable = "avx512f,avx512vl,avx512dq")]
+fn add_friction_avx512(
+    p: &Parameters,
+    w: &mut Workspace,
+    h_s: f64,
+    y0: &[f64],
+    y: &mut [f64],
+    dydt: &mut [f64],
+) {
+    simd::add_implicit_friction(p, w, h_s, y0, y, dydt);
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -218,7 +256,32 @@ impl System for RightHandSide<'_> {
     }
 
     fn derivative(&mut self, _time_s: f64, y: &[f64], dydt: &mut [f64]) {
-        self.evaluate(y, dydt);
+        self.evaluate(y, dydt, true);
+    }
+
+    /// Friction at the raceways, where it is stiff for the step of the case.
+    fn has_stiff_part(&self) -> bool {
+        self.model().implicit_friction
+    }
+
+    fn nonstiff_derivative(&mut self, _time_s: f64, y: &[f64], dydt: &mut [f64]) {
+        self.evaluate(y, dydt, false);
+    }
+
+    #[inline(always)] // into callers compiled for wider vectors
+    fn add_stiff_part(&mut self, h_s: f64, y0: &[f64], y: &mut [f64], dydt: &mut [f64]) {
+        let (p, w) = (&self.parameters, &mut self.work);
+        match self.isa {
+            InstructionSet::Baseline => simd::add_implicit_friction(p, w, h_s, y0, y, dydt),
+            // SAFETY: `build` admits only what the processor has.
+            #[cfg(target_arch = "x86_64")]
+            InstructionSet::Avx2 => unsafe { add_friction_avx2(p, w, h_s, y0, y, dydt) },
+            // SAFETY: `build` admits only what the processor has.
+            #[cfg(target_arch = "x86_64")]
+            InstructionSet::Avx512 => unsafe { add_friction_avx512(p, w, h_s, y0, y, dydt) },
+            #[cfg(not(target_arch = "x86_64"))]
+            _ => simd::add_implicit_friction(p, w, h_s, y0, y, dydt),
+        }
     }
 
     /// Damped contacts, whose force starts with infinite slope and ends with a kink where

@@ -63,6 +63,22 @@ pub trait System {
         &[]
     }
 
+    /// Whether f has a stiff, dissipative part that acts on velocities and that
+    /// [`Self::add_stiff_part`] solves for.
+    fn has_stiff_part(&self) -> bool {
+        false
+    }
+
+    /// Writes f(t, y) without its stiff part into `dydt`.
+    fn nonstiff_derivative(&mut self, time_s: f64, y: &[f64], dydt: &mut [f64]) {
+        self.derivative(time_s, y, dydt);
+    }
+
+    /// Adds the stiff part g at the end of a step of `h_s` from `y0`, implicitly: y holds what
+    /// the rest of f leads to and becomes y + h·g with g = g(y + h·g); g is added to `dydt`.
+    /// Positions and what depends on them are as of the last [`Self::nonstiff_derivative`].
+    fn add_stiff_part(&mut self, _h_s: f64, _y0: &[f64], _y: &mut [f64], _dydt: &mut [f64]) {}
+
     /// Size of a difference of two states in the scales of the problem; 1 is as large
     /// as what is of interest.
     fn error_norm(&self, difference: &[f64]) -> f64 {

@@ -5,7 +5,12 @@
 //! extrapolated to the end of the step. (With v(½) itself, as in symplectic Euler, a ball on
 //! its circle would seem to fly outwards by h/2·v²/R, and damping would resist that.)
 //!
-//! Order 2. Where forces depend on places alone it is symplectic and keeps a nearby energy
+//! A stiff part g of f that acts on velocities ([`System::has_stiff_part`]) enters implicitly
+//! instead, once over the whole step: v(n+1) = v(n) + h/2·(a(n) + a(n+1)) + h·g(v(n+1)) with a
+//! the rest of f, while x(n+1) = x(n) + h·v(n) + h²/2·(a(n) + g(n)). The part is damped at any
+//! stiffness (backward Euler is L-stable) and of order 1; a constant g is integrated exactly.
+//!
+//! Order 2 otherwise. Where forces depend on places alone it is symplectic and keeps a nearby energy
 //! for ever (Hairer, Lubich & Wanner, *Geometric Numerical Integration*, section I.1).
 //! Stable on x″ = −ω²x up to ωh = 2, on x″ = −λx′ up to λh = 1.
 
@@ -15,6 +20,8 @@ use super::{FixedSteps, Method, Properties, StepState, System, UnresolvedStep};
 #[derive(Debug, Clone)]
 pub struct VelocityVerlet {
     steps: FixedSteps,
+    /// f without its stiff part at the start and end of the step, for systems that have one.
+    nonstiff: [Vec<f64>; 2],
 }
 
 /// Components that are positions and the components that are their rates.
@@ -42,13 +49,18 @@ impl VelocityVerlet {
     pub fn new(h: f64) -> Self {
         Self {
             steps: FixedSteps::new(h),
+            nonstiff: [vec![], vec![]],
         }
     }
 }
 
 impl Method for VelocityVerlet {
-    fn restart<S: System>(&mut self, _system: &mut S, step: &StepState) {
+    fn restart<S: System>(&mut self, system: &mut S, step: &StepState) {
         self.steps.restart(step.t1_s);
+        if system.has_stiff_part() {
+            self.nonstiff = [vec![0.0; step.y1.len()], vec![0.0; step.y1.len()]];
+            system.nonstiff_derivative(step.t1_s, &step.y1, &mut self.nonstiff[1]);
+        }
     }
 
     #[inline(always)] // into callers compiled for wider vectors
@@ -75,18 +87,32 @@ impl Method for VelocityVerlet {
                 x1[k] = x0[k] + h * (v0[k] + 0.5 * h * a0[k]);
             }
         }
-        system.derivative(step.t1_s, y1, &mut step.f1);
-        // The trapezoidal rule for all but the positions, which stay.
-        let f1 = &step.f1[..n];
-        let mut from = 0;
-        let blocks = system.second_order_blocks().iter();
-        let ends = blocks.map(|b| (b.positions, b.positions + b.count));
-        for (to, next) in ends.chain([(n, n)]) {
-            for k in from..to {
-                y1[k] = y0[k] + 0.5 * h * (f0[k] + f1[k]);
-            }
-            from = next;
+        if system.has_stiff_part() {
+            let [e0, e1] = &mut self.nonstiff;
+            std::mem::swap(e0, e1);
+            system.nonstiff_derivative(step.t1_s, y1, e1);
+            trapezoid(system, h, y0, &e0[..n], &e1[..n], y1);
+            step.f1.copy_from_slice(e1);
+            system.add_stiff_part(h, y0, y1, &mut step.f1);
+        } else {
+            system.derivative(step.t1_s, y1, &mut step.f1);
+            trapezoid(system, h, y0, f0, &step.f1[..n], y1);
         }
         Ok(())
+    }
+}
+
+/// y1 = y0 + h/2·(f0 + f1) for all but the positions, which stay.
+#[inline(always)]
+fn trapezoid<S: System>(system: &S, h: f64, y0: &[f64], f0: &[f64], f1: &[f64], y1: &mut [f64]) {
+    let n = y1.len();
+    let mut from = 0;
+    let blocks = system.second_order_blocks().iter();
+    let ends = blocks.map(|b| (b.positions, b.positions + b.count));
+    for (to, next) in ends.chain([(n, n)]) {
+        for k in from..to {
+            y1[k] = y0[k] + 0.5 * h * (f0[k] + f1[k]);
+        }
+        from = next;
     }
 }

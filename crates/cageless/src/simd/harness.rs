@@ -1,15 +1,16 @@
 //! The right-hand side, Zhao 2022, Eq. (12) to (22): the scalar functions over the lanes of
 //! every block, the exchange between neighbouring balls, and the sums over the balls.
 
-use super::lanes::{Lanes, flat, flat_mut};
+use super::lanes::Lanes;
+use super::pairs::{pair_contacts, pair_deflections};
 use super::parameters::{Parameters, Polynomial, RacewayBlock};
 use super::sums::{Addends, Sum, Sums};
 use crate::case::{FrictionLaw, Profile};
 use crate::contact::{
-    BallBallContactLanes, BallPair, InnerContactLanes, OuterContactLanes, OuterGeometry,
-    OuterGeometryLanes, RacewayPosition, RacewayPositionLanes, RacewayValuesLanes,
-    ball_ball_contact, ball_deflection, centrifugal_force, inner_contact, nominal_geometry,
-    outer_contact, slope_force, unequal_geometry, with_path_direction,
+    BallBallContactLanes, InnerContactLanes, OuterContactLanes, OuterGeometry, OuterGeometryLanes,
+    RacewayPosition, RacewayPositionLanes, RacewayValuesLanes, centrifugal_force, friction_force,
+    inner_contact, inner_load, inner_paper_power, nominal_geometry, outer_contact, outer_load,
+    outer_paper_powers, slope_force, unequal_geometry, with_path_direction,
 };
 use crate::dynamics::ball::{
     BallLanes, BallLoad, BallLoadLanes, BallMotion, Centre, PolarMotionLanes,
@@ -27,9 +28,15 @@ pub(crate) struct BlockResults {
     pub spin: Lanes,
     pub geometry: OuterGeometryLanes,
     pub outer: OuterContactLanes,
+    /// Friction along −ΔVo, N.
+    pub outer_friction: Lanes,
     /// Force along ψ where the outer contact rises, N.
     pub slope_force: Lanes,
+    /// Motion about the centre of the inner ring and relative to it.
+    pub inner_polar: PolarMotionLanes,
     pub inner: InnerContactLanes,
+    /// Friction along −ΔVi, N.
+    pub inner_friction: Lanes,
     /// Contact with the ball ahead; forces are 0 unless any two balls touch.
     pub pair: BallBallContactLanes,
     /// Sums over the contacts of each ball and its weight.
@@ -42,8 +49,11 @@ impl BlockResults {
         spin: Lanes::ZERO,
         geometry: OuterGeometryLanes::ZERO,
         outer: OuterContactLanes::ZERO,
+        outer_friction: Lanes::ZERO,
         slope_force: Lanes::ZERO,
+        inner_polar: PolarMotionLanes::ZERO,
         inner: InnerContactLanes::ZERO,
+        inner_friction: Lanes::ZERO,
         pair: BallBallContactLanes::ZERO,
         load: BallLoadLanes::ZERO,
     };
@@ -53,12 +63,14 @@ impl BlockResults {
 #[derive(Clone)]
 pub(crate) struct Workspace {
     pub blocks: Vec<BlockResults>,
-    sums: Sums,
+    pub(super) sums: Sums,
+    /// The inner ring as of the last evaluation.
+    pub(super) ring: RingLanes,
     /// The ball ahead: x, y, vx, vy, absolute spin, orbital speed.
-    next: [Vec<Lanes>; 6],
+    pub(super) next: [Vec<Lanes>; 6],
     /// Force and moment of the contact with the ball ahead, and of that with the ball behind.
-    ahead: [Vec<Lanes>; 3],
-    behind: [Vec<Lanes>; 3],
+    pub(super) ahead: [Vec<Lanes>; 3],
+    pub(super) behind: [Vec<Lanes>; 3],
     /// Largest deflection between balls of each bearing, m; 0 if none touch.
     pub pair_deflection_max: [f64; BATCH_WIDTH],
     /// Whether the results hold forces between balls.
@@ -74,6 +86,7 @@ impl Workspace {
         Self {
             blocks: vec![BlockResults::ZERO; blocks],
             sums: Sums::ZERO,
+            ring: RingLanes([Lanes::ZERO; 4]),
             next: std::array::from_fn(|_| zero()),
             ahead: std::array::from_fn(|_| zero()),
             behind: std::array::from_fn(|_| zero()),
@@ -84,29 +97,27 @@ impl Workspace {
     }
 }
 
+/// Writes the right-hand side into `dydt`; without friction at the raceways if a method treats
+/// it implicitly.
 #[inline(always)]
-pub(crate) fn evaluate(p: &Parameters, w: &mut Workspace, y: &[f64], dydt: &mut [f64]) {
-    match (p.profile, p.law) {
-        (Profile::Physical, FrictionLaw::Smooth) => equations::<false, false>(p, w, y, dydt),
-        (Profile::Physical, FrictionLaw::Coulomb) => equations::<false, true>(p, w, y, dydt),
-        (Profile::Paper, FrictionLaw::Smooth) => equations::<true, false>(p, w, y, dydt),
-        (Profile::Paper, FrictionLaw::Coulomb) => equations::<true, true>(p, w, y, dydt),
+pub(crate) fn evaluate(
+    p: &Parameters,
+    w: &mut Workspace,
+    y: &[f64],
+    dydt: &mut [f64],
+    raceway_friction: bool,
+) {
+    match p.profile {
+        Profile::Physical => equations::<false>(p, w, y, dydt, raceway_friction),
+        Profile::Paper => equations::<true>(p, w, y, dydt, raceway_friction),
     }
 }
 
-const fn profile(paper: bool) -> Profile {
+pub(super) const fn profile(paper: bool) -> Profile {
     if paper {
         Profile::Paper
     } else {
         Profile::Physical
-    }
-}
-
-const fn law(coulomb: bool) -> FrictionLaw {
-    if coulomb {
-        FrictionLaw::Coulomb
-    } else {
-        FrictionLaw::Smooth
     }
 }
 
@@ -119,7 +130,7 @@ fn block_at(values: &[f64], at: usize) -> &[f64; LANES] {
 }
 
 #[inline(always)]
-fn block_mut(values: &mut [f64], at: usize) -> &mut [f64; LANES] {
+pub(super) fn block_mut(values: &mut [f64], at: usize) -> &mut [f64; LANES] {
     values[at..]
         .first_chunk_mut()
         .expect("arrays are padded to whole blocks")
@@ -127,27 +138,28 @@ fn block_mut(values: &mut [f64], at: usize) -> &mut [f64; LANES] {
 
 /// The balls of one block in the state vector.
 #[derive(Clone, Copy)]
-struct Motions<'a>([&'a [f64; LANES]; BallCoordinate::ALL.len()]);
+pub(super) struct Motions<'a>([&'a [f64; LANES]; BallCoordinate::ALL.len()]);
 
 impl<'a> Motions<'a> {
     #[inline(always)]
-    fn new(p: &Parameters, y: &'a [f64], block: usize) -> Self {
+    pub(super) fn new(p: &Parameters, y: &'a [f64], block: usize) -> Self {
         Self(BallCoordinate::ALL.map(|c| block_at(y, p.layout.array(c) + block * LANES)))
     }
 
     #[inline(always)]
-    fn get(&self, lane: usize) -> BallMotion {
+    pub(super) fn get(&self, lane: usize) -> BallMotion {
         let [x, y, vx, vy, spin] = self.0.map(|values| values[lane]);
         BallMotion { x, y, vx, vy, spin }
     }
 }
 
 /// The inner ring of each lane.
-struct RingLanes([Lanes; RingCoordinate::ALL.len()]);
+#[derive(Clone)]
+pub(super) struct RingLanes([Lanes; RingCoordinate::ALL.len()]);
 
 impl RingLanes {
     #[inline(always)]
-    fn new(p: &Parameters, y: &[f64]) -> Self {
+    pub(super) fn new(p: &Parameters, y: &[f64]) -> Self {
         let layout = p.layout.of_bearing(0);
         Self(RingCoordinate::ALL.map(|c| {
             let start = layout.ring(c);
@@ -161,23 +173,25 @@ impl RingLanes {
     }
 
     #[inline(always)]
-    fn get(&self, lane: usize) -> Centre {
+    pub(super) fn get(&self, lane: usize) -> Centre {
         let [x, y, vx, vy] = [0, 1, 2, 3].map(|k: usize| self.0[k].0[lane]);
         Centre { x, y, vx, vy }
     }
 }
 
 #[inline(always)]
-fn equations<const PAPER: bool, const COULOMB: bool>(
+fn equations<const PAPER: bool>(
     p: &Parameters,
     w: &mut Workspace,
     y: &[f64],
     dydt: &mut [f64],
+    raceway_friction: bool,
 ) {
     assert!(y.len() == p.layout.len() && dydt.len() == y.len());
     assert!(w.blocks.len() * LANES == p.layout.stride);
     let alone = p.layout.width() == 1;
-    let ring = RingLanes::new(p, y);
+    w.ring = RingLanes::new(p, y);
+    let ring = &w.ring;
     w.sums.clear(alone);
     let mut slip_max = Lanes::ZERO;
     let mut addends = [Lanes::ZERO; Sum::COUNT];
@@ -185,16 +199,35 @@ fn equations<const PAPER: bool, const COULOMB: bool>(
         let motions = Motions::new(p, y, block);
         let balls = p.balls(block);
         plain_positions::<PAPER>(balls, results, motions);
+        if p.unequal {
+            results.geometry.slope = Lanes::ZERO;
+        }
         for raceway in &p.raceways {
             raceway_geometry::<PAPER>(p, balls, raceway, results);
         }
-        outer_contacts::<PAPER, COULOMB>(p, balls, results, &mut addends, motions);
+        raceway_contacts::<PAPER>(p, balls, results, motions, ring);
+        if raceway_friction {
+            let (outer, inner) = (&results.outer, &results.inner);
+            friction(
+                p,
+                &outer.slip,
+                &outer.friction_normal,
+                &mut results.outer_friction,
+            );
+            friction(p, &inner.slip, &inner.force, &mut results.inner_friction);
+        } else {
+            (results.outer_friction, results.inner_friction) = (Lanes::ZERO, Lanes::ZERO);
+        }
+        outer_loads::<PAPER>(p, balls, results, &mut addends, motions);
         if p.unequal {
             slope_forces(results);
         }
-        inner_contacts::<PAPER, COULOMB>(p, balls, results, &mut addends, motions, &ring);
-        loaded_slips(results, &mut slip_max);
-        w.sums.add(&Sum::RACEWAYS, &addends, alone, block);
+        inner_loads::<PAPER>(p, balls, results, &mut addends);
+        w.sums.add(&Sum::NORMAL, &addends, alone, block);
+        if raceway_friction {
+            loaded_slips(results, &mut slip_max);
+            w.sums.add(&Sum::FRICTION, &addends, alone, block);
+        }
         if PAPER {
             w.sums.add(&Sum::PAPER, &addends, alone, block);
         }
@@ -202,7 +235,7 @@ fn equations<const PAPER: bool, const COULOMB: bool>(
     w.slip_max = lane_maxima(&slip_max, alone);
     w.pair_deflection_max = lane_maxima(&pair_deflections(p, w, y), alone);
     if w.pair_deflection_max.iter().any(|d| *d > 0.0) {
-        pair_contacts::<PAPER, COULOMB>(p, w, y);
+        pair_contacts::<PAPER>(p, w, y);
         w.pairs_loaded = true;
     } else if w.pairs_loaded {
         // Forces of the last contact must not outlive it.
@@ -214,7 +247,7 @@ fn equations<const PAPER: bool, const COULOMB: bool>(
     }
     accelerations(p, w, y, dydt);
     for bearing in 0..p.layout.width() {
-        ring_and_ledger::<PAPER>(p, bearing, &ring.get(bearing), &w.sums, dydt);
+        ring_and_ledger::<PAPER>(p, bearing, &w.ring.get(bearing), &w.sums, dydt);
     }
 }
 
@@ -235,7 +268,15 @@ fn plain_positions<const PAPER: bool>(
             motion.spin
         };
         let plain = OuterGeometry::plain(&balls.get(lane), &polar);
-        results.geometry.put(lane, plain);
+        // Fields that the other cases never change stay as they are.
+        let geometry = &mut results.geometry;
+        geometry.orbit_radius.0[lane] = plain.orbit_radius;
+        geometry.effective_radius.0[lane] = plain.effective_radius;
+        if PAPER {
+            geometry.direction_x.0[lane] = plain.direction_x;
+            geometry.direction_y.0[lane] = plain.direction_y;
+            geometry.inside.0[lane] = plain.inside;
+        }
     }
 }
 
@@ -313,9 +354,61 @@ fn polynomial(coefficients: &Polynomial, u: &Lanes, value: &mut Lanes) {
     }
 }
 
-/// Outer contacts and weights; starts the loads and the addends.
+/// Contacts with both raceways, without friction.
 #[inline(always)]
-fn outer_contacts<const PAPER: bool, const COULOMB: bool>(
+fn raceway_contacts<const PAPER: bool>(
+    p: &Parameters,
+    balls: &BallLanes,
+    results: &mut BlockResults,
+    motions: Motions<'_>,
+    ring: &RingLanes,
+) {
+    for lane in 0..LANES {
+        let (ball, motion) = (balls.get(lane), motions.get(lane));
+        let outer = outer_contact(
+            profile(PAPER),
+            &ball,
+            &p.outer.get(lane),
+            &results.geometry.get(lane),
+            &motion,
+            &results.polar.get(lane),
+        );
+        results.outer.put(lane, outer);
+    }
+    for lane in 0..LANES {
+        let (ball, motion) = (balls.get(lane), motions.get(lane));
+        let polar = motion.about(&ring.get(lane));
+        let inner = inner_contact(profile(PAPER), &ball, &p.inner.get(lane), &motion, &polar);
+        results.inner_polar.ex.0[lane] = polar.ex;
+        results.inner_polar.ey.0[lane] = polar.ey;
+        if PAPER {
+            results.inner_polar.put(lane, polar);
+        }
+        results.inner.put(lane, inner);
+    }
+}
+
+/// Friction of one contact of each lane by the law of the case.
+#[inline(always)]
+pub(super) fn friction(p: &Parameters, slip: &Lanes, normal: &Lanes, force: &mut Lanes) {
+    match p.law {
+        FrictionLaw::Smooth => friction_by(FrictionLaw::Smooth, p, slip, normal, force),
+        FrictionLaw::Coulomb => friction_by(FrictionLaw::Coulomb, p, slip, normal, force),
+        FrictionLaw::Stribeck => friction_by(FrictionLaw::Stribeck, p, slip, normal, force),
+    }
+}
+
+#[inline(always)]
+fn friction_by(law: FrictionLaw, p: &Parameters, slip: &Lanes, normal: &Lanes, force: &mut Lanes) {
+    for lane in 0..LANES {
+        let constants = p.friction.get(lane);
+        [force.0[lane], _] = friction_force(law, &constants, slip.0[lane], normal.0[lane]);
+    }
+}
+
+/// Loads of outer contacts and weights; starts the loads and the addends.
+#[inline(always)]
+fn outer_loads<const PAPER: bool>(
     p: &Parameters,
     balls: &BallLanes,
     results: &mut BlockResults,
@@ -325,36 +418,25 @@ fn outer_contacts<const PAPER: bool, const COULOMB: bool>(
     for lane in 0..LANES {
         let (ball, raceway) = (balls.get(lane), p.outer.get(lane));
         let (motion, polar) = (motions.get(lane), results.polar.get(lane));
-        let outer = outer_contact(
-            profile(PAPER),
-            law(COULOMB),
-            &p.friction.get(lane),
-            &ball,
-            &raceway,
-            &results.geometry.get(lane),
-            &motion,
-            &polar,
-        );
-        let mut load = BallLoad {
-            fx: outer.fx,
-            fy: outer.fy,
-            torque: outer.torque,
-        };
+        let (outer, geometry) = (results.outer.get(lane), results.geometry.get(lane));
+        let friction = results.outer_friction.0[lane];
+        let mut load = outer_load(profile(PAPER), &outer, &geometry, &polar, friction);
         if PAPER {
             let centrifugal = centrifugal_force(&ball, &raceway, &polar);
             load.fx += centrifugal * polar.ex;
             load.fy += centrifugal * polar.ey;
             addends[Sum::Centrifugal as usize].0[lane] =
                 centrifugal * (motion.vx * polar.ex + motion.vy * polar.ey);
-            addends[Sum::FrictionDirection as usize].0[lane] = outer.direction_power;
-            addends[Sum::RelativeSpin as usize].0[lane] = outer.spin_power;
+            let [direction, spin] =
+                outer_paper_powers(&raceway, &geometry, &motion, &polar, friction);
+            addends[Sum::FrictionDirection as usize].0[lane] = direction;
+            addends[Sum::RelativeSpin as usize].0[lane] = spin;
         }
         let weight = ball.mass * p.ring.gravity.0[lane];
         load.fy -= weight;
-        results.outer.put(lane, outer);
         results.load.put(lane, load);
         addends[Sum::Weight as usize].0[lane] = -weight * motion.vy;
-        addends[Sum::OuterFriction as usize].0[lane] = outer.friction * outer.slip;
+        addends[Sum::OuterFriction as usize].0[lane] = friction * outer.slip;
         addends[Sum::RacewayDamping as usize].0[lane] = outer.damping_power;
     }
 }
@@ -375,51 +457,42 @@ fn slope_forces(results: &mut BlockResults) {
     }
 }
 
-/// Inner contacts; adds to the loads and the addends.
+/// Loads of inner contacts; adds to the loads and the addends.
 #[inline(always)]
-fn inner_contacts<const PAPER: bool, const COULOMB: bool>(
+fn inner_loads<const PAPER: bool>(
     p: &Parameters,
     balls: &BallLanes,
     results: &mut BlockResults,
     addends: &mut Addends,
-    motions: Motions<'_>,
-    ring: &RingLanes,
 ) {
     for lane in 0..LANES {
-        let (raceway, motion) = (p.inner.get(lane), motions.get(lane));
-        let inner = inner_contact(
-            profile(PAPER),
-            law(COULOMB),
-            &p.friction.get(lane),
-            &balls.get(lane),
-            &raceway,
-            &motion,
-            &motion.about(&ring.get(lane)),
-        );
+        let (inner, polar) = (results.inner.get(lane), results.inner_polar.get(lane));
+        let friction = results.inner_friction.0[lane];
+        let inner_load = inner_load(&inner, &balls.get(lane), &polar, friction);
         let load = results.load.get(lane);
         results.load.put(
             lane,
             BallLoad {
-                fx: load.fx + inner.fx,
-                fy: load.fy + inner.fy,
-                torque: load.torque + inner.torque,
+                fx: load.fx + inner_load.fx,
+                fy: load.fy + inner_load.fy,
+                torque: load.torque + inner_load.torque,
             },
         );
-        results.inner.put(lane, inner);
-        addends[Sum::RingX as usize].0[lane] = -inner.fx;
-        addends[Sum::RingY as usize].0[lane] = -inner.fy;
-        addends[Sum::Drive as usize].0[lane] = inner.friction * raceway.surface_speed;
-        addends[Sum::InnerFriction as usize].0[lane] = inner.friction * inner.slip;
+        addends[Sum::RingX as usize].0[lane] = -inner_load.fx;
+        addends[Sum::RingY as usize].0[lane] = -inner_load.fy;
+        addends[Sum::Drive as usize].0[lane] = friction * p.inner.surface_speed.0[lane];
+        addends[Sum::InnerFriction as usize].0[lane] = friction * inner.slip;
         addends[Sum::RacewayDamping as usize].0[lane] += inner.damping_power;
         if PAPER {
-            addends[Sum::RelativeSpin as usize].0[lane] += inner.spin_power;
+            addends[Sum::RelativeSpin as usize].0[lane] +=
+                inner_paper_power(&p.inner.get(lane), &polar, friction);
         }
     }
 }
 
 /// Largest |ΔV| at contacts that carry load.
 #[inline(always)]
-fn loaded_slips(results: &BlockResults, largest: &mut Lanes) {
+pub(super) fn loaded_slips(results: &BlockResults, largest: &mut Lanes) {
     for lane in 0..LANES {
         let loaded = |slip: f64, force: f64| if force > 0.0 { slip.abs() } else { 0.0 };
         let inner = loaded(results.inner.slip.0[lane], results.inner.force.0[lane]);
@@ -429,13 +502,13 @@ fn loaded_slips(results: &BlockResults, largest: &mut Lanes) {
 }
 
 #[inline(always)]
-fn larger(a: f64, b: f64) -> f64 {
+pub(super) fn larger(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }
 }
 
 /// Largest of the lanes of each bearing; that of the only bearing comes first.
 #[inline(always)]
-fn lane_maxima(lanes: &Lanes, alone: bool) -> [f64; BATCH_WIDTH] {
+pub(super) fn lane_maxima(lanes: &Lanes, alone: bool) -> [f64; BATCH_WIDTH] {
     let mut maxima = [0.0; BATCH_WIDTH];
     for lane in 0..LANES {
         maxima[lane % BATCH_WIDTH] = larger(maxima[lane % BATCH_WIDTH], lanes.0[lane]);
@@ -446,132 +519,6 @@ fn lane_maxima(lanes: &Lanes, alone: bool) -> [f64; BATCH_WIDTH] {
         }
     }
     maxima
-}
-
-/// Deflection of each ball with the ball ahead; returns the largest of each lane.
-#[inline(always)]
-fn pair_deflections(p: &Parameters, w: &mut Workspace, y: &[f64]) -> Lanes {
-    for (k, coordinate) in [BallCoordinate::X, BallCoordinate::Y]
-        .into_iter()
-        .enumerate()
-    {
-        let values = &y[p.layout.array(coordinate)..][..p.layout.stride];
-        forwards(p, values, &mut w.next[k]);
-    }
-    let mut largest = Lanes::ZERO;
-    let [next_x, next_y, ..] = &w.next;
-    for (block, results) in w.blocks.iter_mut().enumerate() {
-        let balls = p.balls(block);
-        let motions = Motions::new(p, y, block);
-        let (next_x, next_y) = (&next_x[block].0, &next_y[block].0);
-        for lane in 0..LANES {
-            let ball = motions.get(lane);
-            let (dx, dy) = (next_x[lane] - ball.x, next_y[lane] - ball.y);
-            let deflection = ball_deflection(&balls.get(lane), dx, dy);
-            results.pair.deflection.0[lane] = deflection;
-            largest.0[lane] = larger(largest.0[lane], deflection);
-        }
-    }
-    largest
-}
-
-/// Values of the ball ahead at the place of each ball.
-#[inline(always)]
-fn forwards(p: &Parameters, values: &[f64], next: &mut [Lanes]) {
-    let (shift, count) = (p.layout.width(), p.layout.entries());
-    let next = flat_mut(next);
-    next[..count - shift].copy_from_slice(&values[shift..count]);
-    next[count - shift..count].copy_from_slice(&values[..shift]);
-}
-
-/// Values of the ball behind at the place of each ball.
-#[inline(always)]
-fn backwards(p: &Parameters, values: &[Lanes], behind: &mut [Lanes]) {
-    let (shift, count) = (p.layout.width(), p.layout.entries());
-    let (values, behind) = (flat(values), flat_mut(behind));
-    behind[shift..count].copy_from_slice(&values[..count - shift]);
-    behind[..shift].copy_from_slice(&values[count - shift..count]);
-}
-
-/// Contacts between neighbours; adds to the loads of both.
-#[inline(always)]
-fn pair_contacts<const PAPER: bool, const COULOMB: bool>(
-    p: &Parameters,
-    w: &mut Workspace,
-    y: &[f64],
-) {
-    for (k, coordinate) in [(2, BallCoordinate::Vx), (3, BallCoordinate::Vy)] {
-        let values = &y[p.layout.array(coordinate)..][..p.layout.stride];
-        forwards(p, values, &mut w.next[k]);
-    }
-    for (block, results) in w.blocks.iter().enumerate() {
-        w.ahead[0][block] = results.spin;
-        w.ahead[1][block] = results.polar.orbit;
-    }
-    for (k, from) in [(4, 0), (5, 1)] {
-        forwards(p, flat(&w.ahead[from]), &mut w.next[k]);
-    }
-    let alone = p.layout.width() == 1;
-    let [ahead_x, ahead_y, ahead_torque] = &mut w.ahead;
-    let [behind_x, behind_y, behind_torque] = &mut w.behind;
-    let mut addends = [Lanes::ZERO; Sum::COUNT];
-    for (block, results) in w.blocks.iter_mut().enumerate() {
-        let (balls, motions) = (p.balls(block), Motions::new(p, y, block));
-        let next = |k: usize| &w.next[k][block].0;
-        let (next_x, next_y, next_vx, next_vy) = (next(0), next(1), next(2), next(3));
-        let (next_spin, next_orbit) = (next(4), next(5));
-        let (fx, fy) = (&mut ahead_x[block].0, &mut ahead_y[block].0);
-        let (torque, next_torque) = (&mut ahead_torque[block].0, &mut behind_torque[block].0);
-        for lane in 0..LANES {
-            let pair = BallPair {
-                ball: BallMotion {
-                    spin: results.spin.0[lane],
-                    ..motions.get(lane)
-                },
-                next: BallMotion {
-                    x: next_x[lane],
-                    y: next_y[lane],
-                    vx: next_vx[lane],
-                    vy: next_vy[lane],
-                    spin: next_spin[lane],
-                },
-                orbit: results.polar.orbit.0[lane],
-                next_orbit: next_orbit[lane],
-            };
-            let friction = p.friction.get(lane);
-            let contact = ball_ball_contact(law(COULOMB), &friction, &balls.get(lane), &pair);
-            results.pair.rate.0[lane] = contact.rate;
-            results.pair.force.0[lane] = contact.force;
-            fx[lane] = contact.fx;
-            fy[lane] = contact.fy;
-            torque[lane] = contact.torque;
-            next_torque[lane] = contact.next_torque;
-            addends[Sum::BallFriction as usize].0[lane] = contact.friction_power;
-            addends[Sum::BallDamping as usize].0[lane] = contact.damping_power;
-            if PAPER {
-                addends[Sum::BallRelativeSpin as usize].0[lane] = contact.spin_power;
-            }
-        }
-        w.sums.add(&Sum::BALL_CONTACTS, &addends, alone, block);
-        if PAPER {
-            w.sums.add(&[Sum::BallRelativeSpin], &addends, alone, block);
-        }
-    }
-    // Each contact acts on the ball ahead, too; the moments there wait in `behind`.
-    let [.., scratch, _] = &mut w.next;
-    scratch.copy_from_slice(behind_torque);
-    backwards(p, scratch, behind_torque);
-    backwards(p, ahead_x, behind_x);
-    backwards(p, ahead_y, behind_y);
-    for (block, results) in w.blocks.iter_mut().enumerate() {
-        let load = &mut results.load;
-        for lane in 0..LANES {
-            load.fx.0[lane] = load.fx.0[lane] - behind_x[block].0[lane] + ahead_x[block].0[lane];
-            load.fy.0[lane] = load.fy.0[lane] - behind_y[block].0[lane] + ahead_y[block].0[lane];
-            load.torque.0[lane] =
-                load.torque.0[lane] + behind_torque[block].0[lane] + ahead_torque[block].0[lane];
-        }
-    }
 }
 
 /// Velocities and accelerations of the balls.

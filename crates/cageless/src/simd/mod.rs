@@ -8,11 +8,14 @@
 //! every instruction set gives the same bits.
 
 mod harness;
+mod implicit_friction;
 mod instruction_set;
 pub(crate) mod lanes;
+mod pairs;
 mod parameters;
 mod sums;
 
 pub(crate) use harness::{Workspace, evaluate};
+pub(crate) use implicit_friction::add_implicit_friction;
 pub use instruction_set::InstructionSet;
 pub(crate) use parameters::Parameters;

@@ -25,14 +25,14 @@ pub(super) enum Sum {
 
 impl Sum {
     pub const COUNT: usize = 13;
-    pub const RACEWAYS: [Self; 7] = [
+    pub const NORMAL: [Self; 4] = [Self::RingX, Self::RingY, Self::Weight, Self::RacewayDamping];
+    pub const FRICTION: [Self; 3] = [Self::Drive, Self::InnerFriction, Self::OuterFriction];
+    pub const RACEWAY_FRICTION: [Self; 5] = [
         Self::RingX,
         Self::RingY,
         Self::Drive,
-        Self::Weight,
         Self::InnerFriction,
         Self::OuterFriction,
-        Self::RacewayDamping,
     ];
     pub const PAPER: [Self; 3] = [
         Self::Centrifugal,

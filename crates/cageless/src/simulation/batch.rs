@@ -8,6 +8,7 @@ use crate::dynamics::state::{BATCH_WIDTH, State};
 use crate::dynamics::{InstructionSet, Model, RightHandSide};
 use crate::equilibrium::EquilibriumError;
 use crate::initial_conditions::initial_state;
+use crate::step_limits::StepLimits;
 
 /// Properties that all cases of a batch share. Methods with a memory or a step of
 /// their own would let one bearing change the steps of another.
@@ -16,6 +17,7 @@ struct Kind {
     balls: usize,
     profile: Profile,
     law: FrictionLaw,
+    implicit_friction: bool,
     has_nominal_geometry: bool,
     step_s: f64,
     duration_s: f64,
@@ -27,6 +29,7 @@ impl Kind {
             balls: case.bearing.balls(),
             profile: case.profile,
             law: case.contact.friction_law,
+            implicit_friction: StepLimits::new(case).friction_is_stiff(case.solver.step_s),
             has_nominal_geometry: case.has_nominal_geometry(),
             step_s: case.solver.step_s,
             duration_s: case.solver.duration_s,
@@ -82,11 +85,13 @@ pub fn run_batch(
     if let ([case], [observers]) = (cases, &mut *observers) {
         return vec![run(case, observers, control)];
     }
-    let kind = Kind::from_case(cases[0]);
+    // Impossible cases have no kind; each gets its own error below.
+    let possible = cases.iter().filter(|case| case.check().is_ok());
+    let mut kinds = possible.map(|case| Kind::from_case(case));
+    let first = kinds.next();
     assert!(
-        kind.is_some()
-            && cases.len() <= BATCH_WIDTH
-            && cases.iter().all(|c| Kind::from_case(c) == kind),
+        cases.len() <= BATCH_WIDTH
+            && first.is_none_or(|first| first.is_some() && kinds.all(|kind| kind == first)),
         "cases side by side must be of one kind"
     );
     let prepared: Vec<Result<Prepared, EquilibriumError>> =

@@ -76,6 +76,8 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
         contact: Contact {
             friction_coefficient: 0.007,
             friction_law: FrictionLaw::Smooth,
+            static_friction_coefficient: None,
+            stribeck_speed_m_s: None,
             slip_scale_m_s: 0.02,
             damping_n_s_m1_5: 2e5,
             ball_restitution: 0.95,

@@ -1,0 +1,284 @@
+//! Implicit friction at the raceways: the end of a step whose other forces are known.
+
+use super::harness::{
+    BlockResults, Motions, RingLanes, Workspace, block_mut, lane_maxima, loaded_slips, profile,
+};
+use super::lanes::Lanes;
+use super::parameters::Parameters;
+use super::sums::{Addends, Sum};
+use crate::case::{FrictionLaw, Profile};
+use crate::contact::{
+    MAX_ITERATIONS, RacewayContacts, SlipProblem, SlipProblemLanes, SlipsLanes, coulomb_friction,
+    inner_paper_power, inner_slip, newton_step, outer_friction_direction, outer_paper_powers,
+    outer_slip,
+};
+use crate::dynamics::ball::{BallLanes, BallLoad, Centre};
+use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
+use crate::dynamics::energy::EnergyTerm;
+use crate::dynamics::state::LANES;
+
+/// Adds friction at the raceways over a step of `h_s`, for which the last evaluation gave the
+/// contacts without it: `y` holds the velocities that the other forces lead to. The friction
+/// at the end of the step is added to them and to the energy ledger, and as rates to `dydt`.
+#[inline(always)]
+pub(crate) fn add_implicit_friction(
+    p: &Parameters,
+    w: &mut Workspace,
+    h_s: f64,
+    y0: &[f64],
+    y: &mut [f64],
+    dydt: &mut [f64],
+) {
+    match p.profile {
+        Profile::Physical => add::<false>(p, w, h_s, y0, y, dydt),
+        Profile::Paper => add::<true>(p, w, h_s, y0, y, dydt),
+    }
+}
+
+#[inline(always)]
+fn add<const PAPER: bool>(
+    p: &Parameters,
+    w: &mut Workspace,
+    h_s: f64,
+    y0: &[f64],
+    y: &mut [f64],
+    dydt: &mut [f64],
+) {
+    let alone = p.layout.width() == 1;
+    w.sums.clear(alone);
+    let start_ring = RingLanes::new(p, y0);
+    let mut slip_max = Lanes::ZERO;
+    let mut addends = [Lanes::ZERO; Sum::COUNT];
+    for (block, results) in w.blocks.iter_mut().enumerate() {
+        let balls = p.balls(block);
+        let problem =
+            slip_problems::<PAPER>(p, balls, results, &w.ring, Motions::new(p, y, block), h_s);
+        let slips = solve(p, results, &problem);
+        results.outer_friction = slips.outer_friction;
+        results.inner_friction = slips.inner_friction;
+        results.outer.slip = slips.outer;
+        results.inner.slip = slips.inner;
+        apply::<PAPER>(p, balls, results, block, h_s, y, dydt);
+        let start = (Motions::new(p, y0, block), &start_ring);
+        let end = (Motions::new(p, y, block), &w.ring);
+        powers::<PAPER>(p, balls, results, start, end, &mut addends);
+        loaded_slips(results, &mut slip_max);
+        w.sums.add(&Sum::RACEWAY_FRICTION, &addends, alone, block);
+        if PAPER {
+            w.sums.add(&Sum::PAPER, &addends, alone, block);
+        }
+    }
+    w.slip_max = lane_maxima(&slip_max, alone);
+    for bearing in 0..p.layout.width() {
+        let layout = p.layout.of_bearing(bearing);
+        let total = |sum: Sum| w.sums.total(sum, alone, bearing);
+        let mass = p.ring.mass.0[bearing];
+        let mut add = |place: usize, rate: f64| {
+            dydt[place] += rate;
+            y[place] += h_s * rate;
+        };
+        add(layout.ring(RingCoordinate::Vx), total(Sum::RingX) / mass);
+        add(layout.ring(RingCoordinate::Vy), total(Sum::RingY) / mass);
+        for (term, sum) in [
+            (EnergyTerm::Drive, Sum::Drive),
+            (EnergyTerm::InnerFriction, Sum::InnerFriction),
+            (EnergyTerm::OuterFriction, Sum::OuterFriction),
+        ] {
+            add(layout.energy_term(term), total(sum));
+        }
+        if PAPER {
+            let direction = total(Sum::FrictionDirection);
+            add(layout.energy_term(EnergyTerm::FrictionDirection), direction);
+            let spin = total(Sum::RelativeSpin);
+            add(layout.energy_term(EnergyTerm::RelativeSpin), spin);
+        }
+    }
+}
+
+/// The implicit equations of the balls of a block.
+#[inline(always)]
+fn slip_problems<const PAPER: bool>(
+    p: &Parameters,
+    balls: &BallLanes,
+    results: &BlockResults,
+    ring: &RingLanes,
+    motions: Motions<'_>,
+    h_s: f64,
+) -> SlipProblemLanes {
+    let mut problem = SlipProblemLanes::ZERO;
+    for lane in 0..LANES {
+        let motion = motions.get(lane);
+        let polar = results
+            .polar
+            .get(lane)
+            .with_velocity(&motion, &Centre::default());
+        let inner_polar = results
+            .inner_polar
+            .get(lane)
+            .with_velocity(&motion, &ring.get(lane));
+        let contacts = RacewayContacts {
+            ball: &balls.get(lane),
+            outer_raceway: &p.outer.get(lane),
+            inner_raceway: &p.inner.get(lane),
+            geometry: &results.geometry.get(lane),
+            outer: &results.outer.get(lane),
+            inner: &results.inner.get(lane),
+        };
+        let equations = SlipProblem::new(
+            profile(PAPER),
+            &contacts,
+            &motion,
+            &polar,
+            &inner_polar,
+            h_s,
+        );
+        problem.put(lane, equations);
+    }
+    problem
+}
+
+/// Sliding speeds and friction at the end of the step by the law of the case.
+#[inline(always)]
+fn solve(p: &Parameters, results: &BlockResults, problem: &SlipProblemLanes) -> SlipsLanes {
+    match p.law {
+        FrictionLaw::Smooth => newton(FrictionLaw::Smooth, p, results, problem),
+        FrictionLaw::Stribeck => newton(FrictionLaw::Stribeck, p, results, problem),
+        FrictionLaw::Coulomb => {
+            let mut slips = SlipsLanes::ZERO;
+            for lane in 0..LANES {
+                let friction = p.friction.get(lane);
+                slips.put(lane, coulomb_friction(&friction, &problem.get(lane)));
+            }
+            slips
+        }
+    }
+}
+
+/// Newton's method from the sliding speeds at the extrapolated velocities. A ball that has
+/// converged keeps its solution while its neighbours in the block iterate, so that a bearing
+/// has the same bits alone and beside others.
+#[inline(always)]
+fn newton(
+    law: FrictionLaw,
+    p: &Parameters,
+    results: &BlockResults,
+    problem: &SlipProblemLanes,
+) -> SlipsLanes {
+    let mut slips = SlipsLanes::ZERO;
+    slips.outer = results.outer.slip;
+    slips.inner = results.inner.slip;
+    for _ in 0..MAX_ITERATIONS {
+        for lane in 0..LANES {
+            let (friction, problem) = (p.friction.get(lane), problem.get(lane));
+            let next = newton_step(law, &friction, &problem, &slips.get(lane));
+            slips.put(lane, next);
+        }
+        if slips.converged.0.iter().all(|c| *c > 0.0) {
+            return slips;
+        }
+    }
+    slips
+}
+
+/// Adds the friction of a block to velocities and rates.
+#[inline(always)]
+fn apply<const PAPER: bool>(
+    p: &Parameters,
+    balls: &BallLanes,
+    results: &BlockResults,
+    block: usize,
+    h_s: f64,
+    y: &mut [f64],
+    dydt: &mut [f64],
+) {
+    let mut rates = [[0.0; LANES]; 3];
+    for lane in 0..LANES {
+        let (geometry, polar) = (results.geometry.get(lane), results.polar.get(lane));
+        let (ball, inner_polar) = (balls.get(lane), results.inner_polar.get(lane));
+        let (fo, fi) = (
+            results.outer_friction.0[lane],
+            results.inner_friction.0[lane],
+        );
+        let [dx, dy] = outer_friction_direction(profile(PAPER), &geometry, &polar);
+        let load = BallLoad {
+            fx: -fo * dx - fi * inner_polar.ey,
+            fy: -fo * dy + fi * inner_polar.ex,
+            torque: geometry.effective_radius * fo + ball.radius * fi,
+        };
+        let acceleration = load.acceleration(&ball);
+        for k in 0..3 {
+            rates[k][lane] = acceleration[k];
+        }
+    }
+    let coordinates = [BallCoordinate::Vx, BallCoordinate::Vy, BallCoordinate::Spin];
+    for (coordinate, rates) in coordinates.into_iter().zip(rates) {
+        let at = p.layout.array(coordinate) + block * LANES;
+        let (velocities, accelerations) = (block_mut(y, at), block_mut(dydt, at));
+        for lane in 0..LANES {
+            velocities[lane] += h_s * rates[lane];
+            accelerations[lane] += rates[lane];
+        }
+    }
+}
+
+/// Motion of the balls of a block and of the inner ring.
+type Motion<'a> = (Motions<'a>, &'a RingLanes);
+
+/// Reactions on the inner ring and powers of friction. Kinetic energy changes by an impulse
+/// times the mean of the velocities before and after it, so that the heat of friction is that
+/// of the mean sliding speed; all speeds are taken along the directions in which the friction
+/// acts, those at the end of the step.
+#[inline(always)]
+fn powers<const PAPER: bool>(
+    p: &Parameters,
+    balls: &BallLanes,
+    results: &BlockResults,
+    start: Motion<'_>,
+    end: Motion<'_>,
+    addends: &mut Addends,
+) {
+    let profile = profile(PAPER);
+    for lane in 0..LANES {
+        let (geometry, ball) = (results.geometry.get(lane), balls.get(lane));
+        let (outer_raceway, inner_raceway) = (p.outer.get(lane), p.inner.get(lane));
+        let motion = start.0.get(lane);
+        let polar = results
+            .polar
+            .get(lane)
+            .with_velocity(&motion, &Centre::default());
+        let inner_polar = results.inner_polar.get(lane);
+        let inner_start = inner_polar.with_velocity(&motion, &start.1.get(lane));
+        let outer_slip = outer_slip(profile, &outer_raceway, &geometry, &motion, &polar);
+        let inner_slip = inner_slip(profile, &ball, &inner_raceway, &motion, &inner_start);
+        let (fo, fi) = (
+            results.outer_friction.0[lane],
+            results.inner_friction.0[lane],
+        );
+        let outer_mean = 0.5 * (outer_slip + results.outer.slip.0[lane]);
+        let inner_mean = 0.5 * (inner_slip + results.inner.slip.0[lane]);
+        addends[Sum::RingX as usize].0[lane] = fi * inner_polar.ey;
+        addends[Sum::RingY as usize].0[lane] = -fi * inner_polar.ex;
+        addends[Sum::Drive as usize].0[lane] = fi * inner_raceway.surface_speed;
+        addends[Sum::OuterFriction as usize].0[lane] = fo * outer_mean;
+        addends[Sum::InnerFriction as usize].0[lane] = fi * inner_mean;
+        if PAPER {
+            let at = |(motions, ring): Motion<'_>| {
+                let motion = motions.get(lane);
+                let polar = results
+                    .polar
+                    .get(lane)
+                    .with_velocity(&motion, &Centre::default());
+                let inner_polar = inner_polar.with_velocity(&motion, &ring.get(lane));
+                let [direction, spin] =
+                    outer_paper_powers(&outer_raceway, &geometry, &motion, &polar, fo);
+                [
+                    direction,
+                    spin + inner_paper_power(&inner_raceway, &inner_polar, fi),
+                ]
+            };
+            let (before, after) = (at(start), at(end));
+            addends[Sum::FrictionDirection as usize].0[lane] = 0.5 * (before[0] + after[0]);
+            addends[Sum::RelativeSpin as usize].0[lane] = 0.5 * (before[1] + after[1]);
+        }
+    }
+}

@@ -1,0 +1,229 @@
+//! Implicit friction of the production method: a ball that slips and then rolls, in closed
+//! form; dry friction against the explicit reference; ledger; side by side.
+
+mod common;
+
+use cageless::dynamics::ball::{BallMotion, Centre};
+use cageless::dynamics::coordinates::BallCoordinate;
+use cageless::dynamics::state::State;
+use cageless::dynamics::{Model, RightHandSide};
+use cageless::simulation::{Control, Ending, Observer, ObserverError, StepView, run, run_from};
+use cageless::step_limits::StepLimits;
+use cageless::{Case, FrictionLaw, Method};
+use common::{conventional, dimensions, structure, undamped};
+
+/// Three balls in an outer ring without gravity; the inner ring is out of reach.
+fn free_balls(law: FrictionLaw, step_s: f64) -> Case {
+    let mut d = dimensions();
+    d.balls = 3;
+    d.outer_groove_bottom_radius_m += 1e-3;
+    let mut case = undamped(conventional(d));
+    case.operation.gravity_m_s2 = 0.0;
+    case.operation.radial_load_n = 0.0;
+    case.contact.friction_law = law;
+    case.contact.friction_coefficient = 0.2;
+    case.contact.slip_scale_m_s = 1e-4;
+    case.contact.damping_n_s_m1_5 = 2e5;
+    case.solver.method = Method::Symplectic;
+    case.solver.step_s = step_s;
+    case
+}
+
+/// State after `duration_s` of a ball that starts at `speed` along the outer raceway without
+/// spin, pressed against it by its centrifugal force.
+fn slide(case: &Case, speed: f64, duration_s: f64) -> State {
+    let bearing = &case.bearing;
+    let track = bearing.dimensions().outer_groove_bottom_radius_m - bearing.ball_radius_m();
+    let [_, outer, _] = case.stiffness_n_m1_5();
+    let force = bearing.ball_mass_kg() * speed * speed / track;
+    let distance = track + (force / outer).powf(2.0 / 3.0);
+    let mut state = State::new(3);
+    let mut angles = vec![];
+    for k in 0..3 {
+        let angle = 2.0 * f64::from(k as u32) * std::f64::consts::PI / 3.0;
+        let (sin, cos) = angle.sin_cos();
+        let speed = if k == 0 { speed } else { 0.0 };
+        let distance = if k == 0 { distance } else { track };
+        state.set_ball(
+            k,
+            BallMotion {
+                x: distance * sin,
+                y: -distance * cos,
+                vx: speed * cos,
+                vy: speed * sin,
+                spin: 0.0,
+            },
+        );
+        angles.push(angle);
+    }
+    state.set_ring(Centre::default());
+    let mut case = case.clone();
+    case.solver.duration_s = duration_s;
+    let outcome = run_from(&case, &state, &angles, &mut [], &mut |_| Control::Continue).unwrap();
+    assert!(
+        matches!(outcome.ending, Ending::Complete),
+        "{:?}",
+        outcome.ending
+    );
+    outcome.state
+}
+
+/// Tangential speed and ΔVo of ball 1.
+fn speed_and_slip(case: &Case, state: &State) -> [f64; 2] {
+    let polar = state.ball_motion(0).about(&Centre::default());
+    let spin = state.ball_motion(0).spin;
+    [
+        polar.tangential,
+        polar.tangential - spin * case.bearing.ball_radius_m(),
+    ]
+}
+
+/// A ball slides at v = v0/(1 + μ·v0·t/ρ), for N = m·v²/ρ, until it rolls at 5/7 of v0 at
+/// t = 2ρ/(5μ·v0) (the circular track's counterpart of a sphere on a plane, whose speed falls
+/// linearly); from there on it rolls, with Coulomb's law without creep.
+#[test]
+fn a_ball_slips_then_rolls_at_five_sevenths() {
+    let (speed, coefficient) = (2.0, 0.2);
+    for law in [FrictionLaw::Coulomb, FrictionLaw::Smooth] {
+        let case = free_balls(law, 1e-6);
+        let d = case.bearing.dimensions();
+        let track = d.outer_groove_bottom_radius_m - case.bearing.ball_radius_m();
+        let rolls_s = 0.4 * track / (coefficient * speed);
+        let half_s = 0.5 * rolls_s;
+        let [v, slip] = speed_and_slip(&case, &slide(&case, speed, half_s));
+        let expected = speed / (1.0 + coefficient * speed * half_s / track);
+        assert!((v / expected - 1.0).abs() < 2e-4, "{law:?}: {v} {expected}");
+        assert!(slip > 0.1);
+        let [v, slip] = speed_and_slip(&case, &slide(&case, speed, 1.2 * rolls_s));
+        assert!((v / (5.0 / 7.0 * speed) - 1.0).abs() < 2e-4, "{law:?}: {v}");
+        let creep = if law == FrictionLaw::Coulomb {
+            1e-9
+        } else {
+            1e-6
+        };
+        assert!(slip.abs() < creep, "{law:?}: creep {slip:e} m/s");
+    }
+}
+
+/// The friction part alone is of order one in the step: the time at which a stiff slip has
+/// decayed is resolved by backward Euler.
+#[test]
+fn friction_is_of_first_order() {
+    // A slip scale so large that slip decays over many steps: λ = 7/2·μN/(m·scale).
+    let mut case = free_balls(FrictionLaw::Smooth, 1e-6);
+    case.contact.slip_scale_m_s = 50.0;
+    let slip_at = |step_s: f64| {
+        let mut case = case.clone();
+        case.solver.step_s = step_s;
+        speed_and_slip(&case, &slide(&case, 10.0, 2e-3))[1]
+    };
+    let [coarse, middle, fine] = [4e-6, 2e-6, 1e-6].map(slip_at);
+    let order = ((coarse - middle) / (middle - fine)).log2();
+    assert!((order - 1.0).abs() < 0.3, "{order}");
+}
+
+/// Means over the time after `from_s`: y of the ring, speed of the balls, their absolute spin.
+#[derive(Default)]
+struct MeanMotion {
+    from_s: f64,
+    time_s: f64,
+    sums: [f64; 3],
+}
+
+impl Observer for MeanMotion {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+        if view.step.t0_s >= self.from_s {
+            let h = view.step.size_s();
+            let n = view.layout().balls as f64;
+            let [vx, vy, spin] = [BallCoordinate::Vx, BallCoordinate::Vy, BallCoordinate::Spin]
+                .map(|coordinate| view.after(coordinate));
+            let speeds = vx.iter().zip(vy.iter()).map(|(x, y)| x.hypot(y));
+            let values = [
+                view.layout().ring_motion(&view.step.y1).y,
+                speeds.sum::<f64>() / n,
+                spin.iter().sum::<f64>() / n,
+            ];
+            self.time_s += h;
+            for (sum, value) in self.sums.iter_mut().zip(values) {
+                *sum += h * value;
+            }
+        }
+        Ok(Control::Continue)
+    }
+}
+
+/// Means over the second half of a run and the relative residual of its energy ledger.
+fn means(case: &Case) -> ([f64; 3], f64) {
+    let mut motion = MeanMotion {
+        from_s: 0.5 * case.solver.duration_s,
+        ..MeanMotion::default()
+    };
+    let outcome = run(case, &mut [&mut motion], &mut |_| Control::Continue).unwrap();
+    assert!(
+        matches!(outcome.ending, Ending::Complete),
+        "{:?}",
+        outcome.ending
+    );
+    let means = motion.sums.map(|sum| sum / motion.time_s);
+    (means, outcome.energy_residual_relative)
+}
+
+/// Dry friction takes the step of lubricated friction and closes its ledger; the ring stands
+/// where the explicit method at a tenth of its stable step puts it.
+#[test]
+fn dry_friction_takes_the_step_of_the_contacts() {
+    let mut case = structure(5.1, 25.2);
+    case.solver.method = Method::Symplectic;
+    case.solver.duration_s = 0.01;
+    case.contact.damping_n_s_m1_5 = 2e5;
+    let automatic = StepLimits::new(&case).automatic_s(Method::Symplectic);
+    for coefficient in [0.1, 0.3] {
+        let mut dry = case.clone();
+        dry.contact.friction_coefficient = coefficient;
+        dry.solver.step_s = StepLimits::new(&dry).automatic_s(Method::Symplectic);
+        assert_eq!(dry.solver.step_s, automatic);
+        let (implicit, residual) = means(&dry);
+        assert!(residual.abs() < 1e-3, "{coefficient}: {residual:e}");
+        let mut explicit = dry.clone();
+        explicit.solver.method = Method::Adaptive;
+        explicit.solver.tolerance = 1e-6;
+        let (reference, _) = means(&explicit);
+        // The first 10 ms are the same trajectory: 1e-3 µm, 1e-5 of the speeds.
+        let tolerances = [1e-9, 1e-4, 0.03];
+        for ((a, b), tolerance) in implicit.iter().zip(&reference).zip(tolerances) {
+            assert!(
+                (a - b).abs() < tolerance,
+                "{coefficient}: {implicit:?} {reference:?}"
+            );
+        }
+    }
+}
+
+/// Every law runs in lanes with the bits that it has alone, on every instruction set.
+#[test]
+fn every_law_is_finite_and_closes_its_ledger() {
+    for law in [
+        FrictionLaw::Smooth,
+        FrictionLaw::Coulomb,
+        FrictionLaw::Stribeck,
+    ] {
+        let mut case = structure(5.1, 25.2);
+        case.solver.method = Method::Symplectic;
+        case.solver.duration_s = 0.005;
+        case.contact.friction_coefficient = 0.1;
+        case.contact.friction_law = law;
+        if law == FrictionLaw::Stribeck {
+            case.contact.static_friction_coefficient = Some(0.2);
+            case.contact.stribeck_speed_m_s = Some(0.1);
+        }
+        case.solver.step_s = StepLimits::new(&case).automatic_s(Method::Symplectic);
+        let outcome = run(&case, &mut [], &mut |_| Control::Continue).unwrap();
+        assert!(matches!(outcome.ending, Ending::Complete), "{law:?}");
+        let residual = outcome.energy_residual_relative;
+        assert!(residual.abs() < 1e-3, "{law:?}: {residual:e}");
+        let model = Model::new(&case).unwrap();
+        let mut rhs = RightHandSide::new(&model);
+        let seen = rhs.snapshot(0.0, &outcome.state, &[0.0; 14]);
+        assert!(seen.inner_slip_m_s.iter().all(|s| s.is_finite()), "{law:?}");
+    }
+}
