@@ -154,53 +154,49 @@ fn solvers(options: &Options) -> Result<()> {
     if let Err(error) = &driver {
         eprintln!("CVODE left out: {error}. Debian's package is libsundials-dev.");
     }
-    let mut entries = vec![];
-    let mut try_peer = |peer: Box<dyn Peer + '_>, entries: &mut Vec<_>| {
-        for setting in peer.settings() {
-            let Ok(reached) = peer.integrate(setting, ERROR_S) else {
-                continue;
-            };
-            let error = problem::rms_difference(&reached.z, &reference);
-            if error <= options.at_error {
-                entries.push(Entry {
-                    name: format!("{}, {}", peer.name(), peer.equations()),
-                    setting,
-                    setting_name: peer.setting_name(),
-                    error,
-                    walls: vec![],
-                    peer,
-                });
-                return;
-            }
-        }
-        println!("{} does not reach the error", peer.name());
-    };
+    let mut peers: Vec<Box<dyn Peer + '_>> = vec![];
     for equations in Implementation::ALL {
         let problem = &problem;
-        try_peer(Box::new(Rk4 { problem, equations }), &mut entries);
+        peers.push(Box::new(Rk4 { problem, equations }));
         for method in [ode_solvers::Method::Dopri5, ode_solvers::Method::Dop853] {
-            let peer = ode_solvers::OdeSolvers {
+            peers.push(Box::new(ode_solvers::OdeSolvers {
                 problem,
                 method,
                 equations,
-            };
-            try_peer(Box::new(peer), &mut entries);
+            }));
         }
         for method in [diffsol::Method::Tsit45, diffsol::Method::Bdf] {
-            let peer = diffsol::Diffsol {
+            peers.push(Box::new(diffsol::Diffsol {
                 problem,
                 method,
                 equations,
-            };
-            try_peer(Box::new(peer), &mut entries);
+            }));
         }
         if let Ok(driver) = &driver {
-            let peer = cvode::Cvode {
+            peers.push(Box::new(cvode::Cvode {
                 problem,
                 driver,
                 equations,
-            };
-            try_peer(Box::new(peer), &mut entries);
+            }));
+        }
+    }
+    let mut entries = vec![];
+    for peer in peers {
+        let found = peer.settings().into_iter().find_map(|setting| {
+            let reached = peer.integrate(setting, ERROR_S).ok()?;
+            let error = problem::rms_difference(&reached.z, &reference);
+            (error <= options.at_error).then_some((setting, error))
+        });
+        match found {
+            Some((setting, error)) => entries.push(Entry {
+                name: format!("{}, {}", peer.name(), peer.equations()),
+                setting,
+                setting_name: peer.setting_name(),
+                error,
+                walls: vec![],
+                peer,
+            }),
+            None => println!("{} does not reach the error", peer.name()),
         }
     }
     let own = case(

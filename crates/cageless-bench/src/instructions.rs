@@ -107,13 +107,14 @@ struct Sample {
 }
 
 fn plain(state: &State) -> Vec<f64> {
+    let ring = state.ring_motion();
     [
         state.x_m(),
         state.y_m(),
         state.vx_m_s(),
         state.vy_m_s(),
         state.spin_state_rad_s(),
-        &state.ring(),
+        &[ring.x, ring.y, ring.vx, ring.vy],
     ]
     .concat()
 }
