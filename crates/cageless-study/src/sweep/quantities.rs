@@ -137,6 +137,7 @@ pub const QUANTITIES: &[Quantity] = &[
     low(quantity("design_kink_deg", "deg", Design(|c| of_raceway(c, |r| r.kink_angle_rad(FRAC_PI_4).to_degrees())))),
 
     Quantity { kind: ColumnKind::Text, ..quantity("verdict_verdict", "", Verdict(|j| Cell::Text(j.verdict.name().to_owned()))) },
+    high(integer("verdict_passes", Verdict(|j| j.passes().map_or(Cell::Null, |passes| count(usize::from(passes)))))),
     quantity("verdict_critical_gap_deg", "deg", Verdict(|j| j.critical_gap_rad.map(f64::to_degrees).into())),
     integer("verdict_passages", Verdict(|j| j.passages.map_or(Cell::Null, |p| count(p.passages)))),
     low(quantity("verdict_collisions_mean", "", Verdict(|j| of_passages(j, |p| p.collisions_mean)))),
