@@ -273,7 +273,11 @@ fn rows_stand_at_multiples_of_the_interval_and_at_the_end() {
 fn no_statistics_are_no_numbers() {
     let dir = tempfile::tempdir().unwrap();
     // The ring presses balls further into the raceway than any contact survives.
-    let sets = ["start.state=rolling", "start.ring_y_um=-450"];
+    let sets = [
+        "start.state=rolling",
+        "start.ring_y_um=-450",
+        "solver.step_us=0.5",
+    ];
     let answer = run_to(dir.path(), &sets);
     assert_eq!(answer.code, Some(3), "{answer:?}");
     let page = std::fs::read_to_string(dir.path().join("report.html")).unwrap();

@@ -125,7 +125,7 @@ fn the_kink_is_blended_or_stated() {
         "--out",
         out.to_str().unwrap(),
     ];
-    assert!(export(&[], &more).stdout.contains("left: 0.6544°"));
+    assert!(export(&[], &more).stdout.contains("not blended: 0.6544°"));
 }
 
 #[test]

@@ -146,7 +146,8 @@ const EDITS: &[Row] = &[
     (START, "[start]\nlead_ball_angle_deg = nan #", "start.lead_ball_angle_deg", &["a finite number of deg"]),
     // Choices.
     ("profile = \"physical\"", "profile = \"realistic\"", "model.profile", &["\"realistic\"", "\"physical\" or \"paper\""]),
-    ("friction_law = \"smooth\"", "friction_law = \"stribeck\"", "contact.friction_law", &["\"stribeck\"", "\"smooth\" or \"coulomb\""]),
+    ("friction_law = \"smooth\"", "friction_law = \"viscous\"", "contact.friction_law", &["\"viscous\"", "\"smooth\", \"coulomb\" or \"stribeck\""]),
+    ("friction_law = \"smooth\"", "friction_law = \"stribeck\"", "contact.static_friction_coefficient", &["missing"]),
     ("# method = \"symplectic\"", "method = \"euler\"", "solver.method", &["\"euler\"", "\"abm4\""]),
     ("schema = 1", "schema = 2", "schema", &["= 2 ", "the only schema"]),
     ("schema = 1", "schema = \"1\"", "schema", &["\"1\""]),

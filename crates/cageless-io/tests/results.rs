@@ -479,7 +479,7 @@ fn coulomb_friction_far_from_its_limit_is_warned_of() {
         found.into_iter().find(|w| w.contains("Coulomb"))
     };
     let warning = warnings("auto").expect("a warning");
-    assert!(warning.contains("creep by up to 1."), "{warning}");
+    assert!(warning.contains("creep by up to 0.5"), "{warning}");
     assert!(
         warning.contains("solver.step_us to 0.03 or less"),
         "{warning}"

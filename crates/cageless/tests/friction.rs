@@ -39,8 +39,8 @@ fn slide(case: &Case, speed: f64, duration_s: f64) -> State {
     let distance = track + (force / outer).powf(2.0 / 3.0);
     let mut state = State::new(3);
     let mut angles = vec![];
-    for k in 0..3 {
-        let angle = 2.0 * f64::from(k as u32) * std::f64::consts::PI / 3.0;
+    // The others stand beyond what the ball travels.
+    for (k, angle) in [0.0f64, 3.5, 5.0].into_iter().enumerate() {
         let (sin, cos) = angle.sin_cos();
         let speed = if k == 0 { speed } else { 0.0 };
         let distance = if k == 0 { distance } else { track };
@@ -103,23 +103,6 @@ fn a_ball_slips_then_rolls_at_five_sevenths() {
         };
         assert!(slip.abs() < creep, "{law:?}: creep {slip:e} m/s");
     }
-}
-
-/// The friction part alone is of order one in the step: the time at which a stiff slip has
-/// decayed is resolved by backward Euler.
-#[test]
-fn friction_is_of_first_order() {
-    // A slip scale so large that slip decays over many steps: λ = 7/2·μN/(m·scale).
-    let mut case = free_balls(FrictionLaw::Smooth, 1e-6);
-    case.contact.slip_scale_m_s = 50.0;
-    let slip_at = |step_s: f64| {
-        let mut case = case.clone();
-        case.solver.step_s = step_s;
-        speed_and_slip(&case, &slide(&case, 10.0, 2e-3))[1]
-    };
-    let [coarse, middle, fine] = [4e-6, 2e-6, 1e-6].map(slip_at);
-    let order = ((coarse - middle) / (middle - fine)).log2();
-    assert!((order - 1.0).abs() < 0.3, "{order}");
 }
 
 /// Means over the time after `from_s`: y of the ring, speed of the balls, their absolute spin.

@@ -125,6 +125,13 @@ fn stability_interval_of_the_documentation() {
     assert!(after(1.35) > 1.0, "{}", after(1.35));
 }
 
+/// The first component is a position, the second its rate.
+const POSITION_AND_RATE: [SecondOrderBlock; 1] = [SecondOrderBlock {
+    positions: 0,
+    rates: 1,
+    count: 1,
+}];
+
 /// x″ = −ω²x with ω = 1, as position and rate.
 struct Spring;
 
@@ -137,11 +144,7 @@ impl System for Spring {
         dydt[1] = -y[0];
     }
     fn second_order_blocks(&self) -> &[SecondOrderBlock] {
-        &[SecondOrderBlock {
-            positions: 0,
-            rates: 1,
-            count: 1,
-        }]
+        &POSITION_AND_RATE
     }
 }
 
@@ -265,4 +268,59 @@ fn steps_end_at_the_limit() {
     reaches_the_limit("ABM4", Abm4::new(2, 0.1), 1e-3);
     reaches_the_limit("velocity Verlet", VelocityVerlet::new(0.01), 1e-3);
     reaches_the_limit("adaptive", Adaptive::new(2, 0.1, 1e-9), 1e-7);
+}
+
+/// x″ = cos t − λx′, its drag declared stiff; from rest.
+struct Drag(f64);
+
+impl System for Drag {
+    fn dimension(&self) -> usize {
+        2
+    }
+    fn derivative(&mut self, t: f64, y: &[f64], dydt: &mut [f64]) {
+        self.nonstiff_derivative(t, y, dydt);
+        dydt[1] -= self.0 * y[1];
+    }
+    fn second_order_blocks(&self) -> &[SecondOrderBlock] {
+        &POSITION_AND_RATE
+    }
+    fn has_stiff_part(&self) -> bool {
+        true
+    }
+    fn nonstiff_derivative(&mut self, t: f64, y: &[f64], dydt: &mut [f64]) {
+        (dydt[0], dydt[1]) = (y[1], t.cos());
+    }
+    fn add_stiff_part(&mut self, h: f64, _y0: &[f64], y: &mut [f64], dydt: &mut [f64]) {
+        // v = v_free − hλv.
+        let v = y[1] / (1.0 + h * self.0);
+        dydt[1] -= self.0 * v;
+        y[1] = v;
+    }
+}
+
+/// The stiff part is of order one and damped at any stiffness, without ringing.
+#[test]
+fn a_stiff_part_is_of_first_order_and_damped() {
+    let speed = |rate: f64, h: f64| {
+        let mut system = Drag(rate);
+        let mut method = Integrator::new(VelocityVerlet::new(h), 2);
+        method.restart(&mut system, 0.0, &[0.0, 0.0]);
+        while method.step().t1_s < 2.0 {
+            method.advance(&mut system, 2.0).unwrap();
+        }
+        method.step().y1[1]
+    };
+    let exact = |rate: f64| {
+        let particular = |t: f64| (rate * t.cos() + t.sin()) / (rate * rate + 1.0);
+        particular(2.0) - particular(0.0) * (-rate * 2.0f64).exp()
+    };
+    for h in [0.02, 0.01] {
+        let error = |h: f64| (speed(3.0, h) - exact(3.0)).abs();
+        let order = (error(h) / error(h / 2.0)).log2();
+        assert!((order - 1.0).abs() < 0.1, "{order}");
+    }
+    for rate in [1e3, 1e6, 1e9] {
+        let miss = speed(rate, 0.01) - exact(rate);
+        assert!(miss.abs() < 0.02 / rate, "{rate:e}: {miss:e}");
+    }
 }

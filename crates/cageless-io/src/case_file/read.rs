@@ -1,5 +1,7 @@
 //! Reader of the document: keys, their types and defaults.
 
+use cageless::FrictionLaw;
+
 use super::SCHEMA;
 use super::defaults;
 use super::document::{
@@ -232,12 +234,18 @@ impl<'a> FileReader<'a> {
 
     fn contact(&mut self) -> Result<ContactDocument, CaseError> {
         let mut r = self.section("contact")?;
+        let friction_law = r.choice_or("friction_law", defaults::FRICTION_LAW)?;
+        // Needed by this law; refused by the conversion with any other.
+        let stribeck = |r: &Reader<'_>, name: &str| match friction_law {
+            FrictionLaw::Stribeck => r.number(name).map(Some),
+            _ => r.optional_number(name),
+        };
         Ok(ContactDocument {
             friction_coefficient: r
                 .number_or("friction_coefficient", defaults::FRICTION_COEFFICIENT)?,
-            friction_law: r.choice_or("friction_law", defaults::FRICTION_LAW)?,
-            static_friction_coefficient: r.optional_number("static_friction_coefficient")?,
-            stribeck_speed_m_s: r.optional_number("stribeck_speed_m_s")?,
+            friction_law,
+            static_friction_coefficient: stribeck(&r, "static_friction_coefficient")?,
+            stribeck_speed_m_s: stribeck(&r, "stribeck_speed_m_s")?,
             slip_scale_m_s: r.number_or("slip_scale_m_s", defaults::SLIP_SCALE_M_S)?,
             damping: r.number_or("damping", defaults::DAMPING)?,
             ball_restitution: r.number_or("ball_restitution", defaults::BALL_RESTITUTION)?,

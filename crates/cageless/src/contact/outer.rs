@@ -141,8 +141,8 @@ pub fn outer_friction_direction(
 }
 
 /// Force and moment of the outer contact on the ball under the friction `friction_n`, which
-/// acts with arm r: 2μF′o on a discrete raceway, μFo on the plain one (Zhao 2022, Eq. (21),
-/// (22)).
+/// acts with arm r: 2μF′o on a discrete raceway, μFo on the plain one (Zhao 2022,
+/// Eq. (22)).
 #[inline(always)]
 pub fn outer_load(
     profile: Profile,
