@@ -102,7 +102,7 @@ class Bearing:
         )
         return (
             f'<svg width="620" viewBox="-30 -22 620 {height + 24}" font-size="13" fill="#333">'
-            f'<text y="-8">gap from each ball to the next; dashed: uniform, {self.uniform:.1f}°;'
+            f'<text y="-8">gap from each ball to the next; dashed: nominal, {self.uniform:.1f}°;'
             f" standard deviation {self.deviation_at_end:.1f}°</text>{''.join(parts)}</svg>"
         )
 
@@ -116,8 +116,8 @@ def caption(bearings):
         f" {operation['inner_speed_rpm']:.0f} rpm and {operation['radial_load_n']:.0f} N. After"
         f" {DURATION_S:g} s the balls of the conventional one are still bunched: over the second"
         f" half of the run the gaps scatter by {plain.deviation:.1f}° (standard deviation) about"
-        f" the uniform {plain.uniform:.1f}°. The discrete raceway has spread them:"
-        f" {discrete.deviation:.1f}°. It evens the gaps out; it does not end contacts between"
+        f" the nominal {plain.uniform:.1f}°. The discrete raceway has spread them:"
+        f" {discrete.deviation:.1f}°. It equalises the gaps; it does not prevent contacts between"
         f" balls: {discrete.contacts} against {plain.contacts} from {discrete.transient:.3f} s on."
     )
 
@@ -137,7 +137,7 @@ def main():
                 "<!DOCTYPE html><meta charset='utf-8'><style>body{margin:0;display:flex;"
                 "font-family:DejaVu Sans,Helvetica,Arial,sans-serif;background:#fff;color:#222}"
                 "div{width:630px;text-align:center}h2{font-size:17px;margin:14px 0 0}"
-                f"svg{{display:block;margin:0 auto}}h2+svg{{margin-top:-50px}}h2{{height:22px;line-height:22px}}sub{{line-height:0}}</style>{columns}",
+                f"svg{{display:block;margin:0 auto}}h2+svg{{margin-top:-50px}}h2{{height:22px;line-height:22px;position:relative;z-index:1}}sub{{line-height:0}}</style>{columns}",
                 encoding="utf-8",
             )
             tab = browser.open(page.resolve().as_uri())

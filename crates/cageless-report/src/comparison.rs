@@ -169,31 +169,66 @@ impl RingComparison {
         self.cells.iter().filter(move |c| c.speed_rpm == speed_rpm)
     }
 
-    /// A table per speed.
+    /// For each speed a table of the vibration and one of gaps and contacts.
     pub fn tables(&self) -> Vec<Table> {
         self.speeds_rpm()
             .into_iter()
-            .map(|speed_rpm| self.table(speed_rpm))
+            .flat_map(|speed_rpm| [self.vibration(speed_rpm), self.contacts(speed_rpm)])
             .collect()
     }
 
-    fn table(&self, speed_rpm: f64) -> Table {
-        let number = |text: &str| (text.to_owned(), true);
-        let columns = vec![
+    fn vibration(&self, speed_rpm: f64) -> Table {
+        let columns = [
+            "all",
+            "at passing",
+            "between",
+            "contacts cut out",
+            "contacts alone",
+        ];
+        self.table(
+            format!("Housing at {speed_rpm} rpm"),
+            "RMS of the vertical acceleration of the housing, its part at the multiples of the \
+             orbital frequency and the part between them; the same under a force without the \
+             contacts between balls, and under the contacts alone.",
+            &[("RMS acceleration (m/s²)", 5)],
+            &columns,
+            ComparisonCell::vibration,
+            speed_rpm,
+        )
+    }
+
+    fn contacts(&self, speed_rpm: f64) -> Table {
+        let columns = [
+            "SD at the end (°)",
+            "per second",
+            "approach (mm/s)",
+            "impulse (mN·s)",
+            "impulses per second (N)",
+        ];
+        self.table(
+            format!("Gaps and contacts at {speed_rpm} rpm"),
+            "Standard deviation (SD) of the gaps at the end; contacts between balls, their mean \
+             approach speed and impulse, and the sum of the impulses per second.",
+            &[("Gaps", 1), ("Contacts between balls", 4)],
+            &columns,
+            ComparisonCell::contacts,
+            speed_rpm,
+        )
+    }
+
+    fn table(
+        &self,
+        label: String,
+        caption: &str,
+        groups: &[(&str, usize)],
+        columns: &[&str],
+        numbers: impl Fn(&ComparisonCell) -> Vec<Cell>,
+        speed_rpm: f64,
+    ) -> Table {
+        let names = [
             ("Balls".to_owned(), false),
             ("Outer ring".to_owned(), false),
-            number("all"),
-            number("at passing"),
-            number("between"),
-            number("contacts cut out"),
-            number("contacts alone"),
-            number("SD at the end (°)"),
-            number("per second"),
-            number("approach (mm/s)"),
-            number("impulse (mN·s)"),
-            number("impulses per second (N)"),
         ];
-        let group = |text: &str, columns: usize| (text.to_owned(), columns);
         let mut last = String::new();
         let rows = self
             .at_speed(speed_rpm)
@@ -204,31 +239,41 @@ impl RingComparison {
                     last.clone_from(&c.lot);
                     c.lot.clone()
                 };
+                let mut cells = vec![Cell::text(lot), Cell::text(c.ring_text())];
+                cells.extend(numbers(c));
                 Row {
-                    cells: c.row(lot),
+                    cells,
                     ..Row::default()
                 }
             })
             .collect();
+        let groups = groups
+            .iter()
+            .map(|(text, count)| ((*text).to_owned(), *count));
         Table {
-            label: format!("Rings at {speed_rpm} rpm"),
-            caption: "RMS of the vertical acceleration of the housing, its part at the multiples \
-                      of the orbital frequency and the part between them; the same under a \
-                      force without the contacts between balls, and under the contacts alone; \
-                      standard deviation (SD) of the gaps at the end; contacts between balls. Means over the starts \
-                      ± their standard error."
-                .to_owned(),
-            groups: vec![
-                group("", 2),
-                group("RMS acceleration (m/s²)", 5),
-                group("Gaps", 1),
-                group("Contacts between balls", 4),
-            ],
-            columns,
+            label,
+            caption: format!("{caption} Means over the starts ± their standard error."),
+            groups: std::iter::once((String::new(), 2)).chain(groups).collect(),
+            columns: names
+                .into_iter()
+                .chain(columns.iter().map(|name| ((*name).to_owned(), true)))
+                .collect(),
             rows,
             provenance: Some(self.provenance.clone()),
         }
     }
+}
+
+/// An estimate in a unit `by` times as large, with its standard error; a dash for none.
+fn scaled(estimate: Option<Estimate>, by: f64) -> Cell {
+    Cell::number(estimate.map_or("–".to_owned(), |e| {
+        Estimate {
+            mean: e.mean * by,
+            standard_error: e.standard_error * by,
+            ..e
+        }
+        .text()
+    }))
 }
 
 impl ComparisonCell {
@@ -243,31 +288,27 @@ impl ComparisonCell {
         }
     }
 
-    fn row(&self, lot: String) -> Vec<Cell> {
-        let scaled = |e: Option<Estimate>, by: f64| {
-            Cell::number(e.map_or("–".to_owned(), |e| {
-                Estimate {
-                    mean: e.mean * by,
-                    standard_error: e.standard_error * by,
-                    ..e
-                }
-                .text()
-            }))
-        };
-        let plain = |e: Estimate| scaled(Some(e), 1.0);
+    /// Cells of the table of vibration.
+    fn vibration(&self) -> Vec<Cell> {
+        [
+            self.rms_m_s2,
+            self.rms_at_passing_m_s2,
+            self.rms_between_m_s2,
+            self.rms_without_contacts_m_s2,
+            self.rms_from_contacts_m_s2,
+        ]
+        .map(|e| scaled(Some(e), 1.0))
+        .to_vec()
+    }
+
+    /// Cells of the table of gaps and contacts.
+    fn contacts(&self) -> Vec<Cell> {
         vec![
-            Cell::text(lot),
-            Cell::text(self.ring_text()),
-            plain(self.rms_m_s2),
-            plain(self.rms_at_passing_m_s2),
-            plain(self.rms_between_m_s2),
-            plain(self.rms_without_contacts_m_s2),
-            plain(self.rms_from_contacts_m_s2),
-            plain(self.gap_deviation_deg),
-            plain(self.contacts_per_s),
+            scaled(Some(self.gap_deviation_deg), 1.0),
+            scaled(Some(self.contacts_per_s), 1.0),
             scaled(self.approach_speed_m_s, 1e3),
             scaled(self.impulse_n_s, 1e3),
-            plain(self.impulse_rate_n),
+            scaled(Some(self.impulse_rate_n), 1.0),
         ]
     }
 }
