@@ -49,7 +49,7 @@ fn long_files_are_read_in_time() {
     let loads: Vec<String> = (0..100_000)
         .map(|k| format!("{}.5", 100 + k % 900))
         .collect();
-    // The last key is one that there is none of: the plan is read, and refused.
+    // The last key does not exist: the plan is read and refused.
     let text = format!(
         "case = {case:?}\ncompute = [\"static\"]\n[grid]\n\
          operation.radial_load_n = [\n{}\n]\nnone = [1]\n",

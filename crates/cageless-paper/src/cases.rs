@@ -103,8 +103,7 @@ fn raceway_overrides(k: usize) -> [String; 2] {
 /// # Errors
 /// Never: the cases are sound.
 pub fn experiment() -> Result<[Case; 2], CaseError> {
-    // Not in the paper: the housing, and four bunches of balls, so that there is something to
-    // spread apart.
+    // Not in the paper: the housing, and four bunches of balls for the raceway to spread apart.
     let both = [
         "operation.inner_speed_rpm=3000.0",
         "start.gaps=[0.05, 0.05, 0.05, 0.05, 6.2314, 0.05, 0.05, 0.05, 6.2314, 0.05, 0.05, 6.2314, \

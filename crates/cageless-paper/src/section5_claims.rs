@@ -298,7 +298,7 @@ mod tests {
         }
     }
 
-    /// The same words about opposite numbers would be a claim of their own.
+    /// Opposite numbers must be worded as the opposite claim.
     #[test]
     fn claims_are_worded_by_the_numbers() {
         let higher = rings(|_, _| 0.5);

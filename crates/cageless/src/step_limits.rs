@@ -29,7 +29,6 @@ pub struct StepLimits {
     /// Growth, per second of step, of the creep that the relaxed stick of Coulomb friction
     /// leaves in explicit methods at the limit of a loaded contact, m/s²; 0 under the smooth laws.
     creep_m_s2: f64,
-    coulomb: bool,
     /// Whether the contacts are damped.
     pub damped: bool,
     /// Whether impacts, rather than the load, turn the energy over.
@@ -142,7 +141,6 @@ impl StepLimits {
             damping_1_s: damping,
             friction_1_s: friction,
             creep_m_s2: creep,
-            coulomb: case.contact.friction_law == FrictionLaw::Coulomb,
             damped: case.contact.damping_n_s_m1_5 > 0.0,
             light: carried < LIGHT * struck,
         }
@@ -164,11 +162,12 @@ impl StepLimits {
         (oscillation / self.contact_rad_s).min(decay / self.damping_1_s)
     }
 
-    /// Whether friction is stiff for a step of `step_s`: beyond a λh of 0.7 the production
+    /// Whether friction is stiff for the step of `case`: beyond a λh of 0.7 the production
     /// method treats it implicitly, below it, with the other forces, to second order. Coulomb's
     /// law always counts as stiff.
-    pub fn friction_is_stiff(&self, step_s: f64) -> bool {
-        self.coulomb || self.friction_1_s * step_s > FRICTION_RESOLVED
+    pub fn friction_is_stiff(case: &Case) -> bool {
+        case.contact.friction_law == FrictionLaw::Coulomb
+            || Self::new(case).friction_1_s * case.solver.step_s > FRICTION_RESOLVED
     }
 
     /// Step beyond which smooth friction no longer settles: slip then jumps to and fro

@@ -133,7 +133,7 @@ fn points_are_not_converged_beyond_the_predictability_time() {
     assert_eq!(points(&c), [Convergence::Converged; 3]);
 }
 
-/// The same verification to the bit, on one thread or two; another seed turns the starts
+/// A verification has the same bits on one thread and on two; another seed turns the starts
 /// by other angles.
 #[test]
 fn a_verification_is_reproducible() {

@@ -184,7 +184,8 @@ const RESIDUAL_FRACTION: f64 = 0.01;
 fn warnings(case: &Case) -> Vec<String> {
     let mut warnings: Vec<String> = equilibrium::overload(case).into_iter().collect();
     let method = case.solver.method;
-    let resolved = StepLimits::new(case).friction_resolved_to_s(method);
+    let limits = StepLimits::new(case);
+    let resolved = limits.friction_resolved_to_s(method);
     if case.solver.step_s > resolved {
         warnings.push(format!(
             "friction of the smooth law decays faster than the step follows: slip near zero is \
@@ -192,7 +193,6 @@ fn warnings(case: &Case) -> Vec<String> {
             resolved * 1e6
         ));
     }
-    let limits = StepLimits::new(case);
     let (creep, knee) = (
         limits.creep_m_s2(method) * case.solver.step_s,
         case.contact.slip_scale_m_s,

@@ -178,8 +178,8 @@ pub fn newton_step(
 
 /// Coulomb's law at both contacts: |f| ≤ μN with f = μN·sign(s) where s ≠ 0, exactly.
 ///
-/// Of the candidates — both contacts stick, one slides either way while the other sticks as
-/// far as its cone lets it — the solution is the one at which neither force would change under
+/// The candidates are: both contacts stick; one slides either way while the other sticks as
+/// far as its cone allows. The solution is the one at which neither force changes under
 /// the projection f → clamp(f + s/H_kk, ±μN). It is unique, for H is a P-matrix.
 #[inline(always)]
 pub fn coulomb_friction(friction: &Friction, problem: &SlipProblem) -> Slips {

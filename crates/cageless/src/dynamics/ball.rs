@@ -114,7 +114,7 @@ impl BallMotion {
 }
 
 impl PolarMotion {
-    /// The same position with the velocities of `ball` and `centre`.
+    /// Motion at this position with the velocities of `ball` and `centre`.
     #[inline(always)]
     pub fn with_velocity(&self, ball: &BallMotion, centre: &Centre) -> Self {
         let (vx, vy) = (ball.vx - centre.vx, ball.vy - centre.vy);

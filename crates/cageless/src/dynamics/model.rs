@@ -137,7 +137,7 @@ impl Model {
                 radial_load: case.operation.radial_load_n,
                 gravity: case.operation.gravity_m_s2,
             },
-            implicit_friction: StepLimits::new(case).friction_is_stiff(case.solver.step_s),
+            implicit_friction: StepLimits::friction_is_stiff(case),
             ball_damped: alpha > 0.0,
             raceway_models: case.raceways.iter().map(RacewayModel::new).collect(),
             bearing: bearing.clone(),

@@ -67,7 +67,7 @@ impl Layout {
         }
     }
 
-    /// The same vector with the places of another bearing.
+    /// Layout of this vector with the places of bearing number `bearing`.
     pub fn of_bearing(self, bearing: usize) -> Self {
         assert!(bearing < self.width);
         Self { bearing, ..self }

@@ -1,16 +1,16 @@
 //! The right-hand side, Zhao 2022, Eq. (12) to (22): the scalar functions over the lanes of
 //! every block, the exchange between neighbouring balls, and the sums over the balls.
 
+use super::geometry::{plain_positions, raceway_geometry};
 use super::lanes::Lanes;
 use super::pairs::{pair_contacts, pair_deflections};
-use super::parameters::{Parameters, Polynomial, RacewayBlock};
+use super::parameters::Parameters;
 use super::sums::{Addends, Sum, Sums};
 use crate::case::{FrictionLaw, Profile};
 use crate::contact::{
-    BallBallContactLanes, InnerContactLanes, OuterContactLanes, OuterGeometry, OuterGeometryLanes,
-    RacewayPosition, RacewayPositionLanes, RacewayValuesLanes, centrifugal_force, friction_force,
-    inner_contact, inner_load, inner_paper_power, nominal_geometry, outer_contact, outer_load,
-    outer_paper_powers, slope_force, unequal_geometry, with_path_direction,
+    BallBallContactLanes, InnerContactLanes, OuterContactLanes, OuterGeometryLanes,
+    centrifugal_force, friction_force, inner_contact, inner_load, inner_paper_power, outer_contact,
+    outer_load, outer_paper_powers, slope_force,
 };
 use crate::dynamics::ball::{
     BallLanes, BallLoad, BallLoadLanes, BallMotion, Centre, PolarMotionLanes,
@@ -248,109 +248,6 @@ fn equations<const PAPER: bool>(
     accelerations(p, w, y, dydt);
     for bearing in 0..p.layout.width() {
         ring_and_ledger::<PAPER>(p, bearing, &w.ring.get(bearing), &w.sums, dydt);
-    }
-}
-
-/// Polar coordinates of every ball and the geometry of its contact on the plain raceway.
-#[inline(always)]
-fn plain_positions<const PAPER: bool>(
-    balls: &BallLanes,
-    results: &mut BlockResults,
-    motions: Motions<'_>,
-) {
-    for lane in 0..LANES {
-        let motion = motions.get(lane);
-        let polar = motion.about(&Centre::default());
-        results.polar.put(lane, polar);
-        results.spin.0[lane] = if PAPER {
-            motion.spin - polar.orbit
-        } else {
-            motion.spin
-        };
-        let plain = OuterGeometry::plain(&balls.get(lane), &polar);
-        // Fields that the other cases never change stay as they are.
-        let geometry = &mut results.geometry;
-        geometry.orbit_radius.0[lane] = plain.orbit_radius;
-        geometry.effective_radius.0[lane] = plain.effective_radius;
-        if PAPER {
-            geometry.direction_x.0[lane] = plain.direction_x;
-            geometry.direction_y.0[lane] = plain.direction_y;
-            geometry.inside.0[lane] = plain.inside;
-        }
-    }
-}
-
-/// Geometry of the outer contact of the balls in one discrete raceway.
-#[inline(always)]
-fn raceway_geometry<const PAPER: bool>(
-    p: &Parameters,
-    balls: &BallLanes,
-    raceway: &RacewayBlock,
-    results: &mut BlockResults,
-) {
-    let mut position = RacewayPositionLanes::ZERO;
-    let mut values = RacewayValuesLanes::ZERO;
-    for lane in 0..LANES {
-        let polar = results.polar.get(lane);
-        position.put(
-            lane,
-            RacewayPosition::new(&raceway.constants.get(lane), &polar),
-        );
-    }
-    polynomial(&raceway.radius, &position.u, &mut values.radius);
-    if PAPER {
-        polynomial(&raceway.direction, &position.u, &mut values.direction);
-    }
-    if p.unequal {
-        polynomial(&raceway.radius_slope, &position.u, &mut values.radius_slope);
-    }
-    let geometries = &mut results.geometry;
-    if PAPER {
-        for lane in 0..LANES {
-            let directed = with_path_direction(
-                &raceway.constants.get(lane),
-                &p.outer.get(lane),
-                &position.get(lane),
-                &values.get(lane),
-                geometries.get(lane),
-            );
-            geometries.put(lane, directed);
-        }
-    }
-    if p.unequal {
-        for lane in 0..LANES {
-            let geometry = unequal_geometry(
-                &raceway.constants.get(lane),
-                &p.outer.get(lane),
-                &balls.get(lane),
-                &position.get(lane),
-                &values.get(lane),
-                geometries.get(lane),
-            );
-            geometries.put(lane, geometry);
-        }
-    } else {
-        for lane in 0..LANES {
-            let plain = geometries.get(lane);
-            let geometry = nominal_geometry(&position.get(lane), &values.get(lane), plain);
-            geometries.put(lane, geometry);
-        }
-    }
-}
-
-/// Σ c_k u^k from the sums of its even and its odd powers, which do not wait for each other.
-#[inline(always)]
-fn polynomial(coefficients: &Polynomial, u: &Lanes, value: &mut Lanes) {
-    let (mut even, mut odd) = ([0.0; LANES], [0.0; LANES]);
-    for [c0, c1] in coefficients.iter().rev() {
-        for lane in 0..LANES {
-            let square = u.0[lane] * u.0[lane];
-            even[lane] = even[lane] * square + c0.0[lane];
-            odd[lane] = odd[lane] * square + c1.0[lane];
-        }
-    }
-    for lane in 0..LANES {
-        value.0[lane] = even[lane] + odd[lane] * u.0[lane];
     }
 }
 

@@ -7,6 +7,7 @@
 //! vector code of it. No operation depends on the width of a vector and none is fused, so
 //! every instruction set gives the same bits.
 
+mod geometry;
 mod harness;
 mod implicit_friction;
 mod instruction_set;

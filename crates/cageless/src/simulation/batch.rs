@@ -29,7 +29,7 @@ impl Kind {
             balls: case.bearing.balls(),
             profile: case.profile,
             law: case.contact.friction_law,
-            implicit_friction: StepLimits::new(case).friction_is_stiff(case.solver.step_s),
+            implicit_friction: StepLimits::friction_is_stiff(case),
             has_nominal_geometry: case.has_nominal_geometry(),
             step_s: case.solver.step_s,
             duration_s: case.solver.duration_s,

@@ -157,7 +157,7 @@ fn of_fault(path: &Path, fault: Fault) -> ResultError {
 }
 
 /// Whether all groups of rows lie within the file and are of the size that is written: Parquet
-/// panics at negative places and makes room for whatever number of rows it is told.
+/// panics at negative offsets and allocates for any number of rows that a file states.
 fn is_readable(metadata: &ParquetMetaData, bytes: u64) -> bool {
     let within = |start: i64, length: i64| {
         let (start, length) = (u64::try_from(start), u64::try_from(length));

@@ -1,0 +1,114 @@
+//! Positions of the balls of a block and the geometry of their outer contacts.
+
+use super::harness::{BlockResults, Motions};
+use super::lanes::Lanes;
+use super::parameters::{Parameters, Polynomial, RacewayBlock};
+use crate::contact::{
+    OuterGeometry, RacewayPosition, RacewayPositionLanes, RacewayValuesLanes, nominal_geometry,
+    unequal_geometry, with_path_direction,
+};
+use crate::dynamics::ball::{BallLanes, Centre};
+use crate::dynamics::state::LANES;
+
+/// Polar coordinates of every ball and the geometry of its contact on the plain raceway.
+#[inline(always)]
+pub(super) fn plain_positions<const PAPER: bool>(
+    balls: &BallLanes,
+    results: &mut BlockResults,
+    motions: Motions<'_>,
+) {
+    for lane in 0..LANES {
+        let motion = motions.get(lane);
+        let polar = motion.about(&Centre::default());
+        results.polar.put(lane, polar);
+        results.spin.0[lane] = if PAPER {
+            motion.spin - polar.orbit
+        } else {
+            motion.spin
+        };
+        let plain = OuterGeometry::plain(&balls.get(lane), &polar);
+        // Fields that the other cases never change stay as they are.
+        let geometry = &mut results.geometry;
+        geometry.orbit_radius.0[lane] = plain.orbit_radius;
+        geometry.effective_radius.0[lane] = plain.effective_radius;
+        if PAPER {
+            geometry.direction_x.0[lane] = plain.direction_x;
+            geometry.direction_y.0[lane] = plain.direction_y;
+            geometry.inside.0[lane] = plain.inside;
+        }
+    }
+}
+
+/// Geometry of the outer contact of the balls in one discrete raceway.
+#[inline(always)]
+pub(super) fn raceway_geometry<const PAPER: bool>(
+    p: &Parameters,
+    balls: &BallLanes,
+    raceway: &RacewayBlock,
+    results: &mut BlockResults,
+) {
+    let mut position = RacewayPositionLanes::ZERO;
+    let mut values = RacewayValuesLanes::ZERO;
+    for lane in 0..LANES {
+        let polar = results.polar.get(lane);
+        position.put(
+            lane,
+            RacewayPosition::new(&raceway.constants.get(lane), &polar),
+        );
+    }
+    polynomial(&raceway.radius, &position.u, &mut values.radius);
+    if PAPER {
+        polynomial(&raceway.direction, &position.u, &mut values.direction);
+    }
+    if p.unequal {
+        polynomial(&raceway.radius_slope, &position.u, &mut values.radius_slope);
+    }
+    let geometries = &mut results.geometry;
+    if PAPER {
+        for lane in 0..LANES {
+            let directed = with_path_direction(
+                &raceway.constants.get(lane),
+                &p.outer.get(lane),
+                &position.get(lane),
+                &values.get(lane),
+                geometries.get(lane),
+            );
+            geometries.put(lane, directed);
+        }
+    }
+    if p.unequal {
+        for lane in 0..LANES {
+            let geometry = unequal_geometry(
+                &raceway.constants.get(lane),
+                &p.outer.get(lane),
+                &balls.get(lane),
+                &position.get(lane),
+                &values.get(lane),
+                geometries.get(lane),
+            );
+            geometries.put(lane, geometry);
+        }
+    } else {
+        for lane in 0..LANES {
+            let plain = geometries.get(lane);
+            let geometry = nominal_geometry(&position.get(lane), &values.get(lane), plain);
+            geometries.put(lane, geometry);
+        }
+    }
+}
+
+/// Σ c_k u^k from the sums of its even and its odd powers, which do not wait for each other.
+#[inline(always)]
+fn polynomial(coefficients: &Polynomial, u: &Lanes, value: &mut Lanes) {
+    let (mut even, mut odd) = ([0.0; LANES], [0.0; LANES]);
+    for [c0, c1] in coefficients.iter().rev() {
+        for lane in 0..LANES {
+            let square = u.0[lane] * u.0[lane];
+            even[lane] = even[lane] * square + c0.0[lane];
+            odd[lane] = odd[lane] * square + c1.0[lane];
+        }
+    }
+    for lane in 0..LANES {
+        value.0[lane] = even[lane] + odd[lane] * u.0[lane];
+    }
+}
