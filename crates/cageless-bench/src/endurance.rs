@@ -114,7 +114,7 @@ impl Observer for Watch<'_> {
             self.gaps = GapRange::new(model);
             self.slip = 0.0;
         }
-        Ok(Control::Continue)
+        Ok(Control::Continue(()))
     }
 }
 
@@ -151,7 +151,7 @@ pub fn run(options: &Options) -> Result<()> {
         lines: vec![],
     };
     let clock = Instant::now();
-    let outcome = simulation::run(&case, &mut [&mut watch], &mut |_| Control::Continue)?;
+    let outcome = simulation::run(&case, &mut [&mut watch], &mut |_| Control::Continue(()))?;
     let wall_s = clock.elapsed().as_secs_f64();
     print_lines(&watch);
     println!(

@@ -59,7 +59,7 @@ fn case(coefficient: f64, method: &str, overrides: &[String]) -> Result<Case> {
 fn timed(case: &Case) -> Result<([f64; 6], f64, f64)> {
     let mut sums = Sums::new(0.5 * case.solver.duration_s);
     let clock = Instant::now();
-    let outcome = simulation::run(case, &mut [&mut sums], &mut |_| Control::Continue)?;
+    let outcome = simulation::run(case, &mut [&mut sums], &mut |_| Control::Continue(()))?;
     let wall = clock.elapsed().as_secs_f64() / case.solver.duration_s;
     match outcome.ending {
         Ending::Complete => Ok((sums.statistics(), wall, outcome.energy_residual_relative)),
@@ -147,7 +147,7 @@ fn solvers(options: &Options) -> Result<()> {
             format!("solver.duration_s={ERROR_S:?}"),
         ],
     )?;
-    let outcome = simulation::run(&reference_case, &mut [], &mut |_| Control::Continue)?;
+    let outcome = simulation::run(&reference_case, &mut [], &mut |_| Control::Continue(()))?;
     let reference = problem::scaled(&outcome.state);
     let problem = Problem::of(reference_case)?;
     let driver = cvode::Driver::new();

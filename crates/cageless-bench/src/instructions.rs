@@ -136,7 +136,7 @@ impl Observer for Collector {
             self.states
                 .push(view.state(self.states.len() as f64 * self.interval_s));
         }
-        Ok(Control::Continue)
+        Ok(Control::Continue(()))
     }
 }
 
@@ -151,7 +151,7 @@ pub fn states_on_the_way(count: usize, interval_s: f64) -> Result<Vec<State>> {
         interval_s,
         states: vec![],
     };
-    let outcome = simulation::run(&case, &mut [&mut collector], &mut |_| Control::Continue)?;
+    let outcome = simulation::run(&case, &mut [&mut collector], &mut |_| Control::Continue(()))?;
     if !matches!(outcome.ending, Ending::Complete) {
         bail!("the run ended early: {:?}", outcome.ending);
     }

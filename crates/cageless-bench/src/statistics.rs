@@ -151,7 +151,7 @@ impl Observer for Sums {
         let inside = view.step.t0_s >= self.window_from_s * (1.0 - 1e-12);
         self.contact_tracker.update(&view.contacts);
         if !inside {
-            return Ok(Control::Continue);
+            return Ok(Control::Continue(()));
         }
         self.contacts += u64::from(self.contact_tracker.count());
         let weight = view.step.size_s();
@@ -173,7 +173,7 @@ impl Observer for Sums {
             self.spin += self.balls_waiting_s * spin.iter().sum::<f64>() / n as f64;
             self.balls_waiting_s = 0.0;
         }
-        Ok(Control::Continue)
+        Ok(Control::Continue(()))
     }
 }
 
@@ -224,7 +224,7 @@ fn together(cases: &[Case], batch: &[usize]) -> Result<Vec<[f64; 6]>> {
         .iter_mut()
         .map(|s| vec![s as &mut dyn Observer])
         .collect();
-    let outcomes = simulation::run_batch(&members, &mut observers, &mut |_| Control::Continue);
+    let outcomes = simulation::run_batch(&members, &mut observers, &mut |_| Control::Continue(()));
     for (member, outcome) in batch.iter().zip(outcomes) {
         match outcome?.ending {
             Ending::Complete => {}

@@ -103,7 +103,7 @@ fn compute(sweep: &Sweep, folder: &Path, options: &Options) -> Result<()> {
         shard: None,
         threads: options.threads,
     };
-    let done = cageless_study::sweep::run(sweep, &job, |_| false)?;
+    let done = cageless_study::sweep::run(sweep, &job, |_| Control::Continue(()))?;
     ensure!(done.complete, "the sweep is not complete");
     Ok(std::fs::remove_file(&job.result)?)
 }
@@ -137,7 +137,7 @@ fn simulate(cases: &[Case]) {
             .map(|summary| vec![summary as &mut dyn Observer])
             .collect();
         let together: Vec<&Case> = members.iter().map(|k| &cases[*k]).collect();
-        let outcomes = run_batch(&together, &mut observers, &mut |_| Control::Continue);
+        let outcomes = run_batch(&together, &mut observers, &mut |_| Control::Continue(()));
         std::hint::black_box((outcomes.len(), summaries.len()));
     }
 }

@@ -72,11 +72,7 @@ impl Work for Bar {
             }
             self.bar.set_position(done);
         }
-        if self.interrupted() {
-            Control::Interrupt
-        } else {
-            Control::Continue
-        }
+        self.control()
     }
 
     fn interrupted(&self) -> bool {

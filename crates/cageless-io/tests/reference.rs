@@ -25,7 +25,7 @@ fn scaled_error(name: &str, step_us: f64) -> f64 {
 
 /// The same with the method and step of `case`.
 fn error_of(case: &Case, name: &str) -> f64 {
-    let end = run(case, &mut [], &mut |_| Control::Continue)
+    let end = run(case, &mut [], &mut |_| Control::Continue(()))
         .unwrap()
         .state;
     scaled_error_of(case, name, &end)

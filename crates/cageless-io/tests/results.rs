@@ -474,7 +474,7 @@ fn coulomb_friction_far_from_its_limit_is_warned_of() {
         ]
         .map(str::to_owned);
         let file = CaseFile::parse(&template(false), "case.toml", &overrides).unwrap();
-        let outcome = run(file.case(), &mut [], &mut |_| Control::Continue).unwrap();
+        let outcome = run(file.case(), &mut [], &mut |_| Control::Continue(())).unwrap();
         let found = SummaryFile::new(&file, &outcome, None, 0.0).warnings;
         found.into_iter().find(|w| w.contains("Coulomb"))
     };

@@ -38,7 +38,7 @@ pub fn compute(progress: &dyn Work) -> Result<Extra, PaperError> {
             Err(CriticalGapError::Case(error)) => return Err(error.into()),
             Err(_) => None,
         };
-        progress.add(WORK / 3.0);
+        let _ = progress.add(WORK / 3.0);
         Ok::<_, PaperError>(found)
     };
     let at_speeds = |structure: usize| {
@@ -49,7 +49,7 @@ pub fn compute(progress: &dyn Work) -> Result<Extra, PaperError> {
             let found = critical_gap_rad(&case, &PairTest::default(), &mut |_| progress.control());
             *gap = found?.to_degrees();
         }
-        progress.add(WORK / 6.0);
+        let _ = progress.add(WORK / 6.0);
         Ok::<_, PaperError>(gaps_deg)
     };
     let ((published, consistent), (d, h)) = rayon::join(

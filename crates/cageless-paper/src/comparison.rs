@@ -265,7 +265,7 @@ impl Observer for OrbitMeter {
             self.last = [time_s, mean];
             self.first.get_or_insert(self.last);
         }
-        Ok(Control::Continue)
+        Ok(Control::Continue(()))
     }
 }
 

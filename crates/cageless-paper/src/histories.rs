@@ -139,7 +139,7 @@ fn load_zone_rad(snapshots: &[Snapshot]) -> f64 {
         .flat_map(|s| {
             (0..s.balls())
                 .filter(|&k| s.inner_force_n[k] > LOADED_N)
-                .map(|k| cageless::collision::wrap_angle_rad(s.angle_rad[k]).abs())
+                .map(|k| cageless::numerics::angle::wrap_angle_rad(s.angle_rad[k]).abs())
         })
         .collect();
     angles.sort_by(f64::total_cmp);

@@ -189,7 +189,7 @@ pub fn compute(progress: &dyn Work) -> Result<Computed, PaperError> {
             overrides.extend(change.overrides.iter().map(|&o| o.to_owned()));
             let case = cases::structure(row, VARIANTS[column], &overrides)?;
             let gap = gap_deg(&case, &change.test, progress);
-            progress.add(share);
+            let _ = progress.add(share);
             gap
         })
         .collect::<Result<_, PaperError>>()?;

@@ -131,11 +131,7 @@ impl Work for Part<'_> {
     fn add(&self, units: f64) -> Control {
         let parts = (units * PARTS) as u64;
         self.0.done.fetch_add(parts, Ordering::Relaxed);
-        if self.interrupted() {
-            Control::Interrupt
-        } else {
-            Control::Continue
-        }
+        self.control()
     }
 
     fn interrupted(&self) -> bool {

@@ -5,6 +5,7 @@ use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 use cageless_io::plan_file::PlanFile;
+use cageless_study::break_if;
 use cageless_study::sweep::{Job, Shard, SweepError, write_part};
 use pyo3::prelude::*;
 
@@ -99,7 +100,7 @@ impl Sweep {
                     let reported = Python::attach(|py| progress.call1(py, (now.done, now.total)));
                     failed = failed.take().or(reported.err());
                 }
-                failed.is_some() || signals.stop()
+                break_if(failed.is_some() || signals.stop())
             })
         });
         signals.raised()?;
@@ -123,7 +124,8 @@ impl Sweep {
     fn write_part(&self, py: Python<'_>, start: u64, end: u64, path: PathBuf) -> PyResult<()> {
         let signals = Signals::new();
         let range = start..end.min(self.sweep.variants());
-        let done = py.detach(|| write_part(&self.sweep, range, &path, &|| signals.stop()));
+        let done =
+            py.detach(|| write_part(&self.sweep, range, &path, &|| break_if(signals.stop())));
         signals.raised()?;
         done.map_err(|e| of_sweep(&e)).map(|_| ())
     }

@@ -29,7 +29,7 @@ pub use design_result::{
 pub use error::StudyError;
 pub use histories::{CollisionPoint, Histories, RunHistories, SAMPLING_HZ};
 pub use parameter::{Parameter, parameter, parameters};
-pub use progress::{Progress, Silent, Work};
+pub use progress::{Progress, Silent, Work, break_if};
 pub use provenance::{Provenance, law_name, method_name, profile_name, provenance};
 pub use static_result::StaticResult;
 pub use structure::RacewayLabel;

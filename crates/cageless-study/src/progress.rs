@@ -2,6 +2,15 @@
 
 use cageless::simulation::Control;
 
+/// `Break(())` if `interrupted`, else `Continue(())`.
+pub fn break_if(interrupted: bool) -> Control {
+    if interrupted {
+        Control::Break(())
+    } else {
+        Control::Continue(())
+    }
+}
+
 /// Receiver of the progress of long work, task by task.
 pub trait Progress: Sync {
     /// Begins a task of `units`, a dimensionless estimate of its work.
@@ -19,13 +28,9 @@ pub trait Work: Sync {
     /// Whether cancellation is requested.
     fn interrupted(&self) -> bool;
 
-    /// [`Control::Interrupt`] once cancellation is requested.
+    /// `Break(())` once cancellation is requested.
     fn control(&self) -> Control {
-        if self.interrupted() {
-            Control::Interrupt
-        } else {
-            Control::Continue
-        }
+        break_if(self.interrupted())
     }
 
     /// Control of one run of `duration_s` that counts as `units`; a duration of 1 for work that
@@ -40,7 +45,7 @@ pub trait Work: Sync {
             let fraction = (time_s / duration_s).min(1.0);
             let more = (fraction - reported) * units;
             if more < LEAST && !self.interrupted() {
-                return Control::Continue;
+                return Control::Continue(());
             }
             reported = fraction;
             self.add(more)
@@ -67,7 +72,7 @@ impl Progress for Silent {
 
 impl Work for Silent {
     fn add(&self, _: f64) -> Control {
-        Control::Continue
+        Control::Continue(())
     }
 
     fn interrupted(&self) -> bool {

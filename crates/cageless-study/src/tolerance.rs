@@ -147,7 +147,7 @@ fn judge_all(
         .par_iter()
         .map(|trial| match trial.deviation.apply(case) {
             Err(error) => {
-                task.add(1.0);
+                let _ = task.add(1.0);
                 Ok(Outcome::impossible(error.to_string()))
             }
             Ok(varied) => match judge(&varied, &mut task.run_control(1.0, 1.0)) {

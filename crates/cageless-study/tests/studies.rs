@@ -38,9 +38,9 @@ impl Work for Part<'_> {
         *self.0.done.lock().unwrap() += units;
         *self.0.calls.lock().unwrap() += 1;
         if self.interrupted() {
-            Control::Interrupt
+            Control::Break(())
         } else {
-            Control::Continue
+            Control::Continue(())
         }
     }
 
@@ -72,7 +72,7 @@ fn progress_comes_to_its_end() {
     let file = case(&["solver.duration_s=0.02"]);
     let mut verification = VerificationRuns::new(file.case());
     let outcome = run(file.case(), &mut [verification.observer()], &mut |_| {
-        Control::Continue
+        Control::Continue(())
     })
     .unwrap();
     let mut summary = SummaryFile::new(&file, &outcome, None, 0.0);

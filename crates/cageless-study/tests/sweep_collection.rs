@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use cageless::simulation::Control;
 use cageless_io::case_file::template;
 use cageless_io::plan_file::PlanFile;
 use cageless_study::sweep::{Collection, Job, Sweep, merge, run, write_part};
@@ -23,7 +24,7 @@ fn sweep(folder: &Path, seed: u64) -> Sweep {
 
 fn part(sweep: &Sweep, range: std::ops::Range<u64>, folder: &Path) -> Vec<u8> {
     let path = folder.join("elsewhere.parquet");
-    assert!(write_part(sweep, range, &path, &|| false).expect("written"));
+    assert!(write_part(sweep, range, &path, &|| Control::Continue(())).expect("written"));
     fs::read(path).expect("read")
 }
 
@@ -36,7 +37,7 @@ fn parts_from_elsewhere_make_the_result_of_one_run() {
         shard: None,
         threads: None,
     };
-    run(&sweep, &alone, |_| false).expect("computed");
+    run(&sweep, &alone, |_| Control::Continue(())).expect("computed");
 
     let result = dir.path().join("together.parquet");
     let collection = Collection::open(&sweep, &result, None).expect("opened");
@@ -53,7 +54,7 @@ fn parts_from_elsewhere_make_the_result_of_one_run() {
     let collection = Collection::open(&sweep, &result, None).expect("opened");
     for range in collection.missing().expect("read") {
         let path = collection.part(range.start);
-        assert!(write_part(&sweep, range, &path, &|| false).expect("written"));
+        assert!(write_part(&sweep, range, &path, &|| Control::Continue(())).expect("written"));
     }
     assert!(collection.finish().expect("made"));
     assert_eq!(
@@ -72,12 +73,12 @@ fn merging_replaces_no_result_of_another_plan() {
     };
     let (one, other) = (sweep(dir.path(), 1), sweep(dir.path(), 2));
     let result = dir.path().join("sweep.parquet");
-    run(&one, &job("sweep.parquet", None), |_| false).expect("computed");
+    run(&one, &job("sweep.parquet", None), |_| Control::Continue(())).expect("computed");
     let before = fs::read(&result).expect("read");
     let shards = |sweep: &Sweep, name: &str| {
         ["1/2", "2/2"].map(|shard| {
             let job = job(&format!("{name}-{}", &shard[..1]), Some(shard));
-            run(sweep, &job, |_| false).expect("computed");
+            run(sweep, &job, |_| Control::Continue(())).expect("computed");
             job.result
         })
     };
@@ -142,8 +143,12 @@ fn parts_of_another_plan_are_refused() {
         shard: None,
         threads: None,
     };
-    assert!(run(&one, &job, |_| false).is_err());
+    assert!(run(&one, &job, |_| Control::Continue(())).is_err());
     assert!(!result.exists());
     fs::remove_file(file).expect("removed");
-    assert!(run(&one, &job, |_| false).expect("computed").complete);
+    assert!(
+        run(&one, &job, |_| Control::Continue(()))
+            .expect("computed")
+            .complete
+    );
 }

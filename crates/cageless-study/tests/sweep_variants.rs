@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use cageless::simulation::Control;
 use cageless_io::case_file::template;
 use cageless_io::plan_file::{PlanFile, difference};
 use cageless_io::results::{Cell, Row};
@@ -16,7 +17,7 @@ fn plan(text: &str) -> PlanFile {
 
 fn rows(sweep: &Sweep) -> Vec<Row> {
     sweep
-        .evaluate(0..sweep.variants(), &|| false)
+        .evaluate(0..sweep.variants(), &|| Control::Continue(()))
         .expect("rows")
 }
 
@@ -91,14 +92,16 @@ fn rows_do_not_depend_on_how_they_are_cut() {
     let sweep = Sweep::new(plan(ALL)).expect("a sweep");
     let whole = rows(&sweep);
     for k in [0, 5, 47, 95] {
-        let one = sweep.evaluate(k..k + 1, &|| false).expect("a row");
+        let one = sweep
+            .evaluate(k..k + 1, &|| Control::Continue(()))
+            .expect("a row");
         assert_eq!(one, whole[k as usize..=k as usize]);
     }
     let again = Sweep::new(plan(ALL)).expect("a sweep");
     assert_eq!(rows(&again), whole);
     let other = Sweep::new(plan(&ALL.replace("seed = 9", "seed = 10"))).expect("a sweep");
     assert_ne!(rows(&other), whole);
-    assert_eq!(sweep.evaluate(0..96, &|| true), None);
+    assert_eq!(sweep.evaluate(0..96, &|| Control::Break(())), None);
 }
 
 #[test]
@@ -233,7 +236,9 @@ fn runs_do_not_depend_on_what_they_are_computed_with() {
         let starts = (0..48).step_by(cut);
         let pieces = starts.flat_map(|k| {
             let end = (k + cut as u64).min(48);
-            sweep.evaluate(k..end, &|| false).expect("rows")
+            sweep
+                .evaluate(k..end, &|| Control::Continue(()))
+                .expect("rows")
         });
         assert_eq!(pieces.collect::<Vec<_>>(), whole, "{cut}");
     }

@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     for (span_mm, angle_deg) in [(5.1, 25.2), (6.0, 12.717)] {
         let case = common::structure(span_mm, angle_deg);
         let theory = theoretical_gap_rad(&case.bearing, &case.raceways[0], Eq11::Published);
-        let critical = critical_gap_rad(&case, &test, &mut |_| Control::Continue)?;
+        let critical = critical_gap_rad(&case, &test, &mut |_| Control::Continue(()))?;
         println!(
             "{span_mm:6.2} {angle_deg:7.2} {:14.3} {:18.3}",
             theory.to_degrees(),

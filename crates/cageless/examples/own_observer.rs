@@ -29,7 +29,7 @@ impl Observer for UnloadedTime {
             }
         }
         self.end_s = view.step.t1_s;
-        Ok(Control::Continue) // Control::Interrupt ends the run
+        Ok(Control::Continue(())) // Control::Break(()) ends the run
     }
 }
 
@@ -39,7 +39,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         seconds: vec![],
         end_s: 0.0,
     };
-    run(&case, &mut [&mut unloaded], &mut |_| Control::Continue)?;
+    run(&case, &mut [&mut unloaded], &mut |_| Control::Continue(()))?;
     for (k, seconds) in unloaded.seconds.iter().enumerate() {
         let percent = 100.0 * seconds / unloaded.end_s;
         println!("ball {:2}: {percent:5.1} % without inner contact", k + 1);

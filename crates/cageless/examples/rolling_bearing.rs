@@ -30,7 +30,7 @@ fn main() -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
     let mut summary = SummaryRecorder::new();
     // The last argument is asked every thousand steps or so whether to go on.
     let outcome = run(&case, &mut [&mut detector, &mut summary], &mut |_| {
-        Control::Continue
+        Control::Continue(())
     })?;
     detector.close(outcome.end_s)?;
 

@@ -8,8 +8,6 @@
 //! assert!(deflection_m < 1e-5 && force_n > 10.0 && duration_s < 1e-3);
 //! ```
 
-use std::f64::consts::TAU;
-
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::numerics::root;
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
@@ -189,7 +187,7 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDet
             }
         }
         self.earlier_step_s = to - from;
-        Ok(Control::Continue)
+        Ok(Control::Continue(()))
     }
 }
 
@@ -221,9 +219,4 @@ pub fn hertz_impact(stiffness_n_m1_5: f64, mass_kg: f64, speed_m_s: f64) -> (f64
         stiffness_n_m1_5 * deflection.powf(1.5),
         SHAPE * deflection / speed_m_s,
     )
-}
-
-/// ψ wrapped to (−π, π].
-pub fn wrap_angle_rad(angle: f64) -> f64 {
-    angle - ((angle / TAU) - 0.5).ceil() * TAU
 }

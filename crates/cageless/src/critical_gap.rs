@@ -13,7 +13,7 @@
 //! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
 //!
 //! let test = PairTest { tolerance_rad: 1e-4, ..PairTest::default() };
-//! let gap = critical_gap_rad(&case, &test, &mut |_| Control::Continue).unwrap();
+//! let gap = critical_gap_rad(&case, &test, &mut |_| Control::Continue(())).unwrap();
 //! assert!((1.0..2.0).contains(&gap.to_degrees()));
 //! ```
 
@@ -152,9 +152,9 @@ impl Observer for PairWatch {
         (self.last_gap, self.last_lead) = (gap, lead);
         if trail >= self.half_angle {
             self.passed = true;
-            return Ok(Control::Interrupt);
+            return Ok(Control::Break(()));
         }
-        Ok(Control::Continue)
+        Ok(Control::Continue(()))
     }
 }
 

@@ -12,7 +12,7 @@
 //!     tally.add(&passage);
 //!     Ok(())
 //! });
-//! run(&case, &mut [&mut recorder], &mut |_| Control::Continue)?;
+//! run(&case, &mut [&mut recorder], &mut |_| Control::Continue(()))?;
 //! assert!(tally.count > 10); // in 20 ms
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
@@ -299,7 +299,7 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
                 passage.orbit_speed_range_rad_s = [low.min(orbit), high.max(orbit)];
             }
         }
-        Ok(Control::Continue)
+        Ok(Control::Continue(()))
     }
 }
 

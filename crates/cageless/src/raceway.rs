@@ -27,6 +27,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::bearing::Bearing;
 use crate::error::{Allowed, InputError, positive};
+use crate::numerics::angle::wrap_angle_rad;
 use crate::numerics::chebyshev::Polynomial;
 use crate::numerics::root;
 
@@ -283,8 +284,7 @@ impl Raceway {
 
     /// ψ from the middle of the raceway, wrapped to [−π, π].
     pub fn local_angle_rad(&self, angle_rad: f64) -> f64 {
-        let turn = (angle_rad - self.dimensions.centre_angle_rad) / TAU;
-        (turn - turn.round()) * TAU
+        wrap_angle_rad(angle_rad - self.dimensions.centre_angle_rad)
     }
 
     /// Whether a ball at ψ is inside the raceway.

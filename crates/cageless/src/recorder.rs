@@ -12,7 +12,7 @@
 //!     gaps.push(snapshot.gap_rad[0]);
 //!     Ok(())
 //! });
-//! run(&case, &mut [&mut recorder], &mut |_| Control::Continue)?;
+//! run(&case, &mut [&mut recorder], &mut |_| Control::Continue(()))?;
 //! assert_eq!(gaps.len(), 21); // t = 0, 1 … 20 ms
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
@@ -64,6 +64,6 @@ impl<F: FnMut(Snapshot) -> Result<(), ObserverError>> Observer for Recorder<F> {
         if view.step.t1_s >= self.end_s && self.end_s > last_s + slack {
             (self.sink)(view.snapshot(view.step.t1_s))?;
         }
-        Ok(Control::Continue)
+        Ok(Control::Continue(()))
     }
 }

@@ -8,7 +8,7 @@
 //! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
 //!
 //! let mut recorder = SummaryRecorder::new();
-//! run(&case, &mut [&mut recorder], &mut |_| Control::Continue)?;
+//! run(&case, &mut [&mut recorder], &mut |_| Control::Continue(()))?;
 //! let summary = recorder.summary().unwrap();
 //! assert!(summary.gap_min_rad < summary.gap_max_rad);
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
@@ -112,7 +112,7 @@ impl Observer for SummaryRecorder {
         let counted = view.step.t1_s > self.settled_after_s;
         self.contact_tracker.update(contacts);
         if !counted {
-            return Ok(Control::Continue);
+            return Ok(Control::Continue(()));
         }
         self.collisions += u64::from(self.contact_tracker.count());
         let layout = view.layout();
@@ -131,6 +131,6 @@ impl Observer for SummaryRecorder {
             self.gaps.look(x, y);
         }
         self.steps += 1;
-        Ok(Control::Continue)
+        Ok(Control::Continue(()))
     }
 }

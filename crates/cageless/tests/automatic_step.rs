@@ -20,7 +20,7 @@ fn automatic(mut case: Case, load_n: f64, rpm: f64, duration_s: f64) -> Case {
 }
 
 fn complete(case: &Case) -> RunOutcome {
-    let outcome = run(case, &mut [], &mut |_| Control::Continue).unwrap();
+    let outcome = run(case, &mut [], &mut |_| Control::Continue(())).unwrap();
     assert!(
         matches!(outcome.ending, Ending::Complete),
         "{:?}",

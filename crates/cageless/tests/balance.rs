@@ -14,7 +14,7 @@ use cageless::{Case, FrictionLaw, Gaps, Profile, Start};
 use common::{conventional, dimensions, raceway, structure, undamped};
 
 fn complete(case: &Case) -> RunOutcome {
-    let outcome = run(case, &mut [], &mut |_| Control::Continue).unwrap();
+    let outcome = run(case, &mut [], &mut |_| Control::Continue(())).unwrap();
     assert!(
         matches!(outcome.ending, Ending::Complete),
         "{:?}",
@@ -255,7 +255,7 @@ fn a_run_that_explodes_is_stopped() {
     let mut case = undamped(structure(5.1, 25.2));
     case.solver.step_s = 2e-6;
     case.solver.duration_s = 2.0;
-    let outcome = run(&case, &mut [], &mut |_| Control::Continue).unwrap();
+    let outcome = run(&case, &mut [], &mut |_| Control::Continue(())).unwrap();
     let Ending::Stopped(stop) = outcome.ending else {
         panic!("{:?}", outcome.ending)
     };
@@ -279,7 +279,7 @@ fn parts_pressed_through_each_other_stop_the_run() {
     }
     // The overlap counts among the forces that limit the step.
     case.solver.step_s = 0.5e-6;
-    let outcome = run(&case, &mut [], &mut |_| Control::Continue).unwrap();
+    let outcome = run(&case, &mut [], &mut |_| Control::Continue(())).unwrap();
     assert!(
         matches!(&outcome.ending, Ending::Stopped(stop) if stop.time_s < 1e-4),
         "{:?}",
@@ -301,7 +301,7 @@ fn a_duration_that_is_no_multiple_of_the_step_is_met_exactly() {
 #[test]
 fn the_caller_can_interrupt() {
     let case = structure(5.1, 25.2);
-    let outcome = run(&case, &mut [], &mut |_| Control::Interrupt).unwrap();
+    let outcome = run(&case, &mut [], &mut |_| Control::Break(())).unwrap();
     assert!(matches!(outcome.ending, Ending::Interrupted));
     assert!(outcome.end_s < 0.002 && outcome.end_s > 0.0);
 }

@@ -54,7 +54,7 @@ fn mixed_of(balls: usize, count: usize) -> Vec<Case> {
 
 fn alone(case: &Case) -> (Vec<f64>, Option<Summary>) {
     let mut summary = SummaryRecorder::new();
-    let outcome = run(case, &mut [&mut summary], &mut |_| Control::Continue).unwrap();
+    let outcome = run(case, &mut [&mut summary], &mut |_| Control::Continue(())).unwrap();
     (outcome.state.values().to_vec(), summary.summary())
 }
 
@@ -65,7 +65,7 @@ fn together(cases: &[&Case]) -> Vec<(Vec<f64>, Option<Summary>)> {
         .iter_mut()
         .map(|s| vec![s as &mut dyn Observer])
         .collect();
-    let outcomes = run_batch(cases, &mut observers, &mut |_| Control::Continue);
+    let outcomes = run_batch(cases, &mut observers, &mut |_| Control::Continue(()));
     outcomes
         .into_iter()
         .zip(&summaries)
@@ -137,7 +137,7 @@ fn one_bearing_does_not_take_the_others_along() {
     };
     let all: Vec<&Case> = cases.iter().collect();
     let mut observers: Vec<Vec<&mut dyn Observer>> = all.iter().map(|_| vec![]).collect();
-    let outcomes = run_batch(&all, &mut observers, &mut |_| Control::Continue);
+    let outcomes = run_batch(&all, &mut observers, &mut |_| Control::Continue(()));
     assert!(outcomes[1].is_err());
     for k in [0, 2, 4] {
         let outcome = outcomes[k].as_ref().unwrap();

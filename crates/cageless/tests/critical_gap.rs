@@ -23,7 +23,7 @@ fn clearance_does_not_press_the_balls_into_the_ring() {
         let found = critical_gap_rad(
             &with_clearance(clearance_m),
             &PairTest::default(),
-            &mut |_| Control::Continue,
+            &mut |_| Control::Continue(()),
         );
         found.map(f64::to_degrees)
     };

@@ -17,7 +17,7 @@ fn second(case: &Case) -> (RunOutcome, Summary, u32) {
         Ok(())
     });
     let outcome = run(case, &mut [&mut summary, &mut detector], &mut |_| {
-        Control::Continue
+        Control::Continue(())
     })
     .unwrap();
     drop(detector);

@@ -59,7 +59,10 @@ fn slide(case: &Case, speed: f64, duration_s: f64) -> State {
     state.set_ring(Centre::default());
     let mut case = case.clone();
     case.solver.duration_s = duration_s;
-    let outcome = run_from(&case, &state, &angles, &mut [], &mut |_| Control::Continue).unwrap();
+    let outcome = run_from(&case, &state, &angles, &mut [], &mut |_| {
+        Control::Continue(())
+    })
+    .unwrap();
     assert!(
         matches!(outcome.ending, Ending::Complete),
         "{:?}",
@@ -131,7 +134,7 @@ impl Observer for MeanMotion {
                 *sum += h * value;
             }
         }
-        Ok(Control::Continue)
+        Ok(Control::Continue(()))
     }
 }
 
@@ -141,7 +144,7 @@ fn means(case: &Case) -> ([f64; 3], f64) {
         from_s: 0.5 * case.solver.duration_s,
         ..MeanMotion::default()
     };
-    let outcome = run(case, &mut [&mut motion], &mut |_| Control::Continue).unwrap();
+    let outcome = run(case, &mut [&mut motion], &mut |_| Control::Continue(())).unwrap();
     assert!(
         matches!(outcome.ending, Ending::Complete),
         "{:?}",
@@ -200,7 +203,7 @@ fn every_law_is_finite_and_closes_its_ledger() {
             case.contact.stribeck_speed_m_s = Some(0.1);
         }
         case.solver.step_s = StepLimits::new(&case).automatic_s(Method::Symplectic);
-        let outcome = run(&case, &mut [], &mut |_| Control::Continue).unwrap();
+        let outcome = run(&case, &mut [], &mut |_| Control::Continue(())).unwrap();
         assert!(matches!(outcome.ending, Ending::Complete), "{law:?}");
         let residual = outcome.energy_residual_relative;
         assert!(residual.abs() < 1e-3, "{law:?}: {residual:e}");

@@ -53,7 +53,7 @@ fn impact(case: &Case, speed: f64) -> (Collision, State) {
         Ok(())
     });
     let end = run_from(case, &state, &angles, &mut [&mut detector], &mut |_| {
-        Control::Continue
+        Control::Continue(())
     })
     .unwrap()
     .state;
@@ -121,9 +121,11 @@ fn leapfrog_impacts_keep_their_energy_on_average() {
                     let x = motion.x + side;
                     state.set_ball(k, BallMotion { x, ..motion });
                 }
-                let end = run_from(&case, &state, &angles, &mut [], &mut |_| Control::Continue)
-                    .unwrap()
-                    .state;
+                let end = run_from(&case, &state, &angles, &mut [], &mut |_| {
+                    Control::Continue(())
+                })
+                .unwrap()
+                .state;
                 ((end.vx_m_s()[1] - end.vx_m_s()[0]) / speed).powi(2) - 1.0
             })
             .collect();
@@ -147,9 +149,11 @@ fn momentum_is_conserved_to_rounding() {
     let (rw, y) = (case.bearing.ball_radius_m(), -case.bearing.pitch_radius_m());
     state.set_ball(0, ball(-(rw + 0.5e-6), y, 0.2, 0.05, 900.0));
     let before = state.clone();
-    let end = run_from(&case, &state, &angles, &mut [], &mut |_| Control::Continue)
-        .unwrap()
-        .state;
+    let end = run_from(&case, &state, &angles, &mut [], &mut |_| {
+        Control::Continue(())
+    })
+    .unwrap()
+    .state;
     let mass = case.bearing.ball_mass_kg();
     let inertia = case.bearing.ball_inertia_kg_m2();
     let momentum = |s: &State| {

@@ -70,7 +70,7 @@ fn peak_bytes(case: &Case) -> (usize, u64, u64) {
                 &mut vibration,
                 &mut watch,
             ],
-            &mut |_| Control::Continue,
+            &mut |_| Control::Continue(()),
         )
         .unwrap();
         assert!(matches!(outcome.ending, Ending::Complete));

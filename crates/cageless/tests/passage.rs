@@ -13,7 +13,7 @@ fn passages(case: &Case) -> Vec<Passage> {
             found.push(passage);
             Ok(())
         });
-        run(case, &mut [&mut recorder], &mut |_| Control::Continue).unwrap();
+        run(case, &mut [&mut recorder], &mut |_| Control::Continue(())).unwrap();
     }
     found
 }

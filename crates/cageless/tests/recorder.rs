@@ -17,7 +17,7 @@ fn the_last_row_is_at_the_end() {
                 times.push(snapshot.time_s);
                 Ok(())
             });
-            run(&case, &mut [&mut recorder], &mut |_| Control::Continue).unwrap();
+            run(&case, &mut [&mut recorder], &mut |_| Control::Continue(())).unwrap();
         }
         assert_eq!(times.len(), rows, "{times:?}");
         assert_eq!(times[0], 0.0);

@@ -16,7 +16,7 @@ use cageless::{Case, Raceway};
 use common::*;
 
 fn go_on(_: f64) -> Control {
-    Control::Continue
+    Control::Continue(())
 }
 
 /// The structure of a case at its own operating point, by the search's own method.

@@ -39,7 +39,7 @@ fn a_common_deviation_is_another_ball() {
         );
         assert!((a.ring_y_m - b.ring_y_m).abs() < 1e-14);
         let [a, b] = [other, same].map(|case| {
-            let outcome = run(&case, &mut [], &mut |_| Control::Continue).unwrap();
+            let outcome = run(&case, &mut [], &mut |_| Control::Continue(())).unwrap();
             assert!(matches!(outcome.ending, Ending::Complete));
             outcome.state
         });
@@ -58,7 +58,7 @@ fn the_ledger_closes() {
     let residual = |step_s: f64| {
         let mut case = case.clone();
         case.solver.step_s = step_s;
-        let outcome = run(&case, &mut [], &mut |_| Control::Continue).unwrap();
+        let outcome = run(&case, &mut [], &mut |_| Control::Continue(())).unwrap();
         assert!(matches!(outcome.ending, Ending::Complete));
         outcome.energy_residual_relative.abs()
     };
@@ -75,7 +75,7 @@ fn the_ledger_closes_in_a_raceway_of_wrong_depth() {
         let raceway = case.raceways[0].clone().with_depth_error(error).unwrap();
         case = case.with_raceways(vec![raceway]);
         case.solver.step_s = 0.25e-6;
-        let outcome = run(&case, &mut [], &mut |_| Control::Continue).unwrap();
+        let outcome = run(&case, &mut [], &mut |_| Control::Continue(())).unwrap();
         let residual = outcome.energy_residual_relative.abs();
         assert!(residual < 1e-6, "{error:e}: {residual:e}");
     }
@@ -135,7 +135,7 @@ fn unequal_balls_meet() {
         case.solver.step_s = 1e-6;
         case.solver.duration_s = 0.1;
         let mut summary = cageless::summary::SummaryRecorder::new();
-        run(&case, &mut [&mut summary], &mut |_| Control::Continue).unwrap();
+        run(&case, &mut [&mut summary], &mut |_| Control::Continue(())).unwrap();
         summary.summary().unwrap()
     };
     let (equal, one) = (collisions(0.0), collisions(-20e-6));

@@ -14,7 +14,7 @@ use cageless::{BearingDimensions, Case, Raceway};
 use common::*;
 
 fn go_on(_: f64) -> Control {
-    Control::Continue
+    Control::Continue(())
 }
 
 fn with_raceway(case: &Case, dimensions: RacewayDimensions) -> Option<Case> {
@@ -65,7 +65,7 @@ fn what_is_recommended_passes_its_own_verdict() {
     let mut fractions = vec![];
     let found = recommend(&case, &enter, &mut |fraction| {
         fractions.push(fraction);
-        Control::Continue
+        Control::Continue(())
     });
     let found = found.unwrap().unwrap();
     assert!(fractions.iter().all(|s| (0.0..=1.0).contains(s)));
@@ -142,9 +142,9 @@ fn a_critical_gap_ends_when_told_to() {
     let interrupt = |calls: &mut u32| {
         *calls += 1;
         if *calls < 3 {
-            Control::Continue
+            Control::Continue(())
         } else {
-            Control::Interrupt
+            Control::Break(())
         }
     };
     let mut calls = 0;

@@ -14,7 +14,9 @@ fn certify(case: &Case, threads: usize) -> Verification {
     let replicas = replicas(case, LARGE_PERTURBATIONS);
     let run = |part: &[_]| -> Vec<Record> {
         part.iter()
-            .map(|m: &cageless::verification::Replica| m.run(&mut |_| Control::Continue).unwrap())
+            .map(|m: &cageless::verification::Replica| {
+                m.run(&mut |_| Control::Continue(())).unwrap()
+            })
             .collect()
     };
     let records = if threads == 1 {

@@ -98,7 +98,7 @@ impl Peer for Cageless {
         };
         case.solver.duration_s = duration_s;
         let outcome = run_from(&case, &self.start, &self.angles, &mut [], &mut |_| {
-            Control::Continue
+            Control::Continue(())
         })?;
         match outcome.ending {
             Ending::Complete => Ok(Reached {

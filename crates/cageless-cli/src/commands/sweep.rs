@@ -7,6 +7,7 @@ use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 use cageless_io::plan_file::PlanFile;
+use cageless_study::break_if;
 use cageless_study::sweep::{Failures, Job, Progress, Shard, Sweep, failures, merge, run};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
@@ -49,7 +50,7 @@ pub fn sweep(args: &SweepArgs) -> Result<(), Failure> {
     let display = Display::new();
     let done = run(&sweep, &job, |progress| {
         display.show(progress);
-        stop.load(Ordering::Relaxed)
+        break_if(stop.load(Ordering::Relaxed))
     })?;
     drop(display);
     let progress = done.progress;

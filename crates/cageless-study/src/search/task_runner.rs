@@ -102,7 +102,7 @@ impl<'c> TaskRunner<'c> {
         }
         let together: Vec<&Job> = jobs.iter().map(|(job, _)| *job).collect();
         let outcomes = run_jobs(self.case, &together, &mut |_| progress.control());
-        progress.add(together.iter().map(|job| work(job)).sum());
+        let _ = progress.add(together.iter().map(|job| work(job)).sum());
         let pairs = jobs.iter().zip(outcomes);
         pairs
             .map(|((_, key), outcome)| self.noted(key, outcome?))

@@ -9,7 +9,7 @@ use cageless_io::results::{ColumnSpec, Row, RowsReader, RowsWriter, write_atomic
 
 use super::checkpoint::{Checkpoint, part_name};
 use super::error::SweepError;
-use super::evaluate::{Stop, Sweep};
+use super::evaluate::{Cancellation, Sweep};
 use super::footer::Identity;
 use super::index_set::Shard;
 use super::merge_sorted::merge_sorted;
@@ -152,8 +152,7 @@ impl Collection {
     }
 }
 
-/// Computes a range of variants into a file, on this thread; says whether it did, or
-/// `stop` told it not to.
+/// Computes a range of variants into a file, on this thread; returns false if cancelled.
 ///
 /// # Errors
 /// If the file cannot be written.
@@ -161,7 +160,7 @@ pub fn write_part(
     sweep: &Sweep,
     range: Range<u64>,
     path: &Path,
-    stop: Stop<'_>,
+    stop: Cancellation<'_>,
 ) -> Result<bool, SweepError> {
     let Some(rows) = sweep.evaluate(range, stop) else {
         return Ok(false);

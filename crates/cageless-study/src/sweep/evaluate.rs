@@ -27,8 +27,8 @@ pub struct Sweep {
     normal: String,
 }
 
-/// Asked now and then whether to give up.
-pub type Stop<'a> = &'a (dyn Fn() -> bool + Sync);
+/// Function that is called now and then; `Break(())` cancels the work.
+pub type Cancellation<'a> = &'a (dyn Fn() -> Control + Sync);
 
 /// A column beside the inputs and the quantities.
 pub(crate) const INDEX: &str = "variant";
@@ -101,14 +101,14 @@ impl Sweep {
         self.variants.variant(index).1
     }
 
-    /// Rows of a range of variants, in order; `None` if `stop` said so. Always the same
+    /// Rows of a range of variants, in order; `None` if cancelled. Always the same
     /// rows on one instruction set, however the variants are cut into ranges.
-    pub fn evaluate(&self, range: Range<u64>, stop: Stop<'_>) -> Option<Vec<Row>> {
+    pub fn evaluate(&self, range: Range<u64>, stop: Cancellation<'_>) -> Option<Vec<Row>> {
         let mut batch: Vec<Variant> = range.map(|index| self.begin(index)).collect();
         for variant in &mut batch {
             self.solve(variant);
             self.describe(variant);
-            if stop() || !self.judge(variant, stop) {
+            if stop().is_break() || !self.judge(variant, stop) {
                 return None;
             }
         }
@@ -166,8 +166,8 @@ impl Sweep {
         });
     }
 
-    /// Says whether to go on.
-    fn judge(&self, variant: &mut Variant, stop: Stop<'_>) -> bool {
+    /// Judges the raceway; returns false if cancelled.
+    fn judge(&self, variant: &mut Variant, stop: Cancellation<'_>) -> bool {
         let Some(case) = variant
             .case
             .as_ref()
@@ -175,7 +175,7 @@ impl Sweep {
         else {
             return true;
         };
-        match judge(case, &mut |_| control(stop)) {
+        match judge(case, &mut |_| stop()) {
             Ok(judgement) => {
                 variant.fill(&self.quantities, |source| match source {
                     Source::Verdict(of) => Some(of(&judgement)),
@@ -191,7 +191,7 @@ impl Sweep {
         true
     }
 
-    fn run(&self, batch: &mut [Variant], stop: Stop<'_>) -> Option<()> {
+    fn run(&self, batch: &mut [Variant], stop: Cancellation<'_>) -> Option<()> {
         if !self.wants(Computation::Run) {
             return Some(());
         }
@@ -299,7 +299,7 @@ struct OneRun {
 
 /// Runs of several cases, in their order; `None` if interrupted. Those that can go side by
 /// side do, which changes no bit of them.
-fn runs(cases: &[Case], stop: Stop<'_>) -> Option<Vec<Result<OneRun, String>>> {
+fn runs(cases: &[Case], stop: Cancellation<'_>) -> Option<Vec<Result<OneRun, String>>> {
     let mut done: Vec<Option<Result<OneRun, String>>> = cases.iter().map(|_| None).collect();
     for members in batches(cases) {
         let mut summaries: Vec<_> = members.iter().map(|_| SummaryRecorder::new()).collect();
@@ -308,7 +308,7 @@ fn runs(cases: &[Case], stop: Stop<'_>) -> Option<Vec<Result<OneRun, String>>> {
             .map(|summary| vec![summary as &mut dyn Observer])
             .collect();
         let together: Vec<&Case> = members.iter().map(|k| &cases[*k]).collect();
-        let outcomes = run_batch(&together, &mut observers, &mut |_| control(stop));
+        let outcomes = run_batch(&together, &mut observers, &mut |_| stop());
         for ((k, outcome), summary) in members.iter().zip(outcomes).zip(&summaries) {
             done[*k] = Some(match outcome {
                 Ok(outcome) if matches!(outcome.ending, Ending::Interrupted) => return None,
@@ -321,14 +321,6 @@ fn runs(cases: &[Case], stop: Stop<'_>) -> Option<Vec<Result<OneRun, String>>> {
         }
     }
     done.into_iter().collect()
-}
-
-fn control(stop: Stop<'_>) -> Control {
-    if stop() {
-        Control::Interrupt
-    } else {
-        Control::Continue
-    }
 }
 
 fn stopped(stop: &cageless::simulation::Stop) -> String {

@@ -1,6 +1,8 @@
 //! Latin hypercubes by index.
 
-use super::random::{Purpose, Stream};
+use cageless::numerics::random::{GOLDEN_GAMMA, mix};
+
+use super::random::Purpose;
 
 /// `count` points, one in each of `count` slices of every axis.
 #[derive(Debug, Clone)]
@@ -16,7 +18,7 @@ const ROUNDS: usize = 6;
 impl LatinHypercube {
     pub(crate) fn new(dimensions: usize, count: u64, seed: u64) -> Self {
         let keys = |k| {
-            let mut stream = Stream::new(seed, Purpose::Order, k, 0);
+            let mut stream = Purpose::Order.stream(seed, k, 0);
             std::array::from_fn(|_| stream.bits())
         };
         Self {
@@ -29,7 +31,9 @@ impl LatinHypercube {
     /// Place of point `index` on an axis, in [0, 1).
     pub(crate) fn at(&self, index: u64, dimension: usize) -> f64 {
         let slice = permuted(index, self.count, &self.keys[dimension]);
-        let within = Stream::new(self.seed, Purpose::Place, dimension, index).uniform();
+        let within = Purpose::Position
+            .stream(self.seed, dimension, index)
+            .uniform();
         ((slice as f64 + within) / self.count as f64).min(1.0 - f64::EPSILON / 2.0)
     }
 }
@@ -45,21 +49,16 @@ fn permuted(index: u64, count: u64, keys: &[u64; ROUNDS]) -> u64 {
     loop {
         let (mut left, mut right) = (at >> half, at & mask);
         for key in keys {
-            (left, right) = (right, left ^ (mixed(right ^ key) & mask));
+            (left, right) = (
+                right,
+                left ^ (mix((right ^ key).wrapping_add(GOLDEN_GAMMA)) & mask),
+            );
         }
         at = left << half | right;
         if at < count {
             return at;
         }
     }
-}
-
-/// Finaliser of SplitMix64 (Steele, Lea, Flood, OOPSLA 2014).
-fn mixed(value: u64) -> u64 {
-    let value = value.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let value = (value ^ (value >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let value = (value ^ (value >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    value ^ (value >> 31)
 }
 
 #[cfg(test)]

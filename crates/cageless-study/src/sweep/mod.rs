@@ -7,6 +7,7 @@
 //! [`analysis`] reads the result for a report.
 //!
 //! ```
+//! use cageless::simulation::Control;
 //! use cageless_io::case_file::template;
 //! use cageless_io::plan_file::PlanFile;
 //! use cageless_study::sweep::Sweep;
@@ -22,7 +23,7 @@
 //! std::fs::write(folder.join("case.toml"), template(false))?;
 //! let sweep = Sweep::new(PlanFile::parse(plan, "plan", &folder)?)?;
 //! assert_eq!(sweep.variants(), 2);
-//! let rows = sweep.evaluate(0..2, &|| false).expect("not interrupted");
+//! let rows = sweep.evaluate(0..2, &|| Control::Continue(())).expect("not interrupted");
 //! let depth = sweep.column("static_ring_y_um").expect("a column");
 //! assert!(rows[1][depth].number() < rows[0][depth].number());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -49,7 +50,7 @@ mod worker_pool;
 
 pub use collection::{Collection, write_part};
 pub use error::SweepError;
-pub use evaluate::{Stop, Sweep};
+pub use evaluate::{Cancellation, Sweep};
 pub use failures::{Failures, failures};
 pub use footer::Identity;
 pub use index_set::{IndexSet, Shard};

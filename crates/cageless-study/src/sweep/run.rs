@@ -4,6 +4,7 @@ use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
+use cageless::simulation::Control;
 use cageless_io::results::Row;
 
 use super::collection::Collection;
@@ -58,17 +59,17 @@ pub struct Done {
     pub progress: Progress,
 }
 
-/// Flush interval as a fraction of elapsed time …
+/// Flush interval as a fraction of elapsed time.
 const SHARE: u32 = 20;
-/// … but not more often than this …
+/// Shortest flush interval.
 const OFTEN: Duration = Duration::from_millis(100);
-/// … and not less often than this.
+/// Longest flush interval.
 const SELDOM: Duration = Duration::from_secs(30);
 /// Rows that wait in memory at most.
 const WAITING_MAX: usize = 65_536;
 
-/// Computes a sweep, or what is missing of it. `watch` hears of the progress ten times a
-/// second and says whether to stop; what was computed is kept.
+/// Computes a sweep, or what is missing of it. `watch` gets the progress ten times a
+/// second and cancels with `Break(())`; what was computed is kept.
 ///
 /// # Errors
 /// There are too many threads, or the result or the work folder belongs to another plan or is
@@ -76,7 +77,7 @@ const WAITING_MAX: usize = 65_536;
 pub fn run(
     sweep: &Sweep,
     job: &Job,
-    mut watch: impl FnMut(&Progress) -> bool,
+    mut watch: impl FnMut(&Progress) -> Control,
 ) -> Result<Done, SweepError> {
     let started = Instant::now();
     // Of its own: the thread of the caller waits here, which no worker may do.

@@ -2,7 +2,7 @@
 //! `sobol_burley`) step through it from the start, or end at 2^16 points in single
 //! precision; a variant must be had from its index alone.
 
-use super::random::{Purpose, Stream};
+use super::random::Purpose;
 
 /// Degree s, coefficients a and initial numbers m of dimensions 2 to 24: Joe and Kuo,
 /// "Constructing Sobol sequences with better two-dimensional projections", SIAM J. Sci.
@@ -52,7 +52,7 @@ pub(crate) struct Sobol {
 impl Sobol {
     /// At most [`DIMENSIONS`].
     pub(crate) fn new(dimensions: usize, seed: u64) -> Self {
-        let shift = |k| (Stream::new(seed, Purpose::Shift, k, 0).bits() >> 32) as u32;
+        let shift = |k| (Purpose::Shift.stream(seed, k, 0).bits() >> 32) as u32;
         Self {
             directions: (0..dimensions).map(directions).collect(),
             shifts: (0..dimensions).map(shift).collect(),

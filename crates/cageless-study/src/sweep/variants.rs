@@ -1,5 +1,6 @@
 //! Case of a variant by its index.
 
+use cageless::numerics::random::RandomStream;
 use cageless::{Gaps, Start};
 use cageless_io::case_file::{CaseError, CaseFile, CaseValue, Change};
 use cageless_io::plan_file::{
@@ -8,7 +9,7 @@ use cageless_io::plan_file::{
 use cageless_io::results::{Cell, ColumnKind, ColumnSpec};
 
 use super::latin_hypercube::LatinHypercube;
-use super::random::{Purpose, Stream};
+use super::random::Purpose;
 use super::sobol::{self, Sobol};
 
 /// Most variants of a plan.
@@ -134,7 +135,7 @@ impl Variants {
         // The same deviations at every node of the grid: what differs is the node.
         let draw = sample * repeats + repeat;
         for (k, (key, centre)) in self.scattered().zip(&self.centres).enumerate() {
-            let stream = Stream::new(self.plan.seed, Purpose::Scatter, k, draw);
+            let stream = Purpose::Scatter.stream(self.plan.seed, k, draw);
             let drawn = self.deviated(key, centre.as_ref(), &settings, stream);
             match (drawn, settings.iter_mut().find(|s| s.key == key.key)) {
                 (Ok(value), Some(varied)) => varied.value = value,
@@ -155,7 +156,9 @@ impl Variants {
             Points::None => 0.0,
             Points::Sobol(sobol) => sobol.at(sample, axis),
             Points::LatinHypercube(hypercube) => hypercube.at(sample, axis),
-            Points::Random => Stream::new(self.plan.seed, Purpose::Place, axis, sample).uniform(),
+            Points::Random => Purpose::Position
+                .stream(self.plan.seed, axis, sample)
+                .uniform(),
         }
     }
 
@@ -164,7 +167,7 @@ impl Variants {
         key: &ScatteredKey,
         centre: Option<&CaseValue>,
         settings: &[Setting<'_>],
-        mut stream: Stream,
+        mut stream: RandomStream,
     ) -> Result<CaseValue, CaseError> {
         let mut deviation = || match key.law {
             ScatterLaw::Normal(width) => width * stream.normal(),

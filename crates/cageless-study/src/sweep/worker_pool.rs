@@ -7,11 +7,13 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::time::{Duration, Instant};
 
+use cageless::simulation::Control;
 use cageless_io::results::Row;
 use rayon::ThreadPool;
 
 use super::error::SweepError;
 use super::evaluate::Sweep;
+use crate::progress::break_if;
 
 /// Time that a batch should take: long against handing it over, short against the sweep.
 const BATCH: Duration = Duration::from_millis(50);
@@ -50,12 +52,12 @@ impl Queue {
 }
 
 /// Computes `missing` on the threads of `pool`; `take` gets the rows as they come, and now
-/// and then none, and says whether to stop. Its error stops the work as well.
+/// and then none; `Break(())` cancels. Its error stops the work as well.
 pub(crate) fn compute(
     sweep: &Sweep,
     missing: Vec<Range<u64>>,
     pool: &ThreadPool,
-    mut take: impl FnMut(Vec<Row>) -> Result<bool, SweepError>,
+    mut take: impl FnMut(Vec<Row>) -> Result<Control, SweepError>,
 ) -> Result<(), SweepError> {
     let queue = Mutex::new(Queue {
         ranges: missing.into(),
@@ -85,8 +87,8 @@ fn one_thread(
     sender: &SyncSender<Vec<Row>>,
 ) {
     let lock = || queue.lock().unwrap_or_else(|broken| broken.into_inner());
-    let stopped = || stop.load(Ordering::Relaxed);
-    while !stopped() {
+    let stopped = || break_if(stop.load(Ordering::Relaxed));
+    while stopped().is_continue() {
         let Some(range) = lock().next() else {
             return;
         };
@@ -104,7 +106,7 @@ fn one_thread(
 fn collect(
     receiver: &Receiver<Vec<Row>>,
     stop: &AtomicBool,
-    take: &mut impl FnMut(Vec<Row>) -> Result<bool, SweepError>,
+    take: &mut impl FnMut(Vec<Row>) -> Result<Control, SweepError>,
 ) -> Result<(), SweepError> {
     loop {
         let rows = match receiver.recv_timeout(TICK) {
@@ -112,7 +114,7 @@ fn collect(
             Err(RecvTimeoutError::Timeout) => Vec::new(),
             Err(RecvTimeoutError::Disconnected) => return Ok(()),
         };
-        if take(rows)? {
+        if take(rows)?.is_break() {
             // What is under way in the channel is not lost.
             stop.store(true, Ordering::Relaxed);
         }

@@ -9,10 +9,12 @@
 //! assert_eq!(moments.mean(), 2.0);
 //! ```
 
+pub mod angle;
 pub mod bspline;
 pub(crate) mod chebyshev;
 pub(crate) mod elliptic;
 pub mod moments;
 pub(crate) mod quadrature;
+pub mod random;
 pub(crate) mod root;
 pub mod student;

@@ -5,7 +5,7 @@
 //! use cageless::simulation::{Control, Ending, run};
 //!
 //! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
-//! let outcome = run(&case, &mut [], &mut |_| Control::Continue)?;
+//! let outcome = run(&case, &mut [], &mut |_| Control::Continue(()))?;
 //! assert!(matches!(outcome.ending, Ending::Complete));
 //! assert!(outcome.energy_residual_relative.abs() < 1e-3);
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())

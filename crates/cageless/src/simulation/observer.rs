@@ -1,7 +1,6 @@
 //! Observers of a run.
 
 use std::cell::RefCell;
-use std::f64::consts::TAU;
 
 use super::run::Control;
 use crate::case::Case;
@@ -9,6 +8,7 @@ use crate::dynamics::coordinates::BallCoordinate;
 use crate::dynamics::state::{Balls, Layout, State};
 use crate::dynamics::{Contacts, Model, RightHandSide};
 use crate::integrator::StepState;
+use crate::numerics::angle::unwrap_angle_rad;
 use crate::snapshot::Snapshot;
 
 /// Error of an observer, for example a file that cannot be written.
@@ -65,13 +65,13 @@ impl StepView<'_, '_> {
         let y = self
             .step
             .interpolate(self.layout.ball(BallCoordinate::Y, k), time_s);
-        unwrap_angle(x.atan2(-y), self.recent_angle_rad[k])
+        unwrap_angle_rad(x.atan2(-y), self.recent_angle_rad[k])
     }
 
     /// Continuous ψ of ball `k` at the end of the step.
     pub fn angle_after_rad(&self, k: usize) -> f64 {
         let [x, y] = self.positions().map(|values| values[k]);
-        unwrap_angle(x.atan2(-y), self.recent_angle_rad[k])
+        unwrap_angle_rad(x.atan2(-y), self.recent_angle_rad[k])
     }
 
     /// State at `time_s` within the step, by interpolation.
@@ -91,11 +91,6 @@ impl StepView<'_, '_> {
     }
 }
 
-/// `angle` plus whole turns, nearest to `reference`.
-pub(crate) fn unwrap_angle(angle: f64, reference: f64) -> f64 {
-    angle + ((reference - angle) / TAU).round() * TAU
-}
-
 /// Observer of a run, called after every step.
 pub trait Observer {
     /// Called once, before the first step.
@@ -106,7 +101,7 @@ pub trait Observer {
         Ok(())
     }
 
-    /// Called after each step; [`Control::Interrupt`] ends the run.
+    /// Called after each step; `Break(())` ends the run.
     ///
     /// # Errors
     /// Ends the run.

@@ -48,14 +48,9 @@ pub struct RunOutcome {
     pub instruction_set: InstructionSet,
 }
 
-/// Request of the caller to a run in progress.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Control {
-    /// Continue the run.
-    Continue,
-    /// End the run after this step.
-    Interrupt,
-}
+/// Request of the caller to a run in progress: `Continue(())`, or `Break(())` to end it after this
+/// step.
+pub type Control = std::ops::ControlFlow<()>;
 
 /// Steps between two calls of `control`.
 const ASK_EVERY: u64 = 1024;
@@ -157,7 +152,7 @@ fn advance<'m>(
         if step.t1_s >= duration {
             break;
         }
-        if steps.is_multiple_of(ASK_EVERY) && control(step.t1_s) == Control::Interrupt {
+        if steps.is_multiple_of(ASK_EVERY) && control(step.t1_s).is_break() {
             for tracker in trackers.iter_mut() {
                 tracker.end(Ending::Interrupted, &step.y1);
             }

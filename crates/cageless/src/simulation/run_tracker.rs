@@ -3,12 +3,13 @@
 use std::cell::RefCell;
 
 use super::guard::{Guard, Stop};
-use super::observer::{Observer, RunContext, StepView, unwrap_angle};
+use super::observer::{Observer, RunContext, StepView};
 use super::run::{Control, Ending, RunOutcome};
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::dynamics::state::{Layout, State};
 use crate::dynamics::{InstructionSet, RightHandSide};
 use crate::integrator::StepState;
+use crate::numerics::angle::unwrap_angle_rad;
 
 /// ψ is brought up to date when a rolling ball has gone this far: well below the half turn
 /// beyond which it would be lost, even for a ball that is thrown.
@@ -123,8 +124,8 @@ impl<'s, 'm, 'o> RunTracker<'s, 'm, 'o> {
         let mut ending = at_end.then_some(Ending::Complete);
         for observer in self.observers.iter_mut() {
             match observer.step(&view) {
-                Ok(Control::Continue) => {}
-                Ok(Control::Interrupt) => ending = Some(Ending::Interrupted),
+                Ok(Control::Continue(())) => {}
+                Ok(Control::Break(())) => ending = Some(Ending::Interrupted),
                 Err(error) => {
                     ending = Some(Ending::ObserverFailed(error));
                     break;
@@ -140,7 +141,7 @@ impl<'s, 'm, 'o> RunTracker<'s, 'm, 'o> {
         let x = self.layout.balls_of(&step.y1, BallCoordinate::X);
         let y = self.layout.balls_of(&step.y1, BallCoordinate::Y);
         for (k, recent) in self.recent_angle.iter_mut().enumerate() {
-            *recent = unwrap_angle(x[k].atan2(-y[k]), *recent);
+            *recent = unwrap_angle_rad(x[k].atan2(-y[k]), *recent);
         }
         self.recent_s = step.t1_s;
     }

@@ -2,7 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::{Meridian, OuterRing, wrapped};
+use super::{Meridian, OuterRing};
+use crate::numerics::angle::wrap_angle_rad;
 
 /// Rows of the groove all round.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,7 +30,7 @@ impl Grid {
                     .map(move |k| ring.meridian_in(sector, start + length * k as f64 / count))
             })
             .map(|m| Meridian {
-                angle_rad: wrapped(m.angle_rad),
+                angle_rad: wrap_angle_rad(m.angle_rad),
                 ..m
             })
             .collect();

@@ -30,10 +30,11 @@ mod mesh;
 mod patch;
 mod sector;
 
-use std::f64::consts::{FRAC_PI_4, PI};
+use std::f64::consts::FRAC_PI_4;
 
 use crate::bearing::Bearing;
 use crate::error::{Allowed, InputError, not_negative, positive};
+use crate::numerics::angle::wrap_angle_rad;
 use crate::numerics::quadrature::gauss;
 use crate::raceway::{Raceway, SurfacePoint, apart, groove_centre};
 
@@ -185,7 +186,7 @@ impl OuterRing {
                 let centre = self.zones[k].raceway().dimensions().centre_angle_rad;
                 Meridian {
                     angle_rad,
-                    ..self.zone_meridian(k, wrapped(angle_rad - centre))
+                    ..self.zone_meridian(k, wrap_angle_rad(angle_rad - centre))
                 }
             }
             None => self.plain_meridian(angle_rad),
@@ -327,9 +328,4 @@ impl OuterRing {
     pub fn raceways(&self) -> impl Iterator<Item = &Raceway> {
         self.zones.iter().map(RacewayZone::raceway)
     }
-}
-
-/// ψ wrapped to [−π, π).
-fn wrapped(angle_rad: f64) -> f64 {
-    (angle_rad + PI).rem_euclid(2.0 * PI) - PI
 }

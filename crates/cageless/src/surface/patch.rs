@@ -1,6 +1,7 @@
 //! The groove of one sector as a bicubic B-spline.
 
-use super::{Meridian, OuterRing, RingSector, wrapped};
+use super::{Meridian, OuterRing, RingSector};
+use crate::numerics::angle::wrap_angle_rad;
 use crate::numerics::bspline::{Vec3, basis, interpolate, interval};
 
 /// C² bicubic B-spline surface of one half of a sector's groove, z ≥ 0 unless mirrored. The first parameter is ψ,
@@ -160,7 +161,7 @@ impl Patch {
                 let [x, y, z] = self.point_m(psi, u);
                 let rho = x.hypot(y);
                 let middle = sector.middle_rad();
-                let own = middle + wrapped(x.atan2(-y) - middle);
+                let own = middle + wrap_angle_rad(x.atan2(-y) - middle);
                 let meridian = ring.meridian_in(sector, own);
                 worst = worst.max(meridian.distance_m(rho, z).abs());
                 if u == 1.0 {

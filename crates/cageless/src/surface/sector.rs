@@ -3,7 +3,8 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::{OuterRing, wrapped};
+use super::OuterRing;
+use crate::numerics::angle::wrap_angle_rad;
 
 /// A part of the ring between two meridian planes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,7 +57,7 @@ impl OuterRing {
     fn parts(&self, index: usize) -> Vec<RingSector> {
         let zone = &self.zones[index];
         let d = zone.raceway().dimensions();
-        let (middle, theta) = (wrapped(d.centre_angle_rad), d.half_angle_rad);
+        let (middle, theta) = (wrap_angle_rad(d.centre_angle_rad), d.half_angle_rad);
         let ends = match zone.blend_start_rad() {
             Some(start) => vec![-theta, -start, start, theta],
             None => vec![-theta, theta],

@@ -1,12 +1,10 @@
 //! Bearings that deviate from their drawing and operate beside their design point.
 
-use chacha20::ChaCha8Rng;
-use chacha20::rand_core::{Rng, SeedableRng};
-
 use super::grade::BallGrade;
 use crate::bearing::Bearing;
 use crate::case::Case;
 use crate::error::InputError;
+use crate::numerics::random::RandomStream;
 use crate::raceway::{Raceway, RacewayDimensions};
 
 /// Something that is not what the drawing says.
@@ -199,10 +197,10 @@ pub fn trials(case: &Case, tolerances: &Tolerances, samples: u64, seed: u64) -> 
         influence: None,
         deviation: Deviation::none(),
     }];
-    let lot = |stream: &mut Stream| {
+    let lot = |stream: &mut RandomStream| {
         tolerances
             .ball_grade
-            .map_or(vec![], |grade| stream.lot(grade, case.bearing.balls()))
+            .map_or(vec![], |grade| lot(stream, grade, case.bearing.balls()))
     };
     for influence in Influence::ALL {
         let range = tolerances.range(case, influence);
@@ -211,7 +209,7 @@ pub fn trials(case: &Case, tolerances: &Tolerances, samples: u64, seed: u64) -> 
                 trials.extend((0..LOTS).map(|k| Trial {
                     influence: Some(influence),
                     deviation: Deviation {
-                        ball_radius_m: lot(&mut Stream::new(seed, LOT, k)),
+                        ball_radius_m: lot(&mut RandomStream::new(seed, LOT, 0, k)),
                         ..Deviation::none()
                     },
                 }));
@@ -224,7 +222,7 @@ pub fn trials(case: &Case, tolerances: &Tolerances, samples: u64, seed: u64) -> 
         }));
     }
     trials.extend((0..samples).map(|k| {
-        let mut stream = Stream::new(seed, 2, k);
+        let mut stream = RandomStream::new(seed, MONTE_CARLO, 0, k);
         let mut deviation = Deviation::none();
         for influence in Influence::ALL {
             let [low, high] = tolerances.range(case, influence);
@@ -245,32 +243,15 @@ pub fn trials(case: &Case, tolerances: &Tolerances, samples: u64, seed: u64) -> 
 /// independent of each other. The same seed and index give the same lot; lots of the same seed
 /// and index in two grades differ by a factor alone.
 pub fn ball_lot_m(grade: BallGrade, balls: usize, seed: u64, index: u64) -> Vec<f64> {
-    Stream::new(seed, LOT, index).lot(grade, balls)
+    lot(&mut RandomStream::new(seed, LOT, 0, index), grade, balls)
 }
 
 /// Purpose of the random streams of single lots.
 const LOT: u64 = 1;
+/// Purpose of the random streams of bearings that deviate in everything at once.
+const MONTE_CARLO: u64 = 2;
 
-/// Random numbers that depend on nothing but the seed, what they are for, and their place.
-struct Stream(ChaCha8Rng);
-
-impl Stream {
-    fn new(seed: u64, purpose: u64, index: u64) -> Self {
-        let mut key = [0; 32];
-        key[..8].copy_from_slice(&seed.to_le_bytes());
-        key[8..16].copy_from_slice(&purpose.to_le_bytes());
-        let mut rng = ChaCha8Rng::from_seed(key);
-        rng.set_stream(index);
-        Self(rng)
-    }
-
-    fn lot(&mut self, grade: BallGrade, balls: usize) -> Vec<f64> {
-        let most = grade.radius_deviation_m();
-        (0..balls).map(|_| self.between(-most, most)).collect()
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        let unit = (self.0.next_u64() >> 11) as f64 * 2f64.powi(-53);
-        low + unit * (high - low)
-    }
+fn lot(stream: &mut RandomStream, grade: BallGrade, balls: usize) -> Vec<f64> {
+    let most = grade.radius_deviation_m();
+    (0..balls).map(|_| stream.between(-most, most)).collect()
 }

@@ -98,7 +98,7 @@ impl Observer for MomentumBalance {
 
     fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         let Some(model) = &self.model else {
-            return Ok(Control::Continue);
+            return Ok(Control::Continue(()));
         };
         let (step, layout) = (view.step, view.layout());
         let outer = view.contacts.outer_ring_force_n();
@@ -112,6 +112,6 @@ impl Observer for MomentumBalance {
         }
         self.last = Some((force, absolute));
         self.now = momentum(model, layout, &step.y1);
-        Ok(Control::Continue)
+        Ok(Control::Continue(()))
     }
 }

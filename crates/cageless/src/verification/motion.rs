@@ -48,7 +48,7 @@ impl Observer for MotionRecorder {
     fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         let step = &view.step;
         if step.t1_s <= self.settled_after_s {
-            return Ok(Control::Continue);
+            return Ok(Control::Continue(()));
         }
         let layout = view.layout();
         let ring = layout.ring_motion(&step.y1);
@@ -66,6 +66,6 @@ impl Observer for MotionRecorder {
             self.last_look_s = step.t1_s;
         }
         self.steps += 1;
-        Ok(Control::Continue)
+        Ok(Control::Continue(()))
     }
 }

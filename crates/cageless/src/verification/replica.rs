@@ -6,6 +6,7 @@ use super::quantity::Quantity;
 use super::trajectory::{TrajectoryRecorder, sample_times_s};
 use crate::case::{Case, Start};
 use crate::equilibrium::EquilibriumError;
+use crate::numerics::random::{GOLDEN_GAMMA, mix};
 use crate::simulation::{
     Control, Ending, Observer, ObserverError, RunContext, RunOutcome, StepView, Stop, run,
 };
@@ -144,12 +145,9 @@ pub fn replicas(case: &Case, large: usize) -> Vec<Replica> {
         .collect()
 }
 
-/// Pseudorandom number in [−1, 1) of `seed` and `k`: SplitMix64 (Steele, Lea, Flood 2014).
+/// Pseudorandom number in [−1, 1) of `seed` and `k`.
 fn signed_unit(seed: u64, k: u64) -> f64 {
-    let mut z = seed.wrapping_add(k.wrapping_mul(0x9e37_79b9_7f4a_7c15));
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^= z >> 31;
+    let z = mix(seed.wrapping_add(k.wrapping_mul(GOLDEN_GAMMA)));
     (z >> 11) as f64 / (1u64 << 52) as f64 - 1.0
 }
 
@@ -240,10 +238,18 @@ impl Observer for ReplicaObserver {
 
     fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         self.lead_angle_rad = view.angle_after_rad(0);
-        self.summary.step(view)?;
-        self.motion.step(view)?;
-        self.momentum.step(view)?;
-        self.trajectory.step(view)
+        let observers: [&mut dyn Observer; 4] = [
+            &mut self.summary,
+            &mut self.motion,
+            &mut self.momentum,
+            &mut self.trajectory,
+        ];
+        for observer in observers {
+            if observer.step(view)?.is_break() {
+                return Ok(Control::Break(()));
+            }
+        }
+        Ok(Control::Continue(()))
     }
 }
 

@@ -68,6 +68,6 @@ impl Observer for TrajectoryRecorder {
             self.values.extend_from_slice(&state.values()[..self.width]);
             self.taken += 1;
         }
-        Ok(Control::Continue)
+        Ok(Control::Continue(()))
     }
 }

@@ -164,7 +164,7 @@ impl Observer for VibrationRecorder {
             view.step.t1_s,
             view.contacts.outer_ring_force_n(),
         );
-        Ok(Control::Continue)
+        Ok(Control::Continue(()))
     }
 }
 

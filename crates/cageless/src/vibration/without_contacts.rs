@@ -56,6 +56,6 @@ impl Observer for WithoutContacts {
             self.response
                 .add(from_s, to_s, view.contacts.outer_ring_force_n());
         }
-        Ok(Control::Continue)
+        Ok(Control::Continue(()))
     }
 }

@@ -10,6 +10,7 @@ use crate::design::verdict::speed_drop_fraction;
 use crate::dynamics::energy::EnergyTerm;
 use crate::equilibrium::EquilibriumError;
 use crate::numerics::moments::Moments;
+use crate::numerics::random::{GOLDEN_GAMMA, mix};
 use crate::passage::{Passage, PassageRecorder, PassageTally};
 use crate::simulation::{
     Control, Ending, Observer, ObserverError, RunContext, RunOutcome, StepView, Stop, batches,
@@ -138,15 +139,11 @@ pub fn uneven_gaps_rad(case: &Case, seed: u64, start: u64) -> Vec<f64> {
     drawn.iter().map(|d| d / sum * room).collect()
 }
 
-/// A number in (0, 1) for each triple of numbers: SplitMix64 (Steele, Lea, Flood 2014).
+/// A number in (0, 1) for each triple of numbers.
 fn unit(seed: u64, start: u64, k: u64) -> f64 {
-    let mut z = seed
+    let z = mix(seed
         .wrapping_add((start + 1).wrapping_mul(0xd1b5_4a32_d192_ed03))
-        .wrapping_add((k + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15));
-    for multiplier in [0xbf58_476d_1ce4_e5b9, 0x94d0_49bb_1331_11eb] {
-        z = (z ^ (z >> 30)).wrapping_mul(multiplier);
-    }
-    z ^= z >> 31;
+        .wrapping_add((k + 1).wrapping_mul(GOLDEN_GAMMA)));
     ((z >> 12) as f64 + 0.5) / (1u64 << 52) as f64
 }
 
@@ -341,6 +338,6 @@ impl Observer for ContactCounter {
                 moments.add(force, h);
             }
         }
-        Ok(Control::Continue)
+        Ok(Control::Continue(()))
     }
 }
