@@ -199,6 +199,10 @@ fn ensemble(options: &Options, method: &str, step_us: f64) -> Result<Vec<[f64; 6
             | Start::Settled {
                 lead_ball_angle_rad,
                 ..
+            }
+            | Start::AtRest {
+                lead_ball_angle_rad,
+                ..
             }) = &mut case.start;
             *lead_ball_angle_rad += member as f64 * options.turn_rad;
             case

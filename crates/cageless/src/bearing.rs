@@ -75,6 +75,16 @@ pub struct Bearing {
     ball_contact: PointContact,
     /// Rw of every ball − Rw; empty if all are equal.
     deviations_m: Vec<f64>,
+    bore: Option<InnerRingBore>,
+}
+
+/// Bore and polar inertia of the inner ring: what a bearing needs that catches a rotor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InnerRingBore {
+    /// Ji, of the inner ring with what turns with it.
+    pub polar_inertia_kg_m2: f64,
+    /// Rb, radius of the bore.
+    pub radius_m: f64,
 }
 
 /// One ball of a bearing.
@@ -238,7 +248,33 @@ impl Bearing {
             outer_contact,
             ball_contact,
             deviations_m: vec![],
+            bore: None,
         })
+    }
+
+    /// Bearing whose inner ring has this bore.
+    ///
+    /// # Errors
+    /// An [`InputError`] if the inertia is not above zero, or the bore not between 0 and the
+    /// bottom of the groove.
+    pub fn with_inner_ring_bore(mut self, bore: InnerRingBore) -> Result<Self, InputError> {
+        positive("inner_ring_polar_inertia_kg_m2", bore.polar_inertia_kg_m2)?;
+        positive("inner_ring_bore_radius_m", bore.radius_m)?;
+        let groove = self.dimensions.inner_groove_bottom_radius_m;
+        if bore.radius_m >= groove {
+            return Err(InputError::new(
+                "inner_ring_bore_radius_m",
+                bore.radius_m,
+                Allowed::Below(groove, "the bottom of the groove of the inner ring"),
+            ));
+        }
+        self.bore = Some(bore);
+        Ok(self)
+    }
+
+    /// Bore of the inner ring, where given.
+    pub fn inner_ring_bore(&self) -> Option<InnerRingBore> {
+        self.bore
     }
 
     /// Bearing with balls whose radii differ from the nominal one by

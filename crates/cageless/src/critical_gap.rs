@@ -267,6 +267,8 @@ pub fn critical_gap_rad(
     test: &PairTest,
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<f64, CriticalGapError> {
+    case.check_constant_operation("a critical gap")
+        .map_err(EquilibriumError::from)?;
     if case.raceways.is_empty() {
         return Err(CriticalGapError::NeverCloses);
     }

@@ -23,7 +23,8 @@ use crate::kinematics::{orbit_speed_of_rad_s, rolling_relative_spin_rad_s, rolli
 /// `Rolling`: balls on Rm with Ω(r) and the spin of Zhao 2022, Eq. (1) to (3), each with
 /// its own r. `Settled`: the same speeds at the distances of the static equilibrium. In the
 /// `physical` profile no contact slides then; in `paper` the inner one by some mm/s, as
-/// its Eq. (2) and (3) agree only on Rm.
+/// its Eq. (2) and (3) agree only on Rm. `AtRest`: balls on Rm and both rings at the centre, all
+/// at rest, and the rotor, if there is one, where the magnetic bearing held it.
 ///
 /// # Errors
 /// The case is impossible or has no equilibrium.
@@ -38,6 +39,7 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
         Start::Rolling {
             ring_x_m, ring_y_m, ..
         } => (vec![pitch; n], [ring_x_m, ring_y_m]),
+        Start::AtRest { .. } => (vec![pitch; n], [0.0; 2]),
         Start::Settled { .. } => {
             let e = equilibrium::solve(case)?;
             (e.ball_distance_m, [e.ring_x_m, e.ring_y_m])
@@ -46,7 +48,11 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
     for (k, (&angle, &distance)) in angles.iter().zip(&distances).enumerate() {
         let r = ball_outer_geometry(case, k, angle).effective_radius_m;
         let radius = bearing.ball(k).radius_m;
-        let orbit = orbit_speed_of_rad_s(bearing, radius, case.operation.inner_speed_rad_s, r);
+        let inner_speed = match case.start {
+            Start::AtRest { .. } => 0.0,
+            _ => case.operation.inner_speed_rad_s,
+        };
+        let orbit = orbit_speed_of_rad_s(bearing, radius, inner_speed, r);
         let (speed, spin) = match case.profile {
             Profile::Physical => (orbit * pitch, rolling_spin_rad_s(bearing, orbit, r)),
             Profile::Paper => (

@@ -35,6 +35,7 @@ pub mod outer_contact_geometry;
 pub mod passage;
 pub mod raceway;
 pub mod recorder;
+pub mod rotor;
 mod scope;
 pub(crate) mod simd;
 pub mod simulation;
@@ -42,16 +43,19 @@ pub mod snapshot;
 pub mod step_limits;
 pub mod summary;
 pub mod surface;
+pub mod time_table;
 pub mod tolerance;
 pub mod verification;
 pub mod vibration;
 
-pub use bearing::{Ball, Bearing, BearingDimensions, Material};
+pub use bearing::{Ball, Bearing, BearingDimensions, InnerRingBore, Material};
 pub use case::{
     Case, Contact, FrictionLaw, Gaps, Housing, Method, Operation, Output, Profile, Solver, Start,
 };
 pub use collision::Collision;
 pub use error::InputError;
 pub use raceway::{Raceway, RacewayDimensions};
+pub use rotor::{Rotor, Support, SupportStop};
 pub use scope::SCOPE;
 pub use snapshot::{RingSnapshot, Snapshot};
+pub use time_table::TimeTable;

@@ -47,6 +47,18 @@ pub const LIMITS: &[Limit] = &[
     limit("ball_stiffness_n_m1_5", 1e6, 1e14, STIFFNESS),
     limit("tolerance", NONE, 0.01, "the motion is not resolved beyond"),
     limit("mass_kg", 1e-3, 1e6, "from a miniature housing to a machine"),
+    limit("rotor_mass_kg", 1e-3, 1e6, "from a miniature spindle to the rotor of a power station"),
+    limit("rotor_polar_inertia_kg_m2", 1e-12, 1e6, "from a miniature spindle to the rotor of a power station"),
+    limit("rotor_friction_coefficient", NONE, 2.0, "clean metals in vacuum stay below; it is no percentage"),
+    limit("rotor_static_friction_coefficient", NONE, 2.0, "clean metals in vacuum stay below; it is no percentage"),
+    limit("rotor_stribeck_speed_m_s", 1e-6, 1e3, "friction that drops below or above is constant"),
+    limit("rotor_slip_scale_m_s", 1e-6, 10.0, "the smooth law is a step below and no friction above"),
+    limit("contact_stiffness", 1e3, 1e16, "from foam to a block of steel; 1 N/um is 1e6 N/m"),
+    limit("contact_damping_s_m", NONE, 1e3, "a coefficient of restitution near 0 at a few mm/s"),
+    limit("inner_ring_polar_inertia_kg_m2", 1e-14, 1e6, "from a miniature ring to the rotor of a power station"),
+    limit("support_mass_kg", 1e-3, 1e6, "from a miniature housing to a machine"),
+    limit("support_stiffness_n_m", 1e3, 1e13, "from foam to a block of steel; 1 N/um is 1e6 N/m"),
+    limit("stop_stiffness_n_m", 1e3, 1e13, "from foam to a block of steel; 1 N/um is 1e6 N/m"),
     limit("stiffness_n_m", 1e3, 1e13, "from foam to a block of steel; 1 N/um is 1e6 N/m"),
 ];
 

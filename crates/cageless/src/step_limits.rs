@@ -58,17 +58,19 @@ fn preload_n(case: &Case) -> f64 {
     let clearance = bearing.radial_clearance_m();
     let series = (inner.powf(-2.0 / 3.0) + outer.powf(-2.0 / 3.0)).powf(-1.5);
     let squeezed = force(series, 2.0 * larger + shallow - clearance);
+    // Balls on Rm, half of the clearance off either raceway, the ring off the centre.
+    let pressed = |off: f64| {
+        let depth = larger - 0.5 * clearance;
+        squeezed
+            .max(force(inner, off + depth))
+            .max(force(outer, depth + shallow))
+    };
     match case.start {
         Start::Settled { .. } => squeezed,
-        // Balls on Rm, half of the clearance off either raceway.
         Start::Rolling {
             ring_x_m, ring_y_m, ..
-        } => {
-            let pressed = larger - 0.5 * clearance;
-            squeezed
-                .max(force(inner, ring_x_m.hypot(ring_y_m) + pressed))
-                .max(force(outer, pressed + shallow))
-        }
+        } => pressed(ring_x_m.hypot(ring_y_m)),
+        Start::AtRest { .. } => pressed(0.0),
     }
 }
 
@@ -92,11 +94,11 @@ impl StepLimits {
         let [inner, outer, ball] = case.stiffness_n_m1_5();
         let rw = bearing.ball_radius_m();
         let speed = |r: f64| {
-            rolling_orbit_speed_rad_s(bearing, case.operation.inner_speed_rad_s, r)
+            rolling_orbit_speed_rad_s(bearing, case.largest_inner_speed_rad_s(), r)
                 * bearing.pitch_radius_m()
         };
         let centrifugal = case.centrifugal_force_n();
-        let down = case.operation.radial_load_n
+        let down = case.largest_radial_load_n()
             + (d.inner_ring_mass_kg + mass) * case.operation.gravity_m_s2;
         let carried = OVERLOAD * (5.0 * down / d.balls as f64 + centrifugal);
         // A ball of mass m against a raceway: the reduced mass is m.

@@ -46,8 +46,11 @@ const TRANSIENT_TURNS: f64 = 2.0;
 const GAPS_EVERY: u64 = 8;
 
 /// The part of a run that is left out as transient: two orbits of the balls, at most half
-/// the run.
+/// the run. Nothing is left out where speed or load change: all of it is transient.
 pub fn transient_s(case: &Case) -> f64 {
+    if !case.has_constant_operation() {
+        return 0.0;
+    }
     (TRANSIENT_TURNS * case.rolling_orbit_s()).min(case.solver.duration_s / 2.0)
 }
 

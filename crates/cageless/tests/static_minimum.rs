@@ -76,6 +76,7 @@ fn random_case(random: &mut Random) -> Case {
             inner_speed_rad_s: random.log_between(1.0, 60e3) * TAU / 60.0,
             radial_load_n: load,
             gravity_m_s2: 9.81,
+            ..case.operation
         };
         if random.next() < 0.2 {
             case.profile = Profile::Paper;

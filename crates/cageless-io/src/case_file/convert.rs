@@ -63,6 +63,8 @@ impl Converter<'_> {
             solver: self.solver()?,
             seed: self.seed()?,
             housing: self.housing()?,
+            rotor: None,
+            support: None,
             output: Output {
                 interval_s: self.si("output.interval_us", document.output.interval_us)?,
             },
@@ -203,6 +205,8 @@ impl Converter<'_> {
             inner_speed_rad_s: self.si("operation.inner_speed_rpm", o.inner_speed_rpm)?,
             radial_load_n: self.si("operation.radial_load_n", o.radial_load_n)?,
             gravity_m_s2: self.si("operation.gravity_m_s2", o.gravity_m_s2)?,
+            inner_speed_table: None,
+            radial_load_table: None,
         })
     }
 

@@ -1,7 +1,7 @@
 //! Case of a variant by its index.
 
+use cageless::Gaps;
 use cageless::numerics::random::RandomStream;
-use cageless::{Gaps, Start};
 use cageless_io::case_file::{CaseError, CaseFile, CaseValue, Change};
 use cageless_io::plan_file::{
     Axis, AxisValues, PlanFile, SampleMethod, ScatterLaw, ScatteredKey, twelve_digits, unit,
@@ -225,8 +225,7 @@ fn shifted(centres: &[f64], list: Vec<f64>) -> Vec<f64> {
 /// The gaps of a case, in degrees.
 fn gaps_deg(file: &CaseFile) -> Vec<f64> {
     let bearing = &file.case().bearing;
-    let (Start::Settled { gaps, .. } | Start::Rolling { gaps, .. }) = &file.case().start;
-    match gaps {
+    match file.case().start.gaps() {
         Gaps::Uniform => vec![bearing.mean_gap_rad().to_degrees(); bearing.balls()],
         Gaps::List(list) => list.iter().map(|gap| gap.to_degrees()).collect(),
     }

@@ -4,6 +4,7 @@ use super::criterion::Criterion;
 use super::{Eq11, theoretical_gap_rad};
 use crate::case::{Case, Gaps, Start};
 use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
+use crate::equilibrium::EquilibriumError;
 use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::passage::{PassageRecorder, PassageTally};
 use crate::raceway::Raceway;
@@ -156,6 +157,8 @@ pub fn judge_watched(
     watchers: &mut [&mut dyn Observer],
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<Judgement, CriticalGapError> {
+    case.check_constant_operation("a verdict")
+        .map_err(EquilibriumError::from)?;
     if case.raceways.is_empty() {
         return Ok(Judgement {
             verdict: RacewayVerdict::NotJudged,

@@ -18,6 +18,10 @@ pub struct RightHandSide<'m> {
     work: Workspace,
     isa: InstructionSet,
     evaluations: u64,
+    /// Time of the last evaluation, s.
+    time_s: f64,
+    /// Whether speed or load are given over time.
+    over_time: bool,
     second_order_blocks: Vec<SecondOrderBlock>,
 }
 
@@ -53,10 +57,14 @@ impl<'m> RightHandSide<'m> {
         Self {
             work: Workspace::new(&parameters),
             parameters,
-            models,
             isa: isa.min(InstructionSet::detect()),
             evaluations: 0,
+            time_s: 0.0,
+            over_time: models
+                .iter()
+                .any(|m| m.inner_speed.is_some() || m.radial_load.is_some()),
             second_order_blocks: layout.second_order_blocks(),
+            models,
         }
     }
 
@@ -94,8 +102,12 @@ impl<'m> RightHandSide<'m> {
         }
     }
 
-    fn evaluate(&mut self, y: &[f64], dydt: &mut [f64], raceway_friction: bool) {
+    fn evaluate(&mut self, time_s: f64, y: &[f64], dydt: &mut [f64], raceway_friction: bool) {
         self.evaluations += 1;
+        self.time_s = time_s;
+        if self.over_time {
+            self.parameters.set_time(&self.models, time_s);
+        }
         let (p, w) = (&self.parameters, &mut self.work);
         match self.isa {
             InstructionSet::Baseline => simd::evaluate(p, w, y, dydt, raceway_friction),
@@ -137,7 +149,7 @@ impl<'m> RightHandSide<'m> {
     /// beyond a turn.
     pub fn snapshot(&mut self, time_s: f64, state: &State, angle_rad: &[f64]) -> Snapshot {
         let mut rate = vec![0.0; state.layout().len()];
-        self.evaluate(state.values(), &mut rate, true);
+        self.evaluate(time_s, state.values(), &mut rate, true);
         let (n, layout) = (self.model().balls(), state.layout());
         let c = self.contacts();
         let ring = state.ring_motion();
@@ -250,13 +262,20 @@ fn advance_avx512<M: Method>(
     integrator.advance(system, limit_s)
 }
 
+/// Fingerprint `hash` with more `bits`.
+fn mix(hash: u64, bits: u64) -> u64 {
+    (hash ^ bits)
+        .wrapping_mul(0x0000_0100_0000_01b3)
+        .rotate_left(5)
+}
+
 impl System for RightHandSide<'_> {
     fn dimension(&self) -> usize {
         self.parameters.layout.len()
     }
 
-    fn derivative(&mut self, _time_s: f64, y: &[f64], dydt: &mut [f64]) {
-        self.evaluate(y, dydt, true);
+    fn derivative(&mut self, time_s: f64, y: &[f64], dydt: &mut [f64]) {
+        self.evaluate(time_s, y, dydt, true);
     }
 
     /// Friction at the raceways, where it is stiff for the step of the case.
@@ -264,8 +283,8 @@ impl System for RightHandSide<'_> {
         self.model().implicit_friction
     }
 
-    fn nonstiff_derivative(&mut self, _time_s: f64, y: &[f64], dydt: &mut [f64]) {
-        self.evaluate(y, dydt, false);
+    fn nonstiff_derivative(&mut self, time_s: f64, y: &[f64], dydt: &mut [f64]) {
+        self.evaluate(time_s, y, dydt, false);
     }
 
     #[inline(always)] // into callers compiled for wider vectors
@@ -285,8 +304,8 @@ impl System for RightHandSide<'_> {
     }
 
     /// Damped contacts, whose force starts with infinite slope and ends with a kink where
-    /// it is clamped at zero, and, in the `paper` profile, the raceway's ends, where the
-    /// direction of friction jumps.
+    /// it is clamped at zero, in the `paper` profile the raceway's ends, where the
+    /// direction of friction jumps, and the corners of what is given over time.
     fn mode(&self) -> u64 {
         let m = self.model();
         let phase = |damped: bool, deflection: f64, force: f64| {
@@ -298,6 +317,15 @@ impl System for RightHandSide<'_> {
         };
         let (raceways, balls) = (m.balls[0].raceway_damping > 0.0, m.ball_damped);
         let mut hash = 0u64;
+        if self.over_time {
+            let tables = self
+                .models
+                .iter()
+                .flat_map(|m| [&m.inner_speed, &m.radial_load]);
+            for table in tables.flatten() {
+                hash = mix(hash, table.piece(self.time_s) as u64);
+            }
+        }
         for bearing in 0..self.parameters.layout.width() {
             let c = self.contacts_of(bearing);
             for k in 0..m.balls() {
@@ -305,9 +333,7 @@ impl System for RightHandSide<'_> {
                     | phase(raceways, c.outer_deflection_m(k), c.outer_force_n(k)) << 2
                     | phase(balls, c.pair_deflection_m(k), c.pair_force_n(k)) << 4
                     | u64::from(m.profile == Profile::Paper && c.inside(k)) << 6;
-                hash = (hash ^ bits)
-                    .wrapping_mul(0x0000_0100_0000_01b3)
-                    .rotate_left(5);
+                hash = mix(hash, bits);
             }
         }
         hash

@@ -82,6 +82,9 @@ pub fn overload(case: &Case) -> Option<String> {
     let bearing = &case.bearing;
     let operation = &case.operation;
     let balls_kg = bearing.balls() as f64 * bearing.ball_mass_kg();
+    if case.rotor.is_some() {
+        return None;
+    }
     let most = operation.radial_load_n
         + (bearing.dimensions().inner_ring_mass_kg + balls_kg) * operation.gravity_m_s2
         + case.centrifugal_force_n();
@@ -148,6 +151,10 @@ pub fn ball_outer_geometry(case: &Case, k: usize, angle_rad: f64) -> OuterContac
 /// The case is impossible, or the iteration does not converge.
 pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
     case.check()?;
+    if let Some(rotor) = &case.rotor {
+        let rule = "left out: a bearing under a falling rotor has no static equilibrium";
+        return Err(InputError::rule("rotor_mass_kg", rotor.mass_kg, rule).into());
+    }
     let bearing = &case.bearing;
     let angles = start_angles_rad(case);
     let [inner_stiffness, outer_stiffness, _] = case.stiffness_n_m1_5();

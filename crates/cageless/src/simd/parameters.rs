@@ -51,6 +51,19 @@ impl Parameters {
         }
     }
 
+    /// Sets what is given over time to its values at `time_s`.
+    pub fn set_time(&mut self, models: &[&Model], time_s: f64) {
+        for lane in 0..LANES {
+            let model = models[lane % models.len()];
+            if let Some(speed) = &model.inner_speed {
+                self.inner.surface_speed.0[lane] = speed.value(time_s) * model.inner.radius;
+            }
+            if let Some(load) = &model.radial_load {
+                self.ring.radial_load.0[lane] = load.value(time_s);
+            }
+        }
+    }
+
     /// Constants of the bearings whose places `layout` has; lane l belongs to bearing l modulo
     /// their number.
     pub fn new(models: &[&Model], layout: Layout) -> Self {

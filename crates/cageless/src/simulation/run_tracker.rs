@@ -15,6 +15,9 @@ use crate::numerics::angle::unwrap_angle_rad;
 /// beyond which it would be lost, even for a ball that is thrown.
 const RECENT_RAD: f64 = 0.3;
 
+/// Speed of balls that nothing drives and something pushes: a rolling one would not move.
+const SLOW_ORBIT_RAD_S: f64 = 100.0;
+
 /// Flows of less than this fraction of the energy at the start are rounding: nothing flows.
 const ROUNDING_FRACTION: f64 = 1e-6;
 
@@ -52,7 +55,12 @@ impl<'s, 'm, 'o> RunTracker<'s, 'm, 'o> {
                 ending = Some(Ending::ObserverFailed(error));
             }
         }
-        let orbit = case.rolling_orbit_speed_rad_s();
+        let rolling = case.rolling_orbit_speed_rad_s();
+        let orbit = if case.has_constant_operation() {
+            rolling
+        } else {
+            rolling.max(SLOW_ORBIT_RAD_S)
+        };
         Self {
             context,
             layout,

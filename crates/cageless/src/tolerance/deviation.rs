@@ -136,6 +136,7 @@ impl Deviation {
     /// # Errors
     /// The bearing is impossible, say because the raceway violates Zhao 2022, Eq. (8) or (9).
     pub fn apply(&self, case: &Case) -> Result<Case, InputError> {
+        case.check_constant_operation("a tolerance study")?;
         let of = |influence: Influence| self.value(influence);
         let mut dimensions = case.bearing.dimensions().clone();
         dimensions.inner_groove_bottom_radius_m -= of(Influence::Clearance);

@@ -122,6 +122,10 @@ pub fn replicas(case: &Case, large: usize) -> Vec<Replica> {
                 | Start::Rolling {
                     lead_ball_angle_rad,
                     ..
+                }
+                | Start::AtRest {
+                    lead_ball_angle_rad,
+                    ..
                 } => *lead_ball_angle_rad += perturbation_rad,
             }
             if half_step {

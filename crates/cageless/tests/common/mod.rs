@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use cageless::{
-    Bearing, BearingDimensions, Case, Contact, FrictionLaw, Gaps, Material, Method, Operation,
-    Output, Profile, Raceway, RacewayDimensions, Solver, Start,
+    Bearing, BearingDimensions, Case, Contact, FrictionLaw, Gaps, InnerRingBore, Material, Method,
+    Operation, Output, Profile, Raceway, RacewayDimensions, Rotor, Solver, Start, Support,
 };
 
 /// Zhao 2022, Table 1, with the usual values for what the paper leaves out.
@@ -72,6 +72,8 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
             inner_speed_rad_s: 12_000.0 * TAU / 60.0,
             radial_load_n: 1500.0,
             gravity_m_s2: 9.81,
+            inner_speed_table: None,
+            radial_load_table: None,
         },
         contact: Contact {
             friction_coefficient: 0.007,
@@ -98,6 +100,8 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
         },
         seed: 0,
         housing: None,
+        rotor: None,
+        support: None,
         output: Output { interval_s: 1e-4 },
     }
 }
@@ -108,6 +112,55 @@ pub fn structure(span_mm: f64, angle_deg: f64) -> Case {
     let case = conventional(dimensions());
     let raceway = raceway(&case.bearing, span_mm, angle_deg, 0.0);
     case.with_raceways(vec![raceway])
+}
+
+/// The bearing with a rotor of 20 kg that falls from 30 000 rpm through 0.2 mm, balls dry.
+#[allow(dead_code)]
+pub fn drop_case() -> Case {
+    let mut case = conventional(BearingDimensions {
+        inner_ring_drag_n_s_m: 0.0,
+        ..dimensions()
+    });
+    let bore = InnerRingBore {
+        polar_inertia_kg_m2: 5.5e-5,
+        radius_m: 15e-3,
+    };
+    case.bearing = case.bearing.with_inner_ring_bore(bore).unwrap();
+    case.operation.inner_speed_rad_s = 0.0;
+    case.operation.radial_load_n = 0.0;
+    case.contact.friction_coefficient = 0.1;
+    case.start = Start::AtRest {
+        gaps: Gaps::Uniform,
+        lead_ball_angle_rad: 0.0,
+    };
+    case.rotor = Some(Rotor {
+        mass_kg: 20.0,
+        polar_inertia_kg_m2: 0.02,
+        speed_rad_s: 30_000.0 * TAU / 60.0,
+        air_gap_m: 2e-4,
+        eccentricity_m: 0.0,
+        eccentricity_phase_rad: 0.0,
+        friction_coefficient: 0.15,
+        friction_law: FrictionLaw::Smooth,
+        slip_scale_m_s: 0.05,
+        static_friction_coefficient: None,
+        stribeck_speed_m_s: None,
+        contact_stiffness: 1e9,
+        contact_exponent: 1.0,
+        contact_damping_s_m: 0.3,
+        x_m: 0.0,
+        y_m: 0.0,
+        vx_m_s: 0.0,
+        vy_m_s: 0.0,
+        drive_torque_n_m: 0.0,
+    });
+    case.support = Some(Support {
+        mass_kg: 0.5,
+        stiffness_n_m: 2e7,
+        damping_n_s_m: 4e3,
+        stop: None,
+    });
+    case
 }
 
 /// Without contact damping.

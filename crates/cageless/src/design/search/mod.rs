@@ -222,6 +222,7 @@ pub fn search(
     request: &Request,
     execute: &mut Execute<'_>,
 ) -> Result<Found, SearchError> {
+    case.check_constant_operation("a search")?;
     check_points(case, request)?;
     let mut batch = Batch {
         request,

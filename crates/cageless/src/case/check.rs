@@ -1,0 +1,354 @@
+//! What a case may be.
+
+use super::{
+    Case, Contact, FrictionLaw, Gaps, INTERVAL_MIN_S, Operation, Profile, STEPS_MAX, Start,
+};
+use crate::contact::hertz::DEFLECTION_FRACTION_MAX;
+use crate::error::{Allowed, InputError, not_negative, positive};
+use crate::time_table::TimeTable;
+
+impl Contact {
+    fn check_stribeck(&self) -> Result<(), InputError> {
+        check_stribeck(
+            self.friction_law,
+            self.friction_coefficient,
+            (
+                "static_friction_coefficient",
+                self.static_friction_coefficient,
+            ),
+            ("stribeck_speed_m_s", self.stribeck_speed_m_s),
+        )
+    }
+}
+
+/// Checks that the constants of the Stribeck law are given with it, and only with it.
+pub(crate) fn check_stribeck(
+    law: FrictionLaw,
+    coefficient: f64,
+    given_static: (&'static str, Option<f64>),
+    given_speed: (&'static str, Option<f64>),
+) -> Result<(), InputError> {
+    for (field, value) in [given_static, given_speed] {
+        match (law, value) {
+            (FrictionLaw::Stribeck, None) => {
+                let rule = "given: the Stribeck law needs it";
+                return Err(InputError::rule(field, f64::NAN, rule));
+            }
+            (FrictionLaw::Stribeck, Some(value)) => positive(field, value)?,
+            (_, Some(value)) => {
+                let rule = "left out: only the Stribeck law has it";
+                return Err(InputError::rule(field, value, rule));
+            }
+            (_, None) => {}
+        }
+    }
+    match given_static {
+        (field, Some(value)) if value < coefficient => Err(InputError::new(
+            field,
+            value,
+            Allowed::AtLeast(coefficient, "friction drops once surfaces slide"),
+        )),
+        _ => Ok(()),
+    }
+}
+
+impl Operation {
+    fn check(&self) -> Result<(), InputError> {
+        not_negative("radial_load_n", self.radial_load_n)?;
+        not_negative("gravity_m_s2", self.gravity_m_s2)?;
+        let given = |field: &'static str, start: f64, table: &Option<TimeTable>| {
+            let Some(table) = table else { return Ok(()) };
+            table
+                .values()
+                .iter()
+                .try_for_each(|&v| not_negative(field, v))?;
+            let first = table.value(0.0);
+            if start == first {
+                return Ok(());
+            }
+            let rule = format!("{first}, the value of its table at t = 0");
+            Err(InputError::rule(field, start, rule))
+        };
+        given(
+            "inner_speed_rad_s",
+            self.inner_speed_rad_s,
+            &self.inner_speed_table,
+        )?;
+        given("radial_load_n", self.radial_load_n, &self.radial_load_table)
+    }
+}
+
+impl Case {
+    /// Checks everything that [`Bearing::new`] and [`Raceway::new`] have not.
+    ///
+    /// # Errors
+    /// An [`InputError`] naming the first field that cannot be.
+    pub fn check(&self) -> Result<(), InputError> {
+        if self.rotor.is_none() && self.operation.inner_speed_table.is_none() {
+            positive("inner_speed_rad_s", self.operation.inner_speed_rad_s)?;
+        }
+        self.operation.check()?;
+        self.check_rotor()?;
+        let c = &self.contact;
+        not_negative("friction_coefficient", c.friction_coefficient)?;
+        positive("slip_scale_m_s", c.slip_scale_m_s)?;
+        c.check_stribeck()?;
+        not_negative("damping_n_s_m1_5", c.damping_n_s_m1_5)?;
+        if !(c.ball_restitution > 0.0 && c.ball_restitution <= 1.0) {
+            return Err(InputError::rule(
+                "ball_restitution",
+                c.ball_restitution,
+                "more than 0 and at most 1",
+            ));
+        }
+        for (field, stiffness) in [
+            ("inner_stiffness_n_m1_5", c.inner_stiffness_n_m1_5),
+            ("outer_stiffness_n_m1_5", c.outer_stiffness_n_m1_5),
+            ("ball_stiffness_n_m1_5", c.ball_stiffness_n_m1_5),
+        ] {
+            if let Some(value) = stiffness {
+                positive(field, value)?;
+            }
+        }
+        for raceway in &self.raceways {
+            raceway.fits(&self.bearing)?;
+        }
+        crate::raceway::apart(&self.raceways)?;
+        crate::outer_contact_geometry::check(&self.bearing, &self.raceways)?;
+        self.check_elastic()?;
+        self.check_start()?;
+        positive("step_s", self.solver.step_s)?;
+        positive("tolerance", self.solver.tolerance)?;
+        positive("duration_s", self.solver.duration_s)?;
+        let limits = crate::step_limits::StepLimits::new(self);
+        if self.solver.step_s > limits.largest_s(self.solver.method) {
+            return Err(InputError::new(
+                "step_s",
+                self.solver.step_s,
+                Allowed::AtMost(
+                    limits.largest_s(self.solver.method),
+                    "the method is unstable beyond it for the stiffest contact of this case",
+                ),
+            ));
+        }
+        let steps = self.solver.duration_s / self.solver.step_s;
+        if steps > STEPS_MAX {
+            return Err(InputError::new(
+                "duration_s",
+                self.solver.duration_s,
+                Allowed::AtMost(
+                    STEPS_MAX * self.solver.step_s,
+                    "1e12 steps are the limit; solver.step_us sets their size",
+                ),
+            ));
+        }
+        positive("interval_s", self.output.interval_s)?;
+        if self.output.interval_s < INTERVAL_MIN_S {
+            return Err(InputError::new(
+                "interval_s",
+                self.output.interval_s,
+                Allowed::AtLeast(INTERVAL_MIN_S, "nothing moves in less"),
+            ));
+        }
+        if let Some(h) = &self.housing {
+            positive("mass_kg", h.mass_kg)?;
+            positive("stiffness_n_m", h.stiffness_n_m)?;
+            not_negative("damping_n_s_m", h.damping_n_s_m)?;
+        }
+        Ok(())
+    }
+
+    /// Refuses speeds and loads whose deflection exceeds that of any elastic contact, the
+    /// most loaded ball taking 5/N of the load (Stribeck) and its own centrifugal force.
+    fn check_elastic(&self) -> Result<(), InputError> {
+        let bearing = &self.bearing;
+        let [inner, outer, _] = self.stiffness_n_m1_5();
+        let deflection = DEFLECTION_FRACTION_MAX * bearing.ball_radius_m();
+        let bears = inner.min(outer) * deflection.powf(1.5);
+        let gravity_m_s2 = self.operation.gravity_m_s2;
+        let radial_load_n = self.largest_radial_load_n();
+        let mass = bearing.ball_mass_kg();
+        let centrifugal = self.centrifugal_force_n();
+        let elastic = "an elastic contact bears a deflection of 5 % of the ball radius";
+        if !(centrifugal <= bears) {
+            let (field, speed) = match &self.rotor {
+                Some(rotor) => ("rotor_speed_rad_s", rotor.speed_rad_s.abs()),
+                None => ("inner_speed_rad_s", self.largest_inner_speed_rad_s()),
+            };
+            let most = speed * (bears / centrifugal).sqrt();
+            return Err(InputError::new(
+                field,
+                speed,
+                if most > 0.0 {
+                    Allowed::AtMost(most, elastic)
+                } else {
+                    Allowed::Rule(format!("less: {elastic}"))
+                },
+            ));
+        }
+        let weight = (bearing.dimensions().inner_ring_mass_kg + mass) * gravity_m_s2;
+        let most = (bears - centrifugal) * bearing.balls() as f64 / 5.0 - weight;
+        if !(radial_load_n <= most) {
+            return Err(if most >= 0.0 {
+                InputError::new(
+                    "radial_load_n",
+                    radial_load_n,
+                    Allowed::AtMost(most, elastic),
+                )
+            } else {
+                InputError::rule(
+                    "gravity_m_s2",
+                    gravity_m_s2,
+                    format!("less: {elastic}, and the weight of the ring is too much"),
+                )
+            });
+        }
+        Ok(())
+    }
+
+    /// Checks the rotor and what a case with one must and must not have.
+    fn check_rotor(&self) -> Result<(), InputError> {
+        let Some(rotor) = &self.rotor else {
+            return match &self.support {
+                None => Ok(()),
+                Some(support) => Err(InputError::rule(
+                    "support_mass_kg",
+                    support.mass_kg,
+                    "left out: the outer ring moves on a support only under a falling rotor",
+                )),
+            };
+        };
+        let Some(bore) = self.bearing.inner_ring_bore() else {
+            return Err(InputError::rule(
+                "inner_ring_polar_inertia_kg_m2",
+                f64::NAN,
+                "given: the rotor spins the inner ring up",
+            ));
+        };
+        rotor.check(bore.radius_m)?;
+        if let Some(support) = &self.support {
+            support.check()?;
+        }
+        let operation = &self.operation;
+        for (field, value, table) in [
+            (
+                "inner_speed_rad_s",
+                operation.inner_speed_rad_s,
+                &operation.inner_speed_table,
+            ),
+            (
+                "radial_load_n",
+                operation.radial_load_n,
+                &operation.radial_load_table,
+            ),
+        ] {
+            if value != 0.0 || table.is_some() {
+                let rule = "left out: the rotor drives and loads the inner ring";
+                return Err(InputError::rule(field, value, rule));
+            }
+        }
+        if let Some(housing) = &self.housing {
+            let rule = "left out: with a rotor the outer ring moves on its support";
+            return Err(InputError::rule("mass_kg", housing.mass_kg, rule));
+        }
+        if self.profile != Profile::Physical {
+            let rule = "\"physical\": the published equations have no rotor";
+            return Err(InputError::rule("profile", f64::NAN, rule));
+        }
+        if !matches!(self.start, Start::AtRest { .. }) {
+            let rule = "\"at-rest\": the rotor falls onto a bearing at rest";
+            return Err(InputError::rule("start_state", f64::NAN, rule));
+        }
+        Ok(())
+    }
+
+    /// Passes a case whose inner ring turns at constant speed under a constant load; `what`
+    /// needs that.
+    ///
+    /// # Errors
+    /// An [`InputError`] naming the rotor or the table.
+    pub fn check_constant_operation(&self, what: &str) -> Result<(), InputError> {
+        let operation = &self.operation;
+        let tables = [
+            (
+                "inner_speed_rad_s",
+                operation.inner_speed_rad_s,
+                &operation.inner_speed_table,
+            ),
+            (
+                "radial_load_n",
+                operation.radial_load_n,
+                &operation.radial_load_table,
+            ),
+        ];
+        if let Some(rotor) = &self.rotor {
+            let rule = format!("left out: {what} needs an inner ring at constant speed");
+            return Err(InputError::rule("rotor_mass_kg", rotor.mass_kg, rule));
+        }
+        for (field, start, table) in tables {
+            if table.is_some() {
+                let rule = format!("one number, not a table over time: {what} needs that");
+                return Err(InputError::rule(field, start, rule));
+            }
+        }
+        Ok(())
+    }
+
+    fn check_start(&self) -> Result<(), InputError> {
+        let start = &self.start;
+        if !start.lead_ball_angle_rad().is_finite() {
+            return Err(InputError::rule(
+                "lead_ball_angle_rad",
+                start.lead_ball_angle_rad(),
+                "a finite angle",
+            ));
+        }
+        if let &Start::Rolling {
+            ring_x_m, ring_y_m, ..
+        } = start
+        {
+            // A ball pressed in by a tenth of its radius is far past any elastic contact.
+            let most = self.bearing.radial_clearance_m() + 0.1 * self.bearing.ball_radius_m();
+            for (field, value) in [("ring_x_m", ring_x_m), ("ring_y_m", ring_y_m)] {
+                if !(value.abs() <= most) {
+                    return Err(InputError::rule(
+                        field,
+                        value,
+                        format!("within ±{most:e} of the centre"),
+                    ));
+                }
+            }
+        }
+        if let Gaps::List(gaps) = start.gaps() {
+            let n = self.bearing.balls();
+            if gaps.len() != n {
+                return Err(InputError::rule(
+                    "gaps",
+                    gaps.len() as f64,
+                    format!("a list of {n} gaps, one per ball"),
+                ));
+            }
+            if let Some(&bad) = gaps.iter().find(|g| !(**g >= 0.0)) {
+                return Err(InputError::rule(
+                    "gaps",
+                    bad,
+                    "0 or more each: balls cannot overlap",
+                ));
+            }
+            let sum: f64 = gaps.iter().sum();
+            let room = n as f64 * self.bearing.mean_gap_rad();
+            // A list printed with four decimals of a degree passes, and one for nominal
+            // balls: the last gap takes what is left.
+            let nominal = n as f64 * self.bearing.nominal_gap_rad();
+            let slack = n as f64 * 1e-4_f64.to_radians() + (room - nominal).abs();
+            if (sum - room).abs() > slack {
+                return Err(InputError::rule(
+                    "gaps",
+                    sum,
+                    format!("gaps that add up to 2π − N ε = {room}"),
+                ));
+            }
+        }
+        Ok(())
+    }
+}

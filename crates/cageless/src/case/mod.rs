@@ -1,0 +1,341 @@
+//! A case: everything that one computation needs, in SI units.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! assert_eq!(case.bearing.balls(), 14);
+//! assert!(case.check().is_ok());
+//! // Balls orbit at somewhat less than half the speed of the inner ring.
+//! let ratio = case.rolling_orbit_speed_rad_s() / case.operation.inner_speed_rad_s;
+//! assert!(0.35 < ratio && ratio < 0.45);
+//! ```
+
+mod check;
+
+pub(crate) use check::check_stribeck;
+
+use std::f64::consts::TAU;
+
+use crate::bearing::Bearing;
+use crate::kinematics::rolling_orbit_speed_rad_s;
+use crate::raceway::Raceway;
+use crate::rotor::{Rotor, Support};
+use crate::time_table::TimeTable;
+
+/// Set of equations that is integrated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Profile {
+    /// As published: centrifugal force added in Zhao 2022, Eq. (12), spin of
+    /// Eq. (13) taken relative to the frame that turns with the ball's orbit,
+    /// friction on the discrete raceway along the contact path.
+    Paper,
+    /// Consistent mechanics: inertial frame, absolute spin, friction along the
+    /// sliding velocity.
+    Physical,
+}
+
+/// Friction against sliding speed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FrictionLaw {
+    /// μ·tanh(ΔV/scale)·N.
+    Smooth,
+    /// μ·sign(ΔV)·N while sliding, whatever holds within the cone while rolling: exact in
+    /// `symplectic`; relaxed over a few steps in the explicit methods, whose results are of
+    /// order one in `step_s`.
+    Coulomb,
+    /// (μ + (μs − μ)·exp(−|ΔV|/v))·tanh(ΔV/scale)·N: friction that drops from static to
+    /// sliding, as dry pairs do.
+    Stribeck,
+}
+
+/// Loads and speed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Operation {
+    /// ωi, counter-clockwise; where a table is given its value at t = 0, with a rotor 0.
+    pub inner_speed_rad_s: f64,
+    /// Fr, along −Y; where a table is given its value at t = 0, with a rotor 0.
+    pub radial_load_n: f64,
+    /// g, along −Y.
+    pub gravity_m_s2: f64,
+    /// ωi over time, where it changes; not with a rotor.
+    pub inner_speed_table: Option<TimeTable>,
+    /// Fr over time, where it changes; not with a rotor.
+    pub radial_load_table: Option<TimeTable>,
+}
+
+/// Contact and friction parameters.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Contact {
+    /// μ.
+    pub friction_coefficient: f64,
+    /// Law of friction.
+    pub friction_law: FrictionLaw,
+    /// μs of the Stribeck law, at least μ; of no other law.
+    pub static_friction_coefficient: Option<f64>,
+    /// v of the Stribeck law, m/s; of no other law.
+    pub stribeck_speed_m_s: Option<f64>,
+    /// ΔV at the knee of the smooth and Stribeck laws.
+    pub slip_scale_m_s: f64,
+    /// c of the raceway contacts, F = K δ^(3/2) + c √δ dδ/dt, N·s·m^(−3/2).
+    pub damping_n_s_m1_5: f64,
+    /// Coefficient of restitution between balls, above 0, at most 1.
+    pub ball_restitution: f64,
+    /// K at the inner raceway, N·m^(−3/2); from Hertz if `None`.
+    pub inner_stiffness_n_m1_5: Option<f64>,
+    /// K at the outer raceway, N·m^(−3/2); from Hertz if `None`.
+    pub outer_stiffness_n_m1_5: Option<f64>,
+    /// K between balls, N·m^(−3/2); from Hertz if `None`.
+    pub ball_stiffness_n_m1_5: Option<f64>,
+}
+
+/// Gaps between neighbouring balls at the start.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Gaps {
+    /// 2π/N − ε everywhere.
+    Uniform,
+    /// N gaps; gap k lies between ball k and ball k+1 (the last: ball N and ball 1).
+    List(Vec<f64>),
+}
+
+/// Initial state.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Start {
+    /// Static equilibrium at speed, balls rolling.
+    Settled {
+        /// Gaps at the start.
+        gaps: Gaps,
+        /// ψ of ball 1.
+        lead_ball_angle_rad: f64,
+    },
+    /// Every ball on Rm in pure rolling, the ring at rest where it is put.
+    Rolling {
+        /// Gaps at the start.
+        gaps: Gaps,
+        /// ψ of ball 1.
+        lead_ball_angle_rad: f64,
+        /// Centre of the inner ring.
+        ring_x_m: f64,
+        /// Centre of the inner ring.
+        ring_y_m: f64,
+    },
+    /// Everything at rest in the middle: balls on Rm, both rings at the centre.
+    AtRest {
+        /// Gaps at the start.
+        gaps: Gaps,
+        /// ψ of ball 1.
+        lead_ball_angle_rad: f64,
+    },
+}
+
+impl Start {
+    /// Gaps at the start.
+    pub fn gaps(&self) -> &Gaps {
+        match self {
+            Self::Settled { gaps, .. } | Self::Rolling { gaps, .. } | Self::AtRest { gaps, .. } => {
+                gaps
+            }
+        }
+    }
+
+    /// ψ of ball 1.
+    pub fn lead_ball_angle_rad(&self) -> f64 {
+        match *self {
+            Self::Settled {
+                lead_ball_angle_rad,
+                ..
+            }
+            | Self::Rolling {
+                lead_ball_angle_rad,
+                ..
+            }
+            | Self::AtRest {
+                lead_ball_angle_rad,
+                ..
+            } => lead_ball_angle_rad,
+        }
+    }
+}
+
+/// Integration method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// Fourth-order Adams–Bashforth–Moulton, predict–evaluate–correct–evaluate.
+    Abm4,
+    /// Velocity Verlet (leapfrog): one evaluation per step, no artificial damping,
+    /// unbiased statistics.
+    Symplectic,
+    /// Order 8(5,3) with error control, for references.
+    Adaptive,
+}
+
+/// Method and step of the integration.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solver {
+    /// Method.
+    pub method: Method,
+    /// Step; the largest one of the adaptive method.
+    pub step_s: f64,
+    /// Error per step of the adaptive method, in the scales 10 µm, 1 m/s, 200 rad/s (ring
+    /// 0.1 m/s).
+    pub tolerance: f64,
+    /// Simulated time.
+    pub duration_s: f64,
+}
+
+/// Housing that carries the outer ring: one mass on a spring and a damper in
+/// each direction. It turns the reaction on the outer ring into an acceleration;
+/// the ring itself stays fixed in the equations of motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Housing {
+    /// Mass of housing and outer ring.
+    pub mass_kg: f64,
+    /// Stiffness of the support.
+    pub stiffness_n_m: f64,
+    /// Damping of the support.
+    pub damping_n_s_m: f64,
+}
+
+/// Observations of a run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Output {
+    /// Time between rows.
+    pub interval_s: f64,
+}
+
+/// One computation, complete.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Case {
+    /// Free text.
+    pub title: String,
+    /// Rings and balls.
+    pub bearing: Bearing,
+    /// Discrete raceways; none for a conventional outer ring.
+    pub raceways: Vec<Raceway>,
+    /// Loads and speed.
+    pub operation: Operation,
+    /// Contact and friction.
+    pub contact: Contact,
+    /// Equations.
+    pub profile: Profile,
+    /// Initial state.
+    pub start: Start,
+    /// Integration.
+    pub solver: Solver,
+    /// Seed of whatever is random.
+    pub seed: u64,
+    /// Housing for the vibration of the outer ring.
+    pub housing: Option<Housing>,
+    /// Rotor that falls onto the inner ring at t = 0.
+    pub rotor: Option<Rotor>,
+    /// Support of the outer ring under a rotor; without one it is fixed.
+    pub support: Option<Support>,
+    /// Output.
+    pub output: Output,
+}
+
+impl Contact {
+    /// Largest coefficient of friction of the law.
+    pub fn friction_coefficient_max(&self) -> f64 {
+        self.static_friction_coefficient
+            .map_or(self.friction_coefficient, |s| {
+                s.max(self.friction_coefficient)
+            })
+    }
+}
+
+/// Longest run that is accepted, in steps.
+pub const STEPS_MAX: f64 = 1e12;
+
+/// Shortest time between rows.
+pub const INTERVAL_MIN_S: f64 = 1e-9;
+
+impl Case {
+    /// Largest ωi of the run, rad/s; with a rotor that of an inner ring without balls that rolls
+    /// on the rotor at its speed at the start.
+    pub fn largest_inner_speed_rad_s(&self) -> f64 {
+        match (&self.rotor, self.bearing.inner_ring_bore()) {
+            (Some(rotor), Some(bore)) => {
+                rotor.speed_rad_s.abs() * (bore.radius_m - rotor.air_gap_m) / bore.radius_m
+            }
+            _ => {
+                let table = self.operation.inner_speed_table.as_ref();
+                table.map_or(self.operation.inner_speed_rad_s, |t| t.range()[1])
+            }
+        }
+    }
+
+    /// Largest Fr of the run, N.
+    pub fn largest_radial_load_n(&self) -> f64 {
+        let table = self.operation.radial_load_table.as_ref();
+        table.map_or(self.operation.radial_load_n, |t| t.range()[1])
+    }
+
+    /// Whether speed and load are constant.
+    pub fn has_constant_operation(&self) -> bool {
+        self.check_constant_operation("").is_ok()
+    }
+
+    /// Orbital speed of a nominal ball that rolls on the plain raceway, rad/s, at the largest
+    /// speed of the inner ring.
+    pub fn rolling_orbit_speed_rad_s(&self) -> f64 {
+        let bearing = &self.bearing;
+        rolling_orbit_speed_rad_s(
+            bearing,
+            self.largest_inner_speed_rad_s(),
+            bearing.ball_radius_m(),
+        )
+    }
+
+    /// Time of one orbit of such a ball, s.
+    pub fn rolling_orbit_s(&self) -> f64 {
+        TAU / self.rolling_orbit_speed_rad_s()
+    }
+
+    /// Centrifugal force on such a ball, N.
+    pub(crate) fn centrifugal_force_n(&self) -> f64 {
+        let bearing = &self.bearing;
+        let speed = self.rolling_orbit_speed_rad_s() * bearing.pitch_radius_m();
+        bearing.ball_mass_kg() * speed.powi(2) / bearing.pitch_radius_m()
+    }
+
+    /// K at the inner raceway, at the outer raceway and between balls, N·m^(−3/2): as
+    /// given, else from Hertz.
+    pub fn stiffness_n_m1_5(&self) -> [f64; 3] {
+        let (c, b) = (&self.contact, &self.bearing);
+        [
+            c.inner_stiffness_n_m1_5
+                .unwrap_or(b.inner_contact().stiffness_n_m1_5),
+            c.outer_stiffness_n_m1_5
+                .unwrap_or(b.outer_contact().stiffness_n_m1_5),
+            c.ball_stiffness_n_m1_5
+                .unwrap_or(b.ball_contact().stiffness_n_m1_5),
+        ]
+    }
+
+    /// K of ball `k` at the inner raceway, at the outer raceway and against the ball ahead,
+    /// N·m^(−3/2): as given, else from Hertz with the radii of these balls.
+    pub fn ball_stiffness_n_m1_5(&self, k: usize) -> [f64; 3] {
+        let c = &self.contact;
+        let [inner, outer, ball] = self.bearing.ball_stiffness_n_m1_5(k);
+        [
+            c.inner_stiffness_n_m1_5.unwrap_or(inner),
+            c.outer_stiffness_n_m1_5.unwrap_or(outer),
+            c.ball_stiffness_n_m1_5.unwrap_or(ball),
+        ]
+    }
+
+    /// Whether every ball sits in the outer ring where a nominal one does in a raceway as
+    /// designed.
+    pub fn has_nominal_geometry(&self) -> bool {
+        self.bearing.ball_radius_deviations_m().is_empty()
+            && self.raceways.iter().all(|r| r.depth_error_m() == 0.0)
+    }
+
+    /// Case with other raceways.
+    pub fn with_raceways(&self, raceways: Vec<Raceway>) -> Self {
+        Self {
+            raceways,
+            ..self.clone()
+        }
+    }
+}

@@ -1,0 +1,198 @@
+//! A rotor that falls onto the inner ring, and the support of the outer ring.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! let case = common::drop_case(); // 20 kg at 30 000 rpm, 0.2 mm above the inner ring
+//! let rotor = case.rotor.as_ref().unwrap();
+//! // Its fall through the air gap.
+//! let speed_m_s = (2.0 * case.operation.gravity_m_s2 * rotor.air_gap_m).sqrt();
+//! assert!((speed_m_s - 0.0626).abs() < 1e-4);
+//! assert!(case.check().is_ok());
+//! ```
+
+use crate::case::FrictionLaw;
+use crate::error::{Allowed, InputError, not_negative, positive};
+
+/// A rigid rotor in the plane of the bearing, which a magnetic bearing holds until t = 0.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rotor {
+    /// m, the part of the rotor that this bearing catches.
+    pub mass_kg: f64,
+    /// Ip, about the axis of rotation.
+    pub polar_inertia_kg_m2: f64,
+    /// Ω at the start, counter-clockwise; may be negative or 0.
+    pub speed_rad_s: f64,
+    /// r0, radial air gap between journal and bore of the inner ring.
+    pub air_gap_m: f64,
+    /// ε, distance of the mass centre from the centre of the journal.
+    pub eccentricity_m: f64,
+    /// φ, direction of the mass centre from the centre of the journal at the start, from +X,
+    /// counter-clockwise.
+    pub eccentricity_phase_rad: f64,
+    /// μr between journal and bore; of the Stribeck law that of fast sliding.
+    pub friction_coefficient: f64,
+    /// Law of friction between journal and bore.
+    pub friction_law: FrictionLaw,
+    /// Sliding speed at the knee of the smooth and Stribeck laws.
+    pub slip_scale_m_s: f64,
+    /// μs of the Stribeck law, at least μr; of no other law.
+    pub static_friction_coefficient: Option<f64>,
+    /// v of the Stribeck law, m/s; of no other law.
+    pub stribeck_speed_m_s: Option<f64>,
+    /// K of the contact between journal and bore, F = K δ^p (1 + 1.5 α dδ/dt), N/m^p.
+    pub contact_stiffness: f64,
+    /// p, 1 (conformal) to 1.5 (Hertz).
+    pub contact_exponent: f64,
+    /// α, s/m.
+    pub contact_damping_s_m: f64,
+    /// Mass centre at the start.
+    pub x_m: f64,
+    /// Mass centre at the start.
+    pub y_m: f64,
+    /// Velocity of the mass centre at the start.
+    pub vx_m_s: f64,
+    /// Velocity of the mass centre at the start.
+    pub vy_m_s: f64,
+    /// Torque of the drive, counter-clockwise; negative: drag.
+    pub drive_torque_n_m: f64,
+}
+
+/// Support of the outer ring and what moves with it; it does not turn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Support {
+    /// mo, outer ring and housing.
+    pub mass_kg: f64,
+    /// ks, in every direction.
+    pub stiffness_n_m: f64,
+    /// cs, in every direction.
+    pub damping_n_s_m: f64,
+    /// Hard stop.
+    pub stop: Option<SupportStop>,
+}
+
+/// Hard stop of a support: beyond the gap the outer ring is pushed back radially, without loss.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SupportStop {
+    /// Radial displacement at which the stop is reached.
+    pub gap_m: f64,
+    /// Stiffness of the stop.
+    pub stiffness_n_m: f64,
+}
+
+/// Exponents of the contact between journal and bore: flat surfaces to a Hertz contact.
+pub const CONTACT_EXPONENTS: [f64; 2] = [1.0, 1.5];
+
+impl Rotor {
+    /// Centre of the journal at the start: zg − ε·e^(iφ).
+    pub fn journal_start_m(&self) -> [f64; 2] {
+        let (sin, cos) = self.eccentricity_phase_rad.sin_cos();
+        [
+            self.x_m - self.eccentricity_m * cos,
+            self.y_m - self.eccentricity_m * sin,
+        ]
+    }
+
+    /// Largest coefficient of friction of the law.
+    pub fn friction_coefficient_max(&self) -> f64 {
+        self.static_friction_coefficient
+            .map_or(self.friction_coefficient, |s| {
+                s.max(self.friction_coefficient)
+            })
+    }
+
+    /// Checks the values against each other and against the bore of the inner ring.
+    pub(crate) fn check(&self, bore_radius_m: f64) -> Result<(), InputError> {
+        positive("rotor_mass_kg", self.mass_kg)?;
+        positive("rotor_polar_inertia_kg_m2", self.polar_inertia_kg_m2)?;
+        finite("rotor_speed_rad_s", self.speed_rad_s)?;
+        positive("air_gap_m", self.air_gap_m)?;
+        if self.air_gap_m >= bore_radius_m {
+            return Err(InputError::new(
+                "air_gap_m",
+                self.air_gap_m,
+                Allowed::Below(bore_radius_m, "the radius of the bore"),
+            ));
+        }
+        not_negative("eccentricity_m", self.eccentricity_m)?;
+        if self.eccentricity_m >= bore_radius_m {
+            return Err(InputError::new(
+                "eccentricity_m",
+                self.eccentricity_m,
+                Allowed::Below(bore_radius_m, "the radius of the bore"),
+            ));
+        }
+        finite("eccentricity_phase_rad", self.eccentricity_phase_rad)?;
+        not_negative("rotor_friction_coefficient", self.friction_coefficient)?;
+        positive("rotor_slip_scale_m_s", self.slip_scale_m_s)?;
+        crate::case::check_stribeck(
+            self.friction_law,
+            self.friction_coefficient,
+            (
+                "rotor_static_friction_coefficient",
+                self.static_friction_coefficient,
+            ),
+            ("rotor_stribeck_speed_m_s", self.stribeck_speed_m_s),
+        )?;
+        positive("contact_stiffness", self.contact_stiffness)?;
+        let [least, most] = CONTACT_EXPONENTS;
+        if !(least..=most).contains(&self.contact_exponent) {
+            return Err(InputError::rule(
+                "contact_exponent",
+                self.contact_exponent,
+                format!("from {least} (conformal) to {most} (Hertz)"),
+            ));
+        }
+        not_negative("contact_damping_s_m", self.contact_damping_s_m)?;
+        for (field, value) in [
+            ("rotor_x_m", self.x_m),
+            ("rotor_y_m", self.y_m),
+            ("rotor_vx_m_s", self.vx_m_s),
+            ("rotor_vy_m_s", self.vy_m_s),
+            ("drive_torque_n_m", self.drive_torque_n_m),
+        ] {
+            finite(field, value)?;
+        }
+        let [x, y] = self.journal_start_m();
+        let off = x.hypot(y);
+        if off > self.air_gap_m {
+            let (field, value) = if self.x_m.abs() > self.y_m.abs() {
+                ("rotor_x_m", self.x_m)
+            } else if self.y_m != 0.0 {
+                ("rotor_y_m", self.y_m)
+            } else {
+                ("eccentricity_m", self.eccentricity_m)
+            };
+            return Err(InputError::rule(
+                field,
+                value,
+                format!(
+                    "a start within the air gap: the centre of the journal would be {off:e} m off \
+                     the centre of the inner ring, and the gap is {:e} m",
+                    self.air_gap_m
+                ),
+            ));
+        }
+        Ok(())
+    }
+}
+
+impl Support {
+    pub(crate) fn check(&self) -> Result<(), InputError> {
+        positive("support_mass_kg", self.mass_kg)?;
+        positive("support_stiffness_n_m", self.stiffness_n_m)?;
+        not_negative("support_damping_n_s_m", self.damping_n_s_m)?;
+        if let Some(stop) = self.stop {
+            positive("stop_gap_m", stop.gap_m)?;
+            positive("stop_stiffness_n_m", stop.stiffness_n_m)?;
+        }
+        Ok(())
+    }
+}
+
+fn finite(field: &'static str, value: f64) -> Result<(), InputError> {
+    if value.is_finite() {
+        crate::limits::within(field, value)
+    } else {
+        Err(InputError::rule(field, value, "a finite number"))
+    }
+}

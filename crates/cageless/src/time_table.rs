@@ -1,0 +1,141 @@
+//! Quantities that are given over time.
+//!
+//! ```
+//! use cageless::TimeTable;
+//!
+//! // Run-up to 100 rad/s within two seconds.
+//! let speed = TimeTable::new("inner_speed_rad_s", vec![0.0, 2.0], vec![0.0, 100.0])?;
+//! assert_eq!((speed.value(0.5), speed.slope(0.5)), (25.0, 50.0));
+//! assert_eq!((speed.value(3.0), speed.slope(3.0)), (100.0, 0.0));
+//! # Ok::<(), cageless::InputError>(())
+//! ```
+
+use crate::error::InputError;
+
+/// A quantity that is piecewise linear in time and holds its first value before the table and
+/// its last value after it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TimeTable {
+    times_s: Vec<f64>,
+    values: Vec<f64>,
+}
+
+impl TimeTable {
+    /// Table of the quantity `field` with `values` at `times_s`.
+    ///
+    /// # Errors
+    /// An [`InputError`] of `field` if there are no values, not as many as times, one is not
+    /// finite, or the times do not increase from 0 or later.
+    pub fn new(
+        field: &'static str,
+        times_s: Vec<f64>,
+        values: Vec<f64>,
+    ) -> Result<Self, InputError> {
+        if times_s.is_empty() || times_s.len() != values.len() {
+            let rule = format!("as many values as times ({}), at least one", times_s.len());
+            return Err(InputError::rule(field, values.len() as f64, rule));
+        }
+        if let Some(&bad) = values.iter().find(|v| !v.is_finite()) {
+            return Err(InputError::rule(field, bad, "a finite number at each time"));
+        }
+        let increasing = times_s.windows(2).all(|pair| pair[0] < pair[1]);
+        if let Some(&bad) = times_s.iter().find(|t| !(t.is_finite() && **t >= 0.0)) {
+            return Err(InputError::rule(
+                field,
+                bad,
+                "given at times of 0 s or later",
+            ));
+        }
+        if !increasing {
+            let bad = times_s.windows(2).find(|pair| pair[0] >= pair[1]);
+            return Err(InputError::rule(
+                field,
+                bad.map_or(f64::NAN, |pair| pair[1]),
+                "given at times that increase; a step is a short ramp",
+            ));
+        }
+        Ok(Self { times_s, values })
+    }
+
+    /// Times, s.
+    pub fn times_s(&self) -> &[f64] {
+        &self.times_s
+    }
+
+    /// Values at these times.
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// Index of the piece at `time_s`: 0 before the first time, the number of times after the
+    /// last one.
+    pub fn piece(&self, time_s: f64) -> usize {
+        self.times_s.partition_point(|t| *t <= time_s)
+    }
+
+    /// Value at `time_s`.
+    pub fn value(&self, time_s: f64) -> f64 {
+        let next = self.piece(time_s);
+        match (next.checked_sub(1), self.values.get(next)) {
+            (None, _) => self.values[0],
+            (Some(last), None) => self.values[last],
+            (Some(here), Some(_)) => {
+                self.values[here] + self.slope(time_s) * (time_s - self.times_s[here])
+            }
+        }
+    }
+
+    /// Rate of change at `time_s`, per second; of the piece that begins there at a corner.
+    pub fn slope(&self, time_s: f64) -> f64 {
+        let next = self.piece(time_s);
+        if next == 0 || next == self.values.len() {
+            return 0.0;
+        }
+        let here = next - 1;
+        (self.values[next] - self.values[here]) / (self.times_s[next] - self.times_s[here])
+    }
+
+    /// Smallest and largest value.
+    pub fn range(&self) -> [f64; 2] {
+        let first = self.values[0];
+        let values = self.values.iter();
+        values.fold([first; 2], |[low, high], v| [low.min(*v), high.max(*v)])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_linear_between_times_and_held_beyond_them() {
+        let table = TimeTable::new("f", vec![1.0, 2.0, 4.0], vec![3.0, 5.0, 1.0]).unwrap();
+        for (time_s, value, slope) in [
+            (0.0, 3.0, 0.0),
+            (1.0, 3.0, 2.0),
+            (1.5, 4.0, 2.0),
+            (2.0, 5.0, -2.0),
+            (3.0, 3.0, -2.0),
+            (4.0, 1.0, 0.0),
+            (9.0, 1.0, 0.0),
+        ] {
+            assert_eq!((table.value(time_s), table.slope(time_s)), (value, slope));
+        }
+        assert_eq!(table.range(), [1.0, 5.0]);
+    }
+
+    #[test]
+    fn impossible_tables_are_refused() {
+        for (times_s, values) in [
+            (vec![], vec![]),
+            (vec![0.0, 1.0], vec![1.0]),
+            (vec![0.0, 0.0], vec![1.0, 2.0]),
+            (vec![1.0, 0.5], vec![1.0, 2.0]),
+            (vec![-1.0, 0.5], vec![1.0, 2.0]),
+            (vec![0.0, f64::NAN], vec![1.0, 2.0]),
+            (vec![0.0, 1.0], vec![1.0, f64::INFINITY]),
+        ] {
+            assert!(TimeTable::new("f", times_s, values).is_err());
+        }
+    }
+}
