@@ -1,0 +1,134 @@
+//! Surface of a discrete raceway: groove curve, normals and the kink at its ends (Zhao 2022,
+//! Eq. (7)).
+
+use super::Raceway;
+use crate::bearing::Bearing;
+
+/// A point of the raceway surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SurfacePoint {
+    /// Position in the frame of the bearing.
+    pub position_m: [f64; 3],
+    /// Unit normal, out of the ring's material.
+    pub normal: [f64; 3],
+}
+
+impl Raceway {
+    /// Centre of groove curvature Oe at path abscissa x, branch z > 0 of the contact
+    /// point (Zhao 2022, Eq. (7)), in local coordinates.
+    pub fn groove_centre_m(&self, x_m: f64) -> [f64; 3] {
+        let (rw, re) = (self.ball_radius_m, self.groove_curvature_radius_m);
+        let y = self.path_y_m(x_m);
+        let rho = x_m.hypot(y);
+        let s = ((rw - re) * rho + self.outer_orbit_radius_m() * re) / (rw * rho);
+        [x_m * s, y * s, self.path_z_m(x_m) * (rw - re) / rw]
+    }
+
+    /// Distance of Oe from the bearing axis, its z, and the derivatives of both with
+    /// respect to ψ, at local ψ (branch z > 0).
+    fn groove_curve(&self, local_angle_rad: f64) -> [f64; 4] {
+        let offset = self.groove_curvature_radius_m - self.ball_radius_m;
+        let contact = if local_angle_rad.abs() < self.dimensions.half_angle_rad {
+            self.contact_angle_rad(local_angle_rad)
+        } else {
+            [0.0; 2]
+        };
+        groove_centre(self.outer_orbit_radius_m(), offset, contact)
+    }
+
+    /// Point of the raceway surface at ψ and meridian angle η, the angle at Oe between
+    /// the outward radius and the point. η ≥ 0 lies on the side z ≥ 0, η < 0 on its
+    /// mirror image. From the range of
+    /// [`Self::meridian_range_rad`] upwards the surface is that of the groove; nearer to
+    /// η = 0 the circle goes on beyond the plane z = 0.
+    pub fn surface(&self, angle_rad: f64, meridian_rad: f64) -> SurfacePoint {
+        let local = self.local_angle_rad(angle_rad);
+        surface_point(
+            self.groove_curve(local),
+            self.groove_curvature_radius_m,
+            angle_rad,
+            meridian_rad,
+        )
+    }
+
+    /// Range of |η| on one side at ψ: from the plane z = 0 to the shoulder.
+    pub fn meridian_range_rad(&self, angle_rad: f64, bearing: &Bearing) -> [f64; 2] {
+        let [radial, axial, ..] = self.groove_curve(self.local_angle_rad(angle_rad));
+        let re = self.groove_curvature_radius_m;
+        let shoulder = bearing.dimensions().outer_shoulder_radius_m;
+        [
+            (-axial / re).asin(),
+            ((shoulder - radial) / re).clamp(-1.0, 1.0).acos(),
+        ]
+    }
+
+    /// Angle between the normals of the discrete and the plain raceway where they
+    /// meet, at meridian angle η. It is not zero because z′ is not.
+    pub fn kink_angle_rad(&self, meridian_rad: f64) -> f64 {
+        let end = self.dimensions.half_angle_rad;
+        let re = self.groove_curvature_radius_m;
+        let within = self.groove_curve(end * (1.0 - 1e-9));
+        let plain = [self.groove_bottom_radius_m - re, 0.0, 0.0, 0.0];
+        let n1 = surface_point(within, re, end, meridian_rad).normal;
+        let n2 = surface_point(plain, re, end, meridian_rad).normal;
+        let cross = cross(n1, n2);
+        dot(cross, cross).sqrt().asin()
+    }
+}
+
+/// Eq. (7) in terms of α: Oe is Re − Rw behind the ball's centre on the line through the
+/// contact point. Its distance from the axis, its z, and the derivatives of both with
+/// respect to ψ, from α and dα/dψ.
+pub(crate) fn groove_centre(
+    touching_m: f64,
+    offset_m: f64,
+    [contact, slope]: [f64; 2],
+) -> [f64; 4] {
+    let (sin, cos) = contact.sin_cos();
+    [
+        touching_m - offset_m * cos,
+        -offset_m * sin,
+        offset_m * sin * slope,
+        -offset_m * cos * slope,
+    ]
+}
+
+pub(crate) fn surface_point(curve: [f64; 4], re: f64, angle: f64, meridian: f64) -> SurfacePoint {
+    let [radial, axial, radial_slope, axial_slope] = curve;
+    let side = if meridian < 0.0 { -1.0 } else { 1.0 };
+    let (sin_m, cos_m) = meridian.abs().sin_cos();
+    let (sin, cos) = angle.sin_cos();
+    let (e, t) = ([sin, -cos], [cos, sin]);
+    let rho = radial + re * cos_m;
+    let z = axial + re * sin_m;
+    // ∂S/∂ψ = ρ t + ρe′ e + ze′ k and ∂S/∂η = Re(−sin η e + cos η k); their cross
+    // product, turned towards the axis, is normal to the surface.
+    let along = [
+        rho * t[0] + radial_slope * e[0],
+        rho * t[1] + radial_slope * e[1],
+        axial_slope,
+    ];
+    let across = [-sin_m * e[0], -sin_m * e[1], cos_m];
+    let mut n = cross(across, along);
+    let length = dot(n, n).sqrt();
+    n = n.map(|c| c / length);
+    if n[0] * e[0] + n[1] * e[1] > 0.0 {
+        n = n.map(|c| -c);
+    }
+    SurfacePoint {
+        position_m: [rho * e[0], rho * e[1], side * z],
+        normal: [n[0], n[1], side * n[2]],
+    }
+}
+
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}
+
+fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
