@@ -1,5 +1,13 @@
 //! Random numbers that depend only on a seed and an index: the same whatever the order in which,
 //! and the thread on which, they are drawn.
+//!
+//! ```
+//! use cageless::numerics::random::RandomStream;
+//!
+//! let draw = |index| RandomStream::new(7, 0, 0, index).uniform();
+//! assert_eq!(draw(5), draw(5));
+//! assert_ne!(draw(5), draw(6));
+//! ```
 
 use chacha20::ChaCha8Rng;
 use chacha20::rand_core::{Rng, SeedableRng};
