@@ -77,6 +77,20 @@ fn coloured(passes: Option<bool>, headline: &str) -> String {
     format!("\u{1b}[1;{colour}m{word}\u{1b}[0m{rest}")
 }
 
+/// A number with so many decimals; what rounds to zero has no sign.
+pub fn fixed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(digits) if digits.bytes().all(|b| matches!(b, b'0' | b'.')) => digits.to_owned(),
+        _ => text,
+    }
+}
+
+/// A line for each note.
+pub fn notes(all: &[String]) -> String {
+    all.iter().map(|n| format!("note: {n}\n")).collect()
+}
+
 /// A line for each warning.
 pub fn warnings(all: &[String]) -> String {
     all.iter().map(|w| format!("warning: {w}\n")).collect()
@@ -84,7 +98,15 @@ pub fn warnings(all: &[String]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::coloured;
+    use super::{coloured, fixed};
+
+    #[test]
+    fn zero_has_no_sign() {
+        assert_eq!(fixed(-0.00004, 4), "0.0000");
+        assert_eq!(fixed(-0.4, 0), "0");
+        assert_eq!(fixed(-0.00006, 4), "-0.0001");
+        assert_eq!(fixed(-12.5, 2), "-12.50");
+    }
 
     #[test]
     fn a_verdict_has_the_colour_of_its_word() {

@@ -120,7 +120,7 @@ impl CaseFile {
     fn static_equilibrium(&self, py: Python<'_>) -> PyResult<String> {
         let solved = py.detach(|| solve(self.file.case()));
         let solved = solved.map_err(|error| of_start(&error))?;
-        serde_json::to_string(&StaticResult::new(solved)).map_err(other)
+        serde_json::to_string(&StaticResult::new(self.file.case(), solved)).map_err(other)
     }
 
     /// Judges the raceways, and the exception if a run that it rests on stopped.

@@ -15,6 +15,8 @@
 //! ```
 
 use crate::bearing::Bearing;
+use crate::numerics::quadrature;
+use crate::raceway::Raceway;
 
 /// Ω(r) = ωi·Ri/Rm · (1 − Rw/(r + Rw)), the orbital speed of pure rolling with
 /// effective contact radius `r` at the outer raceway (Zhao 2022, Eq. (3)), rad/s.
@@ -43,4 +45,20 @@ pub fn rolling_relative_spin_rad_s(bearing: &Bearing, orbit_speed_rad_s: f64, r_
 /// ball rests on the outer raceway.
 pub fn rolling_spin_rad_s(bearing: &Bearing, orbit_speed_rad_s: f64, r_m: f64) -> f64 {
     orbit_speed_rad_s * bearing.pitch_radius_m() / r_m
+}
+
+/// Angle by which a ball that rolls through every raceway lags, once per orbit, behind one that
+/// rolls on the plain outer ring: ∫ (Ω(Rw)/Ω(r) − 1) dψ.
+pub fn raceway_delay_rad(bearing: &Bearing, raceways: &[Raceway]) -> f64 {
+    let rw = bearing.ball_radius_m();
+    let speed = |r: f64| rolling_orbit_speed_rad_s(bearing, 1.0, r);
+    let outside = speed(rw);
+    raceways
+        .iter()
+        .map(|raceway| {
+            let centre = raceway.dimensions().centre_angle_rad;
+            let excess = |psi: f64| outside / speed(raceway.effective_radius_m(centre + psi)) - 1.0;
+            2.0 * quadrature::gauss(excess, 0.0, raceway.half_angle_rad() * (1.0 - 1e-12), 8)
+        })
+        .sum()
 }

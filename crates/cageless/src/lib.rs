@@ -34,6 +34,7 @@ pub mod numerics;
 pub mod outer_contact_geometry;
 pub mod passage;
 pub mod raceway;
+pub mod rating;
 pub mod recorder;
 pub mod rotor;
 mod scope;

@@ -23,7 +23,7 @@ mod verdict;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::bearing::Bearing;
-use crate::kinematics::rolling_orbit_speed_rad_s;
+use crate::kinematics::raceway_delay_rad;
 use crate::numerics::{quadrature, root};
 use crate::raceway::{Raceway, RacewayDimensions, axial_span_limit_m};
 
@@ -144,16 +144,5 @@ pub fn balls_in_raceway_max(bearing: &Bearing, raceway: &Raceway) -> usize {
 /// takes T = (1/N) ∮ dψ/Ω(r(ψ)), and the balls outside are Ω·T apart. It is wider than
 /// 2π/N − ε, because the balls inside are closer.
 pub fn steady_gap_rad(bearing: &Bearing, raceways: &[Raceway]) -> f64 {
-    let rw = bearing.ball_radius_m();
-    let speed = |r: f64| rolling_orbit_speed_rad_s(bearing, 1.0, r);
-    let outside = speed(rw);
-    let delay: f64 = raceways
-        .iter()
-        .map(|raceway| {
-            let centre = raceway.dimensions().centre_angle_rad;
-            let excess = |psi: f64| outside / speed(raceway.effective_radius_m(centre + psi)) - 1.0;
-            2.0 * quadrature::gauss(excess, 0.0, raceway.half_angle_rad() * (1.0 - 1e-12), 8)
-        })
-        .sum();
-    (TAU + delay) / bearing.balls() as f64 - bearing.ball_angle_rad()
+    (TAU + raceway_delay_rad(bearing, raceways)) / bearing.balls() as f64 - bearing.ball_angle_rad()
 }

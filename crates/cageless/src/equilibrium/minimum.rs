@@ -28,7 +28,7 @@ struct TrustStep {
 impl Local {
     /// Eigenvalues of the Hessian, the smaller first, half the difference of its diagonal
     /// entries, and the other one.
-    fn stiffness(&self) -> ([f64; 2], f64, f64) {
+    pub fn eigenvalues(&self) -> ([f64; 2], f64, f64) {
         let [xx, xy, yy] = self.hessian;
         let (mean, half) = (0.5 * (xx + yy), 0.5 * (xx - yy));
         let spread = half.hypot(xy);
@@ -44,14 +44,14 @@ impl Local {
 
     /// Whether the ring is held sideways as well: by several balls, not on top of one.
     pub fn held(&self) -> bool {
-        let [flat, steep] = self.stiffness().0;
+        let [flat, steep] = self.eigenvalues().0;
         flat > 1e-3 * steep
     }
 
     /// Minimum of the quadratic model within `radius`. On a saddle that is symmetric to
     /// rounding it leads towards +X.
     fn trust_step(&self, radius: f64) -> TrustStep {
-        let ([flat, steep], half, xy) = self.stiffness();
+        let ([flat, steep], half, xy) = self.eigenvalues();
         // Half the angle of (half, xy) is the direction of the larger eigenvalue.
         let (sin, cos) = (0.5 * xy.atan2(half)).sin_cos();
         let axes = [[cos, sin], [-sin, cos]];

@@ -20,8 +20,9 @@
 mod minimum;
 mod newton;
 mod potential;
+mod raceway_contact;
+mod stiffness;
 
-use crate::bearing::Bearing;
 use crate::case::{Case, Gaps, Profile};
 use crate::contact::hertz::{PointContact, STRESS_LIMIT_PA};
 use crate::error::InputError;
@@ -29,6 +30,12 @@ use crate::kinematics::orbit_speed_of_rad_s;
 use crate::outer_contact_geometry::{OuterContactGeometry, outer_contact_geometry};
 use newton::{BallProblem, BallSolution, Problem};
 use potential::{Potential, PotentialBall};
+pub use raceway_contact::{RacewayContact, outer_stress_pa};
+
+/// Coordinates of the ring's centre, m.
+type Place = [f64; 2];
+/// Stiffness matrix, N/m.
+type Stiffness = [[f64; 2]; 2];
 
 /// Balls at rest in the turning frame, and the ring.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,6 +58,14 @@ pub struct Equilibrium {
     pub inner_stiffness_n_m1_5: f64,
     /// K of a nominal ball at the outer raceway.
     pub outer_stiffness_n_m1_5: f64,
+    /// Contact of each ball with the inner raceway.
+    pub inner_contact: Vec<RacewayContact>,
+    /// Contact of each ball with the outer raceway; on a discrete raceway one of its two.
+    pub outer_contact: Vec<RacewayContact>,
+    /// Stiffness matrix of the bearing ∂F/∂(X, Y) at its operating point, rows x and y, N/m:
+    /// force on the inner ring over its displacement, every ball staying in equilibrium. `None`
+    /// where nothing holds the ring in some direction: without load, or in the clearance.
+    pub stiffness_n_m: Option<[[f64; 2]; 2]>,
     /// Largest Hertz pressure at the inner raceway.
     pub inner_stress_max_pa: f64,
     /// Largest Hertz pressure at the outer raceway; on a discrete raceway that of one of
@@ -194,67 +209,49 @@ pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
         balls,
         down: case.operation.radial_load_n + d.inner_ring_mass_kg * case.operation.gravity_m_s2,
     };
-    let ring = settle_ring(&problem)?;
+    let (ring, stiffness_n_m) = settle_ring(&problem)?;
     let solutions: Vec<BallSolution> = problem
         .balls
         .iter()
         .map(|ball| problem.ball(ball, ring))
         .collect();
-    let inner_force_n: Vec<f64> = solutions.iter().map(|s| s.inner).collect();
-    let outer_force_n: Vec<f64> = solutions.iter().map(|s| s.outer).collect();
-    let stress = |worst: f64, p: f64| worst.max(p);
+    let effective_radius_m: Vec<f64> = problem
+        .balls
+        .iter()
+        .map(|b| b.outer_geometry.effective_radius_m)
+        .collect();
+    let inner_contact: Vec<RacewayContact> = solutions
+        .iter()
+        .map(|s| RacewayContact::inner(bearing, s.inner))
+        .collect();
+    let outer_contact: Vec<RacewayContact> = solutions
+        .iter()
+        .zip(&effective_radius_m)
+        .map(|(s, &r)| RacewayContact::outer(bearing, r, s.outer))
+        .collect();
+    let largest =
+        |contacts: &[RacewayContact]| contacts.iter().map(|c| c.pressure_pa).fold(0.0, f64::max);
     Ok(Equilibrium {
         ring_x_m: ring[0],
         ring_y_m: ring[1],
         ball_angle_rad: problem.balls.iter().map(|b| b.angle).collect(),
         ball_distance_m: solutions.iter().map(|s| s.distance).collect(),
-        inner_stress_max_pa: inner_force_n
-            .iter()
-            .map(|&f| bearing.inner_contact().peak_stress_pa(f))
-            .fold(0.0, stress),
-        outer_stress_max_pa: outer_force_n
-            .iter()
-            .zip(&problem.balls)
-            .map(|(&f, ball)| outer_stress_pa(bearing, ball.outer_geometry.effective_radius_m, f))
-            .fold(0.0, stress),
-        effective_radius_m: problem
-            .balls
-            .iter()
-            .map(|b| b.outer_geometry.effective_radius_m)
-            .collect(),
-        inner_force_n,
-        outer_force_n,
+        inner_stress_max_pa: largest(&inner_contact),
+        outer_stress_max_pa: largest(&outer_contact),
+        inner_contact,
+        outer_contact,
+        stiffness_n_m,
+        effective_radius_m,
+        inner_force_n: solutions.iter().map(|s| s.inner).collect(),
+        outer_force_n: solutions.iter().map(|s| s.outer).collect(),
         inner_stiffness_n_m1_5: inner_stiffness,
         outer_stiffness_n_m1_5: outer_stiffness,
     })
 }
 
-/// Peak Hertz pressure at the outer raceway of a ball with effective radius `r_m` under
-/// the radial force `force_n`. Where r < Rw two points share it, each with
-/// F′o = Fo·Rw/(2r) (Zhao 2022, Eq. (19)); the ring's curvature in the plane of rolling
-/// is then that of a cone at the contact point, (r/Rw)/(Ro − Rw + r).
-pub fn outer_stress_pa(bearing: &Bearing, r_m: f64, force_n: f64) -> f64 {
-    let rw = bearing.ball_radius_m();
-    if r_m >= rw {
-        return bearing.outer_contact().peak_stress_pa(force_n);
-    }
-    let cosine = r_m / rw;
-    PointContact::new(
-        [1.0 / rw; 2],
-        [
-            -cosine / (bearing.outer_orbit_radius_m() + r_m),
-            -1.0 / bearing.dimensions().outer_groove_curvature_radius_m,
-        ],
-        bearing.material(),
-    )
-    .peak_stress_pa(force_n / (2.0 * cosine))
-}
-
-/// Where the ring's potential energy is least. Without any force on it it stays in the middle.
-fn settle_ring(problem: &Problem<'_>) -> Result<[f64; 2], EquilibriumError> {
-    if problem.at_rest_in_the_middle() {
-        return Ok([0.0; 2]);
-    }
+/// Where the ring's potential energy is least, and the stiffness there. Without any force on it
+/// it stays in the middle.
+fn settle_ring(problem: &Problem<'_>) -> Result<(Place, Option<Stiffness>), EquilibriumError> {
     let bearing = problem.bearing;
     let potential = Potential {
         balls: problem
@@ -274,6 +271,10 @@ fn settle_ring(problem: &Problem<'_>) -> Result<[f64; 2], EquilibriumError> {
             .collect(),
         down: problem.down,
     };
+    let settled = |ring: Place| (ring, potential.at(ring).stiffness_n_m());
+    if problem.at_rest_in_the_middle() {
+        return Ok(settled([0.0; 2]));
+    }
     let depth = problem.contact_depth_m();
     let lowest = minimum::lowest_minimum(&potential, depth, 0.05 * bearing.ball_radius_m())?;
     let [x, y] = lowest.ring;
@@ -281,7 +282,9 @@ fn settle_ring(problem: &Problem<'_>) -> Result<[f64; 2], EquilibriumError> {
     // whose last bits are those of all earlier results.
     let same = |ring: &[f64; 2]| (ring[0] - x).hypot(ring[1] - y) <= SAME_PLACE * x.hypot(y);
     let polished = lowest.held().then(|| problem.newton_from_below(depth));
-    Ok(polished.flatten().filter(same).unwrap_or(lowest.ring))
+    Ok(settled(
+        polished.flatten().filter(same).unwrap_or(lowest.ring),
+    ))
 }
 
 /// Distance of two places of the ring that differ by rounding, as a fraction of the displacement.

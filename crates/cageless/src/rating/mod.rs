@@ -1,0 +1,151 @@
+//! Ratings of the bearing as catalogues and standards state them: basic load ratings
+//! (ISO 281, ISO 76), rating life (ISO 281, ISO/TS 16281), static safety, passing frequencies,
+//! speed parameter.
+//!
+//! All of them are closed forms of the dimensions, the operating conditions and the loads of
+//! the balls in static equilibrium; none needs a run. The standards are for steel bearings
+//! with plain grooves: of a discrete raceway and of ceramic balls the lives are an indication.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::{equilibrium, rating::Rating};
+//!
+//! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! let rating = Rating::new(&case, &equilibrium::solve(&case)?);
+//!
+//! assert!((rating.basic.dynamic_n - 26_120.0).abs() < 1.0);
+//! assert!(rating.l10r_mrev.is_some_and(|life| life > 1000.0));
+//! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
+//! ```
+
+mod basic_ratings;
+mod passing_frequencies;
+mod reference_life;
+
+use std::f64::consts::TAU;
+
+use crate::bearing::{Bearing, Material};
+use crate::case::Case;
+use crate::contact::hertz::STRESS_LIMIT_PA;
+use crate::equilibrium::Equilibrium;
+
+pub use basic_ratings::{BasicRatings, RATING_FACTOR, dynamic_factor, static_factor};
+pub use passing_frequencies::PassingFrequencies;
+pub use reference_life::ReferenceLife;
+
+/// Largest n·dm of ball bearings in service, mm/min: hybrid spindle bearings under oil
+/// jets and bearings of aircraft engines reach 3 million.
+pub const SPEED_PARAMETER_MAX_MM_RPM: f64 = 3e6;
+
+/// Ratings of a bearing at its operating point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rating {
+    /// Basic load ratings.
+    pub basic: BasicRatings,
+    /// L10 = (Cr/Fr)³ of ISO 281, million revolutions; `None` without radial load.
+    pub l10_mrev: Option<f64>,
+    /// L10r of ISO/TS 16281 from the loads of all balls, million revolutions; `None` if no
+    /// ball is loaded.
+    pub l10r_mrev: Option<f64>,
+    /// s0 = C0r/P0 of ISO 76 with P0 = Fr; `None` without radial load.
+    pub static_safety: Option<f64>,
+    /// (4200 MPa/p)³ with the largest contact pressure p in equilibrium; `None` if no ball is
+    /// loaded. The load that this pressure leaves to the limit, as a factor.
+    pub pressure_safety: Option<f64>,
+    /// Passing frequencies.
+    pub passing: PassingFrequencies,
+    /// n·dm, speed of the inner ring times pitch diameter, mm/min.
+    pub speed_parameter_mm_rpm: f64,
+    /// Whether balls and rings are of steel, for which the standards are made.
+    pub steel: bool,
+}
+
+impl Rating {
+    /// Ratings of a case in equilibrium.
+    pub fn new(case: &Case, equilibrium: &Equilibrium) -> Self {
+        let bearing = &case.bearing;
+        let basic = BasicRatings::new(bearing);
+        let load_n = case.operation.radial_load_n;
+        let peak_pa = equilibrium
+            .inner_stress_max_pa
+            .max(equilibrium.outer_stress_max_pa);
+        Self {
+            l10_mrev: basic.l10_mrev(load_n),
+            l10r_mrev: ReferenceLife::new(bearing)
+                .l10r_mrev(&equilibrium.inner_force_n, &equilibrium.outer_force_n),
+            static_safety: basic.static_safety(load_n),
+            pressure_safety: (peak_pa > 0.0).then(|| (STRESS_LIMIT_PA / peak_pa).powi(3)),
+            passing: PassingFrequencies::new(case),
+            speed_parameter_mm_rpm: speed_parameter_mm_rpm(case),
+            steel: is_steel(bearing.material()),
+            basic,
+        }
+    }
+
+    /// Running time of a life in revolutions at the speed of the case, h.
+    pub fn hours(case: &Case, life_mrev: f64) -> f64 {
+        life_mrev * 1e6 / (case.operation.inner_speed_rad_s.abs() / TAU * 3600.0)
+    }
+
+    /// Warnings for what no bearing stands; that of the contact pressure is
+    /// [`Equilibrium::overload`].
+    pub fn warnings(&self) -> Vec<String> {
+        let unsafe_load = self.static_safety.filter(|s| *s < 1.0).map(|s| {
+            format!(
+                "the static safety s0 = C0r/Fr is {s:.2}, below 1: the load exceeds the basic \
+                 static load rating of {:.0} N (ISO 76)",
+                self.basic.static_n
+            )
+        });
+        unsafe_load
+            .into_iter()
+            .chain(speed_warning(self.speed_parameter_mm_rpm))
+            .collect()
+    }
+}
+
+/// n·dm, speed of the inner ring times pitch diameter, mm/min.
+pub fn speed_parameter_mm_rpm(case: &Case) -> f64 {
+    let rpm = case.operation.inner_speed_rad_s.abs() * 60.0 / TAU;
+    rpm * 2e3 * case.bearing.pitch_radius_m()
+}
+
+/// Warning if n·dm exceeds [`SPEED_PARAMETER_MAX_MM_RPM`].
+pub fn speed_warning(speed_parameter_mm_rpm: f64) -> Option<String> {
+    (speed_parameter_mm_rpm > SPEED_PARAMETER_MAX_MM_RPM).then(|| {
+        format!(
+            "n·dm is {:.2} million mm/min, above the {} million that ball bearings reach",
+            speed_parameter_mm_rpm * 1e-6,
+            SPEED_PARAMETER_MAX_MM_RPM * 1e-6
+        )
+    })
+}
+
+/// Whether a material is a steel by its modulus and density.
+fn is_steel(material: &Material) -> bool {
+    (180e9..=225e9).contains(&material.youngs_modulus_pa)
+        && (7400.0..=8200.0).contains(&material.density_kg_m3)
+}
+
+/// γ = Dw/Dpw at a contact angle of 0°.
+fn gamma(bearing: &Bearing) -> f64 {
+    bearing.ball_radius_m() / bearing.pitch_radius_m()
+}
+
+/// Radii of curvature of inner and outer groove over the ball diameter.
+fn conformities(bearing: &Bearing) -> [f64; 2] {
+    let d = bearing.dimensions();
+    [
+        d.inner_groove_curvature_radius_m,
+        d.outer_groove_curvature_radius_m,
+    ]
+    .map(|radius| radius / (2.0 * d.ball_radius_m))
+}
+
+/// Ratio of the load ratings of a ball contact at the inner and the outer raceway without
+/// its leading factor `c`: c ((1 − γ)/(1 + γ))^1.72 (ri/re · (2re − Dw)/(2ri − Dw))^0.41
+/// (ISO/TR 1281-1).
+fn raceway_ratio(c: f64, gamma: f64, [inner, outer]: [f64; 2]) -> f64 {
+    let osculation = inner / outer * (2.0 * outer - 1.0) / (2.0 * inner - 1.0);
+    c * ((1.0 - gamma) / (1.0 + gamma)).powf(1.72) * osculation.powf(0.41)
+}
