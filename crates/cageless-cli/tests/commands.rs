@@ -31,6 +31,19 @@ const STATIC: &[&str] = &[
     "outer_stiffness",
     "inner_stress_max_gpa",
     "outer_stress_max_gpa",
+    "basic_dynamic_rating_n",
+    "basic_static_rating_n",
+    "static_safety",
+    "l10_mrev",
+    "l10r_mrev",
+    "stiffness_n_m",
+    "ftf_hz",
+    "bpfo_hz",
+    "bpfi_hz",
+    "bsf_hz",
+    "inner_pressure_gpa",
+    "outer_pressure_gpa",
+    "speed_parameter_mm_rpm",
 ];
 
 /// Top-level keys of `summary.json` and `run --json`.

@@ -29,12 +29,18 @@ pub struct StaticResult {
     pub pressure_safety: Option<f64>,
     /// L10 of ISO 281, million revolutions; `None` without radial load.
     pub l10_mrev: Option<f64>,
-    /// L10r of ISO/TS 16281, million revolutions; `None` if no ball is loaded.
+    /// L10r of ISO/TS 16281, million revolutions: rigid rings under the radial load, without
+    /// weight and centrifugal force; `None` without radial load.
     pub l10r_mrev: Option<f64>,
+    /// The same formula with the forces of the balls in equilibrium, weight and centrifugal
+    /// force included, million revolutions; `None` if no ball is loaded.
+    pub l10r_at_speed_mrev: Option<f64>,
     /// L10 at the speed of the case, h.
     pub l10_h: Option<f64>,
     /// L10r at the speed of the case, h.
     pub l10r_h: Option<f64>,
+    /// L10r with the forces in equilibrium, at the speed of the case, h.
+    pub l10r_at_speed_h: Option<f64>,
     /// Orbital frequency of the balls in rolling, Hz.
     pub ftf_hz: f64,
     /// Balls past a point of the outer ring, Hz.
@@ -109,8 +115,10 @@ impl StaticResult {
             pressure_safety: rating.pressure_safety,
             l10_mrev: rating.l10_mrev,
             l10r_mrev: rating.l10r_mrev,
+            l10r_at_speed_mrev: rating.l10r_at_speed_mrev,
             l10_h: hours(rating.l10_mrev),
             l10r_h: hours(rating.l10r_mrev),
+            l10r_at_speed_h: hours(rating.l10r_at_speed_mrev),
             ftf_hz: passing.ftf_hz,
             bpfo_hz: passing.bpfo_hz,
             bpfi_hz: passing.bpfi_hz,

@@ -88,6 +88,10 @@ fn headline(result: &StaticResult) -> Vec<(&'static str, String)> {
             life(result.l10r_mrev, result.l10r_h) + " (ISO/TS 16281)",
         ),
         (
+            "L10r with centrifugal force",
+            life(result.l10r_at_speed_mrev, result.l10r_at_speed_h),
+        ),
+        (
             "passing frequencies",
             format!(
                 "FTF {} Hz, BPFO {} Hz, BPFI {} Hz, BSF {} Hz",

@@ -199,7 +199,12 @@ class Run:
 
 @dataclass(frozen=True)
 class Static:
-    """A static equilibrium; keys are those of ``cageless static --json``."""
+    """A static equilibrium and the ratings of the bearing.
+
+    Keys of ``values`` are those of ``cageless static --json``. Arrays over the balls have the
+    shape (balls,), semi-axes (balls, 2), the stiffness (2, 2). Ratings and lives are indicative:
+    see ``notes``.
+    """
 
     values: dict[str, Any]
 
@@ -230,24 +235,144 @@ class Static:
 
     @property
     def inner_stress_max_gpa(self) -> float:
-        """Largest Hertz stress at the inner raceway."""
+        """Largest contact pressure at the inner raceway."""
         return float(self.values["inner_stress_max_gpa"])
 
     @property
     def outer_stress_max_gpa(self) -> float:
-        """Largest Hertz stress at the outer raceway."""
+        """Largest contact pressure at the outer raceway."""
         return float(self.values["outer_stress_max_gpa"])
 
     @property
+    def inner_pressure_gpa(self) -> Floats:
+        """Largest contact pressure of each ball at the inner raceway."""
+        return np.array(self.values["inner_pressure_gpa"])
+
+    @property
+    def outer_pressure_gpa(self) -> Floats:
+        """Largest contact pressure of each ball at the outer raceway; on a discrete raceway at
+        one of its two contact points."""
+        return np.array(self.values["outer_pressure_gpa"])
+
+    @property
+    def inner_semi_axes_mm(self) -> Floats:
+        """Semi-axes of the contact ellipses at the inner raceway (balls, 2): along the rolling
+        direction, across it."""
+        return np.array(self.values["inner_semi_axes_mm"])
+
+    @property
+    def outer_semi_axes_mm(self) -> Floats:
+        """Semi-axes of the contact ellipses at the outer raceway (balls, 2): along the rolling
+        direction, across it."""
+        return np.array(self.values["outer_semi_axes_mm"])
+
+    @property
+    def ball_orbit_rpm(self) -> Floats:
+        """Orbital speed of each ball in rolling."""
+        return np.array(self.values["ball_orbit_rpm"])
+
+    @property
+    def ball_rotation_rpm(self) -> Floats:
+        """Absolute rotational speed of each ball in rolling, positive in the rolling sense."""
+        return np.array(self.values["ball_rotation_rpm"])
+
+    @property
+    def stiffness_n_m(self) -> Floats | None:
+        """Stiffness matrix of the bearing at its operating point (2, 2), rows x and y; None
+        where nothing holds the ring in some direction."""
+        found = self.values["stiffness_n_m"]
+        return None if found is None else np.array(found)
+
+    @property
+    def basic_dynamic_rating_n(self) -> float:
+        """Basic dynamic radial load rating Cr (ISO 281)."""
+        return float(self.values["basic_dynamic_rating_n"])
+
+    @property
+    def basic_static_rating_n(self) -> float:
+        """Basic static radial load rating C0r (ISO 76)."""
+        return float(self.values["basic_static_rating_n"])
+
+    def _optional(self, name: str) -> float | None:
+        found = self.values[name]
+        return None if found is None else float(found)
+
+    @property
+    def static_safety(self) -> float | None:
+        """Static safety factor s0 = C0r/Fr (ISO 76); None without radial load."""
+        return self._optional("static_safety")
+
+    @property
+    def pressure_safety(self) -> float | None:
+        """(4200 MPa/p)³ with the largest contact pressure p; None if no ball is loaded."""
+        return self._optional("pressure_safety")
+
+    @property
+    def l10_mrev(self) -> float | None:
+        """Basic rating life (ISO 281), million revolutions; None without radial load."""
+        return self._optional("l10_mrev")
+
+    @property
+    def l10r_mrev(self) -> float | None:
+        """Basic reference rating life (ISO/TS 16281), million revolutions: rigid rings under the
+        radial load, without weight and centrifugal force; None without radial load."""
+        return self._optional("l10r_mrev")
+
+    @property
+    def l10r_at_speed_mrev(self) -> float | None:
+        """The reference rating life with the forces of the balls in equilibrium, weight and
+        centrifugal force included; None if no ball is loaded."""
+        return self._optional("l10r_at_speed_mrev")
+
+    @property
+    def ftf_hz(self) -> float:
+        """Orbital frequency of the balls in rolling (fundamental train frequency)."""
+        return float(self.values["ftf_hz"])
+
+    @property
+    def bpfo_hz(self) -> float:
+        """Ball passing frequency of the outer ring."""
+        return float(self.values["bpfo_hz"])
+
+    @property
+    def bpfi_hz(self) -> float:
+        """Ball passing frequency of the inner ring."""
+        return float(self.values["bpfi_hz"])
+
+    @property
+    def bsf_hz(self) -> float:
+        """Rotational frequency of a ball in the frame of its orbit (ball spin frequency)."""
+        return float(self.values["bsf_hz"])
+
+    @property
+    def speed_parameter_mm_rpm(self) -> float:
+        """n·dm, speed of the inner ring times pitch diameter, mm/min."""
+        return float(self.values["speed_parameter_mm_rpm"])
+
+    @property
     def warnings(self) -> list[str]:
-        """Warnings, for example of a contact stress above 4.2 GPa."""
+        """Warnings, for example of a contact pressure above 4.2 GPa."""
         return list(self.values["warnings"])
+
+    @property
+    def notes(self) -> list[str]:
+        """What the ratings and the stiffness leave out."""
+        return list(self.values["notes"])
 
     def data_balls(self) -> pd.DataFrame:
         """A row per ball, counted from 1."""
         import pandas as pd
 
-        columns = ["ball_angle_deg", "inner_force_n", "outer_force_n", "effective_radius_mm"]
+        columns = [
+            "ball_angle_deg",
+            "inner_force_n",
+            "outer_force_n",
+            "effective_radius_mm",
+            "inner_pressure_gpa",
+            "outer_pressure_gpa",
+            "ball_orbit_rpm",
+            "ball_rotation_rpm",
+        ]
         lists = {name: self.values[name] for name in columns}
         balls = pd.RangeIndex(1, len(self.ball_angle_deg) + 1, name="ball")
         return pd.DataFrame(lists, index=balls)

@@ -19,6 +19,7 @@
 //! ```
 
 mod basic_ratings;
+mod load_distribution;
 mod passing_frequencies;
 mod reference_life;
 
@@ -30,6 +31,7 @@ use crate::contact::hertz::STRESS_LIMIT_PA;
 use crate::equilibrium::Equilibrium;
 
 pub use basic_ratings::{BasicRatings, RATING_FACTOR, dynamic_factor, static_factor};
+pub use load_distribution::rigid_ring_forces_n;
 pub use passing_frequencies::PassingFrequencies;
 pub use reference_life::ReferenceLife;
 
@@ -44,9 +46,12 @@ pub struct Rating {
     pub basic: BasicRatings,
     /// L10 = (Cr/Fr)³ of ISO 281, million revolutions; `None` without radial load.
     pub l10_mrev: Option<f64>,
-    /// L10r of ISO/TS 16281 from the loads of all balls, million revolutions; `None` if no
-    /// ball is loaded.
+    /// L10r of ISO/TS 16281, million revolutions: rigid rings under the radial load, without
+    /// weight and centrifugal force; `None` without radial load.
     pub l10r_mrev: Option<f64>,
+    /// The same formula with the forces of the balls in equilibrium, weight and centrifugal
+    /// force included, million revolutions; `None` if no ball is loaded.
+    pub l10r_at_speed_mrev: Option<f64>,
     /// s0 = C0r/P0 of ISO 76 with P0 = Fr; `None` without radial load.
     pub static_safety: Option<f64>,
     /// (4200 MPa/p)³ with the largest contact pressure p in equilibrium; `None` if no ball is
@@ -65,13 +70,15 @@ impl Rating {
     pub fn new(case: &Case, equilibrium: &Equilibrium) -> Self {
         let bearing = &case.bearing;
         let basic = BasicRatings::new(bearing);
+        let reference = ReferenceLife::new(bearing);
         let load_n = case.operation.radial_load_n;
         let peak_pa = equilibrium
             .inner_stress_max_pa
             .max(equilibrium.outer_stress_max_pa);
         Self {
             l10_mrev: basic.l10_mrev(load_n),
-            l10r_mrev: ReferenceLife::new(bearing)
+            l10r_mrev: rigid_ring_forces_n(case).and_then(|q| reference.l10r_mrev(&q, &q)),
+            l10r_at_speed_mrev: reference
                 .l10r_mrev(&equilibrium.inner_force_n, &equilibrium.outer_force_n),
             static_safety: basic.static_safety(load_n),
             pressure_safety: (peak_pa > 0.0).then(|| (STRESS_LIMIT_PA / peak_pa).powi(3)),

@@ -1,0 +1,449 @@
+//! Ratings against the tables of the standards, closed forms, finite differences and the motion.
+
+mod common;
+
+use std::f64::consts::{PI, TAU};
+
+use cageless::equilibrium::{Equilibrium, solve};
+use cageless::rating::{
+    BasicRatings, Rating, ReferenceLife, SPEED_PARAMETER_MAX_MM_RPM, dynamic_factor,
+    rigid_ring_forces_n, static_factor,
+};
+use cageless::recorder::Recorder;
+use cageless::simulation::{Control, run};
+use cageless::{Bearing, BearingDimensions, Case, Raceway, RacewayDimensions, Start};
+use common::{conventional, dimensions, steel, structure};
+
+/// γ = Dw/Dpw and fc of ISO 281, single-row deep groove ball bearings.
+const FC: [(f64, f64); 21] = [
+    (0.05, 46.7),
+    (0.06, 49.1),
+    (0.07, 51.1),
+    (0.08, 52.8),
+    (0.09, 54.3),
+    (0.10, 55.5),
+    (0.12, 57.5),
+    (0.14, 58.8),
+    (0.16, 59.6),
+    (0.18, 59.9),
+    (0.20, 59.9),
+    (0.22, 59.6),
+    (0.24, 59.0),
+    (0.26, 58.2),
+    (0.28, 57.1),
+    (0.30, 56.0),
+    (0.32, 54.6),
+    (0.34, 53.2),
+    (0.36, 51.7),
+    (0.38, 50.0),
+    (0.40, 48.4),
+];
+
+/// γ and f0 of ISO 76, radial and angular contact groove ball bearings.
+const F0: [(f64, f64); 18] = [
+    (0.00, 14.7),
+    (0.02, 15.1),
+    (0.04, 15.5),
+    (0.06, 15.9),
+    (0.08, 16.3),
+    (0.09, 16.5),
+    (0.10, 16.4),
+    (0.12, 15.9),
+    (0.14, 15.4),
+    (0.16, 14.9),
+    (0.18, 14.4),
+    (0.20, 14.0),
+    (0.22, 13.5),
+    (0.25, 12.8),
+    (0.28, 12.1),
+    (0.32, 11.2),
+    (0.36, 10.3),
+    (0.40, 9.4),
+];
+
+/// Bearing without clearance from ball diameter and pitch diameter in mm.
+fn bearing(balls: usize, ball_mm: f64, pitch_mm: f64, conformity: f64) -> Bearing {
+    let d = dimensions_of(balls, ball_mm, pitch_mm, conformity);
+    Bearing::new(d, steel()).unwrap()
+}
+
+fn dimensions_of(balls: usize, ball_mm: f64, pitch_mm: f64, conformity: f64) -> BearingDimensions {
+    let (ball, pitch) = (0.5e-3 * ball_mm, 0.5e-3 * pitch_mm);
+    BearingDimensions {
+        balls,
+        ball_radius_m: ball,
+        inner_groove_bottom_radius_m: pitch - ball,
+        outer_groove_bottom_radius_m: pitch + ball,
+        outer_shoulder_radius_m: pitch + 0.6 * ball,
+        inner_groove_curvature_radius_m: 2.0 * conformity * ball,
+        outer_groove_curvature_radius_m: 2.0 * conformity * ball,
+        ..dimensions()
+    }
+}
+
+/// Without weight and centrifugal force.
+fn at_rest(mut case: Case) -> Case {
+    case.operation.gravity_m_s2 = 0.0;
+    case.operation.inner_speed_rad_s = 1e-3;
+    case
+}
+
+fn turned(mut case: Case, angle_rad: f64) -> Case {
+    if let Start::Settled {
+        lead_ball_angle_rad,
+        ..
+    } = &mut case.start
+    {
+        *lead_ball_angle_rad += angle_rad;
+    }
+    case
+}
+
+#[test]
+fn dynamic_factor_is_the_table_of_iso_281() {
+    for (gamma, table) in FC {
+        let fc = dynamic_factor(gamma, [0.52, 0.52]);
+        assert!((fc - table).abs() < 0.1, "{gamma}: {fc} against {table}");
+    }
+    // An outer groove wider than the inner one lowers the rating.
+    assert!(dynamic_factor(0.2, [0.52, 0.53]) < dynamic_factor(0.2, [0.52, 0.52]));
+}
+
+#[test]
+fn static_factor_is_the_table_of_iso_76() {
+    for (gamma, table) in F0 {
+        let f0 = static_factor(gamma, [0.52, 0.53]);
+        assert!((f0 - table).abs() < 0.06, "{gamma}: {f0} against {table}");
+    }
+}
+
+/// Size 209: 9 balls of 12.7 mm on 65 mm, Harris' example.
+#[test]
+fn dynamic_rating_of_a_209() {
+    let rating = BasicRatings::new(&bearing(9, 12.7, 65.0, 0.52));
+    assert!((rating.dynamic_n - 32_720.0).abs() < 1.0, "{rating:?}");
+}
+
+/// Up to 25.4 mm Cr grows with Dw^1.8, above with Dw^1.4.
+#[test]
+fn large_balls_have_their_own_exponent() {
+    let rating = |ball_mm: f64| BasicRatings::new(&bearing(8, ball_mm, 5.0 * ball_mm, 0.52));
+    let ratio = |a: f64, b: f64| rating(b).dynamic_n / rating(a).dynamic_n;
+    assert!((ratio(10.0, 20.0) / 2f64.powf(1.8) - 1.0).abs() < 1e-12);
+    assert!((ratio(30.0, 60.0) / 2f64.powf(1.4) - 1.0).abs() < 1e-12);
+    assert!((ratio(25.4, 25.4 + 1e-9) - 1.0).abs() < 1e-4);
+    assert!((rating(20.0).static_n / rating(10.0).static_n / 4.0 - 1.0).abs() < 1e-12);
+}
+
+/// The load of the static rating is Stribeck's 5 Q/Z at 4200 MPa of the more loaded raceway.
+#[test]
+fn static_rating_is_the_load_of_4200_mpa() {
+    let bearing = bearing(9, 12.7, 65.0, 0.52);
+    let ball_n = 5.0 * BasicRatings::new(&bearing).static_n / 9.0;
+    // Steel of the standard, 207 GPa, against 206 GPa: p ∝ E*^(2/3).
+    let pressure =
+        bearing.inner_contact().peak_stress_pa(ball_n) * (207f64 / 206.0).powf(2.0 / 3.0);
+    assert!((pressure / 4.2e9 - 1.0).abs() < 1e-9, "{pressure}");
+}
+
+/// With Stribeck's half-loaded distribution both rings together have the life (Cr/Fr)³: 0.407 is
+/// Jr/J1 and 0.389 is Jr/J2, rounded.
+#[test]
+fn reference_life_of_stribecks_distribution() {
+    for gamma in [0.05, 0.1, 0.15, 0.195, 0.207] {
+        let bearing = bearing(9, 12.7, 12.7 / gamma, 0.52);
+        // The balls at 3600 positions: sums are the integrals of the distribution.
+        let cosines: Vec<f64> = (0..3600)
+            .map(|k| (TAU * f64::from(k) / 3600.0).cos().max(0.0))
+            .collect();
+        let jr = cosines.iter().map(|c| c.powf(2.5)).sum::<f64>() / 3600.0;
+        assert!((jr - 0.2288).abs() < 1e-4);
+        let load_n = 2000.0;
+        let most_n = load_n / (9.0 * jr);
+        let forces: Vec<f64> = cosines.iter().map(|c| most_n * c.powf(1.5)).collect();
+        let life = ReferenceLife::new(&bearing).l10r_mrev(&forces, &forces);
+        let l10 = BasicRatings::new(&bearing).l10_mrev(load_n);
+        let ratio = life.unwrap() / l10.unwrap();
+        assert!((ratio - 1.0).abs() < 1e-3, "{gamma}: {ratio}");
+    }
+}
+
+/// The paper's bearing at 1500 N, rigid rings, without weight and centrifugal force: from
+/// 5265 to 5288 million revolutions as the balls stand.
+#[test]
+fn reference_life_of_the_papers_bearing() {
+    let (mut least, mut most) = (f64::INFINITY, 0.0f64);
+    for k in 0..=20 {
+        let case = turned(
+            at_rest(conventional(dimensions())),
+            f64::from(k) / 20.0 * TAU / 14.0,
+        );
+        let life = Rating::new(&case, &solve(&case).unwrap())
+            .l10r_mrev
+            .unwrap();
+        least = least.min(life);
+        most = most.max(life);
+    }
+    assert!(least > 5265.0 && most < 5288.0, "{least} to {most}");
+    assert!(most - least > 15.0, "{least} to {most}");
+}
+
+/// Ten times the load, a thousandth of the lives.
+#[test]
+fn lives_fall_with_the_cube_of_the_load() {
+    let life = |load_n: f64| {
+        let mut case = at_rest(conventional(dimensions()));
+        case.operation.radial_load_n = load_n;
+        Rating::new(&case, &solve(&case).unwrap())
+    };
+    let (light, heavy) = (life(200.0), life(2000.0));
+    let ratio = light.l10_mrev.unwrap() / heavy.l10_mrev.unwrap();
+    assert!((ratio / 1000.0 - 1.0).abs() < 1e-12, "{ratio}");
+    let ratio = light.l10r_mrev.unwrap() / heavy.l10r_mrev.unwrap();
+    assert!((ratio / 1000.0 - 1.0).abs() < 1e-9, "{ratio}");
+    let mut unloaded = at_rest(conventional(dimensions()));
+    unloaded.operation.radial_load_n = 0.0;
+    let rating = Rating::new(&unloaded, &solve(&unloaded).unwrap());
+    assert_eq!((rating.l10_mrev, rating.static_safety), (None, None));
+}
+
+/// Turns balls and raceways; without weight that is a load turned the other way.
+fn under_turned_load(case: &Case, angle_rad: f64) -> [f64; 2] {
+    let raceways = case
+        .raceways
+        .iter()
+        .map(|r| {
+            let d = r.dimensions();
+            let turned = RacewayDimensions {
+                centre_angle_rad: d.centre_angle_rad + angle_rad,
+                ..d.clone()
+            };
+            Raceway::new(turned, &case.bearing).unwrap()
+        })
+        .collect();
+    let e = solve(&turned(case.with_raceways(raceways), angle_rad)).unwrap();
+    let (sin, cos) = angle_rad.sin_cos();
+    // Back into the frame of the balls.
+    [
+        cos * e.ring_x_m + sin * e.ring_y_m,
+        cos * e.ring_y_m - sin * e.ring_x_m,
+    ]
+}
+
+/// K times the displacement by a small change of the load, along and across, is that change.
+#[test]
+fn stiffness_is_the_derivative_of_the_equilibrium() {
+    let mut with_play = dimensions();
+    with_play.outer_groove_bottom_radius_m += 8e-6;
+    for base in [
+        structure(5.1, 25.2),
+        turned(structure(5.1, 25.2), 0.11),
+        turned(conventional(with_play), 0.07),
+    ] {
+        let mut case = base;
+        case.operation.gravity_m_s2 = 0.0;
+        let load_n = case.operation.radial_load_n;
+        let k = solve(&case).unwrap().stiffness_n_m.unwrap();
+        assert_eq!(k[0][1], k[1][0]);
+        let h = 1e-4;
+        let difference = |a: [f64; 2], b: [f64; 2]| [a[0] - b[0], a[1] - b[1]];
+        let along = {
+            let at = |scale: f64| {
+                let mut other = case.clone();
+                other.operation.radial_load_n = load_n * scale;
+                let e = solve(&other).unwrap();
+                [e.ring_x_m, e.ring_y_m]
+            };
+            difference(at(1.0 + h), at(1.0 - h))
+        };
+        // Load turned by ∓h: (−sin, −cos)·F.
+        let across = difference(under_turned_load(&case, h), under_turned_load(&case, -h));
+        let force = |d: [f64; 2]| k.map(|row| row[0] * d[0] + row[1] * d[1]);
+        let expected = [[0.0, -2.0 * h * load_n], [-2.0 * h.sin() * load_n, 0.0]];
+        for (found, expected) in [along, across].map(force).into_iter().zip(expected) {
+            for axis in 0..2 {
+                let error = (found[axis] - expected[axis]).abs() / (2.0 * h * load_n);
+                assert!(error < 1e-6, "{found:?} {expected:?}: {error}");
+            }
+        }
+    }
+}
+
+/// Without load the ring is free in the play that the thrown balls leave.
+#[test]
+fn stiffness_of_a_free_ring_is_not_defined() {
+    let mut case = conventional(dimensions());
+    case.operation.radial_load_n = 0.0;
+    case.operation.gravity_m_s2 = 0.0;
+    assert_eq!(solve(&case).unwrap().stiffness_n_m, None);
+    case.operation.radial_load_n = 1.0;
+    assert!(solve(&case).unwrap().stiffness_n_m.is_some());
+}
+
+/// Closed forms with n, Dw, Dpw and Z of Zhao 2022, Table 1.
+#[test]
+fn passing_frequencies_are_the_closed_forms() {
+    let case = conventional(dimensions());
+    let passing = Rating::new(&case, &solve(&case).unwrap()).passing;
+    let (n, ratio) = (200.0, 9.525 / 46.005);
+    for (found, expected) in [
+        (passing.ftf_hz, n / 2.0 * (1.0 - ratio)),
+        (passing.bpfo_hz, 14.0 * n / 2.0 * (1.0 - ratio)),
+        (passing.bpfi_hz, 14.0 * n / 2.0 * (1.0 + ratio)),
+        (passing.bsf_hz, n / (2.0 * ratio) * (1.0 - ratio * ratio)),
+        (passing.raceway_ftf_hz, n / 2.0 * (1.0 - ratio)),
+        (passing.ftf_hz, case.rolling_orbit_speed_rad_s() / TAU),
+        (passing.bpfi_hz + passing.bpfo_hz, 14.0 * n),
+    ] {
+        assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
+    }
+    let case = structure(5.1, 25.2);
+    let slowed = Rating::new(&case, &solve(&case).unwrap()).passing;
+    assert!(slowed.raceway_ftf_hz < 0.999 * slowed.ftf_hz);
+    assert_eq!(slowed.ftf_hz, passing.ftf_hz);
+}
+
+/// Orbits and rotations of a run: what they miss of FTF and BSF is the sliding in the contacts,
+/// vt = (ωi Ri − ΔVi + ΔVo)/2 and ω Rw = (ωi Ri − ΔVi − ΔVo)/2.
+#[test]
+fn passing_frequencies_are_those_of_the_motion() {
+    let mut case = conventional(dimensions());
+    case.solver.duration_s = 0.02;
+    let (mut rows, mut orbit, mut rotation, mut inner, mut outer) = (0.0, 0.0, 0.0, 0.0, 0.0);
+    {
+        let mut recorder = Recorder::new(5e-5, |s| {
+            let mean = |of: &[f64]| of.iter().sum::<f64>() / of.len() as f64;
+            rows += 1.0;
+            orbit += mean(&s.orbit_speed_rad_s) / TAU;
+            rotation += mean(&s.spin_rad_s) / TAU;
+            inner += mean(&s.inner_slip_m_s);
+            outer += mean(&s.outer_slip_m_s);
+            Ok(())
+        });
+        run(&case, &mut [&mut recorder], &mut |_| Control::Continue).unwrap();
+    }
+    let [orbit, rotation, inner, outer] = [orbit, rotation, inner, outer].map(|sum| sum / rows);
+    let bearing = &case.bearing;
+    let passing = Rating::new(&case, &solve(&case).unwrap()).passing;
+    let orbit_slip = (outer - inner) / (2.0 * TAU * bearing.pitch_radius_m());
+    let rotation_slip = -(outer + inner) / (2.0 * TAU * bearing.ball_radius_m());
+    let orbit_error = orbit / (passing.ftf_hz + orbit_slip) - 1.0;
+    let bsf = passing.bsf_hz + orbit_slip + rotation_slip;
+    let rotation_error = (orbit + rotation) / bsf - 1.0;
+    assert!(
+        orbit_error.abs() < 1e-3 && rotation_error.abs() < 1e-3,
+        "{orbit_error} {rotation_error}"
+    );
+    // The slip itself is small: the closed forms are those of the motion within a few per cent.
+    assert!(
+        (orbit / passing.ftf_hz - 1.0).abs() < 0.03,
+        "{orbit} {passing:?}"
+    );
+}
+
+/// Pressure of every ball from its force, semi-axes with p = 3F/(2πab); on the raceway half of
+/// the force over the cosine of the contact angle at each point.
+#[test]
+fn pressures_belong_to_forces_and_ellipses() {
+    let case = structure(5.1, 25.2);
+    let Equilibrium {
+        inner_contact,
+        outer_contact,
+        inner_force_n,
+        outer_force_n,
+        effective_radius_m,
+        inner_stress_max_pa,
+        outer_stress_max_pa,
+        ..
+    } = solve(&case).unwrap();
+    let rw = case.bearing.ball_radius_m();
+    let largest = |all: &[cageless::equilibrium::RacewayContact]| {
+        all.iter().map(|c| c.pressure_pa).fold(0.0, f64::max)
+    };
+    assert_eq!(largest(&inner_contact), inner_stress_max_pa);
+    assert_eq!(largest(&outer_contact), outer_stress_max_pa);
+    for k in 0..14 {
+        let cosine = effective_radius_m[k] / rw;
+        let points = if cosine < 1.0 { 2.0 * cosine } else { 1.0 };
+        for (contact, force) in [
+            (inner_contact[k], inner_force_n[k]),
+            (outer_contact[k], outer_force_n[k] / points),
+        ] {
+            let [along, across] = contact.semi_axes_m;
+            let carried = 2.0 / 3.0 * PI * along * across * contact.pressure_pa;
+            assert!(
+                (carried - force).abs() <= 1e-9 * force,
+                "{k}: {carried} {force}"
+            );
+            assert!(force == 0.0 || across > along);
+        }
+    }
+}
+
+#[test]
+fn what_no_bearing_stands_is_a_warning() {
+    let warnings = |case: &Case| Rating::new(case, &solve(case).unwrap()).warnings();
+    let mut case = conventional(dimensions());
+    assert!(warnings(&case).is_empty());
+    case.operation.radial_load_n = 20_000.0;
+    assert!(warnings(&case)[0].contains("static safety"));
+    case = conventional(dimensions());
+    case.operation.inner_speed_rad_s = 1.01 * SPEED_PARAMETER_MAX_MM_RPM / 46.005 * TAU / 60.0;
+    case.solver.step_s = 1e-7;
+    assert!(
+        warnings(&case)[0].contains("n·dm is 3.03 million"),
+        "{:?}",
+        warnings(&case)
+    );
+}
+
+/// Rigid rings: balance of the ring, Hertz's law with the clearance and unequal balls.
+#[test]
+fn rigid_ring_forces_are_in_balance() {
+    let mut deviations = vec![0.0; 14];
+    (deviations[0], deviations[2], deviations[13]) = (1e-6, -2e-6, 0.5e-6);
+    for (play_m, lead, load_n) in [
+        (0.0, 0.0, 1500.0),
+        (0.0, 0.1, 0.01),
+        (10e-6, 0.2, 1500.0),
+        (60e-6, 0.0, 100.0),
+        (60e-6, 0.15, 10.0),
+        (0.0, 0.05, 20_000.0),
+    ] {
+        let mut d = dimensions();
+        d.outer_groove_bottom_radius_m += play_m;
+        let mut case = turned(conventional(d), lead);
+        case.operation.radial_load_n = load_n;
+        case.bearing = case
+            .bearing
+            .with_ball_radius_deviations(deviations.clone())
+            .unwrap();
+        let forces = rigid_ring_forces_n(&case).unwrap();
+        let angles = cageless::equilibrium::start_angles_rad(&case);
+        let sum = |of: fn(f64) -> f64| -> f64 {
+            forces.iter().zip(&angles).map(|(q, &a)| q * of(a)).sum()
+        };
+        assert!(
+            (sum(f64::cos) / load_n - 1.0).abs() < 1e-9,
+            "{play_m} {load_n}"
+        );
+        assert!(sum(f64::sin).abs() < 1e-9 * load_n, "{play_m} {load_n}");
+        // δj + play − 2 deviation = X·e: three loaded balls determine X and check it.
+        let rows: Vec<[f64; 3]> = (0..14)
+            .filter(|&k| forces[k] > 0.0)
+            .map(|k| {
+                let [inner, outer, _] = case.ball_stiffness_n_m1_5(k);
+                let deflection =
+                    (forces[k] / inner).powf(2.0 / 3.0) + (forces[k] / outer).powf(2.0 / 3.0);
+                let (sin, cos) = angles[k].sin_cos();
+                [sin, -cos, deflection + play_m - 2.0 * deviations[k]]
+            })
+            .collect();
+        for row in rows.windows(3) {
+            let minor = |i: usize, j: usize| row[i][0] * row[j][1] - row[i][1] * row[j][0];
+            let residual =
+                row[0][2] * minor(1, 2) - row[1][2] * minor(0, 2) + row[2][2] * minor(0, 1);
+            assert!(residual.abs() < 1e-14, "{residual}");
+        }
+    }
+}
