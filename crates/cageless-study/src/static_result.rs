@@ -94,7 +94,7 @@ impl StaticResult {
     pub fn new(case: &Case, e: Equilibrium) -> Self {
         let rating = Rating::new(case, &e);
         let passing = rating.passing;
-        let hours = |life: Option<f64>| life.map(|l| Rating::hours(case, l));
+        let hours = |life: Option<f64>| life.and_then(|l| Rating::hours(case, l));
         let speeds = (0..e.ball_angle_rad.len()).map(|k| {
             let (ball, r) = (case.bearing.ball(k), e.effective_radius_m[k]);
             let inner = case.operation.inner_speed_rad_s;

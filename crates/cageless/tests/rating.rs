@@ -3,6 +3,7 @@
 mod common;
 
 use std::f64::consts::{PI, TAU};
+use std::ops::ControlFlow;
 
 use cageless::equilibrium::{Equilibrium, solve};
 use cageless::rating::{
@@ -10,7 +11,7 @@ use cageless::rating::{
     rigid_ring_forces_n, static_factor,
 };
 use cageless::recorder::Recorder;
-use cageless::simulation::{Control, run};
+use cageless::simulation::run;
 use cageless::{Bearing, BearingDimensions, Case, Raceway, RacewayDimensions, Start};
 use common::{conventional, dimensions, steel, structure};
 
@@ -320,7 +321,10 @@ fn passing_frequencies_are_those_of_the_motion() {
             outer += mean(&s.outer_slip_m_s);
             Ok(())
         });
-        run(&case, &mut [&mut recorder], &mut |_| Control::Continue).unwrap();
+        run(&case, &mut [&mut recorder], &mut |_| {
+            ControlFlow::Continue(())
+        })
+        .unwrap();
     }
     let [orbit, rotation, inner, outer] = [orbit, rotation, inner, outer].map(|sum| sum / rows);
     let bearing = &case.bearing;

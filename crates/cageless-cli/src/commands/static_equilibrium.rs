@@ -26,17 +26,12 @@ fn headline(result: &StaticResult) -> Vec<(&'static str, String)> {
     let optional = |value: Option<f64>, digits| {
         value.map_or_else(|| "not defined".to_owned(), |v| fixed(v, digits))
     };
-    let life = |mrev: Option<f64>, hours: Option<f64>| {
-        mrev.zip(hours).map_or_else(
-            || "not defined without load".to_owned(),
-            |(mrev, hours)| {
-                format!(
-                    "{} million revolutions, {} h",
-                    fixed(mrev, 0),
-                    fixed(hours, 0)
-                )
-            },
-        )
+    let life = |mrev: Option<f64>, hours: Option<f64>| match mrev {
+        None => "not defined without load".to_owned(),
+        Some(mrev) => {
+            let hours = hours.map_or(String::new(), |h| format!(", {} h", fixed(h, 0)));
+            format!("{} million revolutions{hours}", fixed(mrev, 0))
+        }
     };
     let stiffness = result.stiffness_n_m.map_or_else(
         || "not defined".to_owned(),

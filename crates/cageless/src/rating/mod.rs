@@ -89,9 +89,11 @@ impl Rating {
         }
     }
 
-    /// Running time of a life in revolutions at the speed of the case, h.
-    pub fn hours(case: &Case, life_mrev: f64) -> f64 {
-        life_mrev * 1e6 / (case.operation.inner_speed_rad_s.abs() / TAU * 3600.0)
+    /// Running time of a life in million revolutions at the speed of the case, h; `None` at
+    /// standstill.
+    pub fn hours(case: &Case, life_mrev: f64) -> Option<f64> {
+        let per_hour = case.operation.inner_speed_rad_s.abs() / TAU * 3600.0;
+        (per_hour > 0.0).then(|| life_mrev * 1e6 / per_hour)
     }
 
     /// Warnings for what no bearing stands; that of the contact pressure is
