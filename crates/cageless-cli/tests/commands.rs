@@ -222,6 +222,36 @@ fn static_equilibrium_holds_the_load() {
     assert!((up - down).abs() < 0.05, "{up} {down}");
 }
 
+/// What rounds to zero has no sign, and what is not defined is said and `null`.
+#[test]
+fn static_shows_ratings_first() {
+    for case in ["zhao-d.toml", "conventional.toml"] {
+        let text = call_on("static", &repository_case(case), &[], &[]).stdout;
+        assert!(text.contains("x 0.0000 µm"), "{text}");
+        assert!(!text.contains("-0.00"), "{text}");
+        assert!(text.contains("Cr 26120 N (ISO 281)"), "{text}");
+        assert!(text.find("stiffness").unwrap() < text.find("ball ").unwrap());
+        assert!(text.contains("note: ratings and lives are indicative"));
+    }
+    let unloaded = ["operation.radial_load_n=0", "operation.gravity_m_s2=0"];
+    let path = repository_case("zhao-d.toml");
+    let text = call_on("static", &path, &unloaded, &[]).stdout;
+    assert!(
+        text.contains("not defined without load (ISO 281)"),
+        "{text}"
+    );
+    let json = call_on("static", &path, &unloaded, &["--json"]).json();
+    for key in ["stiffness_n_m", "l10_mrev", "l10r_mrev", "static_safety"] {
+        assert!(json[key].is_null(), "{key}: {json}");
+    }
+    let hybrid = [
+        "material.density_kg_m3=3240",
+        "material.youngs_modulus_gpa=310",
+    ];
+    let text = call_on("static", &path, &hybrid, &[]).stdout;
+    assert!(text.contains("bearing steel"), "{text}");
+}
+
 #[test]
 fn run_keeps_results_and_progress_apart() {
     let case = repository_case("zhao-d.toml");
