@@ -8,6 +8,7 @@ use cageless_io::cad::Format;
 use cageless_study::THREADS_MAX;
 use cageless_study::sweep::Shard;
 use clap::{Args as Group, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
 
 /// Simulate and design cageless ball bearings with a discrete raceway.
 #[derive(Debug, Parser)]
@@ -20,6 +21,9 @@ pub struct Args {
     /// the same bits with all of them.
     #[arg(long, value_enum, global = true)]
     pub isa: Option<Isa>,
+    /// Print neither progress nor results as text; errors and --json are printed.
+    #[arg(long, short, global = true)]
+    pub quiet: bool,
 }
 
 /// Vector instructions.
@@ -59,6 +63,35 @@ pub enum Command {
     Sweep(SweepArgs),
     /// Analyse a finished sweep: main effects, maps, best and failed variants.
     Report(ReportArgs),
+    /// Print the completions of a shell.
+    Completions(CompletionsArgs),
+    /// Print the man page of cageless or of one of its commands.
+    Man(ManArgs),
+}
+
+/// `completions`.
+#[derive(Debug, Group)]
+#[command(after_help = COMPLETIONS)]
+pub struct CompletionsArgs {
+    /// Shell.
+    #[arg(value_enum)]
+    pub shell: Shell,
+}
+
+const COMPLETIONS: &str = "\
+bash:  cageless completions bash > ~/.local/share/bash-completion/completions/cageless
+zsh:   cageless completions zsh > ~/.zfunc/_cageless    (with fpath+=~/.zfunc before compinit)
+fish:  cageless completions fish > ~/.config/fish/completions/cageless.fish";
+
+/// `man`.
+#[derive(Debug, Group)]
+pub struct ManArgs {
+    /// Command, for example run; that of cageless itself if left out.
+    #[arg(value_name = "COMMAND")]
+    pub command: Option<String>,
+    /// Write all pages, cageless.1, cageless-run.1 and so on, into a folder instead.
+    #[arg(long, value_name = "DIR", conflicts_with = "command")]
+    pub out: Option<PathBuf>,
 }
 
 /// `reproduce`.
@@ -70,6 +103,9 @@ pub struct Reproduce {
     /// Print all numbers as one JSON document.
     #[arg(long)]
     pub json: bool,
+    /// Open the page in the browser.
+    #[arg(long)]
+    pub open: bool,
 }
 
 /// `new`.
@@ -90,6 +126,9 @@ pub struct RunArgs {
     /// statistical or step-biased
     #[arg(long)]
     pub verify: bool,
+    /// Open the page in the browser.
+    #[arg(long, requires = "out")]
+    pub open: bool,
 }
 
 /// `export`.
@@ -219,6 +258,9 @@ pub struct ReportArgs {
     /// Print all numbers as one JSON document.
     #[arg(long)]
     pub json: bool,
+    /// Open the page in the browser.
+    #[arg(long)]
+    pub open: bool,
 }
 
 /// `tolerance`.
@@ -254,6 +296,9 @@ pub struct ToleranceArgs {
     /// Tolerance of the load, ± %.
     #[arg(long, value_parser = number, value_name = "PERCENT", default_value_t = 20.0)]
     pub load_percent: f64,
+    /// Open the page in the browser.
+    #[arg(long, requires = "out")]
+    pub open: bool,
 }
 
 /// `design`.
@@ -266,6 +311,9 @@ pub struct DesignArgs {
     /// case. With --out an interrupted search resumes.
     #[arg(long)]
     pub search: bool,
+    /// Open the page in the browser.
+    #[arg(long, requires = "out")]
+    pub open: bool,
 }
 
 /// Arguments of commands that work on a case.

@@ -1,6 +1,7 @@
 //! Plain text tables for the terminal.
 
 use std::io::IsTerminal;
+use std::path::Path;
 
 pub use cageless_study::number_text::shown;
 
@@ -55,6 +56,13 @@ pub fn pairs(rows: &[(&str, String)]) -> String {
             )
         })
         .collect()
+}
+
+/// Line with the path of a page in a folder; nothing without one.
+pub fn page_line(folder: Option<&Path>, name: &str) -> String {
+    folder.map_or(String::new(), |folder| {
+        pairs(&[("page", folder.join(name).display().to_string())])
+    })
 }
 
 /// PASS or FAIL with its reason, in green or red on a terminal.

@@ -5,6 +5,7 @@ mod commands;
 mod failure;
 mod format;
 mod progress;
+mod suggestion;
 
 use std::process::ExitCode;
 
@@ -16,6 +17,7 @@ fn main() -> ExitCode {
         Ok(args) => args,
         // Help and version are answers; everything else is bad input.
         Err(error) => {
+            let error = suggestion::with_nearest_command(error);
             let _ = error.print();
             return ExitCode::from(if error.use_stderr() { 2 } else { 0 });
         }

@@ -97,7 +97,7 @@ fn writer(dir: &Path) -> Result<RunWriter, ResultError> {
         dir,
         &Metadata {
             isa: "avx2+fma",
-            case: case().document(),
+            case: &serde_json::to_string(case().document()).unwrap(),
         },
     )
 }

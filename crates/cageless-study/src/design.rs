@@ -31,6 +31,14 @@ const SNAPSHOTS: f64 = 400.0;
 /// passes, and up to five times as long as a rule if it does not.
 const RECOMMENDATION_WORK: f64 = 1.5;
 
+/// Name of the task of [`judged`].
+const TASK: &str = "design";
+
+/// The task of [`judged`] with its work, for [`Progress::whole`].
+pub fn task() -> (String, f64) {
+    (TASK.to_owned(), 1.0 + RECOMMENDATION_WORK)
+}
+
 /// Judges the raceways of a case, and finds one near the curve of Eq. (11) that passes.
 ///
 /// # Errors
@@ -40,7 +48,7 @@ pub fn judged(file: &CaseFile, progress: &dyn Progress) -> Result<Judged, StudyE
     let steady = steady_case(case);
     let end_s = steady.solver.duration_s;
     let from_s = end_s * (1.0 - PORTRAIT_ORBITS / 32.0);
-    let task = progress.begin("design", 1.0 + RECOMMENDATION_WORK);
+    let task = progress.begin(TASK, 1.0 + RECOMMENDATION_WORK);
     let mut snapshots = vec![];
     let judgement = {
         let interval_s = (end_s - from_s) / SNAPSHOTS;

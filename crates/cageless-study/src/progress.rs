@@ -13,6 +13,13 @@ pub fn break_if(interrupted: bool) -> Control {
 
 /// Receiver of the progress of long work, task by task.
 pub trait Progress: Sync {
+    /// Announces the tasks of one whole in their order, each with an estimate of its work. A task
+    /// may be begun more than once, or not at all. Tasks that are known already keep their
+    /// estimate.
+    fn whole(&self, tasks: &[(String, f64)]) {
+        let _ = tasks;
+    }
+
     /// Begins a task of `units`, a dimensionless estimate of its work.
     fn begin(&self, what: &str, units: f64) -> Box<dyn Work + '_>;
 

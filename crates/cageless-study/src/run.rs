@@ -91,6 +91,9 @@ impl RunRecord {
     }
 }
 
+/// Name of the task of a run.
+const TASK: &str = "run";
+
 /// Runs a case and records it on the calling thread.
 ///
 /// # Errors
@@ -133,7 +136,10 @@ pub fn run(
             }
             Ok(())
         });
-        let work = progress.begin("run", 1.0);
+        if let Some(verification) = &verification {
+            progress.whole(&[(TASK.to_owned(), 1.0), verification.task()]);
+        }
+        let work = progress.begin(TASK, 1.0);
         let mut observers: Vec<&mut dyn Observer> = vec![&mut summary, &mut collisions];
         if recorded {
             observers.push(&mut recorder);

@@ -16,12 +16,25 @@ pub struct VerificationRuns {
     observer: ReplicaObserver,
 }
 
+/// Name of the task of a verification.
+const TASK: &str = "verify";
+
+/// Work of a replica over that of the run.
+fn work(replica: &Replica) -> f64 {
+    if replica.role.half_step { 2.0 } else { 1.0 }
+}
+
 impl VerificationRuns {
     /// Replicas of the run of `case`.
     pub fn new(case: &Case) -> Self {
         let replicas = replicas(case, LARGE_PERTURBATIONS);
         let observer = replicas[0].observer();
         Self { replicas, observer }
+    }
+
+    /// The task of [`VerificationRuns::finish`] with its work in runs.
+    pub fn task(&self) -> (String, f64) {
+        (TASK.to_owned(), self.replicas[1..].iter().map(work).sum())
     }
 
     /// Observer of the run itself.
@@ -62,8 +75,7 @@ impl VerificationRuns {
     ) -> Result<Verification, ReplicaError> {
         let first = self.observer.record(outcome)?;
         let others = &self.replicas[1..];
-        let work = |replica: &Replica| if replica.role.half_step { 2.0 } else { 1.0 };
-        let task = progress.begin("verify", others.iter().map(work).sum());
+        let task = progress.begin(TASK, others.iter().map(work).sum());
         // Computed in any order, collected in order.
         let records: Result<Vec<_>, ReplicaError> = others
             .par_iter()

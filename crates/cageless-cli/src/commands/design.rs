@@ -8,23 +8,24 @@ use cageless_paper::structures_of;
 use cageless_report::design_report::design_data;
 use cageless_report::{design_page, to_json};
 use cageless_study::DesignResult;
-use cageless_study::design::{Judged, judged as study};
-use cageless_study::{StudyError, search};
+use cageless_study::design::{Judged, judged as study, task};
+use cageless_study::{Progress, StudyError, search};
 
-use super::{deliver, make_folder, read_case, writable};
+use super::{deliver, make_folder, open_page, read_case, writable};
 use crate::args::DesignArgs;
 use crate::failure::Failure;
-use crate::format::{judged, pairs, warnings};
+use crate::format::{judged, page_line, pairs, warnings};
 use crate::progress::{Bars, catch_interrupt};
 
 /// Files in the folder of `--out`.
 const NUMBERS: &str = "design.json";
 const PAGE: &str = "report.html";
 const PAGE_DATA: &str = "report.json";
+const CASE: &str = "case.toml";
 
 /// Analyses the case's raceways; searches for a better one if asked to.
 pub fn design(args: &DesignArgs) -> Result<(), Failure> {
-    let searching = args.search;
+    let (searching, open) = (args.search, args.open);
     let args = &args.case;
     let file = read_case(args)?;
     if let Some(dir) = &args.out {
@@ -35,22 +36,27 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
         }
     }
     let stop = catch_interrupt();
+    let bars = Bars::new(&stop);
+    if searching {
+        bars.whole(&[vec![task()], search::tasks(&file)].concat());
+    }
     let Judged {
         judgement,
         recommendation,
         snapshots,
-    } = study(&file, &Bars(&stop))?;
+    } = study(&file, &bars)?;
     let stopped = judgement.stopped.clone();
     let mut result = DesignResult::new(file.case(), judgement, recommendation);
     let mut none_found = None;
     if searching {
         let out = args.out.as_deref();
         let (found, mut data) =
-            search::run(&file, out, &Bars(&stop)).map_err(|error| search_failed(error, out))?;
+            search::run(&file, out, &bars).map_err(|error| search_failed(error, out))?;
         none_found = search::refusal(&file, &found);
         data.paper = structures_of(&file.case().bearing)?;
         result.search = Some(data);
     }
+    drop(bars);
     if let Some(dir) = &args.out {
         let data = design_data(&file, &result, &snapshots);
         write_atomically(&dir.join(PAGE), design_page(&data).as_bytes())?;
@@ -58,11 +64,17 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
     }
     let text = match none_found {
         Some(_) => String::new(),
-        None => text(file.case(), &result),
+        None => text(file.case(), &result) + &page_line(args.out.as_deref(), PAGE),
     };
     deliver(args, NUMBERS, &result, &text)?;
     if let (true, Some(dir)) = (searching, &args.out) {
         search::forget(dir);
+        // With the case the folder is a result that can be read back.
+        let case = file.document().to_toml()?;
+        write_atomically(&dir.join(CASE), case.as_bytes())?;
+    }
+    if let (true, Some(dir)) = (open, &args.out) {
+        open_page(&dir.join(PAGE));
     }
     if let Some(message) = none_found {
         let written = args.out.as_ref().map_or(String::new(), |dir| {

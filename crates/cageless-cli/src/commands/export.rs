@@ -10,7 +10,7 @@ use cageless_io::case_file::CaseFile;
 use cageless_io::on_terminal;
 use cageless_io::results::{PartialFile, ResultError, write_atomically};
 
-use super::{make_folder, print};
+use super::{make_folder, print, tell};
 use crate::args::ExportArgs;
 use crate::failure::Failure;
 use crate::format::pairs;
@@ -46,7 +46,7 @@ pub fn export(args: &ExportArgs) -> Result<(), Failure> {
     }
     match (path, args.json) {
         (_, true) => print(&json),
-        (Some(_), false) => print(&text(&numbers)),
+        (Some(_), false) => tell(&text(&numbers)),
         (None, false) => {
             eprint!("{}", on_terminal(&text(&numbers)));
             Ok(())

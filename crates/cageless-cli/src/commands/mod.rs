@@ -2,6 +2,7 @@
 
 pub mod design;
 mod export;
+mod manual;
 mod report;
 mod reproduce;
 mod run;
@@ -22,11 +23,15 @@ use serde::Serialize;
 use crate::args::{Args, CaseArgs, Command, Isa};
 use crate::failure::Failure;
 use crate::format::pairs;
+use crate::progress::{be_quiet, is_quiet};
 
 /// Does what was asked.
 pub fn dispatch(args: Args) -> Result<(), Failure> {
     if let Some(isa) = args.isa {
         limit_instructions(isa)?;
+    }
+    if args.quiet {
+        be_quiet();
     }
     check_environment()?;
     match args.command {
@@ -40,6 +45,8 @@ pub fn dispatch(args: Args) -> Result<(), Failure> {
         Command::Export(args) => export::export(&args),
         Command::Sweep(args) => sweep::sweep(&args),
         Command::Report(args) => report::report(&args),
+        Command::Completions(args) => manual::completions(args.shell),
+        Command::Man(args) => manual::man(&args),
     }
 }
 
@@ -93,7 +100,22 @@ pub fn deliver<T: Serialize>(
         make_folder(dir)?;
         write_atomically(&dir.join(name), json.as_bytes())?;
     }
-    print(if args.json { &json } else { text })
+    if args.json { print(&json) } else { tell(text) }
+}
+
+/// Prints a result as text, unless the user wants none.
+pub fn tell(text: &str) -> Result<(), Failure> {
+    if is_quiet() { Ok(()) } else { print(text) }
+}
+
+/// Opens a page in the browser. Without one the page is there nevertheless.
+pub fn open_page(page: &Path) {
+    if let Err(error) = open::that_detached(page) {
+        eprintln!(
+            "warning: {} was written but could not be opened: {error}",
+            page.display()
+        );
+    }
 }
 
 /// Makes the folder of `--out`.

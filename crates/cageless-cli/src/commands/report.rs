@@ -7,7 +7,7 @@ use cageless_report::{SweepData, sweep_page, to_json};
 use cageless_study::sweep::Aim;
 use cageless_study::sweep::analysis::{Goal, analyse};
 
-use super::{make_folder, print, writable};
+use super::{make_folder, open_page, print, tell, writable};
 use crate::args::ReportArgs;
 use crate::failure::Failure;
 use crate::format::{columns, pairs};
@@ -41,16 +41,20 @@ pub fn report(args: &ReportArgs) -> Result<(), Failure> {
     let json = to_json(&data)?;
     write_atomically(&page, sweep_page(&data).as_bytes())?;
     write_atomically(&numbers, json.as_bytes())?;
-    print(&if args.json {
-        json + "\n"
+    if args.json {
+        print(&(json + "\n"))?;
     } else {
-        text(&data, &page)
-    })
+        tell(&text(&data, &page))?;
+    }
+    if args.open {
+        open_page(&page);
+    }
+    Ok(())
 }
 
 fn text(data: &SweepData, page: &Path) -> String {
     let mut text = pairs(&[
-        ("report", page.display().to_string()),
+        ("page", page.display().to_string()),
         ("variants", data.variants.to_string()),
         ("failed", data.failed.to_string()),
     ]);

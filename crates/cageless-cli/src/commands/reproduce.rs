@@ -5,7 +5,7 @@ use std::time::Instant;
 use cageless_io::results::write_atomically;
 use cageless_report::{ReproduceData, reproduce_page, to_json};
 
-use super::{make_folder, print};
+use super::{make_folder, open_page, print, tell};
 use crate::args::Reproduce;
 use crate::failure::Failure;
 use crate::format::columns;
@@ -16,21 +16,26 @@ pub fn reproduce(args: &Reproduce) -> Result<(), Failure> {
     // An output folder that cannot be made must not cost the user the computation.
     make_folder(&args.out)?;
     let started = Instant::now();
-    let data = cageless_paper::reproduce(&Bars(&catch_interrupt()))?;
+    let data = cageless_paper::reproduce(&Bars::new(&catch_interrupt()))?;
     let json = to_json(&data)?;
     let page = args.out.join("report.html");
     write_atomically(&page, reproduce_page(&data).as_bytes())?;
     write_atomically(&args.out.join("report.json"), json.as_bytes())?;
     if args.json {
-        return print(&(json + "\n"));
+        print(&(json + "\n"))?;
+    } else {
+        tell(&format!(
+            "{}\n{}\nThe page is {}, its numbers report.json beside it ({:.1} s).\n",
+            data.lead,
+            table_2(&data),
+            page.display(),
+            started.elapsed().as_secs_f64()
+        ))?;
     }
-    print(&format!(
-        "{}\n{}\nThe report is {}, its numbers report.json beside it ({:.1} s).\n",
-        data.lead,
-        table_2(&data),
-        page.display(),
-        started.elapsed().as_secs_f64()
-    ))
+    if args.open {
+        open_page(&page);
+    }
+    Ok(())
 }
 
 /// Table 2 for the terminal.

@@ -13,10 +13,10 @@ use cageless_report::verification::{facts, value};
 use cageless_report::{run_page, to_json};
 use cageless_study::run::{Options, Rows, RunRecord, run as study};
 
-use super::{make_folder, print, read_case, writable};
+use super::{make_folder, open_page, print, read_case, tell, writable};
 use crate::args::RunArgs;
 use crate::failure::Failure;
-use crate::format::{columns, judged, pairs, shown, warnings};
+use crate::format::{columns, judged, page_line, pairs, shown, warnings};
 use crate::progress::{Bars, catch_interrupt};
 
 /// Files beside the tables.
@@ -26,13 +26,13 @@ const PAGE_DATA: &str = "report.json";
 
 /// Simulates a case.
 pub fn run(args: &RunArgs) -> Result<(), Failure> {
-    let verify = args.verify;
+    let (verify, open) = (args.verify, args.open);
     let args = &args.case;
     let file = read_case(args)?;
     let case = file.case();
     // A case that cannot start must not touch the folder.
     initial_state(case)?;
-    let document = file.document_as_run();
+    let document = serde_json::to_string(&file.document_as_run())?;
     let isa = InstructionSet::chosen().name();
     let mut writer = match &args.out {
         Some(dir) => {
@@ -57,7 +57,8 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
             .map(|writer| writer as &mut (dyn Rows + Send)),
         verify,
     };
-    let mut record = study(&file, options, &Bars(&stop))?;
+    let bars = Bars::new(&stop);
+    let mut record = study(&file, options, &bars)?;
 
     if let (Ending::ObserverFailed(error), Some(dir)) = (&record.outcome.ending, &args.out) {
         return Err(Failure::Other(anyhow::anyhow!(
@@ -68,7 +69,8 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     if let Some(writer) = writer {
         writer.finish()?;
     }
-    record.verify(&file, &Bars(&stop));
+    record.verify(&file, &bars);
+    drop(bars);
     let verdict = record.histories.verdict(case);
     if let Some(dir) = &args.out {
         record.summary.write(dir)?;
@@ -81,13 +83,17 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
         summary: summary_file,
         ..
     } = record;
-    print(&if args.json {
-        summary_file.to_json()?
+    if args.json {
+        print(&summary_file.to_json()?)?;
     } else {
         // Passages are followed only for the page.
         let verdict = args.out.is_some().then_some(&verdict);
-        text(case, &outcome, &summary_file, verdict)
-    })?;
+        let text = text(case, &outcome, &summary_file, verdict);
+        tell(&(text + &page_line(args.out.as_deref(), PAGE)))?;
+    }
+    if let (true, Some(dir)) = (open, &args.out) {
+        open_page(&dir.join(PAGE));
+    }
     let kept = match &args.out {
         Some(dir) => format!(" What was computed until then is in {}.", dir.display()),
         None => String::new(),

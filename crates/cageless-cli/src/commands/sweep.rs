@@ -12,11 +12,11 @@ use cageless_study::sweep::{Failures, Job, Progress, Shard, Sweep, failures, mer
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 
-use super::print;
+use super::{print, tell};
 use crate::args::{MergeArgs, SweepArgs, SweepCommand, SweepOutput};
 use crate::failure::Failure;
 use crate::format::pairs;
-use crate::progress::catch_interrupt;
+use crate::progress::{catch_interrupt, is_quiet};
 
 /// `sweep --json`.
 #[derive(Debug, Serialize)]
@@ -121,11 +121,11 @@ fn deliver(
         variants_per_s: computed.map(Progress::rate),
         wall_s: progress.map_or(0.0, |p| p.elapsed.as_secs_f64()),
     };
-    print(&if output.json {
-        serde_json::to_string_pretty(&result)? + "\n"
+    if output.json {
+        print(&(serde_json::to_string_pretty(&result)? + "\n"))
     } else {
-        text(&result)
-    })
+        tell(&text(&result))
+    }
 }
 
 fn text(result: &SweepResult) -> String {
@@ -177,7 +177,7 @@ impl Display {
     }
 
     fn show(&self, progress: &Progress) {
-        if progress.elapsed < SILENT {
+        if is_quiet() || progress.elapsed < SILENT {
             return;
         }
         let left = match progress.left() {

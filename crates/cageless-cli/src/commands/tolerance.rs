@@ -8,10 +8,10 @@ use cageless_report::to_json;
 use cageless_report::tolerance::{ToleranceData, tolerance_page};
 use cageless_study::tolerance::{Request, tolerance as study};
 
-use super::{make_folder, print, read_case, writable};
+use super::{make_folder, open_page, print, read_case, tell, writable};
 use crate::args::ToleranceArgs;
 use crate::failure::Failure;
-use crate::format::{columns, judged};
+use crate::format::{columns, judged, page_line};
 use crate::progress::{Bars, catch_interrupt};
 
 const PAGE: &str = "report.html";
@@ -41,16 +41,20 @@ pub fn tolerance(args: &ToleranceArgs) -> Result<(), Failure> {
         }
     }
     let stop = catch_interrupt();
-    let data = study(file.case(), &name, &request, &Bars(&stop))?;
+    let data = study(file.case(), &name, &request, &Bars::new(&stop))?;
     let json = to_json(&data)?;
     if let Some(dir) = &args.case.out {
         write(dir, &data, &json)?;
     }
-    print(&if args.case.json {
-        json + "\n"
+    if args.case.json {
+        print(&(json + "\n"))?;
     } else {
-        text(&data)
-    })
+        tell(&(text(&data) + &page_line(args.case.out.as_deref(), PAGE)))?;
+    }
+    if let (true, Some(dir)) = (args.open, &args.case.out) {
+        open_page(&dir.join(PAGE));
+    }
+    Ok(())
 }
 
 fn write(dir: &Path, data: &ToleranceData, json: &str) -> Result<(), Failure> {

@@ -209,10 +209,7 @@ pub(crate) fn section_meaning(section: &str) -> Option<&'static str> {
 }
 
 /// The candidate that `given` was most likely meant to be.
-pub(crate) fn nearest<'a>(
-    given: &str,
-    candidates: impl Iterator<Item = &'a str>,
-) -> Option<&'a str> {
+pub fn nearest<'a>(given: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
     // A third of the letters wrong is no longer a slip of the pen.
     let most = (given.chars().count() / 3).max(2);
     candidates

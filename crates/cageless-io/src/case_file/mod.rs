@@ -34,6 +34,7 @@ pub use document::{
     RangeDocument, SearchDocument, SolverDocument, StartDocument, StartState, StepDocument,
 };
 pub use error::CaseError;
+pub use keys::nearest;
 pub use template::template;
 
 use crate::system::io_error_message;

@@ -20,6 +20,7 @@ mod atomic_file;
 mod checksum;
 mod dynamic_table;
 mod error;
+mod run_tables;
 mod summary;
 mod table;
 mod verification;
@@ -29,11 +30,10 @@ use std::path::{Path, PathBuf};
 
 use cageless::{Collision, Snapshot};
 
-use crate::case_file::CaseDocument;
-
 pub use atomic_file::{PartialFile, write_atomically};
 pub use dynamic_table::{Cell, ColumnKind, ColumnSpec, Row, RowsReader, RowsWriter};
 pub use error::{ResultError, is_unusable};
+pub use run_tables::read_run_table;
 pub use summary::{Stopped, SummaryFile};
 pub use verification::{DistanceColumns, VerificationFile, VerificationNumber, rounded};
 
@@ -55,8 +55,8 @@ pub const ABOUT_TABLES: [&str; 3] = ["summary.json", "report.html", "report.json
 pub struct Metadata<'a> {
     /// Instruction set that the run used.
     pub isa: &'a str,
-    /// The case as run.
-    pub case: &'a CaseDocument,
+    /// The case as run, JSON.
+    pub case: &'a str,
 }
 
 const fn number(name: &'static str, unit: &'static str) -> Column {
@@ -152,13 +152,11 @@ impl RunWriter {
     /// If `dir` cannot be created or written to, or another run is writing there.
     pub fn create(dir: &Path, metadata: &Metadata<'_>) -> Result<Self, ResultError> {
         std::fs::create_dir_all(dir).map_err(|source| ResultError::out(dir, source))?;
-        let case = serde_json::to_string(metadata.case)
-            .map_err(|e| ResultError::out(dir, std::io::Error::other(e)))?;
         let footer = [
             ("schema", SCHEMA.to_string()),
             ("version", VERSION.to_owned()),
             ("isa", metadata.isa.to_owned()),
-            ("case", case),
+            ("case", metadata.case.to_owned()),
         ];
         let open = |name: &str, columns| Table::create(&dir.join(name), columns, &footer);
         Ok(Self {

@@ -27,7 +27,7 @@ pub struct Column {
 }
 
 /// Rows that are kept in memory, at most a snapshot more: 12 MB of `balls.parquet`.
-const GROUP_ROWS: usize = 100_000;
+pub(super) const GROUP_ROWS: usize = 100_000;
 
 #[derive(Debug)]
 enum Values {

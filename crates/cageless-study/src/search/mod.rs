@@ -8,7 +8,7 @@ mod task_runner;
 use std::path::Path;
 
 use cageless::critical_gap::CriticalGapError;
-use cageless::design::search::{Found, SearchError, search};
+use cageless::design::search::{CONFIRMING_STARTS, Found, SearchError, Stage, search};
 use cageless::design::{RacewayVerdict, judge};
 use cageless::raceway::RacewayDimensions;
 use cageless_io::case_file::CaseFile;
@@ -25,6 +25,41 @@ pub use result::{
 use narrative::why_none;
 use task_runner::TaskRunner;
 
+/// Name of the task of the verdicts on the recommended structure.
+const VERDICT: &str = "search: verdict";
+/// Work of such a verdict over that of a run of all balls.
+const VERDICT_WORK: f64 = 2.0;
+/// Work of the map of one speed, as a rule.
+const MAP_WORK: f64 = 30.0;
+/// Work of the critical gaps of the candidates of one placement at one operating point, as a rule.
+const CANDIDATES_WORK: f64 = 5.0;
+/// Structures that the optimiser tries, as a rule.
+const POLISHED: f64 = 15.0;
+
+/// The tasks of [`run`] with estimates of their work in runs of all balls, for
+/// [`Progress::whole`].
+pub fn tasks(file: &CaseFile) -> Vec<(String, f64)> {
+    let request = file.search();
+    let points = request.points.len() as f64;
+    let maps = points + request.map_speeds_rad_s.len() as f64;
+    let starts = request.starts as f64;
+    let confirmed = CONFIRMING_STARTS.max(request.starts) as f64;
+    let structures = 1.0 + f64::from(u8::from(!file.case().raceways.is_empty()));
+    let stages = [
+        (Stage::Map, maps * MAP_WORK),
+        (
+            Stage::Candidates,
+            points * request.placements.len() as f64 * CANDIDATES_WORK,
+        ),
+        (Stage::Motion, request.budget as f64),
+        (Stage::Polish, POLISHED * points * starts),
+        (Stage::Confirm, structures * points * confirmed),
+    ];
+    let stages = stages.map(|(stage, work)| (task_runner::task_name(stage), work));
+    let verdict = (VERDICT.to_owned(), points * VERDICT_WORK);
+    stages.into_iter().chain([verdict]).collect()
+}
+
 /// Searches for the best raceway of a case, as its section `[search]` asks. With a folder,
 /// what was computed is kept there until [`forget`], and a search that was ended or killed, or
 /// whose result could not be stored, resumes.
@@ -37,6 +72,7 @@ pub fn run(
     folder: Option<&Path>,
     progress: &dyn Progress,
 ) -> Result<(Found, SearchData), StudyError> {
+    progress.whole(&tasks(file));
     let mut runner = TaskRunner::new(file, folder, progress)?;
     let found = search(file.case(), file.search(), &mut |stage, jobs| {
         runner.execute(stage, jobs)
@@ -79,7 +115,7 @@ fn verdicts(
         })
         .collect();
     let points = &found.request.points;
-    let task = progress.begin("search: verdict", points.len() as f64);
+    let task = progress.begin(VERDICT, points.len() as f64 * VERDICT_WORK);
     points
         .par_iter()
         .map(|point| {
@@ -90,7 +126,7 @@ fn verdicts(
                     headline: "FAIL: no solution; the case cannot have this raceway".to_owned(),
                 });
             };
-            match judge(&case, &mut task.run_control(1.0, 1.0)) {
+            match judge(&case, &mut task.run_control(1.0, VERDICT_WORK)) {
                 Ok(judgement) => Ok(PointVerdict {
                     verdict: judgement.verdict.name().to_owned(),
                     passes: judgement.passes(),

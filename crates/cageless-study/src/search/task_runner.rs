@@ -22,6 +22,11 @@ pub const JOURNAL: &str = "search.journal";
 /// Work of a critical gap over that of a run of all balls.
 const SPACING_WORK: f64 = 0.08;
 
+/// Name of the task of a stage.
+pub fn task_name(stage: Stage) -> String {
+    format!("search: {}", stage.name())
+}
+
 /// Runner of the jobs of a search, with its journal.
 pub struct TaskRunner<'c> {
     case: &'c Case,
@@ -69,7 +74,7 @@ impl<'c> TaskRunner<'c> {
             .filter(|&k| !self.known.contains_key(&keys[k]) && seen.insert(&keys[k]))
             .collect();
         let progress = self.progress.begin(
-            &format!("search: {}", stage.name()),
+            &task_name(stage),
             todo.iter().map(|&k| work(&jobs[k])).sum(),
         );
         let this = &*self;

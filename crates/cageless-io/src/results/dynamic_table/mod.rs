@@ -7,6 +7,7 @@ mod reader;
 mod writer;
 
 pub use reader::RowsReader;
+pub(super) use reader::checked;
 pub use writer::RowsWriter;
 
 /// Prefix of the units in the footer.

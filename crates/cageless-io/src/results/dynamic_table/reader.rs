@@ -32,26 +32,7 @@ impl RowsReader {
     /// # Errors
     /// If the file cannot be read, is damaged or is not a table of this kind.
     pub fn open(path: &Path) -> Result<Self, ResultError> {
-        let unreadable = |e: std::io::Error| ResultError::unreadable(path, io_error_message(&e));
-        // A pipe would be waited for.
-        let kind = std::fs::metadata(path).map_err(unreadable)?;
-        if kind.is_dir() {
-            return Err(unreadable(std::io::ErrorKind::IsADirectory.into()));
-        }
-        if !kind.is_file() {
-            return Err(ResultError::unreadable(path, "it is not a file"));
-        }
-        let mut file = File::open(path).map_err(unreadable)?;
-        // First, since Parquet panics at some damage and believes other.
-        verify(&mut file).map_err(|fault| of_fault(path, fault))?;
-        let reader = SerializedFileReader::new(file)
-            .map_err(|e| ResultError::damaged(path, &e, NOT_PARQUET))?;
-        if !is_readable(reader.metadata(), kind.len()) {
-            return Err(ResultError::unreadable(
-                path,
-                "its groups of rows are impossible",
-            ));
-        }
+        let reader = checked(path, GROUP_ROWS)?;
         let metadata = reader.metadata().file_metadata();
         let footer: BTreeMap<_, _> = metadata
             .key_value_metadata()
@@ -158,7 +139,7 @@ fn of_fault(path: &Path, fault: Fault) -> ResultError {
 
 /// Whether all groups of rows lie within the file and are of the size that is written: Parquet
 /// panics at negative offsets and allocates for any number of rows that a file states.
-fn is_readable(metadata: &ParquetMetaData, bytes: u64) -> bool {
+fn is_readable(metadata: &ParquetMetaData, bytes: u64, rows_max: usize) -> bool {
     let within = |start: i64, length: i64| {
         let (start, length) = (u64::try_from(start), u64::try_from(length));
         let end = start
@@ -175,12 +156,40 @@ fn is_readable(metadata: &ParquetMetaData, bytes: u64) -> bool {
             let start = column.dictionary_page_offset().unwrap_or(data);
             start <= data && within(start, column.compressed_size()) && within(data, 0)
         });
-        if !columns || !(0..=GROUP_ROWS as i64).contains(&count) {
+        if !columns || !(0..=rows_max as i64).contains(&count) {
             return false;
         }
         rows = rows.saturating_add(count);
     }
     rows == metadata.file_metadata().num_rows()
+}
+
+/// Opens a Parquet file of ours, with at most `rows` in a group, once its checksum is right.
+pub(in crate::results) fn checked(
+    path: &Path,
+    rows: usize,
+) -> Result<SerializedFileReader<File>, ResultError> {
+    let unreadable = |e: std::io::Error| ResultError::unreadable(path, io_error_message(&e));
+    // A pipe would be waited for.
+    let kind = std::fs::metadata(path).map_err(unreadable)?;
+    if kind.is_dir() {
+        return Err(unreadable(std::io::ErrorKind::IsADirectory.into()));
+    }
+    if !kind.is_file() {
+        return Err(ResultError::unreadable(path, "it is not a file"));
+    }
+    let mut file = File::open(path).map_err(unreadable)?;
+    // First, since Parquet panics at some damage and believes other.
+    verify(&mut file).map_err(|fault| of_fault(path, fault))?;
+    let reader =
+        SerializedFileReader::new(file).map_err(|e| ResultError::damaged(path, &e, NOT_PARQUET))?;
+    if !is_readable(reader.metadata(), kind.len(), rows) {
+        return Err(ResultError::unreadable(
+            path,
+            "its groups of rows are impossible",
+        ));
+    }
+    Ok(reader)
 }
 
 /// The column of a field; `None` if it is none of ours.

@@ -1,0 +1,60 @@
+//! Reading the tables of runs.
+
+use std::path::Path;
+
+use parquet::column::reader::ColumnReader;
+use parquet::errors::ParquetError;
+use parquet::file::reader::FileReader;
+
+use super::dynamic_table::checked;
+use super::error::ResultError;
+use super::table::{Column, GROUP_ROWS};
+
+/// Rows that a snapshot may add to a full group.
+const SNAPSHOT_ROWS: usize = 10_000;
+
+/// A table of a run: for each of `columns` its numbers, bit by bit those that were written.
+///
+/// # Errors
+/// The file cannot be read, is damaged or has other columns.
+pub fn read_run_table(path: &Path, columns: &[Column]) -> Result<Vec<Vec<f64>>, ResultError> {
+    let reader = checked(path, GROUP_ROWS + SNAPSHOT_ROWS)?;
+    let schema = reader.metadata().file_metadata().schema();
+    let names = schema.get_fields().iter().map(|field| field.name());
+    if !names.eq(columns.iter().map(|column| column.name)) {
+        let message = "its columns are not those of a run";
+        return Err(ResultError::unreadable(path, message));
+    }
+    let mut found = vec![Vec::new(); columns.len()];
+    for group in 0..reader.num_row_groups() {
+        let damaged = |e: ParquetError| ResultError::damaged(path, &e, "its data are damaged");
+        let group = reader.get_row_group(group).map_err(damaged)?;
+        let count = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
+        for (k, values) in found.iter_mut().enumerate() {
+            let column = group.get_column_reader(k).map_err(damaged)?;
+            read(column, count, values).map_err(damaged)?;
+        }
+    }
+    Ok(found)
+}
+
+fn read(column: ColumnReader, count: usize, into: &mut Vec<f64>) -> Result<(), ParquetError> {
+    let before = into.len();
+    match column {
+        ColumnReader::DoubleColumnReader(mut reader) => {
+            reader.read_records(count, None, None, into)?;
+        }
+        ColumnReader::Int32ColumnReader(mut reader) => {
+            let mut whole = Vec::new();
+            reader.read_records(count, None, None, &mut whole)?;
+            into.extend(whole.into_iter().map(f64::from));
+        }
+        _ => return Err(ParquetError::General("unknown type of column".to_owned())),
+    }
+    if into.len() - before == count {
+        Ok(())
+    } else {
+        let message = "its columns are not of one length".to_owned();
+        Err(ParquetError::General(message))
+    }
+}
