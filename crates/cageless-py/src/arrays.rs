@@ -81,7 +81,7 @@ fn collisions<'py>(py: Python<'py>, list: &[Collision]) -> PyResult<Bound<'py, P
 }
 
 /// Results are not for writing: their figures would not follow.
-fn frozen<'py, T: numpy::Element, D: numpy::ndarray::Dimension>(
+pub fn frozen<'py, T: numpy::Element, D: numpy::ndarray::Dimension>(
     array: Bound<'py, numpy::PyArray<T, D>>,
 ) -> Bound<'py, numpy::PyArray<T, D>> {
     array.readwrite().make_nonwriteable();

@@ -4,19 +4,21 @@ use cageless_io::case_file::CaseFile;
 use cageless_paper::structures_of;
 use cageless_report::design_report::design_data;
 use cageless_report::figures::{design, search, shape};
-use cageless_report::{DesignData, Figure, SearchData, design_page};
+use cageless_report::{DesignData, Figure, SearchData, design_page, from_json, to_json};
 use cageless_study::DesignResult;
 use cageless_study::design::{Judged, judged};
 use cageless_study::{Progress, StudyError};
 use pyo3::prelude::*;
 
 use crate::background::Background;
+use crate::case_file::CaseFile as CaseHandle;
 use crate::errors::{input, of_study, other, stopped};
 
 /// Verdict and design results of the raceways of a case.
 #[pyclass(frozen, module = "cageless._cageless")]
 pub struct Design {
-    result: DesignResult,
+    /// `design --json`.
+    numbers: String,
     data: DesignData,
 }
 
@@ -24,14 +26,16 @@ pub struct Design {
 pub fn judge(py: Python<'_>, file: &CaseFile) -> PyResult<(Design, Option<PyErr>)> {
     let background = Background::new(Some(1), None)?;
     let found = background.run(py, |progress| analyse(file, None, progress))?;
-    found.map_err(|error| of_study(&error))
+    let (result, data, stop) = found.map_err(|error| of_study(&error))?;
+    let numbers = serde_json::to_string(&result).map_err(other)?;
+    Ok((Design { numbers, data }, stop))
 }
 
 fn analyse(
     file: &CaseFile,
     search: Option<SearchData>,
     progress: &dyn Progress,
-) -> Result<(Design, Option<PyErr>), StudyError> {
+) -> Result<(DesignResult, DesignData, Option<PyErr>), StudyError> {
     let Judged {
         judgement,
         recommendation,
@@ -41,14 +45,26 @@ fn analyse(
     let mut result = DesignResult::new(file.case(), judgement, recommendation);
     result.search = search;
     let data = design_data(file, &result, &snapshots);
-    Ok((Design { result, data }, stop))
+    Ok((result, data, stop))
 }
 
 #[pymethods]
 impl Design {
+    /// A design from its `design.json` and `report.json`.
+    #[staticmethod]
+    fn restored(numbers: String, report: &str) -> PyResult<Self> {
+        let data = from_json(report).map_err(|e| input(format!("report of a design: {e}")))?;
+        Ok(Self { numbers, data })
+    }
+
     /// `design --json`.
-    fn numbers(&self) -> PyResult<String> {
-        serde_json::to_string(&self.result).map_err(other)
+    fn numbers(&self) -> &str {
+        &self.numbers
+    }
+
+    /// `report.json`.
+    fn report(&self) -> PyResult<String> {
+        to_json(&self.data).map_err(other)
     }
 
     /// A figure in the JSON of plotly.
@@ -115,6 +131,17 @@ const FIGURES: [(&str, Make); 3] = [
 
 #[pymethods]
 impl Search {
+    /// A search from its numbers, of this case.
+    #[staticmethod]
+    fn restored(file: &CaseHandle, numbers: &str, refusal: Option<String>) -> PyResult<Self> {
+        let data = from_json(numbers).map_err(|e| input(format!("numbers of a search: {e}")))?;
+        Ok(Self {
+            file: file.file.clone(),
+            data,
+            refusal,
+        })
+    }
+
     /// `search` of `design --search --json`.
     fn numbers(&self) -> PyResult<String> {
         serde_json::to_string(&self.data).map_err(other)
@@ -141,8 +168,8 @@ impl Search {
         let background = Background::new(Some(1), None)?;
         let search = Some(self.data.clone());
         let found = background.run(py, |progress| {
-            let (design, _) = analyse(&self.file, search, progress)?;
-            Ok(design_page(&design.data))
+            let (_, data, _) = analyse(&self.file, search, progress)?;
+            Ok(design_page(&data))
         })?;
         found.map_err(|error: StudyError| of_study(&error))
     }

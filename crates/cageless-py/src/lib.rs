@@ -9,6 +9,7 @@ mod errors;
 mod export;
 mod report;
 mod run;
+mod run_files;
 mod signals;
 mod sweep;
 mod table;
@@ -33,5 +34,6 @@ fn _cageless(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(values::to_toml, module)?)?;
     module.add_function(wrap_pyfunction!(sweep::merge, module)?)?;
     module.add_function(wrap_pyfunction!(table::read_table, module)?)?;
+    module.add_function(wrap_pyfunction!(run_files::run_units, module)?)?;
     module.add_function(wrap_pyfunction!(report::analyse, module)?)
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use cageless_report::figures::sweep;
-use cageless_report::{SweepData, SweepOutput, sweep_page, to_json};
+use cageless_report::{SweepData, SweepOutput, from_json, sweep_page, to_json};
 use cageless_study::sweep::Aim;
 use cageless_study::sweep::analysis::Goal;
 use pyo3::prelude::*;
@@ -34,6 +34,13 @@ pub fn analyse(
 
 #[pymethods]
 impl Report {
+    /// A report from its `report.json`.
+    #[staticmethod]
+    fn restored(numbers: &str) -> PyResult<Self> {
+        let data = from_json(numbers).map_err(|e| input(format!("report of a sweep: {e}")))?;
+        Ok(Self { data })
+    }
+
     /// `report.json`.
     fn numbers(&self) -> PyResult<String> {
         to_json(&self.data).map_err(other)

@@ -1,28 +1,41 @@
 //! A run and its results.
 
+use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 use cageless::simulation::Ending;
 use cageless_io::case_file::CaseFile;
+use cageless_io::results::write_atomically;
 use cageless_report::figures::{history, vibration};
 use cageless_report::run_report::run_data;
-use cageless_report::{Figure, RunData, run_page};
+use cageless_report::{Figure, RunData, from_json, run_page, to_json};
 use cageless_study::run::{Options, RunError, RunRecord, run};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays::Recording;
 use crate::background::Background;
-use crate::errors::{input, of_start, other};
+use crate::errors::{input, of_results, of_start, other};
+use crate::run_files::{self, Arrays};
 use crate::signals::Signals;
 
 /// A run that completed or stopped early.
 #[pyclass(frozen, module = "cageless._cageless")]
 pub struct Run {
     arrays: Py<PyDict>,
-    file: CaseFile,
-    record: RunRecord,
+    /// `summary.json`.
+    summary: String,
+    /// Message of an early stop.
+    stopped: Option<String>,
+    source: Source,
     data: OnceLock<RunData>,
+}
+
+/// What the data of the page come from.
+enum Source {
+    Computed(Box<(CaseFile, RunRecord)>),
+    /// `report.json`.
+    Saved(String),
 }
 
 /// Runs a case with everything recorded, and verifies it where a background is given.
@@ -44,18 +57,21 @@ pub fn simulate(py: Python<'_>, file: &CaseFile, verify: Option<Background>) -> 
     })?;
     Ok(Run {
         arrays: recording.into_arrays(py)?.unbind(),
-        file: file.clone(),
-        record,
+        summary: record.summary.to_json().map_err(other)?,
+        stopped: match &record.outcome.ending {
+            Ending::Stopped(stop) => Some(stop.to_string()),
+            _ => None,
+        },
+        source: Source::Computed(Box::new((file.clone(), record))),
         data: OnceLock::new(),
     })
 }
 
 impl Run {
     /// Reason of an empty figure, with advice.
-    fn nothing_to_show(&self, name: &str) -> String {
-        let case = self.file.case();
+    fn nothing_to_show(&self, name: &str, data: &RunData) -> String {
         let why = match name {
-            "vibration" if case.housing.is_none() => {
+            "vibration" if data.vibration.is_none() => {
                 "the case has no [housing], whose acceleration it shows: add \
                  Housing(mass_kg=…, stiffness_n_m=…, damping_n_s_m=…)"
             }
@@ -68,8 +84,47 @@ impl Run {
         format!("{name} has nothing to show: {why}")
     }
 
-    fn data(&self) -> &RunData {
-        (self.data).get_or_init(|| run_data(&self.file, &self.record))
+    fn data(&self) -> PyResult<&RunData> {
+        if let Some(data) = self.data.get() {
+            return Ok(data);
+        }
+        let data = match &self.source {
+            Source::Computed(run) => run_data(&run.0, &run.1),
+            Source::Saved(text) => {
+                from_json(text).map_err(|e| input(format!("report.json of a saved run: {e}")))?
+            }
+        };
+        Ok(self.data.get_or_init(|| data))
+    }
+
+    /// Data for figures of some balls, counted from 1, and of a part of the time.
+    fn selected(
+        &self,
+        py: Python<'_>,
+        balls: Option<Vec<usize>>,
+        time_s: Option<(f64, f64)>,
+    ) -> PyResult<RunData> {
+        let data = self.data()?;
+        let arrays = Arrays::read(self.arrays.bind(py))?;
+        let mut found = match time_s {
+            Some((from, to)) => data.within(&arrays.snapshots(from, to)?),
+            None => data.clone(),
+        };
+        if let Some(balls) = balls {
+            let count = data.balls.len();
+            if let Some(ball) = balls.iter().find(|ball| !(1..=count).contains(*ball)) {
+                return Err(input(format!(
+                    "balls = {ball} is not possible: it must be 1 to {count}"
+                )));
+            }
+            let balls: Vec<usize> = balls.iter().map(|ball| ball - 1).collect();
+            let recent = match &found.recent {
+                Some(recent) => arrays.snapshots(recent.from_s, f64::INFINITY)?,
+                None => vec![],
+            };
+            found = found.of_balls(&balls, &recent);
+        }
+        Ok(found)
     }
 }
 
@@ -94,45 +149,108 @@ const FIGURES: [(&str, Make); 9] = [
 
 #[pymethods]
 impl Run {
+    /// A run from what [`Run::report`] and its siblings return.
+    #[staticmethod]
+    fn restored(
+        arrays: Py<PyDict>,
+        summary: String,
+        report: String,
+        stopped: Option<String>,
+    ) -> Self {
+        Self {
+            arrays,
+            summary,
+            stopped,
+            source: Source::Saved(report),
+            data: OnceLock::new(),
+        }
+    }
+
+    /// Reads the folder of `cageless run --out`.
+    #[staticmethod]
+    fn load(py: Python<'_>, dir: PathBuf) -> PyResult<Self> {
+        let (arrays, summary, report) = run_files::read(py, &dir)?;
+        Ok(Self {
+            arrays: arrays.unbind(),
+            stopped: run_files::stopped(&summary),
+            summary,
+            source: Source::Saved(report),
+            data: OnceLock::new(),
+        })
+    }
+
+    /// Writes the folder of `cageless run --out`; `case` is the case as run, JSON.
+    fn save(&self, py: Python<'_>, dir: PathBuf, isa: &str, case: &str) -> PyResult<()> {
+        let report = self.report()?;
+        let arrays = Arrays::read(self.arrays.bind(py))?;
+        let page = self.page(py)?;
+        arrays.write(&dir, isa, case)?;
+        let write = |name: &str, text: &str| {
+            let path: &Path = &dir.join(name);
+            write_atomically(path, text.as_bytes()).map_err(|e| of_results(&e))
+        };
+        write("summary.json", &self.summary)?;
+        write("report.html", &page)?;
+        write("report.json", &report)
+    }
+
     /// `{"balls": …, "ring": …, "collisions": …}`, the same arrays at every call.
     fn arrays(&self, py: Python<'_>) -> Py<PyDict> {
         self.arrays.clone_ref(py)
     }
 
     /// `summary.json`.
-    fn summary(&self) -> PyResult<String> {
-        self.record.summary.to_json().map_err(other)
+    fn summary(&self) -> &str {
+        &self.summary
+    }
+
+    /// `report.json`.
+    fn report(&self) -> PyResult<String> {
+        match &self.source {
+            Source::Computed(_) => to_json(self.data()?).map_err(other),
+            Source::Saved(text) => Ok(text.clone()),
+        }
     }
 
     /// Names of the numbers of the verification, in the order of tables; `None` without one.
-    fn certified(&self) -> Option<Vec<String>> {
-        let verification = self.record.summary.verification.as_ref()?;
-        let names = verification.ranked().into_iter();
-        Some(names.map(|(name, _)| name.to_owned()).collect())
+    fn certified(&self) -> PyResult<Option<Vec<String>>> {
+        let table = self.data()?.verification.as_ref();
+        Ok(table.map(|table| table.rows.iter().map(|row| row.name.clone()).collect()))
     }
 
     /// Reason of an early stop: the message of the command.
     fn stopped(&self) -> Option<String> {
-        match &self.record.outcome.ending {
-            Ending::Stopped(stop) => Some(stop.to_string()),
-            _ => None,
-        }
+        self.stopped.clone()
     }
 
-    /// A figure in the JSON of plotly.
-    fn figure(&self, py: Python<'_>, name: &str) -> PyResult<String> {
+    /// A figure in the JSON of plotly, of all balls and all times or of some.
+    #[pyo3(signature = (name, balls=None, time_s=None))]
+    fn figure(
+        &self,
+        py: Python<'_>,
+        name: &str,
+        balls: Option<Vec<usize>>,
+        time_s: Option<(f64, f64)>,
+    ) -> PyResult<String> {
         let Some((_, make)) = FIGURES.iter().find(|(n, _)| *n == name) else {
             return Err(input(format!("there is no figure {name:?}")));
         };
-        let figure = py.detach(|| make(self.data()));
-        match figure {
+        let selected;
+        let data = if balls.is_none() && time_s.is_none() {
+            self.data()?
+        } else {
+            selected = self.selected(py, balls, time_s)?;
+            &selected
+        };
+        match py.detach(|| make(data)) {
             Some(figure) => Ok(figure.json()),
-            None => Err(input(self.nothing_to_show(name))),
+            None => Err(input(self.nothing_to_show(name, data))),
         }
     }
 
     /// `report.html`.
-    fn page(&self, py: Python<'_>) -> String {
-        py.detach(|| run_page(self.data()))
+    fn page(&self, py: Python<'_>) -> PyResult<String> {
+        let data = self.data()?;
+        Ok(py.detach(|| run_page(data)))
     }
 }

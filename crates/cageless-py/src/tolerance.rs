@@ -1,8 +1,8 @@
 //! A bearing within its tolerances.
 
 use cageless_io::case_file::CaseFile;
-use cageless_report::to_json;
 use cageless_report::tolerance::{ToleranceData, influence_figure, sample_figure, tolerance_page};
+use cageless_report::{from_json, to_json};
 use cageless_study::tolerance::{Request, tolerance};
 use pyo3::prelude::*;
 
@@ -32,6 +32,13 @@ impl Tolerance {
 
 #[pymethods]
 impl Tolerance {
+    /// An analysis from its `tolerance.json`.
+    #[staticmethod]
+    fn restored(numbers: &str) -> PyResult<Self> {
+        let data = from_json(numbers).map_err(|e| input(format!("tolerance.json: {e}")))?;
+        Ok(Self { data })
+    }
+
     /// `tolerance --json`.
     fn numbers(&self) -> PyResult<String> {
         to_json(&self.data).map_err(other)

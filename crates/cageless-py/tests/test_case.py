@@ -43,6 +43,35 @@ def test_every_key_of_the_format_is_a_field_and_the_other_way_round() -> None:
         assert set(listed) == known
 
 
+def test_only_bearing_and_operation_are_required() -> None:
+    full = cageless.Case.from_toml(cageless.template())
+    made = cageless.Case(
+        title=full.title, bearing=full.bearing, operation=full.operation, raceway=full.raceways
+    )
+    assert made == full
+    with pytest.raises(TypeError, match="operation"):
+        cageless.Case(bearing=full.bearing)  # type: ignore[call-arg]
+
+
+def test_replace_takes_dots_dictionaries_sections_and_keywords() -> None:
+    case = cageless.Case.from_toml(cageless.template())
+    dots = case.replace({"raceway.half_angle_deg": 24.0, "solver.duration_s": 0.01})
+    assert dots.raceways[0].half_angle_deg == 24.0 != case.raceways[0].half_angle_deg
+    assert dots == case.replace(raceway__half_angle_deg=24.0, solver__duration_s=0.01)
+    assert dots == case.replace(
+        {"raceway": {"half_angle_deg": 24.0}}, solver=cageless.Solver(duration_s=0.01)
+    )
+    both = case.with_raceways(case.raceways[0], case.raceways[0].__class__(
+        axial_span_mm=5.0, half_angle_deg=20.0, centre_angle_deg=180.0
+    ))
+    assert both.replace(raceway__2__half_angle_deg=21.0).raceways[1].half_angle_deg == 21.0
+    assert case.replace() == case
+    with pytest.raises(cageless.InputError, match="raceway.half_angle_deg is given twice"):
+        case.replace({"raceway.half_angle_deg": 1.0}, raceway={"half_angle_deg": 2.0})
+    with pytest.raises(cageless.InputError, match="did you mean half_angle_deg"):
+        case.replace(raceway__half_angel_deg=24.0)
+
+
 def test_several_raceways_and_lists_per_ball() -> None:
     case = cageless.Case.from_toml(cageless.template())
     [one] = case.raceways

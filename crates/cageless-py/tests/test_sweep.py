@@ -179,3 +179,17 @@ def test_damaged_results_are_refused_and_do_not_panic(local: bytes, tmp_path: Pa
         path.write_bytes(damaged)
         with pytest.raises(cageless.InputError, match="damaged.parquet: cannot be read"):
             cageless.report(path)
+
+
+def test_a_plan_sets_values_of_its_case() -> None:
+    case = cageless.Case.from_toml(cageless.template())
+    grid = {"operation.radial_load_n": [500.0, 900.0]}
+    changes = {"solver": {"duration_s": 0.01}, "raceway.half_angle_deg": 24.0}
+    plan = cageless.Plan(case=case, compute=["static"], grid=grid, set=changes)
+    assert plan == cageless.Plan(case=case.replace(changes), compute=["static"], grid=grid)
+    assert plan != cageless.Plan(case=case, compute=["static"], grid=grid)
+    assert plan.case(1).solver.duration_s == 0.01
+    assert plan.case(1).operation.radial_load_n == 900.0
+    assert pickle.loads(pickle.dumps(plan)) == plan
+    with pytest.raises(cageless.InputError, match="solver.durations_s"):
+        cageless.Plan(case=case, compute=["static"], grid=grid, set={"solver.durations_s": 1.0})

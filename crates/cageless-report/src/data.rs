@@ -5,12 +5,12 @@
 //! become `null` in JSON, a break in a line and a dash in a table.
 
 use cageless::{Bearing, Raceway};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 pub use cageless_study::{Parameter, Provenance, RacewayLabel};
 
 /// Outline of a bearing, for drawings to scale.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct BearingOutline {
     /// N.
     pub balls: usize,
@@ -43,7 +43,7 @@ impl BearingOutline {
 }
 
 /// The part of the turn that a discrete raceway takes up.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct RacewaySector {
     /// ψ of its middle, degrees.
     pub centre_angle_deg: f64,
@@ -63,7 +63,7 @@ impl RacewaySector {
 }
 
 /// The balls of one bearing over time.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Motion {
     /// Title above the drawing, for example `Conventional`.
     pub title: String,
@@ -83,7 +83,7 @@ pub struct Motion {
 }
 
 /// An acceleration signal and its spectrum.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct VibrationSignal {
     /// Legend entry, for example `conventional`.
     pub name: String,
@@ -109,7 +109,7 @@ pub struct VibrationSignal {
 }
 
 /// Acceleration of the outer ring, one or more signals to compare (Fig. 12).
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Vibration {
     /// Signals, drawn one above the other on one scale.
     pub signals: Vec<VibrationSignal>,
@@ -120,7 +120,7 @@ pub struct Vibration {
 }
 
 /// A frequency worth a mark in a spectrum.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct FrequencyMark {
     /// Frequency, Hz.
     pub frequency_hz: f64,
@@ -129,7 +129,7 @@ pub struct FrequencyMark {
 }
 
 /// A labelled moment.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Event {
     /// Label drawn at the line: `t0`, `a`.
     pub label: String,
@@ -140,7 +140,7 @@ pub struct Event {
 }
 
 /// Status of a claim of the paper.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ClaimStatus {
     /// The computation says the same.
@@ -156,7 +156,7 @@ pub enum ClaimStatus {
 }
 
 /// A claim of the paper beside what was found.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Claim {
     /// Quoted or paraphrased.
     pub claim: String,

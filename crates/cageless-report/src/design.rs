@@ -1,6 +1,6 @@
 //! The page of `design`: one raceway judged, or the search for a better one.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use cageless::design::search::NEIGHBOURS_WIDER;
 
@@ -20,7 +20,7 @@ use crate::search_tables as tables;
 use crate::tables::parameter_table;
 
 /// Data of the page of `design`. Empty parts are omitted from the page.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct DesignData {
     /// Title of the case.
     pub title: String,

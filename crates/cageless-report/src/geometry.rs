@@ -1,12 +1,12 @@
 //! Shape of a discrete raceway, sampled for drawing (Fig. 1b and 2).
 
 use cageless::{Bearing, Raceway};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::data::{Provenance, RacewayLabel};
 
 /// The contact track on a discrete raceway and on the ball (Fig. 1b).
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct ContactTrack {
     /// The raceway.
     pub structure: RacewayLabel,
@@ -23,7 +23,7 @@ pub struct ContactTrack {
 }
 
 /// The surface of a discrete raceway and a little of the plain one (Fig. 2).
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct RacewaySurface {
     /// The raceway.
     pub structure: RacewayLabel,

@@ -12,6 +12,7 @@ pub mod design;
 pub mod design_report;
 pub mod figure;
 pub mod figures;
+mod from_json;
 pub mod geometry;
 pub mod motion;
 pub mod page;
@@ -32,6 +33,7 @@ pub use comparison::{Change, ComparisonCell, Difference, Estimate, RingCompariso
 pub use data::*;
 pub use design::*;
 pub use figure::Figure;
+pub use from_json::from_json;
 pub use geometry::{ContactTrack, RacewaySurface};
 pub use motion::MotionFigure;
 pub use page::{Note, Page};

@@ -2,7 +2,7 @@
 
 use cageless::design::CurvePoint;
 use cageless::vibration::AFTER_CONTACT_S;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::comparison::RingComparison;
 use crate::data::{Claim, Event, Motion, Parameter, Provenance, RacewayLabel, Vibration};
@@ -103,7 +103,7 @@ pub struct Spread {
 }
 
 /// θ over lC such that the discrete raceway restores the nominal gap (Fig. 5).
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct DesignCurve {
     /// lC of the curve's points, mm.
     pub axial_span_mm: Vec<f64>,
@@ -139,7 +139,7 @@ impl DesignCurve {
 }
 
 /// A constraint on a discrete raceway.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct DesignLimit {
     /// Which quantity it bounds.
     pub quantity: LimitedQuantity,
@@ -150,7 +150,7 @@ pub struct DesignLimit {
 }
 
 /// What a [`DesignLimit`] bounds.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum LimitedQuantity {
     /// lC, mm.

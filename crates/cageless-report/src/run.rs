@@ -1,7 +1,7 @@
 //! One simulation.
 
 pub use cageless_study::CollisionPoint;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::data::{BearingOutline, Motion, Parameter, Provenance, RacewaySector, Vibration};
 use crate::figures::{history, vibration};
@@ -11,7 +11,7 @@ use crate::tables::parameter_table;
 use crate::verification::{VerificationTable, verification_table};
 
 /// Data of the page of one run. Empty parts are omitted from the page.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct RunData {
     /// Title of the case.
     pub title: String,
@@ -69,7 +69,7 @@ pub struct RunData {
 }
 
 /// One ball over [`RunData::time_s`]; a history left empty is not drawn.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct BallHistory {
     /// ψ, degrees, continuous.
     pub angle_deg: Vec<f64>,
@@ -94,7 +94,7 @@ pub struct BallHistory {
 }
 
 /// Ball 1 over the last part of a run.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Recent {
     /// Begin, s.
     pub from_s: f64,
@@ -103,7 +103,7 @@ pub struct Recent {
 }
 
 /// The centre of the inner ring.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct RingHistory {
     /// Time, s.
     pub time_s: Vec<f64>,
@@ -114,7 +114,7 @@ pub struct RingHistory {
 }
 
 /// An entry of the ledger of energy.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct EnergyItem {
     /// Name of the quantity.
     pub name: String,

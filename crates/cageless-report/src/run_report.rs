@@ -145,11 +145,7 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
             from_s: recent.first().map_or(0.0, |s| s.time_s),
             ball: ball_history(&recent, 0),
         }),
-        ring: RingHistory {
-            time_s: path.iter().map(|s| s.time_s).collect(),
-            x_um: path.iter().map(|s| s.ring.x_m * 1e6).collect(),
-            y_um: path.iter().map(|s| s.ring.y_m * 1e6).collect(),
-        },
+        ring: ring_history(path),
         collisions,
         collisions_total,
         energy: energy(outcome),
@@ -166,6 +162,62 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
         motion: (recent.len() > 1)
             .then(|| motion(case, "", last_orbits(&recent, orbit), provenance.clone())),
         provenance,
+    }
+}
+
+impl RunData {
+    /// Data of the same run for figures of these snapshots alone: consecutive rows of its tables.
+    pub fn within(&self, snapshots: &[Snapshot]) -> Self {
+        let begin = snapshots.first().map_or(0.0, |s| s.time_s);
+        let end = snapshots.last().map_or(0.0, |s| s.time_s);
+        let mut collisions = self.collisions.clone();
+        collisions.retain(|c| (begin..=end).contains(&c.time_s));
+        let mut vibration = self.vibration.clone();
+        for signal in vibration.iter_mut().flat_map(|v| &mut v.signals) {
+            let from = signal.time_s.partition_point(|t| *t < begin);
+            let to = signal.time_s.partition_point(|t| *t <= end);
+            signal.time_s = signal.time_s[from..to].to_vec();
+            signal.acceleration_m_s2 = signal.acceleration_m_s2[from..to].to_vec();
+        }
+        Self {
+            time_s: snapshots.iter().map(|s| s.time_s).collect(),
+            balls: (0..self.balls.len())
+                .map(|k| ball_history(snapshots, k))
+                .collect(),
+            stretch_s: None,
+            recent: None,
+            ring: ring_history(snapshots),
+            collisions_total: collisions.len(),
+            collisions,
+            vibration,
+            ..self.clone()
+        }
+    }
+
+    /// Data of the same run for figures of the balls with these indices from 0 alone. `recent` are
+    /// the snapshots after [`Recent::from_s`], if there is such a part.
+    pub fn of_balls(&self, balls: &[usize], recent: &[Snapshot]) -> Self {
+        let chosen = |ball: usize| balls.contains(&ball);
+        let mut data = self.clone();
+        for (k, ball) in data.balls.iter_mut().enumerate() {
+            if !chosen(k) {
+                *ball = BallHistory::default();
+            }
+        }
+        if let (Some(part), Some(&first)) = (&mut data.recent, balls.iter().min()) {
+            part.ball = ball_history(recent, first);
+        }
+        (data.collisions).retain(|c| chosen(c.ball - 1) || chosen(c.next_ball - 1));
+        data.collisions_total = data.collisions.len();
+        data
+    }
+}
+
+fn ring_history(path: &[Snapshot]) -> RingHistory {
+    RingHistory {
+        time_s: path.iter().map(|s| s.time_s).collect(),
+        x_um: path.iter().map(|s| s.ring.x_m * 1e6).collect(),
+        y_um: path.iter().map(|s| s.ring.y_m * 1e6).collect(),
     }
 }
 

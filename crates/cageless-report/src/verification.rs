@@ -2,13 +2,13 @@
 
 use cageless::verification::Convergence;
 use cageless_io::results::{VerificationFile, VerificationNumber, rounded};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::data::Provenance;
 use crate::table::{Cell, Row, Table};
 
 /// Verification of a run as a table.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct VerificationTable {
     /// Predictability and balances, a sentence each.
     pub facts: Vec<String>,
@@ -17,7 +17,7 @@ pub struct VerificationTable {
 }
 
 /// Verification of one result as a table row.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct VerificationRow {
     /// Key of the result in `summary.json`.
     pub name: String,

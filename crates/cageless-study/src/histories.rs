@@ -9,10 +9,10 @@ use cageless::design::RunVerdict;
 use cageless::min_max_decimator::MinMaxDecimator;
 use cageless::passage::{Passage, PassageTally};
 use cageless::snapshot::Snapshot;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// One contact of two neighbouring balls.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct CollisionPoint {
     /// Start, s.
     pub time_s: f64,

@@ -1,10 +1,10 @@
 //! Names and values as tables list them.
 
 use cageless_io::case_file::{CaseFile, unit};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A line of a parameter or result table.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Parameter {
     /// Name of the quantity.
     pub name: String,

@@ -1,12 +1,12 @@
 //! The settings under which a number was computed.
 
 use cageless::{Case, FrictionLaw, Method, Profile};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::number_text::short;
 
 /// Provenance of a figure or table; printed under it.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Provenance {
     /// The case: bearing, structure, speed, load.
     pub case: String,

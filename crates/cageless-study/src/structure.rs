@@ -1,10 +1,10 @@
 //! Span and angle of a discrete raceway.
 
 use cageless::Raceway;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// One of the paper's discrete raceways.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct RacewayLabel {
     /// Letter in the paper's Fig. 8: `a` to `j`; may be empty.
     pub letter: String,

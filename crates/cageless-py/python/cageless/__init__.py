@@ -20,8 +20,11 @@ from .verifications import Verification
 from .errors import CagelessError, ColumnError, InputError, UnphysicalError
 from .exports import Export
 from .plan import Plan, span
-from .results import Design, Run, Static
+from .designs import Design
+from .runs import Run
+from .statics import Static
 from .searches import SearchMap, SearchResult
+from .saving import load
 from .sections import (
     Bearing,
     Contact,
@@ -66,6 +69,7 @@ __all__ = [
     "UnphysicalError",
     "__version__",
     "instruction_set",
+    "load",
     "merge",
     "report",
     "span",

@@ -9,6 +9,7 @@ from typing import Any
 
 from . import _cageless
 from .computations import Computations
+from .errors import InputError
 from .sections import (
     Bearing,
     Contact,
@@ -190,15 +191,18 @@ class Case(Computations):
         """Reads the text of a case file, which messages call `name`."""
         return cls._of(_cageless.CaseFile.parse(text, name, _changes(changes)))
 
-    def replace(self, changes: Mapping[str, Any]) -> Case:
+    def replace(self, changes: Mapping[str, Any] | None = None, /, **keywords: Any) -> Case:
         """The case with other values.
 
         Parameters
         ----------
-        changes : mapping
+        changes : mapping, optional
             Values for keys ``section.key``, or ``raceway.2.key`` for the second of several. A
             dictionary or a section is merged into that of its name: keys that it does not give
             stay as they are.
+        **keywords
+            The same as keywords, with two underscores for the dot: ``section__key=value``, or
+            ``section={"key": value}``.
 
         Examples
         --------
@@ -206,10 +210,19 @@ class Case(Computations):
         >>> case = cageless.Case.from_toml(cageless.template())
         >>> case.replace({"raceway.half_angle_deg": 24.0}).raceways[0].half_angle_deg
         24.0
-        >>> case.replace({"raceway": {"half_angle_deg": 24.0}}).raceways[0]
+        >>> case.replace(raceway__half_angle_deg=24.0, title="narrow").raceways[0]
         Raceway(axial_span_mm=5.1, half_angle_deg=24.0, centre_angle_deg=0.0, depth_error_um=0.0)
+        >>> other = case.replace(raceway={"half_angle_deg": 24.0}, title="narrow")
+        >>> other == case.replace({"raceway": {"half_angle_deg": 24.0}, "title": "narrow"})
+        True
         """
-        return Case._of(self._file.changed(_changes(changes)))
+        named = {name.replace("__", "."): value for name, value in keywords.items()}
+        merged = dotted(changes or {})
+        for key, value in dotted(named).items():
+            if key in merged:
+                raise InputError(f"{key} is given twice", key)
+            merged[key] = value
+        return Case._of(self._file.changed(_changes(merged)))
 
     def with_raceways(self, *raceways: Raceway) -> Case:
         """The case with these discrete raceways in place of its own; none for a conventional

@@ -11,7 +11,9 @@ from typing import TYPE_CHECKING, Any
 from . import _cageless
 from .errors import InputError, UnphysicalError
 from .exports import Export
-from .results import Design, Run, Static
+from .designs import Design
+from .runs import Run
+from .statics import Static
 from .searches import SearchResult
 from .tolerances import ToleranceResult
 
@@ -28,7 +30,7 @@ class Computations(ABC):
     _file: _cageless.CaseFile
 
     @abstractmethod
-    def replace(self, changes: Mapping[str, Any]) -> Case:
+    def replace(self, changes: Mapping[str, Any] | None = None, /, **keywords: Any) -> Case:
         """The case with other values."""
 
     @abstractmethod

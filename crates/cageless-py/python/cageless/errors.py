@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from .results import Run
+    from .runs import Run
     from .searches import SearchResult
 
 __all__ = ["CagelessError", "ColumnError", "InputError", "UnphysicalError"]

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .sections import table
+from .units import with_units
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -60,7 +61,7 @@ class Export:
         """A row per file."""
         import pandas as pd
 
-        return pd.DataFrame(self.values).set_index("format")
+        return with_units(pd.DataFrame(self.values).set_index("format"))
 
     def _repr_html_(self) -> str:
         rows = [(each["file"], f"{each['deviation_um']:.6f} µm") for each in self.values]

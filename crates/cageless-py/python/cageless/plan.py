@@ -78,6 +78,9 @@ class Plan:
         Seed of samples and scatter.
     title : str
         Free text.
+    set : mapping, optional
+        Values that replace those of the case in every variant: ``section.key`` to a value, or
+        sections in sections, as :meth:`Case.replace` takes them.
 
     Examples
     --------
@@ -92,6 +95,10 @@ class Plan:
     6
     >>> plan.case(0).operation.radial_load_n
     500.0
+    >>> short = cageless.Plan(case=case, compute=["static"], set={"solver.duration_s": 0.01},
+    ...                       grid={"operation.radial_load_n": [500.0, 900.0]})
+    >>> short.case(1).solver.duration_s
+    0.01
     """
 
     _sweep: _cageless.Sweep
@@ -107,7 +114,10 @@ class Plan:
         keep: Sequence[str] | None = None,
         seed: int = 0,
         title: str = "",
+        set: Mapping[str, Any] | None = None,  # noqa: A002
     ) -> None:
+        if set:
+            case = case.replace(set)
         head: dict[str, Any] = {"title": title, "seed": seed, "compute": list(compute)}
         if keep is not None:
             head["keep"] = list(keep)
@@ -153,6 +163,12 @@ class Plan:
 
     def __len__(self) -> int:
         return self._sweep.variants()
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Plan) and self.to_toml() == other.to_toml()
+
+    def __hash__(self) -> int:
+        return hash(self.to_toml())
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (Plan.from_toml, (self.to_toml(),))

@@ -12,10 +12,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _cageless, pages
+from . import _cageless, folders, pages
 from .errors import UnphysicalError
 from .figures import figure
 from .sections import Raceway, table
+from .tables import Tables
+from .units import with_units
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -58,12 +60,52 @@ class SearchMap:
     passes: npt.NDArray[np.bool_]
 
 
-class SearchResult:
+class SearchResult(Tables):
     """Result of a search; keys are those of ``search`` in ``cageless design --search --json``."""
 
     def __init__(self, search: _cageless.Search, case: Computations) -> None:
         self._search = search
         self._case = case
+
+    @classmethod
+    def _restored(cls, case: Computations, numbers: str, refusal: str | None) -> SearchResult:
+        return cls(_cageless.Search.restored(case._file, numbers, refusal), case)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        numbers, refusal = self._search.numbers(), self._search.refusal()
+        return (SearchResult._restored, (self._case, numbers, refusal))
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, SearchResult):
+            return False
+        return self._case == other._case and self.values == other.values
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def save(self, folder: str | os.PathLike[str]) -> Path:
+        """Writes the case as ``case.toml`` and the numbers as ``search.json``. :func:`load`
+        reads them, and the folder of ``cageless design --search --out`` as well.
+
+        Returns
+        -------
+        Path
+            The folder, which is created.
+        """
+        values = {"refusal": self._search.refusal(), "search": self.values}
+        folders.write(folder, "case.toml", self._case._file.to_toml().encode())
+        text = json.dumps(values, ensure_ascii=False) + "\n"
+        return folders.write(folder, "search.json", text.encode()).parent
+
+    def _tables(self) -> dict[str, pd.DataFrame]:
+        tables = {
+            "structures": self.data_structures(),
+            "front": self.data_front(),
+            "confirmation": self.data_confirmation(),
+            "rejections": self.data_rejections(),
+            "placements": self.data_placements(),
+        }
+        maps = range(len(self.values["maps"]))
+        return tables | {f"map_{k}": self.data_map(k) for k in maps}
 
     @cached_property
     def values(self) -> dict[str, Any]:
@@ -150,7 +192,7 @@ class SearchResult:
             for k, structure in enumerate(structures)
             for row in self._rows(structure)
         ]
-        return pd.DataFrame(rows)
+        return with_units(pd.DataFrame(rows))
 
     def data_structures(self) -> pd.DataFrame:
         """Every structure that was evaluated, a row per operating point: accepted, rejected
@@ -173,20 +215,21 @@ class SearchResult:
             if structure is not None
             for row in self._rows(structure)
         ]
-        return pd.DataFrame(rows)
+        return with_units(pd.DataFrame(rows))
 
     def data_rejections(self) -> pd.DataFrame:
         """Number of designs and map cells excluded by each reason."""
         import pandas as pd
 
-        return pd.DataFrame(self.values["rejections"], columns=["reason", "meaning", "count"])
+        columns = ["reason", "meaning", "count"]
+        return with_units(pd.DataFrame(self.values["rejections"], columns=columns))
 
     def data_placements(self) -> pd.DataFrame:
         """Places of the raceways that were tried."""
         import pandas as pd
 
         rows = [{k: v for k, v in p.items() if k != "best"} for p in self.values["placements"]]
-        return pd.DataFrame(rows)
+        return with_units(pd.DataFrame(rows))
 
     def data_map(self, k: int = 0) -> pd.DataFrame:
         """Map `k` with a row per cell."""
@@ -194,7 +237,7 @@ class SearchResult:
 
         found = self.maps[k]
         angle, span = np.meshgrid(found.half_angle_deg, found.axial_span_mm, indexing="ij")
-        return pd.DataFrame(
+        frame = pd.DataFrame(
             {
                 "axial_span_mm": span.reshape(-1),
                 "half_angle_deg": angle.reshape(-1),
@@ -203,18 +246,19 @@ class SearchResult:
                 "verdict": found.verdict.reshape(-1),
             }
         )
+        return with_units(frame)
 
-    def plot_verdicts(self) -> go.Figure:
+    def plot_verdicts(self, *, title: str | None = None) -> go.Figure:
         """Feasible designs and reasons for exclusion."""
-        return figure(self._search.figure("verdicts"))
+        return figure(self._search.figure("verdicts"), title)
 
-    def plot_critical_gaps(self) -> go.Figure:
+    def plot_critical_gaps(self, *, title: str | None = None) -> go.Figure:
         """Critical gap over lC and θ."""
-        return figure(self._search.figure("critical_gaps"))
+        return figure(self._search.figure("critical_gaps"), title)
 
-    def plot_trade_offs(self) -> go.Figure:
+    def plot_trade_offs(self, *, title: str | None = None) -> go.Figure:
         """Trade-offs of the Pareto front."""
-        return figure(self._search.figure("trade_offs"))
+        return figure(self._search.figure("trade_offs"), title)
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Writes the report page of ``cageless design --search``, which works offline. Takes

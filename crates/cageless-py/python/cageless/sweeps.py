@@ -5,15 +5,18 @@ from __future__ import annotations
 import json
 import os
 import tempfile
+import zlib
 from collections.abc import Callable, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from . import _cageless, pages
+from . import _cageless, folders, pages
 from .figures import figure
 from .plan import Plan, read
 from .sections import table
+from .tables import Tables
+from .units import with_units
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -116,8 +119,18 @@ def merge(
     return SweepResult(path)
 
 
-class SweepResult:
-    """A finished sweep.
+def _unpickled(content: bytes) -> SweepResult:
+    """A sweep from its pickle, in a folder that is removed with its last reference."""
+    temporary = tempfile.TemporaryDirectory(prefix="cageless-")
+    path = Path(temporary.name) / NAME
+    path.write_bytes(content)
+    return SweepResult(path, _temporary=temporary)
+
+
+class SweepResult(Tables):
+    """A finished sweep; two are equal if their files are.
+
+    A pickle holds the whole file, so that it can be read on another machine.
 
     Parameters
     ----------
@@ -134,6 +147,29 @@ class SweepResult:
         path = Path(path)
         self.path = path / NAME if path.is_dir() else path
         self._temporary = _temporary
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_unpickled, (self.path.read_bytes(),))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, SweepResult) and (
+            self.path.read_bytes() == other.path.read_bytes()
+        )
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def save(self, folder: str | os.PathLike[str]) -> Path:
+        """Writes a copy of the file, ``sweep.parquet``. :func:`load` reads it.
+
+        Returns
+        -------
+        Path
+            The folder, which is created.
+        """
+        return folders.write(folder, NAME, self.path.read_bytes()).parent
+
+    def _tables(self) -> dict[str, pd.DataFrame]:
+        return {"variants": self.data_variants()}
 
     @cached_property
     def _contents(self) -> tuple[dict[str, Any], dict[str, str], dict[str, str]]:
@@ -214,11 +250,34 @@ def report(
     return SweepReport(_cageless.analyse(os.fspath(found.path), list(low), list(high)))
 
 
-class SweepReport:
+def _restored_report(numbers: bytes) -> SweepReport:
+    """A report from its pickle."""
+    return SweepReport(_cageless.Report.restored(zlib.decompress(numbers).decode()))
+
+
+class SweepReport(Tables):
     """Report of a finished sweep."""
 
     def __init__(self, report: _cageless.Report) -> None:
         self._report = report
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_restored_report, (zlib.compress(self._report.numbers().encode(), 1),))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, SweepReport) and self.values == other.values
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def _tables(self) -> dict[str, pd.DataFrame]:
+        return {"shares": self.data_shares(), "best": self.data_best()}
+
+    def __repr__(self) -> str:
+        inputs, outputs = len(self.values["inputs"]), len(self.outputs)
+        return (
+            f"<SweepReport: {self.values['variants']} variants, {self.values['failed']} failed, "
+            f"{outputs} outputs over {inputs} inputs>"
+        )
 
     @cached_property
     def values(self) -> dict[str, Any]:
@@ -237,7 +296,9 @@ class SweepReport:
 
         inputs = [each["name"] for each in self.values["inputs"]]
         rows = {each["quantity"]["name"]: each["shares"] for each in self.values["outputs"]}
-        return pd.DataFrame.from_dict(rows, orient="index", columns=inputs, dtype=float)
+        frame = pd.DataFrame.from_dict(rows, orient="index", columns=inputs, dtype=float)
+        # Fractions, whatever the inputs are measured in.
+        return with_units(frame.rename_axis(index="output"), dict.fromkeys(inputs, ""))
 
     def data_best(self) -> pd.DataFrame:
         """The best variants by each output of which it can be said what is better."""
@@ -249,19 +310,19 @@ class SweepReport:
             for best in self.values["best"]
             for each in best["variants"]
         ]
-        return pd.DataFrame(rows, columns=["by", "high", "variant", "value"])
+        return with_units(pd.DataFrame(rows, columns=["by", "high", "variant", "value"]))
 
-    def plot_shares(self) -> go.Figure:
+    def plot_shares(self, *, title: str | None = None) -> go.Figure:
         """Sensitivity (main effects)."""
-        return figure(self._report.shares())
+        return figure(self._report.shares(), title)
 
-    def plot_effects(self, output: str) -> go.Figure:
+    def plot_effects(self, output: str, *, title: str | None = None) -> go.Figure:
         """Means of an output over the inputs that explain most of it."""
-        return figure(self._report.effects(output))
+        return figure(self._report.effects(output), title)
 
-    def plot_map(self, output: str) -> go.Figure:
+    def plot_map(self, output: str, *, title: str | None = None) -> go.Figure:
         """Mean of an output over the two inputs that explain most of it."""
-        return figure(self._report.map(output))
+        return figure(self._report.map(output), title)
 
     def write(self, path: str | os.PathLike[str]) -> Path:
         """Writes the report page of ``cageless report``, which works offline."""

@@ -11,9 +11,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from . import _cageless, pages
+from . import _cageless, folders, pages
 from .figures import figure
 from .sections import table
+from .tables import Tables
+from .units import with_units
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -22,11 +24,38 @@ if TYPE_CHECKING:
 __all__ = ["ToleranceResult"]
 
 
-class ToleranceResult:
+class ToleranceResult(Tables):
     """Tolerance analysis of a raceway; keys are those of ``cageless tolerance --json``."""
 
     def __init__(self, tolerance: _cageless.Tolerance) -> None:
         self._tolerance = tolerance
+
+    @classmethod
+    def _restored(cls, numbers: str) -> ToleranceResult:
+        return cls(_cageless.Tolerance.restored(numbers))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (ToleranceResult._restored, (self._tolerance.numbers(),))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, ToleranceResult) and self.values == other.values
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def save(self, folder: str | os.PathLike[str]) -> Path:
+        """Writes what ``cageless tolerance --out`` writes: ``tolerance.json`` and the page.
+        :func:`load` reads it.
+
+        Returns
+        -------
+        Path
+            The folder, which is created.
+        """
+        folders.write(folder, "tolerance.json", self._tolerance.numbers().encode())
+        return folders.write(folder, "report.html", self._tolerance.page().encode()).parent
+
+    def _tables(self) -> dict[str, pd.DataFrame]:
+        return {"influences": self.data_influences(), "verdicts": self.data_verdicts()}
 
     @cached_property
     def values(self) -> dict[str, Any]:
@@ -113,7 +142,7 @@ class ToleranceResult:
                 else:
                     row[key] = value
             rows.append(row)
-        return pd.DataFrame(rows)
+        return with_units(pd.DataFrame(rows))
 
     def data_verdicts(self) -> pd.DataFrame:
         """Number of each verdict in the Monte Carlo sample."""
@@ -123,15 +152,15 @@ class ToleranceResult:
             {key: each[key] for key in ("verdict", "passes", "count")}
             for each in self._samples.get("verdicts", [])
         ]
-        return pd.DataFrame(rows, columns=["verdict", "passes", "count"])
+        return with_units(pd.DataFrame(rows, columns=["verdict", "passes", "count"]))
 
-    def plot_influences(self) -> go.Figure:
+    def plot_influences(self, *, title: str | None = None) -> go.Figure:
         """Range of the critical gap over each influence."""
-        return figure(self._tolerance.figure("influences"))
+        return figure(self._tolerance.figure("influences"), title)
 
-    def plot_samples(self) -> go.Figure:
+    def plot_samples(self, *, title: str | None = None) -> go.Figure:
         """Critical gaps of the bearings in which everything deviates, by verdict."""
-        return figure(self._tolerance.figure("samples"))
+        return figure(self._tolerance.figure("samples"), title)
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Writes the report page of ``cageless tolerance``, which works offline."""

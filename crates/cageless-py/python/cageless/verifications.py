@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .sections import table
+from .units import with_units
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -100,7 +101,7 @@ class Verification:
         """Distances of the replicas from the run over time."""
         import pandas as pd
 
-        return pd.DataFrame(self.values["distance"], dtype=float)
+        return with_units(pd.DataFrame(self.values["distance"], dtype=float))
 
     def data_ledger(self) -> pd.DataFrame:
         """Errors of the energy and momentum balances, at the step and at half the step."""

@@ -99,9 +99,14 @@ pub fn slip(run: &RunData) -> Option<Figure> {
     })
 }
 
-/// Phase portrait of ball 1.
+/// Phase portrait of a ball.
 pub fn phase(run: &RunData) -> Option<Figure> {
-    let (ball, from, part) = shown_ball(run)?;
+    let Shown {
+        number,
+        ball,
+        from,
+        part,
+    } = shown_ball(run)?;
     if ball.vx_m_s.is_empty() || ball.vy_m_s.is_empty() {
         return None;
     }
@@ -115,13 +120,13 @@ pub fn phase(run: &RunData) -> Option<Figure> {
         )
         .axis("yaxis", "vy (m/s)", json!({ "constrain": "domain" }))
         .trace(with(
-            line("ball 1", &px, &py, PALETTE[0]),
+            line(&format!("ball {number}"), &px, &py, PALETTE[0]),
             json!({ "line": { "width": 1 } }),
         ));
     Some(figure(
         run,
-        "Phase portrait of ball 1",
-        &format!("Velocity of the centre of ball 1, y against x, {part}."),
+        &format!("Phase portrait of ball {number}"),
+        &format!("Velocity of the centre of ball {number}, y against x, {part}."),
         plot,
     ))
 }
@@ -187,9 +192,14 @@ pub fn ring_orbit(run: &RunData) -> Option<Figure> {
 const RING: &str = "Centre of the inner ring, from the centre of the outer ring; load and gravity \
     point down.";
 
-/// Loads of ball 1 against its angular position.
+/// Loads of a ball against its angular position.
 pub fn loads(run: &RunData) -> Option<Figure> {
-    let (ball, from, part) = shown_ball(run)?;
+    let Shown {
+        number,
+        ball,
+        from,
+        part,
+    } = shown_ball(run)?;
     if ball.inner_force_n.is_empty() || ball.angle_deg.is_empty() {
         return None;
     }
@@ -223,7 +233,7 @@ pub fn loads(run: &RunData) -> Option<Figure> {
         run,
         "Ball load vs. angular position ψ",
         &format!(
-            "Normal forces on ball 1 at both raceways against its angular position ψ, all turns {part}; \
+            "Normal forces on ball {number} at both raceways against its angular position ψ, all turns {part}; \
              the discrete raceway is shaded."
         ),
         plot,
@@ -338,19 +348,33 @@ fn figure(run: &RunData, label: &str, caption: &str, plot: Plot) -> Figure {
     }
 }
 
-/// Ball 1, its first row to be shown in a plane, and which part of the run that is.
-fn shown_ball(run: &RunData) -> Option<(&BallHistory, usize, String)> {
+/// A ball to be shown in a plane.
+struct Shown<'r> {
+    /// Number, from 1.
+    number: usize,
+    ball: &'r BallHistory,
+    /// First row to be shown.
+    from: usize,
+    /// The part of the run that is shown.
+    part: String,
+}
+
+/// The first ball that has a history.
+fn shown_ball(run: &RunData) -> Option<Shown<'_>> {
+    let first = run.balls.iter().position(|b| !b.angle_deg.is_empty())?;
     Some(match &run.recent {
-        Some(recent) => (
-            &recent.ball,
-            0,
-            format!("after t = {} s", short(recent.from_s)),
-        ),
-        None => (
-            run.balls.first()?,
-            settled(run),
-            "after the transient".to_owned(),
-        ),
+        Some(recent) => Shown {
+            number: first + 1,
+            ball: &recent.ball,
+            from: 0,
+            part: format!("after t = {} s", short(recent.from_s)),
+        },
+        None => Shown {
+            number: first + 1,
+            ball: &run.balls[first],
+            from: settled(run),
+            part: "after the transient".to_owned(),
+        },
     })
 }
 
@@ -373,14 +397,14 @@ fn settled(run: &RunData) -> usize {
 /// Time axis along the bottom of all panels, transient shaded.
 fn with_time(run: &RunData, plot: Plot, anchor: &str) -> Plot {
     let times = run.time_s.iter().chain(&run.ring.time_s);
-    let begin = times.clone().copied().fold(0.0, f64::min);
-    let end = times.copied().fold(run.settled_after_s, f64::max);
+    let begin = times.clone().copied().reduce(f64::min).unwrap_or(0.0);
+    let end = times.copied().fold(begin, f64::max);
     plot.axis(
         "xaxis",
         "Time t (s)",
         json!({ "anchor": anchor, "range": [number(begin), number(end)] }),
     )
-    .discarded("x", "paper", begin, run.settled_after_s)
+    .discarded("x", "paper", begin, run.settled_after_s.min(end))
 }
 
 /// One entry per ball, at the right.
@@ -418,7 +442,10 @@ fn per_ball(
 }
 
 fn ball_trace(run: &RunData, k: usize, values: &[f64], traces: usize, shown: bool) -> Value {
-    let points = if k == 0 {
+    // Of selected balls all are shown alike.
+    let selected = run.balls.iter().any(|ball| ball.angle_deg.is_empty());
+    let strong = k == 0 || selected;
+    let points = if strong {
         4000
     } else {
         (POINTS_OF_ALL / traces.max(1)).clamp(800, 4000)
@@ -426,13 +453,13 @@ fn ball_trace(run: &RunData, k: usize, values: &[f64], traces: usize, shown: boo
     let (x, y) = history(&run.time_s, values, points);
     let colour = PALETTE[k % PALETTE.len()];
     let dash = ["solid", "dash", "dot"][k / PALETTE.len() % 3];
-    let width = if k == 0 { 1.8 } else { 1.0 };
+    let width = if strong { 1.8 } else { 1.0 };
     with(
         line(&format!("ball {}", k + 1), &x, &y, colour),
         json!({
             "line": { "width": width, "dash": dash },
-            "opacity": if k == 0 || !shown { 1.0 } else { 0.55 },
-            "visible": if k == 0 || shown { Value::Bool(true) } else { "legendonly".into() },
+            "opacity": if strong || !shown { 1.0 } else { 0.55 },
+            "visible": if strong || shown { Value::Bool(true) } else { "legendonly".into() },
             "legendgroup": k + 1,
         }),
     )

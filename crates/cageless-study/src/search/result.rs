@@ -1,11 +1,11 @@
 //! The result of a search in display units.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::{Provenance, RacewayLabel};
 
 /// Result of a search, in display units.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct SearchData {
     /// Findings as sentences.
     pub findings: Vec<String>,
@@ -48,7 +48,7 @@ pub struct SearchData {
 }
 
 /// Verdict of `design` on a structure at one operating point.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct PointVerdict {
     /// `smooth`, `double-collision`, `slips` or `infeasible`.
     pub verdict: String,
@@ -59,7 +59,7 @@ pub struct PointVerdict {
 }
 
 /// Speed and load.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct PointData {
     /// Speed of the inner ring, rpm.
     pub inner_speed_rpm: f64,
@@ -75,7 +75,7 @@ impl PointData {
 }
 
 /// A structure and what is known of it.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct StructureData {
     /// lC, mm.
     pub axial_span_mm: f64,
@@ -119,7 +119,7 @@ impl StructureData {
 }
 
 /// Numbers of a structure at one operating point.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct PointNumbers {
     /// Critical gap, degrees.
     pub critical_gap_deg: Option<f64>,
@@ -136,7 +136,7 @@ pub struct PointNumbers {
 }
 
 /// Numbers of runs of all balls.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct MotionNumbers {
     /// Contacts between balls per ball and turn.
     pub collisions: f64,
@@ -161,7 +161,7 @@ pub struct MotionNumbers {
 }
 
 /// Number of designs that a reason excludes.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct RejectionCount {
     /// Short name.
     pub reason: String,
@@ -172,7 +172,7 @@ pub struct RejectionCount {
 }
 
 /// One placement of raceways.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct PlacementData {
     /// ψ of the middles, degrees.
     pub centre_angles_deg: Vec<f64>,
@@ -187,7 +187,7 @@ pub struct PlacementData {
 }
 
 /// Critical gaps and verdicts over lC (columns) and θ (rows).
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct MapData {
     /// Speed and load.
     pub point: PointData,

@@ -1,11 +1,11 @@
 //! The result of a tolerance analysis in display units.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::Provenance;
 
 /// One influence on its own.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct InfluenceRow {
     /// Parameter that deviates.
     pub name: String,
@@ -30,7 +30,7 @@ pub struct InfluenceRow {
 }
 
 /// Number of bearings with a verdict.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct VerdictCount {
     /// Its name.
     pub verdict: String,
@@ -43,7 +43,7 @@ pub struct VerdictCount {
 }
 
 /// Bearings in which everything deviates.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SampleData {
     /// Number of samples or passages.
     pub count: usize,
@@ -64,7 +64,7 @@ pub struct SampleData {
 }
 
 /// Data of the tolerance page.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ToleranceData {
     /// Heading.
     pub title: String,

@@ -1,11 +1,11 @@
 //! The analysis of a finished sweep.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::{Parameter, Provenance};
 
 /// Data of the page of a sweep. Empty parts are omitted from the page.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct SweepData {
     /// Title of the plan.
     pub title: String,
@@ -34,7 +34,7 @@ pub struct SweepData {
 }
 
 /// An input or an output.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct SweepQuantity {
     /// Its column.
     pub name: String,
@@ -63,7 +63,7 @@ impl SweepQuantity {
 }
 
 /// Sensitivity of an output.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct SweepOutput {
     /// The output.
     pub quantity: SweepQuantity,
@@ -76,7 +76,7 @@ pub struct SweepOutput {
 }
 
 /// An output over one input.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct MainEffect {
     /// The input.
     pub input: SweepQuantity,
@@ -91,7 +91,7 @@ pub struct MainEffect {
 }
 
 /// Values of an input: those that it takes, or the middles of equal stretches.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(untagged)]
 pub enum Levels {
     /// Numbers.
@@ -107,7 +107,7 @@ impl Default for Levels {
 }
 
 /// Mean of an output over two inputs.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct HeatMap {
     /// Input along x.
     pub x_input: SweepQuantity,
@@ -122,7 +122,7 @@ pub struct HeatMap {
 }
 
 /// The best variants by one output.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct BestVariants {
     /// The output.
     pub quantity: SweepQuantity,
@@ -133,7 +133,7 @@ pub struct BestVariants {
 }
 
 /// One of the best variants.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct BestVariant {
     /// Its index.
     pub variant: u64,
@@ -144,7 +144,7 @@ pub struct BestVariant {
 }
 
 /// Variants that failed for one reason, numbers apart.
-#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct FailureGroup {
     /// Number of samples or passages.
     pub count: u64,

@@ -1,0 +1,79 @@
+"""Options of figures: balls, time, title; figures of static results."""
+
+from __future__ import annotations
+
+import cageless
+import numpy as np
+import plotly.graph_objects as go
+import pytest
+from conftest import lively
+
+
+@pytest.fixture(scope="module")
+def run() -> cageless.Run:
+    return lively().run()
+
+
+def shown(figure: go.Figure) -> dict[str, go.Scatter]:
+    return {trace.name: trace for trace in figure.data if trace.name}
+
+
+def test_balls_are_those_chosen(run: cageless.Run) -> None:
+    figure = run.plot_gaps(balls=[3, 7], time_s=(0.0, 0.02))
+    assert set(shown(figure)) == {"ball 3", "ball 7"}
+    trace = shown(figure)["ball 7"]
+    assert trace.visible is True
+    rows = np.searchsorted(run.time_s, np.asarray(trace.x, float))
+    expected = np.degrees(run.gap_rad[rows, 6])
+    assert np.allclose(np.asarray(trace.y, float), expected, rtol=1e-3, atol=1e-6)
+    assert set(shown(run.plot_slip(balls=2))) == {"ball 2"}
+    assert shown(run.plot_phase(ball=4)).keys() == {"ball 4"}
+    assert run.plot_loads(ball=5) != run.plot_loads()
+
+
+def test_a_window_of_time_has_every_output_time(run: cageless.Run) -> None:
+    figure = run.plot_gaps(time_s=(0.004, 0.006))
+    times = np.asarray(shown(figure)["ball 1"].x, float)
+    inside = run.time_s[(run.time_s >= 0.004) & (run.time_s <= 0.006)]
+    assert len(times) == len(inside) > 10
+    assert np.allclose(times, inside, rtol=1e-5)
+    low, high = figure.layout.xaxis.range
+    assert (low, high) == pytest.approx((inside[0], inside[-1]))
+    collided = run.plot_collisions(time_s=(0.0, 0.01)).data[0].x
+    starts = run.collisions("start_s")
+    assert len(collided) == np.count_nonzero(starts <= 0.01) < len(starts)
+
+
+def test_every_figure_takes_a_title(run: cageless.Run) -> None:
+    for name in [name for name in dir(run) if name.startswith("plot_")]:
+        plain, titled = getattr(run, name)(), getattr(run, name)(title="Mine")
+        assert titled.layout.title.text == "Mine"
+        assert titled.layout.height > plain.layout.height
+
+
+def test_impossible_choices_are_refused(run: cageless.Run) -> None:
+    with pytest.raises(cageless.InputError, match="balls = 15 is not possible: it must be 1 to 14"):
+        run.plot_gaps(balls=[1, 15])
+    with pytest.raises(cageless.InputError, match="balls = 0 "):
+        run.plot_phase(ball=0)
+    with pytest.raises(cageless.InputError, match=r"balls = \[\] is not possible"):
+        run.plot_gaps(balls=[])
+    with pytest.raises(cageless.InputError, match="time_s = .* two of the output times"):
+        run.plot_slip(time_s=(0.5, 0.6))
+
+
+def test_loads_of_a_static_result_are_drawn_round_the_ring() -> None:
+    static = cageless.Case.from_toml(cageless.template()).static()
+    figure = static.plot_loads(title="Loads")
+    assert figure.layout.title.text == "Loads"
+    outer, inner = figure.data
+    assert np.array_equal(outer.r, static.outer_force_n)
+    assert np.array_equal(inner.r, static.inner_force_n)
+    assert np.array_equal(outer.theta, static.ball_angle_deg)
+    # ψ = 0 is at the bottom.
+    assert figure.layout.polar.angularaxis.rotation == -90
+    outer, inner = static.plot_pressures().data
+    assert np.array_equal(outer.r, static.values["outer_pressure_gpa"])
+    assert np.array_equal(inner.r, static.values["inner_pressure_gpa"])
+    # Drawn to the end: what plotly refuses, it refuses here.
+    assert "barpolar" in figure.to_html(include_plotlyjs=False)

@@ -1,0 +1,311 @@
+"""Results as files and back: folders, pickles, CSV, MATLAB; their units and their short forms."""
+
+from __future__ import annotations
+
+import builtins
+import json
+import multiprocessing
+import pickle
+from collections.abc import Callable
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+from typing import Any
+
+import cageless
+import numpy as np
+import pandas as pd
+import pytest
+from conftest import Command, lively
+
+
+def template(**changes: Any) -> cageless.Case:
+    return cageless.Case.from_toml(cageless.template()).replace(**changes)
+
+
+def quick() -> cageless.Case:
+    return template(solver={"method": "symplectic", "step_us": "auto", "duration_s": 0.01})
+
+
+def a_search() -> cageless.SearchResult:
+    return quick().search(axial_span_mm=5.1, half_angle_deg=(24.0, 26.0), starts=1, budget=4)
+
+
+def a_sweep() -> cageless.SweepResult:
+    loads = cageless.span(500.0, 3000.0, 5)
+    angles = [20.0, 25.0, 170.0]
+    plan = cageless.Plan(
+        case=template(),
+        compute=["static"],
+        grid={"operation.radial_load_n": loads, "raceway.half_angle_deg": angles},
+    )
+    return cageless.sweep(plan)
+
+
+MADE: dict[str, Callable[[], Any]] = {
+    "run": lambda: lively().run(),
+    "verified": lambda: template(solver__duration_s=0.002).run(verify=True),
+    "static": lambda: template().static(),
+    "design": lambda: template().design(),
+    "search": a_search,
+    "tolerance": lambda: quick().tolerance(samples=3, groove_depth_um=3.0, threads=2),
+    "sweep": a_sweep,
+    "report": lambda: a_sweep().report(high=["static_ring_y_um"]),
+}
+#: Kinds of results that are saved in folders.
+SAVED = [kind for kind in MADE if kind != "report"]
+
+_results: dict[str, Any] = {}
+
+
+def result(kind: str) -> Any:
+    """A result of each kind, made once."""
+    if kind not in _results:
+        _results[kind] = MADE[kind]()
+    return _results[kind]
+
+
+def plots(found: Any) -> dict[str, str]:
+    """Figures of a result as text; of one that has nothing to show, why."""
+    shown = {}
+    for name in dir(type(found)):
+        if name.startswith("plot_"):
+            given = ["static_ring_y_um"] if name in ("plot_effects", "plot_map") else []
+            try:
+                shown[name] = getattr(found, name)(*given, title="above").to_json()
+            except cageless.InputError as error:
+                shown[name] = str(error)
+    return shown
+
+
+def assert_same(one: Any, other: Any) -> None:
+    """The same object: equal, and so are its tables and figures."""
+    assert type(one) is type(other)
+    assert one == other
+    assert repr(one) == repr(other) or isinstance(one, cageless.SweepResult)
+    tables, others = one._tables(), other._tables()
+    assert list(tables) == list(others)
+    for name, frame in tables.items():
+        pd.testing.assert_frame_equal(frame, others[name])
+        assert frame.attrs["units"] == others[name].attrs["units"]
+    assert plots(one) == plots(other)
+
+
+@pytest.mark.parametrize("kind", SAVED)
+def test_what_is_saved_comes_back_equal(kind: str, tmp_path: Path) -> None:
+    made = result(kind)
+    folder = made.save(tmp_path / "deep" / kind)
+    loaded = cageless.load(folder)
+    assert_same(loaded, made)
+    again = loaded.save(tmp_path / "again")
+    for path in again.iterdir():
+        assert path.read_bytes() == (folder / path.name).read_bytes(), path.name
+    assert not [path for path in folder.iterdir() if path.name.startswith(".")]
+
+
+@pytest.mark.parametrize("kind", MADE)
+def test_every_result_survives_a_pickle(kind: str) -> None:
+    made = result(kind)
+    back = pickle.loads(pickle.dumps(made))
+    assert_same(back, made)
+    assert_same(pickle.loads(pickle.dumps(back)), made)
+
+
+def test_a_run_that_is_not_the_same_is_not_equal() -> None:
+    run = result("run")
+    assert run == lively().run()
+    assert run != lively().replace(solver__duration_s=0.019).run()
+    assert run != lively().replace(contact__friction_coefficient=0.02).run()
+    assert result("static") != template(operation__radial_load_n=900.0).static()
+    assert run != result("static")
+
+
+def test_pages_and_verification_are_those_of_the_computed_run(tmp_path: Path) -> None:
+    run = result("verified")
+    back = pickle.loads(pickle.dumps(run))
+    pages = [made.report(tmp_path / name) for made, name in [(run, "a.html"), (back, "b.html")]]
+    assert pages[0].read_text() == pages[1].read_text()
+    assert back.verification == run.verification
+    pd.testing.assert_frame_equal(
+        back.verification.data_numbers(), run.verification.data_numbers()
+    )
+    assert not back.gap_rad.flags.writeable
+
+
+def static_of(load: float) -> cageless.Static:
+    return template(operation__radial_load_n=load).static()
+
+
+def run_of(case: cageless.Case) -> cageless.Run:
+    return case.run()
+
+
+def test_processes_send_their_results() -> None:
+    loads = [500.0, 1500.0]
+    cases = [template(operation__radial_load_n=load, solver__duration_s=0.002) for load in loads]
+    method = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(2, mp_context=method) as pool:
+        statics = list(pool.map(static_of, loads))
+        runs = list(pool.map(run_of, cases))
+    assert statics == [static_of(load) for load in loads]
+    assert runs == [case.run() for case in cases]
+    assert runs[0] != runs[1]
+
+
+def test_a_run_that_stopped_comes_back_with_its_reason(tmp_path: Path) -> None:
+    case = template(start={"state": "rolling", "ring_y_um": -450.0}, solver__duration_s=0.05)
+    with pytest.raises(cageless.UnphysicalError) as error:
+        case.run()
+    run = error.value.run
+    assert run is not None
+    back = pickle.loads(pickle.dumps(error.value))
+    assert back.run == run
+    assert back.run.stopped == str(error.value)
+    run.save(tmp_path)
+    loaded = cageless.load(tmp_path)
+    assert isinstance(loaded, cageless.Run)
+    assert loaded.stopped == run.stopped
+    assert loaded == run
+
+
+def test_folders_of_the_command_are_read(command: Command, tmp_path: Path) -> None:
+    case = quick()
+    path = tmp_path / "case.toml"
+    path.write_text(case.to_toml())
+    command("run", path, "--out", tmp_path / "run")
+    assert cageless.load(tmp_path / "run") == case.run()
+    command("static", path, "--out", tmp_path / "static")
+    assert cageless.load(tmp_path / "static") == case.static()
+    command("tolerance", path, "--samples", 0, "--out", tmp_path / "tolerance")
+    made = cageless.load(tmp_path / "tolerance")
+    assert isinstance(made, cageless.ToleranceResult)
+    assert made.passes == case.tolerance(samples=0).passes
+    command("design", path, "--out", tmp_path / "design")
+    assert cageless.load(tmp_path / "design") == case.design()
+
+
+def test_the_command_leaves_a_search_that_is_read(command: Command, tmp_path: Path) -> None:
+    search = {"axial_span_mm": 5.1, "half_angle_deg": [24.0, 26.0], "starts": 1, "budget": 4}
+    path = tmp_path / "case.toml"
+    path.write_text(quick().replace(search=search).to_toml())
+    command("design", path, "--search", "--out", tmp_path / "search")
+    found = cageless.load(tmp_path / "search")
+    assert isinstance(found, cageless.SearchResult)
+    assert found == cageless.Case.from_file(path).search()
+    assert found.case.run().stopped is None
+
+
+def test_folders_that_are_no_result_are_refused(tmp_path: Path) -> None:
+    with pytest.raises(cageless.InputError, match="is not there"):
+        cageless.load(tmp_path / "none")
+    with pytest.raises(cageless.InputError, match="holds no result: one of summary.json"):
+        cageless.load(tmp_path)
+    run, static = result("run"), result("static")
+    folder = run.save(tmp_path / "run")
+    (folder / "ring.parquet").write_bytes(b"PAR1 no more PAR1")
+    with pytest.raises(cageless.InputError, match="ring.parquet: cannot be read"):
+        cageless.load(folder)
+    run.save(folder)
+    (folder / "report.json").write_text('{"title": 7}')
+    with pytest.raises(cageless.InputError, match="report.json of a saved run"):
+        cageless.load(folder).plot_gaps()  # type: ignore[union-attr]
+    static.save(folder)
+    with pytest.raises(cageless.InputError, match="several results: summary.json, static.json"):
+        cageless.load(folder)
+    (tmp_path / "file").write_text("")
+    with pytest.raises(cageless.InputError, match="file"):
+        static.save(tmp_path / "file")
+    broken = static.save(tmp_path / "broken")
+    (broken / "static.json").write_text("{")
+    with pytest.raises(cageless.InputError, match="static.json: cannot be read"):
+        cageless.load(broken)
+
+
+@pytest.mark.parametrize("kind", MADE)
+def test_tables_as_csv_have_all_digits(kind: str, tmp_path: Path) -> None:
+    made = result(kind)
+    files = made.to_csv(tmp_path)
+    tables = made._tables()
+    assert [path.name for path in files] == [f"{name}.csv" for name in tables]
+    for path, frame in zip(files, tables.values(), strict=True):
+        read = pd.read_csv(path, float_precision="round_trip")
+        assert len(read) == len(frame)
+        for name in frame.select_dtypes("floating").columns:
+            assert np.array_equal(
+                read[name].to_numpy(float), frame[name].to_numpy(float), equal_nan=True
+            ), name
+
+
+@pytest.mark.parametrize("kind", MADE)
+def test_tables_go_to_matlab(kind: str, tmp_path: Path) -> None:
+    from scipy import io
+
+    made = result(kind)
+    path = made.to_mat(tmp_path / "result.mat")
+    read = io.loadmat(path, simplify_cells=True)
+    for name, frame in made._tables().items():
+        for column in frame.select_dtypes("floating").columns:
+            stored = np.atleast_1d(read[name][column])
+            assert np.array_equal(stored, frame[column].to_numpy(), equal_nan=True), column
+            assert read["units"][name][column] == frame.attrs["units"][column]
+
+
+def test_without_scipy_it_says_what_is_missing(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    genuine = builtins.__import__
+
+    def refuse(name: str, *rest: Any, **more: Any) -> Any:
+        if name.startswith("scipy"):
+            raise ImportError(name)
+        return genuine(name, *rest, **more)
+
+    monkeypatch.setattr(builtins, "__import__", refuse)
+    with pytest.raises(cageless.CagelessError, match="needs SciPy.* pip install scipy"):
+        result("static").to_mat(tmp_path / "static.mat")
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_matlab_file_goes_where_there_is_a_folder(tmp_path: Path) -> None:
+    with pytest.raises(cageless.InputError, match="make it first"):
+        result("static").to_mat(tmp_path / "none" / "static.mat")
+
+
+def test_units_are_those_of_the_files(tmp_path: Path) -> None:
+    import pyarrow.parquet as pq
+
+    run = result("run")
+    run.save(tmp_path)
+    for name, frame in run._tables().items():
+        footer = pq.read_metadata(tmp_path / f"{name}.parquet").metadata
+        units = {
+            key.decode().removeprefix("unit:"): value.decode()
+            for key, value in footer.items()
+            if key.startswith(b"unit:")
+        }
+        assert frame.attrs["units"] == units
+    assert result("static").data_balls().attrs["units"]["inner_force_n"] == "N"
+    influences = result("tolerance").data_influences().attrs["units"]
+    assert influences["critical_gap_deg_min"] == "deg"
+    assert result("sweep").data_variants().attrs["units"]["static_ring_y_um"] in ("um", "µm")
+
+
+@pytest.mark.parametrize("kind", MADE)
+def test_the_short_form_is_one_line(kind: str) -> None:
+    text = repr(result(kind))
+    assert text.startswith("<") and text.endswith(">")
+    assert "\n" not in text and len(text) < 200
+    if kind == "design":
+        assert text.startswith("<Design: PASS, smooth, critical gap ")
+    if kind == "report":
+        assert text == "<SweepReport: 15 variants, 5 failed, 5 outputs over 2 inputs>" or (
+            "15 variants, 5 failed" in text
+        )
+
+
+def test_summaries_saved_are_json_of_the_command(tmp_path: Path) -> None:
+    run = result("run")
+    run.save(tmp_path)
+    assert json.loads((tmp_path / "summary.json").read_text()) == run.summary
+    names = {path.name for path in tmp_path.iterdir()}
+    tables = {"balls.parquet", "ring.parquet", "collisions.parquet"}
+    assert names == tables | {"summary.json", "report.html", "report.json"}
