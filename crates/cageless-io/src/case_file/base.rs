@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use serde::Serialize;
+
 use super::error::CaseError;
 use super::spanned_toml::{self, Node, Origin, Place, Section, Value};
 use super::unit::decimal;
@@ -15,7 +17,8 @@ pub struct CaseBase {
 }
 
 /// A value for a key, in the unit of the case file.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
 pub enum CaseValue {
     /// A number.
     Number(f64),

@@ -2,28 +2,18 @@
 
 use cageless::design::search::Request;
 use cageless::step_limits::StepLimits;
-use cageless::{
-    Bearing, BearingDimensions, Case, Contact, Gaps, Housing, InputError, Material, Operation,
-    Output, Raceway, RacewayDimensions, Solver, Start,
-};
+use cageless::{Case, InputError, Solver};
 
 use super::SCHEMA;
-use super::document::{CaseDocument, GapsDocument, RacewayDocument, StartState, StepDocument};
+use super::document::{CaseDocument, StepDocument, nth};
 use super::error::CaseError;
 use super::keys;
 use super::messages;
-use super::read::nth;
 use super::spanned_toml::{Places, join};
-use super::unit::{Side, decimal, round};
-
-/// Outer radius of the outer ring at most, and half its width, over the radius of its groove.
-const OUTER_RADII_MAX: f64 = 10.0;
+use super::unit::Side;
 
 /// No contact of a bearing needs steps this short.
 const NO_STEP_S: f64 = 1e-12;
-
-/// Step of a case whose step is still to be chosen.
-const PROVISIONAL_STEP_S: f64 = 1e-6;
 
 /// Converts and checks.
 pub(super) fn case(document: &CaseDocument, places: &Places) -> Result<(Case, Request), CaseError> {
@@ -34,7 +24,7 @@ pub(super) fn case(document: &CaseDocument, places: &Places) -> Result<(Case, Re
 }
 
 /// Conversion of one document; `places` says where its values come from.
-pub(super) struct Converter<'a> {
+pub(crate) struct Converter<'a> {
     pub document: &'a CaseDocument,
     pub places: &'a Places,
 }
@@ -48,26 +38,22 @@ impl Converter<'_> {
         }
         let bearing = self.bearing()?;
         self.check_export_dimensions()?;
-        let mut raceways = Vec::new();
-        for (k, raceway) in document.raceway.iter().enumerate() {
-            raceways.push(self.raceway(k, raceway, &bearing)?);
-        }
+        let raceways = self.raceways(&bearing)?;
+        let housing = document.housing.as_ref();
         let mut case = Case {
             title: document.title.clone(),
             bearing,
             raceways,
             operation: self.operation()?,
-            contact: self.contact()?,
+            contact: document.contact.to_si(self, "contact")?,
             profile: document.model.profile,
             start: self.start()?,
             solver: self.solver()?,
             seed: self.seed()?,
-            housing: self.housing()?,
+            housing: housing.map(|h| h.to_si(self, "housing")).transpose()?,
             rotor: None,
             support: None,
-            output: Output {
-                interval_s: self.si("output.interval_us", document.output.interval_us)?,
-            },
+            output: document.output.to_si(self, "output")?,
         };
         let automatic = document.solver.step_us == StepDocument::Auto;
         if automatic {
@@ -85,226 +71,10 @@ impl Converter<'_> {
         Ok(case)
     }
 
-    fn bearing(&self) -> Result<Bearing, CaseError> {
-        let (b, m) = (&self.document.bearing, &self.document.material);
-        let si = |name: &str, value| self.si(&join("bearing", name), value);
-        let dimensions = BearingDimensions {
-            balls: b.balls,
-            ball_radius_m: si("ball_radius_mm", b.ball_radius_mm)?,
-            inner_groove_bottom_radius_m: si(
-                "inner_groove_bottom_radius_mm",
-                b.inner_groove_bottom_radius_mm,
-            )?,
-            outer_groove_bottom_radius_m: si(
-                "outer_groove_bottom_radius_mm",
-                b.outer_groove_bottom_radius_mm,
-            )?,
-            outer_shoulder_radius_m: si("outer_shoulder_radius_mm", b.outer_shoulder_radius_mm)?,
-            inner_groove_curvature_radius_m: si(
-                "inner_groove_curvature_radius_mm",
-                b.inner_groove_curvature_radius_mm,
-            )?,
-            outer_groove_curvature_radius_m: si(
-                "outer_groove_curvature_radius_mm",
-                b.outer_groove_curvature_radius_mm,
-            )?,
-            inner_ring_mass_kg: si("inner_ring_mass_kg", b.inner_ring_mass_kg)?,
-            inner_ring_drag_n_s_m: si("inner_ring_drag_n_s_m", b.inner_ring_drag_n_s_m)?,
-        };
-        let si = |name: &str, value| self.si(&join("material", name), value);
-        let material = Material {
-            density_kg_m3: si("density_kg_m3", m.density_kg_m3)?,
-            youngs_modulus_pa: si("youngs_modulus_gpa", m.youngs_modulus_gpa)?,
-            poisson_ratio: si("poisson_ratio", m.poisson_ratio)?,
-        };
-        let bearing = Bearing::new(dimensions, material).map_err(|e| self.refused(&e, None))?;
-        self.scattered(bearing)
-    }
-
-    /// Keys that only `export` needs and any file may contain.
-    fn check_export_dimensions(&self) -> Result<(), CaseError> {
-        let b = &self.document.bearing;
-        if let Some(radius) = b.outer_ring_outer_radius_mm {
-            self.si("bearing.outer_ring_outer_radius_mm", radius)?;
-            let least = b.outer_groove_bottom_radius_mm;
-            let most = decimal(round(OUTER_RADII_MAX * least, Side::Upper));
-            if radius <= least {
-                return Err(self.refuse(
-                    "bearing.outer_ring_outer_radius_mm",
-                    &radius.to_string(),
-                    &format!("more than {least} mm (the bottom of the groove)"),
-                ));
-            }
-            if radius > OUTER_RADII_MAX * least {
-                return Err(self.refuse(
-                    "bearing.outer_ring_outer_radius_mm",
-                    &radius.to_string(),
-                    &format!("at most {most} mm (ten times the bottom of the groove)"),
-                ));
-            }
-        }
-        if let Some(width) = b.outer_ring_width_mm {
-            self.si("bearing.outer_ring_width_mm", width)?;
-            if width <= 0.0 {
-                let key = "bearing.outer_ring_width_mm";
-                return Err(self.refuse(key, &width.to_string(), "more than 0 mm"));
-            }
-            let widest = 2.0 * OUTER_RADII_MAX * b.outer_groove_bottom_radius_mm;
-            if width > widest {
-                let key = "bearing.outer_ring_width_mm";
-                let most = decimal(round(widest, Side::Upper));
-                let allowed = format!("at most {most} mm (ten times the diameter of the groove)");
-                return Err(self.refuse(key, &width.to_string(), &allowed));
-            }
-        }
-        Ok(())
-    }
-
-    /// Gives the balls their own radii.
-    fn scattered(&self, bearing: Bearing) -> Result<Bearing, CaseError> {
-        let b = &self.document.bearing;
-        let Some(deviations) = &b.ball_radius_deviation_um else {
-            return Ok(bearing);
-        };
-        let key = "bearing.ball_radius_deviation_um";
-        if deviations.len() != b.balls {
-            let allowed = format!("a list of {} numbers in um, one per ball", b.balls);
-            return Err(self.refuse(key, &format!("a list of {}", deviations.len()), &allowed));
-        }
-        let deviations_m = deviations
-            .iter()
-            .map(|d| self.si(key, *d))
-            .collect::<Result<_, _>>()?;
-        bearing
-            .with_ball_radius_deviations(deviations_m)
-            .map_err(|e| self.refused(&e, None))
-    }
-
-    fn raceway(
-        &self,
-        index: usize,
-        raceway: &RacewayDocument,
-        bearing: &Bearing,
-    ) -> Result<Raceway, CaseError> {
-        let path = nth("raceway", index, self.document.raceway.len());
-        let si = |name: &str, value| self.si(&join(&path, name), value);
-        let dimensions = RacewayDimensions {
-            axial_span_m: si("axial_span_mm", raceway.axial_span_mm)?,
-            half_angle_rad: si("half_angle_deg", raceway.half_angle_deg)?,
-            centre_angle_rad: si("centre_angle_deg", raceway.centre_angle_deg)?,
-        };
-        let depth_error_m = si("depth_error_um", raceway.depth_error_um)?;
-        Raceway::new(dimensions, bearing)
-            .and_then(|raceway| raceway.with_depth_error(depth_error_m))
-            .map_err(|e| self.refused(&e, Some(index)))
-    }
-
-    fn operation(&self) -> Result<Operation, CaseError> {
-        let o = &self.document.operation;
-        Ok(Operation {
-            inner_speed_rad_s: self.si("operation.inner_speed_rpm", o.inner_speed_rpm)?,
-            radial_load_n: self.si("operation.radial_load_n", o.radial_load_n)?,
-            gravity_m_s2: self.si("operation.gravity_m_s2", o.gravity_m_s2)?,
-            inner_speed_table: None,
-            radial_load_table: None,
-        })
-    }
-
-    fn contact(&self) -> Result<Contact, CaseError> {
-        let c = &self.document.contact;
-        let si = |name: &str, value| self.si(&join("contact", name), value);
-        let optional = |name: &str, value: Option<f64>| value.map(|v| si(name, v)).transpose();
-        Ok(Contact {
-            friction_coefficient: si("friction_coefficient", c.friction_coefficient)?,
-            friction_law: c.friction_law,
-            static_friction_coefficient: optional(
-                "static_friction_coefficient",
-                c.static_friction_coefficient,
-            )?,
-            stribeck_speed_m_s: optional("stribeck_speed_m_s", c.stribeck_speed_m_s)?,
-            slip_scale_m_s: si("slip_scale_m_s", c.slip_scale_m_s)?,
-            damping_n_s_m1_5: si("damping", c.damping)?,
-            ball_restitution: si("ball_restitution", c.ball_restitution)?,
-            inner_stiffness_n_m1_5: optional("inner_stiffness", c.inner_stiffness)?,
-            outer_stiffness_n_m1_5: optional("outer_stiffness", c.outer_stiffness)?,
-            ball_stiffness_n_m1_5: optional("ball_stiffness", c.ball_stiffness)?,
-        })
-    }
-
-    fn start(&self) -> Result<Start, CaseError> {
-        let s = &self.document.start;
-        let gaps = match &s.gaps {
-            GapsDocument::Uniform => Gaps::Uniform,
-            GapsDocument::ListDeg(gaps) => {
-                let gaps = gaps.iter().map(|&g| self.si("start.gaps", g));
-                Gaps::List(gaps.collect::<Result<_, _>>()?)
-            }
-        };
-        let lead_ball_angle_rad = self.si("start.lead_ball_angle_deg", s.lead_ball_angle_deg)?;
-        match s.state {
-            StartState::Settled => {
-                for (key, value) in [
-                    ("start.ring_x_um", s.ring_x_um),
-                    ("start.ring_y_um", s.ring_y_um),
-                ] {
-                    if let Some(value) = value {
-                        let allowed = "left out unless start.state = \"rolling\": a settled start \
-                                       finds the place of the ring itself";
-                        return Err(self.refuse(key, &value.to_string(), allowed));
-                    }
-                }
-                Ok(Start::Settled {
-                    gaps,
-                    lead_ball_angle_rad,
-                })
-            }
-            StartState::Rolling => Ok(Start::Rolling {
-                gaps,
-                lead_ball_angle_rad,
-                ring_x_m: self.si("start.ring_x_um", s.ring_x_um.unwrap_or(0.0))?,
-                ring_y_m: self.si("start.ring_y_um", s.ring_y_um.unwrap_or(0.0))?,
-            }),
-        }
-    }
-
-    fn solver(&self) -> Result<Solver, CaseError> {
-        let s = &self.document.solver;
-        Ok(Solver {
-            method: s.method,
-            step_s: match s.step_us {
-                StepDocument::FixedUs(step) => self.si("solver.step_us", step)?,
-                // Put right once the case is known.
-                StepDocument::Auto => PROVISIONAL_STEP_S,
-            },
-            tolerance: self.si("solver.tolerance", s.tolerance)?,
-            duration_s: self.si("solver.duration_s", s.duration_s)?,
-        })
-    }
-
-    fn seed(&self) -> Result<u64, CaseError> {
-        let seed = self.document.solver.seed;
-        // TOML holds no larger integer, and the document must be able to go back.
-        if i64::try_from(seed).is_err() {
-            return Err(self.refuse("solver.seed", &seed.to_string(), "less than 2^63"));
-        }
-        Ok(seed)
-    }
-
-    fn housing(&self) -> Result<Option<Housing>, CaseError> {
-        let Some(h) = &self.document.housing else {
-            return Ok(None);
-        };
-        Ok(Some(Housing {
-            mass_kg: self.si("housing.mass_kg", h.mass_kg)?,
-            stiffness_n_m: self.si("housing.stiffness_n_m", h.stiffness_n_m)?,
-            damping_n_s_m: self.si("housing.damping_n_s_m", h.damping_n_s_m)?,
-        }))
-    }
-
     /// The value of a dotted key in SI units; refuses what is not finite.
     pub(super) fn si(&self, path: &str, value: f64) -> Result<f64, CaseError> {
         let (section, name) = split(path);
-        let unit = keys::find(section, name).map_or(super::unit::Unit::None, |k| k.unit);
+        let unit = keys::unit(section, name);
         let si = unit.to_si(value);
         if si.is_finite() {
             return Ok(si);
@@ -319,14 +89,23 @@ impl Converter<'_> {
     /// An error of [`cageless`] in terms of the file. `raceway` is the index of the
     /// raceway at fault, if one is.
     pub(super) fn refused(&self, error: &InputError, raceway: Option<usize>) -> CaseError {
-        let Some(key) = keys::of_field(error.field) else {
+        let Some((section, key)) = keys::of_field(error.field) else {
             return self.places.error("", error.to_string());
         };
-        let section = match raceway {
-            Some(index) => nth(key.section, index, self.document.raceway.len()),
-            None => key.section.to_owned(),
+        let path = match raceway {
+            Some(index) => nth(section, index, self.document.raceway.len()),
+            None => section.to_owned(),
         };
-        let path = join(&section, key.name);
+        let path = join(&path, key.name);
+        // A key that is optional by itself, and that something else in the case needs.
+        if error.value.is_nan() && self.places.written(&path).is_none() {
+            let meaning = keys::describe(key);
+            let message = format!(
+                "{path} is missing in [{section}]: {meaning}; it must be {}",
+                error.allowed
+            );
+            return self.places.error(&path, message);
+        }
         let allowed = messages::in_file_units(error, key, self.document, raceway);
         self.refuse(&path, &key.unit.show(error.value, Side::Nearest), &allowed)
     }
@@ -338,7 +117,8 @@ impl Converter<'_> {
                 self.refuse("start.gaps", &value, &allowed)
             }
             "ring_x_m" | "ring_y_m" => {
-                let path = join("start", keys::of_field(error.field).map_or("", |k| k.name));
+                let path =
+                    keys::of_field(error.field).map_or_else(String::new, |(s, k)| join(s, k.name));
                 let value = error.value * 1e6;
                 self.refuse(
                     &path,

@@ -2,173 +2,273 @@
 //! The last words of each name are its unit; [`cageless::Case`] says what each
 //! quantity is.
 
-use cageless::{FrictionLaw, Method, Profile};
+use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
+use super::SCHEMA;
+use super::base::CaseValue;
+use super::declaration::Line::Shown;
+use super::declaration::{Key, Kind, Line, Presence, SectionDocument, Values};
 use super::error::CaseError;
-use super::named;
+use super::read::FileReader;
+pub use super::sections::bearing::BearingDocument;
+pub use super::sections::contact::ContactDocument;
+pub use super::sections::housing::HousingDocument;
+pub use super::sections::material::MaterialDocument;
+pub use super::sections::model::ModelDocument;
+pub use super::sections::operation::OperationDocument;
+pub use super::sections::output::OutputDocument;
+pub use super::sections::raceway::RacewayDocument;
+pub use super::sections::search::SearchDocument;
+pub use super::sections::solver::SolverDocument;
+pub use super::sections::start::StartDocument;
+use super::unit::Unit;
 
-/// A whole case file, every default filled in. Serialised, it is the case in
-/// `summary.json`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct CaseDocument {
-    /// Version of the file format.
-    pub schema: u64,
-    /// Free text.
-    pub title: String,
-    /// Rings and balls.
-    pub bearing: BearingDocument,
-    /// Material of rings and balls.
-    pub material: MaterialDocument,
-    /// Discrete raceways: none in a conventional bearing. One is written as a
-    /// `[raceway]`, several as `[[raceway]]`.
-    #[serde(
-        skip_serializing_if = "Vec::is_empty",
-        serialize_with = "one_or_several"
-    )]
-    pub raceway: Vec<RacewayDocument>,
-    /// Speed and load.
-    pub operation: OperationDocument,
-    /// Friction, damping and stiffness.
-    pub contact: ContactDocument,
-    /// The set of equations.
-    pub model: ModelDocument,
-    /// Initial state.
-    pub start: StartDocument,
-    /// Integration.
-    pub solver: SolverDocument,
-    /// Support of the outer ring.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub housing: Option<HousingDocument>,
-    /// Output of a run.
-    pub output: OutputDocument,
-    /// Ranges of a search for the raceway.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub search: Option<SearchDocument>,
+/// One section of the file format.
+#[derive(Debug)]
+pub(crate) struct SectionTable {
+    pub name: &'static str,
+    /// What the section holds.
+    pub meaning: &'static str,
+    pub keys: &'static [Key],
+    /// Whether the section may be left out as a whole, and then has no values.
+    pub optional: bool,
+    /// Its heading in the template: in force or not, with a comment.
+    pub heading: Heading,
 }
+
+/// Heading of a section in the template.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Heading {
+    /// In force.
+    Shown(&'static str),
+    /// The whole section is commented out.
+    Commented(&'static str),
+}
+
+/// A kind of section: required or with defaults, optional, or several of one name.
+pub(super) trait SectionField: Sized {
+    const KEYS: &'static [Key];
+    const OPTIONAL: bool;
+
+    fn read(file: &mut FileReader<'_>, name: &'static str) -> Result<Self, CaseError>;
+
+    /// The keys of each section of the name.
+    fn each(&self) -> Vec<Values>;
+}
+
+impl<D: SectionDocument> SectionField for D {
+    const KEYS: &'static [Key] = D::KEYS;
+    const OPTIONAL: bool = false;
+
+    fn read(file: &mut FileReader<'_>, name: &'static str) -> Result<Self, CaseError> {
+        D::read(&mut file.section(name)?)
+    }
+
+    fn each(&self) -> Vec<Values> {
+        vec![self.values()]
+    }
+}
+
+impl<D: SectionDocument> SectionField for Option<D> {
+    const KEYS: &'static [Key] = D::KEYS;
+    const OPTIONAL: bool = true;
+
+    fn read(file: &mut FileReader<'_>, name: &'static str) -> Result<Self, CaseError> {
+        file.has(name)
+            .then(|| D::read(&mut file.section(name)?))
+            .transpose()
+    }
+
+    fn each(&self) -> Vec<Values> {
+        self.iter().map(D::values).collect()
+    }
+}
+
+impl<D: SectionDocument> SectionField for Vec<D> {
+    const KEYS: &'static [Key] = D::KEYS;
+    const OPTIONAL: bool = true;
+
+    fn read(file: &mut FileReader<'_>, name: &'static str) -> Result<Self, CaseError> {
+        file.sections(name, D::read)
+    }
+
+    fn each(&self) -> Vec<Values> {
+        self.iter().map(D::values).collect()
+    }
+}
+
+/// Declares the sections in the order of the file format.
+macro_rules! case_document {
+    ($( $section:ident: $Document:ty, $meaning:literal, $heading:expr; )*) => {
+        /// A whole case file, every default filled in. Serialised, it is the case in
+        /// `summary.json`. One discrete raceway is written as a `[raceway]`, several as
+        /// `[[raceway]]`.
+        #[derive(Debug, Clone, PartialEq)]
+        pub struct CaseDocument {
+            /// Version of the file format.
+            pub schema: u64,
+            /// Free text.
+            pub title: String,
+            $( #[doc = $meaning] pub $section: $Document, )*
+        }
+
+        /// Sections and what each holds, in the order of the template.
+        pub(crate) const SECTIONS: &[SectionTable] = &[ $( SectionTable {
+            name: stringify!($section),
+            meaning: $meaning,
+            keys: <$Document as SectionField>::KEYS,
+            optional: <$Document as SectionField>::OPTIONAL,
+            heading: $heading,
+        }, )* ];
+
+        impl CaseDocument {
+            pub(super) fn read(
+                schema: u64,
+                title: String,
+                file: &mut FileReader<'_>,
+            ) -> Result<Self, CaseError> {
+                $( let $section = SectionField::read(file, stringify!($section))?; )*
+                Ok(Self { schema, title, $( $section, )* })
+            }
+
+            /// Every section with its keys and values.
+            fn sections(&self) -> Vec<(&'static str, Vec<Values>)> {
+                vec![ $( (stringify!($section), self.$section.each()), )* ]
+            }
+        }
+    };
+}
+
+case_document! {
+    bearing: BearingDocument, "dimensions and masses of rings and balls", Heading::Shown("");
+    material: MaterialDocument, "elastic material of rings and balls",
+        Heading::Shown("of rings and balls: bearing steel");
+    raceway: Vec<RacewayDocument>, "the discrete raceway",
+        Heading::Shown("several: [[raceway]] sections; none: a conventional ring");
+    operation: OperationDocument, "speed and load", Heading::Shown("");
+    contact: ContactDocument, "friction, damping and stiffness", Heading::Shown("");
+    model: ModelDocument, "the set of equations", Heading::Shown("");
+    start: StartDocument, "the initial state",
+        Heading::Commented("the whole section may be left out");
+    solver: SolverDocument, "integration", Heading::Shown("");
+    housing: Option<HousingDocument>, "the support of the outer ring",
+        Heading::Commented("support of the outer ring; gives its vibration");
+    output: OutputDocument, "what a run writes", Heading::Shown("");
+    search: Option<SearchDocument>, "what a search for the raceway looks at",
+        Heading::Commented("ranges of `design --search`");
+}
+
+const fn head(
+    name: &'static str,
+    kind: Kind,
+    presence: fn() -> Presence<Option<CaseValue>>,
+    meaning: &'static str,
+    line: Line,
+) -> Key {
+    Key {
+        name,
+        unit: Unit::None,
+        field: "",
+        meaning,
+        kind,
+        presence,
+        line,
+    }
+}
+
+/// Keys of the head of the file.
+pub(crate) const HEAD: &[Key] = &[
+    head(
+        "schema",
+        Kind::Whole,
+        || Presence::Default(Some(CaseValue::Integer(SCHEMA as i64))),
+        "version of the file format",
+        Shown("1", "version of this file format"),
+    ),
+    head(
+        "title",
+        Kind::Text,
+        || Presence::Default(Some(CaseValue::Text(String::new()))),
+        "free text",
+        Shown("\"Zhao 2022, structure (d)\"", "free text"),
+    ),
+    head(
+        "seed",
+        Kind::Whole,
+        || Presence::Optional,
+        "solver.seed, which may stand here as well",
+        Line::Absent,
+    ),
+];
 
 impl CaseDocument {
     /// The document as a case file.
     ///
     /// # Errors
-    /// A [`CaseError`] if TOML cannot hold it: a seed above 2^63 − 1.
+    /// A [`CaseError`] if TOML cannot hold it.
     pub fn to_toml(&self) -> Result<String, CaseError> {
         toml::to_string(self)
             .map_err(|e| CaseError::of_file("case", format!("cannot be written as TOML: {e}")))
     }
-}
 
-fn one_or_several<S: Serializer>(list: &[RacewayDocument], s: S) -> Result<S::Ok, S::Error> {
-    match list {
-        [one] => one.serialize(s),
-        several => several.serialize(s),
+    /// The value of a dotted key; `None` if it is left out or not a key.
+    pub(super) fn value(&self, key: &str) -> Option<CaseValue> {
+        let (section, rest) = key.split_once('.').unwrap_or(("", key));
+        if section.is_empty() {
+            return match rest {
+                "schema" => Some(CaseValue::Integer(self.schema as i64)),
+                "title" => Some(CaseValue::Text(self.title.clone())),
+                _ => None,
+            };
+        }
+        let (_, each) = self.sections().into_iter().find(|(s, _)| *s == section)?;
+        let (number, name) = match rest.split_once('.') {
+            Some((number, name)) => (number.parse::<usize>().ok()?, name),
+            None if each.len() == 1 => (1, rest),
+            None => return None,
+        };
+        let values = each.into_iter().nth(number.checked_sub(1)?)?;
+        let (_, value) = values.into_iter().find(|(k, _)| *k == name)?;
+        Some(value)
     }
 }
 
-/// `[bearing]`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct BearingDocument {
-    /// N, number of balls.
-    pub balls: usize,
-    /// Rw.
-    pub ball_radius_mm: f64,
-    /// Ri.
-    pub inner_groove_bottom_radius_mm: f64,
-    /// Ro.
-    pub outer_groove_bottom_radius_mm: f64,
-    /// Ros.
-    pub outer_shoulder_radius_mm: f64,
-    /// Radius of the inner groove in the meridian plane.
-    pub inner_groove_curvature_radius_mm: f64,
-    /// Re.
-    pub outer_groove_curvature_radius_mm: f64,
-    /// Mass of the inner ring with what turns with it.
-    pub inner_ring_mass_kg: f64,
-    /// C of Zhao 2022, Eq. (14).
-    pub inner_ring_drag_n_s_m: f64,
-    /// Deviation of each ball's radius from the nominal one, µm; all zero if left out.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ball_radius_deviation_um: Option<Vec<f64>>,
-    /// Outer radius of the outer ring, for export.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub outer_ring_outer_radius_mm: Option<f64>,
-    /// Width of the outer ring, for export.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub outer_ring_width_mm: Option<f64>,
+/// Keys and values as a map.
+struct Keys<'a>(&'a Values);
+
+impl Serialize for Keys<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(key, value)| (key, value)))
+    }
 }
 
-/// `[material]`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct MaterialDocument {
-    /// Density.
-    pub density_kg_m3: f64,
-    /// E.
-    pub youngs_modulus_gpa: f64,
-    /// Poisson's ratio.
-    pub poisson_ratio: f64,
+impl Serialize for CaseDocument {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("schema", &self.schema)?;
+        map.serialize_entry("title", &self.title)?;
+        for (name, each) in self.sections() {
+            match each.as_slice() {
+                [] => {}
+                [one] => map.serialize_entry(name, &Keys(one))?,
+                several => {
+                    let several: Vec<_> = several.iter().map(Keys).collect();
+                    map.serialize_entry(name, &several)?;
+                }
+            }
+        }
+        map.end()
+    }
 }
 
-/// `[raceway]`.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct RacewayDocument {
-    /// lC.
-    pub axial_span_mm: f64,
-    /// θ.
-    pub half_angle_deg: f64,
-    /// ψ of the raceway centre, rad.
-    pub centre_angle_deg: f64,
-    /// Depth error at the centre, m.
-    pub depth_error_um: f64,
-}
-
-/// `[operation]`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct OperationDocument {
-    /// ωi.
-    pub inner_speed_rpm: f64,
-    /// Fr.
-    pub radial_load_n: f64,
-    /// g.
-    pub gravity_m_s2: f64,
-}
-
-/// `[contact]`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct ContactDocument {
-    /// μ.
-    pub friction_coefficient: f64,
-    /// Law of friction.
-    #[serde(serialize_with = "named::serialize")]
-    pub friction_law: FrictionLaw,
-    /// μs of the Stribeck law.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub static_friction_coefficient: Option<f64>,
-    /// Sliding speed over which the Stribeck law falls from μs to μ by 1/e.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub stribeck_speed_m_s: Option<f64>,
-    /// Sliding speed at the knee of the smooth law.
-    pub slip_scale_m_s: f64,
-    /// c of the raceway contacts, N·s·m^(−3/2).
-    pub damping: f64,
-    /// Coefficient of restitution between balls.
-    pub ball_restitution: f64,
-    /// K at the inner raceway, N·m^(−3/2); from Hertz if `None`.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub inner_stiffness: Option<f64>,
-    /// K at the outer raceway, N·m^(−3/2); from Hertz if `None`.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub outer_stiffness: Option<f64>,
-    /// K between balls, N·m^(−3/2); from Hertz if `None`.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ball_stiffness: Option<f64>,
-}
-
-/// `[model]`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct ModelDocument {
-    /// The set of equations.
-    #[serde(serialize_with = "named::serialize")]
-    pub profile: Profile,
+/// Path of the k-th of several sections of one name.
+pub(super) fn nth(name: &str, k: usize, count: usize) -> String {
+    if count == 1 {
+        name.to_owned()
+    } else {
+        format!("{name}.{}", k + 1)
+    }
 }
 
 /// Kind of initial state; [`cageless::Start`] has the details.
@@ -180,24 +280,6 @@ pub enum StartState {
     Rolling,
 }
 
-/// `[start]`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct StartDocument {
-    /// Kind of initial state.
-    #[serde(serialize_with = "named::serialize")]
-    pub state: StartState,
-    /// Centre of the inner ring: only for [`StartState::Rolling`], there 0 if `None`.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ring_x_um: Option<f64>,
-    /// Centre of the inner ring: only for [`StartState::Rolling`], there 0 if `None`.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ring_y_um: Option<f64>,
-    /// Gaps between neighbouring balls.
-    pub gaps: GapsDocument,
-    /// ψ of ball 1.
-    pub lead_ball_angle_deg: f64,
-}
-
 /// `start.gaps`: `"uniform"` or a list.
 #[derive(Debug, Clone, PartialEq)]
 pub enum GapsDocument {
@@ -205,31 +287,6 @@ pub enum GapsDocument {
     Uniform,
     /// N gaps in degrees; gap k lies between ball k and ball k+1.
     ListDeg(Vec<f64>),
-}
-
-impl Serialize for GapsDocument {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Self::Uniform => serializer.serialize_str("uniform"),
-            Self::ListDeg(gaps) => gaps.serialize(serializer),
-        }
-    }
-}
-
-/// `[solver]`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct SolverDocument {
-    /// Integration method.
-    #[serde(serialize_with = "named::serialize")]
-    pub method: Method,
-    /// Step; the largest one of the adaptive method.
-    pub step_us: StepDocument,
-    /// Error per step of the adaptive method.
-    pub tolerance: f64,
-    /// Simulated time.
-    pub duration_s: f64,
-    /// Seed of whatever is random, at most 2^63 − 1.
-    pub seed: u64,
 }
 
 /// `solver.step_us`: `"auto"` or a number.
@@ -241,65 +298,6 @@ pub enum StepDocument {
     FixedUs(f64),
 }
 
-impl Serialize for StepDocument {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Self::Auto => serializer.serialize_str("auto"),
-            Self::FixedUs(step) => serializer.serialize_f64(*step),
-        }
-    }
-}
-
-/// `[housing]`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct HousingDocument {
-    /// Mass of housing and outer ring.
-    pub mass_kg: f64,
-    /// Stiffness of the support.
-    pub stiffness_n_m: f64,
-    /// Damping of the support.
-    pub damping_n_s_m: f64,
-}
-
-/// `[output]`.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct OutputDocument {
-    /// Time between rows.
-    pub interval_us: f64,
-}
-
-/// `[search]`: what `design --search` looks at. What is `None` is that of the case, or all
-/// that the geometry allows.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct SearchDocument {
-    /// Operating speeds.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub inner_speed_rpm: Option<RangeDocument>,
-    /// Operating loads.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub radial_load_n: Option<RangeDocument>,
-    /// Spans lC.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub axial_span_mm: Option<RangeDocument>,
-    /// Angles θ.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub half_angle_deg: Option<RangeDocument>,
-    /// Places of one raceway.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub centre_angle_deg: Option<RangeDocument>,
-    /// Raceways at most.
-    pub raceways_max: usize,
-    /// Share of the steady gap that the raceway must guarantee.
-    pub spread_min: f64,
-    /// Uneven starts per structure.
-    pub starts: u64,
-    /// Runs of all balls at most.
-    pub budget: usize,
-    /// Further speeds to draw maps at.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub map_speed_rpm: Option<Vec<f64>>,
-}
-
 /// A number, or the lowest and the highest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RangeDocument {
@@ -307,14 +305,4 @@ pub struct RangeDocument {
     pub low: f64,
     /// Highest.
     pub high: f64,
-}
-
-impl Serialize for RangeDocument {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        if self.low == self.high {
-            serializer.serialize_f64(self.low)
-        } else {
-            [self.low, self.high].serialize(serializer)
-        }
-    }
 }

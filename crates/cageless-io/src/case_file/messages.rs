@@ -3,8 +3,8 @@
 use cageless::error::Allowed;
 use cageless::{Bearing, Case, InputError};
 
+use super::declaration::Key;
 use super::document::{CaseDocument, GapsDocument};
-use super::keys::Key;
 use super::unit::{Side, Unit, decimal, round};
 
 /// Allowed values of a field of [`cageless`], in the unit of its key. Rules that contain numbers

@@ -1,24 +1,28 @@
 //! The case file: one computation, in TOML and in the units of the workshop.
 //!
-//! Reading goes through four steps, one file each: `tree` (TOML with the place
-//! of every value), `overrides` (`--set`), `read` (types and defaults, into a
-//! [`CaseDocument`]) and `convert` (SI units and the checks of [`cageless`]).
+//! Every key is declared once, in the table of its section in `sections`: type, default, unit,
+//! field of [`cageless`], meaning and template line (`declaration` has the columns). Reading goes
+//! through four steps, one file each: `spanned_toml` (TOML with the place of every value),
+//! `overrides` (`--set`), `read` (types and defaults, into a [`CaseDocument`]) and `convert`
+//! (SI units and the checks of [`cageless`]).
 //! Every error becomes one [`CaseError`] that names the place, the key, the
 //! value and what is allowed, in the unit of the file.
 
 pub(crate) mod base;
 mod convert;
-mod defaults;
+pub(crate) mod declaration;
 mod document;
 mod error;
+mod fields;
 pub(crate) mod keys;
 mod messages;
 pub(crate) mod named;
 mod overrides;
 pub(crate) mod read;
 mod reader;
+mod reference;
 mod ring;
-mod search;
+mod sections;
 pub(crate) mod spanned_toml;
 mod template;
 pub(crate) mod unit;
@@ -35,6 +39,7 @@ pub use document::{
 };
 pub use error::CaseError;
 pub use keys::nearest;
+pub use reference::{KeyReference, LeftOut, SectionReference, ValueType, reference};
 pub use template::template;
 
 use crate::system::io_error_message;
@@ -150,24 +155,7 @@ impl CaseFile {
     /// The value of a dotted key, its default if it has one; `None` if it is left out or
     /// not a key.
     pub fn value(&self, key: &str) -> Option<CaseValue> {
-        let document = toml::Value::try_from(&self.document).ok()?;
-        let step = |value: &toml::Value, part: &str| match (value, part.parse::<usize>()) {
-            (toml::Value::Array(items), Ok(number)) => items.get(number.checked_sub(1)?).cloned(),
-            (value, _) => value.get(part).cloned(),
-        };
-        let found = key
-            .split('.')
-            .try_fold(document, |at, part| step(&at, part));
-        match found? {
-            toml::Value::Float(value) => Some(CaseValue::Number(value)),
-            toml::Value::Integer(value) => Some(CaseValue::Integer(value)),
-            toml::Value::String(text) => Some(CaseValue::Text(text)),
-            toml::Value::Array(items) => {
-                let items: Option<_> = items.iter().map(toml::Value::as_float).collect();
-                items.map(CaseValue::Numbers)
-            }
-            _ => None,
-        }
+        self.document.value(key)
     }
 
     /// Origin of the value of a dotted key of [`CaseFile::document_as_run`].
@@ -222,7 +210,7 @@ impl Source {
 pub fn unit(key: &str) -> &'static str {
     let section = key.split_once('.').map_or("", |(section, _)| section);
     let name = key.rsplit_once('.').map_or(key, |(_, name)| name);
-    keys::find(section, name).map_or("", |k| k.unit.printed())
+    keys::unit(section, name).printed()
 }
 
 /// No case file comes near this; `/dev/zero` does.

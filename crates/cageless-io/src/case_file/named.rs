@@ -1,7 +1,6 @@
 //! Choices that a case file or a plan makes by name.
 
 use cageless::{FrictionLaw, Method, Profile};
-use serde::Serializer;
 
 use super::document::StartState;
 
@@ -63,12 +62,4 @@ impl Named for Method {
         ("symplectic", Self::Symplectic),
         ("adaptive", Self::Adaptive),
     ];
-}
-
-/// Writes the name of a choice.
-pub(super) fn serialize<T: Named, S: Serializer>(
-    value: &T,
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(value.name())
 }

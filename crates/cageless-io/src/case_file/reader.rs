@@ -1,13 +1,12 @@
 //! Typed access to one section.
 
-use super::document::RangeDocument;
+use super::declaration::{Field, Presence};
 use super::error::CaseError;
-use super::keys::{self, Key};
-use super::named::Named;
+use super::keys;
 use super::spanned_toml::{Node, Places, Section, Value, join};
 
 /// Reads the keys of one section and notes the defaults that it filled in.
-pub(super) struct Reader<'a> {
+pub(crate) struct Reader<'a> {
     /// Name of the section in the table of keys.
     section: &'static str,
     /// Dotted path: `raceway.2` for the second of several.
@@ -35,45 +34,27 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A required number, in the unit of the file.
-    pub(super) fn number(&self, name: &str) -> Result<f64, CaseError> {
-        self.optional_number(name)?
-            .ok_or_else(|| self.missing(name))
-    }
-
-    /// A number that has a default.
-    pub(super) fn number_or(&mut self, name: &str, default: f64) -> Result<f64, CaseError> {
-        let given = self.optional_number(name)?;
-        Ok(self.or_default(name, given, default))
-    }
-
-    /// A number that may be left out.
-    pub(super) fn optional_number(&self, name: &str) -> Result<Option<f64>, CaseError> {
-        self.get(name)
-            .map(|node| self.as_number(name, node))
-            .transpose()
-    }
-
-    /// A number that may be left out and then counts as a default that the model
-    /// derives itself.
-    pub(super) fn derived_number(&mut self, name: &str) -> Result<Option<f64>, CaseError> {
-        let given = self.optional_number(name)?;
-        if given.is_none() {
+    /// The value of a key, or what it takes if it is left out.
+    pub(super) fn field<T: Field>(
+        &mut self,
+        name: &str,
+        presence: Presence<T>,
+    ) -> Result<T, CaseError> {
+        if let Some(node) = self.get(name) {
+            return T::read(self, name, node);
+        }
+        if matches!(presence, Presence::Default(_) | Presence::Derived) {
             self.note_default(name);
         }
-        Ok(given)
+        match presence {
+            Presence::Default(value) => Ok(value),
+            Presence::Derived | Presence::Optional => T::absent().ok_or_else(|| self.missing(name)),
+            Presence::Required => Err(self.missing(name)),
+        }
     }
 
-    /// A required whole number, 0 or more.
-    pub(super) fn count(&self, name: &str) -> Result<u64, CaseError> {
-        self.optional_count(name)?.ok_or_else(|| self.missing(name))
-    }
-
-    /// A whole number, 0 or more, that may be left out.
-    pub(super) fn optional_count(&self, name: &str) -> Result<Option<u64>, CaseError> {
-        let Some(node) = self.get(name) else {
-            return Ok(None);
-        };
+    /// A whole number, 0 or more.
+    pub(super) fn count(&self, name: &str, node: &Node) -> Result<u64, CaseError> {
         // Above 2^53 a float does not tell neighbouring integers apart.
         const EXACT: f64 = 9_007_199_254_740_992.0;
         let count = match node.value {
@@ -81,85 +62,34 @@ impl<'a> Reader<'a> {
             Value::Number(f) if f >= 0.0 && f.fract() == 0.0 && f <= EXACT => Some(f as u64),
             _ => None,
         };
-        match count {
-            Some(count) => Ok(Some(count)),
-            None => {
-                let rule = keys::whole_number(self.section, name);
-                Err(self.refuse(name, node, &rule.allowed()))
-            }
-        }
+        count.ok_or_else(|| {
+            let allowed = keys::unit(self.section, name).whole_numbers();
+            self.refuse(name, node, &allowed)
+        })
     }
 
-    /// A whole number, 0 or more, that has a default.
-    pub(super) fn count_or(&mut self, name: &str, default: u64) -> Result<u64, CaseError> {
-        let given = self.optional_count(name)?;
-        Ok(self.or_default(name, given, default))
-    }
-
-    /// A number or the lowest and the highest, that may be left out.
-    pub(super) fn optional_range(&self, name: &str) -> Result<Option<RangeDocument>, CaseError> {
-        let Some(node) = self.get(name) else {
-            return Ok(None);
-        };
-        let numbers = match &node.value {
-            Value::List(_) => self.optional_list(name)?.unwrap_or_default(),
-            _ => vec![self.as_number(name, node)?],
-        };
-        match *numbers {
-            [one] => Ok(Some(RangeDocument {
-                low: one,
-                high: one,
-            })),
-            [low, high] if low <= high => Ok(Some(RangeDocument { low, high })),
-            _ => Err(self.refuse(name, node, "a number, or [lowest, highest]")),
-        }
-    }
-
-    /// A text that has a default.
-    pub(super) fn text_or(&mut self, name: &str, default: &str) -> Result<String, CaseError> {
-        let given = match self.get(name) {
-            None => None,
-            Some(Node {
-                value: Value::Text(text),
-                ..
-            }) => Some(text.clone()),
-            Some(node) => return Err(self.refuse(name, node, "text in quotes")),
-        };
-        Ok(self.or_default(name, given, default.to_owned()))
-    }
-
-    /// A choice by name that has a default.
-    pub(super) fn choice_or<T: Named>(&mut self, name: &str, default: T) -> Result<T, CaseError> {
-        let given = self.optional_choice(name)?;
-        Ok(self.or_default(name, given, default))
-    }
-
-    fn optional_choice<T: Named>(&self, name: &str) -> Result<Option<T>, CaseError> {
-        let Some(node) = self.get(name) else {
-            return Ok(None);
-        };
-        let choice = match &node.value {
-            Value::Text(text) => T::from_name(text),
-            _ => None,
-        };
-        choice
-            .map(Some)
-            .ok_or_else(|| self.refuse(name, node, &T::choices()))
-    }
-
-    /// A list of numbers that may be left out.
-    pub(super) fn optional_list(&self, name: &str) -> Result<Option<Vec<f64>>, CaseError> {
-        let Some(node) = self.get(name) else {
-            return Ok(None);
-        };
+    /// A list of numbers.
+    pub(super) fn list(&self, name: &str, node: &Node) -> Result<Vec<f64>, CaseError> {
         let Value::List(items) = &node.value else {
             return Err(self.refuse(name, node, "a list of numbers in brackets"));
         };
-        items
-            .iter()
-            .map(|item| self.as_number(name, item))
-            .collect::<Result<_, _>>()
-            .map(Some)
+        items.iter().map(|item| self.number(name, item)).collect()
+    }
+
+    /// A number, in the unit of the file.
+    pub(super) fn number(&self, name: &str, node: &Node) -> Result<f64, CaseError> {
+        match node.value {
+            // More than 2^53 units of anything is rounded, which nobody will notice.
+            Value::Integer(i) => Ok(i as f64),
+            Value::Number(f) => Ok(f),
+            _ => {
+                let allowed = match keys::unit(self.section, name).symbol() {
+                    "" => "a number, without quotes".to_owned(),
+                    unit => format!("a number in {unit}, without quotes and unit"),
+                };
+                Err(self.refuse(name, node, &allowed))
+            }
+        }
     }
 
     /// The value of a key as it stands in the file.
@@ -189,35 +119,6 @@ impl<'a> Reader<'a> {
         self.places.error_at(&node.place, &key, message)
     }
 
-    /// An error at a key that the file must not have here.
-    pub(super) fn misplaced(&self, name: &str, why: &str) -> CaseError {
-        let key = self.dotted(name);
-        self.places.error(&key, format!("{key} {why}"))
-    }
-
-    fn or_default<T>(&mut self, name: &str, given: Option<T>, default: T) -> T {
-        given.unwrap_or_else(|| {
-            self.note_default(name);
-            default
-        })
-    }
-
-    fn as_number(&self, name: &str, node: &Node) -> Result<f64, CaseError> {
-        match node.value {
-            // More than 2^53 units of anything is rounded, which nobody will notice.
-            Value::Integer(i) => Ok(i as f64),
-            Value::Number(f) => Ok(f),
-            _ => {
-                let unit = keys::find(self.section, name).map_or("", |k| k.unit.symbol());
-                let allowed = match unit {
-                    "" => "a number, without quotes".to_owned(),
-                    unit => format!("a number in {unit}, without quotes and unit"),
-                };
-                Err(self.refuse(name, node, &allowed))
-            }
-        }
-    }
-
     fn dotted(&self, name: &str) -> String {
         join(&self.path, name)
     }
@@ -228,7 +129,7 @@ impl<'a> Reader<'a> {
     }
 
     fn missing_text(&self, name: &str) -> String {
-        let meaning = keys::find(self.section, name).map_or_else(String::new, describe);
+        let meaning = keys::find(self.section, name).map_or_else(String::new, keys::describe);
         match self.entries {
             Some(_) => format!(
                 "{} is missing in [{}]: {meaning}",
@@ -241,13 +142,5 @@ impl<'a> Reader<'a> {
                 self.section
             ),
         }
-    }
-}
-
-/// Meaning of a key, with its unit.
-pub(super) fn describe(key: &Key) -> String {
-    match key.unit.symbol() {
-        "" => key.meaning.to_owned(),
-        unit => format!("{}, in {unit}", key.meaning),
     }
 }

@@ -6,7 +6,7 @@ use cageless::surface::OuterRingDimensions;
 use super::convert::Converter;
 use super::spanned_toml::join;
 use super::unit::Unit;
-use super::{CaseError, CaseFile, keys, reader};
+use super::{CaseError, CaseFile, keys};
 
 const SECTION: &str = "bearing";
 
@@ -43,7 +43,7 @@ impl CaseFile {
 
     fn missing_for_export(&self, name: &str) -> CaseError {
         let path = join(SECTION, name);
-        let meaning = keys::find(SECTION, name).map_or_else(String::new, reader::describe);
+        let meaning = keys::find(SECTION, name).map_or_else(String::new, keys::describe);
         let message = format!("{path} is missing in [{SECTION}], and `export` needs it: {meaning}");
         self.places.error(&path, message)
     }

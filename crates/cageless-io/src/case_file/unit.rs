@@ -2,11 +2,16 @@
 
 use std::f64::consts::TAU;
 
+/// Greatest integer of TOML.
+const TOML_MAX: u64 = i64::MAX as u64;
+
 /// Unit of a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Unit {
     /// No unit.
     None,
+    /// Of a whole number: its least and greatest value; none where something else limits it.
+    Whole(u64, Option<u64>),
     /// A unit of the SI system, as [`cageless`] has it.
     Si(&'static str),
     Millimetre,
@@ -21,7 +26,7 @@ impl Unit {
     /// Symbol of the unit; empty if there is none.
     pub(crate) fn symbol(self) -> &'static str {
         match self {
-            Self::None => "",
+            Self::None | Self::Whole(..) => "",
             Self::Si(symbol) => symbol,
             Self::Millimetre => "mm",
             Self::Micrometre => "um",
@@ -50,7 +55,7 @@ impl Unit {
     /// file and a program that uses [`cageless`] itself start from the same bits.
     pub(super) fn to_si(self, value: f64) -> f64 {
         match self {
-            Self::None | Self::Si(_) => value,
+            Self::None | Self::Whole(..) | Self::Si(_) => value,
             Self::Millimetre => shift(value, -3),
             Self::Micrometre | Self::Microsecond => shift(value, -6),
             Self::Degree => value.to_radians(),
@@ -62,12 +67,36 @@ impl Unit {
     /// From SI to the file's unit.
     pub(super) fn of_si(self, value: f64) -> f64 {
         match self {
-            Self::None | Self::Si(_) => value,
+            Self::None | Self::Whole(..) | Self::Si(_) => value,
             Self::Millimetre => shift(value, 3),
             Self::Micrometre | Self::Microsecond => shift(value, 6),
             Self::Degree => value.to_degrees(),
             Self::RevolutionPerMinute => value * 60.0 / TAU,
             Self::Gigapascal => shift(value, -9),
+        }
+    }
+
+    /// Whether a whole number is within its limits.
+    pub(super) fn has(self, value: u64) -> bool {
+        let (least, most) = self.whole_limits();
+        (least..=most.unwrap_or(u64::MAX)).contains(&value)
+    }
+
+    /// Allowed whole numbers as a phrase.
+    pub(super) fn whole_numbers(self) -> String {
+        match self.whole_limits() {
+            (least, None) => format!("a whole number, {least} or more"),
+            (least, Some(TOML_MAX)) => {
+                format!("a whole number, {least} or more and below 2^63")
+            }
+            (least, Some(most)) => format!("a whole number from {least} to {most}"),
+        }
+    }
+
+    fn whole_limits(self) -> (u64, Option<u64>) {
+        match self {
+            Self::Whole(least, most) => (least, most),
+            _ => (0, Some(TOML_MAX)),
         }
     }
 

@@ -120,7 +120,7 @@ impl Axis {
 /// Unit of a dotted key of the case file; empty if none.
 pub fn unit(key: &str) -> &'static str {
     let (section, name) = split(key);
-    keys::find(section, name).map_or("", |k| k.unit.symbol())
+    keys::unit(section, name).symbol()
 }
 
 /// Section and name: `raceway.2.half_angle_deg` is `half_angle_deg` in `raceway`.

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::case_file::named::Named;
 use crate::case_file::spanned_toml::{self, Node, Origin, Section, Value};
-use crate::case_file::{CaseBase, CaseError, CaseValue, Change, keys, read};
+use crate::case_file::{CaseBase, CaseError, CaseValue, Change, keys};
 
 /// Keys of the top level of a plan, sections last.
 const HEAD: [&str; 10] = [
@@ -228,10 +228,8 @@ impl<'a> PlanReader<'a> {
                 continue;
             }
             let Value::Section(inner) = &node.value else {
-                let hint = match keys::KEYS.iter().find(|k| k.name == section) {
-                    Some(k) if !k.section.is_empty() => {
-                        format!("did you mean {}.{}?", k.section, k.name)
-                    }
+                let hint = match keys::all().find(|(_, k)| k.name == section) {
+                    Some((of, k)) if !of.is_empty() => format!("did you mean {of}.{}?", k.name),
                     Some(_) => "it does not vary".to_owned(),
                     None => "a key is written section.key".to_owned(),
                 };
@@ -241,7 +239,7 @@ impl<'a> PlanReader<'a> {
             if keys::section_meaning(section).is_none() {
                 let message = format!(
                     "{section} is not a section of a case file; {}",
-                    read::hint("", section)
+                    keys::hint("", section)
                 );
                 return Err(self.error(node, section, message));
             }
@@ -258,9 +256,7 @@ impl<'a> PlanReader<'a> {
         }
         entries.sort_by_key(|e: &Entry<'_>| {
             let (section, name) = split(&e.key);
-            let place = keys::KEYS
-                .iter()
-                .position(|k| (k.section, k.name) == (section, name));
+            let place = keys::all().position(|(s, k)| (s, k.name) == (section, name));
             (place, e.key.clone())
         });
         Ok(entries)
@@ -281,7 +277,7 @@ impl<'a> PlanReader<'a> {
         if keys::find(section, key).is_none() || FIXED.contains(&key) {
             let message = format!(
                 "{path} is not a key of [{section}]; {}",
-                read::hint(section, key)
+                keys::hint(section, key)
             );
             return Err(self.error(node, &path, message));
         }

@@ -10,6 +10,7 @@ from typing import Any
 from . import _cageless
 from .computations import Computations
 from .errors import InputError
+from .section import Section, table
 from .sections import (
     Bearing,
     Contact,
@@ -19,10 +20,8 @@ from .sections import (
     Operation,
     Output,
     Raceway,
-    Section,
     Solver,
     Start,
-    table,
 )
 
 __all__ = ["Case", "template"]

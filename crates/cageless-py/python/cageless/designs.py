@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _cageless, folders, pages
 from .figures import figure
-from .sections import table
+from .section import table
 from .tables import Tables
 from .units import with_units
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .sections import table
+from .section import table
 from .units import with_units
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ from typing import Any, Literal
 from . import _cageless
 from .case import Case
 from .errors import InputError
-from .sections import table
+from .section import table
 
 __all__ = ["Plan", "span"]
 

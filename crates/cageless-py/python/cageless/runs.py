@@ -17,7 +17,7 @@ import numpy.typing as npt
 from . import _cageless, folders, pages
 from .errors import ColumnError, InputError
 from .figures import figure
-from .sections import table
+from .section import table
 from .tables import Tables
 from .units import with_units
 from .verifications import Verification

@@ -15,7 +15,8 @@ import numpy.typing as npt
 from . import _cageless, folders, pages
 from .errors import UnphysicalError
 from .figures import figure
-from .sections import Raceway, table
+from .section import table
+from .sections import Raceway
 from .tables import Tables
 from .units import with_units
 

@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from . import folders
 from .figures import polar
-from .sections import table
+from .section import table
 from .tables import Tables
 from .units import with_units
 

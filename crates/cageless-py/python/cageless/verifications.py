@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from .sections import table
+from .section import table
 from .units import with_units
 
 if TYPE_CHECKING:

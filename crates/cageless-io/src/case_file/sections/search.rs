@@ -3,17 +3,59 @@
 use cageless::Case;
 use cageless::design::search::{OperatingPoint, Request, placements};
 
-use super::convert::Converter;
-use super::document::RangeDocument;
-use super::error::CaseError;
-use super::keys;
+use crate::case_file::CaseError;
+use crate::case_file::convert::Converter;
+use crate::case_file::declaration::Line::Commented;
+use crate::case_file::declaration::Presence::{Default, Optional};
+use crate::case_file::declaration::section;
+use crate::case_file::document::RangeDocument;
+use crate::case_file::keys;
+use crate::case_file::unit::Unit::{
+    Degree, Millimetre, None as Plain, RevolutionPerMinute, Si, Whole,
+};
 
 /// Further maps at most.
 const MAPS_MAX: usize = 8;
 
+section! {
+    /// `[search]`: what `design --search` looks at. What is `None` is that of the case, or all
+    /// that the geometry allows. More than four raceways leave hardly any plain raceway between
+    /// them.
+    SearchDocument {
+        inner_speed_rpm: Option<RangeDocument> = Optional, RevolutionPerMinute,
+            "speed, or lowest and highest",
+            Commented("[3000.0, 12000.0]", "one number, or lowest and highest;");
+        radial_load_n: Option<RangeDocument> = Optional, Si("N"),
+            "load, or lowest and highest",
+            Commented("[500.0, 1500.0]", "left out: those of the case");
+        axial_span_mm: Option<RangeDocument> = Optional, Millimetre,
+            "lC, or narrowest and widest",
+            Commented("[4.0, 6.0]", "left out: all that the groove allows");
+        half_angle_deg: Option<RangeDocument> = Optional, Degree,
+            "θ, or smallest and largest",
+            Commented("[15.0, 30.0]", "left out: all that the bearing allows");
+        centre_angle_deg: Option<RangeDocument> = Optional, Degree,
+            "ψ of the middle of one raceway, or first and last",
+            Commented("[-90.0, 90.0]", "places of the raceway; left out: its own");
+        raceways_max: usize = Default(1), Whole(1, Some(4)),
+            "number of raceways at most", Commented("1", "1 to 4");
+        spread_min: f64 = Default(cageless::design::search::SPREAD_MIN), Plain,
+            "least separation, fraction of the mean ball spacing",
+            Commented("0.8", "least separation, fraction of the mean ball spacing");
+        starts: u64 = Default(2), Whole(1, Some(64)),
+            "unevenly spaced starts per design",
+            Commented("2", "unevenly spaced starts per design, 1 to 64");
+        budget: usize = Default(cageless::design::search::BUDGET), Whole(1, None),
+            "largest number of simulations", Commented("200", "largest number of simulations");
+        map_speed_rpm: Option<Vec<f64>> = Optional, RevolutionPerMinute,
+            "further speeds to draw maps at",
+            Commented("[6000.0, 20000.0]", "further speeds to draw maps at");
+    }
+}
+
 impl Converter<'_> {
     /// The request of `[search]`.
-    pub(super) fn search(&self, case: &Case) -> Result<Request, CaseError> {
+    pub(in crate::case_file) fn search(&self, case: &Case) -> Result<Request, CaseError> {
         let mut request = Request::from_case(case);
         let Some(search) = &self.document.search else {
             return Ok(request);
@@ -108,15 +150,12 @@ impl Converter<'_> {
     }
 
     fn whole(&self, name: &str, value: u64) -> Result<(), CaseError> {
-        let rule = keys::whole_number("search", name);
-        if (rule.least..=rule.most.unwrap_or(u64::MAX)).contains(&value) {
+        let unit = keys::unit("search", name);
+        if unit.has(value) {
             return Ok(());
         }
-        Err(self.refuse(
-            &format!("search.{name}"),
-            &value.to_string(),
-            &rule.allowed(),
-        ))
+        let allowed = unit.whole_numbers();
+        Err(self.refuse(&format!("search.{name}"), &value.to_string(), &allowed))
     }
 }
 

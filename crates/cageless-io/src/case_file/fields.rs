@@ -1,0 +1,233 @@
+//! The types of value that keys have.
+
+use super::base::CaseValue;
+use super::convert::Converter;
+use super::declaration::{Field, Kind};
+use super::document::{GapsDocument, RangeDocument, StepDocument};
+use super::error::CaseError;
+use super::named::Named;
+use super::reader::Reader;
+use super::spanned_toml::{Node, Value};
+
+impl Field for f64 {
+    type Si = Self;
+    const KIND: Kind = Kind::Number;
+
+    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
+        reader.number(name, node)
+    }
+
+    fn written(&self) -> Option<CaseValue> {
+        Some(CaseValue::Number(*self))
+    }
+
+    fn si(&self, converter: &Converter<'_>, path: &str) -> Result<Self, CaseError> {
+        converter.si(path, *self)
+    }
+}
+
+impl Field for u64 {
+    type Si = Self;
+    const KIND: Kind = Kind::Whole;
+
+    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
+        reader.count(name, node)
+    }
+
+    fn written(&self) -> Option<CaseValue> {
+        // TOML has no larger integers; the conversion refuses such a value.
+        let integer = i64::try_from(*self).map(CaseValue::Integer);
+        Some(integer.unwrap_or(CaseValue::Number(*self as f64)))
+    }
+
+    fn si(&self, _: &Converter<'_>, _: &str) -> Result<Self, CaseError> {
+        Ok(*self)
+    }
+}
+
+impl Field for usize {
+    type Si = Self;
+    const KIND: Kind = Kind::Whole;
+
+    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
+        // More than an address space has is refused by the checks of the value as well.
+        Ok(Self::try_from(reader.count(name, node)?).unwrap_or(Self::MAX))
+    }
+
+    fn written(&self) -> Option<CaseValue> {
+        (*self as u64).written()
+    }
+
+    fn si(&self, _: &Converter<'_>, _: &str) -> Result<Self, CaseError> {
+        Ok(*self)
+    }
+}
+
+impl Field for String {
+    type Si = Self;
+    const KIND: Kind = Kind::Text;
+
+    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
+        match &node.value {
+            Value::Text(text) => Ok(text.clone()),
+            _ => Err(reader.refuse(name, node, "text in quotes")),
+        }
+    }
+
+    fn written(&self) -> Option<CaseValue> {
+        Some(CaseValue::Text(self.clone()))
+    }
+
+    fn si(&self, _: &Converter<'_>, _: &str) -> Result<Self, CaseError> {
+        Ok(self.clone())
+    }
+}
+
+impl<T: Named> Field for T {
+    type Si = T;
+    const KIND: Kind = Kind::Choice(|| T::NAMES.iter().map(|(name, _)| *name).collect());
+
+    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
+        let choice = match &node.value {
+            Value::Text(text) => T::from_name(text),
+            _ => None,
+        };
+        choice.ok_or_else(|| reader.refuse(name, node, &T::choices()))
+    }
+
+    fn written(&self) -> Option<CaseValue> {
+        Some(CaseValue::Text(self.name().to_owned()))
+    }
+
+    fn si(&self, _: &Converter<'_>, _: &str) -> Result<T, CaseError> {
+        Ok(*self)
+    }
+}
+
+impl<T: Field> Field for Option<T> {
+    type Si = Option<T::Si>;
+    const KIND: Kind = T::KIND;
+
+    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
+        T::read(reader, name, node).map(Some)
+    }
+
+    fn absent() -> Option<Self> {
+        Some(None)
+    }
+
+    fn written(&self) -> Option<CaseValue> {
+        self.as_ref()?.written()
+    }
+
+    fn si(&self, converter: &Converter<'_>, path: &str) -> Result<Self::Si, CaseError> {
+        self.as_ref().map(|v| v.si(converter, path)).transpose()
+    }
+}
+
+impl Field for Vec<f64> {
+    type Si = Self;
+    const KIND: Kind = Kind::Numbers;
+
+    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
+        reader.list(name, node)
+    }
+
+    fn written(&self) -> Option<CaseValue> {
+        Some(CaseValue::Numbers(self.clone()))
+    }
+
+    fn si(&self, converter: &Converter<'_>, path: &str) -> Result<Self, CaseError> {
+        self.iter().map(|v| converter.si(path, *v)).collect()
+    }
+}
+
+impl Field for RangeDocument {
+    type Si = [f64; 2];
+    const KIND: Kind = Kind::Range;
+
+    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
+        let numbers = match &node.value {
+            Value::List(_) => reader.list(name, node)?,
+            _ => vec![reader.number(name, node)?],
+        };
+        match *numbers {
+            [one] => Ok(Self {
+                low: one,
+                high: one,
+            }),
+            [low, high] if low <= high => Ok(Self { low, high }),
+            _ => Err(reader.refuse(name, node, "a number, or [lowest, highest]")),
+        }
+    }
+
+    fn written(&self) -> Option<CaseValue> {
+        Some(if self.low == self.high {
+            CaseValue::Number(self.low)
+        } else {
+            CaseValue::Numbers(vec![self.low, self.high])
+        })
+    }
+
+    fn si(&self, converter: &Converter<'_>, path: &str) -> Result<[f64; 2], CaseError> {
+        Ok([
+            converter.si(path, self.low)?,
+            converter.si(path, self.high)?,
+        ])
+    }
+}
+
+impl Field for StepDocument {
+    /// Step in seconds; `None` if it is chosen once the case is known.
+    type Si = Option<f64>;
+    const KIND: Kind = Kind::NumberOr(&["auto"]);
+
+    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
+        match &node.value {
+            Value::Text(text) if text == "auto" => Ok(Self::Auto),
+            Value::Text(_) => Err(reader.refuse(name, node, "\"auto\" or a number of us")),
+            _ => Ok(Self::FixedUs(reader.number(name, node)?)),
+        }
+    }
+
+    fn written(&self) -> Option<CaseValue> {
+        Some(match self {
+            Self::Auto => CaseValue::Text("auto".to_owned()),
+            Self::FixedUs(step) => CaseValue::Number(*step),
+        })
+    }
+
+    fn si(&self, converter: &Converter<'_>, path: &str) -> Result<Option<f64>, CaseError> {
+        match self {
+            Self::Auto => Ok(None),
+            Self::FixedUs(step) => converter.si(path, *step).map(Some),
+        }
+    }
+}
+
+impl Field for GapsDocument {
+    type Si = cageless::Gaps;
+    const KIND: Kind = Kind::NumbersOr(&["uniform"]);
+
+    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
+        match &node.value {
+            Value::Text(text) if text == "uniform" => Ok(Self::Uniform),
+            Value::List(_) => Ok(Self::ListDeg(reader.list(name, node)?)),
+            _ => Err(reader.refuse(name, node, "\"uniform\" or a list of gaps in deg")),
+        }
+    }
+
+    fn written(&self) -> Option<CaseValue> {
+        Some(match self {
+            Self::Uniform => CaseValue::Text("uniform".to_owned()),
+            Self::ListDeg(gaps) => CaseValue::Numbers(gaps.clone()),
+        })
+    }
+
+    fn si(&self, converter: &Converter<'_>, path: &str) -> Result<cageless::Gaps, CaseError> {
+        Ok(match self {
+            Self::Uniform => cageless::Gaps::Uniform,
+            Self::ListDeg(gaps) => cageless::Gaps::List(gaps.si(converter, path)?),
+        })
+    }
+}

@@ -1,0 +1,109 @@
+//! The file format described as data: what documentation and other languages are made of.
+
+use super::base::CaseValue;
+use super::declaration::{Key, Kind, Presence};
+use super::document::{HEAD, SECTIONS};
+
+/// A section of the case file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SectionReference {
+    /// Name; empty for the head of the file.
+    pub name: &'static str,
+    /// What the section holds.
+    pub meaning: &'static str,
+    /// Whether a case without the section has none of its values.
+    pub optional: bool,
+    /// Keys, in the order of the file format.
+    pub keys: Vec<KeyReference>,
+}
+
+/// A key of the case file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct KeyReference {
+    /// Name.
+    pub name: &'static str,
+    /// Unit as it is printed; empty if none.
+    pub unit: &'static str,
+    /// What the value is.
+    pub meaning: &'static str,
+    /// Type of the value.
+    pub value: ValueType,
+    /// What happens if the key is left out.
+    pub left_out: LeftOut,
+}
+
+/// Type of a value.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ValueType {
+    /// A number.
+    Number,
+    /// A whole number.
+    Whole,
+    /// Text.
+    Text,
+    /// A list of numbers.
+    Numbers,
+    /// A number, or the lowest and the highest.
+    Range,
+    /// One of these names.
+    Choice(Vec<&'static str>),
+    /// A number or one of these names.
+    NumberOr(Vec<&'static str>),
+    /// A list of numbers or one of these names.
+    NumbersOr(Vec<&'static str>),
+}
+
+/// What happens if a key is left out.
+#[derive(Debug, Clone, PartialEq)]
+pub enum LeftOut {
+    /// The case is refused.
+    Refused,
+    /// The key takes this value.
+    Default(CaseValue),
+    /// The value follows from the rest of the case.
+    Derived,
+    /// The key has no value.
+    Nothing,
+}
+
+/// Every section of the file format with its keys.
+pub fn reference() -> Vec<SectionReference> {
+    let keys = |keys: &'static [Key]| keys.iter().map(key).collect();
+    let head = SectionReference {
+        name: "",
+        meaning: "head of the file",
+        optional: false,
+        keys: keys(HEAD),
+    };
+    let sections = SECTIONS.iter().map(|s| SectionReference {
+        name: s.name,
+        meaning: s.meaning,
+        optional: s.optional,
+        keys: keys(s.keys),
+    });
+    std::iter::once(head).chain(sections).collect()
+}
+
+fn key(key: &Key) -> KeyReference {
+    KeyReference {
+        name: key.name,
+        unit: key.unit.printed(),
+        meaning: key.meaning,
+        value: match key.kind {
+            Kind::Number => ValueType::Number,
+            Kind::Whole => ValueType::Whole,
+            Kind::Text => ValueType::Text,
+            Kind::Numbers => ValueType::Numbers,
+            Kind::Range => ValueType::Range,
+            Kind::Choice(names) => ValueType::Choice(names()),
+            Kind::NumberOr(names) => ValueType::NumberOr(names.to_vec()),
+            Kind::NumbersOr(names) => ValueType::NumbersOr(names.to_vec()),
+        },
+        left_out: match (key.presence)() {
+            Presence::Required => LeftOut::Refused,
+            Presence::Default(Some(value)) => LeftOut::Default(value),
+            Presence::Derived => LeftOut::Derived,
+            Presence::Default(None) | Presence::Optional => LeftOut::Nothing,
+        },
+    }
+}

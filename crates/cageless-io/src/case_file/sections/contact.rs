@@ -1,0 +1,47 @@
+//! `[contact]`.
+
+use cageless::FrictionLaw;
+
+use crate::case_file::declaration::Line::{Absent, Commented, Shown};
+use crate::case_file::declaration::Presence::{Default, Derived, Optional};
+use crate::case_file::declaration::section;
+use crate::case_file::unit::Unit::{None as Plain, Si};
+
+/// Unit of K in F = K·δ^1.5.
+const HERTZ: crate::case_file::unit::Unit = Si("N/m^1.5");
+
+section! {
+    /// `[contact]`: friction, damping and stiffness. The friction coefficient is that of
+    /// Zhao 2022, Table 1.
+    ContactDocument => Contact {
+        friction_coefficient => friction_coefficient: f64 = Default(0.007), Plain,
+            "μ", Shown("0.007", "μ (paper)");
+        friction_law => friction_law: FrictionLaw = Default(FrictionLaw::Smooth), Plain,
+            "friction against sliding speed",
+            Shown("\"smooth\"", "\"smooth\", μ tanh(ΔV/slip_scale), \"coulomb\" or \"stribeck\"\n\
+                (with static_friction_coefficient, at least μ, and\n\
+                stribeck_speed_m_s: μ + (μs − μ) exp(−|ΔV|/speed))");
+        static_friction_coefficient => static_friction_coefficient: Option<f64> = Optional, Plain,
+            "μs of the Stribeck law", Absent;
+        stribeck_speed_m_s => stribeck_speed_m_s: Option<f64> = Optional, Si("m/s"),
+            "sliding speed over which the Stribeck law falls from μs to μ", Absent;
+        slip_scale_m_s => slip_scale_m_s: f64 = Default(0.02), Si("m/s"),
+            "sliding speed at the knee of the smooth and Stribeck laws",
+            Shown("0.02", "sliding speed at the knee of the smooth law, usually 0.005\n\
+                to 0.1; \"coulomb\" does not use it");
+        damping => damping_n_s_m1_5: f64 = Default(2.0e5), Si("N s/m^1.5"),
+            "contact damping c of ball-raceway contacts, F = K δ^1.5 + c √δ dδ/dt",
+            Shown("2.0e5", "contact damping c of ball-raceway contacts, N s/m^1.5,\n\
+                F = K δ^1.5 + c √δ dδ/dt, usually 1e5 to 5e5");
+        ball_restitution => ball_restitution: f64 = Default(0.95), Plain,
+            "coefficient of restitution between balls",
+            Commented("0.95", "ball against ball, above 0 to 1 (no loss)");
+        inner_stiffness => inner_stiffness_n_m1_5: Option<f64> = Derived, HERTZ,
+            "K at the inner raceway, in place of Hertz",
+            Commented("2.8e10", "K in N/m^1.5, in place of what Hertz gives");
+        outer_stiffness => outer_stiffness_n_m1_5: Option<f64> = Derived, HERTZ,
+            "K at the outer raceway, in place of Hertz", Commented("2.9e10", "");
+        ball_stiffness => ball_stiffness_n_m1_5: Option<f64> = Derived, HERTZ,
+            "K between balls, in place of Hertz", Commented("7.4e9", "");
+    }
+}

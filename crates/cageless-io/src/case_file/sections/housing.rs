@@ -1,0 +1,18 @@
+//! `[housing]`.
+
+use crate::case_file::declaration::Line::Commented;
+use crate::case_file::declaration::Presence::Required;
+use crate::case_file::declaration::section;
+use crate::case_file::unit::Unit::Si;
+
+section! {
+    /// `[housing]`: support of the outer ring, for its vibration.
+    HousingDocument => Housing {
+        mass_kg => mass_kg: f64 = Required, Si("kg"),
+            "mass of housing and outer ring", Commented("1.0", "housing and outer ring");
+        stiffness_n_m => stiffness_n_m: f64 = Required, Si("N/m"),
+            "stiffness of the support", Commented("1.0e8", "");
+        damping_n_s_m => damping_n_s_m: f64 = Required, Si("N s/m"),
+            "damping of the support", Commented("500.0", "");
+    }
+}

@@ -1,0 +1,18 @@
+//! `[model]`.
+
+use cageless::Profile;
+
+use crate::case_file::declaration::Line::Shown;
+use crate::case_file::declaration::Presence::Default;
+use crate::case_file::declaration::section;
+use crate::case_file::unit::Unit::None as Plain;
+
+section! {
+    /// `[model]`: the set of equations.
+    ModelDocument {
+        profile => profile: Profile = Default(Profile::Physical), Plain,
+            "the set of equations",
+            Shown("\"physical\"", "\"physical\": consistent mechanics;\n\
+                \"paper\": the equations as published");
+    }
+}

@@ -1,0 +1,14 @@
+//! `[output]`.
+
+use crate::case_file::declaration::Line::Shown;
+use crate::case_file::declaration::Presence::Default;
+use crate::case_file::declaration::section;
+use crate::case_file::unit::Unit::Microsecond;
+
+section! {
+    /// `[output]`: what a run writes.
+    OutputDocument => Output {
+        interval_us => interval_s: f64 = Default(100.0), Microsecond,
+            "time between rows of the result", Shown("100.0", "time between rows of the result");
+    }
+}

@@ -1,0 +1,55 @@
+//! `[raceway]`.
+
+use cageless::{Bearing, Raceway, RacewayDimensions};
+
+use crate::case_file::CaseError;
+use crate::case_file::convert::Converter;
+use crate::case_file::declaration::Line::{Commented, Shown};
+use crate::case_file::declaration::Presence::{Default, Required};
+use crate::case_file::declaration::section;
+use crate::case_file::document::nth;
+use crate::case_file::spanned_toml::join;
+use crate::case_file::unit::Unit::{Degree, Micrometre, Millimetre};
+
+section! {
+    /// `[raceway]`: a discrete raceway.
+    #[derive(Copy)]
+    RacewayDocument {
+        axial_span_mm => axial_span_m: f64 = Required, Millimetre,
+            "lC, largest axial distance between the two contact points",
+            Shown("5.1", "lC, axial distance of the two contact points in its middle; the paper has 4.9 to 6");
+        half_angle_deg => half_angle_rad: f64 = Required, Degree,
+            "θ, half the angle that the raceway takes up",
+            Shown("25.2", "θ, it reaches from -θ to θ; the paper has 12 to 35");
+        centre_angle_deg => centre_angle_rad: f64 = Default(0.0), Degree,
+            "angular position of raceway centre",
+            Commented("0.0", "angular position ψ of raceway centre; 0: load direction");
+        depth_error_um => depth_error_m: f64 = Default(0.0), Micrometre,
+            "machining error of the depth at the centre, along the normal",
+            Commented("0.0", "machining error of the depth at the centre, along normal");
+    }
+}
+
+impl Converter<'_> {
+    /// The discrete raceways.
+    pub(in crate::case_file) fn raceways(
+        &self,
+        bearing: &Bearing,
+    ) -> Result<Vec<Raceway>, CaseError> {
+        let raceways = &self.document.raceway;
+        let one = |(index, raceway): (usize, &RacewayDocument)| {
+            let path = nth("raceway", index, raceways.len());
+            let si = |name: &str, value| self.si(&join(&path, name), value);
+            let dimensions = RacewayDimensions {
+                axial_span_m: si("axial_span_mm", raceway.axial_span_mm)?,
+                half_angle_rad: si("half_angle_deg", raceway.half_angle_deg)?,
+                centre_angle_rad: si("centre_angle_deg", raceway.centre_angle_deg)?,
+            };
+            let depth_error_m = si("depth_error_um", raceway.depth_error_um)?;
+            Raceway::new(dimensions, bearing)
+                .and_then(|raceway| raceway.with_depth_error(depth_error_m))
+                .map_err(|e| self.refused(&e, Some(index)))
+        };
+        raceways.iter().enumerate().map(one).collect()
+    }
+}

@@ -1,0 +1,83 @@
+//! `[start]`.
+
+use cageless::Start;
+
+use crate::case_file::CaseError;
+use crate::case_file::convert::Converter;
+use crate::case_file::declaration::Field;
+use crate::case_file::declaration::Line::Commented;
+use crate::case_file::declaration::Presence::{Default, Optional};
+use crate::case_file::declaration::section;
+use crate::case_file::document::{GapsDocument, StartState};
+use crate::case_file::reader::Reader;
+use crate::case_file::unit::Unit::{Degree, Micrometre, None as Plain};
+
+section! {
+    /// `[start]`: the initial state.
+    StartDocument {
+        state: StartState = Default(StartState::Settled), Plain,
+            "kind of initial state",
+            Commented("\"settled\"", "static equilibrium at speed, balls rolling; or\n\
+                \"rolling\": balls on the pitch circle, ring where put");
+        ring_x_um => ring_x_m: Option<f64> = Optional, Micrometre,
+            "centre of the inner ring, only for \"rolling\", there 0 by default",
+            Commented("0.0", "centre of the inner ring, only for \"rolling\"");
+        ring_y_um => ring_y_m: Option<f64> = Optional, Micrometre,
+            "centre of the inner ring, only for \"rolling\", there 0 by default",
+            Commented("0.0", "");
+        gaps => gaps: GapsDocument = Default(GapsDocument::Uniform), Degree,
+            "gaps between neighbouring balls",
+            Commented("\"uniform\"", "or a list, one gap in degrees per ball, from each\nball to the next");
+        lead_ball_angle_deg => lead_ball_angle_rad: f64 = Default(0.0), Degree,
+            "initial position of ball 1", Commented("0.0", "initial position ψ of ball 1");
+    }
+}
+
+impl StartDocument {
+    /// Fills in what follows from other keys of the section.
+    pub(in crate::case_file) fn complete(&mut self, reader: &mut Reader<'_>) {
+        if self.state == StartState::Rolling {
+            for (name, value) in [
+                ("ring_x_um", &mut self.ring_x_um),
+                ("ring_y_um", &mut self.ring_y_um),
+            ] {
+                value.get_or_insert_with(|| {
+                    reader.note_default(name);
+                    0.0
+                });
+            }
+        }
+    }
+}
+
+impl Converter<'_> {
+    pub(in crate::case_file) fn start(&self) -> Result<Start, CaseError> {
+        let s = &self.document.start;
+        let gaps = s.gaps.si(self, "start.gaps")?;
+        let lead_ball_angle_rad = self.si("start.lead_ball_angle_deg", s.lead_ball_angle_deg)?;
+        match s.state {
+            StartState::Settled => {
+                for (key, value) in [
+                    ("start.ring_x_um", s.ring_x_um),
+                    ("start.ring_y_um", s.ring_y_um),
+                ] {
+                    if let Some(value) = value {
+                        let allowed = "left out unless start.state = \"rolling\": a settled start \
+                                       finds the place of the ring itself";
+                        return Err(self.refuse(key, &value.to_string(), allowed));
+                    }
+                }
+                Ok(Start::Settled {
+                    gaps,
+                    lead_ball_angle_rad,
+                })
+            }
+            StartState::Rolling => Ok(Start::Rolling {
+                gaps,
+                lead_ball_angle_rad,
+                ring_x_m: self.si("start.ring_x_um", s.ring_x_um.unwrap_or(0.0))?,
+                ring_y_m: self.si("start.ring_y_um", s.ring_y_um.unwrap_or(0.0))?,
+            }),
+        }
+    }
+}

@@ -1,0 +1,199 @@
+//! Files of the repository that follow from the declaration of the case file: the table of the
+//! documentation and the Python classes. `CAGELESS_WRITE=1 cargo test -p cageless-io --test
+//! derived_files` writes them after a key was added.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use cageless_io::case_file::{KeyReference, LeftOut, SectionReference, ValueType, reference};
+
+fn in_step(path: &str, expected: &str) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../..")
+        .join(path);
+    if std::env::var_os("CAGELESS_WRITE").is_some() {
+        std::fs::write(&path, expected).unwrap();
+    }
+    let found = std::fs::read_to_string(&path).unwrap();
+    assert!(
+        found == expected,
+        "{} is not what the declaration of the case file gives: \
+         CAGELESS_WRITE=1 cargo test -p cageless-io --test derived_files",
+        path.display()
+    );
+}
+
+fn names(names: &[&str]) -> String {
+    let quoted: Vec<_> = names.iter().map(|n| format!("`\"{n}\"`")).collect();
+    quoted.join(", ")
+}
+
+fn value(value: &ValueType) -> String {
+    match value {
+        ValueType::Number => "number".to_owned(),
+        ValueType::Whole => "whole number".to_owned(),
+        ValueType::Text => "text".to_owned(),
+        ValueType::Numbers => "list of numbers".to_owned(),
+        ValueType::Range => "number or `[lowest, highest]`".to_owned(),
+        ValueType::Choice(choices) => names(choices),
+        ValueType::NumberOr(choices) => format!("number, {}", names(choices)),
+        ValueType::NumbersOr(choices) => format!("list of numbers, {}", names(choices)),
+    }
+}
+
+fn left_out(key: &KeyReference) -> String {
+    match &key.left_out {
+        LeftOut::Refused => "required".to_owned(),
+        LeftOut::Default(value) => format!("`{}`", value.written()),
+        LeftOut::Derived => "derived".to_owned(),
+        LeftOut::Nothing => "none".to_owned(),
+    }
+}
+
+#[test]
+fn the_table_of_the_documentation_has_every_key() {
+    let mut text = String::from(
+        "# Case file\n\n\
+         A case file is TOML, in the units that the names of its keys end in; `cageless new` \
+         prints a commented one and `cageless check` validates one. Every key of the format, as \
+         the program declares it. *Derived*: the value follows from the rest of the case unless \
+         it is given; `cageless check` lists it with the defaults taken.\n",
+    );
+    for section in reference() {
+        let heading = match (section.name, section.optional) {
+            ("", _) => "Head of the file".to_owned(),
+            (name, false) => format!("`[{name}]`: {}", section.meaning),
+            (name, true) => format!("`[{name}]`: {} (optional)", section.meaning),
+        };
+        let _ = write!(
+            text,
+            "\n## {heading}\n\n| key | value | unit | if left out | meaning |\n|---|---|---|---|---|\n"
+        );
+        for key in &section.keys {
+            let _ = writeln!(
+                text,
+                "| `{}` | {} | {} | {} | {} |",
+                key.name,
+                value(&key.value),
+                key.unit,
+                left_out(key),
+                key.meaning.replace('|', "\\|"),
+            );
+        }
+    }
+    in_step("docs/case-file.md", &text);
+}
+
+const PYTHON_HEAD: &str = r#""""The sections of a case. Fields are the keys of the case file, in its units; what is left
+``None`` takes its default.
+
+Written by ``cargo test -p cageless-io --test derived_files`` from the declaration of the case file.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from .section import Section
+
+"#;
+
+/// Class of a section: `ball_material` and `material` are both a `Material`.
+fn class(section: &SectionReference) -> String {
+    let last = section.name.rsplit('_').next().unwrap_or_default();
+    let (first, rest) = last.split_at(1);
+    first.to_uppercase() + rest
+}
+
+fn literal(names: &[&str]) -> String {
+    let quoted: Vec<_> = names.iter().map(|n| format!("\"{n}\"")).collect();
+    format!("Literal[{}]", quoted.join(", "))
+}
+
+fn annotation(value: &ValueType) -> String {
+    match value {
+        ValueType::Number => "float".to_owned(),
+        ValueType::Whole => "int".to_owned(),
+        ValueType::Text => "str".to_owned(),
+        ValueType::Numbers => "Sequence[float]".to_owned(),
+        ValueType::Range => "float | Sequence[float]".to_owned(),
+        ValueType::Choice(names) => literal(names),
+        ValueType::NumberOr(names) => format!("{} | float", literal(names)),
+        ValueType::NumbersOr(names) => format!("{} | Sequence[float]", literal(names)),
+    }
+}
+
+/// Words on lines of at most 96 characters, each after `indent`.
+fn wrapped(text: &str, indent: &str) -> String {
+    let mut lines = vec![String::new()];
+    for word in text.split(' ') {
+        let last = lines.last_mut().unwrap();
+        if !last.is_empty() && indent.len() + last.chars().count() + word.chars().count() >= 96 {
+            lines.push(word.to_owned());
+        } else {
+            if !last.is_empty() {
+                last.push(' ');
+            }
+            last.push_str(word);
+        }
+    }
+    lines.iter().map(|l| format!("{indent}{l}\n")).collect()
+}
+
+fn sentence(text: &str) -> String {
+    let end = if text.ends_with('.') { "" } else { "." };
+    format!("{text}{end}")
+}
+
+#[test]
+fn python_has_a_class_for_every_section() {
+    let mut written: Vec<String> = vec![];
+    let mut classes = String::new();
+    for section in reference() {
+        // The head is arguments of `Case`; the ranges of a search are those of `Case.search`.
+        if ["", "search"].contains(&section.name) || written.contains(&class(&section)) {
+            continue;
+        }
+        let _ = write!(
+            classes,
+            "\n\n@dataclass(frozen=True, kw_only=True)\nclass {}(Section):\n    \"\"\"`[{}]`: {}\n\n    \
+             Parameters\n    ----------\n",
+            class(&section),
+            section.name,
+            sentence(section.meaning),
+        );
+        for key in &section.keys {
+            let required = key.left_out == LeftOut::Refused;
+            let kind = annotation(&key.value)
+                .replace("Literal[", "{")
+                .replace(']', "}");
+            let kind = match key.value {
+                ValueType::Numbers | ValueType::Range | ValueType::NumbersOr(_) => {
+                    kind.replace("Sequence[float}", "sequence of float")
+                }
+                _ => kind,
+            };
+            let optional = if required { "" } else { ", optional" };
+            let _ = writeln!(classes, "    {} : {kind}{optional}", key.name);
+            classes.push_str(&wrapped(&sentence(key.meaning), "        "));
+        }
+        classes.push_str("    \"\"\"\n\n");
+        // Keyword arguments, so that the order is that of the file.
+        for key in &section.keys {
+            let kind = annotation(&key.value);
+            let _ = match key.left_out {
+                LeftOut::Refused => writeln!(classes, "    {}: {kind}", key.name),
+                _ => writeln!(classes, "    {}: {kind} | None = None", key.name),
+            };
+        }
+        written.push(class(&section));
+    }
+    let mut all = written.clone();
+    all.push("Section".to_owned());
+    all.sort();
+    let all: String = all.iter().map(|c| format!("    \"{c}\",\n")).collect();
+    let text = format!("{PYTHON_HEAD}__all__ = [\n{all}]\n{classes}");
+    in_step("crates/cageless-py/python/cageless/sections.py", &text);
+}
