@@ -114,6 +114,16 @@ pub struct New {
     /// Print the case of a conventional bearing, without a discrete raceway.
     #[arg(long)]
     pub conventional: bool,
+    /// Start from a deep groove ball bearing of ISO 15: series 60, 62, 63, 618 or 619 with a bore
+    /// code from 00 to 20; the inside is assumed, as comments say.
+    #[arg(long, value_name = "DESIGNATION", conflicts_with = "conventional")]
+    pub bearing: Option<String>,
+    /// As many balls as the pitch circle holds.
+    #[arg(long, requires = "bearing")]
+    pub full_complement: bool,
+    /// Write the case file instead of printing it.
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
 }
 
 /// `run`.

@@ -15,6 +15,7 @@
 
 pub mod cad;
 pub mod case_file;
+pub mod designation;
 mod files;
 pub mod journal;
 mod option_error;

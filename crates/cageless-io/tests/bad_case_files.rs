@@ -54,7 +54,7 @@ const EDITS: &[Row] = &[
     ("# tolerance = 1.0e-8", "tolerance = 0.0", "solver.tolerance", &["more than 0"]),
     ("[material]", "[[material]]", "material", &["once only"]),
     ("schema = 1", "schema = 1\nhousing = 5", "housing", &["= 5 ", "a section, [housing]"]),
-    (START, "[start]\ngaps = \"equal\" #", "start.gaps", &["\"equal\"", "\"uniform\" or a list of gaps in deg"]),
+    (START, "[start]\ngaps = \"equal\" #", "start.gaps", &["\"equal\"", "\"random\" or a list of gaps in deg"]),
     (START, "[start]\ngaps = [1.8, \"a\"] #", "start.gaps", &["\"a\"", "a number in deg"]),
     // Search.
     (START, "[search]\ninner_speed_rpm = [12000, 3000] #", "search.inner_speed_rpm", &["= [12000, 3000]", "a number, or [lowest, highest]"]),

@@ -40,7 +40,7 @@ fn the_template_is_the_bearing_of_the_paper_in_si_units() {
         (d.inner_ring_mass_kg, d.inner_ring_drag_n_s_m),
         (0.2, 2000.0)
     );
-    let m = case.bearing.material();
+    let m = case.bearing.materials().ball;
     assert_eq!(
         (m.density_kg_m3, m.youngs_modulus_pa, m.poisson_ratio),
         (7850.0, 206e9, 0.3)

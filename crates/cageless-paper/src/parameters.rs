@@ -16,7 +16,7 @@ const SAMPLE: usize = 3;
 /// Table 1, then what the paper leaves out.
 pub fn table1(case: &Case) -> Vec<Parameter> {
     let d = case.bearing.dimensions();
-    let m = case.bearing.material();
+    let m = case.bearing.materials().ball;
     let c = &case.contact;
     let line = |name: &str, symbol: &str, value: String, unit: &str, source: &str| Parameter {
         name: name.to_owned(),

@@ -54,8 +54,8 @@ pub struct BearingDimensions {
     pub inner_ring_drag_n_s_m: f64,
 }
 
-/// Elastic material of balls and rings (one material for all).
-#[derive(Debug, Clone, PartialEq)]
+/// Elastic material of a body.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Material {
     /// Density.
     pub density_kg_m3: f64,
@@ -65,11 +65,49 @@ pub struct Material {
     pub poisson_ratio: f64,
 }
 
+impl Material {
+    /// Checks that a solid can have these values.
+    ///
+    /// # Errors
+    /// An [`InputError`] naming the first field that cannot be.
+    pub fn check(&self) -> Result<(), InputError> {
+        positive("density_kg_m3", self.density_kg_m3)?;
+        positive("youngs_modulus_pa", self.youngs_modulus_pa)?;
+        if (0.0..0.5).contains(&self.poisson_ratio) {
+            return Ok(());
+        }
+        Err(InputError::rule(
+            "poisson_ratio",
+            self.poisson_ratio,
+            "at least 0 and less than 0.5",
+        ))
+    }
+}
+
+/// Materials of balls and rings: one for both, or ceramic balls in steel rings (a hybrid
+/// bearing).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Materials {
+    /// Of the balls: decides their mass.
+    pub ball: Material,
+    /// Of both rings.
+    pub ring: Material,
+}
+
+impl From<Material> for Materials {
+    fn from(material: Material) -> Self {
+        Self {
+            ball: material,
+            ring: material,
+        }
+    }
+}
+
 /// A bearing with every constant that follows from its dimensions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bearing {
     dimensions: BearingDimensions,
-    material: Material,
+    materials: Materials,
     inner_contact: PointContact,
     outer_contact: PointContact,
     ball_contact: PointContact,
@@ -110,15 +148,20 @@ pub const BALLS_MIN: usize = 3;
 const DEVIATION_MAX: f64 = 0.01;
 
 impl Bearing {
-    /// Checks that the parts fit together and derives the constants.
+    /// Checks that the parts fit together and derives the constants. `materials` may be one
+    /// [`Material`] for balls and rings.
     ///
     /// # Errors
     /// An [`InputError`] naming the first field that cannot be: a dimension not
     /// above zero, balls larger than the space between the rings, more balls
     /// than fit on the pitch circle, grooves tighter than the ball, a shoulder
     /// outside (Ro − Rw, Ro).
-    pub fn new(dimensions: BearingDimensions, material: Material) -> Result<Self, InputError> {
+    pub fn new(
+        dimensions: BearingDimensions,
+        materials: impl Into<Materials>,
+    ) -> Result<Self, InputError> {
         let d = &dimensions;
+        let materials = materials.into();
         positive("ball_radius_m", d.ball_radius_m)?;
         positive(
             "inner_groove_bottom_radius_m",
@@ -139,15 +182,8 @@ impl Bearing {
         )?;
         positive("inner_ring_mass_kg", d.inner_ring_mass_kg)?;
         not_negative("inner_ring_drag_n_s_m", d.inner_ring_drag_n_s_m)?;
-        positive("density_kg_m3", material.density_kg_m3)?;
-        positive("youngs_modulus_pa", material.youngs_modulus_pa)?;
-        if !(0.0..0.5).contains(&material.poisson_ratio) {
-            return Err(InputError::rule(
-                "poisson_ratio",
-                material.poisson_ratio,
-                "at least 0 and less than 0.5",
-            ));
-        }
+        materials.ball.check()?;
+        materials.ring.check()?;
         if d.balls < BALLS_MIN {
             return Err(InputError::new(
                 "balls",
@@ -238,12 +274,13 @@ impl Bearing {
         }
         let ball = 1.0 / d.ball_radius_m;
         let [inner, outer] = ring_curvatures(d);
-        let inner_contact = PointContact::new([ball, ball], inner, &material);
-        let outer_contact = PointContact::new([ball, ball], outer, &material);
-        let ball_contact = PointContact::new([ball, ball], [ball, ball], &material);
+        let Materials { ball: balls, ring } = &materials;
+        let inner_contact = PointContact::between([ball, ball], inner, [balls, ring]);
+        let outer_contact = PointContact::between([ball, ball], outer, [balls, ring]);
+        let ball_contact = PointContact::new([ball, ball], [ball, ball], balls);
         Ok(Self {
             dimensions,
-            material,
+            materials,
             inner_contact,
             outer_contact,
             ball_contact,
@@ -336,7 +373,7 @@ impl Bearing {
     }
 
     fn ball_of(&self, radius_m: f64) -> Ball {
-        let mass_kg = 4.0 / 3.0 * PI * radius_m.powi(3) * self.material.density_kg_m3;
+        let mass_kg = 4.0 / 3.0 * PI * radius_m.powi(3) * self.materials.ball.density_kg_m3;
         Ball {
             radius_m,
             mass_kg,
@@ -370,8 +407,10 @@ impl Bearing {
         let one = [1.0 / self.ball(k).radius_m; 2];
         let next = [1.0 / self.ball((k + 1) % self.balls()).radius_m; 2];
         let [inner, outer] = ring_curvatures(&self.dimensions);
-        [inner, outer, next]
-            .map(|other| PointContact::new(one, other, &self.material).stiffness_n_m1_5)
+        let Materials { ball, ring } = &self.materials;
+        [(inner, ring), (outer, ring), (next, ball)].map(|(other, material)| {
+            PointContact::between(one, other, [ball, material]).stiffness_n_m1_5
+        })
     }
 
     /// The dimensions as given.
@@ -379,9 +418,9 @@ impl Bearing {
         &self.dimensions
     }
 
-    /// The material as given.
-    pub fn material(&self) -> &Material {
-        &self.material
+    /// The materials as given.
+    pub fn materials(&self) -> &Materials {
+        &self.materials
     }
 
     /// N.

@@ -49,7 +49,7 @@ pub mod tolerance;
 pub mod verification;
 pub mod vibration;
 
-pub use bearing::{Ball, Bearing, BearingDimensions, InnerRingBore, Material};
+pub use bearing::{Ball, Bearing, BearingDimensions, InnerRingBore, Material, Materials};
 pub use case::{
     Case, Contact, FrictionLaw, Gaps, Housing, Method, Operation, Output, Profile, Solver, Start,
 };

@@ -17,8 +17,7 @@ fn mixed_of(balls: usize, count: usize) -> Vec<Case> {
     let with_balls = |case: Case| {
         let mut d = case.bearing.dimensions().clone();
         d.balls = balls;
-        let material = case.bearing.material().clone();
-        let bearing = cageless::Bearing::new(d, material).unwrap();
+        let bearing = cageless::Bearing::new(d, *case.bearing.materials()).unwrap();
         Case { bearing, ..case }
     };
     (0..count)

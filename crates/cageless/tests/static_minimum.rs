@@ -165,7 +165,7 @@ impl AllTogether {
         let (b, o) = (&case.bearing, &case.operation);
         let d = b.dimensions();
         let rw = d.ball_radius_m;
-        let mass = 4.0 / 3.0 * PI * rw.powi(3) * b.material().density_kg_m3;
+        let mass = 4.0 / 3.0 * PI * rw.powi(3) * b.materials().ball.density_kg_m3;
         let pitch = 0.5 * (d.inner_groove_bottom_radius_m + d.outer_groove_bottom_radius_m);
         // Pure rolling: half the speed of the inner raceway.
         let speed = 0.5 * o.inner_speed_rad_s * d.inner_groove_bottom_radius_m;

@@ -12,15 +12,16 @@ mod tolerance;
 
 use std::path::Path;
 
-use cageless::SCOPE;
 use cageless::dynamics::InstructionSet;
-use cageless_io::case_file::{CaseFile, template};
+use cageless::{Material, SCOPE};
+use cageless_io::case_file::{Assumption, CaseFile, template};
+use cageless_io::designation;
 use cageless_io::results::write_atomically;
 use cageless_io::{io_error_message, on_terminal};
 use cageless_study::check_environment;
 use serde::Serialize;
 
-use crate::args::{Args, CaseArgs, Command, Isa};
+use crate::args::{Args, CaseArgs, Command, Isa, New};
 use crate::failure::Failure;
 use crate::format::pairs;
 use crate::progress::{be_quiet, is_quiet};
@@ -36,7 +37,7 @@ pub fn dispatch(args: Args) -> Result<(), Failure> {
     check_environment()?;
     match args.command {
         Command::Reproduce(args) => reproduce::reproduce(&args),
-        Command::New(args) => print(&template(args.conventional)),
+        Command::New(args) => new(&args),
         Command::Check(args) => check(&args),
         Command::Static(args) => static_equilibrium::static_equilibrium(&args),
         Command::Design(args) => design::design(&args),
@@ -48,6 +49,21 @@ pub fn dispatch(args: Args) -> Result<(), Failure> {
         Command::Completions(args) => manual::completions(args.shell),
         Command::Man(args) => manual::man(&args),
     }
+}
+
+fn new(args: &New) -> Result<(), Failure> {
+    let text = match &args.bearing {
+        None => template(args.conventional),
+        Some(name) => designation::find(name)
+            .map_err(|message| Failure::Input(format!("--bearing: {message}")))?
+            .case_file(args.full_complement),
+    };
+    let Some(path) = &args.out else {
+        return print(&text);
+    };
+    writable(path)?;
+    write_atomically(path, text.as_bytes())?;
+    print(&format!("{}\n", path.display()))
 }
 
 fn limit_instructions(isa: Isa) -> Result<(), Failure> {
@@ -143,13 +159,49 @@ pub fn writable(path: &Path) -> Result<(), Failure> {
 fn check(args: &CaseArgs) -> Result<(), Failure> {
     let file = read_case(args)?;
     let bearing = &file.case().bearing;
+    let d = bearing.dimensions();
+    let mm = |m: f64| format!("{:.4}", m * 1e3);
+    let conformity = |radius_m: f64| format!("{:.4}", radius_m / (2.0 * d.ball_radius_m));
+    let material = |m: &Material| {
+        let gpa = m.youngs_modulus_pa / 1e9;
+        format!(
+            "{} kg/m³, E {gpa} GPa, ν {}",
+            m.density_kg_m3, m.poisson_ratio
+        )
+    };
     let mut lines = vec![
         ("case", format!("{} is valid", args.case.display())),
         ("balls", format!("{}", bearing.balls())),
         (
+            "ball diameter Dw, pitch diameter Dpw",
+            format!(
+                "{} mm, {} mm",
+                mm(2.0 * d.ball_radius_m),
+                mm(2.0 * bearing.pitch_radius_m())
+            ),
+        ),
+        (
+            "groove bottom radii Ri, Ro",
+            format!(
+                "{} mm, {} mm",
+                mm(d.inner_groove_bottom_radius_m),
+                mm(d.outer_groove_bottom_radius_m)
+            ),
+        ),
+        (
+            "conformities fi, fo",
+            format!(
+                "{}, {}",
+                conformity(d.inner_groove_curvature_radius_m),
+                conformity(d.outer_groove_curvature_radius_m)
+            ),
+        ),
+        (
             "radial internal clearance Gr",
             format!("{:.3} µm (ISO 5753-1)", 2e6 * bearing.radial_clearance_m()),
         ),
+        ("balls of", material(&bearing.materials().ball)),
+        ("rings of", material(&bearing.materials().ring)),
         (
             "ε, angular ball pitch at contact",
             format!("{:.4}°", bearing.ball_angle_rad().to_degrees()),
@@ -159,8 +211,18 @@ fn check(args: &CaseArgs) -> Result<(), Failure> {
             format!("{:.4}°", bearing.nominal_gap_rad().to_degrees()),
         ),
     ];
+    let assumptions = file.assumptions();
+    for assumption in &assumptions {
+        let (value, basis) = (assumption.value, assumption.basis);
+        lines.push(("assumed", format!("{} = {value} ({basis})", assumption.key)));
+    }
     if !file.defaults().is_empty() {
-        lines.push(("defaults taken", file.defaults().join(", ")));
+        let defaults = file.defaults().iter().map(|key| match file.value(key) {
+            Some(value) => format!("{key} = {}", value.written()),
+            None => key.clone(),
+        });
+        let defaults: Vec<_> = defaults.collect();
+        lines.push(("defaults taken", defaults.join(", ")));
     }
     for (k, statement) in SCOPE.into_iter().enumerate() {
         lines.push((if k == 0 { "scope" } else { "" }, statement.to_owned()));
@@ -171,12 +233,14 @@ fn check(args: &CaseArgs) -> Result<(), Failure> {
         valid: bool,
         case: cageless_io::case_file::CaseDocument,
         defaults: &'a [String],
+        assumptions: &'a [Assumption],
         scope: [&'static str; SCOPE.len()],
     }
     let result = Checked {
         valid: true,
         case: file.document_as_run(),
         defaults: file.defaults(),
+        assumptions: &assumptions,
         scope: SCOPE,
     };
     deliver(args, "check.json", &result, &pairs(&lines))

@@ -5,7 +5,7 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::error::CaseError;
-use super::spanned_toml::{self, Node, Origin, Place, Section, Value};
+use super::spanned_toml::{Node, Origin, Place, Section, Value};
 use super::unit::decimal;
 use super::{CaseFile, overrides, read_text};
 
@@ -50,7 +50,7 @@ impl CaseBase {
         let name = path.display().to_string();
         let text =
             read_text(path, "case file").map_err(|message| CaseError::of_file(&name, message))?;
-        let root = spanned_toml::parse(&text, &name)?;
+        let root = super::source(&text, &name)?;
         Ok(Self { root, name })
     }
 

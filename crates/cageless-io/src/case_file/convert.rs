@@ -37,9 +37,10 @@ impl Converter<'_> {
             return Err(self.refuse("schema", &document.schema.to_string(), &allowed));
         }
         let bearing = self.bearing()?;
-        self.check_export_dimensions()?;
+        self.check_export_dimensions(&bearing)?;
         let raceways = self.raceways(&bearing)?;
         let housing = document.housing.as_ref();
+        let start = self.start(&bearing)?;
         let mut case = Case {
             title: document.title.clone(),
             bearing,
@@ -47,7 +48,7 @@ impl Converter<'_> {
             operation: self.operation()?,
             contact: document.contact.to_si(self, "contact")?,
             profile: document.model.profile,
-            start: self.start()?,
+            start,
             solver: self.solver()?,
             seed: self.seed()?,
             housing: housing.map(|h| h.to_si(self, "housing")).transpose()?,
@@ -89,7 +90,17 @@ impl Converter<'_> {
     /// An error of [`cageless`] in terms of the file. `raceway` is the index of the
     /// raceway at fault, if one is.
     pub(super) fn refused(&self, error: &InputError, raceway: Option<usize>) -> CaseError {
-        let Some((section, key)) = keys::of_field(error.field) else {
+        self.refused_in(None, error, raceway)
+    }
+
+    /// Likewise, of a section that is not the first one with such a field.
+    pub(super) fn refused_in(
+        &self,
+        section: Option<&str>,
+        error: &InputError,
+        raceway: Option<usize>,
+    ) -> CaseError {
+        let Some((section, key)) = keys::of_field(section, error.field) else {
             return self.places.error("", error.to_string());
         };
         let path = match raceway {
@@ -97,17 +108,20 @@ impl Converter<'_> {
             None => section.to_owned(),
         };
         let path = join(&path, key.name);
+        let allowed = messages::in_file_units(error, key, self.document, raceway);
         // A key that is optional by itself, and that something else in the case needs.
-        if error.value.is_nan() && self.places.written(&path).is_none() {
+        if error.value.is_nan() && self.document.value(&path).is_none() {
             let meaning = keys::describe(key);
-            let message = format!(
-                "{path} is missing in [{section}]: {meaning}; it must be {}",
-                error.allowed
-            );
+            let message =
+                format!("{path} is missing in [{section}]: {meaning}; it must be {allowed}");
             return self.places.error(&path, message);
         }
-        let allowed = messages::in_file_units(error, key, self.document, raceway);
-        self.refuse(&path, &key.unit.show(error.value, Side::Nearest), &allowed)
+        let value = key.unit.show(error.value, Side::Nearest);
+        if let Some((origin, how)) = self.origin_of(&path) {
+            let message = format!("{path} = {value} ({how}) is not possible: it must be {allowed}");
+            return self.places.error(origin, message);
+        }
+        self.refuse(&path, &value, &allowed)
     }
 
     fn refused_case(&self, error: &InputError, case: &Case) -> CaseError {
@@ -117,8 +131,8 @@ impl Converter<'_> {
                 self.refuse("start.gaps", &value, &allowed)
             }
             "ring_x_m" | "ring_y_m" => {
-                let path =
-                    keys::of_field(error.field).map_or_else(String::new, |(s, k)| join(s, k.name));
+                let path = keys::of_field(None, error.field)
+                    .map_or_else(String::new, |(s, k)| join(s, k.name));
                 let value = error.value * 1e6;
                 self.refuse(
                     &path,
@@ -153,6 +167,17 @@ impl Converter<'_> {
             step_s.max(f64::MIN_POSITIVE)
         );
         self.places.error("solver.step_us", message)
+    }
+
+    /// An error of a key that is left out.
+    pub(super) fn missing(&self, section: &str, name: &str) -> CaseError {
+        let path = join(section, name);
+        let meaning = keys::find(section, name).map_or_else(String::new, keys::describe);
+        let message = match self.places.written(section) {
+            Some(_) => format!("{path} is missing in [{section}]: {meaning}"),
+            None => format!("{path} is missing, as is its section [{section}]: {meaning}"),
+        };
+        self.places.error(&path, message)
     }
 
     /// "KEY = VALUE is not possible: it must be ALLOWED", the value as written if it

@@ -11,10 +11,10 @@ use super::declaration::Line::Shown;
 use super::declaration::{Key, Kind, Line, Presence, SectionDocument, Values};
 use super::error::CaseError;
 use super::read::FileReader;
-pub use super::sections::bearing::BearingDocument;
+pub use super::sections::bearing::{Assumption, BearingDocument};
 pub use super::sections::contact::ContactDocument;
 pub use super::sections::housing::HousingDocument;
-pub use super::sections::material::MaterialDocument;
+pub use super::sections::material::{MaterialDocument, MaterialPreset, PartMaterialDocument};
 pub use super::sections::model::ModelDocument;
 pub use super::sections::operation::OperationDocument;
 pub use super::sections::output::OutputDocument;
@@ -144,6 +144,10 @@ case_document! {
     bearing: BearingDocument, "dimensions and masses of rings and balls", Heading::Shown("");
     material: MaterialDocument, "elastic material of rings and balls",
         Heading::Shown("of rings and balls: bearing steel");
+    ball_material: Option<PartMaterialDocument>, "elastic material of the balls, if it is another",
+        Heading::Commented("of the balls, if it is another (hybrid bearing)");
+    ring_material: Option<PartMaterialDocument>, "elastic material of the rings, if it is another",
+        Heading::Commented("of the rings, if it is another");
     raceway: Vec<RacewayDocument>, "the discrete raceway",
         Heading::Shown("several: [[raceway]] sections; none: a conventional ring");
     operation: OperationDocument, "speed and load", Heading::Shown("");
@@ -280,11 +284,15 @@ pub enum StartState {
     Rolling,
 }
 
-/// `start.gaps`: `"uniform"` or a list.
+/// `start.gaps`: a name or a list.
 #[derive(Debug, Clone, PartialEq)]
 pub enum GapsDocument {
     /// All the same.
     Uniform,
+    /// All balls in one group: no gap but the last, from ball N to ball 1.
+    Bunched,
+    /// Every division of the free angle equally likely, by `solver.seed`.
+    Random,
     /// N gaps in degrees; gap k lies between ball k and ball k+1.
     ListDeg(Vec<f64>),
 }

@@ -59,6 +59,12 @@ impl CaseError {
         }
     }
 
+    /// The message with more at its end.
+    pub(crate) fn with_more(mut self, more: &str) -> Self {
+        self.message.push_str(more);
+        self
+    }
+
     pub(crate) fn with_key(mut self, key: impl Into<String>) -> Self {
         self.key = Some(key.into());
         self

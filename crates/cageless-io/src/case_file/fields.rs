@@ -206,28 +206,37 @@ impl Field for StepDocument {
 }
 
 impl Field for GapsDocument {
-    type Si = cageless::Gaps;
-    const KIND: Kind = Kind::NumbersOr(&["uniform"]);
+    /// Gaps in radians; `None` if they follow from the bearing.
+    type Si = Option<Vec<f64>>;
+    const KIND: Kind = Kind::NumbersOr(&["uniform", "bunched", "random"]);
 
     fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
+        let allowed = "\"uniform\", \"bunched\", \"random\" or a list of gaps in deg";
         match &node.value {
-            Value::Text(text) if text == "uniform" => Ok(Self::Uniform),
+            Value::Text(text) => match text.as_str() {
+                "uniform" => Ok(Self::Uniform),
+                "bunched" => Ok(Self::Bunched),
+                "random" => Ok(Self::Random),
+                _ => Err(reader.refuse(name, node, allowed)),
+            },
             Value::List(_) => Ok(Self::ListDeg(reader.list(name, node)?)),
-            _ => Err(reader.refuse(name, node, "\"uniform\" or a list of gaps in deg")),
+            _ => Err(reader.refuse(name, node, allowed)),
         }
     }
 
     fn written(&self) -> Option<CaseValue> {
         Some(match self {
             Self::Uniform => CaseValue::Text("uniform".to_owned()),
+            Self::Bunched => CaseValue::Text("bunched".to_owned()),
+            Self::Random => CaseValue::Text("random".to_owned()),
             Self::ListDeg(gaps) => CaseValue::Numbers(gaps.clone()),
         })
     }
 
-    fn si(&self, converter: &Converter<'_>, path: &str) -> Result<cageless::Gaps, CaseError> {
-        Ok(match self {
-            Self::Uniform => cageless::Gaps::Uniform,
-            Self::ListDeg(gaps) => cageless::Gaps::List(gaps.si(converter, path)?),
-        })
+    fn si(&self, converter: &Converter<'_>, path: &str) -> Result<Self::Si, CaseError> {
+        match self {
+            Self::ListDeg(gaps) => gaps.si(converter, path).map(Some),
+            _ => Ok(None),
+        }
     }
 }

@@ -34,13 +34,9 @@ pub(crate) fn unit(section: &str, name: &str) -> Unit {
     find(section, name).map_or(Unit::None, |k| k.unit)
 }
 
-/// Section and key that set a field of [`cageless`]; `section.field` if several sections have a
-/// field of that name.
-pub(crate) fn of_field(field: &str) -> Option<(&'static str, &'static Key)> {
-    let (section, field) = match field.split_once('.') {
-        Some((section, field)) => (Some(section), field),
-        None => (None, field),
-    };
+/// Section and key that set a field of [`cageless`]: in `section` if it is given, else the first
+/// one with a field of that name.
+pub(crate) fn of_field(section: Option<&str>, field: &str) -> Option<(&'static str, &'static Key)> {
     all().find(|(s, k)| {
         !k.field.is_empty() && k.field == field && section.is_none_or(|one| one == *s)
     })

@@ -14,6 +14,7 @@ pub(crate) mod declaration;
 mod document;
 mod error;
 mod fields;
+mod json;
 pub(crate) mod keys;
 mod messages;
 pub(crate) mod named;
@@ -33,9 +34,10 @@ use std::path::Path;
 
 pub use base::{CaseBase, CaseValue, Change};
 pub use document::{
-    BearingDocument, CaseDocument, ContactDocument, GapsDocument, HousingDocument,
-    MaterialDocument, ModelDocument, OperationDocument, OutputDocument, RacewayDocument,
-    RangeDocument, SearchDocument, SolverDocument, StartDocument, StartState, StepDocument,
+    Assumption, BearingDocument, CaseDocument, ContactDocument, GapsDocument, HousingDocument,
+    MaterialDocument, MaterialPreset, ModelDocument, OperationDocument, OutputDocument,
+    PartMaterialDocument, RacewayDocument, RangeDocument, SearchDocument, SolverDocument,
+    StartDocument, StartState, StepDocument,
 };
 pub use error::CaseError;
 pub use keys::nearest;
@@ -79,7 +81,7 @@ impl CaseFile {
     /// A [`CaseError`] for anything but a complete and possible case: bad TOML,
     /// unknown or missing keys, wrong types, impossible values.
     pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Self, CaseError> {
-        let mut root = spanned_toml::parse(text, name)?;
+        let mut root = source(text, name)?;
         overrides::apply(&mut root, overrides)?;
         Self::from_sections(&root, name)
     }
@@ -125,8 +127,8 @@ impl CaseFile {
         &self.search
     }
 
-    /// The case in the units of the file, every default filled in. The Hertz
-    /// stiffnesses are the exception: they follow from the geometry and stay out,
+    /// The case in the units of the file, every default filled in. Values that follow from
+    /// others are the exception: the Hertz stiffnesses and what is estimated stay out,
     /// so that the document can be changed; see [`CaseFile::document_as_run`].
     pub fn document(&self) -> &CaseDocument {
         &self.document
@@ -137,6 +139,7 @@ impl CaseFile {
     pub fn document_as_run(&self) -> CaseDocument {
         let mut document = self.document.clone();
         let (bearing, contact) = (&self.case.bearing, &mut document.contact);
+        document.bearing.fill_in(bearing);
         for (given, hertz) in [
             (&mut contact.inner_stiffness, bearing.inner_contact()),
             (&mut contact.outer_stiffness, bearing.outer_contact()),
@@ -150,6 +153,12 @@ impl CaseFile {
             document.solver.step_us = StepDocument::FixedUs(step_us);
         }
         document
+    }
+
+    /// Values of `[bearing]` that are left out and estimated from its dimensions.
+    pub fn assumptions(&self) -> Vec<Assumption> {
+        let bearing = &self.document.bearing;
+        bearing.assumptions(self.case.bearing.dimensions())
     }
 
     /// The value of a dotted key, its default if it has one; `None` if it is left out or
@@ -170,7 +179,7 @@ impl CaseFile {
         match origin.or_else(|| places.origin(other?)) {
             Some(Origin::Override(_)) => Source::Override,
             Some(Origin::Elsewhere(..)) => Source::Plan,
-            Some(Origin::Line(_)) | None => Source::CaseFile,
+            Some(Origin::Line(_) | Origin::File) | None => Source::CaseFile,
         }
     }
 
@@ -203,6 +212,20 @@ impl Source {
             Self::Override => "--set",
             Self::Plan => "plan",
         }
+    }
+}
+
+/// Parses a case in TOML, or in JSON: a document of the same sections, or a result file of
+/// `run`, `check` and the like that holds the case as it was run.
+pub(crate) fn source(text: &str, name: &str) -> Result<spanned_toml::Section, CaseError> {
+    if text
+        .trim_start_matches('\u{feff}')
+        .trim_start()
+        .starts_with('{')
+    {
+        json::parse(text, name)
+    } else {
+        spanned_toml::parse(text, name)
     }
 }
 

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::error::CaseError;
+use super::sections;
 use super::spanned_toml::{self, Node, Origin, Place, Section, Value};
 
 /// Applies the overrides in order; the last one wins. Whether the keys exist and
@@ -90,6 +91,10 @@ pub(super) fn insert(root: &mut Section, path: &[&str], node: Node) -> Result<()
         (Value::Section(_), Some(_)) => return Err(format!("there is only one [{name}]")),
         _ => return Err(format!("`{name}` is not a section in the case file")),
     };
+    // What says the same as the new value would contradict it.
+    for other in sections::alternatives_of(name, key) {
+        section.remove(*other);
+    }
     section.insert(key.to_owned(), node);
     Ok(())
 }

@@ -29,6 +29,8 @@ pub(super) fn document(
         .section("")?
         .field("title", Presence::Default(String::new()))?;
     let mut document = CaseDocument::read(schema, title, &mut file)?;
+    document.bearing.complete(&mut file.section("bearing")?);
+    document.material.complete(&mut file.section("material")?);
     document.start.complete(&mut file.section("start")?);
     Ok((document, file.defaults))
 }

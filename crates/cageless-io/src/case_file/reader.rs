@@ -109,6 +109,12 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// Takes back that a key took its default.
+    pub(super) fn drop_default(&mut self, name: &str) {
+        let key = self.dotted(name);
+        self.defaults.retain(|d| *d != key);
+    }
+
     /// "KEY = VALUE is not possible: it must be ALLOWED".
     pub(super) fn refuse(&self, name: &str, node: &Node, allowed: &str) -> CaseError {
         let key = self.dotted(name);

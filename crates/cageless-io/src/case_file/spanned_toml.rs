@@ -36,6 +36,8 @@ pub(crate) enum Value {
 pub(crate) enum Origin {
     /// Line of the file, counted from 1.
     Line(usize),
+    /// In a file whose lines are not kept.
+    File,
     /// In a `--set` of this text.
     Override(String),
     /// Line of another file, counted from 1: a plan.
@@ -131,6 +133,7 @@ impl Places {
         let key = Some(path.to_owned());
         match &place.origin {
             Origin::Line(line) => CaseError::on_line(&self.file, *line, key, message),
+            Origin::File => CaseError::of_file(&self.file, message).with_key(path),
             Origin::Override(text) => CaseError::of_override(text, key, message),
             Origin::Elsewhere(file, line) => CaseError::on_line(file, *line, key, message),
         }
@@ -228,7 +231,7 @@ impl Lines {
 const EXCERPT_MAX: usize = 60;
 
 /// A value as it is written, on one line and of at most [`EXCERPT_MAX`] characters.
-fn excerpt(text: &str, span: Range<usize>) -> String {
+pub(super) fn excerpt(text: &str, span: Range<usize>) -> String {
     let mut written = String::new();
     let mut characters = 0;
     // Only the words that are shown are read: a value may be as long as the file.

@@ -20,7 +20,7 @@ const CONVENTIONAL: &str = "# No [raceway] section: the outer ring is convention
 /// Column of the comments.
 const COLUMN: usize = 43;
 /// Longest line.
-const WIDTH: usize = 100;
+const WIDTH: usize = 104;
 
 /// A commented case file: the bearing of Zhao 2022 with structure (d), or with a
 /// conventional outer ring.
@@ -66,7 +66,7 @@ fn push_line(text: &mut String, line: &str, comment: &str) {
         while words.peek().is_some_and(|w| !w.is_empty()) {
             let mut row = String::new();
             while let Some(word) = words.next_if(|w| {
-                row.is_empty() || COLUMN + 3 + row.chars().count() + w.chars().count() <= WIDTH
+                row.is_empty() || COLUMN + 2 + row.chars().count() + w.chars().count() <= WIDTH
             }) {
                 row = format!("{row} {word}");
             }

@@ -344,7 +344,7 @@ impl<'a> PlanReader<'a> {
 pub(super) fn line(node: &Node) -> usize {
     match node.place.origin {
         Origin::Line(line) | Origin::Elsewhere(_, line) => line,
-        Origin::Override(_) => 0,
+        Origin::Override(_) | Origin::File => 0,
     }
 }
 

@@ -1,12 +1,16 @@
 """The sections of a case. Fields are the keys of the case file, in its units; what is left
-``None`` takes its default."""
+``None`` takes its default.
+
+Written by ``cargo test -p cageless-io --test derived_files`` from the declaration of the case file.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
-from html import escape
-from typing import Any, Literal
+from dataclasses import dataclass
+from typing import Literal
+
+from .section import Section
 
 __all__ = [
     "Bearing",
@@ -23,63 +27,64 @@ __all__ = [
 ]
 
 
-def table(rows: list[tuple[str, object]], caption: str) -> str:
-    """Rows of names and values as HTML."""
-    body = "".join(
-        f"<tr><th style='text-align:left'>{escape(name)}</th><td>{escape(str(value))}</td></tr>"
-        for name, value in rows
-    )
-    return f"<table><caption>{escape(caption)}</caption>{body}</table>"
-
-
-@dataclass(frozen=True, kw_only=True)
-class Section:
-    """A section of a case file."""
-
-    def values(self) -> dict[str, Any]:
-        """Keys that are given, with their values."""
-        items = ((field.name, getattr(self, field.name)) for field in fields(self))
-        return {name: value for name, value in items if value is not None}
-
-    def _repr_html_(self) -> str:
-        return table(list(self.values().items()), type(self).__name__)
-
-
 @dataclass(frozen=True, kw_only=True)
 class Bearing(Section):
-    """Rings and balls.
+    """`[bearing]`: dimensions and masses of rings and balls.
 
     Parameters
     ----------
     balls : int
-        N, number of balls, 3 or more.
-    ball_radius_mm : float
-        Rw.
-    inner_groove_bottom_radius_mm, outer_groove_bottom_radius_mm : float
-        Ri and Ro. Ro − Ri − 2 Rw is half the radial internal clearance Gr of ISO 5753-1.
-    outer_shoulder_radius_mm : float
-        Ros, bore of the outer ring's shoulder.
-    inner_groove_curvature_radius_mm, outer_groove_curvature_radius_mm : float
-        Radii of the grooves in the meridian plane.
-    inner_ring_mass_kg : float
-        Mass of the inner ring with what turns with it.
-    inner_ring_drag_n_s_m : float
-        Damping of the inner ring, C of Zhao 2022, Eq. (14).
+        N, number of balls.
+    ball_radius_mm : float, optional
+        Rw, radius of a ball.
+    ball_diameter_mm : float, optional
+        Dw = 2 Rw, diameter of a ball, in place of ball_radius_mm.
+    inner_groove_bottom_radius_mm : float, optional
+        Ri, radius of the inner ring at the bottom of its groove.
+    outer_groove_bottom_radius_mm : float, optional
+        Ro, radius of the outer ring at the bottom of its groove.
+    pitch_diameter_mm : float, optional
+        Dpw = Ri + Ro, pitch diameter, in place of Ri and Ro.
+    radial_internal_clearance_um : float, optional
+        Gr = 2 (Ro - Ri - 2 Rw) of ISO 5753-1, in place of Ri and Ro.
+    outer_shoulder_radius_mm : float, optional
+        Ros, shoulder bore radius of the outer ring; Ro - 0.2 Dw unless given.
+    inner_groove_curvature_radius_mm : float, optional
+        radius of the inner groove in the meridian plane.
+    outer_groove_curvature_radius_mm : float, optional
+        Re, radius of the outer groove in the meridian plane.
+    inner_conformity : float, optional
+        fi, radius of the inner groove over Dw, in place of that radius; 0.52 unless one is
+        given.
+    outer_conformity : float, optional
+        fo = Re/Dw, in place of that radius; 0.52 unless one is given.
+    inner_ring_mass_kg : float, optional
+        mass of the inner ring and attached rotating parts; that of a steel ring with shoulders
+        of 0.2 Dw, 0.3 Dw thick below its groove and 1.6 Dw wide unless given.
+    inner_ring_drag_n_s_m : float, optional
+        C of Zhao 2022, Eq. (14), viscous damping of inner-ring translation.
     ball_radius_deviation_um : sequence of float, optional
-        Deviation of each ball's radius.
-    outer_ring_outer_radius_mm, outer_ring_width_mm : float, optional
-        Outer ring, for the export to CAD.
+        deviation of each ball's radius.
+    outer_ring_outer_radius_mm : float, optional
+        outer radius of the outer ring.
+    outer_ring_width_mm : float, optional
+        width of the outer ring.
     """
 
     balls: int
-    ball_radius_mm: float
-    inner_groove_bottom_radius_mm: float
-    outer_groove_bottom_radius_mm: float
-    outer_shoulder_radius_mm: float
-    inner_groove_curvature_radius_mm: float
-    outer_groove_curvature_radius_mm: float
-    inner_ring_mass_kg: float
-    inner_ring_drag_n_s_m: float
+    ball_radius_mm: float | None = None
+    ball_diameter_mm: float | None = None
+    inner_groove_bottom_radius_mm: float | None = None
+    outer_groove_bottom_radius_mm: float | None = None
+    pitch_diameter_mm: float | None = None
+    radial_internal_clearance_um: float | None = None
+    outer_shoulder_radius_mm: float | None = None
+    inner_groove_curvature_radius_mm: float | None = None
+    outer_groove_curvature_radius_mm: float | None = None
+    inner_conformity: float | None = None
+    outer_conformity: float | None = None
+    inner_ring_mass_kg: float | None = None
+    inner_ring_drag_n_s_m: float | None = None
     ball_radius_deviation_um: Sequence[float] | None = None
     outer_ring_outer_radius_mm: float | None = None
     outer_ring_width_mm: float | None = None
@@ -87,18 +92,21 @@ class Bearing(Section):
 
 @dataclass(frozen=True, kw_only=True)
 class Material(Section):
-    """Elastic material of rings and balls.
+    """`[material]`: elastic material of rings and balls.
 
     Parameters
     ----------
+    preset : {"100Cr6", "M50", "440C", "X30CrMoN15-1", "Si3N4"}, optional
+        typical numbers of a bearing material, in place of the three.
     density_kg_m3 : float, optional
-        Density of the balls.
+        density; that of the balls decides.
     youngs_modulus_gpa : float, optional
-        E.
+        E, Young's modulus.
     poisson_ratio : float, optional
-        0 to below 0.5.
+        ν, Poisson's ratio.
     """
 
+    preset: Literal["100Cr6", "M50", "440C", "X30CrMoN15-1", "Si3N4"] | None = None
     density_kg_m3: float | None = None
     youngs_modulus_gpa: float | None = None
     poisson_ratio: float | None = None
@@ -106,18 +114,18 @@ class Material(Section):
 
 @dataclass(frozen=True, kw_only=True)
 class Raceway(Section):
-    """A discrete raceway.
+    """`[raceway]`: the discrete raceway.
 
     Parameters
     ----------
     axial_span_mm : float
-        lC, axial distance of the two contact points at the raceway centre.
+        lC, largest axial distance between the two contact points.
     half_angle_deg : float
-        θ; it reaches from −θ to θ.
+        θ, half the angle that the raceway takes up.
     centre_angle_deg : float, optional
-        Angular position ψ of raceway centre; 0, the default, is the load direction.
+        angular position of raceway centre.
     depth_error_um : float, optional
-        Machining error of the raceway depth (positive: too deep).
+        machining error of the depth at the centre, along the normal.
     """
 
     axial_span_mm: float
@@ -128,14 +136,14 @@ class Raceway(Section):
 
 @dataclass(frozen=True, kw_only=True)
 class Operation(Section):
-    """Speed and load.
+    """`[operation]`: speed and load.
 
     Parameters
     ----------
     inner_speed_rpm : float
-        Speed of the inner ring, counter-clockwise.
+        speed of the inner ring.
     radial_load_n : float
-        Fr, downwards.
+        Fr, load on the inner ring, downwards.
     gravity_m_s2 : float, optional
         g, downwards.
     """
@@ -147,26 +155,30 @@ class Operation(Section):
 
 @dataclass(frozen=True, kw_only=True)
 class Contact(Section):
-    """Friction, damping and stiffness.
+    """`[contact]`: friction, damping and stiffness.
 
     Parameters
     ----------
     friction_coefficient : float, optional
         μ.
     friction_law : {"smooth", "coulomb", "stribeck"}, optional
-        Friction against sliding speed.
+        friction against sliding speed.
     static_friction_coefficient : float, optional
-        μs of the Stribeck law, at least μ.
+        μs of the Stribeck law.
     stribeck_speed_m_s : float, optional
-        Sliding speed over which the Stribeck law falls from μs to μ.
+        sliding speed over which the Stribeck law falls from μs to μ.
     slip_scale_m_s : float, optional
-        Sliding speed at the knee of the smooth and Stribeck laws; ``"coulomb"`` does not use it.
+        sliding speed at the knee of the smooth and Stribeck laws.
     damping : float, optional
-        c of the raceway contacts, N·s·m^−1.5.
+        contact damping c of ball-raceway contacts, F = K δ^1.5 + c √δ dδ/dt.
     ball_restitution : float, optional
-        Coefficient of restitution between balls, above 0, at most 1.
-    inner_stiffness, outer_stiffness, ball_stiffness : float, optional
-        K in N·m^−1.5, in place of what Hertz gives.
+        coefficient of restitution between balls.
+    inner_stiffness : float, optional
+        K at the inner raceway, in place of Hertz.
+    outer_stiffness : float, optional
+        K at the outer raceway, in place of Hertz.
+    ball_stiffness : float, optional
+        K between balls, in place of Hertz.
     """
 
     friction_coefficient: float | None = None
@@ -183,12 +195,12 @@ class Contact(Section):
 
 @dataclass(frozen=True, kw_only=True)
 class Model(Section):
-    """The set of equations.
+    """`[model]`: the set of equations.
 
     Parameters
     ----------
     profile : {"physical", "paper"}, optional
-        Consistent mechanics, or the equations as published.
+        the set of equations.
     """
 
     profile: Literal["physical", "paper"] | None = None
@@ -196,61 +208,67 @@ class Model(Section):
 
 @dataclass(frozen=True, kw_only=True)
 class Start(Section):
-    """The initial state.
+    """`[start]`: the initial state.
 
     Parameters
     ----------
     state : {"settled", "rolling"}, optional
-        Static equilibrium at speed; or balls in pure rolling, the ring where put.
-    ring_x_um, ring_y_um : float, optional
-        Centre of the inner ring, only for ``"rolling"``.
-    gaps : "uniform" or sequence of float, optional
-        Gaps in degrees, from each ball to the next.
+        kind of initial state.
+    ring_x_um : float, optional
+        centre of the inner ring, only for "rolling", there 0 by default.
+    ring_y_um : float, optional
+        centre of the inner ring, only for "rolling", there 0 by default.
+    gaps : {"uniform", "bunched", "random"} | sequence of float, optional
+        gaps between neighbouring balls: equal, all balls in one group, random by solver.seed,
+        or a list.
     lead_ball_angle_deg : float, optional
-        ψ of ball 1.
+        initial position of ball 1.
     """
 
     state: Literal["settled", "rolling"] | None = None
     ring_x_um: float | None = None
     ring_y_um: float | None = None
-    gaps: Literal["uniform"] | Sequence[float] | None = None
+    gaps: Literal["uniform", "bunched", "random"] | Sequence[float] | None = None
     lead_ball_angle_deg: float | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
 class Solver(Section):
-    """Integration.
+    """`[solver]`: integration.
 
     Parameters
     ----------
-    duration_s : float, optional
-        Simulated time.
-    method : {"symplectic", "abm4", "adaptive"}, optional
-        Integration method.
-    step_us : "auto" or float, optional
-        Step.
+    method : {"abm4", "symplectic", "adaptive"}, optional
+        integration method.
+    step_us : {"auto"} | float, optional
+        step of the integration, from the stiffest contact unless it is a number.
     tolerance : float, optional
-        Error per step, only for ``"adaptive"``.
+        error per step of the adaptive method.
+    duration_s : float, optional
+        simulated time.
     seed : int, optional
-        Seed of the random starts and samples of ``run(verify=True)``, ``search`` and
-        ``tolerance``; a plain run has nothing random in it.
+        seed of random starts (run --verify, design --search) and samples (tolerance).
     """
 
-    duration_s: float | None = None
-    method: Literal["symplectic", "abm4", "adaptive"] | None = None
+    method: Literal["abm4", "symplectic", "adaptive"] | None = None
     step_us: Literal["auto"] | float | None = None
     tolerance: float | None = None
+    duration_s: float | None = None
     seed: int | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
 class Housing(Section):
-    """Support of the outer ring; with it, a run has the ring's vibration.
+    """`[housing]`: the support of the outer ring.
 
     Parameters
     ----------
-    mass_kg, stiffness_n_m, damping_n_s_m : float
-        Housing and outer ring; spring and damper in each direction.
+    mass_kg : float
+        mass of housing and outer ring.
+    stiffness_n_m : float
+        stiffness of the support.
+    damping_n_s_m : float
+        damping of the support.
     """
 
     mass_kg: float
@@ -260,12 +278,12 @@ class Housing(Section):
 
 @dataclass(frozen=True, kw_only=True)
 class Output(Section):
-    """Output of a run.
+    """`[output]`: what a run writes.
 
     Parameters
     ----------
     interval_us : float, optional
-        Time between rows.
+        time between rows of the result.
     """
 
     interval_us: float | None = None

@@ -50,18 +50,34 @@ pub fn contact_modulus_pa(material: &Material) -> f64 {
     material.youngs_modulus_pa / (2.0 * (1.0 - material.poisson_ratio.powi(2)))
 }
 
+/// E* of two bodies: 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂ (Johnson, Eq. (4.24)).
+pub fn modulus_of_pair_pa([one, other]: [&Material; 2]) -> f64 {
+    // Elastically equal bodies keep the one rounding of the short form.
+    let elastic = |m: &Material| (m.youngs_modulus_pa, m.poisson_ratio);
+    if elastic(one) == elastic(other) {
+        return contact_modulus_pa(one);
+    }
+    let compliance = |m: &Material| (1.0 - m.poisson_ratio.powi(2)) / m.youngs_modulus_pa;
+    1.0 / (compliance(one) + compliance(other))
+}
+
 impl PointContact {
+    /// Contact of two bodies of one material; see [`PointContact::between`].
+    pub fn new(one: [f64; 2], other: [f64; 2], material: &Material) -> Self {
+        Self::between(one, other, [material; 2])
+    }
+
     /// Contact of two bodies whose principal curvatures (1/m, convex positive)
     /// lie in common planes: first the plane of rolling, then the meridian plane.
     /// The sums of curvatures in both planes must be positive.
-    pub fn new(one: [f64; 2], other: [f64; 2], material: &Material) -> Self {
+    pub fn between(one: [f64; 2], other: [f64; 2], materials: [&Material; 2]) -> Self {
         let sums = [one[0] + other[0], one[1] + other[1]];
         let (steep, flat) = (sums[0].max(sums[1]), sums[0].min(sums[1]));
         // A and B of z = A x² + B y², with the long axis a along x.
         let (a_curv, b_curv) = (flat / 2.0, steep / 2.0);
         let m = eccentricity_squared(b_curv / a_curv);
         let (k, e) = elliptic::complete(m);
-        let modulus = contact_modulus_pa(material);
+        let modulus = modulus_of_pair_pa(materials);
         // Johnson (4.26): A = p₀/E* · (b/(e²a²)) (K − E), δ = p₀/E* · b K, with
         // p₀ = 3F/(2πab) and b = a √(1 − m):
         // a³ = 3F (K − E)/(2π E* m A);  δ = 3F K/(2π a E*).
@@ -142,6 +158,30 @@ mod tests {
         assert!((c.semi_axes_m(load)[1] / a - 1.0).abs() < 1e-12);
         let p0 = (6.0 * load * modulus.powi(2) / (PI.powi(3) * (radius / 2.0).powi(2))).cbrt();
         assert!((c.peak_stress_pa(load) / p0 - 1.0).abs() < 1e-12);
+    }
+
+    /// Two spheres of two materials: K = 4/3 E* √R with
+    /// 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂, whichever comes first.
+    #[test]
+    fn spheres_of_two_materials() {
+        let ceramic = Material {
+            density_kg_m3: 3250.0,
+            youngs_modulus_pa: 310e9,
+            poisson_ratio: 0.26,
+        };
+        let (one, other) = ([1.0 / 5e-3; 2], [1.0 / 3e-3; 2]);
+        let radius = 1.0 / (1.0 / 5e-3 + 1.0 / 3e-3);
+        let modulus = 1.0 / ((1.0 - 0.26 * 0.26) / 310e9 + (1.0 - 0.09) / 206e9);
+        let expected = 4.0 / 3.0 * modulus * f64::sqrt(radius);
+        let pressure =
+            |load: f64| (6.0 * load * modulus.powi(2) / (PI.powi(3) * radius.powi(2))).cbrt();
+        for materials in [[&ceramic, &STEEL], [&STEEL, &ceramic]] {
+            let contact = PointContact::between(one, other, materials);
+            assert!((contact.stiffness_n_m1_5 / expected - 1.0).abs() < 1e-9);
+            assert!((contact.peak_stress_pa(100.0) / pressure(100.0) - 1.0).abs() < 1e-9);
+        }
+        let same = PointContact::between(one, other, [&STEEL, &{ STEEL }]);
+        assert_eq!(same, PointContact::new(one, other, &STEEL));
     }
 
     /// Crossed equal cylinders touch in a circle, like a sphere on a plane.

@@ -35,13 +35,14 @@ impl RacewayContact {
             return Self::new(bearing.outer_contact(), force_n);
         }
         let cosine = r_m / rw;
-        let contact = PointContact::new(
+        let materials = bearing.materials();
+        let contact = PointContact::between(
             [1.0 / rw; 2],
             [
                 -cosine / (bearing.outer_orbit_radius_m() + r_m),
                 -1.0 / bearing.dimensions().outer_groove_curvature_radius_m,
             ],
-            bearing.material(),
+            [&materials.ball, &materials.ring],
         );
         Self::new(&contact, force_n / (2.0 * cosine))
     }

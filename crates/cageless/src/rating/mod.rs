@@ -84,7 +84,7 @@ impl Rating {
             pressure_safety: (peak_pa > 0.0).then(|| (STRESS_LIMIT_PA / peak_pa).powi(3)),
             passing: PassingFrequencies::new(case),
             speed_parameter_mm_rpm: speed_parameter_mm_rpm(case),
-            steel: is_steel(bearing.material()),
+            steel: is_steel(&bearing.materials().ball) && is_steel(&bearing.materials().ring),
             basic,
         }
     }

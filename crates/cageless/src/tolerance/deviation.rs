@@ -148,7 +148,7 @@ impl Deviation {
                 *radius += more;
             }
         }
-        let bearing = Bearing::new(dimensions, case.bearing.material().clone())?
+        let bearing = Bearing::new(dimensions, *case.bearing.materials())?
             .with_ball_radius_deviations(radii)?;
         let raceways = case
             .raceways

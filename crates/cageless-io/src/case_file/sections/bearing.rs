@@ -1,47 +1,74 @@
-//! `[bearing]`.
+//! `[bearing]`: radii, or what a bearing engineer has, diameters, conformities and clearance.
 
-use cageless::Bearing;
 use cageless::bearing::BALLS_MIN;
+use cageless::{Bearing, BearingDimensions, Materials};
+use serde::Serialize;
 
 use crate::case_file::CaseError;
 use crate::case_file::convert::Converter;
 use crate::case_file::declaration::Line::{Absent, Shown};
-use crate::case_file::declaration::Presence::{Optional, Required};
+use crate::case_file::declaration::Presence::{Default, Derived, Optional, Required};
 use crate::case_file::declaration::section;
-use crate::case_file::unit::Unit::{Micrometre, Millimetre, Si, Whole};
+use crate::case_file::reader::Reader;
+use crate::case_file::spanned_toml::join;
+use crate::case_file::unit::Unit::{Micrometre, Millimetre, None as Plain, Si, Whole};
 use crate::case_file::unit::{Side, decimal, round};
 
 /// Outer radius of the outer ring at most, and half its width, over the radius of its groove.
 const OUTER_RADII_MAX: f64 = 10.0;
 
+/// Radius of a groove over the diameter of the ball: the usual one of deep groove ball bearings,
+/// which ISO 281 presupposes for its load ratings.
+const CONFORMITY: f64 = 0.52;
+/// Height of a shoulder over the diameter of the ball.
+const SHOULDER_HEIGHT: f64 = 0.2;
+/// Thickness of the inner ring below its groove over the diameter of the ball.
+const WALL: f64 = 0.3;
+/// Width of a ring over the diameter of the ball.
+const WIDTH: f64 = 1.6;
+/// Density of the inner ring, kg/m³: bearing steel.
+const RING_DENSITY_KG_M3: f64 = 7850.0;
+
 section! {
     /// `[bearing]`: dimensions and masses of rings and balls.
-    BearingDocument => BearingDimensions {
+    BearingDocument {
         balls => balls: usize = Required, Whole(BALLS_MIN as u64, None),
             "N, number of balls", Shown("14", "number of balls, 3 or more (paper)");
-        ball_radius_mm => ball_radius_m: f64 = Required, Millimetre,
-            "Rw, radius of a ball", Shown("4.7625", "Rw (paper)");
-        inner_groove_bottom_radius_mm => inner_groove_bottom_radius_m: f64 = Required, Millimetre,
+        ball_radius_mm => ball_radius_m: Option<f64> = Optional, Millimetre,
+            "Rw, radius of a ball", Shown("4.7625", "Rw, or ball_diameter_mm (paper)");
+        ball_diameter_mm: Option<f64> = Optional, Millimetre,
+            "Dw = 2 Rw, diameter of a ball, in place of ball_radius_mm", Absent;
+        inner_groove_bottom_radius_mm => inner_groove_bottom_radius_m: Option<f64> = Optional, Millimetre,
             "Ri, radius of the inner ring at the bottom of its groove",
             Shown("18.24", "Ri, where the balls run on the inner ring (paper)");
-        outer_groove_bottom_radius_mm => outer_groove_bottom_radius_m: f64 = Required, Millimetre,
+        outer_groove_bottom_radius_mm => outer_groove_bottom_radius_m: Option<f64> = Optional, Millimetre,
             "Ro, radius of the outer ring at the bottom of its groove",
             Shown("27.765", "Ro, where the balls run on the outer ring (paper);\n\
                 Ro - Ri - 2 Rw >= 0 is half the radial internal\n\
-                clearance Gr of ISO 5753-1");
-        outer_shoulder_radius_mm => outer_shoulder_radius_m: f64 = Required, Millimetre,
-            "Ros, shoulder bore radius of the outer ring",
+                clearance Gr of ISO 5753-1. In place of Ri and Ro:\n\
+                pitch_diameter_mm and radial_internal_clearance_um");
+        pitch_diameter_mm: Option<f64> = Optional, Millimetre,
+            "Dpw = Ri + Ro, pitch diameter, in place of Ri and Ro", Absent;
+        radial_internal_clearance_um -> radial_internal_clearance: Option<f64> = Optional, Micrometre,
+            "Gr = 2 (Ro - Ri - 2 Rw) of ISO 5753-1, in place of Ri and Ro", Absent;
+        outer_shoulder_radius_mm => outer_shoulder_radius_m: Option<f64> = Derived, Millimetre,
+            "Ros, shoulder bore radius of the outer ring; Ro - 0.2 Dw unless given",
             Shown("26.0", "Ros, shoulder bore radius of the outer ring (paper)");
-        inner_groove_curvature_radius_mm => inner_groove_curvature_radius_m: f64 = Required, Millimetre,
+        inner_groove_curvature_radius_mm => inner_groove_curvature_radius_m: Option<f64> = Optional, Millimetre,
             "radius of the inner groove in the meridian plane",
-            Shown("4.953", "groove radius in the axial section, usually 1.02 to 1.08 Rw");
-        outer_groove_curvature_radius_mm => outer_groove_curvature_radius_m: f64 = Required, Millimetre,
+            Shown("4.953", "groove radius in the axial section, usually 1.02 to 1.08 Rw;\n\
+                or inner_conformity and outer_conformity");
+        outer_groove_curvature_radius_mm => outer_groove_curvature_radius_m: Option<f64> = Optional, Millimetre,
             "Re, radius of the outer groove in the meridian plane",
             Shown("4.953", "Re, the same for the outer ring");
-        inner_ring_mass_kg => inner_ring_mass_kg: f64 = Required, Si("kg"),
-            "mass of the inner ring and attached rotating parts",
+        inner_conformity: Option<f64> = Optional, Plain,
+            "fi, radius of the inner groove over Dw, in place of that radius; 0.52 unless one is given", Absent;
+        outer_conformity: Option<f64> = Optional, Plain,
+            "fo = Re/Dw, in place of that radius; 0.52 unless one is given", Absent;
+        inner_ring_mass_kg => inner_ring_mass_kg: Option<f64> = Derived, Si("kg"),
+            "mass of the inner ring and attached rotating parts; that of a steel ring with shoulders of 0.2 Dw, 0.3 Dw thick below its groove and 1.6 Dw wide unless given",
             Shown("0.2", "inner ring and attached rotating parts");
-        inner_ring_drag_n_s_m => inner_ring_drag_n_s_m: f64 = Required, Si("N s/m"),
+        inner_ring_drag_n_s_m => inner_ring_drag_n_s_m: f64 = Default(2000.0), Si("N s/m"),
             "C of Zhao 2022, Eq. (14), viscous damping of inner-ring translation",
             Shown("2000.0", "viscous damping of inner-ring translation (not drag\n\
                 torque), usually 0 to 1e4");
@@ -55,20 +82,290 @@ section! {
     }
 }
 
+/// Keys that say the same: either those of the first column or those of the second.
+pub(in crate::case_file) const ALTERNATIVES: &[(&[&str], &[&str])] = &[
+    (&["ball_radius_mm"], &["ball_diameter_mm"]),
+    (
+        &[
+            "inner_groove_bottom_radius_mm",
+            "outer_groove_bottom_radius_mm",
+        ],
+        &["pitch_diameter_mm", "radial_internal_clearance_um"],
+    ),
+    (&["inner_groove_curvature_radius_mm"], &["inner_conformity"]),
+    (&["outer_groove_curvature_radius_mm"], &["outer_conformity"]),
+];
+
+/// A value of `[bearing]` that is estimated from the other dimensions.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Assumption {
+    /// Dotted key.
+    pub key: String,
+    /// Its value, in the unit of the key.
+    pub value: f64,
+    /// What the estimate rests on.
+    pub basis: &'static str,
+}
+
+impl BearingDocument {
+    /// Notes the defaults of keys that have an alternative.
+    pub(in crate::case_file) fn complete(&self, reader: &mut Reader<'_>) {
+        for (radius, conformity, name) in [
+            (
+                self.inner_groove_curvature_radius_mm,
+                self.inner_conformity,
+                "inner_conformity",
+            ),
+            (
+                self.outer_groove_curvature_radius_mm,
+                self.outer_conformity,
+                "outer_conformity",
+            ),
+        ] {
+            if radius.is_none() && conformity.is_none() {
+                reader.note_default(name);
+            }
+        }
+    }
+
+    /// Fills in what is estimated.
+    pub(in crate::case_file) fn fill_in(&mut self, bearing: &Bearing) {
+        for Assumption { key, value, .. } in self.assumptions(bearing.dimensions()) {
+            match key.as_str() {
+                "bearing.outer_shoulder_radius_mm" => self.outer_shoulder_radius_mm = Some(value),
+                "bearing.inner_conformity" => self.inner_conformity = Some(value),
+                "bearing.outer_conformity" => self.outer_conformity = Some(value),
+                _ => self.inner_ring_mass_kg = Some(value),
+            }
+        }
+    }
+
+    /// What is estimated, with the values in the unit of the file; of `d`, only radii that are
+    /// given count.
+    pub(in crate::case_file) fn assumptions(&self, d: &BearingDimensions) -> Vec<Assumption> {
+        let mm = |m: f64| Millimetre.of_si(m);
+        let diameter = 2.0 * mm(d.ball_radius_m);
+        let mut list = vec![];
+        let mut assume = |given: bool, name: &str, value: f64, basis| {
+            if !given {
+                list.push(Assumption {
+                    key: join("bearing", name),
+                    value,
+                    basis,
+                });
+            }
+        };
+        let shoulder = mm(d.outer_groove_bottom_radius_m) - SHOULDER_HEIGHT * diameter;
+        assume(
+            self.outer_shoulder_radius_mm.is_some(),
+            "outer_shoulder_radius_mm",
+            round(shoulder, Side::Nearest),
+            "shoulder height of 0.2 ball diameters",
+        );
+        for (radius, conformity, name) in [
+            (
+                self.inner_groove_curvature_radius_mm,
+                self.inner_conformity,
+                "inner_conformity",
+            ),
+            (
+                self.outer_groove_curvature_radius_mm,
+                self.outer_conformity,
+                "outer_conformity",
+            ),
+        ] {
+            let given = radius.is_some() || conformity.is_some();
+            assume(
+                given,
+                name,
+                CONFORMITY,
+                "usual in deep groove ball bearings",
+            );
+        }
+        assume(
+            self.inner_ring_mass_kg.is_some(),
+            "inner_ring_mass_kg",
+            round(self.ring_mass_kg(d), Side::Nearest),
+            "a steel ring without anything attached, 0.3 ball diameters thick below its groove, \
+             1.6 ball diameters wide unless outer_ring_width_mm is given",
+        );
+        list
+    }
+
+    /// Mass of an inner ring between bore and shoulders.
+    fn ring_mass_kg(&self, d: &BearingDimensions) -> f64 {
+        let diameter = 2.0 * d.ball_radius_m;
+        let bottom = d.inner_groove_bottom_radius_m;
+        let bore = (bottom - WALL * diameter).max(0.5 * bottom);
+        let shoulder = bottom + SHOULDER_HEIGHT * diameter;
+        let width = self
+            .outer_ring_width_mm
+            .map_or(WIDTH * diameter, |mm| Millimetre.to_si(mm));
+        RING_DENSITY_KG_M3 * std::f64::consts::PI * (shoulder.powi(2) - bore.powi(2)) * width
+    }
+}
+
 impl Converter<'_> {
     pub(in crate::case_file) fn bearing(&self) -> Result<Bearing, CaseError> {
-        let dimensions = self.document.bearing.to_si(self, "bearing")?;
-        let material = self.document.material.to_si(self, "material")?;
-        let bearing = Bearing::new(dimensions, material).map_err(|e| self.refused(&e, None))?;
+        let dimensions = self.dimensions()?;
+        let materials = Materials {
+            ball: self.material_of("ball_material", self.document.ball_material.as_ref())?,
+            ring: self.material_of("ring_material", self.document.ring_material.as_ref())?,
+        };
+        let bearing = Bearing::new(dimensions, materials).map_err(|e| self.refused(&e, None))?;
         self.scattered(bearing)
     }
 
-    /// Keys that only `export` needs and any file may contain.
-    pub(in crate::case_file) fn check_export_dimensions(&self) -> Result<(), CaseError> {
+    /// The dimensions, from the radii or from what stands in their place.
+    fn dimensions(&self) -> Result<BearingDimensions, CaseError> {
         let b = &self.document.bearing;
+        self.check_alternatives()?;
+        let si = |name: &str, value: Option<f64>| {
+            value
+                .map(|v| self.si(&join("bearing", name), v))
+                .transpose()
+        };
+        let need = |name: &str, value: Option<f64>| match si(name, value)? {
+            Some(value) => Ok(value),
+            None => Err(self.missing("bearing", name)),
+        };
+        let ball_radius_m = match si("ball_diameter_mm", b.ball_diameter_mm)? {
+            Some(diameter) => diameter / 2.0,
+            None => need("ball_radius_mm", b.ball_radius_mm)?,
+        };
+        let (inner, outer) =
+            if b.pitch_diameter_mm.is_some() || b.radial_internal_clearance_um.is_some() {
+                let pitch = need("pitch_diameter_mm", b.pitch_diameter_mm)?;
+                let clearance = need(
+                    "radial_internal_clearance_um",
+                    b.radial_internal_clearance_um,
+                )?;
+                if !(clearance >= 0.0) {
+                    let key = "bearing.radial_internal_clearance_um";
+                    let value = b.radial_internal_clearance_um.unwrap_or_default();
+                    let allowed = "0 um or more: preload by interference is outside this model";
+                    return Err(self.refuse(key, &value.to_string(), allowed));
+                }
+                // Ri + Ro = Dpw and 2 (Ro - Ri - 2 Rw) = Gr.
+                let half = ball_radius_m + clearance / 4.0;
+                (pitch / 2.0 - half, pitch / 2.0 + half)
+            } else {
+                (
+                    need(
+                        "inner_groove_bottom_radius_mm",
+                        b.inner_groove_bottom_radius_mm,
+                    )?,
+                    need(
+                        "outer_groove_bottom_radius_mm",
+                        b.outer_groove_bottom_radius_mm,
+                    )?,
+                )
+            };
+        let groove = |name, radius, conformity_name, conformity| {
+            let conformity = si(conformity_name, conformity)?.unwrap_or(CONFORMITY);
+            Ok(si(name, radius)?.unwrap_or(conformity * (2.0 * ball_radius_m)))
+        };
+        let mut dimensions = BearingDimensions {
+            balls: b.balls,
+            ball_radius_m,
+            inner_groove_bottom_radius_m: inner,
+            outer_groove_bottom_radius_m: outer,
+            outer_shoulder_radius_m: 0.0,
+            inner_groove_curvature_radius_m: groove(
+                "inner_groove_curvature_radius_mm",
+                b.inner_groove_curvature_radius_mm,
+                "inner_conformity",
+                b.inner_conformity,
+            )?,
+            outer_groove_curvature_radius_m: groove(
+                "outer_groove_curvature_radius_mm",
+                b.outer_groove_curvature_radius_mm,
+                "outer_conformity",
+                b.outer_conformity,
+            )?,
+            inner_ring_mass_kg: 0.0,
+            inner_ring_drag_n_s_m: self
+                .si("bearing.inner_ring_drag_n_s_m", b.inner_ring_drag_n_s_m)?,
+        };
+        let assumptions = b.assumptions(&dimensions);
+        let assumed = |name: &str| {
+            let key = join("bearing", name);
+            let found = assumptions.iter().find(|a| a.key == key);
+            found.map(|a| a.value)
+        };
+        let name = "outer_shoulder_radius_mm";
+        dimensions.outer_shoulder_radius_m =
+            need(name, b.outer_shoulder_radius_mm.or(assumed(name)))?;
+        let name = "inner_ring_mass_kg";
+        dimensions.inner_ring_mass_kg = need(name, b.inner_ring_mass_kg.or(assumed(name)))?;
+        Ok(dimensions)
+    }
+
+    /// Refuses two keys that say the same.
+    fn check_alternatives(&self) -> Result<(), CaseError> {
+        let given = |name: &&&str| self.document.value(&join("bearing", name)).is_some();
+        for (one, other) in ALTERNATIVES {
+            if let (Some(one), Some(other)) = (one.iter().find(given), other.iter().find(given)) {
+                let path = join("bearing", other);
+                let value = self.places.written(&path).unwrap_or_default();
+                let message = format!(
+                    "{path} = {value} is not possible beside bearing.{one}: both say the same, \
+                     give one of them"
+                );
+                return Err(self.places.error(&path, message));
+            }
+        }
+        Ok(())
+    }
+
+    /// The key that a value follows from and how, if `path` is not given itself.
+    pub(in crate::case_file) fn origin_of(
+        &self,
+        path: &str,
+    ) -> Option<(&'static str, &'static str)> {
+        let b = &self.document.bearing;
+        if self.document.value(path).is_some() {
+            return None;
+        }
+        match path {
+            "bearing.ball_radius_mm" => {
+                Some(("bearing.ball_diameter_mm", "half of ball_diameter_mm"))
+            }
+            "bearing.inner_groove_bottom_radius_mm" | "bearing.outer_groove_bottom_radius_mm" => {
+                b.pitch_diameter_mm?;
+                let how = "from pitch_diameter_mm, ball diameter and clearance";
+                Some(("bearing.pitch_diameter_mm", how))
+            }
+            "bearing.inner_groove_curvature_radius_mm" => Some((
+                "bearing.inner_conformity",
+                "inner_conformity times the ball diameter",
+            )),
+            "bearing.outer_groove_curvature_radius_mm" => Some((
+                "bearing.outer_conformity",
+                "outer_conformity times the ball diameter",
+            )),
+            "bearing.outer_shoulder_radius_mm" => Some((
+                "bearing.outer_shoulder_radius_mm",
+                "estimated, as the key is left out",
+            )),
+            "bearing.inner_ring_mass_kg" => Some((
+                "bearing.inner_ring_mass_kg",
+                "estimated, as the key is left out",
+            )),
+            _ => None,
+        }
+    }
+
+    /// Keys that only `export` needs and any file may contain.
+    pub(in crate::case_file) fn check_export_dimensions(
+        &self,
+        bearing: &Bearing,
+    ) -> Result<(), CaseError> {
+        let b = &self.document.bearing;
+        let groove = Millimetre.of_si(bearing.dimensions().outer_groove_bottom_radius_m);
         if let Some(radius) = b.outer_ring_outer_radius_mm {
             self.si("bearing.outer_ring_outer_radius_mm", radius)?;
-            let least = b.outer_groove_bottom_radius_mm;
+            let least = groove;
             let most = decimal(round(OUTER_RADII_MAX * least, Side::Upper));
             if radius <= least {
                 return Err(self.refuse(
@@ -91,7 +388,7 @@ impl Converter<'_> {
                 let key = "bearing.outer_ring_width_mm";
                 return Err(self.refuse(key, &width.to_string(), "more than 0 mm"));
             }
-            let widest = 2.0 * OUTER_RADII_MAX * b.outer_groove_bottom_radius_mm;
+            let widest = 2.0 * OUTER_RADII_MAX * groove;
             if width > widest {
                 let key = "bearing.outer_ring_width_mm";
                 let most = decimal(round(widest, Side::Upper));

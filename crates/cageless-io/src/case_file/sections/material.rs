@@ -1,18 +1,166 @@
-//! `[material]`.
+//! `[material]`, `[ball_material]` and `[ring_material]`: a name, or the three numbers.
 
-use crate::case_file::declaration::Line::Shown;
-use crate::case_file::declaration::Presence::Default;
+use cageless::Material;
+
+use crate::case_file::CaseError;
+use crate::case_file::convert::Converter;
+use crate::case_file::declaration::Line::{Absent, Shown};
+use crate::case_file::declaration::Presence::{Default, Optional};
 use crate::case_file::declaration::section;
+use crate::case_file::named::Named;
+use crate::case_file::reader::Reader;
+use crate::case_file::spanned_toml::join;
 use crate::case_file::unit::Unit::{Gigapascal, None as Plain, Si};
 
+/// A bearing material by name. The numbers are typical ones at room temperature, rounded; those
+/// of the supplier are better.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MaterialPreset {
+    /// 100Cr6 (ISO 683-17; AISI 52100), the usual bearing steel.
+    Steel100Cr6,
+    /// M50 (80MoCrV42-16 of ISO 683-17; AMS 6491), high-temperature steel.
+    SteelM50,
+    /// 440C (X108CrMo17 of ISO 683-17; AMS 5618), stainless.
+    Steel440C,
+    /// X30CrMoN15-1 (AMS 5898; Cronidur 30), nitrogen-alloyed stainless.
+    SteelX30CrMoN15_1,
+    /// Silicon nitride (ISO 26602; ASTM F2094).
+    SiliconNitride,
+}
+
+impl Named for MaterialPreset {
+    const NAMES: &'static [(&'static str, Self)] = &[
+        ("100Cr6", Self::Steel100Cr6),
+        ("M50", Self::SteelM50),
+        ("440C", Self::Steel440C),
+        ("X30CrMoN15-1", Self::SteelX30CrMoN15_1),
+        ("Si3N4", Self::SiliconNitride),
+    ];
+}
+
+/// Names of the three numbers.
+pub(in crate::case_file) const NUMBERS: [&str; 3] =
+    ["density_kg_m3", "youngs_modulus_gpa", "poisson_ratio"];
+
+impl MaterialPreset {
+    /// Density in kg/m³, E in GPa, ν.
+    pub fn numbers(self) -> [f64; 3] {
+        match self {
+            Self::Steel100Cr6 => [7810.0, 210.0, 0.3],
+            Self::SteelM50 => [7870.0, 203.0, 0.29],
+            Self::Steel440C => [7700.0, 200.0, 0.28],
+            Self::SteelX30CrMoN15_1 => [7720.0, 213.0, 0.28],
+            Self::SiliconNitride => [3240.0, 310.0, 0.27],
+        }
+    }
+}
+
 section! {
-    /// `[material]`: bearing steel by default.
-    MaterialDocument => Material {
-        density_kg_m3 => density_kg_m3: f64 = Default(7850.0), Si("kg/m^3"),
-            "density of the balls", Shown("7850.0", "");
-        youngs_modulus_gpa => youngs_modulus_pa: f64 = Default(206.0), Gigapascal,
-            "E of balls and rings", Shown("206.0", "");
-        poisson_ratio => poisson_ratio: f64 = Default(0.3), Plain,
-            "Poisson's ratio of balls and rings", Shown("0.3", "0 to below 0.5");
+    /// `[material]`: of balls and rings where nothing else is said; bearing steel by default.
+    MaterialDocument {
+        preset: Option<MaterialPreset> = Optional, Plain,
+            "typical numbers of a bearing material, in place of the three", Absent;
+        density_kg_m3 -> density_kg_m3: Option<f64> = Default(Some(7850.0)), Si("kg/m^3"),
+            "density; that of the balls decides", Shown("7850.0", "or preset = \"100Cr6\", \"M50\", \"440C\", \"X30CrMoN15-1\",\n\"Si3N4\" in place of the three numbers");
+        youngs_modulus_gpa -> youngs_modulus_pa: Option<f64> = Default(Some(206.0)), Gigapascal,
+            "E, Young's modulus", Shown("206.0", "");
+        poisson_ratio -> poisson_ratio: Option<f64> = Default(Some(0.3)), Plain,
+            "ν, Poisson's ratio", Shown("0.3", "0 to below 0.5");
+    }
+}
+
+section! {
+    /// `[ball_material]` or `[ring_material]`, where it is not that of `[material]`.
+    PartMaterialDocument {
+        preset: Option<MaterialPreset> = Optional, Plain,
+            "typical numbers of a bearing material, in place of the three",
+            Absent;
+        density_kg_m3 -> density_kg_m3: Option<f64> = Optional, Si("kg/m^3"),
+            "density; that of the balls decides", Shown("7850.0", "or preset = \"Si3N4\", say, in place of the three numbers");
+        youngs_modulus_gpa -> youngs_modulus_pa: Option<f64> = Optional, Gigapascal,
+            "E, Young's modulus", Shown("206.0", "");
+        poisson_ratio -> poisson_ratio: Option<f64> = Optional, Plain,
+            "ν, Poisson's ratio", Shown("0.3", "0 to below 0.5");
+    }
+}
+
+impl MaterialDocument {
+    /// Leaves the defaults out that a preset replaces.
+    pub(in crate::case_file) fn complete(&mut self, reader: &mut Reader<'_>) {
+        if self.preset.is_none() {
+            return;
+        }
+        for (name, value) in NUMBERS.into_iter().zip([
+            &mut self.density_kg_m3,
+            &mut self.youngs_modulus_gpa,
+            &mut self.poisson_ratio,
+        ]) {
+            if reader.get(name).is_none() {
+                *value = None;
+                reader.drop_default(name);
+            }
+        }
+    }
+}
+
+impl Converter<'_> {
+    /// Material of balls or rings; `[material]` unless it has its own.
+    pub(in crate::case_file) fn material_of(
+        &self,
+        section: &str,
+        own: Option<&PartMaterialDocument>,
+    ) -> Result<Material, CaseError> {
+        match own {
+            Some(m) => {
+                let numbers = [m.density_kg_m3, m.youngs_modulus_gpa, m.poisson_ratio];
+                self.material(section, m.preset, numbers)
+            }
+            None => {
+                let m = &self.document.material;
+                let numbers = [m.density_kg_m3, m.youngs_modulus_gpa, m.poisson_ratio];
+                self.material("material", m.preset, numbers)
+            }
+        }
+    }
+
+    fn material(
+        &self,
+        section: &str,
+        preset: Option<MaterialPreset>,
+        given: [Option<f64>; 3],
+    ) -> Result<Material, CaseError> {
+        let mut si = [0.0; 3];
+        for (k, name) in NUMBERS.into_iter().enumerate() {
+            let path = join(section, name);
+            let value = match (preset, given[k]) {
+                (Some(preset), Some(value)) if value != preset.numbers()[k] => {
+                    let allowed = format!(
+                        "left out beside {section}.preset = \"{}\", which has {}",
+                        preset.name(),
+                        preset.numbers()[k]
+                    );
+                    return Err(self.refuse(&path, &value.to_string(), &allowed));
+                }
+                (Some(preset), _) => preset.numbers()[k],
+                (None, Some(value)) => value,
+                (None, None) => {
+                    let error = self.missing(section, name);
+                    let choice =
+                        format!("; or give {section}.preset, {}", MaterialPreset::choices());
+                    return Err(error.with_more(&choice));
+                }
+            };
+            si[k] = self.si(&path, value)?;
+        }
+        let [density_kg_m3, youngs_modulus_pa, poisson_ratio] = si;
+        let material = Material {
+            density_kg_m3,
+            youngs_modulus_pa,
+            poisson_ratio,
+        };
+        material
+            .check()
+            .map_err(|e| self.refused_in(Some(section), &e, None))?;
+        Ok(material)
     }
 }

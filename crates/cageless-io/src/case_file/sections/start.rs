@@ -1,6 +1,7 @@
 //! `[start]`.
 
-use cageless::Start;
+use cageless::numerics::random::RandomStream;
+use cageless::{Bearing, Gaps, Start};
 
 use crate::case_file::CaseError;
 use crate::case_file::convert::Converter;
@@ -26,8 +27,9 @@ section! {
             "centre of the inner ring, only for \"rolling\", there 0 by default",
             Commented("0.0", "");
         gaps => gaps: GapsDocument = Default(GapsDocument::Uniform), Degree,
-            "gaps between neighbouring balls",
-            Commented("\"uniform\"", "or a list, one gap in degrees per ball, from each\nball to the next");
+            "gaps between neighbouring balls: equal, all balls in one group, random by solver.seed, or a list",
+            Commented("\"uniform\"", "\"bunched\" (one group), \"random\" (by seed) or a list,\n\
+                one gap in degrees per ball, to the ball ahead");
         lead_ball_angle_deg => lead_ball_angle_rad: f64 = Default(0.0), Degree,
             "initial position of ball 1", Commented("0.0", "initial position ψ of ball 1");
     }
@@ -51,9 +53,14 @@ impl StartDocument {
 }
 
 impl Converter<'_> {
-    pub(in crate::case_file) fn start(&self) -> Result<Start, CaseError> {
+    pub(in crate::case_file) fn start(&self, bearing: &Bearing) -> Result<Start, CaseError> {
         let s = &self.document.start;
-        let gaps = s.gaps.si(self, "start.gaps")?;
+        let gaps = match (&s.gaps, s.gaps.si(self, "start.gaps")?) {
+            (_, Some(list)) => Gaps::List(list),
+            (GapsDocument::Bunched, _) => Gaps::List(bunched(bearing)),
+            (GapsDocument::Random, _) => Gaps::List(random(bearing, self.seed()?)),
+            _ => Gaps::Uniform,
+        };
         let lead_ball_angle_rad = self.si("start.lead_ball_angle_deg", s.lead_ball_angle_deg)?;
         match s.state {
             StartState::Settled => {
@@ -80,4 +87,29 @@ impl Converter<'_> {
             }),
         }
     }
+}
+
+/// Angle that the balls leave free.
+fn room_rad(bearing: &Bearing) -> f64 {
+    bearing.balls() as f64 * bearing.mean_gap_rad()
+}
+
+/// Balls in one group, which begins with ball 1.
+fn bunched(bearing: &Bearing) -> Vec<f64> {
+    let mut gaps = vec![0.0; bearing.balls()];
+    if let Some(last) = gaps.last_mut() {
+        *last = room_rad(bearing);
+    }
+    gaps
+}
+
+/// Gaps of which every division of the free angle is equally likely: exponential numbers over
+/// their sum.
+fn random(bearing: &Bearing, seed: u64) -> Vec<f64> {
+    /// Number of this use of random numbers among all.
+    const START: u64 = 101;
+    let mut stream = RandomStream::new(seed, START, 0, 0);
+    let shares: Vec<_> = (0..bearing.balls()).map(|_| stream.exponential()).collect();
+    let scale = room_rad(bearing) / shares.iter().sum::<f64>();
+    shares.iter().map(|share| share * scale).collect()
 }

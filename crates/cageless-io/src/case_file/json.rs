@@ -1,0 +1,65 @@
+//! A case in JSON: the same sections and keys, or the file of a result that holds the case as it
+//! was run.
+
+use serde_json::{Map, Value as Json};
+
+use super::declaration::{Key, Presence};
+use super::error::CaseError;
+use super::keys;
+use super::spanned_toml::{Node, Origin, Place, Section, Value, join};
+
+/// Parses a document.
+pub(super) fn parse(text: &str, name: &str) -> Result<Section, CaseError> {
+    let text = text.trim_start_matches('\u{feff}');
+    let json: Map<String, Json> = serde_json::from_str(text).map_err(|e| {
+        CaseError::on_line(name, e.line().max(1), None, format!("is not JSON: {e}"))
+    })?;
+    let Some(Json::Object(case)) = json.get("case") else {
+        return Ok(section(&json, ""));
+    };
+    let mut root = section(case, "");
+    // What was derived is derived again: from the same numbers, to the same bits.
+    let defaults = json.get("defaults").and_then(Json::as_array);
+    for key in defaults.into_iter().flatten().filter_map(Json::as_str) {
+        let Some((section, key)) = key.split_once('.') else {
+            continue;
+        };
+        let derived = |k: &Key| match (k.presence)() {
+            Presence::Derived | Presence::Optional => true,
+            _ => k.name == "step_us",
+        };
+        if keys::find(section, key).is_some_and(derived)
+            && let Some(Value::Section(entries)) = root.get_mut(section).map(|n| &mut n.value)
+        {
+            entries.remove(key);
+        }
+    }
+    Ok(root)
+}
+
+fn section(map: &Map<String, Json>, path: &str) -> Section {
+    map.iter()
+        .filter(|(_, value)| !value.is_null())
+        .map(|(key, value)| (key.clone(), node(value, &join(path, key))))
+        .collect()
+}
+
+fn node(json: &Json, path: &str) -> Node {
+    let value = match json {
+        Json::String(text) => Value::Text(text.clone()),
+        Json::Number(number) => match (number.as_i64(), number.as_f64()) {
+            (Some(integer), _) => Value::Integer(integer),
+            (None, Some(number)) => Value::Number(number),
+            (None, None) => Value::Other,
+        },
+        Json::Array(items) => Value::List(items.iter().map(|item| node(item, path)).collect()),
+        Json::Object(map) => Value::Section(section(map, path)),
+        Json::Null | Json::Bool(_) => Value::Other,
+    };
+    let written = json.to_string();
+    let place = Place {
+        origin: Origin::File,
+        written: super::spanned_toml::excerpt(&written, 0..written.len()),
+    };
+    Node { value, place }
+}

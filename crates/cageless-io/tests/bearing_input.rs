@@ -1,0 +1,235 @@
+//! Bearings as engineers state them: diameters, conformities, clearance, materials by name,
+//! designations, cases in JSON.
+
+mod common;
+
+use cageless::Gaps;
+use cageless_io::case_file::{CaseFile, MaterialPreset};
+use cageless_io::designation::{designations, find};
+use common::refused;
+
+const SHORT: &str = "[bearing]\nballs = 14\nball_diameter_mm = 9.525\npitch_diameter_mm = 46.005\n\
+    radial_internal_clearance_um = 12\n[operation]\ninner_speed_rpm = 12000\nradial_load_n = 1500\n";
+
+fn parse(text: &str, sets: &[&str]) -> CaseFile {
+    let sets: Vec<_> = sets.iter().map(|s| (*s).to_owned()).collect();
+    CaseFile::parse(text, "case.toml", &sets).unwrap_or_else(|e| panic!("{e}"))
+}
+
+/// Ri + Ro = Dpw, 2 (Ro − Ri − 2 Rw) = Gr, groove radius = f Dw.
+#[test]
+fn diameters_conformities_and_clearance_stand_for_radii() {
+    let file = parse(SHORT, &["bearing.inner_conformity=0.515"]);
+    let d = file.case().bearing.dimensions().clone();
+    let (inner, outer) = (
+        d.inner_groove_bottom_radius_m,
+        d.outer_groove_bottom_radius_m,
+    );
+    assert_eq!(d.ball_radius_m, 4.7625e-3);
+    assert!((inner + outer - 46.005e-3).abs() < 1e-15);
+    assert!((2.0 * (outer - inner - 2.0 * d.ball_radius_m) - 12e-6).abs() < 1e-15);
+    assert!((2.0 * file.case().bearing.radial_clearance_m() - 12e-6).abs() < 1e-12);
+    assert!((d.inner_groove_curvature_radius_m - 0.515 * 9.525e-3).abs() < 1e-15);
+    assert!((d.outer_groove_curvature_radius_m - 0.52 * 9.525e-3).abs() < 1e-15);
+    // What is estimated is said, with its value.
+    let assumed: Vec<_> = file.assumptions().into_iter().map(|a| a.key).collect();
+    let expected = [
+        "bearing.outer_shoulder_radius_mm",
+        "bearing.outer_conformity",
+        "bearing.inner_ring_mass_kg",
+    ];
+    assert_eq!(assumed, expected);
+    assert!(
+        expected
+            .iter()
+            .all(|k| file.defaults().iter().any(|d| d == k))
+    );
+    assert!((d.outer_shoulder_radius_m - (outer - 0.2 * 9.525e-3)).abs() < 1e-7);
+    assert!((0.05..0.2).contains(&d.inner_ring_mass_kg));
+}
+
+#[test]
+fn what_says_the_same_twice_is_refused_and_a_later_one_replaces_it() {
+    for (key, text) in [
+        ("ball_radius_mm = 4.7625", "bearing.ball_diameter_mm"),
+        (
+            "inner_groove_bottom_radius_mm = 18.24",
+            "bearing.pitch_diameter_mm",
+        ),
+    ] {
+        let error = refused(
+            &SHORT.replace("balls = 14", &format!("balls = 14\n{key}")),
+            &[],
+        );
+        assert_eq!(error.key(), Some(text));
+        let message = error.to_string();
+        assert!(
+            message.contains("both say the same, give one of them"),
+            "{message}"
+        );
+    }
+    let file = parse(SHORT, &["bearing.ball_radius_mm=4.7"]);
+    assert_eq!(file.case().bearing.ball_radius_m(), 4.7e-3);
+    let error = refused(SHORT, &["bearing.radial_internal_clearance_um=-5"]);
+    assert!(error.message().contains("0 um or more"), "{error}");
+    let error = refused(&SHORT.replace("radial_internal", "# "), &[]);
+    assert_eq!(error.key(), Some("bearing.radial_internal_clearance_um"));
+    // A value that follows from others names them.
+    let error = refused(SHORT, &["bearing.inner_conformity=0.4"]);
+    assert_eq!(error.key(), Some("bearing.inner_conformity"));
+    assert!(
+        error
+            .message()
+            .contains("inner_conformity times the ball diameter"),
+        "{error}"
+    );
+}
+
+/// The mass of the balls is of their material, and K ∝ E* with 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂.
+#[test]
+fn a_hybrid_bearing_has_light_balls_and_stiffer_contacts() {
+    let hybrid = parse(SHORT, &["ball_material.preset=Si3N4"]);
+    let steel = parse(SHORT, &[]);
+    let (hybrid, steel) = (&hybrid.case().bearing, &steel.case().bearing);
+    let [density, modulus, poisson] = MaterialPreset::SiliconNitride.numbers();
+    let ratio = hybrid.ball_mass_kg() / steel.ball_mass_kg();
+    assert!((ratio / (density / 7850.0) - 1.0).abs() < 1e-12);
+    let ceramic = (1.0 - poisson * poisson) / (modulus * 1e9);
+    let ring = (1.0 - 0.09) / 206e9;
+    let raceway = 2.0 * ring / (ceramic + ring);
+    let pairs = [
+        (hybrid.inner_contact(), steel.inner_contact(), raceway),
+        (hybrid.outer_contact(), steel.outer_contact(), raceway),
+        (hybrid.ball_contact(), steel.ball_contact(), ring / ceramic),
+    ];
+    for (one, other, expected) in pairs {
+        let ratio = one.stiffness_n_m1_5 / other.stiffness_n_m1_5;
+        assert!((ratio / expected - 1.0).abs() < 1e-9, "{ratio} {expected}");
+    }
+}
+
+#[test]
+fn materials_have_a_name_or_three_numbers() {
+    for (sets, key, words) in [
+        (
+            vec!["material.preset=M51"],
+            "material.preset",
+            "\"100Cr6\", \"M50\"",
+        ),
+        (
+            vec!["ball_material.density_kg_m3=3200"],
+            "ball_material.youngs_modulus_gpa",
+            "or give ball_material.preset",
+        ),
+        (
+            vec![
+                "ring_material.preset=M50",
+                "ring_material.poisson_ratio=0.3",
+                "ring_material.density_kg_m3=7850",
+                "ring_material.youngs_modulus_gpa=206000",
+            ],
+            "ring_material.youngs_modulus_gpa",
+            "at most 1300 GPa",
+        ),
+    ] {
+        let error = refused(SHORT, &sets);
+        assert_eq!(error.key(), Some(key), "{error}");
+        assert!(error.message().contains(words), "{error}");
+    }
+    let both = format!("{SHORT}[material]\npreset = \"M50\"\ndensity_kg_m3 = 7000\n");
+    let error = refused(&both, &[]);
+    assert!(
+        error
+            .message()
+            .contains("left out beside material.preset = \"M50\""),
+        "{error}"
+    );
+}
+
+#[test]
+fn balls_start_in_one_group_or_anywhere_by_seed() {
+    let gaps = |sets: &[&str]| match parse(SHORT, sets).case().start.gaps().clone() {
+        Gaps::List(gaps) => gaps,
+        Gaps::Uniform => panic!("uniform"),
+    };
+    let bunched = gaps(&["start.gaps=bunched"]);
+    assert!(bunched[..13].iter().all(|g| *g == 0.0) && bunched[13] > 0.4);
+    let random = |seed: &str| gaps(&["start.gaps=random", seed]);
+    let one = random("seed=1");
+    assert_eq!(one, random("seed=1"));
+    assert_ne!(one, random("seed=2"));
+    assert!((one.iter().sum::<f64>() - bunched[13]).abs() < 1e-12);
+}
+
+/// A result file with the case as it was run gives the same case, to the bit.
+#[test]
+fn a_case_is_repeated_from_the_json_of_its_result() {
+    for sets in [
+        &[
+            "bearing.inner_ring_mass_kg=0.30000000000000004",
+            "operation.radial_load_n=1499.9999999999998",
+        ][..],
+        &["ball_material.preset=Si3N4", "start.gaps=random", "seed=5"],
+        &["bearing.ball_radius_deviation_um=[0.1,0.2,0,0,0,0,0,0,0,0,0,0,0,0]"],
+        &["solver.step_us=1.7000000000000002"],
+    ] {
+        let file = parse(SHORT, sets);
+        let json = serde_json::json!({
+            "case": serde_json::to_value(file.document_as_run()).unwrap(),
+            "defaults": file.defaults(),
+        });
+        let again = parse(&json.to_string(), &[]);
+        assert_eq!(again.case(), file.case(), "{sets:?}");
+        let bare = serde_json::to_string(file.document()).unwrap();
+        assert_eq!(parse(&bare, &[]).case(), file.case());
+        let faster = parse(&json.to_string(), &["operation.inner_speed_rpm=6000"]);
+        assert_ne!(faster.case(), file.case());
+    }
+    let error = refused("{\"bearing\": {\"balls\": 14, \"colour\": 1}}", &[]);
+    assert_eq!(error.key(), Some("bearing.colour"));
+    assert!(
+        refused("{\n\"bearing\": 1,}", &[])
+            .to_string()
+            .starts_with("case.toml:2: is not JSON")
+    );
+}
+
+#[test]
+fn every_designation_gives_a_case() {
+    let mut count = 0;
+    for bearing in designations() {
+        for full_complement in [false, true] {
+            let name = &bearing.designation;
+            let text = bearing.case_file(full_complement);
+            let file = CaseFile::parse(&text, name, &[]).unwrap_or_else(|e| panic!("{name}: {e}"));
+            let b = &file.case().bearing;
+            let d = b.dimensions();
+            // The balls run between the bore of the inner and the outside of the outer ring.
+            assert!(
+                d.inner_groove_bottom_radius_m > bearing.bore_mm * 5e-4,
+                "{name}"
+            );
+            assert!(
+                d.outer_groove_bottom_radius_m < bearing.outside_mm * 5e-4,
+                "{name}"
+            );
+            assert!(
+                !full_complement || b.nominal_gap_rad() < b.ball_angle_rad() / b.balls() as f64
+            );
+            count += 1;
+        }
+    }
+    assert_eq!(count, 2 * 5 * 21);
+    let bearing = find("6008").unwrap();
+    assert_eq!(
+        (bearing.bore_mm, bearing.outside_mm, bearing.width_mm),
+        (40.0, 68.0, 15.0)
+    );
+    assert_eq!(bearing.inside(true).balls, 21);
+    assert_eq!(find("6205").unwrap().inside(false).balls, 9);
+    let message = find("6021").unwrap_err();
+    assert!(
+        message.contains("60, 62, 63, 618, 619") && message.contains("did you mean 60"),
+        "{message}"
+    );
+}
