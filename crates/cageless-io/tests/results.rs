@@ -75,6 +75,7 @@ fn snapshot(time_s: f64, balls: usize) -> Snapshot {
         outer_force_n: array(12),
         inner_slip_m_s: array(13),
         outer_slip_m_s: array(14),
+        rotor: None,
         ring: RingSnapshot {
             x_m: time_s + 1.0,
             y_m: time_s + 2.0,

@@ -1,7 +1,6 @@
 //! Data of the report of a run.
 
 use cageless::Case;
-use cageless::dynamics::energy::EnergyTerm;
 use cageless::passage::PassageTally;
 use cageless::simulation::RunOutcome;
 use cageless::snapshot::Snapshot;
@@ -358,9 +357,12 @@ fn ball_history(snapshots: &[Snapshot], k: usize) -> BallHistory {
 
 /// The ledger; positive into the bearing.
 fn energy(outcome: &RunOutcome) -> Vec<EnergyItem> {
-    let mut items: Vec<EnergyItem> = EnergyTerm::ALL
-        .into_iter()
-        .map(|work| {
+    let mut items: Vec<EnergyItem> = outcome
+        .state
+        .layout()
+        .energy_terms()
+        .iter()
+        .map(|&work| {
             let value = outcome.state.energy_term_j(work);
             EnergyItem {
                 name: work.name().replace('_', " "),

@@ -12,7 +12,7 @@
 //! let [x, y] = [BallCoordinate::X, BallCoordinate::Y]
 //!     .map(|coordinate| state.layout().balls_of(state.values(), coordinate));
 //! let mut range = GapRange::new(&Model::new(&case)?);
-//! range.look(x, y);
+//! range.look(x, y, [0.0; 2]);
 //! // All gaps are equal at the start.
 //! let [least, most] = range.range_rad();
 //! assert!((most - least).abs() < 1e-12 && (least.to_degrees() - 1.816).abs() < 1e-3);
@@ -33,12 +33,14 @@ pub(crate) struct Direction {
 }
 
 impl Direction {
-    /// Direction from ball `k` to the ball ahead, forwards.
-    pub fn to_next(x_m: Balls<'_>, y_m: Balls<'_>, k: usize) -> Self {
+    /// Direction from ball `k` to the ball ahead, forwards, about the centre of the outer ring.
+    pub fn to_next(x_m: Balls<'_>, y_m: Balls<'_>, centre_m: [f64; 2], k: usize) -> Self {
         let next = if k + 1 == x_m.len() { 0 } else { k + 1 };
+        let [x, y] = [x_m[k] - centre_m[0], y_m[k] - centre_m[1]];
+        let [next_x, next_y] = [x_m[next] - centre_m[0], y_m[next] - centre_m[1]];
         Self {
-            sine: x_m[k] * y_m[next] - y_m[k] * x_m[next],
-            cosine: x_m[k] * x_m[next] + y_m[k] * y_m[next],
+            sine: x * next_y - y * next_x,
+            cosine: x * next_x + y * next_y,
         }
     }
 
@@ -78,9 +80,9 @@ impl GapRange {
         }
     }
 
-    /// Takes the positions of the balls.
-    pub fn look(&mut self, x_m: Balls<'_>, y_m: Balls<'_>) {
-        let at = |k| Direction::to_next(x_m, y_m, k);
+    /// Takes the positions of the balls and of the centre of the outer ring.
+    pub fn look(&mut self, x_m: Balls<'_>, y_m: Balls<'_>, centre_m: [f64; 2]) {
+        let at = |k| Direction::to_next(x_m, y_m, centre_m, k);
         if self.range.is_empty() {
             self.range = (0..self.pair_angles.len()).map(|k| [at(k); 2]).collect();
         }

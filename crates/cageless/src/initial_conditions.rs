@@ -14,7 +14,8 @@
 
 use crate::case::{Case, Profile, Start};
 use crate::dynamics::ball::{BallMotion, Centre};
-use crate::dynamics::state::State;
+use crate::dynamics::rotor::RotorMotion;
+use crate::dynamics::state::{Layout, State};
 use crate::equilibrium::{self, EquilibriumError, ball_outer_geometry, start_angles_rad};
 use crate::kinematics::{orbit_speed_of_rad_s, rolling_relative_spin_rad_s, rolling_spin_rad_s};
 
@@ -33,7 +34,20 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
     let bearing = &case.bearing;
     let n = bearing.balls();
     let pitch = bearing.pitch_radius_m();
-    let mut state = State::new(n);
+    let mut state = match case.rotor {
+        Some(_) => State::zero(Layout::with_rotor(n)),
+        None => State::new(n),
+    };
+    if let Some(rotor) = &case.rotor {
+        state.set_rotor(RotorMotion {
+            x: rotor.x_m,
+            y: rotor.y_m,
+            vx: rotor.vx_m_s,
+            vy: rotor.vy_m_s,
+            angle: 0.0,
+            speed: rotor.speed_rad_s,
+        });
+    }
     let angles = start_angles_rad(case);
     let (distances, ring) = match case.start {
         Start::Rolling {

@@ -58,5 +58,5 @@ pub use error::InputError;
 pub use raceway::{Raceway, RacewayDimensions};
 pub use rotor::{Rotor, Support, SupportStop};
 pub use scope::SCOPE;
-pub use snapshot::{RingSnapshot, Snapshot};
+pub use snapshot::{RingSnapshot, RotorSnapshot, Snapshot};
 pub use time_table::TimeTable;

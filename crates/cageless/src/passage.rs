@@ -203,14 +203,17 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
         let (from, to) = (view.step.t0_s, view.step.t1_s);
         let inside_by = |time_s: f64| {
             let at = |coordinate| view.step.interpolate(layout.ball(coordinate, k), time_s);
-            sector.inside_by(at(BallCoordinate::X), at(BallCoordinate::Y))
+            let [x, y] = view.outer_ring_at_m(time_s);
+            sector.inside_by(at(BallCoordinate::X) - x, at(BallCoordinate::Y) - y)
         };
         let time_s = root::brent(inside_by, from, to, 1e-6 * (to - from)).unwrap_or(to);
         let state = view.state(time_s);
         let [x, y] = [BallCoordinate::X, BallCoordinate::Y]
             .map(|c| state.layout().balls_of(state.values(), c));
         let previous = (k + layout.balls - 1) % layout.balls;
-        (time_s, [k, previous].map(|k| Direction::to_next(x, y, k)))
+        let centre = state.outer_ring_motion();
+        let to_next = |k| Direction::to_next(x, y, [centre.x, centre.y], k);
+        (time_s, [k, previous].map(to_next))
     }
 }
 
@@ -233,12 +236,13 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
     fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         let n = view.layout().balls;
         let [x, y] = view.positions();
+        let centre = view.outer_ring_m();
         let c = &view.contacts;
         self.contact_tracker.update(c);
         for (r, sector) in self.sectors.iter().enumerate() {
             for k in 0..n {
                 let slot = r * n + k;
-                if sector.inside_by(x[k], y[k]) <= 0.0 {
+                if sector.inside_by(x[k] - centre[0], y[k] - centre[1]) <= 0.0 {
                     self.seen_outside[slot] = true;
                     if let Some(UnderWay {
                         mut passage,
@@ -259,7 +263,7 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
                     continue;
                 }
                 let previous = if k == 0 { n - 1 } else { k - 1 };
-                let now = Direction::to_next(x, y, k);
+                let now = Direction::to_next(x, y, centre, k);
                 let orbit = c.orbit_speed_rad_s(k);
                 // A contact without load may slide as it likes.
                 let slip = |slip: f64, force: f64| if force > 0.0 { slip.abs() } else { 0.0 };

@@ -19,8 +19,10 @@ use std::sync::Arc;
 
 /// Arrays over the balls.
 const ARRAYS: usize = 13;
-/// Time and ring, before the arrays of a row.
-const HEAD: usize = 9;
+/// Time, ring and whether there is a rotor, before the rotor and the arrays of a row.
+const HEAD: usize = 10;
+/// Values of a rotor.
+const ROTOR: usize = 13;
 
 /// Structure of arrays over the balls; index k is ball k+1.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -56,6 +58,39 @@ pub struct Snapshot {
     pub outer_slip_m_s: Vec<f64>,
     /// The inner ring.
     pub ring: RingSnapshot,
+    /// The rotor and what it moves, in a drop.
+    pub rotor: Option<RotorSnapshot>,
+}
+
+/// The rotor, the speed of the inner ring and the outer ring on its support at one instant.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct RotorSnapshot {
+    /// Mass centre.
+    pub x_m: f64,
+    /// Mass centre.
+    pub y_m: f64,
+    /// Velocity of the mass centre.
+    pub vx_m_s: f64,
+    /// Velocity of the mass centre.
+    pub vy_m_s: f64,
+    /// θ, counter-clockwise, since the start.
+    pub angle_rad: f64,
+    /// Ω, counter-clockwise.
+    pub speed_rad_s: f64,
+    /// ωi of the inner ring, counter-clockwise.
+    pub ring_speed_rad_s: f64,
+    /// Outer ring and housing, from their rest place.
+    pub housing_x_m: f64,
+    /// Outer ring and housing, from their rest place.
+    pub housing_y_m: f64,
+    /// Velocity of outer ring and housing.
+    pub housing_vx_m_s: f64,
+    /// Velocity of outer ring and housing.
+    pub housing_vy_m_s: f64,
+    /// Normal force between rotor and inner ring.
+    pub contact_force_n: f64,
+    /// Sliding speed of the journal on the bore at their nearest points, counter-clockwise.
+    pub contact_slip_m_s: f64,
 }
 
 /// The inner ring at one instant.
@@ -107,9 +142,11 @@ impl Snapshot {
     /// All values in one row: less to allocate where many are kept.
     pub fn to_row(&self) -> Arc<[f64]> {
         let arrays = self.arrays();
-        let mut row = Vec::with_capacity(HEAD + arrays.len() * self.balls());
+        let mut row = Vec::with_capacity(HEAD + ROTOR + arrays.len() * self.balls());
         row.push(self.time_s);
         row.extend(self.ring.values());
+        row.push(f64::from(u8::from(self.rotor.is_some())));
+        row.extend(self.rotor.iter().flat_map(RotorSnapshot::values));
         row.extend(arrays.into_iter().flatten());
         row.into()
     }
@@ -119,8 +156,11 @@ impl Snapshot {
     /// # Panics
     /// If it is no such row.
     pub fn from_row(row: &[f64]) -> Self {
-        let (head, arrays) = row.split_at(HEAD);
-        let ring = head[1..].try_into().expect("time and ring come first");
+        let (head, rest) = row.split_at(HEAD);
+        let ring = head[1..HEAD - 1]
+            .try_into()
+            .expect("time and ring come first");
+        let (rotor, arrays) = rest.split_at(if head[HEAD - 1] > 0.0 { ROTOR } else { 0 });
         let balls = arrays.len() / ARRAYS;
         assert!(
             balls * ARRAYS == arrays.len(),
@@ -144,6 +184,7 @@ impl Snapshot {
             inner_slip_m_s: next(),
             outer_slip_m_s: next(),
             ring: RingSnapshot::from_values(ring),
+            rotor: rotor.try_into().ok().map(RotorSnapshot::from_values),
         }
     }
 }
@@ -187,17 +228,78 @@ impl RingSnapshot {
     }
 }
 
+impl RotorSnapshot {
+    /// The values, in the order of the fields.
+    pub fn values(&self) -> [f64; ROTOR] {
+        [
+            self.x_m,
+            self.y_m,
+            self.vx_m_s,
+            self.vy_m_s,
+            self.angle_rad,
+            self.speed_rad_s,
+            self.ring_speed_rad_s,
+            self.housing_x_m,
+            self.housing_y_m,
+            self.housing_vx_m_s,
+            self.housing_vy_m_s,
+            self.contact_force_n,
+            self.contact_slip_m_s,
+        ]
+    }
+
+    fn from_values(values: [f64; ROTOR]) -> Self {
+        let [
+            x_m,
+            y_m,
+            vx_m_s,
+            vy_m_s,
+            angle_rad,
+            speed_rad_s,
+            ring_speed_rad_s,
+            housing_x_m,
+            housing_y_m,
+            housing_vx_m_s,
+            housing_vy_m_s,
+            contact_force_n,
+            contact_slip_m_s,
+        ] = values;
+        Self {
+            x_m,
+            y_m,
+            vx_m_s,
+            vy_m_s,
+            angle_rad,
+            speed_rad_s,
+            ring_speed_rad_s,
+            housing_x_m,
+            housing_y_m,
+            housing_vx_m_s,
+            housing_vy_m_s,
+            contact_force_n,
+            contact_slip_m_s,
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn a_row_leads_back_to_its_snapshot() {
-        let row: Vec<f64> = (0..HEAD + 3 * ARRAYS).map(|k| k as f64).collect();
-        let snapshot = Snapshot::from_row(&row);
-        assert_eq!((snapshot.time_s, snapshot.ring.outer_force_y_n), (0.0, 8.0));
-        assert_eq!(snapshot.angle_rad, [9.0, 10.0, 11.0]);
-        assert_eq!(snapshot.outer_slip_m_s, [45.0, 46.0, 47.0]);
-        assert_eq!(*snapshot.to_row(), *row);
+        for rotor in [0, ROTOR] {
+            let mut row: Vec<f64> = (0..HEAD + rotor + 3 * ARRAYS).map(|k| k as f64).collect();
+            row[HEAD - 1] = if rotor > 0 { 1.0 } else { 0.0 };
+            let snapshot = Snapshot::from_row(&row);
+            assert_eq!((snapshot.time_s, snapshot.ring.outer_force_y_n), (0.0, 8.0));
+            let first = (HEAD + rotor) as f64;
+            assert_eq!(snapshot.angle_rad, [first, first + 1.0, first + 2.0]);
+            let last = first + 36.0;
+            assert_eq!(snapshot.outer_slip_m_s, [last, last + 1.0, last + 2.0]);
+            let slip = snapshot.rotor.map(|r| r.contact_slip_m_s);
+            assert_eq!(slip, (rotor > 0).then_some(22.0));
+            assert_eq!(*snapshot.to_row(), *row);
+        }
     }
 }

@@ -13,6 +13,7 @@
 
 use crate::case::{Case, FrictionLaw, Method, Start};
 use crate::dynamics::STICK_FRACTION;
+use crate::dynamics::rotor::{RotorBody, RotorContact};
 use crate::integrator::{Abm4, Adaptive, VelocityVerlet};
 use crate::kinematics::rolling_orbit_speed_rad_s;
 
@@ -81,6 +82,87 @@ const LIGHT: f64 = 4.0;
 /// ωh at which impacts lose 1e-3 of their energy in the ledger.
 const IMPACT_FRACTION: f64 = 0.2;
 
+/// What a falling rotor and a support add to the rates; nothing without a rotor.
+#[derive(Debug, Clone, Copy, Default)]
+struct Drop {
+    /// Peak force of the first impact and of the unbalance, N.
+    force_n: f64,
+    /// Stiffness of the contact of rotor and inner ring under it, N/m.
+    contact_n_m: f64,
+    /// Damping of that contact, N·s/m.
+    contact_n_s_m: f64,
+    inverse_rotor_mass: f64,
+    /// Stiffness and damping of the support, its stop included.
+    support_n_m: f64,
+    support_n_s_m: f64,
+    inverse_outer_mass: f64,
+    /// 1 if the outer ring moves, else 0.
+    support_moves: f64,
+    /// Decay of the slip of the rotor by friction, 1/s; 0 under Coulomb's law.
+    friction_1_s: f64,
+}
+
+impl Drop {
+    /// The rotor falls to the bottom of the air gap onto the springs of its contact and of the
+    /// balls, in series with the support: F = W + √(W² + 2·k·E), E its kinetic energy there.
+    fn new(case: &Case) -> Self {
+        let Some((rotor, body)) = case.rotor.as_ref().zip(RotorBody::new(case)) else {
+            return Self::default();
+        };
+        let bearing = &case.bearing;
+        let weight = rotor.mass_kg * case.operation.gravity_m_s2;
+        let height = rotor.journal_start_m()[1] + rotor.air_gap_m;
+        let energy = 0.5 * rotor.mass_kg * (rotor.vx_m_s.powi(2) + rotor.vy_m_s.powi(2))
+            + weight * height.max(0.0);
+        let unbalance = rotor.mass_kg * rotor.eccentricity_m * rotor.speed_rad_s.powi(2);
+        let (k, p) = (rotor.contact_stiffness, rotor.contact_exponent);
+        let contact = |force: f64| p * k.powf(1.0 / p) * force.powf(1.0 - 1.0 / p);
+        let [inner, outer, _] = case.stiffness_n_m1_5();
+        let carrying = CARRYING_FRACTION * bearing.balls() as f64;
+        let balls = |force: f64| {
+            let one = |k: f64| 1.5 * k.powf(2.0 / 3.0) * (force / carrying).cbrt();
+            carrying / (1.0 / one(inner) + 1.0 / one(outer))
+        };
+        let support = case.support.as_ref();
+        let stop = support.and_then(|s| s.stop);
+        let support_n_m =
+            support.map_or(0.0, |s| s.stiffness_n_m) + stop.map_or(0.0, |s| s.stiffness_n_m);
+        let soft = if support_n_m > 0.0 {
+            1.0 / support_n_m
+        } else {
+            0.0
+        };
+        let mut force = weight.max(1.0);
+        for _ in 0..4 {
+            let series = 1.0 / (1.0 / contact(force) + 1.0 / balls(force) + soft);
+            force = weight + (weight * weight + 2.0 * series * energy).sqrt() + unbalance;
+        }
+        let speed = (2.0 * energy / rotor.mass_kg).sqrt();
+        let mobility = body.slip_mobility(
+            &RotorContact::default(),
+            bearing.dimensions().inner_ring_mass_kg,
+        );
+        let friction = match rotor.friction_law {
+            FrictionLaw::Smooth | FrictionLaw::Stribeck => {
+                rotor.friction_coefficient_max() * force * mobility / rotor.slip_scale_m_s
+            }
+            FrictionLaw::Coulomb => 0.0,
+        };
+        let depth = (force / k).powf(1.0 / p);
+        Self {
+            force_n: force,
+            contact_n_m: contact(force) * (1.0 + 1.5 * rotor.contact_damping_s_m * speed),
+            contact_n_s_m: 1.5 * rotor.contact_damping_s_m * k * depth.powf(p),
+            inverse_rotor_mass: 1.0 / rotor.mass_kg,
+            support_n_m,
+            support_n_s_m: support.map_or(0.0, |s| s.damping_n_s_m),
+            inverse_outer_mass: support.map_or(0.0, |s| 1.0 / s.mass_kg),
+            support_moves: f64::from(u8::from(support.is_some())),
+            friction_1_s: friction,
+        }
+    }
+}
+
 impl StepLimits {
     /// Estimates the rates: the largest of Qmax ≈ 5 (Fr + weights)/N + centrifugal force, a
     /// quarter more, of what presses the parts together without load (`preload_n`) and of
@@ -98,7 +180,9 @@ impl StepLimits {
                 * bearing.pitch_radius_m()
         };
         let centrifugal = case.centrifugal_force_n();
+        let drop = Drop::new(case);
         let down = case.largest_radial_load_n()
+            + drop.force_n
             + (d.inner_ring_mass_kg + mass) * case.operation.gravity_m_s2;
         let carried = OVERLOAD * (5.0 * down / d.balls as f64 + centrifugal);
         // A ball of mass m against a raceway: the reduced mass is m.
@@ -117,7 +201,10 @@ impl StepLimits {
         let carrying = CARRYING_FRACTION * d.balls as f64;
         let ring_mass = d.inner_ring_mass_kg;
         let contact_rad_s = ((raceways + 2.0 * slope(ball, peak)) / mass
-            + carrying * slope(inner, load) / ring_mass)
+            + (carrying * slope(inner, load) + drop.contact_n_m) / ring_mass
+            + drop.contact_n_m * drop.inverse_rotor_mass
+            + (carrying * slope(outer, load) * drop.support_moves + drop.support_n_m)
+                * drop.inverse_outer_mass)
             .sqrt();
         // Both friction forces of a ball together feel 1/5 of its mass.
         let friction = match case.contact.friction_law {
@@ -127,7 +214,8 @@ impl StepLimits {
             }
             // Relaxed with the step, see `Model`.
             FrictionLaw::Coulomb => 0.0,
-        };
+        }
+        .max(drop.friction_1_s);
         let creep = match case.contact.friction_law {
             FrictionLaw::Smooth | FrictionLaw::Stribeck => 0.0,
             FrictionLaw::Coulomb => {
@@ -137,7 +225,9 @@ impl StepLimits {
         let deflection = |k: f64| (load / k).powf(2.0 / 3.0).sqrt();
         let damper = |k: f64| case.contact.damping_n_s_m1_5 * deflection(k);
         let damping = (damper(inner) + damper(outer)) / mass
-            + (carrying * damper(inner) + d.inner_ring_drag_n_s_m) / ring_mass;
+            + (carrying * damper(inner) + d.inner_ring_drag_n_s_m + drop.contact_n_s_m) / ring_mass
+            + (carrying * damper(outer) * drop.support_moves + drop.support_n_s_m)
+                * drop.inverse_outer_mass;
         Self {
             contact_rad_s,
             damping_1_s: damping,
@@ -168,7 +258,9 @@ impl StepLimits {
     /// method treats it implicitly, below it, with the other forces, to second order. Coulomb's
     /// law always counts as stiff.
     pub fn friction_is_stiff(case: &Case) -> bool {
+        let rotor = case.rotor.as_ref();
         case.contact.friction_law == FrictionLaw::Coulomb
+            || rotor.is_some_and(|r| r.friction_law == FrictionLaw::Coulomb)
             || Self::new(case).friction_1_s * case.solver.step_s > FRICTION_RESOLVED
     }
 

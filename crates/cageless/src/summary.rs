@@ -131,7 +131,7 @@ impl Observer for SummaryRecorder {
         self.slip_max = self.slip_max.max(contacts.slip_max_m_s());
         if self.steps.is_multiple_of(GAPS_EVERY) {
             let [x, y] = view.positions();
-            self.gaps.look(x, y);
+            self.gaps.look(x, y, view.outer_ring_m());
         }
         self.steps += 1;
         Ok(Control::Continue(()))

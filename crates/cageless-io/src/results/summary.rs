@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use cageless::dynamics::energy::EnergyTerm;
 use cageless::equilibrium;
 use cageless::simulation::{Ending, RunOutcome};
 use cageless::step_limits::StepLimits;
@@ -107,9 +106,12 @@ impl SummaryFile {
         summary: Option<Summary>,
         wall_s: f64,
     ) -> Self {
-        let mut energy: BTreeMap<String, f64> = EnergyTerm::ALL
-            .into_iter()
-            .map(|work| (work.name().to_owned(), outcome.state.energy_term_j(work)))
+        let mut energy: BTreeMap<String, f64> = outcome
+            .state
+            .layout()
+            .energy_terms()
+            .iter()
+            .map(|&work| (work.name().to_owned(), outcome.state.energy_term_j(work)))
             .collect();
         energy.insert(
             "change".to_owned(),

@@ -25,6 +25,7 @@ mod friction;
 pub mod hertz;
 mod implicit_friction;
 mod inner;
+mod journal;
 mod normal_force;
 mod outer;
 mod outer_geometry;
@@ -32,11 +33,15 @@ mod outer_geometry;
 pub use ball_ball::{BallBallContact, ball_ball_contact, ball_deflection};
 pub use friction::{Friction, friction_force, tanh};
 pub use implicit_friction::{
-    MAX_ITERATIONS, RacewayContacts, SlipProblem, Slips, coulomb_friction, newton_step,
+    MAX_ITERATIONS, RacewayContacts, SlipProblem, Slips, coulomb_friction, end_weight, newton_step,
 };
 pub use inner::{
     InnerContact, InnerRaceway, inner_contact, inner_deflection, inner_load, inner_paper_power,
     inner_slip,
+};
+pub use journal::{
+    Journal, JournalContact, JournalMotion, implicit_slip, journal_contact, journal_energy_j,
+    journal_slip,
 };
 pub use normal_force::{NormalForce, restitution_damping};
 pub use outer::{

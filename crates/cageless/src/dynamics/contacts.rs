@@ -1,5 +1,6 @@
 //! The contacts of one bearing as of the last evaluation of the right-hand side.
 
+use super::rotor::RotorContact;
 use super::state::{LANES, Layout};
 use crate::case::Profile;
 use crate::contact::outer_friction_direction;
@@ -79,6 +80,13 @@ impl Contacts<'_> {
     /// Largest |ΔVi| or |ΔVo| at contacts that carry load, m/s.
     pub fn slip_max_m_s(&self) -> f64 {
         self.work.slip_max[self.layout.bearing()]
+    }
+
+    /// Contact of the rotor with the inner ring, if there is a rotor.
+    pub fn rotor(&self) -> Option<RotorContact> {
+        self.layout
+            .has_rotor()
+            .then(|| self.work.rotors[self.layout.bearing()])
     }
 
     /// Force of the balls on the outer ring, friction included, N.

@@ -100,6 +100,53 @@ pub const RING: [Coordinate; 4] = [
     coordinate("ring_vy_m_s", "m/s", 0.1, Kind::VelocityOf(1)),
 ];
 
+/// Index of a coordinate of the bodies under a falling rotor; those of the inner ring's centre
+/// come first ([`RingCoordinate`]).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DropCoordinate {
+    /// ωi of the inner ring, counter-clockwise.
+    RingSpeed = RING.len() as isize,
+    /// x of the outer ring, from its rest place.
+    OuterX,
+    /// y of the outer ring, from its rest place.
+    OuterY,
+    /// ẋ of the outer ring.
+    OuterVx,
+    /// ẏ of the outer ring.
+    OuterVy,
+    /// x of the rotor's mass centre.
+    RotorX,
+    /// y of the rotor's mass centre.
+    RotorY,
+    /// θ of the rotor.
+    RotorAngle,
+    /// ẋ of the rotor's mass centre.
+    RotorVx,
+    /// ẏ of the rotor's mass centre.
+    RotorVy,
+    /// Ω of the rotor, counter-clockwise.
+    RotorSpeed,
+}
+
+/// Coordinates of the bodies under a falling rotor.
+pub const DROP: [Coordinate; 15] = [
+    RING[0],
+    RING[1],
+    RING[2],
+    RING[3],
+    coordinate("ring_speed_rad_s", "rad/s", 1.0, Kind::Rate),
+    coordinate("housing_x_m", "m", 1e-5, Kind::Position),
+    coordinate("housing_y_m", "m", 1e-5, Kind::Position),
+    coordinate("housing_vx_m_s", "m/s", 0.1, Kind::VelocityOf(5)),
+    coordinate("housing_vy_m_s", "m/s", 0.1, Kind::VelocityOf(6)),
+    coordinate("rotor_x_m", "m", 1e-5, Kind::Position),
+    coordinate("rotor_y_m", "m", 1e-5, Kind::Position),
+    coordinate("rotor_angle_rad", "rad", 1e-3, Kind::Position),
+    coordinate("rotor_vx_m_s", "m/s", 0.1, Kind::VelocityOf(9)),
+    coordinate("rotor_vy_m_s", "m/s", 0.1, Kind::VelocityOf(10)),
+    coordinate("rotor_speed_rad_s", "rad/s", 1.0, Kind::VelocityOf(11)),
+];
+
 /// A run of positions of a table and the run of their rates: first position, first rate, count.
 pub(crate) fn second_order_runs(table: &[Coordinate]) -> Vec<[usize; 3]> {
     let mut runs: Vec<[usize; 3]> = vec![];
@@ -138,5 +185,8 @@ mod tests {
     fn positions_and_rates_form_runs() {
         assert_eq!(second_order_runs(&BALL), [[0, 2, 2]]);
         assert_eq!(second_order_runs(&RING), [[0, 2, 2]]);
+        assert_eq!(second_order_runs(&DROP), [[0, 2, 2], [5, 7, 2], [9, 12, 3]]);
+        assert_eq!(DROP[DropCoordinate::RotorSpeed as usize].unit, "rad/s");
+        assert_eq!(DropCoordinate::RotorSpeed as usize + 1, DROP.len());
     }
 }

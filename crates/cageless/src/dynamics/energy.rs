@@ -9,17 +9,19 @@
 
 use super::model::Model;
 use super::state::State;
-use crate::contact::{ball_deflection, hertz, inner_deflection, outer_deflection};
+use crate::contact::{
+    ball_deflection, hertz, inner_deflection, journal_energy_j, outer_deflection,
+};
 
 /// Terms of the energy ledger, carried in the state so that they are integrated
 /// with the accuracy of the motion. All in joules since the start.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EnergyTerm {
-    /// Work of the drive that keeps the inner ring at ωi.
+    /// Work of the drive that turns the inner ring at ωi; with a rotor that of its drive.
     Drive,
     /// Work of the radial load.
     Load,
-    /// Work of gravity on balls and ring.
+    /// Work of gravity on balls, inner ring and rotor.
     Weight,
     /// Heat of friction at the inner raceway.
     InnerFriction,
@@ -38,6 +40,12 @@ pub enum EnergyTerm {
     FrictionDirection,
     /// `paper` profile: work of the relative spin of Eq. (13) in place of the absolute one.
     RelativeSpin,
+    /// Heat of friction between rotor and inner ring.
+    RotorFriction,
+    /// Heat of the damping of the contact between rotor and inner ring.
+    RotorDamping,
+    /// Heat of the damping of the support.
+    SupportDamping,
 }
 
 /// One row of the table of terms.
@@ -56,7 +64,7 @@ const fn row(term: EnergyTerm, name: &'static str, is_loss: bool) -> Row {
 }
 
 /// The terms in the order of the state vector.
-const TABLE: [Row; 11] = [
+const TABLE: [Row; 14] = [
     row(EnergyTerm::Drive, "drive", false),
     row(EnergyTerm::Load, "radial_load", false),
     row(EnergyTerm::Weight, "weight", false),
@@ -68,7 +76,13 @@ const TABLE: [Row; 11] = [
     row(EnergyTerm::Centrifugal, "centrifugal_force", false),
     row(EnergyTerm::FrictionDirection, "friction_direction", false),
     row(EnergyTerm::RelativeSpin, "relative_spin", false),
+    row(EnergyTerm::RotorFriction, "rotor_friction", true),
+    row(EnergyTerm::RotorDamping, "rotor_contact_damping", true),
+    row(EnergyTerm::SupportDamping, "support_damping", true),
 ];
+
+/// Number of terms of a bearing without a rotor; those of the rotor come after them.
+const WITHOUT_ROTOR: usize = EnergyTerm::RotorFriction as usize;
 
 impl EnergyTerm {
     /// All terms, in the order of the state vector.
@@ -81,6 +95,13 @@ impl EnergyTerm {
         }
         all
     };
+
+    /// The terms of a bearing without a rotor.
+    pub fn without_rotor() -> &'static [Self] {
+        &Self::ALL_TERMS[..WITHOUT_ROTOR]
+    }
+
+    const ALL_TERMS: &'static [Self] = &Self::ALL;
 
     /// Whether the term counts what leaves the bearing.
     pub fn is_loss(self) -> bool {
@@ -103,11 +124,12 @@ impl Model {
     /// Eq. (13), relative to the orbit.
     pub fn energy_j(&self, state: &State) -> f64 {
         let ring = state.ring_motion();
-        let mut sum = kinetic_j(self.ring.mass, ring.vx, ring.vy);
+        let outer_ring = state.outer_ring_motion();
+        let mut sum = kinetic_j(self.ring.mass, ring.vx, ring.vy) + self.rotor_energy_j(state);
         for (k, ball) in self.balls.iter().enumerate() {
             let motion = state.ball_motion(k);
             let next = state.ball_motion((k + 1) % self.balls());
-            let polar = motion.about(&self.outer_centre());
+            let polar = motion.about(&outer_ring);
             let geometry = self.outer_geometry(k, &polar);
             let inner = motion.about(&ring);
             let pair = ball_deflection(ball, next.x - motion.x, next.y - motion.y);
@@ -123,13 +145,27 @@ impl Model {
         sum
     }
 
+    /// Energy of rotor, turning inner ring and outer ring on its support; 0 without a rotor.
+    fn rotor_energy_j(&self, state: &State) -> f64 {
+        let (Some(body), Some(motion)) = (&self.rotor, state.rotor_motion()) else {
+            return 0.0;
+        };
+        let ring_speed = state.ring_speed_rad_s().unwrap_or(0.0);
+        let contact = body.contact(&motion, &state.ring_motion(), ring_speed);
+        kinetic_j(body.mass, motion.vx, motion.vy)
+            + 0.5 * body.polar_inertia * motion.speed * motion.speed
+            + 0.5 * body.ring_inertia * ring_speed * ring_speed
+            + journal_energy_j(&body.journal, contact.contact.deflection)
+            + self.outer_ring.energy_j(&state.outer_ring_motion())
+    }
+
     /// What the state lacks to balance its ledger: energy now − energy at the start −
     /// net work, J, and the sum of the absolute terms including the change of
     /// energy, to which it is to be compared.
     pub fn energy_residual_j(&self, start_energy_j: f64, state: &State) -> (f64, f64) {
         let change = self.energy_j(state) - start_energy_j;
         let (mut net, mut sum) = (0.0, change.abs());
-        for term in EnergyTerm::ALL {
+        for &term in state.layout().energy_terms() {
             let value = state.energy_term_j(term);
             net += if term.is_loss() { -value } else { value };
             sum += value.abs();

@@ -20,7 +20,10 @@ pub mod coordinates;
 pub mod energy;
 pub(crate) mod inner_ring;
 pub(crate) mod model;
+pub(crate) mod outer_ring;
 mod right_hand_side;
+pub mod rotor;
+pub mod rotor_in_ring;
 pub mod state;
 
 pub use crate::simd::InstructionSet;

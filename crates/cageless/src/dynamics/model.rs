@@ -1,7 +1,9 @@
 //! Every constant of the equations of motion, derived once from a case.
 
-use super::ball::{Ball, Centre, PolarMotion};
+use super::ball::{Ball, PolarMotion};
 use super::inner_ring::InnerRing;
+use super::outer_ring::OuterRing;
+use super::rotor::RotorBody;
 use super::state::Layout;
 use crate::bearing::Bearing;
 use crate::case::{Case, FrictionLaw, Profile};
@@ -43,6 +45,9 @@ pub struct Model {
     pub(crate) outer: OuterRaceway,
     pub(crate) inner: InnerRaceway,
     pub(crate) ring: InnerRing,
+    /// The rotor, if one falls.
+    pub(crate) rotor: Option<RotorBody>,
+    pub(crate) outer_ring: OuterRing,
     /// Whether methods that can treat friction implicitly are to do so.
     pub(crate) implicit_friction: bool,
     /// Whether contacts between balls are damped.
@@ -73,10 +78,6 @@ impl Model {
     /// The [`InputError`] of [`Case::check`].
     pub fn new(case: &Case) -> Result<Self, InputError> {
         case.check()?;
-        if let Some(rotor) = &case.rotor {
-            let rule = "left out: this version does not yet let rotors fall";
-            return Err(InputError::rule("rotor_mass_kg", rotor.mass_kg, rule));
-        }
         let bearing = &case.bearing;
         let d = bearing.dimensions();
         let c = &case.contact;
@@ -112,7 +113,12 @@ impl Model {
         let lightest = balls.iter().map(|b| b.mass).fold(f64::INFINITY, f64::min);
         let stick_gain = STICK_FRACTION * 2.0 / 7.0 * lightest / case.solver.step_s;
         Ok(Self {
-            layout: Layout::new(d.balls),
+            layout: match case.rotor {
+                Some(_) => Layout::with_rotor(d.balls),
+                None => Layout::new(d.balls),
+            },
+            rotor: RotorBody::new(case),
+            outer_ring: OuterRing::new(case.support.as_ref()),
             profile: case.profile,
             law: c.friction_law,
             inertia: (0..d.balls)
@@ -178,6 +184,7 @@ impl Model {
             self.law,
             self.unequal,
             self.implicit_friction,
+            self.rotor.is_some(),
         )
     }
 
@@ -189,11 +196,6 @@ impl Model {
     /// Distance of the centres of ball `k` and the ball ahead when they touch.
     pub fn pair_distance_m(&self, k: usize) -> f64 {
         self.balls[k].pair_distance
-    }
-
-    /// Motion of the centre of the outer ring, which is fixed.
-    pub(crate) fn outer_centre(&self) -> Centre {
-        Centre::default()
     }
 
     /// Geometry of the outer contact of ball `k`, with r and |rb| of [`outer_contact_geometry`].

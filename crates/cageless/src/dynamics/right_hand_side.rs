@@ -8,7 +8,7 @@ use super::state::{BATCH_WIDTH, Layout, State};
 use crate::case::Profile;
 use crate::integrator::{Integrator, Method, SecondOrderBlock, System, UnresolvedStep};
 use crate::simd::{self, InstructionSet, Parameters, Workspace};
-use crate::snapshot::{RingSnapshot, Snapshot};
+use crate::snapshot::{RingSnapshot, RotorSnapshot, Snapshot};
 
 /// The equations of motion with the work arrays to evaluate them.
 #[derive(Clone)]
@@ -49,7 +49,7 @@ impl<'m> RightHandSide<'m> {
             models.iter().all(|m| m.kind() == first.kind()),
             "bearings side by side must be of one kind"
         );
-        Self::build(models.to_vec(), Layout::side_by_side(first.balls()), isa)
+        Self::build(models.to_vec(), first.layout.side_by_side(), isa)
     }
 
     fn build(models: Vec<&'m Model>, layout: Layout, isa: InstructionSet) -> Self {
@@ -108,6 +108,9 @@ impl<'m> RightHandSide<'m> {
         if self.over_time {
             self.parameters.set_time(&self.models, time_s);
         }
+        if self.parameters.layout.has_rotor() {
+            self.parameters.set_ring_speed(y);
+        }
         let (p, w) = (&self.parameters, &mut self.work);
         match self.isa {
             InstructionSet::Baseline => simd::evaluate(p, w, y, dydt, raceway_friction),
@@ -144,6 +147,27 @@ impl<'m> RightHandSide<'m> {
         }
     }
 
+    /// The rotor in a state that was evaluated last.
+    fn rotor_snapshot(&self, state: &State) -> Option<RotorSnapshot> {
+        let contact = self.contacts().rotor()?.contact;
+        let (rotor, housing) = (state.rotor_motion()?, state.outer_ring_motion());
+        Some(RotorSnapshot {
+            x_m: rotor.x,
+            y_m: rotor.y,
+            vx_m_s: rotor.vx,
+            vy_m_s: rotor.vy,
+            angle_rad: rotor.angle,
+            speed_rad_s: rotor.speed,
+            ring_speed_rad_s: state.ring_speed_rad_s()?,
+            housing_x_m: housing.x,
+            housing_y_m: housing.y,
+            housing_vx_m_s: housing.vx,
+            housing_vy_m_s: housing.vy,
+            contact_force_n: contact.force,
+            contact_slip_m_s: contact.slip,
+        })
+    }
+
     /// Snapshot of a state of the first bearing, alone in its vector.
     /// `angle_rad` are the continuous ψ of its balls, which the state alone does not know
     /// beyond a turn.
@@ -178,6 +202,7 @@ impl<'m> RightHandSide<'m> {
             outer_force_n: each(&|k| c.outer_force_n(k)),
             inner_slip_m_s: each(&|k| c.inner_slip_m_s(k)),
             outer_slip_m_s: each(&|k| c.outer_slip_m_s(k)),
+            rotor: self.rotor_snapshot(state),
             ring: RingSnapshot {
                 x_m: ring.x,
                 y_m: ring.y,
@@ -303,7 +328,7 @@ impl System for RightHandSide<'_> {
         }
     }
 
-    /// Damped contacts, whose force starts with infinite slope and ends with a kink where
+    /// Damped contacts and that of a rotor, whose force starts with infinite slope and ends with a kink where
     /// it is clamped at zero, in the `paper` profile the raceway's ends, where the
     /// direction of friction jumps, and the corners of what is given over time.
     fn mode(&self) -> u64 {
@@ -325,6 +350,10 @@ impl System for RightHandSide<'_> {
             for table in tables.flatten() {
                 hash = mix(hash, table.piece(self.time_s) as u64);
             }
+        }
+        for contact in self.work.rotors.iter().take(self.parameters.drops.len()) {
+            let c = &contact.contact;
+            hash = mix(hash, phase(true, c.deflection, c.force));
         }
         for bearing in 0..self.parameters.layout.width() {
             let c = self.contacts_of(bearing);

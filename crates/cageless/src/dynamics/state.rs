@@ -11,9 +11,10 @@
 
 use super::ball::{BallMotion, Centre};
 use super::coordinates::{
-    BALL, BallCoordinate, Coordinate, RING, RingCoordinate, second_order_runs,
+    BALL, BallCoordinate, Coordinate, DROP, DropCoordinate, RING, RingCoordinate, second_order_runs,
 };
 use super::energy::EnergyTerm;
+use super::rotor::RotorMotion;
 use crate::integrator::SecondOrderBlock;
 
 /// Places of the coordinates in the flat vector that an integrator advances: of one bearing,
@@ -22,7 +23,7 @@ use crate::integrator::SecondOrderBlock;
 ///
 /// First the coordinates of the balls ([`BALL`]), an array each, padded to a multiple of
 /// [`LANES`], so that whole vectors are computed either way; then those of the bodies
-/// ([`RING`]); then the terms of the energy ledger ([`EnergyTerm`]).
+/// ([`RING`], with a rotor [`DROP`]); then the terms of the energy ledger ([`EnergyTerm`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layout {
     /// N.
@@ -49,21 +50,46 @@ pub const BALLS_MAX: usize = 256;
 impl Layout {
     /// Layout for one bearing of `balls` balls.
     pub fn new(balls: usize) -> Self {
-        Self::with_width(balls, 1)
+        Self::with_bodies(balls, &RING, 1)
     }
 
-    /// Layout for [`BATCH_WIDTH`] bearings of `balls` balls each, with the places of the first.
-    pub fn side_by_side(balls: usize) -> Self {
-        Self::with_width(balls, BATCH_WIDTH)
+    /// Layout for one bearing of `balls` balls under a falling rotor.
+    pub fn with_rotor(balls: usize) -> Self {
+        Self::with_bodies(balls, &DROP, 1)
     }
 
-    fn with_width(balls: usize, width: usize) -> Self {
+    /// Layout for [`BATCH_WIDTH`] such bearings side by side, with the places of the first.
+    pub fn side_by_side(self) -> Self {
+        Self::with_bodies(self.balls, self.bodies, BATCH_WIDTH)
+    }
+
+    /// Layout for one such bearing alone.
+    pub fn alone(self) -> Self {
+        Self::with_bodies(self.balls, self.bodies, 1)
+    }
+
+    fn with_bodies(balls: usize, bodies: &'static [Coordinate], width: usize) -> Self {
         Self {
             balls,
             stride: (balls * width).next_multiple_of(LANES),
-            bodies: &RING,
+            bodies,
             width,
             bearing: 0,
+        }
+    }
+
+    /// Whether there are a rotor, an inner ring whose speed is a state, and an outer ring on a
+    /// support.
+    pub fn has_rotor(&self) -> bool {
+        self.bodies.len() > RING.len()
+    }
+
+    /// Terms of the energy ledger.
+    pub fn energy_terms(&self) -> &'static [EnergyTerm] {
+        if self.has_rotor() {
+            &EnergyTerm::ALL
+        } else {
+            EnergyTerm::without_rotor()
         }
     }
 
@@ -86,7 +112,7 @@ impl Layout {
     /// Length of the vector.
     #[allow(clippy::len_without_is_empty)] // never empty
     pub fn len(&self) -> usize {
-        self.bodies_start() + (self.bodies.len() + EnergyTerm::ALL.len()) * self.width
+        self.bodies_start() + (self.bodies.len() + self.energy_terms().len()) * self.width
     }
 
     /// Length of the motion of one bearing alone, which precedes its energy ledger.
@@ -116,6 +142,12 @@ impl Layout {
 
     /// Place of a coordinate of the inner ring.
     pub fn ring(&self, coordinate: RingCoordinate) -> usize {
+        self.body(coordinate as usize)
+    }
+
+    /// Place of a coordinate of the bodies under a rotor.
+    pub fn drop(&self, coordinate: DropCoordinate) -> usize {
+        debug_assert!(self.has_rotor());
         self.body(coordinate as usize)
     }
 
@@ -159,6 +191,39 @@ impl Layout {
             vx: at(RingCoordinate::Vx),
             vy: at(RingCoordinate::Vy),
         }
+    }
+
+    /// Motion of the centre of the outer ring in a vector; fixed at the origin without a rotor.
+    pub fn outer_ring_motion(&self, values: &[f64]) -> Centre {
+        if !self.has_rotor() {
+            return Centre::default();
+        }
+        let at = |coordinate| values[self.drop(coordinate)];
+        Centre {
+            x: at(DropCoordinate::OuterX),
+            y: at(DropCoordinate::OuterY),
+            vx: at(DropCoordinate::OuterVx),
+            vy: at(DropCoordinate::OuterVy),
+        }
+    }
+
+    /// Motion of the rotor in a vector, if there is one.
+    pub fn rotor_motion(&self, values: &[f64]) -> Option<RotorMotion> {
+        let at = |coordinate| values[self.drop(coordinate)];
+        self.has_rotor().then(|| RotorMotion {
+            x: at(DropCoordinate::RotorX),
+            y: at(DropCoordinate::RotorY),
+            vx: at(DropCoordinate::RotorVx),
+            vy: at(DropCoordinate::RotorVy),
+            angle: at(DropCoordinate::RotorAngle),
+            speed: at(DropCoordinate::RotorSpeed),
+        })
+    }
+
+    /// ωi of the inner ring in a vector, rad/s, where it is a state: under a rotor.
+    pub fn ring_speed_rad_s(&self, values: &[f64]) -> Option<f64> {
+        self.has_rotor()
+            .then(|| values[self.drop(DropCoordinate::RingSpeed)])
     }
 
     /// One coordinate of the balls of this bearing in a vector.
@@ -222,7 +287,7 @@ impl Layout {
         let balls = BallCoordinate::ALL.into_iter().flat_map(move |c| {
             (0..layout.balls).map(move |k| (layout.ball(c, k), other.ball(c, k)))
         });
-        let rest = 0..self.bodies.len() + EnergyTerm::ALL.len();
+        let rest = 0..self.bodies.len() + self.energy_terms().len();
         balls.chain(rest.map(move |k| (layout.body(k), other.body(k))))
     }
 }
@@ -268,9 +333,14 @@ pub struct State {
 }
 
 impl State {
-    /// The state in which everything is zero.
+    /// The state of a bearing without a rotor in which everything is zero.
     pub fn new(balls: usize) -> Self {
-        let layout = Layout::new(balls);
+        Self::zero(Layout::new(balls))
+    }
+
+    /// The state of a bearing of this layout, alone in its vector, in which everything is zero.
+    pub fn zero(layout: Layout) -> Self {
+        let layout = layout.alone();
         let mut state = Self {
             layout,
             values: vec![0.0; layout.len()],
@@ -287,7 +357,7 @@ impl State {
 
     /// The state whose quantities are the values at the places of one bearing.
     pub(crate) fn from_places(layout: Layout, value: impl Fn(usize) -> f64) -> Self {
-        let mut state = Self::new(layout.balls);
+        let mut state = Self::zero(layout);
         for (own, place) in state.layout.pairs(layout) {
             state.values[own] = value(place);
         }
@@ -381,8 +451,45 @@ impl State {
         }
     }
 
-    /// One term of the energy ledger, J.
+    /// Motion of the centre of the outer ring; fixed at the origin without a rotor.
+    pub fn outer_ring_motion(&self) -> Centre {
+        self.layout.outer_ring_motion(&self.values)
+    }
+
+    /// Motion of the rotor, if there is one.
+    pub fn rotor_motion(&self) -> Option<RotorMotion> {
+        self.layout.rotor_motion(&self.values)
+    }
+
+    /// Sets the motion of the rotor.
+    ///
+    /// # Panics
+    /// If there is none.
+    pub fn set_rotor(&mut self, rotor: RotorMotion) {
+        assert!(self.layout.has_rotor(), "a state with a rotor");
+        for (coordinate, value) in [
+            (DropCoordinate::RotorX, rotor.x),
+            (DropCoordinate::RotorY, rotor.y),
+            (DropCoordinate::RotorVx, rotor.vx),
+            (DropCoordinate::RotorVy, rotor.vy),
+            (DropCoordinate::RotorAngle, rotor.angle),
+            (DropCoordinate::RotorSpeed, rotor.speed),
+        ] {
+            self.values[self.layout.drop(coordinate)] = value;
+        }
+    }
+
+    /// ωi of the inner ring, rad/s, where it is a state: under a rotor.
+    pub fn ring_speed_rad_s(&self) -> Option<f64> {
+        self.layout.ring_speed_rad_s(&self.values)
+    }
+
+    /// One term of the energy ledger, J; 0 for those of a rotor without one.
     pub fn energy_term_j(&self, term: EnergyTerm) -> f64 {
-        self.values[self.layout.energy_term(term)]
+        if self.layout.energy_terms().contains(&term) {
+            self.values[self.layout.energy_term(term)]
+        } else {
+            0.0
+        }
     }
 }

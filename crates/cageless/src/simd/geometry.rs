@@ -1,25 +1,26 @@
 //! Positions of the balls of a block and the geometry of their outer contacts.
 
-use super::harness::{BlockResults, Motions};
+use super::harness::{BlockResults, CentreLanes, Motions, outer_centre};
 use super::lanes::Lanes;
 use super::parameters::{Parameters, Polynomial, RacewayBlock};
 use crate::contact::{
     OuterGeometry, RacewayPosition, RacewayPositionLanes, RacewayValuesLanes, nominal_geometry,
     unequal_geometry, with_path_direction,
 };
-use crate::dynamics::ball::{BallLanes, Centre};
+use crate::dynamics::ball::BallLanes;
 use crate::dynamics::state::LANES;
 
-/// Polar coordinates of every ball and the geometry of its contact on the plain raceway.
+/// Polar coordinates of every ball about the outer ring and the geometry of its contact on the plain raceway.
 #[inline(always)]
-pub(super) fn plain_positions<const PAPER: bool>(
+pub(super) fn plain_positions<const PAPER: bool, const ROTOR: bool>(
     balls: &BallLanes,
     results: &mut BlockResults,
     motions: Motions<'_>,
+    outer_ring: &CentreLanes,
 ) {
     for lane in 0..LANES {
         let motion = motions.get(lane);
-        let polar = motion.about(&Centre::default());
+        let polar = motion.about(&outer_centre::<ROTOR>(outer_ring, lane));
         results.polar.put(lane, polar);
         results.spin.0[lane] = if PAPER {
             motion.spin - polar.orbit

@@ -5,18 +5,20 @@ use super::geometry::{plain_positions, raceway_geometry};
 use super::lanes::Lanes;
 use super::pairs::{pair_contacts, pair_deflections};
 use super::parameters::Parameters;
+use super::rotor::{outer_ring_reactions, ring_torques, rotor_and_ledger};
 use super::sums::{Addends, Sum, Sums};
 use crate::case::{FrictionLaw, Profile};
 use crate::contact::{
-    BallBallContactLanes, InnerContactLanes, OuterContactLanes, OuterGeometryLanes,
+    BallBallContactLanes, InnerContactLanes, OuterContactLanes, OuterGeometryLanes, SlipsLanes,
     centrifugal_force, friction_force, inner_contact, inner_load, inner_paper_power, outer_contact,
     outer_load, outer_paper_powers, slope_force,
 };
 use crate::dynamics::ball::{
     BallLanes, BallLoad, BallLoadLanes, BallMotion, Centre, PolarMotionLanes,
 };
-use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
+use crate::dynamics::coordinates::{BallCoordinate, DropCoordinate, RingCoordinate};
 use crate::dynamics::energy::EnergyTerm;
+use crate::dynamics::rotor::RotorContact;
 use crate::dynamics::state::{BATCH_WIDTH, LANES};
 
 /// Per-ball results of one evaluation for a block. Fields of one struct, so that the compiler
@@ -64,8 +66,20 @@ impl BlockResults {
 pub(crate) struct Workspace {
     pub blocks: Vec<BlockResults>,
     pub(super) sums: Sums,
+    /// Reactions of the friction at the end of a step.
+    pub(super) end_sums: Sums,
     /// The inner ring as of the last evaluation.
-    pub(super) ring: RingLanes,
+    pub(super) ring: CentreLanes,
+    /// The outer ring, where it moves.
+    pub(super) outer_ring: CentreLanes,
+    /// The contact of each bearing's rotor.
+    pub rotors: [RotorContact; BATCH_WIDTH],
+    /// Slip and friction of each rotor at the end of the last step with implicit friction.
+    pub(super) rotor_slips: [[f64; 2]; BATCH_WIDTH],
+    /// Sliding speeds and friction at the end of the last step with implicit friction.
+    pub(super) slips: Vec<SlipsLanes>,
+    /// Whether the last evaluation with friction was that step.
+    pub(super) slips_known: bool,
     /// The ball ahead: x, y, vx, vy, absolute spin, orbital speed.
     pub(super) next: [Vec<Lanes>; 6],
     /// Force and moment of the contact with the ball ahead, and of that with the ball behind.
@@ -86,7 +100,13 @@ impl Workspace {
         Self {
             blocks: vec![BlockResults::ZERO; blocks],
             sums: Sums::ZERO,
-            ring: RingLanes([Lanes::ZERO; 4]),
+            end_sums: Sums::ZERO,
+            ring: CentreLanes([Lanes::ZERO; 4]),
+            outer_ring: CentreLanes([Lanes::ZERO; 4]),
+            rotors: [RotorContact::default(); BATCH_WIDTH],
+            rotor_slips: [[0.0; 2]; BATCH_WIDTH],
+            slips: vec![SlipsLanes::ZERO; blocks],
+            slips_known: false,
             next: std::array::from_fn(|_| zero()),
             ahead: std::array::from_fn(|_| zero()),
             behind: std::array::from_fn(|_| zero()),
@@ -108,8 +128,11 @@ pub(crate) fn evaluate(
     raceway_friction: bool,
 ) {
     match p.profile {
-        Profile::Physical => equations::<false>(p, w, y, dydt, raceway_friction),
-        Profile::Paper => equations::<true>(p, w, y, dydt, raceway_friction),
+        Profile::Physical if p.layout.has_rotor() => {
+            equations::<false, true>(p, w, y, dydt, raceway_friction);
+        }
+        Profile::Physical => equations::<false, false>(p, w, y, dydt, raceway_friction),
+        Profile::Paper => equations::<true, false>(p, w, y, dydt, raceway_friction),
     }
 }
 
@@ -153,17 +176,30 @@ impl<'a> Motions<'a> {
     }
 }
 
-/// The inner ring of each lane.
+/// Centre of a ring of each lane.
 #[derive(Clone)]
-pub(super) struct RingLanes([Lanes; RingCoordinate::ALL.len()]);
+pub(super) struct CentreLanes([Lanes; RingCoordinate::ALL.len()]);
 
-impl RingLanes {
+impl CentreLanes {
+    /// The inner ring.
     #[inline(always)]
-    pub(super) fn new(p: &Parameters, y: &[f64]) -> Self {
+    pub(super) fn inner_ring(p: &Parameters, y: &[f64]) -> Self {
         let layout = p.layout.of_bearing(0);
-        Self(RingCoordinate::ALL.map(|c| {
-            let start = layout.ring(c);
-            if layout.width() == 1 {
+        Self::new(p, y, RingCoordinate::ALL.map(|c| layout.ring(c)))
+    }
+
+    /// The outer ring, where it moves.
+    #[inline(always)]
+    pub(super) fn outer_ring(p: &Parameters, y: &[f64]) -> Self {
+        let layout = p.layout.of_bearing(0);
+        Self::new(p, y, OUTER_RING.map(|c| layout.drop(c)))
+    }
+
+    /// The centre whose coordinates of the first bearing stand at `places`.
+    #[inline(always)]
+    fn new(p: &Parameters, y: &[f64], places: [usize; 4]) -> Self {
+        Self(places.map(|start| {
+            if p.layout.width() == 1 {
                 Lanes::all(y[start])
             } else {
                 let of = &y[start..][..BATCH_WIDTH];
@@ -179,8 +215,26 @@ impl RingLanes {
     }
 }
 
+/// x, y, ẋ and ẏ of the outer ring.
+const OUTER_RING: [DropCoordinate; 4] = [
+    DropCoordinate::OuterX,
+    DropCoordinate::OuterY,
+    DropCoordinate::OuterVx,
+    DropCoordinate::OuterVy,
+];
+
+/// Centre of the outer ring in a lane: fixed at the origin unless it moves.
 #[inline(always)]
-fn equations<const PAPER: bool>(
+pub(super) fn outer_centre<const ROTOR: bool>(outer_ring: &CentreLanes, lane: usize) -> Centre {
+    if ROTOR {
+        outer_ring.get(lane)
+    } else {
+        Centre::default()
+    }
+}
+
+#[inline(always)]
+fn equations<const PAPER: bool, const ROTOR: bool>(
     p: &Parameters,
     w: &mut Workspace,
     y: &[f64],
@@ -190,15 +244,18 @@ fn equations<const PAPER: bool>(
     assert!(y.len() == p.layout.len() && dydt.len() == y.len());
     assert!(w.blocks.len() * LANES == p.layout.stride);
     let alone = p.layout.width() == 1;
-    w.ring = RingLanes::new(p, y);
-    let ring = &w.ring;
+    w.ring = CentreLanes::inner_ring(p, y);
+    if ROTOR {
+        w.outer_ring = CentreLanes::outer_ring(p, y);
+    }
+    let (ring, outer_ring) = (&w.ring, &w.outer_ring);
     w.sums.clear(alone);
     let mut slip_max = Lanes::ZERO;
     let mut addends = [Lanes::ZERO; Sum::COUNT];
     for (block, results) in w.blocks.iter_mut().enumerate() {
         let motions = Motions::new(p, y, block);
         let balls = p.balls(block);
-        plain_positions::<PAPER>(balls, results, motions);
+        plain_positions::<PAPER, ROTOR>(balls, results, motions, outer_ring);
         if p.unequal {
             results.geometry.slope = Lanes::ZERO;
         }
@@ -222,17 +279,26 @@ fn equations<const PAPER: bool>(
         if p.unequal {
             slope_forces(results);
         }
+        if ROTOR {
+            outer_ring_reactions(p, balls, results, &mut addends);
+            w.sums.add(&Sum::OUTER_RING, &addends, alone, block);
+        }
         inner_loads::<PAPER>(p, balls, results, &mut addends);
         w.sums.add(&Sum::NORMAL, &addends, alone, block);
         if raceway_friction {
             loaded_slips(results, &mut slip_max);
             w.sums.add(&Sum::FRICTION, &addends, alone, block);
+            if ROTOR {
+                ring_torques(p, results, &mut addends);
+                w.sums.add(&[Sum::RingTorque], &addends, alone, block);
+            }
         }
         if PAPER {
             w.sums.add(&Sum::PAPER, &addends, alone, block);
         }
     }
     w.slip_max = lane_maxima(&slip_max, alone);
+    w.slips_known &= !raceway_friction;
     w.pair_deflection_max = lane_maxima(&pair_deflections(p, w, y), alone);
     if w.pair_deflection_max.iter().any(|d| *d > 0.0) {
         pair_contacts::<PAPER>(p, w, y);
@@ -247,7 +313,11 @@ fn equations<const PAPER: bool>(
     }
     accelerations(p, w, y, dydt);
     for bearing in 0..p.layout.width() {
-        ring_and_ledger::<PAPER>(p, bearing, &w.ring.get(bearing), &w.sums, dydt);
+        if ROTOR {
+            w.rotors[bearing] = rotor_and_ledger(p, bearing, &w.sums, y, dydt, raceway_friction);
+        } else {
+            ring_and_ledger::<PAPER>(p, bearing, &w.ring.get(bearing), &w.sums, dydt);
+        }
     }
 }
 
@@ -258,7 +328,7 @@ fn raceway_contacts<const PAPER: bool>(
     balls: &BallLanes,
     results: &mut BlockResults,
     motions: Motions<'_>,
-    ring: &RingLanes,
+    ring: &CentreLanes,
 ) {
     for lane in 0..LANES {
         let (ball, motion) = (balls.get(lane), motions.get(lane));
@@ -457,7 +527,7 @@ fn ring_and_ledger<const PAPER: bool>(
     dydt[layout.ring(RingCoordinate::Vx)] = ax;
     dydt[layout.ring(RingCoordinate::Vy)] = ay;
     let paper = |power: f64| if PAPER { power } else { 0.0 };
-    for term in EnergyTerm::ALL {
+    for &term in layout.energy_terms() {
         dydt[layout.energy_term(term)] = match term {
             EnergyTerm::Drive => total(Sum::Drive),
             EnergyTerm::Load => -ring.radial_load * motion.vy,
@@ -471,6 +541,9 @@ fn ring_and_ledger<const PAPER: bool>(
             EnergyTerm::FrictionDirection => paper(total(Sum::FrictionDirection)),
             EnergyTerm::RelativeSpin => {
                 paper(total(Sum::RelativeSpin) + total(Sum::BallRelativeSpin))
+            }
+            EnergyTerm::RotorFriction | EnergyTerm::RotorDamping | EnergyTerm::SupportDamping => {
+                0.0
             }
         };
     }

@@ -1,10 +1,12 @@
 //! Implicit friction at the raceways: the end of a step whose other forces are known.
 
 use super::harness::{
-    BlockResults, Motions, RingLanes, Workspace, block_mut, lane_maxima, loaded_slips, profile,
+    BlockResults, CentreLanes, Motions, Workspace, block_mut, lane_maxima, loaded_slips,
+    outer_centre, profile,
 };
 use super::lanes::Lanes;
 use super::parameters::Parameters;
+use super::rotor::add_with_rotor;
 use super::sums::{Addends, Sum};
 use crate::case::{FrictionLaw, Profile};
 use crate::contact::{
@@ -30,6 +32,9 @@ pub(crate) fn add_implicit_friction(
     dydt: &mut [f64],
 ) {
     match p.profile {
+        Profile::Physical if p.layout.has_rotor() => {
+            add_with_rotor(p, w, h_s, y0, y, dydt);
+        }
         Profile::Physical => add::<false>(p, w, h_s, y0, y, dydt),
         Profile::Paper => add::<true>(p, w, h_s, y0, y, dydt),
     }
@@ -46,13 +51,14 @@ fn add<const PAPER: bool>(
 ) {
     let alone = p.layout.width() == 1;
     w.sums.clear(alone);
-    let start_ring = RingLanes::new(p, y0);
+    let start_ring = CentreLanes::inner_ring(p, y0);
     let mut slip_max = Lanes::ZERO;
     let mut addends = [Lanes::ZERO; Sum::COUNT];
     for (block, results) in w.blocks.iter_mut().enumerate() {
         let balls = p.balls(block);
+        let rings = [&w.ring, &w.outer_ring];
         let problem =
-            slip_problems::<PAPER>(p, balls, results, &w.ring, Motions::new(p, y, block), h_s);
+            slip_problems::<PAPER, false>(p, balls, results, rings, Motions::new(p, y, block), h_s);
         let slips = solve(p, results, &problem);
         results.outer_friction = slips.outer_friction;
         results.inner_friction = slips.inner_friction;
@@ -97,11 +103,11 @@ fn add<const PAPER: bool>(
 
 /// The implicit equations of the balls of a block.
 #[inline(always)]
-fn slip_problems<const PAPER: bool>(
+pub(super) fn slip_problems<const PAPER: bool, const ROTOR: bool>(
     p: &Parameters,
     balls: &BallLanes,
     results: &BlockResults,
-    ring: &RingLanes,
+    [ring, outer_ring]: [&CentreLanes; 2],
     motions: Motions<'_>,
     h_s: f64,
 ) -> SlipProblemLanes {
@@ -111,7 +117,7 @@ fn slip_problems<const PAPER: bool>(
         let polar = results
             .polar
             .get(lane)
-            .with_velocity(&motion, &Centre::default());
+            .with_velocity(&motion, &outer_centre::<ROTOR>(outer_ring, lane));
         let inner_polar = results
             .inner_polar
             .get(lane)
@@ -139,7 +145,11 @@ fn slip_problems<const PAPER: bool>(
 
 /// Sliding speeds and friction at the end of the step by the law of the case.
 #[inline(always)]
-fn solve(p: &Parameters, results: &BlockResults, problem: &SlipProblemLanes) -> SlipsLanes {
+pub(super) fn solve(
+    p: &Parameters,
+    results: &BlockResults,
+    problem: &SlipProblemLanes,
+) -> SlipsLanes {
     match p.law {
         FrictionLaw::Smooth => newton(FrictionLaw::Smooth, p, results, problem),
         FrictionLaw::Stribeck => newton(FrictionLaw::Stribeck, p, results, problem),
@@ -180,17 +190,36 @@ fn newton(
     slips
 }
 
-/// Adds the friction of a block to velocities and rates.
+/// Adds the friction of a block to rates, or over a step of `h_s` to velocities.
 #[inline(always)]
-fn apply<const PAPER: bool>(
+pub(super) fn accelerate<const RATES: bool>(
     p: &Parameters,
     balls: &BallLanes,
     results: &BlockResults,
     block: usize,
     h_s: f64,
-    y: &mut [f64],
-    dydt: &mut [f64],
+    values: &mut [f64],
 ) {
+    let rates = accelerations::<false>(balls, results);
+    let coordinates = [BallCoordinate::Vx, BallCoordinate::Vy, BallCoordinate::Spin];
+    for (coordinate, rates) in coordinates.into_iter().zip(rates) {
+        let values = block_mut(values, p.layout.array(coordinate) + block * LANES);
+        for lane in 0..LANES {
+            values[lane] += if RATES {
+                rates[lane]
+            } else {
+                h_s * rates[lane]
+            };
+        }
+    }
+}
+
+/// Accelerations of the balls of a block by friction.
+#[inline(always)]
+fn accelerations<const PAPER: bool>(
+    balls: &BallLanes,
+    results: &BlockResults,
+) -> [[f64; LANES]; 3] {
     let mut rates = [[0.0; LANES]; 3];
     for lane in 0..LANES {
         let (geometry, polar) = (results.geometry.get(lane), results.polar.get(lane));
@@ -210,6 +239,21 @@ fn apply<const PAPER: bool>(
             rates[k][lane] = acceleration[k];
         }
     }
+    rates
+}
+
+/// Adds the friction of a block to velocities and rates.
+#[inline(always)]
+fn apply<const PAPER: bool>(
+    p: &Parameters,
+    balls: &BallLanes,
+    results: &BlockResults,
+    block: usize,
+    h_s: f64,
+    y: &mut [f64],
+    dydt: &mut [f64],
+) {
+    let rates = accelerations::<PAPER>(balls, results);
     let coordinates = [BallCoordinate::Vx, BallCoordinate::Vy, BallCoordinate::Spin];
     for (coordinate, rates) in coordinates.into_iter().zip(rates) {
         let at = p.layout.array(coordinate) + block * LANES;
@@ -222,7 +266,7 @@ fn apply<const PAPER: bool>(
 }
 
 /// Motion of the balls of a block and of the inner ring.
-type Motion<'a> = (Motions<'a>, &'a RingLanes);
+type Motion<'a> = (Motions<'a>, &'a CentreLanes);
 
 /// Reactions on the inner ring and powers of friction. Kinetic energy changes by an impulse
 /// times the mean of the velocities before and after it, so that the heat of friction is that

@@ -14,6 +14,7 @@ mod instruction_set;
 pub(crate) mod lanes;
 mod pairs;
 mod parameters;
+mod rotor;
 mod sums;
 
 pub(crate) use harness::{Workspace, evaluate};

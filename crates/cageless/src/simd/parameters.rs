@@ -7,8 +7,11 @@ use crate::contact::{
 };
 use crate::dynamics::Model;
 use crate::dynamics::ball::{Ball, BallLanes};
+use crate::dynamics::coordinates::DropCoordinate;
 use crate::dynamics::inner_ring::InnerRingLanes;
 use crate::dynamics::model::RacewayModel;
+use crate::dynamics::outer_ring::OuterRing;
+use crate::dynamics::rotor::RotorBody;
 use crate::dynamics::state::{LANES, Layout};
 
 /// Coefficients of a polynomial: of even and of odd powers.
@@ -31,6 +34,8 @@ pub(crate) struct Parameters {
     pub law: FrictionLaw,
     /// Whether outer contacts differ from those of nominal balls in raceways as designed.
     pub unequal: bool,
+    /// Rotor and outer ring of each bearing; empty without rotors.
+    pub drops: Vec<(RotorBody, OuterRing)>,
     pub friction: FrictionLanes,
     pub outer: OuterRacewayLanes,
     pub inner: InnerRacewayLanes,
@@ -64,6 +69,15 @@ impl Parameters {
         }
     }
 
+    /// Sets the surface speed of the inner raceway from a state under a rotor.
+    pub fn set_ring_speed(&mut self, y: &[f64]) {
+        for lane in 0..LANES {
+            let layout = self.layout.of_bearing(lane % self.layout.width());
+            let speed = y[layout.drop(DropCoordinate::RingSpeed)];
+            self.inner.surface_speed.0[lane] = speed * self.inner.radius.0[lane];
+        }
+    }
+
     /// Constants of the bearings whose places `layout` has; lane l belongs to bearing l modulo
     /// their number.
     pub fn new(models: &[&Model], layout: Layout) -> Self {
@@ -88,6 +102,10 @@ impl Parameters {
             profile: first.profile,
             law: first.law,
             unequal,
+            drops: models
+                .iter()
+                .filter_map(|m| Some((m.rotor?, m.outer_ring)))
+                .collect(),
             friction: FrictionLanes::from_fn(|lane| model(lane).friction),
             outer: OuterRacewayLanes::from_fn(|lane| model(lane).outer),
             inner: InnerRacewayLanes::from_fn(|lane| model(lane).inner),

@@ -21,10 +21,15 @@ pub(super) enum Sum {
     FrictionDirection,
     RelativeSpin,
     BallRelativeSpin,
+    /// Force on the outer ring; under a rotor only, as is the next.
+    OuterX,
+    OuterY,
+    /// Torque of friction on the inner ring.
+    RingTorque,
 }
 
 impl Sum {
-    pub const COUNT: usize = 13;
+    pub const COUNT: usize = 16;
     pub const NORMAL: [Self; 4] = [Self::RingX, Self::RingY, Self::Weight, Self::RacewayDamping];
     pub const FRICTION: [Self; 3] = [Self::Drive, Self::InnerFriction, Self::OuterFriction];
     pub const RACEWAY_FRICTION: [Self; 5] = [
@@ -39,6 +44,15 @@ impl Sum {
         Self::FrictionDirection,
         Self::RelativeSpin,
     ];
+    pub const OUTER_RING: [Self; 2] = [Self::OuterX, Self::OuterY];
+    pub const RING_FRICTION: [Self; 5] = [
+        Self::RingX,
+        Self::RingY,
+        Self::RingTorque,
+        Self::OuterX,
+        Self::OuterY,
+    ];
+    pub const HEAT: [Self; 2] = [Self::InnerFriction, Self::OuterFriction];
     pub const BALL_CONTACTS: [Self; 2] = [Self::BallFriction, Self::BallDamping];
 }
 

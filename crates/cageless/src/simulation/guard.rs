@@ -4,6 +4,7 @@ use crate::case::Case;
 use crate::contact::hertz::DEFLECTION_FRACTION_MAX;
 use crate::dynamics::state::{Layout, State};
 use crate::dynamics::{Contacts, Model};
+use crate::rotor::Rotor;
 
 /// Cause for which a run stopped.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,6 +17,10 @@ pub enum Cause {
     ThroughOuterRing(usize),
     /// A ball (index from 0) pressed into or through the ball ahead.
     ThroughBall(usize),
+    /// The rotor pressed into or through the inner ring.
+    RotorThroughInnerRing,
+    /// The outer ring is further off its rest place than the radius of a ball.
+    OffSupport,
     /// Spurious energy gain.
     EnergyFromNowhere {
         /// Energy now − energy at the start − net work.
@@ -56,6 +61,8 @@ impl std::fmt::Display for Cause {
             Self::ThroughInnerRing(k) => write!(f, "ball {} went through the inner ring", k + 1),
             Self::ThroughOuterRing(k) => write!(f, "ball {} went through the outer ring", k + 1),
             Self::ThroughBall(k) => write!(f, "ball {} went through the ball ahead of it", k + 1),
+            Self::RotorThroughInnerRing => f.write_str("the rotor went through the inner ring"),
+            Self::OffSupport => f.write_str("the outer ring left its support"),
             Self::EnergyFromNowhere {
                 residual_j,
                 flows_j,
@@ -83,6 +90,14 @@ impl Stop {
                      through each other"
                 )
             }
+            Cause::RotorThroughInnerRing => format!(
+                "{halve}; if it happens again at the same time, the contact is too soft for the \
+                 impact (rotor.contact_stiffness)"
+            ),
+            Cause::OffSupport => format!(
+                "{halve}; if it happens again at the same time, the support is too soft for the \
+                 rotor (support.stiffness_n_m)"
+            ),
             Cause::NotFinite | Cause::EnergyFromNowhere { .. } | Cause::NotResolved => format!(
                 "{halve}, or give the contacts some damping (contact.damping, \
                  contact.ball_restitution)"
@@ -105,20 +120,32 @@ pub(super) struct Guard<'m> {
     /// Places of the bearing.
     layout: Layout,
     start_energy: f64,
+    /// Energy that a spurious gain is compared with: that of the start, without the spin of a
+    /// rotor, which hides everything else.
+    energy_scale: f64,
     deflection_max: f64,
     /// A ball this far off the outer raceway is inside the inner ring.
     gap_max: f64,
+    rotor_deflection_max: f64,
+    support_max: f64,
 }
 
 impl<'m> Guard<'m> {
     pub fn new(model: &'m Model, layout: Layout, case: &Case, start: &State) -> Self {
         let bearing = &case.bearing;
+        let start_energy = model.energy_j(start);
+        let fall = |r: &Rotor| r.mass_kg * case.operation.gravity_m_s2 * r.air_gap_m;
         Self {
             model,
             layout,
-            start_energy: model.energy_j(start),
+            start_energy,
+            energy_scale: case.rotor.as_ref().map_or(start_energy, fall),
             deflection_max: DEFLECTION_FRACTION_MAX * bearing.ball_radius_m(),
             gap_max: bearing.radial_clearance_m() + bearing.ball_radius_m(),
+            rotor_deflection_max: bearing.inner_ring_bore().map_or(f64::INFINITY, |bore| {
+                DEFLECTION_FRACTION_MAX * bore.radius_m
+            }),
+            support_max: bearing.ball_radius_m(),
         }
     }
 
@@ -156,13 +183,22 @@ impl<'m> Guard<'m> {
                 return Err(Cause::ThroughBall(k));
             }
         }
+        if let Some(rotor) = contacts.rotor() {
+            if rotor.contact.deflection > self.rotor_deflection_max {
+                return Err(Cause::RotorThroughInnerRing);
+            }
+            let outer = layout.outer_ring_motion(values);
+            if outer.x.hypot(outer.y) > self.support_max {
+                return Err(Cause::OffSupport);
+            }
+        }
         Ok(())
     }
 
     fn balance(&self, values: &[f64]) -> Result<(), Cause> {
         let state = State::from_vector(self.layout, values);
         let (residual_j, flows_j) = self.model.energy_residual_j(self.start_energy, &state);
-        if residual_j > RESIDUAL_MAX * flows_j.max(self.start_energy) {
+        if residual_j > RESIDUAL_MAX * flows_j.max(self.energy_scale) {
             return Err(Cause::EnergyFromNowhere {
                 residual_j,
                 flows_j,

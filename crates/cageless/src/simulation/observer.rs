@@ -4,7 +4,7 @@ use std::cell::RefCell;
 
 use super::run::Control;
 use crate::case::Case;
-use crate::dynamics::coordinates::BallCoordinate;
+use crate::dynamics::coordinates::{BallCoordinate, DropCoordinate};
 use crate::dynamics::state::{Balls, Layout, State};
 use crate::dynamics::{Contacts, Model, RightHandSide};
 use crate::integrator::StepState;
@@ -65,13 +65,32 @@ impl StepView<'_, '_> {
         let y = self
             .step
             .interpolate(self.layout.ball(BallCoordinate::Y, k), time_s);
+        let centre = self.outer_ring_at_m(time_s);
+        let (x, y) = (x - centre[0], y - centre[1]);
         unwrap_angle_rad(x.atan2(-y), self.recent_angle_rad[k])
     }
 
     /// Continuous ψ of ball `k` at the end of the step.
     pub fn angle_after_rad(&self, k: usize) -> f64 {
         let [x, y] = self.positions().map(|values| values[k]);
+        let centre = self.outer_ring_m();
+        let (x, y) = (x - centre[0], y - centre[1]);
         unwrap_angle_rad(x.atan2(-y), self.recent_angle_rad[k])
+    }
+
+    /// Centre of the outer ring at the end of the step: the origin unless it moves on a support.
+    pub fn outer_ring_m(&self) -> [f64; 2] {
+        let motion = self.layout.outer_ring_motion(&self.step.y1);
+        [motion.x, motion.y]
+    }
+
+    /// Centre of the outer ring at `time_s` within the step.
+    pub fn outer_ring_at_m(&self, time_s: f64) -> [f64; 2] {
+        if !self.layout.has_rotor() {
+            return [0.0; 2];
+        }
+        [DropCoordinate::OuterX, DropCoordinate::OuterY]
+            .map(|c| self.step.interpolate(self.layout.drop(c), time_s))
     }
 
     /// State at `time_s` within the step, by interpolation.

@@ -148,8 +148,9 @@ impl<'s, 'm, 'o> RunTracker<'s, 'm, 'o> {
     fn update_angles(&mut self, step: &StepState) {
         let x = self.layout.balls_of(&step.y1, BallCoordinate::X);
         let y = self.layout.balls_of(&step.y1, BallCoordinate::Y);
+        let centre = self.layout.outer_ring_motion(&step.y1);
         for (k, recent) in self.recent_angle.iter_mut().enumerate() {
-            *recent = unwrap_angle_rad(x[k].atan2(-y[k]), *recent);
+            *recent = unwrap_angle_rad((x[k] - centre.x).atan2(-(y[k] - centre.y)), *recent);
         }
         self.recent_s = step.t1_s;
     }

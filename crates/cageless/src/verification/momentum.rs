@@ -10,7 +10,8 @@ use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 /// Compares the linear momentum of balls and inner ring with the impulses of the external
 /// forces: the outer ring, the radial load, the weights, the drag on the inner ring and, in
 /// the `paper` profile, the centrifugal force of Zhao 2022, Eq. (15). The forces that balls
-/// and inner ring exert on each other must cancel.
+/// and inner ring exert on each other must cancel. With a rotor its momentum and weight count,
+/// too, and with a support that of the outer ring, which the support then pushes.
 ///
 /// Impulses are sums by the trapezoidal rule over the steps.
 #[derive(Debug, Clone, Default)]
@@ -35,19 +36,28 @@ impl MomentumBalance {
     }
 }
 
-/// Sum of the momenta of balls and inner ring, N·s.
+/// Sum of the momenta of balls, inner ring, rotor and outer ring, N·s.
 fn momentum(model: &Model, layout: Layout, values: &[f64]) -> [f64; 2] {
     let ring = layout.ring_motion(values);
-    [(BallCoordinate::Vx, ring.vx), (BallCoordinate::Vy, ring.vy)].map(|(coordinate, ring)| {
-        let speeds = layout.balls_of(values, coordinate);
-        let balls: f64 = model
-            .balls
-            .iter()
-            .zip(speeds.iter())
-            .map(|(ball, v)| ball.mass * v)
-            .sum();
-        balls + model.ring.mass * ring
-    })
+    let bearing =
+        [(BallCoordinate::Vx, ring.vx), (BallCoordinate::Vy, ring.vy)].map(|(coordinate, ring)| {
+            let speeds = layout.balls_of(values, coordinate);
+            let balls: f64 = model
+                .balls
+                .iter()
+                .zip(speeds.iter())
+                .map(|(ball, v)| ball.mass * v)
+                .sum();
+            balls + model.ring.mass * ring
+        });
+    let Some((body, rotor)) = model.rotor.as_ref().zip(layout.rotor_motion(values)) else {
+        return bearing;
+    };
+    let (outer, mass) = (layout.outer_ring_motion(values), model.outer_ring.mass);
+    [
+        bearing[0] + body.mass * rotor.vx + mass * outer.vx,
+        bearing[1] + body.mass * rotor.vy + mass * outer.vy,
+    ]
 }
 
 /// Sum of the external forces at a state where the outer ring is pressed by `outer`, and
@@ -56,7 +66,16 @@ fn external(model: &Model, layout: Layout, values: &[f64], outer: [f64; 2]) -> (
     let motion = layout.ring_motion(values);
     let ring = &model.ring;
     let balls: f64 = model.balls.iter().map(|ball| ball.mass).sum();
-    let weight = (ring.mass + balls) * ring.gravity;
+    let rotor = model.rotor.map_or(0.0, |body| body.mass);
+    let weight = (ring.mass + balls + rotor) * ring.gravity;
+    let outer = if model.outer_ring.mass > 0.0 {
+        let support = model
+            .outer_ring
+            .support_force(&layout.outer_ring_motion(values));
+        support.map(|force| -force)
+    } else {
+        outer
+    };
     let mut force = [
         -outer[0] - ring.drag * motion.vx,
         -outer[1] - ring.drag * motion.vy - ring.radial_load - weight,
@@ -67,7 +86,9 @@ fn external(model: &Model, layout: Layout, values: &[f64], outer: [f64; 2]) -> (
         + weight;
     if model.profile == Profile::Paper {
         for (k, ball) in model.balls.iter().enumerate() {
-            let polar = layout.ball_motion(values, k).about(&model.outer_centre());
+            let polar = layout
+                .ball_motion(values, k)
+                .about(&layout.outer_ring_motion(values));
             let centrifugal = centrifugal_force(ball, &model.outer, &polar);
             force[0] += centrifugal * polar.ex;
             force[1] += centrifugal * polar.ey;

@@ -1,7 +1,7 @@
 //! States of a run at the sample times of the divergence.
 
 use crate::case::Case;
-use crate::dynamics::state::{Layout, State};
+use crate::dynamics::state::State;
 use crate::simulation::{Control, Observer, ObserverError, StepView};
 
 /// Times at which runs are compared.
@@ -54,7 +54,7 @@ impl Observer for TrajectoryRecorder {
     fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         let step = &view.step;
         // The energy ledger is left out.
-        self.width = Layout::new(view.layout().balls).motion_len();
+        self.width = view.layout().alone().motion_len();
         let slack = 1e-6 * (step.t1_s - step.t0_s);
         while let Some(&time) = self.times.get(self.taken) {
             if time > step.t1_s + slack {

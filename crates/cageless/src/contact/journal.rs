@@ -1,0 +1,283 @@
+//! Contact between the journal of a rotor and the bore of the inner ring.
+//!
+//! ```
+//! use cageless::contact::{Journal, JournalMotion, journal_contact};
+//!
+//! let journal = Journal {
+//!     radius: 14.8e-3,
+//!     bore_radius: 15e-3,
+//!     air_gap: 2e-4,
+//!     stiffness: 1e9,
+//!     exponent: 1.0,
+//!     damping: 0.3,
+//! };
+//! // 1 µm deep at the bottom, still falling at 0.1 m/s, spinning at 100 rad/s.
+//! let rotor = JournalMotion { y: -2.01e-4, vy: -0.1, speed: 100.0, ..JournalMotion::default() };
+//! let contact = journal_contact(&journal, &rotor, &JournalMotion::default());
+//! assert!((contact.force - 1045.0).abs() < 1e-6);
+//! assert!((contact.slip - 1.48).abs() < 1e-12);
+//! ```
+
+use super::{Friction, friction_force, positive};
+use crate::case::FrictionLaw;
+
+/// Constants of the contact.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Journal {
+    /// Rj, radius of the journal, m.
+    pub radius: f64,
+    /// Rb, radius of the bore, m.
+    pub bore_radius: f64,
+    /// r0 = Rb − Rj, m.
+    pub air_gap: f64,
+    /// K, N/m^p.
+    pub stiffness: f64,
+    /// p.
+    pub exponent: f64,
+    /// α, s/m.
+    pub damping: f64,
+}
+
+/// Motion of the centre of a journal or bore and the speed at which it turns.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct JournalMotion {
+    /// x, m.
+    pub x: f64,
+    /// y, m.
+    pub y: f64,
+    /// ẋ, m/s.
+    pub vx: f64,
+    /// ẏ, m/s.
+    pub vy: f64,
+    /// Speed, rad/s, counter-clockwise.
+    pub speed: f64,
+}
+
+/// Contact of journal and bore without its friction.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct JournalContact {
+    /// δ, m; negative: apart.
+    pub deflection: f64,
+    /// dδ/dt, m/s.
+    pub rate: f64,
+    /// Normal force, N.
+    pub force: f64,
+    /// Sliding speed of the journal on the bore along t, m/s.
+    pub slip: f64,
+    /// x of the unit vector n from the centre of the bore to that of the journal; t is n turned
+    /// by +90°.
+    pub nx: f64,
+    /// y of n.
+    pub ny: f64,
+    /// Power dissipated by damping, W.
+    pub damping_power: f64,
+}
+
+/// Deflection, normal force and sliding speed between journal and bore.
+///
+/// With ρ = zr − zi, n = ρ/|ρ| and t = i·n, δ = |ρ| − r0 and F = max(0, K δ^p (1 + 1.5 α δ̇))
+/// (Hunt & Crossley 1975, J. Appl. Mech. 42, 440–445); the surfaces slide at
+/// t·(żr − żi) + Ω·Rj − ωi·Rb. Elastic energy that the clamp at 0 withholds counts as damping.
+#[inline(always)]
+pub fn journal_contact(
+    constants: &Journal,
+    rotor: &JournalMotion,
+    ring: &JournalMotion,
+) -> JournalContact {
+    let (x, y) = (rotor.x - ring.x, rotor.y - ring.y);
+    let distance = (x * x + y * y).sqrt();
+    // Concentric: no direction, and no contact.
+    let (nx, ny) = if distance > 0.0 {
+        (x / distance, y / distance)
+    } else {
+        (0.0, -1.0)
+    };
+    let (vx, vy) = (rotor.vx - ring.vx, rotor.vy - ring.vy);
+    let rate = vx * nx + vy * ny;
+    let deflection = distance - constants.air_gap;
+    let elastic = constants.stiffness * power(positive(deflection), constants.exponent);
+    let force = positive(elastic * (1.0 + 1.5 * constants.damping * rate));
+    JournalContact {
+        deflection,
+        rate,
+        force,
+        slip: journal_slip(constants, [nx, ny], rotor, ring),
+        nx,
+        ny,
+        damping_power: (force - elastic) * rate,
+    }
+}
+
+/// t·(żr − żi) + Ω·Rj − ωi·Rb, m/s, with n = `normal`.
+#[inline(always)]
+pub fn journal_slip(
+    constants: &Journal,
+    normal: [f64; 2],
+    rotor: &JournalMotion,
+    ring: &JournalMotion,
+) -> f64 {
+    let [nx, ny] = normal;
+    let (vx, vy) = (rotor.vx - ring.vx, rotor.vy - ring.vy);
+    vy * nx - vx * ny + rotor.speed * constants.radius - ring.speed * constants.bore_radius
+}
+
+/// Energy stored at a deflection, K δ^(p+1)/(p+1), J.
+pub fn journal_energy_j(constants: &Journal, deflection_m: f64) -> f64 {
+    let (depth, p) = (positive(deflection_m), constants.exponent);
+    constants.stiffness * depth * power(depth, p) / (p + 1.0)
+}
+
+/// δ^p; the conformal and the Hertzian exponent without logarithms.
+#[inline(always)]
+fn power(depth: f64, exponent: f64) -> f64 {
+    if exponent == 1.0 {
+        depth
+    } else if exponent == 1.5 {
+        depth * depth.sqrt()
+    } else if depth > 0.0 {
+        depth.powf(exponent)
+    } else {
+        0.0
+    }
+}
+
+impl JournalContact {
+    /// Force of the ring on the journal under the friction `friction_n` along −slip, N: −F·n − f·t.
+    #[inline(always)]
+    pub fn force_on_journal(&self, friction_n: f64) -> [f64; 2] {
+        [
+            -self.force * self.nx + friction_n * self.ny,
+            -self.force * self.ny - friction_n * self.nx,
+        ]
+    }
+}
+
+/// Sliding speed and friction of one contact at the end of a step: s = s_free − H·f(s), m/s and N.
+///
+/// Friction opposes the sliding that is left without it, so that s lies between 0 and s_free;
+/// Newton's method within that interval, halved where a step leaves it. Coulomb's law exactly.
+pub fn implicit_slip(
+    law: FrictionLaw,
+    friction: &Friction,
+    free_m_s: f64,
+    mobility: f64,
+    normal_n: f64,
+) -> [f64; 2] {
+    if normal_n <= 0.0 {
+        return [free_m_s, 0.0];
+    }
+    let stick = free_m_s / mobility;
+    if law == FrictionLaw::Coulomb {
+        let largest = friction.coefficient * normal_n;
+        return if stick.abs() <= largest {
+            [0.0, stick]
+        } else {
+            let force = largest.copysign(free_m_s);
+            [free_m_s - mobility * force, force]
+        };
+    }
+    let [mut low, mut high] = [free_m_s.min(0.0), free_m_s.max(0.0)];
+    let mut slip = free_m_s;
+    for _ in 0..ITERATIONS_MAX {
+        let [force, slope] = friction_force(law, friction, slip, normal_n);
+        let miss = slip + mobility * force - free_m_s;
+        if miss > 0.0 {
+            high = slip;
+        } else {
+            low = slip;
+        }
+        let newton = slip - miss / (1.0 + mobility * slope);
+        let next = if newton > low && newton < high {
+            newton
+        } else {
+            0.5 * (low + high)
+        };
+        let done = (next - slip).abs() * friction.inverse_slip_scale <= LAST_STEP;
+        slip = next;
+        if done {
+            break;
+        }
+    }
+    // Sliding speed and force belong together exactly.
+    [slip, (free_m_s - slip) / mobility]
+}
+
+/// Newton step at which the iteration ends, as a fraction of the slip scale.
+const LAST_STEP: f64 = 1e-9;
+/// More than bisection alone needs.
+const ITERATIONS_MAX: u32 = 100;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const JOURNAL: Journal = Journal {
+        radius: 14.8e-3,
+        bore_radius: 15e-3,
+        air_gap: 2e-4,
+        stiffness: 1e9,
+        exponent: 1.25,
+        damping: 0.3,
+    };
+
+    #[test]
+    fn journals_that_part_quickly_are_not_pulled() {
+        let rotor = JournalMotion {
+            x: 2.1e-4,
+            vx: -10.0,
+            ..JournalMotion::default()
+        };
+        let contact = journal_contact(&JOURNAL, &rotor, &JournalMotion::default());
+        assert_eq!(contact.force, 0.0);
+        assert!(contact.damping_power > 0.0);
+        let apart = JournalMotion::default();
+        let contact = journal_contact(&JOURNAL, &apart, &apart);
+        assert_eq!((contact.force, contact.damping_power), (0.0, 0.0));
+    }
+
+    /// The friction of every law belongs to the sliding speed at the end of the step.
+    #[test]
+    fn slip_at_the_end_belongs_to_its_friction() {
+        let friction = Friction {
+            coefficient: 0.15,
+            static_excess: 0.1,
+            inverse_stribeck_speed: 10.0,
+            inverse_slip_scale: 1e3,
+            stick_gain: 0.0,
+        };
+        for law in [FrictionLaw::Smooth, FrictionLaw::Stribeck] {
+            for free in [-40.0, -0.1, -1e-4, 0.0, 1e-3, 0.3, 46.0] {
+                for mobility in [1e-7, 1e-5, 1e-3] {
+                    let [slip, force] = implicit_slip(law, &friction, free, mobility, 2000.0);
+                    let [expected, _] = friction_force(law, &friction, slip, 2000.0);
+                    assert!((force - expected).abs() < 1e-6 * 500.0, "{free} {mobility}");
+                }
+            }
+        }
+        let coulomb = |free| implicit_slip(FrictionLaw::Coulomb, &friction, free, 1e-5, 2000.0);
+        assert_eq!(coulomb(2e-3), [0.0, 200.0]);
+        assert_eq!(coulomb(-4e-3), [-1e-3, -300.0]);
+    }
+
+    /// The elastic force is the derivative of the energy.
+    #[test]
+    fn energy_belongs_to_the_force() {
+        for exponent in [1.0, 1.2, 1.5] {
+            let journal = Journal {
+                exponent,
+                ..JOURNAL
+            };
+            let force = |depth: f64| {
+                let rotor = JournalMotion {
+                    y: -(journal.air_gap + depth),
+                    ..JournalMotion::default()
+                };
+                journal_contact(&journal, &rotor, &JournalMotion::default()).force
+            };
+            let h = 1e-9;
+            let [above, below] = [1e-5 + h, 1e-5 - h].map(|d| journal_energy_j(&journal, d));
+            let slope = (above - below) / (2.0 * h);
+            assert!((slope / force(1e-5) - 1.0).abs() < 1e-6);
+        }
+    }
+}

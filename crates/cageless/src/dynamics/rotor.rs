@@ -1,0 +1,253 @@
+//! A rigid rotor in the plane of the bearing: constants, motion and acceleration.
+
+use super::ball::Centre;
+use super::model::STICK_FRACTION;
+use crate::bearing::InnerRingBore;
+use crate::case::{Case, FrictionLaw};
+use crate::contact::{Friction, Journal, JournalContact, JournalMotion, journal_contact};
+use crate::rotor::Rotor;
+
+/// Constants of the rotor, of its contact with the inner ring, and of the turning of that ring.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct RotorBody {
+    /// m, kg.
+    pub mass: f64,
+    /// Ip, kg·m².
+    pub polar_inertia: f64,
+    /// ε, m.
+    pub eccentricity: f64,
+    /// φ, rad.
+    pub phase: f64,
+    /// g, m/s², along −Y.
+    pub gravity: f64,
+    /// Torque of the drive, N·m.
+    pub drive_torque: f64,
+    /// Contact of journal and bore.
+    pub journal: Journal,
+    /// Law of friction of that contact.
+    pub law: FrictionLaw,
+    /// Friction of that contact.
+    pub friction: Friction,
+    /// Ji of the inner ring, kg·m².
+    pub ring_inertia: f64,
+}
+
+/// Motion of the mass centre of a rotor and its rotation.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct RotorMotion {
+    /// x of the mass centre, m.
+    pub x: f64,
+    /// y of the mass centre, m.
+    pub y: f64,
+    /// ẋ of the mass centre, m/s.
+    pub vx: f64,
+    /// ẏ of the mass centre, m/s.
+    pub vy: f64,
+    /// θ, rad, counter-clockwise, from the start on.
+    pub angle: f64,
+    /// Ω, rad/s, counter-clockwise.
+    pub speed: f64,
+}
+
+/// Contact of the rotor with the inner ring at one instant.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct RotorContact {
+    /// Normal contact.
+    pub contact: JournalContact,
+    /// ε·e^(i(θ+φ)), from the centre of the journal to the mass centre, m.
+    pub offset: [f64; 2],
+    /// Friction on the rotor along −slip, N.
+    pub friction: f64,
+}
+
+impl RotorBody {
+    /// The rotor of a case that has one.
+    pub fn new(case: &Case) -> Option<Self> {
+        let (rotor, bore) = (case.rotor.as_ref()?, case.bearing.inner_ring_bore()?);
+        let mut body = Self::in_bore(rotor, bore, case.operation.gravity_m_s2);
+        let ring_mass = case.bearing.dimensions().inner_ring_mass_kg;
+        let mobility = body.slip_mobility(&RotorContact::default(), ring_mass);
+        body.friction.stick_gain = STICK_FRACTION / (mobility * case.solver.step_s);
+        Some(body)
+    }
+
+    /// A rotor in the bore of a ring. Coulomb's law slides only.
+    pub fn in_bore(rotor: &Rotor, bore: InnerRingBore, gravity_m_s2: f64) -> Self {
+        Self {
+            mass: rotor.mass_kg,
+            polar_inertia: rotor.polar_inertia_kg_m2,
+            eccentricity: rotor.eccentricity_m,
+            phase: rotor.eccentricity_phase_rad,
+            gravity: gravity_m_s2,
+            drive_torque: rotor.drive_torque_n_m,
+            journal: Journal {
+                radius: bore.radius_m - rotor.air_gap_m,
+                bore_radius: bore.radius_m,
+                air_gap: rotor.air_gap_m,
+                stiffness: rotor.contact_stiffness,
+                exponent: rotor.contact_exponent,
+                damping: rotor.contact_damping_s_m,
+            },
+            law: rotor.friction_law,
+            friction: Friction {
+                coefficient: rotor.friction_coefficient,
+                static_excess: rotor.friction_coefficient_max() - rotor.friction_coefficient,
+                inverse_stribeck_speed: rotor.stribeck_speed_m_s.map_or(0.0, |v| 1.0 / v),
+                inverse_slip_scale: 1.0 / rotor.slip_scale_m_s,
+                stick_gain: f64::MAX,
+            },
+            ring_inertia: bore.polar_inertia_kg_m2,
+        }
+    }
+
+    /// ε·e^(i(θ+φ)), m.
+    #[inline(always)]
+    pub fn offset(&self, angle: f64) -> [f64; 2] {
+        if self.eccentricity == 0.0 {
+            return [0.0; 2];
+        }
+        let (sin, cos) = (angle + self.phase).sin_cos();
+        [self.eccentricity * cos, self.eccentricity * sin]
+    }
+
+    /// Motion of the centre of the journal: zr = zg − ε·e^(i(θ+φ)), żr = żg − iΩ·ε·e^(i(θ+φ)).
+    #[inline(always)]
+    pub fn journal_motion(&self, motion: &RotorMotion, offset: [f64; 2]) -> JournalMotion {
+        let [ex, ey] = offset;
+        JournalMotion {
+            x: motion.x - ex,
+            y: motion.y - ey,
+            vx: motion.vx + motion.speed * ey,
+            vy: motion.vy - motion.speed * ex,
+            speed: motion.speed,
+        }
+    }
+
+    /// Contact with the inner ring, without friction.
+    #[inline(always)]
+    pub fn contact(&self, motion: &RotorMotion, ring: &Centre, ring_speed: f64) -> RotorContact {
+        let offset = self.offset(motion.angle);
+        let journal = self.journal_motion(motion, offset);
+        RotorContact {
+            contact: journal_contact(&self.journal, &journal, &bore_motion(ring, ring_speed)),
+            offset,
+            friction: 0.0,
+        }
+    }
+
+    /// m·g, N.
+    #[inline(always)]
+    pub fn weight_n(&self) -> f64 {
+        self.mass * self.gravity
+    }
+
+    /// Moment about the mass centre of a force on the journal at zr + Rj·n, N·m.
+    #[inline(always)]
+    pub fn moment(&self, contact: &RotorContact, force: [f64; 2]) -> f64 {
+        let (c, [ex, ey]) = (&contact.contact, contact.offset);
+        let (ax, ay) = (
+            self.journal.radius * c.nx - ex,
+            self.journal.radius * c.ny - ey,
+        );
+        ax * force[1] - ay * force[0]
+    }
+
+    /// Acceleration of the mass centre and of the rotation under the force of the inner ring:
+    /// m z̈g = F − i·m·g and Ip Ω̇ = moment of F + torque of the drive.
+    #[inline(always)]
+    pub fn acceleration(&self, contact: &RotorContact, force: [f64; 2]) -> [f64; 3] {
+        [
+            force[0] / self.mass,
+            (force[1] - self.weight_n()) / self.mass,
+            (self.moment(contact, force) + self.drive_torque) / self.polar_inertia,
+        ]
+    }
+
+    /// Torque of a friction `friction_n` of the rotor on the inner ring, N·m: it acts at the bore.
+    #[inline(always)]
+    pub fn ring_torque(&self, friction_n: f64) -> f64 {
+        friction_n * self.journal.bore_radius
+    }
+
+    /// Change of the sliding speed by a unit of friction, 1/kg: with a = Rj·n − ε·e^(i(θ+φ)),
+    /// 1/m + (t·ia)²/Ip + 1/mi + Rb²/Ji.
+    #[inline(always)]
+    pub fn slip_mobility(&self, contact: &RotorContact, ring_mass: f64) -> f64 {
+        let (c, [ex, ey]) = (&contact.contact, contact.offset);
+        // (t·ia) = a·n.
+        let arm = self.journal.radius - (ex * c.nx + ey * c.ny);
+        1.0 / self.mass
+            + arm * arm / self.polar_inertia
+            + 1.0 / ring_mass
+            + self.journal.bore_radius * self.journal.bore_radius / self.ring_inertia
+    }
+}
+
+/// Motion of the bore of a ring whose centre moves and which turns.
+#[inline(always)]
+pub(crate) fn bore_motion(ring: &Centre, speed: f64) -> JournalMotion {
+    JournalMotion {
+        x: ring.x,
+        y: ring.y,
+        vx: ring.vx,
+        vy: ring.vy,
+        speed,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The powers of the contact force on rotor and ring add up to what damping and friction
+    /// take and the spring stores, wherever the mass centre is.
+    #[test]
+    fn powers_of_the_contact_close() {
+        let body = RotorBody {
+            mass: 20.0,
+            polar_inertia: 0.02,
+            eccentricity: 3e-3,
+            phase: 0.7,
+            gravity: 0.0,
+            drive_torque: 0.0,
+            journal: Journal {
+                radius: 14.8e-3,
+                bore_radius: 15e-3,
+                air_gap: 2e-4,
+                stiffness: 1e9,
+                exponent: 1.0,
+                damping: 0.3,
+            },
+            law: FrictionLaw::Smooth,
+            friction: Friction::default(),
+            ring_inertia: 5.5e-5,
+        };
+        let offset = body.offset(0.4);
+        let motion = RotorMotion {
+            x: 1.5e-4 + offset[0],
+            y: -1.6e-4 + offset[1],
+            vx: 0.3,
+            vy: -0.2,
+            angle: 0.4,
+            speed: 321.0,
+        };
+        let ring = Centre {
+            x: 2e-6,
+            y: -3e-6,
+            vx: -0.01,
+            vy: 0.02,
+        };
+        let ring_speed = -55.0;
+        let contact = body.contact(&motion, &ring, ring_speed);
+        assert!(contact.contact.force > 0.0);
+        let friction = 0.15 * contact.contact.force;
+        let force = contact.contact.force_on_journal(friction);
+        let power = force[0] * (motion.vx - ring.vx)
+            + force[1] * (motion.vy - ring.vy)
+            + body.moment(&contact, force) * motion.speed
+            + body.ring_torque(friction) * ring_speed;
+        let c = &contact.contact;
+        let expected = -c.force * c.rate - friction * c.slip;
+        assert!((power / expected - 1.0).abs() < 1e-12, "{power} {expected}");
+    }
+}

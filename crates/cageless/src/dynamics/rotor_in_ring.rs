@@ -1,0 +1,209 @@
+//! A rotor in a ring without balls: what is left of a drop when the bearing is rigid. Its closed
+//! forms (fall, pendulum, climb, spin-up, whirl) check the contact and the motion of the rotor,
+//! which are those of the bearing.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::dynamics::rotor_in_ring::{Coordinate, RingMount, RotorInRing};
+//! use cageless::integrator::{Adaptive, Integrator, System};
+//!
+//! let case = common::drop_case();
+//! let (rotor, bore) = (case.rotor.unwrap(), case.bearing.inner_ring_bore().unwrap());
+//! let mut system = RotorInRing::new(&rotor, bore, 9.81, RingMount::Fixed);
+//! let start = system.start(&rotor);
+//! let size = system.dimension();
+//! let mut integrator = Integrator::new(Adaptive::new(size, 1e-4, 1e-10), size);
+//! integrator.restart(&mut system, 0.0, &start);
+//! while integrator.step().t1_s < 5e-3 {
+//!     integrator.advance(&mut system, 5e-3)?;
+//! }
+//! // Half of g t².
+//! let fallen_m = -integrator.step().y1[Coordinate::Y as usize];
+//! assert!((fallen_m - 0.5 * 9.81 * 25e-6).abs() < 1e-12);
+//! # Ok::<(), cageless::integrator::UnresolvedStep>(())
+//! ```
+
+use super::ball::Centre;
+use super::outer_ring::OuterRing;
+use super::rotor::{RotorBody, RotorContact, RotorMotion};
+use crate::bearing::InnerRingBore;
+use crate::contact::{friction_force, journal_energy_j};
+use crate::integrator::System;
+use crate::rotor::{Rotor, Support};
+
+/// What holds the ring.
+#[derive(Debug, Clone, PartialEq)]
+pub enum RingMount {
+    /// It neither moves nor turns.
+    Fixed,
+    /// Its centre stays, it turns freely.
+    Turning,
+    /// Its centre moves with a support, whose mass includes the ring; it does not turn.
+    Supported(Support),
+}
+
+/// Index of a coordinate of [`RotorInRing`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Coordinate {
+    /// x of the rotor's mass centre, m.
+    X,
+    /// y of the rotor's mass centre, m.
+    Y,
+    /// ẋ of the rotor's mass centre, m/s.
+    Vx,
+    /// ẏ of the rotor's mass centre, m/s.
+    Vy,
+    /// θ of the rotor, rad.
+    Angle,
+    /// Ω of the rotor, rad/s.
+    Speed,
+    /// ωi of the ring, rad/s.
+    RingSpeed,
+    /// x of the ring, m.
+    RingX,
+    /// y of the ring, m.
+    RingY,
+    /// ẋ of the ring, m/s.
+    RingVx,
+    /// ẏ of the ring, m/s.
+    RingVy,
+    /// Heat of friction, J.
+    FrictionHeat,
+    /// Heat of the damping of contact and support, J.
+    DampingHeat,
+}
+
+/// Number of coordinates.
+const SIZE: usize = Coordinate::DampingHeat as usize + 1;
+
+/// Scale of the errors of every coordinate.
+const SCALES: [f64; SIZE] = [
+    1e-5, 1e-5, 0.1, 0.1, 1e-3, 1.0, 1.0, 1e-5, 1e-5, 0.1, 0.1, 1.0, 1.0,
+];
+
+/// Equations of motion of a rotor in a ring without balls.
+#[derive(Debug, Clone)]
+pub struct RotorInRing {
+    body: RotorBody,
+    ring: OuterRing,
+    turns: bool,
+    contact: RotorContact,
+}
+
+impl RotorInRing {
+    /// The rotor in a ring of this bore.
+    pub fn new(rotor: &Rotor, bore: InnerRingBore, gravity_m_s2: f64, mount: RingMount) -> Self {
+        let (support, turns) = match &mount {
+            RingMount::Fixed => (None, false),
+            RingMount::Turning => (None, true),
+            RingMount::Supported(support) => (Some(support), false),
+        };
+        Self {
+            body: RotorBody::in_bore(rotor, bore, gravity_m_s2),
+            ring: OuterRing::new(support),
+            turns,
+            contact: RotorContact::default(),
+        }
+    }
+
+    /// State in which the rotor starts and the ring rests at the centre.
+    pub fn start(&self, rotor: &Rotor) -> Vec<f64> {
+        let mut state = vec![0.0; SIZE];
+        for (coordinate, value) in [
+            (Coordinate::X, rotor.x_m),
+            (Coordinate::Y, rotor.y_m),
+            (Coordinate::Vx, rotor.vx_m_s),
+            (Coordinate::Vy, rotor.vy_m_s),
+            (Coordinate::Speed, rotor.speed_rad_s),
+        ] {
+            state[coordinate as usize] = value;
+        }
+        state
+    }
+
+    /// Contact as of the last evaluation.
+    pub fn contact(&self) -> &RotorContact {
+        &self.contact
+    }
+
+    /// Kinetic, elastic and potential energy, J.
+    pub fn energy_j(&self, state: &[f64]) -> f64 {
+        let (m, ring, ring_speed) = motions(state);
+        let contact = self.body.contact(&m, &ring, ring_speed);
+        0.5 * self.body.mass * (m.vx * m.vx + m.vy * m.vy)
+            + 0.5 * self.body.polar_inertia * m.speed * m.speed
+            + 0.5 * self.body.ring_inertia * ring_speed * ring_speed
+            + self.body.weight_n() * m.y
+            + journal_energy_j(&self.body.journal, contact.contact.deflection)
+            + self.ring.energy_j(&ring)
+    }
+}
+
+/// Motion of rotor and ring and the speed of the ring.
+fn motions(state: &[f64]) -> (RotorMotion, Centre, f64) {
+    let at = |coordinate: Coordinate| state[coordinate as usize];
+    let rotor = RotorMotion {
+        x: at(Coordinate::X),
+        y: at(Coordinate::Y),
+        vx: at(Coordinate::Vx),
+        vy: at(Coordinate::Vy),
+        angle: at(Coordinate::Angle),
+        speed: at(Coordinate::Speed),
+    };
+    let ring = Centre {
+        x: at(Coordinate::RingX),
+        y: at(Coordinate::RingY),
+        vx: at(Coordinate::RingVx),
+        vy: at(Coordinate::RingVy),
+    };
+    (rotor, ring, at(Coordinate::RingSpeed))
+}
+
+impl System for RotorInRing {
+    fn dimension(&self) -> usize {
+        SIZE
+    }
+
+    fn derivative(&mut self, _time_s: f64, y: &[f64], dydt: &mut [f64]) {
+        let (rotor, ring, ring_speed) = motions(y);
+        let body = &self.body;
+        let mut contact = body.contact(&rotor, &ring, ring_speed);
+        let c = &contact.contact;
+        [contact.friction, _] = friction_force(body.law, &body.friction, c.slip, c.force);
+        let force = c.force_on_journal(contact.friction);
+        let [ax, ay, spin] = body.acceleration(&contact, force);
+        let torque = body.ring_torque(contact.friction);
+        let turning = if self.turns {
+            torque / body.ring_inertia
+        } else {
+            0.0
+        };
+        let [rx, ry] = self.ring.acceleration(&ring, force.map(|f| -f));
+        for (coordinate, rate) in [
+            (Coordinate::X, rotor.vx),
+            (Coordinate::Y, rotor.vy),
+            (Coordinate::Vx, ax),
+            (Coordinate::Vy, ay),
+            (Coordinate::Angle, rotor.speed),
+            (Coordinate::Speed, spin),
+            (Coordinate::RingSpeed, turning),
+            (Coordinate::RingX, ring.vx),
+            (Coordinate::RingY, ring.vy),
+            (Coordinate::RingVx, rx),
+            (Coordinate::RingVy, ry),
+            (Coordinate::FrictionHeat, contact.friction * c.slip),
+            (
+                Coordinate::DampingHeat,
+                c.damping_power + self.ring.damping_power(&ring),
+            ),
+        ] {
+            dydt[coordinate as usize] = rate;
+        }
+        self.contact = contact;
+    }
+
+    fn error_norm(&self, difference: &[f64]) -> f64 {
+        let squares = difference.iter().zip(SCALES).map(|(d, s)| (d / s).powi(2));
+        (squares.sum::<f64>() / SIZE as f64).sqrt()
+    }
+}

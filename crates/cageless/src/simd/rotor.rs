@@ -1,0 +1,467 @@
+//! The bodies under a falling rotor: reactions of the balls, and their motion.
+
+use super::harness::{BlockResults, CentreLanes, Motions, Workspace, lane_maxima, loaded_slips};
+use super::implicit_friction::{accelerate, slip_problems, solve};
+use super::lanes::Lanes;
+use super::parameters::Parameters;
+use super::sums::{Addends, Sum, Sums};
+use crate::case::{FrictionLaw, Profile};
+use crate::contact::{
+    Friction, InnerRaceway, SlipProblemLanes, SlipsLanes, end_weight, friction_force,
+    implicit_slip, inner_slip, journal_slip, outer_friction_direction, outer_slip, positive,
+};
+use crate::dynamics::ball::BallLanes;
+use crate::dynamics::coordinates::{DropCoordinate, RingCoordinate};
+use crate::dynamics::energy::EnergyTerm;
+use crate::dynamics::rotor::{RotorContact, bore_motion};
+use crate::dynamics::state::LANES;
+
+/// Forces of the balls of a block on the outer ring: what the loads of their outer contacts are
+/// without the weights.
+#[inline(always)]
+pub(super) fn outer_ring_reactions(
+    p: &Parameters,
+    balls: &BallLanes,
+    results: &BlockResults,
+    addends: &mut Addends,
+) {
+    for lane in 0..LANES {
+        let weight = balls.mass.0[lane] * p.ring.gravity.0[lane];
+        addends[Sum::OuterX as usize].0[lane] = -results.load.fx.0[lane];
+        addends[Sum::OuterY as usize].0[lane] = -results.load.fy.0[lane] - weight;
+    }
+}
+
+/// Friction forces of the balls of a block on the outer ring.
+#[inline(always)]
+pub(super) fn outer_friction_reactions(results: &BlockResults, addends: &mut Addends) {
+    for lane in 0..LANES {
+        let [dx, dy] = outer_friction_direction(
+            Profile::Physical,
+            &results.geometry.get(lane),
+            &results.polar.get(lane),
+        );
+        let friction = results.outer_friction.0[lane];
+        addends[Sum::OuterX as usize].0[lane] = friction * dx;
+        addends[Sum::OuterY as usize].0[lane] = friction * dy;
+    }
+}
+
+/// Torques of friction on the inner ring, counter-clockwise: −Ri·f.
+#[inline(always)]
+pub(super) fn ring_torques(p: &Parameters, results: &BlockResults, addends: &mut Addends) {
+    for lane in 0..LANES {
+        addends[Sum::RingTorque as usize].0[lane] =
+            -p.inner.radius.0[lane] * results.inner_friction.0[lane];
+    }
+}
+
+/// Motion of inner ring, outer ring and rotor of one bearing and the powers of its energy ledger;
+/// without friction of the rotor if a method treats friction implicitly.
+#[inline(always)]
+pub(super) fn rotor_and_ledger(
+    p: &Parameters,
+    bearing: usize,
+    sums: &Sums,
+    y: &[f64],
+    dydt: &mut [f64],
+    with_friction: bool,
+) -> RotorContact {
+    let layout = p.layout.of_bearing(bearing);
+    let total = |sum: Sum| sums.total(sum, layout.width() == 1, bearing);
+    let (body, outer_ring) = &p.drops[bearing];
+    let ring = p.ring.get(bearing);
+    let (motion, outer) = (layout.ring_motion(y), layout.outer_ring_motion(y));
+    let ring_speed = y[layout.drop(DropCoordinate::RingSpeed)];
+    let rotor = layout.rotor_motion(y).unwrap_or_default();
+    let mut contact = body.contact(&rotor, &motion, ring_speed);
+    if with_friction {
+        let c = &contact.contact;
+        [contact.friction, _] = friction_force(body.law, &body.friction, c.slip, c.force);
+    }
+    let friction = contact.friction;
+    let force = contact.contact.force_on_journal(friction);
+    let [ax, ay] = ring.acceleration(
+        &motion,
+        [total(Sum::RingX) - force[0], total(Sum::RingY) - force[1]],
+    );
+    for (coordinate, rate) in [
+        (RingCoordinate::X, motion.vx),
+        (RingCoordinate::Y, motion.vy),
+        (RingCoordinate::Vx, ax),
+        (RingCoordinate::Vy, ay),
+    ] {
+        dydt[layout.ring(coordinate)] = rate;
+    }
+    let torque = body.ring_torque(friction) + total(Sum::RingTorque);
+    let [ox, oy] = outer_ring.acceleration(&outer, [total(Sum::OuterX), total(Sum::OuterY)]);
+    let [gx, gy, spin] = body.acceleration(&contact, force);
+    for (coordinate, rate) in [
+        (DropCoordinate::RingSpeed, torque / body.ring_inertia),
+        (DropCoordinate::OuterX, outer.vx),
+        (DropCoordinate::OuterY, outer.vy),
+        (DropCoordinate::OuterVx, ox),
+        (DropCoordinate::OuterVy, oy),
+        (DropCoordinate::RotorX, rotor.vx),
+        (DropCoordinate::RotorY, rotor.vy),
+        (DropCoordinate::RotorAngle, rotor.speed),
+        (DropCoordinate::RotorVx, gx),
+        (DropCoordinate::RotorVy, gy),
+        (DropCoordinate::RotorSpeed, spin),
+    ] {
+        dydt[layout.drop(coordinate)] = rate;
+    }
+    for term in EnergyTerm::ALL {
+        dydt[layout.energy_term(term)] = match term {
+            EnergyTerm::Drive => body.drive_torque * rotor.speed,
+            EnergyTerm::Weight => {
+                total(Sum::Weight) - ring.weight_n() * motion.vy - body.weight_n() * rotor.vy
+            }
+            EnergyTerm::InnerFriction => total(Sum::InnerFriction),
+            EnergyTerm::OuterFriction => total(Sum::OuterFriction),
+            EnergyTerm::BallFriction => total(Sum::BallFriction),
+            EnergyTerm::Damping => total(Sum::RacewayDamping) + total(Sum::BallDamping),
+            EnergyTerm::Drag => ring.drag * (motion.vx * motion.vx + motion.vy * motion.vy),
+            EnergyTerm::RotorFriction => friction * contact.contact.slip,
+            EnergyTerm::RotorDamping => contact.contact.damping_power,
+            EnergyTerm::SupportDamping => outer_ring.damping_power(&outer),
+            EnergyTerm::Load
+            | EnergyTerm::Centrifugal
+            | EnergyTerm::FrictionDirection
+            | EnergyTerm::RelativeSpin => 0.0,
+        };
+    }
+    contact
+}
+
+/// Adds friction at the raceways and at the journal over a step of `h_s`, see
+/// [`super::add_implicit_friction`].
+///
+/// Velocities change by h·((1 − θ)·f₀ + θ·f₁), f₀ and f₁ the friction at both ends and θ the
+/// [`end_weight`] of each contact: of order 2 where contacts slide, damped where they roll.
+///
+/// The balls are solved for the motion of the rings that the step was extrapolated to, then the
+/// journal for the ring that the friction of the balls leads to. The friction of a ball answers to
+/// the surface speed of the ring like a mass of at most its own, so that the ring, whose Ji/Ri² is
+/// many times that of all balls, receives what is left of the coupling at the next step. Heat is
+/// friction times the mean of the sliding speeds at both ends of the step with the rings where
+/// they are then.
+#[inline(always)]
+pub(super) fn add_with_rotor(
+    p: &Parameters,
+    w: &mut Workspace,
+    h_s: f64,
+    y0: &[f64],
+    y: &mut [f64],
+    dydt: &mut [f64],
+) {
+    let alone = p.layout.width() == 1;
+    w.sums.clear(alone);
+    w.end_sums.clear(alone);
+    let mut addends = [Lanes::ZERO; Sum::COUNT];
+    for (block, (results, slips)) in w.blocks.iter_mut().zip(&mut w.slips).enumerate() {
+        let balls = p.balls(block);
+        let rings = [&w.ring, &w.outer_ring];
+        let motions = Motions::new(p, y, block);
+        let mut problem = slip_problems::<false, true>(p, balls, results, rings, motions, h_s);
+        let before = w.slips_known.then_some(&*slips);
+        let weights = split(p, results, before, &mut problem);
+        let end = solve(p, results, &problem);
+        // The rates are those at the end of the step, the velocities change by both ends.
+        results.outer_friction = end.outer_friction.clone();
+        results.inner_friction = end.inner_friction.clone();
+        accelerate::<true>(p, balls, results, block, h_s, dydt);
+        reactions(p, results, &mut addends);
+        w.end_sums.add(&Sum::RING_FRICTION, &addends, alone, block);
+        for lane in 0..LANES {
+            let mix = |weight: f64, before: f64, end: f64| (1.0 - weight) * before + weight * end;
+            results.outer_friction.0[lane] = mix(
+                weights[0].0[lane],
+                slips.outer_friction.0[lane],
+                end.outer_friction.0[lane],
+            );
+            results.inner_friction.0[lane] = mix(
+                weights[1].0[lane],
+                slips.inner_friction.0[lane],
+                end.inner_friction.0[lane],
+            );
+        }
+        accelerate::<false>(p, balls, results, block, h_s, y);
+        reactions(p, results, &mut addends);
+        w.sums.add(&Sum::RING_FRICTION, &addends, alone, block);
+        *slips = end;
+    }
+    for bearing in 0..p.layout.width() {
+        for (place, rate) in ring_friction(p, &w.end_sums, bearing) {
+            dydt[place] += rate;
+        }
+        for (place, rate) in ring_friction(p, &w.sums, bearing) {
+            y[place] += h_s * rate;
+        }
+        journal_friction(p, w, bearing, h_s, y0, y, dydt);
+    }
+    let start = RingMotion::new(p, y0);
+    let end = RingMotion::new(p, y);
+    let mut slip_max = Lanes::ZERO;
+    for (block, (results, slips)) in w.blocks.iter_mut().zip(&w.slips).enumerate() {
+        let balls = p.balls(block);
+        let before = slip_speeds(p, balls, results, Motions::new(p, y0, block), &start);
+        let after = slip_speeds(p, balls, results, Motions::new(p, y, block), &end);
+        for lane in 0..LANES {
+            let mean = |k: usize| 0.5 * (before[k].0[lane] + after[k].0[lane]);
+            addends[Sum::OuterFriction as usize].0[lane] = results.outer_friction.0[lane] * mean(0);
+            addends[Sum::InnerFriction as usize].0[lane] = results.inner_friction.0[lane] * mean(1);
+        }
+        let [outer, inner] = after;
+        (results.outer.slip, results.inner.slip) = (outer, inner);
+        results.outer_friction = slips.outer_friction.clone();
+        results.inner_friction = slips.inner_friction.clone();
+        loaded_slips(results, &mut slip_max);
+        w.sums.add(&Sum::HEAT, &addends, alone, block);
+    }
+    w.slip_max = lane_maxima(&slip_max, alone);
+    w.slips_known = true;
+    for bearing in 0..p.layout.width() {
+        let layout = p.layout.of_bearing(bearing);
+        for (term, sum) in [
+            (EnergyTerm::InnerFriction, Sum::InnerFriction),
+            (EnergyTerm::OuterFriction, Sum::OuterFriction),
+        ] {
+            let heat = w.sums.total(sum, alone, bearing);
+            let place = layout.energy_term(term);
+            dydt[place] += heat;
+            y[place] += h_s * heat;
+        }
+    }
+}
+
+/// Turns the equations of a block into those of the friction at the end of the step,
+/// s₁ = (s_free − H·(1 − θ)·f₀) − H·θ·f₁; returns θ of outer and inner contacts. Without a step
+/// before, θ = 1.
+#[inline(always)]
+fn split(
+    p: &Parameters,
+    results: &BlockResults,
+    before: Option<&SlipsLanes>,
+    problem: &mut SlipProblemLanes,
+) -> [Lanes; 2] {
+    let mut weights = [Lanes::all(1.0), Lanes::all(1.0)];
+    let Some(before) = before else {
+        return weights;
+    };
+    for lane in 0..LANES {
+        let (friction, mut q) = (p.friction.get(lane), problem.get(lane));
+        let weight = |slips: [f64; 2], normal: f64, mobility: f64| {
+            contact_weight(p.law, &friction, slips, normal, mobility)
+        };
+        let outer = weight(
+            [before.outer.0[lane], results.outer.slip.0[lane]],
+            q.outer_normal,
+            q.outer_outer,
+        );
+        let inner = weight(
+            [before.inner.0[lane], results.inner.slip.0[lane]],
+            q.inner_normal,
+            q.inner_inner,
+        );
+        let fo = (1.0 - outer) * before.outer_friction.0[lane];
+        let fi = (1.0 - inner) * before.inner_friction.0[lane];
+        [q.outer_free, q.inner_free] = q.slips([fo, fi]);
+        q.outer_outer *= outer;
+        q.inner_outer *= outer;
+        q.outer_inner *= inner;
+        q.inner_inner *= inner;
+        problem.put(lane, q);
+        (weights[0].0[lane], weights[1].0[lane]) = (outer, inner);
+    }
+    weights
+}
+
+/// θ of a contact with these sliding speeds at the start and extrapolated to the end of the step.
+#[inline(always)]
+fn contact_weight(
+    law: FrictionLaw,
+    friction: &Friction,
+    [start, end]: [f64; 2],
+    normal: f64,
+    mobility: f64,
+) -> f64 {
+    if law == FrictionLaw::Coulomb {
+        return if start.abs() < STUCK_M_S { 1.0 } else { 0.5 };
+    }
+    let [_, at_start] = friction_force(law, friction, start, normal);
+    let [_, at_end] = friction_force(law, friction, end, normal);
+    // The Stribeck law falls beyond its peak; that is not stiff.
+    end_weight(mobility * positive(at_start.max(at_end)))
+}
+
+/// Sliding speed below which Coulomb's law sticks, m/s: far above rounding, far below any sliding.
+const STUCK_M_S: f64 = 1e-10;
+
+/// Reactions of the friction of the balls of a block on both rings.
+#[inline(always)]
+fn reactions(p: &Parameters, results: &BlockResults, addends: &mut Addends) {
+    inner_friction_reactions(results, addends);
+    outer_friction_reactions(results, addends);
+    ring_torques(p, results, addends);
+}
+
+/// Friction forces of the balls of a block on the inner ring.
+#[inline(always)]
+fn inner_friction_reactions(results: &BlockResults, addends: &mut Addends) {
+    for lane in 0..LANES {
+        let friction = results.inner_friction.0[lane];
+        addends[Sum::RingX as usize].0[lane] = friction * results.inner_polar.ey.0[lane];
+        addends[Sum::RingY as usize].0[lane] = -friction * results.inner_polar.ex.0[lane];
+    }
+}
+
+/// Accelerations of both rings by the friction of the balls.
+#[inline(always)]
+fn ring_friction(p: &Parameters, sums: &Sums, bearing: usize) -> [(usize, f64); 5] {
+    let layout = p.layout.of_bearing(bearing);
+    let total = |sum: Sum| sums.total(sum, layout.width() == 1, bearing);
+    let (body, outer_ring) = &p.drops[bearing];
+    let mass = p.ring.mass.0[bearing];
+    [
+        (layout.ring(RingCoordinate::Vx), total(Sum::RingX) / mass),
+        (layout.ring(RingCoordinate::Vy), total(Sum::RingY) / mass),
+        (
+            layout.drop(DropCoordinate::RingSpeed),
+            total(Sum::RingTorque) / body.ring_inertia,
+        ),
+        (
+            layout.drop(DropCoordinate::OuterVx),
+            total(Sum::OuterX) * outer_ring.inverse_mass,
+        ),
+        (
+            layout.drop(DropCoordinate::OuterVy),
+            total(Sum::OuterY) * outer_ring.inverse_mass,
+        ),
+    ]
+}
+
+/// Adds the friction between rotor and inner ring over the step, and its heat.
+#[inline(always)]
+fn journal_friction(
+    p: &Parameters,
+    w: &mut Workspace,
+    bearing: usize,
+    h_s: f64,
+    y0: &[f64],
+    y: &mut [f64],
+    dydt: &mut [f64],
+) {
+    let layout = p.layout.of_bearing(bearing);
+    let (body, _) = &p.drops[bearing];
+    let mass = p.ring.mass.0[bearing];
+    let rotor = &mut w.rotors[bearing];
+    let normal = [rotor.contact.nx, rotor.contact.ny];
+    let slip = |values: &[f64]| {
+        let motion = layout.rotor_motion(values).unwrap_or_default();
+        let speed = values[layout.drop(DropCoordinate::RingSpeed)];
+        let bore = bore_motion(&layout.ring_motion(values), speed);
+        let journal = body.journal_motion(&motion, rotor.offset);
+        journal_slip(&body.journal, normal, &journal, &bore)
+    };
+    let (start, free) = (slip(y0), slip(y));
+    let mobility = h_s * body.slip_mobility(rotor, mass);
+    let load = rotor.contact.force;
+    let [start_slip, start_friction] = w.rotor_slips[bearing];
+    let weight = if w.slips_known {
+        let slips = [start_slip, rotor.contact.slip];
+        contact_weight(body.law, &body.friction, slips, load, mobility)
+    } else {
+        1.0
+    };
+    let given = (1.0 - weight) * start_friction;
+    let [end, friction] = implicit_slip(
+        body.law,
+        &body.friction,
+        free - mobility * given,
+        weight * mobility,
+        load,
+    );
+    let mean = given + weight * friction;
+    (rotor.friction, rotor.contact.slip) = (friction, end);
+    w.rotor_slips[bearing] = [end, friction];
+    let rates = |friction: f64| {
+        let force = [friction * normal[1], -friction * normal[0]];
+        [
+            (layout.ring(RingCoordinate::Vx), -force[0] / mass),
+            (layout.ring(RingCoordinate::Vy), -force[1] / mass),
+            (
+                layout.drop(DropCoordinate::RingSpeed),
+                body.ring_torque(friction) / body.ring_inertia,
+            ),
+            (layout.drop(DropCoordinate::RotorVx), force[0] / body.mass),
+            (layout.drop(DropCoordinate::RotorVy), force[1] / body.mass),
+            (
+                layout.drop(DropCoordinate::RotorSpeed),
+                body.moment(rotor, force) / body.polar_inertia,
+            ),
+        ]
+    };
+    for (place, rate) in rates(friction) {
+        dydt[place] += rate;
+    }
+    for (place, rate) in rates(mean) {
+        y[place] += h_s * rate;
+    }
+    let heat = mean * 0.5 * (start + end);
+    let place = layout.energy_term(EnergyTerm::RotorFriction);
+    dydt[place] += heat;
+    y[place] += h_s * heat;
+}
+
+/// Centres of both rings and the speed of the inner one, of each lane.
+struct RingMotion {
+    inner: CentreLanes,
+    outer: CentreLanes,
+    speed: Lanes,
+}
+
+impl RingMotion {
+    #[inline(always)]
+    fn new(p: &Parameters, y: &[f64]) -> Self {
+        let place = |lane: usize| {
+            let layout = p.layout.of_bearing(lane % p.layout.width());
+            layout.drop(DropCoordinate::RingSpeed)
+        };
+        Self {
+            inner: CentreLanes::inner_ring(p, y),
+            outer: CentreLanes::outer_ring(p, y),
+            speed: Lanes(std::array::from_fn(|lane| y[place(lane)])),
+        }
+    }
+}
+
+/// ΔVo and ΔVi of the balls of a block along the directions of the last evaluation, m/s.
+#[inline(always)]
+fn slip_speeds(
+    p: &Parameters,
+    balls: &BallLanes,
+    results: &BlockResults,
+    motions: Motions<'_>,
+    rings: &RingMotion,
+) -> [Lanes; 2] {
+    let mut slips = [Lanes::ZERO; 2];
+    for lane in 0..LANES {
+        let motion = motions.get(lane);
+        let outer_polar = results.polar.get(lane);
+        let outer_polar = outer_polar.with_velocity(&motion, &rings.outer.get(lane));
+        let inner_polar = results.inner_polar.get(lane);
+        let inner_polar = inner_polar.with_velocity(&motion, &rings.inner.get(lane));
+        let radius = p.inner.radius.0[lane];
+        let raceway = InnerRaceway {
+            radius,
+            surface_speed: rings.speed.0[lane] * radius,
+        };
+        let (ball, geometry) = (balls.get(lane), results.geometry.get(lane));
+        let physical = Profile::Physical;
+        let outer_raceway = p.outer.get(lane);
+        slips[0].0[lane] = outer_slip(physical, &outer_raceway, &geometry, &motion, &outer_polar);
+        slips[1].0[lane] = inner_slip(physical, &ball, &raceway, &motion, &inner_polar);
+    }
+    slips
+}
