@@ -5,11 +5,11 @@
 //! [`cageless`] itself is plain SI.
 //!
 //! ```
-//! use cageless_io::case_file::{CaseFile, template};
+//! use cageless_io::case_file::{CaseFile, OverTime, template};
 //!
 //! let file = CaseFile::parse(&template(false), "template", &[])?;
 //! assert_eq!(file.case().bearing.balls(), 14);
-//! assert_eq!(file.document().operation.inner_speed_rpm, 12000.0);
+//! assert_eq!(file.document().operation.radial_load_n, Some(OverTime::Constant(1500.0)));
 //! # Ok::<(), cageless_io::case_file::CaseError>(())
 //! ```
 

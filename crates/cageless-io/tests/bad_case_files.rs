@@ -142,7 +142,7 @@ const EDITS: &[Row] = &[
     (START, "[start]\nring_y_um = -10 #", "start.ring_y_um", &["= -10", "left out unless start.state = \"rolling\""]),
     (START, "[start]\nring_x_um = 0 #", "start.ring_x_um", &["left out unless"]),
     (START, "[start]\nstate = \"rolling\"\nring_y_um = -2200 #", "start.ring_y_um", &["= -2200", "between -476.25 um and 476.25 um"]),
-    (START, "[start]\nstate = \"rollin\" #", "start.state", &["\"rollin\"", "\"settled\" or \"rolling\""]),
+    (START, "[start]\nstate = \"rollin\" #", "start.state", &["\"rollin\"", "\"rolling\" or \"at-rest\""]),
     (START, "[start]\nlead_ball_angle_deg = nan #", "start.lead_ball_angle_deg", &["a finite number of deg"]),
     // Choices.
     ("profile = \"physical\"", "profile = \"realistic\"", "model.profile", &["\"realistic\"", "\"physical\" or \"paper\""]),

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use cageless::{FrictionLaw, Gaps, Method, Profile, Start};
-use cageless_io::case_file::{CaseFile, GapsDocument, Source, template, unit};
+use cageless_io::case_file::{CaseFile, GapsDocument, OverTime, Source, template, unit};
 use common::edited;
 use proptest::prelude::*;
 
@@ -161,7 +161,7 @@ fn a_conventional_template_differs_in_nothing_but_the_raceway() {
 #[test]
 fn every_case_that_comes_with_cageless_is_good() {
     let files = cases();
-    assert_eq!(files.len(), 16, "{files:?}");
+    assert_eq!(files.len(), 18, "{files:?}");
     for path in files {
         let file = CaseFile::read(&path, &[]).unwrap_or_else(|e| panic!("{e}"));
         assert!(!file.case().title.is_empty(), "{}", path.display());
@@ -246,6 +246,7 @@ fn a_document_goes_to_toml_and_back() {
         assert_eq!(again.case(), file.case());
         // What is recorded as run parses too, and its stiffnesses are those of Hertz.
         let run = parse(&file.document_as_run().to_toml().unwrap());
+        assert_eq!(run.case().bearing, file.case().bearing);
         let hertz = file.case().bearing.outer_contact().stiffness_n_m1_5;
         let used = file.case().contact.outer_stiffness_n_m1_5.unwrap_or(hertz);
         assert_eq!(run.case().contact.outer_stiffness_n_m1_5, Some(used));
@@ -307,7 +308,10 @@ fn overrides_win_over_the_file_and_the_last_over_the_first() {
         "contact.outer_stiffness=1.3e10",
     ]);
     let case = file.case();
-    assert_eq!(file.document().operation.inner_speed_rpm, 3000.0);
+    assert_eq!(
+        file.document().operation.inner_speed_rpm,
+        Some(OverTime::Constant(3000.0))
+    );
     assert_eq!(case.raceways[0].dimensions().axial_span_m, 5.2e-3);
     assert_eq!(
         (case.profile, case.contact.friction_law),

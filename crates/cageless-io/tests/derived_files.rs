@@ -35,6 +35,7 @@ fn value(value: &ValueType) -> String {
         ValueType::Text => "text".to_owned(),
         ValueType::Numbers => "list of numbers".to_owned(),
         ValueType::Range => "number or `[lowest, highest]`".to_owned(),
+        ValueType::OverTime => "number or `[[time in s, value], …]`".to_owned(),
         ValueType::Choice(choices) => names(choices),
         ValueType::NumberOr(choices) => format!("number, {}", names(choices)),
         ValueType::NumbersOr(choices) => format!("list of numbers, {}", names(choices)),
@@ -119,6 +120,7 @@ fn annotation(value: &ValueType) -> String {
         ValueType::Text => "str".to_owned(),
         ValueType::Numbers => "Sequence[float]".to_owned(),
         ValueType::Range => "float | Sequence[float]".to_owned(),
+        ValueType::OverTime => "float | Sequence[Sequence[float]]".to_owned(),
         ValueType::Choice(names) => literal(names),
         ValueType::NumberOr(names) => format!("{} | float", literal(names)),
         ValueType::NumbersOr(names) => format!("{} | Sequence[float]", literal(names)),
@@ -170,9 +172,10 @@ fn python_has_a_class_for_every_section() {
                 .replace("Literal[", "{")
                 .replace(']', "}");
             let kind = match key.value {
-                ValueType::Numbers | ValueType::Range | ValueType::NumbersOr(_) => {
-                    kind.replace("Sequence[float}", "sequence of float")
-                }
+                ValueType::Numbers
+                | ValueType::Range
+                | ValueType::OverTime
+                | ValueType::NumbersOr(_) => kind.replace("Sequence[float}", "sequence of float"),
                 _ => kind,
             };
             let optional = if required { "" } else { ", optional" };

@@ -3,7 +3,7 @@
 use cageless::Case;
 use cageless::design::search::OperatingPoint;
 use cageless::raceway::RacewayDimensions;
-use cageless_io::case_file::{CaseFile, RacewayDocument};
+use cageless_io::case_file::{CaseFile, OverTime, RacewayDocument};
 
 /// A raceway as it is printed and entered: whole micrometres and thousandths of a degree.
 pub fn raceway_document(dimensions: &RacewayDimensions) -> RacewayDocument {
@@ -28,8 +28,9 @@ pub fn entered(
     if let Some(point) = point {
         let rpm = point.inner_speed_rad_s * 60.0 / std::f64::consts::TAU;
         // Rounding away what the conversion to SI leaves.
-        document.operation.inner_speed_rpm = (rpm * 1e6).round() / 1e6;
-        document.operation.radial_load_n = point.radial_load_n;
+        let rpm = (rpm * 1e6).round() / 1e6;
+        document.operation.inner_speed_rpm = Some(OverTime::Constant(rpm));
+        document.operation.radial_load_n = Some(OverTime::Constant(point.radial_load_n));
     }
     let entered = CaseFile::from_document(document, "case").ok()?;
     Some(entered.case().clone())

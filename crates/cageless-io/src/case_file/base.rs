@@ -28,6 +28,8 @@ pub enum CaseValue {
     Text(String),
     /// A list of numbers.
     Numbers(Vec<f64>),
+    /// Rows of time in s and value.
+    Table(Vec<[f64; 2]>),
 }
 
 /// A key and its new value.
@@ -110,6 +112,10 @@ impl CaseValue {
                 let list: Vec<_> = list.iter().map(|f| decimal(*f)).collect();
                 format!("[{}]", list.join(", "))
             }
+            Self::Table(rows) => {
+                let row = |[t, v]: &[f64; 2]| format!("[{}, {}]", decimal(*t), decimal(*v));
+                format!("[{}]", rows.iter().map(row).collect::<Vec<_>>().join(", "))
+            }
         }
     }
 }
@@ -145,6 +151,10 @@ fn node(value: &CaseValue, origin: &Origin) -> Node {
             CaseValue::Integer(i) => Value::Integer(*i),
             CaseValue::Text(text) => Value::Text(text.clone()),
             CaseValue::Numbers(list) => Value::List(list.iter().map(number).collect()),
+            CaseValue::Table(rows) => {
+                let row = |row: &[f64; 2]| node(&CaseValue::Numbers(row.to_vec()), origin);
+                Value::List(rows.iter().map(row).collect())
+            }
         },
         place: Place {
             origin: origin.clone(),

@@ -41,6 +41,7 @@ impl Converter<'_> {
         let raceways = self.raceways(&bearing)?;
         let housing = document.housing.as_ref();
         let start = self.start(&bearing)?;
+        let rotor = document.rotor.as_ref();
         let mut case = Case {
             title: document.title.clone(),
             bearing,
@@ -52,8 +53,8 @@ impl Converter<'_> {
             solver: self.solver()?,
             seed: self.seed()?,
             housing: housing.map(|h| h.to_si(self, "housing")).transpose()?,
-            rotor: None,
-            support: None,
+            rotor: rotor.map(|r| r.to_si(self, "rotor")).transpose()?,
+            support: self.support()?,
             output: document.output.to_si(self, "output")?,
         };
         let automatic = document.solver.step_us == StepDocument::Auto;

@@ -45,6 +45,8 @@ pub(crate) enum Kind {
     Numbers,
     /// A number, or the lowest and the highest.
     Range,
+    /// A number, or rows of time and value.
+    OverTime,
     /// One of these names or a number.
     NumberOr(&'static [&'static str]),
     /// One of these names or a list of numbers.

@@ -19,9 +19,11 @@ pub use super::sections::model::ModelDocument;
 pub use super::sections::operation::OperationDocument;
 pub use super::sections::output::OutputDocument;
 pub use super::sections::raceway::RacewayDocument;
+pub use super::sections::rotor::RotorDocument;
 pub use super::sections::search::SearchDocument;
 pub use super::sections::solver::SolverDocument;
 pub use super::sections::start::StartDocument;
+pub use super::sections::support::SupportDocument;
 use super::unit::Unit;
 
 /// One section of the file format.
@@ -44,6 +46,8 @@ pub(crate) enum Heading {
     Shown(&'static str),
     /// The whole section is commented out.
     Commented(&'static str),
+    /// The template does not have it.
+    Absent,
 }
 
 /// A kind of section: required or with defaults, optional, or several of one name.
@@ -158,6 +162,10 @@ case_document! {
     solver: SolverDocument, "integration", Heading::Shown("");
     housing: Option<HousingDocument>, "the support of the outer ring",
         Heading::Commented("support of the outer ring; gives its vibration");
+    rotor: Option<RotorDocument>, "a rotor that falls onto the inner ring",
+        Heading::Absent;
+    support: Option<SupportDocument>, "support of the outer ring under a falling rotor",
+        Heading::Absent;
     output: OutputDocument, "what a run writes", Heading::Shown("");
     search: Option<SearchDocument>, "what a search for the raceway looks at",
         Heading::Commented("ranges of `design --search`");
@@ -282,6 +290,8 @@ pub enum StartState {
     Settled,
     /// Pure rolling, ring where put.
     Rolling,
+    /// Everything at rest in the middle.
+    AtRest,
 }
 
 /// `start.gaps`: a name or a list.
@@ -304,6 +314,15 @@ pub enum StepDocument {
     Auto,
     /// In microseconds.
     FixedUs(f64),
+}
+
+/// A quantity of the operation: constant, or piecewise linear in time.
+#[derive(Debug, Clone, PartialEq)]
+pub enum OverTime {
+    /// The same all the time.
+    Constant(f64),
+    /// Rows of time in s and value; constant before and after.
+    Table(Vec<[f64; 2]>),
 }
 
 /// A number, or the lowest and the highest.

@@ -3,7 +3,7 @@
 use super::base::CaseValue;
 use super::convert::Converter;
 use super::declaration::{Field, Kind};
-use super::document::{GapsDocument, RangeDocument, StepDocument};
+use super::document::{GapsDocument, OverTime, RangeDocument, StepDocument};
 use super::error::CaseError;
 use super::named::Named;
 use super::reader::Reader;
@@ -238,5 +238,45 @@ impl Field for GapsDocument {
             Self::ListDeg(gaps) => gaps.si(converter, path).map(Some),
             _ => Ok(None),
         }
+    }
+}
+
+impl Field for OverTime {
+    type Si = ();
+    const KIND: Kind = Kind::OverTime;
+
+    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
+        let Value::List(items) = &node.value else {
+            return Ok(Self::Constant(reader.number(name, node)?));
+        };
+        let row = |item: &Node| match &item.value {
+            Value::List(pair) => match pair.as_slice() {
+                [time, value] => Ok([reader.number(name, time)?, reader.number(name, value)?]),
+                _ => Err(reader.refuse(name, item, "[time in s, value] in each row")),
+            },
+            _ => Err(reader.refuse(name, item, "a number, or rows of [time in s, value]")),
+        };
+        let rows = items.iter().map(row).collect::<Result<Vec<_>, _>>()?;
+        let increasing = rows.windows(2).all(|pair| pair[0][0] < pair[1][0]);
+        if rows.is_empty()
+            || !increasing
+            || !(rows[0][0] >= 0.0 && rows[rows.len() - 1][0].is_finite())
+        {
+            let allowed = "rows of [time in s, value] with times that increase from 0 s or later; \
+                           a step is a short ramp";
+            return Err(reader.refuse(name, node, allowed));
+        }
+        Ok(Self::Table(rows))
+    }
+
+    fn written(&self) -> Option<CaseValue> {
+        Some(match self {
+            Self::Constant(value) => CaseValue::Number(*value),
+            Self::Table(rows) => CaseValue::Table(rows.clone()),
+        })
+    }
+
+    fn si(&self, _: &Converter<'_>, _: &str) -> Result<(), CaseError> {
+        Ok(())
     }
 }

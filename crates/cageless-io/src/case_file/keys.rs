@@ -37,9 +37,17 @@ pub(crate) fn unit(section: &str, name: &str) -> Unit {
 /// Section and key that set a field of [`cageless`]: in `section` if it is given, else the first
 /// one with a field of that name.
 pub(crate) fn of_field(section: Option<&str>, field: &str) -> Option<(&'static str, &'static Key)> {
-    all().find(|(s, k)| {
-        !k.field.is_empty() && k.field == field && section.is_none_or(|one| one == *s)
-    })
+    let named = |field: &str, section: Option<&str>| {
+        all().find(|(s, k)| {
+            !k.field.is_empty() && k.field == field && section.is_none_or(|one| one == *s)
+        })
+    };
+    // `rotor_mass_kg` is `mass_kg` of the rotor.
+    let prefixed = || {
+        let (prefix, rest) = field.split_once('_')?;
+        named(rest, Some(prefix))
+    };
+    named(field, section).or_else(prefixed)
 }
 
 /// Meaning of a section, if there is one of that name.

@@ -35,9 +35,9 @@ use std::path::Path;
 pub use base::{CaseBase, CaseValue, Change};
 pub use document::{
     Assumption, BearingDocument, CaseDocument, ContactDocument, GapsDocument, HousingDocument,
-    MaterialDocument, MaterialPreset, ModelDocument, OperationDocument, OutputDocument,
-    PartMaterialDocument, RacewayDocument, RangeDocument, SearchDocument, SolverDocument,
-    StartDocument, StartState, StepDocument,
+    MaterialDocument, MaterialPreset, ModelDocument, OperationDocument, OutputDocument, OverTime,
+    PartMaterialDocument, RacewayDocument, RangeDocument, RotorDocument, SearchDocument,
+    SolverDocument, StartDocument, StartState, StepDocument, SupportDocument,
 };
 pub use error::CaseError;
 pub use keys::nearest;

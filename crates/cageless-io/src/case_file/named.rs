@@ -52,8 +52,11 @@ impl Named for Profile {
 }
 
 impl Named for StartState {
-    const NAMES: &'static [(&'static str, Self)] =
-        &[("settled", Self::Settled), ("rolling", Self::Rolling)];
+    const NAMES: &'static [(&'static str, Self)] = &[
+        ("settled", Self::Settled),
+        ("rolling", Self::Rolling),
+        ("at-rest", Self::AtRest),
+    ];
 }
 
 impl Named for Method {

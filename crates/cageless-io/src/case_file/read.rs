@@ -31,7 +31,8 @@ pub(super) fn document(
     let mut document = CaseDocument::read(schema, title, &mut file)?;
     document.bearing.complete(&mut file.section("bearing")?);
     document.material.complete(&mut file.section("material")?);
-    document.start.complete(&mut file.section("start")?);
+    let rotor = document.rotor.is_some();
+    document.start.complete(rotor, &mut file.section("start")?);
     Ok((document, file.defaults))
 }
 

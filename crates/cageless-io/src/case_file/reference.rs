@@ -45,6 +45,8 @@ pub enum ValueType {
     Numbers,
     /// A number, or the lowest and the highest.
     Range,
+    /// A number, or rows of time in s and value.
+    OverTime,
     /// One of these names.
     Choice(Vec<&'static str>),
     /// A number or one of these names.
@@ -95,6 +97,7 @@ fn key(key: &Key) -> KeyReference {
             Kind::Text => ValueType::Text,
             Kind::Numbers => ValueType::Numbers,
             Kind::Range => ValueType::Range,
+            Kind::OverTime => ValueType::OverTime,
             Kind::Choice(names) => ValueType::Choice(names()),
             Kind::NumberOr(names) => ValueType::NumberOr(names.to_vec()),
             Kind::NumbersOr(names) => ValueType::NumbersOr(names.to_vec()),

@@ -31,6 +31,9 @@ pub fn template(conventional: bool) -> String {
     }
     text.push_str(DEFAULTS);
     for section in SECTIONS {
+        if matches!(section.heading, Heading::Absent) {
+            continue;
+        }
         text.push('\n');
         if conventional && section.name == "raceway" {
             push_line(&mut text, CONVENTIONAL, "");
@@ -39,6 +42,7 @@ pub fn template(conventional: bool) -> String {
         let (heading, comment, out) = match section.heading {
             Heading::Shown(comment) => (format!("[{}]", section.name), comment, false),
             Heading::Commented(comment) => (format!("# [{}]", section.name), comment, true),
+            Heading::Absent => continue,
         };
         push_line(&mut text, &heading, comment);
         for key in section.keys {

@@ -34,8 +34,10 @@ from .sections import (
     Operation,
     Output,
     Raceway,
+    Rotor,
     Solver,
     Start,
+    Support,
 )
 from .sweeps import SweepReport, SweepResult, merge, report, sweep
 from .tolerances import ToleranceResult
@@ -57,11 +59,13 @@ __all__ = [
     "Output",
     "Plan",
     "Raceway",
+    "Rotor",
     "Run",
     "SearchMap",
     "SearchResult",
     "Solver",
     "Start",
+    "Support",
     "Static",
     "SweepReport",
     "SweepResult",

@@ -20,8 +20,10 @@ from .sections import (
     Operation,
     Output,
     Raceway,
+    Rotor,
     Solver,
     Start,
+    Support,
 )
 
 __all__ = ["Case", "template"]
@@ -86,6 +88,12 @@ class Case(Computations):
         Initial state.
     housing : Housing, optional
         Support of the outer ring.
+    ball_material, ring_material : Material, optional
+        Of balls or rings, where it is not `material`.
+    rotor : Rotor, optional
+        A rotor that falls onto the inner ring; `operation` then has neither speed nor load.
+    support : Support, optional
+        What carries the outer ring under a falling rotor.
     title : str
         Free text.
 
@@ -131,6 +139,10 @@ class Case(Computations):
         raceway: Raceway | Sequence[Raceway] | None = None,
         start: Start | None = None,
         housing: Housing | None = None,
+        ball_material: Material | None = None,
+        ring_material: Material | None = None,
+        rotor: Rotor | None = None,
+        support: Support | None = None,
         title: str = "",
     ) -> None:
         several = [raceway] if isinstance(raceway, Raceway) else list(raceway or [])
@@ -142,7 +154,11 @@ class Case(Computations):
             "model": model,
             "start": start,
             "solver": solver,
+            "ball_material": ball_material,
+            "ring_material": ring_material,
             "housing": housing,
+            "rotor": rotor,
+            "support": support,
             "output": output,
         }
         values: dict[str, Any] = {"title": title} if title else {}
@@ -271,6 +287,30 @@ class Case(Computations):
     def material(self) -> Material:
         """Elastic material."""
         return Material(**self._sections["material"])
+
+    @property
+    def ball_material(self) -> Material | None:
+        """Elastic material of the balls, if it is another."""
+        found = self._sections.get("ball_material")
+        return None if found is None else Material(**found)
+
+    @property
+    def ring_material(self) -> Material | None:
+        """Elastic material of the rings, if it is another."""
+        found = self._sections.get("ring_material")
+        return None if found is None else Material(**found)
+
+    @property
+    def rotor(self) -> Rotor | None:
+        """Rotor that falls onto the inner ring."""
+        found = self._sections.get("rotor")
+        return None if found is None else Rotor(**found)
+
+    @property
+    def support(self) -> Support | None:
+        """Support of the outer ring under a falling rotor."""
+        found = self._sections.get("support")
+        return None if found is None else Support(**found)
 
     @property
     def raceways(self) -> tuple[Raceway, ...]:

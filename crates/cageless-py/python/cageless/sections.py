@@ -21,9 +21,11 @@ __all__ = [
     "Operation",
     "Output",
     "Raceway",
+    "Rotor",
     "Section",
     "Solver",
     "Start",
+    "Support",
 ]
 
 
@@ -62,7 +64,12 @@ class Bearing(Section):
         mass of the inner ring and attached rotating parts; that of a steel ring with shoulders
         of 0.2 Dw, 0.3 Dw thick below its groove and 1.6 Dw wide unless given.
     inner_ring_drag_n_s_m : float, optional
-        C of Zhao 2022, Eq. (14), viscous damping of inner-ring translation.
+        C of Zhao 2022, Eq. (14), viscous damping of inner-ring translation; 2000 unless given,
+        0 under a [rotor].
+    inner_ring_polar_inertia_kg_m2 : float, optional
+        Ji of the inner ring with what turns with it, needed under a [rotor].
+    inner_ring_bore_radius_mm : float, optional
+        Rb, radius of the bore of the inner ring, needed under a [rotor].
     ball_radius_deviation_um : sequence of float, optional
         deviation of each ball's radius.
     outer_ring_outer_radius_mm : float, optional
@@ -85,6 +92,8 @@ class Bearing(Section):
     outer_conformity: float | None = None
     inner_ring_mass_kg: float | None = None
     inner_ring_drag_n_s_m: float | None = None
+    inner_ring_polar_inertia_kg_m2: float | None = None
+    inner_ring_bore_radius_mm: float | None = None
     ball_radius_deviation_um: Sequence[float] | None = None
     outer_ring_outer_radius_mm: float | None = None
     outer_ring_width_mm: float | None = None
@@ -140,16 +149,18 @@ class Operation(Section):
 
     Parameters
     ----------
-    inner_speed_rpm : float
-        speed of the inner ring.
-    radial_load_n : float
-        Fr, load on the inner ring, downwards.
+    inner_speed_rpm : float | Sequence[sequence of float}, optional
+        speed of the inner ring, or [[time in s, speed], …], linear between; left out with a
+        [rotor], else required.
+    radial_load_n : float | Sequence[sequence of float}, optional
+        Fr, load on the inner ring, downwards, or [[time in s, load], …], linear between; left
+        out with a [rotor], else required.
     gravity_m_s2 : float, optional
         g, downwards.
     """
 
-    inner_speed_rpm: float
-    radial_load_n: float
+    inner_speed_rpm: float | Sequence[Sequence[float]] | None = None
+    radial_load_n: float | Sequence[Sequence[float]] | None = None
     gravity_m_s2: float | None = None
 
 
@@ -212,8 +223,8 @@ class Start(Section):
 
     Parameters
     ----------
-    state : {"settled", "rolling"}, optional
-        kind of initial state.
+    state : {"settled", "rolling", "at-rest"}, optional
+        kind of initial state; "at-rest" with a [rotor] unless given.
     ring_x_um : float, optional
         centre of the inner ring, only for "rolling", there 0 by default.
     ring_y_um : float, optional
@@ -225,7 +236,7 @@ class Start(Section):
         initial position of ball 1.
     """
 
-    state: Literal["settled", "rolling"] | None = None
+    state: Literal["settled", "rolling", "at-rest"] | None = None
     ring_x_um: float | None = None
     ring_y_um: float | None = None
     gaps: Literal["uniform", "bunched", "random"] | Sequence[float] | None = None
@@ -274,6 +285,98 @@ class Housing(Section):
     mass_kg: float
     stiffness_n_m: float
     damping_n_s_m: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Rotor(Section):
+    """`[rotor]`: a rotor that falls onto the inner ring.
+
+    Parameters
+    ----------
+    mass_kg : float
+        m, the part of the rotor that this bearing catches.
+    polar_inertia_kg_m2 : float
+        Ip of the rotor about its axis.
+    speed_rpm : float
+        speed of the rotor when the magnets let go.
+    air_gap_um : float
+        r0, radial air gap between journal and bore of the inner ring.
+    eccentricity_um : float, optional
+        distance of the mass centre from the centre of the journal.
+    eccentricity_phase_deg : float, optional
+        direction of the mass centre from the journal centre at the start, from +X.
+    friction_coefficient : float
+        μr between journal and bore.
+    friction_law : {"smooth", "coulomb", "stribeck"}, optional
+        friction between journal and bore against sliding speed.
+    static_friction_coefficient : float, optional
+        μs of the Stribeck law between journal and bore.
+    stribeck_speed_m_s : float, optional
+        sliding speed over which the Stribeck law falls from μs to μr.
+    slip_scale_m_s : float, optional
+        sliding speed at the knee of the smooth and Stribeck laws.
+    contact_stiffness : float
+        K of journal and bore, F = K δ^p (1 + 1.5 α dδ/dt).
+    contact_exponent : float, optional
+        p, 1 (conformal) to 1.5 (Hertz).
+    contact_damping_s_m : float
+        α, damping of the contact of journal and bore.
+    x_um : float, optional
+        mass centre when the magnets let go.
+    y_um : float, optional
+        mass centre when the magnets let go.
+    vx_m_s : float, optional
+        velocity of the mass centre when the magnets let go.
+    vy_m_s : float, optional
+        velocity of the mass centre when the magnets let go.
+    drive_torque_n_m : float, optional
+        torque on the rotor, drag if against the speed.
+    """
+
+    mass_kg: float
+    polar_inertia_kg_m2: float
+    speed_rpm: float
+    air_gap_um: float
+    eccentricity_um: float | None = None
+    eccentricity_phase_deg: float | None = None
+    friction_coefficient: float
+    friction_law: Literal["smooth", "coulomb", "stribeck"] | None = None
+    static_friction_coefficient: float | None = None
+    stribeck_speed_m_s: float | None = None
+    slip_scale_m_s: float | None = None
+    contact_stiffness: float
+    contact_exponent: float | None = None
+    contact_damping_s_m: float
+    x_um: float | None = None
+    y_um: float | None = None
+    vx_m_s: float | None = None
+    vy_m_s: float | None = None
+    drive_torque_n_m: float | None = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Support(Section):
+    """`[support]`: support of the outer ring under a falling rotor.
+
+    Parameters
+    ----------
+    mass_kg : float
+        mass of outer ring and housing.
+    stiffness_n_m : float
+        stiffness of the support.
+    damping_n_s_m : float
+        damping of the support.
+    stop_gap_um : float, optional
+        way of the outer ring to a hard stop; none unless given.
+    stop_stiffness_n_m : float, optional
+        stiffness of the hard stop.
+    """
+
+    mass_kg: float
+    stiffness_n_m: float
+    damping_n_s_m: float
+    stop_gap_um: float | None = None
+    stop_stiffness_n_m: float | None = None
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -254,6 +254,7 @@ fn cell(value: &CaseValue, kind: ColumnKind) -> Cell {
         (CaseValue::Text(text), _) => Cell::Text(text.clone()),
         (value, ColumnKind::Text) => Cell::Text(value.written()),
         (CaseValue::Numbers(list), _) => Cell::Numbers(list.clone()),
+        (CaseValue::Table(_), _) => Cell::Text(value.written()),
         (CaseValue::Integer(value), ColumnKind::Integer) => Cell::Integer(*value),
         // Of a range; what is not whole is refused by the case and has no cell.
         (CaseValue::Number(value), ColumnKind::Integer) if value.fract() == 0.0 => {

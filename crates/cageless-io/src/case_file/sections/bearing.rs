@@ -1,13 +1,13 @@
 //! `[bearing]`: radii, or what a bearing engineer has, diameters, conformities and clearance.
 
 use cageless::bearing::BALLS_MIN;
-use cageless::{Bearing, BearingDimensions, Materials};
+use cageless::{Bearing, BearingDimensions, InnerRingBore, Materials};
 use serde::Serialize;
 
 use crate::case_file::CaseError;
 use crate::case_file::convert::Converter;
 use crate::case_file::declaration::Line::{Absent, Shown};
-use crate::case_file::declaration::Presence::{Default, Derived, Optional, Required};
+use crate::case_file::declaration::Presence::{Derived, Optional, Required};
 use crate::case_file::declaration::section;
 use crate::case_file::reader::Reader;
 use crate::case_file::spanned_toml::join;
@@ -26,6 +26,8 @@ const SHOULDER_HEIGHT: f64 = 0.2;
 const WALL: f64 = 0.3;
 /// Width of a ring over the diameter of the ball.
 const WIDTH: f64 = 1.6;
+/// Damping of the inner ring's translation that the paper's bearing needs to settle, N s/m.
+const DRAG_N_S_M: f64 = 2000.0;
 /// Density of the inner ring, kg/m³: bearing steel.
 const RING_DENSITY_KG_M3: f64 = 7850.0;
 
@@ -68,10 +70,14 @@ section! {
         inner_ring_mass_kg => inner_ring_mass_kg: Option<f64> = Derived, Si("kg"),
             "mass of the inner ring and attached rotating parts; that of a steel ring with shoulders of 0.2 Dw, 0.3 Dw thick below its groove and 1.6 Dw wide unless given",
             Shown("0.2", "inner ring and attached rotating parts");
-        inner_ring_drag_n_s_m => inner_ring_drag_n_s_m: f64 = Default(2000.0), Si("N s/m"),
-            "C of Zhao 2022, Eq. (14), viscous damping of inner-ring translation",
+        inner_ring_drag_n_s_m => inner_ring_drag_n_s_m: Option<f64> = Derived, Si("N s/m"),
+            "C of Zhao 2022, Eq. (14), viscous damping of inner-ring translation; 2000 unless given, 0 under a [rotor]",
             Shown("2000.0", "viscous damping of inner-ring translation (not drag\n\
                 torque), usually 0 to 1e4");
+        inner_ring_polar_inertia_kg_m2 -> inner_ring_polar_inertia_kg_m2: Option<f64> = Optional, Si("kg m^2"),
+            "Ji of the inner ring with what turns with it, needed under a [rotor]", Absent;
+        inner_ring_bore_radius_mm -> inner_ring_bore_radius_m: Option<f64> = Optional, Millimetre,
+            "Rb, radius of the bore of the inner ring, needed under a [rotor]", Absent;
         ball_radius_deviation_um -> ball_radius_deviation_m: Option<Vec<f64>> = Optional, Micrometre,
             "deviation of each ball's radius", Absent;
         outer_ring_outer_radius_mm: Option<f64> = Optional, Millimetre,
@@ -130,6 +136,8 @@ impl BearingDocument {
 
     /// Fills in what is estimated.
     pub(in crate::case_file) fn fill_in(&mut self, bearing: &Bearing) {
+        let drag = bearing.dimensions().inner_ring_drag_n_s_m;
+        self.inner_ring_drag_n_s_m.get_or_insert(drag);
         for Assumption { key, value, .. } in self.assumptions(bearing.dimensions()) {
             match key.as_str() {
                 "bearing.outer_shoulder_radius_mm" => self.outer_shoulder_radius_mm = Some(value),
@@ -213,7 +221,40 @@ impl Converter<'_> {
             ring: self.material_of("ring_material", self.document.ring_material.as_ref())?,
         };
         let bearing = Bearing::new(dimensions, materials).map_err(|e| self.refused(&e, None))?;
-        self.scattered(bearing)
+        self.scattered(self.bored(bearing)?)
+    }
+
+    /// Damping of the inner ring's translation, N s/m: as given, or what is usual.
+    fn drag_n_s_m(&self) -> f64 {
+        let usual = if self.document.rotor.is_some() {
+            0.0
+        } else {
+            DRAG_N_S_M
+        };
+        self.document.bearing.inner_ring_drag_n_s_m.unwrap_or(usual)
+    }
+
+    /// Gives the inner ring its bore, if it is to catch a rotor.
+    fn bored(&self, bearing: Bearing) -> Result<Bearing, CaseError> {
+        let b = &self.document.bearing;
+        let (inertia, radius) = (
+            b.inner_ring_polar_inertia_kg_m2,
+            b.inner_ring_bore_radius_mm,
+        );
+        if inertia.is_none() && radius.is_none() {
+            return Ok(bearing);
+        }
+        let need = |name: &str, value: Option<f64>| match value {
+            Some(value) => self.si(&join("bearing", name), value),
+            None => Err(self.missing("bearing", name)),
+        };
+        let bore = InnerRingBore {
+            polar_inertia_kg_m2: need("inner_ring_polar_inertia_kg_m2", inertia)?,
+            radius_m: need("inner_ring_bore_radius_mm", radius)?,
+        };
+        bearing
+            .with_inner_ring_bore(bore)
+            .map_err(|e| self.refused(&e, None))
     }
 
     /// The dimensions, from the radii or from what stands in their place.
@@ -284,8 +325,7 @@ impl Converter<'_> {
                 b.outer_conformity,
             )?,
             inner_ring_mass_kg: 0.0,
-            inner_ring_drag_n_s_m: self
-                .si("bearing.inner_ring_drag_n_s_m", b.inner_ring_drag_n_s_m)?,
+            inner_ring_drag_n_s_m: need("inner_ring_drag_n_s_m", Some(self.drag_n_s_m()))?,
         };
         let assumptions = b.assumptions(&dimensions);
         let assumed = |name: &str| {

@@ -9,9 +9,11 @@ pub(crate) mod model;
 pub(crate) mod operation;
 pub(crate) mod output;
 pub(crate) mod raceway;
+pub(crate) mod rotor;
 pub(crate) mod search;
 pub(crate) mod solver;
 pub(crate) mod start;
+pub(crate) mod support;
 
 /// Keys of a section that say the same as `key`, and give way to it.
 pub(super) fn alternatives_of(section: &str, key: &str) -> &'static [&'static str] {

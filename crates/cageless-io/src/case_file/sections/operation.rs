@@ -1,21 +1,26 @@
 //! `[operation]`.
 
 use cageless::Operation;
+use cageless::time_table::TimeTable;
 
 use crate::case_file::CaseError;
 use crate::case_file::convert::Converter;
 use crate::case_file::declaration::Line::Shown;
-use crate::case_file::declaration::Presence::{Default, Required};
+use crate::case_file::declaration::Presence::{Default, Optional};
 use crate::case_file::declaration::section;
+use crate::case_file::document::OverTime;
+use crate::case_file::spanned_toml::join;
 use crate::case_file::unit::Unit::{RevolutionPerMinute, Si};
 
 section! {
     /// `[operation]`: speed and load.
     OperationDocument {
-        inner_speed_rpm => inner_speed_rad_s: f64 = Required, RevolutionPerMinute,
-            "speed of the inner ring", Shown("12000.0", "counter-clockwise (paper)");
-        radial_load_n => radial_load_n: f64 = Required, Si("N"),
-            "Fr, load on the inner ring, downwards", Shown("1500.0", "Fr, downwards (paper)");
+        inner_speed_rpm => inner_speed_rad_s: Option<OverTime> = Optional, RevolutionPerMinute,
+            "speed of the inner ring, or [[time in s, speed], …], linear between; left out with a [rotor], else required",
+            Shown("12000.0", "counter-clockwise (paper), or [[time in s, rpm], …]");
+        radial_load_n => radial_load_n: Option<OverTime> = Optional, Si("N"),
+            "Fr, load on the inner ring, downwards, or [[time in s, load], …], linear between; left out with a [rotor], else required",
+            Shown("1500.0", "Fr, downwards (paper), or [[time in s, N], …]");
         gravity_m_s2 => gravity_m_s2: f64 = Default(9.81), Si("m/s^2"),
             "g, downwards", Shown("9.81", "downwards");
     }
@@ -25,12 +30,42 @@ impl Converter<'_> {
     /// Speed and load.
     pub(in crate::case_file) fn operation(&self) -> Result<Operation, CaseError> {
         let o = &self.document.operation;
+        let (speed, speeds) = self.over_time("inner_speed_rpm", o.inner_speed_rpm.as_ref())?;
+        let (load, loads) = self.over_time("radial_load_n", o.radial_load_n.as_ref())?;
+        let table = |field, rows: Option<Vec<[f64; 2]>>| {
+            let table = |rows: Vec<[f64; 2]>| {
+                let (times, values) = rows.into_iter().map(|[t, v]| (t, v)).unzip();
+                TimeTable::new(field, times, values).map_err(|e| self.refused(&e, None))
+            };
+            rows.map(table).transpose()
+        };
         Ok(Operation {
-            inner_speed_rad_s: self.si("operation.inner_speed_rpm", o.inner_speed_rpm)?,
-            radial_load_n: self.si("operation.radial_load_n", o.radial_load_n)?,
+            inner_speed_rad_s: speed,
+            radial_load_n: load,
             gravity_m_s2: self.si("operation.gravity_m_s2", o.gravity_m_s2)?,
-            inner_speed_table: None,
-            radial_load_table: None,
+            inner_speed_table: table("inner_speed_rad_s", speeds)?,
+            radial_load_table: table("radial_load_n", loads)?,
         })
+    }
+
+    /// Value at the start and the table of a quantity, in SI units; 0 under a rotor, where
+    /// the key is left out.
+    #[expect(clippy::type_complexity, reason = "a value and its table")]
+    fn over_time(
+        &self,
+        name: &str,
+        given: Option<&OverTime>,
+    ) -> Result<(f64, Option<Vec<[f64; 2]>>), CaseError> {
+        let path = join("operation", name);
+        match given {
+            None if self.document.rotor.is_some() => Ok((0.0, None)),
+            None => Err(self.missing("operation", name)),
+            Some(OverTime::Constant(value)) => Ok((self.si(&path, *value)?, None)),
+            Some(OverTime::Table(rows)) => {
+                let si = |[time, value]: &[f64; 2]| Ok([*time, self.si(&path, *value)?]);
+                let rows = rows.iter().map(si).collect::<Result<Vec<_>, _>>()?;
+                Ok((rows.first().map_or(0.0, |[_, value]| *value), Some(rows)))
+            }
+        }
     }
 }

@@ -16,8 +16,8 @@ use crate::case_file::unit::Unit::{Degree, Micrometre, None as Plain};
 section! {
     /// `[start]`: the initial state.
     StartDocument {
-        state: StartState = Default(StartState::Settled), Plain,
-            "kind of initial state",
+        state -> state: StartState = Default(StartState::Settled), Plain,
+            "kind of initial state; \"at-rest\" with a [rotor] unless given",
             Commented("\"settled\"", "static equilibrium at speed, balls rolling; or\n\
                 \"rolling\": balls on the pitch circle, ring where put");
         ring_x_um => ring_x_m: Option<f64> = Optional, Micrometre,
@@ -37,7 +37,10 @@ section! {
 
 impl StartDocument {
     /// Fills in what follows from other keys of the section.
-    pub(in crate::case_file) fn complete(&mut self, reader: &mut Reader<'_>) {
+    pub(in crate::case_file) fn complete(&mut self, rotor: bool, reader: &mut Reader<'_>) {
+        if rotor && reader.get("state").is_none() {
+            self.state = StartState::AtRest;
+        }
         if self.state == StartState::Rolling {
             for (name, value) in [
                 ("ring_x_um", &mut self.ring_x_um),
@@ -63,16 +66,22 @@ impl Converter<'_> {
         };
         let lead_ball_angle_rad = self.si("start.lead_ball_angle_deg", s.lead_ball_angle_deg)?;
         match s.state {
-            StartState::Settled => {
+            StartState::Settled | StartState::AtRest => {
                 for (key, value) in [
                     ("start.ring_x_um", s.ring_x_um),
                     ("start.ring_y_um", s.ring_y_um),
                 ] {
                     if let Some(value) = value {
-                        let allowed = "left out unless start.state = \"rolling\": a settled start \
-                                       finds the place of the ring itself";
+                        let allowed = "left out unless start.state = \"rolling\": other starts \
+                                       find the place of the ring themselves";
                         return Err(self.refuse(key, &value.to_string(), allowed));
                     }
+                }
+                if s.state == StartState::AtRest {
+                    return Ok(Start::AtRest {
+                        gaps,
+                        lead_ball_angle_rad,
+                    });
                 }
                 Ok(Start::Settled {
                     gaps,

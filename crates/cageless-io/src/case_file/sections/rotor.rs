@@ -1,0 +1,52 @@
+//! `[rotor]`: a rotor that falls onto the inner ring.
+
+use cageless::FrictionLaw;
+
+use crate::case_file::declaration::Line::{Absent, Shown};
+use crate::case_file::declaration::Presence::{Default, Optional, Required};
+use crate::case_file::declaration::section;
+use crate::case_file::unit::Unit::{Degree, Micrometre, None as Plain, RevolutionPerMinute, Si};
+
+section! {
+    /// `[rotor]`: a rotor that loses its magnetic bearing and falls onto the inner ring.
+    RotorDocument => Rotor {
+        mass_kg => mass_kg: f64 = Required, Si("kg"),
+            "m, the part of the rotor that this bearing catches", Shown("20.0", "per bearing");
+        polar_inertia_kg_m2 => polar_inertia_kg_m2: f64 = Required, Si("kg m^2"),
+            "Ip of the rotor about its axis", Shown("0.02", "about its axis");
+        speed_rpm => speed_rad_s: f64 = Required, RevolutionPerMinute,
+            "speed of the rotor when the magnets let go", Shown("30000.0", "counter-clockwise; negative: clockwise");
+        air_gap_um => air_gap_m: f64 = Required, Micrometre,
+            "r0, radial air gap between journal and bore of the inner ring", Shown("200.0", "radial");
+        eccentricity_um => eccentricity_m: f64 = Default(0.0), Micrometre,
+            "distance of the mass centre from the centre of the journal", Shown("0.0", "of the mass centre");
+        eccentricity_phase_deg => eccentricity_phase_rad: f64 = Default(0.0), Degree,
+            "direction of the mass centre from the journal centre at the start, from +X", Shown("0.0", "");
+        friction_coefficient => friction_coefficient: f64 = Required, Plain,
+            "μr between journal and bore", Shown("0.15", "between journal and bore");
+        friction_law => friction_law: FrictionLaw = Default(FrictionLaw::Smooth), Plain,
+            "friction between journal and bore against sliding speed", Absent;
+        static_friction_coefficient => static_friction_coefficient: Option<f64> = Optional, Plain,
+            "μs of the Stribeck law between journal and bore", Absent;
+        stribeck_speed_m_s => stribeck_speed_m_s: Option<f64> = Optional, Si("m/s"),
+            "sliding speed over which the Stribeck law falls from μs to μr", Absent;
+        slip_scale_m_s => slip_scale_m_s: f64 = Default(0.05), Si("m/s"),
+            "sliding speed at the knee of the smooth and Stribeck laws", Shown("0.05", "");
+        contact_stiffness => contact_stiffness: f64 = Required, Si("N/m^p"),
+            "K of journal and bore, F = K δ^p (1 + 1.5 α dδ/dt)", Shown("1.0e9", "K in N/m^p");
+        contact_exponent => contact_exponent: f64 = Default(1.0), Plain,
+            "p, 1 (conformal) to 1.5 (Hertz)", Shown("1.0", "p, 1 (conformal) to 1.5 (Hertz)");
+        contact_damping_s_m => contact_damping_s_m: f64 = Required, Si("s/m"),
+            "α, damping of the contact of journal and bore", Shown("0.3", "α");
+        x_um => x_m: f64 = Default(0.0), Micrometre,
+            "mass centre when the magnets let go", Shown("0.0", "mass centre when the magnets let go");
+        y_um => y_m: f64 = Default(0.0), Micrometre,
+            "mass centre when the magnets let go", Shown("0.0", "");
+        vx_m_s => vx_m_s: f64 = Default(0.0), Si("m/s"),
+            "velocity of the mass centre when the magnets let go", Shown("0.0", "");
+        vy_m_s => vy_m_s: f64 = Default(0.0), Si("m/s"),
+            "velocity of the mass centre when the magnets let go", Shown("0.0", "");
+        drive_torque_n_m => drive_torque_n_m: f64 = Default(0.0), Si("N m"),
+            "torque on the rotor, drag if against the speed", Shown("0.0", "");
+    }
+}
