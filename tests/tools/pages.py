@@ -2,10 +2,12 @@
 
     python pages.py folder/for/screenshots name=path/to/report.html …
 
-Talks to Chromium through its debugging pipe; needs nothing but Python itself.
+Talks to Chromium through its debugging pipe. Contrast and accessible names are judged by axe-core
+(MPL 2.0, used in tests alone), which the package axe-core-python carries.
 """
 
 import base64
+import importlib.util
 import json
 import os
 import re
@@ -98,7 +100,7 @@ class Browser:
         target = self.call("Target.createTarget", url="about:blank")["targetId"]
         session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         tab = Tab(self, session)
-        for domain in ("Page", "Runtime", "Network", "Log"):
+        for domain in ("Page", "Runtime", "Network", "Log", "Accessibility"):
             tab.call(f"{domain}.enable")
         tab.call("Page.navigate", url=url)
         tab.wait_for("document.readyState === 'complete' && location.href !== 'about:blank'")
@@ -156,10 +158,11 @@ AXES = """
   const title = (axis) => axis.title && axis.title.text || "";
   const scenes = Object.keys(full).filter((k) => /^scene\\d*$/.test(k)).flatMap(
     (k) => ["x", "y", "z"].map((a) => [k + "." + a, full[k][a + "axis"]]));
+  const polar = Object.keys(full).filter((k) => /^polar\\d*$/.test(k)).map((k) => [k, full[k].radialaxis]);
   const flat = Object.keys(full).filter((k) => /^[xy]axis\\d*$/.test(k)).map((k) => [k, full[k]]);
   // Of axes that go together, the outermost has the title; inner ones have no labels either.
   // Names along an axis need no title above them.
-  return flat.concat(scenes).filter(([, axis]) => axis.visible && axis.showticklabels !== false)
+  return flat.concat(scenes, polar).filter(([, axis]) => axis.visible && axis.showticklabels !== false)
     .map(([name, axis]) => [el.id, name, axis.type === "category" ? "names" : title(axis)]);
 })
 """
@@ -195,14 +198,14 @@ def plots(tab, name):
 
 def export(tab, name):
     """One flat plot as SVG and PNG, as the buttons below it do."""
-    pick = "[...document.querySelectorAll('.plot')].find((el) => !el._fullLayout.scene)"
-    url = tab.js(f"Plotly.toImage({pick}, {{format: 'svg', width: 900, height: 500}})")
+    pick = "[...document.querySelectorAll('.plot')].find((el) => !el._fullLayout.scene && el.offsetParent)"
+    url = tab.js(f"window.cagelessImage({pick}, 'svg')")
     check(f"{name}: SVG export", url.startswith("data:image/svg+xml") and "path" in url, url[:80])
-    url = tab.js(f"Plotly.toImage({pick}, {{format: 'png', width: 900, height: 500, scale: 2}})")
+    url = tab.js(f"window.cagelessImage({pick}, 'png')")
     data = base64.b64decode(url.partition("base64,")[2])
     check(f"{name}: PNG export", data[:8] == b"\x89PNG\r\n\x1a\n" and len(data) > 10_000, url[:80])
     width = int.from_bytes(data[16:20], "big")
-    check(f"{name}: PNG has the size asked for", width == 1800, width)
+    check(f"{name}: PNG has twice the size of the figure", width >= 1800, width)
     buttons = tab.js("document.querySelectorAll('button[data-save]').length")
     check(f"{name}: has buttons for it", buttons >= 2, buttons)
 
@@ -240,13 +243,187 @@ def motion(tab, name):
         check(f"{where}: places are numbers", "NaN" not in first + middle)
         tab.js(slide.replace("VALUE", "0"))
         check(f"{where}: the slider goes back", tab.js(places) == first)
+        stretch(tab, figure, where)
+        film(tab, figure, where)
+
+
+def stretch(tab, figure, where):
+    """A stretch of the recorded time can be chosen, by a passage or by its ends."""
+    ends = f"['from', 'until'].map((n) => Number({figure}.querySelector('[data-' + n + ']').value))"
+    first = tab.js(ends)
+    check(f"{where}: says which time it shows", first[1] > first[0], first)
+    change = (
+        f"(() => {{ const f = {figure}.querySelector('[data-from]'); f.value = {(first[0] + first[1]) / 2};"
+        " f.dispatchEvent(new Event('change')); })()"
+    )
+    tab.js(change)
+    check(f"{where}: takes a later begin", tab.js(ends)[0] > first[0], tab.js(ends))
+    if tab.js(f"!!{figure}.querySelector('[data-part]')"):
+        pick = (
+            f"(() => {{ const p = {figure}.querySelector('[data-part]'); p.selectedIndex = 1;"
+            " p.dispatchEvent(new Event('change')); })()"
+        )
+        tab.js(pick)
+        passage = tab.js(ends)
+        check(f"{where}: takes a passage", passage[1] - passage[0] < 0.5 * (first[1] - first[0]), passage)
+    # A short stretch for the film.
+    tab.js(
+        f"(() => {{ const f = {figure}.querySelector('[data-until]');"
+        f" f.value = Number({figure}.querySelector('[data-from]').value) + 0.004;"
+        " f.dispatchEvent(new Event('change')); })()"
+    )
+
+
+def film(tab, figure, where):
+    """The film of a stretch is an animated GIF that the browser can decode."""
+    tab.js("window.films = []; window.cagelessSave = (blob, name) => window.films.push([blob, name])")
+    tab.js(f"{figure}.querySelector('[data-film]').click()")
+    tab.wait_for("window.films.length > 0")
+    name, frames, differ, ink = tab.js(DECODED)
+    check(f"{where}: saves a film", name.endswith(".gif") and 10 < frames <= 240, (name, frames))
+    check(f"{where}: its frames show the motion", differ > 0.001, differ)
+    check(f"{where}: it shows the drawing and no noise", 0.01 < ink < 0.25, ink)
+
+
+# The film: its name, its frames, the share of the pixels that differ between the first and the
+# last, and the share that is not light.
+DECODED = """
+(async () => {
+  const [blob, name] = window.films[0];
+  const decoder = new ImageDecoder({ data: await blob.arrayBuffer(), type: "image/gif" });
+  await decoder.tracks.ready;
+  const frames = decoder.tracks.selectedTrack.frameCount;
+  const pixels = async (k) => {
+    const { image } = await decoder.decode({ frameIndex: k });
+    const canvas = new OffscreenCanvas(image.displayWidth, image.displayHeight), c = canvas.getContext("2d");
+    c.drawImage(image, 0, 0);
+    return c.getImageData(0, 0, canvas.width, canvas.height).data;
+  };
+  const first = await pixels(0), last = await pixels(frames - 1);
+  let differ = 0, white = 0;
+  for (let k = 0; k < first.length; k += 4) {
+    if (Math.abs(first[k] - last[k]) > 40) differ++;
+    if (last[k] > 200 && last[k + 1] > 200 && last[k + 2] > 200) white++;
+  }
+  const all = first.length / 4;
+  // Paper, rings and balls are light; codes out of step would be noise.
+  return [name, frames, differ / all, 1 - white / all];
+})()
+"""
+
+
+# Most pixels of a page that has to be short.
+HEIGHTS = {"sweep": 7000}
+
+# Text of plots that stands out too little against the page: [figure, text, ratio].
+FAINT = """
+(() => {
+  const channels = (c) => (c.match(/[\\d.]+/g) || []).map(Number);
+  const light = (c) => { const [r, g, b] = c.slice(0, 3).map((v) => v / 255)
+    .map((v) => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4);
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b; };
+  const paper = light(channels(getComputedStyle(document.body).backgroundColor));
+  const found = [];
+  document.querySelectorAll(".plot .main-svg text, .motion svg .label").forEach((el) => {
+    if (el.closest(".hoverlayer, .heatmaplayer, .contourlabels, .textpoint, .modebar, .heatmap-label")) return;
+    const style = getComputedStyle(el), fill = channels(style.fill);
+    if (!el.textContent.trim() || fill.length < 3 || style.visibility === "hidden") return;
+    const [a, b] = [light(fill), paper].sort((x, y) => y - x), ratio = (a + 0.05) / (b + 0.05);
+    if (ratio < 4.5 && (fill[3] === undefined || fill[3] > 0))
+      found.push([el.closest("figure").id, el.textContent.slice(0, 30), Math.round(ratio * 10) / 10]);
+  });
+  return found.slice(0, 6);
+})()
+"""
+
+# Plots and drawings that are wider than their place, and words of them outside of it.
+CUT = """
+[...document.querySelectorAll(".plot")].filter((el) => el.offsetParent).flatMap((el) => {
+  const place = el.getBoundingClientRect();
+  const out = [...el.querySelectorAll(".main-svg text")].filter((t) => {
+    const r = t.getBoundingClientRect();
+    return r.width > 0 && !t.closest(".hoverlayer, .modebar, clipPath, .textpoint")
+      && (r.left < place.left - 1 || r.right > place.right + 1 || r.bottom > place.bottom + 1);
+  }).map((t) => t.textContent.slice(0, 40));
+  const wide = place.right > document.documentElement.clientWidth + 1 ? ["wider than the page"] : [];
+  return wide.concat(out).slice(0, 3).map((what) => [el.id, what]);
+})
+"""
+
+
+def emulate(tab, width, dark):
+    """A screen of `width` pixels, dark or light."""
+    tab.call(
+        "Emulation.setDeviceMetricsOverride",
+        width=width, height=900, deviceScaleFactor=1, mobile=width < 600,
+    )  # fmt: skip
+    scheme = {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}
+    tab.call("Emulation.setEmulatedMedia", features=[scheme])
+    tab.js("window.cagelessDrawAll()")
+    # Plots are drawn again for another screen; two frames later they are there.
+    tab.js("new Promise((done) => setTimeout(() => requestAnimationFrame(done), 300))")
+
+
+def axe(tab):
+    """Violations that axe-core finds: rule and the first elements."""
+    spec = importlib.util.find_spec("axe_core_python")
+    if spec is None:
+        sys.exit("axe-core-python is not installed: pip install -r tests/tools/requirements.txt")
+    source = Path(spec.origin).with_name("axe.min.js").read_text(encoding="utf-8")
+    tab.js(source + "; true")
+    return tab.js(
+        "axe.run(document, {runOnly: ['wcag2a', 'wcag2aa', 'best-practice'], resultTypes: ['violations']})"
+        ".then((r) => r.violations.map((v) => [v.id, v.nodes.length,"
+        " v.nodes.slice(0, 2).map((n) => n.html.slice(0, 160))]))"
+    )
+
+
+def looks(tab, name, screens, width, dark):
+    """The page on one kind of screen: contrast, names, nothing cut off."""
+    where = f"{name}, {width} px, {'dark' if dark else 'light'}"
+    emulate(tab, width, dark)
+    bad = axe(tab)
+    check(f"{where}: no violation by axe-core", not bad, bad)
+    faint = tab.js(FAINT)
+    check(f"{where}: text of figures can be read", not faint, faint)
+    cut = tab.js(CUT)
+    check(f"{where}: no figure is cut off", not cut, cut)
+    wide = tab.js("document.documentElement.scrollWidth - document.documentElement.clientWidth")
+    check(f"{where}: nothing sticks out to the right", wide <= 0, wide)
+    height = min(tab.js("document.documentElement.scrollHeight"), 16_000)
+    clip = {"x": 0, "y": 0, "width": width, "height": height, "scale": 0.5 if width > 600 else 0.7}
+    path = screens / f"{name}-{width}-{'dark' if dark else 'light'}.png"
+    tab.screenshot(path, clip=clip, captureBeyondViewport=True)
+
+
+def names(tab, name):
+    """Buttons say what they do and to what, figures what they show."""
+    buttons = tab.js(
+        "[...document.querySelectorAll('button[data-save]')].map((b) => b.getAttribute('aria-label'))"
+    )
+    check(f"{name}: names of buttons differ", len(set(buttons)) == len(buttons), buttons)
+    labels = tab.js("[...document.querySelectorAll('.plot')].map((e) => [e.id, e.getAttribute('aria-label')])")
+    bare = [label for label in labels if not re.search(r"\d", label[1]) or len(label[1]) < 30]
+    check(f"{name}: descriptions of figures state what they show", not bare, bare)
+    tree = tab.call("Accessibility.getFullAXTree")["nodes"]
+    nameless = [
+        node["role"]["value"]
+        for node in tree
+        if not node.get("ignored")
+        and node.get("role", {}).get("value") in ("button", "link", "slider", "combobox", "spinbutton", "image")
+        and not node.get("name", {}).get("value")
+    ]
+    check(f"{name}: every control and image has a name", not nameless, nameless[:5])
 
 
 def page(browser, name, path, screens):
     if not path.is_file():
         raise RuntimeError(f"{path} is missing")
     tab = browser.open(path.resolve().as_uri())
+    tab.js("document.querySelectorAll('details').forEach((part) => { part.open = true; })")
     plots(tab, name)
+    names(tab, name)
+    tab.js("document.querySelectorAll('details').forEach((part) => { part.open = false; })")
     export(tab, name)
     # A sweep has many bearings, none of them in motion.
     if name != "sweep":
@@ -254,25 +431,29 @@ def page(browser, name, path, screens):
     text = tab.js("document.body.innerText")
     odd = re.findall(r".{0,40}\b(?:NaN|undefined|Infinity|inf)\b.{0,40}", text)
     check(f"{name}: no odd numbers in the text", not odd, odd[:3])
-    tab.js("window.scrollTo(0, 0)")
-    tab.screenshot(screens / f"{name}.png")
-    height = min(tab.js("document.documentElement.scrollHeight"), 16_000)
-    clip = {"x": 0, "y": 0, "width": 1280, "height": height, "scale": 0.5}
-    tab.screenshot(screens / f"{name}-whole.png", clip=clip, captureBeyondViewport=True)
-    wide = tab.js("document.documentElement.scrollWidth - document.documentElement.clientWidth")
-    check(f"{name}: nothing sticks out to the right", wide <= 0, wide)
-
-    # A window of 1400 pixels, of which the page takes 1100. The Pareto front of a search has
-    # more columns than fit.
-    tab.call(
-        "Emulation.setDeviceMetricsOverride", width=1400, height=900, deviceScaleFactor=1, mobile=False
-    )
+    # The Pareto front of a search has more columns than fit.
+    for width, dark in [(1400, False), (1400, True), (420, False), (420, True)]:
+        looks(tab, name, screens, width, dark)
+    emulate(tab, 1400, False)
     cut = tab.js(
         "[...document.querySelectorAll('.tab')].filter((f) => { const s = f.querySelector('.scroll');"
         " return s.scrollWidth > s.clientWidth; }).map((f) => f.id)"
     )
     cut = [table for table in cut if not table.startswith("pareto-front")]
     check(f"{name}: no table is cut at 1400 pixels", not cut, cut)
+    stays = tab.js(
+        "(() => { window.scrollTo(0, 2000); const r = document.querySelector('nav').getBoundingClientRect();"
+        " window.scrollTo(0, 0); return r.top >= 0 && r.top < 100; })()"
+    )
+    check(f"{name}: the contents stay in view on a wide screen", stays)
+    result = tab.js(
+        "(() => { const head = document.querySelector('header .head');"
+        " return head ? head.getBoundingClientRect().top + window.scrollY : -1; })()"
+    )
+    check(f"{name}: the result is on top", 0 <= result < 400, result)
+    if name in HEIGHTS:
+        height = tab.js("document.documentElement.scrollHeight")
+        check(f"{name}: at most {HEIGHTS[name]} px high at 1400 px", height <= HEIGHTS[name], height)
     ticks = tab.js("document.querySelector('main').innerText.includes('`')")
     check(f"{name}: no backticks", not ticks)
 

@@ -2,11 +2,12 @@
 
 use cageless_io::case_file::CaseFile;
 use cageless_paper::structures_of;
-use cageless_report::design_report::design_data;
+use cageless_report::design_report::{design_data, rings_of};
 use cageless_report::figures::{design, search, shape};
 use cageless_report::{DesignData, Figure, SearchData, design_page, from_json, to_json};
 use cageless_study::DesignResult;
 use cageless_study::design::{Judged, judged};
+use cageless_study::rings::rings;
 use cageless_study::{Progress, StudyError};
 use pyo3::prelude::*;
 
@@ -168,7 +169,8 @@ impl Search {
         let background = Background::new(Some(1), None)?;
         let search = Some(self.data.clone());
         let found = background.run(py, |progress| {
-            let (_, data, _) = analyse(&self.file, search, progress)?;
+            let (result, mut data, _) = analyse(&self.file, search, progress)?;
+            data.rings = rings(&rings_of(&self.file, &result), progress)?;
             Ok(design_page(&data))
         })?;
         found.map_err(|error: StudyError| of_study(&error))

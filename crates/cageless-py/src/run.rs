@@ -6,7 +6,9 @@ use std::sync::OnceLock;
 use cageless::simulation::Ending;
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::write_atomically;
-use cageless_report::figures::{history, vibration};
+use cageless_report::figures::{
+    ball, collisions, energy, gap_map, history, polar, ring, vibration,
+};
 use cageless_report::run_report::run_data;
 use cageless_report::{Figure, RunData, from_json, run_page, to_json};
 use cageless_study::run::{Options, RunError, RunRecord, run};
@@ -118,11 +120,7 @@ impl Run {
                 )));
             }
             let balls: Vec<usize> = balls.iter().map(|ball| ball - 1).collect();
-            let recent = match &found.recent {
-                Some(recent) => arrays.snapshots(recent.from_s, f64::INFINITY)?,
-                None => vec![],
-            };
-            found = found.of_balls(&balls, &recent);
+            found = found.of_balls(&balls);
         }
         Ok(found)
     }
@@ -132,15 +130,17 @@ impl Run {
 type Make = fn(&RunData) -> Option<Figure>;
 
 /// Figures of a run by name.
-const FIGURES: [(&str, Make); 9] = [
+const FIGURES: [(&str, Make); 11] = [
     ("gaps", history::gaps),
-    ("collisions", history::collisions),
+    ("gap_map", gap_map::gap_map),
+    ("load_profile", polar::loads),
+    ("collisions", collisions::collisions),
     ("orbit_speed", history::orbit_speed),
     ("slip", history::slip),
-    ("phase", history::phase),
-    ("loads", history::loads),
-    ("ring_orbit", history::ring_orbit),
-    ("energy", history::energy),
+    ("phase", ball::phase),
+    ("loads", ball::loads),
+    ("ring_orbit", ring::ring_orbit),
+    ("energy", energy::energy),
     ("vibration", |data| {
         let measured = data.vibration.as_ref()?;
         Some(vibration::vibration("Vibration", measured))

@@ -1,4 +1,4 @@
-//! Writes both kinds of page, with made-up data, to the directory given.
+//! Writes pages with made-up data, to the directory given.
 
 #[path = "../tests/synthetic/mod.rs"]
 mod synthetic;
@@ -14,6 +14,10 @@ fn main() -> std::io::Result<()> {
         (
             "run.html",
             cageless_report::run_page(&synthetic::run_data()),
+        ),
+        (
+            "design.html",
+            cageless_report::design_page(&synthetic::design()),
         ),
     ];
     for (name, page) in pages {

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use cageless::design::search::NEIGHBOURS_WIDER;
+pub use cageless_study::rings::RingNumbers;
 
 pub use cageless_study::search::{
     MapData, MotionNumbers, PlacementData, PointData, PointNumbers, PointVerdict, RejectionCount,
@@ -13,11 +14,15 @@ use crate::data::{Motion, Parameter, Provenance};
 use crate::figures::search as figures;
 use crate::figures::{design, shape};
 use crate::geometry::{ContactTrack, RacewaySurface};
+use crate::head::Head;
 use crate::motion::MotionFigure;
 use crate::page::{Note, Page};
+use crate::recommended::ShownRaceway;
 use crate::reproduce::DesignCurve;
 use crate::search_tables as tables;
+use crate::table::{Cell, Row, Table};
 use crate::tables::parameter_table;
+use crate::text::fixed;
 
 /// Data of the page of `design`. Empty parts are omitted from the page.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -42,6 +47,10 @@ pub struct DesignData {
     pub recommendation_passes: Option<bool>,
     /// The raceway near the curve of Eq. (11) with its verdict; empty if there is none.
     pub recommendation: String,
+    /// The recommended raceway with its drawing.
+    pub shown: Option<ShownRaceway>,
+    /// Outer rings in motion beside each other; may be empty.
+    pub rings: Vec<RingNumbers>,
     /// θ over lC by Eq. (11), with the case's structure and the limits.
     pub curve: Option<DesignCurve>,
     /// Contact track of the case's first raceway.
@@ -61,11 +70,33 @@ pub struct DesignData {
 /// The page of `design`.
 pub fn design_page(data: &DesignData) -> String {
     let mut page = Page::new(&data.title, &data.lead, &data.software);
+    page.head(&head(data));
     for warning in &data.warnings {
         page.note(Note::Warning, warning);
     }
+    if let Some(shown) = &data.shown {
+        drawing_section(&mut page, shown);
+    } else if let Some(track) = &data.contact_track {
+        page.section("The raceway of the case: shape");
+        shape_figures(&mut page, "", Some(track), data.surface.as_ref());
+    }
+    if data.rings.len() > 1 {
+        page.section("Outer rings beside each other");
+        page.table(&rings_table(&data.rings, data.provenance.clone()));
+    }
     if let Some(search) = &data.search {
         search_sections(&mut page, search);
+    }
+    if !data.recommendation.is_empty() || data.curve.is_some() {
+        page.section("A raceway near the curve of Eq. (11)");
+    }
+    if !data.recommendation.is_empty() {
+        page.verdict(data.recommendation_passes, &data.recommendation);
+    }
+    if let Some(curve) = &data.curve {
+        let mut figure = design::curve(curve);
+        figure.label = "Axial span and half angle".to_owned();
+        page.figure(&figure);
     }
     if !data.results.is_empty() {
         page.section("The raceway of the case");
@@ -82,36 +113,25 @@ pub fn design_page(data: &DesignData) -> String {
         data.reasons
             .iter()
             .for_each(|reason| page.note(Note::Remark, reason));
-    }
-    if !data.recommendation.is_empty() {
-        page.section("A raceway near the curve of Eq. (11)");
-        page.verdict(data.recommendation_passes, &data.recommendation);
-    }
-    if let Some(curve) = &data.curve {
-        let mut figure = design::curve(curve);
-        figure.label = "Axial span and half angle".to_owned();
-        page.figure(&figure);
-    }
-    if let Some(track) = &data.contact_track {
-        let mut figure = shape::contact_track(track);
-        figure.label = "Contact track".to_owned();
-        page.figure(&figure);
-    }
-    if let Some(surface) = &data.surface {
-        let mut figure = shape::surface(surface);
-        figure.label = "Surface".to_owned();
-        page.figure(&figure);
+        if data.shown.is_some() && data.contact_track.is_some() {
+            page.fold("Contact track and surface of the initial design");
+            let track = data.contact_track.as_ref();
+            shape_figures(&mut page, ", initial design", track, data.surface.as_ref());
+            page.end_fold();
+        }
     }
     if let Some(motion) = &data.motion {
         page.section("Balls in motion");
         page.motion(&MotionFigure {
             label: "Motion".to_owned(),
-            caption: "The last orbits of the run that was judged, to scale. The inner ring turns \
-                      counter-clockwise, load and gravity point down; the discrete raceway is \
-                      shaded orange, balls 1 and 2 blue, touching balls ringed."
-                .to_owned(),
+            caption:
+                "The last orbits of the run in which the initial design was judged, to scale. \
+                      The inner ring turns counter-clockwise, load and gravity point down; the \
+                      discrete raceway is shaded orange, balls 1 and 2 blue, touching balls ringed."
+                    .to_owned(),
             bearings: vec![motion.clone()],
             moments_s: Vec::new(),
+            stretches: Vec::new(),
         });
     }
     if !data.parameters.is_empty() {
@@ -126,8 +146,126 @@ pub fn design_page(data: &DesignData) -> String {
     page.html()
 }
 
+/// Verdict and key numbers of the recommended raceway, then the verdict on the case's own.
+fn head(data: &DesignData) -> Head {
+    let mut head = Head::default();
+    if let Some(shown) = &data.shown {
+        head = head
+            .verdict(
+                shown.passes,
+                &format!("{}: {}", capital(&shown.name), shown.headline),
+            )
+            .facts(shown.facts.clone());
+    }
+    let own = match (&data.shown, data.headline.as_str()) {
+        (_, "") => String::new(),
+        (Some(_), headline) => format!("Initial design: {headline}"),
+        (None, headline) => headline.to_owned(),
+    };
+    head.verdict(data.passes, &own)
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(|c| c.to_uppercase().to_string());
+    first.unwrap_or_default() + letters.as_str()
+}
+
+/// The recommended raceway as it is to be made.
+fn drawing_section(page: &mut Page, shown: &ShownRaceway) {
+    page.section(&capital(&shown.name));
+    page.table(&parameter_table(
+        "Drawing",
+        "Dimensions for the drawing of the outer ring. `cageless export` writes the ring as STEP or \
+         STL.",
+        &shown.drawing,
+        None,
+    ));
+    page.heading("For the case file");
+    page.paste("raceway for the case file", &shown.toml);
+    let (track, surface) = (Some(&shown.contact_track), Some(&shown.surface));
+    shape_figures(page, "", track, surface);
+}
+
+fn shape_figures(
+    page: &mut Page,
+    whose: &str,
+    track: Option<&ContactTrack>,
+    surface: Option<&RacewaySurface>,
+) {
+    if let Some(track) = track {
+        let mut figure = shape::contact_track(track);
+        figure.label = format!("Contact track{whose}");
+        page.figure(&figure);
+    }
+    if let Some(surface) = surface {
+        let mut figure = shape::surface(surface);
+        figure.label = format!("Surface{whose}");
+        page.figure(&figure);
+    }
+}
+
+/// A row of the table of rings: name, decimals, quantity.
+type RingRow = (&'static str, usize, fn(&RingNumbers) -> Option<f64>);
+
+const RING_ROWS: [RingRow; 7] = [
+    ("contacts between balls, per ball and orbit", 3, |r| {
+        r.contacts
+    }),
+    ("smallest gap (°)", 4, |r| r.gap_min_deg),
+    ("spacing scatter (std. dev., % of the mean gap)", 1, |r| {
+        Some(100.0 * r.spacing_scatter?)
+    }),
+    ("friction loss (W)", 2, |r| r.friction_w),
+    ("inner-ring vibration (std. dev., µm)", 3, |r| {
+        r.ring_deviation_um
+    }),
+    (
+        "peak contact pressure at rest, inner raceway (GPa)",
+        2,
+        |r| r.inner_pressure_gpa,
+    ),
+    (
+        "peak contact pressure at rest, outer raceway (GPa)",
+        2,
+        |r| r.outer_pressure_gpa,
+    ),
+];
+
+fn rings_table(rings: &[RingNumbers], provenance: Provenance) -> Table {
+    let mut columns = vec![(String::new(), false)];
+    columns.extend(rings.iter().map(|ring| (ring.name.clone(), true)));
+    let row = |(name, decimals, of): &RingRow| {
+        let mut cells = vec![Cell::text(*name)];
+        cells.extend(
+            rings
+                .iter()
+                .map(|ring| Cell::number(fixed(of(ring), *decimals))),
+        );
+        Row {
+            cells,
+            ..Row::default()
+        }
+    };
+    Table {
+        label: "Outer rings".to_owned(),
+        caption:
+            "The same bearing with each outer ring, run for 20 orbits from the same two uneven \
+                  starts; the second half counts, means over both. The smaller, the better, but \
+                  for the smallest gap."
+                .to_owned(),
+        columns,
+        rows: RING_ROWS.iter().map(row).collect(),
+        provenance: Some(Provenance {
+            discarded: "first 10 of 20 orbits".to_owned(),
+            ..provenance
+        }),
+        ..Table::default()
+    }
+}
+
 fn search_sections(page: &mut Page, search: &SearchData) {
-    page.section("Recommendation");
+    page.section("Search");
     let several = search.points.len() > 1;
     for (point, verdict) in search.points.iter().zip(&search.recommended_verdicts) {
         let at = if several {

@@ -1,5 +1,6 @@
 //! Data of the report of a design.
 
+use crate::recommended::{ShownRaceway, recommended_case};
 use crate::run_report::motion;
 use crate::text::pass_word;
 use crate::{
@@ -13,10 +14,42 @@ use cageless::raceway::axial_span_limit_m;
 use cageless::snapshot::Snapshot;
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::VERSION;
-use cageless_study::{DesignResult, parameter, parameters, provenance};
+use cageless_study::{DesignResult, entered, parameter, parameters, provenance};
 
 /// Points of the curve of Eq. (11).
 const CURVE_POINTS: usize = 240;
+
+/// The outer rings that a design page sets side by side: recommended, the case's own,
+/// conventional.
+pub fn rings_of(file: &CaseFile, result: &DesignResult) -> Vec<(&'static str, Case)> {
+    let own = file.case();
+    let conventional = entered(file, vec![], None);
+    let rings = [
+        (
+            "recommended",
+            recommended_case(file, result).filter(|_| recommends(result)),
+        ),
+        (
+            "initial design",
+            (!own.raceways.is_empty()).then(|| own.clone()),
+        ),
+        ("conventional", conventional),
+    ];
+    rings
+        .into_iter()
+        .filter_map(|(name, case)| Some((name, case?)))
+        .collect()
+}
+
+/// Whether a raceway is recommended, by the search or near the curve of Eq. (11).
+fn recommends(result: &DesignResult) -> bool {
+    let searched = result
+        .search
+        .as_ref()
+        .is_some_and(|s| s.recommended.is_some());
+    let near = result.recommendation.as_ref();
+    searched || near.is_some_and(|r| r.passes == Some(true))
+}
 
 /// Data of the page of a design.
 pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot]) -> DesignData {
@@ -36,7 +69,7 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
             format!("Design: {}", case.title)
         },
         software: format!("Cageless {VERSION}, {}", InstructionSet::detect().name()),
-        lead: lead(case, result),
+        lead: lead(case),
         warnings: result.warnings.clone(),
         passes: result.passes,
         headline: result.headline.clone(),
@@ -56,29 +89,25 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
             .first()
             .map(|r| RacewaySurface::sample(r, &case.bearing, own.clone())),
         motion: (!snapshots.is_empty()).then(|| motion(case, &title, snapshots, source.clone())),
+        shown: ShownRaceway::new(file, result),
+        rings: Vec::new(),
         search: result.search.clone(),
         parameters: parameters(file),
         provenance: source,
     }
 }
 
-fn lead(case: &Case, result: &DesignResult) -> String {
+fn lead(case: &Case) -> String {
     let ring = match case.raceways.len() {
         0 => "conventional outer ring".to_owned(),
         1 => "one discrete raceway".to_owned(),
         n => format!("{n} discrete raceways"),
     };
-    let searched = result
-        .search
-        .as_ref()
-        .and_then(|s| s.findings.first())
-        .map_or(String::new(), |finding| format!(" {finding}"));
     format!(
-        "{} balls, {:.0} rpm, {:.0} N, {ring}: {}.{searched}",
+        "{} balls, {:.0} rpm, {:.0} N; initial design: {ring}.",
         case.bearing.balls(),
         case.operation.inner_speed_rad_s * 60.0 / std::f64::consts::TAU,
         case.operation.radial_load_n,
-        result.headline
     )
 }
 

@@ -21,16 +21,44 @@ impl Figure {
     /// HTML with the anchor `id`.
     pub fn html(&self, id: &str) -> String {
         format!(
-            "<figure id=\"{id}\" class=\"fig\">\n\
-             <div class=\"scroll\"><div class=\"plot\" id=\"{id}-plot\" role=\"img\" \
-             aria-label=\"{label}\" style=\"height:{height}px;min-width:{width}px\"></div></div>\n\
+            "<figure id=\"{id}\" class=\"fig\">\n{views}\
+             <div class=\"plot\" id=\"{id}-plot\" role=\"img\" aria-label=\"{label}\" \
+             data-height=\"{height}\" style=\"height:{height}px\"></div>\n\
              <script type=\"application/json\" id=\"{id}-spec\">{spec}</script>\n\
              {below}</figure>\n",
-            label = escape(&self.label),
+            views = self.views(id),
+            label = escape(&self.spoken()),
             height = self.plot.height_px,
-            width = self.plot.min_width_px,
             spec = script_json(&self.plot.spec()),
             below = below(id, &self.label, &self.caption, &[&self.provenance]),
+        )
+    }
+
+    /// Label and what the plot shows, for readers who do not see it.
+    fn spoken(&self) -> String {
+        match self.plot.description().as_str() {
+            "" => self.label.clone(),
+            description => format!("{}. {description}", self.label),
+        }
+    }
+
+    /// Buttons for stretches of the x-axis.
+    fn views(&self, id: &str) -> String {
+        if self.plot.views.is_empty() {
+            return String::new();
+        }
+        let button = |(k, (name, [from, to])): (usize, &(String, [f64; 2]))| {
+            format!(
+                "<button type=\"button\" data-view=\"{from},{to}\" data-figure=\"{id}\" \
+                 aria-pressed=\"{}\">{}</button>",
+                k == 0,
+                rich(name)
+            )
+        };
+        let buttons: String = self.plot.views.iter().enumerate().map(button).collect();
+        format!(
+            "<div class=\"views\" role=\"group\" aria-label=\"Part of {} that is shown\">{buttons}</div>\n",
+            escape(&self.label)
         )
     }
 
@@ -61,8 +89,11 @@ pub(crate) fn below(id: &str, label: &str, caption: &str, sources: &[&Provenance
         ));
     }
     out.push_str(&format!(
-        "</div><div class=\"save\"><button type=\"button\" data-save=\"svg\" data-figure=\"{id}\">SVG</button>\
-         <button type=\"button\" data-save=\"png\" data-figure=\"{id}\">PNG</button></div></figcaption>\n"
+        "</div><div class=\"save\"><button type=\"button\" data-save=\"svg\" data-figure=\"{id}\" \
+         aria-label=\"Save {name} as SVG\">SVG</button>\
+         <button type=\"button\" data-save=\"png\" data-figure=\"{id}\" \
+         aria-label=\"Save {name} as PNG\">PNG</button></div></figcaption>\n",
+        name = escape(label),
     ));
     out
 }

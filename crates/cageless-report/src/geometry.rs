@@ -73,6 +73,15 @@ impl ContactTrack {
 }
 
 impl RacewaySurface {
+    /// Largest depth below the plain groove and largest height above it, µm.
+    pub fn depth_and_height_um(&self) -> [f64; 2] {
+        let all = self.deviation_um.iter().flatten();
+        let (low, high) = all.fold((0.0f64, 0.0f64), |(low, high), d| {
+            (low.min(*d), high.max(*d))
+        });
+        [high, -low]
+    }
+
     /// Samples the surface of `raceway`, turned so that its middle is at the bottom.
     pub fn sample(raceway: &Raceway, bearing: &Bearing, structure: RacewayLabel) -> Self {
         let centre = raceway.dimensions().centre_angle_rad;

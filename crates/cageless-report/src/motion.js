@@ -1,6 +1,9 @@
 (function () {
   "use strict";
 
+  // Most frames of a film.
+  const FRAMES = 240;
+
   // Undoes the coding of samples as differences in whole steps.
   function decode(steps, scale) {
     const out = new Float64Array(steps.length);
@@ -12,10 +15,9 @@
   function setUp(figure) {
     const data = JSON.parse(figure.querySelector("script[data-motion]").textContent);
     const svg = figure.querySelector("svg");
-    const play = figure.querySelector("[data-play]");
-    const slider = figure.querySelector("[data-time]");
-    const clock = figure.querySelector("[data-clock]");
-    const speed = figure.querySelector("[data-speed]");
+    const find = (name) => figure.querySelector("[data-" + name + "]");
+    const play = find("play"), slider = find("time"), clock = find("clock"), speed = find("speed");
+    const from = find("from"), until = find("until"), part = find("part"), film = find("film");
     const bearings = data.bearings.map(function (raw, k) {
       const group = svg.querySelector('[data-bearing="' + k + '"]');
       return {
@@ -29,9 +31,9 @@
       };
     }).filter((b) => b.time.length > 0);
     if (!bearings.length) return;
-    const begin = Math.max(...bearings.map((b) => b.time[0]));
-    const end = Math.min(...bearings.map((b) => b.time[b.time.length - 1]));
-    let now = begin, playing = false, before = 0;
+    const first = Math.max(...bearings.map((b) => b.time[0]));
+    const last = Math.min(...bearings.map((b) => b.time[b.time.length - 1]));
+    let begin = first, end = last, now = begin, playing = false, before = 0, filming = false;
 
     function show(b) {
       let low = 0, high = b.time.length - 1;
@@ -40,8 +42,8 @@
         if (b.time[middle] <= now) low = middle; else high = middle;
       }
       const span = b.time[high] - b.time[low];
-      const part = span > 0 ? (now - b.time[low]) / span : 0;
-      const at = (row) => row[low] + (row[high] - row[low]) * part;
+      const share = span > 0 ? (now - b.time[low]) / span : 0;
+      const at = (row) => row[low] + (row[high] - row[low]) * share;
       const angle = b.angle.map(at), count = angle.length;
       const gap = b.gap.length === count ? b.gap.map(at) : angle.map(
         (a, k) => (k + 1 < count ? angle[k + 1] - a : angle[0] + 360 - a) - b.eps);
@@ -62,16 +64,17 @@
         if (gap[k] < gap[least]) least = k;
         if (touching[k]) pairs++;
       });
-      b.lines[0].textContent = "t = " + now.toFixed(4) + " s  ·  smallest gap " + gap[least].toFixed(3).replace("-", "\u2212")
+      b.lines[0].textContent = "t = " + now.toFixed(4) + " s  ·  smallest gap " + gap[least].toFixed(3).replace("-", "−")
         + "° (balls " + (least + 1) + ", " + ((least + 1) % count + 1) + ")";
       b.lines[1].textContent = (pairs === 1 ? "1 pair touches" : pairs + " pairs touch")
-        + "  ·  gap of balls 1, 2: " + gap[0].toFixed(3).replace("-", "\u2212") + "°";
+        + "  ·  gap of balls 1, 2: " + gap[0].toFixed(3).replace("-", "−") + "°";
     }
 
     function update() {
       bearings.forEach(show);
       clock.textContent = "t = " + now.toFixed(4) + " s";
       slider.value = end > begin ? Math.round((now - begin) / (end - begin) * 10000) : 0;
+      slider.setAttribute("aria-valuetext", clock.textContent);
     }
 
     function frame(stamp) {
@@ -90,6 +93,17 @@
       if (on) requestAnimationFrame(frame);
     }
 
+    // The stretch of time that is played, within what was recorded.
+    function stretch(a, b) {
+      begin = Math.min(Math.max(a, first), last);
+      end = Math.min(Math.max(b, begin), last);
+      if (!(end > begin)) { begin = first; end = last; }
+      from.value = begin.toFixed(4);
+      until.value = end.toFixed(4);
+      now = begin;
+      update();
+    }
+
     play.addEventListener("click", () => run(!playing));
     slider.addEventListener("input", function () {
       run(false);
@@ -97,33 +111,144 @@
       bearings.forEach(show);
       clock.textContent = "t = " + now.toFixed(4) + " s";
     });
+    for (const field of [from, until]) {
+      field.min = first.toFixed(4);
+      field.max = last.toFixed(4);
+      field.addEventListener("change", () => stretch(Number(from.value), Number(until.value)));
+    }
+    if (part) part.addEventListener("change", function () {
+      const [a, b] = part.value ? part.value.split(",").map(Number) : [first, last];
+      stretch(a, b);
+    });
     figure.querySelectorAll("[data-moment]").forEach(function (button) {
       const moment = Number(button.dataset.moment);
-      button.disabled = moment < begin - 1e-6 || moment > end + 1e-6;
-      button.addEventListener("click", function () { run(false); now = Math.min(Math.max(moment, begin), end); update(); });
+      button.disabled = moment < first - 1e-6 || moment > last + 1e-6;
+      button.addEventListener("click", function () {
+        run(false);
+        if (moment < begin || moment > end) stretch(first, last);
+        now = Math.min(Math.max(moment, begin), end);
+        update();
+      });
     });
     figure.querySelectorAll("button[data-save]").forEach(function (button) {
       button.addEventListener("click", () => save(svg, button.dataset.figure, button.dataset.save));
     });
-    update();
+
+    // A film of the stretch at the chosen speed; a second press gives it up.
+    film.addEventListener("click", function () {
+      if (filming) { filming = false; return; }
+      run(false);
+      filming = true;
+      const seconds = (end - begin) * Number(speed.value), back = now;
+      const frames = Math.max(2, Math.min(FRAMES, Math.round(seconds * 20)));
+      const seek = function (k) {
+        film.textContent = "Stop film, " + Math.round(100 * k / frames) + " %";
+        now = begin + (end - begin) * k / (frames - 1);
+        update();
+        return filming;
+      };
+      record(svg, bearings, frames, seconds, seek).then(function (blob) {
+        if (blob) window.cagelessSave(blob, film.dataset.figure + ".gif");
+        film.textContent = "Save as GIF";
+      }, function () { film.textContent = "No GIF could be made"; }).then(function () {
+        filming = false;
+        now = back;
+        update();
+      });
+    });
+    stretch(first, last);
+  }
+
+  // The drawing without what moves, as a picture.
+  function backdrop(svg, width, height) {
+    const copy = svg.cloneNode(true);
+    copy.querySelectorAll("[data-ball], [data-touch], [data-line]").forEach((e) => e.remove());
+    return picture(copy, width, height);
+  }
+
+  function picture(copy, width, height) {
+    copy.setAttribute("width", width);
+    copy.setAttribute("height", height);
+    const blob = new Blob([new XMLSerializer().serializeToString(copy)], { type: "image/svg+xml" });
+    return new Promise(function (resolve, reject) {
+      const image = new Image();
+      image.onload = function () { URL.revokeObjectURL(image.src); resolve(image); };
+      image.onerror = reject;
+      image.src = URL.createObjectURL(blob);
+    });
+  }
+
+  // Paints the moving parts of the drawing where they are now.
+  function paint(ctx, bearings, scale) {
+    const number = (e, name) => Number(e.getAttribute(name) || 0);
+    const circle = function (e, x, y) {
+      ctx.beginPath();
+      ctx.arc(x, y, number(e, "r"), 0, 2 * Math.PI);
+      ctx.fillStyle = e.getAttribute("fill");
+      ctx.fill();
+      if (!e.hasAttribute("stroke")) return;
+      ctx.strokeStyle = e.getAttribute("stroke");
+      ctx.lineWidth = number(e, "stroke-width");
+      ctx.stroke();
+    };
+    const text = function (e, x, y) {
+      ctx.font = number(e, "font-size") + "px Helvetica, Arial, sans-serif";
+      ctx.fillStyle = e.getAttribute("fill");
+      ctx.fillText(e.textContent, x, y + number(e, "y"));
+    };
+    ctx.textAlign = "center";
+    for (const b of bearings) {
+      const place = b.balls[0].parentElement.transform.baseVal.consolidate().matrix;
+      ctx.setTransform(scale, 0, 0, scale, place.e * scale, place.f * scale);
+      for (const ball of b.balls) {
+        const at = ball.transform.baseVal.consolidate().matrix;
+        circle(ball.firstElementChild, at.e, at.f);
+        text(ball.lastElementChild, at.e, at.f);
+      }
+      b.touches.filter((t) => t.getAttribute("visibility") === "visible")
+        .forEach((t) => circle(t, number(t, "cx"), number(t, "cy")));
+      b.lines.forEach((line) => text(line, 0, 0));
+    }
+  }
+
+  // The film as a file, unless it is given up; the page stays alive meanwhile.
+  async function record(svg, bearings, frames, seconds, seek) {
+    const box = svg.viewBox.baseVal, scale = Math.min(8, 1200 / box.width);
+    const canvas = document.createElement("canvas");
+    canvas.width = Math.round(box.width * scale);
+    canvas.height = Math.round(box.height * scale);
+    const behind = await backdrop(svg, canvas.width, canvas.height);
+    const ctx = canvas.getContext("2d", { willReadFrequently: true });
+    // Viewers slow down what is faster than fifty frames a second.
+    const film = window.cagelessGif(canvas.width, canvas.height, Math.max(2, Math.round(100 * seconds / frames)));
+    for (let k = 0; k < frames; k++) {
+      if (!seek(k)) return null;
+      ctx.setTransform(1, 0, 0, 1, 0, 0);
+      ctx.drawImage(behind, 0, 0, canvas.width, canvas.height);
+      paint(ctx, bearings, scale);
+      film.add(ctx.getImageData(0, 0, canvas.width, canvas.height).data);
+      await new Promise((done) => setTimeout(done));
+    }
+    return film.blob();
   }
 
   function save(svg, name, format) {
     const box = svg.viewBox.baseVal, copy = svg.cloneNode(true);
-    copy.setAttribute("width", box.width * 10);
-    copy.setAttribute("height", box.height * 10);
-    const blob = new Blob([new XMLSerializer().serializeToString(copy)], { type: "image/svg+xml" });
-    if (format === "svg") { window.cagelessSave(blob, name + ".svg"); return; }
-    const url = URL.createObjectURL(blob), image = new Image();
-    image.onload = function () {
+    copy.removeAttribute("class");
+    if (format === "svg") {
+      copy.setAttribute("width", box.width * 10);
+      copy.setAttribute("height", box.height * 10);
+      const blob = new Blob([new XMLSerializer().serializeToString(copy)], { type: "image/svg+xml" });
+      window.cagelessSave(blob, name + ".svg");
+      return;
+    }
+    picture(copy, box.width * 20, box.height * 20).then(function (image) {
       const canvas = document.createElement("canvas");
       canvas.width = box.width * 20;
       canvas.height = box.height * 20;
       canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
-      URL.revokeObjectURL(url);
       canvas.toBlob((png) => window.cagelessSave(png, name + ".png"));
-    };
-    image.src = url;
+    });
   }
 
   document.querySelectorAll("figure.motion").forEach(setUp);

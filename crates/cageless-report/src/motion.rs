@@ -19,6 +19,8 @@ pub struct MotionFigure {
     pub bearings: Vec<Motion>,
     /// Moments that get a button, s.
     pub moments_s: Vec<f64>,
+    /// Stretches of the recorded time to choose from: name, from, to in s.
+    pub stretches: Vec<(String, [f64; 2])>,
 }
 
 /// Thickness of a ring in the drawing, mm.
@@ -57,19 +59,41 @@ impl MotionFigure {
         let mut sources: Vec<&Provenance> = self.bearings.iter().map(|b| &b.provenance).collect();
         sources.dedup();
         format!(
-            "<figure id=\"{id}\" class=\"fig motion{single}\">\n<div class=\"scroll\">{svg}</div>\n\
+            "<figure id=\"{id}\" class=\"fig motion{single}\">\n{svg}\n\
              <div class=\"controls\"><button type=\"button\" data-play>Play</button>\
-             <label>Slowed down <select data-speed aria-label=\"Slow motion\">\
+             <label>Slowed down <select data-speed>\
              <option value=\"2000\">2000 ×</option><option value=\"500\">500 ×</option>\
              <option value=\"200\" selected>200 ×</option><option value=\"50\">50 ×</option>\
              <option value=\"10\">10 ×</option></select></label>\
              <input type=\"range\" min=\"0\" max=\"10000\" value=\"0\" data-time aria-label=\"Time\">\
              <output data-clock></output>{moments}</div>\n\
+             <div class=\"controls\">{stretches}\
+             <label>from <input type=\"number\" step=\"0.0001\" data-from> s</label>\
+             <label>to <input type=\"number\" step=\"0.0001\" data-until> s</label>\
+             <button type=\"button\" data-film data-figure=\"{id}\" \
+             title=\"The stretch of time at the chosen speed\">Save as GIF</button></div>\n\
              <script type=\"application/json\" data-motion>{data}</script>\n{below}</figure>\n",
+            stretches = self.stretches_html(),
             svg = self.svg(id),
             data = script_json(&self.data()),
             below = below(id, &self.label, &self.caption, &sources),
         )
+    }
+
+    /// The choice of a stretch of time; empty without stretches.
+    fn stretches_html(&self) -> String {
+        if self.stretches.is_empty() {
+            return String::new();
+        }
+        let mut options = "<option value=\"\">all that was recorded</option>".to_owned();
+        for (name, [from, to]) in &self.stretches {
+            let _ = write!(
+                options,
+                "<option value=\"{from},{to}\">{}</option>",
+                escape(name)
+            );
+        }
+        format!("<label>Show <select data-part>{options}</select></label>")
     }
 
     /// Samples in whole steps, each but the first as a difference to the one before.
@@ -108,7 +132,7 @@ impl MotionFigure {
         let mut out = format!(
             "<svg id=\"{id}-svg\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width:.3} {height:.3}\" \
              font-family=\"Helvetica Neue, Helvetica, Arial, Liberation Sans, sans-serif\" role=\"img\" \
-             aria-label=\"{}\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n",
+             aria-label=\"{}\">\n<rect class=\"sheet\" width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n",
             escape(&self.label)
         );
         for (k, motion) in self.bearings.iter().enumerate() {
@@ -161,7 +185,7 @@ fn outer_edge(motion: &Motion) -> f64 {
 fn bearing(motion: &Motion, half: f64) -> String {
     let o = &motion.outline;
     let mut out = format!(
-        "<text y=\"{:.3}\" font-size=\"2.7\" font-weight=\"700\" text-anchor=\"middle\" fill=\"{INK}\">{}</text>\n",
+        "<text class=\"label\" y=\"{:.3}\" font-size=\"2.7\" font-weight=\"700\" text-anchor=\"middle\" fill=\"{INK}\">{}</text>\n",
         -half - 1.0,
         title(&motion.title)
     );
@@ -212,7 +236,7 @@ fn bearing(motion: &Motion, half: f64) -> String {
     for (line, size) in [(0, 2.6), (1, 2.3)] {
         let _ = writeln!(
             out,
-            "<text data-line=\"{line}\" y=\"{:.3}\" font-size=\"{size}\" text-anchor=\"middle\" fill=\"{INK}\"></text>",
+            "<text class=\"label\" data-line=\"{line}\" y=\"{:.3}\" font-size=\"{size}\" text-anchor=\"middle\" fill=\"{INK}\"></text>",
             half + 2.2 + 3.6 * f64::from(line)
         );
     }
@@ -236,7 +260,7 @@ fn annulus(inside: f64, outside: f64) -> String {
         )
     };
     format!(
-        "<path d=\"{}{}\" fill=\"#dde3e8\" fill-rule=\"evenodd\" stroke=\"#7d8894\" stroke-width=\"0.15\"/>\n",
+        "<path d=\"{}{}\" class=\"ring\" fill=\"#dde3e8\" fill-rule=\"evenodd\" stroke=\"#7d8894\" stroke-width=\"0.15\"/>\n",
         circle(outside),
         circle(inside)
     )

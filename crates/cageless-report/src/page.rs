@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 
 use crate::data::{Claim, ClaimStatus};
 use crate::figure::Figure;
+use crate::head::{Head, verdict_html};
 use crate::motion::MotionFigure;
 use crate::table::Table;
 use crate::text::{escape, rich, slug};
@@ -14,6 +15,7 @@ use crate::text::{escape, rich, slug};
 pub struct Page {
     title: String,
     lead: String,
+    head: String,
     software: String,
     body: String,
     contents: Vec<(String, String)>,
@@ -72,20 +74,38 @@ impl Page {
 
     /// Adds a verdict in a box: green if it passes, red if it fails, grey if nothing was judged.
     pub fn verdict(&mut self, passes: Option<bool>, headline: &str) {
-        let class = match passes {
-            Some(true) => "pass",
-            Some(false) => "fail",
-            None => "unjudged",
-        };
-        let sign = match passes {
-            Some(true) => "✔ ",
-            Some(false) => "✘ ",
-            None => "",
-        };
+        self.body.push_str(&verdict_html(passes, headline));
+    }
+
+    /// Sets the box on top of the page.
+    pub fn head(&mut self, head: &Head) {
+        self.head = head.html();
+    }
+
+    /// Adds a heading within a section.
+    pub fn heading(&mut self, title: &str) {
+        self.body.push_str(&format!("<h3>{}</h3>\n", rich(title)));
+    }
+
+    /// Adds a text to be pasted into a file, with a button that copies it.
+    pub fn paste(&mut self, name: &str, text: &str) {
         self.body.push_str(&format!(
-            "<p class=\"judged {class}\" role=\"status\">{sign}{}</p>\n",
-            rich(headline)
+            "<div class=\"paste\"><pre tabindex=\"0\" aria-label=\"{name}\">{}</pre>\
+             <button type=\"button\" data-copy aria-label=\"Copy {name}\">Copy</button></div>\n",
+            escape(text),
+            name = escape(name),
         ));
+    }
+
+    /// Starts a part that is folded away until it is asked for.
+    pub fn fold(&mut self, summary: &str) {
+        self.body
+            .push_str(&format!("<details><summary>{}</summary>\n", rich(summary)));
+    }
+
+    /// Ends such a part.
+    pub fn end_fold(&mut self) {
+        self.body.push_str("</details>\n");
     }
 
     /// Adds a figure.
@@ -150,7 +170,9 @@ impl Page {
         }
         scripts.push_str(&format!("<script>{}</script>\n", include_str!("page.js")));
         if self.motion {
-            scripts.push_str(&format!("<script>{}</script>\n", include_str!("motion.js")));
+            for script in [include_str!("gif.js"), include_str!("motion.js")] {
+                scripts.push_str(&format!("<script>{script}</script>\n"));
+            }
         }
         let lead = if self.lead.is_empty() {
             String::new()
@@ -161,13 +183,14 @@ impl Page {
             "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
              <title>{title}</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>{css}</style></head>\n\
-             <body><header><h1>{title}</h1>\n{lead}</header>\n\
+             <body><header><h1>{title}</h1>\n{head}{lead}</header>\n\
              <nav aria-label=\"Contents\"><ol>{contents}</ol></nav>\n\
              <noscript><p class=\"note warning\">The figures are drawn by JavaScript, which is \
              switched off here; tables and captions can be read without it.</p></noscript>\n\
              <main>\n{body}</main>\n<footer>{software}</footer>\n{scripts}</body></html>\n",
             title = escape(&self.title),
             css = include_str!("page.css"),
+            head = self.head,
             body = self.body,
             software = rich(&self.software),
         )

@@ -2,6 +2,8 @@
 
 use serde_json::{Map, Value, json};
 
+use crate::description;
+
 /// Colours that stay apart for colour-blind readers (Okabe and Ito).
 pub const PALETTE: [&str; 7] = [
     "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#444444",
@@ -26,8 +28,10 @@ pub struct Plot {
     annotations: Vec<Value>,
     /// Height on the page, pixels.
     pub height_px: u32,
-    /// Width below which it scrolls instead of shrinking, pixels.
-    pub min_width_px: u32,
+    /// What the plot shows, for readers who do not see it; may be empty.
+    pub finding: String,
+    /// Stretches of the x-axis that get a button: name, from, to. The first is shown first.
+    pub views: Vec<(String, [f64; 2])>,
 }
 
 impl Plot {
@@ -54,14 +58,45 @@ impl Plot {
             shapes: Vec::new(),
             annotations: Vec::new(),
             height_px,
-            min_width_px: 560,
+            finding: String::new(),
+            views: Vec::new(),
         }
     }
 
-    /// Sets the least width.
-    pub fn at_least(mut self, min_width_px: u32) -> Self {
-        self.min_width_px = min_width_px;
+    /// States what the plot shows, in a sentence for readers who do not see it.
+    pub fn finding(mut self, finding: &str) -> Self {
+        self.finding = finding.to_owned();
         self
+    }
+
+    /// Adds a stretch of the x-axis that gets a button; the first one is shown first.
+    pub fn view(mut self, name: &str, range: [f64; 2]) -> Self {
+        if self.views.is_empty()
+            && let Some(axis) = self.layout.get_mut("xaxis")
+        {
+            axis["range"] = numbers(&range);
+        }
+        self.views.push((name.to_owned(), range));
+        self
+    }
+
+    /// Shows the first of its views.
+    pub fn first_view(mut self) -> Self {
+        let first = self.views.first().map(|(_, range)| numbers(range));
+        if let (Some(range), Some(axis)) = (first, self.layout.get_mut("xaxis")) {
+            axis["range"] = range;
+        }
+        self
+    }
+
+    /// The finding and the ranges of the quantities, in words.
+    pub fn description(&self) -> String {
+        let ranges = description::ranges(&self.data, &self.layout);
+        match (self.finding.as_str(), ranges.as_str()) {
+            ("", ranges) => ranges.to_owned(),
+            (finding, "") => finding.to_owned(),
+            (finding, ranges) => format!("{finding} {ranges}"),
+        }
     }
 
     /// Sets a key of the layout.
@@ -154,7 +189,7 @@ impl Plot {
         let mut layout = self.layout.clone();
         layout.insert("shapes".to_owned(), self.shapes.clone().into());
         layout.insert("annotations".to_owned(), self.annotations.clone().into());
-        json!({ "data": self.data, "layout": layout })
+        json!({ "data": description::with_hover(&self.data, &self.layout), "layout": layout })
     }
 }
 

@@ -357,6 +357,7 @@ pub fn reproduce_page(data: &ReproduceData) -> String {
                 .to_owned(),
             bearings: data.motions.clone(),
             moments_s: PHOTOGRAPHS_S.to_vec(),
+            stretches: Vec::new(),
         });
     }
     page.html()

@@ -4,10 +4,14 @@ pub use cageless_study::CollisionPoint;
 use serde::{Deserialize, Serialize};
 
 use crate::data::{BearingOutline, Motion, Parameter, Provenance, RacewaySector, Vibration};
-use crate::figures::{history, vibration};
+use crate::figure::Figure;
+use crate::figures::{ball, collisions, energy, gap_map, history, polar, ring, vibration};
+use crate::head::Head;
 use crate::motion::MotionFigure;
 use crate::page::{Note, Page};
+use crate::sampling::range;
 use crate::tables::parameter_table;
+use crate::text::short;
 use crate::verification::{VerificationTable, verification_table};
 
 /// Data of the page of one run. Empty parts are omitted from the page.
@@ -25,6 +29,8 @@ pub struct RunData {
     pub passes: Option<bool>,
     /// PASS or FAIL with the reason and the margin; empty if there is nothing to say.
     pub headline: String,
+    /// Key numbers for the top of the page, the most important first.
+    pub facts: Vec<Parameter>,
     /// Case as run, one line per key.
     pub parameters: Vec<Parameter>,
     /// Results of `summary.json`, one line per key.
@@ -48,8 +54,12 @@ pub struct RunData {
     pub stretch_s: Option<f64>,
     /// The end of a run with such histories, row by row.
     pub recent: Option<Recent>,
-    /// The inner ring; of a run with such histories, the end of it.
+    /// Stretch of time that figures show first, the last orbits of the balls, s.
+    pub view_s: Option<[f64; 2]>,
+    /// The inner ring at the end of the run.
     pub ring: RingHistory,
+    /// Loads and pressures around the bearing.
+    pub load_profile: Option<LoadProfile>,
     /// Contacts between balls, of too many the strongest.
     pub collisions: Vec<CollisionPoint>,
     /// Total number of collisions.
@@ -64,6 +74,8 @@ pub struct RunData {
     pub vibration: Option<Vibration>,
     /// The balls in motion.
     pub motion: Option<Motion>,
+    /// Passages of the balls while their motion was recorded: name, from, to in s.
+    pub passages: Vec<(String, [f64; 2])>,
     /// Provenance of every figure.
     pub provenance: Provenance,
 }
@@ -93,13 +105,43 @@ pub struct BallHistory {
     pub vy_m_s: Vec<f64>,
 }
 
-/// Ball 1 over the last part of a run.
+/// The balls over the last part of a run, row by row.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Recent {
+    /// Time, s.
+    pub time_s: Vec<f64>,
+    /// The balls, ball 1 first.
+    pub balls: Vec<BallHistory>,
+}
+
+impl Recent {
     /// Begin, s.
+    pub fn from_s(&self) -> f64 {
+        self.time_s.first().copied().unwrap_or_default()
+    }
+}
+
+/// Loads and pressures of all balls over the angular position.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct LoadProfile {
+    /// Begin of the part of the run, s.
     pub from_s: f64,
-    /// The ball.
-    pub ball: BallHistory,
+    /// End of it, s.
+    pub to_s: f64,
+    /// ψ of the middles of the steps, degrees.
+    pub angle_deg: Vec<f64>,
+    /// Mean of Fi, N; NaN where no ball was seen.
+    pub inner_force_mean_n: Vec<f64>,
+    /// Largest Fi, N.
+    pub inner_force_max_n: Vec<f64>,
+    /// Mean of Fo, N.
+    pub outer_force_mean_n: Vec<f64>,
+    /// Largest Fo, N.
+    pub outer_force_max_n: Vec<f64>,
+    /// Highest peak pressure (Hertz) at the inner raceway, GPa.
+    pub inner_pressure_max_gpa: Vec<f64>,
+    /// Highest peak pressure (Hertz) at the outer raceway, GPa.
+    pub outer_pressure_max_gpa: Vec<f64>,
 }
 
 /// The centre of the inner ring.
@@ -125,11 +167,48 @@ pub struct EnergyItem {
 /// The page of one run.
 pub fn run_page(data: &RunData) -> String {
     let mut page = Page::new(&data.title, &data.lead, &data.software);
-    if !data.headline.is_empty() {
-        page.verdict(data.passes, &data.headline);
-    }
+    page.head(&Head::new(data.passes, &data.headline).facts(data.facts.clone()));
     for warning in &data.warnings {
         page.note(Note::Warning, warning);
+    }
+    section(
+        &mut page,
+        "Spacing and collisions",
+        [
+            gap_map::gap_map(data),
+            history::gaps(data),
+            collisions::collisions(data),
+        ],
+    );
+    if data.collisions.is_empty() && !data.balls.is_empty() {
+        page.note(Note::Remark, "No two balls touched.");
+    }
+    if let Some(motion) = &data.motion {
+        page.section("Balls in motion");
+        page.motion(&motion_figure(motion, &data.passages));
+    }
+    section(
+        &mut page,
+        "Loads, pressures and the inner ring",
+        [
+            polar::loads(data),
+            ring::ring_orbit(data),
+            energy::energy(data),
+        ],
+    );
+    section(
+        &mut page,
+        "Motion of the balls",
+        [history::orbit_speed(data), history::slip(data), None],
+    );
+    section(
+        &mut page,
+        "Ball 1",
+        [ball::loads(data), ball::phase(data), None],
+    );
+    if let Some(signals) = &data.vibration {
+        page.section("Vibration");
+        page.figure(&vibration::vibration("Vibration", signals));
     }
     if !data.results.is_empty() {
         page.section("Results");
@@ -149,56 +228,6 @@ pub fn run_page(data: &RunData) -> String {
             .for_each(|fact| page.note(Note::Remark, fact));
         page.table(&verification_table(verification, data.provenance.clone()));
     }
-    if let Some(motion) = &data.motion {
-        page.section("Balls in motion");
-        page.motion(&MotionFigure {
-            label: "Motion".to_owned(),
-            caption: "The balls over time, to scale. The inner ring turns counter-clockwise, load \
-                      and gravity point down; the discrete raceway is shaded orange, balls 1 and \
-                      2 blue, balls in contact ringed."
-                .to_owned(),
-            bearings: vec![motion.clone()],
-            moments_s: Vec::new(),
-        });
-    }
-    let sections: [(&str, [Option<crate::figure::Figure>; 3]); 3] = [
-        (
-            "Spacing and collisions",
-            [history::gaps(data), history::collisions(data), None],
-        ),
-        (
-            "Motion of the balls",
-            [
-                history::orbit_speed(data),
-                history::slip(data),
-                history::phase(data),
-            ],
-        ),
-        (
-            "Forces, ring and energy",
-            [
-                history::loads(data),
-                history::ring_orbit(data),
-                history::energy(data),
-            ],
-        ),
-    ];
-    for (title, figures) in &sections {
-        if figures.iter().any(Option::is_some) {
-            page.section(title);
-            figures
-                .iter()
-                .flatten()
-                .for_each(|figure| page.figure(figure));
-        }
-        if *title == "Spacing and collisions" && data.collisions.is_empty() {
-            page.note(Note::Remark, "No two balls touched.");
-        }
-    }
-    if let Some(signals) = &data.vibration {
-        page.section("Vibration");
-        page.figure(&vibration::vibration("Vibration", signals));
-    }
     if !data.parameters.is_empty() {
         page.section("The case as run");
         page.table(&parameter_table(
@@ -209,4 +238,30 @@ pub fn run_page(data: &RunData) -> String {
         ));
     }
     page.html()
+}
+
+fn section(page: &mut Page, title: &str, figures: [Option<Figure>; 3]) {
+    if figures.iter().any(Option::is_some) {
+        page.section(title);
+    }
+    figures.iter().flatten().for_each(|f| page.figure(f));
+}
+
+/// The balls of a run in motion, with its passages to choose from.
+fn motion_figure(motion: &Motion, passages: &[(String, [f64; 2])]) -> MotionFigure {
+    let (from, to) = range(&motion.time_s);
+    MotionFigure {
+        label: "Motion".to_owned(),
+        caption: format!(
+            "The balls from t = {} s to {} s, to scale. The inner ring turns counter-clockwise, \
+             load and gravity point down; the discrete raceway is shaded orange, balls 1 and 2 \
+             blue, balls in contact ringed. A passage or any stretch of time can be chosen, and \
+             saved as an animated GIF.",
+            short(from),
+            short(to)
+        ),
+        bearings: vec![motion.clone()],
+        moments_s: Vec::new(),
+        stretches: passages.to_vec(),
+    }
 }

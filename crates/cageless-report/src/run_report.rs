@@ -1,7 +1,7 @@
 //! Data of the report of a run.
 
 use cageless::Case;
-use cageless::passage::PassageTally;
+use cageless::passage::{Passage, PassageTally};
 use cageless::simulation::RunOutcome;
 use cageless::snapshot::Snapshot;
 use cageless::vibration::{FILTER_CORNER, FILTER_ORDER, Measurement};
@@ -14,7 +14,7 @@ use crate::data::{
     BearingOutline, FrequencyMark, Motion, Parameter, Provenance, RacewaySector, Vibration,
     VibrationSignal,
 };
-use crate::run::{BallHistory, EnergyItem, Recent, RingHistory, RunData};
+use crate::run::{BallHistory, EnergyItem, LoadProfile, Recent, RingHistory, RunData};
 use crate::text::shown;
 use crate::verification::VerificationTable;
 
@@ -85,6 +85,7 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
         outcome,
         summary,
         histories,
+        ring_path,
         ..
     } = record;
     let vibration = record.vibration();
@@ -106,6 +107,7 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
         collisions,
         collisions_total,
         passages,
+        recent_passages,
     } = histories.clone().finish();
     let decimated = stretch_s.is_some();
     let mut warnings = summary.warnings.clone();
@@ -115,8 +117,12 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
             stopped.time_s, stopped.cause, stopped.advice
         ));
     }
-    // Neighbouring rows of decimated histories are no path of the ring.
-    let path = if decimated { &recent } else { &snapshots };
+    let profile = {
+        let from = recent.partition_point(|s| s.time_s < settled);
+        let after = if from < recent.len() { from } else { 0 };
+        LoadProfile::new(bearing, &recent[after..])
+    };
+    let shown = last_orbits(&recent, orbit, ORBITS_PLAYED);
     RunData {
         title: if case.title.is_empty() {
             "Run".to_owned()
@@ -124,7 +130,7 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
             case.title.clone()
         },
         software: format!("Cageless {VERSION}, {}", outcome.instruction_set.name()),
-        lead: lead(case, outcome, summary),
+        lead: lead(case, outcome),
         warnings,
         parameters: parameters(file),
         passes: verdict.verdict.passes(),
@@ -141,10 +147,20 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
             .collect(),
         stretch_s,
         recent: decimated.then(|| Recent {
-            from_s: recent.first().map_or(0.0, |s| s.time_s),
-            ball: ball_history(&recent, 0),
+            time_s: recent.iter().map(|s| s.time_s).collect(),
+            balls: (0..bearing.balls())
+                .map(|k| ball_history(&recent, k))
+                .collect(),
         }),
-        ring: ring_history(path),
+        view_s: view(&recent, orbit),
+        facts: facts(summary, profile.as_ref(), &passages),
+        ring: RingHistory {
+            time_s: ring_path.iter().map(|p| p.time_s).collect(),
+            x_um: ring_path.iter().map(|p| p.x_m * 1e6).collect(),
+            y_um: ring_path.iter().map(|p| p.y_m * 1e6).collect(),
+        },
+        load_profile: profile,
+        passages: passage_stretches(&recent_passages, shown),
         collisions,
         collisions_total,
         energy: energy(outcome),
@@ -158,8 +174,7 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
                 ..provenance.clone()
             },
         }),
-        motion: (recent.len() > 1)
-            .then(|| motion(case, "", last_orbits(&recent, orbit), provenance.clone())),
+        motion: (recent.len() > 1).then(|| motion(case, "", shown, provenance.clone())),
         provenance,
     }
 }
@@ -185,7 +200,8 @@ impl RunData {
                 .collect(),
             stretch_s: None,
             recent: None,
-            ring: ring_history(snapshots),
+            view_s: None,
+            ring: self.ring_within(snapshots, begin, end),
             collisions_total: collisions.len(),
             collisions,
             vibration,
@@ -193,18 +209,33 @@ impl RunData {
         }
     }
 
-    /// Data of the same run for figures of the balls with these indices from 0 alone. `recent` are
-    /// the snapshots after [`Recent::from_s`], if there is such a part.
-    pub fn of_balls(&self, balls: &[usize], recent: &[Snapshot]) -> Self {
+    /// The fine path of the inner ring where it was recorded, else its rows.
+    fn ring_within(&self, snapshots: &[Snapshot], begin: f64, end: f64) -> RingHistory {
+        let RingHistory { time_s, x_um, y_um } = &self.ring;
+        let from = time_s.partition_point(|t| *t < begin);
+        let to = time_s.partition_point(|t| *t <= end);
+        if to - from > snapshots.len() {
+            return RingHistory {
+                time_s: time_s[from..to].to_vec(),
+                x_um: x_um[from..to].to_vec(),
+                y_um: y_um[from..to].to_vec(),
+            };
+        }
+        RingHistory {
+            time_s: snapshots.iter().map(|s| s.time_s).collect(),
+            x_um: snapshots.iter().map(|s| s.ring.x_m * 1e6).collect(),
+            y_um: snapshots.iter().map(|s| s.ring.y_m * 1e6).collect(),
+        }
+    }
+
+    /// Data of the same run for figures of the balls with these indices from 0 alone.
+    pub fn of_balls(&self, balls: &[usize]) -> Self {
         let chosen = |ball: usize| balls.contains(&ball);
         let mut data = self.clone();
-        for (k, ball) in data.balls.iter_mut().enumerate() {
-            if !chosen(k) {
-                *ball = BallHistory::default();
-            }
-        }
-        if let (Some(part), Some(&first)) = (&mut data.recent, balls.iter().min()) {
-            part.ball = ball_history(recent, first);
+        let recent = data.recent.iter_mut().map(|part| &mut part.balls);
+        for all in recent.chain([&mut data.balls]) {
+            let others = all.iter_mut().enumerate().filter(|(k, _)| !chosen(*k));
+            others.for_each(|(_, ball)| *ball = BallHistory::default());
         }
         (data.collisions).retain(|c| chosen(c.ball - 1) || chosen(c.next_ball - 1));
         data.collisions_total = data.collisions.len();
@@ -212,38 +243,107 @@ impl RunData {
     }
 }
 
-fn ring_history(path: &[Snapshot]) -> RingHistory {
-    RingHistory {
-        time_s: path.iter().map(|s| s.time_s).collect(),
-        x_um: path.iter().map(|s| s.ring.x_m * 1e6).collect(),
-        y_um: path.iter().map(|s| s.ring.y_m * 1e6).collect(),
-    }
-}
+/// Orbits of the balls that the animation has.
+const ORBITS_PLAYED: f64 = 16.0;
+/// Orbits of the balls that histories show first.
+const ORBITS_SHOWN: f64 = 3.0;
 
-/// The last few orbits: the motion drawing interpolates, so samples must be close.
-fn last_orbits(recent: &[Snapshot], orbit_rad_s: f64) -> &[Snapshot] {
+/// The last orbits: the motion drawing interpolates, so samples must be close.
+fn last_orbits(recent: &[Snapshot], orbit_rad_s: f64, orbits: f64) -> &[Snapshot] {
     let end = recent.last().map_or(0.0, |s| s.time_s);
-    let from = end - 8.0 * std::f64::consts::TAU / orbit_rad_s;
+    let from = end - orbits * std::f64::consts::TAU / orbit_rad_s;
     &recent[recent.partition_point(|s| s.time_s < from)..]
 }
 
-fn lead(case: &Case, outcome: &RunOutcome, summary: &SummaryFile) -> String {
-    let statistics = if summary.settled_after_s.is_finite() {
-        format!(
-            " After {:.4} s: {} contacts between balls, gaps from {:.3}° to {:.3}°, ring at \
-             ({:.3}, {:.3}) µm on average.",
-            summary.settled_after_s,
-            summary.collisions,
-            summary.gap_min_deg,
-            summary.gap_max_deg,
-            summary.ring_x_um_mean,
-            summary.ring_y_um_mean
-        )
-    } else {
-        String::new()
+/// The stretch of time that histories show first; `None` if that is all there is.
+fn view(recent: &[Snapshot], orbit_rad_s: f64) -> Option<[f64; 2]> {
+    let last = last_orbits(recent, orbit_rad_s, ORBITS_SHOWN);
+    let stretch = [last.first()?.time_s, last.last()?.time_s];
+    (last.len() > 20 && stretch[0] > recent.first()?.time_s).then_some(stretch)
+}
+
+/// The passages within the recorded motion, each with a little before and after it.
+fn passage_stretches(passages: &[Passage], shown: &[Snapshot]) -> Vec<(String, [f64; 2])> {
+    let (Some(first), Some(last)) = (shown.first(), shown.last()) else {
+        return vec![];
     };
+    passages
+        .iter()
+        .filter(|p| p.enter_s >= first.time_s && p.leave_s <= last.time_s)
+        .map(|p| {
+            let hits = match (p.collisions_behind > 0, p.collisions_ahead > 0) {
+                (true, true) => "hit from both sides",
+                (true, false) => "hit from behind",
+                (false, true) => "hits the ball ahead",
+                (false, false) => "free",
+            };
+            let room = 0.25 * (p.leave_s - p.enter_s);
+            (
+                format!("passage of ball {}, {:.4} s, {hits}", p.ball + 1, p.enter_s),
+                [p.enter_s - room, p.leave_s + room],
+            )
+        })
+        .collect()
+}
+
+/// The key numbers, those with a bearing on the verdict first.
+fn facts(
+    summary: &SummaryFile,
+    profile: Option<&LoadProfile>,
+    passages: &PassageTally,
+) -> Vec<Parameter> {
+    let highest = |values: &[f64]| crate::sampling::range(values).1;
+    let mut facts = vec![];
+    if passages.count > 0 {
+        facts.push(parameter(
+            "passages hit from both sides",
+            shown(100.0 * passages.double_collision_fraction(), 1, ""),
+            "%",
+        ));
+    }
+    facts.push(parameter(
+        "contacts between balls",
+        summary.collisions.to_string(),
+        "",
+    ));
+    facts.push(parameter(
+        "smallest gap",
+        shown(summary.gap_min_deg, 4, ""),
+        "°",
+    ));
+    if let Some(p) = profile {
+        facts.push(parameter(
+            "peak contact pressure, inner raceway",
+            shown(highest(&p.inner_pressure_max_gpa), 2, ""),
+            "GPa",
+        ));
+        facts.push(parameter(
+            "peak contact pressure, outer raceway",
+            shown(highest(&p.outer_pressure_max_gpa), 2, ""),
+            "GPa",
+        ));
+    }
+    facts.push(parameter(
+        "largest sliding speed under load",
+        shown(summary.slip_max_m_s, 3, ""),
+        "m/s",
+    ));
+    facts.push(parameter(
+        "mean displacement of the inner ring, y",
+        shown(summary.ring_y_um_mean, 2, ""),
+        "µm",
+    ));
+    facts.push(parameter(
+        "energy balance error (relative)",
+        format!("{:.1e}", summary.energy_residual_relative),
+        "",
+    ));
+    facts
+}
+
+fn lead(case: &Case, outcome: &RunOutcome) -> String {
     format!(
-        "{} balls, {:.0} rpm, {:.0} N, {}: {:.4} s simulated in {} steps.{statistics}",
+        "{} balls, {:.0} rpm, {:.0} N, {}: {:.4} s simulated in {} steps.",
         case.bearing.balls(),
         case.operation.inner_speed_rad_s * 60.0 / std::f64::consts::TAU,
         case.operation.radial_load_n,

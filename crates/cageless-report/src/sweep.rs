@@ -5,15 +5,28 @@ pub use cageless_study::sweep::analysis::{
     SweepQuantity,
 };
 
+use crate::data::Parameter;
 use crate::figures::sweep;
+use crate::head::Head;
+use crate::names;
 use crate::page::{Note, Page};
 use crate::table::{Cell, Row, Table};
 use crate::tables::parameter_table;
 use crate::text::short;
 
+/// Tables of best variants that are shown at once.
+const TABLES_SHOWN: usize = 2;
+/// Outputs of which effects and a map are shown at once.
+const OUTPUTS_SHOWN: usize = 3;
+
 /// The page of a sweep.
 pub fn sweep_page(data: &SweepData) -> String {
-    let mut page = Page::new(&data.title, &data.lead, &data.software);
+    let mut lead = data.lead.clone();
+    for input in &data.inputs {
+        lead = lead.replace(&input.name, &names::name(input));
+    }
+    let mut page = Page::new(&data.title, &lead, &data.software);
+    page.head(&head(data));
     if data.failed > 0 {
         let message = format!(
             "{} of {} variants failed; they are left out of all means.",
@@ -21,36 +34,44 @@ pub fn sweep_page(data: &SweepData) -> String {
         );
         page.note(Note::Warning, &message);
     }
+    if !data.best.is_empty() {
+        page.section("Best variants");
+        let tables = |page: &mut Page, best: &[BestVariants]| {
+            best.iter().for_each(|b| page.table(&best_table(data, b)));
+        };
+        let (first, others) = data.best.split_at(TABLES_SHOWN.min(data.best.len()));
+        tables(&mut page, first);
+        if !others.is_empty() {
+            page.fold(&format!("Best variants by {} more outputs", others.len()));
+            tables(&mut page, others);
+            page.end_fold();
+        }
+    }
     if !data.outputs.is_empty() && !data.inputs.is_empty() {
         page.section("Sensitivity (main effects)");
         page.figure(&sweep::shares(data));
-    }
-    if !data.best.is_empty() {
-        page.section("Best variants");
-        for best in &data.best {
-            page.table(&best_table(data, best));
+        let shown = data.outputs.iter().enumerate();
+        let (first, others): (Vec<_>, Vec<_>) = shown.partition(|(k, _)| *k < shown_outputs(data));
+        for (_, output) in first {
+            output_figures(&mut page, output, data);
         }
-    }
-    let effects = data.outputs.iter().filter(|o| !o.effects.is_empty());
-    if effects.clone().next().is_some() {
-        page.section("Main effects");
-        effects.for_each(|output| page.figure(&sweep::effects(output, &data.provenance)));
-    }
-    let maps = || {
-        data.outputs
-            .iter()
-            .filter_map(|o| Some((o, o.map.as_ref()?)))
-    };
-    if maps().next().is_some() {
-        page.section("Maps");
-        maps().for_each(|(output, map)| page.figure(&sweep::map(output, map, &data.provenance)));
+        if !others.is_empty() {
+            page.fold(&format!("Effects on {} more outputs", others.len()));
+            for (_, output) in others {
+                output_figures(&mut page, output, data);
+            }
+            page.end_fold();
+        }
     }
     if !data.failures.is_empty() {
         page.section("Failed variants");
         page.table(&failure_table(data));
     }
+    if !data.constants.is_empty() || !data.plan.is_empty() {
+        page.section("Plan and constants");
+    }
     if !data.constants.is_empty() {
-        page.section("Constant outputs");
+        page.fold("Outputs that do not depend on any input");
         let caption = "Outputs that do not depend on any input.";
         page.table(&parameter_table(
             "Constants",
@@ -58,34 +79,110 @@ pub fn sweep_page(data: &SweepData) -> String {
             &data.constants,
             None,
         ));
+        page.end_fold();
     }
     if !data.plan.is_empty() {
-        page.section("The plan");
+        page.fold("Every key of the plan and of its case");
         let caption = "Every key of the plan and of its case.";
         page.table(&parameter_table("Plan", caption, &data.plan, None));
+        page.end_fold();
     }
     page.html()
 }
 
+fn shown_outputs(data: &SweepData) -> usize {
+    data.chosen.min(OUTPUTS_SHOWN)
+}
+
+/// Effects of the inputs on one output, and its map.
+fn output_figures(page: &mut Page, output: &SweepOutput, data: &SweepData) {
+    if !output.effects.is_empty() {
+        page.figure(&sweep::effects(output, &data.provenance));
+    }
+    // An input without an effect makes no map.
+    if let Some(map) = &output.map
+        && output.effects.len() > 1
+    {
+        page.figure(&sweep::map(output, map, &data.provenance));
+    }
+}
+
+/// Variants that pass, and the best values of the first goals.
+fn head(data: &SweepData) -> Head {
+    let mut head = Head::default();
+    if let Some([passed, judged]) = data.passed {
+        let share = 100.0 * passed as f64 / judged.max(1) as f64;
+        head = head.verdict(
+            (judged > 0).then_some(passed > 0),
+            &format!("{passed} of {judged} variants pass ({share:.0} %)"),
+        );
+    }
+    let fact = |name: &str, value: String, unit: &str| Parameter {
+        name: name.to_owned(),
+        value,
+        unit: unit.to_owned(),
+        ..Parameter::default()
+    };
+    let mut facts = vec![
+        fact("variants", data.variants.to_string(), ""),
+        fact("failed", data.failed.to_string(), ""),
+    ];
+    let goals = data
+        .best
+        .iter()
+        .filter(|b| b.quantity.name != "verdict_passes");
+    for best in goals.take(4) {
+        let values = best.variants.iter().map(|v| v.value);
+        let value = if best.high {
+            values.reduce(f64::max)
+        } else {
+            values.reduce(f64::min)
+        };
+        if let Some(value) = value {
+            let name = format!(
+                "{} {}",
+                if best.high { "highest" } else { "lowest" },
+                names::name(&best.quantity)
+            );
+            facts.push(fact(&name, short(value), best.quantity.sign()));
+        }
+    }
+    head.facts(facts)
+}
+
 fn best_table(data: &SweepData, best: &BestVariants) -> Table {
-    let mut columns = vec![("Variant".to_owned(), true), (best.quantity.label(), true)];
-    columns.extend(data.inputs.iter().map(|input| (input.label(), true)));
+    // Conditions first: the best are sought at each of them.
+    let mut order: Vec<usize> = (0..data.inputs.len()).collect();
+    order.sort_by_key(|k| !data.inputs[*k].is_condition());
+    let mut columns: Vec<(String, bool)> = order
+        .iter()
+        .map(|k| (names::label(&data.inputs[*k]), true))
+        .collect();
+    columns.push((names::label(&best.quantity), true));
+    columns.push(("Variant".to_owned(), true));
     let row = |variant: &BestVariant| {
-        let mut cells = vec![
-            Cell::number(variant.variant.to_string()),
-            Cell::number(short(variant.value)),
-        ];
-        cells.extend(variant.inputs.iter().map(Cell::number));
+        let mut cells: Vec<Cell> = order
+            .iter()
+            .map(|k| Cell::number(variant.inputs.get(*k).map_or("", String::as_str)))
+            .collect();
+        cells.push(Cell::number(short(variant.value)));
+        cells.push(Cell::dim(variant.variant.to_string()));
         Row {
             cells,
             ..Row::default()
         }
     };
+    let name = names::name(&best.quantity);
     Table {
-        label: format!("Best by {}", best.quantity.name),
+        label: format!("Best by {name}"),
         caption: format!(
-            "{} {}.",
+            "{} {name}{} (`{}`).",
             if best.high { "Highest" } else { "Lowest" },
+            if best.per_condition {
+                " at each combination of the conditions of operation"
+            } else {
+                ""
+            },
             best.quantity.name
         ),
         columns,

@@ -1,7 +1,7 @@
 //! A table with units in its header and numbers aligned right.
 
 use crate::data::Provenance;
-use crate::text::{rich, slug};
+use crate::text::{escape, rich, slug};
 
 /// A cell.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -88,18 +88,33 @@ impl Table {
                 rich(&source.line())
             ));
         }
-        out.push_str("</div></figcaption><div class=\"scroll\"><table><thead>");
+        out.push_str(&format!(
+            "</div></figcaption><div class=\"scroll\" role=\"region\" tabindex=\"0\" \
+             aria-label=\"{}\"><table><thead>",
+            escape(&self.label)
+        ));
         if !self.groups.is_empty() {
             out.push_str("<tr class=\"groups\">");
             for (text, span) in &self.groups {
-                out.push_str(&format!("<th colspan=\"{span}\">{}</th>", rich(text)));
+                if text.is_empty() {
+                    out.push_str(&format!("<td colspan=\"{span}\"></td>"));
+                } else {
+                    out.push_str(&format!(
+                        "<th scope=\"colgroup\" colspan=\"{span}\">{}</th>",
+                        rich(text)
+                    ));
+                }
             }
             out.push_str("</tr>");
         }
         out.push_str("<tr>");
         for (text, numeric) in &self.columns {
             let class = if *numeric { " class=\"num\"" } else { "" };
-            out.push_str(&format!("<th scope=\"col\"{class}>{}</th>", rich(text)));
+            if text.is_empty() {
+                out.push_str("<td></td>");
+            } else {
+                out.push_str(&format!("<th scope=\"col\"{class}>{}</th>", rich(text)));
+            }
         }
         out.push_str("</tr></thead><tbody>\n");
         for row in &self.rows {

@@ -124,6 +124,10 @@ fn axes_have_units_and_figures_have_captions_and_provenance() {
                 );
                 titled += usize::from(title.ends_with(')'));
             }
+            for (_, polar) in layout.iter().filter(|(key, _)| key.starts_with("polar")) {
+                let title = polar["radialaxis"]["title"]["text"].as_str();
+                titled += usize::from(title.is_some_and(|t| t.ends_with(')')));
+            }
             assert!(titled >= 1, "{name}, {id}");
         }
         for figure in page.split("<figure ").skip(1) {
@@ -299,8 +303,8 @@ fn a_thinned_run_says_so() {
     assert!(!plain.contains("lowest and highest value"));
     data.stretch_s = Some(0.0128);
     data.recent = Some(Recent {
-        from_s: 99.5,
-        ball: data.balls[0].clone(),
+        time_s: vec![99.5, 99.6],
+        balls: vec![data.balls[0].clone()],
     });
     data.collisions_total = 123_456;
     let signal = &mut data.vibration.as_mut().unwrap().signals[0];
@@ -457,4 +461,141 @@ fn pages_say_what_passes() {
         assert!(page.contains(said), "{said}");
     }
     assert!(run_page(&synthetic::run_data()).contains("✘ FAIL in this run: hit from both sides"));
+}
+
+/// The verdict and the key numbers come before everything else.
+#[test]
+fn the_result_is_on_top() {
+    let (html, _) = split(&run_page(&synthetic::run_data()));
+    let (header, _) = html.split_once("</header>").expect("a header");
+    assert!(header.contains("class=\"head fail\"") && header.contains("✘ FAIL"));
+    assert!(header.contains("<dt>Peak pressure</dt><dd>2.1 <span class=\"unit\">GPa</span></dd>"));
+    let data = DesignData {
+        shown: Some(ShownRaceway {
+            name: "recommended raceway".into(),
+            passes: Some(true),
+            headline: "PASS: smooth".into(),
+            toml: "[raceway]\naxial_span_mm = 5.1\n".into(),
+            contact_track: synthetic::design().contact_track.expect("a track"),
+            surface: synthetic::design().surface.expect("a surface"),
+            ..ShownRaceway::default()
+        }),
+        passes: Some(false),
+        headline: "FAIL: slips".into(),
+        ..synthetic::design()
+    };
+    let (html, _) = split(&design_page(&data));
+    let (header, body) = html.split_once("</header>").expect("a header");
+    let recommended = header.find("Recommended raceway: PASS").expect("a verdict");
+    let own = header.find("Initial design: FAIL").expect("a verdict");
+    assert!(recommended < own && header.contains("class=\"head pass\""));
+    assert!(body.contains("[raceway]\naxial_span_mm = 5.1\n</pre>"));
+    // The initial design has its figures, under names of their own.
+    assert!(
+        body.contains("id=\"contact-track\"")
+            && body.contains("id=\"contact-track-initial-design\"")
+    );
+}
+
+/// Every figure says its ranges in words, and every hovered point what it is.
+#[test]
+fn figures_have_descriptions_and_hovered_points_names() {
+    let page = run_page(&synthetic::run_data());
+    let (html, _) = split(&page);
+    let labels = attributes(&html, "aria-label");
+    let gaps = labels
+        .iter()
+        .find(|l| l.starts_with("Gaps. "))
+        .expect("a description");
+    assert!(
+        gaps.contains("The smallest gap is") && gaps.contains("over Time t (s) from"),
+        "{gaps}"
+    );
+    let names: Vec<_> = labels.iter().filter(|l| l.starts_with("Save ")).collect();
+    let different: HashSet<_> = names.iter().collect();
+    assert_eq!(names.len(), different.len());
+    for (id, spec) in specs(&page) {
+        for trace in spec["data"].as_array().expect("traces") {
+            if trace["type"] == "scatter" && trace["hoverinfo"] != "skip" {
+                let said = trace["hovertemplate"].as_str().unwrap_or_default();
+                assert!(said.contains("%{"), "{id}: {said}");
+            }
+        }
+    }
+}
+
+fn swept() -> SweepData {
+    let quantity = |name: &str, unit: &str| SweepQuantity {
+        name: name.into(),
+        unit: unit.into(),
+    };
+    let output = |name: &str| SweepOutput {
+        quantity: quantity(name, ""),
+        shares: vec![Some(0.7), Some(0.2)],
+        effects: vec![
+            MainEffect {
+                input: quantity("operation_radial_load_n", "N"),
+                levels: Levels::Numbers(vec![500.0, 1500.0]),
+                mean: vec![0.2, 0.8],
+                min: vec![0.0, 0.5],
+                max: vec![0.5, 1.0],
+            },
+            MainEffect {
+                input: quantity("raceway_axial_span_mm", "mm"),
+                levels: Levels::Numbers(vec![5.0, 5.1]),
+                mean: vec![0.4, 0.6],
+                min: vec![0.0, 0.5],
+                max: vec![0.5, 1.0],
+            },
+        ],
+        ..SweepOutput::default()
+    };
+    let names = [
+        "verdict_passes",
+        "run_collisions",
+        "run_gap_min_deg",
+        "run_slip_max_m_s",
+        "run_steps",
+    ];
+    SweepData {
+        variants: 40,
+        passed: Some([30, 40]),
+        inputs: vec![
+            quantity("operation_radial_load_n", "N"),
+            quantity("raceway_axial_span_mm", "mm"),
+        ],
+        outputs: names.map(output).to_vec(),
+        chosen: 4,
+        ..SweepData::default()
+    }
+}
+
+/// A sweep shows what was asked for, choices before conditions, and folds the rest away.
+#[test]
+fn a_sweep_shows_its_choice_first() {
+    let page = sweep_page(&swept());
+    let (html, _) = split(&page);
+    assert!(html.contains("30 of 40 variants pass (75 %)"));
+    let folded = html.find("<details>").expect("a fold");
+    let place = |id: &str| html.find(&format!("id=\"{id}\"")).expect("a figure");
+    assert!(place("effects-on-passes") < folded && place("effects-on-smallest-gap") < folded);
+    assert!(
+        place("effects-on-largest-sliding-speed") > folded && place("effects-on-steps") > folded
+    );
+    let specs = specs(&page);
+    let spec = |id: &str| {
+        &specs
+            .iter()
+            .find(|(name, _)| name == id)
+            .expect("a figure")
+            .1
+    };
+    let sensitivity = spec("sensitivity-main-effects");
+    assert_eq!(sensitivity["data"][0]["x"][1], "radial load");
+    // What only the computation is about is no finding.
+    let rows = sensitivity["data"][0]["y"].as_array().expect("outputs");
+    assert_eq!(rows.len(), 4);
+    assert!(!rows.iter().any(|row| row == "steps"));
+    let title = &spec("effects-on-passes")["layout"]["xaxis"]["title"]["text"];
+    assert_eq!(title, "Axial span <i>l</i><sub>C</sub> (mm)");
 }

@@ -37,6 +37,8 @@ pub const SAMPLING_HZ: f64 = 5000.0;
 const ROWS: usize = 8000;
 /// Most of the last snapshots that are kept one by one.
 const RECENT: usize = 2500;
+/// Most of the last passages that are kept one by one.
+const PASSAGES: usize = 60;
 /// Collisions that are kept at least, the strongest.
 const COLLISIONS: usize = 4000;
 
@@ -50,6 +52,7 @@ pub struct Histories {
     collisions: Vec<CollisionPoint>,
     collisions_seen: usize,
     passages: PassageTally,
+    recent_passages: VecDeque<Passage>,
     /// Passages of each raceway.
     raceways: Vec<PassageTally>,
 }
@@ -65,6 +68,7 @@ impl Histories {
             collisions: vec![],
             collisions_seen: 0,
             passages: PassageTally::new(),
+            recent_passages: VecDeque::new(),
             raceways: vec![PassageTally::new(); case.raceways.len()],
         }
     }
@@ -103,6 +107,10 @@ impl Histories {
     pub fn pass(&mut self, passage: &Passage) {
         self.passages.add(passage);
         self.raceways[passage.raceway].add(passage);
+        if self.recent_passages.len() == PASSAGES {
+            self.recent_passages.pop_front();
+        }
+        self.recent_passages.push_back(*passage);
     }
 
     /// Verdict on the passages that were taken.
@@ -121,6 +129,7 @@ impl Histories {
             collisions: self.collisions,
             collisions_total: self.collisions_seen,
             passages: self.passages,
+            recent_passages: self.recent_passages.into(),
         }
     }
 }
@@ -141,4 +150,6 @@ pub struct RunHistories {
     pub collisions_total: usize,
     /// Passages through the discrete raceways after the transient.
     pub passages: PassageTally,
+    /// The last of them, one by one.
+    pub recent_passages: Vec<Passage>,
 }

@@ -14,6 +14,8 @@ pub mod number_text;
 mod parameter;
 mod progress;
 mod provenance;
+pub mod ring_path;
+pub mod rings;
 pub mod run;
 pub mod search;
 mod static_result;
@@ -26,6 +28,7 @@ pub mod verification;
 pub use design_result::{
     Curve, DesignResult, PassageNumbers, RacewayNumbers, RecommendationNumbers,
 };
+pub use entered::entered;
 pub use error::StudyError;
 pub use histories::{CollisionPoint, Histories, RunHistories, SAMPLING_HZ};
 pub use parameter::{Parameter, parameter, parameters};

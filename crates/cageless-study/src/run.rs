@@ -16,6 +16,7 @@ use cageless_io::results::{RunWriter, SummaryFile};
 
 use crate::histories::{Histories, SAMPLING_HZ};
 use crate::progress::Progress;
+use crate::ring_path::{RingPathRecorder, RingPosition};
 use crate::verification::VerificationRuns;
 
 /// Receiver of the rows of a run.
@@ -71,6 +72,8 @@ pub struct RunRecord {
     pub summary: SummaryFile,
     /// Histories for figures.
     pub histories: Histories,
+    /// The end of the path of the inner ring's centre; empty without [`Options::rows`].
+    pub ring_path: Vec<RingPosition>,
     vibration: Option<VibrationRecorder>,
     verification: Option<VerificationRuns>,
 }
@@ -108,6 +111,7 @@ pub fn run(
     let settled_s = transient_s(case);
     let recorded = options.rows.is_some();
     let mut summary = SummaryRecorder::new();
+    let mut ring_path = RingPathRecorder::new();
     let mut verification = options.verify.then(|| VerificationRuns::new(case));
     let mut vibration = (case.housing.as_ref())
         .map(|housing| VibrationRecorder::new(housing, SAMPLING_HZ, settled_s));
@@ -144,6 +148,7 @@ pub fn run(
         if recorded {
             observers.push(&mut recorder);
             observers.push(&mut passages);
+            observers.push(&mut ring_path);
             if let Some(vibration) = &mut vibration {
                 observers.push(vibration);
             }
@@ -162,6 +167,7 @@ pub fn run(
         summary: SummaryFile::new(file, &outcome, summary.summary(), wall_s),
         outcome,
         histories,
+        ring_path: ring_path.into_path(),
         vibration,
         verification,
     })

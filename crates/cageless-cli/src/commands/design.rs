@@ -5,10 +5,11 @@ use std::path::Path;
 use cageless::Case;
 use cageless_io::results::write_atomically;
 use cageless_paper::structures_of;
-use cageless_report::design_report::design_data;
+use cageless_report::design_report::{design_data, rings_of};
 use cageless_report::{design_page, to_json};
 use cageless_study::DesignResult;
 use cageless_study::design::{Judged, judged as study, task};
+use cageless_study::rings::rings;
 use cageless_study::{Progress, StudyError, search};
 
 use super::{deliver, make_folder, open_page, read_case, writable};
@@ -58,7 +59,8 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
     }
     drop(bars);
     if let Some(dir) = &args.out {
-        let data = design_data(&file, &result, &snapshots);
+        let mut data = design_data(&file, &result, &snapshots);
+        data.rings = rings(&rings_of(&file, &result), &Bars::new(&stop))?;
         write_atomically(&dir.join(PAGE), design_page(&data).as_bytes())?;
         write_atomically(&dir.join(PAGE_DATA), to_json(&data)?.as_bytes())?;
     }

@@ -28,7 +28,6 @@ pub fn comparison(comparison: &RingComparison) -> Figure {
     let across = panels(speeds.len(), 0.16);
     let down = panels(ROWS.len(), 0.035);
     let mut plot = Plot::new(980)
-        .at_least(640)
         .legend()
         .set("barmode", json!("group"))
         .set("margin", json!({ "l": 72, "r": 16, "t": 84, "b": 48 }));

@@ -1,35 +1,39 @@
-//! Figures of a single run: histories of all balls, ring, loads, collisions, energy.
+//! Histories of all balls over the time of a run.
 
 use serde_json::{Value, json};
 
-use super::{on, shade_sectors};
+use super::on;
 use crate::figure::Figure;
-use crate::plot::{PALETTE, Plot, line, markers, number, numbers, plain, with};
+use crate::plot::{PALETTE, Plot, line, number, with};
 use crate::run::{BallHistory, RunData};
-use crate::sampling::{curve, history, range, wrapped};
+use crate::sampling::{history, range};
 use crate::text::short;
 
 /// One history of a ball.
 type History = fn(&BallHistory) -> &Vec<f64>;
 
+/// Balls whose gaps are shown at once.
+const SHOWN: usize = 3;
+/// Points of a trace before the stretch of time that is shown first.
+const POINTS_BEFORE: usize = 2000;
+
 /// Points of all traces of a figure with one trace per ball.
 const POINTS_OF_ALL: usize = 28_000;
-/// Collisions drawn at most.
-const COLLISIONS: usize = 4000;
 
 /// Gaps of all pairs over time.
 pub fn gaps(run: &RunData) -> Option<Figure> {
-    let plot = per_ball(run, "Gap to the ball ahead (°)", true, |ball| {
+    let plot = per_ball(run, "Gap to the ball ahead (°)", SHOWN, |ball| {
         &ball.gap_deg
     })?
     .horizontal("x", "y", 0.0, "solid")
-    .horizontal("x", "y", run.uniform_gap_deg, "dot");
+    .horizontal("x", "y", run.uniform_gap_deg, "dot")
+    .finding(&smallest_gap(run));
     Some(figure(
         run,
         "Gaps",
         &format!(
-            "Gaps of all pairs over time; 0 is contact, the dotted line is the nominal gap. Ball 1 \
-             to 2 is drawn strong; click a ball in the legend to hide it, double-click to see it \
+            "Gaps over time of balls 1 to {SHOWN} to the ball ahead; 0 is contact, the dotted line is \
+             the nominal gap. Click a ball in the legend to add or hide it, double-click to see it \
              alone.{}",
             stretches(run)
         ),
@@ -37,9 +41,28 @@ pub fn gaps(run: &RunData) -> Option<Figure> {
     ))
 }
 
+/// The smallest gap of the run in a sentence.
+pub(super) fn smallest_gap(run: &RunData) -> String {
+    let least = |(k, ball): (usize, &BallHistory)| (k, range(&ball.gap_deg).0);
+    let pairs = run.balls.iter().enumerate();
+    let pairs = pairs
+        .filter(|(_, ball)| !ball.gap_deg.is_empty())
+        .map(least);
+    let Some((k, gap)) = pairs.min_by(|a, b| a.1.total_cmp(&b.1)) else {
+        return String::new();
+    };
+    let next = (k + 1) % run.balls.len() + 1;
+    format!(
+        "The smallest gap is {}°, between balls {} and {next}; the nominal gap is {}°.",
+        short(gap),
+        k + 1,
+        short(run.uniform_gap_deg)
+    )
+}
+
 /// Orbital speeds over time.
 pub fn orbit_speed(run: &RunData) -> Option<Figure> {
-    let mut plot = per_ball(run, "Orbital speed (°/s)", false, |ball| {
+    let mut plot = per_ball(run, "Orbital speed (°/s)", 1, |ball| {
         &ball.orbit_speed_deg_s
     })?;
     if let Some(rolling) = run.rolling_orbit_speed_deg_s {
@@ -64,12 +87,12 @@ pub fn slip(run: &RunData) -> Option<Figure> {
         .set("legend", ball_legend())
         .axis(
             "yaxis",
-            "Sliding speed at inner raceway ΔVi (m/s)",
+            "Sliding speed, inner<br>raceway ΔVi (m/s)",
             json!({ "domain": [0.54, 1.0], "anchor": "x" }),
         )
         .axis(
             "yaxis2",
-            "Sliding speed at outer raceway ΔVo (m/s)",
+            "Sliding speed, outer<br>raceway ΔVo (m/s)",
             json!({ "domain": [0.0, 0.46], "anchor": "x" }),
         );
     let kinds: [(History, &str); 2] = [(|b| &b.inner_slip_m_s, "y"), (|b| &b.outer_slip_m_s, "y2")];
@@ -80,7 +103,7 @@ pub fn slip(run: &RunData) -> Option<Figure> {
                 continue;
             }
             any = true;
-            let trace = ball_trace(run, k, of(ball), 2 * run.balls.len(), false);
+            let trace = ball_trace(run, k, of, 2 * run.balls.len(), 1);
             plot = plot.trace(on(with(trace, json!({ "showlegend": y == "y" })), "x", y));
         }
     }
@@ -99,247 +122,7 @@ pub fn slip(run: &RunData) -> Option<Figure> {
     })
 }
 
-/// Phase portrait of a ball.
-pub fn phase(run: &RunData) -> Option<Figure> {
-    let Shown {
-        number,
-        ball,
-        from,
-        part,
-    } = shown_ball(run)?;
-    if ball.vx_m_s.is_empty() || ball.vy_m_s.is_empty() {
-        return None;
-    }
-    let after = |v: &[f64]| v.get(from..).unwrap_or_default().to_vec();
-    let (px, py) = curve(&after(&ball.vx_m_s), &after(&ball.vy_m_s), 8000);
-    let plot = Plot::new(560)
-        .axis(
-            "xaxis",
-            "vx (m/s)",
-            json!({ "scaleanchor": "y", "constrain": "domain" }),
-        )
-        .axis("yaxis", "vy (m/s)", json!({ "constrain": "domain" }))
-        .trace(with(
-            line(&format!("ball {number}"), &px, &py, PALETTE[0]),
-            json!({ "line": { "width": 1 } }),
-        ));
-    Some(figure(
-        run,
-        &format!("Phase portrait of ball {number}"),
-        &format!("Velocity of the centre of ball {number}, y against x, {part}."),
-        plot,
-    ))
-}
-
-/// Path of the inner ring's centre: all of it, and enlarged after the transient.
-pub fn ring_orbit(run: &RunData) -> Option<Figure> {
-    let ring = &run.ring;
-    let n = ring.x_um.len().min(ring.y_um.len()).min(ring.time_s.len());
-    if n == 0 {
-        return None;
-    }
-    let cut = ring.time_s[..n].partition_point(|t| *t < run.settled_after_s);
-    let (x, y) = curve(&ring.x_um[cut..n], &ring.y_um[cut..n], 6000);
-    let settled = |colour: &str| {
-        with(
-            line("settled", &x, &y, colour),
-            json!({ "line": { "width": 1 } }),
-        )
-    };
-    let plot = Plot::new(500).at_least(800).legend();
-    if cut == 0 {
-        let plot = plot
-            .axis("xaxis", "Ring x (µm)", json!({ "scaleanchor": "y" }))
-            .axis("yaxis", "Ring y (µm)", json!({}))
-            .trace(settled(PALETTE[0]));
-        let part = run.recent.as_ref().map_or(String::new(), |recent| {
-            format!(" Shown after t = {} s.", short(recent.from_s))
-        });
-        return Some(figure(
-            run,
-            "Path of the inner ring",
-            &format!("{RING}{part}"),
-            plot,
-        ));
-    }
-    let (x0, y0) = curve(&ring.x_um[..cut], &ring.y_um[..cut], 3000);
-    let plot = plot
-        .axis(
-            "xaxis",
-            "Ring x (µm)",
-            json!({ "scaleanchor": "y", "domain": [0.0, 0.44] }),
-        )
-        .axis("yaxis", "Ring y (µm)", json!({}))
-        .axis(
-            "xaxis2",
-            "Ring x (µm)",
-            json!({
-                "scaleanchor": "y2", "domain": [0.56, 1.0], "anchor": "y2",
-            }),
-        )
-        .axis("yaxis2", "Ring y (µm)", json!({ "anchor": "x2" }))
-        .trace(line("transient, discarded", &x0, &y0, "#c4c4c4"))
-        .trace(settled(PALETTE[0]))
-        .trace(on(
-            with(settled(PALETTE[0]), json!({ "showlegend": false })),
-            "x2",
-            "y2",
-        ));
-    let caption = format!("{RING} Left: all of the run; right: after the transient, enlarged.");
-    Some(figure(run, "Path of the inner ring", &caption, plot))
-}
-
-const RING: &str = "Centre of the inner ring, from the centre of the outer ring; load and gravity \
-    point down.";
-
-/// Loads of a ball against its angular position.
-pub fn loads(run: &RunData) -> Option<Figure> {
-    let Shown {
-        number,
-        ball,
-        from,
-        part,
-    } = shown_ball(run)?;
-    if ball.inner_force_n.is_empty() || ball.angle_deg.is_empty() {
-        return None;
-    }
-    let from = from.min(ball.angle_deg.len());
-    let mut plot = Plot::new(440)
-        .legend()
-        .axis(
-            "xaxis",
-            "ψ, 0 at the bottom (°)",
-            json!({ "range": [-180, 180], "dtick": 45 }),
-        )
-        .axis(
-            "yaxis",
-            "Contact force (N)",
-            json!({ "rangemode": "tozero" }),
-        );
-    plot = shade_sectors(plot, &run.sectors, "x", "y");
-    for (values, name, colour) in [
-        (&ball.outer_force_n, "outer raceway Fo", PALETTE[1]),
-        (&ball.inner_force_n, "inner raceway Fi", PALETTE[0]),
-    ] {
-        let values = values.get(from..).unwrap_or_default();
-        let (angle, force) = wrapped(&ball.angle_deg[from..], values);
-        let (x, y) = curve_with_breaks(&angle, &force);
-        plot = plot.trace(with(
-            line(name, &x, &y, colour),
-            json!({ "line": { "width": 1 } }),
-        ));
-    }
-    Some(figure(
-        run,
-        "Ball load vs. angular position ψ",
-        &format!(
-            "Normal forces on ball {number} at both raceways against its angular position ψ, all turns {part}; \
-             the discrete raceway is shaded."
-        ),
-        plot,
-    ))
-}
-
-/// Angular position of collisions over time.
-pub fn collisions(run: &RunData) -> Option<Figure> {
-    let mut hits = run.collisions.clone();
-    hits.sort_by(|a, b| b.impulse_n_s.total_cmp(&a.impulse_n_s));
-    let most = hits.first()?.impulse_n_s.max(1e-300);
-    let total = run.collisions_total.max(hits.len());
-    hits.truncate(COLLISIONS);
-    let column =
-        |of: fn(&crate::run::CollisionPoint) -> f64| -> Vec<f64> { hits.iter().map(of).collect() };
-    let size: Vec<f64> = hits
-        .iter()
-        .map(|c| 4.0 + 16.0 * (c.impulse_n_s / most).max(0.0).sqrt())
-        .collect();
-    let text: Value = hits
-        .iter()
-        .map(|c| {
-            format!(
-                "balls {} and {}<br>approach {} m/s<br>peak {} N<br>impulse {} N·s",
-                c.ball,
-                c.next_ball,
-                short(c.approach_speed_m_s),
-                short(c.peak_force_n),
-                short(c.impulse_n_s)
-            )
-        })
-        .collect();
-    let mut plot = with_time(run, Plot::new(460), "y").axis(
-        "yaxis",
-        "ψ of the contact, 0 at the bottom (°)",
-        json!({ "range": [-180, 180], "dtick": 45 }),
-    );
-    for sector in &run.sectors {
-        for edge in [
-            sector.centre_angle_deg - sector.half_angle_deg,
-            sector.centre_angle_deg + sector.half_angle_deg,
-        ] {
-            plot = plot.horizontal("x", "y", edge - 360.0 * (edge / 360.0).round(), "dash");
-        }
-    }
-    plot = plot.trace(with(
-        markers("collisions", &column(|c| c.time_s), &column(|c| c.angle_deg), PALETTE[1]),
-        json!({
-            "marker": { "size": numbers(&size), "opacity": 0.55, "line": { "width": 0.5, "color": "#7a3500" } },
-            "text": text, "hovertemplate": "%{text}<br>t %{x} s, ψ %{y}°<extra></extra>",
-        }),
-    ));
-    let drawn = if total > COLLISIONS {
-        format!(" The {COLLISIONS} strongest are drawn.")
-    } else {
-        String::new()
-    };
-    Some(figure(
-        run,
-        "Collisions",
-        &format!(
-            "{total} contacts between balls: place over time. The area of a marker grows with the impulse, the largest \
-         being {} N·s; dashed lines are the ends of the discrete raceway.{drawn}",
-            short(most)
-        ),
-        plot,
-    ))
-}
-
-/// Energy balance of a run.
-pub fn energy(run: &RunData) -> Option<Figure> {
-    if run.energy.is_empty() {
-        return None;
-    }
-    let names: Value = run.energy.iter().map(|item| plain(&item.name)).collect();
-    let values: Vec<f64> = run.energy.iter().map(|item| item.energy_j).collect();
-    let colours: Value = values
-        .iter()
-        .map(|v| if *v < 0.0 { PALETTE[1] } else { PALETTE[0] })
-        .collect();
-    let labels: Value = values.iter().map(|v| format!("{} J", short(*v))).collect();
-    let (low, high) = range(&values);
-    let room = (high.max(0.0) - low.min(0.0)).max(1e-12) * 0.16;
-    let bounds = json!([
-        number(low.min(0.0) - if low < 0.0 { room } else { 0.0 }),
-        number(high.max(0.0) + if high > 0.0 { room } else { 0.0 }),
-    ]);
-    let plot = Plot::new(36 * run.energy.len() as u32 + 130)
-        .axis("xaxis", "Energy, positive into the bearing (J)", json!({ "range": bounds, "zeroline": true, "zerolinecolor": "#555" }))
-        .axis("yaxis", "", json!({ "type": "category", "autorange": "reversed" }))
-        .trace(json!({
-            "type": "bar", "orientation": "h", "y": names, "x": numbers(&values),
-            "marker": { "color": colours }, "text": labels, "textposition": "outside", "cliponaxis": false,
-        }));
-    let rest = run.energy_residual_relative.map_or(String::new(), |r| {
-        format!(" Residual: {} of the sum of all energy flows.", short(r))
-    });
-    Some(figure(
-        run,
-        "Energy balance",
-        &format!("Work and energy over the run.{rest}"),
-        plot,
-    ))
-}
-
-fn figure(run: &RunData, label: &str, caption: &str, plot: Plot) -> Figure {
+pub(super) fn figure(run: &RunData, label: &str, caption: &str, plot: Plot) -> Figure {
     Figure {
         label: label.to_owned(),
         caption: caption.to_owned(),
@@ -349,25 +132,25 @@ fn figure(run: &RunData, label: &str, caption: &str, plot: Plot) -> Figure {
 }
 
 /// A ball to be shown in a plane.
-struct Shown<'r> {
+pub(super) struct Shown<'r> {
     /// Number, from 1.
-    number: usize,
-    ball: &'r BallHistory,
+    pub number: usize,
+    pub ball: &'r BallHistory,
     /// First row to be shown.
-    from: usize,
+    pub from: usize,
     /// The part of the run that is shown.
-    part: String,
+    pub part: String,
 }
 
 /// The first ball that has a history.
-fn shown_ball(run: &RunData) -> Option<Shown<'_>> {
+pub(super) fn shown_ball(run: &RunData) -> Option<Shown<'_>> {
     let first = run.balls.iter().position(|b| !b.angle_deg.is_empty())?;
     Some(match &run.recent {
         Some(recent) => Shown {
             number: first + 1,
-            ball: &recent.ball,
+            ball: recent.balls.get(first)?,
             from: 0,
-            part: format!("after t = {} s", short(recent.from_s)),
+            part: format!("after t = {} s", short(recent.from_s())),
         },
         None => Shown {
             number: first + 1,
@@ -395,16 +178,21 @@ fn settled(run: &RunData) -> usize {
 }
 
 /// Time axis along the bottom of all panels, transient shaded.
-fn with_time(run: &RunData, plot: Plot, anchor: &str) -> Plot {
+pub(super) fn with_time(run: &RunData, plot: Plot, anchor: &str) -> Plot {
     let times = run.time_s.iter().chain(&run.ring.time_s);
     let begin = times.clone().copied().reduce(f64::min).unwrap_or(0.0);
     let end = times.copied().fold(begin, f64::max);
-    plot.axis(
+    let mut plot = plot.axis(
         "xaxis",
         "Time t (s)",
         json!({ "anchor": anchor, "range": [number(begin), number(end)] }),
-    )
-    .discarded("x", "paper", begin, run.settled_after_s.min(end))
+    );
+    if let Some(view) = run.view_s {
+        plot = plot
+            .view("last orbits", view)
+            .view("whole run", [begin, end]);
+    }
+    plot.discarded("x", "paper", begin, run.settled_after_s.min(end))
 }
 
 /// One entry per ball, at the right.
@@ -414,12 +202,12 @@ fn ball_legend() -> Value {
     })
 }
 
-/// A panel over time with one trace per ball, ball 1 drawn last and strong, the
-/// others shown at once or when asked for.
+/// A panel over time with one trace per ball, ball 1 drawn last and strong; the first `shown`
+/// balls are shown at once, the others when asked for.
 fn per_ball(
     run: &RunData,
     title: &str,
-    all: bool,
+    shown: usize,
     of: impl Fn(&BallHistory) -> &Vec<f64>,
 ) -> Option<Plot> {
     let mut plot = with_time(run, Plot::new(470), "y")
@@ -435,51 +223,72 @@ fn per_ball(
     for (k, ball) in run.balls.iter().enumerate().rev() {
         if !of(ball).is_empty() {
             any = true;
-            plot = plot.trace(ball_trace(run, k, of(ball), run.balls.len(), all));
+            plot = plot.trace(ball_trace(run, k, &of, run.balls.len(), shown));
         }
     }
     any.then_some(plot)
 }
 
-fn ball_trace(run: &RunData, k: usize, values: &[f64], traces: usize, shown: bool) -> Value {
+fn ball_trace(
+    run: &RunData,
+    k: usize,
+    of: impl Fn(&BallHistory) -> &Vec<f64>,
+    traces: usize,
+    shown: usize,
+) -> Value {
+    let (x, y) = run_history(run, k, of, traces);
+    let colour = PALETTE[k % PALETTE.len()];
+    let dash = ["solid", "dash", "dot"][k / PALETTE.len() % 3];
     // Of selected balls all are shown alike.
     let selected = run.balls.iter().any(|ball| ball.angle_deg.is_empty());
     let strong = k == 0 || selected;
-    let points = if strong {
-        4000
-    } else {
-        (POINTS_OF_ALL / traces.max(1)).clamp(800, 4000)
-    };
-    let (x, y) = history(&run.time_s, values, points);
-    let colour = PALETTE[k % PALETTE.len()];
-    let dash = ["solid", "dash", "dot"][k / PALETTE.len() % 3];
     let width = if strong { 1.8 } else { 1.0 };
     with(
         line(&format!("ball {}", k + 1), &x, &y, colour),
         json!({
             "line": { "width": width, "dash": dash },
-            "opacity": if strong || !shown { 1.0 } else { 0.55 },
-            "visible": if strong || shown { Value::Bool(true) } else { "legendonly".into() },
+            "visible": if strong || k < shown { Value::Bool(true) } else { "legendonly".into() },
             "legendgroup": k + 1,
         }),
     )
 }
 
-/// Thins each stretch between breaks by itself.
-fn curve_with_breaks(x: &[f64], y: &[f64]) -> (Vec<f64>, Vec<f64>) {
-    let total = x.len().max(1);
-    let (mut xs, mut ys) = (Vec::new(), Vec::new());
-    let mut from = 0;
-    for at in (0..=x.len()).filter(|&i| i == x.len() || x[i].is_nan()) {
-        let share = (8000 * (at - from) / total).max(8);
-        let (px, py) = curve(&x[from..at], &y[from..at], share);
-        xs.extend(px);
-        ys.extend(py);
-        if at < x.len() {
-            xs.push(f64::NAN);
-            ys.push(f64::NAN);
-        }
-        from = at + 1;
-    }
-    (xs, ys)
+/// History of ball `k`: every row of the stretch that is shown first, few points before it.
+fn run_history(
+    run: &RunData,
+    k: usize,
+    of: impl Fn(&BallHistory) -> &Vec<f64>,
+    traces: usize,
+) -> (Vec<f64>, Vec<f64>) {
+    let all = run.balls.get(k).map_or(&[][..], |ball| of(ball).as_slice());
+    let most = if k == 0 {
+        4000
+    } else {
+        (POINTS_OF_ALL / traces.max(1)).clamp(800, 4000)
+    };
+    let Some([from, _]) = run.view_s else {
+        return history(&run.time_s, all, most);
+    };
+    let before = run.time_s.partition_point(|t| *t < from).min(all.len());
+    let (mut x, mut y) = history(
+        &run.time_s[..before],
+        &all[..before],
+        most.min(POINTS_BEFORE),
+    );
+    // Of a long run only the recent rows follow one another.
+    let (time, rows) = match &run.recent {
+        Some(recent) => (
+            recent.time_s.as_slice(),
+            recent
+                .balls
+                .get(k)
+                .map_or(&[][..], |ball| of(ball).as_slice()),
+        ),
+        None => (run.time_s.as_slice(), all),
+    };
+    let count = time.len().min(rows.len());
+    let start = time[..count].partition_point(|t| *t < from);
+    x.extend(&time[start..count]);
+    y.extend(&rows[start..count]);
+    (x, y)
 }

@@ -1,10 +1,16 @@
 //! The figures, each a function of its data.
 
+pub mod ball;
+pub mod collisions;
 pub mod comparison;
 pub mod design;
+pub mod energy;
+pub mod gap_map;
 pub mod history;
 pub mod orbit;
 pub mod phase;
+pub mod polar;
+pub mod ring;
 pub mod search;
 pub mod shape;
 pub mod spacing;

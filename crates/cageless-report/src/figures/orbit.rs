@@ -19,7 +19,6 @@ pub fn speeds(speeds: &OrbitSpeeds) -> Figure {
     let rows = count.div_ceil(COLUMNS).max(1);
     let (across, down) = (panels(COLUMNS, 0.02), panels(rows, 0.24));
     let mut plot = Plot::new(260 * rows as u32 + 60)
-        .at_least(900)
         .set("margin", json!({ "l": 74, "r": 12, "t": 84, "b": 54 }))
         .set("showlegend", true.into())
         .set(

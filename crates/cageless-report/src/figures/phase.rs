@@ -82,7 +82,6 @@ fn multiples(
     let rows = count.div_ceil(COLUMNS).max(1);
     let (across, down) = (panels(COLUMNS, 0.025), panels(rows, 0.24));
     let mut plot = Plot::new(height_px * rows as u32 / 2 + 66)
-        .at_least(900)
         .set("margin", json!({ "l": 62, "r": 12, "t": 78, "b": 54 }));
     for (k, portrait) in portraits.portraits.iter().enumerate() {
         let (row, column) = (k / COLUMNS, k % COLUMNS);

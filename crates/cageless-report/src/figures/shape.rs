@@ -22,7 +22,6 @@ pub fn contact_track(track: &ContactTrack) -> Figure {
     let half_span = track.structure.axial_span_mm / 2.0;
     let edge = json!([number(-1.08 * rw), number(1.08 * rw)]);
     let mut plot = Plot::new(470)
-        .at_least(860)
         .set("margin", json!({ "l": 64, "r": 20, "t": 40, "b": 58 }))
         .axis(
             "xaxis",

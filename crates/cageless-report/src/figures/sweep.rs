@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 use super::{axis_name, axis_ref, on, panels};
 use crate::data::Provenance;
 use crate::figure::Figure;
+use crate::names;
 use crate::plot::{PALETTE, Plot, numbers, plain};
 use crate::sweep::{HeatMap, Levels, MainEffect, SweepData, SweepOutput};
 use crate::text::short;
@@ -19,94 +20,177 @@ const BLUES: [(f64, &str); 4] = [
     (0.7, "#3182bd"),
     (1.0, "#08306b"),
 ];
+/// Inputs of an output that are drawn.
+const SHOWN: usize = 3;
 /// Height of a row of panels, pixels.
-const ROW_PX: u32 = 300;
+const ROW_PX: u32 = 290;
 
-/// Share of the variance of each output that each input explains.
+/// Share of the variance of each chosen output that each input explains.
 pub fn shares(data: &SweepData) -> Figure {
-    let names: Value = data.inputs.iter().map(|i| plain(&i.name)).collect();
+    // Choices first, conditions of operation behind them.
+    let mut order: Vec<usize> = (0..data.inputs.len()).collect();
+    order.sort_by_key(|k| data.inputs[*k].is_condition());
+    let choices = data.inputs.iter().filter(|i| !i.is_condition()).count();
+    let inputs: Value = (order.iter())
+        .map(|k| plain(&names::name(&data.inputs[*k])))
+        .collect();
     // plotly draws from below.
-    let outputs: Vec<&SweepOutput> = data.outputs.iter().rev().collect();
-    let labels: Value = outputs.iter().map(|o| plain(&o.quantity.name)).collect();
-    let percent = |share: &Option<f64>| share.map_or(f64::NAN, |s| 100.0 * s);
+    let shown = data.chosen.clamp(1, data.outputs.len().max(1));
+    let outputs: Vec<&SweepOutput> = data.outputs.iter().take(shown).rev().collect();
+    let labels: Value = (outputs.iter())
+        .map(|o| plain(&names::name(&o.quantity)))
+        .collect();
+    let percent = |output: &SweepOutput, k: usize| {
+        let share = output.shares.get(k).copied().flatten();
+        share.map_or(f64::NAN, |s| 100.0 * s)
+    };
     let z: Value = outputs
         .iter()
-        .map(|o| numbers(&o.shares.iter().map(percent).collect::<Vec<_>>()))
+        .map(|o| numbers(&order.iter().map(|k| percent(o, *k)).collect::<Vec<_>>()))
         .collect();
     let text: Value = outputs
         .iter()
         .map(|o| {
-            let shown = |s: &Option<f64>| s.map_or(String::new(), |s| format!("{:.0}", 100.0 * s));
-            o.shares.iter().map(shown).collect::<Value>()
+            let shown = |k: &usize| match percent(o, *k) {
+                share if share.is_finite() => format!("{share:.0}"),
+                _ => String::new(),
+            };
+            order.iter().map(shown).collect::<Value>()
         })
         .collect();
-    let height = 130 + 26 * outputs.len() as u32;
-    let plot = Plot::new(height.max(240))
+    let height = 150 + 30 * outputs.len() as u32;
+    let mut plot = Plot::new(height.max(240))
         .axis(
             "xaxis",
-            "Input",
+            "",
             json!({ "side": "top", "showgrid": false, "type": "category" }),
         )
         .axis(
             "yaxis",
-            "Output",
+            "",
             json!({ "showgrid": false, "type": "category" }),
         )
         .trace(json!({
-            "type": "heatmap", "x": names, "y": labels, "z": z, "text": text,
+            "type": "heatmap", "x": inputs, "y": labels, "z": z, "text": text,
             "texttemplate": "%{text}", "zmin": 0, "zmax": 100, "colorscale": BLUES,
             "xgap": 1, "ygap": 1,
             "colorbar": { "title": { "text": "%" }, "thickness": 12 },
             "hovertemplate": "%{y} by %{x}: %{z:.1f} %<extra></extra>",
-        }));
+        }))
+        .finding(&strongest(data, shown));
+    if choices > 0 && choices < data.inputs.len() {
+        plot = plot.vertical("x", "y", choices as f64 - 0.5, "solid");
+    }
+    let conditions = match data.inputs.len() - choices {
+        0 => "",
+        _ if choices == 0 => " All inputs are conditions of operation.",
+        _ => " Right of the line: conditions of operation and of the computation.",
+    };
     Figure {
         label: "Sensitivity (main effects)".to_owned(),
-        caption: "Fraction of the variance of each output, in percent, that each input explains \
-                  alone (correlation ratio η²). The remainder to 100 in a row is \
-                  interaction of the inputs and scatter; with few variants at a level, scatter \
-                  alone gives a few percent."
-            .to_owned(),
+        caption: format!(
+            "Fraction of the variance of each output, in percent, that each input explains \
+             alone (correlation ratio η²).{conditions} The remainder to 100 in a row is \
+             interaction of the inputs and scatter; with few variants at a level, scatter \
+             alone gives a few percent."
+        ),
         provenance: data.provenance.clone(),
         plot,
     }
 }
 
+/// The input that explains most of each of the first outputs, in sentences.
+fn strongest(data: &SweepData, shown: usize) -> String {
+    let said = data.outputs.iter().take(shown.min(3)).filter_map(|output| {
+        let shares = data.inputs.iter().zip(&output.shares);
+        let (input, share) = shares
+            .filter_map(|(input, share)| Some((input, (*share)?)))
+            .max_by(|a, b| a.1.total_cmp(&b.1))?;
+        Some(format!(
+            "{}: {:.0} % by {}.",
+            names::name(&output.quantity),
+            100.0 * share,
+            names::name(input)
+        ))
+    });
+    said.collect::<Vec<_>>().join(" ")
+}
+
 /// An output over each of the inputs that explain most.
 pub fn effects(output: &SweepOutput, provenance: &Provenance) -> Figure {
-    let count = output.effects.len();
+    let mut drawn: Vec<&MainEffect> = output.effects.iter().take(SHOWN).collect();
+    drawn.sort_by_key(|effect| effect.input.is_condition());
+    let count = drawn.len();
     let rows = count.div_ceil(ACROSS);
-    let across = panels(count.min(ACROSS), 0.07);
+    let across = panels(count.min(ACROSS), 0.06);
     let up = panels(rows, 0.28 / rows.max(1) as f64 + 0.06);
-    let mut plot = Plot::new(ROW_PX * rows as u32 + 40).at_least(760);
-    for (k, effect) in output.effects.iter().enumerate() {
+    let mut plot = Plot::new(ROW_PX * rows as u32 + 20)
+        .set("margin", json!({ "l": 72, "r": 24, "t": 16, "b": 58 }));
+    for (k, effect) in drawn.iter().enumerate() {
         let (column, row) = (k % ACROSS, k / ACROSS);
-        // One y-axis for a row of panels.
-        let (x, y) = (axis_ref("x", k), axis_ref("y", row));
+        let (x, y) = (axis_ref("x", k), axis_ref("y", k));
         let mut along = json!({ "domain": across[column], "anchor": y });
         if matches!(effect.levels, Levels::Names(_)) {
             along["type"] = "category".into();
         }
-        plot = plot.axis(&axis_name("x", k), &effect.input.label(), along);
-        if column == 0 {
-            // The first row is the uppermost.
-            let mut upwards = json!({ "domain": up[rows - 1 - row], "anchor": x });
-            if row > 0 {
-                upwards["matches"] = "y".into();
-            }
-            plot = plot.axis(&axis_name("y", row), &output.quantity.label(), upwards);
+        // The first row is the uppermost; all panels have one scale.
+        let first = column == 0;
+        let title = if first {
+            names::label(&output.quantity)
+        } else {
+            String::new()
+        };
+        let mut upwards =
+            json!({ "domain": up[rows - 1 - row], "anchor": x, "showticklabels": first });
+        if k > 0 {
+            upwards["matches"] = "y".into();
         }
+        plot = plot
+            .axis(
+                &axis_name("x", k),
+                &capital(&names::label(&effect.input)),
+                along,
+            )
+            .axis(&axis_name("y", k), &broken(&capital(&title)), upwards);
         for trace in effect_traces(effect) {
             plot = plot.trace(on(trace, &x, &y));
         }
     }
+    let name = names::name(&output.quantity);
     Figure {
-        label: format!("Effects on {}", output.quantity.name),
+        label: format!("Effects on {name}"),
         caption: format!(
-            "Mean of {} at each level of an input, over all others; band: min–max.",
+            "Mean of {name} (`{}`) at each level of an input, over all others; band: min–max. \
+             Choices come first, conditions of operation behind them.",
             output.quantity.name
         ),
         provenance: provenance.clone(),
         plot,
+    }
+}
+
+/// A long title in two lines.
+fn broken(title: &str) -> String {
+    const LONG: usize = 24;
+    if title.chars().count() <= LONG {
+        return title.to_owned();
+    }
+    let middle = title.len() / 2;
+    let spaces = title.match_indices(' ').map(|(at, _)| at);
+    match spaces.min_by_key(|at| at.abs_diff(middle)) {
+        Some(at) => format!("{}<br>{}", &title[..at], &title[at + 1..]),
+        None => title.to_owned(),
+    }
+}
+
+/// Text with a capital letter at the beginning, unless it begins with a symbol.
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    match letters.next() {
+        Some(first) if first.is_ascii_lowercase() => {
+            first.to_ascii_uppercase().to_string() + letters.as_str()
+        }
+        _ => text.to_owned(),
     }
 }
 
@@ -133,22 +217,31 @@ pub fn map(output: &SweepOutput, map: &HeatMap, provenance: &Provenance) -> Figu
     // Levels, not a scale: cells of one size, whatever the distances.
     let axis = || json!({ "type": "category", "showgrid": false });
     let z: Value = map.mean.iter().map(|row| numbers(row)).collect();
-    let plot = Plot::new(440)
-        .axis("xaxis", &map.x_input.label(), axis())
-        .axis("yaxis", &map.y_input.label(), axis())
+    let plot = Plot::new(340)
+        .set("margin", json!({ "l": 72, "r": 24, "t": 16, "b": 58 }))
+        .axis("xaxis", &capital(&names::label(&map.x_input)), axis())
+        .axis("yaxis", &capital(&names::label(&map.y_input)), axis())
         .trace(json!({
             "type": "heatmap", "x": names(&map.x), "y": names(&map.y), "z": z,
             "colorscale": "Viridis",
-            "colorbar": { "title": { "text": plain(output.quantity.sign()) }, "thickness": 14 },
+            "colorbar": { "title": { "text": plain(colour_title(output)) }, "thickness": 14 },
         }));
     Figure {
-        label: format!("Map of {}", output.quantity.name),
+        label: format!("Map of {}", names::name(&output.quantity)),
         caption: format!(
             "Mean of {} over the two inputs that explain most of it.",
-            output.quantity.label()
+            names::label(&output.quantity)
         ),
         provenance: provenance.clone(),
         plot,
+    }
+}
+
+/// Title of the scale of colours: the unit, or that there is none.
+fn colour_title(output: &SweepOutput) -> &str {
+    match output.quantity.sign() {
+        "" => "mean",
+        unit => unit,
     }
 }
 

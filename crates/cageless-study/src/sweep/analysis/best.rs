@@ -1,5 +1,7 @@
 //! The best variants.
 
+use std::collections::BTreeMap;
+
 use super::result::{BestVariant, BestVariants};
 use crate::number_text::short;
 use cageless_io::results::{Cell, Row};
@@ -10,8 +12,20 @@ use super::table::Table;
 use crate::sweep::error::SweepError;
 use crate::sweep::quantities::{Aim, QUANTITIES};
 
-/// Variants that are named for each goal.
+/// Variants that are named for each goal …
 const NAMED: usize = 8;
+/// … and for each goal at each combination of conditions,
+const NAMED_PER_CONDITION: usize = 3;
+/// of which there may be so many.
+const CONDITIONS_MAX: usize = 6;
+
+/// The best variants by one goal, of all and at each combination of conditions.
+#[derive(Default)]
+struct Ranking {
+    all: Vec<BestVariant>,
+    /// By the values of the conditions; `None` if there are too many.
+    at: Option<BTreeMap<Vec<String>, Vec<BestVariant>>>,
+}
 
 /// The outputs to seek by, each with whether more is better.
 pub(super) fn goals<'q>(
@@ -56,36 +70,70 @@ pub(super) fn find(
     let mut wanted = vec![0];
     wanted.extend(inputs.iter().map(|i| i.column));
     wanted.extend(goals.iter().map(|(output, _)| output.column));
-    let mut best: Vec<Vec<BestVariant>> = goals.iter().map(|_| Vec::new()).collect();
+    let conditions: Vec<usize> = (inputs.iter().enumerate())
+        .filter(|(_, input)| input.quantity().is_condition())
+        .map(|(k, _)| k)
+        .collect();
+    let choices = conditions.len() < inputs.len();
+    let new = || Ranking {
+        at: (choices && !conditions.is_empty()).then(BTreeMap::new),
+        ..Ranking::default()
+    };
+    let mut best: Vec<Ranking> = goals.iter().map(|_| new()).collect();
     table.each(&wanted, |row| {
         for (k, (output, aim)) in goals.iter().enumerate() {
-            let value = output.value(&row[1 + inputs.len() + k]);
-            if let Some(value) = value {
-                enter(&mut best[k], *aim, value, row, inputs);
+            let Some(value) = output.value(&row[1 + inputs.len() + k]) else {
+                continue;
+            };
+            enter(&mut best[k].all, NAMED, *aim, value, row, inputs);
+            let Some(at) = &mut best[k].at else { continue };
+            let here: Vec<String> = conditions.iter().map(|c| shown(&row[1 + c])).collect();
+            let place = at.entry(here).or_default();
+            enter(place, NAMED_PER_CONDITION, *aim, value, row, inputs);
+            if at.len() > CONDITIONS_MAX {
+                best[k].at = None;
             }
         }
     })?;
-    let entry = |((output, aim), variants): (&(&Output, Aim), Vec<BestVariant>)| BestVariants {
-        quantity: output.quantity(),
-        high: *aim == Aim::High,
-        variants,
+    let entry = |((output, aim), ranking): (&(&Output, Aim), Ranking)| {
+        let per_condition = ranking.at.as_ref().is_some_and(|at| at.len() > 1);
+        BestVariants {
+            quantity: output.quantity(),
+            high: *aim == Aim::High,
+            per_condition,
+            variants: match ranking.at {
+                Some(at) if per_condition => at.into_values().flatten().collect(),
+                _ => ranking.all,
+            },
+        }
     };
     Ok(goals.iter().zip(best).map(entry).collect())
 }
 
-fn enter(best: &mut Vec<BestVariant>, aim: Aim, value: f64, row: &Row, inputs: &[Input]) {
+/// A value of an input as it is to be printed.
+fn shown(cell: &Cell) -> String {
+    match cell {
+        Cell::Text(text) => text.clone(),
+        cell => cell.number().map_or_else(String::new, short),
+    }
+}
+
+fn enter(
+    best: &mut Vec<BestVariant>,
+    most: usize,
+    aim: Aim,
+    value: f64,
+    row: &Row,
+    inputs: &[Input],
+) {
     let better = |other: &BestVariant| match aim {
         Aim::Low => value < other.value,
         Aim::High => value > other.value,
     };
     let place = best.iter().position(better).unwrap_or(best.len());
-    if place >= NAMED {
+    if place >= most {
         return;
     }
-    let shown = |cell: &Cell| match cell {
-        Cell::Text(text) => text.clone(),
-        cell => cell.number().map_or_else(String::new, short),
-    };
     best.insert(
         place,
         BestVariant {
@@ -94,5 +142,5 @@ fn enter(best: &mut Vec<BestVariant>, aim: Aim, value: f64, row: &Row, inputs: &
             inputs: row[1..=inputs.len()].iter().map(shown).collect(),
         },
     );
-    best.truncate(NAMED);
+    best.truncate(most);
 }

@@ -94,6 +94,8 @@ pub(super) fn gather(
             .collect();
         SweepOutput {
             quantity: output.quantity(),
+            count: all.count as u64,
+            mean: all.mean() + output.origin,
             shares,
             effects,
             map: None,

@@ -24,7 +24,7 @@ use crate::sweep::error::SweepError;
 use crate::sweep::footer::Identity;
 use crate::sweep::quantities::Aim;
 
-use quantities::Quantities;
+use quantities::{Output, Quantities};
 use table::Table;
 
 /// Result of a sweep in its folder.
@@ -93,6 +93,8 @@ pub fn analyse(path: &Path, goals: &[Goal]) -> Result<SweepData, SweepError> {
         .zip(maps)
         .map(|(output, map)| SweepOutput { map, ..output })
         .collect();
+    let passed = passed(&table, &outputs, &quantities.constants)?;
+    let (outputs, chosen) = ordered(outputs, &goals);
     let failures = failed::groups(&table)?;
     let failed = failures.iter().map(|group| group.count).sum();
     let setting = |key: &str| text_of(&identity.plan, key);
@@ -109,6 +111,8 @@ pub fn analyse(path: &Path, goals: &[Goal]) -> Result<SweepData, SweepError> {
         failed,
         inputs: quantities.inputs.iter().map(|i| i.quantity()).collect(),
         outputs,
+        chosen,
+        passed,
         constants: quantities.constants.clone(),
         best: best::find(&table, &quantities, &goals)?,
         failures,
@@ -126,6 +130,62 @@ pub fn analyse(path: &Path, goals: &[Goal]) -> Result<SweepData, SweepError> {
             ..Provenance::default()
         },
     })
+}
+
+/// Output that says whether the raceways pass: 1 or 0.
+const PASSES: &str = "verdict_passes";
+/// Outputs about the computation and not about the bearing.
+const BOOKKEEPING: [&str; 6] = [
+    "verdict_passages",
+    "run_settled_after_s",
+    "run_energy_residual_relative",
+    "run_end_s",
+    "run_steps",
+    "run_rhs_evaluations",
+];
+/// Outputs that a page shows at once, at most.
+const CHOSEN_MAX: usize = 8;
+
+/// The outputs in the order in which they are shown, and the number of those chosen: the verdict
+/// and the goals.
+fn ordered(mut outputs: Vec<SweepOutput>, goals: &[(&Output, Aim)]) -> (Vec<SweepOutput>, usize) {
+    let rank = |output: &SweepOutput| {
+        let name = output.quantity.name.as_str();
+        let goal = goals.iter().position(|(goal, _)| goal.name == name);
+        match goal {
+            _ if name == PASSES => 0,
+            Some(k) => 1 + k,
+            None if BOOKKEEPING.contains(&name) => usize::MAX,
+            None => usize::MAX - 1,
+        }
+    };
+    outputs.sort_by_key(rank);
+    let chosen = outputs.iter().filter(|o| rank(o) < usize::MAX - 1).count();
+    // Without goals the first results stand in for them.
+    let chosen = if chosen == 0 { outputs.len() } else { chosen };
+    (outputs, chosen.min(CHOSEN_MAX))
+}
+
+/// Variants of which the raceways pass, and those judged; `None` without verdicts.
+fn passed(
+    table: &Table,
+    outputs: &[SweepOutput],
+    constants: &[Parameter],
+) -> Result<Option<[u64; 2]>, SweepError> {
+    if let Some(output) = outputs.iter().find(|o| o.quantity.name == PASSES) {
+        let count = output.count as f64;
+        return Ok(Some([(output.mean * count).round() as u64, output.count]));
+    }
+    let Some(all) = constants.iter().find(|c| c.name == PASSES) else {
+        return Ok(None);
+    };
+    let mut judged = 0;
+    if let Some(column) = table.column(PASSES) {
+        table.each(&[column], |row| {
+            judged += u64::from(row[0].number().is_some());
+        })?;
+    }
+    Ok(Some([if all.value == "1" { judged } else { 0 }, judged]))
 }
 
 fn lead(rows: u64, identity: &Identity, quantities: &Quantities) -> String {

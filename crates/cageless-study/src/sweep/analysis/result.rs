@@ -17,10 +17,15 @@ pub struct SweepData {
     pub variants: u64,
     /// Those that failed.
     pub failed: u64,
+    /// Those of which the raceways pass and those that were judged; `None` without verdicts.
+    pub passed: Option<[u64; 2]>,
     /// Inputs with more than one value.
     pub inputs: Vec<SweepQuantity>,
-    /// Outputs with more than one value, with what they depend on.
+    /// Outputs with more than one value, with what they depend on: the verdict, those by which
+    /// the best are sought, other results, and last what only the computation is about.
     pub outputs: Vec<SweepOutput>,
+    /// Number of leading outputs that the page shows at once.
+    pub chosen: usize,
     /// Outputs that are the same in all variants.
     pub constants: Vec<Parameter>,
     /// The best variants.
@@ -51,6 +56,23 @@ impl SweepQuantity {
         }
     }
 
+    /// Whether an input is a condition of operation or computation, which a designer meets, and
+    /// not a choice, which a designer makes.
+    pub fn is_condition(&self) -> bool {
+        const CONDITIONS: [&str; 6] = [
+            "operation_",
+            "start_",
+            "contact_",
+            "model_",
+            "solver_",
+            "output_",
+        ];
+        self.name == "repeat"
+            || CONDITIONS
+                .iter()
+                .any(|section| self.name.starts_with(section))
+    }
+
     /// The unit as people write it.
     pub fn sign(&self) -> &str {
         match self.unit.as_str() {
@@ -67,6 +89,10 @@ impl SweepQuantity {
 pub struct SweepOutput {
     /// The output.
     pub quantity: SweepQuantity,
+    /// Number of its values.
+    pub count: u64,
+    /// Mean of its values.
+    pub mean: f64,
     /// Share of its variance that each of [`SweepData::inputs`] explains alone, 0 to 1.
     pub shares: Vec<Option<f64>>,
     /// Effects of the inputs that explain most, largest first.
@@ -128,7 +154,9 @@ pub struct BestVariants {
     pub quantity: SweepQuantity,
     /// Whether more is better.
     pub high: bool,
-    /// The best first.
+    /// Whether the best are sought at each combination of conditions by itself.
+    pub per_condition: bool,
+    /// The best first, of one condition after the other.
     pub variants: Vec<BestVariant>,
 }
 

@@ -1,0 +1,77 @@
+//! Contacts between balls over time.
+
+use serde_json::{Value, json};
+
+use super::history::{figure, with_time};
+use crate::figure::Figure;
+use crate::plot::{PALETTE, Plot, markers, numbers, with};
+use crate::run::RunData;
+use crate::text::short;
+
+/// Collisions drawn at most.
+const COLLISIONS: usize = 4000;
+
+/// Angular position of collisions over time.
+pub fn collisions(run: &RunData) -> Option<Figure> {
+    let mut hits = run.collisions.clone();
+    hits.sort_by(|a, b| b.impulse_n_s.total_cmp(&a.impulse_n_s));
+    let most = hits.first()?.impulse_n_s.max(1e-300);
+    let total = run.collisions_total.max(hits.len());
+    hits.truncate(COLLISIONS);
+    let column =
+        |of: fn(&crate::run::CollisionPoint) -> f64| -> Vec<f64> { hits.iter().map(of).collect() };
+    let size: Vec<f64> = hits
+        .iter()
+        .map(|c| 4.0 + 16.0 * (c.impulse_n_s / most).max(0.0).sqrt())
+        .collect();
+    let text: Value = hits
+        .iter()
+        .map(|c| {
+            format!(
+                "balls {} and {}<br>approach {} m/s<br>peak {} N<br>impulse {} N·s",
+                c.ball,
+                c.next_ball,
+                short(c.approach_speed_m_s),
+                short(c.peak_force_n),
+                short(c.impulse_n_s)
+            )
+        })
+        .collect();
+    let mut plot = with_time(run, Plot::new(460), "y").axis(
+        "yaxis",
+        "ψ of the contact, 0 at the bottom (°)",
+        json!({ "range": [-180, 180], "dtick": 45 }),
+    );
+    for sector in &run.sectors {
+        for edge in [
+            sector.centre_angle_deg - sector.half_angle_deg,
+            sector.centre_angle_deg + sector.half_angle_deg,
+        ] {
+            plot = plot.horizontal("x", "y", edge - 360.0 * (edge / 360.0).round(), "dash");
+        }
+    }
+    plot = plot.trace(with(
+        markers("collisions", &column(|c| c.time_s), &column(|c| c.angle_deg), PALETTE[1]),
+        json!({
+            "marker": { "size": numbers(&size), "opacity": 0.55, "line": { "width": 0.5, "color": "#7a3500" } },
+            "text": text, "hovertemplate": "%{text}<br>t %{x} s, ψ %{y}°<extra></extra>",
+        }),
+    ));
+    plot.views.reverse();
+    let plot = plot.first_view();
+    let drawn = if total > COLLISIONS {
+        format!(" The {COLLISIONS} strongest are drawn.")
+    } else {
+        String::new()
+    };
+    Some(figure(
+        run,
+        "Collisions",
+        &format!(
+            "{total} contacts between balls: place over time. The area of a marker grows with the impulse, the largest \
+         being {} N·s; dashed lines are the ends of the discrete raceway.{drawn}",
+            short(most)
+        ),
+        plot,
+    ))
+}
