@@ -227,7 +227,7 @@ def test_tables_as_csv_have_all_digits(kind: str, tmp_path: Path) -> None:
     tables = made._tables()
     assert [path.name for path in files] == [f"{name}.csv" for name in tables]
     for path, frame in zip(files, tables.values(), strict=True):
-        read = pd.read_csv(path, float_precision="round_trip")
+        read = pd.read_csv(path)
         assert len(read) == len(frame)
         for name in frame.select_dtypes("floating").columns:
             assert np.array_equal(
@@ -246,7 +246,9 @@ def test_tables_go_to_matlab(kind: str, tmp_path: Path) -> None:
         for column in frame.select_dtypes("floating").columns:
             stored = np.atleast_1d(read[name][column])
             assert np.array_equal(stored, frame[column].to_numpy(), equal_nan=True), column
-            assert read["units"][name][column] == frame.attrs["units"][column]
+            unit = read["units"][name][column]
+            # An empty text comes back as an empty array.
+            assert (unit if isinstance(unit, str) else "") == frame.attrs["units"][column]
 
 
 def test_without_scipy_it_says_what_is_missing(
@@ -296,6 +298,8 @@ def test_the_short_form_is_one_line(kind: str) -> None:
     assert "\n" not in text and len(text) < 200
     if kind == "design":
         assert text.startswith("<Design: PASS, smooth, critical gap ")
+    if kind == "static":
+        assert text.startswith("<Static: ring at (0.000, -13.176) µm, 7 of 14")
     if kind == "report":
         assert text == "<SweepReport: 15 variants, 5 failed, 5 outputs over 2 inputs>" or (
             "15 variants, 5 failed" in text

@@ -26,6 +26,11 @@ __all__ = ["Static"]
 Floats = npt.NDArray[np.float64]
 
 
+def shown(value: float) -> str:
+    """Three decimals, without a minus before zeros."""
+    return f"{round(value, 3) + 0.0:.3f}"
+
+
 @dataclass(frozen=True, repr=False)
 class Static(Tables):
     """A static equilibrium and the ratings of the bearing.
@@ -248,7 +253,7 @@ class Static(Tables):
     def __repr__(self) -> str:
         stress = max(self.inner_stress_max_gpa, self.outer_stress_max_gpa)
         return (
-            f"<Static: ring at ({self.ring_x_um:.4g}, {self.ring_y_um:.4g}) µm, "
+            f"<Static: ring at ({shown(self.ring_x_um)}, {shown(self.ring_y_um)}) µm, "
             f"{np.count_nonzero(self.inner_force_n)} of {len(self.inner_force_n)} balls loaded, "
             f"largest contact stress {stress:.3g} GPa>"
         )
