@@ -115,6 +115,8 @@ def test_a_run_that_is_not_the_same_is_not_equal() -> None:
     assert run == lively().run()
     assert run != lively().replace(solver__duration_s=0.019).run()
     assert run != lively().replace(contact__friction_coefficient=0.02).run()
+    # The same motion of another case.
+    assert run != lively().replace(title="other").run()
     assert result("static") != template(operation__radial_load_n=900.0).static()
     assert run != result("static")
 
