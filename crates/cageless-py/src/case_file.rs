@@ -32,6 +32,13 @@ pub fn template(conventional: bool) -> String {
     case_file::template(conventional)
 }
 
+/// The case file of a bearing of ISO 15.
+#[pyfunction]
+pub fn designated(designation: &str, full_complement: bool) -> PyResult<String> {
+    let found = cageless_io::designation::find(designation).map_err(input)?;
+    Ok(found.case_file(full_complement))
+}
+
 /// Vector instructions that runs use on this machine.
 #[pyfunction]
 pub fn instruction_set() -> &'static str {

@@ -30,6 +30,7 @@ fn _cageless(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<sweep::Collection>()?;
     module.add_class::<report::Report>()?;
     module.add_function(wrap_pyfunction!(case_file::template, module)?)?;
+    module.add_function(wrap_pyfunction!(case_file::designated, module)?)?;
     module.add_function(wrap_pyfunction!(case_file::instruction_set, module)?)?;
     module.add_function(wrap_pyfunction!(values::to_toml, module)?)?;
     module.add_function(wrap_pyfunction!(sweep::merge, module)?)?;

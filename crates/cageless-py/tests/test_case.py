@@ -53,6 +53,36 @@ def test_only_bearing_and_operation_are_required() -> None:
         cageless.Case(bearing=full.bearing)  # type: ignore[call-arg]
 
 
+def test_a_designation_makes_the_case_of_the_command(command: Command, tmp_path: Path) -> None:
+    path = tmp_path / "6008.toml"
+    command("new", "--bearing", "6008", "--full-complement", "--out", path)
+    case = cageless.Case.from_designation("6008", full_complement=True)
+    assert case == cageless.Case.from_file(path)
+    assert case != cageless.Case.from_designation("6008")
+    with pytest.raises(cageless.InputError, match="6O08.* did you mean 6008"):
+        cageless.Case.from_designation("6O08")
+
+
+def test_materials_of_balls_and_rings_apart() -> None:
+    case = cageless.Case.from_toml(cageless.template())
+    assert case.ball_material is None and case.ring_material is None
+    hybrid = cageless.Case(
+        bearing=case.bearing,
+        operation=case.operation,
+        raceway=case.raceways,
+        title=case.title,
+        ball_material=cageless.Material(preset="Si3N4"),
+        ring_material=cageless.Material(preset="M50"),
+    )
+    assert hybrid == case.replace(
+        ball_material__preset="Si3N4", ring_material={"preset": "M50"}
+    )
+    assert hybrid.ball_material is not None and hybrid.ball_material.preset == "Si3N4"
+    assert hybrid.ring_material is not None and hybrid.ring_material.preset == "M50"
+    assert hybrid.static().outer_stress_max_gpa > case.static().outer_stress_max_gpa
+    assert pickle.loads(pickle.dumps(hybrid)) == hybrid
+
+
 def test_replace_takes_dots_dictionaries_sections_and_keywords() -> None:
     case = cageless.Case.from_toml(cageless.template())
     dots = case.replace({"raceway.half_angle_deg": 24.0, "solver.duration_s": 0.01})

@@ -17,6 +17,7 @@ __all__ = [
     "Tolerance",
     "__version__",
     "analyse",
+    "designated",
     "instruction_set",
     "merge",
     "read_table",
@@ -28,6 +29,7 @@ __all__ = [
 __version__: str
 
 def template(conventional: bool) -> str: ...
+def designated(designation: str, full_complement: bool) -> str: ...
 def instruction_set() -> str:
     """Vector instructions that runs use on this machine."""
 

@@ -79,6 +79,8 @@ class Case(Computations):
         Rings and balls.
     operation : Operation
         Speed and load.
+    ball_material, ring_material : Material, optional
+        Material of the balls or of the rings, if it is not that of both.
     material, contact, model, solver, output
         Further sections of a case file. A section, or a key of it, that is left out takes the
         default of the case file: its value in :func:`template`.
@@ -88,8 +90,6 @@ class Case(Computations):
         Initial state.
     housing : Housing, optional
         Support of the outer ring.
-    ball_material, ring_material : Material, optional
-        Of balls or rings, where it is not `material`.
     rotor : Rotor, optional
         A rotor that falls onto the inner ring; `operation` then has neither speed nor load.
     support : Support, optional
@@ -132,6 +132,8 @@ class Case(Computations):
         bearing: Bearing,
         operation: Operation,
         material: Material | None = None,
+        ball_material: Material | None = None,
+        ring_material: Material | None = None,
         contact: Contact | None = None,
         model: Model | None = None,
         solver: Solver | None = None,
@@ -139,8 +141,6 @@ class Case(Computations):
         raceway: Raceway | Sequence[Raceway] | None = None,
         start: Start | None = None,
         housing: Housing | None = None,
-        ball_material: Material | None = None,
-        ring_material: Material | None = None,
         rotor: Rotor | None = None,
         support: Support | None = None,
         title: str = "",
@@ -149,13 +149,13 @@ class Case(Computations):
         given: dict[str, Section | None] = {
             "bearing": bearing,
             "material": material,
+            "ball_material": ball_material,
+            "ring_material": ring_material,
             "operation": operation,
             "contact": contact,
             "model": model,
             "start": start,
             "solver": solver,
-            "ball_material": ball_material,
-            "ring_material": ring_material,
             "housing": housing,
             "rotor": rotor,
             "support": support,
@@ -205,6 +205,32 @@ class Case(Computations):
     ) -> Case:
         """Reads the text of a case file, which messages call `name`."""
         return cls._of(_cageless.CaseFile.parse(text, name, _changes(changes)))
+
+    @classmethod
+    def from_designation(cls, designation: str, *, full_complement: bool = False) -> Case:
+        """A deep groove ball bearing of ISO 15, as ``cageless new --bearing`` writes it: its inside,
+        speed and load are assumed, and the ring is conventional.
+
+        Parameters
+        ----------
+        designation : str
+            Series 60, 62, 63, 618 or 619 with a bore code from 00 to 20.
+        full_complement : bool
+            As many balls as the pitch circle holds.
+
+        Raises
+        ------
+        InputError
+            If the table has no such bearing.
+
+        Examples
+        --------
+        >>> import cageless
+        >>> cageless.Case.from_designation("6008", full_complement=True)
+        <Case '6008, full complement': 21 balls, conventional>
+        """
+        text = _cageless.designated(designation, full_complement)
+        return cls.from_toml(text, name=designation)
 
     def replace(self, changes: Mapping[str, Any] | None = None, /, **keywords: Any) -> Case:
         """The case with other values.
@@ -285,7 +311,7 @@ class Case(Computations):
 
     @property
     def material(self) -> Material:
-        """Elastic material."""
+        """Elastic material of balls and rings."""
         return Material(**self._sections["material"])
 
     @property
