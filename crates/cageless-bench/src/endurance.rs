@@ -82,7 +82,7 @@ impl Observer for Watch<'_> {
         }
         if self.steps.is_multiple_of(GAPS_EVERY) {
             let [x, y] = view.positions();
-            self.gaps.look(x, y);
+            self.gaps.look(x, y, view.outer_ring_m());
             let c = &view.contacts;
             for k in 0..layout.balls {
                 for (slip, force) in [

@@ -3,8 +3,6 @@
 use std::io::IsTerminal;
 use std::path::Path;
 
-pub use cageless_study::number_text::shown;
-
 /// Lines up columns: text to the left, numbers to the right. The first row is the head.
 pub fn columns(rows: &[Vec<String>]) -> String {
     let width = |k: usize| {

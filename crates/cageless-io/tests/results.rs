@@ -4,12 +4,9 @@ use std::collections::BTreeMap;
 use std::fs::File;
 use std::path::Path;
 
-use cageless::simulation::{Control, run};
 use cageless::{Collision, RingSnapshot, Snapshot};
 use cageless_io::case_file::{CaseFile, template};
-use cageless_io::results::{
-    Metadata, ResultError, RunWriter, Stopped, SummaryFile, write_atomically,
-};
+use cageless_io::results::{Metadata, ResultError, RunWriter, write_atomically};
 use parquet::basic::{Compression, Type};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
@@ -388,61 +385,6 @@ fn a_ragged_snapshot_is_refused() {
 }
 
 #[test]
-fn the_summary_has_the_agreed_names() {
-    let dir = tempfile::tempdir().unwrap();
-    let file = case();
-    let mut summary = SummaryFile {
-        schema: cageless_io::results::SCHEMA,
-        version: cageless_io::results::VERSION.to_owned(),
-        isa: "avx2+fma".to_owned(),
-        case: file.document_as_run(),
-        defaults: file.defaults().to_vec(),
-        collisions: 3,
-        gap_min_deg: -0.001,
-        gap_max_deg: 7.5,
-        ring_x_um_mean: 0.25,
-        ring_y_um_mean: -20.5,
-        slip_max_m_s: 0.125,
-        energy_residual_relative: f64::NAN,
-        energy: BTreeMap::from([("drag".to_owned(), 0.5)]),
-        steps: 500_000,
-        rhs_evaluations: 1_000_006,
-        wall_s: 1.5,
-        settled_after_s: 0.05,
-        warnings: vec!["short".to_owned()],
-        verification: None,
-        stopped: None,
-    };
-    summary.write(dir.path()).unwrap();
-    let read = || -> serde_json::Value {
-        serde_json::from_slice(&std::fs::read(dir.path().join("summary.json")).unwrap()).unwrap()
-    };
-    let json = read();
-    let mut names: Vec<_> = json.as_object().unwrap().keys().cloned().collect();
-    names.sort();
-    assert_eq!(
-        names.join(" "),
-        "case collisions defaults energy energy_residual_relative \
-        gap_max_deg gap_min_deg isa rhs_evaluations ring_x_um_mean ring_y_um_mean schema \
-        settled_after_s slip_max_m_s steps version wall_s warnings"
-    );
-    assert_eq!(json["case"]["operation"]["inner_speed_rpm"], 12000.0);
-    assert!(json["case"]["contact"]["inner_stiffness"].as_f64().unwrap() > 1e10);
-    assert_eq!(json["energy"]["drag"], 0.5);
-    assert!(json["energy_residual_relative"].is_null());
-    assert_eq!(json["steps"], 500_000);
-
-    summary.stopped = Some(Stopped {
-        time_s: 0.25,
-        cause: "ball 3 left the bearing".to_owned(),
-        advice: "halve solver.step_us".to_owned(),
-    });
-    summary.write(dir.path()).unwrap();
-    assert_eq!(read()["stopped"]["time_s"], 0.25);
-    assert_eq!(files(dir.path()), ["summary.json"]);
-}
-
-#[test]
 fn a_file_is_replaced_as_a_whole() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("a.json");
@@ -460,30 +402,4 @@ fn a_file_is_replaced_as_a_whole() {
         let mode = |p: &Path| std::fs::metadata(p).unwrap().permissions().mode();
         assert_eq!(mode(&path), mode(&plain), "as readable as any other file");
     }
-}
-
-/// Creep of the relaxed stick beyond that of the smooth law, with the step that ends it.
-#[test]
-fn coulomb_friction_far_from_its_limit_is_warned_of() {
-    let warnings = |step_us: &str| {
-        let overrides = [
-            "solver.method=abm4",
-            "contact.friction_law=coulomb",
-            "contact.friction_coefficient=0.3",
-            "solver.duration_s=0.0002",
-            &format!("solver.step_us={step_us}"),
-        ]
-        .map(str::to_owned);
-        let file = CaseFile::parse(&template(false), "case.toml", &overrides).unwrap();
-        let outcome = run(file.case(), &mut [], &mut |_| Control::Continue(())).unwrap();
-        let found = SummaryFile::new(&file, &outcome, None, 0.0).warnings;
-        found.into_iter().find(|w| w.contains("Coulomb"))
-    };
-    let warning = warnings("auto").expect("a warning");
-    assert!(warning.contains("creep by up to 0.5"), "{warning}");
-    assert!(
-        warning.contains("solver.step_us to 0.03 or less"),
-        "{warning}"
-    );
-    assert_eq!(warnings("0.03"), None);
 }

@@ -1,21 +1,20 @@
 //! Data of the report of a run.
 
 use cageless::Case;
-use cageless::passage::{Passage, PassageTally};
+use cageless::passage::Passage;
 use cageless::simulation::RunOutcome;
 use cageless::snapshot::Snapshot;
 use cageless::vibration::{FILTER_CORNER, FILTER_ORDER, Measurement};
 use cageless_io::case_file::CaseFile;
-use cageless_io::results::{SummaryFile, VERSION};
+use cageless_io::results::VERSION;
 use cageless_study::run::RunRecord;
-use cageless_study::{RunHistories, SAMPLING_HZ, parameter, parameters, provenance};
+use cageless_study::{RunHistories, RunSummary, SAMPLING_HZ, parameter, parameters, provenance};
 
 use crate::data::{
     BearingOutline, FrequencyMark, Motion, Parameter, Provenance, RacewaySector, Vibration,
     VibrationSignal,
 };
 use crate::run::{BallHistory, EnergyItem, LoadProfile, Recent, RingHistory, RunData};
-use crate::text::shown;
 use crate::verification::VerificationTable;
 
 /// The balls of snapshots in motion.
@@ -90,7 +89,7 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
     } = record;
     let vibration = record.vibration();
     let case = file.case();
-    let settled = summary.settled_after_s;
+    let settled = summary.results.number("settled_after_s");
     let bearing = &case.bearing;
     let orbit = case.rolling_orbit_speed_rad_s();
     let discarded = if settled.is_finite() {
@@ -99,15 +98,12 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
         "nothing".to_owned()
     };
     let provenance = provenance(case, discarded.clone());
-    let verdict = histories.verdict(case);
     let RunHistories {
         snapshots,
         stretch_s,
         recent,
         collisions,
         collisions_total,
-        passages,
-        recent_passages,
     } = histories.clone().finish();
     let decimated = stretch_s.is_some();
     let mut warnings = summary.warnings.clone();
@@ -133,9 +129,9 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
         lead: lead(case, outcome),
         warnings,
         parameters: parameters(file),
-        passes: verdict.verdict.passes(),
-        headline: verdict.headline,
-        results: [results(summary), passage_results(&passages)].concat(),
+        passes: summary.passes(),
+        headline: summary.headline().to_owned(),
+        results: results(summary),
         outline: BearingOutline::new(bearing),
         sectors: case.raceways.iter().map(RacewaySector::new).collect(),
         settled_after_s: settled,
@@ -153,14 +149,14 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
                 .collect(),
         }),
         view_s: view(&recent, orbit),
-        facts: facts(summary, profile.as_ref(), &passages),
+        facts: facts(summary),
         ring: RingHistory {
             time_s: ring_path.iter().map(|p| p.time_s).collect(),
             x_um: ring_path.iter().map(|p| p.x_m * 1e6).collect(),
             y_um: ring_path.iter().map(|p| p.y_m * 1e6).collect(),
         },
         load_profile: profile,
-        passages: passage_stretches(&recent_passages, shown),
+        passages: passage_stretches(&record.passages.recent, shown),
         collisions,
         collisions_total,
         energy: energy(outcome),
@@ -263,7 +259,10 @@ fn view(recent: &[Snapshot], orbit_rad_s: f64) -> Option<[f64; 2]> {
 }
 
 /// The passages within the recorded motion, each with a little before and after it.
-fn passage_stretches(passages: &[Passage], shown: &[Snapshot]) -> Vec<(String, [f64; 2])> {
+fn passage_stretches(
+    passages: &std::collections::VecDeque<Passage>,
+    shown: &[Snapshot],
+) -> Vec<(String, [f64; 2])> {
     let (Some(first), Some(last)) = (shown.first(), shown.last()) else {
         return vec![];
     };
@@ -286,59 +285,29 @@ fn passage_stretches(passages: &[Passage], shown: &[Snapshot]) -> Vec<(String, [
         .collect()
 }
 
-/// The key numbers, those with a bearing on the verdict first.
-fn facts(
-    summary: &SummaryFile,
-    profile: Option<&LoadProfile>,
-    passages: &PassageTally,
-) -> Vec<Parameter> {
-    let highest = |values: &[f64]| crate::sampling::range(values).1;
-    let mut facts = vec![];
-    if passages.count > 0 {
-        facts.push(parameter(
-            "passages hit from both sides",
-            shown(100.0 * passages.double_collision_fraction(), 1, ""),
-            "%",
-        ));
-    }
-    facts.push(parameter(
-        "contacts between balls",
-        summary.collisions.to_string(),
-        "",
-    ));
-    facts.push(parameter(
-        "smallest gap",
-        shown(summary.gap_min_deg, 4, ""),
-        "°",
-    ));
-    if let Some(p) = profile {
-        facts.push(parameter(
-            "peak contact pressure, inner raceway",
-            shown(highest(&p.inner_pressure_max_gpa), 2, ""),
-            "GPa",
-        ));
-        facts.push(parameter(
-            "peak contact pressure, outer raceway",
-            shown(highest(&p.outer_pressure_max_gpa), 2, ""),
-            "GPa",
-        ));
-    }
-    facts.push(parameter(
-        "largest sliding speed under load",
-        shown(summary.slip_max_m_s, 3, ""),
-        "m/s",
-    ));
-    facts.push(parameter(
-        "mean displacement of the inner ring, y",
-        shown(summary.ring_y_um_mean, 2, ""),
-        "µm",
-    ));
-    facts.push(parameter(
-        "energy balance error (relative)",
-        format!("{:.1e}", summary.energy_residual_relative),
-        "",
-    ));
-    facts
+/// Key numbers of a run, those with a bearing on the verdict first.
+const FACTS: [&str; 12] = [
+    "double_collision_fraction",
+    "friction_torque_n_m",
+    "power_loss_w",
+    "inner_stress_max_gpa",
+    "outer_stress_max_gpa",
+    "ball_stress_max_gpa",
+    "collisions",
+    "gap_min_deg",
+    "slip_max_m_s",
+    "ring_y_um_mean",
+    "bpfo_observed_hz",
+    "energy_residual_relative",
+];
+
+/// The key numbers that have a value.
+fn facts(summary: &RunSummary) -> Vec<Parameter> {
+    FACTS
+        .iter()
+        .filter_map(|name| summary.results.row(name))
+        .map(|(label, value, unit)| parameter(label, value, &unit))
+        .collect()
 }
 
 fn lead(case: &Case, outcome: &RunOutcome) -> String {
@@ -357,86 +326,10 @@ fn lead(case: &Case, outcome: &RunOutcome) -> String {
     )
 }
 
-/// Statistics of the passages after the transient.
-fn passage_results(passages: &PassageTally) -> Vec<Parameter> {
-    if passages.count == 0 {
-        return vec![];
-    }
-    let line = |name: &str, value: f64, decimals: usize, unit: &str| {
-        parameter(name, shown(value, decimals, ""), unit)
-    };
-    vec![
-        parameter(
-            "passages through a discrete raceway",
-            passages.count.to_string(),
-            "",
-        ),
-        line(
-            "time of a passage, mean",
-            passages.duration_mean_s() * 1e3,
-            3,
-            "ms",
-        ),
-        line(
-            "contacts with neighbours per passage, mean",
-            passages.collisions_mean(),
-            3,
-            "",
-        ),
-        line(
-            "passages hit by both neighbours",
-            100.0 * passages.double_collision_fraction(),
-            1,
-            "%",
-        ),
-        line(
-            "largest slip in a passage, mean",
-            passages.slip_mean_m_s(),
-            4,
-            "m/s",
-        ),
-        line(
-            "smallest gap ahead in a passage, mean",
-            passages.gap_min_mean_rad().to_degrees(),
-            4,
-            "°",
-        ),
-    ]
-}
-
-fn results(s: &SummaryFile) -> Vec<Parameter> {
-    vec![
-        parameter("collisions between balls", s.collisions.to_string(), ""),
-        parameter("smallest gap", shown(s.gap_min_deg, 4, ""), "°"),
-        parameter("largest gap", shown(s.gap_max_deg, 4, ""), "°"),
-        parameter(
-            "mean displacement of the inner ring, x",
-            shown(s.ring_x_um_mean, 4, ""),
-            "µm",
-        ),
-        parameter(
-            "mean displacement of the inner ring, y",
-            shown(s.ring_y_um_mean, 4, ""),
-            "µm",
-        ),
-        parameter(
-            "largest sliding speed under load",
-            shown(s.slip_max_m_s, 4, ""),
-            "m/s",
-        ),
-        parameter(
-            "energy balance error (relative)",
-            format!("{:.2e}", s.energy_residual_relative),
-            "",
-        ),
-        parameter(
-            "transient discarded until",
-            shown(s.settled_after_s, 5, ""),
-            "s",
-        ),
-        parameter("steps", s.steps.to_string(), ""),
-        parameter("force evaluations", s.rhs_evaluations.to_string(), ""),
-    ]
+fn results(summary: &RunSummary) -> Vec<Parameter> {
+    (summary.results.rows())
+        .map(|(label, value, unit)| parameter(label, value, &unit))
+        .collect()
 }
 
 fn ball_history(snapshots: &[Snapshot], k: usize) -> BallHistory {

@@ -5,9 +5,7 @@ use std::sync::Arc;
 
 use cageless::Case;
 use cageless::collision::Collision;
-use cageless::design::RunVerdict;
 use cageless::min_max_decimator::MinMaxDecimator;
-use cageless::passage::{Passage, PassageTally};
 use cageless::snapshot::Snapshot;
 use serde::{Deserialize, Serialize};
 
@@ -37,8 +35,6 @@ pub const SAMPLING_HZ: f64 = 5000.0;
 const ROWS: usize = 8000;
 /// Most of the last snapshots that are kept one by one.
 const RECENT: usize = 2500;
-/// Most of the last passages that are kept one by one.
-const PASSAGES: usize = 60;
 /// Collisions that are kept at least, the strongest.
 const COLLISIONS: usize = 4000;
 
@@ -51,10 +47,6 @@ pub struct Histories {
     recent: VecDeque<Arc<[f64]>>,
     collisions: Vec<CollisionPoint>,
     collisions_seen: usize,
-    passages: PassageTally,
-    recent_passages: VecDeque<Passage>,
-    /// Passages of each raceway.
-    raceways: Vec<PassageTally>,
 }
 
 impl Histories {
@@ -67,9 +59,6 @@ impl Histories {
             recent: VecDeque::new(),
             collisions: vec![],
             collisions_seen: 0,
-            passages: PassageTally::new(),
-            recent_passages: VecDeque::new(),
-            raceways: vec![PassageTally::new(); case.raceways.len()],
         }
     }
 
@@ -103,21 +92,6 @@ impl Histories {
         }
     }
 
-    /// Takes a passage after the transient.
-    pub fn pass(&mut self, passage: &Passage) {
-        self.passages.add(passage);
-        self.raceways[passage.raceway].add(passage);
-        if self.recent_passages.len() == PASSAGES {
-            self.recent_passages.pop_front();
-        }
-        self.recent_passages.push_back(*passage);
-    }
-
-    /// Verdict on the passages that were taken.
-    pub fn verdict(&self, case: &Case) -> RunVerdict {
-        RunVerdict::from_case(case, &self.raceways)
-    }
-
     /// The histories once the run has ended.
     pub fn finish(self) -> RunHistories {
         let stretch = self.rows.stretch();
@@ -128,8 +102,6 @@ impl Histories {
             recent: self.recent.iter().map(of_row).collect(),
             collisions: self.collisions,
             collisions_total: self.collisions_seen,
-            passages: self.passages,
-            recent_passages: self.recent_passages.into(),
         }
     }
 }
@@ -148,8 +120,4 @@ pub struct RunHistories {
     pub collisions: Vec<CollisionPoint>,
     /// Number of contacts between balls.
     pub collisions_total: usize,
-    /// Passages through the discrete raceways after the transient.
-    pub passages: PassageTally,
-    /// The last of them, one by one.
-    pub recent_passages: Vec<Passage>,
 }

@@ -3,7 +3,7 @@
 //!
 //! [`run`] records one run, [`verification`] says how far the numbers of a run can be trusted, [`design`] judges a
 //! raceway, [`search`] finds the best one, [`tolerance`] gives the probability that it passes
-//! as made, [`sweep`] computes many variants of a case. A [`Progress`] follows the progress and can end the work.
+//! as made, [`sweep`] computes many variants of a case, [`quantities`] is the table of scalar results. A [`Progress`] follows the progress and can end the work.
 
 pub mod design;
 mod design_result;
@@ -12,18 +12,22 @@ mod error;
 mod histories;
 pub mod number_text;
 mod parameter;
+mod passages;
 mod progress;
 mod provenance;
+pub mod quantities;
 pub mod ring_path;
 pub mod rings;
 pub mod run;
 pub mod search;
 mod static_result;
 mod structure;
+mod summary;
 pub mod sweep;
 mod threads;
 pub mod tolerance;
 pub mod verification;
+mod warnings;
 
 pub use design_result::{
     Curve, DesignResult, PassageNumbers, RacewayNumbers, RecommendationNumbers,
@@ -32,8 +36,10 @@ pub use entered::entered;
 pub use error::StudyError;
 pub use histories::{CollisionPoint, Histories, RunHistories, SAMPLING_HZ};
 pub use parameter::{Parameter, parameter, parameters};
+pub use passages::Passages;
 pub use progress::{Progress, Silent, Work, break_if};
 pub use provenance::{Provenance, law_name, method_name, profile_name, provenance};
 pub use static_result::StaticResult;
 pub use structure::RacewayLabel;
+pub use summary::{RunSummary, Stopped};
 pub use threads::{THREADS_MAX, check_environment, on_threads, pool};

@@ -18,25 +18,31 @@ pub fn signed(value: Option<f64>, decimals: usize) -> String {
 
 /// Three significant digits, without needless zeros.
 pub fn short(value: f64) -> String {
+    significant(value, 3)
+}
+
+/// `value` with so many significant digits, without needless zeros; by powers of ten where it is
+/// very large or small.
+pub fn significant(value: f64, digits: usize) -> String {
     if value == 0.0 || !value.is_finite() {
         return fixed(Some(value), 0);
     }
     let magnitude = value.abs().log10().floor();
     if !(-4.0..6.0).contains(&magnitude) {
-        let text = format!("{value:.2e}");
+        let text = format!("{value:.*e}", digits.min(3) - 1);
         return match text.split_once('e') {
             Some((digits, power)) => format!("{} × 10{}", minus(digits), raised(power)),
             None => text,
         };
     }
-    let decimals = (2.0 - magnitude).max(0.0) as usize;
+    let decimals = (digits as f64 - 1.0 - magnitude).max(0.0) as usize;
     let text = format!("{value:.decimals$}");
     let text = if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+        text.trim_end_matches('0').trim_end_matches('.')
     } else {
-        text
+        &text
     };
-    minus(&text)
+    minus(text)
 }
 
 /// A whole number in superscript digits.
@@ -48,15 +54,6 @@ fn raised(power: &str) -> String {
 
 fn minus(text: &str) -> String {
     text.replace('-', "\u{2212}")
-}
-
-/// A number with its unit; a dash if there is none (no statistics of a run too short).
-pub fn shown(value: f64, digits: usize, unit: &str) -> String {
-    if value.is_finite() {
-        format!("{value:.digits$}{unit}")
-    } else {
-        "-".to_owned()
-    }
 }
 
 #[cfg(test)]

@@ -5,18 +5,20 @@ use std::time::Instant;
 
 use cageless::collision::{Collision, CollisionDetector};
 use cageless::equilibrium::EquilibriumError;
-use cageless::passage::PassageRecorder;
 use cageless::recorder::Recorder;
 use cageless::simulation::{Observer, ObserverError, RunOutcome, run as simulate};
 use cageless::snapshot::Snapshot;
 use cageless::summary::{SummaryRecorder, transient_s};
 use cageless::vibration::{Measurement, VibrationRecorder};
 use cageless_io::case_file::CaseFile;
-use cageless_io::results::{RunWriter, SummaryFile};
+use cageless_io::results::RunWriter;
 
 use crate::histories::{Histories, SAMPLING_HZ};
+use crate::passages::Passages;
 use crate::progress::Progress;
+use crate::quantities::Finished;
 use crate::ring_path::{RingPathRecorder, RingPosition};
+use crate::summary::RunSummary;
 use crate::verification::VerificationRuns;
 
 /// Receiver of the rows of a run.
@@ -69,9 +71,11 @@ pub struct RunRecord {
     /// How it ended.
     pub outcome: RunOutcome,
     /// The content of `summary.json`.
-    pub summary: SummaryFile,
+    pub summary: RunSummary,
     /// Histories for figures.
     pub histories: Histories,
+    /// Passages through the discrete raceways after the transient.
+    pub passages: Passages,
     /// The end of the path of the inner ring's centre; empty without [`Options::rows`].
     pub ring_path: Vec<RingPosition>,
     vibration: Option<VibrationRecorder>,
@@ -112,6 +116,7 @@ pub fn run(
     let recorded = options.rows.is_some();
     let mut summary = SummaryRecorder::new();
     let mut ring_path = RingPathRecorder::new();
+    let mut passages = Passages::new(case);
     let mut verification = options.verify.then(|| VerificationRuns::new(case));
     let mut vibration = (case.housing.as_ref())
         .map(|housing| VibrationRecorder::new(housing, SAMPLING_HZ, settled_s));
@@ -134,20 +139,17 @@ pub fn run(
             histories.collide(&collision);
             Ok(())
         });
-        let mut passages = PassageRecorder::new(|passage| {
-            if passage.enter_s > settled_s {
-                kept.borrow_mut().1.pass(&passage);
-            }
-            Ok(())
-        });
+        let mut passing = passages.recorder(case);
         if let Some(verification) = &verification {
             progress.whole(&[(TASK.to_owned(), 1.0), verification.task()]);
         }
         let work = progress.begin(TASK, 1.0);
         let mut observers: Vec<&mut dyn Observer> = vec![&mut summary, &mut collisions];
+        if !case.raceways.is_empty() {
+            observers.push(&mut passing);
+        }
         if recorded {
             observers.push(&mut recorder);
-            observers.push(&mut passages);
             observers.push(&mut ring_path);
             if let Some(vibration) = &mut vibration {
                 observers.push(vibration);
@@ -163,10 +165,20 @@ pub fn run(
     };
     let wall_s = started.elapsed().as_secs_f64();
     let (_, histories) = kept.into_inner();
+    let statistics = summary.summary();
+    let run = Finished {
+        case,
+        outcome: &outcome,
+        summary: statistics.as_ref(),
+        passages: &passages.all,
+        verdict: &passages.verdict(case),
+        wall_s,
+    };
     Ok(RunRecord {
-        summary: SummaryFile::new(file, &outcome, summary.summary(), wall_s),
+        summary: RunSummary::new(file, &run),
         outcome,
         histories,
+        passages,
         ring_path: ring_path.into_path(),
         vibration,
         verification,

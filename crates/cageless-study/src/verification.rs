@@ -5,10 +5,11 @@ use cageless::simulation::{Ending, Observer, RunOutcome};
 use cageless::verification::{
     LARGE_PERTURBATIONS, Replica, ReplicaError, ReplicaObserver, Verification, replicas,
 };
-use cageless_io::results::{SummaryFile, VerificationFile};
+use cageless_io::results::VerificationFile;
 use rayon::prelude::*;
 
 use crate::progress::Progress;
+use crate::summary::RunSummary;
 
 /// Replicas of a verification; the first is the run itself.
 pub struct VerificationRuns {
@@ -48,7 +49,7 @@ impl VerificationRuns {
         self,
         case: &Case,
         outcome: &RunOutcome,
-        summary: &mut SummaryFile,
+        summary: &mut RunSummary,
         progress: &dyn Progress,
     ) {
         if !matches!(outcome.ending, Ending::Complete) {

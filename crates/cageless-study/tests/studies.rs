@@ -3,11 +3,10 @@
 use std::num::NonZeroUsize;
 use std::sync::Mutex;
 
-use cageless::simulation::{Control, run};
+use cageless::simulation::Control;
 use cageless_io::case_file::{CaseFile, template};
-use cageless_io::results::SummaryFile;
+use cageless_study::run::{Options, run};
 use cageless_study::tolerance::{Request, tolerance};
-use cageless_study::verification::VerificationRuns;
 use cageless_study::{Progress, Silent, StudyError, THREADS_MAX, Work, on_threads, search};
 
 /// Adds up what it hears, and ends the work after so many calls.
@@ -70,14 +69,14 @@ const REQUEST: Request = Request {
 #[test]
 fn progress_comes_to_its_end() {
     let file = case(&["solver.duration_s=0.02"]);
-    let mut verification = VerificationRuns::new(file.case());
-    let outcome = run(file.case(), &mut [verification.observer()], &mut |_| {
-        Control::Continue(())
-    })
-    .unwrap();
-    let mut summary = SummaryFile::new(&file, &outcome, None, 0.0);
+    let options = Options {
+        rows: None,
+        verify: true,
+    };
+    let mut record = run(&file, options, &Silent).unwrap();
     let listener = Listener::default();
-    verification.finish(file.case(), &outcome, &mut summary, &listener);
+    record.verify(&file, &listener);
+    let summary = &record.summary;
     assert!(summary.verification.is_some(), "{:?}", summary.warnings);
     let begun = listener.begun.into_inner().unwrap();
     let [(what, units)] = begun.as_slice() else {

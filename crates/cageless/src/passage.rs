@@ -156,6 +156,12 @@ impl RacewaySector {
     fn inside_by(&self, x: f64, y: f64) -> f64 {
         x * self.sin_centre - y * self.cos_centre - self.cos_half * (x * x + y * y).sqrt()
     }
+
+    /// Whether a ball is inside; without a root for the half turn away from a raceway.
+    fn is_inside(&self, x: f64, y: f64) -> bool {
+        let along = x * self.sin_centre - y * self.cos_centre;
+        (along > 0.0 || self.cos_half < 0.0) && self.inside_by(x, y) > 0.0
+    }
 }
 
 /// A passage, and where the ball was nearest to the one ahead.
@@ -242,7 +248,7 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
         for (r, sector) in self.sectors.iter().enumerate() {
             for k in 0..n {
                 let slot = r * n + k;
-                if sector.inside_by(x[k] - centre[0], y[k] - centre[1]) <= 0.0 {
+                if !sector.is_inside(x[k] - centre[0], y[k] - centre[1]) {
                     self.seen_outside[slot] = true;
                     if let Some(UnderWay {
                         mut passage,

@@ -3,20 +3,20 @@
 use std::sync::atomic::Ordering;
 
 use cageless::Case;
-use cageless::design::RunVerdict;
 use cageless::dynamics::InstructionSet;
 use cageless::initial_conditions::initial_state;
 use cageless::simulation::{Ending, RunOutcome};
-use cageless_io::results::{Metadata, RunWriter, SummaryFile, VerificationFile, write_atomically};
+use cageless_io::results::{Metadata, RunWriter, VerificationFile, write_atomically};
 use cageless_report::run_report::run_data;
 use cageless_report::verification::{facts, value};
 use cageless_report::{run_page, to_json};
+use cageless_study::RunSummary;
 use cageless_study::run::{Options, Rows, RunRecord, run as study};
 
 use super::{make_folder, open_page, print, read_case, tell, writable};
 use crate::args::RunArgs;
 use crate::failure::Failure;
-use crate::format::{columns, judged, page_line, pairs, shown, warnings};
+use crate::format::{columns, judged, page_line, pairs, warnings};
 use crate::progress::{Bars, catch_interrupt};
 
 /// Files beside the tables.
@@ -71,7 +71,6 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     }
     record.verify(&file, &bars);
     drop(bars);
-    let verdict = record.histories.verdict(case);
     if let Some(dir) = &args.out {
         record.summary.write(dir)?;
         let data = run_data(&file, &record);
@@ -79,16 +78,12 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
         write_atomically(&dir.join(PAGE_DATA), to_json(&data)?.as_bytes())?;
     }
     let RunRecord {
-        outcome,
-        summary: summary_file,
-        ..
+        outcome, summary, ..
     } = record;
     if args.json {
-        print(&summary_file.to_json()?)?;
+        print(&summary.to_json()?)?;
     } else {
-        // Passages are followed only for the page.
-        let verdict = args.out.is_some().then_some(&verdict);
-        let text = text(case, &outcome, &summary_file, verdict);
+        let text = text(case, &outcome, &summary);
         tell(&(text + &page_line(args.out.as_deref(), PAGE)))?;
     }
     if let (true, Some(dir)) = (open, &args.out) {
@@ -112,68 +107,28 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     }
 }
 
-fn text(
-    case: &Case,
-    outcome: &RunOutcome,
-    s: &SummaryFile,
-    verdict: Option<&RunVerdict>,
-) -> String {
-    let mut lines = vec![
-        (
-            "simulated",
-            format!("{:.6} s in {} steps", outcome.end_s, outcome.steps),
-        ),
-        (
-            "transient discarded until",
-            shown(s.settled_after_s, 6, " s"),
-        ),
-        ("collisions between balls", format!("{}", s.collisions)),
-        (
-            "gap",
-            format!(
-                "{} to {}",
-                shown(s.gap_min_deg, 4, "°"),
-                shown(s.gap_max_deg, 4, "°")
-            ),
-        ),
-        (
-            "inner ring, mean displacement",
-            format!(
-                "x {}, y {}",
-                shown(s.ring_x_um_mean, 4, " µm"),
-                shown(s.ring_y_um_mean, 4, " µm")
-            ),
-        ),
-        (
-            "largest sliding speed under load",
-            shown(s.slip_max_m_s, 4, " m/s"),
-        ),
-        (
-            "energy balance error",
-            format!("{:.2e} (relative)", s.energy_residual_relative),
-        ),
-        (
-            "speed",
-            format!(
-                "{:.2} s per simulated second",
-                s.wall_s / outcome.end_s.max(1e-12)
-            ),
-        ),
-    ];
+/// The verdict, then every result of the table.
+fn text(case: &Case, outcome: &RunOutcome, summary: &RunSummary) -> String {
+    let mut lines = vec![];
     if !case.title.is_empty() {
-        lines.insert(0, ("case", case.title.clone()));
+        lines.push(("case", case.title.clone()));
     }
-    if let Some(verdict) = verdict {
-        lines.push((
-            "verdict",
-            judged(verdict.verdict.passes(), &verdict.headline),
-        ));
+    lines.push(("verdict", judged(summary.passes(), summary.headline())));
+    for (label, value, unit) in summary.results.rows() {
+        let space = if unit.is_empty() || unit == "°" {
+            ""
+        } else {
+            " "
+        };
+        lines.push((label, format!("{value}{space}{unit}")));
     }
+    let speed = summary.results.number("wall_s") / outcome.end_s.max(1e-12);
+    lines.push(("speed", format!("{speed:.2} s per simulated second")));
     let mut text = pairs(&lines);
-    if let Some(verification) = &s.verification {
+    if let Some(verification) = &summary.verification {
         text += &verified(verification);
     }
-    text + &warnings(&s.warnings)
+    text + &warnings(&summary.warnings)
 }
 
 /// Verification as text for the terminal.

@@ -94,7 +94,8 @@ impl ResultError {
         }
     }
 
-    pub(super) fn out(path: &Path, source: io::Error) -> Self {
+    /// Error of a file or folder under `--out`.
+    pub fn out(path: &Path, source: io::Error) -> Self {
         Self::Out {
             path: path.to_owned(),
             source,

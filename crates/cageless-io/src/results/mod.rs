@@ -1,4 +1,4 @@
-//! Results of `run --out DIR`: three tables in Parquet and a summary in JSON; and the
+//! Results of `run --out DIR`: three tables in Parquet beside a summary in JSON; and the
 //! tables of sweeps ([`RowsWriter`], [`RowsReader`]).
 //!
 //! | file | a row per |
@@ -6,7 +6,7 @@
 //! | `balls.parquet` | output time and ball; the last time is the end of the run |
 //! | `ring.parquet` | output time |
 //! | `collisions.parquet` | collision |
-//! | `summary.json` | (one document, [`SummaryFile`]) |
+//! | `summary.json` | (one document, `RunSummary` of `cageless-study`) |
 //!
 //! Balls count from 1. The footer of each table has `schema`, `version`, `isa`
 //! (instruction set), `case` (JSON, as run), for each column `unit:<column>`, and `file_crc32`, the
@@ -21,7 +21,6 @@ mod checksum;
 mod dynamic_table;
 mod error;
 mod run_tables;
-mod summary;
 mod table;
 mod verification;
 
@@ -34,7 +33,6 @@ pub use atomic_file::{PartialFile, write_atomically};
 pub use dynamic_table::{Cell, ColumnKind, ColumnSpec, Row, RowsReader, RowsWriter};
 pub use error::{ResultError, is_unusable};
 pub use run_tables::read_run_table;
-pub use summary::{Stopped, SummaryFile};
 pub use verification::{DistanceColumns, VerificationFile, VerificationNumber, rounded};
 
 pub use table::Column;

@@ -206,7 +206,8 @@ class Run(Tables):
         """The headline numbers of the summary."""
         import pandas as pd
 
-        numbers = {k: v for k, v in self.summary.items() if isinstance(v, (int, float))}
+        found = self.summary.items()
+        numbers = {k: v for k, v in found if type(v) in (int, float)}
         return pd.Series(numbers, name="summary")
 
     def _figure(

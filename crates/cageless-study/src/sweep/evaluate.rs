@@ -15,8 +15,9 @@ use cageless_io::results::{Cell, ColumnKind, ColumnSpec, Row};
 
 use super::error::SweepError;
 use super::feasibility;
-use super::quantities::{Finished, QUANTITIES, Quantity, Source};
 use super::variants::Variants;
+use crate::passages::Passages;
+use crate::quantities::{Finished, QUANTITIES, Quantity};
 
 /// A plan that can be computed.
 #[derive(Debug, Clone)]
@@ -148,10 +149,7 @@ impl Sweep {
             return;
         };
         match equilibrium::solve(case) {
-            Ok(solved) => variant.fill(&self.quantities, |source| match source {
-                Source::Static(of) => Some(of(&solved)),
-                _ => None,
-            }),
+            Ok(solved) => variant.fill(&self.quantities, |q| q.of_equilibrium(&solved)),
             Err(error) => variant.failed(Computation::Static, &error),
         }
     }
@@ -160,10 +158,7 @@ impl Sweep {
         let Some(case) = variant.case.clone() else {
             return;
         };
-        variant.fill(&self.quantities, |source| match source {
-            Source::Design(of) => Some(of(&case)),
-            _ => None,
-        });
+        variant.fill(&self.quantities, |q| q.of_case(&case));
     }
 
     /// Judges the raceway; returns false if cancelled.
@@ -177,10 +172,7 @@ impl Sweep {
         };
         match judge(case, &mut |_| stop()) {
             Ok(judgement) => {
-                variant.fill(&self.quantities, |source| match source {
-                    Source::Verdict(of) => Some(of(&judgement)),
-                    _ => None,
-                });
+                variant.fill(&self.quantities, |q| q.of_judgement(&judgement));
                 if let Some(stop) = &judgement.stopped {
                     variant.failed(Computation::Verdict, &stopped(stop));
                 }
@@ -208,17 +200,21 @@ impl Sweep {
     }
 
     fn record(&self, variant: &mut Variant, run: &OneRun) {
+        let Some(case) = variant.case.clone() else {
+            return;
+        };
         let finished = Finished {
+            case: &case,
             outcome: &run.outcome,
             summary: run.summary.as_ref(),
+            passages: &run.passages.all,
+            verdict: &run.passages.verdict(&case),
+            wall_s: f64::NAN,
         };
         if let Ending::Stopped(stop) = &run.outcome.ending {
             return variant.failed(Computation::Run, &stopped(stop));
         }
-        variant.fill(&self.quantities, |source| match source {
-            Source::Run(of) => Some(of(&finished)),
-            _ => None,
-        });
+        variant.fill(&self.quantities, |q| q.of_run(&finished));
     }
 }
 
@@ -233,27 +229,33 @@ fn spec(name: &str, kind: ColumnKind) -> ColumnSpec {
 /// The quantities that the plan keeps.
 fn kept(plan: &PlanFile) -> Result<Vec<Quantity>, CaseError> {
     let computed = || {
-        let quantities = QUANTITIES.iter().copied();
+        let quantities = QUANTITIES.iter().copied().filter(|f| f.in_sweeps);
         quantities.filter(|f| plan.compute.contains(&f.computation()))
     };
     let Some(keep) = &plan.keep else {
         return Ok(computed().collect());
     };
     for kept in keep {
-        if computed().any(|f| f.name == kept.name) {
+        if computed().any(|f| f.column_name() == kept.name) {
             continue;
         }
-        let why = match QUANTITIES.iter().find(|f| f.name == kept.name) {
+        let why = match QUANTITIES
+            .iter()
+            .find(|f| f.in_sweeps && f.column_name() == kept.name)
+        {
             Some(quantity) => format!("compute leaves out \"{}\"", quantity.computation().name()),
             None => format!(
                 "there are {}",
-                computed().map(|f| f.name).collect::<Vec<_>>().join(", ")
+                computed()
+                    .map(|f| f.column_name())
+                    .collect::<Vec<_>>()
+                    .join(", ")
             ),
         };
         let message = format!("keep has \"{}\", which is not computed: {why}", kept.name);
         return Err(plan.error(kept.line, "keep", message));
     }
-    let wanted = |f: &Quantity| keep.iter().any(|kept| kept.name == f.name);
+    let wanted = |f: &Quantity| keep.iter().any(|kept| kept.name == f.column_name());
     Ok(computed().filter(wanted).collect())
 }
 
@@ -267,9 +269,9 @@ struct Variant {
 }
 
 impl Variant {
-    fn fill(&mut self, quantities: &[Quantity], value: impl Fn(Source) -> Option<Cell>) {
+    fn fill(&mut self, quantities: &[Quantity], value: impl Fn(&Quantity) -> Option<Cell>) {
         for (cell, quantity) in self.quantities.iter_mut().zip(quantities) {
-            if let Some(found) = value(quantity.of) {
+            if let Some(found) = value(quantity) {
                 *cell = found;
             }
         }
@@ -295,6 +297,7 @@ impl Variant {
 struct OneRun {
     outcome: RunOutcome,
     summary: Option<Summary>,
+    passages: Passages,
 }
 
 /// Runs of several cases, in their order; `None` if interrupted. Those that can go side by
@@ -303,18 +306,36 @@ fn runs(cases: &[Case], stop: Cancellation<'_>) -> Option<Vec<Result<OneRun, Str
     let mut done: Vec<Option<Result<OneRun, String>>> = cases.iter().map(|_| None).collect();
     for members in batches(cases) {
         let mut summaries: Vec<_> = members.iter().map(|_| SummaryRecorder::new()).collect();
+        let together: Vec<&Case> = members.iter().map(|k| &cases[*k]).collect();
+        let mut passages: Vec<_> = together.iter().map(|case| Passages::new(case)).collect();
+        let mut passing: Vec<_> = passages
+            .iter_mut()
+            .zip(&together)
+            .map(|(passages, case)| passages.recorder(case))
+            .collect();
         let mut observers: Vec<Vec<&mut dyn Observer>> = summaries
             .iter_mut()
-            .map(|summary| vec![summary as &mut dyn Observer])
+            .zip(&mut passing)
+            .zip(&together)
+            .map(|((summary, passing), case)| {
+                let mut observers: Vec<&mut dyn Observer> = vec![summary];
+                if !case.raceways.is_empty() {
+                    observers.push(passing);
+                }
+                observers
+            })
             .collect();
-        let together: Vec<&Case> = members.iter().map(|k| &cases[*k]).collect();
         let outcomes = run_batch(&together, &mut observers, &mut |_| stop());
-        for ((k, outcome), summary) in members.iter().zip(outcomes).zip(&summaries) {
+        drop(passing);
+        for (((k, outcome), summary), passages) in
+            members.iter().zip(outcomes).zip(&summaries).zip(passages)
+        {
             done[*k] = Some(match outcome {
                 Ok(outcome) if matches!(outcome.ending, Ending::Interrupted) => return None,
                 Ok(outcome) => Ok(OneRun {
                     outcome,
                     summary: summary.summary(),
+                    passages,
                 }),
                 Err(error) => Err(error.to_string()),
             });

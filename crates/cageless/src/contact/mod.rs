@@ -21,6 +21,7 @@
 //! ```
 
 mod ball_ball;
+pub mod flash_temperature;
 mod friction;
 pub mod hertz;
 mod implicit_friction;

@@ -64,6 +64,10 @@ impl Contacts<'_> {
         pair_rate_m_s: pair.rate;
         /// Normal force between ball `k` and the ball ahead, N.
         pair_force_n: pair.force;
+        /// Sliding speed between ball `k` and the ball ahead while they touch, m/s.
+        pair_slip_m_s: pair.slip;
+        /// Friction force at the inner raceway, N; positive where the ring drives the ball.
+        inner_friction_n: inner_friction;
     }
 
     /// `paper` profile: whether ball `k` is inside a discrete raceway.

@@ -9,8 +9,8 @@ use cageless_io::results::{Cell, Row};
 use super::Goal;
 use super::quantities::{Input, Output, Quantities};
 use super::table::Table;
+use crate::quantities::{Aim, QUANTITIES};
 use crate::sweep::error::SweepError;
-use crate::sweep::quantities::{Aim, QUANTITIES};
 
 /// Variants that are named for each goal …
 const NAMED: usize = 8;
@@ -38,9 +38,9 @@ pub(super) fn goals<'q>(
         outputs.find(|o| o.name == name && o.is_name.is_none())
     };
     if wanted.is_empty() {
-        let known = QUANTITIES.iter().filter_map(|f| Some((f.name, f.aim?)));
+        let known = QUANTITIES.iter().filter(|q| q.in_sweeps);
         return Ok(known
-            .filter_map(|(name, aim)| Some((number(name)?, aim)))
+            .filter_map(|q| Some((number(&q.column_name())?, q.aim?)))
             .collect());
     }
     let mut goals = Vec::new();

@@ -20,9 +20,9 @@ pub use result::{
 
 use crate::{Parameter, Provenance};
 
+use crate::quantities::Aim;
 use crate::sweep::error::SweepError;
 use crate::sweep::footer::Identity;
-use crate::sweep::quantities::Aim;
 
 use quantities::{Output, Quantities};
 use table::Table;

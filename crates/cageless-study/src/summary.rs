@@ -1,0 +1,144 @@
+//! `summary.json`.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use cageless::Case;
+use cageless::simulation::{Ending, RunOutcome};
+use cageless_io::case_file::{CaseDocument, CaseFile};
+use cageless_io::results::{
+    Cell, ResultError, SCHEMA, VERSION, VerificationFile, write_atomically,
+};
+use serde::Serialize;
+
+use crate::quantities::{Finished, Results};
+use crate::warnings::warnings;
+
+/// The summary of a run. A number that is not finite becomes `null`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RunSummary {
+    /// Version of the layout, [`SCHEMA`].
+    pub schema: u64,
+    /// Version of Cageless.
+    pub version: String,
+    /// Instruction set.
+    pub isa: String,
+    /// The case as run, every default filled in.
+    pub case: CaseDocument,
+    /// Dotted keys of the case that took their default.
+    pub defaults: Vec<String>,
+    /// Scalar results.
+    #[serde(flatten)]
+    pub results: Results,
+    /// Terms of the energy ledger, J.
+    pub energy: BTreeMap<String, f64>,
+    /// Warnings of the run.
+    pub warnings: Vec<String>,
+    /// Numerical verification, if requested.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub verification: Option<VerificationFile>,
+    /// Reason of an early stop: the run left the physical range, or was interrupted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stopped: Option<Stopped>,
+}
+
+/// Reason of an early stop of a run.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Stopped {
+    /// Simulated time reached.
+    pub time_s: f64,
+    /// Cause of the stop; [`Stopped::INTERRUPTED`] if the user ended the run.
+    pub cause: String,
+    /// Advice on what to change.
+    pub advice: String,
+}
+
+impl Stopped {
+    /// Cause of a run that the user ended: nothing is wrong with what it has.
+    pub const INTERRUPTED: &str = "interrupted";
+}
+
+fn stopped(case: &Case, outcome: &RunOutcome) -> Option<Stopped> {
+    match &outcome.ending {
+        Ending::Stopped(stop) => Some(Stopped {
+            time_s: stop.time_s,
+            cause: stop.cause.to_string(),
+            advice: stop.advice(),
+        }),
+        Ending::Interrupted => Some(Stopped {
+            time_s: outcome.end_s,
+            cause: Stopped::INTERRUPTED.to_owned(),
+            advice: format!(
+                "let it run to its end at {} s, or set solver.duration_s to less",
+                case.solver.duration_s
+            ),
+        }),
+        Ending::Complete | Ending::ObserverFailed(_) => None,
+    }
+}
+
+impl RunSummary {
+    /// Summary of a run of `file`.
+    pub fn new(file: &CaseFile, run: &Finished<'_>) -> Self {
+        let outcome = run.outcome;
+        let mut energy: BTreeMap<String, f64> = outcome
+            .state
+            .layout()
+            .energy_terms()
+            .iter()
+            .map(|&term| (term.name().to_owned(), outcome.state.energy_term_j(term)))
+            .collect();
+        energy.insert(
+            "change".to_owned(),
+            outcome.end_energy_j - outcome.start_energy_j,
+        );
+        Self {
+            schema: SCHEMA,
+            version: VERSION.to_owned(),
+            isa: outcome.instruction_set.name().to_owned(),
+            case: file.document_as_run(),
+            defaults: file.defaults().to_vec(),
+            results: Results::of_run(run),
+            energy,
+            warnings: warnings(run),
+            verification: None,
+            stopped: stopped(file.case(), outcome),
+        }
+    }
+
+    /// Whether the passages of the run keep the limits; `None` if none was judged.
+    pub fn passes(&self) -> Option<bool> {
+        match self.results.get("passes") {
+            Some(Cell::Integer(passes)) => Some(*passes == 1),
+            _ => None,
+        }
+    }
+
+    /// PASS or FAIL with the verdict, the criterion that decides, and its margin.
+    pub fn headline(&self) -> &str {
+        match self.results.get("headline") {
+            Some(Cell::Text(headline)) => headline,
+            _ => "",
+        }
+    }
+
+    /// The summary as indented JSON with a final line end.
+    ///
+    /// # Errors
+    /// None that its fields can cause; those of the JSON writer are passed on.
+    pub fn to_json(&self) -> Result<String, serde_json::Error> {
+        serde_json::to_string_pretty(self).map(|json| json + "\n")
+    }
+
+    /// Writes `summary.json` in `dir`.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub fn write(&self, dir: &Path) -> Result<(), ResultError> {
+        let path = dir.join("summary.json");
+        let json = self
+            .to_json()
+            .map_err(|e| ResultError::out(&path, std::io::Error::other(e)))?;
+        write_atomically(&path, json.as_bytes())
+    }
+}

@@ -1,0 +1,147 @@
+//! Warnings of a run: what its numbers do not show, and what no bearing stands.
+
+use std::f64::consts::TAU;
+
+use cageless::contact::flash_temperature::FLASH_TEMPERATURE_LIMIT_K;
+use cageless::contact::hertz::STRESS_LIMIT_PA;
+use cageless::equilibrium;
+use cageless::rating::speed_warning;
+use cageless::simulation::Ending;
+use cageless::step_limits::StepLimits;
+use cageless::{Case, Method};
+
+use crate::number_text::short;
+use crate::quantities::Finished;
+
+/// Largest step at which ABM4 stays unbiased without contact damping.
+const UNDAMPED_STEP_S: f64 = 0.5e-6;
+
+/// Share of all energy flows that may be unaccounted for without a warning.
+const RESIDUAL_FRACTION: f64 = 0.01;
+
+/// Warnings of a run.
+pub(crate) fn warnings(run: &Finished<'_>) -> Vec<String> {
+    let mut warnings = of_case(run.case);
+    warnings.extend(beyond_bearings(run));
+    // A run that stopped says so itself.
+    let residual = run.outcome.energy_residual_relative;
+    let stopped = matches!(run.outcome.ending, Ending::Stopped(_));
+    if residual.abs() > RESIDUAL_FRACTION && !stopped {
+        warnings.push(format!(
+            "{:.1} % of all energy flows are unaccounted for: do not trust these numbers, set \
+             solver.step_us to less than the {} µs of this run",
+            100.0 * residual,
+            run.case.solver.step_s * 1e6
+        ));
+    }
+    if run.summary.is_none() {
+        warnings.push("the run ended within its transient: no statistics".to_owned());
+    }
+    warnings
+}
+
+/// Heat flow per surface that a radial ball bearing gives off at 70 °C in surroundings of 20 °C,
+/// W/m² (reference conditions of ISO 15312 for a surface up to 50,000 mm²).
+const REFERENCE_HEAT_FLOW_W_M2: f64 = 16e3;
+/// Assumed width of the bearing over the diameter of its balls; ISO 15 has 1.3 to 1.9 in the
+/// series 60, 62 and 63.
+const WIDTH_OVER_BALL_DIAMETER: f64 = 1.9;
+/// Loads that no bearing stands, from the peaks and means of the run.
+fn beyond_bearings(run: &Finished<'_>) -> Vec<String> {
+    let mut warnings = vec![];
+    let bearing = &run.case.bearing;
+    let diameter_mm = 2e3 * bearing.pitch_radius_m();
+    let speed_rpm = run.case.largest_inner_speed_rad_s() * 60.0 / TAU;
+    warnings.extend(speed_warning(speed_rpm.abs() * diameter_mm));
+    let Some(summary) = run.summary else {
+        return warnings;
+    };
+    let peaks = &summary.peaks;
+    let contacts = [
+        ("at the inner raceway", &peaks.inner),
+        ("at the outer raceway", &peaks.outer),
+        ("between balls", &peaks.balls),
+    ];
+    for (place, peak) in contacts {
+        if peak.pressure_pa > STRESS_LIMIT_PA {
+            warnings.push(format!(
+                "the contact pressure {place} reaches {:.0} MPa, above the {:.0} MPa that leave a \
+                 lasting indentation (ISO 76)",
+                peak.pressure_pa * 1e-6,
+                STRESS_LIMIT_PA * 1e-6
+            ));
+        }
+    }
+    for (place, peak) in contacts {
+        if peak.flash_temperature_k > FLASH_TEMPERATURE_LIMIT_K {
+            let limit = peak.pressure_velocity_pa_m_s / peak.flash_temperature_k
+                * FLASH_TEMPERATURE_LIMIT_K;
+            warnings.push(format!(
+                "pressure × sliding speed {place} reaches {} MPa·m/s, above the {} that heat the \
+                 surface for a moment by {FLASH_TEMPERATURE_LIMIT_K} K (Blok's flash temperature, \
+                 here {:.0} K; tempered bearing steel softens above)",
+                short(peak.pressure_velocity_pa_m_s * 1e-6),
+                short(limit * 1e-6),
+                peak.flash_temperature_k
+            ));
+        }
+    }
+    if let Some(means) = &summary.means {
+        let width_mm = WIDTH_OVER_BALL_DIAMETER * 2e3 * bearing.ball_radius_m();
+        // ISO 15312: π·B·(D + d), with D + d = 2·dm.
+        let surface_mm2 = TAU * width_mm * diameter_mm;
+        let reference_w = REFERENCE_HEAT_FLOW_W_M2 * 1e-6 * surface_mm2;
+        let heat_w = means.heat_w().max(means.power_loss_w());
+        if heat_w > reference_w {
+            warnings.push(format!(
+                "the power loss of {} W is {} times the {reference_w:.0} W that a bearing of this \
+                 size gives off at 70 °C (reference conditions of ISO 15312, width taken as \
+                 {width_mm:.0} mm): it overheats in continuous running without cooling",
+                short(heat_w),
+                short(heat_w / reference_w)
+            ));
+        }
+    }
+    warnings
+}
+
+/// Warnings that the case alone gives.
+fn of_case(case: &Case) -> Vec<String> {
+    let mut warnings: Vec<String> = equilibrium::overload(case).into_iter().collect();
+    let method = case.solver.method;
+    let limits = StepLimits::new(case);
+    let resolved = limits.friction_resolved_to_s(method);
+    if case.solver.step_s > resolved {
+        warnings.push(format!(
+            "friction of the smooth law decays faster than the step follows: slip near zero is \
+             wrong above {:.2} µs (solver.step_us, contact.slip_scale_m_s)",
+            resolved * 1e6
+        ));
+    }
+    let (creep, knee) = (
+        limits.creep_m_s2(method) * case.solver.step_s,
+        case.contact.slip_scale_m_s,
+    );
+    if creep > knee {
+        // One digit, down: what is said to be enough is enough.
+        let enough_us = 1e6 * knee / limits.creep_m_s2(method);
+        let power = enough_us.log10().floor();
+        let digit = (enough_us / 10f64.powf(power)).floor();
+        let enough_us = format!("{digit}e{power}").parse().unwrap_or(enough_us);
+        warnings.push(format!(
+            "Coulomb friction is far from its limit at this step: contacts that should roll creep \
+             by up to {creep:.2} m/s, in proportion to the step, where the smooth law would by \
+             {knee} m/s; slip and friction losses are too large. Set solver.step_us to {enough_us} or less, \
+             or contact.friction_law = \"smooth\""
+        ));
+    }
+    let undamped = case.contact.damping_n_s_m1_5 == 0.0;
+    if method == Method::Abm4 && undamped && case.solver.step_s > UNDAMPED_STEP_S {
+        warnings.push(
+            "without contact damping ABM4 gains energy at steps above 0.5 µs: statistics are \
+             biased (solver.step_us, or solver.method = \"symplectic\")"
+                .to_owned(),
+        );
+    }
+    warnings
+}

@@ -1,0 +1,145 @@
+//! Results and warnings of a run: one table, and the views of it.
+
+use cageless_io::case_file::{CaseFile, template};
+use cageless_io::results::Cell;
+use cageless_study::quantities::{QUANTITIES, value_text};
+use cageless_study::run::{Options, run};
+use cageless_study::{RunSummary, Silent};
+use serde_json::Value;
+
+fn summary(conventional: bool, changes: &[&str]) -> RunSummary {
+    let changes: Vec<String> = changes.iter().map(|c| (*c).to_owned()).collect();
+    let file = CaseFile::parse(&template(conventional), "case.toml", &changes).unwrap();
+    let options = Options {
+        rows: None,
+        verify: false,
+    };
+    run(&file, options, &Silent).unwrap().summary
+}
+
+fn json(summary: &RunSummary) -> Value {
+    serde_json::from_str(&summary.to_json().unwrap()).unwrap()
+}
+
+#[test]
+fn summary_and_tables_are_views_of_one_table() {
+    let summary = summary(false, &["solver.duration_s=0.04"]);
+    let json = json(&summary);
+    for name in [
+        "friction_torque_n_m",
+        "power_loss_w",
+        "inner_stress_max_gpa",
+        "outer_stress_max_gpa",
+        "ball_stress_max_gpa",
+        "ring_x_um_mean",
+        "gap_min_deg",
+        "wall_s",
+    ] {
+        assert!(json[name].is_f64(), "{name}: {}", json[name]);
+    }
+    assert!(json["passes"].is_boolean());
+    assert!(json["steps"].is_u64());
+    let of_runs = QUANTITIES
+        .iter()
+        .filter(|q| q.column_name().starts_with("run_"));
+    let of_rotors = ["rotor", "support"];
+    let of_runs = of_runs.filter(|q| !of_rotors.iter().any(|body| q.name.contains(body)));
+    for quantity in of_runs.clone() {
+        assert!(!json[quantity.name].is_null(), "{}", quantity.name);
+    }
+    let shown: Vec<_> = summary.results.rows().collect();
+    assert_eq!(shown.len(), of_runs.filter(|q| q.in_tables).count());
+    let torque = &shown.iter().find(|r| r.0 == "friction torque").unwrap();
+    assert_eq!(torque.2, "N·m");
+
+    let number = |name: &str| json[name].as_f64().unwrap();
+    let parts: f64 = (json.as_object().unwrap())
+        .keys()
+        .filter(|key| key.starts_with("power_loss_") && *key != "power_loss_w")
+        .filter_map(|key| json[key].as_f64())
+        .sum();
+    assert!((parts / number("power_loss_w") - 1.0).abs() < 1e-9);
+    let speed = json["case"]["operation"]["inner_speed_rpm"]
+        .as_f64()
+        .unwrap();
+    let power = number("friction_torque_n_m") * speed * std::f64::consts::TAU / 60.0;
+    assert!((power / number("power_loss_w") - 1.0).abs() < 1e-12);
+    assert!(summary.warnings.is_empty(), "{:?}", summary.warnings);
+}
+
+#[test]
+fn values_have_five_digits_and_flags_words() {
+    let quantity = |name: &str| QUANTITIES.iter().find(|q| q.name == name).unwrap();
+    let text = |name: &str, cell| value_text(quantity(name), &cell);
+    assert_eq!(
+        text("power_loss_w", Cell::Number(31.234_567)).unwrap(),
+        "31.235"
+    );
+    assert_eq!(text("passes", Cell::Integer(0)).unwrap(), "no");
+    assert_eq!(text("steps", Cell::Integer(1_234_567)).unwrap(), "1234567");
+    assert_eq!(text("gap_min_deg", Cell::Null), None);
+}
+
+#[test]
+fn a_conventional_ring_is_not_judged() {
+    let summary = summary(true, &["solver.duration_s=0.004"]);
+    let json = json(&summary);
+    assert_eq!(json["verdict"], "not-judged");
+    assert!(json["passes"].is_null() && json["margin"].is_null());
+    assert!(summary.headline().starts_with("not judged"));
+}
+
+#[test]
+fn loads_that_no_bearing_stands_are_warned_of() {
+    let warned = |changes: &[&str], words: &str| {
+        let all = summary(false, changes).warnings;
+        assert!(all.iter().any(|w| w.contains(words)), "{words}: {all:?}");
+    };
+    let fast = [
+        "operation.inner_speed_rpm=60000",
+        "contact.friction_coefficient=0.15",
+        "solver.duration_s=0.008",
+    ];
+    warned(
+        &[
+            "operation.inner_speed_rpm=60000",
+            "operation.radial_load_n=15000",
+            "contact.friction_coefficient=0.5",
+            "solver.duration_s=0.008",
+        ],
+        "the power loss of",
+    );
+    warned(&fast, "pressure × sliding speed");
+    warned(
+        &["operation.inner_speed_rpm=70000", "solver.duration_s=0.001"],
+        "n·dm",
+    );
+    warned(
+        &["operation.radial_load_n=40000", "solver.duration_s=0.004"],
+        "the contact pressure at the inner raceway reaches",
+    );
+}
+
+/// Creep of the relaxed stick beyond that of the smooth law, with the step that ends it.
+#[test]
+fn coulomb_friction_far_from_its_limit_is_warned_of() {
+    let warnings = |step_us: &str| {
+        let overrides = [
+            "solver.method=abm4",
+            "contact.friction_law=coulomb",
+            "contact.friction_coefficient=0.3",
+            "solver.duration_s=0.0002",
+            &format!("solver.step_us={step_us}"),
+        ]
+        .map(str::to_owned);
+        let found = summary(false, &overrides.each_ref().map(String::as_str)).warnings;
+        found.into_iter().find(|w| w.contains("Coulomb"))
+    };
+    let warning = warnings("auto").expect("a warning");
+    assert!(warning.contains("creep by up to 0.5"), "{warning}");
+    assert!(
+        warning.contains("solver.step_us to 0.03 or less"),
+        "{warning}"
+    );
+    assert_eq!(warnings("0.03"), None);
+}

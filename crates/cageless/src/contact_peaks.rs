@@ -1,0 +1,202 @@
+//! Peak contact pressures of a run, and the largest product of pressure and sliding speed.
+
+use crate::bearing::Bearing;
+use crate::case::Case;
+use crate::contact::flash_temperature::{STEEL_EFFUSIVITY, flash_temperature_k};
+use crate::dynamics::Contacts;
+use crate::equilibrium::RacewayContact;
+use crate::kinematics::rolling_spin_rad_s;
+
+/// Peak loads of one kind of contact.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ContactPeak {
+    /// Largest normal force, N.
+    pub force_n: f64,
+    /// Largest Hertz pressure, Pa.
+    pub pressure_pa: f64,
+    /// Largest product of Hertz pressure and sliding speed in one contact at one time, Pa·m/s.
+    pub pressure_velocity_pa_m_s: f64,
+    /// Blok's flash temperature of that contact, K.
+    pub flash_temperature_k: f64,
+}
+
+/// Peak loads of the contacts over the part of a run after its transient.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ContactPeaks {
+    /// Balls against the inner raceway.
+    pub inner: ContactPeak,
+    /// Balls against the outer raceway; where the balls rest on a discrete raceway at two
+    /// points, one of the two.
+    pub outer: ContactPeak,
+    /// Balls against balls.
+    pub balls: ContactPeak,
+}
+
+/// Force with the sliding speed and the effective radius at the same time.
+#[derive(Debug, Clone, Copy, Default)]
+struct Sample {
+    rank: f64,
+    force_n: f64,
+    slip_m_s: f64,
+    radius_m: f64,
+}
+
+/// Largest force and largest pressure times sliding speed among contacts of one geometry.
+#[derive(Debug, Clone, Copy, Default)]
+struct Largest {
+    load: Sample,
+    sliding: Sample,
+}
+
+impl Largest {
+    /// Takes a contact of which one point carries `point_n` of `force_n`. Pressure grows with
+    /// F^(1/3), so that F·|ΔV|³ ranks pressure times sliding speed.
+    #[inline]
+    fn add(&mut self, force_n: f64, point_n: f64, slip_m_s: f64, radius_m: f64) {
+        let speed = slip_m_s.abs();
+        for (largest, rank) in [
+            (&mut self.load, point_n),
+            (&mut self.sliding, point_n * speed * speed * speed),
+        ] {
+            if rank > largest.rank {
+                *largest = Sample {
+                    rank,
+                    force_n,
+                    slip_m_s,
+                    radius_m,
+                };
+            }
+        }
+    }
+
+    /// Peaks with pressure and semi-axis in the direction of rolling by force and effective
+    /// radius, and surfaces of which one moves at `surface_m_s` past the contact.
+    fn peak(
+        &self,
+        friction_coefficient: f64,
+        contact: &dyn Fn(f64, f64) -> [f64; 2],
+        surface_m_s: f64,
+    ) -> ContactPeak {
+        if self.load.force_n <= 0.0 {
+            return ContactPeak::default();
+        }
+        let [pressure_pa, _] = contact(self.load.force_n, self.load.radius_m);
+        let Sample {
+            force_n,
+            slip_m_s,
+            radius_m,
+            ..
+        } = self.sliding;
+        let [sliding_pressure, semi_axis_m] = contact(force_n, radius_m);
+        ContactPeak {
+            force_n: self.load.force_n,
+            pressure_pa,
+            pressure_velocity_pa_m_s: sliding_pressure * slip_m_s.abs(),
+            flash_temperature_k: flash_temperature_k(
+                friction_coefficient,
+                sliding_pressure,
+                semi_axis_m,
+                [surface_m_s, surface_m_s - slip_m_s],
+                STEEL_EFFUSIVITY,
+            ),
+        }
+    }
+}
+
+impl ContactPeak {
+    /// The larger of each.
+    fn or(self, other: Self) -> Self {
+        let sliding = if other.pressure_velocity_pa_m_s > self.pressure_velocity_pa_m_s {
+            other
+        } else {
+            self
+        };
+        Self {
+            force_n: self.force_n.max(other.force_n),
+            pressure_pa: self.pressure_pa.max(other.pressure_pa),
+            ..sliding
+        }
+    }
+}
+
+/// Follows the contacts of a run for [`ContactPeaks`].
+#[derive(Debug, Clone)]
+pub(crate) struct ContactPeakTracker {
+    ball_radius_m: f64,
+    inner: Largest,
+    outer: Largest,
+    raceway: Largest,
+    balls: Largest,
+}
+
+impl ContactPeakTracker {
+    pub fn new(bearing: &Bearing) -> Self {
+        Self {
+            ball_radius_m: bearing.ball_radius_m(),
+            inner: Largest::default(),
+            outer: Largest::default(),
+            raceway: Largest::default(),
+            balls: Largest::default(),
+        }
+    }
+
+    /// Takes the contacts of the balls with the raceways.
+    pub fn look(&mut self, contacts: &Contacts<'_>) {
+        for k in 0..contacts.balls() {
+            let inner = contacts.inner_force_n(k);
+            if inner > 0.0 {
+                self.inner
+                    .add(inner, inner, contacts.inner_slip_m_s(k), 0.0);
+            }
+            let outer = contacts.outer_force_n(k);
+            if outer > 0.0 {
+                let (slip, radius) = (contacts.outer_slip_m_s(k), contacts.effective_radius_m(k));
+                if radius < self.ball_radius_m {
+                    // Two points share the force, Zhao 2022, Eq. (19).
+                    let of_one = outer * self.ball_radius_m / (2.0 * radius);
+                    self.raceway.add(outer, of_one, slip, radius);
+                } else {
+                    self.outer.add(outer, outer, slip, radius);
+                }
+            }
+        }
+    }
+
+    /// Takes the contacts between balls, which last some tens of microseconds.
+    pub fn look_between_balls(&mut self, contacts: &Contacts<'_>) {
+        for k in 0..contacts.balls() {
+            let force = contacts.pair_force_n(k);
+            if force > 0.0 {
+                self.balls.add(force, force, contacts.pair_slip_m_s(k), 0.0);
+            }
+        }
+    }
+
+    /// The peaks so far. Surfaces pass the contacts at the speeds of rolling.
+    pub fn peaks(&self, case: &Case) -> ContactPeaks {
+        let bearing = &case.bearing;
+        let orbit = case.rolling_orbit_speed_rad_s();
+        let d = bearing.dimensions();
+        let friction = case.contact.friction_coefficient;
+        let inner_m_s = (case.operation.inner_speed_rad_s - orbit) * d.inner_groove_bottom_radius_m;
+        let outer_m_s = orbit * d.outer_groove_bottom_radius_m;
+        let ball_m_s = rolling_spin_rad_s(bearing, orbit, self.ball_radius_m) * self.ball_radius_m;
+        let of = |c: RacewayContact| [c.pressure_pa, c.semi_axes_m[0]];
+        let inner = |force_n: f64, _: f64| of(RacewayContact::inner(bearing, force_n));
+        let outer =
+            |force_n: f64, radius_m: f64| of(RacewayContact::outer(bearing, radius_m, force_n));
+        let between = |force_n: f64, _: f64| {
+            let contact = bearing.ball_contact();
+            [
+                contact.peak_stress_pa(force_n),
+                contact.semi_axes_m(force_n)[0],
+            ]
+        };
+        ContactPeaks {
+            inner: self.inner.peak(friction, &inner, inner_m_s),
+            outer: (self.outer.peak(friction, &outer, outer_m_s))
+                .or(self.raceway.peak(friction, &outer, outer_m_s)),
+            balls: self.balls.peak(friction, &between, ball_m_s),
+        }
+    }
+}

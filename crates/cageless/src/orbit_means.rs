@@ -1,0 +1,186 @@
+//! Mean powers and speeds over whole orbits of the balls.
+
+use std::f64::consts::TAU;
+
+use crate::case::Case;
+use crate::dynamics::energy::EnergyTerm;
+use crate::simulation::StepView;
+
+/// Means over the whole orbits of ball 1 after the transient; over all of that part of the run
+/// if it is shorter than one orbit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OrbitMeans {
+    /// Whole orbits of ball 1; 0 if the part is shorter.
+    pub orbits: u32,
+    /// Begin and end, s.
+    pub interval_s: [f64; 2],
+    /// ωi, rad/s; NaN if it varies, by a table or under a rotor.
+    pub inner_speed_rad_s: f64,
+    /// Mean orbital speed of the balls, rad/s.
+    pub orbit_speed_rad_s: f64,
+    /// Mean absolute rotational speed of the balls about their axes, clockwise, rad/s.
+    pub rotation_rad_s: f64,
+    /// Whether the inner ring is driven at a constant ωi.
+    driven: bool,
+    balls: usize,
+    power_w: [f64; EnergyTerm::ALL.len()],
+}
+
+impl OrbitMeans {
+    /// Mean power of a term of the energy ledger, W; NaN of a term that the bodies of the case
+    /// do not have.
+    pub fn power_w(&self, term: EnergyTerm) -> f64 {
+        self.power_w[term as usize]
+    }
+
+    /// Mean power that the drive of the inner ring supplies, W.
+    pub fn drive_w(&self) -> f64 {
+        self.power_w(EnergyTerm::Drive)
+    }
+
+    /// Mean torque of the drive, N·m: its power over ωi; NaN if that varies.
+    pub fn friction_torque_n_m(&self) -> f64 {
+        self.drive_w() / self.inner_speed_rad_s
+    }
+
+    /// Mean power loss, W: the power of the drive of the inner ring; if ωi varies, the heat.
+    pub fn power_loss_w(&self) -> f64 {
+        if self.driven {
+            self.drive_w()
+        } else {
+            self.heat_w()
+        }
+    }
+
+    /// Part of [`Self::power_loss_w`] that does not become heat in the interval, W: the rise of the
+    /// stored energy less the work of loads and weights (in the `paper` profile also of the
+    /// forces that the published equations add). It vanishes in the mean of a steady motion.
+    pub fn stored_w(&self) -> f64 {
+        self.power_loss_w() - self.heat_w()
+    }
+
+    /// Mean heat of friction, damping and drag, W.
+    pub fn heat_w(&self) -> f64 {
+        EnergyTerm::ALL
+            .into_iter()
+            .filter(|term| term.is_loss())
+            .map(|term| self.power_w(term))
+            .filter(|power| power.is_finite())
+            .sum()
+    }
+
+    /// Frequency at which the set of balls orbits (FTF of a bearing with a cage), Hz.
+    pub fn ftf_hz(&self) -> f64 {
+        self.orbit_speed_rad_s / TAU
+    }
+
+    /// Frequency at which balls pass a point of the outer ring, Hz.
+    pub fn bpfo_hz(&self) -> f64 {
+        self.balls as f64 * self.ftf_hz()
+    }
+
+    /// Frequency at which balls pass a point of the inner ring, Hz.
+    pub fn bpfi_hz(&self) -> f64 {
+        self.balls as f64 * (self.inner_speed_rad_s - self.orbit_speed_rad_s) / TAU
+    }
+
+    /// Rotational frequency of the balls relative to their orbit, Hz.
+    pub fn bsf_hz(&self) -> f64 {
+        (self.rotation_rad_s + self.orbit_speed_rad_s) / TAU
+    }
+}
+
+/// Sums up to one time.
+#[derive(Debug, Clone, Copy)]
+struct Mark {
+    time_s: f64,
+    ledger_j: [f64; EnergyTerm::ALL.len()],
+    /// Sum of the continuous ψ of all balls.
+    angle_rad: f64,
+    rotation_sum: f64,
+    rotation_samples: u64,
+}
+
+/// Follows a run for its [`OrbitMeans`].
+#[derive(Debug, Clone, Default)]
+pub(crate) struct OrbitMeansTracker {
+    begin: Option<Mark>,
+    end: Option<Mark>,
+    orbits: u32,
+    /// Direction of ball 1 at the begin.
+    reference: [f64; 2],
+    /// Sine of the angle of ball 1 from there, times its distance, at the last step.
+    last_cross: f64,
+    rotation_sum: f64,
+    rotation_samples: u64,
+}
+
+impl OrbitMeansTracker {
+    /// Takes a step after the transient; `sampled` steps add to the rotational speed.
+    pub fn step(&mut self, view: &StepView<'_, '_>, sampled: bool) {
+        let [x, y] = view.positions();
+        let [x, y] = [x[0], y[0]];
+        if sampled {
+            let contacts = &view.contacts;
+            let balls = contacts.balls();
+            let sum: f64 = (0..balls).map(|k| contacts.spin_rad_s(k)).sum();
+            self.rotation_sum += sum / balls as f64;
+            self.rotation_samples += 1;
+        }
+        if self.begin.is_none() {
+            self.begin = Some(self.mark(view));
+            self.reference = [x, y];
+            self.last_cross = 0.0;
+            return;
+        }
+        let [x0, y0] = self.reference;
+        let cross = x0 * y - y0 * x;
+        if self.last_cross < 0.0 && cross >= 0.0 && x0 * x + y0 * y > 0.0 {
+            self.orbits += 1;
+            self.end = Some(self.mark(view));
+        } else if self.orbits == 0 && sampled {
+            self.end = Some(self.mark(view));
+        }
+        self.last_cross = cross;
+    }
+
+    fn mark(&self, view: &StepView<'_, '_>) -> Mark {
+        let layout = view.layout();
+        Mark {
+            time_s: view.step.t1_s,
+            ledger_j: EnergyTerm::ALL.map(|term| {
+                if layout.energy_terms().contains(&term) {
+                    view.step.y1[layout.energy_term(term)]
+                } else {
+                    f64::NAN
+                }
+            }),
+            angle_rad: (0..layout.balls).map(|k| view.angle_after_rad(k)).sum(),
+            rotation_sum: self.rotation_sum,
+            rotation_samples: self.rotation_samples,
+        }
+    }
+
+    /// The means so far; `None` before two samples.
+    pub fn means(&self, case: &Case) -> Option<OrbitMeans> {
+        let (begin, end) = (self.begin?, self.end?);
+        let time_s = end.time_s - begin.time_s;
+        let balls = case.bearing.balls();
+        let driven = case.rotor.is_none() && case.operation.inner_speed_table.is_none();
+        let samples = end.rotation_samples - begin.rotation_samples;
+        (time_s > 0.0).then(|| OrbitMeans {
+            orbits: self.orbits,
+            interval_s: [begin.time_s, end.time_s],
+            inner_speed_rad_s: if driven {
+                case.operation.inner_speed_rad_s
+            } else {
+                f64::NAN
+            },
+            orbit_speed_rad_s: (end.angle_rad - begin.angle_rad) / (balls as f64 * time_s),
+            rotation_rad_s: (end.rotation_sum - begin.rotation_sum) / samples as f64,
+            driven,
+            balls,
+            power_w: std::array::from_fn(|k| (end.ledger_j[k] - begin.ledger_j[k]) / time_s),
+        })
+    }
+}

@@ -1,0 +1,182 @@
+//! Friction torque, power loss, contact pressures and frequencies of a run.
+
+mod common;
+
+use std::f64::consts::TAU;
+
+use cageless::Case;
+use cageless::dynamics::energy::EnergyTerm;
+use cageless::kinematics::{rolling_orbit_speed_rad_s, rolling_relative_spin_rad_s};
+use cageless::simulation::{Control, Observer, ObserverError, RunOutcome, StepView, run};
+use cageless::summary::{Summary, SummaryRecorder};
+
+fn simulate(case: &Case, others: &mut [&mut dyn Observer]) -> (RunOutcome, Summary) {
+    let mut recorder = SummaryRecorder::new();
+    let mut observers: Vec<&mut dyn Observer> = vec![&mut recorder];
+    observers.extend(others.iter_mut().map(|o| &mut **o as &mut dyn Observer));
+    let outcome = run(case, &mut observers, &mut |_| Control::Continue(())).unwrap();
+    (outcome, recorder.summary().unwrap())
+}
+
+fn lasting(duration_s: f64) -> Case {
+    let mut case = common::structure(5.1, 25.2);
+    case.solver.duration_s = duration_s;
+    case
+}
+
+/// Torque of the balls on the inner ring and largest forces, from every step.
+#[derive(Default)]
+struct EveryStep {
+    torque: Vec<[f64; 2]>,
+    inner_n: f64,
+    outer_n: f64,
+    balls_n: f64,
+    after_s: f64,
+    radius_m: f64,
+}
+
+impl Observer for EveryStep {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+        let contacts = &view.contacts;
+        let all = || 0..contacts.balls();
+        let friction: f64 = all().map(|k| contacts.inner_friction_n(k)).sum();
+        self.torque.push([view.step.t1_s, friction * self.radius_m]);
+        if view.step.t1_s > self.after_s {
+            for k in all() {
+                self.inner_n = self.inner_n.max(contacts.inner_force_n(k));
+                self.outer_n = self.outer_n.max(contacts.outer_force_n(k));
+                if contacts.balls_touch() {
+                    self.balls_n = self.balls_n.max(contacts.pair_force_n(k));
+                }
+            }
+        }
+        Ok(Control::Continue(()))
+    }
+}
+
+/// Over whole orbits, torque times speed is what the energy ledger of runs that end at the two
+/// times has for the drive, and what the friction forces at the inner ring give.
+#[test]
+fn torque_times_speed_is_the_power_of_the_drive() {
+    let case = lasting(0.05);
+    let mut steps = EveryStep {
+        radius_m: case.bearing.dimensions().inner_groove_bottom_radius_m,
+        ..EveryStep::default()
+    };
+    let (_, summary) = simulate(&case, &mut [&mut steps]);
+    let means = summary.means.unwrap();
+    assert_eq!(means.orbits, 1);
+    let [from, to] = means.interval_s;
+    let orbits = means.orbit_speed_rad_s * (to - from) / TAU;
+    assert!((orbits - 1.0).abs() < 0.02, "{orbits}");
+
+    let drive_j = |time_s: f64| {
+        let (outcome, _) = simulate(&lasting(time_s), &mut []);
+        assert_eq!(outcome.end_s, time_s);
+        outcome.state.energy_term_j(EnergyTerm::Drive)
+    };
+    let ledger_w = (drive_j(to) - drive_j(from)) / (to - from);
+    let power_w = means.friction_torque_n_m() * case.operation.inner_speed_rad_s;
+    assert!(
+        (power_w / ledger_w - 1.0).abs() < 1e-6,
+        "{power_w} {ledger_w}"
+    );
+    assert_eq!(means.drive_w(), power_w);
+
+    let inside = |[a, b]: [[f64; 2]; 2]| a[0] >= from - 1e-12 && b[0] <= to + 1e-12;
+    let work: f64 = (steps.torque.windows(2))
+        .map(|w| [w[0], w[1]])
+        .filter(|w| inside(*w))
+        .map(|[a, b]| 0.5 * (a[1] + b[1]) * (b[0] - a[0]))
+        .sum();
+    let torque = work / (to - from);
+    let found = means.friction_torque_n_m();
+    assert!((torque / found - 1.0).abs() < 1e-3, "{torque} {found}");
+
+    let heat: f64 = (EnergyTerm::without_rotor().iter())
+        .filter(|term| term.is_loss())
+        .map(|&term| means.power_w(term))
+        .sum();
+    assert!(((heat + means.stored_w()) / power_w - 1.0).abs() < 1e-12);
+    assert!(
+        means.stored_w().abs() < 0.05 * power_w,
+        "{}",
+        means.stored_w()
+    );
+}
+
+/// A part of an orbit has its means, too, and says that it is none.
+#[test]
+fn a_short_run_has_means_of_less_than_an_orbit() {
+    let (_, summary) = simulate(&lasting(0.01), &mut []);
+    let means = summary.means.unwrap();
+    assert_eq!(means.orbits, 0);
+    assert!(means.interval_s[0] >= summary.settled_after_s);
+    assert!(means.interval_s[1] > 0.0099);
+    assert!(means.drive_w() > 0.0);
+}
+
+/// Pressures by Hertz from the largest forces of all steps.
+#[test]
+fn peak_pressures_are_those_of_the_largest_forces() {
+    let mut case = lasting(0.05);
+    // Pairs that are closer than the critical gap touch in the raceway.
+    let even = case.bearing.nominal_gap_rad();
+    let gaps = (0..case.bearing.balls()).map(|k| even * [0.2, 1.8][k % 2]);
+    case.start = cageless::Start::Settled {
+        gaps: cageless::Gaps::List(gaps.collect()),
+        lead_ball_angle_rad: 0.1,
+    };
+    let mut steps = EveryStep {
+        after_s: cageless::summary::transient_s(&case),
+        ..EveryStep::default()
+    };
+    let (_, summary) = simulate(&case, &mut [&mut steps]);
+    let peaks = &summary.peaks;
+    assert!(summary.collisions > 0);
+    for (found, largest, contact) in [
+        (&peaks.inner, steps.inner_n, case.bearing.inner_contact()),
+        (&peaks.balls, steps.balls_n, case.bearing.ball_contact()),
+    ] {
+        let pressure = contact.peak_stress_pa(largest);
+        let ratio = found.pressure_pa / pressure;
+        assert!((0.99..=1.0).contains(&ratio), "{ratio}");
+        assert!(found.force_n <= largest);
+    }
+    assert_eq!(peaks.balls.force_n, steps.balls_n);
+    // Largest in the plain groove; at two points of the discrete raceway less.
+    let plain = case.bearing.outer_contact().peak_stress_pa(steps.outer_n);
+    assert!(peaks.outer.pressure_pa <= plain && peaks.outer.pressure_pa > 0.8 * plain);
+    // Balls that touch slide at twice the speed of their surfaces.
+    let sliding = peaks.balls.pressure_velocity_pa_m_s / peaks.balls.pressure_pa;
+    assert!((10.0..40.0).contains(&sliding), "{sliding}");
+    assert!(peaks.inner.pressure_velocity_pa_m_s < peaks.balls.pressure_velocity_pa_m_s);
+}
+
+/// On a plain outer ring the balls roll: frequencies and speeds are the kinematic ones but for
+/// the slip.
+#[test]
+fn frequencies_are_those_of_rolling_but_for_the_slip() {
+    let mut case = lasting(0.05).with_raceways(vec![]);
+    case.solver.duration_s = 0.05;
+    let (_, summary) = simulate(&case, &mut []);
+    let means = summary.means.unwrap();
+    let bearing = &case.bearing;
+    let speed = case.operation.inner_speed_rad_s;
+    let radius = bearing.ball_radius_m();
+    let orbit = rolling_orbit_speed_rad_s(bearing, speed, radius);
+    let balls = bearing.balls() as f64;
+    for (found, rolling) in [
+        (means.ftf_hz(), orbit / TAU),
+        (means.bpfo_hz(), balls * orbit / TAU),
+        (means.bpfi_hz(), balls * (speed - orbit) / TAU),
+        (
+            means.bsf_hz(),
+            rolling_relative_spin_rad_s(bearing, orbit, radius) / TAU,
+        ),
+    ] {
+        assert!((found / rolling - 1.0).abs() < 0.01, "{found} {rolling}");
+    }
+    let rolling = speed * balls / TAU;
+    assert!((means.bpfo_hz() + means.bpfi_hz() - rolling).abs() < 1e-9 * rolling);
+}
