@@ -44,6 +44,8 @@ impl Contacts<'_> {
         inner_force_n: inner.force;
         /// Fo, normal force at the outer raceway, N.
         outer_force_n: outer.force;
+        /// Force along ψ where the outer contact of an unequal ball rises, N, along the motion.
+        outer_slope_force_n: slope_force;
         /// ΔVi, m/s.
         inner_slip_m_s: inner.slip;
         /// ΔVo, m/s.

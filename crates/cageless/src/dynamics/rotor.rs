@@ -1,4 +1,15 @@
 //! A rigid rotor in the plane of the bearing: constants, motion and acceleration.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::initial_conditions::initial_state;
+//!
+//! let (state, _angles) = initial_state(&common::drop_case())?;
+//! let rotor = state.rotor_motion().unwrap();
+//! assert!((rotor.speed - 3141.6).abs() < 0.1); // 30 000 rpm
+//! assert_eq!((rotor.y, state.ring_speed_rad_s()), (0.0, Some(0.0)));
+//! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
+//! ```
 
 use super::ball::Centre;
 use super::model::STICK_FRACTION;
