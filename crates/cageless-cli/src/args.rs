@@ -63,6 +63,8 @@ pub enum Command {
     Sweep(SweepArgs),
     /// Analyse a finished sweep: main effects, maps, best and failed variants.
     Report(ReportArgs),
+    /// The interactive page: change a bearing, watch the balls, compare; served to this machine only.
+    Studio(StudioArgs),
     /// Print the completions of a shell.
     Completions(CompletionsArgs),
     /// Print the man page of cageless or of one of its commands.
@@ -341,6 +343,23 @@ pub struct CaseArgs {
     /// Folder for files.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+}
+
+/// `studio`.
+#[derive(Debug, Group)]
+pub struct StudioArgs {
+    /// Case file (TOML) to begin with; the one that `cageless new` prints if left out.
+    #[arg(value_name = "CASE")]
+    pub case: Option<PathBuf>,
+    /// Replace a value of the case file; may be repeated.
+    #[arg(long, value_name = "SECTION.KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Write the page, which computes by itself, instead of serving it.
+    #[arg(long, value_name = "FILE")]
+    pub page: Option<PathBuf>,
+    /// Only print the address.
+    #[arg(long)]
+    pub no_browser: bool,
 }
 
 fn number(text: &str) -> Result<f64, String> {

@@ -2,9 +2,11 @@
 
 mod args;
 mod commands;
+mod connections;
 mod failure;
 mod format;
 mod progress;
+mod studio;
 mod suggestion;
 
 use std::process::ExitCode;

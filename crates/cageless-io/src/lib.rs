@@ -4,6 +4,9 @@
 //! Human units (`_mm`, `_deg`, `_rpm`, `_us`) exist only here and in figures;
 //! [`cageless`] itself is plain SI.
 //!
+//! The feature `files`, on by default, adds everything but case files: plans, results, CAD and
+//! journals. Without it the crate compiles for `wasm32-unknown-unknown` with few dependencies.
+//!
 //! ```
 //! use cageless_io::case_file::{CaseFile, OverTime, template};
 //!
@@ -13,17 +16,25 @@
 //! # Ok::<(), cageless_io::case_file::CaseError>(())
 //! ```
 
+#![cfg_attr(not(feature = "files"), allow(dead_code))]
+
+#[cfg(feature = "files")]
 pub mod cad;
 pub mod case_file;
 pub mod designation;
+#[cfg(feature = "files")]
 mod files;
+#[cfg(feature = "files")]
 pub mod journal;
 mod option_error;
+#[cfg(feature = "files")]
 pub mod plan_file;
+#[cfg(feature = "files")]
 pub mod results;
 mod system;
 mod terminal;
 
+#[cfg(feature = "files")]
 pub use files::open_own;
 pub use option_error::OptionError;
 pub use system::io_error_message;

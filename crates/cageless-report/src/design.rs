@@ -20,6 +20,7 @@ use crate::page::{Note, Page};
 use crate::recommended::ShownRaceway;
 use crate::reproduce::DesignCurve;
 use crate::search_tables as tables;
+use crate::studio::studio_section;
 use crate::table::{Cell, Row, Table};
 use crate::tables::parameter_table;
 use crate::text::fixed;
@@ -27,6 +28,9 @@ use crate::text::fixed;
 /// Data of the page of `design`. Empty parts are omitted from the page.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct DesignData {
+    /// The case as TOML, for the studio in the page; without one if empty.
+    #[serde(default)]
+    pub case_toml: String,
     /// Title of the case.
     pub title: String,
     /// Name and version of the program, instruction set.
@@ -143,6 +147,7 @@ pub fn design_page(data: &DesignData) -> String {
             None,
         ));
     }
+    studio_section(&mut page, &data.case_toml);
     page.html()
 }
 

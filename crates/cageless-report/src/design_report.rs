@@ -63,6 +63,8 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
         None => String::new(),
     };
     DesignData {
+        // A seed beyond the whole numbers of TOML leaves the page without a studio.
+        case_toml: file.document().to_toml().unwrap_or_default(),
         title: if case.title.is_empty() {
             "Design".to_owned()
         } else {

@@ -27,6 +27,7 @@ pub mod run;
 pub mod run_report;
 pub mod sampling;
 pub mod search_tables;
+pub mod studio;
 pub mod sweep;
 pub mod table;
 pub mod tables;
@@ -46,6 +47,7 @@ pub use page::{Note, Page};
 pub use recommended::ShownRaceway;
 pub use reproduce::*;
 pub use run::*;
+pub use studio::{Opening, engine, studio_page};
 pub use sweep::*;
 pub use verification::{VerificationRow, VerificationTable};
 

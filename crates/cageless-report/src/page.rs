@@ -7,6 +7,7 @@ use crate::data::{Claim, ClaimStatus};
 use crate::figure::Figure;
 use crate::head::{Head, verdict_html};
 use crate::motion::MotionFigure;
+use crate::studio::{self, Opening};
 use crate::table::Table;
 use crate::text::{escape, rich, slug};
 
@@ -23,6 +24,7 @@ pub struct Page {
     section_open: bool,
     plots: bool,
     motion: bool,
+    studio: bool,
 }
 
 /// Weight of a note.
@@ -128,6 +130,12 @@ impl Page {
         self.body.push_str(&motion.html(&id));
     }
 
+    /// Adds a studio of the case in `toml`, which computes in the page what its reader changes.
+    pub fn studio(&mut self, toml: &str, opening: Opening) {
+        self.studio = true;
+        self.body.push_str(&studio::place(toml, opening));
+    }
+
     /// Adds claims with their verdicts.
     pub fn claims(&mut self, claims: &[Claim]) {
         for claim in claims {
@@ -164,6 +172,11 @@ impl Page {
         for (id, title) in &self.contents {
             contents.push_str(&format!("<li><a href=\"#{id}\">{}</a></li>", rich(title)));
         }
+        let nav = if contents.is_empty() {
+            String::new()
+        } else {
+            format!("<nav aria-label=\"Contents\"><ol>{contents}</ol></nav>\n")
+        };
         let mut scripts = String::new();
         if self.plots {
             scripts.push_str(&format!("<script>{}</script>\n", plotly_js()));
@@ -173,6 +186,9 @@ impl Page {
             for script in [include_str!("gif.js"), include_str!("motion.js")] {
                 scripts.push_str(&format!("<script>{script}</script>\n"));
             }
+        }
+        if self.studio {
+            scripts.push_str(&studio::scripts());
         }
         let lead = if self.lead.is_empty() {
             String::new()
@@ -184,12 +200,16 @@ impl Page {
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
              <title>{title}</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>{css}</style></head>\n\
              <body><header><h1>{title}</h1>\n{head}{lead}</header>\n\
-             <nav aria-label=\"Contents\"><ol>{contents}</ol></nav>\n\
+             {nav}\
              <noscript><p class=\"note warning\">The figures are drawn by JavaScript, which is \
              switched off here; tables and captions can be read without it.</p></noscript>\n\
              <main>\n{body}</main>\n<footer>{software}</footer>\n{scripts}</body></html>\n",
             title = escape(&self.title),
-            css = include_str!("page.css"),
+            css = [
+                include_str!("page.css"),
+                if self.studio { studio::STYLE } else { "" }
+            ]
+            .concat(),
             head = self.head,
             body = self.body,
             software = rich(&self.software),

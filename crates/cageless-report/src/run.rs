@@ -10,6 +10,7 @@ use crate::head::Head;
 use crate::motion::MotionFigure;
 use crate::page::{Note, Page};
 use crate::sampling::range;
+use crate::studio::studio_section;
 use crate::tables::parameter_table;
 use crate::text::short;
 use crate::verification::{VerificationTable, verification_table};
@@ -17,6 +18,9 @@ use crate::verification::{VerificationTable, verification_table};
 /// Data of the page of one run. Empty parts are omitted from the page.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct RunData {
+    /// The case as TOML, for the studio in the page; without one if empty.
+    #[serde(default)]
+    pub case_toml: String,
     /// Title of the case.
     pub title: String,
     /// Name and version of the program, instruction set.
@@ -237,6 +241,7 @@ pub fn run_page(data: &RunData) -> String {
             None,
         ));
     }
+    studio_section(&mut page, &data.case_toml);
     page.html()
 }
 

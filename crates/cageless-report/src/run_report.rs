@@ -120,6 +120,8 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
     };
     let shown = last_orbits(&recent, orbit, ORBITS_PLAYED);
     RunData {
+        // A seed beyond the whole numbers of TOML leaves the page without a studio.
+        case_toml: file.document().to_toml().unwrap_or_default(),
         title: if case.title.is_empty() {
             "Run".to_owned()
         } else {

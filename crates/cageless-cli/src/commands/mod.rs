@@ -7,6 +7,7 @@ mod report;
 mod reproduce;
 mod run;
 mod static_equilibrium;
+mod studio;
 mod sweep;
 mod tolerance;
 
@@ -46,6 +47,7 @@ pub fn dispatch(args: Args) -> Result<(), Failure> {
         Command::Export(args) => export::export(&args),
         Command::Sweep(args) => sweep::sweep(&args),
         Command::Report(args) => report::report(&args),
+        Command::Studio(args) => studio::studio(&args),
         Command::Completions(args) => manual::completions(args.shell),
         Command::Man(args) => manual::man(&args),
     }

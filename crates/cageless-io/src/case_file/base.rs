@@ -52,8 +52,19 @@ impl CaseBase {
         let name = path.display().to_string();
         let text =
             read_text(path, "case file").map_err(|message| CaseError::of_file(&name, message))?;
-        let root = super::source(&text, &name)?;
-        Ok(Self { root, name })
+        Self::parse(&text, &name)
+    }
+
+    /// Parses the text of a case file; `name` stands for it in messages.
+    ///
+    /// # Errors
+    /// A [`CaseError`] if the text is not TOML.
+    pub fn parse(text: &str, name: &str) -> Result<Self, CaseError> {
+        let root = super::source(text, name)?;
+        Ok(Self {
+            root,
+            name: name.to_owned(),
+        })
     }
 
     pub(crate) fn from_sections(root: Section, name: &str) -> Self {

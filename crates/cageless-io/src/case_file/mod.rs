@@ -236,6 +236,26 @@ pub fn unit(key: &str) -> &'static str {
     keys::unit(section, name).printed()
 }
 
+/// A key of a case file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct KeyMeaning {
+    /// Dotted name: `raceway.axial_span_mm`.
+    pub name: String,
+    /// Unit as it is printed; empty if it has none.
+    pub unit: &'static str,
+    /// What it means.
+    pub meaning: &'static str,
+}
+
+/// Every key of a case file, in the order of the file format.
+pub fn keys() -> impl Iterator<Item = KeyMeaning> {
+    keys::all().map(|(section, key)| KeyMeaning {
+        name: spanned_toml::join(section, key.name),
+        unit: key.unit.printed(),
+        meaning: key.meaning,
+    })
+}
+
 /// No case file comes near this; `/dev/zero` does.
 const SIZE_MAX: u64 = 16 << 20;
 

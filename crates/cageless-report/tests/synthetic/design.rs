@@ -65,6 +65,7 @@ pub fn design() -> DesignData {
     };
     let reproduced = reproduce();
     DesignData {
+        case_toml: String::new(),
         title: "Design <synthetic>".to_owned(),
         lead: "What was found.".to_owned(),
         passes: Some(true),

@@ -35,6 +35,7 @@ pub fn run_data() -> RunData {
         .collect();
     let ring = |f: fn(f64) -> f64| r.time.iter().map(|t| f(*t)).collect::<Vec<f64>>();
     RunData {
+        case_toml: "title = \"</script><b>\"\n".into(),
         title: "Zhao 2022, structure (d) <synthetic>".into(),
         software: "cageless 0.1.0".into(),
         lead: "Synthetic data: nothing here was simulated.".into(),

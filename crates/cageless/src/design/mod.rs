@@ -15,6 +15,7 @@
 //! ```
 
 mod criterion;
+mod estimate;
 mod recommendation;
 mod run_verdict;
 pub mod search;
@@ -28,6 +29,7 @@ use crate::numerics::{quadrature, root};
 use crate::raceway::{Raceway, RacewayDimensions, axial_span_limit_m};
 
 pub use criterion::{Criterion, percent_beside};
+pub use estimate::{Estimate, EstimateTerm};
 pub use recommendation::{Recommendation, StartingPoint, recommend, starting_point};
 pub use run_verdict::RunVerdict;
 pub use verdict::{

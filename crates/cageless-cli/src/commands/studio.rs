@@ -1,0 +1,59 @@
+//! `cageless studio`.
+
+use std::io::IsTerminal;
+use std::path::Path;
+
+use cageless::dynamics::InstructionSet;
+use cageless_io::case_file::{CaseFile, template};
+use cageless_io::io_error_message;
+use cageless_io::results::{VERSION, write_atomically};
+use cageless_report::{engine, studio_page};
+
+use super::print;
+use crate::args::StudioArgs;
+use crate::failure::Failure;
+use crate::progress::catch_interrupt;
+use crate::studio::{Server, Token};
+
+/// Serves the studio on the loopback address until Ctrl-C, or writes its page.
+pub fn studio(args: &StudioArgs) -> Result<(), Failure> {
+    let toml = match &args.case {
+        Some(path) => text(path, &args.set)?,
+        None if args.set.is_empty() => template(false),
+        None => return Err(Failure::Input("--set needs a case file".to_owned())),
+    };
+    let software = format!("Cageless {VERSION}, {}", InstructionSet::chosen().name());
+    let page = studio_page(&toml, &software);
+    if let Some(path) = &args.page {
+        if engine().is_none() {
+            return Err(Failure::Other(anyhow::anyhow!(
+                "this build has no engine for pages: `rustup target add wasm32-unknown-unknown`, \
+                 build with --release again, or use `cageless studio` without --page"
+            )));
+        }
+        write_atomically(path, page.as_bytes())?;
+        return print(&format!("{}\n", path.display()));
+    }
+    let stop = catch_interrupt();
+    let server = Server::bind(page, Token::random()?)?;
+    let address = server.address();
+    print(&format!("{address}\n"))?;
+    eprintln!("the studio runs until Ctrl-C");
+    if !args.no_browser && std::io::stdout().is_terminal() {
+        // Without a browser the printed address remains.
+        let _ = open::that_detached(&address);
+    }
+    server.serve(&stop)
+}
+
+/// Text of a case file, checked, with replaced values as `cageless` would read them.
+fn text(path: &Path, set: &[String]) -> Result<String, Failure> {
+    let file = CaseFile::read(path, set)?;
+    let text = std::fs::read_to_string(path)
+        .map_err(|e| Failure::Input(format!("{}: {}", path.display(), io_error_message(&e))))?;
+    // The page shows TOML; of JSON, and of a file with replaced values, it gets the case as read.
+    if set.is_empty() && !text.trim_start().starts_with('{') {
+        return Ok(text);
+    }
+    Ok(file.document().to_toml()?)
+}

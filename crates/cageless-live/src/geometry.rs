@@ -1,0 +1,142 @@
+//! Geometry of a case, its closed forms and its static equilibrium, in the units of the workshop.
+
+use cageless::Case;
+use cageless::design::{
+    Eq11, Estimate, balls_in_raceway_max, half_angle_for_gap_rad, steady_gap_rad,
+    theoretical_gap_rad,
+};
+use cageless::equilibrium::{self, Equilibrium};
+use cageless::raceway::{Raceway, axial_span_limit_m};
+use cageless_io::case_file::CaseFile;
+use serde_json::{Value, json};
+
+use crate::request::Refusal;
+
+/// Points along a raceway, from end to end and a fifth of θ beyond.
+const ALONG: usize = 81;
+/// Points across one side of the groove.
+const ACROSS: usize = 15;
+const BEYOND: f64 = 1.2;
+
+/// Document, dimensions, contact tracks, groove depths, closed forms and estimate of a case.
+pub(crate) fn geometry(file: &CaseFile) -> Result<Value, Refusal> {
+    let case = file.case();
+    let bearing = &case.bearing;
+    let d = bearing.dimensions();
+    let equilibrium = equilibrium::solve(case);
+    let estimate = equilibrium
+        .as_ref()
+        .ok()
+        .map(|e| Estimate::new(case, e))
+        .map(|estimate| {
+            let terms: Vec<Value> = estimate
+                .terms()
+                .iter()
+                .map(|t| {
+                    json!({
+                        "name": t.name, "value": t.value, "limit": t.limit,
+                        "margin": t.margin(), "meaning": t.meaning,
+                    })
+                })
+                .collect();
+            json!({ "passes": estimate.passes(), "terms": terms })
+        });
+    let degrees = |angle: Option<f64>| angle.map(f64::to_degrees);
+    let first = case.raceways.first();
+    let statics = match &equilibrium {
+        Ok(e) => static_numbers(case, e),
+        Err(error) => json!({ "error": error.to_string() }),
+    };
+    Ok(json!({
+        "document": file.document(),
+        "defaults": file.defaults(),
+        "title": case.title,
+        "bearing": {
+            "balls": bearing.balls(),
+            "ball_radius_mm": bearing.ball_radius_m() * 1e3,
+            "pitch_radius_mm": bearing.pitch_radius_m() * 1e3,
+            "inner_radius_mm": d.inner_groove_bottom_radius_m * 1e3,
+            "outer_radius_mm": d.outer_groove_bottom_radius_m * 1e3,
+            "shoulder_radius_mm": d.outer_shoulder_radius_m * 1e3,
+            "inner_curvature_mm": d.inner_groove_curvature_radius_m * 1e3,
+            "outer_curvature_mm": d.outer_groove_curvature_radius_m * 1e3,
+            "radial_clearance_um": bearing.radial_clearance_m() * 1e6,
+        },
+        "numbers": {
+            "epsilon_deg": bearing.ball_angle_rad().to_degrees(),
+            "uniform_gap_deg": bearing.nominal_gap_rad().to_degrees(),
+            "steady_gap_deg": steady_gap_rad(bearing, &case.raceways).to_degrees(),
+            "axial_span_limit_mm": axial_span_limit_m(bearing) * 1e3,
+            "beta0_deg": degrees(first.map(|r| theoretical_gap_rad(bearing, r, Eq11::Published))),
+            "half_angle_deg_for_span": degrees(first.and_then(|r| {
+                let span = r.dimensions().axial_span_m;
+                half_angle_for_gap_rad(bearing, span, bearing.nominal_gap_rad(), Eq11::Published)
+            })),
+            "balls_in_raceway_max": first.map(|r| balls_in_raceway_max(bearing, r)),
+            "rolling_orbit_ms": case.rolling_orbit_s() * 1e3,
+        },
+        "raceways": case.raceways.iter().map(|r| raceway(case, r)).collect::<Vec<_>>(),
+        "static": statics,
+        "estimate": estimate,
+    }))
+}
+
+/// Track and depth of one raceway. Depth is the distance from the plain groove, positive where
+/// material is taken away, over ψ and z.
+fn raceway(case: &Case, raceway: &Raceway) -> Value {
+    let bearing = &case.bearing;
+    let rw = bearing.ball_radius_m();
+    let d = raceway.dimensions();
+    let plain_curvature_m = bearing.dimensions().outer_groove_curvature_radius_m;
+    // Centre circle of the plain groove.
+    let plain_centre_m = bearing.dimensions().outer_groove_bottom_radius_m - plain_curvature_m;
+    let (mut angle, mut radius, mut axial) = (vec![], vec![], vec![]);
+    let (mut across, mut depth) = (vec![], vec![]);
+    for k in 0..ALONG {
+        let fraction = 2.0 * k as f64 / (ALONG - 1) as f64 - 1.0;
+        let local = raceway.half_angle_rad() * BEYOND * fraction;
+        let psi = d.centre_angle_rad + local;
+        let r = raceway.effective_radius_m(psi);
+        angle.push(local.to_degrees());
+        radius.push(r * 1e3);
+        axial.push((rw * rw - r * r).max(0.0).sqrt() * 1e3);
+        let [from, to] = raceway.meridian_range_rad(psi, bearing);
+        let (mut z_row, mut depth_row) = (vec![], vec![]);
+        for j in 0..ACROSS {
+            let eta = from + (to - from) * j as f64 / (ACROSS - 1) as f64;
+            let [x, y, z] = raceway.surface(psi, eta).position_m;
+            let from_centre = (x.hypot(y) - plain_centre_m).hypot(z);
+            z_row.push((z * 1e6).round() / 1e3);
+            depth_row.push(((from_centre - plain_curvature_m) * 1e8).round() / 1e2);
+        }
+        across.push(z_row);
+        depth.push(depth_row);
+    }
+    json!({
+        "axial_span_mm": d.axial_span_m * 1e3,
+        "half_angle_deg": raceway.half_angle_rad().to_degrees(),
+        "centre_angle_deg": d.centre_angle_rad.to_degrees(),
+        "angle_deg": angle, "effective_radius_mm": radius, "track_mm": axial,
+        "across_mm": across, "depth_um": depth,
+    })
+}
+
+fn static_numbers(case: &Case, e: &Equilibrium) -> Value {
+    json!({
+        "ring_x_um": e.ring_x_m * 1e6,
+        "ring_y_um": e.ring_y_m * 1e6,
+        "ball_angle_deg": e.ball_angle_rad.iter().map(|a| a.to_degrees()).collect::<Vec<_>>(),
+        "inner_force_n": e.inner_force_n,
+        "outer_force_n": e.outer_force_n,
+        "effective_radius_mm": e.effective_radius_m.iter().map(|r| r * 1e3).collect::<Vec<_>>(),
+        "inner_stress_max_gpa": e.inner_stress_max_pa * 1e-9,
+        "outer_stress_max_gpa": e.outer_stress_max_pa * 1e-9,
+        "warnings": e.overload().into_iter().collect::<Vec<_>>(),
+        "balls": case.bearing.balls(),
+    })
+}
+
+/// The static equilibrium of a case.
+pub(crate) fn equilibrium(case: &Case) -> Result<Value, Refusal> {
+    Ok(static_numbers(case, &equilibrium::solve(case)?))
+}

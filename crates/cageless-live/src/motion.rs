@@ -1,0 +1,171 @@
+//! The motion of a case, one stretch at a time.
+
+use cageless::Case;
+use cageless::dynamics::state::State;
+use cageless::initial_conditions::initial_state;
+use cageless::recorder::Recorder;
+use cageless::simulation::{Control, Ending, run_from};
+use cageless::snapshot::Snapshot;
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+use crate::request::Refusal;
+
+/// A stretch of a motion: from the start of the case, or from where the last one ended.
+#[derive(Debug, Deserialize)]
+pub(crate) struct Stretch {
+    /// Simulated time.
+    duration_s: f64,
+    /// Number of frames that it is divided into.
+    frames: usize,
+    /// `resume` of the answer before.
+    #[serde(default)]
+    resume: Option<Resume>,
+}
+
+/// End of a stretch: the bits of its numbers in hexadecimal, so that nothing is rounded.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Resume {
+    time_s: String,
+    state: String,
+    angle_rad: String,
+}
+
+/// Frames of one stretch at most.
+const FRAMES_MAX: usize = 4000;
+/// Steps of one stretch at most: some ten seconds of computing.
+const STEPS_MAX: f64 = 2e6;
+
+fn hex(values: &[f64]) -> String {
+    values
+        .iter()
+        .map(|v| format!("{:016x}", v.to_bits()))
+        .collect()
+}
+
+fn unhex(name: &str, text: &str, count: usize) -> Result<Vec<f64>, Refusal> {
+    let wrong = || {
+        Refusal::new(format!(
+            "resume.{name} is not what the last stretch returned"
+        ))
+    };
+    if text.len() != 16 * count || !text.is_ascii() {
+        return Err(wrong());
+    }
+    let values: Option<Vec<f64>> = (0..count)
+        .map(|k| {
+            let bits = u64::from_str_radix(&text[16 * k..16 * (k + 1)], 16).ok()?;
+            Some(f64::from_bits(bits)).filter(|v| v.is_finite())
+        })
+        .collect();
+    values.ok_or_else(wrong)
+}
+
+/// Runs a stretch and returns its frames, its collisions so far and what the next needs.
+pub(crate) fn motion(
+    case: &Case,
+    stretch: &Stretch,
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Result<Value, Refusal> {
+    let duration_s = stretch.duration_s;
+    if !(duration_s > 0.0 && duration_s / case.solver.step_s <= STEPS_MAX) {
+        return Err(Refusal::new(format!(
+            "duration_s = {duration_s} is not possible: more than 0 and at most {:e} s, which is \
+             {STEPS_MAX:e} steps",
+            STEPS_MAX * case.solver.step_s
+        )));
+    }
+    if !(1..=FRAMES_MAX).contains(&stretch.frames) {
+        let message = format!("frames = {}: 1 to {FRAMES_MAX} are allowed", stretch.frames);
+        return Err(Refusal::new(message));
+    }
+    let balls = case.bearing.balls();
+    let (from_s, state, angles) = match &stretch.resume {
+        None => {
+            let (state, angles) = initial_state(case)?;
+            (0.0, state, angles)
+        }
+        Some(resume) => {
+            let mut state = State::new(balls);
+            let count = state.values().len();
+            state
+                .values_mut()
+                .copy_from_slice(&unhex("state", &resume.state, count)?);
+            (
+                unhex("time_s", &resume.time_s, 1)?[0],
+                state,
+                unhex("angle_rad", &resume.angle_rad, balls)?,
+            )
+        }
+    };
+    let mut part = case.clone();
+    part.solver.duration_s = duration_s;
+    let mut frames: Vec<Snapshot> = vec![];
+    let outcome = {
+        let mut recorder = Recorder::new(duration_s / stretch.frames as f64, |snapshot| {
+            frames.push(snapshot);
+            Ok(())
+        });
+        run_from(
+            &part,
+            &state,
+            &angles,
+            &mut [&mut recorder],
+            &mut |time_s| control(time_s / duration_s),
+        )?
+    };
+    let stopped = match &outcome.ending {
+        Ending::Stopped(stop) => Some(json!({
+            "time_s": from_s + stop.time_s,
+            "cause": stop.cause.to_string(),
+            "advice": stop.advice().to_string(),
+        })),
+        Ending::Interrupted => return Err(Refusal::new("cancelled")),
+        Ending::Complete | Ending::ObserverFailed(_) => None,
+    };
+    let resume = match (&stopped, frames.last()) {
+        (None, Some(last)) => Some(json!({
+            "time_s": hex(&[from_s + outcome.end_s]),
+            "state": hex(outcome.state.values()),
+            "angle_rad": hex(&last.angle_rad),
+        })),
+        _ => None,
+    };
+    // The first frame of a later stretch is the last of the one before.
+    let skipped = usize::from(stretch.resume.is_some());
+    let shown: Vec<Value> = frames[skipped.min(frames.len())..]
+        .iter()
+        .map(|s| frame(from_s, s))
+        .collect();
+    Ok(json!({
+        "from_s": from_s,
+        "to_s": from_s + outcome.end_s,
+        "steps": outcome.steps,
+        "energy_residual_relative": outcome.energy_residual_relative,
+        "frames": shown,
+        "stopped": stopped,
+        "resume": resume,
+    }))
+}
+
+/// One frame, to the precision of a picture.
+fn frame(from_s: f64, s: &Snapshot) -> Value {
+    let rounded = |values: &[f64], factor: f64, digits: i32| -> Vec<f64> {
+        let scale = 10f64.powi(digits);
+        values
+            .iter()
+            .map(|v| (v * factor * scale).round() / scale)
+            .collect()
+    };
+    let degrees = 180.0 / std::f64::consts::PI;
+    json!({
+        "t": from_s + s.time_s,
+        "angle_deg": rounded(&s.angle_rad, degrees, 5),
+        "gap_deg": rounded(&s.gap_rad, degrees, 5),
+        "inner_force_n": rounded(&s.inner_force_n, 1.0, 2),
+        "outer_force_n": rounded(&s.outer_force_n, 1.0, 2),
+        "slip_m_s": rounded(&s.outer_slip_m_s, 1.0, 4),
+        "ring_um": rounded(&[s.ring.x_m, s.ring.y_m], 1e6, 3),
+    })
+}

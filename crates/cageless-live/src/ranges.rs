@@ -1,0 +1,131 @@
+//! Possible values of the keys of a case, found by trying.
+
+use cageless::simulation::Control;
+use cageless_io::case_file::{CaseBase, CaseValue, Change};
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+use crate::request::Refusal;
+
+/// A control: a name, the values that it offers, and the keys that follow it linearly.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Span {
+    name: String,
+    low: f64,
+    high: f64,
+    /// Whole numbers only.
+    #[serde(default)]
+    whole: bool,
+    keys: Vec<Follower>,
+}
+
+/// A key with its values at the low and the high end of the control.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Follower {
+    key: String,
+    low: f64,
+    high: f64,
+}
+
+/// Values that are tried over a span before the ends of the possible ranges are refined.
+const TRIED: usize = 25;
+/// Halvings of the interval between two tried values.
+const HALVINGS: usize = 8;
+/// Controls of one request, and keys of one control, at most.
+const CONTROLS_MAX: usize = 32;
+
+/// The ranges `[low, high]` of each control within which the case as a whole is possible, every other
+/// value as it is. A range narrower than the distance of two tried values may be missed.
+pub(crate) fn ranges(
+    case: &str,
+    spans: &[Span],
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Result<Value, Refusal> {
+    if spans.len() > CONTROLS_MAX || spans.iter().any(|s| s.keys.len() > CONTROLS_MAX) {
+        let message = format!("at most {CONTROLS_MAX} controls and keys of each are allowed");
+        return Err(Refusal::new(message));
+    }
+    let base = CaseBase::parse(case, "case")?;
+    let mut found = serde_json::Map::new();
+    for (k, span) in spans.iter().enumerate() {
+        if control(k as f64 / spans.len() as f64).is_break() {
+            return Err(Refusal::new("cancelled"));
+        }
+        if !(span.low < span.high && (span.high - span.low).is_finite()) {
+            let message = format!("{}: the span needs low < high", span.name);
+            return Err(Refusal::new(message));
+        }
+        found.insert(span.name.clone(), json!(possible(&base, span)));
+    }
+    Ok(Value::Object(found))
+}
+
+fn possible(base: &CaseBase, span: &Span) -> Vec<[f64; 2]> {
+    let allowed = |value: f64| {
+        let part = (value - span.low) / (span.high - span.low);
+        let values: Vec<CaseValue> = span
+            .keys
+            .iter()
+            .map(|k| match k.low + part * (k.high - k.low) {
+                whole if span.whole => CaseValue::Integer(whole.round() as i64),
+                number => CaseValue::Number(number),
+            })
+            .collect();
+        let changes: Vec<Change<'_>> = (span.keys.iter().zip(&values))
+            .map(|(k, value)| Change {
+                key: &k.key,
+                value,
+                place: ("case", 1),
+            })
+            .collect();
+        base.with(&changes).is_ok()
+    };
+    let tried: Vec<f64> = if span.whole {
+        let count = (span.high - span.low).min(1000.0) as usize;
+        (0..=count)
+            .map(|k| span.low.round() + k as f64)
+            .take_while(|&v| v <= span.high)
+            .collect()
+    } else {
+        let at = |k: usize| span.low + (span.high - span.low) * k as f64 / (TRIED - 1) as f64;
+        (0..TRIED).map(at).collect()
+    };
+    // The end of a range between a possible and an impossible value.
+    let edge = |mut good: f64, mut bad: f64| {
+        if !span.whole {
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (good + bad);
+                if allowed(middle) {
+                    good = middle;
+                } else {
+                    bad = middle;
+                }
+            }
+        }
+        good
+    };
+    let mut ranges: Vec<[f64; 2]> = vec![];
+    let mut before: Option<(f64, bool)> = None;
+    for &value in &tried {
+        let good = allowed(value);
+        match (before, good) {
+            (None, true) => ranges.push([value, value]),
+            (Some((last, false)), true) => ranges.push([edge(value, last), value]),
+            (Some((last, true)), false) => {
+                if let Some(range) = ranges.last_mut() {
+                    range[1] = edge(last, value);
+                }
+            }
+            (Some((_, true)), true) => {
+                if let Some(range) = ranges.last_mut() {
+                    range[1] = value;
+                }
+            }
+            (_, false) => {}
+        }
+        before = Some((value, good));
+    }
+    ranges
+}

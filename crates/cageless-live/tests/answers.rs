@@ -1,0 +1,239 @@
+//! Answers to requests of pages.
+
+use cageless_io::case_file::template;
+use cageless_live::{Control, REQUEST_BYTES_MAX, answer};
+use serde_json::{Value, json};
+
+fn ask(request: &Value) -> Value {
+    let text = answer(&request.to_string(), &mut |_| Control::Continue(()));
+    serde_json::from_str(&text).expect("JSON")
+}
+
+fn good(request: &Value) -> Value {
+    let answer = ask(request);
+    assert!(answer["error"].is_null(), "{answer}");
+    answer["ok"].clone()
+}
+
+fn refused(request: &Value) -> Value {
+    let answer = ask(request);
+    assert!(answer["ok"].is_null(), "{answer}");
+    answer["error"].clone()
+}
+
+/// The case of `cageless new` with other sizes of its raceway.
+fn structure(axial_span_mm: f64, half_angle_deg: f64) -> String {
+    let case = template(false);
+    let line = |key: &str| {
+        let found = case.lines().find(|l| l.starts_with(key));
+        found.expect("a key of the template").to_owned()
+    };
+    case.replace(
+        &line("axial_span_mm"),
+        &format!("axial_span_mm = {axial_span_mm}"),
+    )
+    .replace(
+        &line("half_angle_deg"),
+        &format!("half_angle_deg = {half_angle_deg}"),
+    )
+}
+
+#[test]
+fn geometry_has_the_closed_forms_of_the_paper() {
+    let g = good(&json!({ "op": "geometry", "case": structure(5.1, 25.2) }));
+    let close = |value: &Value, wanted: f64, within: f64| {
+        let value = value.as_f64().expect("a number");
+        assert!((value - wanted).abs() < within, "{value} is not {wanted}");
+    };
+    // Zhao 2022, Table 2, structure (d).
+    close(&g["numbers"]["beta0_deg"], 1.8171, 1e-4);
+    close(&g["raceways"][0]["axial_span_mm"], 5.1, 1e-12);
+    let depths = g["raceways"][0]["depth_um"].as_array().unwrap();
+    let at = |row: usize| {
+        depths[row]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|d| d.as_f64().unwrap())
+    };
+    // The plain groove beyond the ends, material taken away in the middle.
+    assert!(at(0).all(|d| d.abs() < 0.01), "{:?}", depths[0]);
+    assert!(at(depths.len() / 2).fold(0.0, f64::max) > 10.0);
+    let terms = g["estimate"]["terms"].as_array().unwrap();
+    let names: Vec<_> = terms.iter().map(|t| t["name"].as_str().unwrap()).collect();
+    assert_eq!(
+        names,
+        ["separation", "sliding", "both-neighbours", "stress"]
+    );
+}
+
+#[test]
+fn a_case_is_refused_with_the_message_of_the_command() {
+    let error = refused(&json!({ "op": "geometry", "case": structure(9.0, 25.2) }));
+    assert_eq!(error["key"], "raceway.axial_span_mm");
+    assert!(
+        error["line"].as_u64().is_some_and(|line| line > 1),
+        "{error}"
+    );
+    let message = error["message"].as_str().unwrap();
+    assert!(
+        message.starts_with("case:") && message.contains("Eq. (8)"),
+        "{message}"
+    );
+}
+
+#[test]
+fn malformed_requests_are_refused() {
+    let case = template(false);
+    for request in [
+        "",
+        "[",
+        "null",
+        r#"{"op": "delete"}"#,
+        r#"{"op": "geometry"}"#,
+        r#"{"op": "geometry", "case": 3}"#,
+        r#"{"op": "geometry", "case": "", "path": "/etc/passwd"}"#,
+    ] {
+        let answer = answer(request, &mut |_| Control::Continue(()));
+        assert!(answer.starts_with(r#"{"error":"#), "{request}: {answer}");
+    }
+    // Neither JSON nor TOML is read to any depth.
+    let deep = "[".repeat(100_000);
+    refused(&json!({ "op": "geometry", "case": format!("a = {deep}") }));
+    refused(&json!({ "op": "geometry", "case": format!("[{}]", "a.".repeat(50_000) + "a") }));
+    let text = answer(&deep, &mut |_| Control::Continue(()));
+    assert!(text.starts_with(r#"{"error":"#), "{text}");
+    let long = format!("{}{}", " ".repeat(REQUEST_BYTES_MAX), r#"{"op": "about"}"#);
+    let text = answer(&long, &mut |_| Control::Continue(()));
+    assert!(text.contains("bytes"), "{text}");
+    for (duration_s, frames) in [
+        (0.0, 10),
+        (-1.0, 10),
+        (1e9, 10),
+        (1e-4, 0),
+        (1e-4, 1_000_000),
+    ] {
+        refused(
+            &json!({ "op": "motion", "case": case, "duration_s": duration_s, "frames": frames }),
+        );
+    }
+    for state in ["", "00", "zz", "7ff0000000000000"] {
+        let resume = json!({ "time_s": "0000000000000000", "state": state, "angle_rad": state });
+        let request = json!({
+            "op": "motion", "case": case, "duration_s": 1e-4, "frames": 2, "resume": resume,
+        });
+        let error = refused(&request);
+        assert!(
+            error["message"].as_str().unwrap().contains("resume."),
+            "{error}"
+        );
+    }
+}
+
+#[test]
+fn ranges_end_where_the_case_becomes_impossible() {
+    let control = |name: &str, key: &str, low: f64, high: f64, whole: bool| {
+        json!({
+            "name": name, "low": low, "high": high, "whole": whole,
+            "keys": [{ "key": key, "low": low, "high": high }],
+        })
+    };
+    let ranges = good(&json!({
+        "op": "ranges", "case": structure(5.1, 25.2),
+        "controls": [
+            control("span", "raceway.axial_span_mm", 0.0, 9.0, false),
+            control("balls", "bearing.balls", 3.0, 20.0, true),
+            control("friction", "contact.friction_coefficient", -1.0, -0.5, false),
+        ],
+    }));
+    let limit = ranges["span"][0][1].as_f64().unwrap();
+    assert!(
+        (7.39..7.4018).contains(&limit),
+        "Eq. (8) allows 7.4017 mm: {limit}"
+    );
+    assert_eq!(ranges["balls"], json!([[3.0, 15.0]]));
+    assert_eq!(ranges["friction"], json!([]));
+}
+
+/// What stretches reach, and what one run of the whole time does.
+#[test]
+fn stretches_go_on_where_the_last_one_ended() {
+    let case = structure(5.1, 25.2);
+    let stretch = |duration_s: f64, resume: Option<&Value>| {
+        let mut request =
+            json!({ "op": "motion", "case": case, "duration_s": duration_s, "frames": 8 });
+        if let Some(resume) = resume {
+            request["resume"] = resume.clone();
+        }
+        good(&request)
+    };
+    let first = stretch(2e-4, None);
+    let second = stretch(2e-4, Some(&first["resume"]));
+    let whole = stretch(4e-4, None);
+    assert_eq!(first["frames"].as_array().unwrap().len(), 9);
+    assert_eq!(second["frames"].as_array().unwrap().len(), 8);
+    assert_eq!(second["from_s"], first["to_s"]);
+    let last = |part: &Value, name: &str| -> Vec<f64> {
+        let frame = part["frames"].as_array().unwrap().last().unwrap()[name].clone();
+        serde_json::from_value(frame).unwrap()
+    };
+    // A multistep method starts anew after a stretch: equal to its error, not to the bit.
+    for (a, b) in last(&second, "angle_deg")
+        .iter()
+        .zip(last(&whole, "angle_deg"))
+    {
+        assert!((a - b).abs() < 2e-5, "{a} and {b}");
+    }
+    for (a, b) in last(&second, "inner_force_n")
+        .iter()
+        .zip(last(&whole, "inner_force_n"))
+    {
+        assert!((a - b).abs() < 0.5, "{a} and {b}");
+    }
+}
+
+#[test]
+fn work_can_be_cancelled() {
+    let case = structure(5.1, 25.2);
+    for request in [
+        json!({ "op": "verdict", "case": case }),
+        json!({ "op": "motion", "case": case, "duration_s": 0.1, "frames": 2 }),
+    ] {
+        let mut asked = 0;
+        let text = answer(&request.to_string(), &mut |_| {
+            asked += 1;
+            Control::Break(())
+        });
+        assert_eq!(asked, 1);
+        assert!(
+            text.contains("cancelled") || text.contains("interrupted"),
+            "{text}"
+        );
+    }
+}
+
+/// Verdicts of `cageless design` on the structures of Zhao 2022, Table 2.
+#[test]
+fn the_estimate_agrees_with_the_verdicts_on_the_structures_of_the_paper() {
+    for (letter, passes, failing) in [
+        ("a", false, "both-neighbours"),
+        ("b", false, "both-neighbours"),
+        ("c", true, ""),
+        ("d", true, ""),
+        ("e", true, ""),
+        ("f", false, "sliding"),
+        ("g", false, "sliding"),
+        ("h", false, "sliding"),
+        ("i", false, "sliding"),
+        ("j", false, "sliding"),
+    ] {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases");
+        let case = std::fs::read_to_string(format!("{folder}/zhao-{letter}.toml")).expect("a case");
+        let estimate = good(&json!({ "op": "geometry", "case": case }))["estimate"].clone();
+        assert_eq!(estimate["passes"], passes, "{letter}: {estimate}");
+        let terms = estimate["terms"].as_array().unwrap();
+        let missed = terms.iter().find(|t| t["margin"].as_f64().unwrap() < 0.0);
+        let missed = missed.map_or("", |t| t["name"].as_str().unwrap());
+        assert_eq!(missed, failing, "{letter}: {estimate}");
+    }
+}

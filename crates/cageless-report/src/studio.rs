@@ -1,0 +1,70 @@
+//! The studio: a page, or a part of one, that computes what its reader changes.
+
+use serde_json::json;
+
+use crate::page::Page;
+use crate::text::script_json;
+
+/// The engine, compressed and as base64; `None` if this build has none.
+pub fn engine() -> Option<&'static str> {
+    const ENGINE: &str = include_str!(concat!(env!("OUT_DIR"), "/engine.txt"));
+    Some(ENGINE).filter(|text| !text.is_empty())
+}
+
+/// Time at which a studio begins to compute.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Opening {
+    /// As soon as the page is open.
+    AtOnce,
+    /// When the reader asks for it.
+    OnRequest,
+}
+
+/// The studio of a case as a page of its own.
+pub fn studio_page(toml: &str, software: &str) -> String {
+    let mut page = Page::new("Cageless studio", "", software);
+    page.studio(toml, Opening::AtOnce);
+    page.html()
+}
+
+/// The last section of a report: its case, to be changed. What was computed stays above it.
+pub(crate) fn studio_section(page: &mut Page, toml: &str) {
+    if !toml.is_empty() {
+        page.section("Change this case");
+        page.studio(toml, Opening::OnRequest);
+    }
+}
+
+/// Place of a studio in a page, with its case and the engine.
+pub(crate) fn place(toml: &str, opening: Opening) -> String {
+    let opening = match opening {
+        Opening::AtOnce => "now",
+        Opening::OnRequest => "later",
+    };
+    format!(
+        "<div data-studio=\"{opening}\"><script type=\"application/json\" data-case>{}</script>\
+         <script type=\"text/plain\" data-engine>{}</script></div>\n",
+        script_json(&json!(toml)),
+        engine().unwrap_or_default()
+    )
+}
+
+/// Scripts of the studio: the source of its workers, and one module of all its parts.
+pub(crate) fn scripts() -> String {
+    let module = [
+        include_str!("studio/engine.js"),
+        include_str!("studio/case.js"),
+        include_str!("studio/controls.js"),
+        include_str!("studio/draw.js"),
+        include_str!("studio/motion.js"),
+        include_str!("studio/studio.js"),
+    ]
+    .join("\n");
+    format!(
+        "<script type=\"text/plain\" data-worker>{}</script>\n<script type=\"module\">{module}</script>\n",
+        include_str!("studio/worker.js")
+    )
+}
+
+/// Style of the studio.
+pub(crate) const STYLE: &str = include_str!("studio/studio.css");

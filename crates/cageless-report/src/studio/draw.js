@@ -1,0 +1,173 @@
+// Drawings of the studio, on canvases that follow their width and the colours of the page.
+
+function colours(el) {
+  const style = getComputedStyle(el);
+  const of = (name, other) => style.getPropertyValue(name).trim() || other;
+  return {
+    ink: of("--ink", "#1f2328"), soft: of("--soft", "#59636e"), rule: of("--rule", "#d8dde3"),
+    tint: of("--tint", "#f6f8fa"), ring: of("--ring", "#dde3e8"), sector: "#e69f00",
+    hit: "#d55e00", paper: of("--paper", "#fff"), first: "#0072b2", second: "#56b4e9", ball: of("--ball", "#f4f5f6"),
+  };
+}
+
+// Canvas context in CSS pixels; `height` per width.
+function context(canvas, ratio) {
+  const width = Math.max(canvas.clientWidth, 40), height = Math.round(width * ratio);
+  const scale = window.devicePixelRatio || 1;
+  if (canvas.width !== Math.round(width * scale) || canvas.height !== Math.round(height * scale)) {
+    canvas.width = Math.round(width * scale);
+    canvas.height = Math.round(height * scale);
+    canvas.style.height = height + "px";
+  }
+  const c = canvas.getContext("2d");
+  c.setTransform(scale, 0, 0, scale, 0, 0);
+  c.clearRect(0, 0, width, height);
+  c.font = "12px Helvetica Neue, Helvetica, Arial, sans-serif";
+  return { c, width, height };
+}
+
+const RAD = Math.PI / 180;
+// ψ = 0 at the bottom, counter-clockwise; the canvas has y downwards.
+const at = (r, psi, x, y) => [x + r * Math.sin(psi), y + r * Math.cos(psi)];
+
+// The bearing with its balls at one moment.
+function drawBearing(canvas, g, frame, title) {
+  const { c, width, height } = context(canvas, 1.02);
+  const k = colours(canvas), b = g.bearing;
+  const wall = 0.18 * b.outer_radius_mm, edge = b.outer_radius_mm + wall;
+  const scale = (Math.min(width, height) - 8) / (2 * edge * 1.02);
+  const x = width / 2, y = height / 2;
+  const circle = (r, fill, stroke) => {
+    c.beginPath(); c.arc(x, y, r * scale, 0, 2 * Math.PI);
+    if (fill) { c.fillStyle = fill; c.fill(); }
+    if (stroke) { c.strokeStyle = stroke; c.lineWidth = 1; c.stroke(); }
+  };
+  c.globalAlpha = 1;
+  circle(edge, k.ring, k.soft);
+  for (const r of g.raceways) {
+    const [from, to] = [r.centre_angle_deg - r.half_angle_deg, r.centre_angle_deg + r.half_angle_deg].map((a) => Math.PI / 2 - a * RAD);
+    c.beginPath(); c.arc(x, y, edge * scale, from, to, true); c.arc(x, y, b.outer_radius_mm * scale, to, from, false);
+    c.closePath(); c.fillStyle = k.sector; c.globalAlpha = 0.6; c.fill(); c.globalAlpha = 1;
+  }
+  circle(b.outer_radius_mm, k.paper, k.soft);
+  circle(b.inner_radius_mm, k.ring, k.soft);
+  circle(Math.max(b.inner_radius_mm - wall, 0.3 * b.inner_radius_mm), k.paper, k.soft);
+  const angles = frame ? frame.angle_deg : g.static.ball_angle_deg || [];
+  const gaps = frame ? frame.gap_deg : [];
+  const most = Math.max(1, ...(frame ? frame.inner_force_n : g.static.inner_force_n || [1]));
+  const n = angles.length;
+  angles.forEach((a, i) => {
+    const [bx, by] = at(b.pitch_radius_mm * scale, a * RAD, x, y);
+    const hit = gaps.length && (gaps[i] <= 0 || gaps[(i + n - 1) % n] <= 0);
+    c.beginPath(); c.arc(bx, by, b.ball_radius_mm * scale - 1, 0, 2 * Math.PI);
+    c.fillStyle = i === 0 ? k.first : i === 1 ? k.second : k.ball; c.fill();
+    c.strokeStyle = hit ? k.hit : k.soft; c.lineWidth = hit ? 3 : 1; c.stroke();
+    const force = frame ? frame.inner_force_n[i] : (g.static.inner_force_n || [])[i] || 0;
+    if (force > 0.01 * most) {
+      const [fx, fy] = at((b.inner_radius_mm - 0.9 * wall * force / most) * scale, a * RAD, x, y);
+      const [ix, iy] = at(b.inner_radius_mm * scale, a * RAD, x, y);
+      c.beginPath(); c.moveTo(fx, fy); c.lineTo(ix, iy); c.strokeStyle = k.first; c.lineWidth = 3; c.stroke();
+    }
+    if (gaps.length && gaps[i] <= 0) {
+      const [tx, ty] = at(b.pitch_radius_mm * scale, (a + (gaps[i] + g.numbers.epsilon_deg) / 2) * RAD, x, y);
+      c.beginPath(); c.arc(tx, ty, 4, 0, 2 * Math.PI); c.fillStyle = k.hit; c.fill();
+    }
+  });
+  c.fillStyle = k.ink; c.textAlign = "center";
+  c.fillText(title, x, y - 8);
+  c.fillText(frame ? "t = " + (frame.t * 1000).toFixed(2) + " ms" : "at rest", x, y + 10);
+}
+
+// Gap ahead of each ball as bars, with the gap of even spacing.
+function drawGaps(canvas, g, frame) {
+  const { c, width, height } = context(canvas, 0.34);
+  const k = colours(canvas);
+  const left = 44, bottom = height - 20, top = 16;
+  const gaps = frame ? frame.gap_deg : [];
+  const even = g.numbers.uniform_gap_deg;
+  const most = Math.max(2.5 * even, ...gaps, 0.1);
+  const scale = (bottom - top) / most;
+  c.fillStyle = k.soft; c.textAlign = "right";
+  c.fillText(most.toFixed(1) + "°", left - 5, top + 4); c.fillText("0", left - 5, bottom + 4);
+  c.textAlign = "left"; c.fillText("gap ahead of each ball", left, 11);
+  const step = (width - left - 6) / Math.max(1, g.bearing.balls);
+  gaps.forEach((gap, i) => {
+    const high = Math.max(2, gap * scale);
+    c.fillStyle = gap <= 0 ? k.hit : i < 2 ? [k.first, k.second][i] : k.soft;
+    c.fillRect(left + i * step + 1, bottom - high, Math.max(1, step - 2), high);
+    if (step > 14) { c.fillStyle = k.soft; c.textAlign = "center"; c.fillText(String(i + 1), left + (i + 0.5) * step, height - 5); }
+  });
+  c.strokeStyle = k.ink; c.lineWidth = 1; c.setLineDash([4, 3]);
+  c.beginPath(); c.moveTo(left, bottom - even * scale); c.lineTo(width - 6, bottom - even * scale); c.stroke();
+  c.setLineDash([]); c.beginPath(); c.moveTo(left, bottom); c.lineTo(width - 6, bottom); c.stroke();
+}
+
+// Depth of the groove below the plain one, unrolled: ψ to the right, z upwards, with both tracks.
+function drawDepth(canvas, g) {
+  const { c, width, height } = context(canvas, 0.5);
+  const k = colours(canvas), r = g.raceways[0];
+  c.fillStyle = k.soft;
+  if (!r) { c.textAlign = "center"; c.fillText("no discrete raceway", width / 2, height / 2); return 0; }
+  const left = 40, right = width - 8, top = 18, bottom = height - 30;
+  const n = r.angle_deg.length, widest = Math.max(...r.across_mm.map((row) => Math.abs(row[row.length - 1])));
+  const deepest = Math.max(0.01, ...r.depth_um.flat());
+  const px = (a) => left + (right - left) * (a - r.angle_deg[0]) / (r.angle_deg[n - 1] - r.angle_deg[0]);
+  const py = (z) => (top + bottom) / 2 - z / widest * (bottom - top) / 2;
+  for (let i = 0; i + 1 < n; i++) {
+    for (let j = 0; j + 1 < r.across_mm[i].length; j++) {
+      const share = Math.max(0, Math.min(1, (r.depth_um[i][j] + r.depth_um[i][j + 1]) / 2 / deepest));
+      c.fillStyle = "rgba(178,24,43," + share.toFixed(3) + ")";
+      for (const side of [1, -1]) {
+        const [y0, y1] = [py(side * r.across_mm[i][j]), py(side * r.across_mm[i][j + 1])];
+        c.fillRect(px(r.angle_deg[i]), Math.min(y0, y1), px(r.angle_deg[i + 1]) - px(r.angle_deg[i]) + 0.6, Math.abs(y1 - y0) + 0.6);
+      }
+    }
+  }
+  c.strokeStyle = k.ink; c.lineWidth = 2;
+  for (const side of [1, -1]) {
+    c.beginPath();
+    r.angle_deg.forEach((a, i) => c[i ? "lineTo" : "moveTo"](px(a), py(side * r.track_mm[i])));
+    c.stroke();
+  }
+  c.fillStyle = k.soft; c.textAlign = "left";
+  c.fillText("depth to " + deepest.toFixed(1) + " µm (red), contact track", left, 12);
+  c.textAlign = "right"; c.fillText(widest.toFixed(1), left - 4, top + 10); c.fillText("z mm", left - 4, (top + bottom) / 2 + 4);
+  c.fillText((-widest).toFixed(1), left - 4, bottom);
+  c.textAlign = "center";
+  for (const a of [-r.half_angle_deg, 0, r.half_angle_deg]) c.fillText(a.toFixed(1) + "°", px(a), bottom + 13);
+  c.fillText("ψ from the middle of the raceway", (left + right) / 2, bottom + 26);
+  return deepest;
+}
+
+// Meridian section in the middle of the raceway: ball, plain groove, raceway.
+function drawSection(canvas, g) {
+  const { c, width, height } = context(canvas, 0.62);
+  const k = colours(canvas), b = g.bearing, r = g.raceways[0];
+  const scale = 0.37 * height / b.ball_radius_mm, x = width / 2, y = 0.48 * height;
+  const middle = r ? (r.angle_deg.length - 1) / 2 : 0;
+  const radius = r ? r.effective_radius_mm[middle] : b.ball_radius_mm;
+  const z = r ? r.track_mm[middle] : 0;
+  c.beginPath(); c.arc(x, y, b.ball_radius_mm * scale, 0, 2 * Math.PI); c.fillStyle = k.ball; c.fill();
+  c.strokeStyle = k.soft; c.lineWidth = 1; c.stroke();
+  // Plain groove below the ball.
+  const re = b.outer_curvature_mm * scale, centre = y + b.ball_radius_mm * scale - re;
+  const most = Math.acos(Math.max(-1, Math.min(1, 1 - (b.outer_radius_mm - b.shoulder_radius_mm) / b.outer_curvature_mm)));
+  c.beginPath(); c.arc(x, centre, re, Math.PI / 2 - most, Math.PI / 2 + most); c.setLineDash([5, 4]); c.stroke(); c.setLineDash([]);
+  if (r) {
+    const row = r.across_mm[middle], depth = r.depth_um[middle];
+    c.strokeStyle = "#b2182b"; c.lineWidth = 2;
+    for (const side of [1, -1]) {
+      c.beginPath();
+      row.forEach((zz, j) => {
+        const angle = Math.asin(Math.max(-1, Math.min(1, zz * scale / (re + depth[j] * scale / 1000))));
+        const rr = re + depth[j] / 1000 * scale;
+        c[j ? "lineTo" : "moveTo"](x + side * zz * scale, centre + rr * Math.cos(angle));
+      });
+      c.stroke();
+      c.beginPath(); c.arc(x + side * z * scale, y + radius * scale, 4, 0, 2 * Math.PI); c.fillStyle = k.first; c.fill();
+    }
+  }
+  c.fillStyle = k.soft; c.textAlign = "left";
+  c.fillText("section in the middle of the raceway", 6, 12);
+  c.fillText("r = " + radius.toFixed(4) + " mm" + (r ? ", 2z = " + (2 * z).toFixed(3) + " mm" : ""), 6, height - 6);
+}

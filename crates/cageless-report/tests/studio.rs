@@ -1,0 +1,55 @@
+//! The studio in pages.
+
+mod synthetic;
+
+use cageless_report::{engine, run_page, studio_page};
+
+/// `text` between `from` and the next `to`.
+fn between<'a>(text: &'a str, from: &str, to: &str) -> &'a str {
+    let start = text.find(from).expect("begins") + from.len();
+    &text[start..start + text[start..].find(to).expect("ends")]
+}
+
+#[test]
+fn a_studio_page_holds_its_case_whatever_is_in_it() {
+    let toml =
+        "title = \"</script><script>alert(1)</script> <!-- \\u00e9 θ\"\n[bearing]\nballs = 14\n";
+    let page = studio_page(toml, "Cageless");
+    let json = between(&page, "data-case>", "</script>");
+    assert_eq!(serde_json::from_str::<String>(json).unwrap(), toml);
+    assert!(!page.contains("<script>alert"));
+    assert!(
+        !page.contains("src=\"") && !page.contains("href=\"http"),
+        "nothing is loaded"
+    );
+    // Scripts end where they are closed, not where one of them says so.
+    assert_eq!(
+        page.matches("<script").count(),
+        page.matches("</script>").count()
+    );
+}
+
+#[test]
+fn pages_with_the_engine_stay_small() {
+    let page = studio_page("", "Cageless");
+    assert!(page.len() < 6_000_000, "{}", page.len());
+    let engine = engine().unwrap_or_default().len();
+    assert!(
+        page.len() - engine < 100_000,
+        "{} bytes beside the engine",
+        page.len() - engine
+    );
+    assert!(engine < 500_000, "{engine}");
+}
+
+#[test]
+fn a_run_offers_its_case_below_what_was_computed() {
+    let page = run_page(&synthetic::run_data());
+    let place = page.find("data-studio=\"later\"").expect("a studio");
+    assert!(place > page.find("The case as run").expect("the parameters"));
+    let without = cageless_report::RunData {
+        case_toml: String::new(),
+        ..synthetic::run_data()
+    };
+    assert!(!run_page(&without).contains("data-studio="));
+}
