@@ -93,7 +93,7 @@ class Studio {
     this.parts.verdict.className = "lamp";
     make("terms"); make("numbers"); make("table");
     make("motion").className = "moving";
-    this.parts.numbers.className = "facts";
+    this.parts.numbers.className = "forms";
     this.root.classList.add("studio");
     this.root.replaceChildren(this.parts.host, element("div", { class: "columns" },
       element("div", {}, controls, bar, this.parts.message, this.text),
