@@ -1,5 +1,6 @@
 //! Measurements of Cageless, one command each: see README.md.
 
+mod drops;
 mod endurance;
 mod equations;
 mod friction;
@@ -32,6 +33,8 @@ enum Command {
     Endurance(endurance::Options),
     /// Cost and statistics of dry friction, beside other solvers
     Friction(friction::Options),
+    /// What a discrete raceway does in the drop of a rotor
+    Drops(drops::Options),
     /// Speed of a sweep against that of the bare library
     Sweep(sweep::Options),
     /// Evaluates the right-hand side, for a counter of instructions around it
@@ -46,6 +49,7 @@ fn main() -> Result<()> {
         Command::Statistics(options) => statistics::run(&options),
         Command::Endurance(options) => endurance::run(&options),
         Command::Friction(options) => friction::run(&options),
+        Command::Drops(options) => drops::run(&options),
         Command::Sweep(options) => sweep::run_command(&options),
         Command::Evaluate(options) => instructions::evaluate(&options),
     }

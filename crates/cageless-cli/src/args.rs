@@ -57,6 +57,8 @@ pub enum Command {
     Tolerance(ToleranceArgs),
     /// Simulate a case.
     Run(RunArgs),
+    /// Drop a rotor onto the bearing: impacts, whirl, spin-up, loads and heat.
+    Drop(DropArgs),
     /// The outer ring for CAD and machining: STEP, STL or a table of points.
     Export(ExportArgs),
     /// Compute many variants of a case; an interrupted sweep resumes.
@@ -141,6 +143,28 @@ pub struct RunArgs {
     /// Open the page in the browser.
     #[arg(long, requires = "out")]
     pub open: bool,
+}
+
+/// `drop`.
+#[derive(Debug, Group)]
+pub struct DropArgs {
+    /// Case with a [rotor], output.
+    #[command(flatten)]
+    pub case: CaseArgs,
+    /// Drop the rotor onto another outer ring as well, and show both.
+    #[arg(long, value_enum, value_name = "RING")]
+    pub compare: Option<Reference>,
+    /// Drop the rotor N times with scattered friction (±30 %), air gap (±10 %), support damping
+    /// (factor 2), direction of the unbalance and arrangement of the balls.
+    #[arg(long, value_name = "N")]
+    pub samples: Option<u64>,
+}
+
+/// Outer rings to compare with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Reference {
+    /// A plain raceway.
+    Conventional,
 }
 
 /// `export`.

@@ -7,6 +7,7 @@
 
 pub mod design;
 mod design_result;
+pub mod drop;
 mod entered;
 mod error;
 mod histories;

@@ -48,6 +48,7 @@ pub mod summary;
 pub mod surface;
 pub mod time_table;
 pub mod tolerance;
+pub mod touchdown;
 pub mod verification;
 pub mod vibration;
 

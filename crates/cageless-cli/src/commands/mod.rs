@@ -1,6 +1,7 @@
 //! The commands.
 
 pub mod design;
+mod drop;
 mod export;
 mod manual;
 mod report;
@@ -44,6 +45,7 @@ pub fn dispatch(args: Args) -> Result<(), Failure> {
         Command::Design(args) => design::design(&args),
         Command::Tolerance(args) => tolerance::tolerance(&args),
         Command::Run(args) => run::run(&args),
+        Command::Drop(args) => drop::touchdown(&args),
         Command::Export(args) => export::export(&args),
         Command::Sweep(args) => sweep::sweep(&args),
         Command::Report(args) => report::report(&args),

@@ -5,6 +5,7 @@
 //! |---|---|
 //! | `balls.parquet` | output time and ball; the last time is the end of the run |
 //! | `ring.parquet` | output time |
+//! | `rotor.parquet` | output time, of the drop of a rotor |
 //! | `collisions.parquet` | collision |
 //! | `summary.json` | (one document, `RunSummary` of `cageless-study`) |
 //!
@@ -27,7 +28,7 @@ mod verification;
 use std::iter::repeat_n;
 use std::path::{Path, PathBuf};
 
-use cageless::{Collision, Snapshot};
+use cageless::{Collision, RotorSnapshot, Snapshot};
 
 pub use atomic_file::{PartialFile, write_atomically};
 pub use dynamic_table::{Cell, ColumnKind, ColumnSpec, Row, RowsReader, RowsWriter};
@@ -105,6 +106,24 @@ pub const RING: &[Column] = &[
     number("outer_force_y_n", "N"),
 ];
 
+/// Columns of `rotor.parquet`; from the second on as in [`cageless::RotorSnapshot::values`].
+pub const ROTOR: &[Column] = &[
+    number("time_s", "s"),
+    number("x_m", "m"),
+    number("y_m", "m"),
+    number("vx_m_s", "m/s"),
+    number("vy_m_s", "m/s"),
+    number("angle_rad", "rad"),
+    number("speed_rad_s", "rad/s"),
+    number("ring_speed_rad_s", "rad/s"),
+    number("housing_x_m", "m"),
+    number("housing_y_m", "m"),
+    number("housing_vx_m_s", "m/s"),
+    number("housing_vy_m_s", "m/s"),
+    number("contact_force_n", "N"),
+    number("contact_slip_m_s", "m/s"),
+];
+
 /// Columns of `collisions.parquet`.
 pub const COLLISIONS: &[Column] = &[
     number("start_s", "s"),
@@ -140,6 +159,9 @@ pub struct RunWriter {
     balls: Table,
     ring: Table,
     collisions: Table,
+    /// Opened with the first snapshot of a rotor.
+    rotor: Option<Table>,
+    footer: Vec<(&'static str, String)>,
 }
 
 impl RunWriter {
@@ -162,6 +184,8 @@ impl RunWriter {
             balls: open("balls.parquet", BALLS)?,
             ring: open("ring.parquet", RING)?,
             collisions: open("collisions.parquet", COLLISIONS)?,
+            rotor: None,
+            footer: footer.to_vec(),
         })
     }
 
@@ -186,7 +210,23 @@ impl RunWriter {
         for (k, value) in s.ring.values().into_iter().enumerate() {
             self.ring.numbers(k + 1, [value]);
         }
-        self.ring.rows_added()
+        self.ring.rows_added()?;
+        s.rotor.map_or(Ok(()), |rotor| self.rotor(s.time_s, &rotor))
+    }
+
+    fn rotor(&mut self, time_s: f64, rotor: &RotorSnapshot) -> Result<(), ResultError> {
+        let table = match &mut self.rotor {
+            Some(table) => table,
+            none => {
+                let path = self.dir.join("rotor.parquet");
+                none.insert(Table::create(&path, ROTOR, &self.footer)?)
+            }
+        };
+        table.numbers(0, [time_s]);
+        for (k, value) in rotor.values().into_iter().enumerate() {
+            table.numbers(k + 1, [value]);
+        }
+        table.rows_added()
     }
 
     /// Adds a collision.
@@ -214,7 +254,8 @@ impl RunWriter {
     /// complete table cannot take its name, those that could have theirs, and nothing in
     /// the folder claims that they are one run's. All tables that failed are named.
     pub fn finish(self) -> Result<(), ResultError> {
-        let closed = [self.balls, self.ring, self.collisions].map(Table::close);
+        let tables = [self.balls, self.ring, self.collisions];
+        let closed = tables.into_iter().chain(self.rotor).map(Table::close);
         let dir = &self.dir;
         let tables = all(closed).map_err(|errors| ResultError::Run {
             errors,

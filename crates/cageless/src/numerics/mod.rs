@@ -14,6 +14,7 @@ pub mod bspline;
 pub(crate) mod chebyshev;
 pub(crate) mod elliptic;
 pub mod moments;
+pub mod proportion;
 pub(crate) mod quadrature;
 pub mod random;
 pub(crate) mod root;

@@ -2,6 +2,7 @@
 
 use super::deviation::{Influence, Trial};
 use crate::design::{Judgement, RacewayVerdict};
+use crate::numerics::proportion::wilson_interval;
 
 /// Result of one trial.
 #[derive(Debug, Clone, PartialEq)]
@@ -211,38 +212,8 @@ fn samples(outcomes: Vec<Outcome>) -> Samples {
         ]
         .map(|verdict| (verdict, number(verdict))),
         pass_probability: passed as f64 / count as f64,
-        pass_probability_interval: wilson(passed, count),
+        pass_probability_interval: wilson_interval(passed, count),
         critical_gap_quantiles_rad: (!gaps.is_empty()).then(|| [0.05, 0.5, 0.95].map(quantile)),
         outcomes,
-    }
-}
-
-/// 97.5 % quantile of the normal distribution.
-const NORMAL_975: f64 = 1.959_963_984_540_054;
-
-/// Wilson's interval of a probability of which `passed` of `count` trials are known, 95 %
-/// (E. B. Wilson, J. Am. Stat. Assoc. 22, 1927, 209–212).
-fn wilson(passed: usize, count: usize) -> [f64; 2] {
-    let (n, p) = (count as f64, passed as f64 / count as f64);
-    let z2 = NORMAL_975 * NORMAL_975;
-    let middle = (p + z2 / (2.0 * n)) / (1.0 + z2 / n);
-    let half = (z2 * (p * (1.0 - p) / n + z2 / (4.0 * n * n))).sqrt() / (1.0 + z2 / n);
-    [(middle - half).max(0.0), (middle + half).min(1.0)]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Limits as tabulated: 0 of 10, 5 of 10, 10 of 10.
-    #[test]
-    fn wilson_is_that_of_the_tables() {
-        for (passed, low, high) in [(0, 0.0, 0.2775), (5, 0.2366, 0.7634), (10, 0.7225, 1.0)] {
-            let [a, b] = wilson(passed, 10);
-            assert!(
-                (a - low).abs() < 5e-5 && (b - high).abs() < 5e-5,
-                "{passed}: {a} {b}"
-            );
-        }
     }
 }

@@ -1,0 +1,125 @@
+//! State of a rotor at the end of a drop, in one word.
+
+use super::whirl::WhirlWindow;
+
+/// What the rotor does at the end of a drop.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum EndState {
+    /// The rotor has not touched the inner ring.
+    Falling,
+    /// The rotor lies in the bottom of the bore, or at the angle to which friction carries it.
+    AtRest,
+    /// The rotor swings in the bottom of the bore without leaving it.
+    Pendulum,
+    /// The rotor leaves the bore and falls back.
+    Bouncing,
+    /// The rotor runs round the bore in the direction of its rotation.
+    ForwardWhirl,
+    /// The rotor runs round the bore against the direction of its rotation.
+    BackwardWhirl,
+}
+
+/// Turns round the bore, all in one direction, from which a motion is a whirl.
+const WHIRL_TURNS: f64 = 1.0;
+/// Fraction of the path round the bore that a whirl takes in its own direction at least.
+const ONE_WAY: f64 = 0.8;
+/// Fraction of the time in contact below which the rotor bounces.
+const CONTACT: f64 = 0.95;
+/// Swing, from end to end, below which the rotor is at rest, rad.
+const AT_REST_RAD: f64 = 0.02;
+
+impl EndState {
+    /// Every state, in the order of tables.
+    pub const ALL: [Self; 6] = [
+        Self::Falling,
+        Self::AtRest,
+        Self::Pendulum,
+        Self::Bouncing,
+        Self::ForwardWhirl,
+        Self::BackwardWhirl,
+    ];
+
+    /// Name in tables and files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Falling => "falling",
+            Self::AtRest => "at-rest",
+            Self::Pendulum => "pendulum",
+            Self::Bouncing => "bouncing",
+            Self::ForwardWhirl => "forward-whirl",
+            Self::BackwardWhirl => "backward-whirl",
+        }
+    }
+
+    /// State over the last windows of a drop of a rotor that has touched the inner ring.
+    pub(super) fn classify(last: &[WhirlWindow], rotation: f64) -> Self {
+        let sum = |of: fn(&WhirlWindow) -> f64| last.iter().map(of).sum::<f64>();
+        let (net, path) = (sum(|w| w.turned_rad), sum(|w| w.path_rad));
+        let time = sum(|w| w.end_s - w.start_s);
+        let in_contact = sum(|w| w.contact_fraction * (w.end_s - w.start_s));
+        let turns = net.abs() / std::f64::consts::TAU;
+        if turns >= WHIRL_TURNS && net.abs() >= ONE_WAY * path {
+            return if net * rotation < 0.0 {
+                Self::BackwardWhirl
+            } else {
+                Self::ForwardWhirl
+            };
+        }
+        if in_contact < CONTACT * time {
+            return Self::Bouncing;
+        }
+        let low = last
+            .iter()
+            .map(|w| w.angle_min_rad)
+            .fold(f64::INFINITY, f64::min);
+        let high = last
+            .iter()
+            .map(|w| w.angle_max_rad)
+            .fold(f64::NEG_INFINITY, f64::max);
+        if high - low < AT_REST_RAD {
+            Self::AtRest
+        } else {
+            Self::Pendulum
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn window(turned_rad: f64, path_rad: f64, contact_fraction: f64, swing: f64) -> WhirlWindow {
+        WhirlWindow {
+            start_s: 0.0,
+            end_s: 0.01,
+            turned_rad,
+            path_rad,
+            angle_min_rad: -swing / 2.0,
+            angle_max_rad: swing / 2.0,
+            contact_fraction,
+            force_mean_n: 1.0,
+        }
+    }
+
+    #[test]
+    fn each_motion_has_its_word() {
+        let last = |w: WhirlWindow| [w; 3];
+        for (windows, rotation, state) in [
+            (
+                last(window(-9.0, 9.1, 1.0, 9.0)),
+                100.0,
+                EndState::BackwardWhirl,
+            ),
+            (
+                last(window(-9.0, 9.1, 1.0, 9.0)),
+                -100.0,
+                EndState::ForwardWhirl,
+            ),
+            (last(window(0.1, 9.0, 0.5, 3.0)), 100.0, EndState::Bouncing),
+            (last(window(0.0, 0.6, 1.0, 0.3)), 100.0, EndState::Pendulum),
+            (last(window(0.0, 0.01, 1.0, 0.01)), 100.0, EndState::AtRest),
+        ] {
+            assert_eq!(EndState::classify(&windows, rotation), state);
+        }
+    }
+}

@@ -1,0 +1,27 @@
+//! What comes of the drop of a rotor: impacts, whirl, spin-up, loads, heat and the state at the
+//! end.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::simulation::{Control, run};
+//! use cageless::touchdown::{DropRecorder, EndState};
+//!
+//! let mut case = common::drop_case(); // 20 kg at 30 000 rpm, 0.2 mm above the inner ring
+//! case.solver.duration_s = 0.002; // it falls for 6.4 ms
+//! let mut drop = DropRecorder::new();
+//! let outcome = run(&case, &mut [&mut drop], &mut |_| Control::Continue(()))?;
+//! let summary = drop.summary(&outcome.state);
+//! assert_eq!(summary.end_state, EndState::Falling);
+//! assert_eq!(summary.impacts, 0);
+//! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
+//! ```
+
+mod end_state;
+mod recorder;
+mod scatter;
+mod whirl;
+
+pub use end_state::EndState;
+pub use recorder::{DropRecorder, DropSummary, InterfaceHeat};
+pub use scatter::{Drawn, Scatter};
+pub use whirl::WhirlWindow;

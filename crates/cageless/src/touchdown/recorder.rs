@@ -1,0 +1,336 @@
+//! Observer of a drop.
+
+use super::end_state::EndState;
+use super::whirl::{WhirlTracker, WhirlWindow};
+use crate::bearing::Bearing;
+use crate::contact_tracker::ContactTracker;
+use crate::dynamics::coordinates::DropCoordinate;
+use crate::dynamics::energy::EnergyTerm;
+use crate::dynamics::state::State;
+use crate::equilibrium::outer_stress_pa;
+use crate::rotor::Support;
+use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
+
+/// Heat of each interface since the magnets let go, J.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct InterfaceHeat {
+    /// Friction between rotor and inner ring.
+    pub rotor_friction_j: f64,
+    /// Damping of the contact between rotor and inner ring.
+    pub rotor_damping_j: f64,
+    /// Friction at the inner raceway.
+    pub inner_friction_j: f64,
+    /// Friction at the outer raceway.
+    pub outer_friction_j: f64,
+    /// Friction between balls.
+    pub ball_friction_j: f64,
+    /// Damping of the contacts of the balls.
+    pub contact_damping_j: f64,
+    /// Damping of the support.
+    pub support_damping_j: f64,
+}
+
+/// Results of a drop, from t = 0 to the end of the run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DropSummary {
+    /// What the rotor does at the end.
+    pub end_state: EndState,
+    /// First contact of the rotor with the inner ring, s.
+    pub first_contact_s: Option<f64>,
+    /// Contacts of the rotor with the inner ring that began.
+    pub impacts: u64,
+    /// Fraction of the time after the first contact in contact.
+    pub contact_fraction: f64,
+    /// Weight of the rotor, N.
+    pub rotor_weight_n: f64,
+    /// Largest normal force between rotor and inner ring, N.
+    pub rotor_force_max_n: f64,
+    /// Largest force that the support passes on to the housing, N; `None` without a support.
+    pub housing_force_max_n: Option<f64>,
+    /// Largest displacement of the outer ring, m.
+    pub housing_displacement_max_m: f64,
+    /// Largest sliding speed between rotor and inner ring in contact, m/s.
+    pub rotor_slip_max_m_s: f64,
+    /// Time at which the sliding in contact first falls below 1 % of that at the first contact, s;
+    /// `None` if it does not.
+    pub spin_up_s: Option<f64>,
+    /// Speed of the inner ring at the end, rad/s.
+    pub ring_speed_rad_s: f64,
+    /// Speed of the rotor at the end, rad/s.
+    pub rotor_speed_rad_s: f64,
+    /// Largest normal force of each ball at the inner raceway, N.
+    pub inner_force_max_n: Vec<f64>,
+    /// Largest normal force of each ball at the outer raceway, N.
+    pub outer_force_max_n: Vec<f64>,
+    /// Largest pressure at the inner raceway, Pa.
+    pub inner_stress_max_pa: f64,
+    /// Largest pressure at the outer raceway, Pa.
+    pub outer_stress_max_pa: f64,
+    /// Largest pressure between balls, Pa.
+    pub ball_stress_max_pa: f64,
+    /// Contacts between balls that began.
+    pub collisions: u64,
+    /// Largest force between balls, N.
+    pub ball_force_max_n: f64,
+    /// Largest |ΔVi| or |ΔVo| at contacts of the balls that carry load, m/s.
+    pub ball_slip_max_m_s: f64,
+    /// Largest whirl frequency against the direction of rotation over a window, Hz.
+    pub backward_whirl_max_hz: f64,
+    /// Heat of each interface.
+    pub heat: InterfaceHeat,
+    /// Motion of the journal round the bore, window by window.
+    pub whirl: Vec<WhirlWindow>,
+}
+
+/// Length of the windows of the whirl, s: short against a spin-up, long against an impact.
+const WINDOW_S: f64 = 5e-3;
+/// Part of the time after the first contact over which the state at the end is judged.
+const LAST: f64 = 0.2;
+/// Sliding at which the ring has come up to speed, as a fraction of that at the first contact.
+const SPUN_UP: f64 = 0.01;
+
+/// Gathers a [`DropSummary`].
+#[derive(Debug, Clone)]
+pub struct DropRecorder {
+    bearing: Option<Bearing>,
+    ball_radius_m: f64,
+    support: Option<Support>,
+    weight_n: f64,
+    rotation: f64,
+    whirl: WhirlTracker,
+    collisions: ContactTracker,
+    in_contact: bool,
+    first_slip_m_s: f64,
+    contact_s: f64,
+    end_s: f64,
+    found: Found,
+}
+
+/// Maxima and counts so far.
+#[derive(Debug, Clone, Default)]
+struct Found {
+    first_contact_s: Option<f64>,
+    impacts: u64,
+    rotor_force_n: f64,
+    housing_force_n: f64,
+    housing_displacement_m: f64,
+    rotor_slip_m_s: f64,
+    spin_up_s: Option<f64>,
+    inner_force_n: Vec<f64>,
+    outer_force_n: Vec<f64>,
+    /// Heaviest load on the plain raceway, and within a discrete one.
+    heaviest: [OuterLoad; 2],
+    collisions: u64,
+    ball_force_n: f64,
+    ball_slip_m_s: f64,
+}
+
+/// Load of a ball on the outer raceway.
+#[derive(Debug, Clone, Copy, Default)]
+struct OuterLoad {
+    force_n: f64,
+    /// r.
+    radius_m: f64,
+}
+
+impl DropRecorder {
+    /// Recorder of one drop.
+    pub fn new() -> Self {
+        Self {
+            bearing: None,
+            ball_radius_m: 0.0,
+            support: None,
+            weight_n: 0.0,
+            rotation: 0.0,
+            whirl: WhirlTracker::new(WINDOW_S),
+            collisions: ContactTracker::new(0),
+            in_contact: false,
+            first_slip_m_s: 0.0,
+            contact_s: 0.0,
+            end_s: 0.0,
+            found: Found::default(),
+        }
+    }
+
+    /// Results of the drop that ended in `state`.
+    ///
+    /// # Panics
+    /// If nothing was recorded, or the case has no rotor.
+    pub fn summary(mut self, state: &State) -> DropSummary {
+        self.whirl.close();
+        let bearing = self.bearing.as_ref().expect("a run");
+        let rotor = state.rotor_motion().expect("a rotor");
+        let ring_speed = state.ring_speed_rad_s().expect("a rotor");
+        let found = self.found;
+        let contact_time = found.first_contact_s.map_or(0.0, |s| self.end_s - s);
+        let whirl = self.whirl.windows;
+        let end_state = match found.first_contact_s {
+            None => EndState::Falling,
+            Some(first) => {
+                let from = self.end_s - LAST * (self.end_s - first);
+                let last = whirl.partition_point(|w| w.end_s <= from);
+                EndState::classify(&whirl[last..], self.rotation)
+            }
+        };
+        let most = |forces: &[f64]| forces.iter().copied().fold(0.0, f64::max);
+        let backward = whirl
+            .iter()
+            .filter(|w| w.contact_fraction > 0.5)
+            .map(|w| -w.frequency_hz() * self.rotation.signum());
+        let heat = |term| state.energy_term_j(term);
+        DropSummary {
+            end_state,
+            first_contact_s: found.first_contact_s,
+            impacts: found.impacts,
+            contact_fraction: if contact_time > 0.0 {
+                (self.contact_s / contact_time).min(1.0)
+            } else {
+                0.0
+            },
+            rotor_weight_n: self.weight_n,
+            rotor_force_max_n: found.rotor_force_n,
+            housing_force_max_n: self.support.as_ref().map(|_| found.housing_force_n),
+            housing_displacement_max_m: found.housing_displacement_m,
+            rotor_slip_max_m_s: found.rotor_slip_m_s,
+            spin_up_s: found.spin_up_s,
+            ring_speed_rad_s: ring_speed,
+            rotor_speed_rad_s: rotor.speed,
+            inner_stress_max_pa: bearing
+                .inner_contact()
+                .peak_stress_pa(most(&found.inner_force_n)),
+            outer_stress_max_pa: (found.heaviest.iter())
+                .map(|load| outer_stress_pa(bearing, load.radius_m, load.force_n))
+                .fold(0.0, f64::max),
+            ball_stress_max_pa: bearing.ball_contact().peak_stress_pa(found.ball_force_n),
+            inner_force_max_n: found.inner_force_n,
+            outer_force_max_n: found.outer_force_n,
+            collisions: found.collisions,
+            ball_force_max_n: found.ball_force_n,
+            ball_slip_max_m_s: found.ball_slip_m_s,
+            backward_whirl_max_hz: backward.fold(0.0, f64::max),
+            heat: InterfaceHeat {
+                rotor_friction_j: heat(EnergyTerm::RotorFriction),
+                rotor_damping_j: heat(EnergyTerm::RotorDamping),
+                inner_friction_j: heat(EnergyTerm::InnerFriction),
+                outer_friction_j: heat(EnergyTerm::OuterFriction),
+                ball_friction_j: heat(EnergyTerm::BallFriction),
+                contact_damping_j: heat(EnergyTerm::Damping),
+                support_damping_j: heat(EnergyTerm::SupportDamping),
+            },
+            whirl,
+        }
+    }
+
+    fn rotor_contact(&mut self, view: &StepView<'_, '_>) {
+        let Some(rotor) = view.contacts.rotor() else {
+            return;
+        };
+        let (time_s, h) = (view.step.t1_s, view.step.t1_s - view.step.t0_s);
+        let contact = rotor.contact;
+        let found = &mut self.found;
+        let closed = contact.force > 0.0;
+        let slip = contact.slip.abs();
+        if closed {
+            if !self.in_contact {
+                found.impacts += 1;
+            }
+            if found.first_contact_s.is_none() {
+                found.first_contact_s = Some(time_s);
+                self.first_slip_m_s = slip;
+            }
+            if found.spin_up_s.is_none() && slip < SPUN_UP * self.first_slip_m_s {
+                found.spin_up_s = Some(time_s);
+            }
+            self.contact_s += h;
+            found.rotor_force_n = found.rotor_force_n.max(contact.force);
+            found.rotor_slip_m_s = found.rotor_slip_m_s.max(slip);
+        }
+        self.in_contact = closed;
+        if found.first_contact_s.is_some() {
+            self.whirl
+                .update([contact.nx, contact.ny], time_s, h, contact.force);
+        }
+    }
+
+    fn support_force(&mut self, view: &StepView<'_, '_>) {
+        let Some(support) = &self.support else {
+            return;
+        };
+        let layout = view.layout();
+        let at = |coordinate| view.step.y1[layout.drop(coordinate)];
+        let (x, y) = (at(DropCoordinate::OuterX), at(DropCoordinate::OuterY));
+        let (vx, vy) = (at(DropCoordinate::OuterVx), at(DropCoordinate::OuterVy));
+        let displacement = x.hypot(y);
+        let stop = support.stop.map_or(0.0, |stop| {
+            stop.stiffness_n_m * (displacement - stop.gap_m).max(0.0)
+        });
+        // The stop pushes along the displacement.
+        let (ex, ey) = if displacement > 0.0 {
+            (x / displacement, y / displacement)
+        } else {
+            (0.0, 0.0)
+        };
+        let force = [(x, vx, ex), (y, vy, ey)]
+            .map(|(d, v, e)| support.stiffness_n_m * d + support.damping_n_s_m * v + stop * e);
+        let found = &mut self.found;
+        found.housing_force_n = found.housing_force_n.max(force[0].hypot(force[1]));
+        found.housing_displacement_m = found.housing_displacement_m.max(displacement);
+    }
+
+    fn ball_contacts(&mut self, view: &StepView<'_, '_>) {
+        let contacts = &view.contacts;
+        self.collisions.update(contacts);
+        let found = &mut self.found;
+        found.collisions += u64::from(self.collisions.count());
+        found.ball_slip_m_s = found.ball_slip_m_s.max(contacts.slip_max_m_s());
+        for k in 0..contacts.balls() {
+            found.inner_force_n[k] = found.inner_force_n[k].max(contacts.inner_force_n(k));
+            let force = contacts.outer_force_n(k);
+            found.outer_force_n[k] = found.outer_force_n[k].max(force);
+            let radius_m = contacts.effective_radius_m(k);
+            let heaviest = &mut found.heaviest[usize::from(radius_m < self.ball_radius_m)];
+            if force > heaviest.force_n {
+                *heaviest = OuterLoad {
+                    force_n: force,
+                    radius_m,
+                };
+            }
+        }
+        if contacts.balls_touch() {
+            for k in 0..contacts.balls() {
+                found.ball_force_n = found.ball_force_n.max(contacts.pair_force_n(k));
+            }
+        }
+    }
+}
+
+impl Default for DropRecorder {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Observer for DropRecorder {
+    fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
+        let case = context.case;
+        let rotor = case.rotor.as_ref().ok_or("the case has no rotor")?;
+        let balls = context.model.balls();
+        self.weight_n = rotor.mass_kg * case.operation.gravity_m_s2;
+        self.rotation = rotor.speed_rad_s;
+        self.support = case.support.clone();
+        self.ball_radius_m = case.bearing.ball_radius_m();
+        self.bearing = Some(case.bearing.clone());
+        self.collisions = ContactTracker::new(balls);
+        self.found.inner_force_n = vec![0.0; balls];
+        self.found.outer_force_n = vec![0.0; balls];
+        Ok(())
+    }
+
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+        self.end_s = view.step.t1_s;
+        self.rotor_contact(view);
+        self.support_force(view);
+        self.ball_contacts(view);
+        Ok(Control::Continue(()))
+    }
+}

@@ -1,0 +1,140 @@
+//! Whirl of a rotor in the bore of the inner ring, window by window.
+
+use std::f64::consts::{PI, TAU};
+
+use crate::numerics::angle::wrap_angle_rad;
+
+/// Motion of the journal round the centre of the bore in one interval of time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WhirlWindow {
+    /// Start of the window, s.
+    pub start_s: f64,
+    /// End of the window, s.
+    pub end_s: f64,
+    /// Angle by which the journal has gone round, counter-clockwise, rad.
+    pub turned_rad: f64,
+    /// Sum of the absolute changes of that angle, rad.
+    pub path_rad: f64,
+    /// Smallest continuous angle of the journal from the bottom, rad.
+    pub angle_min_rad: f64,
+    /// Largest continuous angle of the journal from the bottom, rad.
+    pub angle_max_rad: f64,
+    /// Fraction of the time in contact.
+    pub contact_fraction: f64,
+    /// Mean contact force, N.
+    pub force_mean_n: f64,
+}
+
+impl WhirlWindow {
+    /// Whirl frequency, Hz, counter-clockwise positive.
+    pub fn frequency_hz(&self) -> f64 {
+        self.turned_rad / TAU / (self.end_s - self.start_s)
+    }
+}
+
+/// Divides the motion of the journal into windows of equal length.
+#[derive(Debug, Clone)]
+pub(super) struct WhirlTracker {
+    length_s: f64,
+    angle_rad: Option<f64>,
+    open: WhirlWindow,
+    contact_s: f64,
+    impulse_n_s: f64,
+    pub(super) windows: Vec<WhirlWindow>,
+}
+
+impl WhirlTracker {
+    /// Windows of `length_s`.
+    pub(super) fn new(length_s: f64) -> Self {
+        Self {
+            length_s,
+            angle_rad: None,
+            open: Self::empty(0.0, 0.0),
+            contact_s: 0.0,
+            impulse_n_s: 0.0,
+            windows: vec![],
+        }
+    }
+
+    fn empty(start_s: f64, angle_rad: f64) -> WhirlWindow {
+        WhirlWindow {
+            start_s,
+            end_s: start_s,
+            turned_rad: 0.0,
+            path_rad: 0.0,
+            angle_min_rad: angle_rad,
+            angle_max_rad: angle_rad,
+            contact_fraction: 0.0,
+            force_mean_n: 0.0,
+        }
+    }
+
+    /// Takes the end of a step: unit vector from the centre of the bore to that of the journal,
+    /// time, length of the step, contact force.
+    pub(super) fn update(&mut self, [nx, ny]: [f64; 2], time_s: f64, step_s: f64, force_n: f64) {
+        // From −Y, counter-clockwise, as ψ.
+        let now = nx.atan2(-ny);
+        let angle = match self.angle_rad {
+            None => {
+                self.open = Self::empty(time_s - step_s, now);
+                now
+            }
+            Some(last) => last + wrap_angle_rad(now - last),
+        };
+        let change = angle - self.angle_rad.unwrap_or(angle);
+        // A journal that passes the centre of the bore has no direction: such a leap is no whirl.
+        if change.abs() < 0.5 * PI {
+            self.open.turned_rad += change;
+            self.open.path_rad += change.abs();
+        }
+        self.angle_rad = Some(angle);
+        let w = &mut self.open;
+        w.angle_min_rad = w.angle_min_rad.min(angle);
+        w.angle_max_rad = w.angle_max_rad.max(angle);
+        w.end_s = time_s;
+        if force_n > 0.0 {
+            self.contact_s += step_s;
+            self.impulse_n_s += force_n * step_s;
+        }
+        if w.end_s - w.start_s >= self.length_s {
+            self.close();
+        }
+    }
+
+    /// Ends the open window.
+    pub(super) fn close(&mut self) {
+        let mut window = self.open;
+        let length = window.end_s - window.start_s;
+        if length > 0.0 {
+            window.contact_fraction = (self.contact_s / length).min(1.0);
+            window.force_mean_n = self.impulse_n_s / length;
+            self.windows.push(window);
+        }
+        self.open = Self::empty(window.end_s, self.angle_rad.unwrap_or(0.0));
+        (self.contact_s, self.impulse_n_s) = (0.0, 0.0);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_steady_whirl_has_its_frequency() {
+        let mut tracker = WhirlTracker::new(0.01);
+        let (rate, step) = (-TAU * 150.0, 1e-5);
+        for k in 1..=3000 {
+            let time = f64::from(k) * step;
+            let (sin, cos) = (rate * time).sin_cos();
+            tracker.update([cos, sin], time, step, 10.0);
+        }
+        tracker.close();
+        assert_eq!(tracker.windows.len(), 3);
+        for window in &tracker.windows[1..] {
+            assert!((window.frequency_hz() + 150.0).abs() < 1e-6);
+            assert!((window.path_rad + window.turned_rad).abs() < 1e-9);
+            assert!((window.force_mean_n - 10.0).abs() < 1e-9);
+            assert_eq!(window.contact_fraction, 1.0);
+        }
+    }
+}
