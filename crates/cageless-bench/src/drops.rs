@@ -30,7 +30,11 @@ const BEARINGS: [(&str, &str, &[(&str, [f64; 2])]); 2] = [
         "touchdown.toml",
         &[("paper's (d)", [5.1, 25.2]), ("searched", [5.09, 24.6])],
     ),
-    ("full 6205", "touchdown-6205.toml", &[("searched", [2.5, 11.0])]),
+    (
+        "full 6205",
+        "touchdown-6205.toml",
+        &[("searched", [2.5, 11.0])],
+    ),
 ];
 const SPEEDS_RPM: [f64; 2] = [10_000.0, 30_000.0];
 /// Friction coefficients of the balls and of rotor on ring.
@@ -91,13 +95,24 @@ fn drops(
     if raceway.is_none() {
         case.raceways.clear();
     }
-    Ok(ensemble(&case, options.samples, &Scatter::default(), &Silent)?)
+    Ok(ensemble(
+        &case,
+        options.samples,
+        &Scatter::default(),
+        &Silent,
+    )?)
 }
 
 /// Results of a drop that are compared.
 const COMPARED: [fn(&DropRow) -> Option<f64>; 6] = [
     |d| Some(d.result.collisions as f64),
-    |d| Some(d.result.inner_stress_max_mpa.max(d.result.outer_stress_max_mpa)),
+    |d| {
+        Some(
+            d.result
+                .inner_stress_max_mpa
+                .max(d.result.outer_stress_max_mpa),
+        )
+    },
     |d| Some(d.result.ball_slip_max_m_s),
     |d| {
         let r = &d.result;

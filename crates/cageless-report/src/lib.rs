@@ -11,6 +11,7 @@ pub mod data;
 pub mod description;
 pub mod design;
 pub mod design_report;
+pub mod drop;
 pub mod figure;
 pub mod figures;
 mod from_json;

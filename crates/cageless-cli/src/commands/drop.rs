@@ -4,6 +4,7 @@ use cageless::dynamics::InstructionSet;
 use cageless::simulation::Ending;
 use cageless::touchdown::Scatter;
 use cageless_io::results::{Metadata, RunWriter, write_atomically};
+use cageless_report::drop::{DropReport, drop_page};
 use cageless_study::drop::{
     DropRecord, DropResult, EnsembleResult, check_drops, check_rotor, conventional, drop_rotor,
     ensemble,
@@ -14,10 +15,11 @@ use serde::Serialize;
 use super::{make_folder, print, read_case, tell, writable};
 use crate::args::{DropArgs, Reference};
 use crate::failure::Failure;
-use crate::format::{columns, pairs};
+use crate::format::{columns, page_line, pairs};
 use crate::progress::{Bars, catch_interrupt};
 
 const SUMMARY: &str = "summary.json";
+const PAGE: &str = "report.html";
 
 /// `summary.json` of a drop.
 #[derive(Serialize)]
@@ -48,11 +50,10 @@ pub fn touchdown(args: &DropArgs) -> Result<(), Failure> {
     let mut writer = match &args.case.out {
         Some(dir) => {
             make_folder(dir)?;
-            writable(&dir.join(SUMMARY))?;
-            let metadata = Metadata {
-                isa,
-                case: &footer,
-            };
+            for name in [SUMMARY, PAGE] {
+                writable(&dir.join(name))?;
+            }
+            let metadata = Metadata { isa, case: &footer };
             Some(RunWriter::create(dir, &metadata)?)
         }
         None => None,
@@ -87,12 +88,20 @@ pub fn touchdown(args: &DropArgs) -> Result<(), Failure> {
     let json = serde_json::to_string_pretty(&summary)? + "\n";
     if let Some(dir) = &args.case.out {
         write_atomically(&dir.join(SUMMARY), json.as_bytes())?;
+        let report = DropReport {
+            case,
+            drop: &record,
+            conventional: beside.as_ref(),
+            ensemble: many.as_ref(),
+        };
+        write_atomically(&dir.join(PAGE), drop_page(&report).as_bytes())?;
     }
     drop(bars);
     if args.case.json {
         print(&json)?;
     } else {
-        tell(&text(&record, beside.as_ref(), many.as_ref()))?;
+        let text = text(&record, beside.as_ref(), many.as_ref());
+        tell(&(text + &page_line(args.case.out.as_deref(), PAGE)))?;
     }
     let kept = match &args.case.out {
         Some(dir) => format!(" What was computed until then is in {}.", dir.display()),
