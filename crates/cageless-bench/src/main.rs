@@ -10,6 +10,8 @@ mod problem;
 mod statistics;
 mod sweep;
 mod textbook;
+mod textbook_drop;
+mod touchdown;
 
 use anyhow::Result;
 use clap::{Parser, Subcommand};
@@ -35,6 +37,8 @@ enum Command {
     Friction(friction::Options),
     /// What a discrete raceway does in the drop of a rotor
     Drops(drops::Options),
+    /// A drop beside a textbook Runge–Kutta method
+    Touchdown(touchdown::Options),
     /// Speed of a sweep against that of the bare library
     Sweep(sweep::Options),
     /// Evaluates the right-hand side, for a counter of instructions around it
@@ -50,6 +54,7 @@ fn main() -> Result<()> {
         Command::Endurance(options) => endurance::run(&options),
         Command::Friction(options) => friction::run(&options),
         Command::Drops(options) => drops::run(&options),
+        Command::Touchdown(options) => touchdown::run(&options),
         Command::Sweep(options) => sweep::run_command(&options),
         Command::Evaluate(options) => instructions::evaluate(&options),
     }
