@@ -187,23 +187,22 @@ pub fn implicit_slip(
             low = slip;
         }
         let newton = slip - miss / (1.0 + mobility * slope);
-        let next = if newton > low && newton < high {
+        if (newton - slip).abs() * friction.inverse_slip_scale <= LAST_STEP {
+            slip = newton;
+            break;
+        }
+        slip = if newton > low && newton < high {
             newton
         } else {
             0.5 * (low + high)
         };
-        let done = (next - slip).abs() * friction.inverse_slip_scale <= LAST_STEP;
-        slip = next;
-        if done {
-            break;
-        }
     }
     // Sliding speed and force belong together exactly.
     [slip, (free_m_s - slip) / mobility]
 }
 
 /// Newton step at which the iteration ends, as a fraction of the slip scale.
-const LAST_STEP: f64 = 1e-9;
+const LAST_STEP: f64 = 1e-6;
 /// More than bisection alone needs.
 const ITERATIONS_MAX: u32 = 100;
 

@@ -198,20 +198,29 @@ impl CentreLanes {
     /// The centre whose coordinates of the first bearing stand at `places`.
     #[inline(always)]
     fn new(p: &Parameters, y: &[f64], places: [usize; 4]) -> Self {
-        Self(places.map(|start| {
+        let mut lanes = [Lanes::ZERO; RingCoordinate::ALL.len()];
+        for (lanes, start) in lanes.iter_mut().zip(places) {
             if p.layout.width() == 1 {
-                Lanes::all(y[start])
+                *lanes = Lanes::all(y[start]);
             } else {
                 let of = &y[start..][..BATCH_WIDTH];
-                Lanes(std::array::from_fn(|lane| of[lane % BATCH_WIDTH]))
+                for lane in 0..LANES {
+                    lanes.0[lane] = of[lane % BATCH_WIDTH];
+                }
             }
-        }))
+        }
+        Self(lanes)
     }
 
     #[inline(always)]
     pub(super) fn get(&self, lane: usize) -> Centre {
-        let [x, y, vx, vy] = [0, 1, 2, 3].map(|k: usize| self.0[k].0[lane]);
-        Centre { x, y, vx, vy }
+        let [x, y, vx, vy] = &self.0;
+        Centre {
+            x: x.0[lane],
+            y: y.0[lane],
+            vx: vx.0[lane],
+            vy: vy.0[lane],
+        }
     }
 }
 

@@ -71,9 +71,9 @@ impl Parameters {
 
     /// Sets the surface speed of the inner raceway from a state under a rotor.
     pub fn set_ring_speed(&mut self, y: &[f64]) {
+        let first = self.layout.of_bearing(0).drop(DropCoordinate::RingSpeed);
         for lane in 0..LANES {
-            let layout = self.layout.of_bearing(lane % self.layout.width());
-            let speed = y[layout.drop(DropCoordinate::RingSpeed)];
+            let speed = y[first + lane % self.layout.width()];
             self.inner.surface_speed.0[lane] = speed * self.inner.radius.0[lane];
         }
     }

@@ -424,14 +424,15 @@ struct RingMotion {
 impl RingMotion {
     #[inline(always)]
     fn new(p: &Parameters, y: &[f64]) -> Self {
-        let place = |lane: usize| {
-            let layout = p.layout.of_bearing(lane % p.layout.width());
-            layout.drop(DropCoordinate::RingSpeed)
-        };
+        let first = p.layout.of_bearing(0).drop(DropCoordinate::RingSpeed);
+        let mut speed = Lanes::ZERO;
+        for lane in 0..LANES {
+            speed.0[lane] = y[first + lane % p.layout.width()];
+        }
         Self {
             inner: CentreLanes::inner_ring(p, y),
             outer: CentreLanes::outer_ring(p, y),
-            speed: Lanes(std::array::from_fn(|lane| y[place(lane)])),
+            speed,
         }
     }
 }
