@@ -1,5 +1,5 @@
 //! The engine of pages that compute: `cageless-wasm`, compiled for WebAssembly, compressed, and
-//! written as text to `$OUT_DIR/engine.txt`, which is empty where it cannot be made.
+//! written to `$OUT_DIR/engine.rs` as a string, which is empty where it cannot be made.
 //!
 //! Optimised builds compile it, in a target folder of its own, if the target
 //! `wasm32-unknown-unknown` is installed. `CAGELESS_ENGINE` names a compiled engine to embed
@@ -36,7 +36,7 @@ fn main() {
         let packed = packed.finish().expect("memory takes everything");
         base64::engine::general_purpose::STANDARD.encode(packed)
     });
-    fs::write(out.join("engine.txt"), text).expect("OUT_DIR can be written");
+    fs::write(out.join("engine.rs"), format!("{text:?}")).expect("OUT_DIR can be written");
 }
 
 /// The engine; `None`, with a warning, where it cannot be compiled.

@@ -7,7 +7,7 @@ use crate::text::script_json;
 
 /// The engine, compressed and as base64; `None` if this build has none.
 pub fn engine() -> Option<&'static str> {
-    const ENGINE: &str = include_str!(concat!(env!("OUT_DIR"), "/engine.txt"));
+    const ENGINE: &str = include!(concat!(env!("OUT_DIR"), "/engine.rs"));
     Some(ENGINE).filter(|text| !text.is_empty())
 }
 

@@ -1,5 +1,9 @@
 //! Made-up data of plausible shape: balls that roll exactly, on real geometry.
-#![allow(dead_code, reason = "each user of this module takes what it needs")]
+#![allow(
+    dead_code,
+    unused_imports,
+    reason = "each user of this module takes what it needs"
+)]
 
 mod claims;
 mod design;
