@@ -27,13 +27,13 @@ pub struct Options {
 const BEARINGS: [(&str, &str, &[(&str, [f64; 2])]); 2] = [
     (
         "paper",
-        "touchdown.toml",
+        "touchdown-d.toml",
         &[("paper's (d)", [5.1, 25.2]), ("searched", [5.09, 24.6])],
     ),
     (
         "full 6205",
         "touchdown-6205.toml",
-        &[("searched", [2.5, 11.0])],
+        &[("searched", [2.974, 12.07])],
     ),
 ];
 const SPEEDS_RPM: [f64; 2] = [10_000.0, 30_000.0];
