@@ -3,9 +3,8 @@
 use std::path::Path;
 
 use cageless::{Collision, Snapshot};
-use cageless_io::results::{
-    BALLS, COLLISIONS, Column, Metadata, RING, RunWriter, Stopped, read_run_table,
-};
+use cageless_io::results::{BALLS, COLLISIONS, Column, Metadata, RING, RunWriter, read_run_table};
+use cageless_study::Stopped;
 use numpy::ndarray::{ArrayD, IxDyn};
 use numpy::{IntoPyArray, PyReadonlyArrayDyn};
 use pyo3::prelude::*;

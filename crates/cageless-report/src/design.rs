@@ -256,8 +256,9 @@ fn rings_table(rings: &[RingNumbers], provenance: Provenance) -> Table {
         label: "Outer rings".to_owned(),
         caption:
             "The same bearing with each outer ring, run for 20 orbits from the same two uneven \
-                  starts; the second half counts, means over both. The smaller, the better, but \
-                  for the smallest gap."
+                  starts; the second half counts, means over both. On a conventional ring ideal \
+                  balls all roll at one speed and keep the gaps of the start: few contacts, but a \
+                  spacing that stays uneven."
                 .to_owned(),
         columns,
         rows: RING_ROWS.iter().map(row).collect(),

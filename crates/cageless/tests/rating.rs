@@ -217,7 +217,7 @@ fn under_turned_load(case: &Case, angle_rad: f64) -> [f64; 2] {
             let d = r.dimensions();
             let turned = RacewayDimensions {
                 centre_angle_rad: d.centre_angle_rad + angle_rad,
-                ..d.clone()
+                ..*d
             };
             Raceway::new(turned, &case.bearing).unwrap()
         })

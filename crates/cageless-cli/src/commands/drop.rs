@@ -175,7 +175,10 @@ fn ensemble_text(many: &EnsembleResult) -> String {
     let mut rows = vec![head.to_vec()];
     for q in &many.quantiles {
         let numbers = [q.least, q.median, q.high, q.most].map(|v| significant(Some(v)));
-        rows.push([&[q.name.clone()], &numbers[..], &[q.unit.clone()]].concat());
+        let mut row = vec![q.name.clone()];
+        row.extend(numbers);
+        row.push(q.unit.clone());
+        rows.push(row);
     }
     format!("\n{}\n{}", pairs(&lines), columns(&rows))
 }

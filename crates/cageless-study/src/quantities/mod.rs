@@ -149,7 +149,7 @@ impl Quantity {
         match self.unit {
             "deg" => "°".to_owned(),
             "um" => "µm".to_owned(),
-            unit => unit.replace(' ', "·").replace("^1.5", "^1.5"),
+            unit => unit.replace(' ', "·"),
         }
     }
 }

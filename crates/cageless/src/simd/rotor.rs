@@ -168,8 +168,8 @@ pub(super) fn add_with_rotor(
         let weights = split(p, results, before, &mut problem);
         let end = solve(p, results, &problem);
         // The rates are those at the end of the step, the velocities change by both ends.
-        results.outer_friction = end.outer_friction.clone();
-        results.inner_friction = end.inner_friction.clone();
+        results.outer_friction = end.outer_friction;
+        results.inner_friction = end.inner_friction;
         accelerate::<true>(p, balls, results, block, h_s, dydt);
         reactions(p, results, &mut addends);
         w.end_sums.add(&Sum::RING_FRICTION, &addends, alone, block);
@@ -214,8 +214,8 @@ pub(super) fn add_with_rotor(
         }
         let [outer, inner] = after;
         (results.outer.slip, results.inner.slip) = (outer, inner);
-        results.outer_friction = slips.outer_friction.clone();
-        results.inner_friction = slips.inner_friction.clone();
+        results.outer_friction = slips.outer_friction;
+        results.inner_friction = slips.inner_friction;
         loaded_slips(results, &mut slip_max);
         w.sums.add(&Sum::HEAT, &addends, alone, block);
     }
