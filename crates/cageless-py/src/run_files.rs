@@ -101,10 +101,10 @@ fn columns(tables: &Bound<'_, PyDict>, of: &str, names: &[Column]) -> PyResult<V
     let column = |column: &Column| -> PyResult<Vec<f64>> {
         let array = table.get_item(column.name)?;
         if column.integer {
-            let array: PyReadonlyArrayDyn<'_, i32> = array.extract().map_err(PyErr::from)?;
+            let array: PyReadonlyArrayDyn<'_, i32> = array.extract()?;
             return Ok(array.as_array().iter().map(|v| f64::from(*v)).collect());
         }
-        let array: PyReadonlyArrayDyn<'_, f64> = array.extract().map_err(PyErr::from)?;
+        let array: PyReadonlyArrayDyn<'_, f64> = array.extract()?;
         Ok(array.as_array().iter().copied().collect())
     };
     names.iter().map(column).collect()
