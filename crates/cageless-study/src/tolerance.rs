@@ -74,6 +74,12 @@ impl Request {
                 "{name}: there is no [raceway] to be judged"
             )));
         }
+        if !case.has_constant_operation() {
+            return Err(StudyError::Input(format!(
+                "{name}: a tolerance study needs constant speed and load: leave out [rotor] and \
+                 tables over time"
+            )));
+        }
         if self.samples > SAMPLES_MAX {
             let allowed = format!("at most {SAMPLES_MAX}");
             return Err(refused("samples", self.samples.to_string(), &allowed));

@@ -5,8 +5,8 @@
 pub const SCOPE: [&str; 6] = [
     "planar motion: no axial load, no tilt of the rings",
     "no preload: the radial clearance is 0 or more",
-    "outer ring fixed and rigid but for its contacts; the inner ring moves in the plane",
-    "constant speed of the inner ring and constant load: no starting, no running down",
+    "rings rigid but for their contacts; the outer ring is fixed, or on a support under a falling rotor",
+    "speed and load as given, constant or over time; a falling rotor is rigid, in the plane of one bearing",
     "dry laws of friction: no lubricant film, no churning",
     "no heat: dimensions, friction and material do not change with temperature",
 ];
