@@ -174,8 +174,12 @@ const FILES: &[(&str, &str, &str)] = &[
 
 fn edited(from: &str, to: &str) -> String {
     let new = call(&["new"]).stdout;
+    // A line that a comment repeats counts once.
+    let lines = new
+        .lines()
+        .filter(|line| !line.trim_start().starts_with('#'));
     assert_eq!(
-        new.matches(from).count(),
+        lines.filter(|line| line.contains(from)).count(),
         1,
         "`{from}` stands once in the file"
     );
@@ -303,7 +307,10 @@ fn files_that_are_no_case() {
         (file("latin.toml", b"title = \"\xe4\""), "not UTF-8"),
         (file("nul.toml", b"\0\0\0\0"), "nul.toml:1"),
         (file("words.toml", b"a bearing, please\n"), "words.toml:1"),
-        (file("json.toml", b"{\"balls\": 14}\n"), "json.toml:1"),
+        (
+            file("json.toml", b"{\"balls\": 14}\n"),
+            "balls is not a key",
+        ),
     ] {
         for command in ["check", "run"] {
             let answer = call_on(command, &path, &[], &[]);

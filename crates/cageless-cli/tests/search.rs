@@ -37,7 +37,10 @@ fn a_search_that_was_killed_goes_on_and_finds_the_same() {
         .unwrap()
         .into();
     assert_eq!((answer.code, answer.stderr.as_str()), (Some(0), ""));
-    assert_eq!(names(&whole), ["design.json", "report.html", "report.json"]);
+    assert_eq!(
+        names(&whole),
+        ["case.toml", "design.json", "report.html", "report.json"]
+    );
 
     let mut child = search_command(&parts)
         .env("RAYON_NUM_THREADS", "2")

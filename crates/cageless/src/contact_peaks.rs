@@ -1,4 +1,18 @@
 //! Peak contact pressures of a run, and the largest product of pressure and sliding speed.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::simulation::{Control, run};
+//! use cageless::summary::SummaryRecorder;
+//!
+//! let mut case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! case.solver.duration_s = 0.002;
+//! let mut recorder = SummaryRecorder::new();
+//! run(&case, &mut [&mut recorder], &mut |_| Control::Continue(()))?;
+//! let summary = recorder.summary().unwrap();
+//! assert!(summary.peaks.inner.pressure_pa > 1e9);
+//! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
+//! ```
 
 use crate::bearing::Bearing;
 use crate::case::Case;

@@ -1,4 +1,18 @@
 //! Mean powers and speeds over whole orbits of the balls.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::simulation::{Control, run};
+//! use cageless::summary::SummaryRecorder;
+//!
+//! let mut case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! case.solver.duration_s = 0.002;
+//! let mut recorder = SummaryRecorder::new();
+//! run(&case, &mut [&mut recorder], &mut |_| Control::Continue(()))?;
+//! let summary = recorder.summary().unwrap();
+//! assert!(summary.means.unwrap().orbit_speed_rad_s > 400.0);
+//! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
+//! ```
 
 use std::f64::consts::TAU;
 

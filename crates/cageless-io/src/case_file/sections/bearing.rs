@@ -80,10 +80,10 @@ section! {
             "Rb, radius of the bore of the inner ring, needed under a [rotor]", Absent;
         ball_radius_deviation_um -> ball_radius_deviation_m: Option<Vec<f64>> = Optional, Micrometre,
             "deviation of each ball's radius", Absent;
-        outer_ring_outer_radius_mm: Option<f64> = Optional, Millimetre,
+        outer_ring_outer_radius_mm -> outer_ring_outer_radius_m: Option<f64> = Optional, Millimetre,
             "outer radius of the outer ring",
             Shown("31.0", "outer ring, only for the export to CAD");
-        outer_ring_width_mm: Option<f64> = Optional, Millimetre,
+        outer_ring_width_mm -> outer_ring_width_m: Option<f64> = Optional, Millimetre,
             "width of the outer ring", Shown("16.0", "width, only for the export to CAD");
     }
 }
