@@ -23,8 +23,11 @@ pub struct Options {
     duration_s: f64,
 }
 
-/// Bearings: name, case, and its discrete raceways with their values.
-const BEARINGS: [(&str, &str, &[(&str, [f64; 2])]); 2] = [
+/// A discrete raceway: its name, lC (mm) and θ (°).
+type Raceway = (&'static str, [f64; 2]);
+
+/// Bearings: name, case, and its discrete raceways.
+const BEARINGS: [(&str, &str, &[Raceway]); 2] = [
     (
         "paper",
         "touchdown-d.toml",

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use cageless::{Collision, Snapshot};
+use cageless::{Collision, RingSnapshot, Snapshot};
 use cageless_io::results::{BALLS, COLLISIONS, Column, Metadata, RING, RunWriter, read_run_table};
 use cageless_study::Stopped;
 use numpy::ndarray::{ArrayD, IxDyn};
@@ -61,12 +61,18 @@ impl Arrays {
 
     fn snapshot(&self, row: usize) -> Snapshot {
         let times = self.ring[0].len();
-        let mut values: Vec<f64> = self.ring.iter().map(|column| column[row]).collect();
-        for column in &self.balls {
-            let balls = column.len() / times;
-            values.extend_from_slice(&column[row * balls..][..balls]);
-        }
-        Snapshot::from_row(&values)
+        let ring: [f64; 9] = std::array::from_fn(|column| self.ring[column][row]);
+        let [time_s, ring @ ..] = ring;
+        let arrays: Vec<f64> = self
+            .balls
+            .iter()
+            .flat_map(|column| {
+                let balls = column.len() / times;
+                &column[row * balls..][..balls]
+            })
+            .copied()
+            .collect();
+        Snapshot::from_parts(time_s, RingSnapshot::from_values(ring), None, &arrays)
     }
 
     /// Writes the tables.

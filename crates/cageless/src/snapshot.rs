@@ -19,8 +19,10 @@ use std::sync::Arc;
 
 /// Arrays over the balls.
 const ARRAYS: usize = 13;
+/// Values of a ring.
+const RING: usize = 8;
 /// Time, ring and whether there is a rotor, before the rotor and the arrays of a row.
-const HEAD: usize = 10;
+const HEAD: usize = 1 + RING + 1;
 /// Values of a rotor.
 const ROTOR: usize = 13;
 
@@ -161,15 +163,35 @@ impl Snapshot {
             .try_into()
             .expect("time and ring come first");
         let (rotor, arrays) = rest.split_at(if head[HEAD - 1] > 0.0 { ROTOR } else { 0 });
+        Self::from_parts(
+            head[0],
+            RingSnapshot::from_values(ring),
+            rotor.try_into().ok().map(RotorSnapshot::from_values),
+            arrays,
+        )
+    }
+
+    /// Snapshot of its parts; `arrays` are the arrays over the balls, one after another in the
+    /// order of [`Self::arrays`].
+    ///
+    /// # Panics
+    /// If the arrays do not all have the same length.
+    pub fn from_parts(
+        time_s: f64,
+        ring: RingSnapshot,
+        rotor: Option<RotorSnapshot>,
+        arrays: &[f64],
+    ) -> Self {
         let balls = arrays.len() / ARRAYS;
         assert!(
             balls * ARRAYS == arrays.len(),
-            "as many values of each kind"
+            "{} values over the balls are no multiple of {ARRAYS}",
+            arrays.len()
         );
         let mut arrays = (0..ARRAYS).map(|k| arrays[k * balls..][..balls].to_vec());
         let mut next = || arrays.next().unwrap_or_default();
         Self {
-            time_s: head[0],
+            time_s,
             angle_rad: next(),
             x_m: next(),
             y_m: next(),
@@ -183,104 +205,58 @@ impl Snapshot {
             outer_force_n: next(),
             inner_slip_m_s: next(),
             outer_slip_m_s: next(),
-            ring: RingSnapshot::from_values(ring),
-            rotor: rotor.try_into().ok().map(RotorSnapshot::from_values),
+            ring,
+            rotor,
         }
     }
 }
 
-impl RingSnapshot {
-    /// The values, in the order of the fields.
-    pub fn values(&self) -> [f64; 8] {
-        [
-            self.x_m,
-            self.y_m,
-            self.vx_m_s,
-            self.vy_m_s,
-            self.ax_m_s2,
-            self.ay_m_s2,
-            self.outer_force_x_n,
-            self.outer_force_y_n,
-        ]
-    }
+/// Values of a snapshot's part in the order of its fields, and the part from them.
+macro_rules! values {
+    ($part:ident, $count:expr, $($field:ident),*) => {
+        impl $part {
+            /// Values, in the order of the fields.
+            pub fn values(&self) -> [f64; $count] {
+                [$(self.$field),*]
+            }
 
-    fn from_values(values: [f64; 8]) -> Self {
-        let [
-            x_m,
-            y_m,
-            vx_m_s,
-            vy_m_s,
-            ax_m_s2,
-            ay_m_s2,
-            outer_force_x_n,
-            outer_force_y_n,
-        ] = values;
-        Self {
-            x_m,
-            y_m,
-            vx_m_s,
-            vy_m_s,
-            ax_m_s2,
-            ay_m_s2,
-            outer_force_x_n,
-            outer_force_y_n,
+            /// Inverse of [`Self::values`].
+            pub fn from_values([$($field),*]: [f64; $count]) -> Self {
+                Self { $($field),* }
+            }
         }
-    }
+    };
 }
 
-impl RotorSnapshot {
-    /// The values, in the order of the fields.
-    pub fn values(&self) -> [f64; ROTOR] {
-        [
-            self.x_m,
-            self.y_m,
-            self.vx_m_s,
-            self.vy_m_s,
-            self.angle_rad,
-            self.speed_rad_s,
-            self.ring_speed_rad_s,
-            self.housing_x_m,
-            self.housing_y_m,
-            self.housing_vx_m_s,
-            self.housing_vy_m_s,
-            self.contact_force_n,
-            self.contact_slip_m_s,
-        ]
-    }
-
-    fn from_values(values: [f64; ROTOR]) -> Self {
-        let [
-            x_m,
-            y_m,
-            vx_m_s,
-            vy_m_s,
-            angle_rad,
-            speed_rad_s,
-            ring_speed_rad_s,
-            housing_x_m,
-            housing_y_m,
-            housing_vx_m_s,
-            housing_vy_m_s,
-            contact_force_n,
-            contact_slip_m_s,
-        ] = values;
-        Self {
-            x_m,
-            y_m,
-            vx_m_s,
-            vy_m_s,
-            angle_rad,
-            speed_rad_s,
-            ring_speed_rad_s,
-            housing_x_m,
-            housing_y_m,
-            housing_vx_m_s,
-            housing_vy_m_s,
-            contact_force_n,
-            contact_slip_m_s,
-        }
-    }
-}
+values!(
+    RingSnapshot,
+    RING,
+    x_m,
+    y_m,
+    vx_m_s,
+    vy_m_s,
+    ax_m_s2,
+    ay_m_s2,
+    outer_force_x_n,
+    outer_force_y_n
+);
+values!(
+    RotorSnapshot,
+    ROTOR,
+    x_m,
+    y_m,
+    vx_m_s,
+    vy_m_s,
+    angle_rad,
+    speed_rad_s,
+    ring_speed_rad_s,
+    housing_x_m,
+    housing_y_m,
+    housing_vx_m_s,
+    housing_vy_m_s,
+    contact_force_n,
+    contact_slip_m_s
+);
 
 #[cfg(test)]
 mod tests {

@@ -65,8 +65,8 @@ function drawBearing(canvas, g, frame, title) {
     const force = frame ? frame.inner_force_n[i] : (g.static.inner_force_n || [])[i] || 0;
     if (force > 0.01 * most) {
       const [fx, fy] = at((b.inner_radius_mm - 0.9 * wall * force / most) * scale, a * RAD, x, y);
-      const [ix, iy] = at(b.inner_radius_mm * scale, a * RAD, x, y);
-      c.beginPath(); c.moveTo(fx, fy); c.lineTo(ix, iy); c.strokeStyle = k.first; c.lineWidth = 3; c.stroke();
+      const [ox, oy] = at(b.inner_radius_mm * scale, a * RAD, x, y);
+      c.beginPath(); c.moveTo(fx, fy); c.lineTo(ox, oy); c.strokeStyle = k.first; c.lineWidth = 3; c.stroke();
     }
     if (gaps.length && gaps[i] <= 0) {
       const [tx, ty] = at(b.pitch_radius_mm * scale, (a + (gaps[i] + g.numbers.epsilon_deg) / 2) * RAD, x, y);
