@@ -297,6 +297,7 @@ DECODED = """
     const { image } = await decoder.decode({ frameIndex: k });
     const canvas = new OffscreenCanvas(image.displayWidth, image.displayHeight), c = canvas.getContext("2d");
     c.drawImage(image, 0, 0);
+    image.close();
     return c.getImageData(0, 0, canvas.width, canvas.height).data;
   };
   const first = await pixels(0), last = await pixels(frames - 1);

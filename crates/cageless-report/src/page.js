@@ -38,7 +38,7 @@
   const other = (axis, letter) => letter + "axis" + (axis || letter).slice(1);
 
   // Panels side by side go one below the other, legends below the plot.
-  function narrowed(layout, height) {
+  function narrowed({ data, layout }, height) {
     const margin = Object.assign({ l: 72, r: 24, t: 44, b: 58 }, layout.margin);
     const inside = height - margin.t - margin.b;
     const names = Object.keys(layout).filter((k) => /^(xaxis|polar)\d*$/.test(k));
@@ -91,6 +91,11 @@
         margin.t += 40;
       }
     }
+    // Scales of colour lie below the plot.
+    data.filter((trace) => trace.colorbar).forEach(function (trace) {
+      Object.assign(trace.colorbar, { orientation: "h", x: 0.5, xanchor: "center", y: -70 / full, yanchor: "top", len: 1 });
+      space += 70;
+    });
     layout.margin = margin;
     layout.font = Object.assign({}, layout.font, { size: 11 });
     return Math.round(full + (space - inside) + margin.t + margin.b);
@@ -105,7 +110,7 @@
       Object.assign(spec.layout, { paper_bgcolor: PAPER, plot_bgcolor: PAPER,
         modebar: { bgcolor: "rgba(0,0,0,0)", color: "#8a94a0", activecolor: "#e4e8ec" } });
     }
-    if (small.matches && !wide) height = narrowed(spec.layout, height);
+    if (small.matches && !wide) height = narrowed(spec, height);
     return { data: spec.data, layout: spec.layout, height };
   }
 
@@ -128,13 +133,16 @@
     return take();
   }
 
-  // Names for the tools at the corner of a plot, which have but pictures.
-  function nameTools(el) {
+  // The plot has one name as a whole; its tools at the corner, which have but pictures, get one each.
+  // Plotly gives every scene of a page the same id.
+  function nameParts(el) {
+    const tester = document.getElementById("js-plotly-tester");
+    for (const svg of [...el.querySelectorAll("svg"), ...(tester ? [tester] : [])]) svg.setAttribute("aria-hidden", "true");
+    el.querySelectorAll("[id=scene]").forEach((scene) => { scene.id = el.id + "-scene"; });
     el.querySelectorAll(".modebar-btn").forEach(function (tool) {
       const name = tool.dataset.title || (tool.classList.contains("plotlyjsicon") ? "Plotly" : "");
       tool.setAttribute("role", "button");
       tool.setAttribute("aria-label", name);
-      tool.querySelectorAll("svg").forEach((icon) => icon.setAttribute("aria-hidden", "true"));
     });
   }
 
@@ -144,7 +152,7 @@
         const spec = shown(el);
         el.style.height = spec.height + "px";
         resolve(Plotly.newPlot(el, spec.data, spec.layout, config).then(function () {
-          nameTools(el);
+          nameParts(el);
           return spec.layout.scene && keepForPrint(el);
         }));
       });
@@ -175,7 +183,7 @@
       if (!el._fullLayout) return;
       const spec = withChoices(el, shown(el));
       el.style.height = spec.height + "px";
-      return Plotly.react(el, spec.data, spec.layout, config).then(() => nameTools(el));
+      return Plotly.react(el, spec.data, spec.layout, config).then(() => nameParts(el));
     }));
   }
 

@@ -5,12 +5,14 @@ use cageless::vibration::AFTER_CONTACT_S;
 use serde::{Deserialize, Serialize};
 
 use crate::comparison::RingComparison;
-use crate::data::{Claim, Event, Motion, Parameter, Provenance, RacewayLabel, Vibration};
+use crate::data::{Claim, ClaimStatus, Event, Motion, Parameter, Provenance, RacewayLabel, Vibration};
 use crate::figures::{self, comparison, design, orbit, phase, shape, spacing, vibration};
 use crate::geometry::{ContactTrack, RacewaySurface};
+use crate::head::Head;
 use crate::motion::MotionFigure;
 use crate::page::{Note, Page};
 use crate::tables;
+use crate::text::short;
 
 /// All that the reproduction of the paper shows.
 ///
@@ -261,6 +263,7 @@ pub fn reproduce_page(data: &ReproduceData) -> String {
         &data.lead,
         &data.software,
     );
+    page.head(&head(data));
     page.note(Note::Remark, SOURCE);
     if !data.claims.is_empty() {
         page.section("Claims of the paper and what was found");
@@ -361,6 +364,38 @@ pub fn reproduce_page(data: &ReproduceData) -> String {
         });
     }
     page.html()
+}
+
+/// How many claims hold, and how far Table 2 is from the paper.
+fn head(data: &ReproduceData) -> Head {
+    let count = |status| data.claims.iter().filter(|c| c.verdict == status).count();
+    let facts = [
+        ("Confirmed", count(ClaimStatus::Confirmed)),
+        ("Partly confirmed", count(ClaimStatus::Partly)),
+        ("Not confirmed", count(ClaimStatus::NotConfirmed)),
+        ("Errata", count(ClaimStatus::Erratum)),
+        ("Not tested", count(ClaimStatus::NotTested)),
+    ];
+    let facts = facts.map(|(name, count)| Parameter {
+        name: name.to_owned(),
+        value: count.to_string(),
+        unit: "claims".to_owned(),
+        ..Parameter::default()
+    });
+    let off = data.table2.iter().flat_map(|table| &table.rows).map(|row| {
+        let own = row.theory_deg;
+        (own - row.paper_theory_deg).abs()
+    });
+    let theory = off.reduce(f64::max).map(|most| Parameter {
+        name: "β0 of Table 2, largest difference".to_owned(),
+        value: short(most),
+        unit: "°".to_owned(),
+        ..Parameter::default()
+    });
+    if data.claims.is_empty() {
+        return Head::default().facts(theory);
+    }
+    Head::default().facts(facts).facts(theory)
 }
 
 const SOURCE: &str = "Zhao, Y.; Zhou, G.; Wang, Q. Discrete Dynamics of Balls in Cageless Ball \

@@ -45,10 +45,10 @@ pub fn vibration(label: &str, vibration: &Vibration) -> Figure {
             }))
             .trace(on(with(line(&signal.name, &time, &value, colour), json!({ "line": { "width": 1 } })), &x, &y))
             .text(
-                &plain(&signal.name),
+                &format!("<span style=\"color:{colour}\">▬</span> {}", plain(&signal.name)),
                 (0.0, 1.01),
                 (&format!("{x} domain"), &format!("{y} domain")),
-                json!({ "xanchor": "left", "yanchor": "bottom", "font": { "color": colour, "size": 13 } }),
+                json!({ "xanchor": "left", "yanchor": "bottom" }),
             );
         if let Some(rms) = signal.rms_m_s2 {
             let peak = signal.peak_m_s2.map_or(String::new(), |peak| {
