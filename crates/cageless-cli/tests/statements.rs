@@ -36,8 +36,8 @@ fn the_scope_stands_in_check_and_on_the_first_screen_of_the_readme() {
         "axial load",
         "tilt",
         "preload",
-        "outer ring fixed",
-        "constant speed",
+        "the outer ring is fixed",
+        "speed and load as given",
         "dry laws of friction",
         "heat",
     ] {

@@ -79,7 +79,7 @@ impl Operation {
 }
 
 impl Case {
-    /// Checks everything that [`Bearing::new`] and [`Raceway::new`] have not.
+    /// Checks everything that [`crate::Bearing::new`] and [`crate::Raceway::new`] have not.
     ///
     /// # Errors
     /// An [`InputError`] naming the first field that cannot be.
