@@ -5,7 +5,9 @@ use cageless::vibration::AFTER_CONTACT_S;
 use serde::{Deserialize, Serialize};
 
 use crate::comparison::RingComparison;
-use crate::data::{Claim, ClaimStatus, Event, Motion, Parameter, Provenance, RacewayLabel, Vibration};
+use crate::data::{
+    Claim, ClaimStatus, Event, Motion, Parameter, Provenance, RacewayLabel, Vibration,
+};
 use crate::figures::{self, comparison, design, orbit, phase, shape, spacing, vibration};
 use crate::geometry::{ContactTrack, RacewaySurface};
 use crate::head::Head;

@@ -127,6 +127,8 @@ macro_rules! section {
     )* }) => {
         $(#[$doc])*
         #[derive(Debug, Clone, PartialEq)]
+        // `[rotor]` in a meaning is a section of the file.
+        #[allow(rustdoc::broken_intra_doc_links)]
         pub struct $Document { $( #[doc = $meaning] pub $key: $type, )* }
 
         impl $crate::case_file::declaration::SectionDocument for $Document {

@@ -30,7 +30,11 @@ pub fn energy(run: &RunData) -> Option<Figure> {
             "Energy, positive into the bearing (J)",
             json!({ "zeroline": true, "zerolinecolor": "#555" }),
         )
-        .axis("yaxis", "", json!({ "type": "category", "autorange": "reversed" }))
+        .axis(
+            "yaxis",
+            "",
+            json!({ "type": "category", "autorange": "reversed" }),
+        )
         .trace(json!({
             "type": "bar", "orientation": "h", "y": names, "x": numbers(&values),
             "marker": { "color": colours }, "hovertemplate": "%{y}<extra></extra>",

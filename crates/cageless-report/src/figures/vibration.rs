@@ -34,18 +34,36 @@ pub fn vibration(label: &str, vibration: &Vibration) -> Figure {
         let colour = PALETTE[k % PALETTE.len()];
         let (time, value) = history(&signal.time_s, &signal.acceleration_m_s2, POINTS);
         plot = plot
-            .axis(&axis_name("x", k), if last { "Time t (s)" } else { "" }, json!({
-                "anchor": y, "showticklabels": last,
-                "matches": if k == 0 { None } else { Some("x") },
-            }))
-            .axis(&axis_name("y", k), "Acceleration (m/s²)", json!({
-                "anchor": x, "domain": [high - panel / inner, high],
-                "range": [number(-most), number(most)],
-                "matches": if k == 0 { None } else { Some("y") },
-            }))
-            .trace(on(with(line(&signal.name, &time, &value, colour), json!({ "line": { "width": 1 } })), &x, &y))
+            .axis(
+                &axis_name("x", k),
+                if last { "Time t (s)" } else { "" },
+                json!({
+                    "anchor": y, "showticklabels": last,
+                    "matches": if k == 0 { None } else { Some("x") },
+                }),
+            )
+            .axis(
+                &axis_name("y", k),
+                "Acceleration (m/s²)",
+                json!({
+                    "anchor": x, "domain": [high - panel / inner, high],
+                    "range": [number(-most), number(most)],
+                    "matches": if k == 0 { None } else { Some("y") },
+                }),
+            )
+            .trace(on(
+                with(
+                    line(&signal.name, &time, &value, colour),
+                    json!({ "line": { "width": 1 } }),
+                ),
+                &x,
+                &y,
+            ))
             .text(
-                &format!("<span style=\"color:{colour}\">▬</span> {}", plain(&signal.name)),
+                &format!(
+                    "<span style=\"color:{colour}\">▬</span> {}",
+                    plain(&signal.name)
+                ),
                 (0.0, 1.01),
                 (&format!("{x} domain"), &format!("{y} domain")),
                 json!({ "xanchor": "left", "yanchor": "bottom" }),
