@@ -1,7 +1,9 @@
 //! What a discrete raceway does in the drop of a rotor: the same scattered drops with a
-//! conventional and with discrete raceways, at two speeds, dry and lubricated.
+//! conventional and with discrete raceways, at two speeds, dry and lubricated, and from which
+//! friction on the balls rattle.
 
 use std::path::PathBuf;
+use std::time::Instant;
 
 use anyhow::{Context, Result};
 use cageless::touchdown::Scatter;
@@ -15,23 +17,33 @@ pub struct Options {
     /// Folder of the cases.
     #[arg(long, default_value = "cases")]
     cases: PathBuf,
-    /// Drops of each cell.
+    /// Drops of each row.
     #[arg(long, default_value_t = 16)]
     samples: u64,
     /// Simulated time of each drop, s.
-    #[arg(long, default_value_t = 0.3)]
+    #[arg(long, default_value_t = 1.0)]
     duration_s: f64,
+    /// Computes one table only.
+    #[arg(long)]
+    table: Option<Which>,
 }
 
-/// A discrete raceway: its name, lC (mm) and θ (°).
-type Raceway = (&'static str, [f64; 2]);
+/// Tables.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Which {
+    /// Conventional against discrete raceways.
+    Raceways,
+    /// Friction of the balls from which they rattle.
+    Friction,
+}
 
-/// Bearings: name, case, and its discrete raceways.
-const BEARINGS: [(&str, &str, &[Raceway]); 2] = [
+/// A bearing: name, case, and its discrete raceways with their values.
+type Raceways = &'static [(&'static str, [f64; 2])];
+const BEARINGS: [(&str, &str, Raceways); 2] = [
     (
         "paper",
         "touchdown-d.toml",
-        &[("paper's (d)", [5.1, 25.2]), ("searched", [5.09, 24.6])],
+        &[("paper's (d)", [5.1, 25.2]), ("searched", [5.093, 24.06])],
     ),
     (
         "full 6205",
@@ -41,39 +53,92 @@ const BEARINGS: [(&str, &str, &[Raceway]); 2] = [
 ];
 const SPEEDS_RPM: [f64; 2] = [10_000.0, 30_000.0];
 /// Friction coefficients of the balls and of rotor on ring.
-const FRICTION: [(&str, f64, f64); 2] = [("dry", 0.1, 0.15), ("lubricated", 0.007, 0.05)];
+const FRICTION: [(&str, [f64; 2]); 2] = [("dry", [0.1, 0.15]), ("lubricated", [0.007, 0.05])];
+/// Friction coefficients of the balls in the second table; that of rotor on ring is 0.15.
+const BALL_FRICTION: [f64; 6] = [0.007, 0.02, 0.03, 0.05, 0.07, 0.1];
+/// Collisions of each ball per second, at the end of a drop, beyond which the balls rattle.
+const RATTLING_HZ: f64 = 500.0;
 
 pub fn run(options: &Options) -> Result<()> {
+    let clock = Instant::now();
+    let mut rows = 0;
+    if options.table != Some(Which::Friction) {
+        rows += raceways(options)?;
+    }
+    if options.table != Some(Which::Raceways) {
+        rows += friction(options)?;
+    }
+    let drops = rows as f64 * options.samples as f64;
+    let wall_s = clock.elapsed().as_secs_f64();
     println!(
-        "{} drops of {} s each; mean ± standard error of the difference to the conventional ring \
-         in the same drops\n",
+        "\n{drops} drops of {} s in {wall_s:.0} s: {:.3} s per simulated second",
+        options.duration_s,
+        wall_s / (drops * options.duration_s)
+    );
+    Ok(())
+}
+
+fn raceways(options: &Options) -> Result<usize> {
+    println!(
+        "{} drops of {} s each; mean, and mean ± standard error of the difference to the \
+         conventional ring in the same drops\n",
         options.samples, options.duration_s
     );
+    print!("| bearing | speed, rpm | friction | raceway | rattling | backward whirl, % |");
+    for (name, _) in COMPARED {
+        print!(" {name} |");
+    }
     println!(
-        "| bearing | speed, rpm | friction | raceway | backward whirl, % | collisions | largest \
-         pressure, MPa | ball sliding, m/s | heat at the balls, J | spin-up, ms | largest force, \
-         weights |"
+        "\n|---|---|---|---|---|---|{}",
+        "---|".repeat(COMPARED.len())
     );
-    println!("|---|---|---|---|---|---|---|---|---|---|---|");
-    for (bearing, case, raceways) in BEARINGS {
+    let mut rows = 0;
+    for (bearing, case, discrete) in BEARINGS {
         for rpm in SPEEDS_RPM {
-            for (name, balls, rotor) in FRICTION {
-                let row = |raceway: &str, values: Option<[f64; 2]>| {
-                    let result = drops(options, case, rpm, [balls, rotor], values)
+            for (name, friction) in FRICTION {
+                let mut row = |raceway: &str, values: Option<[f64; 2]>| {
+                    rows += 1;
+                    let result = drops(options, case, rpm, friction, values)
                         .with_context(|| format!("{bearing}, {raceway}"))?;
-                    let head = format!("| {bearing} | {rpm} | {name} | {raceway} |");
-                    Ok::<_, anyhow::Error>((head, result))
+                    print!("| {bearing} | {rpm} | {name} | {raceway} |");
+                    Ok::<_, anyhow::Error>(result)
                 };
-                let (head, plain) = row("conventional", None)?;
-                println!("{head}{}", cells(&plain, None));
-                for (label, values) in raceways {
-                    let (head, discrete) = row(label, Some(*values))?;
-                    println!("{head}{}", cells(&discrete, Some(&plain)));
+                let plain = row("conventional", None)?;
+                println!("{}", cells(&plain, None));
+                for (label, values) in discrete {
+                    let result = row(label, Some(*values))?;
+                    println!("{}", cells(&result, Some(&plain)));
                 }
             }
         }
     }
-    Ok(())
+    Ok(rows)
+}
+
+/// Drops that end rattling over the friction coefficient of the balls.
+fn friction(options: &Options) -> Result<usize> {
+    println!(
+        "\nDrops out of {} that end with more than {RATTLING_HZ} collisions of each ball per \
+         second, and their heat of friction at the balls, J\n",
+        options.samples
+    );
+    let (_, case, discrete) = BEARINGS[0];
+    println!("| friction of the balls | speed, rpm | conventional | paper's (d) |");
+    println!("|---|---|---|---|");
+    let mut rows = 0;
+    for rpm in SPEEDS_RPM {
+        for balls in BALL_FRICTION {
+            print!("| {balls} | {rpm} |");
+            for values in [None, Some(discrete[0].1)] {
+                rows += 1;
+                let result = drops(options, case, rpm, [balls, 0.15], values)?;
+                let heat = mean(&result.drops, |d| d.result.value("ball_heat_j"));
+                print!(" {}, {} |", rattling(&result), figures(heat));
+            }
+            println!();
+        }
+    }
+    Ok(rows)
 }
 
 fn drops(
@@ -94,36 +159,47 @@ fn drops(
         set.push(format!("raceway.half_angle_deg={angle}"));
     }
     let file = CaseFile::read(&options.cases.join(case), &set)?;
-    let mut case = file.case().clone();
-    if raceway.is_none() {
-        case.raceways.clear();
+    let case = match raceway {
+        Some(_) => file.case().clone(),
+        None => file.case().conventional(),
+    };
+    let result = ensemble(&case, options.samples, &Scatter::default(), &Silent)?;
+    for reason in &result.stopped {
+        eprintln!("{rpm} rpm, friction {balls}: a drop stopped {reason}");
     }
-    Ok(ensemble(
-        &case,
-        options.samples,
-        &Scatter::default(),
-        &Silent,
-    )?)
+    Ok(result)
 }
 
-/// Results of a drop that are compared.
-const COMPARED: [fn(&DropRow) -> Option<f64>; 6] = [
-    |d| Some(d.result.collisions as f64),
-    |d| {
-        Some(
-            d.result
-                .inner_stress_max_mpa
-                .max(d.result.outer_stress_max_mpa),
-        )
-    },
-    |d| Some(d.result.ball_slip_max_m_s),
-    |d| {
-        let r = &d.result;
-        Some(r.inner_friction_j + r.outer_friction_j + r.ball_friction_j)
-    },
-    |d| d.result.spin_up_ms,
-    |d| d.result.rotor_force_max_weights,
+/// Results of a drop that are compared, with their headings.
+const COMPARED: [(&str, fn(&DropRow) -> Option<f64>); 8] = [
+    ("collisions per s at the end", |d| {
+        d.result.value("end_collision_rate_hz")
+    }),
+    ("pressure ball on ball, GPa", |d| {
+        d.result.value("ball_stress_max_gpa")
+    }),
+    ("pressure on the raceways, GPa", |d| {
+        let [inner, outer] = ["inner_stress_max_gpa", "outer_stress_max_gpa"];
+        Some(d.result.value(inner)?.max(d.result.value(outer)?))
+    }),
+    ("ball sliding, m/s", |d| d.result.value("ball_slip_max_m_s")),
+    ("heat at the balls, J", |d| d.result.value("ball_heat_j")),
+    ("spin-up, ms", |d| d.result.value("spin_up_ms")),
+    ("ring at the end, rpm", |d| d.result.value("ring_speed_rpm")),
+    ("largest force, weights", |d| {
+        d.result.value("rotor_force_max_weights")
+    }),
 ];
+
+/// Drops that end with rattling balls.
+fn rattling(result: &EnsembleResult) -> usize {
+    let rattles = |d: &&DropRow| {
+        let balls = d.result.values("inner_force_max_of_ball_n").len() as f64;
+        let rate = d.result.value("end_collision_rate_hz");
+        rate.is_some_and(|rate| rate > RATTLING_HZ * balls)
+    };
+    result.drops.iter().filter(rattles).count()
+}
 
 fn cells(result: &EnsembleResult, plain: Option<&EnsembleResult>) -> String {
     let whirl = result
@@ -132,27 +208,42 @@ fn cells(result: &EnsembleResult, plain: Option<&EnsembleResult>) -> String {
         .map_or("-".to_owned(), |([low, high], p)| {
             format!("{:.0} ({:.0} to {:.0})", 1e2 * p, 1e2 * low, 1e2 * high)
         });
-    let mut text = format!(" {whirl} |");
-    for of in COMPARED {
-        let values: Vec<f64> = result.drops.iter().filter_map(of).collect();
-        let mean = values.iter().sum::<f64>() / values.len() as f64;
-        let missing = result.drops.len() - values.len();
+    let mut text = format!(
+        " {} of {} | {whirl} |",
+        rattling(result),
+        result.drops.len()
+    );
+    for (_, of) in COMPARED {
+        let missing = result.drops.iter().filter(|d| of(d).is_none()).count();
         let difference = plain.map(|plain| difference(&result.drops, &plain.drops, of));
-        text += &match (values.is_empty(), difference.flatten()) {
-            (true, _) => " - |".to_owned(),
-            (_, None) => format!(" {mean:.4}{} |", without(missing)),
-            (_, Some([d, s])) => format!(" {mean:.4} ({d:+.3} ± {s:.3}){} |", without(missing)),
+        text += " ";
+        text += &match difference.flatten() {
+            _ if missing == result.drops.len() => "-".to_owned(),
+            None => figures(mean(&result.drops, of)),
+            Some([d, s]) => format!(
+                "{} ({}{} ± {})",
+                figures(mean(&result.drops, of)),
+                if d < 0.0 { "−" } else { "+" },
+                figures(d.abs()),
+                figures(s)
+            ),
         };
+        if missing > 0 {
+            text += &format!(", {missing} without");
+        }
+        text += " |";
     }
     text
 }
 
-/// How many drops have no such result.
-fn without(missing: usize) -> String {
-    if missing == 0 {
-        return String::new();
-    }
-    format!(", {missing} without")
+/// A number to three digits.
+fn figures(value: f64) -> String {
+    cageless_study::number_text::significant(value, 3)
+}
+
+fn mean(drops: &[DropRow], of: fn(&DropRow) -> Option<f64>) -> f64 {
+    let values: Vec<f64> = drops.iter().filter_map(of).collect();
+    values.iter().sum::<f64>() / values.len() as f64
 }
 
 /// Mean of the paired differences and its standard error.

@@ -158,6 +158,10 @@ pub struct DropArgs {
     /// (factor 2), direction of the unbalance and arrangement of the balls.
     #[arg(long, value_name = "N")]
     pub samples: Option<u64>,
+    /// Repeat the drop from perturbed starts and at half the step, and say which results are
+    /// converged.
+    #[arg(long)]
+    pub verify: bool,
 }
 
 /// Outer rings to compare with.

@@ -1,11 +1,12 @@
 //! Failures of commands and their exit codes.
 
 use std::fmt;
+use std::path::Path;
 use std::process::ExitCode;
 
 use cageless::critical_gap::CriticalGapError;
 use cageless::equilibrium::EquilibriumError;
-use cageless::simulation::Stop;
+use cageless::simulation::{Ending, Stop};
 use cageless_io::case_file::CaseError;
 use cageless_io::io_error_message;
 use cageless_io::results::ResultError;
@@ -37,10 +38,29 @@ impl Failure {
         })
     }
 
+    /// Failure of a run that did not complete; `kept` says where its results are.
+    pub fn of_ending(ending: Ending, end_s: f64, kept: &str) -> Result<(), Self> {
+        match ending {
+            Ending::Complete => Ok(()),
+            Ending::Interrupted => Err(Self::Interrupted(format!(
+                "interrupted at t = {end_s:.6} s.{kept}"
+            ))),
+            Ending::Stopped(stop) => Err(Self::stopped(&stop, kept)),
+            Ending::ObserverFailed(error) => Err(Self::Other(anyhow::anyhow!(error))),
+        }
+    }
+
     /// A run that stopped.
     pub fn stopped(stop: &Stop, kept: &str) -> Self {
         Self::Unphysical(format!("{stop}{kept}"))
     }
+}
+
+/// Sentence on where the results of a run that did not complete are; empty without a folder.
+pub fn kept_in(out: Option<&Path>) -> String {
+    out.map_or_else(String::new, |dir| {
+        format!(" What was computed until then is in {}.", dir.display())
+    })
 }
 
 impl fmt::Display for Failure {

@@ -26,6 +26,7 @@ mod structure;
 mod summary;
 pub mod sweep;
 mod threads;
+mod together;
 pub mod tolerance;
 pub mod verification;
 mod warnings;

@@ -16,7 +16,7 @@ use crate::limits::within;
 /// `field` is the name of the offending public field (`"axial_span_m"`); its
 /// suffix is the unit of `value` and of the numbers in `allowed`.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{field} = {value} is not possible: it must be {allowed}")]
+#[error("{}", self.message())]
 pub struct InputError {
     /// Name of the field, with its unit as suffix.
     pub field: &'static str,
@@ -41,6 +41,8 @@ pub enum Allowed {
     Between(f64, f64, &'static str),
     /// A condition in words.
     Rule(String),
+    /// None: the field, a section of the case, must be left out for this reason.
+    LeftOut(String),
 }
 
 impl std::fmt::Display for Allowed {
@@ -61,6 +63,7 @@ impl std::fmt::Display for Allowed {
                 write!(f, "between {low} and {high}").and_then(|()| reason(f, why))
             }
             Self::Rule(rule) => f.write_str(rule),
+            Self::LeftOut(why) => write!(f, "left out: {why}"),
         }
     }
 }
@@ -71,6 +74,21 @@ impl InputError {
             field,
             value,
             allowed,
+        }
+    }
+
+    /// A rotor where there can be none; `why` completes "must be left out:".
+    pub(crate) fn rotor_left_out(why: impl Into<String>) -> Self {
+        Self::new("rotor", 1.0, Allowed::LeftOut(why.into()))
+    }
+
+    fn message(&self) -> String {
+        match &self.allowed {
+            Allowed::LeftOut(_) => format!("[{}] must be {}", self.field, self.allowed),
+            allowed => format!(
+                "{} = {} is not possible: it must be {allowed}",
+                self.field, self.value
+            ),
         }
     }
 

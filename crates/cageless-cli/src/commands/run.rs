@@ -15,7 +15,7 @@ use cageless_study::run::{Options, Rows, RunRecord, run as study};
 
 use super::{make_folder, open_page, print, read_case, tell, writable};
 use crate::args::RunArgs;
-use crate::failure::Failure;
+use crate::failure::{Failure, kept_in};
 use crate::format::{columns, judged, page_line, pairs, warnings};
 use crate::progress::{Bars, catch_interrupt};
 
@@ -89,22 +89,14 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     if let (true, Some(dir)) = (open, &args.out) {
         open_page(&dir.join(PAGE));
     }
-    let kept = match &args.out {
-        Some(dir) => format!(" What was computed until then is in {}.", dir.display()),
-        None => String::new(),
-    };
-    match outcome.ending {
-        Ending::Complete if verify && stop.load(Ordering::Relaxed) => Err(Failure::Interrupted(
-            format!("interrupted while verifying: the run itself is complete.{kept}"),
-        )),
-        Ending::Complete => Ok(()),
-        Ending::Interrupted => Err(Failure::Interrupted(format!(
-            "interrupted at t = {:.6} s.{kept}",
-            outcome.end_s
-        ))),
-        Ending::Stopped(stop) => Err(Failure::stopped(&stop, &kept)),
-        Ending::ObserverFailed(error) => Err(Failure::Other(anyhow::anyhow!(error))),
+    let kept = kept_in(args.out.as_deref());
+    let complete = matches!(outcome.ending, Ending::Complete);
+    if complete && verify && stop.load(Ordering::Relaxed) {
+        return Err(Failure::Interrupted(format!(
+            "interrupted while verifying: the run itself is complete.{kept}"
+        )));
     }
+    Failure::of_ending(outcome.ending, outcome.end_s, &kept)
 }
 
 /// The verdict, then every result of the table.

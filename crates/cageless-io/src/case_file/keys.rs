@@ -1,6 +1,6 @@
 //! Look-up of the keys of a case file.
 
-use super::declaration::Key;
+use super::declaration::{Key, Presence};
 use super::document::{HEAD, SECTIONS};
 use super::spanned_toml::join;
 use super::unit::Unit;
@@ -27,6 +27,17 @@ pub(crate) fn of_section(section: &str) -> &'static [Key] {
 /// Looks up a key.
 pub(crate) fn find(section: &str, name: &str) -> Option<&'static Key> {
     of_section(section).iter().find(|k| k.name == name)
+}
+
+/// What a case lacks that is to drop a rotor.
+pub fn missing_rotor() -> String {
+    let required = |key: &&Key| matches!((key.presence)(), Presence::Required);
+    let keys = of_section("rotor").iter().filter(required);
+    format!(
+        "the case has no [rotor] to drop: give {} there, and inner_ring_bore_radius_mm and \
+         inner_ring_polar_inertia_kg_m2 in [bearing]",
+        keys.map(|key| key.name).collect::<Vec<_>>().join(", ")
+    )
 }
 
 /// Unit of a key.
@@ -108,7 +119,6 @@ pub fn nearest<'a>(given: &str, candidates: impl Iterator<Item = &'a str>) -> Op
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::case_file::declaration::Presence;
 
     #[test]
     fn every_key_sets_a_field_of_its_own() {

@@ -50,6 +50,7 @@ pub(super) fn in_file_units(
             ),
             _ => rule.clone(),
         },
+        left_out @ Allowed::LeftOut(_) => left_out.to_string(),
     }
 }
 

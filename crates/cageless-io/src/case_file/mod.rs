@@ -40,7 +40,7 @@ pub use document::{
     SolverDocument, StartDocument, StartState, StepDocument, SupportDocument,
 };
 pub use error::CaseError;
-pub use keys::nearest;
+pub use keys::{missing_rotor, nearest};
 pub use reference::{KeyReference, LeftOut, SectionReference, ValueType, reference};
 pub use template::template;
 

@@ -117,6 +117,8 @@ pub enum Computation {
     Verdict,
     /// A run of the case.
     Run,
+    /// The drop of the rotor of the case.
+    Drop,
 }
 
 /// A column that the plan keeps.
@@ -178,6 +180,7 @@ impl Named for Computation {
         ("design", Self::Design),
         ("verdict", Self::Verdict),
         ("run", Self::Run),
+        ("drop", Self::Drop),
     ];
 }
 

@@ -9,7 +9,7 @@ use super::{
 };
 use crate::case_file::named::Named;
 use crate::case_file::spanned_toml::{self, Node, Origin, Section, Value};
-use crate::case_file::{CaseBase, CaseError, CaseValue, Change, keys};
+use crate::case_file::{CaseBase, CaseError, CaseFile, CaseValue, Change, keys};
 
 /// Keys of the top level of a plan, sections last.
 const HEAD: [&str; 10] = [
@@ -43,7 +43,7 @@ pub(super) fn plan(text: &str, name: &str, folder: &Path) -> Result<PlanFile, Ca
         grid: reader.grid()?,
         samples: reader.samples()?,
         scatter: reader.scatter()?,
-        compute: reader.compute()?,
+        compute: reader.compute(&base_file)?,
         keep: reader.keep()?,
         base,
         base_file,
@@ -183,7 +183,7 @@ impl<'a> PlanReader<'a> {
         }))
     }
 
-    fn compute(&self) -> Result<Vec<Computation>, CaseError> {
+    fn compute(&self, base: &CaseFile) -> Result<Vec<Computation>, CaseError> {
         let allowed = format!("a list of {}", Computation::choices());
         let Some(node) = self.root.get("compute") else {
             let message = format!("compute is missing: {allowed}");
@@ -194,10 +194,14 @@ impl<'a> PlanReader<'a> {
             return Err(refused());
         };
         let list: Option<Vec<_>> = items.iter().map(choice).collect();
-        match list {
-            Some(list) if !list.is_empty() => Ok(Computation::in_order(list)),
-            _ => Err(refused()),
+        let Some(list) = list.filter(|list| !list.is_empty()) else {
+            return Err(refused());
+        };
+        if list.contains(&Computation::Drop) && base.case().rotor.is_none() {
+            let message = format!("compute has \"drop\", but {}", keys::missing_rotor());
+            return Err(self.error(node, "compute", message));
         }
+        Ok(Computation::in_order(list))
     }
 
     fn keep(&self) -> Result<Option<Vec<Kept>>, CaseError> {

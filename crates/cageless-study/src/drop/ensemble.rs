@@ -2,15 +2,18 @@
 
 use cageless::Case;
 use cageless::numerics::proportion::wilson_interval;
-use cageless::simulation::{Ending, Observer, batches, run_batch};
+use cageless::simulation::Observer;
 use cageless::touchdown::{Drawn, DropRecorder, EndState, Scatter};
 use cageless_io::OptionError;
+use cageless_io::plan_file::Computation;
 use rayon::prelude::*;
-use serde::{Deserialize, Serialize};
+use serde::{Serialize, Serializer};
 
 use super::DropResult;
 use crate::StudyError;
 use crate::progress::{Progress, Work};
+use crate::quantities::{Kind, QUANTITIES, Quantity};
+use crate::together::{Record, run_together};
 
 /// Most drops of an ensemble.
 pub const DROPS_MAX: u64 = 1_000_000;
@@ -18,7 +21,7 @@ pub const DROPS_MAX: u64 = 1_000_000;
 const TOGETHER: usize = 8;
 
 /// Drops whose conditions scatter.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct EnsembleResult {
     /// Seed of the draws.
     pub seed: u64,
@@ -39,7 +42,7 @@ pub struct EnsembleResult {
 }
 
 /// How often a state came out.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct EndStateCount {
     /// State.
     pub end_state: String,
@@ -48,12 +51,11 @@ pub struct EndStateCount {
 }
 
 /// Distribution of one result.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Quantiles {
-    /// Result.
-    pub name: String,
-    /// Unit.
-    pub unit: String,
+    /// The result; its name in files.
+    #[serde(rename = "name", serialize_with = "name")]
+    pub quantity: &'static Quantity,
     /// Least.
     pub least: f64,
     /// Median.
@@ -64,8 +66,12 @@ pub struct Quantiles {
     pub most: f64,
 }
 
+fn name<S: Serializer>(quantity: &&Quantity, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(quantity.name)
+}
+
 /// One drop of an ensemble.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DropRow {
     /// Index of the draw.
     pub index: u64,
@@ -127,27 +133,22 @@ fn together(
 ) -> Result<Vec<DropRow>, StudyError> {
     let (cases, drawn): (Vec<Case>, Vec<Drawn>) =
         indices.iter().map(|k| scatter.draw(case, *k)).unzip();
-    let mut results: Vec<Option<DropResult>> = vec![None; cases.len()];
-    for members in batches(&cases) {
-        let mut recorders: Vec<_> = members.iter().map(|_| DropRecorder::new()).collect();
-        let mut observers: Vec<Vec<&mut dyn Observer>> = (recorders.iter_mut())
-            .map(|recorder| vec![recorder as &mut dyn Observer])
-            .collect();
-        let beside: Vec<&Case> = members.iter().map(|k| &cases[*k]).collect();
-        let mut control = task.run_control(case.solver.duration_s, members.len() as f64);
-        let outcomes = run_batch(&beside, &mut observers, &mut *control);
-        for ((k, outcome), recorder) in members.iter().zip(outcomes).zip(recorders) {
-            let outcome = outcome.map_err(|error| StudyError::Input(error.to_string()))?;
-            if matches!(outcome.ending, Ending::Interrupted) {
-                return Err(StudyError::Interrupted);
-            }
-            results[*k] = Some(DropResult::new(&recorder.summary(&outcome.state), &outcome));
-        }
+    let control = |runs: usize| task.run_control(case.solver.duration_s, runs as f64);
+    let runs = run_together(&cases, |_| DropRecorder::new(), control);
+    let runs = runs.ok_or(StudyError::Interrupted)?;
+    let rows = indices.iter().zip(&drawn).zip(runs);
+    rows.map(|((index, drawn), run)| {
+        let (recorder, outcome) = run.map_err(|error| StudyError::Input(error.to_string()))?;
+        let result = DropResult::new(&recorder.summary(&outcome.state), &outcome);
+        Ok(DropRow::new(*index, drawn, result))
+    })
+    .collect()
+}
+
+impl Record for DropRecorder {
+    fn observers<'s>(&'s mut self, _: &'s Case) -> Vec<Box<dyn Observer + 's>> {
+        vec![Box::new(self)]
     }
-    let rows = indices.iter().zip(&drawn).zip(results);
-    Ok(rows
-        .filter_map(|((index, drawn), result)| Some(DropRow::new(*index, drawn, result?)))
-        .collect())
 }
 
 impl DropRow {
@@ -173,7 +174,7 @@ fn evaluate(seed: u64, drops: Vec<DropRow>) -> EnsembleResult {
         .filter(|result| result.stopped.is_none())
         .collect();
     let count = |state: EndState| {
-        let ended = |d: &&&DropResult| d.end_state == state.name();
+        let ended = |d: &&&DropResult| d.end_state() == state.name();
         complete.iter().filter(ended).count()
     };
     let whirls = count(EndState::BackwardWhirl);
@@ -197,24 +198,23 @@ fn evaluate(seed: u64, drops: Vec<DropRow>) -> EnsembleResult {
 }
 
 fn quantiles(complete: &[&DropResult]) -> Vec<Quantiles> {
-    let tables: Vec<_> = complete.iter().map(|result| result.quantities()).collect();
-    let Some(first) = tables.first() else {
-        return vec![];
-    };
-    let of = |column: usize| {
-        let (name, unit, _) = first[column];
-        let mut values: Vec<f64> = tables.iter().filter_map(|table| table[column].2).collect();
+    let numbers = QUANTITIES.iter().filter(|q| {
+        q.computation() == Computation::Drop && matches!(q.kind, Kind::Number | Kind::Integer)
+    });
+    let of = |quantity: &'static Quantity| {
+        let mut values: Vec<f64> = (complete.iter())
+            .filter_map(|result| result.value(quantity.name))
+            .collect();
         values.sort_by(f64::total_cmp);
         let last = values.len().checked_sub(1)?;
         let quantile = |q: f64| values[(q * last as f64).round() as usize];
         Some(Quantiles {
-            name: name.to_owned(),
-            unit: unit.to_owned(),
+            quantity,
             least: values[0],
             median: quantile(0.5),
             high: quantile(0.95),
             most: values[last],
         })
     };
-    (0..first.len()).filter_map(of).collect()
+    numbers.filter_map(of).collect()
 }

@@ -3,6 +3,8 @@
 
 mod ensemble;
 mod result;
+mod study;
+mod verification;
 
 use std::cell::RefCell;
 
@@ -12,11 +14,14 @@ use cageless::recorder::Recorder;
 use cageless::simulation::{Observer, RunOutcome, run as simulate};
 use cageless::snapshot::Snapshot;
 use cageless::touchdown::DropRecorder;
+use cageless_io::case_file::missing_rotor;
 
 pub use ensemble::{
     DROPS_MAX, DropRow, EndStateCount, EnsembleResult, Quantiles, check_drops, ensemble,
 };
-pub use result::{DropResult, WhirlRow};
+pub use result::{DropResult, WindowRow};
+pub use study::{DropRequest, DropStudy, study};
+pub use verification::DropVerification;
 
 use crate::StudyError;
 use crate::progress::Progress;
@@ -43,13 +48,9 @@ pub fn check_rotor(case: &Case, name: &str) -> Result<(), StudyError> {
         return Ok(());
     }
     Err(StudyError::Input(format!(
-        "{name}: there is no [rotor] to drop (`cageless run` computes a bearing at speed)"
+        "{name}: {}; `cageless run` computes a bearing at speed",
+        missing_rotor()
     )))
-}
-
-/// The case with a plain outer raceway in place of its discrete ones.
-pub fn conventional(case: &Case) -> Case {
-    case.with_raceways(vec![])
 }
 
 /// Drops the rotor of a case on the calling thread.

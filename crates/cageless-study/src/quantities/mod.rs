@@ -10,6 +10,7 @@ use cageless::equilibrium::Equilibrium;
 use cageless::passage::PassageTally;
 use cageless::simulation::RunOutcome;
 use cageless::summary::Summary;
+use cageless::touchdown::DropSummary;
 use cageless_io::plan_file::Computation;
 use cageless_io::results::{Cell, ColumnKind, ColumnSpec};
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -78,6 +79,14 @@ pub struct Finished<'a> {
     pub wall_s: f64,
 }
 
+/// A drop that has ended.
+pub struct FinishedDrop<'a> {
+    /// What was recorded.
+    pub summary: &'a DropSummary,
+    /// How it ended.
+    pub outcome: &'a RunOutcome,
+}
+
 /// Origin of a quantity.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Source {
@@ -85,6 +94,7 @@ pub(crate) enum Source {
     Design(fn(&Case) -> Cell),
     Verdict(fn(&Judgement) -> Cell),
     Run(fn(&Finished<'_>) -> Cell),
+    Drop(fn(&FinishedDrop<'_>) -> Cell),
 }
 
 impl Quantity {
@@ -95,6 +105,7 @@ impl Quantity {
             Source::Design(_) => Computation::Design,
             Source::Verdict(_) => Computation::Verdict,
             Source::Run(_) => Computation::Run,
+            Source::Drop(_) => Computation::Drop,
         }
     }
 
@@ -144,6 +155,13 @@ impl Quantity {
         }
     }
 
+    pub(crate) fn of_drop(&self, drop: &FinishedDrop<'_>) -> Option<Cell> {
+        match self.of {
+            Source::Drop(of) => Some(of(drop)),
+            _ => None,
+        }
+    }
+
     /// The unit with its symbols.
     pub fn unit_text(&self) -> String {
         match self.unit {
@@ -169,6 +187,11 @@ impl Results {
     /// Results of a run.
     pub fn of_run(run: &Finished<'_>) -> Self {
         Self::by(|quantity| quantity.of_run(run))
+    }
+
+    /// Results of a drop.
+    pub fn of_drop(drop: &FinishedDrop<'_>) -> Self {
+        Self::by(|quantity| quantity.of_drop(drop))
     }
 
     fn by(value: impl Fn(&Quantity) -> Option<Cell>) -> Self {

@@ -15,8 +15,8 @@ use cageless::rating::PassingFrequencies;
 use cageless::summary::Summary;
 use cageless_io::results::Cell;
 
-use super::Source::{self, Design, Run, Static, Verdict};
-use super::{Aim, Finished, Kind, Quantity};
+use super::Source::{self, Design, Drop, Run, Static, Verdict};
+use super::{Aim, Finished, FinishedDrop, Kind, Quantity};
 
 /// All scalar results, in the order of keys, columns and tables.
 #[rustfmt::skip]
@@ -115,6 +115,41 @@ pub const QUANTITIES: &[Quantity] = &[
     integer("steps", "steps", Run(|r| Cell::Integer(r.outcome.steps as i64))),
     integer("rhs_evaluations", "force evaluations", Run(|r| Cell::Integer(r.outcome.rhs_evaluations as i64))),
     file_only(quantity("wall_s", "s", "time of the computation", Run(|r| some(r.wall_s)))),
+
+    text("end_state", "state at the end", Drop(|d| Cell::Text(d.summary.end_state.name().to_owned()))),
+    quantity("first_contact_ms", "ms", "first contact", Drop(|d| d.summary.first_contact_s.map(|t| 1e3 * t).into())),
+    integer("impacts", "impacts of the rotor", Drop(|d| Cell::Integer(d.summary.impacts as i64))),
+    quantity("contact_fraction", "", "time in contact after the first, fraction", Drop(|d| some(d.summary.contact_fraction))),
+    low(quantity("rotor_force_max_n", "N", "largest force on the rotor", Drop(|d| some(d.summary.rotor_force_max_n)))),
+    low(quantity("rotor_force_max_weights", "", "  as a multiple of its weight", Drop(|d| weights(d, Some(d.summary.rotor_force_max_n))))),
+    low(quantity("housing_force_max_n", "N", "largest force on the housing", Drop(|d| d.summary.housing_force_max_n.into()))),
+    low(quantity("housing_force_max_weights", "", "  as a multiple of the rotor's weight", Drop(|d| weights(d, d.summary.housing_force_max_n)))),
+    quantity("housing_displacement_max_um", "um", "largest displacement of the outer ring", Drop(|d| some(1e6 * d.summary.housing_displacement_max_m))),
+    quantity("rotor_slip_max_m_s", "m/s", "largest sliding speed of the rotor", Drop(|d| some(d.summary.rotor_slip_max_m_s))),
+    low(quantity("spin_up_ms", "ms", "spin-up of the inner ring", Drop(|d| d.summary.spin_up_s.map(|t| 1e3 * t).into()))),
+    quantity("ring_speed_rpm", "rpm", "inner ring at the end", Drop(|d| some(rpm(d.summary.ring_speed_rad_s)))),
+    quantity("rotor_speed_rpm", "rpm", "rotor at the end", Drop(|d| some(rpm(d.summary.rotor_speed_rad_s)))),
+    low(quantity("backward_whirl_max_hz", "Hz", "fastest backward whirl", Drop(|d| some(d.summary.backward_whirl_max_hz)))),
+    low(quantity("inner_stress_max_gpa", "GPa", "peak contact pressure, inner raceway", Drop(|d| some(1e-9 * d.summary.inner_stress_max_pa)))),
+    low(quantity("outer_stress_max_gpa", "GPa", "peak contact pressure, outer raceway", Drop(|d| some(1e-9 * d.summary.outer_stress_max_pa)))),
+    low(quantity("ball_stress_max_gpa", "GPa", "peak contact pressure, ball on ball", Drop(|d| some(1e-9 * d.summary.ball_stress_max_pa)))),
+    low(integer("collisions", "collisions between balls", Drop(|d| Cell::Integer(d.summary.collisions as i64)))),
+    low(quantity("end_collision_rate_hz", "Hz", "collisions between balls per second, at the end", Drop(|d| d.summary.end_collision_rate_hz.into()))),
+    quantity("ball_force_max_n", "N", "largest force between balls", Drop(|d| some(d.summary.ball_force_max_n))),
+    low(quantity("ball_slip_max_m_s", "m/s", "largest sliding speed of a ball", Drop(|d| some(d.summary.ball_slip_max_m_s)))),
+    low(quantity("heat_j", "J", "heat of all interfaces", Drop(|d| some(d.summary.heat.total_j())))),
+    low(quantity("ball_heat_j", "J", "heat of friction at the balls", Drop(|d| some(d.summary.heat.balls_j())))),
+    quantity("rotor_friction_j", "J", "  friction between rotor and inner ring", Drop(|d| some(d.summary.heat.rotor_friction_j))),
+    quantity("rotor_damping_j", "J", "  damping between rotor and inner ring", Drop(|d| some(d.summary.heat.rotor_damping_j))),
+    quantity("inner_friction_j", "J", "  friction at the inner raceway", Drop(|d| some(d.summary.heat.inner_friction_j))),
+    quantity("outer_friction_j", "J", "  friction at the outer raceway", Drop(|d| some(d.summary.heat.outer_friction_j))),
+    quantity("ball_friction_j", "J", "  friction between balls", Drop(|d| some(d.summary.heat.ball_friction_j))),
+    quantity("contact_damping_j", "J", "  damping of the balls' contacts", Drop(|d| some(d.summary.heat.contact_damping_j))),
+    quantity("support_damping_j", "J", "  damping of the support", Drop(|d| some(d.summary.heat.support_damping_j))),
+    list("inner_force_max_of_ball_n", "N", "largest force of each ball at the inner raceway", Drop(|d| Cell::Numbers(d.summary.inner_force_max_n.clone()))),
+    list("outer_force_max_of_ball_n", "N", "largest force of each ball at the outer raceway", Drop(|d| Cell::Numbers(d.summary.outer_force_max_n.clone()))),
+    quantity("energy_residual_relative", "", "energy balance error (relative)", Drop(|d| some(d.outcome.energy_residual_relative))),
+    quantity("end_s", "s", "simulated", Drop(|d| some(d.outcome.end_s))),
 ];
 
 const fn quantity(
@@ -192,6 +227,15 @@ const fn high(quantity: Quantity) -> Quantity {
 
 fn flagged(value: Option<bool>) -> Cell {
     value.map_or(Cell::Null, |value| Cell::Integer(i64::from(value)))
+}
+
+/// A force as a multiple of the rotor's weight; nothing without gravity.
+fn weights(drop: &FinishedDrop<'_>, force_n: Option<f64>) -> Cell {
+    let weight_n = drop.summary.rotor_weight_n;
+    force_n
+        .filter(|_| weight_n > 0.0)
+        .map(|f| f / weight_n)
+        .into()
 }
 
 fn rpm(speed_rad_s: f64) -> f64 {

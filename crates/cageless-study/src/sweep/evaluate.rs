@@ -7,8 +7,9 @@ use cageless::critical_gap::CriticalGapError;
 use cageless::design::judge;
 use cageless::dynamics::state::BATCH_WIDTH;
 use cageless::equilibrium;
-use cageless::simulation::{Control, Ending, Observer, RunOutcome, batches, run_batch};
-use cageless::summary::{Summary, SummaryRecorder};
+use cageless::simulation::{Control, Ending, Observer, RunOutcome};
+use cageless::summary::SummaryRecorder;
+use cageless::touchdown::DropRecorder;
 use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_io::plan_file::{Computation, PlanFile};
 use cageless_io::results::{Cell, ColumnKind, ColumnSpec, Row};
@@ -17,7 +18,8 @@ use super::error::SweepError;
 use super::feasibility;
 use super::variants::Variants;
 use crate::passages::Passages;
-use crate::quantities::{Finished, QUANTITIES, Quantity};
+use crate::quantities::{Finished, FinishedDrop, QUANTITIES, Quantity};
+use crate::together::{Record, Recorded, run_together};
 
 /// A plan that can be computed.
 #[derive(Debug, Clone)]
@@ -87,7 +89,7 @@ impl Sweep {
     /// Number of variants worth computing together: shorter ranges leave lanes of the
     /// vectors empty.
     pub fn together(&self) -> u64 {
-        if self.wants(Computation::Run) {
+        if self.wants(Computation::Run) || self.wants(Computation::Drop) {
             BATCH_WIDTH as u64
         } else {
             1
@@ -114,6 +116,7 @@ impl Sweep {
             }
         }
         self.run(&mut batch, stop)?;
+        self.drop(&mut batch, stop)?;
         Some(batch.into_iter().map(Variant::row).collect())
     }
 
@@ -174,7 +177,7 @@ impl Sweep {
             Ok(judgement) => {
                 variant.fill(&self.quantities, |q| q.of_judgement(&judgement));
                 if let Some(stop) = &judgement.stopped {
-                    variant.failed(Computation::Verdict, &stopped(stop));
+                    variant.failed(Computation::Verdict, &stop.reason());
                 }
             }
             Err(CriticalGapError::Interrupted) => return false,
@@ -187,33 +190,57 @@ impl Sweep {
         if !self.wants(Computation::Run) {
             return Some(());
         }
-        let cases: Vec<Case> = batch.iter().filter_map(|v| v.case.clone()).collect();
-        let mut runs = runs(&cases, stop)?.into_iter();
-        for variant in batch.iter_mut().filter(|v| v.case.is_some()) {
-            match runs.next() {
-                Some(Ok(run)) => self.record(variant, &run),
-                Some(Err(reason)) => variant.failed(Computation::Run, &reason),
-                None => {}
+        for (variant, run) in together(batch, |_| true, RunRecorder::new, stop)? {
+            match run {
+                Ok((recorder, outcome)) => self.record(variant, &recorder, &outcome),
+                Err(error) => variant.failed(Computation::Run, &error),
             }
         }
         Some(())
     }
 
-    fn record(&self, variant: &mut Variant, run: &OneRun) {
+    fn drop(&self, batch: &mut [Variant], stop: Cancellation<'_>) -> Option<()> {
+        if !self.wants(Computation::Drop) {
+            return Some(());
+        }
+        for (variant, drop) in
+            together(batch, |c| c.rotor.is_some(), |_| DropRecorder::new(), stop)?
+        {
+            match drop {
+                Ok((recorder, outcome)) => {
+                    if let Ending::Stopped(stop) = &outcome.ending {
+                        variant.failed(Computation::Drop, &stop.reason());
+                        continue;
+                    }
+                    let summary = recorder.summary(&outcome.state);
+                    let finished = FinishedDrop {
+                        summary: &summary,
+                        outcome: &outcome,
+                    };
+                    variant.fill(&self.quantities, |q| q.of_drop(&finished));
+                }
+                Err(error) => variant.failed(Computation::Drop, &error),
+            }
+        }
+        Some(())
+    }
+
+    fn record(&self, variant: &mut Variant, run: &RunRecorder, outcome: &RunOutcome) {
         let Some(case) = variant.case.clone() else {
             return;
         };
+        if let Ending::Stopped(stop) = &outcome.ending {
+            return variant.failed(Computation::Run, &stop.reason());
+        }
+        let summary = run.summary.summary();
         let finished = Finished {
             case: &case,
-            outcome: &run.outcome,
-            summary: run.summary.as_ref(),
+            outcome,
+            summary: summary.as_ref(),
             passages: &run.passages.all,
             verdict: &run.passages.verdict(&case),
             wall_s: f64::NAN,
         };
-        if let Ending::Stopped(stop) = &run.outcome.ending {
-            return variant.failed(Computation::Run, &stopped(stop));
-        }
         variant.fill(&self.quantities, |q| q.of_run(&finished));
     }
 }
@@ -294,56 +321,45 @@ impl Variant {
     }
 }
 
-struct OneRun {
-    outcome: RunOutcome,
-    summary: Option<Summary>,
+/// What a sweep records of a run.
+struct RunRecorder {
+    summary: SummaryRecorder,
     passages: Passages,
 }
 
-/// Runs of several cases, in their order; `None` if interrupted. Those that can go side by
-/// side do, which changes no bit of them.
-fn runs(cases: &[Case], stop: Cancellation<'_>) -> Option<Vec<Result<OneRun, String>>> {
-    let mut done: Vec<Option<Result<OneRun, String>>> = cases.iter().map(|_| None).collect();
-    for members in batches(cases) {
-        let mut summaries: Vec<_> = members.iter().map(|_| SummaryRecorder::new()).collect();
-        let together: Vec<&Case> = members.iter().map(|k| &cases[*k]).collect();
-        let mut passages: Vec<_> = together.iter().map(|case| Passages::new(case)).collect();
-        let mut passing: Vec<_> = passages
-            .iter_mut()
-            .zip(&together)
-            .map(|(passages, case)| passages.recorder(case))
-            .collect();
-        let mut observers: Vec<Vec<&mut dyn Observer>> = summaries
-            .iter_mut()
-            .zip(&mut passing)
-            .zip(&together)
-            .map(|((summary, passing), case)| {
-                let mut observers: Vec<&mut dyn Observer> = vec![summary];
-                if !case.raceways.is_empty() {
-                    observers.push(passing);
-                }
-                observers
-            })
-            .collect();
-        let outcomes = run_batch(&together, &mut observers, &mut |_| stop());
-        drop(passing);
-        for (((k, outcome), summary), passages) in
-            members.iter().zip(outcomes).zip(&summaries).zip(passages)
-        {
-            done[*k] = Some(match outcome {
-                Ok(outcome) if matches!(outcome.ending, Ending::Interrupted) => return None,
-                Ok(outcome) => Ok(OneRun {
-                    outcome,
-                    summary: summary.summary(),
-                    passages,
-                }),
-                Err(error) => Err(error.to_string()),
-            });
+impl RunRecorder {
+    fn new(case: &Case) -> Self {
+        Self {
+            summary: SummaryRecorder::new(),
+            passages: Passages::new(case),
         }
     }
-    done.into_iter().collect()
 }
 
-fn stopped(stop: &cageless::simulation::Stop) -> String {
-    format!("at t = {:.6} s {}", stop.time_s, stop.cause)
+impl Record for RunRecorder {
+    fn observers<'s>(&'s mut self, case: &'s Case) -> Vec<Box<dyn Observer + 's>> {
+        let mut observers: Vec<Box<dyn Observer + 's>> = vec![Box::new(&mut self.summary)];
+        if !case.raceways.is_empty() {
+            observers.push(Box::new(self.passages.recorder(case)));
+        }
+        observers
+    }
+}
+
+/// Runs the variants whose case can be run, side by side; `None` if cancelled.
+fn together<'b, R: Record>(
+    batch: &'b mut [Variant],
+    runs: impl Fn(&Case) -> bool,
+    record: impl Fn(&Case) -> R,
+    stop: Cancellation<'_>,
+) -> Option<Vec<(&'b mut Variant, Recorded<R>)>> {
+    let (variants, cases): (Vec<&mut Variant>, Vec<Case>) = batch
+        .iter_mut()
+        .filter_map(|variant| {
+            let case = variant.case.clone().filter(&runs)?;
+            Some((variant, case))
+        })
+        .unzip();
+    let done = run_together(&cases, record, |_| Box::new(move |_| stop()))?;
+    Some(variants.into_iter().zip(done).collect())
 }

@@ -281,9 +281,9 @@ impl Case {
                 &operation.radial_load_table,
             ),
         ];
-        if let Some(rotor) = &self.rotor {
-            let rule = format!("left out: {what} needs an inner ring at constant speed");
-            return Err(InputError::rule("rotor_mass_kg", rotor.mass_kg, rule));
+        if self.rotor.is_some() {
+            let why = format!("{what} needs an inner ring at constant speed");
+            return Err(InputError::rotor_left_out(why));
         }
         for (field, start, table) in tables {
             if table.is_some() {

@@ -331,6 +331,11 @@ impl Case {
             && self.raceways.iter().all(|r| r.depth_error_m() == 0.0)
     }
 
+    /// Case with a plain outer raceway in place of its discrete ones.
+    pub fn conventional(&self) -> Self {
+        self.with_raceways(vec![])
+    }
+
     /// Case with other raceways.
     pub fn with_raceways(&self, raceways: Vec<Raceway>) -> Self {
         Self {

@@ -45,12 +45,7 @@ pub struct Stop {
 
 impl std::fmt::Display for Stop {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let Self { time_s, cause, .. } = self;
-        write!(
-            f,
-            "at t = {time_s:.6} s {cause}. To change: {}.",
-            self.advice()
-        )
+        write!(f, "{}. To change: {}.", self.reason(), self.advice())
     }
 }
 
@@ -77,6 +72,11 @@ impl std::fmt::Display for Cause {
 }
 
 impl Stop {
+    /// Time and cause, without the advice.
+    pub fn reason(&self) -> String {
+        format!("at t = {:.6} s {}", self.time_s, self.cause)
+    }
+
     /// Advice on what to change.
     pub fn advice(&self) -> String {
         // To the last digit that a case file needs.

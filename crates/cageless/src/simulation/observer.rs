@@ -126,3 +126,13 @@ pub trait Observer {
     /// Ends the run.
     fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError>;
 }
+
+impl<O: Observer + ?Sized> Observer for &mut O {
+    fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
+        (**self).begin(context)
+    }
+
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+        (**self).step(view)
+    }
+}

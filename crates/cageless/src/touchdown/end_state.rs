@@ -98,6 +98,7 @@ mod tests {
             angle_max_rad: swing / 2.0,
             contact_fraction,
             force_mean_n: 1.0,
+            collisions: 0,
         }
     }
 

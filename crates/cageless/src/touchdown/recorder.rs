@@ -4,11 +4,10 @@ use super::end_state::EndState;
 use super::whirl::{WhirlTracker, WhirlWindow};
 use crate::bearing::Bearing;
 use crate::contact_tracker::ContactTracker;
-use crate::dynamics::coordinates::DropCoordinate;
 use crate::dynamics::energy::EnergyTerm;
+use crate::dynamics::outer_ring::OuterRing;
 use crate::dynamics::state::State;
 use crate::equilibrium::outer_stress_pa;
-use crate::rotor::Support;
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 
 /// Heat of each interface since the magnets let go, J.
@@ -28,6 +27,22 @@ pub struct InterfaceHeat {
     pub contact_damping_j: f64,
     /// Damping of the support.
     pub support_damping_j: f64,
+}
+
+impl InterfaceHeat {
+    /// Heat of all interfaces, J.
+    pub fn total_j(&self) -> f64 {
+        self.rotor_friction_j
+            + self.rotor_damping_j
+            + self.balls_j()
+            + self.contact_damping_j
+            + self.support_damping_j
+    }
+
+    /// Heat of friction at the balls, J.
+    pub fn balls_j(&self) -> f64 {
+        self.inner_friction_j + self.outer_friction_j + self.ball_friction_j
+    }
 }
 
 /// Results of a drop, from t = 0 to the end of the run.
@@ -70,6 +85,9 @@ pub struct DropSummary {
     pub ball_stress_max_pa: f64,
     /// Contacts between balls that began.
     pub collisions: u64,
+    /// Contacts between balls that began, per second of the last fifth of the time after the
+    /// first contact, Hz; `None` before that.
+    pub end_collision_rate_hz: Option<f64>,
     /// Largest force between balls, N.
     pub ball_force_max_n: f64,
     /// Largest |ΔVi| or |ΔVo| at contacts of the balls that carry load, m/s.
@@ -94,7 +112,8 @@ const SPUN_UP: f64 = 0.01;
 pub struct DropRecorder {
     bearing: Option<Bearing>,
     ball_radius_m: f64,
-    support: Option<Support>,
+    /// The outer ring, if it is on a support.
+    outer_ring: Option<OuterRing>,
     weight_n: f64,
     rotation: f64,
     whirl: WhirlTracker,
@@ -139,7 +158,7 @@ impl DropRecorder {
         Self {
             bearing: None,
             ball_radius_m: 0.0,
-            support: None,
+            outer_ring: None,
             weight_n: 0.0,
             rotation: 0.0,
             whirl: WhirlTracker::new(WINDOW_S),
@@ -164,14 +183,17 @@ impl DropRecorder {
         let found = self.found;
         let contact_time = found.first_contact_s.map_or(0.0, |s| self.end_s - s);
         let whirl = self.whirl.windows;
-        let end_state = match found.first_contact_s {
-            None => EndState::Falling,
-            Some(first) => {
-                let from = self.end_s - LAST * (self.end_s - first);
-                let last = whirl.partition_point(|w| w.end_s <= from);
-                EndState::classify(&whirl[last..], self.rotation)
-            }
-        };
+        let last = found.first_contact_s.map(|first| {
+            let from = self.end_s - LAST * (self.end_s - first);
+            &whirl[whirl.partition_point(|w| w.end_s <= from)..]
+        });
+        let end_state = last.map_or(EndState::Falling, |last| {
+            EndState::classify(last, self.rotation)
+        });
+        let end_collision_rate_hz = last.map(|last| {
+            let collisions: u64 = last.iter().map(|w| w.collisions).sum();
+            collisions as f64 / last.iter().map(|w| w.end_s - w.start_s).sum::<f64>()
+        });
         let most = |forces: &[f64]| forces.iter().copied().fold(0.0, f64::max);
         let backward = whirl
             .iter()
@@ -189,7 +211,7 @@ impl DropRecorder {
             },
             rotor_weight_n: self.weight_n,
             rotor_force_max_n: found.rotor_force_n,
-            housing_force_max_n: self.support.as_ref().map(|_| found.housing_force_n),
+            housing_force_max_n: self.outer_ring.map(|_| found.housing_force_n),
             housing_displacement_max_m: found.housing_displacement_m,
             rotor_slip_max_m_s: found.rotor_slip_m_s,
             spin_up_s: found.spin_up_s,
@@ -205,6 +227,7 @@ impl DropRecorder {
             inner_force_max_n: found.inner_force_n,
             outer_force_max_n: found.outer_force_n,
             collisions: found.collisions,
+            end_collision_rate_hz,
             ball_force_max_n: found.ball_force_n,
             ball_slip_max_m_s: found.ball_slip_m_s,
             backward_whirl_max_hz: backward.fold(0.0, f64::max),
@@ -253,28 +276,14 @@ impl DropRecorder {
     }
 
     fn support_force(&mut self, view: &StepView<'_, '_>) {
-        let Some(support) = &self.support else {
+        let Some(outer_ring) = &self.outer_ring else {
             return;
         };
-        let layout = view.layout();
-        let at = |coordinate| view.step.y1[layout.drop(coordinate)];
-        let (x, y) = (at(DropCoordinate::OuterX), at(DropCoordinate::OuterY));
-        let (vx, vy) = (at(DropCoordinate::OuterVx), at(DropCoordinate::OuterVy));
-        let displacement = x.hypot(y);
-        let stop = support.stop.map_or(0.0, |stop| {
-            stop.stiffness_n_m * (displacement - stop.gap_m).max(0.0)
-        });
-        // The stop pushes along the displacement.
-        let (ex, ey) = if displacement > 0.0 {
-            (x / displacement, y / displacement)
-        } else {
-            (0.0, 0.0)
-        };
-        let force = [(x, vx, ex), (y, vy, ey)]
-            .map(|(d, v, e)| support.stiffness_n_m * d + support.damping_n_s_m * v + stop * e);
+        let motion = view.layout().outer_ring_motion(&view.step.y1);
+        let [fx, fy] = outer_ring.support_force(&motion);
         let found = &mut self.found;
-        found.housing_force_n = found.housing_force_n.max(force[0].hypot(force[1]));
-        found.housing_displacement_m = found.housing_displacement_m.max(displacement);
+        found.housing_force_n = found.housing_force_n.max(fx.hypot(fy));
+        found.housing_displacement_m = found.housing_displacement_m.max(motion.x.hypot(motion.y));
     }
 
     fn ball_contacts(&mut self, view: &StepView<'_, '_>) {
@@ -282,6 +291,7 @@ impl DropRecorder {
         self.collisions.update(contacts);
         let found = &mut self.found;
         found.collisions += u64::from(self.collisions.count());
+        self.whirl.collide(self.collisions.count());
         found.ball_slip_m_s = found.ball_slip_m_s.max(contacts.slip_max_m_s());
         for k in 0..contacts.balls() {
             found.inner_force_n[k] = found.inner_force_n[k].max(contacts.inner_force_n(k));
@@ -317,7 +327,7 @@ impl Observer for DropRecorder {
         let balls = context.model.balls();
         self.weight_n = rotor.mass_kg * case.operation.gravity_m_s2;
         self.rotation = rotor.speed_rad_s;
-        self.support = case.support.clone();
+        self.outer_ring = (case.support.as_ref()).map(|support| OuterRing::new(Some(support)));
         self.ball_radius_m = case.bearing.ball_radius_m();
         self.bearing = Some(case.bearing.clone());
         self.collisions = ContactTracker::new(balls);
@@ -328,9 +338,9 @@ impl Observer for DropRecorder {
 
     fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         self.end_s = view.step.t1_s;
+        self.ball_contacts(view);
         self.rotor_contact(view);
         self.support_force(view);
-        self.ball_contacts(view);
         Ok(Control::Continue(()))
     }
 }

@@ -23,6 +23,8 @@ pub struct WhirlWindow {
     pub contact_fraction: f64,
     /// Mean contact force, N.
     pub force_mean_n: f64,
+    /// Contacts between balls that began.
+    pub collisions: u64,
 }
 
 impl WhirlWindow {
@@ -40,6 +42,7 @@ pub(super) struct WhirlTracker {
     open: WhirlWindow,
     contact_s: f64,
     impulse_n_s: f64,
+    collisions: u64,
     pub(super) windows: Vec<WhirlWindow>,
 }
 
@@ -52,6 +55,7 @@ impl WhirlTracker {
             open: Self::empty(0.0, 0.0),
             contact_s: 0.0,
             impulse_n_s: 0.0,
+            collisions: 0,
             windows: vec![],
         }
     }
@@ -66,7 +70,13 @@ impl WhirlTracker {
             angle_max_rad: angle_rad,
             contact_fraction: 0.0,
             force_mean_n: 0.0,
+            collisions: 0,
         }
+    }
+
+    /// Takes the contacts between balls that began in the step of the next update.
+    pub(super) fn collide(&mut self, collisions: u32) {
+        self.collisions += u64::from(collisions);
     }
 
     /// Takes the end of a step: unit vector from the centre of the bore to that of the journal,
@@ -108,6 +118,7 @@ impl WhirlTracker {
         if length > 0.0 {
             window.contact_fraction = (self.contact_s / length).min(1.0);
             window.force_mean_n = self.impulse_n_s / length;
+            window.collisions = std::mem::take(&mut self.collisions);
             self.windows.push(window);
         }
         self.open = Self::empty(window.end_s, self.angle_rad.unwrap_or(0.0));
@@ -126,6 +137,7 @@ mod tests {
         for k in 1..=3000 {
             let time = f64::from(k) * step;
             let (sin, cos) = (rate * time).sin_cos();
+            tracker.collide(u32::from(k % 100 == 0));
             tracker.update([cos, sin], time, step, 10.0);
         }
         tracker.close();
@@ -135,6 +147,7 @@ mod tests {
             assert!((window.path_rad + window.turned_rad).abs() < 1e-9);
             assert!((window.force_mean_n - 10.0).abs() < 1e-9);
             assert!((window.contact_fraction - 1.0).abs() < 1e-9);
+            assert_eq!(window.collisions, 10);
         }
     }
 }

@@ -37,9 +37,9 @@ pub(super) struct Samples<'a> {
 
 /// Statistics of one result at the step and at half the step, in the unit of the result.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Judgement {
+pub struct Judgement<Q = Quantity> {
     /// Result that is classified.
-    pub quantity: Quantity,
+    pub quantity: Q,
     /// Classification.
     pub verdict: Convergence,
     /// Value of the run.
@@ -68,10 +68,10 @@ pub struct Judgement {
     pub beyond_predictability: bool,
 }
 
-impl Judgement {
+impl<Q> Judgement<Q> {
     /// Classifies a result.
     pub(super) fn new(
-        quantity: Quantity,
+        quantity: Q,
         samples: &Samples<'_>,
         tolerance: f64,
         z_limit: f64,

@@ -45,6 +45,60 @@ pub const TOLERANCE: f64 = 1e-3;
 /// deviations of a normal distribution.
 const FALSE_ALARM: f64 = 0.0027;
 
+/// Judges one result from its values in all [`replicas`]: that of the run itself first. A converged
+/// one changes by [`TOLERANCE`] of `scale` at most; one that is `lost` lies beyond the
+/// predictability time.
+///
+/// # Panics
+/// If the values are not those of `replicas(case, large)`, large ≥ 1.
+pub fn judge<Q>(quantity: Q, values: &[(Role, f64)], scale: f64, lost: bool) -> Judgement<Q> {
+    let [perturbed, full, half]: [Vec<f64>; 3] = Sample::ALL.map(|sample| {
+        let of_sample = sample.of(values, |(role, _)| *role);
+        of_sample.into_iter().map(|(_, value)| *value).collect()
+    });
+    let samples = convergence::Samples {
+        perturbed: &perturbed,
+        full: &full,
+        half: &half,
+    };
+    let limit = z_limit(full.len());
+    Judgement::new(quantity, &samples, TOLERANCE * scale, limit, lost)
+}
+
+/// |z| above which a number from so many runs at either step is biased.
+pub fn z_limit(replicas: usize) -> f64 {
+    two_sided_limit(FALSE_ALARM, 2 * replicas - 2)
+}
+
+/// Replicas that are compared with each other.
+#[derive(Clone, Copy)]
+enum Sample {
+    /// Given start and small perturbations.
+    Perturbed,
+    /// Given start and large perturbations.
+    Full,
+    /// The same at half the step.
+    Half,
+}
+
+impl Sample {
+    const ALL: [Self; 3] = [Self::Perturbed, Self::Full, Self::Half];
+
+    fn of<T>(self, records: &[T], role: impl Fn(&T) -> Role) -> Vec<&T> {
+        let wanted = |r: &&T| {
+            let role = role(r);
+            match self {
+                Self::Perturbed => !role.half_step && role.perturbation != Perturbation::Large,
+                Self::Full => !role.half_step && role.perturbation != Perturbation::Small,
+                Self::Half => role.half_step,
+            }
+        };
+        let found: Vec<&T> = records.iter().filter(wanted).collect();
+        assert!(found.len() >= 2, "records of all replicas");
+        found
+    }
+}
+
 /// Verification of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verification {
@@ -80,41 +134,25 @@ impl Verification {
     /// # Panics
     /// If the records are not those of `replicas(case, far)`, far ≥ 1.
     pub fn new(case: &Case, records: &[Record]) -> Result<Self, InputError> {
-        let pick = |wanted: &dyn Fn(&Role) -> bool| -> Vec<&Record> {
-            records.iter().filter(|r| wanted(&r.role)).collect()
-        };
-        let full = pick(&|role| !role.half_step && role.perturbation != Perturbation::Small);
-        let half = pick(&|role| role.half_step);
-        let perturbed = pick(&|role| !role.half_step && role.perturbation != Perturbation::Large);
-        let count = full.len();
-        assert!(
-            count >= 2 && half.len() == count && perturbed.len() >= 2,
-            "records of all replicas"
-        );
+        let [perturbed, full, half] = Sample::ALL.map(|sample| sample.of(records, |r| r.role));
         let divergence = Divergence::new(case, &perturbed, half[0])?;
-        let z_limit = two_sided_limit(FALSE_ALARM, 2 * count - 2);
         let judgements = Quantity::ALL
             .into_iter()
             .map(|quantity| {
-                let of = |records: &[&Record]| -> Vec<f64> {
-                    records.iter().map(|r| r.value(quantity)).collect()
-                };
-                let samples = convergence::Samples {
-                    perturbed: &of(&perturbed),
-                    full: &of(&full),
-                    half: &of(&half),
-                };
-                let tolerance = TOLERANCE * quantity.scale(case, samples.full[0]);
+                let values: Vec<_> = (records.iter())
+                    .map(|r| (r.role, r.value(quantity)))
+                    .collect();
+                let scale = quantity.scale(case, full[0].value(quantity));
                 let lost = quantity.is_point() && divergence.predictability_time_s.is_some();
-                Judgement::new(quantity, &samples, tolerance, z_limit, lost)
+                judge(quantity, &values, scale, lost)
             })
             .collect();
         Ok(Self {
             step_s: case.solver.step_s,
             duration_s: case.solver.duration_s,
-            replicas: count,
+            replicas: full.len(),
             tolerance: TOLERANCE,
-            z_limit,
+            z_limit: z_limit(full.len()),
             judgements,
             divergence,
             energy_residual_relative: [

@@ -1,0 +1,49 @@
+//! Runs of several cases side by side, each with observers of its own.
+
+use cageless::Case;
+use cageless::equilibrium::EquilibriumError;
+use cageless::simulation::{Control, Ending, Observer, RunOutcome, batches, run_batch};
+
+/// What is recorded of a run.
+pub(crate) trait Record {
+    /// Observers of the run of `case`.
+    fn observers<'s>(&'s mut self, case: &'s Case) -> Vec<Box<dyn Observer + 's>>;
+}
+
+/// Outcome of a run with what was recorded of it.
+pub(crate) type Recorded<R> = Result<(R, RunOutcome), EquilibriumError>;
+
+/// Runs of several cases in their order, each recorded by what `record` makes of its case;
+/// `None` if interrupted. Those that can go side by side do, which changes no bit of them.
+/// `control` has the control of a run of so many cases together.
+pub(crate) fn run_together<'c, R: Record>(
+    cases: &[Case],
+    record: impl Fn(&Case) -> R,
+    control: impl Fn(usize) -> Box<dyn FnMut(f64) -> Control + 'c>,
+) -> Option<Vec<Recorded<R>>> {
+    let mut done: Vec<Option<Recorded<R>>> = cases.iter().map(|_| None).collect();
+    for members in batches(cases) {
+        let together: Vec<&Case> = members.iter().map(|k| &cases[*k]).collect();
+        let mut records: Vec<R> = together.iter().map(|case| record(case)).collect();
+        let outcomes = {
+            let mut boxed: Vec<Vec<Box<dyn Observer + '_>>> = (records.iter_mut().zip(&together))
+                .map(|(record, case)| record.observers(case))
+                .collect();
+            let mut observers: Vec<Vec<&mut dyn Observer>> = boxed
+                .iter_mut()
+                .map(|of_run| {
+                    let references = of_run.iter_mut().map(|o| &mut **o as &mut dyn Observer);
+                    references.collect()
+                })
+                .collect();
+            run_batch(&together, &mut observers, &mut *control(members.len()))
+        };
+        for ((k, outcome), record) in members.iter().zip(outcomes).zip(records) {
+            done[*k] = Some(match outcome {
+                Ok(outcome) if matches!(outcome.ending, Ending::Interrupted) => return None,
+                outcome => outcome.map(|outcome| (record, outcome)),
+            });
+        }
+    }
+    done.into_iter().collect()
+}
