@@ -8,12 +8,14 @@ use cageless::equilibrium::solve;
 use cageless_io::cad::ExportOptions;
 use cageless_io::case_file;
 use cageless_study::StaticResult;
+use cageless_study::drop::DropRequest;
 use cageless_study::tolerance::Request;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::background::Background;
 use crate::design::{Design, Search, judge};
+use crate::drop::Drop;
 use crate::errors::{input, of_file, of_start, of_values, other};
 use crate::export;
 use crate::run::{Run, simulate};
@@ -121,6 +123,24 @@ impl CaseFile {
     ) -> PyResult<Run> {
         let background = Background::new(threads, progress)?;
         simulate(py, &self.file, verify.then_some(background))
+    }
+
+    /// Drops the rotor of the case.
+    fn drop(
+        &self,
+        py: Python<'_>,
+        compare: bool,
+        samples: Option<i64>,
+        verify: bool,
+        threads: Option<i64>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Drop> {
+        let request = DropRequest {
+            compare,
+            samples: samples.map(|n| whole("samples", n)).transpose()?,
+            verify,
+        };
+        Drop::compute(py, &self.file, request, Background::new(threads, progress)?)
     }
 
     /// `static --json`.

@@ -5,6 +5,7 @@ mod arrays;
 mod background;
 mod case_file;
 mod design;
+mod drop;
 mod errors;
 mod export;
 mod report;
@@ -23,6 +24,7 @@ fn _cageless(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", cageless_io::results::VERSION)?;
     module.add_class::<case_file::CaseFile>()?;
     module.add_class::<run::Run>()?;
+    module.add_class::<drop::Drop>()?;
     module.add_class::<design::Design>()?;
     module.add_class::<design::Search>()?;
     module.add_class::<tolerance::Tolerance>()?;

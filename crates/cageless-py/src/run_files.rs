@@ -3,7 +3,9 @@
 use std::path::Path;
 
 use cageless::{Collision, RingSnapshot, Snapshot};
-use cageless_io::results::{BALLS, COLLISIONS, Column, Metadata, RING, RunWriter, read_run_table};
+use cageless_io::results::{
+    BALLS, COLLISIONS, Column, Metadata, RING, ROTOR, RunWriter, read_run_table,
+};
 use cageless_study::Stopped;
 use numpy::ndarray::{ArrayD, IxDyn};
 use numpy::{IntoPyArray, PyReadonlyArrayDyn};
@@ -17,7 +19,12 @@ use crate::errors::{input, of_results, other};
 #[pyfunction]
 pub fn run_units(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
     let tables = PyDict::new(py);
-    for (name, columns) in [("balls", BALLS), ("ring", RING), ("collisions", COLLISIONS)] {
+    for (name, columns) in [
+        ("balls", BALLS),
+        ("ring", RING),
+        ("collisions", COLLISIONS),
+        ("rotor", ROTOR),
+    ] {
         let units = PyDict::new(py);
         for column in columns {
             units.set_item(column.name, column.unit)?;

@@ -21,6 +21,7 @@ from .errors import CagelessError, ColumnError, InputError, UnphysicalError
 from .exports import Export
 from .plan import Plan, span
 from .designs import Design
+from .drops import Drop
 from .runs import Run
 from .statics import Static
 from .searches import SearchMap, SearchResult
@@ -50,6 +51,7 @@ __all__ = [
     "Verification",
     "Contact",
     "Design",
+    "Drop",
     "Export",
     "Housing",
     "InputError",

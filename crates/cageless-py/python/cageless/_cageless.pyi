@@ -10,6 +10,7 @@ __all__ = [
     "CaseFile",
     "Collection",
     "Design",
+    "Drop",
     "Report",
     "Run",
     "Search",
@@ -57,6 +58,14 @@ class CaseFile:
         threads: int | None,
         progress: Callable[[str, float], object] | None,
     ) -> Run: ...
+    def drop(
+        self,
+        compare: bool,
+        samples: int | None,
+        verify: bool,
+        threads: int | None,
+        progress: Callable[[str, float], object] | None,
+    ) -> Drop: ...
     def static_equilibrium(self) -> str: ...
     def design(self) -> tuple[Design, Exception | None]: ...
     def search(
@@ -106,6 +115,14 @@ class Run:
         balls: Sequence[int] | None = None,
         time_s: tuple[float, float] | None = None,
     ) -> str: ...
+    def page(self) -> str: ...
+
+@final
+class Drop:
+    def arrays(self) -> dict[str, dict[str, npt.NDArray[Any]]]: ...
+    def summary(self) -> str: ...
+    def stopped(self) -> str | None: ...
+    def save(self, dir: str) -> None: ...
     def page(self) -> str: ...
 
 @final

@@ -12,6 +12,7 @@ from . import _cageless
 from .errors import InputError, UnphysicalError
 from .exports import Export
 from .designs import Design
+from .drops import Drop
 from .runs import Run
 from .statics import Static
 from .searches import SearchResult
@@ -84,6 +85,48 @@ class Computations(ABC):
             error.run = run
             raise error
         return run
+
+    def drop(
+        self,
+        *,
+        compare: bool = False,
+        samples: int | None = None,
+        verify: bool = False,
+        threads: int | None = None,
+        progress: Callable[[str, float], object] | None = None,
+    ) -> Drop:
+        """Drops the rotor of the case onto the bearing, as ``cageless drop`` does.
+
+        Parameters
+        ----------
+        compare : bool
+            Drop it onto the same bearing with a conventional outer ring as well.
+        samples : int, optional
+            Number of further drops with scattered friction, air gap, support damping, direction
+            of the unbalance and arrangement of the balls.
+        verify : bool
+            Repeat the drop from perturbed starts and at half the step; ``data_verification()``
+            classifies the results as converged, statistical or step-biased.
+        threads : int, optional
+            Number of threads; default: number of cores.
+        progress : callable, optional
+            Called repeatedly with the name of the task and its completed fraction, 0 to 1.
+
+        Returns
+        -------
+        Drop
+
+        Raises
+        ------
+        InputError
+            If the case has no rotor.
+        UnphysicalError
+            If the drop left the physical range.
+        """
+        drop = Drop(self._file.drop(compare, samples, verify, threads, progress))
+        if drop.stopped is not None:
+            raise UnphysicalError(drop.stopped)
+        return drop
 
     def static(self) -> Static:
         """Static equilibrium: ring displacement, load of each ball, contact stress.

@@ -68,6 +68,11 @@ def load(path: str | os.PathLike[str]) -> Result:
     if not found:
         what = "holds no result" if path.is_dir() else "is not there"
         raise InputError(f"{path}: {what}: one of {', '.join(KINDS)} is expected in a folder")
+    if "run" in found.values() and not (path / "report.json").is_file():
+        message = f"{path}: is no run that load reads"
+        if (path / "rotor.parquet").is_file():
+            message += "; the tables of a drop are Parquet files, its results summary.json"
+        raise InputError(message)
     if len(found) > 1:
         listed = ", ".join(found)
         raise InputError(f"{path}: holds several results: {listed}; take a folder for each")

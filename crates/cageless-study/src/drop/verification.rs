@@ -4,7 +4,8 @@ use cageless::Case;
 use cageless::simulation::Ending;
 use cageless::touchdown::DropRecorder;
 use cageless::verification::{
-    Convergence, Judgement, LARGE_PERTURBATIONS, Replica, Role, TOLERANCE, judge, replicas, z_limit,
+    Convergence, Judgement, LARGE_PERTURBATIONS, Perturbation, Replica, Role, TOLERANCE, judge,
+    replicas, z_limit,
 };
 use rayon::prelude::*;
 use serde::ser::{Serialize, SerializeStruct, Serializer};
@@ -73,7 +74,9 @@ impl DropVerification {
                 Some(judge(quantity, &values, values[0].1.abs(), false))
             });
         let states = |half_step: bool| -> Vec<String> {
-            let of_step = drops.iter().filter(|(r, _)| r.half_step == half_step);
+            let of_step = drops
+                .iter()
+                .filter(|(r, _)| r.half_step == half_step && r.perturbation != Perturbation::Small);
             of_step.map(|(_, d)| d.end_state().to_owned()).collect()
         };
         Self {

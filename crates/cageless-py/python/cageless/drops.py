@@ -1,0 +1,204 @@
+"""Drops of a rotor and their results."""
+
+from __future__ import annotations
+
+import difflib
+import json
+import os
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _cageless, folders, pages
+from .errors import ColumnError
+from .tables import Tables
+from .units import with_units
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+__all__ = ["Drop"]
+
+
+class Drop(Tables):
+    """The drop of a rotor; two are equal if their cases and all of their results are.
+
+    Units and meanings are those of the files of ``cageless drop``.
+    """
+
+    def __init__(self, drop: _cageless.Drop) -> None:
+        self._drop = drop
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Drop) or self.summary != other.summary:
+            return False
+        return all(
+            np.array_equal(array, other._arrays[of][name], equal_nan=True)
+            for of, columns in self._arrays.items()
+            for name, array in columns.items()
+        )
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return f"<Drop: {self.end_state} after {self.summary['end_s']:g} s>"
+
+    @cached_property
+    def _arrays(self) -> dict[str, dict[str, npt.NDArray[Any]]]:
+        return self._drop.arrays()
+
+    @cached_property
+    def summary(self) -> dict[str, Any]:
+        """``summary.json``: results, the case as run; under ``conventional``, ``ensemble`` and
+        ``verification`` what was asked for beside the drop."""
+        found: dict[str, Any] = json.loads(self._drop.summary())
+        return found
+
+    @property
+    def stopped(self) -> str | None:
+        """Reason of an early stop; None if the drop completed."""
+        return self._drop.stopped()
+
+    @property
+    def warnings(self) -> list[str]:
+        """What was asked for and could not be computed, and why."""
+        return list(self.summary["warnings"])
+
+    @property
+    def end_state(self) -> str:
+        """What the rotor does at the end: ``falling``, ``at-rest``, ``pendulum``, ``bouncing``,
+        ``forward-whirl`` or ``backward-whirl``."""
+        return str(self.summary["end_state"])
+
+    @property
+    def backward_whirl_probability(self) -> float | None:
+        """Fraction of the scattered drops that end in backward whirl; None without them."""
+        found: float | None = self.summary.get("ensemble", {}).get("backward_whirl_probability")
+        return found
+
+    @property
+    def backward_whirl_interval(self) -> tuple[float, float] | None:
+        """95 % interval of that probability."""
+        found = self.summary.get("ensemble", {}).get("backward_whirl_interval")
+        return None if found is None else (found[0], found[1])
+
+    def _column(self, of: str, column: str) -> npt.NDArray[Any]:
+        columns = self._arrays[of]
+        if column in columns:
+            return columns[column]
+        near = difflib.get_close_matches(str(column), columns, 1)
+        hint = f"did you mean {near[0]}? " if near else ""
+        listed = ", ".join(columns)
+        raise ColumnError(f"{column!r} is not a column of {of}: {hint}its columns are {listed}")
+
+    @property
+    def time_s(self) -> npt.NDArray[np.float64]:
+        """Output times."""
+        return self._arrays["rotor"]["time_s"]
+
+    def rotor(self, column: str) -> npt.NDArray[np.float64]:
+        """A column of ``rotor.parquet``.
+
+        Raises
+        ------
+        ColumnError
+            If there is no such column; also a ``KeyError``.
+        """
+        return self._column("rotor", column)
+
+    def balls(self, column: str) -> npt.NDArray[np.float64]:
+        """A column of ``balls.parquet`` as (times, balls)."""
+        return self._column("balls", column)
+
+    def ring(self, column: str) -> npt.NDArray[np.float64]:
+        """A column of ``ring.parquet``."""
+        return self._column("ring", column)
+
+    def collisions(self, column: str) -> npt.NDArray[Any]:
+        """A column of ``collisions.parquet``."""
+        return self._column("collisions", column)
+
+    def _table(self, of: str) -> pd.DataFrame:
+        import pandas as pd
+
+        return with_units(pd.DataFrame(self._arrays[of]), _cageless.run_units()[of])
+
+    def data_rotor(self) -> pd.DataFrame:
+        """``rotor.parquet``: a row per output time."""
+        return self._table("rotor")
+
+    def data_ring(self) -> pd.DataFrame:
+        """``ring.parquet``: a row per output time."""
+        return self._table("ring")
+
+    def data_collisions(self) -> pd.DataFrame:
+        """``collisions.parquet``: a row per contact of two balls."""
+        return self._table("collisions")
+
+    def data_balls(self) -> pd.DataFrame:
+        """``balls.parquet``: a row per output time and ball."""
+        import pandas as pd
+
+        times, balls = self.balls("angle_rad").shape
+        frame = {
+            "time_s": np.repeat(self._arrays["ring"]["time_s"], balls),
+            "ball": np.tile(np.arange(1, balls + 1, dtype=np.int32), times),
+        }
+        frame |= {name: array.reshape(-1) for name, array in self._arrays["balls"].items()}
+        return with_units(pd.DataFrame(frame), _cageless.run_units()["balls"])
+
+    def data_windows(self) -> pd.DataFrame:
+        """Whirl of the rotor and collisions between balls, a row per 5 ms."""
+        import pandas as pd
+
+        return pd.DataFrame(self.summary["windows"])
+
+    def data_drops(self) -> pd.DataFrame:
+        """The scattered drops: what was drawn for each, and its scalar results. Empty without
+        ``samples``."""
+        import pandas as pd
+
+        rows = []
+        for drop in self.summary.get("ensemble", {}).get("drops", []):
+            numbers = drop["result"].items()
+            scalars = {k: v for k, v in numbers if not isinstance(v, (list, dict))}
+            rows.append({k: v for k, v in drop.items() if k != "result"} | scalars)
+        return pd.DataFrame(rows)
+
+    def data_verification(self) -> pd.DataFrame:
+        """Judgement of each result by a verified drop. Empty without ``verify=True``."""
+        import pandas as pd
+
+        frame = pd.DataFrame(self.summary.get("verification", {}).get("numbers", []))
+        return frame.set_index("name") if len(frame) else frame
+
+    def _tables(self) -> dict[str, pd.DataFrame]:
+        tables = {
+            "rotor": self.data_rotor(),
+            "balls": self.data_balls(),
+            "ring": self.data_ring(),
+            "collisions": self.data_collisions(),
+            "windows": self.data_windows(),
+        }
+        if "ensemble" in self.summary:
+            tables["drops"] = self.data_drops()
+        return tables
+
+    def save(self, folder: str | os.PathLike[str]) -> Path:
+        """Writes what ``cageless drop --out`` writes: tables, ``summary.json`` and the page.
+
+        Returns
+        -------
+        Path
+            The folder, which is created.
+        """
+        path = folders.make(folder)
+        self._drop.save(os.fspath(path))
+        return path
+
+    def report(self, path: str | os.PathLike[str]) -> Path:
+        """Writes the page of ``cageless drop --out``."""
+        return pages.write(path, self._drop.page())
