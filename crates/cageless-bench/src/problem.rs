@@ -9,6 +9,7 @@ use cageless::{Case, FrictionLaw, Profile};
 use cageless_io::case_file::CaseFile;
 
 const CASE: &str = include_str!("../../../cases/cb74.toml");
+const STRUCTURE_D: &str = include_str!("../../../cases/zhao-d.toml");
 const REFERENCE: &str = include_str!("../../cageless-io/tests/reference/cb74_2ms.csv");
 
 /// Time at which the reference trajectory gives the state.
@@ -27,6 +28,15 @@ pub fn cb74(overrides: &[String]) -> Result<Case> {
         "the bench knows CB74 in the physical profile with the smooth law only"
     );
     Ok(case)
+}
+
+/// Structure (d) of the paper with overrides as the command line takes them.
+///
+/// # Errors
+/// A key or value that the case file does not admit.
+pub fn structure_d(overrides: &[String]) -> Result<Case> {
+    let file = CaseFile::parse(STRUCTURE_D, "zhao-d.toml", overrides)?;
+    Ok(file.case().clone())
 }
 
 /// The 5 N + 4 states without padding and energy ledger, each over its scale: x of every

@@ -29,6 +29,12 @@ pub struct Options {
     /// Turn of the start from one member to the next, rad.
     #[arg(long, default_value_t = TURN_RAD)]
     turn_rad: f64,
+    /// Window that is averaged over, s; the published ensemble has 0.1 to 0.4.
+    #[arg(long, num_args = 2, default_values_t = [0.1, 0.4])]
+    window_s: Vec<f64>,
+    /// Structure (d) of the paper in place of CB74.
+    #[arg(long, requires = "against_step_us")]
+    structure_d: bool,
     /// Compute each bearing for itself instead of several side by side.
     #[arg(long)]
     alone: bool,
@@ -43,6 +49,9 @@ pub struct Options {
     /// `--against-method`, instead of with the reference one.
     #[arg(long)]
     against_step_us: Option<f64>,
+    /// Members of that ensemble; as many as of the first if not given.
+    #[arg(long)]
+    against_members: Option<usize>,
     /// Method of that ensemble.
     #[arg(long, default_value = "abm4")]
     against_method: String,
@@ -50,11 +59,19 @@ pub struct Options {
 
 /// Steps between two samples of the ball speeds, which hardly change in between.
 const BALLS_EVERY: u64 = 8;
+/// Number of statistics.
+pub const STATISTICS: usize = 6;
+/// Their names, with units.
+pub const NAMES: [&str; STATISTICS] = [
+    "ring mean y, µm",
+    "ring std y, µm",
+    "ring std x, µm",
+    "mean ball speed, m/s",
+    "mean spin, rad/s",
+    "onsets of contact",
+];
 /// Between one member of the reference ensemble and the next.
 const TURN_RAD: f64 = 1.7e-11;
-/// What is averaged over.
-const WINDOW_S: [f64; 2] = [0.1, 0.4];
-
 /// One statistic of the reference ensemble (RK4, 0.5 µs): mean, spread of one member.
 #[derive(Debug, Clone, Copy)]
 struct Published {
@@ -64,13 +81,13 @@ struct Published {
     digits: usize,
 }
 
-const PUBLISHED: [Published; 6] = [
-    published("ring mean y, µm", -22.5219, 0.0037, 4),
-    published("ring std y, µm", 0.135, 0.009, 4),
-    published("ring std x, µm", 0.165, 0.011, 4),
-    published("mean ball speed, m/s", 11.3830, 0.000_07, 5),
-    published("mean spin, rad/s", 2420.66, 0.007, 4),
-    published("onsets of contact", 82.0, 29.0, 1),
+const PUBLISHED: [Published; STATISTICS] = [
+    published(NAMES[0], -22.5219, 0.0037, 4),
+    published(NAMES[1], 0.135, 0.009, 4),
+    published(NAMES[2], 0.165, 0.011, 4),
+    published(NAMES[3], 11.3830, 0.000_07, 5),
+    published(NAMES[4], 2420.66, 0.007, 4),
+    published(NAMES[5], 82.0, 29.0, 1),
 ];
 
 const fn published(name: &'static str, mean: f64, spread: f64, digits: usize) -> Published {
@@ -124,7 +141,7 @@ impl Sums {
     }
 
     /// The statistics in the order and the units of [`PUBLISHED`].
-    pub fn statistics(&self) -> [f64; 6] {
+    pub fn statistics(&self) -> [f64; STATISTICS] {
         let mean = |sum: f64| sum / self.time_s;
         let deviation =
             |sum: f64, squares: f64| 1e6 * (mean(squares) - mean(sum).powi(2)).max(0.0).sqrt();
@@ -181,15 +198,24 @@ impl Observer for Sums {
 ///
 /// # Errors
 /// The case is impossible, or a member did not get to the end.
-fn ensemble(options: &Options, method: &str, step_us: f64) -> Result<Vec<[f64; 6]>> {
+fn ensemble(
+    options: &Options,
+    method: &str,
+    step_us: f64,
+    members: usize,
+) -> Result<Vec<[f64; STATISTICS]>> {
     let mut overrides = vec![
         format!("solver.method={method}"),
         format!("solver.step_us={step_us:?}"),
-        format!("solver.duration_s={:?}", WINDOW_S[1]),
+        format!("solver.duration_s={:?}", options.window_s[1]),
     ];
     overrides.extend(options.set.iter().cloned());
-    let case = problem::cb74(&overrides)?;
-    let cases: Vec<Case> = (0..options.members)
+    let case = if options.structure_d {
+        problem::structure_d(&overrides)?
+    } else {
+        problem::cb74(&overrides)?
+    };
+    let cases: Vec<Case> = (0..members)
         .map(|member| {
             let mut case = case.clone();
             let (Start::Rolling {
@@ -213,17 +239,17 @@ fn ensemble(options: &Options, method: &str, step_us: f64) -> Result<Vec<[f64; 6
     } else {
         simulation::batches(&cases)
     };
-    let statistics: Vec<Vec<[f64; 6]>> = batches
+    let statistics: Vec<Vec<[f64; STATISTICS]>> = batches
         .into_par_iter()
-        .map(|batch| together(&cases, &batch))
+        .map(|batch| together(&cases, &batch, options.window_s[0]))
         .collect::<Result<_>>()?;
     Ok(statistics.concat())
 }
 
 /// Members of one batch, side by side.
-fn together(cases: &[Case], batch: &[usize]) -> Result<Vec<[f64; 6]>> {
+fn together(cases: &[Case], batch: &[usize], from_s: f64) -> Result<Vec<[f64; STATISTICS]>> {
     let members: Vec<&Case> = batch.iter().map(|k| &cases[*k]).collect();
-    let mut sums: Vec<Sums> = batch.iter().map(|_| Sums::new(WINDOW_S[0])).collect();
+    let mut sums: Vec<Sums> = batch.iter().map(|_| Sums::new(from_s)).collect();
     let mut observers: Vec<Vec<&mut dyn Observer>> = sums
         .iter_mut()
         .map(|s| vec![s as &mut dyn Observer])
@@ -246,7 +272,7 @@ fn together(cases: &[Case], batch: &[usize]) -> Result<Vec<[f64; 6]>> {
 }
 
 /// Mean over the members and standard deviation of one, of statistic `at`.
-fn mean_and_spread(members: &[[f64; 6]], at: usize) -> (f64, f64) {
+fn mean_and_spread(members: &[[f64; STATISTICS]], at: usize) -> (f64, f64) {
     let k = members.len() as f64;
     let mean = members.iter().map(|m| m[at]).sum::<f64>() / k;
     let squares: f64 = members.iter().map(|m| (m[at] - mean).powi(2)).sum();
@@ -262,13 +288,18 @@ pub fn run(options: &Options) -> Result<()> {
         bail!("--members must be 2 or more, --reference-members 1 or more: one has no spread");
     }
     let clock = Instant::now();
-    let members = ensemble(options, &options.method, options.step_us)?;
+    let members = ensemble(options, &options.method, options.step_us, options.members)?;
     let wall_s = clock.elapsed().as_secs_f64();
     let mut reference = PUBLISHED;
     let mut reference_members = options.reference_members;
     let mut source = "published (RK4, 0.5 µs)".to_owned();
     if let Some(step_us) = options.against_step_us {
-        let own = ensemble(options, &options.against_method, step_us)?;
+        let own = ensemble(
+            options,
+            &options.against_method,
+            step_us,
+            options.against_members.unwrap_or(options.members),
+        )?;
         for (at, statistic) in reference.iter_mut().enumerate() {
             (statistic.mean, statistic.spread) = mean_and_spread(&own, at);
         }
@@ -276,18 +307,23 @@ pub fn run(options: &Options) -> Result<()> {
         source = format!("{}, {step_us} µs", options.against_method);
     }
     println!(
-        "CB74, {}, {} µs, {} members, {} to {} s; {wall_s:.1} s on {} threads",
+        "{}, {}, {} µs, {} members, {} to {} s; {wall_s:.1} s on {} threads",
+        if options.structure_d {
+            "structure (d)"
+        } else {
+            "CB74"
+        },
         options.method,
         options.step_us,
         members.len(),
-        WINDOW_S[0],
-        WINDOW_S[1],
+        options.window_s[0],
+        options.window_s[1],
         rayon::current_num_threads()
     );
     let threads = rayon::current_num_threads() as f64;
     println!(
         "{:.4} s of a core per bearing and simulated second, {}",
-        wall_s * threads / members.len() as f64 / WINDOW_S[1],
+        wall_s * threads / members.len() as f64 / options.window_s[1],
         if options.alone {
             "each for itself"
         } else {

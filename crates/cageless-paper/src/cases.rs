@@ -14,7 +14,7 @@
 use cageless::{Bearing, Case, FrictionLaw, Profile};
 use cageless_io::case_file::{CaseError, CaseFile, template};
 
-use cageless_study::{RacewayLabel, law_name, profile_name};
+use cageless_study::{RacewayLabel, profile_name};
 
 /// A row of Table 2 with the judgement of Section 4.3.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -154,7 +154,7 @@ pub fn structure(
 fn reading_overrides((profile, law): (Profile, FrictionLaw)) -> [String; 2] {
     [
         format!("model.profile=\"{}\"", profile_name(profile)),
-        format!("contact.friction_law=\"{}\"", law_name(law)),
+        format!("contact.friction_law=\"{}\"", law.name()),
     ]
 }
 

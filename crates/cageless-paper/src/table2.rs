@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 use crate::cases::{self, ODD_ROW, PUBLISHED, label};
 use crate::error::PaperError;
-use cageless_study::{Work, law_name, profile_name};
+use cageless_study::{Work, profile_name};
 
 /// Columns.
 const VARIANTS: [(Profile, FrictionLaw); 4] = [
@@ -225,7 +225,7 @@ pub fn compute(progress: &dyn Work) -> Result<Computed, PaperError> {
         for change in &changes {
             spreads.push(Spread {
                 cause: change.cause.to_owned(),
-                variant: format!("{}, {}", profile_name(profile), law_name(law)),
+                variant: format!("{}, {}", profile_name(profile), law.name()),
                 change_deg: (0..10)
                     .map(|row| {
                         let before = find(column, row, &base)?;
@@ -242,7 +242,7 @@ pub fn compute(progress: &dyn Work) -> Result<Computed, PaperError> {
                 .iter()
                 .map(|&(profile, law)| Variant {
                     profile: profile_name(profile).to_owned(),
-                    friction_law: law_name(law).to_owned(),
+                    friction_law: law.name().to_owned(),
                 })
                 .collect(),
             rows,
@@ -286,7 +286,7 @@ impl Computed {
     /// Largest |change| of a spread over the rows, degrees.
     pub fn spread_deg(&self, cause: &str, column: usize) -> f64 {
         let (profile, law) = VARIANTS[column];
-        let variant = format!("{}, {}", profile_name(profile), law_name(law));
+        let variant = format!("{}, {}", profile_name(profile), law.name());
         self.table
             .spreads
             .iter()

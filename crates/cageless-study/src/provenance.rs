@@ -1,6 +1,6 @@
 //! The settings under which a number was computed.
 
-use cageless::{Case, FrictionLaw, Method, Profile};
+use cageless::{Case, Method, Profile};
 use serde::{Deserialize, Serialize};
 
 use crate::number_text::short;
@@ -63,31 +63,12 @@ pub fn method_name(method: Method) -> &'static str {
     }
 }
 
-/// Name of a friction law in files.
-pub fn law_name(law: FrictionLaw) -> &'static str {
-    match law {
-        FrictionLaw::Smooth => "smooth",
-        FrictionLaw::Coulomb => "coulomb",
-        FrictionLaw::Stribeck => "stribeck",
-    }
-}
-
 /// Provenance of a simulated figure.
 pub fn provenance(case: &Case, discarded: String) -> Provenance {
     Provenance {
         case: case.title.clone(),
         profile: Some(profile_name(case.profile).to_owned()),
-        friction_law: Some(match case.contact.friction_law {
-            FrictionLaw::Smooth => {
-                format!("smooth, tanh(ΔV/{} m/s)", case.contact.slip_scale_m_s)
-            }
-            FrictionLaw::Coulomb => "Coulomb".to_owned(),
-            FrictionLaw::Stribeck => format!(
-                "Stribeck, {} to {}",
-                case.contact.friction_coefficient_max(),
-                case.contact.friction_coefficient
-            ),
-        }),
+        friction_law: Some(case.contact.friction().describe()),
         method: Some(method_name(case.solver.method).to_owned()),
         step_us: Some(case.solver.step_s * 1e6),
         discarded,

@@ -19,7 +19,7 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use crate::case::{Case, FrictionLaw, Gaps, Start};
+use crate::case::{Case, Gaps, Start};
 use crate::equilibrium::{self, EquilibriumError};
 use crate::numerics::root::{self, Rise};
 use crate::simulation::{
@@ -217,7 +217,7 @@ fn pass(
         start: pair_start(case, test, ring_y, Gaps::List(gaps), centre + trailing),
         ..case.clone()
     };
-    if case.contact.friction_law == FrictionLaw::Coulomb {
+    if case.contact.friction_law.sticks() {
         case.solver.step_s = case.solver.step_s.min(test.coulomb_step_max_s);
     }
     // A sliding ball may need more than the time of pure rolling; thrice is enough.

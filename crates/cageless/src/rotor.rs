@@ -10,7 +10,7 @@
 //! assert!(case.check().is_ok());
 //! ```
 
-use crate::case::FrictionLaw;
+use crate::case::{FrictionLaw, FrictionParameters};
 use crate::error::{Allowed, InputError, not_negative, positive};
 
 /// A rigid rotor in the plane of the bearing, which a magnetic bearing holds until t = 0.
@@ -92,12 +92,20 @@ impl Rotor {
         ]
     }
 
+    /// Law of friction between journal and bore with its parameters.
+    pub fn friction(&self) -> FrictionParameters {
+        FrictionParameters {
+            law: self.friction_law,
+            coefficient: self.friction_coefficient,
+            slip_scale_m_s: self.slip_scale_m_s,
+            static_coefficient: self.static_friction_coefficient,
+            stribeck_speed_m_s: self.stribeck_speed_m_s,
+        }
+    }
+
     /// Largest coefficient of friction of the law.
     pub fn friction_coefficient_max(&self) -> f64 {
-        self.static_friction_coefficient
-            .map_or(self.friction_coefficient, |s| {
-                s.max(self.friction_coefficient)
-            })
+        self.friction().coefficient_max()
     }
 
     /// Checks the values against each other and against the bore of the inner ring.

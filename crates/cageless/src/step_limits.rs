@@ -11,7 +11,7 @@
 //! assert!(limits.automatic_s(Method::Abm4) <= limits.largest_s(Method::Abm4));
 //! ```
 
-use crate::case::{Case, FrictionLaw, Method, Start};
+use crate::case::{Case, Method, Start};
 use crate::dynamics::STICK_FRACTION;
 use crate::dynamics::rotor::{RotorBody, RotorContact};
 use crate::integrator::{Abm4, Adaptive, VelocityVerlet};
@@ -142,11 +142,10 @@ impl Drop {
             &RotorContact::default(),
             bearing.dimensions().inner_ring_mass_kg,
         );
-        let friction = match rotor.friction_law {
-            FrictionLaw::Smooth | FrictionLaw::Stribeck => {
-                rotor.friction_coefficient_max() * force * mobility / rotor.slip_scale_m_s
-            }
-            FrictionLaw::Coulomb => 0.0,
+        let friction = if rotor.friction_law.sticks() {
+            0.0
+        } else {
+            rotor.friction_coefficient_max() * force * mobility / rotor.slip_scale_m_s
         };
         let depth = (force / k).powf(1.0 / p);
         Self {
@@ -206,21 +205,19 @@ impl StepLimits {
             + (carrying * slope(outer, load) * drop.support_moves + drop.support_n_m)
                 * drop.inverse_outer_mass)
             .sqrt();
-        // Both friction forces of a ball together feel 1/5 of its mass.
-        let friction = match case.contact.friction_law {
-            FrictionLaw::Smooth | FrictionLaw::Stribeck => {
-                5.0 * case.contact.friction_coefficient_max() * load
-                    / (mass * case.contact.slip_scale_m_s)
-            }
-            // Relaxed with the step, see `Model`.
-            FrictionLaw::Coulomb => 0.0,
-        }
-        .max(drop.friction_1_s);
-        let creep = match case.contact.friction_law {
-            FrictionLaw::Smooth | FrictionLaw::Stribeck => 0.0,
-            FrictionLaw::Coulomb => {
-                case.contact.friction_coefficient * load / (STICK_FRACTION * 2.0 / 7.0 * mass)
-            }
+        let contact = &case.contact;
+        let [friction, creep] = if contact.friction_law.sticks() {
+            // The stick of explicit methods is relaxed with the step, see `Model`.
+            let stick = STICK_FRACTION * 2.0 / 7.0 * mass;
+            [
+                drop.friction_1_s,
+                contact.friction_coefficient_max() * load / stick,
+            ]
+        } else {
+            // Both friction forces of a ball together feel 1/5 of its mass.
+            let largest = 5.0 * contact.friction_coefficient_max() * load;
+            let rate = largest / (mass * contact.slip_scale_m_s);
+            [rate.max(drop.friction_1_s), 0.0]
         };
         let deflection = |k: f64| (load / k).powf(2.0 / 3.0).sqrt();
         let damper = |k: f64| case.contact.damping_n_s_m1_5 * deflection(k);
@@ -259,8 +256,8 @@ impl StepLimits {
     /// law always counts as stiff.
     pub fn friction_is_stiff(case: &Case) -> bool {
         let rotor = case.rotor.as_ref();
-        case.contact.friction_law == FrictionLaw::Coulomb
-            || rotor.is_some_and(|r| r.friction_law == FrictionLaw::Coulomb)
+        case.contact.friction_law.sticks()
+            || rotor.is_some_and(|r| r.friction_law.sticks())
             || Self::new(case).friction_1_s * case.solver.step_s > FRICTION_RESOLVED
     }
 

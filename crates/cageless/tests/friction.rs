@@ -4,10 +4,11 @@
 mod common;
 
 use cageless::dynamics::ball::{BallMotion, Centre};
-use cageless::dynamics::coordinates::BallCoordinate;
+use cageless::dynamics::coordinates::{BallCoordinate, RingCoordinate};
 use cageless::dynamics::state::State;
 use cageless::dynamics::{Model, RightHandSide};
 use cageless::simulation::{Control, Ending, Observer, ObserverError, StepView, run, run_from};
+use cageless::snapshot::Snapshot;
 use cageless::step_limits::StepLimits;
 use cageless::{Case, FrictionLaw, Method};
 use common::{conventional, dimensions, structure, undamped};
@@ -212,4 +213,80 @@ fn every_law_is_finite_and_closes_its_ledger() {
         let seen = rhs.snapshot(0.0, &outcome.state, &[0.0; 14]);
         assert!(seen.inner_slip_m_s.iter().all(|s| s.is_finite()), "{law:?}");
     }
+}
+
+/// Rows of a dry run beside the rates that the method steps with.
+#[derive(Default)]
+struct Rows {
+    steps: u64,
+    /// Sum of squares of the difference of the ring's acceleration from that of the method, and
+    /// of the part that friction has in it, m²/s⁴.
+    difference: f64,
+    friction: f64,
+    /// Contacts under load that stick, and all of them.
+    sticking: usize,
+    loaded: usize,
+}
+
+impl Observer for Rows {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+        self.steps += 1;
+        if self.steps.is_multiple_of(40) {
+            let row = view.snapshot(view.step.t1_s);
+            let rate = |c| view.step.f1[view.layout().ring(c)];
+            let (x, y) = (rate(RingCoordinate::Vx), rate(RingCoordinate::Vy));
+            self.difference += (row.ring.ax_m_s2 - x).powi(2) + (row.ring.ay_m_s2 - y).powi(2);
+            let [normal_x, normal_y] = without_friction(&row);
+            self.friction +=
+                (row.ring.ax_m_s2 - normal_x).powi(2) + (row.ring.ay_m_s2 - normal_y).powi(2);
+            let within = view.snapshot(0.5 * (view.step.t0_s + view.step.t1_s));
+            for row in [row, within] {
+                for (slip, force) in row.inner_slip_m_s.iter().zip(&row.inner_force_n) {
+                    self.loaded += usize::from(*force > 20.0);
+                    self.sticking += usize::from(*force > 20.0 && slip.abs() < 1e-10);
+                }
+            }
+        }
+        Ok(Control::Continue(()))
+    }
+}
+
+/// Acceleration of the inner ring of [`conventional`] under all forces but friction, m/s².
+fn without_friction(row: &Snapshot) -> [f64; 2] {
+    let d = dimensions();
+    let (mass, ring) = (d.inner_ring_mass_kg, &row.ring);
+    let drag = d.inner_ring_drag_n_s_m / mass;
+    let mut sum = [
+        -drag * ring.vx_m_s,
+        -drag * ring.vy_m_s - 9.81 - 1500.0 / mass,
+    ];
+    for (k, force) in row.inner_force_n.iter().enumerate() {
+        let (x, y) = (row.x_m[k] - ring.x_m, row.y_m[k] - ring.y_m);
+        let distance = x.hypot(y);
+        sum[0] -= force * x / distance / mass;
+        sum[1] -= force * y / distance / mass;
+    }
+    sum
+}
+
+/// Under Coulomb's law rows at the end of a step and within it show what rolls as sticking, with
+/// the friction that keeps it so: the ring accelerates as the method has it.
+#[test]
+fn rows_hold_the_exact_cone() {
+    let mut case = structure(5.1, 25.2);
+    case.solver.method = Method::Symplectic;
+    case.solver.duration_s = 0.004;
+    case.solver.step_s = 2e-6;
+    case.contact.friction_coefficient = 0.1;
+    case.contact.friction_law = FrictionLaw::Coulomb;
+    let mut rows = Rows::default();
+    run(&case, &mut [&mut rows], &mut |_| Control::Continue(())).unwrap();
+    assert!(rows.loaded > 100, "{}", rows.loaded);
+    let (sticking, loaded) = (rows.sticking, rows.loaded);
+    assert!(
+        sticking as f64 > 0.8 * loaded as f64,
+        "{sticking} of {loaded}"
+    );
+    let share = (rows.difference / rows.friction).sqrt();
+    assert!(share < 0.05, "{share} of {}", rows.friction);
 }

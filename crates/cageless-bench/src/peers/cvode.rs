@@ -8,28 +8,34 @@ use anyhow::{Context, Result, bail, ensure};
 use libloading::{Library, Symbol};
 use tempfile::TempDir;
 
-use super::peer::{Peer, Problem, Reached, TOLERANCES};
+use super::peer::{EachStep, Follow, Peer, Problem, Reached, TOLERANCES};
 use crate::equations::{Equations, Implementation};
 
 const DRIVER: &str = include_str!("cvode_driver.c");
 
 /// SUNDIALS 7 has a core library, 6 a generic one or all of it in CVODE's.
-const LIBRARIES: [&[&str]; 3] = [
-    &[
-        "-lsundials_cvode",
-        "-lsundials_nvecserial",
-        "-lsundials_core",
-    ],
-    &[
-        "-lsundials_cvode",
-        "-lsundials_nvecserial",
-        "-lsundials_generic",
-    ],
-    &["-lsundials_cvode", "-lsundials_nvecserial"],
+const LIBRARIES: [&[&str]; 3] = [&["-lsundials_core"], &["-lsundials_generic"], &[]];
+
+/// Those that each of them needs besides.
+const MODULES: [&str; 4] = [
+    "-lsundials_cvode",
+    "-lsundials_nvecserial",
+    "-lsundials_sunmatrixdense",
+    "-lsundials_sunlinsoldense",
 ];
 
 type Callback = extern "C" fn(*mut c_void, *const f64, *mut f64);
-type Solve = unsafe extern "C" fn(Callback, *mut c_void, c_long, *mut f64, f64, f64) -> c_int;
+type StepCallback = extern "C" fn(*mut c_void, f64, *const f64);
+type Solve = unsafe extern "C" fn(
+    Callback,
+    StepCallback,
+    *mut c_void,
+    c_int,
+    c_long,
+    *mut f64,
+    f64,
+    f64,
+) -> c_int;
 type Version = unsafe extern "C" fn() -> *const c_char;
 
 /// The compiled driver, loaded.
@@ -55,6 +61,7 @@ impl Driver {
                 .args(["-O3", "-march=native", "-shared", "-fPIC", "-o"])
                 .arg(&object)
                 .arg(&source)
+                .args(MODULES)
                 .args(libraries)
                 .arg("-lm")
                 .output()
@@ -89,10 +96,21 @@ impl Driver {
     }
 }
 
-/// CVODE's Adams methods on one right-hand side.
+/// Family of methods.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// Adams methods with fixed-point iteration.
+    Adams,
+    /// Backward differentiation with a dense Jacobian by finite differences.
+    Bdf,
+}
+
+/// One family on one right-hand side.
 pub struct Cvode<'p> {
-    /// CB74.
+    /// The problem.
     pub problem: &'p Problem,
+    /// Family.
+    pub method: Method,
     /// The compiled driver.
     pub driver: &'p Driver,
     /// Right-hand side.
@@ -100,8 +118,9 @@ pub struct Cvode<'p> {
 }
 
 /// What `context` points at.
-struct Call<'e> {
+struct Call<'e, 's> {
     equations: &'e mut dyn Equations,
+    each_step: &'e mut EachStep<'s>,
     dimension: usize,
 }
 
@@ -109,16 +128,28 @@ extern "C" fn call_back(context: *mut c_void, y: *const f64, dydt: *mut f64) {
     // SAFETY: the driver passes on the context that `integrate` gave it, and vectors of
     // the dimension that it was told.
     unsafe {
-        let call = &mut *context.cast::<Call<'_>>();
+        let call = &mut *context.cast::<Call<'_, '_>>();
         let y = std::slice::from_raw_parts(y, call.dimension);
         let dydt = std::slice::from_raw_parts_mut(dydt, call.dimension);
         call.equations.derivative(y, dydt);
     }
 }
 
+extern "C" fn step_call_back(context: *mut c_void, t: f64, y: *const f64) {
+    // SAFETY: as in `call_back`.
+    unsafe {
+        let call = &mut *context.cast::<Call<'_, '_>>();
+        let y = std::slice::from_raw_parts(y, call.dimension);
+        (call.each_step)(t, y);
+    }
+}
+
 impl Peer for Cvode<'_> {
     fn name(&self) -> String {
-        "CVODE Adams".into()
+        match self.method {
+            Method::Adams => "CVODE Adams".into(),
+            Method::Bdf => "CVODE BDF".into(),
+        }
     }
 
     fn equations(&self) -> &'static str {
@@ -134,12 +165,24 @@ impl Peer for Cvode<'_> {
     }
 
     fn integrate(&self, setting: f64, duration_s: f64) -> Result<Reached> {
+        self.follow(setting, duration_s, &mut |_, _| {})
+    }
+}
+
+impl Follow for Cvode<'_> {
+    fn follow(
+        &self,
+        setting: f64,
+        duration_s: f64,
+        each_step: &mut EachStep<'_>,
+    ) -> Result<Reached> {
         let mut z = self.problem.start.clone();
         let dimension = z.len();
         self.equations.with(&self.problem.case, |equations| {
             let before = equations.evaluations();
             let mut call = Call {
                 equations,
+                each_step,
                 dimension,
             };
             // SAFETY: the signature is that of the driver; `call` and `z` outlive the call.
@@ -147,7 +190,9 @@ impl Peer for Cvode<'_> {
                 let solve: Symbol<Solve> = self.driver.library.get(b"cageless_bench_cvode\0")?;
                 solve(
                     call_back,
+                    step_call_back,
                     (&raw mut call).cast(),
+                    c_int::from(self.method == Method::Bdf),
                     c_long::try_from(dimension)?,
                     z.as_mut_ptr(),
                     duration_s,

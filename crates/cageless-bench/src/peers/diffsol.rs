@@ -8,7 +8,7 @@ use diffsol::{
     VectorCommon,
 };
 
-use super::peer::{Peer, Problem, Reached, TOLERANCES};
+use super::peer::{EachStep, Follow, Peer, Problem, Reached, TOLERANCES};
 use crate::equations::Implementation;
 
 type Matrix = NalgebraMat<f64>;
@@ -36,13 +36,20 @@ pub struct Diffsol<'p> {
 const INCREMENT: f64 = 1e-7;
 
 /// Steps until `end_s`.
-fn advance<'a, E, S>(solver: &mut S, end_s: f64) -> Result<Vec<f64>>
+fn advance<'a, E, S>(solver: &mut S, end_s: f64, each_step: &mut EachStep<'_>) -> Result<Vec<f64>>
 where
     E: OdeEquations<T = f64, V = diffsol::NalgebraVec<f64>> + 'a,
     S: OdeSolverMethod<'a, E>,
 {
     solver.set_stop_time(end_s)?;
-    while !matches!(solver.step()?, OdeSolverStopReason::TstopReached) {}
+    loop {
+        let reason = solver.step()?;
+        let state = solver.state();
+        each_step(state.t, state.y.inner().as_slice());
+        if matches!(reason, OdeSolverStopReason::TstopReached) {
+            break;
+        }
+    }
     Ok(solver.state().y.inner().as_slice().to_vec())
 }
 
@@ -66,11 +73,22 @@ impl Peer for Diffsol<'_> {
         match self.method {
             Method::Tsit45 => TOLERANCES.to_vec(),
             // Slow: few are enough.
-            Method::Bdf => vec![1e-4, 1e-5, 1e-6, 1e-7],
+            Method::Bdf => vec![1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7],
         }
     }
 
     fn integrate(&self, setting: f64, duration_s: f64) -> Result<Reached> {
+        self.follow(setting, duration_s, &mut |_, _| {})
+    }
+}
+
+impl Follow for Diffsol<'_> {
+    fn follow(
+        &self,
+        setting: f64,
+        duration_s: f64,
+        each_step: &mut EachStep<'_>,
+    ) -> Result<Reached> {
         let start = &self.problem.start;
         self.equations.with(&self.problem.case, |equations| {
             let before = equations.evaluations();
@@ -86,7 +104,7 @@ impl Peer for Diffsol<'_> {
             let z = match self.method {
                 Method::Tsit45 => {
                     let problem = builder.rhs(rhs).init(init, start.len()).build()?;
-                    advance(&mut problem.tsit45()?, duration_s)?
+                    advance(&mut problem.tsit45()?, duration_s, each_step)?
                 }
                 Method::Bdf => {
                     let work = RefCell::new([vec![0.0; start.len()], vec![0.0; start.len()]]);
@@ -106,7 +124,11 @@ impl Peer for Diffsol<'_> {
                         .rhs_implicit(rhs, jacobian)
                         .init(init, start.len())
                         .build()?;
-                    advance(&mut problem.bdf::<NalgebraLU<f64>>()?, duration_s)?
+                    advance(
+                        &mut problem.bdf::<NalgebraLU<f64>>()?,
+                        duration_s,
+                        each_step,
+                    )?
                 }
             };
             let evaluations = shared.borrow().evaluations() - before;

@@ -144,11 +144,14 @@ pub fn run(options: &Options) -> Result<()> {
             }));
         }
         if let Some(driver) = &driver {
-            peers.push(Box::new(cvode::Cvode {
-                problem: &problem,
-                driver,
-                equations,
-            }));
+            for method in [cvode::Method::Adams, cvode::Method::Bdf] {
+                peers.push(Box::new(cvode::Cvode {
+                    problem: &problem,
+                    method,
+                    driver,
+                    equations,
+                }));
+            }
         }
     }
     if let Some(only) = &options.only {

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use anyhow::{Result, anyhow};
 use ode_solvers::{Dop853, Dopri5, OutputType, SVector, System};
 
-use super::peer::{Peer, Problem, Reached, TOLERANCES};
+use super::peer::{EachStep, Follow, Peer, Problem, Reached, TOLERANCES};
 use crate::equations::{Equations, Implementation};
 
 /// 14 balls and the ring.
@@ -45,7 +45,7 @@ impl System<f64, Vector> for &Adapter<'_> {
 /// costs Dop853 three evaluations a step) and no limit on the number of steps.
 macro_rules! solve {
     ($solver:ident, $f:expr, $end:expr, $y:expr, $tolerance:expr, $safety:expr, $beta:expr,
-     $least:expr, $most:expr) => {{
+     $least:expr, $most:expr, $each_step:expr) => {{
         let mut solver = $solver::from_param(
             $f,
             0.0,
@@ -65,6 +65,9 @@ macro_rules! solve {
             OutputType::Sparse,
         );
         solver.integrate().map_err(|e| anyhow!("{e}"))?;
+        for (t, y) in solver.x_out().iter().zip(solver.y_out()) {
+            $each_step(*t, y.as_slice());
+        }
         solver
             .y_out()
             .last()
@@ -94,6 +97,17 @@ impl Peer for OdeSolvers<'_> {
     }
 
     fn integrate(&self, setting: f64, duration_s: f64) -> Result<Reached> {
+        self.follow(setting, duration_s, &mut |_, _| {})
+    }
+}
+
+impl Follow for OdeSolvers<'_> {
+    fn follow(
+        &self,
+        setting: f64,
+        duration_s: f64,
+        each_step: &mut EachStep<'_>,
+    ) -> Result<Reached> {
         let y = Vector::from_column_slice(&self.problem.start);
         self.equations.with(&self.problem.case, |equations| {
             let before = equations.evaluations();
@@ -101,12 +115,12 @@ impl Peer for OdeSolvers<'_> {
             let z = match self.method {
                 Method::Dopri5 => {
                     solve!(
-                        Dopri5, &system, duration_s, y, setting, 0.9, 0.04, 0.2, 10.0
+                        Dopri5, &system, duration_s, y, setting, 0.9, 0.04, 0.2, 10.0, each_step
                     )
                 }
                 Method::Dop853 => {
                     solve!(
-                        Dop853, &system, duration_s, y, setting, 0.9, 0.0, 0.333, 6.0
+                        Dop853, &system, duration_s, y, setting, 0.9, 0.0, 0.333, 6.0, each_step
                     )
                 }
             };

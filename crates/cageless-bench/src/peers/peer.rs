@@ -34,6 +34,24 @@ pub trait Peer {
     fn integrate(&self, setting: f64, duration_s: f64) -> Result<Reached>;
 }
 
+/// A solver whose steps can be looked at.
+pub trait Follow: Peer {
+    /// Integrates as [`Peer::integrate`] does; `each_step` gets time and scaled state at the end
+    /// of every step.
+    ///
+    /// # Errors
+    /// The solver gave up.
+    fn follow(
+        &self,
+        setting: f64,
+        duration_s: f64,
+        each_step: &mut EachStep<'_>,
+    ) -> Result<Reached>;
+}
+
+/// What is called at the end of every step, with the time in s and the scaled state.
+pub type EachStep<'a> = dyn FnMut(f64, &[f64]) + 'a;
+
 /// Tolerances of the adaptive solvers, absolute on the scaled states, coarse to fine.
 pub const TOLERANCES: [f64; 11] = [
     1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 3e-7, 1e-7, 3e-8, 1e-8,

@@ -39,11 +39,7 @@ pub(crate) trait Named: Copy + PartialEq + 'static {
 }
 
 impl Named for FrictionLaw {
-    const NAMES: &'static [(&'static str, Self)] = &[
-        ("smooth", Self::Smooth),
-        ("coulomb", Self::Coulomb),
-        ("stribeck", Self::Stribeck),
-    ];
+    const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
 }
 
 impl Named for Profile {

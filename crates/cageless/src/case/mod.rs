@@ -17,6 +17,7 @@ pub(crate) use check::check_stribeck;
 use std::f64::consts::TAU;
 
 use crate::bearing::Bearing;
+pub use crate::contact::{FrictionLaw, FrictionParameters};
 use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::raceway::Raceway;
 use crate::rotor::{Rotor, Support};
@@ -32,20 +33,6 @@ pub enum Profile {
     /// Consistent mechanics: inertial frame, absolute spin, friction along the
     /// sliding velocity.
     Physical,
-}
-
-/// Friction against sliding speed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FrictionLaw {
-    /// μ·tanh(ΔV/scale)·N.
-    Smooth,
-    /// μ·sign(ΔV)·N while sliding, whatever holds within the cone while rolling: exact in
-    /// `symplectic`; relaxed over a few steps in the explicit methods, whose results are of
-    /// order one in `step_s`.
-    Coulomb,
-    /// (μ + (μs − μ)·exp(−|ΔV|/v))·tanh(ΔV/scale)·N: friction that drops from static to
-    /// sliding, as dry pairs do.
-    Stribeck,
 }
 
 /// Loads and speed.
@@ -234,12 +221,20 @@ pub struct Case {
 }
 
 impl Contact {
+    /// Law of friction with its parameters.
+    pub fn friction(&self) -> FrictionParameters {
+        FrictionParameters {
+            law: self.friction_law,
+            coefficient: self.friction_coefficient,
+            slip_scale_m_s: self.slip_scale_m_s,
+            static_coefficient: self.static_friction_coefficient,
+            stribeck_speed_m_s: self.stribeck_speed_m_s,
+        }
+    }
+
     /// Largest coefficient of friction of the law.
     pub fn friction_coefficient_max(&self) -> f64 {
-        self.static_friction_coefficient
-            .map_or(self.friction_coefficient, |s| {
-                s.max(self.friction_coefficient)
-            })
+        self.friction().coefficient_max()
     }
 }
 

@@ -7,13 +7,14 @@
 //!
 //!   A = [ 1/m + r²/J,  r·R/J − cos e/m;  r·R/J − cos e/m,  1/m + R²/J ].
 //!
-//! Smooth laws are solved by Newton's method, Coulomb's law exactly.
+//! Laws with a slope are solved by Newton's method, those that stick by [`Law::end_of_step`].
 
+use super::friction::Law;
 use super::{
-    Friction, InnerContact, InnerRaceway, OuterContact, OuterGeometry, OuterRaceway,
-    friction_force, inner_slip, outer_friction_direction, outer_slip,
+    InnerContact, InnerRaceway, OuterContact, OuterGeometry, OuterRaceway, inner_slip,
+    outer_friction_direction, outer_slip,
 };
-use crate::case::{FrictionLaw, Profile};
+use crate::case::Profile;
 use crate::dynamics::ball::{Ball, BallMotion, PolarMotion};
 use crate::simd::lanes::lane_struct;
 
@@ -60,6 +61,13 @@ lane_struct! {
 /// step satisfies the linear equations exactly.
 const LAST_STEP: f64 = 0.05;
 
+/// Multiple of the slip scale from which on a contact slides: tanh misses 1 by less than 1e-3.
+const SLIDING: f64 = 4.0;
+
+/// Largest last step of a contact that slides, as a fraction of the slip scale, and the change of
+/// the friction over it, as a fraction of μN.
+const LAST_SLIDE: [f64; 2] = [1.0, 1e-3];
+
 /// Largest number of iterations; from anywhere some ten suffice.
 pub const MAX_ITERATIONS: u32 = 30;
 
@@ -99,25 +107,35 @@ impl SlipProblem {
     ) -> Self {
         let (ball, geometry) = (contacts.ball, contacts.geometry);
         let (r, radius) = (geometry.effective_radius, ball.radius);
-        let [dx, dy] = outer_friction_direction(profile, geometry, polar);
-        let (co, ci) = match profile {
-            Profile::Paper => (
-                (r + contacts.outer_raceway.pitch_radius) / polar.distance,
-                contacts.inner_raceway.radius / inner_polar.distance,
-            ),
-            Profile::Physical => (1.0, 1.0),
-        };
         let tangents = polar.ey * inner_polar.ey + polar.ex * inner_polar.ex;
-        let outer_on_outer = polar.ex * dy - polar.ey * dx;
-        let outer_on_inner = inner_polar.ex * dy - inner_polar.ey * dx;
         let (mass, inertia) = (h_s * ball.inverse_mass, h_s * ball.inverse_inertia);
+        let turning = r * radius * inertia;
+        let (outer_outer, outer_inner, inner_outer, inner_inner) = match profile {
+            Profile::Paper => {
+                let [dx, dy] = outer_friction_direction(profile, geometry, polar);
+                let co = (r + contacts.outer_raceway.pitch_radius) / polar.distance;
+                let ci = contacts.inner_raceway.radius / inner_polar.distance;
+                let outer_on_outer = polar.ex * dy - polar.ey * dx;
+                let outer_on_inner = inner_polar.ex * dy - inner_polar.ey * dx;
+                (
+                    co * outer_on_outer * mass,
+                    turning - co * tangents * mass,
+                    turning - ci * outer_on_inner * mass,
+                    ci * mass,
+                )
+            }
+            Profile::Physical => {
+                let both = turning - tangents * mass;
+                (mass, both, both, mass)
+            }
+        };
         Self {
             outer_free: outer_slip(profile, contacts.outer_raceway, geometry, motion, polar),
             inner_free: inner_slip(profile, ball, contacts.inner_raceway, motion, inner_polar),
-            outer_outer: co * outer_on_outer * mass + r * r * inertia,
-            outer_inner: r * radius * inertia - co * tangents * mass,
-            inner_outer: r * radius * inertia - ci * outer_on_inner * mass,
-            inner_inner: ci * mass + radius * radius * inertia,
+            outer_outer: outer_outer + r * r * inertia,
+            outer_inner,
+            inner_outer,
+            inner_inner: inner_inner + radius * radius * inertia,
             outer_normal: contacts.outer.friction_normal,
             inner_normal: contacts.inner.force,
         }
@@ -139,15 +157,10 @@ impl SlipProblem {
 /// s + Δ = s_free − H·(f(s) + D·Δ): sliding speeds and linearised friction belong together.
 /// A step from full sliding past zero, where the slope of f is largest, ends there.
 #[inline(always)]
-pub fn newton_step(
-    law: FrictionLaw,
-    friction: &Friction,
-    problem: &SlipProblem,
-    slips: &Slips,
-) -> Slips {
+pub fn newton_step(law: &impl Law, problem: &SlipProblem, slips: &Slips) -> Slips {
     let (outer, inner) = (slips.outer, slips.inner);
-    let [fo, do_] = friction_force(law, friction, outer, problem.outer_normal);
-    let [fi, di] = friction_force(law, friction, inner, problem.inner_normal);
+    let [fo, do_] = law.force(outer, problem.outer_normal);
+    let [fi, di] = law.force(inner, problem.inner_normal);
     let [end_o, end_i] = problem.slips([fo, fi]);
     let (miss_o, miss_i) = (end_o - outer, end_i - inner);
     let (a, b) = (1.0 + problem.outer_outer * do_, problem.outer_inner * di);
@@ -156,14 +169,23 @@ pub fn newton_step(
     let step_o = (d * miss_o - b * miss_i) * inverse;
     let step_i = (a * miss_i - c * miss_o) * inverse;
     let guarded = |s: f64, step: f64| {
-        let passes = s * (s + step) < 0.0 && s.abs() * friction.inverse_slip_scale > 1.0;
+        let passes = s * (s + step) < 0.0 && s.abs() * law.inverse_slip_scale() > 1.0;
         if passes { 0.0 } else { s + step }
     };
-    // Without load the sliding speed does not matter.
-    let last = |step: f64, normal: f64| {
-        (step.abs() * friction.inverse_slip_scale <= LAST_STEP) | (normal <= 0.0)
+    // Without load the sliding speed does not matter, and it hardly does where a contact slides.
+    let in_scales = |speed: f64| speed.abs() * law.inverse_slip_scale();
+    let last = |s: f64, step: f64, slope: f64, normal: f64| {
+        let end = s + step;
+        let slides = (in_scales(s) > SLIDING) & (in_scales(end) > SLIDING) & (s * end > 0.0);
+        let change = (slope * step).abs();
+        (in_scales(step) <= LAST_STEP)
+            | (normal <= 0.0)
+            | (slides
+                & (in_scales(step) <= LAST_SLIDE[0])
+                & (change <= LAST_SLIDE[1] * law.coefficient() * normal))
     };
-    let converged = last(step_o, problem.outer_normal) & last(step_i, problem.inner_normal);
+    let converged = last(outer, step_o, do_, problem.outer_normal)
+        & last(inner, step_i, di, problem.inner_normal);
     let done = slips.converged > 0.0;
     let keep = |kept: f64, new: f64| if done { kept } else { new };
     let select = |last: f64, other: f64| if converged { last } else { other };
@@ -173,65 +195,6 @@ pub fn newton_step(
         outer_friction: keep(slips.outer_friction, select(fo + do_ * step_o, fo)),
         inner_friction: keep(slips.inner_friction, select(fi + di * step_i, fi)),
         converged: keep(1.0, select(1.0, 0.0)),
-    }
-}
-
-/// Coulomb's law at both contacts: |f| ≤ μN with f = μN·sign(s) where s ≠ 0, exactly.
-///
-/// The candidates are: both contacts stick; one slides either way while the other sticks as
-/// far as its cone allows. The solution is the one at which neither force changes under
-/// the projection f → clamp(f + s/H_kk, ±μN). It is unique, for H is a P-matrix.
-#[inline(always)]
-pub fn coulomb_friction(friction: &Friction, problem: &SlipProblem) -> Slips {
-    let p = problem;
-    let largest = [
-        friction.coefficient * p.outer_normal,
-        friction.coefficient * p.inner_normal,
-    ];
-    // A ball of the padding has no mobility, and so no number here: no load, no friction.
-    let clamp = |f: f64, most: f64| if f.abs() <= most { f } else { most.copysign(f) };
-    let determinant = p.outer_outer * p.inner_inner - p.outer_inner * p.inner_outer;
-    let stick = [
-        (p.inner_inner * p.outer_free - p.outer_inner * p.inner_free) / determinant,
-        (p.outer_outer * p.inner_free - p.inner_outer * p.outer_free) / determinant,
-    ];
-    let outer_slides = |fo: f64| {
-        let fi = (p.inner_free - p.inner_outer * fo) / p.inner_inner;
-        [fo, clamp(fi, largest[1])]
-    };
-    let inner_slides = |fi: f64| {
-        let fo = (p.outer_free - p.outer_inner * fi) / p.outer_outer;
-        [clamp(fo, largest[0]), fi]
-    };
-    let miss = |f: [f64; 2]| {
-        let [so, si] = p.slips(f);
-        (clamp(f[0] + so / p.outer_outer, largest[0]) - f[0]).abs()
-            + (clamp(f[1] + si / p.inner_inner, largest[1]) - f[1]).abs()
-    };
-    let candidates = [
-        outer_slides(largest[0]),
-        outer_slides(-largest[0]),
-        inner_slides(largest[1]),
-        inner_slides(-largest[1]),
-    ];
-    let within = stick[0].abs() <= largest[0] && stick[1].abs() <= largest[1];
-    // Sticking is exact where it is possible: no rounding of `miss` may prefer a slide.
-    let mut least = if within { -1.0 } else { f64::INFINITY };
-    let mut best = if within { stick } else { [0.0; 2] };
-    for candidate in candidates {
-        let size = miss(candidate);
-        let better = size < least;
-        least = if better { size } else { least };
-        best[0] = if better { candidate[0] } else { best[0] };
-        best[1] = if better { candidate[1] } else { best[1] };
-    }
-    let [outer, inner] = p.slips(best);
-    Slips {
-        outer,
-        inner,
-        outer_friction: best[0],
-        inner_friction: best[1],
-        converged: 1.0,
     }
 }
 
@@ -250,10 +213,12 @@ pub fn end_weight(rate: f64) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
+    use crate::contact::friction::{Smooth, Stribeck};
 
-    fn problem(free: [f64; 2], normal: [f64; 2], h_s: f64) -> SlipProblem {
+    /// A ball in plane contact.
+    pub(crate) fn problem(free: [f64; 2], normal: [f64; 2], h_s: f64) -> SlipProblem {
         let (m, r) = (3.55e-3, 4.76e-3);
         let j = 0.4 * m * r * r;
         let (own, other) = (h_s * (1.0 / m + r * r / j), h_s * (r * r / j - 1.0 / m));
@@ -269,78 +234,51 @@ mod tests {
         }
     }
 
-    fn friction(coefficient: f64, scale: f64) -> Friction {
-        Friction {
-            coefficient,
-            inverse_slip_scale: 1.0 / scale,
-            ..Friction::default()
-        }
-    }
-
-    /// Every combination of stick and slide satisfies Coulomb's law, and sticking is exact.
-    #[test]
-    fn coulomb_holds_the_cone() {
-        let f = friction(0.3, 0.02);
-        let (mut sticks, mut slides) = (0, 0);
-        for a in -10..=10 {
-            for b in -10..=10 {
-                for normal in [[1000.0, 900.0], [5.0, 800.0], [700.0, 0.0], [0.0, 0.0]] {
-                    let free = [0.3 * f64::from(a), 0.2 * f64::from(b)];
-                    let p = problem(free, normal, 2e-6);
-                    let s = coulomb_friction(&f, &p);
-                    for (slip, force, n) in [
-                        (s.outer, s.outer_friction, normal[0]),
-                        (s.inner, s.inner_friction, normal[1]),
-                    ] {
-                        assert!(force.abs() <= 0.3 * n * (1.0 + 1e-12) + 1e-12);
-                        if slip.abs() < 1e-12 {
-                            sticks += 1;
-                        } else {
-                            slides += 1;
-                            let expected = 0.3 * n * slip.signum();
-                            assert!((force - expected).abs() < 1e-9, "{free:?} {normal:?} {s:?}");
-                        }
-                    }
-                }
-            }
-        }
-        assert!(sticks > 100 && slides > 100, "{sticks} {slides}");
-    }
-
     /// Newton's method finds the solution of the smooth laws from anywhere, however stiff.
     #[test]
     fn smooth_laws_converge_from_anywhere() {
-        for (law, scale, h) in [
-            (FrictionLaw::Smooth, 0.02, 2e-6),
-            (FrictionLaw::Smooth, 2e-4, 2e-6),
-            (FrictionLaw::Smooth, 2e-3, 1e-5),
-            (FrictionLaw::Stribeck, 0.02, 2e-6),
-        ] {
-            let f = Friction {
-                static_excess: 0.1,
-                inverse_stribeck_speed: 2.0,
-                ..friction(0.3, scale)
+        for (scale, h) in [(0.02, 2e-6), (2e-4, 2e-6), (2e-3, 1e-5)] {
+            let smooth = Smooth {
+                coefficient: 0.3,
+                inverse_slip_scale: 1.0 / scale,
             };
-            for a in -8..=8 {
-                for start in [-50.0, -0.1, 0.0, 1e-3, 7.0] {
-                    let free = [0.4 * f64::from(a), 1.0 - 0.1 * f64::from(a)];
-                    let p = problem(free, [1500.0, 1200.0], h);
-                    let mut s = Slips {
-                        outer: start,
-                        inner: -start,
-                        ..Slips::default()
-                    };
-                    let mut iterations = 0;
-                    while s.converged == 0.0 && iterations < MAX_ITERATIONS {
-                        s = newton_step(law, &f, &p, &s);
-                        iterations += 1;
-                    }
-                    assert!(s.converged > 0.0, "{law:?} {scale} {free:?} from {start}");
-                    let [fo, _] = friction_force(law, &f, s.outer, p.outer_normal);
-                    assert!((fo - s.outer_friction).abs() < 1e-3 * 0.4 * 1500.0, "{s:?}");
-                    let [outer, inner] = p.slips([s.outer_friction, s.inner_friction]);
-                    assert!((outer - s.outer).abs() < 1e-9 && (inner - s.inner).abs() < 1e-9);
+            converges_from_anywhere(&smooth, h);
+        }
+        let stribeck = Stribeck {
+            coefficient: 0.3,
+            static_excess: 0.1,
+            inverse_stribeck_speed: 2.0,
+            inverse_slip_scale: 50.0,
+        };
+        converges_from_anywhere(&stribeck, 2e-6);
+    }
+
+    fn converges_from_anywhere(law: &impl Law, h: f64) {
+        for a in -8..=8 {
+            for start in [-50.0, -0.1, 0.0, 1e-3, 7.0] {
+                let free = [0.4 * f64::from(a), 1.0 - 0.1 * f64::from(a)];
+                let p = problem(free, [1500.0, 1200.0], h);
+                let mut s = Slips {
+                    outer: start,
+                    inner: -start,
+                    ..Slips::default()
+                };
+                let mut iterations = 0;
+                while s.converged == 0.0 && iterations < MAX_ITERATIONS {
+                    s = newton_step(law, &p, &s);
+                    iterations += 1;
                 }
+                assert!(s.converged > 0.0, "{free:?} from {start}");
+                for (slip, force, normal) in [
+                    (s.outer, s.outer_friction, 1500.0),
+                    (s.inner, s.inner_friction, 1200.0),
+                ] {
+                    let [expected, _] = law.force(slip, normal);
+                    let miss = (expected - force).abs();
+                    assert!(miss < 2.5e-3 * law.coefficient() * normal, "{s:?}");
+                }
+                let [outer, inner] = p.slips([s.outer_friction, s.inner_friction]);
+                assert!((outer - s.outer).abs() < 1e-9 && (inner - s.inner).abs() < 1e-9);
             }
         }
     }

@@ -18,8 +18,7 @@
 //! assert!((contact.slip - 1.48).abs() < 1e-12);
 //! ```
 
-use super::{Friction, friction_force, positive};
-use crate::case::FrictionLaw;
+use super::{Friction, positive};
 
 /// Constants of the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -156,19 +155,13 @@ impl JournalContact {
 ///
 /// Friction opposes the sliding that is left without it, so that s lies between 0 and s_free;
 /// Newton's method within that interval, halved where a step leaves it. Coulomb's law exactly.
-pub fn implicit_slip(
-    law: FrictionLaw,
-    friction: &Friction,
-    free_m_s: f64,
-    mobility: f64,
-    normal_n: f64,
-) -> [f64; 2] {
+pub fn implicit_slip(friction: &Friction, free_m_s: f64, mobility: f64, normal_n: f64) -> [f64; 2] {
     if normal_n <= 0.0 {
         return [free_m_s, 0.0];
     }
     let stick = free_m_s / mobility;
-    if law == FrictionLaw::Coulomb {
-        let largest = friction.coefficient * normal_n;
+    if friction.sticks() {
+        let largest = friction.coefficient() * normal_n;
         return if stick.abs() <= largest {
             [0.0, stick]
         } else {
@@ -179,7 +172,7 @@ pub fn implicit_slip(
     let [mut low, mut high] = [free_m_s.min(0.0), free_m_s.max(0.0)];
     let mut slip = free_m_s;
     for _ in 0..ITERATIONS_MAX {
-        let [force, slope] = friction_force(law, friction, slip, normal_n);
+        let [force, slope] = friction.force(slip, normal_n);
         let miss = slip + mobility * force - free_m_s;
         if miss > 0.0 {
             high = slip;
@@ -187,7 +180,7 @@ pub fn implicit_slip(
             low = slip;
         }
         let newton = slip - miss / (1.0 + mobility * slope);
-        if (newton - slip).abs() * friction.inverse_slip_scale <= LAST_STEP {
+        if (newton - slip).abs() * friction.inverse_slip_scale() <= LAST_STEP {
             slip = newton;
             break;
         }
@@ -209,6 +202,7 @@ const ITERATIONS_MAX: u32 = 100;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::{FrictionLaw, FrictionParameters};
 
     const JOURNAL: Journal = Journal {
         radius: 14.8e-3,
@@ -237,23 +231,28 @@ mod tests {
     /// The friction of every law belongs to the sliding speed at the end of the step.
     #[test]
     fn slip_at_the_end_belongs_to_its_friction() {
-        let friction = Friction {
-            coefficient: 0.15,
-            static_excess: 0.1,
-            inverse_stribeck_speed: 10.0,
-            inverse_slip_scale: 1e3,
-            stick_gain: 0.0,
+        let friction = |law| {
+            let parameters = FrictionParameters {
+                law,
+                coefficient: 0.15,
+                slip_scale_m_s: 1e-3,
+                static_coefficient: Some(0.25),
+                stribeck_speed_m_s: Some(0.1),
+            };
+            Friction::new(&parameters, 0.0)
         };
         for law in [FrictionLaw::Smooth, FrictionLaw::Stribeck] {
+            let friction = friction(law);
             for free in [-40.0, -0.1, -1e-4, 0.0, 1e-3, 0.3, 46.0] {
                 for mobility in [1e-7, 1e-5, 1e-3] {
-                    let [slip, force] = implicit_slip(law, &friction, free, mobility, 2000.0);
-                    let [expected, _] = friction_force(law, &friction, slip, 2000.0);
+                    let [slip, force] = implicit_slip(&friction, free, mobility, 2000.0);
+                    let [expected, _] = friction.force(slip, 2000.0);
                     assert!((force - expected).abs() < 1e-6 * 500.0, "{free} {mobility}");
                 }
             }
         }
-        let coulomb = |free| implicit_slip(FrictionLaw::Coulomb, &friction, free, 1e-5, 2000.0);
+        let law = friction(FrictionLaw::Coulomb);
+        let coulomb = |free| implicit_slip(&law, free, 1e-5, 2000.0);
         assert_eq!(coulomb(2e-3), [0.0, 200.0]);
         assert_eq!(coulomb(-4e-3), [-1e-3, -300.0]);
     }

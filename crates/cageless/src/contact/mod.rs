@@ -7,22 +7,20 @@
 //! same ones.
 //!
 //! ```
-//! use cageless::FrictionLaw;
-//! use cageless::contact::{Friction, friction_force};
+//! use cageless::contact::friction::{Law, Smooth};
 //!
-//! let friction = Friction {
+//! let friction = Smooth {
 //!     coefficient: 0.007,
 //!     inverse_slip_scale: 1.0 / 0.02,
-//!     ..Friction::default()
 //! };
 //! // Far above the scale of 0.02 m/s the smooth law is μN.
-//! let [force_n, _] = friction_force(FrictionLaw::Smooth, &friction, 1.0, 100.0);
+//! let [force_n, _] = friction.force(1.0, 100.0);
 //! assert!((force_n - 0.7).abs() < 1e-12);
 //! ```
 
 mod ball_ball;
 pub mod flash_temperature;
-mod friction;
+pub mod friction;
 pub mod hertz;
 mod implicit_friction;
 mod inner;
@@ -32,9 +30,9 @@ mod outer;
 mod outer_geometry;
 
 pub use ball_ball::{BallBallContact, ball_ball_contact, ball_deflection};
-pub use friction::{Friction, friction_force, tanh};
+pub use friction::{Friction, FrictionLaw, FrictionParameters, Law, tanh};
 pub use implicit_friction::{
-    MAX_ITERATIONS, RacewayContacts, SlipProblem, Slips, coulomb_friction, end_weight, newton_step,
+    MAX_ITERATIONS, RacewayContacts, SlipProblem, Slips, end_weight, newton_step,
 };
 pub use inner::{
     InnerContact, InnerRaceway, inner_contact, inner_deflection, inner_load, inner_paper_power,
@@ -55,7 +53,7 @@ pub use outer_geometry::{
 };
 
 pub(crate) use ball_ball::BallBallContactLanes;
-pub(crate) use friction::FrictionLanes;
+pub(crate) use friction::{FrictionLanes, LawLanes, with_law};
 pub(crate) use implicit_friction::{SlipProblemLanes, SlipsLanes};
 pub(crate) use inner::{InnerContactLanes, InnerRacewayLanes};
 pub(crate) use outer::{OuterContactLanes, OuterGeometryLanes, OuterRacewayLanes};

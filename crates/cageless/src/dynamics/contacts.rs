@@ -70,6 +70,8 @@ impl Contacts<'_> {
         pair_slip_m_s: pair.slip;
         /// Friction force at the inner raceway, N; positive where the ring drives the ball.
         inner_friction_n: inner_friction;
+        /// Friction force at the outer raceway, N; positive where it slows the ball.
+        outer_friction_n: outer_friction;
     }
 
     /// `paper` profile: whether ball `k` is inside a discrete raceway.

@@ -127,13 +127,7 @@ impl Model {
             pair_angle: (0..d.balls).map(|k| bearing.pair_angle_rad(k)).collect(),
             balls,
             unequal: !case.has_nominal_geometry(),
-            friction: Friction {
-                coefficient: c.friction_coefficient,
-                static_excess: c.friction_coefficient_max() - c.friction_coefficient,
-                inverse_stribeck_speed: c.stribeck_speed_m_s.map_or(0.0, |v| 1.0 / v),
-                inverse_slip_scale: 1.0 / c.slip_scale_m_s,
-                stick_gain,
-            },
+            friction: Friction::new(&c.friction(), stick_gain),
             outer: OuterRaceway {
                 pitch_radius: bearing.pitch_radius_m(),
                 orbit_radius: radii[0] - d.ball_radius_m,

@@ -174,6 +174,49 @@ impl<'m> RightHandSide<'m> {
     pub fn snapshot(&mut self, time_s: f64, state: &State, angle_rad: &[f64]) -> Snapshot {
         let mut rate = vec![0.0; state.layout().len()];
         self.evaluate(time_s, state.values(), &mut rate, true);
+        self.evaluated_snapshot(time_s, state, angle_rad, &rate)
+    }
+
+    /// Snapshot of a state within a step whose end has these contacts. Friction that no sliding
+    /// speed gives, that of contacts that stick, is that of the step; under any other law it is
+    /// that of the sliding speeds.
+    pub(crate) fn snapshot_within(
+        &mut self,
+        time_s: f64,
+        state: &State,
+        angle_rad: &[f64],
+        end: &Contacts<'_>,
+    ) -> Snapshot {
+        let model = self.model();
+        if !(model.friction.sticks() && model.implicit_friction) {
+            return self.snapshot(time_s, state, angle_rad);
+        }
+        let mut rate = vec![0.0; state.layout().len()];
+        self.evaluate(time_s, state.values(), &mut rate, false);
+        let of_step: Vec<[f64; 4]> = (0..model.balls())
+            .map(|k| {
+                [
+                    end.outer_friction_n(k),
+                    end.inner_friction_n(k),
+                    end.outer_slip_m_s(k),
+                    end.inner_slip_m_s(k),
+                ]
+            })
+            .collect();
+        let journal = end.rotor().map_or(0.0, |rotor| rotor.friction);
+        let (p, w) = (&self.parameters, &mut self.work);
+        simd::add_given_friction(p, w, &of_step, journal, &mut rate);
+        self.evaluated_snapshot(time_s, state, angle_rad, &rate)
+    }
+
+    /// Snapshot of the state that was evaluated last.
+    fn evaluated_snapshot(
+        &self,
+        time_s: f64,
+        state: &State,
+        angle_rad: &[f64],
+        rate: &[f64],
+    ) -> Snapshot {
         let (n, layout) = (self.model().balls(), state.layout());
         let c = self.contacts();
         let ring = state.ring_motion();

@@ -14,7 +14,7 @@
 use super::ball::Centre;
 use super::model::STICK_FRACTION;
 use crate::bearing::InnerRingBore;
-use crate::case::{Case, FrictionLaw};
+use crate::case::Case;
 use crate::contact::{Friction, Journal, JournalContact, JournalMotion, journal_contact};
 use crate::rotor::Rotor;
 
@@ -35,8 +35,6 @@ pub(crate) struct RotorBody {
     pub drive_torque: f64,
     /// Contact of journal and bore.
     pub journal: Journal,
-    /// Law of friction of that contact.
-    pub law: FrictionLaw,
     /// Friction of that contact.
     pub friction: Friction,
     /// Ji of the inner ring, kg·m².
@@ -75,11 +73,14 @@ impl RotorBody {
     /// The rotor of a case that has one.
     pub fn new(case: &Case) -> Option<Self> {
         let (rotor, bore) = (case.rotor.as_ref()?, case.bearing.inner_ring_bore()?);
-        let mut body = Self::in_bore(rotor, bore, case.operation.gravity_m_s2);
+        let body = Self::in_bore(rotor, bore, case.operation.gravity_m_s2);
         let ring_mass = case.bearing.dimensions().inner_ring_mass_kg;
         let mobility = body.slip_mobility(&RotorContact::default(), ring_mass);
-        body.friction.stick_gain = STICK_FRACTION / (mobility * case.solver.step_s);
-        Some(body)
+        let stick_gain = STICK_FRACTION / (mobility * case.solver.step_s);
+        Some(Self {
+            friction: Friction::new(&rotor.friction(), stick_gain),
+            ..body
+        })
     }
 
     /// A rotor in the bore of a ring. Coulomb's law slides only.
@@ -99,14 +100,7 @@ impl RotorBody {
                 exponent: rotor.contact_exponent,
                 damping: rotor.contact_damping_s_m,
             },
-            law: rotor.friction_law,
-            friction: Friction {
-                coefficient: rotor.friction_coefficient,
-                static_excess: rotor.friction_coefficient_max() - rotor.friction_coefficient,
-                inverse_stribeck_speed: rotor.stribeck_speed_m_s.map_or(0.0, |v| 1.0 / v),
-                inverse_slip_scale: 1.0 / rotor.slip_scale_m_s,
-                stick_gain: f64::MAX,
-            },
+            friction: Friction::new(&rotor.friction(), f64::MAX),
             ring_inertia: bore.polar_inertia_kg_m2,
         }
     }
@@ -209,6 +203,7 @@ pub(crate) fn bore_motion(ring: &Centre, speed: f64) -> JournalMotion {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::friction::Smooth;
 
     /// The powers of the contact force on rotor and ring add up to what damping and friction
     /// take and the spring stores, wherever the mass centre is.
@@ -229,8 +224,7 @@ mod tests {
                 exponent: 1.0,
                 damping: 0.3,
             },
-            law: FrictionLaw::Smooth,
-            friction: Friction::default(),
+            friction: Friction::Smooth(Smooth::default()),
             ring_inertia: 5.5e-5,
         };
         let offset = body.offset(0.4);

@@ -27,7 +27,7 @@ use super::ball::Centre;
 use super::outer_ring::OuterRing;
 use super::rotor::{RotorBody, RotorContact, RotorMotion};
 use crate::bearing::InnerRingBore;
-use crate::contact::{friction_force, journal_energy_j};
+use crate::contact::journal_energy_j;
 use crate::integrator::System;
 use crate::rotor::{Rotor, Support};
 
@@ -169,7 +169,7 @@ impl System for RotorInRing {
         let body = &self.body;
         let mut contact = body.contact(&rotor, &ring, ring_speed);
         let c = &contact.contact;
-        [contact.friction, _] = friction_force(body.law, &body.friction, c.slip, c.force);
+        [contact.friction, _] = body.friction.force(c.slip, c.force);
         let force = c.force_on_journal(contact.friction);
         let [ax, ay, spin] = body.acceleration(&contact, force);
         let torque = body.ring_torque(contact.friction);

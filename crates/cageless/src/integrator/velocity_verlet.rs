@@ -105,14 +105,15 @@ impl Method for VelocityVerlet {
 /// y1 = y0 + h/2·(f0 + f1) for all but the positions, which stay.
 #[inline(always)]
 fn trapezoid<S: System>(system: &S, h: f64, y0: &[f64], f0: &[f64], f1: &[f64], y1: &mut [f64]) {
-    let n = y1.len();
-    let mut from = 0;
-    let blocks = system.second_order_blocks().iter();
-    let ends = blocks.map(|b| (b.positions, b.positions + b.count));
-    for (to, next) in ends.chain([(n, n)]) {
+    let mut advance = |from: usize, to: usize| {
         for k in from..to {
             y1[k] = y0[k] + 0.5 * h * (f0[k] + f1[k]);
         }
-        from = next;
+    };
+    let mut from = 0;
+    for block in system.second_order_blocks() {
+        advance(from, block.positions);
+        from = block.positions + block.count;
     }
+    advance(from, y0.len());
 }

@@ -7,11 +7,11 @@ use super::pairs::{pair_contacts, pair_deflections};
 use super::parameters::Parameters;
 use super::rotor::{outer_ring_reactions, ring_torques, rotor_and_ledger};
 use super::sums::{Addends, Sum, Sums};
-use crate::case::{FrictionLaw, Profile};
+use crate::case::Profile;
 use crate::contact::{
-    BallBallContactLanes, InnerContactLanes, OuterContactLanes, OuterGeometryLanes, SlipsLanes,
-    centrifugal_force, friction_force, inner_contact, inner_load, inner_paper_power, outer_contact,
-    outer_load, outer_paper_powers, slope_force,
+    BallBallContactLanes, InnerContactLanes, Law, LawLanes, OuterContactLanes, OuterGeometryLanes,
+    SlipsLanes, centrifugal_force, inner_contact, inner_load, inner_paper_power, outer_contact,
+    outer_load, outer_paper_powers, slope_force, with_law,
 };
 use crate::dynamics::ball::{
     BallLanes, BallLoad, BallLoadLanes, BallMotion, Centre, PolarMotionLanes,
@@ -166,13 +166,24 @@ pub(super) struct Motions<'a>([&'a [f64; LANES]; BallCoordinate::ALL.len()]);
 impl<'a> Motions<'a> {
     #[inline(always)]
     pub(super) fn new(p: &Parameters, y: &'a [f64], block: usize) -> Self {
-        Self(BallCoordinate::ALL.map(|c| block_at(y, p.layout.array(c) + block * LANES)))
+        // Not by `map`, which is not inlined into code for wider vectors.
+        let mut arrays = [block_at(y, 0); BallCoordinate::ALL.len()];
+        for (array, c) in arrays.iter_mut().zip(BallCoordinate::ALL) {
+            *array = block_at(y, p.layout.array(c) + block * LANES);
+        }
+        Self(arrays)
     }
 
     #[inline(always)]
     pub(super) fn get(&self, lane: usize) -> BallMotion {
-        let [x, y, vx, vy, spin] = self.0.map(|values| values[lane]);
-        BallMotion { x, y, vx, vy, spin }
+        let [x, y, vx, vy, spin] = self.0;
+        BallMotion {
+            x: x[lane],
+            y: y[lane],
+            vx: vx[lane],
+            vy: vy[lane],
+            spin: spin[lane],
+        }
     }
 }
 
@@ -367,18 +378,13 @@ fn raceway_contacts<const PAPER: bool>(
 /// Friction of one contact of each lane by the law of the case.
 #[inline(always)]
 pub(super) fn friction(p: &Parameters, slip: &Lanes, normal: &Lanes, force: &mut Lanes) {
-    match p.law {
-        FrictionLaw::Smooth => friction_by(FrictionLaw::Smooth, p, slip, normal, force),
-        FrictionLaw::Coulomb => friction_by(FrictionLaw::Coulomb, p, slip, normal, force),
-        FrictionLaw::Stribeck => friction_by(FrictionLaw::Stribeck, p, slip, normal, force),
-    }
+    with_law!(&p.friction, law => friction_by(law, slip, normal, force));
 }
 
 #[inline(always)]
-fn friction_by(law: FrictionLaw, p: &Parameters, slip: &Lanes, normal: &Lanes, force: &mut Lanes) {
+fn friction_by(law: &impl LawLanes, slip: &Lanes, normal: &Lanes, force: &mut Lanes) {
     for lane in 0..LANES {
-        let constants = p.friction.get(lane);
-        [force.0[lane], _] = friction_force(law, &constants, slip.0[lane], normal.0[lane]);
+        [force.0[lane], _] = law.lane(lane).force(slip.0[lane], normal.0[lane]);
     }
 }
 

@@ -8,11 +8,11 @@ use super::lanes::Lanes;
 use super::parameters::Parameters;
 use super::rotor::add_with_rotor;
 use super::sums::{Addends, Sum};
-use crate::case::{FrictionLaw, Profile};
+use crate::case::Profile;
 use crate::contact::{
-    MAX_ITERATIONS, RacewayContacts, SlipProblem, SlipProblemLanes, SlipsLanes, coulomb_friction,
+    Law, LawLanes, MAX_ITERATIONS, RacewayContacts, SlipProblem, SlipProblemLanes, SlipsLanes,
     inner_paper_power, inner_slip, newton_step, outer_friction_direction, outer_paper_powers,
-    outer_slip,
+    outer_slip, with_law,
 };
 use crate::dynamics::ball::{BallLanes, BallLoad, Centre};
 use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
@@ -54,12 +54,16 @@ fn add<const PAPER: bool>(
     let start_ring = CentreLanes::inner_ring(p, y0);
     let mut slip_max = Lanes::ZERO;
     let mut addends = [Lanes::ZERO; Sum::COUNT];
-    for (block, results) in w.blocks.iter_mut().enumerate() {
+    let mut problem = SlipProblemLanes::ZERO;
+    for (block, (results, slips)) in w.blocks.iter_mut().zip(&mut w.slips).enumerate() {
         let balls = p.balls(block);
         let rings = [&w.ring, &w.outer_ring];
-        let problem =
-            slip_problems::<PAPER, false>(p, balls, results, rings, Motions::new(p, y, block), h_s);
-        let slips = solve(p, results, &problem);
+        let motions = Motions::new(p, y, block);
+        slip_problems::<PAPER, false>(p, balls, results, rings, motions, h_s, &mut problem);
+        if !w.slips_known {
+            (slips.outer, slips.inner) = (results.outer.slip, results.inner.slip);
+        }
+        with_law!(&p.friction, law => solve(law, &problem, slips));
         results.outer_friction = slips.outer_friction;
         results.inner_friction = slips.inner_friction;
         results.outer.slip = slips.outer;
@@ -75,6 +79,7 @@ fn add<const PAPER: bool>(
         }
     }
     w.slip_max = lane_maxima(&slip_max, alone);
+    w.slips_known = true;
     for bearing in 0..p.layout.width() {
         let layout = p.layout.of_bearing(bearing);
         let total = |sum: Sum| w.sums.total(sum, alone, bearing);
@@ -101,6 +106,76 @@ fn add<const PAPER: bool>(
     }
 }
 
+/// Adds friction at the raceways to the rates of the one bearing that was evaluated last without
+/// it: fo, fi, ΔVo and ΔVi of each ball under a law that sticks, and the friction of the journal.
+/// It stays within the cones of the forces evaluated; what sticks has the sliding speed given.
+pub(crate) fn add_given_friction(
+    p: &Parameters,
+    w: &mut Workspace,
+    given: &[[f64; 4]],
+    journal_friction: f64,
+    dydt: &mut [f64],
+) {
+    w.sums.clear(true);
+    let mut addends = [Lanes::ZERO; Sum::COUNT];
+    for (block, results) in w.blocks.iter_mut().enumerate() {
+        for (lane, [fo, fi, outer_slip, inner_slip]) in
+            given.iter().skip(block * LANES).take(LANES).enumerate()
+        {
+            let coefficient = with_law!(&p.friction, law => law.lane(lane).coefficient());
+            let bounded = |friction: f64, normal: f64| {
+                let largest = coefficient * normal;
+                friction.max(-largest).min(largest)
+            };
+            results.outer_friction.0[lane] = bounded(*fo, results.outer.friction_normal.0[lane]);
+            results.inner_friction.0[lane] = bounded(*fi, results.inner.force.0[lane]);
+            if outer_slip.abs() < STUCK_M_S {
+                results.outer.slip.0[lane] = *outer_slip;
+            }
+            if inner_slip.abs() < STUCK_M_S {
+                results.inner.slip.0[lane] = *inner_slip;
+            }
+        }
+        let balls = p.balls(block);
+        let rates = match p.profile {
+            Profile::Paper => accelerations::<true>(balls, results),
+            Profile::Physical => accelerations::<false>(balls, results),
+        };
+        add_to_balls(p, block, rates, dydt);
+        inner_friction_reactions(results, &mut addends);
+        w.sums.add(&[Sum::RingX, Sum::RingY], &addends, true, block);
+    }
+    let mass = p.ring.mass.0[0];
+    let mut force = [Sum::RingX, Sum::RingY].map(|sum| w.sums.total(sum, true, 0));
+    if p.layout.has_rotor() {
+        let rotor = &mut w.rotors[0];
+        rotor.friction = journal_friction;
+        // The ring takes the reaction of the journal.
+        force[0] -= journal_friction * rotor.contact.ny;
+        force[1] += journal_friction * rotor.contact.nx;
+    }
+    for (coordinate, force) in [RingCoordinate::Vx, RingCoordinate::Vy]
+        .into_iter()
+        .zip(force)
+    {
+        dydt[p.layout.ring(coordinate)] += force / mass;
+    }
+}
+
+/// Sliding speed below which a law that sticks sticks, m/s: far above rounding, far below any
+/// sliding.
+pub(super) const STUCK_M_S: f64 = 1e-10;
+
+/// Friction forces of the balls of a block on the inner ring.
+#[inline(always)]
+pub(super) fn inner_friction_reactions(results: &BlockResults, addends: &mut Addends) {
+    for lane in 0..LANES {
+        let friction = results.inner_friction.0[lane];
+        addends[Sum::RingX as usize].0[lane] = friction * results.inner_polar.ey.0[lane];
+        addends[Sum::RingY as usize].0[lane] = -friction * results.inner_polar.ex.0[lane];
+    }
+}
+
 /// The implicit equations of the balls of a block.
 #[inline(always)]
 pub(super) fn slip_problems<const PAPER: bool, const ROTOR: bool>(
@@ -110,8 +185,8 @@ pub(super) fn slip_problems<const PAPER: bool, const ROTOR: bool>(
     [ring, outer_ring]: [&CentreLanes; 2],
     motions: Motions<'_>,
     h_s: f64,
-) -> SlipProblemLanes {
-    let mut problem = SlipProblemLanes::ZERO;
+    problem: &mut SlipProblemLanes,
+) {
     for lane in 0..LANES {
         let motion = motions.get(lane);
         let polar = results
@@ -140,54 +215,31 @@ pub(super) fn slip_problems<const PAPER: bool, const ROTOR: bool>(
         );
         problem.put(lane, equations);
     }
-    problem
 }
 
-/// Sliding speeds and friction at the end of the step by the law of the case.
+/// Sliding speeds and friction at the end of the step by a law, from `slips`.
+///
+/// A ball at which Newton's method has converged keeps its solution while its neighbours in the
+/// block iterate, so that a bearing has the same bits alone and beside others.
 #[inline(always)]
-pub(super) fn solve(
-    p: &Parameters,
-    results: &BlockResults,
-    problem: &SlipProblemLanes,
-) -> SlipsLanes {
-    match p.law {
-        FrictionLaw::Smooth => newton(FrictionLaw::Smooth, p, results, problem),
-        FrictionLaw::Stribeck => newton(FrictionLaw::Stribeck, p, results, problem),
-        FrictionLaw::Coulomb => {
-            let mut slips = SlipsLanes::ZERO;
-            for lane in 0..LANES {
-                let friction = p.friction.get(lane);
-                slips.put(lane, coulomb_friction(&friction, &problem.get(lane)));
-            }
-            slips
+pub(super) fn solve<L: LawLanes>(law: &L, problem: &SlipProblemLanes, slips: &mut SlipsLanes) {
+    if L::Law::STICKS {
+        for lane in 0..LANES {
+            slips.put(lane, law.lane(lane).end_of_step(&problem.get(lane)));
         }
+        return;
     }
-}
-
-/// Newton's method from the sliding speeds at the extrapolated velocities. A ball that has
-/// converged keeps its solution while its neighbours in the block iterate, so that a bearing
-/// has the same bits alone and beside others.
-#[inline(always)]
-fn newton(
-    law: FrictionLaw,
-    p: &Parameters,
-    results: &BlockResults,
-    problem: &SlipProblemLanes,
-) -> SlipsLanes {
-    let mut slips = SlipsLanes::ZERO;
-    slips.outer = results.outer.slip;
-    slips.inner = results.inner.slip;
+    slips.converged = Lanes::ZERO;
     for _ in 0..MAX_ITERATIONS {
         for lane in 0..LANES {
-            let (friction, problem) = (p.friction.get(lane), problem.get(lane));
-            let next = newton_step(law, &friction, &problem, &slips.get(lane));
+            let next = newton_step(&law.lane(lane), &problem.get(lane), &slips.get(lane));
             slips.put(lane, next);
         }
+        // In a loop of its own: a sum would keep the one above from becoming vector code.
         if slips.converged.0.iter().all(|c| *c > 0.0) {
-            return slips;
+            return;
         }
     }
-    slips
 }
 
 /// Adds the friction of a block to rates, or over a step of `h_s` to velocities.
@@ -210,6 +262,17 @@ pub(super) fn accelerate<const RATES: bool>(
             } else {
                 h_s * rates[lane]
             };
+        }
+    }
+}
+
+/// Adds accelerations of the balls of a block to rates.
+fn add_to_balls(p: &Parameters, block: usize, rates: [[f64; LANES]; 3], dydt: &mut [f64]) {
+    let coordinates = [BallCoordinate::Vx, BallCoordinate::Vy, BallCoordinate::Spin];
+    for (coordinate, rates) in coordinates.into_iter().zip(rates) {
+        let values = block_mut(dydt, p.layout.array(coordinate) + block * LANES);
+        for lane in 0..LANES {
+            values[lane] += rates[lane];
         }
     }
 }

@@ -18,6 +18,6 @@ mod rotor;
 mod sums;
 
 pub(crate) use harness::{Workspace, evaluate};
-pub(crate) use implicit_friction::add_implicit_friction;
+pub(crate) use implicit_friction::{add_given_friction, add_implicit_friction};
 pub use instruction_set::InstructionSet;
 pub(crate) use parameters::Parameters;

@@ -1,7 +1,7 @@
 //! The constants of one bearing, or of several side by side, block by block.
 
 use super::lanes::Lanes;
-use crate::case::{FrictionLaw, Profile};
+use crate::case::Profile;
 use crate::contact::{
     FrictionLanes, InnerRacewayLanes, OuterRacewayLanes, RacewayConstants, RacewayConstantsLanes,
 };
@@ -31,7 +31,6 @@ pub(super) struct RacewayBlock {
 pub(crate) struct Parameters {
     pub layout: Layout,
     pub profile: Profile,
-    pub law: FrictionLaw,
     /// Whether outer contacts differ from those of nominal balls in raceways as designed.
     pub unequal: bool,
     /// Rotor and outer ring of each bearing; empty without rotors.
@@ -100,7 +99,6 @@ impl Parameters {
         Self {
             layout,
             profile: first.profile,
-            law: first.law,
             unequal,
             drops: models
                 .iter()

@@ -1,14 +1,16 @@
 //! The bodies under a falling rotor: reactions of the balls, and their motion.
 
 use super::harness::{BlockResults, CentreLanes, Motions, Workspace, lane_maxima, loaded_slips};
-use super::implicit_friction::{accelerate, slip_problems, solve};
+use super::implicit_friction::{
+    STUCK_M_S, accelerate, inner_friction_reactions, slip_problems, solve,
+};
 use super::lanes::Lanes;
 use super::parameters::Parameters;
 use super::sums::{Addends, Sum, Sums};
-use crate::case::{FrictionLaw, Profile};
+use crate::case::Profile;
 use crate::contact::{
-    Friction, InnerRaceway, SlipProblemLanes, SlipsLanes, end_weight, friction_force,
-    implicit_slip, inner_slip, journal_slip, outer_friction_direction, outer_slip, positive,
+    InnerRaceway, Law, LawLanes, SlipProblemLanes, SlipsLanes, end_weight, implicit_slip,
+    inner_slip, journal_slip, outer_friction_direction, outer_slip, positive, with_law,
 };
 use crate::dynamics::ball::BallLanes;
 use crate::dynamics::coordinates::{DropCoordinate, RingCoordinate};
@@ -77,7 +79,7 @@ pub(super) fn rotor_and_ledger(
     let mut contact = body.contact(&rotor, &motion, ring_speed);
     if with_friction {
         let c = &contact.contact;
-        [contact.friction, _] = friction_force(body.law, &body.friction, c.slip, c.force);
+        [contact.friction, _] = body.friction.force(c.slip, c.force);
     }
     let friction = contact.friction;
     let force = contact.contact.force_on_journal(friction);
@@ -163,10 +165,13 @@ pub(super) fn add_with_rotor(
         let balls = p.balls(block);
         let rings = [&w.ring, &w.outer_ring];
         let motions = Motions::new(p, y, block);
-        let mut problem = slip_problems::<false, true>(p, balls, results, rings, motions, h_s);
+        let mut problem = SlipProblemLanes::ZERO;
+        slip_problems::<false, true>(p, balls, results, rings, motions, h_s, &mut problem);
         let before = w.slips_known.then_some(&*slips);
-        let weights = split(p, results, before, &mut problem);
-        let end = solve(p, results, &problem);
+        let weights = with_law!(&p.friction, law => split(law, results, before, &mut problem));
+        let mut end = SlipsLanes::ZERO;
+        (end.outer, end.inner) = (results.outer.slip, results.inner.slip);
+        with_law!(&p.friction, law => solve(law, &problem, &mut end));
         // The rates are those at the end of the step, the velocities change by both ends.
         results.outer_friction = end.outer_friction;
         results.inner_friction = end.inner_friction;
@@ -239,8 +244,8 @@ pub(super) fn add_with_rotor(
 /// s₁ = (s_free − H·(1 − θ)·f₀) − H·θ·f₁; returns θ of outer and inner contacts. Without a step
 /// before, θ = 1.
 #[inline(always)]
-fn split(
-    p: &Parameters,
+fn split<L: LawLanes>(
+    law: &L,
     results: &BlockResults,
     before: Option<&SlipsLanes>,
     problem: &mut SlipProblemLanes,
@@ -250,9 +255,14 @@ fn split(
         return weights;
     };
     for lane in 0..LANES {
-        let (friction, mut q) = (p.friction.get(lane), problem.get(lane));
+        let (friction, mut q) = (law.lane(lane), problem.get(lane));
         let weight = |slips: [f64; 2], normal: f64, mobility: f64| {
-            contact_weight(p.law, &friction, slips, normal, mobility)
+            contact_weight(
+                L::Law::STICKS,
+                |slip| friction.force(slip, normal)[1],
+                slips,
+                mobility,
+            )
         };
         let outer = weight(
             [before.outer.0[lane], results.outer.slip.0[lane]],
@@ -277,26 +287,21 @@ fn split(
     weights
 }
 
-/// θ of a contact with these sliding speeds at the start and extrapolated to the end of the step.
+/// θ of a contact with these sliding speeds at the start and extrapolated to the end of the step,
+/// under a law that sticks or has this slope of the friction over the sliding speed.
 #[inline(always)]
 fn contact_weight(
-    law: FrictionLaw,
-    friction: &Friction,
+    sticks: bool,
+    slope: impl Fn(f64) -> f64,
     [start, end]: [f64; 2],
-    normal: f64,
     mobility: f64,
 ) -> f64 {
-    if law == FrictionLaw::Coulomb {
+    if sticks {
         return if start.abs() < STUCK_M_S { 1.0 } else { 0.5 };
     }
-    let [_, at_start] = friction_force(law, friction, start, normal);
-    let [_, at_end] = friction_force(law, friction, end, normal);
     // The Stribeck law falls beyond its peak; that is not stiff.
-    end_weight(mobility * positive(at_start.max(at_end)))
+    end_weight(mobility * positive(slope(start).max(slope(end))))
 }
-
-/// Sliding speed below which Coulomb's law sticks, m/s: far above rounding, far below any sliding.
-const STUCK_M_S: f64 = 1e-10;
 
 /// Reactions of the friction of the balls of a block on both rings.
 #[inline(always)]
@@ -304,16 +309,6 @@ fn reactions(p: &Parameters, results: &BlockResults, addends: &mut Addends) {
     inner_friction_reactions(results, addends);
     outer_friction_reactions(results, addends);
     ring_torques(p, results, addends);
-}
-
-/// Friction forces of the balls of a block on the inner ring.
-#[inline(always)]
-fn inner_friction_reactions(results: &BlockResults, addends: &mut Addends) {
-    for lane in 0..LANES {
-        let friction = results.inner_friction.0[lane];
-        addends[Sum::RingX as usize].0[lane] = friction * results.inner_polar.ey.0[lane];
-        addends[Sum::RingY as usize].0[lane] = -friction * results.inner_polar.ex.0[lane];
-    }
 }
 
 /// Accelerations of both rings by the friction of the balls.
@@ -370,13 +365,13 @@ fn journal_friction(
     let [start_slip, start_friction] = w.rotor_slips[bearing];
     let weight = if w.slips_known {
         let slips = [start_slip, rotor.contact.slip];
-        contact_weight(body.law, &body.friction, slips, load, mobility)
+        let slope = |slip: f64| body.friction.force(slip, load)[1];
+        contact_weight(body.friction.sticks(), slope, slips, mobility)
     } else {
         1.0
     };
     let given = (1.0 - weight) * start_friction;
     let [end, friction] = implicit_slip(
-        body.law,
         &body.friction,
         free - mobility * given,
         weight * mobility,

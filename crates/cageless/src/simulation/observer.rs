@@ -106,7 +106,7 @@ impl StepView<'_, '_> {
             .collect();
         self.interpolator
             .borrow_mut()
-            .snapshot(time_s, &state, &angles)
+            .snapshot_within(time_s, &state, &angles, &self.contacts)
     }
 }
 

@@ -1,0 +1,147 @@
+//! Coulomb's law: sliding under μN, rolling as sticking within the cone.
+
+use super::{FrictionParameters, Law, SlipProblem, Slips};
+use crate::simd::lanes::lane_struct;
+
+law_struct! {
+    /// μ·sign(ΔV)·N while sliding, at most μN while sticking.
+    pub struct Coulomb per lane CoulombLanes {
+        /// μ.
+        coefficient,
+        /// Explicit methods: friction per sliding speed within the cone, N·s/m.
+        stick_gain,
+    }
+}
+
+impl Law for Coulomb {
+    const NAME: &'static str = "coulomb";
+    const STICKS: bool = true;
+
+    fn new(parameters: &FrictionParameters, stick_gain_n_s_m: f64) -> Self {
+        Self {
+            coefficient: parameters.coefficient,
+            stick_gain: stick_gain_n_s_m,
+        }
+    }
+
+    fn describe(_parameters: &FrictionParameters) -> String {
+        "Coulomb".to_owned()
+    }
+
+    /// g·ΔV bounded by ±μN, the cone with the relaxed stick of [`crate::dynamics::Model`].
+    #[inline(always)]
+    fn force(&self, slip_m_s: f64, normal_n: f64) -> [f64; 2] {
+        let largest = self.coefficient * normal_n;
+        let wanted = self.stick_gain * slip_m_s;
+        let bounded = if wanted > largest { largest } else { wanted };
+        let force = if bounded < -largest {
+            -largest
+        } else {
+            bounded
+        };
+        [force, self.stick_gain]
+    }
+
+    #[inline(always)]
+    fn coefficient(&self) -> f64 {
+        self.coefficient
+    }
+
+    /// Coulomb's law at both contacts: |f| ≤ μN with f = μN·sign(s) where s ≠ 0, exactly.
+    ///
+    /// The candidates are: both contacts stick; one slides either way while the other sticks as
+    /// far as its cone allows. The solution is the one at which neither force changes under
+    /// the projection f → clamp(f + s/H_kk, ±μN). It is unique, for H is a P-matrix.
+    #[inline(always)]
+    fn end_of_step(&self, problem: &SlipProblem) -> Slips {
+        let p = problem;
+        let largest = [
+            self.coefficient * p.outer_normal,
+            self.coefficient * p.inner_normal,
+        ];
+        // A ball of the padding has no mobility, and so no number here: no load, no friction.
+        let clamp = |f: f64, most: f64| if f.abs() <= most { f } else { most.copysign(f) };
+        let determinant = p.outer_outer * p.inner_inner - p.outer_inner * p.inner_outer;
+        let stick = [
+            (p.inner_inner * p.outer_free - p.outer_inner * p.inner_free) / determinant,
+            (p.outer_outer * p.inner_free - p.inner_outer * p.outer_free) / determinant,
+        ];
+        let outer_slides = |fo: f64| {
+            let fi = (p.inner_free - p.inner_outer * fo) / p.inner_inner;
+            [fo, clamp(fi, largest[1])]
+        };
+        let inner_slides = |fi: f64| {
+            let fo = (p.outer_free - p.outer_inner * fi) / p.outer_outer;
+            [clamp(fo, largest[0]), fi]
+        };
+        let miss = |f: [f64; 2]| {
+            let [so, si] = p.slips(f);
+            (clamp(f[0] + so / p.outer_outer, largest[0]) - f[0]).abs()
+                + (clamp(f[1] + si / p.inner_inner, largest[1]) - f[1]).abs()
+        };
+        let candidates = [
+            outer_slides(largest[0]),
+            outer_slides(-largest[0]),
+            inner_slides(largest[1]),
+            inner_slides(-largest[1]),
+        ];
+        let within = stick[0].abs() <= largest[0] && stick[1].abs() <= largest[1];
+        // Sticking is exact where it is possible: no rounding of `miss` may prefer a slide.
+        let mut least = if within { -1.0 } else { f64::INFINITY };
+        let mut best = if within { stick } else { [0.0; 2] };
+        for candidate in candidates {
+            let size = miss(candidate);
+            let better = size < least;
+            least = if better { size } else { least };
+            best[0] = if better { candidate[0] } else { best[0] };
+            best[1] = if better { candidate[1] } else { best[1] };
+        }
+        let [outer, inner] = p.slips(best);
+        Slips {
+            outer,
+            inner,
+            outer_friction: best[0],
+            inner_friction: best[1],
+            converged: 1.0,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::implicit_friction::tests::problem;
+
+    /// Every combination of stick and slide satisfies Coulomb's law, and sticking is exact.
+    #[test]
+    fn coulomb_holds_the_cone() {
+        let law = Coulomb {
+            coefficient: 0.3,
+            stick_gain: 1.0,
+        };
+        let (mut sticks, mut slides) = (0, 0);
+        for a in -10..=10 {
+            for b in -10..=10 {
+                for normal in [[1000.0, 900.0], [5.0, 800.0], [700.0, 0.0], [0.0, 0.0]] {
+                    let free = [0.3 * f64::from(a), 0.2 * f64::from(b)];
+                    let p = problem(free, normal, 2e-6);
+                    let s = law.end_of_step(&p);
+                    for (slip, force, n) in [
+                        (s.outer, s.outer_friction, normal[0]),
+                        (s.inner, s.inner_friction, normal[1]),
+                    ] {
+                        assert!(force.abs() <= 0.3 * n * (1.0 + 1e-12) + 1e-12);
+                        if slip.abs() < 1e-12 {
+                            sticks += 1;
+                        } else {
+                            slides += 1;
+                            let expected = 0.3 * n * slip.signum();
+                            assert!((force - expected).abs() < 1e-9, "{free:?} {normal:?} {s:?}");
+                        }
+                    }
+                }
+            }
+        }
+        assert!(sticks > 100 && slides > 100, "{sticks} {slides}");
+    }
+}

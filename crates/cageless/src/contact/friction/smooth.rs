@@ -1,0 +1,47 @@
+//! Friction with a smooth knee at zero sliding speed.
+
+use super::{FrictionParameters, Law, tanh};
+use crate::simd::lanes::lane_struct;
+
+law_struct! {
+    /// μ·tanh(ΔV/scale)·N.
+    pub struct Smooth per lane SmoothLanes {
+        /// μ.
+        coefficient,
+        /// 1/scale, s/m.
+        inverse_slip_scale,
+    }
+}
+
+impl Law for Smooth {
+    const NAME: &'static str = "smooth";
+
+    fn new(parameters: &FrictionParameters, _stick_gain_n_s_m: f64) -> Self {
+        Self {
+            coefficient: parameters.coefficient,
+            inverse_slip_scale: 1.0 / parameters.slip_scale_m_s,
+        }
+    }
+
+    fn describe(parameters: &FrictionParameters) -> String {
+        format!("smooth, tanh(ΔV/{} m/s)", parameters.slip_scale_m_s)
+    }
+
+    #[inline(always)]
+    fn force(&self, slip_m_s: f64, normal_n: f64) -> [f64; 2] {
+        let largest = self.coefficient * normal_n;
+        let knee = tanh(slip_m_s * self.inverse_slip_scale);
+        let slope = largest * (1.0 - knee * knee) * self.inverse_slip_scale;
+        [largest * knee, slope]
+    }
+
+    #[inline(always)]
+    fn coefficient(&self) -> f64 {
+        self.coefficient
+    }
+
+    #[inline(always)]
+    fn inverse_slip_scale(&self) -> f64 {
+        self.inverse_slip_scale
+    }
+}

@@ -1,0 +1,68 @@
+//! Friction that drops from static to sliding.
+
+use super::tanh::exp_negative;
+use super::{FrictionParameters, Law, tanh};
+use crate::simd::lanes::lane_struct;
+
+law_struct! {
+    /// (μ + (μs − μ)·exp(−|ΔV|/v))·tanh(ΔV/scale)·N.
+    pub struct Stribeck per lane StribeckLanes {
+        /// μ of fast sliding.
+        coefficient,
+        /// μs − μ.
+        static_excess,
+        /// 1/v, s/m.
+        inverse_stribeck_speed,
+        /// 1/scale, s/m.
+        inverse_slip_scale,
+    }
+}
+
+impl Law for Stribeck {
+    const NAME: &'static str = "stribeck";
+
+    fn new(parameters: &FrictionParameters, _stick_gain_n_s_m: f64) -> Self {
+        Self {
+            coefficient: parameters.coefficient,
+            static_excess: Self::coefficient_max(parameters) - parameters.coefficient,
+            inverse_stribeck_speed: parameters.stribeck_speed_m_s.map_or(0.0, |v| 1.0 / v),
+            inverse_slip_scale: 1.0 / parameters.slip_scale_m_s,
+        }
+    }
+
+    fn describe(parameters: &FrictionParameters) -> String {
+        format!(
+            "Stribeck, {} to {}",
+            Self::coefficient_max(parameters),
+            parameters.coefficient
+        )
+    }
+
+    fn coefficient_max(parameters: &FrictionParameters) -> f64 {
+        let sliding = parameters.coefficient;
+        parameters
+            .static_coefficient
+            .map_or(sliding, |s| s.max(sliding))
+    }
+
+    #[inline(always)]
+    fn force(&self, slip_m_s: f64, normal_n: f64) -> [f64; 2] {
+        let largest = self.coefficient * normal_n;
+        let knee = tanh(slip_m_s * self.inverse_slip_scale);
+        let decay = exp_negative((-slip_m_s.abs() * self.inverse_stribeck_speed).max(-80.0));
+        let excess = self.static_excess * decay * normal_n;
+        let slope = (largest + excess) * (1.0 - knee * knee) * self.inverse_slip_scale
+            - excess * self.inverse_stribeck_speed * knee.abs();
+        [(largest + excess) * knee, slope]
+    }
+
+    #[inline(always)]
+    fn coefficient(&self) -> f64 {
+        self.coefficient
+    }
+
+    #[inline(always)]
+    fn inverse_slip_scale(&self) -> f64 {
+        self.inverse_slip_scale
+    }
+}
