@@ -1,5 +1,6 @@
 //! Measurements of Cageless, one command each: see README.md.
 
+mod clock;
 mod drops;
 mod endurance;
 mod equations;

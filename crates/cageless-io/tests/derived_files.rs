@@ -36,6 +36,7 @@ fn value(value: &ValueType) -> String {
         ValueType::Numbers => "list of numbers".to_owned(),
         ValueType::Range => "number or `[lowest, highest]`".to_owned(),
         ValueType::OverTime => "number or `[[time in s, value], …]`".to_owned(),
+        ValueType::Rows(row) => format!("`[{row}, …]`"),
         ValueType::Choice(choices) => names(choices),
         ValueType::NumberOr(choices) => format!("number, {}", names(choices)),
         ValueType::NumbersOr(choices) => format!("list of numbers, {}", names(choices)),
@@ -121,6 +122,7 @@ fn annotation(value: &ValueType) -> String {
         ValueType::Numbers => "Sequence[float]".to_owned(),
         ValueType::Range => "float | Sequence[float]".to_owned(),
         ValueType::OverTime => "float | Sequence[Sequence[float]]".to_owned(),
+        ValueType::Rows(_) => "Sequence[Sequence[float]]".to_owned(),
         ValueType::Choice(names) => literal(names),
         ValueType::NumberOr(names) => format!("{} | float", literal(names)),
         ValueType::NumbersOr(names) => format!("{} | Sequence[float]", literal(names)),
@@ -172,10 +174,11 @@ fn python_has_a_class_for_every_section() {
                 .replace("Literal[", "{")
                 .replace(']', "}");
             let kind = match key.value {
-                ValueType::Numbers
-                | ValueType::Range
-                | ValueType::OverTime
-                | ValueType::NumbersOr(_) => kind.replace("Sequence[float}", "sequence of float"),
+                ValueType::Numbers | ValueType::Range | ValueType::NumbersOr(_) => {
+                    kind.replace("Sequence[float}", "sequence of float")
+                }
+                ValueType::OverTime => "float or sequence of (float, float)".to_owned(),
+                ValueType::Rows(_) => "sequence of (float, float)".to_owned(),
                 _ => kind,
             };
             let optional = if required { "" } else { ", optional" };

@@ -10,7 +10,7 @@
 //! assert!(case.check().is_ok());
 //! ```
 
-use crate::case::{FrictionLaw, FrictionParameters};
+use crate::case::{FrictionLaw, FrictionParameters, FrictionTable};
 use crate::error::{Allowed, InputError, not_negative, positive};
 
 /// A rigid rotor in the plane of the bearing, which a magnetic bearing holds until t = 0.
@@ -29,16 +29,18 @@ pub struct Rotor {
     /// φ, direction of the mass centre from the centre of the journal at the start, from +X,
     /// counter-clockwise.
     pub eccentricity_phase_rad: f64,
-    /// μr between journal and bore; of the Stribeck law that of fast sliding.
+    /// μr between journal and bore; of the Stribeck law and a table that of fast sliding.
     pub friction_coefficient: f64,
     /// Law of friction between journal and bore.
     pub friction_law: FrictionLaw,
-    /// Sliding speed at the knee of the smooth and Stribeck laws.
+    /// Sliding speed at the knee of all laws but Coulomb's.
     pub slip_scale_m_s: f64,
     /// μs of the Stribeck law, at least μr; of no other law.
     pub static_friction_coefficient: Option<f64>,
     /// v of the Stribeck law, m/s; of no other law.
     pub stribeck_speed_m_s: Option<f64>,
+    /// μr over the sliding speed, of the law of that name; of no other law.
+    pub friction_table: Option<FrictionTable>,
     /// K of the contact between journal and bore, F = K δ^p (1 + 1.5 α dδ/dt), N/m^p.
     pub contact_stiffness: f64,
     /// p, 1 (conformal) to 1.5 (Hertz).
@@ -93,19 +95,27 @@ impl Rotor {
     }
 
     /// Law of friction between journal and bore with its parameters.
-    pub fn friction(&self) -> FrictionParameters {
+    pub fn friction(&self) -> FrictionParameters<'_> {
         FrictionParameters {
             law: self.friction_law,
             coefficient: self.friction_coefficient,
             slip_scale_m_s: self.slip_scale_m_s,
             static_coefficient: self.static_friction_coefficient,
             stribeck_speed_m_s: self.stribeck_speed_m_s,
+            table: self.friction_table.as_ref(),
         }
     }
 
     /// Largest coefficient of friction of the law.
     pub fn friction_coefficient_max(&self) -> f64 {
         self.friction().coefficient_max()
+    }
+
+    /// Multiplies friction at every sliding speed.
+    pub fn scale_friction(&mut self, factor: f64) {
+        self.friction_coefficient *= factor;
+        self.static_friction_coefficient = self.static_friction_coefficient.map(|mu| mu * factor);
+        self.friction_table = self.friction_table.as_ref().map(|t| t.scaled(factor));
     }
 
     /// Checks the values against each other and against the bore of the inner ring.
@@ -130,16 +140,15 @@ impl Rotor {
             ));
         }
         finite("eccentricity_phase_rad", self.eccentricity_phase_rad)?;
-        not_negative("rotor_friction_coefficient", self.friction_coefficient)?;
         positive("rotor_slip_scale_m_s", self.slip_scale_m_s)?;
-        crate::case::check_stribeck(
-            self.friction_law,
-            self.friction_coefficient,
-            (
+        crate::case::check_friction(
+            &self.friction(),
+            [
+                "rotor_friction_coefficient",
                 "rotor_static_friction_coefficient",
-                self.static_friction_coefficient,
-            ),
-            ("rotor_stribeck_speed_m_s", self.stribeck_speed_m_s),
+                "rotor_stribeck_speed_m_s",
+                "rotor_friction_table",
+            ],
         )?;
         positive("contact_stiffness", self.contact_stiffness)?;
         let [least, most] = CONTACT_EXPONENTS;

@@ -2,6 +2,7 @@
 
 mod common;
 
+use cageless::contact::FrictionTable;
 use cageless::dynamics::InstructionSet;
 use cageless::simulation::{Control, Observer, batches, run, run_batch};
 use cageless::summary::{Summary, SummaryRecorder};
@@ -82,10 +83,10 @@ fn same(one: &[(Vec<f64>, Option<Summary>)], other: &[(Vec<f64>, Option<Summary>
 }
 
 /// A bearing has the same bits alone and beside any others, in either profile, with equal and
-/// unequal balls, on every instruction set.
+/// unequal balls, lubricated and dry, on every instruction set.
 #[test]
 fn company_changes_no_bit() {
-    let kinds: [fn(&mut Case); 3] = [
+    let kinds: [fn(&mut Case); 5] = [
         |_| {},
         |case| case.profile = Profile::Paper,
         |case| {
@@ -99,6 +100,15 @@ fn company_changes_no_bit() {
                 lead_ball_angle_rad: case.start.lead_ball_angle_rad(),
             };
         },
+        // Friction that is implicit.
+        |case| case.contact.friction_coefficient = 1e-4 * case.operation.radial_load_n,
+        |case| {
+            let mu = 1e-4 * case.operation.radial_load_n;
+            let table = vec![[0.0, 2.0 * mu], [mu, 1.5 * mu], [3.0 * mu, mu]];
+            case.contact.friction_coefficient = mu;
+            case.contact.friction_law = FrictionLaw::Table;
+            case.contact.friction_table = Some(FrictionTable::new(table).unwrap());
+        },
     ];
     // An odd number leaves a lane of each bearing empty.
     for (balls, change) in [
@@ -106,6 +116,8 @@ fn company_changes_no_bit() {
         (13, kinds[0]),
         (14, kinds[1]),
         (13, kinds[2]),
+        (13, kinds[3]),
+        (14, kinds[4]),
     ] {
         let mut cases = mixed_of(balls, 11);
         cases.iter_mut().for_each(change);

@@ -3,6 +3,7 @@
 
 mod common;
 
+use cageless::contact::FrictionTable;
 use cageless::dynamics::ball::{BallMotion, Centre};
 use cageless::dynamics::coordinates::{BallCoordinate, RingCoordinate};
 use cageless::dynamics::state::State;
@@ -186,6 +187,84 @@ fn dry_friction_takes_the_step_of_the_contacts() {
     }
 }
 
+/// However small the slip scale, the step is that of the contacts, and the motion goes over into that
+/// of Coulomb's law: the nearer the smaller the scale.
+#[test]
+fn small_slip_scales_go_over_into_coulombs_law() {
+    let mut case = structure(5.1, 25.2);
+    case.solver.method = Method::Symplectic;
+    case.solver.duration_s = 0.01;
+    case.contact.friction_coefficient = 0.3;
+    case.contact.damping_n_s_m1_5 = 2e5;
+    case.contact.friction_law = FrictionLaw::Coulomb;
+    case.solver.step_s = StepLimits::new(&case).automatic_s(Method::Symplectic);
+    let (coulomb, _) = means(&case);
+    case.contact.friction_law = FrictionLaw::Smooth;
+    for (scale, distance_m) in [(0.02, 1e-9), (2e-4, 5e-11), (1e-6, 5e-12)] {
+        case.contact.slip_scale_m_s = scale;
+        let automatic = StepLimits::new(&case).automatic_s(Method::Symplectic);
+        assert_eq!(case.solver.step_s, automatic);
+        let (smooth, residual) = means(&case);
+        assert!(residual.abs() < 1e-4, "{scale}: {residual:e}");
+        let distance = (smooth[0] - coulomb[0]).abs();
+        assert!(distance < distance_m, "{scale}: {distance:e}");
+    }
+    case.contact.slip_scale_m_s = 0.9e-6;
+    assert_eq!(case.check().unwrap_err().field, "slip_scale_m_s");
+}
+
+/// From 0.2 at rest to 0.1.
+fn falling_table() -> FrictionTable {
+    FrictionTable::new(vec![[0.0, 0.2], [0.1, 0.14], [0.4, 0.1]]).unwrap()
+}
+
+/// A table of the same μ everywhere is the smooth law.
+#[test]
+fn a_level_table_is_the_smooth_law() {
+    let mut case = structure(5.1, 25.2);
+    case.solver.method = Method::Symplectic;
+    case.solver.duration_s = 0.003;
+    case.contact.friction_coefficient = 0.1;
+    case.solver.step_s = StepLimits::new(&case).automatic_s(Method::Symplectic);
+    let end = |case: &Case| run(case, &mut [], &mut |_| Control::Continue(())).unwrap();
+    let smooth = end(&case);
+    case.contact.friction_law = FrictionLaw::Table;
+    let level = FrictionTable::new(vec![[0.0, 0.1], [0.2, 0.1], [1.0, 0.1]]);
+    case.contact.friction_table = Some(level.unwrap());
+    let table = end(&case);
+    for ball in 0..14 {
+        let (a, b) = (
+            smooth.state.ball_motion(ball),
+            table.state.ball_motion(ball),
+        );
+        assert!((a.x - b.x).abs() < 1e-12 && (a.spin - b.spin).abs() < 1e-6);
+    }
+    case.contact.friction_table = Some(falling_table());
+    let falling = end(&case);
+    assert!(smooth.state != falling.state);
+}
+
+/// μ is that of fast sliding, and what only one law has comes with no other.
+#[test]
+fn tables_come_with_their_law() {
+    let mut case = structure(5.1, 25.2);
+    case.contact.friction_coefficient = 0.1;
+    case.contact.friction_table = Some(falling_table());
+    let field = |case: &Case| case.check().unwrap_err().field;
+    assert_eq!(field(&case), "friction_table");
+    case.contact.friction_law = FrictionLaw::Table;
+    assert!(case.check().is_ok());
+    case.contact.scale_friction(1.3);
+    assert!(case.check().is_ok());
+    case.contact.shift_friction(-0.01);
+    assert!(case.check().is_ok());
+    assert!((case.contact.friction_coefficient_max() - 0.24).abs() < 1e-12);
+    case.contact.friction_coefficient = 0.007;
+    assert_eq!(field(&case), "friction_coefficient");
+    case.contact.friction_table = None;
+    assert_eq!(field(&case), "friction_table");
+}
+
 /// Every law runs in lanes with the bits that it has alone, on every instruction set.
 #[test]
 fn every_law_is_finite_and_closes_its_ledger() {
@@ -193,6 +272,7 @@ fn every_law_is_finite_and_closes_its_ledger() {
         FrictionLaw::Smooth,
         FrictionLaw::Coulomb,
         FrictionLaw::Stribeck,
+        FrictionLaw::Table,
     ] {
         let mut case = structure(5.1, 25.2);
         case.solver.method = Method::Symplectic;
@@ -202,6 +282,9 @@ fn every_law_is_finite_and_closes_its_ledger() {
         if law == FrictionLaw::Stribeck {
             case.contact.static_friction_coefficient = Some(0.2);
             case.contact.stribeck_speed_m_s = Some(0.1);
+        }
+        if law == FrictionLaw::Table {
+            case.contact.friction_table = Some(falling_table());
         }
         case.solver.step_s = StepLimits::new(&case).automatic_s(Method::Symplectic);
         let outcome = run(&case, &mut [], &mut |_| Control::Continue(())).unwrap();

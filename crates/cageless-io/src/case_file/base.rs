@@ -28,7 +28,7 @@ pub enum CaseValue {
     Text(String),
     /// A list of numbers.
     Numbers(Vec<f64>),
-    /// Rows of time in s and value.
+    /// Rows of two numbers.
     Table(Vec<[f64; 2]>),
 }
 

@@ -47,6 +47,8 @@ pub(crate) enum Kind {
     Range,
     /// A number, or rows of time and value.
     OverTime,
+    /// Rows of two numbers.
+    Rows(&'static str),
     /// One of these names or a number.
     NumberOr(&'static [&'static str]),
     /// One of these names or a list of numbers.

@@ -1,5 +1,7 @@
 //! The types of value that keys have.
 
+use cageless::contact::FrictionTable;
+
 use super::base::CaseValue;
 use super::convert::Converter;
 use super::declaration::{Field, Kind};
@@ -278,5 +280,41 @@ impl Field for OverTime {
 
     fn si(&self, _: &Converter<'_>, _: &str) -> Result<(), CaseError> {
         Ok(())
+    }
+}
+
+impl Field for FrictionTable {
+    type Si = Self;
+    const KIND: Kind = Kind::Rows("[sliding speed in m/s, μ]");
+
+    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
+        let refused = |item: &Node| {
+            let allowed = "rows of [sliding speed in m/s, μ]";
+            Err(reader.refuse(name, item, allowed))
+        };
+        let Value::List(items) = &node.value else {
+            return refused(node);
+        };
+        let mut rows = vec![];
+        for item in items {
+            match &item.value {
+                Value::List(pair) if pair.len() == 2 => {
+                    rows.push([
+                        reader.number(name, &pair[0])?,
+                        reader.number(name, &pair[1])?,
+                    ]);
+                }
+                _ => return refused(item),
+            }
+        }
+        Self::new(rows).map_err(|e| reader.refuse(name, node, &e.allowed.to_string()))
+    }
+
+    fn written(&self) -> Option<CaseValue> {
+        Some(CaseValue::Table(self.points().to_vec()))
+    }
+
+    fn si(&self, _: &Converter<'_>, _: &str) -> Result<Self, CaseError> {
+        Ok(self.clone())
     }
 }

@@ -47,6 +47,8 @@ pub enum ValueType {
     Range,
     /// A number, or rows of time in s and value.
     OverTime,
+    /// Rows of two numbers, named here.
+    Rows(&'static str),
     /// One of these names.
     Choice(Vec<&'static str>),
     /// A number or one of these names.
@@ -98,6 +100,7 @@ fn key(key: &Key) -> KeyReference {
             Kind::Numbers => ValueType::Numbers,
             Kind::Range => ValueType::Range,
             Kind::OverTime => ValueType::OverTime,
+            Kind::Rows(row) => ValueType::Rows(row),
             Kind::Choice(names) => ValueType::Choice(names()),
             Kind::NumberOr(names) => ValueType::NumberOr(names.to_vec()),
             Kind::NumbersOr(names) => ValueType::NumbersOr(names.to_vec()),

@@ -149,10 +149,10 @@ class Operation(Section):
 
     Parameters
     ----------
-    inner_speed_rpm : float | Sequence[sequence of float}, optional
+    inner_speed_rpm : float or sequence of (float, float), optional
         speed of the inner ring, or [[time in s, speed], …], linear between; left out with a
         [rotor], else required.
-    radial_load_n : float | Sequence[sequence of float}, optional
+    radial_load_n : float or sequence of (float, float), optional
         Fr, load on the inner ring, downwards, or [[time in s, load], …], linear between; left
         out with a [rotor], else required.
     gravity_m_s2 : float, optional
@@ -172,14 +172,17 @@ class Contact(Section):
     ----------
     friction_coefficient : float, optional
         μ.
-    friction_law : {"smooth", "coulomb", "stribeck"}, optional
+    friction_law : {"smooth", "coulomb", "stribeck", "table"}, optional
         friction against sliding speed.
     static_friction_coefficient : float, optional
         μs of the Stribeck law.
     stribeck_speed_m_s : float, optional
         sliding speed over which the Stribeck law falls from μs to μ.
+    friction_table : sequence of (float, float), optional
+        measured μ over the sliding speed, of friction_law = "table"; friction_coefficient is
+        its last μ.
     slip_scale_m_s : float, optional
-        sliding speed at the knee of the smooth and Stribeck laws.
+        sliding speed at the knee of all laws but "coulomb".
     damping : float, optional
         contact damping c of ball-raceway contacts, F = K δ^1.5 + c √δ dδ/dt.
     ball_restitution : float, optional
@@ -193,9 +196,10 @@ class Contact(Section):
     """
 
     friction_coefficient: float | None = None
-    friction_law: Literal["smooth", "coulomb", "stribeck"] | None = None
+    friction_law: Literal["smooth", "coulomb", "stribeck", "table"] | None = None
     static_friction_coefficient: float | None = None
     stribeck_speed_m_s: float | None = None
+    friction_table: Sequence[Sequence[float]] | None = None
     slip_scale_m_s: float | None = None
     damping: float | None = None
     ball_restitution: float | None = None
@@ -307,14 +311,17 @@ class Rotor(Section):
         direction of the mass centre from the journal centre at the start, from +X.
     friction_coefficient : float
         μr between journal and bore.
-    friction_law : {"smooth", "coulomb", "stribeck"}, optional
+    friction_law : {"smooth", "coulomb", "stribeck", "table"}, optional
         friction between journal and bore against sliding speed.
     static_friction_coefficient : float, optional
         μs of the Stribeck law between journal and bore.
     stribeck_speed_m_s : float, optional
         sliding speed over which the Stribeck law falls from μs to μr.
+    friction_table : sequence of (float, float), optional
+        measured μr over the sliding speed, of friction_law = "table"; friction_coefficient is
+        its last μr.
     slip_scale_m_s : float, optional
-        sliding speed at the knee of the smooth and Stribeck laws.
+        sliding speed at the knee of all laws but "coulomb".
     contact_stiffness : float
         K of journal and bore, F = K δ^p (1 + 1.5 α dδ/dt).
     contact_exponent : float, optional
@@ -340,9 +347,10 @@ class Rotor(Section):
     eccentricity_um: float | None = None
     eccentricity_phase_deg: float | None = None
     friction_coefficient: float
-    friction_law: Literal["smooth", "coulomb", "stribeck"] | None = None
+    friction_law: Literal["smooth", "coulomb", "stribeck", "table"] | None = None
     static_friction_coefficient: float | None = None
     stribeck_speed_m_s: float | None = None
+    friction_table: Sequence[Sequence[float]] | None = None
     slip_scale_m_s: float | None = None
     contact_stiffness: float
     contact_exponent: float | None = None

@@ -1,56 +1,71 @@
 //! What a case may be.
 
 use super::{
-    Case, Contact, FrictionLaw, Gaps, INTERVAL_MIN_S, Operation, Profile, STEPS_MAX, Start,
+    Case, FrictionLaw, FrictionParameters, FrictionTable, Gaps, INTERVAL_MIN_S, Operation, Profile,
+    STEPS_MAX, Start,
 };
 use crate::contact::hertz::DEFLECTION_FRACTION_MAX;
 use crate::error::{Allowed, InputError, not_negative, positive};
 use crate::time_table::TimeTable;
 
-impl Contact {
-    fn check_stribeck(&self) -> Result<(), InputError> {
-        check_stribeck(
-            self.friction_law,
-            self.friction_coefficient,
-            (
-                "static_friction_coefficient",
-                self.static_friction_coefficient,
-            ),
-            ("stribeck_speed_m_s", self.stribeck_speed_m_s),
-        )
-    }
-}
-
-/// Checks that the constants of the Stribeck law are given with it, and only with it.
-pub(crate) fn check_stribeck(
-    law: FrictionLaw,
-    coefficient: f64,
-    given_static: (&'static str, Option<f64>),
-    given_speed: (&'static str, Option<f64>),
+/// Checks the coefficients of friction, and that what only one law has is given with it and with no
+/// other; `fields` are the coefficient, the static one, the Stribeck speed and the table.
+pub(crate) fn check_friction(
+    friction: &FrictionParameters<'_>,
+    fields: [&'static str; 4],
 ) -> Result<(), InputError> {
-    for (field, value) in [given_static, given_speed] {
-        match (law, value) {
-            (FrictionLaw::Stribeck, None) => {
-                let rule = "given: the Stribeck law needs it";
+    let [coefficient, static_coefficient, speed, table] = fields;
+    not_negative(coefficient, friction.coefficient)?;
+    let last = friction.table.map(FrictionTable::coefficient_fast);
+    for (field, value, law, name) in [
+        (
+            static_coefficient,
+            friction.static_coefficient,
+            FrictionLaw::Stribeck,
+            "the Stribeck law",
+        ),
+        (
+            speed,
+            friction.stribeck_speed_m_s,
+            FrictionLaw::Stribeck,
+            "the Stribeck law",
+        ),
+        (table, last, FrictionLaw::Table, "the law \"table\""),
+    ] {
+        match value {
+            None if friction.law == law => {
+                let rule = format!("given: {name} needs it");
                 return Err(InputError::rule(field, f64::NAN, rule));
             }
-            (FrictionLaw::Stribeck, Some(value)) => positive(field, value)?,
-            (_, Some(value)) => {
-                let rule = "left out: only the Stribeck law has it";
+            Some(value) if friction.law != law => {
+                let rule = format!("left out: only {name} has it");
                 return Err(InputError::rule(field, value, rule));
             }
-            (_, None) => {}
+            _ => {}
         }
     }
-    match given_static {
-        (field, Some(value)) if value < coefficient => Err(InputError::new(
-            field,
-            value,
-            Allowed::AtLeast(coefficient, "friction drops once surfaces slide"),
-        )),
+    if let Some(value) = friction.stribeck_speed_m_s {
+        positive(speed, value)?;
+    }
+    if let Some(value) = friction.static_coefficient {
+        positive(static_coefficient, value)?;
+        if value < friction.coefficient {
+            let allowed =
+                Allowed::AtLeast(friction.coefficient, "friction drops once surfaces slide");
+            return Err(InputError::new(static_coefficient, value, allowed));
+        }
+    }
+    match last {
+        Some(last) if (last - friction.coefficient).abs() > SAME_COEFFICIENT * last => {
+            let rule = format!("{last}, the μ of fast sliding in the last row of friction_table");
+            Err(InputError::rule(coefficient, friction.coefficient, rule))
+        }
         _ => Ok(()),
     }
 }
+
+/// Rounding of a table that was multiplied by a factor.
+const SAME_COEFFICIENT: f64 = 1e-9;
 
 impl Operation {
     fn check(&self) -> Result<(), InputError> {
@@ -90,9 +105,16 @@ impl Case {
         self.operation.check()?;
         self.check_rotor()?;
         let c = &self.contact;
-        not_negative("friction_coefficient", c.friction_coefficient)?;
+        check_friction(
+            &c.friction(),
+            [
+                "friction_coefficient",
+                "static_friction_coefficient",
+                "stribeck_speed_m_s",
+                "friction_table",
+            ],
+        )?;
         positive("slip_scale_m_s", c.slip_scale_m_s)?;
-        c.check_stribeck()?;
         not_negative("damping_n_s_m1_5", c.damping_n_s_m1_5)?;
         if !(c.ball_restitution > 0.0 && c.ball_restitution <= 1.0) {
             return Err(InputError::rule(

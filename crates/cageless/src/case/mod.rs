@@ -12,12 +12,12 @@
 
 mod check;
 
-pub(crate) use check::check_stribeck;
+pub(crate) use check::check_friction;
 
 use std::f64::consts::TAU;
 
 use crate::bearing::Bearing;
-pub use crate::contact::{FrictionLaw, FrictionParameters};
+pub use crate::contact::{FrictionLaw, FrictionParameters, FrictionTable};
 use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::raceway::Raceway;
 use crate::rotor::{Rotor, Support};
@@ -53,7 +53,7 @@ pub struct Operation {
 /// Contact and friction parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contact {
-    /// μ.
+    /// μ; of the Stribeck law and a table that of fast sliding.
     pub friction_coefficient: f64,
     /// Law of friction.
     pub friction_law: FrictionLaw,
@@ -61,7 +61,9 @@ pub struct Contact {
     pub static_friction_coefficient: Option<f64>,
     /// v of the Stribeck law, m/s; of no other law.
     pub stribeck_speed_m_s: Option<f64>,
-    /// ΔV at the knee of the smooth and Stribeck laws.
+    /// μ over the sliding speed, of the law of that name; of no other law.
+    pub friction_table: Option<FrictionTable>,
+    /// ΔV at the knee of all laws but Coulomb's.
     pub slip_scale_m_s: f64,
     /// c of the raceway contacts, F = K δ^(3/2) + c √δ dδ/dt, N·s·m^(−3/2).
     pub damping_n_s_m1_5: f64,
@@ -222,19 +224,37 @@ pub struct Case {
 
 impl Contact {
     /// Law of friction with its parameters.
-    pub fn friction(&self) -> FrictionParameters {
+    pub fn friction(&self) -> FrictionParameters<'_> {
         FrictionParameters {
             law: self.friction_law,
             coefficient: self.friction_coefficient,
             slip_scale_m_s: self.slip_scale_m_s,
             static_coefficient: self.static_friction_coefficient,
             stribeck_speed_m_s: self.stribeck_speed_m_s,
+            table: self.friction_table.as_ref(),
         }
     }
 
     /// Largest coefficient of friction of the law.
     pub fn friction_coefficient_max(&self) -> f64 {
         self.friction().coefficient_max()
+    }
+
+    /// Adds to μ; with a table every μ grows by the same fraction.
+    pub fn shift_friction(&mut self, by: f64) {
+        let sliding = self.friction_coefficient;
+        if self.friction_table.is_some() && sliding > 0.0 {
+            self.scale_friction((sliding + by) / sliding);
+        } else {
+            self.friction_coefficient += by;
+        }
+    }
+
+    /// Multiplies friction at every sliding speed.
+    pub fn scale_friction(&mut self, factor: f64) {
+        self.friction_coefficient *= factor;
+        self.static_friction_coefficient = self.static_friction_coefficient.map(|mu| mu * factor);
+        self.friction_table = self.friction_table.as_ref().map(|t| t.scaled(factor));
     }
 }
 

@@ -202,7 +202,7 @@ const ITERATIONS_MAX: u32 = 100;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::{FrictionLaw, FrictionParameters};
+    use crate::contact::{FrictionLaw, FrictionParameters, FrictionTable};
 
     const JOURNAL: Journal = Journal {
         radius: 14.8e-3,
@@ -231,6 +231,7 @@ mod tests {
     /// The friction of every law belongs to the sliding speed at the end of the step.
     #[test]
     fn slip_at_the_end_belongs_to_its_friction() {
+        let table = FrictionTable::new(vec![[0.0, 0.25], [0.1, 0.2], [2.0, 0.15]]).unwrap();
         let friction = |law| {
             let parameters = FrictionParameters {
                 law,
@@ -238,10 +239,15 @@ mod tests {
                 slip_scale_m_s: 1e-3,
                 static_coefficient: Some(0.25),
                 stribeck_speed_m_s: Some(0.1),
+                table: Some(&table),
             };
             Friction::new(&parameters, 0.0)
         };
-        for law in [FrictionLaw::Smooth, FrictionLaw::Stribeck] {
+        for law in [
+            FrictionLaw::Smooth,
+            FrictionLaw::Stribeck,
+            FrictionLaw::Table,
+        ] {
             let friction = friction(law);
             for free in [-40.0, -0.1, -1e-4, 0.0, 1e-3, 0.3, 46.0] {
                 for mobility in [1e-7, 1e-5, 1e-3] {

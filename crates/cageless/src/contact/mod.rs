@@ -30,7 +30,7 @@ mod outer;
 mod outer_geometry;
 
 pub use ball_ball::{BallBallContact, ball_ball_contact, ball_deflection};
-pub use friction::{Friction, FrictionLaw, FrictionParameters, Law, tanh};
+pub use friction::{Friction, FrictionLaw, FrictionParameters, FrictionTable, Law, tanh};
 pub use implicit_friction::{
     MAX_ITERATIONS, RacewayContacts, SlipProblem, Slips, end_weight, newton_step,
 };

@@ -223,7 +223,7 @@ pub(super) fn slip_problems<const PAPER: bool, const ROTOR: bool>(
 /// block iterate, so that a bearing has the same bits alone and beside others.
 #[inline(always)]
 pub(super) fn solve<L: LawLanes>(law: &L, problem: &SlipProblemLanes, slips: &mut SlipsLanes) {
-    if L::Law::STICKS {
+    if <L::Constants as Law>::STICKS {
         for lane in 0..LANES {
             slips.put(lane, law.lane(lane).end_of_step(&problem.get(lane)));
         }

@@ -258,7 +258,7 @@ fn split<L: LawLanes>(
         let (friction, mut q) = (law.lane(lane), problem.get(lane));
         let weight = |slips: [f64; 2], normal: f64, mobility: f64| {
             contact_weight(
-                L::Law::STICKS,
+                <L::Constants as Law>::STICKS,
                 |slip| friction.force(slip, normal)[1],
                 slips,
                 mobility,

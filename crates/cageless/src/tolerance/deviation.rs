@@ -169,7 +169,7 @@ impl Deviation {
             raceways,
             ..case.clone()
         };
-        varied.contact.friction_coefficient += of(Influence::Friction);
+        varied.contact.shift_friction(of(Influence::Friction));
         varied.operation.inner_speed_rad_s += of(Influence::Speed);
         varied.operation.radial_load_n += of(Influence::Load);
         varied.check()?;

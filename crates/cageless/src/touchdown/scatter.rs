@@ -68,9 +68,7 @@ impl Scatter {
         };
         let rotor = drop.rotor.as_mut().expect("a rotor");
         let sliding = factor(0, self.friction_fraction);
-        rotor.friction_coefficient *= sliding;
-        rotor.static_friction_coefficient =
-            rotor.static_friction_coefficient.map(|mu| mu * sliding);
+        rotor.scale_friction(sliding);
         rotor.air_gap_m *= factor(1, self.air_gap_fraction);
         if self.eccentricity_phase {
             let mut stream = RandomStream::new(case.seed, DROP, 2, index);
@@ -89,9 +87,7 @@ impl Scatter {
             support_damping_n_s_m: None,
         };
         let rolling = factor(3, self.friction_fraction);
-        drop.contact.friction_coefficient *= rolling;
-        drop.contact.static_friction_coefficient =
-            (drop.contact.static_friction_coefficient).map(|mu| mu * rolling);
+        drop.contact.scale_friction(rolling);
         drawn.ball_friction = drop.contact.friction_coefficient;
         if let Some(support) = &mut drop.support {
             let most = self.support_damping_factor.ln();

@@ -1,6 +1,7 @@
 //! `[contact]`.
 
 use cageless::FrictionLaw;
+use cageless::contact::FrictionTable;
 
 use crate::case_file::declaration::Line::{Absent, Commented, Shown};
 use crate::case_file::declaration::Presence::{Default, Derived, Optional};
@@ -18,15 +19,19 @@ section! {
             "μ", Shown("0.007", "μ (paper)");
         friction_law => friction_law: FrictionLaw = Default(FrictionLaw::Smooth), Plain,
             "friction against sliding speed",
-            Shown("\"smooth\"", "\"smooth\", μ tanh(ΔV/slip_scale), \"coulomb\" or \"stribeck\"\n\
+            Shown("\"smooth\"", "\"smooth\", μ tanh(ΔV/slip_scale), \"coulomb\", \"stribeck\"\n\
                 (with static_friction_coefficient, at least μ, and\n\
-                stribeck_speed_m_s: μ + (μs − μ) exp(−|ΔV|/speed))");
+                stribeck_speed_m_s: μ + (μs − μ) exp(−|ΔV|/speed)) or \"table\"\n\
+                (with friction_table = [[ΔV in m/s, μ], …])");
         static_friction_coefficient => static_friction_coefficient: Option<f64> = Optional, Plain,
             "μs of the Stribeck law", Absent;
         stribeck_speed_m_s => stribeck_speed_m_s: Option<f64> = Optional, Si("m/s"),
             "sliding speed over which the Stribeck law falls from μs to μ", Absent;
+        friction_table => friction_table: Option<FrictionTable> = Optional, Plain,
+            "measured μ over the sliding speed, of friction_law = \"table\"; friction_coefficient is its last μ",
+            Absent;
         slip_scale_m_s => slip_scale_m_s: f64 = Default(0.02), Si("m/s"),
-            "sliding speed at the knee of the smooth and Stribeck laws",
+            "sliding speed at the knee of all laws but \"coulomb\"",
             Shown("0.02", "sliding speed at the knee of the smooth law, usually 0.005\n\
                 to 0.1; \"coulomb\" does not use it");
         damping => damping_n_s_m1_5: f64 = Default(2.0e5), Si("N s/m^1.5"),

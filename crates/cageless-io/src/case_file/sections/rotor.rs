@@ -1,6 +1,7 @@
 //! `[rotor]`: a rotor that falls onto the inner ring.
 
 use cageless::FrictionLaw;
+use cageless::contact::FrictionTable;
 
 use crate::case_file::declaration::Line::{Absent, Shown};
 use crate::case_file::declaration::Presence::{Default, Optional, Required};
@@ -30,8 +31,11 @@ section! {
             "μs of the Stribeck law between journal and bore", Absent;
         stribeck_speed_m_s => stribeck_speed_m_s: Option<f64> = Optional, Si("m/s"),
             "sliding speed over which the Stribeck law falls from μs to μr", Absent;
+        friction_table => friction_table: Option<FrictionTable> = Optional, Plain,
+            "measured μr over the sliding speed, of friction_law = \"table\"; friction_coefficient is its last μr",
+            Absent;
         slip_scale_m_s => slip_scale_m_s: f64 = Default(0.05), Si("m/s"),
-            "sliding speed at the knee of the smooth and Stribeck laws", Shown("0.05", "");
+            "sliding speed at the knee of all laws but \"coulomb\"", Shown("0.05", "");
         contact_stiffness => contact_stiffness: f64 = Required, Si("N/m^p"),
             "K of journal and bore, F = K δ^p (1 + 1.5 α dδ/dt)", Shown("1.0e9", "K in N/m^p");
         contact_exponent => contact_exponent: f64 = Default(1.0), Plain,

@@ -1,6 +1,6 @@
 //! Coulomb's law: sliding under μN, rolling as sticking within the cone.
 
-use super::{FrictionParameters, Law, SlipProblem, Slips};
+use super::{FrictionParameters, Law, LawConstants, SlipProblem, Slips};
 use crate::simd::lanes::lane_struct;
 
 law_struct! {
@@ -14,19 +14,7 @@ law_struct! {
 }
 
 impl Law for Coulomb {
-    const NAME: &'static str = "coulomb";
     const STICKS: bool = true;
-
-    fn new(parameters: &FrictionParameters, stick_gain_n_s_m: f64) -> Self {
-        Self {
-            coefficient: parameters.coefficient,
-            stick_gain: stick_gain_n_s_m,
-        }
-    }
-
-    fn describe(_parameters: &FrictionParameters) -> String {
-        "Coulomb".to_owned()
-    }
 
     /// g·ΔV bounded by ±μN, the cone with the relaxed stick of [`crate::dynamics::Model`].
     #[inline(always)]
@@ -104,6 +92,21 @@ impl Law for Coulomb {
             inner_friction: best[1],
             converged: 1.0,
         }
+    }
+}
+
+impl LawConstants for Coulomb {
+    const NAME: &'static str = "coulomb";
+
+    fn new(parameters: &FrictionParameters<'_>, stick_gain_n_s_m: f64) -> Self {
+        Self {
+            coefficient: parameters.coefficient,
+            stick_gain: stick_gain_n_s_m,
+        }
+    }
+
+    fn describe(_parameters: &FrictionParameters<'_>) -> String {
+        "Coulomb".to_owned()
     }
 }
 

@@ -1,18 +1,19 @@
 //! Laws of friction over the sliding speed: a file each, and their list.
 //!
-//! A law is the struct of its constants with [`Law`] implemented on it. A new one is a file
-//! beside `smooth.rs` and a line of the list below; methods, step limits, messages and pages
-//! follow from it.
+//! A law is the struct of its constants with [`Law`] and [`LawConstants`] implemented on it. A new
+//! one is a file beside `smooth.rs` and a line of the list below; methods, step limits, messages
+//! and pages follow from it.
 
 mod tanh;
 
 use super::{SlipProblem, Slips};
 
+pub use table::{FrictionTable, POINTS_MAX};
 pub use tanh::tanh;
 
 /// Parameters of the laws for one kind of contact; a law has those that it uses.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FrictionParameters {
+pub struct FrictionParameters<'a> {
     /// Law.
     pub law: FrictionLaw,
     /// μ; of the Stribeck law that of fast sliding.
@@ -23,28 +24,16 @@ pub struct FrictionParameters {
     pub static_coefficient: Option<f64>,
     /// v of the Stribeck law, m/s.
     pub stribeck_speed_m_s: Option<f64>,
+    /// μ over |ΔV|.
+    pub table: Option<&'a FrictionTable>,
 }
 
 /// A law of friction with its constants.
-pub trait Law: Copy + Default + Send + Sync + 'static {
-    /// Name in files.
-    const NAME: &'static str;
-
+pub trait Law: Copy {
     /// Whether a rolling contact sticks: the friction within the cone is then no function of
     /// the sliding speed. Implicit methods call [`Law::end_of_step`]; explicit ones get a stick
     /// that is relaxed over a few steps, `stick_gain` times the sliding speed.
     const STICKS: bool = false;
-
-    /// Constants of the law.
-    fn new(parameters: &FrictionParameters, stick_gain_n_s_m: f64) -> Self;
-
-    /// The law with its parameters in a few words.
-    fn describe(parameters: &FrictionParameters) -> String;
-
-    /// Largest coefficient of friction.
-    fn coefficient_max(parameters: &FrictionParameters) -> f64 {
-        parameters.coefficient
-    }
 
     /// Friction force along −ΔV under the normal force `normal_n`, N, and its slope over ΔV,
     /// N·s/m.
@@ -64,14 +53,35 @@ pub trait Law: Copy + Default + Send + Sync + 'static {
     }
 }
 
+/// A law as the parameters of a case give it.
+pub trait LawConstants: Law + Send + Sync + 'static {
+    /// Name in files.
+    const NAME: &'static str;
+
+    /// Constants of the law.
+    fn new(parameters: &FrictionParameters<'_>, stick_gain_n_s_m: f64) -> Self;
+
+    /// The law with its parameters in a few words.
+    fn describe(parameters: &FrictionParameters<'_>) -> String;
+
+    /// Largest coefficient of friction.
+    fn coefficient_max(parameters: &FrictionParameters<'_>) -> f64 {
+        parameters.coefficient
+    }
+}
+
 /// Constants of a law in every lane of a block.
 pub(crate) trait LawLanes {
-    /// The law.
-    type Law: Law;
     /// Those of one lane.
-    fn lane(&self, lane: usize) -> Self::Law;
+    type Constants: LawConstants;
+    /// The law in one lane.
+    type Law<'a>: Law
+    where
+        Self: 'a;
+    /// The law in a lane.
+    fn lane(&self, lane: usize) -> Self::Law<'_>;
     /// The lanes filled one by one.
-    fn filled(value: impl Fn(usize) -> Self::Law) -> Self;
+    fn filled(value: impl Fn(usize) -> Self::Constants) -> Self;
 }
 
 /// Declares a law whose constants are numbers.
@@ -80,7 +90,8 @@ macro_rules! law_struct {
         lane_struct! { $(#[$meta])* pub struct $name per lane $lanes { $($fields)* } }
 
         impl super::LawLanes for $lanes {
-            type Law = $name;
+            type Constants = $name;
+            type Law<'a> = $name;
             #[inline(always)]
             fn lane(&self, lane: usize) -> $name {
                 self.get(lane)
@@ -109,12 +120,14 @@ macro_rules! friction_laws {
 
         /// A law with its constants.
         #[derive(Debug, Clone, Copy, PartialEq)]
+        #[allow(clippy::large_enum_variant)] // a table, one per contact partner
         pub enum Friction {
             $(#[doc = concat!("[`", stringify!($law), "`].")] $law($law),)*
         }
 
         /// [`Friction`] of each lane, all of one law.
         #[derive(Debug, Clone)]
+        #[allow(clippy::large_enum_variant)] // one per model, read in every evaluation
         pub(crate) enum FrictionLanes {
             $($law($module::$lanes),)*
         }
@@ -122,11 +135,11 @@ macro_rules! friction_laws {
         impl FrictionLaw {
             /// Every law with its name in files.
             pub const NAMES: &'static [(&'static str, Self)] =
-                &[$((<$law as Law>::NAME, Self::$law)),*];
+                &[$((<$law as LawConstants>::NAME, Self::$law)),*];
 
             /// Name in files.
             pub fn name(self) -> &'static str {
-                match self { $(Self::$law => <$law as Law>::NAME,)* }
+                match self { $(Self::$law => <$law as LawConstants>::NAME,)* }
             }
 
             /// Whether a rolling contact sticks, see [`Law::STICKS`].
@@ -135,21 +148,21 @@ macro_rules! friction_laws {
             }
         }
 
-        impl FrictionParameters {
+        impl FrictionParameters<'_> {
             /// Largest coefficient of friction.
             pub fn coefficient_max(&self) -> f64 {
-                match self.law { $(FrictionLaw::$law => <$law as Law>::coefficient_max(self),)* }
+                match self.law { $(FrictionLaw::$law => <$law as LawConstants>::coefficient_max(self),)* }
             }
 
             /// The law with its parameters in a few words.
             pub fn describe(&self) -> String {
-                match self.law { $(FrictionLaw::$law => <$law as Law>::describe(self),)* }
+                match self.law { $(FrictionLaw::$law => <$law as LawConstants>::describe(self),)* }
             }
         }
 
         impl Friction {
             /// The law with these parameters; explicit methods give a law that sticks this gain.
-            pub fn new(parameters: &FrictionParameters, stick_gain_n_s_m: f64) -> Self {
+            pub fn new(parameters: &FrictionParameters<'_>, stick_gain_n_s_m: f64) -> Self {
                 match parameters.law {
                     $(FrictionLaw::$law => Self::$law($law::new(parameters, stick_gain_n_s_m)),)*
                 }
@@ -217,6 +230,8 @@ friction_laws! {
     /// (μ + (μs − μ)·exp(−|ΔV|/v))·tanh(ΔV/scale)·N: friction that drops from static to
     /// sliding, as dry pairs do.
     stribeck: Stribeck per lane StribeckLanes,
+    /// μ(|ΔV|)·tanh(ΔV/scale)·N with μ from a table of measured points.
+    table: Table per lane TableLanes,
 }
 
 #[cfg(test)]
@@ -226,7 +241,17 @@ mod tests {
     /// The slope is the derivative of the force, by central differences.
     #[test]
     fn slopes_are_derivatives() {
+        let table = FrictionTable::new(vec![[0.01, 0.3], [0.2, 0.2], [0.9, 0.1]]).unwrap();
+        let measured = FrictionParameters {
+            law: FrictionLaw::Table,
+            coefficient: 0.1,
+            slip_scale_m_s: 0.02,
+            static_coefficient: None,
+            stribeck_speed_m_s: None,
+            table: Some(&table),
+        };
         for law in [
+            Friction::new(&measured, 0.0),
             Friction::Smooth(Smooth {
                 coefficient: 0.1,
                 inverse_slip_scale: 50.0,

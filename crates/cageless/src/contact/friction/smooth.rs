@@ -1,6 +1,6 @@
 //! Friction with a smooth knee at zero sliding speed.
 
-use super::{FrictionParameters, Law, tanh};
+use super::{FrictionParameters, Law, LawConstants, tanh};
 use crate::simd::lanes::lane_struct;
 
 law_struct! {
@@ -14,19 +14,6 @@ law_struct! {
 }
 
 impl Law for Smooth {
-    const NAME: &'static str = "smooth";
-
-    fn new(parameters: &FrictionParameters, _stick_gain_n_s_m: f64) -> Self {
-        Self {
-            coefficient: parameters.coefficient,
-            inverse_slip_scale: 1.0 / parameters.slip_scale_m_s,
-        }
-    }
-
-    fn describe(parameters: &FrictionParameters) -> String {
-        format!("smooth, tanh(ΔV/{} m/s)", parameters.slip_scale_m_s)
-    }
-
     #[inline(always)]
     fn force(&self, slip_m_s: f64, normal_n: f64) -> [f64; 2] {
         let largest = self.coefficient * normal_n;
@@ -43,5 +30,20 @@ impl Law for Smooth {
     #[inline(always)]
     fn inverse_slip_scale(&self) -> f64 {
         self.inverse_slip_scale
+    }
+}
+
+impl LawConstants for Smooth {
+    const NAME: &'static str = "smooth";
+
+    fn new(parameters: &FrictionParameters<'_>, _stick_gain_n_s_m: f64) -> Self {
+        Self {
+            coefficient: parameters.coefficient,
+            inverse_slip_scale: 1.0 / parameters.slip_scale_m_s,
+        }
+    }
+
+    fn describe(parameters: &FrictionParameters<'_>) -> String {
+        format!("smooth, tanh(ΔV/{} m/s)", parameters.slip_scale_m_s)
     }
 }

@@ -1,7 +1,7 @@
 //! Friction that drops from static to sliding.
 
 use super::tanh::exp_negative;
-use super::{FrictionParameters, Law, tanh};
+use super::{FrictionParameters, Law, LawConstants, tanh};
 use crate::simd::lanes::lane_struct;
 
 law_struct! {
@@ -19,32 +19,6 @@ law_struct! {
 }
 
 impl Law for Stribeck {
-    const NAME: &'static str = "stribeck";
-
-    fn new(parameters: &FrictionParameters, _stick_gain_n_s_m: f64) -> Self {
-        Self {
-            coefficient: parameters.coefficient,
-            static_excess: Self::coefficient_max(parameters) - parameters.coefficient,
-            inverse_stribeck_speed: parameters.stribeck_speed_m_s.map_or(0.0, |v| 1.0 / v),
-            inverse_slip_scale: 1.0 / parameters.slip_scale_m_s,
-        }
-    }
-
-    fn describe(parameters: &FrictionParameters) -> String {
-        format!(
-            "Stribeck, {} to {}",
-            Self::coefficient_max(parameters),
-            parameters.coefficient
-        )
-    }
-
-    fn coefficient_max(parameters: &FrictionParameters) -> f64 {
-        let sliding = parameters.coefficient;
-        parameters
-            .static_coefficient
-            .map_or(sliding, |s| s.max(sliding))
-    }
-
     #[inline(always)]
     fn force(&self, slip_m_s: f64, normal_n: f64) -> [f64; 2] {
         let largest = self.coefficient * normal_n;
@@ -64,5 +38,33 @@ impl Law for Stribeck {
     #[inline(always)]
     fn inverse_slip_scale(&self) -> f64 {
         self.inverse_slip_scale
+    }
+}
+
+impl LawConstants for Stribeck {
+    const NAME: &'static str = "stribeck";
+
+    fn new(parameters: &FrictionParameters<'_>, _stick_gain_n_s_m: f64) -> Self {
+        Self {
+            coefficient: parameters.coefficient,
+            static_excess: Self::coefficient_max(parameters) - parameters.coefficient,
+            inverse_stribeck_speed: parameters.stribeck_speed_m_s.map_or(0.0, |v| 1.0 / v),
+            inverse_slip_scale: 1.0 / parameters.slip_scale_m_s,
+        }
+    }
+
+    fn describe(parameters: &FrictionParameters<'_>) -> String {
+        format!(
+            "Stribeck, {} to {}",
+            Self::coefficient_max(parameters),
+            parameters.coefficient
+        )
+    }
+
+    fn coefficient_max(parameters: &FrictionParameters<'_>) -> f64 {
+        let sliding = parameters.coefficient;
+        parameters
+            .static_coefficient
+            .map_or(sliding, |s| s.max(sliding))
     }
 }
