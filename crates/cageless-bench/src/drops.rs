@@ -220,13 +220,10 @@ fn cells(result: &EnsembleResult, plain: Option<&EnsembleResult>) -> String {
         text += &match difference.flatten() {
             _ if missing == result.drops.len() => "-".to_owned(),
             None => figures(mean(&result.drops, of)),
-            Some([d, s]) => format!(
-                "{} ({}{} ± {})",
-                figures(mean(&result.drops, of)),
-                if d < 0.0 { "−" } else { "+" },
-                figures(d.abs()),
-                figures(s)
-            ),
+            Some([d, s]) => {
+                let mean = mean(&result.drops, of);
+                format!("{} ({})", figures(mean), change(d, s, mean))
+            }
         };
         if missing > 0 {
             text += &format!(", {missing} without");
@@ -234,6 +231,20 @@ fn cells(result: &EnsembleResult, plain: Option<&EnsembleResult>) -> String {
         text += " |";
     }
     text
+}
+
+/// Fraction of a mean below which a difference with its standard error is called none.
+const EQUAL: f64 = 2e-3;
+
+/// A difference with its standard error to two digits.
+fn change(difference: f64, error: f64, mean: f64) -> String {
+    if difference.abs() + error < EQUAL * mean.abs() {
+        return "equal".to_owned();
+    }
+    let sign = if difference < 0.0 { '−' } else { '+' };
+    let [difference, error] =
+        [difference.abs(), error].map(|v| cageless_study::number_text::significant(v, 2));
+    format!("{sign}{difference} ± {error}")
 }
 
 /// A number to three digits.

@@ -1,0 +1,91 @@
+"""Drops: against the command, scattered, verified, refused, in sweeps."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import cageless
+import numpy as np
+import pandas as pd
+import pytest
+from conftest import ROOT, Command
+
+
+def falling(**changes: object) -> cageless.Case:
+    """A drop to 1.6 ms after the first contact."""
+    case = cageless.Case.from_file(ROOT / "cases" / "touchdown-d.toml")
+    return case.replace({"solver.duration_s": 0.008, **changes})
+
+
+@pytest.fixture(scope="module")
+def both(
+    command: Command, tmp_path_factory: pytest.TempPathFactory
+) -> tuple[cageless.Drop, Path]:
+    """One study from Python, and the folder of the command's."""
+    folder = tmp_path_factory.mktemp("drop")
+    path = folder / "case.toml"
+    path.write_text(falling().to_toml())
+    out = folder / "out"
+    command("drop", path, "--compare", "conventional", "--samples", 3, "--out", out)
+    case = cageless.Case.from_file(path)
+    return case.drop(compare=True, samples=3), out
+
+
+def test_a_drop_is_that_of_the_command(both: tuple[cageless.Drop, Path], tmp_path: Path) -> None:
+    drop, folder = both
+    assert drop.summary == json.loads((folder / "summary.json").read_text())
+    saved = drop.save(tmp_path / "saved")
+    for name in ["rotor", "ring", "balls", "collisions"]:
+        written = pd.read_parquet(folder / f"{name}.parquet")
+        pd.testing.assert_frame_equal(getattr(drop, f"data_{name}")(), written, check_exact=True)
+        pd.testing.assert_frame_equal(pd.read_parquet(saved / f"{name}.parquet"), written)
+    for name in ["summary.json", "report.html"]:
+        assert (saved / name).read_text() == (folder / name).read_text()
+
+
+def test_a_drop_has_its_results(both: tuple[cageless.Drop, Path], tmp_path: Path) -> None:
+    drop, _ = both
+    fall_ms = 1e3 * np.sqrt(2.0 * 200e-6 / 9.81)
+    assert drop.summary["first_contact_ms"] == pytest.approx(fall_ms, rel=1e-3)
+    assert drop.end_state in {"bouncing", "pendulum"}
+    assert drop.summary["conventional"]["impacts"] >= 1
+    assert drop.rotor("y_m").shape == drop.time_s.shape
+    assert drop.data_rotor().attrs["units"]["speed_rad_s"] == "rad/s"
+    drops = drop.data_drops()
+    assert len(drops) == 3
+    assert drops.rotor_friction.nunique() == 3
+    assert drop.backward_whirl_probability == 0.0
+    assert drop == falling().drop(compare=True, samples=3, threads=1)
+    assert drop != falling().drop()
+    with pytest.raises(cageless.ColumnError, match="did you mean speed_rad_s"):
+        drop.rotor("sped_rad_s")
+    with pytest.raises(cageless.InputError, match="Parquet"):
+        cageless.load(drop.save(tmp_path))
+
+
+def test_a_drop_is_verified() -> None:
+    verified = falling(**{"solver.duration_s": 0.0068}).drop(verify=True)
+    assert verified.data_verification().verdict["first_contact_ms"] == "converged"
+    assert falling().drop().data_verification().empty
+
+
+def test_what_cannot_drop_is_refused() -> None:
+    case = cageless.Case.from_toml(cageless.template())
+    with pytest.raises(cageless.InputError, match=r"no \[rotor\] to drop: give mass_kg"):
+        case.drop()
+    with pytest.raises(cageless.InputError, match="samples"):
+        falling().drop(samples=0)
+    with pytest.raises(cageless.InputError, match=r"\[rotor\] must be left out"):
+        falling().static()
+
+
+def test_a_sweep_has_drops_as_columns() -> None:
+    plan = cageless.Plan(
+        case=falling(), compute=["drop"], grid={"rotor.friction_coefficient": [0.1, 0.3]}
+    )
+    variants = cageless.sweep(plan).data_variants()
+    alone = falling(**{"rotor.friction_coefficient": 0.3}).drop()
+    for name in ["rotor_force_max_n", "collisions", "heat_j", "ring_speed_rpm"]:
+        assert variants[f"drop_{name}"][1] == alone.summary[name]
+    assert list(variants.drop_end_state)[1] == alone.end_state
