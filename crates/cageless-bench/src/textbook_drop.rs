@@ -40,7 +40,7 @@ const BODY_SCALES: [f64; 15] = [
 ];
 
 impl TextbookDrop {
-    /// Of a case with a rotor and a support.
+    /// Model of `case`, which has a rotor and a support.
     ///
     /// # Errors
     /// The case has none.

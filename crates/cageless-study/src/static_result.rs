@@ -32,8 +32,8 @@ pub struct StaticResult {
     /// L10r of ISO/TS 16281, million revolutions: rigid rings under the radial load, without
     /// weight and centrifugal force; `None` without radial load.
     pub l10r_mrev: Option<f64>,
-    /// The same formula with the forces of the balls in equilibrium, weight and centrifugal
-    /// force included, million revolutions; `None` if no ball is loaded.
+    /// L10r with the forces of the balls in equilibrium, weight and centrifugal force included,
+    /// million revolutions; `None` if no ball is loaded.
     pub l10r_at_speed_mrev: Option<f64>,
     /// L10 at the speed of the case, h.
     pub l10_h: Option<f64>,
@@ -69,7 +69,8 @@ pub struct StaticResult {
     /// Semi-axes of each contact ellipse at the inner raceway, along and across the rolling
     /// direction, mm.
     pub inner_semi_axes_mm: Vec<[f64; 2]>,
-    /// The same at the outer raceway; on a discrete raceway at one of its two contact points.
+    /// Semi-axes of each contact ellipse at the outer raceway, along and across the rolling
+    /// direction, mm; on a discrete raceway at one of its two contact points.
     pub outer_semi_axes_mm: Vec<[f64; 2]>,
     /// Orbital speed of each ball in rolling, rpm.
     pub ball_orbit_rpm: Vec<f64>,

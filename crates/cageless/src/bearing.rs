@@ -88,9 +88,9 @@ impl Material {
 /// bearing).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Materials {
-    /// Of the balls: decides their mass.
+    /// Material of the balls; its density decides their mass.
     pub ball: Material,
-    /// Of both rings.
+    /// Material of both rings.
     pub ring: Material,
 }
 

@@ -94,7 +94,8 @@ impl Converter<'_> {
         self.refused_in(None, error, raceway)
     }
 
-    /// Likewise, of a section that is not the first one with such a field.
+    /// Error of the case file for `error` of the library, in `section` where several sections have
+    /// such a field.
     pub(super) fn refused_in(
         &self,
         section: Option<&str>,

@@ -319,7 +319,7 @@ pub enum StepDocument {
 /// A quantity of the operation: constant, or piecewise linear in time.
 #[derive(Debug, Clone, PartialEq)]
 pub enum OverTime {
-    /// The same all the time.
+    /// One value for the whole run.
     Constant(f64),
     /// Rows of time in s and value; constant before and after.
     Table(Vec<[f64; 2]>),

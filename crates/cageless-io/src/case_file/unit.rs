@@ -10,7 +10,8 @@ const TOML_MAX: u64 = i64::MAX as u64;
 pub(crate) enum Unit {
     /// No unit.
     None,
-    /// Of a whole number: its least and greatest value; none where something else limits it.
+    /// No unit, a whole number: its least and greatest value; `None` where something else
+    /// limits it.
     Whole(u64, Option<u64>),
     /// A unit of the SI system, as [`cageless`] has it.
     Si(&'static str),

@@ -237,7 +237,7 @@ pub fn map(output: &SweepOutput, map: &HeatMap, provenance: &Provenance) -> Figu
     }
 }
 
-/// Title of the scale of colours: the unit, or that there is none.
+/// Title of the scale of colours: the unit; `mean` for an output without one.
 fn colour_title(output: &SweepOutput) -> &str {
     match output.quantity.sign() {
         "" => "mean",

@@ -49,8 +49,8 @@ pub struct Rating {
     /// L10r of ISO/TS 16281, million revolutions: rigid rings under the radial load, without
     /// weight and centrifugal force; `None` without radial load.
     pub l10r_mrev: Option<f64>,
-    /// The same formula with the forces of the balls in equilibrium, weight and centrifugal
-    /// force included, million revolutions; `None` if no ball is loaded.
+    /// L10r with the forces of the balls in equilibrium, weight and centrifugal force included,
+    /// million revolutions; `None` if no ball is loaded.
     pub l10r_at_speed_mrev: Option<f64>,
     /// s0 = C0r/P0 of ISO 76 with P0 = Fr; `None` without radial load.
     pub static_safety: Option<f64>,
