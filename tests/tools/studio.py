@@ -209,15 +209,16 @@ def looks(s, screens):
 
 
 # Largest difference of the numbers in two answers, over the largest number of the same array;
-# single numbers over their own size, at least a thousandth of their unit.
+# components of a vector over the larger one, single numbers over their own size, at least a
+# thousandth of their unit.
 DIFFERENCE = """
-(function difference(a, b) {
-  if (typeof a === "number") return Math.abs(a - b) / Math.max(Math.abs(a), Math.abs(b), 1e-3);
+(function difference(a, b, scale = 0) {
+  if (typeof a === "number") return Math.abs(a - b) / Math.max(Math.abs(a), Math.abs(b), scale, 1e-3);
   if (Array.isArray(a) && a.length && a.every((v) => typeof v === "number")) {
     const scale = Math.max(...a.map(Math.abs), 1e-3);
     return Math.max(...a.map((v, k) => Math.abs(v - b[k]) / scale));
   }
-  if (a && typeof a === "object") return Math.max(0, ...Object.keys(a).map((k) => difference(a[k], b[k])));
+  if (a && typeof a === "object") return Math.max(0, ...Object.keys(a).map((k) => difference(a[k], b[k], Math.abs(a[k.replace("_x_", "_y_")]) || 0)));
   return a === b ? 0 : Infinity;
 })
 """

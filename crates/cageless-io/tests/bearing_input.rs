@@ -233,3 +233,32 @@ fn every_designation_gives_a_case() {
         "{message}"
     );
 }
+
+/// A clockwise bearing is the counter-clockwise one seen from its other face.
+#[test]
+fn a_negative_speed_turns_clockwise() {
+    let plain = parse(SHORT, &[]);
+    let file = parse(SHORT, &["operation.inner_speed_rpm=-12000"]);
+    assert!(!plain.case().operation.clockwise && plain.case().operation.view().is_empty());
+    let operation = &file.case().operation;
+    assert!(operation.clockwise && operation.view().contains("other face"));
+    assert_eq!(
+        operation.inner_speed_rad_s,
+        plain.case().operation.inner_speed_rad_s
+    );
+    // The file keeps what was asked for.
+    let again = parse(&file.document().to_toml().unwrap(), &[]);
+    assert_eq!(again.case(), file.case());
+
+    let table = "operation.inner_speed_rpm=[[0.0, 0.0], [1.0, -6000.0]]";
+    let file = parse(SHORT, &[table]);
+    let operation = &file.case().operation;
+    assert!(operation.clockwise);
+    let speeds = operation.inner_speed_table.as_ref().expect("a table");
+    assert_eq!(speeds.value(1.0), 6000.0 * std::f64::consts::TAU / 60.0);
+
+    let both = "operation.inner_speed_rpm=[[0.0, 100.0], [1.0, -6000.0]]";
+    let error = refused(SHORT, &[both]).to_string();
+    assert!(error.contains("inner_speed_rpm"), "{error}");
+    assert!(error.contains("one sense of rotation"), "{error}");
+}

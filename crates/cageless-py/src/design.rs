@@ -45,7 +45,8 @@ fn analyse(
     let stop = judgement.stopped.as_ref().map(stopped);
     let mut result = DesignResult::new(file.case(), judgement, recommendation);
     result.search = search;
-    let data = design_data(file, &result, &snapshots);
+    let mut data = design_data(file, &result, &snapshots);
+    data.rings = rings(&rings_of(file, &result), progress)?;
     Ok((result, data, stop))
 }
 
@@ -169,8 +170,7 @@ impl Search {
         let background = Background::new(Some(1), None)?;
         let search = Some(self.data.clone());
         let found = background.run(py, |progress| {
-            let (result, mut data, _) = analyse(&self.file, search, progress)?;
-            data.rings = rings(&rings_of(&self.file, &result), progress)?;
+            let (_, data, _) = analyse(&self.file, search, progress)?;
             Ok(design_page(&data))
         })?;
         found.map_err(|error: StudyError| of_study(&error))

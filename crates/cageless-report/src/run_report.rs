@@ -314,7 +314,7 @@ fn facts(summary: &RunSummary) -> Vec<Parameter> {
 
 fn lead(case: &Case, outcome: &RunOutcome) -> String {
     format!(
-        "{} balls, {:.0} rpm, {:.0} N, {}: {:.4} s simulated in {} steps.",
+        "{} balls, {:.0} rpm, {:.0} N, {}: {:.4} s simulated in {} steps. {}",
         case.bearing.balls(),
         case.operation.inner_speed_rad_s * 60.0 / std::f64::consts::TAU,
         case.operation.radial_load_n,
@@ -325,7 +325,10 @@ fn lead(case: &Case, outcome: &RunOutcome) -> String {
         },
         outcome.end_s,
         outcome.steps,
+        case.operation.view(),
     )
+    .trim_end()
+    .to_owned()
 }
 
 fn results(summary: &RunSummary) -> Vec<Parameter> {

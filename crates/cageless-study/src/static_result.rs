@@ -183,5 +183,7 @@ fn notes(case: &Case, rating: &Rating, equilibrium: &Equilibrium) -> Vec<String>
                 .to_owned(),
         );
     }
+    let view = case.operation.view();
+    notes.extend((!view.is_empty()).then(|| view.to_owned()));
     notes
 }

@@ -150,8 +150,8 @@ class Operation(Section):
     Parameters
     ----------
     inner_speed_rpm : float or sequence of (float, float), optional
-        speed of the inner ring, or [[time in s, speed], …], linear between; left out with a
-        [rotor], else required.
+        speed of the inner ring, negative: clockwise, the bearing then seen from its other face;
+        or [[time in s, speed], …], linear between; left out with a [rotor], else required.
     radial_load_n : float or sequence of (float, float), optional
         Fr, load on the inner ring, downwards, or [[time in s, load], …], linear between; left
         out with a [rotor], else required.

@@ -205,12 +205,13 @@ const fn text(name: &'static str, label: &'static str, of: Source) -> Quantity {
     }
 }
 
-/// A result of a single run that no column of a sweep has: a sentence, or a time that differs
-/// from run to run.
+/// A result that neither columns of sweeps nor tables have: a sentence, or a time that differs from
+/// run to run.
 const fn file_only(quantity: Quantity) -> Quantity {
-    let in_sweeps = false;
+    let (in_sweeps, in_tables) = (false, false);
     Quantity {
         in_sweeps,
+        in_tables,
         ..quantity
     }
 }

@@ -73,10 +73,15 @@ impl Operation {
         not_negative("gravity_m_s2", self.gravity_m_s2)?;
         let given = |field: &'static str, start: f64, table: &Option<TimeTable>| {
             let Some(table) = table else { return Ok(()) };
-            table
-                .values()
-                .iter()
-                .try_for_each(|&v| not_negative(field, v))?;
+            if let Some(&value) = table.values().iter().find(|v| **v < 0.0) {
+                let rule = match field {
+                    "inner_speed_rad_s" => {
+                        "0 or more at all times, or 0 or less: one sense of rotation"
+                    }
+                    _ => "0 or more",
+                };
+                return Err(InputError::rule(field, value, rule));
+            }
             let first = table.value(0.0);
             if start == first {
                 return Ok(());

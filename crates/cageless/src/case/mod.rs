@@ -38,6 +38,9 @@ pub enum Profile {
 /// Loads and speed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Operation {
+    /// Whether the inner ring turns clockwise. The case is then seen from the other face of the
+    /// bearing, from which it turns counter-clockwise: ψ counts in the sense of rotation.
+    pub clockwise: bool,
     /// ωi, counter-clockwise; where a table is given its value at t = 0, with a rotor 0.
     pub inner_speed_rad_s: f64,
     /// Fr, along −Y; where a table is given its value at t = 0, with a rotor 0.
@@ -48,6 +51,18 @@ pub struct Operation {
     pub inner_speed_table: Option<TimeTable>,
     /// Fr over time, where it changes; not with a rotor.
     pub radial_load_table: Option<TimeTable>,
+}
+
+impl Operation {
+    /// How a clockwise bearing is shown; empty for the other sense of rotation.
+    pub fn view(&self) -> &'static str {
+        if self.clockwise {
+            "The inner ring turns clockwise: the bearing is seen from its other face, from which it \
+             turns counter-clockwise; angles count in the sense of rotation."
+        } else {
+            ""
+        }
+    }
 }
 
 /// Contact and friction parameters.

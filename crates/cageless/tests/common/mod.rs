@@ -69,6 +69,7 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
         bearing: Bearing::new(dimensions, steel()).unwrap(),
         raceways: vec![],
         operation: Operation {
+            clockwise: false,
             inner_speed_rad_s: 12_000.0 * TAU / 60.0,
             radial_load_n: 1500.0,
             gravity_m_s2: 9.81,

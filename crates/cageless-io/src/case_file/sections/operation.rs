@@ -16,7 +16,7 @@ section! {
     /// `[operation]`: speed and load.
     OperationDocument {
         inner_speed_rpm => inner_speed_rad_s: Option<OverTime> = Optional, RevolutionPerMinute,
-            "speed of the inner ring, or [[time in s, speed], …], linear between; left out with a [rotor], else required",
+            "speed of the inner ring, negative: clockwise, the bearing then seen from its other face; or [[time in s, speed], …], linear between; left out with a [rotor], else required",
             Shown("12000.0", "counter-clockwise (paper), or [[time in s, rpm], …]");
         radial_load_n => radial_load_n: Option<OverTime> = Optional, Si("N"),
             "Fr, load on the inner ring, downwards, or [[time in s, load], …], linear between; left out with a [rotor], else required",
@@ -31,6 +31,16 @@ impl Converter<'_> {
     pub(in crate::case_file) fn operation(&self) -> Result<Operation, CaseError> {
         let o = &self.document.operation;
         let (speed, speeds) = self.over_time("inner_speed_rpm", o.inner_speed_rpm.as_ref())?;
+        // Clockwise is counter-clockwise seen from the other face.
+        let values = || speeds.iter().flatten().map(|[_, value]| *value);
+        let clockwise = speed < 0.0 || values().any(|v| v < 0.0);
+        let reversed = values().any(|v| v > 0.0);
+        let (speed, speeds) = if clockwise && !reversed {
+            let turned = |rows: Vec<[f64; 2]>| rows.into_iter().map(|[t, v]| [t, -v]).collect();
+            (-speed, speeds.map(turned))
+        } else {
+            (speed, speeds)
+        };
         let (load, loads) = self.over_time("radial_load_n", o.radial_load_n.as_ref())?;
         let table = |field, rows: Option<Vec<[f64; 2]>>| {
             let table = |rows: Vec<[f64; 2]>| {
@@ -40,6 +50,7 @@ impl Converter<'_> {
             rows.map(table).transpose()
         };
         Ok(Operation {
+            clockwise,
             inner_speed_rad_s: speed,
             radial_load_n: load,
             gravity_m_s2: self.si("operation.gravity_m_s2", o.gravity_m_s2)?,
