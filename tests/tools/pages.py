@@ -313,6 +313,10 @@ DECODED = """
 """
 
 
+# Screens on which a page is looked at: one page on all, the others, which are made of the same
+# parts, on two that differ in everything.
+SCREENS = {"run": [(1400, False), (1400, True), (420, False), (420, True)]}
+
 # Most pixels of a page that has to be short.
 HEIGHTS = {"sweep": 7000}
 
@@ -432,10 +436,10 @@ def page(browser, name, path, screens):
     text = tab.js("document.body.innerText")
     odd = re.findall(r".{0,40}\b(?:NaN|undefined|Infinity|inf)\b.{0,40}", text)
     check(f"{name}: no odd numbers in the text", not odd, odd[:3])
-    # The Pareto front of a search has more columns than fit.
-    for width, dark in [(1400, False), (1400, True), (420, False), (420, True)]:
+    for width, dark in SCREENS.get(name, [(1400, False), (420, True)]):
         looks(tab, name, screens, width, dark)
     emulate(tab, 1400, False)
+    # The Pareto front of a search has more columns than fit.
     cut = tab.js(
         "[...document.querySelectorAll('.tab')].filter((f) => { const s = f.querySelector('.scroll');"
         " return s.scrollWidth > s.clientWidth; }).map((f) => f.id)"

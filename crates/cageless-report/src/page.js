@@ -127,7 +127,7 @@
     picture.className = "printed";
     picture.alt = el.getAttribute("aria-label");
     el.after(picture);
-    const take = () => Plotly.toImage(asSaved(el), { format: "png", width: 1000, height: el.clientHeight, scale: 2 })
+    const take = () => Plotly.toImage(asSaved(el), { format: "png", width: 1000, height: el.clientHeight, scale: 1 })
       .then((url) => { picture.src = url; }, () => picture.remove());
     el.on("plotly_relayout", take);
     return take();

@@ -380,6 +380,7 @@ async function openStudio(root) {
 
 // In a report the studio waits until its reader asks for it.
 for (const root of document.querySelectorAll("[data-studio]")) {
-  if (root.dataset.studio === "now") openStudio(root);
+  // A link to a changed case opens it at once.
+  if (root.dataset.studio === "now" || location.hash.startsWith("#case=")) openStudio(root);
   else root.append(button("Change values of this case", (event) => { event.target.remove(); openStudio(root); }, { "data-open": true }));
 }
