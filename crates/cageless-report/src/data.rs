@@ -78,8 +78,28 @@ pub struct Motion {
     /// Gap to the ball ahead, degrees: `gap_deg[ball][sample]`; if empty, the
     /// difference of the angles less ε.
     pub gap_deg: Vec<Vec<f64>>,
+    /// Rotor in the bore of the inner ring; `None` without one.
+    #[serde(default)]
+    pub rotor: Option<RotorTrack>,
     /// Provenance.
     pub provenance: Provenance,
+}
+
+/// Motion of a rotor in the bore of the inner ring, as it is drawn.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RotorTrack {
+    /// Radius of the bore, mm.
+    pub bore_radius_mm: f64,
+    /// Air gap as it is drawn, mm.
+    pub gap_mm: f64,
+    /// Centre of the journal relative to that of the ring, enlarged as the gap is, mm.
+    pub x_mm: Vec<f64>,
+    /// Likewise, upwards.
+    pub y_mm: Vec<f64>,
+    /// Angle of the rotor, degrees, counter-clockwise.
+    pub angle_deg: Vec<f64>,
+    /// Angle of the inner ring, degrees, counter-clockwise.
+    pub ring_angle_deg: Vec<f64>,
 }
 
 /// An acceleration signal and its spectrum.

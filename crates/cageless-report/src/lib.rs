@@ -24,6 +24,7 @@ pub mod page;
 pub mod plot;
 pub mod recommended;
 pub mod reproduce;
+mod rotor_track;
 pub mod run;
 pub mod run_report;
 pub mod sampling;

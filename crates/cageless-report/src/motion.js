@@ -25,6 +25,11 @@
         angle: raw.a.map((row) => decode(row, data.degree)),
         gap: raw.g.map((row) => decode(row, data.degree)),
         eps: raw.eps, pitch: raw.pitch,
+        rotor: raw.rotor && {
+          x: decode(raw.rotor.x, data.degree), y: decode(raw.rotor.y, data.degree),
+          angle: decode(raw.rotor.a, data.degree), ring: decode(raw.rotor.ring, data.degree),
+        },
+        shaft: group.querySelector("[data-rotor]"), mark: group.querySelector("[data-ring-mark]"),
         balls: Array.from(group.querySelectorAll("[data-ball]")),
         touches: Array.from(group.querySelectorAll("[data-touch]")),
         lines: Array.from(group.querySelectorAll("[data-line]")),
@@ -47,6 +52,12 @@
       const angle = b.angle.map(at), count = angle.length;
       const gap = b.gap.length === count ? b.gap.map(at) : angle.map(
         (a, k) => (k + 1 < count ? angle[k + 1] - a : angle[0] + 360 - a) - b.eps);
+      if (b.rotor && b.rotor.x.length > high) {
+        const r = b.rotor;
+        b.shaft.setAttribute("transform", "translate(" + at(r.x).toFixed(4) + "," + (-at(r.y)).toFixed(4)
+          + ") rotate(" + (-at(r.angle) % 360).toFixed(3) + ")");
+        b.mark.setAttribute("transform", "rotate(" + (-at(r.ring) % 360).toFixed(3) + ")");
+      }
       const touching = gap.map((g) => g <= 0);
       let least = 0, pairs = 0;
       angle.forEach(function (a, k) {
@@ -162,7 +173,7 @@
   // The drawing without what moves, as a picture.
   function backdrop(svg, width, height) {
     const copy = svg.cloneNode(true);
-    copy.querySelectorAll("[data-ball], [data-touch], [data-line]").forEach((e) => e.remove());
+    copy.querySelectorAll("[data-ball], [data-touch], [data-line], [data-rotor], [data-ring-mark]").forEach((e) => e.remove());
     return picture(copy, width, height);
   }
 
@@ -200,6 +211,20 @@
     for (const b of bearings) {
       const place = b.balls[0].parentElement.transform.baseVal.consolidate().matrix;
       ctx.setTransform(scale, 0, 0, scale, place.e * scale, place.f * scale);
+      for (const part of [b.mark, b.shaft].filter((p) => p && p.transform.baseVal.numberOfItems)) {
+        const m = part.transform.baseVal.consolidate().matrix;
+        ctx.save();
+        ctx.transform(m.a, m.b, m.c, m.d, m.e, m.f);
+        circle(part.firstElementChild, 0, 0);
+        const line = part.lastElementChild;
+        ctx.beginPath();
+        ctx.moveTo(number(line, "x1"), number(line, "y1"));
+        ctx.lineTo(number(line, "x2"), number(line, "y2"));
+        ctx.strokeStyle = line.getAttribute("stroke");
+        ctx.lineWidth = number(line, "stroke-width");
+        ctx.stroke();
+        ctx.restore();
+      }
       for (const ball of b.balls) {
         const at = ball.transform.baseVal.consolidate().matrix;
         circle(ball.firstElementChild, at.e, at.f);

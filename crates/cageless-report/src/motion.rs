@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
-use crate::data::{Motion, Provenance, RacewaySector};
+use crate::data::{Motion, Provenance, RacewaySector, RotorTrack};
 use crate::figure::below;
 use crate::text::{escape, script_json, slug};
 
@@ -109,7 +109,17 @@ impl MotionFigure {
             .map(|motion| {
                 let count = samples(motion);
                 let time = differences(&motion.time_s[..count], STEPS_PER_S);
+                let rotor = motion.rotor.as_ref().map(|rotor| {
+                    let coded = |values: &[f64]| {
+                        differences(&values[..count.min(values.len())], STEPS_PER_DEG)
+                    };
+                    json!({
+                        "x": coded(&rotor.x_mm), "y": coded(&rotor.y_mm),
+                        "a": coded(&rotor.angle_deg), "ring": coded(&rotor.ring_angle_deg),
+                    })
+                });
                 json!({
+                    "rotor": rotor,
                     "t": time,
                     "a": coded(&motion.angle_deg, count, STEPS_PER_DEG),
                     "g": coded(&motion.gap_deg, count, STEPS_PER_DEG),
@@ -201,7 +211,10 @@ fn bearing(motion: &Motion, half: f64) -> String {
         ));
     }
     let inner = o.inner_groove_bottom_radius_mm;
-    out.push_str(&annulus((inner - RING).max(0.3 * inner), inner));
+    match &motion.rotor {
+        None => out.push_str(&annulus((inner - RING).max(0.3 * inner), inner)),
+        Some(rotor) => out.push_str(&ring_and_rotor(rotor, inner)),
+    }
     for (k, angles) in motion.angle_deg.iter().enumerate() {
         let angle = angles
             .first()
@@ -241,6 +254,23 @@ fn bearing(motion: &Motion, half: f64) -> String {
         );
     }
     out
+}
+
+/// Inner ring with its bore and the rotor in it, each with a mark that turns.
+fn ring_and_rotor(rotor: &RotorTrack, groove: f64) -> String {
+    let bore = rotor.bore_radius_mm;
+    let journal = (bore - rotor.gap_mm).max(0.3 * bore);
+    format!(
+        "{}<g data-ring-mark><circle r=\"0\" fill=\"none\"/><line x1=\"0\" y1=\"{:.3}\" x2=\"0\" \
+         y2=\"{:.3}\" stroke=\"#7d8894\" stroke-width=\"0.8\"/></g>\n\
+         <g data-rotor><circle r=\"{journal:.3}\" fill=\"#f3e3d3\" stroke=\"#946200\" \
+         stroke-width=\"0.2\"/><line x1=\"0\" y1=\"0\" x2=\"0\" y2=\"{:.3}\" stroke=\"#946200\" \
+         stroke-width=\"0.6\"/></g>\n",
+        annulus(bore, groove),
+        -bore,
+        -groove,
+        -journal
+    )
 }
 
 /// Text of the drawing, lC with its index.

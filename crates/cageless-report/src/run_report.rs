@@ -14,6 +14,7 @@ use crate::data::{
     BearingOutline, FrequencyMark, Motion, Parameter, Provenance, RacewaySector, Vibration,
     VibrationSignal,
 };
+use crate::rotor_track::rotor_track;
 use crate::run::{BallHistory, EnergyItem, LoadProfile, Recent, RingHistory, RunData};
 use crate::verification::VerificationTable;
 
@@ -31,6 +32,7 @@ pub fn motion(case: &Case, title: &str, snapshots: &[Snapshot], provenance: Prov
         time_s: snapshots.iter().map(|s| s.time_s).collect(),
         angle_deg: over(&|s, k| s.angle_rad[k]),
         gap_deg: over(&|s, k| s.gap_rad[k]),
+        rotor: rotor_track(case, snapshots),
         provenance,
     }
 }

@@ -94,10 +94,10 @@ pub(super) fn balls_in_motion(case: &Case, study: &DropStudy, source: &Provenanc
     stretches.push(("whole drop".to_owned(), [0.0, end]));
     MotionFigure {
         label: "Motion of the balls".to_owned(),
-        caption:
-            "The balls from the moment at which the magnets let go, to scale; red: balls that \
-                  touch."
-                .to_owned(),
+        caption: "Rotor, inner ring and balls from the moment at which the magnets let go, with a \
+                  mark on what turns; red: balls that touch. To scale but for the air gap and the \
+                  place of the rotor in it, which are enlarged."
+            .to_owned(),
         bearings,
         moments_s: vec![],
         stretches,
