@@ -59,6 +59,8 @@ pub enum Command {
     Run(RunArgs),
     /// Drop a rotor onto the bearing: impacts, whirl, spin-up, loads and heat.
     Drop(DropArgs),
+    /// Set two cases or finished runs side by side: results, differences, motion.
+    Compare(CompareArgs),
     /// The outer ring for CAD and machining: STEP, STL or a table of points.
     Export(ExportArgs),
     /// Compute many variants of a case; an interrupted sweep resumes.
@@ -162,6 +164,29 @@ pub struct DropArgs {
     /// converged.
     #[arg(long)]
     pub verify: bool,
+}
+
+/// `compare`.
+#[derive(Debug, Group)]
+pub struct CompareArgs {
+    /// Case file (TOML or JSON), or the folder of a finished run.
+    #[arg(value_name = "A")]
+    pub a: PathBuf,
+    /// Case file or folder to set beside A; differences are B less A.
+    #[arg(value_name = "B")]
+    pub b: PathBuf,
+    /// Run A with a conventional outer ring as well.
+    #[arg(long)]
+    pub with_conventional: bool,
+    /// Print the numbers as one JSON document.
+    #[arg(long)]
+    pub json: bool,
+    /// Folder for report.html and compare.json.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Open the page in the browser.
+    #[arg(long, requires = "out")]
+    pub open: bool,
 }
 
 /// Outer rings to compare with.

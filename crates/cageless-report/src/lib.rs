@@ -6,6 +6,7 @@
 //! numbers as one JSON document
 //! ([`to_json`]).
 
+pub mod compare;
 pub mod comparison;
 pub mod data;
 pub mod description;

@@ -46,6 +46,17 @@ impl Rows for RunWriter {
     }
 }
 
+/// Rows of which only histories and vibration are wanted.
+impl Rows for () {
+    fn snapshot(&mut self, _: &Snapshot) -> Result<(), ObserverError> {
+        Ok(())
+    }
+
+    fn collision(&mut self, _: &Collision) -> Result<(), ObserverError> {
+        Ok(())
+    }
+}
+
 /// What is recorded of a run beside its summary.
 pub struct Options<'r> {
     /// Receiver of snapshots and collisions; without one, neither histories nor vibration are

@@ -1,5 +1,6 @@
 //! The commands.
 
+mod compare;
 pub mod design;
 mod drop;
 mod export;
@@ -46,6 +47,7 @@ pub fn dispatch(args: Args) -> Result<(), Failure> {
         Command::Tolerance(args) => tolerance::tolerance(&args),
         Command::Run(args) => run::run(&args),
         Command::Drop(args) => drop::touchdown(&args),
+        Command::Compare(args) => compare::compare(&args),
         Command::Export(args) => export::export(&args),
         Command::Sweep(args) => sweep::sweep(&args),
         Command::Report(args) => report::report(&args),

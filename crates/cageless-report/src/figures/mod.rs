@@ -2,6 +2,7 @@
 
 pub mod ball;
 pub mod collisions;
+pub mod compare;
 pub mod comparison;
 pub mod design;
 pub mod energy;

@@ -1,0 +1,96 @@
+//! Runs on the same axes.
+
+use serde_json::json;
+
+use crate::compare::ComparedRun;
+use crate::figure::Figure;
+use crate::plot::{PALETTE, POINTS, Plot, line};
+use crate::sampling::history;
+
+/// Name, abscissa and ordinate of a line.
+type Line<'r> = (&'r str, Vec<f64>, Vec<f64>);
+
+/// Standard deviation of the gaps at each time.
+pub fn spacing(runs: &[ComparedRun]) -> Option<Figure> {
+    let lines = runs.iter().filter_map(|run| {
+        let data = &run.data;
+        // Rows of extremes over stretches of time belong to no one instant.
+        let (time, balls) = match (&data.recent, data.stretch_s) {
+            (Some(recent), Some(_)) => (&recent.time_s, &recent.balls),
+            _ => (&data.time_s, &data.balls),
+        };
+        let deviation = |row: usize| {
+            let gaps = || balls.iter().filter_map(|ball| ball.gap_deg.get(row));
+            let n = gaps().count().max(1) as f64;
+            let mean = gaps().sum::<f64>() / n;
+            (gaps().map(|g| (g - mean).powi(2)).sum::<f64>() / n).sqrt()
+        };
+        let values: Vec<f64> = (0..time.len()).map(deviation).collect();
+        (!values.is_empty()).then(|| (run.name.as_str(), time.clone(), values))
+    });
+    figure(
+        runs,
+        "Scatter of the gaps",
+        "Standard deviation of the gaps of all balls at each instant: 0 is even spacing.",
+        ["Time t (s)", "Standard deviation of the gaps (°)"],
+        lines.collect(),
+    )
+}
+
+/// Height of the inner ring over time.
+pub fn ring(runs: &[ComparedRun]) -> Option<Figure> {
+    let lines = runs.iter().map(|run| {
+        let ring = &run.data.ring;
+        (run.name.as_str(), ring.time_s.clone(), ring.y_um.clone())
+    });
+    figure(
+        runs,
+        "Height of the inner ring",
+        "Displacement of the centre of the inner ring against gravity and load at the end of each run.",
+        ["Time t (s)", "Displacement y (µm)"],
+        lines.collect(),
+    )
+}
+
+/// Largest load at the inner raceway around the bearing.
+pub fn loads(runs: &[ComparedRun]) -> Option<Figure> {
+    let lines = runs.iter().filter_map(|run| {
+        let profile = run.data.load_profile.as_ref()?;
+        let (angle, load) = (&profile.angle_deg, &profile.inner_force_max_n);
+        Some((run.name.as_str(), angle.clone(), load.clone()))
+    });
+    figure(
+        runs,
+        "Largest loads",
+        "Largest normal force of a ball on the inner raceway over its place ψ, from the bottom.",
+        ["Place ψ (°)", "Largest force Fi (N)"],
+        lines.collect(),
+    )
+}
+
+fn figure(
+    runs: &[ComparedRun],
+    label: &str,
+    caption: &str,
+    [x, y]: [&str; 2],
+    lines: Vec<Line<'_>>,
+) -> Option<Figure> {
+    let provenance = runs.first()?.data.provenance.clone();
+    if lines.iter().all(|(_, x, _)| x.is_empty()) {
+        return None;
+    }
+    let mut plot = Plot::new(360)
+        .legend()
+        .axis("xaxis", x, json!({}))
+        .axis("yaxis", y, json!({}));
+    for (k, (name, x, y)) in lines.iter().enumerate() {
+        let (x, y) = history(x, y, POINTS);
+        plot = plot.trace(line(name, &x, &y, PALETTE[k % PALETTE.len()]));
+    }
+    Some(Figure {
+        label: label.to_owned(),
+        caption: caption.to_owned(),
+        provenance,
+        plot,
+    })
+}
