@@ -170,8 +170,11 @@ fn drops(
     Ok(result)
 }
 
+/// Name of a result, and the result.
+type Compared = (&'static str, fn(&DropRow) -> Option<f64>);
+
 /// Results of a drop that are compared, with their headings.
-const COMPARED: [(&str, fn(&DropRow) -> Option<f64>); 8] = [
+const COMPARED: [Compared; 8] = [
     ("collisions per s at the end", |d| {
         d.result.value("end_collision_rate_hz")
     }),

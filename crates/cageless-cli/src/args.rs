@@ -142,6 +142,9 @@ pub struct RunArgs {
     /// statistical or step-biased
     #[arg(long)]
     pub verify: bool,
+    /// Write the tables as CSV, too: balls.csv, ring.csv, collisions.csv.
+    #[arg(long, requires = "out")]
+    pub csv: bool,
     /// Open the page in the browser.
     #[arg(long, requires = "out")]
     pub open: bool,
@@ -164,6 +167,9 @@ pub struct DropArgs {
     /// converged.
     #[arg(long)]
     pub verify: bool,
+    /// Write the tables as CSV, too: balls.csv, ring.csv, rotor.csv, collisions.csv.
+    #[arg(long, requires = "out")]
+    pub csv: bool,
 }
 
 /// `compare`.

@@ -200,3 +200,27 @@ fn every_command_has_a_man_page() {
         "{written:?}"
     );
 }
+
+/// CSV beside Parquet has its numbers, and goes with the run that it belongs to.
+#[test]
+fn tables_are_written_as_csv() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().to_str().unwrap();
+    let case = repository_case("zhao-d.toml");
+    let done = call_on("run", &case, &[SHORT], &["--csv", "--out", out]);
+    assert_eq!(done.code, Some(0), "{done:?}");
+    for name in ["balls", "ring"] {
+        let (names, rows) = table(&dir.path().join(name).with_extension("parquet"));
+        let text = std::fs::read_to_string(dir.path().join(name).with_extension("csv")).unwrap();
+        let mut lines = text.lines();
+        assert_eq!(lines.next().unwrap(), names.join(","));
+        let read: Vec<Vec<f64>> = lines
+            .map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect())
+            .collect();
+        assert_eq!(read, rows);
+    }
+    assert!(dir.path().join("collisions.csv").exists());
+    let again = call_on("run", &case, &[SHORT], &["--out", out]);
+    assert_eq!(again.code, Some(0), "{again:?}");
+    assert!(!dir.path().join("balls.csv").exists());
+}

@@ -2,7 +2,7 @@
 
 use cageless::dynamics::InstructionSet;
 use cageless::verification::Convergence;
-use cageless_io::results::{Metadata, RunWriter, write_atomically};
+use cageless_io::results::{Metadata, RunWriter, write_atomically, write_csv};
 use cageless_report::drop::drop_page;
 use cageless_study::drop::{
     DropRequest, DropResult, DropStudy, DropVerification, EnsembleResult, study,
@@ -48,6 +48,9 @@ pub fn touchdown(args: &DropArgs) -> Result<(), Failure> {
     let study = study(&file, request, rows, &bars)?;
     if let Some(writer) = writer {
         writer.finish()?;
+    }
+    if let (true, Some(dir)) = (args.csv, out) {
+        write_csv(dir)?;
     }
     let json = study.to_json(&file)?;
     if let Some(dir) = out {

@@ -6,7 +6,7 @@ use cageless::Case;
 use cageless::dynamics::InstructionSet;
 use cageless::initial_conditions::initial_state;
 use cageless::simulation::{Ending, RunOutcome};
-use cageless_io::results::{Metadata, RunWriter, VerificationFile, write_atomically};
+use cageless_io::results::{Metadata, RunWriter, VerificationFile, write_atomically, write_csv};
 use cageless_report::run_report::run_data;
 use cageless_report::verification::{facts, value};
 use cageless_report::{run_page, to_json};
@@ -26,7 +26,7 @@ const PAGE_DATA: &str = "report.json";
 
 /// Simulates a case.
 pub fn run(args: &RunArgs) -> Result<(), Failure> {
-    let (verify, open) = (args.verify, args.open);
+    let (verify, csv, open) = (args.verify, args.csv, args.open);
     let args = &args.case;
     let file = read_case(args)?;
     let case = file.case();
@@ -68,6 +68,9 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     }
     if let Some(writer) = writer {
         writer.finish()?;
+    }
+    if let (true, Some(dir)) = (csv, &args.out) {
+        write_csv(dir)?;
     }
     record.verify(&file, &bars);
     drop(bars);

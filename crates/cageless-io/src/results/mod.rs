@@ -19,6 +19,7 @@
 
 mod atomic_file;
 mod checksum;
+mod csv;
 mod dynamic_table;
 mod error;
 mod run_tables;
@@ -31,6 +32,7 @@ use std::path::{Path, PathBuf};
 use cageless::{Collision, RotorSnapshot, Snapshot};
 
 pub use atomic_file::{PartialFile, write_atomically};
+pub use csv::write_csv;
 pub use dynamic_table::{Cell, ColumnKind, ColumnSpec, Row, RowsReader, RowsWriter};
 pub use error::{ResultError, is_unusable};
 pub use run_tables::read_run_table;
@@ -47,7 +49,15 @@ pub const SCHEMA: u64 = 1;
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Files that say something about the tables beside them, written after these.
-pub const ABOUT_TABLES: [&str; 3] = ["summary.json", "report.html", "report.json"];
+pub const ABOUT_TABLES: [&str; 7] = [
+    "summary.json",
+    "report.html",
+    "report.json",
+    "balls.csv",
+    "ring.csv",
+    "rotor.csv",
+    "collisions.csv",
+];
 
 /// Metadata of a run in the footer of every table.
 #[derive(Debug, Clone, Copy)]

@@ -18,6 +18,22 @@ const SNAPSHOT_ROWS: usize = 10_000;
 /// # Errors
 /// The file cannot be read, is damaged or has other columns.
 pub fn read_run_table(path: &Path, columns: &[Column]) -> Result<Vec<Vec<f64>>, ResultError> {
+    let mut found = vec![Vec::new(); columns.len()];
+    for_each_group(path, columns, |group| {
+        for (values, more) in found.iter_mut().zip(group) {
+            values.extend(more);
+        }
+        Ok(())
+    })?;
+    Ok(found)
+}
+
+/// Calls `take` with the numbers of each group of rows, column by column.
+pub(super) fn for_each_group(
+    path: &Path,
+    columns: &[Column],
+    mut take: impl FnMut(Vec<Vec<f64>>) -> Result<(), ResultError>,
+) -> Result<(), ResultError> {
     let reader = checked(path, GROUP_ROWS + SNAPSHOT_ROWS)?;
     let schema = reader.metadata().file_metadata().schema();
     let names = schema.get_fields().iter().map(|field| field.name());
@@ -25,17 +41,18 @@ pub fn read_run_table(path: &Path, columns: &[Column]) -> Result<Vec<Vec<f64>>, 
         let message = "its columns are not those of a run";
         return Err(ResultError::unreadable(path, message));
     }
-    let mut found = vec![Vec::new(); columns.len()];
     for group in 0..reader.num_row_groups() {
         let damaged = |e: ParquetError| ResultError::damaged(path, &e, "its data are damaged");
         let group = reader.get_row_group(group).map_err(damaged)?;
         let count = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
+        let mut found = vec![Vec::new(); columns.len()];
         for (k, values) in found.iter_mut().enumerate() {
             let column = group.get_column_reader(k).map_err(damaged)?;
             read(column, count, values).map_err(damaged)?;
         }
+        take(found)?;
     }
-    Ok(found)
+    Ok(())
 }
 
 fn read(column: ColumnReader, count: usize, into: &mut Vec<f64>) -> Result<(), ParquetError> {

@@ -1,0 +1,51 @@
+//! Tables of a run as CSV.
+
+use std::io::{BufWriter, Write};
+use std::path::Path;
+
+use super::atomic_file::PartialFile;
+use super::error::ResultError;
+use super::run_tables::for_each_group;
+use super::{BALLS, COLLISIONS, Column, RING, ROTOR};
+
+/// Tables of a run or of a drop, and their columns.
+const TABLES: [(&str, &[Column]); 4] = [
+    ("balls", BALLS),
+    ("ring", RING),
+    ("rotor", ROTOR),
+    ("collisions", COLLISIONS),
+];
+
+/// Writes `NAME.csv` beside each table of the run in `dir`: names with units in the first line,
+/// numbers with all of their digits.
+///
+/// # Errors
+/// A table cannot be read, or a file cannot be written.
+pub fn write_csv(dir: &Path) -> Result<(), ResultError> {
+    for (name, columns) in TABLES {
+        let table = dir.join(name).with_extension("parquet");
+        if !table.exists() {
+            continue;
+        }
+        let path = dir.join(name).with_extension("csv");
+        let fail = |source| ResultError::out(&path, source);
+        let mut file = BufWriter::new(PartialFile::create(&path)?);
+        let names: Vec<&str> = columns.iter().map(|column| column.name).collect();
+        writeln!(file, "{}", names.join(",")).map_err(fail)?;
+        for_each_group(&table, columns, |group| {
+            for row in 0..group[0].len() {
+                let cells: Vec<String> = (columns.iter().zip(&group))
+                    .map(|(column, values)| match column.integer {
+                        true => format!("{:.0}", values[row]),
+                        false => format!("{:?}", values[row]),
+                    })
+                    .collect();
+                writeln!(file, "{}", cells.join(",")).map_err(fail)?;
+            }
+            Ok(())
+        })?;
+        let file = file.into_inner().map_err(|e| fail(e.into_error()))?;
+        file.commit()?;
+    }
+    Ok(())
+}
