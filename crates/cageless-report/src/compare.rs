@@ -1,5 +1,6 @@
 //! Runs side by side: one page, the same axes, and their differences.
 
+use cageless_io::plan_file::Computation;
 use cageless_study::quantities::{Aim, Kind, QUANTITIES};
 use serde::Serialize;
 use serde_json::{Map, Value};
@@ -58,9 +59,10 @@ pub struct RunComparison {
 impl RunComparison {
     /// Differences of runs.
     pub fn new(runs: &[ComparedRun]) -> Self {
-        let quantities = QUANTITIES
-            .iter()
-            .filter(|q| q.in_tables && matches!(q.kind, Kind::Number | Kind::Integer));
+        let quantities = QUANTITIES.iter().filter(|q| {
+            let of_run = q.computation() == Computation::Run;
+            of_run && q.in_tables && matches!(q.kind, Kind::Number | Kind::Integer)
+        });
         let results = quantities.filter_map(|quantity| {
             let value = |run: &ComparedRun| run.summary.get(quantity.name)?.as_f64();
             let values: Vec<Option<f64>> = runs.iter().map(value).collect();
@@ -141,9 +143,9 @@ pub fn compare_page(runs: &[ComparedRun], comparison: &RunComparison) -> String 
     let names = comparison.runs.join(", ");
     let software = runs.first().map_or("", |run| &run.data.software);
     let lead: Vec<String> = (runs.iter())
-        .map(|run| format!("{}: {}", run.name, run.data.lead))
+        .map(|run| format!("{}: {}. {}", run.name, run.data.title, run.data.lead))
         .collect();
-    let mut page = Page::new(&names, &lead.join(" "), software);
+    let mut page = Page::new(&format!("Comparison: {names}"), &lead.join(" "), software);
     let head = runs.iter().fold(Head::default(), |head, run| {
         let headline = match run.data.headline.as_str() {
             "" => String::new(),
@@ -210,13 +212,30 @@ fn table(runs: &[ComparedRun], comparison: &RunComparison) -> Table {
         ),
         columns: columns.map(|(k, name)| (name, numeric(k))).collect(),
         rows,
-        provenance: runs.first().map(provenance),
+        provenance: Some(provenance(runs)),
         ..Table::default()
     }
 }
 
-fn provenance(run: &ComparedRun) -> Provenance {
-    run.data.provenance.clone()
+/// Provenance of what shows all runs; settings in which they differ stand side by side.
+pub(crate) fn provenance(runs: &[ComparedRun]) -> Provenance {
+    let all = || runs.iter().map(|run| &run.data.provenance);
+    let joined = |of: fn(&Provenance) -> Option<String>| {
+        let mut values: Vec<String> = all().filter_map(of).collect();
+        values.dedup();
+        (!values.is_empty()).then(|| values.join(" / "))
+    };
+    let cases = runs.iter().zip(all());
+    let cases = cases.map(|(run, from)| format!("{}: {}", run.name, from.case));
+    let step_us = all().next().and_then(|from| from.step_us);
+    Provenance {
+        case: cases.collect::<Vec<_>>().join("; "),
+        profile: joined(|from| from.profile.clone()),
+        friction_law: joined(|from| from.friction_law.clone()),
+        method: joined(|from| from.method.clone()),
+        step_us: step_us.filter(|_| all().all(|from| from.step_us == step_us)),
+        discarded: joined(|from| Some(from.discarded.clone())).unwrap_or_default(),
+    }
 }
 
 /// The motions, on one time axis that begins with each: runs may have different lengths.

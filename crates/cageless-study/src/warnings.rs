@@ -113,8 +113,9 @@ fn of_case(case: &Case) -> Vec<String> {
     let resolved = limits.friction_resolved_to_s(method);
     if case.solver.step_s > resolved {
         warnings.push(format!(
-            "friction of the smooth law decays faster than the step follows: slip near zero is \
-             wrong above {:.2} µs (solver.step_us, contact.slip_scale_m_s)",
+            "friction decays faster than the step follows: slip near zero is wrong above {:.2} µs \
+             (solver.step_us, contact.slip_scale_m_s, or solver.method = \"symplectic\", which \
+             treats friction implicitly)",
             resolved * 1e6
         ));
     }

@@ -14,7 +14,7 @@ use serde_json::{Map, Value};
 use super::{make_folder, open_page, print, tell, writable};
 use crate::args::CompareArgs;
 use crate::failure::Failure;
-use crate::format::{columns, page_line};
+use crate::format::{columns, page_line, pairs};
 use crate::progress::{Bars, catch_interrupt};
 
 const NUMBERS: &str = "compare.json";
@@ -55,9 +55,12 @@ pub fn compare(args: &CompareArgs) -> Result<(), Failure> {
     if args.json {
         print(&json)?;
     } else {
+        let titles: Vec<_> = (runs.iter())
+            .map(|run| (run.name.as_str(), run.data.title.clone()))
+            .collect();
         let mut rows = vec![comparison.headings()];
         rows.extend(comparison.rows());
-        tell(&(columns(&rows) + &page_line(out, PAGE)))?;
+        tell(&(pairs(&titles) + "\n" + &columns(&rows) + &page_line(out, PAGE)))?;
     }
     if let (true, Some(dir)) = (args.open, out) {
         open_page(&dir.join(PAGE));
@@ -122,7 +125,7 @@ impl Side {
             Self::Case(file) => file,
             Self::Run(data, summary) => {
                 return Ok(ComparedRun {
-                    name: named(name, &data.title),
+                    name: name.to_owned(),
                     data: *data,
                     summary,
                 });
@@ -138,17 +141,9 @@ impl Side {
         let summary = serde_json::from_str(&record.summary.to_json()?)?;
         Failure::of_ending(record.outcome.ending, record.outcome.end_s, "")?;
         Ok(ComparedRun {
-            name: named(name, &data.title),
+            name: name.to_owned(),
             data,
             summary,
         })
-    }
-}
-
-/// Letter and title of a run.
-fn named(name: &str, title: &str) -> String {
-    match (name, title) {
-        ("conventional", _) | (_, "") => name.to_owned(),
-        (name, title) => format!("{name}, {title}"),
     }
 }

@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use crate::compare::ComparedRun;
+use crate::compare::{ComparedRun, provenance};
 use crate::figure::Figure;
 use crate::plot::{PALETTE, POINTS, Plot, line};
 use crate::sampling::history;
@@ -75,7 +75,6 @@ fn figure(
     [x, y]: [&str; 2],
     lines: Vec<Line<'_>>,
 ) -> Option<Figure> {
-    let provenance = runs.first()?.data.provenance.clone();
     if lines.iter().all(|(_, x, _)| x.is_empty()) {
         return None;
     }
@@ -90,7 +89,7 @@ fn figure(
     Some(Figure {
         label: label.to_owned(),
         caption: caption.to_owned(),
-        provenance,
+        provenance: provenance(runs),
         plot,
     })
 }
