@@ -14,6 +14,8 @@ law_struct! {
 }
 
 impl Law for Smooth {
+    /// μ·tanh(ΔV/scale)·N along −ΔV, N, in place of the step of Zhao 2022, Eq. (20) and Eq. (21),
+    /// and its slope over ΔV, N·s/m.
     #[inline(always)]
     fn force(&self, slip_m_s: f64, normal_n: f64) -> [f64; 2] {
         let largest = self.coefficient * normal_n;
