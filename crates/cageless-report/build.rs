@@ -15,6 +15,13 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 
 const TARGET: &str = "wasm32-unknown-unknown";
+/// Small code for all but the physics: the engine is part of every page.
+const SMALL: [&str; 4] = [
+    "profile.release.codegen-units=1",
+    r#"profile.release.package."*".opt-level="z""#,
+    r#"profile.release.package.cageless-io.opt-level="z""#,
+    r#"profile.release.package.cageless-live.opt-level="s""#,
+];
 /// Crates that the engine is made of, beside this one.
 const SOURCES: [&str; 4] = ["cageless", "cageless-io", "cageless-live", "cageless-wasm"];
 
@@ -87,6 +94,7 @@ fn compiled(out: &Path) -> Option<Vec<u8>> {
         .arg(&manifest)
         .arg("--target-dir")
         .arg(&target)
+        .args(SMALL.iter().flat_map(|setting| ["--config", setting]))
         .env("RUSTFLAGS", "-C target-feature=+simd128")
         .env("CARGO_PROFILE_RELEASE_DEBUG", "false")
         .env("CARGO_PROFILE_RELEASE_STRIP", "true");
