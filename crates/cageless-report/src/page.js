@@ -38,7 +38,7 @@
   const other = (axis, letter) => letter + "axis" + (axis || letter).slice(1);
 
   // Panels side by side go one below the other, legends below the plot.
-  function narrowed({ data, layout }, height) {
+  function narrowed(layout, height) {
     const margin = Object.assign({ l: 72, r: 24, t: 44, b: 58 }, layout.margin);
     const inside = height - margin.t - margin.b;
     const names = Object.keys(layout).filter((k) => /^(xaxis|polar)\d*$/.test(k));
@@ -91,11 +91,6 @@
         margin.t += 40;
       }
     }
-    // Scales of colour lie below the plot.
-    data.filter((trace) => trace.colorbar).forEach(function (trace) {
-      Object.assign(trace.colorbar, { orientation: "h", x: 0.5, xanchor: "center", y: -70 / full, yanchor: "top", len: 1 });
-      space += 70;
-    });
     layout.margin = margin;
     layout.font = Object.assign({}, layout.font, { size: 11 });
     return Math.round(full + (space - inside) + margin.t + margin.b);
@@ -110,7 +105,7 @@
       Object.assign(spec.layout, { paper_bgcolor: PAPER, plot_bgcolor: PAPER,
         modebar: { bgcolor: "rgba(0,0,0,0)", color: "#8a94a0", activecolor: "#e4e8ec" } });
     }
-    if (small.matches && !wide) height = narrowed(spec, height);
+    if (small.matches && !wide) height = narrowed(spec.layout, height);
     return { data: spec.data, layout: spec.layout, height };
   }
 

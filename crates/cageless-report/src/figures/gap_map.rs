@@ -59,7 +59,7 @@ pub fn gap_map(run: &RunData) -> Option<Figure> {
         .trace(json!({
             "type": "heatmap", "x": numbers(&middles), "y": pairs, "z": z, "name": "gap",
             "zmin": 0, "zmax": number(2.0 * run.uniform_gap_deg), "colorscale": SCALE,
-            "colorbar": { "title": { "text": "Gap (°)" }, "thickness": 14 },
+            "colorbar": { "title": { "text": "Gap (°)", "side": "right" }, "thickness": 14 },
             "hovertemplate": "balls %{y}<br>t %{x:.4f} s<br>smallest gap %{z:.4f}°<extra></extra>",
         }))
         .finding(&smallest_gap(run));

@@ -155,7 +155,7 @@ pub fn surface(surface: &RacewaySurface) -> Figure {
             "cmin": number(-most), "cmax": number(most),
             "colorscale": [[0, "#2166ac"], [0.5, "#f2f2f2"], [1, "#b2182b"]],
             "colorbar": {
-                "title": { "text": "Deviation from<br>the plain groove (µm)" },
+                "title": { "text": "Deviation from<br>the plain groove (µm)", "side": "right" },
                 "thickness": 16, "len": 0.75,
             },
             "lighting": { "ambient": 0.75, "diffuse": 0.5, "specular": 0.08, "roughness": 0.8 },

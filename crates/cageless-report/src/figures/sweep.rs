@@ -74,7 +74,7 @@ pub fn shares(data: &SweepData) -> Figure {
             "type": "heatmap", "x": inputs, "y": labels, "z": z, "text": text,
             "texttemplate": "%{text}", "zmin": 0, "zmax": 100, "colorscale": BLUES,
             "xgap": 1, "ygap": 1,
-            "colorbar": { "title": { "text": "%" }, "thickness": 12 },
+            "colorbar": { "title": { "text": "%", "side": "right" }, "thickness": 12 },
             "hovertemplate": "%{y} by %{x}: %{z:.1f} %<extra></extra>",
         }))
         .finding(&strongest(data, shown));
@@ -224,7 +224,7 @@ pub fn map(output: &SweepOutput, map: &HeatMap, provenance: &Provenance) -> Figu
         .trace(json!({
             "type": "heatmap", "x": names(&map.x), "y": names(&map.y), "z": z,
             "colorscale": "Viridis",
-            "colorbar": { "title": { "text": plain(colour_title(output)) }, "thickness": 14 },
+            "colorbar": { "title": { "text": plain(colour_title(output)), "side": "right" }, "thickness": 14 },
         }));
     Figure {
         label: format!("Map of {}", names::name(&output.quantity)),

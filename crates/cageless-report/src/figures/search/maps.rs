@@ -308,7 +308,7 @@ pub fn critical_gaps(search: &SearchData) -> Figure {
         "coloraxis",
         json!({
             "cmin": 0, "cmax": 1.5, "colorscale": "Viridis",
-            "colorbar": { "title": { "text": "over steady gap" }, "thickness": 14, "tickformat": ".0%" },
+            "colorbar": { "title": { "text": "over steady gap", "side": "right" }, "thickness": 14, "tickformat": ".0%" },
         }),
     );
     for (k, map) in by_speed(search).into_iter().enumerate() {
