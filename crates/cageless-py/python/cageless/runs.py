@@ -247,6 +247,23 @@ class Run(Tables):
         """
         return self._figure("gaps", balls, time_s, title)
 
+    def plot_gap_map(
+        self,
+        *,
+        time_s: tuple[float, float] | None = None,
+        title: str | None = None,
+    ) -> go.Figure:
+        """Smallest gap of each pair of neighbours over time, as colours.
+
+        Parameters
+        ----------
+        time_s : (float, float), optional
+            First and last time to show; default: the whole run.
+        title : str, optional
+            Title above the figure.
+        """
+        return self._figure("gap_map", None, time_s, title)
+
     def plot_collisions(
         self,
         *,
@@ -346,6 +363,16 @@ class Run(Tables):
             Title above the figure.
         """
         return self._figure("loads", ball if ball != 1 else None, time_s, title)
+
+    def plot_load_profile(self, *, title: str | None = None) -> go.Figure:
+        """Loads and pressures of all balls around the bearing, of the last orbits of the run.
+
+        Parameters
+        ----------
+        title : str, optional
+            Title above the figure.
+        """
+        return self._figure("load_profile", None, None, title)
 
     def plot_ring_orbit(
         self,
