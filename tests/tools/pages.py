@@ -364,9 +364,10 @@ def emulate(tab, width, dark):
     )  # fmt: skip
     scheme = {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}
     tab.call("Emulation.setEmulatedMedia", features=[scheme])
-    tab.js("window.cagelessDrawAll()")
-    # Plots are drawn again for another screen; two frames later they are there.
-    tab.js("new Promise((done) => setTimeout(() => requestAnimationFrame(done), 300))")
+    # Plots are drawn again for another screen, and once more for their new width.
+    for _ in range(2):
+        tab.js("new Promise((done) => setTimeout(() => requestAnimationFrame(done), 300))")
+        tab.js("window.cagelessDrawAll()")
 
 
 def axe(tab):

@@ -174,12 +174,12 @@
   }
 
   function drawAgain() {
-    plots.filter((el) => done.has(el)).forEach((el) => done.get(el).then(function () {
+    plots.filter((el) => done.has(el)).forEach((el) => done.set(el, done.get(el).then(function () {
       if (!el._fullLayout) return;
       const spec = withChoices(el, shown(el));
       el.style.height = spec.height + "px";
       return Plotly.react(el, spec.data, spec.layout, config).then(() => nameParts(el));
-    }));
+    })));
   }
 
   // Draws every figure of the page, seen or not.
