@@ -1,8 +1,11 @@
 //! Names of the columns of sweeps in words.
 
+use cageless_study::quantities::QUANTITIES;
+
 use crate::sweep::SweepQuantity;
 
-/// Columns and their names; what is not here is named by its words.
+/// Columns and their names; results that are not here have the label of their table, what is left
+/// is named by its words.
 const NAMES: [(&str, &str); 42] = [
     ("bearing_balls", "number of balls"),
     ("raceway_axial_span_mm", "axial span lC"),
@@ -82,6 +85,10 @@ const NAMES: [(&str, &str); 42] = [
 pub fn name(quantity: &SweepQuantity) -> String {
     if let Some((_, name)) = NAMES.iter().find(|(column, _)| *column == quantity.name) {
         return (*name).to_owned();
+    }
+    let result = QUANTITIES.iter().find(|q| q.column_name() == quantity.name);
+    if let Some(result) = result {
+        return result.label.trim().to_owned();
     }
     // `verdict_verdict = smooth`: the share of one verdict.
     if let Some(value) = quantity.name.strip_prefix("verdict_verdict = ") {
