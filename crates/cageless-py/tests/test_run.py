@@ -62,7 +62,7 @@ def test_figures_are_those_of_the_report(both: tuple[cageless.Run, Path]) -> Non
     run, folder = both
     shown = figures(folder / "report.html")
     names = [name for name in dir(run) if name.startswith("plot_")]
-    assert len(names) == 9
+    assert len(names) == 11
     for name in names:
         figure = getattr(run, name)()
         assert isinstance(figure, go.Figure)

@@ -118,13 +118,14 @@
 
   // WebGL does not reach paper: a picture of the scene, as last turned, stands in for it.
   function keepForPrint(el) {
-    const picture = document.createElement("img");
-    picture.className = "printed";
-    picture.alt = el.getAttribute("aria-label");
-    el.after(picture);
+    const kept = el.parentElement.querySelector("img.printed"), picture = kept || document.createElement("img");
     const take = () => Plotly.toImage(asSaved(el), { format: "png", width: 1000, height: el.clientHeight, scale: 1 })
       .then((url) => { picture.src = url; }, () => picture.remove());
     el.on("plotly_relayout", take);
+    if (kept) return undefined;
+    picture.className = "printed";
+    picture.alt = el.getAttribute("aria-label");
+    el.after(picture);
     return take();
   }
 
@@ -141,16 +142,18 @@
     });
   }
 
+  // Draws from nothing: Plotly.react leaves the titles of colour bars where the wider plot had them.
+  function render(el, spec) {
+    el.style.height = spec.height + "px";
+    return Plotly.newPlot(el, spec.data, spec.layout, config).then(function () {
+      nameParts(el);
+      return spec.layout.scene && keepForPrint(el);
+    });
+  }
+
   function draw(el) {
     if (!done.has(el)) {
-      const drawn = new Promise(function (resolve) {
-        const spec = shown(el);
-        el.style.height = spec.height + "px";
-        resolve(Plotly.newPlot(el, spec.data, spec.layout, config).then(function () {
-          nameParts(el);
-          return spec.layout.scene && keepForPrint(el);
-        }));
-      });
+      const drawn = new Promise((resolve) => resolve(render(el, shown(el))));
       done.set(el, drawn.catch((error) => failed(el, error)));
     }
     return done.get(el);
@@ -176,10 +179,8 @@
   function drawAgain() {
     plots.filter((el) => done.has(el)).forEach((el) => done.set(el, done.get(el).then(function () {
       if (!el._fullLayout) return;
-      const spec = withChoices(el, shown(el));
-      el.style.height = spec.height + "px";
-      return Plotly.react(el, spec.data, spec.layout, config).then(() => nameParts(el));
-    })));
+      return render(el, withChoices(el, shown(el)));
+    }).catch((error) => failed(el, error))));
   }
 
   // Draws every figure of the page, seen or not.
