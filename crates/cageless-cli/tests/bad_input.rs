@@ -1,10 +1,8 @@
 //! Bad input ends in exit code 2 and one line that names file, line and key.
 
-mod common;
-
 use std::path::Path;
 
-use common::*;
+use crate::common::*;
 
 /// What replaces what in the case file of `cageless new`, and the key that the message
 /// must name. The line is that of the replacement, or of the section if a key is missing.

@@ -1,10 +1,8 @@
 //! A plan that cannot be computed is refused before anything is, with a reason.
 
-mod common;
-
 use std::path::Path;
 
-use common::*;
+use crate::common::*;
 
 /// What follows `case = …`, the line at fault (0: none), and what the message must have.
 type Row = (&'static str, usize, &'static [&'static str]);

@@ -1,11 +1,9 @@
 //! Pages named and opened, quiet runs, completions, man pages and suggestions.
 
-mod common;
-
 use std::path::Path;
 use std::process::Command;
 
-use common::*;
+use crate::common::*;
 
 const SHORT: &str = "solver.duration_s=0.0005";
 

@@ -1,8 +1,6 @@
 //! What every command prints where, and the exit codes of success.
 
-mod common;
-
-use common::*;
+use crate::common::*;
 
 /// Top-level keys of `design --json`.
 const DESIGN: &[&str] = &[

@@ -1,8 +1,6 @@
 //! `cageless compare`.
 
-mod common;
-
-use common::*;
+use crate::common::*;
 
 const SETS: [&str; 2] = ["solver.duration_s=0.02", "output.interval_us=200"];
 

@@ -1,14 +1,12 @@
 //! However a run ends, what it leaves can be read.
 #![cfg(unix)]
 
-mod common;
-
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use common::*;
+use crate::common::*;
 
 fn run_to(out: &Path, sets: &[&str]) -> Answer {
     let case = repository_case("zhao-d.toml");

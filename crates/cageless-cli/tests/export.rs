@@ -1,11 +1,9 @@
 //! `cageless export`: what it prints and writes where, and what it refuses.
 //! What is in the files is checked by `tests/tools/cad.py`.
 
-mod common;
-
 use std::path::Path;
 
-use common::*;
+use crate::common::*;
 
 const SIZE: [&str; 2] = [
     "bearing.outer_ring_outer_radius_mm=31",

@@ -1,12 +1,10 @@
 //! Inputs that ask for much: refused, or done in bounded time and memory.
 #![cfg(unix)]
 
-mod common;
-
 use std::process::Command;
 use std::time::{Duration, Instant};
 
-use common::*;
+use crate::common::*;
 
 #[test]
 fn threads_of_the_environment_have_the_limit_of_the_option() {

@@ -1,9 +1,7 @@
 //! `design` on the ten structures of Zhao 2022, Table 2.
 
-mod common;
-
+use crate::common::*;
 use cageless_paper::{ODD_ROW, PUBLISHED, Published};
-use common::*;
 use rayon::prelude::*;
 
 /// The published equations with the published law of friction.

@@ -1,14 +1,12 @@
 //! What others have put where a file of the program's own is to be.
 #![cfg(unix)]
 
-mod common;
-
 use std::os::unix::fs::symlink;
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use common::*;
+use crate::common::*;
 
 const SHORT: [&str; 1] = ["solver.duration_s=0.0005"];
 

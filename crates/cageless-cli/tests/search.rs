@@ -1,12 +1,10 @@
 //! `design --search`: what it leaves, that it goes on where it was stopped, and what it refuses.
 
-mod common;
-
 use std::path::Path;
 use std::process::Stdio;
 use std::time::{Duration, Instant};
 
-use common::*;
+use crate::common::*;
 
 /// A search that is soon done: one span, few angles, few runs.
 const SMALL: [&str; 4] = [

@@ -1,9 +1,7 @@
 //! What the command states to a reader: the scope of the model, the origin of values, what a
 //! folder or a file name stands for.
 
-mod common;
-
-use common::*;
+use crate::common::*;
 
 /// What README says before its first command.
 fn first_screen() -> String {

@@ -1,14 +1,12 @@
 //! `cageless studio`: what it answers, what it refuses, and that it lives.
 #![cfg(unix)]
 
-mod common;
-
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
 use std::process::{Child, Stdio};
 use std::time::{Duration, Instant};
 
-use common::{cageless, call, repository_case};
+use crate::common::{cageless, call, repository_case};
 
 struct Studio {
     process: Child,

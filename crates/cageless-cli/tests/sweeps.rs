@@ -1,14 +1,12 @@
 //! A sweep yields the same file after any interruption.
 #![cfg(unix)]
 
-mod common;
-
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant, SystemTime};
 
-use common::*;
+use crate::common::*;
 
 /// A plan that is quickly computed, `grid` apart.
 fn write_plan(dir: &Path, grid: &str) -> PathBuf {

@@ -1,8 +1,6 @@
 //! Texts of others are shown on a terminal and do not command it.
 
-mod common;
-
-use common::*;
+use crate::common::*;
 
 fn assert_harmless(text: &str) {
     let commands = |c: char| c.is_control() && !matches!(c, '\n' | '\t');

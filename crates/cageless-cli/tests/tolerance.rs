@@ -1,8 +1,6 @@
 //! `cageless tolerance`: its table, its probability, and what it refuses.
 
-mod common;
-
-use common::*;
+use crate::common::*;
 
 const QUICK: [&str; 2] = ["solver.method=symplectic", "solver.step_us=auto"];
 /// Machining and balls alone.
@@ -64,7 +62,10 @@ fn table_and_probability() {
         "{}",
         json["headline"]
     );
-    assert_eq!(common::names(&out), ["report.html", "tolerance.json"]);
+    assert_eq!(
+        crate::common::names(&out),
+        ["report.html", "tolerance.json"]
+    );
     // The same bearings, whatever the number of threads.
     let again = cageless()
         .env("RAYON_NUM_THREADS", "1")

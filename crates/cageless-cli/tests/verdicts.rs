@@ -1,10 +1,8 @@
 //! What `design` recommends passes its own verdict, and says so wherever it is shown.
 
-mod common;
-
 use std::path::Path;
 
-use common::*;
+use crate::common::*;
 use serde_json::Value;
 
 fn design(case: &Path, sets: &[&str]) -> Value {
@@ -73,7 +71,7 @@ fn a_starting_point_that_passes_is_recommended() {
 
 /// All cases of the repository and twenty bearings drawn at random: takes minutes.
 #[test]
-#[ignore = "minutes: cargo test -p cageless-cli --test verdicts -- --ignored --nocapture"]
+#[ignore = "minutes: cargo test -p cageless-cli --test all verdicts -- --ignored --nocapture"]
 fn every_recommendation_passes_or_is_called_a_starting_point() {
     let mut count = [0; 3];
     let mut look = |name: &str, case: &Path, sets: &[&str]| {

@@ -1,10 +1,8 @@
 //! Every way in which a case file can be wrong ends in one message that names the
 //! place, the key, the value and what is allowed.
 
-mod common;
-
+use crate::common::{edited, line_of, refused};
 use cageless_io::case_file::{CaseFile, template};
-use common::{edited, line_of, refused};
 
 /// What is replaced in the template, by what, the key that the message must name and
 /// fragments that it must have.

@@ -1,12 +1,10 @@
 //! Bearings as engineers state them: diameters, conformities, clearance, materials by name,
 //! designations, cases in JSON.
 
-mod common;
-
+use crate::common::refused;
 use cageless::Gaps;
 use cageless_io::case_file::{CaseFile, MaterialPreset};
 use cageless_io::designation::{designations, find};
-use common::refused;
 
 const SHORT: &str = "[bearing]\nballs = 14\nball_diameter_mm = 9.525\npitch_diameter_mm = 46.005\n\
     radial_internal_clearance_um = 12\n[operation]\ninner_speed_rpm = 12000\nradial_load_n = 1500\n";

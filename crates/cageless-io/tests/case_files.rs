@@ -1,13 +1,11 @@
 //! What a good case file becomes, and what no file may do.
 
-mod common;
-
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use crate::common::edited;
 use cageless::{FrictionLaw, Gaps, Method, Profile, Start};
 use cageless_io::case_file::{CaseFile, GapsDocument, OverTime, Source, template, unit};
-use common::edited;
 use proptest::prelude::*;
 
 fn parse(text: &str) -> CaseFile {

@@ -1,8 +1,6 @@
 //! Jumps of the right-hand side: closing in on them by error control, as `abm4` does,
 //! against locating them and starting anew there.
-//! `cargo test -p cageless-io --test crossing -- --nocapture` prints the comparison.
-
-mod common;
+//! `cargo test -p cageless-io --test all crossing -- --nocapture` prints the comparison.
 
 use cageless::Case;
 use cageless::dynamics::state::State;
@@ -122,7 +120,7 @@ fn end(case: &Case, method: &mut impl Stepper) -> (Vec<f64>, u64) {
 
 fn error(case: &Case, name: &str, values: &[f64]) -> f64 {
     let layout = Model::new(case).unwrap().layout();
-    common::scaled_error_of(case, name, &State::from_vector(layout, values))
+    crate::common::scaled_error_of(case, name, &State::from_vector(layout, values))
 }
 
 /// Where damped contacts close, the slope of the force is infinite: whatever locates the
@@ -131,7 +129,7 @@ fn error(case: &Case, name: &str, values: &[f64]) -> f64 {
 #[test]
 fn error_control_crosses_jumps_as_well_as_location() {
     for name in ["clear6_damped", "crowd", "b16_physical", "b16r"] {
-        let path = common::folder().join(format!("{name}.toml"));
+        let path = crate::common::folder().join(format!("{name}.toml"));
         let mut case = CaseFile::read(&path, &[]).unwrap().case().clone();
         for step_us in [1.0, 0.5, 0.25] {
             case.solver.step_s = step_us * 1e-6;

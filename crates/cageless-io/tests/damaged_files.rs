@@ -1,8 +1,6 @@
 //! Case files, plans, journals and tables with random damage are read or refused, never more:
 //! a short run, always the same, of what the targets of `fuzz/` look at for as long as they are left.
 
-mod fuzz_entries;
-
 use std::fs;
 
 use cageless_io::case_file::template;
@@ -101,8 +99,8 @@ fn every_key() -> String {
 
 #[test]
 fn case_files() {
-    try_damage(template(false).as_bytes(), 1500, fuzz_entries::case);
-    try_damage(every_key().as_bytes(), 500, fuzz_entries::case);
+    try_damage(template(false).as_bytes(), 1500, crate::fuzz_entries::case);
+    try_damage(every_key().as_bytes(), 500, crate::fuzz_entries::case);
 }
 
 #[test]
@@ -128,7 +126,7 @@ repeats = 10
 start.gaps = "any"
 "#;
     try_damage(plan.as_bytes(), 500, |bytes| {
-        fuzz_entries::plan(bytes, dir.path());
+        crate::fuzz_entries::plan(bytes, dir.path());
     });
 }
 
@@ -148,7 +146,7 @@ fn journals() {
     drop(journal);
     let bytes = fs::read(&path).unwrap();
     try_damage(&bytes, 500, |bytes| {
-        fuzz_entries::journal(bytes, owner, dir.path());
+        crate::fuzz_entries::journal(bytes, owner, dir.path());
     });
 }
 
@@ -181,6 +179,6 @@ fn tables() {
     writer.finish().unwrap();
     let bytes = fs::read(&path).unwrap();
     try_damage(&bytes, 500, |bytes| {
-        fuzz_entries::table(bytes, dir.path());
+        crate::fuzz_entries::table(bytes, dir.path());
     });
 }

@@ -18,7 +18,7 @@ fn in_step(path: &str, expected: &str) {
     assert!(
         found == expected,
         "{} is not what the declaration of the case file gives: \
-         CAGELESS_WRITE=1 cargo test -p cageless-io --test derived_files",
+         CAGELESS_WRITE=1 cargo test -p cageless-io --test all derived_files",
         path.display()
     );
 }
@@ -89,7 +89,7 @@ fn the_table_of_the_documentation_has_every_key() {
 const PYTHON_HEAD: &str = r#""""The sections of a case. Fields are the keys of the case file, in its units; what is left
 ``None`` takes its default.
 
-Written by ``cargo test -p cageless-io --test derived_files`` from the declaration of the case file.
+Written by ``cargo test -p cageless-io --test all derived_files`` from the declaration of the case file.
 """
 
 from __future__ import annotations

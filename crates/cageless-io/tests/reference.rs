@@ -2,12 +2,10 @@
 //! equations in quadruple precision (DOP853 with error control, r(ψ) by root finding,
 //! contact edges located). Files in `reference/`.
 
-mod common;
-
+use crate::common::{folder, scaled_error_of};
 use cageless::simulation::{Control, run};
 use cageless::{Case, Method};
 use cageless_io::case_file::CaseFile;
-use common::{folder, scaled_error_of};
 
 fn case(name: &str) -> Case {
     CaseFile::read(&folder().join(format!("{name}.toml")), &[])

@@ -1,10 +1,8 @@
 //! Falling rotors and quantities over time in case files.
 
-mod common;
-
+use crate::common::{edited, refused};
 use cageless::Start;
 use cageless_io::case_file::{CaseFile, OverTime};
-use common::{edited, refused};
 
 fn touchdown() -> String {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/touchdown-d.toml");

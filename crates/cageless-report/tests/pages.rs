@@ -1,7 +1,5 @@
 //! What every page must be: self-contained, valid, labelled.
 
-mod synthetic;
-
 use std::collections::HashSet;
 
 use cageless_report::*;
@@ -9,9 +7,9 @@ use serde_json::Value;
 
 fn pages() -> [(&'static str, String); 3] {
     [
-        ("design", design_page(&synthetic::design())),
-        ("reproduce", reproduce_page(&synthetic::reproduce())),
-        ("run", run_page(&synthetic::run_data())),
+        ("design", design_page(&crate::synthetic::design())),
+        ("reproduce", reproduce_page(&crate::synthetic::reproduce())),
+        ("run", run_page(&crate::synthetic::run_data())),
     ]
 }
 
@@ -153,7 +151,7 @@ fn axes_have_units_and_figures_have_captions_and_provenance() {
 
 #[test]
 fn text_is_escaped() {
-    let mut run = synthetic::run_data();
+    let mut run = crate::synthetic::run_data();
     run.title = "<img src=x onerror=alert(1)>".into();
     run.provenance.case = "a </script><b>case</b>".into();
     run.energy[0].name = "<b>work</b>".into();
@@ -176,7 +174,7 @@ fn text_is_escaped() {
 
 #[test]
 fn rings_are_compared_with_error_bars() {
-    let page = reproduce_page(&synthetic::reproduce());
+    let page = reproduce_page(&crate::synthetic::reproduce());
     let (html, _) = split(&page);
     assert!(html.contains("120.0 ± 6.9"), "a mean with its error");
     assert!(html.contains("Left out by the model: tilt."));
@@ -198,7 +196,7 @@ fn rings_are_compared_with_error_bars() {
 
 #[test]
 fn what_is_not_a_number_is_null_and_numbers_survive() {
-    let mut data = synthetic::reproduce();
+    let mut data = crate::synthetic::reproduce();
     data.gap_histories[0].gap_deg[3] = f64::NAN;
     data.gap_histories[0].turn_gap_deg[4] = f64::INFINITY;
     data.motions[0].angle_deg[0][0] = f64::NAN;
@@ -245,7 +243,7 @@ fn data_that_are_missing_or_too_short_leave_a_page() {
     ] {
         assert!(page.contains("</html>"));
     }
-    let mut run = synthetic::run_data();
+    let mut run = crate::synthetic::run_data();
     run.time_s.truncate(10);
     run.balls[0].vx_m_s.truncate(3);
     run.balls[1].gap_deg.clear();
@@ -274,8 +272,12 @@ fn data_that_are_missing_or_too_short_leave_a_page() {
 
 #[test]
 fn the_raceway_surface_carries_the_contact_track() {
-    let bearing = synthetic::bearing();
-    let surface = RacewaySurface::sample(&synthetic::raceway(3), &bearing, synthetic::structure(3));
+    let bearing = crate::synthetic::bearing();
+    let surface = RacewaySurface::sample(
+        &crate::synthetic::raceway(3),
+        &bearing,
+        crate::synthetic::structure(3),
+    );
     for point in surface.track_mm.iter().skip(24).step_by(24).take(8) {
         let nearest = (0..surface.x_mm.len())
             .flat_map(|k| (0..surface.x_mm[k].len()).map(move |m| (k, m)))
@@ -291,7 +293,11 @@ fn the_raceway_surface_carries_the_contact_track() {
         // Within half the spacing of the grid.
         assert!(nearest < 0.15, "{point:?} is {nearest} mm from the surface");
     }
-    let track = ContactTrack::sample(&synthetic::raceway(3), &bearing, synthetic::structure(3));
+    let track = ContactTrack::sample(
+        &crate::synthetic::raceway(3),
+        &bearing,
+        crate::synthetic::structure(3),
+    );
     let widest = track.axial_mm.iter().copied().fold(0.0, f64::max);
     assert!((2.0 * widest - 5.1).abs() < 1e-9, "{widest}");
 }
@@ -299,7 +305,7 @@ fn the_raceway_surface_carries_the_contact_track() {
 /// A long run says how fine its histories and spectra are, and from when on paths are shown.
 #[test]
 fn a_thinned_run_says_so() {
-    let mut data = synthetic::run_data();
+    let mut data = crate::synthetic::run_data();
     let plain = run_page(&data);
     assert!(!plain.contains("lowest and highest value"));
     data.stretch_s = Some(0.0128);
@@ -328,7 +334,7 @@ fn a_thinned_run_says_so() {
 
 #[test]
 fn code_between_backticks_is_set_as_code() {
-    let mut data = synthetic::reproduce();
+    let mut data = crate::synthetic::reproduce();
     data.claims[0].numbers = "0.031° in `paper`, 0.034° in `physical`".into();
     data.claims[0].finding = "found in `paper`".into();
     let (html, _) = split(&reproduce_page(&data));
@@ -340,7 +346,7 @@ fn code_between_backticks_is_set_as_code() {
 /// the page.
 #[test]
 fn remarks_of_table_2_stand_in_its_caption() {
-    let mut data = synthetic::reproduce();
+    let mut data = crate::synthetic::reproduce();
     let table = data.table2.as_mut().expect("a table");
     table.rows.iter_mut().for_each(|row| row.remark.clear());
     table.rows[4].remark = "repeats the value of 5.40 mm".into();
@@ -357,7 +363,7 @@ fn remarks_of_table_2_stand_in_its_caption() {
 
 #[test]
 fn the_label_of_what_is_discarded_begins_in_its_shade() {
-    let mut data = synthetic::run_data();
+    let mut data = crate::synthetic::run_data();
     // So short a transient that a centred label would lie across the axis.
     data.settled_after_s = data.time_s[0] + 1e-3;
     let begin = data.time_s[0];
@@ -377,7 +383,7 @@ fn the_label_of_what_is_discarded_begins_in_its_shade() {
 fn search_figure(search: SearchData, id: &str) -> Value {
     let data = DesignData {
         search: Some(search),
-        ..synthetic::design()
+        ..crate::synthetic::design()
     };
     let found = specs(&design_page(&data));
     let (_, spec) = (found.into_iter())
@@ -387,7 +393,7 @@ fn search_figure(search: SearchData, id: &str) -> Value {
 }
 
 fn synthetic_search() -> SearchData {
-    synthetic::design().search.expect("a search")
+    crate::synthetic::design().search.expect("a search")
 }
 
 #[test]
@@ -453,7 +459,7 @@ fn the_recommended_raceway_lies_on_its_own_verdict() {
 /// critical gaps of one raceway says why.
 #[test]
 fn pages_say_what_passes() {
-    let page = design_page(&synthetic::design());
+    let page = design_page(&crate::synthetic::design());
     for said in [
         "<p class=\"judged pass\" role=\"status\">✔ PASS: smooth</p>",
         "<p class=\"judged fail\" role=\"status\">✘ nothing recommended; starting point, which fails</p>",
@@ -461,13 +467,15 @@ fn pages_say_what_passes() {
     ] {
         assert!(page.contains(said), "{said}");
     }
-    assert!(run_page(&synthetic::run_data()).contains("✘ FAIL in this run: hit from both sides"));
+    assert!(
+        run_page(&crate::synthetic::run_data()).contains("✘ FAIL in this run: hit from both sides")
+    );
 }
 
 /// The verdict and the key numbers come before everything else.
 #[test]
 fn the_result_is_on_top() {
-    let (html, _) = split(&run_page(&synthetic::run_data()));
+    let (html, _) = split(&run_page(&crate::synthetic::run_data()));
     let (header, _) = html.split_once("</header>").expect("a header");
     assert!(header.contains("class=\"head fail\"") && header.contains("✘ FAIL"));
     assert!(header.contains("<dt>Peak pressure</dt><dd>2.1 <span class=\"unit\">GPa</span></dd>"));
@@ -477,13 +485,13 @@ fn the_result_is_on_top() {
             passes: Some(true),
             headline: "PASS: smooth".into(),
             toml: "[raceway]\naxial_span_mm = 5.1\n".into(),
-            contact_track: synthetic::design().contact_track.expect("a track"),
-            surface: synthetic::design().surface.expect("a surface"),
+            contact_track: crate::synthetic::design().contact_track.expect("a track"),
+            surface: crate::synthetic::design().surface.expect("a surface"),
             ..ShownRaceway::default()
         }),
         passes: Some(false),
         headline: "FAIL: slips".into(),
-        ..synthetic::design()
+        ..crate::synthetic::design()
     };
     let (html, _) = split(&design_page(&data));
     let (header, body) = html.split_once("</header>").expect("a header");
@@ -501,7 +509,7 @@ fn the_result_is_on_top() {
 /// Every figure says its ranges in words, and every hovered point what it is.
 #[test]
 fn figures_have_descriptions_and_hovered_points_names() {
-    let page = run_page(&synthetic::run_data());
+    let page = run_page(&crate::synthetic::run_data());
     let (html, _) = split(&page);
     let labels = attributes(&html, "aria-label");
     let gaps = labels

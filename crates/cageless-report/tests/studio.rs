@@ -1,7 +1,5 @@
 //! The studio in pages.
 
-mod synthetic;
-
 use cageless_report::{engine, run_page, studio_page};
 
 /// `text` between `from` and the next `to`.
@@ -44,12 +42,12 @@ fn pages_with_the_engine_stay_small() {
 
 #[test]
 fn a_run_offers_its_case_below_what_was_computed() {
-    let page = run_page(&synthetic::run_data());
+    let page = run_page(&crate::synthetic::run_data());
     let place = page.find("data-studio=\"later\"").expect("a studio");
     assert!(place > page.find("The case as run").expect("the parameters"));
     let without = cageless_report::RunData {
         case_toml: String::new(),
-        ..synthetic::run_data()
+        ..crate::synthetic::run_data()
     };
     assert!(!run_page(&without).contains("data-studio="));
 }

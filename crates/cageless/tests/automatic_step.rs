@@ -1,14 +1,12 @@
 //! The automatic step where no load sets it: balls of unequal size, raceways not milled deep
 //! enough, rolling starts with overlap, light bearings at low speed.
 
-mod common;
-
 use std::f64::consts::TAU;
 
+use crate::common::{conventional, dimensions, structure, undamped};
 use cageless::simulation::{Control, Ending, RunOutcome, run};
 use cageless::step_limits::StepLimits;
 use cageless::{Case, FrictionLaw, Gaps, Method, Start};
-use common::{conventional, dimensions, structure, undamped};
 
 fn automatic(mut case: Case, load_n: f64, rpm: f64, duration_s: f64) -> Case {
     case.operation.radial_load_n = load_n;

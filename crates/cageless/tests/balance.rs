@@ -1,7 +1,6 @@
 //! The energy ledger, symmetries and determinism of whole runs.
 
-mod common;
-
+use crate::common::{conventional, dimensions, raceway, structure, undamped};
 use cageless::dynamics::ball::{BallMotion, Centre};
 use cageless::dynamics::coordinates::BallCoordinate;
 use cageless::dynamics::energy::EnergyTerm;
@@ -11,7 +10,6 @@ use cageless::initial_conditions::initial_state;
 use cageless::integrator::System;
 use cageless::simulation::{Cause, Control, Ending, RunOutcome, run};
 use cageless::{Case, FrictionLaw, Gaps, Profile, Start};
-use common::{conventional, dimensions, raceway, structure, undamped};
 
 fn complete(case: &Case) -> RunOutcome {
     let outcome = run(case, &mut [], &mut |_| Control::Continue(())).unwrap();

@@ -1,13 +1,11 @@
 //! Bearings side by side.
 
-mod common;
-
+use crate::common::{conventional, dimensions, raceway, structure};
 use cageless::contact::FrictionTable;
 use cageless::dynamics::InstructionSet;
 use cageless::simulation::{Control, Observer, batches, run, run_batch};
 use cageless::summary::{Summary, SummaryRecorder};
 use cageless::{Case, FrictionLaw, Gaps, Method, Profile, Start};
-use common::{conventional, dimensions, raceway, structure};
 
 /// Cases that differ in everything that may differ side by side.
 fn mixed(count: usize) -> Vec<Case> {

@@ -1,11 +1,9 @@
 //! The critical gap of a raceway in a bearing with clearance.
 
-mod common;
-
+use crate::common::{conventional, dimensions, raceway};
 use cageless::Case;
 use cageless::critical_gap::{PairTest, critical_gap_rad};
 use cageless::simulation::Control;
-use common::{conventional, dimensions, raceway};
 
 fn with_clearance(clearance_m: f64) -> Case {
     let mut d = dimensions();

@@ -1,8 +1,6 @@
 //! The production method without any damping: what the bench command `endurance` runs for
 //! 100 s.
 
-mod common;
-
 use cageless::collision::CollisionDetector;
 use cageless::simulation::{Control, Ending, RunOutcome, run};
 use cageless::step_limits::StepLimits;
@@ -29,12 +27,12 @@ fn second(case: &Case) -> (RunOutcome, Summary, u32) {
 /// step, and every ball stays in its place.
 #[test]
 fn a_second_without_damping_keeps_energy_and_balls() {
-    let mut case = common::undamped(common::structure(5.1, 25.2));
+    let mut case = crate::common::undamped(crate::common::structure(5.1, 25.2));
     case.bearing = {
-        let mut d = common::dimensions();
+        let mut d = crate::common::dimensions();
         // As in CB74: little drag on the ring.
         d.inner_ring_drag_n_s_m = 500.0;
-        cageless::Bearing::new(d, common::steel()).unwrap()
+        cageless::Bearing::new(d, crate::common::steel()).unwrap()
     };
     case.solver.method = Method::Symplectic;
     case.solver.duration_s = 1.0;

@@ -1,10 +1,8 @@
 //! Static equilibrium against closed forms and an independent balance.
 
-mod common;
-
+use crate::common::{conventional, dimensions, structure};
 use cageless::equilibrium::{Equilibrium, outer_stress_pa, overload, solve};
 use cageless::{Case, Profile, Start};
-use common::{conventional, dimensions, structure};
 
 /// Forces on every ball and on the ring, put together again from the result alone.
 fn check_balance(case: &Case, e: &Equilibrium) {

@@ -1,8 +1,7 @@
 //! Implicit friction of the production method: a ball that slips and then rolls, in closed
 //! form; dry friction against the explicit reference; ledger; side by side.
 
-mod common;
-
+use crate::common::{conventional, dimensions, structure, undamped};
 use cageless::contact::FrictionTable;
 use cageless::dynamics::ball::{BallMotion, Centre};
 use cageless::dynamics::coordinates::{BallCoordinate, RingCoordinate};
@@ -12,7 +11,6 @@ use cageless::simulation::{Control, Ending, Observer, ObserverError, StepView, r
 use cageless::snapshot::Snapshot;
 use cageless::step_limits::StepLimits;
 use cageless::{Case, FrictionLaw, Method};
-use common::{conventional, dimensions, structure, undamped};
 
 /// Three balls in an outer ring without gravity; the inner ring is out of reach.
 fn free_balls(law: FrictionLaw, step_s: f64) -> Case {

@@ -1,13 +1,11 @@
 //! Geometry of the discrete raceway against the numbers of Zhao 2022 and against itself.
 
-mod common;
-
+use crate::common::{STRUCTURES, dimensions, steel, structure};
 use cageless::design::{
     Eq11, balls_in_raceway_max, half_angle_for_gap_rad, steady_gap_rad, theoretical_gap_rad,
 };
 use cageless::raceway::axial_span_limit_m;
 use cageless::{Bearing, Raceway, RacewayDimensions};
-use common::{STRUCTURES, dimensions, steel, structure};
 use proptest::prelude::*;
 
 fn close(a: f64, b: f64, tolerance: f64) -> bool {
@@ -101,7 +99,7 @@ fn steady_flow_widens_the_gaps_outside() {
     let steady = steady_gap_rad(&case.bearing, &case.raceways);
     assert!(steady > uniform + 0.1f64.to_radians());
     // Two like raceways delay twice.
-    let other = common::raceway(&case.bearing, 5.1, 25.2, 180.0);
+    let other = crate::common::raceway(&case.bearing, 5.1, 25.2, 180.0);
     let twice = steady_gap_rad(&case.bearing, &[case.raceways[0].clone(), other]);
     assert!(close(twice - uniform, 2.0 * (steady - uniform), 1e-12));
 }

@@ -1,12 +1,10 @@
 //! Speed and load that are given over time.
 
-mod common;
-
+use crate::common::structure;
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::kinematics::rolling_orbit_speed_rad_s;
 use cageless::simulation::{Control, Ending, RunOutcome, run};
 use cageless::{Case, Method, Start, TimeTable};
-use common::structure;
 
 fn table(times_s: &[f64], values: &[f64]) -> Option<TimeTable> {
     Some(TimeTable::new("inner_speed_rad_s", times_s.to_vec(), values.to_vec()).unwrap())

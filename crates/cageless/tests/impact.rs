@@ -1,7 +1,6 @@
 //! A free impact of two balls against conservation laws and closed forms.
 
-mod common;
-
+use crate::common::{conventional, dimensions, undamped};
 use cageless::collision::{Collision, CollisionDetector, hertz_impact};
 use cageless::dynamics::ball::BallMotion;
 use cageless::dynamics::coordinates::BallCoordinate;
@@ -9,7 +8,6 @@ use cageless::dynamics::state::State;
 use cageless::integrator::{Abm4, Integrator};
 use cageless::simulation::{Control, run_from};
 use cageless::{Case, Method, dynamics};
-use common::{conventional, dimensions, undamped};
 
 /// Rings so far apart, and everything else so quiet, that balls 1 and 2 meet in free
 /// flight.

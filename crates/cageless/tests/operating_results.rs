@@ -1,7 +1,5 @@
 //! Friction torque, power loss, contact pressures and frequencies of a run.
 
-mod common;
-
 use std::f64::consts::TAU;
 
 use cageless::Case;
@@ -19,7 +17,7 @@ fn simulate(case: &Case, others: &mut [&mut dyn Observer]) -> (RunOutcome, Summa
 }
 
 fn lasting(duration_s: f64) -> Case {
-    let mut case = common::structure(5.1, 25.2);
+    let mut case = crate::common::structure(5.1, 25.2);
     case.solver.duration_s = duration_s;
     case
 }

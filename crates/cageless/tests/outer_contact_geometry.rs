@@ -1,11 +1,9 @@
 //! Where balls sit in the outer ring.
 
-mod common;
-
+use crate::common::{dimensions, raceway, steel};
 use cageless::error::Allowed;
 use cageless::outer_contact_geometry::{OuterContactGeometry, check, outer_contact_geometry};
 use cageless::{Bearing, Raceway};
-use common::{dimensions, raceway, steel};
 
 fn paper() -> (Bearing, Raceway) {
     let bearing = Bearing::new(dimensions(), steel()).unwrap();

@@ -1,12 +1,10 @@
 //! The outer ring as a solid: against Pappus, finite differences and itself.
 
-mod common;
-
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use crate::common::{STRUCTURES, dimensions, raceway, steel};
 use cageless::surface::{Grid, Mesh, OuterRing, OuterRingDimensions, Patch};
 use cageless::{Bearing, Raceway, RacewayDimensions};
-use common::{STRUCTURES, dimensions, raceway, steel};
 use proptest::prelude::*;
 
 fn bearing() -> Bearing {

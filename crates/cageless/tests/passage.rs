@@ -1,7 +1,5 @@
 //! Passages through a discrete raceway.
 
-mod common;
-
 use cageless::passage::{Passage, PassageRecorder};
 use cageless::simulation::{Control, run};
 use cageless::{Case, Gaps, Start};
@@ -22,11 +20,11 @@ fn passages(case: &Case) -> Vec<Passage> {
 /// with steps of 0.25 µs, far closer than a step.
 #[test]
 fn ends_are_located_within_the_step() {
-    let mut case = common::structure(5.1, 25.2);
+    let mut case = crate::common::structure(5.1, 25.2);
     // Centre away from the bottom, so that both ends and the turn are told apart.
     case = case
         .clone()
-        .with_raceways(vec![common::raceway(&case.bearing, 5.1, 25.2, 30.0)]);
+        .with_raceways(vec![crate::common::raceway(&case.bearing, 5.1, 25.2, 30.0)]);
     case.start = Start::Settled {
         gaps: Gaps::Uniform,
         lead_ball_angle_rad: 0.1,

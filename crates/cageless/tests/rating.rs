@@ -1,10 +1,9 @@
 //! Ratings against the tables of the standards, closed forms, finite differences and the motion.
 
-mod common;
-
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
+use crate::common::{conventional, dimensions, steel, structure};
 use cageless::equilibrium::{Equilibrium, solve};
 use cageless::rating::{
     BasicRatings, Rating, ReferenceLife, SPEED_PARAMETER_MAX_MM_RPM, dynamic_factor,
@@ -13,7 +12,6 @@ use cageless::rating::{
 use cageless::recorder::Recorder;
 use cageless::simulation::run;
 use cageless::{Bearing, BearingDimensions, Case, Raceway, RacewayDimensions, Start};
-use common::{conventional, dimensions, steel, structure};
 
 /// γ = Dw/Dpw and fc of ISO 281, single-row deep groove ball bearings.
 const FC: [(f64, f64); 21] = [

@@ -1,7 +1,5 @@
 //! Output rows.
 
-mod common;
-
 use cageless::recorder::Recorder;
 use cageless::simulation::{Control, run};
 
@@ -9,7 +7,7 @@ use cageless::simulation::{Control, run};
 #[test]
 fn the_last_row_is_at_the_end() {
     for (duration_s, rows) in [(1e-3, 11), (1.05e-3, 12), (0.04e-3, 2)] {
-        let mut case = common::conventional(common::dimensions());
+        let mut case = crate::common::conventional(crate::common::dimensions());
         case.solver.duration_s = duration_s;
         let mut times = vec![];
         {

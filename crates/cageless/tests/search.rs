@@ -1,10 +1,9 @@
 //! The search for a raceway: what its numbers mean, and that it finds the same again.
 
-mod common;
-
 use std::collections::HashMap;
 use std::f64::consts::FRAC_PI_4;
 
+use crate::common::*;
 use cageless::design::search::{
     Cause, Execute, Found, Interrupted, Job, Numbers, OperatingPoint, Outcome, PairSeparation,
     RacewayLayout, Request, SearchError, Task, perturbed_runs, run_jobs, search, uneven_gaps_rad,
@@ -13,7 +12,6 @@ use cageless::design::{Eq11, RacewayVerdict, judge, steady_gap_rad, theoretical_
 use cageless::raceway::{RacewayDimensions, axial_span_limit_m};
 use cageless::simulation::Control;
 use cageless::{Case, Raceway};
-use common::*;
 
 fn go_on(_: f64) -> Control {
     Control::Continue(())

@@ -1,13 +1,11 @@
 //! Static equilibrium as the minimum of the potential energy: found for every bearing that
 //! is accepted, and where an independent method finds it.
 
-mod common;
-
 use std::f64::consts::{PI, TAU};
 
+use crate::common::{conventional, dimensions, steel};
 use cageless::equilibrium::{Equilibrium, EquilibriumError, solve};
 use cageless::{Bearing, BearingDimensions, Case, Gaps, Operation, Profile, Start};
-use common::{conventional, dimensions, steel};
 
 /// SplitMix64 (Steele, Lea & Flood 2014).
 struct Random(u64);

@@ -1,11 +1,9 @@
 //! Tolerances: what trials deviate by, and what is made of their outcomes.
 
-mod common;
-
+use crate::common::structure;
 use cageless::Case;
 use cageless::design::RacewayVerdict;
 use cageless::tolerance::{Influence, Outcome, Tolerances, Trial, assess, ball_grade, trials};
-use common::structure;
 
 fn tolerances() -> Tolerances {
     Tolerances {

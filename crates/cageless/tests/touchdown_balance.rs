@@ -1,7 +1,6 @@
 //! Balances and symmetries of a drop, in every kind of bearing.
 
-mod common;
-
+use crate::common::{drop_case, raceway};
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::dynamics::state::State;
 use cageless::dynamics::{Contacts, Model, RightHandSide};
@@ -11,7 +10,6 @@ use cageless::recorder::Recorder;
 use cageless::simulation::{Control, Ending, RunOutcome, run, run_batch};
 use cageless::step_limits::StepLimits;
 use cageless::{Case, FrictionLaw, Method, Start, SupportStop};
-use common::{drop_case, raceway};
 
 /// The rotor just above contact with the speed of its fall, over 3 ms, at the automatic step.
 fn near_contact(mut case: Case) -> Case {
@@ -356,7 +354,7 @@ fn impossible_drops_are_named() {
     );
     let without_bore = |c: &mut Case| {
         let d = c.bearing.dimensions().clone();
-        c.bearing = cageless::Bearing::new(d, common::steel()).unwrap();
+        c.bearing = cageless::Bearing::new(d, crate::common::steel()).unwrap();
     };
     assert_eq!(field(&without_bore), "inner_ring_polar_inertia_kg_m2");
     assert_eq!(field(&|c| c.solver.step_s = 1e-4), "step_s");

@@ -2,14 +2,12 @@
 //! idealise a rigid contact are met to the order of its compliance, which vanishes with the
 //! stiffness.
 
-mod common;
-
 use std::f64::consts::TAU;
 
+use crate::common::drop_case;
 use cageless::dynamics::rotor_in_ring::{Coordinate, RingMount, RotorInRing};
 use cageless::integrator::{Adaptive, Integrator, System};
 use cageless::{InnerRingBore, Rotor, Support};
-use common::drop_case;
 
 const G: f64 = 9.81;
 

@@ -2,14 +2,12 @@
 //! in quadruple precision. The rotor starts 1 µm above contact with the speed of its fall; gaps
 //! are uneven, balls collide.
 
-mod common;
-
+use crate::common::{drop_case, raceway};
 use cageless::dynamics::ball::BallMotion;
 use cageless::dynamics::state::State;
 use cageless::simulation::{Control, Ending, RunOutcome, run};
 use cageless::step_limits::StepLimits;
 use cageless::{Case, Gaps, Method, Start};
-use common::{drop_case, raceway};
 
 /// The case of `reference/td1_2ms.csv`.
 fn td1() -> Case {

@@ -1,11 +1,9 @@
 //! Balls whose radii differ.
 
-mod common;
-
+use crate::common::{conventional, dimensions, structure, undamped};
 use cageless::equilibrium;
 use cageless::simulation::{Control, Ending, run};
 use cageless::{Case, Gaps, Method, Start};
-use common::{conventional, dimensions, structure, undamped};
 
 fn scattered(mut case: Case, deviation: impl Fn(usize) -> f64) -> Case {
     let deviations = (0..case.bearing.balls()).map(deviation).collect();
@@ -94,7 +92,7 @@ fn padding_is_not_felt() {
             d.outer_shoulder_radius_m = d.outer_groove_bottom_radius_m - 1.765e-3;
         }
         let case = conventional(d);
-        let wide = common::raceway(&case.bearing, 4.95, 35.0, 0.0);
+        let wide = crate::common::raceway(&case.bearing, 4.95, 35.0, 0.0);
         let case = scattered(case.with_raceways(vec![wide]), |k| -1e-6 * (k % 3) as f64);
         let (state, _) =
             cageless::initial_conditions::initial_state(&settled(case.clone())).unwrap();

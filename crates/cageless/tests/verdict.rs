@@ -1,8 +1,7 @@
 //! Verdicts: pass and fail, the margin, recommendations that keep their own verdict, and work
 //! that ends when told to.
 
-mod common;
-
+use crate::common::*;
 use cageless::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
 use cageless::design::search::{Job, Numbers, OperatingPoint, RacewayLayout, Task, run_jobs};
 use cageless::design::{
@@ -11,7 +10,6 @@ use cageless::design::{
 use cageless::raceway::RacewayDimensions;
 use cageless::simulation::Control;
 use cageless::{BearingDimensions, Case, Raceway};
-use common::*;
 
 fn go_on(_: f64) -> Control {
     Control::Continue(())

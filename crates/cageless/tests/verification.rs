@@ -1,13 +1,11 @@
 //! Which numbers of a run are called converged, statistical or biased.
 
-mod common;
-
+use crate::common::{conventional, dimensions, raceway, structure, undamped};
 use cageless::simulation::Control;
 use cageless::verification::{
     Convergence, LARGE_PERTURBATIONS, Loss, Quantity, Record, Verification, replicas,
 };
 use cageless::{Case, Gaps, Profile, Start};
-use common::{conventional, dimensions, raceway, structure, undamped};
 
 /// Runs all replicas, on two threads or one.
 fn certify(case: &Case, threads: usize) -> Verification {

@@ -1,7 +1,7 @@
 """The sections of a case. Fields are the keys of the case file, in its units; what is left
 ``None`` takes its default.
 
-Written by ``cargo test -p cageless-io --test derived_files`` from the declaration of the case file.
+Written by ``cargo test -p cageless-io --test all derived_files`` from the declaration of the case file.
 """
 
 from __future__ import annotations

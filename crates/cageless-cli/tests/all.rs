@@ -1,0 +1,21 @@
+//! All tests of the command, as one program.
+
+mod bad_input;
+mod bad_plans;
+mod comfort;
+mod commands;
+mod common;
+mod compare;
+mod endings;
+mod export;
+mod limits;
+mod paper_structures;
+mod places;
+mod search;
+mod statements;
+mod studio;
+mod sweeps;
+mod terminal;
+mod tolerance;
+mod verdicts;
+mod verify;

@@ -1,0 +1,15 @@
+//! All tests of the files, as one program.
+
+mod bad_case_files;
+mod bearing_input;
+mod case_files;
+mod common;
+mod crossing;
+mod damaged_files;
+mod derived_files;
+mod dynamic_table;
+mod fuzz_entries;
+mod reference;
+mod results;
+mod rotor_input;
+mod statics;

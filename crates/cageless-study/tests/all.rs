@@ -1,0 +1,7 @@
+//! All tests of the studies, as one program.
+
+mod drops;
+mod run_results;
+mod studies;
+mod sweep_collection;
+mod sweep_variants;

@@ -1,0 +1,30 @@
+//! All tests of the library but those that count what it allocates, as one program.
+
+mod automatic_step;
+mod balance;
+mod batch;
+mod common;
+mod critical_gap;
+mod documentation;
+mod endurance;
+mod equilibrium;
+mod friction;
+mod geometry;
+mod given_over_time;
+mod impact;
+mod integrator;
+mod operating_results;
+mod outer_contact_geometry;
+mod outer_ring;
+mod passage;
+mod rating;
+mod recorder;
+mod search;
+mod static_minimum;
+mod tolerance;
+mod touchdown_balance;
+mod touchdown_exact;
+mod touchdown_reference;
+mod unequal_balls;
+mod verdict;
+mod verification;
