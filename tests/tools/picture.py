@@ -1,12 +1,14 @@
-"""The picture of the README, with the numbers of its caption.
+"""The pictures of the README, with the numbers of their captions.
 
     python picture.py path/to/cageless folder [README.md]
 
 Runs a conventional bearing and one with a discrete raceway from the same bunch of balls, draws
-both at the end of their runs with their gaps, writes `motion.png` and prints the caption. With a
-README, checks that the caption stands in it.
+both at the end of their runs with their gaps, and writes `motion.png`. Opens the studio of the latter,
+waits for its verdict and its map, and writes `studio.webp`. Prints the captions. With a README,
+checks that they stand in it.
 """
 
+import base64
 import json
 import math
 import statistics
@@ -122,6 +124,31 @@ def caption(bearings):
     )
 
 
+STUDIO = "window.cagelessStudio"
+STUDIO_SIZE = (1280, 850)
+
+
+def studio_picture(cageless, browser, folder):
+    """Writes `studio.webp`; its caption."""
+    page = folder / "studio.html"
+    subprocess.run([cageless, "studio", ROOT / "cases" / CASES["discrete"], "--page", page], check=True)
+    tab = browser.open(page.resolve().as_uri())
+    width, height = STUDIO_SIZE
+    tab.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+    tab.wait_for(
+        f"!!{STUDIO} && {STUDIO}.map.grids.length === 2 && !!{STUDIO}.judged && {STUDIO}.motion.last > 5e-3"
+    )
+    # A moment that is the same in every picture.
+    tab.js(f"{STUDIO}.stage.run(false); {STUDIO}.stage.now = 5e-3; {STUDIO}.stage.paint()")
+    shot = tab.call("Page.captureScreenshot", format="webp", quality=85)
+    (folder / "studio.webp").write_bytes(base64.b64decode(shot["data"]))
+    verdict, beta0 = tab.js(f"[{STUDIO}.judged.headline, {STUDIO}.g.numbers.beta0_deg.toFixed(3)]")
+    return (
+        f"The studio with structure (d) of Zhao 2022: its raceway is the point in the map, β0 is {beta0}°."
+        f" The verdict of its simulation: {verdict}."
+    )
+
+
 def main():
     cageless, folder = sys.argv[1], Path(sys.argv[2])
     folder.mkdir(parents=True, exist_ok=True)
@@ -144,8 +171,10 @@ def main():
             height = tab.js("Math.ceil(document.body.getBoundingClientRect().height)")
             clip = {"x": 0, "y": 0, "width": 1260, "height": height + 8, "scale": 1}
             tab.screenshot(folder / "motion.png", clip=clip, captureBeyondViewport=True)
-    text = caption(bearings)
-    print(text)
+            captions = [caption(bearings), studio_picture(cageless, browser, folder)]
+    print("\n\n".join(captions))
+    size = (folder / "studio.webp").stat().st_size
+    check("picture: that of the studio is small", size < 150_000, size)
     plain, discrete = bearings["conventional"], bearings["discrete"]
     check("picture: the discrete raceway has spread the balls at the instant that is drawn",
           discrete.deviation_at_end < plain.deviation_at_end / 3,
@@ -154,7 +183,8 @@ def main():
     check("picture: no more pairs touch with it than without", touching[1] <= touching[0], touching)
     if len(sys.argv) > 3:
         readme = " ".join(Path(sys.argv[3]).read_text(encoding="utf-8").split())
-        check("picture: the README has its caption", text in readme, text)
+        for text in captions:
+            check("picture: the README has its caption", text in readme, text)
     return exit_code()
 
 

@@ -1,4 +1,4 @@
-"""The studio in a real browser: controls, undo, links, errors, cancelled work, comparison.
+"""The studio in a real browser: controls, map, materials, files, undo, links, errors, cancelled work.
 
     python studio.py folder/for/screenshots name=path/to/page.html-or-address …
 
@@ -144,19 +144,19 @@ def verdict(s):
 
 def motion(s):
     s.tab.wait_for(f"{S}.motion.frames.length > 30")
-    s.js(f"{S}.run(true)")
-    before = s.js(f"{S}.now")
-    s.tab.wait_for(f"{S}.now > {before} + 2e-4")
+    s.js(f"{S}.stage.run(true)")
+    before = s.js(f"{S}.stage.now")
+    s.tab.wait_for(f"{S}.stage.now > {before} + 2e-4")
     s.check("the balls move", True)
     s.press("play")
-    held = s.js(f"{S}.now")
+    held = s.js(f"{S}.stage.now")
     s.js("new Promise((done) => setTimeout(done, 200))")
-    s.check("pause holds them", s.js(f"{S}.now") == held)
-    s.check("a frame is finite", s.js(f"Object.values({S}.frame).flat().every(isFinite)"))
+    s.check("pause holds them", s.js(f"{S}.stage.now") == held)
+    s.check("a frame is finite", s.js(f"Object.values({S}.stage.frame).flat().every(isFinite)"))
     grows = s.js(f"{S}.motion.frames.map((f) => f.t)")
     s.check("time grows across stretches", all(a < b for a, b in zip(grows, grows[1:])))
     ink = s.js(
-        "[...document.querySelectorAll('.studio canvas')].filter((c) => c.clientWidth).map((c) => c.getContext('2d')"
+        "[...document.querySelectorAll('.studio canvas')].filter((c) => c.clientWidth && c.checkVisibility()).map((c) => c.getContext('2d')"
         ".getImageData(0, 0, c.width, c.height).data.some((v) => v > 0))"
     )
     s.check("every canvas is drawn", all(ink) and len(ink) >= 4, ink)
@@ -174,6 +174,167 @@ def comparison(s):
     s.tab.wait_for("document.querySelector('[data-part=table]').textContent.includes('pinned')")
     s.press("unpin")
     s.check("unpinned", not s.text("table"))
+
+
+OWN = f"(() => {{ const r = {S}.g.raceways[0]; return [r.axial_span_mm, r.half_angle_deg]; }})()"
+
+
+def pointer(s):
+    """Place of the point of the map in the window, and pixels per mm and per degree."""
+    s.js("document.querySelector('[data-point]').scrollIntoView({ block: 'center', behavior: 'instant' })")
+    return s.js(
+        f"(() => {{ const r = document.querySelector('[data-point]').getBoundingClientRect(), m = {S}.map;"
+        " return { x: r.x + r.width / 2, y: r.y + r.height / 2, mm: m.plane.wide / (m.box[1] - m.box[0]),"
+        " degree: m.plane.high / (m.box[3] - m.box[2]) }; })()"
+    )
+
+
+def drag(s, dx, dy, touch):
+    """Moves the point by pixels, in four steps."""
+    at = pointer(s)
+    path = [(at["x"] + dx * k / 4, at["y"] + dy * k / 4) for k in range(5)]
+    if touch:
+        for kind, (x, y) in zip(["touchStart"] + ["touchMove"] * 4, path):
+            s.tab.call("Input.dispatchTouchEvent", type=kind, touchPoints=[{"x": x, "y": y}])
+        s.tab.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+    else:
+        for kind, (x, y) in zip(["mousePressed"] + ["mouseMoved"] * 4 + ["mouseReleased"], [*path, path[-1]]):
+            s.tab.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", buttons=1, clickCount=1)
+    s.settled()
+    return at
+
+
+def key(s, name):
+    for kind in ("keyDown", "keyUp"):
+        s.tab.call("Input.dispatchKeyEvent", type=kind, key=name, code=name)
+
+
+def raceway_map(s):
+    """The present raceway is a point of the map that mouse, touch and arrow keys move."""
+    s.tab.wait_for(f"{S}.map.grids.length === 2")
+    first, before = s.toml(), s.js(OWN)
+    there = s.js(
+        f"(() => {{ const c = {S}.map.canvas.getBoundingClientRect(), r = document.querySelector('[data-point]').getBoundingClientRect();"
+        f" return {S}.map.value({{ clientX: r.x + r.width / 2, clientY: r.y + r.height / 2 }}); }})()"
+    )
+    s.check("the point of the map is at the case", all(abs(a - b) < 1e-3 * b for a, b in zip(there, before)), [there, before])
+    s.check("the case passes in the map as in its estimate", s.js(f"{S}.map.region(...{OWN})") == "pass")
+    s.check("the map has a feasible band and an impossible region", s.js(f"{S}.map.region(0.99 * {S}.map.box[1], 20)") == "impossible")
+    for way, touch in (("mouse", False), ("touch", True)):
+        at = drag(s, -20, 30, touch)
+        wanted = [before[0] - 20 / at["mm"], before[1] - 30 / at["degree"]]
+        found = s.js(OWN)
+        s.check(f"{way} drags the point", all(abs(a - b) < 0.02 * b for a, b in zip(found, wanted)), [found, wanted])
+        s.press("undo")
+        s.settled()
+        s.check(f"one drag by {way} is one step of undo", s.toml() == first)
+    drag(s, 2000, 0, False)
+    span, limit = s.js(OWN)[0], s.js(f"{S}.g.numbers.axial_span_limit_mm")
+    s.check("the point stops at what is impossible", before[0] < span < limit and not s.text("message"), [span, s.text("message")])
+    s.press("undo")
+    s.settled()
+    s.js("document.querySelector('[data-point]').focus()")
+    key(s, "ArrowRight")
+    key(s, "ArrowUp")
+    s.settled()
+    found = s.js(OWN)
+    s.check("arrow keys move the point", abs(found[0] - before[0] - 0.02) < 1e-6 and abs(found[1] - before[1] - 0.1) < 1e-6, found)
+    said = s.js("document.querySelector('[data-point]').getAttribute('aria-valuetext')")
+    s.check("and it says its place", f"{found[0]:.2f} mm" in said and "β0" in said, said)
+    s.press("undo")
+    s.settled()
+    s.check("keys in quick succession are one step of undo", s.toml() == first)
+    # A map of another bearing replaces the one under way.
+    cancelled = s.js(
+        f"(async () => {{ const m = {S}.map, other = {S}.toml.replace('balls = 14', 'balls = 13');"
+        " const going = m.compute(other), signal = m.abort.signal; m.cancel(); await going;"
+        f" const kept = m.grids.length; await m.compute({S}.toml); return [signal.aborted, kept, m.grids.length, m.computed === m.apart({S}.toml)]; }})()"
+    )
+    s.check("a map can be cancelled and computed again", cancelled == [True, 2, 2, True], cancelled)
+
+
+def surface(s):
+    """The surface is drawn when its part is opened, and turns by mouse and slider."""
+    ink = f"(() => {{ const c = {S}.surface.canvas; return c.width && c.clientWidth ? c.toDataURL() : ''; }})()"
+    s.js(f"{S}.surface.root.open = true; new Promise((done) => setTimeout(done, 100))")
+    first = s.js(ink)
+    s.js("(() => { const e = document.querySelector('[data-surface=turn]'); e.value = 20; e.dispatchEvent(new Event('input')); })()")
+    s.check("the surface turns", len(first) > 5000 and s.js(ink) != first, len(first))
+    s.slide("theta", 20)
+    s.check("the surface follows the case", s.js(ink) != first)
+    s.press("undo")
+    s.settled()
+    s.js(f"{S}.surface.root.open = false")
+
+
+def materials(s):
+    """Materials by name, from the library, and back."""
+    s.tab.wait_for("document.querySelectorAll('[data-material=balls] option').length > 2")
+    first, stress = s.toml(), s.js(f"{S}.g.static.inner_stress_max_gpa")
+    names = s.js("[...document.querySelectorAll('[data-material=balls] option')].map((o) => o.value).filter((v) => v && v !== 'own')")
+    s.check("the materials of the library are there", {"100Cr6", "M50", "440C", "X30CrMoN15-1", "Si3N4"} <= set(names), names)
+    choose = "(() => {{ const e = document.querySelector('[data-material={0}]'); e.value = '{1}'; e.dispatchEvent(new Event('change')); }})()"
+    for part, section in (("balls", "ball_material"), ("rings", "ring_material")):
+        for name in ("Si3N4", "M50"):
+            s.js(choose.format(part, name))
+            s.settled()
+            s.check(f"{part} of {name}", s.js(f"{S}.g.document.{section}.preset") == name and s.toml().count(f"[{section}]") == 1)
+        s.js(choose.format(part, ""))
+        s.settled()
+        s.check(f"{part} as [material] again", f"[{section}]" not in s.toml())
+    s.js(choose.format("balls", "Si3N4"))
+    s.settled()
+    s.check("ceramic balls raise the contact stress", s.js(f"{S}.g.static.inner_stress_max_gpa") > 1.05 * stress)
+    s.type(first)
+
+
+def files(s):
+    """Every entry of the menu makes a file that begins as its format does."""
+    made = s.js(
+        "(async () => { const kept = window.cagelessSave, made = {}; let last = null; window.cagelessSave = (blob, name) => { last = { blob, name }; };"
+        " for (const b of document.querySelectorAll('[data-saves]')) { last = null; b.click();"
+        "  for (let k = 0; k < 1000 && (b.disabled || !last); k++) await new Promise((d) => setTimeout(d, 10));"
+        "  if (!last) continue; const bytes = new Uint8Array(await last.blob.arrayBuffer()), text = new TextDecoder().decode(bytes.slice(0, 400));"
+        "  made[b.dataset.saves] = { name: last.name, size: bytes.length, text, magic: [...bytes.slice(0, 8)] }; }"
+        " window.cagelessSave = kept; return made; })()"
+    )
+    entries = s.js("[...document.querySelectorAll('[data-saves]')].map((b) => b.dataset.saves)")
+    s.check("every entry of the menu saves a file", set(made) == set(entries) and len(entries) >= 19, set(entries) - set(made))
+    heads = {"gaps": "time_s,gap_1_deg,", "track": "angle_deg,effective_radius_mm,axial_mm", "terms": "criterion,kind,value,limit,margin",
+             "map": "axial_span_mm,half_angle_deg,beta0_deg,margin_both_neighbours", "bearing": "time_s,ball,angle_deg", "depth": "angle_deg,axial_mm,depth_um"}  # fmt: skip
+    for entry, file in made.items():
+        thing, _, kind = entry.partition(".")
+        begins = {
+            "svg": file["text"].startswith("<svg xmlns") and file["size"] > 800,
+            "png": file["magic"] == list(b"\x89PNG\r\n\x1a\n") and file["size"] > 3000,
+            "gif": file["text"].startswith("GIF89a") and file["size"] > 20_000,
+            "csv": file["text"].startswith(heads.get(thing, "?")) and file["text"].count("\n") >= 2,
+            "toml": "[bearing]" in file["text"] and file["name"] == "case.toml",
+        }[kind]
+        s.check(f"{entry} begins as it should", begins, file)
+    svg = s.js(f"(async () => (await {S}.saving.file({S}.saving.things[0], 'svg')).text())()")
+    s.check("an SVG can be parsed", s.js(f"new DOMParser().parseFromString({json.dumps(svg)}, 'image/svg+xml').querySelector('parsererror') === null"))
+
+
+def times(s):
+    """Prints how long the page takes and how smoothly it moves. Nothing is asserted."""
+    took = []
+    for value in (24, 24.4, 24.8, 25.6, 26):
+        s.slide("theta", value)
+        took.append(float(s.js("document.querySelector('.studio').dataset.estimateMs")))
+    s.judged()
+    verdict, whole = (s.js(f"document.querySelector('.studio').dataset.{name}") for name in ("verdictMs", "mapMs"))
+    frames = s.js(
+        f"(async () => {{ {S}.stage.run(true); {S}.stage.slow = 100; const from = {S}.motion.frames.length; let count = 0, on = true;"
+        " const tick = () => { count++; if (on) requestAnimationFrame(tick); }; requestAnimationFrame(tick);"
+        " const began = performance.now(); await new Promise((done) => setTimeout(done, 2000)); on = false;"
+        f" {S}.stage.slow = 500; return [count / (performance.now() - began) * 1000, {S}.motion.frames.length - from]; }})()"
+    )
+    for _ in took:
+        s.press("undo")
+        s.settled()
+    print(f"{s.name}: slider to geometry and estimate {min(took):.0f} to {max(took):.0f} ms, verdict {verdict} ms,"
+          f" map {whole} ms, {frames[0]:.0f} frames a second while {frames[1]:.0f} moments were computed")  # fmt: skip
 
 
 def links(s, browser):
@@ -280,12 +441,18 @@ def studio(browser, name, url, screens):
     motion(s)
     verdict(s)
     comparison(s)
+    # What a report adds to the studio is its place on the page.
+    if name != "run":
+        raceway_map(s)
+        surface(s)
+        materials(s)
+        files(s)
+        times(s)
     links(s, browser)
     looks(s, screens)
     if served and s.js(f"!!{S}.engine.page"):
         agreement(s)
     quiet(s, served)
-    print("estimate", s.js("document.querySelector('.studio').dataset.estimateMs"), "ms, verdict", s.js("document.querySelector('.studio').dataset.verdictMs"), "ms")
 
 
 def main():

@@ -1,18 +1,29 @@
 //! What the engine knows about itself and about case files.
 
 use cageless::dynamics::InstructionSet;
-use cageless_io::case_file::{keys, template};
+use cageless_io::case_file::{MaterialPreset, keys, template};
 use serde_json::{Value, json};
 
-/// Version, instruction set, the templates of a case and every key with unit and meaning.
+/// Version, instruction set, the templates of a case, every key with unit and meaning, and the
+/// materials that have a name.
 pub(crate) fn about() -> Value {
     let keys: Vec<Value> = keys()
         .map(|k| json!({ "key": k.name, "unit": k.unit, "meaning": k.meaning }))
+        .collect();
+    let materials: Vec<Value> = MaterialPreset::all()
+        .map(|(name, preset)| {
+            let [density_kg_m3, youngs_modulus_gpa, poisson_ratio] = preset.numbers();
+            json!({
+                "name": name, "density_kg_m3": density_kg_m3,
+                "youngs_modulus_gpa": youngs_modulus_gpa, "poisson_ratio": poisson_ratio,
+            })
+        })
         .collect();
     json!({
         "version": env!("CARGO_PKG_VERSION"),
         "instruction_set": InstructionSet::chosen().name(),
         "keys": keys,
+        "materials": materials,
         "template": template(false),
         "template_conventional": template(true),
     })

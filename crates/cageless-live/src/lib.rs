@@ -15,6 +15,7 @@
 
 mod geometry;
 mod keys;
+mod map;
 mod motion;
 mod ranges;
 mod request;

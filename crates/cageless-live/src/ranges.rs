@@ -29,6 +29,37 @@ struct Follower {
     high: f64,
 }
 
+impl Span {
+    /// The span of a single key.
+    ///
+    /// # Errors
+    /// `low` is not below `high`.
+    pub(crate) fn of_key(key: &str, low: f64, high: f64) -> Result<Self, Refusal> {
+        let follower = Follower {
+            key: key.to_owned(),
+            low,
+            high,
+        };
+        let span = Self {
+            name: key.to_owned(),
+            low,
+            high,
+            whole: false,
+            keys: vec![follower],
+        };
+        span.check()?;
+        Ok(span)
+    }
+
+    fn check(&self) -> Result<(), Refusal> {
+        if !(self.low < self.high && (self.high - self.low).is_finite()) {
+            let message = format!("{}: the span needs low < high", self.name);
+            return Err(Refusal::new(message));
+        }
+        Ok(())
+    }
+}
+
 /// Values that are tried over a span before the ends of the possible ranges are refined.
 const TRIED: usize = 25;
 /// Halvings of the interval between two tried values.
@@ -53,16 +84,14 @@ pub(crate) fn ranges(
         if control(k as f64 / spans.len() as f64).is_break() {
             return Err(Refusal::new("cancelled"));
         }
-        if !(span.low < span.high && (span.high - span.low).is_finite()) {
-            let message = format!("{}: the span needs low < high", span.name);
-            return Err(Refusal::new(message));
-        }
+        span.check()?;
         found.insert(span.name.clone(), json!(possible(&base, span)));
     }
     Ok(Value::Object(found))
 }
 
-fn possible(base: &CaseBase, span: &Span) -> Vec<[f64; 2]> {
+/// The ranges `[low, high]` of one control within which the case as a whole is possible.
+pub(crate) fn possible(base: &CaseBase, span: &Span) -> Vec<[f64; 2]> {
     let allowed = |value: f64| {
         let part = (value - span.low) / (span.high - span.low);
         let values: Vec<CaseValue> = span

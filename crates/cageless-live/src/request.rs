@@ -7,7 +7,7 @@ use cageless_io::case_file::{CaseError, CaseFile};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-use crate::{geometry, keys, motion, ranges, verdict};
+use crate::{geometry, keys, map, motion, ranges, verdict};
 
 /// Largest request that is read, bytes.
 pub const REQUEST_BYTES_MAX: usize = 1 << 20;
@@ -25,6 +25,8 @@ enum Request {
         case: String,
         controls: Vec<ranges::Span>,
     },
+    /// Estimates over lC and θ.
+    Map(map::Grid),
     /// Static equilibrium.
     Static(OfCase),
     /// A stretch of the motion.
@@ -113,6 +115,7 @@ fn result(request: &str, control: &mut dyn FnMut(f64) -> Control) -> Result<Valu
         Request::About => Ok(keys::about()),
         Request::Geometry(OfCase { case }) => geometry::geometry(&read(&case)?),
         Request::Ranges { case, controls } => ranges::ranges(&case, &controls, control),
+        Request::Map(grid) => map::map(&grid, control),
         Request::Static(OfCase { case }) => geometry::equilibrium(read(&case)?.case()),
         Request::Motion { case, stretch } => motion::motion(read(&case)?.case(), &stretch, control),
         Request::Verdict(OfCase { case }) => verdict::verdict(read(&case)?.case(), control),

@@ -198,6 +198,7 @@ fn work_can_be_cancelled() {
     for request in [
         json!({ "op": "verdict", "case": case }),
         json!({ "op": "motion", "case": case, "duration_s": 0.1, "frames": 2 }),
+        json!({ "op": "map", "case": case, "axial_span_mm": [5.0, 5.1], "half_angle_deg": [25.2] }),
     ] {
         let mut asked = 0;
         let text = answer(&request.to_string(), &mut |_| {
@@ -235,5 +236,64 @@ fn the_estimate_agrees_with_the_verdicts_on_the_structures_of_the_paper() {
         let missed = terms.iter().find(|t| t["margin"].as_f64().unwrap() < 0.0);
         let missed = missed.map_or("", |t| t["name"].as_str().unwrap());
         assert_eq!(missed, failing, "{letter}: {estimate}");
+    }
+}
+
+/// The estimate of each raceway is that of the request for its own case.
+#[test]
+fn a_map_has_the_estimates_of_its_points() {
+    let (spans, angles) = ([3.0, 5.1, 9.0], [20.0, 25.2, 89.5]);
+    let conventional = template(true);
+    for case in [structure(5.1, 25.2), conventional] {
+        let map = good(&json!({
+            "op": "map", "case": case, "axial_span_mm": spans, "half_angle_deg": angles,
+        }));
+        for (j, angle) in angles.into_iter().enumerate() {
+            for (k, span) in spans.into_iter().enumerate() {
+                let own = ask(&json!({ "op": "geometry", "case": structure(span, angle) }));
+                if own["ok"].is_null() {
+                    assert!(map["beta0_deg"][j][k].is_null(), "{span} {angle}");
+                    assert!(map["margins"]["stress"][j][k].is_null(), "{span} {angle}");
+                    continue;
+                }
+                assert_eq!(map["beta0_deg"][j][k], own["ok"]["numbers"]["beta0_deg"]);
+                for term in own["ok"]["estimate"]["terms"].as_array().unwrap() {
+                    let rows = &map["margins"][term["name"].as_str().unwrap()];
+                    assert_eq!(rows[j][k], term["margin"], "{span} {angle} {term}");
+                }
+            }
+        }
+        assert!(map["beta0_deg"][1][2].is_null(), "9 mm is beyond Eq. (8)");
+        let limit = map["possible_axial_span_mm"][1][0][1].as_f64().unwrap();
+        assert!((7.39..7.4018).contains(&limit), "{limit}");
+        assert_eq!(
+            map["possible_axial_span_mm"][2],
+            json!([]),
+            "89.5° takes up half of the ring"
+        );
+    }
+    let case = template(false);
+    let many = (0..1000).map(f64::from).collect::<Vec<_>>();
+    for (spans, angles) in [
+        (&many[..], &many[..]),
+        (&many[..1], &many[..]),
+        (&[2.0, 1.0], &[1.0]),
+    ] {
+        refused(
+            &json!({ "op": "map", "case": case, "axial_span_mm": spans, "half_angle_deg": angles }),
+        );
+    }
+}
+
+#[test]
+fn every_material_with_a_name_makes_a_case() {
+    let about = good(&json!({ "op": "about" }));
+    let materials = about["materials"].as_array().unwrap();
+    assert!(materials.len() >= 5);
+    for material in materials {
+        let name = material["name"].as_str().unwrap();
+        let case = format!("{}\n[ball_material]\npreset = {name:?}\n", template(false));
+        let document = good(&json!({ "op": "geometry", "case": case }))["document"].clone();
+        assert_eq!(document["ball_material"]["preset"], name);
     }
 }

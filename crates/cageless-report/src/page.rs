@@ -182,10 +182,11 @@ impl Page {
             scripts.push_str(&format!("<script>{}</script>\n", plotly_js()));
         }
         scripts.push_str(&format!("<script>{}</script>\n", include_str!("page.js")));
+        if self.motion || self.studio {
+            scripts.push_str(&format!("<script>{}</script>\n", include_str!("gif.js")));
+        }
         if self.motion {
-            for script in [include_str!("gif.js"), include_str!("motion.js")] {
-                scripts.push_str(&format!("<script>{script}</script>\n"));
-            }
+            scripts.push_str(&format!("<script>{}</script>\n", include_str!("motion.js")));
         }
         if self.studio {
             scripts.push_str(&studio::scripts());

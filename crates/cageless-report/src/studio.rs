@@ -52,12 +52,24 @@ pub(crate) fn place(toml: &str, opening: Opening) -> String {
 /// Scripts of the studio: the source of its workers, and one module of all its parts.
 pub(crate) fn scripts() -> String {
     let module = [
+        include_str!("studio/dom.js"),
         include_str!("studio/engine.js"),
         include_str!("studio/case.js"),
         include_str!("studio/controls.js"),
+        include_str!("studio/materials.js"),
+        include_str!("studio/form.js"),
         include_str!("studio/draw.js"),
+        include_str!("studio/svg.js"),
         include_str!("studio/motion.js"),
+        include_str!("studio/verdict.js"),
+        include_str!("studio/comparison.js"),
+        include_str!("studio/stage.js"),
+        include_str!("studio/map.js"),
+        include_str!("studio/surface.js"),
+        include_str!("studio/save.js"),
+        include_str!("studio/toolbar.js"),
         include_str!("studio/studio.js"),
+        include_str!("studio/open.js"),
     ]
     .join("\n");
     format!(

@@ -33,7 +33,7 @@ fn pages_with_the_engine_stay_small() {
     assert!(page.len() < 6_000_000, "{}", page.len());
     let engine = engine().unwrap_or_default().len();
     assert!(
-        page.len() - engine < 100_000,
+        page.len() - engine < 150_000,
         "{} bytes beside the engine",
         page.len() - engine
     );

@@ -61,7 +61,7 @@ const CONTROLS = [
   { group: "Bearing", id: "clearance", label: "Radial internal clearance Gr", unit: "µm", step: 1, help: "ISO 5753-1: twice the radial play of the inner ring", range: fixed(-20, 80), ...ofNominal("clearance") },
   { group: "Bearing", id: "fi", label: "Conformity, inner", unit: "", step: 0.001, help: "groove radius over ball diameter", range: fixed(0.5, 0.58), ...ofNominal("conformity_inner") },
   { group: "Bearing", id: "fo", label: "Conformity, outer", unit: "", step: 0.001, help: "groove radius over ball diameter", range: fixed(0.5, 0.58), ...ofNominal("conformity_outer") },
-  { group: "Operation", id: "speed", label: "Speed n", unit: "rpm", step: 10, help: "speed of the inner ring", range: (g) => [0, Math.max(20000, 1.5 * g.document.operation.inner_speed_rpm)], ...ofKey("operation.inner_speed_rpm") },
+  { group: "Operation", id: "speed", label: "Speed n", unit: "rpm", step: 10, help: "speed of the inner ring; negative: clockwise, seen from the other face", range: (g) => { const most = Math.max(20000, 1.5 * Math.abs(g.document.operation.inner_speed_rpm)); return [-most, most]; }, ...ofKey("operation.inner_speed_rpm") },
   { group: "Operation", id: "load", label: "Radial load Fr", unit: "N", step: 10, help: "load on the inner ring, downwards", range: (g) => [0, Math.max(5000, 2 * g.document.operation.radial_load_n)], ...ofKey("operation.radial_load_n") },
   { group: "Operation", id: "friction", label: "Friction μ", unit: "", step: 0.001, help: "coefficient of friction", range: fixed(0, 0.2), ...ofKey("contact.friction_coefficient") },
 ];
@@ -87,6 +87,8 @@ function firstOf(key, document) {
   const several = key.startsWith("raceway.") && Array.isArray(document.raceway) && document.raceway.length > 1;
   return several ? key.replace("raceway.", "raceway.1.") : key;
 }
+
+const START_SPACINGS = [["uniform", "even"], ["bunched", "half the room in one gap"], ["random-1", "random 1"], ["random-2", "random 2"], ["random-3", "random 3"]];
 
 // N gaps of a start: even, half the free room in one place, or drawn from a seed.
 function startGaps(kind, g) {

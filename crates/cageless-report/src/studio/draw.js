@@ -1,19 +1,28 @@
 // Drawings of the studio, on canvases that follow their width and the colours of the page.
 
+// Colours of the page; those of white paper for a drawing that is saved.
 function colours(el) {
-  const style = getComputedStyle(el);
-  const of = (name, other) => style.getPropertyValue(name).trim() || other;
+  const style = el.light ? null : getComputedStyle(el);
+  const of = (name, other) => (style && style.getPropertyValue(name).trim()) || other;
   return {
     ink: of("--ink", "#1f2328"), soft: of("--soft", "#59636e"), rule: of("--rule", "#d8dde3"),
-    tint: of("--tint", "#f6f8fa"), ring: of("--ring", "#dde3e8"), sector: "#e69f00",
-    hit: "#d55e00", paper: of("--paper", "#fff"), first: "#0072b2", second: "#56b4e9", ball: of("--ball", "#f4f5f6"),
+    ring: of("--ring", "#dde3e8"), sector: "#e69f00", hit: "#d55e00", paper: of("--paper", "#fff"),
+    first: "#0072b2", second: "#56b4e9", ball: of("--ball", "#f4f5f6"), cut: [178, 24, 43], left: [33, 102, 172],
+    flat: of("--flat", "238 240 242").split(" ").map(Number),
   };
 }
 
-// Canvas context in CSS pixels; `height` per width.
+// Context in CSS pixels with a height in proportion to the width: of a canvas in the page, of one
+// of a fixed width, or of what takes its place.
 function context(canvas, ratio) {
-  const width = Math.max(canvas.clientWidth, 40), height = Math.round(width * ratio);
-  const scale = window.devicePixelRatio || 1;
+  const font = "12px Helvetica Neue, Helvetica, Arial, sans-serif";
+  if (canvas.begin) {
+    const c = canvas.begin(ratio);
+    c.font = font;
+    return { c, width: c.width, height: c.height };
+  }
+  const width = canvas.fixedWidth || Math.max(canvas.clientWidth, 40), height = Math.round(width * ratio);
+  const scale = canvas.fixedWidth ? 1 : window.devicePixelRatio || 1;
   if (canvas.width !== Math.round(width * scale) || canvas.height !== Math.round(height * scale)) {
     canvas.width = Math.round(width * scale);
     canvas.height = Math.round(height * scale);
@@ -22,8 +31,29 @@ function context(canvas, ratio) {
   const c = canvas.getContext("2d");
   c.setTransform(scale, 0, 0, scale, 0, 0);
   c.clearRect(0, 0, width, height);
-  c.font = "12px Helvetica Neue, Helvetica, Arial, sans-serif";
+  c.font = font;
   return { c, width, height };
+}
+
+// Round numbers between two ends, about `count` of them.
+function ticks(low, high, count) {
+  const rough = (high - low) / count, power = 10 ** Math.floor(Math.log10(rough));
+  const step = [1, 2, 5, 10].map((f) => f * power).find((s) => s >= rough - 1e-12);
+  const first = Math.ceil(low / step - 1e-9), last = Math.floor(high / step + 1e-9);
+  return Array.from({ length: Math.max(0, last - first + 1) }, (_, k) => digits((first + k) * step, 10));
+}
+
+// Colour of a deviation from the plain groove as a share of the largest: red where material is cut
+// away, blue where it is left.
+function depthColour(share, k) {
+  const end = share > 0 ? k.cut : k.left, part = Math.min(1, Math.abs(share));
+  return "rgb(" + k.flat.map((v, c) => Math.round(v + (end[c] - v) * part)).join(",") + ")";
+}
+
+// Largest deviations from the plain groove, µm: cut away, left, and the larger one.
+function deviations(r) {
+  const all = r.depth_um.flat(), cut = Math.max(0, ...all), left = Math.max(0, -Math.min(...all));
+  return { cut, left, most: Math.max(cut, left, 0.01), text: "deviation in µm: " + cut.toFixed(1) + " cut away (red), " + left.toFixed(1) + " left (blue)" };
 }
 
 const RAD = Math.PI / 180;
@@ -75,12 +105,13 @@ function drawBearing(canvas, g, frame, title) {
   });
   c.fillStyle = k.ink; c.textAlign = "center";
   c.fillText(title, x, y - 8);
+  if (g.document.operation.inner_speed_rpm < 0) c.fillText("from the other face", x, y + 28);
   c.fillText(frame ? "t = " + (frame.t * 1000).toFixed(2) + " ms" : "at rest", x, y + 10);
 }
 
 // Gap ahead of each ball as bars, with the gap of even spacing.
 function drawGaps(canvas, g, frame) {
-  const { c, width, height } = context(canvas, 0.34);
+  const { c, width, height } = context(canvas, canvas.clientWidth > 600 ? 0.2 : 0.34);
   const k = colours(canvas);
   const left = 44, bottom = height - 20, top = 16;
   const gaps = frame ? frame.gap_deg : [];
@@ -107,16 +138,15 @@ function drawDepth(canvas, g) {
   const { c, width, height } = context(canvas, 0.5);
   const k = colours(canvas), r = g.raceways[0];
   c.fillStyle = k.soft;
-  if (!r) { c.textAlign = "center"; c.fillText("no discrete raceway", width / 2, height / 2); return 0; }
+  if (!r) { c.textAlign = "center"; c.fillText("no discrete raceway", width / 2, height / 2); return; }
   const left = 40, right = width - 8, top = 18, bottom = height - 30;
   const n = r.angle_deg.length, widest = Math.max(...r.across_mm.map((row) => Math.abs(row[row.length - 1])));
-  const deepest = Math.max(0.01, ...r.depth_um.flat());
+  const { most, text } = deviations(r);
   const px = (a) => left + (right - left) * (a - r.angle_deg[0]) / (r.angle_deg[n - 1] - r.angle_deg[0]);
   const py = (z) => (top + bottom) / 2 - z / widest * (bottom - top) / 2;
   for (let i = 0; i + 1 < n; i++) {
     for (let j = 0; j + 1 < r.across_mm[i].length; j++) {
-      const share = Math.max(0, Math.min(1, (r.depth_um[i][j] + r.depth_um[i][j + 1]) / 2 / deepest));
-      c.fillStyle = "rgba(178,24,43," + share.toFixed(3) + ")";
+      c.fillStyle = depthColour((r.depth_um[i][j] + r.depth_um[i][j + 1]) / 2 / most, k);
       for (const side of [1, -1]) {
         const [y0, y1] = [py(side * r.across_mm[i][j]), py(side * r.across_mm[i][j + 1])];
         c.fillRect(px(r.angle_deg[i]), Math.min(y0, y1), px(r.angle_deg[i + 1]) - px(r.angle_deg[i]) + 0.6, Math.abs(y1 - y0) + 0.6);
@@ -130,13 +160,12 @@ function drawDepth(canvas, g) {
     c.stroke();
   }
   c.fillStyle = k.soft; c.textAlign = "left";
-  c.fillText("depth to " + deepest.toFixed(1) + " µm (red), contact track", left, 12);
+  c.fillText(text, left, 12);
   c.textAlign = "right"; c.fillText(widest.toFixed(1), left - 4, top + 10); c.fillText("z mm", left - 4, (top + bottom) / 2 + 4);
-  c.fillText((-widest).toFixed(1), left - 4, bottom);
+  c.fillText(minus((-widest).toFixed(1)), left - 4, bottom);
   c.textAlign = "center";
-  for (const a of [-r.half_angle_deg, 0, r.half_angle_deg]) c.fillText(a.toFixed(1) + "°", px(a), bottom + 13);
-  c.fillText("ψ from the middle of the raceway", (left + right) / 2, bottom + 26);
-  return deepest;
+  for (const a of [-r.half_angle_deg, 0, r.half_angle_deg]) c.fillText(minus(a.toFixed(1)) + "°", px(a), bottom + 13);
+  c.fillText("ψ from the middle of the raceway; line: contact track", (left + right) / 2, bottom + 26);
 }
 
 // Meridian section in the middle of the raceway: ball, plain groove, raceway.

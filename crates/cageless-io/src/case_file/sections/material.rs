@@ -43,6 +43,11 @@ pub(in crate::case_file) const NUMBERS: [&str; 3] =
     ["density_kg_m3", "youngs_modulus_gpa", "poisson_ratio"];
 
 impl MaterialPreset {
+    /// Every material with its name in case files.
+    pub fn all() -> impl Iterator<Item = (&'static str, Self)> {
+        Self::NAMES.iter().copied()
+    }
+
     /// Density in kg/m³, E in GPa, ν.
     pub fn numbers(self) -> [f64; 3] {
         match self {
