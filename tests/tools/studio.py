@@ -12,7 +12,7 @@ import tempfile
 from pathlib import Path
 
 from checks import check, exit_code
-from pages import Browser
+from pages import Browser, axe
 
 S = "window.cagelessStudio"
 
@@ -362,6 +362,9 @@ def looks(s, screens):
         s.js("new Promise((done) => setTimeout(done, 300))")
         over = s.js("document.documentElement.scrollWidth - document.documentElement.clientWidth")
         s.check(f"{name}: nothing sticks out to the right", over <= 0, over)
+        if s.name == "page":
+            bad = axe(s.tab)
+            s.check(f"{name}: no violation by axe-core", not bad, bad)
         # A report has too much in it besides for a picture beside calculations.
         if s.name == "run":
             continue

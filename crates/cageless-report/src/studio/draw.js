@@ -4,11 +4,12 @@
 function colours(el) {
   const style = el.light ? null : getComputedStyle(el);
   const of = (name, other) => (style && style.getPropertyValue(name).trim()) || other;
+  const channels = (name, other) => of(name, other).split(" ").map(Number);
   return {
     ink: of("--ink", "#1f2328"), soft: of("--soft", "#59636e"), rule: of("--rule", "#d8dde3"),
     ring: of("--ring", "#dde3e8"), sector: "#e69f00", hit: "#d55e00", paper: of("--paper", "#fff"),
-    first: "#0072b2", second: "#56b4e9", ball: of("--ball", "#f4f5f6"), cut: [178, 24, 43], left: [33, 102, 172],
-    flat: of("--flat", "238 240 242").split(" ").map(Number),
+    first: "#0072b2", second: "#56b4e9", ball: of("--ball", "#f4f5f6"),
+    flat: channels("--flat", "238 240 242"), cut: channels("--cut", "178 24 43"), left: channels("--left", "33 102 172"),
   };
 }
 

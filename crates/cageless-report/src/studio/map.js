@@ -74,7 +74,7 @@ class RacewayMap {
   constructor(studio) {
     this.studio = studio;
     this.grids = [];
-    this.canvas = element("canvas", { role: "img", "aria-label": "Map of the estimate over axial span and half angle", "data-canvas": "map", onpointerdown: (event) => this.grab(event) });
+    this.canvas = element("canvas", { role: "img", "aria-label": "Map of the estimate over axial span and half angle", "data-canvas": "map", onpointerdown: (event) => this.grab(event), onclick: (event) => this.tap(event) });
     this.point = element("div", { class: "point", role: "slider", tabindex: 0, "data-point": true, "aria-orientation": "horizontal", "aria-label": "Raceway in the map: axial span lC and half angle θ, by arrow keys", onpointerdown: (event) => this.grab(event), onkeydown: (event) => this.step(event) });
     this.state = element("div", { class: "state", "data-part": "map", role: "status" });
     this.legend = element("ul", { class: "legend" },
@@ -190,12 +190,14 @@ class RacewayMap {
     this.studio.edit(text, joined);
   }
 
+  // A finger on the map itself scrolls the page; a tap moves the point.
+  tap(event) {
+    if (this.plane && event.pointerType === "touch") this.move(...this.value(event), false);
+  }
+
   grab(event) {
-    if (!this.plane || event.button > 0 || (event.pointerType === "touch" && event.currentTarget === this.canvas)) {
-      // A finger on the map itself scrolls the page; a tap moves the point.
-      if (this.plane && event.pointerType === "touch") this.canvas.addEventListener("click", (click) => this.move(...this.value(click), false), { once: true });
-      return;
-    }
+    const touched = event.pointerType === "touch" && event.currentTarget === this.canvas;
+    if (!this.plane || event.button > 0 || touched) return;
     event.preventDefault();
     const held = this.point;
     held.focus();

@@ -15,7 +15,7 @@ class Stage {
       type: "range", min: 0, max: 1000, step: 1, value: 0, "aria-label": "Moment of the motion", "data-moment": true,
       oninput: () => { this.run(false); this.to(Number(this.moment.value) / 1000); },
     });
-    this.bar = element("div", { class: "bar" }, this.play, element("label", {}, "slowed down ", speed), this.moment);
+    this.bar = element("div", { class: "bar moments" }, this.play, element("label", {}, "slowed down ", speed), this.moment);
     this.bearings = [canvas("a", "Bearing A in motion"), canvas("b", "Bearing in motion")];
     this.gaps = canvas("gaps", "Gap ahead of each ball");
     this.raceway = element("div", { class: "pair" }, canvas("depth", "Unrolled groove depth and contact track"), canvas("section", "Section in the middle of the raceway"));

@@ -34,8 +34,8 @@ class Studio {
       element("div", {}, this.form.root, this.toolbar.root, part("message", { role: "alert" }), this.text),
       element("div", {}, this.verdict.lamp,
         element("div", { class: "views" }, ...this.stage.bearings, this.map.root),
-        this.stage.bar, part("motion", { class: "moving" }), this.stage.gaps, this.verdict.terms, this.stage.raceway, this.surface.root,
-        this.verdict.numbers, this.saving.root, this.comparison.bar, this.comparison.table)));
+        this.stage.bar, this.comparison.bar, part("motion", { class: "moving" }), this.stage.gaps, this.comparison.table,
+        this.verdict.terms, this.stage.raceway, this.surface.root, this.verdict.numbers, this.saving.root)));
   }
 
   say(part, text) { this.parts[part].textContent = text || ""; }
