@@ -444,12 +444,13 @@ def studio(browser, name, url, screens):
     motion(s)
     verdict(s)
     comparison(s)
-    # What a report adds to the studio is its place on the page.
-    if name != "run":
-        raceway_map(s)
+    # What a report or a server adds to the studio is its place, or another engine.
+    if name == "page":
         surface(s)
         materials(s)
         files(s)
+    if name in ("page", "server"):
+        raceway_map(s)
         times(s)
     links(s, browser)
     looks(s, screens)

@@ -97,15 +97,26 @@ class RacewayMap {
     return [0, 1.08 * axial_span_limit_mm, 0, Math.min(90, Math.max(1.7 * (epsilon_deg + uniform_gap_deg), 1.15 * own))];
   }
 
+  // Whether the map that is shown or under way is that of this case.
+  current(toml) {
+    const own = this.own();
+    return this.apart(toml) === this.computed && (!own || !this.box || own[1] < this.box[3]);
+  }
+
+  // Ends the map of another case than this one, and marks it as such.
+  expect(toml) {
+    if (this.current(toml)) return;
+    this.cancel();
+    this.root.classList.add("stale");
+  }
+
   // Computes the map of another case: all of it first, then the band that passes.
   async compute(toml) {
-    const { studio } = this, { g } = studio, key = this.apart(toml), extent = this.extent(g);
-    const inside = this.box && g.raceways[0] && g.raceways[0].half_angle_deg < this.box[3];
-    if (key === this.computed && (inside || !g.raceways[0])) return;
-    this.cancel();
+    if (this.current(toml)) return;
+    this.expect(toml);
+    const { studio } = this, extent = this.extent(studio.g);
     const abort = this.abort = new AbortController(), began = performance.now();
-    this.computed = key;
-    this.root.classList.add("stale");
+    this.computed = this.apart(toml);
     const points = async ([low, high, from, to], [across, up]) => {
       // lC and θ of 0 are no raceways: the axes begin a little beyond.
       const spans = evenly(low || high / 1000, high, across), angles = evenly(from || to / 1000, to, up);
@@ -202,8 +213,14 @@ class RacewayMap {
     const held = this.point;
     held.focus();
     held.setPointerCapture(event.pointerId);
+    // From where it began, by as much as the pointer has moved: the page may shift below it.
+    const start = event.currentTarget === this.canvas ? this.value(event) : this.own(), at = [event.clientX, event.clientY];
     let joined = false;
-    const to = (moved) => { this.move(...this.value(moved), joined); joined = true; };
+    const to = (moved) => {
+      const { wide, high } = this.plane, [low, most, from, until] = this.box;
+      this.move(start[0] + (moved.clientX - at[0]) * (most - low) / wide, start[1] - (moved.clientY - at[1]) * (until - from) / high, joined);
+      joined = true;
+    };
     if (event.currentTarget === this.canvas) to(event);
     const end = () => { held.removeEventListener("pointermove", to); held.removeEventListener("pointerup", end); held.removeEventListener("pointercancel", end); };
     held.addEventListener("pointermove", to);

@@ -95,22 +95,26 @@ class Studio {
     if (this.again) { this.again = false; this.update(); }
   }
 
-  // What takes longer, once the reader has paused: ranges, motion, verdict, link.
+  // What takes longer, once the reader has paused: link, motion, ranges, verdict, and then the map.
   async settle(toml) {
+    const { g } = this, { pinned } = this.comparison;
     packed(toml).then((code) => { if (toml === this.toml && toml !== this.original) history.replaceState(null, "", "#case=" + code); });
     this.stage.now = 0;
     this.say("motion", "");
-    this.motion.start(toml, this.g.numbers.rolling_orbit_ms / 1000);
-    const { pinned } = this.comparison;
+    this.map.expect(toml);
+    this.motion.start(toml, g.numbers.rolling_orbit_ms / 1000);
     if (pinned) this.motionA.start(pinned.toml, pinned.g.numbers.rolling_orbit_ms / 1000);
-    const g = this.g;
     this.engine.request("ranges", rangesRequest(toml, g)).then((ranges) => {
       if (g === this.g) { this.ranges = ranges; this.form.shade(); }
     }, (error) => { if (error.name !== "AbortError") this.say("message", error.message); });
-    this.map.compute(toml);
-    if (!g.raceways.length) { this.judge({ passes: null, headline: "not judged: the outer ring has no discrete raceway" }); return; }
-    const judging = this.judging = new AbortController();
-    const began = performance.now();
+    if (g.raceways.length) await this.simulate(toml);
+    else this.judge({ passes: null, headline: "not judged: the outer ring has no discrete raceway" });
+    // The verdict has the processor first.
+    if (g === this.g) this.map.compute(toml);
+  }
+
+  async simulate(toml) {
+    const judging = this.judging = new AbortController(), began = performance.now();
     try {
       const judged = await this.engine.request("verdict", { op: "verdict", case: toml }, {
         signal: judging.signal,
