@@ -1,7 +1,7 @@
 (function () {
   "use strict";
   const plots = Array.from(document.querySelectorAll(".plot"));
-  const specs = new WeakMap(), done = new WeakMap();
+  const specs = new WeakMap(), done = new WeakMap(), stale = new WeakSet();
   const dark = matchMedia("(prefers-color-scheme: dark)"), small = matchMedia("(max-width: 720px)");
   let printing = false;
   const config = {
@@ -121,7 +121,7 @@
     const kept = el.parentElement.querySelector("img.printed"), picture = kept || document.createElement("img");
     const take = () => Plotly.toImage(asSaved(el), { format: "png", width: 1000, height: el.clientHeight, scale: 1 })
       .then((url) => { picture.src = url; }, () => picture.remove());
-    el.on("plotly_relayout", take);
+    el.on("plotly_relayout", (change) => { if (Object.keys(change).some((key) => key.startsWith("scene.camera"))) take(); });
     if (kept) return undefined;
     picture.className = "printed";
     picture.alt = el.getAttribute("aria-label");
@@ -151,10 +151,12 @@
     });
   }
 
+  // Draws a figure for the first time, or for a screen that has changed since.
   function draw(el) {
-    if (!done.has(el)) {
-      const drawn = new Promise((resolve) => resolve(render(el, shown(el))));
-      done.set(el, drawn.catch((error) => failed(el, error)));
+    if (!done.has(el) || stale.has(el)) {
+      stale.delete(el);
+      done.set(el, Promise.resolve(done.get(el))
+        .then(() => render(el, withChoices(el, shown(el)))).catch((error) => failed(el, error)));
     }
     return done.get(el);
   }
@@ -176,11 +178,27 @@
     return { data: spec.data, layout: spec.layout };
   }
 
+  const all = location.hash === "#all" || /[?&]all\b/.test(location.search) || !("IntersectionObserver" in window);
+  const observer = all ? null : new IntersectionObserver(function (entries) {
+    entries.filter((entry) => entry.isIntersecting).forEach(function (entry) {
+      observer.unobserve(entry.target);
+      draw(entry.target);
+    });
+  }, { rootMargin: "400px 0px" });
+
+  function drawOnceSeen(el) {
+    if (!observer) { draw(el); return; }
+    observer.unobserve(el);
+    observer.observe(el);
+  }
+
+  // For another screen, figures have their new height at once and are drawn again once seen.
   function drawAgain() {
-    plots.filter((el) => done.has(el)).forEach((el) => done.set(el, done.get(el).then(function () {
-      if (!el._fullLayout) return;
-      return render(el, withChoices(el, shown(el)));
-    }).catch((error) => failed(el, error))));
+    plots.filter((el) => done.has(el)).forEach(function (el) {
+      stale.add(el);
+      el.style.height = shown(el).height + "px";
+      drawOnceSeen(el);
+    });
   }
 
   // Draws every figure of the page, seen or not.
@@ -227,7 +245,7 @@
 
   dark.addEventListener("change", drawAgain);
   small.addEventListener("change", drawAgain);
-  window.addEventListener("beforeprint", function () { printing = true; window.cagelessDrawAll(); drawAgain(); });
+  window.addEventListener("beforeprint", function () { printing = true; drawAgain(); window.cagelessDrawAll(); });
   window.addEventListener("afterprint", function () { printing = false; drawAgain(); });
   document.querySelectorAll("details").forEach((part) => part.addEventListener("toggle", function () {
     part.querySelectorAll(".plot").forEach((el) => { if (part.open && done.has(el)) Plotly.Plots.resize(el); });
@@ -244,15 +262,5 @@
     document.querySelectorAll("main > section").forEach((s) => here.observe(s));
   }
 
-  if (location.hash === "#all" || /[?&]all\b/.test(location.search) || !("IntersectionObserver" in window)) {
-    window.cagelessDrawAll();
-    return;
-  }
-  const observer = new IntersectionObserver(function (entries) {
-    entries.filter((entry) => entry.isIntersecting).forEach(function (entry) {
-      observer.unobserve(entry.target);
-      draw(entry.target);
-    });
-  }, { rootMargin: "400px 0px" });
-  plots.forEach((el) => observer.observe(el));
+  plots.forEach(drawOnceSeen);
 })();
