@@ -10,7 +10,7 @@ const MAP_REGIONS = [
   ["both-neighbours", "too long: hit from both neighbours", [204, 121, 167, 120]],
   ["stress", "contact stress too high", [213, 94, 0, 130]],
   ["unjudged", "no static equilibrium", [128, 128, 128, 60]],
-  ["impossible", "impossible", [128, 128, 128, 170]],
+  ["impossible", "impossible (hatched)", [128, 128, 128, 170]],
 ];
 
 // Values of lC and θ with what the engine found at them, interpolated between them.
@@ -288,12 +288,13 @@ class RacewayMap {
   paint(target = this.canvas) {
     const { g } = this.studio;
     if (!g || (target === this.canvas && !this.canvas.clientWidth)) return;
-    const { c, width, height } = context(target, MAP_RATIO), k = colours(target);
-    const left = 40, top = 20, wide = width - left - 10, high = height - top - 36;
+    const saved = target !== this.canvas, shownRegions = MAP_REGIONS.filter(([id]) => !this.legend.querySelector("[data-region=" + id + "]").hidden);
+    const { c, width, height } = context(target, saved ? MAP_RATIO + 0.028 * (shownRegions.length + 3) : MAP_RATIO), k = colours(target);
+    const left = 40, top = 20, wide = width - left - 10, high = MAP_RATIO * width - top - 36;
     if (!this.box) { c.fillStyle = k.soft; c.textAlign = "center"; c.fillText("computing the map …", width / 2, height / 2); return; }
     const [low, most, from, to] = this.box;
     const px = (span) => left + wide * (span - low) / (most - low), py = (angle) => top + high * (to - angle) / (to - from);
-    if (target === this.canvas) {
+    if (!saved) {
       this.plane = { left, top, wide, high };
       if (!this.picture || this.picture.width !== Math.round(wide)) this.picture = this.regions(wide, high);
       c.drawImage(this.picture, left, top, wide, high);
@@ -307,11 +308,27 @@ class RacewayMap {
     for (const tick of ticks(from, to, 6)) c.fillText(tick + "°", left - 4, py(tick) + 4);
     c.textAlign = "left"; c.fillText("half angle θ", 4, 12);
     c.textAlign = "right"; c.fillText("axial span lC, mm", left + wide, top + high + 30);
+    if (saved) this.words(c, k, shownRegions, left, MAP_RATIO * width + 10, 0.028 * width);
     const own = this.own();
     if (!own) return;
     const [x, y] = [px(own[0]), py(own[1])];
-    if (target === this.canvas) { this.point.style.left = x + "px"; this.point.style.top = y + "px"; return; }
+    if (!saved) { this.point.style.left = x + "px"; this.point.style.top = y + "px"; return; }
     c.beginPath(); c.arc(x, y, 6, 0, 2 * Math.PI); c.fillStyle = k.first; c.fill(); c.strokeStyle = k.paper; c.stroke();
+  }
+
+  // The legend of a drawing that is saved, one line below the other.
+  words(c, k, regions, x, y, step) {
+    c.textAlign = "left";
+    [...regions, ["line", "thick: β0 = gap of even spacing, Eq. (11); thin: equal β0"], ["point", "blue point: this raceway"]].forEach(([, text, rgba], n) => {
+      if (rgba) {
+        c.fillStyle = "rgb(" + rgba.slice(0, 3).join(",") + ")";
+        c.globalAlpha = rgba[3] / 255;
+        c.fillRect(x, y + n * step, 14, 10);
+        c.globalAlpha = 1;
+      }
+      c.fillStyle = k.ink;
+      c.fillText(text, x + 20, y + n * step + 10);
+    });
   }
 
   // Lines of equal β0; the thick one is that of Eq. (11), the gap of evenly spaced balls.

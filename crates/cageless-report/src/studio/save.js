@@ -1,6 +1,6 @@
 // The menu "Save as": drawings as SVG and PNG, what they show as CSV, the motion as GIF.
 
-const SAVED_WIDTH = 900;
+const SAVED_WIDTH = 640;
 const FILM_WIDTH = 440;
 const FILM_FRAMES = 120;
 const FILM_HUNDREDTHS = 4;

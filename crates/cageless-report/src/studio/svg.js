@@ -24,7 +24,7 @@ class SvgPaper {
   common() { return this.globalAlpha < 1 ? ' opacity="' + this.globalAlpha + '"' : ""; }
   fill() { this.parts.push('<path d="' + this.path + '" fill="' + this.fillStyle + '"' + this.common() + "/>"); }
   stroke() { this.parts.push('<path d="' + this.path + '" fill="none" stroke="' + this.strokeStyle + '" stroke-width="' + this.lineWidth + '"' + (this.dash.length ? ' stroke-dasharray="' + this.dash.join(" ") + '"' : "") + this.common() + "/>"); }
-  fillRect(x, y, w, h) { this.parts.push('<rect x="' + num(x) + '" y="' + num(y) + '" width="' + num(w) + '" height="' + num(h) + '" fill="' + this.fillStyle + '"/>'); }
+  fillRect(x, y, w, h) { this.parts.push('<rect x="' + num(x) + '" y="' + num(y) + '" width="' + num(w) + '" height="' + num(h) + '" fill="' + this.fillStyle + '"' + this.common() + "/>"); }
   drawImage(image, x, y, w, h) { this.parts.push('<image x="' + num(x) + '" y="' + num(y) + '" width="' + num(w) + '" height="' + num(h) + '" href="' + image.toDataURL() + '"/>'); }
 
   fillText(text, x, y) {
