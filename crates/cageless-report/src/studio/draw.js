@@ -29,7 +29,8 @@ function context(canvas, ratio) {
     canvas.height = Math.round(height * scale);
     canvas.style.height = height + "px";
   }
-  const c = canvas.getContext("2d");
+  // Drawn by the processor: machines without a graphics card imitate one far more slowly.
+  const c = canvas.getContext("2d", { willReadFrequently: true });
   c.setTransform(scale, 0, 0, scale, 0, 0);
   c.clearRect(0, 0, width, height);
   c.font = font;

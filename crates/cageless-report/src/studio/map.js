@@ -336,6 +336,7 @@ class RacewayMap {
     const grid = this.grids[this.grids.length - 1], even = this.studio.g.numbers.uniform_gap_deg;
     const highest = Math.max(0, ...grid.beta0_deg.flat());
     if (!(highest > 0)) return;
+    let right = -Infinity;
     for (const level of [...ticks(0, highest, 8).filter((v) => v > 0), even]) {
       let label = null;
       c.strokeStyle = level === even ? k.ink : k.soft;
@@ -350,7 +351,10 @@ class RacewayMap {
       }
       c.stroke();
       c.fillStyle = k.ink; c.textAlign = "center";
-      if (label && level !== even) c.fillText(level + "°", label[0], label[1] - 2);
+      if (label && level !== even && label[0] > right) {
+        c.fillText(level + "°", label[0], label[1] - 2);
+        right = label[0] + 24;
+      }
     }
   }
 

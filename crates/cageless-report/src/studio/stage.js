@@ -61,7 +61,8 @@ class Stage {
     const span = motion.last - motion.first;
     this.moment.disabled = !(span > 0);
     this.moment.value = span > 0 ? Math.round(1000 * (this.now - motion.first) / span) : 0;
-    this.moment.setAttribute("aria-valuetext", frame ? (1000 * frame.t).toFixed(2) + " ms" : "at rest");
+    // What changes sixty times a second is not read out.
+    if (!this.playing) this.moment.setAttribute("aria-valuetext", frame ? (1000 * frame.t).toFixed(2) + " ms" : "at rest");
     drawBearing(canvas.b, g, frame, this.title());
     drawGaps(canvas.gaps, g, frame);
     if (this.drawn !== g || this.width !== studio.root.clientWidth) {

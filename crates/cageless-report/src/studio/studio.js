@@ -33,7 +33,7 @@ class Studio {
     this.root.replaceChildren(part("host"), element("div", { class: "columns" },
       element("div", {}, this.form.root, this.toolbar.root, part("message", { role: "alert" }), this.text),
       element("div", {}, this.verdict.lamp,
-        element("div", { class: "views" }, ...this.stage.bearings, this.map.root),
+        element("div", { class: "stage" }, ...this.stage.bearings, this.map.root),
         this.stage.bar, this.comparison.bar, part("motion", { class: "moving" }), this.stage.gaps, this.comparison.table,
         this.verdict.terms, this.stage.raceway, this.surface.root, this.verdict.numbers, this.saving.root)));
   }
