@@ -291,6 +291,7 @@ class RacewayMap {
     const saved = target !== this.canvas, shownRegions = MAP_REGIONS.filter(([id]) => !this.legend.querySelector("[data-region=" + id + "]").hidden);
     const { c, width, height } = context(target, saved ? MAP_RATIO + 0.028 * (shownRegions.length + 3) : MAP_RATIO), k = colours(target);
     const left = 40, top = 20, wide = width - left - 10, high = MAP_RATIO * width - top - 36;
+    this.legend.hidden = !this.box;
     if (!this.box) { c.fillStyle = k.soft; c.textAlign = "center"; c.fillText("computing the map …", width / 2, height / 2); return; }
     const [low, most, from, to] = this.box;
     const px = (span) => left + wide * (span - low) / (most - low), py = (angle) => top + high * (to - angle) / (to - from);
