@@ -1,5 +1,7 @@
 //! Geometry of a case, its closed forms and its static equilibrium, in the units of the workshop.
 
+use std::f64::consts::TAU;
+
 use cageless::Case;
 use cageless::design::{
     Eq11, Estimate, balls_in_raceway_max, half_angle_for_gap_rad, steady_gap_rad,
@@ -45,6 +47,8 @@ pub(crate) fn geometry(file: &CaseFile) -> Result<Value, Refusal> {
     let first = case.raceways.first();
     let statics = match &equilibrium {
         Ok(e) => static_numbers(case, e),
+        // A bearing under a falling rotor has none.
+        Err(_) if case.rotor.is_some() => json!({}),
         Err(error) => json!({ "error": error.to_string() }),
     };
     Ok(json!({
@@ -78,6 +82,20 @@ pub(crate) fn geometry(file: &CaseFile) -> Result<Value, Refusal> {
         "raceways": case.raceways.iter().map(|r| raceway(case, r)).collect::<Vec<_>>(),
         "static": statics,
         "estimate": estimate,
+        "rotor": rotor(case),
+    }))
+}
+
+/// The rotor of a case and the bore that it falls onto.
+fn rotor(case: &Case) -> Option<Value> {
+    let rotor = case.rotor.as_ref()?;
+    let bore = case.bearing.inner_ring_bore()?;
+    Some(json!({
+        "bore_radius_mm": bore.radius_m * 1e3,
+        "air_gap_um": rotor.air_gap_m * 1e6,
+        "weight_n": rotor.mass_kg * case.operation.gravity_m_s2,
+        "speed_rpm": rotor.speed_rad_s * 60.0 / TAU,
+        "support": case.support.is_some(),
     }))
 }
 

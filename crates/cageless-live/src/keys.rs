@@ -1,8 +1,10 @@
 //! What the engine knows about itself and about case files.
 
 use cageless::dynamics::InstructionSet;
-use cageless_io::case_file::{MaterialPreset, keys, template};
+use cageless_io::case_file::{MaterialPreset, drop_template, keys, template};
 use serde_json::{Value, json};
+
+use crate::request::OPERATIONS;
 
 /// Version, instruction set, the templates of a case, every key with unit and meaning, and the
 /// materials that have a name.
@@ -22,9 +24,11 @@ pub(crate) fn about() -> Value {
     json!({
         "version": env!("CARGO_PKG_VERSION"),
         "instruction_set": InstructionSet::chosen().name(),
+        "operations": OPERATIONS,
         "keys": keys,
         "materials": materials,
         "template": template(false),
+        "drop": drop_template(),
         "template_conventional": template(true),
     })
 }

@@ -1,11 +1,14 @@
-//! The motion of a case, one stretch at a time.
+//! The motion of a case, or the drop of its rotor, one stretch at a time.
+
+use std::f64::consts::{PI, TAU};
 
 use cageless::Case;
-use cageless::dynamics::state::State;
+use cageless::dynamics::state::{Layout, State};
 use cageless::initial_conditions::initial_state;
 use cageless::recorder::Recorder;
+use cageless::rotor::Rotor;
 use cageless::simulation::{Control, Ending, run_from};
-use cageless::snapshot::Snapshot;
+use cageless::snapshot::{RotorSnapshot, Snapshot};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -87,7 +90,10 @@ pub(crate) fn motion(
             (0.0, state, angles)
         }
         Some(resume) => {
-            let mut state = State::new(balls);
+            let mut state = match case.rotor {
+                Some(_) => State::zero(Layout::with_rotor(balls)),
+                None => State::new(balls),
+            };
             let count = state.values().len();
             state
                 .values_mut()
@@ -101,6 +107,7 @@ pub(crate) fn motion(
     };
     let mut part = case.clone();
     part.solver.duration_s = duration_s;
+    part.operation = case.operation.from_time(from_s);
     let mut frames: Vec<Snapshot> = vec![];
     let outcome = {
         let mut recorder = Recorder::new(duration_s / stretch.frames as f64, |snapshot| {
@@ -136,7 +143,7 @@ pub(crate) fn motion(
     let skipped = usize::from(stretch.resume.is_some());
     let shown: Vec<Value> = frames[skipped.min(frames.len())..]
         .iter()
-        .map(|s| frame(from_s, s))
+        .map(|s| frame(case, from_s, s))
         .collect();
     Ok(json!({
         "from_s": from_s,
@@ -149,17 +156,19 @@ pub(crate) fn motion(
     }))
 }
 
+/// Numbers in another unit, to `digits` decimals.
+fn rounded(values: &[f64], factor: f64, digits: i32) -> Vec<f64> {
+    let scale = 10f64.powi(digits);
+    values
+        .iter()
+        .map(|v| (v * factor * scale).round() / scale)
+        .collect()
+}
+
 /// One frame, to the precision of a picture.
-fn frame(from_s: f64, s: &Snapshot) -> Value {
-    let rounded = |values: &[f64], factor: f64, digits: i32| -> Vec<f64> {
-        let scale = 10f64.powi(digits);
-        values
-            .iter()
-            .map(|v| (v * factor * scale).round() / scale)
-            .collect()
-    };
-    let degrees = 180.0 / std::f64::consts::PI;
-    json!({
+fn frame(case: &Case, from_s: f64, s: &Snapshot) -> Value {
+    let degrees = 180.0 / PI;
+    let mut frame = json!({
         "t": from_s + s.time_s,
         "angle_deg": rounded(&s.angle_rad, degrees, 5),
         "gap_deg": rounded(&s.gap_rad, degrees, 5),
@@ -167,5 +176,23 @@ fn frame(from_s: f64, s: &Snapshot) -> Value {
         "outer_force_n": rounded(&s.outer_force_n, 1.0, 2),
         "slip_m_s": rounded(&s.outer_slip_m_s, 1.0, 4),
         "ring_um": rounded(&[s.ring.x_m, s.ring.y_m], 1e6, 3),
+    });
+    if let (Some(rotor), Some(r)) = (&case.rotor, &s.rotor) {
+        frame["rotor"] = rotor_frame(rotor, r, [s.ring.x_m, s.ring.y_m]);
+    }
+    frame
+}
+
+/// Rotor and housing of a frame; the journal from the centre of the bore.
+fn rotor_frame(rotor: &Rotor, r: &RotorSnapshot, ring_m: [f64; 2]) -> Value {
+    let rpm = 60.0 / TAU;
+    let [x, y] = rotor.journal_m([r.x_m, r.y_m], r.angle_rad);
+    json!({
+        "journal_um": rounded(&[x - ring_m[0], y - ring_m[1]], 1e6, 3),
+        "housing_um": rounded(&[r.housing_x_m, r.housing_y_m], 1e6, 3),
+        "speed_rpm": rounded(&[r.speed_rad_s, r.ring_speed_rad_s], rpm, 2),
+        "angle_deg": rounded(&[r.angle_rad], 180.0 / PI, 3),
+        "force_n": rounded(&[r.contact_force_n], 1.0, 2),
+        "slip_m_s": rounded(&[r.contact_slip_m_s], 1.0, 4),
     })
 }

@@ -12,6 +12,11 @@ use crate::{geometry, keys, map, motion, ranges, verdict};
 /// Largest request that is read, bytes.
 pub const REQUEST_BYTES_MAX: usize = 1 << 20;
 
+/// Operations of the engine.
+pub(crate) const OPERATIONS: [&str; 7] = [
+    "about", "geometry", "ranges", "map", "static", "motion", "verdict",
+];
+
 /// A request. Operations other than `about` work on a case.
 #[derive(Debug, Deserialize)]
 #[serde(tag = "op", rename_all = "kebab-case", deny_unknown_fields)]
@@ -29,7 +34,7 @@ enum Request {
     Map(map::Grid),
     /// Static equilibrium.
     Static(OfCase),
-    /// A stretch of the motion.
+    /// A stretch of the motion, or of the drop of a rotor.
     Motion {
         case: String,
         #[serde(flatten)]

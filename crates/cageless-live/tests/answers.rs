@@ -297,3 +297,153 @@ fn every_material_with_a_name_makes_a_case() {
         assert_eq!(document["ball_material"]["preset"], name);
     }
 }
+
+/// A case of `cases/`.
+fn shipped(name: &str) -> String {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases");
+    std::fs::read_to_string(format!("{folder}/{name}.toml")).expect("a case")
+}
+
+fn number(value: &Value) -> f64 {
+    value
+        .as_f64()
+        .unwrap_or_else(|| panic!("{value} is no number"))
+}
+
+#[test]
+fn a_rotor_falls_freely_and_then_spins_the_ring_up() {
+    let case = shipped("touchdown-d");
+    let g = good(&json!({ "op": "geometry", "case": case }));
+    assert!((number(&g["rotor"]["air_gap_um"]) - 200.0).abs() < 1e-9);
+    assert!((number(&g["rotor"]["weight_n"]) - 20.0 * 9.81).abs() < 1.0);
+    assert_eq!(g["static"], json!({}), "no equilibrium at rest");
+    let stretch = |duration_s: f64, frames: usize, resume: &Value| {
+        let mut request = json!({
+            "op": "motion", "case": case, "duration_s": duration_s, "frames": frames,
+        });
+        if !resume.is_null() {
+            request["resume"] = resume.clone();
+        }
+        good(&request)
+    };
+    let last = |part: &Value| part["frames"].as_array().unwrap().last().unwrap()["rotor"].clone();
+    let fall = stretch(6e-3, 3, &Value::Null);
+    for frame in fall["frames"].as_array().unwrap() {
+        let t = number(&frame["t"]);
+        let (y, free) = (
+            number(&frame["rotor"]["journal_um"][1]),
+            -0.5e6 * 9.81 * t * t,
+        );
+        // The inner ring sags onto its balls by less than a micrometre meanwhile.
+        assert!(
+            (y - free).abs() < 2.0,
+            "{y} µm after {t} s, {free} in free fall"
+        );
+        assert_eq!(number(&frame["rotor"]["force_n"][0]), 0.0);
+    }
+    let first = stretch(5e-4, 5, &fall["resume"]);
+    let second = stretch(5e-4, 5, &first["resume"]);
+    let rotor = last(&second);
+    assert!(number(&rotor["force_n"][0]) > 100.0, "{rotor}");
+    assert!(
+        number(&rotor["speed_rpm"][1]) > 1.0,
+        "the ring turns: {rotor}"
+    );
+    assert!(number(&rotor["speed_rpm"][0]) < 30_000.0, "{rotor}");
+    assert!(number(&rotor["housing_um"][1]) < 0.0, "{rotor}");
+    // As one run of the whole time, but for the multistep method that starts anew.
+    let whole = last(&stretch(7e-3, 7, &Value::Null));
+    for name in ["journal_um", "speed_rpm", "housing_um"] {
+        for k in 0..2 {
+            let (a, b) = (number(&rotor[name][k]), number(&whole[name][k]));
+            assert!(
+                (a - b).abs() < 1e-3 * b.abs().max(1.0),
+                "{name}: {a} and {b}"
+            );
+        }
+    }
+    // Where a motion without a rotor ended no drop goes on.
+    let other = good(&json!({
+        "op": "motion", "case": structure(5.1, 25.2), "duration_s": 1e-4, "frames": 1,
+    }));
+    let error = refused(&json!({
+        "op": "motion", "case": case, "duration_s": 1e-4, "frames": 1, "resume": other["resume"],
+    }));
+    let message = error["message"].as_str().unwrap();
+    assert!(message.contains("resume.state"), "{message}");
+}
+
+#[test]
+fn the_rotor_that_a_page_adds_is_that_of_the_shipped_case() {
+    let about = good(&json!({ "op": "about" }));
+    let shipped = shipped("touchdown-d");
+    let (head, rest) = shipped.split_once("[rotor]").expect("a rotor");
+    let (_, solver) = rest.split_once("[solver]").expect("a solver");
+    let own = format!(
+        "{head}{}\n[solver]{solver}",
+        about["drop"].as_str().unwrap()
+    );
+    let document = |case: &str| {
+        let g = good(&json!({ "op": "geometry", "case": case }));
+        [
+            &g["document"]["rotor"],
+            &g["document"]["support"],
+            &g["rotor"],
+        ]
+        .map(Clone::clone)
+    };
+    assert_eq!(document(&own), document(&shipped));
+    let operations = about["operations"].as_array().unwrap();
+    assert!(operations.contains(&"motion".into()) && !operations.contains(&"search".into()));
+}
+
+#[test]
+fn a_drop_has_no_verdict_and_says_why() {
+    let error = refused(&json!({ "op": "verdict", "case": shipped("touchdown-d") }));
+    let message = error["message"].as_str().unwrap();
+    assert!(message.contains("rotor"), "{message}");
+}
+
+#[test]
+fn a_rotor_that_cannot_fall_is_refused_with_its_key() {
+    let case = shipped("touchdown-d").replace("air_gap_um = 200.0", "air_gap_um = -1.0");
+    for op in ["geometry", "motion"] {
+        let mut request = json!({ "op": op, "case": case });
+        if op == "motion" {
+            request["duration_s"] = json!(1e-4);
+            request["frames"] = json!(1);
+        }
+        let error = refused(&request);
+        assert_eq!(error["key"], "rotor.air_gap_um", "{error}");
+    }
+}
+
+/// The speed of a table goes on over the stretches.
+#[test]
+fn a_run_up_goes_on_in_the_next_stretch() {
+    let case = structure(5.1, 25.2);
+    let speed = case
+        .lines()
+        .find(|l| l.starts_with("inner_speed_rpm"))
+        .expect("a speed");
+    let table = "inner_speed_rpm = [[0.0, 6000.0], [4e-4, 12000.0]]";
+    let case = case.replace(speed, table);
+    let stretch = |duration_s: f64, resume: &Value| {
+        let mut request =
+            json!({ "op": "motion", "case": case, "duration_s": duration_s, "frames": 2 });
+        if !resume.is_null() {
+            request["resume"] = resume.clone();
+        }
+        good(&request)
+    };
+    let first = stretch(2e-4, &Value::Null);
+    let parts = stretch(2e-4, &first["resume"]);
+    let whole = stretch(4e-4, &Value::Null);
+    for k in 0..14 {
+        let angle = |part: &Value| {
+            number(&part["frames"].as_array().unwrap().last().unwrap()["angle_deg"][k])
+        };
+        let (a, b) = (angle(&parts), angle(&whole));
+        assert!((a - b).abs() < 2e-5, "{a} and {b}");
+    }
+}

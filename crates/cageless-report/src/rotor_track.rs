@@ -17,9 +17,7 @@ pub(crate) fn rotor_track(case: &Case, snapshots: &[Snapshot]) -> Option<RotorTr
         .collect();
     let place = |axis: usize| -> Vec<f64> {
         let centre = |(_, r, ring): &(f64, RotorSnapshot, [f64; 2])| {
-            let (sin, cos) = (r.angle_rad + rotor.eccentricity_phase_rad).sin_cos();
-            let e = rotor.eccentricity_m;
-            let journal = [r.x_m - e * cos, r.y_m - e * sin];
+            let journal = rotor.journal_m([r.x_m, r.y_m], r.angle_rad);
             enlarged * (journal[axis] - ring[axis])
         };
         rows.iter().map(centre).collect()

@@ -87,10 +87,16 @@ pub const CONTACT_EXPONENTS: [f64; 2] = [1.0, 1.5];
 impl Rotor {
     /// Centre of the journal at the start: zg − ε·e^(iφ).
     pub fn journal_start_m(&self) -> [f64; 2] {
-        let (sin, cos) = self.eccentricity_phase_rad.sin_cos();
+        self.journal_m([self.x_m, self.y_m], 0.0)
+    }
+
+    /// Centre of the journal, m, once the rotor has turned by `angle_rad` and its mass centre is
+    /// at `centre_m`.
+    pub fn journal_m(&self, centre_m: [f64; 2], angle_rad: f64) -> [f64; 2] {
+        let (sin, cos) = (angle_rad + self.eccentricity_phase_rad).sin_cos();
         [
-            self.x_m - self.eccentricity_m * cos,
-            self.y_m - self.eccentricity_m * sin,
+            centre_m[0] - self.eccentricity_m * cos,
+            centre_m[1] - self.eccentricity_m * sin,
         ]
     }
 

@@ -95,6 +95,19 @@ impl TimeTable {
         (self.values[next] - self.values[here]) / (self.times_s[next] - self.times_s[here])
     }
 
+    /// The same quantity with its time counted from `time_s`.
+    pub fn from_time(&self, time_s: f64) -> Self {
+        let rest = self.piece(time_s);
+        let times = self.times_s[rest..].iter().map(|t| t - time_s);
+        let mut table = Self {
+            times_s: vec![0.0],
+            values: vec![self.value(time_s)],
+        };
+        table.times_s.extend(times);
+        table.values.extend(&self.values[rest..]);
+        table
+    }
+
     /// Smallest and largest value.
     pub fn range(&self) -> [f64; 2] {
         let first = self.values[0];
@@ -122,6 +135,18 @@ mod tests {
             assert_eq!((table.value(time_s), table.slope(time_s)), (value, slope));
         }
         assert_eq!(table.range(), [1.0, 5.0]);
+    }
+
+    #[test]
+    fn a_table_can_be_counted_from_later() {
+        let table = TimeTable::new("f", vec![1.0, 2.0, 4.0], vec![3.0, 5.0, 1.0]).unwrap();
+        for from_s in [0.0, 0.5, 1.0, 1.5, 3.0, 4.0, 7.0] {
+            let later = table.from_time(from_s);
+            for time_s in [0.0, 0.25, 0.5, 1.0, 2.0, 5.0] {
+                let (a, b) = (later.value(time_s), table.value(from_s + time_s));
+                assert!((a - b).abs() < 1e-12, "{from_s} + {time_s}: {a} and {b}");
+            }
+        }
     }
 
     #[test]

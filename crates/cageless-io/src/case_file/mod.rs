@@ -42,7 +42,7 @@ pub use document::{
 pub use error::CaseError;
 pub use keys::{missing_rotor, nearest};
 pub use reference::{KeyReference, LeftOut, SectionReference, ValueType, reference};
-pub use template::template;
+pub use template::{drop_template, template};
 
 use crate::system::io_error_message;
 use cageless::design::search::Request;

@@ -52,6 +52,22 @@ pub fn template(conventional: bool) -> String {
     text
 }
 
+/// The sections `[rotor]` and `[support]` of a drop, with assumed values, as in `cases/touchdown-d.toml`.
+pub fn drop_template() -> String {
+    let mut text = String::new();
+    for section in SECTIONS {
+        if !["rotor", "support"].contains(&section.name) {
+            continue;
+        }
+        text.push('\n');
+        push_line(&mut text, &format!("[{}]", section.name), "assumed");
+        for key in section.keys {
+            push_key(&mut text, key, false);
+        }
+    }
+    text
+}
+
 fn push_key(text: &mut String, key: &Key, out: bool) {
     let (value, comment, out) = match key.line {
         Line::Shown(value, comment) => (value, comment, out),

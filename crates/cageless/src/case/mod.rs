@@ -63,6 +63,21 @@ impl Operation {
             ""
         }
     }
+
+    /// The same operation with its time counted from `time_s`.
+    pub fn from_time(&self, time_s: f64) -> Self {
+        let mut later = self.clone();
+        for (value, table) in [
+            (&mut later.inner_speed_rad_s, &mut later.inner_speed_table),
+            (&mut later.radial_load_n, &mut later.radial_load_table),
+        ] {
+            if let Some(table) = table {
+                *table = table.from_time(time_s);
+                *value = table.value(0.0);
+            }
+        }
+        later
+    }
 }
 
 /// Contact and friction parameters.
