@@ -73,16 +73,18 @@ const EXPERIMENT: usize = 3;
 
 /// The case of the template, which is the bearing of Table 1, with the paper's method and
 /// further overrides.
-fn paper_case(conventional: bool, title: &str, overrides: &[String]) -> Result<Case, CaseError> {
+fn paper_case(
+    conventional: bool,
+    title: &str,
+    overrides: &[String],
+) -> Result<CaseFile, CaseError> {
     let paper = [
         format!("title=\"{title}\""),
         "solver.method=\"abm4\"".to_owned(),
         "solver.step_us=1.0".to_owned(),
     ];
     let all = [&paper, overrides].concat();
-    Ok(CaseFile::parse(&template(conventional), title, &all)?
-        .case()
-        .clone())
+    CaseFile::parse(&template(conventional), title, &all)
 }
 
 /// lC and θ of structure `k`.
@@ -121,7 +123,8 @@ pub fn experiment() -> Result<[Case; 2], CaseError> {
         PUBLISHED[EXPERIMENT].letter
     );
     let discrete = [&both[..], &raceway_overrides(EXPERIMENT)].concat();
-    Ok([conventional, paper_case(false, &title, &discrete)?])
+    let discrete = paper_case(false, &title, &discrete)?;
+    Ok([conventional, discrete].map(|file| file.case().clone()))
 }
 
 /// Structure `k` under one reading of the equations, with further overrides
@@ -134,6 +137,15 @@ pub fn structure(
     reading: (Profile, FrictionLaw),
     overrides: &[String],
 ) -> Result<Case, CaseError> {
+    Ok(structure_file(k, reading, overrides)?.case().clone())
+}
+
+/// The case file of [`structure`].
+pub(crate) fn structure_file(
+    k: usize,
+    reading: (Profile, FrictionLaw),
+    overrides: &[String],
+) -> Result<CaseFile, CaseError> {
     let Published {
         letter,
         axial_span_mm,

@@ -58,7 +58,8 @@ pub fn reproduce(progress: &dyn Progress) -> Result<ReproduceData, PaperError> {
     let (table2, structures) = (table2?, structures?);
     let (histories, experiment, extra) = (histories?, experiment?, extra?);
     let comparison = comparison?;
-    let case_d = cases::structure(3, READINGS[1], &[])?;
+    let file_d = cases::structure_file(3, READINGS[1], &[])?;
+    let case_d = file_d.case().clone();
     let claims = claims::claims(&claims::Evidence {
         case: &case_d,
         table2: &table2,
@@ -84,6 +85,7 @@ pub fn reproduce(progress: &dyn Progress) -> Result<ReproduceData, PaperError> {
         vibrations: vec![experiment.vibration],
         ring_comparison: Some(comparison),
         motions: experiment.motions,
+        case_toml: file_d.document().to_toml()?,
     })
 }
 

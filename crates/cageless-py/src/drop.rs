@@ -109,6 +109,6 @@ impl Drop {
 
     /// `report.html`.
     fn page(&self, py: Python<'_>) -> String {
-        py.detach(|| drop_page(self.file.case(), &self.study))
+        py.detach(|| drop_page(&self.file, &self.study))
     }
 }

@@ -147,7 +147,7 @@ pub fn design_page(data: &DesignData) -> String {
             None,
         ));
     }
-    studio_section(&mut page, &data.case_toml);
+    studio_section(&mut page, &data.case_toml, "");
     page.html()
 }
 

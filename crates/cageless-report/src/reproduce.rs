@@ -13,6 +13,7 @@ use crate::geometry::{ContactTrack, RacewaySurface};
 use crate::head::Head;
 use crate::motion::MotionFigure;
 use crate::page::{Note, Page};
+use crate::studio::studio_section;
 use crate::tables;
 use crate::text::short;
 
@@ -52,6 +53,8 @@ pub struct ReproduceData {
     pub motions: Vec<Motion>,
     /// The paper's claims.
     pub claims: Vec<Claim>,
+    /// Structure (d) as TOML, for the studio in the page; without one if empty.
+    pub case_toml: String,
 }
 
 /// Table 2: theory and critical gap of the ten structures.
@@ -365,6 +368,7 @@ pub fn reproduce_page(data: &ReproduceData) -> String {
             stretches: Vec::new(),
         });
     }
+    studio_section(&mut page, &data.case_toml, STUDIO);
     page.html()
 }
 
@@ -399,6 +403,9 @@ fn head(data: &ReproduceData) -> Head {
     }
     Head::default().facts(facts).facts(theory)
 }
+
+const STUDIO: &str = "Structure (d) of Table 2, the raceway of the experiment, with the equations of \
+    the profile `physical`. Everything above stays as it was computed.";
 
 const SOURCE: &str = "Zhao, Y.; Zhou, G.; Wang, Q. Discrete Dynamics of Balls in Cageless Ball \
     Bearings. Symmetry 2022, 14, 2242, doi 10.3390/sym14112242 (CC BY). Numbers of figures, tables \

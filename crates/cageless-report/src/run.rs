@@ -241,7 +241,7 @@ pub fn run_page(data: &RunData) -> String {
             None,
         ));
     }
-    studio_section(&mut page, &data.case_toml);
+    studio_section(&mut page, &data.case_toml, "");
     page.html()
 }
 

@@ -28,9 +28,13 @@ pub fn studio_page(toml: &str, software: &str) -> String {
 }
 
 /// The last section of a report: its case, to be changed. What was computed stays above it.
-pub(crate) fn studio_section(page: &mut Page, toml: &str) {
+/// `about` says which case it is where the page has several.
+pub(crate) fn studio_section(page: &mut Page, toml: &str, about: &str) {
     if !toml.is_empty() {
         page.section("Change this case");
+        if !about.is_empty() {
+            page.paragraph(about);
+        }
         page.studio(toml, Opening::OnRequest);
     }
 }

@@ -29,7 +29,7 @@ fn the_animation_shows_the_rotor_in_the_bore() {
         ..DropRequest::default()
     };
     let study = study(&file, request, None, &Silent).unwrap();
-    let page = drop_page(file.case(), &study);
+    let page = drop_page(&file, &study);
     assert_eq!(page.matches("<g data-rotor>").count(), 2);
     assert_eq!(page.matches("<g data-ring-mark>").count(), 2);
     let data = page.split("data-motion>").nth(1).unwrap();
@@ -48,6 +48,10 @@ fn the_animation_shows_the_rotor_in_the_bore() {
     assert!((turned.last().unwrap() - angle).abs() < 1e-3);
     let ring = decode(&rotor["ring"]);
     assert!(ring[0] == 0.0 && *ring.last().unwrap() > 0.0);
+    // Below what was computed, the case can be changed.
+    let place = page.find("data-studio=\"later\"").expect("a studio");
+    assert!(place > page.find("Energy").expect("the last section"));
+    assert!(page[place..].contains("air_gap_um = 200"), "its case");
     if let Some(folder) = std::env::var_os("CAGELESS_PAGES") {
         std::fs::write(Path::new(&folder).join("drop.html"), page).unwrap();
     }

@@ -1,6 +1,8 @@
 //! The studio in pages.
 
-use cageless_report::{engine, run_page, studio_page};
+use cageless_report::{engine, reproduce_page, run_page, studio_page};
+
+use crate::synthetic;
 
 /// `text` between `from` and the next `to`.
 fn between<'a>(text: &'a str, from: &str, to: &str) -> &'a str {
@@ -50,4 +52,14 @@ fn a_run_offers_its_case_below_what_was_computed() {
         ..crate::synthetic::run_data()
     };
     assert!(!run_page(&without).contains("data-studio="));
+}
+
+#[test]
+fn the_reproduction_of_the_paper_offers_structure_d() {
+    let page = reproduce_page(&synthetic::reproduce());
+    let place = page.find("data-studio=\"later\"").expect("a studio");
+    let about = page
+        .find("Structure (d) of Table 2")
+        .expect("which case it is");
+    assert!(about < place && page[place..].contains("structure (d)"));
 }

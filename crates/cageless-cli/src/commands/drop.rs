@@ -55,7 +55,7 @@ pub fn touchdown(args: &DropArgs) -> Result<(), Failure> {
     let json = study.to_json(&file)?;
     if let Some(dir) = out {
         write_atomically(&dir.join(SUMMARY), json.as_bytes())?;
-        let page = drop_page(file.case(), &study);
+        let page = drop_page(&file, &study);
         write_atomically(&dir.join(PAGE), page.as_bytes())?;
     }
     drop(bars);

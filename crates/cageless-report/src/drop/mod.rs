@@ -5,8 +5,8 @@ mod rotor;
 mod scattered;
 mod verification;
 
-use cageless::Case;
 use cageless::contact::hertz::STRESS_LIMIT_PA;
+use cageless_io::case_file::CaseFile;
 use cageless_io::results::VERSION;
 use cageless_study::drop::{DropResult, DropStudy};
 use cageless_study::{Provenance, parameter, provenance};
@@ -15,6 +15,7 @@ use crate::figure::Figure;
 use crate::head::Head;
 use crate::page::Page;
 use crate::plot::Plot;
+use crate::studio::studio_section;
 use crate::table::{Cell, Row, Table};
 use crate::text::short;
 use balls::{balls_in_motion, heat, loads};
@@ -22,8 +23,9 @@ use rotor::{forces, orbit, rotors, speeds, whirl};
 use scattered::{distribution, scatter};
 use verification::verified;
 
-/// The self-contained page of a drop of `case`.
-pub fn drop_page(case: &Case, study: &DropStudy) -> String {
+/// The self-contained page of a drop of the case in `file`.
+pub fn drop_page(file: &CaseFile, study: &DropStudy) -> String {
+    let case = file.case();
     let record = &study.drop;
     let title = match case.title.as_str() {
         "" => "Drop of a rotor",
@@ -58,6 +60,8 @@ pub fn drop_page(case: &Case, study: &DropStudy) -> String {
         page.section("Verification");
         page.table(&verified(verification, &source));
     }
+    let toml = file.document().to_toml().unwrap_or_default();
+    studio_section(&mut page, &toml, "");
     page.html()
 }
 

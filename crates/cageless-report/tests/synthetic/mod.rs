@@ -294,6 +294,7 @@ pub fn reproduce() -> ReproduceData {
         })
         .collect();
     ReproduceData {
+        case_toml: "title = \"structure (d)\"\n".into(),
         software: "cageless 0.1.0, x86-64 AVX2 <synthetic data>".into(),
         lead: "Synthetic data: this page only shows what a report looks like. Nothing in it was simulated.".into(),
         table1: table1(),
