@@ -2,7 +2,8 @@
 
     python studio.py folder/for/screenshots name=path/to/page.html-or-address …
 
-An address is served by `cageless studio --no-browser`.
+An address is served by `cageless studio --no-browser`; `stopping=path/to/cageless` starts a server
+of its own and ends it.
 """
 
 import json
@@ -13,6 +14,7 @@ from pathlib import Path
 
 from checks import check, exit_code
 from pages import Browser, axe
+from studio_engine import agreement, alone, drop, same_drop, serve, stop, studies, trap
 
 S = "window.cagelessStudio"
 
@@ -379,46 +381,6 @@ def looks(s, screens):
     s.check("everything has an accessible name", not nameless, nameless)
 
 
-# Largest difference of the numbers in two answers, over the largest number of the same array;
-# components of a vector over the larger one, single numbers over their own size, at least a
-# thousandth of their unit.
-DIFFERENCE = """
-(function difference(a, b, scale = 0) {
-  if (typeof a === "number") return Math.abs(a - b) / Math.max(Math.abs(a), Math.abs(b), scale, 1e-3);
-  if (Array.isArray(a) && a.length && a.every((v) => typeof v === "number")) {
-    const scale = Math.max(...a.map(Math.abs), 1e-3);
-    return Math.max(...a.map((v, k) => Math.abs(v - b[k]) / scale));
-  }
-  if (a && typeof a === "object") return Math.max(0, ...Object.keys(a).map((k) => difference(a[k], b[k], Math.abs(a[k.replace("_x_", "_y_")]) || 0)));
-  return a === b ? 0 : Infinity;
-})
-"""
-# The angles at the end of a stretch, all digits.
-ANGLES = """
-((answer) => answer.resume.angle_rad.match(/.{16}/g).map((hex) => {
-  const bits = new DataView(new ArrayBuffer(8));
-  bits.setBigUint64(0, BigInt("0x" + hex));
-  return bits.getFloat64(0);
-}))
-"""
-
-
-def agreement(s):
-    """The engine of the page and the native one give the same numbers."""
-    for what, request, of in (
-        ("geometry and closed forms", "{ op: 'geometry' }", "((answer) => answer)"),
-        ("static equilibrium", "{ op: 'static' }", "((answer) => answer)"),
-        ("angles after 2 ms of motion", "{ op: 'motion', duration_s: 2e-3, frames: 10 }", ANGLES),
-    ):
-        off = s.js(
-            f"(async () => {{ const [a, b] = await Promise.all([{S}.engine.page, {S}.engine.server].map((e) =>"
-            f" e.request('agreement', {{ ...{request}, case: {S}.toml }}).then({of})));"
-            f" return ({DIFFERENCE})(a, b); }})()"
-        )
-        s.check(f"{what}: page and server agree", off is not None and off <= 1e-12, off)
-        print(f"{what}: native against WebAssembly {off:.1e}")
-
-
 def quiet(s, served):
     urls = [e["request"]["url"] for e in s.tab.happened("Network.requestWillBeSent")]
     foreign = [u for u in urls if not u.startswith(("file:", "data:", "blob:", *served))]
@@ -452,11 +414,29 @@ def studio(browser, name, url, screens):
     if name in ("page", "server"):
         raceway_map(s)
         times(s)
+        drop(s, screens)
+        studies(s) if served else alone(s)
     links(s, browser)
     looks(s, screens)
     if served and s.js(f"!!{S}.engine.page"):
         agreement(s)
+        same_drop(s)
+    if name == "page":
+        trap(s)
     quiet(s, served)
+
+
+def stopping(browser, command):
+    """A server of its own, which ends while its page is open."""
+    server, address = serve(command, "cases/zhao-d.toml")
+    try:
+        s = StudioTab(browser.open(address), "stopping server")
+        s.settled()
+        if s.js(f"!!{S}.engine.page"):
+            stop(s, server)
+    finally:
+        server.kill()
+        server.wait()
 
 
 def main():
@@ -466,6 +446,9 @@ def main():
         with Browser(profile) as browser:
             for argument in sys.argv[2:]:
                 name, _, place = argument.partition("=")
+                if name == "stopping":
+                    stopping(browser, place)
+                    continue
                 url = place if place.startswith("http") else Path(place).resolve().as_uri()
                 try:
                     studio(browser, name, url, screens)

@@ -7,6 +7,7 @@ use cageless::tolerance::BALL_GRADES;
 use cageless_io::cad::Format;
 use cageless_study::THREADS_MAX;
 use cageless_study::sweep::Shard;
+use cageless_study::tolerance::Request as Tolerances;
 use clap::{Args as Group, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
@@ -341,31 +342,31 @@ pub struct ToleranceArgs {
     #[command(flatten)]
     pub case: CaseArgs,
     /// Monte Carlo sample size; 0: one-at-a-time only.
-    #[arg(long, value_parser = whole, default_value_t = 200)]
+    #[arg(long, value_parser = whole, default_value_t = Tolerances::default().samples)]
     pub samples: u64,
     /// Tolerance of the raceway depth, ± µm.
-    #[arg(long, value_parser = number, value_name = "UM", default_value_t = 2.0)]
+    #[arg(long, value_parser = number, value_name = "UM", default_value_t = Tolerances::default().groove_depth_um)]
     pub groove_depth_um: f64,
     /// Tolerance of the axial span lC, ± µm.
-    #[arg(long, value_parser = number, value_name = "UM", default_value_t = 20.0)]
+    #[arg(long, value_parser = number, value_name = "UM", default_value_t = Tolerances::default().axial_span_um)]
     pub axial_span_um: f64,
     /// Tolerance of the half angle θ, ± degrees.
-    #[arg(long, value_parser = number, value_name = "DEG", default_value_t = 0.1)]
+    #[arg(long, value_parser = number, value_name = "DEG", default_value_t = Tolerances::default().half_angle_deg)]
     pub half_angle_deg: f64,
     /// Ball grade of ISO 3290-1; 0: equal balls.
-    #[arg(long, value_parser = ball_grade, value_name = "G", default_value_t = 10)]
+    #[arg(long, value_parser = ball_grade, value_name = "G", default_value_t = Tolerances::default().ball_grade)]
     pub ball_grade: u32,
     /// Tolerance of the friction coefficient, ±.
-    #[arg(long, value_parser = number, value_name = "MU", default_value_t = 0.002)]
+    #[arg(long, value_parser = number, value_name = "MU", default_value_t = Tolerances::default().friction)]
     pub friction: f64,
     /// Tolerance of the radial clearance (half the radial internal clearance Gr of ISO 5753-1), ± µm.
-    #[arg(long, value_parser = number, value_name = "UM", default_value_t = 5.0)]
+    #[arg(long, value_parser = number, value_name = "UM", default_value_t = Tolerances::default().clearance_um)]
     pub clearance_um: f64,
     /// Tolerance of the speed, ± %.
-    #[arg(long, value_parser = number, value_name = "PERCENT", default_value_t = 5.0)]
+    #[arg(long, value_parser = number, value_name = "PERCENT", default_value_t = Tolerances::default().speed_percent)]
     pub speed_percent: f64,
     /// Tolerance of the load, ± %.
-    #[arg(long, value_parser = number, value_name = "PERCENT", default_value_t = 20.0)]
+    #[arg(long, value_parser = number, value_name = "PERCENT", default_value_t = Tolerances::default().load_percent)]
     pub load_percent: f64,
     /// Open the page in the browser.
     #[arg(long, requires = "out")]

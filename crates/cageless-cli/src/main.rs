@@ -2,12 +2,12 @@
 
 mod args;
 mod commands;
-mod connections;
 mod failure;
 mod format;
 mod progress;
 mod studio;
 mod suggestion;
+mod whole;
 
 use std::process::ExitCode;
 

@@ -4,9 +4,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use cageless::simulation::Control;
 use cageless_study::{Progress, Work};
 use indicatif::{FormattedDuration, ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use crate::whole::{Display, Task, Whole};
 
 /// Set once the user has asked to stop.
 pub type StopFlag = Arc<AtomicBool>;
@@ -69,24 +70,6 @@ impl<'s> Bars<'s> {
             whole: Mutex::default(),
         }
     }
-
-    fn add(&self, what: &str, units: f64) {
-        let fraction = {
-            let mut whole = self.whole.lock().unwrap_or_else(PoisonError::into_inner);
-            whole.done += units;
-            whole.fraction()
-        };
-        let elapsed = self.started.elapsed();
-        if elapsed < SILENT || is_quiet() {
-            return;
-        }
-        if !self.visible.swap(true, Ordering::Relaxed) {
-            self.bar.set_draw_target(ProgressDrawTarget::stderr());
-        }
-        self.bar.set_message(what.to_owned());
-        self.bar.set_prefix(times(elapsed, fraction));
-        self.bar.set_position((fraction * POSITIONS) as u64);
-    }
 }
 
 /// Time so far and time left of the whole.
@@ -109,17 +92,30 @@ impl Progress for Bars<'_> {
     }
 
     fn begin(&self, what: &str, units: f64) -> Box<dyn Work + '_> {
-        let mut whole = self.whole.lock().unwrap_or_else(PoisonError::into_inner);
-        let end = whole.begin(what, units);
-        Box::new(Task {
-            bars: self,
-            what: what.to_owned(),
-            end,
-        })
+        Box::new(Task::begin(self, what, units))
     }
 
     fn interrupted(&self) -> bool {
         self.stop.load(Ordering::Relaxed)
+    }
+}
+
+impl Display for Bars<'_> {
+    fn tasks(&self) -> &Mutex<Whole> {
+        &self.whole
+    }
+
+    fn show(&self, what: &str, fraction: f64) {
+        let elapsed = self.started.elapsed();
+        if elapsed < SILENT || is_quiet() {
+            return;
+        }
+        if !self.visible.swap(true, Ordering::Relaxed) {
+            self.bar.set_draw_target(ProgressDrawTarget::stderr());
+        }
+        self.bar.set_message(what.to_owned());
+        self.bar.set_prefix(times(elapsed, fraction));
+        self.bar.set_position((fraction * POSITIONS) as u64);
     }
 }
 
@@ -129,122 +125,17 @@ impl Drop for Bars<'_> {
     }
 }
 
-/// Work that is done, has been begun and is expected, in the units of its tasks.
-#[derive(Debug, Default)]
-struct Whole {
-    done: f64,
-    begun: f64,
-    /// Tasks in their order, each with its work that has not been begun.
-    expected: Vec<(String, f64)>,
-}
-
-impl Whole {
-    /// Takes tasks with their estimated work, in their order.
-    fn announce(&mut self, tasks: &[(String, f64)]) {
-        for (what, units) in tasks {
-            if !self.expected.iter().any(|(name, _)| name == what) {
-                self.expected.push((what.clone(), *units));
-            }
-        }
-    }
-
-    /// Begins a task; those before it are over. Returns the work that is done when it ends.
-    fn begin(&mut self, what: &str, units: f64) -> f64 {
-        // What an earlier task did less than its estimate is not left to do.
-        self.begun = self.begun.min(self.done) + units;
-        if let Some(at) = self.expected.iter().position(|(name, _)| name == what) {
-            for (_, left) in &mut self.expected[..at] {
-                *left = 0.0;
-            }
-            let left = &mut self.expected[at].1;
-            *left = (*left - units).max(0.0);
-        }
-        self.begun
-    }
-
-    /// Fraction of the whole that is done.
-    fn fraction(&self) -> f64 {
-        let expected: f64 = self.expected.iter().map(|(_, units)| units).sum();
-        let total = self.begun.max(self.done) + expected;
-        if total > 0.0 { self.done / total } else { 0.0 }
-    }
-}
-
-/// A task of a command. Threads share it.
-struct Task<'b, 's> {
-    bars: &'b Bars<'s>,
-    what: String,
-    /// Work that is done when the task ends.
-    end: f64,
-}
-
-impl Work for Task<'_, '_> {
-    fn add(&self, units: f64) -> Control {
-        self.bars.add(&self.what, units);
-        self.control()
-    }
-
-    fn interrupted(&self) -> bool {
-        self.bars.interrupted()
-    }
-}
-
-impl Drop for Task<'_, '_> {
-    fn drop(&mut self) {
-        let whole = self.bars.whole.lock();
-        let mut whole = whole.unwrap_or_else(PoisonError::into_inner);
-        whole.done = self.end;
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use std::time::Duration;
 
-    use super::{Whole, times};
-
-    fn tasks(list: &[(&str, f64)]) -> Vec<(String, f64)> {
-        let owned = |&(name, units): &(&str, f64)| (name.to_owned(), units);
-        list.iter().map(owned).collect()
-    }
+    use super::times;
 
     #[test]
-    fn the_time_left_is_that_of_all_tasks() {
-        let mut whole = Whole::default();
-        whole.announce(&tasks(&[
-            ("map", 10.0),
-            ("motion", 70.0),
-            ("verdict", 20.0),
-        ]));
-        assert_eq!(whole.begin("map", 10.0), 10.0);
-        whole.done += 5.0;
-        assert_eq!(whole.fraction(), 0.05);
+    fn the_time_left_follows_from_the_fraction_that_is_done() {
         assert_eq!(
-            times(Duration::from_secs(3), whole.fraction()),
+            times(Duration::from_secs(3), 0.05),
             "00:00:03 elapsed, 00:00:57 left"
         );
-        whole.done = 10.0;
-        // Less than was expected, in two parts; the rest may still come.
-        assert_eq!(whole.begin("motion", 40.0), 50.0);
-        whole.done = 50.0;
-        assert_eq!(whole.fraction(), 0.5);
-        assert_eq!(whole.begin("motion", 10.0), 60.0);
-        whole.done = 60.0;
-        // A later task tells that the ones before it are over.
-        assert_eq!(whole.begin("verdict", 20.0), 80.0);
-        assert_eq!(whole.fraction(), 0.75);
-        whole.done = 80.0;
-        assert_eq!(whole.fraction(), 1.0);
-    }
-
-    #[test]
-    fn a_task_that_was_not_announced_counts_as_well() {
-        let mut whole = Whole::default();
-        assert_eq!(whole.fraction(), 0.0);
-        whole.begin("run", 1.0);
-        whole.done = 0.25;
-        assert_eq!(whole.fraction(), 0.25);
-        whole.announce(&tasks(&[("run", 1.0), ("verify", 3.0)]));
-        assert!(whole.fraction() < 0.1);
     }
 }

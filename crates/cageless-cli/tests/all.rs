@@ -14,6 +14,7 @@ mod places;
 mod search;
 mod statements;
 mod studio;
+mod studio_requests;
 mod sweeps;
 mod terminal;
 mod tolerance;

@@ -3,100 +3,10 @@
 
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
-use std::process::{Child, Stdio};
 use std::time::{Duration, Instant};
 
-use crate::common::{cageless, call, repository_case};
-
-struct Studio {
-    process: Child,
-    port: u16,
-    token: String,
-}
-
-impl Studio {
-    fn start() -> Self {
-        let mut process = cageless()
-            .arg("studio")
-            .arg(repository_case("zhao-d.toml"))
-            .arg("--no-browser")
-            .stdout(Stdio::piped())
-            .stderr(Stdio::null())
-            .spawn()
-            .expect("starts");
-        let mut address = String::new();
-        let out = process.stdout.take().expect("a pipe");
-        BufReader::new(out)
-            .read_line(&mut address)
-            .expect("the address");
-        let rest = address
-            .trim()
-            .strip_prefix("http://127.0.0.1:")
-            .expect("the loopback address");
-        let (port, token) = rest.split_once("/?token=").expect("a token");
-        assert_eq!(token.len(), 32, "{address}");
-        Self {
-            port: port.parse().expect("a port"),
-            token: token.to_owned(),
-            process,
-        }
-    }
-
-    fn connect(&self) -> TcpStream {
-        let stream = TcpStream::connect(("127.0.0.1", self.port)).expect("connects");
-        stream
-            .set_read_timeout(Some(Duration::from_secs(30)))
-            .unwrap();
-        stream
-    }
-
-    /// Sends bytes and returns the status and everything that comes back.
-    fn raw(&self, bytes: &[u8]) -> (u16, String) {
-        let mut stream = self.connect();
-        // A server that refuses may close before it has read everything.
-        let _ = stream.write_all(bytes);
-        let mut answer = vec![];
-        let _ = stream.read_to_end(&mut answer);
-        let answer = String::from_utf8_lossy(&answer).into_owned();
-        let status = answer.split(' ').nth(1).and_then(|s| s.parse().ok());
-        (status.unwrap_or(0), answer)
-    }
-
-    fn send(
-        &self,
-        method: &str,
-        path: &str,
-        headers: &[(&str, &str)],
-        body: &str,
-    ) -> (u16, String) {
-        let mut text = format!("{method} {path} HTTP/1.1\r\nConnection: close\r\n");
-        if !headers.iter().any(|(name, _)| *name == "Host") {
-            text += &format!("Host: 127.0.0.1:{}\r\n", self.port);
-        }
-        for (name, value) in headers {
-            text += &format!("{name}: {value}\r\n");
-        }
-        if !body.is_empty() {
-            text += &format!("Content-Length: {}\r\n", body.len());
-        }
-        self.raw(format!("{text}\r\n{body}").as_bytes())
-    }
-
-    /// The server answers a request of its own page.
-    fn lives(&self) {
-        let headers = [("X-Cageless-Token", self.token.as_str())];
-        let (status, answer) = self.send("POST", "/request", &headers, r#"{"op":"about"}"#);
-        assert_eq!(status, 200, "{answer}");
-        assert!(answer.contains("\"ok\":{"), "{answer}");
-    }
-}
-
-impl Drop for Studio {
-    fn drop(&mut self) {
-        let _ = self.process.kill();
-        let _ = self.process.wait();
-    }
-}
+use crate::common::studio::Studio;
+use crate::common::{call, repository_case};
 
 #[test]
 fn the_page_and_its_requests_are_answered() {
@@ -274,14 +184,7 @@ fn an_interrupt_ends_the_server_with_a_computation_and_an_idle_connection() {
     let case = std::fs::read_to_string(repository_case("zhao-d.toml")).unwrap();
     let body = serde_json::json!({ "op": "verdict", "case": case }).to_string();
     let _idle = studio.connect();
-    let mut busy = studio.connect();
-    let head = format!(
-        "POST /request HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nX-Cageless-Token: {}\r\nContent-Length: {}\r\n\r\n",
-        studio.port,
-        studio.token,
-        body.len()
-    );
-    busy.write_all((head + &body).as_bytes()).unwrap();
+    let busy = studio.begin(&body);
     let mut line = String::new();
     let mut answer = BufReader::new(&busy);
     while !line.contains("progress") {

@@ -70,6 +70,8 @@ pub(crate) fn scripts() -> String {
         include_str!("studio/stage.js"),
         include_str!("studio/map.js"),
         include_str!("studio/surface.js"),
+        include_str!("studio/drop.js"),
+        include_str!("studio/studies.js"),
         include_str!("studio/save.js"),
         include_str!("studio/toolbar.js"),
         include_str!("studio/studio.js"),

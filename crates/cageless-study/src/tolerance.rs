@@ -12,6 +12,7 @@ use cageless::{Case, Raceway};
 use cageless_io::OptionError;
 use cageless_io::results::VERSION;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 pub use result::{InfluenceRow, SampleData, ToleranceData, VerdictCount};
 
@@ -23,7 +24,8 @@ use crate::{Provenance, provenance};
 const SAMPLES_MAX: u64 = 100_000;
 
 /// Tolerances in the units of drawings, and Monte Carlo sample size.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
 pub struct Request {
     /// Bearings in which everything deviates at once.
     pub samples: u64,
@@ -43,6 +45,23 @@ pub struct Request {
     pub speed_percent: f64,
     /// Load, per cent to either side.
     pub load_percent: f64,
+}
+
+impl Default for Request {
+    /// Tolerances of a workshop with five-axis grinding, and 200 bearings.
+    fn default() -> Self {
+        Self {
+            samples: 200,
+            groove_depth_um: 2.0,
+            axial_span_um: 20.0,
+            half_angle_deg: 0.1,
+            ball_grade: 10,
+            friction: 0.002,
+            clearance_um: 5.0,
+            speed_percent: 5.0,
+            load_percent: 20.0,
+        }
+    }
 }
 
 /// Tolerance analysis of a case. `name` is the name of the case in messages.

@@ -1,6 +1,8 @@
 //! Running the binary and looking at what it leaves.
 #![allow(dead_code, reason = "each test uses its own part")]
 
+pub mod studio;
+
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};

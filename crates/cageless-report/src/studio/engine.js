@@ -117,6 +117,9 @@ class ServerEngine {
   }
 }
 
+// What no engine of a page computes.
+const SERVER_ONLY = ["search", "tolerance", "export"];
+
 class ServerGone extends Error {
   constructor() { super("the server of cageless studio has ended"); }
 }
@@ -139,6 +142,7 @@ class Engine {
       if (!(error instanceof ServerGone) || !this.page) throw error;
       this.server = null;
       this.onHost(this.page, true);
+      if (SERVER_ONLY.includes(request.op)) throw error;
       return this.page.request(lane, request, options);
     }
   }

@@ -4,6 +4,13 @@ const STRETCH_ORBITS = 1 / 8;
 const FRAMES = 24;
 const FRAMES_KEPT = 4000;
 
+// The moment between two others: numbers, arrays and parts of them alike.
+function between(a, b, part) {
+  if (typeof a === "number") return a + (b - a) * part;
+  if (Array.isArray(a)) return a.map((v, i) => between(v, b[i], part));
+  return Object.fromEntries(Object.entries(a).map(([name, value]) => [name, between(value, b[name], part)]));
+}
+
 class LiveMotion {
   // `moments` is called with every stretch that arrives, `failed` with an error.
   constructor(engine, lane, moments, failed) {
@@ -23,7 +30,8 @@ class LiveMotion {
   start(toml, orbit_s) {
     this.reset();
     this.abort = new AbortController();
-    Object.assign(this, { toml, orbit_s, ended: false });
+    // A rotor that stands still has no orbit.
+    Object.assign(this, { toml, orbit_s: orbit_s > 0 ? orbit_s : 0.01, ended: false });
     return this.more();
   }
 
@@ -36,6 +44,7 @@ class LiveMotion {
     try {
       const part = await this.engine.request(this.lane, request, { signal: abort.signal });
       if (abort !== this.abort) return;
+      this.turn(part.frames);
       this.frames.push(...part.frames);
       if (this.frames.length > FRAMES_KEPT) this.frames.splice(0, this.frames.length - FRAMES_KEPT);
       this.resume = part.resume || undefined;
@@ -45,6 +54,17 @@ class LiveMotion {
       if (abort === this.abort && error.name !== "AbortError") { this.ended = true; this.failed(error); }
     } finally {
       if (abort === this.abort) this.pending = false;
+    }
+  }
+
+  // Angle of the inner ring under a rotor, which is no state of the motion, from its speed.
+  turn(frames) {
+    let before = this.frames[this.frames.length - 1];
+    for (const frame of frames) {
+      if (!frame.rotor) return;
+      const speed = (f) => f.rotor.speed_rpm[1] * Math.PI / 30;
+      frame.ring_rad = before ? before.ring_rad + 0.5 * (speed(before) + speed(frame)) * (frame.t - before.t) : 0;
+      before = frame;
     }
   }
 
@@ -60,7 +80,6 @@ class LiveMotion {
     while (high - low > 1) { const m = (low + high) >> 1; if (f[m].t <= t) low = m; else high = m; }
     const [a, b] = [f[low], f[high]];
     const part = b.t > a.t ? Math.max(0, Math.min(1, (t - a.t) / (b.t - a.t))) : 0;
-    const mix = (name) => a[name].map((v, i) => v + (b[name][i] - v) * part);
-    return { t: a.t + (b.t - a.t) * part, angle_deg: mix("angle_deg"), gap_deg: mix("gap_deg"), inner_force_n: mix("inner_force_n"), outer_force_n: mix("outer_force_n"), slip_m_s: mix("slip_m_s"), ring_um: mix("ring_um") };
+    return between(a, b, part);
   }
 }

@@ -65,6 +65,7 @@ class Stage {
     if (!this.playing) this.moment.setAttribute("aria-valuetext", frame ? (1000 * frame.t).toFixed(2) + " ms" : "at rest");
     drawBearing(canvas.b, g, frame, this.title());
     drawGaps(canvas.gaps, g, frame);
+    studio.drop.paint(frame);
     if (this.drawn !== g || this.width !== studio.root.clientWidth) {
       drawDepth(canvas.depth, g);
       drawSection(canvas.section, g);

@@ -27,6 +27,8 @@ class Studio {
     this.comparison = new Comparison(this);
     this.map = new RacewayMap(this);
     this.surface = new Surface(this);
+    this.drop = new RotorDrop(this);
+    this.studies = new Studies(this);
     this.saving = new SaveMenu(this);
     this.text = element("textarea", { spellcheck: "false", "aria-label": "Case file in TOML", "data-toml": true, oninput: () => this.edit(this.text.value, true) });
     this.root.classList.add("studio");
@@ -34,14 +36,15 @@ class Studio {
       element("div", {}, this.form.root, this.toolbar.root, part("message", { role: "alert" }), this.text),
       element("div", {}, this.verdict.lamp,
         element("div", { class: "stage" }, ...this.stage.bearings, this.map.root),
-        this.stage.bar, this.comparison.bar, part("motion", { class: "moving" }), this.stage.gaps, this.comparison.table,
-        this.verdict.terms, this.stage.raceway, this.surface.root, this.verdict.numbers, this.saving.root)));
+        this.stage.bar, this.comparison.bar, part("motion", { class: "moving" }), this.stage.gaps, this.comparison.table, this.drop.root,
+        this.verdict.terms, this.stage.raceway, this.surface.root, this.verdict.numbers, this.studies.root, this.saving.root)));
   }
 
   say(part, text) { this.parts[part].textContent = text || ""; }
 
   host(engine, changed) {
     this.say("host", "Computed " + engine.name + (changed ? ". The server has ended: the page goes on by itself." : "."));
+    this.studies.ask();
   }
 
   // --- changes ---
@@ -107,6 +110,7 @@ class Studio {
     this.engine.request("ranges", rangesRequest(toml, g)).then((ranges) => {
       if (g === this.g) { this.ranges = ranges; this.form.shade(); }
     }, (error) => { if (error.name !== "AbortError") this.say("message", error.message); });
+    if (g.rotor) { this.judge({ passes: null, headline: "not judged: a rotor falls; its loads and speeds are below" }); return; }
     if (g.raceways.length) await this.simulate(toml);
     else this.judge({ passes: null, headline: "not judged: the outer ring has no discrete raceway" });
     // The verdict has the processor first.
@@ -141,6 +145,9 @@ class Studio {
     this.form.show(g);
     this.verdict.show();
     if (g.static.error) this.say("message", g.static.error);
+    this.drop.show();
+    this.map.root.hidden = !!g.rotor;
+    this.studies.show();
     this.stage.paint();
     this.surface.paint();
     this.map.show();

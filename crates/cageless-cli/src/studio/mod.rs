@@ -1,10 +1,14 @@
 //! The server of `cageless studio`: one page and its requests, on the loopback address, for who
 //! has the token. It reads and writes no file.
 
+mod client;
+mod connections;
+mod requests;
+
 use std::net::{Ipv4Addr, SocketAddr};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use axum::Router;
 use axum::body::{Body, Bytes, to_bytes};
@@ -13,25 +17,22 @@ use axum::http::{HeaderMap, HeaderValue, StatusCode, header};
 use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
-use cageless_live::{Control, REQUEST_BYTES_MAX, answer};
+use cageless_live::REQUEST_BYTES_MAX;
 use tokio::net::TcpListener;
 use tokio::sync::{Semaphore, mpsc};
 use tokio_stream::wrappers::ReceiverStream;
 
-use crate::connections::Limited;
 use crate::failure::Failure;
 use crate::progress::StopFlag;
+use client::{Client, Lines};
+use connections::Limited;
 
 /// Requests that are computed at once; further ones are refused.
 const COMPUTING_MAX: usize = 8;
-/// Longest computation of one request.
-const COMPUTING_MAX_S: u64 = 300;
 /// Longest time that a request may take to arrive.
 const ARRIVAL_MAX: Duration = Duration::from_secs(10);
 /// Time that open answers get once the server ends.
 const FAREWELL: Duration = Duration::from_secs(1);
-/// Time between two reports of progress.
-const PROGRESS_EVERY: Duration = Duration::from_millis(100);
 /// Header that carries the token.
 const TOKEN_HEADER: &str = "x-cageless-token";
 /// The page runs its own inline scripts and the engine, and speaks with this server only.
@@ -236,7 +237,7 @@ async fn request(State(shared): State<Arc<Shared>>, request: Request) -> Respons
         let why = format!("{COMPUTING_MAX} requests are being computed: try again later\n");
         return (StatusCode::SERVICE_UNAVAILABLE, why).into_response();
     };
-    let (lines, answers) = mpsc::channel::<Result<Bytes, std::convert::Infallible>>(64);
+    let (lines, answers) = mpsc::channel(64);
     let stop = Arc::clone(&shared.stop);
     tokio::spawn(async move {
         let progress = lines.clone();
@@ -254,24 +255,19 @@ async fn request(State(shared): State<Arc<Shared>>, request: Request) -> Respons
 }
 
 /// Computes one answer; a page that goes away, the end of the server, or too much time cancels it.
-fn compute(
-    text: &str,
-    progress: &mpsc::Sender<Result<Bytes, std::convert::Infallible>>,
-    stop: &StopFlag,
-) -> String {
-    let began = Instant::now();
-    let mut reported = began;
-    answer(text, &mut |fraction| {
-        let late = began.elapsed() > Duration::from_secs(COMPUTING_MAX_S);
-        if late || progress.is_closed() || stop.load(Ordering::Relaxed) {
-            return Control::Break(());
-        }
-        if reported.elapsed() > PROGRESS_EVERY {
-            reported = Instant::now();
-            let line = format!("{{\"progress\":{fraction:.4}}}\n");
-            // Of progress, what the page does not take in time is left out.
-            let _ = progress.try_send(Ok(line.into()));
-        }
-        Control::Continue(())
-    })
+fn compute(text: &str, lines: &Lines, stop: &StopFlag) -> String {
+    let seconds = requests::seconds_max(text);
+    let client = Client::new(lines, stop, Duration::from_secs(seconds));
+    let answer = requests::answer(text, &client);
+    if stop.load(Ordering::Relaxed) && !answer.starts_with("{\"ok\"") {
+        return r#"{"error":{"message":"the server of cageless studio has ended"}}"#.to_owned();
+    }
+    if client.late() && !answer.starts_with("{\"ok\"") {
+        let message = format!(
+            "ended after {seconds} s, the longest that this server computes one request: use the \
+             command of the same name"
+        );
+        return serde_json::json!({ "error": { "message": message } }).to_string();
+    }
+    answer
 }

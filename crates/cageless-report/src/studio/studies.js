@@ -1,0 +1,135 @@
+// What takes many runs or the libraries of files: search, tolerance and export, on the engine of
+// `cageless studio` alone.
+
+const TOLERANCES = {
+  samples: ["bearings drawn", ""], groove_depth_um: ["groove depth ±", "µm"], axial_span_um: ["lC ±", "µm"],
+  half_angle_deg: ["θ ±", "°"], ball_grade: ["ball grade G", ""], friction: ["friction ±", ""],
+  clearance_um: ["radial clearance ±", "µm"], speed_percent: ["speed ±", "%"], load_percent: ["load ±", "%"],
+};
+const BUDGET = 50;
+const FILES = { step: "STEP", stl: "STL", csv: "CSV of the groove" };
+
+// `text` with a raceway at each of these places; comments stay where there is one, as before.
+function withRaceways(text, { axial_span_mm, half_angle_deg, centre_angles_deg }, g) {
+  const keys = (centre) => ({ axial_span_mm: digits(axial_span_mm, 6), half_angle_deg: digits(half_angle_deg, 6), centre_angle_deg: centre });
+  if (centre_angles_deg.length === 1 && g.raceways.length === 1) {
+    return Object.entries(keys(centre_angles_deg[0])).reduce((all, [key, value]) => withValue(all, "raceway." + key, written(value)), text);
+  }
+  const blocks = centre_angles_deg.map((centre) => "\n[[raceway]]\n" + Object.entries(keys(centre)).map(([key, value]) => key + " = " + written(value) + "\n").join(""));
+  return withoutSection(text, "raceway").replace(/\n*$/, "\n") + blocks.join("");
+}
+
+class Studies {
+  constructor(studio) {
+    this.studio = studio;
+    this.work = null;
+    const number = (name, label, unit, value) => element("label", {}, label + " ", element("input", { type: "number", step: "any", min: 0, value, "data-study": name, style: "width:5.5rem" }), unit ? " " + unit : "");
+    const numbers = Object.entries(TOLERANCES).map(([name, [label, unit]]) => number(name, label, unit, ""));
+    const budget = number("budget", "simulations at most", "", BUDGET);
+    this.search = button("Search for the best raceway", () => this.run("search", { budget: this.value("budget") }), { "data-search": true });
+    this.tolerance = button("Judge within tolerances", () => this.run("tolerance", { tolerances: this.tolerances() }), { "data-tolerance": true });
+    this.files = Object.entries(FILES).map(([format, label]) => button(label, () => this.run("export", { format }), { "data-export": format, title: "outer ring as " + label }));
+    this.cancel = button("Cancel", () => { if (this.work) this.work.abort(); }, { "data-cancel": true });
+    this.bar = element("progress", { max: 1, value: 0, "aria-label": "Progress" });
+    this.working = element("div", { hidden: true }, this.cancel, this.bar);
+    this.said = element("p", { class: "moving", "data-part": "studies", role: "status" });
+    this.result = element("div", { class: "scroll", "data-part": "study-result" });
+    this.root = element("section", { class: "studies", "aria-label": "Search, tolerance, files" },
+      element("div", { class: "bar" }, this.search, budget),
+      element("div", { class: "bar" }, this.tolerance, element("details", {}, element("summary", {}, "tolerances"), element("div", { class: "bar" }, ...numbers))),
+      element("div", { class: "bar" }, element("span", {}, "Outer ring as"), ...this.files),
+      this.working, this.said, this.result);
+    this.able = new Set();
+  }
+
+  input(name) { return this.root.querySelector("[data-study=" + name + "]"); }
+
+  value(name) { return Number(this.input(name).value); }
+
+  tolerances() { return Object.fromEntries(Object.keys(TOLERANCES).map((name) => [name, this.value(name)])); }
+
+  // Asks the engine that is there what it can do.
+  async ask() {
+    let about = { operations: [] };
+    try { about = await this.studio.engine.request("quick", { op: "about" }); } catch { /* said elsewhere */ }
+    this.able = new Set(about.operations);
+    for (const [name, value] of Object.entries(about.tolerances || {})) if (this.input(name)) this.input(name).value = value;
+    this.show();
+  }
+
+  show() {
+    const { g } = this.studio, busy = !!this.work;
+    this.search.disabled = busy || !this.able.has("search") || !g || !!g.rotor;
+    this.tolerance.disabled = busy || !this.able.has("tolerance") || !g || !!g.rotor || !g.raceways.length;
+    this.files.forEach((file) => { file.disabled = busy || !this.able.has("export") || !g; });
+    this.working.hidden = !busy;
+    if (!busy && !this.able.has("search")) this.say("Search, tolerance and files of the ring are computed by the command cageless studio; this page is computing by itself.");
+    else if (this.said.dataset.able === "no") this.say("");
+    this.said.dataset.able = this.able.has("search") ? "yes" : "no";
+  }
+
+  say(text) { this.said.textContent = text; }
+
+  async run(op, more) {
+    const { studio } = this, toml = studio.toml, work = this.work = new AbortController();
+    this.bar.value = 0;
+    this.say("");
+    this.result.replaceChildren();
+    this.show();
+    try {
+      const found = await studio.engine.request(op, { op, case: toml, ...more }, { signal: work.signal, onProgress: (fraction) => { this.bar.value = fraction; } });
+      this.work = null;
+      this[op + "Done"](found, toml);
+    } catch (error) {
+      this.say(error.name === "AbortError" ? "cancelled" : error.message);
+    }
+    this.work = null;
+    this.show();
+  }
+
+  // --- results ---
+
+  searchDone(found) {
+    const worst = (structure, of, pick) => {
+      const values = structure.points.map(of).filter((v) => typeof v === "number");
+      return values.length ? pick(...values) : NaN;
+    };
+    const motion = (name) => (point) => point.motion && point.motion[name];
+    const rows = found.front.map((structure, k) => {
+      const numbers = [
+        shown(structure.axial_span_mm, 3), shown(structure.half_angle_deg, 2), structure.centre_angles_deg.map((a) => shown(a, 0)).join(", "),
+        shown(worst(structure, (p) => p.margin_deg, Math.min), 3), shown(worst(structure, motion("collisions"), Math.max), 2),
+        shown(100 * worst(structure, motion("double_collision_fraction"), Math.max), 1), shown(worst(structure, motion("slip_m_s"), Math.max), 2),
+        shown(worst(structure, (p) => p.stress_gpa, Math.max), 3),
+      ];
+      const take = button("Take", () => this.studio.edit(withRaceways(this.studio.toml, structure, this.studio.g)), { "data-take": k, "aria-label": "Take lC " + numbers[0] + " mm, θ " + numbers[1] + "°" });
+      return element("tr", {}, element("td", {}, take), ...numbers.map((v) => element("td", { class: "num" }, v)));
+    });
+    const heads = ["", "lC, mm", "θ, °", "ψ, °", "margin of the gap, °", "contacts per ball and turn", "hit from both sides, %", "slip, m/s", "stress, GPa"];
+    this.table("Pareto front, nearest to the best in everything first; the worst of all speeds and loads", heads, rows);
+    const verdict = found.verdicts.map((v) => v.headline).join("; ");
+    this.say(found.none || (found.looked_at + " structures looked at, " + found.front.length + " on the Pareto front. Verdict on the recommended one: " + verdict));
+  }
+
+  toleranceDone(judged) {
+    const range = (values, count) => (values ? shown(values[0], count) + " to " + shown(values[1], count) : "–");
+    const rows = judged.influences.map((row) => element("tr", { class: row.passed < row.trials ? "missed" : "met" }, element("td", {}, row.name),
+      ...[range([row.low, row.high], 3) + " " + row.unit, range(row.critical_gap_deg, 3), range(row.slip_mean_m_s, 2), row.passed + " of " + row.trials].map((v) => element("td", { class: "num" }, v)),
+      element("td", {}, row.verdicts.join(", "))));
+    this.table("One deviation at a time", ["deviates", "range", "critical gap, °", "slip, m/s", "pass", "verdicts"], rows);
+    this.say(judged.headline);
+    this.said.dataset.passes = judged.passes;
+  }
+
+  exportDone({ name, text, base64 }) {
+    const bytes = base64 ? Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)) : text;
+    const blob = new Blob([bytes], { type: "application/octet-stream" });
+    window.cagelessSave(blob, name);
+    this.say(name + " saved, " + blob.size + " bytes");
+  }
+
+  table(caption, heads, rows) {
+    this.result.replaceChildren(element("table", {}, element("caption", {}, caption),
+      element("thead", {}, element("tr", {}, ...heads.map((head) => (head ? element("th", { scope: "col" }, head) : element("td"))))), element("tbody", {}, ...rows)));
+  }
+}
