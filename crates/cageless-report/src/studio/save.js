@@ -49,6 +49,8 @@ class SaveMenu {
       if (!blob) return;
       window.cagelessSave(blob, format === "toml" ? "case.toml" : "cageless-" + thing.id + "." + format);
       this.state.textContent = thing.name + " saved, " + Math.ceil(blob.size / 1000) + " kB";
+    } catch (error) {
+      this.state.textContent = thing.name + " could not be saved: " + (error.message || error);
     } finally { pressed.disabled = false; }
   }
 
