@@ -37,8 +37,25 @@ fn a_search_that_was_killed_goes_on_and_finds_the_same() {
     assert_eq!((answer.code, answer.stderr.as_str()), (Some(0), ""));
     assert_eq!(
         names(&whole),
-        ["case.toml", "design.json", "report.html", "report.json"]
+        [
+            "case.toml",
+            "design.json",
+            "recommended.toml",
+            "report.html",
+            "report.json"
+        ]
     );
+    let found = std::fs::read_to_string(whole.join("design.json")).unwrap();
+    let found: serde_json::Value = serde_json::from_str(&found).unwrap();
+    let recommended = std::fs::read_to_string(whole.join("recommended.toml")).unwrap();
+    let span = &found["search"]["recommended"]["axial_span_mm"];
+    assert!(
+        recommended.contains(&format!("axial_span_mm = {span}")),
+        "{recommended}"
+    );
+    let path = whole.join("recommended.toml");
+    let checked = call(&["check", path.to_str().unwrap()]);
+    assert_eq!((checked.code, checked.stderr.as_str()), (Some(0), ""));
 
     let mut child = search_command(&parts)
         .env("RAYON_NUM_THREADS", "2")

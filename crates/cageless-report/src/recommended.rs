@@ -1,7 +1,7 @@
 //! The raceway that a design page is about: shape, drawing dimensions, text for a case file.
 
 use cageless::Case;
-use cageless_io::case_file::{CaseFile, RacewayDocument};
+use cageless_io::case_file::{CaseDocument, CaseFile, RacewayDocument};
 use cageless_study::{DesignResult, entered, parameter};
 use serde::{Deserialize, Serialize};
 
@@ -29,6 +29,9 @@ pub struct ShownRaceway {
     pub surface: RacewaySurface,
 }
 
+/// Name of a raceway that passes its verdict.
+const RECOMMENDED: &str = "recommended raceway";
+
 /// The raceways that are recommended, or the starting point, as entered in a case file.
 pub fn recommended(
     file: &CaseFile,
@@ -43,7 +46,7 @@ pub fn recommended(
     if let Some(found) = result.search.as_ref().and_then(|s| s.recommended.as_ref()) {
         let centres = found.centre_angles_deg.iter();
         let raceways = centres.map(|c| at(found.axial_span_mm, found.half_angle_deg, *c));
-        return Some(("recommended raceway", raceways.collect()));
+        return Some((RECOMMENDED, raceways.collect()));
     }
     let near = result.recommendation.as_ref()?;
     let centre = file
@@ -52,13 +55,23 @@ pub fn recommended(
         .first()
         .map_or(0.0, |r| r.centre_angle_deg);
     let name = match near.passes {
-        Some(true) => "recommended raceway",
+        Some(true) => RECOMMENDED,
         _ => "starting point (fails)",
     };
     Some((
         name,
         vec![at(near.axial_span_mm, near.half_angle_deg, centre)],
     ))
+}
+
+/// The case file with the recommended raceways in the place of its own; `None` if no raceway passes
+/// its verdict.
+pub fn recommended_document(file: &CaseFile, result: &DesignResult) -> Option<CaseDocument> {
+    let (name, raceway) = recommended(file, result)?;
+    (name == RECOMMENDED).then(|| CaseDocument {
+        raceway,
+        ..file.document().clone()
+    })
 }
 
 /// The case with the recommended raceways in the place of its own.

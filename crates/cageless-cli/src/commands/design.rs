@@ -2,10 +2,12 @@
 
 use std::path::Path;
 
+use anyhow::Context as _;
 use cageless::Case;
 use cageless_io::results::write_atomically;
 use cageless_paper::structures_of;
 use cageless_report::design_report::{design_data, rings_of};
+use cageless_report::recommended::recommended_document;
 use cageless_report::{design_page, to_json};
 use cageless_study::DesignResult;
 use cageless_study::design::{Judged, judged as study, task};
@@ -23,6 +25,8 @@ const NUMBERS: &str = "design.json";
 const PAGE: &str = "report.html";
 const PAGE_DATA: &str = "report.json";
 const CASE: &str = "case.toml";
+/// The case with the recommended raceway.
+const RECOMMENDED: &str = "recommended.toml";
 
 /// Analyses the case's raceways; searches for a better one if asked to.
 pub fn design(args: &DesignArgs) -> Result<(), Failure> {
@@ -32,7 +36,7 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
     if let Some(dir) = &args.out {
         make_folder(dir)?;
         // Better found out now than when the work is done.
-        for name in [NUMBERS, PAGE, PAGE_DATA] {
+        for name in [NUMBERS, PAGE, PAGE_DATA, RECOMMENDED] {
             writable(&dir.join(name))?;
         }
     }
@@ -64,9 +68,22 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
         write_atomically(&dir.join(PAGE), design_page(&data).as_bytes())?;
         write_atomically(&dir.join(PAGE_DATA), to_json(&data)?.as_bytes())?;
     }
+    let mut recommended = String::new();
+    if let Some(dir) = &args.out {
+        let path = dir.join(RECOMMENDED);
+        if let Some(document) = recommended_document(&file, &result) {
+            write_atomically(&path, document.to_toml()?.as_bytes())?;
+            recommended = pairs(&[("case with the raceway", path.display().to_string())]);
+        } else if path.exists() {
+            // One of an earlier call would not be of this case.
+            std::fs::remove_file(&path)
+                .with_context(|| format!("{}: cannot be removed", path.display()))
+                .map_err(Failure::Other)?;
+        }
+    }
     let text = match none_found {
         Some(_) => String::new(),
-        None => text(file.case(), &result) + &page_line(args.out.as_deref(), PAGE),
+        None => text(file.case(), &result) + &recommended + &page_line(args.out.as_deref(), PAGE),
     };
     deliver(args, NUMBERS, &result, &text)?;
     if let (true, Some(dir)) = (searching, &args.out) {
