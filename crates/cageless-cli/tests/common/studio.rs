@@ -45,7 +45,7 @@ impl Studio {
     pub fn connect(&self) -> TcpStream {
         let stream = TcpStream::connect(("127.0.0.1", self.port)).expect("connects");
         stream
-            .set_read_timeout(Some(Duration::from_secs(300)))
+            .set_read_timeout(Some(Duration::from_secs(30)))
             .unwrap();
         stream
     }
@@ -82,17 +82,21 @@ impl Studio {
         self.raw(format!("{text}\r\n{body}").as_bytes())
     }
 
-    /// The answer to a request of its page.
+    /// The answer to a request of its page, which may take minutes to compute.
     pub fn ask(&self, body: &str) -> String {
-        let headers = [("X-Cageless-Token", self.token.as_str())];
-        self.send("POST", "/request", &headers, body).1
+        let mut stream = self.begin(body);
+        let patience = Some(Duration::from_secs(300));
+        stream.set_read_timeout(patience).expect("a timeout");
+        let mut answer = vec![];
+        let _ = stream.read_to_end(&mut answer);
+        String::from_utf8_lossy(&answer).into_owned()
     }
 
     /// Sends a request of its page without waiting for the answer.
     pub fn begin(&self, body: &str) -> TcpStream {
         let mut stream = self.connect();
         let head = format!(
-            "POST /request HTTP/1.1\r\nHost: 127.0.0.1:{}\r\nX-Cageless-Token: {}\r\n\
+            "POST /request HTTP/1.1\r\nConnection: close\r\nHost: 127.0.0.1:{}\r\nX-Cageless-Token: {}\r\n\
              Content-Length: {}\r\n\r\n",
             self.port,
             self.token,
