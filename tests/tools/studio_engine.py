@@ -24,7 +24,7 @@ def drop(s, screens):
     s.tab.wait_for(f"!!{S}.g.rotor")
     s.check("the case has a rotor and its support", "[rotor]" in s.toml() and "[support]" in s.toml())
     s.check("a rotor is possible", not s.text("message"), s.text("message"))
-    s.check("its values are assumptions", "assum" in s.text("rotor"), s.text("rotor"))
+    s.check("its values are assumptions", "assumptions" in s.text("rotor"), s.text("rotor"))
     s.tab.wait_for("document.querySelector('[data-part=verdict]').textContent.includes('not judged')")
     s.tab.wait_for(f"{S}.motion.frames.length > 10")
     end = s.js(
