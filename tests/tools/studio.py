@@ -145,6 +145,8 @@ def verdict(s):
 
 
 def motion(s):
+    # The last change of the text starts the motion anew a moment later.
+    s.judged()
     s.tab.wait_for(f"{S}.motion.frames.length > 30")
     s.js(f"{S}.stage.run(true)")
     before = s.js(f"{S}.stage.now")

@@ -1,5 +1,6 @@
 //! All tests of the pages, as one program.
 
+mod distant_copies;
 mod drop;
 mod pages;
 mod studio;

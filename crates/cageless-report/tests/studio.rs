@@ -39,7 +39,8 @@ fn pages_with_the_engine_stay_small() {
         "{} bytes beside the engine",
         page.len() - engine
     );
-    assert!(engine < 600_000, "{engine}");
+    // A report grows by the engine and the scripts of the studio.
+    assert!(engine < 490_000, "{engine}");
 }
 
 #[test]
