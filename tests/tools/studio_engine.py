@@ -4,6 +4,7 @@ import json
 import re
 import signal
 import subprocess
+from pathlib import Path
 
 S = "window.cagelessStudio"
 # A WebAssembly module with the functions of the engine, whose requests trap.
@@ -77,18 +78,23 @@ STATE = NUMBERS.format("state")
 
 def agreement(s):
     """The engine of the page and the native one give the same numbers."""
-    for what, request, of in (
-        ("geometry and closed forms", "{ op: 'geometry' }", "((answer) => answer)"),
-        ("static equilibrium", "{ op: 'static' }", "((answer) => answer)"),
-        ("angles after 2 ms of motion", "{ op: 'motion', duration_s: 2e-3, frames: 10 }", NUMBERS.format("angle_rad")),
-    ):
-        off = s.js(
-            f"(async () => {{ const [a, b] = await Promise.all([{S}.engine.page, {S}.engine.server].map((e) =>"
-            f" e.request('agreement', {{ ...{request}, case: {S}.toml }}).then({of})));"
-            f" return ({DIFFERENCE})(a, b); }})()"
-        )
-        s.check(f"{what}: page and server agree", off is not None and off <= 1e-12, off)
-        print(f"{what}: native against WebAssembly {off:.1e}")
+    own = s.toml()
+    paper = own.replace('profile = "physical"', 'profile = "paper"')
+    s.check("the case can be that of the paper", paper != own)
+    cb74 = (Path(__file__).parents[2] / "cases/cb74.toml").read_text(encoding="utf-8")
+    for name, toml in ((s.name, own), ("profile paper", paper), ("CB74", cb74)):
+        for what, request, of in (
+            ("geometry and closed forms", "{ op: 'geometry' }", "((answer) => answer)"),
+            ("static equilibrium", "{ op: 'static' }", "((answer) => answer)"),
+            ("angles after 2 ms of motion", "{ op: 'motion', duration_s: 2e-3, frames: 10 }", NUMBERS.format("angle_rad")),
+        ):
+            off = s.js(
+                f"(async () => {{ const [a, b] = await Promise.all([{S}.engine.page, {S}.engine.server].map((e) =>"
+                f" e.request('agreement', {{ ...{request}, case: {json.dumps(toml)} }}).then({of})));"
+                f" return ({DIFFERENCE})(a, b); }})()"
+            )
+            s.check(f"{name}, {what}: page and server agree", off is not None and off <= 1e-12, off)
+            print(f"{name}, {what}: native against WebAssembly {off:.1e}")
 
 
 def same_drop(s):
