@@ -33,9 +33,10 @@ class Verdict {
       lamp.replaceChildren(mark + "Estimate from closed forms: " + found, g.raceways.length ? element("progress", { max: 1, value: 0, "aria-label": "Simulated verdict" }) : "");
     }
     const { kind, rows } = this.rows();
-    this.terms.replaceChildren(dataTable(kind === "simulated" ? "Simulated" : "Estimated", ["criterion", "value", "limit", "margin"],
+    const table = () => dataTable(kind === "simulated" ? "Simulated" : "Estimated", ["criterion", "value", "limit", "margin"],
       rows.map(([name, value, limit, margin, title]) => element("tr", { title, class: margin < 0 ? "missed" : "met" },
-        element("td", {}, name), ...[value, limit, margin].map((v) => element("td", { class: "num" }, shown(v, 3)))))));
+        element("td", {}, name), ...[value, limit, margin].map((v) => element("td", { class: "num" }, shown(v, 3))))));
+    this.terms.replaceChildren(...(rows.length ? [table()] : []));
     this.showNumbers();
   }
 
