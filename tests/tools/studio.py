@@ -204,6 +204,8 @@ def drag(s, dx, dy, touch):
     else:
         for kind, (x, y) in zip(["mousePressed"] + ["mouseMoved"] * 4 + ["mouseReleased"], [*path, path[-1]]):
             s.tab.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", buttons=1, clickCount=1)
+    # The browser passes on moves with its frames.
+    s.js("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 100))))")
     s.settled()
     return at
 
