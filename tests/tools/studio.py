@@ -204,7 +204,7 @@ def drag(s, dx, dy, touch):
     else:
         for kind, (x, y) in zip(["mousePressed"] + ["mouseMoved"] * 4 + ["mouseReleased"], [*path, path[-1]]):
             s.tab.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", buttons=1, clickCount=1)
-    # The browser passes on moves with its frames.
+    # The browser passes on the last move with its next frame.
     s.js("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 100))))")
     s.settled()
     return at
@@ -217,7 +217,8 @@ def key(s, name):
 
 def raceway_map(s):
     """The present raceway is a point of the map that mouse, touch and arrow keys move."""
-    s.tab.wait_for(f"{S}.map.grids.length === 2")
+    # The map of the case as it is now, not that of a case that was there before.
+    s.tab.wait_for(f"{S}.map.current({S}.toml) && !{S}.map.root.classList.contains('stale') && {S}.map.grids.length === 2")
     first, before = s.toml(), s.js(OWN)
     there = s.js(
         f"(() => {{ const c = {S}.map.canvas.getBoundingClientRect(), r = document.querySelector('[data-point]').getBoundingClientRect();"
