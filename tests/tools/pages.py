@@ -32,6 +32,11 @@ BROWSERS = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stab
 PATIENCE_S = 180
 
 
+def thrown_text(details):
+    """What was thrown, with its stack, and where."""
+    return f"{details.get('exception', {}).get('description', details['text'])} ({details.get('url', '')}:{details.get('lineNumber')}:{details.get('columnNumber')})"
+
+
 class Browser:
     """One headless Chromium."""
 
@@ -120,8 +125,7 @@ class Tab:
             "Runtime.evaluate", expression=expression, awaitPromise=True, returnByValue=True
         )
         if "exceptionDetails" in answer:
-            details = answer["exceptionDetails"]
-            raise RuntimeError(details.get("exception", {}).get("description", details["text"]))
+            raise RuntimeError(thrown_text(answer["exceptionDetails"]))
         return answer["result"].get("value")
 
     def wait_for(self, condition):
@@ -468,7 +472,7 @@ def page(browser, name, path, screens):
     own = [u for u in urls if u.startswith("file:") and u != path.resolve().as_uri()]
     check(f"{name}: needs no file beside it", not own, own)
     said = [e["args"] for e in tab.happened("Runtime.consoleAPICalled") if e["type"] in ("error", "assert")]
-    thrown = [e["exceptionDetails"]["text"] for e in tab.happened("Runtime.exceptionThrown")]
+    thrown = [thrown_text(e["exceptionDetails"]) for e in tab.happened("Runtime.exceptionThrown")]
     logged = [e["entry"]["text"] for e in tab.happened("Log.entryAdded") if e["entry"]["level"] == "error"]
     check(f"{name}: no errors on the console", not (said + thrown + logged), said + thrown + logged)
 

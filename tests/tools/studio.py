@@ -13,7 +13,7 @@ import tempfile
 from pathlib import Path
 
 from checks import check, exit_code
-from pages import Browser, axe
+from pages import Browser, axe, thrown_text
 from studio_engine import agreement, alone, drop, same_drop, serve, stop, studies, trap
 
 S = "window.cagelessStudio"
@@ -186,6 +186,8 @@ OWN = f"(() => {{ const r = {S}.g.raceways[0]; return [r.axial_span_mm, r.half_a
 def pointer(s):
     """Place of the point of the map in the window, and pixels per mm and per degree."""
     s.js("document.querySelector('[data-point]').scrollIntoView({ block: 'center', behavior: 'instant' })")
+    # A map that has just changed its size is drawn anew with the next frame.
+    s.tab.wait_for(f"{S}.map.canvas.width === Math.round({S}.map.canvas.clientWidth * devicePixelRatio)")
     return s.js(
         f"(() => {{ const r = document.querySelector('[data-point]').getBoundingClientRect(), m = {S}.map;"
         " return { x: r.x + r.width / 2, y: r.y + r.height / 2, mm: m.plane.wide / (m.box[1] - m.box[0]),"
@@ -392,7 +394,7 @@ def quiet(s, served):
     foreign = [u for u in urls if not u.startswith(("file:", "data:", "blob:", *served))]
     s.check("loads nothing from elsewhere", not foreign, foreign)
     said = [e["args"] for e in s.tab.happened("Runtime.consoleAPICalled") if e["type"] in ("error", "assert")]
-    thrown = [e["exceptionDetails"]["text"] for e in s.tab.happened("Runtime.exceptionThrown")]
+    thrown = [thrown_text(e["exceptionDetails"]) for e in s.tab.happened("Runtime.exceptionThrown")]
     logged = [e["entry"]["text"] for e in s.tab.happened("Log.entryAdded") if e["entry"]["level"] == "error"]
     s.check("no errors on the console", not (said + thrown + logged), said + thrown + logged)
 
