@@ -334,17 +334,19 @@ def times(s):
         took.append(float(s.js("document.querySelector('.studio').dataset.estimateMs")))
     s.judged()
     verdict, whole = (s.js(f"document.querySelector('.studio').dataset.{name}") for name in ("verdictMs", "mapMs"))
-    frames = s.js(
-        f"(async () => {{ {S}.stage.run(true); {S}.stage.slow = 100; const from = {S}.motion.frames.length; let count = 0, on = true;"
-        " const tick = () => { count++; if (on) requestAnimationFrame(tick); }; requestAnimationFrame(tick);"
-        " const began = performance.now(); await new Promise((done) => setTimeout(done, 2000)); on = false;"
-        f" {S}.stage.slow = 500; return [count / (performance.now() - began) * 1000, {S}.motion.frames.length - from]; }})()"
+    # Frames that show another moment than the one before, and what the page does for each.
+    rate, each, moments = s.js(
+        f"(async () => {{ const {{ stage, motion }} = {S}, paint = stage.paint; stage.run(true); stage.slow = 100;"
+        " let count = 0, busy = 0, last = null; const from = motion.frames.length;"
+        " stage.paint = (part) => { const at = performance.now(); paint.call(stage, part); busy += performance.now() - at; if (stage.frame !== last) count++; last = stage.frame; };"
+        " const began = performance.now(); await new Promise((done) => setTimeout(done, 2000));"
+        " delete stage.paint; stage.slow = 500; return [count / (performance.now() - began) * 1000, busy / count, motion.frames.length - from]; })()"
     )
     for _ in took:
         s.press("undo")
         s.settled()
     print(f"{s.name}: slider to geometry and estimate {min(took):.0f} to {max(took):.0f} ms, verdict {verdict} ms,"
-          f" map {whole} ms, {frames[0]:.0f} frames a second while {frames[1]:.0f} moments were computed")  # fmt: skip
+          f" map {whole} ms, {rate:.0f} frames a second, {each:.1f} ms of the page for each, while {moments:.0f} moments were computed")  # fmt: skip
 
 
 def links(s, browser):

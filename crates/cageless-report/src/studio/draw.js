@@ -1,8 +1,13 @@
 // Drawings of the studio, on canvases that follow their width and the colours of the page.
 
+// Colours of the page, which change with those of the system.
+let pageColours = null;
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { pageColours = null; });
+
 // Colours of the page; those of white paper for a drawing that is saved.
-function colours(el) {
-  const style = el.light ? null : getComputedStyle(el);
+const colours = (el) => (el.light ? palette(null) : (pageColours = pageColours || palette(getComputedStyle(el))));
+
+function palette(style) {
   const of = (name, other) => (style && style.getPropertyValue(name).trim()) || other;
   const channels = (name, other) => of(name, other).split(" ").map(Number);
   return {

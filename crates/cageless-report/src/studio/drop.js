@@ -168,15 +168,23 @@ class RotorDrop {
     }
   }
 
-  paint(frame) {
+  // The rotor at a moment; null where none falls.
+  move(frame) {
     const { g, motion } = this.studio;
-    if (!g || !g.rotor || !frame || !frame.rotor) return;
-    this.follow(motion);
+    if (!g || !g.rotor || !frame || !frame.rotor) return null;
     const trail = motion.frames.filter((f) => f.t <= frame.t).slice(-TRAIL).map((f) => f.rotor.journal_um);
     drawRotor(this.rotor, g, frame, trail);
+    return frame.rotor;
+  }
+
+  // The rotor with its history, its loads and what is said of them.
+  paint(frame) {
+    const r = this.move(frame), { g, motion } = this.studio;
+    if (!r) return;
+    this.follow(motion);
     drawDrop(this.history, g, this.record, frame.t);
     drawLoads(this.loads, g, frame, this.peak);
-    const r = frame.rotor, after = this.touched === null || frame.t < this.touched ? "falling freely" : "first contact at " + (1000 * this.touched).toFixed(2) + " ms";
+    const after = this.touched === null || frame.t < this.touched ? "falling freely" : "first contact at " + (1000 * this.touched).toFixed(2) + " ms";
     const said = "rotor " + shown(r.speed_rpm[0], 0) + " rpm, inner ring " + shown(r.speed_rpm[1], 0) + " rpm, " + after + ". Values of rotor, support and bore are assumptions unless you replaced them.";
     if (this.said.textContent !== said) this.said.textContent = said;
   }

@@ -9,7 +9,7 @@ class Studio {
     Object.assign(this, { root, engine, toml, original: toml, undo: [], redo: [], g: null, judged: null, ranges: null });
     this.about = engine.request("quick", { op: "about" });
     this.build();
-    const failed = (error) => this.say("motion", error.message), arrived = () => this.stage.paint();
+    const failed = (error) => this.say("motion", error.message), arrived = () => { if (!this.stage.playing) this.stage.paint(); };
     this.motion = new LiveMotion(engine, "motion", arrived, failed);
     this.motionA = new LiveMotion(engine, "motion-a", arrived, failed);
     this.update();
@@ -98,7 +98,7 @@ class Studio {
     if (this.again) { this.again = false; this.update(); }
   }
 
-  // What takes longer, once the reader has paused: link, motion, ranges, verdict, and then the map.
+  // What takes longer, once the reader has paused: link, motion, verdict, and then ranges and map.
   async settle(toml) {
     const { g } = this, { pinned } = this.comparison;
     packed(toml).then((code) => { if (toml === this.toml && toml !== this.original) history.replaceState(null, "", "#case=" + code); });
@@ -107,14 +107,15 @@ class Studio {
     this.map.expect(toml);
     this.motion.start(toml, g.numbers.rolling_orbit_ms / 1000);
     if (pinned) this.motionA.start(pinned.toml, pinned.g.numbers.rolling_orbit_ms / 1000);
+    if (g.rotor) this.judge({ passes: null, headline: "not judged: a rotor falls; its loads and speeds are below" });
+    else if (g.raceways.length) await this.simulate(toml);
+    else this.judge({ passes: null, headline: "not judged: the outer ring has no discrete raceway" });
+    // The verdict has the processor first.
+    if (g !== this.g) return;
+    if (!g.rotor) this.map.compute(toml);
     this.engine.request("ranges", rangesRequest(toml, g)).then((ranges) => {
       if (g === this.g) { this.ranges = ranges; this.form.shade(); }
     }, (error) => { if (error.name !== "AbortError") this.say("message", error.message); });
-    if (g.rotor) { this.judge({ passes: null, headline: "not judged: a rotor falls; its loads and speeds are below" }); return; }
-    if (g.raceways.length) await this.simulate(toml);
-    else this.judge({ passes: null, headline: "not judged: the outer ring has no discrete raceway" });
-    // The verdict has the processor first.
-    if (g === this.g) this.map.compute(toml);
   }
 
   async simulate(toml) {

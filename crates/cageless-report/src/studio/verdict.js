@@ -1,5 +1,7 @@
 // Pass or fail with margins, first estimated, then simulated; numbers of closed forms.
 
+const PROGRESS_STEP = 0.05;
+
 class Verdict {
   constructor(studio) {
     this.studio = studio;
@@ -8,9 +10,10 @@ class Verdict {
     this.numbers = element("div", { class: "forms", "data-part": "numbers" });
   }
 
+  // In steps: the browser draws the page anew for each.
   progress(fraction) {
     const bar = this.lamp.querySelector("progress");
-    if (bar) bar.value = fraction;
+    if (bar && fraction - bar.value >= PROGRESS_STEP) bar.value = fraction;
   }
 
   // Criteria that are shown, as name, value, limit, margin and meaning.
