@@ -74,12 +74,6 @@ impl Contacts<'_> {
         outer_friction_n: outer_friction;
     }
 
-    /// `paper` profile: whether ball `k` is inside a discrete raceway.
-    pub(super) fn inside(&self, k: usize) -> bool {
-        let (block, lane) = self.place(k);
-        self.work.blocks[block].geometry.inside.0[lane] > 0.0
-    }
-
     /// Whether any two balls touch.
     pub fn balls_touch(&self) -> bool {
         self.work.pair_deflection_max[self.layout.bearing()] > 0.0

@@ -4,9 +4,10 @@
 use super::contacts::Contacts;
 use super::coordinates::RingCoordinate;
 use super::model::Model;
-use super::state::{BATCH_WIDTH, Layout, State};
+use super::state::{BATCH_WIDTH, LANES, Layout, State};
 use crate::case::Profile;
 use crate::integrator::{Integrator, Method, SecondOrderBlock, System, UnresolvedStep};
+use crate::simd::lanes::Lanes;
 use crate::simd::{self, InstructionSet, Parameters, Workspace};
 use crate::snapshot::{RingSnapshot, RotorSnapshot, Snapshot};
 
@@ -330,6 +331,9 @@ fn advance_avx512<M: Method>(
     integrator.advance(system, limit_s)
 }
 
+/// Lanes whose phases make one word of the fingerprint, eight bits each.
+const MODE_LANES: usize = 8;
+
 /// Fingerprint `hash` with more `bits`.
 fn mix(hash: u64, bits: u64) -> u64 {
     (hash ^ bits)
@@ -374,15 +378,9 @@ impl System for RightHandSide<'_> {
     /// Damped contacts and that of a rotor, whose force starts with infinite slope and ends with a kink where
     /// it is clamped at zero, in the `paper` profile the raceway's ends, where the
     /// direction of friction jumps, and the corners of what is given over time.
+    #[inline(always)] // into callers compiled for wider vectors
     fn mode(&self) -> u64 {
         let m = self.model();
-        let phase = |damped: bool, deflection: f64, force: f64| {
-            if damped {
-                u64::from(deflection > 0.0) + u64::from(force > 0.0)
-            } else {
-                0
-            }
-        };
         let (raceways, balls) = (m.balls[0].raceway_damping > 0.0, m.ball_damped);
         let mut hash = 0u64;
         if self.over_time {
@@ -396,16 +394,32 @@ impl System for RightHandSide<'_> {
         }
         for contact in self.work.rotors.iter().take(self.parameters.drops.len()) {
             let c = &contact.contact;
-            hash = mix(hash, phase(true, c.deflection, c.force));
+            hash = mix(
+                hash,
+                u64::from(c.deflection > 0.0) + u64::from(c.force > 0.0),
+            );
         }
-        for bearing in 0..self.parameters.layout.width() {
-            let c = self.contacts_of(bearing);
-            for k in 0..m.balls() {
-                let bits = phase(raceways, c.inner_deflection_m(k), c.inner_force_n(k))
-                    | phase(raceways, c.outer_deflection_m(k), c.outer_force_n(k)) << 2
-                    | phase(balls, c.pair_deflection_m(k), c.pair_force_n(k)) << 4
-                    | u64::from(m.profile == Profile::Paper && c.inside(k)) << 6;
-                hash = mix(hash, bits);
+        let paper = m.profile == Profile::Paper;
+        let mut lanes_left = m.balls() * self.parameters.layout.width();
+        for block in &self.work.blocks {
+            let (inner, outer, pair) = (&block.inner, &block.outer, &block.pair);
+            for first in (0..LANES).step_by(MODE_LANES) {
+                let mut word = 0;
+                for k in 0..MODE_LANES {
+                    let lane = first + k;
+                    let phase = |damped: bool, deflection: &Lanes, force: &Lanes| {
+                        u64::from(damped & (deflection.0[lane] > 0.0))
+                            + u64::from(damped & (force.0[lane] > 0.0))
+                    };
+                    let bits = phase(raceways, &inner.deflection, &inner.force)
+                        | phase(raceways, &outer.deflection, &outer.force) << 2
+                        | phase(balls, &pair.deflection, &pair.force) << 4
+                        | u64::from(paper & (block.geometry.inside.0[lane] > 0.0)) << 6;
+                    // Lanes beyond the last ball hold no contacts.
+                    word |= (bits * u64::from(k < lanes_left)) << (8 * k);
+                }
+                lanes_left = lanes_left.saturating_sub(MODE_LANES);
+                hash = mix(hash, word);
             }
         }
         hash

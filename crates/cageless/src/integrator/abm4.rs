@@ -52,25 +52,26 @@ impl Abm4 {
     }
 
     /// Predicts, evaluates, corrects, evaluates.
+    #[inline(always)] // into callers compiled for wider vectors
     fn predict_and_correct<S: System>(&self, system: &mut S, step: &mut StepState) {
-        let [f1, f2, f3] = &self.history;
-        let (h, f0) = (self.steps.h, &step.f0);
-        for i in 0..step.y1.len() {
+        let n = step.y1.len();
+        let [f1, f2, f3] = self.history.each_ref().map(|f| &f[..n]);
+        let (h, y0, f0) = (self.steps.h, &step.y0[..n], &step.f0[..n]);
+        let (y, f) = (&mut step.y1[..n], &mut step.f1[..n]);
+        for i in 0..n {
             let slope = BASHFORTH[0] * f0[i]
                 + BASHFORTH[1] * f1[i]
                 + BASHFORTH[2] * f2[i]
                 + BASHFORTH[3] * f3[i];
-            step.y1[i] = step.y0[i] + h * slope;
+            y[i] = y0[i] + h * slope;
         }
-        system.derivative(step.t1_s, &step.y1, &mut step.f1);
-        for i in 0..step.y1.len() {
-            let slope = MOULTON[0] * step.f1[i]
-                + MOULTON[1] * f0[i]
-                + MOULTON[2] * f1[i]
-                + MOULTON[3] * f2[i];
-            step.y1[i] = step.y0[i] + h * slope;
+        system.derivative(step.t1_s, y, f);
+        for i in 0..n {
+            let slope =
+                MOULTON[0] * f[i] + MOULTON[1] * f0[i] + MOULTON[2] * f1[i] + MOULTON[3] * f2[i];
+            y[i] = y0[i] + h * slope;
         }
-        system.derivative(step.t1_s, &step.y1, &mut step.f1);
+        system.derivative(step.t1_s, y, f);
     }
 }
 
@@ -81,6 +82,7 @@ impl Method for Abm4 {
         self.known = 1;
     }
 
+    #[inline(always)] // into callers compiled for wider vectors
     fn perform_step<S: System>(
         &mut self,
         system: &mut S,
