@@ -154,7 +154,7 @@ pub struct RunArgs {
 /// `drop`.
 #[derive(Debug, Group)]
 pub struct DropArgs {
-    /// Case with a [rotor], output.
+    /// Case with a [rotor], or file of a rotor above several bearings; output.
     #[command(flatten)]
     pub case: CaseArgs,
     /// Drop the rotor onto another outer ring as well, and show both.

@@ -96,10 +96,23 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from .section import Section
 
+if TYPE_CHECKING:
+    from .rotors import LinearRotor
+
+"#;
+
+/// What the class of `[rotor]` has beside its fields.
+const ROTOR_METHODS: &str = r#"
+    @staticmethod
+    def from_ross(rotor: Any, nodes: Sequence[int], **options: Any) -> LinearRotor:
+        """A rotor above several bearings, from ross: :meth:`LinearRotor.from_ross`."""
+        from .rotors import LinearRotor
+
+        return LinearRotor.from_ross(rotor, nodes, **options)
 "#;
 
 /// Class of a section: `ball_material` and `material` are both a `Material`.
@@ -193,6 +206,9 @@ fn python_has_a_class_for_every_section() {
                 LeftOut::Refused => writeln!(classes, "    {}: {kind}", key.name),
                 _ => writeln!(classes, "    {}: {kind} | None = None", key.name),
             };
+        }
+        if section.name == "rotor" {
+            classes.push_str(ROTOR_METHODS);
         }
         written.push(class(&section));
     }

@@ -6,7 +6,7 @@ use cageless::simulation::Ending;
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::{Metadata, ROTOR, RunWriter, write_atomically};
 use cageless_report::drop::drop_page;
-use cageless_study::drop::{DropRequest, DropStudy, study};
+use cageless_study::drop::{DropRecord, DropRequest, DropStudy, study};
 use cageless_study::run::{Rows, RunError};
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
@@ -40,6 +40,19 @@ impl Drop {
             file: file.clone(),
             study,
         })
+    }
+
+    /// One bearing of a drop into several.
+    pub fn of_bearing(file: CaseFile, drop: DropRecord) -> Self {
+        let study = DropStudy {
+            drop,
+            conventional: None,
+            ensemble: None,
+            verification: None,
+            warnings: vec![],
+            interrupted: false,
+        };
+        Self { file, study }
     }
 }
 
@@ -87,8 +100,18 @@ impl Drop {
 
     /// Writes the folder of `cageless drop --out`.
     fn save(&self, py: Python<'_>, dir: PathBuf) -> PyResult<()> {
-        let footer = serde_json::to_string(&self.file.document_as_run()).map_err(other)?;
         let (summary, page) = (self.summary()?, self.page(py));
+        self.save_tables(py, dir.clone())?;
+        let write = || {
+            write_atomically(&dir.join("summary.json"), summary.as_bytes())?;
+            write_atomically(&dir.join("report.html"), page.as_bytes())
+        };
+        py.detach(write).map_err(|error| of_results(&error))
+    }
+
+    /// Writes the tables alone.
+    fn save_tables(&self, py: Python<'_>, dir: PathBuf) -> PyResult<()> {
+        let footer = serde_json::to_string(&self.file.document_as_run()).map_err(other)?;
         let record = &self.study.drop;
         let isa = record.outcome.instruction_set.name();
         let write = || {
@@ -100,9 +123,7 @@ impl Drop {
             for collision in &record.collisions {
                 writer.collision(collision)?;
             }
-            writer.finish()?;
-            write_atomically(&dir.join("summary.json"), summary.as_bytes())?;
-            write_atomically(&dir.join("report.html"), page.as_bytes())
+            writer.finish()
         };
         py.detach(write).map_err(|error| of_results(&error))
     }

@@ -9,6 +9,7 @@ mod drop;
 mod errors;
 mod export;
 mod report;
+mod rotor;
 mod run;
 mod run_files;
 mod signals;
@@ -25,6 +26,7 @@ fn _cageless(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<case_file::CaseFile>()?;
     module.add_class::<run::Run>()?;
     module.add_class::<drop::Drop>()?;
+    module.add_class::<rotor::LinearRotor>()?;
     module.add_class::<design::Design>()?;
     module.add_class::<design::Search>()?;
     module.add_class::<tolerance::Tolerance>()?;

@@ -30,6 +30,7 @@ pub mod initial_conditions;
 pub mod integrator;
 pub mod kinematics;
 pub(crate) mod limits;
+pub mod linear_rotor;
 pub mod min_max_decimator;
 pub mod numerics;
 pub mod orbit_means;

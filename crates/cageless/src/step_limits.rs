@@ -235,6 +235,20 @@ impl StepLimits {
         }
     }
 
+    /// The rates where the journal belongs to a rotor that shows it a smaller mass than the case
+    /// gives it, and that has vibrations of its own up to `fastest_rad_s`.
+    pub fn with_linear_rotor(case: &Case, effective_mass_kg: f64, fastest_rad_s: f64) -> Self {
+        let (limits, drop) = (Self::new(case), Drop::new(case));
+        let lighter = (1.0 / effective_mass_kg - drop.inverse_rotor_mass).max(0.0);
+        let square = limits.contact_rad_s.powi(2)
+            + drop.contact_n_m * lighter
+            + fastest_rad_s * fastest_rad_s;
+        Self {
+            contact_rad_s: square.sqrt(),
+            ..limits
+        }
+    }
+
     /// Largest (ωh, λh) at which the method is stable.
     fn bounds(method: Method) -> [f64; 2] {
         let properties = match method {

@@ -13,6 +13,7 @@ mod geometry;
 mod given_over_time;
 mod impact;
 mod integrator;
+mod linear_rotor;
 mod operating_results;
 mod outer_contact_geometry;
 mod outer_ring;

@@ -3,6 +3,7 @@
 use cageless::dynamics::InstructionSet;
 use cageless::verification::Convergence;
 use cageless_io::results::{Metadata, RunWriter, write_atomically, write_csv};
+use cageless_io::rotor_file::RotorFile;
 use cageless_report::drop::drop_page;
 use cageless_study::drop::{
     DropRequest, DropResult, DropStudy, DropVerification, EnsembleResult, study,
@@ -10,17 +11,21 @@ use cageless_study::drop::{
 use cageless_study::number_text::significant;
 use cageless_study::run::Rows;
 
+use super::drop_several::drop_several;
 use super::{make_folder, print, read_case, tell, writable};
 use crate::args::{DropArgs, Reference};
 use crate::failure::{Failure, kept_in};
 use crate::format::{columns, page_line, pairs, warnings};
 use crate::progress::{Bars, catch_interrupt};
 
-const SUMMARY: &str = "summary.json";
-const PAGE: &str = "report.html";
+pub(super) const SUMMARY: &str = "summary.json";
+pub(super) const PAGE: &str = "report.html";
 
-/// Drops the rotor of a case.
+/// Drops the rotor of a case, or of a file of a rotor above several bearings.
 pub fn touchdown(args: &DropArgs) -> Result<(), Failure> {
+    if RotorFile::is_at(&args.case.case) {
+        return drop_several(args);
+    }
     let file = read_case(&args.case)?;
     let request = DropRequest {
         compare: args.compare == Some(Reference::Conventional),
@@ -76,21 +81,13 @@ pub fn touchdown(args: &DropArgs) -> Result<(), Failure> {
 }
 
 fn text(study: &DropStudy) -> String {
-    let mut head = vec!["result", "value"];
+    let mut names = vec!["value".to_owned()];
     let mut drops = vec![&study.drop.result];
     if let Some(other) = &study.conventional {
-        head.push("conventional");
+        names.push("conventional".to_owned());
         drops.push(&other.result);
     }
-    head.push("unit");
-    let mut rows = vec![head.into_iter().map(str::to_owned).collect()];
-    for (label, values, unit) in DropResult::table(&drops) {
-        let mut row = vec![label.to_owned()];
-        row.extend(values);
-        row.push(unit);
-        rows.push(row);
-    }
-    let mut text = columns(&rows);
+    let mut text = table(names, &drops);
     if let Some(ensemble) = &study.ensemble {
         text += &ensemble_text(ensemble);
     }
@@ -98,6 +95,21 @@ fn text(study: &DropStudy) -> String {
         text += &verified(verification);
     }
     text + &warnings(&study.warnings)
+}
+
+/// Results of drops, one column each.
+pub(super) fn table(names: Vec<String>, drops: &[&DropResult]) -> String {
+    let mut head = vec!["result".to_owned()];
+    head.extend(names);
+    head.push("unit".to_owned());
+    let mut rows = vec![head];
+    for (label, values, unit) in DropResult::table(drops) {
+        let mut row = vec![label.to_owned()];
+        row.extend(values);
+        row.push(unit);
+        rows.push(row);
+    }
+    columns(&rows)
 }
 
 fn verified(verification: &DropVerification) -> String {

@@ -3,6 +3,7 @@
 mod compare;
 pub mod design;
 mod drop;
+mod drop_several;
 mod export;
 mod manual;
 mod report;

@@ -22,6 +22,7 @@ from .exports import Export
 from .plan import Plan, span
 from .designs import Design
 from .drops import Drop
+from .rotors import LinearRotor, RotorDrop
 from .runs import Run
 from .statics import Static
 from .searches import SearchMap, SearchResult
@@ -55,6 +56,7 @@ __all__ = [
     "Export",
     "Housing",
     "InputError",
+    "LinearRotor",
     "Material",
     "Model",
     "Operation",
@@ -62,6 +64,7 @@ __all__ = [
     "Plan",
     "Raceway",
     "Rotor",
+    "RotorDrop",
     "Run",
     "SearchMap",
     "SearchResult",

@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, final
 
+import numpy as np
 import numpy.typing as npt
 
 __all__ = [
@@ -11,6 +12,7 @@ __all__ = [
     "Collection",
     "Design",
     "Drop",
+    "LinearRotor",
     "Report",
     "Run",
     "Search",
@@ -123,7 +125,51 @@ class Drop:
     def summary(self) -> str: ...
     def stopped(self) -> str | None: ...
     def save(self, dir: str) -> None: ...
+    def save_tables(self, dir: str) -> None: ...
     def page(self) -> str: ...
+
+@final
+class LinearRotor:
+    @staticmethod
+    def rigid(
+        mass_kg: float,
+        polar_inertia_kg_m2: float,
+        transverse_inertia_kg_m2: float,
+        bearing_axial_mm: list[float],
+        unbalances: list[tuple[float, float, float]],
+    ) -> LinearRotor: ...
+    @staticmethod
+    def from_matrices(
+        mass: npt.NDArray[np.float64],
+        damping: npt.NDArray[np.float64],
+        gyroscopic: npt.NDArray[np.float64],
+        stiffness: npt.NDArray[np.float64],
+        spin_up: npt.NDArray[np.float64],
+        polar_inertia_kg_m2: float,
+        nodes: list[int],
+        kept_nodes: list[int],
+        unbalances: list[tuple[int, float, float]],
+        frequency_max_hz: float | None,
+    ) -> LinearRotor: ...
+    @property
+    def mass_kg(self) -> float: ...
+    @property
+    def polar_inertia_kg_m2(self) -> float: ...
+    @property
+    def mass_shares_kg(self) -> list[float]: ...
+    @property
+    def coordinates(self) -> int: ...
+    def eigenvalues(self, speed_rad_s: float) -> list[tuple[float, float]]: ...
+    def save_matrices(self, path: str) -> None: ...
+    def drop(
+        self,
+        cases: list[CaseFile],
+        title: str,
+        speed_rpm: float,
+        drive_torque_n_m: float,
+        conventional: bool,
+        progress: Callable[[str, float], object] | None,
+    ) -> tuple[list[Drop], str, str, str | None]: ...
 
 @final
 class Design:

@@ -8,9 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from .section import Section
+
+if TYPE_CHECKING:
+    from .rotors import LinearRotor
 
 __all__ = [
     "Bearing",
@@ -360,6 +363,13 @@ class Rotor(Section):
     vx_m_s: float | None = None
     vy_m_s: float | None = None
     drive_torque_n_m: float | None = None
+
+    @staticmethod
+    def from_ross(rotor: Any, nodes: Sequence[int], **options: Any) -> LinearRotor:
+        """A rotor above several bearings, from ross: :meth:`LinearRotor.from_ross`."""
+        from .rotors import LinearRotor
+
+        return LinearRotor.from_ross(rotor, nodes, **options)
 
 
 @dataclass(frozen=True, kw_only=True)

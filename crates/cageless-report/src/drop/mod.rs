@@ -3,6 +3,7 @@
 mod balls;
 mod rotor;
 mod scattered;
+mod several;
 mod verification;
 
 use cageless::contact::hertz::STRESS_LIMIT_PA;
@@ -18,6 +19,8 @@ use crate::plot::Plot;
 use crate::studio::studio_section;
 use crate::table::{Cell, Row, Table};
 use crate::text::short;
+pub use several::rotor_page;
+
 use balls::{balls_in_motion, heat, loads};
 use rotor::{forces, orbit, rotors, speeds, whirl};
 use scattered::{distribution, scatter};
@@ -113,12 +116,18 @@ fn words(state: &str) -> String {
 }
 
 fn results(study: &DropStudy, source: &Provenance) -> Table {
-    let mut columns = vec![("Result".to_owned(), false), ("This drop".to_owned(), true)];
-    let mut drops = vec![&study.drop.result];
+    let mut drops = vec![("This drop".to_owned(), &study.drop.result)];
     if let Some(other) = &study.conventional {
-        columns.push(("Conventional outer ring".to_owned(), true));
-        drops.push(&other.result);
+        drops.push(("Conventional outer ring".to_owned(), &other.result));
     }
+    side_by_side(drops, source)
+}
+
+/// Table of the results of drops, one column each.
+fn side_by_side(drops: Vec<(String, &DropResult)>, source: &Provenance) -> Table {
+    let mut columns = vec![("Result".to_owned(), false)];
+    let (names, drops): (Vec<_>, Vec<_>) = drops.into_iter().unzip();
+    columns.extend(names.into_iter().map(|name| (name, true)));
     columns.push(("Unit".to_owned(), false));
     let rows = DropResult::table(&drops)
         .into_iter()

@@ -3,6 +3,7 @@
 
 mod ensemble;
 mod result;
+mod several;
 mod study;
 mod verification;
 
@@ -20,6 +21,7 @@ pub use ensemble::{
     DROPS_MAX, DropRow, EndStateCount, EnsembleResult, Quantiles, check_drops, ensemble,
 };
 pub use result::{DropResult, WindowRow};
+pub use several::{SeveralBearings, drop_into_bearings};
 pub use study::{DropRequest, DropStudy, study};
 pub use verification::DropVerification;
 
@@ -63,37 +65,83 @@ pub fn drop_rotor(
     rows: Option<&mut (dyn Rows + Send)>,
     progress: &dyn Progress,
 ) -> Result<DropRecord, RunError> {
-    let kept = RefCell::new((rows, Vec::new(), Vec::new()));
-    let mut drop = DropRecorder::new();
-    let outcome = {
-        let mut recorder = Recorder::new(case.output.interval_s, |snapshot: Snapshot| {
-            let (rows, snapshots, _) = &mut *kept.borrow_mut();
-            if let Some(rows) = rows {
-                rows.snapshot(&snapshot)?;
-            }
-            snapshots.push(snapshot);
-            Ok(())
-        });
-        let mut detector = CollisionDetector::new(|collision: Collision| {
-            let (rows, _, collisions) = &mut *kept.borrow_mut();
-            if let Some(rows) = rows {
-                rows.collision(&collision)?;
-            }
-            collisions.push(collision);
-            Ok(())
-        });
-        let work = progress.begin("drop", 1.0);
-        let mut control = work.run_control(case.solver.duration_s, 1.0);
-        let mut observers: [&mut dyn Observer; 3] = [&mut drop, &mut detector, &mut recorder];
-        let outcome = simulate(case, &mut observers, &mut *control)?;
-        detector.close(outcome.end_s).map_err(RunError::Rows)?;
-        outcome
+    let work = progress.begin("drop", 1.0);
+    let mut control = work.run_control(case.solver.duration_s, 1.0);
+    let mut records = watched(&[case], vec![rows], |observers| {
+        Ok(vec![simulate(case, &mut observers[0], &mut *control)?])
+    })?;
+    Ok(records.remove(0))
+}
+
+/// The rows of a drop on their way to a store, and all of them so far.
+struct Kept<'r> {
+    rows: Option<&'r mut (dyn Rows + Send)>,
+    snapshots: Vec<Snapshot>,
+    collisions: Vec<Collision>,
+}
+
+/// Computes drops of which each of `cases` is watched; rows go to the store of its bearing, if
+/// there is one.
+fn watched<'r>(
+    cases: &[&Case],
+    rows: Vec<Option<&'r mut (dyn Rows + Send + 'r)>>,
+    simulate: impl FnOnce(&mut [Vec<&mut dyn Observer>]) -> Result<Vec<RunOutcome>, RunError>,
+) -> Result<Vec<DropRecord>, RunError> {
+    let kept: Vec<RefCell<Kept<'r>>> = (rows.into_iter())
+        .map(|rows| {
+            RefCell::new(Kept {
+                rows,
+                snapshots: vec![],
+                collisions: vec![],
+            })
+        })
+        .collect();
+    let mut drops: Vec<_> = cases.iter().map(|_| DropRecorder::new()).collect();
+    let outcomes = {
+        let mut recorders: Vec<_> = (cases.iter().zip(&kept))
+            .map(|(case, kept)| {
+                Recorder::new(case.output.interval_s, |snapshot: Snapshot| {
+                    let kept = &mut *kept.borrow_mut();
+                    if let Some(rows) = &mut kept.rows {
+                        rows.snapshot(&snapshot)?;
+                    }
+                    kept.snapshots.push(snapshot);
+                    Ok(())
+                })
+            })
+            .collect();
+        let mut detectors: Vec<_> = (kept.iter())
+            .map(|kept| {
+                CollisionDetector::new(|collision: Collision| {
+                    let kept = &mut *kept.borrow_mut();
+                    if let Some(rows) = &mut kept.rows {
+                        rows.collision(&collision)?;
+                    }
+                    kept.collisions.push(collision);
+                    Ok(())
+                })
+            })
+            .collect();
+        let watching = drops.iter_mut().zip(&mut detectors).zip(&mut recorders);
+        let mut observers: Vec<Vec<&mut dyn Observer>> = watching
+            .map(|((drop, detector), recorder)| vec![drop as &mut dyn Observer, detector, recorder])
+            .collect();
+        let outcomes = simulate(&mut observers)?;
+        for (detector, outcome) in detectors.iter_mut().zip(&outcomes) {
+            detector.close(outcome.end_s).map_err(RunError::Rows)?;
+        }
+        outcomes
     };
-    let (_, snapshots, collisions) = kept.into_inner();
-    Ok(DropRecord {
-        result: DropResult::new(&drop.summary(&outcome.state), &outcome),
-        outcome,
-        snapshots,
-        collisions,
-    })
+    let records = drops.into_iter().zip(outcomes).zip(kept);
+    Ok(records
+        .map(|((drop, outcome), kept)| {
+            let kept = kept.into_inner();
+            DropRecord {
+                result: DropResult::new(&drop.summary(&outcome.state), &outcome),
+                outcome,
+                snapshots: kept.snapshots,
+                collisions: kept.collisions,
+            }
+        })
+        .collect())
 }

@@ -24,6 +24,7 @@ pub(crate) mod outer_ring;
 mod right_hand_side;
 pub mod rotor;
 pub mod rotor_in_ring;
+pub(crate) mod rotor_on_bearings;
 pub mod state;
 
 pub use crate::simd::InstructionSet;

@@ -155,6 +155,15 @@ impl Model {
         })
     }
 
+    /// The same bearing under a journal that a rotor outside it guides.
+    pub(crate) fn guided(self, implicit_friction: bool) -> Self {
+        Self {
+            rotor: self.rotor.map(RotorBody::guided),
+            implicit_friction,
+            ..self
+        }
+    }
+
     /// Layout of the state vector.
     pub fn layout(&self) -> Layout {
         self.layout

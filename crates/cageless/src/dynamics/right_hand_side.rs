@@ -4,12 +4,17 @@
 use super::contacts::Contacts;
 use super::coordinates::RingCoordinate;
 use super::model::Model;
+use super::rotor::JournalCompliance;
 use super::state::{BATCH_WIDTH, LANES, Layout, State};
 use crate::case::Profile;
+use crate::contact::JournalContact;
 use crate::integrator::{Integrator, Method, SecondOrderBlock, System, UnresolvedStep};
 use crate::simd::lanes::Lanes;
 use crate::simd::{self, InstructionSet, Parameters, Workspace};
 use crate::snapshot::{RingSnapshot, RotorSnapshot, Snapshot};
+
+/// Force on a journal, N, and its moment about the centre of the journal, N·m.
+pub(super) type JournalLoad = [f64; 3];
 
 /// The equations of motion with the work arrays to evaluate them.
 #[derive(Clone)]
@@ -124,6 +129,41 @@ impl<'m> RightHandSide<'m> {
             #[cfg(not(target_arch = "x86_64"))]
             _ => simd::evaluate(p, w, y, dydt, raceway_friction),
         }
+    }
+
+    /// Sets how the guided journal answers to loads from here on.
+    pub(super) fn set_journal_compliance(&mut self, compliance: JournalCompliance) {
+        for (body, _) in &mut self.parameters.drops {
+            body.guide = Some(compliance);
+        }
+    }
+
+    /// Loads [Fx, Fy, moment about the centre] of the inner ring on the journal as of the last
+    /// evaluation: those of the normal force and of the friction of the contact.
+    pub(super) fn journal_load(&self) -> JournalLoad {
+        let rotor = &self.work.rotors[0];
+        self.load_with(rotor.contact.force, rotor.friction)
+    }
+
+    /// Loads of friction on the journal that changed velocities over the last step.
+    pub(super) fn mean_friction_load(&self) -> JournalLoad {
+        self.load_with(0.0, self.work.rotor_friction_mean[0])
+    }
+
+    /// Loads of friction on the journal at the end of the last step.
+    pub(super) fn end_friction_load(&self) -> JournalLoad {
+        self.load_with(0.0, self.work.rotors[0].friction)
+    }
+
+    fn load_with(&self, normal_n: f64, friction_n: f64) -> JournalLoad {
+        let (body, _) = &self.parameters.drops[0];
+        let rotor = &self.work.rotors[0];
+        let contact = JournalContact {
+            force: normal_n,
+            ..rotor.contact
+        };
+        let force = contact.force_on_journal(friction_n);
+        [force[0], force[1], body.moment(rotor, force)]
     }
 
     /// Lets `integrator` make a step with the instructions of this right-hand side.

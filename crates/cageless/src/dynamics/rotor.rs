@@ -39,7 +39,14 @@ pub(crate) struct RotorBody {
     pub friction: Friction,
     /// Ji of the inner ring, kg·m².
     pub ring_inertia: f64,
+    /// Set where the motion of the journal is that of a rotor outside this bearing: the journal
+    /// then has no mass of its own.
+    pub guide: Option<JournalCompliance>,
 }
+
+/// Accelerations of a journal, [ẍ, ÿ, Ω̇], under a unit of each of the loads [Fx, Fy, moment about
+/// its centre] on it: 1/kg, 1/(kg·m) and 1/(kg·m²).
+pub(crate) type JournalCompliance = [[f64; 3]; 3];
 
 /// Motion of the mass centre of a rotor and its rotation.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -102,6 +109,19 @@ impl RotorBody {
             },
             friction: Friction::new(&rotor.friction(), f64::MAX),
             ring_inertia: bore.polar_inertia_kg_m2,
+            guide: None,
+        }
+    }
+
+    /// The same journal, guided by a rotor outside this bearing.
+    pub fn guided(self) -> Self {
+        Self {
+            mass: 0.0,
+            polar_inertia: 0.0,
+            eccentricity: 0.0,
+            drive_torque: 0.0,
+            guide: Some(JournalCompliance::default()),
+            ..self
         }
     }
 
@@ -158,14 +178,56 @@ impl RotorBody {
     }
 
     /// Acceleration of the mass centre and of the rotation under the force of the inner ring:
-    /// m z̈g = F − i·m·g and Ip Ω̇ = moment of F + torque of the drive.
+    /// m z̈g = F − i·m·g and Ip Ω̇ = moment of F + torque of the drive. Of a guided journal what the
+    /// force adds.
     #[inline(always)]
     pub fn acceleration(&self, contact: &RotorContact, force: [f64; 2]) -> [f64; 3] {
+        if self.guide.is_some() {
+            return self.added_acceleration(contact, force);
+        }
         [
             force[0] / self.mass,
             (force[1] - self.weight_n()) / self.mass,
             (self.moment(contact, force) + self.drive_torque) / self.polar_inertia,
         ]
+    }
+
+    /// Acceleration that a force of the inner ring adds.
+    #[inline(always)]
+    pub fn added_acceleration(&self, contact: &RotorContact, force: [f64; 2]) -> [f64; 3] {
+        let moment = self.moment(contact, force);
+        match &self.guide {
+            None => [
+                force[0] / self.mass,
+                force[1] / self.mass,
+                moment / self.polar_inertia,
+            ],
+            Some(compliance) => {
+                compliance.map(|[x, y, turn]| x * force[0] + y * force[1] + turn * moment)
+            }
+        }
+    }
+
+    /// Power that enters the bearing by the drive of the rotor, W; where the journal is guided,
+    /// by the journal: that of the force of the inner ring on it, negative.
+    #[inline(always)]
+    pub fn drive_power(
+        &self,
+        motion: &RotorMotion,
+        contact: &RotorContact,
+        force: [f64; 2],
+    ) -> f64 {
+        if self.guide.is_some() {
+            -self.power(motion, contact, force)
+        } else {
+            self.drive_torque * motion.speed
+        }
+    }
+
+    /// Power of a force of the inner ring on the rotor, W.
+    #[inline(always)]
+    pub fn power(&self, motion: &RotorMotion, contact: &RotorContact, force: [f64; 2]) -> f64 {
+        force[0] * motion.vx + force[1] * motion.vy + self.moment(contact, force) * motion.speed
     }
 
     /// Torque of a friction `friction_n` of the rotor on the inner ring, N·m: it acts at the bore.
@@ -175,14 +237,24 @@ impl RotorBody {
     }
 
     /// Change of the sliding speed by a unit of friction, 1/kg: with a = Rj·n − ε·e^(i(θ+φ)),
-    /// 1/m + (t·ia)²/Ip + 1/mi + Rb²/Ji.
+    /// 1/m + (t·ia)²/Ip + 1/mi + Rb²/Ji. With the compliance G of a guided journal and
+    /// p = (t, Rj), pᵀ·G·p stands for the first two.
     #[inline(always)]
     pub fn slip_mobility(&self, contact: &RotorContact, ring_mass: f64) -> f64 {
         let (c, [ex, ey]) = (&contact.contact, contact.offset);
-        // (t·ia) = a·n.
-        let arm = self.journal.radius - (ex * c.nx + ey * c.ny);
-        1.0 / self.mass
-            + arm * arm / self.polar_inertia
+        let rotor = match &self.guide {
+            None => {
+                // (t·ia) = a·n.
+                let arm = self.journal.radius - (ex * c.nx + ey * c.ny);
+                1.0 / self.mass + arm * arm / self.polar_inertia
+            }
+            Some(compliance) => {
+                let along = [-c.ny, c.nx, self.journal.radius];
+                let row = |[x, y, turn]: [f64; 3]| x * along[0] + y * along[1] + turn * along[2];
+                row(compliance.map(row))
+            }
+        };
+        rotor
             + 1.0 / ring_mass
             + self.journal.bore_radius * self.journal.bore_radius / self.ring_inertia
     }
@@ -226,6 +298,7 @@ mod tests {
             },
             friction: Friction::Smooth(Smooth::default()),
             ring_inertia: 5.5e-5,
+            guide: None,
         };
         let offset = body.offset(0.4);
         let motion = RotorMotion {

@@ -36,6 +36,8 @@ pub struct Layout {
     width: usize,
     /// The one whose places are given.
     bearing: usize,
+    /// First place, in a vector that holds more than these bearings.
+    start: usize,
 }
 
 /// Length of a block: what the arrays over the balls are padded to.
@@ -75,6 +77,7 @@ impl Layout {
             bodies,
             width,
             bearing: 0,
+            start: 0,
         }
     }
 
@@ -99,6 +102,16 @@ impl Layout {
         Self { bearing, ..self }
     }
 
+    /// Layout of this vector as a part, from `start` on, of one that holds other bodies as well.
+    pub fn at(self, start: usize) -> Self {
+        Self { start, ..self }
+    }
+
+    /// First place.
+    pub(crate) fn start(&self) -> usize {
+        self.start
+    }
+
     /// Bearings side by side.
     pub fn width(&self) -> usize {
         self.width
@@ -109,19 +122,19 @@ impl Layout {
         self.bearing
     }
 
-    /// Length of the vector.
+    /// Length of the vector, or of this part of it.
     #[allow(clippy::len_without_is_empty)] // never empty
     pub fn len(&self) -> usize {
-        self.bodies_start() + (self.bodies.len() + self.energy_terms().len()) * self.width
+        BALL.len() * self.stride + (self.bodies.len() + self.energy_terms().len()) * self.width
     }
 
     /// Length of the motion of one bearing alone, which precedes its energy ledger.
     pub(crate) fn motion_len(&self) -> usize {
-        self.bodies_start() + self.bodies.len() * self.width
+        BALL.len() * self.stride + self.bodies.len() * self.width
     }
 
     fn bodies_start(&self) -> usize {
-        BALL.len() * self.stride
+        self.start + BALL.len() * self.stride
     }
 
     /// Entries of an array over the balls that are not padding.
@@ -131,7 +144,7 @@ impl Layout {
 
     /// Start of the array of one coordinate of all balls and bearings.
     pub fn array(&self, coordinate: BallCoordinate) -> usize {
-        coordinate as usize * self.stride
+        self.start + coordinate as usize * self.stride
     }
 
     /// Place of a coordinate of ball `k`.
@@ -247,7 +260,7 @@ impl Layout {
         let balls = second_order_runs(&BALL).into_iter();
         let bodies = second_order_runs(self.bodies).into_iter();
         balls
-            .map(|run| block(run, 0, self.stride))
+            .map(|run| block(run, self.start, self.stride))
             .chain(bodies.map(|run| block(run, self.bodies_start(), self.width)))
             .collect()
     }
@@ -351,7 +364,7 @@ impl State {
 
     /// The state of one bearing in a vector that an integrator has advanced.
     pub fn from_vector(layout: Layout, values: &[f64]) -> Self {
-        assert_eq!(values.len(), layout.len());
+        assert!(values.len() >= layout.start + layout.len());
         Self::from_places(layout, |place| values[place])
     }
 

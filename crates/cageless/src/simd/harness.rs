@@ -76,6 +76,8 @@ pub(crate) struct Workspace {
     pub rotors: [RotorContact; BATCH_WIDTH],
     /// Slip and friction of each rotor at the end of the last step with implicit friction.
     pub(super) rotor_slips: [[f64; 2]; BATCH_WIDTH],
+    /// Friction of each rotor that changed velocities over the last step, N.
+    pub(crate) rotor_friction_mean: [f64; BATCH_WIDTH],
     /// Sliding speeds and friction at the end of the last step with implicit friction.
     pub(super) slips: Vec<SlipsLanes>,
     /// Whether the last evaluation with friction was that step.
@@ -105,6 +107,7 @@ impl Workspace {
             outer_ring: CentreLanes([Lanes::ZERO; 4]),
             rotors: [RotorContact::default(); BATCH_WIDTH],
             rotor_slips: [[0.0; 2]; BATCH_WIDTH],
+            rotor_friction_mean: [0.0; BATCH_WIDTH],
             slips: vec![SlipsLanes::ZERO; blocks],
             slips_known: false,
             next: std::array::from_fn(|_| zero()),

@@ -115,7 +115,7 @@ pub(super) fn rotor_and_ledger(
     }
     for term in EnergyTerm::ALL {
         dydt[layout.energy_term(term)] = match term {
-            EnergyTerm::Drive => body.drive_torque * rotor.speed,
+            EnergyTerm::Drive => body.drive_power(&rotor, &contact, force),
             EnergyTerm::Weight => {
                 total(Sum::Weight) - ring.weight_n() * motion.vy - body.weight_n() * rotor.vy
             }
@@ -380,8 +380,10 @@ fn journal_friction(
     let mean = given + weight * friction;
     (rotor.friction, rotor.contact.slip) = (friction, end);
     w.rotor_slips[bearing] = [end, friction];
+    w.rotor_friction_mean[bearing] = mean;
     let rates = |friction: f64| {
         let force = [friction * normal[1], -friction * normal[0]];
+        let [vx, vy, spin] = body.added_acceleration(rotor, force);
         [
             (layout.ring(RingCoordinate::Vx), -force[0] / mass),
             (layout.ring(RingCoordinate::Vy), -force[1] / mass),
@@ -389,12 +391,9 @@ fn journal_friction(
                 layout.drop(DropCoordinate::RingSpeed),
                 body.ring_torque(friction) / body.ring_inertia,
             ),
-            (layout.drop(DropCoordinate::RotorVx), force[0] / body.mass),
-            (layout.drop(DropCoordinate::RotorVy), force[1] / body.mass),
-            (
-                layout.drop(DropCoordinate::RotorSpeed),
-                body.moment(rotor, force) / body.polar_inertia,
-            ),
+            (layout.drop(DropCoordinate::RotorVx), vx),
+            (layout.drop(DropCoordinate::RotorVy), vy),
+            (layout.drop(DropCoordinate::RotorSpeed), spin),
         ]
     };
     for (place, rate) in rates(friction) {

@@ -14,10 +14,12 @@
 mod batch;
 mod guard;
 mod observer;
+mod rotor_drop;
 mod run;
 mod run_tracker;
 
 pub use batch::{batches, run_batch};
 pub use guard::{Cause, Stop};
 pub use observer::{Observer, ObserverError, RunContext, StepView};
+pub use rotor_drop::{RotorDrop, RotorDropOutcome};
 pub use run::{Control, Ending, RunOutcome, run, run_from};

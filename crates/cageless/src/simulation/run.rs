@@ -5,11 +5,11 @@ use super::observer::{Observer, RunContext};
 use super::run_tracker::RunTracker;
 use crate::case::{Case, Method};
 use crate::dynamics::state::State;
-use crate::dynamics::{InstructionSet, Model, RightHandSide};
+use crate::dynamics::{Contacts, InstructionSet, Model, RightHandSide};
 use crate::equilibrium::EquilibriumError;
 use crate::error::InputError;
 use crate::initial_conditions::initial_state;
-use crate::integrator::{self, Abm4, Adaptive, Integrator, VelocityVerlet};
+use crate::integrator::{self, Abm4, Adaptive, Integrator, System, UnresolvedStep, VelocityVerlet};
 
 /// Ending of a run.
 #[derive(Debug)]
@@ -93,15 +93,63 @@ pub fn run_from(
     Ok(tracker.outcome())
 }
 
-/// Advances bearings of one kind, method, step and duration, alone or side by side, /// each has ended.
+/// Equations of motion of bearings that are advanced together.
+pub(super) trait Bearings: System {
+    /// Whether none of them acts on another, so that each may end at a time of its own.
+    fn independent(&self) -> bool {
+        true
+    }
+
+    /// Contacts of one bearing as of the last evaluation.
+    fn contacts_of(&self, bearing: usize) -> Contacts<'_>;
+
+    /// Evaluations so far.
+    fn evaluations(&self) -> u64;
+
+    /// Instructions in use.
+    fn instruction_set(&self) -> InstructionSet;
+
+    /// Lets `integrator` make a step.
+    ///
+    /// # Errors
+    /// Those of the method.
+    fn advance<M: integrator::Method>(
+        &mut self,
+        integrator: &mut Integrator<M>,
+        limit_s: f64,
+    ) -> Result<(), UnresolvedStep>;
+}
+
+impl Bearings for RightHandSide<'_> {
+    fn contacts_of(&self, bearing: usize) -> Contacts<'_> {
+        self.contacts_of(bearing)
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.evaluations()
+    }
+
+    fn instruction_set(&self) -> InstructionSet {
+        self.instruction_set()
+    }
+
+    fn advance<M: integrator::Method>(
+        &mut self,
+        integrator: &mut Integrator<M>,
+        limit_s: f64,
+    ) -> Result<(), UnresolvedStep> {
+        self.advance(integrator, limit_s)
+    }
+}
+
+/// Advances bearings of one kind, method, step and duration, alone or side by side, until each has
+/// ended.
 pub(super) fn drive<'m>(
     mut rhs: RightHandSide<'m>,
     trackers: &mut [RunTracker<'_, 'm, '_>],
     control: &mut dyn FnMut(f64) -> Control,
 ) {
-    let solver = &trackers[0].context.case.solver;
-    let (size, h) = (rhs.layout().len(), solver.step_s);
-    let mut start = vec![0.0; size];
+    let mut start = vec![0.0; rhs.layout().len()];
     rhs.layout().spread_padding(&mut start);
     for bearing in 0..rhs.layout().width() {
         // Lanes without a bearing of their own repeat the last.
@@ -109,25 +157,35 @@ pub(super) fn drive<'m>(
         let places = rhs.layout().of_bearing(bearing);
         tracker.context.start.write_to(places, &mut start);
     }
+    drive_from(&start, &mut rhs, trackers, control);
+}
+
+/// Advances bearings from a state of all of them until each has ended; returns the last state.
+pub(super) fn drive_from(
+    start: &[f64],
+    bearings: &mut impl Bearings,
+    trackers: &mut [RunTracker<'_, '_, '_>],
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Vec<f64> {
+    let solver = &trackers[0].context.case.solver;
+    let (size, h) = (start.len(), solver.step_s);
     match solver.method {
-        Method::Abm4 => advance(Abm4::new(size, h), &mut rhs, &start, trackers, control),
-        Method::Symplectic => {
-            advance(VelocityVerlet::new(h), &mut rhs, &start, trackers, control);
-        }
+        Method::Abm4 => advance(Abm4::new(size, h), bearings, start, trackers, control),
+        Method::Symplectic => advance(VelocityVerlet::new(h), bearings, start, trackers, control),
         Method::Adaptive => {
             let method = Adaptive::new(size, h, solver.tolerance);
-            advance(method, &mut rhs, &start, trackers, control);
+            advance(method, bearings, start, trackers, control)
         }
     }
 }
 
-fn advance<'m>(
+fn advance(
     method: impl integrator::Method,
-    rhs: &mut RightHandSide<'m>,
+    rhs: &mut impl Bearings,
     start: &[f64],
-    trackers: &mut [RunTracker<'_, 'm, '_>],
+    trackers: &mut [RunTracker<'_, '_, '_>],
     control: &mut dyn FnMut(f64) -> Control,
-) {
+) -> Vec<f64> {
     let mut integrator = Integrator::new(method, start.len());
     integrator.restart(rhs, 0.0, start);
     let duration = trackers[0].context.case.solver.duration_s;
@@ -147,10 +205,16 @@ fn advance<'m>(
         steps += 1;
         let step = integrator.step();
         for tracker in trackers.iter_mut().filter(|c| c.under_way()) {
-            tracker.follow(step, rhs, steps, duration);
+            let contacts = rhs.contacts_of(tracker.bearing());
+            tracker.follow(step, contacts, steps, duration);
         }
         if step.t1_s >= duration {
             break;
+        }
+        if !rhs.independent() && !trackers.iter().all(RunTracker::under_way) {
+            for tracker in trackers.iter_mut() {
+                tracker.end(Ending::Interrupted, &step.y1);
+            }
         }
         if steps.is_multiple_of(ASK_EVERY) && control(step.t1_s).is_break() {
             for tracker in trackers.iter_mut() {
@@ -162,4 +226,5 @@ fn advance<'m>(
         tracker.rhs_evaluations = rhs.evaluations();
         tracker.instruction_set = rhs.instruction_set();
     }
+    integrator.step().y1.clone()
 }

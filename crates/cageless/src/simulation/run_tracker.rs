@@ -7,7 +7,7 @@ use super::observer::{Observer, RunContext, StepView};
 use super::run::{Control, Ending, RunOutcome};
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::dynamics::state::{Layout, State};
-use crate::dynamics::{InstructionSet, RightHandSide};
+use crate::dynamics::{Contacts, InstructionSet, RightHandSide};
 use crate::integrator::StepState;
 use crate::numerics::angle::unwrap_angle_rad;
 
@@ -24,6 +24,8 @@ const ROUNDING_FRACTION: f64 = 1e-6;
 /// Tracks one bearing through the steps of a run, alone or in a batch.
 pub(super) struct RunTracker<'s, 'm, 'o> {
     pub context: RunContext<'m>,
+    /// Index of the bearing among those that are advanced together.
+    bearing: usize,
     /// Places of the bearing in the vectors of the steps.
     layout: Layout,
     guard: Guard<'m>,
@@ -63,6 +65,7 @@ impl<'s, 'm, 'o> RunTracker<'s, 'm, 'o> {
         };
         Self {
             context,
+            bearing: layout.bearing(),
             layout,
             guard: Guard::new(model, layout, case, start),
             interpolator: RefCell::new(RightHandSide::new(model)),
@@ -77,6 +80,16 @@ impl<'s, 'm, 'o> RunTracker<'s, 'm, 'o> {
             rhs_evaluations: 0,
             instruction_set: InstructionSet::Baseline,
         }
+    }
+
+    /// The same as number `bearing` of those that are advanced together.
+    pub fn numbered(self, bearing: usize) -> Self {
+        Self { bearing, ..self }
+    }
+
+    /// Index of the bearing among those that are advanced together.
+    pub fn bearing(&self) -> usize {
+        self.bearing
     }
 
     /// Whether the run of the bearing has not ended.
@@ -96,12 +109,11 @@ impl<'s, 'm, 'o> RunTracker<'s, 'm, 'o> {
     pub fn follow(
         &mut self,
         step: &StepState,
-        rhs: &RightHandSide<'m>,
+        contacts: Contacts<'_>,
         steps: u64,
         duration_s: f64,
     ) {
         (self.end_s, self.steps) = (step.t1_s, steps);
-        let contacts = rhs.contacts_of(self.layout.bearing());
         let at_end = step.t1_s >= duration_s;
         let checked = if at_end {
             self.guard.look(&contacts, &step.y1)

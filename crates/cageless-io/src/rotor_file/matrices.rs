@@ -1,0 +1,97 @@
+//! Matrices of a rotor in a JSON file.
+
+use std::path::Path;
+
+use cageless::linear_rotor::{DMatrix, RotorMatrices};
+use serde::{Deserialize, Serialize};
+
+use crate::case_file::{CaseError, read_text};
+use crate::results::{ResultError, write_atomically};
+
+/// The only schema of files of matrices so far.
+pub const MATRICES_SCHEMA: u64 = 1;
+
+/// A file of matrices: rows of the coordinates [x, y, α, β] of each node in turn.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[allow(non_snake_case)] // symbols of rotor dynamics
+struct MatricesFile {
+    schema: u64,
+    polar_inertia_kg_m2: f64,
+    M: Vec<Vec<f64>>,
+    K: Vec<Vec<f64>>,
+    #[serde(default)]
+    C: Option<Vec<Vec<f64>>>,
+    #[serde(default)]
+    G: Option<Vec<Vec<f64>>>,
+    #[serde(default)]
+    Ksdt: Option<Vec<Vec<f64>>>,
+}
+
+/// Reads the matrices of a rotor; C, G and Ksdt are 0 where they are left out.
+///
+/// # Errors
+/// A [`CaseError`] if the file cannot be read or its matrices are no rectangles of numbers.
+pub fn read_matrices(path: &Path) -> Result<RotorMatrices, CaseError> {
+    let name = path.display().to_string();
+    let text = read_text(path, "file of matrices").map_err(|m| CaseError::of_file(&name, m))?;
+    let file: MatricesFile = serde_json::from_str(&text).map_err(|error| {
+        let message = format!("is no file of the matrices of a rotor: {error}");
+        CaseError::on_line(&name, error.line().max(1), None, message)
+    })?;
+    if file.schema != MATRICES_SCHEMA {
+        let message = format!(
+            "schema = {} is not possible: it must be {MATRICES_SCHEMA}",
+            file.schema
+        );
+        return Err(CaseError::of_file(&name, message).with_key("schema"));
+    }
+    let size = file.M.len();
+    let matrix = |key: &str, rows: Option<Vec<Vec<f64>>>| {
+        let rows = rows.unwrap_or_else(|| vec![vec![0.0; size]; size]);
+        let columns = rows.first().map_or(0, Vec::len);
+        if let Some(row) = rows.iter().position(|row| row.len() != columns) {
+            let message = format!(
+                "row {} of {key} has {} numbers and row 1 {columns}: all rows must have the same",
+                row + 1,
+                rows[row].len()
+            );
+            return Err(CaseError::of_file(&name, message).with_key(key));
+        }
+        Ok(DMatrix::from_row_iterator(
+            rows.len(),
+            columns,
+            rows.into_iter().flatten(),
+        ))
+    };
+    Ok(RotorMatrices {
+        mass: matrix("M", Some(file.M))?,
+        damping: matrix("C", file.C)?,
+        gyroscopic: matrix("G", file.G)?,
+        stiffness: matrix("K", Some(file.K))?,
+        spin_up: matrix("Ksdt", file.Ksdt)?,
+        polar_inertia_kg_m2: file.polar_inertia_kg_m2,
+    })
+}
+
+/// Writes the matrices of a rotor.
+///
+/// # Errors
+/// The file cannot be written; none is left under its name then.
+pub fn write_matrices(path: &Path, matrices: &RotorMatrices) -> Result<(), ResultError> {
+    let rows = |matrix: &DMatrix<f64>| -> Vec<Vec<f64>> {
+        let rows = matrix.row_iter();
+        rows.map(|row| row.iter().copied().collect()).collect()
+    };
+    let file = MatricesFile {
+        schema: MATRICES_SCHEMA,
+        polar_inertia_kg_m2: matrices.polar_inertia_kg_m2,
+        M: rows(&matrices.mass),
+        K: rows(&matrices.stiffness),
+        C: Some(rows(&matrices.damping)),
+        G: Some(rows(&matrices.gyroscopic)),
+        Ksdt: Some(rows(&matrices.spin_up)),
+    };
+    let text = serde_json::to_string(&file).unwrap_or_default();
+    write_atomically(path, text.as_bytes())
+}

@@ -1,0 +1,134 @@
+"""Rotors above several bearings: against the command, from matrices, refused."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import cageless
+import numpy as np
+import numpy.typing as npt
+import pandas as pd
+import pytest
+from conftest import ROOT, Command
+
+CASES = [ROOT / "cases" / f"touchdown-{name}.toml" for name in ("d", "conventional")]
+SHORT = {"solver.duration_s": 0.008}
+
+
+def cases() -> list[cageless.Case]:
+    return [cageless.Case.from_file(path, SHORT) for path in CASES]
+
+
+def rigid() -> cageless.LinearRotor:
+    return cageless.LinearRotor.rigid(
+        mass_kg=40.0,
+        polar_inertia_kg_m2=0.04,
+        transverse_inertia_kg_m2=0.6,
+        bearing_axial_mm=[-100.0, 200.0],
+        unbalances=[(30.0, 200.0, 40.0)],
+    )
+
+
+def test_a_drop_is_that_of_the_command(command: Command, tmp_path: Path) -> None:
+    path = tmp_path / "rotor.toml"
+    bearings = "".join(
+        f"[[bearing]]\ncase = {json.dumps(str(case))}\naxial_mm = {z}\n"
+        for case, z in zip(CASES, (-100.0, 200.0), strict=True)
+    )
+    path.write_text(
+        "[rotor]\nmass_kg = 40.0\npolar_inertia_kg_m2 = 0.04\ntransverse_inertia_kg_m2 = 0.6\n"
+        "speed_rpm = 30000.0\n[[unbalance]]\naxial_mm = 30.0\nmoment_g_mm = 200.0\nphase_deg = 40.0\n"
+        + bearings
+    )
+    out = tmp_path / "out"
+    command("drop", path, "--set", "solver.duration_s=0.008", "--out", out)
+    drop = rigid().drop(cases(), speed_rpm=30000.0)
+    assert drop.summary == json.loads((out / "summary.json").read_text())
+    assert drop.summary["rotor"]["mass_shares_kg"] == pytest.approx([80.0 / 3.0, 40.0 / 3.0])
+    assert all(bearing.summary["impacts"] >= 1 for bearing in drop.bearings)
+    saved = drop.save(tmp_path / "saved")
+    for name in ["summary.json", "report.html"]:
+        assert (saved / name).read_text() == (out / name).read_text()
+    for k, bearing in enumerate(drop.bearings):
+        for name in ["rotor", "ring", "balls", "collisions"]:
+            table = f"bearing-{k + 1}/{name}.parquet"
+            written = pd.read_parquet(out / table)
+            pd.testing.assert_frame_equal(pd.read_parquet(saved / table), written)
+            frame = getattr(bearing, f"data_{name}")()
+            pd.testing.assert_frame_equal(frame, written, check_exact=True)
+
+
+def test_the_precession_of_a_rigid_rotor() -> None:
+    rotor = rigid()
+    assert (rotor.mass_kg, rotor.polar_inertia_kg_m2, rotor.coordinates) == (40.0, 0.04, 4)
+    fastest = rotor.eigenvalues(30000.0)[-1]
+    assert fastest.imag == pytest.approx(30000.0 * np.pi / 30.0 * 0.04 / 0.6, rel=1e-12)
+
+
+def two_nodes() -> dict[str, npt.NDArray[np.float64]]:
+    """Two nodes of 1 kg on a beam, four coordinates each."""
+    stiffness, length = 1e6, 0.3
+    bending = stiffness * np.array(
+        [
+            [12.0, 6.0 * length, -12.0, 6.0 * length],
+            [6.0 * length, 4.0 * length**2, -6.0 * length, 2.0 * length**2],
+            [-12.0, -6.0 * length, 12.0, -6.0 * length],
+            [6.0 * length, 2.0 * length**2, -6.0 * length, 4.0 * length**2],
+        ]
+    )
+    k = np.zeros((8, 8))
+    for places, sign in (([0, 3, 4, 7], 1.0), ([1, 2, 5, 6], -1.0)):
+        signs = np.array([1.0, sign, 1.0, sign])
+        k[np.ix_(places, places)] += bending * np.outer(signs, signs)
+    return {"M": np.diag([1.0, 1.0, 1e-3, 1e-3] * 2), "K": k}
+
+
+def test_anything_with_the_methods_is_a_rotor(tmp_path: Path) -> None:
+    matrices = two_nodes()
+    none = np.zeros((8, 8))
+    like_ross = SimpleNamespace(
+        M=lambda frequency: matrices["M"],
+        K=lambda frequency: matrices["K"],
+        C=lambda frequency: none,
+        G=lambda: none,
+        Ksdt=lambda: none,
+        number_dof=4,
+        Ip=2e-3,
+    )
+    rotor = cageless.Rotor.from_ross(like_ross, nodes=[0, 1])
+    direct = cageless.LinearRotor.from_matrices(
+        matrices["M"], matrices["K"], polar_inertia_kg_m2=2e-3, nodes=[0, 1]
+    )
+    assert np.array_equal(rotor.eigenvalues(0.0), direct.eigenvalues(0.0))
+    assert rotor.mass_shares_kg == pytest.approx([1.0, 1.0])
+    squares = np.linalg.eigvals(np.linalg.inv(matrices["M"]) @ matrices["K"]).real
+    assert rotor.eigenvalues(0.0)[-1].imag == pytest.approx(np.sqrt(squares.max()), rel=1e-9)
+    saved = rotor.save_matrices(tmp_path / "rotor.json")
+    assert np.array_equal(json.loads(saved.read_text())["K"], matrices["K"])
+
+
+def test_impossible_rotors_are_refused() -> None:
+    matrices = two_nodes()
+    refused: list[tuple[dict[str, Any], str]] = [
+        ({"nodes": [0, 2]}, "node 2 does not exist: the rotor has the nodes 0 to 1"),
+        ({"nodes": [-1, 1]}, "node = -1 is not possible"),
+        ({"nodes": [0, 1], "M": -matrices["M"]}, "matrix M must be positive definite"),
+        ({"nodes": [0, 1], "G": np.eye(8)}, "matrix G must be antisymmetric"),
+        ({"nodes": [0, 1], "C": np.eye(4)}, "matrix C is 4 × 4: must be 8 × 8"),
+        ({"nodes": [0, 1], "K": np.zeros(8)}, "matrix K has 1 dimensions"),
+        ({"nodes": [0]}, "move freely"),
+    ]
+    for changes, message in refused:
+        with pytest.raises(cageless.InputError, match=message):
+            values: dict[str, Any] = {**matrices, "polar_inertia_kg_m2": 2e-3, **changes}
+            cageless.LinearRotor.from_matrices(**values)
+    with pytest.raises(cageless.InputError, match="1 cases for 2 touchdown bearings"):
+        rigid().drop(cases()[:1], speed_rpm=30000.0)
+    with pytest.raises(cageless.InputError, match="a rigid rotor has no matrices"):
+        rigid().save_matrices("rotor.json")
+    longer = cases()[1].replace({"solver.duration_s": 0.1})
+    with pytest.raises(cageless.InputError, match="all bearings of a rotor need the same"):
+        rigid().drop([cases()[0], longer], speed_rpm=30000.0)

@@ -1,0 +1,454 @@
+//! A rotor with linear lateral motion on the inner rings of several bearings.
+//!
+//! The state holds each bearing as if it were alone, with the motion of its journal in the place of
+//! a rotor, then the rotor itself: normal coordinates u and θ, their rates, and the energy ledger
+//! of the rotor. The motion of a journal follows from u linearly, and every method here keeps
+//! linear relations, so that the journals stay those of the rotor.
+
+use super::coordinates::DropCoordinate;
+use super::energy::EnergyTerm;
+use super::right_hand_side::{JournalLoad, RightHandSide};
+use super::state::Layout;
+use super::{Contacts, InstructionSet, Model};
+use crate::integrator::{Integrator, Method, SecondOrderBlock, System, UnresolvedStep};
+use crate::linear_rotor::{DMatrix, DVector, LinearRotor};
+
+/// Scales of the errors of a normal coordinate (that of a journal over √m), of θ and their rates.
+const ANGLE_SCALE: f64 = 1e-3;
+const SPEED_SCALE: f64 = 1.0;
+
+/// Term of the energy ledger of the rotor.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum RotorEnergyTerm {
+    /// Work of the inner rings on the journals.
+    Journals,
+    /// Work of gravity.
+    Weight,
+    /// Work of the drive.
+    Drive,
+    /// Energy that the damping of the rotor, its cross-coupled stiffness and Ksdt take out.
+    Loss,
+}
+
+const TERMS: usize = RotorEnergyTerm::Loss as usize + 1;
+
+/// What acts on the rotor beside the bearings.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct RotorLoads {
+    /// g, m/s², along −Y.
+    pub gravity: f64,
+    /// Torque of the drive, N·m.
+    pub drive_torque: f64,
+}
+
+/// The equations of motion of a rotor and all of its bearings.
+pub(crate) struct RotorOnBearings<'m> {
+    rotor: &'m LinearRotor,
+    loads: RotorLoads,
+    bearings: Vec<RightHandSide<'m>>,
+    /// Places of each bearing.
+    layouts: Vec<Layout>,
+    /// First place of the rotor.
+    start: usize,
+    blocks: Vec<SecondOrderBlock>,
+    /// Scale of the error of each normal coordinate.
+    scale: f64,
+}
+
+/// Motion of the rotor at one instant.
+struct Motion {
+    u: DVector<f64>,
+    rates: DVector<f64>,
+    angle: f64,
+    speed: f64,
+}
+
+/// Acceleration of the rotor.
+struct Acceleration {
+    u: DVector<f64>,
+    speed: f64,
+}
+
+impl<'m> RotorOnBearings<'m> {
+    /// The rotor on the bearings of `models`, one for each of its journals.
+    pub fn new(rotor: &'m LinearRotor, loads: RotorLoads, models: &'m [Model]) -> Self {
+        let mut start = 0;
+        let mut layouts = vec![];
+        for model in models {
+            layouts.push(model.layout.at(start));
+            start += model.layout.len();
+        }
+        let n = rotor.coordinates();
+        let mut blocks: Vec<_> = (layouts.iter())
+            .flat_map(Layout::second_order_blocks)
+            .collect();
+        blocks.push(SecondOrderBlock {
+            positions: start,
+            rates: start + n + 1,
+            count: n + 1,
+        });
+        Self {
+            rotor,
+            loads,
+            bearings: models.iter().map(RightHandSide::new).collect(),
+            layouts,
+            start,
+            blocks,
+            scale: 1e-5 * rotor.mass_kg().sqrt(),
+        }
+    }
+
+    /// Places of bearing `k`.
+    pub fn layout(&self, k: usize) -> Layout {
+        self.layouts[k]
+    }
+
+    /// Sets the rotor in a state: journals at these places with these velocities, in the shape
+    /// that needs no force elsewhere.
+    pub fn set_rotor(&self, y: &mut [f64], places: &[f64], velocities: &[f64], speed: f64) {
+        let n = self.rotor.coordinates();
+        let shapes = &self.rotor.shapes;
+        let u = shapes * DVector::from_column_slice(places);
+        let rates = shapes * DVector::from_column_slice(velocities);
+        let own = &mut y[self.start..];
+        own[..n].copy_from_slice(u.as_slice());
+        own[n] = 0.0;
+        own[n + 1..=2 * n].copy_from_slice(rates.as_slice());
+        own[2 * n + 1] = speed;
+        self.place_journals(y);
+    }
+
+    fn motion(&self, y: &[f64]) -> Motion {
+        let (n, own) = (self.rotor.coordinates(), &y[self.start..]);
+        Motion {
+            u: DVector::from_column_slice(&own[..n]),
+            rates: DVector::from_column_slice(&own[n + 1..=2 * n]),
+            angle: own[n],
+            speed: own[2 * n + 1],
+        }
+    }
+
+    /// Place of a term of the rotor's energy ledger.
+    fn term(&self, term: RotorEnergyTerm) -> usize {
+        self.start + 2 * self.rotor.coordinates() + 2 + term as usize
+    }
+
+    /// Writes the motion of the journals to the places of the bearings.
+    fn place_journals(&self, y: &mut [f64]) {
+        let motion = self.motion(y);
+        for (layout, rows) in self.layouts.iter().zip(&self.rotor.journals) {
+            let (place, rate) = (rows * &motion.u, rows * &motion.rates);
+            for (coordinate, value) in [
+                (DropCoordinate::RotorX, place[0]),
+                (DropCoordinate::RotorY, place[1]),
+                (DropCoordinate::RotorAngle, motion.angle),
+            ] {
+                y[layout.drop(coordinate)] = value;
+            }
+            self.set_rates(layout, &rate, motion.speed, y);
+        }
+    }
+
+    /// Writes velocities to the places of one journal in a state, or accelerations in its rate.
+    fn set_rates(&self, layout: &Layout, lateral: &DVector<f64>, spin: f64, y: &mut [f64]) {
+        for (coordinate, value) in [
+            (DropCoordinate::RotorVx, lateral[0]),
+            (DropCoordinate::RotorVy, lateral[1]),
+            (DropCoordinate::RotorSpeed, spin),
+        ] {
+            y[layout.drop(coordinate)] = value;
+        }
+    }
+
+    /// Σ Uj·i·e^(i(θ+φj)) at the places of the unbalances, over u: what couples ü and Ω̇.
+    fn unbalance_coupling(&self, motion: &Motion) -> DVector<f64> {
+        let mut coupling = DVector::zeros(motion.u.len());
+        for unbalance in &self.rotor.unbalances {
+            let (sin, cos) = (motion.angle + unbalance.phase).sin_cos();
+            let direction = DVector::from_vec(vec![-sin, cos]) * unbalance.moment;
+            coupling.gemv_tr(1.0, &unbalance.place, &direction, 1.0);
+        }
+        coupling
+    }
+
+    /// Acceleration under forces over u and a torque:
+    /// ü + (b + Ksdt·u)·Ω̇ = f and Ip·Ω̇ + bᵀ·ü = τ, b the coupling by unbalance.
+    fn respond(&self, motion: &Motion, forces: DVector<f64>, torque: f64) -> Acceleration {
+        let b = self.unbalance_coupling(motion);
+        let a = &b + &self.rotor.spin_up * &motion.u;
+        let speed = (torque - b.dot(&forces)) / (self.rotor.polar_inertia - b.dot(&a));
+        Acceleration {
+            u: forces - a * speed,
+            speed,
+        }
+    }
+
+    /// Acceleration by everything but the bearings.
+    fn own_forces(&self, motion: &Motion) -> (DVector<f64>, f64) {
+        let (r, loads) = (self.rotor, &self.loads);
+        let mut forces = &r.lift * -loads.gravity;
+        forces.gemv(-1.0, &r.damping, &motion.rates, 1.0);
+        forces.gemv(-motion.speed, &r.gyroscopic, &motion.rates, 1.0);
+        forces.gemv(-1.0, &r.stiffness, &motion.u, 1.0);
+        let mut torque = loads.drive_torque;
+        for unbalance in &r.unbalances {
+            let (sin, cos) = (motion.angle + unbalance.phase).sin_cos();
+            let outwards = DVector::from_vec(vec![cos, sin])
+                * (unbalance.moment * motion.speed * motion.speed);
+            forces.gemv_tr(1.0, &unbalance.place, &outwards, 1.0);
+            torque -= unbalance.moment * loads.gravity * cos;
+        }
+        (forces, torque)
+    }
+
+    /// Adds the loads on the journals to forces over u and the torque.
+    fn add_loads(&self, loads: &[JournalLoad], forces: &mut DVector<f64>, torque: &mut f64) {
+        for ([x, y, moment], rows) in loads.iter().zip(&self.rotor.journals) {
+            forces.gemv_tr(1.0, rows, &DVector::from_vec(vec![*x, *y]), 1.0);
+            *torque += moment;
+        }
+    }
+
+    /// Response of journal `k` to unit loads on it.
+    fn compliance(&self, k: usize, motion: &Motion) -> [[f64; 3]; 3] {
+        let rows = &self.rotor.journals[k];
+        let mut columns = [[0.0; 3]; 3];
+        for (load, column) in columns.iter_mut().enumerate() {
+            let mut unit = [0.0; 3];
+            unit[load] = 1.0;
+            let mut forces = DVector::zeros(motion.u.len());
+            forces.gemv_tr(1.0, rows, &DVector::from_column_slice(&unit[..2]), 1.0);
+            let answer = self.respond(motion, forces, unit[2]);
+            let lateral = rows * answer.u;
+            *column = [lateral[0], lateral[1], answer.speed];
+        }
+        std::array::from_fn(|row| std::array::from_fn(|column| columns[column][row]))
+    }
+
+    /// Adds an acceleration of the rotor over `h_s` to a state, or with 1 to its rate.
+    fn add(&self, answer: &Acceleration, h_s: f64, y: &mut [f64]) {
+        let n = self.rotor.coordinates();
+        let rates = &mut y[self.start + n + 1..];
+        for (rate, a) in rates.iter_mut().zip(answer.u.iter()) {
+            *rate += h_s * a;
+        }
+        rates[n] += h_s * answer.speed;
+    }
+
+    fn evaluate(&mut self, time_s: f64, y: &[f64], dydt: &mut [f64], stiff_too: bool) {
+        for (bearing, layout) in self.bearings.iter_mut().zip(&self.layouts) {
+            let places = span(layout);
+            let (own, rate) = (&y[places.clone()], &mut dydt[places]);
+            if stiff_too {
+                bearing.derivative(time_s, own, rate);
+            } else {
+                bearing.nonstiff_derivative(time_s, own, rate);
+            }
+        }
+        let motion = self.motion(y);
+        let loads: Vec<JournalLoad> = self.bearings.iter().map(|b| b.journal_load()).collect();
+        let (mut forces, mut torque) = self.own_forces(&motion);
+        self.add_loads(&loads, &mut forces, &mut torque);
+        let answer = self.respond(&motion, forces, torque);
+        let n = self.rotor.coordinates();
+        let own = &mut dydt[self.start..];
+        own[..n].copy_from_slice(motion.rates.as_slice());
+        own[n] = motion.speed;
+        own[n + 1..=2 * n].copy_from_slice(answer.u.as_slice());
+        own[2 * n + 1] = answer.speed;
+        self.journal_accelerations(&answer.u, answer.speed, dydt);
+        for (term, power) in self.powers(&motion, &loads, answer.speed) {
+            dydt[self.term(term)] = power;
+        }
+    }
+
+    /// Writes the accelerations of the journals to the rates of the bearings.
+    fn journal_accelerations(&self, u: &DVector<f64>, spin: f64, dydt: &mut [f64]) {
+        for (layout, rows) in self.layouts.iter().zip(&self.rotor.journals) {
+            self.set_rates(layout, &(rows * u), spin, dydt);
+        }
+    }
+
+    /// Powers of the rotor's energy ledger.
+    fn powers(
+        &self,
+        motion: &Motion,
+        loads: &[JournalLoad],
+        spin: f64,
+    ) -> [(RotorEnergyTerm, f64); TERMS] {
+        let r = self.rotor;
+        let journals = loads.iter().enumerate();
+        let mut weight = -self.loads.gravity * r.lift.dot(&motion.rates);
+        for unbalance in &r.unbalances {
+            let cos = (motion.angle + unbalance.phase).cos();
+            weight -= unbalance.moment * self.loads.gravity * cos * motion.speed;
+        }
+        let circulatory = (&r.stiffness - r.stiffness.transpose()) * 0.5;
+        let resisting =
+            &r.damping * &motion.rates + circulatory * &motion.u + &r.spin_up * &motion.u * spin;
+        [
+            (
+                RotorEnergyTerm::Journals,
+                journals.map(|(k, load)| self.power(k, motion, load)).sum(),
+            ),
+            (RotorEnergyTerm::Weight, weight),
+            (
+                RotorEnergyTerm::Drive,
+                self.loads.drive_torque * motion.speed,
+            ),
+            (RotorEnergyTerm::Loss, resisting.dot(&motion.rates)),
+        ]
+    }
+
+    /// Power of a load on journal `k`, W.
+    fn power(&self, k: usize, motion: &Motion, [x, y, moment]: &JournalLoad) -> f64 {
+        let rate = &self.rotor.journals[k] * &motion.rates;
+        x * rate[0] + y * rate[1] + moment * motion.speed
+    }
+
+    /// Kinetic and elastic energy of the rotor, J.
+    pub fn rotor_energy_j(&self, y: &[f64]) -> f64 {
+        let motion = self.motion(y);
+        let coupling = self.unbalance_coupling(&motion).dot(&motion.rates);
+        let symmetric: DMatrix<f64> =
+            (&self.rotor.stiffness + self.rotor.stiffness.transpose()) * 0.5;
+        0.5 * motion.rates.norm_squared()
+            + motion.speed * coupling
+            + 0.5 * self.rotor.polar_inertia * motion.speed * motion.speed
+            + 0.5 * motion.u.dot(&(symmetric * &motion.u))
+    }
+
+    /// What the rotor lacks to balance its ledger, and the sum of the absolute terms, J.
+    pub fn rotor_residual_j(&self, start_energy_j: f64, y: &[f64]) -> (f64, f64) {
+        let change = self.rotor_energy_j(y) - start_energy_j;
+        let at = |term: RotorEnergyTerm| y[self.term(term)];
+        let flows = [
+            at(RotorEnergyTerm::Journals),
+            at(RotorEnergyTerm::Weight),
+            at(RotorEnergyTerm::Drive),
+            -at(RotorEnergyTerm::Loss),
+        ];
+        let sum = flows.iter().fold(change.abs(), |sum, f| sum + f.abs());
+        (change - flows.iter().sum::<f64>(), sum)
+    }
+
+    /// Contacts of bearing `k` as of the last evaluation.
+    pub fn contacts_of(&self, k: usize) -> Contacts<'_> {
+        self.bearings[k].contacts()
+    }
+
+    /// Evaluations so far.
+    pub fn evaluations(&self) -> u64 {
+        self.bearings[0].evaluations()
+    }
+
+    /// Instructions in use.
+    pub fn instruction_set(&self) -> InstructionSet {
+        self.bearings[0].instruction_set()
+    }
+
+    /// Lets `integrator` make a step.
+    ///
+    /// # Errors
+    /// Those of the method.
+    pub fn advance<M: Method>(
+        &mut self,
+        integrator: &mut Integrator<M>,
+        limit_s: f64,
+    ) -> Result<(), UnresolvedStep> {
+        integrator.advance(self, limit_s)
+    }
+}
+
+/// Places of a bearing.
+fn span(layout: &Layout) -> std::ops::Range<usize> {
+    let start = layout.start();
+    start..start + layout.len()
+}
+
+impl System for RotorOnBearings<'_> {
+    fn dimension(&self) -> usize {
+        self.term(RotorEnergyTerm::Loss) + 1
+    }
+
+    fn derivative(&mut self, time_s: f64, y: &[f64], dydt: &mut [f64]) {
+        self.evaluate(time_s, y, dydt, true);
+    }
+
+    fn mode(&self) -> u64 {
+        let modes = self.bearings.iter().map(System::mode);
+        modes.fold(0, |hash, mode| hash.rotate_left(7) ^ mode)
+    }
+
+    fn second_order_blocks(&self) -> &[SecondOrderBlock] {
+        &self.blocks
+    }
+
+    /// All bearings have a stiff part or none has.
+    fn has_stiff_part(&self) -> bool {
+        self.bearings[0].has_stiff_part()
+    }
+
+    fn nonstiff_derivative(&mut self, time_s: f64, y: &[f64], dydt: &mut [f64]) {
+        self.evaluate(time_s, y, dydt, false);
+    }
+
+    /// The friction of one bearing after the other: each sees the journal move by its own friction
+    /// within the step, and by that of the bearings before it.
+    fn add_stiff_part(&mut self, h_s: f64, y0: &[f64], y: &mut [f64], dydt: &mut [f64]) {
+        let before = self.motion(y0);
+        let mut mean_loads = vec![];
+        for k in 0..self.bearings.len() {
+            self.place_journals(y);
+            let motion = self.motion(y);
+            let compliance = self.compliance(k, &motion);
+            let places = span(&self.layouts[k]);
+            let bearing = &mut self.bearings[k];
+            bearing.set_journal_compliance(compliance);
+            let (own0, own, rate) = (
+                &y0[places.clone()],
+                &mut y[places.clone()],
+                &mut dydt[places],
+            );
+            bearing.add_stiff_part(h_s, own0, own, rate);
+            let (mean, end) = (bearing.mean_friction_load(), bearing.end_friction_load());
+            for (load, h, values) in [(mean, h_s, &mut *y), (end, 1.0, &mut *dydt)] {
+                let mut forces = DVector::zeros(motion.u.len());
+                let rows = &self.rotor.journals[k];
+                forces.gemv_tr(1.0, rows, &DVector::from_column_slice(&load[..2]), 1.0);
+                let answer = self.respond(&motion, forces, load[2]);
+                self.add(&answer, h, values);
+            }
+            mean_loads.push(mean);
+        }
+        self.place_journals(y);
+        let n = self.rotor.coordinates();
+        let own = &dydt[self.start + n + 1..];
+        let (u, spin) = (DVector::from_column_slice(&own[..n]), own[n]);
+        self.journal_accelerations(&u, spin, dydt);
+        // Work of friction on the journals, by the mean of the velocities at both ends.
+        let after = self.motion(y);
+        for (k, load) in mean_loads.iter().enumerate() {
+            let power = 0.5 * (self.power(k, &before, load) + self.power(k, &after, load));
+            let rotor = self.term(RotorEnergyTerm::Journals);
+            let bearing = self.layouts[k].energy_term(EnergyTerm::Drive);
+            for (place, power) in [(rotor, power), (bearing, -power)] {
+                dydt[place] += power;
+                y[place] += h_s * power;
+            }
+        }
+    }
+
+    fn error_norm(&self, difference: &[f64]) -> f64 {
+        let n = self.rotor.coordinates();
+        let own = &difference[self.start..];
+        let lateral = (0..n).map(|k| {
+            let [place, rate] = [own[k] / self.scale, own[n + 1 + k] / (1e4 * self.scale)];
+            place * place + rate * rate
+        });
+        let turning = (own[n] / ANGLE_SCALE).powi(2) + (own[2 * n + 1] / SPEED_SCALE).powi(2);
+        let rotor = ((lateral.sum::<f64>() + turning) / (2 * n + 2) as f64).sqrt();
+        let bearings = self.layouts.iter().map(|l| l.scaled_rms(difference));
+        bearings.fold(rotor, f64::max)
+    }
+}

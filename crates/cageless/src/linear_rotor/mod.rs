@@ -1,0 +1,170 @@
+//! A rotor that several touchdown bearings catch, with linear lateral motion: rigid, or any by its
+//! matrices.
+//!
+//! ```
+//! use cageless::linear_rotor::RigidRotor;
+//!
+//! let rotor = RigidRotor {
+//!     mass_kg: 40.0,
+//!     polar_inertia_kg_m2: 0.04,
+//!     transverse_inertia_kg_m2: 0.6,
+//!     bearing_axial_m: vec![-0.1, 0.2],
+//!     unbalances: vec![],
+//! };
+//! let rotor = rotor.linear()?;
+//! // The nearer bearing carries more.
+//! let shares = rotor.mass_shares_kg();
+//! assert!((shares[0] - 40.0 * 2.0 / 3.0).abs() < 1e-9);
+//! // A rigid rotor without contact: precession at Ω·Ip/It, and what rests stays at rest.
+//! let fastest = rotor.eigenvalues(3000.0).iter().fold(0.0, |most: f64, e| most.max(e.im));
+//! assert!((fastest - 3000.0 * 0.04 / 0.6).abs() < 1e-6);
+//! # Ok::<(), cageless::linear_rotor::RotorError>(())
+//! ```
+
+mod matrices;
+mod normal;
+mod rigid;
+
+pub use matrices::{NodeUnbalance, Reduction, RotorMatrices};
+pub use nalgebra::{Complex, DMatrix, DVector};
+pub use rigid::{PlaneUnbalance, RigidRotor};
+
+pub(crate) use normal::RotorUnbalance;
+
+use thiserror::Error;
+
+/// A rotor that cannot be.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum RotorError {
+    /// A value out of range: name, value and what is allowed.
+    #[error("{name} = {value}: must be {allowed}")]
+    Value {
+        /// Name of the value.
+        name: &'static str,
+        /// The value.
+        value: f64,
+        /// Allowed values.
+        allowed: &'static str,
+    },
+    /// A matrix of the wrong shape.
+    #[error("matrix {name} is {rows} × {columns}: must be {size} × {size}, as M")]
+    Shape {
+        /// Name of the matrix.
+        name: &'static str,
+        /// Its rows.
+        rows: usize,
+        /// Its columns.
+        columns: usize,
+        /// Rows and columns that it should have.
+        size: usize,
+    },
+    /// A matrix without a property that it must have.
+    #[error("matrix {name} must be {property}{found}")]
+    Property {
+        /// Name of the matrix.
+        name: &'static str,
+        /// What it must be.
+        property: &'static str,
+        /// What was found.
+        found: String,
+    },
+    /// A node that the rotor does not have.
+    #[error("node {node} does not exist: the rotor has the nodes 0 to {last}")]
+    Node {
+        /// The node.
+        node: usize,
+        /// The last node.
+        last: usize,
+    },
+    /// Bearings that do not hold the rotor.
+    #[error("{0}")]
+    Bearings(String),
+}
+
+/// Lateral motion of a rotor in normal coordinates u, in which the mass matrix is the identity and
+/// the symmetric part of the stiffness is diagonal:
+/// ü + (C + Ω·G)·u̇ + (K + Ω̇·Ksdt)·u = forces.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LinearRotor {
+    /// C, 1/s.
+    pub(crate) damping: DMatrix<f64>,
+    /// G, antisymmetric.
+    pub(crate) gyroscopic: DMatrix<f64>,
+    /// K, 1/s².
+    pub(crate) stiffness: DMatrix<f64>,
+    /// Ksdt, 1.
+    pub(crate) spin_up: DMatrix<f64>,
+    /// Force of a gravity of 1 m/s² along +Y.
+    pub(crate) lift: DVector<f64>,
+    /// x and y of the journal in each bearing, rows over u.
+    pub(crate) journals: Vec<DMatrix<f64>>,
+    /// Shapes in which one journal coordinate is 1 and the others are 0: x and y of each journal
+    /// in turn.
+    pub(crate) shapes: DMatrix<f64>,
+    /// Unbalances.
+    pub(crate) unbalances: Vec<RotorUnbalance>,
+    /// Ip about the axis, kg·m².
+    pub(crate) polar_inertia: f64,
+    /// m, kg.
+    mass: f64,
+}
+
+impl LinearRotor {
+    /// Number of normal coordinates.
+    pub fn coordinates(&self) -> usize {
+        self.lift.len()
+    }
+
+    /// Number of touchdown bearings.
+    pub fn bearings(&self) -> usize {
+        self.journals.len()
+    }
+
+    /// Mass.
+    pub fn mass_kg(&self) -> f64 {
+        self.mass
+    }
+
+    /// Moment of inertia about the axis of rotation.
+    pub fn polar_inertia_kg_m2(&self) -> f64 {
+        self.polar_inertia
+    }
+
+    /// Part of the mass that each bearing carries when the rotor rests in them.
+    pub fn mass_shares_kg(&self) -> Vec<f64> {
+        let loads = self.shapes.transpose() * &self.lift;
+        (0..self.bearings()).map(|k| loads[2 * k + 1]).collect()
+    }
+
+    /// Mass that the journal in bearing `k` shows to a sudden force across the axis, kg; the least
+    /// over all directions.
+    pub fn effective_mass_kg(&self, k: usize) -> f64 {
+        let journal = &self.journals[k];
+        let most = (journal * journal.transpose())
+            .symmetric_eigenvalues()
+            .max();
+        1.0 / most
+    }
+
+    /// ω of the fastest normal coordinate at rest, rad/s.
+    pub fn fastest_rad_s(&self) -> f64 {
+        let symmetric = (&self.stiffness + self.stiffness.transpose()) * 0.5;
+        symmetric.diagonal().max().max(0.0).sqrt()
+    }
+
+    /// Eigenvalues of the lateral motion at a constant speed, 1/s: real part the growth, imaginary
+    /// part the angular frequency.
+    pub fn eigenvalues(&self, speed_rad_s: f64) -> Vec<Complex<f64>> {
+        let n = self.coordinates();
+        // In [ω·u, u̇], ω of each coordinate, rounding is relative to the frequencies rather than
+        // to their squares.
+        let own = DVector::from_fn(n, |k, _| self.stiffness[(k, k)].max(1.0).sqrt());
+        let mut state = DMatrix::zeros(2 * n, 2 * n);
+        state.view_mut((0, n), (n, n)).set_diagonal(&own);
+        let rates = &self.damping + &self.gyroscopic * speed_rad_s;
+        let stiffness = &self.stiffness * DMatrix::from_diagonal(&own.map(|w| 1.0 / w));
+        state.view_mut((n, 0), (n, n)).copy_from(&-stiffness);
+        state.view_mut((n, n), (n, n)).copy_from(&-rates);
+        state.complex_eigenvalues().iter().copied().collect()
+    }
+}

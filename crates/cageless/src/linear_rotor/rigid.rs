@@ -1,0 +1,146 @@
+//! A rigid rotor in several bearings.
+
+use super::normal::{Lateral, RotorUnbalance};
+use super::{DMatrix, DVector, LinearRotor, RotorError};
+
+/// A rigid rotor; axial places are measured from its mass centre.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RigidRotor {
+    /// m.
+    pub mass_kg: f64,
+    /// Ip, about the axis of rotation.
+    pub polar_inertia_kg_m2: f64,
+    /// It, about any axis across the axis of rotation through the mass centre.
+    pub transverse_inertia_kg_m2: f64,
+    /// Axial place of each touchdown bearing.
+    pub bearing_axial_m: Vec<f64>,
+    /// Unbalances.
+    pub unbalances: Vec<PlaneUnbalance>,
+}
+
+/// Unbalance in a plane across the axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlaneUnbalance {
+    /// Axial place of the plane.
+    pub axial_m: f64,
+    /// m·ε.
+    pub moment_kg_m: f64,
+    /// Direction at the start, from +X, counter-clockwise.
+    pub phase_rad: f64,
+}
+
+impl RigidRotor {
+    /// The rotor in normal coordinates.
+    ///
+    /// With the slopes (sx, sy) of the axis, the journal at axial place z is at (x + sx·z,
+    /// y + sy·z). The spin has the angular momentum Ip·Ω·(sx, sy) across the axis, so that
+    /// It·s̈x + Ip·(Ω·ṡy + Ω̇·sy) and It·s̈y − Ip·(Ω·ṡx + Ω̇·sx) are the moments that change sx and
+    /// sy.
+    ///
+    /// # Errors
+    /// A [`RotorError`] if a value is out of range or the bearings do not hold the rotor.
+    pub fn linear(&self) -> Result<LinearRotor, RotorError> {
+        self.check()?;
+        let (m, it, ip) = (
+            self.mass_kg,
+            self.transverse_inertia_kg_m2,
+            self.polar_inertia_kg_m2,
+        );
+        let place = |z: f64| DMatrix::from_row_slice(2, 4, &[1., 0., z, 0., 0., 1., 0., z]);
+        let mut gyroscopic = DMatrix::zeros(4, 4);
+        (gyroscopic[(2, 3)], gyroscopic[(3, 2)]) = (ip, -ip);
+        let lateral = Lateral {
+            mass: DMatrix::from_diagonal(&DVector::from_vec(vec![m, m, it, it])),
+            damping: DMatrix::zeros(4, 4),
+            stiffness: DMatrix::zeros(4, 4),
+            spin_up: gyroscopic.clone(),
+            gyroscopic,
+            upwards: DVector::from_vec(vec![0.0, 1.0, 0.0, 0.0]),
+            journals: self.bearing_axial_m.iter().map(|z| place(*z)).collect(),
+            shapes: None,
+            unbalances: (self.unbalances.iter())
+                .map(|u| RotorUnbalance {
+                    moment: u.moment_kg_m,
+                    phase: u.phase_rad,
+                    place: place(u.axial_m),
+                })
+                .collect(),
+            polar_inertia: ip,
+        };
+        lateral.normal()
+    }
+
+    fn check(&self) -> Result<(), RotorError> {
+        for (name, value) in [
+            ("mass_kg", self.mass_kg),
+            ("polar_inertia_kg_m2", self.polar_inertia_kg_m2),
+            ("transverse_inertia_kg_m2", self.transverse_inertia_kg_m2),
+        ] {
+            positive(name, value)?;
+        }
+        let mut places = self.bearing_axial_m.clone();
+        places.sort_by(f64::total_cmp);
+        if places.is_empty() {
+            return Err(RotorError::Bearings(
+                "a rotor needs at least one touchdown bearing".to_owned(),
+            ));
+        }
+        if let Some(place) = places.iter().find(|z| !z.is_finite()) {
+            return Err(RotorError::Value {
+                name: "axial_m",
+                value: *place,
+                allowed: "a finite number",
+            });
+        }
+        if places.windows(2).any(|pair| pair[0] == pair[1]) {
+            return Err(RotorError::Bearings(format!(
+                "two bearings are at the same axial place, {} m: each needs its own",
+                places
+                    .windows(2)
+                    .find(|p| p[0] == p[1])
+                    .map_or(0.0, |p| p[0])
+            )));
+        }
+        if places.len() > 2 {
+            return Err(RotorError::Bearings(format!(
+                "a rigid rotor in {} bearings: at most 2, or the load of each follows from its \
+                 bending, which matrices describe",
+                places.len()
+            )));
+        }
+        for unbalance in &self.unbalances {
+            for (name, value) in [
+                ("axial_m", unbalance.axial_m),
+                ("moment_kg_m", unbalance.moment_kg_m),
+                ("phase_rad", unbalance.phase_rad),
+            ] {
+                finite(name, value)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A finite value above 0.
+pub(super) fn positive(name: &'static str, value: f64) -> Result<(), RotorError> {
+    if value > 0.0 && value.is_finite() {
+        return Ok(());
+    }
+    Err(RotorError::Value {
+        name,
+        value,
+        allowed: "more than 0",
+    })
+}
+
+/// A finite value.
+pub(super) fn finite(name: &'static str, value: f64) -> Result<(), RotorError> {
+    if value.is_finite() {
+        return Ok(());
+    }
+    Err(RotorError::Value {
+        name,
+        value,
+        allowed: "a finite number",
+    })
+}

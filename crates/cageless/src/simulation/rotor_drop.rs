@@ -1,0 +1,269 @@
+//! The drop of a rotor into several touchdown bearings.
+
+use super::observer::{Observer, RunContext};
+use super::run::{Bearings, Control, RunOutcome, drive_from};
+use super::run_tracker::RunTracker;
+use crate::case::Case;
+use crate::dynamics::rotor_on_bearings::{RotorLoads, RotorOnBearings};
+use crate::dynamics::state::State;
+use crate::dynamics::{Contacts, InstructionSet, Model};
+use crate::equilibrium::EquilibriumError;
+use crate::initial_conditions::initial_state;
+use crate::integrator::{self, Integrator, UnresolvedStep};
+use crate::linear_rotor::{LinearRotor, RotorError};
+use crate::step_limits::StepLimits;
+
+/// A rotor above several touchdown bearings, each a case of its own.
+///
+/// Of the section `rotor` of each case count the contact of journal and bore (air gap, stiffness,
+/// damping, friction) and the place and velocity of the journal when the magnets let go; mass,
+/// inertia, unbalance, speed and drive are those of the rotor.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RotorDrop {
+    rotor: LinearRotor,
+    speed_rad_s: f64,
+    drive_torque_n_m: f64,
+    cases: Vec<Case>,
+}
+
+/// Outcome of a drop into several bearings.
+#[derive(Debug)]
+pub struct RotorDropOutcome {
+    /// Outcome of each bearing. The journal's work is the drive of its energy ledger.
+    pub bearings: Vec<RunOutcome>,
+    /// What the energy ledger of the rotor alone lacks, over the sum of its absolute terms.
+    pub rotor_energy_residual_relative: f64,
+}
+
+/// Smallest share of the mean load that a bearing counts as carrying.
+const LEAST_SHARE: f64 = 1e-3;
+
+impl RotorDrop {
+    /// The drop of `rotor`, turning at `speed_rad_s`, into the bearings of `cases`, in the order
+    /// of its journals. Steps are `step_s`, or the automatic step of the method without it.
+    ///
+    /// # Errors
+    /// A [`RotorError`]: too few or too many cases, cases without a section `rotor`, with different
+    /// methods, durations or gravity, or a step that rotor and bearings do not bear.
+    pub fn new(
+        rotor: LinearRotor,
+        speed_rad_s: f64,
+        drive_torque_n_m: f64,
+        cases: Vec<Case>,
+        step_s: Option<f64>,
+    ) -> Result<Self, RotorError> {
+        let refuse = |message: String| Err(RotorError::Bearings(message));
+        if cases.len() != rotor.bearings() {
+            return refuse(format!(
+                "{} cases for {} touchdown bearings: each bearing is one case",
+                cases.len(),
+                rotor.bearings()
+            ));
+        }
+        for (name, value) in [
+            ("speed_rad_s", speed_rad_s),
+            ("drive_torque_n_m", drive_torque_n_m),
+        ] {
+            if !value.is_finite() {
+                let allowed = "a finite number";
+                return Err(RotorError::Value {
+                    name,
+                    value,
+                    allowed,
+                });
+            }
+        }
+        let mean = rotor.mass_kg() / cases.len() as f64;
+        let mut carried = Vec::with_capacity(cases.len());
+        for (k, (mut case, share)) in cases.into_iter().zip(rotor.mass_shares_kg()).enumerate() {
+            let Some(journal) = &mut case.rotor else {
+                return refuse(format!(
+                    "the case of bearing {} has no section [rotor], which describes the contact \
+                     of journal and bore",
+                    k + 1
+                ));
+            };
+            journal.mass_kg = share.abs().max(LEAST_SHARE * mean);
+            journal.polar_inertia_kg_m2 = rotor.polar_inertia_kg_m2();
+            journal.speed_rad_s = speed_rad_s;
+            journal.eccentricity_m = 0.0;
+            journal.drive_torque_n_m = drive_torque_n_m;
+            carried.push(case);
+        }
+        let drop = Self {
+            rotor,
+            speed_rad_s,
+            drive_torque_n_m,
+            cases: carried,
+        };
+        drop.same("solver.method", |case| case.solver.method)?;
+        drop.same("solver.duration_s", |case| case.solver.duration_s)?;
+        drop.same("solver.tolerance", |case| case.solver.tolerance)?;
+        drop.same("operation.gravity_m_s2", |case| case.operation.gravity_m_s2)?;
+        drop.with_step(step_s)
+    }
+
+    /// Checks that all cases agree in a value.
+    fn same<T: PartialEq + std::fmt::Debug>(
+        &self,
+        key: &str,
+        value: impl Fn(&Case) -> T,
+    ) -> Result<(), RotorError> {
+        let first = value(&self.cases[0]);
+        for (k, case) in self.cases.iter().enumerate().skip(1) {
+            let own = value(case);
+            if own != first {
+                return Err(RotorError::Bearings(format!(
+                    "{key} is {first:?} in the case of bearing 1 and {own:?} in that of bearing \
+                     {}: all bearings of a rotor need the same",
+                    k + 1
+                )));
+            }
+        }
+        Ok(())
+    }
+
+    fn with_step(mut self, step_s: Option<f64>) -> Result<Self, RotorError> {
+        let method = self.cases[0].solver.method;
+        let fastest = self.rotor.fastest_rad_s();
+        let limits: Vec<StepLimits> = (self.cases.iter().enumerate())
+            .map(|(k, case)| {
+                StepLimits::with_linear_rotor(case, self.rotor.effective_mass_kg(k), fastest)
+            })
+            .collect();
+        let least = |step: fn(&StepLimits, crate::case::Method) -> f64| {
+            let steps = limits.iter().map(|l| step(l, method));
+            steps.fold(f64::INFINITY, f64::min)
+        };
+        let (automatic, largest) = (least(StepLimits::automatic_s), least(StepLimits::largest_s));
+        let step = step_s.unwrap_or(automatic);
+        if step > largest {
+            return Err(RotorError::Bearings(format!(
+                "a step of {} µs is beyond what rotor and bearings bear, {:.3} µs: the fastest \
+                 vibration of the rotor has {:.0} Hz, that of the contacts {:.0} Hz. Choose a \
+                 smaller step, or leave out the fastest modes",
+                1e6 * step,
+                1e6 * largest,
+                fastest / std::f64::consts::TAU,
+                limits
+                    .iter()
+                    .fold(0.0, |most: f64, l| most.max(l.contact_rad_s))
+                    / std::f64::consts::TAU,
+            )));
+        }
+        for case in &mut self.cases {
+            case.solver.step_s = step;
+        }
+        Ok(self)
+    }
+
+    /// The rotor.
+    pub fn rotor(&self) -> &LinearRotor {
+        &self.rotor
+    }
+
+    /// The cases of the bearings as they run: with the share of the mass of each and the step.
+    pub fn cases(&self) -> &[Case] {
+        &self.cases
+    }
+
+    /// The same drop with conventional outer rings.
+    pub fn conventional(&self) -> Self {
+        Self {
+            cases: self.cases.iter().map(Case::conventional).collect(),
+            ..self.clone()
+        }
+    }
+
+    /// Drops the rotor. `observers` watch one bearing each; `control` is called every thousand
+    /// steps or so with the simulated time.
+    ///
+    /// # Errors
+    /// A bearing is impossible. Everything later is an [`Ending`](super::Ending) of the bearings;
+    /// one that stops ends the drop of all.
+    ///
+    /// # Panics
+    /// If there are not as many `observers` as bearings.
+    pub fn run(
+        &self,
+        observers: &mut [Vec<&mut dyn Observer>],
+        control: &mut dyn FnMut(f64) -> Control,
+    ) -> Result<RotorDropOutcome, EquilibriumError> {
+        assert_eq!(
+            observers.len(),
+            self.cases.len(),
+            "observers for each bearing"
+        );
+        let mut starts: Vec<(State, Vec<f64>)> = vec![];
+        let mut models = vec![];
+        for case in &self.cases {
+            starts.push(initial_state(case)?);
+            models.push(Model::new(case)?.guided(true));
+        }
+        let loads = RotorLoads {
+            gravity: self.cases[0].operation.gravity_m_s2,
+            drive_torque: self.drive_torque_n_m,
+        };
+        let mut system = RotorOnBearings::new(&self.rotor, loads, &models);
+        let mut start = vec![0.0; integrator::System::dimension(&system)];
+        let [mut places, mut velocities] = [vec![], vec![]];
+        for (k, (case, (state, _))) in self.cases.iter().zip(&starts).enumerate() {
+            system.layout(k).spread_padding(&mut start);
+            state.write_to(system.layout(k), &mut start);
+            if let Some(journal) = &case.rotor {
+                places.extend([journal.x_m, journal.y_m]);
+                velocities.extend([journal.vx_m_s, journal.vy_m_s]);
+            }
+        }
+        system.set_rotor(&mut start, &places, &velocities, self.speed_rad_s);
+        let states: Vec<State> = (0..models.len())
+            .map(|k| State::from_vector(system.layout(k), &start))
+            .collect();
+        let mut trackers: Vec<RunTracker<'_, '_, '_>> = observers
+            .iter_mut()
+            .enumerate()
+            .map(|(k, observers)| {
+                let context = RunContext {
+                    case: &self.cases[k],
+                    model: &models[k],
+                    start: &states[k],
+                    start_angle_rad: &starts[k].1,
+                };
+                RunTracker::new(context, system.layout(k), observers).numbered(k)
+            })
+            .collect();
+        let start_energy = system.rotor_energy_j(&start);
+        let end = drive_from(&start, &mut system, &mut trackers, control);
+        let (residual, flows) = system.rotor_residual_j(start_energy, &end);
+        Ok(RotorDropOutcome {
+            bearings: trackers.into_iter().map(RunTracker::outcome).collect(),
+            rotor_energy_residual_relative: if flows > 0.0 { residual / flows } else { 0.0 },
+        })
+    }
+}
+
+impl Bearings for RotorOnBearings<'_> {
+    fn independent(&self) -> bool {
+        false
+    }
+
+    fn contacts_of(&self, bearing: usize) -> Contacts<'_> {
+        self.contacts_of(bearing)
+    }
+
+    fn evaluations(&self) -> u64 {
+        self.evaluations()
+    }
+
+    fn instruction_set(&self) -> InstructionSet {
+        self.instruction_set()
+    }
+
+    fn advance<M: integrator::Method>(
+        &mut self,
+        integrator: &mut Integrator<M>,
+        limit_s: f64,
+    ) -> Result<(), UnresolvedStep> {
+        self.advance(integrator, limit_s)
+    }
+}

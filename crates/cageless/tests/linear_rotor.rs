@@ -1,0 +1,478 @@
+//! A rotor with linear lateral motion in several bearings: against the rotor in one plane, against
+//! its own linear equations where nothing touches, and its energy ledger.
+
+use crate::common::{drop_case, raceway};
+use cageless::linear_rotor::{
+    Complex, DMatrix, DVector, LinearRotor, NodeUnbalance, PlaneUnbalance, Reduction, RigidRotor,
+    RotorMatrices,
+};
+use cageless::recorder::Recorder;
+use cageless::simulation::{
+    Control, Ending, Observer, RotorDrop, RotorDropOutcome, RunOutcome, run,
+};
+use cageless::snapshot::Snapshot;
+use cageless::{Case, FrictionLaw, Method};
+
+const SPEED_RAD_S: f64 = 3141.6;
+
+/// A bearing that the rotor is about to touch.
+fn bearing(method: Method) -> Case {
+    let mut case = drop_case();
+    let raceway = raceway(&case.bearing, 5.1, 25.2, 0.0);
+    case = case.with_raceways(vec![raceway]);
+    let rotor = case.rotor.as_mut().unwrap();
+    (rotor.y_m, rotor.vy_m_s) = (-199e-6, -0.0625);
+    rotor.speed_rad_s = SPEED_RAD_S;
+    case.solver.method = method;
+    case.solver.tolerance = 1e-10;
+    case.solver.duration_s = 2e-3;
+    case
+}
+
+fn rigid(places_m: [f64; 2]) -> RigidRotor {
+    RigidRotor {
+        mass_kg: 40.0,
+        polar_inertia_kg_m2: 0.04,
+        transverse_inertia_kg_m2: 0.6,
+        bearing_axial_m: places_m.to_vec(),
+        unbalances: vec![],
+    }
+}
+
+fn dropped(drop: &RotorDrop) -> RotorDropOutcome {
+    let mut observers: Vec<Vec<&mut dyn Observer>> = drop.cases().iter().map(|_| vec![]).collect();
+    let outcome = drop
+        .run(&mut observers, &mut |_| Control::Continue(()))
+        .unwrap();
+    for bearing in &outcome.bearings {
+        assert!(
+            matches!(bearing.ending, Ending::Complete),
+            "{:?}",
+            bearing.ending
+        );
+    }
+    outcome
+}
+
+/// Root mean square of the difference of two states in the scales of their coordinates.
+fn difference(a: &RunOutcome, b: &RunOutcome) -> f64 {
+    let (a, b) = (&a.state, &b.state);
+    let mut scaled = vec![];
+    for k in 0..14 {
+        let (p, q) = (a.ball_motion(k), b.ball_motion(k));
+        scaled.extend([(p.x - q.x) / 1e-5, (p.y - q.y) / 1e-5, p.vx - q.vx]);
+        scaled.extend([p.vy - q.vy, (p.spin - q.spin) / 200.0]);
+    }
+    let (p, q) = (a.rotor_motion().unwrap(), b.rotor_motion().unwrap());
+    scaled.extend([(p.speed - q.speed), (p.angle - q.angle) / 1e-3]);
+    scaled.push(a.ring_speed_rad_s().unwrap() - b.ring_speed_rad_s().unwrap());
+    let (p, q) = (a.ring_motion(), b.ring_motion());
+    scaled.extend([(p.x - q.x) / 1e-5, (p.y - q.y) / 1e-5]);
+    (scaled.iter().map(|e| e * e).sum::<f64>() / scaled.len() as f64).sqrt()
+}
+
+/// Two equal bearings on both sides of the mass centre: each moves as the bearing of a rotor in
+/// one plane with half the mass and half the inertia.
+#[test]
+fn symmetric_bearings_move_as_one_plane() {
+    // The slower rotor rolls on the ring after a fraction of a millisecond.
+    for (method, law, speed, most) in [
+        (Method::Adaptive, FrictionLaw::Smooth, SPEED_RAD_S, 1e-5),
+        (Method::Symplectic, FrictionLaw::Smooth, SPEED_RAD_S, 1e-6),
+        (Method::Symplectic, FrictionLaw::Coulomb, SPEED_RAD_S, 1e-6),
+        (Method::Symplectic, FrictionLaw::Smooth, 30.0, 2e-6),
+        (Method::Symplectic, FrictionLaw::Coulomb, 30.0, 2e-6),
+    ] {
+        let mut case = bearing(method);
+        case.contact.friction_law = law;
+        let rotor = case.rotor.as_mut().unwrap();
+        (rotor.friction_law, rotor.speed_rad_s) = (law, speed);
+        case.solver.step_s = if method == Method::Adaptive {
+            1e-5
+        } else {
+            5e-7
+        };
+        case.solver.tolerance = 1e-12;
+        let one = run(&case, &mut [], &mut |_| Control::Continue(())).unwrap();
+        let rotor = rigid([-0.15, 0.15]).linear().unwrap();
+        let step = Some(case.solver.step_s);
+        let cases = vec![case.clone(), case];
+        let drop = RotorDrop::new(rotor, speed, 0.0, cases, step).unwrap();
+        let both = dropped(&drop);
+        for bearing in &both.bearings {
+            let error = difference(bearing, &one);
+            println!("{method:?} {law:?} {speed}: {error:.1e}");
+            assert!(error < most, "{method:?} {law:?} {speed}: {error:e}");
+        }
+    }
+}
+
+/// The same with an unbalance in the middle. A journal held at the centre has its mass centre at
+/// ε·e^(iφ), with the velocity iΩ·ε·e^(iφ).
+#[test]
+fn unbalance_moves_as_an_eccentric_mass_centre() {
+    let (eccentricity, phase) = (2e-5, 0.7_f64);
+    let mut case = bearing(Method::Adaptive);
+    case.solver.step_s = 1e-5;
+    let rotor = case.rotor.as_mut().unwrap();
+    (rotor.y_m, rotor.vy_m_s) = (-150e-6, -0.0625);
+    let cases = vec![case.clone(), case.clone()];
+    let rotor = case.rotor.as_mut().unwrap();
+    (rotor.eccentricity_m, rotor.eccentricity_phase_rad) = (eccentricity, phase);
+    rotor.x_m += eccentricity * phase.cos();
+    rotor.y_m += eccentricity * phase.sin();
+    rotor.vx_m_s -= SPEED_RAD_S * eccentricity * phase.sin();
+    rotor.vy_m_s += SPEED_RAD_S * eccentricity * phase.cos();
+    let one = run(&case, &mut [], &mut |_| Control::Continue(())).unwrap();
+    let rotor = RigidRotor {
+        // About the axis.
+        polar_inertia_kg_m2: 0.04 + 40.0 * eccentricity * eccentricity,
+        unbalances: vec![PlaneUnbalance {
+            axial_m: 0.0,
+            moment_kg_m: 40.0 * eccentricity,
+            phase_rad: phase,
+        }],
+        ..rigid([-0.15, 0.15])
+    };
+    let rotor = rotor.linear().unwrap();
+    let drop = RotorDrop::new(rotor, SPEED_RAD_S, 0.0, cases, Some(1e-5)).unwrap();
+    let both = dropped(&drop);
+    assert!(both.rotor_energy_residual_relative.abs() < 1e-8);
+    for bearing in &both.bearings {
+        let error = difference(bearing, &one);
+        println!("eccentric: {error:.1e}");
+        assert!(error < 1e-5, "{error:e}");
+    }
+}
+
+/// Bearings at different distances, one of them conventional: every ledger closes.
+#[test]
+fn ledgers_of_rotor_and_bearings_close() {
+    for (method, law, most) in [
+        (Method::Adaptive, FrictionLaw::Smooth, 1e-8),
+        (Method::Symplectic, FrictionLaw::Smooth, 1e-3),
+        (Method::Symplectic, FrictionLaw::Coulomb, 1e-3),
+    ] {
+        let rotor = RigidRotor {
+            unbalances: vec![PlaneUnbalance {
+                axial_m: 0.05,
+                moment_kg_m: 2e-4,
+                phase_rad: 1.0,
+            }],
+            ..rigid([-0.1, 0.2])
+        };
+        let mut cases = vec![bearing(method), bearing(method).conventional()];
+        for case in &mut cases {
+            case.contact.friction_law = law;
+            case.rotor.as_mut().unwrap().friction_law = law;
+            case.solver.duration_s = 4e-3;
+        }
+        let step = (method == Method::Adaptive).then_some(1e-5);
+        let rotor = rotor.linear().unwrap();
+        let drop = RotorDrop::new(rotor, SPEED_RAD_S, 0.0, cases, step).unwrap();
+        let outcome = dropped(&drop);
+        println!(
+            "{method:?} rotor {:.1e}",
+            outcome.rotor_energy_residual_relative
+        );
+        assert!(outcome.rotor_energy_residual_relative.abs() < most);
+        for bearing in &outcome.bearings {
+            println!(
+                "{method:?} bearing {:.1e}",
+                bearing.energy_residual_relative
+            );
+            assert!(bearing.energy_residual_relative.abs() < most);
+        }
+        let [near, far] = [0, 1].map(|k| outcome.bearings[k].state.rotor_motion().unwrap());
+        assert_eq!((near.speed, near.angle), (far.speed, far.angle));
+        assert!(near.speed < SPEED_RAD_S - 0.05);
+    }
+}
+
+/// A steel shaft of 0.4 m in beam elements with two discs.
+fn shaft(elements: usize) -> RotorMatrices {
+    let (modulus, density, diameter): (f64, f64, f64) = (2.06e11, 7850.0, 0.03);
+    let l = 0.4 / elements as f64;
+    let area = std::f64::consts::PI * diameter.powi(2) / 4.0;
+    let stiffness = modulus * std::f64::consts::PI * diameter.powi(4) / 64.0 / l.powi(3);
+    let mass = density * area * l / 420.0;
+    let size = 4 * (elements + 1);
+    let mut m = DMatrix::zeros(size, size);
+    let mut k = DMatrix::zeros(size, size);
+    let mut g = DMatrix::zeros(size, size);
+    let bending = [
+        [12.0, 6.0 * l, -12.0, 6.0 * l],
+        [6.0 * l, 4.0 * l * l, -6.0 * l, 2.0 * l * l],
+        [-12.0, -6.0 * l, 12.0, -6.0 * l],
+        [6.0 * l, 2.0 * l * l, -6.0 * l, 4.0 * l * l],
+    ];
+    let inertia = [
+        [156.0, 22.0 * l, 54.0, -13.0 * l],
+        [22.0 * l, 4.0 * l * l, 13.0 * l, -3.0 * l * l],
+        [54.0, 13.0 * l, 156.0, -22.0 * l],
+        [-13.0 * l, -3.0 * l * l, -22.0 * l, 4.0 * l * l],
+    ];
+    for element in 0..elements {
+        // x with β, y with −α.
+        for (places, sign) in [([0, 3, 4, 7], 1.0), ([1, 2, 5, 6], -1.0)] {
+            let signs = [1.0, sign, 1.0, sign];
+            for row in 0..4 {
+                for column in 0..4 {
+                    let at = (4 * element + places[row], 4 * element + places[column]);
+                    let s = signs[row] * signs[column];
+                    m[at] += s * mass * inertia[row][column];
+                    k[at] += s * stiffness * bending[row][column];
+                }
+            }
+        }
+    }
+    let (disc, polar, transverse) = (4.0, 0.02, 0.011);
+    for node in [elements / 4, elements - 1] {
+        for (place, value) in [(0, disc), (1, disc), (2, transverse), (3, transverse)] {
+            m[(4 * node + place, 4 * node + place)] += value;
+        }
+        g[(4 * node + 2, 4 * node + 3)] = polar;
+        g[(4 * node + 3, 4 * node + 2)] = -polar;
+    }
+    RotorMatrices {
+        damping: &k * 1e-6,
+        spin_up: g.clone(),
+        mass: m,
+        gyroscopic: g,
+        stiffness: k,
+        polar_inertia_kg_m2: 0.041,
+    }
+}
+
+/// Exact test 9, eigenvalues: those of the full matrices.
+#[test]
+fn eigenvalues_are_those_of_the_matrices() {
+    let matrices = shaft(6);
+    let reduction = Reduction {
+        bearing_nodes: vec![0, 6],
+        ..Reduction::default()
+    };
+    let rotor = matrices.reduce(&reduction).unwrap();
+    let n = matrices.mass.nrows();
+    assert_eq!(rotor.coordinates(), n);
+    let mut found: Vec<Complex<f64>> = rotor.eigenvalues(SPEED_RAD_S);
+    found.retain(|e| e.im > 100.0);
+    found.sort_by(|a, b| a.im.total_cmp(&b.im));
+    assert!(found.len() > 6);
+    for value in found.iter().take(8) {
+        let exact = eigenvalue_near(&matrices, *value);
+        assert!(
+            (value - exact).norm() < 1e-9 * exact.norm(),
+            "{value} {exact}"
+        );
+    }
+    // With the modes up to four times the highest of interest: 1e-3 of the lowest ones.
+    let few = matrices
+        .reduce(&Reduction {
+            frequency_max_hz: Some(4.0 * found[3].im / std::f64::consts::TAU),
+            ..reduction
+        })
+        .unwrap();
+    assert!(few.coordinates() < n);
+    for value in found.iter().take(3) {
+        let near = few.eigenvalues(SPEED_RAD_S).into_iter();
+        let miss = near.fold(f64::INFINITY, |least, e| least.min((e - value).norm()));
+        assert!(miss < 1e-3 * value.norm(), "{value} {miss}");
+    }
+}
+
+/// The eigenvalue of λ²·M + λ·(C + Ω·G) + K near a value: Newton's method with its eigenvector.
+fn eigenvalue_near(matrices: &RotorMatrices, value: Complex<f64>) -> Complex<f64> {
+    let complex = |matrix: &DMatrix<f64>| matrix.map(|v| Complex::new(v, 0.0));
+    let rates = &matrices.damping + &matrices.gyroscopic * SPEED_RAD_S;
+    let [m, c, k] = [&matrices.mass, &rates, &matrices.stiffness].map(complex);
+    // Off the eigenvalue, where the equations can be solved.
+    let mut value = value * 1.000_01;
+    let mut vector = DVector::from_fn(m.nrows(), |k, _| Complex::new(1.0, 0.3 * k as f64));
+    for _ in 0..12 {
+        let pencil = &m * (value * value) + &c * value + &k;
+        let slope = &m * (value * 2.0) + &c;
+        let Some(next) = pencil.lu().solve(&(slope * &vector)) else {
+            break;
+        };
+        let place = next.icamax();
+        value -= vector[place] / next[place];
+        vector = &next / next[place];
+    }
+    value
+}
+
+/// Exact test 9, response: a rotor that touches nothing moves as its linear equations say,
+/// exp(A·t) with A from the full matrices.
+#[test]
+fn a_rotor_without_contact_moves_as_its_matrices_say() {
+    let matrices = shaft(4);
+    let bearing_nodes = vec![0, 3];
+    let reduction = Reduction {
+        bearing_nodes: bearing_nodes.clone(),
+        ..Reduction::default()
+    };
+    let rotor = matrices.reduce(&reduction).unwrap();
+    let mut cases = vec![bearing(Method::Adaptive); 2];
+    for (case, [vx, vy]) in cases.iter_mut().zip([[0.02, -0.01], [-0.015, 0.03]]) {
+        let journal = case.rotor.as_mut().unwrap();
+        (journal.x_m, journal.y_m) = (0.0, 0.0);
+        (journal.vx_m_s, journal.vy_m_s) = (vx, vy);
+        case.solver.tolerance = 1e-12;
+    }
+    let drop = RotorDrop::new(rotor, SPEED_RAD_S, 0.0, cases, Some(1e-5)).unwrap();
+    let outcome = dropped(&drop);
+    // Beside the energy of the spin, hardly any flows.
+    assert!(outcome.rotor_energy_residual_relative.abs() < 1e-6);
+    // State [q, q̇, 1] of the full matrices, from the static shape of the journals' velocities.
+    let n = matrices.mass.nrows();
+    let inverse = matrices.mass.clone().try_inverse().unwrap();
+    let mut a = DMatrix::zeros(2 * n + 1, 2 * n + 1);
+    a.view_mut((0, n), (n, n)).fill_with_identity();
+    let rates = &matrices.damping + &matrices.gyroscopic * SPEED_RAD_S;
+    a.view_mut((n, 0), (n, n))
+        .copy_from(&-(&inverse * &matrices.stiffness));
+    a.view_mut((n, n), (n, n)).copy_from(&-(&inverse * rates));
+    for k in (1..n).step_by(4) {
+        a[(n + k, 2 * n)] = -9.81;
+    }
+    let given: Vec<usize> = bearing_nodes
+        .iter()
+        .flat_map(|k| [4 * k, 4 * k + 1])
+        .collect();
+    let free: Vec<usize> = (0..n).filter(|k| !given.contains(k)).collect();
+    let part = |rows: &[usize], columns: &[usize]| {
+        matrices.stiffness.select_rows(rows).select_columns(columns)
+    };
+    let velocities = DVector::from_vec(vec![0.02, -0.01, -0.015, 0.03]);
+    let rest = -part(&free, &free).try_inverse().unwrap() * part(&free, &given) * &velocities;
+    let mut start = DVector::zeros(2 * n + 1);
+    start[2 * n] = 1.0;
+    for (k, place) in given.iter().enumerate() {
+        start[n + place] = velocities[k];
+    }
+    for (k, place) in free.iter().enumerate() {
+        start[n + place] = rest[k];
+    }
+    let end = (a * 2e-3).exp() * start;
+    for (k, node) in bearing_nodes.iter().enumerate() {
+        let journal = outcome.bearings[k].state.rotor_motion().unwrap();
+        for (value, place, scale) in [
+            (journal.x, 4 * node, 1e-5),
+            (journal.y, 4 * node + 1, 1e-5),
+            (journal.vx, n + 4 * node, 0.1),
+            (journal.vy, n + 4 * node + 1, 0.1),
+        ] {
+            let error = (value - end[place]) / scale;
+            println!("node {node}: {error:.1e}");
+            assert!(error.abs() < 1e-6, "{value} {} {error:e}", end[place]);
+        }
+    }
+}
+
+/// A flexible rotor dropped into its bearings by the production method: at rest it weighs what it
+/// weighs, and its vibrations die out in its own damping.
+#[test]
+fn a_flexible_rotor_falls_into_its_bearings() {
+    let reduction = Reduction {
+        bearing_nodes: vec![0, 4],
+        kept_nodes: vec![2],
+        unbalances: vec![NodeUnbalance {
+            node: 1,
+            moment_kg_m: 2e-5,
+            phase_rad: 0.3,
+        }],
+        frequency_max_hz: Some(5000.0),
+    };
+    let rotor: LinearRotor = shaft(4).reduce(&reduction).unwrap();
+    let weight: f64 = rotor.mass_shares_kg().iter().sum();
+    assert!((weight - rotor.mass_kg()).abs() < 1e-9 * weight);
+    let mut cases = vec![bearing(Method::Symplectic); 2];
+    for case in &mut cases {
+        case.solver.duration_s = 5e-3;
+    }
+    let drop = RotorDrop::new(rotor, 500.0, 0.0, cases, None).unwrap();
+    let mut touched = [0.0_f64; 2];
+    let [mut first, mut second] = [0, 1].map(|_| vec![]);
+    {
+        let mut recorders = [&mut first, &mut second].map(|rows: &mut Vec<Snapshot>| {
+            Recorder::new(1e-4, |s| {
+                rows.push(s);
+                Ok(())
+            })
+        });
+        let mut observers: Vec<Vec<&mut dyn Observer>> = (recorders.iter_mut())
+            .map(|r| vec![r as &mut dyn Observer])
+            .collect();
+        let outcome = drop
+            .run(&mut observers, &mut |_| Control::Continue(()))
+            .unwrap();
+        assert!(outcome.rotor_energy_residual_relative.abs() < 1e-3);
+        assert!(
+            outcome
+                .bearings
+                .iter()
+                .all(|b| b.energy_residual_relative.abs() < 1e-3)
+        );
+    }
+    for (most, rows) in touched.iter_mut().zip([first, second]) {
+        for row in rows {
+            *most = most.max(row.rotor.unwrap().contact_force_n);
+        }
+    }
+    assert!(
+        touched.iter().all(|force| *force > 9.81 * weight),
+        "{touched:?}"
+    );
+}
+
+#[test]
+fn impossible_rotors_are_refused_by_name() {
+    let said = |error: cageless::linear_rotor::RotorError| error.to_string();
+    let of = |reduction: &Reduction| said(shaft(4).reduce(reduction).unwrap_err());
+    let at = |nodes: &[usize]| Reduction {
+        bearing_nodes: nodes.to_vec(),
+        ..Reduction::default()
+    };
+    assert_eq!(
+        of(&at(&[0, 9])),
+        "node 9 does not exist: the rotor has the nodes 0 to 4"
+    );
+    assert!(of(&at(&[2])).contains("move freely with the 1 kept nodes held"));
+    assert!(of(&at(&[2, 2])).contains("two touchdown bearings are at node 2"));
+    assert!(of(&at(&[])).contains("at least one touchdown bearing"));
+    let broken = |change: fn(&mut RotorMatrices)| {
+        let mut matrices = shaft(4);
+        change(&mut matrices);
+        said(matrices.reduce(&at(&[0, 4])).unwrap_err())
+    };
+    assert!(broken(|m| m.gyroscopic[(2, 3)] = 1.0).contains("matrix G must be antisymmetric"));
+    assert!(broken(|m| m.mass[(0, 1)] = 1.0).contains("matrix M must be symmetric"));
+    assert!(broken(|m| m.mass[(0, 0)] = -1.0).contains("matrix M must be positive definite"));
+    assert_eq!(
+        broken(|m| m.damping = DMatrix::zeros(3, 4)),
+        "matrix C is 3 × 4: must be 20 × 20, as M"
+    );
+    assert!(broken(|m| m.stiffness[(1, 1)] = f64::NAN).contains("matrix K must be of finite"));
+    assert!(broken(|m| m.polar_inertia_kg_m2 = 0.0).contains("polar_inertia_kg_m2 = 0"));
+    let rotor = || rigid([-0.1, 0.2]).linear().unwrap();
+    let drop = |cases: Vec<Case>, step| {
+        said(RotorDrop::new(rotor(), 100.0, 0.0, cases, step).unwrap_err())
+    };
+    let case = || bearing(Method::Symplectic);
+    assert!(drop(vec![case()], None).contains("1 cases for 2 touchdown bearings"));
+    assert!(drop(vec![case(); 2], Some(1e-3)).contains("beyond what rotor and bearings bear"));
+    let longer = Case {
+        solver: cageless::Solver {
+            duration_s: 1.0,
+            ..case().solver
+        },
+        ..case()
+    };
+    assert!(drop(vec![case(), longer], None).contains("solver.duration_s is 0.002 in the case"));
+    let message = said(rigid([0.1, 0.1]).linear().unwrap_err());
+    assert!(
+        message.contains("two bearings are at the same axial place, 0.1 m"),
+        "{message}"
+    );
+}
