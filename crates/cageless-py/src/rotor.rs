@@ -184,8 +184,8 @@ impl LinearRotor {
         };
         let bearings = (file.bearings().iter().cloned())
             .zip(dropped.bearings)
-            .map(|(file, record)| Drop::of_bearing(file, record))
-            .collect();
+            .map(|(file, record)| Drop::of_bearing(py, file, record))
+            .collect::<PyResult<_>>()?;
         Ok((bearings, summary, page, stopped))
     }
 }

@@ -169,7 +169,8 @@ impl Run {
     /// Reads the folder of `cageless run --out`.
     #[staticmethod]
     fn load(py: Python<'_>, dir: PathBuf) -> PyResult<Self> {
-        let (arrays, summary, report) = run_files::read(py, &dir)?;
+        let (arrays, [summary, report]) =
+            run_files::read(py, &dir, ["summary.json", "report.json"])?;
         Ok(Self {
             arrays: arrays.unbind(),
             stopped: run_files::stopped(&summary),

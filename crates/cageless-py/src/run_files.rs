@@ -1,8 +1,8 @@
-//! Runs in folders: those of `cageless run --out`.
+//! Runs and drops in folders: those of `--out`.
 
 use std::path::Path;
 
-use cageless::{Collision, RingSnapshot, Snapshot};
+use cageless::{Collision, RingSnapshot, RotorSnapshot, Snapshot};
 use cageless_io::results::{
     BALLS, COLLISIONS, Column, Metadata, RING, ROTOR, RunWriter, read_run_table,
 };
@@ -39,6 +39,8 @@ pub struct Arrays {
     balls: Vec<Vec<f64>>,
     ring: Vec<Vec<f64>>,
     collisions: Vec<Vec<f64>>,
+    /// Of a drop.
+    rotor: Option<Vec<Vec<f64>>>,
 }
 
 impl Arrays {
@@ -48,6 +50,10 @@ impl Arrays {
             balls: columns(tables, "balls", &BALLS[2..])?,
             ring: columns(tables, "ring", RING)?,
             collisions: columns(tables, "collisions", COLLISIONS)?,
+            rotor: match tables.contains("rotor")? {
+                true => Some(columns(tables, "rotor", ROTOR)?),
+                false => None,
+            },
         })
     }
 
@@ -79,7 +85,10 @@ impl Arrays {
             })
             .copied()
             .collect();
-        Snapshot::from_parts(time_s, RingSnapshot::from_values(ring), None, &arrays)
+        let rotor = self.rotor.as_ref().map(|columns| {
+            RotorSnapshot::from_values(std::array::from_fn(|k| columns[k + 1][row]))
+        });
+        Snapshot::from_parts(time_s, RingSnapshot::from_values(ring), rotor, &arrays)
     }
 
     /// Writes the tables.
@@ -123,20 +132,18 @@ fn columns(tables: &Bound<'_, PyDict>, of: &str, names: &[Column]) -> PyResult<V
     names.iter().map(column).collect()
 }
 
-/// Contents of a folder: arrays, `summary.json`, `report.json`.
-pub type Contents<'py> = (Bound<'py, PyDict>, String, String);
+/// Contents of a folder: arrays, and the texts asked for.
+pub type Contents<'py> = (Bound<'py, PyDict>, [String; 2]);
 
-/// Reads a folder.
-pub fn read<'py>(py: Python<'py>, dir: &Path) -> PyResult<Contents<'py>> {
+/// Reads the tables of a folder that runs and drops have in common, and files of text.
+pub fn read<'py>(py: Python<'py>, dir: &Path, texts: [&str; 2]) -> PyResult<Contents<'py>> {
     let text = |name: &str| {
         let path = dir.join(name);
         std::fs::read_to_string(&path)
             .map_err(|e| input(format!("{}: cannot be read: {e}", path.display())))
     };
-    let (summary, report) = (text("summary.json")?, text("report.json")?);
-    let table = |name: &str, columns| {
-        read_run_table(&dir.join(name), columns).map_err(|error| of_results(&error))
-    };
+    let texts = [text(texts[0])?, text(texts[1])?];
+    let table = |name: &str, columns| table_of(dir, name, columns);
     let (balls, ring, collisions) = py.detach(|| -> PyResult<_> {
         Ok((
             table("balls.parquet", BALLS)?,
@@ -146,28 +153,51 @@ pub fn read<'py>(py: Python<'py>, dir: &Path) -> PyResult<Contents<'py>> {
     })?;
     let times = ring[0].len();
     let tables = PyDict::new(py);
-    let of = |names: &[Column], columns: Vec<Vec<f64>>, times: Option<usize>| {
-        let found = PyDict::new(py);
-        for (column, values) in names.iter().zip(columns) {
-            if column.integer {
-                let values: Vec<i32> = values.into_iter().map(|v| v as i32).collect();
-                found.set_item(column.name, frozen(values.into_pyarray(py)))?;
-                continue;
-            }
-            let shape = match times {
-                Some(times) => vec![times, values.len() / times.max(1)],
-                None => vec![values.len()],
-            };
-            let array = ArrayD::from_shape_vec(IxDyn(&shape), values).map_err(other)?;
-            found.set_item(column.name, frozen(array.into_pyarray(py)))?;
-        }
-        Ok::<_, PyErr>(found)
-    };
     let balls = balls.into_iter().skip(2).collect();
-    tables.set_item("balls", of(&BALLS[2..], balls, Some(times))?)?;
-    tables.set_item("ring", of(RING, ring, None)?)?;
-    tables.set_item("collisions", of(COLLISIONS, collisions, None)?)?;
-    Ok((tables, summary, report))
+    tables.set_item("balls", dict(py, &BALLS[2..], balls, Some(times))?)?;
+    tables.set_item("ring", dict(py, RING, ring, None)?)?;
+    tables.set_item("collisions", dict(py, COLLISIONS, collisions, None)?)?;
+    Ok((tables, texts))
+}
+
+/// Adds `rotor.parquet` of a folder to the tables of a drop.
+pub fn read_rotor(py: Python<'_>, dir: &Path, tables: &Bound<'_, PyDict>) -> PyResult<()> {
+    let rotor = py.detach(|| table_of(dir, "rotor.parquet", ROTOR))?;
+    tables.set_item("rotor", dict(py, ROTOR, rotor, None)?)
+}
+
+fn table_of(dir: &Path, name: &str, columns: &[Column]) -> PyResult<Vec<Vec<f64>>> {
+    read_run_table(&dir.join(name), columns).map_err(|error| of_results(&error))
+}
+
+/// Columns as arrays, of `times` rows where they are over times and balls.
+fn dict<'py>(
+    py: Python<'py>,
+    names: &[Column],
+    columns: Vec<Vec<f64>>,
+    times: Option<usize>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let found = PyDict::new(py);
+    for (column, values) in names.iter().zip(columns) {
+        if column.integer {
+            let values: Vec<i32> = values.into_iter().map(|v| v as i32).collect();
+            found.set_item(column.name, frozen(values.into_pyarray(py)))?;
+            continue;
+        }
+        let shape = match times {
+            Some(times) => vec![times, values.len() / times.max(1)],
+            None => vec![values.len()],
+        };
+        let array = ArrayD::from_shape_vec(IxDyn(&shape), values).map_err(other)?;
+        found.set_item(column.name, frozen(array.into_pyarray(py)))?;
+    }
+    Ok(found)
+}
+
+/// Reason of an early stop of a drop, from its `summary.json`.
+pub fn reason(summary: &str) -> Option<String> {
+    let summary: serde_json::Value = serde_json::from_str(summary).ok()?;
+    summary["stopped"].as_str().map(str::to_owned)
 }
 
 /// Message of an early stop by the physics, from `summary.json`.

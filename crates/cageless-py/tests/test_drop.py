@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import pickle
 from pathlib import Path
 
 import cageless
@@ -60,8 +61,14 @@ def test_a_drop_has_its_results(both: tuple[cageless.Drop, Path], tmp_path: Path
     assert drop != falling().drop()
     with pytest.raises(cageless.ColumnError, match="did you mean speed_rad_s"):
         drop.rotor("sped_rad_s")
-    with pytest.raises(cageless.InputError, match="Parquet"):
-        cageless.load(drop.save(tmp_path))
+    restored = pickle.loads(pickle.dumps(drop))
+    assert restored == drop
+    for kept in (restored, cageless.load(drop.save(tmp_path / "first"))):
+        assert kept == drop
+        assert isinstance(kept, cageless.Drop)
+        again = kept.save(tmp_path / "again")
+        for path in (tmp_path / "first").iterdir():
+            assert (again / path.name).read_bytes() == path.read_bytes(), path.name
 
 
 def test_a_drop_is_verified() -> None:

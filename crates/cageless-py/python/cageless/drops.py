@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import json
 import os
+import zlib
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -21,6 +22,20 @@ if TYPE_CHECKING:
     import pandas as pd
 
 __all__ = ["Drop"]
+
+
+def _restored_drop(
+    arrays: dict[str, dict[str, npt.NDArray[Any]]],
+    summary: str,
+    page: bytes,
+    stopped: str | None,
+) -> Drop:
+    """A drop from its pickle."""
+    for table in arrays.values():
+        for array in table.values():
+            array.flags.writeable = False
+    text = zlib.decompress(page).decode()
+    return Drop(_cageless.Drop.restored(arrays, summary, text, stopped))
 
 
 class Drop(Tables):
@@ -42,6 +57,14 @@ class Drop(Tables):
         )
 
     __hash__ = None  # type: ignore[assignment]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        page = zlib.compress(self._drop.page().encode(), 1)
+        return (_restored_drop, (self._arrays, self._drop.summary(), page, self.stopped))
+
+    @classmethod
+    def _load(cls, path: Path) -> Drop:
+        return cls(_cageless.Drop.load(os.fspath(path)))
 
     def __repr__(self) -> str:
         return f"<Drop: {self.end_state} after {self.summary['end_s']:g} s>"
@@ -189,6 +212,7 @@ class Drop(Tables):
 
     def save(self, folder: str | os.PathLike[str]) -> Path:
         """Writes what ``cageless drop --out`` writes: tables, ``summary.json`` and the page.
+        :func:`load` reads it.
 
         Returns
         -------
@@ -196,8 +220,16 @@ class Drop(Tables):
             The folder, which is created.
         """
         path = folders.make(folder)
-        self._drop.save(os.fspath(path))
+        self._drop.save(os.fspath(path), *self._source())
         return path
+
+    def _save_tables(self, folder: Path) -> None:
+        self._drop.save_tables(os.fspath(folders.make(folder)), *self._source())
+
+    def _source(self) -> tuple[str, str]:
+        """Instructions and case of the footers of the tables."""
+        case = json.dumps(self.summary["case"], ensure_ascii=False, separators=(",", ":"))
+        return (self.summary["isa"], case)
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Writes the page of ``cageless drop --out``."""

@@ -250,8 +250,9 @@ class LinearRotor:
         Parameters
         ----------
         cases : sequence of Case
-            The case of each bearing. Of its ``rotor`` count the contact of journal and bore, and
-            place and velocity of the journal when the magnets let go.
+            The case of each bearing. Its ``rotor`` describes the contact of journal and bore, and
+            the position and velocity of the journal when the magnets let go; mass, inertia,
+            unbalance, speed and drive are replaced by those of the rotor.
         conventional : bool
             Whether to replace the outer rings by conventional ones.
         progress : callable, optional
@@ -278,12 +279,19 @@ class LinearRotor:
 
 
 class RotorDrop:
-    """The drop of a rotor into several bearings."""
+    """The drop of a rotor into several bearings; two are equal if their bearings are."""
 
     def __init__(self, bearings: list[Drop], summary: str, page: str) -> None:
         self.bearings = bearings
         """What each bearing went through."""
         self._summary, self._page = summary, page
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, RotorDrop):
+            return False
+        return self.summary == other.summary and self.bearings == other.bearings
+
+    __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
         states = ", ".join(bearing.end_state for bearing in self.bearings)
@@ -306,8 +314,7 @@ class RotorDrop:
         """
         path = folders.make(folder)
         for k, bearing in enumerate(self.bearings):
-            own = folders.make(path / f"bearing-{k + 1}")
-            bearing._drop.save_tables(os.fspath(own))
+            bearing._save_tables(path / f"bearing-{k + 1}")
         folders.write(path, "summary.json", self._summary.encode())
         pages.write(path / "report.html", self._page)
         return path

@@ -10,6 +10,7 @@ from .case import Case
 from .errors import InputError
 from .folders import read
 from .designs import Design
+from .drops import Drop
 from .runs import Run
 from .statics import Static
 from .searches import SearchResult
@@ -19,7 +20,7 @@ from .tolerances import ToleranceResult
 
 __all__ = ["load"]
 
-Result = Run | Static | Design | SearchResult | ToleranceResult | SweepResult
+Result = Run | Drop | Static | Design | SearchResult | ToleranceResult | SweepResult
 
 #: The file that tells which result a folder holds.
 KINDS = {
@@ -42,7 +43,7 @@ def load(path: str | os.PathLike[str]) -> Result:
 
     Returns
     -------
-    Run, SweepResult, ToleranceResult, SearchResult, Design or Static
+    Run, Drop, SweepResult, ToleranceResult, SearchResult, Design or Static
         Equal to what was saved.
 
     Raises
@@ -68,17 +69,18 @@ def load(path: str | os.PathLike[str]) -> Result:
     if not found:
         what = "holds no result" if path.is_dir() else "is not there"
         raise InputError(f"{path}: {what}: one of {', '.join(KINDS)} is expected in a folder")
-    if "run" in found.values() and not (path / "report.json").is_file():
+    dropped = (path / "rotor.parquet").is_file()
+    if "run" in found.values() and not dropped and not (path / "report.json").is_file():
         message = f"{path}: is no run that load reads"
-        if (path / "rotor.parquet").is_file():
-            message += "; the tables of a drop are Parquet files, its results summary.json"
+        if (path / "bearing-1").is_dir():
+            message += "; the tables of a drop into several bearings are Parquet files"
         raise InputError(message)
     if len(found) > 1:
         listed = ", ".join(found)
         raise InputError(f"{path}: holds several results: {listed}; take a folder for each")
     [(name, kind)] = found.items()
     if kind == "run":
-        return Run._load(path)
+        return Drop._load(path) if dropped else Run._load(path)
     if kind == "sweep":
         return SweepResult(path)
     text = read(path / name)

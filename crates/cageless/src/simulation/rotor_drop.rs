@@ -15,9 +15,9 @@ use crate::step_limits::StepLimits;
 
 /// A rotor above several touchdown bearings, each a case of its own.
 ///
-/// Of the section `rotor` of each case count the contact of journal and bore (air gap, stiffness,
-/// damping, friction) and the place and velocity of the journal when the magnets let go; mass,
-/// inertia, unbalance, speed and drive are those of the rotor.
+/// The `rotor` of each case describes the contact of journal and bore (air gap, stiffness, damping,
+/// friction) and the position and velocity of the journal when the magnets let go; its mass,
+/// inertia, unbalance, speed and drive are replaced by those of the rotor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RotorDrop {
     rotor: LinearRotor,
