@@ -119,6 +119,15 @@ fn of_case(case: &Case) -> Vec<String> {
             resolved * 1e6
         ));
     }
+    let resolved = limits.falling_resolved_to_s(method);
+    if case.solver.step_s > resolved {
+        warnings.push(format!(
+            "friction falls so steeply with the sliding speed that a contact may jump between \
+             rolling and sliding within a step: above {} µs (solver.step_us) such jumps are not \
+             resolved",
+            short(resolved * 1e6)
+        ));
+    }
     let (creep, knee) = (
         limits.creep_m_s2(method) * case.solver.step_s,
         case.contact.slip_scale_m_s,

@@ -143,3 +143,27 @@ fn coulomb_friction_far_from_its_limit_is_warned_of() {
     );
     assert_eq!(warnings("0.03"), None);
 }
+
+/// A fall of friction that one step jumps over, with the step that follows it.
+#[test]
+fn steep_falls_of_friction_are_warned_of() {
+    let warning = |speed_m_s: &str, step_us: &str| {
+        let overrides = [
+            "solver.method=symplectic",
+            "contact.friction_law=stribeck",
+            "contact.friction_coefficient=0.1",
+            "contact.static_friction_coefficient=0.2",
+            &format!("contact.stribeck_speed_m_s={speed_m_s}"),
+            "solver.duration_s=0.0002",
+            &format!("solver.step_us={step_us}"),
+        ]
+        .map(str::to_owned);
+        let found = summary(false, &overrides.each_ref().map(String::as_str)).warnings;
+        found.into_iter().find(|w| w.contains("falls so steeply"))
+    };
+    // 0.1 s/m is resolved at 2 µs, 2 s/m is not.
+    assert_eq!(warning("1.0", "2"), None);
+    let steep = warning("0.05", "2").expect("a warning");
+    assert!(steep.contains("above 0.3"), "{steep}");
+    assert_eq!(warning("0.05", "0.2"), None);
+}

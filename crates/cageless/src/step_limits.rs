@@ -30,6 +30,8 @@ pub struct StepLimits {
     /// Growth, per second of step, of the creep that the relaxed stick of Coulomb friction
     /// leaves in explicit methods at the limit of a loaded contact, m/s²; 0 under the smooth laws.
     creep_m_s2: f64,
+    /// Growth of slip where friction falls with the sliding speed, 1/s; 0 where it never does.
+    pub falling_1_s: f64,
     /// Whether the contacts are damped.
     pub damped: bool,
     /// Whether impacts, rather than the load, turn the energy over.
@@ -100,6 +102,8 @@ struct Drop {
     support_moves: f64,
     /// Decay of the slip of the rotor by friction, 1/s; 0 under Coulomb's law.
     friction_1_s: f64,
+    /// Growth of the slip of the rotor where friction falls with it, 1/s.
+    falling_1_s: f64,
 }
 
 impl Drop {
@@ -158,6 +162,7 @@ impl Drop {
             inverse_outer_mass: support.map_or(0.0, |s| 1.0 / s.mass_kg),
             support_moves: f64::from(u8::from(support.is_some())),
             friction_1_s: friction,
+            falling_1_s: rotor.friction().steepest_fall() * force * mobility,
         }
     }
 }
@@ -230,6 +235,8 @@ impl StepLimits {
             damping_1_s: damping,
             friction_1_s: friction,
             creep_m_s2: creep,
+            falling_1_s: (5.0 * contact.friction().steepest_fall() * load / mass)
+                .max(drop.falling_1_s),
             damped: case.contact.damping_n_s_m1_5 > 0.0,
             light: carried < LIGHT * struck,
         }
@@ -282,6 +289,16 @@ impl StepLimits {
             // Implicit.
             Method::Symplectic => f64::INFINITY,
             _ => Self::bounds(method)[1] / self.friction_1_s,
+        }
+    }
+
+    /// Step beyond which the end of a step under friction that falls with the sliding speed is
+    /// not unique where friction is implicit: 1/λ with the growth λ of slip.
+    pub fn falling_resolved_to_s(&self, method: Method) -> f64 {
+        match method {
+            Method::Symplectic => 1.0 / self.falling_1_s,
+            // They follow the growth.
+            Method::Abm4 | Method::Adaptive => f64::INFINITY,
         }
     }
 

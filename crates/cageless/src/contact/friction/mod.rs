@@ -81,6 +81,11 @@ pub trait LawConstants: Law + Send + Sync + 'static {
     fn coefficient_max(parameters: &FrictionParameters<'_>) -> f64 {
         parameters.coefficient
     }
+
+    /// Largest fall of the coefficient of friction over the sliding speed, s/m.
+    fn steepest_fall(_parameters: &FrictionParameters<'_>) -> f64 {
+        0.0
+    }
 }
 
 /// Constants of a law in every lane of a block.
@@ -165,6 +170,11 @@ macro_rules! friction_laws {
             /// Largest coefficient of friction.
             pub fn coefficient_max(&self) -> f64 {
                 match self.law { $(FrictionLaw::$law => <$law as LawConstants>::coefficient_max(self),)* }
+            }
+
+            /// Largest fall of the coefficient of friction over the sliding speed, s/m.
+            pub fn steepest_fall(&self) -> f64 {
+                match self.law { $(FrictionLaw::$law => <$law as LawConstants>::steepest_fall(self),)* }
             }
 
             /// The law with its parameters in a few words.

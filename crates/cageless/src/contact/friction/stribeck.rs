@@ -67,4 +67,10 @@ impl LawConstants for Stribeck {
             .static_coefficient
             .map_or(sliding, |s| s.max(sliding))
     }
+
+    /// (μs − μ)/v, that of the exponential at rest.
+    fn steepest_fall(parameters: &FrictionParameters<'_>) -> f64 {
+        let excess = Self::coefficient_max(parameters) - parameters.coefficient;
+        parameters.stribeck_speed_m_s.map_or(0.0, |v| excess / v)
+    }
 }

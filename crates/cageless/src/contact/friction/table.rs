@@ -101,6 +101,21 @@ impl FrictionTable {
         self.points.iter().fold(0.0, |most, [_, mu]| mu.max(most))
     }
 
+    /// Largest fall of μ over the sliding speed, s/m; 0 if it rises everywhere.
+    pub fn steepest_fall(&self) -> f64 {
+        let pieces = self.pieces();
+        let slope = |speed: f64| {
+            let piece = pieces.iter().rfind(|p| speed >= p.start);
+            piece.map_or(0.0, |p| p.coefficient(speed)[1])
+        };
+        // The slope is a parabola between two points.
+        let speeds = self.points.windows(2).flat_map(|pair| {
+            let [from, to] = [pair[0][0], pair[1][0]];
+            (0..=8).map(move |k| from + (to - from) * f64::from(k) / 8.0)
+        });
+        speeds.fold(0.0, |most, speed| most.max(-slope(speed)))
+    }
+
     /// μ of fast sliding: that of the last row.
     pub fn coefficient_fast(&self) -> f64 {
         self.points[self.points.len() - 1][1]
@@ -222,6 +237,10 @@ impl LawConstants for Table {
         let table = parameters.table;
         table.map_or(parameters.coefficient, FrictionTable::coefficient_max)
     }
+
+    fn steepest_fall(parameters: &FrictionParameters<'_>) -> f64 {
+        parameters.table.map_or(0.0, FrictionTable::steepest_fall)
+    }
 }
 
 /// [`Table`] of each lane.
@@ -316,6 +335,9 @@ mod tests {
         assert_eq!(table.coefficient(0.0), [0.3, 0.0]);
         assert_eq!(table.coefficient(7.0), [0.2, 0.0]);
         assert_eq!(table.coefficient_max(), 0.3);
+        let speeds = (0..=6000).map(|k| f64::from(k) * 1e-4);
+        let steepest = speeds.fold(0.0_f64, |most, v| most.max(-table.coefficient(v)[1]));
+        assert!((table.steepest_fall() / steepest - 1.0).abs() < 0.02);
     }
 
     /// Lanes of different tables each have the bits of their own table.
