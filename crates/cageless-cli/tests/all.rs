@@ -11,6 +11,7 @@ mod export;
 mod limits;
 mod paper_structures;
 mod places;
+mod rotors;
 mod search;
 mod statements;
 mod studio;

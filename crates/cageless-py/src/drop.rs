@@ -121,8 +121,7 @@ impl Drop {
     /// Reads the folder of `cageless drop --out`.
     #[staticmethod]
     fn load(py: Python<'_>, dir: PathBuf) -> PyResult<Self> {
-        let (arrays, [summary, page]) =
-            run_files::read(py, &dir, ["summary.json", "report.html"])?;
+        let (arrays, [summary, page]) = run_files::read(py, &dir, ["summary.json", "report.html"])?;
         run_files::read_rotor(py, &dir, &arrays)?;
         let stopped = run_files::reason(&summary);
         Ok(Self::restored(arrays.unbind(), summary, page, stopped))

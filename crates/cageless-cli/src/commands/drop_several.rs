@@ -1,18 +1,21 @@
 //! `cageless drop` of a rotor above several bearings.
 
+use std::f64::consts::TAU;
 use std::path::Path;
 
 use cageless::dynamics::InstructionSet;
+use cageless_io::case_file::CaseDocument;
 use cageless_io::results::{Metadata, RunWriter, write_atomically, write_csv};
 use cageless_io::rotor_file::RotorFile;
 use cageless_report::drop::rotor_page;
 use cageless_study::drop::{DropResult, SeveralBearings, drop_into_bearings};
 use cageless_study::number_text::significant;
 use cageless_study::run::Rows;
+use serde::Serialize;
 
 use super::drop::{PAGE, SUMMARY, table};
-use super::{make_folder, print, tell, writable};
-use crate::args::{DropArgs, Reference};
+use super::{deliver, make_folder, print, tell, writable};
+use crate::args::{CaseArgs, DropArgs, Reference};
 use crate::failure::{Failure, kept_in};
 use crate::format::{page_line, pairs};
 use crate::progress::{Bars, catch_interrupt};
@@ -94,6 +97,64 @@ pub fn drop_several(args: &DropArgs) -> Result<(), Failure> {
     }
     Ok(())
 }
+
+/// Checks a rotor file.
+pub fn check(args: &CaseArgs) -> Result<(), Failure> {
+    /// `check.json`.
+    #[derive(Serialize)]
+    struct Checked {
+        valid: bool,
+        cases: Vec<CaseDocument>,
+        mass_kg: f64,
+        mass_shares_kg: Vec<f64>,
+        step_us: f64,
+        natural_frequencies_hz: Vec<f64>,
+    }
+    let file = RotorFile::read(&args.case, &args.set)?;
+    let (rotor, cases) = (file.drop().rotor(), file.drop().cases());
+    let at_speed = rotor.eigenvalues(file.drop().speed_rad_s());
+    let mut frequencies: Vec<f64> = (at_speed.iter())
+        .map(|value| value.im / TAU)
+        .filter(|frequency| *frequency > LEAST_FREQUENCY_HZ)
+        .collect();
+    frequencies.sort_by(f64::total_cmp);
+    frequencies.truncate(FREQUENCIES);
+    let listed = |values: &[f64]| {
+        let texts: Vec<String> = values.iter().map(|value| significant(*value, 4)).collect();
+        texts.join(", ")
+    };
+    let shares = rotor.mass_shares_kg();
+    let step_us = 1e6 * cases[0].solver.step_s;
+    let lines = [
+        ("rotor", format!("{} is valid", args.case.display())),
+        ("bearings", cases.len().to_string()),
+        ("mass", format!("{} kg", significant(rotor.mass_kg(), 4))),
+        ("carried by the bearings", format!("{} kg", listed(&shares))),
+        (
+            "lowest natural frequencies at speed, without contact",
+            format!("{} Hz", listed(&frequencies)),
+        ),
+        ("step", format!("{} µs", significant(step_us, 4))),
+    ];
+    let checked = Checked {
+        valid: true,
+        cases: file
+            .bearings()
+            .iter()
+            .map(|b| b.document_as_run())
+            .collect(),
+        mass_kg: rotor.mass_kg(),
+        mass_shares_kg: shares,
+        step_us,
+        natural_frequencies_hz: frequencies,
+    };
+    deliver(args, "check.json", &checked, &pairs(&lines))
+}
+
+/// Natural frequencies that a check lists.
+const FREQUENCIES: usize = 8;
+/// Below, a rotor moves freely.
+const LEAST_FREQUENCY_HZ: f64 = 1e-3;
 
 /// Folder of the tables of bearing `k`.
 fn folder_of(k: usize) -> String {

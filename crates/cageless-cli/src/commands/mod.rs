@@ -21,6 +21,7 @@ use cageless::{Material, SCOPE};
 use cageless_io::case_file::{Assumption, CaseFile, template};
 use cageless_io::designation;
 use cageless_io::results::write_atomically;
+use cageless_io::rotor_file::RotorFile;
 use cageless_io::{io_error_message, on_terminal};
 use cageless_study::check_environment;
 use serde::Serialize;
@@ -108,6 +109,13 @@ pub fn print(text: &str) -> Result<(), Failure> {
 
 /// Reads the case of a command.
 pub fn read_case(args: &CaseArgs) -> Result<CaseFile, Failure> {
+    if RotorFile::is_at(&args.case) {
+        return Err(Failure::Input(format!(
+            "{}: is the file of a rotor above several bearings, which `cageless drop` and `cageless \
+             check` take; each of its bearings is a case of its own",
+            args.case.display()
+        )));
+    }
     Ok(CaseFile::read(&args.case, &args.set)?)
 }
 
@@ -164,6 +172,9 @@ pub fn writable(path: &Path) -> Result<(), Failure> {
 }
 
 fn check(args: &CaseArgs) -> Result<(), Failure> {
+    if RotorFile::is_at(&args.case) {
+        return drop_several::check(args);
+    }
     let file = read_case(args)?;
     let bearing = &file.case().bearing;
     let d = bearing.dimensions();

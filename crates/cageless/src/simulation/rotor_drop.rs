@@ -162,6 +162,11 @@ impl RotorDrop {
         &self.rotor
     }
 
+    /// Speed of the rotor at the start.
+    pub fn speed_rad_s(&self) -> f64 {
+        self.speed_rad_s
+    }
+
     /// The cases of the bearings as they run: with the share of the mass of each and the step.
     pub fn cases(&self) -> &[Case] {
         &self.cases

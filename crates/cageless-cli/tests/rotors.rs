@@ -1,0 +1,186 @@
+//! Files of rotors above several bearings: checked, dropped, refused.
+
+use std::path::Path;
+
+use crate::common::{call_on, keys, repository_case};
+
+const RIGID: &str = "\
+[rotor]
+mass_kg = 40.0
+polar_inertia_kg_m2 = 0.04
+transverse_inertia_kg_m2 = 0.6
+speed_rpm = 30000.0
+
+[[bearing]]
+case = \"one.toml\"
+axial_mm = -100.0
+
+[[bearing]]
+case = \"one.toml\"
+axial_mm = 200.0
+
+[[unbalance]]
+axial_mm = 30.0
+moment_g_mm = 200.0
+";
+
+/// A rotor file with its case beside it; the case leaves out what belongs to the rotor.
+fn written(dir: &Path, text: &str) -> std::path::PathBuf {
+    let case = std::fs::read_to_string(repository_case("touchdown-d.toml")).unwrap();
+    let (head, rotor) = case.split_once("[rotor]").unwrap();
+    let of_the_rotor = ["mass_kg", "polar_inertia_kg_m2", "speed_rpm"];
+    let mut section = true;
+    let rest = rotor.lines().filter(|line| {
+        section &= !line.starts_with('[');
+        !(section && of_the_rotor.iter().any(|key| line.starts_with(key)))
+    });
+    let rest: Vec<&str> = rest.collect();
+    let text_of_case = format!("{head}[rotor]{}", rest.join("\n"));
+    std::fs::write(dir.join("one.toml"), text_of_case).unwrap();
+    let path = dir.join("rotor.toml");
+    std::fs::write(&path, text).unwrap();
+    path
+}
+
+#[test]
+fn a_rotor_is_checked_and_dropped() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = written(dir.path(), RIGID);
+    let check = call_on("check", &path, &[], &["--json"]).json();
+    assert_eq!(check["valid"], true);
+    let shares = check["mass_shares_kg"].as_array().unwrap();
+    assert!((shares[0].as_f64().unwrap() - 80.0 / 3.0).abs() < 1e-9);
+    // Precession at Ω·Ip/It.
+    let frequency = check["natural_frequencies_hz"][0].as_f64().unwrap();
+    assert!((frequency - 500.0 * 0.04 / 0.6).abs() < 1e-6, "{frequency}");
+
+    let out = dir.path().join("out");
+    let sets = ["solver.duration_s=0.002"];
+    let drop = call_on(
+        "drop",
+        &path,
+        &sets,
+        &["--csv", "--out", out.to_str().unwrap()],
+    );
+    assert_eq!(drop.code, Some(0), "{}", drop.stderr);
+    assert!(
+        drop.stdout
+            .contains("carried by the bearings  26.67, 13.33 kg")
+    );
+    let text = std::fs::read_to_string(out.join("summary.json")).unwrap();
+    let summary: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let found = keys(&summary);
+    for key in ["schema", "version", "rotor", "bearings"] {
+        assert!(found.contains(&key), "{found:?}");
+    }
+    assert_eq!(summary["bearings"][1]["end_state"], "falling");
+    for name in ["rotor.parquet", "balls.parquet", "rotor.csv"] {
+        assert!(out.join("bearing-2").join(name).is_file(), "{name}");
+    }
+    assert!(out.join("report.html").is_file());
+}
+
+#[test]
+fn other_commands_name_those_that_take_it() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = written(dir.path(), RIGID);
+    for command in ["run", "static", "design", "tolerance"] {
+        let answer = call_on(command, &path, &[], &[]);
+        assert_eq!(answer.code, Some(2));
+        let said = "is the file of a rotor above several bearings, which `cageless drop`";
+        assert!(answer.stderr.contains(said), "{}", answer.stderr);
+    }
+    let answer = call_on("drop", &path, &[], &["--samples", "3"]);
+    assert_eq!(answer.code, Some(2));
+    assert!(
+        answer.stderr.contains("--samples: not for a rotor"),
+        "{}",
+        answer.stderr
+    );
+}
+
+#[test]
+fn impossible_rotor_files_are_refused_with_line_and_key() {
+    let dir = tempfile::tempdir().unwrap();
+    for (from, to, said) in [
+        (
+            "axial_mm = 200.0",
+            "axial_mm = -100.0",
+            "two bearings are at the same axial place",
+        ),
+        (
+            "mass_kg = 40.0",
+            "mass_kg = -40.0",
+            "rotor.toml:2: mass_kg = -40: must be more than 0",
+        ),
+        (
+            "mass_kg = 40.0",
+            "mas_kg = 40.0",
+            "rotor.toml:2: mas_kg is not a key of [rotor] of a rotor file; did you mean mass_kg?",
+        ),
+        (
+            "mass_kg = 40.0",
+            "mass_kg = \"40 kg\"",
+            "rotor.toml:2: rotor.mass_kg = \"40 kg\" is not possible",
+        ),
+        ("speed_rpm = 30000.0\n", "", "rotor.speed_rpm is missing"),
+        (
+            "case = \"one.toml\"",
+            "case = \"none.toml\"",
+            "rotor.toml:8: case = \"none.toml\": ",
+        ),
+        ("case = \"one.toml\"\n", "", "bearing.1.case is missing"),
+        (
+            "axial_mm = 30.0",
+            "node = 3",
+            "rotor.toml:16: unbalance.1.node = 3 is not possible: it must be left out",
+        ),
+        (
+            "moment_g_mm = 200.0",
+            "",
+            "unbalance.1.moment_g_mm is missing",
+        ),
+        (
+            "mass_kg = 40.0",
+            "matrices = \"none.json\"",
+            "polar_inertia_kg_m2 = 0.04 is not possible: it must be left out",
+        ),
+    ] {
+        let path = written(dir.path(), &RIGID.replacen(from, to, 1));
+        let answer = call_on("drop", &path, &[], &[]);
+        assert_eq!(answer.code, Some(2), "{said}: {}", answer.stdout);
+        assert!(answer.stderr.contains(said), "{said}: {}", answer.stderr);
+    }
+}
+
+#[test]
+fn files_of_matrices_are_refused_by_name() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = "[rotor]\nmatrices = \"m.json\"\nspeed_rpm = 1000\n\
+                [[bearing]]\ncase = \"one.toml\"\nnode = 0\n[[bearing]]\ncase = \"one.toml\"\nnode = 1\n";
+    let path = written(dir.path(), file);
+    for (text, said) in [
+        ("{", "m.json:1: is no file of the matrices of a rotor"),
+        (
+            r#"{"schema": 2, "polar_inertia_kg_m2": 1, "M": [], "K": []}"#,
+            "schema = 2 is not possible",
+        ),
+        (
+            r#"{"schema": 1, "polar_inertia_kg_m2": 1, "M": [[1, 0], [0]], "K": []}"#,
+            "row 2 of M has 1 numbers",
+        ),
+        (
+            r#"{"schema": 1, "polar_inertia_kg_m2": 1, "M": [[1]], "K": [[1]], "X": []}"#,
+            "unknown field `X`",
+        ),
+        (
+            r#"{"schema": 1, "polar_inertia_kg_m2": 1, "M": [[1]], "K": [[1]]}"#,
+            "matrix M must be of four coordinates a node",
+        ),
+    ] {
+        std::fs::write(dir.path().join("m.json"), text).unwrap();
+        let answer = call_on("drop", &path, &[], &[]);
+        assert_eq!(answer.code, Some(2), "{said}: {}", answer.stdout);
+        assert!(answer.stderr.contains(said), "{said}: {}", answer.stderr);
+    }
+}
