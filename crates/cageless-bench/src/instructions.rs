@@ -6,7 +6,8 @@ use std::process::Command;
 use std::time::Instant;
 
 use anyhow::{Context, Result, bail};
-use cageless::dynamics::state::{Layout, State};
+use cageless::dynamics::layout::Layout;
+use cageless::dynamics::state::State;
 use cageless::dynamics::{InstructionSet, Model, RightHandSide};
 use cageless::integrator::System;
 use cageless::simulation::{self, Control, Ending, Observer, ObserverError, RunContext, StepView};

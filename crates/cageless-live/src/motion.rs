@@ -3,7 +3,8 @@
 use std::f64::consts::{PI, TAU};
 
 use cageless::Case;
-use cageless::dynamics::state::{Layout, State};
+use cageless::dynamics::layout::Layout;
+use cageless::dynamics::state::State;
 use cageless::initial_conditions::initial_state;
 use cageless::recorder::Recorder;
 use cageless::rotor::Rotor;

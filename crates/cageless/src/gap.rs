@@ -22,7 +22,7 @@
 use std::f64::consts::TAU;
 
 use crate::dynamics::Model;
-use crate::dynamics::state::Balls;
+use crate::dynamics::layout::Balls;
 
 /// An angle from 0 to 2π by its sine and cosine, both times the same length: two can be
 /// compared without angle functions.

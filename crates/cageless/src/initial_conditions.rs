@@ -14,8 +14,9 @@
 
 use crate::case::{Case, Profile, Start};
 use crate::dynamics::ball::{BallMotion, Centre};
+use crate::dynamics::layout::Layout;
 use crate::dynamics::rotor::RotorMotion;
-use crate::dynamics::state::{Layout, State};
+use crate::dynamics::state::State;
 use crate::equilibrium::{self, EquilibriumError, ball_outer_geometry, start_angles_rad};
 use crate::kinematics::{orbit_speed_of_rad_s, rolling_relative_spin_rad_s, rolling_spin_rad_s};
 

@@ -31,6 +31,7 @@ pub mod integrator;
 pub mod kinematics;
 pub(crate) mod limits;
 pub mod linear_rotor;
+mod material;
 pub mod min_max_decimator;
 pub mod numerics;
 pub mod orbit_means;
@@ -53,12 +54,13 @@ pub mod touchdown;
 pub mod verification;
 pub mod vibration;
 
-pub use bearing::{Ball, Bearing, BearingDimensions, InnerRingBore, Material, Materials};
+pub use bearing::{Ball, Bearing, BearingDimensions, InnerRingBore};
 pub use case::{
     Case, Contact, FrictionLaw, Gaps, Housing, Method, Operation, Output, Profile, Solver, Start,
 };
 pub use collision::Collision;
 pub use error::InputError;
+pub use material::{Material, Materials};
 pub use raceway::{Raceway, RacewayDimensions};
 pub use rotor::{Rotor, Support, SupportStop};
 pub use scope::SCOPE;

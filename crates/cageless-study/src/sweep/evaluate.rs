@@ -5,7 +5,7 @@ use std::ops::Range;
 use cageless::Case;
 use cageless::critical_gap::CriticalGapError;
 use cageless::design::judge;
-use cageless::dynamics::state::BATCH_WIDTH;
+use cageless::dynamics::layout::BATCH_WIDTH;
 use cageless::equilibrium;
 use cageless::simulation::{Control, Ending, Observer, RunOutcome};
 use cageless::summary::SummaryRecorder;

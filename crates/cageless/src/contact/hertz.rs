@@ -19,7 +19,7 @@
 
 use std::f64::consts::PI;
 
-use crate::bearing::Material;
+use crate::material::Material;
 use crate::numerics::{elliptic, root};
 
 /// Largest pressure that a ball bearing is to bear: 4200 MPa leave an indentation of some

@@ -1,7 +1,7 @@
 //! The contacts of one bearing as of the last evaluation of the right-hand side.
 
+use super::layout::{LANES, Layout};
 use super::rotor::RotorContact;
-use super::state::{LANES, Layout};
 use crate::case::Profile;
 use crate::contact::outer_friction_direction;
 use crate::simd::Workspace;

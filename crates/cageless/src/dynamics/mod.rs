@@ -19,6 +19,7 @@ mod contacts;
 pub mod coordinates;
 pub mod energy;
 pub(crate) mod inner_ring;
+pub mod layout;
 pub(crate) mod model;
 pub(crate) mod outer_ring;
 mod right_hand_side;

@@ -2,9 +2,9 @@
 
 use super::ball::{Ball, PolarMotion};
 use super::inner_ring::InnerRing;
+use super::layout::Layout;
 use super::outer_ring::OuterRing;
 use super::rotor::RotorBody;
-use super::state::Layout;
 use crate::bearing::Bearing;
 use crate::case::{Case, FrictionLaw, Profile};
 use crate::contact::{

@@ -3,9 +3,10 @@
 
 use super::contacts::Contacts;
 use super::coordinates::RingCoordinate;
+use super::layout::{BATCH_WIDTH, LANES, Layout};
 use super::model::Model;
 use super::rotor::JournalCompliance;
-use super::state::{BATCH_WIDTH, LANES, Layout, State};
+use super::state::State;
 use crate::case::Profile;
 use crate::contact::JournalContact;
 use crate::integrator::{Integrator, Method, SecondOrderBlock, System, UnresolvedStep};

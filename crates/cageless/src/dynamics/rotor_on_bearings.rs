@@ -7,8 +7,8 @@
 
 use super::coordinates::DropCoordinate;
 use super::energy::EnergyTerm;
+use super::layout::Layout;
 use super::right_hand_side::{JournalLoad, RightHandSide};
-use super::state::Layout;
 use super::{Contacts, InstructionSet, Model};
 use crate::integrator::{Integrator, Method, SecondOrderBlock, System, UnresolvedStep};
 use crate::linear_rotor::{DMatrix, DVector, LinearRotor};

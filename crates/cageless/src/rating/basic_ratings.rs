@@ -2,8 +2,9 @@
 //! a single-row deep groove ball bearing.
 
 use super::{conformities, gamma, raceway_ratio};
-use crate::bearing::{Bearing, Material};
+use crate::bearing::Bearing;
 use crate::contact::hertz::{PointContact, STRESS_LIMIT_PA};
+use crate::material::Material;
 
 /// bm of ISO 281 for deep groove ball bearings without filling slots. With a filling slot it
 /// is 1.1.

@@ -25,10 +25,11 @@ mod reference_life;
 
 use std::f64::consts::TAU;
 
-use crate::bearing::{Bearing, Material};
+use crate::bearing::Bearing;
 use crate::case::Case;
 use crate::contact::hertz::STRESS_LIMIT_PA;
 use crate::equilibrium::Equilibrium;
+use crate::material::Material;
 
 pub use basic_ratings::{BasicRatings, RATING_FACTOR, dynamic_factor, static_factor};
 pub use load_distribution::rigid_ring_forces_n;

@@ -1,14 +1,15 @@
 //! Positions of the balls of a block and the geometry of their outer contacts.
 
-use super::harness::{BlockResults, CentreLanes, Motions, outer_centre};
 use super::lanes::Lanes;
+use super::motions::{CentreLanes, Motions, outer_centre};
 use super::parameters::{Parameters, Polynomial, RacewayBlock};
+use super::workspace::BlockResults;
 use crate::contact::{
     OuterGeometry, RacewayPosition, RacewayPositionLanes, RacewayValuesLanes, nominal_geometry,
     unequal_geometry, with_path_direction,
 };
 use crate::dynamics::ball::BallLanes;
-use crate::dynamics::state::LANES;
+use crate::dynamics::layout::LANES;
 
 /// Polar coordinates of every ball about the outer ring and the geometry of its contact on the plain raceway.
 #[inline(always)]

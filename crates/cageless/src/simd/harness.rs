@@ -3,122 +3,21 @@
 
 use super::geometry::{plain_positions, raceway_geometry};
 use super::lanes::Lanes;
+use super::motions::{CentreLanes, Motions, block_mut};
 use super::pairs::{pair_contacts, pair_deflections};
 use super::parameters::Parameters;
 use super::rotor::{outer_ring_reactions, ring_torques, rotor_and_ledger};
 use super::sums::{Addends, Sum, Sums};
+use super::workspace::{BlockResults, Workspace};
 use crate::case::Profile;
 use crate::contact::{
-    BallBallContactLanes, InnerContactLanes, Law, LawLanes, OuterContactLanes, OuterGeometryLanes,
-    SlipsLanes, centrifugal_force, inner_contact, inner_load, inner_paper_power, outer_contact,
+    Law, LawLanes, centrifugal_force, inner_contact, inner_load, inner_paper_power, outer_contact,
     outer_load, outer_paper_powers, slope_force, with_law,
 };
-use crate::dynamics::ball::{
-    BallLanes, BallLoad, BallLoadLanes, BallMotion, Centre, PolarMotionLanes,
-};
-use crate::dynamics::coordinates::{BallCoordinate, DropCoordinate, RingCoordinate};
+use crate::dynamics::ball::{BallLanes, BallLoad, Centre};
+use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
 use crate::dynamics::energy::EnergyTerm;
-use crate::dynamics::rotor::RotorContact;
-use crate::dynamics::state::{BATCH_WIDTH, LANES};
-
-/// Per-ball results of one evaluation for a block. Fields of one struct, so that the compiler
-/// knows that they do not overlap.
-#[derive(Clone)]
-pub(crate) struct BlockResults {
-    pub polar: PolarMotionLanes,
-    /// Absolute spin, rad/s.
-    pub spin: Lanes,
-    pub geometry: OuterGeometryLanes,
-    pub outer: OuterContactLanes,
-    /// Friction along −ΔVo, N.
-    pub outer_friction: Lanes,
-    /// Force along ψ where the outer contact rises, N.
-    pub slope_force: Lanes,
-    /// Motion about the centre of the inner ring and relative to it.
-    pub inner_polar: PolarMotionLanes,
-    pub inner: InnerContactLanes,
-    /// Friction along −ΔVi, N.
-    pub inner_friction: Lanes,
-    /// Contact with the ball ahead; forces are 0 unless any two balls touch.
-    pub pair: BallBallContactLanes,
-    /// Sums over the contacts of each ball and its weight.
-    pub load: BallLoadLanes,
-}
-
-impl BlockResults {
-    const ZERO: Self = Self {
-        polar: PolarMotionLanes::ZERO,
-        spin: Lanes::ZERO,
-        geometry: OuterGeometryLanes::ZERO,
-        outer: OuterContactLanes::ZERO,
-        outer_friction: Lanes::ZERO,
-        slope_force: Lanes::ZERO,
-        inner_polar: PolarMotionLanes::ZERO,
-        inner: InnerContactLanes::ZERO,
-        inner_friction: Lanes::ZERO,
-        pair: BallBallContactLanes::ZERO,
-        load: BallLoadLanes::ZERO,
-    };
-}
-
-/// Work arrays of an evaluation, and its results.
-#[derive(Clone)]
-pub(crate) struct Workspace {
-    pub blocks: Vec<BlockResults>,
-    pub(super) sums: Sums,
-    /// Reactions of the friction at the end of a step.
-    pub(super) end_sums: Sums,
-    /// The inner ring as of the last evaluation.
-    pub(super) ring: CentreLanes,
-    /// The outer ring, where it moves.
-    pub(super) outer_ring: CentreLanes,
-    /// The contact of each bearing's rotor.
-    pub rotors: [RotorContact; BATCH_WIDTH],
-    /// Slip and friction of each rotor at the end of the last step with implicit friction.
-    pub(super) rotor_slips: [[f64; 2]; BATCH_WIDTH],
-    /// Friction of each rotor that changed velocities over the last step, N.
-    pub(crate) rotor_friction_mean: [f64; BATCH_WIDTH],
-    /// Sliding speeds and friction at the end of the last step with implicit friction.
-    pub(super) slips: Vec<SlipsLanes>,
-    /// Whether the last evaluation with friction was that step.
-    pub(super) slips_known: bool,
-    /// The ball ahead: x, y, vx, vy, absolute spin, orbital speed.
-    pub(super) next: [Vec<Lanes>; 6],
-    /// Force and moment of the contact with the ball ahead, and of that with the ball behind.
-    pub(super) ahead: [Vec<Lanes>; 3],
-    pub(super) behind: [Vec<Lanes>; 3],
-    /// Largest deflection between balls of each bearing, m; 0 if none touch.
-    pub pair_deflection_max: [f64; BATCH_WIDTH],
-    /// Whether the results hold forces between balls.
-    pairs_loaded: bool,
-    /// Largest |ΔV| under load of each bearing, m/s.
-    pub slip_max: [f64; BATCH_WIDTH],
-}
-
-impl Workspace {
-    pub fn new(p: &Parameters) -> Self {
-        let blocks = p.layout.stride / LANES;
-        let zero = || vec![Lanes::ZERO; blocks];
-        Self {
-            blocks: vec![BlockResults::ZERO; blocks],
-            sums: Sums::ZERO,
-            end_sums: Sums::ZERO,
-            ring: CentreLanes([Lanes::ZERO; 4]),
-            outer_ring: CentreLanes([Lanes::ZERO; 4]),
-            rotors: [RotorContact::default(); BATCH_WIDTH],
-            rotor_slips: [[0.0; 2]; BATCH_WIDTH],
-            rotor_friction_mean: [0.0; BATCH_WIDTH],
-            slips: vec![SlipsLanes::ZERO; blocks],
-            slips_known: false,
-            next: std::array::from_fn(|_| zero()),
-            ahead: std::array::from_fn(|_| zero()),
-            behind: std::array::from_fn(|_| zero()),
-            pair_deflection_max: [0.0; BATCH_WIDTH],
-            pairs_loaded: false,
-            slip_max: [0.0; BATCH_WIDTH],
-        }
-    }
-}
+use crate::dynamics::layout::{BATCH_WIDTH, LANES};
 
 /// Writes the right-hand side into `dydt`; without friction at the raceways if a method treats
 /// it implicitly.
@@ -144,115 +43,6 @@ pub(super) const fn profile(paper: bool) -> Profile {
         Profile::Paper
     } else {
         Profile::Physical
-    }
-}
-
-/// A block of neighbouring entries of a vector.
-#[inline(always)]
-fn block_at(values: &[f64], at: usize) -> &[f64; LANES] {
-    values[at..]
-        .first_chunk()
-        .expect("arrays are padded to whole blocks")
-}
-
-#[inline(always)]
-pub(super) fn block_mut(values: &mut [f64], at: usize) -> &mut [f64; LANES] {
-    values[at..]
-        .first_chunk_mut()
-        .expect("arrays are padded to whole blocks")
-}
-
-/// The balls of one block in the state vector.
-#[derive(Clone, Copy)]
-pub(super) struct Motions<'a>([&'a [f64; LANES]; BallCoordinate::ALL.len()]);
-
-impl<'a> Motions<'a> {
-    #[inline(always)]
-    pub(super) fn new(p: &Parameters, y: &'a [f64], block: usize) -> Self {
-        // Not by `map`, which is not inlined into code for wider vectors.
-        let mut arrays = [block_at(y, 0); BallCoordinate::ALL.len()];
-        for (array, c) in arrays.iter_mut().zip(BallCoordinate::ALL) {
-            *array = block_at(y, p.layout.array(c) + block * LANES);
-        }
-        Self(arrays)
-    }
-
-    #[inline(always)]
-    pub(super) fn get(&self, lane: usize) -> BallMotion {
-        let [x, y, vx, vy, spin] = self.0;
-        BallMotion {
-            x: x[lane],
-            y: y[lane],
-            vx: vx[lane],
-            vy: vy[lane],
-            spin: spin[lane],
-        }
-    }
-}
-
-/// Centre of a ring of each lane.
-#[derive(Clone)]
-pub(super) struct CentreLanes([Lanes; RingCoordinate::ALL.len()]);
-
-impl CentreLanes {
-    /// The inner ring.
-    #[inline(always)]
-    pub(super) fn inner_ring(p: &Parameters, y: &[f64]) -> Self {
-        let layout = p.layout.of_bearing(0);
-        Self::new(p, y, RingCoordinate::ALL.map(|c| layout.ring(c)))
-    }
-
-    /// The outer ring, where it moves.
-    #[inline(always)]
-    pub(super) fn outer_ring(p: &Parameters, y: &[f64]) -> Self {
-        let layout = p.layout.of_bearing(0);
-        Self::new(p, y, OUTER_RING.map(|c| layout.drop(c)))
-    }
-
-    /// The centre whose coordinates of the first bearing stand at `places`.
-    #[inline(always)]
-    fn new(p: &Parameters, y: &[f64], places: [usize; 4]) -> Self {
-        let mut lanes = [Lanes::ZERO; RingCoordinate::ALL.len()];
-        for (lanes, start) in lanes.iter_mut().zip(places) {
-            if p.layout.width() == 1 {
-                *lanes = Lanes::all(y[start]);
-            } else {
-                let of = &y[start..][..BATCH_WIDTH];
-                for lane in 0..LANES {
-                    lanes.0[lane] = of[lane % BATCH_WIDTH];
-                }
-            }
-        }
-        Self(lanes)
-    }
-
-    #[inline(always)]
-    pub(super) fn get(&self, lane: usize) -> Centre {
-        let [x, y, vx, vy] = &self.0;
-        Centre {
-            x: x.0[lane],
-            y: y.0[lane],
-            vx: vx.0[lane],
-            vy: vy.0[lane],
-        }
-    }
-}
-
-/// x, y, ẋ and ẏ of the outer ring.
-const OUTER_RING: [DropCoordinate; 4] = [
-    DropCoordinate::OuterX,
-    DropCoordinate::OuterY,
-    DropCoordinate::OuterVx,
-    DropCoordinate::OuterVy,
-];
-
-/// Centre of the outer ring in a lane: fixed at the origin unless it moves.
-#[inline(always)]
-pub(super) fn outer_centre<const ROTOR: bool>(outer_ring: &CentreLanes, lane: usize) -> Centre {
-    if ROTOR {
-        outer_ring.get(lane)
-    } else {
-        Centre::default()
     }
 }
 

@@ -1,13 +1,12 @@
 //! Implicit friction at the raceways: the end of a step whose other forces are known.
 
-use super::harness::{
-    BlockResults, CentreLanes, Motions, Workspace, block_mut, lane_maxima, loaded_slips,
-    outer_centre, profile,
-};
+use super::harness::{lane_maxima, loaded_slips, profile};
 use super::lanes::Lanes;
+use super::motions::{CentreLanes, Motions, block_mut, outer_centre};
 use super::parameters::Parameters;
 use super::rotor::add_with_rotor;
 use super::sums::{Addends, Sum};
+use super::workspace::{BlockResults, Workspace};
 use crate::case::Profile;
 use crate::contact::{
     Law, LawLanes, MAX_ITERATIONS, RacewayContacts, SlipProblem, SlipProblemLanes, SlipsLanes,
@@ -17,7 +16,7 @@ use crate::contact::{
 use crate::dynamics::ball::{BallLanes, BallLoad, Centre};
 use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
 use crate::dynamics::energy::EnergyTerm;
-use crate::dynamics::state::LANES;
+use crate::dynamics::layout::LANES;
 
 /// Adds friction at the raceways over a step of `h_s`, for which the last evaluation gave the
 /// contacts without it: `y` holds the velocities that the other forces lead to. The friction

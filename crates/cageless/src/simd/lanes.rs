@@ -1,6 +1,6 @@
 //! One number per lane, and structs of them derived from plain structs of `f64`.
 
-use crate::dynamics::state::LANES;
+use crate::dynamics::layout::LANES;
 
 /// One number of each lane of a block.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,7 +72,7 @@ macro_rules! lane_struct {
             /// The lanes filled one by one.
             pub fn from_fn(value: impl Fn(usize) -> $name) -> Self {
                 let mut lanes = Self::ZERO;
-                for lane in 0..$crate::dynamics::state::LANES {
+                for lane in 0..$crate::dynamics::layout::LANES {
                     lanes.put(lane, value(lane));
                 }
                 lanes

@@ -1,13 +1,15 @@
 //! Contacts between neighbouring balls: the exchange of values along the row of balls.
 
-use super::harness::{Motions, Workspace, friction, larger};
+use super::harness::{friction, larger};
 use super::lanes::{Lanes, flat, flat_mut};
+use super::motions::Motions;
 use super::parameters::Parameters;
 use super::sums::Sum;
+use super::workspace::Workspace;
 use crate::contact::{ball_ball_contact, ball_deflection};
 use crate::dynamics::ball::BallMotion;
 use crate::dynamics::coordinates::BallCoordinate;
-use crate::dynamics::state::LANES;
+use crate::dynamics::layout::LANES;
 
 /// Deflection of each ball with the ball ahead; returns the largest of each lane.
 #[inline(always)]

@@ -9,10 +9,10 @@ use crate::dynamics::Model;
 use crate::dynamics::ball::{Ball, BallLanes};
 use crate::dynamics::coordinates::DropCoordinate;
 use crate::dynamics::inner_ring::InnerRingLanes;
+use crate::dynamics::layout::{LANES, Layout};
 use crate::dynamics::model::RacewayModel;
 use crate::dynamics::outer_ring::OuterRing;
 use crate::dynamics::rotor::RotorBody;
-use crate::dynamics::state::{LANES, Layout};
 
 /// Coefficients of a polynomial: of even and of odd powers.
 pub(super) type Polynomial = Vec<[Lanes; 2]>;

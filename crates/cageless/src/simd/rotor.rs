@@ -1,12 +1,14 @@
 //! The bodies under a falling rotor: reactions of the balls, and their motion.
 
-use super::harness::{BlockResults, CentreLanes, Motions, Workspace, lane_maxima, loaded_slips};
+use super::harness::{lane_maxima, loaded_slips};
 use super::implicit_friction::{
     STUCK_M_S, accelerate, inner_friction_reactions, slip_problems, solve,
 };
 use super::lanes::Lanes;
+use super::motions::{CentreLanes, Motions};
 use super::parameters::Parameters;
 use super::sums::{Addends, Sum, Sums};
+use super::workspace::{BlockResults, Workspace};
 use crate::case::Profile;
 use crate::contact::{
     InnerRaceway, Law, LawLanes, SlipProblemLanes, SlipsLanes, end_weight, implicit_slip,
@@ -15,8 +17,8 @@ use crate::contact::{
 use crate::dynamics::ball::BallLanes;
 use crate::dynamics::coordinates::{DropCoordinate, RingCoordinate};
 use crate::dynamics::energy::EnergyTerm;
+use crate::dynamics::layout::LANES;
 use crate::dynamics::rotor::{RotorContact, bore_motion};
-use crate::dynamics::state::LANES;
 
 /// Forces of the balls of a block on the outer ring: what the loads of their outer contacts are
 /// without the weights.

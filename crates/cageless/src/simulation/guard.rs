@@ -2,7 +2,8 @@
 
 use crate::case::Case;
 use crate::contact::hertz::DEFLECTION_FRACTION_MAX;
-use crate::dynamics::state::{Layout, State};
+use crate::dynamics::layout::Layout;
+use crate::dynamics::state::State;
 use crate::dynamics::{Contacts, Model};
 use crate::rotor::Rotor;
 

@@ -3,7 +3,7 @@
 use crate::case::Profile;
 use crate::contact::centrifugal_force;
 use crate::dynamics::coordinates::BallCoordinate;
-use crate::dynamics::state::Layout;
+use crate::dynamics::layout::Layout;
 use crate::dynamics::{Model, RightHandSide};
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 

@@ -269,7 +269,7 @@ impl LawLanes for TableLanes {
     }
 
     fn filled(value: impl Fn(usize) -> Table) -> Self {
-        let used = |k: usize| (0..crate::dynamics::state::LANES).any(|l| value(l).pieces[k].start.is_finite());
+        let used = |k: usize| (0..crate::dynamics::layout::LANES).any(|l| value(l).pieces[k].start.is_finite());
         let count = (0..PIECES_MAX).filter(|k| used(*k)).count();
         let pieces = (0..count).map(|k| PieceLanes::from_fn(|lane| value(lane).pieces[k]));
         let all = |of: &dyn Fn(&Table) -> f64| {

@@ -1,0 +1,340 @@
+//! Places of the coordinates in the vector that the integrators advance.
+//!
+//! ```
+//! use cageless::dynamics::coordinates::BallCoordinate;
+//! use cageless::dynamics::layout::Layout;
+//!
+//! let layout = Layout::new(14);
+//! // The ball after the first stands next to it.
+//! let [first, second] = [0, 1].map(|k| layout.ball(BallCoordinate::X, k));
+//! assert_eq!(second, first + 1);
+//! ```
+
+use super::ball::{BallMotion, Centre};
+use super::coordinates::{
+    BALL, BallCoordinate, Coordinate, DROP, DropCoordinate, RING, RingCoordinate, second_order_runs,
+};
+use super::energy::EnergyTerm;
+use super::rotor::RotorMotion;
+use crate::integrator::SecondOrderBlock;
+
+/// Places of the coordinates in the flat vector that an integrator advances: of one bearing,
+/// or of [`BATCH_WIDTH`] bearings side by side, whose entries for the same ball lie next to each
+/// other.
+///
+/// First the coordinates of the balls ([`BALL`]), an array each, padded to a multiple of
+/// [`LANES`], so that whole vectors are computed either way; then those of the bodies
+/// ([`RING`], with a rotor [`DROP`]); then the terms of the energy ledger ([`EnergyTerm`]).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Layout {
+    /// N.
+    pub balls: usize,
+    /// Length of one array over the balls.
+    pub stride: usize,
+    /// Coordinates of the bodies.
+    bodies: &'static [Coordinate],
+    /// Bearings side by side.
+    width: usize,
+    /// The one whose places are given.
+    bearing: usize,
+    /// First place, in a vector that holds more than these bearings.
+    start: usize,
+}
+
+/// Length of a block: what the arrays over the balls are padded to.
+pub const LANES: usize = 16;
+
+/// Bearings side by side; two balls of each fill a block.
+pub const BATCH_WIDTH: usize = 8;
+
+/// Largest number of balls.
+pub const BALLS_MAX: usize = 256;
+
+impl Layout {
+    /// Layout for one bearing of `balls` balls.
+    pub fn new(balls: usize) -> Self {
+        Self::with_bodies(balls, &RING, 1)
+    }
+
+    /// Layout for one bearing of `balls` balls under a falling rotor.
+    pub fn with_rotor(balls: usize) -> Self {
+        Self::with_bodies(balls, &DROP, 1)
+    }
+
+    /// Layout for [`BATCH_WIDTH`] such bearings side by side, with the places of the first.
+    pub fn side_by_side(self) -> Self {
+        Self::with_bodies(self.balls, self.bodies, BATCH_WIDTH)
+    }
+
+    /// Layout for one such bearing alone.
+    pub fn alone(self) -> Self {
+        Self::with_bodies(self.balls, self.bodies, 1)
+    }
+
+    fn with_bodies(balls: usize, bodies: &'static [Coordinate], width: usize) -> Self {
+        Self {
+            balls,
+            stride: (balls * width).next_multiple_of(LANES),
+            bodies,
+            width,
+            bearing: 0,
+            start: 0,
+        }
+    }
+
+    /// Whether there are a rotor, an inner ring whose speed is a state, and an outer ring on a
+    /// support.
+    pub fn has_rotor(&self) -> bool {
+        self.bodies.len() > RING.len()
+    }
+
+    /// Terms of the energy ledger.
+    pub fn energy_terms(&self) -> &'static [EnergyTerm] {
+        if self.has_rotor() {
+            &EnergyTerm::ALL
+        } else {
+            EnergyTerm::without_rotor()
+        }
+    }
+
+    /// Layout of this vector with the places of bearing number `bearing`.
+    pub fn of_bearing(self, bearing: usize) -> Self {
+        assert!(bearing < self.width);
+        Self { bearing, ..self }
+    }
+
+    /// Layout of this vector as a part, from `start` on, of one that holds other bodies as well.
+    pub fn at(self, start: usize) -> Self {
+        Self { start, ..self }
+    }
+
+    /// First place.
+    pub(crate) fn start(&self) -> usize {
+        self.start
+    }
+
+    /// Bearings side by side.
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Index of the bearing whose places are given.
+    pub fn bearing(&self) -> usize {
+        self.bearing
+    }
+
+    /// Length of the vector, or of this part of it.
+    #[allow(clippy::len_without_is_empty)] // never empty
+    pub fn len(&self) -> usize {
+        BALL.len() * self.stride + (self.bodies.len() + self.energy_terms().len()) * self.width
+    }
+
+    /// Length of the motion of one bearing alone, which precedes its energy ledger.
+    pub(crate) fn motion_len(&self) -> usize {
+        BALL.len() * self.stride + self.bodies.len() * self.width
+    }
+
+    fn bodies_start(&self) -> usize {
+        self.start + BALL.len() * self.stride
+    }
+
+    /// Entries of an array over the balls that are not padding.
+    pub fn entries(&self) -> usize {
+        self.balls * self.width
+    }
+
+    /// Start of the array of one coordinate of all balls and bearings.
+    pub fn array(&self, coordinate: BallCoordinate) -> usize {
+        self.start + coordinate as usize * self.stride
+    }
+
+    /// Place of a coordinate of ball `k`.
+    pub fn ball(&self, coordinate: BallCoordinate, k: usize) -> usize {
+        debug_assert!(k < self.balls);
+        self.array(coordinate) + k * self.width + self.bearing
+    }
+
+    /// Place of a coordinate of the inner ring.
+    pub fn ring(&self, coordinate: RingCoordinate) -> usize {
+        self.body(coordinate as usize)
+    }
+
+    /// Place of a coordinate of the bodies under a rotor.
+    pub fn drop(&self, coordinate: DropCoordinate) -> usize {
+        debug_assert!(self.has_rotor());
+        self.body(coordinate as usize)
+    }
+
+    /// Place of a coordinate of the bodies by its index in their table.
+    fn body(&self, index: usize) -> usize {
+        self.bodies_start() + index * self.width + self.bearing
+    }
+
+    /// Place of a term of the energy ledger.
+    pub fn energy_term(&self, term: EnergyTerm) -> usize {
+        self.body(self.bodies.len() + term as usize)
+    }
+
+    /// Gives the balls of the padding distinct positions away from the centre.
+    pub(crate) fn spread_padding(&self, values: &mut [f64]) {
+        for k in self.entries()..self.stride {
+            let (sin, cos) = (k as f64).sin_cos();
+            values[self.array(BallCoordinate::X) + k] = sin;
+            values[self.array(BallCoordinate::Y) + k] = -cos;
+        }
+    }
+
+    /// Motion of ball `k` in a vector.
+    pub fn ball_motion(&self, values: &[f64], k: usize) -> BallMotion {
+        let at = |coordinate| values[self.ball(coordinate, k)];
+        BallMotion {
+            x: at(BallCoordinate::X),
+            y: at(BallCoordinate::Y),
+            vx: at(BallCoordinate::Vx),
+            vy: at(BallCoordinate::Vy),
+            spin: at(BallCoordinate::Spin),
+        }
+    }
+
+    /// Motion of the centre of the inner ring in a vector.
+    pub fn ring_motion(&self, values: &[f64]) -> Centre {
+        let at = |coordinate| values[self.ring(coordinate)];
+        Centre {
+            x: at(RingCoordinate::X),
+            y: at(RingCoordinate::Y),
+            vx: at(RingCoordinate::Vx),
+            vy: at(RingCoordinate::Vy),
+        }
+    }
+
+    /// Motion of the centre of the outer ring in a vector; fixed at the origin without a rotor.
+    pub fn outer_ring_motion(&self, values: &[f64]) -> Centre {
+        if !self.has_rotor() {
+            return Centre::default();
+        }
+        let at = |coordinate| values[self.drop(coordinate)];
+        Centre {
+            x: at(DropCoordinate::OuterX),
+            y: at(DropCoordinate::OuterY),
+            vx: at(DropCoordinate::OuterVx),
+            vy: at(DropCoordinate::OuterVy),
+        }
+    }
+
+    /// Motion of the rotor in a vector, if there is one.
+    pub fn rotor_motion(&self, values: &[f64]) -> Option<RotorMotion> {
+        let at = |coordinate| values[self.drop(coordinate)];
+        self.has_rotor().then(|| RotorMotion {
+            x: at(DropCoordinate::RotorX),
+            y: at(DropCoordinate::RotorY),
+            vx: at(DropCoordinate::RotorVx),
+            vy: at(DropCoordinate::RotorVy),
+            angle: at(DropCoordinate::RotorAngle),
+            speed: at(DropCoordinate::RotorSpeed),
+        })
+    }
+
+    /// ωi of the inner ring in a vector, rad/s, where it is a state: under a rotor.
+    pub fn ring_speed_rad_s(&self, values: &[f64]) -> Option<f64> {
+        self.has_rotor()
+            .then(|| values[self.drop(DropCoordinate::RingSpeed)])
+    }
+
+    /// One coordinate of the balls of this bearing in a vector.
+    pub fn balls_of<'a>(&self, values: &'a [f64], coordinate: BallCoordinate) -> Balls<'a> {
+        Balls {
+            values: &values[self.array(coordinate) + self.bearing..],
+            step: self.width,
+            count: self.balls,
+        }
+    }
+
+    /// Positions and their rates, for methods of second-order systems; in ascending order of
+    /// the positions.
+    pub(crate) fn second_order_blocks(&self) -> Vec<SecondOrderBlock> {
+        let block =
+            |[position, rate, count]: [usize; 3], start: usize, size: usize| SecondOrderBlock {
+                positions: start + position * size,
+                rates: start + rate * size,
+                count: count * size,
+            };
+        let balls = second_order_runs(&BALL).into_iter();
+        let bodies = second_order_runs(self.bodies).into_iter();
+        balls
+            .map(|run| block(run, self.start, self.stride))
+            .chain(bodies.map(|run| block(run, self.bodies_start(), self.width)))
+            .collect()
+    }
+
+    /// Places and coordinates of this bearing's motion, without the energy ledger.
+    fn motion(&self) -> impl Iterator<Item = (usize, &'static Coordinate)> + use<> {
+        let layout = *self;
+        let balls = BallCoordinate::ALL.into_iter().flat_map(move |c| {
+            (0..layout.balls).map(move |k| (layout.ball(c, k), &BALL[c as usize]))
+        });
+        let bodies = self.bodies.iter().enumerate();
+        balls.chain(bodies.map(move |(k, c)| (layout.body(k), c)))
+    }
+
+    /// Whether every coordinate of this bearing is finite.
+    pub(crate) fn is_finite(&self, values: &[f64]) -> bool {
+        self.motion()
+            .map(|(place, _)| values[place])
+            .sum::<f64>()
+            .is_finite()
+    }
+
+    /// Root mean square over the coordinates of this bearing of a difference of two vectors in
+    /// the error scales of the coordinates.
+    pub(crate) fn scaled_rms(&self, difference: &[f64]) -> f64 {
+        let sum: f64 = self
+            .motion()
+            .map(|(place, c)| (difference[place] / c.error_scale).powi(2))
+            .sum();
+        let count = BALL.len() * self.balls + self.bodies.len();
+        (sum / count as f64).sqrt()
+    }
+
+    /// Every place of this bearing with the place of the same quantity in `other`.
+    pub(super) fn pairs(&self, other: Self) -> impl Iterator<Item = (usize, usize)> + use<> {
+        let layout = *self;
+        let balls = BallCoordinate::ALL.into_iter().flat_map(move |c| {
+            (0..layout.balls).map(move |k| (layout.ball(c, k), other.ball(c, k)))
+        });
+        let rest = 0..self.bodies.len() + self.energy_terms().len();
+        balls.chain(rest.map(move |k| (layout.body(k), other.body(k))))
+    }
+}
+
+/// One quantity of every ball of a bearing within a vector.
+#[derive(Debug, Clone, Copy)]
+pub struct Balls<'a> {
+    values: &'a [f64],
+    step: usize,
+    count: usize,
+}
+
+impl<'a> Balls<'a> {
+    /// N.
+    #[allow(clippy::len_without_is_empty)] // never empty
+    pub fn len(&self) -> usize {
+        self.count
+    }
+
+    /// Ball by ball.
+    pub fn iter(&self) -> impl Iterator<Item = f64> + use<'a> {
+        self.values
+            .iter()
+            .step_by(self.step)
+            .take(self.count)
+            .copied()
+    }
+}
+
+impl std::ops::Index<usize> for Balls<'_> {
+    type Output = f64;
+
+    fn index(&self, k: usize) -> &f64 {
+        &self.values[k * self.step]
+    }
+}

@@ -1,0 +1,52 @@
+//! Elastic materials of balls and rings.
+
+use crate::error::{InputError, positive};
+
+/// Elastic material of a body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Material {
+    /// Density.
+    pub density_kg_m3: f64,
+    /// Young's modulus E.
+    pub youngs_modulus_pa: f64,
+    /// Poisson's ratio ν, 0 to below 0.5.
+    pub poisson_ratio: f64,
+}
+
+impl Material {
+    /// Checks that a solid can have these values.
+    ///
+    /// # Errors
+    /// An [`InputError`] naming the first field that cannot be.
+    pub fn check(&self) -> Result<(), InputError> {
+        positive("density_kg_m3", self.density_kg_m3)?;
+        positive("youngs_modulus_pa", self.youngs_modulus_pa)?;
+        if (0.0..0.5).contains(&self.poisson_ratio) {
+            return Ok(());
+        }
+        Err(InputError::rule(
+            "poisson_ratio",
+            self.poisson_ratio,
+            "at least 0 and less than 0.5",
+        ))
+    }
+}
+
+/// Materials of balls and rings: one for both, or ceramic balls in steel rings (a hybrid
+/// bearing).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Materials {
+    /// Material of the balls; its density decides their mass.
+    pub ball: Material,
+    /// Material of both rings.
+    pub ring: Material,
+}
+
+impl From<Material> for Materials {
+    fn from(material: Material) -> Self {
+        Self {
+            ball: material,
+            ring: material,
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! Views of the state vector in lanes: the balls of a block, and the centres of the rings.
+
+use super::lanes::Lanes;
+use super::parameters::Parameters;
+use crate::dynamics::ball::{BallMotion, Centre};
+use crate::dynamics::coordinates::{BallCoordinate, DropCoordinate, RingCoordinate};
+use crate::dynamics::layout::{BATCH_WIDTH, LANES};
+
+/// A block of neighbouring entries of a vector.
+#[inline(always)]
+pub(super) fn block_at(values: &[f64], at: usize) -> &[f64; LANES] {
+    values[at..]
+        .first_chunk()
+        .expect("arrays are padded to whole blocks")
+}
+
+#[inline(always)]
+pub(super) fn block_mut(values: &mut [f64], at: usize) -> &mut [f64; LANES] {
+    values[at..]
+        .first_chunk_mut()
+        .expect("arrays are padded to whole blocks")
+}
+
+/// The balls of one block in the state vector.
+#[derive(Clone, Copy)]
+pub(super) struct Motions<'a>([&'a [f64; LANES]; BallCoordinate::ALL.len()]);
+
+impl<'a> Motions<'a> {
+    #[inline(always)]
+    pub(super) fn new(p: &Parameters, y: &'a [f64], block: usize) -> Self {
+        // Not by `map`, which is not inlined into code for wider vectors.
+        let mut arrays = [block_at(y, 0); BallCoordinate::ALL.len()];
+        for (array, c) in arrays.iter_mut().zip(BallCoordinate::ALL) {
+            *array = block_at(y, p.layout.array(c) + block * LANES);
+        }
+        Self(arrays)
+    }
+
+    #[inline(always)]
+    pub(super) fn get(&self, lane: usize) -> BallMotion {
+        let [x, y, vx, vy, spin] = self.0;
+        BallMotion {
+            x: x[lane],
+            y: y[lane],
+            vx: vx[lane],
+            vy: vy[lane],
+            spin: spin[lane],
+        }
+    }
+}
+
+/// Centre of a ring of each lane.
+#[derive(Clone)]
+pub(super) struct CentreLanes([Lanes; RingCoordinate::ALL.len()]);
+
+impl CentreLanes {
+    pub(super) const ZERO: Self = Self([Lanes::ZERO; RingCoordinate::ALL.len()]);
+
+    /// The inner ring.
+    #[inline(always)]
+    pub(super) fn inner_ring(p: &Parameters, y: &[f64]) -> Self {
+        let layout = p.layout.of_bearing(0);
+        Self::new(p, y, RingCoordinate::ALL.map(|c| layout.ring(c)))
+    }
+
+    /// The outer ring, where it moves.
+    #[inline(always)]
+    pub(super) fn outer_ring(p: &Parameters, y: &[f64]) -> Self {
+        let layout = p.layout.of_bearing(0);
+        Self::new(p, y, OUTER_RING.map(|c| layout.drop(c)))
+    }
+
+    /// The centre whose coordinates of the first bearing stand at `places`.
+    #[inline(always)]
+    fn new(p: &Parameters, y: &[f64], places: [usize; 4]) -> Self {
+        let mut lanes = [Lanes::ZERO; RingCoordinate::ALL.len()];
+        for (lanes, start) in lanes.iter_mut().zip(places) {
+            if p.layout.width() == 1 {
+                *lanes = Lanes::all(y[start]);
+            } else {
+                let of = &y[start..][..BATCH_WIDTH];
+                for lane in 0..LANES {
+                    lanes.0[lane] = of[lane % BATCH_WIDTH];
+                }
+            }
+        }
+        Self(lanes)
+    }
+
+    #[inline(always)]
+    pub(super) fn get(&self, lane: usize) -> Centre {
+        let [x, y, vx, vy] = &self.0;
+        Centre {
+            x: x.0[lane],
+            y: y.0[lane],
+            vx: vx.0[lane],
+            vy: vy.0[lane],
+        }
+    }
+}
+
+/// x, y, ẋ and ẏ of the outer ring.
+const OUTER_RING: [DropCoordinate; 4] = [
+    DropCoordinate::OuterX,
+    DropCoordinate::OuterY,
+    DropCoordinate::OuterVx,
+    DropCoordinate::OuterVy,
+];
+
+/// Centre of the outer ring in a lane: fixed at the origin unless it moves.
+#[inline(always)]
+pub(super) fn outer_centre<const ROTOR: bool>(outer_ring: &CentreLanes, lane: usize) -> Centre {
+    if ROTOR {
+        outer_ring.get(lane)
+    } else {
+        Centre::default()
+    }
+}
