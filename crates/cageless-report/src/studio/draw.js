@@ -18,6 +18,9 @@ function palette(style) {
   };
 }
 
+// Width of a canvas that is not shown: margins still leave something to draw on.
+const LEAST_WIDTH = 160;
+
 // Context in CSS pixels with a height in proportion to the width: of a canvas in the page, of one
 // of a fixed width, or of what takes its place.
 function context(canvas, ratio) {
@@ -27,7 +30,7 @@ function context(canvas, ratio) {
     c.font = font;
     return { c, width: c.width, height: c.height };
   }
-  const width = canvas.fixedWidth || Math.max(canvas.clientWidth, 40), height = Math.round(width * ratio);
+  const width = canvas.fixedWidth || Math.max(canvas.clientWidth, LEAST_WIDTH), height = Math.round(width * ratio);
   const scale = canvas.fixedWidth ? 1 : window.devicePixelRatio || 1;
   if (canvas.width !== Math.round(width * scale) || canvas.height !== Math.round(height * scale)) {
     canvas.width = Math.round(width * scale);
