@@ -59,16 +59,18 @@ impl SeveralBearings {
 
     /// The record of the bearing at which the drop ended: the one that stopped, or else the first.
     pub fn last(&self) -> &DropRecord {
-        let stopped = (self.bearings.iter())
-            .find(|bearing| matches!(bearing.outcome.ending, Ending::Stopped(_)));
-        stopped.unwrap_or(&self.bearings[0])
+        &self.bearings[self.last_index()]
     }
 
     /// [`Self::last`], taken out.
     pub fn into_last(mut self) -> DropRecord {
-        let stopped = (self.bearings.iter())
-            .position(|bearing| matches!(bearing.outcome.ending, Ending::Stopped(_)));
-        self.bearings.swap_remove(stopped.unwrap_or(0))
+        self.bearings.swap_remove(self.last_index())
+    }
+
+    fn last_index(&self) -> usize {
+        let mut endings = self.bearings.iter().map(|bearing| &bearing.outcome.ending);
+        let stopped = endings.position(|ending| matches!(ending, Ending::Stopped(_)));
+        stopped.unwrap_or(0)
     }
 
     /// Whether the drop ran to its end.
