@@ -164,6 +164,6 @@ fn steep_falls_of_friction_are_warned_of() {
     // 0.1 s/m is resolved at 2 µs, 2 s/m is not.
     assert_eq!(warning("1.0", "2"), None);
     let steep = warning("0.05", "2").expect("a warning");
-    assert!(steep.contains("above 0.3"), "{steep}");
+    assert!(steep.contains("above 0.51"), "{steep}");
     assert_eq!(warning("0.05", "0.2"), None);
 }

@@ -101,7 +101,7 @@ const DEVIATION_MAX: f64 = 0.01;
 
 impl Bearing {
     /// Checks that the parts fit together and derives the constants. `materials` may be one
-    /// [`Material`] for balls and rings.
+    /// [`Material`](crate::Material) for balls and rings.
     ///
     /// # Errors
     /// An [`InputError`] naming the first field that cannot be: a dimension not
