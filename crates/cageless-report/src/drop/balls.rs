@@ -2,10 +2,11 @@
 
 use cageless::Case;
 use cageless_study::Provenance;
-use cageless_study::drop::DropStudy;
+use cageless_study::drop::{DropRecord, DropStudy};
 use serde_json::json;
 
 use super::figure;
+use crate::data::Motion;
 use crate::figure::Figure;
 use crate::motion::MotionFigure;
 use crate::plot::{GREY, PALETTE, Plot, numbers};
@@ -83,9 +84,14 @@ pub(super) fn balls_in_motion(case: &Case, study: &DropStudy, source: &Provenanc
         let title = "conventional outer ring";
         bearings.push(motion(&plain, title, &other.snapshots, source.clone()));
     }
-    let end = study.drop.outcome.end_s;
+    around_first_impact(bearings, &study.drop)
+}
+
+/// Bearings in motion, from shortly before the first impact in `drop` on.
+pub(super) fn around_first_impact(bearings: Vec<Motion>, drop: &DropRecord) -> MotionFigure {
+    let end = drop.outcome.end_s;
     let mut stretches = vec![];
-    if let Some(ms) = study.drop.result.value("first_contact_ms") {
+    if let Some(ms) = drop.result.value("first_contact_ms") {
         let first = 1e-3 * ms;
         let [before, after] = FIRST_IMPACT_S;
         let around = [(first - before).max(0.0), (first + after).min(end)];

@@ -5,10 +5,12 @@ use cageless_io::rotor_file::RotorFile;
 use cageless_study::drop::SeveralBearings;
 use cageless_study::{parameter, provenance};
 
+use super::balls::around_first_impact;
 use super::rotor::{forces, orbit, rotors, speeds, whirl};
 use super::{side_by_side, words};
 use crate::head::Head;
 use crate::page::Page;
+use crate::run_report::motion;
 use crate::text::short;
 
 /// The self-contained page of a drop of the rotor of `file`, beside that onto conventional outer
@@ -53,6 +55,18 @@ pub fn rotor_page(
     page.head(&head.facts(facts.into_iter().chain(carried)));
     page.section("Results");
     page.table(&side_by_side(drop.columns(conventional), &source));
+    page.section("Balls");
+    let bearings = cases.iter().zip(records).enumerate();
+    let moving = bearings.map(|(k, (case, record))| {
+        let name = format!("bearing {}", k + 1);
+        motion(
+            case,
+            &name,
+            &record.snapshots,
+            provenance(case, String::new()),
+        )
+    });
+    page.motion(&around_first_impact(moving.collect(), &records[0]));
     for (k, (case, record)) in cases.iter().zip(records).enumerate() {
         let name = format!("bearing {}", k + 1);
         page.section(&format!("Journal and inner ring, {name}"));
