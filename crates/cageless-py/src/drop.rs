@@ -3,19 +3,18 @@
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use cageless::simulation::Ending;
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::{ROTOR, write_atomically};
 use cageless_report::drop::drop_page;
 use cageless_study::drop::{DropRecord, DropRequest, DropStudy, study};
-use cageless_study::run::{Rows, RunError};
+use cageless_study::run::Rows;
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays::{Recording, frozen};
 use crate::background::Background;
-use crate::errors::{of_results, of_start, of_study, other};
+use crate::errors::{of_results, of_run, of_study, other, reason};
 use crate::run_files::{self, Arrays};
 
 /// A drop with what was computed beside it.
@@ -38,31 +37,17 @@ impl Drop {
     ) -> PyResult<Self> {
         request.check(file, "case").map_err(|e| of_study(&e))?;
         let done = background.run(py, |progress| study(file, request, None, progress))?;
-        let study = done.map_err(|error| match error {
-            RunError::Start(error) => of_start(&error),
-            RunError::Rows(error) => other(error),
-        })?;
+        let study = done.map_err(of_run)?;
         Self::new(py, file.clone(), study)
     }
 
     /// One bearing of a drop into several.
     pub fn of_bearing(py: Python<'_>, file: CaseFile, drop: DropRecord) -> PyResult<Self> {
-        let study = DropStudy {
-            drop,
-            conventional: None,
-            ensemble: None,
-            verification: None,
-            warnings: vec![],
-            interrupted: false,
-        };
-        Self::new(py, file, study)
+        Self::new(py, file, DropStudy::new(drop))
     }
 
     fn new(py: Python<'_>, file: CaseFile, study: DropStudy) -> PyResult<Self> {
-        let stopped = match &study.drop.outcome.ending {
-            Ending::Stopped(stop) => Some(stop.to_string()),
-            _ => None,
-        };
+        let stopped = reason(&study.drop.outcome.ending);
         Ok(Self {
             arrays: arrays(py, &study.drop)?.unbind(),
             summary: study.to_json(&file).map_err(other)?,

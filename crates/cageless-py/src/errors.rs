@@ -5,11 +5,12 @@ use std::path::Path;
 
 use cageless::critical_gap::CriticalGapError;
 use cageless::equilibrium::EquilibriumError;
-use cageless::simulation::Stop;
+use cageless::simulation::{Ending, Stop};
 use cageless_io::cad::ExportError;
 use cageless_io::case_file::CaseError;
 use cageless_io::results::{ResultError, is_unusable};
 use cageless_study::StudyError;
+use cageless_study::run::RunError;
 use cageless_study::sweep::SweepError;
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
@@ -49,6 +50,21 @@ pub fn of_file(error: &CaseError) -> PyErr {
 
 pub fn stopped(stop: &Stop) -> PyErr {
     UnphysicalError::new_err(stop.to_string())
+}
+
+pub fn of_run(error: RunError) -> PyErr {
+    match error {
+        RunError::Start(error) => of_start(&error),
+        RunError::Rows(error) => other(error),
+    }
+}
+
+/// Reason of an early stop by the physics: the message of the command.
+pub fn reason(ending: &Ending) -> Option<String> {
+    match ending {
+        Ending::Stopped(stop) => Some(stop.to_string()),
+        _ => None,
+    }
 }
 
 pub fn of_start(error: &EquilibriumError) -> PyErr {

@@ -5,18 +5,16 @@ use std::path::PathBuf;
 use cageless::linear_rotor::{
     self, DMatrix, NodeUnbalance, PlaneUnbalance, Reduction, RigidRotor, RotorError, RotorMatrices,
 };
-use cageless::simulation::Ending;
 use cageless_io::rotor_file::{RotorFile, write_matrices};
 use cageless_report::drop::rotor_page;
 use cageless_study::drop::drop_into_bearings;
-use cageless_study::run::RunError;
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 
 use crate::background::Background;
 use crate::case_file::CaseFile;
 use crate::drop::Drop;
-use crate::errors::{input, of_results, of_start, other};
+use crate::errors::{input, of_results, of_run, other, reason};
 
 /// Lateral motion of a rotor with the nodes of its bearings.
 #[pyclass(frozen, module = "cageless._cageless")]
@@ -172,16 +170,10 @@ impl LinearRotor {
         let rows = || (0..files.len()).map(|_| None).collect();
         let background = Background::new(Some(1), progress)?;
         let done = background.run(py, |progress| drop_into_bearings(&drop, rows(), progress))?;
-        let dropped = done.map_err(|error| match error {
-            RunError::Start(error) => of_start(&error),
-            RunError::Rows(error) => other(error),
-        })?;
+        let dropped = done.map_err(of_run)?;
         let summary = dropped.to_json(&file, None).map_err(other)?;
         let page = py.detach(|| rotor_page(&file, &dropped, None));
-        let stopped = match &dropped.last().outcome.ending {
-            Ending::Stopped(stop) => Some(stop.to_string()),
-            _ => None,
-        };
+        let stopped = reason(&dropped.last().outcome.ending);
         let bearings = (file.bearings().iter().cloned())
             .zip(dropped.bearings)
             .map(|(file, record)| Drop::of_bearing(py, file, record))

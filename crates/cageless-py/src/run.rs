@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use cageless::simulation::Ending;
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::write_atomically;
 use cageless_report::figures::{
@@ -11,13 +10,13 @@ use cageless_report::figures::{
 };
 use cageless_report::run_report::run_data;
 use cageless_report::{Figure, RunData, from_json, run_page, to_json};
-use cageless_study::run::{Options, RunError, RunRecord, run};
+use cageless_study::run::{Options, RunRecord, run};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays::Recording;
 use crate::background::Background;
-use crate::errors::{input, of_results, of_start, other};
+use crate::errors::{input, of_results, of_run, other, reason};
 use crate::run_files::{self, Arrays};
 use crate::signals::Signals;
 
@@ -53,17 +52,11 @@ pub fn simulate(py: Python<'_>, file: &CaseFile, verify: Option<Background>) -> 
     if let (Some(background), Ok(record)) = (verify, &mut done) {
         background.run(py, |progress| record.verify(file, progress))?;
     }
-    let record = done.map_err(|error| match error {
-        RunError::Start(error) => of_start(&error),
-        RunError::Rows(error) => other(error),
-    })?;
+    let record = done.map_err(of_run)?;
     Ok(Run {
         arrays: recording.into_arrays(py)?.unbind(),
         summary: record.summary.to_json().map_err(other)?,
-        stopped: match &record.outcome.ending {
-            Ending::Stopped(stop) => Some(stop.to_string()),
-            _ => None,
-        },
+        stopped: reason(&record.outcome.ending),
         source: Source::Computed(Box::new((file.clone(), record))),
         data: OnceLock::new(),
     })

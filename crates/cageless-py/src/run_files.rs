@@ -39,7 +39,7 @@ pub struct Arrays {
     balls: Vec<Vec<f64>>,
     ring: Vec<Vec<f64>>,
     collisions: Vec<Vec<f64>>,
-    /// Of a drop.
+    /// Columns of `rotor.parquet`; a run without a rotor has none.
     rotor: Option<Vec<Vec<f64>>>,
 }
 

@@ -107,7 +107,8 @@ fn symmetric_bearings_move_as_one_plane() {
     }
 }
 
-/// The same with an unbalance in the middle. A journal held at the centre has its mass centre at
+/// Two equal bearings under a rotor with an unbalance in the middle move as the bearing of a rotor
+/// in one plane with an eccentric mass centre. A journal held at the centre has its mass centre at
 /// ε·e^(iφ), with the velocity iΩ·ε·e^(iφ).
 #[test]
 fn unbalance_moves_as_an_eccentric_mass_centre() {

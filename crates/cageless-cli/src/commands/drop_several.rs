@@ -119,10 +119,6 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
         .collect();
     frequencies.sort_by(f64::total_cmp);
     frequencies.truncate(FREQUENCIES);
-    let listed = |values: &[f64]| {
-        let texts: Vec<String> = values.iter().map(|value| significant(*value, 4)).collect();
-        texts.join(", ")
-    };
     let shares = rotor.mass_shares_kg();
     let step_us = 1e6 * cases[0].solver.step_s;
     let lines = [
@@ -161,6 +157,11 @@ fn folder_of(k: usize) -> String {
     format!("bearing-{}", k + 1)
 }
 
+fn listed(values: &[f64]) -> String {
+    let texts: Vec<String> = values.iter().map(|value| significant(*value, 4)).collect();
+    texts.join(", ")
+}
+
 fn write_files(dir: &Path, json: &str, page: &str) -> Result<(), Failure> {
     write_atomically(&dir.join(SUMMARY), json.as_bytes())?;
     Ok(write_atomically(&dir.join(PAGE), page.as_bytes())?)
@@ -172,14 +173,11 @@ fn text(
     conventional: Option<&SeveralBearings>,
 ) -> String {
     let rotor = file.drop().rotor();
-    let shares: Vec<String> = (rotor.mass_shares_kg().into_iter())
-        .map(|share| significant(share, 4))
-        .collect();
     let head = [
         ("rotor", format!("{} kg", significant(rotor.mass_kg(), 4))),
         (
             "carried by the bearings",
-            format!("{} kg", shares.join(", ")),
+            format!("{} kg", listed(&rotor.mass_shares_kg())),
         ),
         (
             "energy ledger of the rotor",

@@ -109,14 +109,16 @@ pub fn print(text: &str) -> Result<(), Failure> {
 
 /// Reads the case of a command.
 pub fn read_case(args: &CaseArgs) -> Result<CaseFile, Failure> {
-    if RotorFile::is_at(&args.case) {
-        return Err(Failure::Input(format!(
+    CaseFile::read(&args.case, &args.set).map_err(|error| {
+        if !RotorFile::is_at(&args.case) {
+            return error.into();
+        }
+        Failure::Input(format!(
             "{}: is the file of a rotor above several bearings, which `cageless drop` and `cageless \
              check` take; each of its bearings is a case of its own",
             args.case.display()
-        )));
-    }
-    Ok(CaseFile::read(&args.case, &args.set)?)
+        ))
+    })
 }
 
 /// Prints a result as JSON or text, and leaves the JSON as `NAME.json` in the folder.

@@ -19,6 +19,38 @@ pub(crate) struct Node {
     pub place: Place,
 }
 
+impl Node {
+    /// Line in a file, from 1; 0 without one.
+    pub(crate) fn line(&self) -> usize {
+        match self.place.origin {
+            Origin::Line(line) | Origin::Elsewhere(_, line) => line,
+            Origin::Override(_) | Origin::File => 0,
+        }
+    }
+
+    /// An error at this line of `file`.
+    pub(crate) fn error(&self, file: &str, key: &str, message: String) -> CaseError {
+        CaseError::on_line(file, self.line(), Some(key.to_owned()), message)
+    }
+
+    /// "KEY = VALUE is not possible: it must be ALLOWED", at this line of `file`.
+    pub(crate) fn refusal(&self, file: &str, key: &str, allowed: &str) -> CaseError {
+        let written = &self.place.written;
+        let message = format!("{key} = {written} is not possible: it must be {allowed}");
+        self.error(file, key, message)
+    }
+
+    /// The error of the file whose path this value of `file` is. One that names a line speaks for
+    /// itself.
+    pub(crate) fn error_of_its_file(&self, file: &str, key: &str, error: CaseError) -> CaseError {
+        if error.line().is_some() {
+            return error;
+        }
+        let message = format!("{key} = {}: {error}", self.place.written);
+        self.error(file, key, message)
+    }
+}
+
 /// A value of TOML.
 #[derive(Debug, Clone)]
 pub(crate) enum Value {

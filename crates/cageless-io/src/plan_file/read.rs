@@ -8,7 +8,7 @@ use super::{
     Axis, Computation, Kept, PlanFile, SCHEMA, SampleMethod, Samples, Scatter, ScatteredKey,
 };
 use crate::case_file::named::Named;
-use crate::case_file::spanned_toml::{self, Node, Origin, Section, Value};
+use crate::case_file::spanned_toml::{self, Node, Section, Value};
 use crate::case_file::{CaseBase, CaseError, CaseFile, CaseValue, Change, keys};
 
 /// Keys of the top level of a plan, sections last.
@@ -66,7 +66,7 @@ pub(super) struct Entry<'a> {
 impl<'a> PlanReader<'a> {
     fn check_head(&self) -> Result<(), CaseError> {
         let unknown = self.root.iter().filter(|(key, _)| !HEAD.contains(&&***key));
-        let Some((key, node)) = unknown.min_by_key(|(_, node)| line(node)) else {
+        let Some((key, node)) = unknown.min_by_key(|(_, node)| node.line()) else {
             return Ok(());
         };
         let hint = match keys::nearest(key, HEAD.into_iter()) {
@@ -90,13 +90,8 @@ impl<'a> PlanReader<'a> {
 
     fn base(&self, folder: &Path) -> Result<CaseBase, CaseError> {
         match self.root.get("case").map(|node| (&node.value, node)) {
-            Some((Value::Text(path), node)) => CaseBase::read(&folder.join(path)).map_err(|e| {
-                // A file that is there speaks for itself.
-                match e.line() {
-                    Some(_) => e,
-                    None => self.error(node, "case", format!("case = {}: {e}", node.place.written)),
-                }
-            }),
+            Some((Value::Text(path), node)) => CaseBase::read(&folder.join(path))
+                .map_err(|error| node.error_of_its_file(self.name, "case", error)),
             Some((Value::Section(root), _)) => Ok(CaseBase::from_sections(root.clone(), self.name)),
             Some((_, node)) => Err(self.refuse(
                 "case",
@@ -117,7 +112,7 @@ impl<'a> PlanReader<'a> {
             let Some(value) = CaseValue::from_toml(&node.value) else {
                 return Err(self.refuse(&key, node, "a number, a name or a list of numbers"));
             };
-            changes.push((key, value, line(node)));
+            changes.push((key, value, node.line()));
         }
         Ok(changes)
     }
@@ -169,7 +164,7 @@ impl<'a> PlanReader<'a> {
         let mut list = Vec::new();
         for Entry { key, node } in self.entries("scatter", &["repeats"])? {
             let law = self.law(&key, node)?;
-            let line = line(node);
+            let line = node.line();
             list.push(ScatteredKey { key, law, line });
         }
         if list.is_empty() {
@@ -215,7 +210,7 @@ impl<'a> PlanReader<'a> {
         let column = |item: &Node| match &item.value {
             Value::Text(name) => Some(Kept {
                 name: name.clone(),
-                line: line(item),
+                line: item.line(),
             }),
             _ => None,
         };
@@ -332,23 +327,11 @@ impl<'a> PlanReader<'a> {
     }
 
     pub(super) fn refuse(&self, key: &str, node: &Node, allowed: &str) -> CaseError {
-        let message = format!(
-            "{key} = {} is not possible: it must be {allowed}",
-            node.place.written
-        );
-        self.error(node, key, message)
+        node.refusal(self.name, key, allowed)
     }
 
     pub(super) fn error(&self, node: &Node, key: &str, message: String) -> CaseError {
-        CaseError::on_line(self.name, line(node), Some(key.to_owned()), message)
-    }
-}
-
-/// Line of a node of a file.
-pub(super) fn line(node: &Node) -> usize {
-    match node.place.origin {
-        Origin::Line(line) | Origin::Elsewhere(_, line) => line,
-        Origin::Override(_) | Origin::File => 0,
+        node.error(self.name, key, message)
     }
 }
 

@@ -1,6 +1,6 @@
 //! Axes and distributions in the text of a plan.
 
-use super::read::{Entry, PlanReader, choice, line};
+use super::read::{Entry, PlanReader, choice};
 use super::{Axis, AxisValues, Range, Scale, ScatterLaw};
 use crate::case_file::named::Named;
 use crate::case_file::spanned_toml::{Node, Section, Value};
@@ -41,7 +41,7 @@ impl PlanReader<'_> {
         Ok(Axis {
             key,
             values,
-            line: line(node),
+            line: node.line(),
         })
     }
 

@@ -20,11 +20,8 @@ struct MatricesFile {
     polar_inertia_kg_m2: f64,
     M: Vec<Vec<f64>>,
     K: Vec<Vec<f64>>,
-    #[serde(default)]
     C: Option<Vec<Vec<f64>>>,
-    #[serde(default)]
     G: Option<Vec<Vec<f64>>>,
-    #[serde(default)]
     Ksdt: Option<Vec<Vec<f64>>>,
 }
 

@@ -7,7 +7,7 @@ use cageless::linear_rotor::{
 };
 
 use super::{RotorFile, read_matrices};
-use crate::case_file::spanned_toml::{self, Node, Origin, Section, Value, join};
+use crate::case_file::spanned_toml::{self, Node, Section, Value, join};
 use crate::case_file::{CaseError, CaseFile, nearest};
 
 /// The only schema of rotor files so far.
@@ -93,16 +93,8 @@ pub(super) fn rotor_file(
         ] {
             changes.push(format!("rotor.{key}={value}"));
         }
-        let file = CaseFile::read(&path, &changes).map_err(|error| match error.line() {
-            // A file that is there speaks for itself.
-            Some(_) => error,
-            None => bearing.error(
-                node,
-                "case",
-                format!("case = {}: {error}", node.place.written),
-            ),
-        })?;
-        cases.push(file);
+        let file = CaseFile::read(&path, &changes);
+        cases.push(file.map_err(|error| node.error_of_its_file(name, "case", error))?);
     }
     RotorFile::new(&title, linear, speed_rpm, torque, &cases).map_err(|e| rotor.of_rotor(&e))
 }
@@ -156,13 +148,8 @@ fn by_matrices(
         }
     }
     let path = folder.join(rotor.text("matrices", matrices)?);
-    let full = read_matrices(&path).map_err(|error| match error.line() {
-        Some(_) => error,
-        None => {
-            let message = format!("matrices = {}: {error}", matrices.place.written);
-            rotor.error(matrices, "matrices", message)
-        }
-    })?;
+    let full = read_matrices(&path)
+        .map_err(|error| matrices.error_of_its_file(rotor.file, "matrices", error))?;
     let node = |part: &Part<'_>| -> Result<usize, CaseError> {
         if let Some(node) = part.entries.get("axial_mm") {
             let allowed = "left out: a rotor by matrices has nodes, node";
@@ -228,7 +215,11 @@ impl<'a> Part<'a> {
                 path.split('.').next().unwrap_or(path)
             ),
         };
-        Err(self.error(node, key, format!("{key} is not a key of {place}; {hint}")))
+        Err(node.error(
+            self.file,
+            key,
+            format!("{key} is not a key of {place}; {hint}"),
+        ))
     }
 
     /// The sections of a list `[[key]]`.
@@ -289,7 +280,7 @@ impl<'a> Part<'a> {
         let place = self
             .entries
             .values()
-            .map(line)
+            .map(Node::line)
             .filter(|line| *line > 0)
             .min();
         match place {
@@ -299,16 +290,7 @@ impl<'a> Part<'a> {
     }
 
     fn refuse(&self, key: &str, node: &Node, allowed: &str) -> CaseError {
-        let key = join(&self.path, key);
-        let message = format!(
-            "{key} = {} is not possible: it must be {allowed}",
-            node.place.written
-        );
-        self.error(node, &key, message)
-    }
-
-    fn error(&self, node: &Node, key: &str, message: String) -> CaseError {
-        CaseError::on_line(self.file, line(node), Some(key.to_owned()), message)
+        node.refusal(self.file, &join(&self.path, key), allowed)
     }
 
     /// The error of a rotor that these values give.
@@ -320,16 +302,8 @@ impl<'a> Part<'a> {
             RotorError::Bearings(_) => "",
         };
         match self.entries.get(key) {
-            Some(node) => self.error(node, &join(&self.path, key), error.to_string()),
+            Some(node) => node.error(self.file, &join(&self.path, key), error.to_string()),
             None => CaseError::of_file(self.file, error.to_string()),
         }
-    }
-}
-
-/// Line of a value.
-fn line(node: &Node) -> usize {
-    match node.place.origin {
-        Origin::Line(line) | Origin::Elsewhere(_, line) => line,
-        Origin::Override(_) | Origin::File => 0,
     }
 }

@@ -14,6 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _cageless, folders, pages
+from .arrays import Arrays, equal, footer, frozen
 from .errors import ColumnError
 from .tables import Tables
 from .units import with_units
@@ -25,17 +26,14 @@ __all__ = ["Drop"]
 
 
 def _restored_drop(
-    arrays: dict[str, dict[str, npt.NDArray[Any]]],
+    arrays: Arrays,
     summary: str,
     page: bytes,
     stopped: str | None,
 ) -> Drop:
     """A drop from its pickle."""
-    for table in arrays.values():
-        for array in table.values():
-            array.flags.writeable = False
     text = zlib.decompress(page).decode()
-    return Drop(_cageless.Drop.restored(arrays, summary, text, stopped))
+    return Drop(_cageless.Drop.restored(frozen(arrays), summary, text, stopped))
 
 
 class Drop(Tables):
@@ -50,11 +48,7 @@ class Drop(Tables):
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Drop) or self.summary != other.summary:
             return False
-        return all(
-            np.array_equal(array, other._arrays[of][name], equal_nan=True)
-            for of, columns in self._arrays.items()
-            for name, array in columns.items()
-        )
+        return equal(self._arrays, other._arrays)
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -220,16 +214,11 @@ class Drop(Tables):
             The folder, which is created.
         """
         path = folders.make(folder)
-        self._drop.save(os.fspath(path), *self._source())
+        self._drop.save(os.fspath(path), *footer(self.summary))
         return path
 
     def _save_tables(self, folder: Path) -> None:
-        self._drop.save_tables(os.fspath(folders.make(folder)), *self._source())
-
-    def _source(self) -> tuple[str, str]:
-        """Instructions and case of the footers of the tables."""
-        case = json.dumps(self.summary["case"], ensure_ascii=False, separators=(",", ":"))
-        return (self.summary["isa"], case)
+        self._drop.save_tables(os.fspath(folders.make(folder)), *footer(self.summary))
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Writes the page of ``cageless drop --out``."""

@@ -15,6 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _cageless, folders, pages
+from .arrays import Arrays, equal, footer, frozen
 from .errors import ColumnError, InputError
 from .figures import figure
 from .section import table
@@ -32,17 +33,14 @@ Floats = npt.NDArray[np.float64]
 
 
 def _restored_run(
-    arrays: dict[str, dict[str, npt.NDArray[Any]]],
+    arrays: Arrays,
     summary: str,
     report: bytes,
     stopped: str | None,
 ) -> Run:
     """A run from its pickle."""
-    for table_ in arrays.values():
-        for array in table_.values():
-            array.flags.writeable = False
     text = zlib.decompress(report).decode()
-    return Run(_cageless.Run.restored(arrays, summary, text, stopped))
+    return Run(_cageless.Run.restored(frozen(arrays), summary, text, stopped))
 
 
 class Run(Tables):
@@ -71,8 +69,7 @@ class Run(Tables):
             The folder, which is created.
         """
         path = folders.make(folder)
-        case = json.dumps(self.summary["case"], ensure_ascii=False, separators=(",", ":"))
-        self._run.save(os.fspath(path), self.summary["isa"], case)
+        self._run.save(os.fspath(path), *footer(self.summary))
         return path
 
     def _numbers(self) -> dict[str, Any]:
@@ -82,11 +79,7 @@ class Run(Tables):
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Run) or self._numbers() != other._numbers():
             return False
-        return self.stopped == other.stopped and all(
-            np.array_equal(array, other._arrays[of][name], equal_nan=True)
-            for of, columns in self._arrays.items()
-            for name, array in columns.items()
-        )
+        return self.stopped == other.stopped and equal(self._arrays, other._arrays)
 
     __hash__ = None  # type: ignore[assignment]
 

@@ -65,14 +65,7 @@ pub fn study(
 ) -> Result<DropStudy, RunError> {
     let case = file.case();
     let drop = drop_rotor(case, rows, progress)?;
-    let mut study = DropStudy {
-        interrupted: matches!(drop.outcome.ending, Ending::Interrupted),
-        drop,
-        conventional: None,
-        ensemble: None,
-        verification: None,
-        warnings: vec![],
-    };
+    let mut study = DropStudy::new(drop);
     if !matches!(study.drop.outcome.ending, Ending::Complete) {
         return Ok(study);
     }
@@ -93,6 +86,18 @@ pub fn study(
 }
 
 impl DropStudy {
+    /// A drop with nothing beside it.
+    pub fn new(drop: DropRecord) -> Self {
+        Self {
+            interrupted: matches!(drop.outcome.ending, Ending::Interrupted),
+            drop,
+            conventional: None,
+            ensemble: None,
+            verification: None,
+            warnings: vec![],
+        }
+    }
+
     /// A result, or the reason why there is none among the warnings.
     fn keep<T>(&mut self, what: &str, done: Result<T, StudyError>) -> Option<T> {
         match done {

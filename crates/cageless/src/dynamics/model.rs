@@ -155,11 +155,12 @@ impl Model {
         })
     }
 
-    /// The same bearing under a journal that a rotor outside it guides.
-    pub(crate) fn guided(self, implicit_friction: bool) -> Self {
+    /// Bearing of a rotor that rests on other bearings as well: the motion of the journal is given,
+    /// and friction is implicit.
+    pub(crate) fn guided(self) -> Self {
         Self {
             rotor: self.rotor.map(RotorBody::guided),
-            implicit_friction,
+            implicit_friction: true,
             ..self
         }
     }

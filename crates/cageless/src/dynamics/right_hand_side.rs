@@ -376,7 +376,7 @@ fn advance_avx512<M: Method>(
 const MODE_LANES: usize = 8;
 
 /// Fingerprint `hash` with more `bits`.
-fn mix(hash: u64, bits: u64) -> u64 {
+pub(super) fn mix(hash: u64, bits: u64) -> u64 {
     (hash ^ bits)
         .wrapping_mul(0x0000_0100_0000_01b3)
         .rotate_left(5)

@@ -113,7 +113,7 @@ impl RotorBody {
         }
     }
 
-    /// The same journal, guided by a rotor outside this bearing.
+    /// Journal of a rotor that rests on other bearings as well: its contact without a mass of its own.
     pub fn guided(self) -> Self {
         Self {
             mass: 0.0,
@@ -178,8 +178,8 @@ impl RotorBody {
     }
 
     /// Acceleration of the mass centre and of the rotation under the force of the inner ring:
-    /// m z̈g = F − i·m·g and Ip Ω̇ = moment of F + torque of the drive. Of a guided journal what the
-    /// force adds.
+    /// m z̈g = F − i·m·g and Ip Ω̇ = moment of F + torque of the drive. A guided journal has the part
+    /// that the force adds alone.
     #[inline(always)]
     pub fn acceleration(&self, contact: &RotorContact, force: [f64; 2]) -> [f64; 3] {
         if self.guide.is_some() {

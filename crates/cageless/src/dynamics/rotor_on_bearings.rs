@@ -5,17 +5,14 @@
 //! of the rotor. The motion of a journal follows from u linearly, and every method here keeps
 //! linear relations, so that the journals stay those of the rotor.
 
-use super::coordinates::DropCoordinate;
+use super::Model;
+use super::coordinates::{DROP, DropCoordinate};
 use super::energy::EnergyTerm;
 use super::layout::Layout;
-use super::right_hand_side::{JournalLoad, RightHandSide};
-use super::{Contacts, InstructionSet, Model};
-use crate::integrator::{Integrator, Method, SecondOrderBlock, System, UnresolvedStep};
-use crate::linear_rotor::{DMatrix, DVector, LinearRotor};
-
-/// Scales of the errors of a normal coordinate (that of a journal over √m), of θ and their rates.
-const ANGLE_SCALE: f64 = 1e-3;
-const SPEED_SCALE: f64 = 1.0;
+use super::right_hand_side::{JournalLoad, RightHandSide, mix};
+use super::rotor::JournalCompliance;
+use crate::integrator::{SecondOrderBlock, System};
+use crate::linear_rotor::{DVector, LinearRotor};
 
 /// Term of the energy ledger of the rotor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -51,8 +48,6 @@ pub(crate) struct RotorOnBearings<'m> {
     /// First place of the rotor.
     start: usize,
     blocks: Vec<SecondOrderBlock>,
-    /// Scale of the error of each normal coordinate.
-    scale: f64,
 }
 
 /// Motion of the rotor at one instant.
@@ -61,6 +56,16 @@ struct Motion {
     rates: DVector<f64>,
     angle: f64,
     speed: f64,
+}
+
+/// Coupling of bending and spin at one instant.
+struct Coupling {
+    /// b = Σ Uj·i·e^(i(θ+φj)) at the places of the unbalances, over u.
+    unbalance: DVector<f64>,
+    /// b + Ksdt·u.
+    spin_up: DVector<f64>,
+    /// Ip − bᵀ·(b + Ksdt·u): what a torque turns where bending follows freely.
+    inertia: f64,
 }
 
 /// Acceleration of the rotor.
@@ -94,7 +99,6 @@ impl<'m> RotorOnBearings<'m> {
             layouts,
             start,
             blocks,
-            scale: 1e-5 * rotor.mass_kg().sqrt(),
         }
     }
 
@@ -160,27 +164,36 @@ impl<'m> RotorOnBearings<'m> {
         }
     }
 
-    /// Σ Uj·i·e^(i(θ+φj)) at the places of the unbalances, over u: what couples ü and Ω̇.
-    fn unbalance_coupling(&self, motion: &Motion) -> DVector<f64> {
-        let mut coupling = DVector::zeros(motion.u.len());
+    fn coupling(&self, motion: &Motion) -> Coupling {
+        let mut unbalance_coupling = DVector::zeros(motion.u.len());
         for unbalance in &self.rotor.unbalances {
             let (sin, cos) = (motion.angle + unbalance.phase).sin_cos();
             let direction = DVector::from_vec(vec![-sin, cos]) * unbalance.moment;
-            coupling.gemv_tr(1.0, &unbalance.place, &direction, 1.0);
+            unbalance_coupling.gemv_tr(1.0, &unbalance.place, &direction, 1.0);
         }
-        coupling
+        let spin_up = &unbalance_coupling + &self.rotor.spin_up * &motion.u;
+        Coupling {
+            inertia: self.rotor.polar_inertia - unbalance_coupling.dot(&spin_up),
+            unbalance: unbalance_coupling,
+            spin_up,
+        }
     }
 
     /// Acceleration under forces over u and a torque:
-    /// ü + (b + Ksdt·u)·Ω̇ = f and Ip·Ω̇ + bᵀ·ü = τ, b the coupling by unbalance.
-    fn respond(&self, motion: &Motion, forces: DVector<f64>, torque: f64) -> Acceleration {
-        let b = self.unbalance_coupling(motion);
-        let a = &b + &self.rotor.spin_up * &motion.u;
-        let speed = (torque - b.dot(&forces)) / (self.rotor.polar_inertia - b.dot(&a));
+    /// ü + (b + Ksdt·u)·Ω̇ = f and Ip·Ω̇ + bᵀ·ü = τ.
+    fn respond(coupling: &Coupling, forces: DVector<f64>, torque: f64) -> Acceleration {
+        let speed = (torque - coupling.unbalance.dot(&forces)) / coupling.inertia;
         Acceleration {
-            u: forces - a * speed,
+            u: forces - &coupling.spin_up * speed,
             speed,
         }
+    }
+
+    /// Acceleration under a load on journal `k` alone.
+    fn respond_at(&self, k: usize, coupling: &Coupling, load: &JournalLoad) -> Acceleration {
+        let (mut forces, mut torque) = (DVector::zeros(self.rotor.coordinates()), 0.0);
+        self.add_load(k, load, &mut forces, &mut torque);
+        Self::respond(coupling, forces, torque)
     }
 
     /// Acceleration by everything but the bearings.
@@ -201,27 +214,27 @@ impl<'m> RotorOnBearings<'m> {
         (forces, torque)
     }
 
-    /// Adds the loads on the journals to forces over u and the torque.
-    fn add_loads(&self, loads: &[JournalLoad], forces: &mut DVector<f64>, torque: &mut f64) {
-        for ([x, y, moment], rows) in loads.iter().zip(&self.rotor.journals) {
-            forces.gemv_tr(1.0, rows, &DVector::from_vec(vec![*x, *y]), 1.0);
-            *torque += moment;
-        }
+    /// Adds a load on journal `k` to forces over u and the torque.
+    fn add_load(
+        &self,
+        k: usize,
+        [x, y, moment]: &JournalLoad,
+        forces: &mut DVector<f64>,
+        torque: &mut f64,
+    ) {
+        let force = DVector::from_vec(vec![*x, *y]);
+        forces.gemv_tr(1.0, &self.rotor.journals[k], &force, 1.0);
+        *torque += moment;
     }
 
     /// Response of journal `k` to unit loads on it.
-    fn compliance(&self, k: usize, motion: &Motion) -> [[f64; 3]; 3] {
-        let rows = &self.rotor.journals[k];
-        let mut columns = [[0.0; 3]; 3];
-        for (load, column) in columns.iter_mut().enumerate() {
-            let mut unit = [0.0; 3];
-            unit[load] = 1.0;
-            let mut forces = DVector::zeros(motion.u.len());
-            forces.gemv_tr(1.0, rows, &DVector::from_column_slice(&unit[..2]), 1.0);
-            let answer = self.respond(motion, forces, unit[2]);
-            let lateral = rows * answer.u;
-            *column = [lateral[0], lateral[1], answer.speed];
-        }
+    fn compliance(&self, k: usize, coupling: &Coupling) -> JournalCompliance {
+        let units = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let columns = units.map(|unit| {
+            let answer = self.respond_at(k, coupling, &unit);
+            let lateral = &self.rotor.journals[k] * answer.u;
+            [lateral[0], lateral[1], answer.speed]
+        });
         std::array::from_fn(|row| std::array::from_fn(|column| columns[column][row]))
     }
 
@@ -248,8 +261,10 @@ impl<'m> RotorOnBearings<'m> {
         let motion = self.motion(y);
         let loads: Vec<JournalLoad> = self.bearings.iter().map(|b| b.journal_load()).collect();
         let (mut forces, mut torque) = self.own_forces(&motion);
-        self.add_loads(&loads, &mut forces, &mut torque);
-        let answer = self.respond(&motion, forces, torque);
+        for (k, load) in loads.iter().enumerate() {
+            self.add_load(k, load, &mut forces, &mut torque);
+        }
+        let answer = Self::respond(&self.coupling(&motion), forces, torque);
         let n = self.rotor.coordinates();
         let own = &mut dydt[self.start..];
         own[..n].copy_from_slice(motion.rates.as_slice());
@@ -283,9 +298,11 @@ impl<'m> RotorOnBearings<'m> {
             let cos = (motion.angle + unbalance.phase).cos();
             weight -= unbalance.moment * self.loads.gravity * cos * motion.speed;
         }
-        let circulatory = (&r.stiffness - r.stiffness.transpose()) * 0.5;
-        let resisting =
-            &r.damping * &motion.rates + circulatory * &motion.u + &r.spin_up * &motion.u * spin;
+        // Of K the antisymmetric part alone: the symmetric one stores what it takes.
+        let circulatory = 0.5
+            * (motion.rates.dot(&(&r.stiffness * &motion.u))
+                - motion.u.dot(&(&r.stiffness * &motion.rates)));
+        let resisting = &r.damping * &motion.rates + &r.spin_up * &motion.u * spin;
         [
             (
                 RotorEnergyTerm::Journals,
@@ -296,7 +313,10 @@ impl<'m> RotorOnBearings<'m> {
                 RotorEnergyTerm::Drive,
                 self.loads.drive_torque * motion.speed,
             ),
-            (RotorEnergyTerm::Loss, resisting.dot(&motion.rates)),
+            (
+                RotorEnergyTerm::Loss,
+                resisting.dot(&motion.rates) + circulatory,
+            ),
         ]
     }
 
@@ -309,13 +329,11 @@ impl<'m> RotorOnBearings<'m> {
     /// Kinetic and elastic energy of the rotor, J.
     pub fn rotor_energy_j(&self, y: &[f64]) -> f64 {
         let motion = self.motion(y);
-        let coupling = self.unbalance_coupling(&motion).dot(&motion.rates);
-        let symmetric: DMatrix<f64> =
-            (&self.rotor.stiffness + self.rotor.stiffness.transpose()) * 0.5;
+        let coupling = self.coupling(&motion).unbalance.dot(&motion.rates);
         0.5 * motion.rates.norm_squared()
             + motion.speed * coupling
             + 0.5 * self.rotor.polar_inertia * motion.speed * motion.speed
-            + 0.5 * motion.u.dot(&(symmetric * &motion.u))
+            + 0.5 * motion.u.dot(&(&self.rotor.stiffness * &motion.u))
     }
 
     /// What the rotor lacks to balance its ledger, and the sum of the absolute terms, J.
@@ -332,31 +350,9 @@ impl<'m> RotorOnBearings<'m> {
         (change - flows.iter().sum::<f64>(), sum)
     }
 
-    /// Contacts of bearing `k` as of the last evaluation.
-    pub fn contacts_of(&self, k: usize) -> Contacts<'_> {
-        self.bearings[k].contacts()
-    }
-
-    /// Evaluations so far.
-    pub fn evaluations(&self) -> u64 {
-        self.bearings[0].evaluations()
-    }
-
-    /// Instructions in use.
-    pub fn instruction_set(&self) -> InstructionSet {
-        self.bearings[0].instruction_set()
-    }
-
-    /// Lets `integrator` make a step.
-    ///
-    /// # Errors
-    /// Those of the method.
-    pub fn advance<M: Method>(
-        &mut self,
-        integrator: &mut Integrator<M>,
-        limit_s: f64,
-    ) -> Result<(), UnresolvedStep> {
-        integrator.advance(self, limit_s)
+    /// The equations of bearing `k`.
+    pub fn bearing(&self, k: usize) -> &RightHandSide<'m> {
+        &self.bearings[k]
     }
 }
 
@@ -377,7 +373,7 @@ impl System for RotorOnBearings<'_> {
 
     fn mode(&self) -> u64 {
         let modes = self.bearings.iter().map(System::mode);
-        modes.fold(0, |hash, mode| hash.rotate_left(7) ^ mode)
+        modes.fold(0, mix)
     }
 
     fn second_order_blocks(&self) -> &[SecondOrderBlock] {
@@ -401,7 +397,8 @@ impl System for RotorOnBearings<'_> {
         for k in 0..self.bearings.len() {
             self.place_journals(y);
             let motion = self.motion(y);
-            let compliance = self.compliance(k, &motion);
+            let coupling = self.coupling(&motion);
+            let compliance = self.compliance(k, &coupling);
             let places = span(&self.layouts[k]);
             let bearing = &mut self.bearings[k];
             bearing.set_journal_compliance(compliance);
@@ -413,11 +410,7 @@ impl System for RotorOnBearings<'_> {
             bearing.add_stiff_part(h_s, own0, own, rate);
             let (mean, end) = (bearing.mean_friction_load(), bearing.end_friction_load());
             for (load, h, values) in [(mean, h_s, &mut *y), (end, 1.0, &mut *dydt)] {
-                let mut forces = DVector::zeros(motion.u.len());
-                let rows = &self.rotor.journals[k];
-                forces.gemv_tr(1.0, rows, &DVector::from_column_slice(&load[..2]), 1.0);
-                let answer = self.respond(&motion, forces, load[2]);
-                self.add(&answer, h, values);
+                self.add(&self.respond_at(k, &coupling, &load), h, values);
             }
             mean_loads.push(mean);
         }
@@ -442,11 +435,14 @@ impl System for RotorOnBearings<'_> {
     fn error_norm(&self, difference: &[f64]) -> f64 {
         let n = self.rotor.coordinates();
         let own = &difference[self.start..];
-        let lateral = (0..n).map(|k| {
-            let [place, rate] = [own[k] / self.scale, own[n + 1 + k] / (1e4 * self.scale)];
-            place * place + rate * rate
-        });
-        let turning = (own[n] / ANGLE_SCALE).powi(2) + (own[2 * n + 1] / SPEED_SCALE).powi(2);
+        let scale = |c: DropCoordinate| DROP[c as usize].error_scale;
+        // A normal coordinate is a displacement times √m.
+        let root = self.rotor.mass_kg().sqrt();
+        let [place, rate] =
+            [DropCoordinate::RotorX, DropCoordinate::RotorVx].map(|c| root * scale(c));
+        let lateral = (0..n).map(|k| (own[k] / place).powi(2) + (own[n + 1 + k] / rate).powi(2));
+        let turning = (own[n] / scale(DropCoordinate::RotorAngle)).powi(2)
+            + (own[2 * n + 1] / scale(DropCoordinate::RotorSpeed)).powi(2);
         let rotor = ((lateral.sum::<f64>() + turning) / (2 * n + 2) as f64).sqrt();
         let bearings = self.layouts.iter().map(|l| l.scaled_rms(difference));
         bearings.fold(rotor, f64::max)

@@ -207,9 +207,7 @@ impl RotorMatrices {
     /// Touchdown nodes, kept nodes and those of unbalances, each once.
     fn held_nodes(&self, reduction: &Reduction) -> Result<Vec<usize>, RotorError> {
         if reduction.bearing_nodes.is_empty() {
-            return Err(RotorError::Bearings(
-                "a rotor needs at least one touchdown bearing".to_owned(),
-            ));
+            return Err(RotorError::without_bearings());
         }
         let mut held: Vec<usize> = vec![];
         let unbalanced = reduction.unbalances.iter().map(|u| u.node);

@@ -81,6 +81,12 @@ pub enum RotorError {
     Bearings(String),
 }
 
+impl RotorError {
+    fn without_bearings() -> Self {
+        Self::Bearings("a rotor needs at least one touchdown bearing".to_owned())
+    }
+}
+
 /// Lateral motion of a rotor in normal coordinates u, in which the mass matrix is the identity and
 /// the symmetric part of the stiffness is diagonal:
 /// ü + (C + Ω·G)·u̇ + (K + Ω̇·Ksdt)·u = forces.
@@ -148,8 +154,8 @@ impl LinearRotor {
 
     /// ω of the fastest normal coordinate at rest, rad/s.
     pub fn fastest_rad_s(&self) -> f64 {
-        let symmetric = (&self.stiffness + self.stiffness.transpose()) * 0.5;
-        symmetric.diagonal().max().max(0.0).sqrt()
+        // The symmetric part of K is diagonal.
+        self.stiffness.diagonal().max().max(0.0).sqrt()
     }
 
     /// Eigenvalues of the lateral motion at a constant speed, 1/s: real part the growth, imaginary

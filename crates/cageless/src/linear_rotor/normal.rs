@@ -31,7 +31,7 @@ pub(super) struct Lateral {
 }
 
 impl Lateral {
-    /// The same motion in normal coordinates.
+    /// Changes to normal coordinates.
     pub fn normal(self) -> Result<LinearRotor, RotorError> {
         let not_definite = || RotorError::Property {
             name: "M",

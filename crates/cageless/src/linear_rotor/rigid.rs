@@ -81,9 +81,7 @@ impl RigidRotor {
         let mut places = self.bearing_axial_m.clone();
         places.sort_by(f64::total_cmp);
         if places.is_empty() {
-            return Err(RotorError::Bearings(
-                "a rotor needs at least one touchdown bearing".to_owned(),
-            ));
+            return Err(RotorError::without_bearings());
         }
         if let Some(place) = places.iter().find(|z| !z.is_finite()) {
             return Err(RotorError::Value {

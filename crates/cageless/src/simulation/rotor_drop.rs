@@ -9,7 +9,7 @@ use crate::dynamics::state::State;
 use crate::dynamics::{Contacts, InstructionSet, Model};
 use crate::equilibrium::EquilibriumError;
 use crate::initial_conditions::initial_state;
-use crate::integrator::{self, Integrator, UnresolvedStep};
+use crate::integrator::System;
 use crate::linear_rotor::{LinearRotor, RotorError};
 use crate::step_limits::StepLimits;
 
@@ -172,7 +172,7 @@ impl RotorDrop {
         &self.cases
     }
 
-    /// The same drop with conventional outer rings.
+    /// The drop of this rotor into its bearings with conventional outer rings.
     pub fn conventional(&self) -> Self {
         Self {
             cases: self.cases.iter().map(Case::conventional).collect(),
@@ -203,14 +203,14 @@ impl RotorDrop {
         let mut models = vec![];
         for case in &self.cases {
             starts.push(initial_state(case)?);
-            models.push(Model::new(case)?.guided(true));
+            models.push(Model::new(case)?.guided());
         }
         let loads = RotorLoads {
             gravity: self.cases[0].operation.gravity_m_s2,
             drive_torque: self.drive_torque_n_m,
         };
         let mut system = RotorOnBearings::new(&self.rotor, loads, &models);
-        let mut start = vec![0.0; integrator::System::dimension(&system)];
+        let mut start = vec![0.0; system.dimension()];
         let [mut places, mut velocities] = [vec![], vec![]];
         for (k, (case, (state, _))) in self.cases.iter().zip(&starts).enumerate() {
             system.layout(k).spread_padding(&mut start);
@@ -253,22 +253,14 @@ impl Bearings for RotorOnBearings<'_> {
     }
 
     fn contacts_of(&self, bearing: usize) -> Contacts<'_> {
-        self.contacts_of(bearing)
+        self.bearing(bearing).contacts()
     }
 
     fn evaluations(&self) -> u64 {
-        self.evaluations()
+        self.bearing(0).evaluations()
     }
 
     fn instruction_set(&self) -> InstructionSet {
-        self.instruction_set()
-    }
-
-    fn advance<M: integrator::Method>(
-        &mut self,
-        integrator: &mut Integrator<M>,
-        limit_s: f64,
-    ) -> Result<(), UnresolvedStep> {
-        self.advance(integrator, limit_s)
+        self.bearing(0).instruction_set()
     }
 }

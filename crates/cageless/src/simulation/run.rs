@@ -117,7 +117,12 @@ pub(super) trait Bearings: System {
         &mut self,
         integrator: &mut Integrator<M>,
         limit_s: f64,
-    ) -> Result<(), UnresolvedStep>;
+    ) -> Result<(), UnresolvedStep>
+    where
+        Self: Sized,
+    {
+        integrator.advance(self, limit_s)
+    }
 }
 
 impl Bearings for RightHandSide<'_> {

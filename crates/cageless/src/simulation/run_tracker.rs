@@ -83,7 +83,7 @@ impl<'s, 'm, 'o> RunTracker<'s, 'm, 'o> {
         }
     }
 
-    /// The same as number `bearing` of those that are advanced together.
+    /// Sets the index of the bearing among those that are advanced together.
     pub fn numbered(self, bearing: usize) -> Self {
         Self { bearing, ..self }
     }
