@@ -132,7 +132,7 @@ fn friction(options: &Options) -> Result<usize> {
             for values in [None, Some(discrete[0].1)] {
                 rows += 1;
                 let result = drops(options, case, rpm, [balls, 0.15], values)?;
-                let heat = mean(&result.drops, |d| d.result.value("ball_heat_j"));
+                let heat = mean(&result.drops, |d| d.bearing.result.value("ball_heat_j"));
                 print!(" {}, {} |", rattling(&result), figures(heat));
             }
             println!();
@@ -176,38 +176,48 @@ type Compared = (&'static str, fn(&DropRow) -> Option<f64>);
 /// Results of a drop that are compared, with their headings.
 const COMPARED: [Compared; 8] = [
     ("collisions per s at the end", |d| {
-        d.result.value("end_collision_rate_hz")
+        d.bearing.result.value("end_collision_rate_hz")
     }),
     ("pressure ball on ball, GPa", |d| {
-        d.result.value("ball_stress_max_gpa")
+        d.bearing.result.value("ball_stress_max_gpa")
     }),
     ("pressure on the raceways, GPa", |d| {
         let [inner, outer] = ["inner_stress_max_gpa", "outer_stress_max_gpa"];
-        Some(d.result.value(inner)?.max(d.result.value(outer)?))
+        Some(
+            d.bearing
+                .result
+                .value(inner)?
+                .max(d.bearing.result.value(outer)?),
+        )
     }),
-    ("ball sliding, m/s", |d| d.result.value("ball_slip_max_m_s")),
-    ("heat at the balls, J", |d| d.result.value("ball_heat_j")),
-    ("spin-up, ms", |d| d.result.value("spin_up_ms")),
-    ("ring at the end, rpm", |d| d.result.value("ring_speed_rpm")),
+    ("ball sliding, m/s", |d| {
+        d.bearing.result.value("ball_slip_max_m_s")
+    }),
+    ("heat at the balls, J", |d| {
+        d.bearing.result.value("ball_heat_j")
+    }),
+    ("spin-up, ms", |d| d.bearing.result.value("spin_up_ms")),
+    ("ring at the end, rpm", |d| {
+        d.bearing.result.value("ring_speed_rpm")
+    }),
     ("largest force, weights", |d| {
-        d.result.value("rotor_force_max_weights")
+        d.bearing.result.value("rotor_force_max_weights")
     }),
 ];
 
 /// Drops that end with rattling balls.
 fn rattling(result: &EnsembleResult) -> usize {
     let rattles = |d: &&DropRow| {
-        let balls = d.result.values("inner_force_max_of_ball_n").len() as f64;
-        let rate = d.result.value("end_collision_rate_hz");
+        let balls = d.bearing.result.values("inner_force_max_of_ball_n").len() as f64;
+        let rate = d.bearing.result.value("end_collision_rate_hz");
         rate.is_some_and(|rate| rate > RATTLING_HZ * balls)
     };
     result.drops.iter().filter(rattles).count()
 }
 
 fn cells(result: &EnsembleResult, plain: Option<&EnsembleResult>) -> String {
-    let whirl = result
-        .backward_whirl_interval
-        .zip(result.backward_whirl_probability)
+    let whirl = (result.distribution.backward_whirl.interval)
+        .zip(result.distribution.backward_whirl.fraction)
         .map_or("-".to_owned(), |([low, high], p)| {
             format!("{:.0} ({:.0} to {:.0})", 1e2 * p, 1e2 * low, 1e2 * high)
         });

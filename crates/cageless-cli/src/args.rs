@@ -157,11 +157,12 @@ pub struct DropArgs {
     /// Case with a [rotor], or file of a rotor above several bearings; output.
     #[command(flatten)]
     pub case: CaseArgs,
-    /// Drop the rotor onto another outer ring as well, and show both.
+    /// Drop the rotor onto another outer ring as well, in all bearings, and show both.
     #[arg(long, value_enum, value_name = "RING")]
     pub compare: Option<Reference>,
     /// Drop the rotor N times with scattered friction (±30 %), air gap (±10 %), support damping
-    /// (factor 2), direction of the unbalance and arrangement of the balls.
+    /// (factor 2), direction of the unbalance and arrangement of the balls, drawn for each bearing
+    /// on its own; --set solver.seed=S for other draws.
     #[arg(long, value_name = "N")]
     pub samples: Option<u64>,
     /// Repeat the drop from perturbed starts and at half the step, and say which results are

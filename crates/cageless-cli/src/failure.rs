@@ -50,6 +50,14 @@ impl Failure {
         }
     }
 
+    /// The failure with the place of a stop, "bearing 2: ", before it.
+    pub fn stopped_at(self, place: &str) -> Self {
+        match self {
+            Self::Unphysical(message) => Self::Unphysical(format!("{place}{message}")),
+            other => other,
+        }
+    }
+
     /// A run that stopped.
     pub fn stopped(stop: &Stop, kept: &str) -> Self {
         Self::Unphysical(format!("{stop}{kept}"))

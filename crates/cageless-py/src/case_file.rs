@@ -135,11 +135,7 @@ impl CaseFile {
         threads: Option<i64>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Drop> {
-        let request = DropRequest {
-            compare,
-            samples: samples.map(|n| whole("samples", n)).transpose()?,
-            verify,
-        };
+        let request = requested(compare, samples, verify)?;
         Drop::compute(py, &self.file, request, Background::new(threads, progress)?)
     }
 
@@ -213,6 +209,15 @@ impl CaseFile {
         };
         export::write(py, &self.file, &out, formats, &options)
     }
+}
+
+/// What a drop is asked for beside itself.
+pub fn requested(compare: bool, samples: Option<i64>, verify: bool) -> PyResult<DropRequest> {
+    Ok(DropRequest {
+        compare,
+        samples: samples.map(|n| whole("samples", n)).transpose()?,
+        verify,
+    })
 }
 
 fn whole<T: TryFrom<i64>>(option: &str, value: i64) -> PyResult<T> {

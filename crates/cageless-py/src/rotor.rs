@@ -7,14 +7,14 @@ use cageless::linear_rotor::{
 };
 use cageless_io::rotor_file::{RotorFile, write_matrices};
 use cageless_report::drop::rotor_page;
-use cageless_study::drop::drop_into_bearings;
+use cageless_study::drop::rotor_study;
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 
 use crate::background::Background;
-use crate::case_file::CaseFile;
+use crate::case_file::{CaseFile, requested};
 use crate::drop::Drop;
-use crate::errors::{input, of_results, of_run, other, reason};
+use crate::errors::{input, of_results, of_run, of_study, other, reason};
 
 /// Lateral motion of a rotor with the nodes of its bearings.
 #[pyclass(frozen, module = "cageless._cageless")]
@@ -156,26 +156,29 @@ impl LinearRotor {
         title: &str,
         speed_rpm: f64,
         drive_torque_n_m: f64,
-        conventional: bool,
+        compare: bool,
+        samples: Option<i64>,
+        verify: bool,
+        threads: Option<i64>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Dropped> {
+        let request = requested(compare, samples, verify)?;
+        request.check_samples().map_err(|e| of_study(&e))?;
         let files: Vec<_> = cases.iter().map(|case| case.file.clone()).collect();
         let rotor = self.rotor.clone();
         let file = RotorFile::new(title, rotor, speed_rpm, drive_torque_n_m, &files)
             .map_err(|error| refused(&error))?;
-        let drop = match conventional {
-            true => file.drop().conventional(),
-            false => file.drop().clone(),
-        };
-        let rows = || (0..files.len()).map(|_| None).collect();
-        let background = Background::new(Some(1), progress)?;
-        let done = background.run(py, |progress| drop_into_bearings(&drop, rows(), progress))?;
-        let dropped = done.map_err(of_run)?;
-        let summary = dropped.to_json(&file, None).map_err(other)?;
-        let page = py.detach(|| rotor_page(&file, &dropped, None));
-        let stopped = reason(&dropped.last().outcome.ending);
+        let rows = || files.iter().map(|_| None).collect();
+        let background = Background::new(threads, progress)?;
+        let done = background.run(py, |progress| rotor_study(&file, request, rows(), progress))?;
+        let study = done.map_err(of_run)?;
+        let summary = study.to_json(&file).map_err(other)?;
+        let page = py.detach(|| rotor_page(&file, &study));
+        let last = study.drop.last_index();
+        let stopped = reason(&study.drop.last().outcome.ending)
+            .map(|reason| format!("bearing {}: {reason}", last + 1));
         let bearings = (file.bearings().iter().cloned())
-            .zip(dropped.bearings)
+            .zip(study.drop.bearings)
             .map(|(file, record)| Drop::of_bearing(py, file, record))
             .collect::<PyResult<_>>()?;
         Ok((bearings, summary, page, stopped))

@@ -32,8 +32,9 @@ def rigid() -> cageless.LinearRotor:
     )
 
 
-def test_a_drop_is_that_of_the_command(command: Command, tmp_path: Path) -> None:
-    path = tmp_path / "rotor.toml"
+def rotor_file(folder: Path) -> Path:
+    """The file of :func:`rigid`."""
+    path = folder / "rotor.toml"
     bearings = "".join(
         f"[[bearing]]\ncase = {json.dumps(str(case))}\naxial_mm = {z}\n"
         for case, z in zip(CASES, (-100.0, 200.0), strict=True)
@@ -43,8 +44,12 @@ def test_a_drop_is_that_of_the_command(command: Command, tmp_path: Path) -> None
         "speed_rpm = 30000.0\n[[unbalance]]\naxial_mm = 30.0\nmoment_g_mm = 200.0\nphase_deg = 40.0\n"
         + bearings
     )
+    return path
+
+
+def test_a_drop_is_that_of_the_command(command: Command, tmp_path: Path) -> None:
     out = tmp_path / "out"
-    command("drop", path, "--set", "solver.duration_s=0.008", "--out", out)
+    command("drop", rotor_file(tmp_path), "--set", "solver.duration_s=0.008", "--out", out)
     drop = rigid().drop(cases(), speed_rpm=30000.0)
     assert drop.summary == json.loads((out / "summary.json").read_text())
     assert drop.summary["rotor"]["mass_shares_kg"] == pytest.approx([80.0 / 3.0, 40.0 / 3.0])
@@ -59,6 +64,36 @@ def test_a_drop_is_that_of_the_command(command: Command, tmp_path: Path) -> None
             pd.testing.assert_frame_equal(pd.read_parquet(saved / table), written)
             frame = getattr(bearing, f"data_{name}")()
             pd.testing.assert_frame_equal(frame, written, check_exact=True)
+
+
+def test_scattered_compared_and_verified_drops_are_those_of_the_command(
+    command: Command, tmp_path: Path
+) -> None:
+    out = tmp_path / "out"
+    more = ["--samples", 2, "--compare", "conventional", "--verify", "--out", out]
+    command("drop", rotor_file(tmp_path), "--set", "solver.duration_s=0.0006", *more)
+    short = [case.replace({"solver.duration_s": 0.0006}) for case in cases()]
+    drop = rigid().drop(short, speed_rpm=30000.0, compare=True, samples=2, verify=True)
+    assert drop.summary == json.loads((out / "summary.json").read_text())
+    saved = drop.report(tmp_path / "page.html")
+    assert saved.read_text() == (out / "report.html").read_text()
+    assert (drop.backward_whirl_probability, drop.warnings) == (0.0, [])
+    interval = drop.backward_whirl_interval
+    assert interval is not None
+    assert interval == pytest.approx((0.0, 0.658), abs=1e-3)
+    drops = drop.data_drops()
+    assert list(zip(drops["index"], drops.bearing, strict=True)) == [(0, 1), (0, 2), (1, 1), (1, 2)]
+    assert drops.unbalance_turn_deg[0] == drops.unbalance_turn_deg[1] != drops.unbalance_turn_deg[2]
+    assert drops.rotor_friction.nunique() == 4
+    assert set(drops.end_state) == {"falling"}
+    judged = drop.data_verification()
+    assert judged.verdict[2, "rotor_speed_rpm"] == "converged"
+    alone = rigid().drop(short, speed_rpm=30000.0)
+    assert alone != drop
+    assert alone.bearings == drop.bearings
+    assert alone.backward_whirl_probability is None
+    assert alone.data_drops().empty
+    assert alone.data_verification().empty
 
 
 def test_the_precession_of_a_rigid_rotor() -> None:
@@ -129,6 +164,8 @@ def test_impossible_rotors_are_refused() -> None:
         rigid().drop(cases()[:1], speed_rpm=30000.0)
     with pytest.raises(cageless.InputError, match="a rigid rotor has no matrices"):
         rigid().save_matrices("rotor.json")
+    with pytest.raises(cageless.InputError, match="samples"):
+        rigid().drop(cases(), speed_rpm=30000.0, samples=0)
     longer = cases()[1].replace({"solver.duration_s": 0.1})
     with pytest.raises(cageless.InputError, match="all bearings of a rotor need the same"):
         rigid().drop([cases()[0], longer], speed_rpm=30000.0)

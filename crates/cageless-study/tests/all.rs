@@ -1,6 +1,7 @@
 //! All tests of the studies, as one program.
 
 mod drops;
+mod rotor_drops;
 mod run_results;
 mod studies;
 mod sweep_collection;

@@ -11,7 +11,9 @@ use cageless::simulation::{
     Control, Ending, Observer, RotorDrop, RotorDropOutcome, RunOutcome, run,
 };
 use cageless::snapshot::Snapshot;
-use cageless::{Case, FrictionLaw, Method};
+use cageless::touchdown::Scatter;
+use cageless::verification::Role;
+use cageless::{Case, FrictionLaw, Method, Start};
 
 const SPEED_RAD_S: f64 = 3141.6;
 
@@ -103,6 +105,64 @@ fn symmetric_bearings_move_as_one_plane() {
             let error = difference(bearing, &one);
             println!("{method:?} {law:?} {speed}: {error:.1e}");
             assert!(error < most, "{method:?} {law:?} {speed}: {error:e}");
+        }
+    }
+}
+
+/// The direction of the unbalances is drawn once, for all of them together; the rest for each
+/// bearing on its own, that of the first as for its case alone. A replica turns the balls of all
+/// bearings.
+#[test]
+fn scatter_belongs_to_the_rotor_or_to_a_bearing() {
+    let unbalanced = |turn: f64| {
+        let plane = |axial_m: f64, phase_rad: f64| PlaneUnbalance {
+            axial_m,
+            moment_kg_m: 1e-4,
+            phase_rad: phase_rad + turn,
+        };
+        let rotor = RigidRotor {
+            unbalances: vec![plane(-0.1, 0.4), plane(0.2, 2.0)],
+            ..rigid([-0.1, 0.2])
+        };
+        rotor.linear().unwrap()
+    };
+    let mut case = bearing(Method::Symplectic);
+    case.seed = 5;
+    let cases = vec![case.clone(), case.clone()];
+    let drop = RotorDrop::new(unbalanced(0.0), SPEED_RAD_S, 0.0, cases, None).unwrap();
+    let scatter = Scatter::default();
+    let (scattered, drawn) = scatter.draw_rotor(&drop, 7);
+    let (alone, of_case) = scatter.draw(&case, 7);
+    assert_eq!(scattered.rotor(), &unbalanced(drawn.unbalance_turn_rad));
+    assert_eq!(drawn.unbalance_turn_rad, of_case.eccentricity_phase_rad);
+    assert_eq!(drawn.bearings[0], of_case.bearing);
+    assert_eq!(scattered.cases()[0].start, alone.start);
+    // Equal cases, no draw in common.
+    let [a, b] = [drawn.bearings[0], drawn.bearings[1]];
+    for (a, b) in [
+        (a.rotor_friction, b.rotor_friction),
+        (a.ball_friction, b.ball_friction),
+        (a.air_gap_m, b.air_gap_m),
+    ] {
+        assert!(a != b);
+    }
+    assert!(scattered.cases()[0].start != scattered.cases()[1].start);
+    assert!(scattered != scatter.draw_rotor(&drop, 8).0);
+    assert_eq!(scattered, scatter.draw_rotor(&drop, 7).0);
+
+    let turned = |case: &Case| match case.start {
+        Start::AtRest {
+            lead_ball_angle_rad,
+            ..
+        } => lead_ball_angle_rad,
+        _ => panic!("balls at rest"),
+    };
+    for role in Role::all(case.seed, 2) {
+        let replica = drop.replica(role);
+        for (a, b) in replica.cases().iter().zip(drop.cases()) {
+            assert_eq!(turned(a), turned(b) + role.perturbation_rad);
+            let halves = if role.half_step { 0.5 } else { 1.0 };
+            assert_eq!(a.solver.step_s, halves * b.solver.step_s);
         }
     }
 }

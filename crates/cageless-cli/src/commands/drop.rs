@@ -6,7 +6,7 @@ use cageless_io::results::{Metadata, RunWriter, write_atomically, write_csv};
 use cageless_io::rotor_file::RotorFile;
 use cageless_report::drop::drop_page;
 use cageless_study::drop::{
-    DropRequest, DropResult, DropStudy, DropVerification, EnsembleResult, study,
+    Distribution, DropRequest, DropResult, DropStudy, DropVerification, EnsembleResult, study,
 };
 use cageless_study::number_text::significant;
 use cageless_study::run::Rows;
@@ -27,11 +27,7 @@ pub fn touchdown(args: &DropArgs) -> Result<(), Failure> {
         return drop_several(args);
     }
     let file = read_case(&args.case)?;
-    let request = DropRequest {
-        compare: args.compare == Some(Reference::Conventional),
-        samples: args.samples,
-        verify: args.verify,
-    };
+    let request = requested(args);
     request.check(&file, &args.case.case.display().to_string())?;
     let footer = serde_json::to_string(&file.document_as_run())?;
     let out = args.case.out.as_deref();
@@ -80,6 +76,15 @@ pub fn touchdown(args: &DropArgs) -> Result<(), Failure> {
     Ok(())
 }
 
+/// What the options ask for beside the drop.
+pub(super) fn requested(args: &DropArgs) -> DropRequest {
+    DropRequest {
+        compare: args.compare == Some(Reference::Conventional),
+        samples: args.samples,
+        verify: args.verify,
+    }
+}
+
 fn text(study: &DropStudy) -> String {
     let mut names = vec!["value".to_owned()];
     let mut drops = vec![&study.drop.result];
@@ -92,7 +97,7 @@ fn text(study: &DropStudy) -> String {
         text += &ensemble_text(ensemble);
     }
     if let Some(verification) = &study.verification {
-        text += &verified(verification);
+        text += &verified(verification, "verification");
     }
     text + &warnings(&study.warnings)
 }
@@ -112,7 +117,8 @@ pub(super) fn table(names: Vec<String>, drops: &[&DropResult]) -> String {
     columns(&rows)
 }
 
-fn verified(verification: &DropVerification) -> String {
+/// Judgements of a verification, under `title` and how many there are of each.
+pub(super) fn verified(verification: &DropVerification, title: &str) -> String {
     let count =
         |verdict: Convergence| format!("{} {}", verification.count(verdict), verdict.name());
     let counts = [
@@ -139,45 +145,30 @@ fn verified(verification: &DropVerification) -> String {
         row.extend([j.quantity.unit_text(), j.verdict.name().to_owned()]);
         rows.push(row);
     }
-    format!(
-        "\n{}\n{}",
-        pairs(&[("verification", counts)]),
-        columns(&rows)
-    )
+    format!("\n{}\n{}", pairs(&[(title, counts)]), columns(&rows))
 }
 
 fn ensemble_text(many: &EnsembleResult) -> String {
-    let ends: Vec<String> = (many.end_states.iter())
-        .map(|entry| format!("{} {}", entry.count, entry.end_state))
-        .collect();
-    let mut lines = vec![(
-        "drops",
-        format!("{} completed: {}", many.completed, ends.join(", ")),
-    )];
-    if let (Some(p), Some([low, high])) = (
-        many.backward_whirl_probability,
-        many.backward_whirl_interval,
-    ) {
-        lines.push((
-            "probability of backward whirl",
-            format!(
-                "{:.1} % (95 %: {:.1} to {:.1} %)",
-                100.0 * p,
-                100.0 * low,
-                100.0 * high
-            ),
-        ));
+    let ends = many.distribution.end_states_text(str::to_owned);
+    let mut lines = vec![("drops", format!("{} completed: {ends}", many.completed))];
+    if let Some(percent) = many.distribution.backward_whirl.percent() {
+        lines.push(("probability of backward whirl", percent));
     }
     for reason in &many.stopped {
         lines.push(("stopped", reason.clone()));
     }
+    format!("\n{}\n{}", pairs(&lines), quantiles(&many.distribution))
+}
+
+/// Distribution of each result of a bearing.
+pub(super) fn quantiles(distribution: &Distribution) -> String {
     let head = ["result", "least", "median", "95 %", "most", "unit"].map(str::to_owned);
     let mut rows = vec![head.to_vec()];
-    for q in &many.quantiles {
+    for q in &distribution.quantiles {
         let mut row = vec![q.quantity.label.to_owned()];
         row.extend([q.least, q.median, q.high, q.most].map(|v| significant(v, 5)));
         row.push(q.quantity.unit_text());
         rows.push(row);
     }
-    format!("\n{}\n{}", pairs(&lines), columns(&rows))
+    columns(&rows)
 }

@@ -8,31 +8,22 @@ use cageless_io::case_file::CaseDocument;
 use cageless_io::results::{Metadata, RunWriter, write_atomically, write_csv};
 use cageless_io::rotor_file::RotorFile;
 use cageless_report::drop::rotor_page;
-use cageless_study::drop::{DropResult, SeveralBearings, drop_into_bearings};
+use cageless_study::drop::{DropResult, RotorEnsemble, RotorStudy, WhirlProbability, rotor_study};
 use cageless_study::number_text::significant;
 use cageless_study::run::Rows;
 use serde::Serialize;
 
-use super::drop::{PAGE, SUMMARY, table};
+use super::drop::{PAGE, SUMMARY, quantiles, requested, table, verified};
 use super::{deliver, make_folder, print, tell, writable};
-use crate::args::{CaseArgs, DropArgs, Reference};
+use crate::args::{CaseArgs, DropArgs};
 use crate::failure::{Failure, kept_in};
-use crate::format::{page_line, pairs};
+use crate::format::{page_line, pairs, warnings};
 use crate::progress::{Bars, catch_interrupt};
 
 /// Drops a rotor into its bearings. The tables of each go to a folder of its own.
 pub fn drop_several(args: &DropArgs) -> Result<(), Failure> {
-    for (given, option) in [
-        (args.samples.is_some(), "--samples"),
-        (args.verify, "--verify"),
-    ] {
-        if given {
-            return Err(Failure::Input(format!(
-                "{option}: not for a rotor above several bearings; it works on the case of one \
-                 bearing"
-            )));
-        }
-    }
+    let request = requested(args);
+    request.check_samples()?;
     let file = RotorFile::read(&args.case.case, &args.case.set)?;
     let out = args.case.out.as_deref();
     let footers: Vec<String> = (file.bearings().iter())
@@ -57,40 +48,28 @@ pub fn drop_several(args: &DropArgs) -> Result<(), Failure> {
         .map(|writer| Some(writer as &mut (dyn Rows + Send)))
         .collect();
     rows.resize_with(footers.len(), || None);
-    let drop = drop_into_bearings(file.drop(), rows, &bars)?;
-    let compare = args.compare == Some(Reference::Conventional) && drop.completed();
-    let conventional = match compare {
-        true => {
-            let none = footers.iter().map(|_| None).collect();
-            Some(drop_into_bearings(
-                &file.drop().conventional(),
-                none,
-                &bars,
-            )?)
-        }
-        false => None,
-    };
+    let study = rotor_study(&file, request, rows, &bars)?;
     for (k, writer) in writers.into_iter().enumerate() {
         writer.finish()?;
         if let (true, Some(dir)) = (args.csv, out) {
             write_csv(&dir.join(folder_of(k)))?;
         }
     }
-    let json = drop.to_json(&file, conventional.as_ref())?;
+    let json = study.to_json(&file)?;
     if let Some(dir) = out {
-        write_files(dir, &json, &rotor_page(&file, &drop, conventional.as_ref()))?;
+        write_files(dir, &json, &rotor_page(&file, &study))?;
     }
-    std::mem::drop(bars);
+    drop(bars);
     if args.case.json {
         print(&json)?;
     } else {
-        tell(&(text(&file, &drop, conventional.as_ref()) + &page_line(out, PAGE)))?;
+        tell(&(text(&file, &study) + &page_line(out, PAGE)))?;
     }
     let kept = kept_in(out);
-    let interrupted = drop.interrupted() || conventional.is_some_and(|other| other.interrupted());
-    let outcome = drop.into_last().outcome;
-    Failure::of_ending(outcome.ending, outcome.end_s, &kept)?;
-    if interrupted {
+    let place = format!("bearing {}: ", study.drop.last_index() + 1);
+    let outcome = study.drop.into_last().outcome;
+    Failure::of_ending(outcome.ending, outcome.end_s, &kept).map_err(|f| f.stopped_at(&place))?;
+    if study.interrupted {
         return Err(Failure::Interrupted(format!(
             "interrupted: the drop itself is complete.{kept}"
         )));
@@ -167,11 +146,7 @@ fn write_files(dir: &Path, json: &str, page: &str) -> Result<(), Failure> {
     Ok(write_atomically(&dir.join(PAGE), page.as_bytes())?)
 }
 
-fn text(
-    file: &RotorFile,
-    drop: &SeveralBearings,
-    conventional: Option<&SeveralBearings>,
-) -> String {
+fn text(file: &RotorFile, study: &RotorStudy) -> String {
     let rotor = file.drop().rotor();
     let head = [
         ("rotor", format!("{} kg", significant(rotor.mass_kg(), 4))),
@@ -182,12 +157,58 @@ fn text(
         (
             "energy ledger of the rotor",
             format!(
-                "{:.1e} of all flows missing",
-                drop.rotor_energy_residual_relative
+                "{} missing",
+                of_flows(study.drop.rotor_energy_residual_relative)
             ),
         ),
     ];
-    let (names, drops): (Vec<String>, Vec<&DropResult>) =
-        drop.columns(conventional).into_iter().unzip();
-    format!("{}\n{}", pairs(&head), table(names, &drops))
+    let (names, drops): (Vec<String>, Vec<&DropResult>) = study.columns().into_iter().unzip();
+    let mut text = format!("{}\n{}", pairs(&head), table(names, &drops));
+    if let Some(ensemble) = &study.ensemble {
+        text += &ensemble_text(ensemble);
+    }
+    if let Some(verification) = &study.verification {
+        let [full, half] = verification.rotor_energy_residual_relative.map(of_flows);
+        let ledger = format!("{full} missing at the step, {half} at half of it");
+        text += &format!("\n{}", pairs(&[("energy ledger of the rotor", ledger)]));
+        for (k, of_bearing) in verification.bearings.iter().enumerate() {
+            text += &verified(of_bearing, &format!("verification, bearing {}", k + 1));
+        }
+    }
+    text + &warnings(&study.warnings)
+}
+
+fn of_flows(residual: f64) -> String {
+    format!("{residual:.1e} of all flows")
+}
+
+fn ensemble_text(many: &RotorEnsemble) -> String {
+    let mut lines = vec![("drops".to_owned(), format!("{} completed", many.completed))];
+    for reason in &many.stopped {
+        lines.push(("stopped".to_owned(), reason.clone()));
+    }
+    let mut whirl = |name: String, probability: &WhirlProbability| {
+        let percent = probability.percent();
+        lines.extend(percent.map(|percent| (name, percent)));
+    };
+    whirl(
+        "probability of backward whirl in any bearing".to_owned(),
+        &many.backward_whirl,
+    );
+    for (k, of_bearing) in many.bearings.iter().enumerate() {
+        whirl(format!("in bearing {}", k + 1), &of_bearing.backward_whirl);
+    }
+    let lines: Vec<(&str, String)> = (lines.iter())
+        .map(|(name, value)| (name.as_str(), value.clone()))
+        .collect();
+    let mut text = format!("\n{}", pairs(&lines));
+    for (k, of_bearing) in many.bearings.iter().enumerate() {
+        let states = of_bearing.end_states_text(str::to_owned);
+        text += &format!(
+            "\n{}\n{}",
+            pairs(&[(&format!("bearing {}", k + 1), states)]),
+            quantiles(of_bearing)
+        );
+    }
+    text
 }

@@ -10,6 +10,7 @@ use super::{
 use crate::case_file::named::Named;
 use crate::case_file::spanned_toml::{self, Node, Section, Value};
 use crate::case_file::{CaseBase, CaseError, CaseFile, CaseValue, Change, keys};
+use crate::rotor_file::RotorFile;
 
 /// Keys of the top level of a plan, sections last.
 const HEAD: [&str; 10] = [
@@ -90,6 +91,13 @@ impl<'a> PlanReader<'a> {
 
     fn base(&self, folder: &Path) -> Result<CaseBase, CaseError> {
         match self.root.get("case").map(|node| (&node.value, node)) {
+            Some((Value::Text(path), node)) if RotorFile::is_at(&folder.join(path)) => Err(self
+                .refuse(
+                    "case",
+                    node,
+                    "the case of one bearing; this is the file of a rotor above several, which \
+                     `cageless drop` takes",
+                )),
             Some((Value::Text(path), node)) => CaseBase::read(&folder.join(path))
                 .map_err(|error| node.error_of_its_file(self.name, "case", error)),
             Some((Value::Section(root), _)) => Ok(CaseBase::from_sections(root.clone(), self.name)),

@@ -176,7 +176,10 @@ class LinearRotor:
         title: str,
         speed_rpm: float,
         drive_torque_n_m: float,
-        conventional: bool,
+        compare: bool,
+        samples: int | None,
+        verify: bool,
+        threads: int | None,
         progress: Callable[[str, float], object] | None,
     ) -> tuple[list[Drop], str, str, str | None]: ...
 

@@ -6,6 +6,7 @@ import difflib
 import json
 import os
 import zlib
+from abc import ABC, abstractmethod
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -36,7 +37,39 @@ def _restored_drop(
     return Drop(_cageless.Drop.restored(frozen(arrays), summary, text, stopped))
 
 
-class Drop(Tables):
+class Studied(ABC):
+    """A drop with what was asked for beside it."""
+
+    @property
+    @abstractmethod
+    def summary(self) -> dict[str, Any]:
+        """``summary.json``."""
+
+    @property
+    def warnings(self) -> list[str]:
+        """What was asked for and could not be computed, and why."""
+        return list(self.summary["warnings"])
+
+    @property
+    def backward_whirl_probability(self) -> float | None:
+        """Fraction of the scattered drops that end in backward whirl, of several bearings in any;
+        None without them."""
+        found: float | None = self.summary.get("ensemble", {}).get("backward_whirl_probability")
+        return found
+
+    @property
+    def backward_whirl_interval(self) -> tuple[float, float] | None:
+        """95 % interval of that probability."""
+        found = self.summary.get("ensemble", {}).get("backward_whirl_interval")
+        return None if found is None else (found[0], found[1])
+
+
+def scalars(result: dict[str, Any]) -> dict[str, Any]:
+    """The scalar results of a drop."""
+    return {k: v for k, v in result.items() if not isinstance(v, (list, dict))}
+
+
+class Drop(Studied, Tables):
     """The drop of a rotor; two are equal if their cases and all of their results are.
 
     Units and meanings are those of the files of ``cageless drop``.
@@ -80,27 +113,10 @@ class Drop(Tables):
         return self._drop.stopped()
 
     @property
-    def warnings(self) -> list[str]:
-        """What was asked for and could not be computed, and why."""
-        return list(self.summary["warnings"])
-
-    @property
     def end_state(self) -> str:
         """What the rotor does at the end: ``falling``, ``at-rest``, ``pendulum``, ``bouncing``,
         ``forward-whirl`` or ``backward-whirl``."""
         return str(self.summary["end_state"])
-
-    @property
-    def backward_whirl_probability(self) -> float | None:
-        """Fraction of the scattered drops that end in backward whirl; None without them."""
-        found: float | None = self.summary.get("ensemble", {}).get("backward_whirl_probability")
-        return found
-
-    @property
-    def backward_whirl_interval(self) -> tuple[float, float] | None:
-        """95 % interval of that probability."""
-        found = self.summary.get("ensemble", {}).get("backward_whirl_interval")
-        return None if found is None else (found[0], found[1])
 
     def _column(self, of: str, column: str) -> npt.NDArray[Any]:
         columns = self._arrays[of]
@@ -180,9 +196,8 @@ class Drop(Tables):
 
         rows = []
         for drop in self.summary.get("ensemble", {}).get("drops", []):
-            numbers = drop["result"].items()
-            scalars = {k: v for k, v in numbers if not isinstance(v, (list, dict))}
-            rows.append({k: v for k, v in drop.items() if k != "result"} | scalars)
+            drawn = {k: v for k, v in drop.items() if k != "result"}
+            rows.append(drawn | scalars(drop["result"]))
         return pd.DataFrame(rows)
 
     def data_verification(self) -> pd.DataFrame:

@@ -13,10 +13,12 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _cageless, folders, pages
-from .drops import Drop
+from .drops import Drop, Studied, scalars
 from .errors import InputError, UnphysicalError
 
 if TYPE_CHECKING:
+    import pandas as pd
+
     from .case import Case
 
 __all__ = ["LinearRotor", "RotorDrop"]
@@ -242,7 +244,10 @@ class LinearRotor:
         speed_rpm: float,
         drive_torque_n_m: float = 0.0,
         title: str = "",
-        conventional: bool = False,
+        compare: bool = False,
+        samples: int | None = None,
+        verify: bool = False,
+        threads: int | None = None,
         progress: Callable[[str, float], object] | None = None,
     ) -> RotorDrop:
         """Drops the rotor into its bearings, as ``cageless drop`` does with a rotor file.
@@ -253,15 +258,24 @@ class LinearRotor:
             The case of each bearing. Its ``rotor`` describes the contact of journal and bore, and
             the position and velocity of the journal when the magnets let go; mass, inertia,
             unbalance, speed and drive are replaced by those of the rotor.
-        conventional : bool
-            Whether to replace the outer rings by conventional ones.
+        compare : bool
+            Drop it into the same bearings with conventional outer rings as well.
+        samples : int, optional
+            Number of further drops with friction, air gap, support damping and arrangement of the
+            balls scattered in each bearing on its own, and the direction of all unbalances turned
+            by one angle.
+        verify : bool
+            Repeat the drop from perturbed starts and at half the step; ``data_verification()``
+            classifies the results as converged, statistical or step-biased.
+        threads : int, optional
+            Number of threads; default: number of cores.
         progress : callable, optional
             Called repeatedly with the name of the task and its completed fraction, 0 to 1.
 
         Raises
         ------
         InputError
-            If the cases do not fit the rotor or each other.
+            If the cases do not fit the rotor or each other, or ``samples`` is impossible.
         UnphysicalError
             If the drop left the physical range.
         """
@@ -270,7 +284,10 @@ class LinearRotor:
             title,
             float(speed_rpm),
             float(drive_torque_n_m),
-            conventional,
+            compare,
+            samples,
+            verify,
+            threads,
             progress,
         )
         if stopped is not None:
@@ -278,8 +295,9 @@ class LinearRotor:
         return RotorDrop([Drop(bearing) for bearing in bearings], summary, page)
 
 
-class RotorDrop:
-    """The drop of a rotor into several bearings; two are equal if their bearings are."""
+class RotorDrop(Studied):
+    """The drop of a rotor into several bearings; two are equal if their bearings and all of their
+    results are."""
 
     def __init__(self, bearings: list[Drop], summary: str, page: str) -> None:
         self.bearings = bearings
@@ -299,9 +317,40 @@ class RotorDrop:
 
     @cached_property
     def summary(self) -> dict[str, Any]:
-        """``summary.json`` of ``cageless drop`` with a rotor file."""
+        """``summary.json`` of ``cageless drop`` with a rotor file; under ``conventional``,
+        ``ensemble`` and ``verification`` what was asked for beside the drop."""
         found: dict[str, Any] = json.loads(self._summary)
         return found
+
+    def data_drops(self) -> pd.DataFrame:
+        """The scattered drops, a row for each drop and bearing: what was drawn, and the scalar
+        results. Empty without ``samples``."""
+        import pandas as pd
+
+        rows = []
+        for drop in self.summary.get("ensemble", {}).get("drops", []):
+            of_rotor = {k: v for k, v in drop.items() if k != "bearings"}
+            for number, bearing in enumerate(drop["bearings"], 1):
+                drawn = {k: v for k, v in bearing.items() if k != "result"}
+                results = scalars(bearing["result"])
+                # The stop of one bearing ends the drop: the reason of the drop counts.
+                results.pop("stopped")
+                rows.append({"bearing": number} | of_rotor | drawn | results)
+        return pd.DataFrame(rows)
+
+    def data_verification(self) -> pd.DataFrame:
+        """Judgement of each result of each bearing by a verified drop, by ``bearing`` and
+        ``name``. Empty without ``verify=True``."""
+        import pandas as pd
+
+        bearings = self.summary.get("verification", {}).get("bearings", [])
+        rows = [
+            {"bearing": number} | judgement
+            for number, bearing in enumerate(bearings, 1)
+            for judgement in bearing["numbers"]
+        ]
+        frame = pd.DataFrame(rows)
+        return frame.set_index(["bearing", "name"]) if len(frame) else frame
 
     def save(self, folder: str | os.PathLike[str]) -> Path:
         """Writes what ``cageless drop --out`` writes: ``summary.json``, the page, and the tables of

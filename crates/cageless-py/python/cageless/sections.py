@@ -265,7 +265,7 @@ class Solver(Section):
     duration_s : float, optional
         simulated time.
     seed : int, optional
-        seed of random starts (run --verify, design --search) and samples (tolerance).
+        seed of random starts (run --verify, design --search) and samples (tolerance, drop).
     """
 
     method: Literal["abm4", "symplectic", "adaptive"] | None = None

@@ -57,11 +57,13 @@ pub fn drop_page(file: &CaseFile, study: &DropStudy) -> String {
     if let Some(ensemble) = &study.ensemble {
         page.section("Scattered drops");
         page.table(&distribution(ensemble, &source));
-        page.figure(&scatter(ensemble, &source));
+        let rows = ensemble.drops.iter().map(|drop| &drop.bearing);
+        let label = "State at the end";
+        page.figure(&scatter(&ensemble.distribution, rows, label, &source));
     }
     if let Some(verification) = &study.verification {
         page.section("Verification");
-        page.table(&verified(verification, &source));
+        page.table(&verified(verification, "Verification".to_owned(), &source));
     }
     let toml = file.document().to_toml().unwrap_or_default();
     studio_section(&mut page, &toml, "");

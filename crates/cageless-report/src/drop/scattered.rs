@@ -1,7 +1,9 @@
-//! Table and figure of scattered drops.
+//! Tables and figures of scattered drops.
 
 use cageless_study::Provenance;
-use cageless_study::drop::EnsembleResult;
+use cageless_study::drop::{
+    BearingRow, Distribution, EnsembleResult, RotorEnsemble, WhirlProbability,
+};
 use serde_json::json;
 
 use super::{figure, words};
@@ -10,31 +12,89 @@ use crate::plot::{PALETTE, Plot, markers};
 use crate::table::{Cell, Row, Table};
 use crate::text::short;
 
+/// Label of a table or figure of the only bearing, or of bearing `k` of several.
+pub(super) fn label(name: &str, k: Option<usize>) -> String {
+    match k {
+        None => name.to_owned(),
+        Some(k) => format!("{name}, bearing {}", k + 1),
+    }
+}
+
+/// Table of the scattered drops onto one bearing.
 pub(super) fn distribution(ensemble: &EnsembleResult, source: &Provenance) -> Table {
-    let ends: Vec<String> = (ensemble.end_states.iter())
-        .map(|entry| format!("{} {}", entry.count, words(&entry.end_state)))
-        .collect();
-    let whirl = match (
-        ensemble.backward_whirl_probability,
-        ensemble.backward_whirl_interval,
-    ) {
-        (Some(p), Some([low, high])) => format!(
-            " Probability of backward whirl: {:.1} % (95 %: {:.1} to {:.1} %).",
-            1e2 * p,
-            1e2 * low,
-            1e2 * high
-        ),
-        _ => String::new(),
+    let whirl = match ensemble.distribution.backward_whirl.percent() {
+        Some(percent) => format!(" Probability of backward whirl: {percent}."),
+        None => String::new(),
     };
+    let caption = format!(
+        "{} drops with scattered friction (±30 %), air gap (±10 %), support damping (factor 2), \
+         direction of the unbalance and arrangement of the balls (seed {}): {}.{whirl}",
+        ensemble.completed,
+        ensemble.seed,
+        ensemble.distribution.end_states_text(words)
+    );
+    quantiles(
+        &ensemble.distribution,
+        label("Distribution", None),
+        caption,
+        source,
+    )
+}
+
+/// Table of the states at the end of scattered drops into several bearings.
+pub(super) fn end_states(ensemble: &RotorEnsemble, source: &Provenance) -> Table {
+    let row = |name: String, whirl: &WhirlProbability, states: String| Row {
+        cells: vec![
+            Cell::text(name),
+            Cell::text(whirl.percent().unwrap_or("–".to_owned())),
+            Cell::text(states),
+        ],
+        ..Row::default()
+    };
+    let bearings = ensemble.bearings.iter().enumerate().map(|(k, of_bearing)| {
+        let states = of_bearing.end_states_text(words);
+        row(
+            format!("Bearing {}", k + 1),
+            &of_bearing.backward_whirl,
+            states,
+        )
+    });
+    let any = row(
+        "Any bearing".to_owned(),
+        &ensemble.backward_whirl,
+        String::new(),
+    );
     Table {
-        label: "Distribution".to_owned(),
+        label: "Probability of backward whirl".to_owned(),
         caption: format!(
-            "{} drops with scattered friction (±30 %), air gap (±10 %), support damping (factor 2), \
-             direction of the unbalance and arrangement of the balls (seed {}): {}.{whirl}",
-            ensemble.completed,
-            ensemble.seed,
-            ends.join(", ")
+            "{} drops with the direction of the unbalances and, in each bearing on its own, \
+             friction (±30 %), air gap (±10 %), support damping (factor 2) and arrangement of the \
+             balls scattered (seed {}).",
+            ensemble.completed, ensemble.seed
         ),
+        columns: [
+            ("Bearing", false),
+            ("Backward whirl", false),
+            ("State at the end", false),
+        ]
+        .map(|(text, numeric)| (text.to_owned(), numeric))
+        .to_vec(),
+        rows: std::iter::once(any).chain(bearings).collect(),
+        provenance: Some(source.clone()),
+        ..Table::default()
+    }
+}
+
+/// Table of the distribution of each result of a bearing.
+pub(super) fn quantiles(
+    distribution: &Distribution,
+    label: String,
+    caption: String,
+    source: &Provenance,
+) -> Table {
+    Table {
+        label,
+        caption,
         columns: [
             ("Result", false),
             ("Least", true),
@@ -45,7 +105,7 @@ pub(super) fn distribution(ensemble: &EnsembleResult, source: &Provenance) -> Ta
         ]
         .map(|(text, numeric)| (text.to_owned(), numeric))
         .to_vec(),
-        rows: (ensemble.quantiles.iter())
+        rows: (distribution.quantiles.iter())
             .map(|q| Row {
                 cells: vec![
                     Cell::text(q.quantity.label),
@@ -63,12 +123,14 @@ pub(super) fn distribution(ensemble: &EnsembleResult, source: &Provenance) -> Ta
     }
 }
 
-/// State at the end over friction and support damping.
-pub(super) fn scatter(ensemble: &EnsembleResult, source: &Provenance) -> Figure {
-    let damped = ensemble
-        .drops
-        .iter()
-        .any(|d| d.support_damping_n_s_m.is_some());
+/// State at the end of drops over friction and support damping, by the rows of a bearing.
+pub(super) fn scatter<'a>(
+    distribution: &Distribution,
+    rows: impl Iterator<Item = &'a BearingRow> + Clone,
+    label: &str,
+    source: &Provenance,
+) -> Figure {
+    let damped = rows.clone().any(|row| row.support_damping_n_s_m.is_some());
     let title = if damped {
         "Damping of the support (N·s/m)"
     } else {
@@ -82,20 +144,19 @@ pub(super) fn scatter(ensemble: &EnsembleResult, source: &Provenance) -> Figure 
             json!({}),
         )
         .axis("yaxis", title, json!({}));
-    for (k, entry) in ensemble.end_states.iter().enumerate() {
-        let of_state = || {
-            let rows = ensemble.drops.iter();
-            rows.filter(|d| d.result.end_state() == entry.end_state)
-        };
-        let x: Vec<f64> = of_state().map(|d| d.rotor_friction).collect();
-        let y: Vec<f64> = of_state()
-            .map(|d| d.support_damping_n_s_m.unwrap_or(d.air_gap_um))
-            .collect();
+    for (k, entry) in distribution.end_states.iter().enumerate() {
+        let (x, y): (Vec<f64>, Vec<f64>) = (rows.clone())
+            .filter(|row| row.result.end_state() == entry.end_state)
+            .map(|row| {
+                let height = row.support_damping_n_s_m.unwrap_or(row.air_gap_um);
+                (row.rotor_friction, height)
+            })
+            .unzip();
         let name = words(&entry.end_state);
         plot = plot.trace(markers(&name, &x, &y, PALETTE[k % PALETTE.len()]));
     }
     figure(
-        "State at the end",
+        label,
         "State of each drop at its end over what was drawn for it.",
         source,
         plot,

@@ -1,25 +1,24 @@
 //! The page of a drop of a rotor into several touchdown bearings.
 
+use cageless::Case;
 use cageless_io::results::VERSION;
 use cageless_io::rotor_file::RotorFile;
-use cageless_study::drop::SeveralBearings;
+use cageless_study::drop::{RotorEnsemble, RotorStudy, RotorVerification};
 use cageless_study::{parameter, provenance};
 
 use super::balls::around_first_impact;
 use super::rotor::{forces, orbit, rotors, speeds, whirl};
+use super::scattered::{end_states, label, quantiles, scatter};
+use super::verification::verified;
 use super::{side_by_side, words};
 use crate::head::Head;
 use crate::page::Page;
 use crate::run_report::motion;
 use crate::text::short;
 
-/// The self-contained page of a drop of the rotor of `file`, beside that onto conventional outer
-/// rings.
-pub fn rotor_page(
-    file: &RotorFile,
-    drop: &SeveralBearings,
-    conventional: Option<&SeveralBearings>,
-) -> String {
+/// The self-contained page of a drop of the rotor of `file`.
+pub fn rotor_page(file: &RotorFile, study: &RotorStudy) -> String {
+    let drop = &study.drop;
     let title = match file.title() {
         "" => "Drop of a rotor into several bearings",
         title => title,
@@ -54,7 +53,7 @@ pub fn rotor_page(
     });
     page.head(&head.facts(facts.into_iter().chain(carried)));
     page.section("Results");
-    page.table(&side_by_side(drop.columns(conventional), &source));
+    page.table(&side_by_side(study.columns(), &source));
     page.section("Balls");
     let bearings = cases.iter().zip(records).enumerate();
     let moving = bearings.map(|(k, (case, record))| {
@@ -81,5 +80,55 @@ pub fn rotor_page(
             page.figure(&figure);
         }
     }
+    if let Some(ensemble) = &study.ensemble {
+        scattered(&mut page, cases, ensemble);
+    }
+    if let Some(verification) = &study.verification {
+        verification_section(&mut page, cases, verification);
+    }
     page.html()
+}
+
+fn scattered(page: &mut Page, cases: &[Case], ensemble: &RotorEnsemble) {
+    page.section("Scattered drops");
+    page.table(&end_states(ensemble, &provenance(&cases[0], String::new())));
+    for (k, (case, distribution)) in cases.iter().zip(&ensemble.bearings).enumerate() {
+        let source = provenance(case, String::new());
+        let caption = format!(
+            "{} completed drops: {}.",
+            ensemble.completed,
+            distribution.end_states_text(words)
+        );
+        let of_bearing = |name: &str| label(name, Some(k));
+        page.table(&quantiles(
+            distribution,
+            of_bearing("Distribution"),
+            caption,
+            &source,
+        ));
+        let rows = ensemble.drops.iter().map(|drop| &drop.bearings[k]);
+        page.figure(&scatter(
+            distribution,
+            rows,
+            &of_bearing("State at the end"),
+            &source,
+        ));
+    }
+}
+
+fn verification_section(page: &mut Page, cases: &[Case], verification: &RotorVerification) {
+    page.section("Verification");
+    let [full, half] = verification.rotor_energy_residual_relative;
+    page.paragraph(&format!(
+        "The energy ledger of the rotor lacks {full:.1e} of all flows at the step and {half:.1e} \
+         at half of it."
+    ));
+    for (k, (case, of_bearing)) in cases.iter().zip(&verification.bearings).enumerate() {
+        let source = provenance(case, String::new());
+        page.table(&verified(
+            of_bearing,
+            label("Verification", Some(k)),
+            &source,
+        ));
+    }
 }

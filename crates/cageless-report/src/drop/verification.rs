@@ -6,7 +6,11 @@ use cageless_study::drop::DropVerification;
 use crate::table::{Cell, Row, Table};
 use crate::text::short;
 
-pub(super) fn verified(verification: &DropVerification, source: &Provenance) -> Table {
+pub(super) fn verified(
+    verification: &DropVerification,
+    label: String,
+    source: &Provenance,
+) -> Table {
     let rows = verification.judgements.iter().map(|j| {
         let numbers = [j.value, j.mean, j.half_step_mean, j.spread];
         let mut cells = vec![Cell::text(j.quantity.label)];
@@ -19,7 +23,7 @@ pub(super) fn verified(verification: &DropVerification, source: &Provenance) -> 
         }
     });
     Table {
-        label: "Verification".to_owned(),
+        label,
         caption: format!(
             "{} drops at the step of {} µs and as many at half of it, from starts turned by a few \
              microradians. Converged: none of this changes the result by more than a thousandth. \

@@ -1,8 +1,12 @@
-//! Drops of a rotor: one, the same with a conventional outer ring, and many whose conditions
-//! scatter.
+//! Drops of a rotor onto one bearing or into several: one drop, the same with conventional outer
+//! rings, many whose conditions scatter, and its verification.
 
+mod distribution;
 mod ensemble;
 mod result;
+mod rotor_ensemble;
+mod rotor_study;
+mod rotor_verification;
 mod several;
 mod study;
 mod verification;
@@ -17,12 +21,16 @@ use cageless::snapshot::Snapshot;
 use cageless::touchdown::DropRecorder;
 use cageless_io::case_file::missing_rotor;
 
-pub use ensemble::{
-    DROPS_MAX, DropRow, EndStateCount, EnsembleResult, Quantiles, check_drops, ensemble,
+pub use distribution::{
+    BearingRow, DROPS_MAX, Distribution, EndStateCount, Quantiles, WhirlProbability, check_drops,
 };
+pub use ensemble::{DropRow, EnsembleResult, ensemble};
 pub use result::{DropResult, WindowRow};
-pub use several::{SeveralBearings, drop_into_bearings};
-pub use study::{DropRequest, DropStudy, study};
+pub use rotor_ensemble::{RotorDropRow, RotorEnsemble, rotor_ensemble};
+pub use rotor_study::{RotorStudy, rotor_study};
+pub use rotor_verification::RotorVerification;
+pub use several::SeveralBearings;
+pub use study::{DropRequest, DropStudy, Ended, Study, study};
 pub use verification::DropVerification;
 
 use crate::StudyError;

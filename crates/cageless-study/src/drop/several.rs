@@ -1,13 +1,11 @@
 //! The drop of a rotor into several touchdown bearings.
 
-use cageless::simulation::{Ending, RotorDrop};
-use cageless_io::case_file::CaseDocument;
-use cageless_io::results::{SCHEMA, VERSION};
-use cageless_io::rotor_file::RotorFile;
-use serde::Serialize;
+use cageless::simulation::{Ending, Observer, RotorDrop, RunOutcome};
+use cageless::touchdown::DropRecorder;
 
-use super::{DropRecord, DropResult, watched};
-use crate::progress::Progress;
+use super::{DropRecord, DropResult, Ended, watched};
+use crate::StudyError;
+use crate::progress::{Progress, Work};
 use crate::run::{Rows, RunError};
 
 /// A drop into several bearings with its record.
@@ -24,7 +22,7 @@ pub struct SeveralBearings {
 /// # Errors
 /// A bearing cannot start, or the last rows could not be stored. Everything else is an
 /// [`Ending`] of the outcomes.
-pub fn drop_into_bearings<'r>(
+pub(super) fn drop_into_bearings<'r>(
     drop: &RotorDrop,
     rows: Vec<Option<&'r mut (dyn Rows + Send + 'r)>>,
     progress: &dyn Progress,
@@ -45,16 +43,10 @@ pub fn drop_into_bearings<'r>(
 }
 
 impl SeveralBearings {
-    /// Names and results of the bearings side by side, those with conventional outer rings last.
-    pub fn columns<'a>(&'a self, conventional: Option<&'a Self>) -> Vec<(String, &'a DropResult)> {
-        let of = |drop: &'a Self, note: &'static str| {
-            let records = drop.bearings.iter().enumerate();
-            records.map(move |(k, r)| (format!("bearing {}{note}", k + 1), &r.result))
-        };
-        let other = conventional.into_iter();
-        of(self, "")
-            .chain(other.flat_map(|drop| of(drop, ", conventional")))
-            .collect()
+    /// Names and results of the bearings; `note` follows each name.
+    pub(super) fn columns(&self, note: &str) -> impl Iterator<Item = (String, &DropResult)> {
+        let records = self.bearings.iter().enumerate();
+        records.map(move |(k, r)| (format!("bearing {}{note}", k + 1), &r.result))
     }
 
     /// The record of the bearing at which the drop ended: the one that stopped, or else the first.
@@ -67,88 +59,68 @@ impl SeveralBearings {
         self.bearings.swap_remove(self.last_index())
     }
 
-    fn last_index(&self) -> usize {
-        let mut endings = self.bearings.iter().map(|bearing| &bearing.outcome.ending);
-        let stopped = endings.position(|ending| matches!(ending, Ending::Stopped(_)));
-        stopped.unwrap_or(0)
-    }
-
-    /// Whether the drop ran to its end.
-    pub fn completed(&self) -> bool {
-        let mut endings = self.bearings.iter().map(|bearing| &bearing.outcome.ending);
-        endings.all(|ending| matches!(ending, Ending::Complete))
-    }
-
-    /// Whether the drop was interrupted.
-    pub fn interrupted(&self) -> bool {
-        matches!(self.last().outcome.ending, Ending::Interrupted)
-    }
-
-    /// `summary.json` of the drop of the rotor of `file`, and of that onto conventional outer rings.
-    ///
-    /// # Errors
-    /// None that its fields can cause; those of the JSON writer are passed on.
-    pub fn to_json(
-        &self,
-        file: &RotorFile,
-        conventional: Option<&Self>,
-    ) -> Result<String, serde_json::Error> {
-        let rotor = file.drop().rotor();
-        let bearings = file.bearings().iter().zip(&self.bearings);
-        let summary = Summary {
-            schema: SCHEMA,
-            version: VERSION,
-            isa: self.bearings[0].outcome.instruction_set.name(),
-            title: file.title(),
-            rotor: RotorSummary {
-                mass_kg: rotor.mass_kg(),
-                polar_inertia_kg_m2: rotor.polar_inertia_kg_m2(),
-                coordinates: rotor.coordinates(),
-                mass_shares_kg: rotor.mass_shares_kg(),
-                energy_residual_relative: self.rotor_energy_residual_relative,
-            },
-            bearings: bearings
-                .map(|(file, record)| BearingSummary {
-                    case: file.document_as_run(),
-                    drop: &record.result,
-                })
-                .collect(),
-            conventional: conventional.map(|other| {
-                let records = other.bearings.iter();
-                records.map(|record| &record.result).collect()
-            }),
-        };
-        serde_json::to_string_pretty(&summary).map(|json| json + "\n")
+    /// Index of [`Self::last`].
+    pub fn last_index(&self) -> usize {
+        stopped_bearing(self.bearings.iter().map(|bearing| &bearing.outcome)).unwrap_or(0)
     }
 }
 
-#[derive(Serialize)]
-struct Summary<'a> {
-    schema: u64,
-    version: &'static str,
-    isa: &'static str,
-    title: &'a str,
-    rotor: RotorSummary,
-    bearings: Vec<BearingSummary<'a>>,
-    /// Results of each bearing with conventional outer rings.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    conventional: Option<Vec<&'a DropResult>>,
+impl Ended for SeveralBearings {
+    fn ending(&self) -> &Ending {
+        &self.last().outcome.ending
+    }
 }
 
-/// The rotor above its bearings.
-#[derive(Serialize)]
-struct RotorSummary {
-    mass_kg: f64,
-    polar_inertia_kg_m2: f64,
-    coordinates: usize,
-    mass_shares_kg: Vec<f64>,
-    energy_residual_relative: f64,
+/// The bearing that ended the drop of all, if one did: it stopped, or could not be recorded.
+fn stopped_bearing<'a>(mut outcomes: impl Iterator<Item = &'a RunOutcome>) -> Option<usize> {
+    outcomes.position(|outcome| {
+        matches!(
+            outcome.ending,
+            Ending::Stopped(_) | Ending::ObserverFailed(_)
+        )
+    })
 }
 
-/// One bearing: its case as one plane, and its results.
-#[derive(Serialize)]
-struct BearingSummary<'a> {
-    case: CaseDocument,
-    #[serde(flatten)]
-    drop: &'a DropResult,
+/// Results of one of many drops into several bearings.
+pub(super) struct RotorRun {
+    /// Results of each bearing.
+    pub bearings: Vec<DropResult>,
+    /// Bearing and reason, where the drop stopped early.
+    pub stopped: Option<String>,
+    /// What the energy ledger of the rotor alone lacks, over the sum of its absolute terms.
+    pub rotor_energy_residual_relative: f64,
+}
+
+/// Drops a rotor into its bearings and keeps the results alone; `units` is its part of the task.
+pub(super) fn run_rotor(
+    drop: &RotorDrop,
+    task: &dyn Work,
+    units: f64,
+) -> Result<RotorRun, StudyError> {
+    let mut recorders: Vec<_> = drop.cases().iter().map(|_| DropRecorder::new()).collect();
+    let outcome = {
+        let mut observers: Vec<Vec<&mut dyn Observer>> = (recorders.iter_mut())
+            .map(|recorder| vec![recorder as &mut dyn Observer])
+            .collect();
+        let mut control = task.run_control(drop.cases()[0].solver.duration_s, units);
+        drop.run(&mut observers, &mut *control)
+            .map_err(|error| StudyError::Input(error.to_string()))?
+    };
+    let results = recorders.into_iter().zip(&outcome.bearings);
+    let bearings: Vec<DropResult> = results
+        .map(|(recorder, outcome)| DropResult::new(&recorder.summary(&outcome.state), outcome))
+        .collect();
+    let stopped = stopped_bearing(outcome.bearings.iter()).map(|k| {
+        let reason = bearings[k].stopped.as_deref().unwrap_or_default();
+        format!("in bearing {} {reason}", k + 1)
+    });
+    let interrupted = |outcome: &RunOutcome| matches!(outcome.ending, Ending::Interrupted);
+    if stopped.is_none() && outcome.bearings.iter().any(interrupted) {
+        return Err(StudyError::Interrupted);
+    }
+    Ok(RotorRun {
+        bearings,
+        stopped,
+        rotor_energy_residual_relative: outcome.rotor_energy_residual_relative,
+    })
 }

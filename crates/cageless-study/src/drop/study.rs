@@ -1,5 +1,6 @@
 //! A drop with what is shown beside it.
 
+use cageless::Case;
 use cageless::simulation::Ending;
 use cageless::touchdown::Scatter;
 use cageless_io::case_file::{CaseDocument, CaseFile};
@@ -17,7 +18,7 @@ use crate::run::{Rows, RunError};
 /// What a study of a drop computes beside the drop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct DropRequest {
-    /// Whether the rotor drops onto the same bearing with a conventional outer ring as well.
+    /// Whether the rotor drops onto the same bearings with conventional outer rings as well.
     pub compare: bool,
     /// Number of drops with scattered conditions.
     pub samples: Option<u64>,
@@ -32,24 +33,96 @@ impl DropRequest {
     /// The case has no rotor, or the number of drops is impossible.
     pub fn check(&self, file: &CaseFile, name: &str) -> Result<(), StudyError> {
         check_rotor(file.case(), name)?;
+        self.check_samples()
+    }
+
+    /// Checks the number of drops.
+    ///
+    /// # Errors
+    /// It is impossible.
+    pub fn check_samples(&self) -> Result<(), StudyError> {
         self.samples.map_or(Ok(()), check_drops)
     }
 }
 
 /// A drop with what is shown beside it.
-pub struct DropStudy {
+pub struct Study<D, E, V> {
     /// The drop.
-    pub drop: DropRecord,
-    /// The same with a conventional outer ring.
-    pub conventional: Option<DropRecord>,
+    pub drop: D,
+    /// The same with a conventional outer ring in each bearing.
+    pub conventional: Option<D>,
     /// Scattered drops.
-    pub ensemble: Option<EnsembleResult>,
+    pub ensemble: Option<E>,
     /// Verification of the drop.
-    pub verification: Option<DropVerification>,
+    pub verification: Option<V>,
     /// What was asked for and could not be computed, and why.
     pub warnings: Vec<String>,
     /// Whether the progress cancelled it.
     pub interrupted: bool,
+}
+
+/// A drop onto one bearing with what is shown beside it.
+pub type DropStudy = Study<DropRecord, EnsembleResult, DropVerification>;
+
+/// A drop that has ended.
+pub trait Ended {
+    /// How it ended.
+    fn ending(&self) -> &Ending;
+}
+
+impl Ended for DropRecord {
+    fn ending(&self) -> &Ending {
+        &self.outcome.ending
+    }
+}
+
+/// What is dropped: a rotor with its bearing, or with several.
+pub(super) trait Subject {
+    /// A drop of it.
+    type Drop: Ended;
+    /// Scattered drops of it.
+    type Ensemble;
+    /// Verification of a drop of it.
+    type Verification;
+
+    /// Drops it onto conventional outer rings.
+    fn drop_conventional(&self, progress: &dyn Progress) -> Result<Self::Drop, RunError>;
+
+    /// Drops it `count` times under conditions that scatter.
+    fn scattered(&self, count: u64, progress: &dyn Progress) -> Result<Self::Ensemble, StudyError>;
+
+    /// Verifies a drop.
+    fn verified(
+        &self,
+        drop: &Self::Drop,
+        progress: &dyn Progress,
+    ) -> Result<Self::Verification, StudyError>;
+}
+
+/// Study of a subject.
+pub(super) type StudyOf<S> =
+    Study<<S as Subject>::Drop, <S as Subject>::Ensemble, <S as Subject>::Verification>;
+
+impl Subject for Case {
+    type Drop = DropRecord;
+    type Ensemble = EnsembleResult;
+    type Verification = DropVerification;
+
+    fn drop_conventional(&self, progress: &dyn Progress) -> Result<DropRecord, RunError> {
+        drop_rotor(&self.conventional(), None, progress)
+    }
+
+    fn scattered(&self, count: u64, progress: &dyn Progress) -> Result<EnsembleResult, StudyError> {
+        ensemble(self, count, &Scatter::default(), progress)
+    }
+
+    fn verified(
+        &self,
+        drop: &DropRecord,
+        progress: &dyn Progress,
+    ) -> Result<DropVerification, StudyError> {
+        DropVerification::new(self, &drop.result, progress)
+    }
 }
 
 /// Drops the rotor of a case, and whatever else is asked for. What there is when the progress
@@ -63,33 +136,42 @@ pub fn study(
     rows: Option<&mut (dyn Rows + Send)>,
     progress: &dyn Progress,
 ) -> Result<DropStudy, RunError> {
-    let case = file.case();
-    let drop = drop_rotor(case, rows, progress)?;
-    let mut study = DropStudy::new(drop);
-    if !matches!(study.drop.outcome.ending, Ending::Complete) {
+    let drop = drop_rotor(file.case(), rows, progress)?;
+    beside(file.case(), drop, request, progress)
+}
+
+/// Computes what is asked for beside a drop.
+pub(super) fn beside<S: Subject>(
+    subject: &S,
+    drop: S::Drop,
+    request: DropRequest,
+    progress: &dyn Progress,
+) -> Result<StudyOf<S>, RunError> {
+    let mut study = StudyOf::<S>::new(drop);
+    if !matches!(study.drop.ending(), Ending::Complete) {
         return Ok(study);
     }
     if request.compare {
-        let other = drop_rotor(&case.conventional(), None, progress)?;
-        study.interrupted = matches!(other.outcome.ending, Ending::Interrupted);
+        let other = subject.drop_conventional(progress)?;
+        study.interrupted = matches!(other.ending(), Ending::Interrupted);
         study.conventional = Some(other);
     }
     if let (Some(count), false) = (request.samples, study.interrupted) {
-        let done = ensemble(case, count, &Scatter::default(), progress);
+        let done = subject.scattered(count, progress);
         study.ensemble = study.keep("the scattered drops", done);
     }
     if request.verify && !study.interrupted {
-        let done = DropVerification::new(case, &study.drop.result, progress);
+        let done = subject.verified(&study.drop, progress);
         study.verification = study.keep("the verification", done);
     }
     Ok(study)
 }
 
-impl DropStudy {
+impl<D: Ended, E, V> Study<D, E, V> {
     /// A drop with nothing beside it.
-    pub fn new(drop: DropRecord) -> Self {
+    pub fn new(drop: D) -> Self {
         Self {
-            interrupted: matches!(drop.outcome.ending, Ending::Interrupted),
+            interrupted: matches!(drop.ending(), Ending::Interrupted),
             drop,
             conventional: None,
             ensemble: None,
@@ -109,7 +191,9 @@ impl DropStudy {
             }
         }
     }
+}
 
+impl DropStudy {
     /// `summary.json` of the study of `file`.
     ///
     /// # Errors

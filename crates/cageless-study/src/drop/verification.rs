@@ -32,7 +32,7 @@ pub struct DropVerification {
 }
 
 /// Name of the task.
-const TASK: &str = "verify";
+pub(super) const TASK: &str = "verify";
 /// Results that are no results of the drop.
 const LEFT_OUT: [&str; 2] = ["energy_residual_relative", "end_s"];
 
@@ -47,8 +47,7 @@ impl DropVerification {
         progress: &dyn Progress,
     ) -> Result<Self, StudyError> {
         let all = replicas(case, LARGE_PERTURBATIONS);
-        let work = |replica: &Replica| if replica.role.half_step { 2.0 } else { 1.0 };
-        let task = progress.begin(TASK, all[1..].iter().map(work).sum());
+        let task = progress.begin(TASK, all[1..].iter().map(|r| work(r.role)).sum());
         let (full, half): (Vec<&Replica>, Vec<&Replica>) =
             all[1..].iter().partition(|r| !r.role.half_step);
         let groups: Result<Vec<_>, StudyError> = [half, full]
@@ -57,10 +56,11 @@ impl DropVerification {
             .collect();
         let mut drops = vec![(all[0].role, result.clone())];
         drops.extend(groups?.into_iter().flatten());
-        Ok(Self::judge(case, &drops))
+        Ok(Self::judge(case.solver.step_s, &drops))
     }
 
-    fn judge(case: &Case, drops: &[(Role, DropResult)]) -> Self {
+    /// Judges the results of the drop at a step and of its replicas, in the order of the roles.
+    pub(super) fn judge(step_s: f64, drops: &[(Role, DropResult)]) -> Self {
         let quantities = drops[0].1.results.iter().map(|(quantity, _)| quantity);
         let judgements = quantities
             .filter(|q| matches!(q.kind, Kind::Number | Kind::Integer))
@@ -80,7 +80,7 @@ impl DropVerification {
             of_step.map(|(_, d)| d.end_state().to_owned()).collect()
         };
         Self {
-            step_s: case.solver.step_s,
+            step_s,
             replicas: LARGE_PERTURBATIONS + 1,
             judgements: judgements.collect(),
             end_states: states(false),
@@ -95,24 +95,26 @@ impl DropVerification {
     }
 }
 
+/// Work of a replica, that of the drop being 1.
+pub(super) fn work(role: Role) -> f64 {
+    if role.half_step { 2.0 } else { 1.0 }
+}
+
+/// The reason why there is no verification where a replica stopped.
+pub(super) fn replica_stopped(role: Role, reason: &str) -> StudyError {
+    StudyError::Input(format!("{role} stopped {reason}"))
+}
+
 fn together(group: &[&Replica], task: &dyn Work) -> Result<Vec<(Role, DropResult)>, StudyError> {
     let cases: Vec<Case> = group.iter().map(|replica| replica.case.clone()).collect();
-    let units = if group.iter().any(|r| r.role.half_step) {
-        2.0
-    } else {
-        1.0
-    };
+    let units = work(group[0].role);
     let control = |runs: usize| task.run_control(cases[0].solver.duration_s, units * runs as f64);
     let runs = run_together(&cases, |_| DropRecorder::new(), control);
     let runs = group.iter().zip(runs.ok_or(StudyError::Interrupted)?);
     runs.map(|(replica, run)| {
         let (recorder, outcome) = run.map_err(|error| StudyError::Input(error.to_string()))?;
         if let Ending::Stopped(stop) = &outcome.ending {
-            return Err(StudyError::Input(format!(
-                "{} stopped {}",
-                replica.role,
-                stop.reason()
-            )));
+            return Err(replica_stopped(replica.role, &stop.reason()));
         }
         let result = DropResult::new(&recorder.summary(&outcome.state), &outcome);
         Ok((replica.role, result))

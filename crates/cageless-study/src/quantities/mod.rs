@@ -189,6 +189,16 @@ impl Results {
         Self::by(|quantity| quantity.of_run(run))
     }
 
+    /// These results, by name.
+    #[cfg(test)]
+    pub(crate) fn only(values: &[(&str, Cell)]) -> Self {
+        Self::by(|quantity| {
+            let mut all = values.iter();
+            let found = all.find(|(name, _)| quantity.name == *name);
+            found.map(|(_, cell)| cell.clone())
+        })
+    }
+
     /// Results of a drop.
     pub fn of_drop(drop: &FinishedDrop<'_>) -> Self {
         Self::by(|quantity| quantity.of_drop(drop))

@@ -12,6 +12,7 @@ use crate::initial_conditions::initial_state;
 use crate::integrator::System;
 use crate::linear_rotor::{LinearRotor, RotorError};
 use crate::step_limits::StepLimits;
+use crate::verification::Role;
 
 /// A rotor above several touchdown bearings, each a case of its own.
 ///
@@ -174,10 +175,29 @@ impl RotorDrop {
 
     /// The drop of this rotor into its bearings with conventional outer rings.
     pub fn conventional(&self) -> Self {
+        self.map_cases(Case::conventional)
+    }
+
+    /// The run of this drop that has a role in a verification.
+    pub fn replica(&self, role: Role) -> Self {
+        self.map_cases(|case| role.case(case))
+    }
+
+    /// This drop with each of its cases changed.
+    pub(crate) fn map_cases(&self, change: impl FnMut(&Case) -> Case) -> Self {
         Self {
-            cases: self.cases.iter().map(Case::conventional).collect(),
-            ..self.clone()
+            rotor: self.rotor.clone(),
+            cases: self.cases.iter().map(change).collect(),
+            ..*self
         }
+    }
+
+    /// This drop with all unbalances of the rotor turned by an angle at the start.
+    pub(crate) fn unbalances_turned(mut self, angle_rad: f64) -> Self {
+        for unbalance in &mut self.rotor.unbalances {
+            unbalance.phase += angle_rad;
+        }
+        self
     }
 
     /// Drops the rotor. `observers` watch one bearing each; `control` is called every thousand

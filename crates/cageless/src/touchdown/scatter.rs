@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 
 use crate::case::{Case, Gaps, Start};
 use crate::design::search::uneven_gaps_rad;
-use crate::numerics::random::RandomStream;
+use crate::numerics::random::{GOLDEN_GAMMA, RandomStream, mix};
+use crate::simulation::RotorDrop;
 
 /// Scatter between the drops of an ensemble. Fractions are half widths of a uniform distribution
 /// about the value of the case.
@@ -16,7 +17,8 @@ pub struct Scatter {
     pub air_gap_fraction: f64,
     /// Largest factor, either way, on the damping of the support; its logarithm is uniform.
     pub support_damping_factor: f64,
-    /// Whether the direction of the unbalance is drawn, uniform on the circle.
+    /// Whether the direction of the unbalance is drawn, uniform on the circle; several unbalances
+    /// keep their directions to each other.
     pub eccentricity_phase: bool,
     /// Whether the gaps between the balls and the place of the first ball are drawn.
     pub ball_arrangement: bool,
@@ -36,23 +38,76 @@ impl Default for Scatter {
     }
 }
 
-/// What was drawn for one drop.
+/// What was drawn for one bearing.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Drawn {
+pub struct DrawnBearing {
     /// Friction coefficient between rotor and inner ring.
     pub rotor_friction: f64,
     /// Friction coefficient of the balls.
     pub ball_friction: f64,
     /// Radial air gap, m.
     pub air_gap_m: f64,
-    /// Direction of the unbalance at the start, rad.
-    pub eccentricity_phase_rad: f64,
     /// Damping of the support, N·s/m; `None` without a support.
     pub support_damping_n_s_m: Option<f64>,
 }
 
+/// What was drawn for one drop.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Drawn {
+    /// Bearing.
+    pub bearing: DrawnBearing,
+    /// Direction of the unbalance at the start, rad.
+    pub eccentricity_phase_rad: f64,
+}
+
+/// What was drawn for one drop of a rotor into several bearings.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DrawnRotor {
+    /// Each bearing.
+    pub bearings: Vec<DrawnBearing>,
+    /// Angle by which all unbalances are turned at the start, rad.
+    pub unbalance_turn_rad: f64,
+}
+
 /// Purpose of the random streams of drops.
 const DROP: u64 = 5;
+
+/// What is drawn: the dimension of its random stream.
+#[derive(Clone, Copy)]
+enum Dimension {
+    RotorFriction,
+    AirGap,
+    UnbalanceDirection,
+    BallFriction,
+    SupportDamping,
+    FirstBall,
+}
+
+/// The random streams of one bearing in one drop.
+#[derive(Clone, Copy)]
+struct Streams {
+    seed: u64,
+    index: u64,
+}
+
+impl Streams {
+    /// Streams of bearing `k` of a rotor; those of the first are the streams of `seed` itself.
+    fn of_bearing(seed: u64, index: u64, k: usize) -> Self {
+        let own = match k {
+            0 => seed,
+            _ => mix(seed.wrapping_add((k as u64).wrapping_mul(GOLDEN_GAMMA))),
+        };
+        Self { seed: own, index }
+    }
+
+    fn between(&self, dimension: Dimension, low: f64, high: f64) -> f64 {
+        RandomStream::new(self.seed, DROP, dimension as u64, self.index).between(low, high)
+    }
+
+    fn factor(&self, dimension: Dimension, fraction: f64) -> f64 {
+        1.0 + self.between(dimension, -fraction, fraction)
+    }
+}
 
 impl Scatter {
     /// Case of drop `index` and what was drawn for it; the same seed and index give the same
@@ -61,45 +116,78 @@ impl Scatter {
     /// # Panics
     /// If the case has no rotor.
     pub fn draw(&self, case: &Case, index: u64) -> (Case, Drawn) {
-        let mut drop = case.clone();
-        let factor = |dimension: u64, fraction: f64| {
-            let mut stream = RandomStream::new(case.seed, DROP, dimension, index);
-            1.0 + stream.between(-fraction, fraction)
-        };
+        let streams = Streams::of_bearing(case.seed, index, 0);
+        let (mut drop, bearing) = self.draw_bearing(case, streams);
         let rotor = drop.rotor.as_mut().expect("a rotor");
-        let sliding = factor(0, self.friction_fraction);
-        rotor.scale_friction(sliding);
-        rotor.air_gap_m *= factor(1, self.air_gap_fraction);
         if self.eccentricity_phase {
-            let mut stream = RandomStream::new(case.seed, DROP, 2, index);
             // The magnets held the centre of the journal, wherever the mass centre is.
             let journal = rotor.journal_start_m();
-            rotor.eccentricity_phase_rad = stream.between(0.0, TAU);
+            rotor.eccentricity_phase_rad = streams.between(Dimension::UnbalanceDirection, 0.0, TAU);
             let now = rotor.journal_start_m();
             rotor.x_m += journal[0] - now[0];
             rotor.y_m += journal[1] - now[1];
         }
-        let mut drawn = Drawn {
-            rotor_friction: rotor.friction_coefficient,
-            ball_friction: 0.0,
-            air_gap_m: rotor.air_gap_m,
+        let drawn = Drawn {
+            bearing,
             eccentricity_phase_rad: rotor.eccentricity_phase_rad,
+        };
+        (drop, drawn)
+    }
+
+    /// Drop `index` of a rotor into several bearings and what was drawn for it: the direction of
+    /// the unbalances once, all else for each bearing on its own. The seed is that of the first
+    /// case.
+    ///
+    /// # Panics
+    /// If a case has no rotor.
+    pub fn draw_rotor(&self, drop: &RotorDrop, index: u64) -> (RotorDrop, DrawnRotor) {
+        let seed = drop.cases()[0].seed;
+        let mut bearings = vec![];
+        let mut scattered = drop.map_cases(|case| {
+            let streams = Streams::of_bearing(seed, index, bearings.len());
+            let (case, drawn) = self.draw_bearing(case, streams);
+            bearings.push(drawn);
+            case
+        });
+        let mut unbalance_turn_rad = 0.0;
+        if self.eccentricity_phase {
+            let streams = Streams::of_bearing(seed, index, 0);
+            unbalance_turn_rad = streams.between(Dimension::UnbalanceDirection, 0.0, TAU);
+            scattered = scattered.unbalances_turned(unbalance_turn_rad);
+        }
+        let drawn = DrawnRotor {
+            bearings,
+            unbalance_turn_rad,
+        };
+        (scattered, drawn)
+    }
+
+    fn draw_bearing(&self, case: &Case, streams: Streams) -> (Case, DrawnBearing) {
+        let mut drop = case.clone();
+        let rotor = drop.rotor.as_mut().expect("a rotor");
+        let sliding = streams.factor(Dimension::RotorFriction, self.friction_fraction);
+        rotor.scale_friction(sliding);
+        rotor.air_gap_m *= streams.factor(Dimension::AirGap, self.air_gap_fraction);
+        let rolling = streams.factor(Dimension::BallFriction, self.friction_fraction);
+        drop.contact.scale_friction(rolling);
+        let mut drawn = DrawnBearing {
+            rotor_friction: rotor.friction_coefficient,
+            ball_friction: drop.contact.friction_coefficient,
+            air_gap_m: rotor.air_gap_m,
             support_damping_n_s_m: None,
         };
-        let rolling = factor(3, self.friction_fraction);
-        drop.contact.scale_friction(rolling);
-        drawn.ball_friction = drop.contact.friction_coefficient;
         if let Some(support) = &mut drop.support {
             let most = self.support_damping_factor.ln();
-            let mut stream = RandomStream::new(case.seed, DROP, 4, index);
-            support.damping_n_s_m *= stream.between(-most, most).exp();
+            support.damping_n_s_m *= streams
+                .between(Dimension::SupportDamping, -most, most)
+                .exp();
             drawn.support_damping_n_s_m = Some(support.damping_n_s_m);
         }
         if self.ball_arrangement {
-            let mut stream = RandomStream::new(case.seed, DROP, 5, index);
+            let Streams { seed, index } = streams;
             drop.start = Start::AtRest {
-                gaps: Gaps::List(uneven_gaps_rad(case, case.seed, index)),
-                lead_ball_angle_rad: stream.between(0.0, TAU) - TAU / 2.0,
+                gaps: Gaps::List(uneven_gaps_rad(case, seed, index)),
+                lead_ball_angle_rad: streams.between(Dimension::FirstBall, 0.0, TAU) - TAU / 2.0,
             };
         }
         (drop, drawn)

@@ -87,66 +87,79 @@ pub enum ReplicaError {
     Empty(Role),
 }
 
-/// The runs that a verification of `case` compares: the run itself, [`SMALL_PERTURBATIONS`] starts with a
-/// small perturbation and `large` with a large one, about 1, 2, 3 … times the angle, jittered by the
-/// seed; then the given start and the large perturbations at half the step.
+/// The runs that a verification of `case` compares, in the order of [`Role::all`].
 pub fn replicas(case: &Case, large: usize) -> Vec<Replica> {
     let times_s = sample_times_s(case);
-    let starts = |perturbation: Perturbation, count: usize, angle: f64| {
-        (1..=count as u64).map(move |k| {
-            let off = 0.25 * signed_unit(case.seed, k);
-            (perturbation, angle * (k as f64 + off))
-        })
-    };
-    let given = std::iter::once((Perturbation::None, 0.0));
-    let full = given
-        .clone()
-        .chain(starts(
-            Perturbation::Small,
-            SMALL_PERTURBATIONS,
-            SMALL_PERTURBATION_RAD,
-        ))
-        .chain(starts(Perturbation::Large, large, LARGE_PERTURBATION_RAD));
-    let half = given.chain(starts(Perturbation::Large, large, LARGE_PERTURBATION_RAD));
-    let roles = full
-        .map(|start| (start, false))
-        .chain(half.map(|start| (start, true)));
+    let roles = Role::all(case.seed, large).into_iter();
     roles
-        .map(|((perturbation, perturbation_rad), half_step)| {
-            let mut replica = case.clone();
-            match &mut replica.start {
-                Start::Settled {
-                    lead_ball_angle_rad,
-                    ..
-                }
-                | Start::Rolling {
-                    lead_ball_angle_rad,
-                    ..
-                }
-                | Start::AtRest {
-                    lead_ball_angle_rad,
-                    ..
-                } => *lead_ball_angle_rad += perturbation_rad,
-            }
-            if half_step {
-                replica.solver.step_s *= 0.5;
-            }
-            Replica {
-                role: Role {
-                    perturbation,
-                    perturbation_rad,
-                    half_step,
-                },
-                case: replica,
-                // Large perturbations are not compared point by point.
-                times_s: if perturbation == Perturbation::Large {
-                    vec![]
-                } else {
-                    times_s.clone()
-                },
-            }
+        .map(|role| Replica {
+            role,
+            case: role.case(case),
+            // Large perturbations are not compared point by point.
+            times_s: match role.perturbation {
+                Perturbation::Large => vec![],
+                Perturbation::None | Perturbation::Small => times_s.clone(),
+            },
         })
         .collect()
+}
+
+impl Role {
+    /// The roles of a verification: the run itself, [`SMALL_PERTURBATIONS`] starts with a small
+    /// perturbation and `large` with a large one, about 1, 2, 3 … times the angle, jittered by the
+    /// seed; then the given start and the large perturbations at half the step.
+    pub fn all(seed: u64, large: usize) -> Vec<Self> {
+        let starts = |perturbation: Perturbation, count: usize, angle: f64| {
+            (1..=count as u64).map(move |k| {
+                let off = 0.25 * signed_unit(seed, k);
+                (perturbation, angle * (k as f64 + off))
+            })
+        };
+        let given = std::iter::once((Perturbation::None, 0.0));
+        let full = given
+            .clone()
+            .chain(starts(
+                Perturbation::Small,
+                SMALL_PERTURBATIONS,
+                SMALL_PERTURBATION_RAD,
+            ))
+            .chain(starts(Perturbation::Large, large, LARGE_PERTURBATION_RAD));
+        let half = given.chain(starts(Perturbation::Large, large, LARGE_PERTURBATION_RAD));
+        let starts = full
+            .map(|start| (start, false))
+            .chain(half.map(|start| (start, true)));
+        starts
+            .map(|((perturbation, perturbation_rad), half_step)| Self {
+                perturbation,
+                perturbation_rad,
+                half_step,
+            })
+            .collect()
+    }
+
+    /// The case with all balls turned by the perturbation, and with half the step if this role has
+    /// it.
+    pub fn case(&self, case: &Case) -> Case {
+        let mut replica = case.clone();
+        match &mut replica.start {
+            Start::Settled {
+                lead_ball_angle_rad,
+                ..
+            }
+            | Start::Rolling {
+                lead_ball_angle_rad,
+                ..
+            }
+            | Start::AtRest {
+                lead_ball_angle_rad,
+                ..
+            } => *lead_ball_angle_rad += self.perturbation_rad,
+        }
+        if self.half_step {
+            replica.solver.step_s *= 0.5;
+        }
+        replica
+    }
 }
 
 /// Pseudorandom number in [−1, 1) of `seed` and `k`.

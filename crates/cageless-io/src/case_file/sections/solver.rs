@@ -29,7 +29,7 @@ section! {
         duration_s => duration_s: f64 = Default(0.5), Si("s"),
             "simulated time", Shown("0.5", "simulated time");
         seed: u64 = Default(0), Plain,
-            "seed of random starts (run --verify, design --search) and samples (tolerance)",
+            "seed of random starts (run --verify, design --search) and samples (tolerance, drop)",
             Commented("0", "of the random starts and samples of run --verify,\n\
                 design --search and tolerance");
     }

@@ -1,0 +1,180 @@
+//! Distributions over drops whose conditions scatter.
+
+use cageless::numerics::proportion::wilson_interval;
+use cageless::touchdown::{DrawnBearing, EndState};
+use cageless_io::OptionError;
+use cageless_io::plan_file::Computation;
+use serde::{Serialize, Serializer};
+
+use super::DropResult;
+use crate::StudyError;
+use crate::quantities::{Kind, QUANTITIES, Quantity};
+
+/// Most drops of an ensemble.
+pub const DROPS_MAX: u64 = 1_000_000;
+
+/// What one bearing went through in completed drops.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Distribution {
+    /// How often each state came out at the end.
+    pub end_states: Vec<EndStateCount>,
+    /// Probability that the rotor ends in backward whirl in this bearing.
+    #[serde(flatten)]
+    pub backward_whirl: WhirlProbability,
+    /// Distributions of the scalar results.
+    pub quantiles: Vec<Quantiles>,
+}
+
+/// Probability that a drop ends in backward whirl.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct WhirlProbability {
+    /// Fraction of the completed drops; `None` without any.
+    #[serde(rename = "backward_whirl_probability")]
+    pub fraction: Option<f64>,
+    /// 95 % interval (Wilson 1927).
+    #[serde(rename = "backward_whirl_interval")]
+    pub interval: Option<[f64; 2]>,
+}
+
+/// How often a state came out.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct EndStateCount {
+    /// State.
+    pub end_state: String,
+    /// Drops.
+    pub count: usize,
+}
+
+/// Distribution of one result.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Quantiles {
+    /// The result; its name in files.
+    #[serde(rename = "name", serialize_with = "name")]
+    pub quantity: &'static Quantity,
+    /// Least.
+    pub least: f64,
+    /// Median.
+    pub median: f64,
+    /// 95 % quantile.
+    pub high: f64,
+    /// Largest.
+    pub most: f64,
+}
+
+fn name<S: Serializer>(quantity: &&Quantity, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(quantity.name)
+}
+
+/// One bearing in one drop of an ensemble.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BearingRow {
+    /// Friction coefficient between rotor and inner ring.
+    pub rotor_friction: f64,
+    /// Friction coefficient of the balls.
+    pub ball_friction: f64,
+    /// Radial air gap, µm.
+    pub air_gap_um: f64,
+    /// Damping of the support, N·s/m; `None` without a support.
+    pub support_damping_n_s_m: Option<f64>,
+    /// Results.
+    pub result: DropResult,
+}
+
+impl BearingRow {
+    pub(super) fn new(drawn: &DrawnBearing, result: DropResult) -> Self {
+        Self {
+            rotor_friction: drawn.rotor_friction,
+            ball_friction: drawn.ball_friction,
+            air_gap_um: 1e6 * drawn.air_gap_m,
+            support_damping_n_s_m: drawn.support_damping_n_s_m,
+            result,
+        }
+    }
+}
+
+/// Checks the number of drops.
+///
+/// # Errors
+/// [`StudyError::Option`].
+pub fn check_drops(count: u64) -> Result<(), StudyError> {
+    if (1..=DROPS_MAX).contains(&count) {
+        return Ok(());
+    }
+    Err(StudyError::Option(OptionError {
+        option: "samples",
+        value: count.to_string(),
+        problem: format!("is not possible: it must be from 1 to {DROPS_MAX}"),
+    }))
+}
+
+impl WhirlProbability {
+    /// The probability where `whirls` of `completed` drops end so.
+    pub(super) fn new(whirls: usize, completed: usize) -> Self {
+        Self {
+            fraction: (completed > 0).then(|| whirls as f64 / completed as f64),
+            interval: (completed > 0).then(|| wilson_interval(whirls, completed)),
+        }
+    }
+
+    /// Percentages: "10.0 % (95 %: 0.6 to 40.4 %)"; `None` without a completed drop.
+    pub fn percent(&self) -> Option<String> {
+        let (p, [low, high]) = (1e2 * self.fraction?, self.interval?.map(|p| 1e2 * p));
+        Some(format!("{p:.1} % (95 %: {low:.1} to {high:.1} %)"))
+    }
+}
+
+/// Whether a drop ends in backward whirl.
+pub(super) fn whirls_backward(drop: &DropResult) -> bool {
+    drop.end_state() == EndState::BackwardWhirl.name()
+}
+
+impl Distribution {
+    /// The distribution over the results of completed drops.
+    pub(super) fn new(complete: &[&DropResult]) -> Self {
+        let count = |state: EndState| {
+            let ended = |d: &&&DropResult| d.end_state() == state.name();
+            complete.iter().filter(ended).count()
+        };
+        Self {
+            end_states: (EndState::ALL.into_iter())
+                .map(|state| EndStateCount {
+                    end_state: state.name().to_owned(),
+                    count: count(state),
+                })
+                .filter(|entry| entry.count > 0)
+                .collect(),
+            backward_whirl: WhirlProbability::new(count(EndState::BackwardWhirl), complete.len()),
+            quantiles: quantiles(complete),
+        }
+    }
+
+    /// "7 bouncing, 1 backward whirl", each state as `words` has it.
+    pub fn end_states_text(&self, words: impl Fn(&str) -> String) -> String {
+        let states: Vec<String> = (self.end_states.iter())
+            .map(|entry| format!("{} {}", entry.count, words(&entry.end_state)))
+            .collect();
+        states.join(", ")
+    }
+}
+
+fn quantiles(complete: &[&DropResult]) -> Vec<Quantiles> {
+    let numbers = QUANTITIES.iter().filter(|q| {
+        q.computation() == Computation::Drop && matches!(q.kind, Kind::Number | Kind::Integer)
+    });
+    let of = |quantity: &'static Quantity| {
+        let mut values: Vec<f64> = (complete.iter())
+            .filter_map(|result| result.value(quantity.name))
+            .collect();
+        values.sort_by(f64::total_cmp);
+        let last = values.len().checked_sub(1)?;
+        let quantile = |q: f64| values[(q * last as f64).round() as usize];
+        Some(Quantiles {
+            quantity,
+            least: values[0],
+            median: quantile(0.5),
+            high: quantile(0.95),
+            most: values[last],
+        })
+    };
+    numbers.filter_map(of).collect()
+}

@@ -1,0 +1,160 @@
+//! Studies of drops into several bearings: scattered and verified.
+
+use std::path::Path;
+
+use cageless::Method;
+use cageless::linear_rotor::{PlaneUnbalance, RigidRotor};
+use cageless::touchdown::Scatter;
+use cageless::verification::Convergence;
+use cageless_io::case_file::CaseFile;
+use cageless_io::rotor_file::RotorFile;
+use cageless_study::drop::{
+    DropRequest, DropVerification, RotorStudy, ensemble, rotor_ensemble, rotor_study,
+};
+use cageless_study::{Silent, on_threads};
+
+const CASES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases");
+
+/// A bearing that the rotor is about to touch.
+fn bearing(name: &str, changes: &[&str]) -> CaseFile {
+    let near = ["rotor.y_um=-170", "rotor.vy_m_s=-0.06"];
+    let set: Vec<String> = (near.iter().chain(changes))
+        .map(|change| (*change).to_owned())
+        .collect();
+    CaseFile::read(&Path::new(CASES).join(name), &set).unwrap()
+}
+
+fn rigid(places_m: &[f64]) -> RigidRotor {
+    RigidRotor {
+        mass_kg: 20.0 * places_m.len() as f64,
+        polar_inertia_kg_m2: 0.02,
+        transverse_inertia_kg_m2: 0.3,
+        bearing_axial_m: places_m.to_vec(),
+        unbalances: vec![],
+    }
+}
+
+/// A rotor with an unbalance in two bearings of which one is conventional.
+fn two_bearings(changes: &[&str]) -> RotorFile {
+    let unbalance = PlaneUnbalance {
+        axial_m: 0.03,
+        moment_kg_m: 2e-4,
+        phase_rad: 0.5,
+    };
+    let rotor = RigidRotor {
+        unbalances: vec![unbalance],
+        ..rigid(&[-0.1, 0.2])
+    };
+    let cases = ["touchdown-d.toml", "touchdown-conventional.toml"].map(|n| bearing(n, changes));
+    RotorFile::new("", rotor.linear().unwrap(), 30000.0, 0.0, &cases).unwrap()
+}
+
+fn studied(file: &RotorFile, request: DropRequest) -> RotorStudy {
+    rotor_study(file, request, vec![None, None], &Silent).unwrap()
+}
+
+#[test]
+fn a_rigid_rotor_in_one_bearing_scatters_as_the_case_of_one_plane() {
+    let case = bearing("touchdown-d.toml", &["solver.duration_s=0.0015"]);
+    let rotor = rigid(&[0.0]).linear().unwrap();
+    let cases = std::slice::from_ref(&case);
+    let file = RotorFile::new("", rotor, 30000.0, 0.0, cases).unwrap();
+    let scatter = Scatter::default();
+    let one = ensemble(case.case(), 3, &scatter, &Silent).unwrap();
+    let several = rotor_ensemble(file.drop(), 3, &scatter, &Silent).unwrap();
+    assert_eq!((several.completed, several.bearings.len()), (3, 1));
+    for (a, b) in one.drops.iter().zip(&several.drops) {
+        assert_eq!(a.eccentricity_phase_deg, b.unbalance_turn_deg);
+        let (a, b) = (&a.bearing, &b.bearings[0]);
+        assert_eq!(
+            (a.rotor_friction, a.ball_friction, a.air_gap_um),
+            (b.rotor_friction, b.ball_friction, b.air_gap_um)
+        );
+        assert_eq!(a.support_damping_n_s_m, b.support_damping_n_s_m);
+        assert_eq!(a.result.end_state(), b.result.end_state());
+        for name in [
+            "first_contact_ms",
+            "rotor_force_max_n",
+            "inner_stress_max_gpa",
+        ] {
+            let [a, b] = [a, b].map(|row| row.result.results.number(name));
+            assert!((b / a - 1.0).abs() < 1e-6, "{name}: {a} {b}");
+        }
+    }
+    let (a, b) = (&one.distribution, &several.bearings[0]);
+    assert_eq!(a.end_states, b.end_states);
+    assert_eq!(a.backward_whirl, several.backward_whirl);
+}
+
+#[test]
+fn scattered_drops_into_bearings_are_the_same_on_any_number_of_threads() {
+    let file = two_bearings(&["solver.duration_s=0.0012"]);
+    let request = DropRequest {
+        samples: Some(3),
+        ..DropRequest::default()
+    };
+    let drops = |threads: usize| {
+        let threads = std::num::NonZeroUsize::new(threads);
+        let done = on_threads(threads, || studied(&file, request).ensemble.unwrap());
+        done.unwrap()
+    };
+    let many = drops(1);
+    assert_eq!(many.completed, 3);
+    assert_eq!(many, drops(2));
+    // Each bearing has draws of its own; drops differ.
+    let [a, b] = [0, 1].map(|k| &many.drops[0].bearings[k]);
+    assert!(a.rotor_friction / 0.15 != b.rotor_friction / 0.15);
+    assert!(a.air_gap_um != b.air_gap_um);
+    assert!(many.drops[0].unbalance_turn_deg != many.drops[1].unbalance_turn_deg);
+    // The distribution of a bearing is that of its drops.
+    for (k, of_bearing) in many.bearings.iter().enumerate() {
+        let name = "rotor_force_max_n";
+        let forces = many
+            .drops
+            .iter()
+            .map(|d| d.bearings[k].result.results.number(name));
+        let found = of_bearing
+            .quantiles
+            .iter()
+            .find(|q| q.quantity.name == name);
+        assert_eq!(found.unwrap().most, forces.fold(0.0, f64::max));
+    }
+}
+
+#[test]
+fn the_first_contacts_of_all_bearings_are_converged() {
+    let request = DropRequest {
+        verify: true,
+        ..DropRequest::default()
+    };
+    let file = two_bearings(&["solver.duration_s=0.0012"]);
+    let found = studied(&file, request);
+    let verification = found.verification.unwrap();
+    assert_eq!(verification.bearings.len(), 2);
+    let [full, half] = verification.rotor_energy_residual_relative;
+    assert!(
+        half.abs() < full.abs() && full.abs() < 1e-5,
+        "{full:e} {half:e}"
+    );
+    let judged = |v: &DropVerification, name: &str| {
+        let mut all = v.judgements.iter();
+        *all.find(|j| j.quantity.name == name).unwrap()
+    };
+    let of_drop = found.drop.bearings.iter();
+    for (of_bearing, record) in verification.bearings.iter().zip(of_drop) {
+        assert_eq!(of_bearing.end_states, of_bearing.half_step_end_states);
+        for name in ["housing_force_max_n", "impacts", "ring_speed_rpm"] {
+            let judgement = judged(of_bearing, name);
+            assert_eq!(judgement.value, record.result.results.number(name));
+            assert_eq!(judgement.verdict, Convergence::Converged, "{name}");
+        }
+    }
+    // Too long a step shows in both.
+    let coarse = two_bearings(&["solver.duration_s=0.0012", "solver.step_us=2.5"]);
+    assert_eq!(coarse.drop().cases()[0].solver.method, Method::Symplectic);
+    let coarse = studied(&coarse, request).verification.unwrap();
+    for (coarse, fine) in coarse.bearings.iter().zip(&verification.bearings) {
+        let change = |v| judged(v, "rotor_friction_j").step_change;
+        assert!(change(coarse).abs() > change(fine).abs());
+    }
+}
