@@ -147,6 +147,45 @@ fn a_rotor_is_dropped_in_number_verified_and_beside_conventional_rings() {
 }
 
 #[test]
+fn a_drop_that_stops_names_its_bearing() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = written(
+        dir.path(),
+        &RIGID
+            .replacen("one.toml", "soft.toml", 2)
+            .replacen("soft", "one", 1),
+    );
+    let case = std::fs::read_to_string(dir.path().join("one.toml")).unwrap();
+    let soft = case
+        .replace("stiffness_n_m = 2.0e7", "stiffness_n_m = 2.0e3")
+        .replace("damping_n_s_m = 4.0e3", "damping_n_s_m = 1.0");
+    assert!(soft != case);
+    std::fs::write(dir.path().join("soft.toml"), soft).unwrap();
+    let out = dir.path().join("out");
+    let sets = [
+        "solver.duration_s=0.01",
+        "rotor.y_um=-195",
+        "rotor.vy_m_s=-3",
+    ];
+    let more = ["--samples", "2", "--out", out.to_str().unwrap()];
+    let drop = call_on("drop", &path, &sets, &more);
+    assert_eq!(drop.code, Some(3), "{}", drop.stdout);
+    for said in [
+        "bearing 2: at t = ",
+        "the outer ring left its support",
+        "What was computed",
+    ] {
+        assert!(drop.stderr.contains(said), "{said}: {}", drop.stderr);
+    }
+    // What there is until then, and nothing beside it.
+    let text = std::fs::read_to_string(out.join("summary.json")).unwrap();
+    let summary: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert!(summary["bearings"][0]["stopped"].is_null());
+    assert!(summary["bearings"][1]["stopped"].is_string());
+    assert!(summary.get("ensemble").is_none());
+}
+
+#[test]
 fn impossible_rotor_files_are_refused_with_line_and_key() {
     let dir = tempfile::tempdir().unwrap();
     for (from, to, said) in [

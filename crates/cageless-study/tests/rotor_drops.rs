@@ -4,6 +4,7 @@ use std::path::Path;
 
 use cageless::Method;
 use cageless::linear_rotor::{PlaneUnbalance, RigidRotor};
+use cageless::simulation::{Control, Ending};
 use cageless::touchdown::Scatter;
 use cageless::verification::Convergence;
 use cageless_io::case_file::CaseFile;
@@ -11,7 +12,7 @@ use cageless_io::rotor_file::RotorFile;
 use cageless_study::drop::{
     DropRequest, DropVerification, RotorStudy, ensemble, rotor_ensemble, rotor_study,
 };
-use cageless_study::{Silent, on_threads};
+use cageless_study::{Progress, Silent, StudyError, Work, break_if, on_threads};
 
 const CASES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases");
 
@@ -119,6 +120,49 @@ fn scattered_drops_into_bearings_are_the_same_on_any_number_of_threads() {
             .find(|q| q.quantity.name == name);
         assert_eq!(found.unwrap().most, forces.fold(0.0, f64::max));
     }
+}
+
+/// Cancels when the drops are under way.
+struct Cancelled;
+
+impl Progress for Cancelled {
+    fn begin(&self, task: &str, _: f64) -> Box<dyn Work + '_> {
+        Box::new(Cancelling(task == "drops"))
+    }
+
+    fn interrupted(&self) -> bool {
+        false
+    }
+}
+
+struct Cancelling(bool);
+
+impl Work for Cancelling {
+    fn add(&self, _: f64) -> Control {
+        break_if(self.0)
+    }
+
+    fn interrupted(&self) -> bool {
+        self.0
+    }
+}
+
+#[test]
+fn cancelled_drops_leave_the_drop_itself() {
+    let file = two_bearings(&["solver.duration_s=0.0003"]);
+    let request = DropRequest {
+        samples: Some(50),
+        verify: true,
+        ..DropRequest::default()
+    };
+    let found = rotor_study(&file, request, vec![None, None], &Cancelled).unwrap();
+    assert!(found.interrupted && found.ensemble.is_none() && found.verification.is_none());
+    assert_eq!(found.warnings, ["the scattered drops: interrupted"]);
+    let endings = found.drop.bearings.iter().map(|b| &b.outcome.ending);
+    assert_eq!(endings.filter(|e| matches!(e, Ending::Complete)).count(), 2);
+    let case = bearing("touchdown-d.toml", &["solver.duration_s=0.0003"]);
+    let done = ensemble(case.case(), 50, &Scatter::default(), &Cancelled);
+    assert!(matches!(done, Err(StudyError::Interrupted)));
 }
 
 #[test]

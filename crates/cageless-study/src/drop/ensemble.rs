@@ -69,6 +69,10 @@ fn together(
     scatter: &Scatter,
     task: &dyn Work,
 ) -> Result<Vec<DropRow>, StudyError> {
+    // Short drops end before they ask for the first time.
+    if task.interrupted() {
+        return Err(StudyError::Interrupted);
+    }
     let (cases, drawn): (Vec<Case>, Vec<Drawn>) =
         indices.iter().map(|k| scatter.draw(case, *k)).unzip();
     let control = |runs: usize| task.run_control(case.solver.duration_s, runs as f64);

@@ -97,6 +97,10 @@ pub(super) fn run_rotor(
     task: &dyn Work,
     units: f64,
 ) -> Result<RotorRun, StudyError> {
+    // A short drop ends before it asks for the first time.
+    if task.interrupted() {
+        return Err(StudyError::Interrupted);
+    }
     let mut recorders: Vec<_> = drop.cases().iter().map(|_| DropRecorder::new()).collect();
     let outcome = {
         let mut observers: Vec<Vec<&mut dyn Observer>> = (recorders.iter_mut())
