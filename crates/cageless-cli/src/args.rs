@@ -58,7 +58,8 @@ pub enum Command {
     Tolerance(ToleranceArgs),
     /// Simulate a case.
     Run(RunArgs),
-    /// Drop a rotor onto the bearing: impacts, whirl, spin-up, loads and heat.
+    /// Drop a rotor onto its bearing, or that of a rotor file into several: impacts, whirl, spin-up,
+    /// loads and heat.
     Drop(DropArgs),
     /// Set two cases or finished runs side by side: results, differences, motion.
     Compare(CompareArgs),
