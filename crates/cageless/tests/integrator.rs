@@ -1,8 +1,8 @@
 //! The integrators on problems with known solutions.
 
 use cageless::integrator::{
-    Abm4, Adaptive, Integrator, Method, RungeKutta, SecondOrderBlock, System, VelocityVerlet,
-    tableau,
+    Abm4, Adaptive, Integrator, Method, PlanarVelocities, RungeKutta, SecondOrderBlock, System,
+    VelocityVerlet, tableau,
 };
 
 /// A pendulum-like smooth oscillator with a nonlinear clock: y = (sin s, cos s) with
@@ -167,6 +167,60 @@ fn leapfrog_has_order_two() {
         let order = (error(h) / error(h / 2.0)).log2();
         assert!((order - 2.0).abs() < 0.05, "{h}: {order}");
     }
+}
+
+/// A unit mass on a springy circle of radius 1, driven along it towards the speed 1.
+struct DrivenOnCircle;
+
+impl System for DrivenOnCircle {
+    fn dimension(&self) -> usize {
+        4
+    }
+    fn derivative(&mut self, _time_s: f64, y: &[f64], dydt: &mut [f64]) {
+        let distance = y[0].hypot(y[1]);
+        let [ex, ey] = [y[0] / distance, y[1] / distance];
+        let spring = -SPRING * (distance - 1.0);
+        let drive = 2.0 * (1.0 - (y[3] * ex - y[2] * ey));
+        dydt.copy_from_slice(&[
+            y[2],
+            y[3],
+            spring * ex - drive * ey,
+            spring * ey + drive * ex,
+        ]);
+    }
+    fn second_order_blocks(&self) -> &[SecondOrderBlock] {
+        &[SecondOrderBlock {
+            positions: 0,
+            rates: 2,
+            count: 2,
+        }]
+    }
+    fn planar_velocities(&self) -> Option<PlanarVelocities> {
+        Some(PlanarVelocities {
+            x: 2,
+            y: 3,
+            count: 1,
+        })
+    }
+}
+
+const SPRING: f64 = 16.0;
+
+/// The speed extrapolated along the acceleration at the start of the step would be too large by
+/// (ωh)²/2, and the drive would leave the mass too slow by as much.
+#[test]
+fn leapfrog_keeps_the_speed_on_a_circle() {
+    let h = 0.05;
+    // r(r − 1)·k = v².
+    let radius = 0.5 + (0.25 + 1.0 / SPRING).sqrt();
+    let mut method = Integrator::new(VelocityVerlet::new(h), 4);
+    method.restart(&mut DrivenOnCircle, 0.0, &[radius, 0.0, 0.0, 1.0]);
+    while method.step().t1_s < 20.0 {
+        method.advance(&mut DrivenOnCircle, 20.0).unwrap();
+    }
+    let y = &method.step().y1;
+    let speed = (y[0] * y[3] - y[1] * y[2]) / y[0].hypot(y[1]);
+    assert!((speed - 1.0).abs() < 0.05 * 0.5 * h * h, "{}", speed - 1.0);
 }
 
 /// A hundred thousand periods at ωh = 0.6, where the energy of ABM4 would long have

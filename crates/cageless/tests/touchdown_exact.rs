@@ -51,7 +51,7 @@ impl Run {
     fn until(&mut self, limit_s: f64, f: impl Fn(&[f64], &RotorInRing) -> f64) -> (f64, Vec<f64>) {
         let mut before = f64::NAN;
         loop {
-            let start = self.integrator.step().y1.clone();
+            let start = self.integrator.step().y1.to_vec();
             let start_s = self.integrator.step().t1_s;
             self.integrator.advance(&mut self.system, limit_s).unwrap();
             let step = self.integrator.step();
@@ -88,7 +88,7 @@ impl Run {
         };
         let inside = start_s + 1e-9 * (end_s - start_s);
         let time_s = root(value, inside, end_s);
-        (time_s, part(time_s).integrator.step().y1.clone())
+        (time_s, part(time_s).integrator.step().y1.to_vec())
     }
 
     fn to(&mut self, time_s: f64) -> &[f64] {
@@ -325,7 +325,7 @@ fn spin_energy_goes_into_heat() {
     };
     let bore = bore();
     let mut run = Run::new(&rotor, RingMount::Turning);
-    let start = run.integrator.step().y1.clone();
+    let start = run.integrator.step().y1.to_vec();
     let before = run.system.energy_j(&start);
     let end = run.to(0.08).to_vec();
     let heat = at(&end, Coordinate::FrictionHeat) + at(&end, Coordinate::DampingHeat);
@@ -411,7 +411,7 @@ fn backward_whirl_on_a_damped_support() {
         let mut run = Run::from(system, &start);
         let settle_s = if inside == 1.0 { 0.01 } else { 0.1 };
         run.to(settle_s);
-        let y = run.integrator.step().y1.clone();
+        let y = run.integrator.step().y1.to_vec();
         let speed = (at(&y, X) * at(&y, Vy) - at(&y, Y) * at(&y, Vx))
             / (at(&y, X).powi(2) + at(&y, Y).powi(2));
         let found = run.system.contact().contact.force;

@@ -51,6 +51,10 @@ lane_struct! {
         outer_friction,
         /// fi, N.
         inner_friction,
+        /// dfo/dΔVo at the last iterate, N·s/m; 0 under laws that stick.
+        outer_slope,
+        /// dfi/dΔVi there.
+        inner_slope,
         /// 1 once the equations hold to the tolerance, else 0.
         converged,
     }
@@ -141,6 +145,23 @@ impl SlipProblem {
         }
     }
 
+    /// The equations of the friction f₁ at the end of the step where the velocities change by
+    /// (1 − θ)·f₀ + θ·f₁: s₁ = (s_free − H·(1 − θ)·f₀) − H·θ·f₁, with θ of both contacts and
+    /// `rest` = (1 − θ)·f₀.
+    #[inline(always)]
+    pub fn split(&self, [outer, inner]: [f64; 2], rest: [f64; 2]) -> Self {
+        let [outer_free, inner_free] = self.slips(rest);
+        Self {
+            outer_free,
+            inner_free,
+            outer_outer: self.outer_outer * outer,
+            inner_outer: self.inner_outer * outer,
+            outer_inner: self.outer_inner * inner,
+            inner_inner: self.inner_inner * inner,
+            ..*self
+        }
+    }
+
     /// ΔVo and ΔVi at the end of the step under the friction (fo, fi), m/s.
     #[inline(always)]
     pub fn slips(&self, [outer, inner]: [f64; 2]) -> [f64; 2] {
@@ -151,7 +172,25 @@ impl SlipProblem {
     }
 }
 
-/// One step of Newton's method from `slips`; a solution that has converged stays.
+impl Slips {
+    /// These sliding speeds with the friction and its slopes by `law`, to iterate from.
+    #[inline(always)]
+    pub fn with_friction(self, law: &impl Law, problem: &SlipProblem) -> Self {
+        let [[outer_friction, outer_slope], [inner_friction, inner_slope]] = law.forces(
+            [self.outer, self.inner],
+            [problem.outer_normal, problem.inner_normal],
+        );
+        Self {
+            outer_friction,
+            inner_friction,
+            outer_slope,
+            inner_slope,
+            ..self
+        }
+    }
+}
+
+/// One step of Newton's method from `slips` with the friction there.
 ///
 /// With D = diag(df/ds) the step Δ solves (1 + H·D)·Δ = s_free − H·f(s) − s, so that
 /// s + Δ = s_free − H·(f(s) + D·Δ): sliding speeds and linearised friction belong together.
@@ -159,8 +198,8 @@ impl SlipProblem {
 #[inline(always)]
 pub fn newton_step(law: &impl Law, problem: &SlipProblem, slips: &Slips) -> Slips {
     let (outer, inner) = (slips.outer, slips.inner);
-    let [fo, do_] = law.force(outer, problem.outer_normal);
-    let [fi, di] = law.force(inner, problem.inner_normal);
+    let (fo, fi) = (slips.outer_friction, slips.inner_friction);
+    let (do_, di) = (slips.outer_slope, slips.inner_slope);
     let [end_o, end_i] = problem.slips([fo, fi]);
     let (miss_o, miss_i) = (end_o - outer, end_i - inner);
     let (a, b) = (1.0 + problem.outer_outer * do_, problem.outer_inner * di);
@@ -186,30 +225,54 @@ pub fn newton_step(law: &impl Law, problem: &SlipProblem, slips: &Slips) -> Slip
     };
     let converged = last(outer, step_o, do_, problem.outer_normal)
         & last(inner, step_i, di, problem.inner_normal);
-    let done = slips.converged > 0.0;
-    let keep = |kept: f64, new: f64| if done { kept } else { new };
     let select = |last: f64, other: f64| if converged { last } else { other };
     Slips {
-        outer: keep(outer, select(outer + step_o, guarded(outer, step_o))),
-        inner: keep(inner, select(inner + step_i, guarded(inner, step_i))),
-        outer_friction: keep(slips.outer_friction, select(fo + do_ * step_o, fo)),
-        inner_friction: keep(slips.inner_friction, select(fi + di * step_i, fi)),
-        converged: keep(1.0, select(1.0, 0.0)),
+        outer: select(outer + step_o, guarded(outer, step_o)),
+        inner: select(inner + step_i, guarded(inner, step_i)),
+        outer_friction: select(fo + do_ * step_o, fo),
+        inner_friction: select(fi + di * step_i, fi),
+        outer_slope: do_,
+        inner_slope: di,
+        converged: select(1.0, 0.0),
     }
 }
 
-/// Weight θ of the end of a step in s₁ = s_free − H·((1 − θ)·f₀ + θ·f₁) for a contact whose slip
-/// decays by `rate` = H·df/ds over the step: (6 + 3z + z²)/(12 + 4z + z²).
+/// [`newton_step`] from sliding speeds that an earlier step left; a solution that has converged
+/// stays.
+#[inline(always)]
+pub fn further_step(law: &impl Law, problem: &SlipProblem, slips: &Slips) -> Slips {
+    let next = newton_step(law, problem, &slips.with_friction(law, problem));
+    let done = slips.converged > 0.0;
+    let keep = |kept: f64, new: f64| if done { kept } else { new };
+    Slips {
+        outer: keep(slips.outer, next.outer),
+        inner: keep(slips.inner, next.inner),
+        outer_friction: keep(slips.outer_friction, next.outer_friction),
+        inner_friction: keep(slips.inner_friction, next.inner_friction),
+        outer_slope: keep(slips.outer_slope, next.outer_slope),
+        inner_slope: keep(slips.inner_slope, next.inner_slope),
+        converged: keep(1.0, next.converged),
+    }
+}
+
+/// Weights θ of the end of a step in s₁ = s_free − H·((1 − θ)·f₀ + θ·f₁) for two contacts whose
+/// slips decay by z = H·df/ds over the step: (6 + 3z + z²)/(12 + 4z + z²).
 ///
 /// It follows the exponentially fitted 1/(1 − e^(−z)) − 1/z from ½ + z/12 to 1 − 1/z: the
 /// trapezoidal rule of order 2 for sliding contacts, backward Euler, which damps any stiffness,
 /// for rolling ones (Hairer & Wanner, *Solving Ordinary Differential Equations II*,
 /// section IV.3).
 #[inline(always)]
-pub fn end_weight(rate: f64) -> f64 {
+pub fn end_weights(rates: [f64; 2]) -> [f64; 2] {
     // Squares of larger rates could overflow; 1 is exact to six digits there.
-    let z = if rate < 1e6 { rate } else { 1e6 };
-    (6.0 + (3.0 + z) * z) / (12.0 + (4.0 + z) * z)
+    let [y, z] = [rates[0].min(1e6), rates[1].min(1e6)];
+    let (over, under) = (12.0 + (4.0 + y) * y, 12.0 + (4.0 + z) * z);
+    // One division for both.
+    let inverse = 1.0 / (over * under);
+    [
+        (6.0 + (3.0 + y) * y) * under * inverse,
+        (6.0 + (3.0 + z) * z) * over * inverse,
+    ]
 }
 
 #[cfg(test)]
@@ -265,7 +328,7 @@ pub(crate) mod tests {
                 };
                 let mut iterations = 0;
                 while s.converged == 0.0 && iterations < MAX_ITERATIONS {
-                    s = newton_step(law, &p, &s);
+                    s = further_step(law, &p, &s);
                     iterations += 1;
                 }
                 assert!(s.converged > 0.0, "{free:?} from {start}");

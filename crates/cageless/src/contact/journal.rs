@@ -151,47 +151,92 @@ impl JournalContact {
     }
 }
 
-/// Sliding speed and friction of one contact at the end of a step: s = s_free − H·f(s), m/s and N.
+/// Sliding of a journal and the friction that belongs to it.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct JournalSlip {
+    /// Sliding speed, m/s.
+    pub slip: f64,
+    /// Friction along −slip, N.
+    pub friction: f64,
+    /// Slope of the friction over the sliding speed, N·s/m; 0 under laws that stick.
+    pub slope: f64,
+}
+
+impl JournalSlip {
+    /// Friction at a sliding speed under the normal force `normal_n`.
+    #[inline(always)]
+    pub fn at(slip: f64, law: &Friction, normal_n: f64) -> Self {
+        let [friction, slope] = law.force(slip, normal_n);
+        Self {
+            slip,
+            friction,
+            slope,
+        }
+    }
+}
+
+/// Sliding of one contact at the end of a step: s = s_free − H·f(s).
 ///
 /// Friction opposes the sliding that is left without it, so that s lies between 0 and s_free;
-/// Newton's method within that interval, halved where a step leaves it. Coulomb's law exactly.
-pub fn implicit_slip(friction: &Friction, free_m_s: f64, mobility: f64, normal_n: f64) -> [f64; 2] {
+/// Newton's method within that interval from `guess`, halved where a step leaves it. Coulomb's
+/// law exactly.
+pub fn implicit_slip(
+    law: &Friction,
+    free_m_s: f64,
+    mobility: f64,
+    normal_n: f64,
+    guess: JournalSlip,
+) -> JournalSlip {
     if normal_n <= 0.0 {
-        return [free_m_s, 0.0];
-    }
-    let stick = free_m_s / mobility;
-    if friction.sticks() {
-        let largest = friction.coefficient() * normal_n;
-        return if stick.abs() <= largest {
-            [0.0, stick]
-        } else {
-            let force = largest.copysign(free_m_s);
-            [free_m_s - mobility * force, force]
+        return JournalSlip {
+            slip: free_m_s,
+            ..JournalSlip::default()
         };
     }
-    let [mut low, mut high] = [free_m_s.min(0.0), free_m_s.max(0.0)];
-    let mut slip = free_m_s;
-    for _ in 0..ITERATIONS_MAX {
-        let [force, slope] = friction.force(slip, normal_n);
-        let miss = slip + mobility * force - free_m_s;
-        if miss > 0.0 {
-            high = slip;
-        } else {
-            low = slip;
-        }
-        let newton = slip - miss / (1.0 + mobility * slope);
-        if (newton - slip).abs() * friction.inverse_slip_scale() <= LAST_STEP {
-            slip = newton;
-            break;
-        }
-        slip = if newton > low && newton < high {
-            newton
-        } else {
-            0.5 * (low + high)
-        };
-    }
+    let [slip, slope] = if law.sticks() {
+        let sliding = free_m_s.abs() - mobility * law.coefficient() * normal_n;
+        [sliding.max(0.0).copysign(free_m_s), 0.0]
+    } else {
+        newton(law, free_m_s, mobility, normal_n, guess)
+    };
     // Sliding speed and force belong together exactly.
-    [slip, (free_m_s - slip) / mobility]
+    let friction = (free_m_s - slip) / mobility;
+    JournalSlip {
+        slip,
+        friction,
+        slope,
+    }
+}
+
+/// Sliding speed and slope of the friction at the end of a step.
+fn newton(
+    law: &Friction,
+    free_m_s: f64,
+    mobility: f64,
+    normal_n: f64,
+    guess: JournalSlip,
+) -> [f64; 2] {
+    let [mut low, mut high] = [free_m_s.min(0.0), free_m_s.max(0.0)];
+    let mut at = guess;
+    for _ in 0..ITERATIONS_MAX {
+        let miss = at.slip + mobility * at.friction - free_m_s;
+        if miss > 0.0 {
+            high = high.min(at.slip);
+        } else {
+            low = low.max(at.slip);
+        }
+        let next = at.slip - miss / (1.0 + mobility * at.slope);
+        if (next - at.slip).abs() * law.inverse_slip_scale() <= LAST_STEP {
+            return [next, at.slope];
+        }
+        let within = next > low && next < high;
+        at = JournalSlip::at(
+            if within { next } else { 0.5 * (low + high) },
+            law,
+            normal_n,
+        );
+    }
+    [at.slip, at.slope]
 }
 
 /// Newton step at which the iteration ends, as a fraction of the slip scale.
@@ -251,14 +296,21 @@ mod tests {
             let friction = friction(law);
             for free in [-40.0, -0.1, -1e-4, 0.0, 1e-3, 0.3, 46.0] {
                 for mobility in [1e-7, 1e-5, 1e-3] {
-                    let [slip, force] = implicit_slip(&friction, free, mobility, 2000.0);
-                    let [expected, _] = friction.force(slip, 2000.0);
-                    assert!((force - expected).abs() < 1e-6 * 500.0, "{free} {mobility}");
+                    for guess in [-50.0, 0.0, 0.9 * free, free] {
+                        let guess = JournalSlip::at(guess, &friction, 2000.0);
+                        let end = implicit_slip(&friction, free, mobility, 2000.0, guess);
+                        let [expected, _] = friction.force(end.slip, 2000.0);
+                        let miss = (end.friction - expected).abs();
+                        assert!(miss < 1e-6 * 500.0, "{free} {mobility} {guess:?}");
+                    }
                 }
             }
         }
         let law = friction(FrictionLaw::Coulomb);
-        let coulomb = |free| implicit_slip(&law, free, 1e-5, 2000.0);
+        let coulomb = |free| {
+            let end = implicit_slip(&law, free, 1e-5, 2000.0, JournalSlip::default());
+            [end.slip, end.friction]
+        };
         assert_eq!(coulomb(2e-3), [0.0, 200.0]);
         assert_eq!(coulomb(-4e-3), [-1e-3, -300.0]);
     }

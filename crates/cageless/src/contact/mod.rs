@@ -32,15 +32,15 @@ mod outer_geometry;
 pub use ball_ball::{BallBallContact, ball_ball_contact, ball_deflection};
 pub use friction::{Friction, FrictionLaw, FrictionParameters, FrictionTable, Law, tanh};
 pub use implicit_friction::{
-    MAX_ITERATIONS, RacewayContacts, SlipProblem, Slips, end_weight, newton_step,
+    MAX_ITERATIONS, RacewayContacts, SlipProblem, Slips, end_weights, further_step, newton_step,
 };
 pub use inner::{
     InnerContact, InnerRaceway, inner_contact, inner_deflection, inner_load, inner_paper_power,
     inner_slip,
 };
 pub use journal::{
-    Journal, JournalContact, JournalMotion, implicit_slip, journal_contact, journal_energy_j,
-    journal_slip,
+    Journal, JournalContact, JournalMotion, JournalSlip, implicit_slip, journal_contact,
+    journal_energy_j, journal_slip,
 };
 pub use normal_force::{NormalForce, restitution_damping};
 pub use outer::{

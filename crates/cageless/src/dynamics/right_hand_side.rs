@@ -2,14 +2,16 @@
 //! instruction set and chosen at run time.
 
 use super::contacts::Contacts;
-use super::coordinates::RingCoordinate;
+use super::coordinates::{BallCoordinate, RingCoordinate};
 use super::layout::{BATCH_WIDTH, LANES, Layout};
 use super::model::Model;
 use super::rotor::JournalCompliance;
 use super::state::State;
 use crate::case::Profile;
 use crate::contact::JournalContact;
-use crate::integrator::{Integrator, Method, SecondOrderBlock, System, UnresolvedStep};
+use crate::integrator::{
+    Integrator, Method, PlanarVelocities, SecondOrderBlock, System, UnresolvedStep,
+};
 use crate::simd::lanes::Lanes;
 use crate::simd::{self, InstructionSet, Parameters, Workspace};
 use crate::snapshot::{RingSnapshot, RotorSnapshot, Snapshot};
@@ -147,13 +149,8 @@ impl<'m> RightHandSide<'m> {
     }
 
     /// Loads of friction on the journal that changed velocities over the last step.
-    pub(super) fn mean_friction_load(&self) -> JournalLoad {
+    pub(super) fn friction_load(&self) -> JournalLoad {
         self.load_with(0.0, self.work.rotor_friction_mean[0])
-    }
-
-    /// Loads of friction on the journal at the end of the last step.
-    pub(super) fn end_friction_load(&self) -> JournalLoad {
-        self.load_with(0.0, self.work.rotors[0].friction)
     }
 
     fn load_with(&self, normal_n: f64, friction_n: f64) -> JournalLoad {
@@ -464,6 +461,15 @@ impl System for RightHandSide<'_> {
             }
         }
         hash
+    }
+
+    fn planar_velocities(&self) -> Option<PlanarVelocities> {
+        let layout = self.layout();
+        Some(PlanarVelocities {
+            x: layout.array(BallCoordinate::Vx),
+            y: layout.array(BallCoordinate::Vy),
+            count: layout.stride,
+        })
     }
 
     fn second_order_blocks(&self) -> &[SecondOrderBlock] {

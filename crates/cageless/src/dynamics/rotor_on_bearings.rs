@@ -393,7 +393,7 @@ impl System for RotorOnBearings<'_> {
     /// within the step, and by that of the bearings before it.
     fn add_stiff_part(&mut self, h_s: f64, y0: &[f64], y: &mut [f64], dydt: &mut [f64]) {
         let before = self.motion(y0);
-        let mut mean_loads = vec![];
+        let mut loads = vec![];
         for k in 0..self.bearings.len() {
             self.place_journals(y);
             let motion = self.motion(y);
@@ -408,11 +408,11 @@ impl System for RotorOnBearings<'_> {
                 &mut dydt[places],
             );
             bearing.add_stiff_part(h_s, own0, own, rate);
-            let (mean, end) = (bearing.mean_friction_load(), bearing.end_friction_load());
-            for (load, h, values) in [(mean, h_s, &mut *y), (end, 1.0, &mut *dydt)] {
-                self.add(&self.respond_at(k, &coupling, &load), h, values);
-            }
-            mean_loads.push(mean);
+            let load = bearing.friction_load();
+            let response = self.respond_at(k, &coupling, &load);
+            self.add(&response, h_s, y);
+            self.add(&response, 1.0, dydt);
+            loads.push(load);
         }
         self.place_journals(y);
         let n = self.rotor.coordinates();
@@ -421,7 +421,7 @@ impl System for RotorOnBearings<'_> {
         self.journal_accelerations(&u, spin, dydt);
         // Work of friction on the journals, by the mean of the velocities at both ends.
         let after = self.motion(y);
-        for (k, load) in mean_loads.iter().enumerate() {
+        for (k, load) in loads.iter().enumerate() {
             let power = 0.5 * (self.power(k, &before, load) + self.power(k, &after, load));
             let rotor = self.term(RotorEnergyTerm::Journals);
             let bearing = self.layouts[k].energy_term(EnergyTerm::Drive);

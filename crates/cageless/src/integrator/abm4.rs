@@ -9,6 +9,7 @@
 //! section III.1.
 
 use super::{FixedSteps, Method, Properties, RungeKutta, StepState, System, UnresolvedStep};
+use crate::numerics::aligned::Aligned;
 
 /// Weights of f(n), f(n−1), f(n−2), f(n−3) in the predictor.
 const BASHFORTH: [f64; 4] = [55.0 / 24.0, -59.0 / 24.0, 37.0 / 24.0, -9.0 / 24.0];
@@ -24,7 +25,7 @@ const MOULTON: [f64; 4] = [9.0 / 24.0, 19.0 / 24.0, -5.0 / 24.0, 1.0 / 24.0];
 pub struct Abm4 {
     steps: FixedSteps,
     /// f at the three points before the start of the step, newest first.
-    history: [Vec<f64>; 3],
+    history: [Aligned; 3],
     /// Number of points, the start of the step included, whose f belongs to the present mode.
     known: usize,
     mode: u64,
@@ -44,7 +45,7 @@ impl Abm4 {
     pub fn new(dimension: usize, h: f64) -> Self {
         Self {
             steps: FixedSteps::new(h),
-            history: std::array::from_fn(|_| vec![0.0; dimension]),
+            history: std::array::from_fn(|_| Aligned::zeros(dimension)),
             known: 0,
             mode: 0,
             starter: RungeKutta::new(dimension),

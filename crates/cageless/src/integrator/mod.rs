@@ -38,7 +38,7 @@ pub use abm4::Abm4;
 pub use adaptive::Adaptive;
 pub use runge_kutta::{AcceptedStep, RungeKutta, UnresolvedStep};
 pub use step_state::StepState;
-pub use velocity_verlet::{SecondOrderBlock, VelocityVerlet};
+pub use velocity_verlet::{PlanarVelocities, SecondOrderBlock, VelocityVerlet};
 
 use step_state::FixedSteps;
 
@@ -63,6 +63,12 @@ pub trait System {
         &[]
     }
 
+    /// Velocities of bodies on curved planar paths whose forces depend on the speed along the
+    /// path; for methods that extrapolate them.
+    fn planar_velocities(&self) -> Option<PlanarVelocities> {
+        None
+    }
+
     /// Whether f has a stiff, dissipative part that acts on velocities and that
     /// [`Self::add_stiff_part`] solves for.
     fn has_stiff_part(&self) -> bool {
@@ -74,9 +80,10 @@ pub trait System {
         self.derivative(time_s, y, dydt);
     }
 
-    /// Adds the stiff part g at the end of a step of `h_s` from `y0`, implicitly: y holds what
-    /// the rest of f leads to and becomes y + h·g with g = g(y + h·g); g is added to `dydt`.
-    /// Positions and what depends on them are as of the last [`Self::nonstiff_derivative`].
+    /// Adds the stiff part g over a step of `h_s` from `y0`, implicitly: y holds what the rest of f
+    /// leads to and becomes y + h·g, where g is that at the end, g(y + h·g), or a mean of both ends
+    /// as stable; g is added to `dydt`. Positions and what depends on them are as of the last
+    /// [`Self::nonstiff_derivative`].
     fn add_stiff_part(&mut self, _h_s: f64, _y0: &[f64], _y: &mut [f64], _dydt: &mut [f64]) {}
 
     /// Size of a difference of two states in the scales of the problem; 1 is as large

@@ -2,6 +2,7 @@
 
 use super::System;
 use super::tableau::{DORMAND_PRINCE_5, Tableau};
+use crate::numerics::aligned::Aligned;
 
 /// Error per sub-step, in the scales of the system, when crossing an interval.
 const CROSSING_TOLERANCE: f64 = 1e-11;
@@ -22,9 +23,9 @@ pub struct UnresolvedStep {
 pub struct RungeKutta {
     tableau: &'static Tableau,
     /// f at the stages, and at the end of the step in the last place.
-    stages: Vec<Vec<f64>>,
-    trial: Vec<f64>,
-    difference: Vec<f64>,
+    stages: Vec<Aligned>,
+    trial: Aligned,
+    difference: Aligned,
 }
 
 impl RungeKutta {
@@ -37,9 +38,9 @@ impl RungeKutta {
     pub fn with_tableau(tableau: &'static Tableau, dimension: usize) -> Self {
         Self {
             tableau,
-            stages: vec![vec![0.0; dimension]; tableau.b.len() + 1],
-            trial: vec![0.0; dimension],
-            difference: vec![0.0; dimension],
+            stages: vec![Aligned::zeros(dimension); tableau.b.len() + 1],
+            trial: Aligned::zeros(dimension),
+            difference: Aligned::zeros(dimension),
         }
     }
 
@@ -155,7 +156,7 @@ impl RungeKutta {
     fn estimate<S: System>(&mut self, system: &S, h: f64, weights: &[f64]) -> f64 {
         self.difference.fill(0.0);
         for (w, stage) in weights.iter().zip(&self.stages) {
-            for (d, f) in self.difference.iter_mut().zip(stage) {
+            for (d, f) in self.difference.iter_mut().zip(stage.iter()) {
                 *d += h * w * f;
             }
         }
@@ -173,11 +174,11 @@ pub struct AcceptedStep {
 }
 
 /// y + h Σ w_k f_k.
-fn combine(out: &mut [f64], y: &[f64], h: f64, weights: &[f64], stages: &[Vec<f64>]) {
+fn combine(out: &mut [f64], y: &[f64], h: f64, weights: &[f64], stages: &[Aligned]) {
     out.copy_from_slice(y);
     for (w, stage) in weights.iter().zip(stages) {
         if *w != 0.0 {
-            for (o, f) in out.iter_mut().zip(stage) {
+            for (o, f) in out.iter_mut().zip(stage.iter()) {
                 *o += h * w * f;
             }
         }

@@ -1,6 +1,7 @@
 //! The step of an integration: states and rates at both ends.
 
 use super::System;
+use crate::numerics::aligned::Aligned;
 
 /// The last accepted step: states y and rates f at its start (0) and end (1).
 #[derive(Debug, Clone, Default)]
@@ -8,21 +9,21 @@ pub struct StepState {
     /// Start, s.
     pub t0_s: f64,
     /// State at the start.
-    pub y0: Vec<f64>,
+    pub y0: Aligned,
     /// f at the start.
-    pub f0: Vec<f64>,
+    pub f0: Aligned,
     /// End, s.
     pub t1_s: f64,
     /// State at the end.
-    pub y1: Vec<f64>,
+    pub y1: Aligned,
     /// f at the end; the system's work arrays are as of this evaluation.
-    pub f1: Vec<f64>,
+    pub f1: Aligned,
 }
 
 impl StepState {
     /// A step of a system of this dimension.
     pub(super) fn new(dimension: usize) -> Self {
-        let zero = || vec![0.0; dimension];
+        let zero = || Aligned::zeros(dimension);
         Self {
             y0: zero(),
             f0: zero(),

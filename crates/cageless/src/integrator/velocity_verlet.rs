@@ -5,23 +5,29 @@
 //! extrapolated to the end of the step. (With v(½) itself, as in symplectic Euler, a ball on
 //! its circle would seem to fly outwards by h/2·v²/R, and damping would resist that.)
 //!
+//! On a circle that extrapolation is too fast along the path by (ωh)²/2, for the acceleration
+//! turns; the change of a along the path over the step before takes that away
+//! ([`System::planar_velocities`]), and leaves the damping across it as it is.
+//!
 //! A stiff part g of f that acts on velocities ([`System::has_stiff_part`]) enters implicitly
-//! instead, once over the whole step: v(n+1) = v(n) + h/2·(a(n) + a(n+1)) + h·g(v(n+1)) with a
-//! the rest of f, while x(n+1) = x(n) + h·v(n) + h²/2·(a(n) + g(n)). The part is damped at any
-//! stiffness (backward Euler is L-stable) and of order 1; a constant g is integrated exactly.
+//! instead, once over the whole step: v(n+1) = v(n) + h/2·(a(n) + a(n+1)) + h·g with a the rest of
+//! f and g as [`System::add_stiff_part`] solves for it, while
+//! x(n+1) = x(n) + h·v(n) + h²/2·(a(n) + g(n)). With g = g(v(n+1)), backward Euler, the part is damped
+//! at any stiffness and of order 1.
 //!
 //! Order 2 otherwise. Where forces depend on places alone it is symplectic and keeps a nearby energy
 //! for ever (Hairer, Lubich & Wanner, *Geometric Numerical Integration*, section I.1).
 //! Stable on x″ = −ω²x up to ωh = 2, on x″ = −λx′ up to λh = 1.
 
 use super::{FixedSteps, Method, Properties, StepState, System, UnresolvedStep};
+use crate::numerics::aligned::Aligned;
 
 /// The method.
 #[derive(Debug, Clone)]
 pub struct VelocityVerlet {
     steps: FixedSteps,
     /// f without its stiff part at the start and end of the step, for systems that have one.
-    nonstiff: [Vec<f64>; 2],
+    nonstiff: [Aligned; 2],
 }
 
 /// Components that are positions and the components that are their rates.
@@ -32,6 +38,17 @@ pub struct SecondOrderBlock {
     /// First rate.
     pub rates: usize,
     /// Number of positions.
+    pub count: usize,
+}
+
+/// Components that are velocities along x and along y of the same bodies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PlanarVelocities {
+    /// First along x.
+    pub x: usize,
+    /// First along y, behind all along x.
+    pub y: usize,
+    /// Number of bodies.
     pub count: usize,
 }
 
@@ -49,7 +66,7 @@ impl VelocityVerlet {
     pub fn new(h: f64) -> Self {
         Self {
             steps: FixedSteps::new(h),
-            nonstiff: [vec![], vec![]],
+            nonstiff: [Aligned::default(), Aligned::default()],
         }
     }
 }
@@ -58,7 +75,7 @@ impl Method for VelocityVerlet {
     fn restart<S: System>(&mut self, system: &mut S, step: &StepState) {
         self.steps.restart(step.t1_s);
         if system.has_stiff_part() {
-            self.nonstiff = [vec![0.0; step.y1.len()], vec![0.0; step.y1.len()]];
+            self.nonstiff = [0, 1].map(|_| Aligned::zeros(step.y1.len()));
             system.nonstiff_derivative(step.t1_s, &step.y1, &mut self.nonstiff[1]);
         }
     }
@@ -78,42 +95,97 @@ impl Method for VelocityVerlet {
         for k in 0..n {
             y1[k] = y0[k] + h * f0[k];
         }
-        for block in system.second_order_blocks() {
-            let count = block.count;
-            let (v0, a0) = (&y0[block.rates..][..count], &f0[block.rates..][..count]);
-            let x0 = &y0[block.positions..][..count];
-            let x1 = &mut y1[block.positions..][..count];
-            for k in 0..count {
-                x1[k] = x0[k] + h * (v0[k] + 0.5 * h * a0[k]);
-            }
-        }
+        let blocks = system.second_order_blocks();
+        positions(blocks, h, y0, f0, y1);
         if system.has_stiff_part() {
             let [e0, e1] = &mut self.nonstiff;
             std::mem::swap(e0, e1);
             system.nonstiff_derivative(step.t1_s, y1, e1);
-            trapezoid(system, h, y0, &e0[..n], &e1[..n], y1);
+            trapezoid(system, h, [y0, f0], [&e0[..n], &e1[..n]], y1);
             step.f1.copy_from_slice(e1);
             system.add_stiff_part(h, y0, y1, &mut step.f1);
         } else {
+            bend_along_paths(system, h, [y0, f0, &step.f1[..n]], y1);
             system.derivative(step.t1_s, y1, &mut step.f1);
-            trapezoid(system, h, y0, f0, &step.f1[..n], y1);
+            trapezoid(system, h, [y0, f0], [f0, &step.f1[..n]], y1);
         }
         Ok(())
     }
 }
 
-/// y1 = y0 + h/2·(f0 + f1) for all but the positions, which stay.
+/// Adds h/2·(a0 − a₋) along the direction of v0 to the velocities of planar paths, a₋ the
+/// acceleration a step earlier.
 #[inline(always)]
-fn trapezoid<S: System>(system: &S, h: f64, y0: &[f64], f0: &[f64], f1: &[f64], y1: &mut [f64]) {
-    let mut advance = |from: usize, to: usize| {
-        for k in from..to {
-            y1[k] = y0[k] + 0.5 * h * (f0[k] + f1[k]);
-        }
+fn bend_along_paths<S: System>(system: &S, h: f64, [y0, f0, before]: [&[f64]; 3], y1: &mut [f64]) {
+    let Some(PlanarVelocities { x, y, count }) = system.planar_velocities() else {
+        return;
     };
-    let mut from = 0;
-    for block in system.second_order_blocks() {
-        advance(from, block.positions);
-        from = block.positions + block.count;
+    let mut k = 0;
+    while k + CHUNK <= count {
+        bend::<CHUNK>(h, [x + k, y + k], [y0, f0, before], y1);
+        k += CHUNK;
     }
-    advance(from, y0.len());
+    while k < count {
+        bend::<1>(h, [x + k, y + k], [y0, f0, before], y1);
+        k += 1;
+    }
+}
+
+/// Bodies that one vector instruction works on.
+const CHUNK: usize = 8;
+
+/// [`bend_along_paths`] of neighbouring bodies.
+#[inline(always)]
+fn bend<const C: usize>(h: f64, [x, y]: [usize; 2], [y0, f0, before]: [&[f64]; 3], y1: &mut [f64]) {
+    let (vx, vy): ([f64; C], [f64; C]) = (chunk(y0, x), chunk(y0, y));
+    let (ax, ay): ([f64; C], [f64; C]) = (chunk(f0, x), chunk(f0, y));
+    let (bx, by): ([f64; C], [f64; C]) = (chunk(before, x), chunk(before, y));
+    let (mut vx1, mut vy1): ([f64; C], [f64; C]) = (chunk(y1, x), chunk(y1, y));
+    for k in 0..C {
+        let square = (vx[k] * vx[k] + vy[k] * vy[k]).max(f64::MIN_POSITIVE);
+        let change = vx[k] * (ax[k] - bx[k]) + vy[k] * (ay[k] - by[k]);
+        let along = 0.5 * h * change / square;
+        vx1[k] += along * vx[k];
+        vy1[k] += along * vy[k];
+    }
+    y1[x..][..C].copy_from_slice(&vx1);
+    y1[y..][..C].copy_from_slice(&vy1);
+}
+
+#[inline(always)]
+fn chunk<const C: usize>(values: &[f64], at: usize) -> [f64; C] {
+    *values[at..].first_chunk().expect("a chunk of the vector")
+}
+
+/// x1 = x0 + h·v0 + h²/2·a0.
+#[inline(always)]
+fn positions(blocks: &[SecondOrderBlock], h: f64, y0: &[f64], f0: &[f64], y1: &mut [f64]) {
+    for block in blocks {
+        let count = block.count;
+        let (v0, a0) = (&y0[block.rates..][..count], &f0[block.rates..][..count]);
+        let x0 = &y0[block.positions..][..count];
+        let x1 = &mut y1[block.positions..][..count];
+        for k in 0..count {
+            x1[k] = x0[k] + h * (v0[k] + 0.5 * h * a0[k]);
+        }
+    }
+}
+
+/// y1 = y0 + h/2·(e0 + e1) for all but the positions, which have their values by f0.
+#[inline(always)]
+fn trapezoid<S: System>(
+    system: &S,
+    h: f64,
+    [y0, f0]: [&[f64]; 2],
+    [e0, e1]: [&[f64]; 2],
+    y1: &mut [f64],
+) {
+    let blocks = system.second_order_blocks();
+    // Few positions between others are sooner computed again than passed over.
+    let first = blocks.first().filter(|b| b.positions == 0);
+    let from = first.map_or(0, |b| b.count);
+    for k in from..y1.len() {
+        y1[k] = y0[k] + 0.5 * h * (e0[k] + e1[k]);
+    }
+    positions(&blocks[usize::from(first.is_some())..], h, y0, f0, y1);
 }

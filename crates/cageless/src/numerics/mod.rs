@@ -9,6 +9,7 @@
 //! assert_eq!(moments.mean(), 2.0);
 //! ```
 
+pub mod aligned;
 pub mod angle;
 pub mod bspline;
 pub(crate) mod chebyshev;

@@ -6,12 +6,12 @@ use super::motions::{CentreLanes, Motions, block_mut, outer_centre};
 use super::parameters::Parameters;
 use super::rotor::add_with_rotor;
 use super::sums::{Addends, Sum};
-use super::workspace::{BlockResults, Workspace};
+use super::workspace::{BlockResults, ImplicitFriction, Workspace};
 use crate::case::Profile;
 use crate::contact::{
-    Law, LawLanes, MAX_ITERATIONS, RacewayContacts, SlipProblem, SlipProblemLanes, SlipsLanes,
+    Law, LawLanes, MAX_ITERATIONS, RacewayContacts, SlipProblem, Slips, end_weights, further_step,
     inner_paper_power, inner_slip, newton_step, outer_friction_direction, outer_paper_powers,
-    outer_slip, with_law,
+    outer_slip, positive, with_law,
 };
 use crate::dynamics::ball::{BallLanes, BallLoad, Centre};
 use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
@@ -19,8 +19,10 @@ use crate::dynamics::energy::EnergyTerm;
 use crate::dynamics::layout::LANES;
 
 /// Adds friction at the raceways over a step of `h_s`, for which the last evaluation gave the
-/// contacts without it: `y` holds the velocities that the other forces lead to. The friction
-/// at the end of the step is added to them and to the energy ledger, and as rates to `dydt`.
+/// contacts without it: `y` holds the velocities that the other forces lead to. They change by
+/// h·((1 − θ)·f₀ + θ·f₁), f₀ and f₁ the friction at both ends and θ the [`end_weights`] of the
+/// contacts: of order 2 where contacts slide, damped where they roll. The same friction is added
+/// as rates to `dydt`, its powers to the energy ledger.
 #[inline(always)]
 pub(crate) fn add_implicit_friction(
     p: &Parameters,
@@ -53,24 +55,18 @@ fn add<const PAPER: bool>(
     let start_ring = CentreLanes::inner_ring(p, y0);
     let mut slip_max = Lanes::ZERO;
     let mut addends = [Lanes::ZERO; Sum::COUNT];
-    let mut problem = SlipProblemLanes::ZERO;
-    for (block, (results, slips)) in w.blocks.iter_mut().zip(&mut w.slips).enumerate() {
-        let balls = p.balls(block);
-        let rings = [&w.ring, &w.outer_ring];
-        let motions = Motions::new(p, y, block);
-        slip_problems::<PAPER, false>(p, balls, results, rings, motions, h_s, &mut problem);
-        if !w.slips_known {
-            (slips.outer, slips.inner) = (results.outer.slip, results.inner.slip);
-        }
-        with_law!(&p.friction, law => solve(law, &problem, slips));
-        results.outer_friction = slips.outer_friction;
-        results.inner_friction = slips.inner_friction;
+    let step = WithoutFriction { y, h_s };
+    with_law!(&p.friction, law => solve::<_, PAPER, false>(law, p, w, step));
+    for (block, (results, friction)) in w.blocks.iter_mut().zip(&w.friction).enumerate() {
+        let (balls, slips) = (p.balls(block), &friction.slips);
         results.outer.slip = slips.outer;
         results.inner.slip = slips.inner;
         apply::<PAPER>(p, balls, results, block, h_s, y, dydt);
         let start = (Motions::new(p, y0, block), &start_ring);
         let end = (Motions::new(p, y, block), &w.ring);
         powers::<PAPER>(p, balls, results, start, end, &mut addends);
+        results.outer_friction = slips.outer_friction;
+        results.inner_friction = slips.inner_friction;
         loaded_slips(results, &mut slip_max);
         w.sums.add(&Sum::RACEWAY_FRICTION, &addends, alone, block);
         if PAPER {
@@ -175,27 +171,65 @@ pub(super) fn inner_friction_reactions(results: &BlockResults, addends: &mut Add
     }
 }
 
-/// The implicit equations of the balls of a block.
+/// Velocities that the other forces lead to at the end of a step, and its length.
+#[derive(Clone, Copy)]
+pub(super) struct WithoutFriction<'a> {
+    pub y: &'a [f64],
+    pub h_s: f64,
+}
+
+/// Solves for the friction of the balls at the end of the step; leaves that which changes their
+/// velocities, (1 − θ)·f₀ + θ·f₁, in `w.blocks`.
 #[inline(always)]
-pub(super) fn slip_problems<const PAPER: bool, const ROTOR: bool>(
+pub(super) fn solve<L: LawLanes, const PAPER: bool, const ROTOR: bool>(
+    law: &L,
     p: &Parameters,
-    balls: &BallLanes,
-    results: &BlockResults,
-    [ring, outer_ring]: [&CentreLanes; 2],
-    motions: Motions<'_>,
+    w: &mut Workspace,
+    step: WithoutFriction<'_>,
+) {
+    let rings = [&w.ring, &w.outer_ring];
+    for (block, (results, friction)) in w.blocks.iter_mut().zip(&mut w.friction).enumerate() {
+        let motions = Motions::new(p, step.y, block);
+        let bodies = (p.balls(block), rings, motions);
+        if w.slips_known {
+            first_iterate::<L, PAPER, ROTOR, true>(law, p, bodies, step.h_s, results, friction);
+        } else {
+            first_iterate::<L, PAPER, ROTOR, false>(law, p, bodies, step.h_s, results, friction);
+        }
+    }
+    if !<L::Constants as Law>::STICKS {
+        iterate(law, &mut w.friction);
+    }
+    for (results, friction) in w.blocks.iter_mut().zip(&w.friction) {
+        let ([outer, inner], slips) = (&friction.weights, &friction.slips);
+        for lane in 0..LANES {
+            results.outer_friction.0[lane] += outer.0[lane] * slips.outer_friction.0[lane];
+            results.inner_friction.0[lane] += inner.0[lane] * slips.inner_friction.0[lane];
+        }
+    }
+}
+
+/// The equations of the friction of a block at the end of the step and their first iterate from
+/// the sliding speeds extrapolated to it, or their solution under a law that sticks; θ = 1 unless
+/// the friction at the start is known. Leaves (1 − θ)·f₀ in `results`.
+#[inline(always)]
+fn first_iterate<L: LawLanes, const PAPER: bool, const ROTOR: bool, const KNOWN: bool>(
+    law: &L,
+    p: &Parameters,
+    (balls, [ring, outer_ring], motions): (&BallLanes, [&CentreLanes; 2], Motions<'_>),
     h_s: f64,
-    problem: &mut SlipProblemLanes,
+    results: &mut BlockResults,
+    friction: &mut ImplicitFriction,
 ) {
     for lane in 0..LANES {
-        let motion = motions.get(lane);
+        let (law, motion) = (law.lane(lane), motions.get(lane));
+        let outer_centre = outer_centre::<ROTOR>(outer_ring, lane);
         let polar = results
             .polar
             .get(lane)
-            .with_velocity(&motion, &outer_centre::<ROTOR>(outer_ring, lane));
-        let inner_polar = results
-            .inner_polar
-            .get(lane)
-            .with_velocity(&motion, &ring.get(lane));
+            .with_velocity(&motion, &outer_centre);
+        let inner_polar = results.inner_polar.get(lane);
+        let inner_polar = inner_polar.with_velocity(&motion, &ring.get(lane));
         let contacts = RacewayContacts {
             ball: &balls.get(lane),
             outer_raceway: &p.outer.get(lane),
@@ -204,65 +238,73 @@ pub(super) fn slip_problems<const PAPER: bool, const ROTOR: bool>(
             outer: &results.outer.get(lane),
             inner: &results.inner.get(lane),
         };
-        let equations = SlipProblem::new(
-            profile(PAPER),
-            &contacts,
-            &motion,
-            &polar,
-            &inner_polar,
-            h_s,
-        );
-        problem.put(lane, equations);
+        let profile = profile(PAPER);
+        let whole = SlipProblem::new(profile, &contacts, &motion, &polar, &inner_polar, h_s);
+        let start = friction.slips.get(lane);
+        let [outer, inner] = if !KNOWN {
+            [1.0, 1.0]
+        } else if <L::Constants as Law>::STICKS {
+            [sticking_weight(start.outer), sticking_weight(start.inner)]
+        } else {
+            // A Stribeck law falls beyond its peak; that is not stiff.
+            end_weights([
+                whole.outer_outer * positive(start.outer_slope),
+                whole.inner_inner * positive(start.inner_slope),
+            ])
+        };
+        let rest = if KNOWN {
+            [
+                (1.0 - outer) * start.outer_friction,
+                (1.0 - inner) * start.inner_friction,
+            ]
+        } else {
+            [0.0, 0.0]
+        };
+        let problem = whole.split([outer, inner], rest);
+        let end = if <L::Constants as Law>::STICKS {
+            law.end_of_step(&problem)
+        } else {
+            let extrapolated = Slips {
+                outer: results.outer.slip.0[lane],
+                inner: results.inner.slip.0[lane],
+                ..Slips::default()
+            };
+            newton_step(&law, &problem, &extrapolated.with_friction(&law, &problem))
+        };
+        friction.problem.put(lane, problem);
+        friction.slips.put(lane, end);
+        friction.weights[0].0[lane] = outer;
+        friction.weights[1].0[lane] = inner;
+        results.outer_friction.0[lane] = rest[0];
+        results.inner_friction.0[lane] = rest[1];
     }
 }
 
-/// Sliding speeds and friction at the end of the step by a law, from `slips`.
+/// Iterates until the equations of all balls hold.
 ///
-/// A ball at which Newton's method has converged keeps its solution while its neighbours in the
-/// block iterate, so that a bearing has the same bits alone and beside others.
+/// A ball at which Newton's method has converged keeps its solution while others iterate, so that
+/// a bearing has the same bits alone and beside others.
 #[inline(always)]
-pub(super) fn solve<L: LawLanes>(law: &L, problem: &SlipProblemLanes, slips: &mut SlipsLanes) {
-    if <L::Constants as Law>::STICKS {
-        for lane in 0..LANES {
-            slips.put(lane, law.lane(lane).end_of_step(&problem.get(lane)));
-        }
-        return;
-    }
-    slips.converged = Lanes::ZERO;
-    for _ in 0..MAX_ITERATIONS {
-        for lane in 0..LANES {
-            let next = newton_step(&law.lane(lane), &problem.get(lane), &slips.get(lane));
-            slips.put(lane, next);
-        }
-        // In a loop of its own: a sum would keep the one above from becoming vector code.
-        if slips.converged.0.iter().all(|c| *c > 0.0) {
+fn iterate<L: LawLanes>(law: &L, blocks: &mut [ImplicitFriction]) {
+    for _ in 1..MAX_ITERATIONS {
+        // In a loop of its own: a sum would keep those around it from becoming vector code.
+        let converged = |f: &ImplicitFriction| f.slips.converged.0.iter().all(|c| *c > 0.0);
+        if blocks.iter().all(converged) {
             return;
         }
+        for ImplicitFriction { problem, slips, .. } in &mut *blocks {
+            for lane in 0..LANES {
+                let next = further_step(&law.lane(lane), &problem.get(lane), &slips.get(lane));
+                slips.put(lane, next);
+            }
+        }
     }
 }
 
-/// Adds the friction of a block to rates, or over a step of `h_s` to velocities.
+/// θ of a contact under a law that sticks with this sliding speed at the start of the step.
 #[inline(always)]
-pub(super) fn accelerate<const RATES: bool>(
-    p: &Parameters,
-    balls: &BallLanes,
-    results: &BlockResults,
-    block: usize,
-    h_s: f64,
-    values: &mut [f64],
-) {
-    let rates = accelerations::<false>(balls, results);
-    let coordinates = [BallCoordinate::Vx, BallCoordinate::Vy, BallCoordinate::Spin];
-    for (coordinate, rates) in coordinates.into_iter().zip(rates) {
-        let values = block_mut(values, p.layout.array(coordinate) + block * LANES);
-        for lane in 0..LANES {
-            values[lane] += if RATES {
-                rates[lane]
-            } else {
-                h_s * rates[lane]
-            };
-        }
-    }
+pub(super) fn sticking_weight(start: f64) -> f64 {
+    if start.abs() < STUCK_M_S { 1.0 } else { 0.5 }
 }
 
 /// Adds accelerations of the balls of a block to rates.
@@ -306,7 +348,7 @@ fn accelerations<const PAPER: bool>(
 
 /// Adds the friction of a block to velocities and rates.
 #[inline(always)]
-fn apply<const PAPER: bool>(
+pub(super) fn apply<const PAPER: bool>(
     p: &Parameters,
     balls: &BallLanes,
     results: &BlockResults,

@@ -4,7 +4,7 @@ use super::lanes::Lanes;
 use super::parameters::Parameters;
 use crate::dynamics::ball::{BallMotion, Centre};
 use crate::dynamics::coordinates::{BallCoordinate, DropCoordinate, RingCoordinate};
-use crate::dynamics::layout::{BATCH_WIDTH, LANES};
+use crate::dynamics::layout::{BATCH_WIDTH, LANES, Layout};
 
 /// A block of neighbouring entries of a vector.
 #[inline(always)]
@@ -49,6 +49,27 @@ impl<'a> Motions<'a> {
     }
 }
 
+/// A value of the bearing of each lane; that of the first stands at `start`.
+#[inline(always)]
+fn of_bearings(layout: Layout, y: &[f64], start: usize) -> Lanes {
+    if layout.width() == 1 {
+        return Lanes::all(y[start]);
+    }
+    let of = &y[start..][..BATCH_WIDTH];
+    let mut lanes = Lanes::ZERO;
+    for lane in 0..LANES {
+        lanes.0[lane] = of[lane % BATCH_WIDTH];
+    }
+    lanes
+}
+
+/// Speed of the inner ring of each lane under a rotor, rad/s.
+#[inline(always)]
+pub(super) fn ring_speeds(layout: Layout, y: &[f64]) -> Lanes {
+    let first = layout.of_bearing(0).drop(DropCoordinate::RingSpeed);
+    of_bearings(layout, y, first)
+}
+
 /// Centre of a ring of each lane.
 #[derive(Clone)]
 pub(super) struct CentreLanes([Lanes; RingCoordinate::ALL.len()]);
@@ -75,14 +96,7 @@ impl CentreLanes {
     fn new(p: &Parameters, y: &[f64], places: [usize; 4]) -> Self {
         let mut lanes = [Lanes::ZERO; RingCoordinate::ALL.len()];
         for (lanes, start) in lanes.iter_mut().zip(places) {
-            if p.layout.width() == 1 {
-                *lanes = Lanes::all(y[start]);
-            } else {
-                let of = &y[start..][..BATCH_WIDTH];
-                for lane in 0..LANES {
-                    lanes.0[lane] = of[lane % BATCH_WIDTH];
-                }
-            }
+            *lanes = of_bearings(p.layout, y, start);
         }
         Self(lanes)
     }

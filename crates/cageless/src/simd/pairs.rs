@@ -2,7 +2,7 @@
 
 use super::harness::{friction, larger};
 use super::lanes::{Lanes, flat, flat_mut};
-use super::motions::Motions;
+use super::motions::{Motions, block_at};
 use super::parameters::Parameters;
 use super::sums::Sum;
 use super::workspace::Workspace;
@@ -14,15 +14,10 @@ use crate::dynamics::layout::LANES;
 /// Deflection of each ball with the ball ahead; returns the largest of each lane.
 #[inline(always)]
 pub(super) fn pair_deflections(p: &Parameters, w: &mut Workspace, y: &[f64]) -> Lanes {
-    for (k, coordinate) in [BallCoordinate::X, BallCoordinate::Y]
-        .into_iter()
-        .enumerate()
-    {
-        let values = &y[p.layout.array(coordinate)..][..p.layout.stride];
-        forwards(p, values, &mut w.next[k]);
-    }
+    let [next_x, next_y, ..] = &mut w.next;
+    of_ball_ahead(p, &y[p.layout.array(BallCoordinate::X)..], next_x);
+    of_ball_ahead(p, &y[p.layout.array(BallCoordinate::Y)..], next_y);
     let mut largest = Lanes::ZERO;
-    let [next_x, next_y, ..] = &w.next;
     for (block, results) in w.blocks.iter_mut().enumerate() {
         let balls = p.balls(block);
         let motions = Motions::new(p, y, block);
@@ -38,41 +33,49 @@ pub(super) fn pair_deflections(p: &Parameters, w: &mut Workspace, y: &[f64]) -> 
     largest
 }
 
-/// Values of the ball ahead at the place of each ball.
+/// Values of the ball ahead at the place of each ball. `values` starts with those of the balls
+/// and goes on for a block or more.
 #[inline(always)]
-fn forwards(p: &Parameters, values: &[f64], next: &mut [Lanes]) {
+fn of_ball_ahead(p: &Parameters, values: &[f64], next: &mut [Lanes]) {
     let (shift, count) = (p.layout.width(), p.layout.entries());
-    let next = flat_mut(next);
-    next[..count - shift].copy_from_slice(&values[shift..count]);
-    next[count - shift..count].copy_from_slice(&values[..shift]);
+    for (block, next) in next.iter_mut().enumerate() {
+        next.0 = *block_at(values, block * LANES + shift);
+    }
+    // The last ball is behind the first.
+    flat_mut(next)[count - shift..count].copy_from_slice(&values[..shift]);
 }
 
-/// Values of the ball behind at the place of each ball.
+/// Puts the values of the last ball before those of the first, behind which `values` keeps a
+/// block free.
 #[inline(always)]
-fn backwards(p: &Parameters, values: &[Lanes], behind: &mut [Lanes]) {
+fn close_circle(p: &Parameters, values: &mut [Lanes]) {
     let (shift, count) = (p.layout.width(), p.layout.entries());
-    let (values, behind) = (flat(values), flat_mut(behind));
-    behind[shift..count].copy_from_slice(&values[..count - shift]);
-    behind[..shift].copy_from_slice(&values[count - shift..count]);
+    let last = LANES + count - shift;
+    flat_mut(values).copy_within(last..last + shift, LANES - shift);
 }
 
 /// Contacts between neighbours; adds to the loads of both.
 #[inline(always)]
 pub(super) fn pair_contacts<const PAPER: bool>(p: &Parameters, w: &mut Workspace, y: &[f64]) {
-    for (k, coordinate) in [(2, BallCoordinate::Vx), (3, BallCoordinate::Vy)] {
-        let values = &y[p.layout.array(coordinate)..][..p.layout.stride];
-        forwards(p, values, &mut w.next[k]);
+    for (k, coordinate) in [
+        (2, BallCoordinate::Vx),
+        (3, BallCoordinate::Vy),
+        (4, BallCoordinate::Spin),
+    ] {
+        of_ball_ahead(p, &y[p.layout.array(coordinate)..], &mut w.next[k]);
     }
-    for (block, results) in w.blocks.iter().enumerate() {
-        w.ahead[0][block] = results.spin;
-        w.ahead[1][block] = results.polar.orbit;
-    }
-    for (k, from) in [(4, 0), (5, 1)] {
-        forwards(p, flat(&w.ahead[from]), &mut w.next[k]);
+    if PAPER {
+        // Absolute spins are not in the state.
+        let [spin, orbit, _, _] = &mut w.pairs;
+        for (block, results) in w.blocks.iter().enumerate() {
+            spin[block] = results.spin;
+            orbit[block] = results.polar.orbit;
+        }
+        of_ball_ahead(p, flat(spin), &mut w.next[4]);
+        of_ball_ahead(p, flat(orbit), &mut w.next[5]);
     }
     let alone = p.layout.width() == 1;
-    let [ahead_x, ahead_y, ahead_torque] = &mut w.ahead;
-    let [behind_x, behind_y, behind_torque] = &mut w.behind;
+    let [force_x, force_y, torque, next_torque] = &mut w.pairs;
     let mut addends = [Lanes::ZERO; Sum::COUNT];
     for (block, results) in w.blocks.iter_mut().enumerate() {
         let (balls, motions) = (p.balls(block), Motions::new(p, y, block));
@@ -101,8 +104,9 @@ pub(super) fn pair_contacts<const PAPER: bool>(p: &Parameters, w: &mut Workspace
             &results.pair.force,
             &mut pair_friction,
         );
-        let (fx, fy) = (&mut ahead_x[block].0, &mut ahead_y[block].0);
-        let (torque, next_torque) = (&mut ahead_torque[block].0, &mut behind_torque[block].0);
+        let at = block + 1;
+        let (fx, fy) = (&mut force_x[at].0, &mut force_y[at].0);
+        let (torque, next_torque) = (&mut torque[at].0, &mut next_torque[at].0);
         for lane in 0..LANES {
             let (ball, contact) = (balls.get(lane), results.pair.get(lane));
             let friction = pair_friction.0[lane];
@@ -122,19 +126,20 @@ pub(super) fn pair_contacts<const PAPER: bool>(p: &Parameters, w: &mut Workspace
             w.sums.add(&[Sum::BallRelativeSpin], &addends, alone, block);
         }
     }
-    // Each contact acts on the ball ahead, too; the moments there wait in `behind`.
-    let [.., scratch, _] = &mut w.next;
-    scratch.copy_from_slice(behind_torque);
-    backwards(p, scratch, behind_torque);
-    backwards(p, ahead_x, behind_x);
-    backwards(p, ahead_y, behind_y);
+    // Each contact acts on the ball ahead, too.
+    for values in [&mut *force_x, &mut *force_y, &mut *next_torque] {
+        close_circle(p, values);
+    }
     for (block, results) in w.blocks.iter_mut().enumerate() {
+        let behind = |values| block_at(flat(values), (block + 1) * LANES - p.layout.width());
+        let (behind_x, behind_y, behind_torque) =
+            (behind(force_x), behind(force_y), behind(next_torque));
+        let at = block + 1;
         let load = &mut results.load;
         for lane in 0..LANES {
-            load.fx.0[lane] = load.fx.0[lane] - behind_x[block].0[lane] + ahead_x[block].0[lane];
-            load.fy.0[lane] = load.fy.0[lane] - behind_y[block].0[lane] + ahead_y[block].0[lane];
-            load.torque.0[lane] =
-                load.torque.0[lane] + behind_torque[block].0[lane] + ahead_torque[block].0[lane];
+            load.fx.0[lane] = load.fx.0[lane] - behind_x[lane] + force_x[at].0[lane];
+            load.fy.0[lane] = load.fy.0[lane] - behind_y[lane] + force_y[at].0[lane];
+            load.torque.0[lane] = load.torque.0[lane] + behind_torque[lane] + torque[at].0[lane];
         }
     }
 }

@@ -1,13 +1,13 @@
 //! The constants of one bearing, or of several side by side, block by block.
 
 use super::lanes::Lanes;
+use super::motions::ring_speeds;
 use crate::case::Profile;
 use crate::contact::{
     FrictionLanes, InnerRacewayLanes, OuterRacewayLanes, RacewayConstants, RacewayConstantsLanes,
 };
 use crate::dynamics::Model;
 use crate::dynamics::ball::{Ball, BallLanes};
-use crate::dynamics::coordinates::DropCoordinate;
 use crate::dynamics::inner_ring::InnerRingLanes;
 use crate::dynamics::layout::{LANES, Layout};
 use crate::dynamics::model::RacewayModel;
@@ -69,11 +69,11 @@ impl Parameters {
     }
 
     /// Sets the surface speed of the inner raceway from a state under a rotor.
+    #[inline(always)]
     pub fn set_ring_speed(&mut self, y: &[f64]) {
-        let first = self.layout.of_bearing(0).drop(DropCoordinate::RingSpeed);
+        let speed = ring_speeds(self.layout, y);
         for lane in 0..LANES {
-            let speed = y[first + lane % self.layout.width()];
-            self.inner.surface_speed.0[lane] = speed * self.inner.radius.0[lane];
+            self.inner.surface_speed.0[lane] = speed.0[lane] * self.inner.radius.0[lane];
         }
     }
 

@@ -2,17 +2,17 @@
 
 use super::harness::{lane_maxima, loaded_slips};
 use super::implicit_friction::{
-    STUCK_M_S, accelerate, inner_friction_reactions, slip_problems, solve,
+    WithoutFriction, apply, inner_friction_reactions, solve, sticking_weight,
 };
 use super::lanes::Lanes;
-use super::motions::{CentreLanes, Motions};
+use super::motions::{CentreLanes, Motions, ring_speeds};
 use super::parameters::Parameters;
 use super::sums::{Addends, Sum, Sums};
 use super::workspace::{BlockResults, Workspace};
 use crate::case::Profile;
 use crate::contact::{
-    InnerRaceway, Law, LawLanes, SlipProblemLanes, SlipsLanes, end_weight, implicit_slip,
-    inner_slip, journal_slip, outer_friction_direction, outer_slip, positive, with_law,
+    InnerRaceway, JournalSlip, end_weights, implicit_slip, inner_slip, journal_slip,
+    outer_friction_direction, outer_slip, positive, with_law,
 };
 use crate::dynamics::ball::BallLanes;
 use crate::dynamics::coordinates::{DropCoordinate, RingCoordinate};
@@ -141,9 +141,6 @@ pub(super) fn rotor_and_ledger(
 /// Adds friction at the raceways and at the journal over a step of `h_s`, see
 /// [`super::add_implicit_friction`].
 ///
-/// Velocities change by h·((1 − θ)·f₀ + θ·f₁), f₀ and f₁ the friction at both ends and θ the
-/// [`end_weight`] of each contact: of order 2 where contacts slide, damped where they roll.
-///
 /// The balls are solved for the motion of the rings that the step was extrapolated to, then the
 /// journal for the ring that the friction of the balls leads to. The friction of a ball answers to
 /// the surface speed of the ring like a mass of at most its own, so that the ring, whose Ji/Ri² is
@@ -161,56 +158,28 @@ pub(super) fn add_with_rotor(
 ) {
     let alone = p.layout.width() == 1;
     w.sums.clear(alone);
-    w.end_sums.clear(alone);
+    let step = WithoutFriction { y, h_s };
+    with_law!(&p.friction, law => solve::<_, false, true>(law, p, w, step));
     let mut addends = [Lanes::ZERO; Sum::COUNT];
-    for (block, (results, slips)) in w.blocks.iter_mut().zip(&mut w.slips).enumerate() {
+    for (block, results) in w.blocks.iter_mut().enumerate() {
         let balls = p.balls(block);
-        let rings = [&w.ring, &w.outer_ring];
-        let motions = Motions::new(p, y, block);
-        let mut problem = SlipProblemLanes::ZERO;
-        slip_problems::<false, true>(p, balls, results, rings, motions, h_s, &mut problem);
-        let before = w.slips_known.then_some(&*slips);
-        let weights = with_law!(&p.friction, law => split(law, results, before, &mut problem));
-        let mut end = SlipsLanes::ZERO;
-        (end.outer, end.inner) = (results.outer.slip, results.inner.slip);
-        with_law!(&p.friction, law => solve(law, &problem, &mut end));
-        // The rates are those at the end of the step, the velocities change by both ends.
-        results.outer_friction = end.outer_friction;
-        results.inner_friction = end.inner_friction;
-        accelerate::<true>(p, balls, results, block, h_s, dydt);
-        reactions(p, results, &mut addends);
-        w.end_sums.add(&Sum::RING_FRICTION, &addends, alone, block);
-        for lane in 0..LANES {
-            let mix = |weight: f64, before: f64, end: f64| (1.0 - weight) * before + weight * end;
-            results.outer_friction.0[lane] = mix(
-                weights[0].0[lane],
-                slips.outer_friction.0[lane],
-                end.outer_friction.0[lane],
-            );
-            results.inner_friction.0[lane] = mix(
-                weights[1].0[lane],
-                slips.inner_friction.0[lane],
-                end.inner_friction.0[lane],
-            );
-        }
-        accelerate::<false>(p, balls, results, block, h_s, y);
-        reactions(p, results, &mut addends);
+        apply::<false>(p, balls, results, block, h_s, y, dydt);
+        inner_friction_reactions(results, &mut addends);
+        outer_friction_reactions(results, &mut addends);
+        ring_torques(p, results, &mut addends);
         w.sums.add(&Sum::RING_FRICTION, &addends, alone, block);
-        *slips = end;
     }
     for bearing in 0..p.layout.width() {
-        for (place, rate) in ring_friction(p, &w.end_sums, bearing) {
-            dydt[place] += rate;
-        }
         for (place, rate) in ring_friction(p, &w.sums, bearing) {
+            dydt[place] += rate;
             y[place] += h_s * rate;
         }
         journal_friction(p, w, bearing, h_s, y0, y, dydt);
     }
-    let start = RingMotion::new(p, y0);
-    let end = RingMotion::new(p, y);
+    let (start, end) = (RingMotion::new(p, y0), RingMotion::new(p, y));
     let mut slip_max = Lanes::ZERO;
-    for (block, (results, slips)) in w.blocks.iter_mut().zip(&w.slips).enumerate() {
+    w.sums.clear(alone);
+    for (block, (results, friction)) in w.blocks.iter_mut().zip(&w.friction).enumerate() {
         let balls = p.balls(block);
         let before = slip_speeds(p, balls, results, Motions::new(p, y0, block), &start);
         let after = slip_speeds(p, balls, results, Motions::new(p, y, block), &end);
@@ -221,8 +190,8 @@ pub(super) fn add_with_rotor(
         }
         let [outer, inner] = after;
         (results.outer.slip, results.inner.slip) = (outer, inner);
-        results.outer_friction = slips.outer_friction;
-        results.inner_friction = slips.inner_friction;
+        results.outer_friction = friction.slips.outer_friction;
+        results.inner_friction = friction.slips.inner_friction;
         loaded_slips(results, &mut slip_max);
         w.sums.add(&Sum::HEAT, &addends, alone, block);
     }
@@ -240,77 +209,6 @@ pub(super) fn add_with_rotor(
             y[place] += h_s * heat;
         }
     }
-}
-
-/// Turns the equations of a block into those of the friction at the end of the step,
-/// s₁ = (s_free − H·(1 − θ)·f₀) − H·θ·f₁; returns θ of outer and inner contacts. Without a step
-/// before, θ = 1.
-#[inline(always)]
-fn split<L: LawLanes>(
-    law: &L,
-    results: &BlockResults,
-    before: Option<&SlipsLanes>,
-    problem: &mut SlipProblemLanes,
-) -> [Lanes; 2] {
-    let mut weights = [Lanes::all(1.0), Lanes::all(1.0)];
-    let Some(before) = before else {
-        return weights;
-    };
-    for lane in 0..LANES {
-        let (friction, mut q) = (law.lane(lane), problem.get(lane));
-        let weight = |slips: [f64; 2], normal: f64, mobility: f64| {
-            contact_weight(
-                <L::Constants as Law>::STICKS,
-                |slip| friction.force(slip, normal)[1],
-                slips,
-                mobility,
-            )
-        };
-        let outer = weight(
-            [before.outer.0[lane], results.outer.slip.0[lane]],
-            q.outer_normal,
-            q.outer_outer,
-        );
-        let inner = weight(
-            [before.inner.0[lane], results.inner.slip.0[lane]],
-            q.inner_normal,
-            q.inner_inner,
-        );
-        let fo = (1.0 - outer) * before.outer_friction.0[lane];
-        let fi = (1.0 - inner) * before.inner_friction.0[lane];
-        [q.outer_free, q.inner_free] = q.slips([fo, fi]);
-        q.outer_outer *= outer;
-        q.inner_outer *= outer;
-        q.outer_inner *= inner;
-        q.inner_inner *= inner;
-        problem.put(lane, q);
-        (weights[0].0[lane], weights[1].0[lane]) = (outer, inner);
-    }
-    weights
-}
-
-/// θ of a contact with these sliding speeds at the start and extrapolated to the end of the step,
-/// under a law that sticks or has this slope of the friction over the sliding speed.
-#[inline(always)]
-fn contact_weight(
-    sticks: bool,
-    slope: impl Fn(f64) -> f64,
-    [start, end]: [f64; 2],
-    mobility: f64,
-) -> f64 {
-    if sticks {
-        return if start.abs() < STUCK_M_S { 1.0 } else { 0.5 };
-    }
-    // The Stribeck law falls beyond its peak; that is not stiff.
-    end_weight(mobility * positive(slope(start).max(slope(end))))
-}
-
-/// Reactions of the friction of the balls of a block on both rings.
-#[inline(always)]
-fn reactions(p: &Parameters, results: &BlockResults, addends: &mut Addends) {
-    inner_friction_reactions(results, addends);
-    outer_friction_reactions(results, addends);
-    ring_torques(p, results, addends);
 }
 
 /// Accelerations of both rings by the friction of the balls.
@@ -364,47 +262,44 @@ fn journal_friction(
     let (start, free) = (slip(y0), slip(y));
     let mobility = h_s * body.slip_mobility(rotor, mass);
     let load = rotor.contact.force;
-    let [start_slip, start_friction] = w.rotor_slips[bearing];
-    let weight = if w.slips_known {
-        let slips = [start_slip, rotor.contact.slip];
-        let slope = |slip: f64| body.friction.force(slip, load)[1];
-        contact_weight(body.friction.sticks(), slope, slips, mobility)
-    } else {
+    let before = w.rotor_slips[bearing];
+    let extrapolated = JournalSlip::at(rotor.contact.slip, &body.friction, load);
+    let weight = if !w.slips_known {
         1.0
+    } else if body.friction.sticks() {
+        sticking_weight(before.slip)
+    } else {
+        end_weights([mobility * positive(before.slope); 2])[0]
     };
-    let given = (1.0 - weight) * start_friction;
-    let [end, friction] = implicit_slip(
+    let given = (1.0 - weight) * before.friction;
+    let end = implicit_slip(
         &body.friction,
         free - mobility * given,
         weight * mobility,
         load,
+        extrapolated,
     );
-    let mean = given + weight * friction;
-    (rotor.friction, rotor.contact.slip) = (friction, end);
-    w.rotor_slips[bearing] = [end, friction];
+    let mean = given + weight * end.friction;
+    (rotor.friction, rotor.contact.slip) = (end.friction, end.slip);
+    w.rotor_slips[bearing] = end;
     w.rotor_friction_mean[bearing] = mean;
-    let rates = |friction: f64| {
-        let force = [friction * normal[1], -friction * normal[0]];
-        let [vx, vy, spin] = body.added_acceleration(rotor, force);
-        [
-            (layout.ring(RingCoordinate::Vx), -force[0] / mass),
-            (layout.ring(RingCoordinate::Vy), -force[1] / mass),
-            (
-                layout.drop(DropCoordinate::RingSpeed),
-                body.ring_torque(friction) / body.ring_inertia,
-            ),
-            (layout.drop(DropCoordinate::RotorVx), vx),
-            (layout.drop(DropCoordinate::RotorVy), vy),
-            (layout.drop(DropCoordinate::RotorSpeed), spin),
-        ]
-    };
-    for (place, rate) in rates(friction) {
+    let force = [mean * normal[1], -mean * normal[0]];
+    let [vx, vy, spin] = body.added_acceleration(rotor, force);
+    for (place, rate) in [
+        (layout.ring(RingCoordinate::Vx), -force[0] / mass),
+        (layout.ring(RingCoordinate::Vy), -force[1] / mass),
+        (
+            layout.drop(DropCoordinate::RingSpeed),
+            body.ring_torque(mean) / body.ring_inertia,
+        ),
+        (layout.drop(DropCoordinate::RotorVx), vx),
+        (layout.drop(DropCoordinate::RotorVy), vy),
+        (layout.drop(DropCoordinate::RotorSpeed), spin),
+    ] {
         dydt[place] += rate;
-    }
-    for (place, rate) in rates(mean) {
         y[place] += h_s * rate;
     }
-    let heat = mean * 0.5 * (start + end);
+    let heat = mean * 0.5 * (start + end.slip);
     let place = layout.energy_term(EnergyTerm::RotorFriction);
     dydt[place] += heat;
     y[place] += h_s * heat;
@@ -420,15 +315,10 @@ struct RingMotion {
 impl RingMotion {
     #[inline(always)]
     fn new(p: &Parameters, y: &[f64]) -> Self {
-        let first = p.layout.of_bearing(0).drop(DropCoordinate::RingSpeed);
-        let mut speed = Lanes::ZERO;
-        for lane in 0..LANES {
-            speed.0[lane] = y[first + lane % p.layout.width()];
-        }
         Self {
             inner: CentreLanes::inner_ring(p, y),
             outer: CentreLanes::outer_ring(p, y),
-            speed,
+            speed: ring_speeds(p.layout, y),
         }
     }
 }

@@ -5,7 +5,8 @@ use super::motions::CentreLanes;
 use super::parameters::Parameters;
 use super::sums::Sums;
 use crate::contact::{
-    BallBallContactLanes, InnerContactLanes, OuterContactLanes, OuterGeometryLanes, SlipsLanes,
+    BallBallContactLanes, InnerContactLanes, JournalSlip, OuterContactLanes, OuterGeometryLanes,
+    SlipProblemLanes, SlipsLanes,
 };
 use crate::dynamics::ball::{BallLoadLanes, PolarMotionLanes};
 use crate::dynamics::layout::{BATCH_WIDTH, LANES};
@@ -51,32 +52,48 @@ impl BlockResults {
     };
 }
 
+/// Implicit friction of the balls of a block.
+#[derive(Clone)]
+pub(super) struct ImplicitFriction {
+    pub problem: SlipProblemLanes,
+    /// Sliding speeds and friction at the end of the step.
+    pub slips: SlipsLanes,
+    /// Weights of the end of the step at outer and inner contacts, under a rotor.
+    pub weights: [Lanes; 2],
+}
+
+impl ImplicitFriction {
+    const ZERO: Self = Self {
+        problem: SlipProblemLanes::ZERO,
+        slips: SlipsLanes::ZERO,
+        weights: [Lanes::ZERO; 2],
+    };
+}
+
 /// Work arrays of an evaluation, and its results.
 #[derive(Clone)]
 pub(crate) struct Workspace {
     pub blocks: Vec<BlockResults>,
     pub(super) sums: Sums,
-    /// Reactions of the friction at the end of a step.
-    pub(super) end_sums: Sums,
     /// The inner ring as of the last evaluation.
     pub(super) ring: CentreLanes,
     /// The outer ring, where it moves.
     pub(super) outer_ring: CentreLanes,
     /// The contact of each bearing's rotor.
     pub rotors: [RotorContact; BATCH_WIDTH],
-    /// Slip and friction of each rotor at the end of the last step with implicit friction.
-    pub(super) rotor_slips: [[f64; 2]; BATCH_WIDTH],
+    /// Sliding of each rotor at the end of the last step with implicit friction.
+    pub(super) rotor_slips: [JournalSlip; BATCH_WIDTH],
     /// Friction of each rotor that changed velocities over the last step, N.
     pub(crate) rotor_friction_mean: [f64; BATCH_WIDTH],
-    /// Sliding speeds and friction at the end of the last step with implicit friction.
-    pub(super) slips: Vec<SlipsLanes>,
+    /// Friction of each block at the end of the last step with implicit friction.
+    pub(super) friction: Vec<ImplicitFriction>,
     /// Whether the last evaluation with friction was that step.
     pub(super) slips_known: bool,
     /// The ball ahead: x, y, vx, vy, absolute spin, orbital speed.
     pub(super) next: [Vec<Lanes>; 6],
-    /// Force and moment of the contact with the ball ahead, and of that with the ball behind.
-    pub(super) ahead: [Vec<Lanes>; 3],
-    pub(super) behind: [Vec<Lanes>; 3],
+    /// Force x, force y and moment of the contact with the ball ahead on each ball, and its moment
+    /// on the ball ahead; behind a free block.
+    pub(super) pairs: [Vec<Lanes>; 4],
     /// Largest deflection between balls of each bearing, m; 0 if none touch.
     pub pair_deflection_max: [f64; BATCH_WIDTH],
     /// Whether the results hold forces between balls.
@@ -92,17 +109,15 @@ impl Workspace {
         Self {
             blocks: vec![BlockResults::ZERO; blocks],
             sums: Sums::ZERO,
-            end_sums: Sums::ZERO,
             ring: CentreLanes::ZERO,
             outer_ring: CentreLanes::ZERO,
             rotors: [RotorContact::default(); BATCH_WIDTH],
-            rotor_slips: [[0.0; 2]; BATCH_WIDTH],
+            rotor_slips: [JournalSlip::default(); BATCH_WIDTH],
             rotor_friction_mean: [0.0; BATCH_WIDTH],
-            slips: vec![SlipsLanes::ZERO; blocks],
+            friction: vec![ImplicitFriction::ZERO; blocks],
             slips_known: false,
             next: std::array::from_fn(|_| zero()),
-            ahead: std::array::from_fn(|_| zero()),
-            behind: std::array::from_fn(|_| zero()),
+            pairs: std::array::from_fn(|_| vec![Lanes::ZERO; blocks + 1]),
             pair_deflection_max: [0.0; BATCH_WIDTH],
             pairs_loaded: false,
             slip_max: [0.0; BATCH_WIDTH],

@@ -231,5 +231,5 @@ fn advance(
         tracker.rhs_evaluations = rhs.evaluations();
         tracker.instruction_set = rhs.instruction_set();
     }
-    integrator.step().y1.clone()
+    integrator.step().y1.to_vec()
 }

@@ -91,6 +91,7 @@ impl Law for Coulomb {
             outer_friction: best[0],
             inner_friction: best[1],
             converged: 1.0,
+            ..Slips::default()
         }
     }
 }

@@ -52,6 +52,15 @@ pub trait Law: Copy {
     /// N·s/m.
     fn force(&self, slip_m_s: f64, normal_n: f64) -> [f64; 2];
 
+    /// [`Self::force`] of two contacts; to rounding the same.
+    #[inline(always)]
+    fn forces(&self, slips_m_s: [f64; 2], normals_n: [f64; 2]) -> [[f64; 2]; 2] {
+        [
+            self.force(slips_m_s[0], normals_n[0]),
+            self.force(slips_m_s[1], normals_n[1]),
+        ]
+    }
+
     /// Coefficient of friction of fast sliding.
     fn coefficient(&self) -> f64;
 

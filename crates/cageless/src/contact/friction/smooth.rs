@@ -1,5 +1,6 @@
 //! Friction with a smooth knee at zero sliding speed.
 
+use super::tanh::tanh_pair;
 use super::{FrictionParameters, Law, LawConstants, tanh};
 use crate::simd::lanes::lane_struct;
 
@@ -13,15 +14,32 @@ law_struct! {
     }
 }
 
+impl Smooth {
+    /// Force and slope where the knee has this value.
+    #[inline(always)]
+    fn at_knee(&self, knee: f64, normal_n: f64) -> [f64; 2] {
+        let largest = self.coefficient * normal_n;
+        let slope = largest * (1.0 - knee * knee) * self.inverse_slip_scale;
+        [largest * knee, slope]
+    }
+}
+
 impl Law for Smooth {
     /// μ·tanh(ΔV/scale)·N along −ΔV, N, in place of the step of Zhao 2022, Eq. (20) and Eq. (21),
     /// and its slope over ΔV, N·s/m.
     #[inline(always)]
     fn force(&self, slip_m_s: f64, normal_n: f64) -> [f64; 2] {
-        let largest = self.coefficient * normal_n;
-        let knee = tanh(slip_m_s * self.inverse_slip_scale);
-        let slope = largest * (1.0 - knee * knee) * self.inverse_slip_scale;
-        [largest * knee, slope]
+        self.at_knee(tanh(slip_m_s * self.inverse_slip_scale), normal_n)
+    }
+
+    #[inline(always)]
+    fn forces(&self, slips_m_s: [f64; 2], normals_n: [f64; 2]) -> [[f64; 2]; 2] {
+        let [s, t] = slips_m_s;
+        let [outer, inner] = tanh_pair([s * self.inverse_slip_scale, t * self.inverse_slip_scale]);
+        [
+            self.at_knee(outer, normals_n[0]),
+            self.at_knee(inner, normals_n[1]),
+        ]
     }
 
     #[inline(always)]

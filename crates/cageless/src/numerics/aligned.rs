@@ -1,0 +1,58 @@
+//! Vectors of numbers that begin on a cache line.
+//!
+//! ```
+//! use cageless::numerics::aligned::Aligned;
+//!
+//! let mut values = Aligned::zeros(3);
+//! values[2] = 1.0;
+//! assert_eq!(*values, [0.0, 0.0, 1.0]);
+//! assert_eq!(values.as_ptr().align_offset(64), 0);
+//! ```
+
+use std::ops::{Deref, DerefMut};
+
+/// Numbers of one cache line.
+const LINE: usize = 8;
+
+#[derive(Debug, Clone, Copy)]
+#[repr(C, align(64))]
+struct Line([f64; LINE]);
+
+const _: () = assert!(size_of::<Line>() == LINE * size_of::<f64>());
+
+/// Numbers that begin on a cache line, so that vector instructions do not read and write across
+/// two of them.
+#[derive(Debug, Clone, Default)]
+pub struct Aligned {
+    lines: Vec<Line>,
+    len: usize,
+}
+
+impl Aligned {
+    /// `len` zeros.
+    pub fn zeros(len: usize) -> Self {
+        Self {
+            lines: vec![Line([0.0; LINE]); len.div_ceil(LINE)],
+            len,
+        }
+    }
+}
+
+impl Deref for Aligned {
+    type Target = [f64];
+
+    #[inline(always)]
+    fn deref(&self) -> &[f64] {
+        // SAFETY: lines are arrays of f64 without padding between them (repr C, size asserted
+        // above), and hold at least `len`.
+        unsafe { std::slice::from_raw_parts(self.lines.as_ptr().cast(), self.len) }
+    }
+}
+
+impl DerefMut for Aligned {
+    #[inline(always)]
+    fn deref_mut(&mut self) -> &mut [f64] {
+        // SAFETY: as in `deref`; the exclusive borrow covers the same numbers.
+        unsafe { std::slice::from_raw_parts_mut(self.lines.as_mut_ptr().cast(), self.len) }
+    }
+}
