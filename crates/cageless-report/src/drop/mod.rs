@@ -22,7 +22,7 @@ use crate::text::short;
 pub use several::rotor_page;
 
 use balls::{balls_in_motion, heat, loads};
-use rotor::{forces, orbit, rotors, speeds, whirl};
+use rotor::of_rotor;
 use scattered::{distribution, scatter};
 use verification::verified;
 
@@ -40,13 +40,7 @@ pub fn drop_page(file: &CaseFile, study: &DropStudy) -> String {
     page.section("Results");
     page.table(&results(study, &source));
     page.section("Rotor and inner ring");
-    let rotors = rotors(&record.snapshots);
-    for figure in [
-        orbit(case, &record.snapshots, &source),
-        speeds(&rotors, &source),
-        forces(case, &record.snapshots, &source),
-        whirl(&record.result, &source),
-    ] {
+    for figure in of_rotor(case, record, &source) {
         page.figure(&figure);
     }
     page.section("Balls");

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use cageless::{Case, RotorSnapshot, Snapshot};
 use cageless_study::Provenance;
-use cageless_study::drop::{DropResult, WindowRow};
+use cageless_study::drop::{DropRecord, WindowRow};
 use serde_json::json;
 
 use super::figure;
@@ -15,14 +15,31 @@ use crate::sampling::history;
 /// Points of a trace over time.
 const POINTS: usize = 3000;
 
-pub(super) fn rotors(snapshots: &[Snapshot]) -> Vec<(f64, RotorSnapshot)> {
+fn rotors(snapshots: &[Snapshot]) -> Vec<(f64, RotorSnapshot)> {
     (snapshots.iter())
         .filter_map(|s| Some((1e3 * s.time_s, s.rotor?)))
         .collect()
 }
 
+/// Figures of the journal in the inner ring; that of the whirl where there are windows to draw a
+/// line through.
+pub(super) fn of_rotor(
+    case: &Case,
+    record: &DropRecord,
+    source: &Provenance,
+) -> impl Iterator<Item = Figure> {
+    let (snapshots, windows) = (&record.snapshots, &record.result.windows);
+    let figures = [
+        orbit(case, snapshots, source),
+        speeds(&rotors(snapshots), source),
+        forces(case, snapshots, source),
+    ];
+    let whirl = (windows.len() > 1).then(|| whirl(windows, source));
+    figures.into_iter().chain(whirl)
+}
+
 /// Path of the journal in the bore, with the circle of the air gap.
-pub(super) fn orbit(case: &Case, snapshots: &[Snapshot], source: &Provenance) -> Figure {
+fn orbit(case: &Case, snapshots: &[Snapshot], source: &Provenance) -> Figure {
     let Some(rotor) = &case.rotor else {
         return figure("Orbit", "", source, Plot::new(200));
     };
@@ -81,7 +98,7 @@ fn trace(name: &str, rows: &[(f64, f64)], colour: &str) -> serde_json::Value {
 }
 
 /// Speeds of rotor and inner ring.
-pub(super) fn speeds(rotors: &[(f64, RotorSnapshot)], source: &Provenance) -> Figure {
+fn speeds(rotors: &[(f64, RotorSnapshot)], source: &Provenance) -> Figure {
     let of = |f: fn(&RotorSnapshot) -> f64| -> Vec<(f64, f64)> {
         rotors
             .iter()
@@ -101,7 +118,7 @@ pub(super) fn speeds(rotors: &[(f64, RotorSnapshot)], source: &Provenance) -> Fi
 }
 
 /// Forces as multiples of the weight of the rotor.
-pub(super) fn forces(case: &Case, snapshots: &[Snapshot], source: &Provenance) -> Figure {
+fn forces(case: &Case, snapshots: &[Snapshot], source: &Provenance) -> Figure {
     let weight = case.rotor.as_ref().map_or(0.0, |r| r.mass_kg) * case.operation.gravity_m_s2;
     let (scale, unit) = if weight > 0.0 {
         (1.0 / weight, "Force / weight of the rotor")
@@ -130,8 +147,8 @@ pub(super) fn forces(case: &Case, snapshots: &[Snapshot], source: &Provenance) -
 }
 
 /// Whirl frequency over time.
-pub(super) fn whirl(result: &DropResult, source: &Provenance) -> Figure {
-    let over = |of: fn(&WindowRow) -> f64| -> Vec<f64> { result.windows.iter().map(of).collect() };
+fn whirl(windows: &[WindowRow], source: &Provenance) -> Figure {
+    let over = |of: fn(&WindowRow) -> f64| -> Vec<f64> { windows.iter().map(of).collect() };
     let time = over(|w| w.time_ms);
     let frequency = over(|w| w.whirl_frequency_hz);
     let contact = over(|w| 100.0 * w.contact_fraction);

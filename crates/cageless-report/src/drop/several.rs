@@ -7,7 +7,7 @@ use cageless_study::drop::{RotorEnsemble, RotorStudy, RotorVerification};
 use cageless_study::{parameter, provenance};
 
 use super::balls::around_first_impact;
-use super::rotor::{forces, orbit, rotors, speeds, whirl};
+use super::rotor::of_rotor;
 use super::scattered::{end_states, label, quantiles, scatter};
 use super::verification::verified;
 use super::{side_by_side, words};
@@ -70,12 +70,7 @@ pub fn rotor_page(file: &RotorFile, study: &RotorStudy) -> String {
         let name = format!("bearing {}", k + 1);
         page.section(&format!("Journal and inner ring, {name}"));
         let source = provenance(case, String::new());
-        for mut figure in [
-            orbit(case, &record.snapshots, &source),
-            speeds(&rotors(&record.snapshots), &source),
-            forces(case, &record.snapshots, &source),
-            whirl(&record.result, &source),
-        ] {
+        for mut figure in of_rotor(case, record, &source) {
             figure.label = format!("{}, {name}", figure.label);
             page.figure(&figure);
         }
