@@ -12,6 +12,9 @@ use crate::plot::{PALETTE, Plot, markers};
 use crate::table::{Cell, Row, Table};
 use crate::text::short;
 
+/// What scatters in each bearing but the arrangement of its balls, with its width.
+const SCATTERED: &str = "friction (±30 %), air gap (±10 %), support damping (factor 2)";
+
 /// Label of a table or figure of the only bearing, or of bearing `k` of several.
 pub(super) fn label(name: &str, k: Option<usize>) -> String {
     match k {
@@ -27,8 +30,8 @@ pub(super) fn distribution(ensemble: &EnsembleResult, source: &Provenance) -> Ta
         None => String::new(),
     };
     let caption = format!(
-        "{} drops with scattered friction (±30 %), air gap (±10 %), support damping (factor 2), \
-         direction of the unbalance and arrangement of the balls (seed {}): {}.{whirl}",
+        "{} drops with scattered {SCATTERED}, direction of the unbalance and arrangement of the \
+         balls (seed {}): {}.{whirl}",
         ensemble.completed,
         ensemble.seed,
         ensemble.distribution.end_states_text(words)
@@ -68,8 +71,7 @@ pub(super) fn end_states(ensemble: &RotorEnsemble, source: &Provenance) -> Table
         label: "Probability of backward whirl".to_owned(),
         caption: format!(
             "{} drops with the direction of the unbalances and, in each bearing on its own, \
-             friction (±30 %), air gap (±10 %), support damping (factor 2) and arrangement of the \
-             balls scattered (seed {}).",
+             {SCATTERED} and arrangement of the balls scattered (seed {}).",
             ensemble.completed, ensemble.seed
         ),
         columns: [

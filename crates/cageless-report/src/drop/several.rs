@@ -71,7 +71,7 @@ pub fn rotor_page(file: &RotorFile, study: &RotorStudy) -> String {
         page.section(&format!("Journal and inner ring, {name}"));
         let source = provenance(case, String::new());
         for mut figure in of_rotor(case, record, &source) {
-            figure.label = format!("{}, {name}", figure.label);
+            figure.label = label(&figure.label, Some(k));
             page.figure(&figure);
         }
     }

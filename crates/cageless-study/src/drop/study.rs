@@ -49,7 +49,7 @@ impl DropRequest {
 pub struct Study<D, E, V> {
     /// The drop.
     pub drop: D,
-    /// The same with a conventional outer ring in each bearing.
+    /// The drop of the same rotor onto conventional outer rings.
     pub conventional: Option<D>,
     /// Scattered drops.
     pub ensemble: Option<E>,

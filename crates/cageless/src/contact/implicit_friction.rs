@@ -266,12 +266,12 @@ pub fn further_step(law: &impl Law, problem: &SlipProblem, slips: &Slips) -> Sli
 pub fn end_weights(rates: [f64; 2]) -> [f64; 2] {
     // Squares of larger rates could overflow; 1 is exact to six digits there.
     let [y, z] = [rates[0].min(1e6), rates[1].min(1e6)];
-    let (over, under) = (12.0 + (4.0 + y) * y, 12.0 + (4.0 + z) * z);
+    let [below_y, below_z] = [12.0 + (4.0 + y) * y, 12.0 + (4.0 + z) * z];
     // One division for both.
-    let inverse = 1.0 / (over * under);
+    let inverse = 1.0 / (below_y * below_z);
     [
-        (6.0 + (3.0 + y) * y) * under * inverse,
-        (6.0 + (3.0 + z) * z) * over * inverse,
+        (6.0 + (3.0 + y) * y) * below_z * inverse,
+        (6.0 + (3.0 + z) * z) * below_y * inverse,
     ]
 }
 

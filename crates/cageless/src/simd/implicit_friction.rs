@@ -55,8 +55,7 @@ fn add<const PAPER: bool>(
     let start_ring = CentreLanes::inner_ring(p, y0);
     let mut slip_max = Lanes::ZERO;
     let mut addends = [Lanes::ZERO; Sum::COUNT];
-    let step = WithoutFriction { y, h_s };
-    with_law!(&p.friction, law => solve::<_, PAPER, false>(law, p, w, step));
+    with_law!(&p.friction, law => solve::<_, PAPER, false>(law, p, w, y, h_s));
     for (block, (results, friction)) in w.blocks.iter_mut().zip(&w.friction).enumerate() {
         let (balls, slips) = (p.balls(block), &friction.slips);
         results.outer.slip = slips.outer;
@@ -171,30 +170,24 @@ pub(super) fn inner_friction_reactions(results: &BlockResults, addends: &mut Add
     }
 }
 
-/// Velocities that the other forces lead to at the end of a step, and its length.
-#[derive(Clone, Copy)]
-pub(super) struct WithoutFriction<'a> {
-    pub y: &'a [f64],
-    pub h_s: f64,
-}
-
-/// Solves for the friction of the balls at the end of the step; leaves that which changes their
-/// velocities, (1 − θ)·f₀ + θ·f₁, in `w.blocks`.
+/// Solves for the friction of the balls at the end of a step of `h_s`, where the other forces lead
+/// to `y`; leaves that which changes their velocities, (1 − θ)·f₀ + θ·f₁, in `w.blocks`.
 #[inline(always)]
 pub(super) fn solve<L: LawLanes, const PAPER: bool, const ROTOR: bool>(
     law: &L,
     p: &Parameters,
     w: &mut Workspace,
-    step: WithoutFriction<'_>,
+    y: &[f64],
+    h_s: f64,
 ) {
     let rings = [&w.ring, &w.outer_ring];
     for (block, (results, friction)) in w.blocks.iter_mut().zip(&mut w.friction).enumerate() {
-        let motions = Motions::new(p, step.y, block);
+        let motions = Motions::new(p, y, block);
         let bodies = (p.balls(block), rings, motions);
         if w.slips_known {
-            first_iterate::<L, PAPER, ROTOR, true>(law, p, bodies, step.h_s, results, friction);
+            first_iterate::<L, PAPER, ROTOR, true>(law, p, bodies, h_s, results, friction);
         } else {
-            first_iterate::<L, PAPER, ROTOR, false>(law, p, bodies, step.h_s, results, friction);
+            first_iterate::<L, PAPER, ROTOR, false>(law, p, bodies, h_s, results, friction);
         }
     }
     if !<L::Constants as Law>::STICKS {

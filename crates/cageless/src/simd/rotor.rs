@@ -1,9 +1,7 @@
 //! The bodies under a falling rotor: reactions of the balls, and their motion.
 
 use super::harness::{lane_maxima, loaded_slips};
-use super::implicit_friction::{
-    WithoutFriction, apply, inner_friction_reactions, solve, sticking_weight,
-};
+use super::implicit_friction::{apply, inner_friction_reactions, solve, sticking_weight};
 use super::lanes::Lanes;
 use super::motions::{CentreLanes, Motions, ring_speeds};
 use super::parameters::Parameters;
@@ -158,8 +156,7 @@ pub(super) fn add_with_rotor(
 ) {
     let alone = p.layout.width() == 1;
     w.sums.clear(alone);
-    let step = WithoutFriction { y, h_s };
-    with_law!(&p.friction, law => solve::<_, false, true>(law, p, w, step));
+    with_law!(&p.friction, law => solve::<_, false, true>(law, p, w, y, h_s));
     let mut addends = [Lanes::ZERO; Sum::COUNT];
     for (block, results) in w.blocks.iter_mut().enumerate() {
         let balls = p.balls(block);
@@ -178,7 +175,6 @@ pub(super) fn add_with_rotor(
     }
     let (start, end) = (RingMotion::new(p, y0), RingMotion::new(p, y));
     let mut slip_max = Lanes::ZERO;
-    w.sums.clear(alone);
     for (block, (results, friction)) in w.blocks.iter_mut().zip(&w.friction).enumerate() {
         let balls = p.balls(block);
         let before = slip_speeds(p, balls, results, Motions::new(p, y0, block), &start);
