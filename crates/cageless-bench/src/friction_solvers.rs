@@ -9,8 +9,9 @@ use cageless::simulation::{self, Control, Ending};
 use crate::clock::Clock;
 use crate::equations::Implementation;
 use crate::friction::{Options, case};
+use crate::peers::cvode;
+use crate::peers::others::{LEFT_OUT, others};
 use crate::peers::peer::{Follow, Problem};
-use crate::peers::{cvode, diffsol, ode_solvers};
 use crate::problem;
 use crate::rk4::Rk4;
 use crate::statistics::{NAMES, STATISTICS, Sums};
@@ -127,40 +128,6 @@ fn turned(case: &Case, member: usize, members: usize) -> Case {
     case
 }
 
-/// Every solver on the problem.
-fn solvers<'p>(
-    problem: &'p Problem,
-    driver: Option<&'p cvode::Driver>,
-    equations: Implementation,
-) -> Vec<Box<dyn Follow + 'p>> {
-    let mut solvers: Vec<Box<dyn Follow + 'p>> = vec![Box::new(Rk4 { problem, equations })];
-    for method in [ode_solvers::Method::Dopri5, ode_solvers::Method::Dop853] {
-        solvers.push(Box::new(ode_solvers::OdeSolvers {
-            problem,
-            method,
-            equations,
-        }));
-    }
-    for method in [diffsol::Method::Tsit45, diffsol::Method::Bdf] {
-        solvers.push(Box::new(diffsol::Diffsol {
-            problem,
-            method,
-            equations,
-        }));
-    }
-    if let Some(driver) = driver {
-        for method in [cvode::Method::Adams, cvode::Method::Bdf] {
-            solvers.push(Box::new(cvode::Cvode {
-                problem,
-                method,
-                driver,
-                equations,
-            }));
-        }
-    }
-    solvers
-}
-
 /// The reference ensemble.
 struct Reference {
     mean: Statistics,
@@ -217,6 +184,9 @@ pub fn compare(options: &Options) -> Result<()> {
         Ok(driver) => println!("\nCVODE of SUNDIALS {}", driver.version()?),
         Err(error) => eprintln!("CVODE left out: {error}. Debian's package is libsundials-dev."),
     }
+    if let Some(note) = LEFT_OUT {
+        eprintln!("{note}");
+    }
     let members = options.members;
     let mut reference = vec![];
     for member in 0..members {
@@ -246,7 +216,12 @@ pub fn compare(options: &Options) -> Result<()> {
     let problem = Problem::of(own.clone())?;
     let mut entries = vec![];
     for equations in Implementation::ALL {
-        for solver in solvers(&problem, driver.as_ref().ok(), equations) {
+        let rk4: Box<dyn Follow> = Box::new(Rk4 {
+            problem: &problem,
+            equations,
+        });
+        let others = others(&problem, driver.as_ref().ok(), equations);
+        for solver in std::iter::once(rk4).chain(others) {
             let found = solver.settings().into_iter().find_map(|setting| {
                 let found = statistics(solver.as_ref(), &own, setting, window_s)?;
                 let deviation = reference.deviation(&found);

@@ -2,7 +2,6 @@
 
 use std::fmt;
 use std::path::Path;
-use std::process::ExitCode;
 
 use cageless::critical_gap::CriticalGapError;
 use cageless::equilibrium::EquilibriumError;
@@ -30,12 +29,12 @@ pub enum Failure {
 
 impl Failure {
     /// Exit code of the contract.
-    pub fn exit_code(&self) -> ExitCode {
-        ExitCode::from(match self {
+    pub fn exit_code(&self) -> u8 {
+        match self {
             Self::Input(_) => 2,
             Self::Unphysical(_) => 3,
             Self::Interrupted(_) | Self::Other(_) => 1,
-        })
+        }
     }
 
     /// Failure of a run that did not complete; `kept` says where its results are.

@@ -4,6 +4,7 @@
 mod arrays;
 mod background;
 mod case_file;
+mod command;
 mod design;
 mod drop;
 mod errors;
@@ -36,6 +37,7 @@ fn _cageless(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(case_file::template, module)?)?;
     module.add_function(wrap_pyfunction!(case_file::designated, module)?)?;
     module.add_function(wrap_pyfunction!(case_file::instruction_set, module)?)?;
+    module.add_function(wrap_pyfunction!(command::command, module)?)?;
     module.add_function(wrap_pyfunction!(values::to_toml, module)?)?;
     module.add_function(wrap_pyfunction!(sweep::merge, module)?)?;
     module.add_function(wrap_pyfunction!(table::read_table, module)?)?;

@@ -13,6 +13,11 @@ from nbclient import NotebookClient
 NOTEBOOKS = sorted((ROOT / "docs" / "notebooks").glob("*.ipynb"))
 #: Commands from nothing to the drawing at most.
 COMMANDS = 8
+#: What a reader waits for, and what a test need not.
+SOONER = {
+    "case.search(starts=1, budget=12)": "case.search(\n    axial_span_mm=2.5, half_angle_deg=(7.0, 8.0), starts=1, budget=2\n)",
+    "tolerance(samples=4)": "tolerance(samples=1)",
+}
 
 
 def outputs(notebook: Any) -> str:
@@ -28,6 +33,10 @@ def outputs(notebook: Any) -> str:
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
 def test_a_notebook_runs_to_its_end(path: Path, tmp_path: Path) -> None:
     notebook = nbformat.read(path, as_version=4)
+    for slow, soon in SOONER.items():
+        cells = [cell for cell in notebook.cells if slow in cell.source]
+        assert len(cells) == 1, slow
+        cells[0].source = cells[0].source.replace(slow, soon)
     client = NotebookClient(
         notebook, timeout=300, resources={"metadata": {"path": str(tmp_path)}}
     )

@@ -5,10 +5,13 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from importlib.metadata import entry_points
 from pathlib import Path
 
 import cageless
 import pytest
+from cageless.__main__ import main
+from conftest import Command
 
 HERE = Path(__file__).resolve().parent
 EXAMPLES = sorted((HERE.parent / "examples").glob("*.py"))
@@ -41,6 +44,22 @@ def test_every_name_is_documented(name: str) -> None:
         for key, member in vars(thing).items():
             if not key.startswith("_") and (callable(member) or isinstance(member, property)):
                 assert member.__doc__, f"{name}.{key}"
+
+
+def test_the_command_comes_with_the_package(command: Command, tmp_path: Path) -> None:
+    def installed(*args: object) -> subprocess.CompletedProcess[str]:
+        words = [sys.executable, "-m", "cageless", *map(str, args)]
+        return subprocess.run(words, capture_output=True, text=True, check=False)
+
+    case = tmp_path / "case.toml"
+    case.write_text(command("new").stdout)
+    for words in (["--version"], ["check", case], ["static", case, "--json"]):
+        done = installed(*words)
+        assert (done.returncode, done.stdout) == (0, command(*words).stdout), done.stderr
+    done = installed("check", tmp_path / "missing.toml")
+    assert done.returncode == 2 and "missing.toml" in done.stderr
+    (script,) = entry_points(group="console_scripts", name="cageless")
+    assert script.load() is main
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)

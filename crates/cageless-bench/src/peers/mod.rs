@@ -2,8 +2,11 @@
 
 mod cageless_methods;
 pub mod cvode;
-pub mod diffsol;
-pub mod ode_solvers;
+#[cfg(feature = "peers")]
+mod diffsol;
+#[cfg(feature = "peers")]
+mod ode_solvers;
+pub mod others;
 mod output;
 pub mod peer;
 
@@ -124,35 +127,14 @@ pub fn run(options: &Options) -> Result<()> {
             None
         }
     };
+    notes.extend(others::LEFT_OUT.map(str::to_owned));
     let mut peers: Vec<Box<dyn Peer + '_>> = own
         .into_iter()
         .map(|method| Box::new(method) as Box<dyn Peer>)
         .collect();
     for equations in Implementation::ALL {
-        for method in [ode_solvers::Method::Dopri5, ode_solvers::Method::Dop853] {
-            peers.push(Box::new(ode_solvers::OdeSolvers {
-                problem: &problem,
-                method,
-                equations,
-            }));
-        }
-        for method in [diffsol::Method::Tsit45, diffsol::Method::Bdf] {
-            peers.push(Box::new(diffsol::Diffsol {
-                problem: &problem,
-                method,
-                equations,
-            }));
-        }
-        if let Some(driver) = &driver {
-            for method in [cvode::Method::Adams, cvode::Method::Bdf] {
-                peers.push(Box::new(cvode::Cvode {
-                    problem: &problem,
-                    method,
-                    driver,
-                    equations,
-                }));
-            }
-        }
+        let others = others::others(&problem, driver.as_ref(), equations);
+        peers.extend(others.into_iter().map(|solver| solver as Box<dyn Peer>));
     }
     if let Some(only) = &options.only {
         peers.retain(|peer| peer.name().contains(only.as_str()));

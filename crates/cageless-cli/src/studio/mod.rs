@@ -18,6 +18,8 @@ use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 use cageless_live::REQUEST_BYTES_MAX;
+use rand::TryRng;
+use rand::rngs::SysRng;
 use tokio::net::TcpListener;
 use tokio::sync::{Semaphore, mpsc};
 use tokio_stream::wrappers::ReceiverStream;
@@ -48,7 +50,8 @@ impl Token {
     /// A token from the random source of the system.
     pub fn random() -> Result<Self, Failure> {
         let mut bytes = [0u8; 16];
-        getrandom::fill(&mut bytes)
+        SysRng
+            .try_fill_bytes(&mut bytes)
             .map_err(|e| Failure::Other(anyhow::anyhow!("no random numbers: {e}")))?;
         Ok(Self(bytes.iter().map(|b| format!("{b:02x}")).collect()))
     }
