@@ -71,7 +71,7 @@ fn measure(name: &str, plan: &str, library: fn(&[Case]), options: &Options) -> R
     std::fs::write(folder.path().join("case.toml"), template(false))?;
     let sweep = Sweep::new(PlanFile::parse(plan, "plan", folder.path())?)?;
     let cases = (0..sweep.variants())
-        .map(|k| Ok(sweep.case(k)?.case().clone()))
+        .map(|k| Ok(sweep.file(k)?.cases()[0].case().clone()))
         .collect::<Result<Vec<Case>>>()?;
     let threads = options.threads.map_or(0, NonZeroUsize::get);
     let pool = rayon::ThreadPoolBuilder::new()

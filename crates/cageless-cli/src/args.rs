@@ -270,7 +270,7 @@ pub struct SweepArgs {
     /// Joining shards instead of computing.
     #[command(subcommand)]
     pub command: Option<SweepCommand>,
-    /// Plan (TOML): a case, what varies in it, what to compute.
+    /// Plan (TOML): a case or a rotor file, what varies in it, what to compute.
     #[arg(value_name = "PLAN", required = true)]
     pub plan: Option<PathBuf>,
     /// Compute shard I of N into its own file.

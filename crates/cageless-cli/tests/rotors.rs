@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::common::{call_on, keys, repository_case};
+use crate::common::{call, call_on, keys, repository_case, row};
 
 const RIGID: &str = "\
 [rotor]
@@ -84,17 +84,10 @@ fn other_commands_name_those_that_take_it() {
     for command in ["run", "static", "design", "tolerance"] {
         let answer = call_on(command, &path, &[], &[]);
         assert_eq!(answer.code, Some(2));
-        let said = "is the file of a rotor above several bearings, which `cageless drop`";
+        let said = "is the file of a rotor above several bearings, which `cageless drop`, `cageless \
+                    check` and the plans of `cageless sweep` take";
         assert!(answer.stderr.contains(said), "{}", answer.stderr);
     }
-    let plan = dir.path().join("plan.toml");
-    let text = "schema = 1\ncase = \"rotor.toml\"\ncompute = [\"drop\"]\n";
-    std::fs::write(&plan, text).unwrap();
-    let answer = call_on("sweep", &plan, &[], &[]);
-    assert_eq!(answer.code, Some(2));
-    let said = "plan.toml:2: case = \"rotor.toml\" is not possible: it must be the case of one \
-                bearing; this is the file of a rotor above several";
-    assert!(answer.stderr.contains(said), "{}", answer.stderr);
     let answer = call_on("drop", &path, &[], &["--samples", "0"]);
     assert_eq!(answer.code, Some(2));
     assert!(
@@ -237,6 +230,199 @@ fn impossible_rotor_files_are_refused_with_line_and_key() {
         assert_eq!(answer.code, Some(2), "{said}: {}", answer.stdout);
         assert!(answer.stderr.contains(said), "{said}: {}", answer.stderr);
     }
+}
+
+#[test]
+fn changes_reach_the_rotor_all_bearings_or_one() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = written(dir.path(), RIGID);
+    let sets = [
+        "rotor.mass_kg=60",
+        "bearing.2.axial_mm=100",
+        "contact.damping=3e5",
+        "bearing.2.contact.damping=4e5",
+        "bearing.1.raceway.half_angle_deg=24",
+    ];
+    let check = call_on("check", &path, &sets, &["--json"]).json();
+    let share = check["mass_shares_kg"][0].as_f64().unwrap();
+    assert!((share - 30.0).abs() < 1e-9, "{share}");
+    let of = |k: usize, section: &str, key: &str| check["cases"][k][section][key].clone();
+    assert_eq!(
+        [of(0, "contact", "damping"), of(1, "contact", "damping")],
+        [3e5, 4e5]
+    );
+    let angles = [0, 1].map(|k: usize| check["cases"][k]["raceway"]["half_angle_deg"].clone());
+    assert_eq!(angles, [24.0, 25.2]);
+    for (set, said) in [
+        (
+            "rotor.eccentricity_um=3",
+            "is replaced by the unbalances of the rotor",
+        ),
+        (
+            "bearing.2.rotor.speed_rpm=3",
+            "belongs to the rotor as a whole: write rotor.speed_rpm",
+        ),
+        (
+            "bearing.3.solver.seed=3",
+            "there are 2 [[bearing]] sections, counted from 1",
+        ),
+        (
+            "bearing.2.balls=3",
+            "write bearing.2.section.key for a key of its case",
+        ),
+        ("bearing.1.case=x.toml", "stays as the rotor file gives it"),
+        (
+            "bearing.axial_mm=1",
+            "write bearing.1.axial_mm for the first",
+        ),
+        ("rotor.sped_rpm=1", "did you mean speed_rpm?"),
+        ("rotor.mass_kg=-1", "mass_kg = -1: must be more than 0"),
+        (
+            "bearing.2.rotor.air_gap_um=-3",
+            "in bearing 2, rotor.air_gap_um = -3 is not possible",
+        ),
+    ] {
+        let answer = call_on("check", &path, &[set], &[]);
+        assert_eq!(answer.code, Some(2), "{set}: {}", answer.stdout);
+        let place = format!("--set {set}: ");
+        assert!(
+            answer.stderr.contains(&place) && answer.stderr.contains(said),
+            "{}",
+            answer.stderr
+        );
+    }
+}
+
+/// What follows the case and the computation in a plan of a rotor, the line at fault, and what the
+/// message must have.
+#[rustfmt::skip]
+const PLANS: &[(&str, usize, &[&str])] = &[
+    ("compute = [\"static\", \"drop\"]", 2, &["compute has \"static\", which is for the case of one bearing", "there is \"drop\""]),
+    ("compute = [\"drop\"]\n[grid]\nrotor.sped_rpm = [1.0]", 4, &["rotor.sped_rpm is not a key of [rotor]", "did you mean speed_rpm?"]),
+    ("compute = [\"drop\"]\n[grid]\nunbalance.1.momnt_g_mm = [1.0]", 4, &["unbalance.1.momnt_g_mm is not a key", "did you mean moment_g_mm?"]),
+    ("compute = [\"drop\"]\n[grid]\nbearing.2.balls = [12]", 4, &["grid.bearing.2.balls", "did you mean bearing.2.bearing.balls?"]),
+    ("compute = [\"drop\"]\n[grid]\nbearing.2.contact.dampin = [12]", 4, &["bearing.2.contact.dampin is not a key of [contact]", "did you mean damping?"]),
+    ("compute = [\"drop\"]\n[grid]\nbearing.2.racewey.half_angle_deg = [12]", 4, &["bearing.2.racewey is not a section", "did you mean [raceway]?"]),
+    ("compute = [\"drop\"]\n[grid]\nbearing.3.contact.damping = [1e5]", 4, &["there are 2 [[bearing]] sections"]),
+    ("compute = [\"drop\"]\n[grid]\nbearing.1.case = [\"one.toml\"]", 4, &["bearing.1.case: stays as the rotor file gives it"]),
+    ("compute = [\"drop\"]\n[grid]\nrotor.matrices = [\"m.json\"]", 4, &["rotor.matrices: stays as the rotor file gives it"]),
+    ("compute = [\"drop\"]\n[set]\nrotor.eccentricity_um = 3.0", 4, &["is replaced by the unbalances of the rotor"]),
+    ("compute = [\"drop\"]\n[grid]\nbearing.2.rotor.speed_rpm = [1.0]", 4, &["belongs to the rotor as a whole: write rotor.speed_rpm"]),
+    ("compute = [\"drop\"]\n[grid]\nrotor.speed_rpm = [\"fast\"]", 4, &["none of the 1 variants", "rotor.speed_rpm = \"fast\" is not possible: it must be a number"]),
+    ("compute = [\"drop\"]\n[grid]\nrotor.mass_kg = [-1.0]", 4, &["none of the 1 variants", "mass_kg = -1: must be more than 0"]),
+    ("compute = [\"drop\"]\n[grid]\nbearing.2.solver.duration_s = [0.1]", 0, &["none of the 1 variants", "solver.duration_s is 1.0 in the case of bearing 1 and 0.1 in that of bearing 2"]),
+    ("compute = [\"drop\"]\n[grid]\nbearing.2.node = [1]", 4, &["bearing.2.node = 1 is not possible", "a rigid rotor has places"]),
+    ("compute = [\"drop\"]\n[grid]\ncontact.damping = [1e5]\nbearing.1.contact.damping = [1e5]", 5, &["bearing.1.contact.damping is a part of contact.damping on line 4"]),
+    ("compute = [\"drop\"]\n[set]\nbearing.1.contact.damping = 1e5\n[grid]\ncontact.damping = [1e5]", 4, &["bearing.1.contact.damping varies on line 6", "[set] has no effect"]),
+    ("compute = [\"drop\"]\nkeep = [\"drop_bearing_3_impacts\"]", 3, &["drop_bearing_3_impacts", "there are drop_end_state"]),
+    ("compute = [\"drop\"]\n[scatter]\nrotor.transverse_inertia_kg_m2 = \"any\"", 4, &["{ normal = STANDARD_DEVIATION }"]),
+];
+
+#[test]
+fn wrong_plans_of_a_rotor_are_refused_with_their_place_and_reason() {
+    let dir = tempfile::tempdir().unwrap();
+    written(dir.path(), RIGID);
+    let plan = dir.path().join("plan.toml");
+    for (text, line, fragments) in PLANS {
+        std::fs::write(&plan, format!("case = \"rotor.toml\"\n{text}\n")).unwrap();
+        let out = dir.path().join("out");
+        let answer = call_on("sweep", &plan, &[], &["--out", out.to_str().unwrap()]);
+        assert_eq!(answer.code, Some(2), "{text}\n{answer:?}");
+        assert!(!out.exists(), "{text} left something");
+        let place = match line {
+            0 => "rotor.toml: ".to_owned(),
+            line => format!("plan.toml:{line}: "),
+        };
+        for fragment in fragments.iter().copied().chain([place.as_str()]) {
+            assert!(
+                answer.stderr.contains(fragment),
+                "{text}\nlacks {fragment:?}: {answer:?}"
+            );
+        }
+    }
+    let alone = RIGID.split("[[bearing]]").next().unwrap();
+    std::fs::write(
+        dir.path().join("rotor.toml"),
+        format!("bearing = []\n{alone}"),
+    )
+    .unwrap();
+    std::fs::write(&plan, "case = \"rotor.toml\"\ncompute = [\"drop\"]\n").unwrap();
+    let answer = call_on("sweep", &plan, &[], &[]);
+    assert_eq!(answer.code, Some(2));
+    assert!(
+        answer
+            .stderr
+            .contains("a rotor needs at least one touchdown bearing"),
+        "{answer:?}"
+    );
+}
+
+#[test]
+fn a_sweep_of_a_rotor_has_the_rows_of_its_drops_and_a_page() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = written(dir.path(), RIGID);
+    let near = [
+        "solver.duration_s=0.0012",
+        "rotor.y_um=-170.0",
+        "rotor.vy_m_s=-0.06",
+    ];
+    let plan = dir.path().join("plan.toml");
+    let set = near.map(|change| change.replace('=', " = ")).join("\n");
+    let text = format!(
+        "case = \"rotor.toml\"\ncompute = [\"drop\"]\n[set]\n{set}\n[grid]\n\
+         rotor.speed_rpm = [15000.0, 30000.0]\nbearing.2.support.damping_n_s_m = [2e3, -1.0]\n"
+    );
+    std::fs::write(&plan, text).unwrap();
+    let out = dir.path().join("out");
+    let answer = call_on(
+        "sweep",
+        &plan,
+        &[],
+        &["--out", out.to_str().unwrap(), "--json"],
+    );
+    assert_eq!(answer.code, Some(0), "{answer:?}");
+    let summary = answer.json();
+    assert_eq!(
+        (&summary["variants"], &summary["failed"]),
+        (&4.into(), &2.into())
+    );
+    let reason = summary["first_reason"].as_str().unwrap();
+    assert!(
+        reason.starts_with("in bearing 2, support.damping_n_s_m = -1"),
+        "{reason}"
+    );
+    let more = [
+        "rotor.speed_rpm=30000.0",
+        "bearing.2.support.damping_n_s_m=2e3",
+    ];
+    let sets = [&near[..], &more].concat();
+    let drop = call_on("drop", &path, &sets, &["--json"]).json();
+    let row = row(&out.join("sweep.parquet"), 2);
+    assert_eq!(row["rotor_speed_rpm"], 30000.0);
+    let heat = drop["bearings"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|b| b["heat_j"].as_f64().unwrap());
+    assert_eq!(row["drop_heat_j"], heat.sum::<f64>());
+    for key in [
+        "end_state",
+        "first_contact_ms",
+        "rotor_force_max_n",
+        "heat_j",
+        "ring_speed_rpm",
+    ] {
+        assert_eq!(
+            row[&format!("drop_bearing_2_{key}")],
+            drop["bearings"][1][key],
+            "{key}"
+        );
+    }
+    let report = call(&["report", out.to_str().unwrap(), "--json"]);
+    assert_eq!(report.code, Some(0), "{report:?}");
+    let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(page.contains("largest force on the rotor, bearing 2"));
+    assert!(page.contains("case.bearing.2.axial_mm"));
 }
 
 #[test]

@@ -11,6 +11,7 @@ mod errors;
 mod export;
 mod report;
 mod rotor;
+mod rotor_file;
 mod run;
 mod run_files;
 mod signals;
@@ -28,6 +29,7 @@ fn _cageless(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<run::Run>()?;
     module.add_class::<drop::Drop>()?;
     module.add_class::<rotor::LinearRotor>()?;
+    module.add_class::<rotor_file::RotorFile>()?;
     module.add_class::<design::Design>()?;
     module.add_class::<design::Search>()?;
     module.add_class::<tolerance::Tolerance>()?;

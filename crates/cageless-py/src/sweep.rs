@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
-use cageless_io::plan_file::PlanFile;
+use cageless_io::plan_file::{PlanFile, VariantFile};
 use cageless_study::break_if;
 use cageless_study::sweep::{Job, Shard, SweepError, write_part};
 use pyo3::prelude::*;
@@ -12,6 +12,7 @@ use pyo3::prelude::*;
 use crate::background::count;
 use crate::case_file::CaseFile;
 use crate::errors::{input, of_file, of_sweep, of_values, other};
+use crate::rotor_file::RotorFile;
 use crate::signals::Signals;
 
 /// A plan that can be computed.
@@ -63,16 +64,18 @@ impl Sweep {
         self.sweep.together()
     }
 
-    /// The case of a variant.
-    fn case(&self, index: u64) -> PyResult<CaseFile> {
+    /// The case of a variant, or its rotor above several bearings.
+    fn file<'py>(&self, py: Python<'py>, index: u64) -> PyResult<Bound<'py, PyAny>> {
         if index >= self.sweep.variants() {
             let last = self.sweep.variants() - 1;
             return Err(input(format!(
                 "variant = {index} is not possible: it must be 0 to {last}"
             )));
         }
-        let file = self.sweep.case(index).map_err(|e| of_values(&e))?;
-        Ok(CaseFile { file })
+        Ok(match self.sweep.file(index).map_err(|e| of_values(&e))? {
+            VariantFile::Case(file) => Bound::new(py, CaseFile { file: *file })?.into_any(),
+            VariantFile::Rotor(file) => Bound::new(py, RotorFile { file: *file })?.into_any(),
+        })
     }
 
     /// Computes what is missing of a result; `progress` is called with the variants done

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import pickle
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -169,3 +170,108 @@ def test_impossible_rotors_are_refused() -> None:
     longer = cases()[1].replace({"solver.duration_s": 0.1})
     with pytest.raises(cageless.InputError, match="all bearings of a rotor need the same"):
         rigid().drop([cases()[0], longer], speed_rpm=30000.0)
+
+
+#: Changes after which the rotor touches both bearings at once.
+NEAR = {"solver.duration_s": 0.0012, "rotor.y_um": -170.0, "rotor.vy_m_s": -0.06}
+GRID = {"rotor.speed_rpm": [15000.0, 30000.0], "bearing.2.rotor.air_gap_um": [180.0]}
+
+
+def rotor_plan(tmp_path: Path) -> cageless.Plan:
+    case = cageless.RotorCase.from_file(rotor_file(tmp_path))
+    return cageless.Plan(case=case, compute=["drop"], set=NEAR, grid=GRID)
+
+
+def test_a_rotor_case_is_its_file(tmp_path: Path) -> None:
+    path = rotor_file(tmp_path)
+    read = cageless.RotorCase.from_file(path, SHORT)
+    made = cageless.RotorCase(rigid(), cases(), speed_rpm=30000.0)
+    assert (read.speed_rpm, read.drive_torque_n_m, read.title) == (30000.0, 0.0, "")
+    assert read.rotor.mass_shares_kg == made.rotor.mass_shares_kg
+    assert [case.contact for case in read.cases] == [case.contact for case in made.cases]
+    assert "40 kg in 2 bearings" in repr(read)
+    more = {"bearing.2.contact.damping": 4e5, "unbalance.1.moment_g_mm": 100.0}
+    assert read.replace(more) == cageless.RotorCase.from_file(path, {**SHORT, **more}) != read
+    short = {"solver.duration_s": 0.0006}
+    assert read.replace(short).drop() == made.replace(short).drop()
+    assert pickle.loads(pickle.dumps(read)) == read
+    with pytest.raises(cageless.InputError, match="belongs to the rotor as a whole") as error:
+        read.replace({"bearing.2.rotor.speed_rpm": 1.0})
+    assert error.value.key == "bearing.2.rotor.speed_rpm"
+
+
+def test_a_rotor_case_is_written_as_one_file(command: Command, tmp_path: Path) -> None:
+    case = cageless.RotorCase.from_file(rotor_file(tmp_path), {"solver.duration_s": 0.0006})
+    alone = tmp_path / "alone"
+    alone.mkdir()
+    (alone / "rotor.toml").write_text(case.to_toml())
+    command("drop", alone / "rotor.toml", "--out", alone)
+    found = json.loads((alone / "summary.json").read_text())
+    assert found["bearings"] == case.drop().summary["bearings"]
+    assert found["rotor"] == case.drop().summary["rotor"]
+
+
+def test_a_sweep_of_a_rotor_is_that_of_the_command(command: Command, tmp_path: Path) -> None:
+    plan = rotor_plan(tmp_path)
+    assert cageless.Plan.from_toml(plan.to_toml()) == plan
+    result = cageless.sweep(plan, out=tmp_path / "python")
+    text = "case = 'rotor.toml'\ncompute = ['drop']\n[set]\n"
+    text += "".join(f"{key} = {value}\n" for key, value in NEAR.items()) + "[grid]\n"
+    text += "".join(f"{key} = {values}\n" for key, values in GRID.items())
+    path = tmp_path / "plan.toml"
+    path.write_text(text)
+    command("sweep", path, "--out", tmp_path / "command")
+    assert result.path.read_bytes() == (tmp_path / "command" / "sweep.parquet").read_bytes()
+    frame = result.data_variants()
+    drop = plan.case(1).drop()
+    for k, bearing in enumerate(drop.bearings, 1):
+        for name in ["impacts", "rotor_force_max_n", "heat_j"]:
+            assert frame[f"drop_bearing_{k}_{name}"][1] == bearing.summary[name]
+    force = max(bearing.summary["rotor_force_max_n"] for bearing in drop.bearings)
+    assert frame["drop_rotor_force_max_n"][1] == force
+    assert result.units["drop_bearing_2_heat_j"] == "J"
+    assert "drop_heat_j" in result.report().outputs
+
+
+def test_workers_elsewhere_give_the_same_rows(tmp_path: Path) -> None:
+    distributed = pytest.importorskip("distributed")
+    plan = rotor_plan(tmp_path)
+    local = cageless.sweep(plan, out=tmp_path / "local").path.read_bytes()
+    with (
+        distributed.LocalCluster(
+            n_workers=1, threads_per_worker=1, processes=True, dashboard_address=None
+        ) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        result = cageless.sweep(plan, out=tmp_path / "cluster", client=client)
+    assert result.path.read_bytes() == local
+
+
+def test_a_rotor_by_matrices_is_swept() -> None:
+    matrices = two_nodes()
+    rotor = cageless.LinearRotor.from_matrices(
+        matrices["M"], matrices["K"], polar_inertia_kg_m2=2e-3, nodes=[0, 1]
+    )
+    near = [case.replace(NEAR) for case in cases()]
+    machine = cageless.RotorCase(rotor, near, speed_rpm=9000.0)
+    grid = {"bearing.2.node": [1], "rotor.drive_torque_n_m": [0.0, -1.0]}
+    plan = cageless.Plan(case=machine, compute=["drop"], grid=grid)
+    row = cageless.sweep(plan).data_variants().iloc[0]
+    assert row.reason is None
+    drop = machine.drop()
+    assert row.drop_bearing_2_heat_j == drop.bearings[1].summary["heat_j"] > 0.0
+    assert cageless.Plan.from_toml(plan.to_toml()) == plan
+
+
+def test_wrong_plans_of_a_rotor_are_refused(tmp_path: Path) -> None:
+    case = cageless.RotorCase.from_file(rotor_file(tmp_path))
+    wrong: list[tuple[list[str], dict[str, Any], str]] = [
+        (["run"], {}, 'compute has "run", which is for the case of one bearing'),
+        (["drop"], {"rotor.sped_rpm": [1.0]}, "did you mean speed_rpm"),
+        (["drop"], {"bearing.3.contact.damping": [1e5]}, "there are 2"),
+        (["drop"], {"rotor.eccentricity_um": [1.0]}, "replaced by the unbalances of the rotor"),
+    ]
+    for compute, grid, said in wrong:
+        with pytest.raises(cageless.InputError, match=said) as error:
+            cageless.Plan(case=case, compute=compute, grid=grid)
+        assert error.value.line is None

@@ -1,6 +1,6 @@
 //! Names of the columns of sweeps in words.
 
-use cageless_study::quantities::QUANTITIES;
+use cageless_study::quantities::Quantity;
 
 use crate::sweep::SweepQuantity;
 
@@ -86,9 +86,10 @@ pub fn name(quantity: &SweepQuantity) -> String {
     if let Some((_, name)) = NAMES.iter().find(|(column, _)| *column == quantity.name) {
         return (*name).to_owned();
     }
-    let result = QUANTITIES.iter().find(|q| q.column_name() == quantity.name);
-    if let Some(result) = result {
-        return result.label.trim().to_owned();
+    match Quantity::of_column(&quantity.name) {
+        Some((result, None)) => return result.label.trim().to_owned(),
+        Some((result, Some(k))) => return format!("{}, bearing {}", result.label.trim(), k + 1),
+        None => {}
     }
     // `verdict_verdict = smooth`: the share of one verdict.
     if let Some(value) = quantity.name.strip_prefix("verdict_verdict = ") {

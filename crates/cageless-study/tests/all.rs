@@ -2,6 +2,7 @@
 
 mod drops;
 mod rotor_drops;
+mod rotor_sweeps;
 mod run_results;
 mod studies;
 mod sweep_collection;

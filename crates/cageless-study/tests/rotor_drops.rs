@@ -3,12 +3,11 @@
 use std::path::Path;
 
 use cageless::Method;
-use cageless::linear_rotor::{PlaneUnbalance, RigidRotor};
 use cageless::simulation::{Control, Ending};
 use cageless::touchdown::Scatter;
 use cageless::verification::Convergence;
 use cageless_io::case_file::CaseFile;
-use cageless_io::rotor_file::RotorFile;
+use cageless_io::rotor_file::{RotorBody, RotorDescription, RotorFile, RotorPlace, RotorUnbalance};
 use cageless_study::drop::{
     DropRequest, DropVerification, RotorStudy, ensemble, rotor_ensemble, rotor_study,
 };
@@ -25,29 +24,31 @@ fn bearing(name: &str, changes: &[&str]) -> CaseFile {
     CaseFile::read(&Path::new(CASES).join(name), &set).unwrap()
 }
 
-fn rigid(places_m: &[f64]) -> RigidRotor {
-    RigidRotor {
-        mass_kg: 20.0 * places_m.len() as f64,
-        polar_inertia_kg_m2: 0.02,
-        transverse_inertia_kg_m2: 0.3,
-        bearing_axial_m: places_m.to_vec(),
+fn rigid(places_mm: &[f64]) -> RotorDescription {
+    RotorDescription {
+        body: RotorBody::Rigid {
+            mass_kg: 20.0 * places_mm.len() as f64,
+            polar_inertia_kg_m2: 0.02,
+            transverse_inertia_kg_m2: 0.3,
+        },
+        bearings: places_mm.iter().map(|z| RotorPlace::AxialMm(*z)).collect(),
         unbalances: vec![],
     }
 }
 
 /// A rotor with an unbalance in two bearings of which one is conventional.
 fn two_bearings(changes: &[&str]) -> RotorFile {
-    let unbalance = PlaneUnbalance {
-        axial_m: 0.03,
-        moment_kg_m: 2e-4,
-        phase_rad: 0.5,
+    let unbalance = RotorUnbalance {
+        place: RotorPlace::AxialMm(30.0),
+        moment_g_mm: 200.0,
+        phase_deg: 0.5_f64.to_degrees(),
     };
-    let rotor = RigidRotor {
+    let rotor = RotorDescription {
         unbalances: vec![unbalance],
-        ..rigid(&[-0.1, 0.2])
+        ..rigid(&[-100.0, 200.0])
     };
     let cases = ["touchdown-d.toml", "touchdown-conventional.toml"].map(|n| bearing(n, changes));
-    RotorFile::new("", rotor.linear().unwrap(), 30000.0, 0.0, &cases).unwrap()
+    RotorFile::new("", &rotor, 30000.0, 0.0, &cases).unwrap()
 }
 
 fn studied(file: &RotorFile, request: DropRequest) -> RotorStudy {
@@ -57,9 +58,8 @@ fn studied(file: &RotorFile, request: DropRequest) -> RotorStudy {
 #[test]
 fn a_rigid_rotor_in_one_bearing_scatters_as_the_case_of_one_plane() {
     let case = bearing("touchdown-d.toml", &["solver.duration_s=0.0015"]);
-    let rotor = rigid(&[0.0]).linear().unwrap();
     let cases = std::slice::from_ref(&case);
-    let file = RotorFile::new("", rotor, 30000.0, 0.0, cases).unwrap();
+    let file = RotorFile::new("", &rigid(&[0.0]), 30000.0, 0.0, cases).unwrap();
     let scatter = Scatter::default();
     let one = ensemble(case.case(), 3, &scatter, &Silent).unwrap();
     let several = rotor_ensemble(file.drop(), 3, &scatter, &Silent).unwrap();

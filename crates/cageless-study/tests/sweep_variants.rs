@@ -210,11 +210,11 @@ fn one_raceway_of_several_can_vary() {
     let plan = PlanFile::parse(&text, "plan", folder.path()).expect("a plan");
     let sweep = Sweep::new(plan).expect("a sweep");
     assert_eq!(
-        sweep.case(1).expect("a case").document().raceway[1].half_angle_deg,
+        sweep.file(1).expect("a case").cases()[0].document().raceway[1].half_angle_deg,
         14.0
     );
     assert_eq!(
-        sweep.case(1).expect("a case").document().raceway[0].half_angle_deg,
+        sweep.file(1).expect("a case").cases()[0].document().raceway[0].half_angle_deg,
         25.2
     );
     let again = PlanFile::parse(sweep.normal(), "normal", Path::new("")).expect("a plan");

@@ -5,9 +5,10 @@ use std::path::Path;
 use serde::Serialize;
 
 use super::error::CaseError;
+use super::overrides::Replacement;
 use super::spanned_toml::{Node, Origin, Place, Section, Value};
 use super::unit::decimal;
-use super::{CaseFile, overrides, read_text};
+use super::{CaseFile, read_text};
 
 /// The text of a case, parsed but not yet read.
 #[derive(Debug, Clone)]
@@ -80,7 +81,12 @@ impl CaseBase {
     /// A [`CaseError`] if a key has no place in this case. Whether it exists and the
     /// value fits, [`CaseBase::with`] says.
     pub fn change(&mut self, changes: &[Change<'_>]) -> Result<(), CaseError> {
-        changes.iter().try_for_each(|c| replace(&mut self.root, c))
+        let mut changes = changes.iter().map(Replacement::from_change);
+        changes.try_for_each(|change| self.replace(&change))
+    }
+
+    pub(crate) fn replace(&mut self, replacement: &Replacement) -> Result<(), CaseError> {
+        replacement.apply(&mut self.root)
     }
 
     /// The case with `changes`.
@@ -88,9 +94,9 @@ impl CaseBase {
     /// # Errors
     /// A [`CaseError`] that names file and line of the change at fault, or of the base.
     pub fn with(&self, changes: &[Change<'_>]) -> Result<CaseFile, CaseError> {
-        let mut root = self.root.clone();
-        changes.iter().try_for_each(|c| replace(&mut root, c))?;
-        CaseFile::from_sections(&root, &self.name)
+        let mut base = self.clone();
+        base.change(changes)?;
+        CaseFile::from_sections(&base.root, &base.name)
     }
 }
 
@@ -144,14 +150,16 @@ pub(crate) fn quoted(text: &str) -> String {
     out + "\""
 }
 
-fn replace(root: &mut Section, change: &Change<'_>) -> Result<(), CaseError> {
-    let (file, line) = change.place;
-    let origin = Origin::Elsewhere(file.to_owned(), line);
-    let path: Vec<&str> = change.key.split('.').collect();
-    overrides::insert(root, &path, node(change.value, &origin)).map_err(|message| {
-        let key = Some(change.key.to_owned());
-        CaseError::on_line(file, line, key, format!("{}: {message}", change.key))
-    })
+impl Replacement {
+    /// The replacement of a change.
+    pub(crate) fn from_change(change: &Change<'_>) -> Self {
+        let (file, line) = change.place;
+        let origin = Origin::Elsewhere(file.to_owned(), line);
+        Self {
+            path: change.key.split('.').map(str::to_owned).collect(),
+            node: node(change.value, &origin),
+        }
+    }
 }
 
 fn node(value: &CaseValue, origin: &Origin) -> Node {

@@ -225,7 +225,7 @@ impl CaseDocument {
     }
 
     /// The value of a dotted key; `None` if it is left out or not a key.
-    pub(super) fn value(&self, key: &str) -> Option<CaseValue> {
+    pub(crate) fn value(&self, key: &str) -> Option<CaseValue> {
         let (section, rest) = key.split_once('.').unwrap_or(("", key));
         if section.is_empty() {
             return match rest {

@@ -13,6 +13,9 @@ pub struct CaseError {
     message: String,
 }
 
+/// What a message says before the text of a `--set`.
+const OPTION: &str = "--set ";
+
 fn before(place: &str) -> String {
     if place.is_empty() {
         String::new()
@@ -52,11 +55,22 @@ impl CaseError {
     /// An error of a `--set`.
     pub(crate) fn of_override(text: &str, key: Option<String>, message: String) -> Self {
         Self {
-            place: format!("--set {text}"),
+            place: format!("{OPTION}{text}"),
             line: None,
             key,
             message,
         }
+    }
+
+    /// Whether a `--set` is at fault.
+    pub(crate) fn is_of_override(&self) -> bool {
+        self.place.starts_with(OPTION)
+    }
+
+    /// The error in the case of bearing `k`, from 0, of a rotor.
+    pub(crate) fn in_bearing(mut self, k: usize) -> Self {
+        self.message = format!("in bearing {}, {}", k + 1, self.message);
+        self
     }
 
     /// The message with more at its end.

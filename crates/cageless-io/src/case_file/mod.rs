@@ -18,7 +18,7 @@ mod json;
 pub(crate) mod keys;
 mod messages;
 pub(crate) mod named;
-mod overrides;
+pub(crate) mod overrides;
 pub(crate) mod read;
 mod reader;
 mod reference;

@@ -6,58 +6,97 @@ use super::error::CaseError;
 use super::sections;
 use super::spanned_toml::{self, Node, Origin, Place, Section, Value};
 
+/// A key and the value that replaces its own.
+#[derive(Debug, Clone)]
+pub(crate) struct Replacement {
+    /// Parts of the dotted key.
+    pub path: Vec<String>,
+    /// The value, with its origin.
+    pub node: Node,
+}
+
 /// Applies the overrides in order; the last one wins. Whether the keys exist and
 /// the values fit is for the reader to say: it finds the override in their place.
 pub(super) fn apply(root: &mut Section, overrides: &[String]) -> Result<(), CaseError> {
-    overrides.iter().try_for_each(|text| apply_one(root, text))
+    overrides
+        .iter()
+        .try_for_each(|text| Replacement::from_override(text)?.apply(root))
 }
 
-fn apply_one(root: &mut Section, text: &str) -> Result<(), CaseError> {
-    let fail = |key: Option<&str>, message: String| {
-        Err(CaseError::of_override(
-            text,
-            key.map(str::to_owned),
-            message,
-        ))
-    };
-    let Some((key, value)) = text.split_once('=') else {
-        return fail(None, "has no `=`: write section.key=value".to_owned());
-    };
-    let (key, value) = (key.trim(), value.trim());
-    let parts: Vec<&str> = key.split('.').map(str::trim).collect();
-    if parts.len() > 3 || parts.iter().any(|part| !is_bare(part)) {
-        return fail(
-            None,
-            format!("`{key}` is not a key: write section.key=value"),
-        );
-    }
-    if value.is_empty() {
-        return fail(
-            Some(key),
-            "has no value: write section.key=value".to_owned(),
-        );
-    }
-    let node = match spanned_toml::parse_override(value, text) {
-        Ok(node) => node,
-        Err(_) if is_word(value) => Node {
-            value: Value::Text(value.to_owned()),
-            place: Place {
-                origin: Origin::Override(text.to_owned()),
-                written: format!("\"{value}\""),
-            },
-        },
-        Err(why) => {
+impl Replacement {
+    /// The replacement of the text of one `--set`.
+    pub(crate) fn from_override(text: &str) -> Result<Self, CaseError> {
+        let fail = |key: Option<&str>, message: String| {
+            Err(CaseError::of_override(
+                text,
+                key.map(str::to_owned),
+                message,
+            ))
+        };
+        let Some((key, value)) = text.split_once('=') else {
+            return fail(None, "has no `=`: write section.key=value".to_owned());
+        };
+        let (key, value) = (key.trim(), value.trim());
+        let path: Vec<&str> = key.split('.').map(str::trim).collect();
+        if path.len() > PARTS_MAX || path.iter().any(|part| !is_bare(part)) {
             return fail(
-                Some(key),
-                format!("`{value}` is not a value of TOML: {why}"),
+                None,
+                format!("`{key}` is not a key: write section.key=value"),
             );
         }
-    };
-    insert(root, &parts, node).or_else(|message| fail(Some(key), message))
+        if value.is_empty() {
+            return fail(
+                Some(key),
+                "has no value: write section.key=value".to_owned(),
+            );
+        }
+        let node = match spanned_toml::parse_override(value, text) {
+            Ok(node) => node,
+            Err(_) if is_word(value) => Node {
+                value: Value::Text(value.to_owned()),
+                place: Place {
+                    origin: Origin::Override(text.to_owned()),
+                    written: format!("\"{value}\""),
+                },
+            },
+            Err(why) => {
+                return fail(
+                    Some(key),
+                    format!("`{value}` is not a value of TOML: {why}"),
+                );
+            }
+        };
+        let path = path.into_iter().map(str::to_owned).collect();
+        Ok(Self { path, node })
+    }
+
+    /// The dotted key.
+    pub(crate) fn key(&self) -> String {
+        self.path.join(".")
+    }
+
+    /// Puts the value into a file.
+    pub(crate) fn apply(&self, root: &mut Section) -> Result<(), CaseError> {
+        let path: Vec<&str> = self.path.iter().map(String::as_str).collect();
+        insert(root, &path, self.node.clone()).map_err(|message| self.error(message))
+    }
+
+    /// The error that the key cannot be replaced.
+    pub(crate) fn error(&self, message: String) -> CaseError {
+        let key = self.key();
+        match &self.node.place.origin {
+            // The text of the option has the key.
+            Origin::Override(_) => self.node.error("", &key, message),
+            _ => self.node.error("", &key, format!("{key}: {message}")),
+        }
+    }
 }
 
+/// Parts of the longest key: `bearing.2.raceway.1.axial_span_mm`.
+const PARTS_MAX: usize = 5;
+
 /// Puts the value where it belongs; makes the section if there is none.
-pub(super) fn insert(root: &mut Section, path: &[&str], node: Node) -> Result<(), String> {
+fn insert(root: &mut Section, path: &[&str], node: Node) -> Result<(), String> {
     let (name, index, key) = match *path {
         [key] => {
             // The two places of the seed are one key; the file may have the other.
@@ -76,7 +115,10 @@ pub(super) fn insert(root: &mut Section, path: &[&str], node: Node) -> Result<()
             (name, None, key)
         }
         [name, index, key] => (name, Some(index), key),
-        _ => return Err("is not a key: write section.key=value".to_owned()),
+        _ => {
+            let key = path.join(".");
+            return Err(format!("`{key}` is not a key: write section.key=value"));
+        }
     };
     let new = || Node {
         value: Value::Section(BTreeMap::new()),

@@ -28,22 +28,22 @@ impl Node {
         }
     }
 
-    /// An error at this line of `file`.
+    /// An error at this value of `file`.
     pub(crate) fn error(&self, file: &str, key: &str, message: String) -> CaseError {
-        CaseError::on_line(file, self.line(), Some(key.to_owned()), message)
+        self.place.error(file, key, message)
     }
 
-    /// "KEY = VALUE is not possible: it must be ALLOWED", at this line of `file`.
+    /// "KEY = VALUE is not possible: it must be ALLOWED", at this value of `file`.
     pub(crate) fn refusal(&self, file: &str, key: &str, allowed: &str) -> CaseError {
         let written = &self.place.written;
         let message = format!("{key} = {written} is not possible: it must be {allowed}");
         self.error(file, key, message)
     }
 
-    /// The error of the file whose path this value of `file` is. One that names a line speaks for
-    /// itself.
+    /// The error of the file whose path this value of `file` is. One that names a line or an
+    /// option speaks for itself.
     pub(crate) fn error_of_its_file(&self, file: &str, key: &str, error: CaseError) -> CaseError {
-        if error.line().is_some() {
+        if error.line().is_some() || error.is_of_override() {
             return error;
         }
         let message = format!("{key} = {}: {error}", self.place.written);
@@ -81,6 +81,19 @@ pub(crate) enum Origin {
 pub(crate) struct Place {
     pub origin: Origin,
     pub written: String,
+}
+
+impl Place {
+    /// An error at this place of `file`, or wherever else the value comes from.
+    pub(crate) fn error(&self, file: &str, key: &str, message: String) -> CaseError {
+        let named = Some(key.to_owned());
+        match &self.origin {
+            Origin::Line(line) => CaseError::on_line(file, *line, named, message),
+            Origin::File => CaseError::of_file(file, message).with_key(key),
+            Origin::Override(text) => CaseError::of_override(text, named, message),
+            Origin::Elsewhere(other, line) => CaseError::on_line(other, *line, named, message),
+        }
+    }
 }
 
 /// The places of all keys of one file, by dotted key.
@@ -162,13 +175,7 @@ impl Places {
 
     /// An error at a place.
     pub(crate) fn error_at(&self, place: &Place, path: &str, message: String) -> CaseError {
-        let key = Some(path.to_owned());
-        match &place.origin {
-            Origin::Line(line) => CaseError::on_line(&self.file, *line, key, message),
-            Origin::File => CaseError::of_file(&self.file, message).with_key(path),
-            Origin::Override(text) => CaseError::of_override(text, key, message),
-            Origin::Elsewhere(file, line) => CaseError::on_line(file, *line, key, message),
-        }
+        place.error(&self.file, path, message)
     }
 }
 
@@ -263,7 +270,7 @@ impl Lines {
 const EXCERPT_MAX: usize = 60;
 
 /// A value as it is written, on one line and of at most [`EXCERPT_MAX`] characters.
-pub(super) fn excerpt(text: &str, span: Range<usize>) -> String {
+pub(crate) fn excerpt(text: &str, span: Range<usize>) -> String {
     let mut written = String::new();
     let mut characters = 0;
     // Only the words that are shown are read: a value may be as long as the file.

@@ -1,13 +1,14 @@
 //! One key that varies.
 
+use super::key::unit;
 use crate::case_file::CaseValue;
-use crate::case_file::keys;
 use crate::case_file::named::Named;
 
 /// A key and its values.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    /// `section.key`, or `raceway.2.key` for the second of several raceways.
+    /// `section.key`; `raceway.2.key` for the second of several raceways, and with several bearings
+    /// `bearing.2.section.key` for the case of the second.
     pub key: String,
     /// Values of the axis.
     pub values: AxisValues,
@@ -115,16 +116,4 @@ impl Axis {
         matches!(&self.values, AxisValues::List(list)
             if list.iter().any(|v| matches!(v, CaseValue::Text(_))))
     }
-}
-
-/// Unit of a dotted key of the case file; empty if none.
-pub fn unit(key: &str) -> &'static str {
-    let (section, name) = split(key);
-    keys::unit(section, name).symbol()
-}
-
-/// Section and name: `raceway.2.half_angle_deg` is `half_angle_deg` in `raceway`.
-pub(super) fn split(key: &str) -> (&str, &str) {
-    let section = key.split_once('.').map_or("", |(section, _)| section);
-    (section, key.rsplit_once('.').map_or(key, |(_, name)| name))
 }

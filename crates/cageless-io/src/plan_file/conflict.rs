@@ -1,26 +1,42 @@
 //! Keys that stand in several places of a plan.
 
-use super::{Axis, PlanFile};
-use crate::case_file::{CaseBase, CaseError, Change};
+use super::key::covers;
+use super::{Axis, PlanBase, PlanFile};
+use crate::case_file::{CaseError, Change};
 
-/// Refuses two axes of one key, and changes to `case` in `[set]` that an axis undoes.
+/// Refuses two axes of one key, scattered keys of which one is part of another or of an axis, and
+/// changes to `case` in `[set]` that an axis undoes.
 pub(super) fn check(
     plan: &PlanFile,
-    case: &CaseBase,
+    case: &PlanBase,
     changes: &[Change<'_>],
 ) -> Result<(), CaseError> {
     let samples = plan.samples.iter().flat_map(|s| &s.axes);
     let axes: Vec<_> = plan.grid.iter().chain(samples).collect();
     if let Some((one, other)) = twice(&axes) {
-        let message = format!(
-            "{} varies on line {} already: an axis belongs to the grid or to the samples",
-            other.key, one.line
-        );
+        let message = match one.key == other.key {
+            true => format!(
+                "{} varies on line {} already: an axis belongs to the grid or to the samples",
+                other.key, one.line
+            ),
+            false => overlap(&other.key, &one.key, one.line),
+        };
         return Err(plan.error(other.line, &other.key, message));
+    }
+    let scattered: Vec<_> = plan.scatter.iter().flat_map(|s| &s.keys).collect();
+    for (k, key) in scattered.iter().enumerate() {
+        let axes = axes.iter().map(|axis| (&axis.key, axis.line));
+        let before = scattered[..k].iter().map(|key| (&key.key, key.line));
+        // The deviations of an axis are about its values.
+        let mut others = axes.chain(before).filter(|(other, _)| **other != key.key);
+        if let Some((other, line)) = others.find(|(other, _)| meet(&key.key, other)) {
+            let message = overlap(&key.key, other, line);
+            return Err(plan.error(key.line, &key.key, message));
+        }
     }
     for change in changes {
         let mut axes = axes.iter();
-        let varied = axes.find(|axis| plain(&axis.key) == plain(change.key));
+        let varied = axes.find(|axis| covers(&axis.key, change.key));
         if let Some(axis) = varied.filter(|_| is_possible_without(case, changes, change.key)) {
             let message = format!(
                 "{} varies on line {}: its value in [set] has no effect, leave it out",
@@ -36,19 +52,27 @@ pub(super) fn check(
 fn twice<'a>(axes: &[&'a Axis]) -> Option<(&'a Axis, &'a Axis)> {
     axes.iter().enumerate().find_map(|(k, one)| {
         let mut others = axes[k + 1..].iter();
-        let other = others.find(|other| plain(&other.key) == plain(&one.key))?;
+        let other = others.find(|other| meet(&one.key, &other.key))?;
         Some((*one, *other))
     })
 }
 
 /// Whether there is a case without this one of the changes.
-fn is_possible_without(case: &CaseBase, changes: &[Change<'_>], key: &str) -> bool {
+fn is_possible_without(case: &PlanBase, changes: &[Change<'_>], key: &str) -> bool {
     let others = changes.iter().filter(|change| change.key != key);
     let others: Vec<_> = others.copied().collect();
     case.with(&others).is_ok()
 }
 
-/// The key without the number of the first section, which may be left out.
-fn plain(key: &str) -> String {
-    key.replacen(".1.", ".", 1)
+/// Whether two keys replace the same value.
+fn meet(one: &str, other: &str) -> bool {
+    covers(one, other) || covers(other, one)
+}
+
+/// The message of a key that meets another on `line`.
+fn overlap(key: &str, other: &str, line: usize) -> String {
+    format!(
+        "{key} is a part of {other} on line {line}, or the other way round: vary the key of all \
+         bearings, or that of each"
+    )
 }

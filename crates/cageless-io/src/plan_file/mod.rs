@@ -1,4 +1,5 @@
-//! The plan of a sweep: a case, what varies in it and what is computed of each variant.
+//! The plan of a sweep: a case or a rotor file, what varies in it and what is computed of each
+//! variant.
 //!
 //! ```toml
 //! case = "bearing.toml"
@@ -12,7 +13,9 @@
 //! Every error becomes one [`CaseError`], as in a case file.
 
 mod axis;
+mod base;
 mod conflict;
+mod key;
 mod normal;
 mod read;
 mod read_axis;
@@ -20,10 +23,12 @@ mod read_axis;
 use std::path::Path;
 
 use crate::case_file::named::Named;
-use crate::case_file::{CaseBase, CaseError, CaseFile, read_text};
+use crate::case_file::{CaseError, read_text};
 
-pub use axis::{Axis, AxisValues, Range, Scale, twelve_digits, unit};
-pub use normal::{difference, text_of};
+pub use axis::{Axis, AxisValues, Range, Scale, twelve_digits};
+pub use base::{PlanBase, VariantFile};
+pub use key::{is_whole, key_in_case, unit};
+pub use normal::{difference, shortened, text_of};
 
 /// The only schema of plans so far.
 pub const SCHEMA: u64 = 1;
@@ -37,10 +42,10 @@ pub struct PlanFile {
     pub title: String,
     /// Seed of whatever is random, at most 2^63 − 1.
     pub seed: u64,
-    /// The case, with the changes of `[set]`.
-    pub base: CaseBase,
+    /// The case or the rotor file, with the changes of `[set]`.
+    pub base: PlanBase,
     /// [`PlanFile::base`] as it is read, possible in itself.
-    pub base_file: CaseFile,
+    pub base_file: VariantFile,
     /// Axes of the grid in the order of the case file's keys; the last varies fastest.
     pub grid: Vec<Axis>,
     /// Points in the space of further axes, taken for each node of the grid.
@@ -87,7 +92,7 @@ pub struct Scatter {
 /// A key with random deviations.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ScatteredKey {
-    /// `section.key`.
+    /// The key, as [`Axis::key`].
     pub key: String,
     /// Distribution of the deviation; of a list, each item independently.
     pub law: ScatterLaw,
@@ -117,7 +122,7 @@ pub enum Computation {
     Verdict,
     /// A run of the case.
     Run,
-    /// The drop of the rotor of the case.
+    /// The drop of the rotor of the case, or of the rotor file.
     Drop,
 }
 

@@ -7,6 +7,7 @@ use super::{AxisValues, Computation, PlanFile, SCHEMA, ScatterLaw};
 use crate::case_file::CaseError;
 use crate::case_file::base::quoted;
 use crate::case_file::named::Named;
+use crate::case_file::spanned_toml::excerpt;
 
 /// One key per line.
 pub(super) fn text(plan: &PlanFile) -> Result<String, CaseError> {
@@ -43,12 +44,7 @@ pub(super) fn text(plan: &PlanFile) -> Result<String, CaseError> {
             lines.push(format!("scatter.{} = {law}", key.key));
         }
     }
-    let case = Value::try_from(plan.base_file.document()).map_err(|e| {
-        CaseError::of_file(
-            &plan.name,
-            format!("the case cannot be written as TOML: {e}"),
-        )
-    })?;
+    let case = plan.base_file.document()?;
     flatten("case", &case, &mut lines);
     Ok(lines.join("\n") + "\n")
 }
@@ -111,18 +107,24 @@ pub fn difference(before: &str, now: &str) -> Vec<String> {
     };
     let mut lines = Vec::new();
     for (key, old) in &before {
+        let was = format!("{key} was {}", shortened(old));
         match find(&now, key) {
             Some(new) if new == *old => {}
-            Some(new) => lines.push(format!("{key} was {old}, is {new}")),
-            None => lines.push(format!("{key} was {old}, is left out")),
+            Some(new) => lines.push(format!("{was}, is {}", shortened(&new))),
+            None => lines.push(format!("{was}, is left out")),
         }
     }
     for (key, new) in &now {
         if find(&before, key).is_none() {
-            lines.push(format!("{key} was left out, is {new}"));
+            lines.push(format!("{key} was left out, is {}", shortened(new)));
         }
     }
     lines
+}
+
+/// A value of a plan for readers: the matrices of a rotor are as long as a book.
+pub fn shortened(value: &str) -> String {
+    excerpt(value, 0..value.len())
 }
 
 impl Computation {

@@ -2,15 +2,17 @@
 
 use std::path::Path;
 
-use super::axis::split;
 use super::conflict;
+use super::key::order;
 use super::{
-    Axis, Computation, Kept, PlanFile, SCHEMA, SampleMethod, Samples, Scatter, ScatteredKey,
+    Axis, Computation, Kept, PlanBase, PlanFile, SCHEMA, SampleMethod, Samples, Scatter,
+    ScatteredKey, VariantFile,
 };
 use crate::case_file::named::Named;
 use crate::case_file::spanned_toml::{self, Node, Section, Value};
-use crate::case_file::{CaseBase, CaseError, CaseFile, CaseValue, Change, keys};
-use crate::rotor_file::RotorFile;
+use crate::case_file::{CaseBase, CaseError, CaseValue, Change, keys};
+use crate::rotor_file::address::{address, is_number};
+use crate::rotor_file::{RotorBase, RotorFile, keys as rotor_keys};
 
 /// Keys of the top level of a plan, sections last.
 const HEAD: [&str; 10] = [
@@ -21,10 +23,15 @@ const FIXED: [&str; 2] = ["schema", "title"];
 
 pub(super) fn plan(text: &str, name: &str, folder: &Path) -> Result<PlanFile, CaseError> {
     let root = spanned_toml::parse(text, name)?;
-    let reader = PlanReader { root: &root, name };
+    let mut reader = PlanReader {
+        root: &root,
+        name,
+        of_rotor: false,
+    };
     reader.check_head()?;
     reader.schema()?;
     let case = reader.base(folder)?;
+    reader.of_rotor = matches!(case, PlanBase::Rotor(_));
     let mut base = case.clone();
     let set = reader.set()?;
     let changes: Vec<_> = set
@@ -56,9 +63,11 @@ pub(super) fn plan(text: &str, name: &str, folder: &Path) -> Result<PlanFile, Ca
 pub(super) struct PlanReader<'a> {
     root: &'a Section,
     name: &'a str,
+    /// Whether the keys are those of a rotor above several bearings.
+    of_rotor: bool,
 }
 
-/// A key of the case file somewhere below a section of the plan.
+/// A key of the base somewhere below a section of the plan.
 pub(super) struct Entry<'a> {
     pub key: String,
     pub node: &'a Node,
@@ -89,26 +98,33 @@ impl<'a> PlanReader<'a> {
         }
     }
 
-    fn base(&self, folder: &Path) -> Result<CaseBase, CaseError> {
+    fn base(&self, folder: &Path) -> Result<PlanBase, CaseError> {
         match self.root.get("case").map(|node| (&node.value, node)) {
-            Some((Value::Text(path), node)) if RotorFile::is_at(&folder.join(path)) => Err(self
-                .refuse(
-                    "case",
-                    node,
-                    "the case of one bearing; this is the file of a rotor above several, which \
-                     `cageless drop` takes",
-                )),
-            Some((Value::Text(path), node)) => CaseBase::read(&folder.join(path))
-                .map_err(|error| node.error_of_its_file(self.name, "case", error)),
-            Some((Value::Section(root), _)) => Ok(CaseBase::from_sections(root.clone(), self.name)),
+            Some((Value::Text(path), node)) => {
+                let path = folder.join(path);
+                let base = match RotorFile::is_at(&path) {
+                    true => RotorBase::read(&path).map(PlanBase::Rotor),
+                    false => CaseBase::read(&path).map(PlanBase::Case),
+                };
+                base.map_err(|error| node.error_of_its_file(self.name, "case", error))
+            }
+            Some((Value::Section(root), _)) if RotorBase::is_in(root) => {
+                RotorBase::from_sections(root.clone(), self.name, folder).map(PlanBase::Rotor)
+            }
+            Some((Value::Section(root), _)) => {
+                let base = CaseBase::from_sections(root.clone(), self.name);
+                Ok(PlanBase::Case(base))
+            }
             Some((_, node)) => Err(self.refuse(
                 "case",
                 node,
-                "the path of a case file in quotes, or the case itself, [case]",
+                "the path of a case file or of a rotor file in quotes, or the case itself, [case]",
             )),
             None => Err(CaseError::of_file(
                 self.name,
-                "case is missing: the path of a case file, or the case itself, [case]".to_owned(),
+                "case is missing: the path of a case file or of a rotor file, or the case itself, \
+                 [case]"
+                    .to_owned(),
             )
             .with_key("case")),
         }
@@ -186,7 +202,7 @@ impl<'a> PlanReader<'a> {
         }))
     }
 
-    fn compute(&self, base: &CaseFile) -> Result<Vec<Computation>, CaseError> {
+    fn compute(&self, base: &VariantFile) -> Result<Vec<Computation>, CaseError> {
         let allowed = format!("a list of {}", Computation::choices());
         let Some(node) = self.root.get("compute") else {
             let message = format!("compute is missing: {allowed}");
@@ -200,9 +216,24 @@ impl<'a> PlanReader<'a> {
         let Some(list) = list.filter(|list| !list.is_empty()) else {
             return Err(refused());
         };
-        if list.contains(&Computation::Drop) && base.case().rotor.is_none() {
-            let message = format!("compute has \"drop\", but {}", keys::missing_rotor());
-            return Err(self.error(node, "compute", message));
+        match base {
+            VariantFile::Case(file)
+                if list.contains(&Computation::Drop) && file.case().rotor.is_none() =>
+            {
+                let message = format!("compute has \"drop\", but {}", keys::missing_rotor());
+                return Err(self.error(node, "compute", message));
+            }
+            VariantFile::Rotor(_) => {
+                if let Some(other) = list.iter().find(|c| **c != Computation::Drop) {
+                    let message = format!(
+                        "compute has \"{}\", which is for the case of one bearing; of a rotor \
+                         above several there is \"drop\"",
+                        other.name()
+                    );
+                    return Err(self.error(node, "compute", message));
+                }
+            }
+            VariantFile::Case(_) => {}
         }
         Ok(Computation::in_order(list))
     }
@@ -226,67 +257,96 @@ impl<'a> PlanReader<'a> {
         list.map(Some).ok_or_else(refused)
     }
 
-    /// The keys of the case file below a section of the plan, in the order of the file
-    /// format; `own` are keys of the plan itself.
+    /// The keys of the base below a section of the plan, in the order of the file format; `own`
+    /// are keys of the plan itself.
     fn entries(&self, name: &str, own: &[&str]) -> Result<Vec<Entry<'a>>, CaseError> {
         let mut entries = Vec::new();
         for (section, node) in self.section(name)?.into_iter().flatten() {
-            if own.contains(&section.as_str()) {
-                continue;
-            }
-            let Value::Section(inner) = &node.value else {
-                let hint = match keys::all().find(|(_, k)| k.name == section) {
-                    Some((of, k)) if !of.is_empty() => format!("did you mean {of}.{}?", k.name),
-                    Some(_) => "it does not vary".to_owned(),
-                    None => "a key is written section.key".to_owned(),
-                };
-                let message = format!("{name}.{section} is not a key of a case file; {hint}");
-                return Err(self.error(node, section, message));
-            };
-            if keys::section_meaning(section).is_none() {
-                let message = format!(
-                    "{section} is not a section of a case file; {}",
-                    keys::hint("", section)
-                );
-                return Err(self.error(node, section, message));
-            }
-            for (key, node) in inner {
-                match &node.value {
-                    Value::Section(of_one) if key.parse::<usize>().is_ok() => {
-                        for (inner_key, node) in of_one {
-                            self.entry(section, Some(key), inner_key, node, &mut entries)?;
-                        }
-                    }
-                    _ => self.entry(section, None, key, node, &mut entries)?,
-                }
+            if !own.contains(&section.as_str()) {
+                self.of_section(name, "", section, node, &mut entries)?;
             }
         }
-        entries.sort_by_key(|e: &Entry<'_>| {
-            let (section, name) = split(&e.key);
-            let place = keys::all().position(|(s, k)| (s, k.name) == (section, name));
-            (place, e.key.clone())
-        });
+        entries.sort_by_key(|entry: &Entry<'_>| order(&entry.key));
         Ok(entries)
     }
 
+    /// The keys of a section of the case, or with `prefix` of the case of one bearing.
+    fn of_section(
+        &self,
+        name: &str,
+        prefix: &str,
+        section: &str,
+        node: &'a Node,
+        entries: &mut Vec<Entry<'a>>,
+    ) -> Result<(), CaseError> {
+        let path = format!("{prefix}{section}");
+        let Value::Section(inner) = &node.value else {
+            let hint = match keys::all().find(|(_, k)| k.name == section) {
+                Some((of, k)) if !of.is_empty() => format!("did you mean {prefix}{of}.{}?", k.name),
+                Some(_) => "it does not vary".to_owned(),
+                None => format!("a key is written {prefix}section.key"),
+            };
+            let message = format!("{name}.{path} is not a key of a case file; {hint}");
+            return Err(self.error(node, &path, message));
+        };
+        let of_rotor = self.of_rotor && prefix.is_empty();
+        if keys::section_meaning(section).is_none() && !(of_rotor && section == "unbalance") {
+            let message = format!(
+                "{path} is not a section of a case file; {}",
+                keys::hint("", section)
+            );
+            return Err(self.error(node, &path, message));
+        }
+        for (key, node) in inner {
+            let Value::Section(of_one) = &node.value else {
+                self.entry(prefix, section, key, key, node, entries)?;
+                continue;
+            };
+            if !is_number(key) {
+                self.entry(prefix, section, key, key, node, entries)?;
+                continue;
+            }
+            for (inner_key, node) in of_one {
+                let in_case = of_rotor
+                    && section == "bearing"
+                    && rotor_keys::find(section, inner_key).is_none();
+                if in_case {
+                    let prefix = format!("bearing.{key}.");
+                    self.of_section(name, &prefix, inner_key, node, entries)?;
+                } else {
+                    let numbered = format!("{key}.{inner_key}");
+                    self.entry(prefix, section, &numbered, inner_key, node, entries)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The key `key` of a section, after its number if there is one: `numbered`.
     fn entry(
         &self,
+        prefix: &str,
         section: &str,
-        index: Option<&str>,
+        numbered: &str,
         key: &str,
         node: &'a Node,
         entries: &mut Vec<Entry<'a>>,
     ) -> Result<(), CaseError> {
-        let path = match index {
-            Some(index) => format!("{section}.{index}.{key}"),
-            None => format!("{section}.{key}"),
-        };
-        if keys::find(section, key).is_none() || FIXED.contains(&key) {
-            let message = format!(
-                "{path} is not a key of [{section}]; {}",
-                keys::hint(section, key)
-            );
+        let path = format!("{prefix}{section}.{numbered}");
+        let of_rotor = self.of_rotor && prefix.is_empty();
+        let in_case = keys::find(section, key).is_some() && !FIXED.contains(&key);
+        let is_key = in_case || of_rotor && rotor_keys::find(section, key).is_some();
+        if !is_key {
+            let near = of_rotor.then(|| rotor_keys::hint(section, key)).flatten();
+            let hint = near.unwrap_or_else(|| keys::hint(section, key));
+            let message = format!("{path} is not a key of [{section}]; {hint}");
             return Err(self.error(node, &path, message));
+        }
+        if self.of_rotor {
+            let parts: Vec<&str> = path.split('.').collect();
+            if let Err(why) = address(&parts) {
+                return Err(self.error(node, &path, format!("{path}: {why}")));
+            }
         }
         if section == "search" {
             let message = format!(

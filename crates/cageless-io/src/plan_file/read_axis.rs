@@ -1,5 +1,6 @@
 //! Axes and distributions in the text of a plan.
 
+use super::key::key_in_case;
 use super::read::{Entry, PlanReader, choice};
 use super::{Axis, AxisValues, Range, Scale, ScatterLaw};
 use crate::case_file::named::Named;
@@ -18,7 +19,7 @@ impl PlanReader<'_> {
         } else {
             "a list, or { from = …, to = …, scale = \"linear\" or \"log\" }"
         };
-        if PER_BALL.contains(&key.as_str()) {
+        if PER_BALL.contains(&key_in_case(&key)) {
             let message = format!("{key} has a value for each ball: it varies in [scatter]");
             return Err(self.error(node, &key, message));
         }
@@ -95,7 +96,7 @@ impl PlanReader<'_> {
     }
 
     pub(super) fn law(&self, key: &str, node: &Node) -> Result<ScatterLaw, CaseError> {
-        let gaps = key == "start.gaps";
+        let gaps = key_in_case(key) == "start.gaps";
         let allowed = format!(
             "{{ normal = STANDARD_DEVIATION }} or {{ uniform = HALF_WIDTH }}{}",
             if gaps { ", or \"any\"" } else { "" }

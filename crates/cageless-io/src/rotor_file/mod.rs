@@ -19,6 +19,11 @@
 //!
 //! Every error becomes one [`CaseError`], as in a case file.
 
+pub(crate) mod address;
+mod base;
+mod description;
+mod document;
+pub(crate) mod keys;
 mod matrices;
 mod read;
 
@@ -28,15 +33,21 @@ use cageless::Case;
 use cageless::linear_rotor::{LinearRotor, RotorError};
 use cageless::simulation::RotorDrop;
 
-use crate::case_file::spanned_toml::{self, Value};
-use crate::case_file::{CaseError, CaseFile, StepDocument, read_text};
+use crate::case_file::{CaseError, CaseFile, CaseValue, StepDocument, read_text, spanned_toml};
+use address::{Address, address};
 
+pub use base::RotorBase;
+pub use description::{RotorBody, RotorDescription, RotorPlace, RotorUnbalance};
+pub use document::RotorFileDocument;
 pub use matrices::{MATRICES_SCHEMA, read_matrices, write_matrices};
+
+/// The only schema of rotor files so far.
+const SCHEMA: i64 = 1;
 
 /// A rotor with its bearings, read and checked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RotorFile {
-    title: String,
+    document: RotorFileDocument,
     bearings: Vec<CaseFile>,
     drop: RotorDrop,
 }
@@ -45,35 +56,73 @@ impl RotorFile {
     /// Whether the file at `path` is a rotor file rather than a case: it lists bearings.
     pub fn is_at(path: &Path) -> bool {
         let text = read_text(path, "case file").unwrap_or_default();
-        let root = spanned_toml::parse(&text, "");
-        root.is_ok_and(|root| matches!(root.get("bearing").map(|n| &n.value), Some(Value::List(_))))
+        spanned_toml::parse(&text, "").is_ok_and(|root| RotorBase::is_in(&root))
     }
 
     /// Reads a rotor file and the files that it names, whose paths count from its folder.
-    /// `overrides` apply to the case of every bearing.
+    /// `overrides` are the texts of `--set`: of keys of the rotor file, `section.key=value` of the
+    /// cases of all bearings, `bearing.2.section.key=value` of one.
     ///
     /// # Errors
     /// A [`CaseError`] if one of the files cannot be read, or for anything but a complete and
     /// possible rotor and possible cases.
     pub fn read(path: &Path, overrides: &[String]) -> Result<Self, CaseError> {
-        let name = path.display().to_string();
-        let text = read_text(path, "rotor file").map_err(|m| CaseError::of_file(&name, m))?;
-        let folder = path.parent().unwrap_or(Path::new(""));
-        read::rotor_file(&text, &name, folder, overrides)
+        RotorBase::read(path)?.overridden(overrides)
+    }
+
+    /// Parses the text of a rotor file; `name` stands for it in messages, paths in it count from
+    /// `folder`.
+    ///
+    /// # Errors
+    /// Those of [`RotorFile::read`].
+    pub fn parse(
+        text: &str,
+        name: &str,
+        folder: &Path,
+        overrides: &[String],
+    ) -> Result<Self, CaseError> {
+        let root = spanned_toml::parse(text, name)?;
+        RotorBase::from_sections(root, name, folder)?.overridden(overrides)
+    }
+
+    /// The rotor with changes, as [`RotorFile::read`] takes them.
+    ///
+    /// # Errors
+    /// A [`CaseError`] for anything but a complete and possible rotor and possible cases.
+    pub fn changed(&self, overrides: &[String]) -> Result<Self, CaseError> {
+        Self::parse(&self.document.to_toml()?, "rotor", Path::new(""), overrides)
     }
 
     /// A rotor at `speed_rpm` under `drive_torque_n_m` above the bearings of `cases`. Steps are as
     /// long as the shortest that a case gives, and automatic if none gives one.
     ///
     /// # Errors
-    /// Those of [`RotorDrop::new`].
+    /// Those of [`RotorDescription::linear`] and [`RotorDrop::new`].
     pub fn new(
         title: &str,
-        rotor: LinearRotor,
+        rotor: &RotorDescription,
         speed_rpm: f64,
         drive_torque_n_m: f64,
         cases: &[CaseFile],
     ) -> Result<Self, RotorError> {
+        let document = RotorFileDocument {
+            title: title.to_owned(),
+            rotor: rotor.clone(),
+            speed_rpm,
+            drive_torque_n_m,
+            cases: cases.iter().map(|case| case.document().clone()).collect(),
+        };
+        Self::assemble(document, rotor.linear()?, cases)
+    }
+
+    /// The rotor of a document whose lateral motion is `rotor`, above the bearings of `cases`.
+    fn assemble(
+        document: RotorFileDocument,
+        rotor: LinearRotor,
+        cases: &[CaseFile],
+    ) -> Result<Self, RotorError> {
+        let (title, speed_rpm) = (document.title.as_str(), document.speed_rpm);
+        let drive_torque_n_m = document.drive_torque_n_m;
         let given = cases.iter().filter_map(|file| {
             let automatic = file.document().solver.step_us == StepDocument::Auto;
             (!automatic).then_some(file.case().solver.step_s)
@@ -102,7 +151,7 @@ impl RotorFile {
             bearings.push(carried);
         }
         Ok(Self {
-            title: title.to_owned(),
+            document,
             bearings,
             drop,
         })
@@ -110,7 +159,39 @@ impl RotorFile {
 
     /// Free text.
     pub fn title(&self) -> &str {
-        &self.title
+        &self.document.title
+    }
+
+    /// The file with its cases and every default.
+    pub fn document(&self) -> &RotorFileDocument {
+        &self.document
+    }
+
+    /// The values of a key as `--set` names it, its default if it has one: one of a key of the
+    /// rotor or of one bearing, one for each bearing of a key of all cases; `None` where it is left
+    /// out or no key.
+    pub fn values(&self, key: &str) -> Vec<Option<CaseValue>> {
+        let path: Vec<&str> = key.split('.').collect();
+        let cases = &self.document.cases;
+        match address(&path) {
+            Err(_) => vec![None],
+            Ok(Address::Rotor) => vec![self.document.value(key)],
+            Ok(Address::Case(Some(k), key)) => {
+                vec![cases.get(k).and_then(|case| case.value(&key.join(".")))]
+            }
+            Ok(Address::Case(None, _)) => cases.iter().map(|case| case.value(key)).collect(),
+        }
+    }
+
+    /// Indices of the bearings whose cases a key concerns, as `--set` names it; none of a key of
+    /// the rotor.
+    pub fn bearings_of(&self, key: &str) -> std::ops::Range<usize> {
+        let path: Vec<&str> = key.split('.').collect();
+        match address(&path) {
+            Ok(Address::Case(Some(k), _)) if k < self.bearings.len() => k..k + 1,
+            Ok(Address::Case(None, _)) => 0..self.bearings.len(),
+            _ => 0..0,
+        }
     }
 
     /// The case of each bearing as one plane of the rotor: with the part of the mass that the

@@ -1,202 +1,184 @@
 //! Reading of rotor files.
 
 use std::path::Path;
+use std::sync::Arc;
 
-use cageless::linear_rotor::{
-    LinearRotor, NodeUnbalance, PlaneUnbalance, Reduction, RigidRotor, RotorError,
-};
+use cageless::linear_rotor::{RotorError, RotorMatrices};
 
-use super::{RotorFile, read_matrices};
-use crate::case_file::spanned_toml::{self, Node, Section, Value, join};
-use crate::case_file::{CaseError, CaseFile, nearest};
+use super::keys::{self, HEAD};
+use super::{RotorBody, RotorDescription, RotorPlace, RotorUnbalance, SCHEMA};
+use crate::case_file::spanned_toml::{Node, Section, Value, join};
+use crate::case_file::{CaseBase, CaseError, nearest};
 
-/// The only schema of rotor files so far.
-const SCHEMA: i64 = 1;
-const HEAD: [&str; 5] = ["schema", "title", "rotor", "bearing", "unbalance"];
+/// Keys of a rigid rotor alone.
 const RIGID: [&str; 3] = ["mass_kg", "polar_inertia_kg_m2", "transverse_inertia_kg_m2"];
-const ROTOR: [&str; 8] = [
-    "mass_kg",
-    "polar_inertia_kg_m2",
-    "transverse_inertia_kg_m2",
-    "matrices",
-    "frequency_max_hz",
-    "kept_nodes",
-    "speed_rpm",
-    "drive_torque_n_m",
-];
-const BEARING: [&str; 3] = ["case", "axial_mm", "node"];
-const UNBALANCE: [&str; 4] = ["axial_mm", "node", "moment_g_mm", "phase_deg"];
-
-const MM: f64 = 1e-3;
-const G_MM: f64 = 1e-6;
+/// Keys of a rotor by matrices alone.
+const REDUCED: [&str; 2] = ["frequency_max_hz", "kept_nodes"];
 
 /// Section of a rotor file.
-struct Part<'a> {
+pub(super) struct Part<'a> {
     file: &'a str,
+    /// Name of the section in the table of keys; empty for the head of the file.
+    section: &'static str,
     /// `bearing.2` for the second of several.
     path: String,
-    entries: &'a Section,
+    pub entries: &'a Section,
 }
 
-pub(super) fn rotor_file(
-    text: &str,
-    name: &str,
-    folder: &Path,
-    overrides: &[String],
-) -> Result<RotorFile, CaseError> {
-    let root = spanned_toml::parse(text, name)?;
-    let head = Part {
-        file: name,
-        path: String::new(),
-        entries: &root,
-    };
-    head.only(&HEAD)?;
-    if let Some(node) = root.get("schema")
-        && !matches!(node.value, Value::Integer(SCHEMA))
-    {
-        return Err(head.refuse("schema", node, &format!("{SCHEMA}")));
-    }
-    let title = match root.get("title") {
-        None => String::new(),
-        Some(node) => head.text("title", node)?,
-    };
-    let Some(Value::Section(entries)) = root.get("rotor").map(|node| &node.value) else {
-        let message = "[rotor] is missing: the rotor above the bearings".to_owned();
-        return Err(CaseError::of_file(name, message).with_key("rotor"));
-    };
-    let rotor = Part {
-        file: name,
-        path: "rotor".to_owned(),
-        entries,
-    };
-    rotor.only(&ROTOR)?;
-    let bearings = head.list("bearing", &BEARING)?;
-    let unbalances = head.list("unbalance", &UNBALANCE)?;
-    let speed_rpm = rotor.required("speed_rpm", "speed of the rotor when the magnets let go")?;
-    let torque = rotor.number("drive_torque_n_m")?.unwrap_or(0.0);
-    let linear = match entries.get("matrices") {
-        None => rigid(&rotor, &bearings, &unbalances)?,
-        Some(node) => by_matrices(&rotor, node, folder, &bearings, &unbalances)?,
-    };
-    let mut cases = vec![];
-    for bearing in &bearings {
-        let Some(node) = bearing.entries.get("case") else {
-            return Err(bearing.missing("case", "path of the case file of this bearing"));
+/// The sections of a rotor file, whose keys are all known.
+pub(super) struct Head<'a> {
+    head: Part<'a>,
+    pub rotor: Part<'a>,
+    pub bearings: Vec<Part<'a>>,
+    unbalances: Vec<Part<'a>>,
+}
+
+impl<'a> Head<'a> {
+    pub(super) fn new(root: &'a Section, name: &'a str) -> Result<Self, CaseError> {
+        let head = Part {
+            file: name,
+            section: "",
+            path: String::new(),
+            entries: root,
         };
-        let path = folder.join(bearing.text("case", node)?);
-        let mut changes = overrides.to_vec();
-        // What belongs to the rotor as a whole need not stand in the case of a bearing.
-        for (key, value) in [
-            ("mass_kg", linear.mass_kg() / bearings.len() as f64),
-            ("polar_inertia_kg_m2", linear.polar_inertia_kg_m2()),
-            ("speed_rpm", speed_rpm),
-        ] {
-            changes.push(format!("rotor.{key}={value}"));
+        head.only_known()?;
+        if let Some(node) = root.get("schema")
+            && !matches!(node.value, Value::Integer(SCHEMA))
+        {
+            return Err(head.refuse("schema", node, &format!("{SCHEMA}")));
         }
-        let file = CaseFile::read(&path, &changes);
-        cases.push(file.map_err(|error| node.error_of_its_file(name, "case", error))?);
+        let Some(Value::Section(entries)) = root.get("rotor").map(|node| &node.value) else {
+            let message = "[rotor] is missing: the rotor above the bearings".to_owned();
+            return Err(CaseError::of_file(name, message).with_key("rotor"));
+        };
+        let rotor = Part {
+            file: name,
+            section: "rotor",
+            path: "rotor".to_owned(),
+            entries,
+        };
+        rotor.only_known()?;
+        let (foreign, allowed) = match entries.contains_key("matrices") {
+            true => (&RIGID[..], "left out: it follows from the matrices"),
+            false => (&REDUCED[..], "left out: it belongs to a rotor by matrices"),
+        };
+        let mut foreign = foreign
+            .iter()
+            .filter_map(|key| Some((key, entries.get(*key)?)));
+        if let Some((key, node)) = foreign.next() {
+            return Err(rotor.refuse(key, node, allowed));
+        }
+        Ok(Self {
+            bearings: head.list("bearing")?,
+            unbalances: head.list("unbalance")?,
+            head,
+            rotor,
+        })
     }
-    RotorFile::new(&title, linear, speed_rpm, torque, &cases).map_err(|e| rotor.of_rotor(&e))
+
+    /// Line of the section `[rotor]`.
+    pub(super) fn line(&self) -> usize {
+        self.head.entries.get("rotor").map_or(0, Node::line)
+    }
+
+    pub(super) fn title(&self) -> Result<String, CaseError> {
+        match self.head.entries.get("title") {
+            None => Ok(String::new()),
+            Some(node) => self.head.text("title", node),
+        }
+    }
+
+    pub(super) fn speed_rpm(&self) -> Result<f64, CaseError> {
+        self.rotor.required("speed_rpm")
+    }
+
+    pub(super) fn drive(&self) -> Result<f64, CaseError> {
+        Ok(self.rotor.number("drive_torque_n_m")?.unwrap_or(0.0))
+    }
 }
 
-fn rigid(
-    rotor: &Part<'_>,
-    bearings: &[Part<'_>],
-    unbalances: &[Part<'_>],
-) -> Result<LinearRotor, CaseError> {
-    for key in ["frequency_max_hz", "kept_nodes"] {
-        if let Some(node) = rotor.entries.get(key) {
-            return Err(rotor.refuse(key, node, "left out: it belongs to a rotor by matrices"));
-        }
-    }
-    let value = |key: &str| rotor.required(key, "of a rigid rotor; or matrices, of a flexible one");
-    let place = |part: &Part<'_>| -> Result<f64, CaseError> {
-        if let Some(node) = part.entries.get("node") {
-            let allowed = "left out: a rigid rotor has places, axial_mm";
-            return Err(part.refuse("node", node, allowed));
-        }
-        Ok(MM * part.required("axial_mm", "place from the mass centre along the axis")?)
-    };
-    let rigid = RigidRotor {
-        mass_kg: value(RIGID[0])?,
-        polar_inertia_kg_m2: value(RIGID[1])?,
-        transverse_inertia_kg_m2: value(RIGID[2])?,
-        bearing_axial_m: bearings.iter().map(place).collect::<Result<_, _>>()?,
-        unbalances: (unbalances.iter())
-            .map(|part| {
-                Ok(PlaneUnbalance {
-                    axial_m: place(part)?,
-                    moment_kg_m: moment(part)?,
-                    phase_rad: phase(part)?,
-                })
-            })
-            .collect::<Result<_, CaseError>>()?,
-    };
-    rigid.linear().map_err(|error| rotor.of_rotor(&error))
-}
-
-fn by_matrices(
-    rotor: &Part<'_>,
-    matrices: &Node,
-    folder: &Path,
-    bearings: &[Part<'_>],
-    unbalances: &[Part<'_>],
-) -> Result<LinearRotor, CaseError> {
-    for key in RIGID {
-        if let Some(node) = rotor.entries.get(key) {
-            return Err(rotor.refuse(key, node, "left out: it follows from the matrices"));
-        }
-    }
-    let path = folder.join(rotor.text("matrices", matrices)?);
-    let full = read_matrices(&path)
-        .map_err(|error| matrices.error_of_its_file(rotor.file, "matrices", error))?;
-    let node = |part: &Part<'_>| -> Result<usize, CaseError> {
-        if let Some(node) = part.entries.get("axial_mm") {
-            let allowed = "left out: a rotor by matrices has nodes, node";
-            return Err(part.refuse("axial_mm", node, allowed));
-        }
-        match part.entries.get("node") {
-            Some(node) => part.whole("node", node),
-            None => Err(part.missing("node", "node of the rotor, from 0")),
-        }
-    };
-    let kept_nodes = match rotor.entries.get("kept_nodes") {
-        None => vec![],
-        Some(list) => match &list.value {
-            Value::List(items) => (items.iter())
-                .map(|item| rotor.whole("kept_nodes", item))
-                .collect::<Result<_, _>>()?,
-            _ => return Err(rotor.refuse("kept_nodes", list, "a list of nodes in brackets")),
+/// The rotor with the places of its bearings.
+pub(super) fn description(
+    head: &Head<'_>,
+    matrices: Option<&Arc<RotorMatrices>>,
+) -> Result<RotorDescription, CaseError> {
+    let rotor = &head.rotor;
+    let by_matrices = matrices.is_some();
+    let body = match matrices {
+        None => RotorBody::Rigid {
+            mass_kg: rotor.required("mass_kg")?,
+            polar_inertia_kg_m2: rotor.required("polar_inertia_kg_m2")?,
+            transverse_inertia_kg_m2: rotor.required("transverse_inertia_kg_m2")?,
+        },
+        Some(matrices) => RotorBody::Matrices {
+            matrices: Arc::clone(matrices),
+            frequency_max_hz: rotor.number("frequency_max_hz")?,
+            kept_nodes: rotor.nodes("kept_nodes")?,
         },
     };
-    let reduction = Reduction {
-        bearing_nodes: bearings.iter().map(node).collect::<Result<_, _>>()?,
-        kept_nodes,
-        unbalances: (unbalances.iter())
-            .map(|part| {
-                Ok(NodeUnbalance {
-                    node: node(part)?,
-                    moment_kg_m: moment(part)?,
-                    phase_rad: phase(part)?,
-                })
-            })
-            .collect::<Result<_, CaseError>>()?,
-        frequency_max_hz: rotor.number("frequency_max_hz")?,
-    };
-    full.reduce(&reduction).map_err(|e| rotor.of_rotor(&e))
-}
-
-fn moment(part: &Part<'_>) -> Result<f64, CaseError> {
-    Ok(G_MM * part.required("moment_g_mm", "m·ε of the unbalance")?)
-}
-
-fn phase(part: &Part<'_>) -> Result<f64, CaseError> {
-    Ok(part.number("phase_deg")?.unwrap_or(0.0).to_radians())
+    let bearings = head.bearings.iter().map(|part| part.place(by_matrices));
+    let unbalances = head.unbalances.iter().map(|part| {
+        Ok(RotorUnbalance {
+            place: part.place(by_matrices)?,
+            moment_g_mm: part.required("moment_g_mm")?,
+            phase_deg: part.number("phase_deg")?.unwrap_or(0.0),
+        })
+    });
+    Ok(RotorDescription {
+        body,
+        bearings: bearings.collect::<Result<_, _>>()?,
+        unbalances: unbalances.collect::<Result<_, CaseError>>()?,
+    })
 }
 
 impl<'a> Part<'a> {
+    /// The case of a bearing, from its file or from the section itself.
+    pub(super) fn case(&self, folder: &Path) -> Result<CaseBase, CaseError> {
+        let Some(node) = self.entries.get("case") else {
+            return Err(self.missing("case"));
+        };
+        match &node.value {
+            Value::Section(root) => Ok(CaseBase::from_sections(root.clone(), self.file)),
+            _ => CaseBase::read(&folder.join(self.text("case", node)?))
+                .map_err(|error| node.error_of_its_file(self.file, "case", error)),
+        }
+    }
+
+    /// Place on the rotor, a node of one by matrices.
+    fn place(&self, by_matrices: bool) -> Result<RotorPlace, CaseError> {
+        let (other, allowed) = match by_matrices {
+            true => ("axial_mm", "left out: a rotor by matrices has nodes, node"),
+            false => ("node", "left out: a rigid rotor has places, axial_mm"),
+        };
+        if let Some(node) = self.entries.get(other) {
+            return Err(self.refuse(other, node, allowed));
+        }
+        if !by_matrices {
+            return Ok(RotorPlace::AxialMm(self.required("axial_mm")?));
+        }
+        match self.entries.get("node") {
+            Some(node) => Ok(RotorPlace::Node(self.whole("node", node)?)),
+            None => Err(self.missing("node")),
+        }
+    }
+
+    /// A list of nodes; none if the key is left out.
+    fn nodes(&self, key: &str) -> Result<Vec<usize>, CaseError> {
+        match self.entries.get(key).map(|node| (&node.value, node)) {
+            None => Ok(vec![]),
+            Some((Value::List(items), _)) => {
+                items.iter().map(|item| self.whole(key, item)).collect()
+            }
+            Some((_, node)) => Err(self.refuse(key, node, "a list of nodes in brackets")),
+        }
+    }
+
     /// Refuses keys that the section does not have.
-    fn only(&self, keys: &[&str]) -> Result<(), CaseError> {
+    fn only_known(&self) -> Result<(), CaseError> {
+        let keys: Vec<&str> = match self.section {
+            "" => HEAD.to_vec(),
+            section => keys::of_section(section).iter().map(|k| k.name).collect(),
+        };
         let unknown = self
             .entries
             .iter()
@@ -208,12 +190,9 @@ impl<'a> Part<'a> {
             Some(near) => format!("did you mean {near}?"),
             None => format!("it has {}", keys.join(", ")),
         };
-        let place = match self.path.as_str() {
+        let place = match self.section {
             "" => "a rotor file".to_owned(),
-            path => format!(
-                "[{}] of a rotor file",
-                path.split('.').next().unwrap_or(path)
-            ),
+            section => format!("[{section}] of a rotor file"),
         };
         Err(node.error(
             self.file,
@@ -223,7 +202,7 @@ impl<'a> Part<'a> {
     }
 
     /// The sections of a list `[[key]]`.
-    fn list(&self, key: &str, keys: &[&str]) -> Result<Vec<Part<'a>>, CaseError> {
+    fn list(&self, key: &'static str) -> Result<Vec<Part<'a>>, CaseError> {
         let Some(node) = self.entries.get(key) else {
             return Ok(vec![]);
         };
@@ -237,10 +216,11 @@ impl<'a> Part<'a> {
             };
             let part = Part {
                 file: self.file,
+                section: key,
                 path: format!("{key}.{}", k + 1),
                 entries,
             };
-            part.only(keys)?;
+            part.only_known()?;
             Ok(part)
         });
         parts.collect()
@@ -257,13 +237,17 @@ impl<'a> Part<'a> {
         }
     }
 
-    fn required(&self, key: &str, meaning: &str) -> Result<f64, CaseError> {
-        self.number(key)?.ok_or_else(|| self.missing(key, meaning))
+    fn required(&self, key: &str) -> Result<f64, CaseError> {
+        self.number(key)?.ok_or_else(|| self.missing(key))
     }
 
     fn whole(&self, key: &str, node: &Node) -> Result<usize, CaseError> {
         match node.value {
             Value::Integer(value) if value >= 0 => Ok(value as usize),
+            // From an axis of a plan.
+            Value::Number(value) if (0.0..1e9).contains(&value) && value.fract() == 0.0 => {
+                Ok(value as usize)
+            }
             _ => Err(self.refuse(key, node, "a whole number, 0 or more")),
         }
     }
@@ -275,7 +259,8 @@ impl<'a> Part<'a> {
         }
     }
 
-    fn missing(&self, key: &str, meaning: &str) -> CaseError {
+    fn missing(&self, key: &str) -> CaseError {
+        let meaning = keys::find(self.section, key).map_or("", |key| key.meaning);
         let message = format!("{} is missing: {meaning}", join(&self.path, key));
         let place = self
             .entries
@@ -294,7 +279,7 @@ impl<'a> Part<'a> {
     }
 
     /// The error of a rotor that these values give.
-    fn of_rotor(&self, error: &RotorError) -> CaseError {
+    pub(super) fn of_rotor(&self, error: &RotorError) -> CaseError {
         let key = match error {
             RotorError::Value { name, .. } => *name,
             RotorError::Node { .. } => "node",

@@ -22,7 +22,8 @@ from .exports import Export
 from .plan import Plan, span
 from .designs import Design
 from .drops import Drop
-from .rotors import LinearRotor, RotorDrop
+from .rotor_drops import RotorDrop
+from .rotors import LinearRotor, RotorCase
 from .runs import Run
 from .statics import Static
 from .searches import SearchMap, SearchResult
@@ -64,6 +65,7 @@ __all__ = [
     "Plan",
     "Raceway",
     "Rotor",
+    "RotorCase",
     "RotorDrop",
     "Run",
     "SearchMap",

@@ -1,4 +1,5 @@
-"""The plan of a sweep: a case, what varies in it, what is computed of each variant."""
+"""The plan of a sweep: a case or a rotor above several bearings, what varies in it, what is computed
+of each variant."""
 
 from __future__ import annotations
 
@@ -10,6 +11,7 @@ from typing import Any, Literal
 from . import _cageless
 from .case import Case
 from .errors import InputError
+from .rotors import RotorCase
 from .section import table
 
 __all__ = ["Plan", "span"]
@@ -61,13 +63,15 @@ class Plan:
 
     Parameters
     ----------
-    case : Case
-        The case that varies.
+    case : Case or RotorCase
+        The case that varies, or the rotor above several bearings.
     compute : sequence of str
-        ``"static"``, ``"design"``, ``"verdict"``, ``"run"``.
+        ``"static"``, ``"design"``, ``"verdict"``, ``"run"``, ``"drop"``; of a rotor above several
+        bearings ``"drop"`` alone.
     grid : mapping, optional
         Axes of which every combination is taken: ``section.key`` to a list of values, or
-        to a :func:`span`.
+        to a :func:`span`. With a rotor also keys of the rotor, ``rotor.speed_rpm``, and of one
+        bearing, ``bearing.2.contact.damping``.
     samples : mapping, optional
         ``method``, ``count`` and further axes.
     scatter : mapping, optional
@@ -80,7 +84,7 @@ class Plan:
         Free text.
     set : mapping, optional
         Values that replace those of the case in every variant: ``section.key`` to a value, or
-        sections in sections, as :meth:`Case.replace` takes them.
+        sections in sections, as ``replace`` of the case takes them.
 
     Examples
     --------
@@ -106,7 +110,7 @@ class Plan:
     def __init__(
         self,
         *,
-        case: Case,
+        case: Case | RotorCase,
         compute: Sequence[str],
         grid: Mapping[str, Any] | None = None,
         samples: Mapping[str, Any] | None = None,
@@ -147,17 +151,20 @@ class Plan:
         """The plan with its case and every default, one key per line."""
         return self._sweep.normal()
 
-    def case(self, variant: int) -> Case:
-        """The case of a variant, counted from 0.
+    def case(self, variant: int) -> Any:
+        """The :class:`Case` of a variant, counted from 0, or its :class:`RotorCase`.
 
         Raises
         ------
         InputError
             If that variant is an impossible case.
         """
-        return Case._of(self._sweep.case(variant))
+        file = self._sweep.file(variant)
+        if isinstance(file, _cageless.RotorFile):
+            return RotorCase._of(file)
+        return Case._of(file)
 
-    def cases(self) -> Iterator[Case]:
+    def cases(self) -> Iterator[Any]:
         """The cases of all variants."""
         return (self.case(variant) for variant in range(len(self)))
 

@@ -1,27 +1,25 @@
-"""Rotors above several touchdown bearings, and their drops."""
+"""Rotors above several touchdown bearings."""
 
 from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable, Iterable, Sequence
-from functools import cached_property
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _cageless, folders, pages
-from .drops import Drop, Studied, scalars
+from . import _cageless
+from .drops import Drop
 from .errors import InputError, UnphysicalError
+from .rotor_drops import RotorDrop
 
 if TYPE_CHECKING:
-    import pandas as pd
-
     from .case import Case
 
-__all__ = ["LinearRotor", "RotorDrop"]
+__all__ = ["LinearRotor", "RotorCase"]
 
 Matrix = npt.NDArray[np.float64]
 #: Lateral coordinates [x, y, α, β] among those of a node, by their number.
@@ -279,98 +277,168 @@ class LinearRotor:
         UnphysicalError
             If the drop left the physical range.
         """
-        bearings, summary, page, stopped = self._rotor.drop(
+        case = RotorCase(
+            self, cases, speed_rpm=speed_rpm, drive_torque_n_m=drive_torque_n_m, title=title
+        )
+        return case.drop(
+            compare=compare, samples=samples, verify=verify, threads=threads, progress=progress
+        )
+
+
+class RotorCase:
+    """A rotor above several touchdown bearings with the case of each: what a rotor file holds.
+
+    Parameters
+    ----------
+    rotor : LinearRotor
+        The rotor with the places of its bearings.
+    cases : sequence of Case
+        The case of each bearing, as :meth:`LinearRotor.drop` takes them.
+    speed_rpm : float
+        Speed when the magnets let go.
+    drive_torque_n_m : float
+        Torque on the rotor.
+    title : str
+        Free text.
+
+    Raises
+    ------
+    InputError
+        If the cases do not fit the rotor or each other.
+    """
+
+    def __init__(
+        self,
+        rotor: LinearRotor,
+        cases: Sequence[Case],
+        *,
+        speed_rpm: float,
+        drive_torque_n_m: float = 0.0,
+        title: str = "",
+    ) -> None:
+        self._file = _cageless.RotorFile.of(
+            rotor._rotor,
             [case._file for case in cases],
             title,
             float(speed_rpm),
             float(drive_torque_n_m),
-            compare,
-            samples,
-            verify,
-            threads,
-            progress,
+        )
+
+    @classmethod
+    def _of(cls, file: _cageless.RotorFile) -> RotorCase:
+        case = cls.__new__(cls)
+        case._file = file
+        return case
+
+    @classmethod
+    def from_file(
+        cls, path: str | os.PathLike[str], changes: Mapping[str, Any] | None = None
+    ) -> RotorCase:
+        """Reads a rotor file.
+
+        Parameters
+        ----------
+        path : path
+            TOML.
+        changes : mapping, optional
+            Values as ``--set`` gives them to ``cageless drop``: for keys of the rotor file, for
+            ``section.key`` of the cases of all bearings, for ``bearing.2.section.key`` of one.
+        """
+        return cls._of(_cageless.RotorFile.read(os.fspath(path), _changed(changes or {})))
+
+    @classmethod
+    def from_toml(
+        cls,
+        text: str,
+        changes: Mapping[str, Any] | None = None,
+        folder: str | os.PathLike[str] = ".",
+    ) -> RotorCase:
+        """Reads the text of a rotor file; paths in it count from `folder`."""
+        changed = _changed(changes or {})
+        return cls._of(_cageless.RotorFile.parse(text, "rotor", os.fspath(folder), changed))
+
+    def to_toml(self) -> str:
+        """A rotor file that needs no other: with its cases and matrices, every default filled
+        in."""
+        return self._file.to_toml()
+
+    def replace(self, changes: Mapping[str, Any]) -> RotorCase:
+        """The same with changes, as :meth:`from_file` takes them."""
+        return RotorCase._of(self._file.changed(_changed(changes)))
+
+    def _document(self) -> dict[str, Any]:
+        found: dict[str, Any] = json.loads(self._file.document())
+        return found
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, RotorCase) and self._file == other._file
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (RotorCase.from_toml, (self.to_toml(),))
+
+    def __repr__(self) -> str:
+        count = len(self._file.cases())
+        return f"<RotorCase {self.title!r}: {self.rotor.mass_kg:.4g} kg in {count} bearings>"
+
+    @property
+    def rotor(self) -> LinearRotor:
+        """The rotor with the places of its bearings."""
+        return LinearRotor(self._file.rotor())
+
+    @property
+    def cases(self) -> list[Case]:
+        """The case of each bearing."""
+        from .case import Case
+
+        return [Case._of(file) for file in self._file.cases()]
+
+    @property
+    def speed_rpm(self) -> float:
+        """Speed when the magnets let go."""
+        return self._file.speed_rpm
+
+    @property
+    def drive_torque_n_m(self) -> float:
+        """Torque on the rotor."""
+        return self._file.drive_torque_n_m
+
+    @property
+    def title(self) -> str:
+        """Free text."""
+        return self._file.title
+
+    def drop(
+        self,
+        *,
+        compare: bool = False,
+        samples: int | None = None,
+        verify: bool = False,
+        threads: int | None = None,
+        progress: Callable[[str, float], object] | None = None,
+    ) -> RotorDrop:
+        """Drops the rotor into its bearings; the options are those of :meth:`LinearRotor.drop`.
+
+        Raises
+        ------
+        InputError
+            If ``samples`` is impossible.
+        UnphysicalError
+            If the drop left the physical range.
+        """
+        bearings, summary, page, stopped = self._file.drop(
+            compare, samples, verify, threads, progress
         )
         if stopped is not None:
             raise UnphysicalError(stopped)
         return RotorDrop([Drop(bearing) for bearing in bearings], summary, page)
 
 
-class RotorDrop(Studied):
-    """The drop of a rotor into several bearings; two are equal if their bearings and all of their
-    results are."""
+def _changed(values: Mapping[str, Any]) -> list[str]:
+    from .case import changes
 
-    def __init__(self, bearings: list[Drop], summary: str, page: str) -> None:
-        self.bearings = bearings
-        """What each bearing went through."""
-        self._summary, self._page = summary, page
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, RotorDrop):
-            return False
-        return self.summary == other.summary and self.bearings == other.bearings
-
-    __hash__ = None  # type: ignore[assignment]
-
-    def __repr__(self) -> str:
-        states = ", ".join(bearing.end_state for bearing in self.bearings)
-        return f"<RotorDrop: {states}>"
-
-    @cached_property
-    def summary(self) -> dict[str, Any]:
-        """``summary.json`` of ``cageless drop`` with a rotor file; under ``conventional``,
-        ``ensemble`` and ``verification`` what was asked for beside the drop."""
-        found: dict[str, Any] = json.loads(self._summary)
-        return found
-
-    def data_drops(self) -> pd.DataFrame:
-        """The scattered drops, a row for each drop and bearing: what was drawn, and the scalar
-        results. Empty without ``samples``."""
-        import pandas as pd
-
-        rows = []
-        for drop in self.summary.get("ensemble", {}).get("drops", []):
-            of_rotor = {k: v for k, v in drop.items() if k != "bearings"}
-            for number, bearing in enumerate(drop["bearings"], 1):
-                drawn = {k: v for k, v in bearing.items() if k != "result"}
-                results = scalars(bearing["result"])
-                # The stop of one bearing ends the drop: the reason of the drop counts.
-                results.pop("stopped")
-                rows.append({"bearing": number} | of_rotor | drawn | results)
-        return pd.DataFrame(rows)
-
-    def data_verification(self) -> pd.DataFrame:
-        """Judgement of each result of each bearing by a verified drop, by ``bearing`` and
-        ``name``. Empty without ``verify=True``."""
-        import pandas as pd
-
-        bearings = self.summary.get("verification", {}).get("bearings", [])
-        rows = [
-            {"bearing": number} | judgement
-            for number, bearing in enumerate(bearings, 1)
-            for judgement in bearing["numbers"]
-        ]
-        frame = pd.DataFrame(rows)
-        return frame.set_index(["bearing", "name"]) if len(frame) else frame
-
-    def save(self, folder: str | os.PathLike[str]) -> Path:
-        """Writes what ``cageless drop --out`` writes: ``summary.json``, the page, and the tables of
-        each bearing in a folder of its own.
-
-        Returns
-        -------
-        Path
-            The folder, which is created.
-        """
-        path = folders.make(folder)
-        for k, bearing in enumerate(self.bearings):
-            bearing._save_tables(path / f"bearing-{k + 1}")
-        folders.write(path, "summary.json", self._summary.encode())
-        pages.write(path / "report.html", self._page)
-        return path
-
-    def report(self, path: str | os.PathLike[str]) -> Path:
-        """Writes the page of ``cageless drop --out``."""
-        return pages.write(path, self._page)
+    return changes(values)
 
 
 def _matrix(name: str, values: npt.ArrayLike) -> Matrix:

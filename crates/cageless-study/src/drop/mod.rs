@@ -30,6 +30,7 @@ pub use rotor_ensemble::{RotorDropRow, RotorEnsemble, rotor_ensemble};
 pub use rotor_study::{RotorStudy, rotor_study};
 pub use rotor_verification::RotorVerification;
 pub use several::SeveralBearings;
+pub(crate) use several::{RotorRun, run_rotor};
 pub use study::{DropRequest, DropStudy, Ended, Study, study};
 pub use verification::DropVerification;
 

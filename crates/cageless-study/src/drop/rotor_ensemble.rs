@@ -72,11 +72,12 @@ impl RotorDropRow {
         task: &dyn Work,
     ) -> Result<Self, StudyError> {
         let (scattered, drawn) = scatter.draw_rotor(drop, index);
+        let mut control = task.run_control(drop.cases()[0].solver.duration_s, 1.0);
         let RotorRun {
             bearings,
             stopped,
             rotor_energy_residual_relative,
-        } = run_rotor(&scattered, task, 1.0)?;
+        } = run_rotor(&scattered, &mut *control)?;
         Ok(Self {
             index,
             unbalance_turn_deg: drawn.unbalance_turn_rad.to_degrees(),

@@ -37,7 +37,8 @@ impl RotorVerification {
         let task = progress.begin(TASK, roles[1..].iter().map(|role| work(*role)).sum());
         let replicas: Result<Vec<_>, StudyError> = (roles[1..].par_iter())
             .map(|role| {
-                let replica = run_rotor(&drop.replica(*role), &*task, work(*role))?;
+                let mut control = task.run_control(case.solver.duration_s, work(*role));
+                let replica = run_rotor(&drop.replica(*role), &mut *control)?;
                 match &replica.stopped {
                     Some(reason) => Err(replica_stopped(*role, reason)),
                     None => Ok((*role, replica)),

@@ -1,11 +1,11 @@
 //! The drop of a rotor into several touchdown bearings.
 
-use cageless::simulation::{Ending, Observer, RotorDrop, RunOutcome};
+use cageless::simulation::{Control, Ending, Observer, RotorDrop, RunOutcome};
 use cageless::touchdown::DropRecorder;
 
 use super::{DropRecord, DropResult, Ended, watched};
 use crate::StudyError;
-use crate::progress::{Progress, Work};
+use crate::progress::Progress;
 use crate::run::{Rows, RunError};
 
 /// A drop into several bearings with its record.
@@ -82,7 +82,7 @@ fn stopped_bearing<'a>(mut outcomes: impl Iterator<Item = &'a RunOutcome>) -> Op
 }
 
 /// Results of one of many drops into several bearings.
-pub(super) struct RotorRun {
+pub(crate) struct RotorRun {
     /// Results of each bearing.
     pub bearings: Vec<DropResult>,
     /// Bearing and reason, where the drop stopped early.
@@ -91,14 +91,16 @@ pub(super) struct RotorRun {
     pub rotor_energy_residual_relative: f64,
 }
 
-/// Drops a rotor into its bearings and keeps the results alone; `units` is its part of the task.
-pub(super) fn run_rotor(
+/// Drops a rotor into its bearings and keeps the results alone.
+///
+/// # Errors
+/// A bearing cannot start, or `control` cancelled.
+pub(crate) fn run_rotor(
     drop: &RotorDrop,
-    task: &dyn Work,
-    units: f64,
+    control: &mut dyn FnMut(f64) -> Control,
 ) -> Result<RotorRun, StudyError> {
     // A short drop ends before it asks for the first time.
-    if task.interrupted() {
+    if control(0.0).is_break() {
         return Err(StudyError::Interrupted);
     }
     let mut recorders: Vec<_> = drop.cases().iter().map(|_| DropRecorder::new()).collect();
@@ -106,8 +108,7 @@ pub(super) fn run_rotor(
         let mut observers: Vec<Vec<&mut dyn Observer>> = (recorders.iter_mut())
             .map(|recorder| vec![recorder as &mut dyn Observer])
             .collect();
-        let mut control = task.run_control(drop.cases()[0].solver.duration_s, units);
-        drop.run(&mut observers, &mut *control)
+        drop.run(&mut observers, control)
             .map_err(|error| StudyError::Input(error.to_string()))?
     };
     let results = recorders.into_iter().zip(&outcome.bearings);

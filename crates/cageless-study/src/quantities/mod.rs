@@ -2,6 +2,7 @@
 //! function of each. `summary.json`, the terminal, the tables of pages, the columns of sweeps,
 //! comparisons of runs and the Python package are views of it.
 
+mod across;
 mod table;
 
 use cageless::Case;
@@ -15,8 +16,10 @@ use cageless_io::plan_file::Computation;
 use cageless_io::results::{Cell, ColumnKind, ColumnSpec};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
+use crate::drop::RotorRun;
 use crate::number_text;
 
+pub use across::Across;
 pub use table::QUANTITIES;
 
 /// A scalar result.
@@ -32,6 +35,8 @@ pub struct Quantity {
     pub kind: Kind,
     /// Better direction, where there is one.
     pub aim: Option<Aim>,
+    /// Its value for a rotor in several bearings, where there is one.
+    pub across: Option<Across>,
     /// Whether the columns of sweeps have it.
     pub in_sweeps: bool,
     /// Whether tables for readers have it.
@@ -95,6 +100,7 @@ pub(crate) enum Source {
     Verdict(fn(&Judgement) -> Cell),
     Run(fn(&Finished<'_>) -> Cell),
     Drop(fn(&FinishedDrop<'_>) -> Cell),
+    RotorDrop(fn(&RotorRun) -> Cell),
 }
 
 impl Quantity {
@@ -105,13 +111,47 @@ impl Quantity {
             Source::Design(_) => Computation::Design,
             Source::Verdict(_) => Computation::Verdict,
             Source::Run(_) => Computation::Run,
-            Source::Drop(_) => Computation::Drop,
+            Source::Drop(_) | Source::RotorDrop(_) => Computation::Drop,
         }
     }
 
     /// Name of the column in sweeps: that of the computation, then its own.
     pub fn column_name(&self) -> String {
         format!("{}_{}", self.computation().name(), self.name)
+    }
+
+    /// Name of the column in sweeps of a rotor in several bearings, for bearing `k` from 0.
+    pub fn column_name_in_bearing(&self, k: usize) -> String {
+        format!(
+            "{}_bearing_{}_{}",
+            self.computation().name(),
+            k + 1,
+            self.name
+        )
+    }
+
+    /// The result of a column of sweeps, and the bearing from 0 if it is that of one of several.
+    pub fn of_column(name: &str) -> Option<(&'static Self, Option<usize>)> {
+        let drop = Computation::Drop.name();
+        let in_bearing = || {
+            let rest = name.strip_prefix(drop)?.strip_prefix("_bearing_")?;
+            let (number, rest) = rest.split_once('_')?;
+            let k = number.parse::<usize>().ok()?.checked_sub(1)?;
+            Some((format!("{drop}_{rest}"), Some(k)))
+        };
+        let (name, bearing) = in_bearing().unwrap_or_else(|| (name.to_owned(), None));
+        let quantity = QUANTITIES.iter().find(|q| q.column_name() == name)?;
+        Some((quantity, bearing))
+    }
+
+    /// Whether one bearing has it.
+    pub(crate) fn is_of_bearing(&self) -> bool {
+        !matches!(self.of, Source::RotorDrop(_))
+    }
+
+    /// Whether a rotor in several bearings has it.
+    pub(crate) fn is_of_rotor(&self) -> bool {
+        !self.is_of_bearing() || self.across.is_some()
     }
 
     pub(crate) fn column(&self) -> ColumnSpec {
@@ -159,6 +199,20 @@ impl Quantity {
         match self.of {
             Source::Drop(of) => Some(of(drop)),
             _ => None,
+        }
+    }
+
+    /// Its value in a drop of a rotor into several bearings.
+    pub(crate) fn of_rotor_drop(&self, drop: &RotorRun) -> Cell {
+        let of_bearings = || {
+            drop.bearings
+                .iter()
+                .map(|bearing| bearing.results.get(self.name))
+        };
+        match (self.of, self.across) {
+            (Source::RotorDrop(of), _) => of(drop),
+            (_, Some(across)) => across.of(of_bearings().map(|c| c.unwrap_or(&Cell::Null))),
+            (_, None) => Cell::Null,
         }
     }
 

@@ -15,8 +15,9 @@ use cageless::rating::PassingFrequencies;
 use cageless::summary::Summary;
 use cageless_io::results::Cell;
 
-use super::Source::{self, Design, Drop, Run, Static, Verdict};
-use super::{Aim, Finished, FinishedDrop, Kind, Quantity};
+use super::Across::{Largest, LargestOfAll, Same, Smallest, Sum, WorstState};
+use super::Source::{self, Design, Drop, RotorDrop, Run, Static, Verdict};
+use super::{Across, Aim, Finished, FinishedDrop, Kind, Quantity};
 
 /// All scalar results, in the order of keys, columns and tables.
 #[rustfmt::skip]
@@ -116,40 +117,41 @@ pub const QUANTITIES: &[Quantity] = &[
     integer("rhs_evaluations", "force evaluations", Run(|r| Cell::Integer(r.outcome.rhs_evaluations as i64))),
     file_only(quantity("wall_s", "s", "time of the computation", Run(|r| some(r.wall_s)))),
 
-    text("end_state", "state at the end", Drop(|d| Cell::Text(d.summary.end_state.name().to_owned()))),
-    quantity("first_contact_ms", "ms", "first contact", Drop(|d| d.summary.first_contact_s.map(|t| 1e3 * t).into())),
-    integer("impacts", "impacts of the rotor", Drop(|d| Cell::Integer(d.summary.impacts as i64))),
-    quantity("contact_fraction", "", "time in contact after the first, fraction", Drop(|d| some(d.summary.contact_fraction))),
-    low(quantity("rotor_force_max_n", "N", "largest force on the rotor", Drop(|d| some(d.summary.rotor_force_max_n)))),
-    low(quantity("rotor_force_max_weights", "", "  as a multiple of its weight", Drop(|d| weights(d, Some(d.summary.rotor_force_max_n))))),
-    low(quantity("housing_force_max_n", "N", "largest force on the housing", Drop(|d| d.summary.housing_force_max_n.into()))),
-    low(quantity("housing_force_max_weights", "", "  as a multiple of the rotor's weight", Drop(|d| weights(d, d.summary.housing_force_max_n)))),
-    quantity("housing_displacement_max_um", "um", "largest displacement of the outer ring", Drop(|d| some(1e6 * d.summary.housing_displacement_max_m))),
-    quantity("rotor_slip_max_m_s", "m/s", "largest sliding speed of the rotor", Drop(|d| some(d.summary.rotor_slip_max_m_s))),
-    low(quantity("spin_up_ms", "ms", "spin-up of the inner ring", Drop(|d| d.summary.spin_up_s.map(|t| 1e3 * t).into()))),
+    across(WorstState, text("end_state", "state at the end", Drop(|d| Cell::Text(d.summary.end_state.name().to_owned())))),
+    across(Smallest, quantity("first_contact_ms", "ms", "first contact", Drop(|d| d.summary.first_contact_s.map(|t| 1e3 * t).into()))),
+    across(Sum, integer("impacts", "impacts of the rotor", Drop(|d| Cell::Integer(d.summary.impacts as i64)))),
+    across(Largest, quantity("contact_fraction", "", "time in contact after the first, fraction", Drop(|d| some(d.summary.contact_fraction)))),
+    across(Largest, low(quantity("rotor_force_max_n", "N", "largest force on the rotor", Drop(|d| some(d.summary.rotor_force_max_n))))),
+    across(Largest, low(quantity("rotor_force_max_weights", "", "  as a multiple of its weight", Drop(|d| weights(d, Some(d.summary.rotor_force_max_n)))))),
+    across(Largest, low(quantity("housing_force_max_n", "N", "largest force on the housing", Drop(|d| d.summary.housing_force_max_n.into())))),
+    across(Largest, low(quantity("housing_force_max_weights", "", "  as a multiple of the rotor's weight", Drop(|d| weights(d, d.summary.housing_force_max_n))))),
+    across(Largest, quantity("housing_displacement_max_um", "um", "largest displacement of the outer ring", Drop(|d| some(1e6 * d.summary.housing_displacement_max_m)))),
+    across(Largest, quantity("rotor_slip_max_m_s", "m/s", "largest sliding speed of the rotor", Drop(|d| some(d.summary.rotor_slip_max_m_s)))),
+    across(LargestOfAll, low(quantity("spin_up_ms", "ms", "spin-up of the inner ring", Drop(|d| d.summary.spin_up_s.map(|t| 1e3 * t).into())))),
     quantity("ring_speed_rpm", "rpm", "inner ring at the end", Drop(|d| some(rpm(d.summary.ring_speed_rad_s)))),
-    quantity("rotor_speed_rpm", "rpm", "rotor at the end", Drop(|d| some(rpm(d.summary.rotor_speed_rad_s)))),
-    low(quantity("backward_whirl_max_hz", "Hz", "fastest backward whirl", Drop(|d| some(d.summary.backward_whirl_max_hz)))),
-    low(quantity("inner_stress_max_gpa", "GPa", "peak contact pressure, inner raceway", Drop(|d| some(1e-9 * d.summary.inner_stress_max_pa)))),
-    low(quantity("outer_stress_max_gpa", "GPa", "peak contact pressure, outer raceway", Drop(|d| some(1e-9 * d.summary.outer_stress_max_pa)))),
-    low(quantity("ball_stress_max_gpa", "GPa", "peak contact pressure, ball on ball", Drop(|d| some(1e-9 * d.summary.ball_stress_max_pa)))),
-    low(integer("collisions", "collisions between balls", Drop(|d| Cell::Integer(d.summary.collisions as i64)))),
-    low(quantity("end_collision_rate_hz", "Hz", "collisions between balls per second, at the end", Drop(|d| d.summary.end_collision_rate_hz.into()))),
-    quantity("ball_force_max_n", "N", "largest force between balls", Drop(|d| some(d.summary.ball_force_max_n))),
-    low(quantity("ball_slip_max_m_s", "m/s", "largest sliding speed of a ball", Drop(|d| some(d.summary.ball_slip_max_m_s)))),
-    low(quantity("heat_j", "J", "heat of all interfaces", Drop(|d| some(d.summary.heat.total_j())))),
-    low(quantity("ball_heat_j", "J", "heat of friction at the balls", Drop(|d| some(d.summary.heat.balls_j())))),
-    quantity("rotor_friction_j", "J", "  friction between rotor and inner ring", Drop(|d| some(d.summary.heat.rotor_friction_j))),
-    quantity("rotor_damping_j", "J", "  damping between rotor and inner ring", Drop(|d| some(d.summary.heat.rotor_damping_j))),
-    quantity("inner_friction_j", "J", "  friction at the inner raceway", Drop(|d| some(d.summary.heat.inner_friction_j))),
-    quantity("outer_friction_j", "J", "  friction at the outer raceway", Drop(|d| some(d.summary.heat.outer_friction_j))),
-    quantity("ball_friction_j", "J", "  friction between balls", Drop(|d| some(d.summary.heat.ball_friction_j))),
-    quantity("contact_damping_j", "J", "  damping of the balls' contacts", Drop(|d| some(d.summary.heat.contact_damping_j))),
-    quantity("support_damping_j", "J", "  damping of the support", Drop(|d| some(d.summary.heat.support_damping_j))),
+    across(Same, quantity("rotor_speed_rpm", "rpm", "rotor at the end", Drop(|d| some(rpm(d.summary.rotor_speed_rad_s))))),
+    across(Largest, low(quantity("backward_whirl_max_hz", "Hz", "fastest backward whirl", Drop(|d| some(d.summary.backward_whirl_max_hz))))),
+    across(Largest, low(quantity("inner_stress_max_gpa", "GPa", "peak contact pressure, inner raceway", Drop(|d| some(1e-9 * d.summary.inner_stress_max_pa))))),
+    across(Largest, low(quantity("outer_stress_max_gpa", "GPa", "peak contact pressure, outer raceway", Drop(|d| some(1e-9 * d.summary.outer_stress_max_pa))))),
+    across(Largest, low(quantity("ball_stress_max_gpa", "GPa", "peak contact pressure, ball on ball", Drop(|d| some(1e-9 * d.summary.ball_stress_max_pa))))),
+    across(Sum, low(integer("collisions", "collisions between balls", Drop(|d| Cell::Integer(d.summary.collisions as i64))))),
+    across(Sum, low(quantity("end_collision_rate_hz", "Hz", "collisions between balls per second, at the end", Drop(|d| d.summary.end_collision_rate_hz.into())))),
+    across(Largest, quantity("ball_force_max_n", "N", "largest force between balls", Drop(|d| some(d.summary.ball_force_max_n)))),
+    across(Largest, low(quantity("ball_slip_max_m_s", "m/s", "largest sliding speed of a ball", Drop(|d| some(d.summary.ball_slip_max_m_s))))),
+    across(Sum, low(quantity("heat_j", "J", "heat of all interfaces", Drop(|d| some(d.summary.heat.total_j()))))),
+    across(Sum, low(quantity("ball_heat_j", "J", "heat of friction at the balls", Drop(|d| some(d.summary.heat.balls_j()))))),
+    across(Sum, quantity("rotor_friction_j", "J", "  friction between rotor and inner ring", Drop(|d| some(d.summary.heat.rotor_friction_j)))),
+    across(Sum, quantity("rotor_damping_j", "J", "  damping between rotor and inner ring", Drop(|d| some(d.summary.heat.rotor_damping_j)))),
+    across(Sum, quantity("inner_friction_j", "J", "  friction at the inner raceway", Drop(|d| some(d.summary.heat.inner_friction_j)))),
+    across(Sum, quantity("outer_friction_j", "J", "  friction at the outer raceway", Drop(|d| some(d.summary.heat.outer_friction_j)))),
+    across(Sum, quantity("ball_friction_j", "J", "  friction between balls", Drop(|d| some(d.summary.heat.ball_friction_j)))),
+    across(Sum, quantity("contact_damping_j", "J", "  damping of the balls' contacts", Drop(|d| some(d.summary.heat.contact_damping_j)))),
+    across(Sum, quantity("support_damping_j", "J", "  damping of the support", Drop(|d| some(d.summary.heat.support_damping_j)))),
     list("inner_force_max_of_ball_n", "N", "largest force of each ball at the inner raceway", Drop(|d| Cell::Numbers(d.summary.inner_force_max_n.clone()))),
     list("outer_force_max_of_ball_n", "N", "largest force of each ball at the outer raceway", Drop(|d| Cell::Numbers(d.summary.outer_force_max_n.clone()))),
-    quantity("energy_residual_relative", "", "energy balance error (relative)", Drop(|d| some(d.outcome.energy_residual_relative))),
-    quantity("end_s", "s", "simulated", Drop(|d| some(d.outcome.end_s))),
+    across(Largest, quantity("energy_residual_relative", "", "energy balance error (relative)", Drop(|d| some(d.outcome.energy_residual_relative)))),
+    across(Same, quantity("end_s", "s", "simulated", Drop(|d| some(d.outcome.end_s)))),
+    quantity("rotor_energy_residual_relative", "", "energy balance error of the rotor alone (relative)", RotorDrop(|d| some(d.rotor_energy_residual_relative))),
 ];
 
 const fn quantity(
@@ -164,6 +166,7 @@ const fn quantity(
         label,
         kind: Kind::Number,
         aim: None,
+        across: None,
         in_sweeps: true,
         in_tables: true,
         of,
@@ -214,6 +217,12 @@ const fn file_only(quantity: Quantity) -> Quantity {
         in_tables,
         ..quantity
     }
+}
+
+/// A result of a drop with the rule for a rotor in several bearings.
+const fn across(across: Across, quantity: Quantity) -> Quantity {
+    let across = Some(across);
+    Quantity { across, ..quantity }
 }
 
 const fn low(quantity: Quantity) -> Quantity {

@@ -7,25 +7,28 @@ use cageless::critical_gap::CriticalGapError;
 use cageless::design::judge;
 use cageless::dynamics::layout::BATCH_WIDTH;
 use cageless::equilibrium;
-use cageless::simulation::{Control, Ending, Observer, RunOutcome};
+use cageless::simulation::{Control, Ending, Observer, RotorDrop, RunOutcome};
 use cageless::summary::SummaryRecorder;
 use cageless::touchdown::DropRecorder;
-use cageless_io::case_file::{CaseError, CaseFile};
-use cageless_io::plan_file::{Computation, PlanFile};
+use cageless_io::case_file::CaseError;
+use cageless_io::plan_file::{Computation, PlanFile, VariantFile};
 use cageless_io::results::{Cell, ColumnKind, ColumnSpec, Row};
 
 use super::error::SweepError;
 use super::feasibility;
+use super::outputs::{Output, outputs};
 use super::variants::Variants;
+use crate::StudyError;
+use crate::drop::run_rotor;
 use crate::passages::Passages;
-use crate::quantities::{Finished, FinishedDrop, QUANTITIES, Quantity};
+use crate::quantities::{Finished, FinishedDrop, Quantity};
 use crate::together::{Record, Recorded, run_together};
 
 /// A plan that can be computed.
 #[derive(Debug, Clone)]
 pub struct Sweep {
     variants: Variants,
-    quantities: Vec<Quantity>,
+    outputs: Vec<Output>,
     columns: Vec<ColumnSpec>,
     normal: String,
 }
@@ -47,15 +50,15 @@ impl Sweep {
         crate::check_environment()?;
         let normal = plan.normal()?;
         let variants = Variants::new(plan)?;
-        let quantities = kept(variants.plan())?;
+        let outputs = outputs(variants.plan())?;
         let mut columns = vec![spec(INDEX, ColumnKind::Index)];
         columns.extend_from_slice(variants.columns());
         columns.push(spec(REASON, ColumnKind::Text));
-        columns.extend(quantities.iter().map(Quantity::column));
+        columns.extend(outputs.iter().map(Output::column));
         feasibility::some_are_possible(&variants)?;
         Ok(Self {
             variants,
-            quantities,
+            outputs,
             columns,
             normal,
         })
@@ -89,18 +92,19 @@ impl Sweep {
     /// Number of variants worth computing together: shorter ranges leave lanes of the
     /// vectors empty.
     pub fn together(&self) -> u64 {
-        if self.wants(Computation::Run) || self.wants(Computation::Drop) {
+        let of_case = matches!(self.plan().base_file, VariantFile::Case(_));
+        if of_case && (self.wants(Computation::Run) || self.wants(Computation::Drop)) {
             BATCH_WIDTH as u64
         } else {
             1
         }
     }
 
-    /// The case of a variant.
+    /// The case or the rotor of a variant.
     ///
     /// # Errors
     /// A [`CaseError`] if it is impossible.
-    pub fn case(&self, index: u64) -> Result<CaseFile, CaseError> {
+    pub fn file(&self, index: u64) -> Result<VariantFile, CaseError> {
         self.variants.variant(index).1
     }
 
@@ -117,6 +121,7 @@ impl Sweep {
         }
         self.run(&mut batch, stop)?;
         self.drop(&mut batch, stop)?;
+        self.drop_rotors(&mut batch, stop)?;
         Some(batch.into_iter().map(Variant::row).collect())
     }
 
@@ -126,11 +131,13 @@ impl Sweep {
             index,
             inputs,
             case: None,
-            quantities: vec![Cell::Null; self.quantities.len()],
+            rotor: None,
+            results: vec![Cell::Null; self.outputs.len()],
             reasons: Vec::new(),
         };
         match case {
-            Ok(file) => variant.case = Some(file.case().clone()),
+            Ok(VariantFile::Case(file)) => variant.case = Some(file.case().clone()),
+            Ok(VariantFile::Rotor(file)) => variant.rotor = Some(file.as_ref().drop().clone()),
             // Without file and line: the same row wherever the plan lies.
             Err(error) => variant.reasons.push(error.message().to_owned()),
         }
@@ -138,9 +145,8 @@ impl Sweep {
     }
 
     fn wants(&self, computation: Computation) -> bool {
-        self.quantities
-            .iter()
-            .any(|f| f.computation() == computation)
+        let mut outputs = self.outputs.iter();
+        outputs.any(|output| output.quantity.computation() == computation)
     }
 
     fn solve(&self, variant: &mut Variant) {
@@ -152,7 +158,7 @@ impl Sweep {
             return;
         };
         match equilibrium::solve(case) {
-            Ok(solved) => variant.fill(&self.quantities, |q| q.of_equilibrium(&solved)),
+            Ok(solved) => variant.fill(&self.outputs, |q| q.of_equilibrium(&solved)),
             Err(error) => variant.failed(Computation::Static, &error),
         }
     }
@@ -161,7 +167,7 @@ impl Sweep {
         let Some(case) = variant.case.clone() else {
             return;
         };
-        variant.fill(&self.quantities, |q| q.of_case(&case));
+        variant.fill(&self.outputs, |q| q.of_case(&case));
     }
 
     /// Judges the raceway; returns false if cancelled.
@@ -175,7 +181,7 @@ impl Sweep {
         };
         match judge(case, &mut |_| stop()) {
             Ok(judgement) => {
-                variant.fill(&self.quantities, |q| q.of_judgement(&judgement));
+                variant.fill(&self.outputs, |q| q.of_judgement(&judgement));
                 if let Some(stop) = &judgement.stopped {
                     variant.failed(Computation::Verdict, &stop.reason());
                 }
@@ -217,8 +223,29 @@ impl Sweep {
                         summary: &summary,
                         outcome: &outcome,
                     };
-                    variant.fill(&self.quantities, |q| q.of_drop(&finished));
+                    variant.fill(&self.outputs, |q| q.of_drop(&finished));
                 }
+                Err(error) => variant.failed(Computation::Drop, &error),
+            }
+        }
+        Some(())
+    }
+
+    /// Drops rotors into several bearings, one after the other.
+    fn drop_rotors(&self, batch: &mut [Variant], stop: Cancellation<'_>) -> Option<()> {
+        for variant in batch.iter_mut().filter(|_| self.wants(Computation::Drop)) {
+            let Some(rotor) = &variant.rotor else {
+                continue;
+            };
+            match run_rotor(rotor, &mut |_| stop()) {
+                Ok(run) => match &run.stopped {
+                    Some(reason) => variant.failed(Computation::Drop, reason),
+                    None => {
+                        let outputs = self.outputs.iter();
+                        variant.results = outputs.map(|output| output.of_rotor(&run)).collect();
+                    }
+                },
+                Err(StudyError::Interrupted) => return None,
                 Err(error) => variant.failed(Computation::Drop, &error),
             }
         }
@@ -241,7 +268,7 @@ impl Sweep {
             verdict: &run.passages.verdict(&case),
             wall_s: f64::NAN,
         };
-        variant.fill(&self.quantities, |q| q.of_run(&finished));
+        variant.fill(&self.outputs, |q| q.of_run(&finished));
     }
 }
 
@@ -253,52 +280,20 @@ fn spec(name: &str, kind: ColumnKind) -> ColumnSpec {
     }
 }
 
-/// The quantities that the plan keeps.
-fn kept(plan: &PlanFile) -> Result<Vec<Quantity>, CaseError> {
-    let computed = || {
-        let quantities = QUANTITIES.iter().copied().filter(|f| f.in_sweeps);
-        quantities.filter(|f| plan.compute.contains(&f.computation()))
-    };
-    let Some(keep) = &plan.keep else {
-        return Ok(computed().collect());
-    };
-    for kept in keep {
-        if computed().any(|f| f.column_name() == kept.name) {
-            continue;
-        }
-        let why = match QUANTITIES
-            .iter()
-            .find(|f| f.in_sweeps && f.column_name() == kept.name)
-        {
-            Some(quantity) => format!("compute leaves out \"{}\"", quantity.computation().name()),
-            None => format!(
-                "there are {}",
-                computed()
-                    .map(|f| f.column_name())
-                    .collect::<Vec<_>>()
-                    .join(", ")
-            ),
-        };
-        let message = format!("keep has \"{}\", which is not computed: {why}", kept.name);
-        return Err(plan.error(kept.line, "keep", message));
-    }
-    let wanted = |f: &Quantity| keep.iter().any(|kept| kept.name == f.column_name());
-    Ok(computed().filter(wanted).collect())
-}
-
 /// One variant on its way to a row.
 struct Variant {
     index: u64,
     inputs: Vec<Cell>,
     case: Option<Case>,
-    quantities: Vec<Cell>,
+    rotor: Option<RotorDrop>,
+    results: Vec<Cell>,
     reasons: Vec<String>,
 }
 
 impl Variant {
-    fn fill(&mut self, quantities: &[Quantity], value: impl Fn(&Quantity) -> Option<Cell>) {
-        for (cell, quantity) in self.quantities.iter_mut().zip(quantities) {
-            if let Some(found) = value(quantity) {
+    fn fill(&mut self, outputs: &[Output], value: impl Fn(&Quantity) -> Option<Cell>) {
+        for (cell, output) in self.results.iter_mut().zip(outputs) {
+            if let Some(found) = value(output.quantity) {
                 *cell = found;
             }
         }
@@ -316,7 +311,7 @@ impl Variant {
             true => Cell::Null,
             false => Cell::Text(self.reasons.join("; ")),
         });
-        row.extend(self.quantities);
+        row.extend(self.results);
         row
     }
 }

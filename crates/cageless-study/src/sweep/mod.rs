@@ -1,4 +1,4 @@
-//! Sweeps: many variants of a case, computed on all cores, in shards or by a scheduler of
+//! Sweeps: many variants of a case or of a rotor in several bearings, computed on all cores, in shards or by a scheduler of
 //! your own, and lost by no interruption.
 //!
 //! A plan ([`cageless_io::plan_file`]) and the index of a variant say everything about it:
@@ -41,6 +41,7 @@ mod index_set;
 mod latin_hypercube;
 mod merge;
 mod merge_sorted;
+mod outputs;
 mod random;
 mod run;
 mod sobol;

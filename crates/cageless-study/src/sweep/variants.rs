@@ -4,7 +4,8 @@ use cageless::Gaps;
 use cageless::numerics::random::RandomStream;
 use cageless_io::case_file::{CaseError, CaseFile, CaseValue, Change};
 use cageless_io::plan_file::{
-    Axis, AxisValues, PlanFile, SampleMethod, ScatterLaw, ScatteredKey, twelve_digits, unit,
+    Axis, AxisValues, PlanFile, SampleMethod, ScatterLaw, ScatteredKey, VariantFile, is_whole,
+    key_in_case, twelve_digits, unit,
 };
 use cageless_io::results::{Cell, ColumnKind, ColumnSpec};
 
@@ -18,8 +19,6 @@ pub(crate) const VARIANTS_MAX: u64 = 1_000_000_000;
 /// Keys with a value for each ball.
 const DEVIATION: &str = "bearing.ball_radius_deviation_um";
 const GAPS: &str = "start.gaps";
-/// Keys that are whole numbers.
-const WHOLE: [&str; 2] = ["bearing.balls", "solver.seed"];
 
 /// The variants of a plan, each a pure function of its index.
 #[derive(Debug, Clone)]
@@ -82,8 +81,8 @@ impl Variants {
         self.plan.scatter.iter().flat_map(|s| &s.keys)
     }
 
-    /// The inputs of a variant and its case, or why there is none.
-    pub(crate) fn variant(&self, index: u64) -> (Vec<Cell>, Result<CaseFile, CaseError>) {
+    /// The inputs of a variant and its case or rotor, or why there is none.
+    pub(crate) fn variant(&self, index: u64) -> (Vec<Cell>, Result<VariantFile, CaseError>) {
         let (settings, failed) = self.settings(index);
         let cells = self.cells(&settings);
         let case = match failed {
@@ -93,7 +92,7 @@ impl Variants {
         (cells, case)
     }
 
-    fn read(&self, settings: &[Setting<'_>]) -> Result<CaseFile, CaseError> {
+    fn read(&self, settings: &[Setting<'_>]) -> Result<VariantFile, CaseError> {
         let changes: Vec<_> = settings
             .iter()
             .map(|s| Change {
@@ -175,9 +174,14 @@ impl Variants {
             ScatterLaw::Any => stream.exponential(),
         };
         let varied = settings.iter().find(|s| s.key == key.key);
-        match key.key.as_str() {
+        match key_in_case(&key.key) {
             DEVIATION => {
-                let balls = self.read(settings)?.document().bearing.balls;
+                let file = self.read(settings)?;
+                let balls = file
+                    .cases_of(&key.key)
+                    .iter()
+                    .map(|f| f.document().bearing.balls);
+                let balls = common(balls).ok_or_else(|| differs(&self.plan, key))?;
                 let centres = match centre {
                     Some(CaseValue::Numbers(list)) if list.len() == balls => list.clone(),
                     _ => vec![0.0; balls],
@@ -187,7 +191,8 @@ impl Variants {
             }
             GAPS => {
                 let file = self.read(settings)?;
-                let centres = gaps_deg(&file);
+                let centres = common(file.cases_of(&key.key).iter().map(gaps_deg));
+                let centres = centres.ok_or_else(|| differs(&self.plan, key))?;
                 let list = centres.iter().map(|_| deviation()).collect();
                 Ok(CaseValue::Numbers(match key.law {
                     ScatterLaw::Any => arranged(&centres, list),
@@ -240,13 +245,16 @@ fn setting(axis: &Axis, value: CaseValue) -> Setting<'_> {
 }
 
 fn is_per_ball(key: &str) -> bool {
-    [DEVIATION, GAPS].contains(&key)
+    [DEVIATION, GAPS].contains(&key_in_case(key))
 }
 
 /// The name of an input: its key with underscores, and the unit if the key has none.
 fn column_name(key: &str) -> String {
     let name = key.replace('.', "_");
-    if key == GAPS { name + "_deg" } else { name }
+    match key_in_case(key) {
+        GAPS => name + "_deg",
+        _ => name,
+    }
 }
 
 fn cell(value: &CaseValue, kind: ColumnKind) -> Cell {
@@ -278,7 +286,7 @@ fn columns(plan: &PlanFile) -> Vec<ColumnSpec> {
         unit: axis.unit().to_owned(),
         kind: match axis {
             axis if axis.is_text() => ColumnKind::Text,
-            axis if WHOLE.contains(&axis.key.as_str()) => ColumnKind::Integer,
+            axis if is_whole(&axis.key) => ColumnKind::Integer,
             _ => ColumnKind::Number,
         },
     });
@@ -354,12 +362,17 @@ fn points(plan: &PlanFile) -> Result<Points, CaseError> {
 
 /// Centre value of a scattered key. An axis of the same key takes precedence.
 fn centre(plan: &PlanFile, key: &ScatteredKey) -> Result<Option<CaseValue>, CaseError> {
-    let centre = plan.base_file.value(&key.key);
-    if WHOLE.contains(&key.key.as_str()) {
+    if is_whole(&key.key) {
         let message = format!("{} is a whole number: it cannot be scattered", key.key);
         return Err(plan.error(key.line, &key.key, message));
     }
-    let numeric = match axes(plan).find(|axis| axis.key == key.key) {
+    let axis = axes(plan).find(|axis| axis.key == key.key);
+    let centre = match common(plan.base_file.values(&key.key)) {
+        Some(centre) => centre,
+        None if axis.is_some() => None,
+        None => return Err(differs(plan, key)),
+    };
+    let numeric = match axis {
         Some(axis) => match &axis.values {
             AxisValues::Range(_) => true,
             AxisValues::List(_) => !axis.is_text(),
@@ -377,6 +390,21 @@ fn no_centre(plan: &PlanFile, key: &ScatteredKey) -> CaseError {
     let message = format!(
         "{} has no number in the case that it could deviate from",
         key.key
+    );
+    plan.error(key.line, &key.key, message)
+}
+
+/// What all bearings have in common.
+fn common<T: PartialEq>(values: impl IntoIterator<Item = T>) -> Option<T> {
+    let mut values = values.into_iter();
+    let first = values.next()?;
+    values.all(|value| value == first).then_some(first)
+}
+
+fn differs(plan: &PlanFile, key: &ScatteredKey) -> CaseError {
+    let message = format!(
+        "{} differs from bearing to bearing: scatter bearing.1.{} and so on, each about its own",
+        key.key, key.key
     );
     plan.error(key.line, &key.key, message)
 }

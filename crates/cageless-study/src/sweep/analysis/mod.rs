@@ -11,7 +11,7 @@ mod table;
 
 use std::path::Path;
 
-use cageless_io::plan_file::text_of;
+use cageless_io::plan_file::{shortened, text_of};
 use cageless_io::results::RowsReader;
 pub use result::{
     BestVariant, BestVariants, FailureGroup, HeatMap, Levels, MainEffect, SweepData, SweepOutput,
@@ -121,7 +121,9 @@ pub fn analyse(path: &Path, goals: &[Goal]) -> Result<SweepData, SweepError> {
             case: title.unwrap_or_else(|| path.display().to_string()),
             profile: Some(match table.column("model_profile") {
                 Some(_) => "varies".to_owned(),
-                None => setting("case.model.profile").unwrap_or_default(),
+                None => (setting("case.model.profile"))
+                    .or_else(|| setting("case.bearing.1.case.model.profile"))
+                    .unwrap_or_default(),
             }),
             discarded: match table.column("run_settled_after_s") {
                 Some(_) => "the transient of each run".to_owned(),
@@ -198,12 +200,18 @@ fn lead(rows: u64, identity: &Identity, quantities: &Quantities) -> String {
     format!("{rows}{part} variants. What varies: {}.", names.join(", "))
 }
 
+/// Bytes of the longest value that a page shows in full: not the matrices of a rotor.
+const VALUE_MAX: usize = 2000;
+
 fn parameters(plan: &str) -> Vec<Parameter> {
     plan.lines()
         .filter_map(|line| line.split_once(" = "))
         .map(|(name, value)| Parameter {
             name: name.to_owned(),
-            value: value.to_owned(),
+            value: match value.len() {
+                0..=VALUE_MAX => value.to_owned(),
+                _ => shortened(value),
+            },
             ..Parameter::default()
         })
         .collect()

@@ -67,10 +67,13 @@ impl SweepQuantity {
             "solver_",
             "output_",
         ];
-        self.name == "repeat"
-            || CONDITIONS
-                .iter()
-                .any(|section| self.name.starts_with(section))
+        // `bearing_2_contact_damping` is the key of one of several bearings.
+        let of_one = || {
+            let (number, key) = self.name.strip_prefix("bearing_")?.split_once('_')?;
+            number.parse::<usize>().ok().map(|_| key)
+        };
+        let key = of_one().unwrap_or(&self.name);
+        key == "repeat" || CONDITIONS.iter().any(|section| key.starts_with(section))
     }
 
     /// The unit as people write it.

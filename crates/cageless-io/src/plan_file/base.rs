@@ -1,0 +1,88 @@
+//! What the variants of a plan share: a case, or a rotor above several bearings.
+
+use std::slice;
+
+use toml::Value;
+
+use crate::case_file::{CaseBase, CaseError, CaseFile, CaseValue, Change};
+use crate::rotor_file::{RotorBase, RotorFile};
+
+/// A case or a rotor file whose values are replaced before it is read.
+#[derive(Debug, Clone)]
+pub enum PlanBase {
+    /// The case of one bearing.
+    Case(CaseBase),
+    /// A rotor above several bearings.
+    Rotor(RotorBase),
+}
+
+/// A case or a rotor file, read and checked: what a variant computes.
+#[derive(Debug, Clone, PartialEq)]
+pub enum VariantFile {
+    /// The case of one bearing.
+    Case(Box<CaseFile>),
+    /// A rotor above several bearings.
+    Rotor(Box<RotorFile>),
+}
+
+impl PlanBase {
+    /// Replaces values for good.
+    ///
+    /// # Errors
+    /// A [`CaseError`] if a key has no place. Whether it exists and the value fits,
+    /// [`PlanBase::with`] says.
+    pub fn change(&mut self, changes: &[Change<'_>]) -> Result<(), CaseError> {
+        match self {
+            Self::Case(base) => base.change(changes),
+            Self::Rotor(base) => base.change(changes),
+        }
+    }
+
+    /// The case or the rotor with `changes`.
+    ///
+    /// # Errors
+    /// A [`CaseError`] that names file and line of the change at fault, or of the base.
+    pub fn with(&self, changes: &[Change<'_>]) -> Result<VariantFile, CaseError> {
+        match self {
+            Self::Case(base) => Ok(VariantFile::Case(Box::new(base.with(changes)?))),
+            Self::Rotor(base) => Ok(VariantFile::Rotor(Box::new(base.with(changes)?))),
+        }
+    }
+}
+
+impl VariantFile {
+    /// The case of each bearing.
+    pub fn cases(&self) -> &[CaseFile] {
+        match self {
+            Self::Case(file) => slice::from_ref(file),
+            Self::Rotor(file) => file.bearings(),
+        }
+    }
+
+    /// The cases of the bearings that a key concerns; none of a key of the rotor.
+    pub fn cases_of(&self, key: &str) -> &[CaseFile] {
+        match self {
+            Self::Case(file) => slice::from_ref(file),
+            Self::Rotor(file) => &file.bearings()[file.bearings_of(key)],
+        }
+    }
+
+    /// The value of a dotted key, its default if it has one, for each bearing that it concerns;
+    /// `None` if it is left out or not a key.
+    pub fn values(&self, key: &str) -> Vec<Option<CaseValue>> {
+        match self {
+            Self::Case(file) => vec![file.value(key)],
+            Self::Rotor(file) => file.values(key),
+        }
+    }
+
+    /// The document of the case or of the rotor, every default filled in.
+    pub(super) fn document(&self) -> Result<Value, CaseError> {
+        match self {
+            Self::Case(file) => Value::try_from(file.document()).map_err(|e| {
+                CaseError::of_file("", format!("the case cannot be written as TOML: {e}"))
+            }),
+            Self::Rotor(file) => file.document().to_value(),
+        }
+    }
+}

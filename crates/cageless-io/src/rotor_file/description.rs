@@ -1,0 +1,137 @@
+//! A rotor with the places of its bearings, in the units of a rotor file.
+
+use std::sync::Arc;
+
+use cageless::linear_rotor::{
+    LinearRotor, NodeUnbalance, PlaneUnbalance, Reduction, RigidRotor, RotorError, RotorMatrices,
+};
+
+const MM: f64 = 1e-3;
+const G_MM: f64 = 1e-6;
+
+/// A rotor with the places of its bearings.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RotorDescription {
+    /// Mass and elasticity.
+    pub body: RotorBody,
+    /// Place of each bearing.
+    pub bearings: Vec<RotorPlace>,
+    /// The unbalances.
+    pub unbalances: Vec<RotorUnbalance>,
+}
+
+/// Mass and elasticity of a rotor.
+#[derive(Debug, Clone, PartialEq)]
+pub enum RotorBody {
+    /// A rigid rotor.
+    Rigid {
+        /// m, kg.
+        mass_kg: f64,
+        /// Ip about its axis, kg·m².
+        polar_inertia_kg_m2: f64,
+        /// It across its axis through the mass centre, kg·m².
+        transverse_inertia_kg_m2: f64,
+    },
+    /// A rotor by its matrices.
+    Matrices {
+        /// The matrices.
+        matrices: Arc<RotorMatrices>,
+        /// Modes with the kept nodes held are kept up to this frequency; all of them without it.
+        frequency_max_hz: Option<f64>,
+        /// Further nodes whose displacements are kept.
+        kept_nodes: Vec<usize>,
+    },
+}
+
+/// Place on a rotor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum RotorPlace {
+    /// Distance from the mass centre of a rigid rotor along its axis, mm.
+    AxialMm(f64),
+    /// Node of a rotor by matrices, from 0.
+    Node(usize),
+}
+
+/// An unbalance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RotorUnbalance {
+    /// Its plane.
+    pub place: RotorPlace,
+    /// m·ε, g·mm.
+    pub moment_g_mm: f64,
+    /// Direction at the start, degrees from +X, counter-clockwise.
+    pub phase_deg: f64,
+}
+
+impl RotorPlace {
+    fn axial_m(self) -> Result<f64, RotorError> {
+        match self {
+            Self::AxialMm(z) => Ok(MM * z),
+            Self::Node(_) => Err(RotorError::Bearings(
+                "a rigid rotor has places, axial_mm".to_owned(),
+            )),
+        }
+    }
+
+    fn node(self) -> Result<usize, RotorError> {
+        match self {
+            Self::Node(node) => Ok(node),
+            Self::AxialMm(_) => Err(RotorError::Bearings(
+                "a rotor by matrices has nodes, node".to_owned(),
+            )),
+        }
+    }
+}
+
+impl RotorDescription {
+    /// The lateral motion of the rotor.
+    ///
+    /// # Errors
+    /// The rotor is impossible, or a place is none of its own.
+    pub fn linear(&self) -> Result<LinearRotor, RotorError> {
+        let (bearings, unbalances) = (self.bearings.iter(), self.unbalances.iter());
+        match &self.body {
+            RotorBody::Rigid {
+                mass_kg,
+                polar_inertia_kg_m2,
+                transverse_inertia_kg_m2,
+            } => {
+                let unbalances = unbalances.map(|u| {
+                    Ok(PlaneUnbalance {
+                        axial_m: u.place.axial_m()?,
+                        moment_kg_m: G_MM * u.moment_g_mm,
+                        phase_rad: u.phase_deg.to_radians(),
+                    })
+                });
+                let rigid = RigidRotor {
+                    mass_kg: *mass_kg,
+                    polar_inertia_kg_m2: *polar_inertia_kg_m2,
+                    transverse_inertia_kg_m2: *transverse_inertia_kg_m2,
+                    bearing_axial_m: bearings.map(|b| b.axial_m()).collect::<Result<_, _>>()?,
+                    unbalances: unbalances.collect::<Result<_, RotorError>>()?,
+                };
+                rigid.linear()
+            }
+            RotorBody::Matrices {
+                matrices,
+                frequency_max_hz,
+                kept_nodes,
+            } => {
+                let unbalances = unbalances.map(|u| {
+                    Ok(NodeUnbalance {
+                        node: u.place.node()?,
+                        moment_kg_m: G_MM * u.moment_g_mm,
+                        phase_rad: u.phase_deg.to_radians(),
+                    })
+                });
+                let reduction = Reduction {
+                    bearing_nodes: bearings.map(|b| b.node()).collect::<Result<_, _>>()?,
+                    kept_nodes: kept_nodes.clone(),
+                    unbalances: unbalances.collect::<Result<_, RotorError>>()?,
+                    frequency_max_hz: *frequency_max_hz,
+                };
+                matrices.reduce(&reduction)
+            }
+        }
+    }
+}

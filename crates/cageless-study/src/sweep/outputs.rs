@@ -1,0 +1,99 @@
+//! Columns of results.
+
+use cageless_io::case_file::CaseError;
+use cageless_io::plan_file::{PlanFile, VariantFile};
+use cageless_io::results::{Cell, ColumnSpec};
+
+use crate::drop::RotorRun;
+use crate::quantities::{QUANTITIES, Quantity};
+
+/// A column of results.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Output {
+    /// The result.
+    pub quantity: &'static Quantity,
+    /// The bearing that has it, from 0, of a rotor in several; `None` for the rotor as a whole,
+    /// and in the case of one bearing.
+    bearing: Option<usize>,
+}
+
+impl Output {
+    fn name(&self) -> String {
+        match self.bearing {
+            Some(k) => self.quantity.column_name_in_bearing(k),
+            None => self.quantity.column_name(),
+        }
+    }
+
+    pub(crate) fn column(&self) -> ColumnSpec {
+        ColumnSpec {
+            name: self.name(),
+            ..self.quantity.column()
+        }
+    }
+
+    /// Value in a drop of a rotor.
+    pub(crate) fn of_rotor(&self, run: &RotorRun) -> Cell {
+        match self.bearing {
+            None => self.quantity.of_rotor_drop(run),
+            Some(k) => {
+                let results = run.bearings.get(k).map(|bearing| &bearing.results);
+                let found = results.and_then(|results| results.get(self.quantity.name));
+                found.cloned().unwrap_or(Cell::Null)
+            }
+        }
+    }
+}
+
+/// The columns of results that a plan keeps.
+///
+/// # Errors
+/// It keeps one that there is not.
+pub(crate) fn outputs(plan: &PlanFile) -> Result<Vec<Output>, CaseError> {
+    let computed: Vec<Output> = (all(plan))
+        .filter(|output| plan.compute.contains(&output.quantity.computation()))
+        .collect();
+    let Some(keep) = &plan.keep else {
+        return Ok(computed);
+    };
+    for kept in keep {
+        if computed.iter().any(|output| output.name() == kept.name) {
+            continue;
+        }
+        let why = match all(plan).find(|output| output.name() == kept.name) {
+            Some(Output { quantity, .. }) => {
+                format!("compute leaves out \"{}\"", quantity.computation().name())
+            }
+            None => {
+                let names: Vec<_> = computed.iter().map(Output::name).collect();
+                format!("there are {}", names.join(", "))
+            }
+        };
+        let message = format!("keep has \"{}\", which is not computed: {why}", kept.name);
+        return Err(plan.error(kept.line, "keep", message));
+    }
+    let wanted = |output: &Output| keep.iter().any(|kept| kept.name == output.name());
+    Ok(computed.into_iter().filter(wanted).collect())
+}
+
+/// Every column that the base of a plan can have: those of the rotor as a whole, then those of each
+/// bearing.
+fn all(plan: &PlanFile) -> impl Iterator<Item = Output> {
+    let bearings = match &plan.base_file {
+        VariantFile::Case(_) => 0,
+        VariantFile::Rotor(file) => file.bearings().len(),
+    };
+    let in_sweeps = || QUANTITIES.iter().filter(|quantity| quantity.in_sweeps);
+    let whole = in_sweeps().filter(move |quantity| match bearings {
+        0 => quantity.is_of_bearing(),
+        _ => quantity.is_of_rotor(),
+    });
+    let of_bearing = move |k: usize| {
+        let own = in_sweeps().filter(|q| q.is_of_bearing());
+        own.map(move |quantity| (quantity, Some(k)))
+    };
+    whole
+        .map(|quantity| (quantity, None))
+        .chain((0..bearings).flat_map(of_bearing))
+        .map(|(quantity, bearing)| Output { quantity, bearing })
+}
