@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use crate::common::edited;
-use cageless::{FrictionLaw, Gaps, Method, Profile, Start};
+use cageless::{FrictionLaw, Gaps, IntegrationMethod, Profile, Start};
 use cageless_io::case_file::{CaseFile, GapsDocument, OverTime, Source, template, unit};
 use proptest::prelude::*;
 
@@ -66,7 +66,7 @@ fn the_template_is_the_bearing_of_the_paper_in_si_units() {
     );
     assert_eq!(
         (case.solver.method, case.solver.step_s),
-        (Method::Symplectic, 2e-6)
+        (IntegrationMethod::VelocityVerlet, 2e-6)
     );
     assert_eq!(
         (case.solver.duration_s, case.output.interval_s),

@@ -4,7 +4,7 @@
 
 use crate::common::{folder, scaled_error_of};
 use cageless::simulation::{Control, run};
-use cageless::{Case, Method};
+use cageless::{Case, IntegrationMethod};
 use cageless_io::case_file::CaseFile;
 
 fn case(name: &str) -> Case {
@@ -89,7 +89,7 @@ fn adaptive_agrees_with_the_references() {
         ("b16_paper", 1e-10, 1e-8),
     ] {
         let mut case = case(name);
-        case.solver.method = Method::Adaptive;
+        case.solver.method = IntegrationMethod::Adaptive;
         case.solver.step_s = 5e-6;
         case.solver.tolerance = tolerance;
         let error = error_of(&case, name);
@@ -103,7 +103,7 @@ fn adaptive_agrees_with_the_references() {
 fn leapfrog_converges_to_the_references() {
     let error = |step_us: f64| {
         let mut case = case("b16_physical");
-        case.solver.method = Method::Symplectic;
+        case.solver.method = IntegrationMethod::VelocityVerlet;
         case.solver.step_s = step_us * 1e-6;
         error_of(&case, "b16_physical")
     };

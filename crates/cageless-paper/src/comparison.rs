@@ -11,7 +11,7 @@ use cageless::simulation::{
 use cageless::step_limits::StepLimits;
 use cageless::tolerance::{ball_grade, ball_lot_m};
 use cageless::vibration::{Measurement, PassingSplit, VibrationRecorder, WithoutContacts};
-use cageless::{Case, Gaps, Method, Raceway, RacewayDimensions, Start};
+use cageless::{Case, Gaps, IntegrationMethod, Raceway, RacewayDimensions, Start};
 use cageless_report::run_report::filter_note;
 use cageless_report::{
     ComparisonCell, Difference, Estimate, Provenance, RacewayLabel, RingComparison,
@@ -162,8 +162,9 @@ fn plans() -> Result<Vec<Plan>, PaperError> {
                 let mut case = case.clone();
                 case.operation.inner_speed_rad_s = speed.rpm * TAU / 60.0;
                 case.solver.duration_s = speed.duration_s;
-                case.solver.method = Method::Symplectic;
-                case.solver.step_s = StepLimits::new(&case).automatic_s(Method::Symplectic);
+                case.solver.method = IntegrationMethod::VelocityVerlet;
+                case.solver.step_s =
+                    StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
                 plans.push(Plan {
                     case,
                     rpm: speed.rpm,

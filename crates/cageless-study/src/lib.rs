@@ -40,7 +40,7 @@ pub use histories::{CollisionPoint, Histories, RunHistories, SAMPLING_HZ};
 pub use parameter::{Parameter, parameter, parameters};
 pub use passages::Passages;
 pub use progress::{Progress, Silent, Work, break_if};
-pub use provenance::{Provenance, method_name, profile_name, provenance};
+pub use provenance::{Provenance, profile_name, provenance};
 pub use static_result::StaticResult;
 pub use structure::RacewayLabel;
 pub use summary::{RunSummary, Stopped};

@@ -1,6 +1,6 @@
 //! The settings under which a number was computed.
 
-use cageless::{Case, Method, Profile};
+use cageless::{Case, Profile};
 use serde::{Deserialize, Serialize};
 
 use crate::number_text::short;
@@ -54,22 +54,13 @@ pub fn profile_name(profile: Profile) -> &'static str {
     }
 }
 
-/// Name of a method in figures.
-pub fn method_name(method: Method) -> &'static str {
-    match method {
-        Method::Abm4 => "ABM4",
-        Method::Symplectic => "leapfrog",
-        Method::Adaptive => "adaptive Runge–Kutta",
-    }
-}
-
 /// Provenance of a simulated figure.
 pub fn provenance(case: &Case, discarded: String) -> Provenance {
     Provenance {
         case: case.title.clone(),
         profile: Some(profile_name(case.profile).to_owned()),
         friction_law: Some(case.contact.friction().describe()),
-        method: Some(method_name(case.solver.method).to_owned()),
+        method: Some(case.solver.method.properties().label.to_owned()),
         step_us: Some(case.solver.step_s * 1e6),
         discarded,
     }

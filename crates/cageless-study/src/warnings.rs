@@ -8,7 +8,7 @@ use cageless::equilibrium;
 use cageless::rating::speed_warning;
 use cageless::simulation::Ending;
 use cageless::step_limits::StepLimits;
-use cageless::{Case, Method};
+use cageless::{Case, IntegrationMethod};
 
 use crate::number_text::short;
 use crate::quantities::Finished;
@@ -146,7 +146,7 @@ fn of_case(case: &Case) -> Vec<String> {
         ));
     }
     let undamped = case.contact.damping_n_s_m1_5 == 0.0;
-    if method == Method::Abm4 && undamped && case.solver.step_s > UNDAMPED_STEP_S {
+    if method == IntegrationMethod::Abm4 && undamped && case.solver.step_s > UNDAMPED_STEP_S {
         warnings.push(
             "without contact damping ABM4 gains energy at steps above 0.5 µs: statistics are \
              biased (solver.step_us, or solver.method = \"symplectic\")"

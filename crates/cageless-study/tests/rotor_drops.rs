@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use cageless::Method;
+use cageless::IntegrationMethod;
 use cageless::simulation::{Control, Ending};
 use cageless::touchdown::Scatter;
 use cageless::verification::Convergence;
@@ -195,7 +195,10 @@ fn the_first_contacts_of_all_bearings_are_converged() {
     }
     // Too long a step shows in both.
     let coarse = two_bearings(&["solver.duration_s=0.0012", "solver.step_us=2.5"]);
-    assert_eq!(coarse.drop().cases()[0].solver.method, Method::Symplectic);
+    assert_eq!(
+        coarse.drop().cases()[0].solver.method,
+        IntegrationMethod::VelocityVerlet
+    );
     let coarse = studied(&coarse, request).verification.unwrap();
     for (coarse, fine) in coarse.bearings.iter().zip(&verification.bearings) {
         let change = |v| judged(v, "rotor_friction_j").step_change;

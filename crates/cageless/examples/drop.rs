@@ -5,7 +5,7 @@
 #[path = "../tests/common/mod.rs"]
 mod common;
 
-use cageless::Method;
+use cageless::IntegrationMethod;
 use cageless::collision::CollisionDetector;
 use cageless::recorder::Recorder;
 use cageless::simulation::{Control, run};
@@ -20,8 +20,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     let raceway = common::raceway(&case.bearing, 5.1, 25.2, 0.0);
     case = case.with_raceways(vec![raceway]);
-    case.solver.method = Method::Symplectic;
-    case.solver.step_s = StepLimits::new(&case).automatic_s(Method::Symplectic);
+    case.solver.method = IntegrationMethod::VelocityVerlet;
+    case.solver.step_s = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
     case.solver.duration_s = duration_s;
     if let Some(step) = arguments.next() {
         case.solver.step_s = step.parse()?;

@@ -56,7 +56,8 @@ pub mod vibration;
 
 pub use bearing::{Ball, Bearing, BearingDimensions, InnerRingBore};
 pub use case::{
-    Case, Contact, FrictionLaw, Gaps, Housing, Method, Operation, Output, Profile, Solver, Start,
+    Case, Contact, FrictionLaw, Gaps, Housing, IntegrationMethod, Operation, Output, Profile,
+    Solver, Start,
 };
 pub use collision::Collision;
 pub use error::InputError;

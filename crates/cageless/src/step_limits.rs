@@ -2,19 +2,19 @@
 //!
 //! ```
 //! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
-//! use cageless::Method;
+//! use cageless::IntegrationMethod;
 //! use cageless::step_limits::StepLimits;
 //!
 //! let case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
 //!
 //! let limits = StepLimits::new(&case);
-//! assert!(limits.automatic_s(Method::Abm4) <= limits.largest_s(Method::Abm4));
+//! assert!(limits.automatic_s(IntegrationMethod::Abm4) <= limits.largest_s(IntegrationMethod::Abm4));
 //! ```
 
-use crate::case::{Case, Method, Start};
+use crate::case::{Case, Start};
 use crate::dynamics::STICK_FRACTION;
 use crate::dynamics::rotor::{RotorBody, RotorContact};
-use crate::integrator::{Abm4, Adaptive, VelocityVerlet};
+use crate::integrator::IntegrationMethod;
 use crate::kinematics::rolling_orbit_speed_rad_s;
 
 /// Fastest rates of a case.
@@ -256,20 +256,11 @@ impl StepLimits {
         }
     }
 
-    /// Largest (ωh, λh) at which the method is stable.
-    fn bounds(method: Method) -> [f64; 2] {
-        let properties = match method {
-            Method::Abm4 => Abm4::PROPERTIES,
-            Method::Symplectic => VelocityVerlet::PROPERTIES,
-            Method::Adaptive => Adaptive::PROPERTIES,
-        };
-        [properties.oscillation_limit, properties.decay_limit]
-    }
-
     /// Step beyond which the contacts are unstable under the method.
-    pub fn largest_s(&self, method: Method) -> f64 {
-        let [oscillation, decay] = Self::bounds(method);
-        (oscillation / self.contact_rad_s).min(decay / self.damping_1_s)
+    pub fn largest_s(&self, method: IntegrationMethod) -> f64 {
+        let properties = method.properties();
+        (properties.oscillation_limit / self.contact_rad_s)
+            .min(properties.decay_limit / self.damping_1_s)
     }
 
     /// Whether friction is stiff for the step of `case`: beyond a λh of 0.7 the production
@@ -284,35 +275,31 @@ impl StepLimits {
 
     /// Step beyond which smooth friction no longer settles: slip then jumps to and fro
     /// about zero, bounded by μN, where it should decay.
-    pub fn friction_resolved_to_s(&self, method: Method) -> f64 {
-        match method {
-            // Implicit.
-            Method::Symplectic => f64::INFINITY,
-            _ => Self::bounds(method)[1] / self.friction_1_s,
+    pub fn friction_resolved_to_s(&self, method: IntegrationMethod) -> f64 {
+        let properties = method.properties();
+        match properties.solves_stiff_part {
+            true => f64::INFINITY,
+            false => properties.decay_limit / self.friction_1_s,
         }
     }
 
     /// Step beyond which the end of a step under friction that falls with the sliding speed is
     /// not unique where friction is implicit: 1/λ with the growth λ of slip.
-    pub fn falling_resolved_to_s(&self, method: Method) -> f64 {
-        match method {
-            Method::Symplectic => 1.0 / self.falling_1_s,
-            // They follow the growth.
-            Method::Abm4 | Method::Adaptive => f64::INFINITY,
+    pub fn falling_resolved_to_s(&self, method: IntegrationMethod) -> f64 {
+        match method.properties().solves_stiff_part {
+            true => 1.0 / self.falling_1_s,
+            // Explicit methods follow the growth.
+            false => f64::INFINITY,
         }
     }
 
     /// Creep that the relaxed stick of Coulomb friction leaves per second of step, m/s²; 0 where
     /// friction is implicit.
-    pub fn creep_m_s2(&self, method: Method) -> f64 {
-        match method {
-            Method::Symplectic => 0.0,
-            Method::Abm4 | Method::Adaptive => self.creep_m_s2,
+    pub fn creep_m_s2(&self, method: IntegrationMethod) -> f64 {
+        match method.properties().solves_stiff_part {
+            true => 0.0,
+            false => self.creep_m_s2,
         }
-    }
-
-    fn decay_1_s(&self) -> f64 {
-        self.damping_1_s.max(self.friction_1_s)
     }
 
     /// Step of `step_us = "auto"`: unbiased statistics, rounded down to 1, 1.5, 2, 3, 5, 7
@@ -324,23 +311,19 @@ impl StepLimits {
     /// Balls that hardly any load holds fall and bounce, and impacts are what turns the energy
     /// over: 100 rpm without load left 1.5 % of all flows unaccounted for at ωh = 0.6, and less
     /// with the square of the step.
-    pub fn automatic_s(&self, method: Method) -> f64 {
-        let at_most = if self.light {
-            IMPACT_FRACTION
-        } else {
-            f64::INFINITY
+    pub fn automatic_s(&self, method: IntegrationMethod) -> f64 {
+        let properties = method.properties();
+        let fraction = properties.automatic_oscillation[usize::from(self.damped)];
+        // Error control finds the impacts by itself.
+        let fraction = match self.light && properties.oscillation_limit.is_finite() {
+            true => fraction.min(IMPACT_FRACTION),
+            false => fraction,
         };
-        let wanted = match method {
-            Method::Abm4 => {
-                let fraction = if self.damped { 0.4f64 } else { 0.17 }.min(at_most);
-                (fraction / self.contact_rad_s).min(0.5 / self.decay_1_s())
-            }
-            // Friction is implicit.
-            Method::Symplectic => {
-                (0.65f64.min(at_most) / self.contact_rad_s).min(0.7 / self.damping_1_s)
-            }
-            Method::Adaptive => 2.0 / self.contact_rad_s,
+        let decay_1_s = match properties.solves_stiff_part {
+            true => self.damping_1_s,
+            false => self.damping_1_s.max(self.friction_1_s),
         };
+        let wanted = (fraction / self.contact_rad_s).min(properties.automatic_decay / decay_1_s);
         let power = 10f64.powf(wanted.log10().floor());
         let digits = [7.0, 5.0, 3.0, 2.0, 1.5, 1.0];
         // The quotient is between 1 and 10; rounding may leave it just below 1.

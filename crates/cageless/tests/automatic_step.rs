@@ -6,13 +6,13 @@ use std::f64::consts::TAU;
 use crate::common::{conventional, dimensions, structure, undamped};
 use cageless::simulation::{Control, Ending, RunOutcome, run};
 use cageless::step_limits::StepLimits;
-use cageless::{Case, FrictionLaw, Gaps, Method, Start};
+use cageless::{Case, FrictionLaw, Gaps, IntegrationMethod, Start};
 
 fn automatic(mut case: Case, load_n: f64, rpm: f64, duration_s: f64) -> Case {
     case.operation.radial_load_n = load_n;
     case.operation.inner_speed_rad_s = rpm * TAU / 60.0;
-    case.solver.method = Method::Symplectic;
-    case.solver.step_s = StepLimits::new(&case).automatic_s(Method::Symplectic);
+    case.solver.method = IntegrationMethod::VelocityVerlet;
+    case.solver.step_s = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
     case.solver.duration_s = duration_s;
     case
 }
@@ -104,13 +104,13 @@ fn nothing_is_unaccounted_for_where_nothing_flows() {
 fn coulomb_friction_says_how_far_it_creeps() {
     let mut case = conventional(dimensions());
     let creep = |case: &Case, method| StepLimits::new(case).creep_m_s2(method);
-    assert_eq!(creep(&case, Method::Abm4), 0.0);
+    assert_eq!(creep(&case, IntegrationMethod::Abm4), 0.0);
     case.contact.friction_law = FrictionLaw::Coulomb;
-    let low = creep(&case, Method::Abm4);
+    let low = creep(&case, IntegrationMethod::Abm4);
     case.contact.friction_coefficient = 0.3;
-    let high = creep(&case, Method::Abm4);
+    let high = creep(&case, IntegrationMethod::Abm4);
     // Friction is implicit there, and sticking exact.
-    assert_eq!(creep(&case, Method::Symplectic), 0.0);
+    assert_eq!(creep(&case, IntegrationMethod::VelocityVerlet), 0.0);
     assert!((high / low - 0.3 / 0.007).abs() < 1e-9);
     let force = high / 0.3 * 0.4 * 2.0 / 7.0 * case.bearing.ball_mass_kg();
     assert!((500.0..2000.0).contains(&force), "{force} N");

@@ -5,7 +5,7 @@ use cageless::contact::FrictionTable;
 use cageless::dynamics::InstructionSet;
 use cageless::simulation::{Control, Observer, batches, run, run_batch};
 use cageless::summary::{Summary, SummaryRecorder};
-use cageless::{Case, FrictionLaw, Gaps, Method, Profile, Start};
+use cageless::{Case, FrictionLaw, Gaps, IntegrationMethod, Profile, Start};
 
 /// Cases that differ in everything that may differ side by side.
 fn mixed(count: usize) -> Vec<Case> {
@@ -42,7 +42,7 @@ fn mixed_of(balls: usize, count: usize) -> Vec<Case> {
                 gaps: Gaps::List(gaps),
                 lead_ball_angle_rad: 0.1 * k as f64,
             };
-            case.solver.method = Method::Symplectic;
+            case.solver.method = IntegrationMethod::VelocityVerlet;
             case.solver.step_s = 1e-6;
             case.solver.duration_s = 0.003;
             case
@@ -170,7 +170,7 @@ fn one_bearing_does_not_take_the_others_along() {
 #[test]
 fn batches_hold_every_case_once() {
     let mut cases = mixed(40);
-    cases[2].solver.method = Method::Abm4;
+    cases[2].solver.method = IntegrationMethod::Abm4;
     cases[3].solver.duration_s = 0.002;
     for case in &mut cases[20..25] {
         case.profile = Profile::Paper;

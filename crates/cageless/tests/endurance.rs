@@ -5,7 +5,7 @@ use cageless::collision::CollisionDetector;
 use cageless::simulation::{Control, Ending, RunOutcome, run};
 use cageless::step_limits::StepLimits;
 use cageless::summary::{Summary, SummaryRecorder};
-use cageless::{Case, Method};
+use cageless::{Case, IntegrationMethod};
 
 fn second(case: &Case) -> (RunOutcome, Summary, u32) {
     let mut summary = SummaryRecorder::new();
@@ -33,9 +33,9 @@ fn a_second_without_damping_keeps_energy_and_balls() {
         d.inner_ring_drag_n_s_m = 500.0;
         cageless::Bearing::new(d, crate::common::steel()).unwrap()
     };
-    case.solver.method = Method::Symplectic;
+    case.solver.method = IntegrationMethod::VelocityVerlet;
     case.solver.duration_s = 1.0;
-    let automatic = StepLimits::new(&case).automatic_s(Method::Symplectic);
+    let automatic = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
     let mut at = |step_s: f64| {
         case.solver.step_s = step_s;
         let (outcome, summary, collisions) = second(&case);

@@ -10,7 +10,7 @@ use cageless::dynamics::{Model, RightHandSide};
 use cageless::simulation::{Control, Ending, Observer, ObserverError, StepView, run, run_from};
 use cageless::snapshot::Snapshot;
 use cageless::step_limits::StepLimits;
-use cageless::{Case, FrictionLaw, Method};
+use cageless::{Case, FrictionLaw, IntegrationMethod};
 
 /// Three balls in an outer ring without gravity; the inner ring is out of reach.
 fn free_balls(law: FrictionLaw, step_s: f64) -> Case {
@@ -24,7 +24,7 @@ fn free_balls(law: FrictionLaw, step_s: f64) -> Case {
     case.contact.friction_coefficient = 0.2;
     case.contact.slip_scale_m_s = 1e-4;
     case.contact.damping_n_s_m1_5 = 2e5;
-    case.solver.method = Method::Symplectic;
+    case.solver.method = IntegrationMethod::VelocityVerlet;
     case.solver.step_s = step_s;
     case
 }
@@ -159,19 +159,19 @@ fn means(case: &Case) -> ([f64; 3], f64) {
 #[test]
 fn dry_friction_takes_the_step_of_the_contacts() {
     let mut case = structure(5.1, 25.2);
-    case.solver.method = Method::Symplectic;
+    case.solver.method = IntegrationMethod::VelocityVerlet;
     case.solver.duration_s = 0.01;
     case.contact.damping_n_s_m1_5 = 2e5;
-    let automatic = StepLimits::new(&case).automatic_s(Method::Symplectic);
+    let automatic = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
     for coefficient in [0.1, 0.3] {
         let mut dry = case.clone();
         dry.contact.friction_coefficient = coefficient;
-        dry.solver.step_s = StepLimits::new(&dry).automatic_s(Method::Symplectic);
+        dry.solver.step_s = StepLimits::new(&dry).automatic_s(IntegrationMethod::VelocityVerlet);
         assert_eq!(dry.solver.step_s, automatic);
         let (implicit, residual) = means(&dry);
         assert!(residual.abs() < 1e-3, "{coefficient}: {residual:e}");
         let mut explicit = dry.clone();
-        explicit.solver.method = Method::Adaptive;
+        explicit.solver.method = IntegrationMethod::Adaptive;
         explicit.solver.tolerance = 1e-6;
         let (reference, _) = means(&explicit);
         // The first 10 ms are the same trajectory: 1e-3 µm, 1e-5 of the speeds.
@@ -190,17 +190,17 @@ fn dry_friction_takes_the_step_of_the_contacts() {
 #[test]
 fn small_slip_scales_go_over_into_coulombs_law() {
     let mut case = structure(5.1, 25.2);
-    case.solver.method = Method::Symplectic;
+    case.solver.method = IntegrationMethod::VelocityVerlet;
     case.solver.duration_s = 0.01;
     case.contact.friction_coefficient = 0.3;
     case.contact.damping_n_s_m1_5 = 2e5;
     case.contact.friction_law = FrictionLaw::Coulomb;
-    case.solver.step_s = StepLimits::new(&case).automatic_s(Method::Symplectic);
+    case.solver.step_s = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
     let (coulomb, _) = means(&case);
     case.contact.friction_law = FrictionLaw::Smooth;
     for (scale, distance_m) in [(0.02, 1e-9), (2e-4, 5e-11), (1e-6, 5e-12)] {
         case.contact.slip_scale_m_s = scale;
-        let automatic = StepLimits::new(&case).automatic_s(Method::Symplectic);
+        let automatic = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
         assert_eq!(case.solver.step_s, automatic);
         let (smooth, residual) = means(&case);
         assert!(residual.abs() < 1e-4, "{scale}: {residual:e}");
@@ -220,10 +220,10 @@ fn falling_table() -> FrictionTable {
 #[test]
 fn a_level_table_is_the_smooth_law() {
     let mut case = structure(5.1, 25.2);
-    case.solver.method = Method::Symplectic;
+    case.solver.method = IntegrationMethod::VelocityVerlet;
     case.solver.duration_s = 0.003;
     case.contact.friction_coefficient = 0.1;
-    case.solver.step_s = StepLimits::new(&case).automatic_s(Method::Symplectic);
+    case.solver.step_s = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
     let end = |case: &Case| run(case, &mut [], &mut |_| Control::Continue(())).unwrap();
     let smooth = end(&case);
     case.contact.friction_law = FrictionLaw::Table;
@@ -273,7 +273,7 @@ fn every_law_is_finite_and_closes_its_ledger() {
         FrictionLaw::Table,
     ] {
         let mut case = structure(5.1, 25.2);
-        case.solver.method = Method::Symplectic;
+        case.solver.method = IntegrationMethod::VelocityVerlet;
         case.solver.duration_s = 0.005;
         case.contact.friction_coefficient = 0.1;
         case.contact.friction_law = law;
@@ -284,7 +284,7 @@ fn every_law_is_finite_and_closes_its_ledger() {
         if law == FrictionLaw::Table {
             case.contact.friction_table = Some(falling_table());
         }
-        case.solver.step_s = StepLimits::new(&case).automatic_s(Method::Symplectic);
+        case.solver.step_s = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
         let outcome = run(&case, &mut [], &mut |_| Control::Continue(())).unwrap();
         assert!(matches!(outcome.ending, Ending::Complete), "{law:?}");
         let residual = outcome.energy_residual_relative;
@@ -355,7 +355,7 @@ fn without_friction(row: &Snapshot) -> [f64; 2] {
 #[test]
 fn rows_hold_the_exact_cone() {
     let mut case = structure(5.1, 25.2);
-    case.solver.method = Method::Symplectic;
+    case.solver.method = IntegrationMethod::VelocityVerlet;
     case.solver.duration_s = 0.004;
     case.solver.step_s = 2e-6;
     case.contact.friction_coefficient = 0.1;

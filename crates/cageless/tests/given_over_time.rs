@@ -4,7 +4,7 @@ use crate::common::structure;
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::kinematics::rolling_orbit_speed_rad_s;
 use cageless::simulation::{Control, Ending, RunOutcome, run};
-use cageless::{Case, Method, Start, TimeTable};
+use cageless::{Case, IntegrationMethod, Start, TimeTable};
 
 fn table(times_s: &[f64], values: &[f64]) -> Option<TimeTable> {
     Some(TimeTable::new("inner_speed_rad_s", times_s.to_vec(), values.to_vec()).unwrap())
@@ -33,7 +33,7 @@ fn mean_orbit_rad_s(outcome: &RunOutcome) -> f64 {
 /// Tables that hold one value give the bits of the constant.
 #[test]
 fn a_constant_table_is_a_constant() {
-    for method in [Method::Abm4, Method::Symplectic] {
+    for method in [IntegrationMethod::Abm4, IntegrationMethod::VelocityVerlet] {
         let mut case = structure(5.1, 25.2);
         case.solver.method = method;
         case.solver.duration_s = 2e-3;
@@ -53,7 +53,7 @@ fn a_constant_table_is_a_constant() {
 #[test]
 fn balls_follow_a_run_up() {
     let mut case = structure(5.1, 25.2);
-    (case.solver.method, case.solver.step_s) = (Method::Symplectic, 2e-6);
+    (case.solver.method, case.solver.step_s) = (IntegrationMethod::VelocityVerlet, 2e-6);
     case.solver.duration_s = 0.03;
     case.contact.friction_coefficient = 0.05;
     case.operation.inner_speed_rad_s = 0.0;

@@ -13,12 +13,12 @@ use cageless::simulation::{
 use cageless::snapshot::Snapshot;
 use cageless::touchdown::Scatter;
 use cageless::verification::Role;
-use cageless::{Case, FrictionLaw, Method, Start};
+use cageless::{Case, FrictionLaw, IntegrationMethod, Start};
 
 const SPEED_RAD_S: f64 = 3141.6;
 
 /// A bearing that the rotor is about to touch.
-fn bearing(method: Method) -> Case {
+fn bearing(method: IntegrationMethod) -> Case {
     let mut case = drop_case();
     let raceway = raceway(&case.bearing, 5.1, 25.2, 0.0);
     case = case.with_raceways(vec![raceway]);
@@ -79,17 +79,42 @@ fn difference(a: &RunOutcome, b: &RunOutcome) -> f64 {
 fn symmetric_bearings_move_as_one_plane() {
     // The slower rotor rolls on the ring after a fraction of a millisecond.
     for (method, law, speed, most) in [
-        (Method::Adaptive, FrictionLaw::Smooth, SPEED_RAD_S, 1e-5),
-        (Method::Symplectic, FrictionLaw::Smooth, SPEED_RAD_S, 1e-6),
-        (Method::Symplectic, FrictionLaw::Coulomb, SPEED_RAD_S, 1e-6),
-        (Method::Symplectic, FrictionLaw::Smooth, 30.0, 2e-6),
-        (Method::Symplectic, FrictionLaw::Coulomb, 30.0, 2e-6),
+        (
+            IntegrationMethod::Adaptive,
+            FrictionLaw::Smooth,
+            SPEED_RAD_S,
+            1e-5,
+        ),
+        (
+            IntegrationMethod::VelocityVerlet,
+            FrictionLaw::Smooth,
+            SPEED_RAD_S,
+            1e-6,
+        ),
+        (
+            IntegrationMethod::VelocityVerlet,
+            FrictionLaw::Coulomb,
+            SPEED_RAD_S,
+            1e-6,
+        ),
+        (
+            IntegrationMethod::VelocityVerlet,
+            FrictionLaw::Smooth,
+            30.0,
+            2e-6,
+        ),
+        (
+            IntegrationMethod::VelocityVerlet,
+            FrictionLaw::Coulomb,
+            30.0,
+            2e-6,
+        ),
     ] {
         let mut case = bearing(method);
         case.contact.friction_law = law;
         let rotor = case.rotor.as_mut().unwrap();
         (rotor.friction_law, rotor.speed_rad_s) = (law, speed);
-        case.solver.step_s = if method == Method::Adaptive {
+        case.solver.step_s = if method == IntegrationMethod::Adaptive {
             1e-5
         } else {
             5e-7
@@ -126,7 +151,7 @@ fn scatter_belongs_to_the_rotor_or_to_a_bearing() {
         };
         rotor.linear().unwrap()
     };
-    let mut case = bearing(Method::Symplectic);
+    let mut case = bearing(IntegrationMethod::VelocityVerlet);
     case.seed = 5;
     let cases = vec![case.clone(), case.clone()];
     let drop = RotorDrop::new(unbalanced(0.0), SPEED_RAD_S, 0.0, cases, None).unwrap();
@@ -173,7 +198,7 @@ fn scatter_belongs_to_the_rotor_or_to_a_bearing() {
 #[test]
 fn unbalance_moves_as_an_eccentric_mass_centre() {
     let (eccentricity, phase) = (2e-5, 0.7_f64);
-    let mut case = bearing(Method::Adaptive);
+    let mut case = bearing(IntegrationMethod::Adaptive);
     case.solver.step_s = 1e-5;
     let rotor = case.rotor.as_mut().unwrap();
     (rotor.y_m, rotor.vy_m_s) = (-150e-6, -0.0625);
@@ -210,9 +235,13 @@ fn unbalance_moves_as_an_eccentric_mass_centre() {
 #[test]
 fn ledgers_of_rotor_and_bearings_close() {
     for (method, law, most) in [
-        (Method::Adaptive, FrictionLaw::Smooth, 1e-8),
-        (Method::Symplectic, FrictionLaw::Smooth, 1e-3),
-        (Method::Symplectic, FrictionLaw::Coulomb, 1e-3),
+        (IntegrationMethod::Adaptive, FrictionLaw::Smooth, 1e-8),
+        (IntegrationMethod::VelocityVerlet, FrictionLaw::Smooth, 1e-3),
+        (
+            IntegrationMethod::VelocityVerlet,
+            FrictionLaw::Coulomb,
+            1e-3,
+        ),
     ] {
         let rotor = RigidRotor {
             unbalances: vec![PlaneUnbalance {
@@ -228,7 +257,7 @@ fn ledgers_of_rotor_and_bearings_close() {
             case.rotor.as_mut().unwrap().friction_law = law;
             case.solver.duration_s = 4e-3;
         }
-        let step = (method == Method::Adaptive).then_some(1e-5);
+        let step = (method == IntegrationMethod::Adaptive).then_some(1e-5);
         let rotor = rotor.linear().unwrap();
         let drop = RotorDrop::new(rotor, SPEED_RAD_S, 0.0, cases, step).unwrap();
         let outcome = dropped(&drop);
@@ -374,7 +403,7 @@ fn a_rotor_without_contact_moves_as_its_matrices_say() {
         ..Reduction::default()
     };
     let rotor = matrices.reduce(&reduction).unwrap();
-    let mut cases = vec![bearing(Method::Adaptive); 2];
+    let mut cases = vec![bearing(IntegrationMethod::Adaptive); 2];
     for (case, [vx, vy]) in cases.iter_mut().zip([[0.02, -0.01], [-0.015, 0.03]]) {
         let journal = case.rotor.as_mut().unwrap();
         (journal.x_m, journal.y_m) = (0.0, 0.0);
@@ -448,7 +477,7 @@ fn a_flexible_rotor_falls_into_its_bearings() {
     let rotor: LinearRotor = shaft(4).reduce(&reduction).unwrap();
     let weight: f64 = rotor.mass_shares_kg().iter().sum();
     assert!((weight - rotor.mass_kg()).abs() < 1e-9 * weight);
-    let mut cases = vec![bearing(Method::Symplectic); 2];
+    let mut cases = vec![bearing(IntegrationMethod::VelocityVerlet); 2];
     for case in &mut cases {
         case.solver.duration_s = 5e-3;
     }
@@ -520,7 +549,7 @@ fn impossible_rotors_are_refused_by_name() {
     let drop = |cases: Vec<Case>, step| {
         said(RotorDrop::new(rotor(), 100.0, 0.0, cases, step).unwrap_err())
     };
-    let case = || bearing(Method::Symplectic);
+    let case = || bearing(IntegrationMethod::VelocityVerlet);
     assert!(drop(vec![case()], None).contains("1 cases for 2 touchdown bearings"));
     assert!(drop(vec![case(); 2], Some(1e-3)).contains("beyond what rotor and bearings bear"));
     let longer = Case {

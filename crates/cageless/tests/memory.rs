@@ -13,7 +13,7 @@ use cageless::simulation::{Control, Ending, run};
 use cageless::summary::SummaryRecorder;
 use cageless::verification::replicas;
 use cageless::vibration::{STRETCH, VibrationRecorder};
-use cageless::{Case, Housing, Method};
+use cageless::{Case, Housing, IntegrationMethod};
 
 /// Counts what is allocated now, and what was at most.
 struct Counting;
@@ -82,7 +82,7 @@ fn peak_bytes(case: &Case) -> (usize, u64, u64) {
 #[test]
 fn memory_does_not_grow_with_the_run() {
     let mut case = common::undamped(common::structure(5.1, 25.2));
-    case.solver.method = Method::Symplectic;
+    case.solver.method = IntegrationMethod::VelocityVerlet;
     case.solver.step_s = 2e-6;
     let mut peak = |seconds: f64| {
         case.solver.duration_s = seconds;

@@ -9,7 +9,7 @@ use cageless::integrator::System;
 use cageless::recorder::Recorder;
 use cageless::simulation::{Control, Ending, RunOutcome, run, run_batch};
 use cageless::step_limits::StepLimits;
-use cageless::{Case, FrictionLaw, Method, Start, SupportStop};
+use cageless::{Case, FrictionLaw, IntegrationMethod, Start, SupportStop};
 
 /// The rotor just above contact with the speed of its fall, over 3 ms, at the automatic step.
 fn near_contact(mut case: Case) -> Case {
@@ -20,8 +20,8 @@ fn near_contact(mut case: Case) -> Case {
 }
 
 fn automatic(mut case: Case) -> Case {
-    case.solver.method = Method::Symplectic;
-    case.solver.step_s = StepLimits::new(&case).automatic_s(Method::Symplectic);
+    case.solver.method = IntegrationMethod::VelocityVerlet;
+    case.solver.step_s = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
     case
 }
 

@@ -7,7 +7,7 @@ use cageless::dynamics::ball::BallMotion;
 use cageless::dynamics::state::State;
 use cageless::simulation::{Control, Ending, RunOutcome, run};
 use cageless::step_limits::StepLimits;
-use cageless::{Case, Gaps, Method, Start};
+use cageless::{Case, Gaps, IntegrationMethod, Start};
 
 /// The case of `reference/td1_2ms.csv`.
 fn td1() -> Case {
@@ -106,7 +106,7 @@ fn complete(case: &Case) -> RunOutcome {
 fn adaptive_agrees_with_the_reference() {
     for (tolerance, most_rms) in [(1e-10, 1e-5), (1e-12, 1e-6)] {
         let mut case = td1();
-        case.solver.method = Method::Adaptive;
+        case.solver.method = IntegrationMethod::Adaptive;
         case.solver.tolerance = tolerance;
         let outcome = complete(&case);
         let [rms, most] = error(&outcome.state);
@@ -122,8 +122,8 @@ fn adaptive_agrees_with_the_reference() {
 #[test]
 fn the_production_method_agrees_with_the_reference() {
     let mut case = td1();
-    case.solver.method = Method::Symplectic;
-    let automatic = StepLimits::new(&case).automatic_s(Method::Symplectic);
+    case.solver.method = IntegrationMethod::VelocityVerlet;
+    let automatic = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
     let mut errors = vec![];
     for step_s in [automatic, automatic / 2.0, automatic / 4.0] {
         case.solver.step_s = step_s;

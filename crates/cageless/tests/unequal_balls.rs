@@ -3,7 +3,7 @@
 use crate::common::{conventional, dimensions, structure, undamped};
 use cageless::equilibrium;
 use cageless::simulation::{Control, Ending, run};
-use cageless::{Case, Gaps, Method, Start};
+use cageless::{Case, Gaps, IntegrationMethod, Start};
 
 fn scattered(mut case: Case, deviation: impl Fn(usize) -> f64) -> Case {
     let deviations = (0..case.bearing.balls()).map(deviation).collect();
@@ -17,7 +17,7 @@ fn settled(mut case: Case) -> Case {
         gaps: Gaps::Uniform,
         lead_ball_angle_rad: 0.2,
     };
-    case.solver.method = Method::Symplectic;
+    case.solver.method = IntegrationMethod::VelocityVerlet;
     case.solver.step_s = 0.5e-6;
     case.solver.duration_s = 0.002;
     case

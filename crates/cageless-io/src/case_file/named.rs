@@ -1,6 +1,6 @@
 //! Choices that a case file or a plan makes by name.
 
-use cageless::{FrictionLaw, Method, Profile};
+use cageless::{FrictionLaw, IntegrationMethod, Profile};
 
 use super::document::StartState;
 
@@ -55,10 +55,6 @@ impl Named for StartState {
     ];
 }
 
-impl Named for Method {
-    const NAMES: &'static [(&'static str, Self)] = &[
-        ("abm4", Self::Abm4),
-        ("symplectic", Self::Symplectic),
-        ("adaptive", Self::Adaptive),
-    ];
+impl Named for IntegrationMethod {
+    const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
 }

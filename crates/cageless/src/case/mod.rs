@@ -18,6 +18,7 @@ use std::f64::consts::TAU;
 
 use crate::bearing::Bearing;
 pub use crate::contact::{FrictionLaw, FrictionParameters, FrictionTable};
+pub use crate::integrator::IntegrationMethod;
 use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::raceway::Raceway;
 use crate::rotor::{Rotor, Support};
@@ -175,23 +176,11 @@ impl Start {
     }
 }
 
-/// Integration method.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Method {
-    /// Fourth-order Adams–Bashforth–Moulton, predict–evaluate–correct–evaluate.
-    Abm4,
-    /// Velocity Verlet (leapfrog): one evaluation per step, no artificial damping,
-    /// unbiased statistics.
-    Symplectic,
-    /// Order 8(5,3) with error control, for references.
-    Adaptive,
-}
-
 /// Method and step of the integration.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Solver {
     /// Method.
-    pub method: Method,
+    pub method: IntegrationMethod,
     /// Step; the largest one of the adaptive method.
     pub step_s: f64,
     /// Error per step of the adaptive method, in the scales 10 µm, 1 m/s, 200 rad/s (ring

@@ -8,7 +8,7 @@
 //! Source: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*,
 //! section III.1.
 
-use super::{FixedSteps, Method, Properties, RungeKutta, StepState, System, UnresolvedStep};
+use super::{FixedSteps, Method, NamedMethod, Properties, RungeKutta, StepState, System, UnresolvedStep};
 use crate::numerics::aligned::Aligned;
 
 /// Weights of f(n), f(n−1), f(n−2), f(n−3) in the predictor.
@@ -33,14 +33,6 @@ pub struct Abm4 {
 }
 
 impl Abm4 {
-    /// Order and stability: violent growth on the imaginary axis from 0.93, real axis −1.28.
-    pub const PROPERTIES: Properties = Properties {
-        order: 4,
-        oscillation_limit: 0.93,
-        decay_limit: 1.28,
-        evaluations: 2,
-    };
-
     /// The method for systems of this dimension, with step `h`.
     pub fn new(dimension: usize, h: f64) -> Self {
         Self {
@@ -73,6 +65,25 @@ impl Abm4 {
             y[i] = y0[i] + h * slope;
         }
         system.derivative(step.t1_s, y, f);
+    }
+}
+
+impl NamedMethod for Abm4 {
+    // Order and stability: violent growth on the imaginary axis from 0.93, real axis −1.28.
+    const PROPERTIES: Properties = Properties {
+        name: "abm4",
+        label: "ABM4",
+        order: 4,
+        oscillation_limit: 0.93,
+        decay_limit: 1.28,
+        solves_stiff_part: false,
+        side_by_side: false,
+        automatic_oscillation: [0.17, 0.4],
+        automatic_decay: 0.5,
+    };
+
+    fn of_case(dimension: usize, step_s: f64, _tolerance: f64) -> Self {
+        Self::new(dimension, step_s)
     }
 }
 

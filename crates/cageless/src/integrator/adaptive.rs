@@ -2,7 +2,7 @@
 
 use super::step_state::bounded;
 use super::tableau::{DORMAND_PRINCE_8, TSITOURAS_5};
-use super::{Method, Properties, RungeKutta, StepState, System, UnresolvedStep};
+use super::{Method, NamedMethod, Properties, RungeKutta, StepState, System, UnresolvedStep};
 
 /// The method: Dormand & Prince's pair of order 8, or Tsitouras' of order 5 for a tolerance of
 /// 1e-6 and more, with the error of each step, in the scales of the system, below the
@@ -23,14 +23,6 @@ const LOOSE: f64 = 1e-6;
 const SMALLEST: f64 = 1e-8;
 
 impl Adaptive {
-    /// Order of the tighter pair; error control finds its own step.
-    pub const PROPERTIES: Properties = Properties {
-        order: 8,
-        oscillation_limit: f64::INFINITY,
-        decay_limit: f64::INFINITY,
-        evaluations: 6,
-    };
-
     /// The method for systems of this dimension, steps up to `size_max`, errors per step up to
     /// `tolerance` in the system's [`System::error_norm`].
     pub fn new(dimension: usize, size_max: f64, tolerance: f64) -> Self {
@@ -45,6 +37,25 @@ impl Adaptive {
             tolerance,
             size: size_max,
         }
+    }
+}
+
+impl NamedMethod for Adaptive {
+    // Order of the tighter pair; error control finds its own step.
+    const PROPERTIES: Properties = Properties {
+        name: "adaptive",
+        label: "adaptive Runge–Kutta",
+        order: 8,
+        oscillation_limit: f64::INFINITY,
+        decay_limit: f64::INFINITY,
+        solves_stiff_part: false,
+        side_by_side: false,
+        automatic_oscillation: [2.0, 2.0],
+        automatic_decay: f64::INFINITY,
+    };
+
+    fn of_case(dimension: usize, step_s: f64, tolerance: f64) -> Self {
+        Self::new(dimension, step_s, tolerance)
     }
 }
 

@@ -1,7 +1,8 @@
 //! Integration of ordinary differential equations. Nothing here knows of bearings.
 //!
-//! A method is one file: a struct that implements [`Method::perform_step`] on a [`StepState`],
-//! and a row of [`Properties`]. [`Integrator`] owns the state of the step.
+//! A method is one file: a struct that implements [`Method::perform_step`] on a [`StepState`]. One
+//! that a case can name has a row of [`Properties`] ([`NamedMethod`]) and a line in the list at the
+//! end of this file. [`Integrator`] owns the state of the step.
 //!
 //! ```
 //! use cageless::integrator::{Abm4, Integrator, System};
@@ -27,18 +28,13 @@
 //! # Ok::<(), cageless::integrator::UnresolvedStep>(())
 //! ```
 
-mod abm4;
-mod adaptive;
 mod runge_kutta;
 mod step_state;
 pub mod tableau;
-mod velocity_verlet;
 
-pub use abm4::Abm4;
-pub use adaptive::Adaptive;
 pub use runge_kutta::{AcceptedStep, RungeKutta, UnresolvedStep};
 pub use step_state::StepState;
-pub use velocity_verlet::{PlanarVelocities, SecondOrderBlock, VelocityVerlet};
+pub use velocity_verlet::{PlanarVelocities, SecondOrderBlock};
 
 use step_state::FixedSteps;
 
@@ -93,17 +89,28 @@ pub trait System {
     }
 }
 
-/// Order, stability and cost of a method.
+/// Names, order, stability and automatic step of a method.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Properties {
+    /// Name in files.
+    pub name: &'static str,
+    /// Name below figures.
+    pub label: &'static str,
     /// Order of convergence on smooth problems.
     pub order: u32,
     /// Largest ωh on y″ = −ω²y that does not grow violently; infinite under error control.
     pub oscillation_limit: f64,
     /// Largest λh on y′ = −λy; infinite under error control.
     pub decay_limit: f64,
-    /// Evaluations of f per step; at least so many under error control.
-    pub evaluations: u32,
+    /// Whether the stiff part of f enters implicitly ([`System::add_stiff_part`]).
+    pub solves_stiff_part: bool,
+    /// Whether systems side by side may share its steps: they have one size, and no step depends
+    /// on those before.
+    pub side_by_side: bool,
+    /// ωh of the automatic step, without damping and with it.
+    pub automatic_oscillation: [f64; 2],
+    /// Largest λh of the automatic step; infinite under error control.
+    pub automatic_decay: f64,
 }
 
 /// A method that advances a system step by step.
@@ -163,5 +170,146 @@ impl<M: Method> Integrator<M> {
     /// The last step. The system's last evaluation was at its end.
     pub fn step(&self) -> &StepState {
         &self.step
+    }
+}
+
+/// A method that a case can name.
+pub trait NamedMethod: Method + Sized {
+    /// Names, order, stability and automatic step.
+    const PROPERTIES: Properties;
+
+    /// The method for systems of this dimension, with steps of `step_s` or, under error control,
+    /// at most that and errors per step up to `tolerance` in the system's [`System::error_norm`].
+    fn of_case(dimension: usize, step_s: f64, tolerance: f64) -> Self;
+}
+
+/// Declares the list of methods that a case can name and what follows from it.
+macro_rules! named_methods {
+    ($(
+        $(#[$meta:meta])*
+        $module:ident: $method:ident,
+    )*) => {
+        $(mod $module;)*
+        $(pub use $module::$method;)*
+
+        /// Integration method of a case.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        pub enum IntegrationMethod {
+            $($(#[$meta])* $method,)*
+        }
+
+        impl IntegrationMethod {
+            /// Every name in files with its method.
+            pub const NAMES: &'static [(&'static str, Self)] =
+                &[$((<$method as NamedMethod>::PROPERTIES.name, Self::$method)),*];
+
+            /// Names, order, stability and automatic step.
+            pub fn properties(self) -> Properties {
+                match self { $(Self::$method => <$method as NamedMethod>::PROPERTIES,)* }
+            }
+        }
+
+        /// Evaluates an expression with the method of a case, whichever it is.
+        macro_rules! with_method {
+            ($chosen:expr, ($dimension:expr, $step_s:expr, $tolerance:expr), $name:ident => $body:expr) => {
+                match $chosen {
+                    $(crate::integrator::IntegrationMethod::$method => {
+                        let $name = <crate::integrator::$method as crate::integrator::NamedMethod>::of_case(
+                            $dimension, $step_s, $tolerance,
+                        );
+                        $body
+                    })*
+                }
+            };
+        }
+        pub(crate) use with_method;
+    };
+}
+
+named_methods! {
+    /// Fourth-order Adams–Bashforth–Moulton, predict–evaluate–correct–evaluate.
+    abm4: Abm4,
+    /// Velocity Verlet (leapfrog): one evaluation per step, no artificial damping,
+    /// unbiased statistics.
+    velocity_verlet: VelocityVerlet,
+    /// Order 8(5,3) with error control, for references.
+    adaptive: Adaptive,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// x″ = −ω²x − λx′.
+    struct Oscillator {
+        omega: f64,
+        decay: f64,
+    }
+
+    impl System for Oscillator {
+        fn dimension(&self) -> usize {
+            2
+        }
+        fn derivative(&mut self, _time_s: f64, y: &[f64], dydt: &mut [f64]) {
+            dydt[0] = y[1];
+            dydt[1] = -self.omega * self.omega * y[0] - self.decay * y[1];
+        }
+        fn second_order_blocks(&self) -> &[SecondOrderBlock] {
+            &[SecondOrderBlock {
+                positions: 0,
+                rates: 1,
+                count: 1,
+            }]
+        }
+    }
+
+    /// The state after steps of size `h` from x = x′ = 1.
+    fn after(method: IntegrationMethod, mut system: Oscillator, steps: u32, h: f64) -> [f64; 2] {
+        with_method!(method, (2, h, 1e-9), method => {
+            let mut integrator = Integrator::new(method, 2);
+            integrator.restart(&mut system, 0.0, &[1.0, 1.0]);
+            for _ in 0..steps {
+                integrator.advance(&mut system, f64::INFINITY).unwrap();
+            }
+            [integrator.step().y1[0], integrator.step().y1[1]]
+        })
+    }
+
+    fn of_fixed_step() -> impl Iterator<Item = (IntegrationMethod, Properties)> {
+        let all = IntegrationMethod::NAMES.iter();
+        let all = all.map(|(_, method)| (*method, method.properties()));
+        all.filter(|(_, properties)| properties.oscillation_limit.is_finite())
+    }
+
+    #[test]
+    fn methods_have_the_order_that_they_state() {
+        let error = |method, steps| {
+            let system = Oscillator {
+                omega: 1.0,
+                decay: 0.0,
+            };
+            let h = 2.0 / f64::from(steps);
+            (after(method, system, steps, h)[0] - (2f64.cos() + 2f64.sin())).abs()
+        };
+        for (method, properties) in of_fixed_step() {
+            let measured = (error(method, 80) / error(method, 160)).log2();
+            let stated = f64::from(properties.order);
+            assert!((measured - stated).abs() < 0.3, "{method:?}: {measured}");
+        }
+    }
+
+    #[test]
+    fn methods_are_stable_as_far_as_they_state() {
+        for (method, properties) in of_fixed_step() {
+            let largest = |omega, decay| {
+                let end = after(method, Oscillator { omega, decay }, 600, 1.0);
+                end[0].abs().max(end[1].abs())
+            };
+            let (oscillation, decay) = (properties.oscillation_limit, properties.decay_limit);
+            assert!(largest(0.97 * oscillation, 0.0) < 1e3, "{method:?}");
+            assert!(largest(1.1 * oscillation, 0.0) > 1e9, "{method:?}");
+            assert!(largest(0.0, 0.97 * decay) < 1e3, "{method:?}");
+            assert!(largest(0.0, 1.1 * decay) > 1e9, "{method:?}");
+        }
     }
 }

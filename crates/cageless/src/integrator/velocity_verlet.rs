@@ -19,7 +19,7 @@
 //! for ever (Hairer, Lubich & Wanner, *Geometric Numerical Integration*, section I.1).
 //! Stable on x″ = −ω²x up to ωh = 2, on x″ = −λx′ up to λh = 1.
 
-use super::{FixedSteps, Method, Properties, StepState, System, UnresolvedStep};
+use super::{FixedSteps, Method, NamedMethod, Properties, StepState, System, UnresolvedStep};
 use crate::numerics::aligned::Aligned;
 
 /// The method.
@@ -53,21 +53,32 @@ pub struct PlanarVelocities {
 }
 
 impl VelocityVerlet {
-    /// Order and stability. Velocities are extrapolated: half of what leapfrog allows on the
-    /// real axis.
-    pub const PROPERTIES: Properties = Properties {
-        order: 2,
-        oscillation_limit: 2.0,
-        decay_limit: 1.0,
-        evaluations: 1,
-    };
-
     /// The method with step `h`.
     pub fn new(h: f64) -> Self {
         Self {
             steps: FixedSteps::new(h),
             nonstiff: [Aligned::default(), Aligned::default()],
         }
+    }
+}
+
+impl NamedMethod for VelocityVerlet {
+    // Order and stability. Velocities are extrapolated: half of what leapfrog allows on the
+    // real axis.
+    const PROPERTIES: Properties = Properties {
+        name: "symplectic",
+        label: "leapfrog",
+        order: 2,
+        oscillation_limit: 2.0,
+        decay_limit: 1.0,
+        solves_stiff_part: true,
+        side_by_side: true,
+        automatic_oscillation: [0.65, 0.65],
+        automatic_decay: 0.7,
+    };
+
+    fn of_case(_dimension: usize, step_s: f64, _tolerance: f64) -> Self {
+        Self::new(step_s)
     }
 }
 

@@ -3,7 +3,7 @@
 use super::observer::{Observer, RunContext};
 use super::run::{Control, RunOutcome, drive, run};
 use super::run_tracker::RunTracker;
-use crate::case::{Case, FrictionLaw, Method, Profile};
+use crate::case::{Case, FrictionLaw, Profile};
 use crate::dynamics::layout::BATCH_WIDTH;
 use crate::dynamics::state::State;
 use crate::dynamics::{InstructionSet, Model, RightHandSide};
@@ -26,7 +26,7 @@ struct Kind {
 
 impl Kind {
     fn from_case(case: &Case) -> Option<Self> {
-        (case.solver.method == Method::Symplectic).then(|| Self {
+        (case.solver.method.properties().side_by_side).then(|| Self {
             balls: case.bearing.balls(),
             profile: case.profile,
             law: case.contact.friction_law,

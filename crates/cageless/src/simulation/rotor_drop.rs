@@ -132,7 +132,7 @@ impl RotorDrop {
                 StepLimits::with_linear_rotor(case, self.rotor.effective_mass_kg(k), fastest)
             })
             .collect();
-        let least = |step: fn(&StepLimits, crate::case::Method) -> f64| {
+        let least = |step: fn(&StepLimits, crate::case::IntegrationMethod) -> f64| {
             let steps = limits.iter().map(|l| step(l, method));
             steps.fold(f64::INFINITY, f64::min)
         };

@@ -3,13 +3,13 @@
 use super::guard::{Cause, Stop};
 use super::observer::{Observer, RunContext};
 use super::run_tracker::RunTracker;
-use crate::case::{Case, Method};
+use crate::case::Case;
 use crate::dynamics::state::State;
 use crate::dynamics::{Contacts, InstructionSet, Model, RightHandSide};
 use crate::equilibrium::EquilibriumError;
 use crate::error::InputError;
 use crate::initial_conditions::initial_state;
-use crate::integrator::{self, Abm4, Adaptive, Integrator, System, UnresolvedStep, VelocityVerlet};
+use crate::integrator::{self, Integrator, System, UnresolvedStep, with_method};
 
 /// Ending of a run.
 #[derive(Debug)]
@@ -173,15 +173,10 @@ pub(super) fn drive_from(
     control: &mut dyn FnMut(f64) -> Control,
 ) -> Vec<f64> {
     let solver = &trackers[0].context.case.solver;
-    let (size, h) = (start.len(), solver.step_s);
-    match solver.method {
-        Method::Abm4 => advance(Abm4::new(size, h), bearings, start, trackers, control),
-        Method::Symplectic => advance(VelocityVerlet::new(h), bearings, start, trackers, control),
-        Method::Adaptive => {
-            let method = Adaptive::new(size, h, solver.tolerance);
-            advance(method, bearings, start, trackers, control)
-        }
-    }
+    let dimension = start.len();
+    with_method!(solver.method, (dimension, solver.step_s, solver.tolerance), method => {
+        advance(method, bearings, start, trackers, control)
+    })
 }
 
 fn advance(

@@ -3,8 +3,9 @@
 use std::f64::consts::TAU;
 
 use cageless::{
-    Bearing, BearingDimensions, Case, Contact, FrictionLaw, Gaps, InnerRingBore, Material, Method,
-    Operation, Output, Profile, Raceway, RacewayDimensions, Rotor, Solver, Start, Support,
+    Bearing, BearingDimensions, Case, Contact, FrictionLaw, Gaps, InnerRingBore, IntegrationMethod,
+    Material, Operation, Output, Profile, Raceway, RacewayDimensions, Rotor, Solver, Start,
+    Support,
 };
 
 /// Zhao 2022, Table 1, with the usual values for what the paper leaves out.
@@ -95,7 +96,7 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
             lead_ball_angle_rad: 0.0,
         },
         solver: Solver {
-            method: Method::Abm4,
+            method: IntegrationMethod::Abm4,
             step_s: 1e-6,
             tolerance: 1e-8,
             duration_s: 0.02,

@@ -1,6 +1,6 @@
 //! `[solver]`.
 
-use cageless::{Method, Solver};
+use cageless::{IntegrationMethod, Solver};
 
 use crate::case_file::CaseError;
 use crate::case_file::convert::Converter;
@@ -17,7 +17,7 @@ const PROVISIONAL_STEP_S: f64 = 1e-6;
 section! {
     /// `[solver]`: integration. The error per step is a hundredth of what a figure shows.
     SolverDocument {
-        method => method: Method = Default(Method::Symplectic), Plain,
+        method => method: IntegrationMethod = Default(IntegrationMethod::VelocityVerlet), Plain,
             "integration method",
             Commented("\"symplectic\"", "\"abm4\": the paper's; \"adaptive\": for references");
         step_us => step_s: StepDocument = Default(StepDocument::Auto), Microsecond,

@@ -1,7 +1,7 @@
 //! Raceway layouts and their closed forms, which need no simulation.
 
 use crate::bearing::Bearing;
-use crate::case::{Case, Method};
+use crate::case::{Case, IntegrationMethod};
 use crate::design::{Eq11, steady_gap_rad, theoretical_gap_rad};
 use crate::error::InputError;
 use crate::raceway::{Raceway, RacewayDimensions};
@@ -84,8 +84,8 @@ impl OperatingPoint {
         let mut case = case.with_raceways(raceways);
         case.operation.inner_speed_rad_s = self.inner_speed_rad_s;
         case.operation.radial_load_n = self.radial_load_n;
-        case.solver.method = Method::Symplectic;
-        case.solver.step_s = StepLimits::new(&case).automatic_s(Method::Symplectic);
+        case.solver.method = IntegrationMethod::VelocityVerlet;
+        case.solver.step_s = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
         case
     }
 }
