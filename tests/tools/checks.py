@@ -1,15 +1,20 @@
 """Counts what the tools here check."""
 
+import threading
+
 passed = failed = 0
+# Pages are checked side by side.
+counting = threading.Lock()
 
 
 def check(what, ok, detail=""):
     global passed, failed
-    if ok:
-        passed += 1
-    else:
-        failed += 1
-        print(f"FAILED: {what} {detail}")
+    with counting:
+        if ok:
+            passed += 1
+        else:
+            failed += 1
+            print(f"FAILED: {what} {detail}")
 
 
 def exit_code():

@@ -16,6 +16,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from checks import check, exit_code
@@ -145,6 +146,24 @@ class Tab:
     def screenshot(self, path, **how):
         data = self.call("Page.captureScreenshot", format="png", **how)["data"]
         path.write_bytes(base64.b64decode(data))
+
+
+def in_browsers(screens, tasks):
+    """Runs each of `tasks`, a name and a function of a browser, in a browser of its own, two at a time."""
+
+    def run(task):
+        name, look = task
+        with tempfile.TemporaryDirectory(dir=screens, ignore_cleanup_errors=True) as profile:
+            try:
+                with Browser(profile) as browser:
+                    look(browser)
+            except RuntimeError as error:
+                check(f"{name}: opens", False, error)
+
+    screens.mkdir(parents=True, exist_ok=True)
+    with ThreadPoolExecutor(max_workers=2) as pool:
+        list(pool.map(run, tasks))
+    return exit_code()
 
 
 def find_browser():
@@ -482,16 +501,12 @@ def page(browser, name, path, screens):
 
 def main():
     screens = Path(sys.argv[1])
-    screens.mkdir(parents=True, exist_ok=True)
-    pages = [argument.split("=", 1) for argument in sys.argv[2:]]
-    with tempfile.TemporaryDirectory(dir=screens, ignore_cleanup_errors=True) as profile:
-        with Browser(profile) as browser:
-            for name, path in pages:
-                try:
-                    page(browser, name, Path(path), screens)
-                except RuntimeError as error:
-                    check(f"{name}: opens", False, error)
-    return exit_code()
+
+    def look(argument):
+        name, path = argument.split("=", 1)
+        return name, lambda browser: page(browser, name, Path(path), screens)
+
+    return in_browsers(screens, map(look, sys.argv[2:]))
 
 
 if __name__ == "__main__":

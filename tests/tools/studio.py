@@ -9,11 +9,10 @@ of its own and ends it.
 import json
 import re
 import sys
-import tempfile
 from pathlib import Path
 
-from checks import check, exit_code
-from pages import Browser, axe, thrown_text
+from checks import check
+from pages import axe, in_browsers, thrown_text
 from studio_engine import agreement, alone, drop, same_drop, serve, stop, studies, trap
 
 S = "window.cagelessStudio"
@@ -451,20 +450,15 @@ def stopping(browser, command):
 
 def main():
     screens = Path(sys.argv[1])
-    screens.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(dir=screens, ignore_cleanup_errors=True) as profile:
-        with Browser(profile) as browser:
-            for argument in sys.argv[2:]:
-                name, _, place = argument.partition("=")
-                if name == "stopping":
-                    stopping(browser, place)
-                    continue
-                url = place if place.startswith("http") else Path(place).resolve().as_uri()
-                try:
-                    studio(browser, name, url, screens)
-                except RuntimeError as error:
-                    check(f"{name}: the studio works", False, error)
-    return exit_code()
+
+    def look(argument):
+        name, _, place = argument.partition("=")
+        if name == "stopping":
+            return name, lambda browser: stopping(browser, place)
+        url = place if place.startswith("http") else Path(place).resolve().as_uri()
+        return name, lambda browser: studio(browser, name, url, screens)
+
+    return in_browsers(screens, map(look, sys.argv[2:]))
 
 
 if __name__ == "__main__":

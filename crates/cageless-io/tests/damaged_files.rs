@@ -1,11 +1,13 @@
-//! Case files, plans, journals and tables with random damage are read or refused, never more:
+//! Case files, rotor files, plans, journals and tables with random damage are read or refused, never more:
 //! a short run, always the same, of what the targets of `fuzz/` look at for as long as they are left.
 
 use std::fs;
 
+use cageless::linear_rotor::{DMatrix, RotorMatrices};
 use cageless_io::case_file::template;
 use cageless_io::journal::Journal;
 use cageless_io::results::{Cell, ColumnKind, ColumnSpec, RowsWriter};
+use cageless_io::rotor_file::write_matrices;
 
 /// xorshift64*.
 struct Random(u64);
@@ -101,6 +103,57 @@ fn every_key() -> String {
 fn case_files() {
     try_damage(template(false).as_bytes(), 1500, crate::fuzz_entries::case);
     try_damage(every_key().as_bytes(), 500, crate::fuzz_entries::case);
+}
+
+#[test]
+fn rotor_files() {
+    let dir = tempfile::tempdir().unwrap();
+    crate::fuzz_entries::prepare_rotor(dir.path());
+    let rotor = include_str!("../../../cases/rotors/two-bearings.toml")
+        .replace("../touchdown-d.toml", "base.toml")
+        .replace("../touchdown-conventional.toml", "base.toml");
+    try_damage(rotor.as_bytes(), 500, |bytes| {
+        crate::fuzz_entries::rotor(bytes, dir.path());
+    });
+}
+
+#[test]
+fn matrices_of_rotors() {
+    let dir = tempfile::tempdir().unwrap();
+    crate::fuzz_entries::prepare_rotor(dir.path());
+    // Two masses on a shaft: every node x, y, α, β.
+    let matrix = |value: fn(usize, usize) -> f64| DMatrix::from_fn(8, 8, value);
+    let rotor = RotorMatrices {
+        mass: matrix(|i, j| {
+            if i == j {
+                [5.0, 5.0, 0.1, 0.1][i % 4]
+            } else {
+                0.0
+            }
+        }),
+        damping: matrix(|_, _| 0.0),
+        gyroscopic: matrix(|i, j| match (i, j) {
+            (2, 3) | (6, 7) => 0.01,
+            (3, 2) | (7, 6) => -0.01,
+            _ => 0.0,
+        }),
+        stiffness: matrix(|i, j| {
+            if i == j {
+                1e6
+            } else if i % 4 == j % 4 {
+                -9e5
+            } else {
+                0.0
+            }
+        }),
+        spin_up: matrix(|_, _| 0.0),
+        polar_inertia_kg_m2: 0.02,
+    };
+    let path = dir.path().join("whole.json");
+    write_matrices(&path, &rotor).unwrap();
+    try_damage(&fs::read(&path).unwrap(), 500, |bytes| {
+        crate::fuzz_entries::matrices(bytes, dir.path());
+    });
 }
 
 #[test]

@@ -52,6 +52,19 @@ fn main() {
     fs::write(out.join("engine.rs"), format!("{text:?}")).expect("OUT_DIR can be written");
 }
 
+/// Has cargo build again when a target is installed or removed, given the place of the libraries of one:
+/// `lib/rustlib/TARGET/lib`.
+fn watch_installed_targets(libraries: &Path) {
+    // rustup's list of what is installed. To watch a file that is missing would be to build always.
+    let list = libraries
+        .ancestors()
+        .nth(2)
+        .map(|all| all.join("components"));
+    if let Some(list) = list.filter(|list| list.is_file()) {
+        println!("cargo:rerun-if-changed={}", list.display());
+    }
+}
+
 /// The engine; `None`, with a warning, where it cannot be compiled.
 fn compiled(out: &Path) -> Option<Vec<u8>> {
     // Engines that are not optimised are too slow to watch, and tests do not need them.
@@ -80,6 +93,7 @@ fn compiled(out: &Path) -> Option<Vec<u8>> {
         .output()
         .ok()?;
     let libraries = String::from_utf8_lossy(&libraries.stdout).trim().to_owned();
+    watch_installed_targets(Path::new(&libraries));
     if libraries.is_empty() || !Path::new(&libraries).is_dir() {
         println!(
             "cargo:warning=pages get no engine of their own: `rustup target add {TARGET}` and build again to add it"

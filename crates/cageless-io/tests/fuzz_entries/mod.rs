@@ -1,5 +1,5 @@
-// What may be read: any bytes as a case file, a plan, a journal or a table of results. Shared
-// by the targets of `fuzz/` and by the tests of damaged files. Nothing may panic, and whatever is
+// What may be read: any bytes as a case file, a rotor file, matrices of a rotor, a plan, a journal or a
+// table of results. Shared by the targets of `fuzz/` and by the tests of damaged files. Nothing may panic, and whatever is
 // refused has a message that names the file.
 
 use std::fs;
@@ -9,6 +9,7 @@ use cageless_io::case_file::CaseFile;
 use cageless_io::journal::Journal;
 use cageless_io::plan_file::PlanFile;
 use cageless_io::results::RowsReader;
+use cageless_io::rotor_file::{RotorFile, read_matrices};
 
 /// Reads a case file; one that is accepted is the same case when its document is read again, and what
 /// is recorded of a run of it is accepted, too.
@@ -25,6 +26,47 @@ pub fn case(bytes: &[u8]) {
             CaseFile::from_document(file.document_as_run(), "as run").unwrap();
         }
         Err(error) => assert!(error.to_string().contains("fuzz.toml"), "{error}"),
+    }
+}
+
+/// Puts a case with a rotor into `folder`, as `base.toml`.
+#[allow(dead_code)]
+pub fn prepare_rotor(folder: &Path) {
+    let case = include_str!("../../../../cases/touchdown-d.toml");
+    fs::write(folder.join("base.toml"), case).unwrap();
+}
+
+/// Reads a rotor file in `folder`, where its case is; one that is accepted is the same rotor when its
+/// document is read again.
+#[allow(dead_code)]
+pub fn rotor(bytes: &[u8], folder: &Path) {
+    let Ok(text) = std::str::from_utf8(bytes) else {
+        return;
+    };
+    match RotorFile::parse(text, "fuzz.toml", folder, &[]) {
+        Ok(file) => {
+            let again = file.changed(&[]).unwrap();
+            assert_eq!(again.document(), file.document());
+        }
+        Err(error) => assert!(!error.to_string().is_empty()),
+    }
+}
+
+/// Reads the matrices of a rotor in `folder` and reduces the rotor to its first and last node.
+#[allow(dead_code)]
+pub fn matrices(bytes: &[u8], folder: &Path) {
+    let path = folder.join("fuzz.json");
+    fs::write(&path, bytes).unwrap();
+    match read_matrices(&path) {
+        Ok(matrices) => {
+            let last = (matrices.mass.nrows() / 4).saturating_sub(1);
+            let rotor = format!(
+                "[rotor]\nmatrices = \"fuzz.json\"\nspeed_rpm = 9000.0\n[bearing.1]\ncase = \
+                 \"base.toml\"\nnode = 0\n[bearing.2]\ncase = \"base.toml\"\nnode = {last}\n"
+            );
+            self::rotor(rotor.as_bytes(), folder);
+        }
+        Err(error) => assert!(error.to_string().contains("fuzz.json"), "{error}"),
     }
 }
 
