@@ -180,6 +180,7 @@ impl JournalSlip {
 /// Friction opposes the sliding that is left without it, so that s lies between 0 and s_free;
 /// Newton's method within that interval from `guess`, halved where a step leaves it. Coulomb's
 /// law exactly.
+#[inline(always)] // into callers compiled for wider vectors
 pub fn implicit_slip(
     law: &Friction,
     free_m_s: f64,
@@ -209,6 +210,7 @@ pub fn implicit_slip(
 }
 
 /// Sliding speed and slope of the friction at the end of a step.
+#[inline(always)]
 fn newton(
     law: &Friction,
     free_m_s: f64,

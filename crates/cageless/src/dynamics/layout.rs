@@ -197,6 +197,7 @@ impl Layout {
     }
 
     /// Motion of the centre of the inner ring in a vector.
+    #[inline(always)] // into callers compiled for wider vectors
     pub fn ring_motion(&self, values: &[f64]) -> Centre {
         let at = |coordinate| values[self.ring(coordinate)];
         Centre {
@@ -208,6 +209,7 @@ impl Layout {
     }
 
     /// Motion of the centre of the outer ring in a vector; fixed at the origin without a rotor.
+    #[inline(always)] // into callers compiled for wider vectors
     pub fn outer_ring_motion(&self, values: &[f64]) -> Centre {
         if !self.has_rotor() {
             return Centre::default();
@@ -222,9 +224,13 @@ impl Layout {
     }
 
     /// Motion of the rotor in a vector, if there is one.
+    #[inline(always)] // into callers compiled for wider vectors
     pub fn rotor_motion(&self, values: &[f64]) -> Option<RotorMotion> {
+        if !self.has_rotor() {
+            return None;
+        }
         let at = |coordinate| values[self.drop(coordinate)];
-        self.has_rotor().then(|| RotorMotion {
+        Some(RotorMotion {
             x: at(DropCoordinate::RotorX),
             y: at(DropCoordinate::RotorY),
             vx: at(DropCoordinate::RotorVx),

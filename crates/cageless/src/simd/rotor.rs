@@ -15,8 +15,8 @@ use crate::contact::{
 use crate::dynamics::ball::BallLanes;
 use crate::dynamics::coordinates::{DropCoordinate, RingCoordinate};
 use crate::dynamics::energy::EnergyTerm;
-use crate::dynamics::layout::LANES;
-use crate::dynamics::rotor::{RotorContact, bore_motion};
+use crate::dynamics::layout::{LANES, Layout};
+use crate::dynamics::rotor::{RotorBody, RotorContact, bore_motion};
 
 /// Forces of the balls of a block on the outer ring: what the loads of their outer contacts are
 /// without the weights.
@@ -248,14 +248,8 @@ fn journal_friction(
     let mass = p.ring.mass.0[bearing];
     let rotor = &mut w.rotors[bearing];
     let normal = [rotor.contact.nx, rotor.contact.ny];
-    let slip = |values: &[f64]| {
-        let motion = layout.rotor_motion(values).unwrap_or_default();
-        let speed = values[layout.drop(DropCoordinate::RingSpeed)];
-        let bore = bore_motion(&layout.ring_motion(values), speed);
-        let journal = body.journal_motion(&motion, rotor.offset);
-        journal_slip(&body.journal, normal, &journal, &bore)
-    };
-    let (start, free) = (slip(y0), slip(y));
+    let sliding = |values: &[f64]| sliding_of_journal(layout, body, rotor, values);
+    let (start, free) = (sliding(y0), sliding(y));
     let mobility = h_s * body.slip_mobility(rotor, mass);
     let load = rotor.contact.force;
     let before = w.rotor_slips[bearing];
@@ -299,6 +293,22 @@ fn journal_friction(
     let place = layout.energy_term(EnergyTerm::RotorFriction);
     dydt[place] += heat;
     y[place] += h_s * heat;
+}
+
+/// Sliding speed of the journal in the bore along the directions of the last evaluation, m/s.
+#[inline(always)]
+fn sliding_of_journal(
+    layout: Layout,
+    body: &RotorBody,
+    rotor: &RotorContact,
+    values: &[f64],
+) -> f64 {
+    let motion = layout.rotor_motion(values).unwrap_or_default();
+    let speed = values[layout.drop(DropCoordinate::RingSpeed)];
+    let bore = bore_motion(&layout.ring_motion(values), speed);
+    let journal = body.journal_motion(&motion, rotor.offset);
+    let normal = [rotor.contact.nx, rotor.contact.ny];
+    journal_slip(&body.journal, normal, &journal, &bore)
 }
 
 /// Centres of both rings and the speed of the inner one, of each lane.

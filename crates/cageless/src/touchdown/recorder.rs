@@ -131,8 +131,10 @@ struct Found {
     first_contact_s: Option<f64>,
     impacts: u64,
     rotor_force_n: f64,
-    housing_force_n: f64,
-    housing_displacement_m: f64,
+    /// N².
+    housing_force_squared: f64,
+    /// m².
+    housing_displacement_squared: f64,
     rotor_slip_m_s: f64,
     spin_up_s: Option<f64>,
     inner_force_n: Vec<f64>,
@@ -211,8 +213,8 @@ impl DropRecorder {
             },
             rotor_weight_n: self.weight_n,
             rotor_force_max_n: found.rotor_force_n,
-            housing_force_max_n: self.outer_ring.map(|_| found.housing_force_n),
-            housing_displacement_max_m: found.housing_displacement_m,
+            housing_force_max_n: self.outer_ring.map(|_| found.housing_force_squared.sqrt()),
+            housing_displacement_max_m: found.housing_displacement_squared.sqrt(),
             rotor_slip_max_m_s: found.rotor_slip_m_s,
             spin_up_s: found.spin_up_s,
             ring_speed_rad_s: ring_speed,
@@ -282,8 +284,10 @@ impl DropRecorder {
         let motion = view.layout().outer_ring_motion(&view.step.y1);
         let [fx, fy] = outer_ring.support_force(&motion);
         let found = &mut self.found;
-        found.housing_force_n = found.housing_force_n.max(fx.hypot(fy));
-        found.housing_displacement_m = found.housing_displacement_m.max(motion.x.hypot(motion.y));
+        let square = |x: f64, y: f64| x * x + y * y;
+        found.housing_force_squared = found.housing_force_squared.max(square(fx, fy));
+        let displaced = square(motion.x, motion.y);
+        found.housing_displacement_squared = found.housing_displacement_squared.max(displaced);
     }
 
     fn ball_contacts(&mut self, view: &StepView<'_, '_>) {
@@ -293,10 +297,11 @@ impl DropRecorder {
         found.collisions += u64::from(self.collisions.count());
         self.whirl.collide(self.collisions.count());
         found.ball_slip_m_s = found.ball_slip_m_s.max(contacts.slip_max_m_s());
-        for k in 0..contacts.balls() {
-            found.inner_force_n[k] = found.inner_force_n[k].max(contacts.inner_force_n(k));
+        let most = found.inner_force_n.iter_mut().zip(&mut found.outer_force_n);
+        for (k, (inner, outer)) in most.enumerate() {
+            *inner = inner.max(contacts.inner_force_n(k));
             let force = contacts.outer_force_n(k);
-            found.outer_force_n[k] = found.outer_force_n[k].max(force);
+            *outer = outer.max(force);
             let radius_m = contacts.effective_radius_m(k);
             let heaviest = &mut found.heaviest[usize::from(radius_m < self.ball_radius_m)];
             if force > heaviest.force_n {
@@ -307,9 +312,8 @@ impl DropRecorder {
             }
         }
         if contacts.balls_touch() {
-            for k in 0..contacts.balls() {
-                found.ball_force_n = found.ball_force_n.max(contacts.pair_force_n(k));
-            }
+            let forces = (0..contacts.balls()).map(|k| contacts.pair_force_n(k));
+            found.ball_force_n = forces.fold(found.ball_force_n, f64::max);
         }
     }
 }
