@@ -95,12 +95,21 @@ pub fn name(quantity: &SweepQuantity) -> String {
     if let Some(value) = quantity.name.strip_prefix("verdict_verdict = ") {
         return format!("verdict {value}");
     }
-    let unit = quantity.unit.to_lowercase().replace(['/', '.'], "_");
+    let unit = quantity.unit.to_lowercase().replace(['/', '.', ' '], "_");
     let plain = match unit.as_str() {
         "" => quantity.name.as_str(),
         unit => quantity.name.strip_suffix(unit).unwrap_or(&quantity.name),
     };
-    plain.trim_matches('_').replace('_', " ")
+    let words = |name: &str| name.trim_matches('_').replace('_', " ");
+    // `bearing_2_rotor_air_gap_um`: a key of one bearing under a rotor.
+    if let Some((k, key)) = plain
+        .strip_prefix("bearing_")
+        .and_then(|rest| rest.split_once('_'))
+        && k.bytes().all(|digit| digit.is_ascii_digit())
+    {
+        return format!("{}, bearing {k}", words(key));
+    }
+    words(plain)
 }
 
 /// `name (unit)`.
@@ -108,5 +117,34 @@ pub fn label(quantity: &SweepQuantity) -> String {
     match quantity.sign() {
         "" => name(quantity),
         unit => format!("{} ({unit})", name(quantity)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_lose_their_units_and_bearings_come_last() {
+        for (column, unit, expected) in [
+            ("support_damping_n_s_m", "N s/m", "support damping"),
+            (
+                "bearing_2_rotor_air_gap_um",
+                "um",
+                "rotor air gap, bearing 2",
+            ),
+            ("bearing_balls", "", "number of balls"),
+            (
+                "drop_bearing_2_rotor_force_max_weights",
+                "",
+                "largest force on the rotor / its weight, bearing 2",
+            ),
+        ] {
+            let quantity = SweepQuantity {
+                name: column.to_owned(),
+                unit: unit.to_owned(),
+            };
+            assert_eq!(name(&quantity), expected);
+        }
     }
 }
