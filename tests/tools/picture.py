@@ -17,8 +17,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+from browser import Browser
 from checks import check, exit_code
-from pages import Browser
 
 ROOT = Path(__file__).resolve().parents[2]
 CASES = {"conventional": "conventional.toml", "discrete": "zhao-d.toml"}

@@ -11,8 +11,9 @@ import re
 import sys
 from pathlib import Path
 
+from browser import in_browsers, thrown_text
 from checks import check
-from pages import axe, in_browsers, thrown_text
+from pages import axe
 from studio_engine import agreement, alone, drop, same_drop, serve, stop, studies, trap
 
 S = "window.cagelessStudio"

@@ -5,7 +5,6 @@ use std::time::Instant;
 use anyhow::{Result, bail};
 use cageless::initial_conditions::initial_state;
 use cageless::simulation::{self, Control, Ending};
-use cageless::step_limits::StepLimits;
 use cageless::{Case, IntegrationMethod};
 use cageless_io::case_file::CaseFile;
 use clap::Args;
@@ -73,8 +72,7 @@ pub fn run(options: &Options) -> Result<()> {
         near.solver.method = IntegrationMethod::Adaptive;
         near.solver.tolerance = 1e-11;
         let reference = drop.state(&run_of(&near)?.0.state)?;
-        near.solver.method = IntegrationMethod::VelocityVerlet;
-        near.solver.step_s = StepLimits::new(&near).automatic_s(IntegrationMethod::VelocityVerlet);
+        near.set_method(IntegrationMethod::VelocityVerlet);
         let error = drop.error(&drop.state(&run_of(&near)?.0.state)?, &reference);
         let errors = STEPS_S.map(|step_s| {
             let mut state = start.clone();
@@ -86,8 +84,7 @@ pub fn run(options: &Options) -> Result<()> {
             bail!("no step of the Runge-Kutta method is good");
         };
         let mut long = case(coefficient, false)?;
-        long.solver.method = IntegrationMethod::VelocityVerlet;
-        long.solver.step_s = StepLimits::new(&long).automatic_s(IntegrationMethod::VelocityVerlet);
+        long.set_method(IntegrationMethod::VelocityVerlet);
         long.solver.duration_s = options.duration_s;
         let from = drop.state(&initial_state(&long)?.0)?;
         let (mut ours, mut theirs) = (f64::INFINITY, f64::INFINITY);

@@ -8,7 +8,6 @@ use cageless::design::search::uneven_gaps_rad;
 use cageless::simulation::{
     Control, Ending, Observer, ObserverError, RunOutcome, StepView, batches, run_batch,
 };
-use cageless::step_limits::StepLimits;
 use cageless::tolerance::{ball_grade, ball_lot_m};
 use cageless::vibration::{Measurement, PassingSplit, VibrationRecorder, WithoutContacts};
 use cageless::{Case, Gaps, IntegrationMethod, Raceway, RacewayDimensions, Start};
@@ -162,9 +161,7 @@ fn plans() -> Result<Vec<Plan>, PaperError> {
                 let mut case = case.clone();
                 case.operation.inner_speed_rad_s = speed.rpm * TAU / 60.0;
                 case.solver.duration_s = speed.duration_s;
-                case.solver.method = IntegrationMethod::VelocityVerlet;
-                case.solver.step_s =
-                    StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
+                case.set_method(IntegrationMethod::VelocityVerlet);
                 plans.push(Plan {
                     case,
                     rpm: speed.rpm,

@@ -1,6 +1,6 @@
 //! Names of the columns of sweeps in words.
 
-use cageless_study::quantities::Quantity;
+use cageless_study::quantities::{Quantity, bearing_in_column};
 
 use crate::sweep::SweepQuantity;
 
@@ -86,10 +86,8 @@ pub fn name(quantity: &SweepQuantity) -> String {
     if let Some((_, name)) = NAMES.iter().find(|(column, _)| *column == quantity.name) {
         return (*name).to_owned();
     }
-    match Quantity::of_column(&quantity.name) {
-        Some((result, None)) => return result.label.trim().to_owned(),
-        Some((result, Some(k))) => return format!("{}, bearing {}", result.label.trim(), k + 1),
-        None => {}
+    if let Some((result, bearing)) = Quantity::of_column(&quantity.name) {
+        return in_bearing(result.label.trim().to_owned(), bearing);
     }
     // `verdict_verdict = smooth`: the share of one verdict.
     if let Some(value) = quantity.name.strip_prefix("verdict_verdict = ") {
@@ -100,16 +98,19 @@ pub fn name(quantity: &SweepQuantity) -> String {
         "" => quantity.name.as_str(),
         unit => quantity.name.strip_suffix(unit).unwrap_or(&quantity.name),
     };
-    let words = |name: &str| name.trim_matches('_').replace('_', " ");
-    // `bearing_2_rotor_air_gap_um`: a key of one bearing under a rotor.
-    if let Some((k, key)) = plain
-        .strip_prefix("bearing_")
-        .and_then(|rest| rest.split_once('_'))
-        && k.bytes().all(|digit| digit.is_ascii_digit())
-    {
-        return format!("{}, bearing {k}", words(key));
+    let (bearing, key) = match bearing_in_column(plain) {
+        Some((k, key)) => (Some(k), key),
+        None => (None, plain),
+    };
+    in_bearing(key.trim_matches('_').replace('_', " "), bearing)
+}
+
+/// The name of what one of several bearings has.
+fn in_bearing(name: String, bearing: Option<usize>) -> String {
+    match bearing {
+        Some(k) => format!("{name}, bearing {}", k + 1),
+        None => name,
     }
-    words(plain)
 }
 
 /// `name (unit)`.

@@ -9,7 +9,6 @@ use cageless::IntegrationMethod;
 use cageless::collision::CollisionDetector;
 use cageless::recorder::Recorder;
 use cageless::simulation::{Control, run};
-use cageless::step_limits::StepLimits;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut arguments = std::env::args().skip(1);
@@ -20,8 +19,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     let raceway = common::raceway(&case.bearing, 5.1, 25.2, 0.0);
     case = case.with_raceways(vec![raceway]);
-    case.solver.method = IntegrationMethod::VelocityVerlet;
-    case.solver.step_s = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
+    case.set_method(IntegrationMethod::VelocityVerlet);
     case.solver.duration_s = duration_s;
     if let Some(step) = arguments.next() {
         case.solver.step_s = step.parse()?;

@@ -17,6 +17,14 @@ use crate::dynamics::rotor::{RotorBody, RotorContact};
 use crate::integrator::IntegrationMethod;
 use crate::kinematics::rolling_orbit_speed_rad_s;
 
+impl Case {
+    /// Sets the integration method, with its automatic step for this case.
+    pub fn set_method(&mut self, method: IntegrationMethod) {
+        self.solver.method = method;
+        self.solver.step_s = StepLimits::new(self).automatic_s(method);
+    }
+}
+
 /// Fastest rates of a case.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StepLimits {

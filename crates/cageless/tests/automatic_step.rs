@@ -11,8 +11,7 @@ use cageless::{Case, FrictionLaw, Gaps, IntegrationMethod, Start};
 fn automatic(mut case: Case, load_n: f64, rpm: f64, duration_s: f64) -> Case {
     case.operation.radial_load_n = load_n;
     case.operation.inner_speed_rad_s = rpm * TAU / 60.0;
-    case.solver.method = IntegrationMethod::VelocityVerlet;
-    case.solver.step_s = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
+    case.set_method(IntegrationMethod::VelocityVerlet);
     case.solver.duration_s = duration_s;
     case
 }

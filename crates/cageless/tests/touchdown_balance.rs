@@ -8,7 +8,6 @@ use cageless::initial_conditions::initial_state;
 use cageless::integrator::System;
 use cageless::recorder::Recorder;
 use cageless::simulation::{Control, Ending, RunOutcome, run, run_batch};
-use cageless::step_limits::StepLimits;
 use cageless::{Case, FrictionLaw, IntegrationMethod, Start, SupportStop};
 
 /// The rotor just above contact with the speed of its fall, over 3 ms, at the automatic step.
@@ -20,8 +19,7 @@ fn near_contact(mut case: Case) -> Case {
 }
 
 fn automatic(mut case: Case) -> Case {
-    case.solver.method = IntegrationMethod::VelocityVerlet;
-    case.solver.step_s = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
+    case.set_method(IntegrationMethod::VelocityVerlet);
     case
 }
 

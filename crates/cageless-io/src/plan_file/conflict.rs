@@ -14,12 +14,13 @@ pub(super) fn check(
     let samples = plan.samples.iter().flat_map(|s| &s.axes);
     let axes: Vec<_> = plan.grid.iter().chain(samples).collect();
     if let Some((one, other)) = twice(&axes) {
-        let message = match one.key == other.key {
-            true => format!(
+        let message = if one.key == other.key {
+            format!(
                 "{} varies on line {} already: an axis belongs to the grid or to the samples",
                 other.key, one.line
-            ),
-            false => overlap(&other.key, &one.key, one.line),
+            )
+        } else {
+            overlap(&other.key, &one.key, one.line)
         };
         return Err(plan.error(other.line, &other.key, message));
     }

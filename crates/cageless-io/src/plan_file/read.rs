@@ -298,14 +298,13 @@ impl<'a> PlanReader<'a> {
             return Err(self.error(node, &path, message));
         }
         for (key, node) in inner {
-            let Value::Section(of_one) = &node.value else {
-                self.entry(prefix, section, key, key, node, entries)?;
-                continue;
+            let of_one = match &node.value {
+                Value::Section(of_one) if is_number(key) => of_one,
+                _ => {
+                    self.entry(prefix, section, key, key, node, entries)?;
+                    continue;
+                }
             };
-            if !is_number(key) {
-                self.entry(prefix, section, key, key, node, entries)?;
-                continue;
-            }
             for (inner_key, node) in of_one {
                 let in_case = of_rotor
                     && section == "bearing"

@@ -103,6 +103,14 @@ pub(crate) enum Source {
     RotorDrop(fn(&RotorRun) -> Cell),
 }
 
+/// The bearing, from 0, and what follows it in the name of a column of one of several bearings:
+/// `bearing_2_contact_damping`.
+pub fn bearing_in_column(name: &str) -> Option<(usize, &str)> {
+    let (number, rest) = name.strip_prefix("bearing_")?.split_once('_')?;
+    let k = number.parse::<usize>().ok()?.checked_sub(1)?;
+    Some((k, rest))
+}
+
 impl Quantity {
     /// The computation that it is part of.
     pub fn computation(&self) -> Computation {
@@ -134,9 +142,8 @@ impl Quantity {
     pub fn of_column(name: &str) -> Option<(&'static Self, Option<usize>)> {
         let drop = Computation::Drop.name();
         let in_bearing = || {
-            let rest = name.strip_prefix(drop)?.strip_prefix("_bearing_")?;
-            let (number, rest) = rest.split_once('_')?;
-            let k = number.parse::<usize>().ok()?.checked_sub(1)?;
+            let rest = name.strip_prefix(drop)?.strip_prefix('_')?;
+            let (k, rest) = bearing_in_column(rest)?;
             Some((format!("{drop}_{rest}"), Some(k)))
         };
         let (name, bearing) = in_bearing().unwrap_or_else(|| (name.to_owned(), None));

@@ -7,12 +7,13 @@ use cageless::critical_gap::CriticalGapError;
 use cageless::design::judge;
 use cageless::dynamics::layout::BATCH_WIDTH;
 use cageless::equilibrium;
-use cageless::simulation::{Control, Ending, Observer, RotorDrop, RunOutcome};
+use cageless::simulation::{Control, Ending, Observer, RunOutcome};
 use cageless::summary::SummaryRecorder;
 use cageless::touchdown::DropRecorder;
 use cageless_io::case_file::CaseError;
 use cageless_io::plan_file::{Computation, PlanFile, VariantFile};
 use cageless_io::results::{Cell, ColumnKind, ColumnSpec, Row};
+use cageless_io::rotor_file::RotorFile;
 
 use super::error::SweepError;
 use super::feasibility;
@@ -137,7 +138,7 @@ impl Sweep {
         };
         match case {
             Ok(VariantFile::Case(file)) => variant.case = Some(file.case().clone()),
-            Ok(VariantFile::Rotor(file)) => variant.rotor = Some(file.as_ref().drop().clone()),
+            Ok(VariantFile::Rotor(file)) => variant.rotor = Some(*file),
             // Without file and line: the same row wherever the plan lies.
             Err(error) => variant.reasons.push(error.message().to_owned()),
         }
@@ -237,7 +238,7 @@ impl Sweep {
             let Some(rotor) = &variant.rotor else {
                 continue;
             };
-            match run_rotor(rotor, &mut |_| stop()) {
+            match run_rotor(rotor.drop(), &mut |_| stop()) {
                 Ok(run) => match &run.stopped {
                     Some(reason) => variant.failed(Computation::Drop, reason),
                     None => {
@@ -285,7 +286,7 @@ struct Variant {
     index: u64,
     inputs: Vec<Cell>,
     case: Option<Case>,
-    rotor: Option<RotorDrop>,
+    rotor: Option<RotorFile>,
     results: Vec<Cell>,
     reasons: Vec<String>,
 }

@@ -1,5 +1,5 @@
-//! Sweeps: many variants of a case or of a rotor in several bearings, computed on all cores, in shards or by a scheduler of
-//! your own, and lost by no interruption.
+//! Sweeps: many variants of a case or of a rotor in several bearings, computed on all cores, in
+//! shards or by a scheduler of your own, and lost by no interruption.
 //!
 //! A plan ([`cageless_io::plan_file`]) and the index of a variant say everything about it:
 //! [`Sweep::evaluate`] gives the same rows whenever and wherever it is called, on one

@@ -48,7 +48,7 @@ impl Output {
 /// The columns of results that a plan keeps.
 ///
 /// # Errors
-/// It keeps one that there is not.
+/// `keep` names a column that is not computed.
 pub(crate) fn outputs(plan: &PlanFile) -> Result<Vec<Output>, CaseError> {
     let computed: Vec<Output> = (all(plan))
         .filter(|output| plan.compute.contains(&output.quantity.computation()))

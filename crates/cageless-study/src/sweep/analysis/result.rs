@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::quantities::bearing_in_column;
 use crate::{Parameter, Provenance};
 
 /// Data of the page of a sweep. Empty parts are omitted from the page.
@@ -67,12 +68,7 @@ impl SweepQuantity {
             "solver_",
             "output_",
         ];
-        // `bearing_2_contact_damping` is the key of one of several bearings.
-        let of_one = || {
-            let (number, key) = self.name.strip_prefix("bearing_")?.split_once('_')?;
-            number.parse::<usize>().ok().map(|_| key)
-        };
-        let key = of_one().unwrap_or(&self.name);
+        let key = bearing_in_column(&self.name).map_or(self.name.as_str(), |(_, key)| key);
         key == "repeat" || CONDITIONS.iter().any(|section| key.starts_with(section))
     }
 

@@ -5,7 +5,6 @@ use crate::case::{Case, IntegrationMethod};
 use crate::design::{Eq11, steady_gap_rad, theoretical_gap_rad};
 use crate::error::InputError;
 use crate::raceway::{Raceway, RacewayDimensions};
-use crate::step_limits::StepLimits;
 
 /// Equal discrete raceways at given places.
 #[derive(Debug, Clone, PartialEq)]
@@ -84,8 +83,7 @@ impl OperatingPoint {
         let mut case = case.with_raceways(raceways);
         case.operation.inner_speed_rad_s = self.inner_speed_rad_s;
         case.operation.radial_load_n = self.radial_load_n;
-        case.solver.method = IntegrationMethod::VelocityVerlet;
-        case.solver.step_s = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
+        case.set_method(IntegrationMethod::VelocityVerlet);
         case
     }
 }
