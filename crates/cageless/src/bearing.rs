@@ -346,6 +346,26 @@ impl Bearing {
         (TAU - (0..n).map(|k| self.pair_angle_rad(k)).sum::<f64>()) / n as f64
     }
 
+    /// Angle between the centres of the two end balls across the gap, all balls touching in one
+    /// row: the largest angle without support that the ring can meet.
+    pub fn bunched_opening_rad(&self) -> f64 {
+        let widest = (0..self.balls()).map(|k| self.pair_angle_rad(k));
+        widest.fold(0.0, f64::max) + self.balls() as f64 * self.mean_gap_rad()
+    }
+
+    /// Whether the inner ring can leave the bearing between the balls: bunched, they leave half
+    /// of the pitch circle or more without support.
+    pub fn can_fall_between_balls(&self) -> bool {
+        self.bunched_opening_rad() >= PI
+    }
+
+    /// Least number of equal balls between which the inner ring cannot fall however they bunch:
+    /// 2π − (N − 1) ε < π.
+    pub fn balls_that_hold_ring(ball_radius_m: f64, pitch_radius_m: f64) -> usize {
+        let epsilon = 2.0 * (ball_radius_m / pitch_radius_m).asin();
+        (PI / epsilon).floor() as usize + 2
+    }
+
     /// K at the inner raceway, at the plain outer raceway of ball `k`, and between it and the
     /// ball ahead, N·m^(−3/2).
     pub fn ball_stiffness_n_m1_5(&self, k: usize) -> [f64; 3] {

@@ -5,7 +5,7 @@ use cageless::design::{
     Eq11, balls_in_raceway_max, half_angle_for_gap_rad, steady_gap_rad, theoretical_gap_rad,
 };
 use cageless::raceway::axial_span_limit_m;
-use cageless::{Bearing, Raceway, RacewayDimensions};
+use cageless::{Bearing, BearingDimensions, Raceway, RacewayDimensions};
 use proptest::prelude::*;
 
 fn close(a: f64, b: f64, tolerance: f64) -> bool {
@@ -256,4 +256,29 @@ proptest! {
             prop_assert!(!ordinary, "{span} {angle}");
         }
     }
+}
+
+/// The arrangement itself: balls laid out one after the other on the pitch circle.
+#[test]
+fn ring_that_falls_between_bunched_balls_is_known_by_their_number() {
+    let holding = Bearing::balls_that_hold_ring(4.7625e-3, 23.0025e-3);
+    for balls in 3..=14 {
+        let dimensions = BearingDimensions {
+            balls,
+            ..dimensions()
+        };
+        let bearing = Bearing::new(dimensions, steel()).unwrap();
+        let across = (4.7625f64 / 23.0025).asin().to_degrees() * 2.0;
+        let last = across * (balls - 1) as f64;
+        let opening = bearing.bunched_opening_rad().to_degrees();
+        assert!(
+            (opening - (360.0 - last)).abs() < 1e-9,
+            "{balls}: {opening}"
+        );
+        // The end balls are on one side of the middle, or on both.
+        let beyond_half = last > 180.0;
+        assert_eq!(bearing.can_fall_between_balls(), !beyond_half, "{balls}");
+        assert_eq!(balls >= holding, beyond_half, "{balls}: {holding}");
+    }
+    assert_eq!(holding, 9); // The centres of 8 balls span 167.3°, those of 9 span 191.2°.
 }
