@@ -5,7 +5,7 @@
 Runs a conventional bearing and one with a discrete raceway from the same bunch of balls, draws
 both at the end of their runs with their gaps, and writes `motion.png`. Opens the studio of the latter,
 waits for its verdict and its map, and writes `studio.webp`. Prints the captions. With a README,
-checks that they stand in it.
+checks that it has them.
 """
 
 import base64
@@ -115,12 +115,11 @@ def caption(bearings):
     operation = plain.case["operation"]
     return (
         f"Both bearings started from the same bunch, {BUNCHED_DEG}° between neighbours, at"
-        f" {operation['inner_speed_rpm']:.0f} rpm and {operation['radial_load_n']:.0f} N. After"
-        f" {DURATION_S:g} s the balls of the conventional one are still bunched: over the second"
-        f" half of the run the gaps scatter by {plain.deviation:.1f}° (standard deviation) about"
-        f" the nominal {plain.uniform:.1f}°. The discrete raceway has spread them:"
-        f" {discrete.deviation:.1f}°. It equalises the gaps; it does not prevent contacts between"
-        f" balls: {discrete.contacts} against {plain.contacts} from {discrete.transient:.3f} s on."
+        f" {operation['inner_speed_rpm']:.0f} rpm and {operation['radial_load_n']:.0f} N. Over the second"
+        f" half of {DURATION_S:g} s the standard deviation of the gaps is {discrete.deviation:.1f}° with"
+        f" the discrete raceway and {plain.deviation:.1f}° without (nominal gap {plain.uniform:.1f}°). It"
+        f" evens out the gaps but does not prevent contacts between balls: from {discrete.transient:.3f} s"
+        f" on the balls touched {discrete.contacts} times with it and {plain.contacts} times without."
     )
 
 
@@ -144,8 +143,8 @@ def studio_picture(cageless, browser, folder):
     (folder / "studio.webp").write_bytes(base64.b64decode(shot["data"]))
     verdict, beta0 = tab.js(f"[{STUDIO}.judged.headline, {STUDIO}.g.numbers.beta0_deg.toFixed(3)]")
     return (
-        f"The studio with structure (d) of Zhao 2022: its raceway is the point in the map, β0 is {beta0}°."
-        f" The verdict of its simulation: {verdict}."
+        f"The studio with structure (d) of the paper: its raceway is the point in the map, β0 is {beta0}°."
+        f" Its simulated verdict is {verdict}."
     )
 
 

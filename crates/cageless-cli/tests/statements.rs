@@ -3,16 +3,8 @@
 
 use crate::common::*;
 
-/// What README says before its first command.
-fn first_screen() -> String {
-    let path = repository_case("../README.md");
-    let text = std::fs::read_to_string(path).expect("README.md");
-    let (first, _) = text.split_once("## Two commands").expect("its commands");
-    first.to_owned()
-}
-
 #[test]
-fn the_scope_stands_in_check_and_on_the_first_screen_of_the_readme() {
+fn check_and_the_readme_state_the_limits_of_the_model() {
     let case = repository_case("zhao-d.toml");
     let text = call_on("check", &case, &[], &[]).stdout;
     let answer = call_on("check", &case, &[], &["--json"]).json();
@@ -20,8 +12,11 @@ fn the_scope_stands_in_check_and_on_the_first_screen_of_the_readme() {
         .map(|statement| statement.as_str().expect("text"))
         .collect();
     assert_eq!(scope, cageless::SCOPE);
-    let readme = first_screen();
-    let (_, limits) = readme.split_once("leaves out").expect("its limits");
+    let readme = std::fs::read_to_string(repository_case("../README.md")).expect("README.md");
+    let (_, limits) = readme
+        .split_once("## Limits of the model")
+        .expect("its limits");
+    let (limits, _) = limits.split_once("##").expect("a further section");
     let listed: Vec<&str> = (limits.lines())
         .filter_map(|line| line.strip_prefix("- "))
         .collect();
@@ -35,8 +30,8 @@ fn the_scope_stands_in_check_and_on_the_first_screen_of_the_readme() {
         "tilt",
         "preload",
         "the outer ring is fixed",
-        "speed and load as given",
-        "dry laws of friction",
+        "speed and load prescribed",
+        "dry friction laws",
         "heat",
     ] {
         assert!(scope.iter().any(|s| s.contains(word)), "{word}");

@@ -5,8 +5,8 @@
 pub const SCOPE: [&str; 6] = [
     "planar motion: no axial load, no tilt of the rings",
     "no preload: the radial clearance is 0 or more",
-    "rings rigid but for their contacts; the outer ring is fixed, or on a support under a falling rotor",
-    "speed and load as given, constant or over time; a falling rotor, rigid or flexible, does not move along its axis or twist",
-    "dry laws of friction: no lubricant film, no churning",
-    "no heat: dimensions, friction and material do not change with temperature",
+    "rings rigid except at the Hertz contacts; the outer ring is fixed (in a drop it may have an elastic support)",
+    "speed and load prescribed, constant or as tables over time; a dropped rotor has no axial and no torsional motion",
+    "dry friction laws: no lubricant film, no churning",
+    "no temperatures: frictional heat is summed, but dimensions, friction and material stay constant",
 ];
