@@ -349,6 +349,9 @@ def impacts(run):
     settled = c["start_s"] >= run.summary["settled_after_s"]
     counted = run.summary["collisions"]
     check(f"{run.name}: collisions are counted", abs(int(settled.sum()) - counted) <= run.n, (settled.sum(), counted))
+    for limit, name in ((0.1, "0_1"), (0.5, "0_5"), (1, "1")):
+        fast, counted = int((settled & (speed > limit)).sum()), run.summary[f"collisions_above_{name}_m_s"]
+        check(f"{run.name}: collisions above {limit} m/s", abs(fast - counted) <= run.n, (fast, counted))
 
 
 def main():

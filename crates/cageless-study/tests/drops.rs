@@ -2,15 +2,108 @@
 
 use std::path::Path;
 
+use cageless::Snapshot;
+use cageless::collision::Collision;
+use cageless::simulation::ObserverError;
 use cageless::verification::Convergence;
 use cageless_io::case_file::CaseFile;
 use cageless_io::plan_file::PlanFile;
 use cageless_io::results::Cell;
 use cageless_study::drop::{DropRequest, study};
+use cageless_study::quantities::Results;
+use cageless_study::run::{Options, Rows, run};
 use cageless_study::sweep::Sweep;
 use cageless_study::{Silent, on_threads};
 
 const CASES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases");
+
+/// Checks the numbers of contacts in `results` against the contacts themselves.
+fn counted(results: &Results, contacts: &[Collision]) {
+    let above = |limit: f64| {
+        let fast = contacts.iter().filter(|c| c.approach_speed_m_s > limit);
+        Some(Cell::Integer(fast.count() as i64))
+    };
+    for (name, limit) in [
+        ("collisions", f64::NEG_INFINITY),
+        ("collisions_above_0_1_m_s", 0.1),
+        ("collisions_above_0_5_m_s", 0.5),
+        ("collisions_above_1_m_s", 1.0),
+    ] {
+        assert_eq!(results.get(name).cloned(), above(limit), "{name}");
+    }
+}
+
+#[test]
+fn contacts_between_balls_are_counted_by_their_approach_speed() {
+    let file = drop(&["solver.duration_s=0.15", "output.interval_us=1000"]);
+    let found = study(&file, DropRequest::default(), None, &Silent).unwrap();
+    let drop = &found.drop;
+    counted(&drop.result.results, &drop.collisions);
+    let number = |name: &str| drop.result.results.number(name);
+    assert!(number("collisions") > number("collisions_above_0_1_m_s"));
+    assert!(number("collisions_above_0_1_m_s") > number("collisions_above_0_5_m_s"));
+    assert!(number("collisions_above_0_5_m_s") > number("collisions_above_1_m_s"));
+    assert!(number("collisions_above_1_m_s") > 10.0);
+    // The rates at the end are those of the windows of the last fifth.
+    let first_s = 1e-3 * number("first_contact_ms");
+    let from_s = file.case().solver.duration_s - 0.2 * (file.case().solver.duration_s - first_s);
+    let windows = drop.result.windows.iter();
+    // Windows of 5 ms, the last shorter.
+    let start_s = windows
+        .map(|w| 1e-3 * w.time_ms)
+        .filter(|middle| middle + 2.5e-3 > from_s)
+        .fold(f64::INFINITY, f64::min)
+        - 2.5e-3;
+    let fast = |limit: f64| {
+        let late = drop.collisions.iter().filter(|c| c.start_s > start_s);
+        late.filter(|c| c.approach_speed_m_s > limit).count() as f64
+            / (file.case().solver.duration_s - start_s)
+    };
+    for (name, limit) in [
+        ("end_collision_rate_hz", f64::NEG_INFINITY),
+        ("end_collision_rate_above_0_1_m_s_hz", 0.1),
+        ("end_collision_rate_above_0_5_m_s_hz", 0.5),
+        ("end_collision_rate_above_1_m_s_hz", 1.0),
+    ] {
+        let rate = number(name);
+        assert!(
+            (rate / fast(limit) - 1.0).abs() < 0.02,
+            "{name}: {rate} {}",
+            fast(limit)
+        );
+    }
+}
+
+#[test]
+fn contacts_in_a_run_are_counted_by_their_approach_speed() {
+    struct Kept(Vec<Collision>);
+    impl Rows for Kept {
+        fn snapshot(&mut self, _: &Snapshot) -> Result<(), ObserverError> {
+            Ok(())
+        }
+        fn collision(&mut self, collision: &Collision) -> Result<(), ObserverError> {
+            self.0.push(*collision);
+            Ok(())
+        }
+    }
+    let changes = [
+        "raceway.axial_span_mm=4.95",
+        "raceway.half_angle_deg=35",
+        "solver.duration_s=0.1",
+    ]
+    .map(str::to_owned);
+    let file = CaseFile::read(&Path::new(CASES).join("zhao-d.toml"), &changes).unwrap();
+    let mut kept = Kept(vec![]);
+    let options = Options {
+        rows: Some(&mut kept),
+        verify: false,
+    };
+    let summary = run(&file, options, &Silent).unwrap().summary;
+    let from_s = summary.results.number("settled_after_s");
+    kept.0.retain(|c| c.start_s > from_s);
+    counted(&summary.results, &kept.0);
+    assert!(summary.results.number("collisions_above_0_1_m_s") > 0.0);
+}
 
 /// A drop to 2.6 ms after the first contact.
 fn drop(changes: &[&str]) -> CaseFile {

@@ -78,38 +78,71 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> CollisionDetector<F> {
         }
         Ok(())
     }
+}
 
-    /// When the surfaces of ball `k` and the ball ahead touch or part within the step;
-    /// `otherwise` if rounding hides it at an end.
-    fn crossing_s(&self, view: &StepView<'_, '_>, k: usize, otherwise: f64) -> f64 {
-        let layout = view.layout();
-        let next = (k + 1) % layout.balls;
-        let deflection = |time_s: f64| {
-            let offset = |coordinate| {
-                view.step.interpolate(layout.ball(coordinate, next), time_s)
-                    - view.step.interpolate(layout.ball(coordinate, k), time_s)
-            };
-            self.distances[k] - offset(BallCoordinate::X).hypot(offset(BallCoordinate::Y))
-        };
-        let (from, to) = (view.step.t0_s, view.step.t1_s);
+/// A ball and the ball ahead within a step.
+pub(crate) struct Pair<'s, 'v, 'm> {
+    view: &'s StepView<'v, 'm>,
+    ball: usize,
+    next_ball: usize,
+    /// Distance of their centres at which they touch.
+    distance_m: f64,
+}
+
+impl<'s, 'v, 'm> Pair<'s, 'v, 'm> {
+    /// Ball `k` and the ball ahead, which touch at `distance_m` between their centres.
+    pub fn new(view: &'s StepView<'v, 'm>, k: usize, distance_m: f64) -> Self {
+        Self {
+            view,
+            ball: k,
+            next_ball: (k + 1) % view.layout().balls,
+            distance_m,
+        }
+    }
+
+    fn at(&self, coordinate: BallCoordinate, time_s: f64) -> [f64; 2] {
+        let layout = self.view.layout();
+        [self.ball, self.next_ball]
+            .map(|ball| (self.view.step).interpolate(layout.ball(coordinate, ball), time_s))
+    }
+
+    fn offset(&self, coordinate: BallCoordinate, time_s: f64) -> f64 {
+        let [own, next] = self.at(coordinate, time_s);
+        next - own
+    }
+
+    fn deflection_m(&self, time_s: f64) -> f64 {
+        let offset = |coordinate| self.offset(coordinate, time_s);
+        self.distance_m - offset(BallCoordinate::X).hypot(offset(BallCoordinate::Y))
+    }
+
+    /// When the surfaces touch or part within the step; `otherwise` if rounding hides it at an end.
+    fn crossing_s(&self, otherwise: f64) -> f64 {
+        let (from, to) = (self.view.step.t0_s, self.view.step.t1_s);
+        let deflection = |time_s| self.deflection_m(time_s);
         root::brent(deflection, from, to, 1e-6 * (to - from)).unwrap_or(otherwise)
     }
 
-    fn touch(&self, view: &StepView<'_, '_>, k: usize) -> Collision {
-        let layout = view.layout();
-        let next = (k + 1) % layout.balls;
-        let start_s = self.crossing_s(view, k, view.step.t0_s);
-        let state = view.state(start_s);
-        let (x, y, vx, vy) = (state.x_m(), state.y_m(), state.vx_m_s(), state.vy_m_s());
-        let (dx, dy) = (x[next] - x[k], y[next] - y[k]);
-        let speed = ((vx[k] - vx[next]) * dx + (vy[k] - vy[next]) * dy) / dx.hypot(dy);
+    /// The contact that begins within the step. One that is closed at the start of the run has no
+    /// approach speed.
+    pub fn touch(&self) -> Collision {
+        let from = self.view.step.t0_s;
+        let start_s = self.crossing_s(from);
+        let closed = start_s == 0.0 && self.deflection_m(start_s) > 0.0;
+        let [x, y] = [BallCoordinate::X, BallCoordinate::Y].map(|c| self.at(c, start_s));
+        let offset = |coordinate| self.offset(coordinate, start_s);
+        let (dx, dy) = (offset(BallCoordinate::X), offset(BallCoordinate::Y));
+        let (dvx, dvy) = (offset(BallCoordinate::Vx), offset(BallCoordinate::Vy));
         Collision {
             start_s,
             duration_s: 0.0,
-            ball: k,
-            next_ball: next,
-            angle_rad: (x[k] + x[next]).atan2(-(y[k] + y[next])),
-            approach_speed_m_s: speed,
+            ball: self.ball,
+            next_ball: self.next_ball,
+            angle_rad: (x[0] + x[1]).atan2(-(y[0] + y[1])),
+            approach_speed_m_s: match closed {
+                true => 0.0,
+                false => -(dvx * dx + dvy * dy) / dx.hypot(dy),
+            },
             peak_force_n: 0.0,
             impulse_n_s: 0.0,
         }
@@ -159,9 +192,10 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDet
             if before <= 0.0 && after <= 0.0 {
                 continue;
             }
+            let pair = Pair::new(view, k, self.distances[k]);
             let mut since = from;
             if before <= 0.0 {
-                let touch = self.touch(view, k);
+                let touch = pair.touch();
                 since = touch.start_s;
                 self.open[k] = Some(touch);
             }
@@ -170,11 +204,7 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDet
                 let peak = parabola_peak(around, self.earlier_step_s, to - from);
                 collision.peak_force_n = collision.peak_force_n.max(peak);
             }
-            let until = if after > 0.0 {
-                to
-            } else {
-                self.crossing_s(view, k, to)
-            };
+            let until = if after > 0.0 { to } else { pair.crossing_s(to) };
             if let Some(mut collision) = self.open[k] {
                 collision.impulse_n_s += 0.5 * (until - since) * (force_before + force);
                 if after > 0.0 {

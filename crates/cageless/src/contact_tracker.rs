@@ -14,7 +14,70 @@
 //! # Ok::<(), cageless::InputError>(())
 //! ```
 
-use crate::dynamics::Contacts;
+use std::ops::AddAssign;
+
+use crate::collision::Pair;
+use crate::dynamics::{Contacts, Model};
+use crate::simulation::StepView;
+
+/// Approach speeds above which contacts between balls are counted apart, m/s: slower ones are
+/// chatter of balls that push each other along.
+pub const APPROACH_SPEEDS_M_S: [f64; 3] = [0.1, 0.5, 1.0];
+
+/// Numbers of contacts between neighbouring balls that began.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct ContactCounts {
+    /// All of them.
+    pub all: u64,
+    /// Those that began above each of [`APPROACH_SPEEDS_M_S`].
+    pub above: [u64; APPROACH_SPEEDS_M_S.len()],
+}
+
+impl AddAssign for ContactCounts {
+    fn add_assign(&mut self, other: Self) {
+        self.all += other.all;
+        for (sum, more) in self.above.iter_mut().zip(other.above) {
+            *sum += more;
+        }
+    }
+}
+
+/// Counts the contacts that begin in each step, by their approach speed.
+#[derive(Debug, Clone)]
+pub struct ContactCounter {
+    tracker: ContactTracker,
+    distances_m: Vec<f64>,
+}
+
+impl ContactCounter {
+    /// Counter of the balls of `model`.
+    pub fn new(model: &Model) -> Self {
+        let balls = model.balls();
+        Self {
+            tracker: ContactTracker::new(balls),
+            distances_m: (0..balls).map(|k| model.pair_distance_m(k)).collect(),
+        }
+    }
+
+    /// Contacts that began in the step of `view`.
+    pub fn step(&mut self, view: &StepView<'_, '_>) -> ContactCounts {
+        self.tracker.update(&view.contacts);
+        let mut counts = ContactCounts::default();
+        if self.tracker.count() == 0 {
+            return counts;
+        }
+        for (k, distance_m) in self.distances_m.iter().enumerate() {
+            if self.tracker.started(k) {
+                let speed_m_s = Pair::new(view, k, *distance_m).touch().approach_speed_m_s;
+                counts += ContactCounts {
+                    all: 1,
+                    above: APPROACH_SPEEDS_M_S.map(|limit| u64::from(speed_m_s > limit)),
+                };
+            }
+        }
+        counts
+    }
+}
 
 /// Detects from step to step which pairs of neighbouring balls have started to touch.
 #[derive(Debug, Clone)]

@@ -16,7 +16,7 @@
 
 use crate::case::Case;
 use crate::contact_peaks::{ContactPeakTracker, ContactPeaks};
-use crate::contact_tracker::ContactTracker;
+use crate::contact_tracker::{ContactCounter, ContactCounts};
 use crate::dynamics::coordinates::RingCoordinate;
 use crate::gap::GapRange;
 use crate::orbit_means::{OrbitMeans, OrbitMeansTracker};
@@ -28,7 +28,7 @@ pub struct Summary {
     /// End of the discarded transient, s.
     pub settled_after_s: f64,
     /// Contacts between balls that began.
-    pub collisions: u64,
+    pub collisions: ContactCounts,
     /// Smallest gap.
     pub gap_min_rad: f64,
     /// Largest gap.
@@ -70,11 +70,11 @@ pub struct SummaryRecorder {
     settled_after_s: f64,
     gaps: GapRange,
     steps: u64,
-    collisions: u64,
+    collisions: ContactCounts,
     ring_sum: [f64; 2],
     time: f64,
     slip_max: f64,
-    contact_tracker: ContactTracker,
+    contact_counter: Option<ContactCounter>,
     peaks: Option<ContactPeakTracker>,
     means: OrbitMeansTracker,
 }
@@ -87,11 +87,11 @@ impl SummaryRecorder {
             settled_after_s: 0.0,
             gaps: GapRange::default(),
             steps: 0,
-            collisions: 0,
+            collisions: ContactCounts::default(),
             ring_sum: [0.0; 2],
             time: 0.0,
             slip_max: 0.0,
-            contact_tracker: ContactTracker::new(0),
+            contact_counter: None,
             peaks: None,
             means: OrbitMeansTracker::default(),
         }
@@ -125,7 +125,7 @@ impl Observer for SummaryRecorder {
         let case = context.case;
         self.settled_after_s = transient_s(case);
         self.gaps = GapRange::new(context.model);
-        self.contact_tracker = ContactTracker::new(context.model.balls());
+        self.contact_counter = Some(ContactCounter::new(context.model));
         self.peaks = Some(ContactPeakTracker::new(&case.bearing));
         self.case = Some(case.clone());
         Ok(())
@@ -134,11 +134,11 @@ impl Observer for SummaryRecorder {
     fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         let contacts = &view.contacts;
         let counted = view.step.t1_s > self.settled_after_s;
-        self.contact_tracker.update(contacts);
+        let begun = (self.contact_counter.as_mut()).map(|counter| counter.step(view));
         if !counted {
             return Ok(Control::Continue(()));
         }
-        self.collisions += u64::from(self.contact_tracker.count());
+        self.collisions += begun.unwrap_or_default();
         let layout = view.layout();
         let h = view.step.t1_s - view.step.t0_s;
         for (k, coordinate) in [RingCoordinate::X, RingCoordinate::Y]

@@ -121,7 +121,7 @@ fn company_changes_no_bit() {
         cases.iter_mut().for_each(change);
         let expected: Vec<_> = cases.iter().map(alone).collect();
         assert!(
-            expected.iter().any(|(_, s)| s.unwrap().collisions > 0)
+            expected.iter().any(|(_, s)| s.unwrap().collisions.all > 0)
                 || !cases[0].bearing.ball_radius_deviations_m().is_empty()
         );
         for isa in InstructionSet::ALL.into_iter().filter(|i| i.available()) {

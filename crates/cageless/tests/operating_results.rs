@@ -131,7 +131,7 @@ fn peak_pressures_are_those_of_the_largest_forces() {
     };
     let (_, summary) = simulate(&case, &mut [&mut steps]);
     let peaks = &summary.peaks;
-    assert!(summary.collisions > 0);
+    assert!(summary.collisions.all > 0);
     for (found, largest, contact) in [
         (&peaks.inner, steps.inner_n, case.bearing.inner_contact()),
         (&peaks.balls, steps.balls_n, case.bearing.ball_contact()),

@@ -41,7 +41,7 @@ impl WindowRow {
             whirl_frequency_hz: w.frequency_hz(),
             contact_fraction: w.contact_fraction,
             force_mean_n: w.force_mean_n,
-            collisions: w.collisions,
+            collisions: w.collisions.all,
         }
     }
 }

@@ -3,6 +3,7 @@
 use std::f64::consts::{FRAC_PI_4, TAU};
 
 use cageless::Case;
+use cageless::contact_tracker::ContactCounts;
 use cageless::design::{
     Criterion, Eq11, Judgement, PassageStatistics, balls_in_raceway_max, half_angle_for_gap_rad,
     steady_gap_rad, theoretical_gap_rad,
@@ -86,7 +87,10 @@ pub const QUANTITIES: &[Quantity] = &[
 
     quantity("ring_x_um_mean", "um", "mean displacement of the inner ring, x", Run(|r| of_summary(r, |s| s.ring_x_mean_m * 1e6))),
     quantity("ring_y_um_mean", "um", "mean displacement of the inner ring, y", Run(|r| of_summary(r, |s| s.ring_y_mean_m * 1e6))),
-    low(integer("collisions", "collisions between balls", Run(|r| r.summary.map_or(Cell::Null, |s| Cell::Integer(s.collisions as i64))))),
+    low(integer("collisions", "collisions between balls", Run(|r| of_contacts(r, |c| c.all)))),
+    low(integer("collisions_above_0_1_m_s", "  collisions above 0.1 m/s", Run(|r| of_contacts(r, |c| c.above[0])))),
+    low(integer("collisions_above_0_5_m_s", "  collisions above 0.5 m/s", Run(|r| of_contacts(r, |c| c.above[1])))),
+    low(integer("collisions_above_1_m_s", "  collisions above 1 m/s", Run(|r| of_contacts(r, |c| c.above[2])))),
     high(quantity("gap_min_deg", "deg", "smallest gap", Run(|r| of_summary(r, |s| s.gap_min_rad.to_degrees())))),
     low(quantity("gap_max_deg", "deg", "largest gap", Run(|r| of_summary(r, |s| s.gap_max_rad.to_degrees())))),
     low(quantity("slip_max_m_s", "m/s", "largest sliding speed under load", Run(|r| of_summary(r, |s| s.slip_max_m_s)))),
@@ -134,8 +138,14 @@ pub const QUANTITIES: &[Quantity] = &[
     across(Largest, low(quantity("inner_stress_max_gpa", "GPa", "peak contact pressure, inner raceway", Drop(|d| some(1e-9 * d.summary.inner_stress_max_pa))))),
     across(Largest, low(quantity("outer_stress_max_gpa", "GPa", "peak contact pressure, outer raceway", Drop(|d| some(1e-9 * d.summary.outer_stress_max_pa))))),
     across(Largest, low(quantity("ball_stress_max_gpa", "GPa", "peak contact pressure, ball on ball", Drop(|d| some(1e-9 * d.summary.ball_stress_max_pa))))),
-    across(Sum, low(integer("collisions", "collisions between balls", Drop(|d| Cell::Integer(d.summary.collisions as i64))))),
+    across(Sum, low(integer("collisions", "collisions between balls", Drop(|d| Cell::Integer(d.summary.collisions.all as i64))))),
+    across(Sum, low(integer("collisions_above_0_1_m_s", "  collisions above 0.1 m/s", Drop(|d| Cell::Integer(d.summary.collisions.above[0] as i64))))),
+    across(Sum, low(integer("collisions_above_0_5_m_s", "  collisions above 0.5 m/s", Drop(|d| Cell::Integer(d.summary.collisions.above[1] as i64))))),
+    across(Sum, low(integer("collisions_above_1_m_s", "  collisions above 1 m/s", Drop(|d| Cell::Integer(d.summary.collisions.above[2] as i64))))),
     across(Sum, low(quantity("end_collision_rate_hz", "Hz", "collisions between balls per second, at the end", Drop(|d| d.summary.end_collision_rate_hz.into())))),
+    across(Sum, low(quantity("end_collision_rate_above_0_1_m_s_hz", "Hz", "  collisions above 0.1 m/s per second, at the end", Drop(|d| d.summary.end_collision_rate_above_hz[0].into())))),
+    across(Sum, low(quantity("end_collision_rate_above_0_5_m_s_hz", "Hz", "  collisions above 0.5 m/s per second, at the end", Drop(|d| d.summary.end_collision_rate_above_hz[1].into())))),
+    across(Sum, low(quantity("end_collision_rate_above_1_m_s_hz", "Hz", "  collisions above 1 m/s per second, at the end", Drop(|d| d.summary.end_collision_rate_above_hz[2].into())))),
     across(Largest, quantity("ball_force_max_n", "N", "largest force between balls", Drop(|d| some(d.summary.ball_force_max_n)))),
     across(Largest, low(quantity("ball_slip_max_m_s", "m/s", "largest sliding speed of a ball", Drop(|d| some(d.summary.ball_slip_max_m_s))))),
     across(Sum, low(quantity("heat_j", "J", "heat of all interfaces", Drop(|d| some(d.summary.heat.total_j()))))),
@@ -255,6 +265,13 @@ fn rpm(speed_rad_s: f64) -> f64 {
 fn of_means(run: &Finished<'_>, value: fn(&OrbitMeans) -> f64) -> Cell {
     let means = run.summary.and_then(|s| s.means.as_ref());
     means.map(value).into()
+}
+
+fn of_contacts(run: &Finished<'_>, count: fn(&ContactCounts) -> u64) -> Cell {
+    let contacts = run
+        .summary
+        .map(|s| Cell::Integer(count(&s.collisions) as i64));
+    contacts.unwrap_or(Cell::Null)
 }
 
 fn of_tally(run: &Finished<'_>, value: fn(&PassageTally) -> f64) -> Cell {

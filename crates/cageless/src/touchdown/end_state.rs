@@ -87,6 +87,7 @@ impl EndState {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact_tracker::ContactCounts;
 
     fn window(turned_rad: f64, path_rad: f64, contact_fraction: f64, swing: f64) -> WhirlWindow {
         WhirlWindow {
@@ -98,7 +99,7 @@ mod tests {
             angle_max_rad: swing / 2.0,
             contact_fraction,
             force_mean_n: 1.0,
-            collisions: 0,
+            collisions: ContactCounts::default(),
         }
     }
 

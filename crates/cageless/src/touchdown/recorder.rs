@@ -3,7 +3,7 @@
 use super::end_state::EndState;
 use super::whirl::{WhirlTracker, WhirlWindow};
 use crate::bearing::Bearing;
-use crate::contact_tracker::ContactTracker;
+use crate::contact_tracker::{APPROACH_SPEEDS_M_S, ContactCounter, ContactCounts};
 use crate::dynamics::energy::EnergyTerm;
 use crate::dynamics::outer_ring::OuterRing;
 use crate::dynamics::state::State;
@@ -84,10 +84,12 @@ pub struct DropSummary {
     /// Largest pressure between balls, Pa.
     pub ball_stress_max_pa: f64,
     /// Contacts between balls that began.
-    pub collisions: u64,
+    pub collisions: ContactCounts,
     /// Contacts between balls that began, per second of the last fifth of the time after the
     /// first contact, Hz; `None` before that.
     pub end_collision_rate_hz: Option<f64>,
+    /// The same for contacts that began above each of [`APPROACH_SPEEDS_M_S`], Hz.
+    pub end_collision_rate_above_hz: [Option<f64>; APPROACH_SPEEDS_M_S.len()],
     /// Largest force between balls, N.
     pub ball_force_max_n: f64,
     /// Largest |ΔVi| or |ΔVo| at contacts of the balls that carry load, m/s.
@@ -117,7 +119,7 @@ pub struct DropRecorder {
     weight_n: f64,
     rotation: f64,
     whirl: WhirlTracker,
-    collisions: ContactTracker,
+    collisions: Option<ContactCounter>,
     in_contact: bool,
     first_slip_m_s: f64,
     contact_s: f64,
@@ -141,7 +143,7 @@ struct Found {
     outer_force_n: Vec<f64>,
     /// Heaviest load on the plain raceway, and within a discrete one.
     heaviest: [OuterLoad; 2],
-    collisions: u64,
+    collisions: ContactCounts,
     ball_force_n: f64,
     ball_slip_m_s: f64,
 }
@@ -164,7 +166,7 @@ impl DropRecorder {
             weight_n: 0.0,
             rotation: 0.0,
             whirl: WhirlTracker::new(WINDOW_S),
-            collisions: ContactTracker::new(0),
+            collisions: None,
             in_contact: false,
             first_slip_m_s: 0.0,
             contact_s: 0.0,
@@ -192,10 +194,15 @@ impl DropRecorder {
         let end_state = last.map_or(EndState::Falling, |last| {
             EndState::classify(last, self.rotation)
         });
-        let end_collision_rate_hz = last.map(|last| {
-            let collisions: u64 = last.iter().map(|w| w.collisions).sum();
-            collisions as f64 / last.iter().map(|w| w.end_s - w.start_s).sum::<f64>()
-        });
+        let rate_hz = |count: &dyn Fn(&ContactCounts) -> u64| {
+            last.map(|last| {
+                let collisions: u64 = last.iter().map(|w| count(&w.collisions)).sum();
+                collisions as f64 / last.iter().map(|w| w.end_s - w.start_s).sum::<f64>()
+            })
+        };
+        let end_collision_rate_hz = rate_hz(&|collisions| collisions.all);
+        let end_collision_rate_above_hz =
+            std::array::from_fn(|k| rate_hz(&|collisions| collisions.above[k]));
         let most = |forces: &[f64]| forces.iter().copied().fold(0.0, f64::max);
         let backward = whirl
             .iter()
@@ -230,6 +237,7 @@ impl DropRecorder {
             outer_force_max_n: found.outer_force_n,
             collisions: found.collisions,
             end_collision_rate_hz,
+            end_collision_rate_above_hz,
             ball_force_max_n: found.ball_force_n,
             ball_slip_max_m_s: found.ball_slip_m_s,
             backward_whirl_max_hz: backward.fold(0.0, f64::max),
@@ -292,10 +300,11 @@ impl DropRecorder {
 
     fn ball_contacts(&mut self, view: &StepView<'_, '_>) {
         let contacts = &view.contacts;
-        self.collisions.update(contacts);
+        let begun =
+            (self.collisions.as_mut()).map_or_else(ContactCounts::default, |c| c.step(view));
         let found = &mut self.found;
-        found.collisions += u64::from(self.collisions.count());
-        self.whirl.collide(self.collisions.count());
+        found.collisions += begun;
+        self.whirl.collide(begun);
         found.ball_slip_m_s = found.ball_slip_m_s.max(contacts.slip_max_m_s());
         let most = found.inner_force_n.iter_mut().zip(&mut found.outer_force_n);
         for (k, (inner, outer)) in most.enumerate() {
@@ -334,7 +343,7 @@ impl Observer for DropRecorder {
         self.outer_ring = (case.support.as_ref()).map(|support| OuterRing::new(Some(support)));
         self.ball_radius_m = case.bearing.ball_radius_m();
         self.bearing = Some(case.bearing.clone());
-        self.collisions = ContactTracker::new(balls);
+        self.collisions = Some(ContactCounter::new(context.model));
         self.found.inner_force_n = vec![0.0; balls];
         self.found.outer_force_n = vec![0.0; balls];
         Ok(())

@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use crate::contact_tracker::ContactCounts;
 use crate::numerics::angle::wrap_angle_rad;
 
 /// Motion of the journal round the centre of the bore in one interval of time.
@@ -24,7 +25,7 @@ pub struct WhirlWindow {
     /// Mean contact force, N.
     pub force_mean_n: f64,
     /// Contacts between balls that began.
-    pub collisions: u64,
+    pub collisions: ContactCounts,
 }
 
 impl WhirlWindow {
@@ -42,7 +43,7 @@ pub(super) struct WhirlTracker {
     open: WhirlWindow,
     contact_s: f64,
     impulse_n_s: f64,
-    collisions: u64,
+    collisions: ContactCounts,
     pub(super) windows: Vec<WhirlWindow>,
 }
 
@@ -55,7 +56,7 @@ impl WhirlTracker {
             open: Self::empty(0.0, 0.0),
             contact_s: 0.0,
             impulse_n_s: 0.0,
-            collisions: 0,
+            collisions: ContactCounts::default(),
             windows: vec![],
         }
     }
@@ -70,13 +71,13 @@ impl WhirlTracker {
             angle_max_rad: angle_rad,
             contact_fraction: 0.0,
             force_mean_n: 0.0,
-            collisions: 0,
+            collisions: ContactCounts::default(),
         }
     }
 
     /// Takes the contacts between balls that began in the step of the next update.
-    pub(super) fn collide(&mut self, collisions: u32) {
-        self.collisions += u64::from(collisions);
+    pub(super) fn collide(&mut self, collisions: ContactCounts) {
+        self.collisions += collisions;
     }
 
     /// Takes the end of a step: unit vector from the centre of the bore to that of the journal,
@@ -137,7 +138,10 @@ mod tests {
         for k in 1..=3000 {
             let time = f64::from(k) * step;
             let (sin, cos) = (rate * time).sin_cos();
-            tracker.collide(u32::from(k % 100 == 0));
+            tracker.collide(ContactCounts {
+                all: u64::from(k % 100 == 0),
+                above: [u64::from(k % 200 == 0), 0, 0],
+            });
             tracker.update([cos, sin], time, step, 10.0);
         }
         tracker.close();
@@ -147,7 +151,10 @@ mod tests {
             assert!((window.path_rad + window.turned_rad).abs() < 1e-9);
             assert!((window.force_mean_n - 10.0).abs() < 1e-9);
             assert!((window.contact_fraction - 1.0).abs() < 1e-9);
-            assert_eq!(window.collisions, 10);
+            assert_eq!(
+                (window.collisions.all, window.collisions.above),
+                (10, [5, 0, 0])
+            );
         }
     }
 }

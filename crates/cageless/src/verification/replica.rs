@@ -222,7 +222,7 @@ impl ReplicaObserver {
         let ring = outcome.state.ring_motion();
         let [deviation_x, deviation_y] = self.motion.ring_deviation_m();
         let values = Quantity::ALL.map(|quantity| match quantity {
-            Quantity::Collisions => s.collisions as f64,
+            Quantity::Collisions => s.collisions.all as f64,
             Quantity::GapMin => s.gap_min_rad,
             Quantity::GapMax => s.gap_max_rad,
             Quantity::RingXMean => s.ring_x_mean_m,
