@@ -64,7 +64,8 @@ INTEGERS = {"ball", "next_ball"}
 
 # Keys that a case file may leave out; stiffnesses follow from the geometry.
 OPTIONAL = {
-    "schema", "title", "raceway.centre_angle_deg", "raceway.depth_error_um", "contact.ball_restitution",
+    "schema", "title", "raceway.centre_angle_deg", "raceway.depth_error_um",
+    "contact.outer_friction_factor", "contact.ball_friction_factor", "contact.ball_restitution",
     "contact.inner_stiffness", "contact.outer_stiffness", "contact.ball_stiffness",
     "start.state", "start.gaps", "start.lead_ball_angle_deg",
     "solver.method", "solver.step_us", "solver.tolerance", "solver.seed",

@@ -86,6 +86,8 @@ const EDITS: &[Row] = &[
     ("damping = 2.0e5", "damping = -1.0", "contact.damping", &["at least 0 N s/m^1.5"]),
     ("# inner_stiffness = 2.8e10", "inner_stiffness = 0", "contact.inner_stiffness", &["more than 0 N/m^1.5"]),
     ("poisson_ratio = 0.3", "poisson_ratio = 0.5", "material.poisson_ratio", &["= 0.5", "less than 0.5"]),
+    ("# ball_restitution = 0.95", "ball_friction_factor = -0.5", "contact.ball_friction_factor", &["= -0.5", "at least 0"]),
+    ("# ball_restitution = 0.95", "outer_friction_factor = 150", "contact.outer_friction_factor", &["= 150", "at most 100"]),
     ("# ball_restitution = 0.95", "ball_restitution = 0", "contact.ball_restitution", &["more than 0 and at most 1"]),
     ("# ball_restitution = 0.95", "ball_restitution = 1.5", "contact.ball_restitution", &["= 1.5", "more than 0 and at most 1"]),
     // What is meant in another unit.

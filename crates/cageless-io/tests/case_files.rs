@@ -82,6 +82,8 @@ fn defaults_that_were_filled_in_are_listed() {
         [
             "raceway.centre_angle_deg",
             "raceway.depth_error_um",
+            "contact.outer_friction_factor",
+            "contact.ball_friction_factor",
             "contact.ball_restitution",
             "contact.inner_stiffness",
             "contact.outer_stiffness",
@@ -285,7 +287,7 @@ fn the_document_has_exactly_the_keys_of_the_file() {
             "{set}"
         );
     }
-    assert_eq!(all.len(), 38, "{all:?}");
+    assert_eq!(all.len(), 40, "{all:?}");
 }
 
 #[test]

@@ -191,7 +191,10 @@ impl ContactPeakTracker {
         let bearing = &case.bearing;
         let orbit = case.rolling_orbit_speed_rad_s();
         let d = bearing.dimensions();
-        let friction = case.contact.friction_coefficient;
+        let contact = &case.contact;
+        let friction = contact.friction_coefficient;
+        let outer_friction = friction * contact.outer_friction_factor;
+        let ball_friction = friction * contact.ball_friction_factor;
         let inner_m_s = (case.operation.inner_speed_rad_s - orbit) * d.inner_groove_bottom_radius_m;
         let outer_m_s = orbit * d.outer_groove_bottom_radius_m;
         let ball_m_s = rolling_spin_rad_s(bearing, orbit, self.ball_radius_m) * self.ball_radius_m;
@@ -208,9 +211,12 @@ impl ContactPeakTracker {
         };
         ContactPeaks {
             inner: self.inner.peak(friction, &inner, inner_m_s),
-            outer: (self.outer.peak(friction, &outer, outer_m_s))
-                .or(self.raceway.peak(friction, &outer, outer_m_s)),
-            balls: self.balls.peak(friction, &between, ball_m_s),
+            outer: (self.outer.peak(outer_friction, &outer, outer_m_s)).or(self.raceway.peak(
+                outer_friction,
+                &outer,
+                outer_m_s,
+            )),
+            balls: self.balls.peak(ball_friction, &between, ball_m_s),
         }
     }
 }

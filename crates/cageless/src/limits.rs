@@ -26,6 +26,7 @@ const fn limit(field: &'static str, least: f64, most: f64, reason: &'static str)
 }
 
 const NONE: f64 = f64::NEG_INFINITY;
+const FACTOR: &str = "friction of clean metals over that of a film of oil is below";
 const STIFFNESS: &str = "from plastic balls of a tenth of a millimetre to steel balls of a metre";
 
 /// Every field with limits of its own. Dimensions that are limited by each other (radii of
@@ -40,6 +41,8 @@ pub const LIMITS: &[Limit] = &[
     limit("gravity_m_s2", NONE, 1000.0, "about 100 times that of the Earth"),
     limit("friction_coefficient", NONE, 2.0, "clean metals in vacuum stay below; it is no percentage"),
     limit("static_friction_coefficient", NONE, 2.0, "clean metals in vacuum stay below; it is no percentage"),
+    limit("outer_friction_factor", NONE, 100.0, FACTOR),
+    limit("ball_friction_factor", NONE, 100.0, FACTOR),
     limit("stribeck_speed_m_s", 1e-6, 1e3, "friction that drops below or above is constant"),
     limit("slip_scale_m_s", 1e-6, 10.0, "the smooth law is a step below and no friction above"),
     limit("inner_stiffness_n_m1_5", 1e6, 1e14, STIFFNESS),

@@ -219,16 +219,15 @@ impl StepLimits {
                 * drop.inverse_outer_mass)
             .sqrt();
         let contact = &case.contact;
+        let factor = contact.friction_factor_max();
+        let coefficient_max = factor * contact.friction_coefficient_max();
         let [friction, creep] = if contact.friction_law.sticks() {
             // The stick of explicit methods is relaxed with the step, see `Model`.
             let stick = STICK_FRACTION * 2.0 / 7.0 * mass;
-            [
-                drop.friction_1_s,
-                contact.friction_coefficient_max() * load / stick,
-            ]
+            [drop.friction_1_s, coefficient_max * load / stick]
         } else {
             // Both friction forces of a ball together feel 1/5 of its mass.
-            let largest = 5.0 * contact.friction_coefficient_max() * load;
+            let largest = 5.0 * coefficient_max * load;
             let rate = largest / (mass * contact.slip_scale_m_s);
             [rate.max(drop.friction_1_s), 0.0]
         };
@@ -243,7 +242,7 @@ impl StepLimits {
             damping_1_s: damping,
             friction_1_s: friction,
             creep_m_s2: creep,
-            falling_1_s: (5.0 * contact.friction().steepest_fall() * load / mass)
+            falling_1_s: (5.0 * factor * contact.friction().steepest_fall() * load / mass)
                 .max(drop.falling_1_s),
             damped: case.contact.damping_n_s_m1_5 > 0.0,
             light: carried < LIGHT * struck,

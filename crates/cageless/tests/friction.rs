@@ -7,6 +7,8 @@ use cageless::dynamics::ball::{BallMotion, Centre};
 use cageless::dynamics::coordinates::{BallCoordinate, RingCoordinate};
 use cageless::dynamics::state::State;
 use cageless::dynamics::{Model, RightHandSide};
+use cageless::initial_conditions::initial_state;
+use cageless::integrator::System;
 use cageless::simulation::{Control, Ending, Observer, ObserverError, StepView, run, run_from};
 use cageless::snapshot::Snapshot;
 use cageless::step_limits::StepLimits;
@@ -81,14 +83,43 @@ fn speed_and_slip(case: &Case, state: &State) -> [f64; 2] {
     ]
 }
 
+/// The factors leave the inner raceway as it is and scale the outer one.
+#[test]
+fn only_the_outer_raceway_has_its_factor() {
+    let friction = |factor: f64| {
+        let mut case = structure(5.1, 25.2);
+        case.contact.outer_friction_factor = factor;
+        case.contact.ball_friction_factor = 7.0;
+        let (mut state, _) = initial_state(&case).unwrap();
+        let rolling = state.ball_motion(0);
+        let spin = 1.2 * rolling.spin;
+        state.set_ball(0, BallMotion { spin, ..rolling });
+        let model = Model::new(&case).unwrap();
+        let mut rhs = RightHandSide::new(&model);
+        rhs.derivative(0.0, state.values(), &mut vec![0.0; state.values().len()]);
+        let contacts = rhs.contacts();
+        [contacts.inner_friction_n(0), contacts.outer_friction_n(0)]
+    };
+    let ([inner, outer], [same, half]) = (friction(1.0), friction(0.5));
+    assert!(inner.abs() > 0.1 && outer.abs() > 0.1, "{inner} {outer}");
+    assert_eq!([same, half], [inner, 0.5 * outer]);
+}
+
 /// A ball slides at v = v0/(1 + μ·v0·t/ρ), for N = m·v²/ρ, until it rolls at 5/7 of v0 at
 /// t = 2ρ/(5μ·v0) (the circular track's counterpart of a sphere on a plane, whose speed falls
 /// linearly); from there on it rolls, with Coulomb's law without creep.
 #[test]
 fn a_ball_slips_then_rolls_at_five_sevenths() {
     let (speed, coefficient) = (2.0, 0.2);
-    for law in [FrictionLaw::Coulomb, FrictionLaw::Smooth] {
-        let case = free_balls(law, 1e-6);
+    for (law, factor) in [
+        (FrictionLaw::Coulomb, 1.0),
+        (FrictionLaw::Smooth, 1.0),
+        (FrictionLaw::Coulomb, 0.4),
+        (FrictionLaw::Smooth, 0.4),
+    ] {
+        let mut case = free_balls(law, 1e-6);
+        case.contact.friction_coefficient = coefficient / factor;
+        case.contact.outer_friction_factor = factor;
         let d = case.bearing.dimensions();
         let track = d.outer_groove_bottom_radius_m - case.bearing.ball_radius_m();
         let rolls_s = 0.4 * track / (coefficient * speed);

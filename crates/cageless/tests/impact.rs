@@ -176,6 +176,35 @@ fn momentum_is_conserved_to_rounding() {
     assert!((m1[2] - m0[2]).abs() < 2e-3 * (m0[2] + inertia * 900.0).abs());
 }
 
+/// While they slide, friction takes μ·J·R/I from the spins of both balls, J the normal impulse.
+#[test]
+fn friction_between_balls_has_its_factor() {
+    for factor in [0.0, 0.5, 1.0, 3.0] {
+        let mut case = free_flight();
+        case.contact.friction_coefficient = 0.1;
+        case.contact.ball_friction_factor = factor;
+        let (mut state, angles) = approaching(&case, 0.3);
+        let motion = state.ball_motion(0);
+        let spin = 900.0;
+        state.set_ball(0, BallMotion { spin, ..motion });
+        let end = run_from(&case, &state, &angles, &mut [], &mut |_| {
+            Control::Continue(())
+        })
+        .unwrap()
+        .state;
+        let impulse = case.bearing.ball_mass_kg() * (motion.vx - end.vx_m_s()[0]);
+        let per_impulse = case.bearing.ball_radius_m() / case.bearing.ball_inertia_kg_m2();
+        let expected = 0.1 * factor * impulse * per_impulse;
+        for (k, before) in [(0, spin), (1, 0.0)] {
+            let lost = before - end.spin_state_rad_s()[k];
+            assert!(
+                (lost - expected).abs() <= 2e-3 * expected,
+                "{factor}: ball {k} lost {lost}, not {expected} rad/s"
+            );
+        }
+    }
+}
+
 /// e is what comes out; the clamp at zero force lets a little more back.
 #[test]
 fn restitution_is_what_was_asked_for() {

@@ -51,6 +51,8 @@ fn rough() -> Case {
     rotor.drive_torque_n_m = -2.0;
     rotor.contact_exponent = 1.2;
     rotor.contact_stiffness = 1e10;
+    case.contact.outer_friction_factor = 0.6;
+    case.contact.ball_friction_factor = 0.3;
     case.support.as_mut().unwrap().stop = Some(SupportStop {
         gap_m: 3e-5,
         stiffness_n_m: 1e8,
@@ -272,7 +274,8 @@ fn moments(case: &Case, state: &State, c: &Contacts<'_>) -> f64 {
         let (ex, ey) = (x / distance, y / distance);
         let radius = c.effective_radius_m(k);
         let outer = c.outer_force_n(k);
-        let rubbing = friction(c.outer_slip_m_s(k), outer * ball.radius_m / radius);
+        let normal = case.contact.outer_friction_factor * outer * ball.radius_m / radius;
+        let rubbing = friction(c.outer_slip_m_s(k), normal);
         // Force of the raceway: normal, friction, and the tangential part where it rises along ψ.
         let tangential = c.outer_slope_force_n(k) - rubbing;
         let (fx, fy) = (-outer * ex - tangential * ey, -outer * ey + tangential * ex);
@@ -289,7 +292,8 @@ fn moments(case: &Case, state: &State, c: &Contacts<'_>) -> f64 {
             - next.spin * case.bearing.ball((k + 1) % case.bearing.balls()).radius_m;
         let depth = model.pair_distance_m(k) - apart;
         if depth > 0.0 {
-            sum -= depth * friction(slip, c.pair_force_n(k));
+            let normal = case.contact.ball_friction_factor * c.pair_force_n(k);
+            sum -= depth * friction(slip, normal);
         }
     }
     let rotor = case.rotor.as_ref().unwrap();

@@ -186,6 +186,10 @@ class Contact(Section):
         its last μ.
     slip_scale_m_s : float, optional
         sliding speed at the knee of all laws but "coulomb".
+    outer_friction_factor : float, optional
+        friction at the outer raceway over that of the law, which holds at the inner raceway.
+    ball_friction_factor : float, optional
+        friction between balls over that of the law.
     damping : float, optional
         contact damping c of ball-raceway contacts, F = K δ^1.5 + c √δ dδ/dt.
     ball_restitution : float, optional
@@ -204,6 +208,8 @@ class Contact(Section):
     stribeck_speed_m_s: float | None = None
     friction_table: Sequence[Sequence[float]] | None = None
     slip_scale_m_s: float | None = None
+    outer_friction_factor: float | None = None
+    ball_friction_factor: float | None = None
     damping: float | None = None
     ball_restitution: float | None = None
     inner_stiffness: float | None = None

@@ -120,6 +120,8 @@ impl Case {
             ],
         )?;
         positive("slip_scale_m_s", c.slip_scale_m_s)?;
+        not_negative("outer_friction_factor", c.outer_friction_factor)?;
+        not_negative("ball_friction_factor", c.ball_friction_factor)?;
         not_negative("damping_n_s_m1_5", c.damping_n_s_m1_5)?;
         if !(c.ball_restitution > 0.0 && c.ball_restitution <= 1.0) {
             return Err(InputError::rule(

@@ -96,6 +96,10 @@ pub struct Contact {
     pub friction_table: Option<FrictionTable>,
     /// ΔV at the knee of all laws but Coulomb's.
     pub slip_scale_m_s: f64,
+    /// Friction at the outer raceway over that of the law, which the inner raceway has.
+    pub outer_friction_factor: f64,
+    /// Friction between balls over that of the law.
+    pub ball_friction_factor: f64,
     /// c of the raceway contacts, F = K δ^(3/2) + c √δ dδ/dt, N·s·m^(−3/2).
     pub damping_n_s_m1_5: f64,
     /// Coefficient of restitution between balls, above 0, at most 1.
@@ -257,6 +261,13 @@ impl Contact {
     /// Largest coefficient of friction of the law.
     pub fn friction_coefficient_max(&self) -> f64 {
         self.friction().coefficient_max()
+    }
+
+    /// Largest friction of a kind of contact over that of the law.
+    pub fn friction_factor_max(&self) -> f64 {
+        self.outer_friction_factor
+            .max(self.ball_friction_factor)
+            .max(1.0)
     }
 
     /// Adds to μ; with a table every μ grows by the same fraction.

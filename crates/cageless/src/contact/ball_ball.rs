@@ -13,6 +13,8 @@ lane_struct! {
         rate,
         /// Normal force, N.
         force,
+        /// Normal force that friction acts under, N: times the friction factor.
+        friction_normal,
         /// Sliding speed of the surfaces, m/s.
         slip,
         /// x of the unit vector u to the ball ahead.
@@ -57,6 +59,7 @@ pub fn ball_ball_contact(
         deflection,
         rate,
         force: normal.force_n,
+        friction_normal: constants.pair_friction_factor * normal.force_n,
         slip: vy * ux - vx * uy - surface,
         ux,
         uy,

@@ -18,6 +18,8 @@ lane_struct! {
         curvature,
         /// Rw of the nominal ball, m.
         ball_radius,
+        /// Friction over that of the law.
+        friction_factor,
     }
 }
 
@@ -64,7 +66,8 @@ lane_struct! {
         force,
         /// ΔVo, m/s.
         slip,
-        /// Normal force that friction acts under, N: that of both contact points, Fo·Rw/r.
+        /// Normal force that friction acts under, N: that of both contact points, Fo·Rw/r,
+        /// times the friction factor.
         friction_normal,
         /// Power dissipated by damping, W.
         damping_power,
@@ -105,7 +108,8 @@ pub fn outer_contact(
         deflection,
         force: normal.force_n,
         slip: outer_slip(profile, raceway, geometry, motion, polar),
-        friction_normal: normal.force_n * ball.radius / geometry.effective_radius,
+        friction_normal: raceway.friction_factor * normal.force_n * ball.radius
+            / geometry.effective_radius,
         damping_power: normal.damping_power_w,
     }
 }

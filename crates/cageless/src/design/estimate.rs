@@ -112,6 +112,7 @@ impl Estimate {
 fn friction_demand(case: &Case, equilibrium: &Equilibrium, raceway: &Raceway) -> f64 {
     let bearing = &case.bearing;
     let friction = case.contact.friction_coefficient_max();
+    let outer_factor = case.contact.outer_friction_factor;
     let speed = case.operation.inner_speed_rad_s;
     let centre = raceway.dimensions().centre_angle_rad;
     let theta = raceway.half_angle_rad();
@@ -127,7 +128,7 @@ fn friction_demand(case: &Case, equilibrium: &Equilibrium, raceway: &Raceway) ->
         let [inner_force, outer_force] = forces_n(equilibrium, psi);
         let over = |tangential: f64, normal: f64| tangential.abs() / (friction * normal).max(1e-12);
         let inner = over(0.5 * (turning + along), inner_force);
-        inner.max(over(0.5 * (turning - along), outer_force))
+        inner.max(over(0.5 * (turning - along), outer_factor * outer_force))
     };
     (0..POINTS).map(demand).fold(0.0, f64::max)
 }

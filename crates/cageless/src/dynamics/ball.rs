@@ -40,6 +40,8 @@ lane_struct! {
         pair_damping,
         /// Radius of the ball ahead, m.
         next_radius,
+        /// Friction between this ball and the ball ahead over that of the law.
+        pair_friction_factor,
     }
 }
 

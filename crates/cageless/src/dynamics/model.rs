@@ -106,6 +106,7 @@ impl Model {
                     pair_stiffness,
                     pair_damping: alpha * (reduced * pair_stiffness).sqrt(),
                     next_radius: next.radius_m,
+                    pair_friction_factor: c.ball_friction_factor,
                 }
             })
             .collect();
@@ -134,6 +135,7 @@ impl Model {
                 curvature_offset: d.outer_groove_curvature_radius_m - d.ball_radius_m,
                 curvature: d.outer_groove_curvature_radius_m,
                 ball_radius: d.ball_radius_m,
+                friction_factor: c.outer_friction_factor,
             },
             inner: InnerRaceway {
                 radius: d.inner_groove_bottom_radius_m,

@@ -101,7 +101,7 @@ pub(super) fn pair_contacts<const PAPER: bool>(p: &Parameters, w: &mut Workspace
         friction(
             p,
             &results.pair.slip,
-            &results.pair.force,
+            &results.pair.friction_normal,
             &mut pair_friction,
         );
         let at = block + 1;

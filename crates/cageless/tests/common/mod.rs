@@ -84,6 +84,8 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
             stribeck_speed_m_s: None,
             friction_table: None,
             slip_scale_m_s: 0.02,
+            outer_friction_factor: 1.0,
+            ball_friction_factor: 1.0,
             damping_n_s_m1_5: 2e5,
             ball_restitution: 0.95,
             inner_stiffness_n_m1_5: None,

@@ -34,6 +34,12 @@ section! {
             "sliding speed at the knee of all laws but \"coulomb\"",
             Shown("0.02", "sliding speed at the knee of the smooth law, usually 0.005\n\
                 to 0.1; \"coulomb\" does not use it");
+        outer_friction_factor => outer_friction_factor: f64 = Default(1.0), Plain,
+            "friction at the outer raceway over that of the law, which holds at the inner raceway",
+            Commented("1.0", "outer raceway over μ");
+        ball_friction_factor => ball_friction_factor: f64 = Default(1.0), Plain,
+            "friction between balls over that of the law",
+            Commented("1.0", "ball against ball over μ");
         damping => damping_n_s_m1_5: f64 = Default(2.0e5), Si("N s/m^1.5"),
             "contact damping c of ball-raceway contacts, F = K δ^1.5 + c √δ dδ/dt",
             Shown("2.0e5", "contact damping c of ball-raceway contacts, N s/m^1.5,\n\
