@@ -1,11 +1,11 @@
 """The pictures of the README, with the numbers of their captions.
 
-    python picture.py path/to/cageless folder [README.md]
+    python picture.py path/to/cageless folder [write]
 
 Runs a conventional bearing and one with a discrete raceway from the same bunch of balls, draws
 both at the end of their runs with their gaps, and writes `motion.png`. Opens the studio of the latter,
-waits for its verdict and its map, and writes `studio.webp`. Prints the captions. With a README,
-checks that it has them.
+waits for its verdict and its map, and writes `studio.webp`. Compares the numbers with those of
+`docs/results/pictures.json`, from which `documents.py` writes the captions, or writes them there.
 """
 
 import base64
@@ -19,8 +19,8 @@ from pathlib import Path
 
 from browser import Browser
 from checks import check, exit_code
+from studies import RESULTS, ROOT, rounded
 
-ROOT = Path(__file__).resolve().parents[2]
 CASES = {"conventional": "conventional.toml", "discrete": "zhao-d.toml"}
 TITLES = {
     "conventional": "Conventional outer ring",
@@ -109,18 +109,15 @@ class Bearing:
         )
 
 
-def caption(bearings):
-    """What the picture shows, in the numbers of its runs."""
+def numbers(bearings):
+    """The numbers of the caption of the picture."""
     plain, discrete = bearings["conventional"], bearings["discrete"]
-    operation = plain.case["operation"]
-    return (
-        f"Both bearings started from the same bunch, {BUNCHED_DEG}° between neighbours, at"
-        f" {operation['inner_speed_rpm']:.0f} rpm and {operation['radial_load_n']:.0f} N. Over the second"
-        f" half of {DURATION_S:g} s the standard deviation of the gaps is {discrete.deviation:.1f}° with"
-        f" the discrete raceway and {plain.deviation:.1f}° without (nominal gap {plain.uniform:.1f}°). It"
-        f" evens out the gaps but does not prevent contacts between balls: from {discrete.transient:.3f} s"
-        f" on the balls touched {discrete.contacts} times with it and {plain.contacts} times without."
-    )
+    return {
+        "nominal_gap_deg": plain.uniform,
+        "gap_deviation_deg": {"discrete": discrete.deviation, "conventional": plain.deviation},
+        "settled_after_s": discrete.transient,
+        "contacts": {"discrete": discrete.contacts, "conventional": plain.contacts},
+    }
 
 
 STUDIO = "window.cagelessStudio"
@@ -128,7 +125,7 @@ STUDIO_SIZE = (1280, 850)
 
 
 def studio_picture(cageless, browser, folder):
-    """Writes `studio.webp`; its caption."""
+    """Writes `studio.webp`; the numbers of its caption."""
     page = folder / "studio.html"
     subprocess.run([cageless, "studio", ROOT / "cases" / CASES["discrete"], "--page", page], check=True)
     tab = browser.open(page.resolve().as_uri())
@@ -141,11 +138,8 @@ def studio_picture(cageless, browser, folder):
     tab.js(f"{STUDIO}.stage.run(false); {STUDIO}.stage.now = 5e-3; {STUDIO}.stage.paint()")
     shot = tab.call("Page.captureScreenshot", format="webp", quality=85)
     (folder / "studio.webp").write_bytes(base64.b64decode(shot["data"]))
-    verdict, beta0 = tab.js(f"[{STUDIO}.judged.headline, {STUDIO}.g.numbers.beta0_deg.toFixed(3)]")
-    return (
-        f"The studio with structure (d) of the paper: its raceway is the point in the map, β0 is {beta0}°."
-        f" Its simulated verdict is {verdict}."
-    )
+    headline, beta0 = tab.js(f"[{STUDIO}.judged.headline, {STUDIO}.g.numbers.beta0_deg]")
+    return {"headline": headline, "beta0_deg": beta0}
 
 
 def main():
@@ -170,8 +164,7 @@ def main():
             height = tab.js("Math.ceil(document.body.getBoundingClientRect().height)")
             clip = {"x": 0, "y": 0, "width": 1260, "height": height + 8, "scale": 1}
             tab.screenshot(folder / "motion.png", clip=clip, captureBeyondViewport=True)
-            captions = [caption(bearings), studio_picture(cageless, browser, folder)]
-    print("\n\n".join(captions))
+            found = rounded(numbers(bearings) | studio_picture(cageless, browser, folder), 6)
     size = (folder / "studio.webp").stat().st_size
     check("picture: that of the studio is small", size < 150_000, size)
     plain, discrete = bearings["conventional"], bearings["discrete"]
@@ -180,10 +173,11 @@ def main():
           (discrete.deviation_at_end, plain.deviation_at_end))  # fmt: skip
     touching = [sum(gap <= 0 for gap in b.gaps) for b in (plain, discrete)]
     check("picture: no more pairs touch with it than without", touching[1] <= touching[0], touching)
-    if len(sys.argv) > 3:
-        readme = " ".join(Path(sys.argv[3]).read_text(encoding="utf-8").split())
-        for text in captions:
-            check("picture: the README has its caption", text in readme, text)
+    results = RESULTS / "pictures.json"
+    if "write" in sys.argv[3:]:
+        results.write_text(json.dumps(found, ensure_ascii=False, indent=2) + "\n", encoding="utf-8")
+    stored = json.loads(results.read_text(encoding="utf-8"))
+    check("picture: the numbers are those of docs/results", found == stored, (found, stored))
     return exit_code()
 
 
