@@ -20,6 +20,9 @@ pub struct TimeTable {
     values: Vec<f64>,
 }
 
+/// Time of interest around a corner, s.
+const CORNER_S: f64 = 1e-4;
+
 impl TimeTable {
     /// Table of the quantity `field` with `values` at `times_s`.
     ///
@@ -71,6 +74,19 @@ impl TimeTable {
     /// last one.
     pub fn piece(&self, time_s: f64) -> usize {
         self.times_s.partition_point(|t| *t <= time_s)
+    }
+
+    /// A function of time that is zero at the corners, with one sign in each piece and the other in
+    /// the next.
+    pub(crate) fn corner(&self, time_s: f64) -> f64 {
+        let next = self.piece(time_s);
+        let sign = if next.is_multiple_of(2) { -1.0 } else { 1.0 };
+        let since = next.checked_sub(1).map(|k| time_s - self.times_s[k]);
+        let until = self.times_s.get(next).map(|t| t - time_s);
+        sign * match (since, until) {
+            (Some(since), Some(until)) => since * until / (since + until),
+            (since, until) => since.or(until).unwrap_or(0.0),
+        } / CORNER_S
     }
 
     /// Value at `time_s`.

@@ -1,5 +1,6 @@
 //! All tests of the library but those that count what it allocates, as one program.
 
+mod adaptive;
 mod automatic_step;
 mod balance;
 mod batch;

@@ -304,6 +304,97 @@ fn adaptive_crosses_a_jump() {
     assert!(error < 1e-8, "{error:e}");
 }
 
+/// Momentum from a contact whose depth is d² − (t − ½)², while that is positive.
+struct Touch {
+    named: bool,
+    evaluations: u32,
+}
+
+impl System for Touch {
+    fn dimension(&self) -> usize {
+        2
+    }
+    fn derivative(&mut self, t: f64, y: &[f64], dydt: &mut [f64]) {
+        self.evaluations += 1;
+        dydt[0] = -2.0 * (t - 0.5);
+        dydt[1] = if y[0] > 0.0 { y[0].sqrt() } else { 0.0 };
+    }
+    fn edges(&self, y: &[f64], values: &mut Vec<f64>) {
+        if self.named {
+            values.extend([1.0, y[0]]);
+        }
+    }
+}
+
+/// ∫√(d² − τ²) dτ = ½πd², however short the contact and however long the steps, also where it
+/// opens and closes between two stages.
+#[test]
+fn adaptive_sees_contacts_within_a_step() {
+    let miss = |half_length: f64, named: bool, tolerance: f64| {
+        let depth = half_length * half_length;
+        let mut system = Touch {
+            named,
+            evaluations: 0,
+        };
+        let mut method = Integrator::new(Adaptive::new(2, 1.0, tolerance), 2);
+        method.restart(&mut system, 0.0, &[depth - 0.25, 0.0]);
+        while method.step().t1_s < 1.0 {
+            method.advance(&mut system, 1.0).unwrap();
+        }
+        assert!(system.evaluations < 5000, "{}", system.evaluations);
+        let impulse = 0.5 * std::f64::consts::PI * depth;
+        (method.step().y1[1] - impulse).abs() / impulse.max(tolerance)
+    };
+    for half_length in [0.4, 0.2, 0.1, 0.05, 0.03, 0.01, 1e-3] {
+        for tolerance in [1e-4, 1e-8, 1e-11] {
+            let relative = miss(half_length, true, tolerance);
+            let allowed = 100.0 * tolerance / (half_length * half_length).max(tolerance);
+            assert!(
+                relative < allowed,
+                "{half_length} {tolerance:e}: {relative:e}"
+            );
+        }
+    }
+    // Without its edge the shortest is not seen at all.
+    assert!(miss(0.05, false, 1e-8) > 0.99);
+}
+
+/// A jump that is named is found in a few steps and leaves no error.
+#[test]
+fn adaptive_ends_its_steps_at_edges() {
+    struct Named(Jump, f64);
+    impl System for Named {
+        fn dimension(&self) -> usize {
+            1
+        }
+        fn derivative(&mut self, t: f64, y: &[f64], dydt: &mut [f64]) {
+            self.1 = t;
+            self.0.derivative(t, y, dydt);
+        }
+        fn edges(&self, _y: &[f64], values: &mut Vec<f64>) {
+            values.push((self.1 - 1.0 / 3.0).tanh());
+        }
+    }
+    let jump = Jump {
+        announced: false,
+        late: false,
+    };
+    let mut system = Named(jump, 0.0);
+    let mut method = Integrator::new(Adaptive::new(1, 0.1, 1e-10), 1);
+    method.restart(&mut system, 0.0, &[1.0]);
+    let mut ends = vec![];
+    while method.step().t1_s < 1.0 {
+        method.advance(&mut system, 1.0).unwrap();
+        ends.push(method.step().t1_s);
+    }
+    let nearest = ends
+        .iter()
+        .fold(1.0, |m: f64, t| m.min((t - 1.0 / 3.0).abs()));
+    assert!(nearest < 1e-8, "{nearest:e}");
+    let error = (method.step().y1[0] - exact_after_jump()).abs();
+    assert!(error < 1e-9, "{error:e}");
+}
+
 /// Every method ends exactly at the limit, also where that is no multiple of the step.
 #[test]
 fn steps_end_at_the_limit() {

@@ -15,6 +15,7 @@ use crate::integrator::{
 use crate::simd::lanes::Lanes;
 use crate::simd::{self, InstructionSet, Parameters, Workspace};
 use crate::snapshot::{RingSnapshot, RotorSnapshot, Snapshot};
+use crate::time_table::TimeTable;
 
 /// Force on a journal, N, and its moment about the centre of the journal, N·m.
 pub(super) type JournalLoad = [f64; 3];
@@ -109,6 +110,15 @@ impl<'m> RightHandSide<'m> {
             layout: self.parameters.layout.of_bearing(bearing),
             profile: self.parameters.profile,
         }
+    }
+
+    /// What is given over time.
+    fn tables(&self) -> impl Iterator<Item = &TimeTable> {
+        let tables = self
+            .models
+            .iter()
+            .flat_map(|m| [&m.inner_speed, &m.radial_load]);
+        tables.flatten()
     }
 
     fn evaluate(&mut self, time_s: f64, y: &[f64], dydt: &mut [f64], raceway_friction: bool) {
@@ -422,11 +432,7 @@ impl System for RightHandSide<'_> {
         let (raceways, balls) = (m.balls[0].raceway_damping > 0.0, m.ball_damped);
         let mut hash = 0u64;
         if self.over_time {
-            let tables = self
-                .models
-                .iter()
-                .flat_map(|m| [&m.inner_speed, &m.radial_load]);
-            for table in tables.flatten() {
+            for table in self.tables() {
                 hash = mix(hash, table.piece(self.time_s) as u64);
             }
         }
@@ -461,6 +467,12 @@ impl System for RightHandSide<'_> {
             }
         }
         hash
+    }
+
+    /// Those of contacts, and the corners of what is given over time.
+    fn edges(&self, y: &[f64], values: &mut Vec<f64>) {
+        simd::edges(&self.parameters, &self.work, y, values);
+        values.extend(self.tables().map(|table| table.corner(self.time_s)));
     }
 
     fn planar_velocities(&self) -> Option<PlanarVelocities> {

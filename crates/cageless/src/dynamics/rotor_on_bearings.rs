@@ -376,6 +376,12 @@ impl System for RotorOnBearings<'_> {
         modes.fold(0, mix)
     }
 
+    fn edges(&self, y: &[f64], values: &mut Vec<f64>) {
+        for (bearing, layout) in self.bearings.iter().zip(&self.layouts) {
+            bearing.edges(&y[span(layout)], values);
+        }
+    }
+
     fn second_order_blocks(&self) -> &[SecondOrderBlock] {
         &self.blocks
     }

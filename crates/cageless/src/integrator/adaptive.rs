@@ -6,8 +6,8 @@ use super::{Method, NamedMethod, Properties, RungeKutta, StepState, System, Unre
 
 /// The method: Dormand & Prince's pair of order 8, or Tsitouras' of order 5 for a tolerance of
 /// 1e-6 and more, with the error of each step, in the scales of the system, below the
-/// tolerance. Where f has an edge (δ^(3/2), √δ, a jump) the
-/// steps shrink until it is crossed.
+/// tolerance. Steps end at the edges that the system names ([`System::edges`]); at those that it
+/// does not, they shrink until they are crossed.
 #[derive(Debug, Clone)]
 pub struct Adaptive {
     pair: RungeKutta,
@@ -16,7 +16,7 @@ pub struct Adaptive {
     size: f64,
 }
 
-/// From this tolerance on the steps are so long for the edges of f that a high order is wasted:
+/// From this tolerance on the steps are so long beside the contacts that a high order is wasted:
 /// on CB74 the pair of order 5 then takes half the evaluations.
 const LOOSE: f64 = 1e-6;
 /// Smallest step as a fraction of the largest.
@@ -32,7 +32,7 @@ impl Adaptive {
             &DORMAND_PRINCE_8
         };
         Self {
-            pair: RungeKutta::with_tableau(tableau, dimension),
+            pair: RungeKutta::with_tableau(tableau, dimension).ending_at_edges(),
             size_max,
             tolerance,
             size: size_max,

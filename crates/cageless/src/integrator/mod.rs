@@ -28,6 +28,7 @@
 //! # Ok::<(), cageless::integrator::UnresolvedStep>(())
 //! ```
 
+mod edges;
 mod runge_kutta;
 mod step_state;
 pub mod tableau;
@@ -52,6 +53,11 @@ pub trait System {
     fn mode(&self) -> u64 {
         0
     }
+
+    /// Appends functions of a state, that of the last evaluation, each smooth and zero at an edge of
+    /// f: where f jumps or is not smooth. Always the same in the same order, in scales in which 1 is
+    /// as large as what is of interest; for methods that end their steps there.
+    fn edges(&self, _y: &[f64], _values: &mut Vec<f64>) {}
 
     /// Components that are positions and their rates, in ascending order of the positions;
     /// for methods that advance them one after the other.

@@ -1,6 +1,7 @@
 //! Explicit Runge–Kutta pairs with error control.
 
 use super::System;
+use super::edges::Edges;
 use super::tableau::{DORMAND_PRINCE_5, Tableau};
 use crate::numerics::aligned::Aligned;
 
@@ -26,6 +27,16 @@ pub struct RungeKutta {
     stages: Vec<Aligned>,
     trial: Aligned,
     difference: Aligned,
+    /// Where steps end at the edges of f.
+    edges: Option<Edges>,
+}
+
+/// What came of an attempted step.
+enum Attempt {
+    /// The estimate of its error.
+    Error(f64),
+    /// An edge lies at this share of it.
+    Crossed(f64),
 }
 
 impl RungeKutta {
@@ -41,6 +52,15 @@ impl RungeKutta {
             stages: vec![Aligned::zeros(dimension); tableau.b.len() + 1],
             trial: Aligned::zeros(dimension),
             difference: Aligned::zeros(dimension),
+            edges: None,
+        }
+    }
+
+    /// The pair with steps that end where f is not smooth ([`System::edges`]).
+    pub fn ending_at_edges(self) -> Self {
+        Self {
+            edges: Some(Edges::default()),
+            ..self
         }
     }
 
@@ -82,7 +102,8 @@ impl RungeKutta {
     }
 
     /// One step of error control: from `size` downwards until the error is below
-    /// `tolerance` or the size below `least`.
+    /// `tolerance` and no edge within, or the size below `least`. The system's last evaluation
+    /// is at the start.
     ///
     /// # Errors
     /// [`UnresolvedStep`] when the state is no longer finite or takes too many attempts.
@@ -97,43 +118,81 @@ impl RungeKutta {
         y: &mut [f64],
         rate: &mut [f64],
     ) -> Result<AcceptedStep, UnresolvedStep> {
+        let end = self.tableau.b.len();
+        // Sizes that errors ask for; an edge says nothing of them.
+        let (mut wanted, mut looked) = (size, false);
+        if let Some(edges) = &mut self.edges {
+            edges.start(system, y);
+        }
         for _ in 0..ATTEMPTS_MAX {
-            let error = self.attempt(system, time_s, size, y, rate) / tolerance;
+            let (error, mut edge) = match self.attempt(system, time_s, size, least, y, rate) {
+                Attempt::Error(error) => (error / tolerance, None),
+                Attempt::Crossed(share) => (0.0, Some(share)),
+            };
             if !error.is_finite() {
                 return Err(UnresolvedStep { time_s });
             }
             let factor = 0.9 * error.max(1e-10).powf(-1.0 / self.tableau.order);
             let next = (size * factor.clamp(0.1, 5.0)).max(least);
             // A jump cannot be resolved below the least size; what it leaves is as small.
-            if error <= 1.0 || size <= least {
-                let end = self.tableau.b.len();
+            if edge.is_none() && error > 1.0 && size > least {
+                (size, wanted) = (next, next);
+                continue;
+            }
+            if edge.is_none() {
                 if self.tableau.error.len() <= end {
                     system.derivative(time_s + size, &self.trial, &mut self.stages[end]);
                 }
+                edge = self.edge(system, 1.0, size, least);
+                if let (None, Some(edges), false) = (edge, &self.edges, looked || size <= least) {
+                    edge = edges.hidden();
+                    looked = edge.is_some();
+                }
+            }
+            let Some(share) = edge else {
                 y.copy_from_slice(&self.trial);
                 rate.copy_from_slice(&self.stages[end]);
+                let next = if size < wanted {
+                    next.max(wanted)
+                } else {
+                    next
+                };
                 return Ok(AcceptedStep { size, next });
-            }
-            size = next;
+            };
+            size = (size * share).max(least);
         }
         Err(UnresolvedStep { time_s })
     }
 
-    /// One step into `self.trial`; returns its error.
+    /// Share of the step at which an edge is crossed before the state of the last evaluation, at
+    /// a share `node` of it. The least step crosses all.
+    fn edge<S: System>(&mut self, system: &S, node: f64, size: f64, least: f64) -> Option<f64> {
+        let share = (self.edges.as_mut()?).crossed(system, &self.trial, node)?;
+        (size > least && size * (1.0 - share) > least).then_some(share)
+    }
+
+    /// One step into `self.trial`.
     fn attempt<S: System>(
         &mut self,
         system: &mut S,
         time_s: f64,
         h: f64,
+        least: f64,
         y: &[f64],
         rate: &[f64],
-    ) -> f64 {
+    ) -> Attempt {
         let t = self.tableau;
         let count = t.b.len();
         self.stages[0].copy_from_slice(rate);
+        if let Some(edges) = &mut self.edges {
+            edges.again();
+        }
         for s in 1..count {
             combine(&mut self.trial, y, h, t.a[s], &self.stages);
             system.derivative(time_s + t.c[s] * h, &self.trial, &mut self.stages[s]);
+            if let Some(share) = self.edge(system, t.c[s], h, least) {
+                return Attempt::Crossed(share);
+            }
         }
         combine(&mut self.trial, y, h, t.b, &self.stages);
         if t.error.len() > count {
@@ -141,16 +200,16 @@ impl RungeKutta {
         }
         let error = self.estimate(system, h, t.error);
         if t.lower_error.is_empty() {
-            return error;
+            return Attempt::Error(error);
         }
         // Hairer, Nørsett & Wanner, Eq. (II.10.17): err₅²/√(err₅² + 0.01 err₃²).
         let lower = self.estimate(system, h, t.lower_error);
         let size = error.hypot(0.1 * lower);
-        if size > 0.0 {
+        Attempt::Error(if size > 0.0 {
             error * error / size
         } else {
             size
-        }
+        })
     }
 
     fn estimate<S: System>(&mut self, system: &S, h: f64, weights: &[f64]) -> f64 {

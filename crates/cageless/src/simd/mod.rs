@@ -7,6 +7,7 @@
 //! vector code of it. No operation depends on the width of a vector and none is fused, so
 //! every instruction set gives the same bits.
 
+mod edges;
 mod geometry;
 mod harness;
 mod implicit_friction;
@@ -19,6 +20,7 @@ mod rotor;
 mod sums;
 mod workspace;
 
+pub(crate) use edges::edges;
 pub(crate) use harness::evaluate;
 pub(crate) use implicit_friction::{add_given_friction, add_implicit_friction};
 pub use instruction_set::InstructionSet;
