@@ -250,8 +250,14 @@ impl StepLimits {
     }
 
     /// The rates where the journal belongs to a rotor that shows it a smaller mass than the case
-    /// gives it, and that has vibrations of its own up to `fastest_rad_s`.
-    pub fn with_linear_rotor(case: &Case, effective_mass_kg: f64, fastest_rad_s: f64) -> Self {
+    /// gives it, and that has vibrations of its own up to `fastest_rad_s` and decays by its own
+    /// damping at up to `fastest_decay_1_s`.
+    pub fn with_linear_rotor(
+        case: &Case,
+        effective_mass_kg: f64,
+        fastest_rad_s: f64,
+        fastest_decay_1_s: f64,
+    ) -> Self {
         let (limits, drop) = (Self::new(case), Drop::new(case));
         let lighter = (1.0 / effective_mass_kg - drop.inverse_rotor_mass).max(0.0);
         let square = limits.contact_rad_s.powi(2)
@@ -259,6 +265,7 @@ impl StepLimits {
             + fastest_rad_s * fastest_rad_s;
         Self {
             contact_rad_s: square.sqrt(),
+            damping_1_s: limits.damping_1_s.max(fastest_decay_1_s),
             ..limits
         }
     }

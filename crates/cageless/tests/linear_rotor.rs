@@ -2,9 +2,9 @@
 //! its own linear equations where nothing touches, and its energy ledger.
 
 use crate::common::{drop_case, raceway};
+use crate::free_rotor::shaft;
 use cageless::linear_rotor::{
-    Complex, DMatrix, DVector, LinearRotor, NodeUnbalance, PlaneUnbalance, Reduction, RigidRotor,
-    RotorMatrices,
+    DMatrix, LinearRotor, NodeUnbalance, PlaneUnbalance, Reduction, RigidRotor, RotorMatrices,
 };
 use cageless::recorder::Recorder;
 use cageless::simulation::{
@@ -15,10 +15,10 @@ use cageless::touchdown::Scatter;
 use cageless::verification::Role;
 use cageless::{Case, FrictionLaw, IntegrationMethod, Start};
 
-const SPEED_RAD_S: f64 = 3141.6;
+pub const SPEED_RAD_S: f64 = 3141.6;
 
 /// A bearing that the rotor is about to touch.
-fn bearing(method: IntegrationMethod) -> Case {
+pub fn bearing(method: IntegrationMethod) -> Case {
     let mut case = drop_case();
     let raceway = raceway(&case.bearing, 5.1, 25.2, 0.0);
     case = case.with_raceways(vec![raceway]);
@@ -31,7 +31,7 @@ fn bearing(method: IntegrationMethod) -> Case {
     case
 }
 
-fn rigid(places_m: [f64; 2]) -> RigidRotor {
+pub fn rigid(places_m: [f64; 2]) -> RigidRotor {
     RigidRotor {
         mass_kg: 40.0,
         polar_inertia_kg_m2: 0.04,
@@ -41,7 +41,7 @@ fn rigid(places_m: [f64; 2]) -> RigidRotor {
     }
 }
 
-fn dropped(drop: &RotorDrop) -> RotorDropOutcome {
+pub fn dropped(drop: &RotorDrop) -> RotorDropOutcome {
     let mut observers: Vec<Vec<&mut dyn Observer>> = drop.cases().iter().map(|_| vec![]).collect();
     let outcome = drop
         .run(&mut observers, &mut |_| Control::Continue(()))
@@ -276,187 +276,6 @@ fn ledgers_of_rotor_and_bearings_close() {
         let [near, far] = [0, 1].map(|k| outcome.bearings[k].state.rotor_motion().unwrap());
         assert_eq!((near.speed, near.angle), (far.speed, far.angle));
         assert!(near.speed < SPEED_RAD_S - 0.05);
-    }
-}
-
-/// A steel shaft of 0.4 m in beam elements with two discs.
-fn shaft(elements: usize) -> RotorMatrices {
-    let (modulus, density, diameter): (f64, f64, f64) = (2.06e11, 7850.0, 0.03);
-    let l = 0.4 / elements as f64;
-    let area = std::f64::consts::PI * diameter.powi(2) / 4.0;
-    let stiffness = modulus * std::f64::consts::PI * diameter.powi(4) / 64.0 / l.powi(3);
-    let mass = density * area * l / 420.0;
-    let size = 4 * (elements + 1);
-    let mut m = DMatrix::zeros(size, size);
-    let mut k = DMatrix::zeros(size, size);
-    let mut g = DMatrix::zeros(size, size);
-    let bending = [
-        [12.0, 6.0 * l, -12.0, 6.0 * l],
-        [6.0 * l, 4.0 * l * l, -6.0 * l, 2.0 * l * l],
-        [-12.0, -6.0 * l, 12.0, -6.0 * l],
-        [6.0 * l, 2.0 * l * l, -6.0 * l, 4.0 * l * l],
-    ];
-    let inertia = [
-        [156.0, 22.0 * l, 54.0, -13.0 * l],
-        [22.0 * l, 4.0 * l * l, 13.0 * l, -3.0 * l * l],
-        [54.0, 13.0 * l, 156.0, -22.0 * l],
-        [-13.0 * l, -3.0 * l * l, -22.0 * l, 4.0 * l * l],
-    ];
-    for element in 0..elements {
-        // x with β, y with −α.
-        for (places, sign) in [([0, 3, 4, 7], 1.0), ([1, 2, 5, 6], -1.0)] {
-            let signs = [1.0, sign, 1.0, sign];
-            for row in 0..4 {
-                for column in 0..4 {
-                    let at = (4 * element + places[row], 4 * element + places[column]);
-                    let s = signs[row] * signs[column];
-                    m[at] += s * mass * inertia[row][column];
-                    k[at] += s * stiffness * bending[row][column];
-                }
-            }
-        }
-    }
-    let (disc, polar, transverse) = (4.0, 0.02, 0.011);
-    for node in [elements / 4, elements - 1] {
-        for (place, value) in [(0, disc), (1, disc), (2, transverse), (3, transverse)] {
-            m[(4 * node + place, 4 * node + place)] += value;
-        }
-        g[(4 * node + 2, 4 * node + 3)] = polar;
-        g[(4 * node + 3, 4 * node + 2)] = -polar;
-    }
-    RotorMatrices {
-        damping: &k * 1e-6,
-        spin_up: g.clone(),
-        mass: m,
-        gyroscopic: g,
-        stiffness: k,
-        polar_inertia_kg_m2: 0.041,
-    }
-}
-
-/// Exact test 9, eigenvalues: those of the full matrices.
-#[test]
-fn eigenvalues_are_those_of_the_matrices() {
-    let matrices = shaft(6);
-    let reduction = Reduction {
-        bearing_nodes: vec![0, 6],
-        ..Reduction::default()
-    };
-    let rotor = matrices.reduce(&reduction).unwrap();
-    let n = matrices.mass.nrows();
-    assert_eq!(rotor.coordinates(), n);
-    let mut found: Vec<Complex<f64>> = rotor.eigenvalues(SPEED_RAD_S);
-    found.retain(|e| e.im > 100.0);
-    found.sort_by(|a, b| a.im.total_cmp(&b.im));
-    assert!(found.len() > 6);
-    for value in found.iter().take(8) {
-        let exact = eigenvalue_near(&matrices, *value);
-        assert!(
-            (value - exact).norm() < 1e-9 * exact.norm(),
-            "{value} {exact}"
-        );
-    }
-    // With the modes up to four times the highest of interest: 1e-3 of the lowest ones.
-    let few = matrices
-        .reduce(&Reduction {
-            frequency_max_hz: Some(4.0 * found[3].im / std::f64::consts::TAU),
-            ..reduction
-        })
-        .unwrap();
-    assert!(few.coordinates() < n);
-    for value in found.iter().take(3) {
-        let near = few.eigenvalues(SPEED_RAD_S).into_iter();
-        let miss = near.fold(f64::INFINITY, |least, e| least.min((e - value).norm()));
-        assert!(miss < 1e-3 * value.norm(), "{value} {miss}");
-    }
-}
-
-/// The eigenvalue of λ²·M + λ·(C + Ω·G) + K near a value: Newton's method with its eigenvector.
-fn eigenvalue_near(matrices: &RotorMatrices, value: Complex<f64>) -> Complex<f64> {
-    let complex = |matrix: &DMatrix<f64>| matrix.map(|v| Complex::new(v, 0.0));
-    let rates = &matrices.damping + &matrices.gyroscopic * SPEED_RAD_S;
-    let [m, c, k] = [&matrices.mass, &rates, &matrices.stiffness].map(complex);
-    // Off the eigenvalue, where the equations can be solved.
-    let mut value = value * 1.000_01;
-    let mut vector = DVector::from_fn(m.nrows(), |k, _| Complex::new(1.0, 0.3 * k as f64));
-    for _ in 0..12 {
-        let pencil = &m * (value * value) + &c * value + &k;
-        let slope = &m * (value * 2.0) + &c;
-        let Some(next) = pencil.lu().solve(&(slope * &vector)) else {
-            break;
-        };
-        let place = next.icamax();
-        value -= vector[place] / next[place];
-        vector = &next / next[place];
-    }
-    value
-}
-
-/// Exact test 9, response: a rotor that touches nothing moves as its linear equations say,
-/// exp(A·t) with A from the full matrices.
-#[test]
-fn a_rotor_without_contact_moves_as_its_matrices_say() {
-    let matrices = shaft(4);
-    let bearing_nodes = vec![0, 3];
-    let reduction = Reduction {
-        bearing_nodes: bearing_nodes.clone(),
-        ..Reduction::default()
-    };
-    let rotor = matrices.reduce(&reduction).unwrap();
-    let mut cases = vec![bearing(IntegrationMethod::Adaptive); 2];
-    for (case, [vx, vy]) in cases.iter_mut().zip([[0.02, -0.01], [-0.015, 0.03]]) {
-        let journal = case.rotor.as_mut().unwrap();
-        (journal.x_m, journal.y_m) = (0.0, 0.0);
-        (journal.vx_m_s, journal.vy_m_s) = (vx, vy);
-        case.solver.tolerance = 1e-12;
-    }
-    let drop = RotorDrop::new(rotor, SPEED_RAD_S, 0.0, cases, Some(1e-5)).unwrap();
-    let outcome = dropped(&drop);
-    // Beside the energy of the spin, hardly any flows.
-    assert!(outcome.rotor_energy_residual_relative.abs() < 1e-6);
-    // State [q, q̇, 1] of the full matrices, from the static shape of the journals' velocities.
-    let n = matrices.mass.nrows();
-    let inverse = matrices.mass.clone().try_inverse().unwrap();
-    let mut a = DMatrix::zeros(2 * n + 1, 2 * n + 1);
-    a.view_mut((0, n), (n, n)).fill_with_identity();
-    let rates = &matrices.damping + &matrices.gyroscopic * SPEED_RAD_S;
-    a.view_mut((n, 0), (n, n))
-        .copy_from(&-(&inverse * &matrices.stiffness));
-    a.view_mut((n, n), (n, n)).copy_from(&-(&inverse * rates));
-    for k in (1..n).step_by(4) {
-        a[(n + k, 2 * n)] = -9.81;
-    }
-    let given: Vec<usize> = bearing_nodes
-        .iter()
-        .flat_map(|k| [4 * k, 4 * k + 1])
-        .collect();
-    let free: Vec<usize> = (0..n).filter(|k| !given.contains(k)).collect();
-    let part = |rows: &[usize], columns: &[usize]| {
-        matrices.stiffness.select_rows(rows).select_columns(columns)
-    };
-    let velocities = DVector::from_vec(vec![0.02, -0.01, -0.015, 0.03]);
-    let rest = -part(&free, &free).try_inverse().unwrap() * part(&free, &given) * &velocities;
-    let mut start = DVector::zeros(2 * n + 1);
-    start[2 * n] = 1.0;
-    for (k, place) in given.iter().enumerate() {
-        start[n + place] = velocities[k];
-    }
-    for (k, place) in free.iter().enumerate() {
-        start[n + place] = rest[k];
-    }
-    let end = (a * 2e-3).exp() * start;
-    for (k, node) in bearing_nodes.iter().enumerate() {
-        let journal = outcome.bearings[k].state.rotor_motion().unwrap();
-        for (value, place, scale) in [
-            (journal.x, 4 * node, 1e-5),
-            (journal.y, 4 * node + 1, 1e-5),
-            (journal.vx, n + 4 * node, 0.1),
-            (journal.vy, n + 4 * node + 1, 0.1),
-        ] {
-            let error = (value - end[place]) / scale;
-            println!("node {node}: {error:.1e}");
-            assert!(error.abs() < 1e-6, "{value} {} {error:e}", end[place]);
-        }
     }
 }
 

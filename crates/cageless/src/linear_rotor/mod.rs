@@ -158,6 +158,13 @@ impl LinearRotor {
         self.stiffness.diagonal().max().max(0.0).sqrt()
     }
 
+    /// Fastest decay of the lateral motion by C: the largest eigenvalue of M⁻¹·C, its symmetric
+    /// part, 1/s.
+    pub fn fastest_decay_1_s(&self) -> f64 {
+        let rates = normal::symmetric(&self.damping).symmetric_eigenvalues();
+        rates.max().max(0.0)
+    }
+
     /// Eigenvalues of the lateral motion at a constant speed, 1/s: real part the growth, imaginary
     /// part the angular frequency.
     pub fn eigenvalues(&self, speed_rad_s: f64) -> Vec<Complex<f64>> {

@@ -126,10 +126,10 @@ impl RotorDrop {
 
     fn with_step(mut self, step_s: Option<f64>) -> Result<Self, RotorError> {
         let method = self.cases[0].solver.method;
-        let fastest = self.rotor.fastest_rad_s();
+        let (fastest, decay) = (self.rotor.fastest_rad_s(), self.rotor.fastest_decay_1_s());
         let limits: Vec<StepLimits> = (self.cases.iter().enumerate())
             .map(|(k, case)| {
-                StepLimits::with_linear_rotor(case, self.rotor.effective_mass_kg(k), fastest)
+                StepLimits::with_linear_rotor(case, self.rotor.effective_mass_kg(k), fastest, decay)
             })
             .collect();
         let least = |step: fn(&StepLimits, crate::case::IntegrationMethod) -> f64| {
@@ -141,8 +141,9 @@ impl RotorDrop {
         if step > largest {
             return Err(RotorError::Bearings(format!(
                 "a step of {} µs is beyond what rotor and bearings bear, {:.3} µs: the fastest \
-                 vibration of the rotor has {:.0} Hz, that of the contacts {:.0} Hz. Choose a \
-                 smaller step, or leave out the fastest modes",
+                 vibration of the rotor has {:.0} Hz, that of the contacts {:.0} Hz, and the damping \
+                 of the rotor decays at up to {:.3e} 1/s. Choose a smaller step, or leave out the \
+                 fastest modes",
                 1e6 * step,
                 1e6 * largest,
                 fastest / std::f64::consts::TAU,
@@ -150,6 +151,7 @@ impl RotorDrop {
                     .iter()
                     .fold(0.0, |most: f64, l| most.max(l.contact_rad_s))
                     / std::f64::consts::TAU,
+                decay,
             )));
         }
         for case in &mut self.cases {
