@@ -7,7 +7,9 @@ use cageless::dynamics::{Contacts, Model, RightHandSide};
 use cageless::initial_conditions::initial_state;
 use cageless::integrator::System;
 use cageless::recorder::Recorder;
-use cageless::simulation::{Control, Ending, RunOutcome, run, run_batch};
+use cageless::simulation::{
+    Control, Ending, Observer, ObserverError, RunOutcome, StepView, run, run_batch,
+};
 use cageless::{Case, FrictionLaw, IntegrationMethod, Start, SupportStop};
 
 /// The rotor just above contact with the speed of its fall, over 3 ms, at the automatic step.
@@ -107,6 +109,44 @@ fn the_ledger_of_a_drop_closes() {
             "{spun}"
         );
     }
+}
+
+/// The ledger closes at every instant, also while the outer ring is beyond its stop.
+#[test]
+fn the_ledger_closes_beyond_the_stop() {
+    struct Ledger<'m> {
+        model: &'m Model,
+        start_energy_j: f64,
+        beyond: u32,
+        worst: f64,
+    }
+    impl Observer for Ledger<'_> {
+        fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+            let state = view.state(view.step.t1_s);
+            let outer = state.outer_ring_motion();
+            self.beyond += u32::from(outer.x.hypot(outer.y) > 3.1e-5);
+            let (residual, flows) = self.model.energy_residual_j(self.start_energy_j, &state);
+            // Before the impact hardly any energy flows.
+            self.worst = self.worst.max(residual.abs() / flows.max(0.01));
+            Ok(Control::Continue(()))
+        }
+    }
+    let case = near_contact(rough());
+    let model = Model::new(&case).unwrap();
+    let (start, _) = initial_state(&case).unwrap();
+    let mut ledger = Ledger {
+        start_energy_j: model.energy_j(&start),
+        model: &model,
+        beyond: 0,
+        worst: 0.0,
+    };
+    run(&case, &mut [&mut ledger], &mut |_| Control::Continue(())).unwrap();
+    println!(
+        "{} steps beyond the stop, {:.1e}",
+        ledger.beyond, ledger.worst
+    );
+    assert!(ledger.beyond > 50, "{}", ledger.beyond);
+    assert!(ledger.worst < 1e-4, "{:e}", ledger.worst);
 }
 
 /// Until it touches, the rotor falls freely and everything else stays where it is, but for the

@@ -280,6 +280,30 @@ pub(crate) mod tests {
     use super::*;
     use crate::contact::friction::{Smooth, Stribeck};
 
+    /// ½ + z/12 for slow decay, 1 − 1/z for fast, and never far from the exponentially fitted
+    /// 1/(1 − e^(−z)) − 1/z; each contact by its own rate.
+    #[test]
+    fn weights_of_the_end_are_those_of_the_decay() {
+        for k in 0..160 {
+            let z = 10f64.powf(-8.0 + 0.1 * f64::from(k));
+            let [weight, other] = end_weights([z, 0.0]);
+            assert_eq!([other, weight], end_weights([0.0, z]));
+            assert!((other - 0.5).abs() < 1e-15);
+            if z < 0.1 {
+                let miss = (weight - 0.5 - z / 12.0).abs();
+                assert!(miss < 0.02 * z * z + 1e-15, "{z:e}: {miss:e}");
+            }
+            if z > 30.0 && z < 1e6 {
+                let miss = (weight - 1.0 + 1.0 / z).abs();
+                assert!(miss < 3.0 / (z * z) + 1e-15, "{z:e}: {miss:e}");
+            }
+            if z > 1e-3 {
+                let fitted = -1.0 / (-z).exp_m1() - 1.0 / z;
+                assert!((weight - fitted).abs() < 0.01, "{z:e}: {weight} {fitted}");
+            }
+        }
+    }
+
     /// A ball in plane contact.
     pub(crate) fn problem(free: [f64; 2], normal: [f64; 2], h_s: f64) -> SlipProblem {
         let (m, r) = (3.55e-3, 4.76e-3);

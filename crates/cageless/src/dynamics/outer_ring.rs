@@ -78,3 +78,48 @@ impl OuterRing {
             + 0.5 * self.stop_stiffness * beyond * beyond
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Without its damping the support pushes back by the derivative of the energy that it stores,
+    /// short of the stop and beyond it.
+    #[test]
+    fn energy_belongs_to_the_force() {
+        let ring = OuterRing {
+            mass: 0.5,
+            inverse_mass: 2.0,
+            stiffness: 2e7,
+            damping: 4e3,
+            stop_gap: 3e-5,
+            stop_stiffness: 1e8,
+        };
+        let at = |distance: f64| Centre {
+            x: 0.6 * distance,
+            y: -0.8 * distance,
+            ..Centre::default()
+        };
+        for distance in [1e-5, 2.9e-5, 3.1e-5, 5e-5, 2e-4] {
+            let [x, y] = ring.support_force(&at(distance));
+            let h = 1e-3 * distance;
+            let slope =
+                (ring.energy_j(&at(distance + h)) - ring.energy_j(&at(distance - h))) / (2.0 * h);
+            let back = -(0.6 * x - 0.8 * y);
+            assert!(
+                (slope / back - 1.0).abs() < 1e-9,
+                "{distance}: {slope} {back}"
+            );
+            let beyond = (distance - 3e-5).max(0.0);
+            assert!((back / (2e7 * distance + 1e8 * beyond) - 1.0).abs() < 1e-12);
+        }
+        let moving = Centre {
+            vx: 3.0,
+            vy: -4.0,
+            ..at(0.0)
+        };
+        assert_eq!(ring.energy_j(&moving), 0.5 * 0.5 * 25.0);
+        assert_eq!(ring.damping_power(&moving), 4e3 * 25.0);
+        assert_eq!(ring.support_force(&moving), [-1.2e4, 1.6e4]);
+    }
+}

@@ -277,11 +277,9 @@ mod tests {
     use super::*;
     use crate::contact::friction::Smooth;
 
-    /// The powers of the contact force on rotor and ring add up to what damping and friction
-    /// take and the spring stores, wherever the mass centre is.
-    #[test]
-    fn powers_of_the_contact_close() {
-        let body = RotorBody {
+    /// A rotor whose mass centre is a fifth of its radius off the axis.
+    fn eccentric() -> RotorBody {
+        RotorBody {
             mass: 20.0,
             polar_inertia: 0.02,
             eccentricity: 3e-3,
@@ -299,7 +297,11 @@ mod tests {
             friction: Friction::Smooth(Smooth::default()),
             ring_inertia: 5.5e-5,
             guide: None,
-        };
+        }
+    }
+
+    /// A deep contact of it while it moves in every way.
+    fn touching(body: &RotorBody) -> (RotorMotion, Centre, RotorContact) {
         let offset = body.offset(0.4);
         let motion = RotorMotion {
             x: 1.5e-4 + offset[0],
@@ -315,15 +317,69 @@ mod tests {
             vx: -0.01,
             vy: 0.02,
         };
-        let ring_speed = -55.0;
-        let contact = body.contact(&motion, &ring, ring_speed);
+        (motion, ring, body.contact(&motion, &ring, RING_SPEED))
+    }
+
+    const RING_SPEED: f64 = -55.0;
+
+    /// The sliding speed falls by the mobility under a unit of friction over a unit of time,
+    /// wherever the mass centre is, and also where a compliance stands for the rotor.
+    #[test]
+    fn mobility_is_what_friction_changes_of_the_slip() {
+        let (eccentric, ring_mass) = (eccentric(), 0.2);
+        let centred = RotorBody {
+            eccentricity: 0.0,
+            ..eccentric
+        };
+        let guided = RotorBody {
+            guide: Some([[0.07, 0.01, 0.3], [0.01, 0.04, -0.2], [0.3, -0.2, 60.0]]),
+            ..centred
+        };
+        for body in [eccentric, centred, guided] {
+            let (motion, ring, contact) = touching(&body);
+            let bare = JournalContact {
+                force: 0.0,
+                ..contact.contact
+            };
+            let force = bare.force_on_journal(1.0);
+            let [ax, ay, turn] = body.added_acceleration(&contact, force);
+            let time = 1e-3;
+            let after = RotorMotion {
+                vx: motion.vx + time * ax,
+                vy: motion.vy + time * ay,
+                speed: motion.speed + time * turn,
+                ..motion
+            };
+            let pushed = Centre {
+                vx: ring.vx - time * force[0] / ring_mass,
+                vy: ring.vy - time * force[1] / ring_mass,
+                ..ring
+            };
+            let spun = RING_SPEED + time * body.ring_torque(1.0) / body.ring_inertia;
+            let change = body.contact(&after, &pushed, spun).contact.slip - contact.contact.slip;
+            let mobility = body.slip_mobility(&contact, ring_mass);
+            assert!(
+                (-change / time / mobility - 1.0).abs() < 1e-9,
+                "{change} {mobility}"
+            );
+        }
+        let shares = [eccentric, centred].map(|b| b.slip_mobility(&touching(&b).2, ring_mass));
+        assert!((shares[0] / shares[1] - 1.0).abs() > 1e-4, "{shares:?}");
+    }
+
+    /// The powers of the contact force on rotor and ring add up to what damping and friction
+    /// take and the spring stores, wherever the mass centre is.
+    #[test]
+    fn powers_of_the_contact_close() {
+        let body = eccentric();
+        let (motion, ring, contact) = touching(&body);
         assert!(contact.contact.force > 0.0);
         let friction = 0.15 * contact.contact.force;
         let force = contact.contact.force_on_journal(friction);
         let power = force[0] * (motion.vx - ring.vx)
             + force[1] * (motion.vy - ring.vy)
             + body.moment(&contact, force) * motion.speed
-            + body.ring_torque(friction) * ring_speed;
+            + body.ring_torque(friction) * RING_SPEED;
         let c = &contact.contact;
         let expected = -c.force * c.rate - friction * c.slip;
         assert!((power / expected - 1.0).abs() < 1e-12, "{power} {expected}");
