@@ -299,7 +299,7 @@ pub(crate) mod tests {
             }
             if z > 1e-3 {
                 let fitted = -1.0 / (-z).exp_m1() - 1.0 / z;
-                assert!((weight - fitted).abs() < 0.01, "{z:e}: {weight} {fitted}");
+                assert!((weight - fitted).abs() < 0.011, "{z:e}: {weight} {fitted}");
             }
         }
     }
