@@ -97,9 +97,7 @@ impl From<EquilibriumError> for Failure {
     fn from(error: EquilibriumError) -> Self {
         match error {
             EquilibriumError::Input(error) => error.into(),
-            error @ (EquilibriumError::Unsupported | EquilibriumError::NotConverged { .. }) => {
-                Self::Unphysical(error.to_string())
-            }
+            error => Self::Unphysical(error.to_string()),
         }
     }
 }

@@ -405,3 +405,70 @@ fn a_closed_pipe_is_no_failure() {
         .status();
     assert_eq!(status.unwrap().code(), Some(0));
 }
+
+/// 2 s in steps of 1 µs; twice 4 µs of interference; seven balls of 23.9° leave 216.6° open.
+#[test]
+fn check_names_the_cost_the_preload_and_a_ring_that_may_fall() {
+    let case = repository_case("conventional.toml");
+    let check = |sets: &[&str]| call_on("check", &case, sets, &[]);
+    let plain = check(&["solver.duration_s=2", "solver.step_us=1"]);
+    assert!(
+        plain.stdout.contains("2.00 × 10⁶ of 1.000 µs"),
+        "{}",
+        plain.stdout
+    );
+    assert!(
+        !plain.stdout.contains("warning") && !plain.stdout.contains("preload, "),
+        "{}",
+        plain.stdout
+    );
+    let slow = check(&["bearing.inner_ring_drag_n_s_m=1e9", "solver.step_us=auto"]);
+    assert!(
+        slow.stdout.contains("hours of computing"),
+        "{}",
+        slow.stdout
+    );
+    // The force and pressure are those of Hertz's integrals in another code.
+    let pressed = check(&["bearing.inner_groove_bottom_radius_mm=18.244"]);
+    assert!(
+        pressed.stdout.contains("−8.000 µm (ISO 5753-1): preload"),
+        "{}",
+        pressed.stdout
+    );
+    assert!(
+        pressed.stdout.contains("with 80.7 N, 982 MPa"),
+        "{}",
+        pressed.stdout
+    );
+    let few = check(&["bearing.balls=7"]);
+    assert!(
+        few.stdout.contains("leave 217° of the pitch circle open"),
+        "{}",
+        few.stdout
+    );
+    assert!(
+        few.stdout.contains("9 or more (bearing.balls) hold it"),
+        "{}",
+        few.stdout
+    );
+    let json = call_on("check", &case, &["bearing.balls=7"], &["--json"]).json();
+    assert_eq!(json["warnings"].as_array().unwrap().len(), 1);
+    // A run of such a bearing that bunches says what happened, and when.
+    let sets = [
+        "bearing.balls=6",
+        "start.gaps=bunched",
+        "start.state=rolling",
+        "solver.method=symplectic",
+        "solver.step_us=auto",
+        "solver.duration_s=0.05",
+    ];
+    let fallen = call_on("run", &case, &sets, &[]);
+    assert_eq!(fallen.code, Some(3), "{}", fallen.stderr);
+    assert!(
+        fallen
+            .stderr
+            .contains("fell between the balls and met the outer ring"),
+        "{}",
+        fallen.stderr
+    );
+}

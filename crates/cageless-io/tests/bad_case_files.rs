@@ -111,7 +111,7 @@ const EDITS: &[Row] = &[
     // Geometry.
     ("balls = 14", "balls = 16", "bearing.balls", &["= 16", "at most 15", "do not fit"]),
     ("balls = 14", "balls = 2", "bearing.balls", &["= 2 ", "at least 3"]),
-    ("ball_radius_mm = 4.7625", "ball_radius_mm = 4.8", "bearing.ball_radius_mm", &["= 4.8", "at most 4.7625 mm", "clearance"]),
+    ("ball_radius_mm = 4.7625", "ball_radius_mm = 4.9", "bearing.ball_radius_mm", &["= 4.9", "at most 4.80", "interference", "4200 MPa"]),
     ("inner_groove_curvature_radius_mm = 4.953", "inner_groove_curvature_radius_mm = 4.7", "bearing.inner_groove_curvature_radius_mm", &["= 4.7", "more than 4.7625 mm", "radius of the ball"]),
     ("outer_shoulder_radius_mm = 26.0", "outer_shoulder_radius_mm = 28.0", "bearing.outer_shoulder_radius_mm", &["= 28.0", "between 23.0025 mm and 27.765 mm"]),
     ("outer_shoulder_radius_mm = 26.0", "outer_shoulder_radius_mm = 20.0", "bearing.outer_shoulder_radius_mm", &["between 23.0025 mm and 27.765 mm"]),
@@ -162,6 +162,7 @@ const EDITS: &[Row] = &[
     ("# step_us = \"auto\"", "step_us = 0", "solver.step_us", &["= 0 ", "more than 0 us"]),
     ("# step_us = \"auto\"", "step_us = -1.0", "solver.step_us", &["= -1.0", "more than 0 us"]),
     ("duration_s = 0.5", "duration_s = 2e8", "solver.duration_s", &["= 2e8", "1e12 steps are the limit"]),
+    ("duration_s = 0.5", "duration_s = 1e-300", "solver.duration_s", &["at least", "nothing moves in less"]),
     ("duration_s = 0.5", "duration_s = -0.5", "solver.duration_s", &["more than 0 s"]),
     ("interval_us = 100.0", "interval_us = 0.0", "output.interval_us", &["more than 0 us"]),
 ];

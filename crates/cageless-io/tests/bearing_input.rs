@@ -68,8 +68,30 @@ fn what_says_the_same_twice_is_refused_and_a_later_one_replaces_it() {
     }
     let file = parse(SHORT, &["bearing.ball_radius_mm=4.7"]);
     assert_eq!(file.case().bearing.ball_radius_m(), 4.7e-3);
-    let error = refused(SHORT, &["bearing.radial_internal_clearance_um=-5"]);
-    assert!(error.message().contains("0 um or more"), "{error}");
+    // Interference is a clearance below zero, down to the pressure limit of ISO 76.
+    let preloaded = parse(SHORT, &["bearing.radial_internal_clearance_um=-8"]);
+    let clearance = preloaded.case().bearing.radial_clearance_m();
+    assert!((clearance + 4e-6).abs() < 1e-12, "{clearance:e}");
+    let error = refused(SHORT, &["bearing.radial_internal_clearance_um=-800"]);
+    assert_eq!(error.key(), Some("bearing.radial_internal_clearance_um"));
+    let message = error.message();
+    assert!(message.contains("= -800 is not possible"), "{message}");
+    let number = message.split("at least ").nth(1).unwrap();
+    let least: f64 = number.split(' ').next().unwrap().parse().unwrap();
+    parse(
+        SHORT,
+        &[&format!(
+            "bearing.radial_internal_clearance_um={}",
+            least + 0.5
+        )],
+    );
+    refused(
+        SHORT,
+        &[&format!(
+            "bearing.radial_internal_clearance_um={}",
+            least - 0.5
+        )],
+    );
     let error = refused(&SHORT.replace("radial_internal", "# "), &[]);
     assert_eq!(error.key(), Some("bearing.radial_internal_clearance_um"));
     // A value that follows from others names them.

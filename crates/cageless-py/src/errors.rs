@@ -70,9 +70,7 @@ pub fn reason(ending: &Ending) -> Option<String> {
 pub fn of_start(error: &EquilibriumError) -> PyErr {
     match error {
         EquilibriumError::Input(error) => input(error),
-        EquilibriumError::Unsupported | EquilibriumError::NotConverged { .. } => {
-            UnphysicalError::new_err(error.to_string())
-        }
+        _ => UnphysicalError::new_err(error.to_string()),
     }
 }
 

@@ -27,7 +27,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::contact::hertz::PointContact;
+use crate::contact::hertz::{PointContact, STRESS_LIMIT_PA};
 use crate::dynamics::layout::BALLS_MAX;
 use crate::error::{Allowed, InputError, not_negative, positive};
 use crate::material::Materials;
@@ -99,15 +99,39 @@ pub const BALLS_MIN: usize = 3;
 /// ISO 3290-1 (G200) lets the diameter deviate by less than a tenth of that.
 const DEVIATION_MAX: f64 = 0.01;
 
+impl BearingDimensions {
+    /// Largest interference 2Rw − (Ro − Ri), m: it presses the balls between the unloaded rings
+    /// with [`STRESS_LIMIT_PA`]. 0 where the ball does not fit into the grooves.
+    pub fn interference_max_m(&self, materials: &Materials) -> f64 {
+        let radii = [
+            self.outer_groove_bottom_radius_m,
+            self.inner_groove_curvature_radius_m,
+            self.outer_groove_curvature_radius_m,
+        ];
+        let positive = self.ball_radius_m.min(self.inner_groove_bottom_radius_m) > 0.0;
+        if !(positive && radii.iter().all(|r| *r > self.ball_radius_m)) {
+            return 0.0;
+        }
+        let contacts = raceway_contacts(self, materials);
+        // Hertz: p ∝ F^(1/3), and both raceways bear the same force.
+        let force = contacts
+            .each_ref()
+            .map(|c| (STRESS_LIMIT_PA / c.peak_stress_pa(1.0)).powi(3));
+        let force = force[0].min(force[1]);
+        let deflections = contacts.map(|c| (force / c.stiffness_n_m1_5).powf(2.0 / 3.0));
+        deflections[0] + deflections[1]
+    }
+}
+
 impl Bearing {
     /// Checks that the parts fit together and derives the constants. `materials` may be one
     /// [`Material`](crate::Material) for balls and rings.
     ///
     /// # Errors
     /// An [`InputError`] naming the first field that cannot be: a dimension not
-    /// above zero, balls larger than the space between the rings, more balls
-    /// than fit on the pitch circle, grooves tighter than the ball, a shoulder
-    /// outside (Ro − Rw, Ro).
+    /// above zero, balls pressed between the rings beyond
+    /// [`BearingDimensions::interference_max_m`], more balls than fit on the pitch circle,
+    /// grooves tighter than the ball, a shoulder outside (Ro − Rw, Ro).
     pub fn new(
         dimensions: BearingDimensions,
         materials: impl Into<Materials>,
@@ -145,13 +169,21 @@ impl Bearing {
         }
         let clearance = play_m(d);
         // Dimensions given in millimetres do not add up to zero exactly.
-        if clearance < -ROUNDING_M {
+        if clearance < -ROUNDING_M && -clearance > d.interference_max_m(&materials) {
+            let between = d.outer_groove_bottom_radius_m - d.inner_groove_bottom_radius_m;
+            let mut largest = dimensions.clone();
+            // The limit is in proportion to the radius of the ball, a hundredth of it or less.
+            for _ in 0..4 {
+                largest.ball_radius_m = between / 2.0;
+                largest.ball_radius_m += largest.interference_max_m(&materials) / 2.0;
+            }
             return Err(InputError::new(
                 "ball_radius_m",
                 d.ball_radius_m,
                 Allowed::AtMost(
-                    (d.outer_groove_bottom_radius_m - d.inner_groove_bottom_radius_m) / 2.0,
-                    "half the distance between the groove bottoms: the radial clearance Ro - Ri - 2 Rw must not be negative",
+                    largest.ball_radius_m,
+                    "with more interference, a radial clearance Ro - Ri - 2 Rw below zero, the \
+                     unloaded rings press the balls with over 4200 MPa, the limit of ISO 76",
                 ),
             ));
         }
@@ -224,12 +256,9 @@ impl Bearing {
                 ),
             ));
         }
-        let ball = 1.0 / d.ball_radius_m;
-        let [inner, outer] = ring_curvatures(d);
-        let Materials { ball: balls, ring } = &materials;
-        let inner_contact = PointContact::between([ball, ball], inner, [balls, ring]);
-        let outer_contact = PointContact::between([ball, ball], outer, [balls, ring]);
-        let ball_contact = PointContact::new([ball, ball], [ball, ball], balls);
+        let [inner_contact, outer_contact] = raceway_contacts(d, &materials);
+        let ball = [1.0 / d.ball_radius_m; 2];
+        let ball_contact = PointContact::new(ball, ball, &materials.ball);
         Ok(Self {
             dimensions,
             materials,
@@ -346,26 +375,6 @@ impl Bearing {
         (TAU - (0..n).map(|k| self.pair_angle_rad(k)).sum::<f64>()) / n as f64
     }
 
-    /// Angle between the centres of the two end balls across the gap, all balls touching in one
-    /// row: the largest angle without support that the ring can meet.
-    pub fn bunched_opening_rad(&self) -> f64 {
-        let widest = (0..self.balls()).map(|k| self.pair_angle_rad(k));
-        widest.fold(0.0, f64::max) + self.balls() as f64 * self.mean_gap_rad()
-    }
-
-    /// Whether the inner ring can leave the bearing between the balls: bunched, they leave half
-    /// of the pitch circle or more without support.
-    pub fn can_fall_between_balls(&self) -> bool {
-        self.bunched_opening_rad() >= PI
-    }
-
-    /// Least number of equal balls between which the inner ring cannot fall however they bunch:
-    /// 2π − (N − 1) ε < π.
-    pub fn balls_that_hold_ring(ball_radius_m: f64, pitch_radius_m: f64) -> usize {
-        let epsilon = 2.0 * (ball_radius_m / pitch_radius_m).asin();
-        (PI / epsilon).floor() as usize + 2
-    }
-
     /// K at the inner raceway, at the plain outer raceway of ball `k`, and between it and the
     /// ball ahead, N·m^(−3/2).
     pub fn ball_stiffness_n_m1_5(&self, k: usize) -> [f64; 3] {
@@ -418,8 +427,9 @@ impl Bearing {
         self.dimensions.outer_groove_bottom_radius_m - self.dimensions.ball_radius_m
     }
 
-    /// Ro − Ri − 2Rw, the radial play of one ball between the rings, 0 or more.
-    /// The radial internal clearance of ISO 5753-1 is a diametral play: twice this.
+    /// Ro − Ri − 2Rw, the radial play of one ball between the rings; negative: the interference
+    /// with which they press it. The radial internal clearance of ISO 5753-1 is a diametral
+    /// play: twice this.
     pub fn radial_clearance_m(&self) -> f64 {
         let play = play_m(&self.dimensions);
         if play.abs() < ROUNDING_M { 0.0 } else { play }
@@ -460,6 +470,13 @@ impl Bearing {
     pub fn ball_contact(&self) -> &PointContact {
         &self.ball_contact
     }
+}
+
+/// A nominal ball against the plain raceways: inner, outer.
+fn raceway_contacts(d: &BearingDimensions, materials: &Materials) -> [PointContact; 2] {
+    let ball = [1.0 / d.ball_radius_m; 2];
+    ring_curvatures(d)
+        .map(|ring| PointContact::between(ball, ring, [&materials.ball, &materials.ring]))
 }
 
 /// Principal curvatures of the raceways at the bottom of their grooves, in the plane of

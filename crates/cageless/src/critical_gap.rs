@@ -160,7 +160,8 @@ impl Observer for PairWatch {
 
 /// Start of a passage. Without clearance the balls start on Rm and the ring where it settles:
 /// nothing is pressed in further than by the deflection. With clearance balls on Rm would be
-/// pressed into a settled ring by half of it, so they start settled, too.
+/// pressed into a settled ring by half of it, and with interference they are pressed into both
+/// rings, so they start settled, too.
 fn pair_start(
     case: &Case,
     test: &PairTest,
@@ -168,7 +169,7 @@ fn pair_start(
     gaps: Gaps,
     lead_ball_angle_rad: f64,
 ) -> Start {
-    if test.ring_y_m.is_none() && case.bearing.radial_clearance_m() > 0.0 {
+    if test.ring_y_m.is_none() && case.bearing.radial_clearance_m() != 0.0 {
         return Start::Settled {
             gaps,
             lead_ball_angle_rad,

@@ -22,14 +22,14 @@ use crate::kinematics::{orbit_speed_of_rad_s, rolling_relative_spin_rad_s, rolli
 
 /// State at t = 0 and ψ of every ball.
 ///
-/// `Rolling`: balls on Rm with Ω(r) and the spin of Zhao 2022, Eq. (1) to (3), each with
+/// `Rolling`: balls on Rm, or with interference where both rings press them alike, with Ω(r) and the spin of Zhao 2022, Eq. (1) to (3), each with
 /// its own r. `Settled`: the same speeds at the distances of the static equilibrium. In the
 /// `physical` profile no contact slides then; in `paper` the inner one by some mm/s, as
-/// its Eq. (2) and (3) agree only on Rm. `AtRest`: balls on Rm and both rings at the centre, all
+/// its Eq. (2) and (3) agree only on Rm. `AtRest`: balls there and both rings at the centre, all
 /// at rest, and the rotor, if there is one, where the magnetic bearing held it.
 ///
 /// # Errors
-/// The case is impossible or has no equilibrium.
+/// The case is impossible, has no equilibrium, or one in which balls overlap.
 pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError> {
     case.check()?;
     let bearing = &case.bearing;
@@ -50,23 +50,29 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
         });
     }
     let angles = start_angles_rad(case);
+    let inner_speed = match case.start {
+        Start::AtRest { .. } => 0.0,
+        _ => case.operation.inner_speed_rad_s,
+    };
+    // Balls on Rm between rings that press them would spring to where the two forces are equal.
+    let between = |ring| match bearing.radial_clearance_m() < 0.0 {
+        true => equilibrium::seated_distances_m(case, ring, inner_speed),
+        false => vec![pitch; n],
+    };
     let (distances, ring) = match case.start {
         Start::Rolling {
             ring_x_m, ring_y_m, ..
-        } => (vec![pitch; n], [ring_x_m, ring_y_m]),
-        Start::AtRest { .. } => (vec![pitch; n], [0.0; 2]),
+        } => (between([ring_x_m, ring_y_m]), [ring_x_m, ring_y_m]),
+        Start::AtRest { .. } => (between([0.0; 2]), [0.0; 2]),
         Start::Settled { .. } => {
             let e = equilibrium::solve(case)?;
+            e.check_balls_apart(bearing)?;
             (e.ball_distance_m, [e.ring_x_m, e.ring_y_m])
         }
     };
     for (k, (&angle, &distance)) in angles.iter().zip(&distances).enumerate() {
         let r = ball_outer_geometry(case, k, angle).effective_radius_m;
         let radius = bearing.ball(k).radius_m;
-        let inner_speed = match case.start {
-            Start::AtRest { .. } => 0.0,
-            _ => case.operation.inner_speed_rad_s,
-        };
         let orbit = orbit_speed_of_rad_s(bearing, radius, inner_speed, r);
         let (speed, spin) = match case.profile {
             Profile::Physical => (orbit * pitch, rolling_spin_rad_s(bearing, orbit, r)),

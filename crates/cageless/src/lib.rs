@@ -40,6 +40,7 @@ pub mod passage;
 pub mod raceway;
 pub mod rating;
 pub mod recorder;
+pub mod ring_support;
 pub mod rotor;
 mod scope;
 pub(crate) mod simd;

@@ -4,7 +4,7 @@
 /// so that a reader of a result knows what it cannot say.
 pub const SCOPE: [&str; 6] = [
     "planar motion: no axial load, no tilt of the rings",
-    "no preload: the radial clearance is 0 or more",
+    "preload only by radial interference, a clearance below zero: no axial preload",
     "rings rigid except at the Hertz contacts; the outer ring is fixed (in a drop it may have an elastic support)",
     "speed and load prescribed, constant or as tables over time; a dropped rotor has no axial and no torsional motion",
     "dry friction laws: no lubricant film, no churning",

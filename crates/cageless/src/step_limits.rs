@@ -11,7 +11,8 @@
 //! assert!(limits.automatic_s(IntegrationMethod::Abm4) <= limits.largest_s(IntegrationMethod::Abm4));
 //! ```
 
-use crate::case::{Case, Start};
+use crate::case::{Case, Gaps, Start, series_stiffness_n_m1_5};
+use crate::contact::hertz::DEFLECTION_FRACTION_MAX;
 use crate::dynamics::STICK_FRACTION;
 use crate::dynamics::rotor::{RotorBody, RotorContact};
 use crate::integrator::IntegrationMethod;
@@ -44,19 +45,26 @@ pub struct StepLimits {
     pub damped: bool,
     /// Whether impacts, rather than the load, turn the energy over.
     pub light: bool,
+    /// Whether the balls start unevenly spaced.
+    pub uneven: bool,
+    /// Factor on the slopes of the contacts, dF/dδ ∝ F^(1/3), while the ring is wedged between
+    /// unevenly spaced balls; 1 if it never is. The automatic step allows for it, the limits do not.
+    wedged: f64,
 }
 
 /// Lower bound of the ball–ball approach speed in the estimate, m/s.
 const LEAST_IMPACT_M_S: f64 = 0.1;
 /// Fraction of the balls whose stiffness at full load together carries the ring.
 const CARRYING_FRACTION: f64 = 0.25;
+/// The same where interference presses all of them against the ring: the mean of cos² over a turn.
+const PRELOADED_FRACTION: f64 = 0.5;
 /// Peaks over the static load that the limits allow for.
 const OVERLOAD: f64 = 1.25;
 
 /// Force of a ball between the rings that no load presses there: a ball larger than nominal or
 /// a raceway not milled deep enough against both contacts in series, and the overlap with
 /// which a rolling start begins, against one.
-fn preload_n(case: &Case) -> f64 {
+fn squeezed_n(case: &Case) -> f64 {
     let bearing = &case.bearing;
     let [inner, outer, _] = case.stiffness_n_m1_5();
     let force = |k: f64, depth: f64| k * depth.max(0.0).powf(1.5);
@@ -67,7 +75,7 @@ fn preload_n(case: &Case) -> f64 {
         .iter()
         .fold(0.0, |most: f64, r| most.max(-r.depth_error_m()));
     let clearance = bearing.radial_clearance_m();
-    let series = (inner.powf(-2.0 / 3.0) + outer.powf(-2.0 / 3.0)).powf(-1.5);
+    let series = series_stiffness_n_m1_5(inner, outer);
     let squeezed = force(series, 2.0 * larger + shallow - clearance);
     // Balls on Rm, half of the clearance off either raceway, the ring off the centre.
     let pressed = |off: f64| {
@@ -85,10 +93,94 @@ fn preload_n(case: &Case) -> f64 {
     }
 }
 
+/// Number of balls whose stiffness together carries the ring.
+fn carrying(case: &Case) -> f64 {
+    let preloaded = case.bearing.radial_clearance_m() < 0.0;
+    let fraction = match preloaded {
+        true => PRELOADED_FRACTION,
+        false => CARRYING_FRACTION,
+    };
+    fraction * case.bearing.balls() as f64
+}
+
+/// Displacements of a ring into an opening that are tried, over the radius of the ball: the first,
+/// the last and the ratio of two.
+const WEDGED: (f64, f64, f64) = (1e-5, 2.0, 1.1);
+
+/// Openings up to this angle leave the ring on more than two balls, as even spacing does.
+const WEDGE_RAD: f64 = std::f64::consts::FRAC_PI_3;
+
+/// Largest force of a ball while a ring under `down` is pressed into the widest opening between
+/// the balls of an uneven start, which may turn to any place: about down/(2 cos(opening/2)) on each
+/// of the two balls at its ends. `down` grows by what the ring needs to follow the opening round
+/// through its clearance. Where the balls do not hold the ring it falls between them, and this is
+/// the largest force that the guard of a run admits. Centrifugal force and friction are left out.
+fn wedged_n(case: &Case, down: f64) -> f64 {
+    let Gaps::List(gaps) = case.start.gaps() else {
+        return 0.0;
+    };
+    let bearing = &case.bearing;
+    let (mut angle, mut widest) = (0.0, (0.0, 0.0));
+    let mut angles = vec![];
+    for (k, gap) in gaps.iter().enumerate() {
+        let opening = bearing.pair_angle_rad(k) + gap;
+        angles.push(angle);
+        if opening > widest.0 {
+            widest = (opening, angle + 0.5 * opening);
+        }
+        angle += opening;
+    }
+    if widest.0 <= WEDGE_RAD {
+        return 0.0;
+    }
+    let (d, orbit_rad_s) = (bearing.dimensions(), case.rolling_orbit_speed_rad_s());
+    let whirl = orbit_rad_s * bearing.radial_clearance_m().max(0.0);
+    let down = down + (d.inner_ring_drag_n_s_m + d.inner_ring_mass_kg * orbit_rad_s) * whirl;
+    let cosines: Vec<f64> = angles.iter().map(|a| (a - widest.1).cos()).collect();
+    let [inner, outer, _] = case.stiffness_n_m1_5();
+    let series = series_stiffness_n_m1_5(inner, outer);
+    let orbit = bearing.outer_orbit_radius_m();
+    let reach = orbit - bearing.radial_clearance_m();
+    // Force on the ring against its displacement, and the largest on a ball.
+    let pressed = |ring: f64| {
+        let balls = cosines.iter().map(|cosine| {
+            let along = orbit * cosine - ring;
+            let across = orbit * (1.0 - cosine * cosine).max(0.0).sqrt();
+            let distance = along.hypot(across);
+            let force = series * (reach - distance).max(0.0).powf(1.5);
+            (force * along / distance, force)
+        });
+        balls.fold((0.0, 0.0), |(held, largest): (f64, f64), (part, force)| {
+            (held + part, largest.max(force))
+        })
+    };
+    let (first, last, ratio) = WEDGED;
+    let (mut free, mut ring) = (0.0, first * bearing.ball_radius_m());
+    while ring < last * bearing.ball_radius_m() {
+        if pressed(ring).0 >= down {
+            let mut holds = ring;
+            for _ in 0..20 {
+                let middle = 0.5 * (free + holds);
+                if pressed(middle).0 >= down {
+                    holds = middle;
+                } else {
+                    free = middle;
+                }
+            }
+            return pressed(holds).1;
+        }
+        (free, ring) = (ring, ring * ratio);
+    }
+    inner * (DEFLECTION_FRACTION_MAX * bearing.ball_radius_m()).powf(1.5)
+}
+
 /// λh of friction up to which explicit velocity Verlet has unbiased statistics.
 const FRICTION_RESOLVED: f64 = 0.7;
 /// A load below this many times the peak force of the least impact is light.
 const LIGHT: f64 = 4.0;
+/// Fraction of the automatic λh that contact damping has where balls touch from the start: one
+/// that a neighbour pressed was unstable at a λh of 0.53, not at 0.45.
+const UNEVEN: f64 = 0.5;
 /// ωh at which impacts lose 1e-3 of their energy in the ledger.
 const IMPACT_FRACTION: f64 = 0.2;
 
@@ -130,9 +222,10 @@ impl Drop {
         let (k, p) = (rotor.contact_stiffness, rotor.contact_exponent);
         let contact = |force: f64| p * k.powf(1.0 / p) * force.powf(1.0 - 1.0 / p);
         let [inner, outer, _] = case.stiffness_n_m1_5();
-        let carrying = CARRYING_FRACTION * bearing.balls() as f64;
+        let carrying = carrying(case);
         let balls = |force: f64| {
-            let one = |k: f64| 1.5 * k.powf(2.0 / 3.0) * (force / carrying).cbrt();
+            let own = case.preload_n() + force / carrying;
+            let one = |k: f64| 1.5 * k.powf(2.0 / 3.0) * own.cbrt();
             carrying / (1.0 / one(inner) + 1.0 / one(outer))
         };
         let support = case.support.as_ref();
@@ -177,10 +270,10 @@ impl Drop {
 
 impl StepLimits {
     /// Estimates the rates: the largest of Qmax ≈ 5 (Fr + weights)/N + centrifugal force, a
-    /// quarter more, of what presses the parts together without load (`preload_n`) and of
-    /// the peak of an impact on a raceway, in both raceway contacts of one ball, and an impact of two balls at the speed
-    /// difference that the deepest raceway makes. Springs between ball and ring count at both
-    /// masses: k (1/m + n/M) is an upper bound of ω².
+    /// quarter more, + the preload, of what presses the parts together without load
+    /// (`squeezed_n`) and of the peak of an impact on a raceway, in both raceway contacts of one
+    /// ball, and an impact of two balls at the speed difference that the deepest raceway makes.
+    /// Springs between ball and ring count at both masses: k (1/m + n/M) is an upper bound of ω².
     pub fn new(case: &Case) -> Self {
         let bearing = &case.bearing;
         let d = bearing.dimensions();
@@ -196,11 +289,12 @@ impl StepLimits {
         let down = case.largest_radial_load_n()
             + drop.force_n
             + (d.inner_ring_mass_kg + mass) * case.operation.gravity_m_s2;
-        let carried = OVERLOAD * (5.0 * down / d.balls as f64 + centrifugal);
+        let under = |force: f64| OVERLOAD * (force + centrifugal) + case.preload_n();
+        let carried = under(5.0 * down / d.balls as f64);
         // A ball of mass m against a raceway: the reduced mass is m.
         let (_, struck, _) =
             crate::collision::hertz_impact(inner.max(outer), 2.0 * mass, LEAST_IMPACT_M_S);
-        let load = carried.max(preload_n(case)).max(struck);
+        let load = carried.max(squeezed_n(case)).max(struck);
         // dF/dδ = 3/2 K^(2/3) F^(1/3).
         let slope = |k: f64, force: f64| 1.5 * k.powf(2.0 / 3.0) * force.cbrt();
         let raceways = slope(inner, load) + slope(outer, load);
@@ -210,7 +304,7 @@ impl StepLimits {
             .map(|r| speed(rw) - speed(r.effective_radius_m(r.dimensions().centre_angle_rad)))
             .fold(LEAST_IMPACT_M_S, f64::max);
         let (_, peak, _) = crate::collision::hertz_impact(ball, mass, impact);
-        let carrying = CARRYING_FRACTION * d.balls as f64;
+        let carrying = carrying(case);
         let ring_mass = d.inner_ring_mass_kg;
         let contact_rad_s = ((raceways + 2.0 * slope(ball, peak)) / mass
             + (carrying * slope(inner, load) + drop.contact_n_m) / ring_mass
@@ -246,6 +340,8 @@ impl StepLimits {
                 .max(drop.falling_1_s),
             damped: case.contact.damping_n_s_m1_5 > 0.0,
             light: carried < LIGHT * struck,
+            uneven: matches!(case.start.gaps(), Gaps::List(_)),
+            wedged: (under(wedged_n(case, down)) / load).max(1.0).cbrt(),
         }
     }
 
@@ -282,9 +378,15 @@ impl StepLimits {
     /// law always counts as stiff.
     pub fn friction_is_stiff(case: &Case) -> bool {
         let rotor = case.rotor.as_ref();
+        let limits = Self::new(case);
         case.contact.friction_law.sticks()
             || rotor.is_some_and(|r| r.friction_law.sticks())
-            || Self::new(case).friction_1_s * case.solver.step_s > FRICTION_RESOLVED
+            || limits.wedged_friction_1_s() * case.solver.step_s > FRICTION_RESOLVED
+    }
+
+    /// Decay of slip by friction on the ball that bears most while the ring is wedged.
+    fn wedged_friction_1_s(&self) -> f64 {
+        self.friction_1_s * self.wedged.powi(3)
     }
 
     /// Step beyond which smooth friction no longer settles: slip then jumps to and fro
@@ -333,11 +435,14 @@ impl StepLimits {
             true => fraction.min(IMPACT_FRACTION),
             false => fraction,
         };
+        let damping_1_s = self.damping_1_s * self.wedged;
         let decay_1_s = match properties.solves_stiff_part {
-            true => self.damping_1_s,
-            false => self.damping_1_s.max(self.friction_1_s),
+            true => damping_1_s,
+            false => damping_1_s.max(self.wedged_friction_1_s()),
         };
-        let wanted = (fraction / self.contact_rad_s).min(properties.automatic_decay / decay_1_s);
+        let contact_rad_s = self.contact_rad_s * self.wedged.sqrt();
+        let decay = properties.automatic_decay * if self.uneven { UNEVEN } else { 1.0 };
+        let wanted = (fraction / contact_rad_s).min(decay / decay_1_s);
         let power = 10f64.powf(wanted.log10().floor());
         let digits = [7.0, 5.0, 3.0, 2.0, 1.5, 1.0];
         // The quotient is between 1 and 10; rounding may leave it just below 1.

@@ -1,8 +1,9 @@
 //! Static equilibrium against closed forms and an independent balance.
 
-use crate::common::{conventional, dimensions, structure};
-use cageless::equilibrium::{Equilibrium, outer_stress_pa, overload, solve};
-use cageless::{Case, Profile, Start};
+use crate::common::{conventional, dimensions, steel, structure};
+use cageless::equilibrium::{Equilibrium, EquilibriumError, outer_stress_pa, overload, solve};
+use cageless::initial_conditions::initial_state;
+use cageless::{Bearing, BearingDimensions, Case, Gaps, Profile, Start};
 
 /// Forces on every ball and on the ring, put together again from the result alone.
 fn check_balance(case: &Case, e: &Equilibrium) {
@@ -153,4 +154,93 @@ fn overload_is_told_whenever_there_is_one() {
         told += i32::from(found.is_some_and(|text| text.contains("4.2 GPa")));
     }
     assert!((1..9).contains(&told), "{told}");
+}
+
+/// Five balls in one row in a small bearing, under a load that drives the ring far off its centre.
+fn bunched_in_a_row() -> Case {
+    let [ball, pitch, clearance] = [2.4e-3, 5.35e-3, 20e-6];
+    let [inner, outer] = [
+        pitch - ball - clearance / 2.0,
+        pitch + ball + clearance / 2.0,
+    ];
+    let bearing = BearingDimensions {
+        balls: 5,
+        ball_radius_m: ball,
+        inner_groove_bottom_radius_m: inner,
+        outer_groove_bottom_radius_m: outer,
+        outer_shoulder_radius_m: outer - 0.4 * ball,
+        inner_groove_curvature_radius_m: 1.032 * ball,
+        outer_groove_curvature_radius_m: 1.076 * ball,
+        inner_ring_mass_kg: 0.01,
+        inner_ring_drag_n_s_m: 2000.0,
+    };
+    let mut case = conventional(dimensions());
+    case.bearing = Bearing::new(bearing, steel()).unwrap();
+    case.solver.step_s = 1e-8;
+    case.operation.inner_speed_rad_s = 26.0;
+    case.operation.radial_load_n = 660.0;
+    let mut gaps = vec![0.0; 5];
+    gaps[4] = 5.0 * case.bearing.mean_gap_rad();
+    case.start = Start::Settled {
+        gaps: Gaps::List(gaps),
+        lead_ball_angle_rad: 0.37,
+    };
+    case
+}
+
+/// Seated, two balls may lie at different distances from the axis, the one near it between the
+/// balls: on the pitch circle they would touch.
+#[test]
+fn settled_balls_that_overlap_are_refused_with_the_gap_that_they_need() {
+    let mut case = bunched_in_a_row();
+    let Err(EquilibriumError::BallsOverlap {
+        ball,
+        overlap_m,
+        gap_rad,
+    }) = initial_state(&case)
+    else {
+        panic!("{:?}", initial_state(&case));
+    };
+    assert!(overlap_m > 1e-6 && gap_rad > 0.0, "{overlap_m:e} {gap_rad}");
+    let message = initial_state(&case).unwrap_err().to_string();
+    assert!(
+        message.contains("overlap by") && message.contains("start.gaps"),
+        "{message}"
+    );
+    // With that gap, and a little more, these two no longer do.
+    let Start::Settled {
+        gaps: Gaps::List(gaps),
+        ..
+    } = &mut case.start
+    else {
+        unreachable!()
+    };
+    gaps[ball] = gap_rad + 1e-3;
+    gaps[4] -= gap_rad + 1e-3;
+    let again = initial_state(&case);
+    let same = matches!(&again, Err(EquilibriumError::BallsOverlap { ball: k, .. }) if *k == ball);
+    assert!(!same, "{again:?}");
+}
+
+/// A ring beyond the shoulders of the outer one is no equilibrium.
+#[test]
+fn a_ring_that_settles_beyond_the_shoulders_has_fallen() {
+    let mut case = bunched_in_a_row();
+    case.operation.radial_load_n = 0.1;
+    for lead in 0..36 {
+        if let Start::Settled {
+            lead_ball_angle_rad,
+            ..
+        } = &mut case.start
+        {
+            *lead_ball_angle_rad = f64::from(lead) * 10f64.to_radians();
+        }
+        if let Ok(rest) = solve(&case) {
+            let off = rest.ring_x_m.hypot(rest.ring_y_m);
+            assert!(
+                off <= case.bearing.shoulder_clearance_m(),
+                "{lead}: {off:e}"
+            );
+        }
+    }
 }

@@ -385,3 +385,21 @@ fn impossible_rotors_are_refused_by_name() {
         "{message}"
     );
 }
+
+/// In zero gravity neither a rotor that turns nor one that drifts ends by rounding.
+#[test]
+fn without_gravity_a_rotor_in_two_bearings_drifts_on() {
+    for vx_m_s in [0.0, 0.02] {
+        let mut case = drop_case();
+        case.operation.gravity_m_s2 = 0.0;
+        case.solver.method = IntegrationMethod::VelocityVerlet;
+        case.solver.duration_s = 2e-3;
+        case.rotor.as_mut().unwrap().vx_m_s = vx_m_s;
+        let rotor = rigid([-0.2, 0.2]).linear().unwrap();
+        let drop = RotorDrop::new(rotor, SPEED_RAD_S, 0.0, vec![case; 2], None).unwrap();
+        for bearing in dropped(&drop).bearings {
+            let moved = bearing.state.rotor_motion().unwrap();
+            assert!((moved.x - vx_m_s * 2e-3).abs() < 1e-12, "{moved:?}");
+        }
+    }
+}

@@ -48,8 +48,18 @@ fn samples_fill_their_ranges() {
         // Five standard errors of 400 uniform numbers.
         assert!((mean - 0.5).abs() < 0.072, "{}: {mean}", influence.name());
     }
-    // The paper's bearing has no clearance to lose.
-    assert_eq!(tolerances.range(&case, Influence::Clearance), [0.0, 5e-6]);
+    // The paper's bearing has no clearance: less of it is interference, up to its limit.
+    let range = |t: &Tolerances| t.range(&case, Influence::Clearance);
+    assert_eq!(range(&tolerances), [-5e-6, 5e-6]);
+    let wide = Tolerances {
+        clearance_m: 1e-4,
+        ..tolerances
+    };
+    assert!(
+        (range(&wide)[0] + 73.16e-6).abs() < 0.02e-6,
+        "{:?}",
+        range(&wide)
+    );
 }
 
 /// A trial is the case with just that deviation.

@@ -149,6 +149,25 @@ fn the_ledger_closes_beyond_the_stop() {
     assert!(ledger.worst < 1e-4, "{:e}", ledger.worst);
 }
 
+/// A flywheel in space: nothing pulls the rotor down, and there is no energy of a fall to compare
+/// rounding with. In contact the ledger closes as ever.
+#[test]
+fn without_gravity_rounding_is_no_energy_from_nowhere() {
+    for (vx_m_s, eccentricity_m) in [(0.0, 0.0), (0.0, 5e-6), (0.05, 0.0), (0.3, 5e-6)] {
+        let mut case = automatic(drop_case());
+        case.operation.gravity_m_s2 = 0.0;
+        case.solver.duration_s = 3e-3;
+        let rotor = case.rotor.as_mut().unwrap();
+        (rotor.vx_m_s, rotor.eccentricity_m) = (vx_m_s, eccentricity_m);
+        let outcome = complete(&case);
+        let touched = vx_m_s == 0.3;
+        let heat = outcome.state.energy_term_j(EnergyTerm::RotorFriction);
+        assert_eq!(heat > 0.0, touched, "{vx_m_s}: {heat:e}");
+        let residual = outcome.energy_residual_relative.abs();
+        assert!(!touched || residual < 1e-4, "{residual:e}");
+    }
+}
+
 /// Until it touches, the rotor falls freely and everything else stays where it is, but for the
 /// weight of balls and ring.
 #[test]

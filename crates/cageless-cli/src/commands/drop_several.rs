@@ -14,7 +14,7 @@ use cageless_study::run::Rows;
 use serde::Serialize;
 
 use super::drop::{PAGE, SUMMARY, quantiles, requested, table, verified};
-use super::{deliver, make_folder, print, tell, writable};
+use super::{check_warnings, deliver, make_folder, print, steps_text, tell, writable};
 use crate::args::{CaseArgs, DropArgs};
 use crate::failure::{Failure, kept_in};
 use crate::format::{page_line, pairs, warnings};
@@ -88,6 +88,7 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
         mass_shares_kg: Vec<f64>,
         step_us: f64,
         natural_frequencies_hz: Vec<f64>,
+        warnings: Vec<String>,
     }
     let file = RotorFile::read(&args.case, &args.set)?;
     let (rotor, cases) = (file.drop().rotor(), file.drop().cases());
@@ -109,8 +110,9 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
             "lowest natural frequencies at speed, without contact",
             format!("{} Hz", listed(&frequencies)),
         ),
-        ("step", format!("{} µs", significant(step_us, 4))),
+        ("steps of a drop", steps_text(&cases[0])),
     ];
+    let notes = check_warnings(cases);
     let checked = Checked {
         valid: true,
         cases: file
@@ -122,8 +124,10 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
         mass_shares_kg: shares,
         step_us,
         natural_frequencies_hz: frequencies,
+        warnings: notes,
     };
-    deliver(args, "check.json", &checked, &pairs(&lines))
+    let text = pairs(&lines) + &warnings(&checked.warnings);
+    deliver(args, "check.json", &checked, &text)
 }
 
 /// Natural frequencies that a check lists.

@@ -17,18 +17,19 @@ mod tolerance;
 use std::path::Path;
 
 use cageless::dynamics::InstructionSet;
-use cageless::{Material, SCOPE};
+use cageless::{Case, Material, SCOPE};
 use cageless_io::case_file::{Assumption, CaseFile, template};
 use cageless_io::designation;
 use cageless_io::results::write_atomically;
 use cageless_io::rotor_file::RotorFile;
 use cageless_io::{io_error_message, on_terminal};
 use cageless_study::check_environment;
+use cageless_study::number_text::significant;
 use serde::Serialize;
 
 use crate::args::{Args, CaseArgs, Command, Isa, New};
 use crate::failure::Failure;
-use crate::format::pairs;
+use crate::format::{pairs, warnings};
 use crate::progress::{be_quiet, is_quiet};
 
 /// Does what was asked.
@@ -218,7 +219,8 @@ fn check(args: &CaseArgs) -> Result<(), Failure> {
         ),
         (
             "radial internal clearance Gr",
-            format!("{:.3} µm (ISO 5753-1)", 2e6 * bearing.radial_clearance_m()),
+            format!("{:.3} µm (ISO 5753-1)", 2e6 * bearing.radial_clearance_m()).replace('-', "−")
+                + &preload_text(file.case()),
         ),
         ("balls of", material(&bearing.materials().ball)),
         ("rings of", material(&bearing.materials().ring)),
@@ -231,6 +233,8 @@ fn check(args: &CaseArgs) -> Result<(), Failure> {
             format!("{:.4}°", bearing.nominal_gap_rad().to_degrees()),
         ),
     ];
+    lines.push(("steps of a run", steps_text(file.case())));
+    let notes = check_warnings([file.case()]);
     let assumptions = file.assumptions();
     for assumption in &assumptions {
         let (value, basis) = (assumption.value, assumption.basis);
@@ -255,6 +259,7 @@ fn check(args: &CaseArgs) -> Result<(), Failure> {
         defaults: &'a [String],
         assumptions: &'a [Assumption],
         scope: [&'static str; SCOPE.len()],
+        warnings: &'a [String],
     }
     let result = Checked {
         valid: true,
@@ -262,6 +267,50 @@ fn check(args: &CaseArgs) -> Result<(), Failure> {
         defaults: file.defaults(),
         assumptions: &assumptions,
         scope: SCOPE,
+        warnings: &notes,
     };
-    deliver(args, "check.json", &result, &pairs(&lines))
+    let text = pairs(&lines) + &warnings(&notes);
+    deliver(args, "check.json", &result, &text)
+}
+
+/// Preload of a bearing with interference, after its clearance; empty for any other.
+fn preload_text(case: &Case) -> String {
+    let force = case.preload_n();
+    if force == 0.0 {
+        return String::new();
+    }
+    let contact = case.bearing.inner_contact();
+    format!(
+        ": preload, unloaded balls are pressed with {} N, {:.0} MPa at the inner raceway",
+        significant(force, 3),
+        1e-6 * contact.peak_stress_pa(force)
+    )
+}
+
+/// Number and size of the steps of a run or drop.
+fn steps_text(case: &Case) -> String {
+    let solver = &case.solver;
+    let steps = significant((solver.duration_s / solver.step_s).ceil(), 3);
+    format!("{steps} of {} µs", significant(1e6 * solver.step_s, 4))
+}
+
+/// Number of steps above which `check` warns: hours of computing.
+const MANY_STEPS: f64 = 1e9;
+
+/// Warnings about what a case, or the bearings of a rotor, will come to.
+fn check_warnings<'c>(cases: impl IntoIterator<Item = &'c Case>) -> Vec<String> {
+    let mut warnings = vec![];
+    for case in cases {
+        warnings.extend(case.bearing.fall_warning());
+        if case.solver.duration_s > MANY_STEPS * case.solver.step_s {
+            warnings.push(format!(
+                "the run takes {}, hours of computing: shorten it (solver.duration_s), or \
+                 change what makes the step small (contact.damping, \
+                 bearing.inner_ring_drag_n_s_m, stiff contacts of light bodies)",
+                steps_text(case).replacen(" of", " steps of", 1)
+            ));
+        }
+    }
+    warnings.dedup();
+    warnings
 }

@@ -64,6 +64,15 @@ pub(crate) fn check_friction(
     }
 }
 
+/// Refuses a time in which nothing moves.
+fn at_least_interval(field: &'static str, value_s: f64) -> Result<(), InputError> {
+    if value_s >= INTERVAL_MIN_S {
+        return Ok(());
+    }
+    let allowed = Allowed::AtLeast(INTERVAL_MIN_S, "nothing moves in less");
+    Err(InputError::new(field, value_s, allowed))
+}
+
 /// Rounding of a table that was multiplied by a factor.
 const SAME_COEFFICIENT: f64 = 1e-9;
 
@@ -149,6 +158,7 @@ impl Case {
         positive("step_s", self.solver.step_s)?;
         positive("tolerance", self.solver.tolerance)?;
         positive("duration_s", self.solver.duration_s)?;
+        at_least_interval("duration_s", self.solver.duration_s)?;
         let limits = crate::step_limits::StepLimits::new(self);
         if self.solver.step_s > limits.largest_s(self.solver.method) {
             return Err(InputError::new(
@@ -172,13 +182,7 @@ impl Case {
             ));
         }
         positive("interval_s", self.output.interval_s)?;
-        if self.output.interval_s < INTERVAL_MIN_S {
-            return Err(InputError::new(
-                "interval_s",
-                self.output.interval_s,
-                Allowed::AtLeast(INTERVAL_MIN_S, "nothing moves in less"),
-            ));
-        }
+        at_least_interval("interval_s", self.output.interval_s)?;
         if let Some(h) = &self.housing {
             positive("mass_kg", h.mass_kg)?;
             positive("stiffness_n_m", h.stiffness_n_m)?;

@@ -288,10 +288,15 @@ impl Contact {
     }
 }
 
+/// K of a ball between two raceways whose forces on it are equal, N·m^(−3/2).
+pub(crate) fn series_stiffness_n_m1_5(inner: f64, outer: f64) -> f64 {
+    (inner.powf(-2.0 / 3.0) + outer.powf(-2.0 / 3.0)).powf(-1.5)
+}
+
 /// Longest run that is accepted, in steps.
 pub const STEPS_MAX: f64 = 1e12;
 
-/// Shortest time between rows.
+/// Shortest time between rows, and shortest run.
 pub const INTERVAL_MIN_S: f64 = 1e-9;
 
 impl Case {
@@ -341,6 +346,14 @@ impl Case {
         let bearing = &self.bearing;
         let speed = self.rolling_orbit_speed_rad_s() * bearing.pitch_radius_m();
         bearing.ball_mass_kg() * speed.powi(2) / bearing.pitch_radius_m()
+    }
+
+    /// Force with which rings that fit together by interference press each nominal ball without
+    /// load, weight and speed, N: both contacts in series; 0 unless the clearance is negative.
+    pub fn preload_n(&self) -> f64 {
+        let [inner, outer, _] = self.stiffness_n_m1_5();
+        let interference = (-self.bearing.radial_clearance_m()).max(0.0);
+        series_stiffness_n_m1_5(inner, outer) * interference.powf(1.5)
     }
 
     /// K at the inner raceway, at the outer raceway and between balls, N·m^(−3/2): as

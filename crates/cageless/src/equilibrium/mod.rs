@@ -23,6 +23,7 @@ mod potential;
 mod raceway_contact;
 mod stiffness;
 
+use crate::bearing::Bearing;
 use crate::case::{Case, Gaps, Profile};
 use crate::contact::hertz::{PointContact, STRESS_LIMIT_PA};
 use crate::error::InputError;
@@ -92,6 +93,41 @@ impl Equilibrium {
     }
 }
 
+/// Overlap of two balls, as a fraction of their radius, that a start may have: of balls that
+/// touch on the pitch circle and are seated some deflections further in.
+const OVERLAP_MAX: f64 = 1e-4;
+
+impl Equilibrium {
+    /// Passes balls that are not pressed through each other at their places between the rings.
+    ///
+    /// # Errors
+    /// [`EquilibriumError::BallsOverlap`] for the two that overlap most.
+    pub(crate) fn check_balls_apart(&self, bearing: &Bearing) -> Result<(), EquilibriumError> {
+        let n = bearing.balls();
+        let of = |k: usize| {
+            let next = (k + 1) % n;
+            let [a, b] = [k, next].map(|k| self.ball_distance_m[k]);
+            let reach = bearing.ball(k).radius_m + bearing.ball(next).radius_m;
+            // Balls at the angle of this cosine touch.
+            let cosine = (a * a + b * b - reach * reach) / (2.0 * a * b);
+            let angle = self.ball_angle_rad[next] - self.ball_angle_rad[k];
+            let apart = (a * a + b * b - 2.0 * a * b * angle.cos()).sqrt();
+            (k, reach - apart, cosine.acos())
+        };
+        let deepest = (0..n).map(of).max_by(|a, b| a.1.total_cmp(&b.1));
+        match deepest {
+            Some((ball, overlap_m, angle)) if overlap_m > OVERLAP_MAX * bearing.ball_radius_m() => {
+                Err(EquilibriumError::BallsOverlap {
+                    ball,
+                    overlap_m,
+                    gap_rad: angle - bearing.pair_angle_rad(ball),
+                })
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
 /// Message of [`Equilibrium::overload`] for a case; `None` also without equilibrium.
 pub fn overload(case: &Case) -> Option<String> {
     let bearing = &case.bearing;
@@ -101,6 +137,7 @@ pub fn overload(case: &Case) -> Option<String> {
         return None;
     }
     let most = operation.radial_load_n
+        + case.preload_n()
         + (bearing.dimensions().inner_ring_mass_kg + balls_kg) * operation.gravity_m_s2
         + case.centrifugal_force_n();
     // One ball that carried everything would bear it easily, on a discrete raceway as well.
@@ -111,7 +148,7 @@ pub fn overload(case: &Case) -> Option<String> {
     solve(case).ok()?.overload()
 }
 
-/// The solver did not inner_contact_distance equilibrium.
+/// Why a case has no static equilibrium, or none was found.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum EquilibriumError {
     /// The case itself is wrong.
@@ -123,6 +160,21 @@ pub enum EquilibriumError {
          which the loaded ring falls; spread them (start.gaps)"
     )]
     Unsupported,
+    /// Balls of a settled start overlap where the rings seat them.
+    #[error(
+        "the balls cannot start settled: between the rings ball {} and the ball ahead of it would \
+         overlap by {:.1} um; give them a gap of at least {:.2} deg (start.gaps), or begin with \
+         start.state = \"rolling\"",
+        ball + 1, overlap_m * 1e6, gap_rad.to_degrees()
+    )]
+    BallsOverlap {
+        /// The ball, from 0.
+        ball: usize,
+        /// Depth of the overlap.
+        overlap_m: f64,
+        /// Gap at which they touch.
+        gap_rad: f64,
+    },
     /// No convergence.
     #[error(
         "no static equilibrium found: {residual_n:e} N of force are left on the ring after \
@@ -171,44 +223,7 @@ pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
         return Err(InputError::rotor_left_out(why).into());
     }
     let bearing = &case.bearing;
-    let angles = start_angles_rad(case);
-    let [inner_stiffness, outer_stiffness, _] = case.stiffness_n_m1_5();
-    let d = bearing.dimensions();
-    let balls: Vec<BallProblem> = angles
-        .iter()
-        .enumerate()
-        .map(|(k, &angle)| {
-            let (sin, cos) = angle.sin_cos();
-            let (ball, outer_geometry) = (bearing.ball(k), ball_outer_geometry(case, k, angle));
-            let orbit = orbit_speed_of_rad_s(
-                bearing,
-                ball.radius_m,
-                case.operation.inner_speed_rad_s,
-                outer_geometry.effective_radius_m,
-            );
-            let speed = orbit * bearing.pitch_radius_m();
-            let doubled = match case.profile {
-                Profile::Paper => ball.mass_kg * speed * speed / bearing.pitch_radius_m(),
-                Profile::Physical => 0.0,
-            };
-            let [inner_stiffness, outer_stiffness, _] = case.ball_stiffness_n_m1_5(k);
-            BallProblem {
-                angle,
-                radius: ball.radius_m,
-                outer_geometry,
-                inner_stiffness,
-                outer_stiffness,
-                e: [sin, -cos],
-                steady: ball.mass_kg * case.operation.gravity_m_s2 * cos + doubled,
-                turning: ball.mass_kg * speed * speed,
-            }
-        })
-        .collect();
-    let problem = Problem {
-        bearing,
-        balls,
-        down: case.operation.radial_load_n + d.inner_ring_mass_kg * case.operation.gravity_m_s2,
-    };
+    let problem = problem(case, case.operation.inner_speed_rad_s);
     let (ring, stiffness_n_m) = settle_ring(&problem)?;
     let solutions: Vec<BallSolution> = problem
         .balls
@@ -231,6 +246,7 @@ pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
         .collect();
     let largest =
         |contacts: &[RacewayContact]| contacts.iter().map(|c| c.pressure_pa).fold(0.0, f64::max);
+    let [inner_stiffness_n_m1_5, outer_stiffness_n_m1_5, _] = case.stiffness_n_m1_5();
     Ok(Equilibrium {
         ring_x_m: ring[0],
         ring_y_m: ring[1],
@@ -244,9 +260,61 @@ pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
         effective_radius_m,
         inner_force_n: solutions.iter().map(|s| s.inner).collect(),
         outer_force_n: solutions.iter().map(|s| s.outer).collect(),
-        inner_stiffness_n_m1_5: inner_stiffness,
-        outer_stiffness_n_m1_5: outer_stiffness,
+        inner_stiffness_n_m1_5,
+        outer_stiffness_n_m1_5,
     })
+}
+
+/// |rb| of every ball that is in equilibrium at its starting angle, for a given place of the
+/// inner ring, which turns at `inner_speed_rad_s`.
+pub(crate) fn seated_distances_m(case: &Case, ring: Place, inner_speed_rad_s: f64) -> Vec<f64> {
+    let problem = problem(case, inner_speed_rad_s);
+    let balls = problem.balls.iter();
+    balls
+        .map(|ball| problem.ball(ball, ring).distance)
+        .collect()
+}
+
+/// The balls of a case at their starting angles, rolling at `inner_speed_rad_s`, and its ring.
+fn problem(case: &Case, inner_speed_rad_s: f64) -> Problem<'_> {
+    let bearing = &case.bearing;
+    let balls: Vec<BallProblem> = start_angles_rad(case)
+        .into_iter()
+        .enumerate()
+        .map(|(k, angle)| {
+            let (sin, cos) = angle.sin_cos();
+            let (ball, outer_geometry) = (bearing.ball(k), ball_outer_geometry(case, k, angle));
+            let orbit = orbit_speed_of_rad_s(
+                bearing,
+                ball.radius_m,
+                inner_speed_rad_s,
+                outer_geometry.effective_radius_m,
+            );
+            let speed = orbit * bearing.pitch_radius_m();
+            let doubled = match case.profile {
+                Profile::Paper => ball.mass_kg * speed * speed / bearing.pitch_radius_m(),
+                Profile::Physical => 0.0,
+            };
+            let [inner_stiffness, outer_stiffness, _] = case.ball_stiffness_n_m1_5(k);
+            BallProblem {
+                angle,
+                radius: ball.radius_m,
+                outer_geometry,
+                inner_stiffness,
+                outer_stiffness,
+                e: [sin, -cos],
+                steady: ball.mass_kg * case.operation.gravity_m_s2 * cos + doubled,
+                turning: ball.mass_kg * speed * speed,
+            }
+        })
+        .collect();
+    let ring_kg = bearing.dimensions().inner_ring_mass_kg;
+    Problem {
+        bearing,
+        balls,
+        down: case.operation.radial_load_n + ring_kg * case.operation.gravity_m_s2,
+        preload: bearing.balls() as f64 * case.preload_n(),
+    }
 }
 
 /// Where the ring's potential energy is least, and the stiffness there. Without any force on it
@@ -270,6 +338,7 @@ fn settle_ring(problem: &Problem<'_>) -> Result<(Place, Option<Stiffness>), Equi
             })
             .collect(),
         down: problem.down,
+        preload: problem.preload,
     };
     let settled = |ring: Place| (ring, potential.at(ring).stiffness_n_m());
     if problem.at_rest_in_the_middle() {
@@ -278,6 +347,9 @@ fn settle_ring(problem: &Problem<'_>) -> Result<(Place, Option<Stiffness>), Equi
     let depth = problem.contact_depth_m();
     let lowest = minimum::lowest_minimum(&potential, depth, 0.05 * bearing.ball_radius_m())?;
     let [x, y] = lowest.ring;
+    if x.hypot(y) > bearing.shoulder_clearance_m() {
+        return Err(EquilibriumError::Unsupported);
+    }
     // A ring that several balls hold comes to the same place by Newton's method on the forces,
     // whose last bits are those of all earlier results.
     let same = |ring: &[f64; 2]| (ring[0] - x).hypot(ring[1] - y) <= SAME_PLACE * x.hypot(y);

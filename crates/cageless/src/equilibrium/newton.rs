@@ -25,6 +25,8 @@ pub(super) struct Problem<'c> {
     pub balls: Vec<BallProblem>,
     /// Load and weight on the ring, −Y.
     pub down: f64,
+    /// Sum of the forces with which interference presses the balls without load, N.
+    pub preload: f64,
 }
 
 /// Solution of one ball for a given ring.
@@ -118,7 +120,7 @@ impl Problem<'_> {
                 (push.max(0.0) / b.outer_stiffness).powf(2.0 / 3.0)
             })
             .fold(0.0, f64::max);
-        self.bearing.radial_clearance_m() + thrown + series
+        self.bearing.radial_clearance_m().max(0.0) + thrown + series
     }
 
     /// Equilibrium reached from `depth` below the middle, where the Hertz law is convex, by
@@ -163,7 +165,7 @@ impl Problem<'_> {
     }
 
     fn scale(&self) -> f64 {
-        self.down.max(1e-6)
+        self.down.max(1e-6) + self.preload
     }
 }
 

@@ -66,6 +66,8 @@ pub(super) struct Potential {
     pub balls: Vec<PotentialBall>,
     /// Load and weight on the ring, −Y.
     pub down: f64,
+    /// Sum of the forces with which interference presses the balls without load, N.
+    pub preload: f64,
 }
 
 impl PotentialBall {
@@ -206,10 +208,13 @@ impl Potential {
         local
     }
 
-    /// Sum of the absolute forces that act from outside: load and weights, centrifugal.
+    /// Sum of the absolute forces that act from outside: load and weights, centrifugal, and those
+    /// of an interference.
     pub fn forces(&self) -> f64 {
-        self.balls.iter().fold(self.down, |sum, ball| {
-            sum + (ball.steady + ball.turning / ball.outer_orbit_radius).abs()
-        })
+        self.balls
+            .iter()
+            .fold(self.down + self.preload, |sum, ball| {
+                sum + (ball.steady + ball.turning / ball.outer_orbit_radius).abs()
+            })
     }
 }

@@ -1,6 +1,6 @@
 //! Load distribution of ISO/TS 16281: rigid rings under the radial load alone.
 
-use crate::case::Case;
+use crate::case::{Case, series_stiffness_n_m1_5};
 use crate::equilibrium::start_angles_rad;
 
 /// Force left on the ring over the load.
@@ -37,7 +37,7 @@ pub fn rigid_ring_forces_n(case: &Case) -> Option<Vec<f64>> {
             Spring {
                 e: [sin, -cos],
                 middle_m: 2.0 * larger - bearing.radial_clearance_m(),
-                stiffness_n_m1_5: (inner.powf(-2.0 / 3.0) + outer.powf(-2.0 / 3.0)).powf(-1.5),
+                stiffness_n_m1_5: series_stiffness_n_m1_5(inner, outer),
             }
         })
         .collect();

@@ -1,5 +1,6 @@
 //! Guard against states outside the physical range.
 
+use crate::bearing::Bearing;
 use crate::case::Case;
 use crate::contact::hertz::DEFLECTION_FRACTION_MAX;
 use crate::dynamics::layout::Layout;
@@ -12,6 +13,13 @@ use crate::rotor::Rotor;
 pub enum Cause {
     /// NaN or infinity in the state.
     NotFinite,
+    /// The inner ring between the balls, its shoulders at those of the outer ring.
+    RingsMeet {
+        /// Distance of the centres of the two rings.
+        displacement_m: f64,
+        /// Least number of balls between which the ring cannot fall; `None` if there are as many.
+        balls_that_hold: Option<usize>,
+    },
     /// A ball (index from 0) pressed into or through the inner ring.
     ThroughInnerRing(usize),
     /// A ball (index from 0) pressed into or through the outer ring.
@@ -54,6 +62,12 @@ impl std::fmt::Display for Cause {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::NotFinite => f.write_str("a state is no longer a finite number"),
+            Self::RingsMeet { displacement_m, .. } => write!(
+                f,
+                "the inner ring fell between the balls and met the outer ring, {:.3} mm off its \
+                 centre",
+                1e3 * displacement_m
+            ),
             Self::ThroughInnerRing(k) => write!(f, "ball {} went through the inner ring", k + 1),
             Self::ThroughOuterRing(k) => write!(f, "ball {} went through the outer ring", k + 1),
             Self::ThroughBall(k) => write!(f, "ball {} went through the ball ahead of it", k + 1),
@@ -84,6 +98,16 @@ impl Stop {
         let half_us = (self.step_s * 0.5e6 * 1e6).round() / 1e6;
         let halve = format!("set solver.step_us to {half_us}, half the step of this run");
         match self.cause {
+            Cause::RingsMeet {
+                balls_that_hold: Some(balls),
+                ..
+            } => format!(
+                "spread the balls (start.gaps), or fit {balls} or more (bearing.balls), between \
+                 which the ring cannot fall however they bunch"
+            ),
+            Cause::RingsMeet { .. } => "spread the balls (start.gaps): between the two next to \
+                 the widest gap the ring bears too little"
+                .to_owned(),
             Cause::ThroughInnerRing(_) | Cause::ThroughOuterRing(_) | Cause::ThroughBall(_) => {
                 format!(
                     "{halve}; if it happens again at the same time, the load \
@@ -114,6 +138,8 @@ const BALANCE_EVERY: u64 = 512;
 /// Largest tolerated spurious energy gain, as a fraction of the sum of all flows or of the
 /// energy at the start, whichever is larger.
 const RESIDUAL_MAX: f64 = 0.05;
+/// Least energy that a spurious gain is compared with: below it the sums round.
+const ENERGY_MIN_J: f64 = 1e-12;
 
 /// Guard against states outside the physical range.
 pub(super) struct Guard<'m> {
@@ -122,8 +148,11 @@ pub(super) struct Guard<'m> {
     layout: Layout,
     start_energy: f64,
     /// Energy that a spurious gain is compared with: that of the start, without the spin of a
-    /// rotor, which hides everything else.
+    /// rotor, which hides everything else, but with the fall that awaits it.
     energy_scale: f64,
+    /// The shoulders of the rings meet this far off.
+    ring_max: f64,
+    balls_that_hold: Option<usize>,
     deflection_max: f64,
     /// A ball this far off the outer raceway is inside the inner ring.
     gap_max: f64,
@@ -135,12 +164,21 @@ impl<'m> Guard<'m> {
     pub fn new(model: &'m Model, layout: Layout, case: &Case, start: &State) -> Self {
         let bearing = &case.bearing;
         let start_energy = model.energy_j(start);
-        let fall = |r: &Rotor| r.mass_kg * case.operation.gravity_m_s2 * r.air_gap_m;
+        let gravity = case.operation.gravity_m_s2;
+        let translation = |r: &Rotor| {
+            let whirl = r.eccentricity_m * r.speed_rad_s;
+            let square = r.vx_m_s.powi(2) + r.vy_m_s.powi(2) + whirl * whirl;
+            ENERGY_MIN_J + r.mass_kg * (gravity * r.air_gap_m + 0.5 * square)
+        };
+        let holding =
+            Bearing::balls_that_hold_ring(bearing.ball_radius_m(), bearing.pitch_radius_m());
         Self {
             model,
             layout,
             start_energy,
-            energy_scale: case.rotor.as_ref().map_or(start_energy, fall),
+            energy_scale: case.rotor.as_ref().map_or(start_energy, translation),
+            ring_max: bearing.shoulder_clearance_m(),
+            balls_that_hold: (bearing.balls() < holding).then_some(holding),
             deflection_max: DEFLECTION_FRACTION_MAX * bearing.ball_radius_m(),
             gap_max: bearing.radial_clearance_m() + bearing.ball_radius_m(),
             rotor_deflection_max: bearing.inner_ring_bore().map_or(f64::INFINITY, |bore| {
@@ -172,6 +210,14 @@ impl<'m> Guard<'m> {
         if !layout.is_finite(values) {
             return Err(Cause::NotFinite);
         }
+        let (inner, outer) = (layout.ring_motion(values), layout.outer_ring_motion(values));
+        let displacement_m = (inner.x - outer.x).hypot(inner.y - outer.y);
+        if displacement_m > self.ring_max {
+            return Err(Cause::RingsMeet {
+                displacement_m,
+                balls_that_hold: self.balls_that_hold,
+            });
+        }
         for k in 0..layout.balls {
             let outer = contacts.outer_deflection_m(k);
             if outer > self.deflection_max {
@@ -188,7 +234,6 @@ impl<'m> Guard<'m> {
             if rotor.contact.deflection > self.rotor_deflection_max {
                 return Err(Cause::RotorThroughInnerRing);
             }
-            let outer = layout.outer_ring_motion(values);
             if outer.x.hypot(outer.y) > self.support_max {
                 return Err(Cause::OffSupport);
             }

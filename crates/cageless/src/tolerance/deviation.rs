@@ -69,7 +69,7 @@ pub struct Tolerances {
     pub ball_grade: Option<BallGrade>,
     /// Friction coefficient μ.
     pub friction: f64,
-    /// Radial clearance Ro − Ri − 2Rw; negative values are excluded.
+    /// Radial clearance Ro − Ri − 2Rw, down to the largest interference.
     pub clearance_m: f64,
     /// Speed, as a fraction.
     pub speed_fraction: f64,
@@ -89,8 +89,10 @@ impl Tolerances {
             Influence::BallRadius => both(self.ball_grade.map_or(0.0, |g| g.radius_deviation_m())),
             Influence::Friction => both(self.friction),
             Influence::Clearance => {
-                let own = case.bearing.radial_clearance_m();
-                [-self.clearance_m.min(own), self.clearance_m]
+                let bearing = &case.bearing;
+                let most = bearing.dimensions().interference_max_m(bearing.materials());
+                let down = self.clearance_m.min(bearing.radial_clearance_m() + most);
+                [-down, self.clearance_m]
             }
             Influence::Speed => both(self.speed_fraction * case.operation.inner_speed_rad_s),
             Influence::Load => both(self.load_fraction * case.operation.radial_load_n),

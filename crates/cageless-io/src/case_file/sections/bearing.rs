@@ -1,7 +1,9 @@
 //! `[bearing]`: radii, or what a bearing engineer has, diameters, conformities and clearance.
 
 use cageless::bearing::BALLS_MIN;
-use cageless::{Bearing, BearingDimensions, InnerRingBore, Materials};
+use cageless::error::Allowed;
+use cageless::ring_support::SHOULDER_HEIGHT;
+use cageless::{Bearing, BearingDimensions, InnerRingBore, InputError, Materials};
 use serde::Serialize;
 
 use crate::case_file::CaseError;
@@ -20,8 +22,6 @@ const OUTER_RADII_MAX: f64 = 10.0;
 /// Radius of a groove over the diameter of the ball: the usual one of deep groove ball bearings,
 /// which ISO 281 presupposes for its load ratings.
 const CONFORMITY: f64 = 0.52;
-/// Height of a shoulder over the diameter of the ball.
-const SHOULDER_HEIGHT: f64 = 0.2;
 /// Thickness of the inner ring below its groove over the diameter of the ball.
 const WALL: f64 = 0.3;
 /// Width of a ring over the diameter of the ball.
@@ -46,13 +46,13 @@ section! {
         outer_groove_bottom_radius_mm => outer_groove_bottom_radius_m: Option<f64> = Optional, Millimetre,
             "Ro, radius of the outer ring at the bottom of its groove",
             Shown("27.765", "Ro, where the balls run on the outer ring (paper);\n\
-                Ro - Ri - 2 Rw >= 0 is half the radial internal\n\
-                clearance Gr of ISO 5753-1. In place of Ri and Ro:\n\
+                Ro - Ri - 2 Rw is half the radial internal clearance\n\
+                Gr of ISO 5753-1; below 0: preload. In place of Ri and Ro:\n\
                 pitch_diameter_mm and radial_internal_clearance_um");
         pitch_diameter_mm: Option<f64> = Optional, Millimetre,
             "Dpw = Ri + Ro, pitch diameter, in place of Ri and Ro", Absent;
         radial_internal_clearance_um -> radial_internal_clearance: Option<f64> = Optional, Micrometre,
-            "Gr = 2 (Ro - Ri - 2 Rw) of ISO 5753-1, in place of Ri and Ro", Absent;
+            "Gr = 2 (Ro - Ri - 2 Rw) of ISO 5753-1, in place of Ri and Ro; below 0: preload by interference, half of it at each ball", Absent;
         outer_shoulder_radius_mm => outer_shoulder_radius_m: Option<f64> = Derived, Millimetre,
             "Ros, shoulder bore radius of the outer ring; Ro - 0.2 Dw unless given",
             Shown("26.0", "Ros, shoulder bore radius of the outer ring (paper)");
@@ -220,7 +220,9 @@ impl Converter<'_> {
             ball: self.material_of("ball_material", self.document.ball_material.as_ref())?,
             ring: self.material_of("ring_material", self.document.ring_material.as_ref())?,
         };
-        let bearing = Bearing::new(dimensions, materials).map_err(|e| self.refused(&e, None))?;
+        let interference_max_m = dimensions.interference_max_m(&materials);
+        let bearing = Bearing::new(dimensions, materials)
+            .map_err(|e| self.refused_interference(&e, interference_max_m))?;
         self.scattered(self.bored(bearing)?)
     }
 
@@ -281,12 +283,6 @@ impl Converter<'_> {
                     "radial_internal_clearance_um",
                     b.radial_internal_clearance_um,
                 )?;
-                if !(clearance >= 0.0) {
-                    let key = "bearing.radial_internal_clearance_um";
-                    let value = b.radial_internal_clearance_um.unwrap_or_default();
-                    let allowed = "0 um or more: preload by interference is outside this model";
-                    return Err(self.refuse(key, &value.to_string(), allowed));
-                }
                 // Ri + Ro = Dpw and 2 (Ro - Ri - 2 Rw) = Gr.
                 let half = ball_radius_m + clearance / 4.0;
                 (pitch / 2.0 - half, pitch / 2.0 + half)
@@ -339,6 +335,24 @@ impl Converter<'_> {
         let name = "inner_ring_mass_kg";
         dimensions.inner_ring_mass_kg = need(name, b.inner_ring_mass_kg.or(assumed(name)))?;
         Ok(dimensions)
+    }
+
+    /// Error of the bearing; where its clearance is too far below zero, in terms of that key.
+    fn refused_interference(&self, error: &InputError, most_m: f64) -> CaseError {
+        let least_m = -2.0 * most_m;
+        match (
+            self.document.bearing.radial_internal_clearance_um,
+            &error.allowed,
+        ) {
+            (Some(clearance), Allowed::AtMost(_, why))
+                if error.field == "ball_radius_m" && Micrometre.to_si(clearance) < least_m =>
+            {
+                let key = "bearing.radial_internal_clearance_um";
+                let allowed = format!("at least {} ({why})", Micrometre.show(least_m, Side::Lower));
+                self.refuse(key, &clearance.to_string(), &allowed)
+            }
+            _ => self.refused(error, None),
+        }
     }
 
     /// Refuses two keys that say the same.
