@@ -51,7 +51,8 @@ class Bearing(Section):
     pitch_diameter_mm : float, optional
         Dpw = Ri + Ro, pitch diameter, in place of Ri and Ro.
     radial_internal_clearance_um : float, optional
-        Gr = 2 (Ro - Ri - 2 Rw) of ISO 5753-1, in place of Ri and Ro.
+        Gr = 2 (Ro - Ri - 2 Rw) of ISO 5753-1, in place of Ri and Ro; below 0: preload by
+        interference, half of it at each ball.
     outer_shoulder_radius_mm : float, optional
         Ros, shoulder bore radius of the outer ring; Ro - 0.2 Dw unless given.
     inner_groove_curvature_radius_mm : float, optional
