@@ -45,8 +45,8 @@ pub struct StepLimits {
     pub damped: bool,
     /// Whether impacts, rather than the load, turn the energy over.
     pub light: bool,
-    /// Whether the balls start unevenly spaced.
-    pub uneven: bool,
+    /// Whether balls touch from the start.
+    pub touching: bool,
     /// Factor on the slopes of the contacts, dF/dδ ∝ F^(1/3), while the ring is wedged between
     /// unevenly spaced balls; 1 if it never is. The automatic step allows for it, the limits do not.
     wedged: f64,
@@ -180,7 +180,7 @@ const FRICTION_RESOLVED: f64 = 0.7;
 const LIGHT: f64 = 4.0;
 /// Fraction of the automatic λh that contact damping has where balls touch from the start: one
 /// that a neighbour pressed was unstable at a λh of 0.53, not at 0.45.
-const UNEVEN: f64 = 0.5;
+const TOUCHING: f64 = 0.5;
 /// ωh at which impacts lose 1e-3 of their energy in the ledger.
 const IMPACT_FRACTION: f64 = 0.2;
 
@@ -340,7 +340,7 @@ impl StepLimits {
                 .max(drop.falling_1_s),
             damped: case.contact.damping_n_s_m1_5 > 0.0,
             light: carried < LIGHT * struck,
-            uneven: matches!(case.start.gaps(), Gaps::List(_)),
+            touching: matches!(case.start.gaps(), Gaps::List(gaps) if gaps.contains(&0.0)),
             wedged: (under(wedged_n(case, down)) / load).max(1.0).cbrt(),
         }
     }
@@ -441,7 +441,7 @@ impl StepLimits {
             false => damping_1_s.max(self.wedged_friction_1_s()),
         };
         let contact_rad_s = self.contact_rad_s * self.wedged.sqrt();
-        let decay = properties.automatic_decay * if self.uneven { UNEVEN } else { 1.0 };
+        let decay = properties.automatic_decay * if self.touching { TOUCHING } else { 1.0 };
         let wanted = (fraction / contact_rad_s).min(decay / decay_1_s);
         let power = 10f64.powf(wanted.log10().floor());
         let digits = [7.0, 5.0, 3.0, 2.0, 1.5, 1.0];
