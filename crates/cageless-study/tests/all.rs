@@ -1,6 +1,7 @@
 //! All tests of the studies, as one program.
 
 mod drops;
+mod random_cases;
 mod rotor_drops;
 mod rotor_sweeps;
 mod run_results;

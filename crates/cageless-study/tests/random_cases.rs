@@ -1,0 +1,201 @@
+//! Random valid runs and drops, bunched starts included: whatever the case, its end is true.
+//! `CAGELESS_RANDOM_CASES=3000` tries as many in place of those of the suite.
+
+use cageless::simulation::{Cause, Ending, RunOutcome};
+use cageless_io::case_file::CaseFile;
+use cageless_study::Silent;
+use cageless_study::drop::{DropRequest, study};
+use cageless_study::run::{Options, run};
+use rayon::prelude::*;
+
+/// Cases of the suite.
+const CASES: u64 = 120;
+/// Steps of each at most.
+const STEPS: f64 = 12_000.0;
+
+/// Uniform numbers in [0, 1) of splitmix64.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        (z ^ (z >> 31)) as f64 / 2f64.powi(64)
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.next()
+    }
+
+    /// A number of any order of magnitude between two.
+    fn scale(&mut self, low: f64, high: f64) -> f64 {
+        low * (high / low).powf(self.next())
+    }
+
+    fn pick<'t>(&mut self, from: &[&'t str]) -> &'t str {
+        from[(self.next() * from.len() as f64) as usize]
+    }
+}
+
+/// Case `index` as a file: every second one is a drop.
+fn text(index: u64) -> String {
+    let mut r = Random(index.wrapping_mul(0x5851_F42D_4C95_7F2D));
+    let drops = index % 2 == 1;
+    let balls = 3 + (18.0 * r.next()) as usize;
+    let diameter = r.scale(2.0, 25.0);
+    // From as many balls as there is room for to half of that.
+    let around = balls as f64 * r.between(1.02, 2.0);
+    let pitch = diameter / (std::f64::consts::PI / around.max(3.2)).sin();
+    let clearance = r.between(-10.0, 80.0);
+    let law = match r.pick(&["smooth", "coulomb", "stribeck"]) {
+        "stribeck" => "\"stribeck\"\nstatic_friction_coefficient = 0.6\nstribeck_speed_m_s = 1.0",
+        "coulomb" => "\"coulomb\"",
+        _ => "\"smooth\"",
+    };
+    let (mu, damping) = (r.scale(0.003, 0.4), r.scale(2e4, 1e6));
+    let (gaps, lead) = (
+        r.pick(&["uniform", "bunched", "random"]),
+        r.between(0.0, 360.0),
+    );
+    let seed = index;
+    let gravity = [9.81, 9.81, 0.0][(3.0 * r.next()) as usize];
+    let mut text = format!(
+        "schema = 1\n[bearing]\nballs = {balls}\nball_diameter_mm = {diameter}\n\
+         pitch_diameter_mm = {pitch}\nradial_internal_clearance_um = {clearance}\n"
+    );
+    let common = format!(
+        "[contact]\nfriction_law = {law}\nfriction_coefficient = {mu}\ndamping = {damping}\n\
+         [solver]\nmethod = \"symplectic\"\nstep_us = \"auto\"\nduration_s = 1.0\nseed = {seed}\n\
+         [start]\ngaps = \"{gaps}\"\nlead_ball_angle_deg = {lead}\n"
+    );
+    let speed = r.scale(0.01, 1.0) * 600e3 / pitch;
+    // A static rating of some 12 N per mm² of the balls.
+    let rating = 12.0 * balls as f64 * diameter * diameter;
+    if drops {
+        let (mass, bore) = (
+            r.scale(1e-3, 2e-2) * rating / 9.81,
+            0.5 * pitch - 0.9 * diameter,
+        );
+        let (bore, gap) = (bore.max(0.3 * (pitch - diameter)), r.between(50.0, 300.0));
+        let fall = (2.0 * 9.81 * gap * 1e-6).sqrt();
+        let ring = 8e-6 * (pitch / 46.0).powi(4) * diameter;
+        let inertia = 1e-3 * mass * (bore * 1e-3).powi(2) * 1e3;
+        let journal = r.scale(0.02, 0.5);
+        text += &format!(
+            "inner_ring_bore_radius_mm = {bore}\ninner_ring_polar_inertia_kg_m2 = {ring}\n{common}\
+             [operation]\ngravity_m_s2 = {gravity}\n\
+             [rotor]\nmass_kg = {mass}\npolar_inertia_kg_m2 = {inertia}\nspeed_rpm = {speed}\n\
+             air_gap_um = {gap}\nfriction_coefficient = {journal}\ncontact_stiffness = 1e9\n\
+             contact_damping_s_m = 0.3\ny_um = -{}\nvy_m_s = -{fall}\n",
+            0.98 * gap
+        );
+        if r.next() < 0.6 {
+            let (mass, damping) = (0.05 * mass + 0.01, 400.0 * mass.sqrt());
+            text += &format!(
+                "[support]\nmass_kg = {mass}\nstiffness_n_m = 2e7\ndamping_n_s_m = {damping}\n"
+            );
+        }
+    } else {
+        let (load, state) = (r.scale(1e-4, 0.1) * rating, r.pick(&["settled", "rolling"]));
+        let load = if r.next() < 0.2 { 0.0 } else { load };
+        text += &format!(
+            "{common}state = \"{state}\"\n[operation]\ninner_speed_rpm = {speed}\n\
+             radial_load_n = {load}\ngravity_m_s2 = {gravity}\n"
+        );
+    }
+    text
+}
+
+/// How a case ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum End {
+    Refused,
+    Complete,
+    Fallen,
+    Overloaded,
+}
+
+/// Computes a case. Its end, or what is wrong with it.
+fn end(index: u64) -> Result<End, String> {
+    let text = text(index);
+    let parsed = |sets: &[String]| CaseFile::parse(&text, "case.toml", sets);
+    let Ok(file) = parsed(&[]) else {
+        return Ok(End::Refused);
+    };
+    let duration = (STEPS * file.case().solver.step_s).min(0.02);
+    let file = parsed(&[format!("solver.duration_s={duration}")]).map_err(|e| e.to_string())?;
+    let (outcome, warnings) = if file.case().rotor.is_some() {
+        match study(&file, DropRequest::default(), None, &Silent) {
+            Ok(found) => (found.drop.outcome, None),
+            Err(_) => return Ok(End::Refused),
+        }
+    } else {
+        let options = Options {
+            rows: None,
+            verify: false,
+        };
+        match run(&file, options, &Silent) {
+            Ok(record) => (record.outcome, Some(record.summary.warnings)),
+            Err(_) => return Ok(End::Refused),
+        }
+    };
+    judged(&file, &outcome, warnings.as_deref()).map_err(|wrong| format!("{wrong}\n{text}"))
+}
+
+fn judged(
+    file: &CaseFile,
+    outcome: &RunOutcome,
+    warnings: Option<&[String]>,
+) -> Result<End, String> {
+    match &outcome.ending {
+        Ending::Complete => {
+            let (inner, outer) = (
+                outcome.state.ring_motion(),
+                outcome.state.outer_ring_motion(),
+            );
+            let off = (inner.x - outer.x).hypot(inner.y - outer.y);
+            if off > file.case().bearing.shoulder_clearance_m() {
+                return Err(format!("the rings overlap: {off:e} m"));
+            }
+            let residual = outcome.energy_residual_relative;
+            let said = |w: &&String| w.contains("unaccounted");
+            let unsaid = warnings.is_some_and(|all| all.iter().find(said).is_none());
+            if residual.abs() > 0.01 && unsaid {
+                return Err(format!("a residual of {residual:e} without a warning"));
+            }
+            Ok(End::Complete)
+        }
+        Ending::Stopped(stop) => match stop.cause {
+            Cause::RingsMeet { .. } => Ok(End::Fallen),
+            Cause::NotFinite | Cause::EnergyFromNowhere { .. } | Cause::NotResolved => {
+                Err(format!("a false alarm: {stop}"))
+            }
+            _ => Ok(End::Overloaded),
+        },
+        other => Err(format!("{other:?}")),
+    }
+}
+
+#[test]
+fn random_runs_and_drops_end_as_they_say() {
+    let asked = std::env::var("CAGELESS_RANDOM_CASES").ok();
+    let cases = asked.map_or(CASES, |n| n.parse().expect("a number of cases"));
+    let indices = (0..cases).into_par_iter();
+    let ends: Vec<(u64, Result<End, String>)> = indices.map(|index| (index, end(index))).collect();
+    let wrong: Vec<String> = (ends.iter())
+        .filter_map(|(index, end)| Some(format!("case {index}: {}", end.as_ref().err()?)))
+        .collect();
+    let count = |end: End| ends.iter().filter(|(_, e)| *e == Ok(end)).count();
+    let [refused, complete, fallen, overloaded] =
+        [End::Refused, End::Complete, End::Fallen, End::Overloaded].map(count);
+    println!(
+        "{cases} cases: {complete} complete, {fallen} rings fell, {overloaded} overloads, \
+         {refused} refused, {} wrong",
+        wrong.len()
+    );
+    assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
+    // The generator finds what it is to find.
+    assert!(complete as f64 > 0.5 * cases as f64, "{complete}");
+}
