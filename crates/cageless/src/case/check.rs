@@ -1,8 +1,8 @@
 //! What a case may be.
 
 use super::{
-    Case, FrictionLaw, FrictionParameters, FrictionTable, Gaps, INTERVAL_MIN_S, Operation, Profile,
-    STEPS_MAX, Start,
+    Case, DURATION_MIN_S, FrictionLaw, FrictionParameters, FrictionTable, Gaps, INTERVAL_MIN_S,
+    Operation, Profile, STEPS_MAX, Start,
 };
 use crate::contact::hertz::DEFLECTION_FRACTION_MAX;
 use crate::error::{Allowed, InputError, not_negative, positive};
@@ -65,11 +65,11 @@ pub(crate) fn check_friction(
 }
 
 /// Refuses a time in which nothing moves.
-fn at_least_interval(field: &'static str, value_s: f64) -> Result<(), InputError> {
-    if value_s >= INTERVAL_MIN_S {
+fn at_least_s(field: &'static str, value_s: f64, least_s: f64) -> Result<(), InputError> {
+    if value_s >= least_s {
         return Ok(());
     }
-    let allowed = Allowed::AtLeast(INTERVAL_MIN_S, "nothing moves in less");
+    let allowed = Allowed::AtLeast(least_s, "nothing moves in less");
     Err(InputError::new(field, value_s, allowed))
 }
 
@@ -158,7 +158,7 @@ impl Case {
         positive("step_s", self.solver.step_s)?;
         positive("tolerance", self.solver.tolerance)?;
         positive("duration_s", self.solver.duration_s)?;
-        at_least_interval("duration_s", self.solver.duration_s)?;
+        at_least_s("duration_s", self.solver.duration_s, DURATION_MIN_S)?;
         let limits = crate::step_limits::StepLimits::new(self);
         if self.solver.step_s > limits.largest_s(self.solver.method) {
             return Err(InputError::new(
@@ -182,7 +182,7 @@ impl Case {
             ));
         }
         positive("interval_s", self.output.interval_s)?;
-        at_least_interval("interval_s", self.output.interval_s)?;
+        at_least_s("interval_s", self.output.interval_s, INTERVAL_MIN_S)?;
         if let Some(h) = &self.housing {
             positive("mass_kg", h.mass_kg)?;
             positive("stiffness_n_m", h.stiffness_n_m)?;

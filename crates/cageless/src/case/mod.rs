@@ -296,7 +296,10 @@ pub(crate) fn series_stiffness_n_m1_5(inner: f64, outer: f64) -> f64 {
 /// Longest run that is accepted, in steps.
 pub const STEPS_MAX: f64 = 1e12;
 
-/// Shortest time between rows, and shortest run.
+/// Shortest run that is accepted.
+pub const DURATION_MIN_S: f64 = 1e-15;
+
+/// Shortest time between rows.
 pub const INTERVAL_MIN_S: f64 = 1e-9;
 
 impl Case {
