@@ -3,10 +3,10 @@
 
 use std::f64::consts::TAU;
 
-use crate::common::{conventional, dimensions, structure, undamped};
+use crate::common::{conventional, dimensions, steel, structure, undamped};
 use cageless::simulation::{Control, Ending, RunOutcome, run};
 use cageless::step_limits::StepLimits;
-use cageless::{Case, FrictionLaw, Gaps, IntegrationMethod, Start};
+use cageless::{Bearing, BearingDimensions, Case, FrictionLaw, Gaps, IntegrationMethod, Start};
 
 fn automatic(mut case: Case, load_n: f64, rpm: f64, duration_s: f64) -> Case {
     case.operation.radial_load_n = load_n;
@@ -113,4 +113,75 @@ fn coulomb_friction_says_how_far_it_creeps() {
     assert!((high / low - 0.3 / 0.007).abs() < 1e-9);
     let force = high / 0.3 * 0.4 * 2.0 / 7.0 * case.bearing.ball_mass_kg();
     assert!((500.0..2000.0).contains(&force), "{force} N");
+}
+
+/// A settled bearing of balls in one row, with grooves of 0.52 Dw and 20 µm of play or less.
+fn row(balls: usize, diameter_m: f64, pitch_m: f64, play_m: f64, ring_kg: f64) -> Case {
+    let mut case = conventional(dimensions());
+    let (rw, middle) = (diameter_m / 2.0, pitch_m / 2.0);
+    let half = rw + play_m / 2.0;
+    let dimensions = BearingDimensions {
+        balls,
+        ball_radius_m: rw,
+        inner_groove_bottom_radius_m: middle - half,
+        outer_groove_bottom_radius_m: middle + half,
+        outer_shoulder_radius_m: middle + half - 0.2 * diameter_m,
+        inner_groove_curvature_radius_m: 0.52 * diameter_m,
+        outer_groove_curvature_radius_m: 0.52 * diameter_m,
+        inner_ring_mass_kg: ring_kg,
+        inner_ring_drag_n_s_m: 2000.0,
+    };
+    case.bearing = Bearing::new(dimensions, steel()).unwrap();
+    let mut gaps = vec![0.0; balls];
+    gaps[balls - 1] = balls as f64 * case.bearing.mean_gap_rad();
+    case.start = Start::Settled {
+        gaps: Gaps::List(gaps),
+        lead_ball_angle_rad: 0.15,
+    };
+    case
+}
+
+/// The ring wedged into the opening of 173° between the ends of a row of 22 balls has ten times
+/// the force of even spacing: half of 170 N over cos 86.5°, and not 5/22 of it.
+#[test]
+fn a_ring_wedged_between_the_ends_of_a_row_keeps_its_energy_balance() {
+    let wedged = row(22, 3.572e-3, 46e-3, 6.5e-6, 0.05);
+    let case = automatic(wedged.clone(), 170.0, 6500.0, 0.0035);
+    let residual = complete(&case).energy_residual_relative.abs();
+    assert!(
+        residual < 1e-3,
+        "{residual:e} at {:e} s",
+        case.solver.step_s
+    );
+    let mut even = wedged;
+    even.start = Start::Settled {
+        gaps: Gaps::Uniform,
+        lead_ball_angle_rad: 0.15,
+    };
+    let even = automatic(even, 170.0, 6500.0, 0.0035).solver.step_s;
+    assert!(
+        case.solver.step_s < 0.5 * even,
+        "{:e} {even:e}",
+        case.solver.step_s
+    );
+}
+
+/// Without load, too: the ring follows the row round through its clearance, against its damping
+/// of 2000 N·s/m with some 50 N, and friction is stiff under that force.
+#[test]
+fn a_ring_that_whirls_with_a_row_of_balls_keeps_its_energy_balance() {
+    let mut case = row(9, 2e-3, 7.087e-3, 40e-6, 5e-4);
+    case.contact.friction_law = FrictionLaw::Stribeck;
+    case.contact.friction_coefficient = 0.04;
+    case.contact.static_friction_coefficient = Some(0.12);
+    case.contact.stribeck_speed_m_s = Some(1.3);
+    case.contact.slip_scale_m_s = 2.5e-3;
+    case.contact.damping_n_s_m1_5 = 7.7e5;
+    let case = automatic(case, 0.0, 16_000.0, 3e-4);
+    let residual = complete(&case).energy_residual_relative.abs();
+    assert!(
+        residual < 1e-3,
+        "{residual:e} at {:e} s",
+        case.solver.step_s
+    );
 }
