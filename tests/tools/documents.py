@@ -12,7 +12,7 @@
 
 A number between `<!-- = EXPRESSION -->` and `<!-- / -->` is the value of a Python expression over the studies
 (`tests/tools/studies.py`), a table after `<!-- table NAME -->` has the rows of its studies and the columns that
-`docs/results/studies.toml` declares. `<!-- holds EXPRESSION -->` is a condition on which the words beside it depend. `compute` can be interrupted: the same program does not compute a row twice.
+`docs/results/studies.toml` declares. `<!-- holds EXPRESSION -->` is a condition on which the words next to it depend. `compute` can be interrupted: the same program does not compute a row twice.
 
 Refused outside of markers, code, formulas and links: numbers with a decimal point, with a unit, of three digits
 or more, "n of m", and numbers in tables, unless `docs/results/typed.toml` names them with the reason.
@@ -35,6 +35,7 @@ DOCUMENTS = [
     "README.md",
     "docs/dry-friction.md",
     "docs/theory/errata.md",
+    "docs/touchdown-drops.md",
 ]
 MARKER = re.compile(r"<!-- (=|table) (.*?) -->(.*?)<!-- / -->", re.DOTALL)
 HOLDS = re.compile(r"<!-- holds (.*?) -->", re.DOTALL)

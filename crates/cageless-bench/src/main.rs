@@ -1,7 +1,6 @@
 //! Measurements of Cageless, one command each: see README.md.
 
 mod clock;
-mod drops;
 mod endurance;
 mod equations;
 mod friction;
@@ -38,8 +37,6 @@ enum Command {
     Endurance(endurance::Options),
     /// Cost and statistics of dry friction, beside other solvers
     Friction(friction::Options),
-    /// What a discrete raceway does in the drop of a rotor
-    Drops(drops::Options),
     /// A drop beside a textbook Runge–Kutta method
     Touchdown(touchdown::Options),
     /// Speed of a sweep against that of the bare library
@@ -56,7 +53,6 @@ fn main() -> Result<()> {
         Command::Statistics(options) => statistics::run(&options),
         Command::Endurance(options) => endurance::run(&options),
         Command::Friction(options) => friction::run(&options),
-        Command::Drops(options) => drops::run(&options),
         Command::Touchdown(options) => touchdown::run(&options),
         Command::Sweep(options) => sweep::run_command(&options),
         Command::Evaluate(options) => instructions::evaluate(&options),
