@@ -22,6 +22,10 @@ pub(super) struct Edges {
     order: Vec<usize>,
     /// Sign of each edge over the step so far; 0 where it was on neither side.
     sides: Vec<f64>,
+    /// Whether there are such.
+    undecided: bool,
+    /// Least and greatest distance of each edge over the step.
+    ranges: Vec<[f64; 2]>,
 }
 
 /// Whether a value lies beyond the edge.
@@ -40,15 +44,28 @@ impl Edges {
 
     /// Starts another attempt from the same state.
     pub fn again(&mut self) {
-        let count = self.sides.len();
-        self.values.truncate(count);
-        (self.nodes, self.order) = (vec![0.0], vec![0]);
-        for (side, value) in self.sides.iter_mut().zip(&self.values) {
-            *side = if value.abs() > BAND {
-                value.signum()
-            } else {
-                0.0
-            };
+        self.values.truncate(self.sides.len());
+        self.nodes.clear();
+        self.nodes.push(0.0);
+        self.order.clear();
+        self.order.push(0);
+        self.sides.fill(0.0);
+        self.undecided = true;
+        self.decide(0);
+    }
+
+    /// Takes sides where a sample is the first beyond the band.
+    fn decide(&mut self, sample: usize) {
+        if !self.undecided {
+            return;
+        }
+        self.undecided = false;
+        let values = &self.values[sample * self.sides.len()..];
+        for (side, value) in self.sides.iter_mut().zip(values) {
+            if *side == 0.0 && value.abs() > BAND {
+                *side = value.signum();
+            }
+            self.undecided |= *side == 0.0;
         }
     }
 
@@ -63,19 +80,14 @@ impl Edges {
         self.nodes.push(node);
         let later = self.order.partition_point(|k| self.nodes[*k] <= node);
         self.order.insert(later, sample);
-        let mut any = false;
         let values = &self.values[sample * count..];
-        for (side, value) in self.sides.iter_mut().zip(values) {
-            any |= beyond(*side, *value);
-            if *side == 0.0 && value.abs() > BAND {
-                *side = value.signum();
-            }
+        let any = (self.sides.iter().zip(values)).fold(false, |any, (s, v)| any | beyond(*s, *v));
+        if any {
+            let crossed = (0..count).filter(|edge| beyond(self.sides[*edge], values[*edge]));
+            return crossed.map(|edge| self.zero(edge)).reduce(f64::min);
         }
-        if !any {
-            return None;
-        }
-        let crossed = (0..count).filter(|edge| beyond(self.sides[*edge], values[*edge]));
-        crossed.map(|edge| self.zero(edge)).reduce(f64::min)
+        self.decide(sample);
+        None
     }
 
     /// Time and value of an edge at a sample, by the order of time.
@@ -113,31 +125,42 @@ impl Edges {
 
     /// Time at which an edge is deepest that the step crosses and crosses back between its
     /// samples, by the parabolas through three of them; the first if there are several.
-    pub fn hidden(&self) -> Option<f64> {
+    pub fn hidden(&mut self) -> Option<f64> {
         let count = self.sides.len();
-        let edges = (0..count).filter(|edge| {
-            let values = || self.values.iter().skip(*edge).step_by(count);
-            let nearest = values().fold(f64::INFINITY, |m: f64, v| m.min(v.abs()));
-            let most = values().fold(0.0, |m: f64, v| m.max(v.abs()));
-            nearest < most - nearest
+        self.ranges.clear();
+        self.ranges.resize(count, [f64::INFINITY, 0.0]);
+        for sample in self.values.chunks_exact(count.max(1)) {
+            for ([least, most], value) in self.ranges.iter_mut().zip(sample) {
+                let distance = value.abs();
+                *least = if distance < *least { distance } else { *least };
+                *most = if distance > *most { distance } else { *most };
+            }
+        }
+        // A step that comes as near as it moves may turn beyond an edge.
+        let near = (0..count).filter(|edge| {
+            let [least, most] = self.ranges[*edge];
+            least < most - least
         });
-        edges.filter_map(|edge| self.turn(edge)).reduce(f64::min)
+        near.filter_map(|edge| self.turn(edge)).reduce(f64::min)
     }
 
     /// [`Self::hidden`] of one edge.
     fn turn(&self, edge: usize) -> Option<f64> {
         let places = (0..self.order.len()).filter(|p| self.order[*p] != TANGENT);
-        let samples: Vec<[f64; 2]> = places.map(|p| self.sample(edge, p)).collect();
-        samples.windows(3).find_map(|three| {
-            let [[t0, g0], [t1, g1], [t2, g2]] = [three[0], three[1], three[2]];
-            if t1 - t0 < APART || t2 - t1 < APART {
-                return None;
+        let mut samples = places.map(|p| self.sample(edge, p));
+        let ([mut t0, mut g0], [mut t1, mut g1]) = (samples.next()?, samples.next()?);
+        for [t2, g2] in samples {
+            if t1 - t0 > APART && t2 - t1 > APART {
+                let slope = (g1 - g0) / (t1 - t0);
+                let bend = ((g2 - g1) / (t2 - t1) - slope) / (t2 - t0);
+                let top = 0.5 * (t0 + t1 - slope / bend);
+                let value = g0 + (top - t0) * (slope + bend * (top - t1));
+                if top > t0 && top < t2 && beyond(self.sides[edge], value) {
+                    return Some(top);
+                }
             }
-            let slope = (g1 - g0) / (t1 - t0);
-            let bend = ((g2 - g1) / (t2 - t1) - slope) / (t2 - t0);
-            let top = 0.5 * (t0 + t1 - slope / bend);
-            let value = g0 + (top - t0) * (slope + bend * (top - t1));
-            (top > t0 && top < t2 && beyond(self.sides[edge], value)).then_some(top)
-        })
+            ([t0, g0], [t1, g1]) = ([t1, g1], [t2, g2]);
+        }
+        None
     }
 }

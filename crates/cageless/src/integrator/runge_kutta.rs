@@ -144,7 +144,8 @@ impl RungeKutta {
                     system.derivative(time_s + size, &self.trial, &mut self.stages[end]);
                 }
                 edge = self.edge(system, 1.0, size, least);
-                if let (None, Some(edges), false) = (edge, &self.edges, looked || size <= least) {
+                if let (None, Some(edges), false) = (edge, &mut self.edges, looked || size <= least)
+                {
                     edge = edges.hidden();
                     looked = edge.is_some();
                 }

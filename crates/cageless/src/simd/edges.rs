@@ -2,19 +2,20 @@
 
 use super::parameters::Parameters;
 use super::workspace::Workspace;
+use crate::contact::{Law, LawLanes, with_law};
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::dynamics::layout::LANES;
 
-/// Depth of a contact that is of interest, m.
-const DEPTH: f64 = 1e-5;
-/// Its power −1/4, m^(−1/4).
-const INVERSE_ROOT: f64 = 17.782_794_100_389_23;
-/// Direction cosine of [`DEPTH`] along a raceway.
-const DIRECTION: f64 = 1e-4;
+/// 1 over the depth of a contact that is of interest, 1/m.
+const PER_DEPTH: f64 = 1e5;
+/// Its fourth root, m^(−1/4).
+const ROOT: f64 = 17.782_794_100_389_23;
+/// 1 over the change of sin²ψ along a raceway over such a depth.
+const PER_SINE_SQUARE: f64 = 1e4;
 
 /// Appends functions of the state of the last evaluation of one bearing alone, zero where f is not
-/// smooth: depths of contacts, what damped contacts are clamped by, the ends of raceways and the
-/// stop of the support.
+/// smooth: depths of contacts, what damped contacts are clamped by, the rows of friction tables, the
+/// ends of raceways and the stop of the support.
 pub(crate) fn edges(p: &Parameters, w: &Workspace, y: &[f64], values: &mut Vec<f64>) {
     let layout = p.layout;
     let ring = layout.ring_motion(y);
@@ -22,66 +23,78 @@ pub(crate) fn edges(p: &Parameters, w: &Workspace, y: &[f64], values: &mut Vec<f
         let (block, lane) = (k / LANES, k % LANES);
         let (results, ball) = (&w.blocks[block], p.balls(block).get(lane));
         let polar = results.polar.get(lane);
-        let geometry = results.geometry.get(lane);
         let [inner, outer, pair] = [
             results.inner.deflection.0[lane],
             results.outer.deflection.0[lane],
             results.pair.deflection.0[lane],
         ];
-        values.extend([inner, outer, pair].map(|depth| depth / DEPTH));
+        values.extend([inner, outer, pair].map(|depth| depth * PER_DEPTH));
         if ball.raceway_damping > 0.0 {
-            let at = |coordinate| y[layout.ball(coordinate, k)];
-            let (ex, ey) = (
-                results.inner_polar.ex.0[lane],
-                results.inner_polar.ey.0[lane],
-            );
-            let (vx, vy) = (
-                at(BallCoordinate::Vx) - ring.vx,
-                at(BallCoordinate::Vy) - ring.vy,
-            );
-            let rates = [
-                -(vx * ex + vy * ey),
-                polar.radial - geometry.slope * polar.orbit,
-            ];
-            let stiffness = [ball.inner_stiffness, ball.outer_stiffness];
-            for (depth, (rate, k)) in [inner, outer]
-                .into_iter()
-                .zip(rates.into_iter().zip(stiffness))
-            {
-                values.push(clamp(depth, depth + ball.raceway_damping / k * rate));
-            }
+            // Kδ + c dδ/dt.
+            let unclamped = |stiffness: f64, depth: f64, rate: f64| {
+                (depth + ball.raceway_damping / stiffness * rate) * PER_DEPTH
+            };
+            values.push(while_closed(inner, || {
+                let at = |coordinate| y[layout.ball(coordinate, k)];
+                let vx = at(BallCoordinate::Vx) - ring.vx;
+                let vy = at(BallCoordinate::Vy) - ring.vy;
+                let direction = &results.inner_polar;
+                let rate = -(vx * direction.ex.0[lane] + vy * direction.ey.0[lane]);
+                unclamped(ball.inner_stiffness, inner, rate)
+            }));
+            values.push(while_closed(outer, || {
+                let slope = results.geometry.slope.0[lane];
+                let rate = polar.radial - slope * polar.orbit;
+                unclamped(ball.outer_stiffness, outer, rate)
+            }));
         }
         if ball.pair_damping > 0.0 {
-            let share = ball.pair_damping / ball.pair_stiffness * INVERSE_ROOT;
-            let depth = pair.max(0.0);
-            let elastic = depth * (depth / DEPTH).sqrt().sqrt();
-            values.push(clamp(pair, elastic + share * results.pair.rate.0[lane]));
+            // Kδ^(5/4) + α √(m K) dδ/dt.
+            values.push(while_closed(pair, || {
+                let elastic = pair * pair.sqrt().sqrt();
+                let damping = ball.pair_damping / ball.pair_stiffness * results.pair.rate.0[lane];
+                (elastic + damping) * (ROOT * PER_DEPTH)
+            }));
+        }
+        for (force, slip) in [
+            (&results.inner.force, &results.inner.slip),
+            (&results.outer.force, &results.outer.slip),
+            (&results.pair.force, &results.pair.slip),
+        ] {
+            let edge = with_law!(&p.friction, law => law.lane(lane).edge(slip.0[lane]));
+            values.extend(edge.map(|edge| while_closed(force.0[lane], || edge)));
         }
         for raceway in &p.raceways {
             let raceway = raceway.constants.get(lane);
-            let cosine = polar.ex * raceway.sin_centre - polar.ey * raceway.cos_centre;
             if raceway.end > 0.0 {
-                values.push((cosine - (1.0 - raceway.end).sqrt()) / DIRECTION);
+                let sine = polar.ex * raceway.cos_centre + polar.ey * raceway.sin_centre;
+                let cosine = polar.ex * raceway.sin_centre - polar.ey * raceway.cos_centre;
+                let square = if cosine > 0.0 { sine * sine } else { 1.0 };
+                values.push((raceway.end - square) * PER_SINE_SQUARE);
             }
         }
     }
     if let Some((body, support)) = p.drops.first() {
         let contact = &w.rotors[0].contact;
-        values.push(contact.deflection / DEPTH);
+        values.push(contact.deflection * PER_DEPTH);
         if body.journal.damping > 0.0 {
-            let share = 1.0 + 1.5 * body.journal.damping * contact.rate;
-            values.push(clamp(contact.deflection, share * DEPTH));
+            let damping = 1.5 * body.journal.damping;
+            values.push(while_closed(contact.deflection, || {
+                1.0 + damping * contact.rate
+            }));
         }
+        let edge = body.friction.edge(contact.slip);
+        values.extend(edge.map(|edge| while_closed(contact.force, || edge)));
         if support.stop_stiffness > 0.0 {
             let motion = layout.outer_ring_motion(y);
             let distance = motion.x.hypot(motion.y);
-            values.push((distance - support.stop_gap) / DEPTH);
+            values.push((distance - support.stop_gap) * PER_DEPTH);
         }
     }
 }
 
-/// Where a damped force reaches zero while the contact is closed, `share` being a depth that has
-/// its sign; on neither side while it is open.
-fn clamp(depth: f64, share: f64) -> f64 {
-    if depth > 0.0 { share / DEPTH } else { 0.0 }
+/// An edge that only a closed contact has, by its depth or force; on neither side while it is open.
+#[inline(always)]
+fn while_closed(closed: f64, edge: impl Fn() -> f64) -> f64 {
+    if closed > 0.0 { edge() } else { 0.0 }
 }

@@ -69,6 +69,13 @@ pub trait Law: Copy {
         f64::INFINITY
     }
 
+    /// A function of the sliding speed, m/s, that is zero where the force is not smooth over it; of
+    /// laws of which that is so.
+    #[inline(always)]
+    fn edge(&self, _slip_m_s: f64) -> Option<f64> {
+        None
+    }
+
     /// Friction and sliding speeds at the end of an implicit step; of laws that stick.
     fn end_of_step(&self, _problem: &SlipProblem) -> Slips {
         Slips::default()
@@ -204,6 +211,12 @@ macro_rules! friction_laws {
             #[inline(always)]
             pub fn force(&self, slip_m_s: f64, normal_n: f64) -> [f64; 2] {
                 match self { $(Self::$law(law) => law.force(slip_m_s, normal_n),)* }
+            }
+
+            /// [`Law::edge`].
+            #[inline(always)]
+            pub fn edge(&self, slip_m_s: f64) -> Option<f64> {
+                match self { $(Self::$law(law) => law.edge(slip_m_s),)* }
             }
 
             /// [`Law::STICKS`].

@@ -30,6 +30,12 @@ impl Law for Stribeck {
         [(largest + excess) * knee, slope]
     }
 
+    /// Zero sliding, from which μ falls to both sides.
+    #[inline(always)]
+    fn edge(&self, slip_m_s: f64) -> Option<f64> {
+        Some(slip_m_s)
+    }
+
     #[inline(always)]
     fn coefficient(&self) -> f64 {
         self.coefficient

@@ -190,6 +190,18 @@ fn force(piece: &Piece, inverse_slip_scale: f64, slip_m_s: f64, normal_n: f64) -
     [mu * knee * normal_n, slope * normal_n]
 }
 
+/// A function of |ΔV| that is zero at the rows of the table, with one sign in each piece and the
+/// other in the next.
+fn edge(starts: impl Iterator<Item = f64>, speed: f64) -> f64 {
+    let (mut sign, mut nearest) = (1.0, f64::INFINITY);
+    for start in starts.filter(|start| *start > 0.0) {
+        let beyond = speed - start;
+        sign = if beyond > 0.0 { -sign } else { sign };
+        nearest = beyond.abs().min(nearest);
+    }
+    sign * nearest
+}
+
 impl Law for Table {
     #[inline(always)]
     fn force(&self, slip_m_s: f64, normal_n: f64) -> [f64; 2] {
@@ -197,6 +209,10 @@ impl Law for Table {
         let piece = self.pieces.iter().rfind(|p| speed >= p.start);
         let piece = piece.unwrap_or(&self.pieces[0]);
         force(piece, self.inverse_slip_scale, slip_m_s, normal_n)
+    }
+
+    fn edge(&self, slip_m_s: f64) -> Option<f64> {
+        Some(edge(self.pieces.iter().map(|p| p.start), slip_m_s.abs()))
     }
 
     #[inline(always)]
@@ -293,6 +309,11 @@ impl Law for TableLane<'_> {
         }
         let piece = pieces[at].get(self.lane);
         force(&piece, self.inverse_slip_scale(), slip_m_s, normal_n)
+    }
+
+    fn edge(&self, slip_m_s: f64) -> Option<f64> {
+        let starts = self.table.pieces.iter().map(|p| p.start.0[self.lane]);
+        Some(edge(starts, slip_m_s.abs()))
     }
 
     #[inline(always)]
