@@ -220,3 +220,67 @@ impl ContactPeakTracker {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{ContactPeak, Largest};
+
+    /// Pressure and semi-axis of a contact that is a point of force^(1/3).
+    fn contact(force_n: f64, _: f64) -> [f64; 2] {
+        [1e9 * force_n.cbrt(), 1e-4]
+    }
+
+    /// The largest force, pressure and product come from three contacts; the product and the flash
+    /// temperature are those of one and the same.
+    #[test]
+    fn a_product_is_that_of_one_contact() {
+        let mut largest = Largest::default();
+        for (force_n, slip_m_s) in [(1000.0, 0.1), (8.0, 2.0), (27.0, -1.5), (1.0, 3.5)] {
+            largest.add(force_n, force_n, slip_m_s, 0.0);
+        }
+        let peak = largest.peak(0.1, &contact, 10.0);
+        assert_eq!(peak.force_n, 1000.0);
+        assert!((peak.pressure_pa / 1e10 - 1.0).abs() < 1e-12);
+        // 3 GPa at 1.5 m/s, not 2 GPa at 2 m/s, 1 GPa at 3.5 m/s or 10 GPa at 0.1 m/s.
+        assert!((peak.pressure_velocity_pa_m_s / 4.5e9 - 1.0).abs() < 1e-12);
+        // Blok: 1.11·μ·(π/2·p·a)·|√V₁ − √V₂|/(B·√(2a)), surfaces at 10 and 11.5 m/s.
+        let roots = 11.5f64.sqrt() - 10f64.sqrt();
+        let load = std::f64::consts::FRAC_PI_2 * 3e9 * 1e-4;
+        let expected = 1.11 * 0.1 * load * roots / (12_888.0 * 2e-4f64.sqrt());
+        assert!((peak.flash_temperature_k / expected - 1.0).abs() < 1e-9);
+        assert_eq!(
+            Largest::default().peak(0.1, &contact, 10.0),
+            ContactPeak::default()
+        );
+    }
+
+    /// Of a contact that two points share, the force is that of the ball, the rank that of a point.
+    #[test]
+    fn a_shared_force_ranks_by_one_point() {
+        let mut largest = Largest::default();
+        largest.add(1000.0, 400.0, 1.0, 0.004);
+        largest.add(900.0, 450.0, 1.0, 0.003);
+        assert_eq!(
+            (largest.load.force_n, largest.load.radius_m),
+            (900.0, 0.003)
+        );
+        assert_eq!(
+            (largest.sliding.force_n, largest.sliding.radius_m),
+            (900.0, 0.003)
+        );
+    }
+
+    #[test]
+    fn of_two_peaks_the_larger_of_each() {
+        let peak =
+            |force_n, pressure_pa, pressure_velocity_pa_m_s, flash_temperature_k| ContactPeak {
+                force_n,
+                pressure_pa,
+                pressure_velocity_pa_m_s,
+                flash_temperature_k,
+            };
+        let (a, b) = (peak(1.0, 20.0, 3.0, 5.0), peak(2.0, 10.0, 4.0, 3.0));
+        assert_eq!(a.or(b), peak(2.0, 20.0, 4.0, 3.0));
+        assert_eq!(b.or(a), peak(2.0, 20.0, 4.0, 3.0));
+    }
+}

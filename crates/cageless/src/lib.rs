@@ -68,3 +68,10 @@ pub use rotor::{Rotor, Support, SupportStop};
 pub use scope::SCOPE;
 pub use snapshot::{RingSnapshot, RotorSnapshot, Snapshot};
 pub use time_table::TimeTable;
+
+// Cases that unit tests share with the tests beside them.
+#[cfg(test)]
+extern crate self as cageless;
+#[cfg(test)]
+#[path = "../tests/common/mod.rs"]
+mod common;

@@ -317,30 +317,50 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
 mod tests {
     use super::{Passage, PassageTally};
 
+    fn passage(number: f64, [collisions_ahead, collisions_behind]: [u32; 2]) -> Passage {
+        Passage {
+            ball: 0,
+            raceway: 0,
+            enter_s: 1.0,
+            leave_s: 1.0 + 2.0 * number,
+            gap_enter_rad: 3.0 * number,
+            gap_behind_rad: 4.0 * number,
+            gap_min_rad: 5.0 * number,
+            gap_leave_rad: 6.0 * number,
+            collisions_ahead,
+            collisions_behind,
+            slip_max_m_s: 7.0 * number,
+            orbit_speed_range_rad_s: [8.0 * number, 9.0 * number],
+        }
+    }
+
     /// Two contacts with the same neighbour are no hits from both sides.
     #[test]
     fn hits_from_both_sides_need_both_neighbours() {
         let fraction = |hits: [[u32; 2]; 2]| {
             let mut tally = PassageTally::new();
-            for [collisions_ahead, collisions_behind] in hits {
-                tally.add(&Passage {
-                    ball: 0,
-                    raceway: 0,
-                    enter_s: 0.0,
-                    leave_s: 1.0,
-                    gap_enter_rad: 0.1,
-                    gap_behind_rad: 0.1,
-                    gap_min_rad: 0.0,
-                    gap_leave_rad: 0.1,
-                    collisions_ahead,
-                    collisions_behind,
-                    slip_max_m_s: 0.0,
-                    orbit_speed_range_rad_s: [1.0, 2.0],
-                });
+            for hits in hits {
+                tally.add(&passage(1.0, hits));
             }
             tally.double_collision_fraction()
         };
         assert_eq!(fraction([[2, 0], [0, 3]]), 0.0);
         assert_eq!(fraction([[1, 1], [2, 0]]), 0.5);
+    }
+
+    #[test]
+    fn every_mean_is_that_of_its_number() {
+        let mut tally = PassageTally::new();
+        assert!(tally.duration_mean_s().is_nan());
+        tally.add(&passage(1.0, [3, 0]));
+        tally.add(&passage(3.0, [1, 4]));
+        assert_eq!(tally.count, 2);
+        assert_eq!(tally.duration_mean_s(), 4.0);
+        assert_eq!(tally.collisions_mean(), 4.0);
+        assert_eq!(tally.double_collision_fraction(), 0.5);
+        assert_eq!(tally.gap_min_mean_rad(), 10.0);
+        assert_eq!(tally.slip_mean_m_s(), 14.0);
+        assert_eq!(tally.lowest_orbit_speed_mean_rad_s(), 16.0);
+        assert_eq!(tally.gap_leave_range_rad, [6.0, 18.0]);
     }
 }

@@ -92,11 +92,129 @@ fn an_impact_of_a_few_steps_is_located() {
         let (collision, _) = impact(&case, speed);
         let peak = collision.peak_force_n / force - 1.0;
         let lasted = collision.duration_s / duration - 1.0;
-        println!("{step_s}: peak {peak:.1e}, duration {lasted:.1e}");
+        let impulse = collision.impulse_n_s / (case.bearing.ball_mass_kg() * speed) - 1.0;
+        println!("{step_s}: peak {peak:.1e}, duration {lasted:.1e}, impulse {impulse:.1e}");
         assert!(peak.abs() < 1e-3, "{step_s}: {peak}");
         assert!(lasted.abs() < 1e-3, "{step_s}: {lasted}");
         assert!((collision.start_s - 1e-6 / speed).abs() < 1e-9);
+        // The trapezoidal rule over 15 steps.
+        assert!(impulse.abs() < 2e-3, "{step_s}: {impulse}");
     }
+}
+
+/// Balls that meet anywhere and at an angle: what counts is the line of centres at first touch.
+#[test]
+fn an_oblique_impact_anywhere_is_described_along_its_line_of_centres() {
+    let mut case = free_flight();
+    case.solver.duration_s = 100e-6;
+    let (rw, middle) = (case.bearing.ball_radius_m(), case.bearing.pitch_radius_m());
+    let mass = case.bearing.ball_mass_kg();
+    for turn in [0.4, 2.5, -3.1] {
+        // From the bottom to ψ = `turn`, counter-clockwise.
+        let turned = |x: f64, y: f64| {
+            let (sin, cos) = f64::sin_cos(turn);
+            [cos * x - sin * y, sin * x + cos * y]
+        };
+        let at = |x: f64, y: f64, vx: f64, vy: f64| {
+            let ([x, y], [vx, vy]) = (turned(x, y), turned(vx, vy));
+            ball(x, y, vx, vy, 0.0)
+        };
+        let half = rw + 1e-6;
+        let (faster, aside) = (0.2, 0.15);
+        let mut state = State::new(3);
+        state.set_ball(0, at(-half, -middle, faster, aside));
+        state.set_ball(1, at(half, -middle, 0.0, 0.0));
+        state.set_ball(2, at(0.0, middle, 0.0, 0.0));
+        let angles = [-half, half, 0.0].map(|x| turn + (x / middle).atan());
+        let mut found = vec![];
+        let mut detector = CollisionDetector::new(|c| {
+            found.push(c);
+            Ok(())
+        });
+        let angles = [angles[0], angles[1], turn + std::f64::consts::PI];
+        let end = run_from(&case, &state, &angles, &mut [&mut detector], &mut |_| {
+            Control::Continue(())
+        })
+        .unwrap()
+        .state;
+        drop(detector);
+        let [c] = found.as_slice() else {
+            panic!("{found:?}")
+        };
+        // The first time at which the centres are 2Rw apart.
+        let (speed2, along) = (faster * faster + aside * aside, 2.0 * half * faster);
+        let root = (along * along - speed2 * (4.0 * half * half - 4.0 * rw * rw)).sqrt();
+        let touch_s = (along - root) / speed2;
+        assert!((c.start_s - touch_s).abs() < 1e-11, "{c:?} {touch_s}");
+        let line = [2.0 * half - faster * touch_s, -aside * touch_s].map(|d| d / (2.0 * rw));
+        let approach = faster * line[0] + aside * line[1];
+        assert!(
+            (c.approach_speed_m_s / approach - 1.0).abs() < 1e-9,
+            "{c:?} {approach}"
+        );
+        assert!(
+            approach < 0.81 * speed2.sqrt(),
+            "not the whole relative speed"
+        );
+        let between = turn + (0.5 * faster * touch_s).atan2(middle - 0.5 * aside * touch_s);
+        assert!((c.angle_rad - between).abs() < 1e-9, "{c:?} {between}");
+        // Equal balls without friction exchange what they have along the line.
+        // The line turns by 0.7 mrad during the contact.
+        assert!((c.impulse_n_s / (mass * approach) - 1.0).abs() < 1e-3);
+        let got = end.vx_m_s()[1].hypot(end.vy_m_s()[1]);
+        assert!((got / approach - 1.0).abs() < 1e-3, "{got} {approach}");
+        assert_eq!((c.ball, c.next_ball), (0, 1));
+    }
+}
+
+/// Contacts that are closed at the start or at the end of a run have the time in it.
+#[test]
+fn contacts_closed_at_the_ends_of_a_run_are_passed_on() {
+    let mut case = free_flight();
+    let speed = 0.1;
+    let (_, _, duration) = hertz_impact(
+        case.bearing.ball_contact().stiffness_n_m1_5,
+        case.bearing.ball_mass_kg(),
+        speed,
+    );
+    // Balls touch 10 µs after the start.
+    case.solver.duration_s = 10e-6 + duration / 2.0;
+    let collide = |case: &Case, state: &State, angles: &[f64]| {
+        let mut found = vec![];
+        let mut detector = CollisionDetector::new(|c| {
+            found.push(c);
+            Ok(())
+        });
+        let outcome = run_from(case, state, angles, &mut [&mut detector], &mut |_| {
+            Control::Continue(())
+        })
+        .unwrap();
+        let during = outcome.end_s;
+        detector.close(during).unwrap();
+        drop(detector);
+        let [collision] = found.as_slice() else {
+            panic!("{found:?}")
+        };
+        (*collision, outcome.state)
+    };
+    let (state, angles) = approaching(&case, speed);
+    let (first, middle) = collide(&case, &state, &angles);
+    assert!(
+        (first.duration_s / (duration / 2.0) - 1.0).abs() < 1e-4,
+        "{first:?}"
+    );
+    // Half of what an impact exchanges.
+    let half = 0.5 * case.bearing.ball_mass_kg() * speed;
+    assert!((first.impulse_n_s / half - 1.0).abs() < 1e-3, "{first:?}");
+    case.solver.duration_s = 100e-6;
+    let (second, _) = collide(&case, &middle, &angles);
+    assert_eq!((second.start_s, second.approach_speed_m_s), (0.0, 0.0));
+    assert_eq!((second.ball, second.next_ball), (0, 1));
+    assert!(
+        (second.duration_s / (duration / 2.0) - 1.0).abs() < 1e-3,
+        "{second:?}"
+    );
+    assert!(second.angle_rad.abs() < 1e-6);
 }
 
 /// Under the production method an impact returns a little too much or too little energy,

@@ -51,7 +51,7 @@ fn steady_and_critical_gap_are_those_of_the_motion() {
         assert!((mean - 1.0).abs() < 0.01, "{start}: {mean}");
         let least = motion.gap_min_rad / critical;
         assert!((0.95..1.6).contains(&least), "{start}: {least}");
-        assert!(motion.gap_deviation_rad > 0.0 && motion.friction_w > 0.0);
+        assert!(motion.gap_deviation_rad > 0.0);
     }
 }
 

@@ -157,4 +157,87 @@ mod tests {
             );
         }
     }
+
+    /// A journal that swings to and fro, in contact half of the time: what it turned, its path and
+    /// its ends are told apart, and so are the windows.
+    #[test]
+    fn every_number_of_a_window() {
+        let mut tracker = WhirlTracker::new(0.02);
+        let step = 1e-4;
+        let begun = ContactCounts {
+            all: 7,
+            above: [5, 3, 2],
+        };
+        for k in 1..=330u32 {
+            let time = f64::from(k) * step;
+            // Up by 1.2 rad to 0.01 s, down by 2 rad to 0.02 s, then at rest.
+            let angle = match k {
+                0..=100 => 3.0 + 1.2 * f64::from(k) / 100.0,
+                101..=200 => 4.2 - 2.0 * f64::from(k - 100) / 100.0,
+                _ => 2.2,
+            };
+            tracker.collide(match k {
+                150 => begun,
+                _ => ContactCounts::default(),
+            });
+            let force = match k {
+                0..=100 => 40.0,
+                301..=330 => 7.0,
+                _ => 0.0,
+            };
+            tracker.update([angle.sin(), -angle.cos()], time, step, force);
+        }
+        tracker.close();
+        tracker.close();
+        let [first, second] = tracker.windows.as_slice() else {
+            panic!("{:?}", tracker.windows)
+        };
+        let close = |found: f64, expected: f64| {
+            assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+        };
+        close(first.start_s, 0.0);
+        close(first.end_s, 0.02);
+        // From the first update on, at 3.012 rad.
+        close(first.turned_rad, -0.812);
+        close(first.path_rad, 1.188 + 2.0);
+        close(first.frequency_hz(), -0.812 / TAU / 0.02);
+        // The first angle is between −π and π; the others are continuous with it.
+        close(first.angle_min_rad, 2.2);
+        close(first.angle_max_rad, 4.2);
+        close(first.contact_fraction, 0.5);
+        close(first.force_mean_n, 20.0);
+        close(second.start_s, 0.02);
+        close(second.end_s, 0.033);
+        close(second.turned_rad, 0.0);
+        close(second.angle_min_rad, 2.2);
+        close(second.angle_max_rad, 2.2);
+        close(second.contact_fraction, 30.0 / 130.0);
+        close(second.force_mean_n, 7.0 * 30.0 / 130.0);
+        assert_eq!(
+            (first.collisions, second.collisions),
+            (begun, ContactCounts::default())
+        );
+    }
+
+    /// A step of more than a quarter turn is a passage by the centre and no whirl.
+    #[test]
+    fn leaps_across_the_bore_are_no_whirl() {
+        let turned = |by: f64| {
+            let mut tracker = WhirlTracker::new(1.0);
+            for (k, angle) in [0.0, by, 2.0 * by].into_iter().enumerate() {
+                tracker.update(
+                    [angle.sin(), -angle.cos()],
+                    1e-3 * (k + 1) as f64,
+                    1e-3,
+                    1.0,
+                );
+            }
+            tracker.close();
+            tracker.windows[0].turned_rad
+        };
+        assert!((turned(1.5) - 3.0).abs() < 1e-9);
+        assert_eq!(turned(1.6), 0.0);
+        assert!((turned(-1.5) + 3.0).abs() < 1e-9);
+        assert_eq!(turned(-1.6), 0.0);
+    }
 }

@@ -222,7 +222,7 @@ mod tests {
         // 305.175… Hz is a bin of 8192 samples at 5 kHz; a slow sine gives rms and peak.
         let bin = 500.0 * 5000.0 / STRETCH as f64;
         for seconds in [1.0, 8.0] {
-            let signal = sine(rate, seconds, &[(bin, 1.0), (3.7, 0.3)]);
+            let signal = sine(rate, seconds, &[(bin, 2.0), (3.7, 0.3)]);
             let mut measurement = Measurement::new(1.0 / rate, 5000.0, after_s);
             let mut decimator = Decimator::new(1.0 / rate, 5000.0);
             let mut kept = vec![];
@@ -240,6 +240,8 @@ mod tests {
             let peak = kept.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
             assert_eq!(measurement.samples(), kept.len() as u64);
             assert!((measurement.rms() / rms - 1.0).abs() < 1e-12);
+            // √((2² + 0.3²)/2), but for the part of a period of the slow sine.
+            assert!((rms - 1.430).abs() < 0.01, "{rms}");
             assert_eq!(measurement.peak(), peak);
             let trace = measurement.trace();
             assert!(trace.iter().any(|[_, v]| v.abs() == peak));
@@ -255,7 +257,7 @@ mod tests {
                 );
                 // The filter's gain there is 1 to 1e-13.
                 assert!(
-                    (s.amplitude[500] - 1.0).abs() < 1e-6,
+                    (s.amplitude[500] - 2.0).abs() < 2e-6,
                     "{}",
                     s.amplitude[500]
                 );

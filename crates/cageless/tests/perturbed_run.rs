@@ -1,0 +1,202 @@
+//! The numbers of the runs of a search, against observers of one's own on the same runs.
+
+use std::f64::consts::TAU;
+
+use crate::common::*;
+use cageless::design::search::{
+    Job, Numbers, OperatingPoint, RacewayLayout, Task, peak_stress_pa, perturbed_runs, run_jobs,
+    uneven_gaps_rad,
+};
+use cageless::dynamics::energy::EnergyTerm;
+use cageless::passage::{Passage, PassageRecorder};
+use cageless::simulation::{Control, Observer, ObserverError, StepView};
+use cageless::{Case, Gaps, Start};
+
+fn go_on(_: f64) -> Control {
+    Control::Continue(())
+}
+
+/// The structure of a case at its own operating point, by the search's own method.
+fn as_searched(span_mm: f64, angle_deg: f64) -> Case {
+    let case = structure(span_mm, angle_deg);
+    OperatingPoint::from_case(&case).case(&case, case.raceways.clone())
+}
+
+/// Force on the outer ring and contacts between balls at every step.
+#[derive(Default)]
+struct EveryStep {
+    rows: Vec<([f64; 2], [f64; 2], f64)>,
+    begun: Vec<f64>,
+    touching: Vec<bool>,
+}
+
+impl Observer for EveryStep {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+        let c = &view.contacts;
+        self.touching.resize(c.balls(), false);
+        for k in 0..c.balls() {
+            let touches = c.balls_touch() && c.pair_deflection_m(k) > 0.0;
+            if touches && !self.touching[k] {
+                self.begun.push(view.step.t1_s);
+            }
+            self.touching[k] = touches;
+        }
+        let pressed: f64 = (0..c.balls()).map(|k| c.pair_force_n(k)).sum();
+        let times = [view.step.t0_s, view.step.t1_s];
+        self.rows.push((times, c.outer_ring_force_n(), pressed));
+        Ok(Control::Continue(()))
+    }
+}
+
+/// Every number of a perturbed run against observers of one's own on the same run: two raceways,
+/// equal balls that start unevenly, 32 orbits, the second half steady.
+#[test]
+fn the_numbers_of_a_perturbed_run_are_those_of_its_motion() {
+    let case = as_searched(4.9, 24.0);
+    let raceways = [(4.9, 24.0, 20.0), (4.7, 20.0, -70.0)];
+    let raceways =
+        raceways.map(|(span, angle, centre)| raceway(&case.bearing, span, angle, centre));
+    let mut case = case.with_raceways(raceways.to_vec());
+    case.seed = 11;
+    let found = perturbed_runs(&[(&case, 3)], &mut go_on)
+        .swap_remove(0)
+        .unwrap();
+
+    let mut same = case.clone();
+    same.start = Start::Settled {
+        gaps: Gaps::List(uneven_gaps_rad(&case, 11, 3)),
+        lead_ball_angle_rad: 0.0,
+    };
+    // Ω = ωi·Ri/(2Rm) of rolling balls.
+    let speed = case.operation.inner_speed_rad_s * 18.24 / (18.24 + 27.765);
+    same.solver.duration_s = case.rolling_orbit_s() * 32.0;
+    assert!((same.solver.duration_s * speed / TAU - 32.0).abs() < 1e-9);
+    let half_s = same.solver.duration_s / 2.0;
+    let (mut every, mut late) = (EveryStep::default(), vec![]);
+    let outcome = {
+        let mut recorder = PassageRecorder::new(|passage: Passage| {
+            if passage.enter_s > half_s {
+                late.push(passage);
+            }
+            Ok(())
+        });
+        cageless::simulation::run(&same, &mut [&mut every, &mut recorder], &mut go_on).unwrap()
+    };
+    let near = |found: f64, expected: f64, what: &str| {
+        assert!(
+            (found / expected - 1.0).abs() < 1e-9,
+            "{what}: {found} {expected}"
+        );
+    };
+    let ball_orbits = 14.0 * 32.0;
+    let begun_late = every.begun.iter().filter(|t| **t > half_s).count() as f64;
+    let begun = every.begun.len() as f64;
+    assert!(
+        begun_late > 0.0 && begun > 1.2 * begun_late,
+        "{begun} {begun_late}"
+    );
+    near(found.collisions, begun / ball_orbits, "collisions");
+    near(
+        found.collisions_late,
+        begun_late / (0.5 * ball_orbits),
+        "late collisions",
+    );
+    let mut before = 0.0;
+    let impulse: f64 = (every.rows.iter())
+        .map(|([from, to], _, pressed)| {
+            0.5 * (to - from) * (std::mem::replace(&mut before, *pressed) + pressed)
+        })
+        .sum();
+    near(found.impulse_n_s, impulse / ball_orbits, "impulse");
+
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+    let deviation = |values: &[f64]| {
+        let middle = mean(values);
+        let squares: Vec<f64> = values.iter().map(|v| (v - middle).powi(2)).collect();
+        mean(&squares).sqrt()
+    };
+    let arrivals: Vec<f64> = (late.iter())
+        .filter(|p| p.raceway == 0)
+        .map(|p| p.gap_behind_rad)
+        .collect();
+    assert!(arrivals.len().abs_diff(16 * 14) < 14 && late.len() > 2 * arrivals.len() - 14);
+    near(found.gap_mean_rad, mean(&arrivals), "mean gap");
+    near(
+        found.gap_deviation_rad,
+        deviation(&arrivals),
+        "deviation of the gaps",
+    );
+    let least = arrivals.iter().copied().fold(f64::INFINITY, f64::min);
+    near(found.gap_min_rad, least, "smallest gap");
+    let of_all = |of: &dyn Fn(&Passage) -> f64| mean(&late.iter().map(of).collect::<Vec<_>>());
+    near(found.slip_m_s, of_all(&|p| p.slip_max_m_s), "slip");
+    let twice = |p: &Passage| f64::from(u8::from(p.collisions_ahead * p.collisions_behind > 0));
+    assert!((found.double_collision_fraction - of_all(&twice)).abs() < 1e-12);
+    let drops = [0, 1].map(|r| {
+        let slowest = late.iter().filter(|p| p.raceway == r);
+        let slowest: Vec<f64> = slowest.map(|p| p.orbit_speed_range_rad_s[0]).collect();
+        let raceway = &case.raceways[r];
+        let depth = raceway.effective_radius_m(raceway.dimensions().centre_angle_rad);
+        let slowed = 2.0 * speed * (1.0 - 4.7625e-3 / (depth + 4.7625e-3));
+        (speed - mean(&slowest)) / (speed - slowed)
+    });
+    assert!((drops[0] - drops[1]).abs() > 1e-3, "{drops:?}");
+    near(found.speed_drop_fraction, drops[0].min(drops[1]), "drop");
+    let [x, y] = [0, 1].map(|axis| {
+        let late = every.rows.iter().filter(|([_, to], ..)| *to > half_s);
+        deviation(&late.map(|(_, force, _)| force[axis]).collect::<Vec<_>>())
+    });
+    let force = x.hypot(y);
+    assert!(
+        (found.force_deviation_n / force - 1.0).abs() < 1e-5,
+        "{} {force}",
+        found.force_deviation_n
+    );
+    let friction: f64 = [
+        EnergyTerm::InnerFriction,
+        EnergyTerm::OuterFriction,
+        EnergyTerm::BallFriction,
+    ]
+    .map(|term| outcome.state.energy_term_j(term))
+    .iter()
+    .sum();
+    near(
+        found.friction_w,
+        friction / same.solver.duration_s,
+        "friction",
+    );
+}
+
+/// The stress of a structure is the largest at its outer raceway while the balls go by.
+#[test]
+fn stress_is_the_largest_while_the_balls_go_by() {
+    let case = as_searched(5.1, 25.2);
+    let (inner, outer) = peak_stress_pa(&case).unwrap();
+    let mut largest = [0.0f64; 2];
+    for k in 0..40 {
+        let mut at = case.clone();
+        at.start = Start::Settled {
+            gaps: Gaps::Uniform,
+            lead_ball_angle_rad: TAU / 14.0 * f64::from(k) / 40.0,
+        };
+        let e = cageless::equilibrium::solve(&at).unwrap();
+        largest[0] = largest[0].max(e.inner_stress_max_pa);
+        largest[1] = largest[1].max(e.outer_stress_max_pa);
+    }
+    for (found, largest) in [(inner, largest[0]), (outer, largest[1])] {
+        assert!(
+            found <= largest * (1.0 + 1e-9) && found > 0.995 * largest,
+            "{found} {largest}"
+        );
+    }
+    assert!(inner > 1.05 * outer);
+    let job = Job {
+        structure: RacewayLayout::from_case(&case).unwrap(),
+        point: OperatingPoint::from_case(&case),
+        task: Task::PairSeparation,
+    };
+    match run_jobs(&case, &[&job], &mut go_on).swap_remove(0) {
+        Some(Ok(Numbers::PairSeparation(found))) => assert_eq!(found.stress_pa, outer),
+        other => panic!("{other:?}"),
+    }
+}
