@@ -104,6 +104,24 @@ fn steady_flow_widens_the_gaps_outside() {
     assert!(close(twice - uniform, 2.0 * (steady - uniform), 1e-12));
 }
 
+/// The gaps of Eq. (11) are those of the raceway itself, wherever it is.
+#[test]
+fn theoretical_gaps_turn_with_the_raceway() {
+    for meaning in [Eq11::Published, Eq11::Polar] {
+        let gap = |centre_deg: f64| {
+            let case = structure(5.1, 25.2);
+            let raceway = crate::common::raceway(&case.bearing, 5.1, 25.2, centre_deg);
+            theoretical_gap_rad(&case.bearing, &raceway, meaning)
+        };
+        for centre_deg in [30.0, -100.0, 180.0] {
+            assert!(
+                close(gap(centre_deg), gap(0.0), 1e-12),
+                "{meaning:?} {centre_deg}"
+            );
+        }
+    }
+}
+
 /// r over ψ: the polynomial against the contact path itself.
 #[test]
 fn effective_radius_lies_on_the_contact_path() {

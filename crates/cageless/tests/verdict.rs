@@ -1,12 +1,16 @@
 //! Verdicts: pass and fail, the margin, recommendations that keep their own verdict, and work
 //! that ends when told to.
 
+use std::f64::consts::TAU;
+
 use crate::common::*;
 use cageless::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
 use cageless::design::search::{Job, Numbers, OperatingPoint, RacewayLayout, Task, run_jobs};
 use cageless::design::{
-    Criterion, Eq11, RacewayVerdict, judge, recommend, starting_point, theoretical_gap_rad,
+    Criterion, Eq11, RacewayVerdict, RunVerdict, judge, judge_watched, recommend, starting_point,
+    steady_after_s, steady_case, theoretical_gap_rad,
 };
+use cageless::passage::{Passage, PassageRecorder, PassageTally};
 use cageless::raceway::RacewayDimensions;
 use cageless::simulation::Control;
 use cageless::{BearingDimensions, Case, Raceway};
@@ -164,4 +168,179 @@ fn a_critical_gap_ends_when_told_to() {
     let mut calls = 0;
     let outcomes = run_jobs(&case, &[&job], &mut |_| interrupt(&mut calls));
     assert_eq!(outcomes, [None]);
+}
+
+/// A verdict rests on the passages of all balls from the 16th to the 32nd orbit, raceway by
+/// raceway: the same numbers from an observer of one's own on the same run.
+#[test]
+fn a_verdict_rests_on_the_steady_passages_of_each_raceway() {
+    let case = structure(4.5, 25.0);
+    let raceways = [(4.5, 25.0, -45.0), (4.9, 22.0, 45.0)];
+    let raceways =
+        raceways.map(|(span, angle, centre)| raceway(&case.bearing, span, angle, centre));
+    let case = OperatingPoint::from_case(&case).case(&case, raceways.to_vec());
+    let mut all: Vec<Passage> = vec![];
+    let judgement = {
+        let mut recorder = PassageRecorder::new(|passage| {
+            all.push(passage);
+            Ok(())
+        });
+        judge_watched(&case, &mut [&mut recorder], &mut go_on).unwrap()
+    };
+    // Ω = ωi·Ri/(2Rm) on the plain ring; one orbit of rolling balls.
+    let speed = case.operation.inner_speed_rad_s * 18.24 / (18.24 + 27.765);
+    let orbit_s = TAU / speed;
+    let plain = steady_case(&case).solver.duration_s / orbit_s;
+    assert!((plain - 32.0).abs() < 1e-9, "{plain}");
+    assert!((steady_after_s(&case) / orbit_s - 16.0).abs() < 1e-9);
+    for (r, judged) in judgement.raceways.iter().enumerate() {
+        let of_raceway: Vec<&Passage> = (all.iter())
+            .filter(|p| p.raceway == r && p.enter_s > 16.0 * orbit_s)
+            .collect();
+        let found = judged
+            .passages
+            .unwrap_or_else(|| panic!("{:?}", judged.reasons));
+        let count = of_raceway.len();
+        assert_eq!(found.passages, count);
+        assert!(
+            count.abs_diff(16 * 14) <= 14,
+            "{count} of {} in all",
+            all.len()
+        );
+        let mean = |of: &dyn Fn(&Passage) -> f64| {
+            of_raceway.iter().map(|p| of(p)).sum::<f64>() / count as f64
+        };
+        let near = |found: f64, expected: f64, what: &str| {
+            assert!(
+                (found - expected).abs() <= 1e-9 * expected.abs(),
+                "{what}: {found} {expected}"
+            );
+        };
+        let touched = |p: &Passage| f64::from(p.collisions_ahead + p.collisions_behind);
+        near(found.collisions_mean, mean(&touched), "collisions");
+        let twice = |p: &Passage| f64::from(u8::from(p.collisions_ahead * p.collisions_behind > 0));
+        near(found.double_collision_fraction, mean(&twice), "double");
+        near(found.slip_mean_m_s, mean(&|p| p.slip_max_m_s), "slip");
+        let raceway = &case.raceways[r];
+        let depth = raceway.effective_radius_m(raceway.dimensions().centre_angle_rad);
+        let slowed = 2.0 * speed * (1.0 - 4.7625e-3 / (depth + 4.7625e-3));
+        let slowest = mean(&|p| p.orbit_speed_range_rad_s[0]);
+        near(
+            found.speed_drop_fraction,
+            (speed - slowest) / (speed - slowed),
+            "drop",
+        );
+        let leaving = of_raceway.iter().map(|p| p.gap_leave_rad);
+        near(
+            found.gap_leave_max_rad,
+            leaving.clone().fold(f64::MIN, f64::max),
+            "largest",
+        );
+        near(
+            found.gap_leave_min_rad,
+            leaving.fold(f64::MAX, f64::min),
+            "smallest",
+        );
+        // The critical gap is that of the raceway alone.
+        let alone = case.with_raceways(vec![raceway.clone()]);
+        let gap = critical_gap_rad(&alone, &PairTest::default(), &mut go_on).unwrap();
+        assert_eq!(judged.critical_gap_rad, Some(gap));
+    }
+    let [a, b] = [0, 1].map(|r| judgement.raceways[r].passages.unwrap());
+    assert_ne!(a.slip_mean_m_s, b.slip_mean_m_s);
+}
+
+/// The verdict of a run has the limits of `judge`, on the worst of the raceways that balls pass.
+#[test]
+fn a_verdict_of_a_run_changes_at_its_limits() {
+    let case = full_6008(5.1, 25.2);
+    let raceways = [(5.1, 25.2, 0.0), (4.6, 12.0, 80.0)];
+    let raceways =
+        raceways.map(|(span, angle, centre)| raceway(&case.bearing, span, angle, centre));
+    let case = case.with_raceways(raceways.to_vec());
+    let speed = case.operation.inner_speed_rad_s * 23.031 / (23.031 + 30.974);
+    // A tally of ten passages: how far the balls slow down, and how many are hit twice.
+    let tally = |r: usize, drop: f64, twice: u32| {
+        let raceway = &case.raceways[r];
+        let depth = raceway.effective_radius_m(raceway.dimensions().centre_angle_rad);
+        let slowed = 2.0 * speed * (1.0 - 3.969e-3 / (depth + 3.969e-3));
+        let mut tally = PassageTally::new();
+        for k in 0..12 {
+            tally.add(&Passage {
+                ball: 0,
+                raceway: r,
+                enter_s: 0.0,
+                leave_s: 1e-3,
+                gap_enter_rad: 0.03,
+                gap_behind_rad: 0.03,
+                gap_min_rad: 0.01,
+                gap_leave_rad: 0.03,
+                collisions_ahead: u32::from(k < twice),
+                collisions_behind: u32::from(k < twice),
+                slip_max_m_s: 0.1,
+                orbit_speed_range_rad_s: [speed + drop * (slowed - speed), speed],
+            });
+        }
+        tally
+    };
+    let verdict = |tallies: [PassageTally; 2]| RunVerdict::from_case(&case, &tallies);
+    let good = |r| tally(r, 0.98, 0);
+    for (tallies, expected, start) in [
+        (
+            [good(0), good(1)],
+            RacewayVerdict::Smooth,
+            "PASS in this run: smooth; nearest to its limit: balls reach 98.0 %",
+        ),
+        (
+            [tally(0, 0.8 + 1e-9, 0), good(1)],
+            RacewayVerdict::Smooth,
+            "PASS",
+        ),
+        (
+            [tally(0, 0.8 - 1e-9, 0), good(1)],
+            RacewayVerdict::Slips,
+            "FAIL in this run: excessive sliding; balls reach",
+        ),
+        (
+            [good(0), tally(1, 0.8 - 1e-9, 0)],
+            RacewayVerdict::Slips,
+            "FAIL",
+        ),
+        // 3 of 12 are a quarter.
+        (
+            [good(0), tally(1, 0.98, 3)],
+            RacewayVerdict::Smooth,
+            "PASS in this run: smooth; nearest to its limit: 25.0 %",
+        ),
+        (
+            [good(0), tally(1, 0.98, 4)],
+            RacewayVerdict::DoubleCollision,
+            "FAIL in this run: hit from both sides; 33.3 %",
+        ),
+        (
+            [PassageTally::new(), good(1)],
+            RacewayVerdict::Smooth,
+            "PASS",
+        ),
+        (
+            [PassageTally::new(); 2],
+            RacewayVerdict::NotJudged,
+            "not judged: no ball",
+        ),
+    ] {
+        let found = verdict(tallies);
+        assert_eq!(found.verdict, expected, "{}", found.headline);
+        assert!(found.headline.starts_with(start), "{}", found.headline);
+    }
+    let plain = case.with_raceways(vec![]);
+    let found = RunVerdict::from_case(&plain, &[]);
+    assert_eq!(
+        (found.verdict, found.deciding),
+        (RacewayVerdict::NotJudged, None)
+    );
+    assert!(
+        found.headline.starts_with("not judged: the outer ring"),
+        "{}",
+        found.headline
+    );
 }

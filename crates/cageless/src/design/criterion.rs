@@ -163,5 +163,73 @@ mod tests {
         assert_eq!(Criterion::deciding(&bad), Some(bad[1]));
         assert!(!Criterion::Deceleration(f64::NAN).is_met());
         assert_eq!(Criterion::deciding(&[]), None);
+        // By the fraction of the possible margin: 0.15 of 0.2, not 0.01 of 0.05.
+        let close = [
+            Criterion::Separation(0.04),
+            Criterion::Deceleration(0.83),
+            Criterion::BothNeighbours(0.20),
+        ];
+        assert_eq!(Criterion::deciding(&close), Some(close[1]));
+    }
+
+    /// At its limit a criterion is met, the next number beyond it is a failure; half way from the
+    /// ideal value to the limit half of the margin is left.
+    #[test]
+    fn limits_are_met_up_to_themselves() {
+        type Of = fn(f64) -> Criterion;
+        let rows: [(Of, &str, f64, f64, RacewayVerdict, &str); 3] = [
+            (
+                Criterion::Separation,
+                "separation",
+                0.0,
+                0.05,
+                RacewayVerdict::Slips,
+                "sliding takes 6.0 % of the separation (5 % allowed, missed by 1.0 percentage points)",
+            ),
+            (
+                Criterion::Deceleration,
+                "deceleration",
+                1.0,
+                0.8,
+                RacewayVerdict::Slips,
+                "balls reach 76.0 % of the kinematic deceleration (80 % needed, missed by 4.0 \
+                 percentage points)",
+            ),
+            (
+                Criterion::BothNeighbours,
+                "both-neighbours",
+                0.0,
+                0.25,
+                RacewayVerdict::DoubleCollision,
+                "30.0 % of the passages are hit by both neighbours (25 % allowed, missed by 5.0 \
+                 percentage points)",
+            ),
+        ];
+        for (of, name, ideal, limit, failure, text) in rows {
+            let at = of(limit);
+            assert_eq!((at.name(), at.value(), at.limit()), (name, limit, limit));
+            let beyond = |by: f64| limit + by * (limit - ideal);
+            let next = if limit > ideal {
+                limit.next_up()
+            } else {
+                limit.next_down()
+            };
+            assert!(at.is_met() && !of(next).is_met(), "{name}");
+            assert_eq!(at.verdict(), RacewayVerdict::Smooth);
+            assert_eq!(of(next).verdict(), failure);
+            // Better than ideal is no failure: a critical gap above β0, say.
+            assert!(of(beyond(-5.0)).is_met(), "{name}");
+            for (value, margin) in [(ideal, 1.0), (beyond(-0.5), 0.5), (limit, 0.0)] {
+                let found = of(value).relative_margin();
+                assert!((found - margin).abs() < 1e-12, "{name} {value}: {found}");
+                let found = of(value).margin();
+                let expected = margin * (limit - ideal).abs();
+                assert!((found - expected).abs() < 1e-12, "{name} {value}: {found}");
+            }
+            assert_eq!(of(beyond(0.2)).to_string(), text);
+        }
+        let text = Criterion::Separation(-0.2).to_string();
+        assert!(text.starts_with("sliding takes nothing"), "{text}");
+        assert!(text.ends_with("margin 25.0 percentage points)"), "{text}");
     }
 }

@@ -152,3 +152,155 @@ fn forces_n(equilibrium: &Equilibrium, angle_rad: f64) -> [f64; 2] {
     [&equilibrium.inner_force_n, &equilibrium.outer_force_n]
         .map(|f| f[behind] + (f[next] - f[behind]) * part)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::common::{STRUCTURES, conventional, dimensions, structure};
+    use crate::equilibrium;
+
+    fn estimate(case: &Case) -> Estimate {
+        Estimate::new(case, &equilibrium::solve(case).unwrap())
+    }
+
+    fn value(estimate: &Estimate, name: &str) -> f64 {
+        estimate
+            .terms()
+            .iter()
+            .find(|t| t.name == name)
+            .unwrap()
+            .value
+    }
+
+    #[test]
+    fn limits_are_kept_up_to_themselves() {
+        let passes = |at_least: bool, value: f64| {
+            let term = EstimateTerm {
+                name: "",
+                meaning: "",
+                value,
+                limit: 0.8,
+                at_least,
+            };
+            Estimate { terms: vec![term] }.passes()
+        };
+        assert!(passes(true, 0.8) && !passes(true, 0.8f64.next_down()));
+        assert!(passes(false, 0.8) && !passes(false, 0.8f64.next_up()));
+        assert!(!passes(true, f64::NAN) && !passes(false, f64::NAN));
+        let term = EstimateTerm {
+            name: "",
+            meaning: "",
+            value: 1.2,
+            limit: 0.8,
+            at_least: true,
+        };
+        assert!((term.margin() - 0.5).abs() < 1e-12);
+    }
+
+    /// What the limits separate: structures (a) and (b) of Zhao 2022 are too long, (f) to (j) demand
+    /// too much friction.
+    #[test]
+    fn the_structures_of_the_paper_are_told_apart() {
+        for (k, (span, angle, beta0, _)) in STRUCTURES.into_iter().enumerate() {
+            let case = structure(span, angle);
+            let found = estimate(&case);
+            let demand = value(&found, "sliding");
+            assert_eq!(demand < 1.40, k < 5, "{span}: {demand}");
+            assert_eq!(demand > 1.50, k >= 5, "{span}: {demand}");
+            // Two spacings of 360°/14 between three balls.
+            let length = value(&found, "both-neighbours");
+            assert!((length - 2.0 * angle / (720.0 / 14.0)).abs() < 1e-12);
+            let steady = steady_gap_rad(&case.bearing, &case.raceways).to_degrees();
+            let separation = value(&found, "separation");
+            assert!((separation - beta0 / steady).abs() < 1e-4, "{separation}");
+            let e = equilibrium::solve(&case).unwrap();
+            let stress = e.inner_stress_max_pa.max(e.outer_stress_max_pa) / 4.2e9;
+            assert!((value(&found, "stress") - stress).abs() < 1e-12);
+            assert_eq!(found.passes(), (2..5).contains(&k), "{span}");
+        }
+        let plain = conventional(dimensions());
+        assert_eq!(estimate(&plain).terms().len(), 1);
+        let narrow = structure(4.3, 25.2);
+        let found = estimate(&narrow);
+        assert!(value(&found, "separation") < 0.8 && !found.passes());
+    }
+
+    /// Of several raceways each term is the worst.
+    #[test]
+    fn the_worst_raceway_is_estimated() {
+        let long = structure(5.1, 25.2);
+        let short = structure(5.2, 22.0);
+        let other = crate::common::raceway(&long.bearing, 5.2, 22.0, 0.0);
+        let of = |raceways: Vec<Raceway>| {
+            let case = long.with_raceways(raceways);
+            let e = equilibrium::solve(&long).unwrap();
+            Estimate::new(&case, &e)
+        };
+        let both = of(vec![long.raceways[0].clone(), other.clone()]);
+        let e = equilibrium::solve(&long).unwrap();
+        let demands = [&long.raceways[0], &other].map(|r| friction_demand(&long, &e, r));
+        assert!(demands[1] > demands[0]);
+        assert_eq!(value(&both, "sliding"), demands[1]);
+        let lengths = [&long, &short].map(|case| value(&estimate(case), "both-neighbours"));
+        assert_eq!(value(&both, "both-neighbours"), lengths[0]);
+    }
+
+    /// The demand by difference quotients of the whole motion, not at the points of the estimate:
+    /// m·Rm·dΩ/dt and J·dω/dt of a ball that rolls at Ω(r(ψ)), shared by Ti and To.
+    #[test]
+    fn friction_demand_is_that_of_the_rolling_ball() {
+        for (span, angle) in [(5.1, 25.2), (5.6, 15.774)] {
+            let case = structure(span, angle);
+            let e = equilibrium::solve(&case).unwrap();
+            let raceway = &case.raceways[0];
+            let (rw, rm) = (4.7625e-3, (18.24e-3 + 27.765e-3) / 2.0);
+            let mass = 7850.0 * 4.0 / 3.0 * std::f64::consts::PI * rw * rw * rw;
+            let speeds = |psi: f64| {
+                let r = raceway.effective_radius_m(psi);
+                let orbit =
+                    case.operation.inner_speed_rad_s * 18.24e-3 / rm * (1.0 - rw / (r + rw));
+                [orbit, orbit * rm / r]
+            };
+            let mut largest = 0.0f64;
+            for k in 1..2000 {
+                let psi = -angle.to_radians() * f64::from(k) / 2000.0;
+                let h = 1e-6;
+                let (before, after) = (speeds(psi - h), speeds(psi + h));
+                let rate = |n: usize| (after[n] - before[n]) / (2.0 * h) * speeds(psi)[0];
+                let sum = 0.4 * mass * rw * rate(1);
+                let difference = mass * rm * rate(0);
+                let [inner, outer] = forces_n(&e, psi);
+                let ti = (0.5 * (sum + difference)).abs() / (0.007 * inner);
+                let to = (0.5 * (sum - difference)).abs() / (0.007 * outer);
+                largest = largest.max(ti).max(to);
+            }
+            let found = friction_demand(&case, &e, raceway);
+            assert!(
+                (found / largest - 1.0).abs() < 0.01,
+                "{span}: {found} {largest}"
+            );
+        }
+    }
+
+    #[test]
+    fn forces_are_linear_between_the_balls() {
+        let mut e = equilibrium::solve(&conventional(dimensions())).unwrap();
+        e.ball_angle_rad = vec![0.0, 1.0, 3.0];
+        (e.inner_force_n, e.outer_force_n) = (vec![10.0, 20.0, 40.0], vec![1.0, 2.0, 4.0]);
+        let turn = std::f64::consts::TAU;
+        let last = 3.0 + 0.5 * (turn - 3.0);
+        for (angle, inner) in [
+            (0.0, 10.0),
+            (0.5, 15.0),
+            (2.5, 35.0),
+            (last, 25.0),
+            (0.5 - turn, 15.0),
+        ] {
+            let [found, outer] = forces_n(&e, angle);
+            assert!(
+                (found - inner).abs() < 1e-9 && (outer - inner / 10.0).abs() < 1e-9,
+                "{angle}: {found}"
+            );
+        }
+    }
+}

@@ -297,3 +297,103 @@ pub fn recommend(
 
 /// Fraction of the work of a recommendation that its starting point takes, roughly.
 const STARTING_FRACTION: f64 = 0.3;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::common::{STRUCTURES, structure};
+
+    #[test]
+    fn dimensions_are_rounded_to_what_a_drawing_states() {
+        let found = rounded(RacewayDimensions {
+            axial_span_m: 5.123_456e-3,
+            half_angle_rad: 25.123_456f64.to_radians(),
+            centre_angle_rad: 0.3,
+        });
+        assert!((found.axial_span_m - 5.123e-3).abs() < 1e-12);
+        assert!((found.half_angle_rad.to_degrees() - 25.123).abs() < 1e-9);
+        assert_eq!(found.centre_angle_rad, 0.3);
+    }
+
+    /// The structures of Zhao 2022, Table 2, lie on the curve, to the digits of the table.
+    #[test]
+    fn spans_of_the_curve_are_those_of_the_paper() {
+        let case = structure(5.1, 25.2);
+        for (span_mm, angle_deg, ..) in STRUCTURES {
+            let span = span_for_angle(&case, angle_deg.to_radians()).unwrap();
+            assert!((span * 1e3 - span_mm).abs() < 0.01, "{span_mm}: {span}");
+            let on_curve = on_curve(&case, span).unwrap().half_angle_rad();
+            assert!((on_curve.to_degrees() - angle_deg).abs() < 1e-3);
+        }
+        let limit = axial_span_limit_m(&case.bearing);
+        let least = on_curve(&case, limit * (1.0 - 1e-9))
+            .unwrap()
+            .half_angle_rad();
+        assert!(span_for_angle(&case, 0.9 * least).is_none());
+        let turned = crate::common::raceway(&case.bearing, 5.1, 25.2, 40.0);
+        let turned = case.with_raceways(vec![turned]);
+        let centre = on_curve(&turned, 5.1e-3)
+            .unwrap()
+            .dimensions()
+            .centre_angle_rad;
+        assert!((centre.to_degrees() - 40.0).abs() < 1e-9);
+        assert_eq!(centre_angle_rad(&case.with_raceways(vec![])), 0.0);
+    }
+
+    /// A raceway of any angle has the gap that its span was sought for.
+    #[test]
+    fn spans_for_a_gap_have_that_gap() {
+        let case = structure(5.1, 25.2);
+        let nominal = case.bearing.nominal_gap_rad();
+        for angle_deg in [20.0f64, 25.2] {
+            let angle = angle_deg.to_radians();
+            let widest = span_for_angle(&case, angle).unwrap();
+            for depth in [1.0, 0.9, 0.8] {
+                let span = span_for_gap(&case, angle, depth * nominal, widest).unwrap();
+                let raceway = crate::common::raceway(&case.bearing, span * 1e3, angle_deg, 0.0);
+                let found = theoretical_gap_rad(&case.bearing, &raceway, Eq11::Published);
+                assert!(
+                    (found / nominal - depth).abs() < 1e-5,
+                    "{angle_deg} {depth}: {found}"
+                );
+            }
+            assert!(span_for_gap(&case, angle, 1.2 * nominal, widest).is_none());
+        }
+    }
+
+    /// The usable part of the curve ends where three evenly spaced balls are inside and where slip
+    /// takes 5 % of the separation; its neighbours are shallower and no narrower than they spread.
+    #[test]
+    fn the_starting_point_is_the_middle_of_what_is_usable() {
+        let case = structure(5.1, 25.2);
+        let mut go_on = |_| Control::Continue(());
+        let start = starting_point(&case, &mut go_on).unwrap().unwrap();
+        // ε + the nominal gap: 360°/14.
+        let most = start.half_angle_max_rad.to_degrees();
+        assert!((most - 360.0 / 14.0).abs() < 1e-9, "{most}");
+        let span = span_for_angle(&case, start.half_angle_min_rad).unwrap();
+        let lost = shortfall(&case, on_curve(&case, span).unwrap(), &mut go_on).unwrap();
+        assert!((lost - 0.05).abs() < 2e-3, "{lost}");
+        let middle = 0.5 * (start.half_angle_min_rad + start.half_angle_max_rad);
+        assert_eq!(start.half_angle_rad, middle);
+        let own = on_curve(&case, start.axial_span_m).unwrap();
+        assert!((own.half_angle_rad() - middle).abs() < 1e-5);
+
+        for (fraction, depths) in [
+            (0.0, vec![0.97, 0.94, 0.91, 0.88]),
+            (0.5, vec![1.0, 0.97, 0.94, 0.91, 0.88]),
+        ] {
+            let found = neighbours(&case, &start, fraction);
+            let angle = middle + fraction * (start.half_angle_max_rad - middle);
+            for (dimensions, depth) in found.iter().zip(&depths) {
+                assert!((dimensions.half_angle_rad - angle).abs() < 1e-5);
+                let raceway = Raceway::new(*dimensions, &case.bearing).unwrap();
+                let beta0 = theoretical_gap_rad(&case.bearing, &raceway, Eq11::Published);
+                let nominal = case.bearing.nominal_gap_rad();
+                assert!((beta0 / nominal - depth).abs() < 2e-3, "{depth}: {beta0}");
+            }
+            // The next would be shallower than 0.8 of the steady gap.
+            assert_eq!(found.len(), depths.len(), "{found:?}");
+        }
+    }
+}

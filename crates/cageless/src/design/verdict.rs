@@ -439,3 +439,6 @@ pub(super) fn speed_drop_fraction(case: &Case, raceway: &Raceway, slowest_rad_s:
     let middle = raceway.effective_radius_m(raceway.dimensions().centre_angle_rad);
     (plain - slowest_rad_s) / (plain - speed(middle))
 }
+
+#[cfg(test)]
+mod tests;

@@ -347,3 +347,144 @@ fn fail(evaluation: &mut Evaluation, reason: String, point: usize) {
         point: Some(point),
     });
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::search::ALL_OBJECTIVES;
+
+    fn motion(factor: f64) -> Motion {
+        Motion::from_values(std::array::from_fn(|k| factor * (k + 1) as f64))
+    }
+
+    fn evaluation(spacing: Vec<PairSeparation>, motion: Vec<Motion>) -> Evaluation {
+        Evaluation {
+            structure: RacewayLayout {
+                axial_span_m: 5e-3,
+                half_angle_rad: 0.4,
+                centres_rad: vec![0.0],
+            },
+            placement: 0,
+            forms: Some(ClosedForms {
+                theoretical_gap_rad: 0.03,
+                steady_gap_rad: 0.04,
+            }),
+            spacing: spacing.into_iter().map(Some).collect(),
+            motion: motion.into_iter().map(Some).collect(),
+            rejection: None,
+            objectives: None,
+            on_front: false,
+        }
+    }
+
+    fn spacing(critical_gap_rad: f64, shortfall: f64, stress_pa: f64) -> PairSeparation {
+        PairSeparation {
+            critical_gap_rad,
+            shortfall,
+            stress_pa,
+        }
+    }
+
+    /// Every number of a motion has its place in files.
+    #[test]
+    fn motions_are_their_values() {
+        let m = motion(1.0);
+        let named = [
+            m.collisions,
+            m.collisions_late,
+            m.impulse_n_s,
+            m.double_collision_fraction,
+            m.gap_deviation_rad,
+            m.gap_min_rad,
+            m.gap_mean_rad,
+            m.slip_m_s,
+            m.speed_drop_fraction,
+            m.force_deviation_n,
+            m.friction_w,
+        ];
+        assert_eq!(named, std::array::from_fn(|k| (k + 1) as f64));
+        assert_eq!(m.values(), named);
+    }
+
+    /// Mean, standard error and difference of the starts, run by run.
+    #[test]
+    fn statistics_of_the_starts() {
+        let runs = Statistics::new(vec![motion(1.0), motion(2.0), motion(6.0)]);
+        // Deviations −2, −1, 3: 14/2 of variance, over three runs.
+        let error = (7.0f64 / 3.0).sqrt();
+        for k in 0..VALUES {
+            let number = (k + 1) as f64;
+            assert!((runs.mean.values()[k] - 3.0 * number).abs() < 1e-12);
+            assert!((runs.error.values()[k] - error * number).abs() < 1e-12);
+        }
+        let other = Statistics::new(vec![motion(0.5), motion(1.5), motion(2.5)]);
+        let less = runs.less(&other);
+        let differences = [0.5, 0.5, 3.5].map(motion);
+        assert_eq!(less, Statistics::new(differences.to_vec()));
+        assert_eq!(Motion::mean(&[]), Motion::default());
+    }
+
+    /// Each objective is that of the worst operating point.
+    #[test]
+    fn objectives_are_the_worst_of_the_points() {
+        let spacings = [spacing(0.030, 0.0, 1e9), spacing(0.036, 0.0, 2e9)];
+        let mut motions = vec![motion(1.0), motion(2.0)];
+        (motions[0].slip_m_s, motions[0].friction_w) = (17.0, 23.0);
+        let mut e = evaluation(spacings.to_vec(), motions.clone());
+        e.rate();
+        let objectives = e.objectives.unwrap();
+        let expected = [
+            ("spacing_scatter", 10.0 / 0.04),
+            ("collisions_late", 4.0),
+            ("used_fraction", 0.9),
+            ("slip_m_s", 17.0),
+            ("stress_pa", 2e9),
+            ("force_deviation_n", 20.0),
+            ("friction_w", 23.0),
+        ];
+        for ((found, objective), (key, value)) in
+            objectives.into_iter().zip(ALL_OBJECTIVES).zip(expected)
+        {
+            assert_eq!(objective.key, key);
+            assert!((found / value - 1.0).abs() < 1e-12, "{key}: {found}");
+        }
+        // Unknown at a point, or rejected: not rated.
+        e.motion[1] = None;
+        e.objectives = None;
+        e.rate();
+        assert_eq!(e.objectives, None);
+        e.motion[1] = Some(motions[1]);
+        fail(&mut e, "stopped".to_owned(), 1);
+        e.rate();
+        assert_eq!(e.objectives, None);
+        assert_eq!(e.rejection.as_ref().and_then(|r| r.point), Some(1));
+    }
+
+    /// Slack is that of the worst point, 0 at each limit and below zero beyond it.
+    #[test]
+    fn slack_is_what_is_left_of_each_limit() {
+        let mut double = [Motion::default(); 2];
+        (
+            double[0].double_collision_fraction,
+            double[1].double_collision_fraction,
+        ) = (0.05, 0.2);
+        let spacings = vec![spacing(0.038, 0.01, 1e9), spacing(0.034, 0.03, 1e9)];
+        let e = evaluation(spacings, double.to_vec());
+        let found = e.slack(0.8);
+        for (found, expected) in found.into_iter().zip([0.02, 0.05, 0.05, 0.05]) {
+            assert!((found - expected).abs() < 1e-12, "{found} {expected}");
+        }
+        let beyond = evaluation(vec![spacing(0.044, 0.07, 1e9); 2], double.to_vec());
+        for (found, expected) in beyond.slack(0.8).into_iter().zip([-0.02, -0.1, 0.3, 0.05]) {
+            assert!((found - expected).abs() < 1e-12, "{found} {expected}");
+        }
+        let mut unknown = e.clone();
+        unknown.spacing[1] = None;
+        assert!(unknown.slack(0.8).iter().all(|s| *s < 0.0));
+        unknown.forms = None;
+        assert!(unknown.slack(0.8).iter().all(|s| *s < 0.0));
+        let mut not_run = e;
+        not_run.motion = vec![None; 2];
+        assert_eq!(not_run.slack(0.8)[3], 0.0);
+    }
+}

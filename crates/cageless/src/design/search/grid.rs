@@ -295,3 +295,103 @@ fn span_of_fraction(table: &[(f64, f64)], fraction: f64) -> Option<f64> {
         (y0 <= fraction && fraction < y1).then(|| x0 + (fraction - y0) / (y1 - y0) * (x1 - x0))
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::common::structure;
+
+    #[test]
+    fn values_are_spread_from_end_to_end() {
+        assert_eq!(spread([1.0, 3.0], 5), [1.0, 1.5, 2.0, 2.5, 3.0]);
+        assert_eq!(spread([2.0, 2.0], 5), [2.0]);
+        let found = snapped(&RacewayLayout {
+            axial_span_m: 5.123_456e-3,
+            half_angle_rad: 25.123_456f64.to_radians(),
+            centres_rad: vec![0.3],
+        });
+        assert!((found.axial_span_m - 5.123e-3).abs() < 1e-12);
+        assert!((found.half_angle_rad.to_degrees() - 25.12).abs() < 1e-9);
+        assert_eq!(found.centres_rad, [0.3]);
+        let table = [(1.0, 10.0), (2.0, 20.0), (4.0, 30.0)];
+        assert_eq!(span_of_fraction(&table, 10.0), Some(1.0));
+        assert_eq!(span_of_fraction(&table, 25.0), Some(3.0));
+        assert_eq!(span_of_fraction(&table, 30.0), None);
+        assert_eq!(span_of_fraction(&table, 9.0), None);
+    }
+
+    /// All that Eq. (8) and (9) allow unless less is asked for.
+    #[test]
+    fn ranges_are_what_is_possible_of_what_is_asked_for() {
+        let case = structure(5.1, 25.2);
+        let limit = axial_span_limit_m(&case.bearing);
+        let mut request = Request::from_case(&case);
+        let [spans, angles] = ranges(&request, &case.bearing);
+        assert!((spans[0] / limit - 1.0 / 30.0).abs() < 1e-6);
+        assert!((spans[1] / limit - 59.0 / 60.0).abs() < 1e-6);
+        assert!((angles[0] * 18.0 - angles[1]).abs() < 1e-12);
+        let possible = |half_angle_rad| {
+            RacewayLayout {
+                axial_span_m: spans[1],
+                half_angle_rad,
+                centres_rad: vec![0.0],
+            }
+            .raceways(&case.bearing)
+            .is_ok()
+        };
+        assert!(possible(angles[1]) && !possible(angles[1] + 1.1e-3));
+        request.axial_span_range_m = Some([4e-3, 1.0]);
+        request.half_angle_range_rad = Some([0.2, 0.3]);
+        let [spans, angles] = ranges(&request, &case.bearing);
+        assert!(spans[0] == 4e-3 && spans[1] < limit && spans[1] > 0.999_999 * limit);
+        assert_eq!(angles, [0.2, 0.3]);
+    }
+
+    /// On each line θ is the same, and β0 over the steady gap rises evenly from what spreads the
+    /// balls to where evenly spaced balls collide; closer lines lie halfway to the next.
+    #[test]
+    fn candidates_fill_what_the_closed_forms_leave() {
+        let case = structure(5.1, 25.2);
+        let mut request = Request::from_case(&case);
+        request.placements = vec![vec![0.0], vec![0.5]];
+        request.half_angle_range_rad = Some([20f64.to_radians(), 25f64.to_radians()]);
+        let batch = Batch {
+            ranges: ranges(&request, &case.bearing),
+            request: &request,
+            execute: &mut |_, _| unreachable!("nothing to compute"),
+            bearing: &case.bearing,
+        };
+        let found = candidates(&batch);
+        assert_eq!(found.len(), 2 * 26 * 9);
+        let line = &found[26 * 9 + 5 * 9..26 * 9 + 6 * 9];
+        for (k, e) in line.iter().enumerate() {
+            assert_eq!(
+                (e.placement, e.structure.centres_rad.as_slice()),
+                (1, &[0.5][..])
+            );
+            // Five of 25 steps of 0.2°.
+            assert!((e.structure.half_angle_rad.to_degrees() - 21.0).abs() < 1e-9);
+            let (low, high) = (1.005 * 0.8, 1.0 / 0.95);
+            let expected = low + (high - low) * k as f64 / 8.0;
+            let fraction = e.forms.unwrap().fraction();
+            assert!(
+                (fraction - expected).abs() < 3e-3,
+                "{k}: {fraction} {expected}"
+            );
+            assert!(e.rejection.is_none() && e.objectives.is_none());
+        }
+        let mut known = found;
+        known[9 * 5].objectives = Some([1.0; 7]);
+        known[9 * 25 + 3].objectives = Some([1.0; 7]);
+        let lines: Vec<(usize, f64)> = refine(&batch, &known)
+            .chunks(9)
+            .map(|line| {
+                let angle = line[0].structure.half_angle_rad.to_degrees();
+                (line[0].placement, (angle * 100.0).round() / 100.0)
+            })
+            .collect();
+        // Nothing beyond the end of the range.
+        assert_eq!(lines, [(0, 20.9), (0, 21.1), (0, 24.9)]);
+        assert!(refine(&batch, &[]).is_empty());
+    }
+}

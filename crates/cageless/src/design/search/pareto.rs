@@ -133,6 +133,22 @@ mod tests {
         assert_eq!(pareto_front(&[point(1.0, 1.0); 3]), [0, 1, 2]);
     }
 
+    /// What is worse by less than the resolution in one objective, and in none better, stays.
+    #[test]
+    fn differences_within_the_resolution_count_as_none() {
+        for k in 0..OBJECTIVES {
+            let (best, mut other, far) = ([1.0; OBJECTIVES], [1.0; OBJECTIVES], [2.0; OBJECTIVES]);
+            other[k] = 1.0 + 0.995 * RESOLUTION;
+            assert_eq!(pareto_front(&[best, other, far]), [0, 1], "{k}");
+            other[k] = 1.0 + 1.005 * RESOLUTION;
+            assert_eq!(pareto_front(&[best, other, far]), [0], "{k}");
+            // Better in something else, however little: no other is as good in everything.
+            other[(k + 1) % OBJECTIVES] = 0.999_999;
+            assert_eq!(pareto_front(&[best, other, far]), [0, 1], "{k}");
+        }
+        assert_eq!(RESOLUTION, 0.01);
+    }
+
     #[test]
     fn the_corner_of_the_front_is_nearest_to_the_best() {
         let all = [point(0.0, 4.0), point(1.0, 1.0), point(4.0, 0.0)];

@@ -208,3 +208,150 @@ impl std::fmt::Display for Cause {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const STEADY: f64 = 0.04;
+    const FORMS: ClosedForms = ClosedForms {
+        theoretical_gap_rad: 0.036,
+        steady_gap_rad: STEADY,
+    };
+
+    fn spacing(critical_gap_rad: f64, shortfall: f64, stress_pa: f64) -> PairSeparation {
+        PairSeparation {
+            critical_gap_rad,
+            shortfall,
+            stress_pa,
+        }
+    }
+
+    fn motion(
+        speed_drop_fraction: f64,
+        gap_min_rad: f64,
+        double_collision_fraction: f64,
+    ) -> Motion {
+        Motion {
+            speed_drop_fraction,
+            gap_min_rad,
+            double_collision_fraction,
+            ..Motion::default()
+        }
+    }
+
+    /// Each requirement alone: kept at its limit, missed by the next number beyond it, with the
+    /// value that missed it.
+    #[test]
+    fn each_requirement_is_kept_up_to_its_limit() {
+        let name = |cause: Option<Cause>| cause.map(|cause| cause.name());
+        let forms = |beta0| ClosedForms {
+            theoretical_gap_rad: beta0,
+            ..FORMS
+        };
+        let closed = |fraction: f64| name(Cause::of_closed_forms(&forms(fraction * STEADY), 0.5));
+        assert_eq!(closed(0.5), None);
+        assert_eq!(closed(0.5 - 1e-12), Some("insufficient-separation"));
+        // Evenly spaced balls collide where β0 is above the steady gap: their motion shows that.
+        assert_eq!(closed(1.3), None);
+
+        let of = |critical, shortfall, stress| {
+            name(Cause::of_spacing(
+                &FORMS,
+                &spacing(critical, shortfall, stress),
+                0.5,
+            ))
+        };
+        let usual = 0.9 * STEADY;
+        assert_eq!(of(usual, 0.05, 1e9), None);
+        assert_eq!(of(usual, 0.05f64.next_up(), 1e9), Some("slips"));
+        assert_eq!(of(STEADY, 0.0, 1e9), None);
+        assert_eq!(
+            of(STEADY * (1.0 + 1e-12), 0.0, 1e9),
+            Some("excessive-separation")
+        );
+        assert_eq!(of(0.5 * STEADY, 0.0, 1e9), None);
+        let below = of(0.5 * STEADY * (1.0 - 1e-12), 0.0, 1e9);
+        assert_eq!(below, Some("insufficient-separation"));
+        assert_eq!(of(usual, 0.0, 4.2e9), None);
+        assert_eq!(of(usual, 0.0, 4.2e9f64.next_up()), Some("stress"));
+        // The first that is missed.
+        assert_eq!(of(2.0 * STEADY, 0.1, 9e9), Some("slips"));
+        assert_eq!(of(2.0 * STEADY, 0.0, 9e9), Some("excessive-separation"));
+
+        let spacing = spacing(0.03125, 0.0, 1e9);
+        let of = |drop, gap, double| name(Cause::of_motion(&motion(drop, gap, double), &spacing));
+        assert_eq!(of(0.8, 0.02, 0.1), None);
+        assert_eq!(of(0.8f64.next_down(), 0.02, 0.1), Some("gross-sliding"));
+        assert_eq!(of(1.0, 0.015_625, 0.1), None);
+        assert_eq!(
+            of(1.0, 0.015_625f64.next_down(), 0.1),
+            Some("gap-not-retained")
+        );
+        assert_eq!(of(1.0, 0.02, 0.25), None);
+        assert_eq!(of(1.0, 0.02, 0.25f64.next_up()), Some("double-collision"));
+        assert_eq!(of(0.1, 0.001, 0.9), Some("gross-sliding"));
+        assert_eq!(of(1.0, 0.001, 0.9), Some("gap-not-retained"));
+    }
+
+    /// What a cause says, and by how much its limit is missed.
+    #[test]
+    fn causes_say_their_value_and_their_excess() {
+        let spacing_of = |critical, shortfall, stress| {
+            Cause::of_spacing(&FORMS, &spacing(critical, shortfall, stress), 0.5).unwrap()
+        };
+        let motion_of = |drop, gap, double| {
+            Cause::of_motion(&motion(drop, gap, double), &spacing(0.03, 0.0, 1e9)).unwrap()
+        };
+        let rows = [
+            (
+                spacing_of(0.016, 0.0, 0.0),
+                0.2,
+                "separation only 40.0 % of the mean",
+            ),
+            (
+                spacing_of(0.05, 0.0, 0.0),
+                0.25,
+                "critical gap 125.0 % of the mean",
+            ),
+            (
+                spacing_of(0.03, 0.08, 0.0),
+                0.03,
+                "through sliding 8.0 % (5 % allowed)",
+            ),
+            (
+                spacing_of(0.03, 0.0, 5.04e9),
+                0.2,
+                "contact stress 5.04 GPa (4.2 GPa allowed",
+            ),
+            (
+                motion_of(0.7, 0.03, 0.0),
+                0.1,
+                "achieved deceleration 70.0 %",
+            ),
+            (
+                motion_of(1.0, 0.009, 0.0),
+                0.2,
+                "as little as 30.0 % of the critical gap (50 %",
+            ),
+            (
+                motion_of(1.0, 0.03, 0.35),
+                0.1,
+                "35.0 % of the passages hit",
+            ),
+        ];
+        for (cause, excess, text) in rows {
+            assert!((cause.excess(0.5) - excess).abs() < 1e-12, "{cause:?}");
+            assert!(cause.to_string().contains(text), "{cause}");
+            assert!(Cause::NAMES.contains(&cause.name()));
+        }
+        for (cause, name) in [
+            (Cause::Span, "eq-8"),
+            (Cause::Path, "eq-9"),
+            (Cause::Overlap, "overlap"),
+            (Cause::Failed("no".to_owned()), "failed"),
+        ] {
+            assert_eq!((cause.name(), cause.excess(0.5)), (name, f64::INFINITY));
+        }
+    }
+}

@@ -1,0 +1,185 @@
+use super::*;
+use crate::common::{raceway, structure};
+
+/// Statistics of which every number is another.
+fn statistics() -> PassageStatistics {
+    PassageStatistics {
+        passages: 231,
+        collisions_mean: 0.61,
+        double_collision_fraction: 0.12,
+        slip_mean_m_s: 0.34,
+        speed_drop_fraction: 0.93,
+        gap_leave_max_rad: 0.045,
+        gap_leave_min_rad: 0.016,
+    }
+}
+
+/// The judgement of structure (d) with a critical gap of this fraction of β0.
+fn decided(gap_fraction: f64, statistics: PassageStatistics) -> RacewayJudgement {
+    let case = structure(5.1, 25.2);
+    let beta0 = theoretical_gap_rad(&case.bearing, &case.raceways[0], Eq11::Published);
+    decide(&case, &case.raceways[0], gap_fraction * beta0, statistics)
+}
+
+/// Each criterion alone, just on either side of its limit; what is better than ideal passes.
+#[test]
+fn each_criterion_decides_at_its_limit() {
+    let with = |change: fn(&mut PassageStatistics, f64), value: f64| {
+        let mut all = statistics();
+        change(&mut all, value);
+        decided(1.0, all).verdict
+    };
+    let gap = |fraction: f64| decided(fraction, statistics()).verdict;
+    assert_eq!(gap(0.95 + 1e-9), RacewayVerdict::Smooth);
+    assert_eq!(gap(0.95 - 1e-9), RacewayVerdict::Slips);
+    assert_eq!(gap(1.2), RacewayVerdict::Smooth);
+    let drop = |value| with(|s, v| s.speed_drop_fraction = v, value);
+    assert_eq!(drop(0.8), RacewayVerdict::Smooth);
+    assert_eq!(drop(0.8f64.next_down()), RacewayVerdict::Slips);
+    assert_eq!(drop(1.1), RacewayVerdict::Smooth);
+    assert_eq!(drop(f64::NAN), RacewayVerdict::Slips);
+    let both = |value| with(|s, v| s.double_collision_fraction = v, value);
+    assert_eq!(both(0.25), RacewayVerdict::Smooth);
+    assert_eq!(both(0.25f64.next_up()), RacewayVerdict::DoubleCollision);
+    // Sliding comes first: a critical gap measured on sliding balls means nothing.
+    let mut all = statistics();
+    all.double_collision_fraction = 0.9;
+    all.speed_drop_fraction = 0.2;
+    assert_eq!(decided(1.0, all).verdict, RacewayVerdict::Slips);
+}
+
+/// The numbers of a judgement are in its reasons, each in the unit that it is shown in.
+#[test]
+fn reasons_have_the_numbers() {
+    let judged = decided(0.97, statistics());
+    assert_eq!(judged.passages, Some(statistics()));
+    let expected = [
+        Criterion::Separation(0.03),
+        Criterion::Deceleration(0.93),
+        Criterion::BothNeighbours(0.12),
+    ];
+    for (found, expected) in judged.criteria.iter().zip(expected) {
+        assert_eq!(found.name(), expected.name());
+        assert!((found.value() - expected.value()).abs() < 1e-12);
+    }
+    let text = judged.reasons.join("\n");
+    for part in [
+        // β0 of Table 2 is 1.8171°, its 0.97 fold 1.7626°.
+        "critical gap 1.7626°, 3.0 % below β0 = 1.8171°",
+        "at most 5 % allowed",
+        "12 % of 231 passages hit from both sides (at most 25 % allowed), 0.61 contacts",
+        "slip in a passage 0.340 m/s on average, achieved deceleration 93 %",
+        "at least 80 % required",
+        // Two balls are 2·(360°/14 − 23.898°) + 2·23.898° = 51.43° apart: three from there.
+        "2θ = 50.40°: up to 2 evenly spaced balls inside at once (three from 51.43°)",
+        "β0 = 100 % of the nominal gap 1.8161°: evenly spaced balls just touch",
+    ] {
+        assert!(text.contains(part), "{part}\n{text}");
+    }
+    assert!(decided(1.02, statistics()).reasons[0].contains("2.0 % above β0"));
+}
+
+#[test]
+fn the_depth_of_a_raceway_has_its_word() {
+    let case = structure(5.1, 25.2);
+    // β0 is 0.9 and 1.1 of the nominal gap at spans near 4.85 and 5.35 mm.
+    for span_mm in (400..=640).map(|k| f64::from(k) / 100.0) {
+        let dimensions = crate::raceway::RacewayDimensions {
+            axial_span_m: span_mm * 1e-3,
+            ..*case.raceways[0].dimensions()
+        };
+        let Ok(raceway) = Raceway::new(dimensions, &case.bearing) else {
+            continue;
+        };
+        let beta0 = theoretical_gap_rad(&case.bearing, &raceway, Eq11::Published);
+        let word = match beta0 / case.bearing.nominal_gap_rad() {
+            fraction if fraction < 0.9 => "are not separated: raceway too shallow",
+            fraction if fraction > 1.1 => "collide: raceway too deep",
+            _ => "just touch",
+        };
+        let judged = decide(&case, &raceway, beta0, statistics());
+        let last = judged.reasons.last().map_or("", String::as_str);
+        assert!(last.ends_with(word), "{span_mm}: {last}");
+    }
+}
+
+/// Of several raceways: the worst verdict, its first raceway's criterion and passages, and the
+/// largest critical gap of all.
+#[test]
+fn the_worst_raceway_decides() {
+    let mut judged: Vec<RacewayJudgement> = [(0.99, 0.9), (0.97, 0.81), (1.0, 0.95)]
+        .into_iter()
+        .enumerate()
+        .map(|(k, (gap, drop))| {
+            let mut all = statistics();
+            all.speed_drop_fraction = drop;
+            all.passages = 100 + k;
+            decided(gap, all)
+        })
+        .collect();
+    let all = summary(judged.clone(), None);
+    assert_eq!(all.verdict, RacewayVerdict::Smooth);
+    // Nearest to its limit: 0.01 of 0.2.
+    assert_eq!(all.deciding, Some(Criterion::Deceleration(0.81)));
+    assert_eq!(all.critical_gap_rad, judged[2].critical_gap_rad);
+    assert_eq!(all.passages.map(|p| p.passages), Some(100));
+    let headline = all.headline();
+    assert!(
+        headline.starts_with("PASS: smooth; nearest to its limit: balls reach 81.0 %"),
+        "{headline}"
+    );
+    for (k, number) in [(0, "raceway 1: "), (2, "raceway 3: ")] {
+        assert!(all.reasons[5 * k].starts_with(number), "{:?}", all.reasons);
+    }
+
+    for (k, fraction) in [(1, 0.7), (2, 0.4)] {
+        let mut worse = statistics();
+        worse.double_collision_fraction = fraction;
+        worse.passages = 100 + k;
+        judged[k] = decided(0.86 + 0.08 * k as f64, worse);
+    }
+    // The third collides twice, the second slips as well: it is the worst.
+    let all = summary(judged.clone(), None);
+    assert_eq!(all.verdict, RacewayVerdict::Slips);
+    assert!(matches!(all.deciding, Some(Criterion::Separation(v)) if (v - 0.06).abs() < 1e-9));
+    assert_eq!(all.passages.map(|p| p.passages), Some(101));
+    assert_eq!(all.passes(), Some(false));
+    judged.remove(1);
+    let all = summary(judged.clone(), None);
+    assert_eq!(all.verdict, RacewayVerdict::DoubleCollision);
+    assert_eq!(all.deciding, Some(Criterion::BothNeighbours(0.4)));
+    let headline = all.headline();
+    assert!(
+        headline.starts_with("FAIL: hit from both sides; 40.0 %"),
+        "{headline}"
+    );
+    judged.push(infeasible("no passage".to_owned(), None));
+    let all = summary(judged, None);
+    assert_eq!(all.verdict, RacewayVerdict::Infeasible);
+    assert_eq!((all.deciding, all.passages), (None, None));
+    assert!(all.critical_gap_rad.is_some());
+}
+
+/// The deceleration is measured between Ω on the plain ring and Ω at the depth of the raceway:
+/// Zhao 2022, Eq. (3).
+#[test]
+fn decelerations_are_fractions_of_the_kinematic_one() {
+    let case = structure(5.1, 25.2);
+    for (span_mm, angle_deg, centre_deg) in [(5.1, 25.2, 0.0), (5.6, 15.774, 70.0)] {
+        let raceway = raceway(&case.bearing, span_mm, angle_deg, centre_deg);
+        // Two points of a ball of radius Rw touch a span lC: r = √(Rw² − (lC/2)²) at the middle.
+        let r = (4.7625f64.powi(2) - (span_mm / 2.0).powi(2)).sqrt() * 1e-3;
+        let middle = raceway.effective_radius_m(centre_deg.to_radians());
+        assert!((middle - r).abs() < 1e-4, "{middle} {r}");
+        let speed = |r: f64| {
+            case.operation.inner_speed_rad_s * 18.24 / (0.5 * (18.24 + 27.765))
+                * (1.0 - 4.7625e-3 / (r + 4.7625e-3))
+        };
+        let (plain, slowed) = (speed(4.7625e-3), speed(middle));
+        for fraction in [0.0, 0.3, 1.0] {
+            let slowest = plain + fraction * (slowed - plain);
+            let found = speed_drop_fraction(&case, &raceway, slowest);
+            assert!((found - fraction).abs() < 1e-9, "{found} {fraction}");
+        }
+    }
+}
