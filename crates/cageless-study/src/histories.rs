@@ -121,3 +121,59 @@ pub struct RunHistories {
     /// Number of contacts between balls.
     pub collisions_total: usize,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cageless_io::case_file::{CaseFile, template};
+
+    fn histories() -> Histories {
+        let file = CaseFile::parse(&template(false), "case.toml", &[]).unwrap();
+        Histories::new(file.case())
+    }
+
+    fn collision(impulse_n_s: f64) -> Collision {
+        Collision {
+            start_s: 2.0 * impulse_n_s,
+            duration_s: 3.0,
+            ball: 12,
+            next_ball: 13,
+            angle_rad: 0.5,
+            approach_speed_m_s: 4.0,
+            peak_force_n: 5.0,
+            impulse_n_s,
+        }
+    }
+
+    /// Of too many collisions the strongest stay, and all are counted.
+    #[test]
+    fn the_strongest_collisions_stay() {
+        let mut all = histories();
+        let count = 3 * COLLISIONS + 17;
+        // 0 to count − 1 in another order: 7919 is prime.
+        for k in 0..count {
+            all.collide(&collision((7919 * k % count) as f64));
+        }
+        let found = all.finish();
+        assert_eq!(found.collisions_total, count);
+        assert!((COLLISIONS..2 * COLLISIONS).contains(&found.collisions.len()));
+        let kept: std::collections::HashSet<u64> = (found.collisions.iter())
+            .map(|c| c.impulse_n_s as u64)
+            .collect();
+        assert!((count - COLLISIONS..count).all(|k| kept.contains(&(k as u64))));
+        let expected = CollisionPoint {
+            time_s: 2.0 * (count - 1) as f64,
+            ball: 13,
+            next_ball: 14,
+            angle_deg: 28.647_889_756_541_16,
+            approach_speed_m_s: 4.0,
+            peak_force_n: 5.0,
+            impulse_n_s: (count - 1) as f64,
+        };
+        assert!(
+            found.collisions.contains(&expected),
+            "{:?}",
+            found.collisions[0]
+        );
+    }
+}

@@ -53,3 +53,57 @@ impl Passages {
         RunVerdict::from_case(case, &self.of_raceway)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cageless::simulation::{Control, run};
+    use cageless_io::case_file::{CaseFile, template};
+
+    /// Those that enter after two orbits of the balls, in all and raceway by raceway; the last 60
+    /// one by one.
+    #[test]
+    fn passages_after_the_transient_are_tallied() {
+        let two = template(false).replace("[raceway]", "[[raceway]]").replace(
+            "[operation]",
+            "[[raceway]]\naxial_span_mm = 5.4\nhalf_angle_deg = 18.167\ncentre_angle_deg = 90.0\n\
+             [operation]",
+        );
+        let changes = ["solver.duration_s=0.1".to_owned()];
+        let file = CaseFile::parse(&two, "case.toml", &changes).unwrap();
+        let case = file.case();
+        let (mut all, mut passages) = (vec![], Passages::new(case));
+        {
+            let mut every = PassageRecorder::new(|passage| {
+                all.push(passage);
+                Ok(())
+            });
+            let mut recorder = passages.recorder(case);
+            run(case, &mut [&mut every, &mut recorder], &mut |_| {
+                Control::Continue(())
+            })
+            .unwrap();
+        }
+        // Ω = ωi·Ri/(Ri + Ro) of rolling balls.
+        let orbit = case.operation.inner_speed_rad_s * 18.24 / (18.24 + 27.765);
+        let settled_s = 2.0 * std::f64::consts::TAU / orbit;
+        let late: Vec<Passage> = (all.iter().copied())
+            .filter(|passage| passage.enter_s > settled_s)
+            .collect();
+        assert!(late.len() > 100 && all.len() > late.len() + 20);
+        let tally = |raceway: Option<usize>| {
+            let mut tally = PassageTally::new();
+            let of = late
+                .iter()
+                .filter(|p| raceway.is_none_or(|r| p.raceway == r));
+            of.for_each(|passage| tally.add(passage));
+            tally
+        };
+        assert_eq!(passages.all, tally(None));
+        assert_eq!(passages.of_raceway, [tally(Some(0)), tally(Some(1))]);
+        assert_ne!(passages.of_raceway[0], passages.of_raceway[1]);
+        assert!(passages.recent.iter().eq(&late[late.len() - 60..]));
+        let verdict = passages.verdict(case);
+        assert_eq!(verdict, RunVerdict::from_case(case, &passages.of_raceway));
+    }
+}

@@ -269,3 +269,6 @@ fn data(case: &Case, request: &Request, tolerances: &Tolerances, a: &Assessment)
         }),
     }
 }
+
+#[cfg(test)]
+mod tests;

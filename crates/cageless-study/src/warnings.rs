@@ -155,3 +155,6 @@ fn of_case(case: &Case) -> Vec<String> {
     }
     warnings
 }
+
+#[cfg(test)]
+mod tests;

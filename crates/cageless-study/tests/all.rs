@@ -1,10 +1,12 @@
 //! All tests of the studies, as one program.
 
+mod design_result;
 mod drops;
 mod random_cases;
 mod rotor_drops;
 mod rotor_sweeps;
 mod run_results;
 mod studies;
+mod sweep_analysis;
 mod sweep_collection;
 mod sweep_variants;

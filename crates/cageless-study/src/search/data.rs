@@ -255,3 +255,6 @@ fn map_data(map: &SpeedMap) -> MapData {
         passes: grid(map, columns, |c| c.cause.is_none()),
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,190 @@
+use cageless::design::RacewayVerdict;
+use cageless_io::case_file::{CaseFile, template};
+
+use super::*;
+
+fn case() -> Case {
+    let file = CaseFile::parse(&template(false), "case.toml", &[]).unwrap();
+    file.case().clone()
+}
+
+const REQUEST: Request = Request {
+    samples: 2,
+    groove_depth_um: 3.0,
+    axial_span_um: 21.0,
+    half_angle_deg: 0.5,
+    ball_grade: 20,
+    friction: 0.004,
+    clearance_um: 6.0,
+    speed_percent: 7.0,
+    load_percent: 40.0,
+};
+
+#[test]
+fn tolerances_are_those_of_the_request_in_si_units() {
+    let t = REQUEST.check(&case(), "case").unwrap();
+    let expected = [
+        (t.groove_depth_m, 3e-6),
+        (t.axial_span_m, 21e-6),
+        (t.half_angle_rad, 0.5 * std::f64::consts::PI / 180.0),
+        (t.friction, 0.004),
+        (t.clearance_m, 6e-6),
+        (t.speed_fraction, 0.07),
+        (t.load_fraction, 0.4),
+        (t.ball_grade.unwrap().lot_variation_m, 1e-6),
+    ];
+    for (found, expected) in expected {
+        assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
+    }
+    let none = Request {
+        ball_grade: 0,
+        ..REQUEST
+    };
+    assert!(none.check(&case(), "case").unwrap().ball_grade.is_none());
+}
+
+/// Each option is taken up to its limit and refused beyond it and below 0, by name.
+#[test]
+fn each_option_has_its_limits() {
+    let case = case();
+    let raceway = &case.raceways[0];
+    type Set = fn(&mut Request, f64);
+    let rows: [(&str, Set, f64); 7] = [
+        (
+            "groove_depth_um",
+            |r, v| r.groove_depth_um = v,
+            1e6 * raceway.depth_error_max_m(),
+        ),
+        ("axial_span_um", |r, v| r.axial_span_um = v, 5100.0),
+        ("half_angle_deg", |r, v| r.half_angle_deg = v, 25.2),
+        (
+            "friction",
+            |r, v| r.friction = v,
+            case.contact.friction_coefficient,
+        ),
+        // A tenth of the ball radius of 4.7625 mm.
+        ("clearance_um", |r, v| r.clearance_um = v, 476.25),
+        ("speed_percent", |r, v| r.speed_percent = v, 100.0),
+        ("load_percent", |r, v| r.load_percent = v, 100.0),
+    ];
+    for (name, set, most) in rows {
+        let refused = |value: f64| {
+            let mut request = REQUEST;
+            set(&mut request, value);
+            match request.check(&case, "case") {
+                Ok(_) => None,
+                Err(StudyError::Option(error)) => Some(error.option),
+                Err(other) => panic!("{other:?}"),
+            }
+        };
+        for value in [0.0, most * (1.0 - 1e-12)] {
+            assert_eq!(refused(value), None, "{name} = {value}");
+        }
+        for value in [-1e-9, most * (1.0 + 1e-12), f64::NAN, f64::INFINITY] {
+            assert_eq!(refused(value), Some(name), "{name} = {value}");
+        }
+    }
+    let samples = |samples| Request { samples, ..REQUEST }.check(&case, "case").is_ok();
+    assert!(samples(100_000) && !samples(100_001));
+    let grade = |ball_grade| {
+        Request {
+            ball_grade,
+            ..REQUEST
+        }
+        .check(&case, "case")
+        .is_ok()
+    };
+    assert!(grade(100) && !grade(4));
+    let plain = case.with_raceways(vec![]);
+    assert!(matches!(
+        REQUEST.check(&plain, "case"),
+        Err(StudyError::Input(_))
+    ));
+}
+
+/// Rows and samples in the units of the drawing, every number in its place.
+#[test]
+fn results_are_in_the_units_of_the_drawing() {
+    let case = case();
+    let tolerances = REQUEST.check(&case, "case").unwrap();
+    let all = trials(&case, &tolerances, 3, 5);
+    let outcome = |number: f64, verdict| Outcome {
+        verdict,
+        critical_gap_rad: Some(1e-3 * number),
+        double_collision_fraction: Some(1e-2 * number),
+        collisions_mean: Some(2.0),
+        slip_mean_m_s: Some(1e-1 * number),
+        reason: (verdict == RacewayVerdict::Infeasible).then(|| format!("reason {number}")),
+        headline: String::new(),
+    };
+    let verdict = |k: usize| match all.len() - k {
+        3 => RacewayVerdict::Slips,
+        2 => RacewayVerdict::Infeasible,
+        _ => RacewayVerdict::Smooth,
+    };
+    let outcomes: Vec<Outcome> = (0..all.len())
+        .map(|k| outcome((k + 1) as f64, verdict(k)))
+        .collect();
+    let found = data(&case, &REQUEST, &tolerances, &assess(&all, &outcomes));
+    let near = |found: f64, expected: f64| {
+        assert!(
+            (found - expected).abs() < 1e-9 * (1e-3 + expected.abs()),
+            "{found} {expected}"
+        );
+    };
+    let degrees = |milliradians: f64| 0.18 * milliradians / std::f64::consts::PI;
+    near(found.nominal_critical_gap_deg.unwrap(), degrees(1.0));
+    near(found.nominal_double_collision_fraction.unwrap(), 0.01);
+    near(found.nominal_slip_m_s.unwrap(), 0.1);
+    let ball_angle = 2.0 * (4.7625 / (0.5 * (18.24 + 27.765f64))).asin();
+    near(
+        found.uniform_gap_deg,
+        360.0 / 14.0 - ball_angle * 180.0 / std::f64::consts::PI,
+    );
+    assert_eq!(
+        (found.ball_grade, found.nominal_verdict.as_str()),
+        (20, "smooth")
+    );
+    let rows = [
+        ("groove depth", -3.0, 3.0, "µm", 2),
+        ("axial span", -21.0, 21.0, "µm", 2),
+        ("half angle", -0.5, 0.5, "°", 2),
+        ("ball radii", -0.25, 0.25, "µm", 4),
+        ("friction coefficient", -0.004, 0.004, "", 2),
+        ("radial clearance", -6.0, 6.0, "µm", 2),
+        // 7 % of 12 000 rpm, 40 % of 1500 N.
+        ("speed", -840.0, 840.0, "rpm", 2),
+        ("load", -600.0, 600.0, "N", 2),
+    ];
+    let mut last = 1.0;
+    assert_eq!(found.influences.len(), rows.len());
+    for (row, (name, low, high, unit, trials)) in found.influences.iter().zip(rows) {
+        assert_eq!((row.name.as_str(), row.unit.as_str()), (name, unit));
+        near(row.low, low);
+        near(row.high, high);
+        assert_eq!((row.trials, row.passed), (trials, trials));
+        last += trials as f64;
+        for (k, number) in [1.0, last].into_iter().enumerate() {
+            near(row.critical_gap_deg.unwrap()[k], degrees(number));
+            near(row.double_collision_fraction.unwrap()[k], 1e-2 * number);
+            near(row.slip_mean_m_s.unwrap()[k], 1e-1 * number);
+        }
+    }
+    let samples = found.samples.as_ref().unwrap();
+    assert_eq!(
+        (samples.count, samples.passed, samples.seed),
+        (3, 1, case.seed)
+    );
+    near(samples.pass_probability, 1.0 / 3.0);
+    let quantiles = samples.critical_gap_quantiles_deg.unwrap();
+    for (quantile, number) in quantiles.into_iter().zip([1.0, 2.0, 3.0]) {
+        near(quantile, degrees(last + number));
+    }
+    let counts: Vec<usize> = samples.verdicts.iter().map(|v| v.count).collect();
+    assert_eq!(counts, [1, 0, 1, 1]);
+    near(samples.verdicts[2].critical_gap_deg[0], degrees(last + 1.0));
+    assert_eq!(
+        samples.first_impossible,
+        Some(format!("reason {}", last + 2.0))
+    );
+}

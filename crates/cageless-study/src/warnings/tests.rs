@@ -1,0 +1,219 @@
+use cageless::contact_peaks::{ContactPeak, ContactPeaks};
+use cageless::design::RunVerdict;
+use cageless::passage::PassageTally;
+use cageless::simulation::{Control, RunOutcome, run};
+use cageless::summary::{Summary, SummaryRecorder};
+use cageless_io::case_file::{CaseFile, template};
+
+use super::*;
+
+/// A short run whose numbers the tests change one at a time.
+struct Run {
+    case: Case,
+    outcome: RunOutcome,
+    summary: Option<Summary>,
+}
+
+impl Run {
+    fn new(changes: &[&str]) -> Self {
+        let mut all = vec!["solver.duration_s=0.002".to_owned()];
+        all.extend(changes.iter().map(|c| (*c).to_owned()));
+        let file = CaseFile::parse(&template(false), "case.toml", &all).unwrap();
+        let case = file.case().clone();
+        let mut recorder = SummaryRecorder::new();
+        let outcome = run(&case, &mut [&mut recorder], &mut |_| Control::Continue(())).unwrap();
+        let mut summary = recorder.summary();
+        if let Some(summary) = &mut summary {
+            summary.peaks = ContactPeaks::default();
+        }
+        Self {
+            case,
+            outcome,
+            summary,
+        }
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        warnings(&Finished {
+            case: &self.case,
+            outcome: &self.outcome,
+            summary: self.summary.as_ref(),
+            passages: &PassageTally::new(),
+            verdict: &RunVerdict::from_case(&self.case, &[]),
+            wall_s: 1.0,
+        })
+    }
+
+    /// One warning with this in it, on one side of a limit, and none on the other.
+    fn changes(&mut self, warned: bool, part: &str, change: impl FnOnce(&mut Self)) {
+        change(self);
+        let found = self.warnings();
+        assert_eq!(found.len(), usize::from(warned), "{part}: {found:?}");
+        assert!(
+            found.iter().all(|text| text.contains(part)),
+            "{part}: {found:?}"
+        );
+    }
+}
+
+#[test]
+fn each_peak_of_a_contact_has_its_limit() {
+    type Of = fn(&mut ContactPeaks) -> &mut ContactPeak;
+    let places: [(Of, &str); 3] = [
+        (|p| &mut p.inner, "at the inner raceway"),
+        (|p| &mut p.outer, "at the outer raceway"),
+        (|p| &mut p.balls, "between balls"),
+    ];
+    for (of, place) in places {
+        let mut run = Run::new(&[]);
+        let set = |run: &mut Run, peak: ContactPeak| {
+            *of(&mut run.summary.as_mut().unwrap().peaks) = peak;
+        };
+        let pressure = |pressure_pa: f64| ContactPeak {
+            pressure_pa,
+            ..ContactPeak::default()
+        };
+        let text = format!("the contact pressure {place} reaches 4200 MPa, above the 4200 MPa");
+        run.changes(false, "", |run| set(run, pressure(4.2e9)));
+        run.changes(true, &text, |run| set(run, pressure(4.2e9f64.next_up())));
+        // 900 MPa·m/s at 150 K are what 1200 MPa·m/s at 200 K would be at the limit.
+        let heated = |flash_temperature_k: f64| ContactPeak {
+            pressure_velocity_pa_m_s: 6e6 * flash_temperature_k,
+            flash_temperature_k,
+            ..ContactPeak::default()
+        };
+        let text =
+            format!("pressure × sliding speed {place} reaches 1200 MPa·m/s, above the 900 that");
+        run.changes(false, "", |run| set(run, heated(150.0)));
+        run.changes(true, place, |run| set(run, heated(150f64.next_up())));
+        run.changes(true, &text, |run| set(run, heated(200.0)));
+    }
+}
+
+#[test]
+fn speed_heat_and_energy_have_their_limits() {
+    let mut run = Run::new(&[]);
+    // n·dm with dm = 18.24 + 27.765 mm.
+    let rpm = |parameter: f64| parameter / (18.24 + 27.765);
+    let turning = |run: &mut Run, rpm: f64| {
+        run.case.operation.inner_speed_rad_s = rpm * std::f64::consts::PI / 30.0;
+        // What rolls faster carries more load and may slide more: that is not asked here.
+        run.case.solver.step_s = 1e-9;
+    };
+    let text = "n·dm is 3.00 million mm/min, above the 3 million";
+    run.changes(false, "", |run| turning(run, rpm(3e6 * (1.0 - 1e-9))));
+    run.changes(true, text, |run| turning(run, rpm(3e6 * (1.0 + 1e-9))));
+    // Either way round.
+    run.changes(true, text, |run| turning(run, -rpm(3e6 * (1.0 + 1e-9))));
+
+    let mut run = Run::new(&[]);
+    for (residual, warned) in [
+        (0.01, false),
+        (-0.01, false),
+        (0.0101, true),
+        (-0.0101, true),
+    ] {
+        run.changes(
+            warned,
+            "1.0 % of all energy flows are unaccounted for",
+            |run| {
+                run.outcome.energy_residual_relative = residual;
+            },
+        );
+    }
+    run.outcome.energy_residual_relative = 0.0;
+    run.changes(true, "ended within its transient: no statistics", |run| {
+        run.summary = None
+    });
+
+    // A bearing of dm and a width of 1.9 ball diameters gives off 16 kW/m² over 2π·B·dm.
+    let means = Run::new(&[]).summary.unwrap().means.unwrap();
+    let heat_w = means.heat_w().max(means.power_loss_w());
+    let of_size = |run: &mut Run, factor: f64| {
+        let mut d = run.case.bearing.dimensions().clone();
+        let (ball, dm) = (9.525e-3, 18.24e-3 + 27.765e-3);
+        let reference_w = 16e3 * TAU * 1.9 * ball * dm;
+        let scale = (factor * heat_w / reference_w).sqrt();
+        for length in [
+            &mut d.ball_radius_m,
+            &mut d.inner_groove_bottom_radius_m,
+            &mut d.outer_groove_bottom_radius_m,
+            &mut d.outer_shoulder_radius_m,
+            &mut d.inner_groove_curvature_radius_m,
+            &mut d.outer_groove_curvature_radius_m,
+        ] {
+            *length *= scale;
+        }
+        // The raceway belongs to the larger bearing; load and speed are those of this one.
+        run.case.raceways = vec![];
+        run.case.operation.inner_speed_rad_s = 100.0;
+        run.case.operation.radial_load_n = 0.0;
+        run.case.solver.step_s = 1e-9;
+        run.case.bearing = cageless::Bearing::new(d, *run.case.bearing.materials()).unwrap();
+    };
+    let mut run = Run::new(&[]);
+    run.changes(false, "", |run| of_size(run, 1.0 + 1e-9));
+    let mut run = Run::new(&[]);
+    run.changes(true, "the power loss of", |run| of_size(run, 1.0 - 1e-9));
+    let mut run = Run::new(&[]);
+    run.changes(true, "is 2 times the", |run| of_size(run, 0.5));
+}
+
+/// Each limit of the step, at it and beyond it.
+#[test]
+fn each_limit_of_the_step_warns_beyond_it() {
+    let mut undamped = Run::new(&[
+        "contact.damping=0",
+        "contact.ball_restitution=1",
+        "solver.method=abm4",
+    ]);
+    undamped.changes(false, "", |run| run.case.solver.step_s = 0.5e-6);
+    let text = "ABM4 gains energy at steps above 0.5 µs";
+    undamped.changes(true, text, |run| {
+        run.case.solver.step_s = 0.5e-6f64.next_up()
+    });
+    undamped.changes(false, "", |run| run.case.contact.damping_n_s_m1_5 = 2e5);
+    undamped.changes(false, "", |run| {
+        run.case.contact.damping_n_s_m1_5 = 0.0;
+        run.case.solver.method = IntegrationMethod::VelocityVerlet;
+    });
+
+    let mut stiff = Run::new(&["solver.method=abm4", "contact.friction_coefficient=0.1"]);
+    let resolved = StepLimits::new(&stiff.case).friction_resolved_to_s(IntegrationMethod::Abm4);
+    assert!(resolved.is_finite());
+    stiff.changes(false, "", |run| run.case.solver.step_s = resolved);
+    let text = format!("slip near zero is wrong above {:.2} µs", 1e6 * resolved);
+    stiff.changes(true, &text, |run| {
+        run.case.solver.step_s = resolved.next_up()
+    });
+
+    let falling = [
+        "contact.friction_law=stribeck",
+        "contact.friction_coefficient=0.1",
+        "contact.static_friction_coefficient=0.2",
+        "contact.stribeck_speed_m_s=0.05",
+    ];
+    let mut falling = Run::new(&falling);
+    let method = falling.case.solver.method;
+    let resolved = StepLimits::new(&falling.case).falling_resolved_to_s(method);
+    falling.changes(false, "", |run| run.case.solver.step_s = resolved);
+    let text = "such jumps are not resolved";
+    falling.changes(true, text, |run| {
+        run.case.solver.step_s = resolved.next_up()
+    });
+
+    let mut creeping = Run::new(&[
+        "solver.method=abm4",
+        "contact.friction_law=coulomb",
+        "contact.friction_coefficient=0.3",
+    ]);
+    let creep = StepLimits::new(&creeping.case).creep_m_s2(IntegrationMethod::Abm4);
+    let knee = creeping.case.contact.slip_scale_m_s;
+    creeping.changes(false, "", |run| {
+        run.case.solver.step_s = knee / creep * (1.0 - 1e-12)
+    });
+    let text = format!("creep by up to {knee:.2} m/s");
+    creeping.changes(true, &text, |run| {
+        run.case.solver.step_s = knee / creep * (1.0 + 1e-12)
+    });
+}

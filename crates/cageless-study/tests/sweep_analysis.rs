@@ -1,0 +1,261 @@
+//! What is made of a finished sweep, against the same numbers worked out from its rows.
+
+use std::collections::BTreeMap;
+
+use cageless::simulation::Control;
+use cageless_io::case_file::template;
+use cageless_io::plan_file::PlanFile;
+use cageless_io::results::{Cell, Row};
+use cageless_study::quantities::Aim;
+use cageless_study::sweep::analysis::{Goal, Levels, SweepData, analyse};
+use cageless_study::sweep::{Job, Sweep, run};
+
+/// Rows and analysis of a plan.
+fn analysed(plan: &str, goals: &[Goal]) -> (Sweep, Vec<Row>, SweepData) {
+    let dir = tempfile::tempdir().expect("a folder");
+    std::fs::write(dir.path().join("case.toml"), template(false)).expect("written");
+    let text = format!("case = \"case.toml\"\n{plan}");
+    let plan = PlanFile::parse(&text, "plan", dir.path()).expect("a plan");
+    let sweep = Sweep::new(plan).expect("a sweep");
+    let job = Job {
+        result: dir.path().join("sweep.parquet"),
+        shard: None,
+        threads: None,
+    };
+    run(&sweep, &job, |_| Control::Continue(())).expect("computed");
+    let data = analyse(&job.result, goals).expect("analysed");
+    let rows = sweep.evaluate(0..sweep.variants(), &|| Control::Continue(()));
+    (sweep, rows.expect("rows"), data)
+}
+
+fn goal(column: &str, aim: Aim) -> Goal {
+    Goal {
+        column: column.to_owned(),
+        aim,
+    }
+}
+
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+/// Mean of the squared deviations from the mean.
+fn variance(values: &[f64]) -> f64 {
+    let middle = mean(values);
+    mean(
+        &values
+            .iter()
+            .map(|v| (v - middle).powi(2))
+            .collect::<Vec<_>>(),
+    )
+}
+
+fn close(found: f64, expected: f64, what: &str) {
+    let error = (found - expected).abs();
+    assert!(
+        error <= 1e-9 * (1e-3 + expected.abs()),
+        "{what}: {found} {expected}"
+    );
+}
+
+const GRID: &str = "\
+compute = [\"design\"]
+[grid]
+bearing.balls = [12, 13, 14]
+raceway.axial_span_mm = [4.9, 5.1, 5.6, 7.9]
+raceway.half_angle_deg = [20.0, 24.0]
+";
+
+#[test]
+fn shares_effects_and_maps_are_those_of_the_rows() {
+    let (sweep, rows, data) = analysed(GRID, &[]);
+    let at = |name: &str| sweep.column(name).unwrap();
+    let inputs = [
+        "bearing_balls",
+        "raceway_axial_span_mm",
+        "raceway_half_angle_deg",
+    ];
+    let names: Vec<&str> = data.inputs.iter().map(|i| i.name.as_str()).collect();
+    assert_eq!(names, inputs);
+    let levels: [Vec<f64>; 3] = [
+        vec![12.0, 13.0, 14.0],
+        vec![4.9, 5.1, 5.6, 7.9],
+        vec![20.0, 24.0],
+    ];
+    assert_eq!((data.variants, data.failed), (24, 6));
+    let input = |row: &Row, k: usize| row[at(inputs[k])].number().unwrap();
+    let mut told_apart = 0;
+    for output in &data.outputs {
+        let name = &output.quantity.name;
+        let column = at(name);
+        let value = |row: &&Row| row[column].number();
+        let some: Vec<&Row> = rows.iter().filter(|row| value(row).is_some()).collect();
+        let all: Vec<f64> = some.iter().filter_map(value).collect();
+        assert_eq!(output.count as usize, all.len(), "{name}");
+        close(output.mean, mean(&all), name);
+        let group = |wanted: &dyn Fn(&Row) -> bool| -> Vec<f64> {
+            some.iter()
+                .filter(|row| wanted(row))
+                .filter_map(value)
+                .collect()
+        };
+        // η²: variance of the means of the levels, by their number of rows, over that of all.
+        let shares = [0, 1, 2].map(|k| {
+            let middle = mean(&all);
+            let between: f64 = levels[k]
+                .iter()
+                .map(|level| group(&|row| input(row, k) == *level))
+                .filter(|values| !values.is_empty())
+                .map(|values| values.len() as f64 * (mean(&values) - middle).powi(2))
+                .sum();
+            between / (all.len() as f64 * variance(&all))
+        });
+        for (found, expected) in output.shares.iter().zip(shares) {
+            assert!(
+                (found.unwrap() - expected).abs() < 1e-6,
+                "{name}: {:?} {shares:?}",
+                output.shares
+            );
+        }
+        told_apart += usize::from(shares.iter().filter(|s| **s > 0.02).count() > 1);
+        let mut order = [0, 1, 2];
+        order.sort_by(|a, b| shares[*b].total_cmp(&shares[*a]));
+        let drawn: Vec<&str> = order
+            .into_iter()
+            .filter(|k| shares[*k] >= 0.01)
+            .map(|k| inputs[k])
+            .collect();
+        let effects: Vec<&str> = output
+            .effects
+            .iter()
+            .map(|e| e.input.name.as_str())
+            .collect();
+        assert_eq!(effects, drawn, "{name}");
+        for effect in &output.effects {
+            let k = inputs.iter().position(|i| *i == effect.input.name).unwrap();
+            assert_eq!(effect.levels, Levels::Numbers(levels[k].clone()));
+            for (n, level) in levels[k].iter().enumerate() {
+                let here = group(&|row| input(row, k) == *level);
+                if here.is_empty() {
+                    assert!(effect.mean[n].is_nan(), "{name}");
+                    continue;
+                }
+                close(effect.mean[n], mean(&here), name);
+                close(
+                    effect.min[n],
+                    here.iter().copied().fold(f64::MAX, f64::min),
+                    name,
+                );
+                close(
+                    effect.max[n],
+                    here.iter().copied().fold(f64::MIN, f64::max),
+                    name,
+                );
+            }
+        }
+        let map = output.map.as_ref().unwrap();
+        let [x, y] =
+            [&map.x_input, &map.y_input].map(|i| inputs.iter().position(|n| *n == i.name).unwrap());
+        // Of inputs without any effect either may come first.
+        for (found, expected) in [(x, order[0]), (y, order[1])] {
+            assert!((shares[found] - shares[expected]).abs() < 1e-9, "{name}");
+        }
+        for (line, y_level) in map.mean.iter().zip(&levels[y]) {
+            for (found, x_level) in line.iter().zip(&levels[x]) {
+                let here = group(&|row| input(row, x) == *x_level && input(row, y) == *y_level);
+                if here.is_empty() {
+                    assert!(found.is_nan(), "{name}");
+                } else {
+                    close(*found, mean(&here), name);
+                }
+            }
+        }
+    }
+    assert!(told_apart >= 1, "an output that depends on two inputs");
+    let [failure] = data.failures.as_slice() else {
+        panic!("{:?}", data.failures)
+    };
+    // The first of those with the span of 7.9 mm.
+    assert_eq!((failure.count, failure.variant), (6, 6));
+    assert_eq!(Cell::Text(failure.reason.clone()), rows[6][at("reason")]);
+}
+
+/// Effects that add up: y = 360°/N − ε depends on one input, and each share is the part of the
+/// variance that its input makes.
+#[test]
+fn shares_of_a_sum_are_those_of_its_terms() {
+    // 360°/N is one number for each N, and the groove radius leaves ε alone.
+    let plan = "compute = [\"design\"]\n[grid]\nbearing.balls = [10, 14]\n\
+                raceway.half_angle_deg = [20.0, 22.0, 26.0]\n";
+    let (_, _, data) = analysed(plan, &[]);
+    let output = |name: &str| {
+        data.outputs
+            .iter()
+            .find(|o| o.quantity.name == name)
+            .unwrap()
+    };
+    let gap = output("design_uniform_gap_deg");
+    assert_eq!(gap.shares, [Some(1.0), Some(0.0)]);
+    close(
+        gap.effects[0].mean[0] - gap.effects[0].mean[1],
+        36.0 - 360.0 / 14.0,
+        "gap",
+    );
+    // β0 does not know the number of balls.
+    assert_eq!(output("design_beta0_deg").shares, [Some(0.0), Some(1.0)]);
+}
+
+#[test]
+fn the_best_are_the_best_rows_at_each_condition() {
+    let plan = "compute = [\"design\"]\n[grid]\noperation.radial_load_n = [500, 1500]\n\
+                raceway.axial_span_mm = { from = 4.5, to = 5.9, count = 15 }\n";
+    let column = "design_beta0_deg";
+    let goals = [
+        goal(column, Aim::High),
+        goal("design_steady_gap_deg", Aim::Low),
+    ];
+    let (sweep, rows, data) = analysed(plan, &goals);
+    let [high, low] = data.best.as_slice() else {
+        panic!("{:?}", data.best)
+    };
+    assert!(high.high && !low.high);
+    let load_at = (data.inputs.iter())
+        .position(|i| i.name == "operation_radial_load_n")
+        .unwrap();
+    for (best, column) in [(high, column), (low, "design_steady_gap_deg")] {
+        let column = sweep.column(column).unwrap();
+        assert!(best.per_condition);
+        let mut of_load: BTreeMap<String, Vec<(f64, u64)>> = BTreeMap::new();
+        for (k, row) in rows.iter().enumerate() {
+            let load = row[sweep.column("operation_radial_load_n").unwrap()]
+                .number()
+                .unwrap();
+            let value = row[column].number().unwrap();
+            of_load
+                .entry(format!("{load}"))
+                .or_default()
+                .push((value, k as u64));
+        }
+        let mut expected = vec![];
+        for (load, mut all) in of_load {
+            all.sort_by(|a, b| {
+                if best.high {
+                    b.0.total_cmp(&a.0)
+                } else {
+                    a.0.total_cmp(&b.0)
+                }
+            });
+            expected.extend(
+                all.into_iter()
+                    .take(3)
+                    .map(|(value, k)| (load.clone(), value, k)),
+            );
+        }
+        for (found, (load, value, variant)) in best.variants.iter().zip(&expected) {
+            assert_eq!((found.variant, found.value), (*variant, *value));
+            assert_eq!(&found.inputs[load_at], load);
+        }
+        assert_eq!(best.variants.len(), expected.len());
+    }
+    assert!(analyse(std::path::Path::new("nowhere"), &goals).is_err());
+}
