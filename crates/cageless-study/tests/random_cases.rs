@@ -160,8 +160,8 @@ fn judged(
                 return Err(format!("the rings overlap: {off:e} m"));
             }
             let residual = outcome.energy_residual_relative;
-            let said = |w: &&String| w.contains("unaccounted");
-            let unsaid = warnings.is_some_and(|all| all.iter().find(said).is_none());
+            let silent = |all: &[String]| !all.iter().any(|w| w.contains("unaccounted"));
+            let unsaid = warnings.is_some_and(silent);
             if residual.abs() > 0.01 && unsaid {
                 return Err(format!("a residual of {residual:e} without a warning"));
             }

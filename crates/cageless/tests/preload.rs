@@ -94,11 +94,9 @@ fn a_small_load_moves_the_ring_as_linear_springs_do() {
     let mut case = preloaded(1e-3);
     let stiffness = ring_stiffness_n_m(case.bearing.balls());
     let unloaded = solve(&case).unwrap().stiffness_n_m.unwrap();
-    for axis in 0..2 {
-        assert!(
-            (unloaded[axis][axis] / stiffness - 1.0).abs() < 1e-3,
-            "{unloaded:?}"
-        );
+    for (axis, row) in unloaded.iter().enumerate() {
+        let ratio = row[axis] / stiffness;
+        assert!((ratio - 1.0).abs() < 1e-3, "{unloaded:?}");
     }
     case.operation.radial_load_n = 20.0;
     let rest = solve(&case).unwrap();
