@@ -47,8 +47,8 @@ pub struct StepLimits {
     pub light: bool,
     /// Whether balls touch from the start.
     pub touching: bool,
-    /// Factor on the slopes of the contacts, dF/dδ ∝ F^(1/3), while the ring is wedged between
-    /// unevenly spaced balls; 1 if it never is. The automatic step allows for it, the limits do not.
+    /// Factor on the slopes of the contacts, dF/dδ ∝ F^(1/3), while the ring is wedged between two
+    /// balls; 1 if it never is. The automatic step allows for it, the limits do not.
     wedged: f64,
 }
 
@@ -107,19 +107,21 @@ fn carrying(case: &Case) -> f64 {
 /// the last and the ratio of two.
 const WEDGED: (f64, f64, f64) = (1e-5, 2.0, 1.1);
 
-/// Openings up to this angle leave the ring on more than two balls, as even spacing does.
+/// Openings up to this angle leave the ring on more than two balls, as six or more evenly spaced
+/// ones do.
 const WEDGE_RAD: f64 = std::f64::consts::FRAC_PI_3;
 
 /// Largest force of a ball while a ring under `down` is pressed into the widest opening between
-/// the balls of an uneven start, which may turn to any place: about down/(2 cos(opening/2)) on each
+/// the balls at the start, which may turn to any place: about down/(2 cos(opening/2)) on each
 /// of the two balls at its ends. `down` grows by what the ring needs to follow the opening round
 /// through its clearance. Where the balls do not hold the ring it falls between them, and this is
 /// the largest force that the guard of a run admits. Centrifugal force and friction are left out.
 fn wedged_n(case: &Case, down: f64) -> f64 {
-    let Gaps::List(gaps) = case.start.gaps() else {
-        return 0.0;
-    };
     let bearing = &case.bearing;
+    let gaps = match case.start.gaps() {
+        Gaps::Uniform => &vec![bearing.mean_gap_rad(); bearing.balls()],
+        Gaps::List(gaps) => gaps,
+    };
     let (mut angle, mut widest) = (0.0, (0.0, 0.0));
     let mut angles = vec![];
     for (k, gap) in gaps.iter().enumerate() {

@@ -166,22 +166,30 @@ fn a_ring_wedged_between_the_ends_of_a_row_keeps_its_energy_balance() {
     );
 }
 
-/// Without load, too: the ring follows the row round through its clearance, against its damping
-/// of 2000 N·s/m with some 50 N, and friction is stiff under that force.
+/// Without load, too: the ring follows a row, or four balls at 90°, round through its clearance,
+/// against its damping of 2000 N·s/m with 50 N and more, and friction is stiff under that force.
 #[test]
-fn a_ring_that_whirls_with_a_row_of_balls_keeps_its_energy_balance() {
-    let mut case = row(9, 2e-3, 7.087e-3, 40e-6, 5e-4);
-    case.contact.friction_law = FrictionLaw::Stribeck;
-    case.contact.friction_coefficient = 0.04;
-    case.contact.static_friction_coefficient = Some(0.12);
-    case.contact.stribeck_speed_m_s = Some(1.3);
-    case.contact.slip_scale_m_s = 2.5e-3;
-    case.contact.damping_n_s_m1_5 = 7.7e5;
-    let case = automatic(case, 0.0, 16_000.0, 3e-4);
-    let residual = complete(&case).energy_residual_relative.abs();
-    assert!(
-        residual < 1e-3,
-        "{residual:e} at {:e} s",
-        case.solver.step_s
-    );
+fn a_ring_that_whirls_with_its_balls_keeps_its_energy_balance() {
+    let bunched = row(9, 2e-3, 7.087e-3, 40e-6, 5e-4);
+    let mut four = row(4, 2.21e-3, 5.435e-3, 37e-6, 5e-4);
+    four.start = Start::Settled {
+        gaps: Gaps::Uniform,
+        lead_ball_angle_rad: 5.1,
+    };
+    for (mut case, rpm) in [(bunched, 16_000.0), (four, 80_000.0)] {
+        case.contact.friction_law = FrictionLaw::Stribeck;
+        case.contact.friction_coefficient = 0.04;
+        case.contact.static_friction_coefficient = Some(0.12);
+        case.contact.stribeck_speed_m_s = Some(1.3);
+        case.contact.slip_scale_m_s = 2.5e-3;
+        case.contact.damping_n_s_m1_5 = 7.7e5;
+        let case = automatic(case, 0.0, rpm, 2e-4);
+        let residual = complete(&case).energy_residual_relative.abs();
+        let balls = case.bearing.balls();
+        assert!(
+            residual < 1e-3,
+            "{balls}: {residual:e} at {:e} s",
+            case.solver.step_s
+        );
+    }
 }
