@@ -1,26 +1,33 @@
 //! The experiment of Section 5 with balls of several grades: conventional ring, structure (d)
 //! and raceways found by search, from the same starts with the same balls.
 
+mod outcome;
+
 use std::f64::consts::TAU;
 
 use cageless::collision::{Collision, CollisionDetector};
 use cageless::design::search::uneven_gaps_rad;
 use cageless::simulation::{
-    Control, Ending, Observer, ObserverError, RunOutcome, StepView, batches, run_batch,
+    Control, Ending, Observer, ObserverError, StepView, batches, run_batch,
 };
 use cageless::tolerance::{ball_grade, ball_lot_m};
-use cageless::vibration::{Measurement, PassingSplit, VibrationRecorder, WithoutContacts};
+use cageless::vibration::{VibrationRecorder, WithoutContacts};
 use cageless::{Case, Gaps, IntegrationMethod, Raceway, RacewayDimensions, Start};
 use cageless_report::run_report::filter_note;
 use cageless_report::{
-    ComparisonCell, Difference, Estimate, Provenance, RacewayLabel, RingComparison,
+    ComparisonCell, Difference, Estimate, Provenance, RacewayLabel, RecordChange, RingComparison,
 };
 use cageless_study::Work;
 use cageless_study::{SAMPLING_HZ, provenance};
 use rayon::prelude::*;
 
+pub use outcome::load_zone_rad;
+use outcome::{Outcome, outcome};
+pub use outcome::{TRANSITIONS, transition_shares};
+
 use crate::cases;
 use crate::error::PaperError;
+use crate::experiment::{STRETCHES, Stretch};
 
 /// Seconds on one core, roughly.
 pub const WORK: f64 = 30.0;
@@ -83,20 +90,6 @@ struct Plan {
     lot: String,
     lot_variation_m: f64,
     ring: &'static str,
-}
-
-/// What one start gave.
-struct Outcome {
-    mean_square: f64,
-    at_passing: f64,
-    between: f64,
-    without_contacts: f64,
-    from_contacts: f64,
-    gap_deviation_deg: f64,
-    contacts_per_s: f64,
-    approach_speed_m_s: f64,
-    impulse_n_s: f64,
-    impulse_rate_n: f64,
 }
 
 /// Runs every combination.
@@ -295,7 +288,7 @@ fn side_by_side(
     };
     let mut vibrations: Vec<VibrationRecorder> = cases
         .iter()
-        .map(|_| VibrationRecorder::new(housing, SAMPLING_HZ, after_s))
+        .map(|_| VibrationRecorder::new(housing, SAMPLING_HZ, 0.0))
         .collect();
     let mut quiet: Vec<WithoutContacts> = cases
         .iter()
@@ -311,9 +304,7 @@ fn side_by_side(
             .iter_mut()
             .map(|contacts| {
                 CollisionDetector::new(move |contact: Collision| {
-                    if contact.start_s >= after_s {
-                        contacts.push(contact);
-                    }
+                    contacts.push(contact);
                     Ok(())
                 })
             })
@@ -338,6 +329,7 @@ fn side_by_side(
         }
         ended
     };
+    let load_zone_rad = load_zone_rad(&plan.case)?;
     let mut outcomes = vec![];
     for (k, ended) in ended.into_iter().enumerate() {
         let ended = ended?;
@@ -348,63 +340,16 @@ fn side_by_side(
             return super::not_computed();
         };
         let vertical = [vibrations[k].measurements(), quiet[k].measurements()].map(|m| &m[1]);
-        outcomes.push(outcome(cases[k], &ended, vertical, orbit_hz, &contacts[k])?);
+        outcomes.push(outcome(
+            cases[k],
+            &ended,
+            vertical,
+            orbit_hz,
+            &contacts[k],
+            load_zone_rad,
+        )?);
     }
     Ok(outcomes)
-}
-
-fn outcome(
-    case: &Case,
-    ended: &RunOutcome,
-    [vertical, quiet]: [&Measurement; 2],
-    orbit_hz: f64,
-    contacts: &[Collision],
-) -> Result<Outcome, PaperError> {
-    let of = |m: &Measurement| -> Vec<f64> { m.trace().iter().map(|[_, a]| *a).collect() };
-    let (values, quiet_values) = (of(vertical), of(quiet));
-    let cut_out: Vec<f64> = values
-        .iter()
-        .zip(&quiet_values)
-        .map(|(a, b)| a - b)
-        .collect();
-    let split = match PassingSplit::new(&values, vertical.interval_s(), orbit_hz) {
-        Some(split) if vertical.trace_stretch_s().is_none() => split,
-        _ => {
-            return Err(PaperError::NoResult(
-                "the run is too short or too long to split its vibration".to_owned(),
-            ));
-        }
-    };
-    let measured_s = case.solver.duration_s / 2.0;
-    let count = contacts.len() as f64;
-    let sum = |of: fn(&Collision) -> f64| contacts.iter().map(of).sum::<f64>();
-    let impulse_n_s = sum(|c| c.impulse_n_s);
-    Ok(Outcome {
-        mean_square: split.at_passing + split.between,
-        at_passing: split.at_passing,
-        between: split.between,
-        without_contacts: quiet.rms(),
-        from_contacts: (cut_out.iter().map(|a| a * a).sum::<f64>() / cut_out.len() as f64).sqrt(),
-        gap_deviation_deg: gap_deviation_deg(case, ended),
-        contacts_per_s: count / measured_s,
-        // Without contacts NaN, which estimates leave out.
-        approach_speed_m_s: sum(|c| c.approach_speed_m_s) / count,
-        impulse_n_s: impulse_n_s / count,
-        impulse_rate_n: impulse_n_s / measured_s,
-    })
-}
-
-fn gap_deviation_deg(case: &Case, ended: &RunOutcome) -> f64 {
-    let (x, y) = (ended.state.x_m(), ended.state.y_m());
-    let n = case.bearing.balls();
-    let gaps: Vec<f64> = (0..n)
-        .map(|k| {
-            let next = (k + 1) % n;
-            let ahead = (x[k] * y[next] - y[k] * x[next]).atan2(x[k] * x[next] + y[k] * y[next]);
-            ahead - case.bearing.pair_angle_rad(k)
-        })
-        .collect();
-    super::experiment::deviation_deg(&gaps)
 }
 
 fn estimate(outcomes: &[Outcome], of: impl Fn(&Outcome) -> f64) -> Option<Estimate> {
@@ -436,6 +381,19 @@ fn cell(
             })
         })
         .transpose()?;
+    let changed_since = |first: usize| {
+        let change = |of: fn(&Stretch) -> f64| {
+            estimate(outcomes, |o| {
+                of(&o.stretches[STRETCHES - 1]) - of(&o.stretches[first])
+            })
+            .ok_or_else(no_value)
+        };
+        Ok::<_, PaperError>(RecordChange {
+            rms_m_s2: change(|s| s.rms_m_s2)?,
+            contacts_per_s: change(|s| s.contacts_per_s)?,
+            impulse_rate_n: change(|s| s.impulse_rate_n)?,
+        })
+    };
     let raceway = plan.case.raceways.first().map(|raceway| {
         let d = raceway.dimensions();
         // Rounding away what the conversion to SI leaves.
@@ -461,6 +419,13 @@ fn cell(
         approach_speed_m_s: estimate(outcomes, |o| o.approach_speed_m_s),
         impulse_n_s: estimate(outcomes, |o| o.impulse_n_s),
         impulse_rate_n: always(|o| o.impulse_rate_n)?,
+        transition_density: [0, 1, 2].map(|part| {
+            estimate(outcomes, |o| {
+                let [found, chance] = o.transition_shares[part];
+                found / chance
+            })
+        }),
+        last_quarter_less: [changed_since(0)?, changed_since(1)?],
         difference,
     })
 }

@@ -2,14 +2,15 @@
 
 use cageless::Case;
 use cageless::collision::{Collision, CollisionDetector};
+use cageless::numerics::moments::Moments;
 use cageless::recorder::Recorder;
 use cageless::simulation::{Ending, run};
 use cageless::snapshot::Snapshot;
 use cageless::vibration::VibrationRecorder;
 use cageless_report::{Motion, Provenance, Vibration, VibrationSignal};
-use rayon::prelude::*;
 
 use crate::cases;
+use crate::comparison::{load_zone_rad, transition_shares};
 use crate::error::PaperError;
 use cageless_report::run_report::{ball_pass_mark, filter_note, motion, vibration_signal};
 use cageless_study::{SAMPLING_HZ, Work, provenance};
@@ -21,17 +22,51 @@ pub const WORK: f64 = 3.0;
 const SHOWN_S: f64 = 0.25;
 /// Sampling of the motion.
 const INTERVAL_S: f64 = 1e-4;
-/// Part of the run that counts as settled.
+/// End of the transient, which the spectrum leaves out.
 const SETTLED_AFTER_S: f64 = 0.5;
+/// Stretches of equal length into which records are divided to find their change over time.
+pub const STRETCHES: usize = 4;
 
-/// What one bearing did.
+/// A stretch of a record.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stretch {
+    /// RMS of the vertical acceleration of the housing, m/s².
+    pub rms_m_s2: f64,
+    /// Contacts between balls per second.
+    pub contacts_per_s: f64,
+    /// Sum of the impulses of the contacts per second, N.
+    pub impulse_rate_n: f64,
+}
+
+/// The [`STRETCHES`] of a record from its start to `end_s`.
+pub fn stretches(trace: &[[f64; 2]], contacts: &[Collision], end_s: f64) -> [Stretch; STRETCHES] {
+    let length_s = end_s / STRETCHES as f64;
+    std::array::from_fn(|k| {
+        let within = |time_s: f64| ((time_s / length_s) as usize).min(STRETCHES - 1) == k;
+        let mut acceleration = Moments::default();
+        let values = trace.iter().filter(|[time_s, _]| within(*time_s));
+        values.for_each(|[_, a]| acceleration.add(*a, 1.0));
+        let here = || contacts.iter().filter(|c| within(c.start_s));
+        Stretch {
+            rms_m_s2: acceleration.deviation(),
+            contacts_per_s: here().count() as f64 / length_s,
+            impulse_rate_n: here().map(|c| c.impulse_n_s).sum::<f64>() / length_s,
+        }
+    })
+}
+
+/// Motion of one bearing.
+#[derive(Debug, Clone)]
 pub struct Bearing {
     /// Contacts between balls after [`SETTLED_AFTER_S`], per second.
     pub collisions_per_s: f64,
-    /// Share of all contacts at 60° < |ψ| < 150°, where the load lets go or takes hold.
-    pub transition_fraction: f64,
-    /// RMS of the vibration, m/s².
+    /// RMS of the vibration after [`SETTLED_AFTER_S`], m/s².
     pub rms_m_s2: f64,
+    /// Shares of all contacts at the ends of the load zone, and by chance, as in
+    /// [`TRANSITIONS`](crate::comparison::TRANSITIONS).
+    pub transition_shares: [[f64; 2]; 3],
+    /// The whole record, transient included.
+    pub stretches: [Stretch; STRETCHES],
     /// Standard deviation of the gaps at the start and the end, degrees.
     pub gap_deviation_deg: [f64; 2],
     /// Pairs in contact or within 0.01° at the paper's four moments.
@@ -45,7 +80,7 @@ pub struct Experiment {
     /// Fig. 13, 14.
     pub motions: Vec<Motion>,
     /// Numbers: conventional, discrete.
-    pub bearings: Vec<Bearing>,
+    pub bearings: [Bearing; 2],
 }
 
 struct One {
@@ -58,35 +93,34 @@ struct One {
 pub fn compute(progress: &dyn Work) -> Result<Experiment, PaperError> {
     let both = cases::experiment()?;
     let names = ["conventional", "discrete raceway"];
-    let ones: Vec<One> = both
-        .par_iter()
-        .zip(names)
-        .map(|(case, name)| one(case, name, progress))
-        .collect::<Result<_, PaperError>>()?;
+    let ones = rayon::join(
+        || one(&both[0], names[0], progress),
+        || one(&both[1], names[1], progress),
+    );
+    let ones = [ones.0?, ones.1?];
     let case = &both[1];
     let source = Provenance {
         case: "Zhao 2022, experiment: 3000 rpm, 1.5 kN, four bunches of balls at the start"
             .to_owned(),
         ..provenance(
             case,
-            format!("t < {SETTLED_AFTER_S} s; {}", filter_note(case)),
+            format!(
+                "nothing of the record, t < {SETTLED_AFTER_S} s of spectrum and RMS; {}",
+                filter_note(case)
+            ),
         )
     };
-    let mut experiment = Experiment {
+    let bearings = ones.each_ref().map(|one| one.bearing.clone());
+    let (signals, motions) = ones.into_iter().map(|one| (one.signal, one.motion)).unzip();
+    Ok(Experiment {
         vibration: Vibration {
-            signals: vec![],
+            signals,
             marks: vec![ball_pass_mark(case)],
             provenance: source,
         },
-        motions: vec![],
-        bearings: vec![],
-    };
-    for one in ones {
-        experiment.vibration.signals.push(one.signal);
-        experiment.motions.push(one.motion);
-        experiment.bearings.push(one.bearing);
-    }
-    Ok(experiment)
+        motions,
+        bearings,
+    })
 }
 
 fn one(case: &Case, name: &str, progress: &dyn Work) -> Result<One, PaperError> {
@@ -95,7 +129,8 @@ fn one(case: &Case, name: &str, progress: &dyn Work) -> Result<One, PaperError> 
             "the case of the experiment needs a [housing]".to_owned(),
         ));
     };
-    let mut vibration = VibrationRecorder::new(housing, SAMPLING_HZ, SETTLED_AFTER_S);
+    let mut settled = VibrationRecorder::new(housing, SAMPLING_HZ, SETTLED_AFTER_S);
+    let mut whole = VibrationRecorder::new(housing, SAMPLING_HZ, 0.0);
     let mut snapshots: Vec<Snapshot> = vec![];
     let mut last: Option<Snapshot> = None;
     let mut collisions: Vec<Collision> = vec![];
@@ -114,14 +149,19 @@ fn one(case: &Case, name: &str, progress: &dyn Work) -> Result<One, PaperError> 
     let duration_s = case.solver.duration_s;
     let outcome = run(
         case,
-        &mut [&mut vibration, &mut recorder, &mut detector],
+        &mut [&mut settled, &mut whole, &mut recorder, &mut detector],
         &mut progress.run_control(duration_s, WORK / 2.0),
     )?;
     drop((recorder, detector));
     if let Ending::Stopped(stop) = &outcome.ending {
         return Err(PaperError::Stopped(stop.clone()));
     }
-    let signal = vibration_signal(name, &vibration.measurements()[1]);
+    let record = whole.measurements()[1].trace();
+    let signal = VibrationSignal {
+        time_s: record.iter().map(|point| point[0]).collect(),
+        acceleration_m_s2: record.iter().map(|point| point[1]).collect(),
+        ..vibration_signal(name, &settled.measurements()[1])
+    };
     let late = collisions
         .iter()
         .filter(|c| c.start_s > SETTLED_AFTER_S)
@@ -129,10 +169,8 @@ fn one(case: &Case, name: &str, progress: &dyn Work) -> Result<One, PaperError> 
     let deviation = |s: Option<&Snapshot>| s.map_or(f64::NAN, |s| deviation_deg(&s.gap_rad));
     let bearing = Bearing {
         collisions_per_s: late as f64 / (duration_s - SETTLED_AFTER_S),
-        transition_fraction: {
-            let between = |c: &&Collision| (60.0..150.0).contains(&c.angle_rad.to_degrees().abs());
-            collisions.iter().filter(between).count() as f64 / collisions.len().max(1) as f64
-        },
+        transition_shares: transition_shares(&collisions, load_zone_rad(case)?),
+        stretches: stretches(&record, &collisions, duration_s),
         rms_m_s2: signal.rms_m_s2.unwrap_or(f64::NAN),
         gap_deviation_deg: [deviation(snapshots.first()), deviation(last.as_ref())],
         touching: [0.05, 0.1, 0.15, 0.2].map(|moment| touching_at(&snapshots, moment)),

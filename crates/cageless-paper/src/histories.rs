@@ -1,6 +1,7 @@
 //! The gap of a pair over time (Fig. 6) and three neighbours in the raceway (Fig. 7), of
 //! structure (a).
 
+use std::collections::HashSet;
 use std::f64::consts::TAU;
 
 use cageless::collision::{Collision, CollisionDetector};
@@ -9,7 +10,6 @@ use cageless::simulation::{Ending, run};
 use cageless::snapshot::Snapshot;
 use cageless::{Case, FrictionLaw, Profile};
 use cageless_report::{Event, GapHistory, Neighbours, Provenance};
-use rayon::prelude::*;
 
 use crate::READINGS;
 use crate::cases::{self, label};
@@ -39,22 +39,33 @@ pub struct History {
     pub gap: GapHistory,
     /// Fig. 7.
     pub neighbours: Neighbours,
+    /// Numbers of both.
+    pub stages: Stages,
+}
+
+/// Numbers of Fig. 6 and 7.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Stages {
     /// Change of the gap in the unloaded zone of the turn shown, degrees.
     pub unloaded_change_deg: f64,
     /// Change of the gap within the raceway, degrees.
     pub raceway_change_deg: f64,
+    /// Largest departure of the gap from β0 in the load zone outside the raceway (b–c and d–e),
+    /// degrees.
+    pub loaded_change_deg: f64,
+    /// Largest sliding speed of the trailing ball there over the speed of the inner raceway.
+    pub loaded_slip: f64,
     /// Change of the gap in the first millisecond, degrees.
     pub first_change_deg: f64,
-    /// Both collisions of the paper's Fig. 7 were found.
-    pub twice: bool,
+    /// Passages with both collisions of the paper's Fig. 7.
+    pub double_passages: usize,
 }
 
 /// Runs structure (a) under both readings.
-pub fn compute(progress: &dyn Work) -> Result<Vec<History>, PaperError> {
-    READINGS
-        .par_iter()
-        .map(|&reading| one(reading, progress))
-        .collect()
+pub fn compute(progress: &dyn Work) -> Result<[History; 2], PaperError> {
+    let [published, consistent] = READINGS;
+    let both = rayon::join(|| one(published, progress), || one(consistent, progress));
+    Ok([both.0?, both.1?])
 }
 
 fn one(reading: (Profile, FrictionLaw), progress: &dyn Work) -> Result<History, PaperError> {
@@ -85,9 +96,8 @@ fn one(reading: (Profile, FrictionLaw), progress: &dyn Work) -> Result<History, 
         return Err(PaperError::Stopped(stop.clone()));
     }
     let source = provenance(&case, format!("t < {SETTLED_AFTER_S} s (shaded)"));
-    let (neighbours, ball, twice) = neighbours(&case, &snapshots, &collisions, &source);
-    let (gap, unloaded_change_deg, raceway_change_deg) =
-        gap_history(&case, &snapshots, ball, source);
+    let (neighbours, ball, double_passages) = neighbours(&case, &snapshots, &collisions, &source);
+    let (gap, stages) = gap_history(&case, &snapshots, ball, source);
     let first = |s: &&Snapshot| s.time_s <= 1e-3;
     let early: Vec<f64> = snapshots
         .iter()
@@ -102,10 +112,11 @@ fn one(reading: (Profile, FrictionLaw), progress: &dyn Work) -> Result<History, 
     Ok(History {
         gap,
         neighbours,
-        unloaded_change_deg,
-        raceway_change_deg,
-        first_change_deg,
-        twice,
+        stages: Stages {
+            first_change_deg,
+            double_passages,
+            ..stages
+        },
     })
 }
 
@@ -152,7 +163,7 @@ fn gap_history(
     snapshots: &[Snapshot],
     ball: usize,
     provenance: Provenance,
-) -> (GapHistory, f64, f64) {
+) -> (GapHistory, Stages) {
     let ahead = (ball + 1) % case.bearing.balls();
     let theta = case.raceways[0].half_angle_rad();
     let zone = load_zone_rad(snapshots);
@@ -173,15 +184,33 @@ fn gap_history(
         .filter(|s| s.time_s >= a && s.time_s <= e)
         .collect();
     let gap = |s: &Snapshot| s.gap_rad[ball].to_degrees();
+    let within = |from: f64, to: f64| {
+        turn.iter()
+            .filter(move |s| s.time_s >= from && s.time_s <= to)
+    };
     let range = |from: f64, to: f64| {
-        let inside = turn
-            .iter()
-            .filter(|s| s.time_s >= from && s.time_s <= to)
-            .map(|s| gap(s));
-        let (low, high) = inside.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), g| {
+        let gaps = within(from, to).map(|s| gap(s));
+        let (low, high) = gaps.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), g| {
             (l.min(g), h.max(g))
         });
         high - low
+    };
+    let beta0 = case.bearing.nominal_gap_rad().to_degrees();
+    let inner_m_s =
+        case.operation.inner_speed_rad_s * case.bearing.dimensions().inner_groove_bottom_radius_m;
+    let loaded = || within(b, c).chain(within(d, e));
+    let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
+    let stages = Stages {
+        unloaded_change_deg: range(a, b),
+        raceway_change_deg: range(c, d),
+        loaded_change_deg: largest(&mut loaded().map(|s| (gap(s) - beta0).abs())),
+        loaded_slip: largest(&mut loaded().map(|s| {
+            s.inner_slip_m_s[ball]
+                .abs()
+                .max(s.outer_slip_m_s[ball].abs())
+                / inner_m_s
+        })),
+        ..Stages::default()
     };
     let history = GapHistory {
         structure: label(0, case),
@@ -198,30 +227,30 @@ fn gap_history(
             stage("d", d, "the trailing ball leaves the discrete raceway"),
             stage("e", e, "the trailing ball leaves the load zone again"),
         ],
-        uniform_gap_deg: case.bearing.nominal_gap_rad().to_degrees(),
+        uniform_gap_deg: beta0,
         provenance,
     };
-    (history, range(a, b), range(c, d))
+    (history, stages)
 }
 
 /// A ball hit by both neighbours in one passage, the last one in the run; else the last
-/// passage.
+/// passage. Also the ball's index, and how many such passages there are.
 fn neighbours(
     case: &Case,
     snapshots: &[Snapshot],
     collisions: &[Collision],
     source: &Provenance,
-) -> (Neighbours, usize, bool) {
+) -> (Neighbours, usize, usize) {
     let n = case.bearing.balls();
     let theta = case.raceways[0].half_angle_rad();
     let end_s = snapshots.last().map_or(0.0, |s| s.time_s);
     let enter = |k: usize, near: f64| passes_s(snapshots, k, -theta, near, true);
     // t2: ball i hits i+1; t4: i−1 hits i, later, while i is still inside.
-    let double = collisions
+    let double: Vec<_> = collisions
         .iter()
         .rev()
         .filter(|c| c.start_s > SETTLED_AFTER_S)
-        .find_map(|c| {
+        .filter_map(|c| {
             let i = c.next_ball;
             let (t4, t1) = (c.start_s, enter(i, c.start_s)?);
             let left = passes_s(snapshots, i, theta, t1, false)?;
@@ -230,12 +259,14 @@ fn neighbours(
                 .find(|o| o.ball == i && o.start_s > t1 && o.start_s < t4)?
                 .start_s;
             (t4 < left).then_some((i, t1, Some(t2), Some(t4)))
-        });
+        })
+        .collect();
+    let passages: HashSet<(usize, u64)> = double.iter().map(|p| (p.0, p.1.to_bits())).collect();
     let fallback = || {
         let t1 = enter(1, end_s - 0.01).unwrap_or(0.0);
         (1, t1, None, None)
     };
-    let (i, t1, t2, t4) = double.unwrap_or_else(fallback);
+    let (i, t1, t2, t4) = double.first().copied().unwrap_or_else(fallback);
     let (behind, ahead) = ((i + n - 1) % n, (i + 1) % n);
     let t0 = enter(ahead, t1).unwrap_or(t1);
     let t3 = passes_s(snapshots, behind, -theta, t1, false).unwrap_or(t1);
@@ -276,5 +307,5 @@ fn neighbours(
         .collect(),
         provenance: source.clone(),
     };
-    (figure, i, t2.is_some() && t4.is_some())
+    (figure, i, passages.len())
 }

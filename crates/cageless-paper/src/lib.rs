@@ -8,17 +8,20 @@ mod claims;
 mod comparison;
 mod error;
 mod experiment;
+mod extra;
 mod histories;
+mod mechanics;
 mod parameters;
-mod section5_claims;
+mod printed;
 mod structures;
 mod table2;
 
 use cageless::dynamics::InstructionSet;
 use cageless::{FrictionLaw, Profile};
 use cageless_io::results::VERSION;
-use cageless_report::ReproduceData;
-use cageless_study::Progress;
+use cageless_report::run_report::ball_pass_mark;
+use cageless_report::{DesignCurve, ReproduceData, RingComparison};
+use cageless_study::{Progress, Work};
 
 pub use cases::{ODD_ROW, PUBLISHED, Published, experiment, structure, structures_of};
 pub use error::PaperError;
@@ -38,55 +41,100 @@ const READINGS: [(Profile, FrictionLaw); 2] = [
 pub fn reproduce(progress: &dyn Progress) -> Result<ReproduceData, PaperError> {
     let progress = progress.begin("reproduce", WORK);
     let progress = &*progress;
-    let (mut table2, mut structures) = (not_computed(), not_computed());
-    let (mut histories, mut experiment, mut extra) =
-        (not_computed(), not_computed(), not_computed());
-    let mut comparison = not_computed();
-    // The threads take up the parts in this order: those that divide worst come first, the
-    // many small tasks of Table 2 last, so that no thread waits long for another at the end.
-    rayon::scope_fifo(|scope| {
-        scope.spawn_fifo(|_| extra = claims::compute(progress));
-        scope.spawn_fifo(|_| comparison = comparison::compute(progress));
-        scope.spawn_fifo(|_| experiment = experiment::compute(progress));
-        scope.spawn_fifo(|_| histories = histories::compute(progress));
-        scope.spawn_fifo(|_| structures = structures::compute(progress));
-        scope.spawn_fifo(|_| table2 = table2::compute(progress));
-    });
-    if progress.interrupted() {
-        return not_computed();
-    }
-    let (table2, structures) = (table2?, structures?);
-    let (histories, experiment, extra) = (histories?, experiment?, extra?);
-    let comparison = comparison?;
+    let computed = Simulations::new(progress)?;
     let file_d = cases::structure_file(3, READINGS[1], &[])?;
     let case_d = file_d.case().clone();
-    let claims = claims::claims(&claims::Evidence {
-        case: &case_d,
-        table2: &table2,
-        structures: &structures,
-        histories: &histories,
-        experiment: &experiment,
-        comparison: &comparison,
-        extra: &extra,
-    });
+    let design_curve = parameters::design_curve(&case_d);
+    let evidence = computed.evidence(&design_curve)?;
     Ok(ReproduceData {
         software: format!("Cageless {VERSION}, {}", InstructionSet::chosen().name()),
-        lead: claims::lead(&table2),
+        lead: claims::lead(&evidence),
         table1: parameters::table1(&case_d),
         contact_track: Some(parameters::contact_track(&case_d)),
         surface: Some(parameters::surface(&case_d)),
-        design_curve: Some(parameters::design_curve(&case_d)),
-        claims,
-        table2: Some(table2.table),
-        gap_histories: histories.iter().map(|h| h.gap.clone()).collect(),
-        neighbours: histories.into_iter().map(|h| h.neighbours).collect(),
-        phase_portraits: structures.iter().map(|s| s.portraits.clone()).collect(),
-        orbit_speeds: structures.into_iter().map(|s| s.speeds).collect(),
-        vibrations: vec![experiment.vibration],
-        ring_comparison: Some(comparison),
-        motions: experiment.motions,
+        design_curve: Some(design_curve),
+        claims: claims::claims(&evidence),
+        table2: Some(computed.table2.table),
+        gap_histories: computed.histories.iter().map(|h| h.gap.clone()).collect(),
+        neighbours: computed
+            .histories
+            .into_iter()
+            .map(|h| h.neighbours)
+            .collect(),
+        phase_portraits: computed
+            .structures
+            .iter()
+            .map(|s| s.portraits.clone())
+            .collect(),
+        orbit_speeds: computed.structures.into_iter().map(|s| s.speeds).collect(),
+        vibrations: vec![computed.experiment.vibration],
+        ring_comparison: Some(computed.comparison),
+        motions: computed.experiment.motions,
         case_toml: file_d.document().to_toml()?,
     })
+}
+
+/// All that is simulated.
+struct Simulations {
+    table2: table2::Computed,
+    structures: [structures::Ten; 2],
+    between: Vec<structures::Between>,
+    histories: [histories::History; 2],
+    experiment: experiment::Experiment,
+    comparison: RingComparison,
+    extra: extra::Extra,
+}
+
+impl Simulations {
+    fn new(progress: &dyn Work) -> Result<Self, PaperError> {
+        let (mut table2, mut structures, mut between) =
+            (not_computed(), not_computed(), not_computed());
+        let (mut histories, mut experiment, mut extra) =
+            (not_computed(), not_computed(), not_computed());
+        let mut comparison = not_computed();
+        // The threads take up the parts in this order: those that divide worst come first, the
+        // many small tasks of Table 2 last, so that no thread waits long for another at the end.
+        rayon::scope_fifo(|scope| {
+            scope.spawn_fifo(|_| extra = extra::compute(progress));
+            scope.spawn_fifo(|_| comparison = comparison::compute(progress));
+            scope.spawn_fifo(|_| experiment = experiment::compute(progress));
+            scope.spawn_fifo(|_| histories = histories::compute(progress));
+            scope.spawn_fifo(|_| structures = structures::compute(progress));
+            scope.spawn_fifo(|_| between = structures::between(progress));
+            scope.spawn_fifo(|_| table2 = table2::compute(progress));
+        });
+        if progress.interrupted() {
+            return not_computed();
+        }
+        Ok(Self {
+            table2: table2?,
+            structures: structures?,
+            between: between?,
+            histories: histories?,
+            experiment: experiment?,
+            comparison: comparison?,
+            extra: extra?,
+        })
+    }
+
+    /// The numbers on which claims rest.
+    fn evidence(&self, curve: &DesignCurve) -> Result<claims::Evidence, PaperError> {
+        let [published, consistent] = [0, 1].map(|k| cases::structure(3, READINGS[k], &[]));
+        let (published, consistent) = (published?, consistent?);
+        Ok(claims::Evidence {
+            printed: printed::PRINTED,
+            mechanics: mechanics::Mechanics::new(&published, &consistent)?,
+            ball_pass_hz: ball_pass_mark(&consistent).frequency_hz,
+            half_angles_deg: curve.half_angle_deg.clone(),
+            table2: self.table2.clone(),
+            structures: self.structures.each_ref().map(|ten| ten.found.clone()),
+            between: self.between.clone(),
+            stages: self.histories.each_ref().map(|h| h.stages),
+            bearings: self.experiment.bearings.clone(),
+            comparison: self.comparison.clone(),
+            extra: self.extra.clone(),
+        })
+    }
 }
 
 fn not_computed<T>() -> Result<T, PaperError> {
@@ -96,7 +144,8 @@ fn not_computed<T>() -> Result<T, PaperError> {
 /// Units of work for the progress bar, about a second each on one core.
 const WORK: f64 = table2::WORK
     + structures::WORK
+    + structures::WORK_BETWEEN
     + histories::WORK
     + experiment::WORK
     + comparison::WORK
-    + claims::WORK;
+    + extra::WORK;

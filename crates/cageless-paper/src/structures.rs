@@ -1,8 +1,13 @@
 //! The ten structures in motion: verdicts, phase portraits (Fig. 8) and orbital speeds
 //! (Fig. 9).
 
-use cageless::design::{Judgement, judge_watched, steady_after_s, steady_case};
+use cageless::collision::{Collision, CollisionDetector};
+use cageless::design::{
+    Eq11, Judgement, half_angle_for_gap_rad, judge, judge_watched, steady_after_s, steady_case,
+};
 use cageless::kinematics::rolling_orbit_speed_rad_s;
+use cageless::numerics::angle::wrap_angle_rad;
+use cageless::numerics::moments::Moments;
 use cageless::recorder::Recorder;
 use cageless::snapshot::Snapshot;
 use cageless::{Case, FrictionLaw, Profile};
@@ -10,13 +15,15 @@ use cageless_report::{OrbitSpeed, OrbitSpeeds, PhasePortrait, PhasePortraits, Pr
 use rayon::prelude::*;
 
 use crate::READINGS;
-use crate::cases::{self, label};
+use crate::cases::{self, PUBLISHED, Published, label};
 use crate::error::PaperError;
 use cageless_study::Work;
 use cageless_study::provenance;
 
 /// Seconds on one core, roughly.
 pub const WORK: f64 = 12.0;
+/// The same for [`between`].
+pub const WORK_BETWEEN: f64 = 6.0;
 
 /// Sampling of portraits and passages.
 const INTERVAL_S: f64 = 20e-6;
@@ -31,18 +38,113 @@ pub struct Ten {
     pub portraits: PhasePortraits,
     /// Fig. 9.
     pub speeds: OrbitSpeeds,
-    /// Verdicts.
-    pub judgements: Vec<Judgement>,
+    /// Verdicts and steady motion.
+    pub found: Vec<Found>,
+}
+
+/// A structure in motion.
+#[derive(Debug, Clone)]
+pub struct Found {
+    /// Verdict.
+    pub judgement: Judgement,
+    /// Motion after the transient.
+    pub steady: Steady,
+}
+
+/// Steady motion of all balls, evenly spaced at the start.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Steady {
+    /// Contacts between two balls that are both outside the discrete raceway, per ball and orbit.
+    pub contacts_outside: f64,
+    /// All contacts, per ball and orbit.
+    pub contacts: f64,
+    /// Mean duration of a contact, s; NaN without contacts.
+    pub contact_duration_s: f64,
+    /// Standard deviation of the gaps between balls outside the raceway, degrees.
+    pub gap_outside_deviation_deg: f64,
+    /// Mean gap between balls inside it, degrees; NaN if no two are inside at once.
+    pub gap_inside_mean_deg: f64,
+}
+
+impl Steady {
+    /// From the contacts that begin within `orbits` orbits and snapshots of the same motion.
+    fn new(case: &Case, contacts: &[Collision], orbits: f64, snapshots: &[Snapshot]) -> Self {
+        let theta = case.raceways[0].half_angle_rad();
+        let outside = theta + case.bearing.ball_angle_rad() / 2.0;
+        let ball_orbits = case.bearing.balls() as f64 * orbits;
+        let count = contacts.len() as f64;
+        let apart = contacts.iter().filter(|c| c.angle_rad.abs() >= outside);
+        let [mut inside_gaps, mut outside_gaps] = [Moments::default(), Moments::default()];
+        for s in snapshots {
+            let inside = |k: usize| wrap_angle_rad(s.angle_rad[k]).abs() < theta;
+            for k in 0..s.balls() {
+                match [inside(k), inside((k + 1) % s.balls())] {
+                    [true, true] => inside_gaps.add(s.gap_rad[k].to_degrees(), 1.0),
+                    [false, false] => outside_gaps.add(s.gap_rad[k].to_degrees(), 1.0),
+                    _ => {}
+                }
+            }
+        }
+        Self {
+            contacts_outside: apart.count() as f64 / ball_orbits,
+            contacts: count / ball_orbits,
+            contact_duration_s: contacts.iter().map(|c| c.duration_s).sum::<f64>() / count,
+            gap_outside_deviation_deg: outside_gaps.deviation(),
+            gap_inside_mean_deg: if inside_gaps.weight() > 0.0 {
+                inside_gaps.mean()
+            } else {
+                f64::NAN
+            },
+        }
+    }
+}
+
+/// A structure that no threshold of a verdict was fitted to.
+#[derive(Debug, Clone)]
+pub struct Between {
+    /// Axial span lC, mm.
+    pub axial_span_mm: f64,
+    /// Half angle θ by Eq. (11), degrees.
+    pub half_angle_deg: f64,
+    /// Verdict.
+    pub judgement: Judgement,
+}
+
+/// Judges structures midway in lC between neighbours of Table 2, θ by Eq. (11), under the reading
+/// `paper`, to whose ten verdicts the thresholds of a verdict were fitted.
+pub fn between(progress: &dyn Work) -> Result<Vec<Between>, PaperError> {
+    let pairs: Vec<&[Published]> = PUBLISHED.windows(2).collect();
+    pairs
+        .par_iter()
+        .map(|pair| {
+            let axial_span_mm = 0.5 * (pair[0].axial_span_mm + pair[1].axial_span_mm);
+            let bearing = &cases::structure(0, READINGS[0], &[])?.bearing;
+            let (span_m, gap) = (axial_span_mm * 1e-3, bearing.nominal_gap_rad());
+            let angle = half_angle_for_gap_rad(bearing, span_m, gap, Eq11::Published);
+            let half_angle_deg = angle.map_or(f64::NAN, f64::to_degrees);
+            let dimensions = [
+                format!("raceway.axial_span_mm={axial_span_mm:.4}"),
+                format!("raceway.half_angle_deg={half_angle_deg:.4}"),
+            ];
+            let case = cases::structure(0, READINGS[0], &dimensions)?;
+            let mut control = progress.run_control(1.0, WORK_BETWEEN / pairs.len() as f64);
+            Ok(Between {
+                axial_span_mm,
+                half_angle_deg,
+                judgement: judge(&case, &mut control)?,
+            })
+        })
+        .collect()
 }
 
 struct One {
-    judgement: Judgement,
+    found: Found,
     portrait: PhasePortrait,
     speed: OrbitSpeed,
 }
 
 /// Runs all structures under both readings.
-pub fn compute(progress: &dyn Work) -> Result<Vec<Ten>, PaperError> {
+pub fn compute(progress: &dyn Work) -> Result<[Ten; 2], PaperError> {
     let tasks: Vec<(usize, usize)> = (0..2).flat_map(|r| (0..10).map(move |k| (r, k))).collect();
     let share = WORK / tasks.len() as f64;
     let mut found: Vec<One> = tasks
@@ -50,11 +152,7 @@ pub fn compute(progress: &dyn Work) -> Result<Vec<Ten>, PaperError> {
         .map(|&(reading, k)| one(READINGS[reading], k, progress, share))
         .collect::<Result<_, PaperError>>()?;
     let physical = found.split_off(10);
-    [found, physical]
-        .into_iter()
-        .zip(READINGS)
-        .map(|(ones, reading)| gather(ones, reading))
-        .collect()
+    Ok([gather(found, READINGS[0])?, gather(physical, READINGS[1])?])
 }
 
 fn one(
@@ -69,7 +167,15 @@ fn one(
     let orbit_s = end_s / 32.0;
     let from_s = (end_s - PORTRAIT_ORBITS * orbit_s).max(steady_after_s(&case));
     let mut snapshots: Vec<Snapshot> = vec![];
+    let mut contacts: Vec<Collision> = vec![];
+    let after_s = steady_after_s(&case);
     let judgement = {
+        let mut detector = CollisionDetector::new(|contact: Collision| {
+            if contact.start_s > after_s {
+                contacts.push(contact);
+            }
+            Ok(())
+        });
         let mut recorder = Recorder::new(INTERVAL_S, |snapshot| {
             if snapshot.time_s >= from_s {
                 snapshots.push(snapshot);
@@ -78,7 +184,7 @@ fn one(
         });
         judge_watched(
             &case,
-            &mut [&mut recorder],
+            &mut [&mut recorder, &mut detector],
             &mut progress.run_control(1.0, share),
         )?
     };
@@ -107,8 +213,9 @@ fn one(
         speed_deg_s,
         rolling_deg_s,
     };
+    let steady = Steady::new(&case, &contacts, (end_s - after_s) / orbit_s, &snapshots);
     Ok(One {
-        judgement,
+        found: Found { judgement, steady },
         portrait,
         speed,
     })
@@ -145,12 +252,12 @@ fn gather(ones: Vec<One>, reading: (Profile, FrictionLaw)) -> Result<Ten, PaperE
             passages: vec![],
             provenance: source,
         },
-        judgements: vec![],
+        found: vec![],
     };
     for one in ones {
         ten.portraits.portraits.push(one.portrait);
         ten.speeds.passages.push(one.speed);
-        ten.judgements.push(one.judgement);
+        ten.found.push(one.found);
     }
     Ok(ten)
 }
@@ -165,5 +272,44 @@ fn shared_provenance(case: &Case) -> Provenance {
                 steady_case(case).solver.duration_s * (1.0 - PORTRAIT_ORBITS / 32.0)
             ),
         )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Contacts at ψ = 180°, in the middle, and of one ball outside with one inside; five balls of
+    /// which two are inside.
+    #[test]
+    fn steady_motion_is_divided_by_the_ends_of_the_raceway() {
+        let case = cases::structure(3, READINGS[1], &[]).unwrap();
+        let contact = |angle_deg: f64, duration_s| Collision {
+            start_s: 0.0,
+            duration_s,
+            ball: 0,
+            next_ball: 1,
+            angle_rad: f64::to_radians(angle_deg),
+            approach_speed_m_s: 0.1,
+            peak_force_n: 1.0,
+            impulse_n_s: 1.0,
+        };
+        let contacts = [
+            contact(180.0, 1e-5),
+            contact(0.0, 3e-5),
+            contact(-30.0, 2e-5),
+        ];
+        let snapshot = Snapshot {
+            x_m: vec![0.0; 5],
+            angle_rad: vec![-0.2, 0.2, 1.0, 2.0, 3.0],
+            gap_rad: [1f64, 2.0, 3.0, 5.0, 7.0].map(f64::to_radians).to_vec(),
+            ..Snapshot::default()
+        };
+        let steady = Steady::new(&case, &contacts, 2.0, &[snapshot]);
+        assert!((steady.contacts_outside - 1.0 / 28.0).abs() < 1e-12);
+        assert!((steady.contacts - 3.0 / 28.0).abs() < 1e-12);
+        assert!((steady.contact_duration_s - 2e-5).abs() < 1e-12);
+        assert!((steady.gap_inside_mean_deg - 1.0).abs() < 1e-12);
+        assert!((steady.gap_outside_deviation_deg - 1.0).abs() < 1e-12);
     }
 }

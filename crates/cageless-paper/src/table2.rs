@@ -31,6 +31,7 @@ const SPREAD_STEP_US: f64 = 1.0;
 pub const WORK: f64 = 10.0;
 
 /// Table 2 with what other parts of the report need of it.
+#[derive(Debug, Clone)]
 pub struct Computed {
     /// For the page.
     pub table: Table2,
@@ -276,6 +277,11 @@ impl Computed {
             .filter(|(k, _)| *k != ODD_ROW)
             .filter_map(|(_, row)| Some(row.critical_gap_deg[column]? - row.paper_simulated_deg))
             .fold(0.0, |worst, d| f64::max(worst, d.abs()))
+    }
+
+    /// |critical gap − paper's simulated value| of a column in the odd row, degrees.
+    pub fn odd_difference_deg(&self, column: usize) -> f64 {
+        (self.gap_deg(column, ODD_ROW) - self.table.rows[ODD_ROW].paper_simulated_deg).abs()
     }
 
     /// Critical gap of a row, degrees.

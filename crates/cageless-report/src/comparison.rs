@@ -131,8 +131,25 @@ pub struct ComparisonCell {
     pub impulse_n_s: Option<Estimate>,
     /// Sum of the impulses of the contacts per second, N.
     pub impulse_rate_n: Estimate,
+    /// Density of the contacts over that of contacts spread evenly: at 60° < |ψ| < 150°, within 30°
+    /// and within 15° of the ends of the load zone; `None` without contacts.
+    pub transition_density: [Option<Estimate>; 3],
+    /// Last quarter of the record less the first and less the second, start by start, transient
+    /// included.
+    pub last_quarter_less: [RecordChange; 2],
     /// Differences from the conventional ring, start by start; `None` for that itself.
     pub difference: Option<Difference>,
+}
+
+/// Change over time within a record.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct RecordChange {
+    /// RMS of the acceleration of the housing, m/s².
+    pub rms_m_s2: Estimate,
+    /// Contacts between balls per second.
+    pub contacts_per_s: Estimate,
+    /// Sum of the impulses of the contacts per second, N.
+    pub impulse_rate_n: Estimate,
 }
 
 /// A ring less the conventional one with the same balls from the same starts.

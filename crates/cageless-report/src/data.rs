@@ -158,34 +158,3 @@ pub struct Event {
     /// Description of the event for the caption.
     pub meaning: String,
 }
-
-/// Status of a claim of the paper.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum ClaimStatus {
-    /// The computation says the same.
-    Confirmed,
-    /// Some of it.
-    Partly,
-    /// The computation says otherwise.
-    NotConfirmed,
-    /// The paper contradicts itself, or a formula cannot be as printed.
-    Erratum,
-    /// It cannot be decided by computation.
-    NotTested,
-}
-
-/// A claim of the paper beside what was found.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Claim {
-    /// Quoted or paraphrased.
-    pub claim: String,
-    /// Place in the paper: `Section 4.3, Fig. 8`.
-    pub place: String,
-    /// Finding of this model.
-    pub finding: String,
-    /// The numbers behind it; may be empty.
-    pub numbers: String,
-    /// Status of the claim.
-    pub verdict: ClaimStatus,
-}

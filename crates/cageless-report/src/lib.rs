@@ -6,6 +6,7 @@
 //! numbers as one JSON document
 //! ([`to_json`]).
 
+pub mod claim;
 pub mod compare;
 pub mod comparison;
 pub mod data;
@@ -38,7 +39,8 @@ pub mod text;
 pub mod tolerance;
 pub mod verification;
 
-pub use comparison::{Change, ComparisonCell, Difference, Estimate, RingComparison};
+pub use claim::{Claim, ClaimStatus, Holds, Requirement};
+pub use comparison::{Change, ComparisonCell, Difference, Estimate, RecordChange, RingComparison};
 pub use data::*;
 pub use design::*;
 pub use figure::Figure;

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 use std::sync::OnceLock;
 
-use crate::data::{Claim, ClaimStatus};
+use crate::claim::{self, Claim};
 use crate::figure::Figure;
 use crate::head::{Head, verdict_html};
 use crate::motion::MotionFigure;
@@ -136,31 +136,10 @@ impl Page {
         self.body.push_str(&studio::place(toml, opening));
     }
 
-    /// Adds claims with their verdicts.
+    /// Adds claims with their criteria and statuses.
     pub fn claims(&mut self, claims: &[Claim]) {
-        for claim in claims {
-            let (class, verdict) = match claim.verdict {
-                ClaimStatus::Confirmed => ("confirmed", "confirmed"),
-                ClaimStatus::Partly => ("partly", "partly confirmed"),
-                ClaimStatus::NotConfirmed => ("refuted", "not confirmed"),
-                ClaimStatus::Erratum => ("erratum", "erratum"),
-                ClaimStatus::NotTested => ("untested", "not tested"),
-            };
-            self.body.push_str(&format!(
-                "<div class=\"claim {class}\"><div class=\"said\"><span class=\"place\">{}</span> {}</div>\
-                 <div class=\"found\"><span class=\"verdict\">{verdict}</span> {}",
-                rich(&claim.place),
-                rich(&claim.claim),
-                rich(&claim.finding),
-            ));
-            if !claim.numbers.is_empty() {
-                self.body.push_str(&format!(
-                    "<div class=\"numbers\">{}</div>",
-                    rich(&claim.numbers)
-                ));
-            }
-            self.body.push_str("</div></div>\n");
-        }
+        self.paragraph(claim::RULE);
+        claims.iter().for_each(|c| self.body.push_str(&c.html()));
     }
 
     /// The page.

@@ -4,10 +4,9 @@ use cageless::design::CurvePoint;
 use cageless::vibration::AFTER_CONTACT_S;
 use serde::{Deserialize, Serialize};
 
+use crate::claim::{Claim, ClaimStatus};
 use crate::comparison::RingComparison;
-use crate::data::{
-    Claim, ClaimStatus, Event, Motion, Parameter, Provenance, RacewayLabel, Vibration,
-};
+use crate::data::{Event, Motion, Parameter, Provenance, RacewayLabel, Vibration};
 use crate::figures::{self, comparison, design, orbit, phase, shape, spacing, vibration};
 use crate::geometry::{ContactTrack, RacewaySurface};
 use crate::head::Head;
@@ -374,7 +373,7 @@ pub fn reproduce_page(data: &ReproduceData) -> String {
 
 /// How many claims hold, and how far Table 2 is from the paper.
 fn head(data: &ReproduceData) -> Head {
-    let count = |status| data.claims.iter().filter(|c| c.verdict == status).count();
+    let count = |status| data.claims.iter().filter(|c| c.status() == status).count();
     let facts = [
         ("Confirmed", count(ClaimStatus::Confirmed)),
         ("Partly confirmed", count(ClaimStatus::Partly)),

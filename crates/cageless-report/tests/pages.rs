@@ -212,6 +212,11 @@ fn what_is_not_a_number_is_null_and_numbers_survive() {
         .expect("a number");
     assert!((read - theory).abs() < 1e-15, "{read} {theory}");
     assert_eq!(value["claims"][3]["verdict"], "erratum");
+    let criterion = &value["claims"][2]["criterion"];
+    assert_eq!(criterion[1]["value"], 0.074);
+    assert_eq!(criterion[1]["limit"], "at most 0.02°");
+    let holds = [&criterion[0]["holds"], &criterion[1]["holds"]];
+    assert_eq!(holds, ["met", "missed"]);
 
     let awkward = [
         0.1 + 0.2,
@@ -329,6 +334,36 @@ fn a_thinned_run_says_so() {
         "over 121 stretches of 2 s",
     ] {
         assert!(page.contains(text), "{text}");
+    }
+}
+
+/// Every status with the requirements that decide it, and the sentences that follow.
+#[test]
+fn claims_are_shown_with_their_criteria() {
+    let data = crate::synthetic::reproduce();
+    let status: Vec<ClaimStatus> = data.claims.iter().map(Claim::status).collect();
+    let expected = [
+        ClaimStatus::Confirmed,
+        ClaimStatus::NotConfirmed,
+        ClaimStatus::Partly,
+        ClaimStatus::Erratum,
+        ClaimStatus::NotTested,
+    ];
+    assert_eq!(status, expected);
+    assert_eq!(
+        data.claims[2].finding,
+        "The computation finds it, in a sentence that states how far. The computation does not \
+         find it."
+    );
+    assert_eq!(data.claims[4].finding, "");
+    let page = reproduce_page(&data);
+    assert!(page.contains("Each status follows from the requirements listed with it"));
+    for (mark, value, count) in [("met\">✓", "0.0074°", 2), ("missed\">✗", "0.074°", 2)] {
+        let line = format!(
+            "aria-label=\"{mark}</span> critical gap of <code>paper</code> less 1.8190°: \
+             <b>{value}</b> (at most 0.02°)</li>"
+        );
+        assert_eq!(page.matches(&line).count(), count, "{line}");
     }
 }
 

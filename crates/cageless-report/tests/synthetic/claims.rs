@@ -3,28 +3,36 @@
 use super::*;
 
 pub fn claims() -> Vec<Claim> {
-    let claim = |claim: &str, verdict| Claim {
-        claim: claim.into(),
-        place: "Section 4.3, Fig. 8".into(),
-        finding: "What the computation finds, in a sentence or two that say how far it goes."
-            .into(),
-        numbers: "critical gap 1.8264° against 1.8190°; Δ = +0.0074°".into(),
-        verdict,
+    let place = "Section 4.3, Fig. 8";
+    let criterion = |values: &[f64]| -> Vec<Requirement> {
+        let requirement = |value: &f64| {
+            let quantity = "critical gap of `paper` less 1.8190°";
+            Requirement::at_most(quantity, *value, 0.02, "°").says(
+                "The computation finds it, in a sentence that states how far.",
+                "The computation does not find it.",
+            )
+        };
+        values.iter().map(requirement).collect()
     };
-    vec![
-        claim(
+    let numbers = "critical gap 1.8264° against 1.8190°; Δ = +0.0074°";
+    let claims = vec![
+        Claim::of_the_model(
+            place,
             "“Each ball may collide twice in the discrete raceway” when three balls fit into it.",
-            ClaimStatus::Confirmed,
+            criterion(&[0.0074]),
         ),
-        claim(
+        Claim::of_the_model(
+            place,
             "The critical gap of structure (h) is 1.6594°.",
-            ClaimStatus::NotConfirmed,
+            criterion(&[0.074]),
         ),
-        claim(
+        Claim::of_the_model(
+            place,
             "Below θ = 22° the ball slips & does not reach the theoretical speed <rolling>.",
-            ClaimStatus::Partly,
+            criterion(&[0.0074, 0.074]),
         ),
-        claim("2(ε + β0) = 51.17°.", ClaimStatus::Erratum),
-        claim("Vibration falls in the test rig.", ClaimStatus::NotTested),
-    ]
+        Claim::as_printed(place, "2(ε + β0) = 51.17°.", criterion(&[0.26])),
+        Claim::of_the_model(place, "Vibration falls in the test rig.", criterion(&[])),
+    ];
+    claims.into_iter().map(|c| c.numbers(numbers)).collect()
 }

@@ -353,6 +353,12 @@ fn ring_comparison() -> RingComparison {
                     approach_speed_m_s: Some(around(0.09)),
                     impulse_n_s: None,
                     impulse_rate_n: rms,
+                    transition_density: [Some(around(1.1)), Some(around(0.9)), None],
+                    last_quarter_less: [RecordChange {
+                        rms_m_s2: rms,
+                        contacts_per_s: rms,
+                        impulse_rate_n: rms,
+                    }; 2],
                 });
             }
         }

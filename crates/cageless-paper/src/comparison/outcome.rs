@@ -1,0 +1,145 @@
+//! Numbers of one start of one combination.
+
+use std::f64::consts::{PI, TAU};
+
+use cageless::collision::Collision;
+use cageless::equilibrium::solve;
+use cageless::numerics::angle::wrap_angle_rad;
+use cageless::simulation::RunOutcome;
+use cageless::vibration::{Measurement, PassingSplit};
+use cageless::{Case, Gaps, Start};
+
+use crate::error::PaperError;
+use crate::experiment::{STRETCHES, Stretch, deviation_deg, stretches};
+
+/// Names of the parts of |ψ| that the transition of Section 4.3, which the paper does not bound,
+/// may be, as in [`transition_rad`].
+pub const TRANSITIONS: [&str; 3] = [
+    "at 60° < |ψ| < 150°",
+    "within 30° of the ends of the load zone",
+    "within 15° of the ends of the load zone",
+];
+
+/// Bounds of |ψ| of the parts named in [`TRANSITIONS`].
+fn transition_rad(load_zone_rad: f64) -> [[f64; 2]; 3] {
+    let around = |window: f64| [load_zone_rad - window, load_zone_rad + window];
+    [
+        [PI / 3.0, PI / 1.2],
+        around(30f64.to_radians()),
+        around(15f64.to_radians()),
+    ]
+}
+
+/// Share of `contacts` in each of the parts, and of contacts spread evenly.
+pub fn transition_shares(contacts: &[Collision], load_zone_rad: f64) -> [[f64; 2]; 3] {
+    transition_rad(load_zone_rad).map(|[from, to]| {
+        let inside = |c: &&Collision| (from..to).contains(&c.angle_rad.abs());
+        let count = contacts.iter().filter(inside).count();
+        [count as f64 / contacts.len() as f64, (to - from) / PI]
+    })
+}
+
+/// Arrangements of balls in which the end of the load zone is found.
+const ARRANGEMENTS: u32 = 16;
+
+/// Numbers of one start.
+pub struct Outcome {
+    pub mean_square: f64,
+    pub at_passing: f64,
+    pub between: f64,
+    pub without_contacts: f64,
+    pub from_contacts: f64,
+    pub gap_deviation_deg: f64,
+    pub contacts_per_s: f64,
+    pub approach_speed_m_s: f64,
+    pub impulse_n_s: f64,
+    pub impulse_rate_n: f64,
+    pub stretches: [Stretch; STRETCHES],
+    pub transition_shares: [[f64; 2]; 3],
+}
+
+/// Numbers of a run that has ended, whose load zone ends at ±`load_zone_rad`.
+pub fn outcome(
+    case: &Case,
+    ended: &RunOutcome,
+    [vertical, quiet]: [&Measurement; 2],
+    orbit_hz: f64,
+    contacts: &[Collision],
+    load_zone_rad: f64,
+) -> Result<Outcome, PaperError> {
+    let after_s = case.solver.duration_s / 2.0;
+    let of = |trace: &[[f64; 2]]| -> Vec<f64> {
+        let settled = trace.iter().filter(|[time_s, _]| *time_s >= after_s);
+        settled.map(|[_, a]| *a).collect()
+    };
+    let record = vertical.trace();
+    let (values, quiet_values) = (of(&record), of(&quiet.trace()));
+    let cut_out: Vec<f64> = values
+        .iter()
+        .zip(&quiet_values)
+        .map(|(a, b)| a - b)
+        .collect();
+    let split = match PassingSplit::new(&values, vertical.interval_s(), orbit_hz) {
+        Some(split) if vertical.trace_stretch_s().is_none() => split,
+        _ => {
+            return Err(PaperError::NoResult(
+                "the run is too short or too long to split its vibration".to_owned(),
+            ));
+        }
+    };
+    let measured_s = case.solver.duration_s - after_s;
+    let late = |c: &&Collision| c.start_s >= after_s;
+    let settled: Vec<Collision> = contacts.iter().filter(late).copied().collect();
+    let count = settled.len() as f64;
+    let sum = |of: fn(&Collision) -> f64| settled.iter().map(of).sum::<f64>();
+    let impulse_n_s = sum(|c| c.impulse_n_s);
+    Ok(Outcome {
+        mean_square: split.at_passing + split.between,
+        at_passing: split.at_passing,
+        between: split.between,
+        without_contacts: quiet.rms(),
+        from_contacts: (cut_out.iter().map(|a| a * a).sum::<f64>() / cut_out.len() as f64).sqrt(),
+        gap_deviation_deg: gap_deviation_deg(case, ended),
+        contacts_per_s: count / measured_s,
+        // Without contacts NaN, which estimates leave out.
+        approach_speed_m_s: sum(|c| c.approach_speed_m_s) / count,
+        impulse_n_s: impulse_n_s / count,
+        impulse_rate_n: impulse_n_s / measured_s,
+        stretches: stretches(&record, contacts, case.solver.duration_s),
+        transition_shares: transition_shares(&settled, load_zone_rad),
+    })
+}
+
+/// Largest |ψ| at which an evenly spaced ball in static equilibrium carries load at the inner
+/// raceway, to the distance of the angles that [`ARRANGEMENTS`] turned balls take up.
+pub fn load_zone_rad(case: &Case) -> Result<f64, PaperError> {
+    let spacing = TAU / case.bearing.balls() as f64;
+    let mut end = 0.0;
+    for turned in 0..ARRANGEMENTS {
+        let mut case = case.clone();
+        case.start = Start::Settled {
+            gaps: Gaps::Uniform,
+            lead_ball_angle_rad: spacing * f64::from(turned) / f64::from(ARRANGEMENTS),
+        };
+        let found = solve(&case)?;
+        let balls = found.ball_angle_rad.iter().zip(&found.inner_force_n);
+        let loaded = balls.filter(|(_, force_n)| **force_n > 0.0);
+        end = loaded.fold(end, |end, (angle, _)| {
+            f64::max(end, wrap_angle_rad(*angle).abs())
+        });
+    }
+    Ok(end)
+}
+
+fn gap_deviation_deg(case: &Case, ended: &RunOutcome) -> f64 {
+    let (x, y) = (ended.state.x_m(), ended.state.y_m());
+    let n = case.bearing.balls();
+    let gaps: Vec<f64> = (0..n)
+        .map(|k| {
+            let next = (k + 1) % n;
+            let ahead = (x[k] * y[next] - y[k] * x[next]).atan2(x[k] * x[next] + y[k] * y[next]);
+            ahead - case.bearing.pair_angle_rad(k)
+        })
+        .collect();
+    deviation_deg(&gaps)
+}

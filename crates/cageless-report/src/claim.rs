@@ -1,0 +1,291 @@
+//! Claims of a paper. A status is never stated: it follows from computed numbers through the
+//! requirements of a criterion, and so do the sentences of a finding.
+//!
+//! ```
+//! use cageless_report::{Claim, ClaimStatus, Requirement};
+//!
+//! let claim = |difference_deg: f64| {
+//!     let requirement = Requirement::at_most("largest difference", difference_deg, 5e-5, "°");
+//!     let requirement = requirement.says("All values agree.", "Not all values agree.");
+//!     Claim::of_the_model("Table 2", "The theoretical values.", vec![requirement])
+//! };
+//! assert_eq!(claim(4e-5).status(), ClaimStatus::Confirmed);
+//! assert_eq!(claim(6e-5).status(), ClaimStatus::NotConfirmed);
+//! assert_eq!(claim(6e-5).finding, "Not all values agree.");
+//! assert_eq!(claim(f64::NAN).status(), ClaimStatus::NotTested);
+//! ```
+
+use serde::{Serialize, Serializer};
+
+use crate::text::{escape, rich, significant};
+
+/// Status of a claim of the paper, given by [`Claim::of_the_model`] and [`Claim::as_printed`]
+/// alone.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ClaimStatus {
+    /// Every requirement is met.
+    Confirmed,
+    /// Some requirements are met.
+    Partly,
+    /// No requirement is met.
+    NotConfirmed,
+    /// The paper contradicts itself or mechanics: a requirement on what it prints is missed.
+    Erratum,
+    /// No requirement has a number.
+    NotTested,
+}
+
+/// How far a requirement is met.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Holds {
+    /// The number keeps its limit.
+    Met,
+    /// Some cases of several do.
+    InPart,
+    /// The number misses its limit.
+    Missed,
+    /// There is no number.
+    Unknown,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Bound {
+    AtMost(f64),
+    AtLeast(f64),
+    AllOf(usize),
+}
+
+/// A quantity of a claim with its computed value and its limit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Requirement {
+    quantity: String,
+    value: f64,
+    bound: Bound,
+    unit: &'static str,
+    sentences: [String; 2],
+}
+
+impl Requirement {
+    fn new(quantity: &str, value: f64, bound: Bound, unit: &'static str) -> Self {
+        Self {
+            quantity: quantity.to_owned(),
+            value,
+            bound,
+            unit,
+            sentences: Default::default(),
+        }
+    }
+
+    /// `value` of `quantity` must be `limit` or less; the unit follows the numbers: `"°"`, `" N"`.
+    pub fn at_most(quantity: &str, value: f64, limit: f64, unit: &'static str) -> Self {
+        Self::new(quantity, value, Bound::AtMost(limit), unit)
+    }
+
+    /// `value` of `quantity` must be `limit` or more.
+    pub fn at_least(quantity: &str, value: f64, limit: f64, unit: &'static str) -> Self {
+        Self::new(quantity, value, Bound::AtLeast(limit), unit)
+    }
+
+    /// Something must hold in all of `cases`; it holds in `value` of them.
+    pub fn in_all(quantity: &str, value: usize, cases: usize) -> Self {
+        let value = if cases == 0 { f64::NAN } else { value as f64 };
+        Self::new(quantity, value, Bound::AllOf(cases), "")
+    }
+
+    /// Sentences of the finding: one if the requirement is met, one if it is not.
+    pub fn says(mut self, met: &str, missed: &str) -> Self {
+        self.sentences = [met.to_owned(), missed.to_owned()];
+        self
+    }
+
+    /// How far the value keeps its limit.
+    pub fn holds(&self) -> Holds {
+        let met = match self.bound {
+            _ if self.value.is_nan() => return Holds::Unknown,
+            Bound::AllOf(cases) if self.value > 0.0 && self.value < cases as f64 => {
+                return Holds::InPart;
+            }
+            Bound::AtMost(limit) => self.value <= limit,
+            Bound::AtLeast(limit) => self.value >= limit,
+            Bound::AllOf(cases) => self.value >= cases as f64,
+        };
+        if met { Holds::Met } else { Holds::Missed }
+    }
+
+    fn sentence(&self) -> &str {
+        match self.holds() {
+            Holds::Met => &self.sentences[0],
+            Holds::InPart | Holds::Missed => &self.sentences[1],
+            Holds::Unknown => "",
+        }
+    }
+
+    fn number(&self, value: f64) -> String {
+        format!("{}{}", significant(value, 4), self.unit)
+    }
+
+    /// Limit in words: `at most 0.033°`.
+    pub fn limit(&self) -> String {
+        match self.bound {
+            Bound::AtMost(limit) => format!("at most {}", self.number(limit)),
+            Bound::AtLeast(limit) => format!("at least {}", self.number(limit)),
+            Bound::AllOf(cases) => format!("all of {cases}"),
+        }
+    }
+
+    /// `<li>` of a page: mark, quantity, value, limit.
+    fn html(&self) -> String {
+        let (mark, word) = match self.holds() {
+            Holds::Met => ("✓", "met"),
+            Holds::InPart => ("~", "met in part"),
+            Holds::Missed => ("✗", "missed"),
+            Holds::Unknown => ("–", "no number"),
+        };
+        format!(
+            "<li><span role=\"img\" aria-label=\"{word}\">{mark}</span> {}: <b>{}</b> ({})</li>",
+            rich(&self.quantity),
+            escape(&self.number(self.value)),
+            escape(&self.limit())
+        )
+    }
+}
+
+impl Serialize for Requirement {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(Serialize)]
+        struct Row<'a> {
+            quantity: &'a str,
+            value: f64,
+            unit: &'a str,
+            limit: String,
+            holds: Holds,
+        }
+        let row = Row {
+            quantity: &self.quantity,
+            value: self.value,
+            unit: self.unit.trim(),
+            limit: self.limit(),
+            holds: self.holds(),
+        };
+        row.serialize(serializer)
+    }
+}
+
+/// A claim of the paper with what was found.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Claim {
+    /// Quoted or paraphrased.
+    pub claim: String,
+    /// Place in the paper: `Section 4.3, Fig. 8`.
+    pub place: String,
+    /// Finding: the sentences of the requirements, and remarks that hold whatever the numbers.
+    pub finding: String,
+    /// Further numbers, without a requirement; may be empty.
+    pub numbers: String,
+    /// Requirements that decide.
+    criterion: Vec<Requirement>,
+    /// Status that follows.
+    verdict: ClaimStatus,
+}
+
+impl Claim {
+    fn new(place: &str, claim: &str, criterion: Vec<Requirement>, verdict: ClaimStatus) -> Self {
+        let said = criterion.iter().map(Requirement::sentence);
+        let finding: Vec<&str> = said.filter(|s| !s.is_empty()).collect();
+        Self {
+            claim: claim.to_owned(),
+            place: place.to_owned(),
+            finding: finding.join(" "),
+            numbers: String::new(),
+            criterion,
+            verdict,
+        }
+    }
+
+    /// A claim on how the bearing moves, which the model tests.
+    pub fn of_the_model(place: &str, claim: &str, criterion: Vec<Requirement>) -> Self {
+        let holds: Vec<Holds> = criterion.iter().map(Requirement::holds).collect();
+        let all = |one: fn(&Holds) -> bool| holds.iter().all(one);
+        let status = if all(|h| *h == Holds::Unknown) {
+            ClaimStatus::NotTested
+        } else if all(|h| *h == Holds::Met) {
+            ClaimStatus::Confirmed
+        } else if all(|h| matches!(h, Holds::Missed | Holds::Unknown)) {
+            ClaimStatus::NotConfirmed
+        } else {
+            ClaimStatus::Partly
+        };
+        Self::new(place, claim, criterion, status)
+    }
+
+    /// A formula or number as the paper prints it, compared with its other statements or with
+    /// mechanics. One missed requirement makes an erratum.
+    pub fn as_printed(place: &str, claim: &str, criterion: Vec<Requirement>) -> Self {
+        let model = Self::of_the_model(place, claim, criterion);
+        Self {
+            verdict: match model.verdict {
+                ClaimStatus::Partly | ClaimStatus::NotConfirmed => ClaimStatus::Erratum,
+                status => status,
+            },
+            ..model
+        }
+    }
+
+    /// Adds further numbers.
+    pub fn numbers(mut self, numbers: &str) -> Self {
+        self.numbers = numbers.to_owned();
+        self
+    }
+
+    /// Adds to the finding what holds whatever the numbers.
+    pub fn remark(mut self, remark: &str) -> Self {
+        if !self.finding.is_empty() {
+            self.finding.push(' ');
+        }
+        self.finding.push_str(remark);
+        self
+    }
+
+    /// Status of the claim.
+    pub fn status(&self) -> ClaimStatus {
+        self.verdict
+    }
+
+    /// Requirements that decide.
+    pub fn criterion(&self) -> &[Requirement] {
+        &self.criterion
+    }
+
+    /// Block of a page.
+    pub(crate) fn html(&self) -> String {
+        let (class, status) = match self.verdict {
+            ClaimStatus::Confirmed => ("confirmed", "confirmed"),
+            ClaimStatus::Partly => ("partly", "partly confirmed"),
+            ClaimStatus::NotConfirmed => ("refuted", "not confirmed"),
+            ClaimStatus::Erratum => ("erratum", "erratum"),
+            ClaimStatus::NotTested => ("untested", "not tested"),
+        };
+        let mut below: String = self.criterion.iter().map(Requirement::html).collect();
+        if !below.is_empty() {
+            below = format!("<ul class=\"numbers\">{below}</ul>");
+        }
+        if !self.numbers.is_empty() {
+            below += &format!("<div class=\"numbers\">{}</div>", rich(&self.numbers));
+        }
+        format!(
+            "<div class=\"claim {class}\"><div class=\"said\"><span class=\"place\">{}</span> {}</div>\
+             <div class=\"found\"><span class=\"verdict\">{status}</span> {}{below}</div></div>\n",
+            rich(&self.place),
+            rich(&self.claim),
+            rich(&self.finding),
+        )
+    }
+}
+
+/// How a status follows, for the head of a list of claims.
+pub(crate) const RULE: &str = "Each status follows from the requirements listed with it: confirmed \
+    if all are met, partly confirmed if some are, not confirmed if none is. What the paper prints \
+    is an erratum if it misses a requirement of its own other numbers or of mechanics. A claim \
+    without a computed number is not tested.";
