@@ -49,6 +49,10 @@ def at(document, path):
     return document
 
 
+class NoResults(Exception):
+    """A row whose command has not been computed."""
+
+
 class Row:
     """One row of a study: its place on the axes, its command, its results."""
 
@@ -83,7 +87,7 @@ class Row:
 
     def __getitem__(self, name):
         if self.values is None:
-            raise KeyError(f"no results of {self.study.name}: {self.name}")
+            raise NoResults(f"no results of {self.study.name}: {self.name}")
         return self.values[name]
 
     def of(self, name):
