@@ -182,7 +182,8 @@ class Study:
         """The row that stands for all where only a sample is computed."""
         if (places := self.declared.get("sample", "none")) != "none":
             return self[places]
-        return self.rows[zlib.crc32(self.name.encode()) % len(self.rows)]
+        rows = self.of() or self.rows
+        return rows[zlib.crc32(self.name.encode()) % len(rows)]
 
 
 def studies():
