@@ -29,6 +29,8 @@ const STATIC: &[&str] = &[
     "outer_stiffness",
     "inner_stress_max_gpa",
     "outer_stress_max_gpa",
+    "assembly",
+    "rating_factor",
     "basic_dynamic_rating_n",
     "basic_static_rating_n",
     "static_safety",

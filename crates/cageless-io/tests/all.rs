@@ -7,6 +7,7 @@ mod common;
 mod crossing;
 mod damaged_files;
 mod derived_files;
+mod designation;
 mod dynamic_table;
 mod fuzz_entries;
 mod reference;

@@ -3,10 +3,11 @@
 
 use std::f64::consts::TAU;
 
+use cageless::Assembly;
 use cageless::Case;
 use cageless::equilibrium::{Equilibrium, RacewayContact};
 use cageless::kinematics::{orbit_speed_of_rad_s, rolling_spin_rad_s};
-use cageless::rating::Rating;
+use cageless::rating::{RatedMaterials, Rating};
 use serde::Serialize;
 
 /// `static --json`.
@@ -19,6 +20,10 @@ pub struct StaticResult {
     /// Stiffness matrix of the bearing at its operating point, rows x and y, N/m; `None` where
     /// nothing holds the ring in some direction.
     pub stiffness_n_m: Option<[[f64; 2]; 2]>,
+    /// Way of assembly, on which Cr depends.
+    pub assembly: &'static str,
+    /// bm of ISO 281 for it.
+    pub rating_factor: f64,
     /// Cr of ISO 281, N.
     pub basic_dynamic_rating_n: f64,
     /// C0r of ISO 76, N.
@@ -51,7 +56,7 @@ pub struct StaticResult {
     pub bsf_hz: f64,
     /// Orbital frequency of balls that roll through the discrete raceways as well, Hz.
     pub raceway_ftf_hz: f64,
-    /// n·dm, mm/min.
+    /// n·Dpw, mm/min.
     pub speed_parameter_mm_rpm: f64,
     /// ψ of each ball, degrees.
     pub ball_angle_deg: Vec<f64>,
@@ -110,6 +115,8 @@ impl StaticResult {
             ring_x_um: e.ring_x_m * 1e6,
             ring_y_um: e.ring_y_m * 1e6,
             stiffness_n_m: e.stiffness_n_m,
+            assembly: case.bearing.assembly().name(),
+            rating_factor: case.bearing.assembly().rating_factor(),
             basic_dynamic_rating_n: rating.basic.dynamic_n,
             basic_static_rating_n: rating.basic.static_n,
             static_safety: rating.static_safety,
@@ -159,9 +166,16 @@ fn semi_axes_mm(contacts: &[RacewayContact]) -> Vec<[f64; 2]> {
 fn notes(case: &Case, rating: &Rating, equilibrium: &Equilibrium) -> Vec<String> {
     let mut notes = vec![
         "ratings and lives are indicative: fatigue of a lubricated, clean bearing with plain \
-         grooves and without filling slot"
+         grooves"
             .to_owned(),
     ];
+    if case.bearing.assembly() == Assembly::FillingSlot {
+        notes.push(
+            "bearing.assembly is \"filling-slot\": Cr has the factor bm = 1.1 of ISO 281 in place of \
+             1.3, which a bearing without slot (fractured or split ring) keeps"
+                .to_owned(),
+        );
+    }
     if !case.raceways.is_empty() {
         notes.push(
             "lives and C0r take the outer raceway as a plain groove; in the discrete raceway two \
@@ -169,12 +183,19 @@ fn notes(case: &Case, rating: &Rating, equilibrium: &Equilibrium) -> Vec<String>
                 .to_owned(),
         );
     }
-    if !rating.steel {
-        notes.push(
-            "ISO 281 and ISO 76 rate balls and rings of bearing steel; the materials of this \
-             case are others"
+    match rating.materials {
+        RatedMaterials::Steel => {}
+        RatedMaterials::Hybrid => notes.push(
+            "hybrid bearing: Cr and lives are those of the bearing with steel balls, which \
+             ISO 20056-1 keeps; C0r and s0 are those of ISO 76 for steel balls; the ratings of \
+             ISO 20056-2, with another limit of the contact pressure, are not computed"
                 .to_owned(),
-        );
+        ),
+        RatedMaterials::Other => notes.push(
+            "ISO 281, ISO 76 and ISO 20056 rate balls of bearing steel or silicon nitride in steel \
+             rings; this case has other materials"
+                .to_owned(),
+        ),
     }
     if equilibrium.stiffness_n_m.is_none() {
         notes.push(

@@ -6,6 +6,7 @@ mod random_cases;
 mod rotor_drops;
 mod rotor_sweeps;
 mod run_results;
+mod static_values;
 mod studies;
 mod sweep_analysis;
 mod sweep_collection;

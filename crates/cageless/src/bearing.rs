@@ -27,6 +27,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use crate::assembly::Assembly;
 use crate::contact::hertz::{PointContact, STRESS_LIMIT_PA};
 use crate::dynamics::layout::BALLS_MAX;
 use crate::error::{Allowed, InputError, not_negative, positive};
@@ -66,6 +67,7 @@ pub struct Bearing {
     /// Rw of every ball − Rw; empty if all are equal.
     deviations_m: Vec<f64>,
     bore: Option<InnerRingBore>,
+    pub(crate) assembly: Assembly,
 }
 
 /// Bore and polar inertia of the inner ring: what a bearing needs that catches a rotor.
@@ -259,6 +261,7 @@ impl Bearing {
         let [inner_contact, outer_contact] = raceway_contacts(d, &materials);
         let ball = [1.0 / d.ball_radius_m; 2];
         let ball_contact = PointContact::new(ball, ball, &materials.ball);
+        let assembly = Assembly::of(&dimensions, pitch);
         Ok(Self {
             dimensions,
             materials,
@@ -267,6 +270,7 @@ impl Bearing {
             ball_contact,
             deviations_m: vec![],
             bore: None,
+            assembly,
         })
     }
 

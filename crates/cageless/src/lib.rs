@@ -14,6 +14,7 @@
 //! motion: ball i+1 is ahead of ball i. Everything is plain SI `f64` (radians,
 //! seconds, metres, newtons); public names end in their unit.
 
+mod assembly;
 pub mod bearing;
 pub mod case;
 pub mod collision;
@@ -55,6 +56,7 @@ pub mod touchdown;
 pub mod verification;
 pub mod vibration;
 
+pub use assembly::Assembly;
 pub use bearing::{Ball, Bearing, BearingDimensions, InnerRingBore};
 pub use case::{
     Case, Contact, FrictionLaw, Gaps, Housing, IntegrationMethod, Operation, Output, Profile,

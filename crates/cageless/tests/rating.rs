@@ -4,14 +4,16 @@ use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
 
 use crate::common::{conventional, dimensions, steel, structure};
-use cageless::equilibrium::{Equilibrium, solve};
+use cageless::equilibrium::{Equilibrium, RacewayContact, solve};
 use cageless::rating::{
     BasicRatings, Rating, ReferenceLife, SPEED_PARAMETER_MAX_MM_RPM, dynamic_factor,
-    rigid_ring_forces_n, static_factor,
+    rigid_ring_forces_n, skf_friction_torque_n_m, static_factor,
 };
 use cageless::recorder::Recorder;
 use cageless::simulation::run;
-use cageless::{Bearing, BearingDimensions, Case, Raceway, RacewayDimensions, Start};
+use cageless::{
+    Assembly, Bearing, BearingDimensions, Case, InnerRingBore, Raceway, RacewayDimensions, Start,
+};
 
 /// γ = Dw/Dpw and fc of ISO 281, single-row deep groove ball bearings.
 const FC: [(f64, f64); 21] = [
@@ -116,6 +118,42 @@ fn static_factor_is_the_table_of_iso_76() {
     }
 }
 
+/// Bearings with filling slots of SKF's catalogue PUB 17000 (2018), C in N: number and diameter of
+/// the balls are those that fit C0, so that the factor bm = 1.1 is confirmed by C.
+#[test]
+fn a_filling_slot_lowers_the_rating_as_in_catalogues() {
+    for (name, balls, ball_mm, pitch_mm, catalogue) in [
+        ("206", 13, 9.525, 46.0, 20.9e3),
+        ("305", 10, 11.1125, 43.5, 22.9e3),
+        ("306", 11, 12.303_125, 51.0, 29.7e3),
+        ("207", 13, 11.1125, 53.5, 27.5e3),
+        ("307", 11, 13.493_75, 57.5, 34.7e3),
+    ] {
+        let bearing = bearing(balls, ball_mm, pitch_mm, 0.52);
+        assert_eq!(bearing.assembly(), Assembly::FillingSlot, "{name}");
+        let slotted = BasicRatings::new(&bearing).dynamic_n;
+        assert!(
+            (slotted / catalogue - 1.0).abs() < 0.015,
+            "{name}: {slotted}"
+        );
+        // Without a slot: the usual factor, and lives by its third power.
+        let life = |b: &Bearing| {
+            ReferenceLife::new(b)
+                .l10r_mrev(&[1e3; 13], &[1e3; 13])
+                .unwrap()
+        };
+        let whole = bearing.clone().with_assembly(Assembly::WithoutSlot);
+        let ratio = BasicRatings::new(&whole).dynamic_n / slotted;
+        assert!((ratio - 1.3 / 1.1).abs() < 1e-12);
+        assert!((life(&whole) / life(&bearing) / ratio.powi(3) - 1.0).abs() < 1e-9);
+    }
+    // Between eccentric rings go as many as in the caged bearing.
+    assert_eq!(
+        bearing(9, 9.525, 46.0, 0.52).assembly(),
+        Assembly::WithoutSlot
+    );
+}
+
 /// Size 209: 9 balls of 12.7 mm on 65 mm, Harris' example.
 #[test]
 fn dynamic_rating_of_a_209() {
@@ -167,16 +205,17 @@ fn reference_life_of_stribecks_distribution() {
     }
 }
 
-/// The paper's bearing at 1500 N, rigid rings, without weight and centrifugal force: from
-/// 5265 to 5288 million revolutions as the balls stand.
+/// The paper's bearing at 1500 N, without filling slot, rigid rings, without weight and centrifugal
+/// force: from 5265 to 5288 million revolutions as the balls are placed.
 #[test]
 fn reference_life_of_the_papers_bearing() {
     let (mut least, mut most) = (f64::INFINITY, 0.0f64);
     for k in 0..=20 {
-        let case = turned(
+        let mut case = turned(
             at_rest(conventional(dimensions())),
             f64::from(k) / 20.0 * TAU / 14.0,
         );
+        case.bearing = case.bearing.with_assembly(Assembly::WithoutSlot);
         let life = Rating::new(&case, &solve(&case).unwrap())
             .l10r_mrev
             .unwrap();
@@ -393,7 +432,7 @@ fn what_no_bearing_stands_is_a_warning() {
     case.operation.inner_speed_rad_s = 1.01 * SPEED_PARAMETER_MAX_MM_RPM / 46.005 * TAU / 60.0;
     case.solver.step_s = 1e-7;
     assert!(
-        warnings(&case)[0].contains("n·dm is 3.03 million"),
+        warnings(&case)[0].contains("n·Dpw is 3.03 million"),
         "{:?}",
         warnings(&case)
     );
@@ -448,4 +487,67 @@ fn rigid_ring_forces_are_in_balance() {
             assert!(residual.abs() < 1e-14, "{residual}");
         }
     }
+}
+
+/// Pressure and ellipse of one of the two points of a ball in the raceway, and of the plain groove,
+/// by complete elliptic integrals in another program: Rw 4.7625, Ro 27.765, Re 4.953 mm, 206 GPa,
+/// ν 0.3, 500 N; the raceway curves by (r/Rw)/(Ro − Rw + r) along the direction of rolling.
+#[test]
+fn pressures_on_the_raceway_are_those_of_another_hertz_solver() {
+    let bearing = structure(5.1, 25.2).bearing;
+    for (r_mm, pressure_pa, along_m, across_m) in [
+        (
+            4.7625,
+            1.490_277_424_5e9,
+            1.486_275_000_7e-4,
+            1.077_817_163_5e-3,
+        ),
+        (4.0, 1.269_509_061_9e9, 1.231_909_779_6e-4, 9.087_442_674e-4),
+        (3.5, 1.338_536_216_9e9, 1.275_236_285_5e-4, 9.515_410_995e-4),
+    ] {
+        let contact = RacewayContact::outer(&bearing, 1e-3 * r_mm, 500.0);
+        let found = [
+            contact.pressure_pa,
+            contact.semi_axes_m[0],
+            contact.semi_axes_m[1],
+        ];
+        for (found, expected) in found.into_iter().zip([pressure_pa, along_m, across_m]) {
+            assert!(
+                (found / expected - 1.0).abs() < 1e-6,
+                "{r_mm}: {found} {expected}"
+            );
+        }
+    }
+}
+
+/// (4200 MPa/p)³ of the largest pressure p, and s0 = C0r/Fr.
+#[test]
+fn safeties_are_those_of_load_and_pressure() {
+    for load_n in [500.0, 12_000.0] {
+        let mut case = at_rest(conventional(dimensions()));
+        case.operation.radial_load_n = load_n;
+        let found = solve(&case).unwrap();
+        let rating = Rating::new(&case, &found);
+        let mpa = 1e-6 * found.inner_stress_max_pa.max(found.outer_stress_max_pa);
+        let of = rating.pressure_safety.unwrap();
+        assert!((of * mpa.powi(3) / 7.4088e10 - 1.0).abs() < 1e-12, "{of}");
+        let s0 = rating.static_safety.unwrap();
+        assert!((s0 * load_n / rating.basic.static_n - 1.0).abs() < 1e-12);
+    }
+}
+
+/// SKF's rule of a bearing of 6008 size under 2 kN: 0.5 · 0.0015 · 2000 N · 40 mm = 60 N·mm, from a
+/// given bore; without one within 5 % of it.
+#[test]
+fn friction_torque_of_a_catalogue() {
+    let mut case = conventional(dimensions_of(12, 7.9375, 54.0, 0.52));
+    case.operation.radial_load_n = 2000.0;
+    let estimated = skf_friction_torque_n_m(&case).unwrap();
+    assert!((estimated / 0.06 - 1.0).abs() < 0.05, "{estimated}");
+    let bore = InnerRingBore {
+        polar_inertia_kg_m2: 1e-4,
+        radius_m: 0.02,
+    };
+    case.bearing = case.bearing.with_inner_ring_bore(bore).unwrap();
+    assert!((skf_friction_torque_n_m(&case).unwrap() - 0.06).abs() < 1e-15);
 }

@@ -61,17 +61,22 @@ pub fn dispatch(args: Args) -> Result<(), Failure> {
 }
 
 fn new(args: &New) -> Result<(), Failure> {
-    let text = match &args.bearing {
+    let found = args.bearing.as_ref().map(|name| {
+        designation::find(name).map_err(|message| Failure::Input(format!("--bearing: {message}")))
+    });
+    let found = found.transpose()?;
+    let text = match &found {
         None => template(args.conventional),
-        Some(name) => designation::find(name)
-            .map_err(|message| Failure::Input(format!("--bearing: {message}")))?
-            .case_file(args.full_complement),
+        Some(found) => found.case_file(args.full_complement),
     };
     let Some(path) = &args.out else {
         return print(&text);
     };
     writable(path)?;
     write_atomically(path, text.as_bytes())?;
+    if let Some(found) = found.filter(|_| !is_quiet()) {
+        eprintln!("note: {}", found.source_of_balls());
+    }
     print(&format!("{}\n", path.display()))
 }
 

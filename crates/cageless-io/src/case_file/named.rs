@@ -1,6 +1,6 @@
 //! Choices that a case file or a plan makes by name.
 
-use cageless::{FrictionLaw, IntegrationMethod, Profile};
+use cageless::{Assembly, FrictionLaw, IntegrationMethod, Profile};
 
 use super::document::StartState;
 
@@ -36,6 +36,10 @@ pub(crate) trait Named: Copy + PartialEq + 'static {
             _ => quoted.concat(),
         }
     }
+}
+
+impl Named for Assembly {
+    const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
 }
 
 impl Named for FrictionLaw {

@@ -74,6 +74,9 @@ class Bearing(Section):
         Ji of the inner ring with what turns with it, needed under a [rotor].
     inner_ring_bore_radius_mm : float, optional
         Rb, radius of the bore of the inner ring, needed under a [rotor].
+    assembly : {"without-slot", "filling-slot"}, optional
+        way of assembly, for the load ratings: "filling-slot" if the balls fill more than 205°
+        (N - 1 times ε), else "without-slot".
     ball_radius_deviation_um : sequence of float, optional
         deviation of each ball's radius.
     outer_ring_outer_radius_mm : float, optional
@@ -98,6 +101,7 @@ class Bearing(Section):
     inner_ring_drag_n_s_m: float | None = None
     inner_ring_polar_inertia_kg_m2: float | None = None
     inner_ring_bore_radius_mm: float | None = None
+    assembly: Literal["without-slot", "filling-slot"] | None = None
     ball_radius_deviation_um: Sequence[float] | None = None
     outer_ring_outer_radius_mm: float | None = None
     outer_ring_width_mm: float | None = None
@@ -184,7 +188,7 @@ class Contact(Section):
         sliding speed over which the Stribeck law falls from μs to μ.
     friction_table : sequence of (float, float), optional
         measured μ over the sliding speed, of friction_law = "table"; friction_coefficient is
-        its last μ.
+        its last μ, also if it is left out.
     slip_scale_m_s : float, optional
         sliding speed at the knee of all laws but "coulomb".
     outer_friction_factor : float, optional

@@ -6,10 +6,6 @@ use crate::bearing::Bearing;
 use crate::contact::hertz::{PointContact, STRESS_LIMIT_PA};
 use crate::material::Material;
 
-/// bm of ISO 281 for deep groove ball bearings without filling slots. With a filling slot it
-/// is 1.1.
-pub const RATING_FACTOR: f64 = 1.3;
-
 /// λ, reduction for the deviation of the contacts of a single-row radial bearing (ISO/TR 1281-1).
 const REDUCTION: f64 = 0.95;
 /// 0.41 A1 with A1 = 98.0665, the material constant in N and mm (ISO/TR 1281-1).
@@ -27,7 +23,8 @@ const STEEL: Material = Material {
     poisson_ratio: 0.3,
 };
 
-/// Basic load ratings of a bearing with plain grooves and steel balls.
+/// Basic load ratings of a bearing with plain grooves and steel balls; the dynamic one holds for
+/// silicon nitride balls in steel rings, too (ISO 20056-1).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BasicRatings {
     /// Cr of ISO 281, N.
@@ -40,7 +37,9 @@ impl BasicRatings {
     /// Ratings from ball set and grooves:
     ///
     ///   Cr = bm fc Z^(2/3) Dw^1.8, Dw in mm (3.647 Dw^1.4 above 25.4 mm),
-    ///   C0r = f0 Z Dw².
+    ///   C0r = f0 Z Dw²,
+    ///
+    /// with bm of the [way of assembly](crate::Assembly::rating_factor).
     pub fn new(bearing: &Bearing) -> Self {
         let z = bearing.balls() as f64;
         let diameter_mm = 2e3 * bearing.ball_radius_m();
@@ -51,7 +50,10 @@ impl BasicRatings {
             LARGE_BALL_FACTOR * diameter_mm.powf(1.4)
         };
         Self {
-            dynamic_n: RATING_FACTOR * dynamic_factor(gamma, grooves) * z.powf(2.0 / 3.0) * size,
+            dynamic_n: bearing.assembly().rating_factor()
+                * dynamic_factor(gamma, grooves)
+                * z.powf(2.0 / 3.0)
+                * size,
             static_n: static_factor(gamma, grooves) * z * diameter_mm.powi(2),
         }
     }

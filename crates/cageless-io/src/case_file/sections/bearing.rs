@@ -2,13 +2,14 @@
 
 use cageless::bearing::BALLS_MIN;
 use cageless::error::Allowed;
+use cageless::rating::bore_radius_estimate_m;
 use cageless::ring_support::SHOULDER_HEIGHT;
-use cageless::{Bearing, BearingDimensions, InnerRingBore, InputError, Materials};
+use cageless::{Assembly, Bearing, BearingDimensions, InnerRingBore, InputError, Materials};
 use serde::Serialize;
 
 use crate::case_file::CaseError;
 use crate::case_file::convert::Converter;
-use crate::case_file::declaration::Line::{Absent, Shown};
+use crate::case_file::declaration::Line::{Absent, Commented, Shown};
 use crate::case_file::declaration::Presence::{Derived, Optional, Required};
 use crate::case_file::declaration::section;
 use crate::case_file::reader::Reader;
@@ -22,8 +23,6 @@ const OUTER_RADII_MAX: f64 = 10.0;
 /// Radius of a groove over the diameter of the ball: the usual one of deep groove ball bearings,
 /// which ISO 281 presupposes for its load ratings.
 const CONFORMITY: f64 = 0.52;
-/// Thickness of the inner ring below its groove over the diameter of the ball.
-const WALL: f64 = 0.3;
 /// Width of a ring over the diameter of the ball.
 const WIDTH: f64 = 1.6;
 /// Damping of the inner ring's translation that the paper's bearing needs to settle, N s/m.
@@ -78,6 +77,10 @@ section! {
             "Ji of the inner ring with what turns with it, needed under a [rotor]", Absent;
         inner_ring_bore_radius_mm -> inner_ring_bore_radius_m: Option<f64> = Optional, Millimetre,
             "Rb, radius of the bore of the inner ring, needed under a [rotor]", Absent;
+        assembly -> assembly: Option<Assembly> = Derived, Plain,
+            "way of assembly, for the load ratings: \"filling-slot\" if the balls fill more than 205° (N - 1 times ε), else \"without-slot\"",
+            Commented("\"filling-slot\"", "bm of ISO 281: 1.1 with a filling slot, 1.3 \"without-slot\"\n\
+                (eccentric rings, or a fractured or split ring)");
         ball_radius_deviation_um -> ball_radius_deviation_m: Option<Vec<f64>> = Optional, Micrometre,
             "deviation of each ball's radius", Absent;
         outer_ring_outer_radius_mm -> outer_ring_outer_radius_m: Option<f64> = Optional, Millimetre,
@@ -138,6 +141,7 @@ impl BearingDocument {
     pub(in crate::case_file) fn fill_in(&mut self, bearing: &Bearing) {
         let drag = bearing.dimensions().inner_ring_drag_n_s_m;
         self.inner_ring_drag_n_s_m.get_or_insert(drag);
+        self.assembly.get_or_insert(bearing.assembly());
         for Assumption { key, value, .. } in self.assumptions(bearing.dimensions()) {
             match key.as_str() {
                 "bearing.outer_shoulder_radius_mm" => self.outer_shoulder_radius_mm = Some(value),
@@ -204,7 +208,7 @@ impl BearingDocument {
     fn ring_mass_kg(&self, d: &BearingDimensions) -> f64 {
         let diameter = 2.0 * d.ball_radius_m;
         let bottom = d.inner_groove_bottom_radius_m;
-        let bore = (bottom - WALL * diameter).max(0.5 * bottom);
+        let bore = bore_radius_estimate_m(d);
         let shoulder = bottom + SHOULDER_HEIGHT * diameter;
         let width = self
             .outer_ring_width_mm
@@ -223,6 +227,10 @@ impl Converter<'_> {
         let interference_max_m = dimensions.interference_max_m(&materials);
         let bearing = Bearing::new(dimensions, materials)
             .map_err(|e| self.refused_interference(&e, interference_max_m))?;
+        let bearing = match self.document.bearing.assembly {
+            Some(assembly) => bearing.with_assembly(assembly),
+            None => bearing,
+        };
         self.scattered(self.bored(bearing)?)
     }
 
@@ -299,8 +307,13 @@ impl Converter<'_> {
                 )
             };
         let groove = |name, radius, conformity_name, conformity| {
-            let conformity = si(conformity_name, conformity)?.unwrap_or(CONFORMITY);
-            Ok(si(name, radius)?.unwrap_or(conformity * (2.0 * ball_radius_m)))
+            let given = si(conformity_name, conformity)?.unwrap_or(CONFORMITY);
+            let by_conformity = given * (2.0 * ball_radius_m);
+            if !Millimetre.of_si(by_conformity).is_finite() {
+                let path = join("bearing", conformity_name);
+                return Err(self.refuse(&path, &given.to_string(), "at most 1"));
+            }
+            Ok(si(name, radius)?.unwrap_or(by_conformity))
         };
         let mut dimensions = BearingDimensions {
             balls: b.balls,

@@ -1,0 +1,126 @@
+//! The case file of a designation.
+
+use cageless::Assembly;
+
+use super::{BallSource, BoundaryDimensions, InternalGeometry};
+
+impl BoundaryDimensions {
+    /// Source of the balls in a sentence.
+    pub fn source_of_balls(&self) -> String {
+        let name = &self.designation;
+        match self.internal_geometry(false).source {
+            BallSource::Maker => format!(
+                "balls of {name} as NSK: number and diameter follow from the load ratings of its \
+                 catalogue; other makers have other balls"
+            ),
+            BallSource::Formula => format!(
+                "balls of {name} by a formula, as the table of bearings has none for it: load ratings \
+                 may be up to 17 % off those of catalogues"
+            ),
+        }
+    }
+
+    /// A case file with the source of every number in a comment.
+    pub fn case_file(&self, full_complement: bool) -> String {
+        let InternalGeometry {
+            ball_diameter_mm: ball,
+            pitch_diameter_mm: pitch,
+            balls,
+            caged_balls,
+            source,
+            clearance_um,
+        } = self.internal_geometry(full_complement);
+        let (name, d, big, width) = (
+            &self.designation,
+            self.bore_mm,
+            self.outside_mm,
+            self.width_mm,
+        );
+        let number = match source {
+            _ if full_complement => {
+                "(assumed) full complement: as many as the pitch circle holds".into()
+            }
+            BallSource::Maker if balls == caged_balls => {
+                "(derived) as NSK, from its Cr, C0r and f0".to_owned()
+            }
+            BallSource::Formula if balls == caged_balls => {
+                "(assumed) as many as enter between eccentric rings (195° filled)".into()
+            }
+            _ => format!(
+                "(assumed) least that holds the inner ring without a cage; with one {caged_balls}"
+            ),
+        };
+        let diameter = match source {
+            BallSource::Maker => "(derived) Dw as NSK, from its Cr, C0r and f0",
+            BallSource::Formula => "(assumed) Dw, 0.29 (D - d) in steps of 1/64 inch",
+        };
+        let head = match source {
+            BallSource::Maker => {
+                "# No standard fixes the balls. What is marked (derived) gives the load ratings Cr and C0r and the
+# factor f0 of NSK's bearing of this size (catalogue E1102f) by ISO 281 and ISO 76; the bearing of
+# another maker has other balls."
+            }
+            BallSource::Formula => {
+                "# No standard fixes the balls, and the table of bearings has none for this size. Those of the
+# formula give load ratings up to 17 % off those of catalogues."
+            }
+        };
+        let kind = if full_complement {
+            "full complement"
+        } else {
+            "cageless"
+        };
+        let assembly = if full_complement {
+            format!(
+                "assembly = {:<35} # more balls than enter between eccentric rings;\n{:47}# \
+                 \"without-slot\" for a fractured or split ring\n",
+                format!("\"{}\"", Assembly::FillingSlot.name()),
+                ""
+            )
+        } else {
+            String::new()
+        };
+        // Two digits are enough for what is to be replaced.
+        let round = |value: f64| format!("{value:.1e}").parse().unwrap_or(value);
+        let speed: f64 = round(3e5 / pitch);
+        let load: f64 = round(0.05 * 12.0 * balls as f64 * ball * ball);
+        format!(
+            "\
+# {name}, {kind}: boundary dimensions d {d} mm, D {big} mm, B {width} mm (ISO 15).
+{head}
+# Measure yours or ask its maker, and replace what is marked (derived) or (assumed). Everything that
+# is left out takes a default: `cageless check` lists them with their values.
+schema = 1
+title = \"{name}, {kind}\"
+
+[bearing]
+balls = {balls:<38} # {number}
+ball_diameter_mm = {ball:<27} # {diameter}
+pitch_diameter_mm = {pitch:<26} # (assumed) Dpw = (D + d)/2
+radial_internal_clearance_um = {clearance_um:<15} # (assumed) Gr, middle of group Normal of ISO 5753-1
+inner_conformity = 0.52                        # (assumed) groove radius over Dw
+outer_conformity = 0.52                        # (assumed)
+{assembly}\
+outer_ring_outer_radius_mm = {outer:<17} # D/2, for the export to CAD
+outer_ring_width_mm = {width:<24} # B
+
+# [ball_material]                              # hybrid bearing: ceramic balls in steel rings
+# preset = \"Si3N4\"
+
+# A conventional outer ring. `cageless design` proposes a discrete raceway for [raceway], and
+# `cageless design --search` looks for the best one.
+# [raceway]
+# axial_span_mm =
+# half_angle_deg =
+
+[operation]
+inner_speed_rpm = {speed:<28} # (assumed) n·Dpw of 300,000 mm/min
+radial_load_n = {load:<30} # (assumed) about 5 % of the static load rating
+
+[contact]
+friction_coefficient = 0.007                   # (assumed) lubricated (Zhao 2022); dry steel has 0.1 to 0.3
+",
+            outer = big / 2.0,
+        )
+    }
+}

@@ -1,0 +1,92 @@
+//! Number and diameter of balls, pitch diameter and clearance of a bearing of a designation.
+
+use std::f64::consts::{PI, TAU};
+
+use cageless::Bearing;
+
+use super::BoundaryDimensions;
+
+/// Radial internal clearance of deep groove ball bearings, group Normal of ISO 5753-1: bores up to
+/// this diameter in mm have from the second to the third number in µm.
+const CLEARANCE_UM: [(u16, u16, u16); 9] = [
+    (10, 2, 13),
+    (18, 3, 18),
+    (24, 5, 20),
+    (30, 5, 20),
+    (40, 6, 20),
+    (50, 6, 23),
+    (65, 8, 28),
+    (80, 10, 30),
+    (100, 12, 36),
+];
+
+/// Ball diameter over the difference of outside and bore diameter.
+const BALL_SHARE: f64 = 0.29;
+/// Steps of stock sizes of balls per millimetre: 1/64 inch is 0.396875 mm.
+const BALL_STEPS_PER_MM: f64 = 1e6 / 396_875.0;
+/// Angle that balls fill which enter between eccentric rings (Conrad).
+const FILLING_ANGLE: f64 = 195.0 / 180.0 * PI;
+
+/// Source of number and diameter of the balls.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BallSource {
+    /// As the maker's bearing, by its load ratings.
+    Maker,
+    /// From the boundary dimensions by a formula.
+    Formula,
+}
+
+/// Internal geometry of a bearing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InternalGeometry {
+    /// Dw.
+    pub ball_diameter_mm: f64,
+    /// Dpw.
+    pub pitch_diameter_mm: f64,
+    /// N.
+    pub balls: usize,
+    /// Number of balls with a cage.
+    pub caged_balls: usize,
+    /// Source of `ball_diameter_mm` and `caged_balls`.
+    pub source: BallSource,
+    /// Gr.
+    pub clearance_um: f64,
+}
+
+impl BoundaryDimensions {
+    /// Internal geometry: with `full_complement`, as many balls as the pitch circle holds, else
+    /// as many as with a cage, but enough to hold the inner ring when all are in one group.
+    pub fn internal_geometry(&self, full_complement: bool) -> InternalGeometry {
+        let section = self.outside_mm - self.bore_mm;
+        let pitch_diameter_mm = (self.outside_mm + self.bore_mm) / 2.0;
+        let ball_angle = |diameter: f64| 2.0 * (diameter / pitch_diameter_mm).asin();
+        let (caged_balls, ball_diameter_mm, source) = match self.balls {
+            Some((balls, diameter)) => (balls, diameter, BallSource::Maker),
+            None => {
+                let steps = (BALL_SHARE * section * BALL_STEPS_PER_MM).round().max(1.0);
+                let diameter = steps * 396_875.0 / 1e6;
+                let balls = 1.0 + FILLING_ANGLE / ball_angle(diameter);
+                (balls as usize, diameter, BallSource::Formula)
+            }
+        };
+        let angle = ball_angle(ball_diameter_mm);
+        let balls = if full_complement {
+            (TAU / angle) as usize
+        } else {
+            let [ball, pitch] = [ball_diameter_mm, pitch_diameter_mm].map(|mm| 0.5e-3 * mm);
+            caged_balls.max(Bearing::balls_that_hold_ring(ball, pitch))
+        };
+        let group = CLEARANCE_UM
+            .iter()
+            .find(|(bore, ..)| self.bore_mm <= f64::from(*bore));
+        let (_, least, most) = group.copied().unwrap_or_default();
+        InternalGeometry {
+            ball_diameter_mm,
+            pitch_diameter_mm,
+            balls,
+            caged_balls,
+            source,
+            clearance_um: f64::from(least + most) / 2.0,
+        }
+    }
+}

@@ -1,0 +1,76 @@
+//! Deep groove ball bearings by designation: boundary dimensions of ISO 15, balls, and a case file
+//! that states where each number is from.
+
+mod case_file;
+mod internal_geometry;
+
+use crate::case_file::keys;
+
+pub use internal_geometry::{BallSource, InternalGeometry};
+
+/// Designation, bore d, outside diameter D and width B of ISO 15, and number and diameter Dw of
+/// the balls as NSK where they are known.
+///
+/// No standard fixes the balls. Number and diameter are those with which ISO 281 and ISO 76 give
+/// the Cr, C0r and f0 of the maker's catalogue E1102f: whole numbers and stock sizes (1/64 inch or
+/// mm) that fit all three. What no pair of them fits clearly is left out.
+const TABLE: &str = include_str!("bearings.csv");
+
+/// A designation, and the dimensions that ISO 15 gives it, mm.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BoundaryDimensions {
+    /// Series and bore code, `6008` say.
+    pub designation: String,
+    /// d, bore diameter.
+    pub bore_mm: f64,
+    /// D, outside diameter.
+    pub outside_mm: f64,
+    /// B, width.
+    pub width_mm: f64,
+    /// Number and diameter of the balls in the maker's bearing with a cage.
+    balls: Option<(usize, f64)>,
+}
+
+/// Every designation of the table.
+pub fn designations() -> impl Iterator<Item = BoundaryDimensions> {
+    TABLE.lines().skip(1).filter_map(|line| {
+        let mut fields = line.split(',');
+        let designation = fields.next()?.to_owned();
+        let [d, outside, width, balls, diameter] = std::array::from_fn(|_| fields.next());
+        let number = |field: Option<&str>| field?.parse::<f64>().ok();
+        Some(BoundaryDimensions {
+            designation,
+            bore_mm: number(d)?,
+            outside_mm: number(outside)?,
+            width_mm: number(width)?,
+            balls: balls.and_then(|z| z.parse().ok()).zip(number(diameter)),
+        })
+    })
+}
+
+/// Looks up a designation. 618xx and 619xx are other spellings of 68xx and 69xx.
+///
+/// # Errors
+/// A message with what is allowed if the table does not have it.
+pub fn find(designation: &str) -> Result<BoundaryDimensions, String> {
+    let short = match designation.split_at_checked(3) {
+        Some(("618", code)) if code.len() == 2 => format!("68{code}"),
+        Some(("619", code)) if code.len() == 2 => format!("69{code}"),
+        _ => designation.to_owned(),
+    };
+    let all: Vec<_> = designations().collect();
+    if let Some(found) = all.iter().find(|b| b.designation == short) {
+        let designation = designation.to_owned();
+        return Ok(BoundaryDimensions {
+            designation,
+            ..found.clone()
+        });
+    }
+    let near = keys::nearest(designation, all.iter().map(|b| b.designation.as_str()));
+    let hint = near.map_or(String::new(), |near| format!("; did you mean {near}?"));
+    Err(format!(
+        "`{designation}` is not possible: it must be a deep groove ball bearing of the series 60, 62, \
+         63, 160, 68 (618) or 69 (619) with a bore of up to 100 mm, such as 6008 or 608, without \
+         suffixes{hint}"
+    ))
+}

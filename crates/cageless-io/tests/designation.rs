@@ -1,0 +1,168 @@
+//! Bearings by designation against load ratings of a catalogue and geometry published elsewhere.
+
+use std::collections::HashMap;
+
+use cageless::rating::{BasicRatings, PassingFrequencies, static_factor};
+use cageless::{Assembly, Case};
+use cageless_io::case_file::CaseFile;
+use cageless_io::designation::{BallSource, designations, find};
+
+fn case(designation: &str, full_complement: bool) -> Case {
+    let text = find(designation).unwrap().case_file(full_complement);
+    let file = CaseFile::parse(&text, designation, &[]);
+    file.unwrap_or_else(|e| panic!("{designation}: {e}"))
+        .case()
+        .clone()
+}
+
+/// Cr and C0r in N and f0 of NSK, *Rolling bearings*, E1102f, single-row deep groove bearings.
+/// Number and diameter of the balls were chosen to fit them, so the comparison is partly circular:
+/// it is not in that balls have stock sizes and whole numbers, and three ratings fix the two.
+fn ratings() -> HashMap<String, (f64, f64, Option<f64>)> {
+    let lines = include_str!("reference/nsk-ratings.csv").lines().skip(1);
+    let rows = lines.map(|line| {
+        let fields: Vec<&str> = line.split(',').collect();
+        let kilonewton = |k: usize| 1e3 * fields[k].parse::<f64>().unwrap();
+        let ratings = (kilonewton(1), kilonewton(2), fields[3].parse().ok());
+        (fields[0].to_owned(), ratings)
+    });
+    rows.collect()
+}
+
+#[test]
+fn load_ratings_are_those_of_the_catalogue() {
+    let ratings = ratings();
+    let mut usual = 0;
+    for bearing in designations() {
+        let name = &bearing.designation;
+        let geometry = bearing.internal_geometry(false);
+        let catalogue = ratings.get(name);
+        assert_eq!(
+            catalogue.is_some(),
+            geometry.source == BallSource::Maker,
+            "{name}"
+        );
+        let Some((dynamic, fixed, factor)) = catalogue else {
+            continue;
+        };
+        // Where the inner ring would fall between the balls, there are more of them than with a cage.
+        let sets = [format!("bearing.balls={}", geometry.caged_balls)];
+        let file = CaseFile::parse(&bearing.case_file(false), name, &sets).unwrap();
+        let b = &file.case().bearing;
+        assert_eq!(b.assembly(), Assembly::WithoutSlot, "{name}");
+        let rating = BasicRatings::new(b);
+        let off = rating.dynamic_n / dynamic - 1.0;
+        assert!(off.abs() < 0.01, "{name}: Cr {off}");
+        // The catalogue's f0 of series 68 exceeds the greatest of ISO 76, 16.5.
+        if let Some(f0) = factor.filter(|f0| *f0 <= 16.5) {
+            let gamma = b.ball_radius_m() / b.pitch_radius_m();
+            assert!(
+                (static_factor(gamma, [0.52, 0.53]) - f0).abs() < 0.25,
+                "{name}"
+            );
+            assert!((rating.static_n / fixed - 1.0).abs() < 0.025, "{name}: C0r");
+            usual += 1;
+        }
+    }
+    assert!(
+        ratings.len() > 150 && usual > 100,
+        "{} {usual}",
+        ratings.len()
+    );
+}
+
+/// Case Western Reserve University publishes multiples of the speed of its two bearings; they
+/// give Z and Dw/Dpw without any rating. Paderborn's 6203 has the same BPFI and BPFO.
+#[test]
+fn balls_are_those_of_bearings_in_test_rigs() {
+    for (name, bpfi, bpfo, ftf, tolerance) in [
+        ("6205", 5.4152, 3.5848, 0.39828, 6e-3),
+        ("6203", 4.9469, 3.0530, 0.3817, 2e-4),
+        ("6203", 4.95, 3.05, 0.3817, 2e-3),
+    ] {
+        let case = case(name, false);
+        let turns = case.operation.inner_speed_rad_s / std::f64::consts::TAU;
+        let of = PassingFrequencies::new(&case);
+        for (ours, published) in [(of.bpfi_hz, bpfi), (of.bpfo_hz, bpfo), (of.ftf_hz, ftf)] {
+            let off = ours / turns / published - 1.0;
+            assert!(off.abs() < tolerance, "{name}: {published} {off}");
+        }
+    }
+    let dw = |name: &str| {
+        find(name)
+            .unwrap()
+            .internal_geometry(false)
+            .ball_diameter_mm
+    };
+    assert_eq!((dw("6205"), dw("6204")), (7.9375, 7.9375)); // 7.94 of CWRU, 7.92 of XJTU-SY
+}
+
+#[test]
+fn every_designation_gives_a_case() {
+    let mut count = 0;
+    for bearing in designations() {
+        let name = &bearing.designation;
+        for full_complement in [false, true] {
+            let text = bearing.case_file(full_complement);
+            let case = case(name, full_complement);
+            let b = &case.bearing;
+            let d = b.dimensions();
+            // The balls run between the bore of the inner and the outside of the outer ring.
+            assert!(
+                d.inner_groove_bottom_radius_m > bearing.bore_mm * 5e-4,
+                "{name}"
+            );
+            assert!(
+                d.outer_groove_bottom_radius_m < bearing.outside_mm * 5e-4,
+                "{name}"
+            );
+            assert!(
+                !full_complement || b.nominal_gap_rad() < b.ball_angle_rad() / b.balls() as f64
+            );
+            // The inner ring cannot fall through the gap that bunched balls leave.
+            let filled = (b.balls() - 1) as f64 * b.ball_angle_rad().to_degrees();
+            assert!(filled > 180.0, "{name}: {filled}");
+            assert_eq!(full_complement, text.contains("filling-slot"), "{name}");
+            if full_complement {
+                assert_eq!(b.assembly(), Assembly::FillingSlot, "{name}");
+            }
+            let values = text
+                .lines()
+                .filter(|l| !l.starts_with('#'))
+                .filter_map(|l| l.split(['=', '#']).nth(1));
+            let digits = values.filter_map(|v| v.trim().split_once('.'));
+            assert!(digits.map(|(_, d)| d.len()).max() <= Some(6), "{text}");
+            count += 1;
+        }
+    }
+    assert_eq!(count, 2 * 159);
+    let bearing = find("6008").unwrap();
+    assert_eq!(
+        (bearing.bore_mm, bearing.outside_mm, bearing.width_mm),
+        (40.0, 68.0, 15.0)
+    );
+    assert_eq!(bearing.internal_geometry(true).balls, 21);
+    assert_eq!(
+        find("61808").unwrap().internal_geometry(false),
+        find("6808").unwrap().internal_geometry(false)
+    );
+    let message = find("6021").unwrap_err();
+    assert!(
+        message.contains("60, 62, 63, 160") && message.contains("did you mean 60"),
+        "{message}"
+    );
+}
+
+#[test]
+fn a_case_states_where_its_balls_are_from() {
+    let text = |name: &str| find(name).unwrap().case_file(false);
+    assert!(text("6208").contains("ball_diameter_mm = 11.90625 "));
+    assert!(text("6208").contains("as NSK"));
+    // 29 steps of 1/64 inch would be 11.509374999999999 mm.
+    assert!(
+        text("6810").contains("formula") && text("6810").contains("ball_diameter_mm = 4.365625 ")
+    );
+    assert!(text("626").contains("with one 6") && text("626").contains("balls = 7 "));
+    assert!(find("6208").unwrap().source_of_balls().contains("as NSK"));
+    assert!(find("6810").unwrap().source_of_balls().contains("formula"));
+}
