@@ -4,9 +4,9 @@ use cageless_study::quantities::{Quantity, bearing_in_column};
 
 use crate::sweep::SweepQuantity;
 
-/// Columns and their names; results that are not here have the label of their table, what is left
-/// is named by its words.
-const NAMES: [(&str, &str); 42] = [
+/// Columns of inputs and their names. Results have the label of their table; what is left is named by
+/// its words.
+const INPUTS: [(&str, &str); 6] = [
     ("bearing_balls", "number of balls"),
     ("raceway_axial_span_mm", "axial span lC"),
     ("raceway_half_angle_deg", "half angle θ"),
@@ -16,74 +16,11 @@ const NAMES: [(&str, &str); 42] = [
     ),
     ("operation_radial_load_n", "radial load"),
     ("operation_inner_speed_rpm", "speed of the inner ring"),
-    ("static_ring_x_um", "displacement of the inner ring x"),
-    ("static_ring_y_um", "displacement of the inner ring y"),
-    ("static_inner_force_max_n", "largest force, inner raceway"),
-    ("static_outer_force_max_n", "largest force, outer raceway"),
-    ("static_loaded_balls", "loaded balls"),
-    (
-        "static_inner_stiffness_n_m1_5",
-        "contact stiffness, inner raceway",
-    ),
-    (
-        "static_outer_stiffness_n_m1_5",
-        "contact stiffness, outer raceway",
-    ),
-    (
-        "static_inner_stress_max_gpa",
-        "contact pressure, inner raceway",
-    ),
-    (
-        "static_outer_stress_max_gpa",
-        "contact pressure, outer raceway",
-    ),
-    ("design_epsilon_deg", "angular ball pitch at contact ε"),
-    ("design_uniform_gap_deg", "nominal gap"),
-    ("design_axial_span_limit_mm", "largest axial span, Eq. (8)"),
-    ("design_beta0_deg", "β0 of Eq. (11)"),
-    ("design_beta0_polar_deg", "β0 with the polar angle"),
-    (
-        "design_half_angle_for_span_deg",
-        "θ of Eq. (11) for the span",
-    ),
-    ("design_steady_gap_deg", "mean ball spacing in steady state"),
-    (
-        "design_balls_in_raceway_max",
-        "balls in the raceway, at most",
-    ),
-    ("design_kink_deg", "slope discontinuity at raceway ends"),
-    ("verdict_passes", "passes"),
-    ("verdict_critical_gap_deg", "critical gap"),
-    ("verdict_collisions_mean", "contacts per passage"),
-    (
-        "verdict_double_collision_fraction",
-        "passages hit from both sides",
-    ),
-    ("verdict_slip_mean_m_s", "sliding speed per passage"),
-    ("verdict_speed_drop_fraction", "deceleration in the raceway"),
-    ("verdict_gap_leave_min_deg", "smallest gap on leaving"),
-    ("verdict_gap_leave_max_deg", "largest gap on leaving"),
-    ("run_collisions", "contacts between balls"),
-    ("run_gap_min_deg", "smallest gap"),
-    ("run_gap_max_deg", "largest gap"),
-    (
-        "run_ring_x_um_mean",
-        "mean displacement of the inner ring x",
-    ),
-    (
-        "run_ring_y_um_mean",
-        "mean displacement of the inner ring y",
-    ),
-    ("run_slip_max_m_s", "largest sliding speed"),
-    ("run_settled_after_s", "transient discarded until"),
-    ("run_energy_residual_relative", "energy balance error"),
-    ("run_steps", "steps"),
-    ("run_rhs_evaluations", "force evaluations"),
 ];
 
 /// Name of a column in words, without its unit.
 pub fn name(quantity: &SweepQuantity) -> String {
-    if let Some((_, name)) = NAMES.iter().find(|(column, _)| *column == quantity.name) {
+    if let Some((_, name)) = INPUTS.iter().find(|(column, _)| *column == quantity.name) {
         return (*name).to_owned();
     }
     if let Some((result, bearing)) = Quantity::of_column(&quantity.name) {
@@ -124,6 +61,19 @@ pub fn label(quantity: &SweepQuantity) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use cageless_study::quantities::QUANTITIES;
+
+    /// A result has the same label on every page.
+    #[test]
+    fn results_have_one_label() {
+        for result in QUANTITIES {
+            let quantity = SweepQuantity {
+                name: result.column_name(),
+                unit: result.unit.to_owned(),
+            };
+            assert_eq!(name(&quantity), result.label.trim(), "{}", quantity.name);
+        }
+    }
 
     #[test]
     fn keys_lose_their_units_and_bearings_come_last() {

@@ -46,7 +46,7 @@ pub fn significant(value: f64, digits: usize) -> String {
 }
 
 /// A whole number in superscript digits.
-fn raised(power: &str) -> String {
+pub fn raised(power: &str) -> String {
     let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let raise = |c: char| c.to_digit(10).map_or('⁻', |d| digits[d as usize]);
     power.chars().map(raise).collect()

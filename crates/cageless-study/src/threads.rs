@@ -13,7 +13,7 @@ pub const THREADS_MAX: usize = 1024;
 const VARIABLES: [&str; 2] = ["RAYON_NUM_THREADS", "RAYON_RS_NUM_CPUS"];
 
 /// Refuses an environment that asks for more than [`THREADS_MAX`] threads, which rayon would
-/// start.
+/// start, or for what is no whole number, which it would ignore.
 ///
 /// # Errors
 /// [`StudyError::Input`] with the variable.
@@ -22,13 +22,13 @@ pub fn check_environment() -> Result<(), StudyError> {
         let Ok(value) = std::env::var(name) else {
             continue;
         };
-        // Rayon ignores what is no number.
-        let is_whole = !value.is_empty() && value.bytes().all(|b| b.is_ascii_digit());
-        if is_whole
-            && value
-                .parse()
-                .map_or(true, |threads: usize| threads > THREADS_MAX)
-        {
+        // Rayon would ignore what is no whole number; an empty text and 0 are as good as none.
+        let threads = if value.is_empty() {
+            Ok(0)
+        } else {
+            value.parse()
+        };
+        if threads.map_or(true, |threads: usize| threads > THREADS_MAX) {
             return Err(StudyError::Input(format!(
                 "the environment variable {name} = {value} is not possible: 1 to {THREADS_MAX} are"
             )));

@@ -49,8 +49,10 @@ fn summary_and_tables_are_views_of_one_table() {
     }
     let shown: Vec<_> = summary.results.rows().collect();
     assert_eq!(shown.len(), of_runs.filter(|q| q.in_tables).count());
-    let torque = &shown.iter().find(|r| r.0 == "friction torque").unwrap();
-    assert_eq!(torque.2, "N·m");
+    let unit = |label: &str| &shown.iter().find(|r| r.0.starts_with(label)).unwrap().2;
+    assert_eq!(unit("torque of gross sliding in this model"), "N·mm");
+    assert_eq!(unit("friction torque with lubricant"), "N·mm");
+    assert_eq!(unit("peak contact pressure"), "MPa");
 
     let number = |name: &str| json[name].as_f64().unwrap();
     let parts: f64 = (json.as_object().unwrap())
@@ -75,6 +77,13 @@ fn values_have_five_digits_and_flags_words() {
         text("power_loss_w", Cell::Number(31.234_567)).unwrap(),
         "31.235"
     );
+    for (name, value, printed, unit) in [
+        ("inner_stress_max_gpa", 2.195_77, "2195.8", "MPa"),
+        ("friction_torque_n_m", 3.7e-5, "0.037", "N·mm"),
+    ] {
+        assert_eq!(text(name, Cell::Number(value)).unwrap(), printed);
+        assert_eq!(quantity(name).printed_unit(), unit);
+    }
     assert_eq!(text("passes", Cell::Integer(0)).unwrap(), "no");
     assert_eq!(text("steps", Cell::Integer(1_234_567)).unwrap(), "1234567");
     assert_eq!(text("gap_min_deg", Cell::Null), None);
@@ -112,7 +121,7 @@ fn loads_that_no_bearing_stands_are_warned_of() {
     warned(&fast, "pressure × sliding speed");
     warned(
         &["operation.inner_speed_rpm=70000", "solver.duration_s=0.001"],
-        "n·dm",
+        "n·Dpw",
     );
     warned(
         &["operation.radial_load_n=40000", "solver.duration_s=0.004"],

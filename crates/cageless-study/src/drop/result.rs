@@ -80,7 +80,7 @@ impl DropResult {
                 value_text(quantity, cell)
             };
             let values = drops.iter().map(|d| value(d).unwrap_or("–".to_owned()));
-            rows.push((quantity.label, values.collect(), quantity.unit_text()));
+            rows.push((quantity.label, values.collect(), quantity.printed_unit()));
         }
         rows
     }

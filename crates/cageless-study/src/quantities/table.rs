@@ -12,7 +12,7 @@ use cageless::dynamics::energy::EnergyTerm;
 use cageless::orbit_means::OrbitMeans;
 use cageless::passage::PassageTally;
 use cageless::raceway::{Raceway, axial_span_limit_m};
-use cageless::rating::PassingFrequencies;
+use cageless::rating::{PassingFrequencies, skf_friction_torque_n_m};
 use cageless::summary::Summary;
 use cageless_io::results::Cell;
 
@@ -51,24 +51,25 @@ pub const QUANTITIES: &[Quantity] = &[
     quantity("critical_gap_deg", "deg", "critical gap", Verdict(|j| j.critical_gap_rad.map(f64::to_degrees).into())),
     integer("passages", "passages", Verdict(|j| j.passages.map_or(Cell::Null, |p| count(p.passages)))),
     low(quantity("collisions_mean", "", "contacts with neighbours per passage, mean", Verdict(|j| of_passages(j, |p| p.collisions_mean)))),
-    low(quantity("double_collision_fraction", "", "fraction of passages hit by both neighbours", Verdict(|j| of_passages(j, |p| p.double_collision_fraction)))),
+    low(quantity("double_collision_fraction", "", "double collisions, fraction of the passages", Verdict(|j| of_passages(j, |p| p.double_collision_fraction)))),
     low(quantity("slip_mean_m_s", "m/s", "largest sliding speed in a passage, mean", Verdict(|j| of_passages(j, |p| p.slip_mean_m_s)))),
-    high(quantity("speed_drop_fraction", "", "achieved fraction of the kinematic deceleration", Verdict(|j| of_passages(j, |p| p.speed_drop_fraction)))),
+    high(quantity("speed_drop_fraction", "", "reduction of the orbital speed in the raceway, fraction of that of rolling", Verdict(|j| of_passages(j, |p| p.speed_drop_fraction)))),
     high(quantity("gap_leave_min_deg", "deg", "smallest gap on leaving", Verdict(|j| of_passages(j, |p| p.gap_leave_min_rad.to_degrees())))),
     quantity("gap_leave_max_deg", "deg", "largest gap on leaving", Verdict(|j| of_passages(j, |p| p.gap_leave_max_rad.to_degrees()))),
 
     text("verdict", "verdict", Run(|r| Cell::Text(r.verdict.verdict.name().to_owned()))),
     high(flag("passes", "passes", Run(|r| flagged(r.verdict.verdict.passes())))),
-    file_only(text("headline", "verdict", Run(|r| Cell::Text(r.verdict.headline.clone())))),
+    file_only(text("headline", "verdict with its reason", Run(|r| Cell::Text(r.verdict.headline.clone())))),
     text("criterion", "criterion that decides", Run(|r| r.verdict.deciding.map_or(Cell::Null, |c| Cell::Text(c.name().to_owned())))),
-    high(quantity("margin", "", "margin of that criterion", Run(|r| r.verdict.deciding.map(Criterion::margin).into()))),
+    high(quantity("margin", "", "margin to the nearest limit", Run(|r| r.verdict.deciding.map(Criterion::margin).into()))),
 
-    low(quantity("friction_torque_n_m", "N m", "friction torque", Run(|r| of_means(r, OrbitMeans::friction_torque_n_m)))),
-    low(quantity("power_loss_w", "W", "power loss", Run(|r| of_means(r, OrbitMeans::power_loss_w)))),
+    low(quantity("friction_torque_n_m", "N m", "torque of gross sliding in this model (not a bearing's friction torque)", Run(|r| of_means(r, OrbitMeans::friction_torque_n_m)))),
+    quantity("friction_torque_skf_n_m", "N m", "friction torque with lubricant and cage, SKF ½ μ P d", Run(|r| skf_friction_torque_n_m(r.case).into())),
+    low(quantity("power_loss_w", "W", "power loss in this model, damping of the contacts included", Run(|r| of_means(r, OrbitMeans::power_loss_w)))),
     quantity("power_loss_inner_friction_w", "W", "  friction at the inner raceway", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::InnerFriction)))),
     quantity("power_loss_outer_friction_w", "W", "  friction at the outer raceway", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::OuterFriction)))),
     quantity("power_loss_ball_friction_w", "W", "  friction between balls", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::BallFriction)))),
-    quantity("power_loss_damping_w", "W", "  damping of the contacts", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::Damping)))),
+    quantity("power_loss_damping_w", "W", "  damping of the contacts (contact.damping, an assumed constant)", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::Damping)))),
     quantity("power_loss_drag_w", "W", "  drag on the inner ring", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::Drag)))),
     quantity("power_loss_rotor_friction_w", "W", "  friction between rotor and inner ring", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::RotorFriction)))),
     quantity("power_loss_rotor_damping_w", "W", "  damping between rotor and inner ring", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::RotorDamping)))),
@@ -97,10 +98,10 @@ pub const QUANTITIES: &[Quantity] = &[
 
     quantity("orbit_speed_rpm", "rpm", "orbital speed of the balls, mean", Run(|r| of_means(r, |m| rpm(m.orbit_speed_rad_s)))),
     quantity("rotation_speed_rpm", "rpm", "rotational speed of the balls, mean", Run(|r| of_means(r, |m| rpm(m.rotation_rad_s)))),
-    quantity("ftf_hz", "Hz", "FTF in pure rolling", Run(|r| some(PassingFrequencies::new(r.case).ftf_hz))),
-    quantity("bpfo_hz", "Hz", "BPFO in pure rolling", Run(|r| some(PassingFrequencies::new(r.case).bpfo_hz))),
-    quantity("bpfi_hz", "Hz", "BPFI in pure rolling", Run(|r| some(PassingFrequencies::new(r.case).bpfi_hz))),
-    quantity("bsf_hz", "Hz", "BSF in pure rolling", Run(|r| some(PassingFrequencies::new(r.case).bsf_hz))),
+    quantity("ftf_hz", "Hz", "FTF in pure rolling", Run(|r| of_rolling(r, |f| f.ftf_hz))),
+    quantity("bpfo_hz", "Hz", "BPFO in pure rolling", Run(|r| of_rolling(r, |f| f.bpfo_hz))),
+    quantity("bpfi_hz", "Hz", "BPFI in pure rolling", Run(|r| of_rolling(r, |f| f.bpfi_hz))),
+    quantity("bsf_hz", "Hz", "BSF in pure rolling", Run(|r| of_rolling(r, |f| f.bsf_hz))),
     quantity("ftf_observed_hz", "Hz", "FTF in the motion (orbits of the balls)", Run(|r| of_means(r, OrbitMeans::ftf_hz))),
     quantity("bpfo_observed_hz", "Hz", "BPFO in the motion", Run(|r| of_means(r, OrbitMeans::bpfo_hz))),
     quantity("bpfi_observed_hz", "Hz", "BPFI in the motion", Run(|r| of_means(r, OrbitMeans::bpfi_hz))),
@@ -109,11 +110,11 @@ pub const QUANTITIES: &[Quantity] = &[
     integer("passages", "passages through a discrete raceway", Run(|r| Cell::Integer(r.passages.count as i64))),
     quantity("passage_duration_mean_ms", "ms", "time of a passage, mean", Run(|r| of_tally(r, |p| p.duration_mean_s() * 1e3))),
     low(quantity("passage_collisions_mean", "", "contacts per passage, mean", Run(|r| of_tally(r, PassageTally::collisions_mean)))),
-    low(quantity("double_collision_fraction", "", "passages hit by both neighbours, fraction", Run(|r| of_tally(r, PassageTally::double_collision_fraction)))),
+    low(quantity("double_collision_fraction", "", "double collisions, fraction of the passages", Run(|r| of_tally(r, PassageTally::double_collision_fraction)))),
     quantity("passage_slip_mean_m_s", "m/s", "largest sliding speed in a passage, mean", Run(|r| of_tally(r, PassageTally::slip_mean_m_s))),
     quantity("passage_gap_min_mean_deg", "deg", "smallest gap ahead in a passage, mean", Run(|r| of_tally(r, |p| p.gap_min_mean_rad().to_degrees()))),
 
-    quantity("settled_after_s", "s", "transient discarded until", Run(|r| of_summary(r, |s| s.settled_after_s))),
+    quantity("settled_after_s", "s", "end of the transient", Run(|r| of_summary(r, |s| s.settled_after_s))),
     integer("orbits", "orbits of mean powers and speeds", Run(|r| r.summary.and_then(|s| s.means).map_or(Cell::Null, |m| Cell::Integer(i64::from(m.orbits))))),
     quantity("energy_residual_relative", "", "energy balance error (relative)", Run(|r| some(r.outcome.energy_residual_relative))),
     quantity("end_s", "s", "simulated", Run(|r| some(r.outcome.end_s))),
@@ -272,6 +273,14 @@ fn of_contacts(run: &Finished<'_>, count: fn(&ContactCounts) -> u64) -> Cell {
         .summary
         .map(|s| Cell::Integer(count(&s.collisions) as i64));
     contacts.unwrap_or(Cell::Null)
+}
+
+/// A frequency of balls in pure rolling; nothing where the speed of the ring varies.
+fn of_rolling(run: &Finished<'_>, value: fn(&PassingFrequencies) -> f64) -> Cell {
+    let varies = run.case.operation.inner_speed_table.is_some() || run.case.rotor.is_some();
+    (!varies)
+        .then(|| value(&PassingFrequencies::new(run.case)))
+        .into()
 }
 
 fn of_tally(run: &Finished<'_>, value: fn(&PassageTally) -> f64) -> Cell {

@@ -8,7 +8,9 @@ mod task_runner;
 use std::path::Path;
 
 use cageless::critical_gap::CriticalGapError;
-use cageless::design::search::{CONFIRMING_STARTS, Found, SearchError, Stage, search};
+use cageless::design::search::{
+    CONFIRMING_STARTS, Found, SearchError, Stage, map_fraction, search,
+};
 use cageless::design::{RacewayVerdict, judge};
 use cageless::raceway::RacewayDimensions;
 use cageless_io::case_file::CaseFile;
@@ -46,7 +48,7 @@ pub fn tasks(file: &CaseFile) -> Vec<(String, f64)> {
     let confirmed = CONFIRMING_STARTS.max(request.starts) as f64;
     let structures = 1.0 + f64::from(u8::from(!file.case().raceways.is_empty()));
     let stages = [
-        (Stage::Map, maps * MAP_WORK),
+        (Stage::Map, maps * MAP_WORK * map_fraction(request)),
         (
             Stage::Candidates,
             points * request.placements.len() as f64 * CANDIDATES_WORK,

@@ -193,3 +193,35 @@ pub(super) fn maps(
     };
     Ok(quantities.outputs.iter().enumerate().map(map).collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// y = 3 x1 + x2 on the grid x1 = 0, 1, 2, x2 = 0, 1: variances 9 · 2/3 and 1/4, so that the
+    /// shares are 6/6.25 and 0.25/6.25, wherever y is counted from.
+    #[test]
+    fn shares_are_those_of_a_linear_function() {
+        for offset in [0.0, 40.0] {
+            let (mut first, mut second) = ([Moments::NONE; 3], [Moments::NONE; 2]);
+            let mut all = Moments::NONE;
+            for (x1, x2) in (0..3u8).flat_map(|x1| (0..2u8).map(move |x2| (x1, x2))) {
+                let y = offset + 3.0 * f64::from(x1) + f64::from(x2);
+                for moments in [
+                    &mut first[usize::from(x1)],
+                    &mut second[usize::from(x2)],
+                    &mut all,
+                ] {
+                    moments.add(y);
+                }
+            }
+            assert!((share(&first, &all).unwrap() - 0.96).abs() < 1e-12);
+            assert!((share(&second, &all).unwrap() - 0.04).abs() < 1e-12);
+            assert!((all.mean() - offset - 3.5).abs() < 1e-12);
+        }
+        // Without variance there is no share.
+        let mut flat = Moments::NONE;
+        flat.add(1.0);
+        assert_eq!(share(&[flat], &flat), None);
+    }
+}

@@ -1,0 +1,334 @@
+//! Every row of the table of results against the field that it names, in its unit.
+
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
+
+use cageless::Case;
+use cageless::design::{PassageStatistics, RacewayVerdict};
+use cageless::dynamics::energy::EnergyTerm;
+use cageless::equilibrium::solve;
+use cageless::passage::PassageRecorder;
+use cageless::simulation::{Control, run};
+use cageless::summary::SummaryRecorder;
+use cageless_io::case_file::{CaseFile, template};
+
+use super::*;
+use crate::passages::Passages;
+
+#[test]
+fn names_are_unique_and_end_with_their_unit() {
+    for (k, quantity) in QUANTITIES.iter().enumerate() {
+        let unit = quantity.unit.to_lowercase().replace(['/', '.', ' '], "_");
+        let unit = unit.replace('^', "");
+        assert!(quantity.name.contains(&unit), "{} {unit}", quantity.name);
+        let same = |other: &Quantity| other.column_name() == quantity.column_name();
+        assert!(!QUANTITIES[k + 1..].iter().any(same), "{}", quantity.name);
+        assert!(quantity.label.chars().next().is_some(), "{}", quantity.name);
+    }
+}
+
+/// One result has one label, whichever computation gives it.
+#[test]
+fn results_of_one_name_have_one_label_and_labels_name_one_result() {
+    let mut labels: BTreeMap<_, &str> = BTreeMap::new();
+    for quantity in QUANTITIES {
+        let key = (quantity.computation(), quantity.label);
+        let name = labels.entry(key).or_insert(quantity.name);
+        assert_eq!(*name, quantity.name, "{}", quantity.label);
+    }
+}
+
+fn case() -> Case {
+    let sets = [
+        "solver.duration_s=0.04",
+        "start.state=rolling",
+        "start.gaps=bunched",
+    ];
+    let sets = sets.map(str::to_owned);
+    let file = CaseFile::parse(&template(false), "case.toml", &sets).unwrap();
+    file.case().clone()
+}
+
+const GPA: f64 = 1e9;
+const DEGREE: f64 = PI / 180.0;
+const REVOLUTION_PER_MINUTE: f64 = 2.0 * PI / 60.0;
+
+/// Compares the numbers of `results` with `expected`, whose values all differ; rows of counts, lists,
+/// texts and what `others` names are left out.
+fn compare(results: &Results, expected: &[(&str, f64)], others: &[&str]) {
+    for (k, (name, value)) in expected.iter().enumerate() {
+        for (other, second) in &expected[k + 1..] {
+            assert!(*value == 0.0 || value != second, "{name} and {other}");
+        }
+        let found = results.number(name);
+        let close = (found - value).abs() <= 1e-12 * value.abs();
+        assert!(close, "{name}: {found} for {value}");
+    }
+    let numbers = results.iter().filter(|(q, _)| q.kind == Kind::Number);
+    for (quantity, _) in numbers.filter(|(q, _)| !others.contains(&q.name)) {
+        let named = expected.iter().any(|(name, _)| *name == quantity.name);
+        assert!(named, "{} is not compared", quantity.name);
+    }
+}
+
+/// Numbers that all differ, and that no factor of units makes equal.
+fn next(counter: &mut f64) -> f64 {
+    *counter += 0.0173;
+    *counter
+}
+
+#[test]
+fn results_of_an_equilibrium_are_its_fields() {
+    let mut e = solve(&case()).unwrap();
+    let mut k = 0.2;
+    for field in [
+        &mut e.ring_x_m,
+        &mut e.ring_y_m,
+        &mut e.inner_stiffness_n_m1_5,
+        &mut e.outer_stiffness_n_m1_5,
+        &mut e.inner_stress_max_pa,
+        &mut e.outer_stress_max_pa,
+    ] {
+        *field = next(&mut k);
+    }
+    e.inner_force_n[3] = 1e4;
+    e.outer_force_n[5] = 2e4;
+    let expected = [
+        ("ring_x_um", e.ring_x_m / 1e-6),
+        ("ring_y_um", e.ring_y_m / 1e-6),
+        ("inner_force_max_n", 1e4),
+        ("outer_force_max_n", 2e4),
+        ("inner_stiffness_n_m1_5", e.inner_stiffness_n_m1_5),
+        ("outer_stiffness_n_m1_5", e.outer_stiffness_n_m1_5),
+        ("inner_stress_max_gpa", e.inner_stress_max_pa / GPA),
+        ("outer_stress_max_gpa", e.outer_stress_max_pa / GPA),
+    ];
+    let results = Results::by(|quantity| quantity.of_equilibrium(&e));
+    compare(&results, &expected, &[]);
+    for (name, list, unit) in [
+        ("ball_angle_deg", &e.ball_angle_rad, DEGREE),
+        ("inner_force_n", &e.inner_force_n, 1.0),
+        ("outer_force_n", &e.outer_force_n, 1.0),
+    ] {
+        let Some(Cell::Numbers(found)) = results.get(name) else {
+            panic!("{name}");
+        };
+        for (found, value) in found.iter().zip(list) {
+            assert!(
+                (found * unit - value).abs() <= 1e-12 * value.abs(),
+                "{name}"
+            );
+        }
+    }
+}
+
+#[test]
+fn results_of_a_verdict_are_its_fields() {
+    let passages = PassageStatistics {
+        passages: 41,
+        collisions_mean: 0.31,
+        double_collision_fraction: 0.47,
+        slip_mean_m_s: 0.53,
+        speed_drop_fraction: 0.91,
+        gap_leave_max_rad: 0.037,
+        gap_leave_min_rad: 0.029,
+    };
+    let judgement = Judgement {
+        verdict: RacewayVerdict::Smooth,
+        reasons: vec![],
+        deciding: None,
+        critical_gap_rad: Some(0.033),
+        passages: Some(passages),
+        raceways: vec![],
+        stopped: None,
+    };
+    let expected = [
+        ("critical_gap_deg", 0.033 / DEGREE),
+        ("collisions_mean", 0.31),
+        ("double_collision_fraction", 0.47),
+        ("slip_mean_m_s", 0.53),
+        ("speed_drop_fraction", 0.91),
+        ("gap_leave_min_deg", 0.029 / DEGREE),
+        ("gap_leave_max_deg", 0.037 / DEGREE),
+    ];
+    let results = Results::by(|quantity| quantity.of_judgement(&judgement));
+    compare(&results, &expected, &[]);
+    assert_eq!(results.get("passages"), Some(&Cell::Integer(41)));
+}
+
+#[test]
+fn results_of_a_run_are_the_fields_of_its_summary() {
+    let case = case();
+    let mut recorder = SummaryRecorder::new();
+    let mut tally = PassageTally::new();
+    let mut passages = PassageRecorder::new(|passage| {
+        tally.add(&passage);
+        Ok(())
+    });
+    let outcome = run(&case, &mut [&mut recorder, &mut passages], &mut |_| {
+        Control::Continue(())
+    });
+    let outcome = outcome.unwrap();
+    let mut s = recorder.summary().unwrap();
+    let mut k = 0.2;
+    for peak in [&mut s.peaks.inner, &mut s.peaks.outer, &mut s.peaks.balls] {
+        for field in [
+            &mut peak.force_n,
+            &mut peak.pressure_pa,
+            &mut peak.pressure_velocity_pa_m_s,
+        ] {
+            *field = next(&mut k);
+        }
+    }
+    for field in [
+        &mut s.settled_after_s,
+        &mut s.gap_min_rad,
+        &mut s.gap_max_rad,
+        &mut s.ring_x_mean_m,
+        &mut s.ring_y_mean_m,
+        &mut s.slip_max_m_s,
+    ] {
+        *field = next(&mut k);
+    }
+    let m = s.means.unwrap();
+    let finished = Finished {
+        case: &case,
+        outcome: &outcome,
+        summary: Some(&s),
+        passages: &tally,
+        verdict: &Passages::new(&case).verdict(&case),
+        wall_s: 77.0,
+    };
+    let turns = case.operation.inner_speed_rad_s / (2.0 * PI);
+    let gamma = case.bearing.ball_radius_m() / case.bearing.pitch_radius_m();
+    let balls = case.bearing.balls() as f64;
+    let orbit = m.orbit_speed_rad_s / (2.0 * PI);
+    let bore = 2.0 * (18.24e-3 - 0.3 * 9.525e-3);
+    let expected = [
+        ("friction_torque_n_m", m.drive_w() / (2.0 * PI * turns)),
+        ("friction_torque_skf_n_m", 0.5 * 0.0015 * 1500.0 * bore),
+        ("power_loss_w", m.drive_w()),
+        (
+            "power_loss_inner_friction_w",
+            m.power_w(EnergyTerm::InnerFriction),
+        ),
+        (
+            "power_loss_outer_friction_w",
+            m.power_w(EnergyTerm::OuterFriction),
+        ),
+        (
+            "power_loss_ball_friction_w",
+            m.power_w(EnergyTerm::BallFriction),
+        ),
+        ("power_loss_damping_w", m.power_w(EnergyTerm::Damping)),
+        ("power_loss_drag_w", m.power_w(EnergyTerm::Drag)),
+        ("power_loss_stored_w", m.drive_w() - m.heat_w()),
+        ("inner_stress_max_gpa", s.peaks.inner.pressure_pa / GPA),
+        ("outer_stress_max_gpa", s.peaks.outer.pressure_pa / GPA),
+        ("ball_stress_max_gpa", s.peaks.balls.pressure_pa / GPA),
+        ("inner_force_max_n", s.peaks.inner.force_n),
+        ("outer_force_max_n", s.peaks.outer.force_n),
+        ("ball_force_max_n", s.peaks.balls.force_n),
+        (
+            "inner_pressure_velocity_max_mpa_m_s",
+            s.peaks.inner.pressure_velocity_pa_m_s / 1e6,
+        ),
+        (
+            "outer_pressure_velocity_max_mpa_m_s",
+            s.peaks.outer.pressure_velocity_pa_m_s / 1e6,
+        ),
+        (
+            "ball_pressure_velocity_max_mpa_m_s",
+            s.peaks.balls.pressure_velocity_pa_m_s / 1e6,
+        ),
+        ("ring_x_um_mean", s.ring_x_mean_m / 1e-6),
+        ("ring_y_um_mean", s.ring_y_mean_m / 1e-6),
+        ("gap_min_deg", s.gap_min_rad / DEGREE),
+        ("gap_max_deg", s.gap_max_rad / DEGREE),
+        ("slip_max_m_s", s.slip_max_m_s),
+        (
+            "orbit_speed_rpm",
+            m.orbit_speed_rad_s / REVOLUTION_PER_MINUTE,
+        ),
+        (
+            "rotation_speed_rpm",
+            m.rotation_rad_s / REVOLUTION_PER_MINUTE,
+        ),
+        ("ftf_hz", 0.5 * turns * (1.0 - gamma)),
+        ("bpfo_hz", 0.5 * balls * turns * (1.0 - gamma)),
+        ("bpfi_hz", 0.5 * balls * turns * (1.0 + gamma)),
+        ("bsf_hz", 0.5 * turns / gamma * (1.0 - gamma * gamma)),
+        ("ftf_observed_hz", orbit),
+        ("bpfo_observed_hz", balls * orbit),
+        ("bpfi_observed_hz", balls * (turns - orbit)),
+        (
+            "bsf_observed_hz",
+            (m.rotation_rad_s + m.orbit_speed_rad_s) / (2.0 * PI),
+        ),
+        ("passage_duration_mean_ms", tally.duration_mean_s() / 1e-3),
+        ("passage_collisions_mean", tally.collisions_mean()),
+        (
+            "double_collision_fraction",
+            tally.double_collision_fraction(),
+        ),
+        ("passage_slip_mean_m_s", tally.slip_mean_m_s()),
+        (
+            "passage_gap_min_mean_deg",
+            tally.gap_min_mean_rad() / DEGREE,
+        ),
+        ("settled_after_s", s.settled_after_s),
+        ("energy_residual_relative", outcome.energy_residual_relative),
+        ("end_s", 0.04),
+        ("wall_s", 77.0),
+    ];
+    let of_bodies = [
+        "margin",
+        "power_loss_rotor_friction_w",
+        "power_loss_rotor_damping_w",
+        "power_loss_support_damping_w",
+    ];
+    let results = Results::of_run(&finished);
+    compare(&results, &expected, &of_bodies);
+    for (name, count) in [
+        ("collisions", s.collisions.all),
+        ("passages", tally.count),
+        ("orbits", u64::from(m.orbits)),
+        ("steps", outcome.steps),
+        ("rhs_evaluations", outcome.rhs_evaluations),
+    ] {
+        assert_eq!(
+            results.get(name),
+            Some(&Cell::Integer(count as i64)),
+            "{name}"
+        );
+    }
+    // The time of a passage is about that of rolling through 2θ.
+    let rolling_ms = 2e3 * 25.2 * DEGREE / m.orbit_speed_rad_s;
+    assert!((results.number("passage_duration_mean_ms") / rolling_ms - 1.0).abs() < 0.2);
+}
+
+/// Where the speed of the ring follows a table there is no frequency of pure rolling.
+#[test]
+fn frequencies_of_rolling_need_one_speed() {
+    let table = "operation.inner_speed_rpm=[[0.0, 100.0], [0.01, 20000.0]]".to_owned();
+    let sets = ["solver.duration_s=0.0005".to_owned(), table];
+    let file = CaseFile::parse(&template(false), "case.toml", &sets).unwrap();
+    let options = crate::run::Options {
+        rows: None,
+        verify: false,
+    };
+    let record = crate::run::run(&file, options, &crate::Silent).unwrap();
+    for name in [
+        "ftf_hz",
+        "bpfo_hz",
+        "bpfi_hz",
+        "bsf_hz",
+        "friction_torque_skf_n_m",
+    ] {
+        assert_eq!(
+            record.summary.results.get(name),
+            Some(&Cell::Null),
+            "{name}"
+        );
+    }
+}
