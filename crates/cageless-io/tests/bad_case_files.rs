@@ -277,6 +277,39 @@ fn each_of_several_raceways_has_its_own_lines() {
 }
 
 #[test]
+fn missing_keys_are_listed_all_at_once() {
+    let error = refused("[bearing]\nballs = 12\n[rotor]\nmass_kg = 20\n", &[]);
+    let said = error.message();
+    for key in [
+        "bearing.ball_radius_mm (or ball_diameter_mm)",
+        "bearing.inner_groove_bottom_radius_mm and outer_groove_bottom_radius_mm (or \
+         pitch_diameter_mm and radial_internal_clearance_um)",
+        "bearing.inner_ring_polar_inertia_kg_m2",
+        "bearing.inner_ring_bore_radius_mm",
+        "rotor.polar_inertia_kg_m2",
+        "rotor.speed_rpm",
+        "rotor.air_gap_um",
+        "rotor.friction_coefficient",
+        "rotor.contact_stiffness",
+        "rotor.contact_damping_s_m",
+    ] {
+        assert!(said.contains(key), "{key}: {said}");
+    }
+    assert!(!said.contains("operation."), "{said}");
+    let error = refused(
+        "[bearing]\nballs = 12\npitch_diameter_mm = 46\n\
+        radial_internal_clearance_um = 5\n[operation]\ninner_speed_rpm = 1\nradial_load_n = 1\n",
+        &[],
+    );
+    assert!(
+        error
+            .message()
+            .starts_with("bearing.ball_radius_mm (or ball_diameter_mm) is missing in [bearing]"),
+        "{error}"
+    );
+}
+
+#[test]
 fn a_missing_section_is_named_with_the_key_that_it_should_hold() {
     let text = template(false);
     for section in ["bearing", "operation"] {

@@ -1,10 +1,10 @@
 //! Bearings as engineers state them: diameters, conformities, clearance, materials by name,
-//! designations, cases in JSON.
+//! cases in JSON.
 
 use crate::common::refused;
 use cageless::Gaps;
 use cageless_io::case_file::{CaseFile, MaterialPreset};
-use cageless_io::designation::{designations, find};
+use cageless_io::plan_file::PlanFile;
 
 const SHORT: &str = "[bearing]\nballs = 14\nball_diameter_mm = 9.525\npitch_diameter_mm = 46.005\n\
     radial_internal_clearance_um = 12\n[operation]\ninner_speed_rpm = 12000\nradial_load_n = 1500\n";
@@ -214,46 +214,6 @@ fn a_case_is_repeated_from_the_json_of_its_result() {
     );
 }
 
-#[test]
-fn every_designation_gives_a_case() {
-    let mut count = 0;
-    for bearing in designations() {
-        for full_complement in [false, true] {
-            let name = &bearing.designation;
-            let text = bearing.case_file(full_complement);
-            let file = CaseFile::parse(&text, name, &[]).unwrap_or_else(|e| panic!("{name}: {e}"));
-            let b = &file.case().bearing;
-            let d = b.dimensions();
-            // The balls run between the bore of the inner and the outside of the outer ring.
-            assert!(
-                d.inner_groove_bottom_radius_m > bearing.bore_mm * 5e-4,
-                "{name}"
-            );
-            assert!(
-                d.outer_groove_bottom_radius_m < bearing.outside_mm * 5e-4,
-                "{name}"
-            );
-            assert!(
-                !full_complement || b.nominal_gap_rad() < b.ball_angle_rad() / b.balls() as f64
-            );
-            count += 1;
-        }
-    }
-    assert_eq!(count, 2 * 5 * 21);
-    let bearing = find("6008").unwrap();
-    assert_eq!(
-        (bearing.bore_mm, bearing.outside_mm, bearing.width_mm),
-        (40.0, 68.0, 15.0)
-    );
-    assert_eq!(bearing.inside(true).balls, 21);
-    assert_eq!(find("6205").unwrap().inside(false).balls, 9);
-    let message = find("6021").unwrap_err();
-    assert!(
-        message.contains("60, 62, 63, 618, 619") && message.contains("did you mean 60"),
-        "{message}"
-    );
-}
-
 /// A clockwise bearing is the counter-clockwise one seen from its other face.
 #[test]
 fn a_negative_speed_turns_clockwise() {
@@ -281,4 +241,52 @@ fn a_negative_speed_turns_clockwise() {
     let error = refused(SHORT, &[both]).to_string();
     assert!(error.contains("inner_speed_rpm"), "{error}");
     assert!(error.contains("one sense of rotation"), "{error}");
+}
+
+/// A clearance given for a bearing with groove radii keeps its pitch diameter.
+#[test]
+fn a_clearance_takes_the_place_of_the_groove_radii() {
+    let radii = SHORT.replace(
+        "pitch_diameter_mm = 46.005\nradial_internal_clearance_um = 12",
+        "inner_groove_bottom_radius_mm = 18.24\nouter_groove_bottom_radius_mm = 27.765",
+    );
+    let file = parse(&radii, &["bearing.radial_internal_clearance_um=5"]);
+    let bearing = &file.case().bearing;
+    assert!((2.0 * bearing.radial_clearance_m() - 5e-6).abs() < 1e-12);
+    assert!((2.0 * bearing.pitch_radius_m() - 46.005e-3).abs() < 1e-12);
+}
+
+#[test]
+fn a_friction_table_gives_the_coefficient() {
+    let table = format!(
+        "{SHORT}[contact]\nfriction_law = \"table\"\nfriction_table = [[0, 0.3], [0.5, 0.2]]\n"
+    );
+    assert_eq!(parse(&table, &[]).case().contact.friction_coefficient, 0.2);
+    let zero = parse(SHORT, &["contact.friction_coefficient=-0.0"]);
+    let mu = zero.case().contact.friction_coefficient;
+    assert!(mu == 0.0 && mu.is_sign_positive());
+    let error = refused(SHORT, &["bearing.outer_conformity=1e308"]);
+    assert_eq!(error.key(), Some("bearing.outer_conformity"));
+    assert!(error.message().contains("at most 1"), "{error}");
+}
+
+#[test]
+fn keys_of_a_plan_may_stand_in_quotes() {
+    let folder = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases"));
+    let plan = |set: &str| {
+        let text = format!("case = \"zhao-d.toml\"\ncompute = [\"static\"]\n[set]\n{set}\n");
+        PlanFile::parse(&text, "plan.toml", folder)
+    };
+    let quoted = plan("\"solver.duration_s\" = 0.125\n\"raceway.half_angle_deg\" = 24.5").unwrap();
+    let plain = plan("solver.duration_s = 0.125\nraceway.half_angle_deg = 24.5").unwrap();
+    let case = |plan: &PlanFile| plan.base_file.cases()[0].case().clone();
+    assert_eq!(case(&quoted), case(&plain));
+    assert_eq!(case(&quoted).solver.duration_s, 0.125);
+    let error = plan("\"solver.durations_s\" = 0.1").unwrap_err();
+    assert!(
+        error.message().contains("did you mean duration_s"),
+        "{error}"
+    );
+    let error = plan("\"solver.duration_s\" = 0.1\nsolver.duration_s = 0.2").unwrap_err();
+    assert!(error.message().contains("given twice"), "{error}");
 }

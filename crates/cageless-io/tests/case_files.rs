@@ -80,6 +80,7 @@ fn defaults_that_were_filled_in_are_listed() {
     assert_eq!(
         parse(&template(false)).defaults(),
         [
+            "bearing.assembly",
             "raceway.centre_angle_deg",
             "raceway.depth_error_um",
             "contact.outer_friction_factor",
@@ -244,6 +245,14 @@ fn a_document_goes_to_toml_and_back() {
         let back = parse(&toml);
         assert_eq!(back.case(), file.case(), "{toml}");
         assert_eq!(back.document(), file.document(), "{toml}");
+        // Without defaults they are taken again, and known as such.
+        let given = file.document().to_toml_without(file.defaults()).unwrap();
+        let given = parse(&given);
+        assert_eq!(given.case(), file.case(), "{toml}");
+        // Raceways are complete, so theirs are given.
+        let mut defaults = file.defaults().to_vec();
+        defaults.retain(|key| !key.starts_with("raceway"));
+        assert_eq!(given.defaults(), defaults, "{toml}");
         let again = CaseFile::from_document(file.document().clone(), "document").unwrap();
         assert_eq!(again.case(), file.case());
         // What is recorded as run parses too, and its stiffnesses are those of Hertz.

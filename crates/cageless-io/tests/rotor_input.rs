@@ -26,6 +26,13 @@ fn a_rotor_with_its_support_is_read_and_starts_at_rest() {
     assert_eq!((bore.polar_inertia_kg_m2, bore.radius_m), (5.5e-5, 15e-3));
     assert!(matches!(case.start, Start::AtRest { .. }));
     assert_eq!(case.operation.inner_speed_rad_s, 0.0);
+    let text = touchdown().replacen(
+        "[support]",
+        "[support]\nstop_gap_um = 100.0\nstop_stiffness_n_m = 3e8",
+        1,
+    );
+    let stop = parse(&text).case().support.clone().unwrap().stop.unwrap();
+    assert_eq!((stop.gap_m, stop.stiffness_n_m), (1e-4, 3e8));
     let undamped = touchdown().replace("inner_ring_drag_n_s_m = 0.0", "");
     assert_eq!(parse(&undamped).case(), case);
     let again = parse(&file.document().to_toml().unwrap());

@@ -72,7 +72,7 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
     if let Some(dir) = &args.out {
         let path = dir.join(RECOMMENDED);
         if let Some(document) = recommended_document(&file, &result) {
-            write_atomically(&path, document.to_toml()?.as_bytes())?;
+            write_atomically(&path, document.to_toml_without(file.defaults())?.as_bytes())?;
             recommended = pairs(&[("case with the raceway", path.display().to_string())]);
         } else if path.exists() {
             // One of an earlier call would not be of this case.
@@ -123,7 +123,7 @@ fn search_failed(error: StudyError, out: Option<&Path>) -> Failure {
 }
 
 fn text(case: &Case, r: &DesignResult) -> String {
-    let degrees = |value: Option<f64>| value.map_or("-".to_owned(), |v| format!("{v:.4}°"));
+    let degrees = |value: Option<f64>| value.map_or("–".to_owned(), |v| format!("{v:.4}°"));
     let mut lines = vec![];
     for raceway in &case.raceways {
         let d = raceway.dimensions();
@@ -165,7 +165,7 @@ fn text(case: &Case, r: &DesignResult) -> String {
         (
             "largest number of balls in the raceway",
             r.balls_in_raceway_max
-                .map_or("-".to_owned(), |n| n.to_string()),
+                .map_or("–".to_owned(), |n| n.to_string()),
         ),
         (
             "slope discontinuity at raceway ends (at 45° groove angle)",

@@ -2,7 +2,7 @@
 //!
 //! Meridian planes between sectors cut the groove and the shoulders; the cylinder outside
 //! is in two halves and each side face is whole. Plain sectors are tori; discrete raceways
-//! and their blends two B-spline faces each that meet in a ridge at z = 0.
+//! and their blends two B-spline faces each that meet in an apex at z = 0.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -24,6 +24,7 @@ pub use super::sections::search::SearchDocument;
 pub use super::sections::solver::SolverDocument;
 pub use super::sections::start::StartDocument;
 pub use super::sections::support::SupportDocument;
+use super::spanned_toml::join;
 use super::unit::Unit;
 
 /// One section of the file format.
@@ -220,7 +221,16 @@ impl CaseDocument {
     /// # Errors
     /// A [`CaseError`] if TOML cannot hold it.
     pub fn to_toml(&self) -> Result<String, CaseError> {
-        toml::to_string(self)
+        self.to_toml_without(&[])
+    }
+
+    /// The document as a case file without these dotted keys, those that took their default say;
+    /// raceways are complete.
+    ///
+    /// # Errors
+    /// Those of [`CaseDocument::to_toml`].
+    pub fn to_toml_without(&self, left_out: &[String]) -> Result<String, CaseError> {
+        toml::to_string(&Without(self, left_out))
             .map_err(|e| CaseError::of_file("case", format!("cannot be written as TOML: {e}")))
     }
 
@@ -257,10 +267,26 @@ impl Serialize for Keys<'_> {
 
 impl Serialize for CaseDocument {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        Without(self, &[]).serialize(serializer)
+    }
+}
+
+/// A document without some dotted keys.
+struct Without<'a>(&'a CaseDocument, &'a [String]);
+
+impl Serialize for Without<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self(document, left_out) = self;
         let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("schema", &self.schema)?;
-        map.serialize_entry("title", &self.title)?;
-        for (name, each) in self.sections() {
+        map.serialize_entry("schema", &document.schema)?;
+        map.serialize_entry("title", &document.title)?;
+        for (name, mut each) in document.sections() {
+            if let ([one], false) = (each.as_mut_slice(), name == "raceway") {
+                one.retain(|(key, _)| !left_out.contains(&join(name, key)));
+                if one.is_empty() && !left_out.is_empty() {
+                    continue;
+                }
+            }
             match each.as_slice() {
                 [] => {}
                 [one] => map.serialize_entry(name, &Keys(one))?,

@@ -17,6 +17,7 @@ mod fields;
 mod json;
 pub(crate) mod keys;
 mod messages;
+mod missing;
 pub(crate) mod named;
 pub(crate) mod overrides;
 pub(crate) mod read;

@@ -134,9 +134,11 @@ fn insert(root: &mut Section, path: &[&str], node: Node) -> Result<(), String> {
         _ => return Err(format!("`{name}` is not a section in the case file")),
     };
     // What says the same as the new value would contradict it.
+    let derived = sections::derived_of(name, key, section, &node);
     for other in sections::alternatives_of(name, key) {
         section.remove(*other);
     }
+    section.extend(derived);
     section.insert(key.to_owned(), node);
     Ok(())
 }

@@ -5,6 +5,7 @@ use super::declaration::Presence;
 use super::document::{CaseDocument, nth};
 use super::error::CaseError;
 use super::keys::{self, hint};
+use super::missing;
 use super::reader::Reader;
 use super::spanned_toml::{Node, Places, Section, Value, join};
 
@@ -24,12 +25,14 @@ pub(super) fn document(
     // A later schema may have other keys: say so before complaining about them.
     let schema = file.schema()?;
     file.check_names()?;
+    missing::check(root, places)?;
     file.move_seed()?;
     let title = file
         .section("")?
         .field("title", Presence::Default(String::new()))?;
     let mut document = CaseDocument::read(schema, title, &mut file)?;
     document.bearing.complete(&mut file.section("bearing")?);
+    document.contact.complete(&mut file.section("contact")?);
     document.material.complete(&mut file.section("material")?);
     let rotor = document.rotor.is_some();
     document.start.complete(rotor, &mut file.section("start")?);

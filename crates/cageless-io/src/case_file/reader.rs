@@ -81,7 +81,8 @@ impl<'a> Reader<'a> {
         match node.value {
             // More than 2^53 units of anything is rounded, which nobody will notice.
             Value::Integer(i) => Ok(i as f64),
-            Value::Number(f) => Ok(f),
+            // -0.0 is 0: friction would have no direction otherwise.
+            Value::Number(f) => Ok(f + 0.0),
             _ => {
                 let allowed = match keys::unit(self.section, name).symbol() {
                     "" => "a number, without quotes".to_owned(),

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::conflict;
-use super::key::order;
+use super::key::{key_in_case, order};
 use super::{
     Axis, Computation, Kept, PlanBase, PlanFile, SCHEMA, SampleMethod, Samples, Scatter,
     ScatteredKey, VariantFile,
@@ -267,6 +267,11 @@ impl<'a> PlanReader<'a> {
             }
         }
         entries.sort_by_key(|entry: &Entry<'_>| order(&entry.key));
+        let twice = entries.windows(2).find(|pair| pair[0].key == pair[1].key);
+        if let Some([_, Entry { key, node }]) = twice {
+            let message = format!("{name}.{key} is given twice, in quotes and without");
+            return Err(self.error(node, key, message));
+        }
         Ok(entries)
     }
 
@@ -281,6 +286,14 @@ impl<'a> PlanReader<'a> {
     ) -> Result<(), CaseError> {
         let path = format!("{prefix}{section}");
         let Value::Section(inner) = &node.value else {
+            // A key in quotes, as in Python: "solver.duration_s".
+            let in_case = key_in_case(section);
+            if let Some((of, numbered)) = in_case.split_once('.') {
+                let bearing = &section[..section.len() - in_case.len()];
+                let key = numbered.rsplit_once('.').map_or(numbered, |(_, key)| key);
+                let prefix = format!("{prefix}{bearing}");
+                return self.entry(&prefix, of, numbered, key, node, entries);
+            }
             let hint = match keys::all().find(|(_, k)| k.name == section) {
                 Some((of, k)) if !of.is_empty() => format!("did you mean {prefix}{of}.{}?", k.name),
                 Some(_) => "it does not vary".to_owned(),

@@ -6,6 +6,7 @@ use cageless::contact::FrictionTable;
 use crate::case_file::declaration::Line::{Absent, Commented, Shown};
 use crate::case_file::declaration::Presence::{Default, Derived, Optional};
 use crate::case_file::declaration::section;
+use crate::case_file::reader::Reader;
 use crate::case_file::unit::Unit::{None as Plain, Si};
 
 /// Unit of K in F = K·δ^1.5.
@@ -28,7 +29,7 @@ section! {
         stribeck_speed_m_s => stribeck_speed_m_s: Option<f64> = Optional, Si("m/s"),
             "sliding speed over which the Stribeck law falls from μs to μ", Absent;
         friction_table => friction_table: Option<FrictionTable> = Optional, Plain,
-            "measured μ over the sliding speed, of friction_law = \"table\"; friction_coefficient is its last μ",
+            "measured μ over the sliding speed, of friction_law = \"table\"; friction_coefficient is its last μ, also if it is left out",
             Absent;
         slip_scale_m_s => slip_scale_m_s: f64 = Default(0.02), Si("m/s"),
             "sliding speed at the knee of all laws but \"coulomb\"",
@@ -54,5 +55,16 @@ section! {
             "K at the outer raceway, in place of Hertz", Commented("2.9e10", "");
         ball_stiffness => ball_stiffness_n_m1_5: Option<f64> = Derived, HERTZ,
             "K between balls, in place of Hertz", Commented("7.4e9", "");
+    }
+}
+
+impl ContactDocument {
+    /// Takes the μ of a friction table where none is given.
+    pub(in crate::case_file) fn complete(&mut self, reader: &mut Reader<'_>) {
+        const KEY: &str = "friction_coefficient";
+        let last = self.friction_table.as_ref().and_then(|t| t.points().last());
+        if let (Some([_, last]), None) = (last, reader.get(KEY)) {
+            self.friction_coefficient = *last;
+        }
     }
 }

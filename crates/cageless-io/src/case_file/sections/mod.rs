@@ -15,6 +15,35 @@ pub(crate) mod solver;
 pub(crate) mod start;
 pub(crate) mod support;
 
+use super::spanned_toml::{Node, Section, Value};
+
+/// A key that `key` needs next to it, by those that give way to it: a clearance takes the pitch
+/// diameter of the groove radii.
+pub(super) fn derived_of(
+    name: &str,
+    key: &str,
+    section: &Section,
+    node: &Node,
+) -> Option<(String, Node)> {
+    if (name, key) != ("bearing", "radial_internal_clearance_um") {
+        return None;
+    }
+    let number = |key: &str| match section.get(key)?.value {
+        Value::Number(value) => Some(value),
+        Value::Integer(value) => Some(value as f64),
+        _ => None,
+    };
+    let inner = number("inner_groove_bottom_radius_mm")?;
+    let sum = inner + number("outer_groove_bottom_radius_mm")?;
+    // Millimetres of a drawing do not add up exactly.
+    let value = Value::Number((sum * 1e9).round() / 1e9);
+    let node = Node {
+        value,
+        ..node.clone()
+    };
+    Some(("pitch_diameter_mm".to_owned(), node))
+}
+
 /// Keys of a section that say the same as `key`, and give way to it.
 pub(super) fn alternatives_of(section: &str, key: &str) -> &'static [&'static str] {
     match section {

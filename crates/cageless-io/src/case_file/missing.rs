@@ -1,0 +1,90 @@
+//! Required keys that a file leaves out, all of them in one message.
+
+use super::declaration::Presence;
+use super::document::SECTIONS;
+use super::error::CaseError;
+use super::keys;
+use super::spanned_toml::{Places, Section, Value, join};
+
+/// What `[bearing]` and `[operation]` need by one key, or by those in its place.
+const ALTERNATIVES: [(&str, &[&str], &[&str]); 4] = [
+    ("bearing", &["ball_radius_mm"], &["ball_diameter_mm"]),
+    (
+        "bearing",
+        &[
+            "inner_groove_bottom_radius_mm",
+            "outer_groove_bottom_radius_mm",
+        ],
+        &["pitch_diameter_mm", "radial_internal_clearance_um"],
+    ),
+    ("operation", &["inner_speed_rpm"], &[]),
+    ("operation", &["radial_load_n"], &[]),
+];
+
+/// Keys that a bearing needs under a rotor.
+const UNDER_A_ROTOR: [&str; 2] = [
+    "inner_ring_polar_inertia_kg_m2",
+    "inner_ring_bore_radius_mm",
+];
+
+/// Refuses a file without required keys, and lists them.
+pub(super) fn check(root: &Section, places: &Places) -> Result<(), CaseError> {
+    let rotor = root.contains_key("rotor");
+    let has = |section: &str, key: &str| match root.get(section).map(|node| &node.value) {
+        Some(Value::Section(entries)) => entries.contains_key(key),
+        // Several sections are checked one by one.
+        Some(_) => true,
+        None => false,
+    };
+    let mut missing: Vec<(&str, &str, String)> = vec![];
+    for section in SECTIONS {
+        let name = section.name;
+        if !root.contains_key(name) && name != "bearing" {
+            continue;
+        }
+        let required = section
+            .keys
+            .iter()
+            .filter(|key| matches!((key.presence)(), Presence::Required) && !has(name, key.name));
+        missing.extend(required.map(|key| (name, key.name, String::new())));
+        let of_rotor = UNDER_A_ROTOR.iter().filter(|key| !has(name, key));
+        if rotor && name == "bearing" {
+            missing.extend(of_rotor.map(|key| (name, *key, String::new())));
+        }
+    }
+    for (section, keys, others) in ALTERNATIVES {
+        let given = |list: &[&str]| list.iter().any(|key| has(section, key));
+        if given(keys) || given(others) || rotor && section == "operation" {
+            continue;
+        }
+        let more = keys[1..].iter().map(|key| format!(" and {key}"));
+        let instead = match others {
+            [] => String::new(),
+            _ => format!(" (or {})", others.join(" and ")),
+        };
+        missing.push((section, keys[0], more.collect::<String>() + &instead));
+    }
+    let [(section, key, more), rest @ ..] = missing.as_slice() else {
+        return Ok(());
+    };
+    // One key by itself has a message of its own.
+    if rest.is_empty() && more.is_empty() {
+        return Ok(());
+    }
+    let path = join(section, key);
+    let meaning = keys::find(section, key).map_or_else(String::new, keys::describe);
+    let place = match root.contains_key(*section) {
+        true => format!(" in [{section}]"),
+        false => format!(", as is its section [{section}]"),
+    };
+    let also = rest
+        .iter()
+        .map(|(section, key, more)| format!("{}{more}", join(section, key)));
+    let also: Vec<_> = also.collect();
+    let also = match also.as_slice() {
+        [] => String::new(),
+        _ => format!("; missing as well: {}", also.join(", ")),
+    };
+    let message = format!("{path}{more} is missing{place}: {meaning}{also}");
+    Err(places.error(&path, message))
+}
