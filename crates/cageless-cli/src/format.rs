@@ -3,6 +3,8 @@
 use std::io::IsTerminal;
 use std::path::Path;
 
+use cageless_study::number_text;
+
 /// Lines up columns: text to the left, numbers to the right. The first row is the head.
 pub fn columns(rows: &[Vec<String>]) -> String {
     let width = |k: usize| {
@@ -17,7 +19,7 @@ pub fn columns(rows: &[Vec<String>]) -> String {
             rows.iter()
                 .skip(1)
                 .filter_map(|r| r.get(k))
-                .all(|c| c == "-" || c.parse::<f64>().is_ok())
+                .all(|c| c == "–" || c.replace('−', "-").parse::<f64>().is_ok())
         })
         .collect();
     rows.iter()
@@ -83,13 +85,20 @@ fn coloured(passes: Option<bool>, headline: &str) -> String {
     format!("\u{1b}[1;{colour}m{word}\u{1b}[0m{rest}")
 }
 
-/// A number with so many decimals; what rounds to zero has no sign.
+/// A number with so many decimals and a true minus sign; what rounds to zero has none.
 pub fn fixed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     match text.strip_prefix('-') {
         Some(digits) if digits.bytes().all(|b| matches!(b, b'0' | b'.')) => digits.to_owned(),
-        _ => text,
+        _ => text.replace('-', "−"),
     }
+}
+
+/// A large number by a power of ten, with five digits: 2.7720 × 10¹⁰.
+pub fn power(value: f64) -> String {
+    let text = format!("{value:.4e}");
+    let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    format!("{digits} × 10{}", number_text::raised(exponent))
 }
 
 /// A line for each note.
@@ -104,14 +113,21 @@ pub fn warnings(all: &[String]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{coloured, fixed};
+    use super::{coloured, columns, fixed, power};
 
     #[test]
     fn zero_has_no_sign() {
         assert_eq!(fixed(-0.00004, 4), "0.0000");
         assert_eq!(fixed(-0.4, 0), "0");
-        assert_eq!(fixed(-0.00006, 4), "-0.0001");
-        assert_eq!(fixed(-12.5, 2), "-12.50");
+        assert_eq!(fixed(-0.00006, 4), "−0.0001");
+        assert_eq!(fixed(-12.5, 2), "−12.50");
+        assert_eq!(power(2.77203e10), "2.7720 × 10¹⁰");
+    }
+
+    #[test]
+    fn numbers_with_a_minus_sign_and_dashes_are_lined_up_to_the_right() {
+        let rows = ["name", "−12.5", "–", "3"].map(|cell| vec!["a".to_owned(), cell.to_owned()]);
+        assert_eq!(columns(&rows), "a  name\na  −12.5\na      –\na      3\n");
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Progress with the time left, on stderr, and Ctrl-C.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::io::IsTerminal;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -41,6 +42,8 @@ pub fn is_quiet() -> bool {
 
 /// Work shorter than this shows no bar.
 const SILENT: Duration = Duration::from_secs(2);
+/// Work shorter than this prints no lines where stderr is no terminal.
+const SILENT_LINES: Duration = Duration::from_secs(10);
 /// Positions of the bar.
 const POSITIONS: f64 = 1e4;
 
@@ -50,6 +53,8 @@ pub struct Bars<'s> {
     bar: ProgressBar,
     started: Instant,
     visible: AtomicBool,
+    /// Lines so far, where stderr is no terminal.
+    lines: AtomicUsize,
     whole: Mutex<Whole>,
 }
 
@@ -67,16 +72,30 @@ impl<'s> Bars<'s> {
             bar,
             started: Instant::now(),
             visible: AtomicBool::new(false),
+            lines: AtomicUsize::new(0),
             whole: Mutex::default(),
         }
     }
 }
 
+/// Number of lines that are due without a terminal: one as soon as the time left is known, then one
+/// for each tenth.
+fn lines_due(fraction: f64) -> usize {
+    if fraction > KNOWN {
+        1 + (10.0 * fraction) as usize
+    } else {
+        0
+    }
+}
+
+/// Fraction of the whole from which on the time left is known.
+const KNOWN: f64 = 0.01;
+
 /// Time so far and time left of the whole.
 fn times(elapsed: Duration, fraction: f64) -> String {
     let left = elapsed.as_secs_f64() * (1.0 / fraction - 1.0);
     match Duration::try_from_secs_f64(left) {
-        Ok(left) if fraction > 0.01 => format!(
+        Ok(left) if fraction > KNOWN => format!(
             "{} elapsed, {} left",
             FormattedDuration(elapsed),
             FormattedDuration(left)
@@ -110,6 +129,14 @@ impl Display for Bars<'_> {
         if elapsed < SILENT || is_quiet() {
             return;
         }
+        if !std::io::stderr().is_terminal() {
+            let due = lines_due(fraction);
+            if elapsed >= SILENT_LINES && due > self.lines.fetch_max(due, Ordering::Relaxed) {
+                let times = times(elapsed, fraction);
+                eprintln!("progress: {what}: {:.0} %, {times}", 100.0 * fraction);
+            }
+            return;
+        }
         if !self.visible.swap(true, Ordering::Relaxed) {
             self.bar.set_draw_target(ProgressDrawTarget::stderr());
         }
@@ -129,7 +156,7 @@ impl Drop for Bars<'_> {
 mod tests {
     use std::time::Duration;
 
-    use super::times;
+    use super::{lines_due, times};
 
     #[test]
     fn the_time_left_follows_from_the_fraction_that_is_done() {
@@ -137,5 +164,11 @@ mod tests {
             times(Duration::from_secs(3), 0.05),
             "00:00:03 elapsed, 00:00:57 left"
         );
+    }
+
+    #[test]
+    fn without_a_terminal_there_is_a_line_at_once_and_for_each_tenth() {
+        let due = [0.005, 0.02, 0.09, 0.1, 0.55, 1.0].map(lines_due);
+        assert_eq!(due, [0, 1, 1, 2, 6, 11]);
     }
 }

@@ -28,7 +28,7 @@ fn threads_of_the_environment_have_the_limit_of_the_option() {
             .unwrap()
             .into()
     };
-    for threads in ["1025", "20000", "99999999999999999999999"] {
+    for threads in ["1025", "20000", "99999999999999999999999", "-1", "1e9"] {
         let answer = sweep(threads, "refused");
         assert_eq!(answer.code, Some(2), "{answer:?}");
         let said = format!("RAYON_NUM_THREADS = {threads} is not possible: 1 to 1024 are");

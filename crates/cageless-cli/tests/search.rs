@@ -53,6 +53,11 @@ fn a_search_that_was_killed_goes_on_and_finds_the_same() {
         recommended.contains(&format!("axial_span_mm = {span}")),
         "{recommended}"
     );
+    // What nobody gave is not written as if it were.
+    assert!(
+        !recommended.contains("lead_ball_angle_deg"),
+        "{recommended}"
+    );
     let path = whole.join("recommended.toml");
     let checked = call(&["check", path.to_str().unwrap()]);
     assert_eq!((checked.code, checked.stderr.as_str()), (Some(0), ""));

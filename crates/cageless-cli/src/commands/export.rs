@@ -199,7 +199,7 @@ fn text(r: &ExportNumbers) -> String {
                 },
             ),
             (
-                "ridge between contact points",
+                "angle of the apex between the contact points",
                 format!("{:.4}°", r.ridge_deg),
             ),
             (

@@ -64,7 +64,7 @@ fn table_2(data: &ReproduceData) -> String {
         line.extend(
             row.critical_gap_deg
                 .iter()
-                .map(|gap| gap.map_or("-".to_owned(), |g| format!("{g:.4}"))),
+                .map(|gap| gap.map_or("–".to_owned(), |g| format!("{g:.4}"))),
         );
         rows.push(line);
     }

@@ -6,7 +6,7 @@ use cageless_study::StaticResult;
 use super::{deliver, read_case};
 use crate::args::CaseArgs;
 use crate::failure::Failure;
-use crate::format::{columns, fixed, notes, pairs, warnings};
+use crate::format::{columns, fixed, notes, pairs, power, warnings};
 
 /// Solves and shows the equilibrium.
 pub fn static_equilibrium(args: &CaseArgs) -> Result<(), Failure> {
@@ -59,7 +59,7 @@ fn headline(result: &StaticResult) -> Vec<(&'static str, String)> {
             ),
         ),
         (
-            "static safety",
+            "static safety factor",
             format!(
                 "C0r/Fr {} (ISO 76), (4200 MPa/p)³ {}",
                 optional(result.static_safety, 2),
@@ -69,8 +69,10 @@ fn headline(result: &StaticResult) -> Vec<(&'static str, String)> {
         (
             "load ratings",
             format!(
-                "Cr {} N (ISO 281), C0r {} N (ISO 76)",
+                "Cr {} N (ISO 281, {}: bm {}), C0r {} N (ISO 76)",
                 fixed(result.basic_dynamic_rating_n, 0),
+                result.assembly,
+                result.rating_factor,
                 fixed(result.basic_static_rating_n, 0)
             ),
         ),
@@ -87,7 +89,7 @@ fn headline(result: &StaticResult) -> Vec<(&'static str, String)> {
             life(result.l10r_at_speed_mrev, result.l10r_at_speed_h),
         ),
         (
-            "passing frequencies",
+            "bearing frequencies",
             format!(
                 "FTF {} Hz, BPFO {} Hz, BPFI {} Hz, BSF {} Hz",
                 fixed(result.ftf_hz, 3),
@@ -105,14 +107,15 @@ fn headline(result: &StaticResult) -> Vec<(&'static str, String)> {
     }
     rows.extend([
         (
-            "speed parameter n·dm",
+            "speed factor n·Dpw",
             format!("{} mm/min", fixed(result.speed_parameter_mm_rpm, 0)),
         ),
         (
             "contact stiffness K",
             format!(
-                "inner {:.4e}, outer {:.4e} N/m^1.5",
-                result.inner_stiffness, result.outer_stiffness
+                "inner {}, outer {} N/m^1.5",
+                power(result.inner_stiffness),
+                power(result.outer_stiffness)
             ),
         ),
     ]);
@@ -128,16 +131,16 @@ fn balls(result: &StaticResult) -> Vec<Vec<String>> {
         "Fo N",
         "pi MPa",
         "po MPa",
-        "inner ellipse mm",
-        "outer ellipse mm",
-        "orbit rpm",
-        "rotation rpm",
+        "semi-axes a × b, inner, mm",
+        "semi-axes a × b, outer, mm",
+        "orbital speed, rpm",
+        "ball speed ω_b (absolute), rpm",
     ];
     let ellipse = |[along, across]: [f64; 2]| {
         if along > 0.0 {
-            format!("{along:.4} x {across:.4}")
+            format!("{along:.4} × {across:.4}")
         } else {
-            "-".to_owned()
+            "–".to_owned()
         }
     };
     let mut rows = vec![head.map(str::to_owned).to_vec()];

@@ -65,7 +65,7 @@ fn write(dir: &Path, data: &ToleranceData, json: &str) -> Result<(), Failure> {
 
 fn text(data: &ToleranceData) -> String {
     let range = |range: Option<[f64; 2]>, digits: usize| {
-        range.map_or("-".to_owned(), |[low, high]| {
+        range.map_or("–".to_owned(), |[low, high]| {
             format!("{low:.digits$} to {high:.digits$}")
         })
     };
@@ -101,7 +101,7 @@ fn text(data: &ToleranceData) -> String {
         judged(Some(data.passes), &data.headline),
         data.nominal_verdict,
         data.nominal_critical_gap_deg
-            .map_or("-".to_owned(), |gap| format!("{gap:.4}°")),
+            .map_or("–".to_owned(), |gap| format!("{gap:.4}°")),
         columns(&rows)
     );
     if let Some(s) = &data.samples {

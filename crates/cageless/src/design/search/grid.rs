@@ -8,13 +8,14 @@ use super::job::{Interrupted, Job, Numbers, PairSeparation, Task};
 use super::perturbed_run::Motion;
 use super::raceway_layout::{ClosedForms, OperatingPoint, RacewayLayout};
 use super::rejection::Cause;
-use super::{Request, Stage};
+use super::{BUDGET, Request, Stage};
 use crate::bearing::Bearing;
 use crate::design::SLIP_SHORTFALL;
 use crate::raceway::axial_span_limit_m;
 
-/// Cells of the maps along lC and θ.
+/// Cells of the maps along lC and θ, and the fewest of them.
 const MAP: [usize; 2] = [30, 18];
+const MAP_LEAST: [usize; 2] = [10, 6];
 /// lines of the candidates along θ, and structures on each.
 const CANDIDATES: [usize; 2] = [26, 9];
 /// Spans at which β0 is tabulated to find the candidates.
@@ -81,6 +82,19 @@ pub(super) fn ranges(request: &Request, bearing: &Bearing) -> [[f64; 2]; 2] {
     [spans, [low, high.min(widest)]]
 }
 
+/// Cells of the maps of a request along lC and θ: with less than the default budget fewer, in
+/// proportion.
+fn map_cells(request: &Request) -> [usize; 2] {
+    let share = (request.budget as f64 / BUDGET as f64).min(1.0).sqrt();
+    std::array::from_fn(|k| MAP_LEAST[k].max((share * MAP[k] as f64).ceil() as usize))
+}
+
+/// Cells of a map of a request over those with the default budget.
+pub fn map_fraction(request: &Request) -> f64 {
+    let cells = |[columns, rows]: [usize; 2]| (columns * rows) as f64;
+    cells(map_cells(request)) / cells(MAP)
+}
+
 /// Largest θ at which a path of the span is possible; it grows with the span.
 fn widest_angle_rad(bearing: &Bearing, axial_span_m: f64) -> f64 {
     let possible = |half_angle_rad: f64| {
@@ -107,7 +121,8 @@ fn widest_angle_rad(bearing: &Bearing, axial_span_m: f64) -> f64 {
 pub(super) fn maps(batch: &mut Batch<'_, '_>) -> Result<Vec<SpeedMap>, Interrupted> {
     let request = batch.request;
     let [spans, angles] = batch.ranges;
-    let (spans, angles) = (spread(spans, MAP[0]), spread(angles, MAP[1]));
+    let [columns, rows] = map_cells(request);
+    let (spans, angles) = (spread(spans, columns), spread(angles, rows));
     let mut cells = vec![];
     for &half_angle_rad in &angles {
         for &axial_span_m in &spans {

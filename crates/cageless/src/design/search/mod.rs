@@ -35,7 +35,7 @@ mod raceway_layout;
 mod rejection;
 
 pub use evaluation::{Confirmed, Evaluation, Statistics};
-pub use grid::{MapCell, SpeedMap};
+pub use grid::{MapCell, SpeedMap, map_fraction};
 pub use job::{
     CROWDED_MAX, Interrupted, Job, NEIGHBOURS_WIDER, Numbers, Outcome, PairSeparation, Task,
     peak_stress_pa, run_jobs,
@@ -73,7 +73,7 @@ pub struct Request {
     pub spread_min: f64,
     /// Uneven starts per structure, 1 or more.
     pub starts: u64,
-    /// Runs of all balls for the front at most.
+    /// Runs of all balls for the front at most; below the default, maps have fewer cells.
     pub budget: usize,
 }
 
