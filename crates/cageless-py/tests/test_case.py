@@ -8,6 +8,7 @@ import pickle
 from pathlib import Path
 
 import cageless
+import numpy as np
 import pytest
 from cageless import sections
 from conftest import ROOT, Command, figures, made, numbers
@@ -50,7 +51,7 @@ def test_only_bearing_and_operation_are_required() -> None:
     )
     assert made == full
     with pytest.raises(TypeError, match="operation"):
-        cageless.Case(bearing=full.bearing)  # type: ignore[call-arg]
+        cageless.Case(bearing=full.bearing)
 
 
 def test_a_designation_makes_the_case_of_the_command(command: Command, tmp_path: Path) -> None:
@@ -61,6 +62,52 @@ def test_a_designation_makes_the_case_of_the_command(command: Command, tmp_path:
     assert case != cageless.Case.from_designation("6008")
     with pytest.raises(cageless.InputError, match="6O08.* did you mean 6008"):
         cageless.Case.from_designation("6O08")
+
+
+def test_sections_may_be_mappings_of_their_keys() -> None:
+    case = cageless.Case.from_toml(cageless.template())
+    [raceway] = case.raceways
+    made = cageless.Case(
+        bearing=case.bearing.values(),
+        operation=case.operation.values(),
+        raceway=raceway.values(),
+        solver={"duration_s": 0.01},
+        title=case.title,
+    )
+    expected = cageless.Case(
+        bearing=case.bearing,
+        operation=case.operation,
+        raceway=raceway,
+        solver=cageless.Solver(duration_s=0.01),
+        title=case.title,
+    )
+    assert made == expected
+    with pytest.raises(cageless.InputError, match="colour"):
+        cageless.Case(bearing={"balls": 12, "colour": 1}, operation={})
+
+
+def test_the_radial_clearance_is_in_micrometres() -> None:
+    """Ro - Ri - 2 Rw = 27.7715 - 18.24 - 9.525 mm."""
+    case = cageless.Case.from_toml(
+        cageless.template(), {"bearing.outer_groove_bottom_radius_mm": 27.7715}
+    )
+    assert case.radial_clearance_um == pytest.approx(6.5, rel=1e-6)
+
+
+def test_a_key_of_the_case_is_no_argument_of_run() -> None:
+    case = cageless.Case.from_toml(cageless.template())
+    with pytest.raises(TypeError, match=r"Case\.run.*replace\(solver__duration_s=0\.01\)"):
+        case.run(duration_s=0.01)  # type: ignore[call-arg]
+
+
+def test_every_value_of_a_static_equilibrium_is_an_attribute() -> None:
+    static = cageless.Case.from_toml(cageless.template()).static()
+    for name, value in static.values.items():
+        found = getattr(static, name)
+        assert np.array_equal(found, value), name
+    # Larger outer ellipses: the groove wraps around the ball.
+    k = int(static.inner_force_n.argmax())
+    assert static.outer_semi_axes_mm[k, 0] > static.inner_semi_axes_mm[k, 0]
 
 
 def test_materials_of_balls_and_rings_apart() -> None:

@@ -51,6 +51,15 @@ def template(conventional: bool = False) -> str:
     return _cageless.template(conventional)
 
 
+Keys = Mapping[str, Any]
+"""The keys of a section with their values."""
+
+
+def keys_of(section: Section | Keys) -> dict[str, Any]:
+    """The keys of a section that are given, with their values."""
+    return section.values() if isinstance(section, Section) else dict(section)
+
+
 def dotted(values: Mapping[str, Any], section: str = "") -> dict[str, Any]:
     """Sections in sections as ``section.key``."""
     found: dict[str, Any] = {}
@@ -76,7 +85,7 @@ class Case(Computations):
     Parameters
     ----------
     bearing : Bearing
-        Rings and balls.
+        Rings and balls. This and every other section may be a mapping of its keys.
     operation : Operation
         Speed and load.
     ball_material, ring_material : Material, optional
@@ -129,24 +138,24 @@ class Case(Computations):
     def __init__(
         self,
         *,
-        bearing: Bearing,
-        operation: Operation,
-        material: Material | None = None,
-        ball_material: Material | None = None,
-        ring_material: Material | None = None,
-        contact: Contact | None = None,
-        model: Model | None = None,
-        solver: Solver | None = None,
-        output: Output | None = None,
-        raceway: Raceway | Sequence[Raceway] | None = None,
-        start: Start | None = None,
-        housing: Housing | None = None,
-        rotor: Rotor | None = None,
-        support: Support | None = None,
+        bearing: Bearing | Keys,
+        operation: Operation | Keys,
+        material: Material | Keys | None = None,
+        ball_material: Material | Keys | None = None,
+        ring_material: Material | Keys | None = None,
+        contact: Contact | Keys | None = None,
+        model: Model | Keys | None = None,
+        solver: Solver | Keys | None = None,
+        output: Output | Keys | None = None,
+        raceway: Raceway | Keys | Sequence[Raceway | Keys] | None = None,
+        start: Start | Keys | None = None,
+        housing: Housing | Keys | None = None,
+        rotor: Rotor | Keys | None = None,
+        support: Support | Keys | None = None,
         title: str = "",
     ) -> None:
-        several = [raceway] if isinstance(raceway, Raceway) else list(raceway or [])
-        given: dict[str, Section | None] = {
+        several = [raceway] if isinstance(raceway, (Raceway, Mapping)) else list(raceway or [])
+        given: dict[str, Section | Keys | None] = {
             "bearing": bearing,
             "material": material,
             "ball_material": ball_material,
@@ -162,9 +171,9 @@ class Case(Computations):
             "output": output,
         }
         values: dict[str, Any] = {"title": title} if title else {}
-        values |= {name: part.values() for name, part in given.items() if part is not None}
+        values |= {name: keys_of(part) for name, part in given.items() if part is not None}
         if several:
-            sections = [each.values() for each in several]
+            sections = [keys_of(each) for each in several]
             values["raceway"] = sections[0] if len(sections) == 1 else sections
         self._take(_cageless.CaseFile.of_values(values))
 
@@ -208,13 +217,14 @@ class Case(Computations):
 
     @classmethod
     def from_designation(cls, designation: str, *, full_complement: bool = False) -> Case:
-        """A deep groove ball bearing of ISO 15, as ``cageless new --bearing`` writes it: its inside,
-        speed and load are assumed, and the ring is conventional.
+        """A deep groove ball bearing of ISO 15, as ``cageless new --bearing`` writes it. Number
+        and diameter of the balls are as NSK, from its load ratings, where the table has them; the
+        rest, speed and load are assumed, and the ring is conventional.
 
         Parameters
         ----------
         designation : str
-            Series 60, 62, 63, 618 or 619 with a bore code from 00 to 20.
+            Series 60, 62, 63, 160, 68 (618) or 69 (619), bores up to 100 mm.
         full_complement : bool
             As many balls as the pitch circle holds.
 

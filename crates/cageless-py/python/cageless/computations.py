@@ -8,7 +8,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from . import _cageless
+from . import _cageless, sections
 from .errors import InputError, UnphysicalError
 from .exports import Export
 from .designs import Design
@@ -23,6 +23,18 @@ if TYPE_CHECKING:
     from .sections import Raceway
 
 __all__ = ["Computations"]
+
+
+def refuse(method: str, unknown: Mapping[str, Any]) -> None:
+    """Refuses keywords that a method does not have; keys of the case belong to ``replace``."""
+    for name, value in unknown.items():
+        parts = (part for part in vars(sections).values() if isinstance(part, type))
+        owners = [part for part in parts if name in getattr(part, "__dataclass_fields__", {})]
+        hint = ""
+        if owners:
+            section = owners[0].__name__.lower()
+            hint = f"; a key of the case is changed by replace({section}__{name}={value!r})"
+        raise TypeError(f"Case.{method}() has no argument {name!r}{hint}")
 
 
 class Computations(ABC):
@@ -44,6 +56,7 @@ class Computations(ABC):
         verify: bool = False,
         threads: int | None = None,
         progress: Callable[[str, float], object] | None = None,
+        **unknown: Any,
     ) -> Run:
         """Simulates the case.
 
@@ -78,6 +91,7 @@ class Computations(ABC):
         >>> case.run(verify=True).verification
         <Verification: 13 converged, 0 statistical, 0 step-biased>
         """
+        refuse("run", unknown)
         run = Run(self._file.run(verify, threads, progress))
         stopped = run.stopped
         if stopped is not None:

@@ -145,6 +145,8 @@ class LinearRotor:
         """A rotor of ross, or anything with its methods ``M()``, ``C()``, ``G()``, ``K()`` and
         ``Ksdt()`` and four or six coordinates a node (``number_dof``).
 
+        ross 2.3.0 does not import with plotly 7: install ``plotly<7`` next to it.
+
         Its bearings should be what holds the rotor after the magnets have let go, so none or seals.
         Axial motion and torsion are left out; the moment of inertia about the axis is that of the
         torsion.

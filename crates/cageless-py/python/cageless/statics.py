@@ -159,6 +159,51 @@ class Static(Tables):
         return self._optional("l10r_at_speed_mrev")
 
     @property
+    def l10_h(self) -> float | None:
+        """Basic rating life at the speed of the case, h; None without radial load or speed."""
+        return self._optional("l10_h")
+
+    @property
+    def l10r_h(self) -> float | None:
+        """Basic reference rating life at the speed of the case, h."""
+        return self._optional("l10r_h")
+
+    @property
+    def l10r_at_speed_h(self) -> float | None:
+        """``l10r_at_speed_mrev`` at the speed of the case, h."""
+        return self._optional("l10r_at_speed_h")
+
+    @property
+    def assembly(self) -> str:
+        """Way of assembly, on which Cr depends: "without-slot" or "filling-slot"."""
+        return str(self.values["assembly"])
+
+    @property
+    def rating_factor(self) -> float:
+        """bm of ISO 281 for the way of assembly."""
+        return float(self.values["rating_factor"])
+
+    @property
+    def inner_stiffness(self) -> float:
+        """Contact stiffness K at the inner raceway, N·m^(−3/2)."""
+        return float(self.values["inner_stiffness"])
+
+    @property
+    def outer_stiffness(self) -> float:
+        """Contact stiffness K at the outer raceway, N·m^(−3/2)."""
+        return float(self.values["outer_stiffness"])
+
+    @property
+    def raceway_ftf_hz(self) -> float:
+        """Orbital frequency of balls that roll through the discrete raceways as well."""
+        return float(self.values["raceway_ftf_hz"])
+
+    @property
+    def effective_radius_mm(self) -> Floats:
+        """Effective radius r of each ball at the outer raceway."""
+        return np.array(self.values["effective_radius_mm"])
+
+    @property
     def ftf_hz(self) -> float:
         """Orbital frequency of the balls in rolling (fundamental train frequency)."""
         return float(self.values["ftf_hz"])
@@ -180,7 +225,7 @@ class Static(Tables):
 
     @property
     def speed_parameter_mm_rpm(self) -> float:
-        """n·dm, speed of the inner ring times pitch diameter, mm/min."""
+        """n·Dpw, speed of the inner ring times pitch diameter, mm/min."""
         return float(self.values["speed_parameter_mm_rpm"])
 
     @property
