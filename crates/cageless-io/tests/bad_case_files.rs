@@ -111,7 +111,7 @@ const EDITS: &[Row] = &[
     // Geometry.
     ("balls = 14", "balls = 16", "bearing.balls", &["= 16", "at most 15", "do not fit"]),
     ("balls = 14", "balls = 2", "bearing.balls", &["= 2 ", "at least 3"]),
-    ("ball_radius_mm = 4.7625", "ball_radius_mm = 4.9", "bearing.ball_radius_mm", &["= 4.9", "at most 4.80", "interference", "4200 MPa"]),
+    ("ball_radius_mm = 4.7625", "ball_radius_mm = 4.9", "bearing.ball_radius_mm", &["= 4.9", "at most 4.799", "interference", "4200 MPa"]),
     ("inner_groove_curvature_radius_mm = 4.953", "inner_groove_curvature_radius_mm = 4.7", "bearing.inner_groove_curvature_radius_mm", &["= 4.7", "more than 4.7625 mm", "radius of the ball"]),
     ("outer_shoulder_radius_mm = 26.0", "outer_shoulder_radius_mm = 28.0", "bearing.outer_shoulder_radius_mm", &["= 28.0", "between 23.0025 mm and 27.765 mm"]),
     ("outer_shoulder_radius_mm = 26.0", "outer_shoulder_radius_mm = 20.0", "bearing.outer_shoulder_radius_mm", &["between 23.0025 mm and 27.765 mm"]),
