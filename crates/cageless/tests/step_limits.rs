@@ -413,7 +413,8 @@ fn damping_of_a_rotor_by_matrices_limits_the_step() {
                 "{said}"
             );
             let outcome = dropped(&of(None).unwrap());
-            assert!(outcome.rotor_energy_residual_relative.abs() < 1e-3);
+            let journal = outcome.bearings[0].state.rotor_motion().unwrap();
+            assert!(journal.vy.abs() < 0.0625, "{}", journal.vy);
         } else {
             assert!(step > 5e-7, "{step}");
         }
