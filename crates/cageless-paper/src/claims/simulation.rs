@@ -26,7 +26,7 @@ pub fn claims(e: &Evidence) -> Vec<Claim> {
 }
 
 fn simulated(e: &Evidence) -> Claim {
-    let t = e.table2.clone();
+    let t = &e.table2;
     // Residuals of the model and of the constant gap of evenly spaced balls.
     let residuals = |rows: std::ops::Range<usize>| {
         let rows = || rows.clone().filter(|k| *k != ODD_ROW);
@@ -133,7 +133,10 @@ fn differences(e: &Evidence) -> Claim {
     let wrong: Vec<String> = rows
         .map(|(r, printed)| (r, r.paper_simulated_deg - r.paper_theory_deg, printed))
         // Three numbers are rounded.
-        .filter(|(_, difference, printed)| !((difference - printed).abs() <= 3.0 * ROUNDING_DEG))
+        .filter(|(_, difference, printed)| {
+            let off = (difference - printed).abs();
+            off.is_nan() || off > 3.0 * ROUNDING_DEG
+        })
         .map(|(r, difference, printed)| {
             format!(
                 "lC = {:.2} mm: {:.4} − {:.4} = {difference:.4}, printed {printed:.4}",
