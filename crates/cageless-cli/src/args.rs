@@ -61,7 +61,8 @@ pub enum Command {
     /// Drop a rotor onto its bearing, or that of a rotor file into several: impacts, whirl, spin-up,
     /// loads and heat.
     Drop(DropArgs),
-    /// Set two cases or finished runs side by side: results, differences, motion.
+    /// Compare two cases, or a case with its conventional ring, from the same uneven starts; or two
+    /// finished runs.
     Compare(CompareArgs),
     /// The outer ring for CAD and machining: STEP, STL or a table of points.
     Export(ExportArgs),
@@ -181,12 +182,18 @@ pub struct CompareArgs {
     /// Case file (TOML or JSON), or the folder of a finished run.
     #[arg(value_name = "A")]
     pub a: PathBuf,
-    /// Case file or folder to set beside A; differences are B less A.
-    #[arg(value_name = "B")]
-    pub b: PathBuf,
-    /// Run A with a conventional outer ring as well.
+    /// Case file or folder to compare A with; differences are B less A.
+    #[arg(value_name = "B", required_unless_present = "with_conventional")]
+    pub b: Option<PathBuf>,
+    /// Run A with a conventional outer ring as well; differences are from that.
     #[arg(long)]
     pub with_conventional: bool,
+    /// Uneven starts of each ring, the same for all. Default: 8; a finished run has its own alone.
+    #[arg(long, value_name = "N")]
+    pub starts: Option<u64>,
+    /// Replace a value of the case files; may be repeated.
+    #[arg(long, value_name = "SECTION.KEY=VALUE")]
+    pub set: Vec<String>,
     /// Print the numbers as one JSON document.
     #[arg(long)]
     pub json: bool,

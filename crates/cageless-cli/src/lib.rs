@@ -7,6 +7,7 @@
 mod args;
 mod commands;
 mod failure;
+mod finished_run;
 mod format;
 mod progress;
 mod studio;

@@ -4,9 +4,9 @@ use crate::common::*;
 
 const SETS: [&str; 2] = ["solver.duration_s=0.02", "output.interval_us=200"];
 
-/// Two finished runs, and the case of one of them against the folder of the other.
+/// Two finished runs: their numbers as they are, and nothing judged.
 #[test]
-fn runs_stand_side_by_side() {
+fn finished_runs_are_shown_and_not_judged() {
     let dir = tempfile::tempdir().unwrap();
     let folder = |name: &str| dir.path().join(name).to_str().unwrap().to_owned();
     for (name, case) in [("a", "zhao-d.toml"), ("b", "conventional.toml")] {
@@ -21,23 +21,27 @@ fn runs_stand_side_by_side() {
     let (a, b, out) = (folder("a"), folder("b"), folder("out"));
     let done = call(&["compare", &a, &b, "--out", &out]);
     assert_eq!(done.code, Some(0), "{done:?}");
+    assert!(
+        done.stdout.contains("keep their gaps with any ring"),
+        "{done:?}"
+    );
     let found = json_file(&dir.path().join("out/compare.json"));
     let summaries = ["a", "b"].map(|name| json_file(&dir.path().join(name).join("summary.json")));
-    let results = found["results"].as_array().unwrap();
-    let loss = results
-        .iter()
-        .find(|r| r["name"] == "power_loss_w")
-        .expect("the power loss");
+    let loss = result(&found, "power_loss_w");
     let of = |k: usize| summaries[k]["power_loss_w"].as_f64().unwrap();
-    assert_eq!(loss["values"], serde_json::json!([of(0), of(1)]));
-    assert_eq!(loss["differences"], serde_json::json!([0.0, of(1) - of(0)]));
-    assert_eq!(loss["better"], serde_json::json!([null, of(1) < of(0)]));
+    assert_eq!(loss["values"][0]["mean"], of(0));
+    assert_eq!(loss["values"][1]["mean"], of(1));
+    assert_eq!(loss["values"][1]["starts"], 1);
+    assert_eq!(loss["differences"][1]["mean"], of(1) - of(0));
+    assert_eq!(loss["better"], serde_json::json!([null, null]));
     let page = std::fs::read_to_string(dir.path().join("out/report.html")).unwrap();
     for part in [
         "Differences",
         "scatter-of-the-gaps",
         "largest-loads",
         "data-bearing=\"1\"",
+        // The clock of the animation is that of the runs.
+        "from t = 0.01 s to 0.02 s",
     ] {
         assert!(page.contains(part), "{part}");
     }
@@ -53,10 +57,74 @@ fn runs_stand_side_by_side() {
     ]);
     assert_eq!(same.code, Some(0), "{same:?}");
     let same = same.json();
-    assert_eq!(same["runs"].as_array().unwrap().len(), 3);
+    assert_eq!(same["runs"], serde_json::json!(["conventional", "A", "B"]));
     for result in same["results"].as_array().unwrap() {
-        assert_eq!(result["values"][0], result["values"][1], "{result}");
-        assert!(result["better"][1].is_null(), "{result}");
+        assert_eq!(result["values"][1], result["values"][2], "{result}");
+    }
+    let done = call(&["compare", &a, &b, "--set", "solver.duration_s=0.01"]);
+    assert_eq!(done.code, Some(2), "{done:?}");
+    assert!(done.stderr.contains("is a finished run"), "{done:?}");
+
+    // Numbers that were changed are not taken for others.
+    let file = dir.path().join("a/report.json");
+    let text = std::fs::read_to_string(&file).unwrap();
+    std::fs::write(
+        &file,
+        text.replacen("\"passes\":true", "\"passes\":null", 1),
+    )
+    .unwrap();
+    let done = call(&["compare", &a, &b]);
+    assert_eq!(done.code, Some(2), "{done:?}");
+    assert!(done.stderr.contains("is damaged"), "{done:?}");
+}
+
+fn result<'r>(found: &'r serde_json::Value, name: &str) -> &'r serde_json::Value {
+    let results = found["results"].as_array().unwrap();
+    let mut found = results.iter().filter(|r| r["name"] == name);
+    found.next().unwrap_or_else(|| panic!("{name}"))
+}
+
+/// From the same uneven starts the raceway of the paper evens out the gaps: the number of the
+/// comparison is that of a run of one start by hand.
+#[test]
+fn a_ring_is_compared_with_its_conventional_one_from_uneven_starts() {
+    let dir = tempfile::tempdir().unwrap();
+    let sets = ["solver.duration_s=0.25", "output.interval_us=500"];
+    let out = dir.path().join("out");
+    let done = call_on(
+        "compare",
+        &repository_case("zhao-d.toml"),
+        &sets,
+        &[
+            "--with-conventional",
+            "--starts",
+            "4",
+            "--out",
+            out.to_str().unwrap(),
+        ],
+    );
+    assert_eq!(done.code, Some(0), "{done:?}");
+    let found = json_file(&out.join("compare.json"));
+    assert_eq!(found["runs"], serde_json::json!(["conventional", "A"]));
+    assert_eq!(found["starts"]["count"], 4);
+    let scatter = result(&found, "gap_deviation_deg");
+    assert_eq!(
+        scatter["better"],
+        serde_json::json!([null, true]),
+        "{scatter}"
+    );
+    assert_eq!(scatter["values"][1]["starts"], 4);
+    let statement = found["statement"].as_str().unwrap();
+    let said = "The discrete raceway of A lowers the standard deviation of the gaps from ";
+    assert!(statement.starts_with(said), "{statement}");
+    assert!(done.stdout.contains(said), "{done:?}");
+    let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+    for part in [
+        "What a raceway changes",
+        "start 1 of 4",
+        "the same 4 starts",
+    ] {
+        assert!(page.contains(part), "{part}");
     }
 }
 

@@ -91,6 +91,12 @@ fn hostile_requests_are_refused_and_the_server_lives() {
         );
     }
     assert_eq!(studio.send("GET", &page, &[("Host", &local)], "").0, 200);
+    // Two names, of which servers take one or the other; and a target that is another server's.
+    let head = format!("X-Cageless-Token: {token}\r\nContent-Length: 14\r\nHost: {local}\r\n");
+    let two = format!("POST /request HTTP/1.1\r\n{head}Host: evil.example\r\n\r\n{about}");
+    assert_eq!(studio.raw(two.as_bytes()).0, 400);
+    let foreign = format!("POST http://evil.example/request HTTP/1.1\r\n{head}\r\n{about}");
+    assert_eq!(studio.raw(foreign.as_bytes()).0, 421);
     // Nothing but the page is there: no file, inside the folder or outside.
     for path in [
         "/Cargo.toml",
@@ -176,6 +182,28 @@ fn a_thousand_connections_at_once_do_not_end_the_server() {
     assert!(open.len() > 100, "{}", open.len());
     drop(open);
     studio.lives();
+}
+
+/// Connections that never finish their first request, and such that were refused, lock nobody out.
+#[test]
+fn silent_connections_do_not_lock_out() {
+    let studio = Studio::start();
+    let begun = Instant::now();
+    let open: Vec<TcpStream> = (0..64)
+        .map(|k| {
+            let mut stream = studio.connect();
+            let part: &[u8] = match k % 3 {
+                0 => b"GET / HTTP/1.1\r\n",
+                1 => b"\r\n\r\n",
+                _ => b"GET / HTTP/1.1\r\nHost: nobody\r\n\r\n",
+            };
+            stream.write_all(part).unwrap();
+            stream
+        })
+        .collect();
+    studio.lives();
+    assert!(begun.elapsed() < Duration::from_secs(20), "{begun:?}");
+    drop(open);
 }
 
 #[test]

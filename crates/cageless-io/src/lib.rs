@@ -22,10 +22,12 @@
 pub mod cad;
 pub mod case_file;
 pub mod designation;
+pub mod estimate;
 #[cfg(feature = "files")]
 mod files;
 #[cfg(feature = "files")]
 pub mod journal;
+pub mod number_text;
 mod option_error;
 #[cfg(feature = "files")]
 pub mod plan_file;

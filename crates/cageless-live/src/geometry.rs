@@ -37,7 +37,7 @@ pub(crate) fn geometry(file: &CaseFile) -> Result<Value, Refusal> {
                 .map(|t| {
                     json!({
                         "name": t.name, "value": t.value, "limit": t.limit,
-                        "margin": t.margin(), "meaning": t.meaning,
+                        "margin": t.margin(), "at_least": t.at_least, "meaning": t.meaning,
                     })
                 })
                 .collect();

@@ -13,6 +13,7 @@
 //! assert!(wrong.contains("\"error\""));
 //! ```
 
+mod compare;
 mod geometry;
 mod keys;
 mod map;

@@ -3,6 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use cageless::Case;
+use cageless::case::INTERVAL_MIN_S;
 use cageless::dynamics::layout::Layout;
 use cageless::dynamics::state::State;
 use cageless::initial_conditions::initial_state;
@@ -84,6 +85,14 @@ pub(crate) fn motion(
         let message = format!("frames = {}: 1 to {FRAMES_MAX} are allowed", stretch.frames);
         return Err(Refusal::new(message));
     }
+    let interval_s = duration_s / stretch.frames as f64;
+    if !(interval_s >= INTERVAL_MIN_S) {
+        return Err(Refusal::new(format!(
+            "duration_s = {duration_s:e} in {} frames is not possible: at least {INTERVAL_MIN_S:e} s \
+             from one to the next",
+            stretch.frames
+        )));
+    }
     let balls = case.bearing.balls();
     let (from_s, state, angles) = match &stretch.resume {
         None => {
@@ -111,7 +120,11 @@ pub(crate) fn motion(
     part.operation = case.operation.from_time(from_s);
     let mut frames: Vec<Snapshot> = vec![];
     let outcome = {
-        let mut recorder = Recorder::new(duration_s / stretch.frames as f64, |snapshot| {
+        let mut recorder = Recorder::new(interval_s, |snapshot| {
+            // The first and the last, and one more by rounding: whatever the times, no more.
+            if frames.len() > stretch.frames + 2 {
+                return Err("more frames than were asked for".into());
+            }
             frames.push(snapshot);
             Ok(())
         });
@@ -130,7 +143,8 @@ pub(crate) fn motion(
             "advice": stop.advice().to_string(),
         })),
         Ending::Interrupted => return Err(Refusal::new("cancelled")),
-        Ending::Complete | Ending::ObserverFailed(_) => None,
+        Ending::ObserverFailed(error) => return Err(Refusal::new(error.to_string())),
+        Ending::Complete => None,
     };
     let resume = match (&stopped, frames.last()) {
         (None, Some(last)) => Some(json!({

@@ -7,14 +7,14 @@ use cageless_io::case_file::{CaseError, CaseFile};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-use crate::{geometry, keys, map, motion, ranges, verdict};
+use crate::{compare, geometry, keys, map, motion, ranges, verdict};
 
 /// Largest request that is read, bytes.
 pub const REQUEST_BYTES_MAX: usize = 1 << 20;
 
 /// Operations of the engine.
-pub(crate) const OPERATIONS: [&str; 7] = [
-    "about", "geometry", "ranges", "map", "static", "motion", "verdict",
+pub(crate) const OPERATIONS: [&str; 8] = [
+    "about", "geometry", "ranges", "map", "static", "motion", "verdict", "compare",
 ];
 
 /// A request. Operations other than `about` work on a case.
@@ -42,6 +42,8 @@ enum Request {
     },
     /// Verdict on the raceways by simulation.
     Verdict(OfCase),
+    /// The case against another, from the same uneven starts.
+    Compare { case: String, reference: String },
 }
 
 #[derive(Debug, Deserialize)]
@@ -123,6 +125,7 @@ fn result(request: &str, control: &mut dyn FnMut(f64) -> Control) -> Result<Valu
         Request::Map(grid) => map::map(&grid, control),
         Request::Static(OfCase { case }) => geometry::equilibrium(read(&case)?.case()),
         Request::Motion { case, stretch } => motion::motion(read(&case)?.case(), &stretch, control),
+        Request::Compare { case, reference } => compare::compare(&case, &reference, control),
         Request::Verdict(OfCase { case }) => verdict::verdict(read(&case)?.case(), control),
     }
 }

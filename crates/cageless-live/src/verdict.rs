@@ -23,7 +23,7 @@ pub(crate) fn verdict(
         .map(|c: &Criterion| {
             json!({
                 "name": c.name(), "value": c.value(), "limit": c.limit(), "margin": c.margin(),
-                "met": c.is_met(), "text": c.to_string(),
+                "at_least": c.at_least(), "met": c.is_met(), "text": c.to_string(),
             })
         })
         .collect();

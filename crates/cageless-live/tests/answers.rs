@@ -112,6 +112,9 @@ fn malformed_requests_are_refused() {
         (1e9, 10),
         (1e-4, 0),
         (1e-4, 1_000_000),
+        // Frames that are no time apart would never end.
+        (5e-324, 4000),
+        (1e-12, 4000),
     ] {
         refused(
             &json!({ "op": "motion", "case": case, "duration_s": duration_s, "frames": frames }),
@@ -446,4 +449,35 @@ fn a_run_up_goes_on_in_the_next_stretch() {
         let (a, b) = (angle(&parts), angle(&whole));
         assert!((a - b).abs() < 2e-5, "{a} and {b}");
     }
+}
+
+/// From the same uneven starts the raceway of the paper evens out the gaps: the numbers are those
+/// of the starts run one by one.
+#[test]
+fn a_case_is_compared_from_the_same_uneven_starts() {
+    use cageless::simulation::run;
+    use cageless::summary::SummaryRecorder;
+    use cageless_io::case_file::CaseFile;
+
+    let case = structure(5.1, 25.2);
+    let conventional = template(true);
+    let found = good(&json!({ "op": "compare", "case": case, "reference": conventional }));
+    let scatter = &found["results"]["gap_deviation_deg"];
+    assert_eq!(scatter["change"], "lower", "{found}");
+    assert_eq!(found["only_the_raceway_differs"], true);
+    let file = CaseFile::parse(&case, "case", &[]).unwrap();
+    let mut sum = 0.0;
+    for start in 0..8 {
+        let started = file.with_uneven_start(file.case().seed, start).unwrap();
+        let mut case = started.case().clone();
+        case.solver.duration_s = 18.0 * case.rolling_orbit_s();
+        let mut recorder = SummaryRecorder::new();
+        run(&case, &mut [&mut recorder], &mut |_| Control::Continue(())).unwrap();
+        sum += recorder.summary().unwrap().gap_deviation_rad.to_degrees();
+    }
+    let mean = scatter["values"][1]["mean"].as_f64().unwrap();
+    assert!((mean - sum / 8.0).abs() < 1e-12, "{mean} {}", sum / 8.0);
+    let refused =
+        refused(&json!({ "op": "compare", "case": case, "reference": shipped("touchdown-d") }));
+    assert!(refused["message"].as_str().unwrap().contains("rotor"));
 }

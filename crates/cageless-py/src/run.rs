@@ -9,7 +9,7 @@ use cageless_report::figures::{
     ball, collisions, energy, gap_map, history, polar, ring, vibration,
 };
 use cageless_report::run_report::run_data;
-use cageless_report::{Figure, RunData, from_json, run_page, to_json};
+use cageless_report::{Figure, RunData, run_from_json, run_json, run_page};
 use cageless_study::run::{Options, RunRecord, run};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -86,7 +86,8 @@ impl Run {
         let data = match &self.source {
             Source::Computed(run) => run_data(&run.0, &run.1),
             Source::Saved(text) => {
-                from_json(text).map_err(|e| input(format!("report.json of a saved run: {e}")))?
+                let read = run_from_json(text, &self.summary);
+                read.map_err(|e| input(format!("report.json of a saved run: {e}")))?
             }
         };
         Ok(self.data.get_or_init(|| data))
@@ -201,7 +202,7 @@ impl Run {
     /// `report.json`.
     fn report(&self) -> PyResult<String> {
         match &self.source {
-            Source::Computed(_) => to_json(self.data()?).map_err(other),
+            Source::Computed(_) => run_json(self.data()?, &self.summary).map_err(other),
             Source::Saved(text) => Ok(text.clone()),
         }
     }

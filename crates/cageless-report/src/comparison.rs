@@ -1,83 +1,11 @@
 //! Outer rings compared from the same starts with the same lots of balls (Zhao 2022,
 //! Section 5).
 
-use cageless::numerics::moments::Moments;
-use cageless::numerics::student::two_sided_limit;
+use cageless_io::estimate::Estimate;
 use serde::Serialize;
 
 use crate::data::{Provenance, RacewayLabel};
 use crate::table::{Cell, Row, Table};
-use crate::text::short;
-
-/// Probability of calling a difference one that is none.
-pub const SIGNIFICANCE: f64 = 0.05;
-
-/// Mean over independent starts with its standard error.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Estimate {
-    /// Mean.
-    pub mean: f64,
-    /// Standard error of the mean; NaN for a single start.
-    pub standard_error: f64,
-    /// Number of starts that have a value.
-    pub starts: usize,
-}
-
-/// Significance of a difference between two rings.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Change {
-    /// Lower, significantly.
-    Lower,
-    /// Higher, significantly.
-    Higher,
-    /// Not significant.
-    Undecided,
-}
-
-impl Estimate {
-    /// Mean of the finite values; `None` if there are none.
-    pub fn new(values: &[f64]) -> Option<Self> {
-        let mut moments = Moments::default();
-        values
-            .iter()
-            .filter(|v| v.is_finite())
-            .for_each(|v| moments.add(*v, 1.0));
-        let n = moments.weight();
-        (n > 0.0).then(|| Self {
-            mean: moments.mean(),
-            // Deviation of the values over n − 1, of the mean over n.
-            standard_error: moments.deviation() / (n - 1.0).sqrt(),
-            starts: n as usize,
-        })
-    }
-
-    /// Sign of a mean difference under Student's two-sided test at [`SIGNIFICANCE`].
-    pub fn change(&self) -> Change {
-        if self.starts < 2 {
-            return Change::Undecided;
-        }
-        let limit = two_sided_limit(SIGNIFICANCE, self.starts - 1) * self.standard_error;
-        if self.mean > limit {
-            Change::Higher
-        } else if self.mean < -limit {
-            Change::Lower
-        } else {
-            Change::Undecided
-        }
-    }
-
-    /// `0.43 ± 0.02`: the error with two significant digits, the mean to the same decimal.
-    pub fn text(&self) -> String {
-        let error = self.standard_error;
-        if !error.is_finite() || error == 0.0 {
-            return short(self.mean);
-        }
-        let decimals = (1.0 - error.log10().floor()).clamp(0.0, 9.0) as usize;
-        let number = |v: f64| crate::text::fixed(Some(v), decimals);
-        format!("{} ± {}", number(self.mean), number(error))
-    }
-}
 
 /// Rings, lots of balls and speeds, each combination from several starts.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
@@ -282,8 +210,8 @@ impl RingComparison {
 }
 
 /// An estimate in a unit `by` times as large, with its standard error; a dash for none.
-fn scaled(estimate: Option<Estimate>, by: f64) -> Cell {
-    Cell::number(estimate.map_or("–".to_owned(), |e| {
+fn scaled(value: Option<Estimate>, by: f64) -> Cell {
+    Cell::number(value.map_or("–".to_owned(), |e| {
         Estimate {
             mean: e.mean * by,
             standard_error: e.standard_error * by,
@@ -327,25 +255,5 @@ impl ComparisonCell {
             scaled(self.impulse_n_s, 1e3),
             scaled(Some(self.impulse_rate_n), 1.0),
         ]
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Mean 3, deviation √2.5 over n − 1, standard error √0.5; t(5 %, 4) = 2.776.
-    #[test]
-    fn an_estimate_has_its_standard_error() {
-        let e = Estimate::new(&[1.0, 2.0, 3.0, 4.0, 5.0, f64::NAN]).unwrap();
-        assert_eq!((e.mean, e.starts), (3.0, 5));
-        assert!((e.standard_error - 0.5f64.sqrt()).abs() < 1e-15);
-        assert_eq!(e.change(), Change::Higher);
-        assert_eq!(e.text(), "3.00 ± 0.71");
-        let shifted = |by: f64| Estimate::new(&[1.0, 2.0, 3.0, 4.0, 5.0].map(|v| v - by)).unwrap();
-        assert_eq!(shifted(6.0).change(), Change::Lower);
-        assert_eq!(shifted(1.1).change(), Change::Undecided);
-        assert!(Estimate::new(&[f64::NAN]).is_none());
-        assert_eq!(Estimate::new(&[1.0]).unwrap().change(), Change::Undecided);
     }
 }

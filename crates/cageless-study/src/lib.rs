@@ -3,15 +3,15 @@
 //!
 //! [`run`] records one run, [`verification`] says how far the numbers of a run can be trusted, [`design`] judges a
 //! raceway, [`search`] finds the best one, [`tolerance`] gives the probability that it passes
-//! as made, [`sweep`] computes many variants of a case, [`quantities`] is the table of scalar results. A [`Progress`] follows the progress and can end the work.
+//! as made, [`comparison`] sets rings side by side from the same uneven starts, [`sweep`] computes many variants of a case, [`quantities`] is the table of scalar results. A [`Progress`] follows the progress and can end the work.
 
+pub mod comparison;
 pub mod design;
 mod design_result;
 pub mod drop;
 mod entered;
 mod error;
 mod histories;
-pub mod number_text;
 mod parameter;
 mod passages;
 mod progress;
@@ -31,6 +31,7 @@ pub mod tolerance;
 pub mod verification;
 mod warnings;
 
+pub use cageless_io::number_text;
 pub use design_result::{
     Curve, DesignResult, PassageNumbers, RacewayNumbers, RecommendationNumbers,
 };

@@ -3,11 +3,58 @@
 use cageless::Case;
 use cageless::equilibrium::EquilibriumError;
 use cageless::simulation::{Control, Ending, Observer, RunOutcome, batches, run_batch};
+use cageless::summary::SummaryRecorder;
+
+use crate::passages::Passages;
+use crate::quantities::Finished;
 
 /// What is recorded of a run.
 pub(crate) trait Record {
     /// Observers of the run of `case`.
     fn observers<'s>(&'s mut self, case: &'s Case) -> Vec<Box<dyn Observer + 's>>;
+}
+
+/// Records what the scalar results of a run need.
+pub(crate) struct RunRecorder {
+    summary: SummaryRecorder,
+    passages: Passages,
+}
+
+impl RunRecorder {
+    pub(crate) fn new(case: &Case) -> Self {
+        Self {
+            summary: SummaryRecorder::new(),
+            passages: Passages::new(case),
+        }
+    }
+
+    /// What `of` makes of the run of `case` that has ended.
+    pub(crate) fn finished<T>(
+        &self,
+        case: &Case,
+        outcome: &RunOutcome,
+        of: impl FnOnce(&Finished<'_>) -> T,
+    ) -> T {
+        let summary = self.summary.summary();
+        of(&Finished {
+            case,
+            outcome,
+            summary: summary.as_ref(),
+            passages: &self.passages.all,
+            verdict: &self.passages.verdict(case),
+            wall_s: f64::NAN,
+        })
+    }
+}
+
+impl Record for RunRecorder {
+    fn observers<'s>(&'s mut self, case: &'s Case) -> Vec<Box<dyn Observer + 's>> {
+        let mut observers: Vec<Box<dyn Observer + 's>> = vec![Box::new(&mut self.summary)];
+        if !case.raceways.is_empty() {
+            observers.push(Box::new(self.passages.recorder(case)));
+        }
+        observers
+    }
 }
 
 /// Outcome of a run with what was recorded of it.

@@ -27,6 +27,7 @@ pub mod dynamics;
 pub mod equilibrium;
 pub mod error;
 pub mod gap;
+mod gap_scatter;
 pub mod initial_conditions;
 pub mod integrator;
 pub mod kinematics;

@@ -19,6 +19,8 @@ use crate::contact_peaks::{ContactPeakTracker, ContactPeaks};
 use crate::contact_tracker::{ContactCounter, ContactCounts};
 use crate::dynamics::coordinates::RingCoordinate;
 use crate::gap::GapRange;
+use crate::gap_scatter::GapScatter;
+use crate::numerics::moments::Moments;
 use crate::orbit_means::{OrbitMeans, OrbitMeansTracker};
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 
@@ -33,6 +35,13 @@ pub struct Summary {
     pub gap_min_rad: f64,
     /// Largest gap.
     pub gap_max_rad: f64,
+    /// Standard deviation of the gaps of all balls, over the whole part.
+    pub gap_deviation_rad: f64,
+    /// Standard deviation of the gaps in the second half of the part less that in the first; NaN
+    /// of a part that ended before its second half.
+    pub gap_deviation_change_rad: f64,
+    /// Standard deviation of the force of the balls on the outer ring, both directions together.
+    pub outer_ring_force_deviation_n: f64,
     /// Mean of the ring's centre.
     pub ring_x_mean_m: f64,
     /// Mean of the ring's centre.
@@ -50,6 +59,8 @@ const TRANSIENT_TURNS: f64 = 2.0;
 /// Gaps are looked at this often, steps: below 0.5 m/s between neighbours they change by
 /// less than 0.01° in 8 steps of 1 µs.
 const GAPS_EVERY: u64 = 8;
+/// The scatter of the gaps, which changes over orbits, is looked at this often, steps.
+const SCATTER_EVERY: u64 = 64;
 /// Contacts with the raceways are looked at this often, steps: the forces of impacts, which last
 /// 30 µs and more, change by less than 3 % within 2 steps of 1 µs from their peak, pressures by
 /// less than 1 %.
@@ -69,6 +80,8 @@ pub struct SummaryRecorder {
     case: Option<Case>,
     settled_after_s: f64,
     gaps: GapRange,
+    scatter: GapScatter,
+    outer_ring_force: [Moments; 2],
     steps: u64,
     collisions: ContactCounts,
     ring_sum: [f64; 2],
@@ -86,6 +99,8 @@ impl SummaryRecorder {
             case: None,
             settled_after_s: 0.0,
             gaps: GapRange::default(),
+            scatter: GapScatter::default(),
+            outer_ring_force: [Moments::default(); 2],
             steps: 0,
             collisions: ContactCounts::default(),
             ring_sum: [0.0; 2],
@@ -105,6 +120,12 @@ impl SummaryRecorder {
             collisions: self.collisions,
             gap_min_rad: self.gaps.range_rad()[0],
             gap_max_rad: self.gaps.range_rad()[1],
+            gap_deviation_rad: self.scatter.deviation_rad(),
+            gap_deviation_change_rad: self.scatter.change_rad(),
+            outer_ring_force_deviation_n: {
+                let [x, y] = self.outer_ring_force.map(|force| force.deviation());
+                x.hypot(y)
+            },
             ring_x_mean_m: self.ring_sum[0] / self.time,
             ring_y_mean_m: self.ring_sum[1] / self.time,
             slip_max_m_s: self.slip_max,
@@ -126,6 +147,8 @@ impl Observer for SummaryRecorder {
         self.settled_after_s = transient_s(case);
         self.gaps = GapRange::new(context.model);
         self.contact_counter = Some(ContactCounter::new(context.model));
+        let end_s = case.solver.duration_s;
+        self.scatter = GapScatter::new(context.model, self.settled_after_s, end_s);
         self.peaks = Some(ContactPeakTracker::new(&case.bearing));
         self.case = Some(case.clone());
         Ok(())
@@ -150,8 +173,15 @@ impl Observer for SummaryRecorder {
         }
         self.time += h;
         self.slip_max = self.slip_max.max(contacts.slip_max_m_s());
+        let loaded = self.steps.is_multiple_of(LOADS_EVERY);
+        if loaded {
+            let force = contacts.outer_ring_force_n();
+            for (moments, force) in self.outer_ring_force.iter_mut().zip(force) {
+                moments.add(force, h);
+            }
+        }
         if let Some(peaks) = &mut self.peaks {
-            if self.steps.is_multiple_of(LOADS_EVERY) {
+            if loaded {
                 peaks.look(contacts);
             }
             if contacts.balls_touch() {
@@ -163,6 +193,9 @@ impl Observer for SummaryRecorder {
         if sampled {
             let [x, y] = view.positions();
             self.gaps.look(x, y, view.outer_ring_m());
+            if self.steps.is_multiple_of(SCATTER_EVERY) {
+                self.scatter.look(view.step.t1_s, x, y, view.outer_ring_m());
+            }
         }
         self.steps += 1;
         Ok(Control::Continue(()))

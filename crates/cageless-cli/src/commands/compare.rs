@@ -1,31 +1,31 @@
 //! `cageless compare`.
 
-use std::path::Path;
+use std::path::PathBuf;
 
 use cageless_io::case_file::CaseFile;
-use cageless_io::io_error_message;
-use cageless_io::results::write_atomically;
-use cageless_report::compare::{ComparedRun, RunComparison, compare_page};
+use cageless_io::results::write_together;
+use cageless_report::compare::{ComparedRun, compare_page};
 use cageless_report::run_report::run_data;
-use cageless_report::{RunData, from_json};
-use cageless_study::run::{Options, run as study};
-use serde_json::{Map, Value};
+use cageless_study::comparison::{
+    ComparedRing, RingComparison, RingResults, STARTS, Starts, compare as study,
+};
+use cageless_study::run::{Options, run};
 
 use super::{make_folder, open_page, print, tell, writable};
 use crate::args::CompareArgs;
 use crate::failure::Failure;
+use crate::finished_run::{FinishedRun, SUMMARY};
 use crate::format::{columns, page_line, pairs};
 use crate::progress::{Bars, catch_interrupt};
 
 const NUMBERS: &str = "compare.json";
 const PAGE: &str = "report.html";
-/// Files of a finished run.
-const SUMMARY: &str = "summary.json";
-const PAGE_DATA: &str = "report.json";
 
-/// Sets runs side by side.
+/// Compares rings.
 pub fn compare(args: &CompareArgs) -> Result<(), Failure> {
     let out = args.out.as_deref();
+    // All are read before anything is computed; bad input leaves no folder behind.
+    let sides = Sides::read(args)?;
     if let Some(dir) = out {
         make_folder(dir)?;
         // Better found out now than when the runs are over.
@@ -33,24 +33,17 @@ pub fn compare(args: &CompareArgs) -> Result<(), Failure> {
             writable(&dir.join(name))?;
         }
     }
-    // Both are read before anything is computed.
-    let mut sides = vec![Side::read(&args.a)?, Side::read(&args.b)?];
-    if args.with_conventional {
-        sides.push(Side::Case(Box::new(sides[0].conventional(&args.a)?)));
-    }
-    let names = ["A", "B", "conventional"];
     let stop = catch_interrupt();
     let bars = Bars::new(&stop);
-    let runs = (sides.into_iter().zip(names))
-        .map(|(side, name)| side.run(name, &bars))
-        .collect::<Result<Vec<_>, _>>()?;
+    let (runs, comparison) = match sides {
+        Sides::Cases(cases) => from_starts(&cases, args.starts.unwrap_or(STARTS), &bars)?,
+        Sides::Runs(sides) => finished(sides, &bars)?,
+    };
     drop(bars);
-    let comparison = RunComparison::new(&runs);
     let json = serde_json::to_string_pretty(&comparison)? + "\n";
     if let Some(dir) = out {
-        write_atomically(&dir.join(NUMBERS), json.as_bytes())?;
         let page = compare_page(&runs, &comparison);
-        write_atomically(&dir.join(PAGE), page.as_bytes())?;
+        write_together(dir, &[(NUMBERS, &json), (PAGE, &page)])?;
     }
     if args.json {
         print(&json)?;
@@ -58,9 +51,14 @@ pub fn compare(args: &CompareArgs) -> Result<(), Failure> {
         let titles: Vec<_> = (runs.iter())
             .map(|run| (run.name.as_str(), run.data.title.clone()))
             .collect();
+        let mut text = pairs(&titles) + "\n";
+        if comparison.starts.seed.is_some() {
+            text += &format!("{}\n\n", comparison.statement);
+        }
         let mut rows = vec![comparison.headings()];
-        rows.extend(comparison.rows());
-        tell(&(pairs(&titles) + "\n" + &columns(&rows) + &page_line(out, PAGE)))?;
+        rows.extend(comparison.rows(comparison.results.iter()));
+        text += &format!("{}\n{}\n", columns(&rows), comparison.starts_text());
+        tell(&(text + &page_line(out, PAGE)))?;
     }
     if let (true, Some(dir)) = (args.open, out) {
         open_page(&dir.join(PAGE));
@@ -68,82 +66,123 @@ pub fn compare(args: &CompareArgs) -> Result<(), Failure> {
     Ok(())
 }
 
-/// What is compared.
-enum Side {
-    /// A case, which has to be run.
-    Case(Box<CaseFile>),
-    /// A finished run: its page and its numbers.
-    Run(Box<RunData>, Map<String, Value>),
+/// What is compared, the ring that the others are compared with first.
+enum Sides {
+    /// Cases, to be run from the same uneven starts.
+    Cases(Vec<(&'static str, CaseFile)>),
+    /// Finished runs, and cases to be run once beside them.
+    Runs(Vec<(&'static str, Side)>),
 }
 
-impl Side {
-    /// Reads a case file or the folder of a finished run.
-    fn read(path: &Path) -> Result<Self, Failure> {
-        if !path.is_dir() {
-            return Ok(Self::Case(Box::new(CaseFile::read(path, &[])?)));
+/// A side of a comparison with a finished run.
+enum Side {
+    Case(Box<CaseFile>),
+    Run(Box<FinishedRun>),
+}
+
+impl Sides {
+    fn read(args: &CompareArgs) -> Result<Self, Failure> {
+        let given: Vec<(&'static str, &PathBuf)> = std::iter::once(("A", &args.a))
+            .chain(args.b.iter().map(|b| ("B", b)))
+            .collect();
+        let folder = given.iter().find(|(_, path)| path.is_dir());
+        let Some((_, folder)) = folder else {
+            let mut cases = vec![];
+            for (name, path) in given {
+                cases.push((name, CaseFile::read(path, &args.set)?));
+            }
+            if args.with_conventional {
+                cases.insert(0, ("conventional", cases[0].1.with_conventional_ring()?));
+            }
+            return Ok(Self::Cases(cases));
+        };
+        let for_cases = [
+            ("--set", !args.set.is_empty()),
+            ("--starts", args.starts.is_some()),
+        ];
+        if let Some((option, _)) = for_cases.iter().find(|(_, given)| *given) {
+            return Err(Failure::Input(format!(
+                "{option}: {} is a finished run, which cannot be run again; give the case file, or \
+                 its {SUMMARY}",
+                folder.display()
+            )));
         }
-        let text = |name: &str| {
-            let file = path.join(name);
-            let read = std::fs::read_to_string(&file);
-            read.map_err(|error| {
-                Failure::Input(format!(
-                    "{}: {}; the folder of a finished run has it (cageless run CASE --out DIR)",
-                    file.display(),
-                    io_error_message(&error)
-                ))
-            })
-        };
-        let damaged = |name: &str, error: serde_json::Error| {
-            let file = path.join(name);
-            Failure::Input(format!("{}: is not of a run: {error}", file.display()))
-        };
-        let data = from_json(&text(PAGE_DATA)?).map_err(|e| damaged(PAGE_DATA, e))?;
-        let summary = serde_json::from_str(&text(SUMMARY)?).map_err(|e| damaged(SUMMARY, e))?;
-        Ok(Self::Run(Box::new(data), summary))
+        let mut sides = vec![];
+        for (name, path) in given {
+            let side = if path.is_dir() {
+                Side::Run(Box::new(FinishedRun::read(path)?))
+            } else {
+                Side::Case(Box::new(CaseFile::read(path, &[])?))
+            };
+            sides.push((name, side));
+        }
+        if args.with_conventional {
+            let conventional = match &sides[0].1 {
+                Side::Case(file) => file.with_conventional_ring()?,
+                Side::Run(_) => {
+                    CaseFile::read(&args.a.join(SUMMARY), &[])?.with_conventional_ring()?
+                }
+            };
+            sides.insert(0, ("conventional", Side::Case(Box::new(conventional))));
+        }
+        Ok(Self::Runs(sides))
     }
+}
 
-    /// The same case with a conventional outer ring.
-    fn conventional(&self, path: &Path) -> Result<CaseFile, Failure> {
-        let summary = path.join(SUMMARY);
-        let read;
-        let file = match self {
-            Self::Case(file) => file,
-            Self::Run(..) => {
-                read = CaseFile::read(&summary, &[])?;
-                &read
-            }
-        };
-        let mut document = file.document_as_run();
-        document.raceway.clear();
-        let name = path.display().to_string();
-        Ok(CaseFile::parse(&document.to_toml()?, &name, &[])?)
-    }
+type Compared = (Vec<ComparedRun>, RingComparison);
 
-    /// The run, computed if need be.
-    fn run(self, name: &str, bars: &Bars) -> Result<ComparedRun, Failure> {
-        let file = match self {
-            Self::Case(file) => file,
-            Self::Run(data, summary) => {
-                return Ok(ComparedRun {
-                    name: name.to_owned(),
-                    data: *data,
-                    summary,
-                });
-            }
+/// Runs every case from the same starts.
+fn from_starts(
+    cases: &[(&'static str, CaseFile)],
+    count: u64,
+    bars: &Bars<'_>,
+) -> Result<Compared, Failure> {
+    let rings = study(cases, count, bars)?;
+    let starts = Starts {
+        count,
+        seed: Some(cases[0].1.case().seed),
+    };
+    let results: Vec<RingResults> = rings.iter().map(|ring| ring.results.clone()).collect();
+    let run = |(ring, (name, _)): (&ComparedRing, &(&'static str, CaseFile))| ComparedRun {
+        name: (*name).to_owned(),
+        data: run_data(&ring.file, &ring.record),
+    };
+    let runs = rings.iter().zip(cases).map(run).collect();
+    Ok((runs, RingComparison::new(&results, starts)))
+}
+
+/// Takes finished runs, and runs the cases beside them once.
+fn finished(sides: Vec<(&'static str, Side)>, bars: &Bars<'_>) -> Result<Compared, Failure> {
+    let (mut runs, mut results) = (vec![], vec![]);
+    for (name, side) in sides {
+        let FinishedRun { data, summary } = match side {
+            Side::Run(run) => *run,
+            Side::Case(file) => once(&file, bars)?,
         };
-        let mut rows = ();
-        let options = Options {
-            rows: Some(&mut rows),
-            verify: false,
-        };
-        let record = study(&file, options, bars)?;
-        let data = run_data(&file, &record);
-        let summary = serde_json::from_str(&record.summary.to_json()?)?;
-        Failure::of_ending(record.outcome.ending, record.outcome.end_s, "")?;
-        Ok(ComparedRun {
+        results.push(RingResults::of_summary(name, &summary));
+        runs.push(ComparedRun {
             name: name.to_owned(),
             data,
-            summary,
-        })
+        });
     }
+    let starts = Starts {
+        count: 1,
+        seed: None,
+    };
+    Ok((runs, RingComparison::new(&results, starts)))
+}
+
+fn once(file: &CaseFile, bars: &Bars<'_>) -> Result<FinishedRun, Failure> {
+    let mut rows = ();
+    let options = Options {
+        rows: Some(&mut rows),
+        verify: false,
+    };
+    let record = run(file, options, bars)?;
+    let run = FinishedRun {
+        data: run_data(file, &record),
+        summary: serde_json::from_str(&record.summary.to_json()?)?,
+    };
+    Failure::of_ending(record.outcome.ending, record.outcome.end_s, "")?;
+    Ok(run)
 }

@@ -9,20 +9,19 @@ use cageless::simulation::{Ending, RunOutcome};
 use cageless_io::results::{Metadata, RunWriter, VerificationFile, write_atomically, write_csv};
 use cageless_report::run_report::run_data;
 use cageless_report::verification::{facts, value};
-use cageless_report::{run_page, to_json};
+use cageless_report::{run_json, run_page};
 use cageless_study::RunSummary;
 use cageless_study::run::{Options, Rows, RunRecord, run as study};
 
 use super::{make_folder, open_page, print, read_case, tell, writable};
 use crate::args::RunArgs;
 use crate::failure::{Failure, kept_in};
+use crate::finished_run::{PAGE_DATA, SUMMARY};
 use crate::format::{columns, judged, page_line, pairs, warnings};
 use crate::progress::{Bars, catch_interrupt};
 
-/// Files beside the tables.
-const SUMMARY: &str = "summary.json";
+/// The page beside the tables.
 const PAGE: &str = "report.html";
-const PAGE_DATA: &str = "report.json";
 
 /// Simulates a case.
 pub fn run(args: &RunArgs) -> Result<(), Failure> {
@@ -78,7 +77,8 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
         record.summary.write(dir)?;
         let data = run_data(&file, &record);
         write_atomically(&dir.join(PAGE), run_page(&data).as_bytes())?;
-        write_atomically(&dir.join(PAGE_DATA), to_json(&data)?.as_bytes())?;
+        let page_data = run_json(&data, &record.summary.to_json()?)?;
+        write_atomically(&dir.join(PAGE_DATA), page_data.as_bytes())?;
     }
     let RunRecord {
         outcome, summary, ..

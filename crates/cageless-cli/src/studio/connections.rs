@@ -1,15 +1,18 @@
-//! A listener with a limited number of open connections; further ones wait.
+//! A listener with a limited number of open connections; further ones wait. A connection that does
+//! not begin with a request in good time is closed, so that silent ones lock nobody out.
 
 use std::io;
 use std::net::SocketAddr;
 use std::pin::Pin;
 use std::sync::Arc;
 use std::task::{Context, Poll};
+use std::time::Duration;
 
 use axum::serve::Listener;
 use tokio::io::{AsyncRead, AsyncWrite, ReadBuf};
 use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
+use tokio::time::{Sleep, sleep};
 
 /// Connections that are open at once.
 const CONNECTIONS_MAX: usize = 64;
@@ -18,13 +21,16 @@ const CONNECTIONS_MAX: usize = 64;
 pub struct Limited {
     listener: TcpListener,
     free: Arc<Semaphore>,
+    arrival_max: Duration,
 }
 
 impl Limited {
-    /// Limits `listener`.
-    pub fn new(listener: TcpListener) -> Self {
+    /// Limits `listener`; the head of the first request of a connection arrives within
+    /// `arrival_max`.
+    pub fn new(listener: TcpListener, arrival_max: Duration) -> Self {
         Self {
             listener,
+            arrival_max,
             free: Arc::new(Semaphore::new(CONNECTIONS_MAX)),
         }
     }
@@ -40,6 +46,7 @@ impl Listener for Limited {
         let (stream, address) = Listener::accept(&mut self.listener).await;
         let connection = Connection {
             stream,
+            head: Some(Head::new(self.arrival_max)),
             _permit: permit,
         };
         (connection, address)
@@ -50,9 +57,40 @@ impl Listener for Limited {
     }
 }
 
+/// The head of the first request of a connection, on its way.
+struct Head {
+    deadline: Pin<Box<Sleep>>,
+    begun: bool,
+    line_ends: u32,
+}
+
+impl Head {
+    fn new(arrival_max: Duration) -> Self {
+        Self {
+            deadline: Box::pin(sleep(arrival_max)),
+            begun: false,
+            line_ends: 0,
+        }
+    }
+
+    /// Whether these bytes complete it: an empty line after the first line.
+    fn completed_by(&mut self, bytes: &[u8]) -> bool {
+        bytes.iter().any(|byte| {
+            match byte {
+                b'\n' if self.begun => self.line_ends += 1,
+                b'\n' | b'\r' => {}
+                _ => (self.begun, self.line_ends) = (true, 0),
+            }
+            self.line_ends == 2
+        })
+    }
+}
+
 /// A connection that counts until it is closed.
 pub struct Connection {
     stream: TcpStream,
+    /// `None` once it has arrived.
+    head: Option<Head>,
     _permit: Option<OwnedSemaphorePermit>,
 }
 
@@ -62,7 +100,16 @@ impl AsyncRead for Connection {
         cx: &mut Context<'_>,
         buffer: &mut ReadBuf<'_>,
     ) -> Poll<io::Result<()>> {
-        Pin::new(&mut self.stream).poll_read(cx, buffer)
+        let before = buffer.filled().len();
+        let read = Pin::new(&mut self.stream).poll_read(cx, buffer);
+        if let Some(head) = &mut self.head {
+            if head.completed_by(&buffer.filled()[before..]) {
+                self.head = None;
+            } else if head.deadline.as_mut().poll(cx).is_ready() {
+                return Poll::Ready(Err(io::ErrorKind::TimedOut.into()));
+            }
+        }
+        read
     }
 }
 

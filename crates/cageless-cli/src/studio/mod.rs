@@ -133,7 +133,7 @@ impl Server {
             }
         };
         let result = runtime.block_on(async {
-            let listener = Limited::new(TcpListener::from_std(listener)?);
+            let listener = Limited::new(TcpListener::from_std(listener)?, ARRIVAL_MAX);
             let server = axum::serve(listener, app).with_graceful_shutdown(ended());
             tokio::select! {
                 result = server => result,
@@ -149,7 +149,8 @@ impl Server {
 /// Refuses requests for another host or from another origin, or without the token.
 async fn guard(State(shared): State<Arc<Shared>>, request: Request, next: Next) -> Response {
     let mut response = match refusal(&shared, &request) {
-        Some((status, why)) => (status, why).into_response(),
+        // Who is refused keeps no connection open.
+        Some((status, why)) => (status, [(header::CONNECTION, "close")], why).into_response(),
         None => next.run(request).await,
     };
     let headers = response.headers_mut();
@@ -172,8 +173,13 @@ fn refusal(shared: &Shared, request: &Request) -> Option<(StatusCode, &'static s
         format!("localhost:{}", shared.port),
     ];
     let text = |name: header::HeaderName| headers.get(name).map(|v| v.to_str().unwrap_or(""));
+    // RFC 9112: one Host at most, and the authority of an absolute target goes before it.
+    if headers.get_all(header::HOST).iter().count() > 1 {
+        return Some((StatusCode::BAD_REQUEST, "a request has one Host header\n"));
+    }
     // A foreign name that leads to 127.0.0.1 is no name of this server.
-    let host = text(header::HOST).or(request.uri().authority().map(|a| a.as_str()));
+    let target = request.uri().authority().map(|a| a.as_str());
+    let host = target.or(text(header::HOST));
     if !host.is_some_and(|host| own.iter().any(|o| o == host)) {
         return Some((
             StatusCode::MISDIRECTED_REQUEST,

@@ -46,7 +46,7 @@ pub use reference::{KeyReference, LeftOut, SectionReference, ValueType, referenc
 pub use template::{drop_template, template};
 
 use crate::system::io_error_message;
-use cageless::design::search::Request;
+use cageless::design::search::{Request, uneven_gaps_rad};
 use spanned_toml::{Origin, Places};
 
 /// The only schema of case files so far.
@@ -154,6 +154,54 @@ impl CaseFile {
             document.solver.step_us = StepDocument::FixedUs(step_us);
         }
         document
+    }
+
+    /// The case from uneven start number `start` under `seed`: each gap drawn evenly between 0
+    /// and twice the mean, and scaled to the free angle. Bearings with the same gap 360°/N − ε
+    /// get the same gaps.
+    ///
+    /// # Errors
+    /// A [`CaseError`] if the case cannot start with these gaps.
+    pub fn with_uneven_start(&self, seed: u64, start: u64) -> Result<Self, CaseError> {
+        let gaps = uneven_gaps_rad(&self.case, seed, start);
+        let mut document = self.document.clone();
+        let degrees = gaps.into_iter().map(f64::to_degrees);
+        document.start.gaps = GapsDocument::ListDeg(degrees.collect());
+        self.with_document(document)
+    }
+
+    /// The case with a conventional outer ring, without discrete raceways, and the step of this
+    /// one.
+    ///
+    /// # Errors
+    /// A [`CaseError`] if the case is not possible without its raceways.
+    pub fn with_conventional_ring(&self) -> Result<Self, CaseError> {
+        let mut document = self.document_as_run();
+        document.raceway.clear();
+        self.with_document(document)
+    }
+
+    /// The case without its raceways and what does not change the motion: equal for two cases that
+    /// differ in nothing but the raceway.
+    pub fn apart_from_raceway(&self) -> CaseDocument {
+        let mut document = self.document_as_run();
+        document.raceway.clear();
+        document.title.clear();
+        document.search = None;
+        // An automatic step follows the raceway.
+        document.solver.step_us = StepDocument::Auto;
+        document
+    }
+
+    fn with_document(&self, document: CaseDocument) -> Result<Self, CaseError> {
+        let (case, search) = convert::case(&document, &self.places)?;
+        Ok(Self {
+            case,
+            search,
+            document,
+            defaults: self.defaults.clone(),
+            places: self.places.clone(),
+        })
     }
 
     /// Values of `[bearing]` that are left out and estimated from its dimensions.

@@ -154,6 +154,24 @@ impl Drop for PartialFile {
     }
 }
 
+/// Writes files of one result, as name in `dir` and content: all are complete on the disk before
+/// the first takes its name.
+///
+/// # Errors
+/// If a file cannot be written; previous files of these names are then untouched.
+pub fn write_together(dir: &Path, files: &[(&str, &str)]) -> Result<(), ResultError> {
+    let mut complete = vec![];
+    for (name, text) in files {
+        let path = dir.join(name);
+        let mut file = PartialFile::create(&path)?;
+        file.write_all(text.as_bytes())
+            .map_err(|source| ResultError::out(&path, source))?;
+        file.sync()?;
+        complete.push(file);
+    }
+    complete.into_iter().try_for_each(PartialFile::rename)
+}
+
 /// Writes a file that other programs see complete or not at all.
 ///
 /// # Errors

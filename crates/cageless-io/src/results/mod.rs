@@ -31,7 +31,7 @@ use std::path::{Path, PathBuf};
 
 use cageless::{Collision, RotorSnapshot, Snapshot};
 
-pub use atomic_file::{PartialFile, write_atomically};
+pub use atomic_file::{PartialFile, write_atomically, write_together};
 pub use csv::write_csv;
 pub use dynamic_table::{Cell, ColumnKind, ColumnSpec, Row, RowsReader, RowsWriter};
 pub use error::{ResultError, is_unusable};

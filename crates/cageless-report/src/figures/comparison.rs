@@ -1,9 +1,10 @@
 //! Outer rings compared: bars with standard errors.
 
+use cageless_io::estimate::Estimate;
 use serde_json::{Value, json};
 
 use super::{axis_name, axis_ref, on, panels};
-use crate::comparison::{ComparisonCell, Estimate, RingComparison};
+use crate::comparison::{ComparisonCell, RingComparison};
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, number, plain};
 

@@ -51,6 +51,8 @@ function ofNominal(name) {
 }
 
 const fixed = (low, high) => () => [low, high];
+// From 0 to twice what the file says.
+const upTo = (section, key) => ({ document: d }) => [0, 2 * Math.abs((d[section] || {})[key] || 1)];
 const CONTROLS = [
   { group: "Raceway", id: "span", label: "Axial span lC", unit: "mm", step: 0.01, help: "largest axial distance between the two contact points", range: (g) => [0, 1.15 * g.numbers.axial_span_limit_mm], ...ofKey("raceway.axial_span_mm") },
   { group: "Raceway", id: "theta", label: "Half angle θ", unit: "°", step: 0.1, help: "half the angle that the raceway takes up", range: fixed(1, 90), ...ofKey("raceway.half_angle_deg") },
@@ -64,6 +66,16 @@ const CONTROLS = [
   { group: "Operation", id: "speed", label: "Speed n", unit: "rpm", step: 10, help: "speed of the inner ring; negative: clockwise, seen from the other face", range: (g) => { const most = Math.max(20000, 1.5 * Math.abs(g.document.operation.inner_speed_rpm)); return [-most, most]; }, ...ofKey("operation.inner_speed_rpm") },
   { group: "Operation", id: "load", label: "Radial load Fr", unit: "N", step: 10, help: "load on the inner ring, downwards", range: (g) => [0, Math.max(5000, 2 * g.document.operation.radial_load_n)], ...ofKey("operation.radial_load_n") },
   { group: "Operation", id: "friction", label: "Friction μ", unit: "", step: 0.001, help: "coefficient of friction", range: fixed(0, 0.2), ...ofKey("contact.friction_coefficient") },
+  ...[
+    ["mass", "Mass m", "kg", 0.1, "share of the rotor mass carried by this bearing", "mass_kg"],
+    ["drop-speed", "Speed", "rpm", 10, "rotor speed at the start of the drop", "speed_rpm"],
+    ["gap", "Touch-down clearance", "µm", 1, "radial clearance between journal and inner ring", "air_gap_um"],
+    ["journal-friction", "Friction μ, journal", "", 0.01, "coefficient of friction between journal and inner ring", "friction_coefficient"],
+  ].map(([id, label, unit, step, help, key]) => ({ group: "Rotor", id, label, unit, step, help, range: upTo("rotor", key), ...ofKey("rotor." + key) })),
+  ...[
+    ["stiffness", "Stiffness", "N/m", 1e5, "stiffness of the support of the outer ring", "stiffness_n_m"],
+    ["damping", "Damping", "N·s/m", 10, "damping of the support of the outer ring", "damping_n_s_m"],
+  ].map(([id, label, unit, step, help, key]) => ({ group: "Support", id, label, unit, step, help, range: upTo("support", key), ...ofKey("support." + key) })),
 ];
 
 // Decimals of a control's value.

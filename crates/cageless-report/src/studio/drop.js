@@ -75,12 +75,15 @@ function drawRotor(canvas, g, frame, trail) {
 // Speeds and contact force over the time so far.
 function drawDrop(canvas, g, history, now) {
   const { c, width, height } = context(canvas, 0.9);
-  const k = colours(canvas), left = 8, right = width - 8, last = Math.max(1e-4, history.length ? history[history.length - 1].t : 0);
+  const k = colours(canvas), left = 44, right = width - 8, last = Math.max(1e-4, history.length ? history[history.length - 1].t : 0);
   const px = (t) => left + (right - left) * t / last;
-  const panel = (top, bottom, label, most, unit, curves) => {
+  const panel = (top, bottom, label, most, curves) => {
     const py = (v) => bottom - (bottom - top) * v / most;
     c.fillStyle = k.soft; c.textAlign = "left"; c.fillText(label, left, top - 6);
-    c.textAlign = "right"; c.fillText(most.toFixed(0) + unit, right, top - 6);
+    c.textAlign = "right";
+    for (const tick of ticks(0, most, 4)) { c.fillText(String(tick), left - 4, py(tick) + 4); c.fillRect(left, py(tick), 4, 1); }
+    c.textAlign = "center";
+    for (const tick of ticks(0, 1000 * last, 5)) { c.fillRect(px(tick / 1000), bottom - 4, 1, 4); c.fillText(String(tick), px(tick / 1000), bottom + 13); }
     for (const [colour, of] of curves) {
       c.beginPath(); history.forEach((h, i) => c[i ? "lineTo" : "moveTo"](px(h.t), py(of(h)))); c.strokeStyle = colour; c.lineWidth = 1.5; c.stroke();
     }
@@ -90,9 +93,9 @@ function drawDrop(canvas, g, history, now) {
   const middle = height / 2;
   const fastest = Math.max(1, ...history.map((h) => Math.max(h.rotor, h.ring)));
   const largest = Math.max(1, ...history.map((h) => h.force)) / g.rotor.weight_n;
-  panel(20, middle - 10, "rotor (brown), inner ring (blue)", fastest, " rpm", [["#946200", (h) => h.rotor], [k.first, (h) => h.ring]]);
-  panel(middle + 16, height - 18, "contact force over weight", Math.max(largest, 1), "", [[k.hit, (h) => h.force / g.rotor.weight_n]]);
-  c.fillStyle = k.soft; c.textAlign = "right"; c.fillText((1000 * last).toFixed(1) + " ms", right, height - 4);
+  panel(20, middle - 16, "rotor (brown), inner ring (blue), rpm", fastest, [["#946200", (h) => h.rotor], [k.first, (h) => h.ring]]);
+  panel(middle + 18, height - 30, "contact force over weight", Math.max(largest, 1), [[k.hit, (h) => h.force / g.rotor.weight_n]]);
+  c.fillStyle = k.soft; c.textAlign = "right"; c.fillText("time, ms", right, height - 4);
 }
 
 // Force of each ball at the inner (blue) and the outer raceway (orange).
@@ -120,7 +123,8 @@ class RotorDrop {
     this.said = element("p", { class: "moving", "data-part": "rotor", role: "status" });
     const pair = element("div", { style: "display:grid;gap:.6rem;grid-template-columns:repeat(auto-fit,minmax(min(100%,230px),1fr))" },
       canvas("rotor", "Rotor in the bore of the inner ring, air gap enlarged"), canvas("history", "Speeds and contact force over time"));
-    this.views = element("div", { hidden: true }, pair, canvas("loads", "Load of each ball"));
+    this.numbers = element("div", { class: "forms", "data-part": "drop-numbers" });
+    this.views = element("div", { hidden: true }, pair, this.numbers, canvas("loads", "Load of each ball"));
     this.root = element("div", { class: "drop" }, element("div", { class: "bar" }, this.offer), this.said, this.views);
     this.reset();
   }
@@ -147,6 +151,22 @@ class RotorDrop {
     this.offer.hidden = !!g.rotor;
     this.views.hidden = !g.rotor;
     this.said.textContent = g.rotor ? "A rotor falls. Its values, those of the support and of the inner ring's bore are assumptions unless you replaced them." : "";
+  }
+
+  // Results so far, of the whole drop and not of the moment that is shown.
+  showNumbers(g) {
+    const last = this.record[this.record.length - 1];
+    if (!last) return;
+    const force = Math.max(...this.record.map((h) => h.force));
+    this.numbers.replaceChildren(element("dl", {}, ...[
+      ["simulated", shown(1000 * last.t, 1) + " ms"],
+      ["first contact", this.touched === null ? "not yet" : shown(1000 * this.touched, 2) + " ms"],
+      ["largest contact force", shown(force, 0) + " N"],
+      ["force over rotor weight", shown(force / g.rotor.weight_n, 1)],
+      ["rotor", shown(last.rotor, 0) + " rpm"],
+      ["inner ring", shown(last.ring, 0) + " rpm"],
+      ["largest force of a ball", shown(this.peak, 0) + " N"],
+    ].map(([name, value]) => element("div", {}, element("dt", {}, name), element("dd", {}, value)))));
   }
 
   // Takes the frames that are new; of a long drop every second, fourth, … remains.
@@ -183,7 +203,10 @@ class RotorDrop {
     if (!r) return;
     this.follow(motion);
     drawDrop(this.history, g, this.record, frame.t);
-    drawLoads(this.loads, g, frame, this.peak);
+    // Nothing is loaded while the rotor is in the air.
+    this.loads.hidden = !(this.peak > 0);
+    if (this.peak > 0) drawLoads(this.loads, g, frame, this.peak);
+    this.showNumbers(g);
     const after = this.touched === null || frame.t < this.touched ? "falling freely" : "first contact at " + (1000 * this.touched).toFixed(2) + " ms";
     const said = "rotor " + shown(r.speed_rpm[0], 0) + " rpm, inner ring " + shown(r.speed_rpm[1], 0) + " rpm, " + after + ". Values of rotor, support and bore are assumptions unless you replaced them.";
     if (this.said.textContent !== said) this.said.textContent = said;

@@ -38,10 +38,11 @@ class Form {
       onchange: () => this.set(control, Number(number.value), false),
     });
     const band = element("span", { class: "allowed", "aria-hidden": "true" });
+    const why = element("p", { class: "why", id: id + "-why", role: "alert", hidden: true, "data-why": control.id });
     const row = element("div", { class: "control", "data-control": control.id },
       element("label", { for: id, title }, control.label, control.unit ? element("small", {}, " " + control.unit) : ""),
-      number, element("span", { class: "slide" }, band, range));
-    this.rows.set(control.id, { control, range, number, band, row });
+      number, element("span", { class: "slide" }, band, range), why);
+    this.rows.set(control.id, { control, range, number, band, row, why });
     return row;
   }
 
@@ -58,8 +59,53 @@ class Form {
     // One movement of a slider is undone as one.
     const joined = sliding && this.sliding === control.id;
     this.sliding = sliding ? control.id : null;
+    this.typed = { control, value: held, toml: text };
     studio.edit(text, joined);
     if (sliding) this.rows.get(control.id).range.value = held;
+  }
+
+  // Marks the control whose value cannot be, and says why in its words; else the words of the engine.
+  refuse(error, toml) {
+    const { typed } = this;
+    if (!typed || typed.toml !== toml) return error.message;
+    const { control, value } = typed, { number, range, why, row } = this.rows.get(control.id), { studio } = this;
+    const worded = (v) => minus(String(digits(v, decimals(control) + 2))) + (control.unit ? " " + control.unit : "");
+    const own = Object.keys(control.keys(value, studio.g)), reason = error.message.replace(/^case(:\d+)?: /, "");
+    const said = control.label + " = " + worded(value) + " is not possible";
+    // The reason where the engine speaks of this value; of another key, its whole sentence.
+    const told = own.includes(error.key) && own.length === 1 && reason.includes(": ") ? reason.slice(reason.indexOf(": ") + 2) : reason;
+    why.textContent = said + ": " + told;
+    why.hidden = false;
+    row.classList.add("refused");
+    for (const input of [number, range]) {
+      input.setAttribute("aria-invalid", "true");
+      input.setAttribute("aria-describedby", why.id);
+    }
+    number.value = digits(value, decimals(control) + 2);
+    range.value = value;
+    this.askRange(typed, said, worded, why);
+    return said;
+  }
+
+  // What the other values leave for the control that was refused.
+  async askRange(typed, said, worded, why) {
+    const { studio } = this, { control } = typed, request = rangesRequest(studio.good, studio.g);
+    request.controls = request.controls.filter((c) => c.name === control.id);
+    try {
+      const ranges = (await studio.engine.request("quick", request))[control.id] || [];
+      if (this.typed !== typed || !studio.impossible) return;
+      const scale = 10 ** decimals(control), allowed = ranges.map(([low, high]) => worded(Math.ceil(low * scale - 1e-6) / scale) + " to " + worded(Math.floor(high * scale + 1e-6) / scale));
+      if (allowed.length) why.textContent = said + " with the other values: " + allowed.join(", or ") + (allowed.length > 1 ? " are" : " is") + ".";
+    } catch { /* the reason is there already */ }
+  }
+
+  // No control is marked any more.
+  accept() {
+    for (const { number, range, why, row } of this.rows.values()) {
+      why.hidden = true;
+      row.classList.remove("refused");
+      for (const input of [number, range]) { input.removeAttribute("aria-invalid"); input.removeAttribute("aria-describedby"); }
+    }
   }
 
   // A slider stops at the end of what is possible.
@@ -75,6 +121,7 @@ class Form {
   }
 
   show(g) {
+    this.accept();
     for (const { control, range, number, row } of this.rows.values()) {
       const value = control.read(g), absent = typeof value !== "number";
       row.classList.toggle("absent", absent);
@@ -89,6 +136,7 @@ class Form {
     const { gaps } = g.document.start, known = START_SPACINGS.map(([value]) => value);
     this.start.value = known.find((value) => startGaps(value, g) === (typeof gaps === "string" ? JSON.stringify(gaps) : "[" + [].concat(gaps).join(", ") + "]")) || "own";
     this.materials.forEach((choice) => choice.show(g));
+    this.groups.forEach((fieldset) => { fieldset.hidden = !fieldset.querySelector(".control:not(.absent)"); });
     this.shade();
   }
 

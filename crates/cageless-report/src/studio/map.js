@@ -77,10 +77,11 @@ class RacewayMap {
     this.canvas = element("canvas", { role: "img", "aria-label": "Map of the estimate over axial span and half angle", "data-canvas": "map", onpointerdown: (event) => this.grab(event), onclick: (event) => this.tap(event) });
     this.point = element("div", { class: "point", role: "slider", tabindex: 0, "data-point": true, "aria-orientation": "horizontal", "aria-label": "Raceway in the map: axial span lC and half angle θ, by arrow keys", onpointerdown: (event) => this.grab(event), onkeydown: (event) => this.step(event) });
     this.state = element("div", { class: "state", "data-part": "map", role: "status" });
+    this.old = element("p", { class: "old", "data-part": "map-old" }, "Map of the case before the last change; it is computed anew after the verdict.");
     this.legend = element("ul", { class: "legend" },
       ...MAP_REGIONS.map(([id, label, [r, g, b, a]]) => element("li", { "data-region": id }, element("span", { class: "swatch " + id, style: "background-color: rgb(" + [r, g, b].join(" ") + " / " + (a / 255).toFixed(2) + ")" }), label)),
       element("li", {}, element("span", { class: "swatch line" }), "β0 = gap of even spacing, Eq. (11)"), element("li", {}, element("span", { class: "swatch thin" }), "equal β0"));
-    this.root = element("figure", { class: "map" }, element("div", { class: "plane" }, this.canvas, this.point), this.state, this.legend);
+    this.root = element("figure", { class: "map" }, element("div", { class: "plane" }, this.canvas, this.point), this.old, this.state, this.legend);
     new ResizeObserver(() => this.paint()).observe(this.canvas);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.paint());
   }
@@ -256,7 +257,8 @@ class RacewayMap {
     const own = this.own(), { point } = this;
     point.hidden = !own || !this.box;
     if (!own) { this.state.textContent = this.grids.length ? "Click into the map for a discrete raceway." : ""; return; }
-    const region = this.region(...own), known = MAP_REGIONS.find(([id]) => id === region);
+    // A map of another case says nothing about this one.
+    const region = this.root.classList.contains("stale") ? null : this.region(...own), known = MAP_REGIONS.find(([id]) => id === region);
     const beta0 = this.studio.g.numbers.beta0_deg;
     const text = "lC " + shown(own[0], 2) + " mm, θ " + shown(own[1], 1) + "°, β0 " + shown(beta0, 3) + "°" + (known ? ": " + known[1] : "");
     const most = this.box ? this.box[1] : this.studio.g.numbers.axial_span_limit_mm;

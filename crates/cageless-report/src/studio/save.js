@@ -29,7 +29,7 @@ class SaveMenu {
       { id: "track", name: "Contact track", draw: (to) => drawDepth(to, studio.g), csv: () => this.track() },
       { id: "section", name: "Section", draw: (to) => drawSection(to, studio.g) },
       { id: "depth", name: "Groove depth", draw: (to) => studio.surface.paint(to), csv: () => this.depth() },
-      { id: "terms", name: "Criteria", csv: () => asCsv(["criterion", "kind", "value", "limit", "margin"], studio.verdict.rows().rows.map(([name, value, limit, margin]) => [name, studio.verdict.rows().kind, value, limit, margin])) },
+      { id: "terms", name: "Criteria", csv: () => asCsv(["criterion", "kind", "value", "limit", "margin"], studio.verdict.rows().rows.map(({ name, value, limit, margin }) => [name, studio.verdict.rows().kind, value, limit, margin])) },
       { id: "case", name: "Case file", toml: true },
     ];
     const cell = (thing, format, can) => element("td", {}, can ? button(format.toUpperCase(), (event) => this.save(thing, format, event.target), { "data-saves": thing.id + "." + format, "aria-label": thing.name + " as " + format.toUpperCase() }) : "");

@@ -34,11 +34,12 @@ class Studies {
     this.working = element("div", { hidden: true }, this.cancel, this.bar);
     this.said = element("p", { class: "moving", "data-part": "studies", role: "status" });
     this.result = element("div", { class: "scroll", "data-part": "study-result" });
+    this.old = element("p", { class: "old", hidden: true }, "Result of the case before the last change.");
     this.root = element("section", { class: "studies", "aria-label": "Search, tolerance, files" },
       element("div", { class: "bar" }, this.search, budget),
       element("div", { class: "bar" }, this.tolerance, element("details", {}, element("summary", {}, "tolerances"), element("div", { class: "bar" }, ...numbers))),
       element("div", { class: "bar" }, element("span", {}, "Outer ring as"), ...this.files),
-      this.working, this.said, this.result);
+      this.working, this.old, this.said, this.result);
     this.able = new Set();
   }
 
@@ -62,6 +63,10 @@ class Studies {
     this.search.disabled = busy || !this.able.has("search") || !g || !!g.rotor;
     this.tolerance.disabled = busy || !this.able.has("tolerance") || !g || !!g.rotor || !g.raceways.length;
     this.files.forEach((file) => { file.disabled = busy || !this.able.has("export") || !g; });
+    // A search does not depend on the raceway that is there.
+    const of = (toml) => (this.found && this.found.op === "search" ? this.studio.map.apart(toml) : toml);
+    this.old.hidden = !this.found || busy || of(this.found.toml) === of(this.studio.toml);
+    this.root.classList.toggle("stale", !this.old.hidden);
     this.working.hidden = !busy;
     if (!busy && !this.able.has("search")) this.say("Search, tolerance and files of the ring are computed by the command cageless studio; this page is computing by itself.");
     else if (this.said.dataset.able === "no") this.say("");
@@ -75,10 +80,12 @@ class Studies {
     this.bar.value = 0;
     this.say("");
     this.result.replaceChildren();
+    this.found = null;
     this.show();
     try {
       const found = await studio.engine.request(op, { op, case: toml, ...more }, { signal: work.signal, onProgress: (fraction) => { this.bar.value = fraction; } });
       this.work = null;
+      this.found = { op, toml };
       this[op + "Done"](found, toml);
     } catch (error) {
       this.say(error.name === "AbortError" ? "cancelled" : error.message);

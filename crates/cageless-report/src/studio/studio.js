@@ -35,8 +35,8 @@ class Studio {
     this.root.replaceChildren(part("host"), element("div", { class: "columns" },
       element("div", {}, this.form.root, this.toolbar.root, part("message", { role: "alert" }), this.text),
       element("div", {}, this.verdict.lamp,
-        element("div", { class: "stage" }, ...this.stage.bearings, this.map.root),
-        this.stage.bar, this.comparison.bar, part("motion", { class: "moving" }), this.stage.gaps, this.comparison.table, this.drop.root,
+        element("div", { class: "stage" }, ...this.stage.bearings, this.map.root, this.comparison.table),
+        this.stage.bar, this.comparison.bar, part("motion", { class: "moving" }), this.stage.gaps, this.drop.root,
         this.verdict.terms, this.stage.raceway, this.surface.root, this.verdict.numbers, this.studies.root, this.saving.root)));
   }
 
@@ -78,24 +78,42 @@ class Studio {
     const toml = this.toml, began = performance.now();
     clearTimeout(this.quiet);
     if (this.judging) this.judging.abort();
+    this.comparison.cancel();
+    // What is shown is older than the controls until the answer is there.
+    this.root.classList.add("pending");
     try {
       const g = await this.engine.request("quick", { op: "geometry", case: toml });
       this.g = g;
+      this.good = toml;
+      this.impossible = null;
       this.say("message", "");
       this.text.removeAttribute("aria-invalid");
       this.judged = null;
+      this.root.classList.remove("impossible");
+      this.map.expect(toml);
       this.show();
       this.root.dataset.estimateMs = (performance.now() - began).toFixed(1);
       this.quiet = setTimeout(() => this.settle(toml), QUIET_MS);
     } catch (error) {
-      if (error.name !== "AbortError") {
-        this.say("message", error.message);
-        this.text.setAttribute("aria-invalid", "true");
-        this.motion.reset();
-      }
+      if (error.name !== "AbortError") this.refuse(error, toml);
     }
+    this.root.classList.remove("pending");
     this.busy = false;
     if (this.again) { this.again = false; this.update(); }
+  }
+
+  // A case that cannot be: what was typed is marked and says why, and no verdict stands.
+  refuse(error, toml) {
+    this.impossible = error;
+    this.judged = null;
+    this.say("message", error.message);
+    this.text.setAttribute("aria-invalid", "true");
+    this.root.classList.add("impossible");
+    this.motion.reset();
+    this.map.cancel();
+    this.verdict.refuse(this.form.refuse(error, toml));
+    this.comparison.show();
+    this.studies.show();
   }
 
   // What takes longer, once the reader has paused: link, motion, verdict, and then ranges and map.
@@ -104,15 +122,15 @@ class Studio {
     packed(toml).then((code) => { if (toml === this.toml && toml !== this.original) history.replaceState(null, "", "#case=" + code); });
     this.stage.now = 0;
     this.say("motion", "");
-    this.map.expect(toml);
     this.motion.start(toml, g.numbers.rolling_orbit_ms / 1000);
     if (pinned) this.motionA.start(pinned.toml, pinned.g.numbers.rolling_orbit_ms / 1000);
     if (g.rotor) this.judge({ passes: null, headline: "not judged: a rotor falls; its loads and speeds are below" });
     else if (g.raceways.length) await this.simulate(toml);
     else this.judge({ passes: null, headline: "not judged: the outer ring has no discrete raceway" });
     // The verdict has the processor first.
-    if (g !== this.g) return;
+    if (toml !== this.toml || g !== this.g) return;
     if (!g.rotor) this.map.compute(toml);
+    this.comparison.compute();
     this.engine.request("ranges", rangesRequest(toml, g)).then((ranges) => {
       if (g === this.g) { this.ranges = ranges; this.form.shade(); }
     }, (error) => { if (error.name !== "AbortError") this.say("message", error.message); });

@@ -1,6 +1,15 @@
 // Pass or fail with margins, first estimated, then simulated; numbers of closed forms.
 
 const PROGRESS_STEP = 0.05;
+// What the criteria measure.
+const SIMULATED = {
+  separation: "β0 lost by sliding (critical gap)", deceleration: "reduction of orbital speed, of that in pure rolling",
+  "both-neighbours": "passages with double collision",
+};
+const ESTIMATED = {
+  separation: "β0 over the gap outside the raceway", sliding: "friction demand over that available",
+  "both-neighbours": "2θ over the angle of three balls", stress: "contact pressure over 4.2 GPa (ISO 76)",
+};
 
 class Verdict {
   constructor(studio) {
@@ -16,12 +25,12 @@ class Verdict {
     if (bar && fraction - bar.value >= PROGRESS_STEP) bar.value = fraction;
   }
 
-  // Criteria that are shown, as name, value, limit, margin and meaning.
+  // Criteria that are shown, with value, limit and margin in their units: those of the simulation
+  // in per cent, those of the estimate as ratios to their limits.
   rows() {
     const { g, judged } = this.studio;
-    return judged && judged.criteria && judged.criteria.length
-      ? { kind: "simulated", rows: judged.criteria.map((c) => [c.name, c.value, c.limit, c.margin, c.text]) }
-      : { kind: "estimated", rows: ((g.estimate && g.estimate.terms) || []).map((t) => [t.name, t.value, t.limit, t.margin, t.meaning]) };
+    if (!judged) return { kind: "estimated", rows: ((g.estimate && g.estimate.terms) || []).map((t) => ({ ...t, label: ESTIMATED[t.name], unit: "", by: 1, title: t.meaning })) };
+    return { kind: "simulated", rows: (judged.criteria || []).map((c) => ({ ...c, label: SIMULATED[c.name], unit: "%", by: 100, title: c.text })) };
   }
 
   show() {
@@ -36,11 +45,23 @@ class Verdict {
       lamp.replaceChildren(mark + "Estimate from closed forms: " + found, g.raceways.length ? element("progress", { max: 1, value: 0, "aria-label": "Simulated verdict" }) : "");
     }
     const { kind, rows } = this.rows();
-    const table = () => dataTable(kind === "simulated" ? "Simulated" : "Estimated", ["criterion", "value", "limit", "margin"],
-      rows.map(([name, value, limit, margin, title]) => element("tr", { title, class: margin < 0 ? "missed" : "met" },
-        element("td", {}, name), ...[value, limit, margin].map((v) => element("td", { class: "num" }, shown(v, 3))))));
+    const caption = kind === "simulated" ? "Simulated" : "Estimated from closed forms, before the simulation";
+    const heads = ["criterion", "value", "limit", "margin", "unit"];
+    const table = () => dataTable(caption, heads, rows.map(({ label, name, value, limit, margin, at_least, unit, by, title }) => {
+      const numbers = [shown(by * value, by > 1 ? 1 : 3), (at_least ? "≥ " : "≤ ") + shown(by * limit, by > 1 ? 0 : 3), shown(by * margin, by > 1 ? 1 : 3)];
+      return element("tr", { title, class: margin < 0 ? "missed" : "met" }, element("td", {}, label || name),
+        ...numbers.map((v) => element("td", { class: "num" }, v)), element("td", {}, unit || "ratio"));
+    }));
     this.terms.replaceChildren(...(rows.length ? [table()] : []));
     this.showNumbers();
+  }
+
+  // No verdict on a case that cannot be.
+  refuse(why) {
+    this.lamp.className = "lamp judged unjudged";
+    this.lamp.dataset.kind = "impossible";
+    this.lamp.replaceChildren("Not judged: " + why + ". Drawings and numbers below are of the last possible case.");
+    this.terms.replaceChildren();
   }
 
   showNumbers() {
@@ -53,7 +74,7 @@ class Verdict {
       ["lC at most, Eq. (8)", shown(n.axial_span_limit_mm, 3) + " mm", "the contact points stay on the groove"],
       ["θ of Eq. (11)", shown(n.half_angle_deg_for_span, 3) + "°", "for this lC"],
       ["ring displacement", atRest(g.static.ring_y_um, 2, " µm"), "static"],
-      ["largest contact stress", atRest(Math.max(g.static.inner_stress_max_gpa, g.static.outer_stress_max_gpa), 3, " GPa"), "static"],
+      ["largest contact pressure", atRest(Math.max(g.static.inner_stress_max_gpa, g.static.outer_stress_max_gpa), 3, " GPa"), "static"],
     ].map(([name, value, title]) => element("div", { title }, element("dt", {}, name), element("dd", {}, value)))));
   }
 }

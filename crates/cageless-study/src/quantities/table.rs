@@ -92,8 +92,11 @@ pub const QUANTITIES: &[Quantity] = &[
     low(integer("collisions_above_0_1_m_s", "  collisions above 0.1 m/s", Run(|r| of_contacts(r, |c| c.above[0])))),
     low(integer("collisions_above_0_5_m_s", "  collisions above 0.5 m/s", Run(|r| of_contacts(r, |c| c.above[1])))),
     low(integer("collisions_above_1_m_s", "  collisions above 1 m/s", Run(|r| of_contacts(r, |c| c.above[2])))),
-    high(quantity("gap_min_deg", "deg", "smallest gap", Run(|r| of_summary(r, |s| s.gap_min_rad.to_degrees())))),
+    quantity("gap_min_deg", "deg", "smallest gap", Run(|r| of_summary(r, |s| s.gap_min_rad.to_degrees()))),
     low(quantity("gap_max_deg", "deg", "largest gap", Run(|r| of_summary(r, |s| s.gap_max_rad.to_degrees())))),
+    low(quantity("gap_deviation_deg", "deg", "standard deviation of the gaps", Run(|r| of_summary(r, |s| s.gap_deviation_rad.to_degrees())))),
+    quantity("gap_deviation_change_deg", "deg", "  change of that from the first to the second half of the run", Run(|r| of_summary(r, |s| s.gap_deviation_change_rad.to_degrees()))),
+    low(quantity("outer_ring_force_deviation_n", "N", "standard deviation of the force on the outer ring", Run(|r| of_summary(r, |s| s.outer_ring_force_deviation_n)))),
     low(quantity("slip_max_m_s", "m/s", "largest sliding speed under load", Run(|r| of_summary(r, |s| s.slip_max_m_s)))),
 
     quantity("orbit_speed_rpm", "rpm", "orbital speed of the balls, mean", Run(|r| of_means(r, |m| rpm(m.orbit_speed_rad_s)))),

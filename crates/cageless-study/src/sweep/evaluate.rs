@@ -7,8 +7,7 @@ use cageless::critical_gap::CriticalGapError;
 use cageless::design::judge;
 use cageless::dynamics::layout::BATCH_WIDTH;
 use cageless::equilibrium;
-use cageless::simulation::{Control, Ending, Observer, RunOutcome};
-use cageless::summary::SummaryRecorder;
+use cageless::simulation::{Control, Ending, RunOutcome};
 use cageless::touchdown::DropRecorder;
 use cageless_io::case_file::CaseError;
 use cageless_io::plan_file::{Computation, PlanFile, VariantFile};
@@ -21,9 +20,8 @@ use super::outputs::{Output, outputs};
 use super::variants::Variants;
 use crate::StudyError;
 use crate::drop::run_rotor;
-use crate::passages::Passages;
-use crate::quantities::{Finished, FinishedDrop, Quantity};
-use crate::together::{Record, Recorded, run_together};
+use crate::quantities::{FinishedDrop, Quantity};
+use crate::together::{Record, Recorded, RunRecorder, run_together};
 
 /// A plan that can be computed.
 #[derive(Debug, Clone)]
@@ -260,16 +258,9 @@ impl Sweep {
         if let Ending::Stopped(stop) = &outcome.ending {
             return variant.failed(Computation::Run, &stop.reason());
         }
-        let summary = run.summary.summary();
-        let finished = Finished {
-            case: &case,
-            outcome,
-            summary: summary.as_ref(),
-            passages: &run.passages.all,
-            verdict: &run.passages.verdict(&case),
-            wall_s: f64::NAN,
-        };
-        variant.fill(&self.outputs, |q| q.of_run(&finished));
+        run.finished(&case, outcome, |finished| {
+            variant.fill(&self.outputs, |q| q.of_run(finished));
+        });
     }
 }
 
@@ -314,31 +305,6 @@ impl Variant {
         });
         row.extend(self.results);
         row
-    }
-}
-
-/// What a sweep records of a run.
-struct RunRecorder {
-    summary: SummaryRecorder,
-    passages: Passages,
-}
-
-impl RunRecorder {
-    fn new(case: &Case) -> Self {
-        Self {
-            summary: SummaryRecorder::new(),
-            passages: Passages::new(case),
-        }
-    }
-}
-
-impl Record for RunRecorder {
-    fn observers<'s>(&'s mut self, case: &'s Case) -> Vec<Box<dyn Observer + 's>> {
-        let mut observers: Vec<Box<dyn Observer + 's>> = vec![Box::new(&mut self.summary)];
-        if !case.raceways.is_empty() {
-            observers.push(Box::new(self.passages.recorder(case)));
-        }
-        observers
     }
 }
 

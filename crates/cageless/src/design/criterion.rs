@@ -41,6 +41,11 @@ impl Criterion {
         }
     }
 
+    /// Whether the limit is the least value, else it is the largest.
+    pub fn at_least(self) -> bool {
+        matches!(self, Self::Deceleration(_))
+    }
+
     /// Distance of the value from its limit, negative beyond it.
     pub fn margin(self) -> f64 {
         match self {

@@ -1,0 +1,113 @@
+//! A case compared with another from the same uneven starts.
+
+use cageless::Case;
+use cageless::simulation::{Control, Ending, Observer, batches, run_batch};
+use cageless::summary::{Summary, SummaryRecorder};
+use cageless_io::case_file::CaseFile;
+use cageless_io::estimate::{Change, Estimate};
+use serde_json::{Value, json};
+
+use crate::request::{Refusal, read};
+
+/// Orbits of the balls in each run; the first two are its transient.
+const ORBITS: f64 = 18.0;
+/// Starts of each case: as many as run side by side.
+const STARTS: u64 = 8;
+
+/// What is compared, named as in `summary.json`; the less the better but for the change.
+const RESULTS: [(&str, fn(&Summary) -> f64); 5] = [
+    ("gap_deviation_deg", |s| s.gap_deviation_rad.to_degrees()),
+    ("gap_deviation_change_deg", |s| {
+        s.gap_deviation_change_rad.to_degrees()
+    }),
+    ("outer_ring_force_deviation_n", |s| {
+        s.outer_ring_force_deviation_n
+    }),
+    ("collisions", |s| s.collisions.all as f64),
+    ("power_loss_w", |s| {
+        s.means.map_or(f64::NAN, |means| means.power_loss_w())
+    }),
+];
+
+/// Runs both cases from the same starts: mean and standard error of each result for the reference
+/// and the case, and of their difference.
+pub(crate) fn compare(
+    case: &str,
+    reference: &str,
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Result<Value, Refusal> {
+    let files = [read(reference)?, read(case)?];
+    if files
+        .iter()
+        .any(|file| !file.case().has_constant_operation())
+    {
+        return Err(Refusal::new(
+            "a comparison needs constant speed and load, and no rotor",
+        ));
+    }
+    let seed = files[0].case().seed;
+    let [a, b] = [0usize, 1].map(|k| {
+        let share = 0.5 * k as f64;
+        summaries(&files[k], seed, &mut |done| control(share + 0.5 * done))
+    });
+    let (a, b) = (a?, b?);
+    let results = RESULTS.iter().map(|(name, of)| {
+        let of = |all: &[Summary]| all.iter().map(of).collect::<Vec<f64>>();
+        let (a, b) = (of(&a), of(&b));
+        let difference = Estimate::of_differences(&b, &a);
+        let change = difference.map_or(Change::Undecided, |d| d.change());
+        let result = json!({
+            "values": [Estimate::new(&a), Estimate::new(&b)],
+            "difference": difference,
+            "change": change,
+        });
+        ((*name).to_owned(), result)
+    });
+    let alike = files[0].apart_from_raceway() == files[1].apart_from_raceway();
+    Ok(json!({
+        "starts": STARTS,
+        "seed": seed,
+        "orbits": ORBITS,
+        "only_the_raceway_differs": alike,
+        "results": results.collect::<serde_json::Map<_, _>>(),
+    }))
+}
+
+/// Summaries of the runs of a case from its uneven starts, side by side.
+fn summaries(
+    file: &CaseFile,
+    seed: u64,
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Result<Vec<Summary>, Refusal> {
+    let duration_s = ORBITS * file.case().rolling_orbit_s();
+    let mut cases = vec![];
+    for start in 0..STARTS {
+        let mut case = file.with_uneven_start(seed, start)?.case().clone();
+        case.solver.duration_s = duration_s;
+        cases.push(case);
+    }
+    let mut found = vec![];
+    for members in batches(&cases) {
+        let together: Vec<&Case> = members.iter().map(|k| &cases[*k]).collect();
+        let mut recorders: Vec<SummaryRecorder> =
+            members.iter().map(|_| SummaryRecorder::new()).collect();
+        let mut observers: Vec<Vec<&mut dyn Observer>> = (recorders.iter_mut())
+            .map(|recorder| vec![recorder as &mut dyn Observer])
+            .collect();
+        let (before, share) = (found.len(), members.len());
+        let outcomes = run_batch(&together, &mut observers, &mut |time_s| {
+            let done = before as f64 + share as f64 * (time_s / duration_s).min(1.0);
+            control(done / STARTS as f64)
+        });
+        for (outcome, recorder) in outcomes.into_iter().zip(&recorders) {
+            match outcome?.ending {
+                Ending::Complete => {}
+                Ending::Stopped(stop) => return Err(Refusal::new(stop.to_string())),
+                _ => return Err(Refusal::new("cancelled")),
+            }
+            let summary = recorder.summary();
+            found.push(summary.ok_or_else(|| Refusal::new("the run is too short"))?);
+        }
+    }
+    Ok(found)
+}

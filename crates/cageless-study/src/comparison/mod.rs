@@ -1,0 +1,188 @@
+//! Outer rings compared fairly: each runs from the same uneven starts, and a difference is its
+//! mean over the starts with its standard error. Ideal balls that start evenly all roll at one
+//! speed and keep their gaps with any ring, so that one even start compares nothing.
+
+mod result;
+
+use cageless::Case;
+use cageless::critical_gap::CriticalGapError;
+use cageless::simulation::{Ending, Observer};
+use cageless::summary::transient_s;
+use cageless::vibration::VibrationRecorder;
+use cageless_io::OptionError;
+use cageless_io::case_file::CaseFile;
+use rayon::prelude::*;
+
+pub use result::{ComparedResult, RingComparison, RingResults, Starts};
+
+use crate::error::StudyError;
+use crate::histories::SAMPLING_HZ;
+use crate::progress::{Progress, Work};
+use crate::quantities::Results;
+use crate::run::{Options, RunError, RunRecord, run};
+use crate::together::{Record, RunRecorder, run_together};
+
+/// Starts of each ring unless asked for otherwise: as many as run side by side.
+pub const STARTS: u64 = 8;
+/// More would take days.
+const STARTS_MAX: u64 = 10_000;
+
+/// A ring after all its runs.
+pub struct ComparedRing {
+    /// The case of the first start.
+    pub file: CaseFile,
+    /// Its run, for figures.
+    pub record: RunRecord,
+    /// Its scalar results from every start.
+    pub results: RingResults,
+}
+
+/// Runs each named case from `count` uneven starts under the seed of the first case.
+///
+/// # Errors
+/// `count` is not possible, a case cannot start, a run left the physical range, or the progress
+/// ended the work.
+pub fn compare(
+    rings: &[(&str, CaseFile)],
+    count: u64,
+    progress: &dyn Progress,
+) -> Result<Vec<ComparedRing>, StudyError> {
+    if !(2..=STARTS_MAX).contains(&count) {
+        return Err(StudyError::Option(OptionError {
+            option: "starts",
+            value: count.to_string(),
+            problem: format!("is not possible: it must be from 2 to {STARTS_MAX}"),
+        }));
+    }
+    let seed = rings.first().map_or(0, |(_, file)| file.case().seed);
+    let work = progress.begin("compare", rings.len() as f64 * (count + 1) as f64);
+    let work = &*work;
+    rings
+        .par_iter()
+        .map(|(name, file)| ring(name, file, seed, count, work))
+        .collect()
+}
+
+fn ring(
+    name: &str,
+    file: &CaseFile,
+    seed: u64,
+    count: u64,
+    work: &dyn Work,
+) -> Result<ComparedRing, StudyError> {
+    let starts: Vec<CaseFile> = (0..count)
+        .map(|start| file.with_uneven_start(seed, start))
+        .collect::<Result<_, _>>()?;
+    let first = starts[0].clone();
+    // A block for each thread; who runs beside whom changes no bit.
+    let (record, found) = rayon::join(
+        || recorded(&first, work),
+        || {
+            let blocks = starts.par_chunks(STARTS as usize);
+            let found: Result<Vec<_>, _> = blocks.map(|block| outcomes(block, work)).collect();
+            found
+        },
+    );
+    let found: Vec<Vec<(&'static str, f64)>> = found?.into_iter().flatten().collect();
+    Ok(ComparedRing {
+        file: first,
+        record: record?,
+        results: RingResults::of_starts(name, file, &found),
+    })
+}
+
+/// The run of the first start with its histories.
+fn recorded(file: &CaseFile, work: &dyn Work) -> Result<RunRecord, StudyError> {
+    let mut rows = ();
+    let options = Options {
+        rows: Some(&mut rows),
+        verify: false,
+    };
+    let record = run(file, options, &Part(work)).map_err(|error| match error {
+        RunError::Start(error) => StudyError::Run(error.into()),
+        RunError::Rows(error) => StudyError::Input(error.to_string()),
+    })?;
+    match &record.outcome.ending {
+        Ending::Complete => Ok(record),
+        ending => Err(stopped(ending)),
+    }
+}
+
+/// A run as a part of the work of a comparison.
+struct Part<'w>(&'w dyn Work);
+
+impl Progress for Part<'_> {
+    fn begin(&self, _: &str, _: f64) -> Box<dyn Work + '_> {
+        Box::new(Part(self.0))
+    }
+
+    fn interrupted(&self) -> bool {
+        self.0.interrupted()
+    }
+}
+
+impl Work for Part<'_> {
+    fn add(&self, units: f64) -> cageless::simulation::Control {
+        self.0.add(units)
+    }
+
+    fn interrupted(&self) -> bool {
+        self.0.interrupted()
+    }
+}
+
+/// What is measured of one start.
+struct StartRecorder {
+    run: RunRecorder,
+    vibration: Option<VibrationRecorder>,
+}
+
+impl Record for StartRecorder {
+    fn observers<'s>(&'s mut self, case: &'s Case) -> Vec<Box<dyn Observer + 's>> {
+        let mut observers = self.run.observers(case);
+        if let Some(vibration) = &mut self.vibration {
+            observers.push(Box::new(vibration));
+        }
+        observers
+    }
+}
+
+/// Results of each start of a block, side by side.
+fn outcomes(
+    block: &[CaseFile],
+    work: &dyn Work,
+) -> Result<Vec<Vec<(&'static str, f64)>>, StudyError> {
+    let cases: Vec<Case> = block.iter().map(|file| file.case().clone()).collect();
+    let record = |case: &Case| StartRecorder {
+        run: RunRecorder::new(case),
+        vibration: (case.housing.as_ref())
+            .map(|housing| VibrationRecorder::new(housing, SAMPLING_HZ, transient_s(case))),
+    };
+    let duration_s = cases[0].solver.duration_s;
+    let control = |runs: usize| work.run_control(duration_s, runs as f64);
+    let runs = run_together(&cases, record, control).ok_or(StudyError::Interrupted)?;
+    let outcomes = runs.into_iter().zip(&cases).map(|(run, case)| {
+        let (recorder, outcome) = run.map_err(CriticalGapError::Case)?;
+        if !matches!(outcome.ending, Ending::Complete) {
+            return Err(stopped(&outcome.ending));
+        }
+        let results = recorder.run.finished(case, &outcome, Results::of_run);
+        let mut values: Vec<(&'static str, f64)> = results
+            .iter()
+            .filter_map(|(quantity, cell)| Some((quantity.name, cell.number()?)))
+            .collect();
+        if let Some(vibration) = &recorder.vibration {
+            values.push((result::VIBRATION, vibration.measurements()[1].rms()));
+        }
+        Ok(values)
+    });
+    outcomes.collect()
+}
+
+fn stopped(ending: &Ending) -> StudyError {
+    match ending {
+        Ending::Stopped(stop) => StudyError::Run(CriticalGapError::Stopped(stop.clone())),
+        Ending::ObserverFailed(error) => StudyError::Input(error.to_string()),
+        Ending::Complete | Ending::Interrupted => StudyError::Interrupted,
+    }
+}

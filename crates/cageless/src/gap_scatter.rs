@@ -1,0 +1,84 @@
+//! Scatter of the gaps between neighbouring balls over time: what a discrete raceway is there to
+//! reduce.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::simulation::{Control, run};
+//! use cageless::summary::SummaryRecorder;
+//! use cageless::{Gaps, Start};
+//!
+//! // Zhao 2022, Table 2, structure (d), every second gap 1° wider than the others.
+//! let mut case = common::structure(5.1, 25.2);
+//! let gap = case.bearing.nominal_gap_rad();
+//! let wider = |k| gap + 0.5f64.to_radians() * if k % 2 == 0 { 1.0 } else { -1.0 };
+//! case.start = Start::Settled {
+//!     gaps: Gaps::List((0..14).map(wider).collect()),
+//!     lead_ball_angle_rad: 0.0,
+//! };
+//! case.solver.duration_s = 0.0002;
+//! let mut recorder = SummaryRecorder::new();
+//! run(&case, &mut [&mut recorder], &mut |_| Control::Continue(()))?;
+//! let deviation = recorder.summary().unwrap().gap_deviation_rad;
+//! assert!((deviation.to_degrees() - 0.5).abs() < 0.01);
+//! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
+//! ```
+
+use crate::dynamics::Model;
+use crate::dynamics::layout::Balls;
+use crate::gap::Direction;
+use crate::numerics::moments::Moments;
+
+/// Variance of the gaps of one instant, averaged over each half of a stretch of time.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct GapScatter {
+    pair_angles: Vec<f64>,
+    last_s: f64,
+    half_s: f64,
+    variance: [Moments; 2],
+}
+
+impl GapScatter {
+    /// Scatter of the balls of a model from `from_s` to `to_s`.
+    pub fn new(model: &Model, from_s: f64, to_s: f64) -> Self {
+        Self {
+            pair_angles: (0..model.balls())
+                .map(|k| model.pair_angle_rad(k))
+                .collect(),
+            last_s: from_s,
+            half_s: 0.5 * (from_s + to_s),
+            variance: [Moments::default(); 2],
+        }
+    }
+
+    /// Takes the positions of the balls and of the centre of the outer ring at `time_s`, for the
+    /// time since the last look.
+    pub fn look(&mut self, time_s: f64, x_m: Balls<'_>, y_m: Balls<'_>, centre_m: [f64; 2]) {
+        let mut gaps = Moments::default();
+        for (k, &pair) in self.pair_angles.iter().enumerate() {
+            let gap = Direction::to_next(x_m, y_m, centre_m, k).gap_rad(pair);
+            gaps.add(gap, 1.0);
+        }
+        let half = usize::from(time_s > self.half_s);
+        self.variance[half].add(gaps.deviation().powi(2), time_s - self.last_s);
+        self.last_s = time_s;
+    }
+
+    /// Standard deviation of the gaps: root of their mean variance, rad; NaN before the first look.
+    pub fn deviation_rad(&self) -> f64 {
+        let [first, second] = self.variance;
+        let weight = first.weight() + second.weight();
+        ((first.mean() * first.weight() + second.mean() * second.weight()) / weight).sqrt()
+    }
+
+    /// Standard deviation in the second half less that in the first, rad; NaN if either is empty.
+    pub fn change_rad(&self) -> f64 {
+        let [first, second] = self.variance.map(|half| {
+            if half.weight() > 0.0 {
+                half.mean().sqrt()
+            } else {
+                f64::NAN
+            }
+        });
+        second - first
+    }
+}
