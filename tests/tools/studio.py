@@ -7,6 +7,7 @@ of its own and ends it.
 """
 
 import json
+import math
 import re
 import sys
 from pathlib import Path
@@ -128,6 +129,58 @@ def messages(s):
     s.type(good)
 
 
+def impossible(s):
+    """A value that cannot be marks its control, says why in its words, and takes the verdict away."""
+    s.judged()
+    for control, value, label in (("balls", 16, "Balls N = 16"), ("pitch", 20, "Pitch diameter Dpw = 20 mm")):
+        s.write(control, value)
+        field, why = f"document.querySelector('[data-number={control}]')", f"document.querySelector('[data-why={control}]')"
+        s.tab.wait_for(f"!{why}.hidden")
+        said = s.js(f"{why}.textContent")
+        s.check(f"{control} {value} is refused in its own words", said.startswith(label + " is not possible") and "case" not in said.split(":")[0], said)
+        marked = s.js(f"[{field}.getAttribute('aria-invalid'), {field}.getAttribute('aria-describedby') === {why}.id, Number({field}.value)]")
+        s.check(f"the control of {control} is marked", marked == ["true", True, value], marked)
+        lamp = s.js("(() => { const e = document.querySelector('[data-part=verdict]'); return [e.dataset.kind, e.className, e.textContent]; })()")
+        s.check("there is no verdict on it", lamp[0] == "impossible" and "pass" not in lamp[1].split() and "PASS" not in lamp[2] and label in lamp[2], lamp)
+        s.check("nor any criterion", not s.text("terms"), s.text("terms"))
+        s.tab.wait_for(f"{why}.textContent.includes('with the other values')")
+        s.press("undo")
+        s.settled()
+        s.check(f"{control} is accepted again", s.js(f"{why}.hidden && !{field}.hasAttribute('aria-invalid')") and not s.text("message"))
+    s.judged()
+
+
+def older(s):
+    """A map that is older than the controls says so, and judges nothing, until it is computed anew."""
+    s.tab.wait_for(f"{S}.map.current({S}.toml) && !{S}.map.root.classList.contains('stale')")
+    shown = "document.querySelector('[data-part=map-old]').checkVisibility()"
+    s.check("a map of the case is not called old", not s.js(shown) and "estimate" in s.text("map"), s.text("map"))
+    s.write("load", s.js(f"{S}.g.document.operation.radial_load_n") * 1.2)
+    s.check("after a change of the load the map says that it is old", s.js(shown))
+    s.check("and does not judge", "estimate" not in s.text("map"), s.text("map"))
+    s.judged()
+    s.tab.wait_for(f"{S}.map.current({S}.toml) && !{S}.map.root.classList.contains('stale')")
+    s.check("the new map is not old", not s.js(shown))
+    s.press("undo")
+    s.settled()
+    s.judged()
+
+
+def drawn(s):
+    """Ball 1 is drawn where it is: counter-clockwise from the bottom."""
+    s.js(f"{S}.stage.run(false)")
+    svg = s.js(f"(async () => (await {S}.saving.file({S}.saving.things[0], 'svg')).text())()")
+    angle = s.js(f"{S}.stage.frame ? {S}.stage.frame.angle_deg[0] : {S}.g.static.ball_angle_deg[0]")
+    pitch, outer = s.js(f"[{S}.g.bearing.pitch_radius_mm, {S}.g.bearing.outer_radius_mm]")
+    ball = re.search(r'<path d="M([-\d.]+),([-\d.]+)A([-\d.]+),[^"]*" fill="#0072b2"', svg)
+    width, height = (float(v) for v in re.search(r'width="([\d.]+)" height="([\d.]+)"', svg).groups())
+    x, y = float(ball[1]) - float(ball[3]) - width / 2, float(ball[2]) - height / 2
+    scale = (min(width, height) - 8) / (2 * 1.18 * outer * 1.02)
+    wanted = [pitch * scale * math.sin(math.radians(angle)), pitch * scale * math.cos(math.radians(angle))]
+    s.check("ball 1 is drawn at its angle", abs(x - wanted[0]) < 0.5 and abs(y - wanted[1]) < 0.5, [x, y, wanted, angle])
+    s.check("and not on the axis, where a mirror shows nothing", abs(wanted[0]) > 5, wanted)
+
+
 def verdict(s):
     """First an estimate, then the simulated verdict; a change cancels the work."""
     span = s.js(f"{S}.g.raceways[0].axial_span_mm")
@@ -142,6 +195,8 @@ def verdict(s):
     s.check("the simulated verdict replaces it", "PASS" in said or "FAIL" in said, said)
     rows = s.js("document.querySelectorAll('[data-part=terms] tbody tr').length")
     s.check("with its margins", rows == 3, rows)
+    terms = s.text("terms")
+    s.check("each with its limit and unit", all(part in terms for part in ("Simulated", "≤ 5", "≥ 80", "≤ 25", "%")), terms)
 
 
 def motion(s):
@@ -172,6 +227,12 @@ def comparison(s):
     table = s.text("table")
     s.check("the table of differences", "β0" in table and "conventional" in table, table[:80])
     s.check("a conventional ring is not judged", "not judged" in table, table[:200])
+    s.tab.wait_for(f"!!{S}.comparison.starts")
+    rows = s.js(f"{S}.comparison.startRows()")
+    scatter = rows[0] if rows else []
+    s.check("both run from the same uneven starts", len(rows) == 5 and all("±" in v for v in scatter[1:4]), rows)
+    s.check("the raceway evens out the gaps", scatter and scatter[-1] == "better", rows)
+    s.check("which the page says", "±" in s.text("table") and "same 8 starts" in s.text("starts"), s.text("starts"))
     s.tab.wait_for(f"{S}.motionA.frames.length > 0")
     s.check("A moves as well", True)
     s.press("pin")
@@ -414,7 +475,9 @@ def studio(browser, name, url, screens):
     controls(s)
     messages(s)
     motion(s)
+    drawn(s)
     verdict(s)
+    impossible(s)
     comparison(s)
     # What a report or a server adds to the studio is its place, or another engine.
     if name == "page":
@@ -423,6 +486,7 @@ def studio(browser, name, url, screens):
         files(s)
     if name in ("page", "server"):
         raceway_map(s)
+        older(s)
         times(s)
         drop(s, screens)
         studies(s) if served else alone(s)

@@ -79,7 +79,7 @@ impl Estimate {
         let decimals = (1.0 - error.log10().floor()).max(0.0);
         // Numbers of more decimals are written by powers of ten.
         if decimals > 6.0 {
-            let digits = 2.0 + (mean.abs() / error).log10().floor().max(0.0);
+            let digits = 2.0 + (mean.abs().log10().floor() - error.log10().floor()).max(0.0);
             let digits = digits as usize;
             return format!("{} ± {}", significant(mean, digits), significant(error, 2));
         }
@@ -119,7 +119,7 @@ mod tests {
         assert_eq!(text(3.0, 0.5f64.sqrt()), "3.00 ± 0.71");
         assert_eq!(text(-0.25, 0.0123), "\u{2212}0.250 ± 0.012");
         assert_eq!(text(1251.0, 134.0), "1251 ± 134");
-        assert_eq!(text(2.0e-8, 3.1e-9), "2.00 × 10⁻⁸ ± 3.10 × 10⁻⁹");
+        assert_eq!(text(2.0e-8, 3.1e-9), "2.0 × 10⁻⁸ ± 3.1 × 10⁻⁹");
         assert_eq!(text(2.16, f64::NAN), "2.16");
     }
 

@@ -8,6 +8,7 @@ use cageless::equilibrium::solve;
 use cageless_io::cad::ExportOptions;
 use cageless_io::case_file;
 use cageless_study::StaticResult;
+use cageless_study::comparison::compare;
 use cageless_study::drop::DropRequest;
 use cageless_study::tolerance::Request;
 use pyo3::prelude::*;
@@ -16,7 +17,7 @@ use pyo3::types::PyDict;
 use crate::background::Background;
 use crate::design::{Design, Search, judge};
 use crate::drop::Drop;
-use crate::errors::{input, of_file, of_start, of_values, other};
+use crate::errors::{input, of_file, of_start, of_study, of_values, other};
 use crate::export;
 use crate::run::{Run, simulate};
 use crate::tolerance::Tolerance;
@@ -161,6 +162,31 @@ impl CaseFile {
     ) -> PyResult<Search> {
         let background = Background::new(threads, progress)?;
         Search::find(py, &self.file, folder, background)
+    }
+
+    /// Compares the ring with that of another case, or with a conventional one, from the same
+    /// uneven starts; `compare --json`.
+    fn compare(
+        &self,
+        py: Python<'_>,
+        reference: Option<Py<Self>>,
+        starts: i64,
+        threads: Option<i64>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<String> {
+        let reference = match &reference {
+            Some(other) => ("reference", other.get().file.clone()),
+            None => {
+                let conventional = self.file.with_conventional_ring();
+                ("conventional", conventional.map_err(|e| of_file(&e))?)
+            }
+        };
+        let rings = [reference, ("case", self.file.clone())];
+        let starts = whole("starts", starts)?;
+        let background = Background::new(threads, progress)?;
+        let done = background.run(py, |progress| compare(&rings, starts, progress))?;
+        let (_, comparison) = done.map_err(|error| of_study(&error))?;
+        serde_json::to_string(&comparison).map_err(other)
     }
 
     /// Judges the bearing within tolerances; `deviations` by name, those of the command.

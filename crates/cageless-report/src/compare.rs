@@ -44,7 +44,7 @@ pub fn compare_page(runs: &[ComparedRun], comparison: &RingComparison) -> String
     }
     page.section("Differences");
     page.paragraph(&comparison.statement);
-    let subject = comparison.subject();
+    let subject = comparison.subject_over_time();
     if comparison.starts.seed.is_some() {
         page.note(Note::Remark, &comparison.starts_text());
         let label = "What a raceway changes";

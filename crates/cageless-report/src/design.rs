@@ -95,7 +95,15 @@ pub fn design_page(data: &DesignData) -> String {
         page.section("A raceway near the curve of Eq. (11)");
     }
     if !data.recommendation.is_empty() {
-        page.verdict(data.recommendation_passes, &data.recommendation);
+        // Beside the result of a search it is no recommendation of its own.
+        if data.search.is_some() {
+            page.note(
+                Note::Remark,
+                &format!("Without the search: {}", data.recommendation),
+            );
+        } else {
+            page.verdict(data.recommendation_passes, &data.recommendation);
+        }
     }
     if let Some(curve) = &data.curve {
         let mut figure = design::curve(curve);
@@ -218,10 +226,14 @@ const RING_ROWS: [RingRow; 7] = [
         r.contacts
     }),
     ("smallest gap (°)", 4, |r| r.gap_min_deg),
-    ("spacing scatter (std. dev., % of the mean gap)", 1, |r| {
-        Some(100.0 * r.spacing_scatter?)
+    (
+        "spacing scatter (std. dev. of all gaps, % of their mean)",
+        1,
+        |r| Some(100.0 * r.spacing_scatter?),
+    ),
+    ("power of sliding friction, whole run (W)", 2, |r| {
+        r.friction_w
     }),
-    ("friction loss (W)", 2, |r| r.friction_w),
     ("inner-ring vibration (std. dev., µm)", 3, |r| {
         r.ring_deviation_um
     }),
@@ -256,7 +268,8 @@ fn rings_table(rings: &[RingNumbers], provenance: Provenance) -> Table {
         label: "Outer rings".to_owned(),
         caption:
             "The same bearing with each outer ring, run for 20 orbits from the same two uneven \
-                  starts; the second half counts, means over both. On a conventional ring ideal \
+                  starts; means over both of the second half, but for friction. Pressures at rest: the \
+                  largest over the places of the balls. On a conventional ring ideal \
                   balls all roll at one speed and keep the gaps of the start: few contacts, but a \
                   spacing that stays uneven."
                 .to_owned(),

@@ -85,7 +85,7 @@ impl MotionFigure {
         if self.stretches.is_empty() {
             return String::new();
         }
-        let mut options = "<option value=\"\">all that was recorded</option>".to_owned();
+        let mut options = "<option value=\"\">the whole animation</option>".to_owned();
         for (name, [from, to]) in &self.stretches {
             let _ = write!(
                 options,

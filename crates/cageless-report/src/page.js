@@ -38,7 +38,7 @@
   const other = (axis, letter) => letter + "axis" + (axis || letter).slice(1);
 
   // Panels side by side go one below the other, legends below the plot.
-  function narrowed(layout, height) {
+  function narrowed({ data, layout }, height) {
     const margin = Object.assign({ l: 72, r: 24, t: 44, b: 58 }, layout.margin);
     const inside = height - margin.t - margin.b;
     const names = Object.keys(layout).filter((k) => /^(xaxis|polar)\d*$/.test(k));
@@ -86,10 +86,18 @@
         Object.assign(layout.legend, { orientation: "h", x: 0, y: -80 / full, yanchor: "top" });
         space += 90;
       } else {
-        layout.legend.y = moved(layout.legend.y);
+        // Above the titles of polar panels, which stand above these.
+        const titles = panels.some((p) => p.polar) ? 48 : 0;
+        layout.legend.y = Math.max(moved(layout.legend.y), 1 + titles / full);
         space += 40;
-        margin.t += 40;
+        margin.t += 40 + titles;
       }
+    }
+    // A scene has the whole width, and the scale of its colours below it.
+    if (layout.scene) {
+      for (const axis of ["x", "y", "z"]) layout.scene.camera.eye[axis] *= 1.4;
+      data.filter((trace) => trace.colorbar).forEach((trace) => Object.assign(trace.colorbar, { orientation: "h", x: 0.5, xanchor: "center", y: 0, yanchor: "top", len: 0.9 }));
+      margin.b += 70;
     }
     layout.margin = margin;
     layout.font = Object.assign({}, layout.font, { size: 11 });
@@ -105,7 +113,7 @@
       Object.assign(spec.layout, { paper_bgcolor: PAPER, plot_bgcolor: PAPER,
         modebar: { bgcolor: "rgba(0,0,0,0)", color: "#8a94a0", activecolor: "#e4e8ec" } });
     }
-    if (small.matches && !wide) height = narrowed(spec.layout, height);
+    if (small.matches && !wide) height = narrowed(spec, height);
     return { data: spec.data, layout: spec.layout, height };
   }
 

@@ -184,6 +184,14 @@ pub fn run_page(data: &RunData) -> String {
             collisions::collisions(data),
         ],
     );
+    if !data.balls.is_empty() {
+        let note = if data.sectors.is_empty() {
+            FLATTENED
+        } else {
+            CLOSES
+        };
+        page.note(Note::Remark, note);
+    }
     if data.collisions.is_empty() && !data.balls.is_empty() {
         page.note(Note::Remark, "No two balls touched.");
     }
@@ -244,6 +252,18 @@ pub fn run_page(data: &RunData) -> String {
     studio_section(&mut page, &data.case_toml, "");
     page.html()
 }
+
+/// Why a gap can be negative.
+const FLATTENED: &str = "A gap is the angle between two balls less that at which they just touch: in \
+    a contact, which flattens both, it is a little negative.";
+
+/// Why pairs touch although the raceway spreads the balls.
+const CLOSES: &str = "Inside the discrete raceway a pair closes up by design: the ball ahead slows \
+    first, the one behind catches up and may touch it; the ball ahead leaves first and draws away, so \
+    that the pair leaves with at least the critical gap. Contacts in the raceway are therefore no \
+    fault by themselves; contacts with both neighbours in one passage are, and contacts elsewhere \
+    show that the gaps have not settled. A gap is the angle between two balls less that at which they \
+    just touch: in a contact, which flattens both, it is a little negative.";
 
 fn section(page: &mut Page, title: &str, figures: [Option<Figure>; 3]) {
     if figures.iter().any(Option::is_some) {

@@ -39,7 +39,12 @@ const QUANTITIES: [Quantity; 14] = [
         |n| Some(100.0 * n.slip_shortfall?),
         None,
     ),
-    ("contact stress (GPa)", 2, |n| n.stress_gpa, None),
+    (
+        "peak contact pressure at rest, outer raceway (GPa)",
+        2,
+        |n| n.stress_gpa,
+        None,
+    ),
     (
         "collisions per ball and turn",
         3,
@@ -59,7 +64,12 @@ const QUANTITIES: [Quantity; 14] = [
         Some(|m| 100.0 * m.double_collision_fraction),
     ),
     ("impulse (mN·s)", 3, |_| None, Some(|m| m.impulse_mn_s)),
-    ("spacing scatter", 3, |_| None, Some(|m| m.spacing_scatter)),
+    (
+        "spacing scatter on arrival (% of the steady gap)",
+        1,
+        |_| None,
+        Some(|m| 100.0 * m.spacing_scatter),
+    ),
     (
         "smallest gap on arrival (°)",
         3,
@@ -74,7 +84,12 @@ const QUANTITIES: [Quantity; 14] = [
         Some(|m| 100.0 * m.speed_drop_fraction),
     ),
     ("vibration (N)", 2, |_| None, Some(|m| m.force_deviation_n)),
-    ("friction (W)", 2, |_| None, Some(|m| m.friction_w)),
+    (
+        "power of sliding friction, whole run (W)",
+        2,
+        |_| None,
+        Some(|m| m.friction_w),
+    ),
 ];
 
 /// `0.052 ± 0.004`, or without the error if there is none.
@@ -192,7 +207,7 @@ pub fn placements(search: &SearchData) -> Table {
     head.extend(columns(&[
         ("margin (°)", true),
         ("collisions in steady state", true),
-        ("spacing scatter", true),
+        ("spacing scatter on arrival (%)", true),
         ("friction (W)", true),
     ]));
     let rows = search
@@ -218,7 +233,7 @@ pub fn placements(search: &SearchData) -> Table {
                 [
                     fixed(first.and_then(|n| n.margin_deg), 3),
                     fixed(first.and_then(|n| Some(n.motion?.collisions_late)), 3),
-                    fixed(first.and_then(|n| Some(n.motion?.spacing_scatter)), 3),
+                    percent(first.and_then(|n| Some(n.motion?.spacing_scatter)), 1),
                     fixed(first.and_then(|n| Some(n.motion?.friction_w)), 2),
                 ]
                 .map(Cell::number),
@@ -270,11 +285,19 @@ pub fn front(search: &SearchData) -> Table {
             })
         })
         .collect();
+    let accepted = search.band.iter().filter(|s| s.status == "accepted");
+    let feasible = accepted.count();
     Table {
         label: "Pareto front".to_owned(),
         caption: format!(
-            "Structures that no other beats in everything, nearest to the best in everything \
-             first ({} of {} shown; numbers at the first operating point, from {} uneven starts).",
+            "Pareto-optimal designs, sorted by distance from the ideal point{} ({} of {} shown; \
+             numbers at the first operating point, from {} uneven starts).",
+            if search.front.len() == feasible {
+                ". All feasible designs are among them: each is the best compromise for some weights \
+                 of the objectives, so that the order alone tells them apart"
+            } else {
+                ""
+            },
             search.front.len().min(FRONT_ROWS),
             search.front.len(),
             search.starts

@@ -217,10 +217,8 @@ pub fn sample_figure(data: &ToleranceData, samples: &SampleData) -> Figure {
     }
     let uniform = data.uniform_gap_deg;
     let quantiles = samples
-        .critical_gap_quantiles_deg
-        .map_or(String::new(), |[a, b, c]| {
-            format!(" 5 %, 50 % and 95 % lie at {a:.4}°, {b:.4}° and {c:.4}°.")
-        });
+        .quantiles_text()
+        .map_or(String::new(), |text| format!(" {text}."));
     Figure {
         label: "Figure 2".to_owned(),
         caption: format!(

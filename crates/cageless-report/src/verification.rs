@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::data::Provenance;
 use crate::table::{Cell, Row, Table};
+use crate::text::short;
 
 /// Verification of a run as a table.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -47,7 +48,11 @@ impl VerificationTable {
                 .map(|(name, number)| VerificationRow {
                     name: name.to_owned(),
                     value: value(number),
-                    unit: number.unit.clone(),
+                    // A count has none.
+                    unit: Some(&number.unit)
+                        .filter(|unit| *unit != "1")
+                        .cloned()
+                        .unwrap_or_default(),
                     verdict: number.verdict.clone(),
                     reason: number.reason.clone(),
                     marked: number.verdict == Convergence::StepBiased.name(),
@@ -91,15 +96,17 @@ pub fn facts(c: &VerificationFile) -> [(&'static str, String); 4] {
         (
             "energy balance",
             format!(
-                "relative error {:.1e}, {:.1e} at half the step",
-                c.energy_residual_relative, c.energy_residual_relative_half_step
+                "relative error {}, {} at half the step",
+                short(c.energy_residual_relative),
+                short(c.energy_residual_relative_half_step)
             ),
         ),
         (
             "momentum balance",
             format!(
-                "relative error {:.1e}, {:.1e} at half the step",
-                c.momentum_residual_relative, c.momentum_residual_relative_half_step
+                "relative error {}, {} at half the step",
+                short(c.momentum_residual_relative),
+                short(c.momentum_residual_relative_half_step)
             ),
         ),
     ]

@@ -3,5 +3,6 @@
 mod distant_copies;
 mod drop;
 mod pages;
+mod run_data;
 mod studio;
 mod synthetic;

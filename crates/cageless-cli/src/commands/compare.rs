@@ -137,18 +137,13 @@ fn from_starts(
     count: u64,
     bars: &Bars<'_>,
 ) -> Result<Compared, Failure> {
-    let rings = study(cases, count, bars)?;
-    let starts = Starts {
-        count,
-        seed: Some(cases[0].1.case().seed),
-    };
-    let results: Vec<RingResults> = rings.iter().map(|ring| ring.results.clone()).collect();
+    let (rings, comparison) = study(cases, count, bars)?;
     let run = |(ring, (name, _)): (&ComparedRing, &(&'static str, CaseFile))| ComparedRun {
         name: (*name).to_owned(),
         data: run_data(&ring.file, &ring.record),
     };
     let runs = rings.iter().zip(cases).map(run).collect();
-    Ok((runs, RingComparison::new(&results, starts)))
+    Ok((runs, comparison))
 }
 
 /// Takes finished runs, and runs the cases beside them once.

@@ -121,9 +121,8 @@ fn text(data: &ToleranceData) -> String {
                 verdict.count
             );
         }
-        if let Some([low, middle, high]) = s.critical_gap_quantiles_deg {
-            text +=
-                &format!("  critical gap, 5 %, 50 %, 95 %: {low:.4}°, {middle:.4}°, {high:.4}°\n");
+        if let Some(quantiles) = s.quantiles_text() {
+            text += &format!("  {quantiles}\n");
         }
     }
     text

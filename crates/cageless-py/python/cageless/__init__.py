@@ -43,6 +43,7 @@ from .sections import (
     Support,
 )
 from .sweeps import SweepReport, SweepResult, merge, report, sweep
+from .comparisons import RingComparison
 from .tolerances import ToleranceResult
 
 __all__ = [
@@ -64,6 +65,7 @@ __all__ = [
     "Output",
     "Plan",
     "Raceway",
+    "RingComparison",
     "Rotor",
     "RotorCase",
     "RotorDrop",

@@ -79,6 +79,13 @@ class CaseFile:
         threads: int | None,
         progress: Callable[[str, float], object] | None,
     ) -> Search: ...
+    def compare(
+        self,
+        reference: CaseFile | None,
+        starts: int,
+        threads: int | None,
+        progress: Callable[[str, float], object] | None,
+    ) -> str: ...
     def tolerance(
         self,
         samples: int,

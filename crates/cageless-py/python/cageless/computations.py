@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from . import _cageless, sections
+from .comparisons import RingComparison
 from .errors import InputError, UnphysicalError
 from .exports import Export
 from .designs import Design
@@ -264,6 +265,48 @@ class Computations(ABC):
             error.search = found
             raise error
         return found
+
+    def compare(
+        self,
+        reference: Case | None = None,
+        *,
+        starts: int = 8,
+        threads: int | None = None,
+        progress: Callable[[str, float], object] | None = None,
+    ) -> RingComparison:
+        """Compares the ring with that of another case, as ``cageless compare`` does: both run from
+        the same uneven starts.
+
+        Parameters
+        ----------
+        reference : Case, optional
+            What to compare with; the same bearing with a conventional outer ring by default.
+        starts : int
+            Uneven starts of each ring.
+        threads : int, optional
+            Number of threads; default: number of cores.
+        progress : callable, optional
+            Called repeatedly with the name of the task and its completed fraction, 0 to 1.
+
+        Returns
+        -------
+        RingComparison
+
+        Raises
+        ------
+        UnphysicalError
+            If a run left the physical range.
+
+        Examples
+        --------
+        >>> import cageless
+        >>> case = cageless.Case.from_toml(cageless.template(), {"solver.duration_s": 0.002})
+        >>> case.compare(starts=2).data_results().loc["gap_deviation_deg", "case_error"] > 0.0
+        True
+        """
+        other = None if reference is None else reference._file
+        found = self._file.compare(other, starts, threads, progress)
+        return RingComparison(json.loads(found))
 
     def tolerance(
         self,

@@ -37,10 +37,23 @@ pub fn collisions(run: &RunData) -> Option<Figure> {
             )
         })
         .collect();
+    // The axis shows where contacts are, with the ends of the raceways.
+    let edges = run.sectors.iter().flat_map(|s| {
+        let edge = |sign: f64| s.centre_angle_deg + sign * s.half_angle_deg;
+        [edge(-1.0), edge(1.0)].map(|a| a - 360.0 * (a / 360.0).round())
+    });
+    let most_angle = (hits.iter().map(|c| c.angle_deg))
+        .chain(edges)
+        .fold(0.0f64, |m, a| m.max(a.abs()));
+    let most_angle = (1.25 * most_angle / 5.0).ceil() * 5.0;
     let mut plot = with_time(run, Plot::new(460), "y").axis(
         "yaxis",
         "ψ of the contact, 0 at the bottom (°)",
-        json!({ "range": [-180, 180], "dtick": 45 }),
+        if most_angle > 120.0 {
+            json!({ "range": [-180, 180], "dtick": 45 })
+        } else {
+            json!({ "range": [-most_angle, most_angle] })
+        },
     );
     for sector in &run.sectors {
         for edge in [
@@ -64,11 +77,21 @@ pub fn collisions(run: &RunData) -> Option<Figure> {
     } else {
         String::new()
     };
+    let late = |c: &&crate::run::CollisionPoint| c.time_s > run.settled_after_s;
+    let counted = if run.settled_after_s > 0.0 && total == run.collisions.len() {
+        let late = run.collisions.iter().filter(late).count();
+        format!(
+            ", {late} of them after the transient of {} s",
+            short(run.settled_after_s)
+        )
+    } else {
+        String::new()
+    };
     Some(figure(
         run,
         "Collisions",
         &format!(
-            "{total} contacts between balls: place over time. The area of a marker grows with the impulse, the largest \
+            "{total} contacts between balls of the whole run{counted}: place over time. The area of a marker grows with the impulse, the largest \
          being {} N·s; dashed lines are the ends of the discrete raceway.{drawn}",
             short(most)
         ),

@@ -68,9 +68,16 @@ pub fn curve(design: &DesignCurve) -> Figure {
         label: "Figure 5".to_owned(),
         caption: format!(
             "Half angle θ over axial span lC of the discrete raceways that restore the uniform \
-             gap of {:.4}° (Zhao 2022, Eq. (10), (11)), the paper's structures (a) to (j), and \
-             the limits on both.",
-            design.uniform_gap_deg
+             gap of {:.4}° (Zhao 2022, Eq. (10), (11)){}, and the limits on both.",
+            design.uniform_gap_deg,
+            match design.paper.as_slice() {
+                [] => String::new(),
+                [first, .., last] if !first.letter.is_empty() => format!(
+                    ", the paper's structures ({}) to ({})",
+                    first.letter, last.letter
+                ),
+                _ => ", and the structure of the case".to_owned(),
+            }
         ),
         provenance: design.provenance.clone(),
         plot,

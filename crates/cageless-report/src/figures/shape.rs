@@ -168,8 +168,8 @@ pub fn surface(surface: &RacewaySurface) -> Figure {
         caption: format!(
             "Surface of the discrete raceway and a fifth of θ of the plain raceway at each end, \
              to scale, up to the shoulder; drag to turn it. Colour: distance from the plain \
-             groove, positive where material is taken away. Black: the contact tracks, drawn \
-             0.05 mm above the surface. Zhao 2022, Eq. (7); deviations {} to {} µm.",
+             groove, positive where material is taken away. The lines are the contact tracks, \
+             drawn 0.05 mm above the surface. Zhao 2022, Eq. (7); deviations {} to {} µm.",
             fixed(Some(low), 1),
             fixed(Some(high), 1)
         ),

@@ -37,7 +37,8 @@ pub struct ComparedRing {
     pub results: RingResults,
 }
 
-/// Runs each named case from `count` uneven starts under the seed of the first case.
+/// Runs each named case from `count` uneven starts under the seed of the first case, with which the
+/// others are compared.
 ///
 /// # Errors
 /// `count` is not possible, a case cannot start, a run left the physical range, or the progress
@@ -46,7 +47,7 @@ pub fn compare(
     rings: &[(&str, CaseFile)],
     count: u64,
     progress: &dyn Progress,
-) -> Result<Vec<ComparedRing>, StudyError> {
+) -> Result<(Vec<ComparedRing>, RingComparison), StudyError> {
     if !(2..=STARTS_MAX).contains(&count) {
         return Err(StudyError::Option(OptionError {
             option: "starts",
@@ -57,10 +58,16 @@ pub fn compare(
     let seed = rings.first().map_or(0, |(_, file)| file.case().seed);
     let work = progress.begin("compare", rings.len() as f64 * (count + 1) as f64);
     let work = &*work;
-    rings
+    let compared: Vec<ComparedRing> = rings
         .par_iter()
         .map(|(name, file)| ring(name, file, seed, count, work))
-        .collect()
+        .collect::<Result<_, _>>()?;
+    let results: Vec<RingResults> = compared.iter().map(|ring| ring.results.clone()).collect();
+    let starts = Starts {
+        count,
+        seed: Some(seed),
+    };
+    Ok((compared, RingComparison::new(&results, starts)))
 }
 
 fn ring(

@@ -14,9 +14,8 @@ use crate::quantities::{Aim, Kind, QUANTITIES};
 pub(super) const VIBRATION: &str = "vibration_rms_m_s2";
 
 /// What a discrete raceway is there to change, and what it costs, in the order of the verdict.
-const SUBJECT: [&str; 7] = [
+const SUBJECT: [&str; 6] = [
     "gap_deviation_deg",
-    "gap_deviation_change_deg",
     VIBRATION,
     "outer_ring_force_deviation_n",
     "collisions",
@@ -178,6 +177,16 @@ impl RingComparison {
     pub fn subject(&self) -> Vec<&ComparedResult> {
         let of = |name: &&str| self.results.iter().find(|result| result.name == *name);
         SUBJECT.iter().filter_map(of).collect()
+    }
+
+    /// [`Self::subject`] with the change of the scatter over time.
+    pub fn subject_over_time(&self) -> Vec<&ComparedResult> {
+        let mut all = self.subject();
+        let change = |result: &&ComparedResult| result.name == "gap_deviation_change_deg";
+        if let (Some(change), false) = (self.results.iter().find(change), all.is_empty()) {
+            all.insert(1, change);
+        }
+        all
     }
 
     /// How the rings were started.

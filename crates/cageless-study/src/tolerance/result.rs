@@ -63,6 +63,25 @@ pub struct SampleData {
     pub first_impossible: Option<String>,
 }
 
+/// Fewest bearings of which the 5 % and 95 % quantiles are no extremes.
+const QUANTILES_FROM: usize = 20;
+
+impl SampleData {
+    /// The quantiles of the critical gap in a sentence, by what they are; `None` without any.
+    pub fn quantiles_text(&self) -> Option<String> {
+        let [low, middle, high] = self.critical_gap_quantiles_deg?;
+        let gaps: usize = self.verdicts.iter().map(|v| v.critical_gap_deg.len()).sum();
+        let names = if gaps < QUANTILES_FROM {
+            "smallest, median, largest"
+        } else {
+            "5 %, 50 %, 95 %"
+        };
+        Some(format!(
+            "Critical gap of {gaps} bearings, {names}: {low:.4}°, {middle:.4}°, {high:.4}°"
+        ))
+    }
+}
+
 /// Data of the tolerance page.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ToleranceData {

@@ -276,10 +276,13 @@ pub fn verdicts(search: &SearchData) -> Figure {
         }
         plot = dress(plot, &grid, k, search, map);
     }
+    let in_maps = |name: &str| {
+        let mut cells = search.maps.iter().flat_map(|m| m.verdict.iter().flatten());
+        cells.any(|verdict| verdict == name)
+    };
+    let slips = in_maps("slips");
     for (name, colour, label) in &VERDICTS[..VERDICTS.len() - 1] {
-        let seen = (search.maps.iter()).any(|m| m.verdict.iter().flatten().any(|v| v == name))
-            || search.band.iter().any(|s| verdict_of(s) == Some(*name));
-        if seen {
+        if in_maps(name) || search.band.iter().any(|s| verdict_of(s) == Some(*name)) {
             plot = plot.trace(with(
                 markers(label, &[f64::NAN], &[f64::NAN], colour),
                 json!({ "marker": { "symbol": "square", "size": 12 } }),
@@ -288,14 +291,20 @@ pub fn verdicts(search: &SearchData) -> Figure {
     }
     Figure {
         label: "Design map, verdicts".to_owned(),
-        caption: "Feasible designs and reasons for exclusion: too shallow to spread \
+        caption: format!(
+            "Feasible designs and reasons for exclusion: too shallow to spread \
                   the balls, sliding balls, a critical gap above the steady gap, or balls that are \
                   hit from both sides on their way through. Blank: excluded by Eq. (8) or (9), or \
                   raceways that overlap. Cells have the verdict of their middle; circles are structures that \
                   were tried, each at its own place, with all requirements at all operating \
-                  points. Slip takes over from the right, where raceways are short \
-                  and deep, and reaches further at higher speed. Double-click to see all spans."
-            .to_owned(),
+                  points.{} Double-click to see all spans.",
+            if slips {
+                " Slip takes over from the right, where raceways are short and deep, and reaches \
+                 further at higher speed."
+            } else {
+                ""
+            }
+        ),
         provenance: search.provenance.clone(),
         plot,
     }

@@ -24,17 +24,19 @@ type Quantity = (&'static str, fn(&PointNumbers) -> Option<f64>);
 /// Pairs of quantities drawn against each other.
 const PAIRS: [[Quantity; 2]; 4] = [
     [
-        ("Spacing scatter (std. dev., % of the mean gap)", |n| {
-            Some(100.0 * n.motion?.spacing_scatter)
-        }),
+        (
+            "Spacing scatter on arrival (std. dev., % of the steady gap)",
+            |n| Some(100.0 * n.motion?.spacing_scatter),
+        ),
         ("Collisions in steady state (per ball and turn)", |n| {
             Some(n.motion?.collisions_late)
         }),
     ],
     [
-        ("Spacing scatter (std. dev., % of the mean gap)", |n| {
-            Some(100.0 * n.motion?.spacing_scatter)
-        }),
+        (
+            "Spacing scatter on arrival (std. dev., % of the steady gap)",
+            |n| Some(100.0 * n.motion?.spacing_scatter),
+        ),
         ("Friction loss (W)", |n| Some(n.motion?.friction_w)),
     ],
     [
@@ -42,7 +44,7 @@ const PAIRS: [[Quantity; 2]; 4] = [
         ("Slip (m/s)", |n| Some(n.motion?.slip_m_s)),
     ],
     [
-        ("Contact stress (GPa)", |n| n.stress_gpa),
+        ("Contact pressure (GPa)", |n| n.stress_gpa),
         ("Vibration (N)", |n| Some(n.motion?.force_deviation_n)),
     ],
 ];
