@@ -95,7 +95,7 @@ class Form {
       const ranges = (await studio.engine.request("quick", request))[control.id] || [];
       if (this.typed !== typed || !studio.impossible) return;
       const scale = 10 ** decimals(control), allowed = ranges.map(([low, high]) => worded(Math.ceil(low * scale - 1e-6) / scale) + " to " + worded(Math.floor(high * scale + 1e-6) / scale));
-      if (allowed.length) why.textContent = said + " with the other values: " + allowed.join(", or ") + (allowed.length > 1 ? " are" : " is") + ".";
+      if (allowed.length) why.textContent = said + " with the other values; possible: " + allowed.join(", or ") + ".";
     } catch { /* the reason is there already */ }
   }
 
