@@ -42,7 +42,7 @@ pub mod verification;
 
 pub use cageless_io::estimate::{Change, Estimate};
 pub use claim::{Claim, ClaimStatus, Holds, Requirement};
-pub use comparison::{ComparisonCell, Difference, RecordRingComparison};
+pub use comparison::{ComparisonCell, Difference, RecordChange, RingComparison};
 pub use data::*;
 pub use design::*;
 pub use figure::Figure;
