@@ -1,7 +1,7 @@
 //! The experiment, Fig. 12 to 14, and the comparison with conventional bearings.
 
 use cageless::numerics::student::two_sided_limit;
-use cageless_report::comparison::SIGNIFICANCE;
+use cageless_io::estimate::SIGNIFICANCE;
 use cageless_report::{
     Change, Claim, ComparisonCell, Difference, Estimate, RecordChange, Requirement, RingComparison,
 };
