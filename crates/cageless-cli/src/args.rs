@@ -130,6 +130,9 @@ pub struct New {
     /// As many balls as the pitch circle holds.
     #[arg(long, requires = "bearing")]
     pub full_complement: bool,
+    /// A touch-down bearing: inner ring, rotor and support filled in with assumed values for `drop`.
+    #[arg(long, requires = "bearing")]
+    pub touchdown: bool,
     /// Write the case file instead of printing it.
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,

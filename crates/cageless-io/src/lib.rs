@@ -37,6 +37,7 @@ pub mod results;
 pub mod rotor_file;
 mod system;
 mod terminal;
+pub mod touchdown_template;
 
 #[cfg(feature = "files")]
 pub use files::open_own;

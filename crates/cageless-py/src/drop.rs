@@ -43,7 +43,8 @@ impl Drop {
 
     /// One bearing of a drop into several.
     pub fn of_bearing(py: Python<'_>, file: CaseFile, drop: DropRecord) -> PyResult<Self> {
-        Self::new(py, file, DropStudy::new(drop))
+        let study = DropStudy::of_bearing(file.case(), drop);
+        Self::new(py, file, study)
     }
 
     fn new(py: Python<'_>, file: CaseFile, study: DropStudy) -> PyResult<Self> {

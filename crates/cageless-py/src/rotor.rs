@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use cageless::linear_rotor::{self, DMatrix, RotorError, RotorMatrices};
 use cageless_io::rotor_file::{
-    RotorBody, RotorDescription, RotorPlace, RotorUnbalance, write_matrices,
+    RotorBody, RotorClearance, RotorDescription, RotorPlace, RotorUnbalance, write_matrices,
 };
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
@@ -38,6 +38,21 @@ fn unbalances<T: Copy>(
     values.iter().map(unbalance).collect()
 }
 
+/// Name, axial place in mm or node, radial clearance in µm.
+type Clearance<T> = (String, T, f64);
+
+fn clearances<T: Copy>(
+    values: &[Clearance<T>],
+    place: impl Fn(T) -> RotorPlace,
+) -> Vec<RotorClearance> {
+    let clearance = |(name, at, radial_um): &Clearance<T>| RotorClearance {
+        name: name.clone(),
+        place: place(*at),
+        radial_um: *radial_um,
+    };
+    values.iter().map(clearance).collect()
+}
+
 impl LinearRotor {
     /// The rotor of a description.
     pub fn new(description: RotorDescription) -> PyResult<Self> {
@@ -56,6 +71,7 @@ impl LinearRotor {
         transverse_inertia_kg_m2: f64,
         bearing_axial_mm: Vec<f64>,
         unbalances: Vec<Unbalance<f64>>,
+        clearances: Vec<Clearance<f64>>,
     ) -> PyResult<Self> {
         Self::new(RotorDescription {
             body: RotorBody::Rigid {
@@ -68,6 +84,7 @@ impl LinearRotor {
                 .map(RotorPlace::AxialMm)
                 .collect(),
             unbalances: self::unbalances(&unbalances, RotorPlace::AxialMm),
+            clearances: self::clearances(&clearances, RotorPlace::AxialMm),
         })
     }
 
@@ -84,6 +101,7 @@ impl LinearRotor {
         nodes: Vec<usize>,
         kept_nodes: Vec<usize>,
         unbalances: Vec<Unbalance<usize>>,
+        clearances: Vec<Clearance<usize>>,
         frequency_max_hz: Option<f64>,
     ) -> PyResult<Self> {
         let matrix = |array: &PyReadonlyArray2<'_, f64>| {
@@ -107,6 +125,7 @@ impl LinearRotor {
             },
             bearings: nodes.into_iter().map(RotorPlace::Node).collect(),
             unbalances: self::unbalances(&unbalances, RotorPlace::Node),
+            clearances: self::clearances(&clearances, RotorPlace::Node),
         })
     }
 

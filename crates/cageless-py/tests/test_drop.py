@@ -50,6 +50,12 @@ def test_a_drop_has_its_results(both: tuple[cageless.Drop, Path], tmp_path: Path
     fall_ms = 1e3 * np.sqrt(2.0 * 200e-6 / 9.81)
     assert drop.summary["first_contact_ms"] == pytest.approx(fall_ms, rel=1e-3)
     assert drop.end_state in {"bouncing", "pendulum"}
+    assert drop.headline.startswith({True: "PASS", False: "FAIL", None: "not"}[drop.passes])
+    assert bool(drop.reasons) != bool(drop.passes)
+    assert drop.headline in drop._repr_html_().replace("&#x27;", "'")
+    for name in ["orbit", "displacement", "forces", "spin_up", "whirl", "heat"]:
+        figure = getattr(drop, f"plot_{name}")(title=name)
+        assert figure.data and figure.layout.title.text == name
     assert drop.summary["conventional"]["impacts"] >= 1
     assert drop.rotor("y_m").shape == drop.time_s.shape
     assert drop.data_rotor().attrs["units"]["speed_rad_s"] == "rad/s"

@@ -56,6 +56,9 @@ def test_a_drop_is_that_of_the_command(command: Command, tmp_path: Path) -> None
     assert drop.summary["rotor"]["mass_shares_kg"] == pytest.approx([80.0 / 3.0, 40.0 / 3.0])
     assert all(bearing.summary["impacts"] >= 1 for bearing in drop.bearings)
     saved = drop.save(tmp_path / "saved")
+    loaded = cageless.load(saved)
+    assert loaded == drop and loaded.passes == drop.passes
+    assert loaded.bearings[1].plot_orbit().data
     for name in ["summary.json", "report.html"]:
         assert (saved / name).read_text() == (out / name).read_text()
     for k, bearing in enumerate(drop.bearings):

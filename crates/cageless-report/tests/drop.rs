@@ -56,3 +56,72 @@ fn the_animation_shows_the_rotor_in_the_bore() {
         std::fs::write(Path::new(&folder).join("drop.html"), page).unwrap();
     }
 }
+
+/// The figures of a page that have this label, as JSON of Plotly.
+fn traces(page: &str, name: &str) -> Vec<Value> {
+    let mut found = vec![];
+    let mut rest = page;
+    while let Some(at) = rest.find("<script type=\"application/json\"") {
+        rest = &rest[at..];
+        let start = rest.find('>').unwrap() + 1;
+        let end = rest.find("</script>").unwrap();
+        if let Ok(data) = serde_json::from_str::<Value>(&rest[start..end]) {
+            let all = data["data"].as_array().cloned().unwrap_or_default();
+            found.extend(all.into_iter().filter(|trace| trace["name"] == name));
+        }
+        rest = &rest[end..];
+    }
+    found
+}
+
+/// The inner ring moves on its support, so that the path in the bore is not that in the stator.
+#[test]
+fn the_orbit_is_that_of_the_journal_in_the_ring_and_the_displacement_that_in_the_stator() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/touchdown-d.toml");
+    let changes = [
+        "solver.duration_s=0.009",
+        "rotor.eccentricity_um=20",
+        "rotor.clearance_limit_um=400",
+    ];
+    let file = CaseFile::read(&path, &changes.map(str::to_owned)).unwrap();
+    let study = study(&file, DropRequest::default(), None, &Silent).unwrap();
+    let page = drop_page(&file, &study);
+    let paths = traces(&page, "centre of the journal");
+    assert_eq!(paths.len(), 2, "orbit and displacement");
+    let numbers = |trace: &Value, axis: &str| -> Vec<f64> {
+        let values = trace[axis].as_array().unwrap().iter();
+        values.map(|v| v.as_f64().unwrap()).collect()
+    };
+    let rows: Vec<_> = (study.drop.snapshots.iter())
+        .map(|s| {
+            let r = s.rotor.unwrap();
+            let (sin, cos) = r.angle_rad.sin_cos();
+            let journal = [1e6 * r.x_m - 20.0 * cos, 1e6 * r.y_m - 20.0 * sin];
+            (journal, [1e6 * s.ring.x_m, 1e6 * s.ring.y_m])
+        })
+        .collect();
+    let ring_moves = rows
+        .iter()
+        .map(|(_, ring)| ring[1].abs())
+        .fold(0.0, f64::max);
+    assert!(ring_moves > 5.0, "{ring_moves} µm");
+    for (trace, in_ring) in paths.iter().zip([1.0, 0.0]) {
+        for (axis, k) in [("x", 0), ("y", 1)] {
+            let shown = numbers(trace, axis);
+            assert_eq!(shown.len(), rows.len());
+            for (shown, (journal, ring)) in shown.iter().zip(&rows) {
+                let exact = journal[k] - in_ring * ring[k];
+                assert!(
+                    (shown - exact).abs() < 0.01 + 1e-3 * exact.abs(),
+                    "{axis}: {shown} {exact}"
+                );
+            }
+        }
+    }
+    let circle = &traces(&page, "clearance to the stator")[0];
+    let radius = numbers(circle, "x")[0].hypot(numbers(circle, "y")[0]);
+    assert!((radius - 400.0).abs() < 0.5, "{radius}");
+    // PASS with its reason in the head, and the state in words.
+    assert!(page.contains("PASS: largest contact pressure"), "verdict");
+    assert!(page.contains("intermittent contact"), "state");
+}

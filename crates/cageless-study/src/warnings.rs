@@ -10,6 +10,7 @@ use cageless::simulation::Ending;
 use cageless::step_limits::StepLimits;
 use cageless::{Case, IntegrationMethod};
 
+use crate::drop::DropResult;
 use crate::number_text::short;
 use crate::quantities::Finished;
 
@@ -17,27 +18,85 @@ use crate::quantities::Finished;
 const UNDAMPED_STEP_S: f64 = 0.5e-6;
 
 /// Share of all energy flows that may be unaccounted for without a warning.
-const RESIDUAL_FRACTION: f64 = 0.01;
+pub(crate) const RESIDUAL_FRACTION: f64 = 0.01;
 
 /// Warnings of a run.
 pub(crate) fn warnings(run: &Finished<'_>) -> Vec<String> {
     let mut warnings = of_case(run.case);
     warnings.extend(beyond_bearings(run));
     // A run that stopped says so itself.
-    let residual = run.outcome.energy_residual_relative;
-    let stopped = matches!(run.outcome.ending, Ending::Stopped(_));
-    if residual.abs() > RESIDUAL_FRACTION && !stopped {
-        warnings.push(format!(
-            "{:.1} % of all energy flows are unaccounted for: do not trust these numbers, set \
-             solver.step_us to less than the {} µs of this run",
-            100.0 * residual,
-            run.case.solver.step_s * 1e6
-        ));
+    if !matches!(run.outcome.ending, Ending::Stopped(_)) {
+        warnings.extend(unbalanced(run.outcome.energy_residual_relative, run.case));
     }
     if run.summary.is_none() {
         warnings.push("the run ended within its transient: no statistics".to_owned());
     }
     warnings
+}
+
+/// Warnings of a drop onto a bearing.
+pub(crate) fn of_drop(case: &Case, drop: &DropResult) -> Vec<String> {
+    let pressure = |(name, place)| over_pressure(place, 1e9 * drop.value(name).unwrap_or(0.0));
+    let mut warnings = of_case(case);
+    warnings.extend(DROP_PRESSURES.into_iter().filter_map(pressure));
+    if drop.stopped.is_none() {
+        let residual = drop.value("energy_residual_relative").unwrap_or(0.0);
+        warnings.extend(unbalanced(residual, case));
+    }
+    warnings
+}
+
+/// Warnings of the worst of scattered drops onto a bearing.
+pub(crate) fn of_scattered<'d>(
+    case: &Case,
+    drops: impl Iterator<Item = (u64, &'d DropResult)> + Clone,
+) -> Vec<String> {
+    let worst = |name: &str| {
+        let size = |drop: &DropResult| drop.value(name).unwrap_or(0.0).abs();
+        let complete = drops.clone().filter(|(_, drop)| drop.stopped.is_none());
+        let (index, drop) = complete.max_by(|a, b| size(a.1).total_cmp(&size(b.1)))?;
+        Some((index, drop.value(name)?))
+    };
+    let mut found: Vec<(u64, Option<String>)> = vec![];
+    for (name, place) in DROP_PRESSURES {
+        let pressure = worst(name).map(|(index, gpa)| (index, over_pressure(place, 1e9 * gpa)));
+        found.extend(pressure);
+    }
+    let residual = worst("energy_residual_relative");
+    found.extend(residual.map(|(index, residual)| (index, unbalanced(residual, case))));
+    let texts = found.into_iter().filter_map(|(index, text)| {
+        text.map(|text| format!("in scattered drop {index}, the worst: {text}"))
+    });
+    texts.collect()
+}
+
+/// Largest pressures among the results of a drop, and where they act.
+const DROP_PRESSURES: [(&str, &str); 3] = [
+    ("inner_stress_max_gpa", "at the inner raceway"),
+    ("outer_stress_max_gpa", "at the outer raceway"),
+    ("ball_stress_max_gpa", "between balls"),
+];
+
+fn over_pressure(place: &str, pressure_pa: f64) -> Option<String> {
+    (pressure_pa > STRESS_LIMIT_PA).then(|| {
+        format!(
+            "the contact pressure {place} reaches {:.0} MPa, above the {:.0} MPa that leave a \
+             lasting indentation (ISO 76)",
+            pressure_pa * 1e-6,
+            STRESS_LIMIT_PA * 1e-6
+        )
+    })
+}
+
+fn unbalanced(residual: f64, case: &Case) -> Option<String> {
+    (residual.abs() > RESIDUAL_FRACTION).then(|| {
+        format!(
+            "{:.1} % of all energy flows are unaccounted for: do not trust these numbers, set \
+             solver.step_us to less than the {} µs of this run",
+            100.0 * residual,
+            case.solver.step_s * 1e6
+        )
+    })
 }
 
 /// Heat flow per surface that a radial ball bearing gives off at 70 °C in surroundings of 20 °C,
@@ -52,7 +111,11 @@ fn beyond_bearings(run: &Finished<'_>) -> Vec<String> {
     let bearing = &run.case.bearing;
     let diameter_mm = 2e3 * bearing.pitch_radius_m();
     let speed_rpm = run.case.largest_inner_speed_rad_s() * 60.0 / TAU;
-    warnings.extend(speed_warning(speed_rpm.abs() * diameter_mm));
+    // Under a falling rotor a bearing does not run continuously.
+    let continuous = run.case.rotor.is_none();
+    if continuous {
+        warnings.extend(speed_warning(speed_rpm.abs() * diameter_mm));
+    }
     let Some(summary) = run.summary else {
         return warnings;
     };
@@ -62,16 +125,11 @@ fn beyond_bearings(run: &Finished<'_>) -> Vec<String> {
         ("at the outer raceway", &peaks.outer),
         ("between balls", &peaks.balls),
     ];
-    for (place, peak) in contacts {
-        if peak.pressure_pa > STRESS_LIMIT_PA {
-            warnings.push(format!(
-                "the contact pressure {place} reaches {:.0} MPa, above the {:.0} MPa that leave a \
-                 lasting indentation (ISO 76)",
-                peak.pressure_pa * 1e-6,
-                STRESS_LIMIT_PA * 1e-6
-            ));
-        }
-    }
+    warnings.extend(
+        contacts
+            .iter()
+            .filter_map(|(place, p)| over_pressure(place, p.pressure_pa)),
+    );
     for (place, peak) in contacts {
         if peak.flash_temperature_k > FLASH_TEMPERATURE_LIMIT_K {
             let limit = peak.pressure_velocity_pa_m_s / peak.flash_temperature_k
@@ -86,7 +144,7 @@ fn beyond_bearings(run: &Finished<'_>) -> Vec<String> {
             ));
         }
     }
-    if let Some(means) = &summary.means {
+    if let (Some(means), true) = (&summary.means, continuous) {
         let width_mm = WIDTH_OVER_BALL_DIAMETER * 2e3 * bearing.ball_radius_m();
         // ISO 15312: π·B·(D + d), with D + d = 2·dm.
         let surface_mm2 = TAU * width_mm * diameter_mm;

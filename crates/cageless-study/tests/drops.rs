@@ -4,12 +4,13 @@ use std::path::Path;
 
 use cageless::Snapshot;
 use cageless::collision::Collision;
-use cageless::simulation::ObserverError;
+use cageless::simulation::{Control, ObserverError, RunOutcome, run as run_case};
+use cageless::touchdown::{DropRecorder, DropSummary, InterfaceHeat};
 use cageless::verification::Convergence;
 use cageless_io::case_file::CaseFile;
 use cageless_io::plan_file::PlanFile;
 use cageless_io::results::Cell;
-use cageless_study::drop::{DropRequest, study};
+use cageless_study::drop::{DropRequest, DropResult, DropStudy, study};
 use cageless_study::quantities::Results;
 use cageless_study::run::{Options, Rows, run};
 use cageless_study::sweep::Sweep;
@@ -130,7 +131,8 @@ fn a_sweep_has_the_results_of_its_drops() {
             &format!("rotor.air_gap_um={gap:?}"),
         ]);
         let alone = study(&one, DropRequest::default(), None, &Silent).unwrap();
-        for (quantity, value) in alone.drop.result.results.iter() {
+        let results = alone.drop.result.results.iter();
+        for (quantity, value) in results.filter(|(quantity, _)| quantity.in_sweeps) {
             let column = sweep.column(&quantity.column_name()).unwrap();
             assert_eq!(&rows[row][column], value, "{}", quantity.name);
         }
@@ -230,4 +232,299 @@ fn scattered_drops_are_the_same_on_any_number_of_threads() {
     let one = drops(1);
     assert_eq!(one.completed, 11);
     assert_eq!(one, drops(2));
+}
+
+fn texts(study: &DropStudy, file: &CaseFile) -> serde_json::Value {
+    serde_json::from_str(&study.to_json(file).unwrap()).unwrap()
+}
+
+#[test]
+fn a_drop_is_warned_of_and_judged_as_a_run_is() {
+    let request = DropRequest {
+        samples: Some(2),
+        ..DropRequest::default()
+    };
+    let file = drop(&["solver.duration_s=0.15", "output.interval_us=1000"]);
+    let found = study(&file, request, None, &Silent).unwrap();
+    let result = &found.drop.result;
+    let pressure_mpa = 1e3 * result.results.number("ball_stress_max_gpa");
+    assert!(pressure_mpa > 4200.0);
+    let text = format!("contact pressure between balls reaches {pressure_mpa:.0} MPa");
+    assert!(
+        found.warnings.iter().any(|w| w.contains(&text)),
+        "{:?}",
+        found.warnings
+    );
+    // The worst of the scattered drops, by its index.
+    let rows = &found.ensemble.as_ref().unwrap().drops;
+    let of = |k: usize| rows[k].bearing.result.results.number("ball_stress_max_gpa");
+    let (index, worst) = if of(0) > of(1) {
+        (0, of(0))
+    } else {
+        (1, of(1))
+    };
+    let text = format!(
+        "in scattered drop {index}, the worst: the contact pressure between balls reaches {:.0} MPa",
+        1e3 * worst
+    );
+    assert!(
+        found.warnings.iter().any(|w| w.contains(&text)),
+        "{:?}",
+        found.warnings
+    );
+    // Nothing of continuous running.
+    for word in ["n·dm", "continuous", "70 °C"] {
+        assert!(
+            !found.warnings.iter().any(|w| w.contains(word)),
+            "{:?}",
+            found.warnings
+        );
+    }
+    assert_eq!(result.judgement.passes, Some(false));
+    let reason =
+        format!("contact pressure between balls {pressure_mpa:.0} MPa, above 4200 MPa (ISO 76)");
+    let json = texts(&found, &file);
+    assert_eq!(
+        (&json["verdict"], &json["passes"]),
+        (&"fail".into(), &false.into())
+    );
+    let reasons = json["reasons"].as_array().unwrap();
+    assert!(reasons.contains(&reason.clone().into()), "{reasons:?}");
+    let headline = json["headline"].as_str().unwrap();
+    assert!(
+        headline.starts_with("FAIL: ") && headline.contains(&reason),
+        "{headline}"
+    );
+}
+
+#[test]
+fn a_drop_passes_within_its_clearance_and_fails_beyond() {
+    let of = |limit_um: f64| {
+        let limit = format!("rotor.clearance_limit_um={limit_um}");
+        let file = drop(&["solver.duration_s=0.007", &limit]);
+        let found = study(&file, DropRequest::default(), None, &Silent).unwrap();
+        (found.drop.result.clone(), texts(&found, &file))
+    };
+    let (free, _) = of(1e6);
+    assert_eq!(free.judgement.passes, Some(true), "{:?}", free.judgement);
+    let most = free.value("rotor_displacement_max_um").unwrap();
+    assert!(most > 200.0 && most < 400.0, "{most}");
+    let (passes, json) = of(most + 10.0);
+    assert_eq!(
+        (passes.judgement.passes, &json["verdict"]),
+        (Some(true), &"pass".into())
+    );
+    assert!((passes.value("clearance_margin_um").unwrap() - 10.0).abs() < 1e-9);
+    assert!(
+        json["headline"]
+            .as_str()
+            .unwrap()
+            .contains("(margin 10 µm)"),
+        "{}",
+        json["headline"]
+    );
+    let (fails, json) = of(most - 10.0);
+    assert_eq!(fails.judgement.passes, Some(false));
+    assert!((fails.value("clearance_margin_um").unwrap() + 10.0).abs() < 1e-9);
+    let reason = json["reasons"][0].as_str().unwrap();
+    assert!(
+        reason.contains("beyond its clearance") && reason.contains("exceeded by 10 µm"),
+        "{reason}"
+    );
+}
+
+#[test]
+fn a_rotor_in_the_air_is_not_judged() {
+    let file = drop(&["solver.duration_s=0.001"]);
+    let found = study(&file, DropRequest::default(), None, &Silent).unwrap();
+    let json = texts(&found, &file);
+    assert_eq!(
+        (&json["verdict"], &json["passes"]),
+        (&"not-judged".into(), &serde_json::Value::Null)
+    );
+    assert_eq!(
+        json["reasons"][0],
+        "the rotor has not touched the inner ring"
+    );
+}
+
+#[test]
+fn a_rotor_that_its_bearing_cannot_carry_is_not_at_rest() {
+    let file = drop(&["rotor.mass_kg=20000", "solver.duration_s=0.03"]);
+    let found = study(&file, DropRequest::default(), None, &Silent).unwrap();
+    let result = &found.drop.result;
+    assert_eq!(result.end_state(), "settling");
+    assert_eq!(result.judgement.passes, Some(false));
+    let reasons = result.judgement.reasons.join("; ");
+    // 196 kN on 2e7 N/m; the balls have a radius of 4.76 mm.
+    assert!(
+        reasons.contains("the support cannot carry the rotor: it yields by 9.81 mm"),
+        "{reasons}"
+    );
+    assert!(
+        reasons.contains("exceeds the basic static load rating C0r"),
+        "{reasons}"
+    );
+    // A hard stop holds it.
+    let stopped = drop(&[
+        "rotor.mass_kg=20000",
+        "solver.duration_s=0.0066",
+        "support.stop_gap_um=500",
+        "support.stop_stiffness_n_m=1e9",
+    ]);
+    let found = study(&stopped, DropRequest::default(), None, &Silent).unwrap();
+    let reasons = found.drop.result.judgement.reasons.join("; ");
+    assert!(!reasons.contains("the support cannot carry"), "{reasons}");
+}
+
+#[test]
+fn an_energy_balance_beyond_one_per_cent_is_warned_of_and_fails() {
+    let file = drop(&["solver.duration_s=0.007"]);
+    let case = file.case();
+    let mut recorder = DropRecorder::new();
+    let mut outcome = run_case(case, &mut [&mut recorder], &mut |_| Control::Continue(())).unwrap();
+    let summary = recorder.summary(&outcome.state);
+    let judged = |outcome: &RunOutcome| DropResult::new(case, &summary, outcome).judgement;
+    outcome.energy_residual_relative = 0.009;
+    assert_eq!(judged(&outcome).passes, Some(true));
+    outcome.energy_residual_relative = -0.0129;
+    let found = judged(&outcome);
+    assert_eq!(found.passes, Some(false));
+    assert!(
+        found.reasons[0].contains("energy balance error 1.3 %, above 1 %"),
+        "{found:?}"
+    );
+}
+
+/// Each result of a drop from a summary whose numbers all differ.
+#[test]
+fn each_result_of_a_drop_has_its_own_number_in_its_unit() {
+    let file = drop(&["solver.duration_s=0.0002"]);
+    let case = file.case();
+    let mut recorder = DropRecorder::new();
+    let mut outcome = run_case(case, &mut [&mut recorder], &mut |_| Control::Continue(())).unwrap();
+    (outcome.energy_residual_relative, outcome.end_s) = (0.0047, 0.53);
+    let summary = DropSummary {
+        first_contact_s: Some(0.0031),
+        impacts: 37,
+        contact_fraction: 0.41,
+        rotor_weight_n: Some(430.0),
+        rotor_displacement_max_m: 4.7e-4,
+        rotor_force_max_n: 5900.0,
+        housing_force_max_n: Some(6100.0),
+        housing_displacement_max_m: 6.7e-5,
+        rotor_slip_max_m_s: 71.0,
+        spin_up_s: Some(0.073),
+        ring_speed_rad_s: 790.0,
+        rotor_speed_rad_s: 830.0,
+        inner_stress_max_pa: 1.01e9,
+        outer_stress_max_pa: 1.03e9,
+        ball_stress_max_pa: 1.07e9,
+        end_collision_rate_hz: Some(1090.0),
+        end_collision_rate_above_hz: [Some(530.0), Some(310.0), Some(110.0)],
+        ball_force_max_n: 1130.0,
+        ball_slip_max_m_s: 12.7,
+        backward_whirl_max_hz: 131.0,
+        backward_whirl_hz: Some(137.0),
+        heat: InterfaceHeat {
+            rotor_friction_j: 1.0,
+            rotor_damping_j: 2.0,
+            inner_friction_j: 4.0,
+            outer_friction_j: 8.0,
+            ball_friction_j: 16.0,
+            contact_damping_j: 32.0,
+            support_damping_j: 64.0,
+        },
+        ..recorder.summary(&outcome.state)
+    };
+    let result = DropResult::new(case, &summary, &outcome);
+    let rpm = |rad_s: f64| rad_s * 30.0 / std::f64::consts::PI;
+    for (name, value) in [
+        ("first_contact_ms", 3.1),
+        ("impacts", 37.0),
+        ("contact_fraction", 0.41),
+        ("rotor_force_max_n", 5900.0),
+        ("rotor_force_max_weights", 5900.0 / 430.0),
+        ("housing_force_max_n", 6100.0),
+        ("housing_force_max_weights", 6100.0 / 430.0),
+        ("rotor_displacement_max_um", 470.0),
+        ("housing_displacement_max_um", 67.0),
+        ("rotor_slip_max_m_s", 71.0),
+        ("spin_up_ms", 73.0),
+        ("ring_speed_rpm", rpm(790.0)),
+        ("rotor_speed_rpm", rpm(830.0)),
+        ("backward_whirl_max_hz", 131.0),
+        ("backward_whirl_hz", 137.0),
+        ("inner_stress_max_gpa", 1.01),
+        ("outer_stress_max_gpa", 1.03),
+        ("ball_stress_max_gpa", 1.07),
+        ("end_collision_rate_hz", 1090.0),
+        ("end_collision_rate_above_0_1_m_s_hz", 530.0),
+        ("end_collision_rate_above_0_5_m_s_hz", 310.0),
+        ("end_collision_rate_above_1_m_s_hz", 110.0),
+        ("ball_force_max_n", 1130.0),
+        ("ball_slip_max_m_s", 12.7),
+        ("heat_j", 127.0),
+        ("ball_heat_j", 28.0),
+        ("rotor_friction_j", 1.0),
+        ("rotor_damping_j", 2.0),
+        ("inner_friction_j", 4.0),
+        ("outer_friction_j", 8.0),
+        ("ball_friction_j", 16.0),
+        ("contact_damping_j", 32.0),
+        ("support_damping_j", 64.0),
+        ("energy_residual_relative", 0.0047),
+        ("end_s", 0.53),
+    ] {
+        let found = result
+            .value(name)
+            .unwrap_or_else(|| panic!("{name} has no value"));
+        assert!(
+            (found / value - 1.0).abs() < 1e-12,
+            "{name}: {found} {value}"
+        );
+    }
+    // Not reached: how far it came.
+    let summary = DropSummary {
+        spin_up_s: None,
+        ..summary
+    };
+    let table = DropResult::table(&[&DropResult::new(case, &summary, &outcome)]);
+    let row = table
+        .iter()
+        .find(|row| row.0 == "spin-up of the inner ring")
+        .unwrap();
+    assert_eq!(row.1, ["not reached (7544 of 7926 rpm)"]);
+}
+
+#[test]
+fn a_run_of_a_falling_rotor_has_no_verdict_and_nothing_of_continuous_running() {
+    let file = drop(&["solver.duration_s=0.06", "output.interval_us=1000"]);
+    let options = Options {
+        rows: None,
+        verify: false,
+    };
+    let summary = run(&file, options, &Silent).unwrap().summary;
+    assert_eq!(summary.passes(), None);
+    assert!(
+        summary.headline().starts_with("not judged: "),
+        "{}",
+        summary.headline()
+    );
+    for name in ["ftf_hz", "bpfo_hz", "bpfi_hz", "bsf_hz", "margin"] {
+        assert_eq!(summary.results.get(name), Some(&Cell::Null), "{name}");
+    }
+    for (label, value, _) in summary.results.rows() {
+        assert!(
+            !value.contains("inf") && !value.contains("NaN"),
+            "{label}: {value}"
+        );
+    }
+    for word in ["n·dm", "70 °C", "inf", "NaN"] {
+        assert!(
+            !summary.warnings.iter().any(|w| w.contains(word)),
+            "{:?}",
+            summary.warnings
+        );
+    }
 }

@@ -7,7 +7,9 @@ use cageless::simulation::{Control, Ending};
 use cageless::touchdown::Scatter;
 use cageless::verification::Convergence;
 use cageless_io::case_file::CaseFile;
-use cageless_io::rotor_file::{RotorBody, RotorDescription, RotorFile, RotorPlace, RotorUnbalance};
+use cageless_io::rotor_file::{
+    RotorBody, RotorClearance, RotorDescription, RotorFile, RotorPlace, RotorUnbalance,
+};
 use cageless_study::drop::{
     DropRequest, DropVerification, RotorStudy, ensemble, rotor_ensemble, rotor_study,
 };
@@ -33,6 +35,7 @@ fn rigid(places_mm: &[f64]) -> RotorDescription {
         },
         bearings: places_mm.iter().map(|z| RotorPlace::AxialMm(*z)).collect(),
         unbalances: vec![],
+        clearances: vec![],
     }
 }
 
@@ -204,4 +207,74 @@ fn the_first_contacts_of_all_bearings_are_converged() {
         let change = |v| judged(v, "rotor_friction_j").step_change;
         assert!(change(coarse).abs() > change(fine).abs());
     }
+}
+
+#[test]
+fn a_rotor_is_judged_by_its_bearings_and_its_planes() {
+    let changes = ["solver.duration_s=0.002"];
+    let cases = ["touchdown-d.toml", "touchdown-conventional.toml"].map(|n| bearing(n, &changes));
+    let plane = |name: &str, axial_mm: f64, radial_um: f64| RotorClearance {
+        name: name.to_owned(),
+        place: RotorPlace::AxialMm(axial_mm),
+        radial_um,
+    };
+    let rotor = RotorDescription {
+        clearances: vec![plane("seal", 150.0, 150.0), plane("impeller", 250.0, 900.0)],
+        ..rigid(&[-100.0, 200.0])
+    };
+    let file = RotorFile::new("", &rotor, 30000.0, 0.0, &cases).unwrap();
+    // What is written reads the same.
+    let text = file.document().to_toml().unwrap();
+    let again = RotorFile::parse(&text, "again", Path::new(""), &[]).unwrap();
+    assert_eq!(again.document().rotor, rotor);
+    let found = studied(&file, DropRequest::default());
+    let judgement = found.drop.judgement();
+    assert_eq!(judgement.passes, Some(false));
+    assert_eq!(judgement.reasons.len(), 1, "{judgement:?}");
+    assert!(
+        judgement.reasons[0].starts_with("seal displaced by"),
+        "{judgement:?}"
+    );
+    let json: serde_json::Value = serde_json::from_str(&found.to_json(&file).unwrap()).unwrap();
+    assert_eq!(
+        (&json["verdict"], &json["passes"]),
+        (&"fail".into(), &false.into())
+    );
+    let of = |k: usize, key: &str| json["clearances"][k][key].as_f64().unwrap();
+    assert_eq!(json["clearances"][1]["name"], "impeller");
+    for (k, limit) in [150.0, 900.0].into_iter().enumerate() {
+        assert_eq!(of(k, "clearance_um"), limit);
+        assert!((of(k, "margin_um") + of(k, "displacement_max_um") - limit).abs() < 1e-9);
+    }
+    assert!(of(0, "margin_um") < 0.0 && of(1, "margin_um") > 0.0);
+}
+
+#[test]
+fn a_bearing_without_load_is_warned_of_and_has_no_weights() {
+    let changes = ["solver.duration_s=0.002"];
+    let cases = ["touchdown-d.toml", "touchdown-conventional.toml"].map(|n| bearing(n, &changes));
+    let of = |places: &[f64]| {
+        let file = RotorFile::new("", &rigid(places), 30000.0, 0.0, &cases).unwrap();
+        studied(&file, DropRequest::default())
+    };
+    let found = of(&[0.0, 200.0]);
+    let warning = "bearing 2: it carries nothing of the rotor";
+    assert!(
+        found.warnings.iter().any(|w| w.starts_with(warning)),
+        "{:?}",
+        found.warnings
+    );
+    let weights = |k: usize| {
+        found.drop.bearings[k]
+            .result
+            .value("rotor_force_max_weights")
+    };
+    assert!(weights(0).is_some() && weights(1).is_none());
+    let found = of(&[100.0, 300.0]);
+    let warning = "bearing 2: the rotor pulls it upwards, with 20 kg";
+    assert!(
+        found.warnings.iter().any(|w| w.starts_with(warning)),
+        "{:?}",
+        found.warnings
+    );
 }

@@ -52,6 +52,7 @@ pub const LIMITS: &[Limit] = &[
     limit("mass_kg", 1e-3, 1e6, "from a miniature housing to a machine"),
     limit("rotor_mass_kg", 1e-3, 1e6, "from a miniature spindle to the rotor of a power station"),
     limit("rotor_polar_inertia_kg_m2", 1e-12, 1e6, "from a miniature spindle to the rotor of a power station"),
+    limit("drive_torque_n_m", -1e7, 1e7, "the largest turbines drive with some 1e7 N·m"),
     limit("rotor_friction_coefficient", NONE, 2.0, "clean metals in vacuum stay below; it is no percentage"),
     limit("rotor_static_friction_coefficient", NONE, 2.0, "clean metals in vacuum stay below; it is no percentage"),
     limit("rotor_stribeck_speed_m_s", 1e-6, 1e3, "friction that drops below or above is constant"),

@@ -57,6 +57,9 @@ pub struct Rotor {
     pub vy_m_s: f64,
     /// Torque of the drive, counter-clockwise; negative: drag.
     pub drive_torque_n_m: f64,
+    /// Radial clearance of the rotor to the stator in the plane of the bearing: the largest
+    /// displacement of the journal from the centre of the stator that a drop may reach.
+    pub clearance_limit_m: Option<f64>,
 }
 
 /// Support of the outer ring and what moves with it; it does not turn.
@@ -174,6 +177,9 @@ impl Rotor {
             ("drive_torque_n_m", self.drive_torque_n_m),
         ] {
             finite(field, value)?;
+        }
+        if let Some(limit_m) = self.clearance_limit_m {
+            positive("rotor_clearance_limit_m", limit_m)?;
         }
         let [x, y] = self.journal_start_m();
         let off = x.hypot(y);

@@ -78,6 +78,7 @@ fn a_ring_that_falls_between_the_balls_ends_the_run() {
         transverse_inertia_kg_m2: 0.6,
         bearing_axial_m: vec![-0.2, 0.2],
         unbalances: vec![],
+        clearances: vec![],
     };
     let mut held = drop_case();
     held.solver = falling.solver.clone();

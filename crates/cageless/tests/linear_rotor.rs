@@ -38,6 +38,7 @@ pub fn rigid(places_m: [f64; 2]) -> RigidRotor {
         transverse_inertia_kg_m2: 0.6,
         bearing_axial_m: places_m.to_vec(),
         unbalances: vec![],
+        clearances: vec![],
     }
 }
 
@@ -292,6 +293,7 @@ fn a_flexible_rotor_falls_into_its_bearings() {
             phase_rad: 0.3,
         }],
         frequency_max_hz: Some(5000.0),
+        ..Reduction::default()
     };
     let rotor: LinearRotor = shaft(4).reduce(&reduction).unwrap();
     let weight: f64 = rotor.mass_shares_kg().iter().sum();

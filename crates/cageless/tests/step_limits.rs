@@ -425,6 +425,7 @@ fn damping_of_a_rotor_by_matrices_limits_the_step() {
         transverse_inertia_kg_m2: 0.6,
         bearing_axial_m: vec![-0.1, 0.2],
         unbalances: vec![],
+        clearances: vec![],
     };
     assert_eq!(rigid.linear().unwrap().fastest_decay_1_s(), 0.0);
 }

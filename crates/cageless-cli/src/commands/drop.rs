@@ -6,7 +6,8 @@ use cageless_io::results::{Metadata, RunWriter, write_atomically, write_csv};
 use cageless_io::rotor_file::RotorFile;
 use cageless_report::drop::drop_page;
 use cageless_study::drop::{
-    Distribution, DropRequest, DropResult, DropStudy, DropVerification, EnsembleResult, study,
+    Distribution, DropJudgement, DropRequest, DropResult, DropStudy, DropVerification,
+    EnsembleResult, study,
 };
 use cageless_study::number_text::significant;
 use cageless_study::run::Rows;
@@ -15,7 +16,7 @@ use super::drop_several::drop_several;
 use super::{make_folder, print, read_case, tell, writable};
 use crate::args::{DropArgs, Reference};
 use crate::failure::{Failure, kept_in};
-use crate::format::{columns, page_line, pairs, warnings};
+use crate::format::{columns, judged, page_line, pairs, warnings};
 use crate::progress::{Bars, catch_interrupt};
 
 pub(super) const SUMMARY: &str = "summary.json";
@@ -92,7 +93,7 @@ fn text(study: &DropStudy) -> String {
         names.push("conventional".to_owned());
         drops.push(&other.result);
     }
-    let mut text = table(names, &drops);
+    let mut text = verdict(&study.drop.result.judgement) + &table(names, &drops);
     if let Some(ensemble) = &study.ensemble {
         text += &ensemble_text(ensemble);
     }
@@ -100,6 +101,12 @@ fn text(study: &DropStudy) -> String {
         text += &verified(verification, "verification");
     }
     text + &warnings(&study.warnings)
+}
+
+/// PASS or FAIL with its reasons.
+pub(super) fn verdict(judgement: &DropJudgement) -> String {
+    let headline = judged(judgement.passes, &judgement.headline());
+    pairs(&[("verdict", headline)]) + "\n"
 }
 
 /// Results of drops, one column each.
@@ -149,7 +156,7 @@ pub(super) fn verified(verification: &DropVerification, title: &str) -> String {
 }
 
 fn ensemble_text(many: &EnsembleResult) -> String {
-    let ends = many.distribution.end_states_text(str::to_owned);
+    let ends = many.distribution.end_states_text();
     let mut lines = vec![("drops", format!("{} completed: {ends}", many.completed))];
     if let Some(percent) = many.distribution.backward_whirl.percent() {
         lines.push(("probability of backward whirl", percent));

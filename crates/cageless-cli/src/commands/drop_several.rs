@@ -4,20 +4,23 @@ use std::f64::consts::TAU;
 use std::path::Path;
 
 use cageless::dynamics::InstructionSet;
+use cageless::simulation::PlaneDisplacement;
 use cageless_io::case_file::CaseDocument;
 use cageless_io::results::{Metadata, RunWriter, write_atomically, write_csv};
 use cageless_io::rotor_file::RotorFile;
 use cageless_report::drop::rotor_page;
-use cageless_study::drop::{DropResult, RotorEnsemble, RotorStudy, WhirlProbability, rotor_study};
+use cageless_study::drop::{
+    DropResult, RotorEnsemble, RotorStudy, WhirlProbability, rotor_study, unloaded,
+};
 use cageless_study::number_text::significant;
 use cageless_study::run::Rows;
 use serde::Serialize;
 
-use super::drop::{PAGE, SUMMARY, quantiles, requested, table, verified};
+use super::drop::{PAGE, SUMMARY, quantiles, requested, table, verdict, verified};
 use super::{check_warnings, deliver, make_folder, print, steps_text, tell, writable};
 use crate::args::{CaseArgs, DropArgs};
 use crate::failure::{Failure, kept_in};
-use crate::format::{page_line, pairs, warnings};
+use crate::format::{columns, page_line, pairs, warnings};
 use crate::progress::{Bars, catch_interrupt};
 
 /// Drops a rotor into its bearings. The tables of each go to a folder of its own.
@@ -108,11 +111,15 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
         ("carried by the bearings", format!("{} kg", listed(&shares))),
         (
             "lowest natural frequencies at speed, without contact",
-            format!("{} Hz", listed(&frequencies)),
+            match frequencies.is_empty() {
+                true => "–".to_owned(),
+                false => format!("{} Hz", listed(&frequencies)),
+            },
         ),
         ("steps of a drop", steps_text(&cases[0])),
     ];
-    let notes = check_warnings(cases);
+    let mut notes = check_warnings(cases);
+    notes.extend(unloaded(file.drop()));
     let checked = Checked {
         valid: true,
         cases: file
@@ -159,22 +166,24 @@ fn text(file: &RotorFile, study: &RotorStudy) -> String {
             format!("{} kg", listed(&rotor.mass_shares_kg())),
         ),
         (
-            "energy ledger of the rotor",
-            format!(
-                "{} missing",
-                of_flows(study.drop.rotor_energy_residual_relative)
-            ),
+            "energy balance error of the rotor (relative)",
+            format!("{:.1e}", study.drop.rotor_energy_residual_relative),
         ),
     ];
     let (names, drops): (Vec<String>, Vec<&DropResult>) = study.columns().into_iter().unzip();
-    let mut text = format!("{}\n{}", pairs(&head), table(names, &drops));
+    let mut text = verdict(&study.drop.judgement()) + &pairs(&head);
+    if !study.drop.planes.is_empty() {
+        text += &format!("\n{}", planes(&study.drop.planes));
+    }
+    text += &format!("\n{}", table(names, &drops));
     if let Some(ensemble) = &study.ensemble {
         text += &ensemble_text(ensemble);
     }
     if let Some(verification) = &study.verification {
-        let [full, half] = verification.rotor_energy_residual_relative.map(of_flows);
-        let ledger = format!("{full} missing at the step, {half} at half of it");
-        text += &format!("\n{}", pairs(&[("energy ledger of the rotor", ledger)]));
+        let [full, half] = verification.rotor_energy_residual_relative;
+        let errors = format!("{full:.1e} at the step, {half:.1e} at half of it");
+        let label = "energy balance error of the rotor (relative)";
+        text += &format!("\n{}", pairs(&[(label, errors)]));
         for (k, of_bearing) in verification.bearings.iter().enumerate() {
             text += &verified(of_bearing, &format!("verification, bearing {}", k + 1));
         }
@@ -182,8 +191,24 @@ fn text(file: &RotorFile, study: &RotorStudy) -> String {
     text + &warnings(&study.warnings)
 }
 
-fn of_flows(residual: f64) -> String {
-    format!("{residual:.1e} of all flows")
+/// Largest displacements of the planes of the rotor against their clearances.
+fn planes(planes: &[PlaneDisplacement]) -> String {
+    let head = [
+        "plane",
+        "largest displacement",
+        "clearance",
+        "margin",
+        "unit",
+    ];
+    let mut rows = vec![head.map(str::to_owned).to_vec()];
+    for plane in planes {
+        let (most, limit) = (plane.displacement_max_m, plane.clearance.radial_m);
+        let mut row = vec![plane.clearance.name.clone()];
+        row.extend([most, limit, limit - most].map(|value| significant(1e6 * value, 5)));
+        row.push("µm".to_owned());
+        rows.push(row);
+    }
+    columns(&rows)
 }
 
 fn ensemble_text(many: &RotorEnsemble) -> String {
@@ -207,7 +232,7 @@ fn ensemble_text(many: &RotorEnsemble) -> String {
         .collect();
     let mut text = format!("\n{}", pairs(&lines));
     for (k, of_bearing) in many.bearings.iter().enumerate() {
-        let states = of_bearing.end_states_text(str::to_owned);
+        let states = of_bearing.end_states_text();
         text += &format!(
             "\n{}\n{}",
             pairs(&[(&format!("bearing {}", k + 1), states)]),

@@ -22,6 +22,7 @@ use cageless_io::case_file::{Assumption, CaseFile, template};
 use cageless_io::designation;
 use cageless_io::results::write_atomically;
 use cageless_io::rotor_file::RotorFile;
+use cageless_io::touchdown_template::touchdown_case;
 use cageless_io::{io_error_message, on_terminal};
 use cageless_study::check_environment;
 use cageless_study::number_text::significant;
@@ -67,7 +68,14 @@ fn new(args: &New) -> Result<(), Failure> {
     let found = found.transpose()?;
     let text = match &found {
         None => template(args.conventional),
-        Some(found) => found.case_file(args.full_complement),
+        Some(bearing) => {
+            let full = args.full_complement;
+            let text = bearing.case_file(full);
+            match args.touchdown {
+                true => touchdown_case(bearing, full, &text),
+                false => text,
+            }
+        }
     };
     let Some(path) = &args.out else {
         return print(&text);

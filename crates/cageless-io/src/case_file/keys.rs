@@ -32,11 +32,17 @@ pub(crate) fn find(section: &str, name: &str) -> Option<&'static Key> {
 /// What a case lacks that is to drop a rotor.
 pub fn missing_rotor() -> String {
     let required = |key: &&Key| matches!((key.presence)(), Presence::Required);
-    let keys = of_section("rotor").iter().filter(required);
-    format!(
-        "the case has no [rotor] to drop: give {} there, and inner_ring_bore_radius_mm and \
-         inner_ring_polar_inertia_kg_m2 in [bearing]",
+    let names = |section: &str| {
+        let keys = of_section(section).iter().filter(required);
         keys.map(|key| key.name).collect::<Vec<_>>().join(", ")
+    };
+    format!(
+        "the case has no [rotor] to drop: give {} there, inner_ring_bore_radius_mm and \
+         inner_ring_polar_inertia_kg_m2 in [bearing], friction_coefficient of the balls in \
+         [contact], and, unless the outer ring is fixed, {} in [support] (`cageless new --bearing \
+         6008 --touchdown` prints a case with all of them)",
+        names("rotor"),
+        names("support")
     )
 }
 

@@ -23,7 +23,7 @@ pub struct RotorBase {
 }
 
 /// The sections that a file has in any number.
-const LISTS: [&str; 2] = ["bearing", "unbalance"];
+const LISTS: [&str; 3] = ["bearing", "unbalance", "clearance"];
 
 impl RotorBase {
     /// Reads a rotor file and the files that it names, whose paths count from its folder.

@@ -3,10 +3,12 @@
 use std::sync::Arc;
 
 use cageless::linear_rotor::{
-    LinearRotor, NodeUnbalance, PlaneUnbalance, Reduction, RigidRotor, RotorError, RotorMatrices,
+    Clearance, LinearRotor, NodeClearance, NodeUnbalance, PlaneClearance, PlaneUnbalance,
+    Reduction, RigidRotor, RotorError, RotorMatrices,
 };
 
 const MM: f64 = 1e-3;
+const UM: f64 = 1e-6;
 const G_MM: f64 = 1e-6;
 
 /// A rotor with the places of its bearings.
@@ -18,6 +20,8 @@ pub struct RotorDescription {
     pub bearings: Vec<RotorPlace>,
     /// The unbalances.
     pub unbalances: Vec<RotorUnbalance>,
+    /// The clearances to the stator.
+    pub clearances: Vec<RotorClearance>,
 }
 
 /// Mass and elasticity of a rotor.
@@ -63,6 +67,26 @@ pub struct RotorUnbalance {
     pub phase_deg: f64,
 }
 
+/// A clearance between rotor and stator.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RotorClearance {
+    /// Name of its plane.
+    pub name: String,
+    /// Its plane.
+    pub place: RotorPlace,
+    /// Radial clearance, µm.
+    pub radial_um: f64,
+}
+
+impl RotorClearance {
+    fn clearance(&self) -> Clearance {
+        Clearance {
+            name: self.name.clone(),
+            radial_m: UM * self.radial_um,
+        }
+    }
+}
+
 impl RotorPlace {
     fn axial_m(self) -> Result<f64, RotorError> {
         match self {
@@ -103,7 +127,14 @@ impl RotorDescription {
                         phase_rad: u.phase_deg.to_radians(),
                     })
                 });
+                let clearances = self.clearances.iter().map(|c| {
+                    Ok(PlaneClearance {
+                        axial_m: c.place.axial_m()?,
+                        clearance: c.clearance(),
+                    })
+                });
                 let rigid = RigidRotor {
+                    clearances: clearances.collect::<Result<_, RotorError>>()?,
                     mass_kg: *mass_kg,
                     polar_inertia_kg_m2: *polar_inertia_kg_m2,
                     transverse_inertia_kg_m2: *transverse_inertia_kg_m2,
@@ -124,7 +155,14 @@ impl RotorDescription {
                         phase_rad: u.phase_deg.to_radians(),
                     })
                 });
+                let clearances = self.clearances.iter().map(|c| {
+                    Ok(NodeClearance {
+                        node: c.place.node()?,
+                        clearance: c.clearance(),
+                    })
+                });
                 let reduction = Reduction {
+                    clearances: clearances.collect::<Result<_, RotorError>>()?,
                     bearing_nodes: bearings.map(|b| b.node()).collect::<Result<_, _>>()?,
                     kept_nodes: kept_nodes.clone(),
                     unbalances: unbalances.collect::<Result<_, RotorError>>()?,

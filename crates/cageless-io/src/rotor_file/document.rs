@@ -84,6 +84,12 @@ impl RotorFileDocument {
             section.insert("phase_deg".to_owned(), unbalance.phase_deg.into());
             section
         });
+        let clearances = self.rotor.clearances.iter().map(|clearance| {
+            let mut section = of_place(clearance.place);
+            section.insert("name".to_owned(), clearance.name.clone().into());
+            section.insert("radial_um".to_owned(), clearance.radial_um.into());
+            section
+        });
         let mut document = Table::new();
         document.insert("schema".to_owned(), Value::Integer(super::SCHEMA));
         document.insert("title".to_owned(), self.title.clone().into());
@@ -92,6 +98,9 @@ impl RotorFileDocument {
         document.insert("bearing".to_owned(), numbered(bearings));
         if !self.rotor.unbalances.is_empty() {
             document.insert("unbalance".to_owned(), numbered(unbalances.collect()));
+        }
+        if !self.rotor.clearances.is_empty() {
+            document.insert("clearance".to_owned(), numbered(clearances.collect()));
         }
         Ok(document.into())
     }

@@ -2,7 +2,7 @@
 
 use crate::case_file::nearest;
 use crate::case_file::unit::Unit::{
-    self, Degree, Millimetre, None as Plain, RevolutionPerMinute, Si, Whole,
+    self, Degree, Micrometre, Millimetre, None as Plain, RevolutionPerMinute, Si, Whole,
 };
 
 /// A key of a section of a rotor file.
@@ -16,7 +16,14 @@ pub(crate) struct RotorKey {
 }
 
 /// Keys of the head of the file, sections last.
-pub(super) const HEAD: [&str; 5] = ["schema", "title", "rotor", "bearing", "unbalance"];
+pub(super) const HEAD: [&str; 6] = [
+    "schema",
+    "title",
+    "rotor",
+    "bearing",
+    "unbalance",
+    "clearance",
+];
 
 const OF_RIGID: &str = "of a rigid rotor; or matrices, of a flexible one";
 const PLACE: RotorKey = key(
@@ -26,8 +33,8 @@ const PLACE: RotorKey = key(
 );
 const NODE: RotorKey = key("node", Whole(0, None), "node of the rotor, from 0");
 
-/// The sections with their keys; `bearing` and `unbalance` may be there several times.
-const SECTIONS: [(&str, &[RotorKey]); 3] = [
+/// The sections with their keys; `bearing`, `unbalance` and `clearance` may be there several times.
+const SECTIONS: [(&str, &[RotorKey]); 4] = [
     (
         "rotor",
         &[
@@ -64,6 +71,19 @@ const SECTIONS: [(&str, &[RotorKey]); 3] = [
             NODE,
             key("moment_g_mm", Si("g mm"), "m·ε of the unbalance"),
             key("phase_deg", Degree, "direction at the start"),
+        ],
+    ),
+    (
+        "clearance",
+        &[
+            PLACE,
+            NODE,
+            key("name", Plain, "name of the plane in results"),
+            key(
+                "radial_um",
+                Micrometre,
+                "radial clearance between rotor and stator in the plane",
+            ),
         ],
     ),
 ];
@@ -103,7 +123,7 @@ pub(crate) fn hint(section: &str, name: &str) -> Option<String> {
     let names = || of_section(section).iter().map(|key| key.name);
     match (nearest(name, names()), section) {
         (Some(near), _) => Some(format!("did you mean {near}?")),
-        (None, "unbalance") => Some(format!("its keys are {}", listed(section))),
+        (None, "unbalance" | "clearance") => Some(format!("its keys are {}", listed(section))),
         (None, _) => None,
     }
 }

@@ -37,7 +37,7 @@ use crate::case_file::{CaseError, CaseFile, CaseValue, StepDocument, read_text, 
 use address::{Address, address};
 
 pub use base::RotorBase;
-pub use description::{RotorBody, RotorDescription, RotorPlace, RotorUnbalance};
+pub use description::{RotorBody, RotorClearance, RotorDescription, RotorPlace, RotorUnbalance};
 pub use document::RotorFileDocument;
 pub use matrices::{MATRICES_SCHEMA, read_matrices, write_matrices};
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use cageless::linear_rotor::{RotorError, RotorMatrices};
 
 use super::keys::{self, HEAD};
-use super::{RotorBody, RotorDescription, RotorPlace, RotorUnbalance, SCHEMA};
+use super::{RotorBody, RotorClearance, RotorDescription, RotorPlace, RotorUnbalance, SCHEMA};
 use crate::case_file::spanned_toml::{Node, Section, Value, join};
 use crate::case_file::{CaseBase, CaseError, nearest};
 
@@ -31,6 +31,7 @@ pub(super) struct Head<'a> {
     pub rotor: Part<'a>,
     pub bearings: Vec<Part<'a>>,
     unbalances: Vec<Part<'a>>,
+    clearances: Vec<Part<'a>>,
 }
 
 impl<'a> Head<'a> {
@@ -71,6 +72,7 @@ impl<'a> Head<'a> {
         Ok(Self {
             bearings: head.list("bearing")?,
             unbalances: head.list("unbalance")?,
+            clearances: head.list("clearance")?,
             head,
             rotor,
         })
@@ -124,7 +126,23 @@ pub(super) fn description(
             phase_deg: part.number("phase_deg")?.unwrap_or(0.0),
         })
     });
+    let clearances = head.clearances.iter().map(|part| {
+        let name = match part.entries.get("name") {
+            Some(node) => part.text("name", node)?,
+            None => return Err(part.missing("name")),
+        };
+        let radial_um = part.required("radial_um")?;
+        if let (Some(node), true) = (part.entries.get("radial_um"), radial_um <= 0.0) {
+            return Err(part.refuse("radial_um", node, "more than 0"));
+        }
+        Ok(RotorClearance {
+            name,
+            place: part.place(by_matrices)?,
+            radial_um,
+        })
+    });
     Ok(RotorDescription {
+        clearances: clearances.collect::<Result<_, CaseError>>()?,
         body,
         bearings: bearings.collect::<Result<_, _>>()?,
         unbalances: unbalances.collect::<Result<_, CaseError>>()?,

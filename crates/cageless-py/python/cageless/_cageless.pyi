@@ -156,6 +156,7 @@ class LinearRotor:
         transverse_inertia_kg_m2: float,
         bearing_axial_mm: list[float],
         unbalances: list[tuple[float, float, float]],
+        clearances: list[tuple[str, float, float]],
     ) -> LinearRotor: ...
     @staticmethod
     def from_matrices(
@@ -168,6 +169,7 @@ class LinearRotor:
         nodes: list[int],
         kept_nodes: list[int],
         unbalances: list[tuple[int, float, float]],
+        clearances: list[tuple[str, int, float]],
         frequency_max_hz: float | None,
     ) -> LinearRotor: ...
     @property

@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import json
 import os
+import re
 import zlib
 from abc import ABC, abstractmethod
 from functools import cached_property
@@ -16,12 +17,14 @@ import numpy.typing as npt
 
 from . import _cageless, folders, pages
 from .arrays import Arrays, equal, footer, frozen
-from .errors import ColumnError
+from .errors import ColumnError, InputError
+from .section import table
 from .tables import Tables
 from .units import with_units
 
 if TYPE_CHECKING:
     import pandas as pd
+    import plotly.graph_objects as go
 
 __all__ = ["Drop"]
 
@@ -47,8 +50,30 @@ class Studied(ABC):
 
     @property
     def warnings(self) -> list[str]:
-        """What was asked for and could not be computed, and why."""
+        """What the numbers do not show, loads that no bearing endures, and what was asked for and
+        could not be computed."""
         return list(self.summary["warnings"])
+
+    @property
+    def passes(self) -> bool | None:
+        """Whether bearing and rotor keep their limits; None if the rotor has not touched."""
+        found: bool | None = self.summary["passes"]
+        return found
+
+    @property
+    def reasons(self) -> list[str]:
+        """Every limit that is exceeded, or why the drop was not judged."""
+        return list(self.summary["reasons"])
+
+    @property
+    def headline(self) -> str:
+        """PASS or FAIL with its reasons."""
+        return str(self.summary["headline"])
+
+    def _repr_html_(self) -> str:
+        rows = [(str(name), value) for name, value in scalars(self.summary).items()]
+        rows += [("warning", warning) for warning in self.warnings]
+        return table(rows, "Drop of a rotor")
 
     @property
     def backward_whirl_probability(self) -> float | None:
@@ -112,9 +137,42 @@ class Drop(Studied, Tables):
         """Reason of an early stop; None if the drop completed."""
         return self._drop.stopped()
 
+    def _plot(self, name: str, title: str | None) -> go.Figure:
+        """A figure of the page."""
+        from .figures import figure
+
+        found = re.search(f'id="{name}-spec">(.*?)</script>', self._drop.page())
+        if found is None:
+            raise InputError(f"the page of this drop has no figure {name!r}")
+        return figure(found[1], title)
+
+    def plot_orbit(self, *, title: str | None = None) -> go.Figure:
+        """Path of the journal in the bore of the inner ring."""
+        return self._plot("orbit", title)
+
+    def plot_displacement(self, *, title: str | None = None) -> go.Figure:
+        """Path of the journal from the centre of the stator, with its clearance."""
+        return self._plot("displacement", title)
+
+    def plot_forces(self, *, title: str | None = None) -> go.Figure:
+        """Forces of the rotor on the inner ring and of the balls on the outer ring over time."""
+        return self._plot("forces", title)
+
+    def plot_spin_up(self, *, title: str | None = None) -> go.Figure:
+        """Speeds of rotor and inner ring over time."""
+        return self._plot("spin-up", title)
+
+    def plot_whirl(self, *, title: str | None = None) -> go.Figure:
+        """Whirl frequency and contact over time."""
+        return self._plot("whirl", title)
+
+    def plot_heat(self, *, title: str | None = None) -> go.Figure:
+        """Heat of each interface."""
+        return self._plot("heat-of-the-interfaces", title)
+
     @property
     def end_state(self) -> str:
-        """What the rotor does at the end: ``falling``, ``at-rest``, ``pendulum``, ``bouncing``,
+        """What the rotor does at the end: ``falling``, ``settling``, ``at-rest``, ``pendulum``, ``bouncing``,
         ``forward-whirl`` or ``backward-whirl``."""
         return str(self.summary["end_state"])
 
@@ -231,9 +289,6 @@ class Drop(Studied, Tables):
         path = folders.make(folder)
         self._drop.save(os.fspath(path), *footer(self.summary))
         return path
-
-    def _save_tables(self, folder: Path) -> None:
-        self._drop.save_tables(os.fspath(folders.make(folder)), *footer(self.summary))
 
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Writes the page of ``cageless drop --out``."""

@@ -31,6 +31,13 @@ class RotorDrop(Studied):
             return False
         return self.summary == other.summary and self.bearings == other.bearings
 
+    @classmethod
+    def _load(cls, path: Path) -> RotorDrop:
+        summary = folders.read(path / "summary.json")
+        count = len(json.loads(summary)["bearings"])
+        bearings = [Drop._load(path / f"bearing-{k + 1}") for k in range(count)]
+        return cls(bearings, summary, folders.read(path / "report.html"))
+
     __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
@@ -75,8 +82,8 @@ class RotorDrop(Studied):
         return frame.set_index(["bearing", "name"]) if len(frame) else frame
 
     def save(self, folder: str | os.PathLike[str]) -> Path:
-        """Writes what ``cageless drop --out`` writes: ``summary.json``, the page, and the tables of
-        each bearing in a folder of its own.
+        """Writes ``summary.json``, the page, and the drop of each bearing in a folder of its own.
+        :func:`load` reads it.
 
         Returns
         -------
@@ -85,7 +92,7 @@ class RotorDrop(Studied):
         """
         path = folders.make(folder)
         for k, bearing in enumerate(self.bearings):
-            bearing._save_tables(path / f"bearing-{k + 1}")
+            bearing.save(path / f"bearing-{k + 1}")
         folders.write(path, "summary.json", self._summary.encode())
         pages.write(path / "report.html", self._page)
         return path

@@ -50,6 +50,7 @@ class LinearRotor:
         transverse_inertia_kg_m2: float,
         bearing_axial_mm: Sequence[float],
         unbalances: Iterable[tuple[float, float, float]] = (),
+        clearances: Iterable[tuple[str, float, float]] = (),
     ) -> LinearRotor:
         """A rigid rotor in one or two bearings.
 
@@ -59,6 +60,9 @@ class LinearRotor:
             Place of each touchdown bearing along the axis, from the mass centre.
         unbalances : iterable of (axial_mm, moment_g_mm, phase_deg)
             Place, m·ε and direction at the start of each unbalance.
+        clearances : iterable of (name, axial_mm, radial_um)
+            Name, place and radial clearance to the stator of magnetic bearings, seals or
+            impellers: a drop that displaces the rotor further fails.
 
         Raises
         ------
@@ -66,9 +70,10 @@ class LinearRotor:
             If a value is out of range.
         """
         listed = [(float(z), float(u), float(phase)) for z, u, phase in unbalances]
+        planes = [(str(name), float(z), float(limit)) for name, z, limit in clearances]
         places = [float(z) for z in bearing_axial_mm]
         inertia = (float(polar_inertia_kg_m2), float(transverse_inertia_kg_m2))
-        return cls(_cageless.LinearRotor.rigid(float(mass_kg), *inertia, places, listed))
+        return cls(_cageless.LinearRotor.rigid(float(mass_kg), *inertia, places, listed, planes))
 
     @classmethod
     def from_matrices(
@@ -83,6 +88,7 @@ class LinearRotor:
         nodes: Sequence[int],
         kept_nodes: Sequence[int] = (),
         unbalances: Iterable[tuple[int, float, float]] = (),
+        clearances: Iterable[tuple[str, int, float]] = (),
         frequency_max_hz: float | None = None,
     ) -> LinearRotor:
         """A rotor by its matrices, M·q̈ + (C + Ω·G)·q̇ + (K + Ω̇·Ksdt)·q = f.
@@ -100,6 +106,8 @@ class LinearRotor:
             Further nodes whose displacements the reduction keeps, those of sensors.
         unbalances : iterable of (node, moment_g_mm, phase_deg)
             Node, m·ε and direction at the start of each unbalance.
+        clearances : iterable of (name, node, radial_um)
+            Name, node and radial clearance to the stator, as in :meth:`rigid`; the nodes are kept.
         frequency_max_hz : float, optional
             Modes with all of these nodes held are kept up to this frequency (Craig and Bampton);
             default: all of them.
@@ -116,6 +124,7 @@ class LinearRotor:
             for name, matrix in given.items()
         }
         listed = [(_node(n), float(u), float(phase)) for n, u, phase in unbalances]
+        planes = [(str(name), _node(n), float(limit)) for name, n, limit in clearances]
         return cls(
             _cageless.LinearRotor.from_matrices(
                 mass,
@@ -127,6 +136,7 @@ class LinearRotor:
                 [_node(n) for n in nodes],
                 [_node(n) for n in kept_nodes],
                 listed,
+                planes,
                 frequency_max_hz,
             )
         )
@@ -139,6 +149,7 @@ class LinearRotor:
         *,
         kept_nodes: Sequence[int] = (),
         unbalances: Iterable[tuple[int, float, float]] = (),
+        clearances: Iterable[tuple[str, int, float]] = (),
         frequency_max_hz: float | None = None,
         frequency_rad_s: float = 0.0,
     ) -> LinearRotor:
@@ -147,7 +158,7 @@ class LinearRotor:
 
         ross 2.3.0 does not import with plotly 7: install ``plotly<7`` next to it.
 
-        Its bearings should be what holds the rotor after the magnets have let go, so none or seals.
+        Its bearings should be what holds the rotor in the drop, so none or seals.
         Axial motion and torsion are left out; the moment of inertia about the axis is that of the
         torsion.
 
@@ -191,6 +202,7 @@ class LinearRotor:
             nodes=nodes,
             kept_nodes=kept_nodes,
             unbalances=unbalances,
+            clearances=clearances,
             frequency_max_hz=frequency_max_hz,
         )
 

@@ -11,6 +11,7 @@ from .errors import InputError
 from .folders import read
 from .designs import Design
 from .drops import Drop
+from .rotor_drops import RotorDrop
 from .runs import Run
 from .statics import Static
 from .searches import SearchResult
@@ -20,7 +21,7 @@ from .tolerances import ToleranceResult
 
 __all__ = ["load"]
 
-Result = Run | Drop | Static | Design | SearchResult | ToleranceResult | SweepResult
+Result = Run | Drop | RotorDrop | Static | Design | SearchResult | ToleranceResult | SweepResult
 
 #: The file that tells which result a folder holds.
 KINDS = {
@@ -43,7 +44,7 @@ def load(path: str | os.PathLike[str]) -> Result:
 
     Returns
     -------
-    Run, Drop, SweepResult, ToleranceResult, SearchResult, Design or Static
+    Run, Drop, RotorDrop, SweepResult, ToleranceResult, SearchResult, Design or Static
         Equal to what was saved.
 
     Raises
@@ -69,11 +70,16 @@ def load(path: str | os.PathLike[str]) -> Result:
     if not found:
         what = "holds no result" if path.is_dir() else "is not there"
         raise InputError(f"{path}: {what}: one of {', '.join(KINDS)} is expected in a folder")
+    if (path / "bearing-1" / "summary.json").is_file():
+        return RotorDrop._load(path)
     dropped = (path / "rotor.parquet").is_file()
     if "run" in found.values() and not dropped and not (path / "report.json").is_file():
         message = f"{path}: is no run that load reads"
         if (path / "bearing-1").is_dir():
-            message += "; the tables of a drop into several bearings are Parquet files"
+            message += (
+                "; of a drop into several bearings it reads what RotorDrop.save wrote, and the "
+                "command writes tables as Parquet files"
+            )
         raise InputError(message)
     if len(found) > 1:
         listed = ", ".join(found)

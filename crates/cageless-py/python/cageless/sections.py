@@ -352,6 +352,9 @@ class Rotor(Section):
         velocity of the mass centre when the magnets let go.
     drive_torque_n_m : float, optional
         torque on the rotor, drag if against the speed.
+    clearance_limit_um : float, optional
+        smallest radial clearance of rotor and stator here (magnetic gap, seal); a drop that
+        displaces the journal further from the stator centre fails.
     """
 
     mass_kg: float
@@ -374,6 +377,7 @@ class Rotor(Section):
     vx_m_s: float | None = None
     vy_m_s: float | None = None
     drive_torque_n_m: float | None = None
+    clearance_limit_um: float | None = None
 
     @staticmethod
     def from_ross(rotor: Any, nodes: Sequence[int], **options: Any) -> LinearRotor:

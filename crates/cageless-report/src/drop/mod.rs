@@ -14,7 +14,7 @@ use cageless_study::{Provenance, parameter, provenance};
 
 use crate::figure::Figure;
 use crate::head::Head;
-use crate::page::Page;
+use crate::page::{Note, Page};
 use crate::plot::Plot;
 use crate::studio::studio_section;
 use crate::table::{Cell, Row, Table};
@@ -37,10 +37,11 @@ pub fn drop_page(file: &CaseFile, study: &DropStudy) -> String {
     let source = provenance(case, String::new());
     let mut page = Page::new(title, "", &format!("Cageless {VERSION}"));
     page.head(&head(&record.result));
+    warned(&mut page, &study.warnings);
     page.section("Results");
     page.table(&results(study, &source));
     page.section("Rotor and inner ring");
-    for figure in of_rotor(case, record, &source) {
+    for figure in of_rotor(case, record, study.conventional.as_ref(), &source) {
         page.figure(&figure);
     }
     page.section("Balls");
@@ -69,45 +70,58 @@ fn head(drop: &DropResult) -> Head {
         let value = drop.value(result)?;
         Some(parameter(name, short(value), unit))
     };
-    let limit_gpa = 1e-9 * STRESS_LIMIT_PA;
-    let stress_gpa = [
-        "inner_stress_max_gpa",
-        "outer_stress_max_gpa",
-        "ball_stress_max_gpa",
-    ]
-    .into_iter()
-    .filter_map(|name| drop.value(name))
-    .fold(0.0, f64::max);
-    let state = format!(
-        "At the end of {} s: {}",
-        short(drop.results.number("end_s")),
-        words(drop.end_state())
-    );
-    let failed = drop.end_state() == "backward-whirl" || stress_gpa > limit_gpa;
+    let limit_mpa = 1e-6 * STRESS_LIMIT_PA;
+    let stress_mpa = 1e3
+        * [
+            "inner_stress_max_gpa",
+            "outer_stress_max_gpa",
+            "ball_stress_max_gpa",
+        ]
+        .into_iter()
+        .filter_map(|name| drop.value(name))
+        .fold(0.0, f64::max);
+    let state = at_end(drop);
     let facts = [
         fact("First contact", "first_contact_ms", "ms"),
+        fact("Largest force on the rotor", "rotor_force_max_n", "N"),
         fact(
-            "Largest force on the rotor",
+            "Largest force / rotor weight",
             "rotor_force_max_weights",
-            "× weight",
+            "",
+        ),
+        fact(
+            "Largest displacement from the stator centre",
+            "rotor_displacement_max_um",
+            "µm",
         ),
         fact("Spin-up of the inner ring", "spin_up_ms", "ms"),
         Some(parameter(
-            "Largest contact pressure (ISO 76: 4.2)",
-            short(stress_gpa),
-            "GPa",
+            &format!("Largest contact pressure (limit {limit_mpa:.0} MPa, ISO 76)"),
+            format!("{stress_mpa:.0}"),
+            "MPa",
         )),
         fact("Collisions between balls", "collisions", ""),
+        fact("Collisions above 0.5 m/s", "collisions_above_0_5_m_s", ""),
         fact("Heat of all interfaces", "heat_j", "J"),
     ];
-    Head::new(failed.then_some(false), &state).facts(facts.into_iter().flatten())
+    Head::new(drop.judgement.passes, &drop.judgement.headline())
+        .verdict(None, &state)
+        .facts(facts.into_iter().flatten())
 }
 
-/// A state at the end in words.
-fn words(state: &str) -> String {
-    match state {
-        "at-rest" => "at rest in the bottom".to_owned(),
-        other => other.replace('-', " "),
+/// "State after 0.5 s: rest at the bottom."
+fn at_end(drop: &DropResult) -> String {
+    format!(
+        "State after {} s: {}.",
+        short(drop.results.number("end_s")),
+        drop.end_state_text()
+    )
+}
+
+/// A box for each warning.
+fn warned(page: &mut Page, warnings: &[String]) {
+    for warning in warnings {
+        page.note(Note::Warning, warning);
     }
 }
 
@@ -138,7 +152,7 @@ fn side_by_side(drops: Vec<(String, &DropResult)>, source: &Provenance) -> Table
         });
     Table {
         label: "Results".to_owned(),
-        caption: "From the moment at which the magnets let go to the end of the run.".to_owned(),
+        caption: "From the start of the drop to the end of the run.".to_owned(),
         columns,
         rows: rows.collect(),
         provenance: Some(source.clone()),

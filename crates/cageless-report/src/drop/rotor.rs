@@ -11,6 +11,7 @@ use super::figure;
 use crate::figure::Figure;
 use crate::plot::{GREY, PALETTE, Plot, line, markers, with};
 use crate::sampling::history;
+use crate::text::short;
 
 /// Points of a trace over time.
 const POINTS: usize = 3000;
@@ -22,62 +23,139 @@ fn rotors(snapshots: &[Snapshot]) -> Vec<(f64, RotorSnapshot)> {
 }
 
 /// Figures of the journal in the inner ring; that of the whirl where there are windows to draw a
-/// line through.
+/// line through. With the drop onto a conventional outer ring, if there
+/// is one, dashed.
 pub(super) fn of_rotor(
     case: &Case,
     record: &DropRecord,
+    conventional: Option<&DropRecord>,
     source: &Provenance,
 ) -> impl Iterator<Item = Figure> {
-    let (snapshots, windows) = (&record.snapshots, &record.result.windows);
+    let windows = &record.result.windows;
+    let drops = Drops {
+        case,
+        record,
+        conventional,
+    };
     let figures = [
-        orbit(case, snapshots, source),
-        speeds(&rotors(snapshots), source),
-        forces(case, snapshots, source),
+        orbit(&drops, source),
+        displacement(&drops, source),
+        speeds(&rotors(&record.snapshots), source),
+        forces(&drops, source),
     ];
-    let whirl = (windows.len() > 1).then(|| whirl(windows, source));
+    let whirl = (windows.len() > 1).then(|| whirl(&drops, source));
     figures.into_iter().chain(whirl)
 }
 
-/// Path of the journal in the bore, with the circle of the air gap.
-fn orbit(case: &Case, snapshots: &[Snapshot], source: &Provenance) -> Figure {
-    let Some(rotor) = &case.rotor else {
-        return figure("Orbit", "", source, Plot::new(200));
-    };
-    let (mut x, mut y) = (Vec::new(), Vec::new());
-    for s in snapshots {
-        let Some(r) = s.rotor else { continue };
-        let (sin, cos) = (r.angle_rad + rotor.eccentricity_phase_rad).sin_cos();
-        x.push(1e6 * (r.x_m - rotor.eccentricity_m * cos - s.ring.x_m));
-        y.push(1e6 * (r.y_m - rotor.eccentricity_m * sin - s.ring.y_m));
+/// A drop and that of the same rotor onto a conventional outer ring.
+struct Drops<'a> {
+    case: &'a Case,
+    record: &'a DropRecord,
+    conventional: Option<&'a DropRecord>,
+}
+
+impl Drops<'_> {
+    /// Adds a trace of the drop onto a conventional ring to those of the drop.
+    fn both(
+        &self,
+        mut plot: Plot,
+        name: &str,
+        colour: &str,
+        rows: impl Fn(&DropRecord) -> [Vec<f64>; 2],
+    ) -> Plot {
+        if let Some(other) = self.conventional {
+            let [x, y] = rows(other);
+            plot = plot.trace(with(
+                line(&format!("{name}, conventional ring"), &x, &y, GREY),
+                json!({ "line": { "dash": "dash" } }),
+            ));
+        }
+        let [x, y] = rows(self.record);
+        plot.trace(line(name, &x, &y, colour))
     }
-    let gap = 1e6 * rotor.air_gap_m;
-    let circle: Vec<f64> = (0..=120).map(|k| TAU * f64::from(k) / 120.0).collect();
-    let of = |f: fn(f64) -> f64| -> Vec<f64> { circle.iter().map(|a| gap * f(*a)).collect() };
-    let last = x.len().saturating_sub(1);
-    let mut plot = Plot::new(560)
+}
+
+/// Path of the centre of the journal from the centre of the inner ring, or from that of the stator,
+/// µm.
+fn path_um(case: &Case, snapshots: &[Snapshot], in_ring: bool) -> [Vec<f64>; 2] {
+    let [mut x, mut y] = [Vec::new(), Vec::new()];
+    let rotor = case.rotor.as_ref();
+    for (s, r, rotor) in snapshots.iter().filter_map(|s| Some((s, s.rotor?, rotor?))) {
+        let journal = rotor.journal_m([r.x_m, r.y_m], r.angle_rad);
+        let centre = match in_ring {
+            true => [s.ring.x_m, s.ring.y_m],
+            false => [0.0; 2],
+        };
+        x.push(1e6 * (journal[0] - centre[0]));
+        y.push(1e6 * (journal[1] - centre[1]));
+    }
+    [x, y]
+}
+
+fn circle(name: &str, radius_um: f64, colour: &str) -> serde_json::Value {
+    let angles: Vec<f64> = (0..=120).map(|k| TAU * f64::from(k) / 120.0).collect();
+    let of = |f: fn(f64) -> f64| -> Vec<f64> { angles.iter().map(|a| radius_um * f(*a)).collect() };
+    with(
+        line(name, &of(f64::cos), &of(f64::sin), colour),
+        json!({ "line": { "dash": "dot" } }),
+    )
+}
+
+/// Path of the journal from the centre of the stator, with the circle of its clearance.
+fn displacement(drops: &Drops<'_>, source: &Provenance) -> Figure {
+    let mut plot = square("x of the journal in the stator (µm)");
+    let limit_m = (drops.case.rotor.as_ref()).and_then(|rotor| rotor.clearance_limit_m);
+    if let Some(limit_m) = limit_m {
+        plot = plot.trace(circle("clearance to the stator", 1e6 * limit_m, PALETTE[3]));
+    }
+    let plot = drops.both(plot, "centre of the journal", PALETTE[0], |record| {
+        path_um(drops.case, &record.snapshots, false)
+    });
+    figure(
+        "Displacement",
+        "Centre of the journal from the centre of the stator, that of the housing at rest. A drop \
+         fails where it crosses the dotted circle, the clearance that the case gives \
+         (rotor.clearance_limit_um).",
+        source,
+        plot,
+    )
+}
+
+/// A plot with equal scales of x and y.
+fn square(x: &str) -> Plot {
+    Plot::new(560)
         .legend()
-        .axis(
-            "xaxis",
-            "x of the journal in the bore (µm)",
-            json!({ "constrain": "domain" }),
-        )
+        .axis("xaxis", x, json!({ "constrain": "domain" }))
         .axis(
             "yaxis",
             "y (µm)",
             json!({ "scaleanchor": "x", "scaleratio": 1, "constrain": "domain" }),
         )
-        .trace(with(
-            line("air gap", &of(f64::cos), &of(f64::sin), GREY),
-            json!({ "line": { "dash": "dot" } }),
-        ))
-        .trace(line("centre of the journal", &x, &y, PALETTE[0]));
+}
+
+/// Path of the journal in the bore, with the circle of the touch-down clearance.
+fn orbit(drops: &Drops<'_>, source: &Provenance) -> Figure {
+    let case = drops.case;
+    let Some(rotor) = &case.rotor else {
+        return figure("Orbit", "", source, Plot::new(200));
+    };
+    let [x, y] = path_um(case, &drops.record.snapshots, true);
+    let last = x.len().saturating_sub(1);
+    let plot = square("x of the journal in the bore (µm)").trace(circle(
+        "touch-down clearance",
+        1e6 * rotor.air_gap_m,
+        GREY,
+    ));
+    let mut plot = drops.both(plot, "centre of the journal", PALETTE[0], |record| {
+        path_um(case, &record.snapshots, true)
+    });
     if let (Some(x), Some(y)) = (x.get(last), y.get(last)) {
         plot = plot.trace(markers("end", &[*x], &[*y], PALETTE[1]));
     }
     figure(
         "Orbit",
         "Centre of the journal relative to the centre of the inner ring. Beyond the dotted circle, \
-         the air gap, it is in contact.",
+         the touch-down clearance, it is in contact.",
         source,
         plot,
     )
@@ -87,7 +165,7 @@ fn orbit(case: &Case, snapshots: &[Snapshot], source: &Provenance) -> Figure {
 fn over_time(height: u32, title: &str) -> Plot {
     Plot::new(height)
         .legend()
-        .axis("xaxis", "Time since the magnets let go (ms)", json!({}))
+        .axis("xaxis", "Time since the start of the drop (ms)", json!({}))
         .axis("yaxis", title, json!({}))
 }
 
@@ -117,42 +195,57 @@ fn speeds(rotors: &[(f64, RotorSnapshot)], source: &Provenance) -> Figure {
     )
 }
 
-/// Forces as multiples of the weight of the rotor.
-fn forces(case: &Case, snapshots: &[Snapshot], source: &Provenance) -> Figure {
-    let weight = case.rotor.as_ref().map_or(0.0, |r| r.mass_kg) * case.operation.gravity_m_s2;
-    let (scale, unit) = if weight > 0.0 {
-        (1.0 / weight, "Force / weight of the rotor")
-    } else {
-        (1.0, "Force (N)")
+/// Forces of rotor and balls.
+fn forces(drops: &Drops<'_>, source: &Provenance) -> Figure {
+    let thinned = |rows: Vec<(f64, f64)>| -> [Vec<f64>; 2] {
+        let (x, y): (Vec<f64>, Vec<f64>) = rows.into_iter().unzip();
+        let (x, y) = history(&x, &y, POINTS);
+        [x, y]
     };
-    let contact: Vec<(f64, f64)> = (snapshots.iter())
-        .filter_map(|s| Some((1e3 * s.time_s, scale * s.rotor?.contact_force_n)))
-        .collect();
-    let outer: Vec<(f64, f64)> = (snapshots.iter())
-        .map(|s| {
-            let force = s.ring.outer_force_x_n.hypot(s.ring.outer_force_y_n);
-            (1e3 * s.time_s, scale * force)
-        })
-        .collect();
-    let plot = over_time(400, unit)
-        .trace(trace("balls on the outer ring", &outer, PALETTE[2]))
-        .trace(trace("rotor on the inner ring", &contact, PALETTE[0]));
+    let contact = |record: &DropRecord| {
+        let rows = record.snapshots.iter();
+        let row = |s: &Snapshot| Some((1e3 * s.time_s, s.rotor?.contact_force_n));
+        thinned(rows.filter_map(row).collect())
+    };
+    let outer = |record: &DropRecord| {
+        let rows = record.snapshots.iter();
+        let force = |s: &Snapshot| s.ring.outer_force_x_n.hypot(s.ring.outer_force_y_n);
+        thinned(rows.map(|s| (1e3 * s.time_s, force(s))).collect())
+    };
+    let plot = over_time(400, "Force (N)");
+    let plot = drops.both(plot, "balls on the outer ring", PALETTE[2], outer);
+    let plot = drops.both(plot, "rotor on the inner ring", PALETTE[0], contact);
+    let rotor = drops.case.rotor.as_ref();
+    let weight_n = rotor.map_or(0.0, |r| r.mass_kg) * drops.case.operation.gravity_m_s2;
     figure(
         "Forces",
-        "Normal force between rotor and inner ring and the force of the balls on the outer ring, \
-         at the output interval: peaks between two rows are in the table only.",
+        &format!(
+            "Normal force between rotor and inner ring and the force of the balls on the outer \
+             ring, at the output interval: peaks between two rows are in the table only. The \
+             weight on this bearing is {} N.",
+            short(weight_n)
+        ),
         source,
         plot,
     )
 }
 
 /// Whirl frequency over time.
-fn whirl(windows: &[WindowRow], source: &Provenance) -> Figure {
-    let over = |of: fn(&WindowRow) -> f64| -> Vec<f64> { windows.iter().map(of).collect() };
+fn whirl(drops: &Drops<'_>, source: &Provenance) -> Figure {
+    let over = |of: fn(&WindowRow) -> f64| -> Vec<f64> {
+        drops.record.result.windows.iter().map(of).collect()
+    };
     let time = over(|w| w.time_ms);
-    let frequency = over(|w| w.whirl_frequency_hz);
     let contact = over(|w| 100.0 * w.contact_fraction);
-    let plot = over_time(420, "Whirl frequency (Hz)")
+    let plot = over_time(420, "Whirl frequency (Hz)");
+    let plot = drops.both(plot, "whirl frequency", PALETTE[3], |record| {
+        let windows = &record.result.windows;
+        [
+            windows.iter().map(|w| w.time_ms).collect(),
+            windows.iter().map(|w| w.whirl_frequency_hz).collect(),
+        ]
+    });
+    let plot = plot
         .axis(
             "yaxis",
             "Whirl frequency (Hz)",
@@ -165,21 +258,20 @@ fn whirl(windows: &[WindowRow], source: &Provenance) -> Figure {
         )
         .axis(
             "xaxis",
-            "Time since the magnets let go (ms)",
+            "Time since the start of the drop (ms)",
             json!({ "anchor": "y2" }),
         )
-        .set("showlegend", json!(false))
+        .set("showlegend", json!(drops.conventional.is_some()))
         .horizontal("x", "y", 0.0, "dot")
-        .trace(line("whirl frequency", &time, &frequency, PALETTE[3]))
         .trace(with(
             line("contact", &time, &contact, PALETTE[2]),
             json!({ "yaxis": "y2" }),
         ));
     figure(
         "Whirl",
-        "Mean frequency at which the journal goes round the bore, window by window, and the part \
-         of each window in contact. Negative: against the rotation of a rotor that turns \
-         counter-clockwise.",
+        "Mean frequency at which the journal moves round the bore, in windows of 5 ms, and the \
+         part of each window in contact. A swing at the bottom has alternating signs. Negative: \
+         against the rotation of a rotor that turns counter-clockwise.",
         source,
         plot,
     )

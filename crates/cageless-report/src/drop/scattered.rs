@@ -2,18 +2,19 @@
 
 use cageless_study::Provenance;
 use cageless_study::drop::{
-    BearingRow, Distribution, EnsembleResult, RotorEnsemble, WhirlProbability,
+    BearingRow, Distribution, EnsembleResult, RotorEnsemble, WhirlProbability, end_state_text,
 };
 use serde_json::json;
 
-use super::{figure, words};
+use super::figure;
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, markers};
 use crate::table::{Cell, Row, Table};
 use crate::text::short;
 
 /// What scatters in each bearing but the arrangement of its balls, with its width.
-const SCATTERED: &str = "friction (±30 %), air gap (±10 %), support damping (factor 2)";
+const SCATTERED: &str =
+    "friction (±30 %), touch-down clearance (±10 %), support damping (factor 2)";
 
 /// Label of a table or figure of the only bearing, or of bearing `k` of several.
 pub(super) fn label(name: &str, k: Option<usize>) -> String {
@@ -34,7 +35,7 @@ pub(super) fn distribution(ensemble: &EnsembleResult, source: &Provenance) -> Ta
          balls (seed {}): {}.{whirl}",
         ensemble.completed,
         ensemble.seed,
-        ensemble.distribution.end_states_text(words)
+        ensemble.distribution.end_states_text()
     );
     quantiles(
         &ensemble.distribution,
@@ -55,7 +56,7 @@ pub(super) fn end_states(ensemble: &RotorEnsemble, source: &Provenance) -> Table
         ..Row::default()
     };
     let bearings = ensemble.bearings.iter().enumerate().map(|(k, of_bearing)| {
-        let states = of_bearing.end_states_text(words);
+        let states = of_bearing.end_states_text();
         row(
             format!("Bearing {}", k + 1),
             &of_bearing.backward_whirl,
@@ -136,7 +137,7 @@ pub(super) fn scatter<'a>(
     let title = if damped {
         "Damping of the support (N·s/m)"
     } else {
-        "Radial air gap (µm)"
+        "Touch-down clearance (radial, µm)"
     };
     let mut plot = Plot::new(420)
         .legend()
@@ -154,7 +155,7 @@ pub(super) fn scatter<'a>(
                 (row.rotor_friction, height)
             })
             .unzip();
-        let name = words(&entry.end_state);
+        let name = end_state_text(&entry.end_state);
         plot = plot.trace(markers(&name, &x, &y, PALETTE[k % PALETTE.len()]));
     }
     figure(

@@ -1,19 +1,21 @@
 //! The page of a drop of a rotor into several touchdown bearings.
 
 use cageless::Case;
+use cageless::simulation::PlaneDisplacement;
 use cageless_io::results::VERSION;
 use cageless_io::rotor_file::RotorFile;
 use cageless_study::drop::{RotorEnsemble, RotorStudy, RotorVerification};
-use cageless_study::{parameter, provenance};
+use cageless_study::{Provenance, parameter, provenance};
 
 use super::balls::around_first_impact;
 use super::rotor::of_rotor;
 use super::scattered::{end_states, label, quantiles, scatter};
 use super::verification::verified;
-use super::{side_by_side, words};
+use super::{side_by_side, warned};
 use crate::head::Head;
 use crate::page::Page;
 use crate::run_report::motion;
+use crate::table::{Cell, Row, Table};
 use crate::text::short;
 
 /// The self-contained page of a drop of the rotor of `file`.
@@ -28,15 +30,13 @@ pub fn rotor_page(file: &RotorFile, study: &RotorStudy) -> String {
     let mut page = Page::new(title, "", &format!("Cageless {VERSION}"));
     let records = &drop.bearings;
     let states: Vec<String> = (records.iter().enumerate())
-        .map(|(k, record)| format!("bearing {}: {}", k + 1, words(record.result.end_state())))
+        .map(|(k, record)| format!("bearing {}: {}", k + 1, record.result.end_state_text()))
         .collect();
-    let failed = records
-        .iter()
-        .any(|record| record.result.end_state() == "backward-whirl");
     let end = short(drop.last().result.results.number("end_s"));
-    let head = Head::new(
-        failed.then_some(false),
-        &format!("At the end of {end} s: {}", states.join("; ")),
+    let judgement = drop.judgement();
+    let head = Head::new(judgement.passes, &judgement.headline()).verdict(
+        None,
+        &format!("State after {end} s: {}.", states.join("; ")),
     );
     let shares = rotor.mass_shares_kg().into_iter().enumerate();
     let facts = [
@@ -52,7 +52,11 @@ pub fn rotor_page(file: &RotorFile, study: &RotorStudy) -> String {
         parameter(&name, short(share), "kg")
     });
     page.head(&head.facts(facts.into_iter().chain(carried)));
+    warned(&mut page, &study.warnings);
     page.section("Results");
+    if !drop.planes.is_empty() {
+        page.table(&planes(&drop.planes, &source));
+    }
     page.table(&side_by_side(study.columns(), &source));
     page.section("Balls");
     let bearings = cases.iter().zip(records).enumerate();
@@ -70,7 +74,8 @@ pub fn rotor_page(file: &RotorFile, study: &RotorStudy) -> String {
         let name = format!("bearing {}", k + 1);
         page.section(&format!("Journal and inner ring, {name}"));
         let source = provenance(case, String::new());
-        for mut figure in of_rotor(case, record, &source) {
+        let other = study.conventional.as_ref().map(|other| &other.bearings[k]);
+        for mut figure in of_rotor(case, record, other, &source) {
             figure.label = label(&figure.label, Some(k));
             page.figure(&figure);
         }
@@ -84,6 +89,36 @@ pub fn rotor_page(file: &RotorFile, study: &RotorStudy) -> String {
     page.html()
 }
 
+/// Table of the planes of a rotor against their clearances.
+fn planes(planes: &[PlaneDisplacement], source: &Provenance) -> Table {
+    let rows = planes.iter().map(|plane| {
+        let (most, limit) = (plane.displacement_max_m, plane.clearance.radial_m);
+        let mut cells = vec![Cell::text(&plane.clearance.name)];
+        cells.extend([most, limit, limit - most].map(|value| Cell::number(short(1e6 * value))));
+        Row {
+            cells,
+            ..Row::default()
+        }
+    });
+    Table {
+        label: "Clearances".to_owned(),
+        caption: "Largest displacement of the rotor from the stator centre in each plane. \
+                  Negative margin: the rotor touches the stator."
+            .to_owned(),
+        columns: [
+            ("Plane", false),
+            ("Largest displacement (µm)", true),
+            ("Clearance (µm)", true),
+            ("Margin (µm)", true),
+        ]
+        .map(|(text, numeric)| (text.to_owned(), numeric))
+        .to_vec(),
+        rows: rows.collect(),
+        provenance: Some(source.clone()),
+        ..Table::default()
+    }
+}
+
 fn scattered(page: &mut Page, cases: &[Case], ensemble: &RotorEnsemble) {
     page.section("Scattered drops");
     page.table(&end_states(ensemble, &provenance(&cases[0], String::new())));
@@ -92,7 +127,7 @@ fn scattered(page: &mut Page, cases: &[Case], ensemble: &RotorEnsemble) {
         let caption = format!(
             "{} completed drops: {}.",
             ensemble.completed,
-            distribution.end_states_text(words)
+            distribution.end_states_text()
         );
         let of_bearing = |name: &str| label(name, Some(k));
         page.table(&quantiles(
@@ -115,8 +150,8 @@ fn verification_section(page: &mut Page, cases: &[Case], verification: &RotorVer
     page.section("Verification");
     let [full, half] = verification.rotor_energy_residual_relative;
     page.paragraph(&format!(
-        "The energy ledger of the rotor lacks {full:.1e} of all flows at the step and {half:.1e} \
-         at half of it."
+        "The energy balance error of the rotor is {full:.1e} of all flows at the step and \
+         {half:.1e} at half of it."
     ));
     for (k, (case, of_bearing)) in cases.iter().zip(&verification.bearings).enumerate() {
         let source = provenance(case, String::new());

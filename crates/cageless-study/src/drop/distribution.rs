@@ -6,7 +6,7 @@ use cageless_io::OptionError;
 use cageless_io::plan_file::Computation;
 use serde::{Serialize, Serializer};
 
-use super::DropResult;
+use super::{DropResult, end_state_text};
 use crate::StudyError;
 use crate::quantities::{Kind, QUANTITIES, Quantity};
 
@@ -148,10 +148,10 @@ impl Distribution {
         }
     }
 
-    /// "7 bouncing, 1 backward whirl", each state as `words` has it.
-    pub fn end_states_text(&self, words: impl Fn(&str) -> String) -> String {
+    /// "7 intermittent contact, 1 backward whirl".
+    pub fn end_states_text(&self) -> String {
         let states: Vec<String> = (self.end_states.iter())
-            .map(|entry| format!("{} {}", entry.count, words(&entry.end_state)))
+            .map(|entry| format!("{} {}", entry.count, end_state_text(&entry.end_state)))
             .collect();
         states.join(", ")
     }

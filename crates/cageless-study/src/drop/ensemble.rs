@@ -78,10 +78,10 @@ fn together(
     let control = |runs: usize| task.run_control(case.solver.duration_s, runs as f64);
     let runs = run_together(&cases, |_| DropRecorder::new(), control);
     let runs = runs.ok_or(StudyError::Interrupted)?;
-    let rows = indices.iter().zip(&drawn).zip(runs);
-    rows.map(|((index, drawn), run)| {
+    let rows = indices.iter().zip(&cases).zip(&drawn).zip(runs);
+    rows.map(|(((index, case), drawn), run)| {
         let (recorder, outcome) = run.map_err(|error| StudyError::Input(error.to_string()))?;
-        let result = DropResult::new(&recorder.summary(&outcome.state), &outcome);
+        let result = DropResult::new(case, &recorder.summary(&outcome.state), &outcome);
         Ok(DropRow {
             index: *index,
             eccentricity_phase_deg: drawn.eccentricity_phase_rad.to_degrees(),

@@ -3,6 +3,7 @@
 
 mod distribution;
 mod ensemble;
+mod judgement;
 mod result;
 mod rotor_ensemble;
 mod rotor_study;
@@ -25,9 +26,10 @@ pub use distribution::{
     BearingRow, DROPS_MAX, Distribution, EndStateCount, Quantiles, WhirlProbability, check_drops,
 };
 pub use ensemble::{DropRow, EnsembleResult, ensemble};
-pub use result::{DropResult, WindowRow};
+pub use judgement::DropJudgement;
+pub use result::{DropResult, WindowRow, end_state_text};
 pub use rotor_ensemble::{RotorDropRow, RotorEnsemble, rotor_ensemble};
-pub use rotor_study::{RotorStudy, rotor_study};
+pub use rotor_study::{RotorStudy, rotor_study, unloaded};
 pub use rotor_verification::RotorVerification;
 pub use several::SeveralBearings;
 pub(crate) use several::{RotorRun, run_rotor};
@@ -76,7 +78,8 @@ pub fn drop_rotor(
 ) -> Result<DropRecord, RunError> {
     let work = progress.begin("drop", 1.0);
     let mut control = work.run_control(case.solver.duration_s, 1.0);
-    let mut records = watched(&[case], vec![rows], |observers| {
+    let recorders = vec![DropRecorder::new()];
+    let mut records = watched(&[case], recorders, vec![rows], |observers| {
         Ok(vec![simulate(case, &mut observers[0], &mut *control)?])
     })?;
     Ok(records.remove(0))
@@ -93,6 +96,7 @@ struct Kept<'r> {
 /// there is one.
 fn watched<'r>(
     cases: &[&Case],
+    mut drops: Vec<DropRecorder>,
     rows: Vec<Option<&'r mut (dyn Rows + Send + 'r)>>,
     simulate: impl FnOnce(&mut [Vec<&mut dyn Observer>]) -> Result<Vec<RunOutcome>, RunError>,
 ) -> Result<Vec<DropRecord>, RunError> {
@@ -105,7 +109,6 @@ fn watched<'r>(
             })
         })
         .collect();
-    let mut drops: Vec<_> = cases.iter().map(|_| DropRecorder::new()).collect();
     let outcomes = {
         let mut recorders: Vec<_> = (cases.iter().zip(&kept))
             .map(|(case, kept)| {
@@ -141,12 +144,12 @@ fn watched<'r>(
         }
         outcomes
     };
-    let records = drops.into_iter().zip(outcomes).zip(kept);
+    let records = cases.iter().zip(drops).zip(outcomes).zip(kept);
     Ok(records
-        .map(|((drop, outcome), kept)| {
+        .map(|(((case, drop), outcome), kept)| {
             let kept = kept.into_inner();
             DropRecord {
-                result: DropResult::new(&drop.summary(&outcome.state), &outcome),
+                result: DropResult::new(case, &drop.summary(&outcome.state), &outcome),
                 outcome,
                 snapshots: kept.snapshots,
                 collisions: kept.collisions,

@@ -1,10 +1,12 @@
 //! Results of a drop.
 
+use cageless::Case;
 use cageless::simulation::{Ending, RunOutcome};
-use cageless::touchdown::{DropSummary, WhirlWindow};
+use cageless::touchdown::{DropSummary, EndState, WhirlWindow};
 use cageless_io::results::Cell;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
+use super::DropJudgement;
 use crate::quantities::{FinishedDrop, Kind, Results, value_text};
 
 /// Results of one drop.
@@ -13,10 +15,23 @@ pub struct DropResult {
     /// Scalar results.
     #[serde(flatten)]
     pub results: Results,
+    /// Every limit that is exceeded, or why the drop was not judged.
+    #[serde(rename = "reasons", serialize_with = "reasons")]
+    pub judgement: DropJudgement,
     /// Why the run stopped before its end, if it did.
     pub stopped: Option<String>,
     /// Motion of the rotor and collisions between balls over time.
     pub windows: Vec<WindowRow>,
+}
+
+/// A state at the end, as files name it, in words.
+pub fn end_state_text(name: &str) -> String {
+    let state = EndState::from_name(name);
+    state.map_or_else(String::new, |state| state.text().to_owned())
+}
+
+fn reasons<S: Serializer>(judgement: &DropJudgement, serializer: S) -> Result<S::Ok, S::Error> {
+    judgement.reasons.serialize(serializer)
 }
 
 /// Motion of the rotor round the bore, and collisions between balls, in one interval.
@@ -47,20 +62,26 @@ impl WindowRow {
 }
 
 impl DropResult {
-    /// Results `summary` of the drop that ended as `outcome`.
-    pub fn new(summary: &DropSummary, outcome: &RunOutcome) -> Self {
+    /// Results `summary` of the drop of `case` that ended as `outcome`.
+    pub fn new(case: &Case, summary: &DropSummary, outcome: &RunOutcome) -> Self {
+        let finished = FinishedDrop {
+            case,
+            summary,
+            outcome,
+        };
         let stopped = match &outcome.ending {
             Ending::Stopped(stop) => Some(stop.reason()),
             _ => None,
         };
         Self {
-            results: Results::of_drop(&FinishedDrop { summary, outcome }),
+            results: Results::of_drop(&finished),
+            judgement: DropJudgement::of_drop(&finished),
             stopped,
             windows: summary.whirl.iter().map(WindowRow::new).collect(),
         }
     }
 
-    /// What the rotor does at the end: `falling`, `at-rest`, `pendulum`, `bouncing`,
+    /// What the rotor does at the end: `falling`, `settling`, `at-rest`, `pendulum`, `bouncing`,
     /// `forward-whirl` or `backward-whirl`.
     pub fn end_state(&self) -> &str {
         match self.results.get("end_state") {
@@ -71,18 +92,49 @@ impl DropResult {
 
     /// Results of drops side by side: label, value of each drop (a dash where it has none), unit.
     pub fn table(drops: &[&Self]) -> Vec<(&'static str, Vec<String>, String)> {
-        let states = drops.iter().map(|drop| drop.end_state().replace('-', " "));
-        let mut rows = vec![("state at the end", states.collect(), String::new())];
+        let words = |of: fn(&Self) -> String| drops.iter().map(|drop| of(drop)).collect();
+        let mut rows = vec![
+            ("verdict", words(Self::verdict), String::new()),
+            (
+                "state at the end",
+                words(Self::end_state_text),
+                String::new(),
+            ),
+        ];
         let quantities = drops.iter().take(1).flat_map(|drop| drop.results.iter());
         for (quantity, _) in quantities.filter(|(q, _)| q.in_tables && q.kind != Kind::Numbers) {
             let value = |drop: &&Self| {
                 let cell = drop.results.get(quantity.name)?;
                 value_text(quantity, cell)
             };
-            let values = drops.iter().map(|d| value(d).unwrap_or("–".to_owned()));
+            let values = drops.iter().map(|d| {
+                let other = || d.instead(quantity.name).unwrap_or("–".to_owned());
+                value(d).unwrap_or_else(other)
+            });
             rows.push((quantity.label, values.collect(), quantity.printed_unit()));
         }
         rows
+    }
+
+    /// PASS, FAIL or that nothing was judged.
+    fn verdict(&self) -> String {
+        let headline = self.judgement.headline();
+        headline.split(':').next().unwrap_or_default().to_owned()
+    }
+
+    /// What the rotor does at the end, in words.
+    pub fn end_state_text(&self) -> String {
+        end_state_text(self.end_state())
+    }
+
+    /// What stands in tables where a result has no value.
+    fn instead(&self, name: &str) -> Option<String> {
+        if name != "spin_up_ms" {
+            return None;
+        }
+        self.value("first_contact_ms")?;
+        let [ring, rotor] = ["ring_speed_rpm", "rotor_speed_rpm"].map(|name| self.value(name));
+        Some(format!("not reached ({:.0} of {:.0} rpm)", ring?, rotor?))
     }
 
     /// Values of a result of every ball.

@@ -77,6 +77,7 @@ impl RotorDropRow {
             bearings,
             stopped,
             rotor_energy_residual_relative,
+            ..
         } = run_rotor(&scattered, &mut *control)?;
         Ok(Self {
             index,
@@ -118,6 +119,7 @@ mod tests {
     use cageless_io::results::Cell;
 
     use super::*;
+    use crate::drop::DropJudgement;
     use crate::quantities::Results;
 
     fn bearing(state: &str, force: f64) -> BearingRow {
@@ -132,6 +134,7 @@ mod tests {
             support_damping_n_s_m: None,
             result: DropResult {
                 results: Results::only(&results),
+                judgement: DropJudgement::default(),
                 stopped: None,
                 windows: vec![],
             },

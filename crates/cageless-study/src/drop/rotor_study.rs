@@ -1,6 +1,6 @@
 //! A drop into several bearings with what is shown beside it.
 
-use cageless::simulation::RotorDrop;
+use cageless::simulation::{PlaneDisplacement, RotorDrop};
 use cageless::touchdown::Scatter;
 use cageless_io::case_file::CaseDocument;
 use cageless_io::results::{SCHEMA, VERSION};
@@ -14,8 +14,10 @@ use super::{
     rotor_ensemble,
 };
 use crate::StudyError;
+use crate::number_text::short;
 use crate::progress::Progress;
 use crate::run::{Rows, RunError};
+use crate::warnings::{of_drop, of_scattered};
 
 /// A drop into several bearings with what is shown beside it.
 pub type RotorStudy = Study<SeveralBearings, RotorEnsemble, RotorVerification>;
@@ -41,6 +43,26 @@ impl Subject for RotorDrop {
     type Ensemble = RotorEnsemble;
     type Verification = RotorVerification;
 
+    fn warnings(&self, drop: &SeveralBearings) -> Vec<String> {
+        let mut warnings = unloaded(self);
+        for (k, (case, record)) in self.cases().iter().zip(&drop.bearings).enumerate() {
+            let own = of_drop(case, &record.result).into_iter();
+            warnings.extend(own.map(|text| in_bearing(k, &text)));
+        }
+        warnings
+    }
+
+    fn scattered_warnings(&self, ensemble: &RotorEnsemble) -> Vec<String> {
+        let mut warnings = vec![];
+        for (k, case) in self.cases().iter().enumerate() {
+            let drops = ensemble.drops.iter();
+            let drops = drops.map(|drop| (drop.index, &drop.bearings[k].result));
+            let own = of_scattered(case, drops).into_iter();
+            warnings.extend(own.map(|text| in_bearing(k, &text)));
+        }
+        warnings
+    }
+
     fn drop_conventional(&self, progress: &dyn Progress) -> Result<SeveralBearings, RunError> {
         let none = self.cases().iter().map(|_| None).collect();
         drop_into_bearings(&self.conventional(), none, progress)
@@ -59,6 +81,59 @@ impl Subject for RotorDrop {
     }
 }
 
+fn in_bearing(k: usize, text: &str) -> String {
+    format!("bearing {}: {text}", k + 1)
+}
+
+/// Warnings of bearings that carry nothing of a rotor at rest, or hold it down.
+pub fn unloaded(drop: &RotorDrop) -> Vec<String> {
+    let shares = drop.rotor().mass_shares_kg().into_iter();
+    let shares = shares.zip(drop.carried_n()).enumerate();
+    let unloaded = shares.filter(|(_, (_, carried_n))| carried_n.is_none());
+    unloaded
+        .map(|(k, (share_kg, _))| {
+            let what = match share_kg < -1e-9 * drop.rotor().mass_kg() {
+                true => format!(
+                    "the rotor pulls it upwards, with {} kg: the mass centre is not between the \
+                     bearings, and the rotor tips over at rest",
+                    short(-share_kg)
+                ),
+                false => "it carries nothing of the rotor at rest: the mass centre is at another \
+                          bearing"
+                    .to_owned(),
+            };
+            in_bearing(
+                k,
+                &format!("{what}; its forces have no weight to be compared with"),
+            )
+        })
+        .collect()
+}
+
+/// A plane of a rotor against its clearance to the stator.
+#[derive(Serialize)]
+struct PlaneSummary<'a> {
+    name: &'a str,
+    clearance_um: f64,
+    displacement_max_um: f64,
+    margin_um: f64,
+}
+
+impl<'a> PlaneSummary<'a> {
+    fn new(plane: &'a PlaneDisplacement) -> Self {
+        let (limit, most) = (
+            1e6 * plane.clearance.radial_m,
+            1e6 * plane.displacement_max_m,
+        );
+        Self {
+            name: &plane.clearance.name,
+            clearance_um: limit,
+            displacement_max_um: most,
+            margin_um: limit - most,
+        }
+    }
+}
+
 impl RotorStudy {
     /// Names and results of the bearings side by side, those with conventional outer rings last.
     pub fn columns(&self) -> Vec<(String, &DropResult)> {
@@ -74,6 +149,7 @@ impl RotorStudy {
     pub fn to_json(&self, file: &RotorFile) -> Result<String, serde_json::Error> {
         let rotor = file.drop().rotor();
         let records = &self.drop.bearings;
+        let judgement = self.drop.judgement();
         let summary = Summary {
             schema: SCHEMA,
             version: VERSION,
@@ -86,6 +162,11 @@ impl RotorStudy {
                 mass_shares_kg: rotor.mass_shares_kg(),
                 energy_residual_relative: self.drop.rotor_energy_residual_relative,
             },
+            verdict: judgement.name(),
+            passes: judgement.passes,
+            headline: judgement.headline(),
+            reasons: &judgement.reasons,
+            clearances: self.drop.planes.iter().map(PlaneSummary::new).collect(),
             bearings: (file.bearings().iter().zip(records))
                 .map(|(file, record)| BearingSummary {
                     case: file.document_as_run(),
@@ -112,6 +193,11 @@ struct Summary<'a> {
     isa: &'static str,
     title: &'a str,
     rotor: RotorSummary,
+    verdict: &'static str,
+    passes: Option<bool>,
+    headline: String,
+    reasons: &'a [String],
+    clearances: Vec<PlaneSummary<'a>>,
     bearings: Vec<BearingSummary<'a>>,
     /// Results of each bearing with conventional outer rings.
     #[serde(skip_serializing_if = "Option::is_none")]

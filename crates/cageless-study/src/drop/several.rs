@@ -1,9 +1,9 @@
 //! The drop of a rotor into several touchdown bearings.
 
-use cageless::simulation::{Control, Ending, Observer, RotorDrop, RunOutcome};
+use cageless::simulation::{Control, Ending, Observer, PlaneDisplacement, RotorDrop, RunOutcome};
 use cageless::touchdown::DropRecorder;
 
-use super::{DropRecord, DropResult, Ended, watched};
+use super::{DropJudgement, DropRecord, DropResult, Ended, watched};
 use crate::StudyError;
 use crate::progress::Progress;
 use crate::run::{Rows, RunError};
@@ -14,6 +14,14 @@ pub struct SeveralBearings {
     pub bearings: Vec<DropRecord>,
     /// What the energy ledger of the rotor alone lacks, over the sum of its absolute terms.
     pub rotor_energy_residual_relative: f64,
+    /// Planes of the rotor with a clearance to the stator.
+    pub planes: Vec<PlaneDisplacement>,
+}
+
+/// Recorders of the bearings of a drop.
+fn recorders(drop: &RotorDrop) -> Vec<DropRecorder> {
+    let carried = drop.carried_n().into_iter();
+    carried.map(DropRecorder::of_bearing).collect()
 }
 
 /// Drops a rotor into its bearings on the calling thread; `rows` has a store for each bearing, or
@@ -31,18 +39,27 @@ pub(super) fn drop_into_bearings<'r>(
     let work = progress.begin("drop", 1.0);
     let mut control = work.run_control(cases[0].solver.duration_s, 1.0);
     let mut rotor_energy_residual_relative = 0.0;
-    let bearings = watched(&cases, rows, |observers| {
+    let mut planes = vec![];
+    let bearings = watched(&cases, recorders(drop), rows, |observers| {
         let outcome = drop.run(observers, &mut *control)?;
+        planes = outcome.planes;
         rotor_energy_residual_relative = outcome.rotor_energy_residual_relative;
         Ok(outcome.bearings)
     })?;
     Ok(SeveralBearings {
         bearings,
         rotor_energy_residual_relative,
+        planes,
     })
 }
 
 impl SeveralBearings {
+    /// The verdict on all bearings and the planes of the rotor.
+    pub fn judgement(&self) -> DropJudgement {
+        let bearings: Vec<_> = self.bearings.iter().map(|record| &record.result).collect();
+        DropJudgement::of_rotor(&bearings, &self.planes, self.rotor_energy_residual_relative)
+    }
+
     /// Names and results of the bearings; `note` follows each name.
     pub(super) fn columns(&self, note: &str) -> impl Iterator<Item = (String, &DropResult)> {
         let records = self.bearings.iter().enumerate();
@@ -89,6 +106,16 @@ pub(crate) struct RotorRun {
     pub stopped: Option<String>,
     /// What the energy ledger of the rotor alone lacks, over the sum of its absolute terms.
     pub rotor_energy_residual_relative: f64,
+    /// Planes of the rotor with a clearance to the stator.
+    pub planes: Vec<PlaneDisplacement>,
+}
+
+impl RotorRun {
+    /// The verdict on all bearings and the planes of the rotor.
+    pub fn judgement(&self) -> DropJudgement {
+        let bearings: Vec<_> = self.bearings.iter().collect();
+        DropJudgement::of_rotor(&bearings, &self.planes, self.rotor_energy_residual_relative)
+    }
 }
 
 /// Drops a rotor into its bearings and keeps the results alone.
@@ -103,7 +130,7 @@ pub(crate) fn run_rotor(
     if control(0.0).is_break() {
         return Err(StudyError::Interrupted);
     }
-    let mut recorders: Vec<_> = drop.cases().iter().map(|_| DropRecorder::new()).collect();
+    let mut recorders = recorders(drop);
     let outcome = {
         let mut observers: Vec<Vec<&mut dyn Observer>> = (recorders.iter_mut())
             .map(|recorder| vec![recorder as &mut dyn Observer])
@@ -111,9 +138,11 @@ pub(crate) fn run_rotor(
         drop.run(&mut observers, control)
             .map_err(|error| StudyError::Input(error.to_string()))?
     };
-    let results = recorders.into_iter().zip(&outcome.bearings);
+    let results = drop.cases().iter().zip(recorders).zip(&outcome.bearings);
     let bearings: Vec<DropResult> = results
-        .map(|(recorder, outcome)| DropResult::new(&recorder.summary(&outcome.state), outcome))
+        .map(|((case, recorder), outcome)| {
+            DropResult::new(case, &recorder.summary(&outcome.state), outcome)
+        })
         .collect();
     let stopped = stopped_bearing(outcome.bearings.iter()).map(|k| {
         let reason = bearings[k].stopped.as_deref().unwrap_or_default();
@@ -127,5 +156,6 @@ pub(crate) fn run_rotor(
         bearings,
         stopped,
         rotor_energy_residual_relative: outcome.rotor_energy_residual_relative,
+        planes: outcome.planes,
     })
 }

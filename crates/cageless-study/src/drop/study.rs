@@ -14,6 +14,7 @@ use super::{
 use crate::StudyError;
 use crate::progress::Progress;
 use crate::run::{Rows, RunError};
+use crate::warnings::{of_drop, of_scattered};
 
 /// What a study of a drop computes beside the drop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -55,7 +56,8 @@ pub struct Study<D, E, V> {
     pub ensemble: Option<E>,
     /// Verification of the drop.
     pub verification: Option<V>,
-    /// What was asked for and could not be computed, and why.
+    /// What the numbers do not show, and what no bearing stands; what was asked for and could not be
+    /// computed, and why.
     pub warnings: Vec<String>,
     /// Whether the progress cancelled it.
     pub interrupted: bool,
@@ -85,6 +87,12 @@ pub(super) trait Subject {
     /// Verification of a drop of it.
     type Verification;
 
+    /// Warnings of a drop of it.
+    fn warnings(&self, drop: &Self::Drop) -> Vec<String>;
+
+    /// Warnings of the worst of scattered drops of it.
+    fn scattered_warnings(&self, ensemble: &Self::Ensemble) -> Vec<String>;
+
     /// Drops it onto conventional outer rings.
     fn drop_conventional(&self, progress: &dyn Progress) -> Result<Self::Drop, RunError>;
 
@@ -107,6 +115,15 @@ impl Subject for Case {
     type Drop = DropRecord;
     type Ensemble = EnsembleResult;
     type Verification = DropVerification;
+
+    fn warnings(&self, drop: &DropRecord) -> Vec<String> {
+        of_drop(self, &drop.result)
+    }
+
+    fn scattered_warnings(&self, ensemble: &EnsembleResult) -> Vec<String> {
+        let drops = ensemble.drops.iter();
+        of_scattered(self, drops.map(|drop| (drop.index, &drop.bearing.result)))
+    }
 
     fn drop_conventional(&self, progress: &dyn Progress) -> Result<DropRecord, RunError> {
         drop_rotor(&self.conventional(), None, progress)
@@ -148,6 +165,7 @@ pub(super) fn beside<S: Subject>(
     progress: &dyn Progress,
 ) -> Result<StudyOf<S>, RunError> {
     let mut study = StudyOf::<S>::new(drop);
+    study.warnings = subject.warnings(&study.drop);
     if !matches!(study.drop.ending(), Ending::Complete) {
         return Ok(study);
     }
@@ -159,6 +177,9 @@ pub(super) fn beside<S: Subject>(
     if let (Some(count), false) = (request.samples, study.interrupted) {
         let done = subject.scattered(count, progress);
         study.ensemble = study.keep("the scattered drops", done);
+        if let Some(ensemble) = &study.ensemble {
+            study.warnings.extend(subject.scattered_warnings(ensemble));
+        }
     }
     if request.verify && !study.interrupted {
         let done = subject.verified(&study.drop, progress);
@@ -194,6 +215,14 @@ impl<D: Ended, E, V> Study<D, E, V> {
 }
 
 impl DropStudy {
+    /// The drop onto one bearing, whose case is `case`, of a rotor in several.
+    pub fn of_bearing(case: &Case, drop: DropRecord) -> Self {
+        Self {
+            warnings: of_drop(case, &drop.result),
+            ..Self::new(drop)
+        }
+    }
+
     /// `summary.json` of the study of `file`.
     ///
     /// # Errors

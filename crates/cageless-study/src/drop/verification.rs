@@ -116,7 +116,7 @@ fn together(group: &[&Replica], task: &dyn Work) -> Result<Vec<(Role, DropResult
         if let Ending::Stopped(stop) = &outcome.ending {
             return Err(replica_stopped(replica.role, &stop.reason()));
         }
-        let result = DropResult::new(&recorder.summary(&outcome.state), &outcome);
+        let result = DropResult::new(&replica.case, &recorder.summary(&outcome.state), &outcome);
         Ok((replica.role, result))
     })
     .collect()

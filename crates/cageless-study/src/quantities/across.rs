@@ -16,6 +16,8 @@ pub enum Across {
     Sum,
     /// That of the rotor, which every bearing has.
     Same,
+    /// The verdict on all bearings and the planes of the rotor.
+    Verdict,
     /// The worst state at the end, the last in the order of [`EndState::ALL`].
     WorstState,
 }
@@ -37,7 +39,7 @@ impl Across {
                 cells.min_by(|a, b| order(a, b))
             }
             Self::Sum => return sum(cells),
-            Self::Same => cells.clone().next(),
+            Self::Same | Self::Verdict => cells.clone().next(),
             Self::WorstState => cells.clone().max_by_key(|cell| severity(cell)),
         };
         found.cloned().unwrap_or(Cell::Null)

@@ -18,7 +18,7 @@ use cageless_io::plan_file::Computation;
 use cageless_io::results::{Cell, ColumnKind, ColumnSpec};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-use crate::drop::RotorRun;
+use crate::drop::{DropJudgement, RotorRun};
 use crate::number_text;
 
 pub use across::Across;
@@ -88,6 +88,8 @@ pub struct Finished<'a> {
 
 /// A drop that has ended.
 pub struct FinishedDrop<'a> {
+    /// The case.
+    pub case: &'a Case,
     /// What was recorded.
     pub summary: &'a DropSummary,
     /// How it ended.
@@ -220,6 +222,7 @@ impl Quantity {
         };
         match (self.of, self.across) {
             (Source::RotorDrop(of), _) => of(drop),
+            (_, Some(Across::Verdict)) => verdict(self.kind, &drop.judgement()),
             (_, Some(across)) => across.of(of_bearings().map(|c| c.unwrap_or(&Cell::Null))),
             (_, None) => Cell::Null,
         }
@@ -246,6 +249,16 @@ impl Quantity {
             "um" => "µm".to_owned(),
             unit => unit.replace(' ', "·"),
         }
+    }
+}
+
+/// The verdict on a drop: whether it passes, or its name.
+fn verdict(kind: Kind, judgement: &DropJudgement) -> Cell {
+    match kind {
+        Kind::Flag => judgement
+            .passes
+            .map_or(Cell::Null, |passes| Cell::Integer(passes.into())),
+        _ => Cell::Text(judgement.name().to_owned()),
     }
 }
 

@@ -213,12 +213,16 @@ impl Sweep {
         {
             match drop {
                 Ok((recorder, outcome)) => {
+                    let Some(case) = variant.case.clone() else {
+                        continue;
+                    };
                     if let Ending::Stopped(stop) = &outcome.ending {
                         variant.failed(Computation::Drop, &stop.reason());
                         continue;
                     }
                     let summary = recorder.summary(&outcome.state);
                     let finished = FinishedDrop {
+                        case: &case,
                         summary: &summary,
                         outcome: &outcome,
                     };

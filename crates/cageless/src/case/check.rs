@@ -255,7 +255,7 @@ impl Case {
             return Err(InputError::rule(
                 "inner_ring_polar_inertia_kg_m2",
                 f64::NAN,
-                "given: the rotor spins the inner ring up",
+                "given, and inner_ring_bore_radius_mm: the rotor spins the inner ring up in its bore",
             ));
         };
         rotor.check(bore.radius_m)?;

@@ -25,7 +25,7 @@ impl RunVerdict {
             .raceways
             .iter()
             .zip(passages)
-            .filter(|(_, tally)| tally.count > 0)
+            .filter(|(_, tally)| tally.count > 0 && case.rotor.is_none())
             .flat_map(|(raceway, tally)| {
                 let fraction =
                     speed_drop_fraction(case, raceway, tally.lowest_orbit_speed_mean_rad_s());
@@ -41,6 +41,11 @@ impl RunVerdict {
             Some(criterion) => criterion.verdict(),
         };
         let headline = match deciding {
+            None if case.rotor.is_some() => {
+                "not judged: the inner ring has no constant speed under a falling rotor; \
+                 `cageless drop` judges the drop"
+                    .to_owned()
+            }
             None if case.raceways.is_empty() => {
                 "not judged: the outer ring has no discrete raceway".to_owned()
             }

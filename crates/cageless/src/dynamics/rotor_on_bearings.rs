@@ -12,7 +12,7 @@ use super::layout::Layout;
 use super::right_hand_side::{JournalLoad, RightHandSide, mix};
 use super::rotor::JournalCompliance;
 use crate::integrator::{SecondOrderBlock, System};
-use crate::linear_rotor::{DVector, LinearRotor};
+use crate::linear_rotor::{Clearance, DVector, LinearRotor};
 
 /// Term of the energy ledger of the rotor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -48,6 +48,17 @@ pub(crate) struct RotorOnBearings<'m> {
     /// First place of the rotor.
     start: usize,
     blocks: Vec<SecondOrderBlock>,
+    /// Largest squared displacement of each plane of the rotor so far, m².
+    displaced_squared: Vec<f64>,
+}
+
+/// Largest displacement of a rotor in a plane.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlaneDisplacement {
+    /// The plane.
+    pub clearance: Clearance,
+    /// Largest distance of the axis of the rotor from the centre of the stator, m.
+    pub displacement_max_m: f64,
 }
 
 /// Motion of the rotor at one instant.
@@ -99,6 +110,7 @@ impl<'m> RotorOnBearings<'m> {
             layouts,
             start,
             blocks,
+            displaced_squared: vec![0.0; rotor.planes.len()],
         }
     }
 
@@ -348,6 +360,28 @@ impl<'m> RotorOnBearings<'m> {
         ];
         let sum = flows.iter().fold(change.abs(), |sum, f| sum + f.abs());
         (change - flows.iter().sum::<f64>(), sum)
+    }
+
+    /// Takes the displacements of the planes of the rotor from the centre of the stator.
+    pub fn look_at_planes(&mut self, y: &[f64]) {
+        if self.rotor.planes.is_empty() {
+            return;
+        }
+        let u = self.motion(y).u;
+        for (plane, most) in self.rotor.planes.iter().zip(&mut self.displaced_squared) {
+            *most = most.max((&plane.place * &u).norm_squared());
+        }
+    }
+
+    /// The planes of the rotor with their largest displacements so far.
+    pub fn planes(&self) -> Vec<PlaneDisplacement> {
+        let planes = self.rotor.planes.iter().zip(&self.displaced_squared);
+        planes
+            .map(|(plane, squared)| PlaneDisplacement {
+                clearance: plane.clearance.clone(),
+                displacement_max_m: squared.sqrt(),
+            })
+            .collect()
     }
 
     /// The equations of bearing `k`.

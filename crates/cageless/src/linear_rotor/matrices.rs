@@ -1,8 +1,8 @@
 //! A rotor given by its matrices, and its reduction.
 
-use super::normal::{Lateral, RotorUnbalance, symmetric};
-use super::rigid::{finite, positive};
-use super::{DMatrix, DVector, LinearRotor, RotorError};
+use super::normal::{Lateral, RotorPlane, RotorUnbalance, symmetric};
+use super::rigid::{POLAR_INERTIA, finite, positive, within};
+use super::{Clearance, DMatrix, DVector, LinearRotor, RotorError};
 
 /// Matrices of the lateral motion of a rotor,
 /// M·q̈ + (C + Ω·G)·q̇ + (K + Ω̇·Ksdt)·q = f.
@@ -36,6 +36,15 @@ pub struct NodeUnbalance {
     pub phase_rad: f64,
 }
 
+/// Clearance to the stator at a node.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NodeClearance {
+    /// The node, from 0.
+    pub node: usize,
+    /// The clearance.
+    pub clearance: Clearance,
+}
+
 /// Nodes and modes that a reduction keeps.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Reduction {
@@ -45,6 +54,8 @@ pub struct Reduction {
     pub kept_nodes: Vec<usize>,
     /// Unbalances; their nodes are kept as well.
     pub unbalances: Vec<NodeUnbalance>,
+    /// Clearances to the stator; their nodes are kept as well.
+    pub clearances: Vec<NodeClearance>,
     /// Modes with all of these nodes held are kept up to this frequency; all of them without it.
     pub frequency_max_hz: Option<f64>,
 }
@@ -141,6 +152,12 @@ impl RotorMatrices {
                     place: rows(u.node),
                 })
                 .collect(),
+            planes: (reduction.clearances.iter())
+                .map(|c| RotorPlane {
+                    clearance: c.clearance.clone(),
+                    place: rows(c.node),
+                })
+                .collect(),
             polar_inertia: self.polar_inertia_kg_m2,
         };
         lateral.normal()
@@ -204,7 +221,7 @@ impl RotorMatrices {
         Some(shapes)
     }
 
-    /// Touchdown nodes, kept nodes and those of unbalances, each once.
+    /// Touchdown nodes, kept nodes and those of unbalances and clearances, each once.
     fn held_nodes(&self, reduction: &Reduction) -> Result<Vec<usize>, RotorError> {
         if reduction.bearing_nodes.is_empty() {
             return Err(RotorError::without_bearings());
@@ -212,6 +229,7 @@ impl RotorMatrices {
         let mut held: Vec<usize> = vec![];
         let unbalanced = reduction.unbalances.iter().map(|u| u.node);
         let further = reduction.kept_nodes.iter().copied().chain(unbalanced);
+        let further = further.chain(reduction.clearances.iter().map(|c| c.node));
         for (k, node) in reduction.bearing_nodes.iter().copied().enumerate() {
             self.check_node(node)?;
             if reduction.bearing_nodes[..k].contains(&node) {
@@ -281,7 +299,12 @@ impl RotorMatrices {
                 found: String::new(),
             });
         }
-        positive("polar_inertia_kg_m2", self.polar_inertia_kg_m2)
+        positive("polar_inertia_kg_m2", self.polar_inertia_kg_m2)?;
+        within(
+            "polar_inertia_kg_m2",
+            POLAR_INERTIA,
+            self.polar_inertia_kg_m2,
+        )
     }
 }
 
@@ -294,6 +317,9 @@ impl Reduction {
         for unbalance in &self.unbalances {
             finite("moment_kg_m", unbalance.moment_kg_m)?;
             finite("phase_rad", unbalance.phase_rad)?;
+        }
+        for clearance in &self.clearances {
+            positive("radial_m", clearance.clearance.radial_m)?;
         }
         Ok(())
     }

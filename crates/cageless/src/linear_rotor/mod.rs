@@ -10,6 +10,7 @@
 //!     transverse_inertia_kg_m2: 0.6,
 //!     bearing_axial_m: vec![-0.1, 0.2],
 //!     unbalances: vec![],
+//!     clearances: vec![],
 //! };
 //! let rotor = rotor.linear()?;
 //! // The nearer bearing carries more.
@@ -25,11 +26,11 @@ mod matrices;
 mod normal;
 mod rigid;
 
-pub use matrices::{NodeUnbalance, Reduction, RotorMatrices};
+pub use matrices::{NodeClearance, NodeUnbalance, Reduction, RotorMatrices};
 pub use nalgebra::{Complex, DMatrix, DVector};
-pub use rigid::{PlaneUnbalance, RigidRotor};
+pub use rigid::{PlaneClearance, PlaneUnbalance, RigidRotor};
 
-pub(crate) use normal::RotorUnbalance;
+pub(crate) use normal::{RotorPlane, RotorUnbalance};
 
 use thiserror::Error;
 
@@ -44,7 +45,7 @@ pub enum RotorError {
         /// The value.
         value: f64,
         /// Allowed values.
-        allowed: &'static str,
+        allowed: String,
     },
     /// A matrix of the wrong shape.
     #[error("matrix {name} is {rows} × {columns}: must be {size} × {size}, as M")]
@@ -81,7 +82,27 @@ pub enum RotorError {
     Bearings(String),
 }
 
+/// Radial clearance between rotor and stator in a plane: the magnetic gap of an active magnetic
+/// bearing, a seal, an impeller.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Clearance {
+    /// Name of the plane in results.
+    pub name: String,
+    /// Largest displacement of the axis from the centre of the stator, m.
+    pub radial_m: f64,
+}
+
 impl RotorError {
+    /// A value that is not `allowed`.
+    pub(crate) fn value(name: &'static str, value: f64, allowed: impl Into<String>) -> Self {
+        let allowed = allowed.into();
+        Self::Value {
+            name,
+            value,
+            allowed,
+        }
+    }
+
     fn without_bearings() -> Self {
         Self::Bearings("a rotor needs at least one touchdown bearing".to_owned())
     }
@@ -109,6 +130,8 @@ pub struct LinearRotor {
     pub(crate) shapes: DMatrix<f64>,
     /// Unbalances.
     pub(crate) unbalances: Vec<RotorUnbalance>,
+    /// Planes with a clearance to the stator.
+    pub(crate) planes: Vec<RotorPlane>,
     /// Ip about the axis, kg·m².
     pub(crate) polar_inertia: f64,
     /// m, kg.

@@ -1,6 +1,6 @@
 //! Normal coordinates of the lateral motion of a rotor.
 
-use super::{DMatrix, DVector, LinearRotor, RotorError};
+use super::{Clearance, DMatrix, DVector, LinearRotor, RotorError};
 
 /// An unbalance of a rotor in normal coordinates.
 #[derive(Debug, Clone, PartialEq)]
@@ -10,6 +10,14 @@ pub(crate) struct RotorUnbalance {
     /// φ at the start, rad.
     pub phase: f64,
     /// x and y of its plane, rows over u.
+    pub place: DMatrix<f64>,
+}
+
+/// A plane of a rotor with a clearance to the stator, in normal coordinates.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct RotorPlane {
+    pub clearance: Clearance,
+    /// x and y of the axis in the plane, rows over u.
     pub place: DMatrix<f64>,
 }
 
@@ -27,6 +35,7 @@ pub(super) struct Lateral {
     /// Columns of [`LinearRotor::shapes`]; those of least kinetic energy if absent.
     pub shapes: Option<DMatrix<f64>>,
     pub unbalances: Vec<RotorUnbalance>,
+    pub planes: Vec<RotorPlane>,
     pub polar_inertia: f64,
 }
 
@@ -62,6 +71,12 @@ impl Lateral {
                 .map(|u| RotorUnbalance {
                     place: &u.place * &v,
                     ..u
+                })
+                .collect(),
+            planes: (self.planes.into_iter())
+                .map(|p| RotorPlane {
+                    place: &p.place * &v,
+                    ..p
                 })
                 .collect(),
             journals,

@@ -1,7 +1,8 @@
 //! A rigid rotor in several bearings.
 
-use super::normal::{Lateral, RotorUnbalance};
-use super::{DMatrix, DVector, LinearRotor, RotorError};
+use super::normal::{Lateral, RotorPlane, RotorUnbalance};
+use super::{Clearance, DMatrix, DVector, LinearRotor, RotorError};
+use crate::limits::LIMITS;
 
 /// A rigid rotor; axial places are measured from its mass centre.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,6 +17,17 @@ pub struct RigidRotor {
     pub bearing_axial_m: Vec<f64>,
     /// Unbalances.
     pub unbalances: Vec<PlaneUnbalance>,
+    /// Clearances to the stator.
+    pub clearances: Vec<PlaneClearance>,
+}
+
+/// Clearance to the stator in a plane across the axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlaneClearance {
+    /// Axial place of the plane.
+    pub axial_m: f64,
+    /// The clearance.
+    pub clearance: Clearance,
 }
 
 /// Unbalance in a plane across the axis.
@@ -65,18 +77,57 @@ impl RigidRotor {
                     place: place(u.axial_m),
                 })
                 .collect(),
+            planes: (self.clearances.iter())
+                .map(|c| RotorPlane {
+                    clearance: c.clearance.clone(),
+                    place: place(c.axial_m),
+                })
+                .collect(),
             polar_inertia: ip,
         };
         lateral.normal()
     }
 
     fn check(&self) -> Result<(), RotorError> {
-        for (name, value) in [
-            ("mass_kg", self.mass_kg),
-            ("polar_inertia_kg_m2", self.polar_inertia_kg_m2),
-            ("transverse_inertia_kg_m2", self.transverse_inertia_kg_m2),
+        for (name, limit, value) in [
+            ("mass_kg", "rotor_mass_kg", self.mass_kg),
+            (
+                "polar_inertia_kg_m2",
+                POLAR_INERTIA,
+                self.polar_inertia_kg_m2,
+            ),
+            (
+                "transverse_inertia_kg_m2",
+                POLAR_INERTIA,
+                self.transverse_inertia_kg_m2,
+            ),
         ] {
             positive(name, value)?;
+            within(name, limit, value)?;
+        }
+        // Ip = ∫(x² + y²)dm and 2·It = ∫(x² + y² + 2z²)dm: equal for a thin disc.
+        let most = 2.0 * self.transverse_inertia_kg_m2;
+        if self.polar_inertia_kg_m2 > most * (1.0 + ROUNDING) {
+            return Err(RotorError::value(
+                "polar_inertia_kg_m2",
+                self.polar_inertia_kg_m2,
+                format!(
+                    "at most {most}, twice transverse_inertia_kg_m2: no body exceeds a thin disc"
+                ),
+            ));
+        }
+        let mut axial: Vec<f64> = self.bearing_axial_m.clone();
+        axial.extend(self.unbalances.iter().map(|u| u.axial_m));
+        axial.extend(self.clearances.iter().map(|c| c.axial_m));
+        if let Some(place) = axial
+            .iter()
+            .find(|z| z.is_finite() && z.abs() > AXIAL_MAX_M)
+        {
+            return Err(RotorError::value(
+                "axial_mm",
+                1e3 * place,
+                format!("within {} mm of the mass centre", 1e3 * AXIAL_MAX_M),
+            ));
         }
         let mut places = self.bearing_axial_m.clone();
         places.sort_by(f64::total_cmp);
@@ -84,11 +135,7 @@ impl RigidRotor {
             return Err(RotorError::without_bearings());
         }
         if let Some(place) = places.iter().find(|z| !z.is_finite()) {
-            return Err(RotorError::Value {
-                name: "axial_m",
-                value: *place,
-                allowed: "a finite number",
-            });
+            return Err(RotorError::value("axial_m", *place, FINITE));
         }
         if places.windows(2).any(|pair| pair[0] == pair[1]) {
             return Err(RotorError::Bearings(format!(
@@ -115,7 +162,34 @@ impl RigidRotor {
                 finite(name, value)?;
             }
         }
+        for clearance in &self.clearances {
+            finite("axial_m", clearance.axial_m)?;
+            positive("radial_m", clearance.clearance.radial_m)?;
+        }
         Ok(())
+    }
+}
+
+/// Field of the limits of moments of inertia.
+pub(super) const POLAR_INERTIA: &str = "rotor_polar_inertia_kg_m2";
+/// Largest distance of a plane from the mass centre: the longest turbine shafts are shorter.
+const AXIAL_MAX_M: f64 = 100.0;
+/// Share by which Ip may exceed 2·It of a thin disc, by rounding.
+const ROUNDING: f64 = 1e-9;
+const FINITE: &str = "a finite number";
+
+/// A value within the limits of `field`.
+pub(super) fn within(name: &'static str, field: &str, value: f64) -> Result<(), RotorError> {
+    match LIMITS.iter().find(|limit| limit.field == field) {
+        Some(limit) if !(limit.least..=limit.most).contains(&value) => Err(RotorError::value(
+            name,
+            value,
+            format!(
+                "from {:e} to {:e}: {}",
+                limit.least, limit.most, limit.reason
+            ),
+        )),
+        _ => Ok(()),
     }
 }
 
@@ -124,11 +198,7 @@ pub(super) fn positive(name: &'static str, value: f64) -> Result<(), RotorError>
     if value > 0.0 && value.is_finite() {
         return Ok(());
     }
-    Err(RotorError::Value {
-        name,
-        value,
-        allowed: "more than 0",
-    })
+    Err(RotorError::value(name, value, "more than 0"))
 }
 
 /// A finite value.
@@ -136,9 +206,5 @@ pub(super) fn finite(name: &'static str, value: f64) -> Result<(), RotorError> {
     if value.is_finite() {
         return Ok(());
     }
-    Err(RotorError::Value {
-        name,
-        value,
-        allowed: "a finite number",
-    })
+    Err(RotorError::value(name, value, FINITE))
 }

@@ -48,6 +48,8 @@ pub struct Stop {
     pub time_s: f64,
     /// Step of the run.
     pub step_s: f64,
+    /// Whether it was the drop of a rotor.
+    pub drop: bool,
     /// Cause of the stop.
     pub cause: Cause,
 }
@@ -108,6 +110,15 @@ impl Stop {
             Cause::RingsMeet { .. } => "spread the balls (start.gaps): between the two next to \
                  the widest gap the ring bears too little"
                 .to_owned(),
+            Cause::ThroughInnerRing(_) | Cause::ThroughOuterRing(_) | Cause::ThroughBall(_)
+                if self.drop =>
+            {
+                format!(
+                    "{halve}; if it happens again at the same time, the impact of the rotor \
+                     (rotor.mass_kg, rotor.air_gap_um) presses the parts through each other, or \
+                     the balls leave a gap below it (start.gaps)"
+                )
+            }
             Cause::ThroughInnerRing(_) | Cause::ThroughOuterRing(_) | Cause::ThroughBall(_) => {
                 format!(
                     "{halve}; if it happens again at the same time, the load \

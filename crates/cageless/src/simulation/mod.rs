@@ -18,6 +18,7 @@ mod rotor_drop;
 mod run;
 mod run_tracker;
 
+pub use crate::dynamics::rotor_on_bearings::PlaneDisplacement;
 pub use batch::{batches, run_batch};
 pub use guard::{Cause, Stop};
 pub use observer::{Observer, ObserverError, RunContext, StepView};

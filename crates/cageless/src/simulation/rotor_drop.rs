@@ -4,7 +4,7 @@ use super::observer::{Observer, RunContext};
 use super::run::{Bearings, Control, RunOutcome, drive_from};
 use super::run_tracker::RunTracker;
 use crate::case::Case;
-use crate::dynamics::rotor_on_bearings::{RotorLoads, RotorOnBearings};
+use crate::dynamics::rotor_on_bearings::{PlaneDisplacement, RotorLoads, RotorOnBearings};
 use crate::dynamics::state::State;
 use crate::dynamics::{Contacts, InstructionSet, Model};
 use crate::equilibrium::EquilibriumError;
@@ -34,6 +34,8 @@ pub struct RotorDropOutcome {
     pub bearings: Vec<RunOutcome>,
     /// What the energy ledger of the rotor alone lacks, over the sum of its absolute terms.
     pub rotor_energy_residual_relative: f64,
+    /// Planes of the rotor with a clearance to the stator.
+    pub planes: Vec<PlaneDisplacement>,
 }
 
 /// Smallest share of the mean load that a bearing counts as carrying.
@@ -66,12 +68,7 @@ impl RotorDrop {
             ("drive_torque_n_m", drive_torque_n_m),
         ] {
             if !value.is_finite() {
-                let allowed = "a finite number";
-                return Err(RotorError::Value {
-                    name,
-                    value,
-                    allowed,
-                });
+                return Err(RotorError::value(name, value, "a finite number"));
             }
         }
         let mean = rotor.mass_kg() / cases.len() as f64;
@@ -84,6 +81,7 @@ impl RotorDrop {
                     k + 1
                 ));
             };
+            // Steps need a mass where a bearing carries none.
             journal.mass_kg = share.abs().max(LEAST_SHARE * mean);
             journal.polar_inertia_kg_m2 = rotor.polar_inertia_kg_m2();
             journal.speed_rad_s = speed_rad_s;
@@ -158,6 +156,17 @@ impl RotorDrop {
             case.solver.step_s = step;
         }
         Ok(self)
+    }
+
+    /// Weight of the rotor that each bearing carries, N; `None` where it carries none of it, or
+    /// the rotor pulls it upwards.
+    pub fn carried_n(&self) -> Vec<Option<f64>> {
+        let least = LEAST_SHARE * self.rotor.mass_kg() / self.cases.len() as f64;
+        let gravity = self.cases[0].operation.gravity_m_s2;
+        let shares = self.rotor.mass_shares_kg().into_iter();
+        shares
+            .map(|share| (share > least).then_some(share * gravity))
+            .collect()
     }
 
     /// The rotor.
@@ -259,12 +268,14 @@ impl RotorDrop {
                 RunTracker::new(context, system.layout(k), observers).numbered(k)
             })
             .collect();
+        system.look_at_planes(&start);
         let start_energy = system.rotor_energy_j(&start);
         let end = drive_from(&start, &mut system, &mut trackers, control);
         let (residual, flows) = system.rotor_residual_j(start_energy, &end);
         Ok(RotorDropOutcome {
             bearings: trackers.into_iter().map(RunTracker::outcome).collect(),
             rotor_energy_residual_relative: if flows > 0.0 { residual / flows } else { 0.0 },
+            planes: system.planes(),
         })
     }
 }
@@ -276,6 +287,10 @@ impl Bearings for RotorOnBearings<'_> {
 
     fn contacts_of(&self, bearing: usize) -> Contacts<'_> {
         self.bearing(bearing).contacts()
+    }
+
+    fn look(&mut self, y: &[f64]) {
+        self.look_at_planes(y);
     }
 
     fn evaluations(&self) -> u64 {

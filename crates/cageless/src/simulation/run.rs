@@ -106,6 +106,9 @@ pub(super) trait Bearings: System {
     /// Evaluations so far.
     fn evaluations(&self) -> u64;
 
+    /// Takes the state at the end of a step.
+    fn look(&mut self, _y: &[f64]) {}
+
     /// Instructions in use.
     fn instruction_set(&self) -> InstructionSet;
 
@@ -194,6 +197,7 @@ fn advance(
         if let Err(error) = rhs.advance(&mut integrator, duration) {
             for tracker in trackers.iter_mut() {
                 let stop = Stop {
+                    drop: tracker.context.case.rotor.is_some(),
                     time_s: error.time_s,
                     step_s: tracker.context.case.solver.step_s,
                     cause: Cause::NotResolved,
@@ -204,6 +208,7 @@ fn advance(
         }
         steps += 1;
         let step = integrator.step();
+        rhs.look(&step.y1);
         for tracker in trackers.iter_mut().filter(|c| c.under_way()) {
             let contacts = rhs.contacts_of(tracker.bearing());
             tracker.follow(step, contacts, steps, duration);

@@ -125,6 +125,7 @@ impl<'s, 'm, 'o> RunTracker<'s, 'm, 'o> {
             let time_s = step.t1_s;
             let step_s = self.context.case.solver.step_s;
             let stop = Stop {
+                drop: self.context.case.rotor.is_some(),
                 time_s,
                 step_s,
                 cause,

@@ -7,6 +7,9 @@ use super::whirl::WhirlWindow;
 pub enum EndState {
     /// The rotor has not touched the inner ring.
     Falling,
+    /// The rotor stays in contact, and the bearing does not carry its weight yet: both still sink or
+    /// rebound.
+    Settling,
     /// The rotor lies in the bottom of the bore, or at the angle to which friction carries it.
     AtRest,
     /// The rotor swings in the bottom of the bore without leaving it.
@@ -20,21 +23,24 @@ pub enum EndState {
 }
 
 /// Turns round the bore, all in one direction, from which a motion is a whirl.
-const WHIRL_TURNS: f64 = 1.0;
+pub(super) const WHIRL_TURNS: f64 = 1.0;
 /// Fraction of the path round the bore that a whirl takes in its own direction at least.
-const ONE_WAY: f64 = 0.8;
+pub(super) const ONE_WAY: f64 = 0.8;
 /// Fraction of the time in contact below which the rotor bounces.
 const CONTACT: f64 = 0.95;
+/// Part of its weight by which the mean force on a rotor that is carried differs from it at most.
+const BALANCED: f64 = 0.1;
 /// Swing, from end to end, below which the rotor is at rest, rad.
 const AT_REST_RAD: f64 = 0.02;
 
 impl EndState {
     /// Every state, in the order of tables.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::Falling,
         Self::AtRest,
         Self::Pendulum,
         Self::Bouncing,
+        Self::Settling,
         Self::ForwardWhirl,
         Self::BackwardWhirl,
     ];
@@ -43,6 +49,7 @@ impl EndState {
     pub fn name(self) -> &'static str {
         match self {
             Self::Falling => "falling",
+            Self::Settling => "settling",
             Self::AtRest => "at-rest",
             Self::Pendulum => "pendulum",
             Self::Bouncing => "bouncing",
@@ -51,8 +58,27 @@ impl EndState {
         }
     }
 
+    /// The state in the words of a report on a rotor drop.
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Falling => "falling (no contact yet)",
+            Self::Settling => "contact, still sinking or rebounding",
+            Self::AtRest => "rest at the bottom",
+            Self::Pendulum => "oscillation at the bottom (continuous contact)",
+            Self::Bouncing => "intermittent contact",
+            Self::ForwardWhirl => "forward whirl",
+            Self::BackwardWhirl => "backward whirl",
+        }
+    }
+
+    /// The state of a name in files.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|state| state.name() == name)
+    }
+
     /// State over the last windows of a drop of a rotor that has touched the inner ring.
-    pub(super) fn classify(last: &[WhirlWindow], rotation: f64) -> Self {
+    /// `weight_n` is the weight that the bearing carries, if it carries any.
+    pub(super) fn classify(last: &[WhirlWindow], rotation: f64, weight_n: Option<f64>) -> Self {
         let sum = |of: fn(&WhirlWindow) -> f64| last.iter().map(of).sum::<f64>();
         let (net, path) = (sum(|w| w.turned_rad), sum(|w| w.path_rad));
         let time = sum(|w| w.end_s - w.start_s);
@@ -67,6 +93,11 @@ impl EndState {
         }
         if in_contact < CONTACT * time {
             return Self::Bouncing;
+        }
+        let lift_n = sum(|w| w.lift_mean_n * (w.end_s - w.start_s)) / time;
+        let carried = |weight_n: f64| (lift_n / weight_n - 1.0).abs() < BALANCED;
+        if weight_n.is_some_and(|weight_n| weight_n > 0.0 && !carried(weight_n)) {
+            return Self::Settling;
         }
         let low = last
             .iter()
@@ -99,6 +130,7 @@ mod tests {
             angle_max_rad: swing / 2.0,
             contact_fraction,
             force_mean_n: 1.0,
+            lift_mean_n: 1.0,
             collisions: ContactCounts::default(),
         }
     }
@@ -121,7 +153,21 @@ mod tests {
             (last(window(0.0, 0.6, 1.0, 0.3)), 100.0, EndState::Pendulum),
             (last(window(0.0, 0.01, 1.0, 0.01)), 100.0, EndState::AtRest),
         ] {
-            assert_eq!(EndState::classify(&windows, rotation), state);
+            assert_eq!(EndState::classify(&windows, rotation, Some(1.0)), state);
+        }
+        // Within a tenth of the weight, in either direction, the bearing carries the rotor.
+        let rest = last(window(0.0, 0.01, 1.0, 0.01));
+        let swing = last(window(0.0, 0.6, 1.0, 0.3));
+        for (weight, at_rest) in [(1.05, true), (0.95, true), (2.6, false), (0.8, false)] {
+            let [rest, swing] = [&rest, &swing].map(|w| EndState::classify(w, 100.0, Some(weight)));
+            assert_eq!(rest == EndState::AtRest, at_rest, "{weight}: {rest:?}");
+            assert_eq!(swing == EndState::Pendulum, at_rest, "{weight}: {swing:?}");
+            assert!(at_rest || (rest, swing) == (EndState::Settling, EndState::Settling));
+        }
+        // A bearing that carries none of the rotor has no weight to compare with.
+        assert_eq!(EndState::classify(&rest, 100.0, None), EndState::AtRest);
+        for state in EndState::ALL {
+            assert_eq!(EndState::from_name(state.name()), Some(state));
         }
     }
 }

@@ -1,11 +1,12 @@
 //! Observer of a drop.
 
 use super::end_state::EndState;
-use super::whirl::{WhirlTracker, WhirlWindow};
+use super::whirl::{WhirlTracker, WhirlWindow, backward_whirl_hz};
 use crate::bearing::Bearing;
 use crate::contact_tracker::{APPROACH_SPEEDS_M_S, ContactCounter, ContactCounts};
 use crate::dynamics::energy::EnergyTerm;
 use crate::dynamics::outer_ring::OuterRing;
+use crate::dynamics::rotor::RotorMotion;
 use crate::dynamics::state::State;
 use crate::equilibrium::outer_stress_pa;
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
@@ -56,8 +57,11 @@ pub struct DropSummary {
     pub impacts: u64,
     /// Fraction of the time after the first contact in contact.
     pub contact_fraction: f64,
-    /// Weight of the rotor, N.
-    pub rotor_weight_n: f64,
+    /// Weight of the rotor that the bearing carries, N; `None` where it carries none.
+    pub rotor_weight_n: Option<f64>,
+    /// Largest distance of the centre of the journal from the centre of the stator, which is that
+    /// of the housing at rest, m.
+    pub rotor_displacement_max_m: f64,
     /// Largest normal force between rotor and inner ring, N.
     pub rotor_force_max_n: f64,
     /// Largest force that the support passes on to the housing, N; `None` without a support.
@@ -66,8 +70,8 @@ pub struct DropSummary {
     pub housing_displacement_max_m: f64,
     /// Largest sliding speed between rotor and inner ring in contact, m/s.
     pub rotor_slip_max_m_s: f64,
-    /// Time at which the sliding in contact first falls below 1 % of that at the first contact, s;
-    /// `None` if it does not.
+    /// Time from the start of the drop at which the sliding in contact first falls below 1 % of
+    /// that at the first contact, s; `None` if it does not.
     pub spin_up_s: Option<f64>,
     /// Speed of the inner ring at the end, rad/s.
     pub ring_speed_rad_s: f64,
@@ -94,8 +98,11 @@ pub struct DropSummary {
     pub ball_force_max_n: f64,
     /// Largest |ΔVi| or |ΔVo| at contacts of the balls that carry load, m/s.
     pub ball_slip_max_m_s: f64,
-    /// Largest whirl frequency against the direction of rotation over a window, Hz.
+    /// Largest mean frequency of the journal against the direction of rotation over a window, Hz,
+    /// of a whirl or of a swing at the bottom.
     pub backward_whirl_max_hz: f64,
+    /// The same while the journal runs round the bore in contact; `None` if it never does.
+    pub backward_whirl_hz: Option<f64>,
     /// Heat of each interface.
     pub heat: InterfaceHeat,
     /// Motion of the journal round the bore, window by window.
@@ -116,7 +123,8 @@ pub struct DropRecorder {
     ball_radius_m: f64,
     /// The outer ring, if it is on a support.
     outer_ring: Option<OuterRing>,
-    weight_n: f64,
+    carried_n: Option<Option<f64>>,
+    weight_n: Option<f64>,
     rotation: f64,
     whirl: WhirlTracker,
     collisions: Option<ContactCounter>,
@@ -137,6 +145,8 @@ struct Found {
     housing_force_squared: f64,
     /// m².
     housing_displacement_squared: f64,
+    /// m².
+    rotor_displacement_squared: f64,
     rotor_slip_m_s: f64,
     spin_up_s: Option<f64>,
     inner_force_n: Vec<f64>,
@@ -146,6 +156,15 @@ struct Found {
     collisions: ContactCounts,
     ball_force_n: f64,
     ball_slip_m_s: f64,
+}
+
+impl Found {
+    /// Takes a place of the mass centre, `offset` from that of the journal.
+    fn displace(&mut self, motion: &RotorMotion, offset: [f64; 2]) {
+        let (x, y) = (motion.x - offset[0], motion.y - offset[1]);
+        let squared = x * x + y * y;
+        self.rotor_displacement_squared = self.rotor_displacement_squared.max(squared);
+    }
 }
 
 /// Load of a ball on the outer raceway.
@@ -163,7 +182,8 @@ impl DropRecorder {
             bearing: None,
             ball_radius_m: 0.0,
             outer_ring: None,
-            weight_n: 0.0,
+            carried_n: None,
+            weight_n: None,
             rotation: 0.0,
             whirl: WhirlTracker::new(WINDOW_S),
             collisions: None,
@@ -172,6 +192,15 @@ impl DropRecorder {
             contact_s: 0.0,
             end_s: 0.0,
             found: Found::default(),
+        }
+    }
+
+    /// Recorder of one bearing of several, which carries a part of the weight of the rotor, or
+    /// none.
+    pub fn of_bearing(carried_n: Option<f64>) -> Self {
+        Self {
+            carried_n: Some(carried_n),
+            ..Self::new()
         }
     }
 
@@ -192,7 +221,7 @@ impl DropRecorder {
             &whirl[whirl.partition_point(|w| w.end_s <= from)..]
         });
         let end_state = last.map_or(EndState::Falling, |last| {
-            EndState::classify(last, self.rotation)
+            EndState::classify(last, self.rotation, self.weight_n)
         });
         let rate_hz = |count: &dyn Fn(&ContactCounts) -> u64| {
             last.map(|last| {
@@ -219,6 +248,7 @@ impl DropRecorder {
                 0.0
             },
             rotor_weight_n: self.weight_n,
+            rotor_displacement_max_m: found.rotor_displacement_squared.sqrt(),
             rotor_force_max_n: found.rotor_force_n,
             housing_force_max_n: self.outer_ring.map(|_| found.housing_force_squared.sqrt()),
             housing_displacement_max_m: found.housing_displacement_squared.sqrt(),
@@ -241,6 +271,7 @@ impl DropRecorder {
             ball_force_max_n: found.ball_force_n,
             ball_slip_max_m_s: found.ball_slip_m_s,
             backward_whirl_max_hz: backward.fold(0.0, f64::max),
+            backward_whirl_hz: backward_whirl_hz(&whirl, self.rotation),
             heat: InterfaceHeat {
                 rotor_friction_j: heat(EnergyTerm::RotorFriction),
                 rotor_damping_j: heat(EnergyTerm::RotorDamping),
@@ -261,6 +292,9 @@ impl DropRecorder {
         let (time_s, h) = (view.step.t1_s, view.step.t1_s - view.step.t0_s);
         let contact = rotor.contact;
         let found = &mut self.found;
+        if let Some(motion) = view.layout().rotor_motion(&view.step.y1) {
+            found.displace(&motion, rotor.offset);
+        }
         let closed = contact.force > 0.0;
         let slip = contact.slip.abs();
         if closed {
@@ -279,9 +313,10 @@ impl DropRecorder {
             found.rotor_slip_m_s = found.rotor_slip_m_s.max(slip);
         }
         self.in_contact = closed;
+        let [_, lift_n] = contact.force_on_journal(rotor.friction);
         if found.first_contact_s.is_some() {
             self.whirl
-                .update([contact.nx, contact.ny], time_s, h, contact.force);
+                .update([contact.nx, contact.ny], time_s, h, [contact.force, lift_n]);
         }
     }
 
@@ -338,7 +373,13 @@ impl Observer for DropRecorder {
         let case = context.case;
         let rotor = case.rotor.as_ref().ok_or("the case has no rotor")?;
         let balls = context.model.balls();
-        self.weight_n = rotor.mass_kg * case.operation.gravity_m_s2;
+        let weight_n = rotor.mass_kg * case.operation.gravity_m_s2;
+        self.weight_n = self.carried_n.unwrap_or(Some(weight_n));
+        let [x, y] = match context.start.rotor_motion() {
+            Some(motion) => rotor.journal_m([motion.x, motion.y], motion.angle),
+            None => rotor.journal_start_m(),
+        };
+        self.found.rotor_displacement_squared = x * x + y * y;
         self.rotation = rotor.speed_rad_s;
         self.outer_ring = (case.support.as_ref()).map(|support| OuterRing::new(Some(support)));
         self.ball_radius_m = case.bearing.ball_radius_m();

@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use super::end_state::{ONE_WAY, WHIRL_TURNS};
 use crate::contact_tracker::ContactCounts;
 use crate::numerics::angle::wrap_angle_rad;
 
@@ -24,6 +25,8 @@ pub struct WhirlWindow {
     pub contact_fraction: f64,
     /// Mean contact force, N.
     pub force_mean_n: f64,
+    /// Mean force on the rotor along +Y, friction included, N.
+    pub lift_mean_n: f64,
     /// Contacts between balls that began.
     pub collisions: ContactCounts,
 }
@@ -35,6 +38,26 @@ impl WhirlWindow {
     }
 }
 
+/// Contact in a window from which the journal runs round the bore rather than bounces across it.
+const ROUND_CONTACT: f64 = 0.95;
+
+/// Largest whirl frequency against `rotation` while the journal runs round the bore at least once
+/// in contact, Hz; `None` if it never does.
+pub(super) fn backward_whirl_hz(windows: &[WhirlWindow], rotation: f64) -> Option<f64> {
+    let backward = |w: &WhirlWindow| {
+        let turned = -w.turned_rad * rotation.signum();
+        w.contact_fraction >= ROUND_CONTACT && turned > 0.0 && turned >= ONE_WAY * w.path_rad
+    };
+    let rounds = windows.split(|w| !backward(w)).filter(|run| {
+        let turned = run.iter().map(|w| w.turned_rad.abs()).sum::<f64>();
+        turned >= WHIRL_TURNS * TAU
+    });
+    rounds
+        .flatten()
+        .map(|w| w.frequency_hz().abs())
+        .reduce(f64::max)
+}
+
 /// Divides the motion of the journal into windows of equal length.
 #[derive(Debug, Clone)]
 pub(super) struct WhirlTracker {
@@ -43,6 +66,7 @@ pub(super) struct WhirlTracker {
     open: WhirlWindow,
     contact_s: f64,
     impulse_n_s: f64,
+    lift_n_s: f64,
     collisions: ContactCounts,
     pub(super) windows: Vec<WhirlWindow>,
 }
@@ -56,6 +80,7 @@ impl WhirlTracker {
             open: Self::empty(0.0, 0.0),
             contact_s: 0.0,
             impulse_n_s: 0.0,
+            lift_n_s: 0.0,
             collisions: ContactCounts::default(),
             windows: vec![],
         }
@@ -71,6 +96,7 @@ impl WhirlTracker {
             angle_max_rad: angle_rad,
             contact_fraction: 0.0,
             force_mean_n: 0.0,
+            lift_mean_n: 0.0,
             collisions: ContactCounts::default(),
         }
     }
@@ -81,8 +107,14 @@ impl WhirlTracker {
     }
 
     /// Takes the end of a step: unit vector from the centre of the bore to that of the journal,
-    /// time, length of the step, contact force.
-    pub(super) fn update(&mut self, [nx, ny]: [f64; 2], time_s: f64, step_s: f64, force_n: f64) {
+    /// time, length of the step, contact force and force on the rotor along +Y.
+    pub(super) fn update(
+        &mut self,
+        [nx, ny]: [f64; 2],
+        time_s: f64,
+        step_s: f64,
+        [force_n, lift_n]: [f64; 2],
+    ) {
         // From −Y, counter-clockwise, as ψ.
         let now = nx.atan2(-ny);
         let angle = match self.angle_rad {
@@ -106,6 +138,7 @@ impl WhirlTracker {
         if force_n > 0.0 {
             self.contact_s += step_s;
             self.impulse_n_s += force_n * step_s;
+            self.lift_n_s += lift_n * step_s;
         }
         if w.end_s - w.start_s >= self.length_s {
             self.close();
@@ -119,17 +152,41 @@ impl WhirlTracker {
         if length > 0.0 {
             window.contact_fraction = (self.contact_s / length).min(1.0);
             window.force_mean_n = self.impulse_n_s / length;
+            window.lift_mean_n = self.lift_n_s / length;
             window.collisions = std::mem::take(&mut self.collisions);
             self.windows.push(window);
         }
         self.open = Self::empty(window.end_s, self.angle_rad.unwrap_or(0.0));
-        (self.contact_s, self.impulse_n_s) = (0.0, 0.0);
+        (self.contact_s, self.impulse_n_s, self.lift_n_s) = (0.0, 0.0, 0.0);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_whirl_goes_round_in_contact_against_the_rotation() {
+        let window = |turned_rad: f64, path_rad: f64, contact_fraction: f64| WhirlWindow {
+            turned_rad,
+            path_rad,
+            contact_fraction,
+            end_s: 0.01,
+            ..WhirlTracker::empty(0.0, 0.0)
+        };
+        let round = window(-0.4 * TAU, 0.4 * TAU, 1.0);
+        let of = |windows: &[WhirlWindow], rotation| backward_whirl_hz(windows, rotation);
+        let close = |found: Option<f64>| (found.unwrap() - 40.0).abs() < 1e-9;
+        assert!(close(of(&[round; 3], 100.0)));
+        let mirrored = window(0.4 * TAU, 0.4 * TAU, 1.0);
+        assert!(close(of(&[mirrored; 3], -100.0)));
+        assert_eq!(of(&[round; 3], -100.0), None);
+        // Less than one round; a swing; a bounce; two halves with a swing between them.
+        assert_eq!(of(&[round; 2], 100.0), None);
+        assert_eq!(of(&[window(-0.4 * TAU, TAU, 1.0); 3], 100.0), None);
+        assert_eq!(of(&[window(-0.4 * TAU, 0.4 * TAU, 0.6); 3], 100.0), None);
+        assert_eq!(of(&[round, round, mirrored, round, round], 100.0), None);
+    }
 
     #[test]
     fn a_steady_whirl_has_its_frequency() {
@@ -142,7 +199,7 @@ mod tests {
                 all: u64::from(k % 100 == 0),
                 above: [u64::from(k % 200 == 0), 0, 0],
             });
-            tracker.update([cos, sin], time, step, 10.0);
+            tracker.update([cos, sin], time, step, [10.0, -3.0]);
         }
         tracker.close();
         assert_eq!(tracker.windows.len(), 3);
@@ -150,6 +207,7 @@ mod tests {
             assert!((window.frequency_hz() + 150.0).abs() < 1e-6);
             assert!((window.path_rad + window.turned_rad).abs() < 1e-9);
             assert!((window.force_mean_n - 10.0).abs() < 1e-9);
+            assert!((window.lift_mean_n + 3.0).abs() < 1e-9);
             assert!((window.contact_fraction - 1.0).abs() < 1e-9);
             assert_eq!(
                 (window.collisions.all, window.collisions.above),
@@ -185,7 +243,7 @@ mod tests {
                 301..=330 => 7.0,
                 _ => 0.0,
             };
-            tracker.update([angle.sin(), -angle.cos()], time, step, force);
+            tracker.update([angle.sin(), -angle.cos()], time, step, [force, 0.0]);
         }
         tracker.close();
         tracker.close();
@@ -229,7 +287,7 @@ mod tests {
                     [angle.sin(), -angle.cos()],
                     1e-3 * (k + 1) as f64,
                     1e-3,
-                    1.0,
+                    [1.0, 0.0],
                 );
             }
             tracker.close();

@@ -159,6 +159,7 @@ pub fn drop_case() -> Case {
         vx_m_s: 0.0,
         vy_m_s: 0.0,
         drive_torque_n_m: 0.0,
+        clearance_limit_m: None,
     });
     case.support = Some(Support {
         mass_kg: 0.5,

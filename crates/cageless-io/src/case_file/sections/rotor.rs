@@ -52,5 +52,8 @@ section! {
             "velocity of the mass centre when the magnets let go", Shown("0.0", "");
         drive_torque_n_m => drive_torque_n_m: f64 = Default(0.0), Si("N m"),
             "torque on the rotor, drag if against the speed", Shown("0.0", "");
+        clearance_limit_um => clearance_limit_m: Option<f64> = Optional, Micrometre,
+            "smallest radial clearance of rotor and stator here (magnetic gap, seal); a drop that displaces the journal further from the stator centre fails",
+            Absent;
     }
 }

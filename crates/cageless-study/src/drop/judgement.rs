@@ -1,0 +1,223 @@
+//! Verdict on a drop, with its reasons.
+
+use cageless::contact::hertz::STRESS_LIMIT_PA;
+use cageless::rating::BasicRatings;
+use cageless::simulation::{Ending, PlaneDisplacement};
+use cageless::touchdown::EndState;
+use cageless::{Case, Support};
+
+use super::DropResult;
+use crate::number_text::short;
+use crate::quantities::FinishedDrop;
+use crate::warnings::RESIDUAL_FRACTION;
+
+/// Verdict on a drop.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct DropJudgement {
+    /// Whether bearing and rotor survive the drop; `None` where it was not judged.
+    pub passes: Option<bool>,
+    /// Every limit that is exceeded, or why the drop was not judged.
+    pub reasons: Vec<String>,
+    /// What the verdict of a drop that passes rests on.
+    kept: Vec<String>,
+}
+
+impl DropJudgement {
+    /// The verdict in files: `pass`, `fail` or `not-judged`.
+    pub fn name(&self) -> &'static str {
+        match self.passes {
+            Some(true) => "pass",
+            Some(false) => "fail",
+            None => "not-judged",
+        }
+    }
+
+    /// PASS or FAIL with its reasons.
+    pub fn headline(&self) -> String {
+        let (word, reasons) = match self.passes {
+            Some(true) => ("PASS", &self.kept),
+            Some(false) => ("FAIL", &self.reasons),
+            None => ("not judged", &self.reasons),
+        };
+        format!("{word}: {}", reasons.join("; "))
+    }
+
+    fn new(failed: Vec<String>, kept: Vec<String>, untouched: bool) -> Self {
+        let (passes, reasons) = match (failed.is_empty(), untouched) {
+            (false, _) => (Some(false), failed),
+            (true, true) => (
+                None,
+                vec!["the rotor has not touched the inner ring".to_owned()],
+            ),
+            (true, false) => (Some(true), vec![]),
+        };
+        Self {
+            passes,
+            reasons,
+            kept,
+        }
+    }
+
+    /// Verdict on a drop onto one bearing.
+    pub(crate) fn of_drop(drop: &FinishedDrop<'_>) -> Self {
+        let (case, summary, outcome) = (drop.case, drop.summary, drop.outcome);
+        let mut failed = vec![];
+        let mut kept = vec![];
+        if let Ending::Stopped(stop) = &outcome.ending {
+            failed.push(format!("stopped {}", stop.reason()));
+        }
+        let pressures = [
+            ("at the inner raceway", summary.inner_stress_max_pa),
+            ("at the outer raceway", summary.outer_stress_max_pa),
+            ("between balls", summary.ball_stress_max_pa),
+        ];
+        let limit_mpa = 1e-6 * STRESS_LIMIT_PA;
+        for (place, pressure_pa) in pressures {
+            if pressure_pa > STRESS_LIMIT_PA {
+                let pressure_mpa = 1e-6 * pressure_pa;
+                failed.push(format!(
+                    "contact pressure {place} {pressure_mpa:.0} MPa, above {limit_mpa:.0} MPa \
+                     (ISO 76)"
+                ));
+            }
+        }
+        let most_mpa = pressures
+            .iter()
+            .fold(0.0, |most: f64, p| most.max(1e-6 * p.1));
+        kept.push(format!(
+            "largest contact pressure {most_mpa:.0} MPa (limit {limit_mpa:.0} MPa, ISO 76)"
+        ));
+        if let Some(limit_m) = case
+            .rotor
+            .as_ref()
+            .and_then(|rotor| rotor.clearance_limit_m)
+        {
+            displaced("the journal", summary.rotor_displacement_max_m, limit_m)
+                .place(&mut failed, &mut kept);
+        }
+        failed.extend(not_carried(case, summary.rotor_weight_n));
+        if summary.end_state == EndState::BackwardWhirl {
+            failed.push(format!(
+                "backward whirl at the end ({} Hz)",
+                short(summary.backward_whirl_max_hz)
+            ));
+        }
+        failed.extend(unbalanced("", outcome.energy_residual_relative));
+        Self::new(failed, kept, summary.end_state == EndState::Falling)
+    }
+
+    /// Verdict on a drop into several bearings with these results, of a rotor with these planes.
+    pub(crate) fn of_rotor(
+        bearings: &[&DropResult],
+        planes: &[PlaneDisplacement],
+        rotor_residual: f64,
+    ) -> Self {
+        let (mut failed, mut kept) = (vec![], vec![]);
+        for (k, bearing) in bearings.iter().enumerate() {
+            let own = &bearing.judgement;
+            let list = match own.passes {
+                Some(false) => &own.reasons,
+                _ => &own.kept,
+            };
+            let numbered = list.iter().map(|text| format!("bearing {}: {text}", k + 1));
+            match own.passes {
+                Some(false) => failed.extend(numbered),
+                _ => kept.extend(numbered),
+            }
+        }
+        for plane in planes {
+            let limit_m = plane.clearance.radial_m;
+            displaced(&plane.clearance.name, plane.displacement_max_m, limit_m)
+                .place(&mut failed, &mut kept);
+        }
+        failed.extend(unbalanced(" of the rotor", rotor_residual));
+        let untouched = bearings.iter().all(|b| b.judgement.passes.is_none());
+        Self::new(failed, kept, untouched)
+    }
+}
+
+/// A displacement against its clearance.
+struct Displaced {
+    exceeds: bool,
+    text: String,
+}
+
+impl Displaced {
+    fn place(self, failed: &mut Vec<String>, kept: &mut Vec<String>) {
+        match self.exceeds {
+            true => failed.push(self.text),
+            false => kept.push(self.text),
+        }
+    }
+}
+
+fn displaced(what: &str, displacement_m: f64, limit_m: f64) -> Displaced {
+    let (most, limit) = (1e6 * displacement_m, 1e6 * limit_m);
+    let exceeds = displacement_m > limit_m;
+    let (verb, of_margin) = match exceeds {
+        true => ("beyond", "exceeded by"),
+        false => ("within", "margin"),
+    };
+    Displaced {
+        exceeds,
+        text: format!(
+            "{what} displaced by {} µm, {verb} its clearance of {} µm ({of_margin} {} µm)",
+            short(most),
+            short(limit),
+            short((limit - most).abs())
+        ),
+    }
+}
+
+fn unbalanced(what: &str, residual: f64) -> Option<String> {
+    (residual.abs() > RESIDUAL_FRACTION).then(|| {
+        format!(
+            "energy balance error{what} {:.1} %, above {:.0} %: the step is too long for these \
+             numbers",
+            100.0 * residual.abs(),
+            100.0 * RESIDUAL_FRACTION
+        )
+    })
+}
+
+/// Why bearing or support cannot carry the weight of the rotor once it rests.
+fn not_carried(case: &Case, weight_n: Option<f64>) -> Vec<String> {
+    let Some(weight_n) = weight_n else {
+        return vec![];
+    };
+    let mut reasons = vec![];
+    let static_rating_n = BasicRatings::new(&case.bearing).static_n;
+    if weight_n > static_rating_n {
+        reasons.push(format!(
+            "the bearing cannot carry the rotor: its weight of {} N exceeds the basic static load \
+             rating C0r of {} N (ISO 76)",
+            short(weight_n),
+            short(static_rating_n)
+        ));
+    }
+    if let Some(support) = &case.support {
+        let (sag_m, most_m) = (sag_m(support, weight_n), case.bearing.ball_radius_m());
+        if sag_m > most_m {
+            reasons.push(format!(
+                "the support cannot carry the rotor: it yields by {} mm under its weight, more \
+                 than the radius of a ball ({} mm); a stiffer support (support.stiffness_n_m) or \
+                 a hard stop (support.stop_gap_um) holds it",
+                short(1e3 * sag_m),
+                short(1e3 * most_m)
+            ));
+        }
+    }
+    reasons
+}
+
+/// Displacement of the support under a weight at rest.
+fn sag_m(support: &Support, weight_n: f64) -> f64 {
+    let free_m = weight_n / support.stiffness_n_m;
+    match &support.stop {
+        Some(stop) if free_m > stop.gap_m => {
+            let beyond_n = weight_n - support.stiffness_n_m * stop.gap_m;
+            stop.gap_m + beyond_n / (support.stiffness_n_m + stop.stiffness_n_m)
+        }
+        _ => free_m,
+    }
+}

@@ -1,0 +1,223 @@
+//! Results of a drop against what its states, contacts and energy terms give.
+
+use cageless::Case;
+use cageless::dynamics::energy::EnergyTerm;
+use cageless::equilibrium::outer_stress_pa;
+use cageless::simulation::{Control, Observer, ObserverError, RunOutcome, StepView, run};
+use cageless::touchdown::{DropRecorder, DropSummary, Scatter};
+
+use crate::common::{drop_case, raceway};
+
+/// A drop that is about to touch.
+fn near(duration_s: f64) -> Case {
+    let mut case = drop_case();
+    let rotor = case.rotor.as_mut().unwrap();
+    (rotor.y_m, rotor.vy_m_s) = (-199e-6, -0.0625);
+    case.solver.duration_s = duration_s;
+    case
+}
+
+fn dropped(case: &Case, observer: &mut dyn Observer) -> (DropSummary, RunOutcome) {
+    let mut recorder = DropRecorder::new();
+    let outcome = run(case, &mut [&mut recorder, observer], &mut |_| {
+        Control::Continue(())
+    })
+    .unwrap();
+    (recorder.summary(&outcome.state), outcome)
+}
+
+struct Nothing;
+impl Observer for Nothing {
+    fn step(&mut self, _: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+        Ok(Control::Continue(()))
+    }
+}
+
+/// x → −x with every rotation reversed: the balls are evenly spaced from the bottom on.
+#[test]
+fn a_clockwise_rotor_gives_the_mirrored_drop() {
+    let mut case = near(0.012);
+    let rotor = case.rotor.as_mut().unwrap();
+    (rotor.friction_coefficient, rotor.vx_m_s) = (0.3, 0.02);
+    let (one, _) = dropped(&case, &mut Nothing);
+    let rotor = case.rotor.as_mut().unwrap();
+    (rotor.speed_rad_s, rotor.vx_m_s) = (-rotor.speed_rad_s, -rotor.vx_m_s);
+    let (other, _) = dropped(&case, &mut Nothing);
+    assert_eq!(one.end_state, other.end_state);
+    assert!(
+        one.backward_whirl_max_hz > 0.1,
+        "{}",
+        one.backward_whirl_max_hz
+    );
+    let pairs = |s: &DropSummary| {
+        [
+            s.backward_whirl_max_hz,
+            s.rotor_force_max_n,
+            s.rotor_displacement_max_m,
+            s.rotor_slip_max_m_s,
+            s.ring_speed_rad_s.abs(),
+            s.heat.rotor_friction_j,
+            s.contact_fraction,
+        ]
+    };
+    for (k, (a, b)) in pairs(&one).into_iter().zip(pairs(&other)).enumerate() {
+        assert!((a / b - 1.0).abs() < 1e-3, "{k}: {a} {b}");
+    }
+    assert!(one.ring_speed_rad_s > 0.0 && other.ring_speed_rad_s < 0.0);
+}
+
+#[test]
+fn heat_of_each_interface_is_its_term_of_the_energy_balance() {
+    let case = near(0.01);
+    let (summary, outcome) = dropped(&case, &mut Nothing);
+    let heat = summary.heat;
+    let parts = [
+        (heat.rotor_friction_j, EnergyTerm::RotorFriction),
+        (heat.rotor_damping_j, EnergyTerm::RotorDamping),
+        (heat.inner_friction_j, EnergyTerm::InnerFriction),
+        (heat.outer_friction_j, EnergyTerm::OuterFriction),
+        (heat.ball_friction_j, EnergyTerm::BallFriction),
+        (heat.contact_damping_j, EnergyTerm::Damping),
+        (heat.support_damping_j, EnergyTerm::SupportDamping),
+    ];
+    for (k, (found, term)) in parts.iter().enumerate() {
+        assert_eq!(*found, outcome.state.energy_term_j(*term), "{term:?}");
+        assert!(
+            parts[..k].iter().all(|(other, _)| other != found),
+            "{term:?} is not distinct"
+        );
+    }
+    let sum: f64 = parts.iter().map(|(found, _)| found).sum();
+    assert!((heat.total_j() / sum - 1.0).abs() < 1e-12);
+    // Without friction of the balls there is none of its heat, and no other vanishes.
+    let mut smooth = case.clone();
+    smooth.contact.friction_coefficient = 0.0;
+    let cold = dropped(&smooth, &mut Nothing).0.heat;
+    assert_eq!(
+        [
+            cold.inner_friction_j,
+            cold.outer_friction_j,
+            cold.ball_friction_j
+        ],
+        [0.0; 3]
+    );
+    assert!(cold.rotor_friction_j > 0.0 && cold.support_damping_j > 0.0);
+    let mut slippery = case;
+    slippery.rotor.as_mut().unwrap().friction_coefficient = 0.0;
+    assert_eq!(
+        dropped(&slippery, &mut Nothing).0.heat.rotor_friction_j,
+        0.0
+    );
+}
+
+/// Largest pressure at the outer raceway, contact by contact, and the place of the journal.
+struct Loads<'c> {
+    case: &'c Case,
+    outer_pa: f64,
+    inside: bool,
+    displaced_m: f64,
+    slip: Vec<(f64, Option<f64>)>,
+}
+
+impl Observer for Loads<'_> {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+        let contacts = &view.contacts;
+        for k in 0..contacts.balls() {
+            let (radius, force) = (contacts.effective_radius_m(k), contacts.outer_force_n(k));
+            let pressure = outer_stress_pa(&self.case.bearing, radius, force);
+            if pressure > self.outer_pa {
+                self.outer_pa = pressure;
+                self.inside = radius < self.case.bearing.ball_radius_m();
+            }
+        }
+        let motion = view.layout().rotor_motion(&view.step.y1).unwrap();
+        self.displaced_m = self.displaced_m.max(motion.x.hypot(motion.y));
+        let rotor = contacts.rotor().unwrap().contact;
+        let slip = (rotor.force > 0.0).then(|| rotor.slip.abs());
+        self.slip.push((view.step.t1_s, slip));
+        Ok(Control::Continue(()))
+    }
+}
+
+#[test]
+fn pressures_displacement_and_spin_up_follow_from_contacts_and_motion() {
+    // The three balls at the bottom, which carry the most, are in a raceway. A light ring under a
+    // slow rotor with much friction comes up to speed within the run.
+    let mut case = near(0.03);
+    let mut bore = case.bearing.inner_ring_bore().unwrap();
+    bore.polar_inertia_kg_m2 = 5e-6;
+    case.bearing = case.bearing.with_inner_ring_bore(bore).unwrap();
+    case.contact.friction_coefficient = 0.007;
+    let rotor = case.rotor.as_mut().unwrap();
+    (rotor.speed_rad_s, rotor.friction_coefficient) = (300.0, 0.3);
+    let raceway = raceway(&case.bearing, 4.95, 35.0, 0.0);
+    let case = case.with_raceways(vec![raceway]);
+    let mut loads = Loads {
+        case: &case,
+        outer_pa: 0.0,
+        inside: false,
+        displaced_m: 0.0,
+        slip: vec![],
+    };
+    let (summary, _) = dropped(&case, &mut loads);
+    assert!(loads.inside, "the largest pressure is on a raceway");
+    assert!((summary.outer_stress_max_pa / loads.outer_pa - 1.0).abs() < 1e-12);
+    let displaced = summary.rotor_displacement_max_m;
+    assert!((displaced / loads.displaced_m - 1.0).abs() < 1e-12);
+    assert!(displaced > 2e-4, "beyond the clearance: {displaced}");
+    // From the start of the drop, not from the first contact.
+    let touching = || {
+        loads
+            .slip
+            .iter()
+            .filter_map(|(time, slip)| Some((*time, (*slip)?)))
+    };
+    let (first_s, first) = touching().next().unwrap();
+    let up = touching().find(|(_, slip)| *slip < 0.01 * first).unwrap();
+    assert!(first_s > 1e-5);
+    assert_eq!(summary.first_contact_s, Some(first_s));
+    assert_eq!(summary.spin_up_s, Some(up.0));
+}
+
+#[test]
+fn scattered_values_stay_within_their_widths_and_reach_them() {
+    let case = drop_case();
+    let scatter = Scatter::default();
+    let drawn: Vec<_> = (0..200).map(|index| scatter.draw(&case, index).1).collect();
+    let rotor = case.rotor.as_ref().unwrap();
+    let within = |name: &str, of: &dyn Fn(usize) -> f64, [least, most]: [f64; 2]| {
+        let all: Vec<f64> = (0..200).map(of).collect();
+        let [low, high] = [f64::min, f64::max].map(|f| all.iter().copied().reduce(f).unwrap());
+        assert!(low >= least && high <= most, "{name}: {low} {high}");
+        // 200 uniform draws miss either 5 % of the range once in 30 000 times.
+        let (near, width) = ((low / least).ln(), (most / least).ln());
+        assert!(
+            near < 0.08 * width && (most / high).ln() < 0.08 * width,
+            "{name}: {low} {high}"
+        );
+    };
+    let damping = case.support.as_ref().unwrap().damping_n_s_m;
+    let bearing = |k: usize| drawn[k].bearing;
+    within(
+        "damping",
+        &|k| bearing(k).support_damping_n_s_m.unwrap() / damping,
+        [0.5, 2.0],
+    );
+    within(
+        "gap",
+        &|k| bearing(k).air_gap_m / rotor.air_gap_m,
+        [0.9, 1.1],
+    );
+    let friction = rotor.friction_coefficient;
+    within(
+        "rotor friction",
+        &|k| bearing(k).rotor_friction / friction,
+        [0.7, 1.3],
+    );
+    let friction = case.contact.friction_coefficient;
+    within(
+        "ball friction",
+        &|k| bearing(k).ball_friction / friction,
+        [0.7, 1.3],
+    );
+}
