@@ -45,8 +45,10 @@ fn bunched(mut case: Case, balls: usize, lead_ball_angle_rad: f64) -> Case {
 #[test]
 fn a_ring_that_falls_between_the_balls_ends_the_run() {
     let loaded = bunched(structure(5.1, 25.2), 6, 1.0);
-    let mut falling = bunched(drop_case(), 6, 0.5);
-    falling.rotor.as_mut().unwrap().vy_m_s = -0.5;
+    let mut falling = bunched(drop_case(), 6, 1.57);
+    let rotor = falling.rotor.as_mut().unwrap();
+    (rotor.y_m, rotor.vy_m_s, rotor.speed_rad_s) = (-1.9e-4, -0.3, 100.0);
+    let speed = rotor.speed_rad_s;
     falling.set_method(IntegrationMethod::VelocityVerlet);
     for case in [&loaded, &falling] {
         let outcome = run(case, &mut [], &mut |_| Control::Continue(())).unwrap();
@@ -82,7 +84,6 @@ fn a_ring_that_falls_between_the_balls_ends_the_run() {
     };
     let mut held = drop_case();
     held.solver = falling.solver.clone();
-    let speed = held.rotor.as_ref().unwrap().speed_rad_s;
     let drop = RotorDrop::new(
         rotor.linear().unwrap(),
         speed,
