@@ -128,7 +128,7 @@ fn end(index: u64) -> Result<End, String> {
     let file = parsed(&[format!("solver.duration_s={duration}")]).map_err(|e| e.to_string())?;
     let (outcome, warnings) = if file.case().rotor.is_some() {
         match study(&file, DropRequest::default(), None, &Silent) {
-            Ok(found) => (found.drop.outcome, None),
+            Ok(found) => (found.drop.outcome, found.warnings),
             Err(_) => return Ok(End::Refused),
         }
     } else {
@@ -137,18 +137,14 @@ fn end(index: u64) -> Result<End, String> {
             verify: false,
         };
         match run(&file, options, &Silent) {
-            Ok(record) => (record.outcome, Some(record.summary.warnings)),
+            Ok(record) => (record.outcome, record.summary.warnings),
             Err(_) => return Ok(End::Refused),
         }
     };
-    judged(&file, &outcome, warnings.as_deref()).map_err(|wrong| format!("{wrong}\n{text}"))
+    judged(&file, &outcome, &warnings).map_err(|wrong| format!("{wrong}\n{text}"))
 }
 
-fn judged(
-    file: &CaseFile,
-    outcome: &RunOutcome,
-    warnings: Option<&[String]>,
-) -> Result<End, String> {
+fn judged(file: &CaseFile, outcome: &RunOutcome, warnings: &[String]) -> Result<End, String> {
     match &outcome.ending {
         Ending::Complete => {
             let (inner, outer) = (
@@ -160,8 +156,7 @@ fn judged(
                 return Err(format!("the rings overlap: {off:e} m"));
             }
             let residual = outcome.energy_residual_relative;
-            let silent = |all: &[String]| !all.iter().any(|w| w.contains("unaccounted"));
-            let unsaid = warnings.is_some_and(silent);
+            let unsaid = !warnings.iter().any(|w| w.contains("unaccounted"));
             if residual.abs() > 0.01 && unsaid {
                 return Err(format!("a residual of {residual:e} without a warning"));
             }
