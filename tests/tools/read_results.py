@@ -64,7 +64,7 @@ INTEGERS = {"ball", "next_ball"}
 
 # Keys that a case file may leave out; stiffnesses follow from the geometry.
 OPTIONAL = {
-    "schema", "title", "raceway.centre_angle_deg", "raceway.depth_error_um",
+    "schema", "title", "bearing.assembly", "raceway.centre_angle_deg", "raceway.depth_error_um",
     "contact.outer_friction_factor", "contact.ball_friction_factor", "contact.ball_restitution",
     "contact.inner_stiffness", "contact.outer_stiffness", "contact.ball_stiffness",
     "start.state", "start.gaps", "start.lead_ball_angle_deg",

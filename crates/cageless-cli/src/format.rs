@@ -127,7 +127,7 @@ mod tests {
     #[test]
     fn numbers_with_a_minus_sign_and_dashes_are_lined_up_to_the_right() {
         let rows = ["name", "−12.5", "–", "3"].map(|cell| vec!["a".to_owned(), cell.to_owned()]);
-        assert_eq!(columns(&rows), "a  name\na  −12.5\na      –\na      3\n");
+        assert_eq!(columns(&rows), "a   name\na  −12.5\na      –\na      3\n");
     }
 
     #[test]

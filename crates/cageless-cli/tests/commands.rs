@@ -232,7 +232,8 @@ fn static_shows_ratings_first() {
         let text = call_on("static", &repository_case(case), &[], &[]).stdout;
         assert!(text.contains("x 0.0000 µm"), "{text}");
         assert!(!text.contains("-0.00"), "{text}");
-        assert!(text.contains("Cr 26120 N (ISO 281)"), "{text}");
+        // 26 120 N times 1.1/1.3: 14 balls need a filling slot.
+        assert!(text.contains("Cr 22102 N (ISO 281"), "{text}");
         assert!(text.find("stiffness").unwrap() < text.find("ball ").unwrap());
         assert!(text.contains("note: ratings and lives are indicative"));
     }
@@ -415,7 +416,7 @@ fn check_names_the_cost_the_preload_and_a_ring_that_may_fall() {
     let check = |sets: &[&str]| call_on("check", &case, sets, &[]);
     let plain = check(&["solver.duration_s=2", "solver.step_us=1"]);
     assert!(
-        plain.stdout.contains("2.00 × 10⁶ of 1.000 µs"),
+        plain.stdout.contains("2.00 × 10⁶ of 1 µs"),
         "{}",
         plain.stdout
     );

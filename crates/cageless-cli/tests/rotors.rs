@@ -314,7 +314,7 @@ const PLANS: &[(&str, usize, &[&str])] = &[
     ("compute = [\"drop\"]\n[grid]\nbearing.2.node = [1]", 4, &["bearing.2.node = 1 is not possible", "a rigid rotor has places"]),
     ("compute = [\"drop\"]\n[grid]\ncontact.damping = [1e5]\nbearing.1.contact.damping = [1e5]", 5, &["bearing.1.contact.damping is a part of contact.damping on line 4"]),
     ("compute = [\"drop\"]\n[set]\nbearing.1.contact.damping = 1e5\n[grid]\ncontact.damping = [1e5]", 4, &["bearing.1.contact.damping varies on line 6", "[set] has no effect"]),
-    ("compute = [\"drop\"]\nkeep = [\"drop_bearing_3_impacts\"]", 3, &["drop_bearing_3_impacts", "there are drop_end_state"]),
+    ("compute = [\"drop\"]\nkeep = [\"drop_bearing_3_impacts\"]", 3, &["drop_bearing_3_impacts", "there are drop_verdict"]),
     ("compute = [\"drop\"]\n[scatter]\nrotor.transverse_inertia_kg_m2 = \"any\"", 4, &["{ normal = STANDARD_DEVIATION }"]),
 ];
 

@@ -14,8 +14,11 @@ const ORBITS: f64 = 18.0;
 /// Starts of each case: as many as run side by side.
 const STARTS: u64 = 8;
 
-/// What is compared, named as in `summary.json`; the less the better but for the change.
-const RESULTS: [(&str, fn(&Summary) -> f64); 5] = [
+/// Name of a result in `summary.json`, and its value.
+type NamedResult = (&'static str, fn(&Summary) -> f64);
+
+/// Results that are compared; for each but the change of the gaps less is better.
+const RESULTS: [NamedResult; 5] = [
     ("gap_deviation_deg", |s| s.gap_deviation_rad.to_degrees()),
     ("gap_deviation_change_deg", |s| {
         s.gap_deviation_change_rad.to_degrees()

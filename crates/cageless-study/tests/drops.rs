@@ -273,7 +273,7 @@ fn a_drop_is_warned_of_and_judged_as_a_run_is() {
         found.warnings
     );
     // Nothing of continuous running.
-    for word in ["n·dm", "continuous", "70 °C"] {
+    for word in ["n·Dpw", "continuous", "70 °C"] {
         assert!(
             !found.warnings.iter().any(|w| w.contains(word)),
             "{:?}",
@@ -520,7 +520,7 @@ fn a_run_of_a_falling_rotor_has_no_verdict_and_nothing_of_continuous_running() {
             "{label}: {value}"
         );
     }
-    for word in ["n·dm", "70 °C", "inf", "NaN"] {
+    for word in ["n·Dpw", "70 °C", "inf", "NaN"] {
         assert!(
             !summary.warnings.iter().any(|w| w.contains(word)),
             "{:?}",

@@ -15,7 +15,8 @@
 //!     gaps: Gaps::List((0..14).map(wider).collect()),
 //!     lead_ball_angle_rad: 0.0,
 //! };
-//! case.solver.duration_s = 0.0002;
+//! // Before the raceway has changed them.
+//! case.solver.duration_s = 2e-5;
 //! let mut recorder = SummaryRecorder::new();
 //! run(&case, &mut [&mut recorder], &mut |_| Control::Continue(()))?;
 //! let deviation = recorder.summary().unwrap().gap_deviation_rad;

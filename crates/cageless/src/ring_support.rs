@@ -1,5 +1,16 @@
 //! Where the balls hold the inner ring, however they are spaced, and where its shoulders end a fall
 //! between them.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! let bearing = common::structure(5.1, 25.2).bearing; // Zhao 2022, Table 1: 14 balls
+//! assert!(!bearing.can_fall_between_balls());
+//! // Bunched, the balls that hold the ring reach over more than half of the circle.
+//! let (ball, pitch) = (bearing.ball_radius_m(), bearing.pitch_radius_m());
+//! let least = cageless::Bearing::balls_that_hold_ring(ball, pitch);
+//! let epsilon = bearing.ball_angle_rad().to_degrees();
+//! assert!((least - 1) as f64 * epsilon > 180.0 && (least - 2) as f64 * epsilon <= 180.0);
+//! ```
 
 use std::f64::consts::PI;
 

@@ -232,8 +232,10 @@ fn check(args: &CaseArgs) -> Result<(), Failure> {
         ),
         (
             "radial internal clearance Gr",
-            format!("{:.3} µm (ISO 5753-1)", 2e6 * bearing.radial_clearance_m()).replace('-', "−")
-                + &preload_text(file.case()),
+            format!(
+                "{} µm (ISO 5753-1)",
+                crate::format::fixed(2e6 * bearing.radial_clearance_m(), 3)
+            ) + &preload_text(file.case()),
         ),
         ("balls of", material(&bearing.materials().ball)),
         ("rings of", material(&bearing.materials().ring)),

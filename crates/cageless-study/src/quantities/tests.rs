@@ -184,6 +184,9 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
         &mut s.settled_after_s,
         &mut s.gap_min_rad,
         &mut s.gap_max_rad,
+        &mut s.gap_deviation_rad,
+        &mut s.gap_deviation_change_rad,
+        &mut s.outer_ring_force_deviation_n,
         &mut s.ring_x_mean_m,
         &mut s.ring_y_mean_m,
         &mut s.slip_max_m_s,
@@ -245,6 +248,15 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
         ("ring_y_um_mean", s.ring_y_mean_m / 1e-6),
         ("gap_min_deg", s.gap_min_rad / DEGREE),
         ("gap_max_deg", s.gap_max_rad / DEGREE),
+        ("gap_deviation_deg", s.gap_deviation_rad / DEGREE),
+        (
+            "gap_deviation_change_deg",
+            s.gap_deviation_change_rad / DEGREE,
+        ),
+        (
+            "outer_ring_force_deviation_n",
+            s.outer_ring_force_deviation_n,
+        ),
         ("slip_max_m_s", s.slip_max_m_s),
         (
             "orbit_speed_rpm",

@@ -93,14 +93,14 @@ fn each_peak_of_a_contact_has_its_limit() {
 #[test]
 fn speed_heat_and_energy_have_their_limits() {
     let mut run = Run::new(&[]);
-    // n·dm with dm = 18.24 + 27.765 mm.
+    // n·Dpw with Dpw = 18.24 + 27.765 mm.
     let rpm = |parameter: f64| parameter / (18.24 + 27.765);
     let turning = |run: &mut Run, rpm: f64| {
         run.case.operation.inner_speed_rad_s = rpm * std::f64::consts::PI / 30.0;
         // What rolls faster carries more load and may slide more: that is not asked here.
         run.case.solver.step_s = 1e-9;
     };
-    let text = "n·dm is 3.00 million mm/min, above the 3 million";
+    let text = "n·Dpw is 3.00 million mm/min, above the 3 million";
     run.changes(false, "", |run| turning(run, rpm(3e6 * (1.0 - 1e-9))));
     run.changes(true, text, |run| turning(run, rpm(3e6 * (1.0 + 1e-9))));
     // Either way round.
