@@ -123,8 +123,9 @@ pub struct New {
     /// Print the case of a conventional bearing, without a discrete raceway.
     #[arg(long)]
     pub conventional: bool,
-    /// Start from a deep groove ball bearing of ISO 15: series 60, 62, 63, 618 or 619 with a bore
-    /// code from 00 to 20; the inside is assumed, as comments say.
+    /// Start from a deep groove ball bearing of ISO 15: series 60, 62, 63, 160, 68 (618) or 69 (619)
+    /// with a bore of up to 100 mm. Comments name the maker of the balls or the formula, and all that
+    /// is assumed.
     #[arg(long, value_name = "DESIGNATION", conflicts_with = "conventional")]
     pub bearing: Option<String>,
     /// As many balls as the pitch circle holds.
@@ -159,13 +160,13 @@ pub struct RunArgs {
 /// `drop`.
 #[derive(Debug, Group)]
 pub struct DropArgs {
-    /// Case with a [rotor], or file of a rotor above several bearings; output.
+    /// Case with a [rotor], or file of a rotor on several bearings; output.
     #[command(flatten)]
     pub case: CaseArgs,
     /// Drop the rotor onto another outer ring as well, in all bearings, and show both.
     #[arg(long, value_enum, value_name = "RING")]
     pub compare: Option<Reference>,
-    /// Drop the rotor N times with scattered friction (±30 %), air gap (±10 %), support damping
+    /// Drop the rotor N times with random friction (±30 %), clearance (±10 %), support damping
     /// (factor 2), direction of the unbalance and arrangement of the balls, drawn for each bearing
     /// on its own; --set solver.seed=S for other draws.
     #[arg(long, value_name = "N")]
@@ -177,6 +178,9 @@ pub struct DropArgs {
     /// Write the tables as CSV, too: balls.csv, ring.csv, rotor.csv, collisions.csv.
     #[arg(long, requires = "out")]
     pub csv: bool,
+    /// Open the page in the browser.
+    #[arg(long, requires = "out")]
+    pub open: bool,
 }
 
 /// `compare`.

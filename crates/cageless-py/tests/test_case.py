@@ -51,7 +51,7 @@ def test_only_bearing_and_operation_are_required() -> None:
     )
     assert made == full
     with pytest.raises(TypeError, match="operation"):
-        cageless.Case(bearing=full.bearing)
+        cageless.Case(bearing=full.bearing)  # type: ignore[call-arg]
 
 
 def test_a_designation_makes_the_case_of_the_command(command: Command, tmp_path: Path) -> None:
@@ -97,7 +97,7 @@ def test_the_radial_clearance_is_in_micrometres() -> None:
 def test_a_key_of_the_case_is_no_argument_of_run() -> None:
     case = cageless.Case.from_toml(cageless.template())
     with pytest.raises(TypeError, match=r"Case\.run.*replace\(solver__duration_s=0\.01\)"):
-        case.run(duration_s=0.01)  # type: ignore[call-arg]
+        case.run(duration_s=0.01)
 
 
 def test_every_value_of_a_static_equilibrium_is_an_attribute() -> None:

@@ -53,9 +53,12 @@ def test_a_drop_has_its_results(both: tuple[cageless.Drop, Path], tmp_path: Path
     assert drop.headline.startswith({True: "PASS", False: "FAIL", None: "not"}[drop.passes])
     assert bool(drop.reasons) != bool(drop.passes)
     assert drop.headline in drop._repr_html_().replace("&#x27;", "'")
-    for name in ["orbit", "displacement", "forces", "spin_up", "whirl", "heat"]:
+    for name in ["orbit", "displacement", "forces", "spin_up", "heat"]:
         figure = getattr(drop, f"plot_{name}")(title=name)
         assert figure.data and figure.layout.title.text == name
+    # The drop ends before the rotor is in lasting contact.
+    with pytest.raises(cageless.InputError, match="no figure 'whirl'"):
+        drop.plot_whirl()
     assert drop.summary["conventional"]["impacts"] >= 1
     assert drop.rotor("y_m").shape == drop.time_s.shape
     assert drop.data_rotor().attrs["units"]["speed_rad_s"] == "rad/s"

@@ -57,6 +57,7 @@ def test_a_drop_is_that_of_the_command(command: Command, tmp_path: Path) -> None
     assert all(bearing.summary["impacts"] >= 1 for bearing in drop.bearings)
     saved = drop.save(tmp_path / "saved")
     loaded = cageless.load(saved)
+    assert isinstance(loaded, cageless.RotorDrop)
     assert loaded == drop and loaded.passes == drop.passes
     assert loaded.bearings[1].plot_orbit().data
     for name in ["summary.json", "report.html"]:

@@ -1,6 +1,7 @@
 //! Names of the columns of sweeps in words.
 
-use cageless_study::quantities::{Quantity, bearing_in_column};
+use cageless_io::plan_file::Computation;
+use cageless_study::quantities::{QUANTITIES, Quantity, bearing_in_column};
 
 use crate::sweep::SweepQuantity;
 
@@ -24,7 +25,7 @@ pub fn name(quantity: &SweepQuantity) -> String {
         return (*name).to_owned();
     }
     if let Some((result, bearing)) = Quantity::of_column(&quantity.name) {
-        return in_bearing(result.label.trim().to_owned(), bearing);
+        return in_bearing(result_name(result), bearing);
     }
     // `verdict_verdict = smooth`: the share of one verdict.
     if let Some(value) = quantity.name.strip_prefix("verdict_verdict = ") {
@@ -40,6 +41,20 @@ pub fn name(quantity: &SweepQuantity) -> String {
         None => (None, plain),
     };
     in_bearing(key.trim_matches('_').replace('_', " "), bearing)
+}
+
+/// Label of a result, with its computation where another one in the same sweep has that label.
+fn result_name(result: &Quantity) -> String {
+    let label = result.label.trim();
+    let shared = |with: Computation| {
+        let mut all = QUANTITIES.iter();
+        all.any(|q| q.computation() == with && q.label.trim() == label)
+    };
+    match result.computation() {
+        Computation::Static if shared(Computation::Run) => format!("{label}, at rest"),
+        Computation::Run if shared(Computation::Verdict) => format!("{label}, in the run"),
+        _ => label.to_owned(),
+    }
 }
 
 /// The name of what one of several bearings has.
@@ -61,17 +76,20 @@ pub fn label(quantity: &SweepQuantity) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cageless_study::quantities::QUANTITIES;
 
-    /// A result has the same label on every page.
+    /// A result has the same label on every page, and one of its own in a sweep of all but drops.
     #[test]
     fn results_have_one_label() {
+        let mut names = std::collections::BTreeSet::new();
         for result in QUANTITIES {
             let quantity = SweepQuantity {
                 name: result.column_name(),
                 unit: result.unit.to_owned(),
             };
-            assert_eq!(name(&quantity), result.label.trim(), "{}", quantity.name);
+            let name = name(&quantity);
+            assert!(name.starts_with(result.label.trim()), "{}", quantity.name);
+            let alone = result.computation() == Computation::Drop || names.insert(name);
+            assert!(alone, "{}", quantity.name);
         }
     }
 

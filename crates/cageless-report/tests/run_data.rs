@@ -25,7 +25,7 @@ impl Rows for Kept {
     }
 
     fn collision(&mut self, collision: &Collision) -> Result<(), ObserverError> {
-        self.collisions.push(collision.clone());
+        self.collisions.push(*collision);
         Ok(())
     }
 }

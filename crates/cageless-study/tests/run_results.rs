@@ -50,7 +50,7 @@ fn summary_and_tables_are_views_of_one_table() {
     let shown: Vec<_> = summary.results.rows().collect();
     assert_eq!(shown.len(), of_runs.filter(|q| q.in_tables).count());
     let unit = |label: &str| &shown.iter().find(|r| r.0.starts_with(label)).unwrap().2;
-    assert_eq!(unit("torque of gross sliding in this model"), "N·mm");
+    assert_eq!(unit("torque of gross sliding in the model"), "N·mm");
     assert_eq!(unit("friction torque with lubricant"), "N·mm");
     assert_eq!(unit("peak contact pressure"), "MPa");
 

@@ -13,7 +13,7 @@ use cageless_study::number_text::significant;
 use cageless_study::run::Rows;
 
 use super::drop_several::drop_several;
-use super::{make_folder, print, read_case, tell, writable};
+use super::{make_folder, open_page, print, read_case, tell, writable};
 use crate::args::{DropArgs, Reference};
 use crate::failure::{Failure, kept_in};
 use crate::format::{columns, judged, page_line, pairs, warnings};
@@ -66,6 +66,7 @@ pub fn touchdown(args: &DropArgs) -> Result<(), Failure> {
     } else {
         tell(&(text(&study) + &page_line(out, PAGE)))?;
     }
+    show_page(args);
     let kept = kept_in(out);
     let outcome = study.drop.outcome;
     Failure::of_ending(outcome.ending, outcome.end_s, &kept)?;
@@ -75,6 +76,13 @@ pub fn touchdown(args: &DropArgs) -> Result<(), Failure> {
         )));
     }
     Ok(())
+}
+
+/// Opens the page of a drop in the browser if that is asked for.
+pub(super) fn show_page(args: &DropArgs) {
+    if let (true, Some(dir)) = (args.open, &args.case.out) {
+        open_page(&dir.join(PAGE));
+    }
 }
 
 /// What the options ask for beside the drop.

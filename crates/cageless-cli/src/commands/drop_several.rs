@@ -16,7 +16,7 @@ use cageless_study::number_text::significant;
 use cageless_study::run::Rows;
 use serde::Serialize;
 
-use super::drop::{PAGE, SUMMARY, quantiles, requested, table, verdict, verified};
+use super::drop::{PAGE, SUMMARY, quantiles, requested, show_page, table, verdict, verified};
 use super::{check_warnings, deliver, make_folder, print, steps_text, tell, writable};
 use crate::args::{CaseArgs, DropArgs};
 use crate::failure::{Failure, kept_in};
@@ -68,6 +68,7 @@ pub fn drop_several(args: &DropArgs) -> Result<(), Failure> {
     } else {
         tell(&(text(&file, &study) + &page_line(out, PAGE)))?;
     }
+    show_page(args);
     let kept = kept_in(out);
     let place = format!("bearing {}: ", study.drop.last_index() + 1);
     let outcome = study.drop.into_last().outcome;

@@ -301,7 +301,8 @@ class Computations(ABC):
         --------
         >>> import cageless
         >>> case = cageless.Case.from_toml(cageless.template(), {"solver.duration_s": 0.002})
-        >>> case.compare(starts=2).data_results().loc["gap_deviation_deg", "case_error"] > 0.0
+        >>> results = case.compare(starts=2).data_results()
+        >>> bool(results.loc["gap_deviation_deg", "case_error"] > 0.0)
         True
         """
         other = None if reference is None else reference._file

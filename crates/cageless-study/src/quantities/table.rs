@@ -64,9 +64,9 @@ pub const QUANTITIES: &[Quantity] = &[
     text("criterion", "criterion that decides", Run(|r| r.verdict.deciding.map_or(Cell::Null, |c| Cell::Text(c.name().to_owned())))),
     high(quantity("margin", "", "margin to the nearest limit", Run(|r| r.verdict.deciding.map(Criterion::margin).into()))),
 
-    low(quantity("friction_torque_n_m", "N m", "torque of gross sliding in this model (not a bearing's friction torque)", Run(|r| of_means(r, OrbitMeans::friction_torque_n_m)))),
+    low(quantity("friction_torque_n_m", "N m", "torque of gross sliding in the model", Run(|r| of_means(r, OrbitMeans::friction_torque_n_m)))),
     quantity("friction_torque_skf_n_m", "N m", "friction torque with lubricant and cage, SKF ½ μ P d", Run(|r| skf_friction_torque_n_m(r.case).into())),
-    low(quantity("power_loss_w", "W", "power loss in this model, damping of the contacts included", Run(|r| of_means(r, OrbitMeans::power_loss_w)))),
+    low(quantity("power_loss_w", "W", "power loss in the model, damping included", Run(|r| of_means(r, OrbitMeans::power_loss_w)))),
     quantity("power_loss_inner_friction_w", "W", "  friction at the inner raceway", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::InnerFriction)))),
     quantity("power_loss_outer_friction_w", "W", "  friction at the outer raceway", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::OuterFriction)))),
     quantity("power_loss_ball_friction_w", "W", "  friction between balls", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::BallFriction)))),
