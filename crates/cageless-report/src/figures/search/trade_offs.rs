@@ -24,19 +24,17 @@ type Quantity = (&'static str, fn(&PointNumbers) -> Option<f64>);
 /// Pairs of quantities drawn against each other.
 const PAIRS: [[Quantity; 2]; 4] = [
     [
-        (
-            "Spacing scatter on arrival (std. dev., % of the steady gap)",
-            |n| Some(100.0 * n.motion?.spacing_scatter),
-        ),
+        ("Spacing scatter on arrival (% of steady gap)", |n| {
+            Some(100.0 * n.motion?.spacing_scatter)
+        }),
         ("Collisions in steady state (per ball and turn)", |n| {
             Some(n.motion?.collisions_late)
         }),
     ],
     [
-        (
-            "Spacing scatter on arrival (std. dev., % of the steady gap)",
-            |n| Some(100.0 * n.motion?.spacing_scatter),
-        ),
+        ("Spacing scatter on arrival (% of steady gap)", |n| {
+            Some(100.0 * n.motion?.spacing_scatter)
+        }),
         ("Friction loss (W)", |n| Some(n.motion?.friction_w)),
     ],
     [
