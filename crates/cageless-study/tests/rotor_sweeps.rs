@@ -133,7 +133,8 @@ fn every_result_of_a_drop_has_columns() {
     for quantity in drops {
         let name = quantity.column_name();
         let in_bearing = quantity.column_name_in_bearing(1);
-        let of_rotor = quantity.name == "rotor_energy_residual_relative";
+        let of_rotor =
+            ["rotor_energy_residual_relative", "plane_margin_min_um"].contains(&quantity.name);
         assert_eq!(
             sweep.column(&in_bearing).is_some(),
             !of_rotor,

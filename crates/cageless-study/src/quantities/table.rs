@@ -129,7 +129,7 @@ pub const QUANTITIES: &[Quantity] = &[
     across(Across::Verdict, text("verdict", "verdict", Drop(|d| judged(d, Kind::Text)))),
     across(Across::Verdict, high(flag("passes", "passes", Drop(|d| judged(d, Kind::Flag))))),
     file_only(text("headline", "verdict with its reason", Drop(|d| Cell::Text(DropJudgement::of_drop(d).headline())))),
-    file_only(text("end_state_text", "state at the end", Drop(|d| Cell::Text(d.summary.end_state.text().to_owned())))),
+    file_only(text("end_state_text", "state at the end in words", Drop(|d| Cell::Text(d.summary.end_state.text().to_owned())))),
     across(WorstState, text("end_state", "state at the end", Drop(|d| Cell::Text(d.summary.end_state.name().to_owned())))),
     across(Smallest, quantity("first_contact_ms", "ms", "first contact", Drop(|d| d.summary.first_contact_s.map(|t| 1e3 * t).into()))),
     across(Sum, integer("impacts", "impacts of the rotor", Drop(|d| Cell::Integer(d.summary.impacts as i64)))),
