@@ -22,7 +22,7 @@ use cageless_study::provenance;
 
 /// Seconds on one core, roughly.
 pub const WORK: f64 = 12.0;
-/// The same for [`between`].
+/// Seconds on one core for [`between`], roughly.
 pub const WORK_BETWEEN: f64 = 6.0;
 
 /// Sampling of portraits and passages.

@@ -145,7 +145,7 @@ mod tests {
         }
     }
 
-    /// Of too many collisions the strongest stay, and all are counted.
+    /// Beyond the limit the strongest collisions are kept, and all are counted.
     #[test]
     fn the_strongest_collisions_stay() {
         let mut all = histories();

@@ -254,7 +254,7 @@ mod tests {
         );
     }
 
-    /// Of a contact that two points share, the force is that of the ball, the rank that of a point.
+    /// Where two points share a contact, the force is that of the ball, the rank that of one point.
     #[test]
     fn a_shared_force_ranks_by_one_point() {
         let mut largest = Largest::default();

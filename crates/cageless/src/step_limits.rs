@@ -56,7 +56,8 @@ pub struct StepLimits {
 const LEAST_IMPACT_M_S: f64 = 0.1;
 /// Fraction of the balls whose stiffness at full load together carries the ring.
 const CARRYING_FRACTION: f64 = 0.25;
-/// The same where interference presses all of them against the ring: the mean of cos² over a turn.
+/// Fraction of the balls whose stiffness together carries a preloaded ring: the mean of cos² over
+/// the circle, as interference presses all of them.
 const PRELOADED_FRACTION: f64 = 0.5;
 /// Peaks over the static load that the limits allow for.
 const OVERLOAD: f64 = 1.25;

@@ -225,7 +225,7 @@ mod tests {
         assert!(value(&found, "separation") < 0.8 && !found.passes());
     }
 
-    /// Of several raceways each term is the worst.
+    /// Each term of the estimate of several raceways is that of the worst.
     #[test]
     fn the_worst_raceway_is_estimated() {
         let long = structure(5.1, 25.2);

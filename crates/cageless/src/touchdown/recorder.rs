@@ -92,7 +92,8 @@ pub struct DropSummary {
     /// Contacts between balls that began, per second of the last fifth of the time after the
     /// first contact, Hz; `None` before that.
     pub end_collision_rate_hz: Option<f64>,
-    /// The same for contacts that began above each of [`APPROACH_SPEEDS_M_S`], Hz.
+    /// Contacts per second, as [`Self::end_collision_rate_hz`], that began above each of
+    /// [`APPROACH_SPEEDS_M_S`], Hz.
     pub end_collision_rate_above_hz: [Option<f64>; APPROACH_SPEEDS_M_S.len()],
     /// Largest force between balls, N.
     pub ball_force_max_n: f64,
@@ -101,7 +102,8 @@ pub struct DropSummary {
     /// Largest mean frequency of the journal against the direction of rotation over a window, Hz,
     /// of a whirl or of a swing at the bottom.
     pub backward_whirl_max_hz: f64,
-    /// The same while the journal runs round the bore in contact; `None` if it never does.
+    /// Largest frequency of backward whirl, Hz: of a journal that runs round the bore in contact;
+    /// `None` if it never does.
     pub backward_whirl_hz: Option<f64>,
     /// Heat of each interface.
     pub heat: InterfaceHeat,
