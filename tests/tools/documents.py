@@ -33,6 +33,7 @@ from studies import MACHINE, RESULTS, ROOT, NoResults, Program, studies
 
 DOCUMENTS = [
     "README.md",
+    "docs/design-examples.md",
     "docs/dry-friction.md",
     "docs/theory/errata.md",
     "docs/touchdown-drops.md",
@@ -115,14 +116,17 @@ def spun_up(row):
     return f"{len(times)} of {row.drops()}{mean}"
 
 
-def against(row, name, places, unit=""):
+def compared(row, name):
+    """What a search finds on a result: of the recommended raceway, of that of the case, and the mean of their
+    difference from the same starts with its standard error."""
+    found = re.search(rf"{name} (\S+) against (\S+), difference (\S+) ± (\S+)", " ".join(row["findings"]))
+    return [float(text) for text in found.groups()], [digits(text) for text in found.groups()]
+
+
+def against(row, name):
     """Result of the recommended raceway of a search against that of the case."""
-
-    def of(which):
-        value, error = row[f"{which}_{name}"], row.values.get(f"{which}_{name}_error")
-        return fixed(value, places) + (f" ± {fixed(error, places)}" if error is not None else "") + unit
-
-    return f"{of('recommended')} against {of('own')}"
+    recommended, own, change, error = compared(row, name)[1]
+    return f"{recommended} against {own} ({change} ± {error})"
 
 
 def size(row, which="recommended"):
@@ -149,7 +153,7 @@ def sector(row, k):
 
 WORDS = {
     of.__name__: of
-    for of in (against, changed, colliding, digits, figures, fixed, of_ring, percent, power, sector, size, span, spun_up, wilson)
+    for of in (against, changed, colliding, compared, digits, figures, fixed, of_ring, percent, power, sector, size, span, spun_up, wilson)
 }
 
 
