@@ -9,7 +9,7 @@ use cageless::Case;
 use cageless::design::{
     Eq11, balls_in_raceway_max, half_angle_for_gap_rad, steady_gap_rad, theoretical_gap_rad,
 };
-use cageless::dynamics::layout::BATCH_WIDTH;
+use cageless::numerics::lanes::BATCH_WIDTH;
 use cageless::raceway::axial_span_limit_m;
 use cageless::simulation::{Control, Observer, batches, run_batch};
 use cageless::summary::SummaryRecorder;

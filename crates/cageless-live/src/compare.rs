@@ -7,7 +7,7 @@ use cageless_io::case_file::CaseFile;
 use cageless_io::estimate::{Change, Estimate};
 use serde_json::{Value, json};
 
-use crate::request::{Refusal, read};
+use crate::refusal::{Refusal, read};
 
 /// Orbits of the balls in each run; the first two are its transient.
 const ORBITS: f64 = 18.0;

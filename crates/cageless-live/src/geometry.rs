@@ -12,7 +12,7 @@ use cageless::raceway::{Raceway, axial_span_limit_m};
 use cageless_io::case_file::CaseFile;
 use serde_json::{Value, json};
 
-use crate::request::Refusal;
+use crate::refusal::Refusal;
 
 /// Points along a raceway, from end to end and a fifth of θ beyond.
 const ALONG: usize = 81;

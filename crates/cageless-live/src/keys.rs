@@ -4,7 +4,10 @@ use cageless::dynamics::InstructionSet;
 use cageless_io::case_file::{MaterialPreset, drop_template, keys, template};
 use serde_json::{Value, json};
 
-use crate::request::OPERATIONS;
+/// Operations of the engine.
+pub(crate) const OPERATIONS: [&str; 8] = [
+    "about", "geometry", "ranges", "map", "static", "motion", "verdict", "compare",
+];
 
 /// Version, instruction set, the templates of a case, every key with unit and meaning, and the
 /// materials that have a name.

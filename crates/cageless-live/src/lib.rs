@@ -19,6 +19,7 @@ mod keys;
 mod map;
 mod motion;
 mod ranges;
+mod refusal;
 mod request;
 mod verdict;
 

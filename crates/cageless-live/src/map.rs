@@ -8,7 +8,7 @@ use serde::Deserialize;
 use serde_json::{Map, Value, json};
 
 use crate::ranges::{Span, possible};
-use crate::request::{Refusal, read};
+use crate::refusal::{Refusal, read};
 
 /// Points of one map, at most.
 const POINTS_MAX: usize = 20_000;

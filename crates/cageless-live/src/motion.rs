@@ -14,7 +14,7 @@ use cageless::snapshot::{RotorSnapshot, Snapshot};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::request::Refusal;
+use crate::refusal::Refusal;
 
 /// A stretch of a motion: from the start of the case, or from where the last one ended.
 #[derive(Debug, Deserialize)]

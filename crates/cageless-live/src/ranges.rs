@@ -5,7 +5,7 @@ use cageless_io::case_file::{CaseBase, CaseValue, Change};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::request::Refusal;
+use crate::refusal::Refusal;
 
 /// A control: a name, the values that it offers, and the keys that follow it linearly.
 #[derive(Debug, Deserialize)]

@@ -5,7 +5,7 @@ use cageless::design::{Criterion, judge};
 use cageless::simulation::Control;
 use serde_json::{Value, json};
 
-use crate::request::Refusal;
+use crate::refusal::Refusal;
 
 /// Judges the raceways of a case as `cageless design` does.
 pub(crate) fn verdict(

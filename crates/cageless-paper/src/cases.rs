@@ -16,6 +16,13 @@ use cageless_io::case_file::{CaseError, CaseFile, template};
 
 use cageless_study::{RacewayLabel, profile_name};
 
+/// The two sets of equations, each with the friction law that goes with it: as published,
+/// and physically consistent.
+pub(crate) const READINGS: [(Profile, FrictionLaw); 2] = [
+    (Profile::Paper, FrictionLaw::Coulomb),
+    (Profile::Physical, FrictionLaw::Smooth),
+];
+
 /// A row of Table 2 with the judgement of Section 4.3.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Published {

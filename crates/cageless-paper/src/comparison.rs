@@ -21,13 +21,12 @@ use cageless_study::Work;
 use cageless_study::{SAMPLING_HZ, provenance};
 use rayon::prelude::*;
 
-pub use outcome::load_zone_rad;
 use outcome::{Outcome, outcome};
-pub use outcome::{TRANSITIONS, transition_shares};
 
 use crate::cases;
 use crate::error::PaperError;
 use crate::experiment::{STRETCHES, Stretch};
+use crate::load_zone::load_zone_rad;
 
 /// Seconds on one core, roughly.
 pub const WORK: f64 = 30.0;
@@ -201,7 +200,7 @@ impl Plan {
             gaps: Gaps::List(bunched_gaps_rad(&case, start)),
             lead_ball_angle_rad: case.start.lead_ball_angle_rad(),
         };
-        case.check()?;
+        cageless::step_limits::check(&case)?;
         Ok(case)
     }
 }
@@ -337,7 +336,7 @@ fn side_by_side(
             return Err(PaperError::Stopped(stop.clone()));
         }
         let Some(orbit_hz) = orbits[k].orbit_hz() else {
-            return super::not_computed();
+            return crate::error::not_computed();
         };
         let vertical = [vibrations[k].measurements(), quiet[k].measurements()].map(|m| &m[1]);
         outcomes.push(outcome(

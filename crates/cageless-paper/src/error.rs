@@ -31,3 +31,8 @@ pub enum PaperError {
     #[error("interrupted: no report was written")]
     Interrupted,
 }
+
+/// End of a computation that was interrupted.
+pub(crate) fn not_computed<T>() -> Result<T, PaperError> {
+    Err(PaperError::Interrupted)
+}

@@ -10,8 +10,8 @@ use cageless::vibration::VibrationRecorder;
 use cageless_report::{Motion, Provenance, Vibration, VibrationSignal};
 
 use crate::cases;
-use crate::comparison::{load_zone_rad, transition_shares};
 use crate::error::PaperError;
+use crate::load_zone::{load_zone_rad, transition_shares};
 use cageless_report::run_report::{ball_pass_mark, filter_note, motion, vibration_signal};
 use cageless_study::{SAMPLING_HZ, Work, provenance};
 

@@ -5,8 +5,8 @@ use cageless::design::{StartingPoint, starting_point};
 use cageless::{FrictionLaw, Profile};
 use cageless_study::Work;
 
-use crate::READINGS;
 use crate::cases;
+use crate::cases::READINGS;
 use crate::error::PaperError;
 
 /// Seconds on one core, roughly.

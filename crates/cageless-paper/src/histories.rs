@@ -11,7 +11,7 @@ use cageless::snapshot::Snapshot;
 use cageless::{Case, FrictionLaw, Profile};
 use cageless_report::{Event, GapHistory, Neighbours, Provenance};
 
-use crate::READINGS;
+use crate::cases::READINGS;
 use crate::cases::{self, label};
 use crate::error::PaperError;
 use cageless_study::Work;

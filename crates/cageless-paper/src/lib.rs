@@ -10,6 +10,7 @@ mod error;
 mod experiment;
 mod extra;
 mod histories;
+mod load_zone;
 mod mechanics;
 mod parameters;
 mod printed;
@@ -17,21 +18,16 @@ mod structures;
 mod table2;
 
 use cageless::dynamics::InstructionSet;
-use cageless::{FrictionLaw, Profile};
 use cageless_io::results::VERSION;
 use cageless_report::run_report::ball_pass_mark;
 use cageless_report::{DesignCurve, ReproduceData, RingComparison};
 use cageless_study::{Progress, Work};
 
+use cases::READINGS;
+use error::not_computed;
+
 pub use cases::{ODD_ROW, PUBLISHED, Published, experiment, structure, structures_of};
 pub use error::PaperError;
-
-/// The two sets of equations, each with the friction law that goes with it: as published,
-/// and physically consistent.
-const READINGS: [(Profile, FrictionLaw); 2] = [
-    (Profile::Paper, FrictionLaw::Coulomb),
-    (Profile::Physical, FrictionLaw::Smooth),
-];
 
 /// Computes every table and figure, in parallel on the threads of the caller's rayon pool.
 ///
@@ -135,10 +131,6 @@ impl Simulations {
             extra: self.extra.clone(),
         })
     }
-}
-
-fn not_computed<T>() -> Result<T, PaperError> {
-    Err(PaperError::Interrupted)
 }
 
 /// Units of work for the progress bar, about a second each on one core.

@@ -7,7 +7,7 @@ use cageless_report::{
     ContactTrack, DesignCurve, DesignLimit, LimitedQuantity, Parameter, Provenance, RacewaySurface,
 };
 
-use crate::READINGS;
+use crate::cases::READINGS;
 use crate::cases::{self, label};
 
 /// Structure (d), the one that the authors had made.

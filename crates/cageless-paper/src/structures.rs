@@ -14,7 +14,7 @@ use cageless::{Case, FrictionLaw, Profile};
 use cageless_report::{OrbitSpeed, OrbitSpeeds, PhasePortrait, PhasePortraits, Provenance};
 use rayon::prelude::*;
 
-use crate::READINGS;
+use crate::cases::READINGS;
 use crate::cases::{self, PUBLISHED, Published, label};
 use crate::error::PaperError;
 use cageless_study::Work;

@@ -2,24 +2,15 @@
 
 use cageless_study::comparison::{ComparedResult, RingComparison};
 
-use crate::data::{Motion, Provenance};
+use crate::compared_run::{ComparedRun, provenance};
+use crate::data::Motion;
 use crate::figures::compare as figures;
 use crate::head::Head;
 use crate::motion::MotionFigure;
 use crate::page::{Note, Page};
-use crate::run::RunData;
 use crate::sampling::range;
 use crate::table::{Cell, Row, Table};
 use crate::text::short;
-
-/// One of the runs of a comparison.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ComparedRun {
-    /// Name in tables and legends.
-    pub name: String,
-    /// Data of its page.
-    pub data: RunData,
-}
 
 /// The page of `compare`.
 pub fn compare_page(runs: &[ComparedRun], comparison: &RingComparison) -> String {
@@ -121,27 +112,6 @@ fn table<'r>(
         rows,
         provenance: Some(provenance(runs)),
         ..Table::default()
-    }
-}
-
-/// Provenance of what shows all runs; settings in which they differ stand side by side.
-pub(crate) fn provenance(runs: &[ComparedRun]) -> Provenance {
-    let all = || runs.iter().map(|run| &run.data.provenance);
-    let joined = |of: fn(&Provenance) -> Option<String>| {
-        let mut values: Vec<String> = all().filter_map(of).collect();
-        values.dedup();
-        (!values.is_empty()).then(|| values.join(" / "))
-    };
-    let cases = runs.iter().zip(all());
-    let cases = cases.map(|(run, from)| format!("{}: {}", run.name, from.case));
-    let step_us = all().next().and_then(|from| from.step_us);
-    Provenance {
-        case: cases.collect::<Vec<_>>().join("; "),
-        profile: joined(|from| from.profile.clone()),
-        friction_law: joined(|from| from.friction_law.clone()),
-        method: joined(|from| from.method.clone()),
-        step_us: step_us.filter(|_| all().all(|from| from.step_us == step_us)),
-        discarded: joined(|from| Some(from.discarded.clone())).unwrap_or_default(),
     }
 }
 

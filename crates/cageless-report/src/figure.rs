@@ -18,6 +18,16 @@ pub struct Figure {
 }
 
 impl Figure {
+    /// A figure of `plot`.
+    pub fn new(label: &str, caption: &str, provenance: &Provenance, plot: Plot) -> Self {
+        Self {
+            label: label.to_owned(),
+            caption: caption.to_owned(),
+            provenance: provenance.clone(),
+            plot,
+        }
+    }
+
     /// HTML with the anchor `id`.
     pub fn html(&self, id: &str) -> String {
         format!(

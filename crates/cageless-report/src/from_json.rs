@@ -78,6 +78,14 @@ impl IntoDeserializer<'_, Error> for Numbers {
     }
 }
 
+/// All numbers of a report as one JSON document, unrounded.
+///
+/// # Errors
+/// Never for the data of this crate: their keys are all text.
+pub fn to_json<T: serde::Serialize>(data: &T) -> Result<String, serde_json::Error> {
+    serde_json::to_string(data)
+}
+
 #[cfg(test)]
 mod tests {
     use super::from_json;

@@ -8,6 +8,7 @@
 
 pub mod claim;
 pub mod compare;
+pub mod compared_run;
 pub mod comparison;
 pub mod data;
 pub mod description;
@@ -26,13 +27,16 @@ pub mod page;
 pub mod plot;
 pub mod recommended;
 pub mod reproduce;
+pub mod reproduce_data;
 mod rotor_track;
 pub mod run;
+pub mod run_data;
 mod run_json;
 pub mod run_report;
 pub mod sampling;
 pub mod search_tables;
 pub mod studio;
+pub mod studio_page;
 pub mod sweep;
 pub mod table;
 pub mod tables;
@@ -46,23 +50,18 @@ pub use comparison::{ComparisonCell, Difference, RecordChange, RingComparison};
 pub use data::*;
 pub use design::*;
 pub use figure::Figure;
-pub use from_json::from_json;
+pub use from_json::{from_json, to_json};
 pub use geometry::{ContactTrack, RacewaySurface};
 pub use head::Head;
 pub use motion::MotionFigure;
 pub use page::{Note, Page};
 pub use recommended::ShownRaceway;
-pub use reproduce::*;
-pub use run::*;
+pub use reproduce::reproduce_page;
+pub use reproduce_data::*;
+pub use run::run_page;
+pub use run_data::*;
 pub use run_json::{RunJsonError, run_from_json, run_json};
-pub use studio::{Opening, engine, studio_page};
+pub use studio::{Opening, engine};
+pub use studio_page::studio_page;
 pub use sweep::*;
 pub use verification::{VerificationRow, VerificationTable};
-
-/// All numbers of a report as one JSON document, unrounded.
-///
-/// # Errors
-/// Never for the data of this crate: their keys are all text.
-pub fn to_json<T: serde::Serialize>(data: &T) -> Result<String, serde_json::Error> {
-    serde_json::to_string(data)
-}

@@ -4,7 +4,7 @@ use cageless::Bearing;
 use cageless::equilibrium::outer_stress_pa;
 use cageless::snapshot::Snapshot;
 
-use crate::run::LoadProfile;
+use crate::run_data::LoadProfile;
 
 /// Steps of the angular position.
 const STEPS: usize = 120;

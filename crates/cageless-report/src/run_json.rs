@@ -3,8 +3,8 @@
 
 use serde_json::Error;
 
-use crate::run::RunData;
-use crate::{from_json, to_json};
+use crate::from_json::{from_json, to_json};
+use crate::run_data::RunData;
 
 /// End of the text, after the numbers.
 const OPEN: &str = ",\"crc32\":\"";

@@ -15,7 +15,7 @@ use crate::data::{
     VibrationSignal,
 };
 use crate::rotor_track::rotor_track;
-use crate::run::{BallHistory, EnergyItem, LoadProfile, Recent, RingHistory, RunData};
+use crate::run_data::{BallHistory, EnergyItem, LoadProfile, Recent, RingHistory, RunData};
 use crate::verification::VerificationTable;
 
 /// The balls of snapshots in motion.

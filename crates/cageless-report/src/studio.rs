@@ -2,7 +2,6 @@
 
 use serde_json::json;
 
-use crate::page::Page;
 use crate::text::script_json;
 
 /// The engine, compressed and as base64; `None` if this build has none.
@@ -18,25 +17,6 @@ pub enum Opening {
     AtOnce,
     /// When the reader asks for it.
     OnRequest,
-}
-
-/// The studio of a case as a page of its own.
-pub fn studio_page(toml: &str, software: &str) -> String {
-    let mut page = Page::new("Cageless studio", "", software);
-    page.studio(toml, Opening::AtOnce);
-    page.html()
-}
-
-/// The last section of a report: its case, to be changed. What was computed stays above it.
-/// `about` says which case it is where the page has several.
-pub(crate) fn studio_section(page: &mut Page, toml: &str, about: &str) {
-    if !toml.is_empty() {
-        page.section("Change this case");
-        if !about.is_empty() {
-            page.paragraph(about);
-        }
-        page.studio(toml, Opening::OnRequest);
-    }
 }
 
 /// Place of a studio in a page, with its case and the engine.

@@ -1,7 +1,7 @@
 //! The tables: parameters (Table 1), critical gaps (Table 2) and their spread.
 
 use crate::data::{Parameter, Provenance};
-use crate::reproduce::{Table2, Table2Row};
+use crate::reproduce_data::{Table2, Table2Row};
 use crate::table::{Cell, Row, Table};
 use crate::text::{fixed, signed};
 

@@ -1,7 +1,5 @@
 //! The way in which the balls of a deep groove bearing get between its rings.
 
-use crate::bearing::{Bearing, BearingDimensions};
-
 /// Largest (N − 1)ε of a bearing that is filled between eccentric rings, rad: 205°. Catalogue
 /// bearings reach 204°.
 const ECCENTRIC_FILLING_MAX_RAD: f64 = 205.0 / 180.0 * std::f64::consts::PI;
@@ -24,9 +22,9 @@ impl Assembly {
 
     /// Way of a bearing of which none is given: through a slot where more balls are to go in
     /// than eccentric rings take.
-    pub(crate) fn of(d: &BearingDimensions, pitch_radius_m: f64) -> Self {
-        let ball_angle = 2.0 * (d.ball_radius_m / pitch_radius_m).asin();
-        let filled = (d.balls - 1) as f64 * ball_angle;
+    pub(crate) fn of(balls: usize, ball_radius_m: f64, pitch_radius_m: f64) -> Self {
+        let ball_angle = 2.0 * (ball_radius_m / pitch_radius_m).asin();
+        let filled = (balls - 1) as f64 * ball_angle;
         if filled > ECCENTRIC_FILLING_MAX_RAD {
             Self::FillingSlot
         } else {
@@ -46,19 +44,5 @@ impl Assembly {
             Self::WithoutSlot => 1.3,
             Self::FillingSlot => 1.1,
         }
-    }
-}
-
-impl Bearing {
-    /// Bearing that is assembled in this way; by default it is as its number of balls requires.
-    #[must_use]
-    pub fn with_assembly(mut self, assembly: Assembly) -> Self {
-        self.assembly = assembly;
-        self
-    }
-
-    /// Way of assembly.
-    pub fn assembly(&self) -> Assembly {
-        self.assembly
     }
 }

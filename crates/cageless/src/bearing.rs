@@ -25,36 +25,18 @@
 //! # Ok::<(), cageless::InputError>(())
 //! ```
 
+mod dimensions;
+
 use std::f64::consts::{PI, TAU};
 
 use crate::assembly::Assembly;
-use crate::contact::hertz::{PointContact, STRESS_LIMIT_PA};
-use crate::dynamics::layout::BALLS_MAX;
-use crate::error::{Allowed, InputError, not_negative, positive};
+use crate::contact::hertz::PointContact;
+use crate::error::{Allowed, InputError};
+use crate::limits::positive;
 use crate::material::Materials;
 
-/// Dimensions and inertia of the bearing, as a designer states them.
-#[derive(Debug, Clone, PartialEq)]
-pub struct BearingDimensions {
-    /// N, number of balls; 3 or more.
-    pub balls: usize,
-    /// Rw.
-    pub ball_radius_m: f64,
-    /// Ri, radius of the inner ring at the bottom of its groove.
-    pub inner_groove_bottom_radius_m: f64,
-    /// Ro, radius of the outer ring at the bottom of its groove.
-    pub outer_groove_bottom_radius_m: f64,
-    /// Ros, radius of the outer ring's shoulder.
-    pub outer_shoulder_radius_m: f64,
-    /// Radius of curvature of the inner groove in the meridian plane.
-    pub inner_groove_curvature_radius_m: f64,
-    /// Re, radius of curvature of the outer groove in the meridian plane.
-    pub outer_groove_curvature_radius_m: f64,
-    /// mi, the inner ring with what turns with it.
-    pub inner_ring_mass_kg: f64,
-    /// C of Zhao 2022, Eq. (14).
-    pub inner_ring_drag_n_s_m: f64,
-}
+use dimensions::ROUNDING_M;
+pub use dimensions::{BALLS_MAX, BALLS_MIN, BearingDimensions};
 
 /// A bearing with every constant that follows from its dimensions.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,7 +49,7 @@ pub struct Bearing {
     /// Rw of every ball − Rw; empty if all are equal.
     deviations_m: Vec<f64>,
     bore: Option<InnerRingBore>,
-    pub(crate) assembly: Assembly,
+    assembly: Assembly,
 }
 
 /// Bore and polar inertia of the inner ring: what a bearing needs that catches a rotor.
@@ -90,40 +72,9 @@ pub struct Ball {
     pub inertia_kg_m2: f64,
 }
 
-/// Largest radius of a groove in the meridian plane over the diameter of the ball. Grooves of
-/// bearings have 0.51 to 0.58.
-const CONFORMITY_MAX: f64 = 1.0;
-
-/// Least number of balls: two cannot carry a load from every side.
-pub const BALLS_MIN: usize = 3;
-
 /// Largest deviation of a ball's radius, as a fraction of the nominal one. The coarsest grade of
 /// ISO 3290-1 (G200) lets the diameter deviate by less than a tenth of that.
 const DEVIATION_MAX: f64 = 0.01;
-
-impl BearingDimensions {
-    /// Largest interference 2Rw − (Ro − Ri), m: it presses the balls between the unloaded rings
-    /// with [`STRESS_LIMIT_PA`]. 0 where the ball does not fit into the grooves.
-    pub fn interference_max_m(&self, materials: &Materials) -> f64 {
-        let radii = [
-            self.outer_groove_bottom_radius_m,
-            self.inner_groove_curvature_radius_m,
-            self.outer_groove_curvature_radius_m,
-        ];
-        let positive = self.ball_radius_m.min(self.inner_groove_bottom_radius_m) > 0.0;
-        if !(positive && radii.iter().all(|r| *r > self.ball_radius_m)) {
-            return 0.0;
-        }
-        let contacts = raceway_contacts(self, materials);
-        // Hertz: p ∝ F^(1/3), and both raceways bear the same force.
-        let force = contacts
-            .each_ref()
-            .map(|c| (STRESS_LIMIT_PA / c.peak_stress_pa(1.0)).powi(3));
-        let force = force[0].min(force[1]);
-        let deflections = contacts.map(|c| (force / c.stiffness_n_m1_5).powf(2.0 / 3.0));
-        deflections[0] + deflections[1]
-    }
-}
 
 impl Bearing {
     /// Checks that the parts fit together and derives the constants. `materials` may be one
@@ -138,130 +89,16 @@ impl Bearing {
         dimensions: BearingDimensions,
         materials: impl Into<Materials>,
     ) -> Result<Self, InputError> {
-        let d = &dimensions;
         let materials = materials.into();
-        positive("ball_radius_m", d.ball_radius_m)?;
-        positive(
-            "inner_groove_bottom_radius_m",
-            d.inner_groove_bottom_radius_m,
-        )?;
-        positive(
-            "outer_groove_bottom_radius_m",
-            d.outer_groove_bottom_radius_m,
-        )?;
-        positive("outer_shoulder_radius_m", d.outer_shoulder_radius_m)?;
-        positive(
-            "inner_groove_curvature_radius_m",
-            d.inner_groove_curvature_radius_m,
-        )?;
-        positive(
-            "outer_groove_curvature_radius_m",
-            d.outer_groove_curvature_radius_m,
-        )?;
-        positive("inner_ring_mass_kg", d.inner_ring_mass_kg)?;
-        not_negative("inner_ring_drag_n_s_m", d.inner_ring_drag_n_s_m)?;
-        materials.ball.check()?;
-        materials.ring.check()?;
-        if d.balls < BALLS_MIN {
-            return Err(InputError::new(
-                "balls",
-                d.balls as f64,
-                Allowed::AtLeast(BALLS_MIN as f64, ""),
-            ));
-        }
-        let clearance = play_m(d);
-        // Dimensions given in millimetres do not add up to zero exactly.
-        if clearance < -ROUNDING_M && -clearance > d.interference_max_m(&materials) {
-            let between = d.outer_groove_bottom_radius_m - d.inner_groove_bottom_radius_m;
-            let mut largest = dimensions.clone();
-            // The limit is in proportion to the radius of the ball, a hundredth of it or less.
-            for _ in 0..4 {
-                largest.ball_radius_m = between / 2.0;
-                largest.ball_radius_m += largest.interference_max_m(&materials) / 2.0;
-            }
-            return Err(InputError::new(
-                "ball_radius_m",
-                d.ball_radius_m,
-                Allowed::AtMost(
-                    largest.ball_radius_m,
-                    "with more interference, a radial clearance Ro - Ri - 2 Rw below zero, the \
-                     unloaded rings press the balls with over 4200 MPa, the limit of ISO 76",
-                ),
-            ));
-        }
-        if d.balls > BALLS_MAX {
-            return Err(InputError::new(
-                "balls",
-                d.balls as f64,
-                Allowed::AtMost(BALLS_MAX as f64, "room in the vectors"),
-            ));
-        }
-        let pitch = (d.outer_groove_bottom_radius_m + d.inner_groove_bottom_radius_m) / 2.0;
-        let most = (TAU / (2.0 * (d.ball_radius_m / pitch).asin())).floor();
-        if d.balls as f64 > most {
-            return Err(InputError::new(
-                "balls",
-                d.balls as f64,
-                Allowed::AtMost(most, "more do not fit on the pitch circle"),
-            ));
-        }
-        if clearance > 2.0 * d.ball_radius_m {
-            return Err(InputError::new(
-                "outer_groove_bottom_radius_m",
-                d.outer_groove_bottom_radius_m,
-                Allowed::AtMost(
-                    d.inner_groove_bottom_radius_m + 4.0 * d.ball_radius_m,
-                    "with more room than that between the rings a ball passes another",
-                ),
-            ));
-        }
-        for (field, radius) in [
-            (
-                "inner_groove_curvature_radius_m",
-                d.inner_groove_curvature_radius_m,
-            ),
-            (
-                "outer_groove_curvature_radius_m",
-                d.outer_groove_curvature_radius_m,
-            ),
-        ] {
-            if radius <= d.ball_radius_m {
-                return Err(InputError::new(
-                    field,
-                    radius,
-                    Allowed::Above(d.ball_radius_m, "the radius of the ball"),
-                ));
-            }
-            let flattest = CONFORMITY_MAX * 2.0 * d.ball_radius_m;
-            if radius > flattest {
-                return Err(InputError::new(
-                    field,
-                    radius,
-                    Allowed::AtMost(
-                        flattest,
-                        "the diameter of the ball; grooves have 0.51 to 0.58 of it",
-                    ),
-                ));
-            }
-        }
-        let touching = d.outer_groove_bottom_radius_m - d.ball_radius_m;
-        if d.outer_shoulder_radius_m <= touching
-            || d.outer_shoulder_radius_m >= d.outer_groove_bottom_radius_m
-        {
-            return Err(InputError::new(
-                "outer_shoulder_radius_m",
-                d.outer_shoulder_radius_m,
-                Allowed::Between(
-                    touching,
-                    d.outer_groove_bottom_radius_m,
-                    "ball centre at the outer raceway and groove bottom",
-                ),
-            ));
-        }
-        let [inner_contact, outer_contact] = raceway_contacts(d, &materials);
-        let ball = [1.0 / d.ball_radius_m; 2];
+        dimensions.check(&materials)?;
+        let [inner_contact, outer_contact] = dimensions.raceway_contacts(&materials);
+        let ball = [1.0 / dimensions.ball_radius_m; 2];
         let ball_contact = PointContact::new(ball, ball, &materials.ball);
-        let assembly = Assembly::of(&dimensions, pitch);
+        let assembly = Assembly::of(
+            dimensions.balls,
+            dimensions.ball_radius_m,
+            dimensions.pitch_radius_m(),
+        );
         Ok(Self {
             dimensions,
             materials,
@@ -391,11 +228,23 @@ impl Bearing {
         }
         let one = [1.0 / self.ball(k).radius_m; 2];
         let next = [1.0 / self.ball((k + 1) % self.balls()).radius_m; 2];
-        let [inner, outer] = ring_curvatures(&self.dimensions);
+        let [inner, outer] = self.dimensions.ring_curvatures();
         let Materials { ball, ring } = &self.materials;
         [(inner, ring), (outer, ring), (next, ball)].map(|(other, material)| {
             PointContact::between(one, other, [ball, material]).stiffness_n_m1_5
         })
+    }
+
+    /// Bearing that is assembled in this way; by default it is as its number of balls requires.
+    #[must_use]
+    pub fn with_assembly(mut self, assembly: Assembly) -> Self {
+        self.assembly = assembly;
+        self
+    }
+
+    /// Way of assembly.
+    pub fn assembly(&self) -> Assembly {
+        self.assembly
     }
 
     /// The dimensions as given.
@@ -420,8 +269,7 @@ impl Bearing {
 
     /// Rm = (Ro + Ri)/2.
     pub fn pitch_radius_m(&self) -> f64 {
-        let d = &self.dimensions;
-        (d.outer_groove_bottom_radius_m + d.inner_groove_bottom_radius_m) / 2.0
+        self.dimensions.pitch_radius_m()
     }
 
     /// Ro − Rw: distance of a ball's centre that just touches the plain outer
@@ -435,7 +283,7 @@ impl Bearing {
     /// with which they press it. The radial internal clearance of ISO 5753-1 is a diametral
     /// play: twice this.
     pub fn radial_clearance_m(&self) -> f64 {
-        let play = play_m(&self.dimensions);
+        let play = self.dimensions.play_m();
         if play.abs() < ROUNDING_M { 0.0 } else { play }
     }
 
@@ -474,34 +322,4 @@ impl Bearing {
     pub fn ball_contact(&self) -> &PointContact {
         &self.ball_contact
     }
-}
-
-/// A nominal ball against the plain raceways: inner, outer.
-fn raceway_contacts(d: &BearingDimensions, materials: &Materials) -> [PointContact; 2] {
-    let ball = [1.0 / d.ball_radius_m; 2];
-    ring_curvatures(d)
-        .map(|ring| PointContact::between(ball, ring, [&materials.ball, &materials.ring]))
-}
-
-/// Principal curvatures of the raceways at the bottom of their grooves, in the plane of
-/// rolling and across: inner, outer.
-fn ring_curvatures(d: &BearingDimensions) -> [[f64; 2]; 2] {
-    [
-        [
-            1.0 / d.inner_groove_bottom_radius_m,
-            -1.0 / d.inner_groove_curvature_radius_m,
-        ],
-        [
-            -1.0 / d.outer_groove_bottom_radius_m,
-            -1.0 / d.outer_groove_curvature_radius_m,
-        ],
-    ]
-}
-
-/// Below this a difference of dimensions is rounding: a thousandth of a nanometre.
-const ROUNDING_M: f64 = 1e-12;
-
-/// Ro − Ri − 2Rw as the dimensions give it.
-fn play_m(d: &BearingDimensions) -> f64 {
-    d.outer_groove_bottom_radius_m - d.inner_groove_bottom_radius_m - 2.0 * d.ball_radius_m
 }

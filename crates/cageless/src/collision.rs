@@ -1,10 +1,10 @@
 //! Contacts between neighbouring balls.
 //!
 //! ```
-//! use cageless::collision::hertz_impact;
+//! use cageless::contact::hertz::impact;
 //!
 //! // Two steel balls of 3.6 g that meet at 0.1 m/s.
-//! let (deflection_m, force_n, duration_s) = hertz_impact(7.4e9, 3.6e-3, 0.1);
+//! let (deflection_m, force_n, duration_s) = impact(7.4e9, 3.6e-3, 0.1);
 //! assert!(deflection_m < 1e-5 && force_n > 10.0 && duration_s < 1e-3);
 //! ```
 
@@ -234,19 +234,4 @@ fn parabola_peak([a, b, c]: [f64; 3], before: f64, after: f64) -> f64 {
     let q = (rise + fall) / (before + after);
     let s = rise - q * before;
     b + s * s / (4.0 * q)
-}
-
-/// Closed form of the elastic impact of two equal spheres under F = K δ^(3/2)
-/// (Johnson, *Contact Mechanics*, section 11.4): largest deflection, largest force and
-/// duration at approach speed `speed_m_s`, with m the mass of one sphere.
-pub fn hertz_impact(stiffness_n_m1_5: f64, mass_kg: f64, speed_m_s: f64) -> (f64, f64, f64) {
-    let reduced = mass_kg / 2.0;
-    let deflection = (1.25 * reduced * speed_m_s.powi(2) / stiffness_n_m1_5).powf(0.4);
-    // 2 ∫₀¹ dx/√(1 − x^(5/2)) = 2 √π Γ(2/5)/(5/2 · Γ(9/10)).
-    const SHAPE: f64 = 2.943_275_064_2;
-    (
-        deflection,
-        stiffness_n_m1_5 * deflection.powf(1.5),
-        SHAPE * deflection / speed_m_s,
-    )
 }

@@ -9,8 +9,6 @@
 //! assert_eq!(error.field, "balls");
 //! ```
 
-use crate::limits::within;
-
 /// A value that no bearing, raceway or run can have.
 ///
 /// `field` is the name of the offending public field (`"axial_span_m"`); its
@@ -94,23 +92,5 @@ impl InputError {
 
     pub(crate) fn rule(field: &'static str, value: f64, rule: impl Into<String>) -> Self {
         Self::new(field, value, Allowed::Rule(rule.into()))
-    }
-}
-
-/// Passes a finite value above zero, within the limits of its field.
-pub(crate) fn positive(field: &'static str, value: f64) -> Result<(), InputError> {
-    if value.is_finite() && value > 0.0 {
-        within(field, value)
-    } else {
-        Err(InputError::new(field, value, Allowed::Above(0.0, "")))
-    }
-}
-
-/// Passes a finite value of zero or more, within the limits of its field.
-pub(crate) fn not_negative(field: &'static str, value: f64) -> Result<(), InputError> {
-    if value.is_finite() && value >= 0.0 {
-        within(field, value)
-    } else {
-        Err(InputError::new(field, value, Allowed::AtLeast(0.0, "")))
     }
 }

@@ -12,13 +12,15 @@
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 
-use crate::case::{Case, Profile, Start};
+use crate::case::{Case, Start};
 use crate::dynamics::ball::{BallMotion, Centre};
 use crate::dynamics::layout::Layout;
 use crate::dynamics::rotor::RotorMotion;
 use crate::dynamics::state::State;
 use crate::equilibrium::{self, EquilibriumError, ball_outer_geometry, start_angles_rad};
 use crate::kinematics::{orbit_speed_of_rad_s, rolling_relative_spin_rad_s, rolling_spin_rad_s};
+use crate::profile::Profile;
+use crate::step_limits;
 
 /// State at t = 0 and ψ of every ball.
 ///
@@ -31,7 +33,7 @@ use crate::kinematics::{orbit_speed_of_rad_s, rolling_relative_spin_rad_s, rolli
 /// # Errors
 /// The case is impossible, has no equilibrium, or one in which balls overlap.
 pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError> {
-    case.check()?;
+    step_limits::check(case)?;
     let bearing = &case.bearing;
     let n = bearing.balls();
     let pitch = bearing.pitch_radius_m();

@@ -39,6 +39,7 @@ pub mod numerics;
 pub mod orbit_means;
 pub mod outer_contact_geometry;
 pub mod passage;
+mod profile;
 pub mod raceway;
 pub mod rating;
 pub mod recorder;
@@ -59,13 +60,13 @@ pub mod vibration;
 
 pub use assembly::Assembly;
 pub use bearing::{Ball, Bearing, BearingDimensions, InnerRingBore};
-pub use case::{
-    Case, Contact, FrictionLaw, Gaps, Housing, IntegrationMethod, Operation, Output, Profile,
-    Solver, Start,
-};
+pub use case::{Case, Contact, Gaps, Housing, Operation, Output, Solver, Start};
 pub use collision::Collision;
+pub use contact::{FrictionLaw, FrictionTable};
 pub use error::InputError;
+pub use integrator::IntegrationMethod;
 pub use material::{Material, Materials};
+pub use profile::Profile;
 pub use raceway::{Raceway, RacewayDimensions};
 pub use rotor::{Rotor, Support, SupportStop};
 pub use scope::SCOPE;

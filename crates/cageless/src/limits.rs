@@ -80,3 +80,30 @@ pub(crate) fn within(field: &'static str, value: f64) -> Result<(), InputError> 
         Ok(())
     }
 }
+
+/// Passes a finite value above zero, within the limits of its field.
+pub(crate) fn positive(field: &'static str, value: f64) -> Result<(), InputError> {
+    if value.is_finite() && value > 0.0 {
+        within(field, value)
+    } else {
+        Err(InputError::new(field, value, Allowed::Above(0.0, "")))
+    }
+}
+
+/// Passes a finite value of zero or more, within the limits of its field.
+pub(crate) fn not_negative(field: &'static str, value: f64) -> Result<(), InputError> {
+    if value.is_finite() && value >= 0.0 {
+        within(field, value)
+    } else {
+        Err(InputError::new(field, value, Allowed::AtLeast(0.0, "")))
+    }
+}
+
+/// Passes a finite value within the limits of its field.
+pub(crate) fn finite(field: &'static str, value: f64) -> Result<(), InputError> {
+    if value.is_finite() {
+        within(field, value)
+    } else {
+        Err(InputError::rule(field, value, "a finite number"))
+    }
+}

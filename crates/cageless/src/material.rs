@@ -1,6 +1,7 @@
 //! Elastic materials of balls and rings.
 
-use crate::error::{InputError, positive};
+use crate::error::InputError;
+use crate::limits::positive;
 
 /// Elastic material of a body.
 #[derive(Debug, Clone, Copy, PartialEq)]

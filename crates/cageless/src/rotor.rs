@@ -10,8 +10,9 @@
 //! assert!(case.check().is_ok());
 //! ```
 
-use crate::case::{FrictionLaw, FrictionParameters, FrictionTable};
-use crate::error::{Allowed, InputError, not_negative, positive};
+use crate::contact::{FrictionLaw, FrictionParameters, FrictionTable};
+use crate::error::{Allowed, InputError};
+use crate::limits::{finite, not_negative, positive};
 
 /// A rigid rotor in the plane of the bearing, which a magnetic bearing holds until t = 0.
 #[derive(Debug, Clone, PartialEq)]
@@ -103,10 +104,9 @@ impl Rotor {
         ]
     }
 
-    /// Law of friction between journal and bore with its parameters.
+    /// Parameters of the law of friction between journal and bore.
     pub fn friction(&self) -> FrictionParameters<'_> {
         FrictionParameters {
-            law: self.friction_law,
             coefficient: self.friction_coefficient,
             slip_scale_m_s: self.slip_scale_m_s,
             static_coefficient: self.static_friction_coefficient,
@@ -117,7 +117,7 @@ impl Rotor {
 
     /// Largest coefficient of friction of the law.
     pub fn friction_coefficient_max(&self) -> f64 {
-        self.friction().coefficient_max()
+        self.friction_law.coefficient_max(&self.friction())
     }
 
     /// Multiplies friction at every sliding speed.
@@ -150,7 +150,7 @@ impl Rotor {
         }
         finite("eccentricity_phase_rad", self.eccentricity_phase_rad)?;
         positive("rotor_slip_scale_m_s", self.slip_scale_m_s)?;
-        crate::case::check_friction(
+        self.friction_law.check(
             &self.friction(),
             [
                 "rotor_friction_coefficient",
@@ -215,13 +215,5 @@ impl Support {
             positive("stop_stiffness_n_m", stop.stiffness_n_m)?;
         }
         Ok(())
-    }
-}
-
-fn finite(field: &'static str, value: f64) -> Result<(), InputError> {
-    if value.is_finite() {
-        crate::limits::within(field, value)
-    } else {
-        Err(InputError::rule(field, value, "a finite number"))
     }
 }

@@ -12,9 +12,10 @@
 //! ```
 
 use crate::case::{Case, Gaps, Start, series_stiffness_n_m1_5};
-use crate::contact::hertz::DEFLECTION_FRACTION_MAX;
-use crate::dynamics::STICK_FRACTION;
+use crate::contact::friction::STICK_FRACTION;
+use crate::contact::hertz::{self, DEFLECTION_FRACTION_MAX};
 use crate::dynamics::rotor::{RotorBody, RotorContact};
+use crate::error::{Allowed, InputError};
 use crate::integrator::IntegrationMethod;
 use crate::kinematics::rolling_orbit_speed_rad_s;
 
@@ -24,6 +25,22 @@ impl Case {
         self.solver.method = method;
         self.solver.step_s = StepLimits::new(self).automatic_s(method);
     }
+}
+
+/// Checks a case, and its step against the stability of the method.
+///
+/// # Errors
+/// An [`InputError`] naming the first field that cannot be.
+pub fn check(case: &Case) -> Result<(), InputError> {
+    case.check()?;
+    let (step_s, method) = (case.solver.step_s, case.solver.method);
+    let largest_s = StepLimits::new(case).largest_s(method);
+    if !(step_s > largest_s) {
+        return Ok(());
+    }
+    let why = "the method is unstable beyond it for the stiffest contact of this case";
+    let allowed = Allowed::AtMost(largest_s, why);
+    Err(InputError::new("step_s", step_s, allowed))
 }
 
 /// Fastest rates of a case.
@@ -266,7 +283,7 @@ impl Drop {
             inverse_outer_mass: support.map_or(0.0, |s| 1.0 / s.mass_kg),
             support_moves: f64::from(u8::from(support.is_some())),
             friction_1_s: friction,
-            falling_1_s: rotor.friction().steepest_fall() * force * mobility,
+            falling_1_s: rotor.friction_law.steepest_fall(&rotor.friction()) * force * mobility,
         }
     }
 }
@@ -295,8 +312,7 @@ impl StepLimits {
         let under = |force: f64| OVERLOAD * (force + centrifugal) + case.preload_n();
         let carried = under(5.0 * down / d.balls as f64);
         // A ball of mass m against a raceway: the reduced mass is m.
-        let (_, struck, _) =
-            crate::collision::hertz_impact(inner.max(outer), 2.0 * mass, LEAST_IMPACT_M_S);
+        let (_, struck, _) = hertz::impact(inner.max(outer), 2.0 * mass, LEAST_IMPACT_M_S);
         let load = carried.max(squeezed_n(case)).max(struck);
         // dF/dδ = 3/2 K^(2/3) F^(1/3).
         let slope = |k: f64, force: f64| 1.5 * k.powf(2.0 / 3.0) * force.cbrt();
@@ -306,7 +322,7 @@ impl StepLimits {
             .iter()
             .map(|r| speed(rw) - speed(r.effective_radius_m(r.dimensions().centre_angle_rad)))
             .fold(LEAST_IMPACT_M_S, f64::max);
-        let (_, peak, _) = crate::collision::hertz_impact(ball, mass, impact);
+        let (_, peak, _) = hertz::impact(ball, mass, impact);
         let carrying = carrying(case);
         let ring_mass = d.inner_ring_mass_kg;
         let contact_rad_s = ((raceways + 2.0 * slope(ball, peak)) / mass
@@ -339,7 +355,11 @@ impl StepLimits {
             damping_1_s: damping,
             friction_1_s: friction,
             creep_m_s2: creep,
-            falling_1_s: (5.0 * factor * contact.friction().steepest_fall() * load / mass)
+            falling_1_s: (5.0
+                * factor
+                * contact.friction_law.steepest_fall(&contact.friction())
+                * load
+                / mass)
                 .max(drop.falling_1_s),
             damped: case.contact.damping_n_s_m1_5 > 0.0,
             light: carried < LIGHT * struck,

@@ -16,6 +16,7 @@ mod geometry;
 mod given_over_time;
 mod guard;
 mod impact;
+mod imports;
 mod integrator;
 mod linear_rotor;
 mod observed;

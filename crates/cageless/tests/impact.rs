@@ -1,7 +1,8 @@
 //! A free impact of two balls against conservation laws and closed forms.
 
 use crate::common::{conventional, dimensions, undamped};
-use cageless::collision::{Collision, CollisionDetector, hertz_impact};
+use cageless::collision::{Collision, CollisionDetector};
+use cageless::contact::hertz;
 use cageless::dynamics::ball::BallMotion;
 use cageless::dynamics::coordinates::BallCoordinate;
 use cageless::dynamics::state::State;
@@ -67,7 +68,7 @@ fn elastic_impact_follows_hertz() {
     let (collision, end) = impact(&case, speed);
     let k = case.bearing.ball_contact().stiffness_n_m1_5;
     let mass = case.bearing.ball_mass_kg();
-    let (_, force, duration) = hertz_impact(k, mass, speed);
+    let (_, force, duration) = hertz::impact(k, mass, speed);
     assert!((collision.peak_force_n / force - 1.0).abs() < 1e-4);
     assert!((collision.duration_s / duration - 1.0).abs() < 1e-4);
     assert!((collision.approach_speed_m_s / speed - 1.0).abs() < 1e-9);
@@ -86,7 +87,7 @@ fn an_impact_of_a_few_steps_is_located() {
     let mut case = free_flight();
     let speed = 0.1;
     let k = case.bearing.ball_contact().stiffness_n_m1_5;
-    let (_, force, duration) = hertz_impact(k, case.bearing.ball_mass_kg(), speed);
+    let (_, force, duration) = hertz::impact(k, case.bearing.ball_mass_kg(), speed);
     for step_s in [2.6e-6, 2.8e-6, 3e-6, 3.2e-6] {
         case.solver.step_s = step_s;
         let (collision, _) = impact(&case, speed);
@@ -172,7 +173,7 @@ fn an_oblique_impact_anywhere_is_described_along_its_line_of_centres() {
 fn contacts_closed_at_the_ends_of_a_run_are_passed_on() {
     let mut case = free_flight();
     let speed = 0.1;
-    let (_, _, duration) = hertz_impact(
+    let (_, _, duration) = hertz::impact(
         case.bearing.ball_contact().stiffness_n_m1_5,
         case.bearing.ball_mass_kg(),
         speed,

@@ -4,14 +4,15 @@ use std::path::PathBuf;
 
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::write_together;
-use cageless_report::compare::{ComparedRun, compare_page};
+use cageless_report::compare::compare_page;
+use cageless_report::compared_run::ComparedRun;
 use cageless_report::run_report::run_data;
 use cageless_study::comparison::{
     ComparedRing, RingComparison, RingResults, STARTS, Starts, compare as study,
 };
 use cageless_study::run::{Options, run};
 
-use super::{make_folder, open_page, print, tell, writable};
+use super::files::{make_folder, open_page, print, tell, writable};
 use crate::args::CompareArgs;
 use crate::failure::Failure;
 use crate::finished_run::{FinishedRun, SUMMARY};

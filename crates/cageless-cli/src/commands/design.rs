@@ -14,7 +14,7 @@ use cageless_study::design::{Judged, judged as study, task};
 use cageless_study::rings::rings;
 use cageless_study::{Progress, StudyError, search};
 
-use super::{deliver, make_folder, open_page, read_case, writable};
+use super::files::{deliver, make_folder, open_page, read_case, writable};
 use crate::args::DesignArgs;
 use crate::failure::Failure;
 use crate::format::{judged, page_line, pairs, warnings};

@@ -3,7 +3,6 @@
 use cageless::dynamics::InstructionSet;
 use cageless::verification::Convergence;
 use cageless_io::results::{Metadata, RunWriter, write_atomically, write_csv};
-use cageless_io::rotor_file::RotorFile;
 use cageless_report::drop::drop_page;
 use cageless_study::drop::{
     Distribution, DropJudgement, DropRequest, DropResult, DropStudy, DropVerification,
@@ -12,8 +11,7 @@ use cageless_study::drop::{
 use cageless_study::number_text::significant;
 use cageless_study::run::Rows;
 
-use super::drop_several::drop_several;
-use super::{make_folder, open_page, print, read_case, tell, writable};
+use super::files::{make_folder, open_page, print, read_case, tell, writable};
 use crate::args::{DropArgs, Reference};
 use crate::failure::{Failure, kept_in};
 use crate::format::{columns, judged, page_line, pairs, warnings};
@@ -22,11 +20,8 @@ use crate::progress::{Bars, catch_interrupt};
 pub(super) const SUMMARY: &str = "summary.json";
 pub(super) const PAGE: &str = "report.html";
 
-/// Drops the rotor of a case, or of a file of a rotor above several bearings.
+/// Drops the rotor of a case.
 pub fn touchdown(args: &DropArgs) -> Result<(), Failure> {
-    if RotorFile::is_at(&args.case.case) {
-        return drop_several(args);
-    }
     let file = read_case(&args.case)?;
     let request = requested(args);
     request.check(&file, &args.case.case.display().to_string())?;

@@ -17,7 +17,8 @@ use cageless_study::run::Rows;
 use serde::Serialize;
 
 use super::drop::{PAGE, SUMMARY, quantiles, requested, show_page, table, verdict, verified};
-use super::{check_warnings, deliver, make_folder, print, steps_text, tell, writable};
+use super::files::{deliver, make_folder, print, tell, writable};
+use super::steps::{check_warnings, steps_text};
 use crate::args::{CaseArgs, DropArgs};
 use crate::failure::{Failure, kept_in};
 use crate::format::{columns, page_line, pairs, warnings};

@@ -5,7 +5,7 @@ use clap::{Command, CommandFactory};
 use clap_complete::Shell;
 use clap_mangen::Man;
 
-use super::{make_folder, print, tell};
+use super::files::{make_folder, print, tell};
 use crate::args::{Args, ManArgs};
 use crate::failure::Failure;
 use crate::format::pairs;

@@ -5,28 +5,30 @@ pub mod design;
 mod drop;
 mod drop_several;
 mod export;
+mod files;
 mod manual;
 mod report;
 mod reproduce;
 mod run;
 mod static_equilibrium;
+mod steps;
 mod studio;
 mod sweep;
 mod tolerance;
 
-use std::path::Path;
-
 use cageless::dynamics::InstructionSet;
 use cageless::{Case, Material, SCOPE};
-use cageless_io::case_file::{Assumption, CaseFile, template};
+use cageless_io::case_file::{Assumption, template};
 use cageless_io::designation;
 use cageless_io::results::write_atomically;
 use cageless_io::rotor_file::RotorFile;
 use cageless_io::touchdown_template::touchdown_case;
-use cageless_io::{io_error_message, on_terminal};
 use cageless_study::check_environment;
 use cageless_study::number_text::significant;
 use serde::Serialize;
+
+use files::{deliver, print, read_case, writable};
+use steps::{check_warnings, steps_text};
 
 use crate::args::{Args, CaseArgs, Command, Isa, New};
 use crate::failure::Failure;
@@ -50,6 +52,9 @@ pub fn dispatch(args: Args) -> Result<(), Failure> {
         Command::Design(args) => design::design(&args),
         Command::Tolerance(args) => tolerance::tolerance(&args),
         Command::Run(args) => run::run(&args),
+        Command::Drop(args) if RotorFile::is_at(&args.case.case) => {
+            drop_several::drop_several(&args)
+        }
         Command::Drop(args) => drop::touchdown(&args),
         Command::Compare(args) => compare::compare(&args),
         Command::Export(args) => export::export(&args),
@@ -107,83 +112,6 @@ fn limit_instructions(isa: Isa) -> Result<(), Failure> {
         )));
     }
     set.limit_to();
-    Ok(())
-}
-
-/// Prints text to stdout, without control sequences. A closed pipe (`cageless new | head`) is not an error.
-pub fn print(text: &str) -> Result<(), Failure> {
-    use std::io::Write;
-    let mut out = std::io::stdout().lock();
-    let text = on_terminal(text);
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
-        other => Ok(other?),
-    }
-}
-
-/// Reads the case of a command.
-pub fn read_case(args: &CaseArgs) -> Result<CaseFile, Failure> {
-    CaseFile::read(&args.case, &args.set).map_err(|error| {
-        if !RotorFile::is_at(&args.case) {
-            return error.into();
-        }
-        Failure::Input(format!(
-            "{}: is the file of a rotor above several bearings, which `cageless drop`, `cageless \
-             check` and the plans of `cageless sweep` take; each of its bearings is a case of its own",
-            args.case.display()
-        ))
-    })
-}
-
-/// Prints a result as JSON or text, and leaves the JSON as `NAME.json` in the folder.
-pub fn deliver<T: Serialize>(
-    args: &CaseArgs,
-    name: &str,
-    result: &T,
-    text: &str,
-) -> Result<(), Failure> {
-    let json = serde_json::to_string_pretty(result)? + "\n";
-    if let Some(dir) = &args.out {
-        make_folder(dir)?;
-        write_atomically(&dir.join(name), json.as_bytes())?;
-    }
-    if args.json { print(&json) } else { tell(text) }
-}
-
-/// Prints a result as text, unless the user wants none.
-pub fn tell(text: &str) -> Result<(), Failure> {
-    if is_quiet() { Ok(()) } else { print(text) }
-}
-
-/// Opens a page in the browser. Without one the page is there nevertheless.
-pub fn open_page(page: &Path) {
-    if let Err(error) = open::that_detached(page) {
-        eprintln!(
-            "warning: {} was written but could not be opened: {error}",
-            page.display()
-        );
-    }
-}
-
-/// Makes the folder of `--out`.
-pub fn make_folder(dir: &Path) -> Result<(), Failure> {
-    std::fs::create_dir_all(dir).map_err(|error| {
-        Failure::Input(format!(
-            "--out {}: {}",
-            dir.display(),
-            io_error_message(&error)
-        ))
-    })
-}
-
-/// Refuses a folder where a file is to be.
-pub fn writable(path: &Path) -> Result<(), Failure> {
-    if path.is_dir() {
-        return Err(Failure::Input(format!(
-            "--out {}: is a directory where a file is to be",
-            path.display()
-        )));
-    }
     Ok(())
 }
 
@@ -300,32 +228,4 @@ fn preload_text(case: &Case) -> String {
         significant(force, 3),
         1e-6 * contact.peak_stress_pa(force)
     )
-}
-
-/// Number and size of the steps of a run or drop.
-fn steps_text(case: &Case) -> String {
-    let solver = &case.solver;
-    let steps = significant((solver.duration_s / solver.step_s).ceil(), 3);
-    format!("{steps} of {} µs", significant(1e6 * solver.step_s, 4))
-}
-
-/// Number of steps above which `check` warns: hours of computing.
-const MANY_STEPS: f64 = 1e9;
-
-/// Warnings about what a case, or the bearings of a rotor, will come to.
-fn check_warnings<'c>(cases: impl IntoIterator<Item = &'c Case>) -> Vec<String> {
-    let mut warnings = vec![];
-    for case in cases {
-        warnings.extend(case.bearing.fall_warning());
-        if case.solver.duration_s > MANY_STEPS * case.solver.step_s {
-            warnings.push(format!(
-                "the run takes {}, hours of computing: shorten it (solver.duration_s), or \
-                 change what makes the step small (contact.damping, \
-                 bearing.inner_ring_drag_n_s_m, stiff contacts of light bodies)",
-                steps_text(case).replacen(" of", " steps of", 1)
-            ));
-        }
-    }
-    warnings.dedup();
-    warnings
 }

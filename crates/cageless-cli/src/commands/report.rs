@@ -7,7 +7,7 @@ use cageless_report::{SweepData, sweep_page, to_json};
 use cageless_study::quantities::Aim;
 use cageless_study::sweep::analysis::{Goal, analyse};
 
-use super::{make_folder, open_page, print, tell, writable};
+use super::files::{make_folder, open_page, print, tell, writable};
 use crate::args::ReportArgs;
 use crate::failure::Failure;
 use crate::format::{columns, pairs};

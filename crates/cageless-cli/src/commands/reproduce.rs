@@ -5,7 +5,7 @@ use std::time::Instant;
 use cageless_io::results::write_atomically;
 use cageless_report::{ReproduceData, reproduce_page, to_json};
 
-use super::{make_folder, open_page, print, tell};
+use super::files::{make_folder, open_page, print, tell};
 use crate::args::Reproduce;
 use crate::failure::Failure;
 use crate::format::columns;

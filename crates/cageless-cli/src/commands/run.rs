@@ -13,7 +13,7 @@ use cageless_report::{run_json, run_page};
 use cageless_study::RunSummary;
 use cageless_study::run::{Options, Rows, RunRecord, run as study};
 
-use super::{make_folder, open_page, print, read_case, tell, writable};
+use super::files::{make_folder, open_page, print, read_case, tell, writable};
 use crate::args::RunArgs;
 use crate::failure::{Failure, kept_in};
 use crate::finished_run::{PAGE_DATA, SUMMARY};

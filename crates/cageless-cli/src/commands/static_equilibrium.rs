@@ -3,7 +3,7 @@
 use cageless::equilibrium::solve;
 use cageless_study::StaticResult;
 
-use super::{deliver, read_case};
+use super::files::{deliver, read_case};
 use crate::args::CaseArgs;
 use crate::failure::Failure;
 use crate::format::{columns, fixed, notes, pairs, power, warnings};

@@ -9,7 +9,7 @@ use cageless_io::io_error_message;
 use cageless_io::results::{VERSION, write_atomically};
 use cageless_report::{engine, studio_page};
 
-use super::print;
+use super::files::print;
 use crate::args::StudioArgs;
 use crate::failure::Failure;
 use crate::progress::catch_interrupt;

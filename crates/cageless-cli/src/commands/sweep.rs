@@ -12,7 +12,7 @@ use cageless_study::sweep::{Failures, Job, Progress, Shard, Sweep, failures, mer
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 
-use super::{print, tell};
+use super::files::{print, tell};
 use crate::args::{MergeArgs, SweepArgs, SweepCommand, SweepOutput};
 use crate::failure::Failure;
 use crate::format::pairs;
@@ -71,7 +71,7 @@ fn join(args: &MergeArgs) -> Result<(), Failure> {
     };
     let result = folder.join(file_name(None));
     printable(&args.output, &result)?;
-    super::make_folder(&folder)?;
+    super::files::make_folder(&folder)?;
     let variants = merge(&args.shards, &result)?;
     deliver(&args.output, result, variants, None)
 }

@@ -8,7 +8,7 @@ use cageless_report::to_json;
 use cageless_report::tolerance::{ToleranceData, tolerance_page};
 use cageless_study::tolerance::{Request, tolerance as study};
 
-use super::{make_folder, open_page, print, read_case, tell, writable};
+use super::files::{make_folder, open_page, print, read_case, tell, writable};
 use crate::args::ToleranceArgs;
 use crate::failure::Failure;
 use crate::format::{columns, judged, page_line};

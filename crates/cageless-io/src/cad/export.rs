@@ -3,15 +3,14 @@
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
-use cageless::InputError;
-use cageless::error::Allowed;
-use cageless::surface::OuterRing;
-use serde::Serialize;
-
+use super::format::Format;
 use super::numbers::{Counts, ExportNumbers};
 use super::{points, step, stl};
 use crate::OptionError;
 use crate::case_file::{CaseError, CaseFile};
+use cageless::InputError;
+use cageless::error::Allowed;
+use cageless::surface::OuterRing;
 
 /// The paper's structure (d) stays within its machining error of 2 µm (docs/theory/cad.md).
 const BLEND_MM: f64 = 0.5;
@@ -23,41 +22,6 @@ const TOLERANCE_RANGE_UM: [f64; 2] = [1e-4, 1.0];
 const CHORD_UM: f64 = 5.0;
 const SPACING_MM: f64 = 0.5;
 const SPACING_RANGE_MM: [f64; 2] = [0.01, 100.0];
-
-/// Kinds of files.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Format {
-    /// One solid of B-splines, tori, cylinders and planes, AP214.
-    Step,
-    /// Triangles, binary.
-    Stl,
-    /// Surface points, normals and contact track for a five-axis program.
-    Csv,
-}
-
-impl Format {
-    /// All.
-    pub const ALL: [Self; 3] = [Self::Step, Self::Stl, Self::Csv];
-
-    /// `step`, `stl` or `csv`, which is the ending of the file as well.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Step => "step",
-            Self::Stl => "stl",
-            Self::Csv => "csv",
-        }
-    }
-
-    /// The format of a file whose name ends in `.step`, `.stp`, `.stl` or `.csv`.
-    pub fn from_path(path: &Path) -> Option<Self> {
-        let ending = path.extension()?.to_str()?.to_ascii_lowercase();
-        match ending.as_str() {
-            "stp" => Some(Self::Step),
-            ending => Self::ALL.into_iter().find(|f| f.name() == ending),
-        }
-    }
-}
 
 /// Whether a path that is to be written names a file: it has an ending, is no folder that is
 /// there and is not marked as one by a separator at its end.

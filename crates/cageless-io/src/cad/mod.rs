@@ -3,11 +3,13 @@
 
 mod brep;
 mod export;
+mod format;
 mod numbers;
 mod part21;
 pub mod points;
 pub mod step;
 pub mod stl;
 
-pub use export::{Export, ExportError, ExportOptions, Format, export, names_file};
+pub use export::{Export, ExportError, ExportOptions, export, names_file};
+pub use format::Format;
 pub use numbers::{Counts, ExportNumbers};

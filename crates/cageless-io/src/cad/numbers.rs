@@ -3,7 +3,7 @@
 use cageless::surface::OuterRing;
 use serde::Serialize;
 
-use super::export::Format;
+use super::format::Format;
 
 /// `export --json`.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -1,16 +1,24 @@
 //! Conversion of the document to the case in SI units, with the checks of [`cageless`].
 
+mod bearing;
+mod material;
+mod operation;
+mod raceway;
+mod search;
+mod solver;
+mod start;
+mod support;
+
 use cageless::design::search::Request;
 use cageless::step_limits::StepLimits;
 use cageless::{Case, InputError, Solver};
 
-use super::SCHEMA;
-use super::document::{CaseDocument, StepDocument, nth};
+use super::converter::Converter;
+use super::document::{CaseDocument, SCHEMA};
 use super::error::CaseError;
-use super::keys;
-use super::messages;
-use super::spanned_toml::{Places, join};
-use super::unit::Side;
+use super::fields::StepDocument;
+use super::spanned_toml::{Places, join, nth};
+use super::{keys, messages};
 
 /// No contact of a bearing needs steps this short.
 const NO_STEP_S: f64 = 1e-12;
@@ -21,12 +29,6 @@ pub(super) fn case(document: &CaseDocument, places: &Places) -> Result<(Case, Re
     let case = converter.case()?;
     let search = converter.search(&case)?;
     Ok((case, search))
-}
-
-/// Conversion of one document; `places` says where its values come from.
-pub(crate) struct Converter<'a> {
-    pub document: &'a CaseDocument,
-    pub places: &'a Places,
 }
 
 impl Converter<'_> {
@@ -40,6 +42,8 @@ impl Converter<'_> {
         self.check_export_dimensions(&bearing)?;
         let raceways = self.raceways(&bearing)?;
         let housing = document.housing.as_ref();
+        let si =
+            |section: &'static str| move |key: &str, value| self.si(&join(section, key), value);
         let start = self.start(&bearing)?;
         let rotor = document.rotor.as_ref();
         let mut case = Case {
@@ -47,15 +51,15 @@ impl Converter<'_> {
             bearing,
             raceways,
             operation: self.operation()?,
-            contact: document.contact.to_si(self, "contact")?,
+            contact: document.contact.to_si(&si("contact"))?,
             profile: document.model.profile,
             start,
             solver: self.solver()?,
             seed: self.seed()?,
-            housing: housing.map(|h| h.to_si(self, "housing")).transpose()?,
-            rotor: rotor.map(|r| r.to_si(self, "rotor")).transpose()?,
+            housing: housing.map(|h| h.to_si(&si("housing"))).transpose()?,
+            rotor: rotor.map(|r| r.to_si(&si("rotor"))).transpose()?,
             support: self.support()?,
-            output: document.output.to_si(self, "output")?,
+            output: document.output.to_si(&si("output"))?,
         };
         let automatic = document.solver.step_us == StepDocument::Auto;
         if automatic {
@@ -64,66 +68,13 @@ impl Converter<'_> {
                 case.solver.step_s = step_s;
             }
         }
-        case.check().map_err(|e| match e.field {
+        cageless::step_limits::check(&case).map_err(|e| match e.field {
             "step_s" | "duration_s" if automatic && case.solver.step_s < NO_STEP_S => {
                 self.no_step(&case)
             }
             _ => self.refused_case(&e, &case),
         })?;
         Ok(case)
-    }
-
-    /// The value of a dotted key in SI units; refuses what is not finite.
-    pub(super) fn si(&self, path: &str, value: f64) -> Result<f64, CaseError> {
-        let (section, name) = split(path);
-        let unit = keys::unit(section, name);
-        let si = unit.to_si(value);
-        if si.is_finite() {
-            return Ok(si);
-        }
-        let allowed = match unit.symbol() {
-            "" => "a finite number".to_owned(),
-            symbol => format!("a finite number of {symbol}"),
-        };
-        Err(self.refuse(path, &value.to_string(), &allowed))
-    }
-
-    /// An error of [`cageless`] in terms of the file. `raceway` is the index of the
-    /// raceway at fault, if one is.
-    pub(super) fn refused(&self, error: &InputError, raceway: Option<usize>) -> CaseError {
-        self.refused_in(None, error, raceway)
-    }
-
-    /// Error of the case file for `error` of the library, in `section` where several sections have
-    /// such a field.
-    pub(super) fn refused_in(
-        &self,
-        section: Option<&str>,
-        error: &InputError,
-        raceway: Option<usize>,
-    ) -> CaseError {
-        let Some((section, key)) = keys::of_field(section, error.field) else {
-            return self.places.error("", error.to_string());
-        };
-        let path = match raceway {
-            Some(index) => nth(section, index, self.document.raceway.len()),
-            None => section.to_owned(),
-        };
-        let path = join(&path, key.name);
-        let allowed = messages::in_file_units(error, key, self.document, raceway);
-        // A key that is optional by itself, and that something else in the case needs.
-        if error.value.is_nan() && self.document.value(&path).is_none() {
-            let meaning = keys::describe(key);
-            let message =
-                format!("{path} is missing in [{section}]: {meaning}; it must be {allowed}");
-            return self.places.error(&path, message);
-        }
-        let value = key.unit.show(error.value, Side::Nearest);
-        if let Some((origin, how)) = self.origin_of(&path) {
-            let message = format!("{path} = {value} ({how}) is not possible: it must be {allowed}");
-            return self.places.error(origin, message);
-        }
-        self.refuse(&path, &value, &allowed)
     }
 
     fn refused_case(&self, error: &InputError, case: &Case) -> CaseError {
@@ -170,30 +121,4 @@ impl Converter<'_> {
         );
         self.places.error("solver.step_us", message)
     }
-
-    /// An error of a key that is left out.
-    pub(super) fn missing(&self, section: &str, name: &str) -> CaseError {
-        let path = join(section, name);
-        let meaning = keys::find(section, name).map_or_else(String::new, keys::describe);
-        let message = match self.places.written(section) {
-            Some(_) => format!("{path} is missing in [{section}]: {meaning}"),
-            None => format!("{path} is missing, as is its section [{section}]: {meaning}"),
-        };
-        self.places.error(&path, message)
-    }
-
-    /// "KEY = VALUE is not possible: it must be ALLOWED", the value as written if it
-    /// is, otherwise `value`.
-    pub(super) fn refuse(&self, path: &str, value: &str, allowed: &str) -> CaseError {
-        let value = self.places.written(path).unwrap_or(value);
-        let message = format!("{path} = {value} is not possible: it must be {allowed}");
-        self.places.error(path, message)
-    }
-}
-
-/// Section and key of a dotted path: `raceway.2.axial_span_mm` is in `raceway`.
-fn split(path: &str) -> (&str, &str) {
-    let section = path.split_once('.').map_or("", |(section, _)| section);
-    let name = path.rsplit_once('.').map_or(path, |(_, name)| name);
-    (section, name)
 }

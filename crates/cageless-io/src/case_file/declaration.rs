@@ -3,70 +3,11 @@
 //! Reader, writer, conversion to SI, messages, template, table of the documentation and
 //! Python class follow from the row.
 
-use super::base::CaseValue;
-use super::convert::Converter;
 use super::error::CaseError;
+use super::key::{Key, Kind, Presence, Values};
 use super::reader::Reader;
 use super::spanned_toml::Node;
-use super::unit::Unit;
-
-/// What happens if a key is left out.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Presence<T> {
-    /// The case is refused.
-    Required,
-    /// The key takes this value.
-    Default(T),
-    /// The key takes a value that follows from the rest of the case, and counts as a default.
-    Derived,
-    /// The key has no value.
-    Optional,
-}
-
-/// Line of a key in the template: its value and a comment.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum Line {
-    /// In force.
-    Shown(&'static str, &'static str),
-    /// Commented out.
-    Commented(&'static str, &'static str),
-    /// Not in the template.
-    Absent,
-}
-
-/// Type of a value as a reader of the documentation meets it.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum Kind {
-    Number,
-    Whole,
-    Text,
-    /// One of these names.
-    Choice(fn() -> Vec<&'static str>),
-    Numbers,
-    /// A number, or the lowest and the highest.
-    Range,
-    /// A number, or rows of time and value.
-    OverTime,
-    /// Rows of two numbers.
-    Rows(&'static str),
-    /// One of these names or a number.
-    NumberOr(&'static [&'static str]),
-    /// One of these names or a list of numbers.
-    NumbersOr(&'static [&'static str]),
-}
-
-/// One key.
-#[derive(Debug)]
-pub(crate) struct Key {
-    pub name: &'static str,
-    pub unit: Unit,
-    /// Field of [`cageless::InputError`]; empty if none.
-    pub field: &'static str,
-    pub meaning: &'static str,
-    pub kind: Kind,
-    pub presence: fn() -> Presence<Option<CaseValue>>,
-    pub line: Line,
-}
+use super::value::CaseValue;
 
 /// A type of value that a key can have.
 pub(crate) trait Field: Sized {
@@ -85,8 +26,32 @@ pub(crate) trait Field: Sized {
     /// The value as it is written into a case file; `None` if it is left out.
     fn written(&self) -> Option<CaseValue>;
 
-    /// The value in SI units; `path` is its dotted key.
-    fn si(&self, converter: &Converter<'_>, path: &str) -> Result<Self::Si, CaseError>;
+    /// The value in SI units, its numbers converted by `si`.
+    fn si(&self, si: ToSi<'_>) -> Result<Self::Si, CaseError>;
+}
+
+/// Conversion of the numbers of one key to SI units.
+pub(crate) type ToSi<'a> = &'a dyn Fn(f64) -> Result<f64, CaseError>;
+
+impl Reader<'_> {
+    /// The value of a key, or what it takes if it is left out.
+    pub(super) fn field<T: Field>(
+        &mut self,
+        name: &str,
+        presence: Presence<T>,
+    ) -> Result<T, CaseError> {
+        if let Some(node) = self.get(name) {
+            return T::read(self, name, node);
+        }
+        if matches!(presence, Presence::Default(_) | Presence::Derived) {
+            self.note_default(name);
+        }
+        match presence {
+            Presence::Default(value) => Ok(value),
+            Presence::Derived | Presence::Optional => T::absent().ok_or_else(|| self.missing(name)),
+            Presence::Required => Err(self.missing(name)),
+        }
+    }
 }
 
 impl<T: Field> Presence<T> {
@@ -100,9 +65,6 @@ impl<T: Field> Presence<T> {
         }
     }
 }
-
-/// The keys of one section with their values.
-pub(crate) type Values = Vec<(&'static str, CaseValue)>;
 
 /// A section of the case file.
 pub(crate) trait SectionDocument: Sized {
@@ -134,15 +96,15 @@ macro_rules! section {
         pub struct $Document { $( #[doc = $meaning] pub $key: $type, )* }
 
         impl $crate::case_file::declaration::SectionDocument for $Document {
-            const KEYS: &'static [$crate::case_file::declaration::Key] = &[ $(
-                $crate::case_file::declaration::Key {
+            const KEYS: &'static [$crate::case_file::key::Key] = &[ $(
+                $crate::case_file::key::Key {
                     name: stringify!($key),
                     unit: $unit,
                     field: concat!($(stringify!($field))? $(stringify!($named))?),
                     meaning: $meaning,
                     kind: <$type as $crate::case_file::declaration::Field>::KIND,
                     presence: || {
-                        let presence: $crate::case_file::declaration::Presence<$type> = $presence;
+                        let presence: $crate::case_file::key::Presence<$type> = $presence;
                         presence.written()
                     },
                     line: $line,
@@ -151,11 +113,11 @@ macro_rules! section {
 
             fn read(
                 reader: &mut $crate::case_file::reader::Reader<'_>,
-            ) -> Result<Self, $crate::case_file::CaseError> {
+            ) -> Result<Self, $crate::case_file::error::CaseError> {
                 Ok(Self { $( $key: reader.field(stringify!($key), $presence)?, )* })
             }
 
-            fn values(&self) -> $crate::case_file::declaration::Values {
+            fn values(&self) -> $crate::case_file::key::Values {
                 use $crate::case_file::declaration::Field as _;
                 [ $( (stringify!($key), self.$key.written()), )* ]
                     .into_iter()
@@ -169,16 +131,14 @@ macro_rules! section {
             $line:expr;
     )* }) => {
         impl $Document {
-            /// The section in SI units; `path` is its dotted name.
+            /// The section in SI units, the numbers of its keys converted by `si`.
             pub(in $crate::case_file) fn to_si(
                 &self,
-                converter: &$crate::case_file::convert::Converter<'_>,
-                path: &str,
-            ) -> Result<cageless::$Si, $crate::case_file::CaseError> {
+                si: &dyn Fn(&str, f64) -> Result<f64, $crate::case_file::error::CaseError>,
+            ) -> Result<cageless::$Si, $crate::case_file::error::CaseError> {
                 use $crate::case_file::declaration::Field as _;
-                let key = |name| $crate::case_file::spanned_toml::join(path, name);
                 Ok(cageless::$Si { $( $(
-                    $field: self.$key.si(converter, &key(stringify!($key)))?,
+                    $field: self.$key.si(&|value| si(stringify!($key), value))?,
                 )? )* })
             }
         }

@@ -5,12 +5,11 @@
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use super::SCHEMA;
-use super::base::CaseValue;
-use super::declaration::Line::Shown;
-use super::declaration::{Key, Kind, Line, Presence, SectionDocument, Values};
+use super::declaration::SectionDocument;
 use super::error::CaseError;
-use super::read::FileReader;
+use super::file_reader::FileReader;
+use super::key::Line::Shown;
+use super::key::{Key, Kind, Line, Presence, Values};
 pub use super::sections::bearing::{Assumption, BearingDocument};
 pub use super::sections::contact::ContactDocument;
 pub use super::sections::housing::HousingDocument;
@@ -26,6 +25,10 @@ pub use super::sections::start::StartDocument;
 pub use super::sections::support::SupportDocument;
 use super::spanned_toml::join;
 use super::unit::Unit;
+use super::value::CaseValue;
+
+/// The only schema of case files so far.
+pub const SCHEMA: u64 = 1;
 
 /// One section of the file format.
 #[derive(Debug)]
@@ -67,7 +70,7 @@ impl<D: SectionDocument> SectionField for D {
     const OPTIONAL: bool = false;
 
     fn read(file: &mut FileReader<'_>, name: &'static str) -> Result<Self, CaseError> {
-        D::read(&mut file.section(name)?)
+        D::read(&mut file.section(name, D::KEYS)?)
     }
 
     fn each(&self) -> Vec<Values> {
@@ -81,7 +84,7 @@ impl<D: SectionDocument> SectionField for Option<D> {
 
     fn read(file: &mut FileReader<'_>, name: &'static str) -> Result<Self, CaseError> {
         file.has(name)
-            .then(|| D::read(&mut file.section(name)?))
+            .then(|| D::read(&mut file.section(name, D::KEYS)?))
             .transpose()
     }
 
@@ -95,7 +98,7 @@ impl<D: SectionDocument> SectionField for Vec<D> {
     const OPTIONAL: bool = true;
 
     fn read(file: &mut FileReader<'_>, name: &'static str) -> Result<Self, CaseError> {
-        file.sections(name, D::read)
+        file.sections(name, D::KEYS, D::read)
     }
 
     fn each(&self) -> Vec<Values> {
@@ -298,64 +301,4 @@ impl Serialize for Without<'_> {
         }
         map.end()
     }
-}
-
-/// Path of the k-th of several sections of one name.
-pub(super) fn nth(name: &str, k: usize, count: usize) -> String {
-    if count == 1 {
-        name.to_owned()
-    } else {
-        format!("{name}.{}", k + 1)
-    }
-}
-
-/// Kind of initial state; [`cageless::Start`] has the details.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum StartState {
-    /// Static equilibrium at speed.
-    Settled,
-    /// Pure rolling, ring where put.
-    Rolling,
-    /// Everything at rest in the middle.
-    AtRest,
-}
-
-/// `start.gaps`: a name or a list.
-#[derive(Debug, Clone, PartialEq)]
-pub enum GapsDocument {
-    /// All the same.
-    Uniform,
-    /// All balls in one group: no gap but the last, from ball N to ball 1.
-    Bunched,
-    /// Every division of the free angle equally likely, by `solver.seed`.
-    Random,
-    /// N gaps in degrees; gap k lies between ball k and ball k+1.
-    ListDeg(Vec<f64>),
-}
-
-/// `solver.step_us`: `"auto"` or a number.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum StepDocument {
-    /// Step from the stiffest contact and the method.
-    Auto,
-    /// In microseconds.
-    FixedUs(f64),
-}
-
-/// A quantity of the operation: constant, or piecewise linear in time.
-#[derive(Debug, Clone, PartialEq)]
-pub enum OverTime {
-    /// One value for the whole run.
-    Constant(f64),
-    /// Rows of time in s and value; constant before and after.
-    Table(Vec<[f64; 2]>),
-}
-
-/// A number, or the lowest and the highest.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RangeDocument {
-    /// Lowest.
-    pub low: f64,
-    /// Highest.
-    pub high: f64,
 }

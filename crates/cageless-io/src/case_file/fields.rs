@@ -2,14 +2,53 @@
 
 use cageless::contact::FrictionTable;
 
-use super::base::CaseValue;
-use super::convert::Converter;
-use super::declaration::{Field, Kind};
-use super::document::{GapsDocument, OverTime, RangeDocument, StepDocument};
+use super::declaration::{Field, ToSi};
 use super::error::CaseError;
+use super::key::Kind;
 use super::named::Named;
 use super::reader::Reader;
 use super::spanned_toml::{Node, Value};
+use super::value::CaseValue;
+
+/// `start.gaps`: a name or a list.
+#[derive(Debug, Clone, PartialEq)]
+pub enum GapsDocument {
+    /// All the same.
+    Uniform,
+    /// All balls in one group: no gap but the last, from ball N to ball 1.
+    Bunched,
+    /// Every division of the free angle equally likely, by `solver.seed`.
+    Random,
+    /// N gaps in degrees; gap k lies between ball k and ball k+1.
+    ListDeg(Vec<f64>),
+}
+
+/// `solver.step_us`: `"auto"` or a number.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StepDocument {
+    /// Step from the stiffest contact and the method.
+    Auto,
+    /// In microseconds.
+    FixedUs(f64),
+}
+
+/// A quantity of the operation: constant, or piecewise linear in time.
+#[derive(Debug, Clone, PartialEq)]
+pub enum OverTime {
+    /// One value for the whole run.
+    Constant(f64),
+    /// Rows of time in s and value; constant before and after.
+    Table(Vec<[f64; 2]>),
+}
+
+/// A number, or the lowest and the highest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RangeDocument {
+    /// Lowest.
+    pub low: f64,
+    /// Highest.
+    pub high: f64,
+}
 
 impl Field for f64 {
     type Si = Self;
@@ -23,8 +62,8 @@ impl Field for f64 {
         Some(CaseValue::Number(*self))
     }
 
-    fn si(&self, converter: &Converter<'_>, path: &str) -> Result<Self, CaseError> {
-        converter.si(path, *self)
+    fn si(&self, si: ToSi<'_>) -> Result<Self, CaseError> {
+        si(*self)
     }
 }
 
@@ -42,7 +81,7 @@ impl Field for u64 {
         Some(integer.unwrap_or(CaseValue::Number(*self as f64)))
     }
 
-    fn si(&self, _: &Converter<'_>, _: &str) -> Result<Self, CaseError> {
+    fn si(&self, _: ToSi<'_>) -> Result<Self, CaseError> {
         Ok(*self)
     }
 }
@@ -60,7 +99,7 @@ impl Field for usize {
         (*self as u64).written()
     }
 
-    fn si(&self, _: &Converter<'_>, _: &str) -> Result<Self, CaseError> {
+    fn si(&self, _: ToSi<'_>) -> Result<Self, CaseError> {
         Ok(*self)
     }
 }
@@ -80,7 +119,7 @@ impl Field for String {
         Some(CaseValue::Text(self.clone()))
     }
 
-    fn si(&self, _: &Converter<'_>, _: &str) -> Result<Self, CaseError> {
+    fn si(&self, _: ToSi<'_>) -> Result<Self, CaseError> {
         Ok(self.clone())
     }
 }
@@ -101,7 +140,7 @@ impl<T: Named> Field for T {
         Some(CaseValue::Text(self.name().to_owned()))
     }
 
-    fn si(&self, _: &Converter<'_>, _: &str) -> Result<T, CaseError> {
+    fn si(&self, _: ToSi<'_>) -> Result<T, CaseError> {
         Ok(*self)
     }
 }
@@ -122,8 +161,8 @@ impl<T: Field> Field for Option<T> {
         self.as_ref()?.written()
     }
 
-    fn si(&self, converter: &Converter<'_>, path: &str) -> Result<Self::Si, CaseError> {
-        self.as_ref().map(|v| v.si(converter, path)).transpose()
+    fn si(&self, si: ToSi<'_>) -> Result<Self::Si, CaseError> {
+        self.as_ref().map(|v| v.si(si)).transpose()
     }
 }
 
@@ -139,8 +178,8 @@ impl Field for Vec<f64> {
         Some(CaseValue::Numbers(self.clone()))
     }
 
-    fn si(&self, converter: &Converter<'_>, path: &str) -> Result<Self, CaseError> {
-        self.iter().map(|v| converter.si(path, *v)).collect()
+    fn si(&self, si: ToSi<'_>) -> Result<Self, CaseError> {
+        self.iter().map(|v| si(*v)).collect()
     }
 }
 
@@ -171,11 +210,8 @@ impl Field for RangeDocument {
         })
     }
 
-    fn si(&self, converter: &Converter<'_>, path: &str) -> Result<[f64; 2], CaseError> {
-        Ok([
-            converter.si(path, self.low)?,
-            converter.si(path, self.high)?,
-        ])
+    fn si(&self, si: ToSi<'_>) -> Result<[f64; 2], CaseError> {
+        Ok([si(self.low)?, si(self.high)?])
     }
 }
 
@@ -199,10 +235,10 @@ impl Field for StepDocument {
         })
     }
 
-    fn si(&self, converter: &Converter<'_>, path: &str) -> Result<Option<f64>, CaseError> {
+    fn si(&self, si: ToSi<'_>) -> Result<Option<f64>, CaseError> {
         match self {
             Self::Auto => Ok(None),
-            Self::FixedUs(step) => converter.si(path, *step).map(Some),
+            Self::FixedUs(step) => si(*step).map(Some),
         }
     }
 }
@@ -235,9 +271,9 @@ impl Field for GapsDocument {
         })
     }
 
-    fn si(&self, converter: &Converter<'_>, path: &str) -> Result<Self::Si, CaseError> {
+    fn si(&self, si: ToSi<'_>) -> Result<Self::Si, CaseError> {
         match self {
-            Self::ListDeg(gaps) => gaps.si(converter, path).map(Some),
+            Self::ListDeg(gaps) => gaps.si(si).map(Some),
             _ => Ok(None),
         }
     }
@@ -278,7 +314,7 @@ impl Field for OverTime {
         })
     }
 
-    fn si(&self, _: &Converter<'_>, _: &str) -> Result<(), CaseError> {
+    fn si(&self, _: ToSi<'_>) -> Result<(), CaseError> {
         Ok(())
     }
 }
@@ -314,7 +350,7 @@ impl Field for FrictionTable {
         Some(CaseValue::Table(self.points().to_vec()))
     }
 
-    fn si(&self, _: &Converter<'_>, _: &str) -> Result<Self, CaseError> {
+    fn si(&self, _: ToSi<'_>) -> Result<Self, CaseError> {
         Ok(self.clone())
     }
 }

@@ -3,8 +3,8 @@
 
 use serde_json::{Map, Value as Json};
 
-use super::declaration::{Key, Presence};
 use super::error::CaseError;
+use super::key::{Key, Presence};
 use super::keys;
 use super::spanned_toml::{Node, Origin, Place, Section, Value, join};
 

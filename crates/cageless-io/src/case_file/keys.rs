@@ -1,7 +1,7 @@
 //! Look-up of the keys of a case file.
 
-use super::declaration::{Key, Presence};
 use super::document::{HEAD, SECTIONS};
+use super::key::{Key, Presence};
 use super::spanned_toml::join;
 use super::unit::Unit;
 
@@ -75,14 +75,6 @@ pub(crate) fn section_meaning(section: &str) -> Option<&'static str> {
         .map(|s| s.meaning)
 }
 
-/// Meaning of a key, with its unit.
-pub(super) fn describe(key: &Key) -> String {
-    match key.unit.symbol() {
-        "" => key.meaning.to_owned(),
-        unit => format!("{}, in {unit}", key.meaning),
-    }
-}
-
 /// Suggestion for an unknown name.
 pub(crate) fn hint(section: &str, name: &str) -> String {
     let known = || of_section(section).iter().map(|k| k.name);
@@ -142,7 +134,7 @@ mod tests {
     /// The template says what a key that is left out takes.
     #[test]
     fn values_in_the_template_are_the_defaults() {
-        use crate::case_file::declaration::Line::{Absent, Commented, Shown};
+        use crate::case_file::key::Line::{Absent, Commented, Shown};
         for (section, key) in all() {
             let (Shown(value, _) | Commented(value, _)) = key.line else {
                 assert!(matches!(key.line, Absent));

@@ -3,8 +3,9 @@
 use cageless::error::Allowed;
 use cageless::{Bearing, Case, InputError};
 
-use super::declaration::Key;
-use super::document::{CaseDocument, GapsDocument};
+use super::document::CaseDocument;
+use super::fields::GapsDocument;
+use super::key::Key;
 use super::unit::{Side, Unit, decimal, round};
 
 /// Allowed values of a field of [`cageless`], in the unit of its key. Rules that contain numbers

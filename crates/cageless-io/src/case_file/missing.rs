@@ -1,8 +1,8 @@
 //! Required keys that a file leaves out, all of them in one message.
 
-use super::declaration::Presence;
 use super::document::SECTIONS;
 use super::error::CaseError;
+use super::key::{Key, Presence};
 use super::keys;
 use super::spanned_toml::{Places, Section, Value, join};
 
@@ -72,7 +72,7 @@ pub(super) fn check(root: &Section, places: &Places) -> Result<(), CaseError> {
         return Ok(());
     }
     let path = join(section, key);
-    let meaning = keys::find(section, key).map_or_else(String::new, keys::describe);
+    let meaning = keys::find(section, key).map_or_else(String::new, Key::describe);
     let place = match root.contains_key(*section) {
         true => format!(" in [{section}]"),
         false => format!(", as is its section [{section}]"),

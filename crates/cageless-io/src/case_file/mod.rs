@@ -10,11 +10,14 @@
 
 pub(crate) mod base;
 mod convert;
+mod converter;
 pub(crate) mod declaration;
 mod document;
 mod error;
 mod fields;
+mod file_reader;
 mod json;
+mod key;
 pub(crate) mod keys;
 mod messages;
 mod missing;
@@ -28,29 +31,30 @@ mod sections;
 pub(crate) mod spanned_toml;
 mod template;
 pub(crate) mod unit;
+pub(crate) mod value;
 
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-pub use base::{CaseBase, CaseValue, Change};
+pub use base::{CaseBase, Change};
 pub use document::{
-    Assumption, BearingDocument, CaseDocument, ContactDocument, GapsDocument, HousingDocument,
-    MaterialDocument, MaterialPreset, ModelDocument, OperationDocument, OutputDocument, OverTime,
-    PartMaterialDocument, RacewayDocument, RangeDocument, RotorDocument, SearchDocument,
-    SolverDocument, StartDocument, StartState, StepDocument, SupportDocument,
+    Assumption, BearingDocument, CaseDocument, ContactDocument, HousingDocument, MaterialDocument,
+    MaterialPreset, ModelDocument, OperationDocument, OutputDocument, PartMaterialDocument,
+    RacewayDocument, RotorDocument, SCHEMA, SearchDocument, SolverDocument, StartDocument,
+    SupportDocument,
 };
 pub use error::CaseError;
+pub use fields::{GapsDocument, OverTime, RangeDocument, StepDocument};
 pub use keys::{missing_rotor, nearest};
+pub use named::StartState;
 pub use reference::{KeyReference, LeftOut, SectionReference, ValueType, reference};
 pub use template::{drop_template, template};
+pub use value::CaseValue;
 
 use crate::system::io_error_message;
 use cageless::design::search::{Request, uneven_gaps_rad};
 use spanned_toml::{Origin, Places};
-
-/// The only schema of case files so far.
-pub const SCHEMA: u64 = 1;
 
 /// A case file that was read, checked and converted.
 #[derive(Debug, Clone, PartialEq)]

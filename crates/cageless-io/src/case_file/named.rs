@@ -2,8 +2,6 @@
 
 use cageless::{Assembly, FrictionLaw, IntegrationMethod, Profile};
 
-use super::document::StartState;
-
 /// A choice with a name for each value. A new value needs one more line here.
 pub(crate) trait Named: Copy + PartialEq + 'static {
     /// Every name with its value.
@@ -36,6 +34,17 @@ pub(crate) trait Named: Copy + PartialEq + 'static {
             _ => quoted.concat(),
         }
     }
+}
+
+/// Kind of initial state; [`cageless::Start`] has the details.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StartState {
+    /// Static equilibrium at speed.
+    Settled,
+    /// Pure rolling, ring where put.
+    Rolling,
+    /// Everything at rest in the middle.
+    AtRest,
 }
 
 impl Named for Assembly {

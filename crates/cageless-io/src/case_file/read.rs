@@ -1,16 +1,15 @@
 //! Reader of the document: keys, their types and defaults.
 
-use super::SCHEMA;
-use super::declaration::Presence;
-use super::document::{CaseDocument, nth};
+use super::declaration::SectionDocument;
+use super::document::{
+    BearingDocument, CaseDocument, ContactDocument, HEAD, MaterialDocument, SCHEMA, StartDocument,
+};
 use super::error::CaseError;
+use super::file_reader::FileReader;
+use super::key::Presence;
 use super::keys::{self, hint};
 use super::missing;
-use super::reader::Reader;
-use super::spanned_toml::{Node, Places, Section, Value, join};
-
-/// More sections of one name than fit: discrete raceways into any ring that balls roll in.
-const SECTIONS_MAX: usize = 64;
+use super::spanned_toml::{Node, Places, Section, Value, join, nth};
 
 /// Reads the document and the dotted keys that took their default.
 pub(super) fn document(
@@ -28,50 +27,26 @@ pub(super) fn document(
     missing::check(root, places)?;
     file.move_seed()?;
     let title = file
-        .section("")?
+        .section("", HEAD)?
         .field("title", Presence::Default(String::new()))?;
     let mut document = CaseDocument::read(schema, title, &mut file)?;
-    document.bearing.complete(&mut file.section("bearing")?);
-    document.contact.complete(&mut file.section("contact")?);
-    document.material.complete(&mut file.section("material")?);
+    document
+        .bearing
+        .complete(&mut file.section("bearing", BearingDocument::KEYS)?);
+    document
+        .contact
+        .complete(&mut file.section("contact", ContactDocument::KEYS)?);
+    document
+        .material
+        .complete(&mut file.section("material", MaterialDocument::KEYS)?);
     let rotor = document.rotor.is_some();
-    document.start.complete(rotor, &mut file.section("start")?);
+    document
+        .start
+        .complete(rotor, &mut file.section("start", StartDocument::KEYS)?);
     Ok((document, file.defaults))
 }
 
-/// Reader of a whole file.
-pub(crate) struct FileReader<'a> {
-    root: Section,
-    places: &'a Places,
-    defaults: Vec<String>,
-}
-
 impl FileReader<'_> {
-    /// Whether the file has a section.
-    pub(super) fn has(&self, name: &str) -> bool {
-        self.root.contains_key(name)
-    }
-
-    /// A reader of a section; without the section, every key is missing.
-    pub(super) fn section(&mut self, name: &'static str) -> Result<Reader<'_>, CaseError> {
-        let entries = match self.root.get(name) {
-            _ if name.is_empty() => Some(&self.root),
-            None => None,
-            Some(Node {
-                value: Value::Section(entries),
-                ..
-            }) => Some(entries),
-            Some(node) => return Err(Self::not_a_section(self.places, name, node)),
-        };
-        Ok(Reader::new(
-            name,
-            name.to_owned(),
-            entries,
-            self.places,
-            &mut self.defaults,
-        ))
-    }
-
     /// Puts a seed at the head of the file into its section.
     fn move_seed(&mut self) -> Result<(), CaseError> {
         let Some(seed) = self.root.remove("seed") else {
@@ -93,19 +68,8 @@ impl FileReader<'_> {
         }
     }
 
-    fn not_a_section(places: &Places, name: &str, node: &Node) -> CaseError {
-        let message = match node.value {
-            Value::List(_) => format!("{name} may be given once only: [{name}]"),
-            _ => format!(
-                "{name} = {} is not possible: it must be a section, [{name}]",
-                node.place.written
-            ),
-        };
-        places.error_at(&node.place, name, message)
-    }
-
     fn schema(&mut self) -> Result<u64, CaseError> {
-        let mut head = self.section("")?;
+        let mut head = self.section("", HEAD)?;
         let Some(node) = head.get("schema") else {
             head.note_default("schema");
             return Ok(SCHEMA);
@@ -168,38 +132,5 @@ impl FileReader<'_> {
         };
         self.places
             .error_at(&node.place, &dotted, format!("{what}; {hint}"))
-    }
-
-    /// The sections of one name, each read by `read`.
-    pub(super) fn sections<T>(
-        &mut self,
-        name: &'static str,
-        read: impl Fn(&mut Reader<'_>) -> Result<T, CaseError>,
-    ) -> Result<Vec<T>, CaseError> {
-        let Some(node) = self.root.get(name) else {
-            return Ok(Vec::new());
-        };
-        let items = match &node.value {
-            Value::List(items) => items.as_slice(),
-            _ => std::slice::from_ref(node),
-        };
-        if items.len() > SECTIONS_MAX {
-            let message = format!(
-                "{} sections [[{name}]] are not possible: there may be at most {SECTIONS_MAX}",
-                items.len()
-            );
-            let place = &items[SECTIONS_MAX].place;
-            return Err(self.places.error_at(place, name, message));
-        }
-        let mut sections = Vec::new();
-        for (k, item) in items.iter().enumerate() {
-            let Value::Section(entries) = &item.value else {
-                return Err(Self::not_a_section(self.places, name, item));
-            };
-            let path = nth(name, k, items.len());
-            let mut r = Reader::new(name, path, Some(entries), self.places, &mut self.defaults);
-            sections.push(read(&mut r)?);
-        }
-        Ok(sections)
     }
 }

@@ -1,14 +1,16 @@
 //! Typed access to one section.
 
-use super::declaration::{Field, Presence};
 use super::error::CaseError;
-use super::keys;
+use super::key::Key;
 use super::spanned_toml::{Node, Places, Section, Value, join};
+use super::unit::Unit;
 
 /// Reads the keys of one section and notes the defaults that it filled in.
 pub(crate) struct Reader<'a> {
     /// Name of the section in the table of keys.
     section: &'static str,
+    /// Keys of the section.
+    keys: &'static [Key],
     /// Dotted path: `raceway.2` for the second of several.
     path: String,
     entries: Option<&'a Section>,
@@ -20,6 +22,7 @@ impl<'a> Reader<'a> {
     /// A reader of `entries`; without entries, every key is missing.
     pub(super) fn new(
         section: &'static str,
+        keys: &'static [Key],
         path: String,
         entries: Option<&'a Section>,
         places: &'a Places,
@@ -27,6 +30,7 @@ impl<'a> Reader<'a> {
     ) -> Self {
         Self {
             section,
+            keys,
             path,
             entries,
             places,
@@ -34,23 +38,12 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The value of a key, or what it takes if it is left out.
-    pub(super) fn field<T: Field>(
-        &mut self,
-        name: &str,
-        presence: Presence<T>,
-    ) -> Result<T, CaseError> {
-        if let Some(node) = self.get(name) {
-            return T::read(self, name, node);
-        }
-        if matches!(presence, Presence::Default(_) | Presence::Derived) {
-            self.note_default(name);
-        }
-        match presence {
-            Presence::Default(value) => Ok(value),
-            Presence::Derived | Presence::Optional => T::absent().ok_or_else(|| self.missing(name)),
-            Presence::Required => Err(self.missing(name)),
-        }
+    fn key(&self, name: &str) -> Option<&'static Key> {
+        self.keys.iter().find(|key| key.name == name)
+    }
+
+    fn unit(&self, name: &str) -> Unit {
+        self.key(name).map_or(Unit::None, |key| key.unit)
     }
 
     /// A whole number, 0 or more.
@@ -63,7 +56,7 @@ impl<'a> Reader<'a> {
             _ => None,
         };
         count.ok_or_else(|| {
-            let allowed = keys::unit(self.section, name).whole_numbers();
+            let allowed = self.unit(name).whole_numbers();
             self.refuse(name, node, &allowed)
         })
     }
@@ -84,7 +77,7 @@ impl<'a> Reader<'a> {
             // -0.0 is 0: friction would have no direction otherwise.
             Value::Number(f) => Ok(f + 0.0),
             _ => {
-                let allowed = match keys::unit(self.section, name).symbol() {
+                let allowed = match self.unit(name).symbol() {
                     "" => "a number, without quotes".to_owned(),
                     unit => format!("a number in {unit}, without quotes and unit"),
                 };
@@ -95,10 +88,7 @@ impl<'a> Reader<'a> {
 
     /// The value of a key as it stands in the file.
     pub(super) fn get(&self, name: &str) -> Option<&'a Node> {
-        debug_assert!(
-            keys::find(self.section, name).is_some(),
-            "{name} is not in the table"
-        );
+        debug_assert!(self.key(name).is_some(), "{name} is not in the table");
         self.entries?.get(name)
     }
 
@@ -130,13 +120,13 @@ impl<'a> Reader<'a> {
         join(&self.path, name)
     }
 
-    fn missing(&self, name: &str) -> CaseError {
+    pub(super) fn missing(&self, name: &str) -> CaseError {
         self.places
             .error(&self.dotted(name), self.missing_text(name))
     }
 
     fn missing_text(&self, name: &str) -> String {
-        let meaning = keys::find(self.section, name).map_or_else(String::new, keys::describe);
+        let meaning = self.key(name).map_or_else(String::new, Key::describe);
         match self.entries {
             Some(_) => format!(
                 "{} is missing in [{}]: {meaning}",

@@ -1,8 +1,8 @@
 //! The file format described as data: what documentation and other languages are made of.
 
-use super::base::CaseValue;
-use super::declaration::{Key, Kind, Presence};
 use super::document::{HEAD, SECTIONS};
+use super::key::{Key, Kind, Presence};
+use super::value::CaseValue;
 
 /// A section of the case file.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,7 +3,8 @@
 use cageless::InputError;
 use cageless::surface::OuterRingDimensions;
 
-use super::convert::Converter;
+use super::converter::Converter;
+use super::key::Key;
 use super::spanned_toml::join;
 use super::unit::Unit;
 use super::{CaseError, CaseFile, keys};
@@ -43,7 +44,7 @@ impl CaseFile {
 
     fn missing_for_export(&self, name: &str) -> CaseError {
         let path = join(SECTION, name);
-        let meaning = keys::find(SECTION, name).map_or_else(String::new, keys::describe);
+        let meaning = keys::find(SECTION, name).map_or_else(String::new, Key::describe);
         let message = format!("{path} is missing in [{SECTION}], and `export` needs it: {meaning}");
         self.places.error(&path, message)
     }

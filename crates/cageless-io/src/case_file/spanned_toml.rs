@@ -188,6 +188,15 @@ pub(crate) fn join(section: &str, key: &str) -> String {
     }
 }
 
+/// Path of the k-th of several sections of one name.
+pub(super) fn nth(name: &str, k: usize, count: usize) -> String {
+    if count == 1 {
+        name.to_owned()
+    } else {
+        format!("{name}.{}", k + 1)
+    }
+}
+
 /// Parses a case file.
 pub(crate) fn parse(text: &str, name: &str) -> Result<Section, CaseError> {
     // Windows editors put it there; it is not part of the text.

@@ -20,10 +20,8 @@ mod normal;
 mod read;
 mod read_axis;
 
-use std::path::Path;
-
+use crate::case_file::CaseError;
 use crate::case_file::named::Named;
-use crate::case_file::{CaseError, read_text};
 
 pub use axis::{Axis, AxisValues, Range, Scale, twelve_digits};
 pub use base::{PlanBase, VariantFile};
@@ -136,35 +134,6 @@ pub struct Kept {
 }
 
 impl PlanFile {
-    /// Reads a plan and its base case, whose path counts from the folder of the plan.
-    ///
-    /// # Errors
-    /// A [`CaseError`] if one of the files cannot be read, or for anything but a complete
-    /// plan of a possible base case.
-    pub fn read(path: &Path) -> Result<Self, CaseError> {
-        let name = path.display().to_string();
-        let text = read_text(path, "plan").map_err(|m| CaseError::of_file(&name, m))?;
-        Self::parse(&text, &name, path.parent().unwrap_or(Path::new("")))
-    }
-
-    /// Parses the text of a plan; `name` stands for it in messages, `folder` is where the
-    /// path of its case counts from.
-    ///
-    /// # Errors
-    /// Those of [`PlanFile::read`].
-    pub fn parse(text: &str, name: &str, folder: &Path) -> Result<Self, CaseError> {
-        read::plan(text, name, folder)
-    }
-
-    /// The plan as flat TOML: every default filled in, the case in it, one key per line,
-    /// nothing of comments and order. It reads back as the same plan.
-    ///
-    /// # Errors
-    /// None that a plan from a file can cause.
-    pub fn normal(&self) -> Result<String, CaseError> {
-        normal::text(self)
-    }
-
     /// The message at a line of the plan: file, line, key, what is wrong.
     pub fn error(&self, line: usize, key: &str, message: String) -> CaseError {
         CaseError::on_line(&self.name, line, Some(key.to_owned()), message)

@@ -5,12 +5,23 @@ use toml::Value;
 use super::axis::Axis;
 use super::{AxisValues, Computation, PlanFile, SCHEMA, ScatterLaw};
 use crate::case_file::CaseError;
-use crate::case_file::base::quoted;
 use crate::case_file::named::Named;
 use crate::case_file::spanned_toml::excerpt;
+use crate::case_file::value::quoted;
+
+impl PlanFile {
+    /// The plan as flat TOML: every default filled in, the case in it, one key per line,
+    /// nothing of comments and order. It reads back as the same plan.
+    ///
+    /// # Errors
+    /// None that a plan from a file can cause.
+    pub fn normal(&self) -> Result<String, CaseError> {
+        text(self)
+    }
+}
 
 /// One key per line.
-pub(super) fn text(plan: &PlanFile) -> Result<String, CaseError> {
+fn text(plan: &PlanFile) -> Result<String, CaseError> {
     let mut lines = vec![
         format!("schema = {SCHEMA}"),
         format!("title = {}", quoted(&plan.title)),

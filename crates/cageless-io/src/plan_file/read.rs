@@ -10,7 +10,7 @@ use super::{
 };
 use crate::case_file::named::Named;
 use crate::case_file::spanned_toml::{self, Node, Section, Value};
-use crate::case_file::{CaseBase, CaseError, CaseValue, Change, keys};
+use crate::case_file::{CaseBase, CaseError, CaseValue, Change, keys, read_text};
 use crate::rotor_file::address::{address, is_number};
 use crate::rotor_file::{RotorBase, RotorFile, keys as rotor_keys};
 
@@ -21,7 +21,29 @@ const HEAD: [&str; 10] = [
 /// Keys of a case that say nothing about the bearing.
 const FIXED: [&str; 2] = ["schema", "title"];
 
-pub(super) fn plan(text: &str, name: &str, folder: &Path) -> Result<PlanFile, CaseError> {
+impl PlanFile {
+    /// Reads a plan and its base case, whose path counts from the folder of the plan.
+    ///
+    /// # Errors
+    /// A [`CaseError`] if one of the files cannot be read, or for anything but a complete
+    /// plan of a possible base case.
+    pub fn read(path: &Path) -> Result<Self, CaseError> {
+        let name = path.display().to_string();
+        let text = read_text(path, "plan").map_err(|m| CaseError::of_file(&name, m))?;
+        Self::parse(&text, &name, path.parent().unwrap_or(Path::new("")))
+    }
+
+    /// Parses the text of a plan; `name` stands for it in messages, `folder` is where the
+    /// path of its case counts from.
+    ///
+    /// # Errors
+    /// Those of [`PlanFile::read`].
+    pub fn parse(text: &str, name: &str, folder: &Path) -> Result<Self, CaseError> {
+        plan(text, name, folder)
+    }
+}
+
+fn plan(text: &str, name: &str, folder: &Path) -> Result<PlanFile, CaseError> {
     let root = spanned_toml::parse(text, name)?;
     let mut reader = PlanReader {
         root: &root,

@@ -38,15 +38,12 @@ pub use error::{ResultError, is_unusable};
 pub use run_tables::read_run_table;
 pub use verification::{DistanceColumns, VerificationFile, VerificationNumber, rounded};
 
-pub use table::Column;
+pub use table::{Column, VERSION};
 
 use table::Table;
 
 /// Version of the layout of results.
 pub const SCHEMA: u64 = 1;
-
-/// Version of Cageless that writes.
-pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Files that say something about the tables beside them, written after these.
 pub const ABOUT_TABLES: [&str; 7] = [

@@ -10,10 +10,12 @@ use parquet::file::properties::WriterProperties;
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{ColumnPath, Type};
 
-use super::VERSION;
 use super::atomic_file::PartialFile;
 use super::checksum::seal;
 use super::error::ResultError;
+
+/// Version of Cageless that writes.
+pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// A column of a table.
 #[derive(Debug)]

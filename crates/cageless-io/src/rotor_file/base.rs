@@ -180,6 +180,48 @@ impl RotorBase {
     }
 }
 
+impl RotorFile {
+    /// Whether the file at `path` is a rotor file rather than a case: it lists bearings.
+    pub fn is_at(path: &Path) -> bool {
+        let text = read_text(path, "case file").unwrap_or_default();
+        spanned_toml::parse(&text, "").is_ok_and(|root| RotorBase::is_in(&root))
+    }
+
+    /// Reads a rotor file and the files that it names, whose paths count from its folder.
+    /// `overrides` are the texts of `--set`: of keys of the rotor file, `section.key=value` of the
+    /// cases of all bearings, `bearing.2.section.key=value` of one.
+    ///
+    /// # Errors
+    /// A [`CaseError`] if one of the files cannot be read, or for anything but a complete and
+    /// possible rotor and possible cases.
+    pub fn read(path: &Path, overrides: &[String]) -> Result<Self, CaseError> {
+        RotorBase::read(path)?.overridden(overrides)
+    }
+
+    /// Parses the text of a rotor file; `name` stands for it in messages, paths in it count from
+    /// `folder`.
+    ///
+    /// # Errors
+    /// Those of [`RotorFile::read`].
+    pub fn parse(
+        text: &str,
+        name: &str,
+        folder: &Path,
+        overrides: &[String],
+    ) -> Result<Self, CaseError> {
+        let root = spanned_toml::parse(text, name)?;
+        RotorBase::from_sections(root, name, folder)?.overridden(overrides)
+    }
+
+    /// The rotor with changes, as [`RotorFile::read`] takes them.
+    ///
+    /// # Errors
+    /// A [`CaseError`] for anything but a complete and possible rotor and possible cases.
+    pub fn changed(&self, overrides: &[String]) -> Result<Self, CaseError> {
+        Self::parse(&self.document.to_toml()?, "rotor", Path::new(""), overrides)
+    }
+}
+
 fn is_numbered(section: &Section) -> bool {
     !section.is_empty() && section.keys().all(|key| is_number(key))
 }

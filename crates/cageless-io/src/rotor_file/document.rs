@@ -8,6 +8,9 @@ use super::matrices::MatricesFile;
 use super::{RotorBody, RotorDescription, RotorPlace};
 use crate::case_file::{CaseDocument, CaseError, CaseValue};
 
+/// The only schema of rotor files so far.
+pub(super) const SCHEMA: i64 = 1;
+
 /// A rotor file that was read, its cases in it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RotorFileDocument {
@@ -91,7 +94,7 @@ impl RotorFileDocument {
             section
         });
         let mut document = Table::new();
-        document.insert("schema".to_owned(), Value::Integer(super::SCHEMA));
+        document.insert("schema".to_owned(), Value::Integer(SCHEMA));
         document.insert("title".to_owned(), self.title.clone().into());
         document.insert("rotor".to_owned(), rotor.into());
         let bearings: Vec<Table> = bearings.collect::<Result<_, CaseError>>()?;

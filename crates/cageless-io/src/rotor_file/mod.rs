@@ -27,22 +27,17 @@ pub(crate) mod keys;
 mod matrices;
 mod read;
 
-use std::path::Path;
-
 use cageless::Case;
 use cageless::linear_rotor::{LinearRotor, RotorError};
 use cageless::simulation::RotorDrop;
 
-use crate::case_file::{CaseError, CaseFile, CaseValue, StepDocument, read_text, spanned_toml};
+use crate::case_file::{CaseFile, CaseValue, StepDocument};
 use address::{Address, address};
 
 pub use base::RotorBase;
 pub use description::{RotorBody, RotorClearance, RotorDescription, RotorPlace, RotorUnbalance};
 pub use document::RotorFileDocument;
 pub use matrices::{MATRICES_SCHEMA, read_matrices, write_matrices};
-
-/// The only schema of rotor files so far.
-const SCHEMA: i64 = 1;
 
 /// A rotor with its bearings, read and checked.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,46 +48,6 @@ pub struct RotorFile {
 }
 
 impl RotorFile {
-    /// Whether the file at `path` is a rotor file rather than a case: it lists bearings.
-    pub fn is_at(path: &Path) -> bool {
-        let text = read_text(path, "case file").unwrap_or_default();
-        spanned_toml::parse(&text, "").is_ok_and(|root| RotorBase::is_in(&root))
-    }
-
-    /// Reads a rotor file and the files that it names, whose paths count from its folder.
-    /// `overrides` are the texts of `--set`: of keys of the rotor file, `section.key=value` of the
-    /// cases of all bearings, `bearing.2.section.key=value` of one.
-    ///
-    /// # Errors
-    /// A [`CaseError`] if one of the files cannot be read, or for anything but a complete and
-    /// possible rotor and possible cases.
-    pub fn read(path: &Path, overrides: &[String]) -> Result<Self, CaseError> {
-        RotorBase::read(path)?.overridden(overrides)
-    }
-
-    /// Parses the text of a rotor file; `name` stands for it in messages, paths in it count from
-    /// `folder`.
-    ///
-    /// # Errors
-    /// Those of [`RotorFile::read`].
-    pub fn parse(
-        text: &str,
-        name: &str,
-        folder: &Path,
-        overrides: &[String],
-    ) -> Result<Self, CaseError> {
-        let root = spanned_toml::parse(text, name)?;
-        RotorBase::from_sections(root, name, folder)?.overridden(overrides)
-    }
-
-    /// The rotor with changes, as [`RotorFile::read`] takes them.
-    ///
-    /// # Errors
-    /// A [`CaseError`] for anything but a complete and possible rotor and possible cases.
-    pub fn changed(&self, overrides: &[String]) -> Result<Self, CaseError> {
-        Self::parse(&self.document.to_toml()?, "rotor", Path::new(""), overrides)
-    }
-
     /// A rotor at `speed_rpm` under `drive_torque_n_m` above the bearings of `cases`. Steps are as
     /// long as the shortest that a case gives, and automatic if none gives one.
     ///

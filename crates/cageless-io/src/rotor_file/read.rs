@@ -5,8 +5,9 @@ use std::sync::Arc;
 
 use cageless::linear_rotor::{RotorError, RotorMatrices};
 
+use super::document::SCHEMA;
 use super::keys::{self, HEAD};
-use super::{RotorBody, RotorClearance, RotorDescription, RotorPlace, RotorUnbalance, SCHEMA};
+use super::{RotorBody, RotorClearance, RotorDescription, RotorPlace, RotorUnbalance};
 use crate::case_file::spanned_toml::{Node, Section, Value, join};
 use crate::case_file::{CaseBase, CaseError, nearest};
 

@@ -2,7 +2,7 @@
 
 use cageless_report::{Claim, Requirement};
 
-use super::{Evidence, largest};
+use super::evidence::{Evidence, largest};
 
 /// Disagreement of a law of mechanics that is one of rounding.
 const EXACT: f64 = 0.01;

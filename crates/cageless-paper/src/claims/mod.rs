@@ -2,6 +2,7 @@
 //! sentence follows from numbers, see [`cageless_report::claim`].
 
 mod equations;
+mod evidence;
 mod recommendation;
 mod section5;
 mod simulation;
@@ -10,46 +11,9 @@ mod structures;
 mod tests;
 mod theory;
 
-use cageless_report::{Claim, RingComparison};
+use cageless_report::Claim;
 
-use crate::experiment::Bearing;
-use crate::extra::Extra;
-use crate::histories::Stages;
-use crate::mechanics::Mechanics;
-use crate::printed::Printed;
-use crate::structures::{Between, Found};
-use crate::table2::Computed;
-
-/// Numbers on which the claims rest. What exists per reading is in the order of
-/// [`crate::READINGS`]: `paper`, `physical`.
-#[derive(Debug, Clone)]
-pub struct Evidence {
-    /// Numbers of the paper's text.
-    pub printed: Printed,
-    /// Closed forms of structure (d).
-    pub mechanics: Mechanics,
-    /// Frequency at which rolling balls of structure (d) pass a point of the outer ring, Hz.
-    pub ball_pass_hz: f64,
-    /// θ over lC by Eq. (11), degrees.
-    pub half_angles_deg: Vec<f64>,
-    /// Table 2.
-    pub table2: Computed,
-    /// Ten structures per reading.
-    pub structures: [Vec<Found>; 2],
-    /// Structures between those of Table 2.
-    pub between: Vec<Between>,
-    /// Fig. 6 and 7 per reading.
-    pub stages: [Stages; 2],
-    /// Fig. 12 to 14: conventional, discrete.
-    pub bearings: [Bearing; 2],
-    /// Section 5 with lots of balls.
-    pub comparison: RingComparison,
-    /// The rest.
-    pub extra: Extra,
-}
-
-/// Names of the readings.
-const NAMES: [&str; 2] = ["`paper`", "`physical`"];
+pub use evidence::Evidence;
 
 /// All claims, in the order of the paper.
 pub fn claims(e: &Evidence) -> Vec<Claim> {
@@ -85,23 +49,4 @@ pub fn lead(e: &Evidence) -> String {
             ""
         }
     )
-}
-
-/// Largest of `values`; NaN if there is none or one is not a number.
-fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
-    let greater = |a: f64, b: f64| if b > a || b.is_nan() { b } else { a };
-    values.into_iter().reduce(greater).unwrap_or(f64::NAN)
-}
-
-/// Least of `values`, like [`largest`].
-fn least(values: impl IntoIterator<Item = f64>) -> f64 {
-    -largest(values.into_iter().map(|v| -v))
-}
-
-/// Root of the mean of the squares.
-fn rms(values: impl IntoIterator<Item = f64>) -> f64 {
-    let (sum, count) = values
-        .into_iter()
-        .fold((0.0, 0.0), |(sum, count), v| (sum + v * v, count + 1.0));
-    f64::sqrt(sum / count)
 }

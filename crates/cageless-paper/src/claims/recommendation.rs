@@ -3,9 +3,9 @@
 use cageless::design::{Judgement, RacewayVerdict, StartingPoint};
 use cageless_report::{Claim, Requirement};
 
+use super::evidence::{Evidence, NAMES, largest};
 use super::structures::of_both;
 use super::theory::ROUNDING_DEG;
-use super::{Evidence, NAMES, largest};
 use crate::PUBLISHED;
 use crate::structures::{Between, Found, Steady};
 

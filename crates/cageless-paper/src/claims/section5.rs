@@ -6,9 +6,10 @@ use cageless_report::{
     Change, Claim, ComparisonCell, Difference, Estimate, RecordChange, Requirement, RingComparison,
 };
 
-use super::Evidence;
-use crate::comparison::{CONVENTIONAL, FOUND, STRUCTURE_D, TRANSITIONS};
+use super::evidence::Evidence;
+use crate::comparison::{CONVENTIONAL, FOUND, STRUCTURE_D};
 use crate::experiment::{Bearing, Stretch};
+use crate::load_zone::TRANSITIONS;
 
 /// Speed of the experiment, rpm.
 const EXPERIMENT_RPM: f64 = 3000.0;

@@ -2,8 +2,8 @@
 
 use cageless_report::{Claim, Requirement};
 
+use super::evidence::{Evidence, NAMES, rms};
 use super::theory::ROUNDING_DEG;
-use super::{Evidence, NAMES, rms};
 use crate::PUBLISHED;
 use crate::cases::ODD_ROW;
 use crate::histories::Stages;

@@ -3,7 +3,7 @@
 use cageless::design::PassageStatistics;
 use cageless_report::{Claim, Requirement};
 
-use super::{Evidence, NAMES, largest, least};
+use super::evidence::{Evidence, NAMES, largest, least};
 use crate::PUBLISHED;
 use crate::structures::Found;
 

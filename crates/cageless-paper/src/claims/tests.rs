@@ -5,12 +5,15 @@ use std::sync::OnceLock;
 use cageless::design::{Eq11, judge, theoretical_gap_rad};
 use cageless::simulation::Control;
 use cageless_report::ClaimStatus::{self, Confirmed, Erratum, NotConfirmed, NotTested, Partly};
-use cageless_report::{ComparisonCell, Difference, Estimate};
+use cageless_report::{ComparisonCell, Difference, Estimate, RingComparison};
 use cageless_study::Silent;
 
 use super::*;
+use crate::cases::READINGS;
 use crate::comparison::{CONVENTIONAL, STRUCTURE_D};
-use crate::{READINGS, Simulations, cases, parameters};
+use crate::mechanics::Mechanics;
+use crate::structures::Found;
+use crate::{Simulations, cases, parameters};
 
 /// The evidence of `reproduce`, computed once.
 fn evidence() -> &'static Evidence {

@@ -2,7 +2,7 @@
 
 use cageless_report::{Claim, Requirement};
 
-use super::{Evidence, largest, least};
+use super::evidence::{Evidence, largest, least};
 
 /// Half of the last of four printed decimals, degrees.
 pub const ROUNDING_DEG: f64 = 5e-5;

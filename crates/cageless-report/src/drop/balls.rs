@@ -5,7 +5,6 @@ use cageless_study::Provenance;
 use cageless_study::drop::{DropRecord, DropStudy};
 use serde_json::json;
 
-use super::figure;
 use crate::data::Motion;
 use crate::figure::Figure;
 use crate::motion::MotionFigure;
@@ -57,7 +56,7 @@ pub(super) fn loads(study: &DropStudy, source: &Provenance) -> Figure {
         let forces = other.result.values(INNER);
         bars("inner raceway, conventional ring", forces, GREY);
     }
-    figure(
+    Figure::new(
         "Loads of the balls",
         &format!(
             "Largest normal force of each ball in the whole drop. The largest pressures are {} GPa \
@@ -131,7 +130,7 @@ pub(super) fn heat(study: &DropStudy, source: &Provenance) -> Figure {
             "marker": { "color": colour },
         }));
     }
-    figure(
+    Figure::new(
         "Heat of the interfaces",
         &format!(
             "Heat of each interface since the magnets let go. The energy balance closes to {:.1e} of \

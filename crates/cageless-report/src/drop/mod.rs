@@ -12,11 +12,9 @@ use cageless_io::results::VERSION;
 use cageless_study::drop::{DropResult, DropStudy};
 use cageless_study::{Provenance, parameter, provenance};
 
-use crate::figure::Figure;
 use crate::head::Head;
 use crate::page::{Note, Page};
-use crate::plot::Plot;
-use crate::studio::studio_section;
+use crate::studio_page::studio_section;
 use crate::table::{Cell, Row, Table};
 use crate::text::short;
 pub use several::rotor_page;
@@ -157,14 +155,5 @@ fn side_by_side(drops: Vec<(String, &DropResult)>, source: &Provenance) -> Table
         rows: rows.collect(),
         provenance: Some(source.clone()),
         ..Table::default()
-    }
-}
-
-fn figure(label: &str, caption: &str, source: &Provenance, plot: Plot) -> Figure {
-    Figure {
-        label: label.to_owned(),
-        caption: caption.to_owned(),
-        provenance: source.clone(),
-        plot,
     }
 }

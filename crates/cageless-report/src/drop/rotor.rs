@@ -7,7 +7,6 @@ use cageless_study::Provenance;
 use cageless_study::drop::{DropRecord, WindowRow};
 use serde_json::json;
 
-use super::figure;
 use crate::figure::Figure;
 use crate::plot::{GREY, PALETTE, Plot, line, markers, with};
 use crate::sampling::history;
@@ -111,7 +110,7 @@ fn displacement(drops: &Drops<'_>, source: &Provenance) -> Figure {
     let plot = drops.both(plot, "centre of the journal", PALETTE[0], |record| {
         path_um(drops.case, &record.snapshots, false)
     });
-    figure(
+    Figure::new(
         "Displacement",
         "Centre of the journal from the centre of the stator, that of the housing at rest. A drop \
          fails where it crosses the dotted circle, the clearance that the case gives \
@@ -137,7 +136,7 @@ fn square(x: &str) -> Plot {
 fn orbit(drops: &Drops<'_>, source: &Provenance) -> Figure {
     let case = drops.case;
     let Some(rotor) = &case.rotor else {
-        return figure("Orbit", "", source, Plot::new(200));
+        return Figure::new("Orbit", "", source, Plot::new(200));
     };
     let [x, y] = path_um(case, &drops.record.snapshots, true);
     let last = x.len().saturating_sub(1);
@@ -152,7 +151,7 @@ fn orbit(drops: &Drops<'_>, source: &Provenance) -> Figure {
     if let (Some(x), Some(y)) = (x.get(last), y.get(last)) {
         plot = plot.trace(markers("end", &[*x], &[*y], PALETTE[1]));
     }
-    figure(
+    Figure::new(
         "Orbit",
         "Centre of the journal relative to the centre of the inner ring. Beyond the dotted circle, \
          the touch-down clearance, it is in contact.",
@@ -186,7 +185,7 @@ fn speeds(rotors: &[(f64, RotorSnapshot)], source: &Provenance) -> Figure {
     let plot = over_time(380, "Speed (rpm)")
         .trace(trace("rotor", &of(|r| r.speed_rad_s), PALETTE[1]))
         .trace(trace("inner ring", &of(|r| r.ring_speed_rad_s), PALETTE[0]));
-    figure(
+    Figure::new(
         "Spin-up",
         "Speed of the rotor and of the inner ring that it drives by friction, counter-clockwise \
          positive.",
@@ -217,7 +216,7 @@ fn forces(drops: &Drops<'_>, source: &Provenance) -> Figure {
     let plot = drops.both(plot, "rotor on the inner ring", PALETTE[0], contact);
     let rotor = drops.case.rotor.as_ref();
     let weight_n = rotor.map_or(0.0, |r| r.mass_kg) * drops.case.operation.gravity_m_s2;
-    figure(
+    Figure::new(
         "Forces",
         &format!(
             "Normal force between rotor and inner ring and the force of the balls on the outer \
@@ -267,7 +266,7 @@ fn whirl(drops: &Drops<'_>, source: &Provenance) -> Figure {
             line("contact", &time, &contact, PALETTE[2]),
             json!({ "yaxis": "y2" }),
         ));
-    figure(
+    Figure::new(
         "Whirl",
         "Mean frequency at which the journal moves round the bore, in windows of 5 ms, and the \
          part of each window in contact. A swing at the bottom has alternating signs. Negative: \

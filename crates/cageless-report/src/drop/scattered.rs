@@ -6,7 +6,6 @@ use cageless_study::drop::{
 };
 use serde_json::json;
 
-use super::figure;
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, markers};
 use crate::table::{Cell, Row, Table};
@@ -158,7 +157,7 @@ pub(super) fn scatter<'a>(
         let name = end_state_text(&entry.end_state);
         plot = plot.trace(markers(&name, &x, &y, PALETTE[k % PALETTE.len()]));
     }
-    figure(
+    Figure::new(
         label,
         "State of each drop at its end over what was drawn for it.",
         source,

@@ -6,7 +6,7 @@ use super::history::{Shown, figure, shown_ball};
 use super::shade_sectors;
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, line, with};
-use crate::run::RunData;
+use crate::run_data::RunData;
 use crate::sampling::{curve, wrapped};
 
 /// Phase portrait of a ball.

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::history::{figure, with_time};
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, markers, numbers, with};
-use crate::run::RunData;
+use crate::run_data::RunData;
 use crate::text::short;
 
 /// Collisions drawn at most.
@@ -18,8 +18,9 @@ pub fn collisions(run: &RunData) -> Option<Figure> {
     let most = hits.first()?.impulse_n_s.max(1e-300);
     let total = run.collisions_total.max(hits.len());
     hits.truncate(COLLISIONS);
-    let column =
-        |of: fn(&crate::run::CollisionPoint) -> f64| -> Vec<f64> { hits.iter().map(of).collect() };
+    let column = |of: fn(&crate::run_data::CollisionPoint) -> f64| -> Vec<f64> {
+        hits.iter().map(of).collect()
+    };
     let size: Vec<f64> = hits
         .iter()
         .map(|c| 4.0 + 16.0 * (c.impulse_n_s / most).max(0.0).sqrt())
@@ -77,7 +78,7 @@ pub fn collisions(run: &RunData) -> Option<Figure> {
     } else {
         String::new()
     };
-    let late = |c: &&crate::run::CollisionPoint| c.time_s > run.settled_after_s;
+    let late = |c: &&crate::run_data::CollisionPoint| c.time_s > run.settled_after_s;
     let counted = if run.settled_after_s > 0.0 && total == run.collisions.len() {
         let late = run.collisions.iter().filter(late).count();
         format!(

@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use crate::compare::{ComparedRun, provenance};
+use crate::compared_run::{ComparedRun, provenance};
 use crate::figure::Figure;
 use crate::plot::{PALETTE, POINTS, Plot, line};
 use crate::sampling::history;
@@ -86,10 +86,5 @@ fn figure(
         let (x, y) = history(x, y, POINTS);
         plot = plot.trace(line(name, &x, &y, PALETTE[k % PALETTE.len()]));
     }
-    Some(Figure {
-        label: label.to_owned(),
-        caption: caption.to_owned(),
-        provenance: provenance(runs),
-        plot,
-    })
+    Some(Figure::new(label, caption, &provenance(runs), plot))
 }

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, line, markers, number, plain, with};
-use crate::reproduce::{DesignCurve, LimitedQuantity, Table2};
+use crate::reproduce_data::{DesignCurve, LimitedQuantity, Table2};
 use crate::sampling::range;
 
 /// Fig. 5: θ over lC that satisfies Zhao 2022, Eq. (11), with the paper's structures.
@@ -91,7 +91,7 @@ pub fn table2(table: &Table2) -> Figure {
         .iter()
         .map(|r| r.structure.half_angle_deg)
         .collect();
-    let column = |of: &dyn Fn(&crate::reproduce::Table2Row) -> f64| -> Vec<f64> {
+    let column = |of: &dyn Fn(&crate::reproduce_data::Table2Row) -> f64| -> Vec<f64> {
         table.rows.iter().map(of).collect()
     };
     let theory = column(&|r| r.theory_deg);

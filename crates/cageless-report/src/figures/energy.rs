@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::history::figure;
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, numbers, plain};
-use crate::run::RunData;
+use crate::run_data::RunData;
 use crate::text::short;
 
 /// Energy balance of a run.

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::history::{figure, smallest_gap, with_time};
 use crate::figure::Figure;
 use crate::plot::{Plot, number, numbers};
-use crate::run::RunData;
+use crate::run_data::RunData;
 use crate::sampling::range;
 
 /// Columns of the map.

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::on;
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, line, number, with};
-use crate::run::{BallHistory, RunData};
+use crate::run_data::{BallHistory, RunData};
 use crate::sampling::{history, range};
 use crate::text::short;
 

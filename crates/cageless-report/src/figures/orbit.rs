@@ -5,7 +5,7 @@ use serde_json::json;
 use super::{axis_name, axis_ref, labelled, on, panel_title, panels};
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, SECTOR, line, with};
-use crate::reproduce::OrbitSpeeds;
+use crate::reproduce_data::OrbitSpeeds;
 use crate::sampling::history;
 
 /// Points of one of ten passages.

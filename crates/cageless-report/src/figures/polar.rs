@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::history::figure;
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, numbers, plain, with};
-use crate::run::{LoadProfile, RunData};
+use crate::run_data::{LoadProfile, RunData};
 use crate::sampling::range;
 use crate::text::short;
 

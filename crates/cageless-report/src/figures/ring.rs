@@ -6,7 +6,7 @@ use super::history::figure;
 use super::on;
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, line, with};
-use crate::run::RunData;
+use crate::run_data::RunData;
 use crate::sampling::{curve, history, range};
 use crate::text::short;
 

@@ -5,7 +5,7 @@ use serde_json::json;
 use super::{labelled, on};
 use crate::figure::Figure;
 use crate::plot::{PALETTE, POINTS, Plot, line, plain, with};
-use crate::reproduce::{GapHistory, Neighbours};
+use crate::reproduce_data::{GapHistory, Neighbours};
 use crate::sampling::history;
 
 /// Fig. 6: gap of one pair, all of the run and one turn enlarged.

@@ -53,7 +53,7 @@ pub fn ensemble(
     progress: &dyn Progress,
 ) -> Result<EnsembleResult, StudyError> {
     check_drops(count)?;
-    case.check()?;
+    cageless::step_limits::check(case)?;
     let task = progress.begin("drops", count as f64);
     let indices: Vec<u64> = (0..count).collect();
     let rows: Result<Vec<Vec<DropRow>>, StudyError> = indices

@@ -7,9 +7,10 @@ use cageless::design::span_angle_curve;
 use cageless_io::case_file::CaseFile;
 
 use super::narrative;
+use super::rejections::rejections;
 use super::result::{
-    MapData, MotionNumbers, PlacementData, PointData, PointNumbers, PointVerdict, RejectionCount,
-    SearchData, StructureData,
+    MapData, MotionNumbers, PlacementData, PointData, PointNumbers, PointVerdict, SearchData,
+    StructureData,
 };
 use crate::error::StudyError;
 use crate::{Provenance, provenance};
@@ -172,33 +173,6 @@ fn front(found: &Found) -> Vec<StructureData> {
     let mut front: Vec<&Evaluation> = found.front().collect();
     front.sort_by(|a, b| distance(&scale, a).total_cmp(&distance(&scale, b)));
     front.into_iter().map(structure_data).collect()
-}
-
-pub(super) fn rejections(found: &Found) -> Vec<RejectionCount> {
-    let meaning = |name: &str| match name {
-        "eq-8" => "the contact points leave the groove (Zhao 2022, Eq. (8))",
-        "eq-9" => "the contact path leaves the groove or turns back (Zhao 2022, Eq. (9))",
-        "overlap" => "two raceways overlap",
-        "insufficient-separation" => {
-            "separation too small a fraction of the mean ball spacing: raceway too shallow"
-        }
-        "slips" => "loss of separation through sliding",
-        "excessive-separation" => "raceway too deep: evenly spaced balls collide",
-        "stress" => "contact stress above 4.2 GPa (ISO 76)",
-        "gross-sliding" => "gross sliding over the raceway",
-        "gap-not-retained" => "separation lost before load zone",
-        "double-collision" => "too many passages hit from both sides",
-        _ => "a run failed",
-    };
-    found
-        .rejections()
-        .into_iter()
-        .map(|(name, count)| RejectionCount {
-            reason: name.to_owned(),
-            meaning: meaning(name).to_owned(),
-            count,
-        })
-        .collect()
 }
 
 fn placements(found: &Found) -> Vec<PlacementData> {

@@ -2,6 +2,7 @@
 
 mod data;
 mod narrative;
+mod rejections;
 mod result;
 mod task_runner;
 

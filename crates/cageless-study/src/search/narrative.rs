@@ -3,7 +3,7 @@
 use super::result::{SearchData, StructureData};
 use cageless::design::search::{Evaluation, Found, Motion};
 
-use super::data::rejections;
+use super::rejections::rejections;
 
 /// Differences beyond this many standard errors count.
 const SIGNIFICANT: f64 = 2.0;

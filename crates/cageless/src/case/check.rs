@@ -1,68 +1,11 @@
 //! What a case may be.
 
-use super::{
-    Case, DURATION_MIN_S, FrictionLaw, FrictionParameters, FrictionTable, Gaps, INTERVAL_MIN_S,
-    Operation, Profile, STEPS_MAX, Start,
-};
+use super::{Case, DURATION_MIN_S, Gaps, INTERVAL_MIN_S, Operation, STEPS_MAX, Start};
 use crate::contact::hertz::DEFLECTION_FRACTION_MAX;
-use crate::error::{Allowed, InputError, not_negative, positive};
+use crate::error::{Allowed, InputError};
+use crate::limits::{not_negative, positive};
+use crate::profile::Profile;
 use crate::time_table::TimeTable;
-
-/// Checks the coefficients of friction, and that what only one law has is given with it and with no
-/// other; `fields` are the coefficient, the static one, the Stribeck speed and the table.
-pub(crate) fn check_friction(
-    friction: &FrictionParameters<'_>,
-    fields: [&'static str; 4],
-) -> Result<(), InputError> {
-    let [coefficient, static_coefficient, speed, table] = fields;
-    not_negative(coefficient, friction.coefficient)?;
-    let last = friction.table.map(FrictionTable::coefficient_fast);
-    for (field, value, law, name) in [
-        (
-            static_coefficient,
-            friction.static_coefficient,
-            FrictionLaw::Stribeck,
-            "the Stribeck law",
-        ),
-        (
-            speed,
-            friction.stribeck_speed_m_s,
-            FrictionLaw::Stribeck,
-            "the Stribeck law",
-        ),
-        (table, last, FrictionLaw::Table, "the law \"table\""),
-    ] {
-        match value {
-            None if friction.law == law => {
-                let rule = format!("given: {name} needs it");
-                return Err(InputError::rule(field, f64::NAN, rule));
-            }
-            Some(value) if friction.law != law => {
-                let rule = format!("left out: only {name} has it");
-                return Err(InputError::rule(field, value, rule));
-            }
-            _ => {}
-        }
-    }
-    if let Some(value) = friction.stribeck_speed_m_s {
-        positive(speed, value)?;
-    }
-    if let Some(value) = friction.static_coefficient {
-        positive(static_coefficient, value)?;
-        if value < friction.coefficient {
-            let allowed =
-                Allowed::AtLeast(friction.coefficient, "friction drops once surfaces slide");
-            return Err(InputError::new(static_coefficient, value, allowed));
-        }
-    }
-    match last {
-        Some(last) if (last - friction.coefficient).abs() > SAME_COEFFICIENT * last => {
-            let rule = format!("{last}, the μ of fast sliding in the last row of friction_table");
-            Err(InputError::rule(coefficient, friction.coefficient, rule))
-        }
-        _ => Ok(()),
-    }
-}
 
 /// Refuses a time in which nothing moves.
 fn at_least_s(field: &'static str, value_s: f64, least_s: f64) -> Result<(), InputError> {
@@ -72,9 +15,6 @@ fn at_least_s(field: &'static str, value_s: f64, least_s: f64) -> Result<(), Inp
     let allowed = Allowed::AtLeast(least_s, "nothing moves in less");
     Err(InputError::new(field, value_s, allowed))
 }
-
-/// Rounding of a table that was multiplied by a factor.
-const SAME_COEFFICIENT: f64 = 1e-9;
 
 impl Operation {
     fn check(&self) -> Result<(), InputError> {
@@ -119,7 +59,7 @@ impl Case {
         self.operation.check()?;
         self.check_rotor()?;
         let c = &self.contact;
-        check_friction(
+        c.friction_law.check(
             &c.friction(),
             [
                 "friction_coefficient",
@@ -159,17 +99,6 @@ impl Case {
         positive("tolerance", self.solver.tolerance)?;
         positive("duration_s", self.solver.duration_s)?;
         at_least_s("duration_s", self.solver.duration_s, DURATION_MIN_S)?;
-        let limits = crate::step_limits::StepLimits::new(self);
-        if self.solver.step_s > limits.largest_s(self.solver.method) {
-            return Err(InputError::new(
-                "step_s",
-                self.solver.step_s,
-                Allowed::AtMost(
-                    limits.largest_s(self.solver.method),
-                    "the method is unstable beyond it for the stiffest contact of this case",
-                ),
-            ));
-        }
         let steps = self.solver.duration_s / self.solver.step_s;
         if steps > STEPS_MAX {
             return Err(InputError::new(

@@ -12,29 +12,16 @@
 
 mod check;
 
-pub(crate) use check::check_friction;
-
 use std::f64::consts::TAU;
 
 use crate::bearing::Bearing;
-pub use crate::contact::{FrictionLaw, FrictionParameters, FrictionTable};
-pub use crate::integrator::IntegrationMethod;
+use crate::contact::{FrictionLaw, FrictionParameters, FrictionTable};
+use crate::integrator::IntegrationMethod;
 use crate::kinematics::rolling_orbit_speed_rad_s;
+use crate::profile::Profile;
 use crate::raceway::Raceway;
 use crate::rotor::{Rotor, Support};
 use crate::time_table::TimeTable;
-
-/// Set of equations that is integrated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Profile {
-    /// As published: centrifugal force added in Zhao 2022, Eq. (12), spin of
-    /// Eq. (13) taken relative to the frame that turns with the ball's orbit,
-    /// friction on the discrete raceway along the contact path.
-    Paper,
-    /// Consistent mechanics: inertial frame, absolute spin, friction along the
-    /// sliding velocity.
-    Physical,
-}
 
 /// Loads and speed.
 #[derive(Debug, Clone, PartialEq)]
@@ -246,10 +233,9 @@ pub struct Case {
 }
 
 impl Contact {
-    /// Law of friction with its parameters.
+    /// Parameters of the law of friction.
     pub fn friction(&self) -> FrictionParameters<'_> {
         FrictionParameters {
-            law: self.friction_law,
             coefficient: self.friction_coefficient,
             slip_scale_m_s: self.slip_scale_m_s,
             static_coefficient: self.static_friction_coefficient,
@@ -260,7 +246,7 @@ impl Contact {
 
     /// Largest coefficient of friction of the law.
     pub fn friction_coefficient_max(&self) -> f64 {
-        self.friction().coefficient_max()
+        self.friction_law.coefficient_max(&self.friction())
     }
 
     /// Largest friction of a kind of contact over that of the law.

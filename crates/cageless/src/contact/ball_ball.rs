@@ -2,7 +2,7 @@
 
 use super::{NormalForce, positive};
 use crate::dynamics::ball::{Ball, BallLoad, BallMotion};
-use crate::simd::lanes::lane_struct;
+use crate::numerics::lanes::lane_struct;
 
 lane_struct! {
     /// Contact of one ball with the ball ahead without its friction.

@@ -10,55 +10,13 @@
 //! Laws with a slope are solved by Newton's method, those that stick by [`Law::end_of_step`].
 
 use super::friction::Law;
+use super::slip_problem::{SlipProblem, Slips};
 use super::{
     InnerContact, InnerRaceway, OuterContact, OuterGeometry, OuterRaceway, inner_slip,
     outer_friction_direction, outer_slip,
 };
-use crate::case::Profile;
 use crate::dynamics::ball::{Ball, BallMotion, PolarMotion};
-use crate::simd::lanes::lane_struct;
-
-lane_struct! {
-    /// The implicit equations s = s_free − H·f(s) of one ball.
-    pub struct SlipProblem per lane SlipProblemLanes {
-        /// ΔVo at the end of the step without friction, m/s.
-        outer_free,
-        /// ΔVi at the end of the step without friction, m/s.
-        inner_free,
-        /// H of ΔVo to fo, m/(s·N).
-        outer_outer,
-        /// H of ΔVo to fi.
-        outer_inner,
-        /// H of ΔVi to fo.
-        inner_outer,
-        /// H of ΔVi to fi.
-        inner_inner,
-        /// Normal force that outer friction acts under, N.
-        outer_normal,
-        /// Normal force that inner friction acts under, N.
-        inner_normal,
-    }
-}
-
-lane_struct! {
-    /// Sliding speeds of one ball and the friction that belongs to them.
-    pub struct Slips per lane SlipsLanes {
-        /// ΔVo, m/s.
-        outer,
-        /// ΔVi, m/s.
-        inner,
-        /// fo, N.
-        outer_friction,
-        /// fi, N.
-        inner_friction,
-        /// dfo/dΔVo at the last iterate, N·s/m; 0 under laws that stick.
-        outer_slope,
-        /// dfi/dΔVi there.
-        inner_slope,
-        /// 1 once the equations hold to the tolerance, else 0.
-        converged,
-    }
-}
+use crate::profile::Profile;
 
 /// Newton step at which the iteration ends, as a fraction of the slip scale. The friction is then
 /// linear over the step to within half the square of this fraction times μN, and the end of the

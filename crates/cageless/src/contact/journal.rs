@@ -281,14 +281,13 @@ mod tests {
         let table = FrictionTable::new(vec![[0.0, 0.25], [0.1, 0.2], [2.0, 0.15]]).unwrap();
         let friction = |law| {
             let parameters = FrictionParameters {
-                law,
                 coefficient: 0.15,
                 slip_scale_m_s: 1e-3,
                 static_coefficient: Some(0.25),
                 stribeck_speed_m_s: Some(0.1),
                 table: Some(&table),
             };
-            Friction::new(&parameters, 0.0)
+            Friction::new(law, &parameters, 0.0)
         };
         for law in [
             FrictionLaw::Smooth,

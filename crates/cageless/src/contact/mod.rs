@@ -28,11 +28,12 @@ mod journal;
 mod normal_force;
 mod outer;
 mod outer_geometry;
+mod slip_problem;
 
 pub use ball_ball::{BallBallContact, ball_ball_contact, ball_deflection};
 pub use friction::{Friction, FrictionLaw, FrictionParameters, FrictionTable, Law, tanh};
 pub use implicit_friction::{
-    MAX_ITERATIONS, RacewayContacts, SlipProblem, Slips, end_weights, further_step, newton_step,
+    MAX_ITERATIONS, RacewayContacts, end_weights, further_step, newton_step,
 };
 pub use inner::{
     InnerContact, InnerRaceway, inner_contact, inner_deflection, inner_load, inner_paper_power,
@@ -52,12 +53,14 @@ pub use outer_geometry::{
     with_path_direction,
 };
 
+pub use slip_problem::{SlipProblem, Slips};
+
 pub(crate) use ball_ball::BallBallContactLanes;
 pub(crate) use friction::{FrictionLanes, LawLanes, with_law};
-pub(crate) use implicit_friction::{SlipProblemLanes, SlipsLanes};
 pub(crate) use inner::{InnerContactLanes, InnerRacewayLanes};
 pub(crate) use outer::{OuterContactLanes, OuterGeometryLanes, OuterRacewayLanes};
 pub(crate) use outer_geometry::{RacewayConstantsLanes, RacewayPositionLanes, RacewayValuesLanes};
+pub(crate) use slip_problem::{SlipProblemLanes, SlipsLanes};
 
 /// The larger of `x` and 0; 0 for NaN.
 #[inline(always)]

@@ -1,9 +1,9 @@
 //! Contact of a ball with the outer raceway, plain or discrete.
 
 use super::{NormalForce, positive};
-use crate::case::Profile;
 use crate::dynamics::ball::{Ball, BallLoad, BallMotion, PolarMotion};
-use crate::simd::lanes::lane_struct;
+use crate::numerics::lanes::lane_struct;
+use crate::profile::Profile;
 
 lane_struct! {
     /// Constants of the outer raceway.

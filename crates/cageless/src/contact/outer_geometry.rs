@@ -2,7 +2,7 @@
 
 use super::{OuterGeometry, OuterRaceway};
 use crate::dynamics::ball::{Ball, PolarMotion};
-use crate::simd::lanes::lane_struct;
+use crate::numerics::lanes::lane_struct;
 
 lane_struct! {
     /// Constants of one discrete raceway.

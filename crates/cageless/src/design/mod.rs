@@ -16,6 +16,7 @@
 
 mod criterion;
 mod estimate;
+mod raceway_verdict;
 mod recommendation;
 mod run_verdict;
 pub mod search;
@@ -28,13 +29,16 @@ use crate::kinematics::raceway_delay_rad;
 use crate::numerics::{quadrature, root};
 use crate::raceway::{Raceway, RacewayDimensions, axial_span_limit_m};
 
-pub use criterion::{Criterion, percent_beside};
+pub use criterion::{
+    Criterion, DOUBLE_COLLISION_FRACTION, SLIP_SHORTFALL, SPEED_DROP_FRACTION, percent_beside,
+};
 pub use estimate::{Estimate, EstimateTerm};
+pub use raceway_verdict::RacewayVerdict;
 pub use recommendation::{Recommendation, StartingPoint, recommend, starting_point};
 pub use run_verdict::RunVerdict;
 pub use verdict::{
-    DOUBLE_COLLISION_FRACTION, Judgement, PassageStatistics, RacewayJudgement, RacewayVerdict,
-    SLIP_SHORTFALL, SPEED_DROP_FRACTION, judge, judge_watched, steady_after_s, steady_case,
+    Judgement, PassageStatistics, RacewayJudgement, judge, judge_watched, steady_after_s,
+    steady_case,
 };
 
 /// Reading of φ in Zhao 2022, Eq. (11).

@@ -1,6 +1,7 @@
 //! A verdict on a raceway from the motion of the balls (Zhao 2022, Section 4.3).
 
-use super::criterion::Criterion;
+use super::criterion::{Criterion, DOUBLE_COLLISION_FRACTION, SLIP_SHORTFALL, SPEED_DROP_FRACTION};
+use super::raceway_verdict::RacewayVerdict;
 use super::{Eq11, theoretical_gap_rad};
 use crate::case::{Case, Gaps, Start};
 use crate::critical_gap::{CriticalGapError, PairTest, critical_gap_rad};
@@ -9,54 +10,6 @@ use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::passage::{PassageRecorder, PassageTally};
 use crate::raceway::Raceway;
 use crate::simulation::{Control, Ending, Observer, Stop, run};
-
-/// Verdict on a raceway, the worst last.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum RacewayVerdict {
-    /// There is no discrete raceway to judge.
-    NotJudged,
-    /// Balls pass without sliding and without being hit from both sides.
-    Smooth,
-    /// Balls are hit by both neighbours in one passage.
-    DoubleCollision,
-    /// Balls slide so much that the separation suffers.
-    Slips,
-    /// The raceway does not work at all.
-    Infeasible,
-}
-
-impl RacewayVerdict {
-    /// Whether the raceway passes; `None` where there is none to judge.
-    pub fn passes(self) -> Option<bool> {
-        match self {
-            Self::NotJudged => None,
-            Self::Smooth => Some(true),
-            Self::DoubleCollision | Self::Slips | Self::Infeasible => Some(false),
-        }
-    }
-
-    /// Wording for readers.
-    pub fn label(self) -> &'static str {
-        match self {
-            Self::NotJudged => "not judged",
-            Self::Smooth => "smooth",
-            Self::DoubleCollision => "hit from both sides",
-            Self::Slips => "excessive sliding",
-            Self::Infeasible => "no solution",
-        }
-    }
-
-    /// Name in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::NotJudged => "not-judged",
-            Self::Smooth => "smooth",
-            Self::DoubleCollision => "double-collision",
-            Self::Slips => "slips",
-            Self::Infeasible => "infeasible",
-        }
-    }
-}
 
 /// Numbers behind a verdict, over steady passages.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -112,18 +65,6 @@ pub struct Judgement {
     pub stopped: Option<Stop>,
 }
 
-/// A raceway slips when the critical gap falls this fraction short of β0 (Eq. (11)). In the
-/// `paper` profile those of the paper's ten structures that it calls slipping lose 9 %
-/// and more, the others 3 % at most; the `physical` profile, where balls slip earlier,
-/// adds (f).
-pub const SLIP_SHORTFALL: f64 = 0.05;
-/// A raceway slips as well when the balls reach less of the theoretical drop of orbital speed
-/// than this: they slide over it. A critical gap measured on sliding balls means nothing.
-pub const SPEED_DROP_FRACTION: f64 = 0.8;
-/// A raceway collides twice per passage when this fraction of the passages does. In the
-/// `paper` profile those of the paper's ten structures that it calls so lie well above,
-/// the others well below; in `physical`, (c) falls below.
-pub const DOUBLE_COLLISION_FRACTION: f64 = 0.25;
 /// Ball orbits discarded before the passages are counted, and counted.
 const TURNS: [f64; 2] = [16.0, 16.0];
 

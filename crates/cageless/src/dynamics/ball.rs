@@ -9,7 +9,7 @@
 //! assert_eq!((polar.distance, polar.tangential, polar.radial), (2e-3, 1.0, 0.0));
 //! ```
 
-use crate::simd::lanes::lane_struct;
+use crate::numerics::lanes::lane_struct;
 
 lane_struct! {
     /// Constants of one ball and of its contacts.

@@ -1,11 +1,12 @@
 //! The contacts of one bearing as of the last evaluation of the right-hand side.
 
-use super::layout::{LANES, Layout};
+use super::layout::Layout;
 use super::rotor::RotorContact;
-use crate::case::Profile;
 use crate::contact::outer_friction_direction;
+use crate::numerics::lanes::LANES;
+use crate::numerics::lanes::Lanes;
+use crate::profile::Profile;
 use crate::simd::Workspace;
-use crate::simd::lanes::Lanes;
 
 /// Contacts of one bearing as of the last evaluation; balls count from 0.
 #[derive(Clone, Copy)]

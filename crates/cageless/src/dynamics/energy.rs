@@ -1,4 +1,4 @@
-//! The energy ledger: terms, and the energy stored in the bodies.
+//! Terms of the energy ledger.
 //!
 //! ```
 //! use cageless::dynamics::energy::EnergyTerm;
@@ -6,12 +6,6 @@
 //! assert_eq!(EnergyTerm::Damping.name(), "damping");
 //! assert!(EnergyTerm::Damping.is_loss());
 //! ```
-
-use super::model::Model;
-use super::state::State;
-use crate::contact::{
-    ball_deflection, hertz, inner_deflection, journal_energy_j, outer_deflection,
-};
 
 /// Terms of the energy ledger, carried in the state so that they are integrated
 /// with the accuracy of the motion. All in joules since the start.
@@ -111,66 +105,6 @@ impl EnergyTerm {
     /// Name in tables and files.
     pub fn name(self) -> &'static str {
         TABLE[self as usize].name
-    }
-}
-
-/// Kinetic energy ½ m v², J.
-fn kinetic_j(mass: f64, vx: f64, vy: f64) -> f64 {
-    0.5 * mass * (vx * vx + vy * vy)
-}
-
-impl Model {
-    /// Kinetic and elastic energy, J. In the `paper` profile the spin is that of
-    /// Eq. (13), relative to the orbit.
-    pub fn energy_j(&self, state: &State) -> f64 {
-        let ring = state.ring_motion();
-        let outer_ring = state.outer_ring_motion();
-        let mut sum = kinetic_j(self.ring.mass, ring.vx, ring.vy) + self.rotor_energy_j(state);
-        for (k, ball) in self.balls.iter().enumerate() {
-            let motion = state.ball_motion(k);
-            let next = state.ball_motion((k + 1) % self.balls());
-            let polar = motion.about(&outer_ring);
-            let geometry = self.outer_geometry(k, &polar);
-            let inner = motion.about(&ring);
-            let pair = ball_deflection(ball, next.x - motion.x, next.y - motion.y);
-            sum += kinetic_j(ball.mass, motion.vx, motion.vy)
-                + 0.5 * self.inertia[k] * motion.spin * motion.spin
-                + hertz::energy_j(
-                    ball.outer_stiffness,
-                    outer_deflection(polar.distance, &geometry),
-                )
-                + hertz::energy_j(ball.inner_stiffness, inner_deflection(inner.distance, ball))
-                + hertz::energy_j(ball.pair_stiffness, pair);
-        }
-        sum
-    }
-
-    /// Energy of rotor, turning inner ring and outer ring on its support; 0 without a rotor.
-    fn rotor_energy_j(&self, state: &State) -> f64 {
-        let (Some(body), Some(motion)) = (&self.rotor, state.rotor_motion()) else {
-            return 0.0;
-        };
-        let ring_speed = state.ring_speed_rad_s().unwrap_or(0.0);
-        let contact = body.contact(&motion, &state.ring_motion(), ring_speed);
-        kinetic_j(body.mass, motion.vx, motion.vy)
-            + 0.5 * body.polar_inertia * motion.speed * motion.speed
-            + 0.5 * body.ring_inertia * ring_speed * ring_speed
-            + journal_energy_j(&body.journal, contact.contact.deflection)
-            + self.outer_ring.energy_j(&state.outer_ring_motion())
-    }
-
-    /// What the state lacks to balance its ledger: energy now − energy at the start −
-    /// net work, J, and the sum of the absolute terms including the change of
-    /// energy, to which it is to be compared.
-    pub fn energy_residual_j(&self, start_energy_j: f64, state: &State) -> (f64, f64) {
-        let change = self.energy_j(state) - start_energy_j;
-        let (mut net, mut sum) = (0.0, change.abs());
-        for &term in state.layout().energy_terms() {
-            let value = state.energy_term_j(term);
-            net += if term.is_loss() { -value } else { value };
-            sum += value.abs();
-        }
-        (change - net, sum)
     }
 }
 

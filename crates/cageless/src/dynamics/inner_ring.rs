@@ -1,7 +1,7 @@
 //! The inner ring: constants and acceleration.
 
 use super::ball::Centre;
-use crate::simd::lanes::lane_struct;
+use crate::numerics::lanes::lane_struct;
 
 lane_struct! {
     /// Constants of the inner ring and the forces on it that do not come from the balls.

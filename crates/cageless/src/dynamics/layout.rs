@@ -17,6 +17,7 @@ use super::coordinates::{
 use super::energy::EnergyTerm;
 use super::rotor::RotorMotion;
 use crate::integrator::SecondOrderBlock;
+use crate::numerics::lanes::{BATCH_WIDTH, LANES};
 
 /// Places of the coordinates in the flat vector that an integrator advances: of one bearing,
 /// or of [`BATCH_WIDTH`] bearings side by side, whose entries for the same ball lie next to each
@@ -40,15 +41,6 @@ pub struct Layout {
     /// First place, in a vector that holds more than these bearings.
     start: usize,
 }
-
-/// Length of a block: what the arrays over the balls are padded to.
-pub const LANES: usize = 16;
-
-/// Bearings side by side; two balls of each fill a block.
-pub const BATCH_WIDTH: usize = 8;
-
-/// Largest number of balls.
-pub const BALLS_MAX: usize = 256;
 
 impl Layout {
     /// Layout for one bearing of `balls` balls.

@@ -27,9 +27,9 @@ pub mod rotor;
 pub mod rotor_in_ring;
 pub(crate) mod rotor_on_bearings;
 pub mod state;
+mod stored_energy;
 
 pub use crate::simd::InstructionSet;
 pub use contacts::Contacts;
 pub use model::Model;
-pub(crate) use model::STICK_FRACTION;
 pub use right_hand_side::RightHandSide;

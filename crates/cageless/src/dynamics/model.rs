@@ -6,14 +6,17 @@ use super::layout::Layout;
 use super::outer_ring::OuterRing;
 use super::rotor::RotorBody;
 use crate::bearing::Bearing;
-use crate::case::{Case, FrictionLaw, Profile};
+use crate::case::Case;
+use crate::contact::FrictionLaw;
+use crate::contact::friction::STICK_FRACTION;
 use crate::contact::{
     Friction, InnerRaceway, OuterGeometry, OuterRaceway, RacewayConstants, restitution_damping,
 };
 use crate::error::InputError;
 use crate::outer_contact_geometry::outer_contact_geometry;
+use crate::profile::Profile;
 use crate::raceway::Raceway;
-use crate::step_limits::StepLimits;
+use crate::step_limits::{self, StepLimits};
 use crate::time_table::TimeTable;
 
 /// A discrete raceway as the equations use it.
@@ -60,24 +63,13 @@ pub struct Model {
     raceways: Vec<Raceway>,
 }
 
-/// Coulomb law: fraction of a slip within the friction cone that one step takes away.
-///
-/// Rolling needs a friction force inside the cone that no function of the state
-/// gives; F = g·ΔV, bounded by ±μN, with g this fraction of what stops the slip within
-/// a step, supplies it. It is implicit stick relaxed over a few steps: the slip that
-/// remains is a creep proportional to the step, and where the ball slides, the law
-/// is μ·sign(ΔV)·N exactly. Both raceway contacts of a ball together relax at up
-/// to 10/7 of it, inside the stability interval of ABM4 (1.25); contacts between balls,
-/// which would add to it, always slide.
-pub(crate) const STICK_FRACTION: f64 = 0.4;
-
 impl Model {
     /// Derives the constants.
     ///
     /// # Errors
     /// The [`InputError`] of [`Case::check`].
     pub fn new(case: &Case) -> Result<Self, InputError> {
-        case.check()?;
+        step_limits::check(case)?;
         let bearing = &case.bearing;
         let d = bearing.dimensions();
         let c = &case.contact;
@@ -128,7 +120,7 @@ impl Model {
             pair_angle: (0..d.balls).map(|k| bearing.pair_angle_rad(k)).collect(),
             balls,
             unequal: !case.has_nominal_geometry(),
-            friction: Friction::new(&c.friction(), stick_gain),
+            friction: Friction::new(c.friction_law, &c.friction(), stick_gain),
             outer: OuterRaceway {
                 pitch_radius: bearing.pitch_radius_m(),
                 orbit_radius: radii[0] - d.ball_radius_m,

@@ -3,16 +3,17 @@
 
 use super::contacts::Contacts;
 use super::coordinates::{BallCoordinate, RingCoordinate};
-use super::layout::{BATCH_WIDTH, LANES, Layout};
+use super::layout::Layout;
 use super::model::Model;
 use super::rotor::JournalCompliance;
 use super::state::State;
-use crate::case::Profile;
 use crate::contact::JournalContact;
 use crate::integrator::{
     Integrator, Method, PlanarVelocities, SecondOrderBlock, System, UnresolvedStep,
 };
-use crate::simd::lanes::Lanes;
+use crate::numerics::lanes::Lanes;
+use crate::numerics::lanes::{BATCH_WIDTH, LANES};
+use crate::profile::Profile;
 use crate::simd::{self, InstructionSet, Parameters, Workspace};
 use crate::snapshot::{RingSnapshot, RotorSnapshot, Snapshot};
 use crate::time_table::TimeTable;

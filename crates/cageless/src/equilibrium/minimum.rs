@@ -5,7 +5,7 @@
 //! single ball carries: the energy leads off such saddles. Steps are accepted by the energy
 //! while it tells them from rounding, then by the decrement gᵀH⁻¹g.
 
-use super::EquilibriumError;
+use super::error::EquilibriumError;
 use super::potential::{Local, Potential};
 
 const ITERATIONS: usize = 500;

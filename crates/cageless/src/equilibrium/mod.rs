@@ -17,6 +17,7 @@
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 
+mod error;
 mod minimum;
 mod newton;
 mod potential;
@@ -24,11 +25,13 @@ mod raceway_contact;
 mod stiffness;
 
 use crate::bearing::Bearing;
-use crate::case::{Case, Gaps, Profile};
+use crate::case::{Case, Gaps};
 use crate::contact::hertz::{PointContact, STRESS_LIMIT_PA};
 use crate::error::InputError;
 use crate::kinematics::orbit_speed_of_rad_s;
 use crate::outer_contact_geometry::{OuterContactGeometry, outer_contact_geometry};
+use crate::profile::Profile;
+pub use error::EquilibriumError;
 use newton::{BallProblem, BallSolution, Problem};
 use potential::{Potential, PotentialBall};
 pub use raceway_contact::{RacewayContact, outer_stress_pa};
@@ -146,46 +149,6 @@ pub fn overload(case: &Case) -> Option<String> {
         return None;
     }
     solve(case).ok()?.overload()
-}
-
-/// Why a case has no static equilibrium, or none was found.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum EquilibriumError {
-    /// The case itself is wrong.
-    #[error(transparent)]
-    Input(#[from] InputError),
-    /// The balls at their angles leave a gap through which the ring falls.
-    #[error(
-        "no static equilibrium exists: the balls at their starting angles leave a gap through \
-         which the loaded ring falls; spread them (start.gaps)"
-    )]
-    Unsupported,
-    /// Balls of a settled start overlap where the rings seat them.
-    #[error(
-        "the balls cannot start settled: between the rings ball {} and the ball ahead of it would \
-         overlap by {:.1} um; give them a gap of at least {:.2} deg (start.gaps), or begin with \
-         start.state = \"rolling\"",
-        ball + 1, overlap_m * 1e6, gap_rad.to_degrees()
-    )]
-    BallsOverlap {
-        /// The ball, from 0.
-        ball: usize,
-        /// Depth of the overlap.
-        overlap_m: f64,
-        /// Gap at which they touch.
-        gap_rad: f64,
-    },
-    /// No convergence.
-    #[error(
-        "no static equilibrium found: {residual_n:e} N of force are left on the ring after \
-         {iterations} steps down its potential energy"
-    )]
-    NotConverged {
-        /// Force left on the ring.
-        residual_n: f64,
-        /// Steps made.
-        iterations: usize,
-    },
 }
 
 /// ψ of every ball at the start, increasing from ψ of ball 1 (Zhao 2022, Section 4.1).

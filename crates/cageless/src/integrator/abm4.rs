@@ -8,7 +8,10 @@
 //! Source: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*,
 //! section III.1.
 
-use super::{FixedSteps, Method, NamedMethod, Properties, RungeKutta, StepState, System, UnresolvedStep};
+use super::method::{Method, NamedMethod, Properties};
+use super::runge_kutta::{RungeKutta, UnresolvedStep};
+use super::step_state::{FixedSteps, StepState};
+use super::system::System;
 use crate::numerics::aligned::Aligned;
 
 /// Weights of f(n), f(n−1), f(n−2), f(n−3) in the predictor.

@@ -1,8 +1,10 @@
 //! Steps by error control, order 8(5,3) or, for loose tolerances, 5(4).
 
-use super::step_state::bounded;
+use super::method::{Method, NamedMethod, Properties};
+use super::runge_kutta::{RungeKutta, UnresolvedStep};
+use super::step_state::{StepState, bounded};
+use super::system::System;
 use super::tableau::{DORMAND_PRINCE_8, TSITOURAS_5};
-use super::{Method, NamedMethod, Properties, RungeKutta, StepState, System, UnresolvedStep};
 
 /// The method: Dormand & Prince's pair of order 8, or Tsitouras' of order 5 for a tolerance of
 /// 1e-6 and more, with the error of each step, in the scales of the system, below the

@@ -1,6 +1,6 @@
 //! The edges of f over an attempted step.
 
-use super::System;
+use super::system::System;
 
 /// Values up to this are on neither side of an edge: 1e-13 m of a contact, what rounding leaves of
 /// its depth many times over and far less than what its force feels.

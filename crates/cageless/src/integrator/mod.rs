@@ -29,113 +29,16 @@
 //! ```
 
 mod edges;
+mod method;
 mod runge_kutta;
 mod step_state;
+mod system;
 pub mod tableau;
 
+pub use method::{Method, NamedMethod, Properties};
 pub use runge_kutta::{AcceptedStep, RungeKutta, UnresolvedStep};
 pub use step_state::StepState;
-pub use velocity_verlet::{PlanarVelocities, SecondOrderBlock};
-
-use step_state::FixedSteps;
-
-/// A system of ordinary differential equations dy/dt = f(t, y).
-pub trait System {
-    /// Length of y.
-    fn dimension(&self) -> usize;
-
-    /// Writes f(t, y) into `dydt`.
-    fn derivative(&mut self, time_s: f64, y: &[f64], dydt: &mut [f64]);
-
-    /// Fingerprint of the smooth piece of f that the last evaluation lay in. Where it
-    /// changes between two steps, f has jumped, or changed so abruptly that the history of
-    /// a multistep method must not reach across. The system decides what counts.
-    fn mode(&self) -> u64 {
-        0
-    }
-
-    /// Appends functions of a state, that of the last evaluation, each smooth and zero at an edge of
-    /// f: where f jumps or is not smooth. Always the same in the same order, in scales in which 1 is
-    /// as large as what is of interest; for methods that end their steps there.
-    fn edges(&self, _y: &[f64], _values: &mut Vec<f64>) {}
-
-    /// Components that are positions and their rates, in ascending order of the positions;
-    /// for methods that advance them one after the other.
-    fn second_order_blocks(&self) -> &[SecondOrderBlock] {
-        &[]
-    }
-
-    /// Velocities of bodies on curved planar paths whose forces depend on the speed along the
-    /// path; for methods that extrapolate them.
-    fn planar_velocities(&self) -> Option<PlanarVelocities> {
-        None
-    }
-
-    /// Whether f has a stiff, dissipative part that acts on velocities and that
-    /// [`Self::add_stiff_part`] solves for.
-    fn has_stiff_part(&self) -> bool {
-        false
-    }
-
-    /// Writes f(t, y) without its stiff part into `dydt`.
-    fn nonstiff_derivative(&mut self, time_s: f64, y: &[f64], dydt: &mut [f64]) {
-        self.derivative(time_s, y, dydt);
-    }
-
-    /// Adds the stiff part g over a step of `h_s` from `y0`, implicitly: y holds what the rest of f
-    /// leads to and becomes y + h·g, where g is that at the end, g(y + h·g), or a mean of both ends
-    /// as stable; g is added to `dydt`. Positions and what depends on them are as of the last
-    /// [`Self::nonstiff_derivative`].
-    fn add_stiff_part(&mut self, _h_s: f64, _y0: &[f64], _y: &mut [f64], _dydt: &mut [f64]) {}
-
-    /// Size of a difference of two states in the scales of the problem; 1 is as large
-    /// as what is of interest.
-    fn error_norm(&self, difference: &[f64]) -> f64 {
-        difference.iter().fold(0.0, |m, d| m.max(d.abs()))
-    }
-}
-
-/// Names, order, stability and automatic step of a method.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Properties {
-    /// Name in files.
-    pub name: &'static str,
-    /// Name below figures.
-    pub label: &'static str,
-    /// Order of convergence on smooth problems.
-    pub order: u32,
-    /// Largest ωh on y″ = −ω²y that does not grow violently; infinite under error control.
-    pub oscillation_limit: f64,
-    /// Largest λh on y′ = −λy; infinite under error control.
-    pub decay_limit: f64,
-    /// Whether the stiff part of f enters implicitly ([`System::add_stiff_part`]).
-    pub solves_stiff_part: bool,
-    /// Whether systems side by side may share its steps: they have one size, and no step depends
-    /// on those before.
-    pub side_by_side: bool,
-    /// ωh of the automatic step, without damping and with it.
-    pub automatic_oscillation: [f64; 2],
-    /// Largest λh of the automatic step; infinite under error control.
-    pub automatic_decay: f64,
-}
-
-/// A method that advances a system step by step.
-pub trait Method {
-    /// Forgets all history; the system's last evaluation gave `step.f1` at `step.y1`.
-    fn restart<S: System>(&mut self, system: &mut S, step: &StepState);
-
-    /// Makes the step from `t0_s`, `y0`, `f0`: sets `t1_s`, at most `limit_s`, `y1` and `f1`.
-    /// The system's last evaluation is at the end of the step.
-    ///
-    /// # Errors
-    /// [`UnresolvedStep`] if no step size resolves the equations.
-    fn perform_step<S: System>(
-        &mut self,
-        system: &mut S,
-        step: &mut StepState,
-        limit_s: f64,
-    ) -> Result<(), UnresolvedStep>;
-}
+pub use system::{PlanarVelocities, SecondOrderBlock, System};
 
 /// A method with the step that it last made.
 #[derive(Debug, Clone)]
@@ -177,16 +80,6 @@ impl<M: Method> Integrator<M> {
     pub fn step(&self) -> &StepState {
         &self.step
     }
-}
-
-/// A method that a case can name.
-pub trait NamedMethod: Method + Sized {
-    /// Names, order, stability and automatic step.
-    const PROPERTIES: Properties;
-
-    /// The method for systems of this dimension, with steps of `step_s` or, under error control,
-    /// at most that and errors per step up to `tolerance` in the system's [`System::error_norm`].
-    fn of_case(dimension: usize, step_s: f64, tolerance: f64) -> Self;
 }
 
 /// Declares the list of methods that a case can name and what follows from it.

@@ -1,7 +1,7 @@
 //! Explicit Runge–Kutta pairs with error control.
 
-use super::System;
 use super::edges::Edges;
+use super::system::System;
 use super::tableau::{DORMAND_PRINCE_5, Tableau};
 use crate::numerics::aligned::Aligned;
 

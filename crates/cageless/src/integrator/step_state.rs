@@ -1,6 +1,6 @@
 //! The step of an integration: states and rates at both ends.
 
-use super::System;
+use super::system::System;
 use crate::numerics::aligned::Aligned;
 
 /// The last accepted step: states y and rates f at its start (0) and end (1).

@@ -19,7 +19,10 @@
 //! for ever (Hairer, Lubich & Wanner, *Geometric Numerical Integration*, section I.1).
 //! Stable on x″ = −ω²x up to ωh = 2, on x″ = −λx′ up to λh = 1.
 
-use super::{FixedSteps, Method, NamedMethod, Properties, StepState, System, UnresolvedStep};
+use super::method::{Method, NamedMethod, Properties};
+use super::runge_kutta::UnresolvedStep;
+use super::step_state::{FixedSteps, StepState};
+use super::system::{PlanarVelocities, SecondOrderBlock, System};
 use crate::numerics::aligned::Aligned;
 
 /// The method.
@@ -28,28 +31,6 @@ pub struct VelocityVerlet {
     steps: FixedSteps,
     /// f without its stiff part at the start and end of the step, for systems that have one.
     nonstiff: [Aligned; 2],
-}
-
-/// Components that are positions and the components that are their rates.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct SecondOrderBlock {
-    /// First position.
-    pub positions: usize,
-    /// First rate.
-    pub rates: usize,
-    /// Number of positions.
-    pub count: usize,
-}
-
-/// Components that are velocities along x and along y of the same bodies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct PlanarVelocities {
-    /// First along x.
-    pub x: usize,
-    /// First along y, behind all along x.
-    pub y: usize,
-    /// Number of bodies.
-    pub count: usize,
 }
 
 impl VelocityVerlet {

@@ -1,8 +1,10 @@
 //! A rotor given by its matrices, and its reduction.
 
-use super::normal::{Lateral, RotorPlane, RotorUnbalance, symmetric};
+use super::normal::Lateral;
 use super::rigid::{POLAR_INERTIA, finite, positive, within};
-use super::{Clearance, DMatrix, DVector, LinearRotor, RotorError};
+use super::{
+    Clearance, DMatrix, DVector, LinearRotor, RotorError, RotorPlane, RotorUnbalance, symmetric,
+};
 
 /// Matrices of the lateral motion of a rotor,
 /// M·q̈ + (C + Ω·G)·q̇ + (K + Ω̇·Ksdt)·q = f.

@@ -30,8 +30,6 @@ pub use matrices::{NodeClearance, NodeUnbalance, Reduction, RotorMatrices};
 pub use nalgebra::{Complex, DMatrix, DVector};
 pub use rigid::{PlaneClearance, PlaneUnbalance, RigidRotor};
 
-pub(crate) use normal::{RotorPlane, RotorUnbalance};
-
 use thiserror::Error;
 
 /// A rotor that cannot be.
@@ -90,6 +88,25 @@ pub struct Clearance {
     pub name: String,
     /// Largest displacement of the axis from the centre of the stator, m.
     pub radial_m: f64,
+}
+
+/// An unbalance of a rotor in normal coordinates.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct RotorUnbalance {
+    /// m·ε, kg·m.
+    pub moment: f64,
+    /// φ at the start, rad.
+    pub phase: f64,
+    /// x and y of its plane, rows over u.
+    pub place: DMatrix<f64>,
+}
+
+/// A plane of a rotor with a clearance to the stator, in normal coordinates.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct RotorPlane {
+    pub clearance: Clearance,
+    /// x and y of the axis in the plane, rows over u.
+    pub place: DMatrix<f64>,
 }
 
 impl RotorError {
@@ -184,7 +201,7 @@ impl LinearRotor {
     /// Fastest decay of the lateral motion by C: the largest eigenvalue of M⁻¹·C, its symmetric
     /// part, 1/s.
     pub fn fastest_decay_1_s(&self) -> f64 {
-        let rates = normal::symmetric(&self.damping).symmetric_eigenvalues();
+        let rates = symmetric(&self.damping).symmetric_eigenvalues();
         rates.max().max(0.0)
     }
 
@@ -203,4 +220,9 @@ impl LinearRotor {
         state.view_mut((n, n), (n, n)).copy_from(&-rates);
         state.complex_eigenvalues().iter().copied().collect()
     }
+}
+
+/// Symmetric part of a matrix.
+fn symmetric(matrix: &DMatrix<f64>) -> DMatrix<f64> {
+    (matrix + matrix.transpose()) * 0.5
 }

@@ -1,25 +1,6 @@
 //! Normal coordinates of the lateral motion of a rotor.
 
-use super::{Clearance, DMatrix, DVector, LinearRotor, RotorError};
-
-/// An unbalance of a rotor in normal coordinates.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct RotorUnbalance {
-    /// m·ε, kg·m.
-    pub moment: f64,
-    /// φ at the start, rad.
-    pub phase: f64,
-    /// x and y of its plane, rows over u.
-    pub place: DMatrix<f64>,
-}
-
-/// A plane of a rotor with a clearance to the stator, in normal coordinates.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct RotorPlane {
-    pub clearance: Clearance,
-    /// x and y of the axis in the plane, rows over u.
-    pub place: DMatrix<f64>,
-}
+use super::{DMatrix, DVector, LinearRotor, RotorError, RotorPlane, RotorUnbalance, symmetric};
 
 /// Lateral motion of a rotor in any coordinates.
 pub(super) struct Lateral {
@@ -96,9 +77,4 @@ fn least_energy(journals: &[DMatrix<f64>]) -> Result<DMatrix<f64>, RotorError> {
     let negligible = 1e-12 * all.norm();
     all.pseudo_inverse(negligible)
         .map_err(|message| RotorError::Bearings(message.to_owned()))
-}
-
-/// Symmetric part of a matrix.
-pub(super) fn symmetric(matrix: &DMatrix<f64>) -> DMatrix<f64> {
-    (matrix + matrix.transpose()) * 0.5
 }

@@ -1,7 +1,7 @@
 //! A rigid rotor in several bearings.
 
-use super::normal::{Lateral, RotorPlane, RotorUnbalance};
-use super::{Clearance, DMatrix, DVector, LinearRotor, RotorError};
+use super::normal::Lateral;
+use super::{Clearance, DMatrix, DVector, LinearRotor, RotorError, RotorPlane, RotorUnbalance};
 use crate::limits::LIMITS;
 
 /// A rigid rotor; axial places are measured from its mass centre.

@@ -14,6 +14,7 @@ pub mod angle;
 pub mod bspline;
 pub(crate) mod chebyshev;
 pub(crate) mod elliptic;
+pub mod lanes;
 pub mod moments;
 pub mod proportion;
 pub(crate) mod quadrature;

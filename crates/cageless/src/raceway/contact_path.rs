@@ -2,7 +2,6 @@
 //! Eq. (4) to (6)).
 
 use super::Raceway;
-use crate::bearing::Bearing;
 use crate::numerics::angle::wrap_angle_rad;
 use crate::numerics::chebyshev::Polynomial;
 use crate::numerics::root;
@@ -158,16 +157,4 @@ impl Raceway {
         let turning = (x * slope - y) / self.groove_bottom_radius_m.powi(2);
         -(curvature.max(0.0) / self.ball_radius_m).sqrt() / turning
     }
-}
-
-/// a, b, c of Zhao 2022, Eq. (5).
-pub fn coefficients(bearing: &Bearing, span_m: f64, theta: f64) -> [f64; 3] {
-    let ro = bearing.dimensions().outer_groove_bottom_radius_m;
-    let rw = bearing.ball_radius_m();
-    let (sin, cos) = theta.sin_cos();
-    let c = -(bearing.outer_orbit_radius_m() + (rw * rw - span_m * span_m / 4.0).sqrt());
-    let rise = ro * sin * theta.tan();
-    let a = (rise + 2.0 * ro * cos + 2.0 * c) / (2.0 * ro.powi(4) * sin.powi(4));
-    let b = -(4.0 * c + rise + 4.0 * ro * cos) / (2.0 * ro * ro * sin * sin);
-    [a, b, c]
 }

@@ -29,7 +29,8 @@ mod groove_surface;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::bearing::Bearing;
-use crate::error::{Allowed, InputError, positive};
+use crate::error::{Allowed, InputError};
+use crate::limits::positive;
 use crate::numerics::chebyshev::Polynomial;
 
 pub use groove_surface::SurfacePoint;
@@ -117,7 +118,7 @@ impl Raceway {
             ball_radius_m: d.ball_radius_m,
             groove_bottom_radius_m: d.outer_groove_bottom_radius_m,
             groove_curvature_radius_m: d.outer_groove_curvature_radius_m,
-            path: contact_path::coefficients(bearing, span, theta),
+            path: path_coefficients(bearing, span, theta),
             radius_polynomial: Polynomial::fit(|_| 0.0, 0.0, 1.0, 0.0),
             direction_polynomial: Polynomial::fit(|_| 0.0, 0.0, 1.0, 0.0),
             depth_error_m: 0.0,
@@ -266,4 +267,16 @@ pub fn axial_span_limit_m(bearing: &Bearing) -> f64 {
     2.0 * (bearing.ball_radius_m().powi(2) - rise.max(0.0).powi(2))
         .max(0.0)
         .sqrt()
+}
+
+/// a, b, c of Zhao 2022, Eq. (5).
+fn path_coefficients(bearing: &Bearing, span_m: f64, theta: f64) -> [f64; 3] {
+    let ro = bearing.dimensions().outer_groove_bottom_radius_m;
+    let rw = bearing.ball_radius_m();
+    let (sin, cos) = theta.sin_cos();
+    let c = -(bearing.outer_orbit_radius_m() + (rw * rw - span_m * span_m / 4.0).sqrt());
+    let rise = ro * sin * theta.tan();
+    let a = (rise + 2.0 * ro * cos + 2.0 * c) / (2.0 * ro.powi(4) * sin.powi(4));
+    let b = -(4.0 * c + rise + 4.0 * ro * cos) / (2.0 * ro * ro * sin * sin);
+    [a, b, c]
 }

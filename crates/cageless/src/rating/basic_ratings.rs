@@ -1,7 +1,7 @@
 //! Basic dynamic radial load rating (ISO 281) and basic static radial load rating (ISO 76) of
 //! a single-row deep groove ball bearing.
 
-use super::{conformities, gamma, raceway_ratio};
+use super::ratios::{conformities, gamma, raceway_ratio};
 use crate::bearing::Bearing;
 use crate::contact::hertz::{PointContact, STRESS_LIMIT_PA};
 use crate::material::Material;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::gamma;
+use super::ratios::gamma;
 use crate::case::Case;
 use crate::kinematics::raceway_delay_rad;
 

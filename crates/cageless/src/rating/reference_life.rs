@@ -1,6 +1,7 @@
 //! Basic reference rating life from the load of every ball (ISO/TS 16281).
 
-use super::{BasicRatings, conformities, gamma, raceway_ratio};
+use super::basic_ratings::BasicRatings;
+use super::ratios::{conformities, gamma, raceway_ratio};
 use crate::bearing::Bearing;
 
 /// 0.407 = Jr/J1: radial load integral of a half-loaded bearing over the mean effective load

@@ -4,7 +4,7 @@ use super::parameters::Parameters;
 use super::workspace::Workspace;
 use crate::contact::{Law, LawLanes, with_law};
 use crate::dynamics::coordinates::BallCoordinate;
-use crate::dynamics::layout::LANES;
+use crate::numerics::lanes::LANES;
 
 /// 1 over the depth of a contact that is of interest, 1/m.
 const PER_DEPTH: f64 = 1e5;

@@ -1,6 +1,5 @@
 //! Positions of the balls of a block and the geometry of their outer contacts.
 
-use super::lanes::Lanes;
 use super::motions::{CentreLanes, Motions, outer_centre};
 use super::parameters::{Parameters, Polynomial, RacewayBlock};
 use super::workspace::BlockResults;
@@ -9,7 +8,8 @@ use crate::contact::{
     unequal_geometry, with_path_direction,
 };
 use crate::dynamics::ball::BallLanes;
-use crate::dynamics::layout::LANES;
+use crate::numerics::lanes::LANES;
+use crate::numerics::lanes::Lanes;
 
 /// Polar coordinates of every ball about the outer ring and the geometry of its contact on the plain raceway.
 #[inline(always)]

@@ -1,23 +1,24 @@
 //! The right-hand side, Zhao 2022, Eq. (12) to (22): the scalar functions over the lanes of
 //! every block, the exchange between neighbouring balls, and the sums over the balls.
 
+use super::friction::{friction, loaded_slips};
 use super::geometry::{plain_positions, raceway_geometry};
-use super::lanes::Lanes;
+use super::implicit_friction;
 use super::motions::{CentreLanes, Motions, block_mut};
 use super::pairs::{pair_contacts, pair_deflections};
 use super::parameters::Parameters;
-use super::rotor::{outer_ring_reactions, ring_torques, rotor_and_ledger};
+use super::rotor::{add_with_rotor, outer_ring_reactions, ring_torques, rotor_and_ledger};
 use super::sums::{Addends, Sum, Sums};
 use super::workspace::{BlockResults, Workspace};
-use crate::case::Profile;
 use crate::contact::{
-    Law, LawLanes, centrifugal_force, inner_contact, inner_load, inner_paper_power, outer_contact,
-    outer_load, outer_paper_powers, slope_force, with_law,
+    centrifugal_force, inner_contact, inner_load, inner_paper_power, outer_contact, outer_load,
+    outer_paper_powers, slope_force,
 };
 use crate::dynamics::ball::{BallLanes, BallLoad, Centre};
 use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
 use crate::dynamics::energy::EnergyTerm;
-use crate::dynamics::layout::{BATCH_WIDTH, LANES};
+use crate::numerics::lanes::{LANES, Lanes, lane_maxima};
+use crate::profile::Profile;
 
 /// Writes the right-hand side into `dydt`; without friction at the raceways if a method treats
 /// it implicitly.
@@ -38,11 +39,26 @@ pub(crate) fn evaluate(
     }
 }
 
-pub(super) const fn profile(paper: bool) -> Profile {
-    if paper {
-        Profile::Paper
-    } else {
-        Profile::Physical
+/// Adds friction at the raceways over a step of `h_s`, for which the last evaluation gave the
+/// contacts without it: `y` holds the velocities that the other forces lead to. They change by
+/// h·((1 − θ)·f₀ + θ·f₁), f₀ and f₁ the friction at both ends and θ the [`end_weights`] of the
+/// contacts: of order 2 where contacts slide, damped where they roll. The same friction is added
+/// as rates to `dydt`, its powers to the energy ledger.
+#[inline(always)]
+pub(crate) fn add_implicit_friction(
+    p: &Parameters,
+    w: &mut Workspace,
+    h_s: f64,
+    y0: &[f64],
+    y: &mut [f64],
+    dydt: &mut [f64],
+) {
+    match p.profile {
+        Profile::Physical if p.layout.has_rotor() => {
+            add_with_rotor(p, w, h_s, y0, y, dydt);
+        }
+        Profile::Physical => implicit_friction::add::<false>(p, w, h_s, y0, y, dydt),
+        Profile::Paper => implicit_friction::add::<true>(p, w, h_s, y0, y, dydt),
     }
 }
 
@@ -57,16 +73,16 @@ fn equations<const PAPER: bool, const ROTOR: bool>(
     assert!(y.len() == p.layout.len() && dydt.len() == y.len());
     assert!(w.blocks.len() * LANES == p.layout.stride);
     let alone = p.layout.width() == 1;
-    w.ring = CentreLanes::inner_ring(p, y);
+    w.ring = CentreLanes::inner_ring(p.layout, y);
     if ROTOR {
-        w.outer_ring = CentreLanes::outer_ring(p, y);
+        w.outer_ring = CentreLanes::outer_ring(p.layout, y);
     }
     let (ring, outer_ring) = (&w.ring, &w.outer_ring);
     w.sums.clear(alone);
     let mut slip_max = Lanes::ZERO;
     let mut addends = [Lanes::ZERO; Sum::COUNT];
     for (block, results) in w.blocks.iter_mut().enumerate() {
-        let motions = Motions::new(p, y, block);
+        let motions = Motions::new(p.layout, y, block);
         let balls = p.balls(block);
         plain_positions::<PAPER, ROTOR>(balls, results, motions, outer_ring);
         if p.unequal {
@@ -146,7 +162,7 @@ fn raceway_contacts<const PAPER: bool>(
     for lane in 0..LANES {
         let (ball, motion) = (balls.get(lane), motions.get(lane));
         let outer = outer_contact(
-            profile(PAPER),
+            Profile::of_build(PAPER),
             &ball,
             &p.outer.get(lane),
             &results.geometry.get(lane),
@@ -158,26 +174,19 @@ fn raceway_contacts<const PAPER: bool>(
     for lane in 0..LANES {
         let (ball, motion) = (balls.get(lane), motions.get(lane));
         let polar = motion.about(&ring.get(lane));
-        let inner = inner_contact(profile(PAPER), &ball, &p.inner.get(lane), &motion, &polar);
+        let inner = inner_contact(
+            Profile::of_build(PAPER),
+            &ball,
+            &p.inner.get(lane),
+            &motion,
+            &polar,
+        );
         results.inner_polar.ex.0[lane] = polar.ex;
         results.inner_polar.ey.0[lane] = polar.ey;
         if PAPER {
             results.inner_polar.put(lane, polar);
         }
         results.inner.put(lane, inner);
-    }
-}
-
-/// Friction of one contact of each lane by the law of the case.
-#[inline(always)]
-pub(super) fn friction(p: &Parameters, slip: &Lanes, normal: &Lanes, force: &mut Lanes) {
-    with_law!(&p.friction, law => friction_by(law, slip, normal, force));
-}
-
-#[inline(always)]
-fn friction_by(law: &impl LawLanes, slip: &Lanes, normal: &Lanes, force: &mut Lanes) {
-    for lane in 0..LANES {
-        [force.0[lane], _] = law.lane(lane).force(slip.0[lane], normal.0[lane]);
     }
 }
 
@@ -195,7 +204,13 @@ fn outer_loads<const PAPER: bool>(
         let (motion, polar) = (motions.get(lane), results.polar.get(lane));
         let (outer, geometry) = (results.outer.get(lane), results.geometry.get(lane));
         let friction = results.outer_friction.0[lane];
-        let mut load = outer_load(profile(PAPER), &outer, &geometry, &polar, friction);
+        let mut load = outer_load(
+            Profile::of_build(PAPER),
+            &outer,
+            &geometry,
+            &polar,
+            friction,
+        );
         if PAPER {
             let centrifugal = centrifugal_force(&ball, &raceway, &polar);
             load.fx += centrifugal * polar.ex;
@@ -263,37 +278,6 @@ fn inner_loads<const PAPER: bool>(
                 inner_paper_power(&p.inner.get(lane), &polar, friction);
         }
     }
-}
-
-/// Largest |ΔV| at contacts that carry load.
-#[inline(always)]
-pub(super) fn loaded_slips(results: &BlockResults, largest: &mut Lanes) {
-    for lane in 0..LANES {
-        let loaded = |slip: f64, force: f64| if force > 0.0 { slip.abs() } else { 0.0 };
-        let inner = loaded(results.inner.slip.0[lane], results.inner.force.0[lane]);
-        let outer = loaded(results.outer.slip.0[lane], results.outer.force.0[lane]);
-        largest.0[lane] = larger(largest.0[lane], larger(inner, outer));
-    }
-}
-
-#[inline(always)]
-pub(super) fn larger(a: f64, b: f64) -> f64 {
-    if b > a { b } else { a }
-}
-
-/// Largest of the lanes of each bearing; that of the only bearing comes first.
-#[inline(always)]
-pub(super) fn lane_maxima(lanes: &Lanes, alone: bool) -> [f64; BATCH_WIDTH] {
-    let mut maxima = [0.0; BATCH_WIDTH];
-    for lane in 0..LANES {
-        maxima[lane % BATCH_WIDTH] = larger(maxima[lane % BATCH_WIDTH], lanes.0[lane]);
-    }
-    if alone {
-        for k in 1..BATCH_WIDTH {
-            maxima[0] = larger(maxima[0], maxima[k]);
-        }
-    }
-    maxima
 }
 
 /// Velocities and accelerations of the balls.

@@ -1,13 +1,10 @@
 //! Implicit friction at the raceways: the end of a step whose other forces are known.
 
-use super::harness::{lane_maxima, loaded_slips, profile};
-use super::lanes::Lanes;
+use super::friction::loaded_slips;
 use super::motions::{CentreLanes, Motions, block_mut, outer_centre};
 use super::parameters::Parameters;
-use super::rotor::add_with_rotor;
 use super::sums::{Addends, Sum};
 use super::workspace::{BlockResults, ImplicitFriction, Workspace};
-use crate::case::Profile;
 use crate::contact::{
     Law, LawLanes, MAX_ITERATIONS, RacewayContacts, SlipProblem, Slips, end_weights, further_step,
     inner_paper_power, inner_slip, newton_step, outer_friction_direction, outer_paper_powers,
@@ -16,33 +13,11 @@ use crate::contact::{
 use crate::dynamics::ball::{BallLanes, BallLoad, Centre};
 use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
 use crate::dynamics::energy::EnergyTerm;
-use crate::dynamics::layout::LANES;
-
-/// Adds friction at the raceways over a step of `h_s`, for which the last evaluation gave the
-/// contacts without it: `y` holds the velocities that the other forces lead to. They change by
-/// h·((1 − θ)·f₀ + θ·f₁), f₀ and f₁ the friction at both ends and θ the [`end_weights`] of the
-/// contacts: of order 2 where contacts slide, damped where they roll. The same friction is added
-/// as rates to `dydt`, its powers to the energy ledger.
-#[inline(always)]
-pub(crate) fn add_implicit_friction(
-    p: &Parameters,
-    w: &mut Workspace,
-    h_s: f64,
-    y0: &[f64],
-    y: &mut [f64],
-    dydt: &mut [f64],
-) {
-    match p.profile {
-        Profile::Physical if p.layout.has_rotor() => {
-            add_with_rotor(p, w, h_s, y0, y, dydt);
-        }
-        Profile::Physical => add::<false>(p, w, h_s, y0, y, dydt),
-        Profile::Paper => add::<true>(p, w, h_s, y0, y, dydt),
-    }
-}
+use crate::numerics::lanes::{LANES, Lanes, lane_maxima};
+use crate::profile::Profile;
 
 #[inline(always)]
-fn add<const PAPER: bool>(
+pub(super) fn add<const PAPER: bool>(
     p: &Parameters,
     w: &mut Workspace,
     h_s: f64,
@@ -52,7 +27,7 @@ fn add<const PAPER: bool>(
 ) {
     let alone = p.layout.width() == 1;
     w.sums.clear(alone);
-    let start_ring = CentreLanes::inner_ring(p, y0);
+    let start_ring = CentreLanes::inner_ring(p.layout, y0);
     let mut slip_max = Lanes::ZERO;
     let mut addends = [Lanes::ZERO; Sum::COUNT];
     with_law!(&p.friction, law => solve::<_, PAPER, false>(law, p, w, y, h_s));
@@ -61,8 +36,8 @@ fn add<const PAPER: bool>(
         results.outer.slip = slips.outer;
         results.inner.slip = slips.inner;
         apply::<PAPER>(p, balls, results, block, h_s, y, dydt);
-        let start = (Motions::new(p, y0, block), &start_ring);
-        let end = (Motions::new(p, y, block), &w.ring);
+        let start = (Motions::new(p.layout, y0, block), &start_ring);
+        let end = (Motions::new(p.layout, y, block), &w.ring);
         powers::<PAPER>(p, balls, results, start, end, &mut addends);
         results.outer_friction = slips.outer_friction;
         results.inner_friction = slips.inner_friction;
@@ -182,7 +157,7 @@ pub(super) fn solve<L: LawLanes, const PAPER: bool, const ROTOR: bool>(
 ) {
     let rings = [&w.ring, &w.outer_ring];
     for (block, (results, friction)) in w.blocks.iter_mut().zip(&mut w.friction).enumerate() {
-        let motions = Motions::new(p, y, block);
+        let motions = Motions::new(p.layout, y, block);
         let bodies = (p.balls(block), rings, motions);
         if w.slips_known {
             first_iterate::<L, PAPER, ROTOR, true>(law, p, bodies, h_s, results, friction);
@@ -231,7 +206,7 @@ fn first_iterate<L: LawLanes, const PAPER: bool, const ROTOR: bool, const KNOWN:
             outer: &results.outer.get(lane),
             inner: &results.inner.get(lane),
         };
-        let profile = profile(PAPER);
+        let profile = Profile::of_build(PAPER);
         let whole = SlipProblem::new(profile, &contacts, &motion, &polar, &inner_polar, h_s);
         let start = friction.slips.get(lane);
         let [outer, inner] = if !KNOWN {
@@ -325,7 +300,7 @@ fn accelerations<const PAPER: bool>(
             results.outer_friction.0[lane],
             results.inner_friction.0[lane],
         );
-        let [dx, dy] = outer_friction_direction(profile(PAPER), &geometry, &polar);
+        let [dx, dy] = outer_friction_direction(Profile::of_build(PAPER), &geometry, &polar);
         let load = BallLoad {
             fx: -fo * dx - fi * inner_polar.ey,
             fy: -fo * dy + fi * inner_polar.ex,
@@ -378,7 +353,7 @@ fn powers<const PAPER: bool>(
     end: Motion<'_>,
     addends: &mut Addends,
 ) {
-    let profile = profile(PAPER);
+    let profile = Profile::of_build(PAPER);
     for lane in 0..LANES {
         let (geometry, ball) = (results.geometry.get(lane), balls.get(lane));
         let (outer_raceway, inner_raceway) = (p.outer.get(lane), p.inner.get(lane));

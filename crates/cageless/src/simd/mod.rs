@@ -1,18 +1,18 @@
 //! The vector harness: the scalar functions of [`crate::contact`] and [`crate::dynamics`]
 //! called lane by lane, compiled for every instruction set.
 //!
-//! A block holds [`LANES`](crate::dynamics::layout::LANES) numbers: neighbouring balls of one
+//! A block holds [`LANES`](crate::numerics::lanes::LANES) numbers: neighbouring balls of one
 //! bearing, or two balls of each of several bearings. A loop over its lanes loads plain
 //! structs of `f64`, calls one branch-free function and stores the result; the compiler makes
 //! vector code of it. No operation depends on the width of a vector and none is fused, so
 //! every instruction set gives the same bits.
 
 mod edges;
+mod friction;
 mod geometry;
 mod harness;
 mod implicit_friction;
 mod instruction_set;
-pub(crate) mod lanes;
 mod motions;
 mod pairs;
 mod parameters;
@@ -21,8 +21,8 @@ mod sums;
 mod workspace;
 
 pub(crate) use edges::edges;
-pub(crate) use harness::evaluate;
-pub(crate) use implicit_friction::{add_given_friction, add_implicit_friction};
+pub(crate) use harness::{add_implicit_friction, evaluate};
+pub(crate) use implicit_friction::add_given_friction;
 pub use instruction_set::InstructionSet;
 pub(crate) use parameters::Parameters;
 pub(crate) use workspace::Workspace;

@@ -1,10 +1,10 @@
 //! Views of the state vector in lanes: the balls of a block, and the centres of the rings.
 
-use super::lanes::Lanes;
-use super::parameters::Parameters;
 use crate::dynamics::ball::{BallMotion, Centre};
 use crate::dynamics::coordinates::{BallCoordinate, DropCoordinate, RingCoordinate};
-use crate::dynamics::layout::{BATCH_WIDTH, LANES, Layout};
+use crate::dynamics::layout::Layout;
+use crate::numerics::lanes::Lanes;
+use crate::numerics::lanes::{BATCH_WIDTH, LANES};
 
 /// A block of neighbouring entries of a vector.
 #[inline(always)]
@@ -27,11 +27,11 @@ pub(super) struct Motions<'a>([&'a [f64; LANES]; BallCoordinate::ALL.len()]);
 
 impl<'a> Motions<'a> {
     #[inline(always)]
-    pub(super) fn new(p: &Parameters, y: &'a [f64], block: usize) -> Self {
+    pub(super) fn new(layout: Layout, y: &'a [f64], block: usize) -> Self {
         // Not by `map`, which is not inlined into code for wider vectors.
         let mut arrays = [block_at(y, 0); BallCoordinate::ALL.len()];
         for (array, c) in arrays.iter_mut().zip(BallCoordinate::ALL) {
-            *array = block_at(y, p.layout.array(c) + block * LANES);
+            *array = block_at(y, layout.array(c) + block * LANES);
         }
         Self(arrays)
     }
@@ -79,24 +79,24 @@ impl CentreLanes {
 
     /// The inner ring.
     #[inline(always)]
-    pub(super) fn inner_ring(p: &Parameters, y: &[f64]) -> Self {
-        let layout = p.layout.of_bearing(0);
-        Self::new(p, y, RingCoordinate::ALL.map(|c| layout.ring(c)))
+    pub(super) fn inner_ring(layout: Layout, y: &[f64]) -> Self {
+        let layout = layout.of_bearing(0);
+        Self::new(layout, y, RingCoordinate::ALL.map(|c| layout.ring(c)))
     }
 
     /// The outer ring, where it moves.
     #[inline(always)]
-    pub(super) fn outer_ring(p: &Parameters, y: &[f64]) -> Self {
-        let layout = p.layout.of_bearing(0);
-        Self::new(p, y, OUTER_RING.map(|c| layout.drop(c)))
+    pub(super) fn outer_ring(layout: Layout, y: &[f64]) -> Self {
+        let layout = layout.of_bearing(0);
+        Self::new(layout, y, OUTER_RING.map(|c| layout.drop(c)))
     }
 
     /// The centre whose coordinates of the first bearing stand at `places`.
     #[inline(always)]
-    fn new(p: &Parameters, y: &[f64], places: [usize; 4]) -> Self {
+    fn new(layout: Layout, y: &[f64], places: [usize; 4]) -> Self {
         let mut lanes = [Lanes::ZERO; RingCoordinate::ALL.len()];
         for (lanes, start) in lanes.iter_mut().zip(places) {
-            *lanes = of_bearings(p.layout, y, start);
+            *lanes = of_bearings(layout, y, start);
         }
         Self(lanes)
     }

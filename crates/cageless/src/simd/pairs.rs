@@ -1,7 +1,6 @@
 //! Contacts between neighbouring balls: the exchange of values along the row of balls.
 
-use super::harness::{friction, larger};
-use super::lanes::{Lanes, flat, flat_mut};
+use super::friction::friction;
 use super::motions::{Motions, block_at};
 use super::parameters::Parameters;
 use super::sums::Sum;
@@ -9,7 +8,7 @@ use super::workspace::Workspace;
 use crate::contact::{ball_ball_contact, ball_deflection};
 use crate::dynamics::ball::BallMotion;
 use crate::dynamics::coordinates::BallCoordinate;
-use crate::dynamics::layout::LANES;
+use crate::numerics::lanes::{LANES, Lanes, flat, flat_mut, larger};
 
 /// Deflection of each ball with the ball ahead; returns the largest of each lane.
 #[inline(always)]
@@ -20,7 +19,7 @@ pub(super) fn pair_deflections(p: &Parameters, w: &mut Workspace, y: &[f64]) -> 
     let mut largest = Lanes::ZERO;
     for (block, results) in w.blocks.iter_mut().enumerate() {
         let balls = p.balls(block);
-        let motions = Motions::new(p, y, block);
+        let motions = Motions::new(p.layout, y, block);
         let (next_x, next_y) = (&next_x[block].0, &next_y[block].0);
         for lane in 0..LANES {
             let ball = motions.get(lane);
@@ -78,7 +77,7 @@ pub(super) fn pair_contacts<const PAPER: bool>(p: &Parameters, w: &mut Workspace
     let [force_x, force_y, torque, next_torque] = &mut w.pairs;
     let mut addends = [Lanes::ZERO; Sum::COUNT];
     for (block, results) in w.blocks.iter_mut().enumerate() {
-        let (balls, motions) = (p.balls(block), Motions::new(p, y, block));
+        let (balls, motions) = (p.balls(block), Motions::new(p.layout, y, block));
         let next = |k: usize| &w.next[k][block].0;
         let (next_x, next_y, next_vx, next_vy) = (next(0), next(1), next(2), next(3));
         let (next_spin, next_orbit) = (next(4), next(5));

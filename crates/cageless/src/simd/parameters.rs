@@ -1,18 +1,19 @@
 //! The constants of one bearing, or of several side by side, block by block.
 
-use super::lanes::Lanes;
 use super::motions::ring_speeds;
-use crate::case::Profile;
 use crate::contact::{
     FrictionLanes, InnerRacewayLanes, OuterRacewayLanes, RacewayConstants, RacewayConstantsLanes,
 };
 use crate::dynamics::Model;
 use crate::dynamics::ball::{Ball, BallLanes};
 use crate::dynamics::inner_ring::InnerRingLanes;
-use crate::dynamics::layout::{LANES, Layout};
+use crate::dynamics::layout::Layout;
 use crate::dynamics::model::RacewayModel;
 use crate::dynamics::outer_ring::OuterRing;
 use crate::dynamics::rotor::RotorBody;
+use crate::numerics::lanes::LANES;
+use crate::numerics::lanes::Lanes;
+use crate::profile::Profile;
 
 /// Coefficients of a polynomial: of even and of odd powers.
 pub(super) type Polynomial = Vec<[Lanes; 2]>;

@@ -1,13 +1,11 @@
 //! The bodies under a falling rotor: reactions of the balls, and their motion.
 
-use super::harness::{lane_maxima, loaded_slips};
+use super::friction::loaded_slips;
 use super::implicit_friction::{apply, inner_friction_reactions, solve, sticking_weight};
-use super::lanes::Lanes;
 use super::motions::{CentreLanes, Motions, ring_speeds};
 use super::parameters::Parameters;
 use super::sums::{Addends, Sum, Sums};
 use super::workspace::{BlockResults, Workspace};
-use crate::case::Profile;
 use crate::contact::{
     InnerRaceway, JournalSlip, end_weights, implicit_slip, inner_slip, journal_slip,
     outer_friction_direction, outer_slip, positive, with_law,
@@ -15,8 +13,10 @@ use crate::contact::{
 use crate::dynamics::ball::BallLanes;
 use crate::dynamics::coordinates::{DropCoordinate, RingCoordinate};
 use crate::dynamics::energy::EnergyTerm;
-use crate::dynamics::layout::{LANES, Layout};
+use crate::dynamics::layout::Layout;
 use crate::dynamics::rotor::{RotorBody, RotorContact, bore_motion};
+use crate::numerics::lanes::{LANES, Lanes, lane_maxima};
+use crate::profile::Profile;
 
 /// Forces of the balls of a block on the outer ring: what the loads of their outer contacts are
 /// without the weights.
@@ -177,8 +177,8 @@ pub(super) fn add_with_rotor(
     let mut slip_max = Lanes::ZERO;
     for (block, (results, friction)) in w.blocks.iter_mut().zip(&w.friction).enumerate() {
         let balls = p.balls(block);
-        let before = slip_speeds(p, balls, results, Motions::new(p, y0, block), &start);
-        let after = slip_speeds(p, balls, results, Motions::new(p, y, block), &end);
+        let before = slip_speeds(p, balls, results, Motions::new(p.layout, y0, block), &start);
+        let after = slip_speeds(p, balls, results, Motions::new(p.layout, y, block), &end);
         for lane in 0..LANES {
             let mean = |k: usize| 0.5 * (before[k].0[lane] + after[k].0[lane]);
             addends[Sum::OuterFriction as usize].0[lane] = results.outer_friction.0[lane] * mean(0);
@@ -322,8 +322,8 @@ impl RingMotion {
     #[inline(always)]
     fn new(p: &Parameters, y: &[f64]) -> Self {
         Self {
-            inner: CentreLanes::inner_ring(p, y),
-            outer: CentreLanes::outer_ring(p, y),
+            inner: CentreLanes::inner_ring(p.layout, y),
+            outer: CentreLanes::outer_ring(p.layout, y),
             speed: ring_speeds(p.layout, y),
         }
     }

@@ -1,7 +1,7 @@
 //! Sums over the balls of a bearing, the same bits whether it runs alone or beside others.
 
-use super::lanes::Lanes;
-use crate::dynamics::layout::{BATCH_WIDTH, LANES};
+use crate::numerics::lanes::Lanes;
+use crate::numerics::lanes::{BATCH_WIDTH, LANES};
 
 /// A quantity that is summed over the balls: the force on the inner ring and the powers of the
 /// energy ledger.

@@ -1,6 +1,5 @@
 //! Work arrays of an evaluation of the right-hand side, and its results.
 
-use super::lanes::Lanes;
 use super::motions::CentreLanes;
 use super::parameters::Parameters;
 use super::sums::Sums;
@@ -9,8 +8,9 @@ use crate::contact::{
     SlipProblemLanes, SlipsLanes,
 };
 use crate::dynamics::ball::{BallLoadLanes, PolarMotionLanes};
-use crate::dynamics::layout::{BATCH_WIDTH, LANES};
 use crate::dynamics::rotor::RotorContact;
+use crate::numerics::lanes::Lanes;
+use crate::numerics::lanes::{BATCH_WIDTH, LANES};
 
 /// Per-ball results of one evaluation for a block. Fields of one struct, so that the compiler
 /// knows that they do not overlap.

@@ -1,15 +1,18 @@
 //! Batches: several bearings integrated side by side in the lanes of the vectors.
 
-use super::observer::{Observer, RunContext};
-use super::run::{Control, RunOutcome, drive, run};
+use super::observer::{Control, Observer, RunContext};
+use super::outcome::RunOutcome;
+use super::run::{drive, run};
 use super::run_tracker::RunTracker;
-use crate::case::{Case, FrictionLaw, Profile};
-use crate::dynamics::layout::BATCH_WIDTH;
+use crate::case::Case;
+use crate::contact::FrictionLaw;
 use crate::dynamics::state::State;
 use crate::dynamics::{InstructionSet, Model, RightHandSide};
 use crate::equilibrium::EquilibriumError;
 use crate::initial_conditions::initial_state;
-use crate::step_limits::StepLimits;
+use crate::numerics::lanes::BATCH_WIDTH;
+use crate::profile::Profile;
+use crate::step_limits::{self, StepLimits};
 
 /// Properties that all cases of a batch share. Methods with a memory or a step of
 /// their own would let one bearing change the steps of another.
@@ -87,7 +90,7 @@ pub fn run_batch(
         return vec![run(case, observers, control)];
     }
     // Impossible cases have no kind; each gets its own error below.
-    let possible = cases.iter().filter(|case| case.check().is_ok());
+    let possible = cases.iter().filter(|case| step_limits::check(case).is_ok());
     let mut kinds = possible.map(|case| Kind::from_case(case));
     let first = kinds.next();
     assert!(

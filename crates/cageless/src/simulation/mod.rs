@@ -14,6 +14,7 @@
 mod batch;
 mod guard;
 mod observer;
+mod outcome;
 mod rotor_drop;
 mod run;
 mod run_tracker;
@@ -21,6 +22,7 @@ mod run_tracker;
 pub use crate::dynamics::rotor_on_bearings::PlaneDisplacement;
 pub use batch::{batches, run_batch};
 pub use guard::{Cause, Stop};
-pub use observer::{Observer, ObserverError, RunContext, StepView};
+pub use observer::{Control, Observer, ObserverError, RunContext, StepView};
+pub use outcome::{Ending, RunOutcome};
 pub use rotor_drop::{RotorDrop, RotorDropOutcome};
-pub use run::{Control, Ending, RunOutcome, run, run_from};
+pub use run::{run, run_from};

@@ -2,7 +2,6 @@
 
 use std::cell::RefCell;
 
-use super::run::Control;
 use crate::case::Case;
 use crate::dynamics::coordinates::{BallCoordinate, DropCoordinate};
 use crate::dynamics::layout::{Balls, Layout};
@@ -14,6 +13,10 @@ use crate::snapshot::Snapshot;
 
 /// Error of an observer, for example a file that cannot be written.
 pub type ObserverError = Box<dyn std::error::Error + Send + Sync>;
+
+/// Request of the caller to a run in progress: `Continue(())`, or `Break(())` to end it after this
+/// step.
+pub type Control = std::ops::ControlFlow<()>;
 
 /// Case, equations and initial state of a run.
 #[derive(Clone, Copy)]

@@ -1,7 +1,8 @@
 //! The drop of a rotor into several touchdown bearings.
 
-use super::observer::{Observer, RunContext};
-use super::run::{Bearings, Control, RunOutcome, drive_from};
+use super::observer::{Control, Observer, RunContext};
+use super::outcome::RunOutcome;
+use super::run::{Bearings, drive_from};
 use super::run_tracker::RunTracker;
 use crate::case::Case;
 use crate::dynamics::rotor_on_bearings::{PlaneDisplacement, RotorLoads, RotorOnBearings};
@@ -130,7 +131,7 @@ impl RotorDrop {
                 StepLimits::with_linear_rotor(case, self.rotor.effective_mass_kg(k), fastest, decay)
             })
             .collect();
-        let least = |step: fn(&StepLimits, crate::case::IntegrationMethod) -> f64| {
+        let least = |step: fn(&StepLimits, crate::integrator::IntegrationMethod) -> f64| {
             let steps = limits.iter().map(|l| step(l, method));
             steps.fold(f64::INFINITY, f64::min)
         };

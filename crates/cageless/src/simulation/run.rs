@@ -1,7 +1,8 @@
 //! The loop over the steps.
 
 use super::guard::{Cause, Stop};
-use super::observer::{Observer, RunContext};
+use super::observer::{Control, Observer, RunContext};
+use super::outcome::{Ending, RunOutcome};
 use super::run_tracker::RunTracker;
 use crate::case::Case;
 use crate::dynamics::state::State;
@@ -10,47 +11,6 @@ use crate::equilibrium::EquilibriumError;
 use crate::error::InputError;
 use crate::initial_conditions::initial_state;
 use crate::integrator::{self, Integrator, System, UnresolvedStep, with_method};
-
-/// Ending of a run.
-#[derive(Debug)]
-pub enum Ending {
-    /// Completed its duration.
-    Complete,
-    /// Interrupted by the caller.
-    Interrupted,
-    /// Stopped because it left the physical range.
-    Stopped(Stop),
-    /// Stopped because an observer failed.
-    ObserverFailed(super::ObserverError),
-}
-
-/// Outcome of a run.
-#[derive(Debug)]
-pub struct RunOutcome {
-    /// Ending of the run.
-    pub ending: Ending,
-    /// Simulated time reached.
-    pub end_s: f64,
-    /// Steps made.
-    pub steps: u64,
-    /// Evaluations of the right-hand side.
-    pub rhs_evaluations: u64,
-    /// Last state, with the energy ledger.
-    pub state: State,
-    /// Kinetic and elastic energy at the start.
-    pub start_energy_j: f64,
-    /// Kinetic and elastic energy at the end.
-    pub end_energy_j: f64,
-    /// Energy now − energy at the start − net work, over the sum of absolute flows, at least
-    /// 1e-6 of the energy at the start.
-    pub energy_residual_relative: f64,
-    /// Instructions used.
-    pub instruction_set: InstructionSet,
-}
-
-/// Request of the caller to a run in progress: `Continue(())`, or `Break(())` to end it after this
-/// step.
-pub type Control = std::ops::ControlFlow<()>;
 
 /// Steps between two calls of `control`.
 const ASK_EVERY: u64 = 1024;

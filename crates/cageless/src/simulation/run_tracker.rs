@@ -3,8 +3,8 @@
 use std::cell::RefCell;
 
 use super::guard::{Guard, Stop};
-use super::observer::{Observer, RunContext, StepView};
-use super::run::{Control, Ending, RunOutcome};
+use super::observer::{Control, Observer, RunContext, StepView};
+use super::outcome::{Ending, RunOutcome};
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::state::State;

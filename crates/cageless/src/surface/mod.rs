@@ -24,6 +24,7 @@
 //! ```
 
 mod blend;
+mod division;
 mod grid;
 mod meridian;
 mod mesh;
@@ -33,7 +34,8 @@ mod sector;
 use std::f64::consts::FRAC_PI_4;
 
 use crate::bearing::Bearing;
-use crate::error::{Allowed, InputError, not_negative, positive};
+use crate::error::{Allowed, InputError};
+use crate::limits::{not_negative, positive};
 use crate::numerics::angle::wrap_angle_rad;
 use crate::numerics::quadrature::gauss;
 use crate::raceway::{Raceway, SurfacePoint, apart, groove_centre};

@@ -1,10 +1,4 @@
-//! The ring in sectors within which its surface is smooth: plain ones, discrete raceways and
-//! their blends.
-
-use std::f64::consts::{PI, TAU};
-
-use super::OuterRing;
-use crate::numerics::angle::wrap_angle_rad;
+//! A part of the ring within which its surface is smooth.
 
 /// A part of the ring between two meridian planes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,71 +13,9 @@ pub struct RingSector {
     pub blend: bool,
 }
 
-/// Raceways closer than this touch: it is rounding of their angles.
-const TOUCHING_RAD: f64 = 1e-9;
-
 impl RingSector {
     /// ψ halfway.
     pub fn middle_rad(&self) -> f64 {
         (self.start_rad + self.end_rad) / 2.0
     }
-}
-
-impl OuterRing {
-    /// The sectors in the order of ψ, all round, none of more than 180°.
-    pub fn sectors(&self) -> Vec<RingSector> {
-        let mut zones: Vec<Vec<RingSector>> =
-            (0..self.zones.len()).map(|k| self.parts(k)).collect();
-        zones.sort_by(|a, b| a[0].start_rad.total_cmp(&b[0].start_rad));
-        let Some(first) = zones.first().map(|zone| zone[0].start_rad) else {
-            return plain(-PI, PI);
-        };
-        let starts = zones[1..].iter().map(|zone| zone[0].start_rad);
-        let next: Vec<f64> = starts.chain([first + TAU]).collect();
-        zones
-            .into_iter()
-            .zip(next)
-            .flat_map(|(mut sectors, next)| {
-                let end = sectors[sectors.len() - 1].end_rad;
-                if next - end > TOUCHING_RAD {
-                    sectors.extend(plain(end, next));
-                }
-                sectors
-            })
-            .collect()
-    }
-
-    /// A discrete raceway: blend, middle, blend; or the middle alone.
-    fn parts(&self, index: usize) -> Vec<RingSector> {
-        let zone = &self.zones[index];
-        let d = zone.raceway().dimensions();
-        let (middle, theta) = (wrap_angle_rad(d.centre_angle_rad), d.half_angle_rad);
-        let ends = match zone.blend_start_rad() {
-            Some(start) => vec![-theta, -start, start, theta],
-            None => vec![-theta, theta],
-        };
-        let parts = ends.len() - 1;
-        (0..parts)
-            .map(|k| RingSector {
-                start_rad: middle + ends[k],
-                end_rad: middle + ends[k + 1],
-                raceway: Some(index),
-                blend: parts == 3 && k != 1,
-            })
-            .collect()
-    }
-}
-
-/// A plain stretch in equal parts of at most 180°.
-fn plain(start_rad: f64, end_rad: f64) -> Vec<RingSector> {
-    let count = ((end_rad - start_rad) / PI - 1e-12).ceil().max(1.0);
-    let angle = |k: f64| start_rad + (end_rad - start_rad) * k / count;
-    (0..count as usize)
-        .map(|k| RingSector {
-            start_rad: angle(k as f64),
-            end_rad: angle(k as f64 + 1.0),
-            raceway: None,
-            blend: false,
-        })
-        .collect()
 }

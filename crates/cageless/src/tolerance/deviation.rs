@@ -174,7 +174,7 @@ impl Deviation {
         varied.contact.shift_friction(of(Influence::Friction));
         varied.operation.inner_speed_rad_s += of(Influence::Speed);
         varied.operation.radial_load_n += of(Influence::Load);
-        varied.check()?;
+        crate::step_limits::check(&varied)?;
         Ok(varied)
     }
 }

@@ -1,6 +1,6 @@
 //! State of a rotor at the end of a drop, in one word.
 
-use super::whirl::WhirlWindow;
+use super::whirl::{ONE_WAY, WHIRL_TURNS, WhirlWindow};
 
 /// What the rotor does at the end of a drop.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -22,10 +22,6 @@ pub enum EndState {
     BackwardWhirl,
 }
 
-/// Turns round the bore, all in one direction, from which a motion is a whirl.
-pub(super) const WHIRL_TURNS: f64 = 1.0;
-/// Fraction of the path round the bore that a whirl takes in its own direction at least.
-pub(super) const ONE_WAY: f64 = 0.8;
 /// Fraction of the time in contact below which the rotor bounces.
 const CONTACT: f64 = 0.95;
 /// Part of its weight by which the mean force on a rotor that is carried differs from it at most.

@@ -2,7 +2,6 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::end_state::{ONE_WAY, WHIRL_TURNS};
 use crate::contact_tracker::ContactCounts;
 use crate::numerics::angle::wrap_angle_rad;
 
@@ -37,6 +36,11 @@ impl WhirlWindow {
         self.turned_rad / TAU / (self.end_s - self.start_s)
     }
 }
+
+/// Turns round the bore, all in one direction, from which a motion is a whirl.
+pub(super) const WHIRL_TURNS: f64 = 1.0;
+/// Fraction of the path round the bore that a whirl takes in its own direction at least.
+pub(super) const ONE_WAY: f64 = 0.8;
 
 /// Contact in a window from which the journal runs round the bore rather than bounces across it.
 const ROUND_CONTACT: f64 = 0.95;

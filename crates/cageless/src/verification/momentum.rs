@@ -1,10 +1,10 @@
 //! Balance of linear momentum.
 
-use crate::case::Profile;
 use crate::contact::centrifugal_force;
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::{Model, RightHandSide};
+use crate::profile::Profile;
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 
 /// Compares the linear momentum of balls and inner ring with the impulses of the external

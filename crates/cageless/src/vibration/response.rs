@@ -1,9 +1,12 @@
 //! The housing under a force that is linear between moments.
 
+use super::measurement::Measurement;
 use super::oscillator::Oscillator;
-use super::{HOUSING_INTERVAL_S, Measurement};
 use crate::case::Housing;
 use crate::simulation::RunContext;
+
+/// Sampling of the housing's motion; resolves 10 kHz and all housings below it.
+pub const HOUSING_INTERVAL_S: f64 = 1e-5;
 
 /// Acceleration of the housing along x and y under the force on the outer ring.
 pub(super) struct Response {

@@ -1,6 +1,6 @@
 //! Vibration that is left when the impacts between balls are taken out of the force.
 
-use super::Measurement;
+use super::measurement::Measurement;
 use super::response::Response;
 use crate::case::Housing;
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};

@@ -3,9 +3,9 @@
 use cageless::FrictionLaw;
 use cageless::contact::FrictionTable;
 
-use crate::case_file::declaration::Line::{Absent, Commented, Shown};
-use crate::case_file::declaration::Presence::{Default, Derived, Optional};
 use crate::case_file::declaration::section;
+use crate::case_file::key::Line::{Absent, Commented, Shown};
+use crate::case_file::key::Presence::{Default, Derived, Optional};
 use crate::case_file::reader::Reader;
 use crate::case_file::unit::Unit::{None as Plain, Si};
 

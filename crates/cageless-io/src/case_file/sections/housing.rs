@@ -1,8 +1,8 @@
 //! `[housing]`.
 
-use crate::case_file::declaration::Line::Commented;
-use crate::case_file::declaration::Presence::Required;
 use crate::case_file::declaration::section;
+use crate::case_file::key::Line::Commented;
+use crate::case_file::key::Presence::Required;
 use crate::case_file::unit::Unit::Si;
 
 section! {

@@ -1,15 +1,10 @@
 //! `[material]`, `[ball_material]` and `[ring_material]`: a name, or the three numbers.
 
-use cageless::Material;
-
-use crate::case_file::CaseError;
-use crate::case_file::convert::Converter;
-use crate::case_file::declaration::Line::{Absent, Shown};
-use crate::case_file::declaration::Presence::{Default, Optional};
 use crate::case_file::declaration::section;
+use crate::case_file::key::Line::{Absent, Shown};
+use crate::case_file::key::Presence::{Default, Optional};
 use crate::case_file::named::Named;
 use crate::case_file::reader::Reader;
-use crate::case_file::spanned_toml::join;
 use crate::case_file::unit::Unit::{Gigapascal, None as Plain, Si};
 
 /// A bearing material by name. The numbers are typical ones at room temperature, rounded; those
@@ -105,67 +100,5 @@ impl MaterialDocument {
                 reader.drop_default(name);
             }
         }
-    }
-}
-
-impl Converter<'_> {
-    /// Material of balls or rings; `[material]` unless it has its own.
-    pub(in crate::case_file) fn material_of(
-        &self,
-        section: &str,
-        own: Option<&PartMaterialDocument>,
-    ) -> Result<Material, CaseError> {
-        match own {
-            Some(m) => {
-                let numbers = [m.density_kg_m3, m.youngs_modulus_gpa, m.poisson_ratio];
-                self.material(section, m.preset, numbers)
-            }
-            None => {
-                let m = &self.document.material;
-                let numbers = [m.density_kg_m3, m.youngs_modulus_gpa, m.poisson_ratio];
-                self.material("material", m.preset, numbers)
-            }
-        }
-    }
-
-    fn material(
-        &self,
-        section: &str,
-        preset: Option<MaterialPreset>,
-        given: [Option<f64>; 3],
-    ) -> Result<Material, CaseError> {
-        let mut si = [0.0; 3];
-        for (k, name) in NUMBERS.into_iter().enumerate() {
-            let path = join(section, name);
-            let value = match (preset, given[k]) {
-                (Some(preset), Some(value)) if value != preset.numbers()[k] => {
-                    let allowed = format!(
-                        "left out beside {section}.preset = \"{}\", which has {}",
-                        preset.name(),
-                        preset.numbers()[k]
-                    );
-                    return Err(self.refuse(&path, &value.to_string(), &allowed));
-                }
-                (Some(preset), _) => preset.numbers()[k],
-                (None, Some(value)) => value,
-                (None, None) => {
-                    let error = self.missing(section, name);
-                    let choice =
-                        format!("; or give {section}.preset, {}", MaterialPreset::choices());
-                    return Err(error.with_more(&choice));
-                }
-            };
-            si[k] = self.si(&path, value)?;
-        }
-        let [density_kg_m3, youngs_modulus_pa, poisson_ratio] = si;
-        let material = Material {
-            density_kg_m3,
-            youngs_modulus_pa,
-            poisson_ratio,
-        };
-        material
-            .check()
-            .map_err(|e| self.refused_in(Some(section), &e, None))?;
-        Ok(material)
     }
 }

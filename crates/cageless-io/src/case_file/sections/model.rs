@@ -2,9 +2,9 @@
 
 use cageless::Profile;
 
-use crate::case_file::declaration::Line::Shown;
-use crate::case_file::declaration::Presence::Default;
 use crate::case_file::declaration::section;
+use crate::case_file::key::Line::Shown;
+use crate::case_file::key::Presence::Default;
 use crate::case_file::unit::Unit::None as Plain;
 
 section! {

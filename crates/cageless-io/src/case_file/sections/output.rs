@@ -1,8 +1,8 @@
 //! `[output]`.
 
-use crate::case_file::declaration::Line::Shown;
-use crate::case_file::declaration::Presence::Default;
 use crate::case_file::declaration::section;
+use crate::case_file::key::Line::Shown;
+use crate::case_file::key::Presence::Default;
 use crate::case_file::unit::Unit::Microsecond;
 
 section! {

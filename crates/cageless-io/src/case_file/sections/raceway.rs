@@ -1,14 +1,8 @@
 //! `[raceway]`.
 
-use cageless::{Bearing, Raceway, RacewayDimensions};
-
-use crate::case_file::CaseError;
-use crate::case_file::convert::Converter;
-use crate::case_file::declaration::Line::{Commented, Shown};
-use crate::case_file::declaration::Presence::{Default, Required};
 use crate::case_file::declaration::section;
-use crate::case_file::document::nth;
-use crate::case_file::spanned_toml::join;
+use crate::case_file::key::Line::{Commented, Shown};
+use crate::case_file::key::Presence::{Default, Required};
 use crate::case_file::unit::Unit::{Degree, Micrometre, Millimetre};
 
 section! {
@@ -27,29 +21,5 @@ section! {
         depth_error_um => depth_error_m: f64 = Default(0.0), Micrometre,
             "machining error of the depth at the centre, along the normal",
             Commented("0.0", "machining error of the depth at the centre, along normal");
-    }
-}
-
-impl Converter<'_> {
-    /// The discrete raceways.
-    pub(in crate::case_file) fn raceways(
-        &self,
-        bearing: &Bearing,
-    ) -> Result<Vec<Raceway>, CaseError> {
-        let raceways = &self.document.raceway;
-        let one = |(index, raceway): (usize, &RacewayDocument)| {
-            let path = nth("raceway", index, raceways.len());
-            let si = |name: &str, value| self.si(&join(&path, name), value);
-            let dimensions = RacewayDimensions {
-                axial_span_m: si("axial_span_mm", raceway.axial_span_mm)?,
-                half_angle_rad: si("half_angle_deg", raceway.half_angle_deg)?,
-                centre_angle_rad: si("centre_angle_deg", raceway.centre_angle_deg)?,
-            };
-            let depth_error_m = si("depth_error_um", raceway.depth_error_um)?;
-            Raceway::new(dimensions, bearing)
-                .and_then(|raceway| raceway.with_depth_error(depth_error_m))
-                .map_err(|e| self.refused(&e, Some(index)))
-        };
-        raceways.iter().enumerate().map(one).collect()
     }
 }

@@ -3,9 +3,9 @@
 use cageless::FrictionLaw;
 use cageless::contact::FrictionTable;
 
-use crate::case_file::declaration::Line::{Absent, Shown};
-use crate::case_file::declaration::Presence::{Default, Optional, Required};
 use crate::case_file::declaration::section;
+use crate::case_file::key::Line::{Absent, Shown};
+use crate::case_file::key::Presence::{Default, Optional, Required};
 use crate::case_file::unit::Unit::{Degree, Micrometre, None as Plain, RevolutionPerMinute, Si};
 
 section! {

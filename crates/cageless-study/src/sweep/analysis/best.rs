@@ -6,11 +6,19 @@ use super::result::{BestVariant, BestVariants};
 use crate::number_text::short;
 use cageless_io::results::{Cell, Row};
 
-use super::Goal;
 use super::quantities::{Input, Output, Quantities};
 use super::table::Table;
 use crate::quantities::{Aim, QUANTITIES};
 use crate::sweep::error::SweepError;
+
+/// Requested direction of an output.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Goal {
+    /// Its column.
+    pub column: String,
+    /// Better direction of a quantity.
+    pub aim: Aim,
+}
 
 /// Variants that are named for each goal …
 const NAMED: usize = 8;

@@ -11,6 +11,7 @@ mod table;
 
 use std::path::Path;
 
+pub use best::Goal;
 use cageless_io::plan_file::{shortened, text_of};
 use cageless_io::results::RowsReader;
 pub use result::{
@@ -50,15 +51,6 @@ fn other_result(path: &Path) -> Option<(&Path, &'static str)> {
     }
     let made = OTHERS.iter().find(|(file, _)| folder.join(file).exists())?;
     Some((folder, made.1))
-}
-
-/// Requested direction of an output.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Goal {
-    /// Its column.
-    pub column: String,
-    /// Better direction of a quantity.
-    pub aim: Aim,
 }
 
 /// Reads the result of a sweep, its file or the folder of it, and works out what its report

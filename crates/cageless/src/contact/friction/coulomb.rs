@@ -1,7 +1,19 @@
 //! Coulomb's law: sliding under μN, rolling as sticking within the cone.
 
-use super::{FrictionParameters, Law, LawConstants, SlipProblem, Slips};
-use crate::simd::lanes::lane_struct;
+use super::law::{FrictionParameters, Law, LawConstants};
+use crate::contact::slip_problem::{SlipProblem, Slips};
+use crate::numerics::lanes::lane_struct;
+
+/// Coulomb law: fraction of a slip within the friction cone that one step takes away.
+///
+/// Rolling needs a friction force inside the cone that no function of the state
+/// gives; F = g·ΔV, bounded by ±μN, with g this fraction of what stops the slip within
+/// a step, supplies it. It is implicit stick relaxed over a few steps: the slip that
+/// remains is a creep proportional to the step, and where the ball slides, the law
+/// is μ·sign(ΔV)·N exactly. Both raceway contacts of a ball together relax at up
+/// to 10/7 of it, inside the stability interval of ABM4 (1.25); contacts between balls,
+/// which would add to it, always slide.
+pub(crate) const STICK_FRACTION: f64 = 0.4;
 
 law_struct! {
     /// μ·sign(ΔV)·N while sliding, at most μN while sticking.

@@ -17,113 +17,23 @@
 //! one is a file beside `smooth.rs` and a line of the list below; methods, step limits, messages
 //! and pages follow from it.
 
+mod check;
+mod friction_table;
+mod law;
 mod tanh;
 
-use super::{SlipProblem, Slips};
-
-pub use table::{FrictionTable, POINTS_MAX};
+pub(crate) use coulomb::STICK_FRACTION;
+pub use friction_table::{FrictionTable, POINTS_MAX};
+pub(crate) use law::LawLanes;
+pub use law::{FrictionParameters, Law, LawConstants};
 pub use tanh::tanh;
-
-/// Parameters of the laws for one kind of contact; a law has those that it uses.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FrictionParameters<'a> {
-    /// Law.
-    pub law: FrictionLaw,
-    /// μ; of the Stribeck law that of fast sliding.
-    pub coefficient: f64,
-    /// Sliding speed at the knee, m/s.
-    pub slip_scale_m_s: f64,
-    /// μs, at least μ.
-    pub static_coefficient: Option<f64>,
-    /// v of the Stribeck law, m/s.
-    pub stribeck_speed_m_s: Option<f64>,
-    /// μ over |ΔV|.
-    pub table: Option<&'a FrictionTable>,
-}
-
-/// A law of friction with its constants.
-pub trait Law: Copy {
-    /// Whether a rolling contact sticks: the friction within the cone is then no function of
-    /// the sliding speed. Implicit methods call [`Law::end_of_step`]; explicit ones get a stick
-    /// that is relaxed over a few steps, `stick_gain` times the sliding speed.
-    const STICKS: bool = false;
-
-    /// Friction force along −ΔV under the normal force `normal_n`, N, and its slope over ΔV,
-    /// N·s/m.
-    fn force(&self, slip_m_s: f64, normal_n: f64) -> [f64; 2];
-
-    /// [`Self::force`] of two contacts; to rounding the same.
-    #[inline(always)]
-    fn forces(&self, slips_m_s: [f64; 2], normals_n: [f64; 2]) -> [[f64; 2]; 2] {
-        [
-            self.force(slips_m_s[0], normals_n[0]),
-            self.force(slips_m_s[1], normals_n[1]),
-        ]
-    }
-
-    /// Coefficient of friction of fast sliding.
-    fn coefficient(&self) -> f64;
-
-    /// 1/ΔV at which the force has its knee, s/m; of laws that do not stick.
-    fn inverse_slip_scale(&self) -> f64 {
-        f64::INFINITY
-    }
-
-    /// A function of the sliding speed, m/s, that is zero where the force is not smooth over it; of
-    /// laws of which that is so.
-    #[inline(always)]
-    fn edge(&self, _slip_m_s: f64) -> Option<f64> {
-        None
-    }
-
-    /// Friction and sliding speeds at the end of an implicit step; of laws that stick.
-    fn end_of_step(&self, _problem: &SlipProblem) -> Slips {
-        Slips::default()
-    }
-}
-
-/// A law as the parameters of a case give it.
-pub trait LawConstants: Law + Send + Sync + 'static {
-    /// Name in files.
-    const NAME: &'static str;
-
-    /// Constants of the law.
-    fn new(parameters: &FrictionParameters<'_>, stick_gain_n_s_m: f64) -> Self;
-
-    /// The law with its parameters in a few words.
-    fn describe(parameters: &FrictionParameters<'_>) -> String;
-
-    /// Largest coefficient of friction.
-    fn coefficient_max(parameters: &FrictionParameters<'_>) -> f64 {
-        parameters.coefficient
-    }
-
-    /// Largest fall of the coefficient of friction over the sliding speed, s/m.
-    fn steepest_fall(_parameters: &FrictionParameters<'_>) -> f64 {
-        0.0
-    }
-}
-
-/// Constants of a law in every lane of a block.
-pub(crate) trait LawLanes {
-    /// Those of one lane.
-    type Constants: LawConstants;
-    /// The law in one lane.
-    type Law<'a>: Law
-    where
-        Self: 'a;
-    /// The law in a lane.
-    fn lane(&self, lane: usize) -> Self::Law<'_>;
-    /// The lanes filled one by one.
-    fn filled(value: impl Fn(usize) -> Self::Constants) -> Self;
-}
 
 /// Declares a law whose constants are numbers.
 macro_rules! law_struct {
     ($(#[$meta:meta])* pub struct $name:ident per lane $lanes:ident { $($fields:tt)* }) => {
         lane_struct! { $(#[$meta])* pub struct $name per lane $lanes { $($fields)* } }
 
-        impl super::LawLanes for $lanes {
+        impl super::law::LawLanes for $lanes {
             type Constants = $name;
             type Law<'a> = $name;
             #[inline(always)]
@@ -180,29 +90,31 @@ macro_rules! friction_laws {
             pub fn sticks(self) -> bool {
                 match self { $(Self::$law => <$law as Law>::STICKS,)* }
             }
-        }
 
-        impl FrictionParameters<'_> {
             /// Largest coefficient of friction.
-            pub fn coefficient_max(&self) -> f64 {
-                match self.law { $(FrictionLaw::$law => <$law as LawConstants>::coefficient_max(self),)* }
+            pub fn coefficient_max(self, parameters: &FrictionParameters<'_>) -> f64 {
+                match self { $(Self::$law => <$law as LawConstants>::coefficient_max(parameters),)* }
             }
 
             /// Largest fall of the coefficient of friction over the sliding speed, s/m.
-            pub fn steepest_fall(&self) -> f64 {
-                match self.law { $(FrictionLaw::$law => <$law as LawConstants>::steepest_fall(self),)* }
+            pub fn steepest_fall(self, parameters: &FrictionParameters<'_>) -> f64 {
+                match self { $(Self::$law => <$law as LawConstants>::steepest_fall(parameters),)* }
             }
 
             /// The law with its parameters in a few words.
-            pub fn describe(&self) -> String {
-                match self.law { $(FrictionLaw::$law => <$law as LawConstants>::describe(self),)* }
+            pub fn describe(self, parameters: &FrictionParameters<'_>) -> String {
+                match self { $(Self::$law => <$law as LawConstants>::describe(parameters),)* }
             }
         }
 
         impl Friction {
             /// The law with these parameters; explicit methods give a law that sticks this gain.
-            pub fn new(parameters: &FrictionParameters<'_>, stick_gain_n_s_m: f64) -> Self {
-                match parameters.law {
+            pub fn new(
+                law: FrictionLaw,
+                parameters: &FrictionParameters<'_>,
+                stick_gain_n_s_m: f64,
+            ) -> Self {
+                match law {
                     $(FrictionLaw::$law => Self::$law($law::new(parameters, stick_gain_n_s_m)),)*
                 }
             }
@@ -288,7 +200,6 @@ mod tests {
     fn slopes_are_derivatives() {
         let table = FrictionTable::new(vec![[0.01, 0.3], [0.2, 0.2], [0.9, 0.1]]).unwrap();
         let measured = FrictionParameters {
-            law: FrictionLaw::Table,
             coefficient: 0.1,
             slip_scale_m_s: 0.02,
             static_coefficient: None,
@@ -296,7 +207,7 @@ mod tests {
             table: Some(&table),
         };
         for law in [
-            Friction::new(&measured, 0.0),
+            Friction::new(FrictionLaw::Table, &measured, 0.0),
             Friction::Smooth(Smooth {
                 coefficient: 0.1,
                 inverse_slip_scale: 50.0,

@@ -1,8 +1,8 @@
 //! Friction with a smooth knee at zero sliding speed.
 
-use super::tanh::tanh_pair;
-use super::{FrictionParameters, Law, LawConstants, tanh};
-use crate::simd::lanes::lane_struct;
+use super::law::{FrictionParameters, Law, LawConstants};
+use super::tanh::{tanh, tanh_pair};
+use crate::numerics::lanes::lane_struct;
 
 law_struct! {
     /// μ·tanh(ΔV/scale)·N.

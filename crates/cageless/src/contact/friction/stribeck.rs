@@ -1,8 +1,8 @@
 //! Friction that drops from static to sliding.
 
-use super::tanh::exp_negative;
-use super::{FrictionParameters, Law, LawConstants, tanh};
-use crate::simd::lanes::lane_struct;
+use super::law::{FrictionParameters, Law, LawConstants};
+use super::tanh::{exp_negative, tanh};
+use crate::numerics::lanes::lane_struct;
 
 law_struct! {
     /// (μ + (μs − μ)·exp(−|ΔV|/v))·tanh(ΔV/scale)·N.

@@ -5,7 +5,7 @@ use super::pareto::OBJECTIVES;
 use super::perturbed_run::{Motion, VALUES};
 use super::raceway_layout::{ClosedForms, RacewayLayout};
 use super::rejection::{Cause, Rejection};
-use super::{CONFIRMING_STARTS, Execute, Request, Stage};
+use super::request::{CONFIRMING_STARTS, Execute, Request, Stage};
 use crate::bearing::Bearing;
 
 /// A structure with what is known of it; later stages are left empty once it is rejected.

@@ -8,7 +8,7 @@ use super::job::{Interrupted, Job, Numbers, PairSeparation, Task};
 use super::perturbed_run::Motion;
 use super::raceway_layout::{ClosedForms, OperatingPoint, RacewayLayout};
 use super::rejection::Cause;
-use super::{BUDGET, Request, Stage};
+use super::request::{BUDGET, Request, Stage};
 use crate::bearing::Bearing;
 use crate::design::SLIP_SHORTFALL;
 use crate::raceway::axial_span_limit_m;

@@ -1,9 +1,10 @@
 //! Raceway layouts and their closed forms, which need no simulation.
 
 use crate::bearing::Bearing;
-use crate::case::{Case, IntegrationMethod};
+use crate::case::Case;
 use crate::design::{Eq11, steady_gap_rad, theoretical_gap_rad};
 use crate::error::InputError;
+use crate::integrator::IntegrationMethod;
 use crate::raceway::{Raceway, RacewayDimensions};
 
 /// Equal discrete raceways at given places.

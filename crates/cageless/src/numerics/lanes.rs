@@ -1,6 +1,16 @@
 //! One number per lane, and structs of them derived from plain structs of `f64`.
+//!
+//! ```
+//! use cageless::numerics::lanes::{BATCH_WIDTH, LANES};
+//!
+//! assert_eq!(LANES, 2 * BATCH_WIDTH); // two balls of each bearing in a block
+//! ```
 
-use crate::dynamics::layout::LANES;
+/// Length of a block: what the arrays over the balls are padded to.
+pub const LANES: usize = 16;
+
+/// Bearings side by side; two balls of each fill a block.
+pub const BATCH_WIDTH: usize = 8;
 
 /// One number of each lane of a block.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,6 +42,27 @@ pub(crate) fn flat_mut(blocks: &mut [Lanes]) -> &mut [f64] {
 
 const _: () = assert!(size_of::<Lanes>() == LANES * size_of::<f64>());
 
+/// The larger of two numbers; `a` where one is none.
+#[inline(always)]
+pub(crate) fn larger(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
+}
+
+/// Largest of the lanes of each bearing; that of the only bearing comes first.
+#[inline(always)]
+pub(crate) fn lane_maxima(lanes: &Lanes, alone: bool) -> [f64; BATCH_WIDTH] {
+    let mut maxima = [0.0; BATCH_WIDTH];
+    for lane in 0..LANES {
+        maxima[lane % BATCH_WIDTH] = larger(maxima[lane % BATCH_WIDTH], lanes.0[lane]);
+    }
+    if alone {
+        for k in 1..BATCH_WIDTH {
+            maxima[0] = larger(maxima[0], maxima[k]);
+        }
+    }
+    maxima
+}
+
 /// Declares a plain struct of `f64` and, from the same fields, the struct that holds one of
 /// them per lane, with `get` and `put` for a lane.
 macro_rules! lane_struct {
@@ -50,13 +81,13 @@ macro_rules! lane_struct {
         #[doc = concat!("[`", stringify!($name), "`] of each lane.")]
         #[derive(Debug, Clone)]
         pub(crate) struct $lanes {
-            $(pub $field: $crate::simd::lanes::Lanes),*
+            $(pub $field: $crate::numerics::lanes::Lanes),*
         }
 
         #[allow(dead_code)] // some are only read, some only written
         impl $lanes {
             pub const ZERO: Self = Self {
-                $($field: $crate::simd::lanes::Lanes::ZERO),*
+                $($field: $crate::numerics::lanes::Lanes::ZERO),*
             };
 
             #[inline(always)]
@@ -72,7 +103,7 @@ macro_rules! lane_struct {
             /// The lanes filled one by one.
             pub fn from_fn(value: impl Fn(usize) -> $name) -> Self {
                 let mut lanes = Self::ZERO;
-                for lane in 0..$crate::dynamics::layout::LANES {
+                for lane in 0..$crate::numerics::lanes::LANES {
                     lanes.put(lane, value(lane));
                 }
                 lanes

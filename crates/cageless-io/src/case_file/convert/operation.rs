@@ -1,0 +1,64 @@
+//! Operation of a case.
+
+use cageless::Operation;
+use cageless::time_table::TimeTable;
+
+use crate::case_file::converter::Converter;
+use crate::case_file::error::CaseError;
+use crate::case_file::fields::OverTime;
+use crate::case_file::spanned_toml::join;
+
+impl Converter<'_> {
+    /// Speed and load.
+    pub(in crate::case_file) fn operation(&self) -> Result<Operation, CaseError> {
+        let o = &self.document.operation;
+        let (speed, speeds) = self.over_time("inner_speed_rpm", o.inner_speed_rpm.as_ref())?;
+        // Clockwise is counter-clockwise seen from the other face.
+        let values = || speeds.iter().flatten().map(|[_, value]| *value);
+        let clockwise = speed < 0.0 || values().any(|v| v < 0.0);
+        let reversed = values().any(|v| v > 0.0);
+        let (speed, speeds) = if clockwise && !reversed {
+            let turned = |rows: Vec<[f64; 2]>| rows.into_iter().map(|[t, v]| [t, -v]).collect();
+            (-speed, speeds.map(turned))
+        } else {
+            (speed, speeds)
+        };
+        let (load, loads) = self.over_time("radial_load_n", o.radial_load_n.as_ref())?;
+        let table = |field, rows: Option<Vec<[f64; 2]>>| {
+            let table = |rows: Vec<[f64; 2]>| {
+                let (times, values) = rows.into_iter().map(|[t, v]| (t, v)).unzip();
+                TimeTable::new(field, times, values).map_err(|e| self.refused(&e, None))
+            };
+            rows.map(table).transpose()
+        };
+        Ok(Operation {
+            clockwise,
+            inner_speed_rad_s: speed,
+            radial_load_n: load,
+            gravity_m_s2: self.si("operation.gravity_m_s2", o.gravity_m_s2)?,
+            inner_speed_table: table("inner_speed_rad_s", speeds)?,
+            radial_load_table: table("radial_load_n", loads)?,
+        })
+    }
+
+    /// Value at the start and the table of a quantity, in SI units; 0 under a rotor, where
+    /// the key is left out.
+    #[expect(clippy::type_complexity, reason = "a value and its table")]
+    fn over_time(
+        &self,
+        name: &str,
+        given: Option<&OverTime>,
+    ) -> Result<(f64, Option<Vec<[f64; 2]>>), CaseError> {
+        let path = join("operation", name);
+        match given {
+            None if self.document.rotor.is_some() => Ok((0.0, None)),
+            None => Err(self.missing("operation", name)),
+            Some(OverTime::Constant(value)) => Ok((self.si(&path, *value)?, None)),
+            Some(OverTime::Table(rows)) => {
+                let si = |[time, value]: &[f64; 2]| Ok([*time, self.si(&path, *value)?]);
+                let rows = rows.iter().map(si).collect::<Result<Vec<_>, _>>()?;
+                Ok((rows.first().map_or(0.0, |[_, value]| *value), Some(rows)))
+            }
+        }
+    }
+}

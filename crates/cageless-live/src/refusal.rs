@@ -1,0 +1,63 @@
+//! Refusal of a request.
+
+use cageless::critical_gap::CriticalGapError;
+use cageless::equilibrium::EquilibriumError;
+use cageless_io::case_file::{CaseError, CaseFile};
+use serde::Serialize;
+
+/// A request that cannot be answered: what the command prints for the same mistake.
+#[derive(Debug, Serialize)]
+pub(crate) struct Refusal {
+    /// The message.
+    message: String,
+    /// Line of the case, from 1.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    line: Option<usize>,
+    /// Dotted key of the case.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    key: Option<String>,
+}
+
+impl Refusal {
+    /// A message about the request as a whole.
+    pub(crate) fn new(message: impl Into<String>) -> Self {
+        Self {
+            message: message.into(),
+            line: None,
+            key: None,
+        }
+    }
+}
+
+impl From<CaseError> for Refusal {
+    fn from(error: CaseError) -> Self {
+        Self {
+            message: error.to_string(),
+            line: error.line(),
+            key: error.key().map(str::to_owned),
+        }
+    }
+}
+
+impl From<EquilibriumError> for Refusal {
+    fn from(error: EquilibriumError) -> Self {
+        Self::new(error.to_string())
+    }
+}
+
+impl From<cageless::InputError> for Refusal {
+    fn from(error: cageless::InputError) -> Self {
+        Self::new(error.to_string())
+    }
+}
+
+impl From<CriticalGapError> for Refusal {
+    fn from(error: CriticalGapError) -> Self {
+        Self::new(error.to_string())
+    }
+}
+
+/// Reads the case of a request; its messages name the case file `case`.
+pub(crate) fn read(case: &str) -> Result<CaseFile, Refusal> {
+    Ok(CaseFile::parse(case, "case", &[])?)
+}

@@ -1,0 +1,34 @@
+//! Data of the page of a comparison.
+
+use crate::data::Provenance;
+use crate::run_data::RunData;
+
+/// One of the runs of a comparison.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ComparedRun {
+    /// Name in tables and legends.
+    pub name: String,
+    /// Data of its page.
+    pub data: RunData,
+}
+
+/// Provenance of what shows all runs; settings in which they differ stand side by side.
+pub(crate) fn provenance(runs: &[ComparedRun]) -> Provenance {
+    let all = || runs.iter().map(|run| &run.data.provenance);
+    let joined = |of: fn(&Provenance) -> Option<String>| {
+        let mut values: Vec<String> = all().filter_map(of).collect();
+        values.dedup();
+        (!values.is_empty()).then(|| values.join(" / "))
+    };
+    let cases = runs.iter().zip(all());
+    let cases = cases.map(|(run, from)| format!("{}: {}", run.name, from.case));
+    let step_us = all().next().and_then(|from| from.step_us);
+    Provenance {
+        case: cases.collect::<Vec<_>>().join("; "),
+        profile: joined(|from| from.profile.clone()),
+        friction_law: joined(|from| from.friction_law.clone()),
+        method: joined(|from| from.method.clone()),
+        step_us: step_us.filter(|_| all().all(|from| from.step_us == step_us)),
+        discarded: joined(|from| Some(from.discarded.clone())).unwrap_or_default(),
+    }
+}

@@ -1,0 +1,225 @@
+//! Dimensions of a bearing, and whether its parts fit together.
+
+use std::f64::consts::TAU;
+
+use crate::contact::hertz::{PointContact, STRESS_LIMIT_PA};
+use crate::error::{Allowed, InputError};
+use crate::limits::{not_negative, positive};
+use crate::material::Materials;
+
+/// Dimensions and inertia of the bearing, as a designer states them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BearingDimensions {
+    /// N, number of balls; 3 or more.
+    pub balls: usize,
+    /// Rw.
+    pub ball_radius_m: f64,
+    /// Ri, radius of the inner ring at the bottom of its groove.
+    pub inner_groove_bottom_radius_m: f64,
+    /// Ro, radius of the outer ring at the bottom of its groove.
+    pub outer_groove_bottom_radius_m: f64,
+    /// Ros, radius of the outer ring's shoulder.
+    pub outer_shoulder_radius_m: f64,
+    /// Radius of curvature of the inner groove in the meridian plane.
+    pub inner_groove_curvature_radius_m: f64,
+    /// Re, radius of curvature of the outer groove in the meridian plane.
+    pub outer_groove_curvature_radius_m: f64,
+    /// mi, the inner ring with what turns with it.
+    pub inner_ring_mass_kg: f64,
+    /// C of Zhao 2022, Eq. (14).
+    pub inner_ring_drag_n_s_m: f64,
+}
+
+/// Largest radius of a groove in the meridian plane over the diameter of the ball. Grooves of
+/// bearings have 0.51 to 0.58.
+const CONFORMITY_MAX: f64 = 1.0;
+
+/// Least number of balls: two cannot carry a load from every side.
+pub const BALLS_MIN: usize = 3;
+
+/// Largest number of balls.
+pub const BALLS_MAX: usize = 256;
+
+/// Below this a difference of dimensions is rounding: a thousandth of a nanometre.
+pub(super) const ROUNDING_M: f64 = 1e-12;
+
+impl BearingDimensions {
+    /// Largest interference 2Rw − (Ro − Ri), m: it presses the balls between the unloaded rings
+    /// with [`STRESS_LIMIT_PA`]. 0 where the ball does not fit into the grooves.
+    pub fn interference_max_m(&self, materials: &Materials) -> f64 {
+        let radii = [
+            self.outer_groove_bottom_radius_m,
+            self.inner_groove_curvature_radius_m,
+            self.outer_groove_curvature_radius_m,
+        ];
+        let positive = self.ball_radius_m.min(self.inner_groove_bottom_radius_m) > 0.0;
+        if !(positive && radii.iter().all(|r| *r > self.ball_radius_m)) {
+            return 0.0;
+        }
+        let contacts = self.raceway_contacts(materials);
+        // Hertz: p ∝ F^(1/3), and both raceways bear the same force.
+        let force = contacts
+            .each_ref()
+            .map(|c| (STRESS_LIMIT_PA / c.peak_stress_pa(1.0)).powi(3));
+        let force = force[0].min(force[1]);
+        let deflections = contacts.map(|c| (force / c.stiffness_n_m1_5).powf(2.0 / 3.0));
+        deflections[0] + deflections[1]
+    }
+
+    /// Checks that the parts fit together.
+    pub(super) fn check(&self, materials: &Materials) -> Result<(), InputError> {
+        let d = self;
+        positive("ball_radius_m", d.ball_radius_m)?;
+        positive(
+            "inner_groove_bottom_radius_m",
+            d.inner_groove_bottom_radius_m,
+        )?;
+        positive(
+            "outer_groove_bottom_radius_m",
+            d.outer_groove_bottom_radius_m,
+        )?;
+        positive("outer_shoulder_radius_m", d.outer_shoulder_radius_m)?;
+        positive(
+            "inner_groove_curvature_radius_m",
+            d.inner_groove_curvature_radius_m,
+        )?;
+        positive(
+            "outer_groove_curvature_radius_m",
+            d.outer_groove_curvature_radius_m,
+        )?;
+        positive("inner_ring_mass_kg", d.inner_ring_mass_kg)?;
+        not_negative("inner_ring_drag_n_s_m", d.inner_ring_drag_n_s_m)?;
+        materials.ball.check()?;
+        materials.ring.check()?;
+        if d.balls < BALLS_MIN {
+            return Err(InputError::new(
+                "balls",
+                d.balls as f64,
+                Allowed::AtLeast(BALLS_MIN as f64, ""),
+            ));
+        }
+        let clearance = d.play_m();
+        // Dimensions given in millimetres do not add up to zero exactly.
+        if clearance < -ROUNDING_M && -clearance > d.interference_max_m(materials) {
+            let between = d.outer_groove_bottom_radius_m - d.inner_groove_bottom_radius_m;
+            let mut largest = self.clone();
+            // The limit is in proportion to the radius of the ball, a hundredth of it or less.
+            for _ in 0..4 {
+                largest.ball_radius_m = between / 2.0;
+                largest.ball_radius_m += largest.interference_max_m(materials) / 2.0;
+            }
+            return Err(InputError::new(
+                "ball_radius_m",
+                d.ball_radius_m,
+                Allowed::AtMost(
+                    largest.ball_radius_m,
+                    "with more interference, a radial clearance Ro - Ri - 2 Rw below zero, the \
+                     unloaded rings press the balls with over 4200 MPa, the limit of ISO 76",
+                ),
+            ));
+        }
+        if d.balls > BALLS_MAX {
+            return Err(InputError::new(
+                "balls",
+                d.balls as f64,
+                Allowed::AtMost(BALLS_MAX as f64, "room in the vectors"),
+            ));
+        }
+        let most = (TAU / (2.0 * (d.ball_radius_m / d.pitch_radius_m()).asin())).floor();
+        if d.balls as f64 > most {
+            return Err(InputError::new(
+                "balls",
+                d.balls as f64,
+                Allowed::AtMost(most, "more do not fit on the pitch circle"),
+            ));
+        }
+        if clearance > 2.0 * d.ball_radius_m {
+            return Err(InputError::new(
+                "outer_groove_bottom_radius_m",
+                d.outer_groove_bottom_radius_m,
+                Allowed::AtMost(
+                    d.inner_groove_bottom_radius_m + 4.0 * d.ball_radius_m,
+                    "with more room than that between the rings a ball passes another",
+                ),
+            ));
+        }
+        for (field, radius) in [
+            (
+                "inner_groove_curvature_radius_m",
+                d.inner_groove_curvature_radius_m,
+            ),
+            (
+                "outer_groove_curvature_radius_m",
+                d.outer_groove_curvature_radius_m,
+            ),
+        ] {
+            if radius <= d.ball_radius_m {
+                return Err(InputError::new(
+                    field,
+                    radius,
+                    Allowed::Above(d.ball_radius_m, "the radius of the ball"),
+                ));
+            }
+            let flattest = CONFORMITY_MAX * 2.0 * d.ball_radius_m;
+            if radius > flattest {
+                return Err(InputError::new(
+                    field,
+                    radius,
+                    Allowed::AtMost(
+                        flattest,
+                        "the diameter of the ball; grooves have 0.51 to 0.58 of it",
+                    ),
+                ));
+            }
+        }
+        let touching = d.outer_groove_bottom_radius_m - d.ball_radius_m;
+        if d.outer_shoulder_radius_m <= touching
+            || d.outer_shoulder_radius_m >= d.outer_groove_bottom_radius_m
+        {
+            return Err(InputError::new(
+                "outer_shoulder_radius_m",
+                d.outer_shoulder_radius_m,
+                Allowed::Between(
+                    touching,
+                    d.outer_groove_bottom_radius_m,
+                    "ball centre at the outer raceway and groove bottom",
+                ),
+            ));
+        }
+        Ok(())
+    }
+
+    /// A nominal ball against the plain raceways: inner, outer.
+    pub(super) fn raceway_contacts(&self, materials: &Materials) -> [PointContact; 2] {
+        let ball = [1.0 / self.ball_radius_m; 2];
+        self.ring_curvatures()
+            .map(|ring| PointContact::between(ball, ring, [&materials.ball, &materials.ring]))
+    }
+
+    /// Principal curvatures of the raceways at the bottom of their grooves, in the plane of
+    /// rolling and across: inner, outer.
+    pub(super) fn ring_curvatures(&self) -> [[f64; 2]; 2] {
+        [
+            [
+                1.0 / self.inner_groove_bottom_radius_m,
+                -1.0 / self.inner_groove_curvature_radius_m,
+            ],
+            [
+                -1.0 / self.outer_groove_bottom_radius_m,
+                -1.0 / self.outer_groove_curvature_radius_m,
+            ],
+        ]
+    }
+
+    /// Ro − Ri − 2Rw as the dimensions give it.
+    pub(super) fn play_m(&self) -> f64 {
+        self.outer_groove_bottom_radius_m
+            - self.inner_groove_bottom_radius_m
+            - 2.0 * self.ball_radius_m
+    }
+
+    /// Rm, radius of the pitch circle: the mean of Ro and Ri.
+    pub(super) fn pitch_radius_m(&self) -> f64 {
+        (self.outer_groove_bottom_radius_m + self.inner_groove_bottom_radius_m) / 2.0
+    }
+}

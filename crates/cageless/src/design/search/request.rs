@@ -1,0 +1,85 @@
+//! Ranges, limits and stages of a search.
+
+use super::job::{Interrupted, Job, Outcome};
+use super::raceway_layout::OperatingPoint;
+use crate::case::Case;
+
+/// Ranges and limits of a search.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Request {
+    /// Operating points; a structure must be acceptable at all of them.
+    pub points: Vec<OperatingPoint>,
+    /// Further speeds to draw maps at, under the load of the first point.
+    pub map_speeds_rad_s: Vec<f64>,
+    /// Spans lC to look at, the limits included; `None` for all that Eq. (8) allows.
+    pub axial_span_range_m: Option<[f64; 2]>,
+    /// Angles θ to look at, the limits included; `None` for all that Eq. (9) allows.
+    pub half_angle_range_rad: Option<[f64; 2]>,
+    /// Places of the raceways, ψ of their middles; the map is drawn for the first.
+    pub placements: Vec<Vec<f64>>,
+    /// Fraction of the steady gap that a raceway must guarantee, above 0 and below 1.
+    pub spread_min: f64,
+    /// Uneven starts per structure, 1 or more.
+    pub starts: u64,
+    /// Runs of all balls for the front at most; below the default, maps have fewer cells.
+    pub budget: usize,
+}
+
+impl Request {
+    /// The case's own operating point, one raceway where the case has its first (at the
+    /// bottom if it has none), all that the geometry allows.
+    pub fn from_case(case: &Case) -> Self {
+        let centre = case
+            .raceways
+            .first()
+            .map_or(0.0, |r| r.dimensions().centre_angle_rad);
+        Self {
+            points: vec![OperatingPoint::from_case(case)],
+            map_speeds_rad_s: vec![],
+            axial_span_range_m: None,
+            half_angle_range_rad: None,
+            placements: vec![vec![centre]],
+            spread_min: SPREAD_MIN,
+            starts: 2,
+            budget: BUDGET,
+        }
+    }
+}
+
+/// Default of [`Request::budget`].
+pub const BUDGET: usize = 200;
+/// Default of [`Request::spread_min`].
+pub const SPREAD_MIN: f64 = 0.8;
+/// Starts of the confirmation.
+pub const CONFIRMING_STARTS: u64 = 12;
+
+/// Stage of a search.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stage {
+    /// Critical gaps of the map.
+    Map,
+    /// Critical gaps of the band.
+    Candidates,
+    /// Runs of all balls.
+    Motion,
+    /// Steps of the optimiser.
+    Polish,
+    /// More starts.
+    Confirm,
+}
+
+impl Stage {
+    /// Name for people.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Map => "map of critical gaps",
+            Self::Candidates => "critical gaps of the candidates",
+            Self::Motion => "motion of all balls",
+            Self::Polish => "optimiser",
+            Self::Confirm => "confirmation",
+        }
+    }
+}
+
+/// Runs a batch of jobs and returns their outcomes in their order.
+pub type Execute<'e> = dyn FnMut(Stage, &[Job]) -> Result<Vec<Outcome>, Interrupted> + 'e;

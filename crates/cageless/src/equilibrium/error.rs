@@ -1,0 +1,43 @@
+//! Reasons for which there is no equilibrium.
+
+use crate::error::InputError;
+
+/// Why a case has no static equilibrium, or none was found.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum EquilibriumError {
+    /// The case itself is wrong.
+    #[error(transparent)]
+    Input(#[from] InputError),
+    /// The balls at their angles leave a gap through which the ring falls.
+    #[error(
+        "no static equilibrium exists: the balls at their starting angles leave a gap through \
+         which the loaded ring falls; spread them (start.gaps)"
+    )]
+    Unsupported,
+    /// Balls of a settled start overlap where the rings seat them.
+    #[error(
+        "the balls cannot start settled: between the rings ball {} and the ball ahead of it would \
+         overlap by {:.1} um; give them a gap of at least {:.2} deg (start.gaps), or begin with \
+         start.state = \"rolling\"",
+        ball + 1, overlap_m * 1e6, gap_rad.to_degrees()
+    )]
+    BallsOverlap {
+        /// The ball, from 0.
+        ball: usize,
+        /// Depth of the overlap.
+        overlap_m: f64,
+        /// Gap at which they touch.
+        gap_rad: f64,
+    },
+    /// No convergence.
+    #[error(
+        "no static equilibrium found: {residual_n:e} N of force are left on the ring after \
+         {iterations} steps down its potential energy"
+    )]
+    NotConverged {
+        /// Force left on the ring.
+        residual_n: f64,
+        /// Steps made.
+        iterations: usize,
+    },
+}

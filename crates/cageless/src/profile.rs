@@ -1,0 +1,23 @@
+//! Sets of equations.
+
+/// Set of equations that is integrated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Profile {
+    /// As published: centrifugal force added in Zhao 2022, Eq. (12), spin of
+    /// Eq. (13) taken relative to the frame that turns with the ball's orbit,
+    /// friction on the discrete raceway along the contact path.
+    Paper,
+    /// Consistent mechanics: inertial frame, absolute spin, friction along the
+    /// sliding velocity.
+    Physical,
+}
+
+impl Profile {
+    /// Profile that a build of the equations of motion is for.
+    pub(crate) const fn of_build(paper: bool) -> Self {
+        match paper {
+            true => Self::Paper,
+            false => Self::Physical,
+        }
+    }
+}

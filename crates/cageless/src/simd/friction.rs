@@ -1,0 +1,30 @@
+//! Friction and sliding of contacts, lane by lane.
+
+use super::parameters::Parameters;
+use super::workspace::BlockResults;
+use crate::contact::{Law, LawLanes, with_law};
+use crate::numerics::lanes::{LANES, Lanes, larger};
+
+/// Friction of one contact of each lane by the law of the case.
+#[inline(always)]
+pub(super) fn friction(p: &Parameters, slip: &Lanes, normal: &Lanes, force: &mut Lanes) {
+    with_law!(&p.friction, law => friction_by(law, slip, normal, force));
+}
+
+#[inline(always)]
+fn friction_by(law: &impl LawLanes, slip: &Lanes, normal: &Lanes, force: &mut Lanes) {
+    for lane in 0..LANES {
+        [force.0[lane], _] = law.lane(lane).force(slip.0[lane], normal.0[lane]);
+    }
+}
+
+/// Largest |ΔV| at contacts that carry load.
+#[inline(always)]
+pub(super) fn loaded_slips(results: &BlockResults, largest: &mut Lanes) {
+    for lane in 0..LANES {
+        let loaded = |slip: f64, force: f64| if force > 0.0 { slip.abs() } else { 0.0 };
+        let inner = loaded(results.inner.slip.0[lane], results.inner.force.0[lane]);
+        let outer = loaded(results.outer.slip.0[lane], results.outer.force.0[lane]);
+        largest.0[lane] = larger(largest.0[lane], larger(inner, outer));
+    }
+}

@@ -1,0 +1,43 @@
+//! Outcome of a run.
+
+use super::guard::Stop;
+use super::observer::ObserverError;
+use crate::dynamics::InstructionSet;
+use crate::dynamics::state::State;
+
+/// Ending of a run.
+#[derive(Debug)]
+pub enum Ending {
+    /// Completed its duration.
+    Complete,
+    /// Interrupted by the caller.
+    Interrupted,
+    /// Stopped because it left the physical range.
+    Stopped(Stop),
+    /// Stopped because an observer failed.
+    ObserverFailed(ObserverError),
+}
+
+/// Outcome of a run.
+#[derive(Debug)]
+pub struct RunOutcome {
+    /// Ending of the run.
+    pub ending: Ending,
+    /// Simulated time reached.
+    pub end_s: f64,
+    /// Steps made.
+    pub steps: u64,
+    /// Evaluations of the right-hand side.
+    pub rhs_evaluations: u64,
+    /// Last state, with the energy ledger.
+    pub state: State,
+    /// Kinetic and elastic energy at the start.
+    pub start_energy_j: f64,
+    /// Kinetic and elastic energy at the end.
+    pub end_energy_j: f64,
+    /// Energy now − energy at the start − net work, over the sum of absolute flows, at least
+    /// 1e-6 of the energy at the start.
+    pub energy_residual_relative: f64,
+    /// Instructions used.
+    pub instruction_set: InstructionSet,
+}
