@@ -3,7 +3,7 @@
 use std::io::IsTerminal;
 use std::path::Path;
 
-use cageless_study::number_text;
+use cageless_results::Results;
 
 /// Lines up columns: text to the left, numbers to the right. The first row is the head.
 pub fn columns(rows: &[Vec<String>]) -> String {
@@ -58,6 +58,14 @@ pub fn pairs(rows: &[(&str, String)]) -> String {
         .collect()
 }
 
+/// Values of results with their units, by label.
+pub fn values(results: &Results) -> Vec<(&'static str, String)> {
+    let space = |unit: &str| if matches!(unit, "" | "°") { "" } else { " " };
+    let rows = results.rows();
+    rows.map(|(label, value, unit)| (label, format!("{value}{}{unit}", space(&unit))))
+        .collect()
+}
+
 /// Line with the path of a page in a folder; nothing without one.
 pub fn page_line(folder: Option<&Path>, name: &str) -> String {
     folder.map_or(String::new(), |folder| {
@@ -94,13 +102,6 @@ pub fn fixed(value: f64, decimals: usize) -> String {
     }
 }
 
-/// A large number by a power of ten, with five digits: 2.7720 × 10¹⁰.
-pub fn power(value: f64) -> String {
-    let text = format!("{value:.4e}");
-    let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-    format!("{digits} × 10{}", number_text::raised(exponent))
-}
-
 /// A line for each note.
 pub fn notes(all: &[String]) -> String {
     all.iter().map(|n| format!("note: {n}\n")).collect()
@@ -113,7 +114,7 @@ pub fn warnings(all: &[String]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{coloured, columns, fixed, power};
+    use super::{coloured, columns, fixed};
 
     #[test]
     fn zero_has_no_sign() {
@@ -121,7 +122,6 @@ mod tests {
         assert_eq!(fixed(-0.4, 0), "0");
         assert_eq!(fixed(-0.00006, 4), "−0.0001");
         assert_eq!(fixed(-12.5, 2), "−12.50");
-        assert_eq!(power(2.77203e10), "2.7720 × 10¹⁰");
     }
 
     #[test]

@@ -4,7 +4,7 @@ use cageless::numerics::moments::Moments;
 use cageless::numerics::student::two_sided_limit;
 use serde::Serialize;
 
-use crate::number_text::{fixed, significant};
+use cageless_results::number_text::{fixed, significant};
 
 /// Probability of calling a difference significant that is none.
 pub const SIGNIFICANCE: f64 = 0.05;

@@ -27,7 +27,6 @@ pub mod estimate;
 mod files;
 #[cfg(feature = "files")]
 pub mod journal;
-pub mod number_text;
 mod option_error;
 #[cfg(feature = "files")]
 pub mod plan_file;

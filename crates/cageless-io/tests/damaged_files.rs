@@ -6,8 +6,9 @@ use std::fs;
 use cageless::linear_rotor::{DMatrix, RotorMatrices};
 use cageless_io::case_file::template;
 use cageless_io::journal::Journal;
-use cageless_io::results::{Cell, ColumnKind, ColumnSpec, RowsWriter};
+use cageless_io::results::{ColumnKind, ColumnSpec, RowsWriter};
 use cageless_io::rotor_file::write_matrices;
+use cageless_results::Cell;
 
 /// xorshift64*.
 struct Random(u64);

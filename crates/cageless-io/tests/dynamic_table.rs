@@ -1,6 +1,7 @@
 //! Tables of sweeps come back as they were written.
 
-use cageless_io::results::{Cell, ColumnKind, ColumnSpec, Row, RowsReader, RowsWriter};
+use cageless_io::results::{ColumnKind, ColumnSpec, Row, RowsReader, RowsWriter};
+use cageless_results::Cell;
 
 fn columns() -> Vec<ColumnSpec> {
     let column = |name: &str, unit: &str, kind| ColumnSpec {

@@ -3,13 +3,11 @@
 use std::f64::consts::TAU;
 
 use cageless::Case;
-use cageless::design::{
-    Eq11, Estimate, balls_in_raceway_max, half_angle_for_gap_rad, steady_gap_rad,
-    theoretical_gap_rad,
-};
+use cageless::design::Estimate;
 use cageless::equilibrium::{self, Equilibrium};
-use cageless::raceway::{Raceway, axial_span_limit_m};
+use cageless::raceway::Raceway;
 use cageless_io::case_file::CaseFile;
+use cageless_results::{DESIGN, Results, Subject, static_record};
 use serde_json::{Value, json};
 
 use crate::refusal::Refusal;
@@ -43,8 +41,6 @@ pub(crate) fn geometry(file: &CaseFile) -> Result<Value, Refusal> {
                 .collect();
             json!({ "passes": estimate.passes(), "terms": terms })
         });
-    let degrees = |angle: Option<f64>| angle.map(f64::to_degrees);
-    let first = case.raceways.first();
     let statics = match &equilibrium {
         Ok(e) => static_numbers(case, e),
         // A bearing under a falling rotor has none.
@@ -66,19 +62,8 @@ pub(crate) fn geometry(file: &CaseFile) -> Result<Value, Refusal> {
             "outer_curvature_mm": d.outer_groove_curvature_radius_m * 1e3,
             "radial_clearance_um": bearing.radial_clearance_m() * 1e6,
         },
-        "numbers": {
-            "epsilon_deg": bearing.ball_angle_rad().to_degrees(),
-            "uniform_gap_deg": bearing.nominal_gap_rad().to_degrees(),
-            "steady_gap_deg": steady_gap_rad(bearing, &case.raceways).to_degrees(),
-            "axial_span_limit_mm": axial_span_limit_m(bearing) * 1e3,
-            "beta0_deg": degrees(first.map(|r| theoretical_gap_rad(bearing, r, Eq11::Published))),
-            "half_angle_deg_for_span": degrees(first.and_then(|r| {
-                let span = r.dimensions().axial_span_m;
-                half_angle_for_gap_rad(bearing, span, bearing.nominal_gap_rad(), Eq11::Published)
-            })),
-            "balls_in_raceway_max": first.map(|r| balls_in_raceway_max(bearing, r)),
-            "rolling_orbit_ms": case.rolling_orbit_s() * 1e3,
-        },
+        "numbers": Results::of(DESIGN, Subject::Design(case)),
+        "rolling_orbit_ms": case.rolling_orbit_s() * 1e3,
         "raceways": case.raceways.iter().map(|r| raceway(case, r)).collect::<Vec<_>>(),
         "static": statics,
         "estimate": estimate,
@@ -139,19 +124,9 @@ fn raceway(case: &Case, raceway: &Raceway) -> Value {
     })
 }
 
+/// Results of the static equilibrium of a case.
 fn static_numbers(case: &Case, e: &Equilibrium) -> Value {
-    json!({
-        "ring_x_um": e.ring_x_m * 1e6,
-        "ring_y_um": e.ring_y_m * 1e6,
-        "ball_angle_deg": e.ball_angle_rad.iter().map(|a| a.to_degrees()).collect::<Vec<_>>(),
-        "inner_force_n": e.inner_force_n,
-        "outer_force_n": e.outer_force_n,
-        "effective_radius_mm": e.effective_radius_m.iter().map(|r| r * 1e3).collect::<Vec<_>>(),
-        "inner_stress_max_gpa": e.inner_stress_max_pa * 1e-9,
-        "outer_stress_max_gpa": e.outer_stress_max_pa * 1e-9,
-        "warnings": e.overload().into_iter().collect::<Vec<_>>(),
-        "balls": case.bearing.balls(),
-    })
+    json!(static_record(case, e))
 }
 
 /// The static equilibrium of a case.

@@ -3,6 +3,7 @@
 use cageless::Case;
 use cageless::design::{Criterion, judge};
 use cageless::simulation::Control;
+use cageless_results::{Judged, PASSAGES, Results, Subject, VERDICT};
 use serde_json::{Value, json};
 
 use crate::refusal::Refusal;
@@ -27,25 +28,20 @@ pub(crate) fn verdict(
             })
         })
         .collect();
-    Ok(json!({
-        "verdict": judgement.verdict.name(),
+    let mut answer = json!({
         "label": judgement.verdict.label(),
-        "passes": judgement.passes(),
-        "headline": judgement.headline(),
-        "criterion": judgement.deciding.map(Criterion::name),
-        "margin": judgement.deciding.map(Criterion::margin),
         "reasons": judgement.reasons,
-        "critical_gap_deg": judgement.critical_gap_rad.map(f64::to_degrees),
         "criteria": criteria,
-        "passages": judgement.passages.map(|p| json!({
-            "passages": p.passages,
-            "collisions_mean": p.collisions_mean,
-            "double_collision_fraction": p.double_collision_fraction,
-            "slip_mean_m_s": p.slip_mean_m_s,
-            "speed_drop_fraction": p.speed_drop_fraction,
-            "gap_leave_min_deg": p.gap_leave_min_rad.to_degrees(),
-            "gap_leave_max_deg": p.gap_leave_max_rad.to_degrees(),
-        })),
-        "stopped": judgement.stopped.map(|s| s.to_string()),
-    }))
+        "passages": judgement.passages.map(|p| Results::of(PASSAGES, Subject::Passages(&p))),
+        "stopped": judgement.stopped.as_ref().map(ToString::to_string),
+    });
+    let judged = Judged {
+        case,
+        judgement: &judgement,
+    };
+    let verdict = json!(Results::of(VERDICT, Subject::Verdict(&judged)));
+    if let (Value::Object(answer), Value::Object(verdict)) = (&mut answer, verdict) {
+        answer.extend(verdict);
+    }
+    Ok(answer)
 }

@@ -440,7 +440,7 @@ fn source(plans: &[Plan]) -> Provenance {
     steps.dedup();
     let steps: Vec<String> = steps
         .into_iter()
-        .map(cageless_study::number_text::short)
+        .map(cageless_results::number_text::short)
         .collect();
     let durations = SPEEDS.map(|s| format!("{} s at {} rpm", s.duration_s, s.rpm));
     Provenance {

@@ -7,7 +7,7 @@ use cageless::dynamics::InstructionSet;
 use cageless::equilibrium::solve;
 use cageless_io::cad::ExportOptions;
 use cageless_io::case_file;
-use cageless_study::StaticResult;
+use cageless_results::static_record;
 use cageless_study::comparison::compare;
 use cageless_study::drop::DropRequest;
 use cageless_study::tolerance::Request;
@@ -144,7 +144,7 @@ impl CaseFile {
     fn static_equilibrium(&self, py: Python<'_>) -> PyResult<String> {
         let solved = py.detach(|| solve(self.file.case()));
         let solved = solved.map_err(|error| of_start(&error))?;
-        serde_json::to_string(&StaticResult::new(self.file.case(), solved)).map_err(other)
+        serde_json::to_string(&static_record(self.file.case(), &solved)).map_err(other)
     }
 
     /// Judges the raceways, and the exception if a run that it rests on stopped.

@@ -5,8 +5,7 @@ use cageless_paper::structures_of;
 use cageless_report::design_report::{design_data, rings_of};
 use cageless_report::figures::{design, search, shape};
 use cageless_report::{DesignData, Figure, SearchData, design_page, from_json, to_json};
-use cageless_study::DesignResult;
-use cageless_study::design::{Judged, judged};
+use cageless_study::design::{DesignResult, Judged, judged};
 use cageless_study::rings::rings;
 use cageless_study::{Progress, StudyError};
 use pyo3::prelude::*;
@@ -43,7 +42,7 @@ fn analyse(
         snapshots,
     } = judged(file, progress)?;
     let stop = judgement.stopped.as_ref().map(stopped);
-    let mut result = DesignResult::new(file.case(), judgement, recommendation);
+    let mut result = DesignResult::new(file.case(), &judgement, recommendation.as_ref());
     result.search = search;
     let mut data = design_data(file, &result, &snapshots);
     data.rings = rings(&rings_of(file, &result), progress)?;

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use cageless_report::figures::sweep;
 use cageless_report::{SweepData, SweepOutput, from_json, sweep_page, to_json};
-use cageless_study::quantities::Aim;
+use cageless_results::Aim;
 use cageless_study::sweep::analysis::Goal;
 use pyo3::prelude::*;
 

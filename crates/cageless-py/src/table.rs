@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use cageless_io::results::{Cell, ColumnKind, RowsReader};
+use cageless_io::results::{ColumnKind, RowsReader};
+use cageless_results::Cell;
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};

@@ -14,6 +14,7 @@ use cageless::raceway::axial_span_limit_m;
 use cageless::snapshot::Snapshot;
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::VERSION;
+use cageless_results::{Recommended, Record};
 use cageless_study::{DesignResult, entered, parameter, parameters, provenance};
 
 /// Points of the curve of Eq. (11).
@@ -47,8 +48,8 @@ fn recommends(result: &DesignResult) -> bool {
         .search
         .as_ref()
         .is_some_and(|s| s.recommended.is_some());
-    let near = result.recommendation.as_ref();
-    searched || near.is_some_and(|r| r.passes == Some(true))
+    let near = result.recommendation();
+    searched || near.is_some_and(|r| r.passes() == Some(true))
 }
 
 /// Data of the page of a design.
@@ -58,10 +59,13 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
     let discarded = format!("t < {:.4} s", steady_after_s(case));
     let source = provenance(&steady, discarded);
     let own = RacewayLabel::new("", case.raceways.first());
-    let title = match result.passes {
-        Some(_) => format!("{}: {}", pass_word(result.passes), result.verdict),
+    let (record, results_of) = (&result.record, &result.record.results);
+    let passes = results_of.flag("passes");
+    let title = match passes {
+        Some(_) => format!("{}: {}", pass_word(passes), results_of.text("verdict")),
         None => String::new(),
     };
+    let near = result.recommendation();
     DesignData {
         // A seed beyond the whole numbers of TOML leaves the page without a studio.
         case_toml: file.document().to_toml().unwrap_or_default(),
@@ -72,15 +76,19 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
         },
         software: format!("Cageless {VERSION}, {}", InstructionSet::detect().name()),
         lead: lead(case),
-        warnings: result.warnings.clone(),
-        passes: result.passes,
-        headline: result.headline.clone(),
+        warnings: record.sentences("warnings").to_vec(),
+        passes,
+        headline: results_of.text("headline").to_owned(),
         results: results(result),
-        recommendation_passes: result.recommendation.as_ref().and_then(|r| r.passes),
-        recommendation: (result.recommendation.as_ref()).map_or(String::new(), |r| {
-            format!("{}. Its verdict: {}", r.sentence(), r.headline)
+        recommendation_passes: near.and_then(Recommended::passes),
+        recommendation: near.map_or(String::new(), |r| {
+            format!(
+                "{}. Its verdict: {}",
+                r.sentence(),
+                r.0.results.text("headline")
+            )
         }),
-        reasons: result.reasons.clone(),
+        reasons: record.sentences("reasons").to_vec(),
         curve: Some(curve(case, result, &own)),
         contact_track: case
             .raceways
@@ -114,55 +122,28 @@ fn lead(case: &Case) -> String {
 }
 
 fn results(r: &DesignResult) -> Vec<Parameter> {
-    let angle = |name: &str, value: Option<f64>| {
-        parameter(
-            name,
-            value.map_or("–".to_owned(), |v| format!("{v:.4}")),
-            "°",
-        )
+    let record = &r.record;
+    let rows = |record: &Record| -> Vec<Parameter> {
+        let rows = record.results.rows();
+        rows.map(|(label, value, unit)| parameter(label, value, &unit))
+            .collect()
     };
+    let name = |passes| pass_word(passes).to_owned();
     let mut lines = vec![
-        parameter("pass or fail", pass_word(r.passes).to_owned(), ""),
-        parameter("verdict", r.verdict.to_owned(), ""),
-        angle("ε, angular ball pitch at contact", Some(r.epsilon_deg)),
-        angle("nominal gap 360°/N − ε", Some(r.uniform_gap_deg)),
-        angle("β0, Eq. (11)", r.beta0_deg),
-        angle("β0 with the polar angle", r.beta0_polar_deg),
-        angle(
-            "mean ball spacing outside the raceway (steady state)",
-            Some(r.steady_gap_deg),
-        ),
-        angle("critical gap", r.critical_gap_deg),
-        angle(
-            "separation reserve: mean spacing less critical gap",
-            r.critical_gap_deg.map(|c| r.steady_gap_deg - c),
-        ),
-        parameter(
-            "upper limit of lC, Eq. (8)",
-            format!("{:.4}", r.axial_span_limit_mm),
-            "mm",
-        ),
-        angle("θ of Eq. (11) for this lC", r.half_angle_deg_for_span),
-        parameter(
-            "largest number of balls in the raceway",
-            r.balls_in_raceway_max
-                .map_or("–".to_owned(), |n| n.to_string()),
-            "",
-        ),
-        angle(
-            "slope discontinuity at raceway ends (at 45° groove angle)",
-            r.kink_deg,
-        ),
+        parameter("pass or fail", name(record.results.flag("passes")), ""),
+        parameter("verdict", record.results.text("verdict").to_owned(), ""),
     ];
-    if r.raceways.len() > 1 {
-        for one in &r.raceways {
-            lines.push(angle(
-                &format!(
-                    "critical gap of the raceway at ψ = {:.1}° ({})",
-                    one.centre_angle_deg, one.verdict
-                ),
-                one.critical_gap_deg,
-            ));
+    lines.extend(rows(record));
+    lines.extend(record.part("passages").into_iter().flat_map(rows));
+    let raceways = record.parts("raceways");
+    for one in raceways.iter().filter(|_| raceways.len() > 1) {
+        if let Some((label, value, unit)) = one.results.row("critical_gap_deg") {
+            let label = format!(
+                "{label} of the raceway at ψ = {:.1}° ({})",
+                one.results.number("centre_angle_deg"),
+                one.results.text("verdict")
+            );
+            lines.push(parameter(&label, value, &unit));
         }
     }
     lines
@@ -171,6 +152,7 @@ fn results(r: &DesignResult) -> Vec<Parameter> {
 fn curve(case: &Case, result: &DesignResult, own: &RacewayLabel) -> DesignCurve {
     let bearing = &case.bearing;
     let points = span_angle_curve(bearing, CURVE_POINTS);
+    let number = |name| result.record.results.number(name);
     let limit = |quantity, value, label: &str| DesignLimit {
         quantity,
         value,
@@ -184,14 +166,14 @@ fn curve(case: &Case, result: &DesignResult, own: &RacewayLabel) -> DesignCurve 
         ),
         limit(
             LimitedQuantity::HalfAngle,
-            result.epsilon_deg + result.uniform_gap_deg,
+            number("epsilon_deg") + number("uniform_gap_deg"),
             "three balls inside",
         ),
     ];
-    if let Some(n) = &result.recommendation {
+    if let Some(near) = result.recommendation() {
         limits.push(limit(
             LimitedQuantity::HalfAngle,
-            n.half_angle_min_deg,
+            near.0.results.number("half_angle_min_deg"),
             "slip",
         ));
     }
@@ -206,6 +188,6 @@ fn curve(case: &Case, result: &DesignResult, own: &RacewayLabel) -> DesignCurve 
             case: case.title.clone(),
             ..Provenance::default()
         },
-        ..DesignCurve::new(&points, result.uniform_gap_deg)
+        ..DesignCurve::new(&points, number("uniform_gap_deg"))
     }
 }

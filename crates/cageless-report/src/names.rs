@@ -1,7 +1,7 @@
 //! Names of the columns of sweeps in words.
 
-use cageless_io::plan_file::Computation;
-use cageless_study::quantities::{QUANTITIES, Quantity, bearing_in_column};
+use cageless_results::Computation;
+use cageless_results::{Quantity, bearing_in_column, of_column, quantities};
 
 use crate::sweep::SweepQuantity;
 
@@ -24,7 +24,7 @@ pub fn name(quantity: &SweepQuantity) -> String {
     if let Some((_, name)) = INPUTS.iter().find(|(column, _)| *column == quantity.name) {
         return (*name).to_owned();
     }
-    if let Some((result, bearing)) = Quantity::of_column(&quantity.name) {
+    if let Some((result, bearing)) = of_column(&quantity.name) {
         return in_bearing(result_name(result), bearing);
     }
     // `verdict_verdict = smooth`: the share of one verdict.
@@ -47,7 +47,7 @@ pub fn name(quantity: &SweepQuantity) -> String {
 fn result_name(result: &Quantity) -> String {
     let label = result.label.trim();
     let shared = |with: Computation| {
-        let mut all = QUANTITIES.iter();
+        let mut all = quantities().filter(|q| q.in_sweeps);
         all.any(|q| q.computation() == with && q.label.trim() == label)
     };
     match result.computation() {
@@ -81,7 +81,7 @@ mod tests {
     #[test]
     fn results_have_one_label() {
         let mut names = std::collections::BTreeSet::new();
-        for result in QUANTITIES {
+        for result in quantities().filter(|q| q.in_sweeps) {
             let quantity = SweepQuantity {
                 name: result.column_name(),
                 unit: result.unit.to_owned(),

@@ -25,7 +25,11 @@ pub struct Page {
     plots: bool,
     motion: bool,
     studio: bool,
+    sheet: bool,
 }
+
+/// Style of a page that is one sheet of A4.
+const SHEET: &str = include_str!("sheet.css");
 
 /// Weight of a note.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,6 +49,12 @@ impl Page {
             software: software.to_owned(),
             ..Self::default()
         }
+    }
+
+    /// The page as one sheet of A4, to be printed.
+    pub fn sheet(mut self) -> Self {
+        self.sheet = true;
+        self
     }
 
     /// Starts a section; it appears in the table of contents.
@@ -187,7 +197,8 @@ impl Page {
             title = escape(&self.title),
             css = [
                 include_str!("page.css"),
-                if self.studio { studio::STYLE } else { "" }
+                if self.studio { studio::STYLE } else { "" },
+                if self.sheet { SHEET } else { "" },
             ]
             .concat(),
             head = self.head,

@@ -48,20 +48,18 @@ pub fn recommended(
         let raceways = centres.map(|c| at(found.axial_span_mm, found.half_angle_deg, *c));
         return Some((RECOMMENDED, raceways.collect()));
     }
-    let near = result.recommendation.as_ref()?;
+    let near = result.recommendation()?;
     let centre = file
         .document()
         .raceway
         .first()
         .map_or(0.0, |r| r.centre_angle_deg);
-    let name = match near.passes {
+    let name = match near.passes() {
         Some(true) => RECOMMENDED,
         _ => "starting point (fails)",
     };
-    Some((
-        name,
-        vec![at(near.axial_span_mm, near.half_angle_deg, centre)],
-    ))
+    let [span, angle] = near.dimensions();
+    Some((name, vec![at(span, angle, centre)]))
 }
 
 /// The case file with the recommended raceways in the place of its own; `None` if no raceway passes
@@ -93,10 +91,7 @@ impl ShownRaceway {
         let point = found.and_then(|r| r.points.first());
         let critical = match point {
             Some(numbers) => numbers.critical_gap_deg,
-            None => result
-                .recommendation
-                .as_ref()
-                .and_then(|r| r.critical_gap_deg),
+            None => (result.recommendation()).and_then(|r| r.0.results.value("critical_gap_deg")),
         };
         let steady = found.and_then(|r| r.steady_gap_deg);
         let number = |name: &str, value: Option<f64>, digits: usize, unit: &str| {
@@ -140,9 +135,9 @@ fn verdict(result: &DesignResult) -> (Option<bool>, String) {
         .search
         .as_ref()
         .and_then(|s| s.recommended_verdicts.first());
-    match (searched, &result.recommendation) {
+    match (searched, result.recommendation()) {
         (Some(verdict), _) => (verdict.passes, verdict.headline.clone()),
-        (None, Some(near)) => (near.passes, near.headline.clone()),
+        (None, Some(near)) => (near.passes(), near.0.results.text("headline").to_owned()),
         (None, None) => (None, String::new()),
     }
 }

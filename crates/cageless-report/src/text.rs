@@ -1,6 +1,6 @@
 //! Text for HTML.
 
-pub use cageless_study::number_text::{fixed, short, signed, significant};
+pub use cageless_results::number_text::{fixed, short, signed, significant};
 
 /// `text` with the five characters escaped that mean something in HTML.
 pub fn escape(text: &str) -> String {

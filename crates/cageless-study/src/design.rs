@@ -1,5 +1,6 @@
 //! Verdict and design results of the raceways of a case.
 
+use cageless::Case;
 use cageless::critical_gap::CriticalGapError;
 use cageless::design::{Judgement, Recommendation, judge_watched, recommend, steady_case};
 use cageless::raceway::RacewayDimensions;
@@ -7,9 +8,39 @@ use cageless::recorder::Recorder;
 use cageless::snapshot::Snapshot;
 use cageless_io::case_file::{CaseFile, RacewayDocument};
 
+use cageless_results::{Recommended, Record, design_record};
+use serde::Serialize;
+
 use crate::entered::{entered, raceway_document};
 use crate::error::StudyError;
 use crate::progress::Progress;
+use crate::search::SearchData;
+
+/// Results of `design`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DesignResult {
+    /// Closed forms, verdict and recommendation.
+    #[serde(flatten)]
+    pub record: Record,
+    /// Result of a search.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub search: Option<SearchData>,
+}
+
+impl DesignResult {
+    /// Results of the verdict on the raceways of `case`.
+    pub fn new(case: &Case, judgement: &Judgement, near: Option<&Recommendation>) -> Self {
+        Self {
+            record: design_record(case, judgement, near),
+            search: None,
+        }
+    }
+
+    /// The raceway near the curve of Eq. (11), if there is one.
+    pub fn recommendation(&self) -> Option<Recommended<'_>> {
+        self.record.part("recommendation").map(Recommended)
+    }
+}
 
 /// The verdict on a case's own raceways and what it rests on.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,11 +3,10 @@
 //!
 //! [`run`] records one run, [`verification`] says how far the numbers of a run can be trusted, [`design`] judges a
 //! raceway, [`search`] finds the best one, [`tolerance`] gives the probability that it passes
-//! as made, [`comparison`] sets rings side by side from the same uneven starts, [`sweep`] computes many variants of a case, [`quantities`] is the table of scalar results. A [`Progress`] follows the progress and can end the work.
+//! as made, [`comparison`] sets rings side by side from the same uneven starts, [`sweep`] computes many variants of a case. A [`Progress`] follows the progress and can end the work.
 
 pub mod comparison;
 pub mod design;
-mod design_result;
 pub mod drop;
 mod entered;
 mod error;
@@ -16,12 +15,10 @@ mod parameter;
 mod passages;
 mod progress;
 mod provenance;
-pub mod quantities;
 pub mod ring_path;
 pub mod rings;
 pub mod run;
 pub mod search;
-mod static_result;
 mod structure;
 mod summary;
 pub mod sweep;
@@ -31,10 +28,7 @@ pub mod tolerance;
 pub mod verification;
 mod warnings;
 
-pub use cageless_io::number_text;
-pub use design_result::{
-    Curve, DesignResult, PassageNumbers, RacewayNumbers, RecommendationNumbers,
-};
+pub use design::DesignResult;
 pub use entered::entered;
 pub use error::StudyError;
 pub use histories::{CollisionPoint, Histories, RunHistories, SAMPLING_HZ};
@@ -42,7 +36,6 @@ pub use parameter::{Parameter, parameter, parameters};
 pub use passages::Passages;
 pub use progress::{Progress, Silent, Work, break_if};
 pub use provenance::{Provenance, profile_name, provenance};
-pub use static_result::StaticResult;
 pub use structure::RacewayLabel;
 pub use summary::{RunSummary, Stopped};
 pub use threads::{THREADS_MAX, check_environment, on_threads, pool};

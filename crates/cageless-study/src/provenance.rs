@@ -3,7 +3,7 @@
 use cageless::{Case, Profile};
 use serde::{Deserialize, Serialize};
 
-use crate::number_text::short;
+use cageless_results::number_text::short;
 
 /// Provenance of a figure or table; printed under it.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]

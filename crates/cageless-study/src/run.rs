@@ -16,10 +16,10 @@ use cageless_io::results::RunWriter;
 use crate::histories::{Histories, SAMPLING_HZ};
 use crate::passages::Passages;
 use crate::progress::Progress;
-use crate::quantities::Finished;
 use crate::ring_path::{RingPathRecorder, RingPosition};
 use crate::summary::RunSummary;
 use crate::verification::VerificationRuns;
+use cageless_results::Finished;
 
 /// Receiver of the rows of a run.
 pub trait Rows {

@@ -6,13 +6,11 @@ use std::path::Path;
 use cageless::Case;
 use cageless::simulation::{Ending, RunOutcome};
 use cageless_io::case_file::{CaseDocument, CaseFile};
-use cageless_io::results::{
-    Cell, ResultError, SCHEMA, VERSION, VerificationFile, write_atomically,
-};
+use cageless_io::results::{ResultError, SCHEMA, VERSION, VerificationFile, write_atomically};
 use serde::Serialize;
 
-use crate::quantities::{Finished, Results};
 use crate::warnings::warnings;
+use cageless_results::{Finished, RUN, Results, Subject};
 
 /// The summary of a run. A number that is not finite becomes `null`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -98,7 +96,7 @@ impl RunSummary {
             isa: outcome.instruction_set.name().to_owned(),
             case: file.document_as_run(),
             defaults: file.defaults().to_vec(),
-            results: Results::of_run(run),
+            results: Results::of(RUN, Subject::Run(run)),
             energy,
             warnings: warnings(run),
             verification: None,
@@ -108,18 +106,12 @@ impl RunSummary {
 
     /// Whether the passages of the run keep the limits; `None` if none was judged.
     pub fn passes(&self) -> Option<bool> {
-        match self.results.get("passes") {
-            Some(Cell::Integer(passes)) => Some(*passes == 1),
-            _ => None,
-        }
+        self.results.flag("passes")
     }
 
     /// PASS or FAIL with the verdict, the criterion that decides, and its margin.
     pub fn headline(&self) -> &str {
-        match self.results.get("headline") {
-            Some(Cell::Text(headline)) => headline,
-            _ => "",
-        }
+        self.results.text("headline")
     }
 
     /// The summary as indented JSON with a final line end.

@@ -6,7 +6,7 @@ use cageless::simulation::{Control, Ending, Observer, RunOutcome, batches, run_b
 use cageless::summary::SummaryRecorder;
 
 use crate::passages::Passages;
-use crate::quantities::Finished;
+use cageless_results::Finished;
 
 /// What is recorded of a run.
 pub(crate) trait Record {

@@ -10,15 +10,14 @@ use cageless::simulation::Ending;
 use cageless::step_limits::StepLimits;
 use cageless::{Case, IntegrationMethod};
 
-use crate::drop::DropResult;
-use crate::number_text::short;
-use crate::quantities::Finished;
+use cageless_results::DropResult;
+use cageless_results::number_text::short;
+use cageless_results::{Finished, RESIDUAL_FRACTION};
 
 /// Largest step at which ABM4 stays unbiased without contact damping.
 const UNDAMPED_STEP_S: f64 = 0.5e-6;
 
 /// Share of all energy flows that may be unaccounted for without a warning.
-pub(crate) const RESIDUAL_FRACTION: f64 = 0.01;
 
 /// Warnings of a run.
 pub(crate) fn warnings(run: &Finished<'_>) -> Vec<String> {
@@ -36,11 +35,15 @@ pub(crate) fn warnings(run: &Finished<'_>) -> Vec<String> {
 
 /// Warnings of a drop onto a bearing.
 pub(crate) fn of_drop(case: &Case, drop: &DropResult) -> Vec<String> {
-    let pressure = |(name, place)| over_pressure(place, 1e9 * drop.value(name).unwrap_or(0.0));
+    let pressure =
+        |(name, place)| over_pressure(place, 1e9 * drop.results.value(name).unwrap_or(0.0));
     let mut warnings = of_case(case);
     warnings.extend(DROP_PRESSURES.into_iter().filter_map(pressure));
     if drop.stopped.is_none() {
-        let residual = drop.value("energy_residual_relative").unwrap_or(0.0);
+        let residual = drop
+            .results
+            .value("energy_residual_relative")
+            .unwrap_or(0.0);
         warnings.extend(unbalanced(residual, case));
     }
     warnings
@@ -52,10 +55,10 @@ pub(crate) fn of_scattered<'d>(
     drops: impl Iterator<Item = (u64, &'d DropResult)> + Clone,
 ) -> Vec<String> {
     let worst = |name: &str| {
-        let size = |drop: &DropResult| drop.value(name).unwrap_or(0.0).abs();
+        let size = |drop: &DropResult| drop.results.value(name).unwrap_or(0.0).abs();
         let complete = drops.clone().filter(|(_, drop)| drop.stopped.is_none());
         let (index, drop) = complete.max_by(|a, b| size(a.1).total_cmp(&size(b.1)))?;
-        Some((index, drop.value(name)?))
+        Some((index, drop.results.value(name)?))
     };
     let mut found: Vec<(u64, Option<String>)> = vec![];
     for (name, place) in DROP_PRESSURES {

@@ -6,7 +6,8 @@ use cageless::design::{
 };
 use cageless::raceway::RacewayDimensions;
 use cageless_io::case_file::{CaseFile, template};
-use cageless_study::{DesignResult, PassageNumbers};
+use cageless_results::{Record, Results};
+use cageless_study::design::DesignResult;
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
@@ -45,14 +46,23 @@ fn close(found: f64, expected: f64, tolerance: f64) {
     assert!((found - expected).abs() <= tolerance, "{found} {expected}");
 }
 
-fn assert_passages(found: &PassageNumbers, number: f64) {
-    assert_eq!(found.passages, number as usize);
-    close(found.collisions_mean, 0.1 * number, 1e-12);
-    close(found.double_collision_fraction, 0.01 * number, 1e-12);
-    close(found.slip_mean_m_s, 0.02 * number, 1e-12);
-    close(found.speed_drop_fraction, 0.03 * number, 1e-12);
-    close(found.gap_leave_min_deg, 0.04 * number, 1e-12);
-    close(found.gap_leave_max_deg, 0.05 * number, 1e-12);
+fn assert_passages(record: &Record, number: f64) {
+    let found = &record.part("passages").unwrap().results;
+    assert_eq!(found.number("passages"), number.floor());
+    close(found.number("collisions_mean"), 0.1 * number, 1e-12);
+    close(
+        found.number("double_collision_fraction"),
+        0.01 * number,
+        1e-12,
+    );
+    close(found.number("slip_mean_m_s"), 0.02 * number, 1e-12);
+    close(found.number("speed_drop_fraction"), 0.03 * number, 1e-12);
+    close(found.number("gap_leave_min_deg"), 0.04 * number, 1e-12);
+    close(found.number("gap_leave_max_deg"), 0.05 * number, 1e-12);
+}
+
+fn verdict(results: &Results) -> (&str, Option<bool>) {
+    (results.text("verdict"), results.flag("passes"))
 }
 
 /// The bearing of Zhao 2022, Table 1, with structure (d) at the bottom and (h) at 90°.
@@ -80,83 +90,87 @@ fn every_number_is_in_its_unit() {
         judgement: judgement(RacewayVerdict::Smooth, 7.0),
         judged: 9,
     };
-    let found = DesignResult::new(
+    let result = DesignResult::new(
         case,
-        judgement(RacewayVerdict::Slips, 5.0),
-        Some(recommendation),
+        &judgement(RacewayVerdict::Slips, 5.0),
+        Some(&recommendation),
     );
+    let record = &result.record;
+    let found = &record.results;
     // Zhao 2022, Section 2 and Table 2; the angle of (d) to the digits of the table.
-    close(found.epsilon_deg, 23.8982, 5e-5);
-    close(found.uniform_gap_deg, 1.8161, 5e-5);
-    close(found.beta0_deg.unwrap(), 1.8171, 5e-5);
-    close(found.beta0_polar_deg.unwrap(), 1.8304, 5e-5);
-    close(found.axial_span_limit_mm, 7.4017, 5e-5);
-    close(found.half_angle_deg_for_span.unwrap(), 25.2, 0.05);
+    close(found.number("epsilon_deg"), 23.8982, 5e-5);
+    close(found.number("uniform_gap_deg"), 1.8161, 5e-5);
+    close(found.number("beta0_deg"), 1.8171, 5e-5);
+    close(found.number("beta0_polar_deg"), 1.8304, 5e-5);
+    close(found.number("axial_span_limit_mm"), 7.4017, 5e-5);
+    close(found.number("half_angle_deg_for_span"), 25.2, 0.05);
     let steady = steady_gap_rad(&case.bearing, &case.raceways) / DEGREE;
-    close(found.steady_gap_deg, steady, 1e-9);
+    close(found.number("steady_gap_deg"), steady, 1e-9);
     // 50.4° are two ball angles and a bit.
-    assert_eq!(found.balls_in_raceway_max, Some(3));
+    assert_eq!(found.number("balls_in_raceway_max"), 3.0);
     let kink = case.raceways[0].kink_angle_rad(45.0 * DEGREE) / DEGREE;
-    close(found.kink_deg.unwrap(), kink, 1e-12);
-    close(found.critical_gap_deg.unwrap(), 2.5, 1e-12);
-    assert_eq!((found.verdict, found.passes), ("slips", Some(false)));
-    assert_eq!(found.criterion, Some("deceleration"));
-    close(found.margin.unwrap(), -0.2, 1e-12);
-    assert_eq!(found.reasons, ["reason 5"]);
-    assert!(found.headline.starts_with("FAIL: "), "{}", found.headline);
-    assert_passages(found.passages.as_ref().unwrap(), 15.0);
-    for (raceway, (span, angle, centre, beta0, number)) in found.raceways.iter().zip([
+    close(found.number("kink_deg"), kink, 1e-12);
+    close(found.number("critical_gap_deg"), 2.5, 1e-12);
+    assert_eq!(verdict(found), ("slips", Some(false)));
+    assert_eq!(found.text("criterion"), "deceleration");
+    close(found.number("margin"), -0.2, 1e-12);
+    assert_eq!(record.sentences("reasons"), ["reason 5"]);
+    assert!(found.text("headline").starts_with("FAIL: "));
+    assert_passages(record, 15.0);
+    for (raceway, (span, angle, centre, beta0, number)) in record.parts("raceways").iter().zip([
         (5.1, 25.2, 0.0, 1.8171, 6.0),
         (5.6, 15.774, 90.0, 1.8161, 7.0),
     ]) {
-        close(raceway.axial_span_mm, span, 1e-9);
-        close(raceway.half_angle_deg, angle, 1e-9);
-        close(raceway.centre_angle_deg, centre, 1e-9);
-        close(raceway.beta0_deg, beta0, 5.1e-5);
-        close(raceway.critical_gap_deg.unwrap(), number, 1e-12);
-        assert_eq!((raceway.verdict, raceway.passes), ("slips", Some(false)));
-        assert_passages(raceway.passages.as_ref().unwrap(), number);
+        close(raceway.results.number("axial_span_mm"), span, 1e-9);
+        close(raceway.results.number("half_angle_deg"), angle, 1e-9);
+        close(raceway.results.number("centre_angle_deg"), centre, 1e-9);
+        close(raceway.results.number("beta0_deg"), beta0, 5.1e-5);
+        close(raceway.results.number("critical_gap_deg"), number, 1e-12);
+        assert_eq!(verdict(&raceway.results), ("slips", Some(false)));
+        assert_passages(raceway, number);
     }
-    let r = found.recommendation.unwrap();
-    close(r.half_angle_min_deg, 21.0, 1e-9);
-    close(r.half_angle_max_deg, 26.0, 1e-9);
-    assert_eq!((r.half_angle_deg, r.axial_span_mm), (24.345, 5.012));
-    assert_eq!(
-        (r.starting_half_angle_deg, r.starting_axial_span_mm),
-        (23.457, 5.123)
-    );
-    close(r.critical_gap_deg.unwrap(), 3.5, 1e-12);
-    assert_eq!((r.verdict, r.passes, r.judged), ("smooth", Some(true), 9));
-    assert_eq!(r.reasons, ["reason 7"]);
-    assert!(
-        !r.is_starting_point()
-            && r.sentence()
-                .starts_with("recommended: lC 5.012 mm, θ 24.345°, near")
-    );
-    let mut start = r.clone();
-    start.half_angle_deg = r.starting_half_angle_deg;
-    assert!(!start.is_starting_point());
-    start.axial_span_mm = r.starting_axial_span_mm;
-    assert!(start.is_starting_point());
-    start.passes = Some(false);
-    assert!(
-        start.sentence().starts_with("nothing recommended"),
-        "{}",
-        start.sentence()
-    );
+    let near = result.recommendation().unwrap();
+    let r = &near.0.results;
+    close(r.number("half_angle_min_deg"), 21.0, 1e-9);
+    close(r.number("half_angle_max_deg"), 26.0, 1e-9);
+    assert_eq!(near.dimensions(), [5.012, 24.345]);
+    assert_eq!(r.number("starting_half_angle_deg"), 23.457);
+    assert_eq!(r.number("starting_axial_span_mm"), 5.123);
+    close(r.number("critical_gap_deg"), 3.5, 1e-12);
+    assert_eq!(verdict(r), ("smooth", Some(true)));
+    assert_eq!(r.number("judged"), 9.0);
+    assert_eq!(near.0.sentences("reasons"), ["reason 7"]);
+    let sentence = near.sentence();
+    assert!(sentence.starts_with("recommended: lC 5.012 mm, θ 24.345°, near"));
+    let mut start = recommendation.clone();
+    start.dimensions = RacewayDimensions {
+        axial_span_m: 5.123e-3,
+        half_angle_rad: 23.457 * DEGREE,
+        centre_angle_rad: 0.0,
+    };
+    let case = file.case();
+    let sentence = |near: &Recommendation| {
+        let result = DesignResult::new(case, &judgement(RacewayVerdict::Slips, 5.0), Some(near));
+        result.recommendation().unwrap().sentence()
+    };
+    let in_the_middle = "recommended: lC 5.123 mm, θ 23.457°, in the middle";
+    assert!(sentence(&start).starts_with(in_the_middle));
+    start.judgement = judgement(RacewayVerdict::Slips, 7.0);
+    assert!(sentence(&start).starts_with("nothing recommended"));
 
-    let curve = &found.curve;
+    let curve = &record.part("curve").unwrap().results;
     let at = curve
-        .axial_span_mm
+        .values("axial_span_mm")
         .windows(2)
         .position(|w| w[0] <= 5.6 && 5.6 < w[1])
         .unwrap();
     for (angles, tolerance) in [
-        (&curve.half_angle_deg, 0.0),
-        (&curve.half_angle_polar_deg, 0.6),
+        (curve.values("half_angle_deg"), 0.0),
+        (curve.values("half_angle_polar_deg"), 0.6),
     ] {
-        let [a, b] = [angles[at].unwrap(), angles[at + 1].unwrap()];
+        let [a, b] = [angles[at], angles[at + 1]];
         assert!(b - tolerance < 15.774 && 15.774 < a + tolerance, "{a} {b}");
     }
-    assert_ne!(curve.half_angle_deg[at], curve.half_angle_polar_deg[at]);
+    let at = |name| curve.values(name)[at];
+    assert_ne!(at("half_angle_deg"), at("half_angle_polar_deg"));
 }

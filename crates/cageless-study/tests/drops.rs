@@ -9,9 +9,10 @@ use cageless::touchdown::{DropRecorder, DropSummary, InterfaceHeat};
 use cageless::verification::Convergence;
 use cageless_io::case_file::CaseFile;
 use cageless_io::plan_file::PlanFile;
-use cageless_io::results::Cell;
-use cageless_study::drop::{DropRequest, DropResult, DropStudy, study};
-use cageless_study::quantities::Results;
+use cageless_results::Cell;
+use cageless_results::DropResult;
+use cageless_results::Results;
+use cageless_study::drop::{DropRequest, DropStudy, study};
 use cageless_study::run::{Options, Rows, run};
 use cageless_study::sweep::Sweep;
 use cageless_study::{Silent, on_threads};
@@ -307,14 +308,14 @@ fn a_drop_passes_within_its_clearance_and_fails_beyond() {
     };
     let (free, _) = of(1e6);
     assert_eq!(free.judgement.passes, Some(true), "{:?}", free.judgement);
-    let most = free.value("rotor_displacement_max_um").unwrap();
+    let most = free.results.value("rotor_displacement_max_um").unwrap();
     assert!(most > 200.0 && most < 400.0, "{most}");
     let (passes, json) = of(most + 10.0);
     assert_eq!(
         (passes.judgement.passes, &json["verdict"]),
         (Some(true), &"pass".into())
     );
-    assert!((passes.value("clearance_margin_um").unwrap() - 10.0).abs() < 1e-9);
+    assert!((passes.results.value("clearance_margin_um").unwrap() - 10.0).abs() < 1e-9);
     assert!(
         json["headline"]
             .as_str()
@@ -325,7 +326,7 @@ fn a_drop_passes_within_its_clearance_and_fails_beyond() {
     );
     let (fails, json) = of(most - 10.0);
     assert_eq!(fails.judgement.passes, Some(false));
-    assert!((fails.value("clearance_margin_um").unwrap() + 10.0).abs() < 1e-9);
+    assert!((fails.results.value("clearance_margin_um").unwrap() + 10.0).abs() < 1e-9);
     let reason = json["reasons"][0].as_str().unwrap();
     assert!(
         reason.contains("beyond its clearance") && reason.contains("exceeded by 10 µm"),
@@ -477,6 +478,7 @@ fn each_result_of_a_drop_has_its_own_number_in_its_unit() {
         ("end_s", 0.53),
     ] {
         let found = result
+            .results
             .value(name)
             .unwrap_or_else(|| panic!("{name} has no value"));
         assert!(

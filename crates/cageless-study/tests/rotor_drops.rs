@@ -267,6 +267,7 @@ fn a_bearing_without_load_is_warned_of_and_has_no_weights() {
     let weights = |k: usize| {
         found.drop.bearings[k]
             .result
+            .results
             .value("rotor_force_max_weights")
     };
     assert!(weights(0).is_some() && weights(1).is_none());

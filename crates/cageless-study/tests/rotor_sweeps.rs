@@ -5,12 +5,13 @@ use std::path::{Path, PathBuf};
 use cageless::linear_rotor::{DMatrix, RotorMatrices};
 use cageless::simulation::Control;
 use cageless_io::plan_file::{PlanFile, difference};
-use cageless_io::results::{Cell, Row};
+use cageless_io::results::Row;
 use cageless_io::rotor_file::{RotorFile, write_matrices};
+use cageless_results::Cell;
+use cageless_results::quantities;
 use cageless_study::Silent;
 use cageless_study::break_if;
 use cageless_study::drop::{DropRequest, RotorStudy, rotor_study};
-use cageless_study::quantities::QUANTITIES;
 use cageless_study::sweep::{Job, Shard, Sweep, merge, run};
 
 const ROTOR: &str = concat!(
@@ -127,9 +128,7 @@ fn a_row_has_the_results_of_the_drop_with_the_same_changes() {
 #[test]
 fn every_result_of_a_drop_has_columns() {
     let sweep = sweep("[grid]\nrotor.speed_rpm = [15000.0]\n");
-    let drops = QUANTITIES
-        .iter()
-        .filter(|q| q.in_sweeps && q.column_name().starts_with("drop_"));
+    let drops = quantities().filter(|q| q.in_sweeps && q.column_name().starts_with("drop_"));
     for quantity in drops {
         let name = quantity.column_name();
         let in_bearing = quantity.column_name_in_bearing(1);

@@ -1,8 +1,7 @@
 //! Results and warnings of a run: one table, and the views of it.
 
 use cageless_io::case_file::{CaseFile, template};
-use cageless_io::results::Cell;
-use cageless_study::quantities::{QUANTITIES, value_text};
+use cageless_results::{Cell, RUN, quantities, value_text};
 use cageless_study::run::{Options, run};
 use cageless_study::{RunSummary, Silent};
 use serde_json::Value;
@@ -39,9 +38,7 @@ fn summary_and_tables_are_views_of_one_table() {
     }
     assert!(json["passes"].is_boolean());
     assert!(json["steps"].is_u64());
-    let of_runs = QUANTITIES
-        .iter()
-        .filter(|q| q.column_name().starts_with("run_"));
+    let of_runs = RUN.iter();
     let of_rotors = ["rotor", "support"];
     let of_runs = of_runs.filter(|q| !of_rotors.iter().any(|body| q.name.contains(body)));
     for quantity in of_runs.clone() {
@@ -71,7 +68,7 @@ fn summary_and_tables_are_views_of_one_table() {
 
 #[test]
 fn values_have_five_digits_and_flags_words() {
-    let quantity = |name: &str| QUANTITIES.iter().find(|q| q.name == name).unwrap();
+    let quantity = |name: &str| quantities().find(|q| q.name == name).unwrap();
     let text = |name: &str, cell| value_text(quantity(name), &cell);
     assert_eq!(
         text("power_loss_w", Cell::Number(31.234_567)).unwrap(),
@@ -175,4 +172,20 @@ fn steep_falls_of_friction_are_warned_of() {
     let steep = warning("0.05", "2").expect("a warning");
     assert!(steep.contains("above 0.51"), "{steep}");
     assert_eq!(warning("0.05", "0.2"), None);
+}
+
+/// Where the speed of the ring follows a table there is no frequency of pure rolling.
+#[test]
+fn frequencies_of_rolling_need_one_speed() {
+    let table = "operation.inner_speed_rpm=[[0.0, 100.0], [0.01, 20000.0]]";
+    let summary = summary(false, &["solver.duration_s=0.0005", table]);
+    for name in [
+        "ftf_hz",
+        "bpfo_hz",
+        "bpfi_hz",
+        "bsf_hz",
+        "friction_torque_skf_n_m",
+    ] {
+        assert_eq!(summary.results.get(name), Some(&Cell::Null), "{name}");
+    }
 }

@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use cageless::simulation::Control;
 use cageless_io::case_file::template;
 use cageless_io::plan_file::PlanFile;
-use cageless_io::results::{Cell, Row};
-use cageless_study::quantities::Aim;
+use cageless_io::results::Row;
+use cageless_results::Aim;
+use cageless_results::Cell;
 use cageless_study::sweep::analysis::{Goal, Levels, SweepData, analyse};
 use cageless_study::sweep::{Job, Sweep, run};
 

@@ -5,7 +5,8 @@ use std::path::Path;
 use cageless::simulation::Control;
 use cageless_io::case_file::template;
 use cageless_io::plan_file::{PlanFile, difference};
-use cageless_io::results::{Cell, Row};
+use cageless_io::results::Row;
+use cageless_results::Cell;
 use cageless_study::sweep::Sweep;
 
 fn plan(text: &str) -> PlanFile {

@@ -3,21 +3,19 @@
 use std::path::Path;
 
 use anyhow::Context as _;
-use cageless::Case;
 use cageless_io::results::write_atomically;
 use cageless_paper::structures_of;
 use cageless_report::design_report::{design_data, rings_of};
 use cageless_report::recommended::recommended_document;
 use cageless_report::{design_page, to_json};
-use cageless_study::DesignResult;
-use cageless_study::design::{Judged, judged as study, task};
+use cageless_study::design::{DesignResult, Judged, judged as study, task};
 use cageless_study::rings::rings;
 use cageless_study::{Progress, StudyError, search};
 
 use super::files::{deliver, make_folder, open_page, read_case, writable};
 use crate::args::DesignArgs;
 use crate::failure::Failure;
-use crate::format::{judged, page_line, pairs, warnings};
+use crate::format::{judged, page_line, pairs, values, warnings};
 use crate::progress::{Bars, catch_interrupt};
 
 /// Files in the folder of `--out`.
@@ -51,7 +49,7 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
         snapshots,
     } = study(&file, &bars)?;
     let stopped = judgement.stopped.clone();
-    let mut result = DesignResult::new(file.case(), judgement, recommendation);
+    let mut result = DesignResult::new(file.case(), &judgement, recommendation.as_ref());
     let mut none_found = None;
     if searching {
         let out = args.out.as_deref();
@@ -83,7 +81,7 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
     }
     let text = match none_found {
         Some(_) => String::new(),
-        None => text(file.case(), &result) + &recommended + &page_line(args.out.as_deref(), PAGE),
+        None => text(&result) + &recommended + &page_line(args.out.as_deref(), PAGE),
     };
     deliver(args, NUMBERS, &result, &text)?;
     if let (true, Some(dir)) = (searching, &args.out) {
@@ -122,84 +120,55 @@ fn search_failed(error: StudyError, out: Option<&Path>) -> Failure {
     }
 }
 
-fn text(case: &Case, r: &DesignResult) -> String {
-    let degrees = |value: Option<f64>| value.map_or("–".to_owned(), |v| format!("{v:.4}°"));
+fn text(r: &DesignResult) -> String {
+    let record = &r.record;
     let mut lines = vec![];
-    for raceway in &case.raceways {
-        let d = raceway.dimensions();
+    for raceway in record.parts("raceways") {
+        let number = |name| raceway.results.number(name);
         lines.push((
             "raceway",
             format!(
-                "lC {:.4} mm, θ {:.4}°{}",
-                d.axial_span_m * 1e3,
-                d.half_angle_rad.to_degrees(),
-                if case.raceways.len() > 1 {
-                    format!(" at ψ = {:.2}°", d.centre_angle_rad.to_degrees())
-                } else {
-                    String::new()
-                }
+                "lC {:.4} mm, θ {:.4}°, at ψ = {:.2}°",
+                number("axial_span_mm"),
+                number("half_angle_deg"),
+                number("centre_angle_deg")
             ),
         ));
     }
-    lines.extend([
-        ("ε", format!("{:.4}°", r.epsilon_deg)),
-        (
-            "nominal gap 360°/N − ε",
-            format!("{:.4}°", r.uniform_gap_deg),
-        ),
-        (
-            "upper limit of lC, Eq. (8)",
-            format!("{:.4} mm", r.axial_span_limit_mm),
-        ),
-        ("β0, Eq. (11)", degrees(r.beta0_deg)),
-        ("β0 with the polar angle", degrees(r.beta0_polar_deg)),
-        (
-            "θ of Eq. (11) for this lC",
-            degrees(r.half_angle_deg_for_span),
-        ),
-        (
-            "mean ball spacing outside the raceway (steady state)",
-            format!("{:.4}°", r.steady_gap_deg),
-        ),
-        ("critical gap", degrees(r.critical_gap_deg)),
-        (
-            "largest number of balls in the raceway",
-            r.balls_in_raceway_max
-                .map_or("–".to_owned(), |n| n.to_string()),
-        ),
-        (
-            "slope discontinuity at raceway ends (at 45° groove angle)",
-            degrees(r.kink_deg),
-        ),
-        ("verdict", judged(r.passes, &r.headline)),
-    ]);
-    let mut text = pairs(&lines);
-    for reason in &r.reasons {
-        text += &format!("  - {reason}\n");
+    lines.extend(values(&record.results));
+    if let Some(passages) = record.part("passages") {
+        lines.extend(values(&passages.results));
     }
+    let (passes, headline) = (
+        record.results.flag("passes"),
+        record.results.text("headline"),
+    );
+    lines.push(("verdict", judged(passes, headline)));
+    let mut text = pairs(&lines) + &bullets(record.sentences("reasons"));
     // The search knows better.
     let by = if r.search.is_some() {
         "near the curve of Eq. (11), "
     } else {
         ""
     };
-    text += &match &r.recommendation {
-        Some(n) => format!(
+    text += &match r.recommendation() {
+        Some(near) => format!(
             "{by}{}\n  - its verdict: {}\n",
-            n.sentence(),
-            judged(n.passes, &n.headline)
+            near.sentence(),
+            judged(near.passes(), near.0.results.text("headline"))
         ),
         None => format!(
             "{by}nothing recommended: on the curve of Eq. (11) balls slip too much wherever three \
              do not fit inside at once; design --search looks further\n"
         ),
     };
-    text += &warnings(&r.warnings);
+    text += &warnings(record.sentences("warnings"));
     if let Some(search) = &r.search {
-        text += "search:\n";
-        for finding in &search.findings {
-            text += &format!("  - {finding}\n");
-        }
+        text += &("search:\n".to_owned() + &bullets(&search.findings));
     }
     text
+}
+
+fn bullets(sentences: &[String]) -> String {
+    sentences.iter().map(|s| format!("  - {s}\n")).collect()
 }

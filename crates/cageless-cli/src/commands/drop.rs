@@ -4,11 +4,11 @@ use cageless::dynamics::InstructionSet;
 use cageless::verification::Convergence;
 use cageless_io::results::{Metadata, RunWriter, write_atomically, write_csv};
 use cageless_report::drop::drop_page;
+use cageless_results::number_text::significant;
+use cageless_results::{DropJudgement, DropResult};
 use cageless_study::drop::{
-    Distribution, DropJudgement, DropRequest, DropResult, DropStudy, DropVerification,
-    EnsembleResult, study,
+    Distribution, DropRequest, DropStudy, DropVerification, EnsembleResult, study,
 };
-use cageless_study::number_text::significant;
 use cageless_study::run::Rows;
 
 use super::files::{make_folder, open_page, print, read_case, tell, writable};

@@ -9,10 +9,9 @@ use cageless_io::case_file::CaseDocument;
 use cageless_io::results::{Metadata, RunWriter, write_atomically, write_csv};
 use cageless_io::rotor_file::RotorFile;
 use cageless_report::drop::rotor_page;
-use cageless_study::drop::{
-    DropResult, RotorEnsemble, RotorStudy, WhirlProbability, rotor_study, unloaded,
-};
-use cageless_study::number_text::significant;
+use cageless_results::DropResult;
+use cageless_results::number_text::significant;
+use cageless_study::drop::{RotorEnsemble, RotorStudy, WhirlProbability, rotor_study, unloaded};
 use cageless_study::run::Rows;
 use serde::Serialize;
 

@@ -23,8 +23,8 @@ use cageless_io::designation;
 use cageless_io::results::write_atomically;
 use cageless_io::rotor_file::RotorFile;
 use cageless_io::touchdown_template::touchdown_case;
+use cageless_results::number_text::significant;
 use cageless_study::check_environment;
-use cageless_study::number_text::significant;
 use serde::Serialize;
 
 use files::{deliver, print, read_case, writable};

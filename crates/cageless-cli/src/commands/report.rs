@@ -4,7 +4,7 @@ use std::path::Path;
 
 use cageless_io::results::write_atomically;
 use cageless_report::{SweepData, sweep_page, to_json};
-use cageless_study::quantities::Aim;
+use cageless_results::Aim;
 use cageless_study::sweep::analysis::{Goal, analyse};
 
 use super::files::{make_folder, open_page, print, tell, writable};

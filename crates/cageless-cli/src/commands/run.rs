@@ -17,7 +17,7 @@ use super::files::{make_folder, open_page, print, read_case, tell, writable};
 use crate::args::RunArgs;
 use crate::failure::{Failure, kept_in};
 use crate::finished_run::{PAGE_DATA, SUMMARY};
-use crate::format::{columns, judged, page_line, pairs, warnings};
+use crate::format::{columns, judged, page_line, pairs, values, warnings};
 use crate::progress::{Bars, catch_interrupt};
 
 /// The page beside the tables.
@@ -109,14 +109,7 @@ fn text(case: &Case, outcome: &RunOutcome, summary: &RunSummary) -> String {
         lines.push(("case", case.title.clone()));
     }
     lines.push(("verdict", judged(summary.passes(), summary.headline())));
-    for (label, value, unit) in summary.results.rows() {
-        let space = if unit.is_empty() || unit == "°" {
-            ""
-        } else {
-            " "
-        };
-        lines.push((label, format!("{value}{space}{unit}")));
-    }
+    lines.extend(values(&summary.results));
     let speed = summary.results.number("wall_s") / outcome.end_s.max(1e-12);
     lines.push(("speed", format!("{speed:.2} s per simulated second")));
     let mut text = pairs(&lines);

@@ -1,7 +1,7 @@
 //! Steps of a run or drop.
 
 use cageless::Case;
-use cageless_study::number_text::significant;
+use cageless_results::number_text::significant;
 
 /// Number and size of the steps of a run or drop.
 pub fn steps_text(case: &Case) -> String {

@@ -20,6 +20,8 @@ mod normal;
 mod read;
 mod read_axis;
 
+use cageless_results::Computation;
+
 use crate::case_file::CaseError;
 use crate::case_file::named::Named;
 
@@ -109,21 +111,6 @@ pub enum ScatterLaw {
     Any,
 }
 
-/// Computations of a variant.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Computation {
-    /// Static equilibrium.
-    Static,
-    /// Closed forms of the design: limits, β0, gaps.
-    Design,
-    /// Critical gap and verdict, from the motion.
-    Verdict,
-    /// A run of the case.
-    Run,
-    /// The drop of the rotor of the case, or of the rotor file.
-    Drop,
-}
-
 /// A column that the plan keeps.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Kept {
@@ -149,18 +136,5 @@ impl Named for SampleMethod {
 }
 
 impl Named for Computation {
-    const NAMES: &'static [(&'static str, Self)] = &[
-        ("static", Self::Static),
-        ("design", Self::Design),
-        ("verdict", Self::Verdict),
-        ("run", Self::Run),
-        ("drop", Self::Drop),
-    ];
-}
-
-impl Computation {
-    /// Name in a plan.
-    pub fn name(self) -> &'static str {
-        Named::name(self)
-    }
+    const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
 }

@@ -3,7 +3,7 @@
 use toml::Value;
 
 use super::axis::Axis;
-use super::{AxisValues, Computation, PlanFile, SCHEMA, ScatterLaw};
+use super::{AxisValues, PlanFile, SCHEMA, ScatterLaw};
 use crate::case_file::CaseError;
 use crate::case_file::named::Named;
 use crate::case_file::spanned_toml::excerpt;
@@ -136,13 +136,4 @@ pub fn difference(before: &str, now: &str) -> Vec<String> {
 /// A value of a plan for readers: the matrices of a rotor are as long as a book.
 pub fn shortened(value: &str) -> String {
     excerpt(value, 0..value.len())
-}
-
-impl Computation {
-    /// Those of a list of names, in the order in which they are done.
-    pub(super) fn in_order(mut list: Vec<Self>) -> Vec<Self> {
-        list.sort_unstable();
-        list.dedup();
-        list
-    }
 }

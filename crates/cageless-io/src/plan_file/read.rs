@@ -5,9 +5,11 @@ use std::path::Path;
 use super::conflict;
 use super::key::{key_in_case, order};
 use super::{
-    Axis, Computation, Kept, PlanBase, PlanFile, SCHEMA, SampleMethod, Samples, Scatter,
-    ScatteredKey, VariantFile,
+    Axis, Kept, PlanBase, PlanFile, SCHEMA, SampleMethod, Samples, Scatter, ScatteredKey,
+    VariantFile,
 };
+use cageless_results::Computation;
+
 use crate::case_file::named::Named;
 use crate::case_file::spanned_toml::{self, Node, Section, Value};
 use crate::case_file::{CaseBase, CaseError, CaseValue, Change, keys, read_text};
@@ -235,9 +237,12 @@ impl<'a> PlanReader<'a> {
             return Err(refused());
         };
         let list: Option<Vec<_>> = items.iter().map(choice).collect();
-        let Some(list) = list.filter(|list| !list.is_empty()) else {
+        let Some(mut list) = list.filter(|list| !list.is_empty()) else {
             return Err(refused());
         };
+        // In the order in which they are done.
+        list.sort_unstable();
+        list.dedup();
         match base {
             VariantFile::Case(file)
                 if list.contains(&Computation::Drop) && file.case().rotor.is_none() =>
@@ -257,7 +262,7 @@ impl<'a> PlanReader<'a> {
             }
             VariantFile::Case(_) => {}
         }
-        Ok(Computation::in_order(list))
+        Ok(list)
     }
 
     fn keep(&self) -> Result<Option<Vec<Kept>>, CaseError> {

@@ -33,7 +33,7 @@ use cageless::{Collision, RotorSnapshot, Snapshot};
 
 pub use atomic_file::{PartialFile, write_atomically, write_together};
 pub use csv::write_csv;
-pub use dynamic_table::{Cell, ColumnKind, ColumnSpec, Row, RowsReader, RowsWriter};
+pub use dynamic_table::{ColumnKind, ColumnSpec, Row, RowsReader, RowsWriter};
 pub use error::{ResultError, is_unusable};
 pub use run_tables::read_run_table;
 pub use verification::{DistanceColumns, VerificationFile, VerificationNumber, rounded};

@@ -92,13 +92,13 @@ class Static(Tables):
     def inner_semi_axes_mm(self) -> Floats:
         """Semi-axes of the contact ellipses at the inner raceway (balls, 2): along the rolling
         direction, across it."""
-        return np.array(self.values["inner_semi_axes_mm"])
+        return self._semi_axes("inner")
 
     @property
     def outer_semi_axes_mm(self) -> Floats:
         """Semi-axes of the contact ellipses at the outer raceway (balls, 2): along the rolling
         direction, across it."""
-        return np.array(self.values["outer_semi_axes_mm"])
+        return self._semi_axes("outer")
 
     @property
     def ball_orbit_rpm(self) -> Floats:
@@ -114,8 +114,12 @@ class Static(Tables):
     def stiffness_n_m(self) -> Floats | None:
         """Stiffness matrix of the bearing at its operating point (2, 2), rows x and y; None
         where nothing holds the ring in some direction."""
-        found = self.values["stiffness_n_m"]
-        return None if found is None else np.array(found)
+        xx, xy, yy = (self.values[f"stiffness_{at}_n_m"] for at in ("xx", "xy", "yy"))
+        return None if xx is None else np.array([[xx, xy], [xy, yy]])
+
+    def _semi_axes(self, raceway: str) -> Floats:
+        axes = [self.values[f"{raceway}_semi_axis_{way}_mm"] for way in ("along", "across")]
+        return np.array(axes).T
 
     @property
     def basic_dynamic_rating_n(self) -> float:

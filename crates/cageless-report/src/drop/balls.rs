@@ -46,14 +46,14 @@ pub(super) fn loads(study: &DropStudy, source: &Provenance) -> Figure {
         }));
     };
     let own = &study.drop.result;
-    bars("inner raceway", own.values(INNER), PALETTE[0]);
+    bars("inner raceway", own.results.values(INNER), PALETTE[0]);
     bars(
         "outer raceway",
-        own.values("outer_force_max_of_ball_n"),
+        own.results.values("outer_force_max_of_ball_n"),
         PALETTE[5],
     );
     if let Some(other) = &study.conventional {
-        let forces = other.result.values(INNER);
+        let forces = other.result.results.values(INNER);
         bars("inner raceway, conventional ring", forces, GREY);
     }
     Figure::new(
@@ -90,7 +90,7 @@ pub(super) fn balls_in_motion(case: &Case, study: &DropStudy, source: &Provenanc
 pub(super) fn around_first_impact(bearings: Vec<Motion>, drop: &DropRecord) -> MotionFigure {
     let end = drop.outcome.end_s;
     let mut stretches = vec![];
-    if let Some(ms) = drop.result.value("first_contact_ms") {
+    if let Some(ms) = drop.result.results.value("first_contact_ms") {
         let first = 1e-3 * ms;
         let [before, after] = FIRST_IMPACT_S;
         let around = [(first - before).max(0.0), (first + after).min(end)];

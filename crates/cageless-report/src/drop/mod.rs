@@ -9,7 +9,8 @@ mod verification;
 use cageless::contact::hertz::STRESS_LIMIT_PA;
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::VERSION;
-use cageless_study::drop::{DropResult, DropStudy};
+use cageless_results::DropResult;
+use cageless_study::drop::DropStudy;
 use cageless_study::{Provenance, parameter, provenance};
 
 use crate::head::Head;
@@ -65,7 +66,7 @@ pub fn drop_page(file: &CaseFile, study: &DropStudy) -> String {
 
 fn head(drop: &DropResult) -> Head {
     let fact = |name: &str, result: &str, unit: &str| {
-        let value = drop.value(result)?;
+        let value = drop.results.value(result)?;
         Some(parameter(name, short(value), unit))
     };
     let limit_mpa = 1e-6 * STRESS_LIMIT_PA;
@@ -76,7 +77,7 @@ fn head(drop: &DropResult) -> Head {
             "ball_stress_max_gpa",
         ]
         .into_iter()
-        .filter_map(|name| drop.value(name))
+        .filter_map(|name| drop.results.value(name))
         .fold(0.0, f64::max);
     let state = at_end(drop);
     let facts = [

@@ -3,8 +3,9 @@
 use std::f64::consts::TAU;
 
 use cageless::{Case, RotorSnapshot, Snapshot};
+use cageless_results::WindowRow;
 use cageless_study::Provenance;
-use cageless_study::drop::{DropRecord, WindowRow};
+use cageless_study::drop::DropRecord;
 use serde_json::json;
 
 use crate::figure::Figure;

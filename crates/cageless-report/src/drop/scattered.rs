@@ -1,8 +1,9 @@
 //! Tables and figures of scattered drops.
 
+use cageless_results::end_state_text;
 use cageless_study::Provenance;
 use cageless_study::drop::{
-    BearingRow, Distribution, EnsembleResult, RotorEnsemble, WhirlProbability, end_state_text,
+    BearingRow, Distribution, EnsembleResult, RotorEnsemble, WhirlProbability,
 };
 use serde_json::json;
 

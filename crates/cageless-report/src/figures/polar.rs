@@ -3,6 +3,9 @@
 use serde_json::{Value, json};
 
 use super::history::figure;
+use cageless_results::Results;
+
+use crate::data::{Provenance, RacewaySector};
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, numbers, plain, with};
 use crate::run_data::{LoadProfile, RunData};
@@ -15,43 +18,9 @@ pub fn loads(run: &RunData) -> Option<Figure> {
     let most = |values: &[f64]| range(values).1;
     let (force, pressure) = (
         most(&profile.outer_force_max_n).max(most(&profile.inner_force_max_n)),
-        most(&profile.outer_pressure_max_gpa).max(most(&profile.inner_pressure_max_gpa)),
+        1e3 * most(&profile.outer_pressure_max_gpa).max(most(&profile.inner_pressure_max_gpa)),
     );
-    let polar = |domain: [f64; 2], most: f64, title: &str| {
-        json!({
-            "domain": { "x": domain, "y": [0.0, 0.92] }, "bgcolor": "rgba(0,0,0,0)",
-            "radialaxis": {
-                "range": [0, 1.05 * most.max(1e-9)], "title": { "text": title }, "angle": 90,
-                "gridcolor": "#e6e6e6", "linecolor": "#555", "tickangle": 90, "nticks": 5,
-            },
-            // 0 at the bottom, counter-clockwise as the balls go round.
-            "angularaxis": {
-                "rotation": 270, "direction": "counterclockwise", "dtick": 30,
-                "gridcolor": "#e6e6e6", "linecolor": "#555", "ticksuffix": "°",
-            },
-        })
-    };
-    let mut plot = Plot::new(520)
-        .legend()
-        .set("margin", json!({ "l": 40, "r": 40, "t": 70, "b": 30 }))
-        .set(
-            "legend",
-            json!({ "orientation": "h", "x": 0, "y": 1.04, "yanchor": "bottom", "font": { "size": 12 } }),
-        )
-        .set("polar", polar([0.0, 0.46], force, "Force (N)"))
-        .set("polar2", polar([0.54, 1.0], pressure, "Pressure (GPa)"));
-    for (k, title) in ["Contact force (N)", "Peak contact pressure (GPa)"]
-        .iter()
-        .enumerate()
-    {
-        plot = plot.text(
-            &format!("<b>{title}</b>"),
-            (0.23 + 0.54 * k as f64, 1.0),
-            ("paper", "paper"),
-            json!({ "yanchor": "bottom", "name": format!("polar{}", if k == 0 { "" } else { "2" }) }),
-        );
-    }
-    plot = sectors(plot, run, force, pressure);
+    let mut plot = frame(force, pressure, &run.sectors);
     let traces: [(&str, &[f64], usize, &str, bool); 6] = [
         (
             "outer raceway, largest",
@@ -97,9 +66,14 @@ pub fn loads(run: &RunData) -> Option<Figure> {
         ),
     ];
     for (name, values, colour, subplot, largest) in traces {
-        let unit = if subplot == "polar" { "N" } else { "GPa" };
+        let (factor, unit) = if subplot == "polar" {
+            (1.0, "N")
+        } else {
+            (1e3, "MPa")
+        };
+        let values: Vec<f64> = values.iter().map(|value| factor * value).collect();
         plot = plot.trace(with(
-            ring(profile, values),
+            ring(profile, &values),
             json!({
                 "name": plain(name), "subplot": subplot, "legendgroup": name,
                 "showlegend": subplot == "polar",
@@ -110,7 +84,7 @@ pub fn loads(run: &RunData) -> Option<Figure> {
         ));
     }
     let plot = plot.finding(&format!(
-        "The largest contact force is {} N, the highest contact pressure {} GPa.",
+        "The largest contact force is {} N, the highest contact pressure {} MPa.",
         short(force),
         short(pressure)
     ));
@@ -129,6 +103,95 @@ pub fn loads(run: &RunData) -> Option<Figure> {
     ))
 }
 
+/// Two empty polar diagrams with the discrete raceways shaded: forces to the left, pressures to the right.
+fn frame(force: f64, pressure: f64, raceways: &[RacewaySector]) -> Plot {
+    let polar = |domain: [f64; 2], most: f64, title: &str| {
+        json!({
+            "domain": { "x": domain, "y": [0.0, 0.92] }, "bgcolor": "rgba(0,0,0,0)",
+            "radialaxis": {
+                "range": [0, 1.05 * most.max(1e-9)], "title": { "text": title }, "angle": 90,
+                "gridcolor": "#e6e6e6", "linecolor": "#555", "tickangle": 90, "nticks": 5,
+            },
+            // 0 at the bottom, counter-clockwise as the balls go round.
+            "angularaxis": {
+                "rotation": 270, "direction": "counterclockwise", "dtick": 30,
+                "gridcolor": "#e6e6e6", "linecolor": "#555", "ticksuffix": "°",
+            },
+        })
+    };
+    let mut plot = Plot::new(520)
+        .legend()
+        .set("margin", json!({ "l": 40, "r": 40, "t": 70, "b": 30 }))
+        .set(
+            "legend",
+            json!({ "orientation": "h", "x": 0, "y": 1.04, "yanchor": "bottom", "font": { "size": 12 } }),
+        )
+        .set("polar", polar([0.0, 0.46], force, "Force (N)"))
+        .set("polar2", polar([0.54, 1.0], pressure, "Pressure (MPa)"));
+    for (k, title) in ["Contact force (N)", "Peak contact pressure (MPa)"]
+        .iter()
+        .enumerate()
+    {
+        plot = plot.text(
+            &format!("<b>{title}</b>"),
+            (0.23 + 0.54 * k as f64, 1.0),
+            ("paper", "paper"),
+            json!({ "yanchor": "bottom", "name": format!("polar{}", if k == 0 { "" } else { "2" }) }),
+        );
+    }
+    sectors(plot, raceways, force, pressure)
+}
+
+/// Loads of the balls and contact pressures in a static equilibrium.
+pub fn static_loads(results: &Results, raceways: &[RacewaySector], source: Provenance) -> Figure {
+    let of = |name: &str| results.values(name);
+    let angles = of("ball_angle_deg");
+    let pressures_mpa = |name: &str| -> Vec<f64> { of(name).iter().map(|p| 1e3 * p).collect() };
+    let most = |values: &[f64]| range(values).1;
+    let series = [
+        (
+            "polar",
+            "N",
+            ["inner_force_n", "outer_force_n"].map(|name| of(name).to_vec()),
+        ),
+        (
+            "polar2",
+            "MPa",
+            ["inner_pressure_gpa", "outer_pressure_gpa"].map(pressures_mpa),
+        ),
+    ];
+    let [force, pressure] = [0, 1].map(|k| most(&series[k].2[0]).max(most(&series[k].2[1])));
+    let mut plot = frame(force, pressure, raceways);
+    let balls: Vec<String> = (1..=angles.len()).map(|k| format!("ball {k}")).collect();
+    for (subplot, unit, [inner, outer]) in &series {
+        for (colour, name, values) in [(1, "outer raceway", outer), (0, "inner raceway", inner)] {
+            // The narrower bars in front.
+            let share = if colour == 0 { 0.3 } else { 0.6 };
+            let width = vec![share * 360.0 / angles.len() as f64; angles.len()];
+            plot = plot.trace(json!({
+                "type": "barpolar", "name": name, "subplot": subplot, "legendgroup": name,
+                "showlegend": *subplot == "polar",
+                "theta": numbers(angles), "r": numbers(values), "width": numbers(&width),
+                "marker": { "color": PALETTE[colour] }, "opacity": 0.85, "text": balls,
+                "hovertemplate": format!("%{{text}}, ψ %{{theta:.1f}}°<br>%{{r:.4g}} {unit}<extra>{name}</extra>"),
+            }));
+        }
+    }
+    Figure {
+        label: "Load distribution".to_owned(),
+        caption: "Contact force and peak contact pressure (Hertz) of each ball in static equilibrium over \
+                  its angular position ψ, 0° at the bottom. Discrete raceways are shaded; there the \
+                  pressure at the outer raceway is that of one of two contact points."
+            .to_owned(),
+        provenance: source,
+        plot: plot.finding(&format!(
+            "The largest contact force is {} N, the highest contact pressure {} MPa.",
+            short(force),
+            short(pressure)
+        )),
+    }
+}
+
 /// A closed line around the bearing.
 fn ring(profile: &LoadProfile, values: &[f64]) -> Value {
     let closed =
@@ -140,8 +203,8 @@ fn ring(profile: &LoadProfile, values: &[f64]) -> Value {
 }
 
 /// Shades the discrete raceways in both plots.
-fn sectors(mut plot: Plot, run: &RunData, force: f64, pressure: f64) -> Plot {
-    for sector in &run.sectors {
+fn sectors(mut plot: Plot, raceways: &[RacewaySector], force: f64, pressure: f64) -> Plot {
+    for sector in raceways {
         for (subplot, most) in [("polar", force), ("polar2", pressure)] {
             let arc: Vec<f64> = (0..=24)
                 .map(|k| {

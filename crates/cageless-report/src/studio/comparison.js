@@ -50,7 +50,7 @@ class Comparison {
       const g = await studio.engine.request("quick", { op: "geometry", case: toml });
       const pinned = this.pinned = { toml, name, g, judged: toml === studio.toml ? studio.judged : null };
       studio.stage.now = 0;
-      studio.motionA.start(toml, g.numbers.rolling_orbit_ms / 1000);
+      studio.motionA.start(toml, g.rolling_orbit_ms / 1000);
       this.show();
       this.compute();
       if (!pinned.judged && g.raceways.length) {

@@ -122,8 +122,8 @@ class Studio {
     packed(toml).then((code) => { if (toml === this.toml && toml !== this.original) history.replaceState(null, "", "#case=" + code); });
     this.stage.now = 0;
     this.say("motion", "");
-    this.motion.start(toml, g.numbers.rolling_orbit_ms / 1000);
-    if (pinned) this.motionA.start(pinned.toml, pinned.g.numbers.rolling_orbit_ms / 1000);
+    this.motion.start(toml, g.rolling_orbit_ms / 1000);
+    if (pinned) this.motionA.start(pinned.toml, pinned.g.rolling_orbit_ms / 1000);
     if (g.rotor) this.judge({ passes: null, headline: "not judged: a rotor falls; its loads and speeds are below" });
     else if (g.raceways.length) await this.simulate(toml);
     else this.judge({ passes: null, headline: "not judged: the outer ring has no discrete raceway" });

@@ -18,9 +18,9 @@ pub use result::{ComparedResult, RingComparison, RingResults, Starts};
 use crate::error::StudyError;
 use crate::histories::SAMPLING_HZ;
 use crate::progress::{Progress, Work};
-use crate::quantities::Results;
 use crate::run::{Options, RunError, RunRecord, run};
 use crate::together::{Record, RunRecorder, run_together};
+use cageless_results::{RUN, Results, Subject};
 
 /// Starts of each ring unless asked for otherwise: as many as run side by side.
 pub const STARTS: u64 = 8;
@@ -173,7 +173,8 @@ fn outcomes(
         if !matches!(outcome.ending, Ending::Complete) {
             return Err(stopped(&outcome.ending));
         }
-        let results = recorder.run.finished(case, &outcome, Results::of_run);
+        let results =
+            (recorder.run).finished(case, &outcome, |run| Results::of(RUN, Subject::Run(run)));
         let mut values: Vec<(&'static str, f64)> = results
             .iter()
             .filter_map(|(quantity, cell)| Some((quantity.name, cell.number()?)))

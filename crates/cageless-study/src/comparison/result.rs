@@ -4,11 +4,10 @@ use std::collections::BTreeMap;
 
 use cageless_io::case_file::{CaseDocument, CaseFile};
 use cageless_io::estimate::{Change, Estimate, SIGNIFICANCE};
-use cageless_io::plan_file::Computation;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
-use crate::quantities::{Aim, Kind, QUANTITIES};
+use cageless_results::{Aim, Kind, RUN};
 
 /// RMS of the vertical acceleration of the housing, m/s²: no result of a run without its rows.
 pub(super) const VIBRATION: &str = "vibration_rms_m_s2";
@@ -25,10 +24,9 @@ const SUBJECT: [&str; 6] = [
 
 /// Name, label, unit and better direction of each result that is compared.
 fn compared() -> impl Iterator<Item = (&'static str, &'static str, String, Option<Aim>)> {
-    let quantities = QUANTITIES.iter().filter(|q| {
-        let of_run = q.computation() == Computation::Run;
-        of_run && q.in_tables && matches!(q.kind, Kind::Number | Kind::Integer)
-    });
+    let quantities = RUN
+        .iter()
+        .filter(|q| q.in_tables && matches!(q.kind, Kind::Number | Kind::Integer));
     let quantities = quantities.map(|q| (q.name, q.label, q.unit_text(), q.aim));
     quantities.chain(std::iter::once((
         VIBRATION,

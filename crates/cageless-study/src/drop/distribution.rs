@@ -3,12 +3,10 @@
 use cageless::numerics::proportion::wilson_interval;
 use cageless::touchdown::{DrawnBearing, EndState};
 use cageless_io::OptionError;
-use cageless_io::plan_file::Computation;
 use serde::{Serialize, Serializer};
 
-use super::{DropResult, end_state_text};
 use crate::StudyError;
-use crate::quantities::{Kind, QUANTITIES, Quantity};
+use cageless_results::{DROP, DropResult, Kind, Quantity, ROTOR_DROP, end_state_text};
 
 /// Most drops of an ensemble.
 pub const DROPS_MAX: u64 = 1_000_000;
@@ -158,12 +156,11 @@ impl Distribution {
 }
 
 fn quantiles(complete: &[&DropResult]) -> Vec<Quantiles> {
-    let numbers = QUANTITIES.iter().filter(|q| {
-        q.computation() == Computation::Drop && matches!(q.kind, Kind::Number | Kind::Integer)
-    });
+    let numbers =
+        (DROP.iter().chain(ROTOR_DROP)).filter(|q| matches!(q.kind, Kind::Number | Kind::Integer));
     let of = |quantity: &'static Quantity| {
         let mut values: Vec<f64> = (complete.iter())
-            .filter_map(|result| result.value(quantity.name))
+            .filter_map(|result| result.results.value(quantity.name))
             .collect();
         values.sort_by(f64::total_cmp);
         let last = values.len().checked_sub(1)?;

@@ -6,7 +6,9 @@ use cageless::touchdown::{Drawn, DropRecorder, Scatter};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::{BearingRow, Distribution, DropResult, check_drops};
+use cageless_results::DropResult;
+
+use super::{BearingRow, Distribution, check_drops};
 use crate::StudyError;
 use crate::progress::{Progress, Work};
 use crate::together::{Record, run_together};

@@ -3,8 +3,6 @@
 
 mod distribution;
 mod ensemble;
-mod judgement;
-mod result;
 mod rotor_ensemble;
 mod rotor_study;
 mod rotor_verification;
@@ -21,18 +19,17 @@ use cageless::simulation::{Observer, RunOutcome, run as simulate};
 use cageless::snapshot::Snapshot;
 use cageless::touchdown::DropRecorder;
 use cageless_io::case_file::missing_rotor;
+use cageless_results::DropResult;
 
 pub use distribution::{
     BearingRow, DROPS_MAX, Distribution, EndStateCount, Quantiles, WhirlProbability, check_drops,
 };
 pub use ensemble::{DropRow, EnsembleResult, ensemble};
-pub use judgement::DropJudgement;
-pub use result::{DropResult, WindowRow, end_state_text};
 pub use rotor_ensemble::{RotorDropRow, RotorEnsemble, rotor_ensemble};
 pub use rotor_study::{RotorStudy, rotor_study, unloaded};
 pub use rotor_verification::RotorVerification;
 pub use several::SeveralBearings;
-pub(crate) use several::{RotorRun, run_rotor};
+pub(crate) use several::run_rotor;
 pub use study::{DropRequest, DropStudy, Ended, Study, study};
 pub use verification::DropVerification;
 

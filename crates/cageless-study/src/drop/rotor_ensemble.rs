@@ -6,8 +6,10 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::distribution::whirls_backward;
-use super::several::{RotorRun, run_rotor};
-use super::{BearingRow, Distribution, DropResult, WhirlProbability, check_drops};
+use super::several::run_rotor;
+use cageless_results::{DropResult, RotorRun};
+
+use super::{BearingRow, Distribution, WhirlProbability, check_drops};
 use crate::StudyError;
 use crate::progress::{Progress, Work};
 
@@ -116,11 +118,11 @@ fn evaluate(seed: u64, bearings: usize, drops: Vec<RotorDropRow>) -> RotorEnsemb
 
 #[cfg(test)]
 mod tests {
-    use cageless_io::results::Cell;
+    use cageless_results::Cell;
 
     use super::*;
-    use crate::drop::DropJudgement;
-    use crate::quantities::Results;
+    use cageless_results::DropJudgement;
+    use cageless_results::{DROP, Results};
 
     fn bearing(state: &str, force: f64) -> BearingRow {
         let results = [
@@ -133,7 +135,7 @@ mod tests {
             air_gap_um: 200.0,
             support_damping_n_s_m: None,
             result: DropResult {
-                results: Results::only(&results),
+                results: Results::only(DROP, &results),
                 judgement: DropJudgement::default(),
                 stopped: None,
                 windows: vec![],

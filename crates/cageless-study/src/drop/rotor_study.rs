@@ -10,14 +10,13 @@ use serde::Serialize;
 use super::several::drop_into_bearings;
 use super::study::{Subject, beside};
 use super::{
-    DropRequest, DropResult, RotorEnsemble, RotorVerification, SeveralBearings, Study,
-    rotor_ensemble,
+    DropRequest, RotorEnsemble, RotorVerification, SeveralBearings, Study, rotor_ensemble,
 };
 use crate::StudyError;
-use crate::number_text::short;
 use crate::progress::Progress;
 use crate::run::{Rows, RunError};
 use crate::warnings::{of_drop, of_scattered};
+use cageless_results::{DropResult, number_text::short};
 
 /// A drop into several bearings with what is shown beside it.
 pub type RotorStudy = Study<SeveralBearings, RotorEnsemble, RotorVerification>;

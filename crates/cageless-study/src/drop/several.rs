@@ -3,7 +3,9 @@
 use cageless::simulation::{Control, Ending, Observer, PlaneDisplacement, RotorDrop, RunOutcome};
 use cageless::touchdown::DropRecorder;
 
-use super::{DropJudgement, DropRecord, DropResult, Ended, watched};
+use cageless_results::{DropJudgement, DropResult, RotorRun};
+
+use super::{DropRecord, Ended, watched};
 use crate::StudyError;
 use crate::progress::Progress;
 use crate::run::{Rows, RunError};
@@ -56,7 +58,8 @@ pub(super) fn drop_into_bearings<'r>(
 impl SeveralBearings {
     /// The verdict on all bearings and the planes of the rotor.
     pub fn judgement(&self) -> DropJudgement {
-        let bearings: Vec<_> = self.bearings.iter().map(|record| &record.result).collect();
+        let records = self.bearings.iter();
+        let bearings: Vec<_> = records.map(|record| &record.result.judgement).collect();
         DropJudgement::of_rotor(&bearings, &self.planes, self.rotor_energy_residual_relative)
     }
 
@@ -96,26 +99,6 @@ fn stopped_bearing<'a>(mut outcomes: impl Iterator<Item = &'a RunOutcome>) -> Op
             Ending::Stopped(_) | Ending::ObserverFailed(_)
         )
     })
-}
-
-/// Results of one of many drops into several bearings.
-pub(crate) struct RotorRun {
-    /// Results of each bearing.
-    pub bearings: Vec<DropResult>,
-    /// Bearing and reason, where the drop stopped early.
-    pub stopped: Option<String>,
-    /// What the energy ledger of the rotor alone lacks, over the sum of its absolute terms.
-    pub rotor_energy_residual_relative: f64,
-    /// Planes of the rotor with a clearance to the stator.
-    pub planes: Vec<PlaneDisplacement>,
-}
-
-impl RotorRun {
-    /// The verdict on all bearings and the planes of the rotor.
-    pub fn judgement(&self) -> DropJudgement {
-        let bearings: Vec<_> = self.bearings.iter().collect();
-        DropJudgement::of_rotor(&bearings, &self.planes, self.rotor_energy_residual_relative)
-    }
 }
 
 /// Drops a rotor into its bearings and keeps the results alone.

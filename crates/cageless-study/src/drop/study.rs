@@ -5,11 +5,11 @@ use cageless::simulation::Ending;
 use cageless::touchdown::Scatter;
 use cageless_io::case_file::{CaseDocument, CaseFile};
 use cageless_io::results::{SCHEMA, VERSION};
+use cageless_results::DropResult;
 use serde::Serialize;
 
 use super::{
-    DropRecord, DropResult, DropVerification, EnsembleResult, check_drops, check_rotor, drop_rotor,
-    ensemble,
+    DropRecord, DropVerification, EnsembleResult, check_drops, check_rotor, drop_rotor, ensemble,
 };
 use crate::StudyError;
 use crate::progress::Progress;

@@ -10,11 +10,11 @@ use cageless::verification::{
 use rayon::prelude::*;
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
-use super::DropResult;
 use crate::StudyError;
 use crate::progress::{Progress, Work};
-use crate::quantities::{Kind, Quantity};
 use crate::together::run_together;
+use cageless_results::DropResult;
+use cageless_results::{Kind, Quantity};
 
 /// Verification of a drop by drops from perturbed starts and at half the step.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,7 +67,7 @@ impl DropVerification {
             .filter(|q| !LEFT_OUT.contains(&q.name))
             .filter_map(|quantity| {
                 let values = drops.iter().map(|(role, drop)| {
-                    let value = drop.value(quantity.name)?;
+                    let value = drop.results.value(quantity.name)?;
                     Some((*role, value))
                 });
                 let values: Vec<(Role, f64)> = values.collect::<Option<_>>()?;

@@ -9,7 +9,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use cageless_io::open_own;
-use cageless_io::results::{Cell, ColumnSpec, Row, RowsReader, RowsWriter, write_atomically};
+use cageless_io::results::{ColumnSpec, Row, RowsReader, RowsWriter, write_atomically};
+use cageless_results::Cell;
 
 use super::error::SweepError;
 use super::footer::{Identity, add_isa};

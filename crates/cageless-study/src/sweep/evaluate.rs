@@ -10,9 +10,11 @@ use cageless::numerics::lanes::BATCH_WIDTH;
 use cageless::simulation::{Control, Ending, RunOutcome};
 use cageless::touchdown::DropRecorder;
 use cageless_io::case_file::CaseError;
-use cageless_io::plan_file::{Computation, PlanFile, VariantFile};
-use cageless_io::results::{Cell, ColumnKind, ColumnSpec, Row};
+use cageless_io::plan_file::{PlanFile, VariantFile};
+use cageless_io::results::{ColumnKind, ColumnSpec, Row};
 use cageless_io::rotor_file::RotorFile;
+use cageless_results::Cell;
+use cageless_results::Computation;
 
 use super::error::SweepError;
 use super::feasibility;
@@ -20,8 +22,8 @@ use super::outputs::{Output, outputs};
 use super::variants::Variants;
 use crate::StudyError;
 use crate::drop::run_rotor;
-use crate::quantities::{FinishedDrop, Quantity};
 use crate::together::{Record, Recorded, RunRecorder, run_together};
+use cageless_results::{FinishedDrop, Judged, Solved, Subject};
 
 /// A plan that can be computed.
 #[derive(Debug, Clone)]
@@ -149,15 +151,14 @@ impl Sweep {
     }
 
     fn solve(&self, variant: &mut Variant) {
-        let Some(case) = variant
-            .case
-            .as_ref()
-            .filter(|_| self.wants(Computation::Static))
-        else {
+        let wanted = self.wants(Computation::Static);
+        let Some(case) = variant.case.clone().filter(|_| wanted) else {
             return;
         };
-        match equilibrium::solve(case) {
-            Ok(solved) => variant.fill(&self.outputs, |q| q.of_equilibrium(&solved)),
+        match equilibrium::solve(&case) {
+            Ok(solved) => {
+                variant.fill(&self.outputs, Subject::Static(&Solved::new(&case, &solved)))
+            }
             Err(error) => variant.failed(Computation::Static, &error),
         }
     }
@@ -166,21 +167,25 @@ impl Sweep {
         let Some(case) = variant.case.clone() else {
             return;
         };
-        variant.fill(&self.outputs, |q| q.of_case(&case));
+        variant.fill(&self.outputs, Subject::Design(&case));
     }
 
     /// Judges the raceway; returns false if cancelled.
     fn judge(&self, variant: &mut Variant, stop: Cancellation<'_>) -> bool {
-        let Some(case) = variant
-            .case
-            .as_ref()
-            .filter(|_| self.wants(Computation::Verdict))
-        else {
+        let wanted = self.wants(Computation::Verdict);
+        let Some(case) = variant.case.clone().filter(|_| wanted) else {
             return true;
         };
-        match judge(case, &mut |_| stop()) {
+        match judge(&case, &mut |_| stop()) {
             Ok(judgement) => {
-                variant.fill(&self.outputs, |q| q.of_judgement(&judgement));
+                let judged = Judged {
+                    case: &case,
+                    judgement: &judgement,
+                };
+                variant.fill(&self.outputs, Subject::Verdict(&judged));
+                if let Some(passages) = &judgement.passages {
+                    variant.fill(&self.outputs, Subject::Passages(passages));
+                }
                 if let Some(stop) = &judgement.stopped {
                     variant.failed(Computation::Verdict, &stop.reason());
                 }
@@ -226,7 +231,7 @@ impl Sweep {
                         summary: &summary,
                         outcome: &outcome,
                     };
-                    variant.fill(&self.outputs, |q| q.of_drop(&finished));
+                    variant.fill(&self.outputs, Subject::Drop(&finished));
                 }
                 Err(error) => variant.failed(Computation::Drop, &error),
             }
@@ -263,7 +268,7 @@ impl Sweep {
             return variant.failed(Computation::Run, &stop.reason());
         }
         run.finished(&case, outcome, |finished| {
-            variant.fill(&self.outputs, |q| q.of_run(finished));
+            variant.fill(&self.outputs, Subject::Run(finished));
         });
     }
 }
@@ -287,9 +292,9 @@ struct Variant {
 }
 
 impl Variant {
-    fn fill(&mut self, outputs: &[Output], value: impl Fn(&Quantity) -> Option<Cell>) {
+    fn fill(&mut self, outputs: &[Output], subject: Subject<'_>) {
         for (cell, output) in self.results.iter_mut().zip(outputs) {
-            if let Some(found) = value(output.quantity) {
+            if let Some(found) = output.quantity.of(subject) {
                 *cell = found;
             }
         }

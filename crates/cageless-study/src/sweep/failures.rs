@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use cageless_io::results::{Cell, RowsReader};
+use cageless_io::results::RowsReader;
+use cageless_results::Cell;
 
 use super::error::SweepError;
 use super::evaluate::REASON;

@@ -2,10 +2,10 @@
 
 use cageless_io::case_file::CaseError;
 use cageless_io::plan_file::{PlanFile, VariantFile};
-use cageless_io::results::{Cell, ColumnSpec};
+use cageless_io::results::{ColumnKind, ColumnSpec};
+use cageless_results::Cell;
 
-use crate::drop::RotorRun;
-use crate::quantities::{QUANTITIES, Quantity};
+use cageless_results::{Kind, Quantity, RotorRun, quantities};
 
 /// A column of results.
 #[derive(Debug, Clone, Copy)]
@@ -28,14 +28,20 @@ impl Output {
     pub(crate) fn column(&self) -> ColumnSpec {
         ColumnSpec {
             name: self.name(),
-            ..self.quantity.column()
+            unit: self.quantity.unit.to_owned(),
+            kind: match self.quantity.kind {
+                Kind::Number => ColumnKind::Number,
+                Kind::Integer | Kind::Flag => ColumnKind::Integer,
+                Kind::Text => ColumnKind::Text,
+                Kind::Numbers => ColumnKind::Numbers,
+            },
         }
     }
 
     /// Value in a drop of a rotor.
     pub(crate) fn of_rotor(&self, run: &RotorRun) -> Cell {
         match self.bearing {
-            None => self.quantity.of_rotor_drop(run),
+            None => run.value(self.quantity),
             Some(k) => {
                 let results = run.bearings.get(k).map(|bearing| &bearing.results);
                 let found = results.and_then(|results| results.get(self.quantity.name));
@@ -83,7 +89,7 @@ fn all(plan: &PlanFile) -> impl Iterator<Item = Output> {
         VariantFile::Case(_) => 0,
         VariantFile::Rotor(file) => file.bearings().len(),
     };
-    let in_sweeps = || QUANTITIES.iter().filter(|quantity| quantity.in_sweeps);
+    let in_sweeps = || quantities().filter(|quantity| quantity.in_sweeps);
     let whole = in_sweeps().filter(move |quantity| match bearings {
         0 => quantity.is_of_bearing(),
         _ => quantity.is_of_rotor(),

@@ -7,7 +7,8 @@ use cageless_io::plan_file::{
     Axis, AxisValues, PlanFile, SampleMethod, ScatterLaw, ScatteredKey, VariantFile, is_whole,
     key_in_case, twelve_digits, unit,
 };
-use cageless_io::results::{Cell, ColumnKind, ColumnSpec};
+use cageless_io::results::{ColumnKind, ColumnSpec};
+use cageless_results::Cell;
 
 use super::latin_hypercube::LatinHypercube;
 use super::random::Purpose;

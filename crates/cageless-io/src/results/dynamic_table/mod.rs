@@ -6,6 +6,8 @@
 mod reader;
 mod writer;
 
+use cageless_results::Cell;
+
 pub use reader::RowsReader;
 pub(super) use reader::checked;
 pub use writer::RowsWriter;
@@ -39,39 +41,5 @@ pub enum ColumnKind {
     Numbers,
 }
 
-/// A value of a row.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Cell {
-    /// None.
-    Null,
-    /// A double; one that is not finite is written as null.
-    Number(f64),
-    /// A 64-bit integer.
-    Integer(i64),
-    /// Text.
-    Text(String),
-    /// A list of doubles.
-    Numbers(Vec<f64>),
-}
-
 /// A cell for each column.
 pub type Row = Vec<Cell>;
-
-impl Cell {
-    /// The value as a number, if it is one.
-    pub fn number(&self) -> Option<f64> {
-        match self {
-            Self::Number(value) => Some(*value),
-            Self::Integer(value) => Some(*value as f64),
-            _ => None,
-        }
-    }
-}
-
-impl From<Option<f64>> for Cell {
-    fn from(value: Option<f64>) -> Self {
-        value
-            .filter(|v| v.is_finite())
-            .map_or(Self::Null, Self::Number)
-    }
-}

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
+use cageless_results::Cell;
 use parquet::basic::{Repetition, Type as PhysicalType};
 use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::data_type::DataType;
@@ -13,7 +14,7 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::schema::types::TypePtr;
 
 use super::writer::GROUP_ROWS;
-use super::{Cell, ColumnKind, ColumnSpec, Row, UNIT};
+use super::{ColumnKind, ColumnSpec, Row, UNIT};
 use crate::results::checksum::{CHECKSUM, Fault, verify};
 use crate::results::error::ResultError;
 use crate::system::io_error_message;

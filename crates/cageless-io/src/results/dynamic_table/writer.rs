@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use cageless_results::Cell;
 use parquet::basic::{Compression, ConvertedType, LogicalType, Repetition, Type as PhysicalType};
 use parquet::column::writer::ColumnWriter;
 use parquet::data_type::ByteArray;
@@ -12,7 +13,7 @@ use parquet::file::properties::WriterProperties;
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{PrimitiveTypeBuilder, Type, TypePtr};
 
-use super::{Cell, ColumnKind, ColumnSpec, Row, UNIT};
+use super::{ColumnKind, ColumnSpec, Row, UNIT};
 use crate::results::VERSION;
 use crate::results::atomic_file::PartialFile;
 use crate::results::checksum::seal;

@@ -3,13 +3,14 @@
 use std::collections::BTreeMap;
 
 use super::result::{BestVariant, BestVariants};
-use crate::number_text::short;
-use cageless_io::results::{Cell, Row};
+use cageless_io::results::Row;
+use cageless_results::Cell;
+use cageless_results::number_text::short;
 
 use super::quantities::{Input, Output, Quantities};
 use super::table::Table;
-use crate::quantities::{Aim, QUANTITIES};
 use crate::sweep::error::SweepError;
+use cageless_results::{Aim, quantities as all};
 
 /// Requested direction of an output.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -46,7 +47,7 @@ pub(super) fn goals<'q>(
         outputs.find(|o| o.name == name && o.is_name.is_none())
     };
     if wanted.is_empty() {
-        let known = QUANTITIES.iter().filter(|q| q.in_sweeps);
+        let known = all().filter(|q| q.in_sweeps);
         return Ok(known
             .filter_map(|q| Some((number(&q.column_name())?, q.aim?)))
             .collect());

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::result::FailureGroup;
-use cageless_io::results::Cell;
+use cageless_results::Cell;
 
 use super::table::Table;
 use crate::sweep::error::SweepError;

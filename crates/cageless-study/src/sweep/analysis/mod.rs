@@ -21,9 +21,9 @@ pub use result::{
 
 use crate::{Parameter, Provenance};
 
-use crate::quantities::Aim;
 use crate::sweep::error::SweepError;
 use crate::sweep::footer::Identity;
+use cageless_results::Aim;
 
 use quantities::{Output, Quantities};
 use table::Table;

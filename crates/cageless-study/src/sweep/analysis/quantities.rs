@@ -2,8 +2,9 @@
 
 use super::result::{Levels, SweepQuantity};
 use crate::Parameter;
-use crate::number_text::short;
-use cageless_io::results::{Cell, ColumnSpec};
+use cageless_io::results::ColumnSpec;
+use cageless_results::Cell;
+use cageless_results::number_text::short;
 
 use super::table::Table;
 use crate::sweep::error::SweepError;

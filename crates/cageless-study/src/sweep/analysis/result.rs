@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::quantities::bearing_in_column;
 use crate::{Parameter, Provenance};
+use cageless_results::bearing_in_column;
 
 /// Data of the page of a sweep. Empty parts are omitted from the page.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]

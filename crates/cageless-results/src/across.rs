@@ -1,7 +1,7 @@
 //! Results of a rotor in several bearings, from those of its bearings.
 
+use crate::Cell;
 use cageless::touchdown::EndState;
-use cageless_io::results::Cell;
 
 /// Rule by which a result of a rotor in several bearings follows from those of its bearings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

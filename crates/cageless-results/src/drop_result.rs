@@ -1,13 +1,16 @@
 //! Results of a drop.
 
 use cageless::Case;
-use cageless::simulation::{Ending, RunOutcome};
+use cageless::simulation::{Ending, PlaneDisplacement, RunOutcome};
 use cageless::touchdown::{DropSummary, EndState, WhirlWindow};
-use cageless_io::results::Cell;
 use serde::{Serialize, Serializer};
 
-use super::DropJudgement;
-use crate::quantities::{FinishedDrop, Kind, Results, value_text};
+use crate::quantity::Kind;
+use crate::table::DROP;
+use crate::{
+    Across, Cell, DropJudgement, FinishedDrop, FinishedRotor, Quantity, Results, Subject,
+    value_text,
+};
 
 /// Results of one drop.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -74,7 +77,7 @@ impl DropResult {
             _ => None,
         };
         Self {
-            results: Results::of_drop(&finished),
+            results: Results::of(DROP, Subject::Drop(&finished)),
             judgement: DropJudgement::of_drop(&finished),
             stopped,
             windows: summary.whirl.iter().map(WindowRow::new).collect(),
@@ -84,10 +87,7 @@ impl DropResult {
     /// What the rotor does at the end: `falling`, `settling`, `at-rest`, `pendulum`, `bouncing`,
     /// `forward-whirl` or `backward-whirl`.
     pub fn end_state(&self) -> &str {
-        match self.results.get("end_state") {
-            Some(Cell::Text(state)) => state,
-            _ => "",
-        }
+        self.results.text("end_state")
     }
 
     /// Results of drops side by side: label, value of each drop (a dash where it has none), unit.
@@ -132,21 +132,49 @@ impl DropResult {
         if name != "spin_up_ms" {
             return None;
         }
-        self.value("first_contact_ms")?;
-        let [ring, rotor] = ["ring_speed_rpm", "rotor_speed_rpm"].map(|name| self.value(name));
+        self.results.value("first_contact_ms")?;
+        let [ring, rotor] =
+            ["ring_speed_rpm", "rotor_speed_rpm"].map(|name| self.results.value(name));
         Some(format!("not reached ({:.0} of {:.0} rpm)", ring?, rotor?))
     }
+}
 
-    /// Values of a result of every ball.
-    pub fn values(&self, name: &str) -> &[f64] {
-        match self.results.get(name) {
-            Some(Cell::Numbers(values)) => values,
-            _ => &[],
-        }
+/// Results of a drop onto several bearings.
+#[derive(Debug, Clone)]
+pub struct RotorRun {
+    /// Results of each bearing.
+    pub bearings: Vec<DropResult>,
+    /// Bearing and reason, where the drop stopped early.
+    pub stopped: Option<String>,
+    /// What the energy ledger of the rotor alone lacks, over the sum of its absolute terms.
+    pub rotor_energy_residual_relative: f64,
+    /// Planes of the rotor with a clearance to the stator.
+    pub planes: Vec<PlaneDisplacement>,
+}
+
+impl RotorRun {
+    /// The verdict on all bearings and the planes of the rotor.
+    pub fn judgement(&self) -> DropJudgement {
+        let bearings: Vec<_> = self.bearings.iter().map(|b| &b.judgement).collect();
+        DropJudgement::of_rotor(&bearings, &self.planes, self.rotor_energy_residual_relative)
     }
 
-    /// Value of a numeric result, if it has one.
-    pub fn value(&self, name: &str) -> Option<f64> {
-        self.results.get(name).and_then(Cell::number)
+    /// Value of a quantity for the rotor as a whole.
+    pub fn value(&self, quantity: &Quantity) -> Cell {
+        let rotor = FinishedRotor {
+            planes: &self.planes,
+            energy_residual_relative: self.rotor_energy_residual_relative,
+        };
+        if let Some(own) = quantity.of(Subject::RotorDrop(&rotor)) {
+            return own;
+        }
+        match quantity.across {
+            Some(Across::Verdict) => self.judgement().cell(quantity.kind),
+            Some(across) => {
+                let bearings = self.bearings.iter().map(|b| b.results.get(quantity.name));
+                across.of(bearings.map(|cell| cell.unwrap_or(&Cell::Null)))
+            }
+            None => Cell::Null,
+        }
     }
 }

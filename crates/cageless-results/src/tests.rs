@@ -4,25 +4,30 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 use cageless::Case;
-use cageless::design::{PassageStatistics, RacewayVerdict};
+use cageless::design::{Judgement, PassageStatistics, RacewayVerdict, RunVerdict, steady_gap_rad};
 use cageless::dynamics::energy::EnergyTerm;
-use cageless::equilibrium::solve;
-use cageless::passage::PassageRecorder;
+use cageless::passage::{PassageRecorder, PassageTally};
 use cageless::simulation::{Control, run};
 use cageless::summary::SummaryRecorder;
 use cageless_io::case_file::{CaseFile, template};
 
 use super::*;
-use crate::passages::Passages;
 
 #[test]
 fn names_are_unique_and_end_with_their_unit() {
-    for (k, quantity) in QUANTITIES.iter().enumerate() {
+    let all: Vec<_> = quantities().filter(|q| q.in_sweeps).collect();
+    for (k, quantity) in all.iter().enumerate() {
         let unit = quantity.unit.to_lowercase().replace(['/', '.', ' '], "_");
         let unit = unit.replace('^', "");
-        assert!(quantity.name.contains(&unit), "{} {unit}", quantity.name);
+        let without = ["inner_stiffness", "outer_stiffness"].contains(&quantity.name);
+        let has = quantity.name.contains(&unit) || without;
+        assert!(has, "{} {unit}", quantity.name);
         let same = |other: &Quantity| other.column_name() == quantity.column_name();
-        assert!(!QUANTITIES[k + 1..].iter().any(same), "{}", quantity.name);
+        assert!(
+            !all[k + 1..].iter().any(|other| same(other)),
+            "{}",
+            quantity.name
+        );
         assert!(quantity.label.chars().next().is_some(), "{}", quantity.name);
     }
 }
@@ -31,7 +36,7 @@ fn names_are_unique_and_end_with_their_unit() {
 #[test]
 fn results_of_one_name_have_one_label_and_labels_name_one_result() {
     let mut labels: BTreeMap<_, &str> = BTreeMap::new();
-    for quantity in QUANTITIES {
+    for quantity in quantities().filter(|q| q.in_sweeps) {
         let key = (quantity.computation(), quantity.label);
         let name = labels.entry(key).or_insert(quantity.name);
         assert_eq!(*name, quantity.name, "{}", quantity.label);
@@ -78,51 +83,6 @@ fn next(counter: &mut f64) -> f64 {
 }
 
 #[test]
-fn results_of_an_equilibrium_are_its_fields() {
-    let mut e = solve(&case()).unwrap();
-    let mut k = 0.2;
-    for field in [
-        &mut e.ring_x_m,
-        &mut e.ring_y_m,
-        &mut e.inner_stiffness_n_m1_5,
-        &mut e.outer_stiffness_n_m1_5,
-        &mut e.inner_stress_max_pa,
-        &mut e.outer_stress_max_pa,
-    ] {
-        *field = next(&mut k);
-    }
-    e.inner_force_n[3] = 1e4;
-    e.outer_force_n[5] = 2e4;
-    let expected = [
-        ("ring_x_um", e.ring_x_m / 1e-6),
-        ("ring_y_um", e.ring_y_m / 1e-6),
-        ("inner_force_max_n", 1e4),
-        ("outer_force_max_n", 2e4),
-        ("inner_stiffness_n_m1_5", e.inner_stiffness_n_m1_5),
-        ("outer_stiffness_n_m1_5", e.outer_stiffness_n_m1_5),
-        ("inner_stress_max_gpa", e.inner_stress_max_pa / GPA),
-        ("outer_stress_max_gpa", e.outer_stress_max_pa / GPA),
-    ];
-    let results = Results::by(|quantity| quantity.of_equilibrium(&e));
-    compare(&results, &expected, &[]);
-    for (name, list, unit) in [
-        ("ball_angle_deg", &e.ball_angle_rad, DEGREE),
-        ("inner_force_n", &e.inner_force_n, 1.0),
-        ("outer_force_n", &e.outer_force_n, 1.0),
-    ] {
-        let Some(Cell::Numbers(found)) = results.get(name) else {
-            panic!("{name}");
-        };
-        for (found, value) in found.iter().zip(list) {
-            assert!(
-                (found * unit - value).abs() <= 1e-12 * value.abs(),
-                "{name}"
-            );
-        }
-    }
-}
-
-#[test]
 fn results_of_a_verdict_are_its_fields() {
     let passages = PassageStatistics {
         passages: 41,
@@ -142,8 +102,11 @@ fn results_of_a_verdict_are_its_fields() {
         raceways: vec![],
         stopped: None,
     };
+    let case = case();
+    let steady_rad = steady_gap_rad(&case.bearing, &case.raceways);
     let expected = [
         ("critical_gap_deg", 0.033 / DEGREE),
+        ("gap_reserve_deg", (steady_rad - 0.033) / DEGREE),
         ("collisions_mean", 0.31),
         ("double_collision_fraction", 0.47),
         ("slip_mean_m_s", 0.53),
@@ -151,8 +114,13 @@ fn results_of_a_verdict_are_its_fields() {
         ("gap_leave_min_deg", 0.029 / DEGREE),
         ("gap_leave_max_deg", 0.037 / DEGREE),
     ];
-    let results = Results::by(|quantity| quantity.of_judgement(&judgement));
-    compare(&results, &expected, &[]);
+    let judged = Judged {
+        case: &case,
+        judgement: &judgement,
+    };
+    let results = Results::of(VERDICT, Subject::Verdict(&judged))
+        .and(Results::of(PASSAGES, Subject::Passages(&passages)));
+    compare(&results, &expected, &["margin"]);
     assert_eq!(results.get("passages"), Some(&Cell::Integer(41)));
 }
 
@@ -199,7 +167,7 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
         outcome: &outcome,
         summary: Some(&s),
         passages: &tally,
-        verdict: &Passages::new(&case).verdict(&case),
+        verdict: &RunVerdict::from_case(&case, &[PassageTally::new()]),
         wall_s: 77.0,
     };
     let turns = case.operation.inner_speed_rad_s / (2.0 * PI);
@@ -299,7 +267,7 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
         "power_loss_rotor_damping_w",
         "power_loss_support_damping_w",
     ];
-    let results = Results::of_run(&finished);
+    let results = Results::of(RUN, Subject::Run(&finished));
     compare(&results, &expected, &of_bodies);
     for (name, count) in [
         ("collisions", s.collisions.all),
@@ -317,30 +285,4 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
     // The time of a passage is about that of rolling through 2θ.
     let rolling_ms = 2e3 * 25.2 * DEGREE / m.orbit_speed_rad_s;
     assert!((results.number("passage_duration_mean_ms") / rolling_ms - 1.0).abs() < 0.2);
-}
-
-/// Where the speed of the ring follows a table there is no frequency of pure rolling.
-#[test]
-fn frequencies_of_rolling_need_one_speed() {
-    let table = "operation.inner_speed_rpm=[[0.0, 100.0], [0.01, 20000.0]]".to_owned();
-    let sets = ["solver.duration_s=0.0005".to_owned(), table];
-    let file = CaseFile::parse(&template(false), "case.toml", &sets).unwrap();
-    let options = crate::run::Options {
-        rows: None,
-        verify: false,
-    };
-    let record = crate::run::run(&file, options, &crate::Silent).unwrap();
-    for name in [
-        "ftf_hz",
-        "bpfo_hz",
-        "bpfi_hz",
-        "bsf_hz",
-        "friction_torque_skf_n_m",
-    ] {
-        assert_eq!(
-            record.summary.results.get(name),
-            Some(&Cell::Null),
-            "{name}"
-        );
-    }
 }

@@ -6,10 +6,13 @@ use cageless::simulation::{Ending, PlaneDisplacement};
 use cageless::touchdown::EndState;
 use cageless::{Case, Support};
 
-use super::DropResult;
+use crate::cell::Cell;
 use crate::number_text::short;
-use crate::quantities::FinishedDrop;
-use crate::warnings::RESIDUAL_FRACTION;
+use crate::quantity::Kind;
+use crate::source::FinishedDrop;
+
+/// Largest energy balance error, relative, of numbers that can be trusted.
+pub const RESIDUAL_FRACTION: f64 = 0.01;
 
 /// Verdict on a drop.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -29,6 +32,16 @@ impl DropJudgement {
             Some(true) => "pass",
             Some(false) => "fail",
             None => "not-judged",
+        }
+    }
+
+    /// The verdict as a result: whether the drop passes, or its name.
+    pub(crate) fn cell(&self, kind: Kind) -> Cell {
+        match kind {
+            Kind::Flag => self
+                .passes
+                .map_or(Cell::Null, |passes| Cell::Integer(passes.into())),
+            _ => Cell::Text(self.name().to_owned()),
         }
     }
 
@@ -59,7 +72,7 @@ impl DropJudgement {
     }
 
     /// Verdict on a drop onto one bearing.
-    pub(crate) fn of_drop(drop: &FinishedDrop<'_>) -> Self {
+    pub fn of_drop(drop: &FinishedDrop<'_>) -> Self {
         let (case, summary, outcome) = (drop.case, drop.summary, drop.outcome);
         let mut failed = vec![];
         let mut kept = vec![];
@@ -107,20 +120,15 @@ impl DropJudgement {
     }
 
     /// Verdict on a drop into several bearings with these results, of a rotor with these planes.
-    pub(crate) fn of_rotor(
-        bearings: &[&DropResult],
-        planes: &[PlaneDisplacement],
-        rotor_residual: f64,
-    ) -> Self {
+    pub fn of_rotor(bearings: &[&Self], planes: &[PlaneDisplacement], rotor_residual: f64) -> Self {
         let (mut failed, mut kept) = (vec![], vec![]);
         for (k, bearing) in bearings.iter().enumerate() {
-            let own = &bearing.judgement;
-            let list = match own.passes {
-                Some(false) => &own.reasons,
-                _ => &own.kept,
+            let list = match bearing.passes {
+                Some(false) => &bearing.reasons,
+                _ => &bearing.kept,
             };
             let numbered = list.iter().map(|text| format!("bearing {}: {text}", k + 1));
-            match own.passes {
+            match bearing.passes {
                 Some(false) => failed.extend(numbered),
                 _ => kept.extend(numbered),
             }
@@ -131,7 +139,7 @@ impl DropJudgement {
                 .place(&mut failed, &mut kept);
         }
         failed.extend(unbalanced(" of the rotor", rotor_residual));
-        let untouched = bearings.iter().all(|b| b.judgement.passes.is_none());
+        let untouched = bearings.iter().all(|b| b.passes.is_none());
         Self::new(failed, kept, untouched)
     }
 }

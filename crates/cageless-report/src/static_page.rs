@@ -1,0 +1,144 @@
+//! The page of `static`, and its one-page sheet.
+
+use cageless::dynamics::InstructionSet;
+use cageless_io::case_file::CaseFile;
+use cageless_io::results::VERSION;
+use cageless_results::Record;
+use cageless_study::{Provenance, parameter, parameters};
+
+use crate::data::{Parameter, RacewaySector};
+use crate::figure::Figure;
+use crate::figures::polar;
+use crate::head::Head;
+use crate::page::{Note, Page};
+use crate::studio_page::studio_section;
+use crate::table::{Cell, Row, Table};
+use crate::tables::parameter_table;
+
+/// Results at the head of the page.
+const FACTS: [&str; 8] = [
+    "inner_stress_max_gpa",
+    "outer_stress_max_gpa",
+    "static_safety",
+    "l10_h",
+    "l10r_h",
+    "stiffness_yy_n_m",
+    "ring_y_um",
+    "ftf_hz",
+];
+
+/// Contact forces and pressures of a static equilibrium over ψ.
+pub fn load_distribution(file: &CaseFile, record: &Record) -> Figure {
+    let raceways = file.case().raceways.iter();
+    let sectors: Vec<RacewaySector> = raceways.map(RacewaySector::new).collect();
+    polar::static_loads(&record.results, &sectors, provenance(file))
+}
+
+fn provenance(file: &CaseFile) -> Provenance {
+    Provenance {
+        case: file.case().title.clone(),
+        method: Some("static equilibrium".to_owned()),
+        profile: Some(cageless_study::profile_name(file.case().profile).to_owned()),
+        ..Provenance::default()
+    }
+}
+
+/// The page of a static equilibrium.
+pub fn static_page(file: &CaseFile, record: &Record) -> String {
+    let mut page = head(file, record);
+    page.section("Load distribution");
+    page.figure(&load_distribution(file, record));
+    page.table(&balls(file, record));
+    page.section("Displacement, stiffness, ratings and frequencies");
+    page.table(&results(file, record));
+    notes(&mut page, record);
+    page.section("The case as computed");
+    page.table(&parameter_table(
+        "Case",
+        "Every key of the case.",
+        &parameters(file),
+        None,
+    ));
+    // A seed beyond the whole numbers of TOML leaves the page without a studio.
+    studio_section(
+        &mut page,
+        &file.document().to_toml().unwrap_or_default(),
+        "",
+    );
+    page.html()
+}
+
+/// The static equilibrium on one sheet of A4.
+pub fn static_sheet(file: &CaseFile, record: &Record) -> String {
+    let mut page = head(file, record).sheet();
+    page.figure(&load_distribution(file, record));
+    page.table(&results(file, record));
+    notes(&mut page, record);
+    page.html()
+}
+
+fn head(file: &CaseFile, record: &Record) -> Page {
+    let case = file.case();
+    let title = match case.title.as_str() {
+        "" => "Static equilibrium".to_owned(),
+        title => format!("Static equilibrium: {title}"),
+    };
+    let bearing = &case.bearing;
+    let lead = format!(
+        "{} balls of {} mm, pitch diameter {} mm; {} rpm, {} N.",
+        bearing.balls(),
+        number(2e3 * bearing.ball_radius_m()),
+        number(2e3 * bearing.pitch_radius_m()),
+        number(case.operation.inner_speed_rad_s * 60.0 / std::f64::consts::TAU),
+        number(case.operation.radial_load_n),
+    );
+    let software = format!("Cageless {VERSION}, {}", InstructionSet::detect().name());
+    let mut page = Page::new(&title, &lead, &software);
+    let facts = FACTS.iter().filter_map(|name| record.results.row(name));
+    page.head(
+        &Head::default().facts(facts.map(|(label, value, unit)| parameter(label, value, &unit))),
+    );
+    for warning in record.sentences("warnings") {
+        page.note(Note::Warning, warning);
+    }
+    page
+}
+
+fn number(value: f64) -> String {
+    cageless_results::number_text::significant(value, 6)
+}
+
+fn results(file: &CaseFile, record: &Record) -> Table {
+    let rows: Vec<Parameter> = (record.results.rows())
+        .map(|(label, value, unit)| parameter(label, value, &unit))
+        .collect();
+    parameter_table(
+        "Results",
+        "Results of the static equilibrium and ratings of the bearing.",
+        &rows,
+        Some(provenance(file)),
+    )
+}
+
+fn balls(file: &CaseFile, record: &Record) -> Table {
+    let mut columns = record.results.columns().into_iter();
+    let head = columns.next().unwrap_or_default();
+    let row = |cells: Vec<String>| Row {
+        cells: cells.into_iter().map(Cell::number).collect(),
+        ..Row::default()
+    };
+    Table {
+        label: "Balls".to_owned(),
+        caption: format!("Each ball in equilibrium: {}.", record.results.legend()),
+        columns: head.into_iter().map(|text| (text, true)).collect(),
+        rows: columns.map(row).collect(),
+        provenance: Some(provenance(file)),
+        ..Table::default()
+    }
+}
+
+fn notes(page: &mut Page, record: &Record) {
+    for note in record.sentences("notes") {
+        page.note(Note::Remark, note);
+    }
+}

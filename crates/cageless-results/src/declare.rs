@@ -1,0 +1,147 @@
+//! Declarations of results, and the values that they share.
+
+use std::f64::consts::TAU;
+
+use crate::across::Across;
+use crate::cell::Cell;
+use crate::quantity::{Aim, Kind, Quantity};
+use crate::source::Source;
+
+pub(crate) const fn quantity(
+    name: &'static str,
+    unit: &'static str,
+    label: &'static str,
+    of: Source,
+) -> Quantity {
+    Quantity {
+        name,
+        unit,
+        label,
+        symbol: "",
+        kind: Kind::Number,
+        aim: None,
+        across: None,
+        in_sweeps: true,
+        in_tables: true,
+        of,
+    }
+}
+
+pub(crate) const fn list(
+    name: &'static str,
+    unit: &'static str,
+    label: &'static str,
+    of: Source,
+) -> Quantity {
+    let kind = Kind::Numbers;
+    Quantity {
+        kind,
+        ..quantity(name, unit, label, of)
+    }
+}
+
+pub(crate) const fn of_kind(
+    kind: Kind,
+    name: &'static str,
+    label: &'static str,
+    of: Source,
+) -> Quantity {
+    Quantity {
+        kind,
+        ..quantity(name, "", label, of)
+    }
+}
+
+pub(crate) const fn integer(name: &'static str, label: &'static str, of: Source) -> Quantity {
+    of_kind(Kind::Integer, name, label, of)
+}
+
+pub(crate) const fn flag(name: &'static str, label: &'static str, of: Source) -> Quantity {
+    let in_tables = false;
+    Quantity {
+        in_tables,
+        ..of_kind(Kind::Flag, name, label, of)
+    }
+}
+
+pub(crate) const fn text(name: &'static str, label: &'static str, of: Source) -> Quantity {
+    let in_tables = false;
+    Quantity {
+        in_tables,
+        ..of_kind(Kind::Text, name, label, of)
+    }
+}
+
+/// A result that neither columns of sweeps nor tables have: a sentence, or a time that differs from
+/// run to run.
+pub(crate) const fn file_only(quantity: Quantity) -> Quantity {
+    let (in_sweeps, in_tables) = (false, false);
+    Quantity {
+        in_sweeps,
+        in_tables,
+        ..quantity
+    }
+}
+
+/// A list that tables for readers have, under a symbol.
+pub(crate) const fn column(symbol: &'static str, quantity: Quantity) -> Quantity {
+    Quantity { symbol, ..quantity }
+}
+
+/// A result of a part of a computation, which columns of sweeps do not have.
+pub(crate) const fn part(quantity: Quantity) -> Quantity {
+    let in_sweeps = false;
+    Quantity {
+        in_sweeps,
+        ..quantity
+    }
+}
+
+/// A text that tables for readers have.
+pub(crate) const fn in_tables(quantity: Quantity) -> Quantity {
+    let in_tables = true;
+    Quantity {
+        in_tables,
+        ..quantity
+    }
+}
+
+/// A result of a drop with the rule for a rotor in several bearings.
+pub(crate) const fn across(across: Across, quantity: Quantity) -> Quantity {
+    let across = Some(across);
+    Quantity { across, ..quantity }
+}
+
+pub(crate) const fn low(quantity: Quantity) -> Quantity {
+    let aim = Some(Aim::Low);
+    Quantity { aim, ..quantity }
+}
+
+pub(crate) const fn high(quantity: Quantity) -> Quantity {
+    let aim = Some(Aim::High);
+    Quantity { aim, ..quantity }
+}
+
+pub(crate) fn flagged(value: Option<bool>) -> Cell {
+    value.map_or(Cell::Null, |value| Cell::Integer(i64::from(value)))
+}
+
+pub(crate) fn rpm(speed_rad_s: f64) -> f64 {
+    speed_rad_s * 60.0 / TAU
+}
+
+pub(crate) fn some(value: f64) -> Cell {
+    Some(value).into()
+}
+
+pub(crate) fn degrees(angle_rad: f64) -> Cell {
+    some(angle_rad.to_degrees())
+}
+
+pub(crate) fn count(value: usize) -> Cell {
+    Cell::Integer(value as i64)
+}
+
+pub(crate) fn largest(values: &[f64]) -> f64 {
+    values.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+}

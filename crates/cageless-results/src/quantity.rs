@@ -1,0 +1,148 @@
+//! The declaration of a result.
+
+use crate::Cell;
+use crate::across::Across;
+use crate::computation::Computation;
+use crate::number_text::significant;
+use crate::source::{Source, Subject};
+
+/// A scalar result.
+#[derive(Debug, Clone, Copy)]
+pub struct Quantity {
+    /// Name with the unit at its end: the key in JSON.
+    pub name: &'static str,
+    /// Unit in ASCII; empty if there is none.
+    pub unit: &'static str,
+    /// Wording for readers.
+    pub label: &'static str,
+    /// Symbol at the head of a column of values of every ball; empty where tables have none.
+    pub symbol: &'static str,
+    /// Kind of the value.
+    pub kind: Kind,
+    /// Better direction, where there is one.
+    pub aim: Option<Aim>,
+    /// Its value for a rotor in several bearings, where there is one.
+    pub across: Option<Across>,
+    /// Whether the columns of sweeps have it.
+    pub in_sweeps: bool,
+    /// Whether tables for readers have it.
+    pub in_tables: bool,
+    pub(crate) of: Source,
+}
+
+/// Kind of a value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A number.
+    Number,
+    /// A count.
+    Integer,
+    /// True or false; 1 or 0 in the columns of sweeps.
+    Flag,
+    /// A name or a sentence.
+    Text,
+    /// A number for each ball.
+    Numbers,
+}
+
+/// Better direction of a quantity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Aim {
+    /// The less the better.
+    Low,
+    /// The more the better.
+    High,
+}
+
+/// The bearing, from 0, and what follows it in the name of a column of one of several bearings:
+/// `bearing_2_contact_damping`.
+pub fn bearing_in_column(name: &str) -> Option<(usize, &str)> {
+    let (number, rest) = name.strip_prefix("bearing_")?.split_once('_')?;
+    let k = number.parse::<usize>().ok()?.checked_sub(1)?;
+    Some((k, rest))
+}
+
+impl Quantity {
+    /// The computation that it is part of.
+    pub fn computation(&self) -> Computation {
+        match self.of {
+            Source::Static(_) => Computation::Static,
+            Source::Design(_) | Source::Curve(_) => Computation::Design,
+            Source::Verdict(_)
+            | Source::Passages(_)
+            | Source::Raceway(_)
+            | Source::Recommendation(_) => Computation::Verdict,
+            Source::Run(_) => Computation::Run,
+            Source::Drop(_) | Source::RotorDrop(_) => Computation::Drop,
+        }
+    }
+
+    /// Name of the column in sweeps: that of the computation, then its own.
+    pub fn column_name(&self) -> String {
+        format!("{}_{}", self.computation().name(), self.name)
+    }
+
+    /// Name of the column in sweeps of a rotor in several bearings, for bearing `k` from 0.
+    pub fn column_name_in_bearing(&self, k: usize) -> String {
+        format!(
+            "{}_bearing_{}_{}",
+            self.computation().name(),
+            k + 1,
+            self.name
+        )
+    }
+
+    /// Value for a subject; `None` where it is computed from something else.
+    pub fn of(&self, subject: Subject<'_>) -> Option<Cell> {
+        self.of.value(subject)
+    }
+
+    /// Whether one bearing has it.
+    pub fn is_of_bearing(&self) -> bool {
+        !matches!(self.of, Source::RotorDrop(_))
+    }
+
+    /// Whether a rotor in several bearings has it.
+    pub fn is_of_rotor(&self) -> bool {
+        !self.is_of_bearing() || self.across.is_some()
+    }
+
+    /// Factor and unit of values in tables for readers: one unit for pressures, one for torques.
+    pub(crate) fn printed(&self) -> (f64, String) {
+        match self.unit {
+            "GPa" => (1e3, "MPa".to_owned()),
+            "N m" => (1e3, "N·mm".to_owned()),
+            "N/m" => (1e-6, "N/µm".to_owned()),
+            "Mrev" => (1.0, "million revolutions".to_owned()),
+            "mm rpm" => (1.0, "mm/min".to_owned()),
+            _ => (1.0, self.unit_text()),
+        }
+    }
+
+    /// A number for readers, in [`Quantity::printed_unit`].
+    pub fn number_text(&self, value: f64) -> String {
+        // Below this a length or an angle is the rounding of a zero.
+        let zero = matches!(self.unit, "um" | "mm" | "deg") && value.abs() < 1e-9;
+        significant(if zero { 0.0 } else { self.printed().0 * value }, 5)
+    }
+
+    /// Unit of [`value_text`](crate::value_text).
+    pub fn printed_unit(&self) -> String {
+        self.printed().1
+    }
+
+    /// The unit with its symbols.
+    pub fn unit_text(&self) -> String {
+        match self.unit {
+            "deg" => "°".to_owned(),
+            "um" => "µm".to_owned(),
+            unit => unit.replace(' ', "·"),
+        }
+    }
+}
+
+impl PartialEq for Quantity {
+    fn eq(&self, other: &Self) -> bool {
+        self.column_name() == other.column_name()
+    }
+}

@@ -1,0 +1,196 @@
+//! Values of results.
+
+use serde::ser::{Serialize, SerializeMap, Serializer};
+
+use crate::Cell;
+use crate::quantity::{Kind, Quantity};
+use crate::source::Subject;
+
+/// Scalar results with their quantities, in the order of the table. Serialised as a map from
+/// name to value.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Results(Vec<(&'static Quantity, Cell)>);
+
+impl Results {
+    /// Results `rows` of a subject; those that are computed from something else are left out.
+    pub fn of(rows: &'static [Quantity], subject: Subject<'_>) -> Self {
+        let all = rows.iter();
+        Self(
+            all.filter_map(|q| Some((q, q.of.value(subject)?)))
+                .collect(),
+        )
+    }
+
+    /// Results with these values by name.
+    pub fn only(rows: &'static [Quantity], values: &[(&str, Cell)]) -> Self {
+        let found = |q: &Quantity| values.iter().find(|(name, _)| q.name == *name);
+        let all = rows.iter();
+        Self(all.filter_map(|q| Some((q, found(q)?.1.clone()))).collect())
+    }
+
+    /// These results, then `more`.
+    pub fn and(mut self, more: Self) -> Self {
+        self.0.extend(more.0);
+        self
+    }
+
+    /// Every quantity with its value.
+    pub fn iter(&self) -> impl Iterator<Item = (&'static Quantity, &Cell)> {
+        self.0.iter().map(|(quantity, cell)| (*quantity, cell))
+    }
+
+    /// Value of a quantity.
+    pub fn get(&self, name: &str) -> Option<&Cell> {
+        let mut all = self.iter();
+        all.find(|(q, _)| q.name == name).map(|(_, cell)| cell)
+    }
+
+    /// Value of a numeric quantity; NaN if there is none.
+    pub fn number(&self, name: &str) -> f64 {
+        self.get(name).and_then(Cell::number).unwrap_or(f64::NAN)
+    }
+
+    /// Value of a numeric quantity, if it has one.
+    pub fn value(&self, name: &str) -> Option<f64> {
+        self.get(name).and_then(Cell::number)
+    }
+
+    /// Text of a quantity; empty if it has none.
+    pub fn text(&self, name: &str) -> &str {
+        match self.get(name) {
+            Some(Cell::Text(text)) => text,
+            _ => "",
+        }
+    }
+
+    /// Whether a flag is set; `None` if it has no value.
+    pub fn flag(&self, name: &str) -> Option<bool> {
+        match self.get(name) {
+            Some(Cell::Integer(flag)) => Some(*flag == 1),
+            _ => None,
+        }
+    }
+
+    /// Values of a quantity of every ball; empty if there are none.
+    pub fn values(&self, name: &str) -> &[f64] {
+        match self.get(name) {
+            Some(Cell::Numbers(values)) => values,
+            _ => &[],
+        }
+    }
+
+    /// Quantities for readers that have a value: label, value, unit.
+    pub fn rows(&self) -> impl Iterator<Item = (&'static str, String, String)> {
+        self.iter()
+            .filter(|(q, _)| q.in_tables)
+            .filter_map(|(q, cell)| Some((q.label, value_text(q, cell)?, q.printed_unit())))
+    }
+
+    /// Values of every ball as a table for readers: the number of the ball, then the lists with a symbol.
+    /// The first row is the head.
+    pub fn columns(&self) -> Vec<Vec<String>> {
+        let lists = self.iter().filter(|(q, _)| !q.symbol.is_empty());
+        let head = |q: &Quantity| format!("{} {}", q.symbol, q.printed_unit());
+        let mut columns = vec![];
+        for (quantity, cell) in lists {
+            if let Cell::Numbers(values) = cell {
+                let value = |v: &f64| quantity.number_text(*v);
+                let mut column = vec![head(quantity)];
+                column.extend(values.iter().map(value));
+                columns.push(column);
+            }
+        }
+        let balls = columns.first().map_or(0, Vec::len);
+        let row = |k: usize| {
+            let ball = if k == 0 {
+                "ball".to_owned()
+            } else {
+                k.to_string()
+            };
+            let rest = columns
+                .iter()
+                .map(|c| c.get(k).cloned().unwrap_or_default());
+            std::iter::once(ball).chain(rest).collect()
+        };
+        (0..balls).map(row).collect()
+    }
+
+    /// Symbols of [`Results::columns`] with their labels: `ψ angular position, r …`.
+    pub fn legend(&self) -> String {
+        let lists = self.iter().filter(|(q, _)| !q.symbol.is_empty());
+        let words: Vec<_> = lists
+            .map(|(q, _)| format!("{} {}", q.symbol, q.label))
+            .collect();
+        words.join("; ")
+    }
+
+    /// Every value as CSV: name, value, unit and label of a scalar; those of every ball have a line for
+    /// each ball, `name[ball]`, from 1.
+    pub fn to_csv(&self) -> String {
+        let mut out = "name,value,unit,label\n".to_owned();
+        for (quantity, cell) in self.iter() {
+            let mut line = |name: String, value: String| {
+                let label = quantity.label.trim().replace('"', "\"\"");
+                out += &format!("{name},{value},{},\"{label}\"\n", quantity.unit);
+            };
+            let name = quantity.name.to_owned();
+            match cell {
+                Cell::Null => line(name, String::new()),
+                Cell::Number(value) => line(name, format!("{value:?}")),
+                Cell::Integer(value) => line(name, value.to_string()),
+                Cell::Text(text) => line(name, format!("\"{}\"", text.replace('"', "\"\""))),
+                Cell::Numbers(values) => {
+                    for (k, value) in values.iter().enumerate() {
+                        line(format!("{name}[{}]", k + 1), format!("{value:?}"));
+                    }
+                }
+            }
+        }
+        out
+    }
+
+    /// Label, value and unit of one quantity, if it has a value.
+    pub fn row(&self, name: &str) -> Option<(&'static str, String, String)> {
+        let mut all = self.iter();
+        let (q, cell) = all.find(|(q, _)| q.name == name)?;
+        Some((q.label, value_text(q, cell)?, q.printed_unit()))
+    }
+}
+
+/// A value for readers, in [`Quantity::printed_unit`]; `None` if there is none.
+pub fn value_text(quantity: &Quantity, cell: &Cell) -> Option<String> {
+    match (quantity.kind, cell) {
+        (Kind::Flag, Cell::Integer(flag)) => Some(if *flag == 1 { "yes" } else { "no" }.into()),
+        (_, Cell::Integer(count)) => Some(count.to_string()),
+        (_, Cell::Number(value)) => Some(quantity.number_text(*value)),
+        (_, Cell::Text(text)) => Some(text.clone()),
+        (_, Cell::Null | Cell::Numbers(_)) => None,
+    }
+}
+
+impl Results {
+    /// Adds every name with its value to a map.
+    pub(crate) fn serialize_entries<M: SerializeMap>(&self, map: &mut M) -> Result<(), M::Error> {
+        for (quantity, cell) in self.iter() {
+            match (quantity.kind, cell) {
+                (_, Cell::Null) => map.serialize_entry(quantity.name, &())?,
+                (Kind::Flag, Cell::Integer(flag)) => {
+                    map.serialize_entry(quantity.name, &(*flag == 1))?;
+                }
+                (_, Cell::Integer(count)) => map.serialize_entry(quantity.name, count)?,
+                (_, Cell::Number(value)) => map.serialize_entry(quantity.name, value)?,
+                (_, Cell::Text(text)) => map.serialize_entry(quantity.name, text)?,
+                (_, Cell::Numbers(values)) => map.serialize_entry(quantity.name, values)?,
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Serialize for Results {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(self.0.len()))?;
+        self.serialize_entries(&mut map)?;
+        map.end()
+    }
+}

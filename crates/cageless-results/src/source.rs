@@ -1,0 +1,126 @@
+//! What results are computed from.
+
+use cageless::design::{
+    CurvePoint, Judgement, PassageStatistics, RacewayJudgement, Recommendation, RunVerdict,
+};
+use cageless::equilibrium::Equilibrium;
+use cageless::passage::PassageTally;
+use cageless::rating::Rating;
+use cageless::simulation::{PlaneDisplacement, RunOutcome};
+use cageless::summary::Summary;
+use cageless::touchdown::DropSummary;
+use cageless::{Case, Raceway};
+
+use crate::cell::Cell;
+
+/// A static equilibrium.
+pub struct Solved<'a> {
+    /// The case.
+    pub case: &'a Case,
+    /// Its equilibrium.
+    pub equilibrium: &'a Equilibrium,
+    /// Ratings of the bearing in it.
+    pub rating: Rating,
+}
+
+impl<'a> Solved<'a> {
+    /// The equilibrium of `case` with its ratings.
+    pub fn new(case: &'a Case, equilibrium: &'a Equilibrium) -> Self {
+        Self {
+            case,
+            equilibrium,
+            rating: Rating::new(case, equilibrium),
+        }
+    }
+}
+
+/// The raceways of a case with their verdict.
+pub struct Judged<'a> {
+    /// The case.
+    pub case: &'a Case,
+    /// Verdict on its raceways.
+    pub judgement: &'a Judgement,
+}
+
+/// One of the raceways of a case with its verdict.
+pub struct JudgedRaceway<'a> {
+    /// The case.
+    pub case: &'a Case,
+    /// The raceway.
+    pub raceway: &'a Raceway,
+    /// Verdict on it.
+    pub judgement: &'a RacewayJudgement,
+}
+
+/// A run that has ended.
+pub struct Finished<'a> {
+    /// The case.
+    pub case: &'a Case,
+    /// How it ended.
+    pub outcome: &'a RunOutcome,
+    /// Statistics after the transient, if it got so far.
+    pub summary: Option<&'a Summary>,
+    /// Passages after the transient.
+    pub passages: &'a PassageTally,
+    /// Verdict on these.
+    pub verdict: &'a RunVerdict,
+    /// Time that the computation took, s; NaN if unknown.
+    pub wall_s: f64,
+}
+
+/// A drop that has ended.
+pub struct FinishedDrop<'a> {
+    /// The case.
+    pub case: &'a Case,
+    /// What was recorded.
+    pub summary: &'a DropSummary,
+    /// How it ended.
+    pub outcome: &'a RunOutcome,
+}
+
+/// The rotor of a drop onto several bearings that has ended.
+pub struct FinishedRotor<'a> {
+    /// Planes with a clearance to the stator.
+    pub planes: &'a [PlaneDisplacement],
+    /// Energy balance error of the rotor alone, relative.
+    pub energy_residual_relative: f64,
+}
+
+macro_rules! sources {
+    ($($name:ident($any:ty, $one:ty) $meaning:literal,)*) => {
+        /// Function that gives a quantity, by what it is computed from.
+        #[derive(Debug, Clone, Copy)]
+        pub(crate) enum Source {
+            $($name(fn(&$any) -> Cell),)*
+        }
+
+        /// What results are computed from.
+        #[derive(Clone, Copy)]
+        pub enum Subject<'a> {
+            $(#[doc = $meaning] $name(&'a $one),)*
+        }
+
+        impl Source {
+            /// Value of the quantity; `None` where it is computed from something else.
+            pub(crate) fn value(self, subject: Subject<'_>) -> Option<Cell> {
+                match (self, subject) {
+                    $((Self::$name(of), Subject::$name(subject)) => Some(of(subject)),)*
+                    _ => None,
+                }
+            }
+        }
+    };
+}
+
+sources! {
+    Static(Solved<'_>, Solved<'a>) "A static equilibrium.",
+    Design(Case, Case) "A case, by closed forms.",
+    Curve([CurvePoint], [CurvePoint]) "The lC–θ curve of Zhao 2022, Fig. 5.",
+    Verdict(Judged<'_>, Judged<'a>) "The raceways of a case with their verdict.",
+    Raceway(JudgedRaceway<'_>, JudgedRaceway<'a>) "One of these raceways.",
+    Passages(PassageStatistics, PassageStatistics) "Passages of a verdict.",
+    Recommendation(Recommendation, Recommendation) "A raceway near the curve of Eq. (11).",
+    Run(Finished<'_>, Finished<'a>) "A run.",
+    Drop(FinishedDrop<'_>, FinishedDrop<'a>) "A drop onto one bearing.",
+    RotorDrop(FinishedRotor<'_>, FinishedRotor<'a>) "A drop onto several bearings.",
+}

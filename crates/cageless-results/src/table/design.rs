@@ -1,0 +1,117 @@
+//! Results of a design: closed forms, verdict, recommendation.
+
+use std::f64::consts::FRAC_PI_4;
+
+use cageless::Case;
+use cageless::design::{
+    Criterion, CurvePoint, Eq11, balls_in_raceway_max, half_angle_for_gap_rad, steady_gap_rad,
+    theoretical_gap_rad,
+};
+use cageless::raceway::{self, axial_span_limit_m};
+
+use crate::cell::Cell;
+use crate::declare::*;
+use crate::quantity::Quantity;
+use crate::source::Source::{Curve, Design, Passages, Raceway, Recommendation, Verdict};
+
+/// Closed forms of a design; those of one raceway are of the first.
+#[rustfmt::skip]
+pub const DESIGN: &[Quantity] = &[
+    quantity("epsilon_deg", "deg", "ball angle ε", Design(|c| degrees(c.bearing.ball_angle_rad()))),
+    quantity("uniform_gap_deg", "deg", "nominal gap", Design(|c| degrees(c.bearing.nominal_gap_rad()))),
+    quantity("axial_span_limit_mm", "mm", "largest lC, Eq. (8)", Design(|c| some(axial_span_limit_m(&c.bearing) * 1e3))),
+    quantity("beta0_deg", "deg", "β0, Eq. (11)", Design(|c| of_raceway(c, |r| theoretical_gap_rad(&c.bearing, r, Eq11::Published).to_degrees()))),
+    quantity("beta0_polar_deg", "deg", "β0 with the true polar angle", Design(|c| of_raceway(c, |r| theoretical_gap_rad(&c.bearing, r, Eq11::Polar).to_degrees()))),
+    quantity("half_angle_deg_for_span", "deg", "θ by Eq. (11) for the span", Design(half_angle_for_span)),
+    quantity("steady_gap_deg", "deg", "mean ball spacing outside the raceway (steady state)", Design(|c| degrees(steady_gap_rad(&c.bearing, &c.raceways)))),
+    integer("balls_in_raceway_max", "most balls inside at once", Design(|c| c.raceways.first().map_or(Cell::Null, |r| count(balls_in_raceway_max(&c.bearing, r))))),
+    low(quantity("kink_deg", "deg", "slope discontinuity at the raceway ends (at 45° groove angle)", Design(|c| of_raceway(c, |r| r.kink_angle_rad(FRAC_PI_4).to_degrees())))),
+];
+
+/// Verdict on the raceways of a case: the critical gap is the largest, the verdict the worst of all.
+#[rustfmt::skip]
+pub const VERDICT: &[Quantity] = &[
+    text("verdict", "verdict", Verdict(|j| Cell::Text(j.judgement.verdict.name().to_owned()))),
+    high(flag("passes", "passes", Verdict(|j| flagged(j.judgement.passes())))),
+    file_only(text("headline", "verdict with its reason", Verdict(|j| Cell::Text(j.judgement.headline())))),
+    text("criterion", "criterion that decides", Verdict(|j| j.judgement.deciding.map_or(Cell::Null, |c| Cell::Text(c.name().to_owned())))),
+    high(quantity("margin", "", "margin to the nearest limit", Verdict(|j| j.judgement.deciding.map(Criterion::margin).into()))),
+    quantity("critical_gap_deg", "deg", "critical gap", Verdict(|j| j.judgement.critical_gap_rad.map(f64::to_degrees).into())),
+    high(quantity("gap_reserve_deg", "deg", "steady-state gap less critical gap", Verdict(|j| j.judgement.critical_gap_rad.map(|gap| (steady_gap_rad(&j.case.bearing, &j.case.raceways) - gap).to_degrees()).into()))),
+];
+
+/// Passages of balls in the runs of a verdict.
+#[rustfmt::skip]
+pub const PASSAGES: &[Quantity] = &[
+    integer("passages", "passages", Passages(|p| count(p.passages))),
+    low(quantity("collisions_mean", "", "contacts with neighbours per passage, mean", Passages(|p| some(p.collisions_mean)))),
+    low(quantity("double_collision_fraction", "", "double collisions, fraction of the passages", Passages(|p| some(p.double_collision_fraction)))),
+    low(quantity("slip_mean_m_s", "m/s", "largest sliding speed in a passage, mean", Passages(|p| some(p.slip_mean_m_s)))),
+    high(quantity("speed_drop_fraction", "", "reduction of the orbital speed in the raceway, fraction of that of rolling", Passages(|p| some(p.speed_drop_fraction)))),
+    high(quantity("gap_leave_min_deg", "deg", "smallest gap on leaving", Passages(|p| some(p.gap_leave_min_rad.to_degrees())))),
+    quantity("gap_leave_max_deg", "deg", "largest gap on leaving", Passages(|p| some(p.gap_leave_max_rad.to_degrees()))),
+];
+
+/// One of the raceways of a case.
+#[rustfmt::skip]
+pub const RACEWAY: &[Quantity] = &[
+    part(quantity("axial_span_mm", "mm", "axial span lC", Raceway(|r| some(r.raceway.dimensions().axial_span_m * 1e3)))),
+    part(quantity("half_angle_deg", "deg", "half angle θ", Raceway(|r| degrees(r.raceway.half_angle_rad())))),
+    part(quantity("centre_angle_deg", "deg", "angular position ψ of the middle", Raceway(|r| degrees(r.raceway.dimensions().centre_angle_rad)))),
+    part(quantity("beta0_deg", "deg", "β0, Eq. (11)", Raceway(|r| degrees(theoretical_gap_rad(&r.case.bearing, r.raceway, Eq11::Published))))),
+    part(quantity("critical_gap_deg", "deg", "critical gap", Raceway(|r| r.judgement.critical_gap_rad.map(f64::to_degrees).into()))),
+    part(text("verdict", "verdict", Raceway(|r| Cell::Text(r.judgement.verdict.name().to_owned())))),
+    part(high(flag("passes", "passes", Raceway(|r| flagged(r.judgement.verdict.passes()))))),
+];
+
+/// A raceway near the curve of Eq. (11): recommended if it passes its verdict, else only a starting point.
+#[rustfmt::skip]
+pub(crate) const RECOMMENDATION: &[Quantity] = &[
+    part(quantity("half_angle_min_deg", "deg", "smallest usable half angle θ on the curve of Eq. (11)", Recommendation(|r| degrees(r.starting_point.half_angle_min_rad)))),
+    part(quantity("half_angle_max_deg", "deg", "largest usable half angle θ on the curve of Eq. (11)", Recommendation(|r| degrees(r.starting_point.half_angle_max_rad)))),
+    part(quantity("half_angle_deg", "deg", "half angle θ as judged", Recommendation(|r| thousandths(r.dimensions.half_angle_rad.to_degrees())))),
+    part(quantity("axial_span_mm", "mm", "axial span lC as judged", Recommendation(|r| thousandths(r.dimensions.axial_span_m * 1e3)))),
+    part(high(flag("passes", "passes", Recommendation(|r| flagged(r.judgement.passes()))))),
+    part(text("verdict", "verdict", Recommendation(|r| Cell::Text(r.judgement.verdict.name().to_owned())))),
+    part(text("headline", "verdict with its reason", Recommendation(|r| Cell::Text(r.judgement.headline())))),
+    part(quantity("critical_gap_deg", "deg", "critical gap", Recommendation(|r| r.judgement.critical_gap_rad.map(f64::to_degrees).into()))),
+    part(integer("judged", "raceways judged", Recommendation(|r| count(r.judged)))),
+    part(quantity("starting_half_angle_deg", "deg", "half angle θ of the starting point on the curve of Eq. (11)", Recommendation(|r| thousandths(r.starting_point.half_angle_rad.to_degrees())))),
+    part(quantity("starting_axial_span_mm", "mm", "axial span lC of the starting point on the curve of Eq. (11)", Recommendation(|r| thousandths(r.starting_point.axial_span_m * 1e3)))),
+];
+
+/// The lC–θ curve of Zhao 2022, Fig. 5.
+#[rustfmt::skip]
+pub(crate) const CURVE: &[Quantity] = &[
+    part(list("axial_span_mm", "mm", "axial span lC", Curve(|c| Cell::Numbers(c.iter().map(|p| p.axial_span_m * 1e3).collect())))),
+    part(list("half_angle_deg", "deg", "half angle θ by Eq. (11)", Curve(|c| angles(c, |p| p.half_angle_rad)))),
+    part(list("half_angle_polar_deg", "deg", "half angle θ by Eq. (11) with the true polar angle", Curve(|c| angles(c, |p| p.half_angle_polar_rad)))),
+];
+
+fn of_raceway(case: &Case, value: impl Fn(&raceway::Raceway) -> f64) -> Cell {
+    case.raceways.first().map(value).into()
+}
+
+/// θ by Eq. (11) for the case's own span and the gap of evenly spaced balls.
+fn half_angle_for_span(case: &Case) -> Cell {
+    let bearing = &case.bearing;
+    let angle = case.raceways.first().and_then(|raceway| {
+        let span = raceway.dimensions().axial_span_m;
+        half_angle_for_gap_rad(bearing, span, bearing.nominal_gap_rad(), Eq11::Published)
+    });
+    angle.map(f64::to_degrees).into()
+}
+
+/// A number as judged and printed; the conversion to SI leaves rounding.
+fn thousandths(value: f64) -> Cell {
+    some((value * 1e3).round() / 1e3)
+}
+
+fn angles(curve: &[CurvePoint], angle_rad: fn(&CurvePoint) -> Option<f64>) -> Cell {
+    let angles = curve.iter().map(angle_rad);
+    Cell::Numbers(
+        angles
+            .map(|a| a.map_or(f64::NAN, f64::to_degrees))
+            .collect(),
+    )
+}

@@ -1,0 +1,45 @@
+//! Tables of the scalar results: every key, column and line of a table, once.
+
+mod design;
+mod drop;
+mod run;
+mod statics;
+
+use crate::computation::Computation;
+use crate::quantity::{Quantity, bearing_in_column};
+
+pub(crate) use design::{CURVE, RECOMMENDATION};
+pub use design::{DESIGN, PASSAGES, RACEWAY, VERDICT};
+pub use drop::{DROP, ROTOR_DROP};
+pub use run::RUN;
+pub use statics::STATIC;
+
+/// All scalar results, in the order of keys, columns and tables.
+pub fn quantities() -> impl Iterator<Item = &'static Quantity> {
+    let all = [
+        STATIC,
+        DESIGN,
+        VERDICT,
+        PASSAGES,
+        RACEWAY,
+        RECOMMENDATION,
+        CURVE,
+        RUN,
+        DROP,
+        ROTOR_DROP,
+    ];
+    all.into_iter().flatten()
+}
+
+/// The result of a column of sweeps, and the bearing from 0 if it is that of one of several.
+pub fn of_column(name: &str) -> Option<(&'static Quantity, Option<usize>)> {
+    let drop = Computation::Drop.name();
+    let in_bearing = || {
+        let rest = name.strip_prefix(drop)?.strip_prefix('_')?;
+        let (k, rest) = bearing_in_column(rest)?;
+        Some((format!("{drop}_{rest}"), Some(k)))
+    };
+    let (name, bearing) = in_bearing().unwrap_or_else(|| (name.to_owned(), None));
+    let quantity = quantities().find(|q| q.in_sweeps && q.column_name() == name)?;
+    Some((quantity, bearing))
+}
