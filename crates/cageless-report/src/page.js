@@ -48,7 +48,8 @@
       return { name, polar, x, y, across: (polar ? x.domain.x : x.domain) || [0, 1], up: (polar ? y.y : y.domain) || [0, 1] };
     }).sort((a, b) => b.up[1] - a.up[1] || a.across[0] - b.across[0]);
     margin.l = Math.min(margin.l, 56);
-    margin.r = Math.min(margin.r, 12);
+    // Room for the angles at the right of a polar diagram.
+    margin.r = Math.min(margin.r, panels.some((p) => p.polar) ? 40 : 12);
     let full = inside, space = inside;
     if (new Set(panels.map((p) => p.across[0].toFixed(3))).size > 1) {
       const gap = 96, heights = panels.map(function (p) {

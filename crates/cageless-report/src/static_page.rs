@@ -71,7 +71,9 @@ pub fn static_page(file: &CaseFile, record: &Record) -> String {
 /// The static equilibrium on one sheet of A4.
 pub fn static_sheet(file: &CaseFile, record: &Record) -> String {
     let mut page = head(file, record).sheet();
-    page.figure(&load_distribution(file, record));
+    let mut figure = load_distribution(file, record);
+    figure.plot.height_px = 330;
+    page.figure(&figure);
     page.table(&results(file, record));
     notes(&mut page, record);
     page.html()

@@ -121,8 +121,8 @@ impl Quantity {
 
     /// A number for readers, in [`Quantity::printed_unit`].
     pub fn number_text(&self, value: f64) -> String {
-        // Below this a length or an angle is the rounding of a zero.
-        let zero = matches!(self.unit, "um" | "mm" | "deg") && value.abs() < 1e-9;
+        // Below this a length, an angle or a stiffness is the rounding of a zero.
+        let zero = matches!(self.unit, "um" | "mm" | "deg" | "N/m") && value.abs() < 1e-9;
         significant(if zero { 0.0 } else { self.printed().0 * value }, 5)
     }
 

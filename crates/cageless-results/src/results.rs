@@ -118,9 +118,11 @@ impl Results {
     /// Symbols of [`Results::columns`] with their labels: `ψ angular position, r …`.
     pub fn legend(&self) -> String {
         let lists = self.iter().filter(|(q, _)| !q.symbol.is_empty());
-        let words: Vec<_> = lists
-            .map(|(q, _)| format!("{} {}", q.symbol, q.label))
-            .collect();
+        let words = |q: &Quantity| match q.label.contains(q.symbol) {
+            true => q.label.to_owned(),
+            false => format!("{} {}", q.symbol, q.label),
+        };
+        let words: Vec<_> = lists.map(|(q, _)| words(q)).collect();
         words.join("; ")
     }
 

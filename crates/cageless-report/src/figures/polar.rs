@@ -108,6 +108,7 @@ fn frame(force: f64, pressure: f64, raceways: &[RacewaySector]) -> Plot {
     let polar = |domain: [f64; 2], most: f64, title: &str| {
         json!({
             "domain": { "x": domain, "y": [0.0, 0.92] }, "bgcolor": "rgba(0,0,0,0)",
+            "barmode": "overlay",
             "radialaxis": {
                 "range": [0, 1.05 * most.max(1e-9)], "title": { "text": title }, "angle": 90,
                 "gridcolor": "#e6e6e6", "linecolor": "#555", "tickangle": 90, "nticks": 5,
@@ -136,7 +137,7 @@ fn frame(force: f64, pressure: f64, raceways: &[RacewaySector]) -> Plot {
             &format!("<b>{title}</b>"),
             (0.23 + 0.54 * k as f64, 1.0),
             ("paper", "paper"),
-            json!({ "yanchor": "bottom", "name": format!("polar{}", if k == 0 { "" } else { "2" }) }),
+            json!({ "xanchor": "center", "yanchor": "bottom", "name": format!("polar{}", if k == 0 { "" } else { "2" }) }),
         );
     }
     sectors(plot, raceways, force, pressure)
@@ -165,7 +166,7 @@ pub fn static_loads(results: &Results, raceways: &[RacewaySector], source: Prove
     let balls: Vec<String> = (1..=angles.len()).map(|k| format!("ball {k}")).collect();
     for (subplot, unit, [inner, outer]) in &series {
         for (colour, name, values) in [(1, "outer raceway", outer), (0, "inner raceway", inner)] {
-            // The narrower bars in front.
+            // The narrower bars are drawn last, in front.
             let share = if colour == 0 { 0.3 } else { 0.6 };
             let width = vec![share * 360.0 / angles.len() as f64; angles.len()];
             plot = plot.trace(json!({

@@ -57,7 +57,7 @@ pub const STATIC: &[Quantity] = &[
     column("ao", list("outer_semi_axis_along_mm", "mm", "contact semi-axis in the rolling direction, outer raceway", Static(|s| each(&s.equilibrium.outer_contact, |c| c.semi_axes_m[0] * 1e3)))),
     column("bo", list("outer_semi_axis_across_mm", "mm", "contact semi-axis across the rolling direction, outer raceway", Static(|s| each(&s.equilibrium.outer_contact, |c| c.semi_axes_m[1] * 1e3)))),
     column("orbital speed", list("ball_orbit_rpm", "rpm", "orbital speed in pure rolling", Static(|s| each_ball(s, |k| rpm(orbit_rad_s(s, k)))))),
-    column("ball speed", list("ball_rotation_rpm", "rpm", "rotational speed in pure rolling (absolute)", Static(|s| each_ball(s, |k| rpm(rolling_spin_rad_s(&s.case.bearing, orbit_rad_s(s, k), s.equilibrium.effective_radius_m[k])))))),
+    column("ball speed", list("ball_rotation_rpm", "rpm", "ball speed in pure rolling (absolute rotation)", Static(|s| each_ball(s, |k| rpm(rolling_spin_rad_s(&s.case.bearing, orbit_rad_s(s, k), s.equilibrium.effective_radius_m[k])))))),
 ];
 
 fn stiffness(solved: &Solved<'_>, row: usize, column: usize) -> Cell {
