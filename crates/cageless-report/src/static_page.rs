@@ -72,7 +72,7 @@ pub fn static_page(file: &CaseFile, record: &Record) -> String {
 pub fn static_sheet(file: &CaseFile, record: &Record) -> String {
     let mut page = head(file, record).sheet();
     let mut figure = load_distribution(file, record);
-    figure.plot.height_px = 330;
+    figure.plot.height_px = 400;
     page.figure(&figure);
     page.table(&results(file, record));
     notes(&mut page, record);

@@ -5,6 +5,7 @@
 mod across;
 mod cell;
 mod computation;
+mod csv;
 mod declare;
 mod design_result;
 mod drop_judgement;
@@ -22,6 +23,7 @@ mod tests;
 pub use across::Across;
 pub use cell::Cell;
 pub use computation::Computation;
+pub use csv::csv;
 pub use design_result::{Recommended, design_record};
 pub use drop_judgement::{DropJudgement, RESIDUAL_FRACTION};
 pub use drop_result::{DropResult, RotorRun, WindowRow, end_state_text};

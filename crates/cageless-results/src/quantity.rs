@@ -122,8 +122,13 @@ impl Quantity {
     /// A number for readers, in [`Quantity::printed_unit`].
     pub fn number_text(&self, value: f64) -> String {
         // Below this a length, an angle or a stiffness is the rounding of a zero.
-        let zero = matches!(self.unit, "um" | "mm" | "deg" | "N/m") && value.abs() < 1e-9;
-        significant(if zero { 0.0 } else { self.printed().0 * value }, 5)
+        let zero = match self.unit {
+            "um" | "mm" | "deg" => 1e-9,
+            "N/m" => 1e-3,
+            _ => 0.0,
+        };
+        let rounded = if value.abs() < zero { 0.0 } else { value };
+        significant(self.printed().0 * rounded, 5)
     }
 
     /// Unit of [`value_text`](crate::value_text).

@@ -126,31 +126,6 @@ impl Results {
         words.join("; ")
     }
 
-    /// Every value as CSV: name, value, unit and label of a scalar; those of every ball have a line for
-    /// each ball, `name[ball]`, from 1.
-    pub fn to_csv(&self) -> String {
-        let mut out = "name,value,unit,label\n".to_owned();
-        for (quantity, cell) in self.iter() {
-            let mut line = |name: String, value: String| {
-                let label = quantity.label.trim().replace('"', "\"\"");
-                out += &format!("{name},{value},{},\"{label}\"\n", quantity.unit);
-            };
-            let name = quantity.name.to_owned();
-            match cell {
-                Cell::Null => line(name, String::new()),
-                Cell::Number(value) => line(name, format!("{value:?}")),
-                Cell::Integer(value) => line(name, value.to_string()),
-                Cell::Text(text) => line(name, format!("\"{}\"", text.replace('"', "\"\""))),
-                Cell::Numbers(values) => {
-                    for (k, value) in values.iter().enumerate() {
-                        line(format!("{name}[{}]", k + 1), format!("{value:?}"));
-                    }
-                }
-            }
-        }
-        out
-    }
-
     /// Label, value and unit of one quantity, if it has a value.
     pub fn row(&self, name: &str) -> Option<(&'static str, String, String)> {
         let mut all = self.iter();

@@ -20,7 +20,6 @@ pub fn static_equilibrium(args: &CaseArgs) -> Result<(), Failure> {
         for (name, text) in [
             ("report.html", static_page(&file, &record)),
             ("sheet.html", static_sheet(&file, &record)),
-            ("static.csv", record.results.to_csv()),
         ] {
             write_atomically(&dir.join(name), text.as_bytes())?;
         }
