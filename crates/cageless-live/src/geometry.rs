@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use cageless::Case;
 use cageless::design::Estimate;
-use cageless::equilibrium::{self, Equilibrium};
+use cageless::equilibrium;
 use cageless::raceway::Raceway;
 use cageless_io::case_file::CaseFile;
 use cageless_results::{DESIGN, Results, Subject, static_record};
@@ -41,8 +41,14 @@ pub(crate) fn geometry(file: &CaseFile) -> Result<Value, Refusal> {
                 .collect();
             json!({ "passes": estimate.passes(), "terms": terms })
         });
+    let design = Results::of(DESIGN, Subject::Design(case));
+    let mut rows = json!({ "design": rows(&design), "static": [] });
     let statics = match &equilibrium {
-        Ok(e) => static_numbers(case, e),
+        Ok(e) => {
+            let record = static_record(case, e);
+            rows["static"] = self::rows(&record.results);
+            json!(record)
+        }
         // A bearing under a falling rotor has none.
         Err(_) if case.rotor.is_some() => json!({}),
         Err(error) => json!({ "error": error.to_string() }),
@@ -62,7 +68,8 @@ pub(crate) fn geometry(file: &CaseFile) -> Result<Value, Refusal> {
             "outer_curvature_mm": d.outer_groove_curvature_radius_m * 1e3,
             "radial_clearance_um": bearing.radial_clearance_m() * 1e6,
         },
-        "numbers": Results::of(DESIGN, Subject::Design(case)),
+        "numbers": design,
+        "rows": rows,
         "rolling_orbit_ms": case.rolling_orbit_s() * 1e3,
         "raceways": case.raceways.iter().map(|r| raceway(case, r)).collect::<Vec<_>>(),
         "static": statics,
@@ -124,12 +131,12 @@ fn raceway(case: &Case, raceway: &Raceway) -> Value {
     })
 }
 
-/// Results of the static equilibrium of a case.
-fn static_numbers(case: &Case, e: &Equilibrium) -> Value {
-    json!(static_record(case, e))
+/// Label, value and unit of every result that has one, for readers.
+fn rows(results: &Results) -> Value {
+    results.rows().map(|row| json!(row)).collect()
 }
 
 /// The static equilibrium of a case.
 pub(crate) fn equilibrium(case: &Case) -> Result<Value, Refusal> {
-    Ok(static_numbers(case, &equilibrium::solve(case)?))
+    Ok(json!(static_record(case, &equilibrium::solve(case)?)))
 }

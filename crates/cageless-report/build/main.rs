@@ -27,7 +27,13 @@ const SMALL: [&str; 4] = [
     r#"profile.release.package.cageless-live.opt-level="s""#,
 ];
 /// Crates that the engine is made of, beside this one.
-const SOURCES: [&str; 4] = ["cageless", "cageless-io", "cageless-live", "cageless-wasm"];
+const SOURCES: [&str; 5] = [
+    "cageless",
+    "cageless-results",
+    "cageless-io",
+    "cageless-live",
+    "cageless-wasm",
+];
 
 fn main() {
     println!("cargo:rerun-if-env-changed=CAGELESS_ENGINE");

@@ -64,17 +64,13 @@ class Verdict {
     this.terms.replaceChildren();
   }
 
+  // Labels, values and units are those of the table of results.
   showNumbers() {
-    const { g } = this.studio, n = g.numbers, atRest = (value, count, unit) => (g.static.error ? "–" : shown(value, count) + unit);
-    this.numbers.replaceChildren(element("dl", {}, ...[
-      ["ε", shown(n.epsilon_deg) + "°", "angle of a ball, Eq. (10)"],
-      ["gap 360°/N − ε", shown(n.uniform_gap_deg) + "°", "gap of evenly spaced balls"],
-      ["β0, Eq. (11)", shown(n.beta0_deg) + "°", "gap that a passage without slip closes"],
-      ["gap outside the raceway", shown(n.steady_gap_deg) + "°", "steady state"],
-      ["lC at most, Eq. (8)", shown(n.axial_span_limit_mm, 3) + " mm", "the contact points stay on the groove"],
-      ["θ of Eq. (11)", shown(n.half_angle_deg_for_span, 3) + "°", "for this lC"],
-      ["ring displacement", atRest(g.static.ring_y_um, 2, " µm"), "static"],
-      ["largest contact pressure", atRest(Math.max(g.static.inner_stress_max_gpa, g.static.outer_stress_max_gpa), 3, " GPa"), "static"],
-    ].map(([name, value, title]) => element("div", { title }, element("dt", {}, name), element("dd", {}, value)))));
+    const { rows } = this.studio.g;
+    const list = (part) => element("dl", {}, ...part.map(([label, value, unit]) =>
+      element("div", {}, element("dt", {}, label.trim()), element("dd", {}, value + (unit && unit !== "°" ? " " : "") + unit))));
+    const open = this.numbers.querySelector("details")?.open || false;
+    const rest = rows.static.length ? [element("details", { open }, element("summary", {}, "Static equilibrium, ratings and frequencies"), list(rows.static))] : [];
+    this.numbers.replaceChildren(list(rows.design), ...rest);
   }
 }
