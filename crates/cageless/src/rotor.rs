@@ -10,7 +10,8 @@
 //! assert!(case.check().is_ok());
 //! ```
 
-use crate::contact::{FrictionLaw, FrictionParameters, FrictionTable};
+use crate::contact::friction::has_friction;
+use crate::contact::{FrictionLaw, FrictionTable};
 use crate::error::{Allowed, InputError};
 use crate::limits::{finite, not_negative, positive};
 
@@ -88,6 +89,8 @@ pub struct SupportStop {
 /// Exponents of the contact between journal and bore: flat surfaces to a Hertz contact.
 pub const CONTACT_EXPONENTS: [f64; 2] = [1.0, 1.5];
 
+has_friction!(Rotor);
+
 impl Rotor {
     /// Centre of the journal at the start: zg − ε·e^(iφ).
     pub fn journal_start_m(&self) -> [f64; 2] {
@@ -102,29 +105,6 @@ impl Rotor {
             centre_m[0] - self.eccentricity_m * cos,
             centre_m[1] - self.eccentricity_m * sin,
         ]
-    }
-
-    /// Parameters of the law of friction between journal and bore.
-    pub fn friction(&self) -> FrictionParameters<'_> {
-        FrictionParameters {
-            coefficient: self.friction_coefficient,
-            slip_scale_m_s: self.slip_scale_m_s,
-            static_coefficient: self.static_friction_coefficient,
-            stribeck_speed_m_s: self.stribeck_speed_m_s,
-            table: self.friction_table.as_ref(),
-        }
-    }
-
-    /// Largest coefficient of friction of the law.
-    pub fn friction_coefficient_max(&self) -> f64 {
-        self.friction_law.coefficient_max(&self.friction())
-    }
-
-    /// Multiplies friction at every sliding speed.
-    pub fn scale_friction(&mut self, factor: f64) {
-        self.friction_coefficient *= factor;
-        self.static_friction_coefficient = self.static_friction_coefficient.map(|mu| mu * factor);
-        self.friction_table = self.friction_table.as_ref().map(|t| t.scaled(factor));
     }
 
     /// Checks the values against each other and against the bore of the inner ring.

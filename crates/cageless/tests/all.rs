@@ -20,6 +20,7 @@ mod imports;
 mod integrator;
 mod linear_rotor;
 mod observed;
+mod one_place;
 mod operating_results;
 mod outer_contact_geometry;
 mod outer_ring;

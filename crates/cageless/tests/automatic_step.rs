@@ -3,8 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::common::{conventional, dimensions, steel, structure, undamped};
-use cageless::simulation::{Control, Ending, RunOutcome, run};
+use crate::common::{complete, conventional, dimensions, steel, structure, undamped};
 use cageless::step_limits::StepLimits;
 use cageless::{Bearing, BearingDimensions, Case, FrictionLaw, Gaps, IntegrationMethod, Start};
 
@@ -14,16 +13,6 @@ fn automatic(mut case: Case, load_n: f64, rpm: f64, duration_s: f64) -> Case {
     case.set_method(IntegrationMethod::VelocityVerlet);
     case.solver.duration_s = duration_s;
     case
-}
-
-fn complete(case: &Case) -> RunOutcome {
-    let outcome = run(case, &mut [], &mut |_| Control::Continue(())).unwrap();
-    assert!(
-        matches!(outcome.ending, Ending::Complete),
-        "{:?}",
-        outcome.ending
-    );
-    outcome
 }
 
 fn alternating(mut case: Case, deviation_m: f64) -> Case {

@@ -1,6 +1,6 @@
 //! The energy ledger, symmetries and determinism of whole runs.
 
-use crate::common::{conventional, dimensions, raceway, structure, undamped};
+use crate::common::{complete, conventional, dimensions, raceway, structure, undamped};
 use cageless::dynamics::ball::{BallMotion, Centre};
 use cageless::dynamics::coordinates::BallCoordinate;
 use cageless::dynamics::energy::EnergyTerm;
@@ -8,18 +8,8 @@ use cageless::dynamics::state::State;
 use cageless::dynamics::{InstructionSet, Model, RightHandSide};
 use cageless::initial_conditions::initial_state;
 use cageless::integrator::System;
-use cageless::simulation::{Cause, Control, Ending, RunOutcome, run};
+use cageless::simulation::{Cause, Control, Ending, run};
 use cageless::{Case, FrictionLaw, Gaps, Profile, Start};
-
-fn complete(case: &Case) -> RunOutcome {
-    let outcome = run(case, &mut [], &mut |_| Control::Continue(())).unwrap();
-    assert!(
-        matches!(outcome.ending, Ending::Complete),
-        "{:?}",
-        outcome.ending
-    );
-    outcome
-}
 
 fn rough_start(case: &mut Case) {
     // One pair close together, so that there are collisions.

@@ -1,23 +1,13 @@
 //! Speed and load that are given over time.
 
-use crate::common::structure;
+use crate::common::{complete, structure};
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::kinematics::rolling_orbit_speed_rad_s;
-use cageless::simulation::{Control, Ending, RunOutcome, run};
+use cageless::simulation::{Control, RunOutcome};
 use cageless::{Case, IntegrationMethod, Start, TimeTable};
 
 fn table(times_s: &[f64], values: &[f64]) -> Option<TimeTable> {
     Some(TimeTable::new("inner_speed_rad_s", times_s.to_vec(), values.to_vec()).unwrap())
-}
-
-fn complete(case: &Case) -> RunOutcome {
-    let outcome = run(case, &mut [], &mut |_| Control::Continue(())).unwrap();
-    assert!(
-        matches!(outcome.ending, Ending::Complete),
-        "{:?}",
-        outcome.ending
-    );
-    outcome
 }
 
 fn mean_orbit_rad_s(outcome: &RunOutcome) -> f64 {

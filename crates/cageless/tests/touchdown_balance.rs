@@ -1,15 +1,13 @@
 //! Balances and symmetries of a drop, in every kind of bearing.
 
-use crate::common::{drop_case, raceway};
+use crate::common::{complete, drop_case, raceway};
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::dynamics::state::State;
 use cageless::dynamics::{Contacts, Model, RightHandSide};
 use cageless::initial_conditions::initial_state;
 use cageless::integrator::System;
 use cageless::recorder::Recorder;
-use cageless::simulation::{
-    Control, Ending, Observer, ObserverError, RunOutcome, StepView, run, run_batch,
-};
+use cageless::simulation::{Control, Observer, ObserverError, StepView, run, run_batch};
 use cageless::{Case, FrictionLaw, IntegrationMethod, Start, SupportStop};
 
 /// The rotor just above contact with the speed of its fall, over 3 ms, at the automatic step.
@@ -28,16 +26,6 @@ fn automatic(mut case: Case) -> Case {
 fn discrete(case: Case) -> Case {
     let raceway = raceway(&case.bearing, 5.1, 25.2, 0.0);
     case.with_raceways(vec![raceway])
-}
-
-fn complete(case: &Case) -> RunOutcome {
-    let outcome = run(case, &mut [], &mut |_| Control::Continue(())).unwrap();
-    assert!(
-        matches!(outcome.ending, Ending::Complete),
-        "{:?}",
-        outcome.ending
-    );
-    outcome
 }
 
 /// A drop with everything: unbalance, unequal balls, clearance, a hard stop, drag torque.

@@ -2,10 +2,9 @@
 //! in quadruple precision. The rotor starts 1 µm above contact with the speed of its fall; gaps
 //! are uneven, balls collide.
 
-use crate::common::{drop_case, raceway};
+use crate::common::{complete, drop_case, raceway};
 use cageless::dynamics::ball::BallMotion;
 use cageless::dynamics::state::State;
-use cageless::simulation::{Control, Ending, RunOutcome, run};
 use cageless::step_limits::StepLimits;
 use cageless::{Case, Gaps, IntegrationMethod, Start};
 
@@ -119,16 +118,6 @@ pub fn td1_reference() -> Vec<f64> {
 /// RMS over the states of (y − reference)/scale, and the largest.
 fn error(state: &State) -> [f64; 2] {
     difference(&scaled(state), &td1_reference())
-}
-
-pub fn complete(case: &Case) -> RunOutcome {
-    let outcome = run(case, &mut [], &mut |_| Control::Continue(())).unwrap();
-    assert!(
-        matches!(outcome.ending, Ending::Complete),
-        "{:?}",
-        outcome.ending
-    );
-    outcome
 }
 
 /// Under 1e-5 with error control.

@@ -20,8 +20,8 @@ impl Operation {
     fn check(&self) -> Result<(), InputError> {
         not_negative("radial_load_n", self.radial_load_n)?;
         not_negative("gravity_m_s2", self.gravity_m_s2)?;
-        let given = |field: &'static str, start: f64, table: &Option<TimeTable>| {
-            let Some(table) = table else { return Ok(()) };
+        for (field, start, table) in self.given() {
+            let Some(table) = table else { continue };
             if let Some(&value) = table.values().iter().find(|v| **v < 0.0) {
                 let rule = match field {
                     "inner_speed_rad_s" => {
@@ -32,18 +32,21 @@ impl Operation {
                 return Err(InputError::rule(field, value, rule));
             }
             let first = table.value(0.0);
-            if start == first {
-                return Ok(());
+            if start != first {
+                let rule = format!("{first}, the value of its table at t = 0");
+                return Err(InputError::rule(field, start, rule));
             }
-            let rule = format!("{first}, the value of its table at t = 0");
-            Err(InputError::rule(field, start, rule))
-        };
-        given(
-            "inner_speed_rad_s",
-            self.inner_speed_rad_s,
-            &self.inner_speed_table,
-        )?;
-        given("radial_load_n", self.radial_load_n, &self.radial_load_table)
+        }
+        Ok(())
+    }
+
+    /// Speed and load: field, value at the start, and the table of one that changes.
+    fn given(&self) -> [(&'static str, f64, Option<&TimeTable>); 2] {
+        let (speeds, loads) = (&self.inner_speed_table, &self.radial_load_table);
+        [
+            ("inner_speed_rad_s", self.inner_speed_rad_s, speeds.as_ref()),
+            ("radial_load_n", self.radial_load_n, loads.as_ref()),
+        ]
     }
 }
 
@@ -191,19 +194,7 @@ impl Case {
         if let Some(support) = &self.support {
             support.check()?;
         }
-        let operation = &self.operation;
-        for (field, value, table) in [
-            (
-                "inner_speed_rad_s",
-                operation.inner_speed_rad_s,
-                &operation.inner_speed_table,
-            ),
-            (
-                "radial_load_n",
-                operation.radial_load_n,
-                &operation.radial_load_table,
-            ),
-        ] {
+        for (field, value, table) in self.operation.given() {
             if value != 0.0 || table.is_some() {
                 let rule = "left out: the rotor drives and loads the inner ring";
                 return Err(InputError::rule(field, value, rule));
@@ -230,24 +221,11 @@ impl Case {
     /// # Errors
     /// An [`InputError`] naming the rotor or the table.
     pub fn check_constant_operation(&self, what: &str) -> Result<(), InputError> {
-        let operation = &self.operation;
-        let tables = [
-            (
-                "inner_speed_rad_s",
-                operation.inner_speed_rad_s,
-                &operation.inner_speed_table,
-            ),
-            (
-                "radial_load_n",
-                operation.radial_load_n,
-                &operation.radial_load_table,
-            ),
-        ];
         if self.rotor.is_some() {
             let why = format!("{what} needs an inner ring at constant speed");
             return Err(InputError::rotor_left_out(why));
         }
-        for (field, start, table) in tables {
+        for (field, start, table) in self.operation.given() {
             if table.is_some() {
                 let rule = format!("one number, not a table over time: {what} needs that");
                 return Err(InputError::rule(field, start, rule));

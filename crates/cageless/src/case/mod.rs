@@ -15,7 +15,8 @@ mod check;
 use std::f64::consts::TAU;
 
 use crate::bearing::Bearing;
-use crate::contact::{FrictionLaw, FrictionParameters, FrictionTable};
+use crate::contact::friction::has_friction;
+use crate::contact::{FrictionLaw, FrictionTable};
 use crate::integrator::IntegrationMethod;
 use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::profile::Profile;
@@ -232,23 +233,9 @@ pub struct Case {
     pub output: Output,
 }
 
+has_friction!(Contact);
+
 impl Contact {
-    /// Parameters of the law of friction.
-    pub fn friction(&self) -> FrictionParameters<'_> {
-        FrictionParameters {
-            coefficient: self.friction_coefficient,
-            slip_scale_m_s: self.slip_scale_m_s,
-            static_coefficient: self.static_friction_coefficient,
-            stribeck_speed_m_s: self.stribeck_speed_m_s,
-            table: self.friction_table.as_ref(),
-        }
-    }
-
-    /// Largest coefficient of friction of the law.
-    pub fn friction_coefficient_max(&self) -> f64 {
-        self.friction_law.coefficient_max(&self.friction())
-    }
-
     /// Largest friction of a kind of contact over that of the law.
     pub fn friction_factor_max(&self) -> f64 {
         self.outer_friction_factor
@@ -264,13 +251,6 @@ impl Contact {
         } else {
             self.friction_coefficient += by;
         }
-    }
-
-    /// Multiplies friction at every sliding speed.
-    pub fn scale_friction(&mut self, factor: f64) {
-        self.friction_coefficient *= factor;
-        self.static_friction_coefficient = self.static_friction_coefficient.map(|mu| mu * factor);
-        self.friction_table = self.friction_table.as_ref().map(|t| t.scaled(factor));
     }
 }
 

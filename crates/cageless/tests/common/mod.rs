@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use cageless::simulation::{Control, Ending, RunOutcome, run};
 use cageless::{
     Bearing, BearingDimensions, Case, Contact, FrictionLaw, Gaps, InnerRingBore, IntegrationMethod,
     Material, Operation, Output, Profile, Raceway, RacewayDimensions, Rotor, Solver, Start,
@@ -176,4 +177,16 @@ pub fn undamped(mut case: Case) -> Case {
     case.contact.damping_n_s_m1_5 = 0.0;
     case.contact.ball_restitution = 1.0;
     case
+}
+
+/// Outcome of a run that completes.
+#[allow(dead_code)]
+pub fn complete(case: &Case) -> RunOutcome {
+    let outcome = run(case, &mut [], &mut |_| Control::Continue(())).unwrap();
+    assert!(
+        matches!(outcome.ending, Ending::Complete),
+        "{:?}",
+        outcome.ending
+    );
+    outcome
 }

@@ -94,3 +94,51 @@ pub(crate) trait LawLanes {
     /// The lanes filled one by one.
     fn filled(value: impl Fn(usize) -> Self::Constants) -> Self;
 }
+
+/// Coefficient and knee of a law that has them as fields.
+macro_rules! knee {
+    () => {
+        #[inline(always)]
+        fn coefficient(&self) -> f64 {
+            self.coefficient
+        }
+
+        #[inline(always)]
+        fn inverse_slip_scale(&self) -> f64 {
+            self.inverse_slip_scale
+        }
+    };
+}
+pub(super) use knee;
+
+/// Implements what follows from the friction of a struct that has its law and parameters as fields.
+macro_rules! has_friction {
+    ($Owner:ty) => {
+        impl $Owner {
+            /// Parameters of the law of friction.
+            pub fn friction(&self) -> $crate::contact::FrictionParameters<'_> {
+                $crate::contact::FrictionParameters {
+                    coefficient: self.friction_coefficient,
+                    slip_scale_m_s: self.slip_scale_m_s,
+                    static_coefficient: self.static_friction_coefficient,
+                    stribeck_speed_m_s: self.stribeck_speed_m_s,
+                    table: self.friction_table.as_ref(),
+                }
+            }
+
+            /// Largest coefficient of friction of the law.
+            pub fn friction_coefficient_max(&self) -> f64 {
+                self.friction_law.coefficient_max(&self.friction())
+            }
+
+            /// Multiplies friction at every sliding speed.
+            pub fn scale_friction(&mut self, factor: f64) {
+                self.friction_coefficient *= factor;
+                let scaled = self.static_friction_coefficient.map(|mu| mu * factor);
+                self.static_friction_coefficient = scaled;
+                self.friction_table = self.friction_table.as_ref().map(|t| t.scaled(factor));
+            }
+        }
+    };
+}
+pub(crate) use has_friction;

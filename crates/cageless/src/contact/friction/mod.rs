@@ -24,8 +24,8 @@ mod tanh;
 
 pub(crate) use coulomb::STICK_FRACTION;
 pub use friction_table::{FrictionTable, POINTS_MAX};
-pub(crate) use law::LawLanes;
 pub use law::{FrictionParameters, Law, LawConstants};
+pub(crate) use law::{LawLanes, has_friction};
 pub use tanh::tanh;
 
 /// Declares a law whose constants are numbers.

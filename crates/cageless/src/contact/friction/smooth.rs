@@ -1,6 +1,6 @@
 //! Friction with a smooth knee at zero sliding speed.
 
-use super::law::{FrictionParameters, Law, LawConstants};
+use super::law::{FrictionParameters, Law, LawConstants, knee};
 use super::tanh::{tanh, tanh_pair};
 use crate::numerics::lanes::lane_struct;
 
@@ -42,15 +42,7 @@ impl Law for Smooth {
         ]
     }
 
-    #[inline(always)]
-    fn coefficient(&self) -> f64 {
-        self.coefficient
-    }
-
-    #[inline(always)]
-    fn inverse_slip_scale(&self) -> f64 {
-        self.inverse_slip_scale
-    }
+    knee!();
 }
 
 impl LawConstants for Smooth {

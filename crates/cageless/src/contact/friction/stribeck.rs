@@ -1,6 +1,6 @@
 //! Friction that drops from static to sliding.
 
-use super::law::{FrictionParameters, Law, LawConstants};
+use super::law::{FrictionParameters, Law, LawConstants, knee};
 use super::tanh::{exp_negative, tanh};
 use crate::numerics::lanes::lane_struct;
 
@@ -36,15 +36,7 @@ impl Law for Stribeck {
         Some(slip_m_s)
     }
 
-    #[inline(always)]
-    fn coefficient(&self) -> f64 {
-        self.coefficient
-    }
-
-    #[inline(always)]
-    fn inverse_slip_scale(&self) -> f64 {
-        self.inverse_slip_scale
-    }
+    knee!();
 }
 
 impl LawConstants for Stribeck {

@@ -1,7 +1,7 @@
 //! Friction from measured points of μ over the sliding speed.
 
 use super::friction_table::{FrictionTable, PIECES_MAX, Piece, PieceLanes};
-use super::law::{FrictionParameters, Law, LawConstants, LawLanes};
+use super::law::{FrictionParameters, Law, LawConstants, LawLanes, knee};
 use super::tanh::tanh;
 use crate::numerics::lanes::{LANES, Lanes};
 
@@ -47,15 +47,7 @@ impl Law for Table {
         Some(edge(self.pieces.iter().map(|p| p.start), slip_m_s.abs()))
     }
 
-    #[inline(always)]
-    fn coefficient(&self) -> f64 {
-        self.coefficient
-    }
-
-    #[inline(always)]
-    fn inverse_slip_scale(&self) -> f64 {
-        self.inverse_slip_scale
-    }
+    knee!();
 }
 
 impl LawConstants for Table {

@@ -1,0 +1,109 @@
+//! What has one place: the computation of one bearing and of several, and the factors between SI and
+//! the units of readers. Both lists of exceptions may only shrink.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Files for several bearings or a rotor beside the same for one bearing.
+const BESIDE: [&str; 5] = [
+    "cageless-cli/src/commands/drop_several.rs",
+    "cageless-py/python/cageless/rotor_drops.py",
+    "cageless-study/src/drop/rotor_ensemble.rs",
+    "cageless-study/src/drop/rotor_study.rs",
+    "cageless-study/src/drop/rotor_verification.rs",
+];
+
+/// Places of each crate that convert units outside [`CONVERTERS`], at most.
+const CONVERSIONS: [(&str, usize); 9] = [
+    ("cageless", 68),
+    ("cageless-bench", 16),
+    ("cageless-cli", 17),
+    ("cageless-io", 47),
+    ("cageless-live", 38),
+    ("cageless-paper", 50),
+    ("cageless-py", 3),
+    ("cageless-report", 71),
+    ("cageless-study", 139),
+];
+
+/// The reader of documents and the table of quantities: where units are converted.
+const CONVERTERS: [&str; 2] = ["case_file/unit.rs", "quantities/table.rs"];
+
+/// Conversions of angles and speeds; those of other units are powers of 1000.
+const FACTORS: [&str; 4] = ["to_degrees", "to_radians", "60.0 / TAU", "TAU / 60.0"];
+
+/// The sources below a folder, Rust and Python.
+fn sources(folder: &Path) -> Vec<PathBuf> {
+    let mut found = vec![];
+    for path in fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()) {
+        if path.is_dir() && !["tests", "target"].iter().any(|name| path.ends_with(name)) {
+            found.extend(sources(&path));
+        } else if path.extension().is_some_and(|e| e == "rs" || e == "py") {
+            found.push(path);
+        }
+    }
+    found
+}
+
+fn crates() -> Vec<(String, Vec<PathBuf>)> {
+    let all = fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).unwrap();
+    let folders = all.map(|e| e.unwrap().path());
+    let name = |folder: &Path| folder.file_name().unwrap().to_str().unwrap().to_owned();
+    folders
+        .map(|folder| (name(&folder), sources(&folder)))
+        .collect()
+}
+
+/// A list of length one is the case of one bearing: it has no file of its own.
+#[test]
+fn no_file_for_several_beside_one_for_one() {
+    for file in crates().into_iter().flat_map(|(_, files)| files) {
+        let stem = file.file_stem().unwrap().to_str().unwrap();
+        let one = stem
+            .strip_prefix("rotor_")
+            .or(stem.strip_suffix("_several"));
+        let ending = file.extension().unwrap();
+        let beside =
+            one.is_some_and(|one| file.with_file_name(one).with_extension(ending).exists());
+        let known = BESIDE.iter().any(|known| file.ends_with(known));
+        assert!(known || !beside, "{} beside {one:?}", file.display());
+    }
+}
+
+/// Units are converted in the reader of documents and in the table of quantities.
+#[test]
+fn no_further_conversion_of_units() {
+    let powers = ["e3", "e6", "e9", "e-3", "e-6", "e-9"];
+    let products = powers.map(|p| [format!("* 1{p}"), format!("/ 1{p}"), format!("1{p} *")]);
+    let factors: Vec<String> = FACTORS
+        .map(str::to_owned)
+        .into_iter()
+        .chain(products.concat())
+        .collect();
+    let mut further = vec![];
+    for (name, files) in crates() {
+        let inside = |file: &&PathBuf| file.components().any(|c| c.as_os_str() == "src");
+        let files = files.iter().filter(inside);
+        let files = files.filter(|file| !CONVERTERS.iter().any(|c| file.ends_with(c)));
+        let count = |file: &PathBuf| {
+            let text = fs::read_to_string(file).unwrap();
+            let text = text.split("#[cfg(test)]\nmod tests {").next().unwrap();
+            let code: Vec<&str> = text
+                .lines()
+                .filter_map(|line| line.split("//").next())
+                .collect();
+            factors
+                .iter()
+                .map(|factor| code.join("\n").matches(factor).count())
+                .sum::<usize>()
+        };
+        let found: usize = files.map(count).sum();
+        let most = CONVERSIONS.iter().find(|c| c.0 == name).map_or(0, |c| c.1);
+        if found > most {
+            further.push(format!(
+                "{name}: {found} conversions of units, {most} are allowed"
+            ));
+        }
+    }
+    assert!(further.is_empty(), "{further:#?}");
+}
