@@ -1,25 +1,15 @@
-//! Measurements of Cageless, one command each: see README.md.
+//! Speed of Cageless beside a general solver: see README.md.
 
-mod clock;
-mod endurance;
-mod equations;
-mod friction;
-mod friction_solvers;
-mod instructions;
-mod peers;
+mod integration;
 mod problem;
-mod rk4;
-mod statistics;
-mod sweep;
+mod right_hand_side;
 mod textbook;
-mod textbook_drop;
-mod touchdown;
 
 use anyhow::Result;
 use clap::{Parser, Subcommand};
 
 #[derive(Debug, Parser)]
-#[command(version, about = "Measurements of Cageless")]
+#[command(version, about = "Speed of Cageless beside a general solver")]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -27,34 +17,22 @@ struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Work against precision on CB74, beside other solvers
-    Peers(peers::Options),
-    /// Instructions and time per evaluation of the right-hand side
-    Instructions(instructions::Options),
-    /// Statistics of an ensemble of CB74 against the reference ones
-    Statistics(statistics::Options),
-    /// A long run of CB74 without damping: drift of energy, lost balls
-    Endurance(endurance::Options),
-    /// Cost and statistics of dry friction, beside other solvers
-    Friction(friction::Options),
-    /// A drop beside a textbook Runge–Kutta method
-    Touchdown(touchdown::Options),
-    /// Speed of a sweep against that of the bare library
-    Sweep(sweep::Options),
-    /// Evaluates the right-hand side, for a counter of instructions around it
-    #[command(hide = true)]
-    Evaluate(instructions::EvaluateOptions),
+    /// Time per evaluation of the right-hand side, by instruction set
+    Rhs(right_hand_side::Options),
+    /// Work against precision on cases/cb74.toml
+    Run(integration::Options),
+    /// Work against precision on cases/touchdown-d.toml
+    Drop(integration::Options),
 }
 
 fn main() -> Result<()> {
     match Arguments::parse().command {
-        Command::Peers(options) => peers::run(&options),
-        Command::Instructions(options) => instructions::run(&options),
-        Command::Statistics(options) => statistics::run(&options),
-        Command::Endurance(options) => endurance::run(&options),
-        Command::Friction(options) => friction::run(&options),
-        Command::Touchdown(options) => touchdown::run(&options),
-        Command::Sweep(options) => sweep::run_command(&options),
-        Command::Evaluate(options) => instructions::evaluate(&options),
+        Command::Rhs(options) => right_hand_side::measure(&options),
+        Command::Run(options) => {
+            integration::measure(&problem::Problem::run(&options.set)?, &options)
+        }
+        Command::Drop(options) => {
+            integration::measure(&problem::Problem::drop(&options.set)?, &options)
+        }
     }
 }

@@ -1,102 +1,163 @@
-//! The problem that everything here is measured on: case CB74 and its reference
-//! trajectory.
+//! The two problems: a case for the error and one for the time, and the true end of the former.
 
-use anyhow::{Result, ensure};
-use cageless::dynamics::coordinates::{BALL, RING};
+use anyhow::{Context, Result, bail, ensure};
+use cageless::dynamics::coordinates::{BALL, BallCoordinate, DROP, RingCoordinate};
 use cageless::dynamics::state::State;
 use cageless::initial_conditions::initial_state;
-use cageless::{Case, FrictionLaw, Profile};
+use cageless::simulation::{self, Control, Ending, RunOutcome};
+use cageless::{Case, FrictionLaw, IntegrationMethod, Profile};
 use cageless_io::case_file::CaseFile;
 
-const CASE: &str = include_str!("../../../cases/cb74.toml");
-const STRUCTURE_D: &str = include_str!("../../../cases/zhao-d.toml");
+const CB74: &str = include_str!("../../../cases/cb74.toml");
+const TOUCHDOWN: &str = include_str!("../../../cases/touchdown-d.toml");
 const REFERENCE: &str = include_str!("../../cageless-io/tests/reference/cb74_2ms.csv");
 
-/// Time at which the reference trajectory gives the state.
-pub const REFERENCE_S: f64 = 0.002;
+/// Time at which errors are taken, s.
+const ERROR_S: f64 = 0.002;
+/// Simulated time of each timing of a run and of a drop, s.
+const TIMED_S: [f64; 2] = [0.01, 0.1];
 
-/// CB74 with overrides as the command line takes them (`section.key=value`).
-///
-/// # Errors
-/// A key or value that the case file does not admit.
-pub fn cb74(overrides: &[String]) -> Result<Case> {
-    let case = CaseFile::parse(CASE, "cb74.toml", overrides)?
-        .case()
-        .clone();
+/// A case to integrate for its error, one for the time, and the true end of the former.
+pub struct Problem {
+    /// Of 2 ms, to its end by the reference.
+    pub short: Case,
+    /// What is timed.
+    pub timed: Case,
+    /// Scaled state at the end of `short`.
+    pub reference: Vec<f64>,
+}
+
+impl Problem {
+    /// CB74 with its quadruple-precision trajectory; with changes that of the adaptive method.
+    ///
+    /// # Errors
+    /// A change that the case file does not admit.
+    pub fn run(changes: &[String]) -> Result<Self> {
+        let case = read(CB74, changes)?;
+        let short = lasting(&case, ERROR_S);
+        Ok(Self {
+            reference: if changes.is_empty() {
+                quadruple_precision()?
+            } else {
+                tight(&short)?
+            },
+            short,
+            timed: lasting(&case, TIMED_S[0]),
+        })
+    }
+
+    /// A drop. The rotor of the short one is just above contact, at the speed of its fall.
+    ///
+    /// # Errors
+    /// A change that the case file does not admit.
+    pub fn drop(changes: &[String]) -> Result<Self> {
+        let case = read(TOUCHDOWN, changes)?;
+        let mut short = lasting(&case, ERROR_S);
+        let rotor = short.rotor.as_mut().context("a rotor")?;
+        rotor.y_m = -0.995 * rotor.air_gap_m;
+        rotor.vy_m_s = -(2.0 * case.operation.gravity_m_s2 * rotor.air_gap_m).sqrt();
+        Ok(Self {
+            reference: tight(&short)?,
+            short,
+            timed: lasting(&case, TIMED_S[1]),
+        })
+    }
+}
+
+fn read(text: &str, changes: &[String]) -> Result<Case> {
+    let case = CaseFile::parse(text, "the case", changes)?.case().clone();
     ensure!(
         case.profile == Profile::Physical && case.contact.friction_law == FrictionLaw::Smooth,
-        "the bench knows CB74 in the physical profile with the smooth law only"
+        "the textbook has the physical profile with smooth friction only"
     );
     Ok(case)
 }
 
-/// Structure (d) of the paper with overrides as the command line takes them.
+fn lasting(case: &Case, duration_s: f64) -> Case {
+    let mut case = case.clone();
+    case.solver.duration_s = duration_s;
+    case
+}
+
+/// Runs a case to its end, without observers.
 ///
 /// # Errors
-/// A key or value that the case file does not admit.
-pub fn structure_d(overrides: &[String]) -> Result<Case> {
-    let file = CaseFile::parse(STRUCTURE_D, "zhao-d.toml", overrides)?;
-    Ok(file.case().clone())
+/// It ends early.
+pub fn complete(case: &Case) -> Result<RunOutcome> {
+    let outcome = simulation::run(case, &mut [], &mut |_| Control::Continue(()))?;
+    match outcome.ending {
+        Ending::Complete => Ok(outcome),
+        ending => bail!("the run ended early: {ending:?}"),
+    }
 }
 
-/// The 5 N + 4 states without padding and energy ledger, each over its scale: x of every
-/// ball, then y, vx, vy, spin, then the ring.
-pub fn scaled(state: &State) -> Vec<f64> {
-    let groups = [
-        state.x_m(),
-        state.y_m(),
-        state.vx_m_s(),
-        state.vy_m_s(),
-        state.spin_state_rad_s(),
-    ];
-    let balls = groups
-        .iter()
-        .zip(BALL)
-        .flat_map(|(group, c)| group.iter().map(move |v| v / c.error_scale));
-    let ring = state.ring_motion();
-    let ring = [ring.x, ring.y, ring.vx, ring.vy].into_iter().zip(RING);
-    balls.chain(ring.map(|(v, c)| v / c.error_scale)).collect()
+/// Scaled state at the end by the adaptive method at a tolerance of 1e-11.
+fn tight(case: &Case) -> Result<Vec<f64>> {
+    let mut case = case.clone();
+    case.set_method(IntegrationMethod::Adaptive);
+    case.solver.tolerance = 1e-11;
+    Ok(scaled(&complete(&case)?.state))
 }
 
-/// Scale of each of the 5 N + 4 states.
-pub fn scales(balls: usize) -> Vec<f64> {
-    BALL.iter()
-        .flat_map(|c| std::iter::repeat_n(c.error_scale, balls))
-        .chain(RING.iter().map(|c| c.error_scale))
-        .collect()
-}
-
-/// Start of a case and ψ of its balls.
+/// Scaled state of a case at its start.
 ///
 /// # Errors
 /// The start has no equilibrium.
-pub fn start(case: &Case) -> Result<(State, Vec<f64>)> {
-    Ok(initial_state(case)?)
+pub fn start(case: &Case) -> Result<Vec<f64>> {
+    Ok(scaled(&initial_state(case)?.0))
 }
 
-/// The reference at 2 ms in the order and the scales of [`scaled`].
-pub fn reference() -> Vec<f64> {
+/// The motion without padding and energy ledger, in SI units: x of every ball, then y, vx, vy,
+/// spin, then the bodies in the order of [`DROP`].
+pub fn motion(state: &State, values: &[f64]) -> Vec<f64> {
+    let layout = state.layout();
+    let bodies = layout.ring(RingCoordinate::X);
+    BallCoordinate::ALL
+        .into_iter()
+        .map(|coordinate| layout.array(coordinate))
+        .flat_map(|start| &values[start..start + layout.balls])
+        .chain(&values[bodies..bodies + if layout.has_rotor() { DROP.len() } else { 4 }])
+        .copied()
+        .collect()
+}
+
+/// Scale of each entry of a motion of `len` entries of `balls` balls.
+pub fn scales(balls: usize, len: usize) -> Vec<f64> {
+    let of_balls = BALL
+        .iter()
+        .flat_map(|c| std::iter::repeat_n(c.error_scale, balls));
+    let bodies = DROP.iter().map(|c| c.error_scale);
+    of_balls.chain(bodies).take(len).collect()
+}
+
+fn scaled(state: &State) -> Vec<f64> {
+    let motion = motion(state, state.values());
+    let scales = scales(state.layout().balls, motion.len());
+    motion
+        .iter()
+        .zip(scales)
+        .map(|(v, scale)| v / scale)
+        .collect()
+}
+
+/// The reference of CB74 at 2 ms, scaled.
+fn quadruple_precision() -> Result<Vec<f64>> {
     let rows: Vec<Vec<f64>> = REFERENCE
         .lines()
         .filter(|line| !line.starts_with('#') && !line.starts_with("body"))
-        .map(|line| {
-            line.split(',')
-                .skip(1)
-                .filter_map(|v| v.parse().ok())
-                .collect()
-        })
+        .map(|line| line.split(',').skip(1).flat_map(str::parse).collect())
         .collect();
-    let Some((ring, balls)) = rows.split_last() else {
-        return vec![];
-    };
-    let states = (0..5).flat_map(|group| {
-        balls
-            .iter()
-            .map(move |row| row[group] / BALL[group].error_scale)
-    });
-    states
-        .chain(ring.iter().zip(RING).map(|(v, c)| v / c.error_scale))
-        .collect()
+    let (ring, balls) = rows.split_last().context("rows of the reference")?;
+    let motion: Vec<f64> = (0..BALL.len())
+        .flat_map(|group| balls.iter().map(move |row| row[group]))
+        .chain(ring.iter().copied())
+        .collect();
+    let scales = scales(balls.len(), motion.len());
+    Ok(motion
+        .iter()
+        .zip(scales)
+        .map(|(v, scale)| v / scale)
+        .collect())
 }
 
 /// RMS over the states of the difference of two scaled states.

@@ -1,13 +1,13 @@
-//! The equations of motion as one writes them down first: scalar, ball by ball, contact
-//! by contact, in the order of Zhao 2022, Eq. (12) to (22), `physical` profile and smooth
-//! law.
+//! The equations of motion as one writes them down first: scalar, ball by ball, contact by contact,
+//! in the order of Zhao 2022, Eq. (12) to (22), `physical` profile and smooth friction; of a drop
+//! with the bodies of [`DROP`](cageless::dynamics::coordinates::DROP).
 //!
-//! Not slowed down on purpose: contacts that carry nothing are skipped, each pair of
-//! neighbours is looked at once, and the effective radius takes a few Newton steps on
-//! the contact path, Eq. (4), and no general root finder.
+//! Not slowed down on purpose: contacts that carry nothing are skipped, each pair of neighbours is
+//! looked at once, and the effective radius takes a few Newton steps on the contact path, Eq. (4),
+//! and no general root finder.
 
 use cageless::contact::restitution_damping;
-use cageless::{Case, Raceway};
+use cageless::{Case, Raceway, Rotor, Support};
 
 /// Constants of one case.
 #[derive(Debug, Clone)]
@@ -30,10 +30,23 @@ pub struct Textbook {
     ball_damping: f64,
     friction: f64,
     slip_scale: f64,
+    falling: Option<Falling>,
+}
+
+/// Constants of a rotor above the bearing.
+#[derive(Debug, Clone)]
+struct Falling {
+    rotor: Rotor,
+    support: Support,
+    ring_inertia: f64,
+    bore_radius: f64,
 }
 
 /// Newton steps until the abscissa stands still; three or four are usual.
 const NEWTON_MAX: u32 = 20;
+
+/// Force on the first of two bodies along x and y, and the friction on it.
+type Contact = (f64, f64, f64);
 
 impl Textbook {
     /// Of a case in the `physical` profile with the smooth law of friction.
@@ -42,6 +55,11 @@ impl Textbook {
         let d = bearing.dimensions();
         let stiffness = case.stiffness_n_m1_5();
         let ball_mass = bearing.ball_mass_kg();
+        let bodies = (
+            case.rotor.clone(),
+            case.support.clone(),
+            bearing.inner_ring_bore(),
+        );
         Self {
             raceways: case.raceways.clone(),
             balls: d.balls,
@@ -61,12 +79,16 @@ impl Textbook {
                 * (ball_mass / 2.0 * stiffness[2]).sqrt(),
             friction: contact.friction_coefficient,
             slip_scale: contact.slip_scale_m_s,
+            falling: match bodies {
+                (Some(rotor), Some(support), Some(bore)) => Some(Falling {
+                    rotor,
+                    support,
+                    ring_inertia: bore.polar_inertia_kg_m2,
+                    bore_radius: bore.radius_m,
+                }),
+                _ => None,
+            },
         }
-    }
-
-    /// N.
-    pub fn balls(&self) -> usize {
-        self.balls
     }
 
     /// r, Eq. (6): x from tan ψ = x/(−y) with y = a x⁴ + b x² + c.
@@ -97,79 +119,127 @@ impl Textbook {
         self.friction * (slip / self.slip_scale).tanh() * normal
     }
 
-    /// f(y) in SI units: x of every ball, y, vx, vy, spin, then the ring.
+    /// Outer raceway, Eq. (18), (19), (22): place and velocity from the ring's centre.
+    fn outer(&self, [x, y]: [f64; 2], [vx, vy]: [f64; 2], spin: f64) -> Option<(Contact, f64)> {
+        let rho = (x * x + y * y).sqrt();
+        let deflection = rho - self.outer_orbit_radius;
+        if deflection <= 0.0 {
+            return None;
+        }
+        let (ex, ey) = (x / rho, y / rho);
+        let root = deflection.sqrt();
+        let approach = vx * ex + vy * ey;
+        let force =
+            (self.stiffness[1] * deflection * root + self.damping * root * approach).max(0.0);
+        let r = self.effective_radius(x, y);
+        let slip = vy * ex - vx * ey - spin * r;
+        let friction = self.friction(slip, force * self.ball_radius / r);
+        let along = (
+            -force * ex + friction * ey,
+            -force * ey - friction * ex,
+            friction,
+        );
+        Some((along, r * friction))
+    }
+
+    /// Inner raceway, Eq. (16), (20): place and velocity from the ring's centre, its speed.
+    fn inner(
+        &self,
+        [x, y]: [f64; 2],
+        [vx, vy]: [f64; 2],
+        spin: f64,
+        ring_speed: f64,
+    ) -> Option<Contact> {
+        let distance = (x * x + y * y).sqrt();
+        let deflection = self.inner_radius + self.ball_radius - distance;
+        if deflection <= 0.0 {
+            return None;
+        }
+        let (ex, ey) = (x / distance, y / distance);
+        let root = deflection.sqrt();
+        let approach = -(vx * ex + vy * ey);
+        let force =
+            (self.stiffness[0] * deflection * root + self.damping * root * approach).max(0.0);
+        let tangential = vy * ex - vx * ey;
+        let slip = ring_speed * self.inner_radius - (tangential + spin * self.ball_radius);
+        let friction = self.friction(slip, force);
+        Some((
+            force * ex - friction * ey,
+            force * ey + friction * ex,
+            friction,
+        ))
+    }
+
+    /// A ball and the next, Eq. (17), (21): place of the next and velocity of the first, each
+    /// from the other's, sum of their spins.
+    fn neighbours(&self, [x, y]: [f64; 2], [vx, vy]: [f64; 2], spins: f64) -> Option<Contact> {
+        let distance = (x * x + y * y).sqrt();
+        let deflection = 2.0 * self.ball_radius - distance;
+        if deflection <= 0.0 {
+            return None;
+        }
+        let (ex, ey) = (x / distance, y / distance);
+        let root = deflection.sqrt();
+        let approach = vx * ex + vy * ey;
+        let force = (self.stiffness[2] * deflection * root
+            + self.ball_damping * root.sqrt() * approach)
+            .max(0.0);
+        let slip = vy * ex - vx * ey - spins * self.ball_radius;
+        let friction = self.friction(slip, force);
+        Some((
+            -force * ex + friction * ey,
+            -force * ey - friction * ex,
+            friction,
+        ))
+    }
+
+    /// f(y) in SI units: x of every ball, y, vx, vy, spin, then the bodies.
     pub fn derivative(&self, state: &[f64], rate: &mut [f64]) {
         let n = self.balls;
         let [x, y, vx, vy, spin] = std::array::from_fn(|group| &state[group * n..][..n]);
-        let ring = &state[5 * n..5 * n + 4];
+        let bodies = &state[5 * n..];
+        let (ring, resting) = (&bodies[..4], [0.0; 4]);
+        let (ring_speed, outer) = match self.falling {
+            Some(_) => (bodies[4], &bodies[5..9]),
+            None => (self.inner_speed, &resting[..]),
+        };
         let (velocities, rest) = rate.split_at_mut(2 * n);
         velocities[..n].copy_from_slice(vx);
         velocities[n..].copy_from_slice(vy);
         let (fx, rest) = rest.split_at_mut(n);
         let (fy, rest) = rest.split_at_mut(n);
-        let (torque, ring_rate) = rest.split_at_mut(n);
-        let (mut ring_fx, mut ring_fy) = (0.0, 0.0);
+        let (torque, body_rate) = rest.split_at_mut(n);
+        let (mut ring_force, mut outer_force, mut ring_torque) = ([0.0; 2], [0.0; 2], 0.0);
         for j in 0..n {
-            fx[j] = 0.0;
-            fy[j] = -self.ball_mass * self.gravity;
-            torque[j] = 0.0;
-            // Outer raceway, Eq. (18), (19), (22).
-            let rho = (x[j] * x[j] + y[j] * y[j]).sqrt();
-            let deflection = rho - self.outer_orbit_radius;
-            if deflection > 0.0 {
-                let (ex, ey) = (x[j] / rho, y[j] / rho);
-                let tangential = vy[j] * ex - vx[j] * ey;
-                let root = deflection.sqrt();
-                let rate = vx[j] * ex + vy[j] * ey;
-                let force =
-                    (self.stiffness[1] * deflection * root + self.damping * root * rate).max(0.0);
-                let r = self.effective_radius(x[j], y[j]);
-                let slip = tangential - spin[j] * r;
-                let friction = self.friction(slip, force * self.ball_radius / r);
-                fx[j] += -force * ex + friction * ey;
-                fy[j] += -force * ey - friction * ex;
-                torque[j] += r * friction;
+            (fx[j], fy[j], torque[j]) = (0.0, -self.ball_mass * self.gravity, 0.0);
+            let from = |centre: &[f64]| {
+                (
+                    [x[j] - centre[0], y[j] - centre[1]],
+                    [vx[j] - centre[2], vy[j] - centre[3]],
+                )
+            };
+            let (place, velocity) = from(outer);
+            if let Some(((px, py, _), moment)) = self.outer(place, velocity, spin[j]) {
+                fx[j] += px;
+                fy[j] += py;
+                torque[j] += moment;
+                outer_force[0] -= px;
+                outer_force[1] -= py;
             }
-            // Inner raceway, Eq. (16), (20).
-            let (dx, dy) = (x[j] - ring[0], y[j] - ring[1]);
-            let distance = (dx * dx + dy * dy).sqrt();
-            let deflection = self.inner_radius + self.ball_radius - distance;
-            if deflection > 0.0 {
-                let (ex, ey) = (dx / distance, dy / distance);
-                let (ux, uy) = (vx[j] - ring[2], vy[j] - ring[3]);
-                let tangential = uy * ex - ux * ey;
-                let root = deflection.sqrt();
-                let rate = -(ux * ex + uy * ey);
-                let force =
-                    (self.stiffness[0] * deflection * root + self.damping * root * rate).max(0.0);
-                let slip = self.inner_speed * self.inner_radius
-                    - (tangential + spin[j] * self.ball_radius);
-                let friction = self.friction(slip, force);
-                let (px, py) = (force * ex - friction * ey, force * ey + friction * ex);
+            let (place, velocity) = from(ring);
+            if let Some((px, py, friction)) = self.inner(place, velocity, spin[j], ring_speed) {
                 fx[j] += px;
                 fy[j] += py;
                 torque[j] += self.ball_radius * friction;
-                ring_fx -= px;
-                ring_fy -= py;
+                ring_force[0] -= px;
+                ring_force[1] -= py;
+                ring_torque -= self.inner_radius * friction;
             }
         }
-        // Neighbours, Eq. (17), (21).
         for j in 0..n {
             let k = (j + 1) % n;
-            let (dx, dy) = (x[k] - x[j], y[k] - y[j]);
-            let distance = (dx * dx + dy * dy).sqrt();
-            let deflection = 2.0 * self.ball_radius - distance;
-            if deflection > 0.0 {
-                let (ux, uy) = (dx / distance, dy / distance);
-                let (wx, wy) = (vx[j] - vx[k], vy[j] - vy[k]);
-                let root = deflection.sqrt();
-                let rate = wx * ux + wy * uy;
-                let force = (self.stiffness[2] * deflection * root
-                    + self.ball_damping * root.sqrt() * rate)
-                    .max(0.0);
-                let slip = wy * ux - wx * uy - (spin[j] + spin[k]) * self.ball_radius;
-                let friction = self.friction(slip, force);
-                let (px, py) = (-force * ux + friction * uy, -force * uy - friction * ux);
+            let (place, velocity) = ([x[k] - x[j], y[k] - y[j]], [vx[j] - vx[k], vy[j] - vy[k]]);
+            if let Some((px, py, friction)) = self.neighbours(place, velocity, spin[j] + spin[k]) {
                 fx[j] += px;
                 fy[j] += py;
                 fx[k] -= px;
@@ -183,10 +253,109 @@ impl Textbook {
             fy[j] /= self.ball_mass;
             torque[j] /= self.ball_inertia;
         }
-        ring_rate[0] = ring[2];
-        ring_rate[1] = ring[3];
-        ring_rate[2] = (ring_fx - self.ring_drag * ring[2]) / self.ring_mass;
-        ring_rate[3] =
-            (ring_fy - self.ring_drag * ring[3] - self.radial_load) / self.ring_mass - self.gravity;
+        body_rate[..2].copy_from_slice(&ring[2..]);
+        let Some(falling) = &self.falling else {
+            body_rate[2] = (ring_force[0] - self.ring_drag * ring[2]) / self.ring_mass;
+            body_rate[3] = (ring_force[1] - self.ring_drag * ring[3] - self.radial_load)
+                / self.ring_mass
+                - self.gravity;
+            return;
+        };
+        let (rotor, support, motion) = (&falling.rotor, &falling.support, &bodies[9..]);
+        let ([px, py], moment, ring_moment) = falling.journal(ring, ring_speed, motion);
+        let (stiffness, damping) = (support.stiffness_n_m, support.damping_n_s_m);
+        body_rate[2..].copy_from_slice(&[
+            (ring_force[0] - px) / self.ring_mass,
+            (ring_force[1] - py) / self.ring_mass - self.gravity,
+            (ring_torque + ring_moment) / falling.ring_inertia,
+            outer[2],
+            outer[3],
+            (outer_force[0] - stiffness * outer[0] - damping * outer[2]) / support.mass_kg,
+            (outer_force[1] - stiffness * outer[1] - damping * outer[3]) / support.mass_kg,
+            motion[3],
+            motion[4],
+            motion[5],
+            px / rotor.mass_kg,
+            py / rotor.mass_kg - self.gravity,
+            (moment + rotor.drive_torque_n_m) / rotor.polar_inertia_kg_m2,
+        ]);
+    }
+}
+
+impl Falling {
+    /// Force on the rotor, its moment about the mass centre, and the torque on the inner ring.
+    fn journal(&self, ring: &[f64], ring_speed: f64, motion: &[f64]) -> ([f64; 2], f64, f64) {
+        let &[x, y, angle, vx, vy, speed] = motion else {
+            unreachable!("a rotor has six coordinates");
+        };
+        let r = &self.rotor;
+        let (sin, cos) = (angle + r.eccentricity_phase_rad).sin_cos();
+        let (ex, ey) = (r.eccentricity_m * cos, r.eccentricity_m * sin);
+        let (dx, dy) = (x - ex - ring[0], y - ey - ring[1]);
+        let distance = (dx * dx + dy * dy).sqrt();
+        let depth = distance - r.air_gap_m;
+        if depth <= 0.0 {
+            return ([0.0; 2], 0.0, 0.0);
+        }
+        let (nx, ny) = (dx / distance, dy / distance);
+        let (ux, uy) = (vx + speed * ey - ring[2], vy - speed * ex - ring[3]);
+        let approach = ux * nx + uy * ny;
+        let normal = (r.contact_stiffness
+            * depth.powf(r.contact_exponent)
+            * (1.0 + 1.5 * r.contact_damping_s_m * approach))
+            .max(0.0);
+        let journal = self.bore_radius - r.air_gap_m;
+        let slip = uy * nx - ux * ny + speed * journal - ring_speed * self.bore_radius;
+        let friction = r.friction_coefficient * (slip / r.slip_scale_m_s).tanh() * normal;
+        let force = [-normal * nx + friction * ny, -normal * ny - friction * nx];
+        let (ax, ay) = (journal * nx - ex, journal * ny - ey);
+        let moment = ax * force[1] - ay * force[0];
+        (force, moment, friction * self.bore_radius)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use cageless::dynamics::{Model, RightHandSide};
+    use cageless::integrator::System;
+
+    use super::*;
+    use crate::problem::{Problem, motion, scales};
+    use crate::right_hand_side::states;
+
+    /// Rates of both implementations along a run and along a drop, over a millisecond in the
+    /// scales of the states.
+    #[test]
+    fn the_textbook_has_the_equations_of_the_library() {
+        let mut run = Problem::run(&[]).unwrap().short;
+        run.solver.duration_s = 0.1;
+        let drop = Problem::drop(&[]).unwrap().short;
+        let mut touching = 0;
+        for (case, interval_s) in [(run, 5e-5), (drop, 5e-6)] {
+            let mut carrying = 0;
+            let model = Model::new(&case).unwrap();
+            let mut rhs = RightHandSide::new(&model);
+            let textbook = Textbook::new(&case);
+            for state in states(&case, interval_s).unwrap() {
+                let mut rate = vec![0.0; state.layout().len()];
+                rhs.derivative(0.0, state.values(), &mut rate);
+                let library = motion(&state, &rate);
+                let y = motion(&state, state.values());
+                let mut own = vec![0.0; y.len()];
+                textbook.derivative(&y, &mut own);
+                let scales = scales(case.bearing.balls(), y.len());
+                for (k, ((a, b), scale)) in own.iter().zip(&library).zip(scales).enumerate() {
+                    assert!((a - b).abs() * 1e-3 / scale < 1e-9, "state {k}: {a} {b}");
+                }
+                let (x, y) = (state.x_m(), state.y_m());
+                touching += (0..x.len())
+                    .map(|k| (k, (k + 1) % x.len()))
+                    .filter(|&(k, j)| (x[j] - x[k]).hypot(y[j] - y[k]) < 2.0 * 4.7625e-3)
+                    .count();
+                carrying += usize::from(own.last().is_some_and(|rate| *rate != 0.0));
+            }
+            assert!(carrying > 0, "the last body feels no force");
+        }
+        assert!(touching > 0, "no contact between balls among the states");
     }
 }

@@ -1,5 +1,4 @@
-//! The production method without any damping: what the bench command `endurance` runs for
-//! 100 s.
+//! The production method without any damping.
 
 use cageless::collision::CollisionDetector;
 use cageless::simulation::{Control, Ending, RunOutcome, run};

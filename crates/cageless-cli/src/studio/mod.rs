@@ -18,8 +18,6 @@ use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 use cageless_live::REQUEST_BYTES_MAX;
-use rand::TryRng;
-use rand::rngs::SysRng;
 use tokio::net::TcpListener;
 use tokio::sync::{Semaphore, mpsc};
 use tokio_stream::wrappers::ReceiverStream;
@@ -50,8 +48,7 @@ impl Token {
     /// A token from the random source of the system.
     pub fn random() -> Result<Self, Failure> {
         let mut bytes = [0u8; 16];
-        SysRng
-            .try_fill_bytes(&mut bytes)
+        getrandom::fill(&mut bytes)
             .map_err(|e| Failure::Other(anyhow::anyhow!("no random numbers: {e}")))?;
         Ok(Self(bytes.iter().map(|b| format!("{b:02x}")).collect()))
     }

@@ -245,12 +245,8 @@ fn contents(
         }
         Format::Stl => {
             let chord_um = options.chord_um.unwrap_or(CHORD_UM);
-            let stl = stl::write(ring, chord_um * 1e-6).map_err(|error| match error {
-                stl::StlError::Chord(error) => {
-                    ExportError::from(refused("chord_um", &error, 1e6, "µm"))
-                }
-                stl::StlError::Write(error) => error.into(),
-            })?;
+            let stl = stl::write(ring, chord_um * 1e-6)
+                .map_err(|error| refused("chord_um", &error, 1e6, "µm"))?;
             let counts = Counts::Stl {
                 chord_um,
                 triangles: stl.triangles,

@@ -2,7 +2,6 @@
 
 use cageless::InputError;
 use cageless::surface::{Mesh, OuterRing};
-use stl_io::{Normal, Triangle, Vertex};
 
 /// An STL file and what it holds.
 #[derive(Debug)]
@@ -20,23 +19,12 @@ pub struct StlFile {
     pub volume_m3: f64,
 }
 
-/// Error of an STL export.
-#[derive(Debug, thiserror::Error)]
-pub enum StlError {
-    /// The chord error is out of range.
-    #[error(transparent)]
-    Chord(#[from] InputError),
-    /// The bytes could not be put together.
-    #[error("cannot write the STL: {0}")]
-    Write(#[from] std::io::Error),
-}
-
 /// Meshes the ring with a chord error of at most `chord_m` and writes it. The same ring
 /// gives the same bytes.
 ///
 /// # Errors
-/// A [`StlError`] if `chord_m` is out of the range of [`Mesh::new`].
-pub fn write(ring: &OuterRing, chord_m: f64) -> Result<StlFile, StlError> {
+/// `chord_m` is out of the range of [`Mesh::new`].
+pub fn write(ring: &OuterRing, chord_m: f64) -> Result<StlFile, InputError> {
     // Half a unit in the last place of the largest coordinate, each way.
     let largest_mm = ring.dimensions().outer_ring_outer_radius_m * 1e3;
     let rounding_m = 3f64.sqrt() * largest_mm * f64::from(f32::EPSILON) / 2.0 * 1e-3;
@@ -44,21 +32,27 @@ pub fn write(ring: &OuterRing, chord_m: f64) -> Result<StlFile, StlError> {
     let vertices: Vec<[f32; 3]> = (mesh.vertices_m.iter())
         .map(|v| v.map(|c| (c * 1e3) as f32))
         .collect();
-    let triangles: Vec<Triangle> = (mesh.triangles.iter())
-        .map(|t| triangle(t.map(|k| vertices[k as usize])))
-        .collect();
-    let mut bytes = Vec::new();
-    stl_io::write_stl(&mut bytes, triangles.iter())?;
+    // A header of 80 bytes, the number of triangles; of each its normal and corners, and two bytes.
+    let mut bytes = vec![0; 80];
+    bytes.extend((mesh.triangles.len() as u32).to_le_bytes());
+    for triangle in &mesh.triangles {
+        let corners = triangle.map(|k| vertices[k as usize]);
+        for vector in [normal(corners), corners[0], corners[1], corners[2]] {
+            bytes.extend(vector.iter().flat_map(|c| c.to_le_bytes()));
+        }
+        bytes.extend([0; 2]);
+    }
     Ok(StlFile {
         bytes,
         deviation_m: mesh.deviation_m,
-        triangles: triangles.len(),
+        triangles: mesh.triangles.len(),
         vertices: vertices.len(),
         volume_m3: mesh.volume_m3(),
     })
 }
 
-fn triangle(corners: [[f32; 3]; 3]) -> Triangle {
+/// Unit normal of a triangle.
+fn normal(corners: [[f32; 3]; 3]) -> [f32; 3] {
     let [a, b, c] = corners.map(|p| p.map(f64::from));
     let (u, v) = (
         [b[0] - a[0], b[1] - a[1], b[2] - a[2]],
@@ -70,8 +64,5 @@ fn triangle(corners: [[f32; 3]; 3]) -> Triangle {
         u[0] * v[1] - u[1] * v[0],
     ];
     let length = n.iter().map(|x| x * x).sum::<f64>().sqrt();
-    Triangle {
-        normal: Normal::new(n.map(|x| (x / length) as f32)),
-        vertices: corners.map(Vertex::new),
-    }
+    n.map(|x| (x / length) as f32)
 }

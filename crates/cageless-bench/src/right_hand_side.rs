@@ -1,0 +1,119 @@
+//! Time per evaluation of the right-hand side, for each instruction set and for the textbook.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use anyhow::{Result, ensure};
+use cageless::Case;
+use cageless::dynamics::state::State;
+use cageless::dynamics::{InstructionSet, Model, RightHandSide};
+use cageless::integrator::System;
+use cageless::simulation::{self, Control, Ending, Observer, ObserverError, RunContext, StepView};
+use clap::Args;
+
+use crate::problem::{Problem, motion};
+use crate::textbook::Textbook;
+
+/// Options of `rhs`.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// Repetitions of each timing; all instruction sets take turns in each.
+    #[arg(long, default_value_t = 15)]
+    repetitions: usize,
+    /// Evaluations per timing.
+    #[arg(long, default_value_t = 100_000)]
+    evaluations: usize,
+}
+
+/// Collects states at regular times.
+struct Collector {
+    interval_s: f64,
+    states: Vec<State>,
+}
+
+impl Observer for Collector {
+    fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
+        self.states.push(context.start.clone());
+        Ok(())
+    }
+
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+        while self.states.len() as f64 * self.interval_s <= view.step.t1_s {
+            self.states
+                .push(view.state(self.states.len() as f64 * self.interval_s));
+        }
+        Ok(Control::Continue(()))
+    }
+}
+
+/// States along a case, `interval_s` apart.
+///
+/// # Errors
+/// The run ends early.
+pub fn states(case: &Case, interval_s: f64) -> Result<Vec<State>> {
+    let mut collector = Collector {
+        interval_s,
+        states: vec![],
+    };
+    let outcome = simulation::run(case, &mut [&mut collector], &mut |_| Control::Continue(()))?;
+    ensure!(
+        matches!(outcome.ending, Ending::Complete),
+        "{:?}",
+        outcome.ending
+    );
+    Ok(collector.states)
+}
+
+/// One implementation of the equations: it writes the rates of a state.
+type Implementation<'m> = (&'static str, Box<dyn FnMut(usize, &mut [f64]) + 'm>);
+
+/// Prints the median time of each.
+///
+/// # Errors
+/// The run that the states are from ends early.
+pub fn measure(options: &Options) -> Result<()> {
+    let case = Problem::run(&[])?.short;
+    let model = Model::new(&case)?;
+    let states = states(&case, 1e-4)?;
+    let motions: Vec<Vec<f64>> = states.iter().map(|s| motion(s, s.values())).collect();
+    let textbook = Textbook::new(&case);
+    let mut all: Vec<Implementation<'_>> = vec![(
+        "textbook",
+        Box::new(|k, rate| textbook.derivative(&motions[k], &mut rate[..motions[k].len()])),
+    )];
+    for set in InstructionSet::ALL
+        .into_iter()
+        .filter(|set| set.available())
+    {
+        let mut rhs = RightHandSide::with_instruction_set(&model, set);
+        let states = &states;
+        all.push((
+            set.name(),
+            Box::new(move |k, rate| rhs.derivative(0.0, states[k].values(), rate)),
+        ));
+    }
+    let mut rate = vec![0.0; states[0].layout().len()];
+    let mut times = vec![vec![]; all.len()];
+    for _ in 0..options.repetitions.max(1) {
+        for ((_, evaluate), times) in all.iter_mut().zip(&mut times) {
+            let clock = Instant::now();
+            for k in (0..states.len()).cycle().take(options.evaluations.max(1)) {
+                evaluate(black_box(k), black_box(&mut rate));
+            }
+            times.push(1e9 * clock.elapsed().as_secs_f64() / options.evaluations.max(1) as f64);
+        }
+    }
+    println!("| right-hand side of CB74 | ns, median | times as fast as the textbook |");
+    println!("|---|---|---|");
+    let medians: Vec<f64> = times
+        .iter_mut()
+        .map(|times| {
+            times.sort_by(f64::total_cmp);
+            times[times.len() / 2]
+        })
+        .collect();
+    for ((name, _), median) in all.iter().zip(&medians) {
+        println!("| {name} | {median:.0} | {:.1} |", medians[0] / median);
+    }
+    Ok(())
+}
