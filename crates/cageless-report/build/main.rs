@@ -5,8 +5,6 @@
 //! `wasm32-unknown-unknown` is installed. `CAGELESS_ENGINE` names a compiled engine to embed
 //! instead, in any profile.
 
-mod distant_copies;
-
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -15,8 +13,6 @@ use std::{env, fs};
 use base64::Engine as _;
 use flate2::Compression;
 use flate2::write::GzEncoder;
-
-use distant_copies::with_distant_copies;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 /// Small code for all but the physics: the engine is part of every page.
@@ -49,9 +45,7 @@ fn main() {
     };
     let text = wasm.map_or(String::new(), |wasm| {
         let mut packed = GzEncoder::new(vec![], Compression::best());
-        packed
-            .write_all(&with_distant_copies(&wasm))
-            .expect("memory takes everything");
+        packed.write_all(&wasm).expect("memory takes everything");
         let packed = packed.finish().expect("memory takes everything");
         base64::engine::general_purpose::STANDARD.encode(packed)
     });

@@ -16,36 +16,12 @@ function unpacked(answer) {
 
 function cancelled() { return new DOMException("cancelled", "AbortError"); }
 
-// Undoes the copies in front of gzip: commands of three numbers each, literals to take over, length
-// of a copy less 32, how far back it begins; then the literals.
-function withoutCopies(packed) {
-  const bytes = new Uint8Array(packed), literals = 4 + new DataView(packed).getUint32(0, true);
-  const copies = [];
-  let at = 4, length = bytes.length - literals;
-  const number = () => { let value = 0, shift = 0, byte; do { byte = bytes[at++]; value |= (byte & 127) << shift; shift += 7; } while (byte & 128); return value; };
-  while (at < literals) {
-    const copy = [number(), number() + 32, number()];
-    copies.push(copy);
-    length += copy[1];
-  }
-  const out = new Uint8Array(length);
-  let from = literals, to = 0;
-  for (const [before, copied, back] of copies) {
-    out.set(bytes.subarray(from, from += before), to);
-    to += before;
-    // A copy may run into itself.
-    for (const end = to + copied; to < end; to++) out[to] = out[to - back];
-  }
-  out.set(bytes.subarray(from), to);
-  return out;
-}
-
 // The engine in the page: one worker for each lane, so that a verdict does not hold up a motion.
 class PageEngine {
   static async open(base64, workerSource) {
     const packed = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
     const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-    const module = await WebAssembly.compile(withoutCopies(await new Response(stream).arrayBuffer()));
+    const module = await WebAssembly.compile(await new Response(stream).arrayBuffer());
     const url = URL.createObjectURL(new Blob([workerSource], { type: "text/javascript" }));
     return new PageEngine(module, url);
   }
