@@ -35,7 +35,6 @@ mod static_minimum;
 mod step_limits;
 mod tolerance;
 mod touchdown_balance;
-mod touchdown_exact;
 mod touchdown_reference;
 mod touchdown_results;
 mod unequal_balls;

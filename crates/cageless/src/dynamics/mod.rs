@@ -24,7 +24,6 @@ pub(crate) mod model;
 pub(crate) mod outer_ring;
 mod right_hand_side;
 pub mod rotor;
-pub mod rotor_in_ring;
 pub(crate) mod rotor_on_bearings;
 pub mod state;
 mod stored_energy;
@@ -33,3 +32,6 @@ pub use crate::simd::InstructionSet;
 pub use contacts::Contacts;
 pub use model::Model;
 pub use right_hand_side::RightHandSide;
+
+#[cfg(test)]
+mod tests;

@@ -1,33 +1,12 @@
 //! A rotor in a ring without balls: what is left of a drop when the bearing is rigid. Its closed
 //! forms (fall, pendulum, climb, spin-up, whirl) check the contact and the motion of the rotor,
 //! which are those of the bearing.
-//!
-//! ```
-//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
-//! use cageless::dynamics::rotor_in_ring::{Coordinate, RingMount, RotorInRing};
-//! use cageless::integrator::{Adaptive, Integrator, System};
-//!
-//! let case = common::drop_case();
-//! let (rotor, bore) = (case.rotor.unwrap(), case.bearing.inner_ring_bore().unwrap());
-//! let mut system = RotorInRing::new(&rotor, bore, 9.81, RingMount::Fixed);
-//! let start = system.start(&rotor);
-//! let size = system.dimension();
-//! let mut integrator = Integrator::new(Adaptive::new(size, 1e-4, 1e-10), size);
-//! integrator.restart(&mut system, 0.0, &start);
-//! while integrator.step().t1_s < 5e-3 {
-//!     integrator.advance(&mut system, 5e-3)?;
-//! }
-//! // Half of g t².
-//! let fallen_m = -integrator.step().y1[Coordinate::Y as usize];
-//! assert!((fallen_m - 0.5 * 9.81 * 25e-6).abs() < 1e-12);
-//! # Ok::<(), cageless::integrator::UnresolvedStep>(())
-//! ```
 
-use super::ball::Centre;
-use super::outer_ring::OuterRing;
-use super::rotor::{RotorBody, RotorContact, RotorMotion};
 use crate::bearing::InnerRingBore;
 use crate::contact::journal_energy_j;
+use crate::dynamics::ball::Centre;
+use crate::dynamics::outer_ring::OuterRing;
+use crate::dynamics::rotor::{RotorBody, RotorContact, RotorMotion};
 use crate::integrator::System;
 use crate::rotor::{Rotor, Support};
 

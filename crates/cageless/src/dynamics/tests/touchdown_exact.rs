@@ -4,8 +4,8 @@
 
 use std::f64::consts::TAU;
 
+use super::rotor_in_ring::{Coordinate, RingMount, RotorInRing};
 use crate::common::drop_case;
-use cageless::dynamics::rotor_in_ring::{Coordinate, RingMount, RotorInRing};
 use cageless::integrator::{Adaptive, Integrator, System};
 use cageless::{InnerRingBore, Rotor, Support};
 

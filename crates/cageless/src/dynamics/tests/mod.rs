@@ -1,0 +1,4 @@
+//! The rotor and its contact against closed forms.
+
+mod rotor_in_ring;
+mod touchdown_exact;
