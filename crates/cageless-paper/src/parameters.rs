@@ -13,125 +13,48 @@ use crate::cases::{self, label};
 /// Structure (d), the one that the authors had made.
 const SAMPLE: usize = 3;
 
+/// Parameters as text, by their source: `"name" "symbol" = value, "unit";`.
+macro_rules! parameters {
+    ($(from $source:literal: $($name:literal $symbol:literal = $value:expr, $unit:literal;)*)*) => {
+        vec![$($(Parameter {
+            name: $name.to_owned(),
+            symbol: $symbol.to_owned(),
+            value: $value.to_string(),
+            unit: $unit.to_owned(),
+            source: $source.to_owned(),
+        },)*)*]
+    };
+}
+
 /// Table 1, then what the paper leaves out.
 pub fn table1(case: &Case) -> Vec<Parameter> {
     let d = case.bearing.dimensions();
     let m = case.bearing.materials().ball;
     let c = &case.contact;
-    let line = |name: &str, symbol: &str, value: String, unit: &str, source: &str| Parameter {
-        name: name.to_owned(),
-        symbol: symbol.to_owned(),
-        value,
-        unit: unit.to_owned(),
-        source: source.to_owned(),
-    };
     let mm = |v: f64| format!("{}", (v * 1e9).round() / 1e6);
     let rpm = case.operation.inner_speed_rad_s * 60.0 / std::f64::consts::TAU;
-    let given = "Table 1";
-    let chosen = "not in the paper";
-    vec![
-        line("ball radius", "Rw", mm(d.ball_radius_m), "mm", given),
-        line(
-            "outer groove bottom radius",
-            "Ro",
-            mm(d.outer_groove_bottom_radius_m),
-            "mm",
-            given,
-        ),
-        line(
-            "inner groove bottom radius",
-            "Ri",
-            mm(d.inner_groove_bottom_radius_m),
-            "mm",
-            given,
-        ),
-        line(
-            "outer shoulder radius",
-            "Ros",
-            mm(d.outer_shoulder_radius_m),
-            "mm",
-            given,
-        ),
-        line("balls", "N", d.balls.to_string(), "", given),
-        line("inner ring speed", "ωi", format!("{rpm:.0}"), "rpm", given),
-        line(
-            "radial load",
-            "Fr",
-            format!("{}", case.operation.radial_load_n),
-            "N",
-            given,
-        ),
-        line(
-            "friction coefficient",
-            "μ",
-            format!("{}", c.friction_coefficient),
-            "",
-            "Section 3.3",
-        ),
-        line(
-            "groove curvature radii (0.52 ball diameters)",
-            "Re",
-            mm(d.outer_groove_curvature_radius_m),
-            "mm",
-            chosen,
-        ),
-        line(
-            "inner ring mass",
-            "mi",
-            format!("{}", d.inner_ring_mass_kg),
-            "kg",
-            chosen,
-        ),
-        line(
-            "inner ring drag",
-            "C",
-            format!("{}", d.inner_ring_drag_n_s_m),
-            "N·s/m",
-            chosen,
-        ),
-        line(
-            "density",
-            "",
-            format!("{}", m.density_kg_m3),
-            "kg/m³",
-            chosen,
-        ),
-        line(
-            "Young's modulus",
-            "E",
-            format!("{}", m.youngs_modulus_pa * 1e-9),
-            "GPa",
-            chosen,
-        ),
-        line(
-            "Poisson's ratio",
-            "ν",
-            format!("{}", m.poisson_ratio),
-            "",
-            chosen,
-        ),
-        line(
-            "raceway damping",
-            "c",
-            format!("{:e}", c.damping_n_s_m1_5),
-            "N·s/m^1.5",
-            chosen,
-        ),
-        line(
-            "restitution between balls",
-            "e",
-            format!("{}", c.ball_restitution),
-            "",
-            chosen,
-        ),
-        line(
-            "knee of the smooth law",
-            "",
-            format!("{}", c.slip_scale_m_s),
-            "m/s",
-            chosen,
-        ),
-    ]
+    parameters! {
+        from "Table 1":
+        "ball radius" "Rw" = mm(d.ball_radius_m), "mm";
+        "outer groove bottom radius" "Ro" = mm(d.outer_groove_bottom_radius_m), "mm";
+        "inner groove bottom radius" "Ri" = mm(d.inner_groove_bottom_radius_m), "mm";
+        "outer shoulder radius" "Ros" = mm(d.outer_shoulder_radius_m), "mm";
+        "balls" "N" = d.balls.to_string(), "";
+        "inner ring speed" "ωi" = format!("{rpm:.0}"), "rpm";
+        "radial load" "Fr" = case.operation.radial_load_n, "N";
+        from "Section 3.3":
+        "friction coefficient" "μ" = c.friction_coefficient, "";
+        from "not in the paper":
+        "groove curvature radii (0.52 ball diameters)" "Re" = mm(d.outer_groove_curvature_radius_m), "mm";
+        "inner ring mass" "mi" = d.inner_ring_mass_kg, "kg";
+        "inner ring drag" "C" = d.inner_ring_drag_n_s_m, "N·s/m";
+        "density" "" = m.density_kg_m3, "kg/m³";
+        "Young's modulus" "E" = m.youngs_modulus_pa * 1e-9, "GPa";
+        "Poisson's ratio" "ν" = m.poisson_ratio, "";
+        "raceway damping" "c" = format!("{:e}", c.damping_n_s_m1_5), "N·s/m^1.5";
+        "restitution between balls" "e" = c.ball_restitution, "";
+        "knee of the smooth law" "" = c.slip_scale_m_s, "m/s";
+    }
 }
 
 /// Fig. 1b.

@@ -2,13 +2,13 @@
 
 use std::ops::ControlFlow;
 
+use cageless::Case;
 use cageless::collision::CollisionDetector;
-use cageless::design::search::{peak_stress_pa, uneven_gaps_rad};
+use cageless::design::search::{from_uneven_start, peak_stress_pa};
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::recorder::Recorder;
 use cageless::simulation::{Ending, Observer, run};
 use cageless::snapshot::Snapshot;
-use cageless::{Case, Gaps, Start};
 use serde::{Deserialize, Serialize};
 
 use crate::error::StudyError;
@@ -66,7 +66,8 @@ pub fn rings(
         for start in 0..STARTS {
             let mut control =
                 task.run_control(ORBITS * case.rolling_orbit_s(), 1.0 / STARTS as f64);
-            motions.extend(motion(&started(case, start), &mut *control));
+            let case = from_uneven_start(case, start, ORBITS);
+            motions.extend(motion(&case, &mut *control));
             if progress.interrupted() {
                 return Err(StudyError::Interrupted);
             }
@@ -89,19 +90,6 @@ pub fn rings(
         });
     }
     Ok(found)
-}
-
-/// The case from its uneven start of that number.
-fn started(case: &Case, start: u64) -> Case {
-    let mut case = Case {
-        start: Start::Settled {
-            gaps: Gaps::List(uneven_gaps_rad(case, case.seed, start)),
-            lead_ball_angle_rad: case.start.lead_ball_angle_rad(),
-        },
-        ..case.clone()
-    };
-    case.solver.duration_s = ORBITS * case.rolling_orbit_s();
-    case
 }
 
 /// Runs a case; `None` if it stops.

@@ -93,7 +93,11 @@ impl Checkpoint {
             let path = entry.map_err(fail)?.path();
             match path.extension().and_then(|e| e.to_str()) {
                 Some("partial") => std::fs::remove_file(&path).map_err(fail)?,
-                Some("parquet") => stock.add(path, identity)?,
+                Some("parquet") => {
+                    let table = RowsReader::open(&path)?;
+                    identity.must_own(&table, "Remove it, and its variants are computed again")?;
+                    stock.add(&table, "in another table as well; remove this one")?;
+                }
                 _ => {}
             }
         }
@@ -138,9 +142,8 @@ impl Checkpoint {
 }
 
 impl Stock {
-    fn add(&mut self, path: PathBuf, identity: &Identity) -> Result<(), SweepError> {
-        let table = RowsReader::open(&path)?;
-        identity.must_own(&table, "Remove it, and its variants are computed again")?;
+    /// Adds a table; `twice` is what is wrong with a variant that is there already.
+    pub(crate) fn add(&mut self, table: &RowsReader, twice: &str) -> Result<(), SweepError> {
         add_isa(&mut self.isa, table.footer("isa").unwrap_or_default());
         let mut first = u64::MAX;
         for group in 0..table.groups() {
@@ -148,14 +151,14 @@ impl Stock {
                 first = first.min(index(&row));
                 if !self.done.insert(index(&row)) {
                     return Err(SweepError::Input(format!(
-                        "{}: variant {} is in another table as well; remove this one",
-                        path.display(),
+                        "{}: variant {} is {twice}",
+                        table.path().display(),
                         index(&row)
                     )));
                 }
             }
         }
-        self.tables.push((first, path));
+        self.tables.push((first, table.path().to_owned()));
         Ok(())
     }
 }

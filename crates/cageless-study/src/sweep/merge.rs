@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 
 use cageless_io::results::RowsReader;
 
-use super::checkpoint::index;
+use super::checkpoint::Stock;
 use super::error::SweepError;
-use super::footer::{Identity, add_isa};
-use super::index_set::{IndexSet, listed};
+use super::footer::Identity;
+use super::index_set::listed;
 use super::merge_sorted::merge_sorted;
 
 /// Joins the results of shards into the file that one run would have written, and says
@@ -19,7 +19,7 @@ use super::merge_sorted::merge_sorted;
 pub fn merge(shards: &[PathBuf], result: &Path) -> Result<u64, SweepError> {
     let mut known: Option<(Identity, PathBuf)> = None;
     let mut columns = Vec::new();
-    let (mut isa, mut tables, mut there) = (Vec::new(), Vec::new(), IndexSet::default());
+    let mut stock = Stock::default();
     for path in shards {
         let table = RowsReader::open(path)?;
         let identity = Identity::read(&table).ok_or_else(|| {
@@ -29,28 +29,14 @@ pub fn merge(shards: &[PathBuf], result: &Path) -> Result<u64, SweepError> {
             let remedy = format!("It does not go with {}", of.display());
             identity.must_be(&first.text(), &path.display().to_string(), &remedy)?;
         }
-        let mut first = u64::MAX;
-        for group in 0..table.groups() {
-            for row in table.columns_of_group(group, &[0])? {
-                first = first.min(index(&row));
-                if !there.insert(index(&row)) {
-                    return Err(SweepError::Input(format!(
-                        "{}: variant {} is in another shard as well: give each shard once",
-                        path.display(),
-                        index(&row)
-                    )));
-                }
-            }
-        }
-        add_isa(&mut isa, table.footer("isa").unwrap_or_default());
+        stock.add(&table, "in another shard as well: give each shard once")?;
         columns = table.columns().to_vec();
-        tables.push((first, path.clone()));
         known.get_or_insert((identity, path.clone()));
     }
     let Some((identity, _)) = known else {
         return Err(SweepError::Input("there are no shards to merge".to_owned()));
     };
-    let missing = there.missing(0..identity.variants);
+    let missing = stock.done.missing(0..identity.variants);
     if !missing.is_empty() {
         return Err(SweepError::Input(format!(
             "{} of {} variants are missing: {}",
@@ -61,8 +47,14 @@ pub fn merge(shards: &[PathBuf], result: &Path) -> Result<u64, SweepError> {
     }
     // The same result may be there: it is made anew.
     identity.is_there(result, None, identity.variants)?;
-    tables.sort_unstable();
-    let footer = identity.footer(&isa, None);
-    merge_sorted(result, &columns, &footer, &tables, 0..identity.variants)?;
+    stock.tables.sort_unstable();
+    let footer = identity.footer(&stock.isa, None);
+    merge_sorted(
+        result,
+        &columns,
+        &footer,
+        &stock.tables,
+        0..identity.variants,
+    )?;
     Ok(identity.variants)
 }

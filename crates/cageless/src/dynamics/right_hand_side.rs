@@ -36,6 +36,33 @@ pub struct RightHandSide<'m> {
     second_order_blocks: Vec<SecondOrderBlock>,
 }
 
+/// Evaluates a call compiled for the instructions of a set; its arguments are named as where it stands.
+macro_rules! with_instructions {
+    ($isa:expr, [$($generics:tt)*]($($argument:ident: $type:ty),*) $(-> $output:ty)?, $call:expr) => {{
+        #[cfg(target_arch = "x86_64")]
+        #[target_feature(enable = "avx2")]
+        fn avx2<$($generics)*>($($argument: $type),*) $(-> $output)? {
+            $call
+        }
+        #[cfg(target_arch = "x86_64")]
+        #[target_feature(enable = "avx512f,avx512vl,avx512dq")]
+        fn avx512<$($generics)*>($($argument: $type),*) $(-> $output)? {
+            $call
+        }
+        match $isa {
+            InstructionSet::Baseline => $call,
+            // SAFETY: `RightHandSide::build` admits only what the processor has.
+            #[cfg(target_arch = "x86_64")]
+            InstructionSet::Avx2 => unsafe { avx2($($argument),*) },
+            // SAFETY: `RightHandSide::build` admits only what the processor has.
+            #[cfg(target_arch = "x86_64")]
+            InstructionSet::Avx512 => unsafe { avx512($($argument),*) },
+            #[cfg(not(target_arch = "x86_64"))]
+            _ => $call,
+        }
+    }};
+}
+
 impl<'m> RightHandSide<'m> {
     /// The equations of `model` with the instructions of [`InstructionSet::chosen`].
     pub fn new(model: &'m Model) -> Self {
@@ -132,17 +159,11 @@ impl<'m> RightHandSide<'m> {
             self.parameters.set_ring_speed(y);
         }
         let (p, w) = (&self.parameters, &mut self.work);
-        match self.isa {
-            InstructionSet::Baseline => simd::evaluate(p, w, y, dydt, raceway_friction),
-            // SAFETY: `build` admits only what the processor has.
-            #[cfg(target_arch = "x86_64")]
-            InstructionSet::Avx2 => unsafe { evaluate_avx2(p, w, y, dydt, raceway_friction) },
-            // SAFETY: `build` admits only what the processor has.
-            #[cfg(target_arch = "x86_64")]
-            InstructionSet::Avx512 => unsafe { evaluate_avx512(p, w, y, dydt, raceway_friction) },
-            #[cfg(not(target_arch = "x86_64"))]
-            _ => simd::evaluate(p, w, y, dydt, raceway_friction),
-        }
+        with_instructions!(
+            self.isa,
+            [](p: &Parameters, w: &mut Workspace, y: &[f64], dydt: &mut [f64], raceway_friction: bool),
+            simd::evaluate(p, w, y, dydt, raceway_friction)
+        );
     }
 
     /// Sets how the guided journal answers to loads from here on.
@@ -184,17 +205,13 @@ impl<'m> RightHandSide<'m> {
         integrator: &mut Integrator<M>,
         limit_s: f64,
     ) -> Result<(), UnresolvedStep> {
-        match self.isa {
-            InstructionSet::Baseline => integrator.advance(self, limit_s),
-            // SAFETY: `build` admits only what the processor has.
-            #[cfg(target_arch = "x86_64")]
-            InstructionSet::Avx2 => unsafe { advance_avx2(integrator, self, limit_s) },
-            // SAFETY: `build` admits only what the processor has.
-            #[cfg(target_arch = "x86_64")]
-            InstructionSet::Avx512 => unsafe { advance_avx512(integrator, self, limit_s) },
-            #[cfg(not(target_arch = "x86_64"))]
-            _ => integrator.advance(self, limit_s),
-        }
+        let system = self;
+        with_instructions!(
+            system.isa,
+            [M: Method](integrator: &mut Integrator<M>, system: &mut RightHandSide<'_>, limit_s: f64)
+                -> Result<(), UnresolvedStep>,
+            integrator.advance(system, limit_s)
+        )
     }
 
     /// The rotor in a state that was evaluated last.
@@ -310,76 +327,6 @@ impl<'m> RightHandSide<'m> {
     }
 }
 
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2")]
-fn evaluate_avx2(
-    p: &Parameters,
-    w: &mut Workspace,
-    y: &[f64],
-    dydt: &mut [f64],
-    raceway_friction: bool,
-) {
-    simd::evaluate(p, w, y, dydt, raceway_friction);
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx512f,avx512vl,avx512dq")]
-fn evaluate_avx512(
-    p: &Parameters,
-    w: &mut Workspace,
-    y: &[f64],
-    dydt: &mut [f64],
-    raceway_friction: bool,
-) {
-    simd::evaluate(p, w, y, dydt, raceway_friction);
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2")]
-fn add_friction_avx2(
-    p: &Parameters,
-    w: &mut Workspace,
-    h_s: f64,
-    y0: &[f64],
-    y: &mut [f64],
-    dydt: &mut [f64],
-) {
-    simd::add_implicit_friction(p, w, h_s, y0, y, dydt);
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx512f,avx512vl,avx512dq")]
-fn add_friction_avx512(
-    p: &Parameters,
-    w: &mut Workspace,
-    h_s: f64,
-    y0: &[f64],
-    y: &mut [f64],
-    dydt: &mut [f64],
-) {
-    simd::add_implicit_friction(p, w, h_s, y0, y, dydt);
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2")]
-fn advance_avx2<M: Method>(
-    integrator: &mut Integrator<M>,
-    system: &mut RightHandSide<'_>,
-    limit_s: f64,
-) -> Result<(), UnresolvedStep> {
-    integrator.advance(system, limit_s)
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx512f,avx512vl,avx512dq")]
-fn advance_avx512<M: Method>(
-    integrator: &mut Integrator<M>,
-    system: &mut RightHandSide<'_>,
-    limit_s: f64,
-) -> Result<(), UnresolvedStep> {
-    integrator.advance(system, limit_s)
-}
-
 /// Lanes whose phases make one word of the fingerprint, eight bits each.
 const MODE_LANES: usize = 8;
 
@@ -411,17 +358,11 @@ impl System for RightHandSide<'_> {
     #[inline(always)] // into callers compiled for wider vectors
     fn add_stiff_part(&mut self, h_s: f64, y0: &[f64], y: &mut [f64], dydt: &mut [f64]) {
         let (p, w) = (&self.parameters, &mut self.work);
-        match self.isa {
-            InstructionSet::Baseline => simd::add_implicit_friction(p, w, h_s, y0, y, dydt),
-            // SAFETY: `build` admits only what the processor has.
-            #[cfg(target_arch = "x86_64")]
-            InstructionSet::Avx2 => unsafe { add_friction_avx2(p, w, h_s, y0, y, dydt) },
-            // SAFETY: `build` admits only what the processor has.
-            #[cfg(target_arch = "x86_64")]
-            InstructionSet::Avx512 => unsafe { add_friction_avx512(p, w, h_s, y0, y, dydt) },
-            #[cfg(not(target_arch = "x86_64"))]
-            _ => simd::add_implicit_friction(p, w, h_s, y0, y, dydt),
-        }
+        with_instructions!(
+            self.isa,
+            [](p: &Parameters, w: &mut Workspace, h_s: f64, y0: &[f64], y: &mut [f64], dydt: &mut [f64]),
+            simd::add_implicit_friction(p, w, h_s, y0, y, dydt)
+        );
     }
 
     /// Damped contacts and that of a rotor, whose force starts with infinite slope and ends with a kink where

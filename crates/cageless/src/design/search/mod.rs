@@ -43,7 +43,7 @@ pub use job::{
 };
 pub use pareto::{ALL_OBJECTIVES, OBJECTIVES, Objective, ObjectiveScale, RESOLUTION, pareto_front};
 pub use perturbed_run::{
-    Motion, PerturbedRunError, TURNS, VALUES, perturbed_runs, uneven_gaps_rad,
+    Motion, PerturbedRunError, TURNS, VALUES, from_uneven_start, perturbed_runs, uneven_gaps_rad,
 };
 pub use placement::placements;
 pub use raceway_layout::{ClosedForms, OperatingPoint, RacewayLayout};

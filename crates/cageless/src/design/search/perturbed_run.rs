@@ -20,86 +20,61 @@ use crate::simulation::{
 /// Orbits of the balls in a perturbed run; spacing is looked at in the second half.
 pub const TURNS: f64 = 32.0;
 
-/// Result of a perturbed run.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Motion {
-    /// Contacts between balls, per ball and orbit; with one raceway, per passage.
-    pub collisions: f64,
-    /// Collisions per ball and turn in steady state (second half of the run).
-    pub collisions_late: f64,
-    /// Impulse between balls, per ball and orbit, N·s.
-    pub impulse_n_s: f64,
-    /// Fraction of the passages of the second half in which both neighbours hit.
-    pub double_collision_fraction: f64,
-    /// Standard deviation of the gaps of pairs on arrival, second half.
-    pub gap_deviation_rad: f64,
-    /// Smallest gap of a pair on arrival, second half.
-    pub gap_min_rad: f64,
-    /// Mean gap of a pair on arrival, second half.
-    pub gap_mean_rad: f64,
-    /// Largest slip at a loaded contact, mean over the passages of the second half.
-    pub slip_m_s: f64,
-    /// Fraction of the theoretical drop of orbital speed that the balls reach, mean over the
-    /// passages of the second half, of the raceway with the least.
-    pub speed_drop_fraction: f64,
-    /// Standard deviation of the force of the balls on the outer ring, both directions
-    /// together, second half.
-    pub force_deviation_n: f64,
-    /// Power lost to friction, W.
-    pub friction_w: f64,
+/// Declares [`Motion`] and its numbers in a row.
+macro_rules! motion {
+    ($($(#[$meta:meta])* $field:ident,)*) => {
+        /// Result of a perturbed run.
+        #[derive(Debug, Clone, Copy, PartialEq, Default)]
+        pub struct Motion {
+            $($(#[$meta])* pub $field: f64,)*
+        }
+
+        /// Numbers of a motion.
+        pub const VALUES: usize = [$(stringify!($field)),*].len();
+
+        impl Motion {
+            /// The numbers in the order of the fields, for files.
+            pub fn values(&self) -> [f64; VALUES] {
+                [$(self.$field),*]
+            }
+
+            /// The inverse of [`Self::values`].
+            pub fn from_values(values: [f64; VALUES]) -> Self {
+                let [$($field),*] = values;
+                Self { $($field),* }
+            }
+        }
+    };
 }
 
-/// Numbers of a motion.
-pub const VALUES: usize = 11;
+motion! {
+    /// Contacts between balls, per ball and orbit; with one raceway, per passage.
+    collisions,
+    /// Collisions per ball and turn in steady state (second half of the run).
+    collisions_late,
+    /// Impulse between balls, per ball and orbit, N·s.
+    impulse_n_s,
+    /// Fraction of the passages of the second half in which both neighbours hit.
+    double_collision_fraction,
+    /// Standard deviation of the gaps of pairs on arrival, second half.
+    gap_deviation_rad,
+    /// Smallest gap of a pair on arrival, second half.
+    gap_min_rad,
+    /// Mean gap of a pair on arrival, second half.
+    gap_mean_rad,
+    /// Largest slip at a loaded contact, mean over the passages of the second half.
+    slip_m_s,
+    /// Fraction of the theoretical drop of orbital speed that the balls reach, mean over the
+    /// passages of the second half, of the raceway with the least.
+    speed_drop_fraction,
+    /// Standard deviation of the force of the balls on the outer ring, both directions
+    /// together, second half.
+    force_deviation_n,
+    /// Power lost to friction, W.
+    friction_w,
+}
 
 impl Motion {
-    /// The numbers in the order of the fields, for files.
-    pub fn values(&self) -> [f64; VALUES] {
-        [
-            self.collisions,
-            self.collisions_late,
-            self.impulse_n_s,
-            self.double_collision_fraction,
-            self.gap_deviation_rad,
-            self.gap_min_rad,
-            self.gap_mean_rad,
-            self.slip_m_s,
-            self.speed_drop_fraction,
-            self.force_deviation_n,
-            self.friction_w,
-        ]
-    }
-
-    /// The inverse of [`Self::values`].
-    pub fn from_values(values: [f64; VALUES]) -> Self {
-        let [
-            collisions,
-            collisions_late,
-            impulse_n_s,
-            double_collision_fraction,
-            gap_deviation_rad,
-            gap_min_rad,
-            gap_mean_rad,
-            slip_m_s,
-            speed_drop_fraction,
-            force_deviation_n,
-            friction_w,
-        ] = values;
-        Self {
-            collisions,
-            collisions_late,
-            impulse_n_s,
-            double_collision_fraction,
-            gap_deviation_rad,
-            gap_min_rad,
-            gap_mean_rad,
-            slip_m_s,
-            speed_drop_fraction,
-            force_deviation_n,
-            friction_w,
-        }
-    }
-
     /// Mean of several; zero of none.
     pub fn mean(all: &[Self]) -> Self {
         let mut sum = [0.0; VALUES];
@@ -158,7 +133,7 @@ pub fn perturbed_runs(
 ) -> Vec<Result<Motion, PerturbedRunError>> {
     let cases: Vec<Case> = cases
         .iter()
-        .map(|&(case, start)| uneven(case, start))
+        .map(|&(case, start)| from_uneven_start(case, start, TURNS))
         .collect();
     let mut motions = vec![];
     for members in batches(&cases) {
@@ -201,8 +176,8 @@ pub fn perturbed_runs(
     motions.into_iter().map(|(_, motion)| motion).collect()
 }
 
-/// `case` with uneven start number `start` and as long as [`TURNS`] orbits.
-fn uneven(case: &Case, start: u64) -> Case {
+/// `case` with uneven start number `start`, as long as so many orbits of the balls.
+pub fn from_uneven_start(case: &Case, start: u64, orbits: f64) -> Case {
     let mut case = Case {
         start: Start::Settled {
             gaps: Gaps::List(uneven_gaps_rad(case, case.seed, start)),
@@ -210,7 +185,7 @@ fn uneven(case: &Case, start: u64) -> Case {
         },
         ..case.clone()
     };
-    case.solver.duration_s = TURNS * case.rolling_orbit_s();
+    case.solver.duration_s = orbits * case.rolling_orbit_s();
     case
 }
 
