@@ -26,7 +26,7 @@ mod run_tables;
 mod table;
 mod verification;
 
-use std::iter::repeat_n;
+use std::iter::{once, repeat_n};
 use std::path::{Path, PathBuf};
 
 use cageless::{Collision, RotorSnapshot, Snapshot};
@@ -207,17 +207,13 @@ impl RunWriter {
             return Err(ResultError::Ragged { time_s: s.time_s });
         }
         self.balls.numbers(0, repeat_n(s.time_s, n));
-        self.balls.whole_numbers(1, (1..).take(n));
+        self.balls.numbers(1, (1..=n).map(|number| number as f64));
         for (k, array) in arrays.into_iter().enumerate() {
             self.balls.numbers(k + 2, array.iter().copied());
         }
         self.balls.rows_added()?;
 
-        self.ring.numbers(0, [s.time_s]);
-        for (k, value) in s.ring.values().into_iter().enumerate() {
-            self.ring.numbers(k + 1, [value]);
-        }
-        self.ring.rows_added()?;
+        self.ring.row(once(s.time_s).chain(s.ring.values()))?;
         s.rotor.map_or(Ok(()), |rotor| self.rotor(s.time_s, &rotor))
     }
 
@@ -229,11 +225,7 @@ impl RunWriter {
                 none.insert(Table::create(&path, ROTOR, &self.footer)?)
             }
         };
-        table.numbers(0, [time_s]);
-        for (k, value) in rotor.values().into_iter().enumerate() {
-            table.numbers(k + 1, [value]);
-        }
-        table.rows_added()
+        table.row(once(time_s).chain(rotor.values()))
     }
 
     /// Adds a collision.
@@ -241,15 +233,7 @@ impl RunWriter {
     /// # Errors
     /// If writing fails.
     pub fn collision(&mut self, c: &Collision) -> Result<(), ResultError> {
-        let table = &mut self.collisions;
-        for (k, (column, value)) in COLLISIONS.iter().zip(collision_values(c)).enumerate() {
-            if column.integer {
-                table.whole_numbers(k, [value as i32]);
-            } else {
-                table.numbers(k, [value]);
-            }
-        }
-        table.rows_added()
+        self.collisions.row(collision_values(c))
     }
 
     /// Completes the tables and gives them their names, after a run that stopped

@@ -31,26 +31,12 @@ pub struct Column {
 /// Rows that are kept in memory, at most a snapshot more: 12 MB of `balls.parquet`.
 pub(super) const GROUP_ROWS: usize = 100_000;
 
-#[derive(Debug)]
-enum Values {
-    Numbers(Vec<f64>),
-    Integers(Vec<i32>),
-}
-
-impl Values {
-    fn len(&self) -> usize {
-        match self {
-            Self::Numbers(v) => v.len(),
-            Self::Integers(v) => v.len(),
-        }
-    }
-}
-
 /// A Parquet file in the making.
 #[derive(Debug)]
 pub(super) struct Table {
     writer: SerializedFileWriter<PartialFile>,
-    columns: Vec<Values>,
+    /// Whether a column has whole numbers, and its values.
+    columns: Vec<(bool, Vec<f64>)>,
 }
 
 impl Table {
@@ -61,37 +47,27 @@ impl Table {
         footer: &[(&str, String)],
     ) -> Result<Self, ResultError> {
         let file = PartialFile::create(path)?;
-        let writer = open(file, columns, footer).map_err(|source| ResultError::Table {
-            path: path.to_owned(),
-            source,
-        })?;
-        let values = |c: &Column| match c.integer {
-            true => Values::Integers(Vec::new()),
-            false => Values::Numbers(Vec::new()),
-        };
+        let writer = open(file, columns, footer).map_err(|e| ResultError::table(path, e))?;
         Ok(Self {
             writer,
-            columns: columns.iter().map(values).collect(),
+            columns: columns.iter().map(|c| (c.integer, vec![])).collect(),
         })
     }
 
     /// Adds numbers to a column.
     pub(super) fn numbers(&mut self, column: usize, values: impl IntoIterator<Item = f64>) {
-        match &mut self.columns[column] {
-            Values::Numbers(all) => all.extend(values),
-            Values::Integers(_) => debug_assert!(false, "column {column} holds integers"),
-        }
+        self.columns[column].1.extend(values);
     }
 
-    /// Adds to a column of whole numbers.
-    pub(super) fn whole_numbers(&mut self, column: usize, values: impl IntoIterator<Item = i32>) {
-        match &mut self.columns[column] {
-            Values::Integers(all) => all.extend(values),
-            Values::Numbers(_) => debug_assert!(false, "column {column} holds numbers"),
+    /// Adds a row.
+    pub(super) fn row(&mut self, values: impl IntoIterator<Item = f64>) -> Result<(), ResultError> {
+        for ((_, column), value) in self.columns.iter_mut().zip(values) {
+            column.push(value);
         }
+        self.rows_added()
     }
 
-    /// Completes a row; called when all columns have been appended to.
+    /// Completes rows; called when all columns have been appended to.
     pub(super) fn rows_added(&mut self) -> Result<(), ResultError> {
         if self.rows() < GROUP_ROWS {
             Ok(())
@@ -106,21 +82,18 @@ impl Table {
             self.write_group()?;
         }
         let path = self.writer.inner().path().to_owned();
-        let file = seal(&mut self.writer).map_err(|source| ResultError::Table { path, source })?;
+        let file = seal(&mut self.writer).map_err(|e| ResultError::table(&path, e))?;
         file.sync()?;
         Ok(file)
     }
 
     fn rows(&self) -> usize {
-        self.columns.first().map_or(0, Values::len)
+        self.columns.first().map_or(0, |(_, values)| values.len())
     }
 
     fn write_group(&mut self) -> Result<(), ResultError> {
-        let written = write_group(&mut self.writer, &mut self.columns);
-        written.map_err(|source| ResultError::Table {
-            path: self.writer.inner().path().to_owned(),
-            source,
-        })
+        write_group(&mut self.writer, &mut self.columns)
+            .map_err(|e| ResultError::table(self.writer.inner().path(), e))
     }
 }
 
@@ -168,23 +141,24 @@ fn open(
 /// Writes the rows as one group and empties the columns.
 fn write_group(
     writer: &mut SerializedFileWriter<PartialFile>,
-    columns: &mut [Values],
+    columns: &mut [(bool, Vec<f64>)],
 ) -> Result<(), ParquetError> {
     let mut group = writer.next_row_group()?;
-    for values in columns {
+    for (whole, values) in columns {
         let Some(mut column) = group.next_column()? else {
             break;
         };
-        match values {
-            Values::Numbers(v) => {
-                column.typed::<DoubleType>().write_batch(v, None, None)?;
-                v.clear();
-            }
-            Values::Integers(v) => {
-                column.typed::<Int32Type>().write_batch(v, None, None)?;
-                v.clear();
-            }
+        if *whole {
+            let values: Vec<i32> = values.iter().map(|value| *value as i32).collect();
+            column
+                .typed::<Int32Type>()
+                .write_batch(&values, None, None)?;
+        } else {
+            column
+                .typed::<DoubleType>()
+                .write_batch(values, None, None)?;
         }
+        values.clear();
         column.close()?;
     }
     group.close()?;

@@ -109,21 +109,28 @@ pub struct Assumption {
 }
 
 impl BearingDocument {
-    /// Notes the defaults of keys that have an alternative.
-    pub(in crate::case_file) fn complete(&self, reader: &mut Reader<'_>) {
-        for (radius, conformity, name) in [
+    /// Whether the conformity of each groove follows from keys, and its key.
+    fn conformities(&self) -> [(bool, &'static str); 2] {
+        let radii = [
+            self.inner_groove_curvature_radius_mm,
+            self.outer_groove_curvature_radius_mm,
+        ];
+        [
             (
-                self.inner_groove_curvature_radius_mm,
-                self.inner_conformity,
+                radii[0].is_some() || self.inner_conformity.is_some(),
                 "inner_conformity",
             ),
             (
-                self.outer_groove_curvature_radius_mm,
-                self.outer_conformity,
+                radii[1].is_some() || self.outer_conformity.is_some(),
                 "outer_conformity",
             ),
-        ] {
-            if radius.is_none() && conformity.is_none() {
+        ]
+    }
+
+    /// Notes the defaults of keys that have an alternative.
+    pub(in crate::case_file) fn complete(&self, reader: &mut Reader<'_>) {
+        for (given, name) in self.conformities() {
+            if !given {
                 reader.note_default(name);
             }
         }
@@ -166,19 +173,7 @@ impl BearingDocument {
             round(shoulder, Side::Nearest),
             "shoulder height of 0.2 ball diameters",
         );
-        for (radius, conformity, name) in [
-            (
-                self.inner_groove_curvature_radius_mm,
-                self.inner_conformity,
-                "inner_conformity",
-            ),
-            (
-                self.outer_groove_curvature_radius_mm,
-                self.outer_conformity,
-                "outer_conformity",
-            ),
-        ] {
-            let given = radius.is_some() || conformity.is_some();
+        for (given, name) in self.conformities() {
             assume(
                 given,
                 name,
