@@ -123,7 +123,6 @@ pub fn of_export(error: &ExportError) -> PyErr {
         ExportError::Case(error) => of_values(error),
         ExportError::Option(refused) => option(refused.option),
         ExportError::Format { option: name, .. } => option(name),
-        ExportError::Write(_) => other(error),
     }
 }
 

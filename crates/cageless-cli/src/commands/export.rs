@@ -118,7 +118,6 @@ impl From<ExportError> for Failure {
                 format.name(),
                 given.name()
             )),
-            ExportError::Write(error) => error.into(),
         }
     }
 }

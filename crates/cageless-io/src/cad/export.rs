@@ -66,9 +66,6 @@ pub enum ExportError {
         /// Value requested.
         given: Format,
     },
-    /// The bytes could not be put together.
-    #[error(transparent)]
-    Write(#[from] std::io::Error),
 }
 
 /// The outer ring, ready to be written as a file.
