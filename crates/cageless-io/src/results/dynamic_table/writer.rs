@@ -146,18 +146,19 @@ fn field(column: &ColumnSpec) -> Result<TypePtr, ParquetError> {
 }
 
 /// Values of one column with Dremel's levels.
+#[derive(Default)]
 struct Levels<T> {
     values: Vec<T>,
     definition: Vec<i16>,
     repetition: Vec<i16>,
 }
 
-fn levels<'r, T>(rows: &'r [Row], column: usize, of: impl Fn(&'r Cell) -> Option<T>) -> Levels<T> {
-    let mut levels = Levels {
-        values: Vec::new(),
-        definition: Vec::new(),
-        repetition: Vec::new(),
-    };
+fn levels<'r, T: Default>(
+    rows: &'r [Row],
+    column: usize,
+    of: impl Fn(&'r Cell) -> Option<T>,
+) -> Levels<T> {
+    let mut levels = Levels::default();
     for row in rows {
         let value = row.get(column).and_then(&of);
         levels.definition.push(i16::from(value.is_some()));
@@ -168,11 +169,7 @@ fn levels<'r, T>(rows: &'r [Row], column: usize, of: impl Fn(&'r Cell) -> Option
 
 /// 0: null; 1: an empty list; 2: an item.
 fn list_levels(rows: &[Row], column: usize) -> Levels<f64> {
-    let mut levels = Levels {
-        values: Vec::new(),
-        definition: Vec::new(),
-        repetition: Vec::new(),
-    };
+    let mut levels = Levels::default();
     for row in rows {
         match row.get(column) {
             Some(Cell::Numbers(list)) if !list.is_empty() => {
