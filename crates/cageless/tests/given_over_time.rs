@@ -4,7 +4,7 @@ use crate::common::{complete, structure};
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::kinematics::rolling_orbit_speed_rad_s;
 use cageless::simulation::{Control, RunOutcome};
-use cageless::{Case, IntegrationMethod, Start, TimeTable};
+use cageless::{IntegrationMethod, Start, TimeTable};
 
 fn table(times_s: &[f64], values: &[f64]) -> Option<TimeTable> {
     Some(TimeTable::new("inner_speed_rad_s", times_s.to_vec(), values.to_vec()).unwrap())

@@ -6,6 +6,7 @@ use cageless_io::case_file::CaseFile;
 use cageless_io::results::write_atomically;
 use cageless_io::rotor_file::RotorFile;
 use cageless_io::{io_error_message, on_terminal};
+use cageless_results::csv;
 use serde::Serialize;
 
 use crate::args::CaseArgs;
@@ -37,7 +38,8 @@ pub fn read_case(args: &CaseArgs) -> Result<CaseFile, Failure> {
     })
 }
 
-/// Prints a result as JSON or text, and leaves the JSON as `NAME.json` in the folder.
+/// Prints a result as JSON or text, and leaves the JSON as `NAME.json` and its values as `NAME.csv` in
+/// the folder.
 pub fn deliver<T: Serialize>(
     args: &CaseArgs,
     name: &str,
@@ -47,7 +49,10 @@ pub fn deliver<T: Serialize>(
     let json = serde_json::to_string_pretty(result)? + "\n";
     if let Some(dir) = &args.out {
         make_folder(dir)?;
-        write_atomically(&dir.join(name), json.as_bytes())?;
+        let path = dir.join(name);
+        write_atomically(&path, json.as_bytes())?;
+        let values = csv(&serde_json::to_value(result)?);
+        write_atomically(&path.with_extension("csv"), values.as_bytes())?;
     }
     if args.json { print(&json) } else { tell(text) }
 }
