@@ -1,10 +1,10 @@
 //! The case file: one computation, in TOML and in the units of the workshop.
 //!
 //! Every key is declared once, in the table of its section in `sections`: type, default, unit,
-//! field of [`cageless`], meaning and template line (`declaration` has the columns). Reading goes
-//! through four steps, one file each: `spanned_toml` (TOML with the place of every value),
-//! `overrides` (`--set`), `read` (types and defaults, into a [`CaseDocument`]) and `convert`
-//! (SI units and the checks of [`cageless`]).
+//! field of [`cageless`], meaning and template line (`key` has the columns, `declaration` what
+//! follows from a row). Reading goes through four steps: `spanned_toml` (TOML with the place of
+//! every value), `overrides` (`--set`), `read` (types and defaults, into a [`CaseDocument`]) and
+//! `convert` (SI units and the checks of [`cageless`], a file for each section).
 //! Every error becomes one [`CaseError`] that names the place, the key, the
 //! value and what is allowed, in the unit of the file.
 
