@@ -49,6 +49,7 @@ pub enum Command {
     /// Print a commented case file.
     New(New),
     /// Validate a case.
+    #[command(mut_arg("open", |open| open.hide(true)))]
     Check(CaseArgs),
     /// Static equilibrium: ring displacement, load per ball, contact stress.
     Static(CaseArgs),
@@ -149,12 +150,6 @@ pub struct RunArgs {
     /// statistical or step-biased
     #[arg(long)]
     pub verify: bool,
-    /// Write the tables as CSV, too: balls.csv, ring.csv, collisions.csv.
-    #[arg(long, requires = "out")]
-    pub csv: bool,
-    /// Open the page in the browser.
-    #[arg(long, requires = "out")]
-    pub open: bool,
 }
 
 /// `drop`.
@@ -175,12 +170,6 @@ pub struct DropArgs {
     /// converged.
     #[arg(long)]
     pub verify: bool,
-    /// Write the tables as CSV, too: balls.csv, ring.csv, rotor.csv, collisions.csv.
-    #[arg(long, requires = "out")]
-    pub csv: bool,
-    /// Open the page in the browser.
-    #[arg(long, requires = "out")]
-    pub open: bool,
 }
 
 /// `compare`.
@@ -201,15 +190,9 @@ pub struct CompareArgs {
     /// Replace a value of the case files; may be repeated.
     #[arg(long, value_name = "SECTION.KEY=VALUE")]
     pub set: Vec<String>,
-    /// Print the numbers as one JSON document.
-    #[arg(long)]
-    pub json: bool,
-    /// Folder for report.html and compare.json.
-    #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
-    /// Open the page in the browser.
-    #[arg(long, requires = "out")]
-    pub open: bool,
+    /// Output.
+    #[command(flatten)]
+    pub output: Output,
 }
 
 /// Outer rings to compare with.
@@ -384,9 +367,6 @@ pub struct ToleranceArgs {
     /// Tolerance of the load, ± %.
     #[arg(long, value_parser = number, value_name = "PERCENT", default_value_t = Tolerances::default().load_percent)]
     pub load_percent: f64,
-    /// Open the page in the browser.
-    #[arg(long, requires = "out")]
-    pub open: bool,
 }
 
 /// `design`.
@@ -399,9 +379,6 @@ pub struct DesignArgs {
     /// case. With --out an interrupted search resumes.
     #[arg(long)]
     pub search: bool,
-    /// Open the page in the browser.
-    #[arg(long, requires = "out")]
-    pub open: bool,
 }
 
 /// Arguments of commands that work on a case.
@@ -413,12 +390,26 @@ pub struct CaseArgs {
     /// Replace a value of the case file; may be repeated.
     #[arg(long, value_name = "SECTION.KEY=VALUE")]
     pub set: Vec<String>,
+    /// Output.
+    #[command(flatten)]
+    pub output: Output,
+}
+
+/// Output of commands that compute.
+#[derive(Debug, Group)]
+pub struct Output {
     /// Print one JSON document.
     #[arg(long)]
     pub json: bool,
     /// Folder for files.
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Write the results as CSV, too, with the tables of a run or drop.
+    #[arg(long, requires = "out")]
+    pub csv: bool,
+    /// Open the page in the browser.
+    #[arg(long, requires = "out")]
+    pub open: bool,
 }
 
 /// `studio`.

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use cageless::critical_gap::CriticalGapError;
 use cageless::equilibrium::EquilibriumError;
-use cageless::simulation::{Ending, Stop};
+use cageless::simulation::{Ending, RunOutcome, Stop};
 use cageless_io::case_file::CaseError;
 use cageless_io::io_error_message;
 use cageless_io::results::ResultError;
@@ -37,15 +37,25 @@ impl Failure {
         }
     }
 
-    /// Failure of a run that did not complete; `kept` says where its results are.
-    pub fn of_ending(ending: Ending, end_s: f64, kept: &str) -> Result<(), Self> {
-        match ending {
-            Ending::Complete => Ok(()),
-            Ending::Interrupted => Err(Self::Interrupted(format!(
-                "interrupted at t = {end_s:.6} s.{kept}"
+    /// Ending of a command after a run or drop: its failure if it did not complete, or that the rest was
+    /// interrupted, with a sentence on the folder of the results.
+    pub fn of_outcome(
+        outcome: RunOutcome,
+        rest_interrupted: Option<&str>,
+        out: Option<&Path>,
+    ) -> Result<(), Self> {
+        let kept = out.map_or_else(String::new, |dir| {
+            format!(" What was computed until then is in {}.", dir.display())
+        });
+        match (outcome.ending, rest_interrupted) {
+            (Ending::Complete, None) => Ok(()),
+            (Ending::Complete, Some(rest)) => Err(Self::Interrupted(format!("{rest}{kept}"))),
+            (Ending::Interrupted, _) => Err(Self::Interrupted(format!(
+                "interrupted at t = {:.6} s.{kept}",
+                outcome.end_s
             ))),
-            Ending::Stopped(stop) => Err(Self::stopped(&stop, kept)),
-            Ending::ObserverFailed(error) => Err(Self::Other(anyhow::anyhow!(error))),
+            (Ending::Stopped(stop), _) => Err(Self::stopped(&stop, &kept)),
+            (Ending::ObserverFailed(error), _) => Err(Self::Other(anyhow::anyhow!(error))),
         }
     }
 
@@ -61,13 +71,6 @@ impl Failure {
     pub fn stopped(stop: &Stop, kept: &str) -> Self {
         Self::Unphysical(format!("{stop}{kept}"))
     }
-}
-
-/// Sentence on where the results of a run that did not complete are; empty without a folder.
-pub fn kept_in(out: Option<&Path>) -> String {
-    out.map_or_else(String::new, |dir| {
-        format!(" What was computed until then is in {}.", dir.display())
-    })
 }
 
 impl fmt::Display for Failure {

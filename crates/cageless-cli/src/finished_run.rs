@@ -8,12 +8,11 @@ use cageless_io::io_error_message;
 use cageless_report::{RunData, run_from_json};
 use serde_json::{Map, Value};
 
+use crate::driver::PAGE_DATA;
 use crate::failure::Failure;
 
 /// Numbers of a run.
 pub const SUMMARY: &str = "summary.json";
-/// Data of its page.
-pub const PAGE_DATA: &str = "report.json";
 /// Larger files are not of a run: histories are decimated.
 const BYTES_MAX: u64 = 256 << 20;
 

@@ -1,7 +1,6 @@
 //! Plain text tables for the terminal.
 
 use std::io::IsTerminal;
-use std::path::Path;
 
 use cageless_results::Results;
 
@@ -64,13 +63,6 @@ pub fn values(results: &Results) -> Vec<(&'static str, String)> {
     let rows = results.rows();
     rows.map(|(label, value, unit)| (label, format!("{value}{}{unit}", space(&unit))))
         .collect()
-}
-
-/// Line with the path of a page in a folder; nothing without one.
-pub fn page_line(folder: Option<&Path>, name: &str) -> String {
-    folder.map_or(String::new(), |folder| {
-        pairs(&[("page", folder.join(name).display().to_string())])
-    })
 }
 
 /// PASS or FAIL with its reason, in green or red on a terminal.

@@ -6,13 +6,13 @@
 
 mod args;
 mod commands;
+mod driver;
 mod failure;
 mod finished_run;
 mod format;
 mod progress;
 mod studio;
 mod suggestion;
-mod whole;
 
 use std::ffi::OsString;
 use std::io::Write;

@@ -2,13 +2,11 @@
 
 use std::io::IsTerminal;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
-use cageless_study::{Progress, Work};
+use cageless_study::{Progress, Workload, time_left};
 use indicatif::{FormattedDuration, ProgressBar, ProgressDrawTarget, ProgressStyle};
-
-use crate::whole::{Display, Task, Whole};
 
 /// Set once the user has asked to stop.
 pub type StopFlag = Arc<AtomicBool>;
@@ -55,7 +53,7 @@ pub struct Bars<'s> {
     visible: AtomicBool,
     /// Lines so far, where stderr is no terminal.
     lines: AtomicUsize,
-    whole: Mutex<Whole>,
+    workload: Mutex<Workload>,
 }
 
 impl<'s> Bars<'s> {
@@ -73,7 +71,7 @@ impl<'s> Bars<'s> {
             started: Instant::now(),
             visible: AtomicBool::new(false),
             lines: AtomicUsize::new(0),
-            whole: Mutex::default(),
+            workload: Mutex::default(),
         }
     }
 }
@@ -81,50 +79,32 @@ impl<'s> Bars<'s> {
 /// Number of lines that are due without a terminal: one as soon as the time left is known, then one
 /// for each tenth.
 fn lines_due(fraction: f64) -> usize {
-    if fraction > KNOWN {
+    if fraction > 0.01 {
         1 + (10.0 * fraction) as usize
     } else {
         0
     }
 }
 
-/// Fraction of the whole from which on the time left is known.
-const KNOWN: f64 = 0.01;
-
 /// Time so far and time left of the whole.
 fn times(elapsed: Duration, fraction: f64) -> String {
-    let left = elapsed.as_secs_f64() * (1.0 / fraction - 1.0);
-    match Duration::try_from_secs_f64(left) {
-        Ok(left) if fraction > KNOWN => format!(
-            "{} elapsed, {} left",
-            FormattedDuration(elapsed),
-            FormattedDuration(left)
-        ),
-        _ => format!("{} elapsed", FormattedDuration(elapsed)),
+    let so_far = format!("{} elapsed", FormattedDuration(elapsed));
+    match time_left(elapsed, fraction) {
+        Some(left) => format!("{so_far}, {} left", FormattedDuration(left)),
+        None => so_far,
     }
 }
 
 impl Progress for Bars<'_> {
-    fn whole(&self, tasks: &[(String, f64)]) {
-        let mut whole = self.whole.lock().unwrap_or_else(PoisonError::into_inner);
-        whole.announce(tasks);
-    }
-
-    fn begin(&self, what: &str, units: f64) -> Box<dyn Work + '_> {
-        Box::new(Task::begin(self, what, units))
-    }
-
     fn interrupted(&self) -> bool {
         self.stop.load(Ordering::Relaxed)
     }
-}
 
-impl Display for Bars<'_> {
-    fn tasks(&self) -> &Mutex<Whole> {
-        &self.whole
+    fn workload(&self) -> Option<&Mutex<Workload>> {
+        Some(&self.workload)
     }
 
-    fn show(&self, what: &str, fraction: f64) {
+    fn show(&self, task: &str, fraction: f64) {
         let elapsed = self.started.elapsed();
         if elapsed < SILENT || is_quiet() {
             return;
@@ -133,14 +113,14 @@ impl Display for Bars<'_> {
             let due = lines_due(fraction);
             if elapsed >= SILENT_LINES && due > self.lines.fetch_max(due, Ordering::Relaxed) {
                 let times = times(elapsed, fraction);
-                eprintln!("progress: {what}: {:.0} %, {times}", 100.0 * fraction);
+                eprintln!("progress: {task}: {:.0} %, {times}", 100.0 * fraction);
             }
             return;
         }
         if !self.visible.swap(true, Ordering::Relaxed) {
             self.bar.set_draw_target(ProgressDrawTarget::stderr());
         }
-        self.bar.set_message(what.to_owned());
+        self.bar.set_message(task.to_owned());
         self.bar.set_prefix(times(elapsed, fraction));
         self.bar.set_position((fraction * POSITIONS) as u64);
     }

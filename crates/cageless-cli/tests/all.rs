@@ -10,6 +10,7 @@ mod endings;
 mod export;
 mod limits;
 mod paper_structures;
+mod pins;
 mod places;
 mod rotors;
 mod search;

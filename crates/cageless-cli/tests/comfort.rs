@@ -7,29 +7,6 @@ use crate::common::*;
 
 const SHORT: &str = "solver.duration_s=0.0005";
 
-#[test]
-fn the_path_of_a_page_is_printed() {
-    let dir = tempfile::tempdir().unwrap();
-    let out = dir.path().join("out");
-    let page = out.join("report.html");
-    let case = repository_case("zhao-d.toml");
-    let done = call_on("run", &case, &[SHORT], &["--out", out.to_str().unwrap()]);
-    assert_eq!(done.code, Some(0), "{done:?}");
-    let last = done.stdout.lines().last().unwrap();
-    assert_eq!(last, format!("page  {}", page.display()));
-    assert!(page.exists());
-    // Without a page there is none to name, and JSON is one document.
-    let without = call_on("run", &case, &[SHORT], &[]);
-    assert!(!without.stdout.contains("report.html"), "{without:?}");
-    let json = call_on(
-        "run",
-        &case,
-        &[SHORT],
-        &["--json", "--out", out.to_str().unwrap()],
-    );
-    assert!(json.json().is_object());
-}
-
 /// A folder of programs with a browser that notes what it is given.
 #[cfg(unix)]
 fn browser(dir: &Path) -> Command {
@@ -84,7 +61,7 @@ fn without_a_browser_the_page_is_there_and_a_warning_says_so() {
 
 #[test]
 fn a_page_to_open_needs_a_folder() {
-    for command in ["run", "design", "tolerance"] {
+    for command in ["static", "run", "design", "tolerance", "drop"] {
         let refused = call_on(command, &repository_case("zhao-d.toml"), &[], &["--open"]);
         assert_eq!(refused.code, Some(2), "{refused:?}");
         assert!(refused.stderr.contains("--out <DIR>"), "{refused:?}");

@@ -2,78 +2,6 @@
 
 use crate::common::*;
 
-/// Top-level keys of `design --json`.
-const DESIGN: &[&str] = &[
-    "epsilon_deg",
-    "uniform_gap_deg",
-    "beta0_deg",
-    "beta0_polar_deg",
-    "axial_span_limit_mm",
-    "half_angle_deg_for_span",
-    "critical_gap_deg",
-    "balls_in_raceway_max",
-    "verdict",
-    "passes",
-    "headline",
-    "reasons",
-];
-
-/// Top-level keys of `static --json`.
-const STATIC: &[&str] = &[
-    "ring_x_um",
-    "ring_y_um",
-    "ball_angle_deg",
-    "inner_force_n",
-    "outer_force_n",
-    "inner_stiffness",
-    "outer_stiffness",
-    "inner_stress_max_gpa",
-    "outer_stress_max_gpa",
-    "assembly",
-    "rating_factor",
-    "basic_dynamic_rating_n",
-    "basic_static_rating_n",
-    "static_safety",
-    "l10_mrev",
-    "l10r_mrev",
-    "stiffness_xx_n_m",
-    "stiffness_xy_n_m",
-    "stiffness_yy_n_m",
-    "ftf_hz",
-    "bpfo_hz",
-    "bpfi_hz",
-    "bsf_hz",
-    "inner_pressure_gpa",
-    "outer_pressure_gpa",
-    "speed_parameter_mm_rpm",
-];
-
-/// Top-level keys of `summary.json` and `run --json`.
-const SUMMARY: &[&str] = &[
-    "schema",
-    "version",
-    "isa",
-    "case",
-    "collisions",
-    "gap_min_deg",
-    "gap_max_deg",
-    "ring_x_um_mean",
-    "ring_y_um_mean",
-    "slip_max_m_s",
-    "energy_residual_relative",
-    "steps",
-    "rhs_evaluations",
-    "wall_s",
-    "settled_after_s",
-    "warnings",
-];
-
-fn assert_keys(value: &serde_json::Value, wanted: &[&str]) {
-    for key in wanted {
-        assert!(value.get(key).is_some(), "{key} is missing in {value}");
-    }
-}
-
 #[test]
 fn help_and_version_are_answers() {
     for args in [
@@ -95,17 +23,6 @@ fn help_and_version_are_answers() {
     assert_eq!(
         version.trim(),
         concat!("cageless ", env!("CARGO_PKG_VERSION"))
-    );
-    let help = call(&["--help"]).stdout;
-    for command in ["reproduce", "new", "check", "static", "design", "run"] {
-        assert!(
-            help.contains(&format!("\n  {command} ")),
-            "{command}: {help}"
-        );
-    }
-    assert!(
-        help.contains("Exit codes: 0 done; 2 bad input; 3 "),
-        "{help}"
     );
 }
 
@@ -185,10 +102,6 @@ fn every_case_of_the_repository_is_valid() {
 #[test]
 fn static_equilibrium_holds_the_load() {
     let case = repository_case("zhao-d.toml");
-    let text = call_on("static", &case, &[], &[]);
-    assert_eq!((text.code, text.stderr.as_str()), (Some(0), ""));
-    assert!(text.stdout.contains("displacement of the inner ring"));
-
     let dir = tempfile::tempdir().unwrap();
     let out = dir.path().join("made/on/the/way");
     let answer = call_on(
@@ -199,7 +112,6 @@ fn static_equilibrium_holds_the_load() {
     );
     assert_eq!((answer.code, answer.stderr.as_str()), (Some(0), ""));
     let e = answer.json();
-    assert_keys(&e, STATIC);
     assert_eq!(json_file(&out.join("static.json")), e);
     let files = ["report.html", "sheet.html", "static.csv", "static.json"];
     assert_eq!(names(&out), files);
@@ -228,51 +140,12 @@ fn static_equilibrium_holds_the_load() {
     assert!((up - down).abs() < 0.05, "{up} {down}");
 }
 
-/// What rounds to zero has no sign, and what is not defined is said and `null`.
-#[test]
-fn static_shows_ratings_first() {
-    for case in ["zhao-d.toml", "conventional.toml"] {
-        let text = call_on("static", &repository_case(case), &[], &[]).stdout;
-        let line = |label: &str| text.lines().find(|l| l.starts_with(label)).unwrap();
-        assert!(line("displacement of the inner ring, x").ends_with(" 0 µm"));
-        // 26 120 N times 1.1/1.3: 14 balls need a filling slot.
-        assert!(line("basic dynamic radial load rating Cr (ISO 281)").ends_with(" 22102 N"));
-        assert!(text.find("stiffness").unwrap() < text.find("ball ").unwrap());
-        assert!(text.contains("note: ratings and lives are indicative"));
-    }
-    let unloaded = ["operation.radial_load_n=0", "operation.gravity_m_s2=0"];
-    let path = repository_case("zhao-d.toml");
-    let text = call_on("static", &path, &unloaded, &[]).stdout;
-    assert!(
-        text.contains("without radial load there is no basic rating life"),
-        "{text}"
-    );
-    let json = call_on("static", &path, &unloaded, &["--json"]).json();
-    for key in ["stiffness_xx_n_m", "l10_mrev", "l10r_mrev", "static_safety"] {
-        assert!(json[key].is_null(), "{key}: {json}");
-    }
-    let hybrid = [
-        "material.density_kg_m3=3240",
-        "material.youngs_modulus_gpa=310",
-    ];
-    let text = call_on("static", &path, &hybrid, &[]).stdout;
-    assert!(text.contains("bearing steel"), "{text}");
-}
-
 #[test]
 fn run_keeps_results_and_progress_apart() {
     let case = repository_case("zhao-d.toml");
     let sets = ["solver.duration_s=0.004", "output.interval_us=50"];
     let dir = tempfile::tempdir().unwrap();
     let out = dir.path().join("out");
-
-    let text = call_on("run", &case, &sets, &[]);
-    assert_eq!((text.code, text.stderr.as_str()), (Some(0), ""));
-    assert!(
-        text.stdout.contains("energy balance error"),
-        "{}",
-        text.stdout
-    );
 
     let answer = call_on(
         "run",
@@ -282,7 +155,6 @@ fn run_keeps_results_and_progress_apart() {
     );
     assert_eq!((answer.code, answer.stderr.as_str()), (Some(0), ""));
     let summary = answer.json();
-    assert_keys(&summary, SUMMARY);
     assert_eq!(json_file(&out.join("summary.json")), summary);
     assert_eq!(names(&out), RUN_FILES);
     assert!(json_file(&out.join("report.json")).is_object());
@@ -366,37 +238,6 @@ fn defaults_are_listed() {
     assert_eq!(summary["case"]["start"]["state"], "settled");
     assert_eq!(summary["case"]["solver"]["method"], "symplectic");
     assert!(summary["case"]["contact"]["inner_stiffness"].as_f64() > Some(1e10));
-}
-
-#[test]
-fn design_of_a_conventional_ring_has_no_raceway_to_judge() {
-    let dir = tempfile::tempdir().unwrap();
-    let out = dir.path().to_str().unwrap();
-    let case = repository_case("conventional.toml");
-    let answer = call_on("design", &case, &[], &["--json", "--out", out]);
-    assert_eq!((answer.code, answer.stderr.as_str()), (Some(0), ""));
-    let d = answer.json();
-    assert_keys(&d, DESIGN);
-    assert_eq!(json_file(&dir.path().join("design.json")), d);
-    for key in [
-        "beta0_deg",
-        "critical_gap_deg",
-        "balls_in_raceway_max",
-        "passes",
-        "margin",
-    ] {
-        assert!(d[key].is_null(), "{key}: {}", d[key]);
-    }
-    assert_eq!(d["verdict"], "not-judged");
-    let text = call_on("design", &case, &[], &[]);
-    assert_eq!((text.code, text.stderr.as_str()), (Some(0), ""));
-    assert!(
-        text.stdout.contains("not judged: the outer ring has no"),
-        "{}",
-        text.stdout
-    );
-    let page = std::fs::read_to_string(dir.path().join("report.html")).unwrap();
-    assert!(page.contains("class=\"judged unjudged\"") && !page.contains("infeasible"));
 }
 
 /// A reader that stops reading (`cageless new | head -1`) is no failure.

@@ -98,48 +98,6 @@ fn other_commands_name_those_that_take_it() {
 }
 
 #[test]
-fn a_rotor_is_dropped_in_number_verified_and_beside_conventional_rings() {
-    let dir = tempfile::tempdir().unwrap();
-    let path = written(dir.path(), RIGID);
-    let out = dir.path().join("out");
-    let sets = ["solver.duration_s=0.0006"];
-    let more = ["--samples", "2", "--verify", "--compare", "conventional"];
-    let more = [&more[..], &["--out", out.to_str().unwrap()]].concat();
-    let drop = call_on("drop", &path, &sets, &more);
-    assert_eq!(drop.code, Some(0), "{}", drop.stderr);
-    for said in [
-        "drops                                         2 completed",
-        "probability of backward whirl in any bearing  0.0 % (95 %: 0.0 to 65.8 %)",
-        "bearing 2  2 falling",
-        "verification, bearing 2",
-        "bearing 1, conventional",
-    ] {
-        assert!(drop.stdout.contains(said), "{said}: {}", drop.stdout);
-    }
-    let text = std::fs::read_to_string(out.join("summary.json")).unwrap();
-    let summary: serde_json::Value = serde_json::from_str(&text).unwrap();
-    let ensemble = &summary["ensemble"];
-    assert_eq!(ensemble["completed"], 2);
-    assert_eq!(ensemble["backward_whirl_probability"], 0.0);
-    let listed = |value: &serde_json::Value| value.as_array().map(Vec::len);
-    assert_eq!(listed(&ensemble["drops"][1]["bearings"]), Some(2));
-    assert!(ensemble["bearings"][1]["quantiles"][0]["name"].is_string());
-    let verified = &summary["verification"]["bearings"][0];
-    assert_eq!(listed(&verified["end_states"]), Some(5));
-    assert_eq!(listed(&summary["conventional"]), Some(2));
-    assert_eq!(listed(&summary["warnings"]), Some(0));
-    let page = std::fs::read_to_string(out.join("report.html")).unwrap();
-    for said in [
-        "Scattered drops",
-        "Distribution, bearing 2",
-        "State at the end, bearing 1",
-        "Verification, bearing 2",
-    ] {
-        assert!(page.contains(said), "{said}");
-    }
-}
-
-#[test]
 fn a_drop_that_stops_names_its_bearing() {
     let dir = tempfile::tempdir().unwrap();
     let path = written(

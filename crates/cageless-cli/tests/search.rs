@@ -39,6 +39,7 @@ fn a_search_that_was_killed_goes_on_and_finds_the_same() {
         names(&whole),
         [
             "case.toml",
+            "design.csv",
             "design.json",
             "recommended.toml",
             "report.html",

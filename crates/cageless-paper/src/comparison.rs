@@ -92,7 +92,7 @@ struct Plan {
 }
 
 /// Runs every combination.
-pub fn compute(progress: &dyn Work) -> Result<RingComparison, PaperError> {
+pub fn compute(progress: &Work<'_>) -> Result<RingComparison, PaperError> {
     let plans = plans()?;
     let total_s: f64 = plans.iter().map(|p| p.case.solver.duration_s).sum();
     let found: Vec<Vec<Outcome>> = plans
@@ -260,7 +260,7 @@ impl Observer for OrbitMeter {
 }
 
 /// Runs every start of a combination, side by side.
-fn outcomes(plan: &Plan, progress: &dyn Work, units: f64) -> Result<Vec<Outcome>, PaperError> {
+fn outcomes(plan: &Plan, progress: &Work<'_>, units: f64) -> Result<Vec<Outcome>, PaperError> {
     let cases: Vec<Case> = (0..STARTS)
         .map(|k| plan.start(k))
         .collect::<Result<_, _>>()?;
@@ -276,7 +276,7 @@ fn outcomes(plan: &Plan, progress: &dyn Work, units: f64) -> Result<Vec<Outcome>
 fn side_by_side(
     cases: &[&Case],
     plan: &Plan,
-    progress: &dyn Work,
+    progress: &Work<'_>,
     units: f64,
 ) -> Result<Vec<Outcome>, PaperError> {
     let (duration_s, after_s) = (plan.case.solver.duration_s, plan.settled_after_s());

@@ -90,7 +90,7 @@ struct One {
 }
 
 /// Runs both bearings.
-pub fn compute(progress: &dyn Work) -> Result<Experiment, PaperError> {
+pub fn compute(progress: &Work<'_>) -> Result<Experiment, PaperError> {
     let both = cases::experiment()?;
     let names = ["conventional", "discrete raceway"];
     let ones = rayon::join(
@@ -123,7 +123,7 @@ pub fn compute(progress: &dyn Work) -> Result<Experiment, PaperError> {
     })
 }
 
-fn one(case: &Case, name: &str, progress: &dyn Work) -> Result<One, PaperError> {
+fn one(case: &Case, name: &str, progress: &Work<'_>) -> Result<One, PaperError> {
     let Some(housing) = &case.housing else {
         return Err(PaperError::NoResult(
             "the case of the experiment needs a [housing]".to_owned(),

@@ -25,7 +25,7 @@ pub struct Extra {
 }
 
 /// Computes them.
-pub fn compute(progress: &dyn Work) -> Result<Extra, PaperError> {
+pub fn compute(progress: &Work<'_>) -> Result<Extra, PaperError> {
     let usable = |reading: (Profile, FrictionLaw)| {
         let case = cases::structure(3, reading, &[])?;
         let found = match starting_point(&case, &mut |_| progress.control()) {

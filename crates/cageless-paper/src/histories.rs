@@ -62,13 +62,13 @@ pub struct Stages {
 }
 
 /// Runs structure (a) under both readings.
-pub fn compute(progress: &dyn Work) -> Result<[History; 2], PaperError> {
+pub fn compute(progress: &Work<'_>) -> Result<[History; 2], PaperError> {
     let [published, consistent] = READINGS;
     let both = rayon::join(|| one(published, progress), || one(consistent, progress));
     Ok([both.0?, both.1?])
 }
 
-fn one(reading: (Profile, FrictionLaw), progress: &dyn Work) -> Result<History, PaperError> {
+fn one(reading: (Profile, FrictionLaw), progress: &Work<'_>) -> Result<History, PaperError> {
     // As in the paper: balls in pure rolling, the ring where it was before the load came.
     let overrides = [
         "start.state=\"rolling\"".to_owned(),

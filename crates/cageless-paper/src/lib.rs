@@ -36,7 +36,7 @@ pub use error::PaperError;
 /// failed.
 pub fn reproduce(progress: &dyn Progress) -> Result<ReproduceData, PaperError> {
     let progress = progress.begin("reproduce", WORK);
-    let progress = &*progress;
+    let progress = &progress;
     let computed = Simulations::new(progress)?;
     let file_d = cases::structure_file(3, READINGS[1], &[])?;
     let case_d = file_d.case().clone();
@@ -82,7 +82,7 @@ struct Simulations {
 }
 
 impl Simulations {
-    fn new(progress: &dyn Work) -> Result<Self, PaperError> {
+    fn new(progress: &Work<'_>) -> Result<Self, PaperError> {
         let (mut table2, mut structures, mut between) =
             (not_computed(), not_computed(), not_computed());
         let (mut histories, mut experiment, mut extra) =

@@ -112,7 +112,7 @@ pub struct Between {
 
 /// Judges structures midway in lC between neighbours of Table 2, θ by Eq. (11), under the reading
 /// `paper`, to whose ten verdicts the thresholds of a verdict were fitted.
-pub fn between(progress: &dyn Work) -> Result<Vec<Between>, PaperError> {
+pub fn between(progress: &Work<'_>) -> Result<Vec<Between>, PaperError> {
     let pairs: Vec<&[Published]> = PUBLISHED.windows(2).collect();
     pairs
         .par_iter()
@@ -144,7 +144,7 @@ struct One {
 }
 
 /// Runs all structures under both readings.
-pub fn compute(progress: &dyn Work) -> Result<[Ten; 2], PaperError> {
+pub fn compute(progress: &Work<'_>) -> Result<[Ten; 2], PaperError> {
     let tasks: Vec<(usize, usize)> = (0..2).flat_map(|r| (0..10).map(move |k| (r, k))).collect();
     let share = WORK / tasks.len() as f64;
     let mut found: Vec<One> = tasks
@@ -158,7 +158,7 @@ pub fn compute(progress: &dyn Work) -> Result<[Ten; 2], PaperError> {
 fn one(
     reading: (Profile, FrictionLaw),
     k: usize,
-    progress: &dyn Work,
+    progress: &Work<'_>,
     share: f64,
 ) -> Result<One, PaperError> {
     let case = cases::structure(k, reading, &[])?;

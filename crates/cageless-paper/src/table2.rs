@@ -135,7 +135,7 @@ fn changes() -> Vec<Change> {
 }
 
 /// Critical gap in degrees; `None` where there is none, or the user ended the work.
-fn gap_deg(case: &Case, test: &PairTest, progress: &dyn Work) -> Result<Option<f64>, PaperError> {
+fn gap_deg(case: &Case, test: &PairTest, progress: &Work<'_>) -> Result<Option<f64>, PaperError> {
     match critical_gap_rad(case, test, &mut |_| progress.control()) {
         Ok(gap) => Ok(Some(gap.to_degrees())),
         Err(
@@ -152,7 +152,7 @@ fn step_override(step_us: f64) -> String {
 }
 
 /// Computes all gaps.
-pub fn compute(progress: &dyn Work) -> Result<Computed, PaperError> {
+pub fn compute(progress: &Work<'_>) -> Result<Computed, PaperError> {
     let changes = changes();
     // One task for every gap, the longest first: those of the table itself, then for the
     // columns whose spread is shown the base of the spreads and every change.

@@ -2,13 +2,12 @@
 //! and progress.
 
 use std::num::NonZeroUsize;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use cageless::simulation::Control;
-use cageless_study::{Progress, THREADS_MAX, Work, on_threads};
+use cageless_study::{Progress, THREADS_MAX, Workload, on_threads};
 use pyo3::prelude::*;
 
 use crate::errors::{input, of_study};
@@ -18,13 +17,11 @@ use crate::signals::Signals;
 const EVERY: Duration = Duration::from_millis(20);
 /// Interval between progress callbacks.
 const REPORT_INTERVAL: Duration = Duration::from_millis(100);
-/// Parts into which a unit of work is divided.
-const PARTS: f64 = 1e6;
 
 /// Threads and progress callback of a study.
 pub struct Background {
     pub threads: Option<NonZeroUsize>,
-    /// Called with the name of the task and its completed fraction.
+    /// Called with the name of the task under way and the completed fraction of the whole.
     pub progress: Option<Py<PyAny>>,
 }
 
@@ -94,47 +91,32 @@ pub fn count(threads: i64) -> PyResult<NonZeroUsize> {
 #[derive(Default)]
 struct ProgressRelay {
     stop: AtomicBool,
-    /// Current task and its units.
+    workload: Mutex<Workload>,
+    /// Task under way and completed fraction of the whole.
     now: Mutex<Option<(String, f64)>>,
-    done: AtomicU64,
 }
 
 impl ProgressRelay {
     fn tell(&self, progress: &Py<PyAny>) -> PyResult<()> {
-        let now = self.now.lock().unwrap_or_else(PoisonError::into_inner);
-        let Some((what, units)) = now.clone() else {
+        let now = self.now.lock();
+        let Some(now) = now.unwrap_or_else(PoisonError::into_inner).clone() else {
             return Ok(());
         };
-        drop(now);
-        let done = self.done.load(Ordering::Relaxed) as f64 / PARTS;
-        let share = (done / units).clamp(0.0, 1.0);
-        Python::attach(|py| progress.call1(py, (what, share))).map(|_| ())
+        Python::attach(|py| progress.call1(py, now)).map(|_| ())
     }
 }
 
 impl Progress for ProgressRelay {
-    fn begin(&self, what: &str, units: f64) -> Box<dyn Work + '_> {
-        let mut now = self.now.lock().unwrap_or_else(PoisonError::into_inner);
-        self.done.store(0, Ordering::Relaxed);
-        *now = Some((what.to_owned(), units));
-        Box::new(Part(self))
-    }
-
     fn interrupted(&self) -> bool {
         self.stop.load(Ordering::Relaxed)
     }
-}
 
-struct Part<'e>(&'e ProgressRelay);
-
-impl Work for Part<'_> {
-    fn add(&self, units: f64) -> Control {
-        let parts = (units * PARTS) as u64;
-        self.0.done.fetch_add(parts, Ordering::Relaxed);
-        self.control()
+    fn workload(&self) -> Option<&Mutex<Workload>> {
+        Some(&self.workload)
     }
 
-    fn interrupted(&self) -> bool {
-        self.0.interrupted()
+    fn show(&self, task: &str, fraction: f64) {
+        let mut now = self.now.lock().unwrap_or_else(PoisonError::into_inner);
+        *now = Some((task.to_owned(), fraction));
     }
 }

@@ -3,8 +3,7 @@
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
-use cageless::simulation::Control;
-use cageless_study::{Progress, Work};
+use cageless_study::Progress;
 use pyo3::prelude::*;
 
 /// The interpreter is asked this often.
@@ -44,25 +43,9 @@ impl Signals {
     }
 }
 
-/// Reports nothing; a signal cancels.
+/// Shows nothing; a signal cancels.
 impl Progress for Signals {
-    fn begin(&self, _: &str, _: f64) -> Box<dyn Work + '_> {
-        Box::new(Signalled(self))
-    }
-
     fn interrupted(&self) -> bool {
         self.stop()
-    }
-}
-
-struct Signalled<'s>(&'s Signals);
-
-impl Work for Signalled<'_> {
-    fn add(&self, _: f64) -> Control {
-        self.control()
-    }
-
-    fn interrupted(&self) -> bool {
-        self.0.stop()
     }
 }

@@ -1,9 +1,11 @@
 //! Studies of drops into several bearings: scattered and verified.
 
 use std::path::Path;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use cageless::IntegrationMethod;
-use cageless::simulation::{Control, Ending};
+use cageless::simulation::Ending;
 use cageless::touchdown::Scatter;
 use cageless::verification::Convergence;
 use cageless_io::case_file::CaseFile;
@@ -13,7 +15,7 @@ use cageless_io::rotor_file::{
 use cageless_study::drop::{
     DropRequest, DropVerification, RotorStudy, ensemble, rotor_ensemble, rotor_study,
 };
-use cageless_study::{Progress, Silent, StudyError, Work, break_if, on_threads};
+use cageless_study::{Progress, Silent, StudyError, Workload, on_threads};
 
 const CASES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases");
 
@@ -126,27 +128,23 @@ fn scattered_drops_into_bearings_are_the_same_on_any_number_of_threads() {
 }
 
 /// Cancels when the drops are under way.
-struct Cancelled;
-
-impl Progress for Cancelled {
-    fn begin(&self, task: &str, _: f64) -> Box<dyn Work + '_> {
-        Box::new(Cancelling(task == "drops"))
-    }
-
-    fn interrupted(&self) -> bool {
-        false
-    }
+#[derive(Default)]
+struct Cancelled {
+    workload: Mutex<Workload>,
+    begun: AtomicBool,
 }
 
-struct Cancelling(bool);
-
-impl Work for Cancelling {
-    fn add(&self, _: f64) -> Control {
-        break_if(self.0)
+impl Progress for Cancelled {
+    fn interrupted(&self) -> bool {
+        self.begun.load(Ordering::Relaxed)
     }
 
-    fn interrupted(&self) -> bool {
-        self.0
+    fn workload(&self) -> Option<&Mutex<Workload>> {
+        Some(&self.workload)
+    }
+
+    fn show(&self, task: &str, _: f64) {
+        self.begun.fetch_or(task == "drops", Ordering::Relaxed);
     }
 }
 
@@ -158,13 +156,13 @@ fn cancelled_drops_leave_the_drop_itself() {
         verify: true,
         ..DropRequest::default()
     };
-    let found = rotor_study(&file, request, vec![None, None], &Cancelled).unwrap();
+    let found = rotor_study(&file, request, vec![None, None], &Cancelled::default()).unwrap();
     assert!(found.interrupted && found.ensemble.is_none() && found.verification.is_none());
     assert_eq!(found.warnings, ["the scattered drops: interrupted"]);
     let endings = found.drop.bearings.iter().map(|b| &b.outcome.ending);
     assert_eq!(endings.filter(|e| matches!(e, Ending::Complete)).count(), 2);
     let case = bearing("touchdown-d.toml", &["solver.duration_s=0.0003"]);
-    let done = ensemble(case.case(), 50, &Scatter::default(), &Cancelled);
+    let done = ensemble(case.case(), 50, &Scatter::default(), &Cancelled::default());
     assert!(matches!(done, Err(StudyError::Interrupted)));
 }
 

@@ -3,48 +3,30 @@
 use std::num::NonZeroUsize;
 use std::sync::Mutex;
 
-use cageless::simulation::Control;
 use cageless_io::case_file::{CaseFile, template};
 use cageless_study::run::{Options, run};
 use cageless_study::tolerance::{Request, tolerance};
-use cageless_study::{Progress, Silent, StudyError, THREADS_MAX, Work, on_threads, search};
+use cageless_study::{Progress, Silent, StudyError, THREADS_MAX, Workload, on_threads, search};
 
-/// Adds up what it hears, and ends the work after so many calls.
+/// Notes the tasks and what is done, and ends the work after so many calls.
 #[derive(Default)]
 struct Listener {
-    begun: Mutex<Vec<(String, f64)>>,
-    done: Mutex<f64>,
-    calls: Mutex<usize>,
+    workload: Mutex<Workload>,
+    told: Mutex<Vec<(String, f64)>>,
     enough: Option<usize>,
 }
 
 impl Progress for Listener {
-    fn begin(&self, what: &str, units: f64) -> Box<dyn Work + '_> {
-        self.begun.lock().unwrap().push((what.to_owned(), units));
-        Box::new(Part(self))
-    }
-
     fn interrupted(&self) -> bool {
-        self.enough
-            .is_some_and(|enough| *self.calls.lock().unwrap() >= enough)
-    }
-}
-
-struct Part<'l>(&'l Listener);
-
-impl Work for Part<'_> {
-    fn add(&self, units: f64) -> Control {
-        *self.0.done.lock().unwrap() += units;
-        *self.0.calls.lock().unwrap() += 1;
-        if self.interrupted() {
-            Control::Break(())
-        } else {
-            Control::Continue(())
-        }
+        (self.enough).is_some_and(|enough| self.told.lock().unwrap().len() > enough)
     }
 
-    fn interrupted(&self) -> bool {
-        self.0.interrupted()
+    fn workload(&self) -> Option<&Mutex<Workload>> {
+        Some(&self.workload)
+    }
+
+    fn show(&self, task: &str, fraction: f64) {
+        self.told.lock().unwrap().push((task.to_owned(), fraction));
     }
 }
 
@@ -78,13 +60,11 @@ fn progress_comes_to_its_end() {
     record.verify(&file, &listener);
     let summary = &record.summary;
     assert!(summary.verification.is_some(), "{:?}", summary.warnings);
-    let begun = listener.begun.into_inner().unwrap();
-    let [(what, units)] = begun.as_slice() else {
-        panic!("{begun:?}");
-    };
-    let done = listener.done.into_inner().unwrap();
-    assert_eq!(what, "verify");
-    assert!((0.9..1.001).contains(&(done / units)), "{done} of {units}");
+    let told = listener.told.into_inner().unwrap();
+    assert!(told.iter().all(|(task, _)| task == "verify"), "{told:?}");
+    assert_eq!(told[0].1, 0.0);
+    let last = told.last().unwrap().1;
+    assert!((0.9..1.001).contains(&last), "{last}");
 }
 
 #[test]
@@ -100,7 +80,8 @@ fn what_is_told_to_end_has_no_result() {
     let search = search::run(&file, None, &listener);
     assert!(matches!(search, Err(StudyError::Interrupted)));
     // Nothing more was begun.
-    assert_eq!(listener.begun.lock().unwrap().len(), 1);
+    let told = listener.told.into_inner().unwrap();
+    assert!(told.iter().all(|(task, _)| *task == told[0].0), "{told:?}");
 }
 
 #[test]

@@ -3,68 +3,51 @@
 use std::path::PathBuf;
 
 use cageless_io::case_file::CaseFile;
-use cageless_io::results::write_together;
 use cageless_report::compare::compare_page;
 use cageless_report::compared_run::ComparedRun;
 use cageless_report::run_report::run_data;
+use cageless_study::Progress;
 use cageless_study::comparison::{
     ComparedRing, RingComparison, RingResults, STARTS, Starts, compare as study,
 };
 use cageless_study::run::{Options, run};
 
-use super::files::{make_folder, open_page, print, tell, writable};
 use crate::args::CompareArgs;
+use crate::driver::{Answer, PAGE, pretty};
 use crate::failure::Failure;
 use crate::finished_run::{FinishedRun, SUMMARY};
-use crate::format::{columns, page_line, pairs};
-use crate::progress::{Bars, catch_interrupt};
+use crate::format::{columns, pairs};
 
 const NUMBERS: &str = "compare.json";
-const PAGE: &str = "report.html";
 
 /// Compares rings.
 pub fn compare(args: &CompareArgs) -> Result<(), Failure> {
-    let out = args.out.as_deref();
     // All are read before anything is computed; bad input leaves no folder behind.
     let sides = Sides::read(args)?;
-    if let Some(dir) = out {
-        make_folder(dir)?;
-        // Better found out now than when the runs are over.
-        for name in [NUMBERS, PAGE] {
-            writable(&dir.join(name))?;
-        }
+    args.output.drive(&[NUMBERS, PAGE], |bars| {
+        let (runs, comparison) = match sides {
+            Sides::Cases(cases) => from_starts(&cases, args.starts.unwrap_or(STARTS), bars)?,
+            Sides::Runs(sides) => finished(sides, bars)?,
+        };
+        Ok(Answer {
+            files: (args.output)
+                .files(|| Ok(vec![(PAGE, Some(compare_page(&runs, &comparison)))]))?,
+            ..Answer::new(NUMBERS, pretty(&comparison)?, text(&runs, &comparison))
+        })
+    })
+}
+
+fn text(runs: &[ComparedRun], comparison: &RingComparison) -> String {
+    let titles: Vec<_> = (runs.iter())
+        .map(|run| (run.name.as_str(), run.data.title.clone()))
+        .collect();
+    let mut text = pairs(&titles) + "\n";
+    if comparison.starts.seed.is_some() {
+        text += &format!("{}\n\n", comparison.statement);
     }
-    let stop = catch_interrupt();
-    let bars = Bars::new(&stop);
-    let (runs, comparison) = match sides {
-        Sides::Cases(cases) => from_starts(&cases, args.starts.unwrap_or(STARTS), &bars)?,
-        Sides::Runs(sides) => finished(sides, &bars)?,
-    };
-    drop(bars);
-    let json = serde_json::to_string_pretty(&comparison)? + "\n";
-    if let Some(dir) = out {
-        let page = compare_page(&runs, &comparison);
-        write_together(dir, &[(NUMBERS, &json), (PAGE, &page)])?;
-    }
-    if args.json {
-        print(&json)?;
-    } else {
-        let titles: Vec<_> = (runs.iter())
-            .map(|run| (run.name.as_str(), run.data.title.clone()))
-            .collect();
-        let mut text = pairs(&titles) + "\n";
-        if comparison.starts.seed.is_some() {
-            text += &format!("{}\n\n", comparison.statement);
-        }
-        let mut rows = vec![comparison.headings()];
-        rows.extend(comparison.rows(comparison.results.iter()));
-        text += &format!("{}\n{}\n", columns(&rows), comparison.starts_text());
-        tell(&(text + &page_line(out, PAGE)))?;
-    }
-    if let (true, Some(dir)) = (args.open, out) {
-        open_page(&dir.join(PAGE));
-    }
-    Ok(())
+    let mut rows = vec![comparison.headings()];
+    rows.extend(comparison.rows(comparison.results.iter()));
+    text + &format!("{}\n{}\n", columns(&rows), comparison.starts_text())
 }
 
 /// What is compared, the ring that the others are compared with first.
@@ -136,7 +119,7 @@ type Compared = (Vec<ComparedRun>, RingComparison);
 fn from_starts(
     cases: &[(&'static str, CaseFile)],
     count: u64,
-    bars: &Bars<'_>,
+    bars: &dyn Progress,
 ) -> Result<Compared, Failure> {
     let (rings, comparison) = study(cases, count, bars)?;
     let run = |(ring, (name, _)): (&ComparedRing, &(&'static str, CaseFile))| ComparedRun {
@@ -148,7 +131,7 @@ fn from_starts(
 }
 
 /// Takes finished runs, and runs the cases beside them once.
-fn finished(sides: Vec<(&'static str, Side)>, bars: &Bars<'_>) -> Result<Compared, Failure> {
+fn finished(sides: Vec<(&'static str, Side)>, bars: &dyn Progress) -> Result<Compared, Failure> {
     let (mut runs, mut results) = (vec![], vec![]);
     for (name, side) in sides {
         let FinishedRun { data, summary } = match side {
@@ -168,7 +151,7 @@ fn finished(sides: Vec<(&'static str, Side)>, bars: &Bars<'_>) -> Result<Compare
     Ok((runs, RingComparison::new(&results, starts)))
 }
 
-fn once(file: &CaseFile, bars: &Bars<'_>) -> Result<FinishedRun, Failure> {
+fn once(file: &CaseFile, bars: &dyn Progress) -> Result<FinishedRun, Failure> {
     let mut rows = ();
     let options = Options {
         rows: Some(&mut rows),
@@ -179,6 +162,6 @@ fn once(file: &CaseFile, bars: &Bars<'_>) -> Result<FinishedRun, Failure> {
         data: run_data(file, &record),
         summary: serde_json::from_str(&record.summary.to_json()?)?,
     };
-    Failure::of_ending(record.outcome.ending, record.outcome.end_s, "")?;
+    Failure::of_outcome(record.outcome, None, None)?;
     Ok(run)
 }

@@ -2,108 +2,89 @@
 
 use std::path::Path;
 
-use anyhow::Context as _;
-use cageless_io::results::write_atomically;
 use cageless_paper::structures_of;
 use cageless_report::design_report::{design_data, rings_of};
 use cageless_report::recommended::recommended_document;
 use cageless_report::{design_page, to_json};
 use cageless_study::design::{DesignResult, Judged, judged as study, task};
 use cageless_study::rings::rings;
-use cageless_study::{Progress, StudyError, search};
+use cageless_study::{StudyError, search};
 
-use super::files::{deliver, make_folder, open_page, read_case, writable};
 use crate::args::DesignArgs;
+use crate::driver::{Answer, PAGE, PAGE_DATA, pretty, read_case};
 use crate::failure::Failure;
-use crate::format::{judged, page_line, pairs, values, warnings};
-use crate::progress::{Bars, catch_interrupt};
+use crate::format::{judged, pairs, values, warnings};
 
 /// Files in the folder of `--out`.
 const NUMBERS: &str = "design.json";
-const PAGE: &str = "report.html";
-const PAGE_DATA: &str = "report.json";
 const CASE: &str = "case.toml";
 /// The case with the recommended raceway.
 const RECOMMENDED: &str = "recommended.toml";
 
 /// Analyses the case's raceways; searches for a better one if asked to.
 pub fn design(args: &DesignArgs) -> Result<(), Failure> {
-    let (searching, open) = (args.search, args.open);
-    let args = &args.case;
-    let file = read_case(args)?;
-    if let Some(dir) = &args.out {
-        make_folder(dir)?;
-        // Better found out now than when the work is done.
-        for name in [NUMBERS, PAGE, PAGE_DATA, RECOMMENDED] {
-            writable(&dir.join(name))?;
+    let output = &args.case.output;
+    let out = output.out.as_deref();
+    let file = read_case(&args.case)?;
+    output.drive(&[NUMBERS, PAGE, PAGE_DATA, RECOMMENDED], |bars| {
+        if args.search {
+            bars.whole(&[vec![task()], search::tasks(&file)].concat());
         }
-    }
-    let stop = catch_interrupt();
-    let bars = Bars::new(&stop);
-    if searching {
-        bars.whole(&[vec![task()], search::tasks(&file)].concat());
-    }
-    let Judged {
-        judgement,
-        recommendation,
-        snapshots,
-    } = study(&file, &bars)?;
-    let stopped = judgement.stopped.clone();
-    let mut result = DesignResult::new(file.case(), &judgement, recommendation.as_ref());
-    let mut none_found = None;
-    if searching {
-        let out = args.out.as_deref();
-        let (found, mut data) =
-            search::run(&file, out, &bars).map_err(|error| search_failed(error, out))?;
-        none_found = search::refusal(&file, &found);
-        data.paper = structures_of(&file.case().bearing)?;
-        result.search = Some(data);
-    }
-    drop(bars);
-    if let Some(dir) = &args.out {
-        let mut data = design_data(&file, &result, &snapshots);
-        data.rings = rings(&rings_of(&file, &result), &Bars::new(&stop))?;
-        write_atomically(&dir.join(PAGE), design_page(&data).as_bytes())?;
-        write_atomically(&dir.join(PAGE_DATA), to_json(&data)?.as_bytes())?;
-    }
-    let mut recommended = String::new();
-    if let Some(dir) = &args.out {
-        let path = dir.join(RECOMMENDED);
-        if let Some(document) = recommended_document(&file, &result) {
-            write_atomically(&path, document.to_toml_without(file.defaults())?.as_bytes())?;
-            recommended = pairs(&[("case with the raceway", path.display().to_string())]);
-        } else if path.exists() {
-            // One of an earlier call would not be of this case.
-            std::fs::remove_file(&path)
-                .with_context(|| format!("{}: cannot be removed", path.display()))
-                .map_err(Failure::Other)?;
+        let Judged {
+            judgement,
+            recommendation,
+            snapshots,
+        } = study(&file, bars)?;
+        let stopped = judgement.stopped.clone();
+        let mut result = DesignResult::new(file.case(), &judgement, recommendation.as_ref());
+        let mut none_found = None;
+        if args.search {
+            let (found, mut data) =
+                search::run(&file, out, bars).map_err(|error| search_failed(error, out))?;
+            none_found = search::refusal(&file, &found);
+            data.paper = structures_of(&file.case().bearing)?;
+            result.search = Some(data);
         }
-    }
-    let text = match none_found {
-        Some(_) => String::new(),
-        None => text(&result) + &recommended + &page_line(args.out.as_deref(), PAGE),
-    };
-    deliver(args, NUMBERS, &result, &text)?;
-    if let (true, Some(dir)) = (searching, &args.out) {
-        search::forget(dir);
-        // With the case the folder is a result that can be read back.
-        let case = file.document().to_toml()?;
-        write_atomically(&dir.join(CASE), case.as_bytes())?;
-    }
-    if let (true, Some(dir)) = (open, &args.out) {
-        open_page(&dir.join(PAGE));
-    }
-    if let Some(message) = none_found {
-        let written = args.out.as_ref().map_or(String::new(), |dir| {
-            format!("; {} has the maps", dir.join(PAGE).display())
-        });
-        return Err(Failure::Unphysical(message + &written));
-    }
-    match stopped {
-        // A search does not need the case's own raceway.
-        Some(stop) if !searching => Err(Failure::stopped(&stop, "")),
-        _ => Ok(()),
-    }
+        let recommended = recommended_document(&file, &result);
+        let mut text = text(&result);
+        if let (Some(dir), Some(_)) = (out, &recommended) {
+            let path = dir.join(RECOMMENDED).display().to_string();
+            text += &pairs(&[("case with the raceway", path)]);
+        }
+        let files = output.files(|| {
+            let mut data = design_data(&file, &result, &snapshots);
+            data.rings = rings(&rings_of(&file, &result), bars)?;
+            let recommended = recommended.map(|case| case.to_toml_without(file.defaults()));
+            let mut files = vec![
+                (PAGE, Some(design_page(&data))),
+                (PAGE_DATA, Some(to_json(&data)?)),
+                (RECOMMENDED, recommended.transpose()?),
+            ];
+            if args.search {
+                // With the case the folder is a result that can be read back; its journal is done with.
+                files.push((CASE, Some(file.document().to_toml()?)));
+                files.push((search::JOURNAL, None));
+            }
+            Ok(files)
+        })?;
+        let ending = match (none_found, stopped) {
+            (Some(message), _) => {
+                text.clear();
+                let page = out.map(|dir| dir.join(PAGE));
+                let maps = page.map(|page| format!("; {} has the maps", page.display()));
+                Err(Failure::Unphysical(message + &maps.unwrap_or_default()))
+            }
+            // A search does not need the case's own raceway.
+            (None, Some(stop)) if !args.search => Err(Failure::stopped(&stop, "")),
+            _ => Ok(()),
+        };
+        Ok(Answer {
+            csv: true,
+            files,
+            ending,
+            ..Answer::new(NUMBERS, pretty(&result)?, text)
+        })
+    })
 }
 
 /// Failure of a search that was interrupted.

@@ -1,83 +1,42 @@
 //! `cageless drop`.
 
-use cageless::dynamics::InstructionSet;
 use cageless::verification::Convergence;
-use cageless_io::results::{Metadata, RunWriter, write_atomically, write_csv};
 use cageless_report::drop::drop_page;
 use cageless_results::number_text::significant;
 use cageless_results::{DropJudgement, DropResult};
 use cageless_study::drop::{
     Distribution, DropRequest, DropStudy, DropVerification, EnsembleResult, study,
 };
-use cageless_study::run::Rows;
 
-use super::files::{make_folder, open_page, print, read_case, tell, writable};
 use crate::args::{DropArgs, Reference};
-use crate::failure::{Failure, kept_in};
-use crate::format::{columns, judged, page_line, pairs, warnings};
-use crate::progress::{Bars, catch_interrupt};
+use crate::driver::{Answer, PAGE, Tables, read_case};
+use crate::failure::Failure;
+use crate::finished_run::SUMMARY;
+use crate::format::{columns, judged, pairs, warnings};
 
-pub(super) const SUMMARY: &str = "summary.json";
-pub(super) const PAGE: &str = "report.html";
+/// Failure of a drop whose samples or verification were interrupted.
+pub(super) const REST_INTERRUPTED: &str = "interrupted: the drop itself is complete.";
 
 /// Drops the rotor of a case.
 pub fn touchdown(args: &DropArgs) -> Result<(), Failure> {
     let file = read_case(&args.case)?;
     let request = requested(args);
     request.check(&file, &args.case.case.display().to_string())?;
-    let footer = serde_json::to_string(&file.document_as_run())?;
-    let out = args.case.out.as_deref();
-    let mut writer = match out {
-        Some(dir) => {
-            make_folder(dir)?;
-            for name in [SUMMARY, PAGE] {
-                writable(&dir.join(name))?;
-            }
-            let isa = InstructionSet::chosen().name();
-            let metadata = Metadata { isa, case: &footer };
-            Some(RunWriter::create(dir, &metadata)?)
-        }
-        None => None,
-    };
-    let stop = catch_interrupt();
-    let bars = Bars::new(&stop);
-    let rows = (writer.as_mut()).map(|writer| writer as &mut (dyn Rows + Send));
-    let study = study(&file, request, rows, &bars)?;
-    if let Some(writer) = writer {
-        writer.finish()?;
-    }
-    if let (true, Some(dir)) = (args.csv, out) {
-        write_csv(dir)?;
-    }
-    let json = study.to_json(&file)?;
-    if let Some(dir) = out {
-        write_atomically(&dir.join(SUMMARY), json.as_bytes())?;
-        let page = drop_page(&file, &study);
-        write_atomically(&dir.join(PAGE), page.as_bytes())?;
-    }
-    drop(bars);
-    if args.case.json {
-        print(&json)?;
-    } else {
-        tell(&(text(&study) + &page_line(out, PAGE)))?;
-    }
-    show_page(args);
-    let kept = kept_in(out);
-    let outcome = study.drop.outcome;
-    Failure::of_ending(outcome.ending, outcome.end_s, &kept)?;
-    if study.interrupted {
-        return Err(Failure::Interrupted(format!(
-            "interrupted: the drop itself is complete.{kept}"
-        )));
-    }
-    Ok(())
-}
-
-/// Opens the page of a drop in the browser if that is asked for.
-pub(super) fn show_page(args: &DropArgs) {
-    if let (true, Some(dir)) = (args.open, &args.case.out) {
-        open_page(&dir.join(PAGE));
-    }
+    let output = &args.case.output;
+    output.drive(&[SUMMARY, PAGE], |bars| {
+        let out = output.out.as_deref();
+        let mut tables = Tables::create(out, [(String::new(), &file)])?;
+        let study = study(&file, request, tables.rows().remove(0), bars)?;
+        tables.finish(output.csv)?;
+        let (json, text) = (study.to_json(&file)?, text(&study));
+        let files = output.files(|| Ok(vec![(PAGE, Some(drop_page(&file, &study)))]))?;
+        let rest_interrupted = study.interrupted.then_some(REST_INTERRUPTED);
+        Ok(Answer {
+            files,
+            ending: Failure::of_outcome(study.drop.outcome, rest_interrupted, out),
+            ..Answer::new(SUMMARY, json, text)
+        })
+    })
 }
 
 /// What the options ask for beside the drop.

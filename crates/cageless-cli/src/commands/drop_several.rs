@@ -1,161 +1,48 @@
 //! `cageless drop` of a rotor above several bearings.
 
-use std::f64::consts::TAU;
-use std::path::Path;
-
-use cageless::dynamics::InstructionSet;
 use cageless::simulation::PlaneDisplacement;
-use cageless_io::case_file::CaseDocument;
-use cageless_io::results::{Metadata, RunWriter, write_atomically, write_csv};
 use cageless_io::rotor_file::RotorFile;
 use cageless_report::drop::rotor_page;
 use cageless_results::DropResult;
 use cageless_results::number_text::significant;
-use cageless_study::drop::{RotorEnsemble, RotorStudy, WhirlProbability, rotor_study, unloaded};
-use cageless_study::run::Rows;
-use serde::Serialize;
+use cageless_study::drop::{RotorEnsemble, RotorStudy, WhirlProbability, rotor_study};
 
-use super::drop::{PAGE, SUMMARY, quantiles, requested, show_page, table, verdict, verified};
-use super::files::{deliver, make_folder, print, tell, writable};
-use super::steps::{check_warnings, steps_text};
-use crate::args::{CaseArgs, DropArgs};
-use crate::failure::{Failure, kept_in};
-use crate::format::{columns, page_line, pairs, warnings};
-use crate::progress::{Bars, catch_interrupt};
+use super::drop::{REST_INTERRUPTED, quantiles, requested, table, verdict, verified};
+use crate::args::DropArgs;
+use crate::driver::{Answer, PAGE, Tables};
+use crate::failure::Failure;
+use crate::finished_run::SUMMARY;
+use crate::format::{columns, pairs, warnings};
 
 /// Drops a rotor into its bearings. The tables of each go to a folder of its own.
 pub fn drop_several(args: &DropArgs) -> Result<(), Failure> {
     let request = requested(args);
     request.check_samples()?;
     let file = RotorFile::read(&args.case.case, &args.case.set)?;
-    let out = args.case.out.as_deref();
-    let footers: Vec<String> = (file.bearings().iter())
-        .map(|bearing| serde_json::to_string(&bearing.document_as_run()))
-        .collect::<Result<_, _>>()?;
-    let mut writers = vec![];
-    if let Some(dir) = out {
-        make_folder(dir)?;
-        for name in [SUMMARY, PAGE] {
-            writable(&dir.join(name))?;
-        }
-        let isa = InstructionSet::chosen().name();
-        for (k, case) in footers.iter().enumerate() {
-            let folder = dir.join(folder_of(k));
-            make_folder(&folder)?;
-            writers.push(RunWriter::create(&folder, &Metadata { isa, case })?);
-        }
-    }
-    let stop = catch_interrupt();
-    let bars = Bars::new(&stop);
-    let mut rows: Vec<Option<&mut (dyn Rows + Send)>> = (writers.iter_mut())
-        .map(|writer| Some(writer as &mut (dyn Rows + Send)))
-        .collect();
-    rows.resize_with(footers.len(), || None);
-    let study = rotor_study(&file, request, rows, &bars)?;
-    for (k, writer) in writers.into_iter().enumerate() {
-        writer.finish()?;
-        if let (true, Some(dir)) = (args.csv, out) {
-            write_csv(&dir.join(folder_of(k)))?;
-        }
-    }
-    let json = study.to_json(&file)?;
-    if let Some(dir) = out {
-        write_files(dir, &json, &rotor_page(&file, &study))?;
-    }
-    drop(bars);
-    if args.case.json {
-        print(&json)?;
-    } else {
-        tell(&(text(&file, &study) + &page_line(out, PAGE)))?;
-    }
-    show_page(args);
-    let kept = kept_in(out);
-    let place = format!("bearing {}: ", study.drop.last_index() + 1);
-    let outcome = study.drop.into_last().outcome;
-    Failure::of_ending(outcome.ending, outcome.end_s, &kept).map_err(|f| f.stopped_at(&place))?;
-    if study.interrupted {
-        return Err(Failure::Interrupted(format!(
-            "interrupted: the drop itself is complete.{kept}"
-        )));
-    }
-    Ok(())
+    let output = &args.case.output;
+    output.drive(&[SUMMARY, PAGE], |bars| {
+        let out = output.out.as_deref();
+        let folders = (1..).map(|k| format!("bearing-{k}"));
+        let mut tables = Tables::create(out, folders.zip(file.bearings()))?;
+        let study = rotor_study(&file, request, tables.rows(), bars)?;
+        tables.finish(output.csv)?;
+        let (json, text) = (study.to_json(&file)?, text(&file, &study));
+        let files = output.files(|| Ok(vec![(PAGE, Some(rotor_page(&file, &study)))]))?;
+        let rest_interrupted = study.interrupted.then_some(REST_INTERRUPTED);
+        let place = format!("bearing {}: ", study.drop.last_index() + 1);
+        let ending = Failure::of_outcome(study.drop.into_last().outcome, rest_interrupted, out);
+        Ok(Answer {
+            files,
+            ending: ending.map_err(|failure| failure.stopped_at(&place)),
+            ..Answer::new(SUMMARY, json, text)
+        })
+    })
 }
 
-/// Checks a rotor file.
-pub fn check(args: &CaseArgs) -> Result<(), Failure> {
-    /// `check.json`.
-    #[derive(Serialize)]
-    struct Checked {
-        valid: bool,
-        cases: Vec<CaseDocument>,
-        mass_kg: f64,
-        mass_shares_kg: Vec<f64>,
-        step_us: f64,
-        natural_frequencies_hz: Vec<f64>,
-        warnings: Vec<String>,
-    }
-    let file = RotorFile::read(&args.case, &args.set)?;
-    let (rotor, cases) = (file.drop().rotor(), file.drop().cases());
-    let at_speed = rotor.eigenvalues(file.drop().speed_rad_s());
-    let mut frequencies: Vec<f64> = (at_speed.iter())
-        .map(|value| value.im / TAU)
-        .filter(|frequency| *frequency > LEAST_FREQUENCY_HZ)
-        .collect();
-    frequencies.sort_by(f64::total_cmp);
-    frequencies.truncate(FREQUENCIES);
-    let shares = rotor.mass_shares_kg();
-    let step_us = 1e6 * cases[0].solver.step_s;
-    let lines = [
-        ("rotor", format!("{} is valid", args.case.display())),
-        ("bearings", cases.len().to_string()),
-        ("mass", format!("{} kg", significant(rotor.mass_kg(), 4))),
-        ("carried by the bearings", format!("{} kg", listed(&shares))),
-        (
-            "lowest natural frequencies at speed, without contact",
-            match frequencies.is_empty() {
-                true => "–".to_owned(),
-                false => format!("{} Hz", listed(&frequencies)),
-            },
-        ),
-        ("steps of a drop", steps_text(&cases[0])),
-    ];
-    let mut notes = check_warnings(cases);
-    notes.extend(unloaded(file.drop()));
-    let checked = Checked {
-        valid: true,
-        cases: file
-            .bearings()
-            .iter()
-            .map(|b| b.document_as_run())
-            .collect(),
-        mass_kg: rotor.mass_kg(),
-        mass_shares_kg: shares,
-        step_us,
-        natural_frequencies_hz: frequencies,
-        warnings: notes,
-    };
-    let text = pairs(&lines) + &warnings(&checked.warnings);
-    deliver(args, "check.json", &checked, &text)
-}
-
-/// Natural frequencies that a check lists.
-const FREQUENCIES: usize = 8;
-/// Below, a rotor moves freely.
-const LEAST_FREQUENCY_HZ: f64 = 1e-3;
-
-/// Folder of the tables of bearing `k`.
-fn folder_of(k: usize) -> String {
-    format!("bearing-{}", k + 1)
-}
-
-fn listed(values: &[f64]) -> String {
+/// Numbers of four digits in a row.
+pub(super) fn listed(values: &[f64]) -> String {
     let texts: Vec<String> = values.iter().map(|value| significant(*value, 4)).collect();
     texts.join(", ")
-}
-
-fn write_files(dir: &Path, json: &str, page: &str) -> Result<(), Failure> {
-    write_atomically(&dir.join(SUMMARY), json.as_bytes())?;
-    Ok(write_atomically(&dir.join(PAGE), page.as_bytes())?)
 }
 
 fn text(file: &RotorFile, study: &RotorStudy) -> String {

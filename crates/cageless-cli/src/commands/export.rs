@@ -10,8 +10,8 @@ use cageless_io::case_file::CaseFile;
 use cageless_io::on_terminal;
 use cageless_io::results::{PartialFile, ResultError, write_atomically};
 
-use super::files::{make_folder, print, tell};
 use crate::args::ExportArgs;
+use crate::driver::{make_folder, print, tell};
 use crate::failure::Failure;
 use crate::format::pairs;
 

@@ -5,8 +5,8 @@ use clap::{Command, CommandFactory};
 use clap_complete::Shell;
 use clap_mangen::Man;
 
-use super::files::{make_folder, print, tell};
 use crate::args::{Args, ManArgs};
+use crate::driver::{make_folder, print, tell};
 use crate::failure::Failure;
 use crate::format::pairs;
 

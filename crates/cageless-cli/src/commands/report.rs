@@ -2,18 +2,14 @@
 
 use std::path::Path;
 
-use cageless_io::results::write_atomically;
 use cageless_report::{SweepData, sweep_page, to_json};
 use cageless_results::Aim;
 use cageless_study::sweep::analysis::{Goal, analyse};
 
-use super::files::{make_folder, open_page, print, tell, writable};
-use crate::args::ReportArgs;
+use crate::args::{Output, ReportArgs};
+use crate::driver::{Answer, PAGE, PAGE_DATA};
 use crate::failure::Failure;
 use crate::format::{columns, pairs};
-
-const PAGE: &str = "report.html";
-const PAGE_DATA: &str = "report.json";
 
 /// Analyses a finished sweep.
 pub fn report(args: &ReportArgs) -> Result<(), Failure> {
@@ -32,29 +28,22 @@ pub fn report(args: &ReportArgs) -> Result<(), Failure> {
     };
     let goals = [goals(&args.low, Aim::Low), goals(&args.high, Aim::High)].concat();
     let data = analyse(path, &goals)?;
-    if !folder.as_os_str().is_empty() {
-        make_folder(folder)?;
-    }
-    let (page, numbers) = (folder.join(PAGE), folder.join(PAGE_DATA));
-    writable(&page)?;
-    writable(&numbers)?;
-    let json = to_json(&data)?;
-    write_atomically(&page, sweep_page(&data).as_bytes())?;
-    write_atomically(&numbers, json.as_bytes())?;
-    if args.json {
-        print(&(json + "\n"))?;
-    } else {
-        tell(&text(&data, &page))?;
-    }
-    if args.open {
-        open_page(&page);
-    }
-    Ok(())
+    let output = Output {
+        json: args.json,
+        out: Some(folder.to_owned()),
+        csv: false,
+        open: args.open,
+    };
+    output.drive(&[PAGE, PAGE_DATA], |_| {
+        Ok(Answer {
+            files: output.files(|| Ok(vec![(PAGE, Some(sweep_page(&data)))]))?,
+            ..Answer::new(PAGE_DATA, to_json(&data)? + "\n", text(&data))
+        })
+    })
 }
 
-fn text(data: &SweepData, page: &Path) -> String {
+fn text(data: &SweepData) -> String {
     let mut text = pairs(&[
-        ("page", page.display().to_string()),
         ("variants", data.variants.to_string()),
         ("failed", data.failed.to_string()),
     ]);

@@ -1,41 +1,31 @@
 //! `cageless reproduce`: every table and figure of Zhao 2022 beside the paper's numbers.
 
-use std::time::Instant;
-
-use cageless_io::results::write_atomically;
 use cageless_report::{ReproduceData, reproduce_page, to_json};
 
-use super::files::{make_folder, open_page, print, tell};
-use crate::args::Reproduce;
+use crate::args::{Output, Reproduce};
+use crate::driver::{Answer, PAGE, PAGE_DATA};
 use crate::failure::Failure;
 use crate::format::columns;
-use crate::progress::{Bars, catch_interrupt};
 
 /// Regenerates the paper.
 pub fn reproduce(args: &Reproduce) -> Result<(), Failure> {
-    // An output folder that cannot be made must not cost the user the computation.
-    make_folder(&args.out)?;
-    let started = Instant::now();
-    let data = cageless_paper::reproduce(&Bars::new(&catch_interrupt()))?;
-    let json = to_json(&data)?;
-    let page = args.out.join("report.html");
-    write_atomically(&page, reproduce_page(&data).as_bytes())?;
-    write_atomically(&args.out.join("report.json"), json.as_bytes())?;
-    if args.json {
-        print(&(json + "\n"))?;
-    } else {
-        tell(&format!(
-            "{}\n{}\nThe page is {}, its numbers report.json beside it ({:.1} s).\n",
-            data.lead,
-            table_2(&data),
-            page.display(),
-            started.elapsed().as_secs_f64()
-        ))?;
-    }
-    if args.open {
-        open_page(&page);
-    }
-    Ok(())
+    let output = Output {
+        json: args.json,
+        out: Some(args.out.clone()),
+        csv: false,
+        open: args.open,
+    };
+    output.drive(&[PAGE, PAGE_DATA], |bars| {
+        let data = cageless_paper::reproduce(bars)?;
+        Ok(Answer {
+            files: output.files(|| Ok(vec![(PAGE, Some(reproduce_page(&data)))]))?,
+            ..Answer::new(
+                PAGE_DATA,
+                to_json(&data)? + "\n",
+                format!("{}\n{}\n", data.lead, table_2(&data)),
+            )
+        })
+    })
 }
 
 /// Table 2 for the terminal.

@@ -1,105 +1,58 @@
 //! `cageless run`.
 
-use std::sync::atomic::Ordering;
-
 use cageless::Case;
-use cageless::dynamics::InstructionSet;
 use cageless::initial_conditions::initial_state;
 use cageless::simulation::{Ending, RunOutcome};
-use cageless_io::results::{Metadata, RunWriter, VerificationFile, write_atomically, write_csv};
+use cageless_io::results::VerificationFile;
 use cageless_report::run_report::run_data;
 use cageless_report::verification::{facts, value};
 use cageless_report::{run_json, run_page};
 use cageless_study::RunSummary;
-use cageless_study::run::{Options, Rows, RunRecord, run as study};
+use cageless_study::run::{Options, run as study};
 
-use super::files::{make_folder, open_page, print, read_case, tell, writable};
 use crate::args::RunArgs;
-use crate::failure::{Failure, kept_in};
-use crate::finished_run::{PAGE_DATA, SUMMARY};
-use crate::format::{columns, judged, page_line, pairs, values, warnings};
-use crate::progress::{Bars, catch_interrupt};
-
-/// The page beside the tables.
-const PAGE: &str = "report.html";
+use crate::driver::{Answer, PAGE, PAGE_DATA, Tables, read_case};
+use crate::failure::Failure;
+use crate::finished_run::SUMMARY;
+use crate::format::{columns, judged, pairs, values, warnings};
 
 /// Simulates a case.
 pub fn run(args: &RunArgs) -> Result<(), Failure> {
-    let (verify, csv, open) = (args.verify, args.csv, args.open);
-    let args = &args.case;
-    let file = read_case(args)?;
-    let case = file.case();
+    let (verify, output) = (args.verify, &args.case.output);
+    let file = read_case(&args.case)?;
     // A case that cannot start must not touch the folder.
-    initial_state(case)?;
-    let document = serde_json::to_string(&file.document_as_run())?;
-    let isa = InstructionSet::chosen().name();
-    let mut writer = match &args.out {
-        Some(dir) => {
-            make_folder(dir)?;
-            // Better found out now than when the run is over.
-            for name in [SUMMARY, PAGE, PAGE_DATA] {
-                writable(&dir.join(name))?;
-            }
-            let metadata = Metadata {
-                isa,
-                case: &document,
-            };
-            Some(RunWriter::create(dir, &metadata)?)
+    initial_state(file.case())?;
+    output.drive(&[SUMMARY, PAGE, PAGE_DATA], |bars| {
+        let out = output.out.as_deref();
+        let mut tables = Tables::create(out, [(String::new(), &file)])?;
+        let rows = tables.rows().remove(0);
+        let mut record = study(&file, Options { rows, verify }, bars)?;
+        if let (Ending::ObserverFailed(error), Some(dir)) = (&record.outcome.ending, out) {
+            let dir = dir.display();
+            return Err(Failure::Other(anyhow::anyhow!(
+                "{error}; {dir} is as it was"
+            )));
         }
-        None => None,
-    };
-
-    let stop = catch_interrupt();
-    let options = Options {
-        rows: writer
-            .as_mut()
-            .map(|writer| writer as &mut (dyn Rows + Send)),
-        verify,
-    };
-    let bars = Bars::new(&stop);
-    let mut record = study(&file, options, &bars)?;
-
-    if let (Ending::ObserverFailed(error), Some(dir)) = (&record.outcome.ending, &args.out) {
-        return Err(Failure::Other(anyhow::anyhow!(
-            "{error}; {} is as it was",
-            dir.display()
-        )));
-    }
-    if let Some(writer) = writer {
-        writer.finish()?;
-    }
-    if let (true, Some(dir)) = (csv, &args.out) {
-        write_csv(dir)?;
-    }
-    record.verify(&file, &bars);
-    drop(bars);
-    if let Some(dir) = &args.out {
-        record.summary.write(dir)?;
-        let data = run_data(&file, &record);
-        write_atomically(&dir.join(PAGE), run_page(&data).as_bytes())?;
-        let page_data = run_json(&data, &record.summary.to_json()?)?;
-        write_atomically(&dir.join(PAGE_DATA), page_data.as_bytes())?;
-    }
-    let RunRecord {
-        outcome, summary, ..
-    } = record;
-    if args.json {
-        print(&summary.to_json()?)?;
-    } else {
-        let text = text(case, &outcome, &summary);
-        tell(&(text + &page_line(args.out.as_deref(), PAGE)))?;
-    }
-    if let (true, Some(dir)) = (open, &args.out) {
-        open_page(&dir.join(PAGE));
-    }
-    let kept = kept_in(args.out.as_deref());
-    let complete = matches!(outcome.ending, Ending::Complete);
-    if complete && verify && stop.load(Ordering::Relaxed) {
-        return Err(Failure::Interrupted(format!(
-            "interrupted while verifying: the run itself is complete.{kept}"
-        )));
-    }
-    Failure::of_ending(outcome.ending, outcome.end_s, &kept)
+        tables.finish(output.csv)?;
+        record.verify(&file, bars);
+        let json = record.summary.to_json()?;
+        let files = output.files(|| {
+            let data = run_data(&file, &record);
+            let page_data = run_json(&data, &json)?;
+            Ok(vec![
+                (PAGE, Some(run_page(&data))),
+                (PAGE_DATA, Some(page_data)),
+            ])
+        })?;
+        let text = text(file.case(), &record.outcome, &record.summary);
+        let rest = "interrupted while verifying: the run itself is complete.";
+        let rest_interrupted = (verify && bars.interrupted()).then_some(rest);
+        Ok(Answer {
+            files,
+            ending: Failure::of_outcome(record.outcome, rest_interrupted, out),
+            ..Answer::new(SUMMARY, json, text)
+        })
+    })
 }
 
 /// The verdict, then every result of the table.

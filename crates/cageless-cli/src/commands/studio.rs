@@ -9,8 +9,8 @@ use cageless_io::io_error_message;
 use cageless_io::results::{VERSION, write_atomically};
 use cageless_report::{engine, studio_page};
 
-use super::files::print;
 use crate::args::StudioArgs;
+use crate::driver::print;
 use crate::failure::Failure;
 use crate::progress::catch_interrupt;
 use crate::studio::{Server, Token};

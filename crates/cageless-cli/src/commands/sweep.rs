@@ -1,22 +1,17 @@
 //! `cageless sweep`.
 
-use std::cell::Cell;
-use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::Ordering;
-use std::time::{Duration, Instant};
 
 use cageless_io::plan_file::PlanFile;
-use cageless_study::break_if;
-use cageless_study::sweep::{Failures, Job, Progress, Shard, Sweep, failures, merge, run};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use cageless_study::sweep::{self, Failures, Job, Shard, Sweep, failures, merge, run};
+use cageless_study::{Progress, break_if};
 use serde::Serialize;
 
-use super::files::{print, tell};
 use crate::args::{MergeArgs, SweepArgs, SweepCommand, SweepOutput};
+use crate::driver::{make_folder, print, tell};
 use crate::failure::Failure;
 use crate::format::pairs;
-use crate::progress::{catch_interrupt, is_quiet};
+use crate::progress::{Bars, catch_interrupt};
 
 /// `sweep --json`.
 #[derive(Debug, Serialize)]
@@ -47,12 +42,14 @@ pub fn sweep(args: &SweepArgs) -> Result<(), Failure> {
         threads: args.threads,
     };
     let stop = catch_interrupt();
-    let display = Display::new();
+    let bars = Bars::new(&stop);
     let done = run(&sweep, &job, |progress| {
-        display.show(progress);
-        break_if(stop.load(Ordering::Relaxed))
+        let (done, total, rate) = (progress.done, progress.total, shown_rate(progress.rate()));
+        let text = format!("{done} of {total} variants, {rate} per second");
+        bars.show(&text, progress.fraction());
+        break_if(bars.interrupted())
     })?;
-    drop(display);
+    drop(bars);
     let progress = done.progress;
     if !done.complete {
         return Err(Failure::Interrupted(format!(
@@ -71,7 +68,7 @@ fn join(args: &MergeArgs) -> Result<(), Failure> {
     };
     let result = folder.join(file_name(None));
     printable(&args.output, &result)?;
-    super::files::make_folder(&folder)?;
+    make_folder(&folder)?;
     let variants = merge(&args.shards, &result)?;
     deliver(&args.output, result, variants, None)
 }
@@ -108,7 +105,7 @@ fn deliver(
     output: &SweepOutput,
     result: PathBuf,
     variants: u64,
-    progress: Option<&Progress>,
+    progress: Option<&sweep::Progress>,
 ) -> Result<(), Failure> {
     let Failures { count, first } = failures(&result)?;
     let computed = progress.filter(|p| p.done_now > 0);
@@ -118,7 +115,7 @@ fn deliver(
         failed: count,
         first_reason: first,
         computed_now: progress.map_or(0, |p| p.done_now),
-        variants_per_s: computed.map(Progress::rate),
+        variants_per_s: computed.map(sweep::Progress::rate),
         wall_s: progress.map_or(0.0, |p| p.elapsed.as_secs_f64()),
     };
     if output.json {
@@ -148,66 +145,5 @@ fn shown_rate(rate: f64) -> String {
     match rate {
         rate if rate >= 100.0 => format!("{rate:.0}"),
         rate => format!("{rate:.2}"),
-    }
-}
-
-/// Progress on stderr: a bar on a terminal, lines now and then in the log of a job.
-struct Display {
-    bar: ProgressBar,
-    terminal: bool,
-    last: Cell<Option<Instant>>,
-}
-
-/// Work shorter than this shows nothing.
-const SILENT: Duration = Duration::from_secs(2);
-/// Time between lines of a log.
-const LOG_EVERY: Duration = Duration::from_secs(30);
-
-impl Display {
-    fn new() -> Self {
-        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
-        if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %") {
-            bar.set_style(style);
-        }
-        Self {
-            bar,
-            terminal: std::io::stderr().is_terminal(),
-            last: Cell::new(None),
-        }
-    }
-
-    fn show(&self, progress: &Progress) {
-        if is_quiet() || progress.elapsed < SILENT {
-            return;
-        }
-        let left = match progress.left() {
-            Some(left) => indicatif::HumanDuration(left).to_string(),
-            None => "unknown time".to_owned(),
-        };
-        let message = format!(
-            "{} of {} variants, {} per second, {left} left",
-            progress.done,
-            progress.total,
-            shown_rate(progress.rate()),
-        );
-        let last = self.last.get();
-        if self.terminal {
-            if last.is_none() {
-                self.bar.set_draw_target(ProgressDrawTarget::stderr());
-                self.bar.set_length(progress.total);
-                self.last.set(Some(Instant::now()));
-            }
-            self.bar.set_position(progress.done);
-            self.bar.set_message(message);
-        } else if last.is_none_or(|at| at.elapsed() >= LOG_EVERY) {
-            self.last.set(Some(Instant::now()));
-            eprintln!("{message}");
-        }
-    }
-}
-
-impl Drop for Display {
-    fn drop(&mut self) {
-        self.bar.finish_and_clear();
     }
 }

@@ -1,20 +1,15 @@
 //! `cageless tolerance`.
 
-use std::path::Path;
-
-use cageless_io::results::write_atomically;
 use cageless_report::text::pass_word;
 use cageless_report::to_json;
 use cageless_report::tolerance::{ToleranceData, tolerance_page};
 use cageless_study::tolerance::{Request, tolerance as study};
 
-use super::files::{make_folder, open_page, print, read_case, tell, writable};
 use crate::args::ToleranceArgs;
+use crate::driver::{Answer, PAGE, read_case};
 use crate::failure::Failure;
-use crate::format::{columns, judged, page_line};
-use crate::progress::{Bars, catch_interrupt};
+use crate::format::{columns, judged};
 
-const PAGE: &str = "report.html";
 const NUMBERS: &str = "tolerance.json";
 
 /// Judges the bearing within its tolerances.
@@ -34,33 +29,14 @@ pub fn tolerance(args: &ToleranceArgs) -> Result<(), Failure> {
     };
     // Bad input leaves no folder behind.
     request.check(file.case(), &name)?;
-    if let Some(dir) = &args.case.out {
-        make_folder(dir)?;
-        for name in [PAGE, NUMBERS] {
-            writable(&dir.join(name))?;
-        }
-    }
-    let stop = catch_interrupt();
-    let data = study(file.case(), &name, &request, &Bars::new(&stop))?;
-    let json = to_json(&data)?;
-    if let Some(dir) = &args.case.out {
-        write(dir, &data, &json)?;
-    }
-    if args.case.json {
-        print(&(json + "\n"))?;
-    } else {
-        tell(&(text(&data) + &page_line(args.case.out.as_deref(), PAGE)))?;
-    }
-    if let (true, Some(dir)) = (args.open, &args.case.out) {
-        open_page(&dir.join(PAGE));
-    }
-    Ok(())
-}
-
-fn write(dir: &Path, data: &ToleranceData, json: &str) -> Result<(), Failure> {
-    write_atomically(&dir.join(NUMBERS), json.as_bytes())?;
-    write_atomically(&dir.join(PAGE), tolerance_page(data).as_bytes())?;
-    Ok(())
+    let output = &args.case.output;
+    output.drive(&[PAGE, NUMBERS], |bars| {
+        let data = study(file.case(), &name, &request, bars)?;
+        Ok(Answer {
+            files: output.files(|| Ok(vec![(PAGE, Some(tolerance_page(&data)))]))?,
+            ..Answer::new(NUMBERS, to_json(&data)? + "\n", text(&data))
+        })
+    })
 }
 
 fn text(data: &ToleranceData) -> String {

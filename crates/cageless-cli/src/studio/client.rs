@@ -6,11 +6,10 @@ use std::time::{Duration, Instant};
 
 use axum::body::Bytes;
 use cageless_live::Control;
-use cageless_study::{Progress, Work, break_if};
+use cageless_study::{Progress, Workload, break_if};
 use tokio::sync::mpsc;
 
 use crate::progress::StopFlag;
-use crate::whole::{Display, Task, Whole};
 
 /// Time between two reports of progress.
 const PROGRESS_EVERY: Duration = Duration::from_millis(100);
@@ -25,7 +24,7 @@ pub struct Client<'s> {
     began: Instant,
     longest: Duration,
     reported: Mutex<Instant>,
-    whole: Mutex<Whole>,
+    workload: Mutex<Workload>,
 }
 
 impl<'s> Client<'s> {
@@ -38,7 +37,7 @@ impl<'s> Client<'s> {
             began,
             longest,
             reported: Mutex::new(began),
-            whole: Mutex::default(),
+            workload: Mutex::default(),
         }
     }
 
@@ -62,27 +61,16 @@ impl<'s> Client<'s> {
 }
 
 impl Progress for Client<'_> {
-    fn whole(&self, tasks: &[(String, f64)]) {
-        let mut whole = self.whole.lock().unwrap_or_else(PoisonError::into_inner);
-        whole.announce(tasks);
-    }
-
-    fn begin(&self, what: &str, units: f64) -> Box<dyn Work + '_> {
-        Box::new(Task::begin(self, what, units))
-    }
-
     fn interrupted(&self) -> bool {
         self.late() || self.lines.is_closed() || self.stop.load(Ordering::Relaxed)
     }
-}
 
-impl Display for Client<'_> {
-    fn tasks(&self) -> &Mutex<Whole> {
-        &self.whole
+    fn workload(&self) -> Option<&Mutex<Workload>> {
+        Some(&self.workload)
     }
 
     fn show(&self, _: &str, fraction: f64) {
-        // Whoever shows asks for an end of the work by itself.
+        // The task asks by itself for an end of the work.
         let _ = self.control(fraction);
     }
 }

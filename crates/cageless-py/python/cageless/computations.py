@@ -71,7 +71,7 @@ class Computations(ABC):
         threads : int, optional
             Number of threads; default: number of cores.
         progress : callable, optional
-            Called repeatedly with the name of the task and its completed fraction, 0 to 1.
+            Called repeatedly with the task under way and the completed fraction of the whole, 0 to 1.
 
         Returns
         -------
@@ -125,7 +125,7 @@ class Computations(ABC):
         threads : int, optional
             Number of threads; default: number of cores.
         progress : callable, optional
-            Called repeatedly with the name of the task and its completed fraction, 0 to 1.
+            Called repeatedly with the task under way and the completed fraction of the whole, 0 to 1.
 
         Returns
         -------
@@ -224,7 +224,7 @@ class Computations(ABC):
         threads : int, optional
             Threads; as many as there are cores if left out.
         progress : callable, optional
-            Called now and then with what is done and its share that is done, from 0 to 1.
+            Called repeatedly with the task under way and the completed fraction of the whole, 0 to 1.
 
         Returns
         -------
@@ -286,7 +286,7 @@ class Computations(ABC):
         threads : int, optional
             Number of threads; default: number of cores.
         progress : callable, optional
-            Called repeatedly with the name of the task and its completed fraction, 0 to 1.
+            Called repeatedly with the task under way and the completed fraction of the whole, 0 to 1.
 
         Returns
         -------
@@ -350,7 +350,7 @@ class Computations(ABC):
         threads : int, optional
             Threads; as many as there are cores if left out.
         progress : callable, optional
-            Called now and then with what is done and its share that is done, from 0 to 1.
+            Called repeatedly with the task under way and the completed fraction of the whole, 0 to 1.
 
         Returns
         -------

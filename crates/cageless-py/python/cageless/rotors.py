@@ -282,7 +282,7 @@ class LinearRotor:
         threads : int, optional
             Number of threads; default: number of cores.
         progress : callable, optional
-            Called repeatedly with the name of the task and its completed fraction, 0 to 1.
+            Called repeatedly with the task under way and the completed fraction of the whole, 0 to 1.
 
         Raises
         ------

@@ -57,7 +57,7 @@ pub fn compare(
     }
     let seed = rings.first().map_or(0, |(_, file)| file.case().seed);
     let work = progress.begin("compare", rings.len() as f64 * (count + 1) as f64);
-    let work = &*work;
+    let work = &work;
     let compared: Vec<ComparedRing> = rings
         .par_iter()
         .map(|(name, file)| ring(name, file, seed, count, work))
@@ -75,7 +75,7 @@ fn ring(
     file: &CaseFile,
     seed: u64,
     count: u64,
-    work: &dyn Work,
+    work: &Work<'_>,
 ) -> Result<ComparedRing, StudyError> {
     let starts: Vec<CaseFile> = (0..count)
         .map(|start| file.with_uneven_start(seed, start))
@@ -99,7 +99,7 @@ fn ring(
 }
 
 /// The run of the first start with its histories.
-fn recorded(file: &CaseFile, work: &dyn Work) -> Result<RunRecord, StudyError> {
+fn recorded(file: &CaseFile, work: &Work<'_>) -> Result<RunRecord, StudyError> {
     let mut rows = ();
     let options = Options {
         rows: Some(&mut rows),
@@ -109,30 +109,17 @@ fn recorded(file: &CaseFile, work: &dyn Work) -> Result<RunRecord, StudyError> {
         RunError::Start(error) => StudyError::Run(error.into()),
         RunError::Rows(error) => StudyError::Input(error.to_string()),
     })?;
+    let _ = work.add(1.0);
     match &record.outcome.ending {
         Ending::Complete => Ok(record),
         ending => Err(stopped(ending)),
     }
 }
 
-/// A run as a part of the work of a comparison.
-struct Part<'w>(&'w dyn Work);
+/// The work of a comparison as the progress of one of its runs, which only cancels.
+struct Part<'w>(&'w Work<'w>);
 
 impl Progress for Part<'_> {
-    fn begin(&self, _: &str, _: f64) -> Box<dyn Work + '_> {
-        Box::new(Part(self.0))
-    }
-
-    fn interrupted(&self) -> bool {
-        self.0.interrupted()
-    }
-}
-
-impl Work for Part<'_> {
-    fn add(&self, units: f64) -> cageless::simulation::Control {
-        self.0.add(units)
-    }
-
     fn interrupted(&self) -> bool {
         self.0.interrupted()
     }
@@ -157,7 +144,7 @@ impl Record for StartRecorder {
 /// Results of each start of a block, side by side.
 fn outcomes(
     block: &[CaseFile],
-    work: &dyn Work,
+    work: &Work<'_>,
 ) -> Result<Vec<Vec<(&'static str, f64)>>, StudyError> {
     let cases: Vec<Case> = block.iter().map(|file| file.case().clone()).collect();
     let record = |case: &Case| StartRecorder {

@@ -60,7 +60,7 @@ pub fn ensemble(
     let indices: Vec<u64> = (0..count).collect();
     let rows: Result<Vec<Vec<DropRow>>, StudyError> = indices
         .par_chunks(TOGETHER)
-        .map(|chunk| together(case, chunk, scatter, &*task))
+        .map(|chunk| together(case, chunk, scatter, &task))
         .collect();
     Ok(evaluate(case.seed, rows?.into_iter().flatten().collect()))
 }
@@ -69,7 +69,7 @@ fn together(
     case: &Case,
     indices: &[u64],
     scatter: &Scatter,
-    task: &dyn Work,
+    task: &Work<'_>,
 ) -> Result<Vec<DropRow>, StudyError> {
     // Short drops end before they ask for the first time.
     if task.interrupted() {

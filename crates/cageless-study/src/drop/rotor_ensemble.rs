@@ -60,7 +60,7 @@ pub fn rotor_ensemble(
     let task = progress.begin("drops", count as f64);
     let rows: Result<Vec<RotorDropRow>, StudyError> = (0..count)
         .into_par_iter()
-        .map(|index| RotorDropRow::compute(drop, index, scatter, &*task))
+        .map(|index| RotorDropRow::compute(drop, index, scatter, &task))
         .collect();
     let cases = drop.cases();
     Ok(evaluate(cases[0].seed, cases.len(), rows?))
@@ -71,7 +71,7 @@ impl RotorDropRow {
         drop: &RotorDrop,
         index: u64,
         scatter: &Scatter,
-        task: &dyn Work,
+        task: &Work<'_>,
     ) -> Result<Self, StudyError> {
         let (scattered, drawn) = scatter.draw_rotor(drop, index);
         let mut control = task.run_control(drop.cases()[0].solver.duration_s, 1.0);

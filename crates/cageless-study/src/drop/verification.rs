@@ -52,7 +52,7 @@ impl DropVerification {
             all[1..].iter().partition(|r| !r.role.half_step);
         let groups: Result<Vec<_>, StudyError> = [half, full]
             .into_par_iter()
-            .map(|group| together(&group, &*task))
+            .map(|group| together(&group, &task))
             .collect();
         let mut drops = vec![(all[0].role, result.clone())];
         drops.extend(groups?.into_iter().flatten());
@@ -105,7 +105,7 @@ pub(super) fn replica_stopped(role: Role, reason: &str) -> StudyError {
     StudyError::Input(format!("{role} stopped {reason}"))
 }
 
-fn together(group: &[&Replica], task: &dyn Work) -> Result<Vec<(Role, DropResult)>, StudyError> {
+fn together(group: &[&Replica], task: &Work<'_>) -> Result<Vec<(Role, DropResult)>, StudyError> {
     let cases: Vec<Case> = group.iter().map(|replica| replica.case.clone()).collect();
     let units = work(group[0].role);
     let control = |runs: usize| task.run_control(cases[0].solver.duration_s, units * runs as f64);

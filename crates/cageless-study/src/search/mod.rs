@@ -26,6 +26,7 @@ pub use result::{
 };
 
 use narrative::why_none;
+pub use task_runner::JOURNAL;
 use task_runner::TaskRunner;
 
 /// Name of the task of the verdicts on the recommended structure.
@@ -157,5 +158,5 @@ pub fn refusal(file: &CaseFile, found: &Found) -> Option<String> {
 /// Removes what [`run`] kept in the folder: the result is where it belongs.
 pub fn forget(folder: &Path) {
     // A journal that stays only makes the next search short.
-    let _ = std::fs::remove_file(folder.join(task_runner::JOURNAL));
+    let _ = std::fs::remove_file(folder.join(JOURNAL));
 }

@@ -87,7 +87,7 @@ impl<'c> TaskRunner<'c> {
                     .iter()
                     .map(|&k| (&jobs[k], keys[k].as_str()))
                     .collect();
-                this.several(&together, &*progress)
+                this.several(&together, &progress)
             })
             .collect();
         drop(progress);
@@ -101,7 +101,7 @@ impl<'c> TaskRunner<'c> {
     }
 
     /// Outcomes of jobs that are done together, those of the journal included.
-    fn several(&self, jobs: &[(&Job, &str)], progress: &dyn Work) -> Vec<Option<Outcome>> {
+    fn several(&self, jobs: &[(&Job, &str)], progress: &Work<'_>) -> Vec<Option<Outcome>> {
         if progress.interrupted() || self.failed() {
             return vec![None; jobs.len()];
         }

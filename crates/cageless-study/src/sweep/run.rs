@@ -43,10 +43,9 @@ impl Progress {
         self.done_now as f64 / self.elapsed.as_secs_f64().max(1e-9)
     }
 
-    /// Time left at that rate; `None` before the first variant.
-    pub fn left(&self) -> Option<Duration> {
-        let left = (self.total - self.done) as f64 / self.rate();
-        Duration::try_from_secs_f64(left).ok()
+    /// Fraction done of what was left for this call.
+    pub fn fraction(&self) -> f64 {
+        self.done_now as f64 / (self.total - self.done + self.done_now) as f64
     }
 }
 

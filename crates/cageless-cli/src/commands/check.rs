@@ -1,0 +1,197 @@
+//! `cageless check`.
+
+use std::f64::consts::TAU;
+
+use cageless::{Case, Material, SCOPE};
+use cageless_io::case_file::{Assumption, CaseDocument};
+use cageless_io::rotor_file::RotorFile;
+use cageless_results::number_text::significant;
+use cageless_study::drop::unloaded;
+use serde::Serialize;
+
+use super::drop_several::listed;
+use super::steps::{check_warnings, steps_text};
+use crate::args::CaseArgs;
+use crate::driver::{Answer, pretty, read_case};
+use crate::failure::Failure;
+use crate::format::{fixed, pairs, warnings};
+
+const NUMBERS: &str = "check.json";
+
+/// Checks a case, or the file of a rotor above several bearings.
+pub fn check(args: &CaseArgs) -> Result<(), Failure> {
+    if RotorFile::is_at(&args.case) {
+        return check_rotor(args);
+    }
+    let file = read_case(args)?;
+    let bearing = &file.case().bearing;
+    let d = bearing.dimensions();
+    let mm = |m: f64| format!("{:.4}", m * 1e3);
+    let conformity = |radius_m: f64| format!("{:.4}", radius_m / (2.0 * d.ball_radius_m));
+    let material = |m: &Material| {
+        let gpa = m.youngs_modulus_pa / 1e9;
+        format!(
+            "{} kg/m³, E {gpa} GPa, ν {}",
+            m.density_kg_m3, m.poisson_ratio
+        )
+    };
+    let mut lines = vec![
+        ("case", format!("{} is valid", args.case.display())),
+        ("balls", format!("{}", bearing.balls())),
+        (
+            "ball diameter Dw, pitch diameter Dpw",
+            format!(
+                "{} mm, {} mm",
+                mm(2.0 * d.ball_radius_m),
+                mm(2.0 * bearing.pitch_radius_m())
+            ),
+        ),
+        (
+            "groove bottom radii Ri, Ro",
+            format!(
+                "{} mm, {} mm",
+                mm(d.inner_groove_bottom_radius_m),
+                mm(d.outer_groove_bottom_radius_m)
+            ),
+        ),
+        (
+            "conformities fi, fo",
+            format!(
+                "{}, {}",
+                conformity(d.inner_groove_curvature_radius_m),
+                conformity(d.outer_groove_curvature_radius_m)
+            ),
+        ),
+        (
+            "radial internal clearance Gr",
+            format!(
+                "{} µm (ISO 5753-1)",
+                fixed(2e6 * bearing.radial_clearance_m(), 3)
+            ) + &preload_text(file.case()),
+        ),
+        ("balls of", material(&bearing.materials().ball)),
+        ("rings of", material(&bearing.materials().ring)),
+        (
+            "ε, angular ball pitch at contact",
+            format!("{:.4}°", bearing.ball_angle_rad().to_degrees()),
+        ),
+        (
+            "nominal gap 360°/N − ε",
+            format!("{:.4}°", bearing.nominal_gap_rad().to_degrees()),
+        ),
+    ];
+    lines.push(("steps of a run", steps_text(file.case())));
+    let notes = check_warnings([file.case()]);
+    let assumptions = file.assumptions();
+    for assumption in &assumptions {
+        let (value, basis) = (assumption.value, assumption.basis);
+        lines.push(("assumed", format!("{} = {value} ({basis})", assumption.key)));
+    }
+    if !file.defaults().is_empty() {
+        let defaults = file.defaults().iter().map(|key| match file.value(key) {
+            Some(value) => format!("{key} = {}", value.written()),
+            None => key.clone(),
+        });
+        let defaults: Vec<_> = defaults.collect();
+        lines.push(("defaults taken", defaults.join(", ")));
+    }
+    for (k, statement) in SCOPE.into_iter().enumerate() {
+        lines.push((if k == 0 { "scope" } else { "" }, statement.to_owned()));
+    }
+    /// `check.json`.
+    #[derive(Serialize)]
+    struct Checked<'a> {
+        valid: bool,
+        case: cageless_io::case_file::CaseDocument,
+        defaults: &'a [String],
+        assumptions: &'a [Assumption],
+        scope: [&'static str; SCOPE.len()],
+        warnings: &'a [String],
+    }
+    let result = Checked {
+        valid: true,
+        case: file.document_as_run(),
+        defaults: file.defaults(),
+        assumptions: &assumptions,
+        scope: SCOPE,
+        warnings: &notes,
+    };
+    let text = pairs(&lines) + &warnings(&notes);
+    (args.output).deliver_numbers(Answer::new(NUMBERS, pretty(&result)?, text))
+}
+
+/// Checks a rotor file.
+fn check_rotor(args: &CaseArgs) -> Result<(), Failure> {
+    /// `check.json`.
+    #[derive(Serialize)]
+    struct Checked {
+        valid: bool,
+        cases: Vec<CaseDocument>,
+        mass_kg: f64,
+        mass_shares_kg: Vec<f64>,
+        step_us: f64,
+        natural_frequencies_hz: Vec<f64>,
+        warnings: Vec<String>,
+    }
+    let file = RotorFile::read(&args.case, &args.set)?;
+    let (rotor, cases) = (file.drop().rotor(), file.drop().cases());
+    let at_speed = rotor.eigenvalues(file.drop().speed_rad_s());
+    let mut frequencies: Vec<f64> = (at_speed.iter())
+        .map(|value| value.im / TAU)
+        .filter(|frequency| *frequency > LEAST_FREQUENCY_HZ)
+        .collect();
+    frequencies.sort_by(f64::total_cmp);
+    frequencies.truncate(FREQUENCIES);
+    let shares = rotor.mass_shares_kg();
+    let step_us = 1e6 * cases[0].solver.step_s;
+    let lines = [
+        ("rotor", format!("{} is valid", args.case.display())),
+        ("bearings", cases.len().to_string()),
+        ("mass", format!("{} kg", significant(rotor.mass_kg(), 4))),
+        ("carried by the bearings", format!("{} kg", listed(&shares))),
+        (
+            "lowest natural frequencies at speed, without contact",
+            match frequencies.is_empty() {
+                true => "–".to_owned(),
+                false => format!("{} Hz", listed(&frequencies)),
+            },
+        ),
+        ("steps of a drop", steps_text(&cases[0])),
+    ];
+    let mut notes = check_warnings(cases);
+    notes.extend(unloaded(file.drop()));
+    let checked = Checked {
+        valid: true,
+        cases: file
+            .bearings()
+            .iter()
+            .map(|b| b.document_as_run())
+            .collect(),
+        mass_kg: rotor.mass_kg(),
+        mass_shares_kg: shares,
+        step_us,
+        natural_frequencies_hz: frequencies,
+        warnings: notes,
+    };
+    let text = pairs(&lines) + &warnings(&checked.warnings);
+    (args.output).deliver_numbers(Answer::new(NUMBERS, pretty(&checked)?, text))
+}
+
+/// Natural frequencies that a check lists.
+const FREQUENCIES: usize = 8;
+/// Below, a rotor moves freely.
+const LEAST_FREQUENCY_HZ: f64 = 1e-3;
+
+/// Preload of a bearing with interference, after its clearance; empty for any other.
+fn preload_text(case: &Case) -> String {
+    let force = case.preload_n();
+    if force == 0.0 {
+        return String::new();
+    }
+    let contact = case.bearing.inner_contact();
+    format!(
+        ": preload, unloaded balls are pressed with {} N, {:.0} MPa at the inner raceway",
+        significant(force, 3),
+        1e-6 * contact.peak_stress_pa(force)
+    )
+}

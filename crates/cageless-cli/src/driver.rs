@@ -1,0 +1,252 @@
+//! The driver of commands that compute: folder, progress, files, text, page and exit code.
+
+use std::io::{ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use cageless::dynamics::InstructionSet;
+use cageless_io::case_file::CaseFile;
+use cageless_io::results::{Metadata, RunWriter, write_csv, write_together};
+use cageless_io::rotor_file::RotorFile;
+use cageless_io::{io_error_message, on_terminal};
+use cageless_results::csv;
+use cageless_study::Progress;
+use cageless_study::run::Rows;
+use serde::Serialize;
+
+use crate::args::{CaseArgs, Output};
+use crate::failure::Failure;
+use crate::format::pairs;
+use crate::progress::{Bars, catch_interrupt, is_quiet};
+
+/// Page in the folder of `--out`.
+pub const PAGE: &str = "report.html";
+/// Data of the page.
+pub const PAGE_DATA: &str = "report.json";
+
+/// Files of a folder by name; `None`: one of an earlier call is removed.
+type Files = Vec<(&'static str, Option<String>)>;
+
+/// What a command has computed.
+pub struct Answer {
+    /// Name of the JSON document in the folder.
+    pub name: &'static str,
+    /// JSON document that `--json` prints.
+    pub json: String,
+    /// Text for the terminal.
+    pub text: String,
+    /// Whether the folder has the JSON document as CSV even if that is not asked for.
+    pub csv: bool,
+    /// Further files of the folder.
+    pub files: Files,
+    /// Ending of the command once all is delivered.
+    pub ending: Result<(), Failure>,
+}
+
+impl Answer {
+    /// An answer without further files.
+    pub fn new(name: &'static str, json: String, text: String) -> Self {
+        Self {
+            name,
+            json,
+            text,
+            csv: false,
+            files: vec![],
+            ending: Ok(()),
+        }
+    }
+}
+
+/// A JSON document on many lines.
+pub fn pretty<T: Serialize>(result: &T) -> Result<String, Failure> {
+    Ok(serde_json::to_string_pretty(result)? + "\n")
+}
+
+impl Output {
+    /// Computes and delivers what is computed. Bad input is to be found before, so that it leaves no
+    /// folder behind; what stands where one of `files` is to be, before anything is computed.
+    pub fn drive(
+        &self,
+        files: &[&str],
+        compute: impl FnOnce(&dyn Progress) -> Result<Answer, Failure>,
+    ) -> Result<(), Failure> {
+        if let Some(dir) = &self.out {
+            make_folder(dir)?;
+            files
+                .iter()
+                .try_for_each(|name| writable(&dir.join(name)))?;
+        }
+        let stop = catch_interrupt();
+        let bars = Bars::new(&stop);
+        let answer = compute(&bars)?;
+        drop(bars);
+        self.deliver(answer)
+    }
+
+    /// Writes the files, prints JSON or text and opens the page.
+    pub fn deliver(&self, mut answer: Answer) -> Result<(), Failure> {
+        if let Some(dir) = &self.out {
+            make_folder(dir)?;
+            let mut complete = vec![(answer.name, answer.json.as_str())];
+            let further = answer.files.iter();
+            complete.extend(further.filter_map(|(name, text)| Some((*name, text.as_deref()?))));
+            let as_csv = answer.name.replace(".json", ".csv");
+            let values = (answer.csv || self.csv).then(|| serde_json::from_str(&answer.json));
+            let values = values.transpose()?.map(|values| csv(&values));
+            match &values {
+                Some(values) => complete.push((as_csv.as_str(), values.as_str())),
+                // Page data are no result.
+                None if answer.name == PAGE_DATA => {}
+                None => remove(&dir.join(&as_csv))?,
+            }
+            write_together(dir, &complete)?;
+            for (name, _) in answer.files.iter().filter(|(_, text)| text.is_none()) {
+                remove(&dir.join(name))?;
+            }
+        }
+        let written = |(name, _): &&(&str, Option<String>)| *name == PAGE;
+        let page = answer.files.iter().find(written).and(self.out.as_ref());
+        let page = page.map(|dir| dir.join(PAGE));
+        if let (Some(page), false) = (&page, answer.text.is_empty()) {
+            answer.text += &pairs(&[("page", page.display().to_string())]);
+        }
+        match self.json {
+            true => print(&answer.json)?,
+            false => tell(&answer.text)?,
+        }
+        if let (true, Some(page)) = (self.open, &page)
+            && let Err(error) = open::that_detached(page)
+        {
+            // Without a browser the page is there nevertheless.
+            let page = page.display();
+            eprintln!("warning: {page} was written but could not be opened: {error}");
+        }
+        answer.ending
+    }
+
+    /// Delivers the answer of a command without a page.
+    pub fn deliver_numbers(&self, mut answer: Answer) -> Result<(), Failure> {
+        if self.open {
+            let message = "--open: this command writes no page";
+            return Err(Failure::Input(message.to_owned()));
+        }
+        answer.csv = true;
+        self.deliver(answer)
+    }
+
+    /// Files for a folder; none without one.
+    pub fn files(&self, files: impl FnOnce() -> Result<Files, Failure>) -> Result<Files, Failure> {
+        match self.out {
+            Some(_) => files(),
+            None => Ok(vec![]),
+        }
+    }
+}
+
+/// Tables of a run or drop, those of each bearing in a folder of their own.
+pub struct Tables(Vec<(PathBuf, Option<RunWriter>)>);
+
+impl Tables {
+    /// Opens the tables of bearings in folders of `out`; without it there are none.
+    pub fn create<'c>(
+        out: Option<&Path>,
+        bearings: impl IntoIterator<Item = (String, &'c CaseFile)>,
+    ) -> Result<Self, Failure> {
+        let isa = InstructionSet::chosen().name();
+        let open = |(name, file): (String, &CaseFile)| -> Result<_, Failure> {
+            let Some(dir) = out.map(|dir| dir.join(name)) else {
+                return Ok((PathBuf::new(), None));
+            };
+            make_folder(&dir)?;
+            let case = serde_json::to_string(&file.document_as_run())?;
+            let writer = RunWriter::create(&dir, &Metadata { isa, case: &case })?;
+            Ok((dir, Some(writer)))
+        };
+        bearings
+            .into_iter()
+            .map(open)
+            .collect::<Result<_, _>>()
+            .map(Self)
+    }
+
+    /// Receivers of the rows of each bearing.
+    pub fn rows(&mut self) -> Vec<Option<&mut (dyn Rows + Send)>> {
+        let writers = self.0.iter_mut().map(|(_, writer)| writer.as_mut());
+        writers
+            .map(|writer| writer.map(|writer| writer as &mut (dyn Rows + Send)))
+            .collect()
+    }
+
+    /// Completes the tables, and writes them as CSV, too, if `csv`.
+    pub fn finish(self, csv: bool) -> Result<(), Failure> {
+        for (dir, writer) in self.0 {
+            if let Some(writer) = writer {
+                writer.finish()?;
+                if csv {
+                    write_csv(&dir)?;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Reads the case of a command.
+pub fn read_case(args: &CaseArgs) -> Result<CaseFile, Failure> {
+    CaseFile::read(&args.case, &args.set).map_err(|error| {
+        if !RotorFile::is_at(&args.case) {
+            return error.into();
+        }
+        Failure::Input(format!(
+            "{}: is the file of a rotor above several bearings, which `cageless drop`, `cageless \
+             check` and the plans of `cageless sweep` take; each of its bearings is a case of its own",
+            args.case.display()
+        ))
+    })
+}
+
+/// Prints text to stdout, without control sequences. A closed pipe (`cageless new | head`) is not an error.
+pub fn print(text: &str) -> Result<(), Failure> {
+    let mut out = std::io::stdout().lock();
+    let text = on_terminal(text);
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
+        other => Ok(other?),
+    }
+}
+
+/// Prints a result as text, unless the user wants none.
+pub fn tell(text: &str) -> Result<(), Failure> {
+    if is_quiet() { Ok(()) } else { print(text) }
+}
+
+/// Makes the folder of `--out`.
+pub fn make_folder(dir: &Path) -> Result<(), Failure> {
+    std::fs::create_dir_all(dir).map_err(|error| {
+        Failure::Input(format!(
+            "--out {}: {}",
+            dir.display(),
+            io_error_message(&error)
+        ))
+    })
+}
+
+/// Refuses a folder where a file is to be.
+pub fn writable(path: &Path) -> Result<(), Failure> {
+    if path.is_dir() {
+        let path = path.display();
+        return Err(Failure::Input(format!(
+            "--out {path}: is a directory where a file is to be"
+        )));
+    }
+    Ok(())
+}
+
+/// Removes a file that an earlier call has left.
+fn remove(path: &Path) -> Result<(), Failure> {
+    match std::fs::remove_file(path) {
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(Failure::Other(
+            anyhow::Error::new(error).context(format!("{}: cannot be removed", path.display())),
+        )),
+        _ => Ok(()),
+    }
+}
