@@ -165,8 +165,6 @@ pub(super) struct Guard<'m> {
     ring_max: f64,
     balls_that_hold: Option<usize>,
     deflection_max: f64,
-    /// A ball this far off the outer raceway is inside the inner ring.
-    gap_max: f64,
     rotor_deflection_max: f64,
     support_max: f64,
 }
@@ -191,7 +189,6 @@ impl<'m> Guard<'m> {
             ring_max: bearing.shoulder_clearance_m(),
             balls_that_hold: (bearing.balls() < holding).then_some(holding),
             deflection_max: DEFLECTION_FRACTION_MAX * bearing.ball_radius_m(),
-            gap_max: bearing.radial_clearance_m() + bearing.ball_radius_m(),
             rotor_deflection_max: bearing.inner_ring_bore().map_or(f64::INFINITY, |bore| {
                 DEFLECTION_FRACTION_MAX * bore.radius_m
             }),
@@ -230,11 +227,10 @@ impl<'m> Guard<'m> {
             });
         }
         for k in 0..layout.balls {
-            let outer = contacts.outer_deflection_m(k);
-            if outer > self.deflection_max {
+            if contacts.outer_deflection_m(k) > self.deflection_max {
                 return Err(Cause::ThroughOuterRing(k));
             }
-            if contacts.inner_deflection_m(k) > self.deflection_max || outer < -self.gap_max {
+            if contacts.inner_deflection_m(k) > self.deflection_max {
                 return Err(Cause::ThroughInnerRing(k));
             }
             if contacts.pair_deflection_m(k) > self.deflection_max {
