@@ -1,7 +1,7 @@
 //! Contact path of a discrete raceway and the effective contact radius along it (Zhao 2022,
 //! Eq. (4) to (6)).
 
-use super::Raceway;
+use super::{NEAR_END, Raceway};
 use crate::numerics::angle::wrap_angle_rad;
 use crate::numerics::chebyshev::Polynomial;
 use crate::numerics::root;
@@ -39,9 +39,9 @@ impl Raceway {
     /// dz/dx of the branch z > 0: z′ = −r r′/z. At the ends, where r = Rw and
     /// r′ = 0, the limit from within.
     pub fn path_axial_slope(&self, x_m: f64) -> f64 {
-        let end = self.path_end_m();
-        // Closer than this to an end, r r′/z is mostly rounding; the slope itself is smooth.
-        let x = x_m.clamp(-end * (1.0 - 1e-4), end * (1.0 - 1e-4));
+        let near = self.path_end_m() * NEAR_END;
+        // The slope itself is smooth.
+        let x = x_m.clamp(-near, near);
         let y = self.path_y_m(x);
         let rho = x.hypot(y);
         let slope = (x + y * self.path_slope(x)) / rho;
@@ -115,8 +115,8 @@ impl Raceway {
     pub fn contact_angle_rad(&self, local_angle_rad: f64) -> [f64; 2] {
         let theta = self.dimensions.half_angle_rad;
         let local = local_angle_rad.abs().min(theta);
-        // Closer than this to an end, r'/sin α is mostly rounding, and α goes by its slope.
-        let near = theta * (1.0 - 1e-4);
+        // Beyond, α goes by its slope.
+        let near = theta * NEAR_END;
         let end = self.contact_angle_end_slope();
         let [angle, slope] = if local <= near {
             self.contact_angle_within(local)
@@ -147,14 +147,21 @@ impl Raceway {
         [angle, slope]
     }
 
-    /// dα/dψ at +θ: r ≈ Rw − κ/2 (X − x)², so that α ≈ √(κ/Rw) (X − x).
-    fn contact_angle_end_slope(&self) -> f64 {
+    /// −d²r/dx² at the end X of the path, where r = Rw and r′ = 0: the path reaches the plain raceway
+    /// from below where it is above 0.
+    pub(super) fn end_curvature_per_m(&self) -> f64 {
         let [a, b, _] = self.path;
         let x = self.path_end_m();
         let (y, slope) = (self.path_y_m(x), self.path_slope(x));
         let bend = 12.0 * a * x * x + 2.0 * b;
-        let curvature = -(1.0 + slope * slope + y * bend) / self.groove_bottom_radius_m;
+        -(1.0 + slope * slope + y * bend) / self.groove_bottom_radius_m
+    }
+
+    /// dα/dψ at +θ: r ≈ Rw − κ/2 (X − x)², so that α ≈ √(κ/Rw) (X − x).
+    fn contact_angle_end_slope(&self) -> f64 {
+        let x = self.path_end_m();
+        let (y, slope) = (self.path_y_m(x), self.path_slope(x));
         let turning = (x * slope - y) / self.groove_bottom_radius_m.powi(2);
-        -(curvature.max(0.0) / self.ball_radius_m).sqrt() / turning
+        -(self.end_curvature_per_m() / self.ball_radius_m).sqrt() / turning
     }
 }

@@ -67,6 +67,9 @@ pub struct Raceway {
     depth_error_m: f64,
 }
 
+/// Fraction of the way to an end of the path up to which slopes follow from r; closer to it r r′/z
+/// and r′/sin α are mostly rounding.
+const NEAR_END: f64 = 1.0 - 1e-4;
 /// Error of r(sin²ψ), m: a few roundings of Ro.
 const RADIUS_TOLERANCE_M: f64 = 1e-17;
 /// Error of the direction factor.
@@ -149,13 +152,15 @@ impl Raceway {
         let theta = self.dimensions.half_angle_rad;
         let end = self.path_end_m();
         let (a, b) = (self.path[0], self.path[1]);
-        for k in 0..1000 {
-            let x = end * f64::from(k) / 1000.0;
+        let places = (0..1000).map(|k| f64::from(k) / 1000.0);
+        for place in places.chain([NEAR_END]) {
+            let x = end * place;
             let rho = x.hypot(self.path_y_m(x));
             // Going along the path, ψ and r must both grow from the middle to the end.
             let turning = -self.path_y_m(x) + x * x * (4.0 * a * x * x + 2.0 * b);
             let rising = x == 0.0 || x + self.path_y_m(x) * self.path_slope(x) > 0.0;
-            if rho >= self.groove_bottom_radius_m || turning <= 0.0 || !rising {
+            let within = rho < self.groove_bottom_radius_m && self.end_curvature_per_m() > 0.0;
+            if !within || turning <= 0.0 || !rising {
                 return Err(InputError::rule(
                     "half_angle_rad",
                     theta,

@@ -1,0 +1,77 @@
+//! Raceways that are accepted, as rings.
+
+use crate::outer_ring::{bearing, ring};
+use cageless::surface::{Mesh, Patch};
+use cageless::{Raceway, RacewayDimensions};
+use proptest::prelude::*;
+
+/// A ring with this raceway: the contact angle falls steadily to 0, contacts are on the groove, the
+/// B-spline reaches its tolerance and the mesh closes.
+fn check_ring(raceway: Raceway, blend_m: f64) {
+    let d = *raceway.dimensions();
+    let ring = ring(&[raceway], blend_m);
+    let mut last = f64::INFINITY;
+    for k in 0..=200 {
+        let local = d.half_angle_rad * f64::from(k) / 200.0;
+        let m = ring.meridian(d.centre_angle_rad + local);
+        let angle = m.contact_angle_rad;
+        assert!(angle >= 0.0 && angle <= last + 1e-12, "{local}: {angle}");
+        assert!(m.valley_rad() <= angle + 1e-12 && angle < m.shoulder_rad());
+        last = angle;
+    }
+    for sector in ring.sectors() {
+        let patch = Patch::fit(&ring, &sector, 1e-8);
+        assert!(patch.is_ok(), "{sector:?} {:?}", patch.err());
+    }
+    let mesh = Mesh::new(&ring, 20e-6, 0.0).unwrap();
+    let off = (mesh.volume_m3() - ring.volume_m3()).abs();
+    assert!(off < 9000e-6 * 20e-6, "{off}");
+}
+
+/// From 40.98393° on the path of 3.765 mm comes to the plain raceway from outside, within its last
+/// thousandth at first.
+#[test]
+fn a_path_that_ends_from_outside_is_refused() {
+    let raceway = |angle_deg: f64| {
+        let dimensions = RacewayDimensions {
+            axial_span_m: 3.764_986_464_759_771e-3,
+            half_angle_rad: angle_deg.to_radians(),
+            centre_angle_rad: 0.0,
+        };
+        Raceway::new(dimensions, &bearing())
+    };
+    for accepted in [40.9, 40.98, 40.983_934] {
+        check_ring(raceway(accepted).unwrap(), 0.0);
+    }
+    for refused in [40.983_935, 40.984, 40.997_187_883_621_73, 41.0] {
+        let message = raceway(refused).unwrap_err().to_string();
+        assert!(
+            message.contains("turns back or leaves the groove"),
+            "{message}"
+        );
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn every_accepted_raceway_becomes_a_ring(
+        span in 0.05f64..7.4,
+        angle in 0.5f64..60.0,
+        centre in -180.0f64..180.0,
+        fraction in 0.0021f64..0.499,
+        blended: bool,
+    ) {
+        let dimensions = RacewayDimensions {
+            axial_span_m: span * 1e-3,
+            half_angle_rad: angle.to_radians(),
+            centre_angle_rad: centre.to_radians(),
+        };
+        let Ok(raceway) = Raceway::new(dimensions, &bearing()) else {
+            return Ok(());
+        };
+        let blend_m = if blended { fraction * angle.to_radians() * 27.765e-3 } else { 0.0 };
+        check_ring(raceway, blend_m);
+    }
+}
