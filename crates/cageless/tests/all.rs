@@ -1,6 +1,8 @@
 //! All tests of the library but those that count what it allocates, as one program.
 
+mod accepted_raceways;
 mod adaptive;
+mod annular_rub;
 mod automatic_step;
 mod balance;
 mod batch;
@@ -19,6 +21,7 @@ mod impact;
 mod imports;
 mod integrator;
 mod linear_rotor;
+mod load_distribution;
 mod observed;
 mod one_place;
 mod operating_results;
@@ -27,8 +30,10 @@ mod outer_ring;
 mod passage;
 mod perturbed_run;
 mod preload;
+mod raceway_contact;
 mod rating;
 mod recorder;
+mod rotor_damping;
 mod rotor_planes;
 mod search;
 mod static_minimum;

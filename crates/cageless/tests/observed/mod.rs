@@ -255,6 +255,62 @@ fn every_number_of_a_summary() {
     );
 }
 
+/// The gaps of each instant about their mean, looked at every 64th step; the force on the outer ring
+/// is what load, weight and drag leave of the change of the momentum of balls and inner ring.
+#[test]
+fn every_deviation() {
+    let run = &*RECORDING;
+    let (s, rows, h) = (&run.summary, run.settled(), run.case.solver.step_s);
+    let variance = |row: &Row| {
+        let gaps: Vec<f64> = (0..14).map(|k| run.gap_rad(row, k)).collect();
+        let mean = gaps.iter().sum::<f64>() / 14.0;
+        gaps.iter().map(|gap| (gap - mean).powi(2)).sum::<f64>() / 14.0
+    };
+    // A look is that of the time since the one before.
+    let deviation = |from_s: f64, to_s: f64| {
+        let (mut last_s, mut time_s, mut sum) = (s.settled_after_s, 0.0, 0.0);
+        for row in rows.iter().step_by(64) {
+            let since_s = row.time_s - std::mem::replace(&mut last_s, row.time_s);
+            if row.time_s > from_s && row.time_s <= to_s {
+                time_s += since_s;
+                sum += since_s * variance(row);
+            }
+        }
+        (sum / time_s).sqrt()
+    };
+    let middle_s = 0.5 * (s.settled_after_s + 0.05);
+    let [all, first, second] =
+        [(0.0, 1.0), (0.0, middle_s), (middle_s, 1.0)].map(|(from, to)| deviation(from, to));
+    near(s.gap_deviation_rad, all, 1e-9, "gaps");
+    near(s.gap_deviation_change_rad, second - first, 1e-9, "change");
+    assert!((second - first).abs() > 0.01 * all, "{first} {second}");
+
+    let mass_kg = |k| 7850.0 * 4.0 / 3.0 * PI * run.radius_m(k).powi(3);
+    let force = |n: usize, axis: usize| {
+        let [before, now, after] = [n - 1, n, n + 1].map(|n| &run.rows[n]);
+        let [a, b, c] = [before, now, after].map(|row| row.ring[axis]);
+        let speed = |row: &Row, k: usize| [row.balls[k].vx, row.balls[k].vy][axis];
+        let balls: f64 = (0..14)
+            .map(|k| mass_kg(k) * (speed(after, k) - speed(before, k)) / (2.0 * h))
+            .sum();
+        let down = 1500.0 + 9.81 * (0.2 + (0..14).map(mass_kg).sum::<f64>());
+        -[0.0, down][axis]
+            - 2000.0 * (c - a) / (2.0 * h)
+            - 0.2 * (a - 2.0 * b + c) / (h * h)
+            - balls
+    };
+    let first = run.rows.len() - rows.len();
+    let deviations = [0, 1].map(|axis| {
+        let looked = (first..run.rows.len() - 1).step_by(4);
+        let forces: Vec<f64> = looked.map(|n| force(n, axis)).collect();
+        let mean = forces.iter().sum::<f64>() / forces.len() as f64;
+        let squares: f64 = forces.iter().map(|force| (force - mean).powi(2)).sum();
+        (squares / forces.len() as f64).sqrt()
+    });
+    let both = deviations[0].hypot(deviations[1]);
+    near(s.outer_ring_force_deviation_n, both, 2e-3, "force");
+}
+
 /// Peaks of contacts given by force, sliding speed, pressure and semi-axis, which surfaces pass at
 /// `surface_m_s`.
 fn peak(contacts: impl Iterator<Item = [f64; 4]>, surface_m_s: f64) -> ContactPeak {

@@ -184,7 +184,7 @@ pub static RECORDING: LazyLock<Recording> = LazyLock::new(|| {
 });
 
 impl Recording {
-    fn radius_m(&self, k: usize) -> f64 {
+    pub fn radius_m(&self, k: usize) -> f64 {
         let deviations = self.case.bearing.ball_radius_deviations_m();
         4.7625e-3 + deviations[k % 14]
     }

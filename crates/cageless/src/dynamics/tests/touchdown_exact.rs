@@ -13,7 +13,7 @@ const G: f64 = 9.81;
 
 /// A rotor of 20 kg at rest in the middle of an air gap of 0.25 mm, without damping; its friction
 /// has reached μ at a thousandth of the sliding speed.
-fn rotor() -> Rotor {
+pub fn rotor() -> Rotor {
     Rotor {
         air_gap_m: 2.5e-4,
         contact_damping_s_m: 0.0,
@@ -22,7 +22,7 @@ fn rotor() -> Rotor {
     }
 }
 
-fn bore() -> InnerRingBore {
+pub fn bore() -> InnerRingBore {
     drop_case().bearing.inner_ring_bore().unwrap()
 }
 
@@ -99,12 +99,12 @@ impl Run {
     }
 }
 
-fn at(state: &[f64], coordinate: Coordinate) -> f64 {
+pub fn at(state: &[f64], coordinate: Coordinate) -> f64 {
     state[coordinate as usize]
 }
 
 /// Root of `f` between two values of different sign, by bisection.
-fn root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
+pub fn root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     let sign = f(low).signum();
     for _ in 0..60 {
         let middle = 0.5 * (low + high);
@@ -117,7 +117,7 @@ fn root(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     0.5 * (low + high)
 }
 
-fn close(found: f64, expected: f64, relative: f64, what: &str) {
+pub fn close(found: f64, expected: f64, relative: f64, what: &str) {
     let error = (found / expected - 1.0).abs();
     println!("{what}: {found} for {expected}, {error:.1e}");
     assert!(
@@ -437,101 +437,4 @@ fn rolling_limit_of_dry_whirl() {
     system.derivative(0.0, &state.clone(), &mut vec![0.0; state.len()]);
     let slip = system.contact().contact.slip;
     assert!(slip.abs() < 1e-9 * rotor.speed_rad_s * journal, "{slip}");
-}
-
-/// A rotor on a shaft in a fixed ring: the equations of [`RotorInRing`] with the forces of the
-/// shaft on the journal, at constant speed.
-#[derive(Clone)]
-struct OnShaft {
-    inner: RotorInRing,
-    mass: f64,
-    stiffness: f64,
-    damping: f64,
-    eccentricity: f64,
-}
-
-impl System for OnShaft {
-    fn dimension(&self) -> usize {
-        self.inner.dimension()
-    }
-
-    fn derivative(&mut self, time_s: f64, y: &[f64], dydt: &mut [f64]) {
-        self.inner.derivative(time_s, y, dydt);
-        let (sin, cos) = at(y, Coordinate::Angle).sin_cos();
-        let speed = at(y, Coordinate::Speed);
-        let (ex, ey) = (self.eccentricity * cos, self.eccentricity * sin);
-        let x = at(y, Coordinate::X) - ex;
-        let v = at(y, Coordinate::Vx) + speed * ey;
-        dydt[Coordinate::Vx as usize] -= (self.stiffness * x + self.damping * v) / self.mass;
-        let x = at(y, Coordinate::Y) - ey;
-        let v = at(y, Coordinate::Vy) - speed * ex;
-        dydt[Coordinate::Vy as usize] -= (self.stiffness * x + self.damping * v) / self.mass;
-        dydt[Coordinate::Speed as usize] = 0.0;
-    }
-
-    fn error_norm(&self, difference: &[f64]) -> f64 {
-        self.inner.error_norm(difference)
-    }
-}
-
-/// Full annular synchronous rub of a rotor on a shaft against a fixed ring.
-#[test]
-fn full_annular_rub() {
-    let rotor = Rotor {
-        mass_kg: 10.0,
-        contact_stiffness: 2e7,
-        friction_coefficient: 0.05,
-        eccentricity_m: 4e-4,
-        speed_rad_s: 500.0,
-        polar_inertia_kg_m2: 1e3,
-        slip_scale_m_s: 1e-4,
-        ..rotor()
-    };
-    let (m, k, c) = (rotor.mass_kg, 1e6, 4e3);
-    let (stiff, mu, gap, speed) = (
-        rotor.contact_stiffness,
-        rotor.friction_coefficient,
-        rotor.air_gap_m,
-        rotor.speed_rad_s,
-    );
-    let unbalance = m * rotor.eccentricity_m * speed * speed;
-    let excess = |r: f64| {
-        let along = (k + stiff - m * speed * speed) * r - stiff * gap;
-        let across = (c * speed + mu * stiff) * r - mu * stiff * gap;
-        along.hypot(across) - unbalance
-    };
-    let radius = root(excess, gap, 10.0 * gap);
-    let mut system = OnShaft {
-        inner: RotorInRing::new(&rotor, bore(), 0.0, RingMount::Fixed),
-        mass: m,
-        stiffness: k,
-        damping: c,
-        eccentricity: rotor.eccentricity_m,
-    };
-    let mut start = system.inner.start(&rotor);
-    // The journal on the orbit, lagging behind the unbalance.
-    let along = (k + stiff - m * speed * speed) * radius - stiff * gap;
-    let across = (c * speed + mu * stiff) * radius - mu * stiff * gap;
-    let lag = across.atan2(along);
-    let (jx, jy) = (radius * (-lag).cos(), radius * (-lag).sin());
-    for (coordinate, value) in [
-        (Coordinate::X, jx + rotor.eccentricity_m),
-        (Coordinate::Y, jy),
-        (Coordinate::Vx, -speed * jy),
-        (Coordinate::Vy, speed * (jx + rotor.eccentricity_m)),
-    ] {
-        start[coordinate as usize] = value;
-    }
-    let size = system.dimension();
-    let mut integrator = Integrator::new(Adaptive::new(size, 1e-4, 1e-12), size);
-    integrator.restart(&mut system, 0.0, &start);
-    while integrator.step().t1_s < 0.05 {
-        integrator.advance(&mut system, 0.05).unwrap();
-    }
-    let y = &integrator.step().y1;
-    let (sin, cos) = at(y, Coordinate::Angle).sin_cos();
-    let found = (at(y, Coordinate::X) - rotor.eccentricity_m * cos)
-        .hypot(at(y, Coordinate::Y) - rotor.eccentricity_m * sin);
-    close(found, radius, 1e-6, "radius of the orbit");
-    assert!(system.inner.contact().contact.force > 0.0);
 }
