@@ -13,6 +13,8 @@ use cageless_io::case_file::{CaseFile, template};
 
 use super::*;
 
+mod drops;
+
 #[test]
 fn names_are_unique_and_end_with_their_unit() {
     let all: Vec<_> = quantities().filter(|q| q.in_sweeps).collect();
@@ -58,15 +60,15 @@ const GPA: f64 = 1e9;
 const DEGREE: f64 = PI / 180.0;
 const REVOLUTION_PER_MINUTE: f64 = 2.0 * PI / 60.0;
 
-/// Compares the numbers of `results` with `expected`, whose values all differ; rows of counts, lists,
-/// texts and what `others` names are left out.
-fn compare(results: &Results, expected: &[(&str, f64)], others: &[&str]) {
+/// Compares the numbers of `results` with `expected`, whose values all differ, to a fraction of each;
+/// rows of counts, lists, texts and what `others` names are left out.
+fn compare(results: &Results, expected: &[(&str, f64)], others: &[&str], fraction: f64) {
     for (k, (name, value)) in expected.iter().enumerate() {
         for (other, second) in &expected[k + 1..] {
             assert!(*value == 0.0 || value != second, "{name} and {other}");
         }
         let found = results.number(name);
-        let close = (found - value).abs() <= 1e-12 * value.abs();
+        let close = (found - value).abs() <= fraction * value.abs();
         assert!(close, "{name}: {found} for {value}");
     }
     let numbers = results.iter().filter(|(q, _)| q.kind == Kind::Number);
@@ -80,6 +82,27 @@ fn compare(results: &Results, expected: &[(&str, f64)], others: &[&str]) {
 fn next(counter: &mut f64) -> f64 {
     *counter += 0.0173;
     *counter
+}
+
+/// Structure (d) of Zhao 2022 with its raceway turned, against sums and roots apart from this program.
+#[test]
+fn results_of_a_design_are_those_of_a_computation_by_hand() {
+    let sets = ["raceway.centre_angle_deg=30".to_owned()];
+    let file = CaseFile::parse(&template(false), "case.toml", &sets).unwrap();
+    let expected = [
+        ("epsilon_deg", 23.898_207_423_185),
+        ("uniform_gap_deg", 1.816_078_291_100_8),
+        ("axial_span_limit_mm", 7.401_729_527_617_2),
+        ("beta0_deg", 1.817_128_700_096),
+        ("beta0_polar_deg", 1.830_392_943_38),
+        ("half_angle_deg_for_span", 25.154_712_769),
+        ("steady_gap_deg", 1.981_357_037_03),
+        // The contact angle ends with the slope √(κ/Rw)/(dψ/dx), κ the curvature of r over x.
+        ("kink_deg", 0.654_351_65),
+    ];
+    let results = Results::of(DESIGN, Subject::Design(file.case()));
+    compare(&results, &expected, &[], 1e-7);
+    assert_eq!(results.get("balls_in_raceway_max"), Some(&Cell::Integer(3)));
 }
 
 #[test]
@@ -120,7 +143,7 @@ fn results_of_a_verdict_are_its_fields() {
     };
     let results = Results::of(VERDICT, Subject::Verdict(&judged))
         .and(Results::of(PASSAGES, Subject::Passages(&passages)));
-    compare(&results, &expected, &["margin"]);
+    compare(&results, &expected, &["margin"], 1e-12);
     assert_eq!(results.get("passages"), Some(&Cell::Integer(41)));
 }
 
@@ -268,7 +291,7 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
         "power_loss_support_damping_w",
     ];
     let results = Results::of(RUN, Subject::Run(&finished));
-    compare(&results, &expected, &of_bodies);
+    compare(&results, &expected, &of_bodies, 1e-12);
     for (name, count) in [
         ("collisions", s.collisions.all),
         ("passages", tally.count),

@@ -5,7 +5,7 @@ use std::path::Path;
 use cageless::Snapshot;
 use cageless::collision::Collision;
 use cageless::simulation::{Control, ObserverError, RunOutcome, run as run_case};
-use cageless::touchdown::{DropRecorder, DropSummary, InterfaceHeat};
+use cageless::touchdown::{DropRecorder, DropSummary};
 use cageless::verification::Convergence;
 use cageless_io::case_file::CaseFile;
 use cageless_io::plan_file::PlanFile;
@@ -397,99 +397,19 @@ fn an_energy_balance_beyond_one_per_cent_is_warned_of_and_fails() {
     );
 }
 
-/// Each result of a drop from a summary whose numbers all differ.
+/// A ring that has not come up to speed: how far it came.
 #[test]
-fn each_result_of_a_drop_has_its_own_number_in_its_unit() {
+fn a_spin_up_that_was_not_reached_says_so() {
     let file = drop(&["solver.duration_s=0.0002"]);
     let case = file.case();
     let mut recorder = DropRecorder::new();
-    let mut outcome = run_case(case, &mut [&mut recorder], &mut |_| Control::Continue(())).unwrap();
-    (outcome.energy_residual_relative, outcome.end_s) = (0.0047, 0.53);
+    let outcome = run_case(case, &mut [&mut recorder], &mut |_| Control::Continue(())).unwrap();
     let summary = DropSummary {
-        first_contact_s: Some(0.0031),
-        impacts: 37,
-        contact_fraction: 0.41,
-        rotor_weight_n: Some(430.0),
-        rotor_displacement_max_m: 4.7e-4,
-        rotor_force_max_n: 5900.0,
-        housing_force_max_n: Some(6100.0),
-        housing_displacement_max_m: 6.7e-5,
-        rotor_slip_max_m_s: 71.0,
-        spin_up_s: Some(0.073),
+        first_contact_s: Some(0.0001),
         ring_speed_rad_s: 790.0,
         rotor_speed_rad_s: 830.0,
-        inner_stress_max_pa: 1.01e9,
-        outer_stress_max_pa: 1.03e9,
-        ball_stress_max_pa: 1.07e9,
-        end_collision_rate_hz: Some(1090.0),
-        end_collision_rate_above_hz: [Some(530.0), Some(310.0), Some(110.0)],
-        ball_force_max_n: 1130.0,
-        ball_slip_max_m_s: 12.7,
-        backward_whirl_max_hz: 131.0,
-        backward_whirl_hz: Some(137.0),
-        heat: InterfaceHeat {
-            rotor_friction_j: 1.0,
-            rotor_damping_j: 2.0,
-            inner_friction_j: 4.0,
-            outer_friction_j: 8.0,
-            ball_friction_j: 16.0,
-            contact_damping_j: 32.0,
-            support_damping_j: 64.0,
-        },
-        ..recorder.summary(&outcome.state)
-    };
-    let result = DropResult::new(case, &summary, &outcome);
-    let rpm = |rad_s: f64| rad_s * 30.0 / std::f64::consts::PI;
-    for (name, value) in [
-        ("first_contact_ms", 3.1),
-        ("impacts", 37.0),
-        ("contact_fraction", 0.41),
-        ("rotor_force_max_n", 5900.0),
-        ("rotor_force_max_weights", 5900.0 / 430.0),
-        ("housing_force_max_n", 6100.0),
-        ("housing_force_max_weights", 6100.0 / 430.0),
-        ("rotor_displacement_max_um", 470.0),
-        ("housing_displacement_max_um", 67.0),
-        ("rotor_slip_max_m_s", 71.0),
-        ("spin_up_ms", 73.0),
-        ("ring_speed_rpm", rpm(790.0)),
-        ("rotor_speed_rpm", rpm(830.0)),
-        ("backward_whirl_max_hz", 131.0),
-        ("backward_whirl_hz", 137.0),
-        ("inner_stress_max_gpa", 1.01),
-        ("outer_stress_max_gpa", 1.03),
-        ("ball_stress_max_gpa", 1.07),
-        ("end_collision_rate_hz", 1090.0),
-        ("end_collision_rate_above_0_1_m_s_hz", 530.0),
-        ("end_collision_rate_above_0_5_m_s_hz", 310.0),
-        ("end_collision_rate_above_1_m_s_hz", 110.0),
-        ("ball_force_max_n", 1130.0),
-        ("ball_slip_max_m_s", 12.7),
-        ("heat_j", 127.0),
-        ("ball_heat_j", 28.0),
-        ("rotor_friction_j", 1.0),
-        ("rotor_damping_j", 2.0),
-        ("inner_friction_j", 4.0),
-        ("outer_friction_j", 8.0),
-        ("ball_friction_j", 16.0),
-        ("contact_damping_j", 32.0),
-        ("support_damping_j", 64.0),
-        ("energy_residual_relative", 0.0047),
-        ("end_s", 0.53),
-    ] {
-        let found = result
-            .results
-            .value(name)
-            .unwrap_or_else(|| panic!("{name} has no value"));
-        assert!(
-            (found / value - 1.0).abs() < 1e-12,
-            "{name}: {found} {value}"
-        );
-    }
-    // Not reached: how far it came.
-    let summary = DropSummary {
         spin_up_s: None,
-        ..summary
+        ..recorder.summary(&outcome.state)
     };
     let table = DropResult::table(&[&DropResult::new(case, &summary, &outcome)]);
     let row = table

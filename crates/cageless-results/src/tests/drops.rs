@@ -1,0 +1,232 @@
+//! Rows of drops: of one bearing, and of a rotor in two.
+
+use std::path::Path;
+
+use cageless::linear_rotor::Clearance;
+use cageless::simulation::{PlaneDisplacement, RunOutcome};
+use cageless::touchdown::{DropRecorder, DropSummary};
+
+use super::*;
+
+const CASE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/touchdown-d.toml");
+
+/// A drop whose numbers all differ, and differ from those of another `counter`.
+fn drop(counter: &mut f64) -> (Case, DropSummary, RunOutcome) {
+    let sets = ["solver.duration_s=0.0001", "rotor.clearance_limit_um=437"];
+    let file = CaseFile::read(Path::new(CASE), &sets.map(str::to_owned)).unwrap();
+    let mut recorder = DropRecorder::new();
+    let outcome = run(file.case(), &mut [&mut recorder], &mut |_| {
+        Control::Continue(())
+    });
+    let mut outcome = outcome.unwrap();
+    let mut s = recorder.summary(&outcome.state);
+    let balls = s.inner_force_max_n.len();
+    let mut forces = || -> Vec<f64> { (0..balls).map(|_| next(counter)).collect() };
+    (s.inner_force_max_n, s.outer_force_max_n) = (forces(), forces());
+    for field in [
+        &mut s.first_contact_s,
+        &mut s.rotor_weight_n,
+        &mut s.housing_force_max_n,
+        &mut s.spin_up_s,
+        &mut s.end_collision_rate_hz,
+        &mut s.backward_whirl_hz,
+    ]
+    .into_iter()
+    .chain(&mut s.end_collision_rate_above_hz)
+    {
+        *field = Some(next(counter));
+    }
+    for field in [
+        &mut s.contact_fraction,
+        &mut s.rotor_displacement_max_m,
+        &mut s.rotor_force_max_n,
+        &mut s.housing_displacement_max_m,
+        &mut s.rotor_slip_max_m_s,
+        &mut s.ring_speed_rad_s,
+        &mut s.rotor_speed_rad_s,
+        &mut s.inner_stress_max_pa,
+        &mut s.outer_stress_max_pa,
+        &mut s.ball_stress_max_pa,
+        &mut s.ball_force_max_n,
+        &mut s.ball_slip_max_m_s,
+        &mut s.backward_whirl_max_hz,
+        &mut s.heat.rotor_friction_j,
+        &mut s.heat.rotor_damping_j,
+        &mut s.heat.inner_friction_j,
+        &mut s.heat.outer_friction_j,
+        &mut s.heat.ball_friction_j,
+        &mut s.heat.contact_damping_j,
+        &mut s.heat.support_damping_j,
+        &mut outcome.energy_residual_relative,
+    ] {
+        *field = next(counter);
+    }
+    s.impacts = 11;
+    (s.collisions.all, s.collisions.above) = (101, [53, 29, 17]);
+    (file.case().clone(), s, outcome)
+}
+
+#[test]
+fn results_of_a_drop_are_the_fields_of_its_summary() {
+    let (case, s, outcome) = drop(&mut 0.2);
+    let (heat, weight_n) = (s.heat, s.rotor_weight_n.unwrap());
+    let of_balls = heat.inner_friction_j + heat.outer_friction_j + heat.ball_friction_j;
+    let rate = |k: usize| s.end_collision_rate_above_hz[k].unwrap();
+    let expected = [
+        ("first_contact_ms", s.first_contact_s.unwrap() / 1e-3),
+        ("contact_fraction", s.contact_fraction),
+        ("rotor_force_max_n", s.rotor_force_max_n),
+        ("rotor_force_max_weights", s.rotor_force_max_n / weight_n),
+        ("housing_force_max_n", s.housing_force_max_n.unwrap()),
+        (
+            "housing_force_max_weights",
+            s.housing_force_max_n.unwrap() / weight_n,
+        ),
+        (
+            "rotor_displacement_max_um",
+            s.rotor_displacement_max_m / 1e-6,
+        ),
+        (
+            "clearance_margin_um",
+            437.0 - s.rotor_displacement_max_m / 1e-6,
+        ),
+        (
+            "housing_displacement_max_um",
+            s.housing_displacement_max_m / 1e-6,
+        ),
+        ("rotor_slip_max_m_s", s.rotor_slip_max_m_s),
+        ("spin_up_ms", s.spin_up_s.unwrap() / 1e-3),
+        ("ring_speed_rpm", s.ring_speed_rad_s / REVOLUTION_PER_MINUTE),
+        (
+            "rotor_speed_rpm",
+            s.rotor_speed_rad_s / REVOLUTION_PER_MINUTE,
+        ),
+        ("backward_whirl_max_hz", s.backward_whirl_max_hz),
+        ("backward_whirl_hz", s.backward_whirl_hz.unwrap()),
+        ("inner_stress_max_gpa", s.inner_stress_max_pa / GPA),
+        ("outer_stress_max_gpa", s.outer_stress_max_pa / GPA),
+        ("ball_stress_max_gpa", s.ball_stress_max_pa / GPA),
+        ("end_collision_rate_hz", s.end_collision_rate_hz.unwrap()),
+        ("end_collision_rate_above_0_1_m_s_hz", rate(0)),
+        ("end_collision_rate_above_0_5_m_s_hz", rate(1)),
+        ("end_collision_rate_above_1_m_s_hz", rate(2)),
+        ("ball_force_max_n", s.ball_force_max_n),
+        ("ball_slip_max_m_s", s.ball_slip_max_m_s),
+        (
+            "heat_j",
+            of_balls
+                + heat.rotor_friction_j
+                + heat.rotor_damping_j
+                + heat.contact_damping_j
+                + heat.support_damping_j,
+        ),
+        ("ball_heat_j", of_balls),
+        ("rotor_friction_j", heat.rotor_friction_j),
+        ("rotor_damping_j", heat.rotor_damping_j),
+        ("inner_friction_j", heat.inner_friction_j),
+        ("outer_friction_j", heat.outer_friction_j),
+        ("ball_friction_j", heat.ball_friction_j),
+        ("contact_damping_j", heat.contact_damping_j),
+        ("support_damping_j", heat.support_damping_j),
+        ("energy_residual_relative", outcome.energy_residual_relative),
+        ("end_s", 1e-4),
+    ];
+    let finished = FinishedDrop {
+        case: &case,
+        summary: &s,
+        outcome: &outcome,
+    };
+    let results = Results::of(DROP, Subject::Drop(&finished));
+    compare(&results, &expected, &[], 1e-12);
+    for (name, count) in [
+        ("impacts", 11),
+        ("collisions", 101),
+        ("collisions_above_0_1_m_s", 53),
+        ("collisions_above_0_5_m_s", 29),
+        ("collisions_above_1_m_s", 17),
+    ] {
+        assert_eq!(results.get(name), Some(&Cell::Integer(count)), "{name}");
+    }
+    for (name, forces) in [
+        ("inner_force_max_of_ball_n", &s.inner_force_max_n),
+        ("outer_force_max_of_ball_n", &s.outer_force_max_n),
+    ] {
+        assert_eq!(results.get(name), Some(&Cell::Numbers(forces.clone())));
+    }
+}
+
+/// Counts, rates and heat of the bearings add up, first contact and clearance are those of the worse,
+/// of all else the larger number is that of the rotor.
+#[test]
+fn results_of_a_rotor_are_those_of_its_bearings() {
+    let mut counter = 0.2;
+    let bearings = [-1.0, 1.0].map(|sign| {
+        let (case, mut s, mut outcome) = drop(&mut counter);
+        // Neither bearing has all the larger numbers.
+        s.rotor_force_max_n += sign;
+        s.inner_stress_max_pa -= sign;
+        outcome.energy_residual_relative -= sign;
+        DropResult::new(&case, &s, &outcome)
+    });
+    let [a, b] = [0, 1].map(|k: usize| bearings[k].results.clone());
+    let plane = |radial_m: f64, displacement_max_m: f64| PlaneDisplacement {
+        clearance: Clearance {
+            name: "seal".to_owned(),
+            radial_m,
+        },
+        displacement_max_m,
+    };
+    let run = RotorRun {
+        bearings: bearings.to_vec(),
+        stopped: None,
+        rotor_energy_residual_relative: 0.0123,
+        planes: vec![plane(5e-4, 1e-4), plane(4e-4, 2.5e-4)],
+    };
+    let sums = [
+        "impacts",
+        "collisions",
+        "collisions_above_0_1_m_s",
+        "collisions_above_0_5_m_s",
+        "collisions_above_1_m_s",
+        "end_collision_rate_hz",
+        "end_collision_rate_above_0_1_m_s_hz",
+        "end_collision_rate_above_0_5_m_s_hz",
+        "end_collision_rate_above_1_m_s_hz",
+        "heat_j",
+        "ball_heat_j",
+        "rotor_friction_j",
+        "rotor_damping_j",
+        "inner_friction_j",
+        "outer_friction_j",
+        "ball_friction_j",
+        "contact_damping_j",
+        "support_damping_j",
+    ];
+    let mut compared = 0;
+    let numbers = DROP.iter().chain(ROTOR_DROP);
+    for quantity in numbers.filter(|q| matches!(q.kind, Kind::Number | Kind::Integer)) {
+        let (name, cell) = (quantity.name, run.value(quantity));
+        let [first, second] = [&a, &b].map(|results| results.number(name));
+        let expected = match name {
+            // Rings of different bearings turn at different speeds.
+            "ring_speed_rpm" => {
+                assert_eq!(cell, Cell::Null);
+                continue;
+            }
+            "plane_margin_min_um" => 150.0,
+            "rotor_energy_residual_relative" => 0.0123,
+            // Those of the rotor and the run: both have them.
+            "rotor_speed_rpm" | "end_s" => first,
+            "first_contact_ms" | "clearance_margin_um" => first.min(second),
+            _ if sums.contains(&name) => first + second,
+            _ => first.max(second),
+        };
+        let found = cell.number().unwrap_or(f64::NAN);
+        assert!(
+            (found - expected).abs() <= 1e-9 * expected.abs(),
+            "{name}: {found} for {expected}"
+        );
+        compared += 1;
+    }
+    assert!(compared > 35, "{compared}");
+}
