@@ -6,7 +6,8 @@ import signal
 import subprocess
 from pathlib import Path
 
-S = "window.cagelessStudio"
+from studio_tab import S
+
 # A WebAssembly module with the functions of the engine, whose requests trap.
 TRAP = [
     0, 97, 115, 109, 1, 0, 0, 0, 1, 17, 3, 96, 1, 127, 1, 127, 96, 2, 127, 127, 0, 96, 2, 127, 127, 1, 127,

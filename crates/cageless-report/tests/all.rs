@@ -1,7 +1,10 @@
 //! All tests of the pages, as one program.
 
+mod design_page;
 mod drop;
 mod pages;
+mod reproduce_page;
 mod run_data;
 mod studio;
+mod sweep_page;
 mod synthetic;

@@ -14,7 +14,7 @@ fn pages() -> [(&'static str, String); 3] {
 }
 
 /// The page without the contents of its scripts, and those contents.
-fn split(page: &str) -> (String, Vec<String>) {
+pub fn split(page: &str) -> (String, Vec<String>) {
     let (mut html, mut scripts) = (String::new(), Vec::new());
     let mut rest = page;
     while let Some(at) = rest.find("<script") {
@@ -38,7 +38,7 @@ fn attributes<'a>(html: &'a str, name: &str) -> Vec<&'a str> {
 }
 
 /// Specifications of the plots, with the anchor of their figure.
-fn specs(page: &str) -> Vec<(String, Value)> {
+pub fn specs(page: &str) -> Vec<(String, Value)> {
     let mut out = Vec::new();
     for part in page
         .split("<script type=\"application/json\" id=\"")
@@ -170,28 +170,6 @@ fn text_is_escaped() {
         .expect("an energy balance");
     let name = energy["data"][0]["y"][0].as_str().expect("a name");
     assert!(name.starts_with("&lt;b&gt;work&lt;/b&gt;<br>"), "{name}");
-}
-
-#[test]
-fn rings_are_compared_with_error_bars() {
-    let page = reproduce_page(&crate::synthetic::reproduce());
-    let (html, _) = split(&page);
-    assert!(html.contains("120.0 ± 6.9"), "a mean with its error");
-    assert!(html.contains("Left out by the model: tilt."));
-    let specs = specs(&page);
-    let (_, spec) = specs
-        .iter()
-        .find(|(id, _)| id == "rings-compared")
-        .expect("a figure");
-    for trace in spec["data"].as_array().expect("traces") {
-        assert_eq!(trace["type"], "bar");
-        let (bars, errors) = (&trace["y"], &trace["error_y"]["array"]);
-        assert_eq!(
-            bars.as_array().map(Vec::len),
-            errors.as_array().map(Vec::len)
-        );
-        assert!(errors[0].as_f64().expect("an error") > 0.0);
-    }
 }
 
 #[test]
@@ -337,65 +315,6 @@ fn a_thinned_run_says_so() {
     }
 }
 
-/// Every status with the requirements that decide it, and the sentences that follow.
-#[test]
-fn claims_are_shown_with_their_criteria() {
-    let data = crate::synthetic::reproduce();
-    let status: Vec<ClaimStatus> = data.claims.iter().map(Claim::status).collect();
-    let expected = [
-        ClaimStatus::Confirmed,
-        ClaimStatus::NotConfirmed,
-        ClaimStatus::Partly,
-        ClaimStatus::Erratum,
-        ClaimStatus::NotTested,
-    ];
-    assert_eq!(status, expected);
-    assert_eq!(
-        data.claims[2].finding,
-        "The computation finds it, in a sentence that states how far. The computation does not \
-         find it."
-    );
-    assert_eq!(data.claims[4].finding, "");
-    let page = reproduce_page(&data);
-    assert!(page.contains("Each status follows from the requirements listed with it"));
-    for (mark, value, count) in [("met\">✓", "0.0074°", 2), ("missed\">✗", "0.074°", 2)] {
-        let line = format!(
-            "aria-label=\"{mark}</span> critical gap of <code>paper</code> less 1.8190°: \
-             <b>{value}</b> (at most 0.02°)</li>"
-        );
-        assert_eq!(page.matches(&line).count(), count, "{line}");
-    }
-}
-
-#[test]
-fn code_between_backticks_is_set_as_code() {
-    let mut data = crate::synthetic::reproduce();
-    data.claims[0].numbers = "0.031° in `paper`, 0.034° in `physical`".into();
-    data.claims[0].finding = "found in `paper`".into();
-    let (html, _) = split(&reproduce_page(&data));
-    assert!(html.contains("0.031° in <code>paper</code>, 0.034° in <code>physical</code>"));
-    assert!(!html.contains('`'));
-}
-
-/// A remark per row would be a column that is empty but for one cell, and the table wider than
-/// the page.
-#[test]
-fn remarks_of_table_2_stand_in_its_caption() {
-    let mut data = crate::synthetic::reproduce();
-    let table = data.table2.as_mut().expect("a table");
-    table.rows.iter_mut().for_each(|row| row.remark.clear());
-    table.rows[4].remark = "repeats the value of 5.40 mm".into();
-    let span = format!("{:.2}", table.rows[4].structure.axial_span_mm);
-    let (html, _) = split(&reproduce_page(&data));
-    let (_, table) = html.split_once("id=\"table-2\"").expect("Table 2");
-    let (caption, rows) = table.split_once("<tbody>").expect("rows");
-    let said = format!("Marked: <i>l</i><sub>C</sub> {span} mm repeats the value of 5.40 mm.");
-    assert!(caption.contains(&said), "{caption}");
-    assert!(!caption.contains("Remark"));
-    let (rows, _) = rows.split_once("</tbody>").expect("an end");
-    assert!(!rows.contains("repeats") && rows.contains("class=\"marked\""));
-}
-
 #[test]
 fn the_label_of_what_is_discarded_begins_in_its_shade() {
     let mut data = crate::synthetic::run_data();
@@ -412,82 +331,6 @@ fn the_label_of_what_is_discarded_begins_in_its_shade() {
         }
     }
     assert!(labels >= 2, "{labels}");
-}
-
-/// The figure of a design page whose anchor begins with `id`.
-fn search_figure(search: SearchData, id: &str) -> Value {
-    let data = DesignData {
-        search: Some(search),
-        ..crate::synthetic::design()
-    };
-    let found = specs(&design_page(&data));
-    let (_, spec) = (found.into_iter())
-        .find(|(name, _)| name.starts_with(id))
-        .unwrap_or_else(|| panic!("{id} is missing"));
-    spec
-}
-
-fn synthetic_search() -> SearchData {
-    crate::synthetic::design().search.expect("a search")
-}
-
-#[test]
-fn axes_of_trade_offs_show_what_is_acceptable() {
-    let mut search = synthetic_search();
-    // The raceway of the case, hit far more often than any that is acceptable.
-    let mut own = search.band[0].clone();
-    own.status = "rejected".into();
-    for point in &mut own.points {
-        if let Some(motion) = &mut point.motion {
-            motion.collisions_late = 36.0;
-            motion.spacing_scatter = 5.0;
-        }
-    }
-    search.own_from_usual_starts = Some(own);
-    let spec = search_figure(search, "trade-offs");
-    let range = |axis: &str| {
-        let range = &spec["layout"][axis]["range"];
-        [0, 1].map(|k| range[k].as_f64().expect("a range"))
-    };
-    let (x, y) = (range("xaxis"), range("yaxis"));
-    assert!(y[1] < 36.0 && x[1] < 500.0, "{x:?} {y:?}");
-    for trace in spec["data"].as_array().expect("traces") {
-        if trace["xaxis"] != "x" || trace["yaxis"] != "y" {
-            continue;
-        }
-        let at = |axis: &str| trace[axis][0].as_f64().expect("a number");
-        assert!((x[0]..=x[1]).contains(&at("x")) && (y[0]..=y[1]).contains(&at("y")));
-        if trace["name"] == "initial design" {
-            // At the edge, with its values.
-            assert_eq!([at("x"), at("y")], [x[1], y[1]]);
-            assert_eq!(trace["text"][0], "500, 36");
-        }
-    }
-}
-
-#[test]
-fn the_recommended_raceway_lies_on_its_own_verdict() {
-    let mut search = synthetic_search();
-    for map in &mut search.maps {
-        let cells = map.verdict.iter_mut().flatten();
-        cells.for_each(|verdict| *verdict = "insufficient-separation".to_owned());
-    }
-    search.band[1].status = "rejected".into();
-    search.band[1].reason = Some("slips".into());
-    let best = search.band[0].clone();
-    let spec = search_figure(search, "design-map-verdicts");
-    let traces = spec["data"].as_array().expect("traces");
-    let tried: Vec<_> = (traces.iter())
-        .filter(|t| t["name"] == "structures tried")
-        .collect();
-    assert_eq!(tried.len(), 1, "at the speed that is asked for");
-    let (colours, x) = (&tried[0]["marker"]["color"], &tried[0]["x"]);
-    assert!((x[0].as_f64().expect("a place") - best.axial_span_mm).abs() < 1e-3);
-    assert_eq!(
-        (&colours[0], &colours[1]),
-        (&"#009e73".into(), &"#d55e00".into())
-    );
-    assert!(traces.iter().any(|t| t["name"] == "works"), "the legend");
 }
 
 /// Every verdict of a page says whether it passes, in words and in colour, and a page with two
@@ -566,81 +409,4 @@ fn figures_have_descriptions_and_hovered_points_names() {
             }
         }
     }
-}
-
-fn swept() -> SweepData {
-    let quantity = |name: &str, unit: &str| SweepQuantity {
-        name: name.into(),
-        unit: unit.into(),
-    };
-    let output = |name: &str| SweepOutput {
-        quantity: quantity(name, ""),
-        shares: vec![Some(0.7), Some(0.2)],
-        effects: vec![
-            MainEffect {
-                input: quantity("operation_radial_load_n", "N"),
-                levels: Levels::Numbers(vec![500.0, 1500.0]),
-                mean: vec![0.2, 0.8],
-                min: vec![0.0, 0.5],
-                max: vec![0.5, 1.0],
-            },
-            MainEffect {
-                input: quantity("raceway_axial_span_mm", "mm"),
-                levels: Levels::Numbers(vec![5.0, 5.1]),
-                mean: vec![0.4, 0.6],
-                min: vec![0.0, 0.5],
-                max: vec![0.5, 1.0],
-            },
-        ],
-        ..SweepOutput::default()
-    };
-    let names = [
-        "verdict_passes",
-        "run_collisions",
-        "run_gap_min_deg",
-        "run_slip_max_m_s",
-        "run_steps",
-    ];
-    SweepData {
-        variants: 40,
-        passed: Some([30, 40]),
-        inputs: vec![
-            quantity("operation_radial_load_n", "N"),
-            quantity("raceway_axial_span_mm", "mm"),
-        ],
-        outputs: names.map(output).to_vec(),
-        chosen: 4,
-        ..SweepData::default()
-    }
-}
-
-/// A sweep shows what was asked for, choices before conditions, and folds the rest away.
-#[test]
-fn a_sweep_shows_its_choice_first() {
-    let page = sweep_page(&swept());
-    let (html, _) = split(&page);
-    assert!(html.contains("30 of 40 variants pass (75 %)"));
-    let folded = html.find("<details>").expect("a fold");
-    let place = |id: &str| html.find(&format!("id=\"{id}\"")).expect("a figure");
-    assert!(place("effects-on-passes") < folded && place("effects-on-smallest-gap") < folded);
-    assert!(
-        place("effects-on-largest-sliding-speed-under-load") > folded
-            && place("effects-on-steps") > folded
-    );
-    let specs = specs(&page);
-    let spec = |id: &str| {
-        &specs
-            .iter()
-            .find(|(name, _)| name == id)
-            .expect("a figure")
-            .1
-    };
-    let sensitivity = spec("sensitivity-main-effects");
-    assert_eq!(sensitivity["data"][0]["x"][1], "radial load");
-    // What only the computation is about is no finding.
-    let rows = sensitivity["data"][0]["y"].as_array().expect("outputs");
-    assert_eq!(rows.len(), 4);
-    assert!(!rows.iter().any(|row| row == "steps"));
-    let title = &spec("effects-on-passes")["layout"]["xaxis"]["title"]["text"];
-    assert_eq!(title, "Axial span <i>l</i><sub>C</sub> (mm)");
 }

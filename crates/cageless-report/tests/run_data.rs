@@ -145,6 +145,27 @@ fn histories_are_the_rows_in_the_units_of_their_axes() {
 }
 
 #[test]
+fn the_balls_in_motion_are_those_of_the_rows() {
+    let (_, data, kept) = short_run();
+    let motion = data.motion.as_ref().unwrap();
+    assert!(motion.time_s.len() > 50);
+    let degrees = 180.0 / std::f64::consts::PI;
+    for (n, time_s) in motion.time_s.iter().enumerate() {
+        let row = kept.snapshots.iter().find(|s| s.time_s == *time_s).unwrap();
+        for k in 0..14 {
+            let off = motion.gap_deg[k][n] - row.gap_rad[k] * degrees;
+            assert!(off.abs() < 1e-9, "gap {k}: {off}");
+            let off = motion.angle_deg[k][n] - row.angle_rad[k] * degrees;
+            assert!(off.abs() < 1e-9, "angle {k}: {off}");
+        }
+    }
+    assert!((data.uniform_gap_deg - 1.816_078_291).abs() < 1e-8);
+    // Half the speed of the inner raceway over the radius of the pitch circle.
+    let orbit_deg_s = 12_000.0 * 6.0 * 18.24 / (18.24 + 27.765);
+    assert!((data.rolling_orbit_speed_deg_s.unwrap() / orbit_deg_s - 1.0).abs() < 1e-12);
+}
+
+#[test]
 fn the_path_of_the_ring_has_its_own_coordinates() {
     let (record, data, _) = short_run();
     let of = |value: fn(&cageless_study::ring_path::RingPosition) -> f64| -> Vec<f64> {

@@ -1,0 +1,113 @@
+//! Drops of new cases and what the command prints of drops.
+
+use crate::common::{call, repository_case};
+
+#[test]
+fn a_new_touch_down_case_drops_at_once() {
+    for (name, full) in [
+        ("6008", false),
+        ("61808", true),
+        ("6304", false),
+        ("6000", true),
+    ] {
+        let mut args = vec!["new", "--bearing", name, "--touchdown"];
+        args.extend(full.then_some("--full-complement"));
+        let text = call(&args).stdout;
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("case.toml");
+        std::fs::write(&path, &text).unwrap();
+        let path = path.to_str().unwrap();
+        let answer = call(&["drop", path, "--json", "--set", "solver.duration_s=0.008"]);
+        assert_eq!(answer.code, Some(0), "{name}: {answer:?}\n{text}");
+        let json: serde_json::Value = serde_json::from_str(&answer.stdout).unwrap();
+        assert!(json["impacts"].as_u64().unwrap() > 0, "{name}");
+        assert!(json["clearance_margin_um"].is_f64(), "{name}");
+        // Each value that the bearing does not fix is marked.
+        let sections = text.split("[contact]").nth(1).unwrap();
+        let lines = sections
+            .lines()
+            .filter(|l| l.contains(" = ") && !l.contains("duration_s"));
+        for line in lines {
+            assert!(line.contains("(assumed)"), "{line}");
+        }
+        // A steel cylinder about its axis: J/m between the squares of its radii.
+        let bearing = &json["case"]["bearing"];
+        let of = |key: &str| bearing[key].as_f64().unwrap();
+        let gyration = (of("inner_ring_polar_inertia_kg_m2") / of("inner_ring_mass_kg")).sqrt();
+        let bore = 1e-3 * of("inner_ring_bore_radius_mm");
+        assert!(
+            gyration > bore && gyration < 1.6 * bore,
+            "{name}: {gyration} {bore}"
+        );
+    }
+}
+
+#[test]
+fn what_is_printed_of_drops_has_words_numbers_and_a_verdict() {
+    let path = |name: &str| repository_case(name).display().to_string();
+    let case = path("touchdown-d.toml");
+    let short = "solver.duration_s=0.01";
+    let rotor = path("rotors/two-bearings.toml");
+    for args in [
+        vec![
+            "drop",
+            &case,
+            "--set",
+            short,
+            "--samples",
+            "2",
+            "--compare",
+            "conventional",
+        ],
+        vec!["drop", &case, "--set", "solver.duration_s=0.001"],
+        vec![
+            "drop",
+            &case,
+            "--set",
+            short,
+            "--set",
+            "operation.gravity_m_s2=1e-6",
+        ],
+        vec!["drop", &rotor, "--set", short, "--samples", "2"],
+        vec![
+            "drop",
+            &rotor,
+            "--set",
+            short,
+            "--set",
+            "bearing.1.axial_mm=0",
+        ],
+        vec!["run", &case, "--set", short],
+        vec!["check", &case],
+        vec!["check", &rotor],
+    ] {
+        let answer = call(&args);
+        assert_eq!(answer.code, Some(0), "{args:?}: {answer:?}");
+        let text = answer.stdout + &answer.stderr;
+        let mut words = text.split(|c: char| !c.is_alphabetic());
+        assert!(
+            !words.any(|word| ["inf", "NaN", "nan"].contains(&word)),
+            "{args:?}: {text}"
+        );
+        assert!(
+            !text.contains("ledger") && !text.contains("bouncing"),
+            "{args:?}: {text}"
+        );
+        if args[0] == "drop" {
+            assert!(text.starts_with("verdict"), "{args:?}: {text}");
+        }
+    }
+    let text = call(&["drop", &case, "--set", short]).stdout;
+    assert!(text.contains("not reached ("), "{text}");
+    let refused = call(&["drop", &path("zhao-d.toml")]).stderr;
+    for key in [
+        "[rotor]",
+        "contact_stiffness",
+        "[support]",
+        "stiffness_n_m",
+        "[contact]",
+        "--touchdown",
+    ] {
+        assert!(refused.contains(key), "{key}: {refused}");
+    }
+}
