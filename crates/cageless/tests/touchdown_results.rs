@@ -1,10 +1,10 @@
 //! Results of a drop against what its states, contacts and energy terms give.
 
-use cageless::Case;
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::equilibrium::outer_stress_pa;
 use cageless::simulation::{Control, Observer, ObserverError, RunOutcome, StepView, run};
-use cageless::touchdown::{DropRecorder, DropSummary, Scatter};
+use cageless::touchdown::{DropRecorder, DropSummary, EndState, Scatter};
+use cageless::{Case, Gaps, Start};
 
 use crate::common::{drop_case, raceway};
 
@@ -110,13 +110,45 @@ fn heat_of_each_interface_is_its_term_of_the_energy_balance() {
     );
 }
 
-/// Largest pressure at the outer raceway, contact by contact, and the place of the journal.
+/// Numbers of a drop, gathered from the contacts and the motion of every step.
 struct Loads<'c> {
     case: &'c Case,
     outer_pa: f64,
     inside: bool,
     displaced_m: f64,
+    rotor_n: f64,
+    slip_m_s: f64,
+    /// Time in contact, and times at which it begins.
+    touched_s: f64,
+    begun_s: Vec<f64>,
+    housing_n: f64,
+    housing_m: f64,
+    /// Largest force of each ball at the inner and the outer raceway.
+    balls_n: [Vec<f64>; 2],
+    pair_n: f64,
+    ball_slip_m_s: f64,
     slip: Vec<(f64, Option<f64>)>,
+}
+
+impl<'c> Loads<'c> {
+    fn of(case: &'c Case) -> Self {
+        Self {
+            case,
+            outer_pa: 0.0,
+            inside: false,
+            displaced_m: 0.0,
+            rotor_n: 0.0,
+            slip_m_s: 0.0,
+            touched_s: 0.0,
+            begun_s: vec![],
+            housing_n: 0.0,
+            housing_m: 0.0,
+            balls_n: [vec![0.0; 14], vec![0.0; 14]],
+            pair_n: 0.0,
+            ball_slip_m_s: 0.0,
+            slip: vec![],
+        }
+    }
 }
 
 impl Observer for Loads<'_> {
@@ -129,14 +161,123 @@ impl Observer for Loads<'_> {
                 self.outer_pa = pressure;
                 self.inside = radius < self.case.bearing.ball_radius_m();
             }
+            let (inner, slips) = (
+                contacts.inner_force_n(k),
+                [contacts.inner_slip_m_s(k), contacts.outer_slip_m_s(k)],
+            );
+            for (r, force) in [inner, force].into_iter().enumerate() {
+                self.balls_n[r][k] = self.balls_n[r][k].max(force);
+                if force > 0.0 {
+                    self.ball_slip_m_s = self.ball_slip_m_s.max(slips[r].abs());
+                }
+            }
+            if contacts.balls_touch() {
+                self.pair_n = self.pair_n.max(contacts.pair_force_n(k));
+            }
         }
         let motion = view.layout().rotor_motion(&view.step.y1).unwrap();
         self.displaced_m = self.displaced_m.max(motion.x.hypot(motion.y));
         let rotor = contacts.rotor().unwrap().contact;
         let slip = (rotor.force > 0.0).then(|| rotor.slip.abs());
+        if let Some(slip) = slip {
+            if self.slip.last().is_none_or(|(_, before)| before.is_none()) {
+                self.begun_s.push(view.step.t1_s);
+            }
+            self.touched_s += view.step.t1_s - view.step.t0_s;
+            self.rotor_n = self.rotor_n.max(rotor.force);
+            self.slip_m_s = self.slip_m_s.max(slip);
+        }
         self.slip.push((view.step.t1_s, slip));
+        let ring = view.layout().outer_ring_motion(&view.step.y1);
+        let support = self.case.support.as_ref().unwrap();
+        let [fx, fy] = [(ring.x, ring.vx), (ring.y, ring.vy)]
+            .map(|(x, v)| support.stiffness_n_m * x + support.damping_n_s_m * v);
+        self.housing_n = self.housing_n.max(fx.hypot(fy));
+        self.housing_m = self.housing_m.max(ring.x.hypot(ring.y));
         Ok(Control::Continue(()))
     }
+}
+
+/// A drop that bounces, with balls in one row that touch.
+#[test]
+fn every_number_of_a_drop_follows_from_its_steps() {
+    let mut case = near(0.02);
+    let mut gaps = vec![0.0; 14];
+    gaps[13] = 14.0 * case.bearing.mean_gap_rad();
+    case.start = Start::AtRest {
+        gaps: Gaps::List(gaps),
+        lead_ball_angle_rad: 0.4,
+    };
+    let rotor = case.rotor.as_mut().unwrap();
+    (rotor.vy_m_s, rotor.vx_m_s) = (-0.1, 0.05);
+    let mut steps = Loads::of(&case);
+    let (summary, outcome) = dropped(&case, &mut steps);
+    let contact_s = outcome.end_s - steps.begun_s[0];
+    for (name, found, expected) in [
+        ("rotor", summary.rotor_force_max_n, steps.rotor_n),
+        ("slip", summary.rotor_slip_max_m_s, steps.slip_m_s),
+        (
+            "contact",
+            summary.contact_fraction,
+            steps.touched_s / contact_s,
+        ),
+        (
+            "housing",
+            summary.housing_force_max_n.unwrap(),
+            steps.housing_n,
+        ),
+        ("sag", summary.housing_displacement_max_m, steps.housing_m),
+        (
+            "displaced",
+            summary.rotor_displacement_max_m,
+            steps.displaced_m,
+        ),
+        ("pair", summary.ball_force_max_n, steps.pair_n),
+        ("balls", summary.ball_slip_max_m_s, steps.ball_slip_m_s),
+        (
+            "inner",
+            summary.inner_stress_max_pa,
+            (case.bearing.inner_contact())
+                .peak_stress_pa(steps.balls_n[0].iter().fold(0.0, |m, f| f.max(m))),
+        ),
+        ("outer", summary.outer_stress_max_pa, steps.outer_pa),
+    ] {
+        assert!(
+            (found / expected - 1.0).abs() < 1e-9,
+            "{name}: {found} {expected}"
+        );
+    }
+    assert_eq!(summary.inner_force_max_n, steps.balls_n[0]);
+    assert_eq!(summary.outer_force_max_n, steps.balls_n[1]);
+    assert_eq!(summary.impacts, steps.begun_s.len() as u64);
+    assert!(summary.impacts > 1 && summary.contact_fraction < 0.99 && steps.pair_n > 1.0);
+}
+
+/// Nothing has happened to a rotor in the air.
+#[test]
+fn a_rotor_in_the_air_has_no_contact() {
+    let mut case = drop_case();
+    case.solver.duration_s = 1e-3;
+    let (summary, _) = dropped(&case, &mut Nothing);
+    assert_eq!(summary.end_state, EndState::Falling);
+    let DropSummary {
+        first_contact_s,
+        spin_up_s,
+        end_collision_rate_hz,
+        ..
+    } = summary;
+    assert_eq!(
+        [first_contact_s, spin_up_s, end_collision_rate_hz],
+        [None; 3]
+    );
+    assert_eq!((summary.impacts, summary.contact_fraction), (0, 0.0));
+    assert_eq!(
+        [summary.rotor_force_max_n, summary.rotor_slip_max_m_s],
+        [0.0; 2]
+    );
+    // Fallen by ½ g t².
+    let fallen = summary.rotor_displacement_max_m / (0.5 * 9.81 * 1e-6);
+    assert!((fallen - 1.0).abs() < 1e-6, "{fallen}");
 }
 
 #[test]
@@ -152,13 +293,7 @@ fn pressures_displacement_and_spin_up_follow_from_contacts_and_motion() {
     (rotor.speed_rad_s, rotor.friction_coefficient) = (300.0, 0.3);
     let raceway = raceway(&case.bearing, 4.95, 35.0, 0.0);
     let case = case.with_raceways(vec![raceway]);
-    let mut loads = Loads {
-        case: &case,
-        outer_pa: 0.0,
-        inside: false,
-        displaced_m: 0.0,
-        slip: vec![],
-    };
+    let mut loads = Loads::of(&case);
     let (summary, _) = dropped(&case, &mut loads);
     assert!(loads.inside, "the largest pressure is on a raceway");
     assert!((summary.outer_stress_max_pa / loads.outer_pa - 1.0).abs() < 1e-12);
