@@ -2,7 +2,6 @@
 
 mod accepted_raceways;
 mod adaptive;
-mod annular_rub;
 mod automatic_step;
 mod balance;
 mod batch;

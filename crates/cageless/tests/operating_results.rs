@@ -6,7 +6,7 @@ use cageless::Case;
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::kinematics::{rolling_orbit_speed_rad_s, rolling_relative_spin_rad_s};
 use cageless::simulation::{Control, Observer, ObserverError, RunOutcome, StepView, run};
-use cageless::summary::{Summary, SummaryRecorder};
+use cageless::summary::{Summary, SummaryRecorder, transient_s};
 
 fn simulate(case: &Case, others: &mut [&mut dyn Observer]) -> (RunOutcome, Summary) {
     let mut recorder = SummaryRecorder::new();
@@ -112,6 +112,17 @@ fn a_short_run_has_means_of_less_than_an_orbit() {
     assert!(means.interval_s[0] >= summary.settled_after_s);
     assert!(means.interval_s[1] > 0.0099);
     assert!(means.drive_w() > 0.0);
+}
+
+/// Two orbits of rolling balls, at most half of the run, are its transient.
+#[test]
+fn the_transient_is_two_orbits() {
+    // Half the speed of the inner raceway, 200 1/s, over the pitch circle.
+    let orbit_s = 2.0 * 23.0025 / (200.0 * 18.24);
+    for (duration_s, expected) in [(1.0, 2.0 * orbit_s), (0.02, 0.01)] {
+        let found = transient_s(&lasting(duration_s));
+        assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
+    }
 }
 
 /// Pressures by Hertz from the largest forces of all steps.

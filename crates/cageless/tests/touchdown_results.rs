@@ -258,6 +258,8 @@ fn every_number_of_a_drop_follows_from_its_steps() {
 fn a_rotor_in_the_air_has_no_contact() {
     let mut case = drop_case();
     case.solver.duration_s = 1e-3;
+    let rotor = case.rotor.as_mut().unwrap();
+    (rotor.x_m, rotor.y_m) = (60e-6, -80e-6);
     let (summary, _) = dropped(&case, &mut Nothing);
     assert_eq!(summary.end_state, EndState::Falling);
     let DropSummary {
@@ -275,9 +277,13 @@ fn a_rotor_in_the_air_has_no_contact() {
         [summary.rotor_force_max_n, summary.rotor_slip_max_m_s],
         [0.0; 2]
     );
-    // Fallen by ½ g t².
-    let fallen = summary.rotor_displacement_max_m / (0.5 * 9.81 * 1e-6);
-    assert!((fallen - 1.0).abs() < 1e-6, "{fallen}");
+    // Fallen by ½ g t²; a rotor on its way up was furthest off at the start.
+    let fallen = (60e-6f64).hypot(80e-6 + 0.5 * 9.81 * 1e-6);
+    assert!((summary.rotor_displacement_max_m / fallen - 1.0).abs() < 1e-6);
+    let rotor = case.rotor.as_mut().unwrap();
+    rotor.vy_m_s = 0.02;
+    let start = dropped(&case, &mut Nothing).0.rotor_displacement_max_m;
+    assert!((start / 1e-4 - 1.0).abs() < 1e-12, "{start}");
 }
 
 #[test]
@@ -331,6 +337,15 @@ fn scattered_values_stay_within_their_widths_and_reach_them() {
             "{name}: {low} {high}"
         );
     };
+    // The magnets held the journal, wherever the mass centre is.
+    let mut eccentric = case.clone();
+    eccentric.rotor.as_mut().unwrap().eccentricity_m = 2e-5;
+    let held = |case: &Case| case.rotor.as_ref().unwrap().journal_start_m();
+    for index in 0..20 {
+        let (drawn, start) = (scatter.draw(&eccentric, index).0, held(&eccentric));
+        let off = [0, 1].map(|axis| held(&drawn)[axis] - start[axis]);
+        assert!(off[0].hypot(off[1]) < 1e-18, "{off:?}");
+    }
     let damping = case.support.as_ref().unwrap().damping_n_s_m;
     let bearing = |k: usize| drawn[k].bearing;
     within(

@@ -226,6 +226,7 @@ mod tests {
         for (of, name, ideal, limit, failure, text) in rows {
             let at = of(limit);
             assert_eq!((at.name(), at.value(), at.limit()), (name, limit, limit));
+            assert_eq!(at.at_least(), ideal > limit);
             let beyond = |by: f64| limit + by * (limit - ideal);
             let next = if limit > ideal {
                 limit.next_up()

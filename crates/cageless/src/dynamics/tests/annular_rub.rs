@@ -1,8 +1,8 @@
 //! Full annular rub of a rotor on a shaft.
 
-use crate::touchdown_exact::{at, bore, close, root, rotor};
+use super::rotor_in_ring::{Coordinate, RingMount, RotorInRing};
+use super::touchdown_exact::{at, bore, close, root, rotor};
 use cageless::Rotor;
-use cageless::dynamics::rotor_in_ring::{Coordinate, RingMount, RotorInRing};
 use cageless::integrator::{Adaptive, Integrator, System};
 
 /// A rotor on a shaft in a fixed ring: the equations of [`RotorInRing`] with the forces of the
