@@ -31,7 +31,7 @@ with tempfile.TemporaryDirectory() as folder:
         began = time.perf_counter()
         run = case.run()
         python.append(time.perf_counter() - began)
-        inside.append(run.summary["wall_s"])
+        inside.append(run.wall_s)
         printed = subprocess.run(
             [command, "run", str(path), "--json"], capture_output=True, check=True
         )

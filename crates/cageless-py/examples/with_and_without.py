@@ -19,7 +19,7 @@ for name, conventional in [("conventional", True), ("discrete raceway", False)]:
     run = case.replace({"start.gaps": gaps, "solver.duration_s": 0.1}).run()
     smallest = np.degrees(run.gap_rad.min(axis=1))
     figure.add_scatter(x=run.time_s * 1e3, y=smallest, name=name)
-    print(f"{name}: {run.summary['collisions']} contacts between balls")
+    print(f"{name}: {run.collisions} contacts between balls")
 
 figure.update_layout(xaxis_title="Time (ms)", yaxis_title="Smallest gap (°)")
 figure.write_html("gap_min.html")

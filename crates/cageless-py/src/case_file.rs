@@ -4,23 +4,17 @@ use std::collections::HashMap;
 use std::path::PathBuf;
 
 use cageless::dynamics::InstructionSet;
-use cageless::equilibrium::solve;
 use cageless_io::cad::ExportOptions;
 use cageless_io::case_file;
-use cageless_results::static_record;
-use cageless_study::comparison::compare;
-use cageless_study::drop::DropRequest;
 use cageless_study::tolerance::Request;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::background::Background;
-use crate::design::{Design, Search, judge};
-use crate::drop::Drop;
-use crate::errors::{input, of_file, of_start, of_study, of_values, other};
+use crate::compute;
+use crate::errors::{input, of_file, of_values, other};
 use crate::export;
-use crate::run::{Run, simulate};
-use crate::tolerance::Tolerance;
+use crate::result::Computed;
 use crate::values::to_toml;
 
 /// A case that was read and checked.
@@ -114,16 +108,18 @@ impl CaseFile {
         self.file.document() == other.file.document()
     }
 
-    /// Runs the case, and the runs that say how far it can be trusted if it is to be verified.
+    /// Runs the case.
     fn run(
         &self,
         py: Python<'_>,
         verify: bool,
         threads: Option<i64>,
         progress: Option<Py<PyAny>>,
-    ) -> PyResult<Run> {
+    ) -> PyResult<Computed> {
+        // Verification uses every core, a run alone needs one.
+        let threads = if verify { threads } else { Some(1) };
         let background = Background::new(threads, progress)?;
-        simulate(py, &self.file, verify.then_some(background))
+        compute::run(py, &self.file, verify, background)
     }
 
     /// Drops the rotor of the case.
@@ -135,21 +131,20 @@ impl CaseFile {
         verify: bool,
         threads: Option<i64>,
         progress: Option<Py<PyAny>>,
-    ) -> PyResult<Drop> {
-        let request = requested(compare, samples, verify)?;
-        Drop::compute(py, &self.file, request, Background::new(threads, progress)?)
+    ) -> PyResult<Computed> {
+        let request = compute::requested(compare, samples, verify)?;
+        let background = Background::new(threads, progress)?;
+        compute::drop(py, &self.file, request, background)
     }
 
-    /// `static --json`.
-    fn static_equilibrium(&self, py: Python<'_>) -> PyResult<String> {
-        let solved = py.detach(|| solve(self.file.case()));
-        let solved = solved.map_err(|error| of_start(&error))?;
-        serde_json::to_string(&static_record(self.file.case(), &solved)).map_err(other)
+    /// Solves the static equilibrium.
+    fn static_equilibrium(&self, py: Python<'_>) -> PyResult<Computed> {
+        compute::static_equilibrium(py, &self.file)
     }
 
-    /// Judges the raceways, and the exception if a run that it rests on stopped.
-    fn design(&self, py: Python<'_>) -> PyResult<(Design, Option<PyErr>)> {
-        judge(py, &self.file)
+    /// Judges the raceways, and the exception if a run that the verdict rests on stopped.
+    fn design(&self, py: Python<'_>) -> PyResult<(Computed, Option<PyErr>)> {
+        compute::design(py, &self.file)
     }
 
     /// Searches for the best raceway.
@@ -159,13 +154,12 @@ impl CaseFile {
         folder: Option<PathBuf>,
         threads: Option<i64>,
         progress: Option<Py<PyAny>>,
-    ) -> PyResult<Search> {
+    ) -> PyResult<Computed> {
         let background = Background::new(threads, progress)?;
-        Search::find(py, &self.file, folder, background)
+        compute::search(py, &self.file, folder, background)
     }
 
-    /// Compares the ring with that of another case, or with a conventional one, from the same
-    /// uneven starts; `compare --json`.
+    /// Compares the ring with that of another case, or with a conventional one.
     fn compare(
         &self,
         py: Python<'_>,
@@ -173,7 +167,7 @@ impl CaseFile {
         starts: i64,
         threads: Option<i64>,
         progress: Option<Py<PyAny>>,
-    ) -> PyResult<String> {
+    ) -> PyResult<Computed> {
         let reference = match &reference {
             Some(other) => ("reference", other.get().file.clone()),
             None => {
@@ -182,11 +176,8 @@ impl CaseFile {
             }
         };
         let rings = [reference, ("case", self.file.clone())];
-        let starts = whole("starts", starts)?;
-        let background = Background::new(threads, progress)?;
-        let done = background.run(py, |progress| compare(&rings, starts, progress))?;
-        let (_, comparison) = done.map_err(|error| of_study(&error))?;
-        serde_json::to_string(&comparison).map_err(other)
+        let starts = compute::whole("starts", starts)?;
+        compute::compare(py, rings, starts, Background::new(threads, progress)?)
     }
 
     /// Judges the bearing within tolerances; `deviations` by name, those of the command.
@@ -198,21 +189,21 @@ impl CaseFile {
         deviations: HashMap<String, f64>,
         threads: Option<i64>,
         progress: Option<Py<PyAny>>,
-    ) -> PyResult<Tolerance> {
+    ) -> PyResult<Computed> {
         let of = |name: &str| deviations.get(name).copied().unwrap_or(0.0);
         let request = Request {
-            samples: whole("samples", samples)?,
+            samples: compute::whole("samples", samples)?,
             groove_depth_um: of("groove_depth_um"),
             axial_span_um: of("axial_span_um"),
             half_angle_deg: of("half_angle_deg"),
-            ball_grade: whole("ball_grade", ball_grade)?,
+            ball_grade: compute::whole("ball_grade", ball_grade)?,
             friction: of("friction"),
             clearance_um: of("clearance_um"),
             speed_percent: of("speed_percent"),
             load_percent: of("load_percent"),
         };
         let background = Background::new(threads, progress)?;
-        Tolerance::study(py, &self.file, &request, background)
+        compute::tolerance(py, &self.file, &request, background)
     }
 
     /// Writes the outer ring; a list of the numbers of `export --json`.
@@ -235,21 +226,4 @@ impl CaseFile {
         };
         export::write(py, &self.file, &out, formats, &options)
     }
-}
-
-/// What a drop is asked for beside itself.
-pub fn requested(compare: bool, samples: Option<i64>, verify: bool) -> PyResult<DropRequest> {
-    Ok(DropRequest {
-        compare,
-        samples: samples.map(|n| whole("samples", n)).transpose()?,
-        verify,
-    })
-}
-
-fn whole<T: TryFrom<i64>>(option: &str, value: i64) -> PyResult<T> {
-    T::try_from(value).map_err(|_| {
-        input(format!(
-            "{option} = {value} is not possible: it must be 0 or more"
-        ))
-    })
 }

@@ -3,14 +3,13 @@
 use std::path::PathBuf;
 
 use cageless_io::{case_file, rotor_file};
-use cageless_report::drop::rotor_page;
-use cageless_study::drop::rotor_study;
 use pyo3::prelude::*;
 
 use crate::background::Background;
-use crate::case_file::{CaseFile, requested};
-use crate::drop::Drop;
-use crate::errors::{of_file, of_run, of_study, of_values, other, reason};
+use crate::case_file::CaseFile;
+use crate::compute;
+use crate::errors::{of_file, of_values, other};
+use crate::result::Computed;
 use crate::rotor::{LinearRotor, refused};
 
 /// A rotor file that was read and checked.
@@ -18,9 +17,6 @@ use crate::rotor::{LinearRotor, refused};
 pub struct RotorFile {
     pub file: rotor_file::RotorFile,
 }
-
-/// A drop with what its bearings went through: bearings, summary, page, reason of an early stop.
-type Dropped = (Vec<Drop>, String, String, Option<String>);
 
 #[pymethods]
 impl RotorFile {
@@ -117,23 +113,9 @@ impl RotorFile {
         verify: bool,
         threads: Option<i64>,
         progress: Option<Py<PyAny>>,
-    ) -> PyResult<Dropped> {
-        let request = requested(compare, samples, verify)?;
-        request.check_samples().map_err(|e| of_study(&e))?;
-        let file = &self.file;
-        let rows = || file.bearings().iter().map(|_| None).collect();
+    ) -> PyResult<Computed> {
+        let request = compute::requested(compare, samples, verify)?;
         let background = Background::new(threads, progress)?;
-        let done = background.run(py, |progress| rotor_study(file, request, rows(), progress))?;
-        let study = done.map_err(of_run)?;
-        let summary = study.to_json(file).map_err(other)?;
-        let page = py.detach(|| rotor_page(file, &study));
-        let last = study.drop.last_index();
-        let stopped = reason(&study.drop.last().outcome.ending)
-            .map(|reason| format!("bearing {}: {reason}", last + 1));
-        let bearings = (file.bearings().iter().cloned())
-            .zip(study.drop.bearings)
-            .map(|(file, record)| Drop::of_bearing(py, file, record))
-            .collect::<PyResult<_>>()?;
-        Ok((bearings, summary, page, stopped))
+        compute::drop_rotor(py, &self.file, request, background)
     }
 }

@@ -3,7 +3,6 @@
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
-use cageless_study::Progress;
 use pyo3::prelude::*;
 
 /// The interpreter is asked this often.
@@ -40,12 +39,5 @@ impl Signals {
             Ok((_, Some(error))) => Err(error),
             _ => Ok(()),
         }
-    }
-}
-
-/// Shows nothing; a signal cancels.
-impl Progress for Signals {
-    fn interrupted(&self) -> bool {
-        self.stop()
     }
 }

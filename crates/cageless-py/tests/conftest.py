@@ -59,6 +59,12 @@ def lively() -> cageless.Case:
     )
 
 
+def falling(**changes: object) -> cageless.Case:
+    """A drop to 1.6 ms after the first contact."""
+    case = cageless.Case.from_file(ROOT / "cases" / "touchdown-d.toml")
+    return case.replace({"solver.duration_s": 0.008, **changes})
+
+
 @pytest.fixture
 def plan() -> cageless.Plan:
     """Some hundred variants of a few milliseconds each, one of them impossible."""

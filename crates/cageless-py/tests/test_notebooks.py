@@ -42,7 +42,7 @@ def test_a_notebook_runs_to_its_end(path: Path, tmp_path: Path) -> None:
     )
     client.execute()
     assert len([cell for cell in notebook.cells if cell.cell_type == "code"]) <= COMMANDS
-    assert "<Search: lC" in outputs(notebook)
+    assert "<SearchResult: Recommended: lC" in outputs(notebook)
     step = (tmp_path / "ring.step").read_text()
     assert step.startswith("ISO-10303-21;") and "MANIFOLD_SOLID_BREP" in step
     assert "Plotly.newPlot" in (tmp_path / "search.html").read_text()

@@ -41,7 +41,7 @@ def test_a_window_of_time_has_every_output_time(run: cageless.Run) -> None:
     low, high = figure.layout.xaxis.range
     assert (low, high) == pytest.approx((inside[0], inside[-1]))
     collided = run.plot_collisions(time_s=(0.0, 0.01)).data[0].x
-    starts = run.collisions("start_s")
+    starts = run.array("start_s")
     assert len(collided) == np.count_nonzero(starts <= 0.01) < len(starts)
 
 
@@ -67,14 +67,13 @@ def test_loads_of_a_static_result_are_drawn_round_the_ring() -> None:
     static = cageless.Case.from_toml(cageless.template()).static()
     figure = static.plot_loads(title="Loads")
     assert figure.layout.title.text == "Loads"
-    outer, inner = figure.data
-    assert np.array_equal(outer.r, static.outer_force_n)
-    assert np.array_equal(inner.r, static.inner_force_n)
-    assert np.array_equal(outer.theta, static.ball_angle_deg)
+    outer, inner, outer_pressure, _ = (t for t in figure.data if t.type == "barpolar")
+    # Values of figures are rounded.
+    assert np.allclose(outer.r, static.outer_force_n, rtol=1e-3)
+    assert np.allclose(inner.r, static.inner_force_n, rtol=1e-3)
+    assert np.allclose(outer.theta, static.ball_angle_deg, rtol=1e-3)
+    assert max(outer_pressure.r) > 1000.0  # MPa
     # ψ = 0 is at the bottom.
-    assert figure.layout.polar.angularaxis.rotation == -90
-    outer, inner = static.plot_pressures().data
-    assert np.array_equal(outer.r, static.values["outer_pressure_gpa"])
-    assert np.array_equal(inner.r, static.values["inner_pressure_gpa"])
+    assert figure.layout.polar.angularaxis.rotation == 270
     # Drawn to the end: what plotly refuses, it refuses here.
     assert "barpolar" in figure.to_html(include_plotlyjs=False)

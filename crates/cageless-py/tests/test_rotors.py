@@ -52,14 +52,20 @@ def test_a_drop_is_that_of_the_command(command: Command, tmp_path: Path) -> None
     out = tmp_path / "out"
     command("drop", rotor_file(tmp_path), "--set", "solver.duration_s=0.008", "--out", out)
     drop = rigid().drop(cases(), speed_rpm=30000.0)
-    assert drop.summary == json.loads((out / "summary.json").read_text())
-    assert drop.summary["rotor"]["mass_shares_kg"] == pytest.approx([80.0 / 3.0, 40.0 / 3.0])
-    assert all(bearing.summary["impacts"] >= 1 for bearing in drop.bearings)
+    assert drop.values == json.loads((out / "summary.json").read_text())
+    assert list(drop.rotor.mass_shares_kg) == pytest.approx([80.0 / 3.0, 40.0 / 3.0])
+    assert all(bearing.impacts >= 1 for bearing in drop.bearings)
     saved = drop.save(tmp_path / "saved")
-    loaded = cageless.load(saved)
-    assert isinstance(loaded, cageless.RotorDrop)
-    assert loaded == drop and loaded.passes == drop.passes
-    assert loaded.bearings[1].plot_orbit().data
+    for folder in (saved, out):
+        loaded = cageless.load(folder)
+        assert isinstance(loaded, cageless.Drop)
+        assert loaded == drop and loaded.passes == drop.passes
+        assert loaded.bearings[1] == drop.bearings[1] != drop.bearings[0]
+        figure = loaded.bearings[1].plot_orbit()
+        assert figure.data and figure == drop.bearings[1].plot_orbit()
+        assert figure != loaded.bearings[0].plot_orbit()
+    assert pickle.loads(pickle.dumps(drop)) == drop
+    assert pickle.loads(pickle.dumps(drop.bearings[1])) == drop.bearings[1]
     for name in ["summary.json", "report.html"]:
         assert (saved / name).read_text() == (out / name).read_text()
     for k, bearing in enumerate(drop.bearings):
@@ -79,13 +85,11 @@ def test_scattered_compared_and_verified_drops_are_those_of_the_command(
     command("drop", rotor_file(tmp_path), "--set", "solver.duration_s=0.0006", *more)
     short = [case.replace({"solver.duration_s": 0.0006}) for case in cases()]
     drop = rigid().drop(short, speed_rpm=30000.0, compare=True, samples=2, verify=True)
-    assert drop.summary == json.loads((out / "summary.json").read_text())
+    assert drop.values == json.loads((out / "summary.json").read_text())
     saved = drop.report(tmp_path / "page.html")
     assert saved.read_text() == (out / "report.html").read_text()
-    assert (drop.backward_whirl_probability, drop.warnings) == (0.0, [])
-    interval = drop.backward_whirl_interval
-    assert interval is not None
-    assert interval == pytest.approx((0.0, 0.658), abs=1e-3)
+    assert (drop.ensemble.backward_whirl_probability, drop.warnings) == (0.0, [])
+    assert tuple(drop.ensemble.backward_whirl_interval) == pytest.approx((0.0, 0.658), abs=1e-3)
     drops = drop.data_drops()
     assert list(zip(drops["index"], drops.bearing, strict=True)) == [(0, 1), (0, 2), (1, 1), (1, 2)]
     assert drops.unbalance_turn_deg[0] == drops.unbalance_turn_deg[1] != drops.unbalance_turn_deg[2]
@@ -96,7 +100,7 @@ def test_scattered_compared_and_verified_drops_are_those_of_the_command(
     alone = rigid().drop(short, speed_rpm=30000.0)
     assert alone != drop
     assert alone.bearings == drop.bearings
-    assert alone.backward_whirl_probability is None
+    assert alone.ensemble is None
     assert alone.data_drops().empty
     assert alone.data_verification().empty
 
@@ -211,8 +215,8 @@ def test_a_rotor_case_is_written_as_one_file(command: Command, tmp_path: Path) -
     (alone / "rotor.toml").write_text(case.to_toml())
     command("drop", alone / "rotor.toml", "--out", alone)
     found = json.loads((alone / "summary.json").read_text())
-    assert found["bearings"] == case.drop().summary["bearings"]
-    assert found["rotor"] == case.drop().summary["rotor"]
+    assert found["bearings"] == case.drop().values["bearings"]
+    assert found["rotor"] == case.drop().values["rotor"]
 
 
 def test_a_sweep_of_a_rotor_is_that_of_the_command(command: Command, tmp_path: Path) -> None:
@@ -230,8 +234,8 @@ def test_a_sweep_of_a_rotor_is_that_of_the_command(command: Command, tmp_path: P
     drop = plan.case(1).drop()
     for k, bearing in enumerate(drop.bearings, 1):
         for name in ["impacts", "rotor_force_max_n", "heat_j"]:
-            assert frame[f"drop_bearing_{k}_{name}"][1] == bearing.summary[name]
-    force = max(bearing.summary["rotor_force_max_n"] for bearing in drop.bearings)
+            assert frame[f"drop_bearing_{k}_{name}"][1] == bearing.values[name]
+    force = max(bearing.rotor_force_max_n for bearing in drop.bearings)
     assert frame["drop_rotor_force_max_n"][1] == force
     assert result.units["drop_bearing_2_heat_j"] == "J"
     assert "drop_heat_j" in result.report().outputs
@@ -263,7 +267,7 @@ def test_a_rotor_by_matrices_is_swept() -> None:
     row = cageless.sweep(plan).data_variants().iloc[0]
     assert row.reason is None
     drop = machine.drop()
-    assert row.drop_bearing_2_heat_j == drop.bearings[1].summary["heat_j"] > 0.0
+    assert row.drop_bearing_2_heat_j == drop.bearings[1].heat_j > 0.0
     assert cageless.Plan.from_toml(plan.to_toml()) == plan
 
 

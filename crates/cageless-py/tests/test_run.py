@@ -54,8 +54,11 @@ def test_the_summary_is_that_of_the_command(both: tuple[cageless.Run, Path]) -> 
     run, folder = both
     written = numbers((folder / "summary.json").read_text())
     assert written.pop("wall_s") > 0.0
-    assert {k: v for k, v in run.summary.items() if k != "wall_s"} == written
-    assert run.data_summary()["collisions"] == written["collisions"] > 0
+    assert {k: v for k, v in run.values.items() if k != "wall_s"} == written
+    assert run.collisions == written["collisions"] > 0
+    summary = run.data_summary()
+    assert summary.value["collisions"] == run.collisions
+    assert (summary.unit["gap_min_deg"], summary.label["gap_min_deg"]) == ("deg", "smallest gap")
 
 
 def test_figures_are_those_of_the_report(both: tuple[cageless.Run, Path]) -> None:
@@ -66,7 +69,7 @@ def test_figures_are_those_of_the_report(both: tuple[cageless.Run, Path]) -> Non
     for name in names:
         figure = getattr(run, name)()
         assert isinstance(figure, go.Figure)
-        made = json.loads(run._run.figure(name.removeprefix("plot_")))
+        made = json.loads(run._core.figure(name.removeprefix("plot_"), None, None, None))
         assert made["layout"].pop("height") == figure.layout.height > 200
         assert made in shown, name
         assert len(figure.data) == len(made["data"])
@@ -80,14 +83,14 @@ def test_the_page_is_that_of_the_report(both: tuple[cageless.Run, Path], tmp_pat
 
 def test_arrays_are_not_copied_and_not_writeable(both: tuple[cageless.Run, Path]) -> None:
     run, _ = both
-    assert run.gap_rad is run.balls("gap_rad")
+    assert run.gap_rad is run.array("gap_rad")
     assert run.gap_rad.shape == (len(run.time_s), 14)
     with pytest.raises(ValueError):
         run.gap_rad[0, 0] = 1.0
     frame = run.data_balls()
     assert np.shares_memory(frame["gap_rad"].to_numpy(), run.gap_rad)
-    assert np.shares_memory(run.data_ring()["x_m"].to_numpy(), run.ring("x_m"))
-    assert len(run.collisions("ball")) == len(run.data_collisions())
+    assert np.shares_memory(run.data_ring()["x_m"].to_numpy(), run.array("x_m", "ring"))
+    assert len(run.array("next_ball")) == len(run.data_collisions())
     assert "collisions" in run._repr_html_()
 
 
@@ -104,11 +107,11 @@ def test_a_run_that_stops_says_why_and_keeps_what_there_is(
         case.run()
     stderr = command("run", path, code=3).stderr
     assert stderr == f"error: {error.value}\n"
-    run = error.value.run
+    run = error.value.result
     assert run is not None
     assert run.stopped == str(error.value)
     assert 0.0 <= run.time_s[-1] < 0.05
-    assert run.summary["stopped"]["advice"] in str(error.value)
+    assert run.values["stopped"]["advice"] in str(error.value)
 
 
 INTERRUPTED = """
@@ -165,12 +168,16 @@ def test_messages_name_columns_sections_and_folders(tmp_path: Path) -> None:
     case = cageless.Case.from_toml(cageless.template(), {"solver.duration_s": 0.002})
     run = case.run()
     with pytest.raises(KeyError) as missing:
-        run.balls("inner_force")
+        run.array("inner_force", "balls")
     assert isinstance(missing.value, cageless.ColumnError)
     assert isinstance(missing.value, cageless.CagelessError)
     message = str(missing.value)
     assert "'inner_force' is not a column of balls: did you mean inner_force_n?" in message
     assert "its columns are angle_rad" in message
+    with pytest.raises(AttributeError, match="no 'gap_min'; did you mean gap_min_deg?"):
+        run.gap_min
+    with pytest.raises(TypeError, match=r"plot_energy\(\) has no argument 'balls': it takes title"):
+        run.plot_energy(balls=[1])
     with pytest.raises(cageless.InputError, match=r"the case has no \[housing\]"):
         run.plot_vibration()
     path = tmp_path / "none" / "page.html"

@@ -53,7 +53,7 @@ def test_the_report_is_that_of_the_command(
 ) -> None:
     result = cageless.sweep(plan, out=tmp_path)
     report = cageless.report(result, high=["run_gap_min_deg"])
-    page = report.write(tmp_path / "python.html").read_text()
+    page = report.report(tmp_path / "python.html").read_text()
     printed = command("report", result.path, "--high", "run_gap_min_deg", "--json").stdout
     assert report.values == numbers(printed)
     assert page == (tmp_path / "report.html").read_text()

@@ -1,5 +1,6 @@
 //! All tests of the pages, as one program.
 
+mod attributes;
 mod design_page;
 mod drop;
 mod pages;

@@ -33,5 +33,6 @@ pub use results::{Results, value_text};
 pub use source::{Finished, FinishedDrop, FinishedRotor, Judged, JudgedRaceway, Solved, Subject};
 pub use static_result::static_record;
 pub use table::{
-    DESIGN, DROP, PASSAGES, RACEWAY, ROTOR_DROP, RUN, STATIC, VERDICT, of_column, quantities,
+    DESIGN, DROP, PASSAGES, RACEWAY, ROTOR_DROP, RUN, STATIC, VERDICT, of_column, of_kind,
+    quantities,
 };

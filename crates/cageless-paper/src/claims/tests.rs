@@ -6,7 +6,7 @@ use cageless::design::{Eq11, judge, theoretical_gap_rad};
 use cageless::simulation::Control;
 use cageless_report::ClaimStatus::{self, Confirmed, Erratum, NotConfirmed, NotTested, Partly};
 use cageless_report::{ComparisonCell, Difference, Estimate, RingComparison};
-use cageless_study::Silent;
+use cageless_study::{Progress, Silent};
 
 use super::*;
 use crate::cases::READINGS;
@@ -20,7 +20,8 @@ fn evidence() -> &'static Evidence {
     static EVIDENCE: OnceLock<Evidence> = OnceLock::new();
     EVIDENCE.get_or_init(|| {
         let case = cases::structure(3, READINGS[1], &[]).unwrap();
-        let simulated = Simulations::new(&Silent).unwrap();
+        let silent: &dyn Progress = &Silent;
+        let simulated = Simulations::new(&silent.begin("claims", 1.0)).unwrap();
         simulated
             .evidence(&parameters::design_curve(&case))
             .unwrap()

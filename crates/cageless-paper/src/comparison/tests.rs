@@ -1,7 +1,7 @@
 //! The comparison of rings: starts, lots, bits.
 
 use super::*;
-use cageless_study::Silent;
+use cageless_study::{Progress, Silent};
 
 /// A combination run for a few orbits, in a batch and again: the same numbers; another start
 /// gives others.
@@ -12,7 +12,8 @@ fn a_small_cell_is_reproduced() {
     plan.case.operation.inner_speed_rad_s *= 4.0;
     plan.case.solver.duration_s = 0.2;
     plan.case.solver.step_s = 2e-6;
-    let progress = Silent;
+    let silent: &dyn Progress = &Silent;
+    let progress = silent.begin("comparison", 1.0);
     let numbers = |outcomes: &[Outcome]| -> Vec<[f64; 4]> {
         outcomes
             .iter()
@@ -56,7 +57,8 @@ fn without_contacts_all_is_at_passing() {
         gaps: Gaps::Uniform,
         lead_ball_angle_rad: 0.0,
     };
-    let progress = Silent;
+    let silent: &dyn Progress = &Silent;
+    let progress = silent.begin("comparison", 1.0);
     let one = side_by_side(&[&case], &plan, &progress, 0.0).unwrap();
     assert_eq!(one[0].contacts_per_s, 0.0);
     assert_eq!(one[0].from_contacts, 0.0);

@@ -79,6 +79,24 @@ def changes(values: Mapping[str, Any]) -> list[str]:
     return [f"{key}={text.split('=', 1)[1].strip()}" for key, text in written.items()]
 
 
+#: Classes of the sections of which a case has one at most.
+SECTIONS: dict[str, type[Section]] = {
+    "bearing": Bearing,
+    "material": Material,
+    "ball_material": Material,
+    "ring_material": Material,
+    "operation": Operation,
+    "contact": Contact,
+    "model": Model,
+    "start": Start,
+    "solver": Solver,
+    "housing": Housing,
+    "rotor": Rotor,
+    "support": Support,
+    "output": Output,
+}
+
+
 class Case(Computations):
     """A bearing, its operation and how it is to be simulated, checked when it is made.
 
@@ -134,6 +152,19 @@ class Case(Computations):
     """
 
     _sections: dict[str, Any]
+    bearing: Bearing
+    operation: Operation
+    material: Material
+    ball_material: Material | None
+    ring_material: Material | None
+    contact: Contact
+    model: Model
+    solver: Solver
+    output: Output
+    start: Start
+    housing: Housing | None
+    rotor: Rotor | None
+    support: Support | None
 
     def __init__(
         self,
@@ -155,21 +186,8 @@ class Case(Computations):
         title: str = "",
     ) -> None:
         several = [raceway] if isinstance(raceway, (Raceway, Mapping)) else list(raceway or [])
-        given: dict[str, Section | Keys | None] = {
-            "bearing": bearing,
-            "material": material,
-            "ball_material": ball_material,
-            "ring_material": ring_material,
-            "operation": operation,
-            "contact": contact,
-            "model": model,
-            "start": start,
-            "solver": solver,
-            "housing": housing,
-            "rotor": rotor,
-            "support": support,
-            "output": output,
-        }
+        own = locals()
+        given: dict[str, Section | Keys | None] = {name: own[name] for name in SECTIONS}
         values: dict[str, Any] = {"title": title} if title else {}
         values |= {name: keys_of(part) for name, part in given.items() if part is not None}
         if several:
@@ -177,12 +195,12 @@ class Case(Computations):
             values["raceway"] = sections[0] if len(sections) == 1 else sections
         self._take(_cageless.CaseFile.of_values(values))
 
-    def _take(self, file: _cageless.CaseFile) -> None:
+    def _take(self, file: Any) -> None:
         self._file = file
         self._sections = json.loads(file.document(False))
 
     @classmethod
-    def _of(cls, file: _cageless.CaseFile) -> Case:
+    def _of(cls, file: Any) -> Case:
         case = cls.__new__(cls)
         case._take(file)
         return case
@@ -315,81 +333,17 @@ class Case(Computations):
         return self._file.defaults()
 
     @property
-    def bearing(self) -> Bearing:
-        """Rings and balls."""
-        return Bearing(**self._sections["bearing"])
-
-    @property
-    def material(self) -> Material:
-        """Elastic material of balls and rings."""
-        return Material(**self._sections["material"])
-
-    @property
-    def ball_material(self) -> Material | None:
-        """Elastic material of the balls, if it is another."""
-        found = self._sections.get("ball_material")
-        return None if found is None else Material(**found)
-
-    @property
-    def ring_material(self) -> Material | None:
-        """Elastic material of the rings, if it is another."""
-        found = self._sections.get("ring_material")
-        return None if found is None else Material(**found)
-
-    @property
-    def rotor(self) -> Rotor | None:
-        """Rotor that falls onto the inner ring."""
-        found = self._sections.get("rotor")
-        return None if found is None else Rotor(**found)
-
-    @property
-    def support(self) -> Support | None:
-        """Support of the outer ring under a falling rotor."""
-        found = self._sections.get("support")
-        return None if found is None else Support(**found)
-
-    @property
     def raceways(self) -> tuple[Raceway, ...]:
         """Discrete raceways."""
         found = self._sections.get("raceway", [])
         several = found if isinstance(found, list) else [found]
         return tuple(Raceway(**each) for each in several)
 
-    @property
-    def operation(self) -> Operation:
-        """Speed and load."""
-        return Operation(**self._sections["operation"])
-
-    @property
-    def contact(self) -> Contact:
-        """Friction, damping and stiffness."""
-        return Contact(**self._sections["contact"])
-
-    @property
-    def model(self) -> Model:
-        """The set of equations."""
-        return Model(**self._sections["model"])
-
-    @property
-    def start(self) -> Start:
-        """Initial state."""
-        return Start(**self._sections["start"])
-
-    @property
-    def solver(self) -> Solver:
-        """Integration."""
-        return Solver(**self._sections["solver"])
-
-    @property
-    def housing(self) -> Housing | None:
-        """Support of the outer ring."""
-        found = self._sections.get("housing")
-        return None if found is None else Housing(**found)
-
-    @property
-    def output(self) -> Output:
-        """Output of a run."""
-        return Output(**self._sections["output"])
+    def __getattr__(self, name: str) -> Any:
+        if name not in SECTIONS:
+            raise AttributeError(f"Case has no {name!r}")
+        found = self._sections.get(name)
+        return None if found is None else SECTIONS[name](**found)
 
     @property
     def radial_clearance_um(self) -> float:

@@ -29,7 +29,7 @@ PROBE_SECONDS = 0.5
 #: Tasks at most: a scheduler keeps all of them in memory.
 TASKS_MAX = 100_000
 
-_plans: dict[str, _cageless.Sweep] = {}
+_plans: dict[str, Any] = {}
 
 
 def work(plan: str, start: int, end: int, part: str | None) -> tuple[int, bytes | None]:

@@ -4,26 +4,29 @@ from __future__ import annotations
 
 import json
 import os
-from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from . import _cageless, sections
-from .comparisons import RingComparison
-from .errors import InputError, UnphysicalError
+from . import sections
+from .errors import InputError
 from .exports import Export
-from .designs import Design
-from .drops import Drop
-from .runs import Run
-from .statics import Static
-from .searches import SearchResult
-from .tolerances import ToleranceResult
+from .results import (
+    Design,
+    Drop,
+    RingComparison,
+    Run,
+    SearchResult,
+    Static,
+    ToleranceResult,
+    complete,
+)
 
 if TYPE_CHECKING:
     from .case import Case
-    from .sections import Raceway
 
 __all__ = ["Computations"]
+
+Progress = Callable[[str, float], object]
 
 
 def refuse(method: str, unknown: Mapping[str, Any]) -> None:
@@ -38,40 +41,31 @@ def refuse(method: str, unknown: Mapping[str, Any]) -> None:
         raise TypeError(f"Case.{method}() has no argument {name!r}{hint}")
 
 
-class Computations(ABC):
-    """The computations of a :class:`Case`."""
+class Computations:
+    """The computations of a :class:`Case`.
 
-    _file: _cageless.CaseFile
+    Those that take long have the options ``threads``, the number of threads (default: number of
+    cores), and ``progress``, called repeatedly with the name of the task and its completed
+    fraction, 0 to 1. Other threads of Python go on meanwhile; Ctrl-C ends a computation.
+    """
 
-    @abstractmethod
-    def replace(self, changes: Mapping[str, Any] | None = None, /, **keywords: Any) -> Case:
-        """The case with other values."""
-
-    @abstractmethod
-    def with_raceways(self, *raceways: Raceway) -> Case:
-        """The case with these discrete raceways in place of its own."""
+    _file: Any
 
     def run(
         self,
         *,
         verify: bool = False,
         threads: int | None = None,
-        progress: Callable[[str, float], object] | None = None,
+        progress: Progress | None = None,
         **unknown: Any,
     ) -> Run:
         """Simulates the case.
-
-        Other threads of Python go on meanwhile; Ctrl-C ends it.
 
         Parameters
         ----------
         verify : bool
             Verify by perturbed starts and half step (17x cost); ``verification`` of the run
             classifies the results as converged, statistical or step-biased.
-        threads : int, optional
-            Number of threads; default: number of cores.
-        progress : callable, optional
-            Called repeatedly with the task under way and the completed fraction of the whole, 0 to 1.
 
         Returns
         -------
@@ -80,7 +74,7 @@ class Computations(ABC):
         Raises
         ------
         UnphysicalError
-            If the run left the physical range; its ``run`` has what was computed.
+            If the run left the physical range; its ``result`` has what was computed.
 
         Examples
         --------
@@ -93,13 +87,7 @@ class Computations(ABC):
         <Verification: 13 converged, 0 statistical, 0 step-biased>
         """
         refuse("run", unknown)
-        run = Run(self._file.run(verify, threads, progress))
-        stopped = run.stopped
-        if stopped is not None:
-            error = UnphysicalError(stopped)
-            error.run = run
-            raise error
-        return run
+        return complete(Run(self._file.run(verify, threads, progress)))
 
     def drop(
         self,
@@ -108,7 +96,7 @@ class Computations(ABC):
         samples: int | None = None,
         verify: bool = False,
         threads: int | None = None,
-        progress: Callable[[str, float], object] | None = None,
+        progress: Progress | None = None,
     ) -> Drop:
         """Drops the rotor of the case onto the bearing, as ``cageless drop`` does.
 
@@ -122,10 +110,6 @@ class Computations(ABC):
         verify : bool
             Repeat the drop from perturbed starts and at half the step; ``data_verification()``
             classifies the results as converged, statistical or step-biased.
-        threads : int, optional
-            Number of threads; default: number of cores.
-        progress : callable, optional
-            Called repeatedly with the task under way and the completed fraction of the whole, 0 to 1.
 
         Returns
         -------
@@ -136,12 +120,9 @@ class Computations(ABC):
         InputError
             If the case has no rotor.
         UnphysicalError
-            If the drop left the physical range.
+            If the drop left the physical range; its ``result`` has what was computed.
         """
-        drop = Drop(self._file.drop(compare, samples, verify, threads, progress))
-        if drop.stopped is not None:
-            raise UnphysicalError(drop.stopped)
-        return drop
+        return complete(Drop(self._file.drop(compare, samples, verify, threads, progress)))
 
     def static(self) -> Static:
         """Static equilibrium: ring displacement, load of each ball, contact stress.
@@ -157,7 +138,7 @@ class Computations(ABC):
         >>> round(static.ring_y_um, 2)
         -13.18
         """
-        return Static(json.loads(self._file.static_equilibrium()))
+        return Static(self._file.static_equilibrium())
 
     def design(self) -> Design:
         """Analyses the raceway: limits, β0, critical gap, verdict, recommendation.
@@ -176,55 +157,29 @@ class Computations(ABC):
         found, stopped = self._file.design()
         if stopped is not None:
             raise stopped
-        return Design(json.loads(found.numbers()), found)
+        return Design(found)
 
     def search(
         self,
         *,
-        inner_speed_rpm: float | Sequence[float] | None = None,
-        radial_load_n: float | Sequence[float] | None = None,
-        axial_span_mm: float | Sequence[float] | None = None,
-        half_angle_deg: float | Sequence[float] | None = None,
-        centre_angle_deg: float | Sequence[float] | None = None,
-        raceways_max: int | None = None,
-        spread_min: float | None = None,
-        starts: int | None = None,
-        budget: int | None = None,
-        map_speed_rpm: Sequence[float] | None = None,
         out: str | os.PathLike[str] | None = None,
         threads: int | None = None,
-        progress: Callable[[str, float], object] | None = None,
+        progress: Progress | None = None,
+        **asked: float | Sequence[float] | None,
     ) -> SearchResult:
         """Searches for the best raceway, as ``cageless design --search`` does.
 
-        Takes minutes. What is left out of the first ten parameters is that of the section
-        ``[search]`` of the case, or its default.
+        Takes minutes.
 
         Parameters
         ----------
-        inner_speed_rpm, radial_load_n : float or (float, float), optional
-            Speeds and loads that the raceway must bear, one or lowest and highest.
-        axial_span_mm, half_angle_deg : float or (float, float), optional
-            lC and θ to look at; all that the groove allows by default.
-        centre_angle_deg : float or (float, float), optional
-            ψ of the middle of one raceway, or first and last.
-        raceways_max : int, optional
-            Number of raceways at most.
-        spread_min : float, optional
-            Least separation as a fraction of the mean ball spacing.
-        starts : int, optional
-            Uneven starts per structure.
-        budget : int, optional
-            Runs of all balls at most.
-        map_speed_rpm : sequence of float, optional
-            Further speeds to draw maps at.
         out : path, optional
             Folder that keeps what was computed until the search is over: after an
             interruption the same call, or the command, goes on from there.
-        threads : int, optional
-            Threads; as many as there are cores if left out.
-        progress : callable, optional
-            Called repeatedly with the task under way and the completed fraction of the whole, 0 to 1.
+        **asked
+            Keys of the section ``[search]`` of a case file with their values, in place of those of
+            the case: ranges of speeds and loads, of lC, θ and ψ, numbers of raceways, starts and
+            runs.
 
         Returns
         -------
@@ -233,7 +188,7 @@ class Computations(ABC):
         Raises
         ------
         UnphysicalError
-            If no raceway meets every requirement; its ``search`` has the maps that show why.
+            If no raceway meets every requirement; its ``result`` has the maps that show why.
 
         Examples
         --------
@@ -243,28 +198,10 @@ class Computations(ABC):
         Traceback (most recent call last):
         cageless.errors.InputError: search.budget = 1 is not possible: it must be 2 or more: ...
         """
-        asked: dict[str, Any] = {
-            "inner_speed_rpm": inner_speed_rpm,
-            "radial_load_n": radial_load_n,
-            "axial_span_mm": axial_span_mm,
-            "half_angle_deg": half_angle_deg,
-            "centre_angle_deg": centre_angle_deg,
-            "raceways_max": raceways_max,
-            "spread_min": spread_min,
-            "starts": starts,
-            "budget": budget,
-            "map_speed_rpm": map_speed_rpm,
-        }
         given = {f"search.{key}": value for key, value in asked.items() if value is not None}
-        case = self.replace(given) if given else self
+        case = self.replace(given) if given else self  # type: ignore[attr-defined]
         folder = None if out is None else os.fspath(out)
-        found = SearchResult(case._file.search(folder, threads, progress), case)
-        refusal = found._search.refusal()
-        if refusal is not None:
-            error = UnphysicalError(refusal)
-            error.search = found
-            raise error
-        return found
+        return complete(SearchResult(case._file.search(folder, threads, progress)))
 
     def compare(
         self,
@@ -272,7 +209,7 @@ class Computations(ABC):
         *,
         starts: int = 8,
         threads: int | None = None,
-        progress: Callable[[str, float], object] | None = None,
+        progress: Progress | None = None,
     ) -> RingComparison:
         """Compares the ring with that of another case, as ``cageless compare`` does: both run from
         the same uneven starts.
@@ -283,10 +220,6 @@ class Computations(ABC):
             What to compare with; the same bearing with a conventional outer ring by default.
         starts : int
             Uneven starts of each ring.
-        threads : int, optional
-            Number of threads; default: number of cores.
-        progress : callable, optional
-            Called repeatedly with the task under way and the completed fraction of the whole, 0 to 1.
 
         Returns
         -------
@@ -306,8 +239,7 @@ class Computations(ABC):
         True
         """
         other = None if reference is None else reference._file
-        found = self._file.compare(other, starts, threads, progress)
-        return RingComparison(json.loads(found))
+        return RingComparison(self._file.compare(other, starts, threads, progress))
 
     def tolerance(
         self,
@@ -322,7 +254,7 @@ class Computations(ABC):
         speed_percent: float = 5.0,
         load_percent: float = 20.0,
         threads: int | None = None,
-        progress: Callable[[str, float], object] | None = None,
+        progress: Progress | None = None,
     ) -> ToleranceResult:
         """Probability that the raceway passes as made and run, as ``cageless tolerance`` computes
         it: within tolerances to either side of the case.
@@ -347,10 +279,6 @@ class Computations(ABC):
             Tolerance of the radial clearance (half the radial internal clearance Gr).
         speed_percent, load_percent : float
             Speed and load, as shares of those of the case.
-        threads : int, optional
-            Threads; as many as there are cores if left out.
-        progress : callable, optional
-            Called repeatedly with the task under way and the completed fraction of the whole, 0 to 1.
 
         Returns
         -------

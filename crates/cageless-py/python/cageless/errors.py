@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from .runs import Run
-    from .searches import SearchResult
+    from .result import Result
 
 __all__ = ["CagelessError", "ColumnError", "InputError", "UnphysicalError"]
 
@@ -48,11 +47,8 @@ class UnphysicalError(CagelessError, ArithmeticError):
 
     Attributes
     ----------
-    run : Run or None
-        Results computed until then.
-    search : SearchResult or None
-        A search that has nothing to recommend, with its maps.
+    result : Result or None
+        Results computed until then; of a search that has nothing to recommend, its maps.
     """
 
-    run: Run | None = None
-    search: SearchResult | None = None
+    result: Result | None = None

@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
 
-import numpy as np
-import numpy.typing as npt
 import plotly.graph_objects as go
 
-__all__ = ["figure", "polar"]
+__all__ = ["figure"]
 
 #: Room for a title, px.
 TITLE_PX = 48
@@ -33,34 +30,3 @@ def titled(found: go.Figure, title: str | None) -> go.Figure:
         height=height + TITLE_PX,
     )
     return found
-
-
-def polar(
-    angle_deg: npt.NDArray[np.float64],
-    series: Mapping[str, npt.NDArray[np.float64]],
-    unit: str,
-    title: str | None = None,
-) -> go.Figure:
-    """A bar per ball and series over ψ: 0 at the bottom, counter-clockwise."""
-    found = go.Figure(layout={"template": go.layout.Template(), "height": 520})
-    colours = ["#d55e00", "#0072b2"]
-    width = 0.6 * 360.0 / max(len(angle_deg), 1)
-    balls = [f"ball {k + 1}" for k in range(len(angle_deg))]
-    for k, (name, values) in enumerate(series.items()):
-        found.add_barpolar(
-            name=name,
-            r=values,
-            theta=angle_deg,
-            width=[width / (k + 1)] * len(angle_deg),
-            marker={"color": colours[k % len(colours)]},
-            opacity=0.8,
-            text=balls,
-            hovertemplate=f"%{{text}}, ψ %{{theta:.1f}}°<br>%{{r:.4g}} {unit}",
-        )
-    found.update_polars(
-        bargap=0.0,
-        angularaxis={"rotation": -90, "direction": "counterclockwise", "dtick": 30},
-        radialaxis={"ticksuffix": f" {unit}", "angle": 90, "tickangle": 90},
-    )
-    found.update_layout(barmode="overlay", legend={"orientation": "h", "y": -0.08})
-    return titled(found, title)

@@ -105,7 +105,7 @@ class Plan:
     0.01
     """
 
-    _sweep: _cageless.Sweep
+    _sweep: Any
 
     def __init__(
         self,
@@ -132,7 +132,7 @@ class Plan:
         self._sweep = _cageless.Sweep.of_values(text)
 
     @classmethod
-    def _of(cls, sweep: _cageless.Sweep) -> Plan:
+    def _of(cls, sweep: Any) -> Plan:
         plan = cls.__new__(cls)
         plan._sweep = sweep
         return plan

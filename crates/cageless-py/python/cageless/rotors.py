@@ -12,9 +12,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _cageless
-from .drops import Drop
-from .errors import InputError, UnphysicalError
-from .rotor_drops import RotorDrop
+from .errors import InputError
+from .results import Drop, complete
 
 if TYPE_CHECKING:
     from .case import Case
@@ -34,7 +33,7 @@ class LinearRotor:
     The speed is common to the whole rotor; x, y and z are the frame of the cases, z along the axis.
     """
 
-    def __init__(self, rotor: _cageless.LinearRotor) -> None:
+    def __init__(self, rotor: Any) -> None:
         self._rotor = rotor
 
     def __repr__(self) -> str:
@@ -256,47 +255,13 @@ class LinearRotor:
         speed_rpm: float,
         drive_torque_n_m: float = 0.0,
         title: str = "",
-        compare: bool = False,
-        samples: int | None = None,
-        verify: bool = False,
-        threads: int | None = None,
-        progress: Callable[[str, float], object] | None = None,
-    ) -> RotorDrop:
-        """Drops the rotor into its bearings, as ``cageless drop`` does with a rotor file.
-
-        Parameters
-        ----------
-        cases : sequence of Case
-            The case of each bearing. Its ``rotor`` describes the contact of journal and bore, and
-            the position and velocity of the journal when the magnets let go; mass, inertia,
-            unbalance, speed and drive are replaced by those of the rotor.
-        compare : bool
-            Drop it into the same bearings with conventional outer rings as well.
-        samples : int, optional
-            Number of further drops with friction, air gap, support damping and arrangement of the
-            balls scattered in each bearing on its own, and the direction of all unbalances turned
-            by one angle.
-        verify : bool
-            Repeat the drop from perturbed starts and at half the step; ``data_verification()``
-            classifies the results as converged, statistical or step-biased.
-        threads : int, optional
-            Number of threads; default: number of cores.
-        progress : callable, optional
-            Called repeatedly with the task under way and the completed fraction of the whole, 0 to 1.
-
-        Raises
-        ------
-        InputError
-            If the cases do not fit the rotor or each other, or ``samples`` is impossible.
-        UnphysicalError
-            If the drop left the physical range.
-        """
+        **options: Any,
+    ) -> Drop:
+        """Drops the rotor into its bearings, as :meth:`RotorCase.drop` with its options."""
         case = RotorCase(
             self, cases, speed_rpm=speed_rpm, drive_torque_n_m=drive_torque_n_m, title=title
         )
-        return case.drop(
-            compare=compare, samples=samples, verify=verify, threads=threads, progress=progress
-        )
+        return case.drop(**options)
 
 
 class RotorCase:
@@ -307,7 +272,9 @@ class RotorCase:
     rotor : LinearRotor
         The rotor with the places of its bearings.
     cases : sequence of Case
-        The case of each bearing, as :meth:`LinearRotor.drop` takes them.
+        The case of each bearing. Its ``rotor`` describes the contact of journal and bore, and the
+        position and velocity of the journal when the magnets let go; mass, inertia, unbalance,
+        speed and drive are replaced by those of the rotor.
     speed_rpm : float
         Speed when the magnets let go.
     drive_torque_n_m : float
@@ -339,7 +306,7 @@ class RotorCase:
         )
 
     @classmethod
-    def _of(cls, file: _cageless.RotorFile) -> RotorCase:
+    def _of(cls, file: Any) -> RotorCase:
         case = cls.__new__(cls)
         case._file = file
         return case
@@ -431,8 +398,11 @@ class RotorCase:
         verify: bool = False,
         threads: int | None = None,
         progress: Callable[[str, float], object] | None = None,
-    ) -> RotorDrop:
-        """Drops the rotor into its bearings; the options are those of :meth:`LinearRotor.drop`.
+    ) -> Drop:
+        """Drops the rotor into its bearings, as ``cageless drop`` does with a rotor file; the options
+        are those of :meth:`Case.drop`. Scattered drops scatter friction, air gap, support damping
+        and arrangement of the balls in each bearing on its own, and turn all unbalances by one
+        angle.
 
         Raises
         ------
@@ -441,12 +411,7 @@ class RotorCase:
         UnphysicalError
             If the drop left the physical range.
         """
-        bearings, summary, page, stopped = self._file.drop(
-            compare, samples, verify, threads, progress
-        )
-        if stopped is not None:
-            raise UnphysicalError(stopped)
-        return RotorDrop([Drop(bearing) for bearing in bearings], summary, page)
+        return complete(Drop(self._file.drop(compare, samples, verify, threads, progress)))
 
 
 def _changed(values: Mapping[str, Any]) -> list[str]:

@@ -8,6 +8,7 @@ pub mod design;
 pub mod energy;
 pub mod gap_map;
 pub mod history;
+pub mod named;
 pub mod orbit;
 pub mod phase;
 pub mod polar;

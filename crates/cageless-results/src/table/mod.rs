@@ -31,6 +31,18 @@ pub fn quantities() -> impl Iterator<Item = &'static Quantity> {
     all.into_iter().flatten()
 }
 
+/// Scalar results of a kind of result: `static`, `design` with its verdict, `run` or `drop`.
+pub fn of_kind(kind: &str) -> impl Iterator<Item = &'static Quantity> + use<> {
+    let tables: &'static [&'static [Quantity]] = match kind {
+        "static" => &[STATIC],
+        "design" => &[DESIGN, VERDICT],
+        "run" => &[RUN],
+        "drop" => &[DROP, ROTOR_DROP],
+        _ => &[],
+    };
+    tables.iter().copied().flatten()
+}
+
 /// The result of a column of sweeps, and the bearing from 0 if it is that of one of several.
 pub fn of_column(name: &str) -> Option<(&'static Quantity, Option<usize>)> {
     let drop = Computation::Drop.name();

@@ -1,0 +1,260 @@
+"""Attributes of results with their types: scalar results with label and unit, NaN where there is no
+number; figures.
+
+Written by ``cargo test -p cageless-report --test all attributes`` from the table of quantities.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+if TYPE_CHECKING:
+    import plotly.graph_objects as go
+
+Floats = npt.NDArray[np.float64]
+
+
+class RunAttributes:
+    """Attributes of a result of this kind."""
+
+    verdict: str  # verdict
+    passes: bool | None  # passes
+    headline: str  # verdict with its reason
+    criterion: str  # criterion that decides
+    margin: float  # margin to the nearest limit
+    friction_torque_n_m: float  # torque of gross sliding in the model, N m
+    friction_torque_skf_n_m: float  # friction torque with lubricant and cage, SKF ½ μ P d, N m
+    power_loss_w: float  # power loss in the model, damping included, W
+    power_loss_inner_friction_w: float  # friction at the inner raceway, W
+    power_loss_outer_friction_w: float  # friction at the outer raceway, W
+    power_loss_ball_friction_w: float  # friction between balls, W
+    power_loss_damping_w: float  # damping of the contacts (contact.damping, an assumed constant), W
+    power_loss_drag_w: float  # drag on the inner ring, W
+    power_loss_rotor_friction_w: float  # friction between rotor and inner ring, W
+    power_loss_rotor_damping_w: float  # damping between rotor and inner ring, W
+    power_loss_support_damping_w: float  # damping of the support, W
+    power_loss_stored_w: float  # stored, less work of loads, W
+    inner_stress_max_gpa: float  # peak contact pressure, inner raceway, GPa
+    outer_stress_max_gpa: float  # peak contact pressure, outer raceway, GPa
+    ball_stress_max_gpa: float  # peak contact pressure, ball on ball, GPa
+    inner_force_max_n: float  # largest force at the inner raceway, N
+    outer_force_max_n: float  # largest force at the outer raceway, N
+    ball_force_max_n: float  # largest force between balls, N
+    inner_pressure_velocity_max_mpa_m_s: float  # pressure × sliding speed, inner raceway, MPa m/s
+    outer_pressure_velocity_max_mpa_m_s: float  # pressure × sliding speed, outer raceway, MPa m/s
+    ball_pressure_velocity_max_mpa_m_s: float  # pressure × sliding speed, ball on ball, MPa m/s
+    ring_x_um_mean: float  # mean displacement of the inner ring, x, um
+    ring_y_um_mean: float  # mean displacement of the inner ring, y, um
+    collisions: int | None  # collisions between balls
+    collisions_above_0_1_m_s: int | None  # collisions above 0.1 m/s
+    collisions_above_0_5_m_s: int | None  # collisions above 0.5 m/s
+    collisions_above_1_m_s: int | None  # collisions above 1 m/s
+    gap_min_deg: float  # smallest gap, deg
+    gap_max_deg: float  # largest gap, deg
+    gap_deviation_deg: float  # standard deviation of the gaps, deg
+    gap_deviation_change_deg: float  # change of that from the first to the second half of the run, deg
+    outer_ring_force_deviation_n: float  # standard deviation of the force on the outer ring, N
+    slip_max_m_s: float  # largest sliding speed under load, m/s
+    orbit_speed_rpm: float  # orbital speed of the balls, mean, rpm
+    rotation_speed_rpm: float  # rotational speed of the balls, mean, rpm
+    ftf_hz: float  # FTF in pure rolling, Hz
+    bpfo_hz: float  # BPFO in pure rolling, Hz
+    bpfi_hz: float  # BPFI in pure rolling, Hz
+    bsf_hz: float  # BSF in pure rolling, Hz
+    ftf_observed_hz: float  # FTF in the motion (orbits of the balls), Hz
+    bpfo_observed_hz: float  # BPFO in the motion, Hz
+    bpfi_observed_hz: float  # BPFI in the motion, Hz
+    bsf_observed_hz: float  # BSF in the motion, Hz
+    passages: int | None  # passages through a discrete raceway
+    passage_duration_mean_ms: float  # time of a passage, mean, ms
+    passage_collisions_mean: float  # contacts per passage, mean
+    double_collision_fraction: float  # double collisions, fraction of the passages
+    passage_slip_mean_m_s: float  # largest sliding speed in a passage, mean, m/s
+    passage_gap_min_mean_deg: float  # smallest gap ahead in a passage, mean, deg
+    settled_after_s: float  # end of the transient, s
+    orbits: int | None  # orbits of mean powers and speeds
+    energy_residual_relative: float  # energy balance error (relative)
+    end_s: float  # simulated, s
+    steps: int | None  # steps
+    rhs_evaluations: int | None  # force evaluations
+    wall_s: float  # time of the computation, s
+    plot_gaps: Callable[..., go.Figure]  # gaps between neighbours over time
+    plot_gap_map: Callable[..., go.Figure]  # smallest gap of each pair of neighbours over time, as colours
+    plot_collisions: Callable[..., go.Figure]  # contacts between balls: where, when, how hard
+    plot_orbit_speed: Callable[..., go.Figure]  # orbital speed of the balls over time
+    plot_slip: Callable[..., go.Figure]  # sliding speeds at the raceways
+    plot_phase: Callable[..., go.Figure]  # phase portrait of a ball
+    plot_loads: Callable[..., go.Figure]  # forces on a ball at the raceways over ψ
+    plot_load_profile: Callable[..., go.Figure]  # loads and pressures of all balls around the bearing, of the last orbits
+    plot_ring_orbit: Callable[..., go.Figure]  # orbit of the inner ring's centre
+    plot_energy: Callable[..., go.Figure]  # energy balance of the whole run
+    plot_vibration: Callable[..., go.Figure]  # vibration of the outer ring on its housing, spectrum of the whole run
+
+
+class DropAttributes:
+    """Attributes of a result of this kind."""
+
+    verdict: str  # verdict
+    passes: bool | None  # passes
+    headline: str  # verdict with its reason
+    end_state_text: str  # state at the end in words
+    end_state: str  # state at the end
+    first_contact_ms: float  # first contact, ms
+    impacts: int | None  # impacts of the rotor
+    contact_fraction: float  # time in contact after the first, fraction
+    rotor_force_max_n: float  # largest force on the rotor, N
+    rotor_force_max_weights: float  # largest force on the rotor / its weight
+    housing_force_max_n: float  # largest force on the housing, N
+    housing_force_max_weights: float  # largest force on the housing / rotor's weight
+    rotor_displacement_max_um: float  # largest displacement of the journal from the stator centre, um
+    clearance_margin_um: float  # margin of the journal to its clearance, um
+    housing_displacement_max_um: float  # largest displacement of the outer ring, um
+    rotor_slip_max_m_s: float  # largest sliding speed of the rotor, m/s
+    spin_up_ms: float  # spin-up of the inner ring, ms
+    ring_speed_rpm: float  # inner ring at the end, rpm
+    rotor_speed_rpm: float  # rotor at the end, rpm
+    backward_whirl_max_hz: float  # largest backward speed of the journal (whirl or swing), Hz
+    backward_whirl_hz: float  # backward whirl round the bore, Hz
+    inner_stress_max_gpa: float  # peak contact pressure, inner raceway, GPa
+    outer_stress_max_gpa: float  # peak contact pressure, outer raceway, GPa
+    ball_stress_max_gpa: float  # peak contact pressure, ball on ball, GPa
+    collisions: int | None  # collisions between balls
+    collisions_above_0_1_m_s: int | None  # collisions above 0.1 m/s
+    collisions_above_0_5_m_s: int | None  # collisions above 0.5 m/s
+    collisions_above_1_m_s: int | None  # collisions above 1 m/s
+    end_collision_rate_hz: float  # collisions between balls per second, at the end, Hz
+    end_collision_rate_above_0_1_m_s_hz: float  # collisions above 0.1 m/s per second, at the end, Hz
+    end_collision_rate_above_0_5_m_s_hz: float  # collisions above 0.5 m/s per second, at the end, Hz
+    end_collision_rate_above_1_m_s_hz: float  # collisions above 1 m/s per second, at the end, Hz
+    ball_force_max_n: float  # largest force between balls, N
+    ball_slip_max_m_s: float  # largest sliding speed of a ball, m/s
+    heat_j: float  # heat of all interfaces, J
+    ball_heat_j: float  # heat of friction at the balls, J
+    rotor_friction_j: float  # friction between rotor and inner ring, J
+    rotor_damping_j: float  # damping between rotor and inner ring, J
+    inner_friction_j: float  # friction at the inner raceway, J
+    outer_friction_j: float  # friction at the outer raceway, J
+    ball_friction_j: float  # friction between balls, J
+    contact_damping_j: float  # damping of the balls' contacts, J
+    support_damping_j: float  # damping of the support, J
+    inner_force_max_of_ball_n: Floats  # largest force of each ball at the inner raceway, N
+    outer_force_max_of_ball_n: Floats  # largest force of each ball at the outer raceway, N
+    energy_residual_relative: float  # energy balance error (relative)
+    end_s: float  # simulated, s
+    plane_margin_min_um: float  # smallest margin of the planes of the rotor to their clearances, um
+    rotor_energy_residual_relative: float  # energy balance error of the rotor alone (relative)
+    plot_orbit: Callable[..., go.Figure]  # path of the journal in the bore of the inner ring
+    plot_displacement: Callable[..., go.Figure]  # path of the journal from the centre of the stator, with its clearance
+    plot_spin_up: Callable[..., go.Figure]  # speeds of rotor and inner ring over time
+    plot_forces: Callable[..., go.Figure]  # forces of the rotor on the inner ring and of the balls on the outer ring over time
+    plot_whirl: Callable[..., go.Figure]  # whirl frequency and contact over time
+    plot_loads: Callable[..., go.Figure]  # largest forces of each ball
+    plot_heat: Callable[..., go.Figure]  # heat of each interface
+    plot_end_states: Callable[..., go.Figure]  # states at the end of scattered drops over friction and support damping
+
+
+class StaticAttributes:
+    """Attributes of a result of this kind."""
+
+    ring_x_um: float  # displacement of the inner ring, x, um
+    ring_y_um: float  # displacement of the inner ring, y, um
+    stiffness_xx_n_m: float  # stiffness of the bearing, kxx, N/m
+    stiffness_yy_n_m: float  # stiffness of the bearing, kyy, N/m
+    stiffness_xy_n_m: float  # stiffness of the bearing, kxy = kyx, N/m
+    inner_stress_max_gpa: float  # peak contact pressure, inner raceway, GPa
+    outer_stress_max_gpa: float  # peak contact pressure, outer raceway, GPa
+    inner_force_max_n: float  # largest force at the inner raceway, N
+    outer_force_max_n: float  # largest force at the outer raceway, N
+    loaded_balls: int | None  # balls under load
+    static_safety: float  # static safety factor s0 = C0r/Fr (ISO 76)
+    pressure_safety: float  # load to the pressure limit, (4200 MPa/p)³
+    assembly: str  # way of assembly
+    rating_factor: float  # rating factor bm of ISO 281 for it
+    basic_dynamic_rating_n: float  # basic dynamic radial load rating Cr (ISO 281), N
+    basic_static_rating_n: float  # basic static radial load rating C0r (ISO 76), N
+    l10_mrev: float  # basic rating life L10 (ISO 281), Mrev
+    l10_h: float  # basic rating life L10 at the speed of the case, h
+    l10r_mrev: float  # basic reference rating life L10r (ISO 16281), Mrev
+    l10r_h: float  # basic reference rating life L10r at the speed of the case, h
+    l10r_at_speed_mrev: float  # L10r with weight and centrifugal force, Mrev
+    l10r_at_speed_h: float  # L10r with weight and centrifugal force, at the speed of the case, h
+    ftf_hz: float  # FTF in pure rolling, Hz
+    bpfo_hz: float  # BPFO in pure rolling, Hz
+    bpfi_hz: float  # BPFI in pure rolling, Hz
+    bsf_hz: float  # BSF in pure rolling, Hz
+    raceway_ftf_hz: float  # FTF in pure rolling through the discrete raceways, Hz
+    speed_parameter_mm_rpm: float  # speed factor n·Dpw, mm rpm
+    inner_stiffness: float  # contact stiffness K, inner raceway, N/m^1.5
+    outer_stiffness: float  # contact stiffness K, outer raceway, N/m^1.5
+    ball_angle_deg: Floats  # angular position ψ, deg
+    effective_radius_mm: Floats  # effective ball radius r, mm
+    inner_force_n: Floats  # contact force, inner raceway, N
+    outer_force_n: Floats  # contact force, outer raceway, N
+    inner_pressure_gpa: Floats  # contact pressure, inner raceway, GPa
+    outer_pressure_gpa: Floats  # contact pressure, outer raceway (of one contact point on a discrete raceway), GPa
+    inner_semi_axis_along_mm: Floats  # contact semi-axis in the rolling direction, inner raceway, mm
+    inner_semi_axis_across_mm: Floats  # contact semi-axis across the rolling direction, inner raceway, mm
+    outer_semi_axis_along_mm: Floats  # contact semi-axis in the rolling direction, outer raceway, mm
+    outer_semi_axis_across_mm: Floats  # contact semi-axis across the rolling direction, outer raceway, mm
+    ball_orbit_rpm: Floats  # orbital speed in pure rolling, rpm
+    ball_rotation_rpm: Floats  # rotational speed in pure rolling (absolute), rpm
+    plot_loads: Callable[..., go.Figure]  # contact forces and pressures of each ball over ψ
+
+
+class DesignAttributes:
+    """Attributes of a result of this kind."""
+
+    epsilon_deg: float  # ball angle ε, deg
+    uniform_gap_deg: float  # nominal gap, deg
+    axial_span_limit_mm: float  # largest lC, Eq. (8), mm
+    beta0_deg: float  # β0, Eq. (11), deg
+    beta0_polar_deg: float  # β0 with the true polar angle, deg
+    half_angle_deg_for_span: float  # θ by Eq. (11) for the span, deg
+    steady_gap_deg: float  # mean ball spacing outside the raceway (steady state), deg
+    balls_in_raceway_max: int | None  # most balls inside at once
+    kink_deg: float  # slope discontinuity at the raceway ends (at 45° groove angle), deg
+    verdict: str  # verdict
+    passes: bool | None  # passes
+    headline: str  # verdict with its reason
+    criterion: str  # criterion that decides
+    margin: float  # margin to the nearest limit
+    critical_gap_deg: float  # critical gap, deg
+    gap_reserve_deg: float  # steady-state gap less critical gap, deg
+    plot_curve: Callable[..., go.Figure]  # θ over lC by Eq. (11), with the raceway and the limits
+    plot_contact_track: Callable[..., go.Figure]  # contact track of the first raceway
+    plot_surface: Callable[..., go.Figure]  # surface of the first raceway
+
+
+class SearchAttributes:
+    """Attributes of a result of this kind."""
+
+    plot_verdicts: Callable[..., go.Figure]  # feasible designs and reasons for exclusion
+    plot_critical_gaps: Callable[..., go.Figure]  # critical gap over lC and θ
+    plot_trade_offs: Callable[..., go.Figure]  # trade-offs of the Pareto front
+
+
+class ToleranceAttributes:
+    """Attributes of a result of this kind."""
+
+    plot_influences: Callable[..., go.Figure]  # range of the critical gap over each influence
+    plot_samples: Callable[..., go.Figure]  # critical gaps of the bearings in which everything deviates, by verdict
+
+
+class ComparisonAttributes:
+    """Attributes of a result of this kind."""
+
+    plot_spacing: Callable[..., go.Figure]  # standard deviation of the gaps over time
+    plot_ring: Callable[..., go.Figure]  # height of the inner ring over time
+    plot_loads: Callable[..., go.Figure]  # largest loads at the inner raceway around the bearing
+
+
+class AnalysisAttributes:
+    """Attributes of a result of this kind."""
+
+    plot_shares: Callable[..., go.Figure]  # sensitivity (main effects)
+    plot_effects: Callable[..., go.Figure]  # means of an output over the inputs that explain most of it
+    plot_map: Callable[..., go.Figure]  # mean of an output over the two inputs that explain most of it

@@ -1,0 +1,63 @@
+"""Results as files for other programs."""
+
+from __future__ import annotations
+
+import os
+import re
+from io import BytesIO
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from . import _cageless
+from .errors import CagelessError
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+__all__ = ["matlab", "write"]
+
+
+def write(path: str | os.PathLike[str], content: bytes) -> Path:
+    """Writes a file, which takes its name when it is complete."""
+    _cageless.write(os.fspath(path), content)
+    return Path(path)
+
+
+def matlab(tables: dict[str, pd.DataFrame]) -> bytes:
+    """Tables as a file of MATLAB."""
+    try:
+        from scipy.io import savemat
+    except ImportError as error:
+        message = "to_mat needs SciPy, which is not installed: pip install scipy"
+        raise CagelessError(message) from error
+    contents: dict[str, Any] = {"units": {}}
+    for name, frame in tables.items():
+        known = frame.attrs.get("units", {})
+        if frame.index.names != [None]:
+            frame = frame.reset_index()
+        columns = {str(column): cells(frame[column]) for column in frame.columns}
+        contents[field(name)] = {field(column): values for column, values in columns.items()}
+        contents["units"][field(name)] = {field(c): known.get(c, "") for c in columns}
+    file = BytesIO()
+    savemat(file, contents, long_field_names=True, oned_as="column")
+    return file.getvalue()
+
+
+def field(name: str) -> str:
+    """A name that MATLAB takes for a field."""
+    legal = re.sub(r"\W", "_", name, flags=re.ASCII)
+    return legal[:63] if legal[:1].isalpha() else f"x_{legal}"[:63]
+
+
+def cells(column: pd.Series[Any]) -> Any:
+    """Numbers as they are, with NaN for none; everything else as cells."""
+    array = column.to_numpy()
+    if array.dtype.kind in "biuf":
+        return array
+    found = np.empty(len(array), dtype=object)
+    for k, value in enumerate(array):
+        missing = value is None or (isinstance(value, float) and np.isnan(value))
+        found[k] = "" if missing else value if isinstance(value, np.ndarray) else str(value)
+    return found

@@ -1,0 +1,372 @@
+"""The result of any computation."""
+
+from __future__ import annotations
+
+import difflib
+import json
+import os
+import zlib
+from collections.abc import Callable, Iterator
+from functools import cache, cached_property, partial
+from html import escape
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import numpy as np
+
+from . import _cageless, files, frames
+from .errors import ColumnError, InputError
+from .figures import figure
+from .section import table
+from .units import unit
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import plotly.graph_objects as go
+
+__all__ = ["Result"]
+
+Place = tuple[str | int, ...]
+
+#: Parts that a result has if they were asked for.
+OPTIONAL = {"conventional", "ensemble", "verification"}
+#: What the figures take besides a title.
+TAKES: dict[str, dict[str, tuple[str, ...]]] = {
+    "run": {
+        "gap_map": ("time_s",),
+        "load_profile": (),
+        "phase": ("ball", "time_s"),
+        "loads": ("ball", "time_s"),
+        "ring_orbit": ("time_s",),
+        "energy": (),
+        "vibration": ("time_s",),
+        "": ("balls", "time_s"),
+    },
+    "analysis": {"shares": (), "": ("output",)},
+}
+#: Texts that say in a line what a result is.
+HEADLINES = ("headline", "statement", "findings")
+
+
+@cache
+def quantities(kind: str) -> dict[str, list[str]]:
+    """Name, unit, label, kind of value and better direction of the scalar results of a kind."""
+    return {row[0]: row for row in _cageless.quantities(kind)}
+
+
+def array(found: Any) -> Any:
+    """A list of numbers, or of lists, as an array, NaN where there is no number."""
+
+    def leaves(items: Any) -> Iterator[Any]:
+        for item in items:
+            yield from leaves(item) if isinstance(item, list) else (item,)
+
+    kinds = {type(leaf) for leaf in leaves(found)}
+    if not kinds or (str in kinds and not isinstance(found[0], list)):
+        return found
+    try:
+        return np.array(found, dtype=float if type(None) in kinds else None)
+    except (TypeError, ValueError):
+        return found
+
+
+def part(whole: Result, place: Place) -> Any:
+    """What is at a place of a result."""
+    found: Any = whole
+    for key in place:
+        found = found[key] if isinstance(key, int) else found._at(key)
+    return found
+
+
+def same(tables: list[dict[str, Any]], others: list[dict[str, Any]]) -> bool:
+    """Whether all columns of the tables are equal."""
+    if [table.keys() for table in tables] != [other.keys() for other in others]:
+        return False
+    pairs = ((t[k], o[k]) for t, o in zip(tables, others, strict=True) for k in t)
+    return all(np.array_equal(one, two, equal_nan=True) for one, two in pairs)
+
+
+class Result:
+    """The result of a computation, as the command writes it in JSON.
+
+    Every key of ``values`` is an attribute: numbers (NaN where there is none) and texts as they
+    are, lists of numbers as arrays of numpy, sections as results of their own; so are the columns
+    of the tables of a run or a drop. ``dir()`` lists them with the frames of pandas, ``data_*()``,
+    and the figures of plotly, ``plot_*()``. Two results are equal if all of their numbers are.
+    """
+
+    kind: ClassVar[str] = ""
+    _parts: ClassVar[dict[str, type[Result]]] = {}
+
+    def __init__(self, core: Any, place: Place = ()) -> None:
+        self._core = core
+        self._place = place
+
+    @cached_property
+    def values(self) -> dict[str, Any]:
+        """All numbers and texts, as ``--json`` of the command prints them."""
+        found: dict[str, Any] = json.loads(self._core.values)
+        return found
+
+    def _at(self, name: str) -> Any:
+        """A value as an attribute: a section as a result, a list of numbers as an array."""
+        found, cls = self.values[name], self._parts.get(name, Result)
+        if found is None and name in (known := quantities(self.kind)):
+            return np.nan if known[name][3] == "number" else None
+
+        def made(values: dict[str, Any], *place: str | int) -> Result:
+            inner = cls(self._core, (*self._place, *place))
+            inner.values = values
+            return inner
+
+        if isinstance(found, dict):
+            return made(found, name)
+        if not isinstance(found, list):
+            return found
+        if found and all(isinstance(item, dict) for item in found):
+            return [made(item, name, k) for k, item in enumerate(found)]
+        return array(found)
+
+    @property
+    def _bearing(self) -> int | None:
+        """Index of the bearing, of one of several of a drop."""
+        bearing = len(self._place) == 2 and self._place[0] == "bearings"
+        return int(self._place[1]) if bearing else None
+
+    @cached_property
+    def _arrays(self) -> dict[str, dict[str, Any]]:
+        """Arrays by table and column; none where each of several bearings has its own."""
+        tables: list[dict[str, dict[str, Any]]] = self._core.tables() if self._core else []
+        if self._bearing is not None:
+            return tables[self._bearing] if tables else {}
+        return tables[0] if len(tables) == 1 and not self._place else {}
+
+    @property
+    def stopped(self) -> str | None:
+        """Reason of an early stop, with advice; None if the computation is complete."""
+        found: str | None = self._core.stopped if not self._place else self.values.get("stopped")
+        return found
+
+    @property
+    def _figures(self) -> dict[str, str]:
+        """What each figure shows, by name."""
+        drawn = not self._place or self._bearing is not None
+        return dict(_cageless.figures(self.kind)) if drawn else {}
+
+    @property
+    def _frames(self) -> dict[str, Callable[[], pd.DataFrame]]:
+        return frames.of(self)
+
+    def array(self, column: str, of: str | None = None) -> Any:
+        """A column of a table, as an array that cannot be written to; those of the balls are over
+        times and balls.
+
+        Parameters
+        ----------
+        column : str
+            Name of the column.
+        of : {"balls", "ring", "collisions", "rotor"}, optional
+            Table; default: the first that has the column.
+
+        Raises
+        ------
+        ColumnError
+            If there is no such column; also a ``KeyError``.
+        """
+        tables = self._arrays if of is None else {of: self._arrays.get(of, {})}
+        for columns in tables.values():
+            if column in columns:
+                return columns[column]
+        listed = [name for columns in tables.values() for name in columns]
+        near = difflib.get_close_matches(str(column), listed, 1)
+        hint = f"did you mean {near[0]}? " if near else ""
+        known = f"its columns are {', '.join(dict.fromkeys(listed))}"
+        message = f"{column!r} is not a column of {of or 'this result'}: {hint}{known}"
+        raise ColumnError(message)
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_") or name == "values":
+            raise AttributeError(name)
+        if name in self.values:
+            return self._at(name)
+        if name in OPTIONAL and self.kind in ("run", "drop"):
+            return None
+        what, _, rest = name.partition("_")
+        if what == "plot" and rest in self._figures:
+            found = partial(self._plot, rest)
+            found.__doc__ = f"Figure: {self._figures[rest]}."
+            return found
+        if what == "data" and rest in self._frames:
+            return self._frames[rest]
+        for columns in self._arrays.values():
+            if name in columns:
+                return columns[name]
+        near = difflib.get_close_matches(name, dir(self), 1)
+        hint = f"; did you mean {near[0]}?" if near else ""
+        raise AttributeError(f"{type(self).__name__} has no {name!r}{hint}")
+
+    def __dir__(self) -> list[str]:
+        columns = [name for table in self._arrays.values() for name in table]
+        plots = [f"plot_{name}" for name in self._figures]
+        data = [f"data_{name}" for name in self._frames]
+        return sorted({*super().__dir__(), *self.values, *columns, *plots, *data})
+
+    def _plot(self, name: str, *of: str, title: str | None = None, **options: Any) -> go.Figure:
+        takes = TAKES.get(self.kind, {})
+        known = takes.get(name, takes.get("", ()))
+        if of:
+            options |= dict(zip(known, of, strict=False))
+        for option in options:
+            if option not in known:
+                listed = ", ".join((*known, "title"))
+                raise TypeError(f"plot_{name}() has no argument {option!r}: it takes {listed}")
+        if "output" in known and "output" not in options:
+            raise TypeError(f"plot_{name}() needs the name of an output")
+        balls = options.get("balls", options.get("ball"))
+        balls = [balls] if isinstance(balls, int) else balls
+        if balls is not None:
+            count = next(iter(self._arrays["balls"].values())).shape[1]
+            wrong = [ball for ball in balls if not 1 <= ball <= count]
+            if wrong or not balls:
+                given = wrong[0] if wrong else list(balls)
+                message = f"balls = {given} is not possible: it must be 1 to {count}"
+                raise InputError(message, "balls")
+        if balls == [1] and "ball" in options:
+            balls = None
+        if self._bearing is not None:
+            name = f"{name}-bearing-{self._bearing + 1}"
+        time_s, output = options.get("time_s"), options.get("output")
+        return figure(self._core.figure(name, balls, time_s, output), title)
+
+    def report(self, path: str | os.PathLike[str]) -> Path:
+        """Writes the page of the command, which works offline.
+
+        Raises
+        ------
+        InputError
+            If this is a part of a result, or the file cannot be written there.
+        """
+        if self._place:
+            raise InputError("a part of a result has no page of its own")
+        return files.write(path, self._core.page().encode())
+
+    def save(self, folder: str | os.PathLike[str]) -> Path:
+        """Writes the files that the command writes with ``--out``. :func:`load` reads them.
+
+        Returns
+        -------
+        Path
+            The folder, which is created.
+        """
+        if self._place:
+            raise InputError("a part of a result is saved with the whole")
+        bearings = self.values.get("bearings", [self.values])
+        cases = [bearing["case"] for bearing in bearings if "case" in bearing]
+        texts = [json.dumps(c, ensure_ascii=False, separators=(",", ":")) for c in cases]
+        isa = self.values.get("isa", "")
+        self._core.save(os.fspath(folder), [(isa, text) for text in texts])
+        return Path(folder)
+
+    def to_csv(self, folder: str | os.PathLike[str]) -> list[Path]:
+        """Writes every frame that has rows as ``NAME.csv`` into a folder, which is created.
+
+        Columns have their units in their names, numbers all of their digits.
+
+        Returns
+        -------
+        list of Path
+            The files.
+
+        Raises
+        ------
+        InputError
+            If the folder cannot be used.
+        """
+        _cageless.make_folder(os.fspath(folder))
+        return [
+            files.write(
+                Path(folder) / f"{name}.csv",
+                frame.to_csv(index=frame.index.names != [None]).encode(),
+            )
+            for name, frame in frames.filled(self).items()
+        ]
+
+    def to_mat(self, path: str | os.PathLike[str]) -> Path:
+        """Writes the frames as a file of MATLAB: a structure per frame with a field per column,
+        and ``units`` with the unit of each. Needs SciPy.
+
+        Returns
+        -------
+        Path
+            The file.
+
+        Raises
+        ------
+        CagelessError
+            If SciPy is not installed.
+        InputError
+            If the file cannot be written there.
+        """
+        return files.write(path, files.matlab(frames.filled(self)))
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Result) or self.kind != other.kind:
+            return False
+        # The time that the computation took is no result of it.
+        one, two = ({**each.values, "wall_s": None} for each in (self, other))
+        return one == two and same(self._compared(), other._compared())
+
+    def _compared(self) -> list[dict[str, Any]]:
+        tables = self._core.tables() if self._core and not self._place else [self._arrays]
+        return [columns for bearing in tables for columns in bearing.values()]
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        if self._place:
+            return (part, (self._whole(), self._place))
+        core = self._core
+        source = zlib.compress(core.source().encode(), 1)
+        state = (core.kind, core.values, core.stopped, core.tables(), source)
+        return (restored, (type(self), *state))
+
+    def _whole(self) -> Result:
+        from .results import of_core
+
+        return of_core(self._core)
+
+    def _headline(self) -> str:
+        for key in HEADLINES:
+            if found := self.values.get(key):
+                return str(found[0] if isinstance(found, list) else found)
+        summary = frames.scalars(self.values).items()
+        numbers = [(k, v) for k, v in summary if type(v) in (int, float)]
+        return ", ".join(f"{name} {value:.5g}" for name, value in numbers[:3])
+
+    def __repr__(self) -> str:
+        text = self._headline()
+        return f"<{type(self).__name__}: {text if len(text) < 160 else text[:157] + '...'}>"
+
+    def _repr_html_(self) -> str:
+        known = quantities(self.kind)
+        rows: list[tuple[str, object]] = []
+        for name, value in frames.scalars(self.values).items():
+            _, symbol, label, *_ = known.get(name, [name, unit(name), name])
+            rows.append((label.strip(), f"{value} {symbol}".strip()))
+        for key in ("findings", "reasons", "warnings", "notes"):
+            rows += [(key, text) for text in self.values.get(key, [])]
+        recorded = {"summary", *self._arrays}
+        made = (make() for name, make in self._frames.items() if name not in recorded)
+        parts = "".join(frame.to_html(max_rows=10) for frame in made if 0 < len(frame) <= 40)
+        return table(rows, escape(type(self).__name__)) + parts
+
+
+def restored(
+    cls: type[Result], kind: str, values: str, stopped: str | None, tables: Any, source: bytes
+) -> Result:
+    """A result from its pickle."""
+    for columns in (columns for bearing in tables for columns in bearing.values()):
+        for column in columns.values():
+            column.flags.writeable = False
+    text = zlib.decompress(source).decode()
+    return cls(_cageless.Result.restored(kind, values, stopped, tables, text))

@@ -1,0 +1,228 @@
+//! Tables of runs and drops: columns that grow, arrays of numpy, files of a folder.
+
+use std::path::Path;
+
+use cageless::simulation::ObserverError;
+use cageless::{Collision, RingSnapshot, RotorSnapshot, Snapshot};
+use cageless_io::results::{
+    BALLS, COLLISIONS, Column, Metadata, RING, ROTOR, RunWriter, collision_values, read_run_table,
+};
+use cageless_study::drop::DropRecord;
+use cageless_study::run::Rows;
+use numpy::ndarray::{ArrayD, Dimension, IxDyn};
+use numpy::{Element, IntoPyArray, PyArray, PyArrayMethods, PyReadonlyArrayDyn};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::errors::{input, of_results, other};
+
+/// Names and columns of the tables. Arrays of the balls are over times and balls, so that they need
+/// neither column.
+fn specified() -> [(&'static str, &'static [Column]); 4] {
+    [
+        ("balls", &BALLS[2..]),
+        ("ring", RING),
+        ("collisions", COLLISIONS),
+        ("rotor", ROTOR),
+    ]
+}
+
+/// Units of the columns of each table.
+#[pyfunction]
+pub fn table_units(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
+    let tables = PyDict::new(py);
+    for (name, columns) in specified() {
+        let units = PyDict::new(py);
+        let first = BALLS[..2].iter().filter(|_| name == "balls");
+        for column in first.chain(columns) {
+            units.set_item(column.name, column.unit)?;
+        }
+        tables.set_item(name, units)?;
+    }
+    Ok(tables)
+}
+
+/// Columns of each table in the order of [`specified`]; those of a rotor are empty without one.
+#[derive(Default)]
+pub struct Tables([Vec<Vec<f64>>; 4]);
+
+fn extend<'a>(columns: &mut Vec<Vec<f64>>, values: impl ExactSizeIterator<Item = &'a [f64]>) {
+    columns.resize_with(values.len(), Vec::new);
+    for (column, values) in columns.iter_mut().zip(values) {
+        column.extend_from_slice(values);
+    }
+}
+
+/// A row that begins with a time.
+fn row<const N: usize>(columns: &mut Vec<Vec<f64>>, time_s: f64, values: [f64; N]) {
+    columns.resize_with(N + 1, Vec::new);
+    let values = [time_s].into_iter().chain(values);
+    columns.iter_mut().zip(values).for_each(|(c, v)| c.push(v));
+}
+
+impl Rows for Tables {
+    fn snapshot(&mut self, snapshot: &Snapshot) -> Result<(), ObserverError> {
+        let [balls, ring, _, rotor] = &mut self.0;
+        extend(balls, snapshot.arrays().into_iter());
+        row(ring, snapshot.time_s, snapshot.ring.values());
+        if let Some(values) = snapshot.rotor {
+            row(rotor, snapshot.time_s, values.values());
+        }
+        Ok(())
+    }
+
+    fn collision(&mut self, collision: &Collision) -> Result<(), ObserverError> {
+        let values = collision_values(collision);
+        extend(&mut self.0[2], values.iter().map(std::slice::from_ref));
+        Ok(())
+    }
+}
+
+impl Tables {
+    /// Tables of a drop into one bearing.
+    pub fn of_drop(record: &DropRecord) -> PyResult<Self> {
+        let mut tables = Self::default();
+        let snapshots = record.snapshots.iter();
+        snapshots
+            .map(|s| tables.snapshot(s))
+            .collect::<Result<(), _>>()
+            .map_err(other)?;
+        let collisions = record.collisions.iter();
+        collisions
+            .map(|c| tables.collision(c))
+            .collect::<Result<(), _>>()
+            .map_err(other)?;
+        Ok(tables)
+    }
+
+    /// Reads the tables of a folder.
+    pub fn read(dir: &Path) -> PyResult<Self> {
+        let mut tables = Self::default();
+        for (table, (name, columns)) in tables.0.iter_mut().zip(specified()) {
+            let path = dir.join(name).with_extension("parquet");
+            let of_balls = name == "balls";
+            if name != "rotor" || path.is_file() {
+                let columns = if of_balls { BALLS } else { columns };
+                let found = read_run_table(&path, columns).map_err(|error| of_results(&error))?;
+                *table = found
+                    .into_iter()
+                    .skip(if of_balls { 2 } else { 0 })
+                    .collect();
+            }
+        }
+        Ok(tables)
+    }
+
+    /// `{"balls": {name: times × balls}, "ring": {name: times}, "collisions": {name: …}}`, with a
+    /// rotor `"rotor"` as well. The arrays take over the memory of the columns and are not for
+    /// writing: figures would not follow.
+    pub fn into_arrays(self, py: Python<'_>) -> PyResult<Py<PyDict>> {
+        let times = self.0[1].first().map_or(0, Vec::len);
+        let tables = PyDict::new(py);
+        for ((name, columns), mut values) in specified().into_iter().zip(self.0) {
+            if name == "rotor" && values.is_empty() {
+                continue;
+            }
+            let table = PyDict::new(py);
+            values.resize_with(columns.len(), Vec::new);
+            for (column, values) in columns.iter().zip(values) {
+                if column.integer {
+                    let values: Vec<i32> = values.into_iter().map(|v| v as i32).collect();
+                    table.set_item(column.name, frozen(values.into_pyarray(py)))?;
+                    continue;
+                }
+                let shape = match name {
+                    "balls" => vec![times, values.len() / times.max(1)],
+                    _ => vec![values.len()],
+                };
+                let array = ArrayD::from_shape_vec(IxDyn(&shape), values).map_err(other)?;
+                table.set_item(column.name, frozen(array.into_pyarray(py)))?;
+            }
+            tables.set_item(name, table)?;
+        }
+        Ok(tables.unbind())
+    }
+
+    /// Copies what [`Self::into_arrays`] made.
+    pub fn of_arrays(arrays: &Bound<'_, PyDict>) -> PyResult<Self> {
+        let mut tables = Self::default();
+        for (table, (name, columns)) in tables.0.iter_mut().zip(specified()) {
+            let Some(arrays) = arrays.get_item(name)? else {
+                continue;
+            };
+            let column = |column: &Column| -> PyResult<Vec<f64>> {
+                let array = arrays.get_item(column.name)?;
+                if column.integer {
+                    let array: PyReadonlyArrayDyn<'_, i32> = array.extract()?;
+                    return Ok(array.as_array().iter().map(|v| f64::from(*v)).collect());
+                }
+                let array: PyReadonlyArrayDyn<'_, f64> = array.extract()?;
+                Ok(array.as_array().iter().copied().collect())
+            };
+            *table = columns.iter().map(column).collect::<PyResult<_>>()?;
+        }
+        Ok(tables)
+    }
+
+    /// Snapshots of the output times from `from` to `to`, s.
+    pub fn snapshots(&self, (from, to): (f64, f64)) -> PyResult<Vec<Snapshot>> {
+        let times = &self.0[1][0];
+        let rows = times.partition_point(|t| *t < from)..times.partition_point(|t| *t <= to);
+        if rows.len() < 2 {
+            return Err(input(format!(
+                "time_s = ({from}, {to}) is not possible: it must hold two of the output times or \
+                 more, which are from {} to {} s",
+                times.first().unwrap_or(&0.0),
+                times.last().unwrap_or(&0.0)
+            )));
+        }
+        Ok(rows.map(|row| self.snapshot_of(row)).collect())
+    }
+
+    fn snapshot_of(&self, row: usize) -> Snapshot {
+        let [balls, ring, _, rotor] = &self.0;
+        let times = ring[0].len();
+        let arrays = balls.iter().flat_map(|column| {
+            let balls = column.len() / times;
+            &column[row * balls..][..balls]
+        });
+        let arrays: Vec<f64> = arrays.copied().collect();
+        let rotor = (!rotor.is_empty())
+            .then(|| RotorSnapshot::from_values(std::array::from_fn(|k| rotor[k + 1][row])));
+        let values = RingSnapshot::from_values(std::array::from_fn(|k| ring[k + 1][row]));
+        Snapshot::from_parts(ring[0][row], values, rotor, &arrays)
+    }
+
+    /// Writes the tables into a folder.
+    pub fn write(&self, dir: &Path, isa: &str, case: &str) -> PyResult<()> {
+        let [_, ring, collisions, _] = &self.0;
+        let write = || {
+            let mut writer = RunWriter::create(dir, &Metadata { isa, case })?;
+            for row in 0..ring[0].len() {
+                writer.snapshot(&self.snapshot_of(row))?;
+            }
+            for row in 0..collisions[0].len() {
+                let value = |column: usize| collisions[column][row];
+                writer.collision(&Collision {
+                    start_s: value(0),
+                    duration_s: value(1),
+                    ball: value(2) as usize - 1,
+                    next_ball: value(3) as usize - 1,
+                    angle_rad: value(4),
+                    approach_speed_m_s: value(5),
+                    peak_force_n: value(6),
+                    impulse_n_s: value(7),
+                })?;
+            }
+            writer.finish()
+        };
+        write().map_err(|error| of_results(&error))
+    }
+}
+
+fn frozen<'py, T: Element, D: Dimension>(
+    array: Bound<'py, PyArray<T, D>>,
+) -> Bound<'py, PyArray<T, D>> {
+    array.readwrite().make_nonwriteable();
+    array
+}

@@ -1,0 +1,232 @@
+//! Figures of pages by name, for programs that show one without its page.
+
+use cageless_study::tolerance::ToleranceData;
+
+use super::{ball, collisions, design, energy, gap_map, history, polar, ring, search, shape};
+use super::{sweep, vibration};
+use crate::figure::Figure;
+use crate::tolerance::{influence_figure, sample_figure};
+use crate::{DesignData, RunData, SearchData, SweepData};
+
+/// A figure by name.
+pub struct Named<D: 'static> {
+    /// Name.
+    pub name: &'static str,
+    /// What it shows.
+    pub about: &'static str,
+    /// The figure, if there is anything to show.
+    pub draw: fn(&D) -> Option<Figure>,
+}
+
+const fn named<D: 'static>(
+    name: &'static str,
+    about: &'static str,
+    draw: fn(&D) -> Option<Figure>,
+) -> Named<D> {
+    Named { name, about, draw }
+}
+
+/// Figures of a run.
+pub const RUN: [Named<RunData>; 11] = [
+    named("gaps", "gaps between neighbours over time", history::gaps),
+    named(
+        "gap_map",
+        "smallest gap of each pair of neighbours over time, as colours",
+        gap_map::gap_map,
+    ),
+    named(
+        "collisions",
+        "contacts between balls: where, when, how hard",
+        collisions::collisions,
+    ),
+    named(
+        "orbit_speed",
+        "orbital speed of the balls over time",
+        history::orbit_speed,
+    ),
+    named("slip", "sliding speeds at the raceways", history::slip),
+    named("phase", "phase portrait of a ball", ball::phase),
+    named(
+        "loads",
+        "forces on a ball at the raceways over ψ",
+        ball::loads,
+    ),
+    named(
+        "load_profile",
+        "loads and pressures of all balls around the bearing, of the last orbits",
+        polar::loads,
+    ),
+    named(
+        "ring_orbit",
+        "orbit of the inner ring's centre",
+        ring::ring_orbit,
+    ),
+    named("energy", "energy balance of the whole run", energy::energy),
+    named(
+        "vibration",
+        "vibration of the outer ring on its housing, spectrum of the whole run",
+        |data| {
+            let measured = data.vibration.as_ref()?;
+            Some(vibration::vibration("Vibration", measured))
+        },
+    ),
+];
+
+/// Figures of a design.
+pub const DESIGN: [Named<DesignData>; 3] = [
+    named(
+        "curve",
+        "θ over lC by Eq. (11), with the raceway and the limits",
+        |data| data.curve.as_ref().map(design::curve),
+    ),
+    named(
+        "contact_track",
+        "contact track of the first raceway",
+        |data| data.contact_track.as_ref().map(shape::contact_track),
+    ),
+    named("surface", "surface of the first raceway", |data| {
+        data.surface.as_ref().map(shape::surface)
+    }),
+];
+
+/// Figures of a search.
+pub const SEARCH: [Named<SearchData>; 3] = [
+    named(
+        "verdicts",
+        "feasible designs and reasons for exclusion",
+        |data| Some(search::verdicts(data)),
+    ),
+    named("critical_gaps", "critical gap over lC and θ", |data| {
+        Some(search::critical_gaps(data))
+    }),
+    named("trade_offs", "trade-offs of the Pareto front", |data| {
+        (!data.front.is_empty()).then(|| search::trade_offs(data))
+    }),
+];
+
+/// Figures of a tolerance analysis.
+pub const TOLERANCE: [Named<ToleranceData>; 2] = [
+    named(
+        "influences",
+        "range of the critical gap over each influence",
+        |data| Some(influence_figure(data)),
+    ),
+    named(
+        "samples",
+        "critical gaps of the bearings in which everything deviates, by verdict",
+        |data| data.samples.as_ref().map(|s| sample_figure(data, s)),
+    ),
+];
+
+/// Figures of the analysis of a sweep that are about all of its outputs.
+pub const SWEEP: [Named<SweepData>; 1] = [named("shares", "sensitivity (main effects)", |data| {
+    let varies = !data.outputs.is_empty() && !data.inputs.is_empty();
+    varies.then(|| sweep::shares(data))
+})];
+
+/// Figures of the analysis of a sweep that are about one of its outputs.
+const OF_OUTPUT: [(&str, &str); 2] = [
+    (
+        "effects",
+        "means of an output over the inputs that explain most of it",
+    ),
+    (
+        "map",
+        "mean of an output over the two inputs that explain most of it",
+    ),
+];
+
+/// Name, anchor on the page and meaning of the figures of a drop.
+const DROP: [[&str; 3]; 8] = [
+    [
+        "orbit",
+        "orbit",
+        "path of the journal in the bore of the inner ring",
+    ],
+    [
+        "displacement",
+        "displacement",
+        "path of the journal from the centre of the stator, with its clearance",
+    ],
+    [
+        "spin_up",
+        "spin-up",
+        "speeds of rotor and inner ring over time",
+    ],
+    [
+        "forces",
+        "forces",
+        "forces of the rotor on the inner ring and of the balls on the outer ring over time",
+    ],
+    ["whirl", "whirl", "whirl frequency and contact over time"],
+    ["loads", "loads-of-the-balls", "largest forces of each ball"],
+    ["heat", "heat-of-the-interfaces", "heat of each interface"],
+    [
+        "end_states",
+        "state-at-the-end",
+        "states at the end of scattered drops over friction and support damping",
+    ],
+];
+
+/// Name, anchor on the page and meaning of the figures of a comparison.
+const COMPARISON: [[&str; 3]; 3] = [
+    [
+        "spacing",
+        "scatter-of-the-gaps",
+        "standard deviation of the gaps over time",
+    ],
+    [
+        "ring",
+        "height-of-the-inner-ring",
+        "height of the inner ring over time",
+    ],
+    [
+        "loads",
+        "largest-loads",
+        "largest loads at the inner raceway around the bearing",
+    ],
+];
+
+/// Name, anchor on the page and meaning of the figures of a static equilibrium.
+const STATIC: [[&str; 3]; 1] = [[
+    "loads",
+    "load-distribution",
+    "contact forces and pressures of each ball over ψ",
+]];
+
+fn on_page(kind: &str) -> &'static [[&'static str; 3]] {
+    match kind {
+        "static" => &STATIC,
+        "drop" => &DROP,
+        "comparison" => &COMPARISON,
+        _ => &[],
+    }
+}
+
+/// Names of the figures of a kind of result, with what each shows.
+pub fn of_kind(kind: &str) -> Vec<(&'static str, &'static str)> {
+    fn names<D: 'static>(figures: &[Named<D>]) -> Vec<(&'static str, &'static str)> {
+        figures.iter().map(|f| (f.name, f.about)).collect()
+    }
+    match kind {
+        "run" => names(&RUN),
+        "design" => names(&DESIGN),
+        "search" => names(&SEARCH),
+        "tolerance" => names(&TOLERANCE),
+        "analysis" => [names(&SWEEP), OF_OUTPUT.to_vec()].concat(),
+        kind => on_page(kind)
+            .iter()
+            .map(|[name, _, about]| (*name, *about))
+            .collect(),
+    }
+}
+
+/// A figure of the page of a kind of result, in the JSON of plotly; `name` ends in `-bearing-2` for
+/// the second bearing of several.
+pub fn in_page<'p>(page: &'p str, kind: &str, name: &str) -> Option<&'p str> {
+    let (name, bearing) = name.split_at(name.find('-').unwrap_or(name.len()));
+    let [_, anchor, _] = on_page(kind).iter().find(|[n, ..]| *n == name)?;
+    let begin = format!("<script type=\"application/json\" id=\"{anchor}{bearing}-spec\">");
+    let (_, rest) = page.split_once(&begin)?;
+    Some(rest.split_once("</script>")?.0)
+}
