@@ -5,9 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Files for several bearings or a rotor beside the same for one bearing.
-const BESIDE: [&str; 5] = [
+const BESIDE: [&str; 4] = [
     "cageless-cli/src/commands/drop_several.rs",
-    "cageless-py/python/cageless/rotor_drops.py",
     "cageless-study/src/drop/rotor_ensemble.rs",
     "cageless-study/src/drop/rotor_study.rs",
     "cageless-study/src/drop/rotor_verification.rs",
@@ -16,7 +15,7 @@ const BESIDE: [&str; 5] = [
 /// Places of each crate that convert units outside [`CONVERTERS`], at most.
 const CONVERSIONS: [(&str, usize); 10] = [
     ("cageless", 68),
-    ("cageless-bench", 16),
+    ("cageless-bench", 2),
     ("cageless-cli", 10),
     ("cageless-io", 47),
     ("cageless-live", 24),
