@@ -201,7 +201,7 @@ class StaticAttributes:
     outer_semi_axis_along_mm: Floats  # contact semi-axis in the rolling direction, outer raceway, mm
     outer_semi_axis_across_mm: Floats  # contact semi-axis across the rolling direction, outer raceway, mm
     ball_orbit_rpm: Floats  # orbital speed in pure rolling, rpm
-    ball_rotation_rpm: Floats  # rotational speed in pure rolling (absolute), rpm
+    ball_rotation_rpm: Floats  # ball speed in pure rolling (absolute rotation), rpm
     plot_loads: Callable[..., go.Figure]  # contact forces and pressures of each ball over ψ
 
 
