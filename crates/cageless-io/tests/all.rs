@@ -1,5 +1,6 @@
 //! All tests of the files, as one program.
 
+mod advice;
 mod bad_case_files;
 mod bearing_input;
 mod case_files;
