@@ -2,7 +2,7 @@
 //! `CAGELESS_RANDOM_CASES=3000` tries as many in place of those of the suite.
 
 use cageless::simulation::{Cause, Ending, RunOutcome};
-use cageless_io::case_file::CaseFile;
+use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_study::Silent;
 use cageless_study::drop::{DropRequest, study};
 use cageless_study::run::{Options, run};
@@ -115,6 +115,8 @@ enum End {
     Complete,
     Fallen,
     Overloaded,
+    /// The step is too long for what happens, and half of it is not, as the message says.
+    Coarse,
 }
 
 /// Computes a case. Its end, or what is wrong with it.
@@ -141,7 +143,24 @@ fn end(index: u64) -> Result<End, String> {
             Err(_) => return Ok(End::Refused),
         }
     };
-    judged(&file, &outcome, &warnings).map_err(|wrong| format!("{wrong}\n{text}"))
+    let judged = judged(&file, &outcome, &warnings);
+    if let (Err(_), Ending::Stopped(stop)) = (&judged, &outcome.ending) {
+        let half = format!("solver.step_us={}", 0.5e6 * stop.step_s);
+        let sets = [format!("solver.duration_s={duration}"), half];
+        if matches!(stop.cause, Cause::EnergyFromNowhere { .. }) && balanced(&parsed(&sets)) {
+            return Ok(End::Coarse);
+        }
+    }
+    judged.map_err(|wrong| format!("{wrong}\n{text}"))
+}
+
+/// Whether a drop completes with its energy accounted for.
+fn balanced(file: &Result<CaseFile, CaseError>) -> bool {
+    let Ok(file) = file else { return false };
+    study(file, DropRequest::default(), None, &Silent).is_ok_and(|found| {
+        let outcome = &found.drop.outcome;
+        matches!(outcome.ending, Ending::Complete) && outcome.energy_residual_relative.abs() < 1e-3
+    })
 }
 
 fn judged(file: &CaseFile, outcome: &RunOutcome, warnings: &[String]) -> Result<End, String> {
@@ -183,14 +202,36 @@ fn random_runs_and_drops_end_as_they_say() {
         .filter_map(|(index, end)| Some(format!("case {index}: {}", end.as_ref().err()?)))
         .collect();
     let count = |end: End| ends.iter().filter(|(_, e)| *e == Ok(end)).count();
-    let [refused, complete, fallen, overloaded] =
-        [End::Refused, End::Complete, End::Fallen, End::Overloaded].map(count);
+    let [refused, complete, fallen, overloaded, coarse] = [
+        End::Refused,
+        End::Complete,
+        End::Fallen,
+        End::Overloaded,
+        End::Coarse,
+    ]
+    .map(count);
     println!(
         "{cases} cases: {complete} complete, {fallen} rings fell, {overloaded} overloads, \
-         {refused} refused, {} wrong",
+         {coarse} steps too long, {refused} refused, {} wrong",
         wrong.len()
     );
     assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
+    // Forces that nobody can tell beforehand, as of a rotor in dry backward whirl.
+    assert!(
+        1000 * coarse as u64 <= cases,
+        "{coarse} automatic steps are too long"
+    );
     // The generator finds what it is to find.
     assert!(complete as f64 > 0.5 * cases as f64, "{complete}");
+}
+
+/// Of 3000 cases those whose automatic step was too long: few balls, or unevenly spaced ones at
+/// rest, below a falling rotor.
+#[test]
+fn the_automatic_step_resolves_the_impact_of_a_rotor_on_few_balls() {
+    for index in [167, 391, 731, 1399] {
+        assert_eq!(end(index), Ok(End::Complete), "case {index}");
+    }
+    // Dry backward whirl, whose force nothing but the run tells: the alarm is true.
+    assert_eq!(end(407), Ok(End::Coarse));
 }

@@ -62,7 +62,8 @@ pub struct StepLimits {
     pub damped: bool,
     /// Whether impacts, rather than the load, turn the energy over.
     pub light: bool,
-    /// Whether balls touch from the start.
+    /// Whether balls move along the damping of a contact: balls that touch from the start, and
+    /// balls at rest with uneven gaps, of which few take the impact of a rotor.
     pub touching: bool,
     /// Factor on the slopes of the contacts, dF/dδ ∝ F^(1/3), while the ring is wedged between two
     /// balls; 1 if it never is. The automatic step allows for it, the limits do not.
@@ -198,8 +199,9 @@ fn wedged_n(case: &Case, down: f64) -> f64 {
 const FRICTION_RESOLVED: f64 = 0.7;
 /// A load below this many times the peak force of the least impact is light.
 const LIGHT: f64 = 4.0;
-/// Fraction of the automatic λh that contact damping has where balls touch from the start: one
-/// that a neighbour pressed was unstable at a λh of 0.53, not at 0.45.
+/// Fraction of the automatic λh that contact damping has where balls move along it: the
+/// production method extrapolates the velocity along the path, and is stable there up to a λh of
+/// 0.5. One that a neighbour pressed was unstable at 0.53, not at 0.45.
 const TOUCHING: f64 = 0.5;
 /// ωh at which impacts lose 1e-3 of their energy in the ledger.
 const IMPACT_FRACTION: f64 = 0.2;
@@ -332,6 +334,12 @@ impl StepLimits {
                 * drop.inverse_outer_mass)
             .sqrt();
         let contact = &case.contact;
+        let wedge = wedged_n(case, down);
+        let touching = match (case.start.gaps(), &case.start) {
+            (Gaps::List(_), Start::AtRest { .. }) => case.rotor.is_some(),
+            (Gaps::List(gaps), _) => gaps.contains(&0.0),
+            (Gaps::Uniform, _) => false,
+        };
         let factor = contact.friction_factor_max();
         let coefficient_max = factor * contact.friction_coefficient_max();
         let [friction, creep] = if contact.friction_law.sticks() {
@@ -362,9 +370,10 @@ impl StepLimits {
                 / mass)
                 .max(drop.falling_1_s),
             damped: case.contact.damping_n_s_m1_5 > 0.0,
-            light: carried < LIGHT * struck,
-            touching: matches!(case.start.gaps(), Gaps::List(gaps) if gaps.contains(&0.0)),
-            wedged: (under(wedged_n(case, down)) / load).max(1.0).cbrt(),
+            // The impact of a rotor, too, where two balls have to take it.
+            light: carried < LIGHT * struck || (case.rotor.is_some() && wedge > 0.0),
+            touching,
+            wedged: (under(wedge) / load).max(1.0).cbrt(),
         }
     }
 
