@@ -30,7 +30,7 @@ def results(folder, document):
     inner, outer = bearing["inner_groove_bottom_radius_mm"], bearing["outer_groove_bottom_radius_mm"]
     ball = bearing["ball_radius_mm"]
     pitch = (inner + outer) / 2
-    end, first = document["end_s"], document["first_contact_ms"] * 1e-3
+    end, first = document["simulated_s"], document["first_contact_ms"] * 1e-3
     start = first + 0.8 * (end - first)
     ring = document["ring_speed_rpm"] * 2 * math.pi / 60
     # Pure rolling on the ring at its speed at the end.
@@ -39,7 +39,7 @@ def results(folder, document):
     balls = columns(folder / "balls.csv")
     speed, spin = [[] for _ in range(SECTORS)], [[] for _ in range(SECTORS)]
     for time, x, y, vx, vy, rotation in zip(
-        *(balls[n] for n in ("time_s", "x_m", "y_m", "vx_m_s", "vy_m_s", "spin_rad_s"))
+        *(balls[n] for n in ("time_s", "x_m", "y_m", "vx_m_s", "vy_m_s", "rotation_rad_s"))
     ):
         if time >= start:
             angle = math.atan2(x, -y)

@@ -1,7 +1,7 @@
 """Files of `cageless export`, read by the tools that users have.
 
 OpenCASCADE opens the STEP files, trimesh the STL files and the csv module the points. The
-surface that they are held against is worked out again here, in numpy, from Eq. (4) to (7)
+surface that they are held against is worked out again here, in NumPy, from Eq. (4) to (7)
 of Zhao 2022 and the blend of docs/theory/cad.md.
 
     python cad.py path/to/cageless path/to/a/scratch/folder
@@ -393,7 +393,7 @@ def main():
             said = export(binary, path, out, *more)
             step(f"{which} STEP", out, said, ring, generator)
             below(f"{which}: deviation under 0.1 µm by default", said["deviation_um"], 0.1)
-            check(f"{which}: kink", (said["kink_45_deg"] > 0.1) == (bool(raceways) and blend == 0))
+            check(f"{which}: kink", (said["slope_discontinuity_45_deg"] > 0.1) == (bool(raceways) and blend == 0))
             out = scratch / f"{which}.stl"
             stl(f"{which} STL", out, export(binary, path, out, *more), ring, generator)
             out = scratch / f"{which}.csv"

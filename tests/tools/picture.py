@@ -31,7 +31,7 @@ DURATION_S = 1.0
 BUNCHED_DEG = 0.1
 # End of the scale of the bars; a taller one is cut and has its value beside it.
 SCALE_DEG = 5.0
-SETTINGS = [f"solver.duration_s={DURATION_S}", "solver.method=symplectic", "solver.step_us=auto"]
+SETTINGS = [f"solver.duration_s={DURATION_S}", "solver.method=verlet", "solver.step_us=auto"]
 
 
 def room_deg(bearing):

@@ -1,7 +1,7 @@
 """Results of `cageless run`, read by the tools that users have.
 
 pyarrow, pandas, duckdb and polars read the tables of short runs; what the numbers must
-be is worked out again here, in numpy, from the equations of the physical model.
+be is worked out again here, in NumPy, from the equations of the physical model.
 
     python read_results.py path/to/cageless path/to/a/scratch/folder
 """
@@ -29,14 +29,14 @@ BALLS = {
     "y_m": "m",
     "vx_m_s": "m/s",
     "vy_m_s": "m/s",
-    "spin_rad_s": "rad/s",
+    "rotation_rad_s": "rad/s",
     "orbit_speed_rad_s": "rad/s",
     "gap_rad": "rad",
     "effective_radius_m": "m",
     "inner_force_n": "N",
     "outer_force_n": "N",
-    "inner_slip_m_s": "m/s",
-    "outer_slip_m_s": "m/s",
+    "inner_sliding_m_s": "m/s",
+    "outer_sliding_m_s": "m/s",
 }
 RING = {
     "time_s": "s",
@@ -66,7 +66,7 @@ INTEGERS = {"ball", "next_ball"}
 OPTIONAL = {
     "schema", "title", "bearing.assembly", "raceway.centre_angle_deg", "raceway.depth_error_um",
     "contact.outer_friction_factor", "contact.ball_friction_factor", "contact.ball_restitution",
-    "contact.inner_stiffness", "contact.outer_stiffness", "contact.ball_stiffness",
+    "contact.inner_stiffness_n_m1_5", "contact.outer_stiffness_n_m1_5", "contact.ball_stiffness_n_m1_5",
     "start.state", "start.gaps", "start.lead_ball_angle_deg",
     "solver.method", "solver.step_us", "solver.tolerance", "solver.seed",
 }  # fmt: skip
@@ -107,15 +107,15 @@ class Run:
         self.ro = 1e-3 * bearing["outer_groove_bottom_radius_mm"]
         self.rm = (self.ro + self.ri) / 2
         self.epsilon = 2 * np.arcsin(self.rw / self.rm)
-        self.ring_mass, self.drag = bearing["inner_ring_mass_kg"], bearing["inner_ring_drag_n_s_m"]
+        self.ring_mass, self.drag = bearing["inner_ring_mass_kg"], bearing["inner_ring_damping_n_s_m"]
         self.ball_mass = case["material"]["density_kg_m3"] * 4 / 3 * np.pi * self.rw**3
         self.span = 1e-3 * case["raceway"]["axial_span_mm"]
         self.theta = np.radians(case["raceway"]["half_angle_deg"])
         self.speed = operation["inner_speed_rpm"] * np.pi / 30
         self.load, self.g = operation["radial_load_n"], operation["gravity_m_s2"]
-        self.mu, self.scale = contact["friction_coefficient"], contact["slip_scale_m_s"]
+        self.mu, self.scale = contact["friction_coefficient"], contact["regularisation_speed_m_s"]
         self.restitution = contact["ball_restitution"]
-        self.k_inner, self.k_outer = contact["inner_stiffness"], contact["outer_stiffness"]
+        self.k_inner, self.k_outer = contact["inner_stiffness_n_m1_5"], contact["outer_stiffness_n_m1_5"]
         self.duration = case["solver"]["duration_s"]
         self.interval = 1e-6 * case["output"]["interval_us"]
 
@@ -230,13 +230,13 @@ def kinematics(run):
     check(f"{name}: balls were in the raceway", bool((r < 0.95 * run.rw).any()))
     close(f"{name}: effective radius", b["effective_radius_m"], r, 1e-10)
 
-    spin, vt = b["spin_rad_s"], rho * orbit
-    close(f"{name}: outer slip", b["outer_slip_m_s"], vt - spin * r, 1e-8)
+    spin, vt = b["rotation_rad_s"], rho * orbit
+    close(f"{name}: outer slip", b["outer_sliding_m_s"], vt - spin * r, 1e-8)
     dx, dy = x - run.ring["x_m"][:, None], y - run.ring["y_m"][:, None]
     dvx, dvy = vx - run.ring["vx_m_s"][:, None], vy - run.ring["vy_m_s"][:, None]
     vt = (dx * dvy - dy * dvx) / np.hypot(dx, dy)
     slip = run.speed * run.ri - (vt + spin * run.rw)
-    close(f"{name}: inner slip", b["inner_slip_m_s"], slip, 1e-9)
+    close(f"{name}: inner slip", b["inner_sliding_m_s"], slip, 1e-9)
     rolling = run.speed * run.ri / run.rm * (1 - run.rw / (r + run.rw))
     check(f"{name}: orbit near rolling", bool((np.abs(orbit / rolling - 1) < 0.2).all()))
 
@@ -260,14 +260,14 @@ def forces(run, undamped):
         close(f"{name}: outer force is K d^1.5", outer, hertz, 1e-5)
 
     # What the balls put on the outer ring: normal force outwards, friction along the slip.
-    friction = run.friction(b["outer_slip_m_s"], outer * run.rw / b["effective_radius_m"])
+    friction = run.friction(b["outer_sliding_m_s"], outer * run.rw / b["effective_radius_m"])
     fx = (outer * x - friction * y) / rho
     fy = (outer * y + friction * x) / rho
     close(f"{name}: outer force x", ring["outer_force_x_n"], fx.sum(axis=1), 1e-6)
     close(f"{name}: outer force y", ring["outer_force_y_n"], fy.sum(axis=1), 1e-6)
 
     # Zhao 2022, Eq. (14): load, weight, drag and what the balls push back with.
-    friction = run.friction(b["inner_slip_m_s"], inner)
+    friction = run.friction(b["inner_sliding_m_s"], inner)
     back_x = -((inner * dx - friction * dy) / distance).sum(axis=1)
     back_y = -((inner * dy + friction * dx) / distance).sum(axis=1)
     ax = (back_x - run.drag * ring["vx_m_s"]) / run.ring_mass
@@ -315,7 +315,7 @@ def summary(run):
     check(f"{run.name}: smallest gap", np.degrees(gaps.min()) >= s["gap_min_deg"] - 1e-3)
     check(f"{run.name}: largest gap", np.degrees(gaps.max()) <= s["gap_max_deg"] + 1e-3)
     y = 1e6 * run.ring["y_m"][run.ring["time_s"] >= settled].mean()
-    close(f"{run.name}: mean displacement of the inner ring", s["ring_y_um_mean"], y, 0.5)
+    close(f"{run.name}: mean displacement of the inner ring", s["ring_y_mean_um"], y, 0.5)
 
 
 def self_and_children(prefix, value):
@@ -361,7 +361,7 @@ def main():
 
     damped = Run(binary, scratch, "damped", "solver.duration_s=0.02", "output.interval_us=10")
     undamped = Run(
-        binary, scratch, "undamped", "contact.damping=0", "contact.ball_restitution=1",
+        binary, scratch, "undamped", "contact.damping_n_s_m1_5=0", "contact.ball_restitution=1",
         "solver.step_us=0.25", "solver.duration_s=0.01", "output.interval_us=10",
     )  # fmt: skip
     dense = Run(binary, scratch, "dense", "solver.duration_s=0.004", "output.interval_us=1",
@@ -382,7 +382,7 @@ def main():
 
     # Leaves the physical range before there are statistics; its page is shown all the same.
     undamped_large_steps = (
-        "solver.method=abm4", "solver.step_us=3", "contact.damping=0", "contact.ball_restitution=1",
+        "solver.method=abm4", "solver.step_us=3", "contact.damping_n_s_m1_5=0", "contact.ball_restitution=1",
     )  # fmt: skip
     call(binary, scratch / "case.toml", scratch / "stopped", *undamped_large_steps, code=3)
 

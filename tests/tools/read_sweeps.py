@@ -27,7 +27,7 @@ compute = ["static", "design", "run"]
 solver.duration_s = 0.002
 [grid]
 bearing.balls = [13, 14]
-model.profile = ["physical", "paper"]
+model.formulation = ["physical", "paper"]
 [samples]
 method = "sobol"
 count = 4
@@ -42,14 +42,14 @@ ROWS = 32
 COLUMNS = {
     "variant": (pa.int64(), None),
     "bearing_balls": (pa.int64(), None),
-    "model_profile": (pa.string(), None),
+    "model_formulation": (pa.string(), None),
     "raceway_half_angle_deg": (pa.float64(), "deg"),
     "start_gaps_deg": (pa.list_(pa.field("element", pa.float64(), nullable=False)), "deg"),
     "reason": (pa.string(), None),
     "static_ring_y_um": (pa.float64(), "um"),
     "static_inner_force_n": (pa.list_(pa.field("element", pa.float64(), nullable=False)), "N"),
     "run_collisions": (pa.int64(), None),
-    "run_slip_max_m_s": (pa.float64(), "m/s"),
+    "run_sliding_max_m_s": (pa.float64(), "m/s"),
 }
 
 
@@ -90,15 +90,15 @@ def main():
                        if g is not None))
 
     lazy = pl.read_parquet(path)
-    check("polars: types", lazy.schema["model_profile"] == pl.String
+    check("polars: types", lazy.schema["model_formulation"] == pl.String
           and lazy.schema["run_collisions"] == pl.Int64
           and lazy.schema["static_inner_force_n"] == pl.List(pl.Float64), lazy.schema)
     check("polars: nulls", lazy["static_ring_y_um"].null_count() == int(frame["static_ring_y_um"].isna().sum()))
 
     rows = duckdb.sql(f"""
-        select model_profile, count(*), count(reason), avg(static_ring_y_um)
+        select model_formulation, count(*), count(reason), avg(static_ring_y_um)
         from '{path}' group by all order by 1""").fetchall()
-    means = frame.groupby("model_profile")["static_ring_y_um"].mean()
+    means = frame.groupby("model_formulation")["static_ring_y_um"].mean()
     check("duckdb: groups", [r[0] for r in rows] == ["paper", "physical"], rows)
     check("duckdb: means", np.allclose([r[3] for r in rows], means.to_numpy(), rtol=1e-12), rows)
     kind = duckdb.sql(f"select typeof(static_inner_force_n) from '{path}' limit 1").fetchall()[0][0]

@@ -192,7 +192,7 @@ def surface(s):
 def materials(s):
     """Materials by name, from the library, and back."""
     s.tab.wait_for("document.querySelectorAll('[data-material=balls] option').length > 2")
-    first, stress = s.toml(), s.js(f"{S}.g.static.inner_stress_max_gpa")
+    first, stress = s.toml(), s.js(f"{S}.g.static.inner_pressure_max_mpa")
     names = s.js("[...document.querySelectorAll('[data-material=balls] option')].map((o) => o.value).filter((v) => v && v !== 'own')")
     s.check("the materials of the library are there", {"100Cr6", "M50", "440C", "X30CrMoN15-1", "Si3N4"} <= set(names), names)
     choose = "(() => {{ const e = document.querySelector('[data-material={0}]'); e.value = '{1}'; e.dispatchEvent(new Event('change')); }})()"
@@ -206,7 +206,7 @@ def materials(s):
         s.check(f"{part} as [material] again", f"[{section}]" not in s.toml())
     s.js(choose.format("balls", "Si3N4"))
     s.settled()
-    s.check("ceramic balls raise the contact stress", s.js(f"{S}.g.static.inner_stress_max_gpa") > 1.05 * stress)
+    s.check("ceramic balls raise the contact pressure", s.js(f"{S}.g.static.inner_pressure_max_mpa") > 1.05 * stress)
     s.type(first)
 
 

@@ -135,7 +135,7 @@ def studies(s):
     s.press("cancel")
     s.tab.wait_for(IDLE)
     s.check("a cancelled search says so", s.text("studies") == "cancelled", s.text("studies"))
-    s.type(re.sub(r"(?m)^method = .*$", 'method = "symplectic"', re.sub(r"(?m)^step_us = .*$", 'step_us = "auto"', first)))
+    s.type(re.sub(r"(?m)^method = .*$", 'method = "verlet"', re.sub(r"(?m)^step_us = .*$", 'step_us = "auto"', first)))
     for name, value in (("samples", 0), ("axial_span_um", 0), ("half_angle_deg", 0), ("friction", 0), ("clearance_um", 0),
                         ("speed_percent", 0), ("load_percent", 0), ("ball_grade", 0)):  # fmt: skip
         study(s, name, value)

@@ -54,8 +54,8 @@ impl Problem {
         let case = read(TOUCHDOWN, changes)?;
         let mut short = lasting(&case, ERROR_S);
         let rotor = short.rotor.as_mut().context("a rotor")?;
-        rotor.y_m = -0.995 * rotor.air_gap_m;
-        rotor.vy_m_s = -(2.0 * case.operation.gravity_m_s2 * rotor.air_gap_m).sqrt();
+        rotor.y_m = -0.995 * rotor.radial_clearance_m;
+        rotor.vy_m_s = -(2.0 * case.operation.gravity_m_s2 * rotor.radial_clearance_m).sqrt();
         Ok(Self {
             reference: tight(&short)?,
             short,

@@ -29,7 +29,7 @@ pub struct Textbook {
     damping: f64,
     ball_damping: f64,
     friction: f64,
-    slip_scale: f64,
+    regularisation_speed: f64,
     falling: Option<Falling>,
 }
 
@@ -69,7 +69,7 @@ impl Textbook {
             ball_mass,
             ball_inertia: bearing.ball_inertia_kg_m2(),
             ring_mass: d.inner_ring_mass_kg,
-            ring_drag: d.inner_ring_drag_n_s_m,
+            ring_drag: d.inner_ring_damping_n_s_m,
             inner_speed: case.operation.inner_speed_rad_s,
             radial_load: case.operation.radial_load_n,
             gravity: case.operation.gravity_m_s2,
@@ -78,7 +78,7 @@ impl Textbook {
             ball_damping: restitution_damping(contact.ball_restitution)
                 * (ball_mass / 2.0 * stiffness[2]).sqrt(),
             friction: contact.friction_coefficient,
-            slip_scale: contact.slip_scale_m_s,
+            regularisation_speed: contact.regularisation_speed_m_s,
             falling: match bodies {
                 (Some(rotor), Some(support), Some(bore)) => Some(Falling {
                     rotor,
@@ -116,7 +116,7 @@ impl Textbook {
 
     /// μ·tanh(ΔV/scale)·N.
     fn friction(&self, slip: f64, normal: f64) -> f64 {
-        self.friction * (slip / self.slip_scale).tanh() * normal
+        self.friction * (slip / self.regularisation_speed).tanh() * normal
     }
 
     /// Outer raceway, Eq. (18), (19), (22): place and velocity from the ring's centre.
@@ -293,20 +293,20 @@ impl Falling {
         let (ex, ey) = (r.eccentricity_m * cos, r.eccentricity_m * sin);
         let (dx, dy) = (x - ex - ring[0], y - ey - ring[1]);
         let distance = (dx * dx + dy * dy).sqrt();
-        let depth = distance - r.air_gap_m;
+        let depth = distance - r.radial_clearance_m;
         if depth <= 0.0 {
             return ([0.0; 2], 0.0, 0.0);
         }
         let (nx, ny) = (dx / distance, dy / distance);
         let (ux, uy) = (vx + speed * ey - ring[2], vy - speed * ex - ring[3]);
         let approach = ux * nx + uy * ny;
-        let normal = (r.contact_stiffness
+        let normal = (r.contact_stiffness_n_mp
             * depth.powf(r.contact_exponent)
             * (1.0 + 1.5 * r.contact_damping_s_m * approach))
             .max(0.0);
-        let journal = self.bore_radius - r.air_gap_m;
+        let journal = self.bore_radius - r.radial_clearance_m;
         let slip = uy * nx - ux * ny + speed * journal - ring_speed * self.bore_radius;
-        let friction = r.friction_coefficient * (slip / r.slip_scale_m_s).tanh() * normal;
+        let friction = r.friction_coefficient * (slip / r.regularisation_speed_m_s).tanh() * normal;
         let force = [-normal * nx + friction * ny, -normal * ny - friction * nx];
         let (ax, ay) = (journal * nx - ex, journal * ny - ey);
         let moment = ax * force[1] - ay * force[0];

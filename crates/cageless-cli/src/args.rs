@@ -18,8 +18,7 @@ pub struct Args {
     /// Command to run.
     #[command(subcommand)]
     pub command: Command,
-    /// Vector instructions to compute with, at most those of this processor. Results have
-    /// the same bits with all of them.
+    /// Limit the vector instructions to these. Results are bit-identical with all of them.
     #[arg(long, value_enum, global = true)]
     pub isa: Option<Isa>,
     /// Print neither progress nor results as text; errors and --json are printed.
@@ -44,14 +43,14 @@ const EXIT_CODES: &str = "Exit codes: 0 done; 2 bad input; 3 the run left the ph
 /// One task.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Regenerate every table and figure of Zhao 2022 beside the paper's numbers.
+    /// Regenerate every table and figure of Zhao 2022 next to the paper's numbers.
     Reproduce(Reproduce),
     /// Print a commented case file.
     New(New),
     /// Validate a case.
     #[command(mut_arg("open", |open| open.hide(true)))]
     Check(CaseArgs),
-    /// Static equilibrium: ring displacement, load per ball, contact stress.
+    /// Static equilibrium: ring displacement, load per ball, contact pressure.
     Static(CaseArgs),
     /// Constraints, β0, the lC–θ curve, critical gap, verdict and recommendation.
     Design(DesignArgs),
@@ -59,7 +58,7 @@ pub enum Command {
     Tolerance(ToleranceArgs),
     /// Simulate a case.
     Run(RunArgs),
-    /// Drop a rotor onto its bearing, or that of a rotor file into several: impacts, whirl, spin-up,
+    /// Drop a rotor onto its bearing, or that of a rotor file onto several: impacts, whirl, spin-up,
     /// loads and heat.
     Drop(DropArgs),
     /// Compare two cases, or a case with its conventional ring, from the same uneven starts; or two
@@ -166,7 +165,7 @@ pub struct DropArgs {
     /// on its own; --set solver.seed=S for other draws.
     #[arg(long, value_name = "N")]
     pub samples: Option<u64>,
-    /// Repeat the drop from perturbed starts and at half the step, and say which results are
+    /// Repeat the drop from perturbed starts and at half the step, and show which results are
     /// converged.
     #[arg(long)]
     pub verify: bool,
@@ -233,7 +232,7 @@ pub struct ExportArgs {
     #[arg(long)]
     pub json: bool,
     /// File, if the name ends in .step, .stp, .stl or .csv; else a folder, which gets
-    /// outer_ring.step, .stl or .csv and export.json. Without it the file goes to stdout, and
+    /// outer_ring.step, .stl or .csv and export.json. Without it the file is written to stdout, and
     /// with --json only the numbers.
     #[arg(long, value_name = "PATH")]
     pub out: Option<PathBuf>,
@@ -358,7 +357,7 @@ pub struct ToleranceArgs {
     /// Tolerance of the friction coefficient, ±.
     #[arg(long, value_parser = number, value_name = "MU", default_value_t = Tolerances::default().friction)]
     pub friction: f64,
-    /// Tolerance of the radial clearance (half the radial internal clearance Gr of ISO 5753-1), ± µm.
+    /// Tolerance of the radial internal clearance Gr (ISO 5753-1), ± µm.
     #[arg(long, value_parser = number, value_name = "UM", default_value_t = Tolerances::default().clearance_um)]
     pub clearance_um: f64,
     /// Tolerance of the speed, ± %.
@@ -421,7 +420,7 @@ pub struct StudioArgs {
     /// Replace a value of the case file; may be repeated.
     #[arg(long, value_name = "SECTION.KEY=VALUE")]
     pub set: Vec<String>,
-    /// Write the page, which computes by itself, instead of serving it.
+    /// Write the stand-alone page, which computes in the browser, instead of serving it.
     #[arg(long, value_name = "FILE")]
     pub page: Option<PathBuf>,
     /// Only print the address.

@@ -197,7 +197,7 @@ pub fn read_case(args: &CaseArgs) -> Result<CaseFile, Failure> {
             return error.into();
         }
         Failure::Input(format!(
-            "{}: is the file of a rotor above several bearings, which `cageless drop`, `cageless \
+            "{}: is the file of a rotor on several bearings, which `cageless drop`, `cageless \
              check` and the plans of `cageless sweep` take; each of its bearings is a case of its own",
             args.case.display()
         ))

@@ -129,8 +129,8 @@ mod tests {
             "\u{1b}[1;32mPASS\u{1b}[0m: smooth"
         );
         assert_eq!(
-            coloured(Some(false), "FAIL; slips"),
-            "\u{1b}[1;31mFAIL\u{1b}[0m; slips"
+            coloured(Some(false), "FAIL; slides"),
+            "\u{1b}[1;31mFAIL\u{1b}[0m; slides"
         );
         assert_eq!(
             coloured(None, "not judged: no raceway"),

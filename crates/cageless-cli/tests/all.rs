@@ -9,6 +9,7 @@ mod compare;
 mod drops;
 mod endings;
 mod export;
+mod former_names;
 mod limits;
 mod paper_structures;
 mod pins;

@@ -174,7 +174,7 @@ fn set_takes_the_place_of_the_file() {
     let sets = [
         "solver.duration_s=0.001",
         "raceway.half_angle_deg=24",
-        "model.profile=paper",
+        "model.formulation=paper",
         "contact.friction_law=\"coulomb\"",
         "title=Versuch äöü",
         "start.lead_ball_angle_deg=-3.5",
@@ -189,7 +189,7 @@ fn set_takes_the_place_of_the_file() {
     assert_eq!(answer.code, Some(0), "{answer:?}");
     let case = &answer.json()["case"];
     assert_eq!(case["raceway"]["half_angle_deg"], 24.0);
-    assert_eq!(case["model"]["profile"], "paper");
+    assert_eq!(case["model"]["formulation"], "paper");
     assert_eq!(case["contact"]["friction_law"], "coulomb");
     assert_eq!(case["title"], "Versuch äöü");
     assert_eq!(case["start"]["lead_ball_angle_deg"], -3.5);
@@ -221,9 +221,9 @@ fn defaults_are_listed() {
         "title",
         "raceway.centre_angle_deg",
         "contact.ball_restitution",
-        "contact.inner_stiffness",
-        "contact.outer_stiffness",
-        "contact.ball_stiffness",
+        "contact.inner_stiffness_n_m1_5",
+        "contact.outer_stiffness_n_m1_5",
+        "contact.ball_stiffness_n_m1_5",
         "start.state",
         "start.gaps",
         "start.lead_ball_angle_deg",
@@ -236,8 +236,8 @@ fn defaults_are_listed() {
     // What a default was is on record as well.
     assert_eq!(summary["case"]["contact"]["ball_restitution"], 0.95);
     assert_eq!(summary["case"]["start"]["state"], "settled");
-    assert_eq!(summary["case"]["solver"]["method"], "symplectic");
-    assert!(summary["case"]["contact"]["inner_stiffness"].as_f64() > Some(1e10));
+    assert_eq!(summary["case"]["solver"]["method"], "verlet");
+    assert!(summary["case"]["contact"]["inner_stiffness_n_m1_5"].as_f64() > Some(1e10));
 }
 
 /// A reader that stops reading (`cageless new | head -1`) is no failure.
@@ -269,7 +269,10 @@ fn check_names_the_cost_the_preload_and_a_ring_that_may_fall() {
         "{}",
         plain.stdout
     );
-    let slow = check(&["bearing.inner_ring_drag_n_s_m=1e9", "solver.step_us=auto"]);
+    let slow = check(&[
+        "bearing.inner_ring_damping_n_s_m=1e9",
+        "solver.step_us=auto",
+    ]);
     assert!(
         slow.stdout.contains("hours of computing"),
         "{}",
@@ -305,7 +308,7 @@ fn check_names_the_cost_the_preload_and_a_ring_that_may_fall() {
         "bearing.balls=6",
         "start.gaps=bunched",
         "start.state=rolling",
-        "solver.method=symplectic",
+        "solver.method=verlet",
         "solver.step_us=auto",
         "solver.duration_s=0.05",
     ];

@@ -102,7 +102,7 @@ fn what_is_printed_of_drops_has_words_numbers_and_a_verdict() {
     let refused = call(&["drop", &path("zhao-d.toml")]).stderr;
     for key in [
         "[rotor]",
-        "contact_stiffness",
+        "contact_stiffness_n_mp",
         "[support]",
         "stiffness_n_m",
         "[contact]",

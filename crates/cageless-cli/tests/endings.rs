@@ -64,7 +64,7 @@ fn assert_readable(out: &Path) -> f64 {
 fn a_run_that_leaves_the_physical_range_says_so_and_keeps_what_it_has() {
     let dir = tempfile::tempdir().unwrap();
     let sets = [
-        "contact.damping=0",
+        "contact.damping_n_s_m1_5=0",
         "solver.step_us=2",
         "solver.duration_s=2",
     ];
@@ -294,8 +294,8 @@ fn no_statistics_are_no_numbers() {
 const SLOW: [&str; 6] = [
     "operation.inner_speed_rpm=30",
     "operation.radial_load_n=0",
-    "contact.damping=0",
-    "model.profile=paper",
+    "contact.damping_n_s_m1_5=0",
+    "model.formulation=paper",
     "solver.method=adaptive",
     "bearing.ball_radius_deviation_um=[2,-3,4,1,5,4,-1,2,3,2,1,-3,4,-2]",
 ];

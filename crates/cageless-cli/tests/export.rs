@@ -59,8 +59,8 @@ fn a_file_and_its_numbers() {
         assert!(number("deviation_um") <= most, "{d}");
         assert_eq!(number("blend_mm"), 0.5);
         assert!((0.5..2.0).contains(&number("blend_deviation_um")));
-        assert_eq!(number("kink_45_deg"), 0.0);
-        assert!((number("design_kink_45_deg") - 0.654).abs() < 1e-3);
+        assert_eq!(number("slope_discontinuity_45_deg"), 0.0);
+        assert!((number("design_slope_discontinuity_45_deg") - 0.654).abs() < 1e-3);
         // The same bytes again.
         let first = std::fs::read(&path).unwrap();
         export(&[], &["--format", format, "--out", out]);
@@ -105,12 +105,15 @@ fn the_kink_is_blended_or_stated() {
     let numbers =
         |blend: &str| export(&[], &["--format", "step", "--json", "--blend-mm", blend]).json();
     let left = numbers("0");
-    assert_eq!(left["kink_45_deg"], left["design_kink_45_deg"]);
+    assert_eq!(
+        left["slope_discontinuity_45_deg"],
+        left["design_slope_discontinuity_45_deg"]
+    );
     assert_eq!(left["blend_deviation_um"], 0.0);
     assert_eq!(left["bspline_faces"], 2);
     let blended = numbers("1.25");
     assert_eq!(blended["blend_mm"], 1.25);
-    assert_eq!(blended["kink_shoulder_deg"], 0.0);
+    assert_eq!(blended["slope_discontinuity_shoulder_deg"], 0.0);
     let text = export(&[], &["--format", "step", "--json", "--blend-mm", "0"]);
     assert_eq!(text.code, Some(0));
     let dir = tempfile::tempdir().unwrap();

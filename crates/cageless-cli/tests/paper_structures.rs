@@ -5,7 +5,7 @@ use cageless_paper::{ODD_ROW, PUBLISHED, Published};
 use rayon::prelude::*;
 
 /// The published equations with the published law of friction.
-const AS_PUBLISHED: [&str; 2] = ["model.profile=paper", "contact.friction_law=coulomb"];
+const AS_PUBLISHED: [&str; 2] = ["model.formulation=paper", "contact.friction_law=coulomb"];
 
 #[test]
 fn table_2() {

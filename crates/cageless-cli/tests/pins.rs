@@ -30,7 +30,7 @@ pins! {
     static_unloaded: "static cases/conventional.toml +operation.radial_load_n=0 +operation.gravity_m_s2=0; static cases/full-6205.toml +material.preset=Si3N4 --json";
     design: "design cases/zhao-d.toml +solver.step_us=2.5 --out OUT";
     design_conventional: "design cases/conventional.toml +solver.step_us=2.5 --out OUT";
-    design_search: "design cases/zhao-d.toml --search +search.budget=16 +search.starts=1 +search.half_angle_deg=24.5 +search.axial_span_mm=[5,5.2] +solver.step_us=2.5 --out OUT";
+    design_search: "design cases/zhao-d.toml --search +search.runs_max=16 +search.initial_states=1 +search.half_angle_deg=24.5 +search.axial_span_mm=[5,5.2] +solver.step_us=2.5 --out OUT";
     tolerance: "tolerance cases/zhao-d.toml --samples 2 --speed-percent 0 --load-percent 0 --friction 0 +solver.step_us=2.5 --out OUT";
     run: "run cases/zhao-d.toml +solver.duration_s=0.02 --csv --out OUT";
     run_json: "run cases/conventional.toml +solver.duration_s=0.02 +start.gaps=bunched --json";
@@ -45,7 +45,7 @@ pins! {
     sweep: "sweep OUT/plan.toml --out OUT; report OUT --high static_inner_force_max_n";
     sweep_shards: "sweep OUT/plan.toml --shard 1/2 --out OUT --quiet; sweep OUT/plan.toml --shard 2/2 --out OUT --json; sweep merge OUT/sweep.shard-1-of-2.parquet OUT/sweep.shard-2-of-2.parquet";
     refused: "run cases/zhao-d.toml +bearing.ball=3; static none.toml; run cases/rotors/two-bearings.toml; drop cases/zhao-d.toml; rnu; man rnu; run cases/zhao-d.toml --open; check cases/zhao-d.toml --open --out OUT; report cases";
-    bits_zhao_a_paper: "run cases/zhao-a.toml +model.profile=paper +solver.method=abm4 +solver.step_us=1 +solver.duration_s=0.01 --quiet --out OUT";
+    bits_zhao_a_paper: "run cases/zhao-a.toml +model.formulation=paper +solver.method=abm4 +solver.step_us=1 +solver.duration_s=0.01 --quiet --out OUT";
     bits_zhao_d: "run cases/zhao-d.toml +solver.duration_s=0.1 --quiet --out OUT";
     bits_cb74: "run cases/cb74.toml +solver.duration_s=0.02 --quiet --out OUT";
     bits_bunched: "run cases/conventional.toml +start.gaps=bunched +contact.friction_law=coulomb +solver.duration_s=0.02 --quiet --out OUT";

@@ -40,9 +40,9 @@ fn impossible_rotor_files_are_refused_with_line_and_key() {
             "rotor.toml:16: unbalance.1.node = 3 is not possible: it must be left out",
         ),
         (
-            "moment_g_mm = 200.0",
+            "amount_g_mm = 200.0",
             "",
-            "unbalance.1.moment_g_mm is missing",
+            "unbalance.1.amount_g_mm is missing",
         ),
         (
             "mass_kg = 40.0",
@@ -64,8 +64,8 @@ fn changes_reach_the_rotor_all_bearings_or_one() {
     let sets = [
         "rotor.mass_kg=60",
         "bearing.2.axial_mm=100",
-        "contact.damping=3e5",
-        "bearing.2.contact.damping=4e5",
+        "contact.damping_n_s_m1_5=3e5",
+        "bearing.2.contact.damping_n_s_m1_5=4e5",
         "bearing.1.raceway.half_angle_deg=24",
     ];
     let check = call_on("check", &path, &sets, &["--json"]).json();
@@ -73,7 +73,10 @@ fn changes_reach_the_rotor_all_bearings_or_one() {
     assert!((share - 30.0).abs() < 1e-9, "{share}");
     let of = |k: usize, section: &str, key: &str| check["cases"][k][section][key].clone();
     assert_eq!(
-        [of(0, "contact", "damping"), of(1, "contact", "damping")],
+        [
+            of(0, "contact", "damping_n_s_m1_5"),
+            of(1, "contact", "damping_n_s_m1_5")
+        ],
         [3e5, 4e5]
     );
     let angles = [0, 1].map(|k: usize| check["cases"][k]["raceway"]["half_angle_deg"].clone());
@@ -103,8 +106,8 @@ fn changes_reach_the_rotor_all_bearings_or_one() {
         ("rotor.sped_rpm=1", "did you mean speed_rpm?"),
         ("rotor.mass_kg=-1", "mass_kg = -1: must be more than 0"),
         (
-            "bearing.2.rotor.air_gap_um=-3",
-            "in bearing 2, rotor.air_gap_um = -3 is not possible",
+            "bearing.2.rotor.radial_clearance_um=-3",
+            "in bearing 2, rotor.radial_clearance_um = -3 is not possible",
         ),
     ] {
         let answer = call_on("check", &path, &[set], &[]);
@@ -124,11 +127,11 @@ fn changes_reach_the_rotor_all_bearings_or_one() {
 const PLANS: &[(&str, usize, &[&str])] = &[
     ("compute = [\"static\", \"drop\"]", 2, &["compute has \"static\", which is for the case of one bearing", "there is \"drop\""]),
     ("compute = [\"drop\"]\n[grid]\nrotor.sped_rpm = [1.0]", 4, &["rotor.sped_rpm is not a key of [rotor]", "did you mean speed_rpm?"]),
-    ("compute = [\"drop\"]\n[grid]\nunbalance.1.momnt_g_mm = [1.0]", 4, &["unbalance.1.momnt_g_mm is not a key", "did you mean moment_g_mm?"]),
+    ("compute = [\"drop\"]\n[grid]\nunbalance.1.momnt_g_mm = [1.0]", 4, &["unbalance.1.momnt_g_mm is not a key", "did you mean amount_g_mm?"]),
     ("compute = [\"drop\"]\n[grid]\nbearing.2.balls = [12]", 4, &["grid.bearing.2.balls", "did you mean bearing.2.bearing.balls?"]),
-    ("compute = [\"drop\"]\n[grid]\nbearing.2.contact.dampin = [12]", 4, &["bearing.2.contact.dampin is not a key of [contact]", "did you mean damping?"]),
+    ("compute = [\"drop\"]\n[grid]\nbearing.2.contact.damping_n_s_m1 = [12]", 4, &["bearing.2.contact.damping_n_s_m1 is not a key of [contact]", "did you mean damping_n_s_m1_5?"]),
     ("compute = [\"drop\"]\n[grid]\nbearing.2.racewey.half_angle_deg = [12]", 4, &["bearing.2.racewey is not a section", "did you mean [raceway]?"]),
-    ("compute = [\"drop\"]\n[grid]\nbearing.3.contact.damping = [1e5]", 4, &["there are 2 [[bearing]] sections"]),
+    ("compute = [\"drop\"]\n[grid]\nbearing.3.contact.damping_n_s_m1_5 = [1e5]", 4, &["there are 2 [[bearing]] sections"]),
     ("compute = [\"drop\"]\n[grid]\nbearing.1.case = [\"one.toml\"]", 4, &["bearing.1.case: stays as the rotor file gives it"]),
     ("compute = [\"drop\"]\n[grid]\nrotor.matrices = [\"m.json\"]", 4, &["rotor.matrices: stays as the rotor file gives it"]),
     ("compute = [\"drop\"]\n[set]\nrotor.eccentricity_um = 3.0", 4, &["is replaced by the unbalances of the rotor"]),
@@ -137,8 +140,8 @@ const PLANS: &[(&str, usize, &[&str])] = &[
     ("compute = [\"drop\"]\n[grid]\nrotor.mass_kg = [-1.0]", 4, &["none of the 1 variants", "mass_kg = -1: must be more than 0"]),
     ("compute = [\"drop\"]\n[grid]\nbearing.2.solver.duration_s = [0.1]", 0, &["none of the 1 variants", "solver.duration_s is 1.0 in the case of bearing 1 and 0.1 in that of bearing 2"]),
     ("compute = [\"drop\"]\n[grid]\nbearing.2.node = [1]", 4, &["bearing.2.node = 1 is not possible", "a rigid rotor has places"]),
-    ("compute = [\"drop\"]\n[grid]\ncontact.damping = [1e5]\nbearing.1.contact.damping = [1e5]", 5, &["bearing.1.contact.damping is a part of contact.damping on line 4"]),
-    ("compute = [\"drop\"]\n[set]\nbearing.1.contact.damping = 1e5\n[grid]\ncontact.damping = [1e5]", 4, &["bearing.1.contact.damping varies on line 6", "[set] has no effect"]),
+    ("compute = [\"drop\"]\n[grid]\ncontact.damping_n_s_m1_5 = [1e5]\nbearing.1.contact.damping_n_s_m1_5 = [1e5]", 5, &["bearing.1.contact.damping_n_s_m1_5 is a part of contact.damping_n_s_m1_5 on line 4"]),
+    ("compute = [\"drop\"]\n[set]\nbearing.1.contact.damping_n_s_m1_5 = 1e5\n[grid]\ncontact.damping_n_s_m1_5 = [1e5]", 4, &["bearing.1.contact.damping_n_s_m1_5 varies on line 6", "[set] has no effect"]),
     ("compute = [\"drop\"]\nkeep = [\"drop_bearing_3_impacts\"]", 3, &["drop_bearing_3_impacts", "there are drop_verdict"]),
     ("compute = [\"drop\"]\n[scatter]\nrotor.transverse_inertia_kg_m2 = \"any\"", 4, &["{ normal = STANDARD_DEVIATION }"]),
 ];
@@ -177,7 +180,7 @@ fn wrong_plans_of_a_rotor_are_refused_with_their_place_and_reason() {
     assert!(
         answer
             .stderr
-            .contains("a rotor needs at least one touchdown bearing"),
+            .contains("a rotor needs at least one touch-down bearing"),
         "{answer:?}"
     );
 }

@@ -21,7 +21,7 @@ axial_mm = 200.0
 
 [[unbalance]]
 axial_mm = 30.0
-moment_g_mm = 200.0
+amount_g_mm = 200.0
 ";
 
 /// A rotor file with its case beside it; the case leaves out what belongs to the rotor.
@@ -84,7 +84,7 @@ fn other_commands_name_those_that_take_it() {
     for command in ["run", "static", "design", "tolerance"] {
         let answer = call_on(command, &path, &[], &[]);
         assert_eq!(answer.code, Some(2));
-        let said = "is the file of a rotor above several bearings, which `cageless drop`, `cageless \
+        let said = "is the file of a rotor on several bearings, which `cageless drop`, `cageless \
                     check` and the plans of `cageless sweep` take";
         assert!(answer.stderr.contains(said), "{}", answer.stderr);
     }
@@ -182,13 +182,13 @@ fn a_sweep_of_a_rotor_has_the_rows_of_its_drops_and_a_page() {
         .as_array()
         .unwrap()
         .iter()
-        .map(|b| b["heat_j"].as_f64().unwrap());
-    assert_eq!(row["drop_heat_j"], heat.sum::<f64>());
+        .map(|b| b["dissipated_j"].as_f64().unwrap());
+    assert_eq!(row["drop_dissipated_j"], heat.sum::<f64>());
     for key in [
         "end_state",
         "first_contact_ms",
         "rotor_force_max_n",
-        "heat_j",
+        "dissipated_j",
         "ring_speed_rpm",
     ] {
         assert_eq!(

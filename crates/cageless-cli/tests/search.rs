@@ -10,8 +10,8 @@ use crate::common::*;
 const SMALL: [&str; 4] = [
     "search.axial_span_mm=5.1",
     "search.half_angle_deg=[24,26]",
-    "search.starts=1",
-    "search.budget=4",
+    "search.initial_states=1",
+    "search.runs_max=4",
 ];
 
 fn search_command(out: &Path) -> std::process::Command {
@@ -94,9 +94,13 @@ fn a_search_that_was_killed_goes_on_and_finds_the_same() {
     let difference = "raceway.axial_span_mm was 5.1, is 5.15";
     assert!(other.stderr.contains(difference), "{}", other.stderr);
     let mut changed = search_command(&parts);
-    let changed: Answer = (changed.args(["--set", "search.budget=8"]).output().unwrap()).into();
+    let changed: Answer = (changed
+        .args(["--set", "search.runs_max=8"])
+        .output()
+        .unwrap())
+    .into();
     assert_eq!(changed.code, Some(2), "{changed:?}");
-    let difference = "another request: search.budget was 4, is 8: remove it";
+    let difference = "another request: search.runs_max was 4, is 8: remove it";
     assert!(changed.stderr.contains(difference), "{}", changed.stderr);
     assert_eq!(
         (other.stdout.as_str(), other.stderr.lines().count()),
@@ -141,7 +145,7 @@ fn nothing_to_recommend_is_an_outcome_with_a_reason() {
     let sets = [
         "search.axial_span_mm=1",
         "search.half_angle_deg=[10,14]",
-        "search.budget=4",
+        "search.runs_max=4",
     ];
     let more = ["--search", "--json", "--out", out.to_str().unwrap()];
     let answer = call_on("design", &case, &sets, &more);

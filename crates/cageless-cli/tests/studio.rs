@@ -30,7 +30,7 @@ fn the_page_and_its_requests_are_answered() {
     ];
     let (status, answer) = studio.send("POST", "/request", &headers, &body);
     assert!(
-        status == 200 && answer.contains("inner_stress_max_gpa"),
+        status == 200 && answer.contains("inner_pressure_max_mpa"),
         "{answer}"
     );
 }

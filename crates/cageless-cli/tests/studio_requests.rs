@@ -76,7 +76,7 @@ fn tolerances_are_judged() {
     });
     // A step as long as the contacts allow.
     let case = case("zhao-d.toml")
-        .replace("method = \"abm4\"", "method = \"symplectic\"")
+        .replace("method = \"abm4\"", "method = \"verlet\"")
         .replace("step_us = 1.0", "step_us = \"auto\"");
     let request = json!({ "op": "tolerance", "case": case, "tolerances": tolerances });
     let judged = good(&studio, &request);
@@ -120,7 +120,7 @@ fn bad_requests_are_refused_by_name() {
     for (request, part) in [
         (
             json!({ "op": "search", "case": d, "budget": 0 }),
-            "search.budget",
+            "search.runs_max",
         ),
         (
             json!({ "op": "search", "case": d, "budget": -1 }),

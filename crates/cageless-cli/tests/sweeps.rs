@@ -25,7 +25,7 @@ fn write_plan(dir: &Path, grid: &str) -> PathBuf {
 const GRID: &str = "\
 [grid]
 raceway.axial_span_mm = { from = 4.9, to = 5.5, count = 5 }
-model.profile = [\"physical\", \"paper\"]
+model.formulation = [\"physical\", \"paper\"]
 [samples]
 method = \"latin-hypercube\"
 count = 20
@@ -196,7 +196,7 @@ fn an_interrupt_keeps_what_was_computed() {
     let answer = call_sweep(&plan, &out, &[]);
     assert_eq!(answer.code, Some(2), "{answer:?}");
     assert!(
-        answer.stderr.contains("grid.model.profile was"),
+        answer.stderr.contains("grid.model.formulation was"),
         "{answer:?}"
     );
     assert!(result(&out) == undisturbed);
@@ -287,7 +287,7 @@ fn rounding_is_not_explained() {
     let plan = dir.path().join("plan.toml");
     let text = format!(
         "case = {case:?}\ncompute = [\"static\", \"design\"]\n[grid]\n\
-         raceway.axial_span_mm = [4.9, 5.0, 5.1, 5.2]\nmodel.profile = [\"physical\", \"paper\"]\n"
+         raceway.axial_span_mm = [4.9, 5.0, 5.1, 5.2]\nmodel.formulation = [\"physical\", \"paper\"]\n"
     );
     std::fs::write(&plan, text).unwrap();
     let out = dir.path().join("out");
@@ -356,7 +356,7 @@ fn rows_are_those_of_the_single_commands() {
     assert_eq!(row["operation_radial_load_n"], 900.0);
     assert_eq!(row["static_ring_y_um"], statics["ring_y_um"]);
     assert_eq!(row["run_collisions"], run["collisions"]);
-    assert_eq!(row["run_slip_max_m_s"], run["slip_max_m_s"]);
+    assert_eq!(row["run_sliding_max_m_s"], run["sliding_max_m_s"]);
     assert_eq!(row["run_gap_min_deg"], run["gap_min_deg"]);
     assert!(row["reason"].is_null());
 }

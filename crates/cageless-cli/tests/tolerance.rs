@@ -2,7 +2,7 @@
 
 use crate::common::*;
 
-const QUICK: [&str; 2] = ["solver.method=symplectic", "solver.step_us=auto"];
+const QUICK: [&str; 2] = ["solver.method=verlet", "solver.step_us=auto"];
 /// Machining and balls alone.
 const FEW: [&str; 12] = [
     "--axial-span-um",
@@ -105,7 +105,7 @@ fn the_probability_is_that_of_passing() {
         "{headline}"
     );
     assert!(
-        headline.contains("nominal design FAIL: hit from both sides"),
+        headline.contains("nominal design FAIL: double collision"),
         "{headline}"
     );
     let json = json_file(&out.join("tolerance.json"));
@@ -141,7 +141,7 @@ fn bad_tolerances_are_refused() {
         ),
         (
             &["--clearance-um", "1e4"],
-            &["--clearance-um 10000", "from 0 to 476.25"],
+            &["--clearance-um 10000", "from 0 to 952.5"],
         ),
         (
             &["--samples", "1000000"],

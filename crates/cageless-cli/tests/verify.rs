@@ -42,9 +42,9 @@ fn a_verified_run_says_what_it_is_worth() {
         "collisions",
         "gap_min_deg",
         "gap_max_deg",
-        "ring_x_um_mean",
-        "ring_y_um_mean",
-        "slip_max_m_s",
+        "ring_x_mean_um",
+        "ring_y_mean_um",
+        "sliding_max_m_s",
     ] {
         let number = &verification["numbers"][key];
         assert_eq!(number["value"].as_f64(), json[key].as_f64(), "{key}");
@@ -74,8 +74,8 @@ fn a_biased_run_ends_well_with_a_warning() {
         assert!(output.status.success(), "{output:?}");
         let json: Value = serde_json::from_slice(&output.stdout).unwrap();
         let warnings = json["warnings"].to_string();
-        assert!(warnings.contains("ring_y_um_mean"), "{warnings}");
-        let y = &json["verification"]["numbers"]["ring_y_um_mean"];
+        assert!(warnings.contains("ring_y_mean_um"), "{warnings}");
+        let y = &json["verification"]["numbers"]["ring_y_mean_um"];
         assert_eq!(y["verdict"], "step-biased", "{y}");
         json["verification"].clone()
     });

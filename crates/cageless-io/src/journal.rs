@@ -48,7 +48,7 @@ pub enum JournalError {
         path: PathBuf,
     },
     /// A line is not as it was written.
-    #[error("{}:{line}: the line was damaged or edited: remove the file, or what stands from this line on", .path.display())]
+    #[error("{}:{line}: the line was damaged or edited: remove the file, or everything from this line on", .path.display())]
     Damaged {
         /// The file.
         path: PathBuf,
@@ -282,16 +282,16 @@ mod tests {
     fn another_owner_hears_what_is_different() {
         let dir = tempfile::tempdir().unwrap();
         let path = dir.path().join("journal");
-        let before = "made by 0.9\ntitle = \"a\"\n\n[search]\nbudget = 4\nseed = 1\n\n\
+        let before = "made by 0.9\ntitle = \"a\"\n\n[search]\nruns_max = 4\nseed = 1\n\n\
                       [[raceway]]\nspan = 5\n\n[[raceway]]\nspan = 6\n";
         Journal::open(&path, before).unwrap();
         let message = |from: &str, to: &str| {
             let now = before.replace(from, to);
             Journal::open(&path, &now).unwrap_err().to_string()
         };
-        let text = message("budget = 4", "budget = 8");
+        let text = message("runs_max = 4", "runs_max = 8");
         assert!(
-            text.contains("request: search.budget was 4, is 8: remove"),
+            text.contains("request: search.runs_max was 4, is 8: remove"),
             "{text}"
         );
         let text = message("span = 6", "span = 7");
@@ -301,7 +301,7 @@ mod tests {
             text.contains("it is of made by 0.9, this is made by 1.0"),
             "{text}"
         );
-        let text = message(before, "made by 1.0\n[search]\nbudget = 4");
+        let text = message(before, "made by 1.0\n[search]\nruns_max = 4");
         let first =
             "this is made by 1.0; title was \"a\", is left out; search.seed was 1, is left out";
         assert!(text.contains(first), "{text}");
@@ -310,7 +310,7 @@ mod tests {
         // Whoever looks into it sees a line for each key.
         let head = std::fs::read_to_string(&path).unwrap();
         assert!(
-            head.contains("\"search.budget = 4\",\"search.seed = 1\""),
+            head.contains("\"search.runs_max = 4\",\"search.seed = 1\""),
             "{head}"
         );
     }

@@ -60,13 +60,13 @@ friction_coefficient = 0.1                     # (assumed) balls: dry steel 0.1 
 mass_kg = {rotor_kg:<36} # (assumed) share of this bearing: 1 % of C0r
 polar_inertia_kg_m2 = {rotor_inertia:<24e} # (assumed) about its axis, m·d²
 speed_rpm = {speed_rpm:<34} # (assumed) at the start; surface speed {surface_m_s:.0} m/s
-air_gap_um = 200.0                             # (assumed) radial touch-down clearance: half the gap of
+radial_clearance_um = 200.0                             # (assumed) radial touch-down clearance: half the gap of
                                                # the AMB, 100 to 500
 clearance_limit_um = 400.0                     # (assumed) gap of the AMB, or the nearest seal: a drop
                                                # that displaces the rotor further fails
 friction_coefficient = 0.15                    # (assumed) journal in bore: dry steel 0.1 to 0.3,
                                                # lubricated 0.05 to 0.1; much of it drives whirl
-contact_stiffness = 1.0e9                      # (assumed) journal in bore, N/m: 1e8 (thin sleeve) to 1e10
+contact_stiffness_n_mp = 1.0e9                      # (assumed) journal in bore, N/m: 1e8 (thin sleeve) to 1e10
                                                # (solid); on a soft support it matters little
 contact_damping_s_m = 0.3                      # (assumed) α of Hunt and Crossley: restitution about
                                                # 1 - α·v, {restitution:.2} at the {drop_m_s:.3} m/s of this fall;

@@ -41,12 +41,12 @@ const EDITS: &[Row] = &[
     ("ball_radius_mm = 4.7625", "ball_radius_mm = [4.7625]", "bearing.ball_radius_mm", &["= [4.7625]", "a number in mm"]),
     ("ball_radius_mm = 4.7625", "ball_radius_mm = { value = 4.7625 }", "bearing.ball_radius_mm", &["a number in mm"]),
     ("title = \"Zhao 2022, structure (d)\"", "title = 7", "title", &["= 7 ", "text in quotes"]),
-    ("profile = \"physical\"", "profile = 1", "model.profile", &["= 1 ", "\"physical\" or \"paper\""]),
+    ("formulation = \"physical\"", "formulation = 1", "model.formulation", &["= 1 ", "\"physical\" or \"paper\""]),
     ("balls = 14", "balls = 13.5", "bearing.balls", &["= 13.5", "must be a whole number, 3 or more"]),
     ("balls = 14", "balls = -14", "bearing.balls", &["= -14", "must be a whole number, 3 or more"]),
     ("balls = 14", "balls = 300", "bearing.balls", &["= 300 "]),
     ("friction_coefficient = 0.007", "friction_coefficient = -0.007", "contact.friction_coefficient", &["= -0.007"]),
-    ("slip_scale_m_s = 0.02", "slip_scale_m_s = 0", "contact.slip_scale_m_s", &["= 0 "]),
+    ("regularisation_speed_m_s = 0.02", "regularisation_speed_m_s = 0", "contact.regularisation_speed_m_s", &["= 0 "]),
     ("# seed = 0", "seed = -1", "solver.seed", &["= -1", "a whole number, 0 or more"]),
     ("# seed = 0", "seed = 99999999999999999999", "solver.seed", &["below 2^63"]),
     ("# step_us = \"auto\"", "step_us = \"fast\"", "solver.step_us", &["\"auto\" or a number"]),
@@ -68,11 +68,11 @@ const EDITS: &[Row] = &[
     (START, "[search]\ncentre_angle_deg = 270 #", "search.centre_angle_deg", &["between -180 and 180 deg"]),
     (START, "[search]\nraceways_max = 5 #", "search.raceways_max", &["from 1 to 4"]),
     (START, "[search]\nraceways_max = 1.5 #", "search.raceways_max", &["a whole number from 1 to 4"]),
-    (START, "[search]\nstarts = \"two\" #", "search.starts", &["a whole number from 1 to 64"]),
-    (START, "[search]\nbudget = 0.5 #", "search.budget", &["a whole number, 1 or more"]),
-    (START, "[search]\nspread_min = 1.0 #", "search.spread_min", &["less than 1"]),
-    (START, "[search]\nstarts = 0 #", "search.starts", &["from 1 to 64"]),
-    (START, "[search]\nbudget = 1 #", "search.budget", &["2 or more"]),
+    (START, "[search]\ninitial_states = \"two\" #", "search.initial_states", &["a whole number from 1 to 64"]),
+    (START, "[search]\nruns_max = 0.5 #", "search.runs_max", &["a whole number, 1 or more"]),
+    (START, "[search]\ncritical_gap_min_fraction = 1.0 #", "search.critical_gap_min_fraction", &["less than 1"]),
+    (START, "[search]\ninitial_states = 0 #", "search.initial_states", &["from 1 to 64"]),
+    (START, "[search]\nruns_max = 1 #", "search.runs_max", &["2 or more"]),
     (START, "[search]\nmap_speed_rpm = [0] #", "search.map_speed_rpm", &["each more than 0"]),
     (START, "[search]\nraceway_max = 1 #", "search.raceway_max", &["did you mean raceways_max?"]),
     // Numbers.
@@ -86,8 +86,8 @@ const EDITS: &[Row] = &[
     ("inner_speed_rpm = 12000.0", "inner_speed_rpm = 0.0", "operation.inner_speed_rpm", &["more than 0 rpm"]),
     ("radial_load_n = 1500.0", "radial_load_n = -1500.0", "operation.radial_load_n", &["at least 0 N"]),
     ("inner_ring_mass_kg = 0.2", "inner_ring_mass_kg = 0.0", "bearing.inner_ring_mass_kg", &["more than 0 kg"]),
-    ("damping = 2.0e5", "damping = -1.0", "contact.damping", &["at least 0 N s/m^1.5"]),
-    ("# inner_stiffness = 2.8e10", "inner_stiffness = 0", "contact.inner_stiffness", &["more than 0 N/m^1.5"]),
+    ("damping_n_s_m1_5 = 2.0e5", "damping_n_s_m1_5 = -1.0", "contact.damping_n_s_m1_5", &["at least 0 N s/m^1.5"]),
+    ("# inner_stiffness_n_m1_5 = 2.8e10", "inner_stiffness_n_m1_5 = 0", "contact.inner_stiffness_n_m1_5", &["more than 0 N/m^1.5"]),
     ("poisson_ratio = 0.3", "poisson_ratio = 0.5", "material.poisson_ratio", &["= 0.5", "less than 0.5"]),
     ("# ball_restitution = 0.95", "ball_friction_factor = -0.5", "contact.ball_friction_factor", &["= -0.5", "at least 0"]),
     ("# ball_restitution = 0.95", "outer_friction_factor = 150", "contact.outer_friction_factor", &["= 150", "at most 100"]),
@@ -107,8 +107,8 @@ const EDITS: &[Row] = &[
     ("inner_ring_mass_kg = 0.2", "inner_ring_mass_kg = 2e7", "bearing.inner_ring_mass_kg", &["at most 1000000 kg"]),
     ("gravity_m_s2 = 9.81", "gravity_m_s2 = 9810", "operation.gravity_m_s2", &["= 9810", "at most 1000 m/s^2"]),
     ("friction_coefficient = 0.007", "friction_coefficient = 7.0", "contact.friction_coefficient", &["= 7.0", "at most 2", "no percentage"]),
-    ("slip_scale_m_s = 0.02", "slip_scale_m_s = 20", "contact.slip_scale_m_s", &["= 20", "at most 10 m/s"]),
-    ("# inner_stiffness = 2.8e10", "inner_stiffness = 8.9e5", "contact.inner_stiffness", &["at least 1000000 N/m^1.5"]),
+    ("regularisation_speed_m_s = 0.02", "regularisation_speed_m_s = 20", "contact.regularisation_speed_m_s", &["= 20", "at most 10 m/s"]),
+    ("# inner_stiffness_n_m1_5 = 2.8e10", "inner_stiffness_n_m1_5 = 8.9e5", "contact.inner_stiffness_n_m1_5", &["at least 1000000 N/m^1.5"]),
     ("# tolerance = 1.0e-8", "tolerance = 1.0", "solver.tolerance", &["at most 0.01"]),
     ("# [housing]", "[housing]\nmass_kg = 1.0\nstiffness_n_m = 100.0\ndamping_n_s_m = 500.0 #", "housing.stiffness_n_m", &["= 100.0", "at least 1000 N/m"]),
     // Geometry.
@@ -136,7 +136,7 @@ const EDITS: &[Row] = &[
     // What no contact bears, and no step resolves.
     ("radial_load_n = 1500.0", "radial_load_n = 1e6", "operation.radial_load_n", &["= 1e6 ", "at most 285152 N", "elastic contact"]),
     ("inner_speed_rpm = 12000.0", "inner_speed_rpm = 1e6", "operation.inner_speed_rpm", &["= 1e6 ", "at most 850425 rpm", "elastic contact"]),
-    ("damping = 2.0e5", "damping = 1e300", "solver.step_us", &["\"auto\"", "3e-301 s", "too many for solver.duration_s"]),
+    ("damping_n_s_m1_5 = 2.0e5", "damping_n_s_m1_5 = 1e300", "solver.step_us", &["\"auto\"", "3e-301 s", "too many for solver.duration_s"]),
     // Start.
     (START, "[start]\ngaps = [1.8, 1.8] #", "start.gaps", &["= [1.8, 1.8]", "a list of 14 gaps", "these are 2"]),
     (START, "[start]\ngaps = [2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2] #", "start.gaps", &["add up to 25.4251 deg", "these add up to 28.0000"]),
@@ -148,7 +148,7 @@ const EDITS: &[Row] = &[
     (START, "[start]\nstate = \"rollin\" #", "start.state", &["\"rollin\"", "\"rolling\" or \"at-rest\""]),
     (START, "[start]\nlead_ball_angle_deg = nan #", "start.lead_ball_angle_deg", &["a finite number of deg"]),
     // Choices.
-    ("profile = \"physical\"", "profile = \"realistic\"", "model.profile", &["\"realistic\"", "\"physical\" or \"paper\""]),
+    ("formulation = \"physical\"", "formulation = \"realistic\"", "model.formulation", &["\"realistic\"", "\"physical\" or \"paper\""]),
     ("friction_law = \"smooth\"", "friction_law = \"viscous\"", "contact.friction_law", &["\"viscous\"", "\"smooth\", \"coulomb\", \"stribeck\" or \"table\""]),
     ("friction_law = \"smooth\"", "friction_law = \"stribeck\"", "contact.static_friction_coefficient", &["missing"]),
     ("friction_law = \"smooth\"", "friction_law = \"table\"", "contact.friction_table", &["missing"]),
@@ -158,7 +158,7 @@ const EDITS: &[Row] = &[
     ("friction_law = \"smooth\"", "friction_law = \"table\"\nfriction_table = [[0, 30], [0.1, 0.007]]", "contact.friction_table", &["0 to 2", "no percentage"]),
     ("friction_law = \"smooth\"", "friction_law = \"table\"\nfriction_table = [0.3, 0.2]", "contact.friction_table", &["rows of [sliding speed in m/s, μ]"]),
     ("friction_law = \"smooth\"", "friction_law = \"table\"\nfriction_table = [[0, 0.3]]", "contact.friction_table", &["2 to 30 rows"]),
-    ("# method = \"symplectic\"", "method = \"euler\"", "solver.method", &["\"euler\"", "\"abm4\""]),
+    ("# method = \"verlet\"", "method = \"euler\"", "solver.method", &["\"euler\"", "\"abm4\""]),
     ("schema = 1", "schema = 2", "schema", &["= 2 ", "the only schema"]),
     ("schema = 1", "schema = \"1\"", "schema", &["\"1\""]),
     // Run.
@@ -187,7 +187,7 @@ const SETS: &[SetRow] = &[
     ("axial_span_mm=5", Some("axial_span_mm"), &["did you mean raceway.axial_span_mm?"]),
     ("raceway.2.axial_span_mm=5", Some("raceway.2.axial_span_mm"), &["only one [raceway]"]),
     ("operation.inner_speed_rpm=12k", Some("operation.inner_speed_rpm"), &["= \"12k\"", "a number in rpm"]),
-    ("model.profile=papers", Some("model.profile"), &["\"papers\"", "\"physical\" or \"paper\""]),
+    ("model.formulation=papers", Some("model.formulation"), &["\"papers\"", "\"physical\" or \"paper\""]),
     ("housing.mass_kg=1.0", Some("housing.stiffness_n_m"), &["missing in [housing]"]),
     ("bearing=1", Some("bearing"), &["a section, [bearing]"]),
     ("title.text=1", Some("title.text"), &["`title` is not a section"]),
@@ -291,9 +291,9 @@ fn missing_keys_are_listed_all_at_once() {
         "bearing.inner_ring_bore_radius_mm",
         "rotor.polar_inertia_kg_m2",
         "rotor.speed_rpm",
-        "rotor.air_gap_um",
+        "rotor.radial_clearance_um",
         "rotor.friction_coefficient",
-        "rotor.contact_stiffness",
+        "rotor.contact_stiffness_n_mp",
         "rotor.contact_damping_s_m",
     ] {
         assert!(said.contains(key), "{key}: {said}");
@@ -418,8 +418,8 @@ fn a_document_made_by_hand_is_checked_as_well() {
     );
 
     let mut d = document();
-    d.contact.damping = f64::NAN;
-    assert_eq!(refused(d).key(), Some("contact.damping"));
+    d.contact.damping_n_s_m1_5 = f64::NAN;
+    assert_eq!(refused(d).key(), Some("contact.damping_n_s_m1_5"));
     let mut d = document();
     d.schema = 7;
     assert_eq!(refused(d).key(), Some("schema"));

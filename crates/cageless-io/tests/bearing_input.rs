@@ -26,7 +26,7 @@ fn diameters_conformities_and_clearance_stand_for_radii() {
     assert_eq!(d.ball_radius_m, 4.7625e-3);
     assert!((inner + outer - 46.005e-3).abs() < 1e-15);
     assert!((2.0 * (outer - inner - 2.0 * d.ball_radius_m) - 12e-6).abs() < 1e-15);
-    assert!((2.0 * file.case().bearing.radial_clearance_m() - 12e-6).abs() < 1e-12);
+    assert!((file.case().bearing.radial_internal_clearance_m() - 12e-6).abs() < 1e-12);
     assert!((d.inner_groove_curvature_radius_m - 0.515 * 9.525e-3).abs() < 1e-15);
     assert!((d.outer_groove_curvature_radius_m - 0.52 * 9.525e-3).abs() < 1e-15);
     // What is estimated is said, with its value.
@@ -70,7 +70,7 @@ fn what_says_the_same_twice_is_refused_and_a_later_one_replaces_it() {
     assert_eq!(file.case().bearing.ball_radius_m(), 4.7e-3);
     // Interference is a clearance below zero, down to the pressure limit of ISO 76.
     let preloaded = parse(SHORT, &["bearing.radial_internal_clearance_um=-8"]);
-    let clearance = preloaded.case().bearing.radial_clearance_m();
+    let clearance = 0.5 * preloaded.case().bearing.radial_internal_clearance_m();
     assert!((clearance + 4e-6).abs() < 1e-12, "{clearance:e}");
     let error = refused(SHORT, &["bearing.radial_internal_clearance_um=-800"]);
     assert_eq!(error.key(), Some("bearing.radial_internal_clearance_um"));
@@ -161,7 +161,7 @@ fn materials_have_a_name_or_three_numbers() {
     assert!(
         error
             .message()
-            .contains("left out beside material.preset = \"M50\""),
+            .contains("left out with material.preset = \"M50\""),
         "{error}"
     );
 }
@@ -252,7 +252,7 @@ fn a_clearance_takes_the_place_of_the_groove_radii() {
     );
     let file = parse(&radii, &["bearing.radial_internal_clearance_um=5"]);
     let bearing = &file.case().bearing;
-    assert!((2.0 * bearing.radial_clearance_m() - 5e-6).abs() < 1e-12);
+    assert!((bearing.radial_internal_clearance_m() - 5e-6).abs() < 1e-12);
     assert!((2.0 * bearing.pitch_radius_m() - 46.005e-3).abs() < 1e-12);
 }
 

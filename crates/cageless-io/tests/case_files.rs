@@ -35,7 +35,7 @@ fn the_template_is_the_bearing_of_the_paper_in_si_units() {
     assert_eq!(d.inner_groove_curvature_radius_m, 4.953e-3);
     assert_eq!(d.outer_groove_curvature_radius_m, 4.953e-3);
     assert_eq!(
-        (d.inner_ring_mass_kg, d.inner_ring_drag_n_s_m),
+        (d.inner_ring_mass_kg, d.inner_ring_damping_n_s_m),
         (0.2, 2000.0)
     );
     let m = case.bearing.materials().ball;
@@ -50,7 +50,10 @@ fn the_template_is_the_bearing_of_the_paper_in_si_units() {
     assert!((o.inner_speed_rad_s - 400.0 * std::f64::consts::PI).abs() < 1e-9);
     assert_eq!((o.radial_load_n, o.gravity_m_s2), (1500.0, 9.81));
     let c = &case.contact;
-    assert_eq!((c.friction_coefficient, c.slip_scale_m_s), (0.007, 0.02));
+    assert_eq!(
+        (c.friction_coefficient, c.regularisation_speed_m_s),
+        (0.007, 0.02)
+    );
     assert_eq!(
         (c.friction_law, c.damping_n_s_m1_5),
         (FrictionLaw::Smooth, 2e5)
@@ -86,9 +89,9 @@ fn defaults_that_were_filled_in_are_listed() {
             "contact.outer_friction_factor",
             "contact.ball_friction_factor",
             "contact.ball_restitution",
-            "contact.inner_stiffness",
-            "contact.outer_stiffness",
-            "contact.ball_stiffness",
+            "contact.inner_stiffness_n_m1_5",
+            "contact.outer_stiffness_n_m1_5",
+            "contact.ball_stiffness_n_m1_5",
             "start.state",
             "start.gaps",
             "start.lead_ball_angle_deg",
@@ -281,7 +284,7 @@ fn the_document_has_exactly_the_keys_of_the_file() {
     let json = serde_json::to_value(file.document()).unwrap();
     assert_eq!(json["raceway"]["axial_span_mm"], 5.1);
     assert_eq!(json["start"]["gaps"], "uniform");
-    assert_eq!(json["model"]["profile"], "physical");
+    assert_eq!(json["model"]["formulation"], "physical");
     assert_eq!(json["bearing"]["balls"], 14);
     let mut all = BTreeSet::new();
     keys("", &json, &mut all);
@@ -310,13 +313,13 @@ fn overrides_win_over_the_file_and_the_last_over_the_first() {
         "raceway.axial_span_mm = 5.0",
         "raceway.axial_span_mm=5.2",
         "raceway.half_angle_deg=22",
-        "model.profile=paper",
+        "model.formulation=paper",
         "contact.friction_law=\"coulomb\"",
         "title=as a test",
         "start.state=rolling",
         "start.ring_y_um=-10",
         "solver.seed=0x10",
-        "contact.outer_stiffness=1.3e10",
+        "contact.outer_stiffness_n_m1_5=1.3e10",
     ]);
     let case = file.case();
     assert_eq!(
@@ -449,8 +452,8 @@ fn sections_that_are_left_out_take_the_values_of_the_template() {
     for key in [
         "material.youngs_modulus_gpa",
         "operation.gravity_m_s2",
-        "contact.slip_scale_m_s",
-        "model.profile",
+        "contact.regularisation_speed_m_s",
+        "model.formulation",
         "solver.duration_s",
         "output.interval_us",
     ] {
@@ -461,12 +464,12 @@ fn sections_that_are_left_out_take_the_values_of_the_template() {
 
 #[test]
 fn coulomb_friction_needs_no_scale_of_the_smooth_law() {
-    let text = template_without(|_, line| line.starts_with("slip_scale_m_s"))
+    let text = template_without(|_, line| line.starts_with("regularisation_speed_m_s"))
         .replace("friction_law = \"smooth\"", "friction_law = \"coulomb\"");
     let file = CaseFile::parse(&text, "case.toml", &[]).unwrap();
     assert!(
         file.defaults()
-            .contains(&"contact.slip_scale_m_s".to_owned())
+            .contains(&"contact.regularisation_speed_m_s".to_owned())
     );
 }
 
@@ -480,15 +483,15 @@ fn every_value_has_its_source_and_unit() {
         ("raceway.axial_span_mm", Source::CaseFile),
         ("title", Source::CaseFile),
         ("contact.ball_restitution", Source::Default),
-        ("contact.inner_stiffness", Source::Default),
+        ("contact.inner_stiffness_n_m1_5", Source::Default),
     ] {
         assert_eq!(file.source(key), source, "{key}");
     }
     for (key, printed) in [
         ("raceway.2.half_angle_deg", "°"),
         ("output.interval_us", "µs"),
-        ("contact.damping", "N·s/m^1.5"),
-        ("model.profile", ""),
+        ("contact.damping_n_s_m1_5", "N·s/m^1.5"),
+        ("model.formulation", ""),
     ] {
         assert_eq!(unit(key), printed, "{key}");
     }

@@ -177,7 +177,7 @@ operation.radial_load_n = [500.0, 1500.0]
 
 [scatter]
 repeats = 10
-start.gaps = "any"
+start.gaps = "random"
 "#;
     try_damage(plan.as_bytes(), 500, |bytes| {
         crate::fuzz_entries::plan(bytes, dir.path());

@@ -56,10 +56,12 @@ fn left_out(key: &KeyReference) -> String {
 fn the_table_of_the_documentation_has_every_key() {
     let mut text = String::from(
         "# Case file\n\n\
-         A case file is TOML, in the units that the names of its keys end in; `cageless new` \
-         prints a commented one and `cageless check` validates one. Every key of the format, as \
-         the program declares it. *Derived*: the value follows from the rest of the case unless \
-         it is given; `cageless check` lists it with the defaults taken.\n",
+         A case file describes one bearing, its operating conditions and the simulation, in TOML. \
+         The names of its keys end in their unit. `cageless new` prints a commented case file, and \
+         `cageless check` validates one. The tables are generated from the source and list every \
+         key. *Derived*: the value follows from the rest of the case unless it is given; \
+         `cageless check` lists it with the defaults. A name after *formerly* is that of earlier \
+         versions, and is read as well.\n",
     );
     for section in reference() {
         let heading = match (section.name, section.optional) {
@@ -74,12 +76,16 @@ fn the_table_of_the_documentation_has_every_key() {
         for key in &section.keys {
             let _ = writeln!(
                 text,
-                "| `{}` | {} | {} | {} | {} |",
+                "| `{}` | {} | {} | {} | {}{} |",
                 key.name,
                 value(&key.value),
                 key.unit,
                 left_out(key),
                 key.meaning.replace('|', "\\|"),
+                match key.formerly {
+                    "" => String::new(),
+                    former => format!("; formerly `{former}`"),
+                },
             );
         }
     }
@@ -109,7 +115,7 @@ if TYPE_CHECKING:
 const ROTOR_METHODS: &str = r#"
     @staticmethod
     def from_ross(rotor: Any, nodes: Sequence[int], **options: Any) -> LinearRotor:
-        """A rotor above several bearings, from ross: :meth:`LinearRotor.from_ross`."""
+        """A rotor on several bearings, from ROSS: :meth:`LinearRotor.from_ross`."""
         from .rotors import LinearRotor
 
         return LinearRotor.from_ross(rotor, nodes, **options)

@@ -18,7 +18,7 @@ fn a_rotor_with_its_support_is_read_and_starts_at_rest() {
     let file = parse(&touchdown());
     let case = file.case();
     let rotor = case.rotor.as_ref().unwrap();
-    assert_eq!((rotor.mass_kg, rotor.air_gap_m), (20.0, 2e-4));
+    assert_eq!((rotor.mass_kg, rotor.radial_clearance_m), (20.0, 2e-4));
     assert!((rotor.speed_rad_s - 1000.0 * std::f64::consts::PI).abs() < 1e-9);
     assert_eq!((rotor.contact_exponent, rotor.eccentricity_m), (1.0, 0.0));
     assert_eq!(case.support.as_ref().unwrap().damping_n_s_m, 4e3);
@@ -33,7 +33,7 @@ fn a_rotor_with_its_support_is_read_and_starts_at_rest() {
     );
     let stop = parse(&text).case().support.clone().unwrap().stop.unwrap();
     assert_eq!((stop.gap_m, stop.stiffness_n_m), (1e-4, 3e8));
-    let undamped = touchdown().replace("inner_ring_drag_n_s_m = 0.0", "");
+    let undamped = touchdown().replace("inner_ring_damping_n_s_m = 0.0", "");
     assert_eq!(parse(&undamped).case(), case);
     let again = parse(&file.document().to_toml().unwrap());
     assert_eq!((again.case(), again.document()), (case, file.document()));
@@ -43,22 +43,22 @@ fn a_rotor_with_its_support_is_read_and_starts_at_rest() {
 fn bad_rotors_are_named() {
     for (from, to, key, words) in [
         (
-            "air_gap_um = 200.0",
-            "air_gap_um = 0.0",
-            "rotor.air_gap_um",
+            "radial_clearance_um = 200.0",
+            "radial_clearance_um = 0.0",
+            "rotor.radial_clearance_um",
             "more than 0 um",
         ),
         (
-            "air_gap_um = 200.0",
-            "air_gap_um = -1.0",
-            "rotor.air_gap_um",
+            "radial_clearance_um = 200.0",
+            "radial_clearance_um = -1.0",
+            "rotor.radial_clearance_um",
             "more than 0 um",
         ),
         (
-            "air_gap_um = 200.0",
-            "air_gap_um = 200.0\ny_um = -250.0",
+            "radial_clearance_um = 200.0",
+            "radial_clearance_um = 200.0\ny_um = -250.0",
             "rotor.y_um",
-            "within the air gap",
+            "within the touch-down clearance",
         ),
         (
             "mass_kg = 20.0",
@@ -97,14 +97,14 @@ fn bad_rotors_are_named() {
             "less than 18.24 mm",
         ),
         (
-            "contact_stiffness = 1.0e9",
-            "contact_stiffness = 1.0e19",
-            "rotor.contact_stiffness",
+            "contact_stiffness_n_mp = 1.0e9",
+            "contact_stiffness_n_mp = 1.0e19",
+            "rotor.contact_stiffness_n_mp",
             "at most",
         ),
         (
-            "contact_stiffness = 1.0e9",
-            "contact_stiffness = 1.0e9\ncontact_exponent = 2.0",
+            "contact_stiffness_n_mp = 1.0e9",
+            "contact_stiffness_n_mp = 1.0e9\ncontact_exponent = 2.0",
             "rotor.contact_exponent",
             "from 1",
         ),

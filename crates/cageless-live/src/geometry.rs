@@ -66,7 +66,7 @@ pub(crate) fn geometry(file: &CaseFile) -> Result<Value, Refusal> {
             "shoulder_radius_mm": d.outer_shoulder_radius_m * 1e3,
             "inner_curvature_mm": d.inner_groove_curvature_radius_m * 1e3,
             "outer_curvature_mm": d.outer_groove_curvature_radius_m * 1e3,
-            "radial_clearance_um": bearing.radial_clearance_m() * 1e6,
+            "radial_internal_clearance_um": bearing.radial_internal_clearance_m() * 1e6,
         },
         "numbers": design,
         "rows": rows,
@@ -84,7 +84,7 @@ fn rotor(case: &Case) -> Option<Value> {
     let bore = case.bearing.inner_ring_bore()?;
     Some(json!({
         "bore_radius_mm": bore.radius_m * 1e3,
-        "air_gap_um": rotor.air_gap_m * 1e6,
+        "radial_clearance_um": rotor.radial_clearance_m * 1e6,
         "weight_n": rotor.mass_kg * case.operation.gravity_m_s2,
         "speed_rpm": rotor.speed_rad_s * 60.0 / TAU,
         "support": case.support.is_some(),

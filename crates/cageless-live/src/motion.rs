@@ -189,7 +189,7 @@ fn frame(case: &Case, from_s: f64, s: &Snapshot) -> Value {
         "gap_deg": rounded(&s.gap_rad, degrees, 5),
         "inner_force_n": rounded(&s.inner_force_n, 1.0, 2),
         "outer_force_n": rounded(&s.outer_force_n, 1.0, 2),
-        "slip_m_s": rounded(&s.outer_slip_m_s, 1.0, 4),
+        "sliding_m_s": rounded(&s.outer_sliding_m_s, 1.0, 4),
         "ring_um": rounded(&[s.ring.x_m, s.ring.y_m], 1e6, 3),
     });
     if let (Some(rotor), Some(r)) = (&case.rotor, &s.rotor) {
@@ -208,6 +208,6 @@ fn rotor_frame(rotor: &Rotor, r: &RotorSnapshot, ring_m: [f64; 2]) -> Value {
         "speed_rpm": rounded(&[r.speed_rad_s, r.ring_speed_rad_s], rpm, 2),
         "angle_deg": rounded(&[r.angle_rad], 180.0 / PI, 3),
         "force_n": rounded(&[r.contact_force_n], 1.0, 2),
-        "slip_m_s": rounded(&[r.contact_slip_m_s], 1.0, 4),
+        "sliding_m_s": rounded(&[r.contact_sliding_m_s], 1.0, 4),
     })
 }

@@ -317,7 +317,7 @@ fn number(value: &Value) -> f64 {
 fn a_rotor_falls_freely_and_then_spins_the_ring_up() {
     let case = shipped("touchdown-d");
     let g = good(&json!({ "op": "geometry", "case": case }));
-    assert!((number(&g["rotor"]["air_gap_um"]) - 200.0).abs() < 1e-9);
+    assert!((number(&g["rotor"]["radial_clearance_um"]) - 200.0).abs() < 1e-9);
     assert!((number(&g["rotor"]["weight_n"]) - 20.0 * 9.81).abs() < 1.0);
     assert_eq!(g["static"], json!({}), "no equilibrium at rest");
     let stretch = |duration_s: f64, frames: usize, resume: &Value| {
@@ -409,7 +409,8 @@ fn a_drop_has_no_verdict_and_says_why() {
 
 #[test]
 fn a_rotor_that_cannot_fall_is_refused_with_its_key() {
-    let case = shipped("touchdown-d").replace("air_gap_um = 200.0", "air_gap_um = -1.0");
+    let case =
+        shipped("touchdown-d").replace("radial_clearance_um = 200.0", "radial_clearance_um = -1.0");
     for op in ["geometry", "motion"] {
         let mut request = json!({ "op": op, "case": case });
         if op == "motion" {
@@ -417,7 +418,7 @@ fn a_rotor_that_cannot_fall_is_refused_with_its_key() {
             request["frames"] = json!(1);
         }
         let error = refused(&request);
-        assert_eq!(error["key"], "rotor.air_gap_um", "{error}");
+        assert_eq!(error["key"], "rotor.radial_clearance_um", "{error}");
     }
 }
 

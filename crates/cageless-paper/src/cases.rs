@@ -172,7 +172,7 @@ pub(crate) fn structure_file(
 
 fn reading_overrides((profile, law): (Profile, FrictionLaw)) -> [String; 2] {
     [
-        format!("model.profile=\"{}\"", profile_name(profile)),
+        format!("model.formulation=\"{}\"", profile_name(profile)),
         format!("contact.friction_law=\"{}\"", law.name()),
     ]
 }

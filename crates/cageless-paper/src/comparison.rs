@@ -445,7 +445,7 @@ fn source(plans: &[Plan]) -> Provenance {
     let durations = SPEEDS.map(|s| format!("{} s at {} rpm", s.duration_s, s.rpm));
     Provenance {
         case: "Zhao 2022, experiment: 1.5 kN".to_owned(),
-        method: Some(format!("leapfrog, step {} µs", steps.join(" to "))),
+        method: Some(format!("velocity Verlet, step {} µs", steps.join(" to "))),
         step_us: None,
         ..provenance(
             case,

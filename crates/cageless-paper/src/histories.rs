@@ -205,9 +205,9 @@ fn gap_history(
         raceway_change_deg: range(c, d),
         loaded_change_deg: largest(&mut loaded().map(|s| (gap(s) - beta0).abs())),
         loaded_slip: largest(&mut loaded().map(|s| {
-            s.inner_slip_m_s[ball]
+            s.inner_sliding_m_s[ball]
                 .abs()
-                .max(s.outer_slip_m_s[ball].abs())
+                .max(s.outer_sliding_m_s[ball].abs())
                 / inner_m_s
         })),
         ..Stages::default()

@@ -3,7 +3,7 @@
 use cageless::Case;
 use cageless::equilibrium::solve;
 use cageless::kinematics::{
-    rolling_orbit_speed_rad_s, rolling_relative_spin_rad_s, rolling_spin_rad_s,
+    rolling_orbit_speed_rad_s, rolling_relative_rotation_rad_s, rolling_rotation_rad_s,
 };
 
 use crate::error::PaperError;
@@ -52,7 +52,7 @@ impl Mechanics {
             printed_epsilon_deg: 2.0 * chord.to_degrees(),
             spacing_deg: 360.0 / bearing.balls() as f64,
             top_force_n: [top(published)?, top(consistent)?],
-            spin_rate: rate(rolling_relative_spin_rad_s) / rate(rolling_spin_rad_s),
+            spin_rate: rate(rolling_relative_rotation_rad_s) / rate(rolling_rotation_rad_s),
             ring_residual: ring_residual(consistent)?,
         })
     }

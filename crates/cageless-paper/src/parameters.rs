@@ -47,13 +47,13 @@ pub fn table1(case: &Case) -> Vec<Parameter> {
         from "not in the paper":
         "groove curvature radii (0.52 ball diameters)" "Re" = mm(d.outer_groove_curvature_radius_m), "mm";
         "inner ring mass" "mi" = d.inner_ring_mass_kg, "kg";
-        "inner ring drag" "C" = d.inner_ring_drag_n_s_m, "N·s/m";
+        "inner ring drag" "C" = d.inner_ring_damping_n_s_m, "N·s/m";
         "density" "" = m.density_kg_m3, "kg/m³";
         "Young's modulus" "E" = m.youngs_modulus_pa * 1e-9, "GPa";
         "Poisson's ratio" "ν" = m.poisson_ratio, "";
         "raceway damping" "c" = format!("{:e}", c.damping_n_s_m1_5), "N·s/m^1.5";
         "restitution between balls" "e" = c.ball_restitution, "";
-        "knee of the smooth law" "" = c.slip_scale_m_s, "m/s";
+        "knee of the smooth law" "" = c.regularisation_speed_m_s, "m/s";
     }
 }
 
@@ -94,7 +94,7 @@ pub fn design_curve(case: &Case) -> DesignCurve {
             DesignLimit {
                 quantity: LimitedQuantity::HalfAngle,
                 value: 22.0,
-                label: "slip, Section 4.3".to_owned(),
+                label: "sliding, Section 4.3".to_owned(),
             },
         ],
         provenance: Provenance {

@@ -111,11 +111,11 @@ fn changes() -> Vec<Change> {
         ),
         with(
             "raceway damping 2e5 to 1e5 N·s/m^1.5",
-            &["contact.damping=1e5"],
+            &["contact.damping_n_s_m1_5=1e5"],
         ),
         with(
             "raceway damping 2e5 to 4e5 N·s/m^1.5",
-            &["contact.damping=4e5"],
+            &["contact.damping_n_s_m1_5=4e5"],
         ),
         tested(
             "neighbours of the pair 1.5 times as far",

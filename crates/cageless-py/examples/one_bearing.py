@@ -18,7 +18,7 @@ case = cageless.Case(
         inner_groove_curvature_radius_mm=4.953,
         outer_groove_curvature_radius_mm=4.953,
         inner_ring_mass_kg=0.2,
-        inner_ring_drag_n_s_m=2000.0,
+        inner_ring_damping_n_s_m=2000.0,
     ),
     raceway=cageless.Raceway(axial_span_mm=5.1, half_angle_deg=25.2),
     operation=cageless.Operation(inner_speed_rpm=12000.0, radial_load_n=1500.0),
@@ -29,7 +29,7 @@ case = cageless.Case(
 static = case.static()
 print(f"ring displaced by {static.ring_y_um:.2f} µm")
 print(f"largest load of a ball {static.outer_force_n.max():.0f} N")
-print(f"largest stress {static.outer_stress_max_gpa:.2f} GPa")
+print(f"largest contact pressure {static.outer_pressure_max_mpa:.0f} MPa")
 
 run = case.run()
 print(run.data_summary())

@@ -98,7 +98,10 @@ impl CaseFile {
     fn derived<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let bearing = &self.file.case().bearing;
         let numbers = PyDict::new(py);
-        numbers.set_item("radial_clearance_um", bearing.radial_clearance_m() * 1e6)?;
+        numbers.set_item(
+            "radial_internal_clearance_um",
+            bearing.radial_internal_clearance_m() * 1e6,
+        )?;
         numbers.set_item("epsilon_deg", bearing.ball_angle_rad().to_degrees())?;
         numbers.set_item("uniform_gap_deg", bearing.nominal_gap_rad().to_degrees())?;
         Ok(numbers)

@@ -1,5 +1,6 @@
 //! Errors of the library as exceptions of the package, with the messages of the command.
 
+use std::ffi::CString;
 use std::io;
 use std::path::Path;
 
@@ -12,7 +13,7 @@ use cageless_io::results::{ResultError, is_unusable};
 use cageless_study::StudyError;
 use cageless_study::run::RunError;
 use cageless_study::sweep::SweepError;
-use pyo3::exceptions::PyKeyboardInterrupt;
+use pyo3::exceptions::{PyFutureWarning, PyKeyboardInterrupt};
 use pyo3::prelude::*;
 
 mod package {
@@ -22,6 +23,15 @@ mod package {
 }
 
 use package::{CagelessError, InputError, UnphysicalError};
+
+/// Shows a note as a `FutureWarning`.
+pub fn warn(note: &str) {
+    Python::attach(|py| {
+        let category = py.get_type::<PyFutureWarning>();
+        // A filter that makes exceptions of warnings has no call here that could raise one.
+        let _ = PyErr::warn(py, &category, &CString::new(note).unwrap_or_default(), 1);
+    });
+}
 
 pub fn input(message: impl ToString) -> PyErr {
     InputError::new_err(message.to_string())

@@ -22,6 +22,7 @@ use pyo3::prelude::*;
 
 #[pymodule]
 fn _cageless(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    cageless_io::case_file::on_former_name(errors::warn);
     module.add("__version__", cageless_io::results::VERSION)?;
     module.add_class::<case_file::CaseFile>()?;
     module.add_class::<rotor::LinearRotor>()?;

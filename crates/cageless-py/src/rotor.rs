@@ -30,10 +30,10 @@ fn unbalances<T: Copy>(
     values: &[Unbalance<T>],
     place: impl Fn(T) -> RotorPlace,
 ) -> Vec<RotorUnbalance> {
-    let unbalance = |(at, moment_g_mm, phase_deg): &Unbalance<T>| RotorUnbalance {
+    let unbalance = |(at, amount_g_mm, angle_deg): &Unbalance<T>| RotorUnbalance {
         place: place(*at),
-        moment_g_mm: *moment_g_mm,
-        phase_deg: *phase_deg,
+        amount_g_mm: *amount_g_mm,
+        angle_deg: *angle_deg,
     };
     values.iter().map(unbalance).collect()
 }

@@ -27,7 +27,7 @@ impl RotorFile {
         Ok(Self { file })
     }
 
-    /// Reads a text, which messages call `name`; paths in it count from `folder`.
+    /// Reads a text, which messages call `name`; paths in it are relative to `folder`.
     #[staticmethod]
     fn parse(text: &str, name: &str, folder: PathBuf, changes: Vec<String>) -> PyResult<Self> {
         let file = rotor_file::RotorFile::parse(text, name, &folder, &changes);

@@ -82,7 +82,7 @@ def plan() -> cageless.Plan:
 
 
 def figures(page: Path) -> list[Any]:
-    """The figures of a report page, as plotly gets them."""
+    """The figures of a report page, as Plotly gets them."""
     text = page.read_text()
     specs = re.findall(r'<script type="application/json" id="[^"]*-spec">(.*?)</script>', text)
     return [json.loads(spec) for spec in specs]

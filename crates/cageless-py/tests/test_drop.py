@@ -89,6 +89,6 @@ def test_a_sweep_has_drops_as_columns() -> None:
     )
     variants = cageless.sweep(plan).data_variants()
     alone = falling(**{"rotor.friction_coefficient": 0.3}).drop()
-    for name in ["rotor_force_max_n", "collisions", "heat_j", "ring_speed_rpm"]:
+    for name in ["rotor_force_max_n", "collisions", "dissipated_j", "ring_speed_rpm"]:
         assert variants[f"drop_{name}"][1] == alone.values[name]
     assert list(variants.drop_end_state)[1] == alone.end_state

@@ -27,7 +27,7 @@ def test_balls_are_those_chosen(run: cageless.Run) -> None:
     rows = np.abs(run.time_s - np.asarray(trace.x, float)[:, None]).argmin(axis=1)
     expected = np.degrees(run.gap_rad[rows, 6])
     assert np.allclose(np.asarray(trace.y, float), expected, rtol=1e-3, atol=1e-6)
-    assert set(shown(run.plot_slip(balls=2))) == {"ball 2"}
+    assert set(shown(run.plot_sliding(balls=2))) == {"ball 2"}
     assert shown(run.plot_phase(ball=4)).keys() == {"ball 4"}
     assert run.plot_loads(ball=5) != run.plot_loads()
 
@@ -60,7 +60,7 @@ def test_impossible_choices_are_refused(run: cageless.Run) -> None:
     with pytest.raises(cageless.InputError, match=r"balls = \[\] is not possible"):
         run.plot_gaps(balls=[])
     with pytest.raises(cageless.InputError, match="time_s = .* two of the output times"):
-        run.plot_slip(time_s=(0.5, 0.6))
+        run.plot_sliding(time_s=(0.5, 0.6))
 
 
 def test_loads_of_a_static_result_are_drawn_round_the_ring() -> None:

@@ -1,4 +1,4 @@
-"""Rotors above several bearings: against the command, from matrices, refused."""
+"""Rotors on several bearings: against the command, from matrices, refused."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def rotor_file(folder: Path) -> Path:
     )
     path.write_text(
         "[rotor]\nmass_kg = 40.0\npolar_inertia_kg_m2 = 0.04\ntransverse_inertia_kg_m2 = 0.6\n"
-        "speed_rpm = 30000.0\n[[unbalance]]\naxial_mm = 30.0\nmoment_g_mm = 200.0\nphase_deg = 40.0\n"
+        "speed_rpm = 30000.0\n[[unbalance]]\naxial_mm = 30.0\namount_g_mm = 200.0\nangle_deg = 40.0\n"
         + bearings
     )
     return path
@@ -169,7 +169,7 @@ def test_impossible_rotors_are_refused() -> None:
         with pytest.raises(cageless.InputError, match=message):
             values: dict[str, Any] = {**matrices, "polar_inertia_kg_m2": 2e-3, **changes}
             cageless.LinearRotor.from_matrices(**values)
-    with pytest.raises(cageless.InputError, match="1 cases for 2 touchdown bearings"):
+    with pytest.raises(cageless.InputError, match="1 cases for 2 touch-down bearings"):
         rigid().drop(cases()[:1], speed_rpm=30000.0)
     with pytest.raises(cageless.InputError, match="a rigid rotor has no matrices"):
         rigid().save_matrices("rotor.json")
@@ -182,7 +182,7 @@ def test_impossible_rotors_are_refused() -> None:
 
 #: Changes after which the rotor touches both bearings at once.
 NEAR = {"solver.duration_s": 0.0012, "rotor.y_um": -170.0, "rotor.vy_m_s": -0.06}
-GRID = {"rotor.speed_rpm": [15000.0, 30000.0], "bearing.2.rotor.air_gap_um": [180.0]}
+GRID = {"rotor.speed_rpm": [15000.0, 30000.0], "bearing.2.rotor.radial_clearance_um": [180.0]}
 
 
 def rotor_plan(tmp_path: Path) -> cageless.Plan:
@@ -198,7 +198,7 @@ def test_a_rotor_case_is_its_file(tmp_path: Path) -> None:
     assert read.rotor.mass_shares_kg == made.rotor.mass_shares_kg
     assert [case.contact for case in read.cases] == [case.contact for case in made.cases]
     assert "40 kg in 2 bearings" in repr(read)
-    more = {"bearing.2.contact.damping": 4e5, "unbalance.1.moment_g_mm": 100.0}
+    more = {"bearing.2.contact.damping_n_s_m1_5": 4e5, "unbalance.1.amount_g_mm": 100.0}
     assert read.replace(more) == cageless.RotorCase.from_file(path, {**SHORT, **more}) != read
     short = {"solver.duration_s": 0.0006}
     assert read.replace(short).drop() == made.replace(short).drop()
@@ -233,12 +233,12 @@ def test_a_sweep_of_a_rotor_is_that_of_the_command(command: Command, tmp_path: P
     frame = result.data_variants()
     drop = plan.case(1).drop()
     for k, bearing in enumerate(drop.bearings, 1):
-        for name in ["impacts", "rotor_force_max_n", "heat_j"]:
+        for name in ["impacts", "rotor_force_max_n", "dissipated_j"]:
             assert frame[f"drop_bearing_{k}_{name}"][1] == bearing.values[name]
     force = max(bearing.rotor_force_max_n for bearing in drop.bearings)
     assert frame["drop_rotor_force_max_n"][1] == force
-    assert result.units["drop_bearing_2_heat_j"] == "J"
-    assert "drop_heat_j" in result.report().outputs
+    assert result.units["drop_bearing_2_dissipated_j"] == "J"
+    assert "drop_dissipated_j" in result.report().outputs
 
 
 def test_workers_elsewhere_give_the_same_rows(tmp_path: Path) -> None:
@@ -267,7 +267,7 @@ def test_a_rotor_by_matrices_is_swept() -> None:
     row = cageless.sweep(plan).data_variants().iloc[0]
     assert row.reason is None
     drop = machine.drop()
-    assert row.drop_bearing_2_heat_j == drop.bearings[1].heat_j > 0.0
+    assert row.drop_bearing_2_dissipated_j == drop.bearings[1].dissipated_j > 0.0
     assert cageless.Plan.from_toml(plan.to_toml()) == plan
 
 
@@ -276,7 +276,7 @@ def test_wrong_plans_of_a_rotor_are_refused(tmp_path: Path) -> None:
     wrong: list[tuple[list[str], dict[str, Any], str]] = [
         (["run"], {}, 'compute has "run", which is for the case of one bearing'),
         (["drop"], {"rotor.sped_rpm": [1.0]}, "did you mean speed_rpm"),
-        (["drop"], {"bearing.3.contact.damping": [1e5]}, "there are 2"),
+        (["drop"], {"bearing.3.contact.damping_n_s_m1_5": [1e5]}, "there are 2"),
         (["drop"], {"rotor.eccentricity_um": [1.0]}, "replaced by the unbalances of the rotor"),
     ]
     for compute, grid, said in wrong:

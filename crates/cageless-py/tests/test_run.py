@@ -132,7 +132,7 @@ except KeyboardInterrupt:
     [
         "run()",
         "tolerance(samples=100_000)",
-        "search(budget=100_000)",
+        "search(runs_max=100_000)",
         "from_toml(''); cageless.sweep(cageless.Plan(case=case, compute=['run'], "
         "grid={'operation.radial_load_n': [500.0, 600.0]}))",
     ],

@@ -24,11 +24,11 @@ def template(**changes: Any) -> cageless.Case:
 
 
 def quick() -> cageless.Case:
-    return template(solver={"method": "symplectic", "step_us": "auto", "duration_s": 0.01})
+    return template(solver={"method": "verlet", "step_us": "auto", "duration_s": 0.01})
 
 
 def a_search() -> cageless.SearchResult:
-    return quick().search(axial_span_mm=5.1, half_angle_deg=(24.0, 26.0), starts=1, budget=4)
+    return quick().search(axial_span_mm=5.1, half_angle_deg=(24.0, 26.0), initial_states=1, runs_max=4)
 
 
 def a_sweep() -> cageless.SweepResult:
@@ -190,7 +190,7 @@ def test_folders_of_the_command_are_read(command: Command, tmp_path: Path) -> No
 
 
 def test_the_command_leaves_a_search_that_is_read(command: Command, tmp_path: Path) -> None:
-    search = {"axial_span_mm": 5.1, "half_angle_deg": [24.0, 26.0], "starts": 1, "budget": 4}
+    search = {"axial_span_mm": 5.1, "half_angle_deg": [24.0, 26.0], "initial_states": 1, "runs_max": 4}
     path = tmp_path / "case.toml"
     path.write_text(quick().replace(search=search).to_toml())
     command("design", path, "--search", "--out", tmp_path / "search")

@@ -13,12 +13,12 @@ import pytest
 from conftest import ROOT, Command, figures, lively, made, numbers
 
 CASE = ROOT / "cases" / "zhao-d.toml"
-QUICK = {"solver.method": "symplectic", "solver.step_us": "auto"}
+QUICK = {"solver.method": "verlet", "solver.step_us": "auto"}
 SMALL: dict[str, Any] = {
     "axial_span_mm": 5.1,
     "half_angle_deg": [24.0, 26.0],
-    "starts": 1,
-    "budget": 4,
+    "initial_states": 1,
+    "runs_max": 4,
 }
 RING = {"bearing.outer_ring_outer_radius_mm": 31.0, "bearing.outer_ring_width_mm": 16.0}
 
@@ -77,8 +77,8 @@ def test_a_search_that_was_ended_is_finished_by_the_command(
         small().search(**SMALL, out=tmp_path, threads=1, progress=give_up)
     journal = tmp_path / "search.journal"
     assert len(journal.read_text().splitlines()) > 20
-    with pytest.raises(cageless.InputError, match="search.journal: was left by another request: search.budget was"):
-        small().search(**SMALL | {"budget": 5}, out=tmp_path)
+    with pytest.raises(cageless.InputError, match="search.journal: was left by another request: search.runs_max was"):
+        small().search(**SMALL | {"runs_max": 5}, out=tmp_path)
     asked = QUICK | {f"search.{k}": v for k, v in SMALL.items()}
     command("design", CASE, "--search", *sets(asked), "--out", tmp_path)
     assert not journal.exists()
@@ -126,7 +126,7 @@ def test_a_search_shows_what_it_found(found: cageless.SearchResult) -> None:
 
 
 def test_nothing_to_recommend_is_an_exception_with_the_maps(command: Command) -> None:
-    asked: dict[str, Any] = {"axial_span_mm": 1.0, "half_angle_deg": [10.0, 14.0], "budget": 4}
+    asked: dict[str, Any] = {"axial_span_mm": 1.0, "half_angle_deg": [10.0, 14.0], "runs_max": 4}
     case = small()
     with pytest.raises(cageless.UnphysicalError, match="raceway too shallow") as error:
         case.search(**asked)

@@ -16,9 +16,10 @@ use flate2::write::GzEncoder;
 
 const TARGET: &str = "wasm32-unknown-unknown";
 /// Small code for all but the physics: the engine is part of every page.
-const SMALL: [&str; 4] = [
+const SMALL: [&str; 5] = [
     "profile.release.codegen-units=1",
     r#"profile.release.package."*".opt-level="z""#,
+    r#"profile.release.package.cageless-results.opt-level="z""#,
     r#"profile.release.package.cageless-io.opt-level="z""#,
     r#"profile.release.package.cageless-live.opt-level="s""#,
 ];

@@ -85,7 +85,7 @@ pub fn design_page(data: &DesignData) -> String {
         shape_figures(&mut page, "", Some(track), data.surface.as_ref());
     }
     if data.rings.len() > 1 {
-        page.section("Outer rings beside each other");
+        page.section("Outer rings side by side");
         page.table(&rings_table(&data.rings, data.provenance.clone()));
     }
     if let Some(search) = &data.search {
@@ -238,14 +238,14 @@ const RING_ROWS: [RingRow; 7] = [
         r.ring_deviation_um
     }),
     (
-        "peak contact pressure at rest, inner raceway (GPa)",
-        2,
-        |r| r.inner_pressure_gpa,
+        "peak contact pressure at rest, inner raceway (MPa)",
+        0,
+        |r| r.inner_pressure_mpa,
     ),
     (
-        "peak contact pressure at rest, outer raceway (GPa)",
-        2,
-        |r| r.outer_pressure_gpa,
+        "peak contact pressure at rest, outer raceway (MPa)",
+        0,
+        |r| r.outer_pressure_mpa,
     ),
 ];
 
@@ -268,7 +268,7 @@ fn rings_table(rings: &[RingNumbers], provenance: Provenance) -> Table {
         label: "Outer rings".to_owned(),
         caption:
             "The same bearing with each outer ring, run for 20 orbits from the same two uneven \
-                  starts; means over both of the second half, but for friction. Pressures at rest: the \
+                  starts; means over both of the second half, except friction. Pressures at rest: the \
                   largest over the places of the balls. On a conventional ring ideal \
                   balls all roll at one speed and keep the gaps of the start: few contacts, but a \
                   spacing that stays uneven."
@@ -328,7 +328,7 @@ pub fn two_critical_gaps() -> String {
 }
 
 const MAPS: &str = "Each cell is a raceway of span lC and half angle θ. Its critical gap is the \
-    largest with which a pair of balls still touches on its way through: the smallest separation that the \
-    raceway ensures. Above the mean ball spacing outside the raceway in steady state the raceway is \
-    too deep: evenly spaced balls collide. Far below it the raceway is too shallow. Without slip the \
-    critical gap is β0 of Eq. (11); the difference is the loss of separation through sliding.";
+    largest with which a pair of balls still touches on its way through: the smallest gap that the \
+    raceway ensures. Above the steady-state gap outside the raceway the raceway is \
+    too deep: evenly spaced balls collide. Far below it the raceway is too shallow. Without sliding the \
+    critical gap is β0 of Eq. (11); the difference is what sliding takes off it.";

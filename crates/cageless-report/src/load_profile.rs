@@ -1,7 +1,7 @@
 //! Loads and contact pressures over the angular position, from snapshots.
 
 use cageless::Bearing;
-use cageless::equilibrium::outer_stress_pa;
+use cageless::equilibrium::outer_pressure_pa;
 use cageless::snapshot::Snapshot;
 
 use crate::run_data::LoadProfile;
@@ -42,16 +42,16 @@ impl LoadProfile {
                 let step = ((turns - turns.floor()) * STEPS as f64) as usize % STEPS;
                 let force =
                     [snapshot.inner_force_n[k], snapshot.outer_force_n[k]].map(|f| f.max(0.0));
-                inner[step].add(force[0], bearing.inner_contact().peak_stress_pa(force[0]));
+                inner[step].add(force[0], bearing.inner_contact().peak_pressure_pa(force[0]));
                 let r = snapshot.effective_radius_m[k];
-                outer[step].add(force[1], outer_stress_pa(bearing, r, force[1]));
+                outer[step].add(force[1], outer_pressure_pa(bearing, r, force[1]));
             }
         }
         let over = |bins: &[Bin], of: fn(&Bin) -> f64| -> Vec<f64> {
             bins.iter().map(|bin| bin.seen(of(bin))).collect()
         };
         let mean = |bin: &Bin| bin.sum_n / f64::from(bin.count.max(1));
-        let gpa = |bin: &Bin| bin.max_pa * 1e-9;
+        let mpa = |bin: &Bin| bin.max_pa * 1e-6;
         Some(Self {
             from_s: first.time_s,
             to_s: last.time_s,
@@ -62,8 +62,8 @@ impl LoadProfile {
             inner_force_max_n: over(&inner, |bin| bin.max_n),
             outer_force_mean_n: over(&outer, mean),
             outer_force_max_n: over(&outer, |bin| bin.max_n),
-            inner_pressure_max_gpa: over(&inner, gpa),
-            outer_pressure_max_gpa: over(&outer, gpa),
+            inner_pressure_max_mpa: over(&inner, mpa),
+            outer_pressure_max_mpa: over(&outer, mpa),
         })
     }
 }

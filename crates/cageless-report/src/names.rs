@@ -98,13 +98,13 @@ mod tests {
         for (column, unit, expected) in [
             ("support_damping_n_s_m", "N s/m", "support damping"),
             (
-                "bearing_2_rotor_air_gap_um",
+                "bearing_2_rotor_radial_clearance_um",
                 "um",
-                "rotor air gap, bearing 2",
+                "rotor radial clearance, bearing 2",
             ),
             ("bearing_balls", "", "number of balls"),
             (
-                "drop_bearing_2_rotor_force_max_weights",
+                "drop_bearing_2_rotor_force_max_over_weight",
                 "",
                 "largest force on the rotor / its weight, bearing 2",
             ),

@@ -112,9 +112,9 @@ impl ShownRaceway {
             number("gap reserve", point.and_then(|n| n.margin_deg), 4, "°"),
             number(
                 "peak contact pressure at rest, outer raceway",
-                point.and_then(|n| n.stress_gpa),
-                2,
-                "GPa",
+                point.and_then(|n| n.pressure_mpa),
+                0,
+                "MPa",
             ),
         ];
         Some(Self {

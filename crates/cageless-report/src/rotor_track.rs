@@ -11,7 +11,7 @@ const DRAWN_GAP_MM: f64 = 1.2;
 pub(crate) fn rotor_track(case: &Case, snapshots: &[Snapshot]) -> Option<RotorTrack> {
     let rotor = case.rotor.as_ref()?;
     let bore = case.bearing.inner_ring_bore()?;
-    let enlarged = DRAWN_GAP_MM / rotor.air_gap_m;
+    let enlarged = DRAWN_GAP_MM / rotor.radial_clearance_m;
     let rows: Vec<(f64, RotorSnapshot, [f64; 2])> = (snapshots.iter())
         .filter_map(|s| Some((s.time_s, s.rotor?, [s.ring.x_m, s.ring.y_m])))
         .collect();

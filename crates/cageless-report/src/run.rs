@@ -106,7 +106,7 @@ const FLATTENED: &str = "A gap is the angle between two balls less that at which
 const CLOSES: &str = "Inside the discrete raceway a pair closes up by design: the ball ahead slows \
     first, the one behind catches up and may touch it; the ball ahead leaves first and draws away, so \
     that the pair leaves with at least the critical gap. Contacts in the raceway are therefore no \
-    fault by themselves; contacts with both neighbours in one passage are, and contacts elsewhere \
+    fault; double collisions (contacts with the balls ahead and behind in one passage) are, and contacts elsewhere \
     show that the gaps have not settled. A gap is the angle between two balls less that at which they \
     just touch: in a contact, which flattens both, it is a little negative.";
 

@@ -85,9 +85,9 @@ pub struct BallHistory {
     /// Orbital speed, degrees/s.
     pub orbit_speed_deg_s: Vec<f64>,
     /// ΔVi, m/s.
-    pub inner_slip_m_s: Vec<f64>,
+    pub inner_sliding_m_s: Vec<f64>,
     /// ΔVo, m/s.
-    pub outer_slip_m_s: Vec<f64>,
+    pub outer_sliding_m_s: Vec<f64>,
     /// Fi, N.
     pub inner_force_n: Vec<f64>,
     /// Fo, N.
@@ -133,10 +133,10 @@ pub struct LoadProfile {
     pub outer_force_mean_n: Vec<f64>,
     /// Largest Fo, N.
     pub outer_force_max_n: Vec<f64>,
-    /// Highest peak pressure (Hertz) at the inner raceway, GPa.
-    pub inner_pressure_max_gpa: Vec<f64>,
-    /// Highest peak pressure (Hertz) at the outer raceway, GPa.
-    pub outer_pressure_max_gpa: Vec<f64>,
+    /// Highest peak pressure (Hertz) at the inner raceway, MPa.
+    pub inner_pressure_max_mpa: Vec<f64>,
+    /// Highest peak pressure (Hertz) at the outer raceway, MPa.
+    pub outer_pressure_max_mpa: Vec<f64>,
 }
 
 /// The centre of the inner ring.

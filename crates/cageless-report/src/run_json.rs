@@ -21,7 +21,7 @@ pub enum RunJsonError {
     #[error("has no checksum: it is cut off, or of an earlier version; run the case again")]
     NoChecksum,
     /// The bytes are not those that were written.
-    #[error("is damaged, or not of the run of the summary.json beside it: run the case again")]
+    #[error("is damaged, or not of the run of the summary.json next to it: run the case again")]
     Damaged,
 }
 

@@ -275,7 +275,7 @@ fn passage_stretches(
         .filter(|p| p.enter_s >= first.time_s && p.leave_s <= last.time_s)
         .map(|p| {
             let hits = match (p.collisions_behind > 0, p.collisions_ahead > 0) {
-                (true, true) => "hit from both sides",
+                (true, true) => "double collision",
                 (true, false) => "hit from behind",
                 (false, true) => "hits the ball ahead",
                 (false, false) => "free",
@@ -294,13 +294,13 @@ const FACTS: [&str; 12] = [
     "double_collision_fraction",
     "friction_torque_n_m",
     "power_loss_w",
-    "inner_stress_max_gpa",
-    "outer_stress_max_gpa",
-    "ball_stress_max_gpa",
+    "inner_pressure_max_mpa",
+    "outer_pressure_max_mpa",
+    "ball_pressure_max_mpa",
     "collisions",
     "gap_min_deg",
-    "slip_max_m_s",
-    "ring_y_um_mean",
+    "sliding_max_m_s",
+    "ring_y_mean_um",
     "bpfo_observed_hz",
     "energy_residual_relative",
 ];
@@ -345,8 +345,8 @@ fn ball_history(snapshots: &[Snapshot], k: usize) -> BallHistory {
         angle_deg: over(&|s| s.angle_rad[k].to_degrees()),
         gap_deg: over(&|s| s.gap_rad[k].to_degrees()),
         orbit_speed_deg_s: over(&|s| s.orbit_speed_rad_s[k].to_degrees()),
-        inner_slip_m_s: over(&|s| s.inner_slip_m_s[k]),
-        outer_slip_m_s: over(&|s| s.outer_slip_m_s[k]),
+        inner_sliding_m_s: over(&|s| s.inner_sliding_m_s[k]),
+        outer_sliding_m_s: over(&|s| s.outer_sliding_m_s[k]),
         inner_force_n: over(&|s| s.inner_force_n[k]),
         outer_force_n: over(&|s| s.outer_force_n[k]),
         x_mm: over(&|s| s.x_m[k] * 1e3),

@@ -34,31 +34,31 @@ const QUANTITIES: [Quantity; 14] = [
     ("critical gap (°)", 3, |n| n.critical_gap_deg, None),
     ("reserve (°)", 3, |n| n.margin_deg, None),
     (
-        "loss of separation through sliding (%)",
+        "critical gap below β0 (%)",
         1,
         |n| Some(100.0 * n.slip_shortfall?),
         None,
     ),
     (
-        "peak contact pressure at rest, outer raceway (GPa)",
-        2,
-        |n| n.stress_gpa,
+        "peak contact pressure at rest, outer raceway (MPa)",
+        0,
+        |n| n.pressure_mpa,
         None,
     ),
     (
-        "collisions per ball and turn",
+        "collisions per ball and orbit",
         3,
         |_| None,
         Some(|m| m.collisions),
     ),
     (
-        "collisions per ball and turn in steady state",
+        "collisions per ball and orbit in steady state",
         3,
         |_| None,
         Some(|m| m.collisions_late),
     ),
     (
-        "hit from both sides (%)",
+        "double collisions (%)",
         1,
         |_| None,
         Some(|m| 100.0 * m.double_collision_fraction),
@@ -76,7 +76,7 @@ const QUANTITIES: [Quantity; 14] = [
         |_| None,
         Some(|m| m.gap_min_deg),
     ),
-    ("slip (m/s)", 3, |_| None, Some(|m| m.slip_m_s)),
+    ("sliding speed (m/s)", 3, |_| None, Some(|m| m.sliding_m_s)),
     (
         "achieved deceleration (% of kinematic value)",
         1,
@@ -153,7 +153,7 @@ pub fn comparison(search: &SearchData) -> Table {
         caption: format!(
             "From at least twelve unevenly spaced starts, ± standard error of the mean. Critical gaps are measured with the neighbours of the \
                   pair {:.0} % further off than at even spacing. Reserve: \
-                  steady gap less critical gap. Loss of separation through sliding: shortfall of the \
+                  steady-state gap less critical gap. Critical gap below β0: shortfall of the \
                   critical gap below β0. Achieved deceleration: lowest orbital speed in the raceway \
                   against pure rolling. Steady state: second half of the run. \
                   Spacing scatter: standard deviation of the gaps on arrival over the steady gap. \
@@ -172,7 +172,7 @@ pub fn rejections(search: &SearchData) -> Table {
     Table {
         label: "Rejections".to_owned(),
         caption: "Structures of the maps at the operating points and of the band between them \
-                  that each requirement excludes; the first that fails counts."
+                  that each requirement excludes; a design is counted under the first that fails."
             .to_owned(),
         columns: columns(&[
             ("requirement", false),
@@ -199,9 +199,9 @@ pub fn rejections(search: &SearchData) -> Table {
 pub fn placements(search: &SearchData) -> Table {
     let mut head = columns(&[
         ("ψ of the middles (°)", false),
-        ("looked at", true),
+        ("evaluated", true),
         ("acceptable", true),
-        ("slip takes at least (%)", true),
+        ("sliding lowers the critical gap by at least (%)", true),
         ("best", false),
     ]);
     head.extend(columns(&[

@@ -17,9 +17,9 @@ use crate::tables::parameter_table;
 
 /// Results at the head of the page.
 const FACTS: [&str; 8] = [
-    "inner_stress_max_gpa",
-    "outer_stress_max_gpa",
-    "static_safety",
+    "inner_pressure_max_mpa",
+    "outer_pressure_max_mpa",
+    "static_safety_factor",
     "l10_h",
     "l10r_h",
     "stiffness_yy_n_m",

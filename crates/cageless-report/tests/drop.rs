@@ -58,7 +58,10 @@ fn the_animation_shows_the_rotor_in_the_bore() {
     // Below what was computed, the case can be changed.
     let place = page.find("data-studio=\"later\"").expect("a studio");
     assert!(place > page.find("Energy").expect("the last section"));
-    assert!(page[place..].contains("air_gap_um = 200"), "its case");
+    assert!(
+        page[place..].contains("radial_clearance_um = 200"),
+        "its case"
+    );
     if let Some(folder) = std::env::var_os("CAGELESS_PAGES") {
         std::fs::write(Path::new(&folder).join("drop.html"), page).unwrap();
     }

@@ -346,7 +346,7 @@ fn pages_say_what_passes() {
         assert!(page.contains(said), "{said}");
     }
     assert!(
-        run_page(&crate::synthetic::run_data()).contains("✘ FAIL in this run: hit from both sides")
+        run_page(&crate::synthetic::run_data()).contains("✘ FAIL in this run: double collision")
     );
 }
 
@@ -356,7 +356,7 @@ fn the_result_is_on_top() {
     let (html, _) = split(&run_page(&crate::synthetic::run_data()));
     let (header, _) = html.split_once("</header>").expect("a header");
     assert!(header.contains("class=\"head fail\"") && header.contains("✘ FAIL"));
-    assert!(header.contains("<dt>Peak pressure</dt><dd>2.1 <span class=\"unit\">GPa</span></dd>"));
+    assert!(header.contains("<dt>Peak pressure</dt><dd>2100 <span class=\"unit\">MPa</span></dd>"));
     let data = DesignData {
         shown: Some(ShownRaceway {
             name: "recommended raceway".into(),
@@ -368,7 +368,7 @@ fn the_result_is_on_top() {
             ..ShownRaceway::default()
         }),
         passes: Some(false),
-        headline: "FAIL: slips".into(),
+        headline: "FAIL: slides".into(),
         ..crate::synthetic::design()
     };
     let (html, _) = split(&design_page(&data));

@@ -99,13 +99,13 @@ fn histories_are_the_rows_in_the_units_of_their_axes() {
                 "orbit speed",
             ),
             (
-                &ball.inner_slip_m_s,
-                of(&|s| s.inner_slip_m_s[k]),
+                &ball.inner_sliding_m_s,
+                of(&|s| s.inner_sliding_m_s[k]),
                 "inner slip",
             ),
             (
-                &ball.outer_slip_m_s,
-                of(&|s| s.outer_slip_m_s[k]),
+                &ball.outer_sliding_m_s,
+                of(&|s| s.outer_sliding_m_s[k]),
                 "outer slip",
             ),
             (

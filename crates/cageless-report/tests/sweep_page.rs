@@ -34,7 +34,7 @@ fn swept() -> SweepData {
         "verdict_passes",
         "run_collisions",
         "run_gap_min_deg",
-        "run_slip_max_m_s",
+        "run_sliding_max_m_s",
         "run_steps",
     ];
     SweepData {

@@ -80,9 +80,9 @@ impl DropJudgement {
             failed.push(format!("stopped {}", stop.reason()));
         }
         let pressures = [
-            ("at the inner raceway", summary.inner_stress_max_pa),
-            ("at the outer raceway", summary.outer_stress_max_pa),
-            ("between balls", summary.ball_stress_max_pa),
+            ("at the inner raceway", summary.inner_pressure_max_pa),
+            ("at the outer raceway", summary.outer_pressure_max_pa),
+            ("between balls", summary.ball_pressure_max_pa),
         ];
         let limit_mpa = 1e-6 * STRESS_LIMIT_PA;
         for (place, pressure_pa) in pressures {

@@ -10,6 +10,9 @@ mod declare;
 mod design_result;
 mod drop_judgement;
 mod drop_result;
+#[cfg(test)]
+mod list;
+mod meanings;
 pub mod number_text;
 mod quantity;
 mod record;

@@ -3,6 +3,7 @@
 use crate::Cell;
 use crate::across::Across;
 use crate::computation::Computation;
+use crate::meanings::MEANINGS;
 use crate::number_text::significant;
 use crate::source::{Source, Subject};
 
@@ -77,6 +78,13 @@ impl Quantity {
         }
     }
 
+    /// Definition, where the label is none: a sentence without its full stop; empty otherwise.
+    pub fn meaning(&self) -> &'static str {
+        let mut all = MEANINGS.iter();
+        let found = all.find(|(name, _)| *name == self.name);
+        found.map_or("", |(_, meaning)| meaning)
+    }
+
     /// Name of the column in sweeps: that of the computation, then its own.
     pub fn column_name(&self) -> String {
         format!("{}_{}", self.computation().name(), self.name)
@@ -110,7 +118,6 @@ impl Quantity {
     /// Factor and unit of values in tables for readers: one unit for pressures, one for torques.
     pub(crate) fn printed(&self) -> (f64, String) {
         match self.unit {
-            "GPa" => (1e3, "MPa".to_owned()),
             "N m" => (1e3, "N·mm".to_owned()),
             "N/m" => (1e-6, "N/µm".to_owned()),
             "Mrev" => (1.0, "million revolutions".to_owned()),

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use cageless::Case;
 use cageless::collision::CollisionDetector;
-use cageless::design::search::{from_uneven_start, peak_stress_pa};
+use cageless::design::search::{from_uneven_start, peak_pressure_pa};
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::recorder::Recorder;
 use cageless::simulation::{Ending, Observer, run};
@@ -36,10 +36,10 @@ pub struct RingNumbers {
     pub friction_w: Option<f64>,
     /// Standard deviation of the displacement of the inner ring, both directions together, µm.
     pub ring_deviation_um: Option<f64>,
-    /// Peak contact pressure at rest, inner raceway, largest over the places of the balls, GPa.
-    pub inner_pressure_gpa: Option<f64>,
-    /// Peak contact pressure at rest, outer raceway, largest over the places of the balls, GPa.
-    pub outer_pressure_gpa: Option<f64>,
+    /// Peak contact pressure at rest, inner raceway, largest over the places of the balls, MPa.
+    pub inner_pressure_mpa: Option<f64>,
+    /// Peak contact pressure at rest, outer raceway, largest over the places of the balls, MPa.
+    pub outer_pressure_mpa: Option<f64>,
 }
 
 /// Numbers of one run.
@@ -77,7 +77,7 @@ pub fn rings(
             // One start that fails would make the means incomparable.
             (motions.len() as u64 == STARTS).then(|| sum / STARTS as f64)
         };
-        let at_rest = peak_stress_pa(case).ok();
+        let at_rest = peak_pressure_pa(case).ok();
         found.push(RingNumbers {
             name: (*name).to_owned(),
             contacts: mean(|m| m.contacts),
@@ -85,8 +85,8 @@ pub fn rings(
             spacing_scatter: mean(|m| m.scatter),
             friction_w: mean(|m| m.friction),
             ring_deviation_um: mean(|m| m.ring * 1e6),
-            inner_pressure_gpa: at_rest.map(|(inner, _)| inner * 1e-9),
-            outer_pressure_gpa: at_rest.map(|(_, outer)| outer * 1e-9),
+            inner_pressure_mpa: at_rest.map(|(inner, _)| inner * 1e-6),
+            outer_pressure_mpa: at_rest.map(|(_, outer)| outer * 1e-6),
         });
     }
     Ok(found)

@@ -39,7 +39,7 @@ pub struct Request {
     pub ball_grade: u32,
     /// Friction coefficient, to either side.
     pub friction: f64,
-    /// Radial clearance, µm to either side.
+    /// Radial internal clearance Gr, µm to either side.
     pub clearance_um: f64,
     /// Speed, per cent to either side.
     pub speed_percent: f64,
@@ -57,7 +57,7 @@ impl Default for Request {
             half_angle_deg: 0.1,
             ball_grade: 10,
             friction: 0.002,
-            clearance_um: 5.0,
+            clearance_um: 10.0,
             speed_percent: 5.0,
             load_percent: 20.0,
         }
@@ -140,7 +140,7 @@ impl Request {
         let span = least(&|r| r.dimensions().axial_span_m * 1e6);
         let depth = least(&|r| r.depth_error_max_m() * 1e6);
         // A ring this far off its centre presses no ball against the other side.
-        let clearance = 0.1 * case.bearing.ball_radius_m() * 1e6;
+        let clearance = 0.2 * case.bearing.ball_radius_m() * 1e6;
         [
             ("groove_depth_um", self.groove_depth_um, depth),
             ("axial_span_um", self.axial_span_um, span),
@@ -219,7 +219,7 @@ fn data(case: &Case, request: &Request, tolerances: &Tolerances, a: &Assessment)
         nominal_verdict: a.nominal.verdict.name().to_owned(),
         nominal_critical_gap_deg: a.nominal.critical_gap_rad.map(f64::to_degrees),
         nominal_double_collision_fraction: a.nominal.double_collision_fraction,
-        nominal_slip_m_s: a.nominal.slip_mean_m_s,
+        nominal_sliding_m_s: a.nominal.sliding_mean_m_s,
         uniform_gap_deg: case.bearing.nominal_gap_rad().to_degrees(),
         influences: a
             .influences
@@ -237,7 +237,7 @@ fn data(case: &Case, request: &Request, tolerances: &Tolerances, a: &Assessment)
                     verdicts: row.verdicts.iter().map(|v| v.name().to_owned()).collect(),
                     critical_gap_deg: degrees(row.critical_gap_rad),
                     double_collision_fraction: row.double_collision_fraction,
-                    slip_mean_m_s: row.slip_mean_m_s,
+                    sliding_mean_m_s: row.sliding_mean_m_s,
                 }
             })
             .collect(),

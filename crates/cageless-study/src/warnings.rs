@@ -36,7 +36,7 @@ pub(crate) fn warnings(run: &Finished<'_>) -> Vec<String> {
 /// Warnings of a drop onto a bearing.
 pub(crate) fn of_drop(case: &Case, drop: &DropResult) -> Vec<String> {
     let pressure =
-        |(name, place)| over_pressure(place, 1e9 * drop.results.value(name).unwrap_or(0.0));
+        |(name, place)| over_pressure(place, 1e6 * drop.results.value(name).unwrap_or(0.0));
     let mut warnings = of_case(case);
     warnings.extend(DROP_PRESSURES.into_iter().filter_map(pressure));
     if drop.stopped.is_none() {
@@ -62,7 +62,7 @@ pub(crate) fn of_scattered<'d>(
     };
     let mut found: Vec<(u64, Option<String>)> = vec![];
     for (name, place) in DROP_PRESSURES {
-        let pressure = worst(name).map(|(index, gpa)| (index, over_pressure(place, 1e9 * gpa)));
+        let pressure = worst(name).map(|(index, mpa)| (index, over_pressure(place, 1e6 * mpa)));
         found.extend(pressure);
     }
     let residual = worst("energy_residual_relative");
@@ -75,9 +75,9 @@ pub(crate) fn of_scattered<'d>(
 
 /// Largest pressures among the results of a drop, and where they act.
 const DROP_PRESSURES: [(&str, &str); 3] = [
-    ("inner_stress_max_gpa", "at the inner raceway"),
-    ("outer_stress_max_gpa", "at the outer raceway"),
-    ("ball_stress_max_gpa", "between balls"),
+    ("inner_pressure_max_mpa", "at the inner raceway"),
+    ("outer_pressure_max_mpa", "at the outer raceway"),
+    ("ball_pressure_max_mpa", "between balls"),
 ];
 
 fn over_pressure(place: &str, pressure_pa: f64) -> Option<String> {
@@ -174,8 +174,8 @@ fn of_case(case: &Case) -> Vec<String> {
     let resolved = limits.friction_resolved_to_s(method);
     if case.solver.step_s > resolved {
         warnings.push(format!(
-            "friction decays faster than the step follows: slip near zero is wrong above {:.2} µs \
-             (solver.step_us, contact.slip_scale_m_s, or solver.method = \"symplectic\", which \
+            "the step is too long for this friction law: sliding speeds near zero are wrong for steps above {:.2} µs \
+             (solver.step_us, contact.regularisation_speed_m_s, or solver.method = \"verlet\", which \
              treats friction implicitly)",
             resolved * 1e6
         ));
@@ -191,7 +191,7 @@ fn of_case(case: &Case) -> Vec<String> {
     }
     let (creep, knee) = (
         limits.creep_m_s2(method) * case.solver.step_s,
-        case.contact.slip_scale_m_s,
+        case.contact.regularisation_speed_m_s,
     );
     if creep > knee {
         // One digit, down: what is said to be enough is enough.
@@ -202,7 +202,7 @@ fn of_case(case: &Case) -> Vec<String> {
         warnings.push(format!(
             "Coulomb friction is far from its limit at this step: contacts that should roll creep \
              by up to {creep:.2} m/s, in proportion to the step, where the smooth law would by \
-             {knee} m/s; slip and friction losses are too large. Set solver.step_us to {enough_us} or less, \
+             {knee} m/s; sliding speeds and friction losses are too large. Set solver.step_us to {enough_us} or less, \
              or contact.friction_law = \"smooth\""
         ));
     }
@@ -210,7 +210,7 @@ fn of_case(case: &Case) -> Vec<String> {
     if method == IntegrationMethod::Abm4 && undamped && case.solver.step_s > UNDAMPED_STEP_S {
         warnings.push(
             "without contact damping ABM4 gains energy at steps above 0.5 µs: statistics are \
-             biased (solver.step_us, or solver.method = \"symplectic\")"
+             biased (solver.step_us, or solver.method = \"verlet\")"
                 .to_owned(),
         );
     }

@@ -16,7 +16,7 @@ fn statistics(number: f64) -> PassageStatistics {
         passages: number as usize,
         collisions_mean: 0.1 * number,
         double_collision_fraction: 0.01 * number,
-        slip_mean_m_s: 0.02 * number,
+        sliding_mean_m_s: 0.02 * number,
         speed_drop_fraction: 0.03 * number,
         gap_leave_max_rad: 0.05 * DEGREE * number,
         gap_leave_min_rad: 0.04 * DEGREE * number,
@@ -55,7 +55,7 @@ fn assert_passages(record: &Record, number: f64) {
         0.01 * number,
         1e-12,
     );
-    close(found.number("slip_mean_m_s"), 0.02 * number, 1e-12);
+    close(found.number("sliding_mean_m_s"), 0.02 * number, 1e-12);
     close(found.number("speed_drop_fraction"), 0.03 * number, 1e-12);
     close(found.number("gap_leave_min_deg"), 0.04 * number, 1e-12);
     close(found.number("gap_leave_max_deg"), 0.05 * number, 1e-12);
@@ -103,13 +103,13 @@ fn every_number_is_in_its_unit() {
     close(found.number("beta0_deg"), 1.8171, 5e-5);
     close(found.number("beta0_polar_deg"), 1.8304, 5e-5);
     close(found.number("axial_span_limit_mm"), 7.4017, 5e-5);
-    close(found.number("half_angle_deg_for_span"), 25.2, 0.05);
+    close(found.number("half_angle_for_span_deg"), 25.2, 0.05);
     let steady = steady_gap_rad(&case.bearing, &case.raceways) / DEGREE;
     close(found.number("steady_gap_deg"), steady, 1e-9);
     // 50.4° are two ball angles and a bit.
     assert_eq!(found.number("balls_in_raceway_max"), 3.0);
     let kink = case.raceways[0].kink_angle_rad(45.0 * DEGREE) / DEGREE;
-    close(found.number("kink_deg"), kink, 1e-12);
+    close(found.number("slope_discontinuity_deg"), kink, 1e-12);
     close(found.number("critical_gap_deg"), 2.5, 1e-12);
     assert_eq!(verdict(found), ("slips", Some(false)));
     assert_eq!(found.text("criterion"), "deceleration");

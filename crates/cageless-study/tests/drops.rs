@@ -119,7 +119,7 @@ fn a_sweep_has_the_results_of_its_drops() {
     let plan = format!(
         "schema = 1\ncase = \"{CASES}/touchdown-d.toml\"\ncompute = [\"drop\"]\n\
          [set]\nsolver.duration_s = 0.009\n\
-         [grid]\nrotor.friction_coefficient = [0.1, 0.2]\nrotor.air_gap_um = [200.0, 1000.0]\n"
+         [grid]\nrotor.friction_coefficient = [0.1, 0.2]\nrotor.radial_clearance_um = [200.0, 1000.0]\n"
     );
     let plan = PlanFile::parse(&plan, "plan.toml", Path::new("")).unwrap();
     let sweep = Sweep::new(plan).unwrap();
@@ -129,7 +129,7 @@ fn a_sweep_has_the_results_of_its_drops() {
     for (row, mu, gap) in [(0, 0.1, 200.0), (1, 0.2, 200.0), (2, 0.1, 1000.0)] {
         let one = drop(&[
             &format!("rotor.friction_coefficient={mu}"),
-            &format!("rotor.air_gap_um={gap:?}"),
+            &format!("rotor.radial_clearance_um={gap:?}"),
         ]);
         let alone = study(&one, DropRequest::default(), None, &Silent).unwrap();
         let results = alone.drop.result.results.iter();
@@ -161,7 +161,7 @@ fn a_drop_without_a_rotor_says_which_keys_it_needs() {
             "[rotor]",
             "mass_kg",
             "speed_rpm",
-            "air_gap_um",
+            "radial_clearance_um",
             "inner_ring_bore_radius_mm",
         ] {
             assert!(message.contains(key), "{message}");
@@ -202,7 +202,7 @@ fn the_first_milliseconds_of_a_drop_are_converged() {
         j.step_change / j.value.abs()
     };
     // The error grows with the square of the step.
-    for name in ["rotor_friction_j", "heat_j", "ring_speed_rpm"] {
+    for name in ["rotor_friction_j", "dissipated_j", "ring_speed_rpm"] {
         let (at_step, at_long_step) = (change(&verification, name), change(&coarse, name));
         println!("{name}: {at_step:.1e}, {at_long_step:.1e}");
         assert!((3e-5..4e-4).contains(&at_step), "{name}: {at_step:e}");
@@ -248,7 +248,7 @@ fn a_drop_is_warned_of_and_judged_as_a_run_is() {
     let file = drop(&["solver.duration_s=0.15", "output.interval_us=1000"]);
     let found = study(&file, request, None, &Silent).unwrap();
     let result = &found.drop.result;
-    let pressure_mpa = 1e3 * result.results.number("ball_stress_max_gpa");
+    let pressure_mpa = result.results.number("ball_pressure_max_mpa");
     assert!(pressure_mpa > 4200.0);
     let text = format!("contact pressure between balls reaches {pressure_mpa:.0} MPa");
     assert!(
@@ -258,7 +258,13 @@ fn a_drop_is_warned_of_and_judged_as_a_run_is() {
     );
     // The worst of the scattered drops, by its index.
     let rows = &found.ensemble.as_ref().unwrap().drops;
-    let of = |k: usize| rows[k].bearing.result.results.number("ball_stress_max_gpa");
+    let of = |k: usize| {
+        rows[k]
+            .bearing
+            .result
+            .results
+            .number("ball_pressure_max_mpa")
+    };
     let (index, worst) = if of(0) > of(1) {
         (0, of(0))
     } else {
@@ -266,7 +272,7 @@ fn a_drop_is_warned_of_and_judged_as_a_run_is() {
     };
     let text = format!(
         "in scattered drop {index}, the worst: the contact pressure between balls reaches {:.0} MPa",
-        1e3 * worst
+        worst
     );
     assert!(
         found.warnings.iter().any(|w| w.contains(&text)),

@@ -67,7 +67,7 @@ fn text(index: u64) -> String {
     );
     let common = format!(
         "[contact]\nfriction_law = {law}\nfriction_coefficient = {mu}\ndamping = {damping}\n\
-         [solver]\nmethod = \"symplectic\"\nstep_us = \"auto\"\nduration_s = 1.0\nseed = {seed}\n\
+         [solver]\nmethod = \"verlet\"\nstep_us = \"auto\"\nduration_s = 1.0\nseed = {seed}\n\
          [start]\ngaps = \"{gaps}\"\nlead_ball_angle_deg = {lead}\n"
     );
     let speed = r.scale(0.01, 1.0) * 600e3 / pitch;
@@ -87,7 +87,7 @@ fn text(index: u64) -> String {
             "inner_ring_bore_radius_mm = {bore}\ninner_ring_polar_inertia_kg_m2 = {ring}\n{common}\
              [operation]\ngravity_m_s2 = {gravity}\n\
              [rotor]\nmass_kg = {mass}\npolar_inertia_kg_m2 = {inertia}\nspeed_rpm = {speed}\n\
-             air_gap_um = {gap}\nfriction_coefficient = {journal}\ncontact_stiffness = 1e9\n\
+             radial_clearance_um = {gap}\nfriction_coefficient = {journal}\ncontact_stiffness_n_mp = 1e9\n\
              contact_damping_s_m = 0.3\ny_um = -{}\nvy_m_s = -{fall}\n",
             0.98 * gap
         );

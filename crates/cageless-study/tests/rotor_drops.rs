@@ -45,8 +45,8 @@ fn rigid(places_mm: &[f64]) -> RotorDescription {
 fn two_bearings(changes: &[&str]) -> RotorFile {
     let unbalance = RotorUnbalance {
         place: RotorPlace::AxialMm(30.0),
-        moment_g_mm: 200.0,
-        phase_deg: 0.5_f64.to_degrees(),
+        amount_g_mm: 200.0,
+        angle_deg: 0.5_f64.to_degrees(),
     };
     let rotor = RotorDescription {
         unbalances: vec![unbalance],
@@ -73,15 +73,15 @@ fn a_rigid_rotor_in_one_bearing_scatters_as_the_case_of_one_plane() {
         assert_eq!(a.eccentricity_phase_deg, b.unbalance_turn_deg);
         let (a, b) = (&a.bearing, &b.bearings[0]);
         assert_eq!(
-            (a.rotor_friction, a.ball_friction, a.air_gap_um),
-            (b.rotor_friction, b.ball_friction, b.air_gap_um)
+            (a.rotor_friction, a.ball_friction, a.radial_clearance_um),
+            (b.rotor_friction, b.ball_friction, b.radial_clearance_um)
         );
         assert_eq!(a.support_damping_n_s_m, b.support_damping_n_s_m);
         assert_eq!(a.result.end_state(), b.result.end_state());
         for name in [
             "first_contact_ms",
             "rotor_force_max_n",
-            "inner_stress_max_gpa",
+            "inner_pressure_max_mpa",
         ] {
             let [a, b] = [a, b].map(|row| row.result.results.number(name));
             assert!((b / a - 1.0).abs() < 1e-6, "{name}: {a} {b}");
@@ -110,7 +110,7 @@ fn scattered_drops_into_bearings_are_the_same_on_any_number_of_threads() {
     // Each bearing has draws of its own; drops differ.
     let [a, b] = [0, 1].map(|k| &many.drops[0].bearings[k]);
     assert!(a.rotor_friction / 0.15 != b.rotor_friction / 0.15);
-    assert!(a.air_gap_um != b.air_gap_um);
+    assert!(a.radial_clearance_um != b.radial_clearance_um);
     assert!(many.drops[0].unbalance_turn_deg != many.drops[1].unbalance_turn_deg);
     // The distribution of a bearing is that of its drops.
     for (k, of_bearing) in many.bearings.iter().enumerate() {
@@ -266,7 +266,7 @@ fn a_bearing_without_load_is_warned_of_and_has_no_weights() {
         found.drop.bearings[k]
             .result
             .results
-            .value("rotor_force_max_weights")
+            .value("rotor_force_max_over_weight")
     };
     assert!(weights(0).is_some() && weights(1).is_none());
     let found = of(&[100.0, 300.0]);

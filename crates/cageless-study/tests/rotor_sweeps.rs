@@ -58,8 +58,8 @@ fn drop(changes: &[&str]) -> RotorStudy {
 
 /// Two speeds, and two air gaps of the second bearing.
 const GRID: &str = "[grid]\nrotor.speed_rpm = [15000.0, 30000.0]\n\
-                    bearing.2.rotor.air_gap_um = [180.0, 200.0]\n\
-                    bearing.1.axial_mm = [-100.0]\nunbalance.1.moment_g_mm = [150.0]\n";
+                    bearing.2.rotor.radial_clearance_um = [180.0, 200.0]\n\
+                    bearing.1.axial_mm = [-100.0]\nunbalance.1.amount_g_mm = [150.0]\n";
 
 #[test]
 fn a_row_has_the_results_of_the_drop_with_the_same_changes() {
@@ -70,9 +70,9 @@ fn a_row_has_the_results_of_the_drop_with_the_same_changes() {
         names[1..reason],
         [
             "bearing_1_axial_mm",
-            "unbalance_1_moment_g_mm",
+            "unbalance_1_amount_g_mm",
             "rotor_speed_rpm",
-            "bearing_2_rotor_air_gap_um",
+            "bearing_2_rotor_radial_clearance_um",
         ]
     );
     let units: Vec<&str> = sweep.columns()[1..reason]
@@ -88,8 +88,8 @@ fn a_row_has_the_results_of_the_drop_with_the_same_changes() {
         assert_eq!(value(row, "reason"), &Cell::Null);
         let alone = drop(&[
             &format!("rotor.speed_rpm={speed}"),
-            &format!("bearing.2.rotor.air_gap_um={gap}"),
-            "unbalance.1.moment_g_mm=150.0",
+            &format!("bearing.2.rotor.radial_clearance_um={gap}"),
+            "unbalance.1.amount_g_mm=150.0",
         ]);
         let bearings = &alone.drop.bearings;
         for (k, bearing) in bearings.iter().enumerate() {
@@ -118,10 +118,10 @@ fn a_row_has_the_results_of_the_drop_with_the_same_changes() {
         // Neither ring has reached its speed.
         assert_eq!(value(row, "drop_spin_up_ms"), &Cell::Null);
     }
-    assert!(value(0, "drop_heat_j") != value(2, "drop_heat_j"));
+    assert!(value(0, "drop_dissipated_j") != value(2, "drop_dissipated_j"));
     assert!(
         value(0, "drop_bearing_2_impacts") != value(1, "drop_bearing_2_impacts")
-            || value(0, "drop_bearing_2_heat_j") != value(1, "drop_bearing_2_heat_j")
+            || value(0, "drop_bearing_2_dissipated_j") != value(1, "drop_bearing_2_dissipated_j")
     );
 }
 
@@ -173,7 +173,7 @@ fn interrupted_and_sharded_sweeps_have_the_bytes_of_one_run() {
     let folder = tempfile::tempdir().unwrap();
     let text = GRID.replace("15000.0, 30000.0", "15000.0");
     let sweep = sweep(&format!(
-        "{text}[scatter]\nrepeats = 2\nbearing.1.start.gaps = \"any\"\n"
+        "{text}[scatter]\nrepeats = 2\nbearing.1.start.gaps = \"random\"\n"
     ));
     let path = |name: &str| folder.path().join(name).join("sweep.parquet");
     let done = run(&sweep, &job(path("calm"), None), |_| Control::Continue(())).unwrap();
@@ -190,7 +190,7 @@ fn interrupted_and_sharded_sweeps_have_the_bytes_of_one_run() {
     });
     let message = refused.unwrap_err().to_string();
     assert!(
-        message.contains("grid.unbalance.1.moment_g_mm was [150], is [151]"),
+        message.contains("grid.unbalance.1.amount_g_mm was [150], is [151]"),
         "{message}"
     );
     let resumed = run(&sweep, &job_again, |_| Control::Continue(())).unwrap();
@@ -291,8 +291,8 @@ fn deviations_are_about_the_value_of_each_bearing() {
         assert!(error.starts_with("plan.toml:"), "{error}");
         error
     };
-    let scatter = "[scatter]\nrepeats = 2\nrotor.air_gap_um = { uniform = 5.0 }\n\
-                   rotor.speed_rpm = { uniform = 100.0 }\nunbalance.moment_g_mm = { normal = 1.0 }\n";
+    let scatter = "[scatter]\nrepeats = 2\nrotor.radial_clearance_um = { uniform = 5.0 }\n\
+                   rotor.speed_rpm = { uniform = 100.0 }\nunbalance.amount_g_mm = { normal = 1.0 }\n";
     let found = sweep(scatter);
     let values = |index: u64, key: &str| {
         let value = found.file(index).unwrap().values(key);
@@ -301,25 +301,25 @@ fn deviations_are_about_the_value_of_each_bearing() {
             .map(|v| v.unwrap().written())
             .collect::<Vec<_>>()
     };
-    let gaps = values(0, "rotor.air_gap_um");
+    let gaps = values(0, "rotor.radial_clearance_um");
     assert!(
         gaps.len() == 2 && gaps[0] == gaps[1] && gaps[0] != "200.0",
         "{gaps:?}"
     );
     assert!(values(0, "rotor.speed_rpm") != values(1, "rotor.speed_rpm"));
-    assert!(values(0, "unbalance.1.moment_g_mm") != ["200.0"]);
-    let differs = "bearing.2.rotor.air_gap_um = 210.0\n";
+    assert!(values(0, "unbalance.1.amount_g_mm") != ["200.0"]);
+    let differs = "bearing.2.rotor.radial_clearance_um = 210.0\n";
     let message = refused(&format!("{differs}{scatter}"));
     assert!(
-        message.contains("rotor.air_gap_um differs from bearing to bearing"),
+        message.contains("rotor.radial_clearance_um differs from bearing to bearing"),
         "{message}"
     );
-    let own = scatter.replace("rotor.air_gap", "bearing.2.rotor.air_gap");
+    let own = scatter.replace("rotor.radial_clearance", "bearing.2.rotor.radial_clearance");
     sweep(&format!("{differs}{own}"));
-    let twice = format!("{scatter}bearing.1.rotor.air_gap_um = {{ uniform = 5.0 }}\n");
+    let twice = format!("{scatter}bearing.1.rotor.radial_clearance_um = {{ uniform = 5.0 }}\n");
     let message = refused(&twice);
     assert!(
-        message.contains("is a part of rotor.air_gap_um on line"),
+        message.contains("is a part of rotor.radial_clearance_um on line"),
         "{message}"
     );
 }

@@ -42,12 +42,12 @@ keep = [\"design_beta0_deg\"]
 [grid]
 operation.radial_load_n = [500, 1000]
 bearing.balls = { from = 12, to = 14, count = 3 }
-model.profile = [\"physical\", \"paper\"]
+model.formulation = [\"physical\", \"paper\"]
 [samples]
 method = \"latin-hypercube\"
 count = 4
 contact.friction_coefficient = { from = 0.001, to = 0.1, scale = \"log\" }
-solver.method = [\"abm4\", \"symplectic\"]
+solver.method = [\"abm4\", \"verlet\"]
 [scatter]
 repeats = 2
 bearing.inner_ring_mass_kg = { uniform = 0.05 }
@@ -61,7 +61,7 @@ fn the_grid_is_a_product_whose_last_axis_varies_fastest() {
     let rows = rows(&sweep);
     let balls = numbers(&sweep, &rows, "bearing_balls");
     let loads = numbers(&sweep, &rows, "operation_radial_load_n");
-    let profiles = column(&sweep, &rows, "model_profile");
+    let profiles = column(&sweep, &rows, "model_formulation");
     let friction = numbers(&sweep, &rows, "contact_friction_coefficient");
     let mass = numbers(&sweep, &rows, "bearing_inner_ring_mass_kg");
     assert!(mass[0] != mass[1] && mass.iter().all(|m| (m - 0.2).abs() <= 0.05));
@@ -133,7 +133,7 @@ fn gaps_are_scattered_about_the_uniform_gap_and_fill_the_turn() {
 
 #[test]
 fn any_arrangement_is_possible_and_gaps_are_exponential() {
-    let text = "compute = [\"design\"]\n[scatter]\nrepeats = 400\nstart.gaps = \"any\"\n";
+    let text = "compute = [\"design\"]\n[scatter]\nrepeats = 400\nstart.gaps = \"random\"\n";
     let sweep = Sweep::new(plan(text)).expect("a sweep");
     let rows = rows(&sweep);
     let uniform = numbers(&sweep, &rows, "design_uniform_gap_deg")[0];
@@ -228,8 +228,8 @@ fn one_raceway_of_several_can_vary() {
 fn runs_do_not_depend_on_what_they_are_computed_with() {
     let text = "compute = [\"run\"]\n[set]\nsolver.duration_s = 0.0005\n[grid]\n\
                 bearing.balls = [13, 14]\nraceway.half_angle_deg = [22.0, 25.0, 95.0]\n\
-                solver.method = [\"symplectic\", \"abm4\"]\n[scatter]\nrepeats = 4\n\
-                bearing.ball_radius_deviation_um = { normal = 0.5 }\nstart.gaps = \"any\"\n";
+                solver.method = [\"verlet\", \"abm4\"]\n[scatter]\nrepeats = 4\n\
+                bearing.ball_radius_deviation_um = { normal = 0.5 }\nstart.gaps = \"random\"\n";
     let sweep = Sweep::new(plan(text)).expect("a sweep");
     let whole = rows(&sweep);
     assert_eq!(whole.len(), 48);

@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         case.solver.step_s = step.parse()?;
     }
     let weight = case.rotor.as_ref().map_or(0.0, |r| r.mass_kg) * case.operation.gravity_m_s2;
-    println!("time_ms  x_um  y_um  ring_rad_s  rotor_rad_s  force/weight  slip_m_s");
+    println!("time_ms  x_um  y_um  ring_rad_s  rotor_rad_s  force/weight  sliding_m_s");
     let interval_s = duration_s / 20.0;
     let mut recorder = Recorder::new(interval_s, |snapshot| {
         if let Some(r) = snapshot.rotor {
@@ -37,7 +37,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
                 r.ring_speed_rad_s,
                 r.speed_rad_s,
                 r.contact_force_n / weight,
-                r.contact_slip_m_s
+                r.contact_sliding_m_s
             );
         }
         Ok(())
@@ -61,7 +61,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         );
     }
     println!(
-        "ledger residual {:.1e}; step {:e} s; {:.2} s for each simulated second",
+        "energy balance residual {:.1e}; step {:e} s; {:.2} s for each simulated second",
         outcome.energy_residual_relative,
         case.solver.step_s,
         wall_s / outcome.end_s

@@ -44,7 +44,7 @@ fn main() -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
         );
     }
     let residual = outcome.energy_residual_relative;
-    println!("energy that the ledger does not explain: {residual:.1e} of all flows");
+    println!("energy that the energy balance does not explain: {residual:.1e} of all flows");
     assert!(residual.abs() < 1e-3);
     Ok(())
 }

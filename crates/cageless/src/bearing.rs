@@ -12,7 +12,7 @@
 //!     inner_groove_curvature_radius_m: 4.953e-3,
 //!     outer_groove_curvature_radius_m: 4.953e-3,
 //!     inner_ring_mass_kg: 0.2,
-//!     inner_ring_drag_n_s_m: 2000.0,
+//!     inner_ring_damping_n_s_m: 2000.0,
 //! };
 //! let steel = Material {
 //!     density_kg_m3: 7850.0,
@@ -279,12 +279,15 @@ impl Bearing {
         self.dimensions.outer_groove_bottom_radius_m - self.dimensions.ball_radius_m
     }
 
-    /// Ro − Ri − 2Rw, the radial play of one ball between the rings; negative: the interference
-    /// with which they press it. The radial internal clearance of ISO 5753-1 is a diametral
-    /// play: twice this.
-    pub fn radial_clearance_m(&self) -> f64 {
+    /// Gr = 2 (Ro − Ri − 2Rw), the radial internal clearance of ISO 5753-1: twice the play of one
+    /// ball between the rings. Negative: twice the interference with which they press it.
+    pub fn radial_internal_clearance_m(&self) -> f64 {
         let play = self.dimensions.play_m();
-        if play.abs() < ROUNDING_M { 0.0 } else { play }
+        if play.abs() < ROUNDING_M {
+            0.0
+        } else {
+            2.0 * play
+        }
     }
 
     /// m, mass of a nominal ball.

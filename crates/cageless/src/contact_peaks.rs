@@ -19,7 +19,7 @@ use crate::case::Case;
 use crate::contact::flash_temperature::{STEEL_EFFUSIVITY, flash_temperature_k};
 use crate::dynamics::Contacts;
 use crate::equilibrium::RacewayContact;
-use crate::kinematics::rolling_spin_rad_s;
+use crate::kinematics::rolling_rotation_rad_s;
 
 /// Peak loads of one kind of contact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -51,7 +51,7 @@ pub struct ContactPeaks {
 struct Sample {
     rank: f64,
     force_n: f64,
-    slip_m_s: f64,
+    sliding_m_s: f64,
     radius_m: f64,
 }
 
@@ -66,8 +66,8 @@ impl Largest {
     /// Takes a contact of which one point carries `point_n` of `force_n`. Pressure grows with
     /// F^(1/3), so that F·|ΔV|³ ranks pressure times sliding speed.
     #[inline]
-    fn add(&mut self, force_n: f64, point_n: f64, slip_m_s: f64, radius_m: f64) {
-        let speed = slip_m_s.abs();
+    fn add(&mut self, force_n: f64, point_n: f64, sliding_m_s: f64, radius_m: f64) {
+        let speed = sliding_m_s.abs();
         for (largest, rank) in [
             (&mut self.load, point_n),
             (&mut self.sliding, point_n * speed * speed * speed),
@@ -76,7 +76,7 @@ impl Largest {
                 *largest = Sample {
                     rank,
                     force_n,
-                    slip_m_s,
+                    sliding_m_s,
                     radius_m,
                 };
             }
@@ -97,7 +97,7 @@ impl Largest {
         let [pressure_pa, _] = contact(self.load.force_n, self.load.radius_m);
         let Sample {
             force_n,
-            slip_m_s,
+            sliding_m_s,
             radius_m,
             ..
         } = self.sliding;
@@ -105,12 +105,12 @@ impl Largest {
         ContactPeak {
             force_n: self.load.force_n,
             pressure_pa,
-            pressure_velocity_pa_m_s: sliding_pressure * slip_m_s.abs(),
+            pressure_velocity_pa_m_s: sliding_pressure * sliding_m_s.abs(),
             flash_temperature_k: flash_temperature_k(
                 friction_coefficient,
                 sliding_pressure,
                 semi_axis_m,
-                [surface_m_s, surface_m_s - slip_m_s],
+                [surface_m_s, surface_m_s - sliding_m_s],
                 STEEL_EFFUSIVITY,
             ),
         }
@@ -160,11 +160,14 @@ impl ContactPeakTracker {
             let inner = contacts.inner_force_n(k);
             if inner > 0.0 {
                 self.inner
-                    .add(inner, inner, contacts.inner_slip_m_s(k), 0.0);
+                    .add(inner, inner, contacts.inner_sliding_m_s(k), 0.0);
             }
             let outer = contacts.outer_force_n(k);
             if outer > 0.0 {
-                let (slip, radius) = (contacts.outer_slip_m_s(k), contacts.effective_radius_m(k));
+                let (slip, radius) = (
+                    contacts.outer_sliding_m_s(k),
+                    contacts.effective_radius_m(k),
+                );
                 if radius < self.ball_radius_m {
                     // Two points share the force, Zhao 2022, Eq. (19).
                     let of_one = outer * self.ball_radius_m / (2.0 * radius);
@@ -181,7 +184,8 @@ impl ContactPeakTracker {
         for k in 0..contacts.balls() {
             let force = contacts.pair_force_n(k);
             if force > 0.0 {
-                self.balls.add(force, force, contacts.pair_slip_m_s(k), 0.0);
+                self.balls
+                    .add(force, force, contacts.pair_sliding_m_s(k), 0.0);
             }
         }
     }
@@ -197,7 +201,8 @@ impl ContactPeakTracker {
         let ball_friction = friction * contact.ball_friction_factor;
         let inner_m_s = (case.operation.inner_speed_rad_s - orbit) * d.inner_groove_bottom_radius_m;
         let outer_m_s = orbit * d.outer_groove_bottom_radius_m;
-        let ball_m_s = rolling_spin_rad_s(bearing, orbit, self.ball_radius_m) * self.ball_radius_m;
+        let ball_m_s =
+            rolling_rotation_rad_s(bearing, orbit, self.ball_radius_m) * self.ball_radius_m;
         let of = |c: RacewayContact| [c.pressure_pa, c.semi_axes_m[0]];
         let inner = |force_n: f64, _: f64| of(RacewayContact::inner(bearing, force_n));
         let outer =
@@ -205,7 +210,7 @@ impl ContactPeakTracker {
         let between = |force_n: f64, _: f64| {
             let contact = bearing.ball_contact();
             [
-                contact.peak_stress_pa(force_n),
+                contact.peak_pressure_pa(force_n),
                 contact.semi_axes_m(force_n)[0],
             ]
         };
@@ -235,8 +240,8 @@ mod tests {
     #[test]
     fn a_product_is_that_of_one_contact() {
         let mut largest = Largest::default();
-        for (force_n, slip_m_s) in [(1000.0, 0.1), (8.0, 2.0), (27.0, -1.5), (1.0, 3.5)] {
-            largest.add(force_n, force_n, slip_m_s, 0.0);
+        for (force_n, sliding_m_s) in [(1000.0, 0.1), (8.0, 2.0), (27.0, -1.5), (1.0, 3.5)] {
+            largest.add(force_n, force_n, sliding_m_s, 0.0);
         }
         let peak = largest.peak(0.1, &contact, 10.0);
         assert_eq!(peak.force_n, 1000.0);

@@ -169,7 +169,7 @@ fn pair_start(
     gaps: Gaps,
     lead_ball_angle_rad: f64,
 ) -> Start {
-    if test.ring_y_m.is_none() && case.bearing.radial_clearance_m() != 0.0 {
+    if test.ring_y_m.is_none() && case.bearing.radial_internal_clearance_m() != 0.0 {
         return Start::Settled {
             gaps,
             lead_ball_angle_rad,

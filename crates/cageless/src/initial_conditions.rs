@@ -18,7 +18,9 @@ use crate::dynamics::layout::Layout;
 use crate::dynamics::rotor::RotorMotion;
 use crate::dynamics::state::State;
 use crate::equilibrium::{self, EquilibriumError, ball_outer_geometry, start_angles_rad};
-use crate::kinematics::{orbit_speed_of_rad_s, rolling_relative_spin_rad_s, rolling_spin_rad_s};
+use crate::kinematics::{
+    orbit_speed_of_rad_s, rolling_relative_rotation_rad_s, rolling_rotation_rad_s,
+};
 use crate::profile::Profile;
 use crate::step_limits;
 
@@ -57,7 +59,7 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
         _ => case.operation.inner_speed_rad_s,
     };
     // Balls on Rm between rings that press them would spring to where the two forces are equal.
-    let between = |ring| match bearing.radial_clearance_m() < 0.0 {
+    let between = |ring| match bearing.radial_internal_clearance_m() < 0.0 {
         true => equilibrium::seated_distances_m(case, ring, inner_speed),
         false => vec![pitch; n],
     };
@@ -77,10 +79,10 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
         let radius = bearing.ball(k).radius_m;
         let orbit = orbit_speed_of_rad_s(bearing, radius, inner_speed, r);
         let (speed, spin) = match case.profile {
-            Profile::Physical => (orbit * pitch, rolling_spin_rad_s(bearing, orbit, r)),
+            Profile::Physical => (orbit * pitch, rolling_rotation_rad_s(bearing, orbit, r)),
             Profile::Paper => (
                 orbit * distance,
-                rolling_relative_spin_rad_s(bearing, orbit, r),
+                rolling_relative_rotation_rad_s(bearing, orbit, r),
             ),
         };
         let (sin, cos) = angle.sin_cos();

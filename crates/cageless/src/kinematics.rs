@@ -37,13 +37,13 @@ pub fn orbit_speed_of_rad_s(
 
 /// Spin of pure rolling relative to the frame that turns with the ball's orbit,
 /// ωb = Ω(r + Rm)/r (Zhao 2022, Eq. (1) with ΔVo = 0), rad/s, clockwise.
-pub fn rolling_relative_spin_rad_s(bearing: &Bearing, orbit_speed_rad_s: f64, r_m: f64) -> f64 {
+pub fn rolling_relative_rotation_rad_s(bearing: &Bearing, orbit_speed_rad_s: f64, r_m: f64) -> f64 {
     orbit_speed_rad_s * (r_m + bearing.pitch_radius_m()) / r_m
 }
 
 /// Absolute spin of pure rolling, ω = Ω·Rm/r, rad/s, clockwise: the surface of the
 /// ball rests on the outer raceway.
-pub fn rolling_spin_rad_s(bearing: &Bearing, orbit_speed_rad_s: f64, r_m: f64) -> f64 {
+pub fn rolling_rotation_rad_s(bearing: &Bearing, orbit_speed_rad_s: f64, r_m: f64) -> f64 {
     orbit_speed_rad_s * bearing.pitch_radius_m() / r_m
 }
 

@@ -137,7 +137,7 @@ impl OrbitMeansTracker {
         if sampled {
             let contacts = &view.contacts;
             let balls = contacts.balls();
-            let sum: f64 = (0..balls).map(|k| contacts.spin_rad_s(k)).sum();
+            let sum: f64 = (0..balls).map(|k| contacts.rotation_rad_s(k)).sum();
             self.rotation_sum += sum / balls as f64;
             self.rotation_samples += 1;
         }

@@ -48,7 +48,7 @@ pub struct Passage {
     /// Contacts with the ball behind that began while inside.
     pub collisions_behind: u32,
     /// Largest |ΔVi| or |ΔVo| while inside.
-    pub slip_max_m_s: f64,
+    pub sliding_max_m_s: f64,
     /// Largest and smallest orbital speed while inside.
     pub orbit_speed_range_rad_s: [f64; 2],
 }
@@ -81,7 +81,7 @@ impl PassageTally {
             p.leave_s - p.enter_s,
             f64::from(p.collisions_ahead + p.collisions_behind),
             f64::from(u8::from(twice)),
-            p.slip_max_m_s,
+            p.sliding_max_m_s,
             p.gap_min_rad,
             p.orbit_speed_range_rad_s[0],
         ];
@@ -112,7 +112,7 @@ impl PassageTally {
     }
 
     /// Mean over the passages of the largest |ΔVi| or |ΔVo| in each.
-    pub fn slip_mean_m_s(&self) -> f64 {
+    pub fn sliding_mean_m_s(&self) -> f64 {
         self.mean(3)
     }
 
@@ -273,8 +273,8 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
                 let orbit = c.orbit_speed_rad_s(k);
                 // A contact without load may slide as it likes.
                 let slip = |slip: f64, force: f64| if force > 0.0 { slip.abs() } else { 0.0 };
-                let slip = slip(c.inner_slip_m_s(k), c.inner_force_n(k))
-                    .max(slip(c.outer_slip_m_s(k), c.outer_force_n(k)));
+                let slip = slip(c.inner_sliding_m_s(k), c.inner_force_n(k))
+                    .max(slip(c.outer_sliding_m_s(k), c.outer_force_n(k)));
                 if self.inside[slot].is_none() {
                     let (enter_s, [ahead, behind]) = self.end(view, k, sector);
                     let gap = ahead.gap_rad(self.pair_angles[k]);
@@ -290,7 +290,7 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
                             gap_leave_rad: gap,
                             collisions_ahead: 0,
                             collisions_behind: 0,
-                            slip_max_m_s: 0.0,
+                            sliding_max_m_s: 0.0,
                             orbit_speed_range_rad_s: [orbit, orbit],
                         },
                         nearest: now,
@@ -304,7 +304,7 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
                 }
                 passage.collisions_ahead += u32::from(self.contact_tracker.started(k));
                 passage.collisions_behind += u32::from(self.contact_tracker.started(previous));
-                passage.slip_max_m_s = passage.slip_max_m_s.max(slip);
+                passage.sliding_max_m_s = passage.sliding_max_m_s.max(slip);
                 let [low, high] = passage.orbit_speed_range_rad_s;
                 passage.orbit_speed_range_rad_s = [low.min(orbit), high.max(orbit)];
             }
@@ -329,7 +329,7 @@ mod tests {
             gap_leave_rad: 6.0 * number,
             collisions_ahead,
             collisions_behind,
-            slip_max_m_s: 7.0 * number,
+            sliding_max_m_s: 7.0 * number,
             orbit_speed_range_rad_s: [8.0 * number, 9.0 * number],
         }
     }
@@ -359,7 +359,7 @@ mod tests {
         assert_eq!(tally.collisions_mean(), 4.0);
         assert_eq!(tally.double_collision_fraction(), 0.5);
         assert_eq!(tally.gap_min_mean_rad(), 10.0);
-        assert_eq!(tally.slip_mean_m_s(), 14.0);
+        assert_eq!(tally.sliding_mean_m_s(), 14.0);
         assert_eq!(tally.lowest_orbit_speed_mean_rad_s(), 16.0);
         assert_eq!(tally.gap_leave_range_rad, [6.0, 18.0]);
     }

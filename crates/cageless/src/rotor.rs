@@ -5,7 +5,7 @@
 //! let case = common::drop_case(); // 20 kg at 30 000 rpm, 0.2 mm above the inner ring
 //! let rotor = case.rotor.as_ref().unwrap();
 //! // Its fall through the air gap.
-//! let speed_m_s = (2.0 * case.operation.gravity_m_s2 * rotor.air_gap_m).sqrt();
+//! let speed_m_s = (2.0 * case.operation.gravity_m_s2 * rotor.radial_clearance_m).sqrt();
 //! assert!((speed_m_s - 0.0626).abs() < 1e-4);
 //! assert!(case.check().is_ok());
 //! ```
@@ -25,7 +25,7 @@ pub struct Rotor {
     /// Ω at the start, counter-clockwise; may be negative or 0.
     pub speed_rad_s: f64,
     /// r0, radial air gap between journal and bore of the inner ring.
-    pub air_gap_m: f64,
+    pub radial_clearance_m: f64,
     /// ε, distance of the mass centre from the centre of the journal.
     pub eccentricity_m: f64,
     /// φ, direction of the mass centre from the centre of the journal at the start, from +X,
@@ -36,7 +36,7 @@ pub struct Rotor {
     /// Law of friction between journal and bore.
     pub friction_law: FrictionLaw,
     /// Sliding speed at the knee of all laws but Coulomb's.
-    pub slip_scale_m_s: f64,
+    pub regularisation_speed_m_s: f64,
     /// μs of the Stribeck law, at least μr; of no other law.
     pub static_friction_coefficient: Option<f64>,
     /// v of the Stribeck law, m/s; of no other law.
@@ -44,7 +44,7 @@ pub struct Rotor {
     /// μr over the sliding speed, of the law of that name; of no other law.
     pub friction_table: Option<FrictionTable>,
     /// K of the contact between journal and bore, F = K δ^p (1 + 1.5 α dδ/dt), N/m^p.
-    pub contact_stiffness: f64,
+    pub contact_stiffness_n_mp: f64,
     /// p, 1 (conformal) to 1.5 (Hertz).
     pub contact_exponent: f64,
     /// α, s/m.
@@ -112,11 +112,11 @@ impl Rotor {
         positive("rotor_mass_kg", self.mass_kg)?;
         positive("rotor_polar_inertia_kg_m2", self.polar_inertia_kg_m2)?;
         finite("rotor_speed_rad_s", self.speed_rad_s)?;
-        positive("air_gap_m", self.air_gap_m)?;
-        if self.air_gap_m >= bore_radius_m {
+        positive("radial_clearance_m", self.radial_clearance_m)?;
+        if self.radial_clearance_m >= bore_radius_m {
             return Err(InputError::new(
-                "air_gap_m",
-                self.air_gap_m,
+                "radial_clearance_m",
+                self.radial_clearance_m,
                 Allowed::Below(bore_radius_m, "the radius of the bore"),
             ));
         }
@@ -129,7 +129,10 @@ impl Rotor {
             ));
         }
         finite("eccentricity_phase_rad", self.eccentricity_phase_rad)?;
-        positive("rotor_slip_scale_m_s", self.slip_scale_m_s)?;
+        positive(
+            "rotor_regularisation_speed_m_s",
+            self.regularisation_speed_m_s,
+        )?;
         self.friction_law.check(
             &self.friction(),
             [
@@ -139,7 +142,7 @@ impl Rotor {
                 "rotor_friction_table",
             ],
         )?;
-        positive("contact_stiffness", self.contact_stiffness)?;
+        positive("contact_stiffness_n_mp", self.contact_stiffness_n_mp)?;
         let [least, most] = CONTACT_EXPONENTS;
         if !(least..=most).contains(&self.contact_exponent) {
             return Err(InputError::rule(
@@ -163,7 +166,7 @@ impl Rotor {
         }
         let [x, y] = self.journal_start_m();
         let off = x.hypot(y);
-        if off > self.air_gap_m {
+        if off > self.radial_clearance_m {
             let (field, value) = if self.x_m.abs() > self.y_m.abs() {
                 ("rotor_x_m", self.x_m)
             } else if self.y_m != 0.0 {
@@ -175,9 +178,9 @@ impl Rotor {
                 field,
                 value,
                 format!(
-                    "a start within the air gap: the centre of the journal would be {off:e} m off \
+                    "a start within the touch-down clearance: the centre of the journal would be {off:e} m off \
                      the centre of the inner ring, and the gap is {:e} m",
-                    self.air_gap_m
+                    self.radial_clearance_m
                 ),
             ));
         }

@@ -43,7 +43,7 @@ pub struct Snapshot {
     pub vy_m_s: Vec<f64>,
     /// Absolute rotation about the bearing axis, clockwise positive: the rolling
     /// sense. It is not the spin about the contact normal of ball-bearing texts.
-    pub spin_rad_s: Vec<f64>,
+    pub rotation_rad_s: Vec<f64>,
     /// dψ/dt.
     pub orbit_speed_rad_s: Vec<f64>,
     /// Gap to the ball ahead, ψ(k+1) − ψ(k) − ε; that of ball N to ball 1.
@@ -55,9 +55,9 @@ pub struct Snapshot {
     /// Fo, normal force at the outer raceway (radial sum of both contact points).
     pub outer_force_n: Vec<f64>,
     /// ΔVi; positive speeds orbit and spin up.
-    pub inner_slip_m_s: Vec<f64>,
+    pub inner_sliding_m_s: Vec<f64>,
     /// ΔVo; positive slows the orbit and speeds the spin up.
-    pub outer_slip_m_s: Vec<f64>,
+    pub outer_sliding_m_s: Vec<f64>,
     /// The inner ring.
     pub ring: RingSnapshot,
     /// The rotor and what it moves, in a drop.
@@ -92,7 +92,7 @@ pub struct RotorSnapshot {
     /// Normal force between rotor and inner ring.
     pub contact_force_n: f64,
     /// Sliding speed of the journal on the bore at their nearest points, counter-clockwise.
-    pub contact_slip_m_s: f64,
+    pub contact_sliding_m_s: f64,
 }
 
 /// The inner ring at one instant.
@@ -130,14 +130,14 @@ impl Snapshot {
             &self.y_m,
             &self.vx_m_s,
             &self.vy_m_s,
-            &self.spin_rad_s,
+            &self.rotation_rad_s,
             &self.orbit_speed_rad_s,
             &self.gap_rad,
             &self.effective_radius_m,
             &self.inner_force_n,
             &self.outer_force_n,
-            &self.inner_slip_m_s,
-            &self.outer_slip_m_s,
+            &self.inner_sliding_m_s,
+            &self.outer_sliding_m_s,
         ]
     }
 
@@ -197,14 +197,14 @@ impl Snapshot {
             y_m: next(),
             vx_m_s: next(),
             vy_m_s: next(),
-            spin_rad_s: next(),
+            rotation_rad_s: next(),
             orbit_speed_rad_s: next(),
             gap_rad: next(),
             effective_radius_m: next(),
             inner_force_n: next(),
             outer_force_n: next(),
-            inner_slip_m_s: next(),
-            outer_slip_m_s: next(),
+            inner_sliding_m_s: next(),
+            outer_sliding_m_s: next(),
             ring,
             rotor,
         }
@@ -255,7 +255,7 @@ values!(
     housing_vx_m_s,
     housing_vy_m_s,
     contact_force_n,
-    contact_slip_m_s
+    contact_sliding_m_s
 );
 
 #[cfg(test)]
@@ -272,8 +272,8 @@ mod tests {
             let first = (HEAD + rotor) as f64;
             assert_eq!(snapshot.angle_rad, [first, first + 1.0, first + 2.0]);
             let last = first + 36.0;
-            assert_eq!(snapshot.outer_slip_m_s, [last, last + 1.0, last + 2.0]);
-            let slip = snapshot.rotor.map(|r| r.contact_slip_m_s);
+            assert_eq!(snapshot.outer_sliding_m_s, [last, last + 1.0, last + 2.0]);
+            let slip = snapshot.rotor.map(|r| r.contact_sliding_m_s);
             assert_eq!(slip, (rotor > 0).then_some(22.0));
             assert_eq!(*snapshot.to_row(), *row);
         }

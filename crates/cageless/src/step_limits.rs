@@ -93,7 +93,7 @@ fn squeezed_n(case: &Case) -> f64 {
         .raceways
         .iter()
         .fold(0.0, |most: f64, r| most.max(-r.depth_error_m()));
-    let clearance = bearing.radial_clearance_m();
+    let clearance = 0.5 * bearing.radial_internal_clearance_m();
     let series = series_stiffness_n_m1_5(inner, outer);
     let squeezed = force(series, 2.0 * larger + shallow - clearance);
     // Balls on Rm, half of the clearance off either raceway, the ring off the centre.
@@ -114,7 +114,7 @@ fn squeezed_n(case: &Case) -> f64 {
 
 /// Number of balls whose stiffness together carries the ring.
 fn carrying(case: &Case) -> f64 {
-    let preloaded = case.bearing.radial_clearance_m() < 0.0;
+    let preloaded = case.bearing.radial_internal_clearance_m() < 0.0;
     let fraction = match preloaded {
         true => PRELOADED_FRACTION,
         false => CARRYING_FRACTION,
@@ -155,13 +155,13 @@ fn wedged_n(case: &Case, down: f64) -> f64 {
         return 0.0;
     }
     let (d, orbit_rad_s) = (bearing.dimensions(), case.rolling_orbit_speed_rad_s());
-    let whirl = orbit_rad_s * bearing.radial_clearance_m().max(0.0);
-    let down = down + (d.inner_ring_drag_n_s_m + d.inner_ring_mass_kg * orbit_rad_s) * whirl;
+    let whirl = orbit_rad_s * 0.5 * bearing.radial_internal_clearance_m().max(0.0);
+    let down = down + (d.inner_ring_damping_n_s_m + d.inner_ring_mass_kg * orbit_rad_s) * whirl;
     let cosines: Vec<f64> = angles.iter().map(|a| (a - widest.1).cos()).collect();
     let [inner, outer, _] = case.stiffness_n_m1_5();
     let series = series_stiffness_n_m1_5(inner, outer);
     let orbit = bearing.outer_orbit_radius_m();
-    let reach = orbit - bearing.radial_clearance_m();
+    let reach = orbit - 0.5 * bearing.radial_internal_clearance_m();
     // Force on the ring against its displacement, and the largest on a ball.
     let pressed = |ring: f64| {
         let balls = cosines.iter().map(|cosine| {
@@ -237,11 +237,11 @@ impl Drop {
         };
         let bearing = &case.bearing;
         let weight = rotor.mass_kg * case.operation.gravity_m_s2;
-        let height = rotor.journal_start_m()[1] + rotor.air_gap_m;
+        let height = rotor.journal_start_m()[1] + rotor.radial_clearance_m;
         let energy = 0.5 * rotor.mass_kg * (rotor.vx_m_s.powi(2) + rotor.vy_m_s.powi(2))
             + weight * height.max(0.0);
         let unbalance = rotor.mass_kg * rotor.eccentricity_m * rotor.speed_rad_s.powi(2);
-        let (k, p) = (rotor.contact_stiffness, rotor.contact_exponent);
+        let (k, p) = (rotor.contact_stiffness_n_mp, rotor.contact_exponent);
         let contact = |force: f64| p * k.powf(1.0 / p) * force.powf(1.0 - 1.0 / p);
         let [inner, outer, _] = case.stiffness_n_m1_5();
         let carrying = carrying(case);
@@ -272,7 +272,7 @@ impl Drop {
         let friction = if rotor.friction_law.sticks() {
             0.0
         } else {
-            rotor.friction_coefficient_max() * force * mobility / rotor.slip_scale_m_s
+            rotor.friction_coefficient_max() * force * mobility / rotor.regularisation_speed_m_s
         };
         let depth = (force / k).powf(1.0 / p);
         Self {
@@ -349,13 +349,14 @@ impl StepLimits {
         } else {
             // Both friction forces of a ball together feel 1/5 of its mass.
             let largest = 5.0 * coefficient_max * load;
-            let rate = largest / (mass * contact.slip_scale_m_s);
+            let rate = largest / (mass * contact.regularisation_speed_m_s);
             [rate.max(drop.friction_1_s), 0.0]
         };
         let deflection = |k: f64| (load / k).powf(2.0 / 3.0).sqrt();
         let damper = |k: f64| case.contact.damping_n_s_m1_5 * deflection(k);
         let damping = (damper(inner) + damper(outer)) / mass
-            + (carrying * damper(inner) + d.inner_ring_drag_n_s_m + drop.contact_n_s_m) / ring_mass
+            + (carrying * damper(inner) + d.inner_ring_damping_n_s_m + drop.contact_n_s_m)
+                / ring_mass
             + (carrying * damper(outer) * drop.support_moves + drop.support_n_s_m)
                 * drop.inverse_outer_mass;
         Self {

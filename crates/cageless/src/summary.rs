@@ -47,7 +47,7 @@ pub struct Summary {
     /// Mean of the ring's centre.
     pub ring_y_mean_m: f64,
     /// Largest |ΔVi| or |ΔVo| at a raceway contact that carries load.
-    pub slip_max_m_s: f64,
+    pub sliding_max_m_s: f64,
     /// Peak loads of the contacts.
     pub peaks: ContactPeaks,
     /// Mean powers and speeds; `None` for a part of a few steps.
@@ -128,7 +128,7 @@ impl SummaryRecorder {
             },
             ring_x_mean_m: self.ring_sum[0] / self.time,
             ring_y_mean_m: self.ring_sum[1] / self.time,
-            slip_max_m_s: self.slip_max,
+            sliding_max_m_s: self.slip_max,
             peaks: peaks.peaks(case),
             means: self.means.means(case),
         })
@@ -172,7 +172,7 @@ impl Observer for SummaryRecorder {
             self.ring_sum[k] += 0.5 * h * (view.step.y0[at] + view.step.y1[at]);
         }
         self.time += h;
-        self.slip_max = self.slip_max.max(contacts.slip_max_m_s());
+        self.slip_max = self.slip_max.max(contacts.sliding_max_m_s());
         let loaded = self.steps.is_multiple_of(LOADS_EVERY);
         if loaded {
             let force = contacts.outer_ring_force_n();

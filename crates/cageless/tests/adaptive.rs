@@ -24,7 +24,7 @@ fn undamped_drop() -> Case {
     case = case.with_raceways(vec![raceway]);
     let rotor = case.rotor.as_mut().unwrap();
     (rotor.eccentricity_m, rotor.eccentricity_phase_rad) = (8e-6, 0.7);
-    (rotor.contact_stiffness, rotor.contact_exponent) = (5e10, 1.5);
+    (rotor.contact_stiffness_n_mp, rotor.contact_exponent) = (5e10, 1.5);
     (rotor.y_m, rotor.vy_m_s) = (-190e-6, -0.061);
     case.start = close_together(&case, 21.0);
     case.solver.duration_s = 1.5e-3;
@@ -101,7 +101,7 @@ fn errors(name: &str, case: &Case, truth: &[f64], quarters: impl Iterator<Item =
         let outcome = tolerated(case, 10f64.powf(-f64::from(quarter) / 4.0));
         let [rms, most] = difference(&scaled(&outcome.state), truth);
         println!(
-            "{name} 1e-{}: {rms:.2e}, largest {most:.2e}, {} steps, {} evaluations, ledger {:.1e}",
+            "{name} 1e-{}: {rms:.2e}, largest {most:.2e}, {} steps, {} evaluations, energy balance {:.1e}",
             f64::from(quarter) / 4.0,
             outcome.steps,
             outcome.rhs_evaluations,

@@ -118,7 +118,7 @@ fn row(balls: usize, diameter_m: f64, pitch_m: f64, play_m: f64, ring_kg: f64) -
         inner_groove_curvature_radius_m: 0.52 * diameter_m,
         outer_groove_curvature_radius_m: 0.52 * diameter_m,
         inner_ring_mass_kg: ring_kg,
-        inner_ring_drag_n_s_m: 2000.0,
+        inner_ring_damping_n_s_m: 2000.0,
     };
     case.bearing = Bearing::new(dimensions, steel()).unwrap();
     let mut gaps = vec![0.0; balls];
@@ -170,7 +170,7 @@ fn a_ring_that_whirls_with_its_balls_keeps_its_energy_balance() {
         case.contact.friction_coefficient = 0.04;
         case.contact.static_friction_coefficient = Some(0.12);
         case.contact.stribeck_speed_m_s = Some(1.3);
-        case.contact.slip_scale_m_s = 2.5e-3;
+        case.contact.regularisation_speed_m_s = 2.5e-3;
         case.contact.damping_n_s_m1_5 = 7.7e5;
         let case = automatic(case, 0.0, rpm, 2e-4);
         let residual = complete(&case).energy_residual_relative.abs();

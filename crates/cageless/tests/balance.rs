@@ -65,7 +65,7 @@ fn the_ledger_closes_in_both_profiles_and_laws() {
 #[test]
 fn a_lossless_bearing_keeps_its_energy() {
     let mut d = dimensions();
-    d.inner_ring_drag_n_s_m = 0.0;
+    d.inner_ring_damping_n_s_m = 0.0;
     let mut case = undamped(conventional(d));
     case.contact.friction_coefficient = 0.0;
     case.operation.radial_load_n = 0.0;
@@ -128,8 +128,8 @@ fn pure_rolling_stays_pure_rolling() {
     rhs.derivative(0.0, state.values(), &mut rate);
     let contacts = rhs.contacts();
     for k in 0..14 {
-        assert!(contacts.inner_slip_m_s(k).abs() < 1e-12);
-        assert!(contacts.outer_slip_m_s(k).abs() < 1e-12);
+        assert!(contacts.inner_sliding_m_s(k).abs() < 1e-12);
+        assert!(contacts.outer_sliding_m_s(k).abs() < 1e-12);
     }
     let end = complete(&case).state;
     for (before, after) in state.spin_state_rad_s().iter().zip(end.spin_state_rad_s()) {
@@ -225,8 +225,8 @@ fn coulomb_friction_sticks() {
             .max_by(|a, b| snapshot.inner_force_n[*a].total_cmp(&snapshot.inner_force_n[*b]))
             .unwrap();
         (
-            snapshot.inner_slip_m_s[k].abs(),
-            snapshot.outer_slip_m_s[k].abs(),
+            snapshot.inner_sliding_m_s[k].abs(),
+            snapshot.outer_sliding_m_s[k].abs(),
         )
     };
     let (coarse, fine) = (spread(1e-6), spread(0.25e-6));

@@ -29,7 +29,7 @@ fn a_second_without_damping_keeps_energy_and_balls() {
     case.bearing = {
         let mut d = crate::common::dimensions();
         // As in CB74: little drag on the ring.
-        d.inner_ring_drag_n_s_m = 500.0;
+        d.inner_ring_damping_n_s_m = 500.0;
         cageless::Bearing::new(d, crate::common::steel()).unwrap()
     };
     case.solver.method = IntegrationMethod::VelocityVerlet;

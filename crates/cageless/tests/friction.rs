@@ -24,7 +24,7 @@ fn free_balls(law: FrictionLaw, step_s: f64) -> Case {
     case.operation.radial_load_n = 0.0;
     case.contact.friction_law = law;
     case.contact.friction_coefficient = 0.2;
-    case.contact.slip_scale_m_s = 1e-4;
+    case.contact.regularisation_speed_m_s = 1e-4;
     case.contact.damping_n_s_m1_5 = 2e5;
     case.solver.method = IntegrationMethod::VelocityVerlet;
     case.solver.step_s = step_s;
@@ -219,7 +219,7 @@ fn dry_friction_takes_the_step_of_the_contacts() {
 /// However small the slip scale, the step is that of the contacts, and the motion goes over into that
 /// of Coulomb's law: the nearer the smaller the scale.
 #[test]
-fn small_slip_scales_go_over_into_coulombs_law() {
+fn small_regularisation_speeds_go_over_into_coulombs_law() {
     let mut case = structure(5.1, 25.2);
     case.solver.method = IntegrationMethod::VelocityVerlet;
     case.solver.duration_s = 0.01;
@@ -230,7 +230,7 @@ fn small_slip_scales_go_over_into_coulombs_law() {
     let (coulomb, _) = means(&case);
     case.contact.friction_law = FrictionLaw::Smooth;
     for (scale, distance_m) in [(0.02, 1e-9), (2e-4, 5e-11), (1e-6, 5e-12)] {
-        case.contact.slip_scale_m_s = scale;
+        case.contact.regularisation_speed_m_s = scale;
         let automatic = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
         assert_eq!(case.solver.step_s, automatic);
         let (smooth, residual) = means(&case);
@@ -238,8 +238,8 @@ fn small_slip_scales_go_over_into_coulombs_law() {
         let distance = (smooth[0] - coulomb[0]).abs();
         assert!(distance < distance_m, "{scale}: {distance:e}");
     }
-    case.contact.slip_scale_m_s = 0.9e-6;
-    assert_eq!(case.check().unwrap_err().field, "slip_scale_m_s");
+    case.contact.regularisation_speed_m_s = 0.9e-6;
+    assert_eq!(case.check().unwrap_err().field, "regularisation_speed_m_s");
 }
 
 /// From 0.2 at rest to 0.1.
@@ -323,7 +323,10 @@ fn every_law_is_finite_and_closes_its_ledger() {
         let model = Model::new(&case).unwrap();
         let mut rhs = RightHandSide::new(&model);
         let seen = rhs.snapshot(0.0, &outcome.state, &[0.0; 14]);
-        assert!(seen.inner_slip_m_s.iter().all(|s| s.is_finite()), "{law:?}");
+        assert!(
+            seen.inner_sliding_m_s.iter().all(|s| s.is_finite()),
+            "{law:?}"
+        );
     }
 }
 
@@ -353,7 +356,7 @@ impl Observer for Rows {
                 (row.ring.ax_m_s2 - normal_x).powi(2) + (row.ring.ay_m_s2 - normal_y).powi(2);
             let within = view.snapshot(0.5 * (view.step.t0_s + view.step.t1_s));
             for row in [row, within] {
-                for (slip, force) in row.inner_slip_m_s.iter().zip(&row.inner_force_n) {
+                for (slip, force) in row.inner_sliding_m_s.iter().zip(&row.inner_force_n) {
                     self.loaded += usize::from(*force > 20.0);
                     self.sticking += usize::from(*force > 20.0 && slip.abs() < 1e-10);
                 }
@@ -367,7 +370,7 @@ impl Observer for Rows {
 fn without_friction(row: &Snapshot) -> [f64; 2] {
     let d = dimensions();
     let (mass, ring) = (d.inner_ring_mass_kg, &row.ring);
-    let drag = d.inner_ring_drag_n_s_m / mass;
+    let drag = d.inner_ring_damping_n_s_m / mass;
     let mut sum = [
         -drag * ring.vx_m_s,
         -drag * ring.vy_m_s - 9.81 - 1500.0 / mass,

@@ -18,7 +18,7 @@ fn table_1_gives_the_papers_angles() {
     assert!(close(bearing.ball_angle_rad().to_degrees(), 23.8982, 5e-5));
     assert!(close(bearing.nominal_gap_rad().to_degrees(), 1.8161, 5e-5));
     assert!(close(axial_span_limit_m(&bearing) * 1e3, 7.4017, 5e-5));
-    assert_eq!(bearing.radial_clearance_m(), 0.0);
+    assert_eq!(bearing.radial_internal_clearance_m(), 0.0);
 }
 
 #[test]

@@ -97,7 +97,7 @@ fn every_cause_has_its_limit() {
         state.values_mut()[layout.drop(x)] = 0.6 * distance;
         state.values_mut()[layout.drop(y)] = -0.8 * distance;
     };
-    let gap = case.rotor.as_ref().unwrap().air_gap_m;
+    let gap = case.rotor.as_ref().unwrap().radial_clearance_m;
     at_limit(
         &case,
         0.05 * 15e-3,
@@ -155,7 +155,7 @@ fn a_thrown_ball_is_not_inside_a_ring_that_is_elsewhere() {
 #[test]
 fn a_housing_that_leaves_its_support_is_seen() {
     let mut case = drop_case();
-    case.rotor.as_mut().unwrap().air_gap_m = 5e-3;
+    case.rotor.as_mut().unwrap().radial_clearance_m = 5e-3;
     at_limit(&case, 4.7625e-3, &Cause::OffSupport, |state, off| {
         let layout = state.layout();
         let shift = [0.6 * off, -0.8 * off];

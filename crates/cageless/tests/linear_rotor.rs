@@ -168,7 +168,7 @@ fn scatter_belongs_to_the_rotor_or_to_a_bearing() {
     for (a, b) in [
         (a.rotor_friction, b.rotor_friction),
         (a.ball_friction, b.ball_friction),
-        (a.air_gap_m, b.air_gap_m),
+        (a.radial_clearance_m, b.radial_clearance_m),
     ] {
         assert!(a != b);
     }
@@ -350,8 +350,8 @@ fn impossible_rotors_are_refused_by_name() {
         "node 9 does not exist: the rotor has the nodes 0 to 4"
     );
     assert!(of(&at(&[2])).contains("move freely with the 1 kept nodes held"));
-    assert!(of(&at(&[2, 2])).contains("two touchdown bearings are at node 2"));
-    assert!(of(&at(&[])).contains("at least one touchdown bearing"));
+    assert!(of(&at(&[2, 2])).contains("two touch-down bearings are at node 2"));
+    assert!(of(&at(&[])).contains("at least one touch-down bearing"));
     let broken = |change: fn(&mut RotorMatrices)| {
         let mut matrices = shaft(4);
         change(&mut matrices);
@@ -371,7 +371,7 @@ fn impossible_rotors_are_refused_by_name() {
         said(RotorDrop::new(rotor(), 100.0, 0.0, cases, step).unwrap_err())
     };
     let case = || bearing(IntegrationMethod::VelocityVerlet);
-    assert!(drop(vec![case()], None).contains("1 cases for 2 touchdown bearings"));
+    assert!(drop(vec![case()], None).contains("1 cases for 2 touch-down bearings"));
     assert!(drop(vec![case(); 2], Some(1e-3)).contains("beyond what rotor and bearings bear"));
     let longer = Case {
         solver: cageless::Solver {

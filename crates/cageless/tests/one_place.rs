@@ -16,7 +16,7 @@ const BESIDE: [&str; 4] = [
 const CONVERSIONS: [(&str, usize); 10] = [
     ("cageless", 68),
     ("cageless-bench", 2),
-    ("cageless-cli", 10),
+    ("cageless-cli", 11),
     ("cageless-io", 47),
     ("cageless-live", 24),
     ("cageless-paper", 50),

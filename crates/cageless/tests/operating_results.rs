@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use cageless::Case;
 use cageless::dynamics::energy::EnergyTerm;
-use cageless::kinematics::{rolling_orbit_speed_rad_s, rolling_relative_spin_rad_s};
+use cageless::kinematics::{rolling_orbit_speed_rad_s, rolling_relative_rotation_rad_s};
 use cageless::simulation::{Control, Observer, ObserverError, RunOutcome, StepView, run};
 use cageless::summary::{Summary, SummaryRecorder, transient_s};
 
@@ -147,14 +147,14 @@ fn peak_pressures_are_those_of_the_largest_forces() {
         (&peaks.inner, steps.inner_n, case.bearing.inner_contact()),
         (&peaks.balls, steps.balls_n, case.bearing.ball_contact()),
     ] {
-        let pressure = contact.peak_stress_pa(largest);
+        let pressure = contact.peak_pressure_pa(largest);
         let ratio = found.pressure_pa / pressure;
         assert!((0.99..=1.0).contains(&ratio), "{ratio}");
         assert!(found.force_n <= largest);
     }
     assert_eq!(peaks.balls.force_n, steps.balls_n);
     // Largest in the plain groove; at two points of the discrete raceway less.
-    let plain = case.bearing.outer_contact().peak_stress_pa(steps.outer_n);
+    let plain = case.bearing.outer_contact().peak_pressure_pa(steps.outer_n);
     assert!(peaks.outer.pressure_pa <= plain && peaks.outer.pressure_pa > 0.8 * plain);
     // Balls that touch slide at twice the speed of their surfaces.
     let sliding = peaks.balls.pressure_velocity_pa_m_s / peaks.balls.pressure_pa;
@@ -181,7 +181,7 @@ fn frequencies_are_those_of_rolling_but_for_the_slip() {
         (means.bpfi_hz(), balls * (speed - orbit) / TAU),
         (
             means.bsf_hz(),
-            rolling_relative_spin_rad_s(bearing, orbit, radius) / TAU,
+            rolling_relative_rotation_rad_s(bearing, orbit, radius) / TAU,
         ),
     ] {
         assert!((found / rolling - 1.0).abs() < 0.01, "{found} {rolling}");

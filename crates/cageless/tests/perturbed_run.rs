@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use crate::common::*;
 use cageless::design::search::{
-    Job, Numbers, OperatingPoint, RacewayLayout, Task, peak_stress_pa, perturbed_runs, run_jobs,
+    Job, Numbers, OperatingPoint, RacewayLayout, Task, peak_pressure_pa, perturbed_runs, run_jobs,
     uneven_gaps_rad,
 };
 use cageless::dynamics::energy::EnergyTerm;
@@ -129,7 +129,7 @@ fn the_numbers_of_a_perturbed_run_are_those_of_its_motion() {
     let least = arrivals.iter().copied().fold(f64::INFINITY, f64::min);
     near(found.gap_min_rad, least, "smallest gap");
     let of_all = |of: &dyn Fn(&Passage) -> f64| mean(&late.iter().map(of).collect::<Vec<_>>());
-    near(found.slip_m_s, of_all(&|p| p.slip_max_m_s), "slip");
+    near(found.sliding_m_s, of_all(&|p| p.sliding_max_m_s), "slip");
     let twice = |p: &Passage| f64::from(u8::from(p.collisions_ahead * p.collisions_behind > 0));
     assert!((found.double_collision_fraction - of_all(&twice)).abs() < 1e-12);
     let drops = [0, 1].map(|r| {
@@ -171,7 +171,7 @@ fn the_numbers_of_a_perturbed_run_are_those_of_its_motion() {
 #[test]
 fn stress_is_the_largest_while_the_balls_go_by() {
     let case = as_searched(5.1, 25.2);
-    let (inner, outer) = peak_stress_pa(&case).unwrap();
+    let (inner, outer) = peak_pressure_pa(&case).unwrap();
     let mut largest = [0.0f64; 2];
     for k in 0..40 {
         let mut at = case.clone();
@@ -180,8 +180,8 @@ fn stress_is_the_largest_while_the_balls_go_by() {
             lead_ball_angle_rad: TAU / 14.0 * f64::from(k) / 40.0,
         };
         let e = cageless::equilibrium::solve(&at).unwrap();
-        largest[0] = largest[0].max(e.inner_stress_max_pa);
-        largest[1] = largest[1].max(e.outer_stress_max_pa);
+        largest[0] = largest[0].max(e.inner_pressure_max_pa);
+        largest[1] = largest[1].max(e.outer_pressure_max_pa);
     }
     for (found, largest) in [(inner, largest[0]), (outer, largest[1])] {
         assert!(

@@ -285,7 +285,7 @@ fn interference_ends_at_the_pressure_limit_of_iso_76() {
     assert!((most - 73.16e-6).abs() < 0.02e-6, "{most:e}"); // Hertz's integrals in another code
     let allowed = Bearing::new(pressed(0.999 * most), steel()).unwrap();
     let force = 6314.5 * 0.999f64.powf(1.5);
-    let pressure = allowed.inner_contact().peak_stress_pa(force);
+    let pressure = allowed.inner_contact().peak_pressure_pa(force);
     assert!((pressure * 1e-6 - 4200.0).abs() < 10.0, "{pressure:e}");
     let InputError { field, allowed, .. } =
         Bearing::new(pressed(1.01 * most), steel()).unwrap_err();

@@ -16,16 +16,16 @@ fn pressures_belong_to_forces_and_ellipses() {
         inner_force_n,
         outer_force_n,
         effective_radius_m,
-        inner_stress_max_pa,
-        outer_stress_max_pa,
+        inner_pressure_max_pa,
+        outer_pressure_max_pa,
         ..
     } = solve(&case).unwrap();
     let rw = case.bearing.ball_radius_m();
     let largest = |all: &[cageless::equilibrium::RacewayContact]| {
         all.iter().map(|c| c.pressure_pa).fold(0.0, f64::max)
     };
-    assert_eq!(largest(&inner_contact), inner_stress_max_pa);
-    assert_eq!(largest(&outer_contact), outer_stress_max_pa);
+    assert_eq!(largest(&inner_contact), inner_pressure_max_pa);
+    assert_eq!(largest(&outer_contact), outer_pressure_max_pa);
     for k in 0..14 {
         let cosine = effective_radius_m[k] / rw;
         let points = if cosine < 1.0 { 2.0 * cosine } else { 1.0 };

@@ -179,7 +179,7 @@ fn static_rating_is_the_load_of_4200_mpa() {
     let ball_n = 5.0 * BasicRatings::new(&bearing).static_n / 9.0;
     // Steel of the standard, 207 GPa, against 206 GPa: p ∝ E*^(2/3).
     let pressure =
-        bearing.inner_contact().peak_stress_pa(ball_n) * (207f64 / 206.0).powf(2.0 / 3.0);
+        bearing.inner_contact().peak_pressure_pa(ball_n) * (207f64 / 206.0).powf(2.0 / 3.0);
     assert!((pressure / 4.2e9 - 1.0).abs() < 1e-9, "{pressure}");
 }
 
@@ -242,7 +242,7 @@ fn lives_fall_with_the_cube_of_the_load() {
     let mut unloaded = at_rest(conventional(dimensions()));
     unloaded.operation.radial_load_n = 0.0;
     let rating = Rating::new(&unloaded, &solve(&unloaded).unwrap());
-    assert_eq!((rating.l10_mrev, rating.static_safety), (None, None));
+    assert_eq!((rating.l10_mrev, rating.static_safety_factor), (None, None));
 }
 
 /// Turns balls and raceways; without weight that is a load turned the other way.
@@ -353,9 +353,9 @@ fn passing_frequencies_are_those_of_the_motion() {
             let mean = |of: &[f64]| of.iter().sum::<f64>() / of.len() as f64;
             rows += 1.0;
             orbit += mean(&s.orbit_speed_rad_s) / TAU;
-            rotation += mean(&s.spin_rad_s) / TAU;
-            inner += mean(&s.inner_slip_m_s);
-            outer += mean(&s.outer_slip_m_s);
+            rotation += mean(&s.rotation_rad_s) / TAU;
+            inner += mean(&s.inner_sliding_m_s);
+            outer += mean(&s.outer_sliding_m_s);
             Ok(())
         });
         run(&case, &mut [&mut recorder], &mut |_| {
@@ -407,10 +407,10 @@ fn safeties_are_those_of_load_and_pressure() {
         case.operation.radial_load_n = load_n;
         let found = solve(&case).unwrap();
         let rating = Rating::new(&case, &found);
-        let mpa = 1e-6 * found.inner_stress_max_pa.max(found.outer_stress_max_pa);
+        let mpa = 1e-6 * found.inner_pressure_max_pa.max(found.outer_pressure_max_pa);
         let of = rating.pressure_safety.unwrap();
         assert!((of * mpa.powi(3) / 7.4088e10 - 1.0).abs() < 1e-12, "{of}");
-        let s0 = rating.static_safety.unwrap();
+        let s0 = rating.static_safety_factor.unwrap();
         assert!((s0 * load_n / rating.basic.static_n - 1.0).abs() < 1e-12);
     }
 }

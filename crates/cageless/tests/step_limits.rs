@@ -48,13 +48,14 @@ fn fall(case: &Case, carrying: f64) -> Option<Fall> {
     let weight = rotor.mass_kg * case.operation.gravity_m_s2;
     let journal_y = rotor.y_m - rotor.eccentricity_m * rotor.eccentricity_phase_rad.sin();
     let speed_square = rotor.vx_m_s.powi(2) + rotor.vy_m_s.powi(2);
-    let energy = 0.5 * rotor.mass_kg * speed_square + weight * (journal_y + rotor.air_gap_m);
+    let energy =
+        0.5 * rotor.mass_kg * speed_square + weight * (journal_y + rotor.radial_clearance_m);
     let unbalance = rotor.mass_kg * rotor.eccentricity_m * rotor.speed_rad_s.powi(2);
     let support = case.support.as_ref();
     let yielding = support.map_or(0.0, |s| {
         1.0 / (s.stiffness_n_m + s.stop.map_or(0.0, |stop| stop.stiffness_n_m))
     });
-    let (k, p) = (rotor.contact_stiffness, rotor.contact_exponent);
+    let (k, p) = (rotor.contact_stiffness_n_mp, rotor.contact_exponent);
     let contact = |force: f64| p * force / (force / k).powf(1.0 / p);
     let mut force = 1e4;
     for _ in 0..60 {
@@ -64,7 +65,7 @@ fn fall(case: &Case, carrying: f64) -> Option<Fall> {
         force = weight + weight.hypot((2.0 * series * energy).sqrt()) + unbalance;
     }
     let bore = case.bearing.inner_ring_bore().unwrap();
-    let journal = bore.radius_m - rotor.air_gap_m;
+    let journal = bore.radius_m - rotor.radial_clearance_m;
     let impact_speed = (2.0 * energy / rotor.mass_kg).sqrt();
     Some(Fall {
         force,
@@ -108,7 +109,7 @@ fn expected(case: &Case, preload: f64) -> Expected {
     let mut square = (at_inner + at_outer + 2.0 * between) / mass
         + (carrying * at_inner + drop_k) / d.inner_ring_mass_kg;
     let mut damping = (damper(inner) + damper(outer)) / mass
-        + (carrying * damper(inner) + d.inner_ring_drag_n_s_m + drop_c) / d.inner_ring_mass_kg;
+        + (carrying * damper(inner) + d.inner_ring_damping_n_s_m + drop_c) / d.inner_ring_mass_kg;
     if let Some(rotor) = &case.rotor {
         square += drop_k / rotor.mass_kg;
     }
@@ -138,16 +139,16 @@ fn expected(case: &Case, preload: f64) -> Expected {
         load,
         contact_rad_s: square.sqrt(),
         damping_1_s: damping,
-        friction_1_s: (smooth * 5.0 * coefficient * load / (mass * contact.slip_scale_m_s)).max(
-            at_rotor(&|r| match r.friction_law {
+        friction_1_s: (smooth * 5.0 * coefficient * load
+            / (mass * contact.regularisation_speed_m_s))
+            .max(at_rotor(&|r| match r.friction_law {
                 FrictionLaw::Coulomb => 0.0,
                 _ => {
                     r.static_friction_coefficient
                         .unwrap_or(r.friction_coefficient)
-                        / r.slip_scale_m_s
+                        / r.regularisation_speed_m_s
                 }
-            }),
-        ),
+            })),
         falling_1_s: (5.0 * falling * load / mass).max(at_rotor(&|r| {
             fall_of(
                 r.static_friction_coefficient,
@@ -292,7 +293,7 @@ fn rates_of_a_drop_are_the_closed_forms() {
     });
     change("Hertzian journal", &|c| {
         let rotor = c.rotor.as_mut().unwrap();
-        (rotor.contact_exponent, rotor.contact_stiffness) = (1.5, 5e10);
+        (rotor.contact_exponent, rotor.contact_stiffness_n_mp) = (1.5, 5e10);
     });
     change("stop", &|c| {
         c.support.as_mut().unwrap().stop = Some(SupportStop {
@@ -306,7 +307,7 @@ fn rates_of_a_drop_are_the_closed_forms() {
         rotor.friction_law = FrictionLaw::Stribeck;
         rotor.static_friction_coefficient = Some(0.5);
         rotor.stribeck_speed_m_s = Some(0.01);
-        rotor.slip_scale_m_s = 1e-4;
+        rotor.regularisation_speed_m_s = 1e-4;
     });
     change("sticking journal", &|c| {
         c.rotor.as_mut().unwrap().friction_law = FrictionLaw::Coulomb;

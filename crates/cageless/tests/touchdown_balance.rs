@@ -13,7 +13,7 @@ use cageless::{Case, FrictionLaw, IntegrationMethod, Start, SupportStop};
 /// The rotor just above contact with the speed of its fall, over 3 ms, at the automatic step.
 fn near_contact(mut case: Case) -> Case {
     let rotor = case.rotor.as_mut().unwrap();
-    (rotor.y_m, rotor.vy_m_s) = (-0.96 * rotor.air_gap_m, -0.0625);
+    (rotor.y_m, rotor.vy_m_s) = (-0.96 * rotor.radial_clearance_m, -0.0625);
     case.solver.duration_s = 3e-3;
     automatic(case)
 }
@@ -40,7 +40,7 @@ fn rough() -> Case {
     (rotor.eccentricity_m, rotor.eccentricity_phase_rad) = (5e-6, 0.7);
     rotor.drive_torque_n_m = -2.0;
     rotor.contact_exponent = 1.2;
-    rotor.contact_stiffness = 1e10;
+    rotor.contact_stiffness_n_mp = 1e10;
     case.contact.outer_friction_factor = 0.6;
     case.contact.ball_friction_factor = 0.3;
     case.support.as_mut().unwrap().stop = Some(SupportStop {
@@ -310,7 +310,9 @@ fn moments(case: &Case, state: &State, c: &Contacts<'_>) -> f64 {
     let g = case.operation.gravity_m_s2;
     let model = Model::new(case).unwrap();
     let friction = |slip: f64, normal: f64| {
-        normal * case.contact.friction_coefficient * (slip / case.contact.slip_scale_m_s).tanh()
+        normal
+            * case.contact.friction_coefficient
+            * (slip / case.contact.regularisation_speed_m_s).tanh()
     };
     let outer_ring = state.outer_ring_motion();
     let mut sum = 0.0;
@@ -322,13 +324,13 @@ fn moments(case: &Case, state: &State, c: &Contacts<'_>) -> f64 {
         let radius = c.effective_radius_m(k);
         let outer = c.outer_force_n(k);
         let normal = case.contact.outer_friction_factor * outer * ball.radius_m / radius;
-        let rubbing = friction(c.outer_slip_m_s(k), normal);
+        let rubbing = friction(c.outer_sliding_m_s(k), normal);
         // Force of the raceway: normal, friction, and the tangential part where it rises along ψ.
         let tangential = c.outer_slope_force_n(k) - rubbing;
         let (fx, fy) = (-outer * ex - tangential * ey, -outer * ey + tangential * ex);
         sum += at.x * fy - at.y * fx - radius * rubbing;
         sum -= ball.mass_kg * g * at.x;
-        sum -= c.inner_deflection_m(k) * friction(c.inner_slip_m_s(k), c.inner_force_n(k));
+        sum -= c.inner_deflection_m(k) * friction(c.inner_sliding_m_s(k), c.inner_force_n(k));
         let next = state.ball_motion((k + 1) % case.bearing.balls());
         let (dx, dy) = (next.x - at.x, next.y - at.y);
         let apart = dx.hypot(dy);
@@ -361,12 +363,12 @@ fn impossible_drops_are_named() {
     };
     let field = |change: &dyn Fn(&mut Case)| refused(change).field;
     assert_eq!(
-        field(&|c| c.rotor.as_mut().unwrap().air_gap_m = 0.0),
-        "air_gap_m"
+        field(&|c| c.rotor.as_mut().unwrap().radial_clearance_m = 0.0),
+        "radial_clearance_m"
     );
     assert_eq!(
-        field(&|c| c.rotor.as_mut().unwrap().air_gap_m = -1e-4),
-        "air_gap_m"
+        field(&|c| c.rotor.as_mut().unwrap().radial_clearance_m = -1e-4),
+        "radial_clearance_m"
     );
     assert_eq!(
         field(&|c| c.rotor.as_mut().unwrap().y_m = -3e-4),

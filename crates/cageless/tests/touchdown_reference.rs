@@ -130,7 +130,7 @@ fn adaptive_agrees_with_the_reference() {
         let outcome = complete(&case);
         let [rms, most] = error(&outcome.state);
         println!(
-            "adaptive {tolerance:e}: rms {rms:.2e}, largest {most:.2e}, {} evaluations, ledger {:.1e}",
+            "adaptive {tolerance:e}: rms {rms:.2e}, largest {most:.2e}, {} evaluations, energy balance {:.1e}",
             outcome.rhs_evaluations, outcome.energy_residual_relative
         );
         assert!(rms < most_rms && outcome.energy_residual_relative.abs() < 1e-9);
@@ -149,7 +149,7 @@ fn the_production_method_agrees_with_the_reference() {
         let outcome = complete(&case);
         let [rms, most] = error(&outcome.state);
         println!(
-            "symplectic {step_s:e}: rms {rms:.2e}, largest {most:.2e}, ledger {:.1e}",
+            "symplectic {step_s:e}: rms {rms:.2e}, largest {most:.2e}, energy balance {:.1e}",
             outcome.energy_residual_relative
         );
         assert!(outcome.energy_residual_relative.abs() < 1e-3);

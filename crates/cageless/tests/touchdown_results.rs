@@ -1,7 +1,7 @@
 //! Results of a drop against what its states, contacts and energy terms give.
 
 use cageless::dynamics::energy::EnergyTerm;
-use cageless::equilibrium::outer_stress_pa;
+use cageless::equilibrium::outer_pressure_pa;
 use cageless::simulation::{Control, Observer, ObserverError, RunOutcome, StepView, run};
 use cageless::touchdown::{DropRecorder, DropSummary, EndState, Scatter};
 use cageless::{Case, Gaps, Start};
@@ -54,7 +54,7 @@ fn a_clockwise_rotor_gives_the_mirrored_drop() {
             s.backward_whirl_max_hz,
             s.rotor_force_max_n,
             s.rotor_displacement_max_m,
-            s.rotor_slip_max_m_s,
+            s.rotor_sliding_max_m_s,
             s.ring_speed_rad_s.abs(),
             s.heat.rotor_friction_j,
             s.contact_fraction,
@@ -117,7 +117,7 @@ struct Loads<'c> {
     inside: bool,
     displaced_m: f64,
     rotor_n: f64,
-    slip_m_s: f64,
+    sliding_m_s: f64,
     /// Time in contact, and times at which it begins.
     touched_s: f64,
     begun_s: Vec<f64>,
@@ -126,7 +126,7 @@ struct Loads<'c> {
     /// Largest force of each ball at the inner and the outer raceway.
     balls_n: [Vec<f64>; 2],
     pair_n: f64,
-    ball_slip_m_s: f64,
+    ball_sliding_m_s: f64,
     slip: Vec<(f64, Option<f64>)>,
 }
 
@@ -138,14 +138,14 @@ impl<'c> Loads<'c> {
             inside: false,
             displaced_m: 0.0,
             rotor_n: 0.0,
-            slip_m_s: 0.0,
+            sliding_m_s: 0.0,
             touched_s: 0.0,
             begun_s: vec![],
             housing_n: 0.0,
             housing_m: 0.0,
             balls_n: [vec![0.0; 14], vec![0.0; 14]],
             pair_n: 0.0,
-            ball_slip_m_s: 0.0,
+            ball_sliding_m_s: 0.0,
             slip: vec![],
         }
     }
@@ -156,19 +156,19 @@ impl Observer for Loads<'_> {
         let contacts = &view.contacts;
         for k in 0..contacts.balls() {
             let (radius, force) = (contacts.effective_radius_m(k), contacts.outer_force_n(k));
-            let pressure = outer_stress_pa(&self.case.bearing, radius, force);
+            let pressure = outer_pressure_pa(&self.case.bearing, radius, force);
             if pressure > self.outer_pa {
                 self.outer_pa = pressure;
                 self.inside = radius < self.case.bearing.ball_radius_m();
             }
             let (inner, slips) = (
                 contacts.inner_force_n(k),
-                [contacts.inner_slip_m_s(k), contacts.outer_slip_m_s(k)],
+                [contacts.inner_sliding_m_s(k), contacts.outer_sliding_m_s(k)],
             );
             for (r, force) in [inner, force].into_iter().enumerate() {
                 self.balls_n[r][k] = self.balls_n[r][k].max(force);
                 if force > 0.0 {
-                    self.ball_slip_m_s = self.ball_slip_m_s.max(slips[r].abs());
+                    self.ball_sliding_m_s = self.ball_sliding_m_s.max(slips[r].abs());
                 }
             }
             if contacts.balls_touch() {
@@ -185,7 +185,7 @@ impl Observer for Loads<'_> {
             }
             self.touched_s += view.step.t1_s - view.step.t0_s;
             self.rotor_n = self.rotor_n.max(rotor.force);
-            self.slip_m_s = self.slip_m_s.max(slip);
+            self.sliding_m_s = self.sliding_m_s.max(slip);
         }
         self.slip.push((view.step.t1_s, slip));
         let ring = view.layout().outer_ring_motion(&view.step.y1);
@@ -215,7 +215,7 @@ fn every_number_of_a_drop_follows_from_its_steps() {
     let contact_s = outcome.end_s - steps.begun_s[0];
     for (name, found, expected) in [
         ("rotor", summary.rotor_force_max_n, steps.rotor_n),
-        ("slip", summary.rotor_slip_max_m_s, steps.slip_m_s),
+        ("slip", summary.rotor_sliding_max_m_s, steps.sliding_m_s),
         (
             "contact",
             summary.contact_fraction,
@@ -233,14 +233,18 @@ fn every_number_of_a_drop_follows_from_its_steps() {
             steps.displaced_m,
         ),
         ("pair", summary.ball_force_max_n, steps.pair_n),
-        ("balls", summary.ball_slip_max_m_s, steps.ball_slip_m_s),
+        (
+            "balls",
+            summary.ball_sliding_max_m_s,
+            steps.ball_sliding_m_s,
+        ),
         (
             "inner",
-            summary.inner_stress_max_pa,
+            summary.inner_pressure_max_pa,
             (case.bearing.inner_contact())
-                .peak_stress_pa(steps.balls_n[0].iter().fold(0.0, |m, f| f.max(m))),
+                .peak_pressure_pa(steps.balls_n[0].iter().fold(0.0, |m, f| f.max(m))),
         ),
-        ("outer", summary.outer_stress_max_pa, steps.outer_pa),
+        ("outer", summary.outer_pressure_max_pa, steps.outer_pa),
     ] {
         assert!(
             (found / expected - 1.0).abs() < 1e-9,
@@ -274,7 +278,7 @@ fn a_rotor_in_the_air_has_no_contact() {
     );
     assert_eq!((summary.impacts, summary.contact_fraction), (0, 0.0));
     assert_eq!(
-        [summary.rotor_force_max_n, summary.rotor_slip_max_m_s],
+        [summary.rotor_force_max_n, summary.rotor_sliding_max_m_s],
         [0.0; 2]
     );
     // Fallen by ½ g t²; a rotor on its way up was furthest off at the start.
@@ -302,7 +306,7 @@ fn pressures_displacement_and_spin_up_follow_from_contacts_and_motion() {
     let mut loads = Loads::of(&case);
     let (summary, _) = dropped(&case, &mut loads);
     assert!(loads.inside, "the largest pressure is on a raceway");
-    assert!((summary.outer_stress_max_pa / loads.outer_pa - 1.0).abs() < 1e-12);
+    assert!((summary.outer_pressure_max_pa / loads.outer_pa - 1.0).abs() < 1e-12);
     let displaced = summary.rotor_displacement_max_m;
     assert!((displaced / loads.displaced_m - 1.0).abs() < 1e-12);
     assert!(displaced > 2e-4, "beyond the clearance: {displaced}");
@@ -355,7 +359,7 @@ fn scattered_values_stay_within_their_widths_and_reach_them() {
     );
     within(
         "gap",
-        &|k| bearing(k).air_gap_m / rotor.air_gap_m,
+        &|k| bearing(k).radial_clearance_m / rotor.radial_clearance_m,
         [0.9, 1.1],
     );
     let friction = rotor.friction_coefficient;

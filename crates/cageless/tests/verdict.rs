@@ -35,7 +35,7 @@ fn full_6008(span_mm: f64, angle_deg: f64) -> Case {
         inner_groove_curvature_radius_m: 4.128e-3,
         outer_groove_curvature_radius_m: 4.128e-3,
         inner_ring_mass_kg: 0.2,
-        inner_ring_drag_n_s_m: 2000.0,
+        inner_ring_damping_n_s_m: 2000.0,
     };
     let plain = conventional(dimensions);
     let raceway = raceway(&plain.bearing, span_mm, angle_deg, 0.0);
@@ -104,7 +104,7 @@ fn what_is_recommended_passes_its_own_verdict() {
     assert!(fraction > 0.25, "{fraction}");
     let headline = judgement.headline();
     assert!(
-        headline.starts_with("FAIL: hit from both sides; "),
+        headline.starts_with("FAIL: double collision; "),
         "{headline}"
     );
     assert!(headline.contains("missed by"), "{headline}");
@@ -220,7 +220,7 @@ fn a_verdict_rests_on_the_steady_passages_of_each_raceway() {
         near(found.collisions_mean, mean(&touched), "collisions");
         let twice = |p: &Passage| f64::from(u8::from(p.collisions_ahead * p.collisions_behind > 0));
         near(found.double_collision_fraction, mean(&twice), "double");
-        near(found.slip_mean_m_s, mean(&|p| p.slip_max_m_s), "slip");
+        near(found.sliding_mean_m_s, mean(&|p| p.sliding_max_m_s), "slip");
         let raceway = &case.raceways[r];
         let depth = raceway.effective_radius_m(raceway.dimensions().centre_angle_rad);
         let slowed = 2.0 * speed * (1.0 - 4.7625e-3 / (depth + 4.7625e-3));
@@ -247,7 +247,7 @@ fn a_verdict_rests_on_the_steady_passages_of_each_raceway() {
         assert_eq!(judged.critical_gap_rad, Some(gap));
     }
     let [a, b] = [0, 1].map(|r| judgement.raceways[r].passages.unwrap());
-    assert_ne!(a.slip_mean_m_s, b.slip_mean_m_s);
+    assert_ne!(a.sliding_mean_m_s, b.sliding_mean_m_s);
 }
 
 /// The verdict of a run has the limits of `judge`, on the worst of the raceways that balls pass.
@@ -277,7 +277,7 @@ fn a_verdict_of_a_run_changes_at_its_limits() {
                 gap_leave_rad: 0.03,
                 collisions_ahead: u32::from(k < twice),
                 collisions_behind: u32::from(k < twice),
-                slip_max_m_s: 0.1,
+                sliding_max_m_s: 0.1,
                 orbit_speed_range_rad_s: [speed + drop * (slowed - speed), speed],
             });
         }
@@ -315,7 +315,7 @@ fn a_verdict_of_a_run_changes_at_its_limits() {
         (
             [good(0), tally(1, 0.98, 4)],
             RacewayVerdict::DoubleCollision,
-            "FAIL in this run: hit from both sides; 33.3 %",
+            "FAIL in this run: double collision; 33.3 %",
         ),
         (
             [PassageTally::new(), good(1)],

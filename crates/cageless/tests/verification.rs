@@ -34,7 +34,7 @@ fn certify(case: &Case, threads: usize) -> Verification {
 /// The bearing of the reference trajectory CB74: no damping, a ring that is dropped in.
 fn cb74(step_s: f64, duration_s: f64) -> Case {
     let mut d = dimensions();
-    d.inner_ring_drag_n_s_m = 500.0;
+    d.inner_ring_damping_n_s_m = 500.0;
     let case = undamped(conventional(d));
     let groove = raceway(&case.bearing, 5.1, 25.2, 0.0);
     let mut case = case.with_raceways(vec![groove]);

@@ -31,6 +31,7 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
     let material = |m: &Material| {
         let gpa = m.youngs_modulus_pa / 1e9;
         format!(
+            // words: a modulus, no pressure
             "{} kg/m³, E {gpa} GPa, ν {}",
             m.density_kg_m3, m.poisson_ratio
         )
@@ -66,7 +67,7 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
             "radial internal clearance Gr",
             format!(
                 "{} µm (ISO 5753-1)",
-                fixed(2e6 * bearing.radial_clearance_m(), 3)
+                fixed(1e6 * bearing.radial_internal_clearance_m(), 3)
             ) + &preload_text(file.case()),
         ),
         ("balls of", material(&bearing.materials().ball)),
@@ -192,6 +193,6 @@ fn preload_text(case: &Case) -> String {
     format!(
         ": preload, unloaded balls are pressed with {} N, {:.0} MPa at the inner raceway",
         significant(force, 3),
-        1e-6 * contact.peak_stress_pa(force)
+        1e-6 * contact.peak_pressure_pa(force)
     )
 }

@@ -139,7 +139,7 @@ fn text(r: &DesignResult) -> String {
             judged(near.passes(), near.0.results.text("headline"))
         ),
         None => format!(
-            "{by}nothing recommended: on the curve of Eq. (11) balls slip too much wherever three \
+            "{by}nothing recommended: on the curve of Eq. (11) balls slide too much wherever three \
              do not fit inside at once; design --search looks further\n"
         ),
     };

@@ -113,7 +113,7 @@ impl From<ExportError> for Failure {
                 format,
                 given,
             } => Self::Input(format!(
-                "{} {value}: goes with --format {} only, not with {}",
+                "{} {value}: is for --format {} only, not for {}",
                 flag(option),
                 format.name(),
                 given.name()
@@ -181,7 +181,7 @@ fn text(r: &ExportNumbers) -> String {
     if r.raceways > 0 {
         let kink = format!(
             "{:.4}° at 45° groove angle, {:.4}° at the shoulder",
-            r.design_kink_45_deg, r.design_kink_shoulder_deg
+            r.design_slope_discontinuity_45_deg, r.design_slope_discontinuity_shoulder_deg
         );
         lines.extend([
             ("discrete raceways", r.raceways.to_string()),
@@ -199,7 +199,7 @@ fn text(r: &ExportNumbers) -> String {
             ),
             (
                 "angle of the apex between the contact points",
-                format!("{:.4}°", r.ridge_deg),
+                format!("{:.4}°", r.apex_angle_deg),
             ),
             (
                 "deviation from the plain groove",

@@ -17,7 +17,7 @@ mod sweep;
 mod tolerance;
 
 use cageless::dynamics::InstructionSet;
-use cageless_io::case_file::template;
+use cageless_io::case_file::{on_former_name, template};
 use cageless_io::designation;
 use cageless_io::results::write_atomically;
 use cageless_io::rotor_file::RotorFile;
@@ -37,6 +37,11 @@ pub fn dispatch(args: Args) -> Result<(), Failure> {
     if args.quiet {
         be_quiet();
     }
+    on_former_name(|note| {
+        if !is_quiet() {
+            eprintln!("note: {}", cageless_io::on_terminal(note));
+        }
+    });
     check_environment()?;
     match args.command {
         Command::Reproduce(args) => reproduce::reproduce(&args),

@@ -1,4 +1,4 @@
-//! `cageless reproduce`: every table and figure of Zhao 2022 beside the paper's numbers.
+//! `cageless reproduce`: every table and figure of Zhao 2022 next to the paper's numbers.
 
 use cageless_report::{ReproduceData, reproduce_page, to_json};
 

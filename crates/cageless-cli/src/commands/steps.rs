@@ -21,8 +21,8 @@ pub fn check_warnings<'c>(cases: impl IntoIterator<Item = &'c Case>) -> Vec<Stri
         if case.solver.duration_s > MANY_STEPS * case.solver.step_s {
             warnings.push(format!(
                 "the run takes {}, hours of computing: shorten it (solver.duration_s), or \
-                 change what makes the step small (contact.damping, \
-                 bearing.inner_ring_drag_n_s_m, stiff contacts of light bodies)",
+                 change what makes the step small (contact.damping_n_s_m1_5, \
+                 bearing.inner_ring_damping_n_s_m, stiff contacts of light bodies)",
                 steps_text(case).replacen(" of", " steps of", 1)
             ));
         }

@@ -52,7 +52,7 @@ fn text(data: &ToleranceData) -> String {
             "to",
             "",
             "critical gap, °",
-            "slip, m/s",
+            "sliding speed, m/s",
             "pass",
             "verdicts",
         ]
@@ -67,7 +67,7 @@ fn text(data: &ToleranceData) -> String {
             format!("{:.3}", row.high),
             row.unit.clone(),
             range(row.critical_gap_deg, 4),
-            range(row.slip_mean_m_s, 3),
+            range(row.sliding_mean_m_s, 3),
             format!("{} of {}", row.passed, row.trials),
             row.verdicts.join(", "),
         ]);

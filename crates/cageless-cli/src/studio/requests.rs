@@ -116,7 +116,7 @@ fn result(text: &str, client: &Client<'_>) -> Result<Value, Refusal> {
         .map_err(|error| Refusal::new(format!("the request cannot be read: {error}")))?;
     match request {
         Request::Search { case, budget } => {
-            let set = budget.map(|budget| format!("search.budget={budget}"));
+            let set = budget.map(|budget| format!("search.runs_max={budget}"));
             let set: Vec<String> = set.into_iter().collect();
             searched(&CaseFile::parse(&case, "case", &set)?, client)
         }

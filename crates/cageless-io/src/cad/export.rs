@@ -55,7 +55,7 @@ pub enum ExportError {
     #[error(transparent)]
     Option(#[from] OptionError),
     /// An option that goes with a format that was not asked for.
-    #[error("{option} = {value} goes with the format {} only, not with {}", .format.name(), .given.name())]
+    #[error("{option} = {value} is for the format {} only, not for {}", .format.name(), .given.name())]
     Format {
         /// Name, with underscores.
         option: &'static str,

@@ -24,15 +24,15 @@ pub struct ExportNumbers {
     pub blend_deviation_um: f64,
     /// Angle left between the normals at an end of a raceway, 45° up the groove; 0 if
     /// blended.
-    pub kink_45_deg: f64,
+    pub slope_discontinuity_45_deg: f64,
     /// Value at the shoulder.
-    pub kink_shoulder_deg: f64,
+    pub slope_discontinuity_shoulder_deg: f64,
     /// Slope discontinuity of the raceway as designed.
-    pub design_kink_45_deg: f64,
+    pub design_slope_discontinuity_45_deg: f64,
     /// Value at the shoulder.
-    pub design_kink_shoulder_deg: f64,
+    pub design_slope_discontinuity_shoulder_deg: f64,
     /// Angle between the normals of the two halves of a raceway, which meet at z = 0.
-    pub ridge_deg: f64,
+    pub apex_angle_deg: f64,
     /// Largest material above the plain groove.
     pub above_plain_um: f64,
     /// Below it.
@@ -94,9 +94,12 @@ impl ExportNumbers {
         deviation_m: f64,
         counts: Counts,
     ) -> Self {
-        let [kink_45_deg, kink_shoulder_deg] = ring.kink_rad().map(f64::to_degrees);
-        let [design_kink_45_deg, design_kink_shoulder_deg] =
-            ring.design_kink_rad().map(f64::to_degrees);
+        let [slope_discontinuity_45_deg, slope_discontinuity_shoulder_deg] =
+            ring.kink_rad().map(f64::to_degrees);
+        let [
+            design_slope_discontinuity_45_deg,
+            design_slope_discontinuity_shoulder_deg,
+        ] = ring.design_kink_rad().map(f64::to_degrees);
         let [above_plain_um, below_plain_um] = ring.relief_m().map(|m| m * 1e6);
         let raceways = ring.raceways().count();
         Self {
@@ -111,11 +114,11 @@ impl ExportNumbers {
                 ring.dimensions().blend_m * 1e3
             },
             blend_deviation_um: ring.blend_deviation_m() * 1e6,
-            kink_45_deg,
-            kink_shoulder_deg,
-            design_kink_45_deg,
-            design_kink_shoulder_deg,
-            ridge_deg: ring.ridge_rad().to_degrees(),
+            slope_discontinuity_45_deg,
+            slope_discontinuity_shoulder_deg,
+            design_slope_discontinuity_45_deg,
+            design_slope_discontinuity_shoulder_deg,
+            apex_angle_deg: ring.ridge_rad().to_degrees(),
             above_plain_um,
             below_plain_um,
             raceways,

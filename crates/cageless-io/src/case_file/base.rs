@@ -87,10 +87,8 @@ impl Replacement {
     pub(crate) fn from_change(change: &Change<'_>) -> Self {
         let (file, line) = change.place;
         let origin = Origin::Elsewhere(file.to_owned(), line);
-        Self {
-            path: change.key.split('.').map(str::to_owned).collect(),
-            node: node(change.value, &origin),
-        }
+        let path = change.key.split('.').map(str::to_owned).collect();
+        Self::new(path, node(change.value, &origin))
     }
 }
 

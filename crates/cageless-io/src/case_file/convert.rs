@@ -52,7 +52,7 @@ impl Converter<'_> {
             raceways,
             operation: self.operation()?,
             contact: document.contact.to_si(&si("contact"))?,
-            profile: document.model.profile,
+            profile: document.model.formulation,
             start,
             solver: self.solver()?,
             seed: self.seed()?,

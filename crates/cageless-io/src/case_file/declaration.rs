@@ -77,7 +77,8 @@ pub(crate) trait SectionDocument: Sized {
 }
 
 /// Declares a section. A row is
-/// `key => field of cageless: type = presence, unit, meaning, template line;`. With
+/// `key => field of cageless: type = presence, unit, meaning, template line;`, with the former name of
+/// a key as `key formerly name`. With
 /// `Document => Struct`, the fields of the rows are those of `cageless::Struct`, and
 /// `Document::to_si` makes one; `key -> field` is of another struct.
 macro_rules! section {
@@ -86,7 +87,7 @@ macro_rules! section {
         section! { @convert $Document $Si { $($rows)* } }
     };
     ($(#[$doc:meta])* $Document:ident { $(
-        $key:ident $(=> $field:ident)? $(-> $named:ident)?: $type:ty = $presence:expr, $unit:expr, $meaning:literal,
+        $key:ident $(formerly $former:ident)? $(=> $field:ident)? $(-> $named:ident)?: $type:ty = $presence:expr, $unit:expr, $meaning:literal,
             $line:expr;
     )* }) => {
         $(#[$doc])*
@@ -99,6 +100,7 @@ macro_rules! section {
             const KEYS: &'static [$crate::case_file::key::Key] = &[ $(
                 $crate::case_file::key::Key {
                     name: stringify!($key),
+                    formerly: concat!($(stringify!($former))?),
                     unit: $unit,
                     field: concat!($(stringify!($field))? $(stringify!($named))?),
                     meaning: $meaning,
@@ -127,7 +129,7 @@ macro_rules! section {
         }
     };
     (@convert $Document:ident $Si:ident { $(
-        $key:ident $(=> $field:ident)? $(-> $named:ident)?: $type:ty = $presence:expr, $unit:expr, $meaning:literal,
+        $key:ident $(formerly $former:ident)? $(=> $field:ident)? $(-> $named:ident)?: $type:ty = $presence:expr, $unit:expr, $meaning:literal,
             $line:expr;
     )* }) => {
         impl $Document {

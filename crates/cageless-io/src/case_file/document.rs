@@ -152,10 +152,10 @@ case_document! {
     bearing: BearingDocument, "dimensions and masses of rings and balls", Heading::Shown("");
     material: MaterialDocument, "elastic material of rings and balls",
         Heading::Shown("of rings and balls: bearing steel");
-    ball_material: Option<PartMaterialDocument>, "elastic material of the balls, if it is another",
-        Heading::Commented("of the balls, if it is another (hybrid bearing)");
-    ring_material: Option<PartMaterialDocument>, "elastic material of the rings, if it is another",
-        Heading::Commented("of the rings, if it is another");
+    ball_material: Option<PartMaterialDocument>, "material of the balls, if different",
+        Heading::Commented("of the balls, if different (hybrid bearing)");
+    ring_material: Option<PartMaterialDocument>, "material of the rings, if different",
+        Heading::Commented("of the rings, if different");
     raceway: Vec<RacewayDocument>, "the discrete raceway",
         Heading::Shown("several: [[raceway]] sections; none: a conventional ring");
     operation: OperationDocument, "speed and load", Heading::Shown("");
@@ -184,6 +184,7 @@ const fn head(
 ) -> Key {
     Key {
         name,
+        formerly: "",
         unit: Unit::None,
         field: "",
         meaning,
@@ -213,7 +214,7 @@ pub(crate) const HEAD: &[Key] = &[
         "seed",
         Kind::Whole,
         || Presence::Optional,
-        "solver.seed, which may stand here as well",
+        "solver.seed, which may be given here as well",
         Line::Absent,
     ),
 ];

@@ -4,6 +4,7 @@
 use serde_json::{Map, Value as Json};
 
 use super::error::CaseError;
+use super::former;
 use super::key::{Key, Presence};
 use super::keys;
 use super::spanned_toml::{Node, Origin, Place, Section, Value, join};
@@ -14,16 +15,19 @@ pub(super) fn parse(text: &str, name: &str) -> Result<Section, CaseError> {
     let json: Map<String, Json> = serde_json::from_str(text).map_err(|e| {
         CaseError::on_line(name, e.line().max(1), None, format!("is not JSON: {e}"))
     })?;
-    let Some(Json::Object(case)) = json.get("case") else {
-        return Ok(section(&json, ""));
+    let case = match json.get("case") {
+        Some(Json::Object(case)) => case,
+        _ => &json,
     };
     let mut root = section(case, "");
+    former::rename(&mut root, name)?;
     // What was derived is derived again: from the same numbers, to the same bits.
     let defaults = json.get("defaults").and_then(Json::as_array);
     for key in defaults.into_iter().flatten().filter_map(Json::as_str) {
         let Some((section, key)) = key.split_once('.') else {
             continue;
         };
+        let key = former::present(section, key);
         let derived = |k: &Key| match (k.presence)() {
             Presence::Derived | Presence::Optional => true,
             _ => k.name == "step_us",

@@ -53,6 +53,8 @@ pub(crate) enum Kind {
 #[derive(Debug)]
 pub(crate) struct Key {
     pub name: &'static str,
+    /// Name in files of earlier versions, which is read as well; empty if none.
+    pub formerly: &'static str,
     pub unit: Unit,
     /// Field of [`cageless::InputError`]; empty if none.
     pub field: &'static str,

@@ -88,7 +88,7 @@ pub(super) fn gaps(document: &CaseDocument, bearing: &Bearing) -> (String, Strin
 
 /// Allowed initial displacement of the ring; the limit is that of [`cageless::Case::check`].
 pub(super) fn ring(bearing: &Bearing) -> String {
-    let most = bearing.radial_clearance_m() + 0.1 * bearing.ball_radius_m();
+    let most = 0.5 * bearing.radial_internal_clearance_m() + 0.1 * bearing.ball_radius_m();
     let most = round(Unit::Micrometre.of_si(most), Side::Upper);
     format!("between -{most} um and {most} um (the clearance and a tenth of the ball's radius)")
 }

@@ -16,6 +16,7 @@ mod document;
 mod error;
 mod fields;
 mod file_reader;
+pub(crate) mod former;
 mod json;
 mod key;
 pub(crate) mod keys;
@@ -46,6 +47,7 @@ pub use document::{
 };
 pub use error::CaseError;
 pub use fields::{GapsDocument, OverTime, RangeDocument, StepDocument};
+pub use former::on_former_name;
 pub use keys::{missing_rotor, nearest};
 pub use named::StartState;
 pub use reference::{KeyReference, LeftOut, SectionReference, ValueType, reference};
@@ -146,9 +148,9 @@ impl CaseFile {
         let (bearing, contact) = (&self.case.bearing, &mut document.contact);
         document.bearing.fill_in(bearing);
         for (given, hertz) in [
-            (&mut contact.inner_stiffness, bearing.inner_contact()),
-            (&mut contact.outer_stiffness, bearing.outer_contact()),
-            (&mut contact.ball_stiffness, bearing.ball_contact()),
+            (&mut contact.inner_stiffness_n_m1_5, bearing.inner_contact()),
+            (&mut contact.outer_stiffness_n_m1_5, bearing.outer_contact()),
+            (&mut contact.ball_stiffness_n_m1_5, bearing.ball_contact()),
         ] {
             given.get_or_insert(hertz.stiffness_n_m1_5);
         }
@@ -278,7 +280,9 @@ pub(crate) fn source(text: &str, name: &str) -> Result<spanned_toml::Section, Ca
     {
         json::parse(text, name)
     } else {
-        spanned_toml::parse(text, name)
+        let mut root = spanned_toml::parse(text, name)?;
+        former::rename(&mut root, name)?;
+        Ok(root)
     }
 }
 

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::error::CaseError;
+use super::former;
 use super::sections;
 use super::spanned_toml::{self, Node, Origin, Place, Section, Value};
 
@@ -67,7 +68,13 @@ impl Replacement {
             }
         };
         let path = path.into_iter().map(str::to_owned).collect();
-        Ok(Self { path, node })
+        Ok(Self::new(path, node))
+    }
+
+    /// The replacement of a key, which may have its former name, by a value.
+    pub(super) fn new(mut path: Vec<String>, mut node: Node) -> Self {
+        former::replacement(&mut path, &mut node);
+        Self { path, node }
     }
 
     /// The dotted key.

@@ -62,7 +62,7 @@ impl FileReader<'_> {
         match solver.insert("seed".to_owned(), seed) {
             None => Ok(()),
             Some(_) => {
-                let why = "solver.seed stands at the head of the file as well: drop one";
+                let why = "solver.seed is at the head of the file as well: drop one";
                 Err(self.places.error("solver.seed", why.to_owned()))
             }
         }

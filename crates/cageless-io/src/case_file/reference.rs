@@ -22,6 +22,8 @@ pub struct SectionReference {
 pub struct KeyReference {
     /// Name.
     pub name: &'static str,
+    /// Name in files of earlier versions; empty if none.
+    pub formerly: &'static str,
     /// Unit as it is printed; empty if none.
     pub unit: &'static str,
     /// What the value is.
@@ -91,6 +93,7 @@ pub fn reference() -> Vec<SectionReference> {
 fn key(key: &Key) -> KeyReference {
     KeyReference {
         name: key.name,
+        formerly: key.formerly,
         unit: key.unit.printed(),
         meaning: key.meaning,
         value: match key.kind {

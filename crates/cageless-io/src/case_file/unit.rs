@@ -46,6 +46,8 @@ impl Unit {
             Self::Microsecond => "µs",
             Self::Si("N s/m") => "N·s/m",
             Self::Si("N s/m^1.5") => "N·s/m^1.5",
+            Self::Si("N m") => "N·m",
+            Self::Si("kg m^2") => "kg·m²",
             Self::Si("kg/m^3") => "kg/m³",
             Self::Si("m/s^2") => "m/s²",
             unit => unit.symbol(),

@@ -7,7 +7,7 @@
 //!
 //! [grid]
 //! raceway.half_angle_deg = { from = 20.0, to = 30.0, count = 11 }
-//! model.profile = ["physical", "paper"]
+//! model.formulation = ["physical", "paper"]
 //! ```
 //!
 //! Every error becomes one [`CaseError`], as in a case file.
@@ -108,7 +108,7 @@ pub enum ScatterLaw {
     /// Uniform, up to this on either side.
     Uniform(f64),
     /// `start.gaps` only: every arrangement of the balls is as likely as any other.
-    Any,
+    Random,
 }
 
 /// A column that the plan keeps.

@@ -50,7 +50,7 @@ fn text(plan: &PlanFile) -> Result<String, CaseError> {
             let law = match key.law {
                 ScatterLaw::Normal(width) => format!("{{ normal = {} }}", Value::from(width)),
                 ScatterLaw::Uniform(width) => format!("{{ uniform = {} }}", Value::from(width)),
-                ScatterLaw::Any => quoted("any"),
+                ScatterLaw::Random => quoted("random"),
             };
             lines.push(format!("scatter.{} = {law}", key.key));
         }

@@ -12,7 +12,7 @@ use cageless_results::Computation;
 
 use crate::case_file::named::Named;
 use crate::case_file::spanned_toml::{self, Node, Section, Value};
-use crate::case_file::{CaseBase, CaseError, CaseValue, Change, keys, read_text};
+use crate::case_file::{CaseBase, CaseError, CaseValue, Change, former, keys, read_text};
 use crate::rotor_file::address::{address, is_number};
 use crate::rotor_file::{RotorBase, RotorFile, keys as rotor_keys};
 
@@ -46,7 +46,8 @@ impl PlanFile {
 }
 
 fn plan(text: &str, name: &str, folder: &Path) -> Result<PlanFile, CaseError> {
-    let root = spanned_toml::parse(text, name)?;
+    let mut root = spanned_toml::parse(text, name)?;
+    former::rename(&mut root, name)?;
     let mut reader = PlanReader {
         root: &root,
         name,
@@ -254,7 +255,7 @@ impl<'a> PlanReader<'a> {
                 if let Some(other) = list.iter().find(|c| **c != Computation::Drop) {
                     let message = format!(
                         "compute has \"{}\", which is for the case of one bearing; of a rotor \
-                         above several there is \"drop\"",
+                         on several there is \"drop\"",
                         other.name()
                     );
                     return Err(self.error(node, "compute", message));

@@ -99,10 +99,10 @@ impl PlanReader<'_> {
         let gaps = key_in_case(key) == "start.gaps";
         let allowed = format!(
             "{{ normal = STANDARD_DEVIATION }} or {{ uniform = HALF_WIDTH }}{}",
-            if gaps { ", or \"any\"" } else { "" }
+            if gaps { ", or \"random\"" } else { "" }
         );
         match &node.value {
-            Value::Text(text) if gaps && text == "any" => return Ok(ScatterLaw::Any),
+            Value::Text(text) if gaps && text == "random" => return Ok(ScatterLaw::Random),
             Value::Section(section) => {
                 let mut entries = section.iter();
                 if let (Some((name, node)), None) = (entries.next(), entries.next()) {

@@ -90,14 +90,14 @@ pub const BALLS: &[Column] = &[
     number("y_m", "m"),
     number("vx_m_s", "m/s"),
     number("vy_m_s", "m/s"),
-    number("spin_rad_s", "rad/s"),
+    number("rotation_rad_s", "rad/s"),
     number("orbit_speed_rad_s", "rad/s"),
     number("gap_rad", "rad"),
     number("effective_radius_m", "m"),
     number("inner_force_n", "N"),
     number("outer_force_n", "N"),
-    number("inner_slip_m_s", "m/s"),
-    number("outer_slip_m_s", "m/s"),
+    number("inner_sliding_m_s", "m/s"),
+    number("outer_sliding_m_s", "m/s"),
 ];
 
 /// Columns of `ring.parquet`; from the second on as in [`cageless::RingSnapshot::values`].
@@ -128,7 +128,7 @@ pub const ROTOR: &[Column] = &[
     number("housing_vx_m_s", "m/s"),
     number("housing_vy_m_s", "m/s"),
     number("contact_force_n", "N"),
-    number("contact_slip_m_s", "m/s"),
+    number("contact_sliding_m_s", "m/s"),
 ];
 
 /// Columns of `collisions.parquet`.

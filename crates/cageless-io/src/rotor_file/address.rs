@@ -11,8 +11,8 @@ pub(crate) enum Address<'k> {
     Case(Option<usize>, &'k [&'k str]),
 }
 
-/// The place of a key: `rotor.speed_rpm`, `bearing.2.axial_mm` and `unbalance.1.moment_g_mm` are
-/// keys of the rotor file, `contact.damping` is one of every case and `bearing.2.contact.damping`
+/// The place of a key: `rotor.speed_rpm`, `bearing.2.axial_mm` and `unbalance.1.amount_g_mm` are
+/// keys of the rotor file, `contact.damping_n_s_m1_5` is one of every case and `bearing.2.contact.damping_n_s_m1_5`
 /// one of the case of bearing 2. Whether the case has the key, its reader says.
 ///
 /// # Errors
@@ -58,5 +58,5 @@ pub(crate) fn is_number(part: &str) -> bool {
 }
 
 fn unbalances() -> String {
-    "is replaced by the unbalances of the rotor: write unbalance.1.moment_g_mm".to_owned()
+    "is replaced by the unbalances of the rotor: write unbalance.1.amount_g_mm".to_owned()
 }

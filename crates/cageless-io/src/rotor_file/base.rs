@@ -9,6 +9,7 @@ use super::address::{Address, address, is_number};
 use super::matrices::matrices_of_section;
 use super::read::{self, Head};
 use super::{RotorFile, RotorFileDocument, read_matrices};
+use crate::case_file::former;
 use crate::case_file::overrides::Replacement;
 use crate::case_file::spanned_toml::{self, Node, Section, Value};
 use crate::case_file::{CaseBase, CaseError, CaseValue, Change, read_text};
@@ -33,7 +34,8 @@ impl RotorBase {
     pub fn read(path: &Path) -> Result<Self, CaseError> {
         let name = path.display().to_string();
         let text = read_text(path, "rotor file").map_err(|m| CaseError::of_file(&name, m))?;
-        let root = spanned_toml::parse(&text, &name)?;
+        let mut root = spanned_toml::parse(&text, &name)?;
+        former::rename(&mut root, &name)?;
         Self::from_sections(root, &name, path.parent().unwrap_or(Path::new("")))
     }
 
@@ -46,7 +48,7 @@ impl RotorBase {
         }
     }
 
-    /// Takes the sections of the file `name`; paths in it count from `folder`. Bearings and
+    /// Takes the sections of the file `name`; paths in it are relative to `folder`. Bearings and
     /// unbalances may be sections with the numbers 1, 2 and so on, in place of lists.
     pub(crate) fn from_sections(
         mut root: Section,
@@ -209,7 +211,8 @@ impl RotorFile {
         folder: &Path,
         overrides: &[String],
     ) -> Result<Self, CaseError> {
-        let root = spanned_toml::parse(text, name)?;
+        let mut root = spanned_toml::parse(text, name)?;
+        former::rename(&mut root, name)?;
         RotorBase::from_sections(root, name, folder)?.overridden(overrides)
     }
 
@@ -230,7 +233,7 @@ fn is_numbered(section: &Section) -> bool {
 fn listed(section: &Section) -> Result<Value, String> {
     let node = |number: usize| -> Result<Node, String> {
         let found = section.get(&number.to_string()).cloned();
-        found.ok_or_else(|| format!("number {number} is missing: sections count from 1"))
+        found.ok_or_else(|| format!("number {number} is missing: sections are numbered from 1"))
     };
     let nodes: Result<_, _> = (1..=section.len()).map(node).collect();
     nodes.map(Value::List)

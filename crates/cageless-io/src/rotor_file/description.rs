@@ -62,9 +62,9 @@ pub struct RotorUnbalance {
     /// Its plane.
     pub place: RotorPlace,
     /// m·ε, g·mm.
-    pub moment_g_mm: f64,
+    pub amount_g_mm: f64,
     /// Direction at the start, degrees from +X, counter-clockwise.
-    pub phase_deg: f64,
+    pub angle_deg: f64,
 }
 
 /// A clearance between rotor and stator.
@@ -123,8 +123,8 @@ impl RotorDescription {
                 let unbalances = unbalances.map(|u| {
                     Ok(PlaneUnbalance {
                         axial_m: u.place.axial_m()?,
-                        moment_kg_m: G_MM * u.moment_g_mm,
-                        phase_rad: u.phase_deg.to_radians(),
+                        moment_kg_m: G_MM * u.amount_g_mm,
+                        phase_rad: u.angle_deg.to_radians(),
                     })
                 });
                 let clearances = self.clearances.iter().map(|c| {
@@ -151,8 +151,8 @@ impl RotorDescription {
                 let unbalances = unbalances.map(|u| {
                     Ok(NodeUnbalance {
                         node: u.place.node()?,
-                        moment_kg_m: G_MM * u.moment_g_mm,
-                        phase_rad: u.phase_deg.to_radians(),
+                        moment_kg_m: G_MM * u.amount_g_mm,
+                        phase_rad: u.angle_deg.to_radians(),
                     })
                 });
                 let clearances = self.clearances.iter().map(|c| {

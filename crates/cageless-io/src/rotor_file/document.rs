@@ -83,8 +83,8 @@ impl RotorFileDocument {
         });
         let unbalances = self.rotor.unbalances.iter().map(|unbalance| {
             let mut section = of_place(unbalance.place);
-            section.insert("moment_g_mm".to_owned(), unbalance.moment_g_mm.into());
-            section.insert("phase_deg".to_owned(), unbalance.phase_deg.into());
+            section.insert("amount_g_mm".to_owned(), unbalance.amount_g_mm.into());
+            section.insert("angle_deg".to_owned(), unbalance.angle_deg.into());
             section
         });
         let clearances = self.rotor.clearances.iter().map(|clearance| {

@@ -51,7 +51,7 @@ const SECTIONS: [(&str, &[RotorKey]); 4] = [
             key(
                 "speed_rpm",
                 RevolutionPerMinute,
-                "speed of the rotor when the magnets let go",
+                "rotor speed at the start of the drop (loss of AMB power)",
             ),
             key("drive_torque_n_m", Si("N m"), "torque on the rotor"),
         ],
@@ -69,8 +69,8 @@ const SECTIONS: [(&str, &[RotorKey]); 4] = [
         &[
             PLACE,
             NODE,
-            key("moment_g_mm", Si("g mm"), "m·ε of the unbalance"),
-            key("phase_deg", Degree, "direction at the start"),
+            key("amount_g_mm", Si("g mm"), "m·ε of the unbalance"),
+            key("angle_deg", Degree, "direction at the start"),
         ],
     ),
     (

@@ -123,8 +123,8 @@ pub(super) fn description(
     let unbalances = head.unbalances.iter().map(|part| {
         Ok(RotorUnbalance {
             place: part.place(by_matrices)?,
-            moment_g_mm: part.required("moment_g_mm")?,
-            phase_deg: part.number("phase_deg")?.unwrap_or(0.0),
+            amount_g_mm: part.required("amount_g_mm")?,
+            angle_deg: part.number("angle_deg")?.unwrap_or(0.0),
         })
     });
     let clearances = head.clearances.iter().map(|part| {

@@ -67,7 +67,7 @@ pub fn scaled_error_of(case: &Case, name: &str, state: &State) -> f64 {
         for coordinate in BallCoordinate::ALL {
             let at = layout.ball(coordinate, k);
             let value = match coordinate {
-                BallCoordinate::Spin => seen.spin_rad_s[k],
+                BallCoordinate::Spin => seen.rotation_rad_s[k],
                 _ => state.values()[at],
             };
             difference[at] = value - rows[k][coordinate as usize];

@@ -60,7 +60,7 @@ fn spin(e: &Evidence) -> Claim {
                 "°",
             )
             .says(
-                "For the critical gaps that hardly matters.",
+                "For the critical gaps that matters little.",
                 "It matters for the critical gaps.",
             ),
         ],

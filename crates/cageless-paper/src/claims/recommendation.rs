@@ -78,7 +78,7 @@ fn classes(e: &Evidence) -> Claim {
         .collect();
     Claim::of_the_model(
         "Section 4.3",
-        "(a)–(c) collide twice, (d)–(f) are reasonable, (g)–(j) slide: by 2θ from 2(ε + β0) on, \
+        "(a)–(c) have double collisions, (d)–(f) are reasonable, (g)–(j) slide: by 2θ from 2(ε + β0) on, \
          down to 44°, below.",
         vec![
             Requirement::in_all(
@@ -103,7 +103,7 @@ fn classes(e: &Evidence) -> Claim {
         ],
     )
     .remark(
-        "The thresholds of a verdict (both neighbours hit in a quarter of the passages, 5 % of the \
+        "The thresholds of a verdict (double collisions in a quarter of the passages, 5 % of the \
          critical gap lost to sliding) were fitted to the ten structures in `paper`; their \
          agreement there confirms nothing.",
     )

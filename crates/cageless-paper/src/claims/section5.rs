@@ -149,7 +149,7 @@ fn photographs(e: &Evidence) -> Claim {
     let text = |counts: [usize; 4]| counts.map(|n| n.to_string()).join(", ");
     Claim::of_the_model(
         "Section 5, Fig. 13, 14",
-        "At 0.05, 0.1, 0.15 and 0.2 s balls touch in the conventional bearing and hardly in the \
+        "At 0.05, 0.1, 0.15 and 0.2 s balls touch in the conventional bearing and scarcely in the \
          discrete one.",
         vec![
             Requirement::in_all(

@@ -113,7 +113,7 @@ fn odd_row(e: &Evidence) -> Claim {
             )
             .says(
                 "It follows its neighbours.",
-                "It does not follow its neighbours: it hardly differs from that of 5.40 mm.",
+                "It does not follow its neighbours: it differs little from that of 5.40 mm.",
             ),
         ],
     )
@@ -173,7 +173,7 @@ fn unloaded(e: &Evidence) -> Claim {
     Claim::of_the_model(
         "Section 4.3, Fig. 6, a–b",
         &format!(
-            "In the unloaded zone the gap falls by {printed}° by slip; that can be neglected."
+            "In the unloaded zone the gap falls by {printed}° by sliding; that can be neglected."
         ),
         of_both(e, |name, s| {
             Requirement::at_most(
@@ -218,13 +218,13 @@ fn loaded(e: &Evidence) -> Claim {
             " %",
         )
         .says(
-            &format!("The ball hardly slides in {name}."),
+            &format!("The ball scarcely slides in {name}."),
             &format!("The ball slides in {name}."),
         )
     }));
     Claim::of_the_model(
         "Section 4.3, Fig. 6, b–c and d–e",
-        "In the load zone outside the discrete raceway balls hardly slip, and the gap is stable at \
+        "In the load zone outside the discrete raceway balls scarcely slide, and the gap is stable at \
          β0.",
         criterion,
     )

@@ -140,7 +140,7 @@ fn twice(e: &Evidence) -> Claim {
     }));
     Claim::of_the_model(
         "Section 4.3, Fig. 8a–c",
-        "Structures (a) to (c) make each ball collide twice per passage.",
+        "In structures (a) to (c) each ball has a double collision per passage.",
         criterion,
     )
     .numbers(&both(e, "share of passages with both contacts", |f| {
@@ -163,8 +163,10 @@ fn smooth(e: &Evidence) -> Claim {
             "",
         )
         .says(
-            &format!("Both neighbours hit at most half as often as in (a) to (c) in {name}."),
-            &format!("Both neighbours hit more than half as often as in (a) to (c) in {name}."),
+            &format!("Double collisions are at most half as frequent as in (a) to (c) in {name}."),
+            &format!(
+                "Double collisions are more than half as frequent as in (a) to (c) in {name}."
+            ),
         )
     });
     criterion.extend(of_both(e, |name, found| {
@@ -188,7 +190,7 @@ fn smooth(e: &Evidence) -> Claim {
 }
 
 fn slide(e: &Evidence) -> Claim {
-    let slip = |found: &[Found]| passages(found, |p| p.slip_mean_m_s);
+    let slip = |found: &[Found]| passages(found, |p| p.sliding_mean_m_s);
     let apart = |values: &[f64]| least(values[6..].to_vec()) / largest(values[3..6].to_vec());
     let mut criterion = of_both(e, |name, found| {
         Requirement::at_least(
@@ -216,7 +218,7 @@ fn slide(e: &Evidence) -> Claim {
     }));
     Claim::of_the_model(
         "Section 4.3, Fig. 8g–j",
-        "In structures (g) to (j) the balls slide, and the separation suffers.",
+        "In structures (g) to (j) the balls slide, and are separated less.",
         criterion,
     )
     .numbers(&format!(

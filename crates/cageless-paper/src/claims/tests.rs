@@ -84,7 +84,7 @@ const CHANGES: &[(&str, ClaimStatus, Edit, ClaimStatus)] = &[
     ("The gap falls rapidly", NotConfirmed, |e| e.stages[0].first_change_deg = 0.04, Partly),
     ("Ball i of structure (a)", Confirmed, |e| e.stages[1].double_passages = 0, Partly),
     ("The contact between", Partly, |e| each_structure(e, |_, f| f.steady.contact_duration_s = 1e-3), Confirmed),
-    ("Structures (a) to (c)", Partly, |e| each_structure(e, |k, f| {
+    ("In structures (a) to (c)", Partly, |e| each_structure(e, |k, f| {
         f.judgement.passages.as_mut().unwrap().double_collision_fraction = if k < 3 { 0.51 } else { 0.0 };
     }), Confirmed),
     ("In structures (d) to (f)", Partly, |e| each_structure(e, |_, f| {
@@ -101,7 +101,7 @@ const CHANGES: &[(&str, ClaimStatus, Edit, ClaimStatus)] = &[
     ("Below θ = 22°", Partly, |e| each_structure(e, |k, f| {
         f.judgement.passages.as_mut().unwrap().speed_drop_fraction = if k < 6 { 0.96 } else { 0.94 };
     }), Confirmed),
-    ("(a)–(c) collide twice", Partly, |e| {
+    ("(a)–(c) have double collisions", Partly, |e| {
         for b in &mut e.between {
             b.judgement.verdict = recommendation::by_span(25.7, 44.0, b.half_angle_deg);
         }

@@ -16,14 +16,14 @@ fn eq_10(e: &Evidence) -> Claim {
     let printed = m.spacing_deg - m.printed_epsilon_deg;
     let gap = e.printed.nominal_gap_deg;
     let criterion = Requirement::at_most(
-        "gap of evenly spaced balls with this ε, from the paper's own",
+        "nominal gap with this ε, from the paper's own",
         (printed - gap).abs(),
         ROUNDING_DEG,
         "°",
     )
     .says(
-        "It gives the paper's own uniform gap.",
-        "It does not give the paper's own uniform gap: its chord is Rw, that of two balls in \
+        "It gives the paper's own nominal gap.",
+        "It does not give the paper's own nominal gap: its chord is Rw, that of two balls in \
          contact 2 Rw.",
     );
     Claim::as_printed(
@@ -109,7 +109,7 @@ fn speed(e: &Evidence) -> Claim {
                 "°",
             )
             .says(
-                "Where balls hardly slide, the gap is that of Eq. (11), which has no speed in it.",
+                "Where balls scarcely slide, the gap is that of Eq. (11), which has no speed in it.",
                 "At 3000 rpm already the gap is not that of Eq. (11).",
             ),
             changed("(d)", gaps[0]),

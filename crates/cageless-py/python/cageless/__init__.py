@@ -3,7 +3,7 @@
 A :class:`Case` is a bearing, its operation and how it is to be simulated. ``case.run()``,
 ``case.static()``, ``case.design()``, ``case.search()`` and ``case.tolerance()`` compute,
 ``case.export()`` writes the ring for CAD; :func:`sweep` computes many variants of a
-case, here or on a cluster. A :class:`Result` has its numbers as attributes, arrays of numpy,
+case, here or on a cluster. A :class:`Result` has its numbers as attributes, arrays of NumPy,
 ``data_*()`` as frames of pandas and ``plot_*()`` as figures of plotly. Names end in their unit.
 
 Examples

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-import numpy as np
+import NumPy as np
 import numpy.typing as npt
 
 if TYPE_CHECKING:
@@ -32,23 +32,23 @@ class RunAttributes:
     power_loss_inner_friction_w: float  # friction at the inner raceway, W
     power_loss_outer_friction_w: float  # friction at the outer raceway, W
     power_loss_ball_friction_w: float  # friction between balls, W
-    power_loss_damping_w: float  # damping of the contacts (contact.damping, an assumed constant), W
-    power_loss_drag_w: float  # drag on the inner ring, W
+    power_loss_damping_w: float  # damping of the contacts (contact.damping_n_s_m1_5, an assumed constant), W
+    power_loss_inner_ring_damping_w: float  # drag on the inner ring, W
     power_loss_rotor_friction_w: float  # friction between rotor and inner ring, W
     power_loss_rotor_damping_w: float  # damping between rotor and inner ring, W
     power_loss_support_damping_w: float  # damping of the support, W
     power_loss_stored_w: float  # stored, less work of loads, W
-    inner_stress_max_gpa: float  # peak contact pressure, inner raceway, GPa
-    outer_stress_max_gpa: float  # peak contact pressure, outer raceway, GPa
-    ball_stress_max_gpa: float  # peak contact pressure, ball on ball, GPa
+    inner_pressure_max_mpa: float  # peak contact pressure, inner raceway, MPa
+    outer_pressure_max_mpa: float  # peak contact pressure, outer raceway, MPa
+    ball_pressure_max_mpa: float  # peak contact pressure, ball on ball, MPa
     inner_force_max_n: float  # largest force at the inner raceway, N
     outer_force_max_n: float  # largest force at the outer raceway, N
     ball_force_max_n: float  # largest force between balls, N
     inner_pressure_velocity_max_mpa_m_s: float  # pressure × sliding speed, inner raceway, MPa m/s
     outer_pressure_velocity_max_mpa_m_s: float  # pressure × sliding speed, outer raceway, MPa m/s
     ball_pressure_velocity_max_mpa_m_s: float  # pressure × sliding speed, ball on ball, MPa m/s
-    ring_x_um_mean: float  # mean displacement of the inner ring, x, um
-    ring_y_um_mean: float  # mean displacement of the inner ring, y, um
+    ring_x_mean_um: float  # mean displacement of the inner ring, x, um
+    ring_y_mean_um: float  # mean displacement of the inner ring, y, um
     collisions: int | None  # collisions between balls
     collisions_above_0_1_m_s: int | None  # collisions above 0.1 m/s
     collisions_above_0_5_m_s: int | None  # collisions above 0.5 m/s
@@ -58,7 +58,7 @@ class RunAttributes:
     gap_deviation_deg: float  # standard deviation of the gaps, deg
     gap_deviation_change_deg: float  # change of that from the first to the second half of the run, deg
     outer_ring_force_deviation_n: float  # standard deviation of the force on the outer ring, N
-    slip_max_m_s: float  # largest sliding speed under load, m/s
+    sliding_max_m_s: float  # largest sliding speed under load, m/s
     orbit_speed_rpm: float  # orbital speed of the balls, mean, rpm
     rotation_speed_rpm: float  # rotational speed of the balls, mean, rpm
     ftf_hz: float  # FTF in pure rolling, Hz
@@ -73,12 +73,12 @@ class RunAttributes:
     passage_duration_mean_ms: float  # time of a passage, mean, ms
     passage_collisions_mean: float  # contacts per passage, mean
     double_collision_fraction: float  # double collisions, fraction of the passages
-    passage_slip_mean_m_s: float  # largest sliding speed in a passage, mean, m/s
+    passage_sliding_mean_m_s: float  # largest sliding speed in a passage, mean, m/s
     passage_gap_min_mean_deg: float  # smallest gap ahead in a passage, mean, deg
     settled_after_s: float  # end of the transient, s
-    orbits: int | None  # orbits of mean powers and speeds
+    averaged_orbits: int | None  # orbits of mean powers and speeds
     energy_residual_relative: float  # energy balance error (relative)
-    end_s: float  # simulated, s
+    simulated_s: float  # simulated, s
     steps: int | None  # steps
     rhs_evaluations: int | None  # force evaluations
     wall_s: float  # time of the computation, s
@@ -107,21 +107,21 @@ class DropAttributes:
     impacts: int | None  # impacts of the rotor
     contact_fraction: float  # time in contact after the first, fraction
     rotor_force_max_n: float  # largest force on the rotor, N
-    rotor_force_max_weights: float  # largest force on the rotor / its weight
+    rotor_force_max_over_weight: float  # largest force on the rotor / its weight
     housing_force_max_n: float  # largest force on the housing, N
-    housing_force_max_weights: float  # largest force on the housing / rotor's weight
+    housing_force_max_over_weight: float  # largest force on the housing / rotor's weight
     rotor_displacement_max_um: float  # largest displacement of the journal from the stator centre, um
     clearance_margin_um: float  # margin of the journal to its clearance, um
     housing_displacement_max_um: float  # largest displacement of the outer ring, um
-    rotor_slip_max_m_s: float  # largest sliding speed of the rotor, m/s
+    rotor_sliding_max_m_s: float  # largest sliding speed of the rotor, m/s
     spin_up_ms: float  # spin-up of the inner ring, ms
     ring_speed_rpm: float  # inner ring at the end, rpm
     rotor_speed_rpm: float  # rotor at the end, rpm
     backward_whirl_max_hz: float  # largest backward speed of the journal (whirl or swing), Hz
     backward_whirl_hz: float  # backward whirl round the bore, Hz
-    inner_stress_max_gpa: float  # peak contact pressure, inner raceway, GPa
-    outer_stress_max_gpa: float  # peak contact pressure, outer raceway, GPa
-    ball_stress_max_gpa: float  # peak contact pressure, ball on ball, GPa
+    inner_pressure_max_mpa: float  # peak contact pressure, inner raceway, MPa
+    outer_pressure_max_mpa: float  # peak contact pressure, outer raceway, MPa
+    ball_pressure_max_mpa: float  # peak contact pressure, ball on ball, MPa
     collisions: int | None  # collisions between balls
     collisions_above_0_1_m_s: int | None  # collisions above 0.1 m/s
     collisions_above_0_5_m_s: int | None  # collisions above 0.5 m/s
@@ -131,9 +131,9 @@ class DropAttributes:
     end_collision_rate_above_0_5_m_s_hz: float  # collisions above 0.5 m/s per second, at the end, Hz
     end_collision_rate_above_1_m_s_hz: float  # collisions above 1 m/s per second, at the end, Hz
     ball_force_max_n: float  # largest force between balls, N
-    ball_slip_max_m_s: float  # largest sliding speed of a ball, m/s
-    heat_j: float  # heat of all interfaces, J
-    ball_heat_j: float  # heat of friction at the balls, J
+    ball_sliding_max_m_s: float  # largest sliding speed of a ball, m/s
+    dissipated_j: float  # heat of all interfaces, J
+    ball_friction_total_j: float  # heat of friction at the balls, J
     rotor_friction_j: float  # friction between rotor and inner ring, J
     rotor_damping_j: float  # damping between rotor and inner ring, J
     inner_friction_j: float  # friction at the inner raceway, J
@@ -144,7 +144,7 @@ class DropAttributes:
     inner_force_max_of_ball_n: Floats  # largest force of each ball at the inner raceway, N
     outer_force_max_of_ball_n: Floats  # largest force of each ball at the outer raceway, N
     energy_residual_relative: float  # energy balance error (relative)
-    end_s: float  # simulated, s
+    simulated_s: float  # simulated, s
     plane_margin_min_um: float  # smallest margin of the planes of the rotor to their clearances, um
     rotor_energy_residual_relative: float  # energy balance error of the rotor alone (relative)
     plot_orbit: Callable[..., go.Figure]  # path of the journal in the bore of the inner ring
@@ -165,12 +165,12 @@ class StaticAttributes:
     stiffness_xx_n_m: float  # stiffness of the bearing, kxx, N/m
     stiffness_yy_n_m: float  # stiffness of the bearing, kyy, N/m
     stiffness_xy_n_m: float  # stiffness of the bearing, kxy = kyx, N/m
-    inner_stress_max_gpa: float  # peak contact pressure, inner raceway, GPa
-    outer_stress_max_gpa: float  # peak contact pressure, outer raceway, GPa
+    inner_pressure_max_mpa: float  # peak contact pressure, inner raceway, MPa
+    outer_pressure_max_mpa: float  # peak contact pressure, outer raceway, MPa
     inner_force_max_n: float  # largest force at the inner raceway, N
     outer_force_max_n: float  # largest force at the outer raceway, N
     loaded_balls: int | None  # balls under load
-    static_safety: float  # static safety factor s0 = C0r/Fr (ISO 76)
+    static_safety_factor: float  # static safety factor s0 = C0r/Fr (ISO 76)
     pressure_safety: float  # load to the pressure limit, (4200 MPa/p)³
     assembly: str  # way of assembly
     rating_factor: float  # rating factor bm of ISO 281 for it
@@ -187,15 +187,15 @@ class StaticAttributes:
     bpfi_hz: float  # BPFI in pure rolling, Hz
     bsf_hz: float  # BSF in pure rolling, Hz
     raceway_ftf_hz: float  # FTF in pure rolling through the discrete raceways, Hz
-    speed_parameter_mm_rpm: float  # speed factor n·Dpw, mm rpm
-    inner_stiffness: float  # contact stiffness K, inner raceway, N/m^1.5
-    outer_stiffness: float  # contact stiffness K, outer raceway, N/m^1.5
+    speed_factor_mm_rpm: float  # speed factor n·Dpw, mm rpm
+    inner_stiffness_n_m1_5: float  # contact stiffness K, inner raceway, N/m^1.5
+    outer_stiffness_n_m1_5: float  # contact stiffness K, outer raceway, N/m^1.5
     ball_angle_deg: Floats  # angular position ψ, deg
     effective_radius_mm: Floats  # effective ball radius r, mm
     inner_force_n: Floats  # contact force, inner raceway, N
     outer_force_n: Floats  # contact force, outer raceway, N
-    inner_pressure_gpa: Floats  # contact pressure, inner raceway, GPa
-    outer_pressure_gpa: Floats  # contact pressure, outer raceway (of one contact point on a discrete raceway), GPa
+    inner_pressure_mpa: Floats  # contact pressure, inner raceway, MPa
+    outer_pressure_mpa: Floats  # contact pressure, outer raceway (of one contact point on a discrete raceway), MPa
     inner_semi_axis_along_mm: Floats  # contact semi-axis in the rolling direction, inner raceway, mm
     inner_semi_axis_across_mm: Floats  # contact semi-axis across the rolling direction, inner raceway, mm
     outer_semi_axis_along_mm: Floats  # contact semi-axis in the rolling direction, outer raceway, mm
@@ -213,10 +213,10 @@ class DesignAttributes:
     axial_span_limit_mm: float  # largest lC, Eq. (8), mm
     beta0_deg: float  # β0, Eq. (11), deg
     beta0_polar_deg: float  # β0 with the true polar angle, deg
-    half_angle_deg_for_span: float  # θ by Eq. (11) for the span, deg
-    steady_gap_deg: float  # mean ball spacing outside the raceway (steady state), deg
+    half_angle_for_span_deg: float  # θ by Eq. (11) for the span, deg
+    steady_gap_deg: float  # steady-state gap, outside the raceway, deg
     balls_in_raceway_max: int | None  # most balls inside at once
-    kink_deg: float  # slope discontinuity at the raceway ends (at 45° groove angle), deg
+    slope_discontinuity_deg: float  # slope discontinuity at the raceway ends (at 45° groove angle), deg
     verdict: str  # verdict
     passes: bool | None  # passes
     headline: str  # verdict with its reason

@@ -138,7 +138,7 @@ class Case(Computations):
     ...         inner_groove_bottom_radius_mm=18.24, outer_groove_bottom_radius_mm=27.765,
     ...         outer_shoulder_radius_mm=26.0,
     ...         inner_groove_curvature_radius_mm=4.953, outer_groove_curvature_radius_mm=4.953,
-    ...         inner_ring_mass_kg=0.2, inner_ring_drag_n_s_m=2000.0,
+    ...         inner_ring_mass_kg=0.2, inner_ring_damping_n_s_m=2000.0,
     ...     ),
     ...     raceway=Raceway(axial_span_mm=5.1, half_angle_deg=25.2),
     ...     operation=Operation(inner_speed_rpm=12000.0, radial_load_n=1500.0),
@@ -346,9 +346,9 @@ class Case(Computations):
         return None if found is None else SECTIONS[name](**found)
 
     @property
-    def radial_clearance_um(self) -> float:
-        """Ro − Ri − 2 Rw: half the radial internal clearance of ISO 5753-1."""
-        return self._file.derived()["radial_clearance_um"]
+    def radial_internal_clearance_um(self) -> float:
+        """Gr = 2 (Ro − Ri − 2 Rw), radial internal clearance of ISO 5753-1."""
+        return self._file.derived()["radial_internal_clearance_um"]
 
     @property
     def epsilon_deg(self) -> float:

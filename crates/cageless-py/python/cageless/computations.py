@@ -105,7 +105,7 @@ class Computations:
         compare : bool
             Drop it onto the same bearing with a conventional outer ring as well.
         samples : int, optional
-            Number of further drops with scattered friction, air gap, support damping, direction
+            Number of further drops with scattered friction, touch-down clearance, support damping, direction
             of the unbalance and arrangement of the balls.
         verify : bool
             Repeat the drop from perturbed starts and at half the step; ``data_verification()``
@@ -125,7 +125,7 @@ class Computations:
         return complete(Drop(self._file.drop(compare, samples, verify, threads, progress)))
 
     def static(self) -> Static:
-        """Static equilibrium: ring displacement, load of each ball, contact stress.
+        """Static equilibrium: ring displacement, load of each ball, contact pressure.
 
         Returns
         -------
@@ -175,7 +175,7 @@ class Computations:
         ----------
         out : path, optional
             Folder that keeps what was computed until the search is over: after an
-            interruption the same call, or the command, goes on from there.
+            interruption the same call, or the command, continues from there.
         **asked
             Keys of the section ``[search]`` of a case file with their values, in place of those of
             the case: ranges of speeds and loads, of lC, θ and ψ, numbers of raceways, starts and
@@ -194,9 +194,9 @@ class Computations:
         --------
         >>> import cageless
         >>> case = cageless.Case.from_toml(cageless.template())
-        >>> case.search(budget=1)
+        >>> case.search(runs_max=1)
         Traceback (most recent call last):
-        cageless.errors.InputError: search.budget = 1 is not possible: it must be 2 or more: ...
+        cageless.errors.InputError: search.runs_max = 1 is not possible: it must be 2 or more: ...
         """
         given = {f"search.{key}": value for key, value in asked.items() if value is not None}
         case = self.replace(given) if given else self  # type: ignore[attr-defined]
@@ -250,7 +250,7 @@ class Computations:
         half_angle_deg: float = 0.1,
         ball_grade: int = 10,
         friction: float = 0.002,
-        clearance_um: float = 5.0,
+        clearance_um: float = 10.0,
         speed_percent: float = 5.0,
         load_percent: float = 20.0,
         threads: int | None = None,
@@ -276,7 +276,7 @@ class Computations:
         friction : float
             μ.
         clearance_um : float
-            Tolerance of the radial clearance (half the radial internal clearance Gr).
+            Tolerance of the radial internal clearance Gr.
         speed_percent, load_percent : float
             Speed and load, as shares of those of the case.
 

@@ -1,4 +1,4 @@
-"""The plan of a sweep: a case or a rotor above several bearings, what varies in it, what is computed
+"""The plan of a sweep: a case or a rotor on several bearings, what varies in it, what is computed
 of each variant."""
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ def nested(values: Mapping[str, Any]) -> dict[str, Any]:
         for part in path:
             at = at.setdefault(part, {})
             if not isinstance(at, dict):
-                raise InputError(f"{dotted} is not possible beside {part}", dotted)
+                raise InputError(f"{dotted} is not possible with {part}", dotted)
         at[name] = value
     return tree
 
@@ -64,14 +64,14 @@ class Plan:
     Parameters
     ----------
     case : Case or RotorCase
-        The case that varies, or the rotor above several bearings.
+        The case that varies, or the rotor on several bearings.
     compute : sequence of str
-        ``"static"``, ``"design"``, ``"verdict"``, ``"run"``, ``"drop"``; of a rotor above several
+        ``"static"``, ``"design"``, ``"verdict"``, ``"run"``, ``"drop"``; of a rotor on several
         bearings ``"drop"`` alone.
     grid : mapping, optional
         Axes of which every combination is taken: ``section.key`` to a list of values, or
         to a :func:`span`. With a rotor also keys of the rotor, ``rotor.speed_rpm``, and of one
-        bearing, ``bearing.2.contact.damping``.
+        bearing, ``bearing.2.contact.damping_n_s_m1_5``.
     samples : mapping, optional
         ``method``, ``count`` and further axes.
     scatter : mapping, optional
@@ -139,12 +139,12 @@ class Plan:
 
     @classmethod
     def from_file(cls, path: str | os.PathLike[str]) -> Plan:
-        """Reads a plan; the path of its case counts from its folder."""
+        """Reads a plan; the path of its case is relative to its folder."""
         return cls._of(_cageless.Sweep.read(os.fspath(path)))
 
     @classmethod
     def from_toml(cls, text: str, folder: str | os.PathLike[str] = ".") -> Plan:
-        """Reads the text of a plan; paths in it count from `folder`."""
+        """Reads the text of a plan; paths in it are relative to `folder`."""
         return cls._of(_cageless.Sweep.parse(text, "plan", os.fspath(folder)))
 
     def to_toml(self) -> str:

@@ -90,9 +90,9 @@ class Result:
     """The result of a computation, as the command writes it in JSON.
 
     Every key of ``values`` is an attribute: numbers (NaN where there is none) and texts as they
-    are, lists of numbers as arrays of numpy, sections as results of their own; so are the columns
+    are, lists of numbers as arrays of NumPy, sections as results of their own; so are the columns
     of the tables of a run or a drop. ``dir()`` lists them with the frames of pandas, ``data_*()``,
-    and the figures of plotly, ``plot_*()``. Two results are equal if all of their numbers are.
+    and the figures of Plotly, ``plot_*()``. Two results are equal if all of their numbers are.
     """
 
     kind: ClassVar[str] = ""

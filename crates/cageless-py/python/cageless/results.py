@@ -68,7 +68,7 @@ class Run(RunAttributes, Result):
 
 
 class Drop(DropAttributes, Result):
-    """The drop of a rotor into one bearing, or into several: then each of ``bearings`` is a drop
+    """The drop of a rotor into one bearing, or onto several: then each of ``bearings`` is a drop
     with the tables and figures of that bearing. ``conventional``, ``ensemble`` and ``verification``
     are None unless they were asked for."""
 

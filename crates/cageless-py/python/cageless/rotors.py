@@ -1,4 +1,4 @@
-"""Rotors above several touchdown bearings."""
+"""Rotors on several touch-down bearings."""
 
 from __future__ import annotations
 
@@ -56,8 +56,8 @@ class LinearRotor:
         Parameters
         ----------
         bearing_axial_mm : sequence of float
-            Place of each touchdown bearing along the axis, from the mass centre.
-        unbalances : iterable of (axial_mm, moment_g_mm, phase_deg)
+            Place of each touch-down bearing along the axis, from the mass centre.
+        unbalances : iterable of (axial_mm, amount_g_mm, angle_deg)
             Place, m·ε and direction at the start of each unbalance.
         clearances : iterable of (name, axial_mm, radial_um)
             Name, place and radial clearance to the stator of magnetic bearings, seals or
@@ -100,10 +100,10 @@ class LinearRotor:
         polar_inertia_kg_m2 : float
             Moment of inertia of the whole rotor about its axis.
         nodes : sequence of int
-            Node of each touchdown bearing, from 0.
+            Node of each touch-down bearing, from 0.
         kept_nodes : sequence of int
             Further nodes whose displacements the reduction keeps, those of sensors.
-        unbalances : iterable of (node, moment_g_mm, phase_deg)
+        unbalances : iterable of (node, amount_g_mm, angle_deg)
             Node, m·ε and direction at the start of each unbalance.
         clearances : iterable of (name, node, radial_um)
             Name, node and radial clearance to the stator, as in :meth:`rigid`; the nodes are kept.
@@ -152,10 +152,10 @@ class LinearRotor:
         frequency_max_hz: float | None = None,
         frequency_rad_s: float = 0.0,
     ) -> LinearRotor:
-        """A rotor of ross, or anything with its methods ``M()``, ``C()``, ``G()``, ``K()`` and
+        """A rotor of ROSS, or anything with its methods ``M()``, ``C()``, ``G()``, ``K()`` and
         ``Ksdt()`` and four or six coordinates a node (``number_dof``).
 
-        ross 2.3.0 does not import with plotly 7: install ``plotly<7`` next to it.
+        ROSS 2.3.0 does not import with Plotly 7: install ``plotly<7`` next to it.
 
         Its bearings should be what holds the rotor in the drop, so none or seals.
         Axial motion and torsion are left out; the moment of inertia about the axis is that of the
@@ -164,7 +164,7 @@ class LinearRotor:
         Parameters
         ----------
         nodes : sequence of int
-            Node of each touchdown bearing, from 0.
+            Node of each touch-down bearing, from 0.
         frequency_rad_s : float
             Frequency at which coefficients that depend on one are taken.
 
@@ -265,7 +265,7 @@ class LinearRotor:
 
 
 class RotorCase:
-    """A rotor above several touchdown bearings with the case of each: what a rotor file holds.
+    """A rotor on several touch-down bearings with the case of each: what a rotor file holds.
 
     Parameters
     ----------
@@ -273,10 +273,10 @@ class RotorCase:
         The rotor with the places of its bearings.
     cases : sequence of Case
         The case of each bearing. Its ``rotor`` describes the contact of journal and bore, and the
-        position and velocity of the journal when the magnets let go; mass, inertia, unbalance,
+        position and velocity of the journal at the start of the drop; mass, inertia, unbalance,
         speed and drive are replaced by those of the rotor.
     speed_rpm : float
-        Speed when the magnets let go.
+        Speed at the start of the drop.
     drive_torque_n_m : float
         Torque on the rotor.
     title : str
@@ -334,7 +334,7 @@ class RotorCase:
         changes: Mapping[str, Any] | None = None,
         folder: str | os.PathLike[str] = ".",
     ) -> RotorCase:
-        """Reads the text of a rotor file; paths in it count from `folder`."""
+        """Reads the text of a rotor file; paths in it are relative to `folder`."""
         changed = _changed(changes or {})
         return cls._of(_cageless.RotorFile.parse(text, "rotor", os.fspath(folder), changed))
 
@@ -377,7 +377,7 @@ class RotorCase:
 
     @property
     def speed_rpm(self) -> float:
-        """Speed when the magnets let go."""
+        """Speed at the start of the drop."""
         return self._file.speed_rpm
 
     @property
@@ -400,8 +400,8 @@ class RotorCase:
         progress: Callable[[str, float], object] | None = None,
     ) -> Drop:
         """Drops the rotor into its bearings, as ``cageless drop`` does with a rotor file; the options
-        are those of :meth:`Case.drop`. Scattered drops scatter friction, air gap, support damping
-        and arrangement of the balls in each bearing on its own, and turn all unbalances by one
+        are those of :meth:`Case.drop`. Scattered drops scatter friction, touch-down clearance, support damping
+        and arrangement of the balls in each bearing on its own, and rotate all unbalances by one
         angle.
 
         Raises

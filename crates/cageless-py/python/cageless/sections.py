@@ -67,7 +67,7 @@ class Bearing(Section):
     inner_ring_mass_kg : float, optional
         mass of the inner ring and attached rotating parts; that of a steel ring with shoulders
         of 0.2 Dw, 0.3 Dw thick below its groove and 1.6 Dw wide unless given.
-    inner_ring_drag_n_s_m : float, optional
+    inner_ring_damping_n_s_m : float, optional
         C of Zhao 2022, Eq. (14), viscous damping of inner-ring translation; 2000 unless given,
         0 under a [rotor].
     inner_ring_polar_inertia_kg_m2 : float, optional
@@ -98,7 +98,7 @@ class Bearing(Section):
     inner_conformity: float | None = None
     outer_conformity: float | None = None
     inner_ring_mass_kg: float | None = None
-    inner_ring_drag_n_s_m: float | None = None
+    inner_ring_damping_n_s_m: float | None = None
     inner_ring_polar_inertia_kg_m2: float | None = None
     inner_ring_bore_radius_mm: float | None = None
     assembly: Literal["without-slot", "filling-slot"] | None = None
@@ -189,21 +189,22 @@ class Contact(Section):
     friction_table : sequence of (float, float), optional
         measured μ over the sliding speed, of friction_law = "table"; friction_coefficient is
         its last μ, also if it is left out.
-    slip_scale_m_s : float, optional
-        sliding speed at the knee of all laws but "coulomb".
+    regularisation_speed_m_s : float, optional
+        regularisation speed v_s: friction reaches 76 % of μ N at ΔV = v_s; "coulomb" does not
+        use it.
     outer_friction_factor : float, optional
         friction at the outer raceway over that of the law, which holds at the inner raceway.
     ball_friction_factor : float, optional
         friction between balls over that of the law.
-    damping : float, optional
+    damping_n_s_m1_5 : float, optional
         contact damping c of ball-raceway contacts, F = K δ^1.5 + c √δ dδ/dt.
     ball_restitution : float, optional
         coefficient of restitution between balls.
-    inner_stiffness : float, optional
+    inner_stiffness_n_m1_5 : float, optional
         K at the inner raceway, in place of Hertz.
-    outer_stiffness : float, optional
+    outer_stiffness_n_m1_5 : float, optional
         K at the outer raceway, in place of Hertz.
-    ball_stiffness : float, optional
+    ball_stiffness_n_m1_5 : float, optional
         K between balls, in place of Hertz.
     """
 
@@ -212,14 +213,14 @@ class Contact(Section):
     static_friction_coefficient: float | None = None
     stribeck_speed_m_s: float | None = None
     friction_table: Sequence[Sequence[float]] | None = None
-    slip_scale_m_s: float | None = None
+    regularisation_speed_m_s: float | None = None
     outer_friction_factor: float | None = None
     ball_friction_factor: float | None = None
-    damping: float | None = None
+    damping_n_s_m1_5: float | None = None
     ball_restitution: float | None = None
-    inner_stiffness: float | None = None
-    outer_stiffness: float | None = None
-    ball_stiffness: float | None = None
+    inner_stiffness_n_m1_5: float | None = None
+    outer_stiffness_n_m1_5: float | None = None
+    ball_stiffness_n_m1_5: float | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -228,11 +229,11 @@ class Model(Section):
 
     Parameters
     ----------
-    profile : {"physical", "paper"}, optional
-        the set of equations.
+    formulation : {"physical", "paper"}, optional
+        formulation of the equations of motion.
     """
 
-    profile: Literal["physical", "paper"] | None = None
+    formulation: Literal["physical", "paper"] | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -267,7 +268,7 @@ class Solver(Section):
 
     Parameters
     ----------
-    method : {"abm4", "symplectic", "adaptive"}, optional
+    method : {"abm4", "verlet", "adaptive"}, optional
         integration method.
     step_us : {"auto"} | float, optional
         step of the integration, from the stiffest contact unless it is a number.
@@ -279,7 +280,7 @@ class Solver(Section):
         seed of random starts (run --verify, design --search) and samples (tolerance, drop).
     """
 
-    method: Literal["abm4", "symplectic", "adaptive"] | None = None
+    method: Literal["abm4", "verlet", "adaptive"] | None = None
     step_us: Literal["auto"] | float | None = None
     tolerance: float | None = None
     duration_s: float | None = None
@@ -312,13 +313,13 @@ class Rotor(Section):
     Parameters
     ----------
     mass_kg : float
-        m, the part of the rotor that this bearing catches.
+        m, share of the rotor mass that this bearing carries.
     polar_inertia_kg_m2 : float
         Ip of the rotor about its axis.
     speed_rpm : float
-        speed of the rotor when the magnets let go.
-    air_gap_um : float
-        r0, radial air gap between journal and bore of the inner ring.
+        rotor speed at the start of the drop (loss of AMB power).
+    radial_clearance_um : float
+        r0, touch-down clearance: radial clearance between journal and bore of the inner ring.
     eccentricity_um : float, optional
         distance of the mass centre from the centre of the journal.
     eccentricity_phase_deg : float, optional
@@ -334,22 +335,23 @@ class Rotor(Section):
     friction_table : sequence of (float, float), optional
         measured μr over the sliding speed, of friction_law = "table"; friction_coefficient is
         its last μr.
-    slip_scale_m_s : float, optional
-        sliding speed at the knee of all laws but "coulomb".
-    contact_stiffness : float
+    regularisation_speed_m_s : float, optional
+        regularisation speed v_s: friction reaches 76 % of μr N at ΔV = v_s; "coulomb" does not
+        use it.
+    contact_stiffness_n_mp : float
         K of journal and bore, F = K δ^p (1 + 1.5 α dδ/dt).
     contact_exponent : float, optional
         p, 1 (conformal) to 1.5 (Hertz).
     contact_damping_s_m : float
         α, damping of the contact of journal and bore.
     x_um : float, optional
-        mass centre when the magnets let go.
+        mass centre at the start of the drop.
     y_um : float, optional
-        mass centre when the magnets let go.
+        mass centre at the start of the drop.
     vx_m_s : float, optional
-        velocity of the mass centre when the magnets let go.
+        velocity of the mass centre at the start of the drop.
     vy_m_s : float, optional
-        velocity of the mass centre when the magnets let go.
+        velocity of the mass centre at the start of the drop.
     drive_torque_n_m : float, optional
         torque on the rotor, drag if against the speed.
     clearance_limit_um : float, optional
@@ -360,7 +362,7 @@ class Rotor(Section):
     mass_kg: float
     polar_inertia_kg_m2: float
     speed_rpm: float
-    air_gap_um: float
+    radial_clearance_um: float
     eccentricity_um: float | None = None
     eccentricity_phase_deg: float | None = None
     friction_coefficient: float
@@ -368,8 +370,8 @@ class Rotor(Section):
     static_friction_coefficient: float | None = None
     stribeck_speed_m_s: float | None = None
     friction_table: Sequence[Sequence[float]] | None = None
-    slip_scale_m_s: float | None = None
-    contact_stiffness: float
+    regularisation_speed_m_s: float | None = None
+    contact_stiffness_n_mp: float
     contact_exponent: float | None = None
     contact_damping_s_m: float
     x_um: float | None = None
@@ -381,7 +383,7 @@ class Rotor(Section):
 
     @staticmethod
     def from_ross(rotor: Any, nodes: Sequence[int], **options: Any) -> LinearRotor:
-        """A rotor above several bearings, from ross: :meth:`LinearRotor.from_ross`."""
+        """A rotor on several bearings, from ROSS: :meth:`LinearRotor.from_ross`."""
         from .rotors import LinearRotor
 
         return LinearRotor.from_ross(rotor, nodes, **options)

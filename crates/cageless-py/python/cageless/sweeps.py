@@ -82,7 +82,7 @@ def sweep(
         from .cluster import compute
 
         if shard is not None:
-            raise ValueError("shard goes with threads of this machine, not with a client")
+            raise ValueError("shard needs threads of this machine, not with a client")
         path = folder / NAME
         compute(plan, path, client, shared=shared, task_seconds=task_seconds)
     else:

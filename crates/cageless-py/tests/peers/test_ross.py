@@ -1,4 +1,4 @@
-"""A rotor of ross, the rotor dynamics package: eigenvalues, and its response in time."""
+"""A rotor of ROSS, the rotor dynamics package: eigenvalues, and its response in time."""
 
 from __future__ import annotations
 

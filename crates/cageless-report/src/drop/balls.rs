@@ -59,12 +59,12 @@ pub(super) fn loads(study: &DropStudy, source: &Provenance) -> Figure {
     Figure::new(
         "Loads of the balls",
         &format!(
-            "Largest normal force of each ball in the whole drop. The largest pressures are {} GPa \
-             at the inner and {} GPa at the outer raceway and {} GPa between balls; 4.2 GPa is the \
+            "Largest normal force of each ball in the whole drop. The largest pressures are {} MPa \
+             at the inner and {} MPa at the outer raceway and {} MPa between balls; 4200 MPa is the \
              limit of ISO 76.",
-            short(own.results.number("inner_stress_max_gpa")),
-            short(own.results.number("outer_stress_max_gpa")),
-            short(own.results.number("ball_stress_max_gpa"))
+            short(own.results.number("inner_pressure_max_mpa")),
+            short(own.results.number("outer_pressure_max_mpa")),
+            short(own.results.number("ball_pressure_max_mpa"))
         ),
         source,
         plot,
@@ -99,8 +99,8 @@ pub(super) fn around_first_impact(bearings: Vec<Motion>, drop: &DropRecord) -> M
     stretches.push(("whole drop".to_owned(), [0.0, end]));
     MotionFigure {
         label: "Motion of the balls".to_owned(),
-        caption: "Rotor, inner ring and balls from the moment at which the magnets let go, with a \
-                  mark on what turns; red: balls that touch. To scale but for the air gap and the \
+        caption: "Rotor, inner ring and balls from the start of the drop, with a \
+                  mark on what turns; red: balls that touch. To scale except for the touch-down clearance and the \
                   place of the rotor in it, which are enlarged."
             .to_owned(),
         bearings,
@@ -133,7 +133,7 @@ pub(super) fn heat(study: &DropStudy, source: &Provenance) -> Figure {
     Figure::new(
         "Heat of the interfaces",
         &format!(
-            "Heat of each interface since the magnets let go. The energy balance closes to {:.1e} of \
+            "Heat of each interface since the start of the drop. The energy balance closes to {:.1e} of \
              all terms.",
             study.drop.outcome.energy_residual_relative
         ),

@@ -70,22 +70,21 @@ fn head(drop: &DropResult) -> Head {
         Some(parameter(name, short(value), unit))
     };
     let limit_mpa = 1e-6 * STRESS_LIMIT_PA;
-    let stress_mpa = 1e3
-        * [
-            "inner_stress_max_gpa",
-            "outer_stress_max_gpa",
-            "ball_stress_max_gpa",
-        ]
-        .into_iter()
-        .filter_map(|name| drop.results.value(name))
-        .fold(0.0, f64::max);
+    let pressure_mpa = [
+        "inner_pressure_max_mpa",
+        "outer_pressure_max_mpa",
+        "ball_pressure_max_mpa",
+    ]
+    .into_iter()
+    .filter_map(|name| drop.results.value(name))
+    .fold(0.0, f64::max);
     let state = at_end(drop);
     let facts = [
         fact("First contact", "first_contact_ms", "ms"),
         fact("Largest force on the rotor", "rotor_force_max_n", "N"),
         fact(
             "Largest force / rotor weight",
-            "rotor_force_max_weights",
+            "rotor_force_max_over_weight",
             "",
         ),
         fact(
@@ -96,12 +95,12 @@ fn head(drop: &DropResult) -> Head {
         fact("Spin-up of the inner ring", "spin_up_ms", "ms"),
         Some(parameter(
             &format!("Largest contact pressure (limit {limit_mpa:.0} MPa, ISO 76)"),
-            format!("{stress_mpa:.0}"),
+            format!("{pressure_mpa:.0}"),
             "MPa",
         )),
         fact("Collisions between balls", "collisions", ""),
         fact("Collisions above 0.5 m/s", "collisions_above_0_5_m_s", ""),
-        fact("Heat of all interfaces", "heat_j", "J"),
+        fact("Heat of all interfaces", "dissipated_j", "J"),
     ];
     Head::new(drop.judgement.passes, &drop.judgement.headline())
         .verdict(None, &state)
@@ -112,7 +111,7 @@ fn head(drop: &DropResult) -> Head {
 fn at_end(drop: &DropResult) -> String {
     format!(
         "State after {} s: {}.",
-        short(drop.results.number("end_s")),
+        short(drop.results.number("simulated_s")),
         drop.end_state_text()
     )
 }

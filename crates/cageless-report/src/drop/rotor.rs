@@ -143,7 +143,7 @@ fn orbit(drops: &Drops<'_>, source: &Provenance) -> Figure {
     let last = x.len().saturating_sub(1);
     let plot = square("x of the journal in the bore (µm)").trace(circle(
         "touch-down clearance",
-        1e6 * rotor.air_gap_m,
+        1e6 * rotor.radial_clearance_m,
         GREY,
     ));
     let mut plot = drops.both(plot, "centre of the journal", PALETTE[0], |record| {

@@ -151,7 +151,7 @@ pub(super) fn scatter<'a>(
         let (x, y): (Vec<f64>, Vec<f64>) = (rows.clone())
             .filter(|row| row.result.end_state() == entry.end_state)
             .map(|row| {
-                let height = row.support_damping_n_s_m.unwrap_or(row.air_gap_um);
+                let height = row.support_damping_n_s_m.unwrap_or(row.radial_clearance_um);
                 (row.rotor_friction, height)
             })
             .unzip();

@@ -22,7 +22,7 @@ use crate::text::short;
 pub fn rotor_page(file: &RotorFile, study: &RotorStudy) -> String {
     let drop = &study.drop;
     let title = match file.title() {
-        "" => "Drop of a rotor into several bearings",
+        "" => "Drop of a rotor onto several bearings",
         title => title,
     };
     let (rotor, cases) = (file.drop().rotor(), file.drop().cases());
@@ -32,7 +32,7 @@ pub fn rotor_page(file: &RotorFile, study: &RotorStudy) -> String {
     let states: Vec<String> = (records.iter().enumerate())
         .map(|(k, record)| format!("bearing {}: {}", k + 1, record.result.end_state_text()))
         .collect();
-    let end = short(drop.last().result.results.number("end_s"));
+    let end = short(drop.last().result.results.number("simulated_s"));
     let judgement = drop.judgement();
     let head = Head::new(judgement.passes, &judgement.headline()).verdict(
         None,

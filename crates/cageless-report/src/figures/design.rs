@@ -151,7 +151,7 @@ pub fn table2(table: &Table2) -> Figure {
     Figure {
         label: "Table 2 as a figure".to_owned(),
         caption: "Critical gap over θ: the paper's simulated column (crosses), the computed \
-                  variants, and the theory that supposes rolling without slip."
+                  variants, and the theory that supposes rolling without sliding."
             .to_owned(),
         provenance: table.provenance.clone(),
         plot,

@@ -95,7 +95,10 @@ pub fn slip(run: &RunData) -> Option<Figure> {
             "Sliding speed, outer<br>raceway ΔVo (m/s)",
             json!({ "domain": [0.0, 0.46], "anchor": "x" }),
         );
-    let kinds: [(History, &str); 2] = [(|b| &b.inner_slip_m_s, "y"), (|b| &b.outer_slip_m_s, "y2")];
+    let kinds: [(History, &str); 2] = [
+        (|b| &b.inner_sliding_m_s, "y"),
+        (|b| &b.outer_sliding_m_s, "y2"),
+    ];
     let mut any = false;
     for (of, y) in kinds {
         for (k, ball) in run.balls.iter().enumerate().rev() {

@@ -93,7 +93,7 @@ pub fn speeds(speeds: &OrbitSpeeds) -> Figure {
         label: labelled("Figure 9", &speeds.provenance),
         caption: "Orbital speed of a ball against its place ψ on the way through the discrete \
                   raceway (shaded), with the speed of pure rolling at that place. Where the two \
-                  part, the ball slips."
+                  part, the ball slides."
             .to_owned(),
         provenance: speeds.provenance.clone(),
         plot,

@@ -18,7 +18,7 @@ pub fn loads(run: &RunData) -> Option<Figure> {
     let most = |values: &[f64]| range(values).1;
     let (force, pressure) = (
         most(&profile.outer_force_max_n).max(most(&profile.inner_force_max_n)),
-        1e3 * most(&profile.outer_pressure_max_gpa).max(most(&profile.inner_pressure_max_gpa)),
+        most(&profile.outer_pressure_max_mpa).max(most(&profile.inner_pressure_max_mpa)),
     );
     let mut plot = frame(force, pressure, &run.sectors);
     let traces: [(&str, &[f64], usize, &str, bool); 6] = [
@@ -52,34 +52,29 @@ pub fn loads(run: &RunData) -> Option<Figure> {
         ),
         (
             "outer raceway, largest",
-            &profile.outer_pressure_max_gpa,
+            &profile.outer_pressure_max_mpa,
             1,
             "polar2",
             true,
         ),
         (
             "inner raceway, largest",
-            &profile.inner_pressure_max_gpa,
+            &profile.inner_pressure_max_mpa,
             0,
             "polar2",
             true,
         ),
     ];
     for (name, values, colour, subplot, largest) in traces {
-        let (factor, unit) = if subplot == "polar" {
-            (1.0, "N")
-        } else {
-            (1e3, "MPa")
-        };
-        let values: Vec<f64> = values.iter().map(|value| factor * value).collect();
+        let unit = if subplot == "polar" { "N" } else { "MPa" };
         plot = plot.trace(with(
-            ring(profile, &values),
+            ring(profile, values),
             json!({
                 "name": plain(name), "subplot": subplot, "legendgroup": name,
                 "showlegend": subplot == "polar",
                 "line": { "color": PALETTE[colour], "width": if largest { 1.8 } else { 1.2 },
                           "dash": if largest { "solid" } else { "dot" } },
-                "hovertemplate": format!("{name}<br>ψ %{{theta:.0f}}°<br>%{{r:.3g}} {unit}<extra></extra>"),
+                "hovertemplate": format!("{name}<br>ψ %{{theta:.0f}}°<br>%{{r:.4r}} {unit}<extra></extra>"),
             }),
         ));
     }
@@ -147,7 +142,6 @@ fn frame(force: f64, pressure: f64, raceways: &[RacewaySector]) -> Plot {
 pub fn static_loads(results: &Results, raceways: &[RacewaySector], source: Provenance) -> Figure {
     let of = |name: &str| results.values(name);
     let angles = of("ball_angle_deg");
-    let pressures_mpa = |name: &str| -> Vec<f64> { of(name).iter().map(|p| 1e3 * p).collect() };
     let most = |values: &[f64]| range(values).1;
     let series = [
         (
@@ -158,7 +152,7 @@ pub fn static_loads(results: &Results, raceways: &[RacewaySector], source: Prove
         (
             "polar2",
             "MPa",
-            ["inner_pressure_gpa", "outer_pressure_gpa"].map(pressures_mpa),
+            ["inner_pressure_mpa", "outer_pressure_mpa"].map(|name| of(name).to_vec()),
         ),
     ];
     let [force, pressure] = [0, 1].map(|k| most(&series[k].2[0]).max(most(&series[k].2[1])));

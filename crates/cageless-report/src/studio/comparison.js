@@ -10,11 +10,11 @@ const COMPARED = [
   ["load, N", (x) => x.g.document.operation.radial_load_n],
   ["gap 360°/N − ε, °", (x) => x.g.numbers.uniform_gap_deg],
   ["β0, °", (x) => x.g.numbers.beta0_deg],
-  ["largest contact pressure at rest, GPa", (x) => Math.max(x.g.static.inner_stress_max_gpa, x.g.static.outer_stress_max_gpa)],
+  ["largest contact pressure at rest, MPa", (x) => Math.max(x.g.static.inner_pressure_max_mpa, x.g.static.outer_pressure_max_mpa)],
   ["critical gap, °", (x) => x.judged.critical_gap_deg],
   ["contacts per passage", (x) => x.judged.passages.collisions_mean],
   ["passages with double collision, %", (x) => 100 * x.judged.passages.double_collision_fraction],
-  ["sliding speed in a passage, m/s", (x) => x.judged.passages.slip_mean_m_s],
+  ["sliding speed in a passage, m/s", (x) => x.judged.passages.sliding_mean_m_s],
 ];
 // Results from the uneven starts. The less the better; a change over time is no merit by itself.
 const FROM_STARTS = [

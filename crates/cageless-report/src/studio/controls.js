@@ -4,7 +4,7 @@
 function nominal({ bearing: b }) {
   const ball = 2 * b.ball_radius_mm;
   return {
-    ball, pitch: 2 * b.pitch_radius_mm, clearance: 2 * b.radial_clearance_um,
+    ball, pitch: 2 * b.pitch_radius_mm, clearance: b.radial_internal_clearance_um,
     conformity_inner: b.inner_curvature_mm / ball, conformity_outer: b.outer_curvature_mm / ball,
     shoulder: (b.outer_radius_mm - b.shoulder_radius_mm) / ball,
   };
@@ -69,7 +69,7 @@ const CONTROLS = [
   ...[
     ["mass", "Mass m", "kg", 0.1, "share of the rotor mass carried by this bearing", "mass_kg"],
     ["drop-speed", "Speed", "rpm", 10, "rotor speed at the start of the drop", "speed_rpm"],
-    ["gap", "Touch-down clearance", "µm", 1, "radial clearance between journal and inner ring", "air_gap_um"],
+    ["gap", "Touch-down clearance", "µm", 1, "radial clearance between journal and inner ring", "radial_clearance_um"],
     ["journal-friction", "Friction μ, journal", "", 0.01, "coefficient of friction between journal and inner ring", "friction_coefficient"],
   ].map(([id, label, unit, step, help, key]) => ({ group: "Rotor", id, label, unit, step, help, range: upTo("rotor", key), ...ofKey("rotor." + key) })),
   ...[
@@ -100,14 +100,14 @@ function firstOf(key, document) {
   return several ? key.replace("raceway.", "raceway.1.") : key;
 }
 
-const START_SPACINGS = [["uniform", "even"], ["bunched", "half the room in one gap"], ["random-1", "random 1"], ["random-2", "random 2"], ["random-3", "random 3"]];
+const START_SPACINGS = [["uniform", "even"], ["half-bunched", "one gap takes half the free angle"], ["random-1", "random 1"], ["random-2", "random 2"], ["random-3", "random 3"]];
 
 // N gaps of a start: even, half the free room in one place, or drawn from a seed.
 function startGaps(kind, g) {
   const n = g.bearing.balls, room = n * g.numbers.uniform_gap_deg;
   if (kind === "uniform") return "\"uniform\"";
   let parts;
-  if (kind === "bunched") {
+  if (kind === "half-bunched") {
     parts = Array.from({ length: n }, (_, k) => (k === n - 1 ? n : 1));
   } else {
     let seed = Number(kind.split("-")[1]) >>> 0;

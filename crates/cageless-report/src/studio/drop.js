@@ -23,8 +23,8 @@ function withRotor(text, g, rotor) {
   for (const section of ["solver", "housing", "search"]) drop = withoutSection(drop, section);
   drop = withoutKeys(drop, "operation", ["inner_speed_rpm", "radial_load_n"]);
   drop = withoutKeys(drop, "start", ["state", "ring_x_um", "ring_y_um"]);
-  drop = withoutKeys(drop, "model", ["profile"]);
-  drop = withoutKeys(drop, "bearing", ["inner_ring_drag_n_s_m"]);
+  drop = withoutKeys(drop, "model", ["formulation"]);
+  drop = withoutKeys(drop, "bearing", ["inner_ring_damping_n_s_m"]);
   const { bearing } = g.document, groove = g.bearing.inner_radius_mm;
   const bore = bearing.inner_ring_bore_radius_mm || digits(BORE * groove, 2);
   const inertia = 0.5e-6 * bearing.inner_ring_mass_kg * (bore * bore + groove * groove);
@@ -38,7 +38,7 @@ function drawRotor(canvas, g, frame, trail) {
   const { c, width, height } = context(canvas, 0.9);
   const k = colours(canvas), { rotor } = g, r = frame.rotor;
   const bore = rotor.bore_radius_mm, journal = Math.max(bore - DRAWN_GAP_MM, 0.3 * bore);
-  const gap = bore - journal, enlarged = gap / rotor.air_gap_um;
+  const gap = bore - journal, enlarged = gap / rotor.radial_clearance_um;
   const scale = (Math.min(width, height) / 2 - 22) / g.bearing.inner_radius_mm, x = width / 2, y = height / 2;
   const disc = (px, py, radius, fill, stroke) => {
     c.beginPath(); c.arc(px, py, radius * scale, 0, 2 * Math.PI);
@@ -67,7 +67,7 @@ function drawRotor(canvas, g, frame, trail) {
     line(x + far * Math.cos(angle), y - far * Math.sin(angle), x + (far + long) * Math.cos(angle), y - (far + long) * Math.sin(angle), k.hit, 4);
   }
   c.fillStyle = k.soft; c.textAlign = "left";
-  c.fillText("air gap " + rotor.air_gap_um.toFixed(0) + " µm, enlarged " + (enlarged * 1000).toFixed(0) + " ×", 4, 12);
+  c.fillText("touch-down clearance " + rotor.radial_clearance_um.toFixed(0) + " µm, enlarged " + (enlarged * 1000).toFixed(0) + " ×", 4, 12);
   c.fillText("t = " + (frame.t * 1000).toFixed(2) + " ms", 4, height - 5);
   c.textAlign = "right"; c.fillText(r.force_n[0].toFixed(0) + " N = " + (r.force_n[0] / rotor.weight_n).toFixed(1) + " × weight", width - 4, height - 5);
 }
@@ -122,7 +122,7 @@ class RotorDrop {
     this.offer = button("Drop a rotor", () => this.add(), { "data-drop": true, title: "adds a rotor, its support and the bore of the inner ring, all assumed" });
     this.said = element("p", { class: "moving", "data-part": "rotor", role: "status" });
     const pair = element("div", { style: "display:grid;gap:.6rem;grid-template-columns:repeat(auto-fit,minmax(min(100%,230px),1fr))" },
-      canvas("rotor", "Rotor in the bore of the inner ring, air gap enlarged"), canvas("history", "Speeds and contact force over time"));
+      canvas("rotor", "Rotor in the bore of the inner ring, touch-down clearance enlarged"), canvas("history", "Speeds and contact force over time"));
     this.numbers = element("div", { class: "forms", "data-part": "drop-numbers" });
     this.views = element("div", { hidden: true }, pair, this.numbers, canvas("loads", "Load of each ball"));
     this.root = element("div", { class: "drop" }, element("div", { class: "bar" }, this.offer), this.said, this.views);

@@ -7,8 +7,8 @@ const MAP_REGIONS = [
   ["pass", "passes the estimate", [0, 158, 115, 150]],
   ["separation", "too shallow: β0 below what even spacing needs", [86, 180, 233, 90]],
   ["sliding", "too steep: balls slide", [230, 159, 0, 110]],
-  ["both-neighbours", "too long: hit from both neighbours", [204, 121, 167, 120]],
-  ["stress", "contact stress too high", [213, 94, 0, 130]],
+  ["both-neighbours", "too long: double collisions", [204, 121, 167, 120]],
+  ["stress", "contact pressure too high", [213, 94, 0, 130]],
   ["unjudged", "no static equilibrium", [128, 128, 128, 60]],
   ["impossible", "impossible (hatched)", [128, 128, 128, 170]],
 ];
@@ -80,7 +80,7 @@ class RacewayMap {
     this.old = element("p", { class: "old", "data-part": "map-old" }, "Map of the case before the last change; it is computed anew after the verdict.");
     this.legend = element("ul", { class: "legend" },
       ...MAP_REGIONS.map(([id, label, [r, g, b, a]]) => element("li", { "data-region": id }, element("span", { class: "swatch " + id, style: "background-color: rgb(" + [r, g, b].join(" ") + " / " + (a / 255).toFixed(2) + ")" }), label)),
-      element("li", {}, element("span", { class: "swatch line" }), "β0 = gap of even spacing, Eq. (11)"), element("li", {}, element("span", { class: "swatch thin" }), "equal β0"));
+      element("li", {}, element("span", { class: "swatch line" }), "β0 = nominal gap, Eq. (11)"), element("li", {}, element("span", { class: "swatch thin" }), "equal β0"));
     this.root = element("figure", { class: "map" }, element("div", { class: "plane" }, this.canvas, this.point), this.old, this.state, this.legend);
     new ResizeObserver(() => this.paint()).observe(this.canvas);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.paint());
@@ -322,7 +322,7 @@ class RacewayMap {
   // The legend of a drawing that is saved, one line below the other.
   words(c, k, regions, x, y, step) {
     c.textAlign = "left";
-    [...regions, ["line", "thick: β0 = gap of even spacing, Eq. (11); thin: equal β0"], ["point", "blue point: this raceway"]].forEach(([, text, rgba], n) => {
+    [...regions, ["line", "thick: β0 = nominal gap, Eq. (11); thin: equal β0"], ["point", "blue point: this raceway"]].forEach(([, text, rgba], n) => {
       if (rgba) {
         c.fillStyle = "rgb(" + rgba.slice(0, 3).join(",") + ")";
         c.globalAlpha = rgba[3] / 255;

@@ -72,8 +72,8 @@ class SaveMenu {
 
   balls() {
     const { frames } = this.studio.motion;
-    return asCsv(["time_s", "ball", "angle_deg", "gap_deg", "inner_force_n", "outer_force_n", "outer_slip_m_s", "ring_x_um", "ring_y_um"],
-      frames.flatMap((f) => f.angle_deg.map((angle, k) => [f.t, k + 1, angle, f.gap_deg[k], f.inner_force_n[k], f.outer_force_n[k], f.slip_m_s[k], ...f.ring_um])));
+    return asCsv(["time_s", "ball", "angle_deg", "gap_deg", "inner_force_n", "outer_force_n", "outer_sliding_m_s", "ring_x_um", "ring_y_um"],
+      frames.flatMap((f) => f.angle_deg.map((angle, k) => [f.t, k + 1, angle, f.gap_deg[k], f.inner_force_n[k], f.outer_force_n[k], f.sliding_m_s[k], ...f.ring_um])));
   }
 
   track() {

@@ -4,7 +4,7 @@
 const TOLERANCES = {
   samples: ["bearings drawn", ""], groove_depth_um: ["groove depth ±", "µm"], axial_span_um: ["lC ±", "µm"],
   half_angle_deg: ["θ ±", "°"], ball_grade: ["ball grade G", ""], friction: ["friction ±", ""],
-  clearance_um: ["radial clearance ±", "µm"], speed_percent: ["speed ±", "%"], load_percent: ["load ±", "%"],
+  clearance_um: ["radial internal clearance Gr ±", "µm"], speed_percent: ["speed ±", "%"], load_percent: ["load ±", "%"],
 };
 const BUDGET = 50;
 const FILES = { step: "STEP", stl: "STL", csv: "CSV of the groove" };
@@ -27,7 +27,7 @@ class Studies {
     const numbers = Object.entries(TOLERANCES).map(([name, [label, unit]]) => number(name, label, unit, ""));
     const budget = number("budget", "simulations at most", "", BUDGET);
     this.search = button("Search for the best raceway", () => this.run("search", { budget: this.value("budget") }), { "data-search": true });
-    this.tolerance = button("Judge within tolerances", () => this.run("tolerance", { tolerances: this.tolerances() }), { "data-tolerance": true });
+    this.tolerance = button("Run tolerance study", () => this.run("tolerance", { tolerances: this.tolerances() }), { "data-tolerance": true });
     this.files = Object.entries(FILES).map(([format, label]) => button(label, () => this.run("export", { format }), { "data-export": format, title: "outer ring as " + label }));
     this.cancel = button("Cancel", () => { if (this.work) this.work.abort(); }, { "data-cancel": true });
     this.bar = element("progress", { max: 1, value: 0, "aria-label": "Progress" });
@@ -68,7 +68,7 @@ class Studies {
     this.old.hidden = !this.found || busy || of(this.found.toml) === of(this.studio.toml);
     this.root.classList.toggle("stale", !this.old.hidden);
     this.working.hidden = !busy;
-    if (!busy && !this.able.has("search")) this.say("Search, tolerance and files of the ring are computed by the command cageless studio; this page is computing by itself.");
+    if (!busy && !this.able.has("search")) this.say("Search, tolerance and files of the ring are computed by the command cageless studio; this page is stand-alone.");
     else if (this.said.dataset.able === "no") this.say("");
     this.said.dataset.able = this.able.has("search") ? "yes" : "no";
   }
@@ -106,24 +106,24 @@ class Studies {
       const numbers = [
         shown(structure.axial_span_mm, 3), shown(structure.half_angle_deg, 2), structure.centre_angles_deg.map((a) => shown(a, 0)).join(", "),
         shown(worst(structure, (p) => p.margin_deg, Math.min), 3), shown(worst(structure, motion("collisions"), Math.max), 2),
-        shown(100 * worst(structure, motion("double_collision_fraction"), Math.max), 1), shown(worst(structure, motion("slip_m_s"), Math.max), 2),
-        shown(worst(structure, (p) => p.stress_gpa, Math.max), 3),
+        shown(100 * worst(structure, motion("double_collision_fraction"), Math.max), 1), shown(worst(structure, motion("sliding_m_s"), Math.max), 2),
+        shown(worst(structure, (p) => p.pressure_mpa, Math.max), 0),
       ];
       const take = button("Take", () => this.studio.edit(withRaceways(this.studio.toml, structure, this.studio.g)), { "data-take": k, "aria-label": "Take lC " + numbers[0] + " mm, θ " + numbers[1] + "°" });
       return element("tr", {}, element("td", {}, take), ...numbers.map((v) => element("td", { class: "num" }, v)));
     });
-    const heads = ["", "lC, mm", "θ, °", "ψ, °", "margin of the gap, °", "contacts per ball and turn", "hit from both sides, %", "slip, m/s", "stress, GPa"];
+    const heads = ["", "lC, mm", "θ, °", "ψ, °", "margin of the gap, °", "contacts per ball and orbit", "double collisions, %", "sliding speed, m/s", "contact pressure, MPa"];
     this.table("Pareto front, nearest to the best in everything first; the worst of all speeds and loads", heads, rows);
     const verdict = found.verdicts.map((v) => v.headline).join("; ");
-    this.say(found.none || (found.looked_at + " structures looked at, " + found.front.length + " on the Pareto front. Verdict on the recommended one: " + verdict));
+    this.say(found.none || (found.looked_at + " structures evaluated, " + found.front.length + " on the Pareto front. Verdict on the recommended one: " + verdict));
   }
 
   toleranceDone(judged) {
     const range = (values, count) => (values ? shown(values[0], count) + " to " + shown(values[1], count) : "–");
     const rows = judged.influences.map((row) => element("tr", { class: row.passed < row.trials ? "missed" : "met" }, element("td", {}, row.name),
-      ...[range([row.low, row.high], 3) + " " + row.unit, range(row.critical_gap_deg, 3), range(row.slip_mean_m_s, 2), row.passed + " of " + row.trials].map((v) => element("td", { class: "num" }, v)),
+      ...[range([row.low, row.high], 3) + " " + row.unit, range(row.critical_gap_deg, 3), range(row.sliding_mean_m_s, 2), row.passed + " of " + row.trials].map((v) => element("td", { class: "num" }, v)),
       element("td", {}, row.verdicts.join(", "))));
-    this.table("One deviation at a time", ["deviates", "range", "critical gap, °", "slip, m/s", "pass", "verdicts"], rows);
+    this.table("One deviation at a time", ["deviates", "range", "critical gap, °", "sliding speed, m/s", "pass", "verdicts"], rows);
     this.say(judged.headline);
     this.said.dataset.passes = judged.passes;
   }

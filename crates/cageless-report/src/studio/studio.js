@@ -43,7 +43,7 @@ class Studio {
   say(part, text) { this.parts[part].textContent = text || ""; }
 
   host(engine, changed) {
-    this.say("host", "Computed " + engine.name + (changed ? ". The server has ended: the page goes on by itself." : "."));
+    this.say("host", "Computed " + engine.name + (changed ? ". The server has ended: the page continues on its own." : "."));
     this.studies.ask();
   }
 

@@ -8,7 +8,7 @@ const SIMULATED = {
 };
 const ESTIMATED = {
   separation: "β0 over the gap outside the raceway", sliding: "friction demand over that available",
-  "both-neighbours": "2θ over the angle of three balls", stress: "contact pressure over 4.2 GPa (ISO 76)",
+  "both-neighbours": "2θ over the angle of three balls", stress: "contact pressure over 4200 MPa (ISO 76)",
 };
 
 class Verdict {

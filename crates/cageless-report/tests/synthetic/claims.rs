@@ -28,7 +28,7 @@ pub fn claims() -> Vec<Claim> {
         ),
         Claim::of_the_model(
             place,
-            "Below θ = 22° the ball slips & does not reach the theoretical speed <rolling>.",
+            "Below θ = 22° the ball slides & does not reach the theoretical speed <rolling>.",
             criterion(&[0.0074, 0.074]),
         ),
         Claim::as_printed(place, "2(ε + β0) = 51.17°.", criterion(&[0.26])),

@@ -22,7 +22,7 @@ fn searched(k: usize, status: &str) -> StructureData {
             critical_gap_deg: Some(1.7 + 0.05 * x),
             margin_deg: Some(0.27 - 0.05 * x),
             slip_shortfall: Some(0.02),
-            stress_gpa: Some(1.41),
+            pressure_mpa: Some(1410.0),
             motion: Some(MotionNumbers {
                 collisions: 0.3,
                 spacing_scatter: 0.2 - 0.02 * x,
@@ -81,7 +81,7 @@ pub fn design() -> DesignData {
         search: Some(SearchData {
             findings: vec!["Recommended: <this>.".to_owned()],
             points: vec![map(12000.0).point],
-            spread_min: 0.8,
+            critical_gap_min_fraction: 0.8,
             starts: 2,
             recommended: Some(searched(0, "accepted")),
             own: Some(searched(1, "rejected")),

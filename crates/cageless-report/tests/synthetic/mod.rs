@@ -44,7 +44,7 @@ pub fn bearing() -> Bearing {
             inner_groove_curvature_radius_m: 4.953e-3,
             outer_groove_curvature_radius_m: 4.953e-3,
             inner_ring_mass_kg: 0.2,
-            inner_ring_drag_n_s_m: 2000.0,
+            inner_ring_damping_n_s_m: 2000.0,
         },
         Material {
             density_kg_m3: 7850.0,

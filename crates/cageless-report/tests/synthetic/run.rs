@@ -20,11 +20,11 @@ pub fn run_data() -> RunData {
                 angle_deg: r.angle[k].clone(),
                 gap_deg: gap[k].clone(),
                 orbit_speed_deg_s: r.speed[k].clone(),
-                inner_slip_m_s: psi
+                inner_sliding_m_s: psi
                     .iter()
                     .map(|a| 0.02 * (1.0 - a.cos()) + 0.01 * (5.0 * a).sin())
                     .collect(),
-                outer_slip_m_s: psi.iter().map(|a| -0.01 * (1.0 - a.cos())).collect(),
+                outer_sliding_m_s: psi.iter().map(|a| -0.01 * (1.0 - a.cos())).collect(),
                 inner_force_n: psi.iter().map(load).collect(),
                 outer_force_n: psi.iter().map(|a| load(a) + 22.0).collect(),
                 x_mm: psi.iter().map(|a| 23.0025 * a.sin()).collect(),
@@ -40,7 +40,7 @@ pub fn run_data() -> RunData {
         software: "cageless 0.1.0".into(),
         lead: "Synthetic data: nothing here was simulated.".into(),
         passes: Some(false),
-        headline: "FAIL in this run: hit from both sides".into(),
+        headline: "FAIL in this run: double collision".into(),
         warnings: vec!["A warning with <angle brackets> & an ampersand.".into()],
         parameters: table1(),
         results: vec![
@@ -64,7 +64,7 @@ pub fn run_data() -> RunData {
         stretch_s: None,
         recent: None,
         view_s: Some([0.45, 0.5]),
-        facts: vec![parameter("Peak pressure", "", "2.1", "GPa", "")],
+        facts: vec![parameter("Peak pressure", "", "2100", "MPa", "")],
         load_profile: Some(LoadProfile {
             to_s: 0.5,
             angle_deg: vec![0.0, 90.0, 180.0, 270.0],
@@ -72,8 +72,8 @@ pub fn run_data() -> RunData {
             inner_force_max_n: vec![700.0, 10.0, 0.0, f64::NAN],
             outer_force_mean_n: vec![622.0, 22.0, 22.0, 22.0],
             outer_force_max_n: vec![722.0, 32.0, 22.0, 22.0],
-            inner_pressure_max_gpa: vec![2.1, 0.5, 0.0, f64::NAN],
-            outer_pressure_max_gpa: vec![1.9, 0.7, 0.6, 0.6],
+            inner_pressure_max_mpa: vec![2100.0, 500.0, 0.0, f64::NAN],
+            outer_pressure_max_mpa: vec![1900.0, 700.0, 600.0, 600.0],
             ..LoadProfile::default()
         }),
         passages: vec![("passage of ball 1 <free>".into(), [0.1, 0.105])],
@@ -114,7 +114,7 @@ pub fn run_data() -> RunData {
                     marked: false,
                 },
                 VerificationRow {
-                    name: "ring_y_um_mean".into(),
+                    name: "ring_y_mean_um".into(),
                     value: "−22.4".into(),
                     unit: "µm".into(),
                     verdict: "step-biased".into(),

@@ -22,10 +22,10 @@ pub const DESIGN: &[Quantity] = &[
     quantity("axial_span_limit_mm", "mm", "largest lC, Eq. (8)", Design(|c| some(axial_span_limit_m(&c.bearing) * 1e3))),
     quantity("beta0_deg", "deg", "β0, Eq. (11)", Design(|c| of_raceway(c, |r| theoretical_gap_rad(&c.bearing, r, Eq11::Published).to_degrees()))),
     quantity("beta0_polar_deg", "deg", "β0 with the true polar angle", Design(|c| of_raceway(c, |r| theoretical_gap_rad(&c.bearing, r, Eq11::Polar).to_degrees()))),
-    quantity("half_angle_deg_for_span", "deg", "θ by Eq. (11) for the span", Design(half_angle_for_span)),
-    quantity("steady_gap_deg", "deg", "mean ball spacing outside the raceway (steady state)", Design(|c| degrees(steady_gap_rad(&c.bearing, &c.raceways)))),
+    quantity("half_angle_for_span_deg", "deg", "θ by Eq. (11) for the span", Design(half_angle_for_span)),
+    quantity("steady_gap_deg", "deg", "steady-state gap, outside the raceway", Design(|c| degrees(steady_gap_rad(&c.bearing, &c.raceways)))),
     integer("balls_in_raceway_max", "most balls inside at once", Design(|c| c.raceways.first().map_or(Cell::Null, |r| count(balls_in_raceway_max(&c.bearing, r))))),
-    low(quantity("kink_deg", "deg", "slope discontinuity at the raceway ends (at 45° groove angle)", Design(|c| of_raceway(c, |r| r.kink_angle_rad(FRAC_PI_4).to_degrees())))),
+    low(quantity("slope_discontinuity_deg", "deg", "slope discontinuity at the raceway ends (at 45° groove angle)", Design(|c| of_raceway(c, |r| r.kink_angle_rad(FRAC_PI_4).to_degrees())))),
 ];
 
 /// Verdict on the raceways of a case: the critical gap is the largest, the verdict the worst of all.
@@ -46,7 +46,7 @@ pub const PASSAGES: &[Quantity] = &[
     integer("passages", "passages", Passages(|p| count(p.passages))),
     low(quantity("collisions_mean", "", "contacts with neighbours per passage, mean", Passages(|p| some(p.collisions_mean)))),
     low(quantity("double_collision_fraction", "", "double collisions, fraction of the passages", Passages(|p| some(p.double_collision_fraction)))),
-    low(quantity("slip_mean_m_s", "m/s", "largest sliding speed in a passage, mean", Passages(|p| some(p.slip_mean_m_s)))),
+    low(quantity("sliding_mean_m_s", "m/s", "largest sliding speed in a passage, mean", Passages(|p| some(p.sliding_mean_m_s)))),
     high(quantity("speed_drop_fraction", "", "reduction of the orbital speed in the raceway, fraction of that of rolling", Passages(|p| some(p.speed_drop_fraction)))),
     high(quantity("gap_leave_min_deg", "deg", "smallest gap on leaving", Passages(|p| some(p.gap_leave_min_rad.to_degrees())))),
     quantity("gap_leave_max_deg", "deg", "largest gap on leaving", Passages(|p| some(p.gap_leave_max_rad.to_degrees()))),

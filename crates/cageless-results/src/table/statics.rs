@@ -1,7 +1,7 @@
 //! Results of a static equilibrium.
 
 use cageless::equilibrium::RacewayContact;
-use cageless::kinematics::{orbit_speed_of_rad_s, rolling_spin_rad_s};
+use cageless::kinematics::{orbit_speed_of_rad_s, rolling_rotation_rad_s};
 use cageless::rating::Rating;
 
 use crate::Solved;
@@ -18,13 +18,13 @@ pub const STATIC: &[Quantity] = &[
     high(quantity("stiffness_xx_n_m", "N/m", "stiffness of the bearing, kxx", Static(|s| stiffness(s, 0, 0)))),
     high(quantity("stiffness_yy_n_m", "N/m", "stiffness of the bearing, kyy", Static(|s| stiffness(s, 1, 1)))),
     quantity("stiffness_xy_n_m", "N/m", "stiffness of the bearing, kxy = kyx", Static(|s| stiffness(s, 0, 1))),
-    low(quantity("inner_stress_max_gpa", "GPa", "peak contact pressure, inner raceway", Static(|s| some(s.equilibrium.inner_stress_max_pa * 1e-9)))),
-    low(quantity("outer_stress_max_gpa", "GPa", "peak contact pressure, outer raceway", Static(|s| some(s.equilibrium.outer_stress_max_pa * 1e-9)))),
+    low(quantity("inner_pressure_max_mpa", "MPa", "peak contact pressure, inner raceway", Static(|s| some(s.equilibrium.inner_pressure_max_pa * 1e-6)))),
+    low(quantity("outer_pressure_max_mpa", "MPa", "peak contact pressure, outer raceway", Static(|s| some(s.equilibrium.outer_pressure_max_pa * 1e-6)))),
     quantity("inner_force_max_n", "N", "largest force at the inner raceway", Static(|s| some(largest(&s.equilibrium.inner_force_n)))),
     quantity("outer_force_max_n", "N", "largest force at the outer raceway", Static(|s| some(largest(&s.equilibrium.outer_force_n)))),
     integer("loaded_balls", "balls under load", Static(|s| count(s.equilibrium.inner_force_n.iter().filter(|f| **f > 0.0).count()))),
 
-    high(quantity("static_safety", "", "static safety factor s0 = C0r/Fr (ISO 76)", Static(|s| s.rating.static_safety.into()))),
+    high(quantity("static_safety_factor", "", "static safety factor s0 = C0r/Fr (ISO 76)", Static(|s| s.rating.static_safety_factor.into()))),
     high(quantity("pressure_safety", "", "load to the pressure limit, (4200 MPa/p)³", Static(|s| s.rating.pressure_safety.into()))),
     in_tables(file_only(text("assembly", "way of assembly", Static(|s| Cell::Text(s.case.bearing.assembly().name().to_owned()))))),
     quantity("rating_factor", "", "rating factor bm of ISO 281 for it", Static(|s| some(s.case.bearing.assembly().rating_factor()))),
@@ -42,22 +42,22 @@ pub const STATIC: &[Quantity] = &[
     quantity("bpfi_hz", "Hz", "BPFI in pure rolling", Static(|s| some(s.rating.passing.bpfi_hz))),
     quantity("bsf_hz", "Hz", "BSF in pure rolling", Static(|s| some(s.rating.passing.bsf_hz))),
     quantity("raceway_ftf_hz", "Hz", "FTF in pure rolling through the discrete raceways", Static(|s| some(s.rating.passing.raceway_ftf_hz))),
-    quantity("speed_parameter_mm_rpm", "mm rpm", "speed factor n·Dpw", Static(|s| some(s.rating.speed_parameter_mm_rpm))),
-    quantity("inner_stiffness", "N/m^1.5", "contact stiffness K, inner raceway", Static(|s| some(s.equilibrium.inner_stiffness_n_m1_5))),
-    quantity("outer_stiffness", "N/m^1.5", "contact stiffness K, outer raceway", Static(|s| some(s.equilibrium.outer_stiffness_n_m1_5))),
+    quantity("speed_factor_mm_rpm", "mm rpm", "speed factor n·Dpw", Static(|s| some(s.rating.speed_factor_mm_rpm))),
+    quantity("inner_stiffness_n_m1_5", "N/m^1.5", "contact stiffness K, inner raceway", Static(|s| some(s.equilibrium.inner_stiffness_n_m1_5))),
+    quantity("outer_stiffness_n_m1_5", "N/m^1.5", "contact stiffness K, outer raceway", Static(|s| some(s.equilibrium.outer_stiffness_n_m1_5))),
 
     column("ψ", list("ball_angle_deg", "deg", "angular position ψ", Static(|s| each(&s.equilibrium.ball_angle_rad, |a| a.to_degrees())))),
     column("r", list("effective_radius_mm", "mm", "effective ball radius r", Static(|s| each(&s.equilibrium.effective_radius_m, |r| r * 1e3)))),
     column("Fi", list("inner_force_n", "N", "contact force, inner raceway", Static(|s| each(&s.equilibrium.inner_force_n, |f| *f)))),
     column("Fo", list("outer_force_n", "N", "contact force, outer raceway", Static(|s| each(&s.equilibrium.outer_force_n, |f| *f)))),
-    column("pi", list("inner_pressure_gpa", "GPa", "contact pressure, inner raceway", Static(|s| each(&s.equilibrium.inner_contact, pressure_gpa)))),
-    column("po", list("outer_pressure_gpa", "GPa", "contact pressure, outer raceway (of one contact point on a discrete raceway)", Static(|s| each(&s.equilibrium.outer_contact, pressure_gpa)))),
+    column("pi", list("inner_pressure_mpa", "MPa", "contact pressure, inner raceway", Static(|s| each(&s.equilibrium.inner_contact, pressure_mpa)))),
+    column("po", list("outer_pressure_mpa", "MPa", "contact pressure, outer raceway (of one contact point on a discrete raceway)", Static(|s| each(&s.equilibrium.outer_contact, pressure_mpa)))),
     column("ai", list("inner_semi_axis_along_mm", "mm", "contact semi-axis in the rolling direction, inner raceway", Static(|s| each(&s.equilibrium.inner_contact, |c| c.semi_axes_m[0] * 1e3)))),
     column("bi", list("inner_semi_axis_across_mm", "mm", "contact semi-axis across the rolling direction, inner raceway", Static(|s| each(&s.equilibrium.inner_contact, |c| c.semi_axes_m[1] * 1e3)))),
     column("ao", list("outer_semi_axis_along_mm", "mm", "contact semi-axis in the rolling direction, outer raceway", Static(|s| each(&s.equilibrium.outer_contact, |c| c.semi_axes_m[0] * 1e3)))),
     column("bo", list("outer_semi_axis_across_mm", "mm", "contact semi-axis across the rolling direction, outer raceway", Static(|s| each(&s.equilibrium.outer_contact, |c| c.semi_axes_m[1] * 1e3)))),
     column("orbital speed", list("ball_orbit_rpm", "rpm", "orbital speed in pure rolling", Static(|s| each_ball(s, |k| rpm(orbit_rad_s(s, k)))))),
-    column("ball speed", list("ball_rotation_rpm", "rpm", "ball speed in pure rolling (absolute rotation)", Static(|s| each_ball(s, |k| rpm(rolling_spin_rad_s(&s.case.bearing, orbit_rad_s(s, k), s.equilibrium.effective_radius_m[k])))))),
+    column("ball speed", list("ball_rotation_rpm", "rpm", "ball speed in pure rolling (absolute rotation)", Static(|s| each_ball(s, |k| rpm(rolling_rotation_rad_s(&s.case.bearing, orbit_rad_s(s, k), s.equilibrium.effective_radius_m[k])))))),
 ];
 
 fn stiffness(solved: &Solved<'_>, row: usize, column: usize) -> Cell {
@@ -79,8 +79,8 @@ fn each_ball(solved: &Solved<'_>, value: impl Fn(usize) -> f64) -> Cell {
     Cell::Numbers((0..solved.case.bearing.balls()).map(value).collect())
 }
 
-fn pressure_gpa(contact: &RacewayContact) -> f64 {
-    contact.pressure_pa * 1e-9
+fn pressure_mpa(contact: &RacewayContact) -> f64 {
+    contact.pressure_pa * 1e-6
 }
 
 fn orbit_rad_s(solved: &Solved<'_>, ball: usize) -> f64 {

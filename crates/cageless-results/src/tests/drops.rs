@@ -41,14 +41,14 @@ fn drop(counter: &mut f64) -> (Case, DropSummary, RunOutcome) {
         &mut s.rotor_displacement_max_m,
         &mut s.rotor_force_max_n,
         &mut s.housing_displacement_max_m,
-        &mut s.rotor_slip_max_m_s,
+        &mut s.rotor_sliding_max_m_s,
         &mut s.ring_speed_rad_s,
         &mut s.rotor_speed_rad_s,
-        &mut s.inner_stress_max_pa,
-        &mut s.outer_stress_max_pa,
-        &mut s.ball_stress_max_pa,
+        &mut s.inner_pressure_max_pa,
+        &mut s.outer_pressure_max_pa,
+        &mut s.ball_pressure_max_pa,
         &mut s.ball_force_max_n,
-        &mut s.ball_slip_max_m_s,
+        &mut s.ball_sliding_max_m_s,
         &mut s.backward_whirl_max_hz,
         &mut s.heat.rotor_friction_j,
         &mut s.heat.rotor_damping_j,
@@ -76,10 +76,13 @@ fn results_of_a_drop_are_the_fields_of_its_summary() {
         ("first_contact_ms", s.first_contact_s.unwrap() / 1e-3),
         ("contact_fraction", s.contact_fraction),
         ("rotor_force_max_n", s.rotor_force_max_n),
-        ("rotor_force_max_weights", s.rotor_force_max_n / weight_n),
+        (
+            "rotor_force_max_over_weight",
+            s.rotor_force_max_n / weight_n,
+        ),
         ("housing_force_max_n", s.housing_force_max_n.unwrap()),
         (
-            "housing_force_max_weights",
+            "housing_force_max_over_weight",
             s.housing_force_max_n.unwrap() / weight_n,
         ),
         (
@@ -94,7 +97,7 @@ fn results_of_a_drop_are_the_fields_of_its_summary() {
             "housing_displacement_max_um",
             s.housing_displacement_max_m / 1e-6,
         ),
-        ("rotor_slip_max_m_s", s.rotor_slip_max_m_s),
+        ("rotor_sliding_max_m_s", s.rotor_sliding_max_m_s),
         ("spin_up_ms", s.spin_up_s.unwrap() / 1e-3),
         ("ring_speed_rpm", s.ring_speed_rad_s / REVOLUTION_PER_MINUTE),
         (
@@ -103,24 +106,24 @@ fn results_of_a_drop_are_the_fields_of_its_summary() {
         ),
         ("backward_whirl_max_hz", s.backward_whirl_max_hz),
         ("backward_whirl_hz", s.backward_whirl_hz.unwrap()),
-        ("inner_stress_max_gpa", s.inner_stress_max_pa / GPA),
-        ("outer_stress_max_gpa", s.outer_stress_max_pa / GPA),
-        ("ball_stress_max_gpa", s.ball_stress_max_pa / GPA),
+        ("inner_pressure_max_mpa", s.inner_pressure_max_pa / MPA),
+        ("outer_pressure_max_mpa", s.outer_pressure_max_pa / MPA),
+        ("ball_pressure_max_mpa", s.ball_pressure_max_pa / MPA),
         ("end_collision_rate_hz", s.end_collision_rate_hz.unwrap()),
         ("end_collision_rate_above_0_1_m_s_hz", rate(0)),
         ("end_collision_rate_above_0_5_m_s_hz", rate(1)),
         ("end_collision_rate_above_1_m_s_hz", rate(2)),
         ("ball_force_max_n", s.ball_force_max_n),
-        ("ball_slip_max_m_s", s.ball_slip_max_m_s),
+        ("ball_sliding_max_m_s", s.ball_sliding_max_m_s),
         (
-            "heat_j",
+            "dissipated_j",
             of_balls
                 + heat.rotor_friction_j
                 + heat.rotor_damping_j
                 + heat.contact_damping_j
                 + heat.support_damping_j,
         ),
-        ("ball_heat_j", of_balls),
+        ("ball_friction_total_j", of_balls),
         ("rotor_friction_j", heat.rotor_friction_j),
         ("rotor_damping_j", heat.rotor_damping_j),
         ("inner_friction_j", heat.inner_friction_j),
@@ -129,7 +132,7 @@ fn results_of_a_drop_are_the_fields_of_its_summary() {
         ("contact_damping_j", heat.contact_damping_j),
         ("support_damping_j", heat.support_damping_j),
         ("energy_residual_relative", outcome.energy_residual_relative),
-        ("end_s", 1e-4),
+        ("simulated_s", 1e-4),
     ];
     let finished = FinishedDrop {
         case: &case,
@@ -164,7 +167,7 @@ fn results_of_a_rotor_are_those_of_its_bearings() {
         let (case, mut s, mut outcome) = drop(&mut counter);
         // Neither bearing has all the larger numbers.
         s.rotor_force_max_n += sign;
-        s.inner_stress_max_pa -= sign;
+        s.inner_pressure_max_pa -= sign;
         outcome.energy_residual_relative -= sign;
         DropResult::new(&case, &s, &outcome)
     });
@@ -192,8 +195,8 @@ fn results_of_a_rotor_are_those_of_its_bearings() {
         "end_collision_rate_above_0_1_m_s_hz",
         "end_collision_rate_above_0_5_m_s_hz",
         "end_collision_rate_above_1_m_s_hz",
-        "heat_j",
-        "ball_heat_j",
+        "dissipated_j",
+        "ball_friction_total_j",
         "rotor_friction_j",
         "rotor_damping_j",
         "inner_friction_j",
@@ -216,7 +219,7 @@ fn results_of_a_rotor_are_those_of_its_bearings() {
             "plane_margin_min_um" => 150.0,
             "rotor_energy_residual_relative" => 0.0123,
             // Those of the rotor and the run: both have them.
-            "rotor_speed_rpm" | "end_s" => first,
+            "rotor_speed_rpm" | "simulated_s" => first,
             "first_contact_ms" | "clearance_margin_um" => first.min(second),
             _ if sums.contains(&name) => first + second,
             _ => first.max(second),

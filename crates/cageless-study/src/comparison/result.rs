@@ -19,7 +19,7 @@ const SUBJECT: [&str; 6] = [
     "outer_ring_force_deviation_n",
     "collisions",
     "power_loss_w",
-    "ball_stress_max_gpa",
+    "ball_pressure_max_mpa",
 ];
 
 /// Name, label, unit and better direction of each result that is compared.

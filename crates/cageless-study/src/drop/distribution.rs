@@ -71,7 +71,7 @@ pub struct BearingRow {
     /// Friction coefficient of the balls.
     pub ball_friction: f64,
     /// Radial air gap, µm.
-    pub air_gap_um: f64,
+    pub radial_clearance_um: f64,
     /// Damping of the support, N·s/m; `None` without a support.
     pub support_damping_n_s_m: Option<f64>,
     /// Results.
@@ -83,7 +83,7 @@ impl BearingRow {
         Self {
             rotor_friction: drawn.rotor_friction,
             ball_friction: drawn.ball_friction,
-            air_gap_um: 1e6 * drawn.air_gap_m,
+            radial_clearance_um: 1e6 * drawn.radial_clearance_m,
             support_damping_n_s_m: drawn.support_damping_n_s_m,
             result,
         }

@@ -132,7 +132,7 @@ mod tests {
         BearingRow {
             rotor_friction: 0.1,
             ball_friction: 0.1,
-            air_gap_um: 200.0,
+            radial_clearance_um: 200.0,
             support_damping_n_s_m: None,
             result: DropResult {
                 results: Results::only(DROP, &results),

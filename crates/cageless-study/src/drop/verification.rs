@@ -34,7 +34,7 @@ pub struct DropVerification {
 /// Name of the task.
 pub(super) const TASK: &str = "verify";
 /// Results that are no results of the drop.
-const LEFT_OUT: [&str; 2] = ["energy_residual_relative", "end_s"];
+const LEFT_OUT: [&str; 2] = ["energy_residual_relative", "simulated_s"];
 
 impl DropVerification {
     /// Verifies the drop of `case` that gave `result`.

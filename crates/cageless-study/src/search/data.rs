@@ -28,7 +28,7 @@ pub fn search_data(
     let confirmed = |role: &str| found.confirmed.iter().find(|c| c.role == role);
     let mut data = SearchData {
         points: request.points.iter().map(point_data).collect(),
-        spread_min: request.spread_min,
+        critical_gap_min_fraction: request.critical_gap_min_fraction,
         starts: request.starts,
         seed: case.seed,
         recommended: confirmed("recommended").map(confirmed_data),
@@ -62,7 +62,7 @@ fn search_provenance(file: &CaseFile, found: &Found) -> Provenance {
     let case = point.case(file.case(), file.case().raceways.clone());
     provenance(
         &case,
-        "the first 16 of 32 orbits, but for collisions and friction".to_owned(),
+        "the first 16 of 32 orbits, except collisions and friction".to_owned(),
     )
 }
 
@@ -118,7 +118,7 @@ fn structure_data(e: &Evaluation) -> StructureData {
                         .zip(steady)
                         .map(|(s, steady)| (steady - s.critical_gap_rad).to_degrees()),
                     slip_shortfall: s.map(|s| s.shortfall),
-                    stress_gpa: s.map(|s| s.stress_pa * 1e-9),
+                    pressure_mpa: s.map(|s| s.stress_pa * 1e-6),
                     motion: e.motion[p]
                         .zip(steady)
                         .map(|(m, steady)| motion_data(&m, steady)),
@@ -138,7 +138,7 @@ fn motion_data(m: &Motion, steady_gap_rad: f64) -> MotionNumbers {
         impulse_mn_s: m.impulse_n_s * 1e3,
         spacing_scatter: m.gap_deviation_rad / steady_gap_rad,
         gap_min_deg: m.gap_min_rad.to_degrees(),
-        slip_m_s: m.slip_m_s,
+        sliding_m_s: m.sliding_m_s,
         speed_drop_fraction: m.speed_drop_fraction,
         force_deviation_n: m.force_deviation_n,
         friction_w: m.friction_w,

@@ -52,7 +52,7 @@ pub fn narrative(found: &Found, data: &SearchData) -> Vec<String> {
     let left_out = data.band.iter().filter(|s| s.status == "left out").count();
     if left_out > 0 {
         all.push(format!(
-            "{left_out} designs were left out by search.budget."
+            "{left_out} designs were left out by search.runs_max."
         ));
     }
     all
@@ -102,7 +102,7 @@ fn recommendation(data: &SearchData, best: &StructureData) -> String {
 fn comparison(found: &Found, best: &StructureData, own: &StructureData, point: usize) -> String {
     type Of = fn(&Motion) -> f64;
     let statistical: [(&str, Of, usize); 4] = [
-        ("collisions per ball and turn", |n| n.collisions, 3),
+        ("collisions per ball and orbit", |n| n.collisions, 3),
         ("of these in steady state", |n| n.collisions_late, 3),
         (
             "gap deviation in degrees",
@@ -151,7 +151,7 @@ pub fn why_none(found: &Found) -> String {
         .map(|r| format!("{} ({})", r.meaning, r.count))
         .collect();
     let closest = found.closest().map_or(
-        "; the geometry (Zhao 2022, Eq. (8), (9)) or search.spread_min excludes all of them"
+        "; the geometry (Zhao 2022, Eq. (8), (9)) or search.critical_gap_min_fraction excludes all of them"
             .to_owned(),
         |e: &Evaluation| {
             let at = e.rejection.as_ref().map_or(String::new(), |r| {

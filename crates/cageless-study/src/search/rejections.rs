@@ -10,14 +10,14 @@ pub(super) fn rejections(found: &Found) -> Vec<RejectionCount> {
         "eq-9" => "the contact path leaves the groove or turns back (Zhao 2022, Eq. (9))",
         "overlap" => "two raceways overlap",
         "insufficient-separation" => {
-            "separation too small a fraction of the mean ball spacing: raceway too shallow"
+            "critical gap too small a fraction of the steady-state gap: raceway too shallow"
         }
-        "slips" => "loss of separation through sliding",
+        "slips" => "critical gap too far below β0: excessive sliding",
         "excessive-separation" => "raceway too deep: evenly spaced balls collide",
-        "stress" => "contact stress above 4.2 GPa (ISO 76)",
+        "stress" => "contact pressure above 4200 MPa (ISO 76)",
         "gross-sliding" => "gross sliding over the raceway",
-        "gap-not-retained" => "separation lost before load zone",
-        "double-collision" => "too many passages hit from both sides",
+        "gap-not-retained" => "gap lost before the load zone",
+        "double-collision" => "double collisions in too many passages",
         _ => "a run failed",
     };
     found

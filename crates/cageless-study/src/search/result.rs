@@ -12,7 +12,7 @@ pub struct SearchData {
     /// Speeds and loads that a structure must bear.
     pub points: Vec<PointData>,
     /// Share of the steady gap that a raceway must guarantee.
-    pub spread_min: f64,
+    pub critical_gap_min_fraction: f64,
     /// Uneven starts per structure.
     pub starts: u64,
     /// Seed of the starts.
@@ -127,8 +127,8 @@ pub struct PointNumbers {
     pub margin_deg: Option<f64>,
     /// Share of β0 that slip takes.
     pub slip_shortfall: Option<f64>,
-    /// Largest Hertz pressure at the outer raceway, GPa.
-    pub stress_gpa: Option<f64>,
+    /// Largest Hertz pressure at the outer raceway, MPa.
+    pub pressure_mpa: Option<f64>,
     /// Means over runs of all balls from uneven starts.
     pub motion: Option<MotionNumbers>,
     /// Standard errors of these, if known.
@@ -138,20 +138,20 @@ pub struct PointNumbers {
 /// Numbers of runs of all balls.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct MotionNumbers {
-    /// Contacts between balls per ball and turn.
+    /// Contacts between balls per ball and orbit.
     pub collisions: f64,
-    /// Collisions per ball and turn in steady state (second half of the run).
+    /// Collisions per ball and orbit in steady state (second half of the run).
     pub collisions_late: f64,
     /// Share of the passages hit by both neighbours.
     pub double_collision_fraction: f64,
-    /// Impulse between balls per ball and turn, mN·s.
+    /// Impulse between balls per ball and orbit, mN·s.
     pub impulse_mn_s: f64,
     /// Standard deviation of the gaps on arrival over the steady gap.
     pub spacing_scatter: f64,
     /// Smallest gap on arrival, degrees.
     pub gap_min_deg: f64,
     /// Largest slip, mean over the passages, m/s.
-    pub slip_m_s: f64,
+    pub sliding_m_s: f64,
     /// Share of the theoretical drop of orbital speed that the balls reach.
     pub speed_drop_fraction: f64,
     /// Standard deviation of the force on the outer ring, N.

@@ -172,7 +172,7 @@ impl Variants {
         let mut deviation = || match key.law {
             ScatterLaw::Normal(width) => width * stream.normal(),
             ScatterLaw::Uniform(width) => width * (2.0 * stream.uniform() - 1.0),
-            ScatterLaw::Any => stream.exponential(),
+            ScatterLaw::Random => stream.exponential(),
         };
         let varied = settings.iter().find(|s| s.key == key.key);
         match key_in_case(&key.key) {
@@ -196,7 +196,7 @@ impl Variants {
                 let centres = centres.ok_or_else(|| differs(&self.plan, key))?;
                 let list = centres.iter().map(|_| deviation()).collect();
                 Ok(CaseValue::Numbers(match key.law {
-                    ScatterLaw::Any => arranged(&centres, list),
+                    ScatterLaw::Random => arranged(&centres, list),
                     _ => shifted(&centres, list),
                 }))
             }

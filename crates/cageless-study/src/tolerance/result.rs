@@ -26,7 +26,7 @@ pub struct InfluenceRow {
     /// Smallest and largest share of passages hit by both neighbours.
     pub double_collision_fraction: Option<[f64; 2]>,
     /// Smallest and largest mean slip per passage, m/s.
-    pub slip_mean_m_s: Option<[f64; 2]>,
+    pub sliding_mean_m_s: Option<[f64; 2]>,
 }
 
 /// Number of bearings with a verdict.
@@ -106,7 +106,7 @@ pub struct ToleranceData {
     /// Share of passages hit by both neighbours, as drawn.
     pub nominal_double_collision_fraction: Option<f64>,
     /// Mean slip per passage, as drawn, m/s.
-    pub nominal_slip_m_s: Option<f64>,
+    pub nominal_sliding_m_s: Option<f64>,
     /// Gap of evenly spaced balls, degrees.
     pub uniform_gap_deg: f64,
     /// One influence at a time.

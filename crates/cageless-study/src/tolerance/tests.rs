@@ -63,7 +63,7 @@ fn each_option_has_its_limits() {
             case.contact.friction_coefficient,
         ),
         // A tenth of the ball radius of 4.7625 mm.
-        ("clearance_um", |r, v| r.clearance_um = v, 476.25),
+        ("clearance_um", |r, v| r.clearance_um = v, 952.5),
         ("speed_percent", |r, v| r.speed_percent = v, 100.0),
         ("load_percent", |r, v| r.load_percent = v, 100.0),
     ];
@@ -113,7 +113,7 @@ fn results_are_in_the_units_of_the_drawing() {
         critical_gap_rad: Some(1e-3 * number),
         double_collision_fraction: Some(1e-2 * number),
         collisions_mean: Some(2.0),
-        slip_mean_m_s: Some(1e-1 * number),
+        sliding_mean_m_s: Some(1e-1 * number),
         reason: (verdict == RacewayVerdict::Infeasible).then(|| format!("reason {number}")),
         headline: String::new(),
     };
@@ -135,7 +135,7 @@ fn results_are_in_the_units_of_the_drawing() {
     let degrees = |milliradians: f64| 0.18 * milliradians / std::f64::consts::PI;
     near(found.nominal_critical_gap_deg.unwrap(), degrees(1.0));
     near(found.nominal_double_collision_fraction.unwrap(), 0.01);
-    near(found.nominal_slip_m_s.unwrap(), 0.1);
+    near(found.nominal_sliding_m_s.unwrap(), 0.1);
     let ball_angle = 2.0 * (4.7625 / (0.5 * (18.24 + 27.765f64))).asin();
     near(
         found.uniform_gap_deg,
@@ -151,7 +151,7 @@ fn results_are_in_the_units_of_the_drawing() {
         ("half angle", -0.5, 0.5, "°", 2),
         ("ball radii", -0.25, 0.25, "µm", 4),
         ("friction coefficient", -0.004, 0.004, "", 2),
-        ("radial clearance", -6.0, 6.0, "µm", 2),
+        ("radial internal clearance", -6.0, 6.0, "µm", 2),
         // 7 % of 12 000 rpm, 40 % of 1500 N.
         ("speed", -840.0, 840.0, "rpm", 2),
         ("load", -600.0, 600.0, "N", 2),
@@ -167,7 +167,7 @@ fn results_are_in_the_units_of_the_drawing() {
         for (k, number) in [1.0, last].into_iter().enumerate() {
             near(row.critical_gap_deg.unwrap()[k], degrees(number));
             near(row.double_collision_fraction.unwrap()[k], 1e-2 * number);
-            near(row.slip_mean_m_s.unwrap()[k], 1e-1 * number);
+            near(row.sliding_mean_m_s.unwrap()[k], 1e-1 * number);
         }
     }
     let samples = found.samples.as_ref().unwrap();

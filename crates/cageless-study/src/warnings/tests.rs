@@ -163,7 +163,7 @@ fn speed_heat_and_energy_have_their_limits() {
 #[test]
 fn each_limit_of_the_step_warns_beyond_it() {
     let mut undamped = Run::new(&[
-        "contact.damping=0",
+        "contact.damping_n_s_m1_5=0",
         "contact.ball_restitution=1",
         "solver.method=abm4",
     ]);
@@ -182,7 +182,10 @@ fn each_limit_of_the_step_warns_beyond_it() {
     let resolved = StepLimits::new(&stiff.case).friction_resolved_to_s(IntegrationMethod::Abm4);
     assert!(resolved.is_finite());
     stiff.changes(false, "", |run| run.case.solver.step_s = resolved);
-    let text = format!("slip near zero is wrong above {:.2} µs", 1e6 * resolved);
+    let text = format!(
+        "sliding speeds near zero are wrong for steps above {:.2} µs",
+        1e6 * resolved
+    );
     stiff.changes(true, &text, |run| {
         run.case.solver.step_s = resolved.next_up()
     });
@@ -208,7 +211,7 @@ fn each_limit_of_the_step_warns_beyond_it() {
         "contact.friction_coefficient=0.3",
     ]);
     let creep = StepLimits::new(&creeping.case).creep_m_s2(IntegrationMethod::Abm4);
-    let knee = creeping.case.contact.slip_scale_m_s;
+    let knee = creeping.case.contact.regularisation_speed_m_s;
     creeping.changes(false, "", |run| {
         run.case.solver.step_s = knee / creep * (1.0 - 1e-12)
     });

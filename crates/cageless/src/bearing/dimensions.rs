@@ -27,7 +27,7 @@ pub struct BearingDimensions {
     /// mi, the inner ring with what turns with it.
     pub inner_ring_mass_kg: f64,
     /// C of Zhao 2022, Eq. (14).
-    pub inner_ring_drag_n_s_m: f64,
+    pub inner_ring_damping_n_s_m: f64,
 }
 
 /// Largest radius of a groove in the meridian plane over the diameter of the ball. Grooves of
@@ -60,7 +60,7 @@ impl BearingDimensions {
         // Hertz: p ∝ F^(1/3), and both raceways bear the same force.
         let force = contacts
             .each_ref()
-            .map(|c| (STRESS_LIMIT_PA / c.peak_stress_pa(1.0)).powi(3));
+            .map(|c| (STRESS_LIMIT_PA / c.peak_pressure_pa(1.0)).powi(3));
         let force = force[0].min(force[1]);
         let deflections = contacts.map(|c| (force / c.stiffness_n_m1_5).powf(2.0 / 3.0));
         deflections[0] + deflections[1]
@@ -88,7 +88,7 @@ impl BearingDimensions {
             d.outer_groove_curvature_radius_m,
         )?;
         positive("inner_ring_mass_kg", d.inner_ring_mass_kg)?;
-        not_negative("inner_ring_drag_n_s_m", d.inner_ring_drag_n_s_m)?;
+        not_negative("inner_ring_damping_n_s_m", d.inner_ring_damping_n_s_m)?;
         materials.ball.check()?;
         materials.ring.check()?;
         if d.balls < BALLS_MIN {

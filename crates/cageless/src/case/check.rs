@@ -71,7 +71,7 @@ impl Case {
                 "friction_table",
             ],
         )?;
-        positive("slip_scale_m_s", c.slip_scale_m_s)?;
+        positive("regularisation_speed_m_s", c.regularisation_speed_m_s)?;
         not_negative("outer_friction_factor", c.outer_friction_factor)?;
         not_negative("ball_friction_factor", c.ball_friction_factor)?;
         not_negative("damping_n_s_m1_5", c.damping_n_s_m1_5)?;
@@ -248,7 +248,8 @@ impl Case {
         } = start
         {
             // A ball pressed in by a tenth of its radius is far past any elastic contact.
-            let most = self.bearing.radial_clearance_m() + 0.1 * self.bearing.ball_radius_m();
+            let most = 0.5 * self.bearing.radial_internal_clearance_m()
+                + 0.1 * self.bearing.ball_radius_m();
             for (field, value) in [("ring_x_m", ring_x_m), ("ring_y_m", ring_y_m)] {
                 if !(value.abs() <= most) {
                     return Err(InputError::rule(

@@ -47,7 +47,7 @@ impl Operation {
     pub fn view(&self) -> &'static str {
         if self.clockwise {
             "The inner ring turns clockwise: the bearing is seen from its other face, from which it \
-             turns counter-clockwise; angles count in the sense of rotation."
+             turns counter-clockwise; angles are positive in the sense of rotation."
         } else {
             ""
         }
@@ -83,7 +83,7 @@ pub struct Contact {
     /// μ over the sliding speed, of the law of that name; of no other law.
     pub friction_table: Option<FrictionTable>,
     /// ΔV at the knee of all laws but Coulomb's.
-    pub slip_scale_m_s: f64,
+    pub regularisation_speed_m_s: f64,
     /// Friction at the outer raceway over that of the law, which the inner raceway has.
     pub outer_friction_factor: f64,
     /// Friction between balls over that of the law.
@@ -274,7 +274,7 @@ impl Case {
     pub fn largest_inner_speed_rad_s(&self) -> f64 {
         match (&self.rotor, self.bearing.inner_ring_bore()) {
             (Some(rotor), Some(bore)) => {
-                rotor.speed_rad_s.abs() * (bore.radius_m - rotor.air_gap_m) / bore.radius_m
+                rotor.speed_rad_s.abs() * (bore.radius_m - rotor.radial_clearance_m) / bore.radius_m
             }
             _ => {
                 let table = self.operation.inner_speed_table.as_ref();
@@ -321,7 +321,7 @@ impl Case {
     /// load, weight and speed, N: both contacts in series; 0 unless the clearance is negative.
     pub fn preload_n(&self) -> f64 {
         let [inner, outer, _] = self.stiffness_n_m1_5();
-        let interference = (-self.bearing.radial_clearance_m()).max(0.0);
+        let interference = (-0.5 * self.bearing.radial_internal_clearance_m()).max(0.0);
         series_stiffness_n_m1_5(inner, outer) * interference.powf(1.5)
     }
 

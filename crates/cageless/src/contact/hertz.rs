@@ -13,7 +13,7 @@
 //! };
 //! // A ball of radius 5 mm on a plane: F = K δ^(3/2), peak pressure ∝ F^(1/3).
 //! let contact = PointContact::new([200.0; 2], [0.0; 2], &steel);
-//! let ratio = contact.peak_stress_pa(80.0) / contact.peak_stress_pa(10.0);
+//! let ratio = contact.peak_pressure_pa(80.0) / contact.peak_pressure_pa(10.0);
 //! assert!((ratio - 2.0).abs() < 1e-12);
 //! ```
 
@@ -108,7 +108,7 @@ impl PointContact {
     }
 
     /// Largest pressure p₀ = 3F/(2πab) under `load_n`; 0 without load.
-    pub fn peak_stress_pa(&self, load_n: f64) -> f64 {
+    pub fn peak_pressure_pa(&self, load_n: f64) -> f64 {
         if load_n <= 0.0 {
             return 0.0;
         }
@@ -172,7 +172,7 @@ mod tests {
         assert!((c.semi_axes_m(load)[0] / a - 1.0).abs() < 1e-12);
         assert!((c.semi_axes_m(load)[1] / a - 1.0).abs() < 1e-12);
         let p0 = (6.0 * load * modulus.powi(2) / (PI.powi(3) * (radius / 2.0).powi(2))).cbrt();
-        assert!((c.peak_stress_pa(load) / p0 - 1.0).abs() < 1e-12);
+        assert!((c.peak_pressure_pa(load) / p0 - 1.0).abs() < 1e-12);
     }
 
     /// Two spheres of two materials: K = 4/3 E* √R with
@@ -193,7 +193,7 @@ mod tests {
         for materials in [[&ceramic, &STEEL], [&STEEL, &ceramic]] {
             let contact = PointContact::between(one, other, materials);
             assert!((contact.stiffness_n_m1_5 / expected - 1.0).abs() < 1e-9);
-            assert!((contact.peak_stress_pa(100.0) / pressure(100.0) - 1.0).abs() < 1e-9);
+            assert!((contact.peak_pressure_pa(100.0) / pressure(100.0) - 1.0).abs() < 1e-9);
         }
         let same = PointContact::between(one, other, [&STEEL, &{ STEEL }]);
         assert_eq!(same, PointContact::new(one, other, &STEEL));

@@ -166,11 +166,11 @@ pub fn newton_step(law: &impl Law, problem: &SlipProblem, slips: &Slips) -> Slip
     let step_o = (d * miss_o - b * miss_i) * inverse;
     let step_i = (a * miss_i - c * miss_o) * inverse;
     let guarded = |s: f64, step: f64| {
-        let passes = s * (s + step) < 0.0 && s.abs() * law.inverse_slip_scale() > 1.0;
+        let passes = s * (s + step) < 0.0 && s.abs() * law.inverse_regularisation_speed() > 1.0;
         if passes { 0.0 } else { s + step }
     };
     // Without load the sliding speed does not matter, and it hardly does where a contact slides.
-    let in_scales = |speed: f64| speed.abs() * law.inverse_slip_scale();
+    let in_scales = |speed: f64| speed.abs() * law.inverse_regularisation_speed();
     let last = |s: f64, step: f64, slope: f64, normal: f64| {
         let end = s + step;
         let slides = (in_scales(s) > SLIDING) & (in_scales(end) > SLIDING) & (s * end > 0.0);
@@ -285,7 +285,7 @@ pub(crate) mod tests {
         for (scale, h) in [(0.02, 2e-6), (2e-4, 2e-6), (2e-3, 1e-5)] {
             let smooth = Smooth {
                 coefficient: 0.3,
-                inverse_slip_scale: 1.0 / scale,
+                inverse_regularisation_speed: 1.0 / scale,
             };
             converges_from_anywhere(&smooth, h);
         }
@@ -293,7 +293,7 @@ pub(crate) mod tests {
             coefficient: 0.3,
             static_excess: 0.1,
             inverse_stribeck_speed: 2.0,
-            inverse_slip_scale: 50.0,
+            inverse_regularisation_speed: 50.0,
         };
         converges_from_anywhere(&stribeck, 2e-6);
     }

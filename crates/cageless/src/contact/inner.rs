@@ -50,7 +50,7 @@ pub fn inner_contact(
 ) -> InnerContact {
     let deflection = inner_deflection(polar.distance, ball);
     let normal = NormalForce::at_raceway(
-        ball.inner_stiffness,
+        ball.inner_stiffness_n_m1_5,
         ball.raceway_damping,
         positive(deflection),
         -polar.radial,

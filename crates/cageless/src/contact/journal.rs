@@ -6,7 +6,7 @@
 //! let journal = Journal {
 //!     radius: 14.8e-3,
 //!     bore_radius: 15e-3,
-//!     air_gap: 2e-4,
+//!     radial_clearance: 2e-4,
 //!     stiffness: 1e9,
 //!     exponent: 1.0,
 //!     damping: 0.3,
@@ -28,7 +28,7 @@ pub struct Journal {
     /// Rb, radius of the bore, m.
     pub bore_radius: f64,
     /// r0 = Rb − Rj, m.
-    pub air_gap: f64,
+    pub radial_clearance: f64,
     /// K, N/m^p.
     pub stiffness: f64,
     /// p.
@@ -93,7 +93,7 @@ pub fn journal_contact(
     };
     let (vx, vy) = (rotor.vx - ring.vx, rotor.vy - ring.vy);
     let rate = vx * nx + vy * ny;
-    let deflection = distance - constants.air_gap;
+    let deflection = distance - constants.radial_clearance;
     let elastic = constants.stiffness * power(positive(deflection), constants.exponent);
     let force = positive(elastic * (1.0 + 1.5 * constants.damping * rate));
     JournalContact {
@@ -228,7 +228,7 @@ fn newton(
             low = low.max(at.slip);
         }
         let next = at.slip - miss / (1.0 + mobility * at.slope);
-        if (next - at.slip).abs() * law.inverse_slip_scale() <= LAST_STEP {
+        if (next - at.slip).abs() * law.inverse_regularisation_speed() <= LAST_STEP {
             return [next, at.slope];
         }
         let within = next > low && next < high;
@@ -254,7 +254,7 @@ mod tests {
     const JOURNAL: Journal = Journal {
         radius: 14.8e-3,
         bore_radius: 15e-3,
-        air_gap: 2e-4,
+        radial_clearance: 2e-4,
         stiffness: 1e9,
         exponent: 1.25,
         damping: 0.3,
@@ -282,7 +282,7 @@ mod tests {
         let friction = |law| {
             let parameters = FrictionParameters {
                 coefficient: 0.15,
-                slip_scale_m_s: 1e-3,
+                regularisation_speed_m_s: 1e-3,
                 static_coefficient: Some(0.25),
                 stribeck_speed_m_s: Some(0.1),
                 table: Some(&table),
@@ -326,7 +326,7 @@ mod tests {
             };
             let force = |depth: f64| {
                 let rotor = JournalMotion {
-                    y: -(journal.air_gap + depth),
+                    y: -(journal.radial_clearance + depth),
                     ..JournalMotion::default()
                 };
                 journal_contact(&journal, &rotor, &JournalMotion::default()).force

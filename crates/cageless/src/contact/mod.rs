@@ -11,7 +11,7 @@
 //!
 //! let friction = Smooth {
 //!     coefficient: 0.007,
-//!     inverse_slip_scale: 1.0 / 0.02,
+//!     inverse_regularisation_speed: 1.0 / 0.02,
 //! };
 //! // Far above the scale of 0.02 m/s the smooth law is μN.
 //! let [force_n, _] = friction.force(1.0, 100.0);

@@ -99,7 +99,7 @@ pub fn outer_contact(
     let deflection = outer_deflection(polar.distance, geometry);
     let rate = polar.radial - geometry.slope * polar.orbit;
     let normal = NormalForce::at_raceway(
-        ball.outer_stiffness,
+        ball.outer_stiffness_n_m1_5,
         ball.raceway_damping,
         positive(deflection),
         rate,

@@ -124,11 +124,11 @@ impl std::fmt::Display for Criterion {
         match self {
             Self::Separation(_) if value < 0.0 => write!(
                 f,
-                "sliding takes nothing from the separation ({bound:.0} % allowed"
+                "sliding does not lower the critical gap (limit {bound:.0} % of β0"
             ),
             Self::Separation(_) => write!(
                 f,
-                "sliding takes {shown} of the separation ({bound:.0} % allowed"
+                "sliding lowers the critical gap by {shown} of β0 (limit {bound:.0} %"
             ),
             Self::Deceleration(_) => write!(
                 f,
@@ -136,7 +136,7 @@ impl std::fmt::Display for Criterion {
             ),
             Self::BothNeighbours(_) => write!(
                 f,
-                "{shown} of the passages are hit by both neighbours ({bound:.0} % allowed"
+                "{shown} of the passages have a double collision (limit {bound:.0} %"
             ),
         }?;
         let margin = percent_beside(self.margin().abs(), 0.0);
@@ -161,7 +161,7 @@ mod tests {
         let text = Criterion::Separation(0.050_03).to_string();
         assert_eq!(
             text,
-            "sliding takes 5.003 % of the separation (5 % allowed, missed by 0.003 percentage points)"
+            "sliding lowers the critical gap by 5.003 % of β0 (limit 5 %, missed by 0.003 percentage points)"
         );
     }
 
@@ -202,7 +202,7 @@ mod tests {
                 0.0,
                 0.05,
                 RacewayVerdict::Slips,
-                "sliding takes 6.0 % of the separation (5 % allowed, missed by 1.0 percentage points)",
+                "sliding lowers the critical gap by 6.0 % of β0 (limit 5 %, missed by 1.0 percentage points)",
             ),
             (
                 Criterion::Deceleration,
@@ -219,7 +219,7 @@ mod tests {
                 0.0,
                 0.25,
                 RacewayVerdict::DoubleCollision,
-                "30.0 % of the passages are hit by both neighbours (25 % allowed, missed by 5.0 \
+                "30.0 % of the passages have a double collision (limit 25 %, missed by 5.0 \
                  percentage points)",
             ),
         ];
@@ -248,7 +248,10 @@ mod tests {
             assert_eq!(of(beyond(0.2)).to_string(), text);
         }
         let text = Criterion::Separation(-0.2).to_string();
-        assert!(text.starts_with("sliding takes nothing"), "{text}");
+        assert!(
+            text.starts_with("sliding does not lower the critical gap"),
+            "{text}"
+        );
         assert!(text.ends_with("margin 25.0 percentage points)"), "{text}");
     }
 }

@@ -1,11 +1,11 @@
 //! An estimate of the verdict on a raceway from closed forms, without simulating.
 
-use super::search::SPREAD_MIN;
+use super::search::CRITICAL_GAP_MIN_FRACTION;
 use super::{Eq11, steady_gap_rad, theoretical_gap_rad};
 use crate::case::Case;
 use crate::contact::hertz::STRESS_LIMIT_PA;
 use crate::equilibrium::Equilibrium;
-use crate::kinematics::{rolling_orbit_speed_rad_s, rolling_spin_rad_s};
+use crate::kinematics::{rolling_orbit_speed_rad_s, rolling_rotation_rad_s};
 use crate::raceway::Raceway;
 
 /// One term of an estimate, a dimensionless value against its limit.
@@ -64,7 +64,7 @@ impl Estimate {
                 name: "separation",
                 meaning: "β0 of Eq. (11) over the gap outside the raceways",
                 value: largest(&|r| theoretical_gap_rad(bearing, r, Eq11::Published) / steady),
-                limit: SPREAD_MIN,
+                limit: CRITICAL_GAP_MIN_FRACTION,
                 at_least: true,
             });
             terms.push(EstimateTerm {
@@ -84,10 +84,10 @@ impl Estimate {
         }
         terms.push(EstimateTerm {
             name: "stress",
-            meaning: "contact stress at rest over the 4.2 GPa of ISO 76",
+            meaning: "contact pressure at rest over the 4200 MPa of ISO 76",
             value: equilibrium
-                .inner_stress_max_pa
-                .max(equilibrium.outer_stress_max_pa)
+                .inner_pressure_max_pa
+                .max(equilibrium.outer_pressure_max_pa)
                 / STRESS_LIMIT_PA,
             limit: 1.0,
             at_least: false,
@@ -118,7 +118,8 @@ fn friction_demand(case: &Case, equilibrium: &Equilibrium, raceway: &Raceway) ->
     let theta = raceway.half_angle_rad();
     let orbit =
         |psi: f64| rolling_orbit_speed_rad_s(bearing, speed, raceway.effective_radius_m(psi));
-    let spin = |psi: f64| rolling_spin_rad_s(bearing, orbit(psi), raceway.effective_radius_m(psi));
+    let spin =
+        |psi: f64| rolling_rotation_rad_s(bearing, orbit(psi), raceway.effective_radius_m(psi));
     let h = theta / (2.0 * POINTS as f64);
     let demand = |k: usize| {
         let psi = centre - theta * (k as f64 + 0.5) / POINTS as f64;
@@ -214,7 +215,7 @@ mod tests {
             let separation = value(&found, "separation");
             assert!((separation - beta0 / steady).abs() < 1e-4, "{separation}");
             let e = equilibrium::solve(&case).unwrap();
-            let stress = e.inner_stress_max_pa.max(e.outer_stress_max_pa) / 4.2e9;
+            let stress = e.inner_pressure_max_pa.max(e.outer_pressure_max_pa) / 4.2e9;
             assert!((value(&found, "stress") - stress).abs() < 1e-12);
             assert_eq!(found.passes(), (2..5).contains(&k), "{span}");
         }

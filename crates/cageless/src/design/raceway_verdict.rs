@@ -30,7 +30,7 @@ impl RacewayVerdict {
         match self {
             Self::NotJudged => "not judged",
             Self::Smooth => "smooth",
-            Self::DoubleCollision => "hit from both sides",
+            Self::DoubleCollision => "double collision",
             Self::Slips => "excessive sliding",
             Self::Infeasible => "no solution",
         }

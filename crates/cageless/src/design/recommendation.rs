@@ -1,6 +1,6 @@
 //! A raceway near the curve of Zhao 2022, Eq. (11), that passes its verdict.
 
-use super::search::SPREAD_MIN;
+use super::search::CRITICAL_GAP_MIN_FRACTION;
 use super::{
     Eq11, Judgement, RacewayVerdict, SLIP_SHORTFALL, half_angle_for_gap_rad, judge, steady_gap_rad,
     theoretical_gap_rad,
@@ -209,7 +209,7 @@ fn neighbours(case: &Case, start: &StartingPoint, fraction: f64) -> Vec<RacewayD
             let raceway = Raceway::new(dimensions, &case.bearing).ok()?;
             // A shallower raceway passes without spreading the balls.
             let steady = steady_gap_rad(&case.bearing, std::slice::from_ref(&raceway));
-            (gap >= SPREAD_MIN * steady).then_some(dimensions)
+            (gap >= CRITICAL_GAP_MIN_FRACTION * steady).then_some(dimensions)
         })
         .collect()
 }

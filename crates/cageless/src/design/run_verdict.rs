@@ -59,8 +59,8 @@ impl RunVerdict {
                     ("FAIL", "")
                 };
                 format!(
-                    "{word} in this run: {}; {nearest}{criterion}; the separation is judged by \
-                     design",
+                    "{word} in this run: {}; {nearest}{criterion}; for the \
+                     critical gap run `cageless design`",
                     verdict.label()
                 )
             }

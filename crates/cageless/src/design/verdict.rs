@@ -21,7 +21,7 @@ pub struct PassageStatistics {
     /// Fraction of passages in which both neighbours hit.
     pub double_collision_fraction: f64,
     /// Largest slip at a loaded contact, mean over the passages.
-    pub slip_mean_m_s: f64,
+    pub sliding_mean_m_s: f64,
     /// Fraction of the theoretical drop of orbital speed that the balls reach, mean.
     pub speed_drop_fraction: f64,
     /// Largest gap to the ball ahead on leaving.
@@ -249,7 +249,7 @@ fn decide(case: &Case, raceway: &Raceway, critical: f64, s: PassageStatistics) -
     let verdict = Criterion::deciding(&criteria).map_or(RacewayVerdict::Smooth, Criterion::verdict);
     let reasons = vec![
         format!(
-            "critical gap {:.4}°, {:.1} % {} β0 = {:.4}° (loss of separation through sliding, at most {:.0} % allowed)",
+            "critical gap {:.4}°, {:.1} % {} β0 = {:.4}° (lowered by sliding, at most {:.0} % allowed)",
             critical.to_degrees(),
             100.0 * shortfall.abs(),
             if shortfall < 0.0 { "above" } else { "below" },
@@ -257,7 +257,7 @@ fn decide(case: &Case, raceway: &Raceway, critical: f64, s: PassageStatistics) -
             100.0 * SLIP_SHORTFALL
         ),
         format!(
-            "{:.0} % of {} passages hit from both sides (at most {:.0} % allowed), \
+            "{:.0} % of {} passages with a double collision (at most {:.0} % allowed), \
              {:.2} contacts per passage",
             100.0 * s.double_collision_fraction,
             s.passages,
@@ -265,9 +265,9 @@ fn decide(case: &Case, raceway: &Raceway, critical: f64, s: PassageStatistics) -
             s.collisions_mean
         ),
         format!(
-            "largest slip in a passage {:.3} m/s on average, achieved deceleration {:.0} % of \
+            "largest sliding speed in a passage {:.3} m/s on average, achieved deceleration {:.0} % of \
              the kinematic value (at least {:.0} % required)",
-            s.slip_mean_m_s,
+            s.sliding_mean_m_s,
             100.0 * s.speed_drop_fraction,
             100.0 * SPEED_DROP_FRACTION
         ),
@@ -360,7 +360,7 @@ fn statistics(case: &Case, raceway: &Raceway, tally: &PassageTally) -> Option<Pa
         passages: tally.count as usize,
         collisions_mean: tally.collisions_mean(),
         double_collision_fraction: tally.double_collision_fraction(),
-        slip_mean_m_s: tally.slip_mean_m_s(),
+        sliding_mean_m_s: tally.sliding_mean_m_s(),
         speed_drop_fraction: speed_drop_fraction(
             case,
             raceway,

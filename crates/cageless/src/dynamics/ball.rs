@@ -27,9 +27,9 @@ lane_struct! {
         /// Ri + R: distance from the centre of the inner ring when it just touches, m.
         inner_contact_distance,
         /// K at the inner raceway, N·m^(−3/2).
-        inner_stiffness,
+        inner_stiffness_n_m1_5,
         /// K at the outer raceway, N·m^(−3/2).
-        outer_stiffness,
+        outer_stiffness_n_m1_5,
         /// c of both raceway contacts, N·s·m^(−3/2).
         raceway_damping,
         /// Distance of the centres of this ball and the ball ahead when they just touch, m.

@@ -48,9 +48,9 @@ impl Contacts<'_> {
         /// Force along ψ where the outer contact of an unequal ball rises, N, along the motion.
         outer_slope_force_n: slope_force;
         /// ΔVi, m/s.
-        inner_slip_m_s: inner.slip;
+        inner_sliding_m_s: inner.slip;
         /// ΔVo, m/s.
-        outer_slip_m_s: outer.slip;
+        outer_sliding_m_s: outer.slip;
         /// δi, m; negative: apart.
         inner_deflection_m: inner.deflection;
         /// δo, m; negative: apart.
@@ -60,7 +60,7 @@ impl Contacts<'_> {
         /// Orbital speed vt/|rb|, rad/s.
         orbit_speed_rad_s: polar.orbit;
         /// Absolute spin, rad/s.
-        spin_rad_s: spin;
+        rotation_rad_s: spin;
         /// δb between ball `k` and the ball ahead, m; negative: apart.
         pair_deflection_m: pair.deflection;
         /// Rate of [`Self::pair_deflection_m`] while any two balls touch, else 0, m/s.
@@ -68,7 +68,7 @@ impl Contacts<'_> {
         /// Normal force between ball `k` and the ball ahead, N.
         pair_force_n: pair.force;
         /// Sliding speed between ball `k` and the ball ahead while they touch, m/s.
-        pair_slip_m_s: pair.slip;
+        pair_sliding_m_s: pair.slip;
         /// Friction force at the inner raceway, N; positive where the ring drives the ball.
         inner_friction_n: inner_friction;
         /// Friction force at the outer raceway, N; positive where it slows the ball.
@@ -81,7 +81,7 @@ impl Contacts<'_> {
     }
 
     /// Largest |ΔVi| or |ΔVo| at contacts that carry load, m/s.
-    pub fn slip_max_m_s(&self) -> f64 {
+    pub fn sliding_max_m_s(&self) -> f64 {
         self.work.slip_max[self.layout.bearing()]
     }
 

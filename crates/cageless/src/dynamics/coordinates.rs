@@ -71,7 +71,7 @@ pub const BALL: [Coordinate; 5] = [
     coordinate("y_m", "m", 1e-5, Kind::Position),
     coordinate("vx_m_s", "m/s", 1.0, Kind::VelocityOf(0)),
     coordinate("vy_m_s", "m/s", 1.0, Kind::VelocityOf(1)),
-    coordinate("spin_rad_s", "rad/s", 200.0, Kind::Rate),
+    coordinate("rotation_rad_s", "rad/s", 200.0, Kind::Rate),
 ];
 
 /// Index of a coordinate of the inner ring.

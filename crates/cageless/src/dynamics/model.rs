@@ -81,8 +81,11 @@ impl Model {
         let balls: Vec<Ball> = (0..d.balls)
             .map(|k| {
                 let (ball, next) = (bearing.ball(k), bearing.ball((k + 1) % d.balls));
-                let [inner_stiffness, outer_stiffness, pair_stiffness] =
-                    case.ball_stiffness_n_m1_5(k);
+                let [
+                    inner_stiffness_n_m1_5,
+                    outer_stiffness_n_m1_5,
+                    pair_stiffness,
+                ] = case.ball_stiffness_n_m1_5(k);
                 let reduced = ball.mass_kg * next.mass_kg / (ball.mass_kg + next.mass_kg);
                 Ball {
                     radius: ball.radius_m,
@@ -91,8 +94,8 @@ impl Model {
                     inverse_inertia: 1.0 / ball.inertia_kg_m2,
                     outer_orbit_radius: radii[0] - ball.radius_m,
                     inner_contact_distance: radii[1] + ball.radius_m,
-                    inner_stiffness,
-                    outer_stiffness,
+                    inner_stiffness_n_m1_5,
+                    outer_stiffness_n_m1_5,
                     raceway_damping: c.damping_n_s_m1_5,
                     pair_distance: ball.radius_m + next.radius_m,
                     pair_stiffness,
@@ -135,7 +138,7 @@ impl Model {
             },
             ring: InnerRing {
                 mass: d.inner_ring_mass_kg,
-                drag: d.inner_ring_drag_n_s_m,
+                drag: d.inner_ring_damping_n_s_m,
                 radial_load: case.operation.radial_load_n,
                 gravity: case.operation.gravity_m_s2,
             },

@@ -231,7 +231,7 @@ impl<'m> RightHandSide<'m> {
             housing_vx_m_s: housing.vx,
             housing_vy_m_s: housing.vy,
             contact_force_n: contact.force,
-            contact_slip_m_s: contact.slip,
+            contact_sliding_m_s: contact.slip,
         })
     }
 
@@ -265,8 +265,8 @@ impl<'m> RightHandSide<'m> {
                 [
                     end.outer_friction_n(k),
                     end.inner_friction_n(k),
-                    end.outer_slip_m_s(k),
-                    end.inner_slip_m_s(k),
+                    end.outer_sliding_m_s(k),
+                    end.inner_sliding_m_s(k),
                 ]
             })
             .collect();
@@ -296,7 +296,7 @@ impl<'m> RightHandSide<'m> {
             y_m: state.y_m().to_vec(),
             vx_m_s: state.vx_m_s().to_vec(),
             vy_m_s: state.vy_m_s().to_vec(),
-            spin_rad_s: each(&|k| c.spin_rad_s(k)),
+            rotation_rad_s: each(&|k| c.rotation_rad_s(k)),
             orbit_speed_rad_s: each(&|k| c.orbit_speed_rad_s(k)),
             gap_rad: each(&|k| {
                 let ahead = (k + 1) % n;
@@ -310,8 +310,8 @@ impl<'m> RightHandSide<'m> {
             effective_radius_m: each(&|k| c.effective_radius_m(k)),
             inner_force_n: each(&|k| c.inner_force_n(k)),
             outer_force_n: each(&|k| c.outer_force_n(k)),
-            inner_slip_m_s: each(&|k| c.inner_slip_m_s(k)),
-            outer_slip_m_s: each(&|k| c.outer_slip_m_s(k)),
+            inner_sliding_m_s: each(&|k| c.inner_sliding_m_s(k)),
+            outer_sliding_m_s: each(&|k| c.outer_sliding_m_s(k)),
             rotor: self.rotor_snapshot(state),
             ring: RingSnapshot {
                 x_m: ring.x,

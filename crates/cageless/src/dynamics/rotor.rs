@@ -100,10 +100,10 @@ impl RotorBody {
             gravity: gravity_m_s2,
             drive_torque: rotor.drive_torque_n_m,
             journal: Journal {
-                radius: bore.radius_m - rotor.air_gap_m,
+                radius: bore.radius_m - rotor.radial_clearance_m,
                 bore_radius: bore.radius_m,
-                air_gap: rotor.air_gap_m,
-                stiffness: rotor.contact_stiffness,
+                radial_clearance: rotor.radial_clearance_m,
+                stiffness: rotor.contact_stiffness_n_mp,
                 exponent: rotor.contact_exponent,
                 damping: rotor.contact_damping_s_m,
             },
@@ -289,7 +289,7 @@ mod tests {
             journal: Journal {
                 radius: 14.8e-3,
                 bore_radius: 15e-3,
-                air_gap: 2e-4,
+                radial_clearance: 2e-4,
                 stiffness: 1e9,
                 exponent: 1.0,
                 damping: 0.3,

@@ -28,10 +28,13 @@ impl Model {
             sum += kinetic_j(ball.mass, motion.vx, motion.vy)
                 + 0.5 * self.inertia[k] * motion.spin * motion.spin
                 + hertz::energy_j(
-                    ball.outer_stiffness,
+                    ball.outer_stiffness_n_m1_5,
                     outer_deflection(polar.distance, &geometry),
                 )
-                + hertz::energy_j(ball.inner_stiffness, inner_deflection(inner.distance, ball))
+                + hertz::energy_j(
+                    ball.inner_stiffness_n_m1_5,
+                    inner_deflection(inner.distance, ball),
+                )
                 + hertz::energy_j(ball.pair_stiffness, pair);
         }
         sum

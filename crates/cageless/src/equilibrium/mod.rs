@@ -34,7 +34,7 @@ use crate::profile::Profile;
 pub use error::EquilibriumError;
 use newton::{BallProblem, BallSolution, Problem};
 use potential::{Potential, PotentialBall};
-pub use raceway_contact::{RacewayContact, outer_stress_pa};
+pub use raceway_contact::{RacewayContact, outer_pressure_pa};
 
 /// Coordinates of the ring's centre, m.
 type Place = [f64; 2];
@@ -71,26 +71,26 @@ pub struct Equilibrium {
     /// where nothing holds the ring in some direction: without load, or in the clearance.
     pub stiffness_n_m: Option<[[f64; 2]; 2]>,
     /// Largest Hertz pressure at the inner raceway.
-    pub inner_stress_max_pa: f64,
+    pub inner_pressure_max_pa: f64,
     /// Largest Hertz pressure at the outer raceway; on a discrete raceway that of one of
     /// the two contact points.
-    pub outer_stress_max_pa: f64,
+    pub outer_pressure_max_pa: f64,
 }
 
 impl Equilibrium {
     /// Warning if the contact pressure exceeds [`STRESS_LIMIT_PA`].
     pub fn overload(&self) -> Option<String> {
-        let (ring, stress) = if self.inner_stress_max_pa > self.outer_stress_max_pa {
-            ("inner", self.inner_stress_max_pa)
+        let (ring, stress) = if self.inner_pressure_max_pa > self.outer_pressure_max_pa {
+            ("inner", self.inner_pressure_max_pa)
         } else {
-            ("outer", self.outer_stress_max_pa)
+            ("outer", self.outer_pressure_max_pa)
         };
         (stress > STRESS_LIMIT_PA).then(|| {
             format!(
-                "the contact stress at the {ring} raceway is {:.2} GPa, above the {} GPa that \
+                "the contact pressure at the {ring} raceway is {:.0} MPa, above the {:.0} MPa that \
                  leave a lasting indentation (ISO 76)",
-                stress * 1e-9,
-                STRESS_LIMIT_PA * 1e-9
+                stress * 1e-6,
+                STRESS_LIMIT_PA * 1e-6
             )
         })
     }
@@ -144,7 +144,7 @@ pub fn overload(case: &Case) -> Option<String> {
         + (bearing.dimensions().inner_ring_mass_kg + balls_kg) * operation.gravity_m_s2
         + case.centrifugal_force_n();
     // One ball that carried everything would bear it easily, on a discrete raceway as well.
-    let easily = |contact: &PointContact| contact.peak_stress_pa(most) < 0.8 * STRESS_LIMIT_PA;
+    let easily = |contact: &PointContact| contact.peak_pressure_pa(most) < 0.8 * STRESS_LIMIT_PA;
     if easily(bearing.inner_contact()) && easily(bearing.outer_contact()) {
         return None;
     }
@@ -215,8 +215,8 @@ pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
         ring_y_m: ring[1],
         ball_angle_rad: problem.balls.iter().map(|b| b.angle).collect(),
         ball_distance_m: solutions.iter().map(|s| s.distance).collect(),
-        inner_stress_max_pa: largest(&inner_contact),
-        outer_stress_max_pa: largest(&outer_contact),
+        inner_pressure_max_pa: largest(&inner_contact),
+        outer_pressure_max_pa: largest(&outer_contact),
         inner_contact,
         outer_contact,
         stiffness_n_m,
@@ -258,13 +258,13 @@ fn problem(case: &Case, inner_speed_rad_s: f64) -> Problem<'_> {
                 Profile::Paper => ball.mass_kg * speed * speed / bearing.pitch_radius_m(),
                 Profile::Physical => 0.0,
             };
-            let [inner_stiffness, outer_stiffness, _] = case.ball_stiffness_n_m1_5(k);
+            let [inner_stiffness_n_m1_5, outer_stiffness_n_m1_5, _] = case.ball_stiffness_n_m1_5(k);
             BallProblem {
                 angle,
                 radius: ball.radius_m,
                 outer_geometry,
-                inner_stiffness,
-                outer_stiffness,
+                inner_stiffness_n_m1_5,
+                outer_stiffness_n_m1_5,
                 e: [sin, -cos],
                 steady: ball.mass_kg * case.operation.gravity_m_s2 * cos + doubled,
                 turning: ball.mass_kg * speed * speed,
@@ -293,8 +293,8 @@ fn settle_ring(problem: &Problem<'_>) -> Result<(Place, Option<Stiffness>), Equi
                 outer_orbit_radius: ball.outer_geometry.outer_orbit_radius_m,
                 slack: bearing.dimensions().inner_groove_bottom_radius_m + ball.radius
                     - ball.outer_geometry.outer_orbit_radius_m,
-                inner_stiffness: ball.inner_stiffness,
-                outer_stiffness: ball.outer_stiffness,
+                inner_stiffness_n_m1_5: ball.inner_stiffness_n_m1_5,
+                outer_stiffness_n_m1_5: ball.outer_stiffness_n_m1_5,
                 steady: ball.steady,
                 turning: ball.turning,
                 deepest: bearing.ball_radius_m(),

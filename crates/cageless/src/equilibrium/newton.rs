@@ -9,8 +9,8 @@ pub(super) struct BallProblem {
     pub angle: f64,
     pub radius: f64,
     pub outer_geometry: OuterContactGeometry,
-    pub inner_stiffness: f64,
-    pub outer_stiffness: f64,
+    pub inner_stiffness_n_m1_5: f64,
+    pub outer_stiffness_n_m1_5: f64,
     /// Unit vector e.
     pub e: [f64; 2],
     /// Outward force that does not come from a contact, times |rb| where it is
@@ -53,14 +53,16 @@ impl Problem<'_> {
             ];
             let length = offset[0].hypot(offset[1]);
             let ei = offset.map(|c| c / length);
-            let inner = ball.inner_stiffness * (inner_contact_distance - length).max(0.0).powf(1.5);
-            let outer = ball.outer_stiffness * (distance - outer_orbit_radius).max(0.0).powf(1.5);
+            let inner =
+                ball.inner_stiffness_n_m1_5 * (inner_contact_distance - length).max(0.0).powf(1.5);
+            let outer =
+                ball.outer_stiffness_n_m1_5 * (distance - outer_orbit_radius).max(0.0).powf(1.5);
             let cosine = ei[0] * ball.e[0] + ei[1] * ball.e[1];
             let net = inner * cosine + ball.steady + ball.turning / distance - outer;
             (net, inner, outer, ei, inner_contact_distance - length)
         };
         // Outward push falls with the distance; all the room there is brackets it.
-        let width = self.bearing.ball_radius_m() + self.bearing.radial_clearance_m();
+        let width = self.bearing.ball_radius_m() + 0.5 * self.bearing.radial_internal_clearance_m();
         let distance = root::brent(
             |d| forces(d).0,
             outer_orbit_radius - width,
@@ -71,8 +73,8 @@ impl Problem<'_> {
         let (_, inner, outer, ei, approach) = forces(distance);
         let slope = |k: f64, deflection: f64| 1.5 * k * deflection.max(0.0).sqrt();
         let (ki, ko) = (
-            slope(ball.inner_stiffness, approach),
-            slope(ball.outer_stiffness, distance - outer_orbit_radius),
+            slope(ball.inner_stiffness_n_m1_5, approach),
+            slope(ball.outer_stiffness_n_m1_5, distance - outer_orbit_radius),
         );
         let stiffness = if ki > 0.0 { ki * ko / (ki + ko) } else { 0.0 };
         BallSolution {
@@ -108,8 +110,8 @@ impl Problem<'_> {
     /// Depth of the ring below the middle at which the balls there carry it.
     pub fn contact_depth_m(&self) -> f64 {
         let first = &self.balls[0];
-        let series = (first.inner_stiffness.powf(-2.0 / 3.0)
-            + first.outer_stiffness.powf(-2.0 / 3.0))
+        let series = (first.inner_stiffness_n_m1_5.powf(-2.0 / 3.0)
+            + first.outer_stiffness_n_m1_5.powf(-2.0 / 3.0))
             * (4.37 * self.down / self.balls.len() as f64).powf(2.0 / 3.0);
         // Balls thrown against the outer raceway leave the ring that much more room.
         let thrown = self
@@ -117,10 +119,10 @@ impl Problem<'_> {
             .iter()
             .map(|b| {
                 let push = b.steady + b.turning / self.bearing.outer_orbit_radius_m();
-                (push.max(0.0) / b.outer_stiffness).powf(2.0 / 3.0)
+                (push.max(0.0) / b.outer_stiffness_n_m1_5).powf(2.0 / 3.0)
             })
             .fold(0.0, f64::max);
-        self.bearing.radial_clearance_m().max(0.0) + thrown + series
+        0.5 * self.bearing.radial_internal_clearance_m().max(0.0) + thrown + series
     }
 
     /// Equilibrium reached from `depth` below the middle, where the Hertz law is convex, by

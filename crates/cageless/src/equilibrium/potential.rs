@@ -20,8 +20,8 @@ pub(super) struct PotentialBall {
     pub outer_orbit_radius: f64,
     /// Ri + R − T, approach to the centred ring there.
     pub slack: f64,
-    pub inner_stiffness: f64,
-    pub outer_stiffness: f64,
+    pub inner_stiffness_n_m1_5: f64,
+    pub outer_stiffness_n_m1_5: f64,
     /// S, N.
     pub steady: f64,
     /// C, N·m.
@@ -75,8 +75,8 @@ impl PotentialBall {
     fn guess(&self, ring: [f64; 2]) -> f64 {
         let fraction = |k: f64| k.cbrt().powi(2);
         let (inner, outer) = (
-            fraction(self.inner_stiffness),
-            fraction(self.outer_stiffness),
+            fraction(self.inner_stiffness_n_m1_5),
+            fraction(self.outer_stiffness_n_m1_5),
         );
         let approach = self.at(ring, 0.0).approach;
         let push = self.steady + self.turning / self.outer_orbit_radius;
@@ -102,9 +102,9 @@ impl PotentialBall {
         let inner_root = approach.max(0.0).sqrt();
         Rest {
             beyond,
-            inner: self.inner_stiffness * inner_root.powi(3),
-            inner_slope: 1.5 * self.inner_stiffness * inner_root,
-            outer_slope: 1.5 * self.outer_stiffness * beyond.max(0.0).sqrt(),
+            inner: self.inner_stiffness_n_m1_5 * inner_root.powi(3),
+            inner_slope: 1.5 * self.inner_stiffness_n_m1_5 * inner_root,
+            outer_slope: 1.5 * self.outer_stiffness_n_m1_5 * beyond.max(0.0).sqrt(),
             approach,
             length,
             cosine: (distance - along) / length,
@@ -172,8 +172,8 @@ impl Potential {
             let elastic =
                 |k: f64, depth: f64| 0.4 * k * depth.max(0.0).powi(2) * depth.max(0.0).sqrt();
             for term in [
-                elastic(ball.inner_stiffness, rest.approach),
-                elastic(ball.outer_stiffness, rest.beyond),
+                elastic(ball.inner_stiffness_n_m1_5, rest.approach),
+                elastic(ball.outer_stiffness_n_m1_5, rest.beyond),
                 -ball.steady * rest.beyond,
                 -ball.turning * (rest.beyond / ball.outer_orbit_radius).ln_1p(),
             ] {

@@ -15,7 +15,7 @@ pub struct RacewayContact {
 impl RacewayContact {
     fn new(contact: &PointContact, force_n: f64) -> Self {
         Self {
-            pressure_pa: contact.peak_stress_pa(force_n),
+            pressure_pa: contact.peak_pressure_pa(force_n),
             semi_axes_m: contact.semi_axes_m(force_n),
         }
     }
@@ -49,6 +49,6 @@ impl RacewayContact {
 }
 
 /// Peak Hertz pressure of [`RacewayContact::outer`], Pa.
-pub fn outer_stress_pa(bearing: &Bearing, r_m: f64, force_n: f64) -> f64 {
+pub fn outer_pressure_pa(bearing: &Bearing, r_m: f64, force_n: f64) -> f64 {
     RacewayContact::outer(bearing, r_m, force_n).pressure_pa
 }

@@ -47,7 +47,7 @@ impl NamedMethod for VelocityVerlet {
     // Order and stability. Velocities are extrapolated: half of what leapfrog allows on the
     // real axis.
     const PROPERTIES: Properties = Properties {
-        name: "symplectic",
+        name: "verlet",
         label: "leapfrog",
         order: 2,
         oscillation_limit: 2.0,

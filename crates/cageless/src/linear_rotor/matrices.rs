@@ -95,7 +95,7 @@ impl RotorMatrices {
         let stiffness = symmetric(&self.stiffness);
         let singular = || {
             RotorError::Bearings(format!(
-                "the rotor could still move freely with the {} kept nodes held: two touchdown \
+                "the rotor could still move freely with the {} kept nodes held: two touch-down \
                  bearings hold it, or kept nodes elsewhere",
                 held.len()
             ))
@@ -236,7 +236,7 @@ impl RotorMatrices {
             self.check_node(node)?;
             if reduction.bearing_nodes[..k].contains(&node) {
                 return Err(RotorError::Bearings(format!(
-                    "two touchdown bearings are at node {node}: each needs its own"
+                    "two touch-down bearings are at node {node}: each needs its own"
                 )));
             }
             held.push(node);

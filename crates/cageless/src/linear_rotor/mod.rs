@@ -121,7 +121,7 @@ impl RotorError {
     }
 
     fn without_bearings() -> Self {
-        Self::Bearings("a rotor needs at least one touchdown bearing".to_owned())
+        Self::Bearings("a rotor needs at least one touch-down bearing".to_owned())
     }
 }
 

@@ -64,7 +64,7 @@ impl BasicRatings {
     }
 
     /// s0 = C0r/P0 with P0 = Fr, a purely radial load; `None` without load.
-    pub fn static_safety(&self, radial_load_n: f64) -> Option<f64> {
+    pub fn static_safety_factor(&self, radial_load_n: f64) -> Option<f64> {
         (radial_load_n > 0.0).then(|| self.static_n / radial_load_n)
     }
 }
@@ -100,7 +100,7 @@ pub fn static_factor(gamma: f64, [inner, outer]: [f64; 2]) -> f64 {
     raceways
         .map(|ring| {
             // The pressure grows with the cube root of the load; Q is in Pa times Dw².
-            let unit = PointContact::new(ball, ring, &STEEL).peak_stress_pa(1.0);
+            let unit = PointContact::new(ball, ring, &STEEL).peak_pressure_pa(1.0);
             (STRESS_LIMIT_PA / unit).powi(3) * 1e-6 / STRIBECK
         })
         .into_iter()

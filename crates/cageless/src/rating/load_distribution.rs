@@ -36,7 +36,7 @@ pub fn rigid_ring_forces_n(case: &Case) -> Option<Vec<f64>> {
             let larger = bearing.ball(k).radius_m - bearing.ball_radius_m();
             Spring {
                 e: [sin, -cos],
-                middle_m: 2.0 * larger - bearing.radial_clearance_m(),
+                middle_m: 2.0 * larger - 0.5 * bearing.radial_internal_clearance_m(),
                 stiffness_n_m1_5: series_stiffness_n_m1_5(inner, outer),
             }
         })

@@ -57,14 +57,14 @@ pub struct Rating {
     /// million revolutions; `None` if no ball is loaded.
     pub l10r_at_speed_mrev: Option<f64>,
     /// s0 = C0r/P0 of ISO 76 with P0 = Fr; `None` without radial load.
-    pub static_safety: Option<f64>,
+    pub static_safety_factor: Option<f64>,
     /// (4200 MPa/p)³ with the largest contact pressure p in equilibrium; `None` if no ball is
     /// loaded. The load that this pressure leaves to the limit, as a factor.
     pub pressure_safety: Option<f64>,
     /// Passing frequencies.
     pub passing: PassingFrequencies,
     /// n·Dpw, speed of the inner ring times pitch diameter, mm/min.
-    pub speed_parameter_mm_rpm: f64,
+    pub speed_factor_mm_rpm: f64,
     /// Materials, of which the standards rate the first two.
     pub materials: RatedMaterials,
 }
@@ -99,17 +99,17 @@ impl Rating {
         let reference = ReferenceLife::new(bearing);
         let load_n = case.operation.radial_load_n;
         let peak_pa = equilibrium
-            .inner_stress_max_pa
-            .max(equilibrium.outer_stress_max_pa);
+            .inner_pressure_max_pa
+            .max(equilibrium.outer_pressure_max_pa);
         Self {
             l10_mrev: basic.l10_mrev(load_n),
             l10r_mrev: rigid_ring_forces_n(case).and_then(|q| reference.l10r_mrev(&q, &q)),
             l10r_at_speed_mrev: reference
                 .l10r_mrev(&equilibrium.inner_force_n, &equilibrium.outer_force_n),
-            static_safety: basic.static_safety(load_n),
+            static_safety_factor: basic.static_safety_factor(load_n),
             pressure_safety: (peak_pa > 0.0).then(|| (STRESS_LIMIT_PA / peak_pa).powi(3)),
             passing: PassingFrequencies::new(case),
-            speed_parameter_mm_rpm: speed_parameter_mm_rpm(case),
+            speed_factor_mm_rpm: speed_factor_mm_rpm(case),
             materials: RatedMaterials::of(bearing),
             basic,
         }
@@ -125,7 +125,7 @@ impl Rating {
     /// Warnings for what no bearing stands; that of the contact pressure is
     /// [`Equilibrium::overload`].
     pub fn warnings(&self) -> Vec<String> {
-        let unsafe_load = self.static_safety.filter(|s| *s < 1.0).map(|s| {
+        let unsafe_load = self.static_safety_factor.filter(|s| *s < 1.0).map(|s| {
             format!(
                 "the static safety s0 = C0r/Fr is {s:.2}, below 1: the load exceeds the basic \
                  static load rating of {:.0} N (ISO 76)",
@@ -134,23 +134,23 @@ impl Rating {
         });
         unsafe_load
             .into_iter()
-            .chain(speed_warning(self.speed_parameter_mm_rpm))
+            .chain(speed_warning(self.speed_factor_mm_rpm))
             .collect()
     }
 }
 
 /// n·Dpw, speed of the inner ring times pitch diameter, mm/min.
-pub fn speed_parameter_mm_rpm(case: &Case) -> f64 {
+pub fn speed_factor_mm_rpm(case: &Case) -> f64 {
     let rpm = case.operation.inner_speed_rad_s.abs() * 60.0 / TAU;
     rpm * 2e3 * case.bearing.pitch_radius_m()
 }
 
 /// Warning if n·Dpw exceeds [`SPEED_PARAMETER_MAX_MM_RPM`].
-pub fn speed_warning(speed_parameter_mm_rpm: f64) -> Option<String> {
-    (speed_parameter_mm_rpm > SPEED_PARAMETER_MAX_MM_RPM).then(|| {
+pub fn speed_warning(speed_factor_mm_rpm: f64) -> Option<String> {
+    (speed_factor_mm_rpm > SPEED_PARAMETER_MAX_MM_RPM).then(|| {
         format!(
             "n·Dpw is {:.2} million mm/min, above the {} million that ball bearings reach",
-            speed_parameter_mm_rpm * 1e-6,
+            speed_factor_mm_rpm * 1e-6,
             SPEED_PARAMETER_MAX_MM_RPM * 1e-6
         )
     })

@@ -40,12 +40,12 @@ pub(crate) fn edges(p: &Parameters, w: &Workspace, y: &[f64], values: &mut Vec<f
                 let vy = at(BallCoordinate::Vy) - ring.vy;
                 let direction = &results.inner_polar;
                 let rate = -(vx * direction.ex.0[lane] + vy * direction.ey.0[lane]);
-                unclamped(ball.inner_stiffness, inner, rate)
+                unclamped(ball.inner_stiffness_n_m1_5, inner, rate)
             }));
             values.push(while_closed(outer, || {
                 let slope = results.geometry.slope.0[lane];
                 let rate = polar.radial - slope * polar.orbit;
-                unclamped(ball.outer_stiffness, outer, rate)
+                unclamped(ball.outer_stiffness_n_m1_5, outer, rate)
             }));
         }
         if ball.pair_damping > 0.0 {

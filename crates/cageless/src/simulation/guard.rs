@@ -115,7 +115,7 @@ impl Stop {
             {
                 format!(
                     "{halve}; if it happens again at the same time, the impact of the rotor \
-                     (rotor.mass_kg, rotor.air_gap_um) presses the parts through each other, or \
+                     (rotor.mass_kg, rotor.radial_clearance_um) presses the parts through each other, or \
                      the balls leave a gap below it (start.gaps)"
                 )
             }
@@ -128,14 +128,14 @@ impl Stop {
             }
             Cause::RotorThroughInnerRing => format!(
                 "{halve}; if it happens again at the same time, the contact is too soft for the \
-                 impact (rotor.contact_stiffness)"
+                 impact (rotor.contact_stiffness_n_mp)"
             ),
             Cause::OffSupport => format!(
                 "{halve}; if it happens again at the same time, the support is too soft for the \
                  rotor (support.stiffness_n_m)"
             ),
             Cause::NotFinite | Cause::EnergyFromNowhere { .. } | Cause::NotResolved => format!(
-                "{halve}, or give the contacts some damping (contact.damping, \
+                "{halve}, or give the contacts some damping (contact.damping_n_s_m1_5, \
                  contact.ball_restitution)"
             ),
         }
@@ -177,7 +177,7 @@ impl<'m> Guard<'m> {
         let translation = |r: &Rotor| {
             let whirl = r.eccentricity_m * r.speed_rad_s;
             let square = r.vx_m_s.powi(2) + r.vy_m_s.powi(2) + whirl * whirl;
-            ENERGY_MIN_J + r.mass_kg * (gravity * r.air_gap_m + 0.5 * square)
+            ENERGY_MIN_J + r.mass_kg * (gravity * r.radial_clearance_m + 0.5 * square)
         };
         let holding =
             Bearing::balls_that_hold_ring(bearing.ball_radius_m(), bearing.pitch_radius_m());

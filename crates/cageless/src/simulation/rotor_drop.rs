@@ -59,7 +59,7 @@ impl RotorDrop {
         let refuse = |message: String| Err(RotorError::Bearings(message));
         if cases.len() != rotor.bearings() {
             return refuse(format!(
-                "{} cases for {} touchdown bearings: each bearing is one case",
+                "{} cases for {} touch-down bearings: each bearing is one case",
                 cases.len(),
                 rotor.bearings()
             ));

@@ -37,7 +37,7 @@ impl RacewayZone {
                 Allowed::Between(
                     least,
                     most,
-                    "or 0, which leaves the kink; a quarter of the length of the raceway at most",
+                    "or 0, which leaves the slope discontinuity; a quarter of the length of the raceway at most",
                 ),
             ));
         }

@@ -16,7 +16,7 @@ pub struct Outcome {
     /// Contacts with neighbours per passage.
     pub collisions_mean: Option<f64>,
     /// Largest slip per passage, mean.
-    pub slip_mean_m_s: Option<f64>,
+    pub sliding_mean_m_s: Option<f64>,
     /// Reason if infeasible.
     pub reason: Option<String>,
     /// PASS or FAIL with the verdict, the criterion that decides, and its margin.
@@ -37,7 +37,7 @@ impl Outcome {
             critical_gap_rad: judgement.critical_gap_rad,
             double_collision_fraction: passages.map(|p| p.double_collision_fraction),
             collisions_mean: passages.map(|p| p.collisions_mean),
-            slip_mean_m_s: passages.map(|p| p.slip_mean_m_s),
+            sliding_mean_m_s: passages.map(|p| p.sliding_mean_m_s),
             reason: (judgement.verdict == RacewayVerdict::Infeasible)
                 .then(|| judgement.reasons.join("; ")),
             headline: judgement.headline(),
@@ -51,7 +51,7 @@ impl Outcome {
             critical_gap_rad: None,
             double_collision_fraction: None,
             collisions_mean: None,
-            slip_mean_m_s: None,
+            sliding_mean_m_s: None,
             headline: format!("FAIL: {}; {reason}", RacewayVerdict::Infeasible.label()),
             reason: Some(reason),
         }
@@ -84,7 +84,7 @@ pub struct InfluenceResult {
     /// Shares of passages hit by both neighbours.
     pub double_collision_fraction: Interval,
     /// Slip per passage.
-    pub slip_mean_m_s: Interval,
+    pub sliding_mean_m_s: Interval,
 }
 
 /// The bearings in which everything deviates.
@@ -190,7 +190,7 @@ fn row(influence: Influence, nominal: &Outcome, of: &[&Outcome]) -> InfluenceRes
         verdicts,
         critical_gap_rad: interval(all().filter_map(|o| o.critical_gap_rad)),
         double_collision_fraction: interval(all().filter_map(|o| o.double_collision_fraction)),
-        slip_mean_m_s: interval(all().filter_map(|o| o.slip_mean_m_s)),
+        sliding_mean_m_s: interval(all().filter_map(|o| o.sliding_mean_m_s)),
     }
 }
 

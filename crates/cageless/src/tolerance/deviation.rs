@@ -20,7 +20,7 @@ pub enum Influence {
     BallRadius,
     /// μ.
     Friction,
-    /// Radial clearance Ro − Ri − 2Rw.
+    /// Radial internal clearance Gr.
     Clearance,
     /// Speed of the inner ring.
     Speed,
@@ -49,7 +49,7 @@ impl Influence {
             Self::HalfAngle => "half angle",
             Self::BallRadius => "ball radii",
             Self::Friction => "friction coefficient",
-            Self::Clearance => "radial clearance",
+            Self::Clearance => "radial internal clearance",
             Self::Speed => "speed",
             Self::Load => "load",
         }
@@ -69,7 +69,7 @@ pub struct Tolerances {
     pub ball_grade: Option<BallGrade>,
     /// Friction coefficient μ.
     pub friction: f64,
-    /// Radial clearance Ro − Ri − 2Rw, down to the largest interference.
+    /// Radial internal clearance Gr, down to the largest interference.
     pub clearance_m: f64,
     /// Speed, as a fraction.
     pub speed_fraction: f64,
@@ -91,7 +91,9 @@ impl Tolerances {
             Influence::Clearance => {
                 let bearing = &case.bearing;
                 let most = bearing.dimensions().interference_max_m(bearing.materials());
-                let down = self.clearance_m.min(bearing.radial_clearance_m() + most);
+                let down = self
+                    .clearance_m
+                    .min(bearing.radial_internal_clearance_m() + 2.0 * most);
                 [-down, self.clearance_m]
             }
             Influence::Speed => both(self.speed_fraction * case.operation.inner_speed_rad_s),
@@ -141,7 +143,7 @@ impl Deviation {
         case.check_constant_operation("a tolerance study")?;
         let of = |influence: Influence| self.value(influence);
         let mut dimensions = case.bearing.dimensions().clone();
-        dimensions.inner_groove_bottom_radius_m -= of(Influence::Clearance);
+        dimensions.inner_groove_bottom_radius_m -= 0.5 * of(Influence::Clearance);
         let mut radii = case.bearing.ball_radius_deviations_m().to_vec();
         if radii.is_empty() {
             radii.clone_from(&self.ball_radius_m);

@@ -8,7 +8,7 @@ use crate::dynamics::energy::EnergyTerm;
 use crate::dynamics::outer_ring::OuterRing;
 use crate::dynamics::rotor::RotorMotion;
 use crate::dynamics::state::State;
-use crate::equilibrium::outer_stress_pa;
+use crate::equilibrium::outer_pressure_pa;
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 
 /// Heat of each interface since the magnets let go, J.
@@ -69,7 +69,7 @@ pub struct DropSummary {
     /// Largest displacement of the outer ring, m.
     pub housing_displacement_max_m: f64,
     /// Largest sliding speed between rotor and inner ring in contact, m/s.
-    pub rotor_slip_max_m_s: f64,
+    pub rotor_sliding_max_m_s: f64,
     /// Time from the start of the drop at which the sliding in contact first falls below 1 % of
     /// that at the first contact, s; `None` if it does not.
     pub spin_up_s: Option<f64>,
@@ -82,11 +82,11 @@ pub struct DropSummary {
     /// Largest normal force of each ball at the outer raceway, N.
     pub outer_force_max_n: Vec<f64>,
     /// Largest pressure at the inner raceway, Pa.
-    pub inner_stress_max_pa: f64,
+    pub inner_pressure_max_pa: f64,
     /// Largest pressure at the outer raceway, Pa.
-    pub outer_stress_max_pa: f64,
+    pub outer_pressure_max_pa: f64,
     /// Largest pressure between balls, Pa.
-    pub ball_stress_max_pa: f64,
+    pub ball_pressure_max_pa: f64,
     /// Contacts between balls that began.
     pub collisions: ContactCounts,
     /// Contacts between balls that began, per second of the last fifth of the time after the
@@ -98,7 +98,7 @@ pub struct DropSummary {
     /// Largest force between balls, N.
     pub ball_force_max_n: f64,
     /// Largest |ΔVi| or |ΔVo| at contacts of the balls that carry load, m/s.
-    pub ball_slip_max_m_s: f64,
+    pub ball_sliding_max_m_s: f64,
     /// Largest mean frequency of the journal against the direction of rotation over a window, Hz,
     /// of a whirl or of a swing at the bottom.
     pub backward_whirl_max_hz: f64,
@@ -131,7 +131,7 @@ pub struct DropRecorder {
     whirl: WhirlTracker,
     collisions: Option<ContactCounter>,
     in_contact: bool,
-    first_slip_m_s: f64,
+    first_sliding_m_s: f64,
     contact_s: f64,
     end_s: f64,
     found: Found,
@@ -149,7 +149,7 @@ struct Found {
     housing_displacement_squared: f64,
     /// m².
     rotor_displacement_squared: f64,
-    rotor_slip_m_s: f64,
+    rotor_sliding_m_s: f64,
     spin_up_s: Option<f64>,
     inner_force_n: Vec<f64>,
     outer_force_n: Vec<f64>,
@@ -157,7 +157,7 @@ struct Found {
     heaviest: [OuterLoad; 2],
     collisions: ContactCounts,
     ball_force_n: f64,
-    ball_slip_m_s: f64,
+    ball_sliding_m_s: f64,
 }
 
 impl Found {
@@ -190,7 +190,7 @@ impl DropRecorder {
             whirl: WhirlTracker::new(WINDOW_S),
             collisions: None,
             in_contact: false,
-            first_slip_m_s: 0.0,
+            first_sliding_m_s: 0.0,
             contact_s: 0.0,
             end_s: 0.0,
             found: Found::default(),
@@ -254,24 +254,24 @@ impl DropRecorder {
             rotor_force_max_n: found.rotor_force_n,
             housing_force_max_n: self.outer_ring.map(|_| found.housing_force_squared.sqrt()),
             housing_displacement_max_m: found.housing_displacement_squared.sqrt(),
-            rotor_slip_max_m_s: found.rotor_slip_m_s,
+            rotor_sliding_max_m_s: found.rotor_sliding_m_s,
             spin_up_s: found.spin_up_s,
             ring_speed_rad_s: ring_speed,
             rotor_speed_rad_s: rotor.speed,
-            inner_stress_max_pa: bearing
+            inner_pressure_max_pa: bearing
                 .inner_contact()
-                .peak_stress_pa(most(&found.inner_force_n)),
-            outer_stress_max_pa: (found.heaviest.iter())
-                .map(|load| outer_stress_pa(bearing, load.radius_m, load.force_n))
+                .peak_pressure_pa(most(&found.inner_force_n)),
+            outer_pressure_max_pa: (found.heaviest.iter())
+                .map(|load| outer_pressure_pa(bearing, load.radius_m, load.force_n))
                 .fold(0.0, f64::max),
-            ball_stress_max_pa: bearing.ball_contact().peak_stress_pa(found.ball_force_n),
+            ball_pressure_max_pa: bearing.ball_contact().peak_pressure_pa(found.ball_force_n),
             inner_force_max_n: found.inner_force_n,
             outer_force_max_n: found.outer_force_n,
             collisions: found.collisions,
             end_collision_rate_hz,
             end_collision_rate_above_hz,
             ball_force_max_n: found.ball_force_n,
-            ball_slip_max_m_s: found.ball_slip_m_s,
+            ball_sliding_max_m_s: found.ball_sliding_m_s,
             backward_whirl_max_hz: backward.fold(0.0, f64::max),
             backward_whirl_hz: backward_whirl_hz(&whirl, self.rotation),
             heat: InterfaceHeat {
@@ -305,14 +305,14 @@ impl DropRecorder {
             }
             if found.first_contact_s.is_none() {
                 found.first_contact_s = Some(time_s);
-                self.first_slip_m_s = slip;
+                self.first_sliding_m_s = slip;
             }
-            if found.spin_up_s.is_none() && slip < SPUN_UP * self.first_slip_m_s {
+            if found.spin_up_s.is_none() && slip < SPUN_UP * self.first_sliding_m_s {
                 found.spin_up_s = Some(time_s);
             }
             self.contact_s += h;
             found.rotor_force_n = found.rotor_force_n.max(contact.force);
-            found.rotor_slip_m_s = found.rotor_slip_m_s.max(slip);
+            found.rotor_sliding_m_s = found.rotor_sliding_m_s.max(slip);
         }
         self.in_contact = closed;
         let [_, lift_n] = contact.force_on_journal(rotor.friction);
@@ -342,7 +342,7 @@ impl DropRecorder {
         let found = &mut self.found;
         found.collisions += begun;
         self.whirl.collide(begun);
-        found.ball_slip_m_s = found.ball_slip_m_s.max(contacts.slip_max_m_s());
+        found.ball_sliding_m_s = found.ball_sliding_m_s.max(contacts.sliding_max_m_s());
         let most = found.inner_force_n.iter_mut().zip(&mut found.outer_force_n);
         for (k, (inner, outer)) in most.enumerate() {
             *inner = inner.max(contacts.inner_force_n(k));

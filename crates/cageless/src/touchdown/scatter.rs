@@ -14,7 +14,7 @@ pub struct Scatter {
     /// Of both friction coefficients of the rotor and, independently, of the balls.
     pub friction_fraction: f64,
     /// Of the air gap.
-    pub air_gap_fraction: f64,
+    pub radial_clearance_fraction: f64,
     /// Largest factor, either way, on the damping of the support; its logarithm is uniform.
     pub support_damping_factor: f64,
     /// Whether the direction of the unbalance is drawn, uniform on the circle; several unbalances
@@ -30,7 +30,7 @@ impl Default for Scatter {
     fn default() -> Self {
         Self {
             friction_fraction: 0.3,
-            air_gap_fraction: 0.1,
+            radial_clearance_fraction: 0.1,
             support_damping_factor: 2.0,
             eccentricity_phase: true,
             ball_arrangement: true,
@@ -46,7 +46,7 @@ pub struct DrawnBearing {
     /// Friction coefficient of the balls.
     pub ball_friction: f64,
     /// Radial air gap, m.
-    pub air_gap_m: f64,
+    pub radial_clearance_m: f64,
     /// Damping of the support, N·s/m; `None` without a support.
     pub support_damping_n_s_m: Option<f64>,
 }
@@ -76,7 +76,7 @@ const DROP: u64 = 5;
 #[derive(Clone, Copy)]
 enum Dimension {
     RotorFriction,
-    AirGap,
+    RadialClearance,
     UnbalanceDirection,
     BallFriction,
     SupportDamping,
@@ -167,13 +167,14 @@ impl Scatter {
         let rotor = drop.rotor.as_mut().expect("a rotor");
         let sliding = streams.factor(Dimension::RotorFriction, self.friction_fraction);
         rotor.scale_friction(sliding);
-        rotor.air_gap_m *= streams.factor(Dimension::AirGap, self.air_gap_fraction);
+        rotor.radial_clearance_m *=
+            streams.factor(Dimension::RadialClearance, self.radial_clearance_fraction);
         let rolling = streams.factor(Dimension::BallFriction, self.friction_fraction);
         drop.contact.scale_friction(rolling);
         let mut drawn = DrawnBearing {
             rotor_friction: rotor.friction_coefficient,
             ball_friction: drop.contact.friction_coefficient,
-            air_gap_m: rotor.air_gap_m,
+            radial_clearance_m: rotor.radial_clearance_m,
             support_damping_n_s_m: None,
         };
         if let Some(support) = &mut drop.support {

@@ -30,7 +30,7 @@ impl MotionRecorder {
     }
 
     /// Mean absolute spin of the balls, rad/s.
-    pub fn spin_rad_s(&self) -> f64 {
+    pub fn rotation_rad_s(&self) -> f64 {
         self.spin.mean()
     }
 }
@@ -62,7 +62,7 @@ impl Observer for MotionRecorder {
             };
             let time = step.t1_s - self.last_look_s;
             self.orbit.add(mean(&|k| c.orbit_speed_rad_s(k)), time);
-            self.spin.add(mean(&|k| c.spin_rad_s(k)), time);
+            self.spin.add(mean(&|k| c.rotation_rad_s(k)), time);
             self.last_look_s = step.t1_s;
         }
         self.steps += 1;

@@ -1,7 +1,7 @@
 //! Results that a verification classifies.
 
 use crate::case::Case;
-use crate::kinematics::rolling_spin_rad_s;
+use crate::kinematics::rolling_rotation_rad_s;
 
 /// Scalar result of a run. Those of the first two groups cover the part of the run
 /// after its transient.
@@ -78,10 +78,10 @@ impl Quantity {
                 bearing.nominal_gap_rad().max(0.1_f64.to_radians())
             }
             Self::RingXMean | Self::RingYMean | Self::RingXEnd | Self::RingYEnd => PLACE_M,
-            Self::SlipMax => value.abs().max(case.contact.slip_scale_m_s),
+            Self::SlipMax => value.abs().max(case.contact.regularisation_speed_m_s),
             Self::RingXDeviation | Self::RingYDeviation => value.abs().max(0.01 * PLACE_M),
             Self::OrbitSpeedMean => orbit,
-            Self::SpinMean => rolling_spin_rad_s(bearing, orbit, radius).abs(),
+            Self::SpinMean => rolling_rotation_rad_s(bearing, orbit, radius).abs(),
         }
     }
 }

@@ -21,7 +21,7 @@ pub fn dimensions() -> BearingDimensions {
         inner_groove_curvature_radius_m: 4.953e-3,
         outer_groove_curvature_radius_m: 4.953e-3,
         inner_ring_mass_kg: 0.2,
-        inner_ring_drag_n_s_m: 2000.0,
+        inner_ring_damping_n_s_m: 2000.0,
     }
 }
 
@@ -84,7 +84,7 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
             static_friction_coefficient: None,
             stribeck_speed_m_s: None,
             friction_table: None,
-            slip_scale_m_s: 0.02,
+            regularisation_speed_m_s: 0.02,
             outer_friction_factor: 1.0,
             ball_friction_factor: 1.0,
             damping_n_s_m1_5: 2e5,
@@ -124,7 +124,7 @@ pub fn structure(span_mm: f64, angle_deg: f64) -> Case {
 #[allow(dead_code)]
 pub fn drop_case() -> Case {
     let mut case = conventional(BearingDimensions {
-        inner_ring_drag_n_s_m: 0.0,
+        inner_ring_damping_n_s_m: 0.0,
         ..dimensions()
     });
     let bore = InnerRingBore {
@@ -143,16 +143,16 @@ pub fn drop_case() -> Case {
         mass_kg: 20.0,
         polar_inertia_kg_m2: 0.02,
         speed_rad_s: 30_000.0 * TAU / 60.0,
-        air_gap_m: 2e-4,
+        radial_clearance_m: 2e-4,
         eccentricity_m: 0.0,
         eccentricity_phase_rad: 0.0,
         friction_coefficient: 0.15,
         friction_law: FrictionLaw::Smooth,
-        slip_scale_m_s: 0.05,
+        regularisation_speed_m_s: 0.05,
         static_friction_coefficient: None,
         stribeck_speed_m_s: None,
         friction_table: None,
-        contact_stiffness: 1e9,
+        contact_stiffness_n_mp: 1e9,
         contact_exponent: 1.0,
         contact_damping_s_m: 0.3,
         x_m: 0.0,

@@ -108,7 +108,7 @@ fn every_number_of_a_passage() {
                 let loaded = |slip: f64, force: f64| if force > 0.0 { slip.abs() } else { 0.0 };
                 loaded(ball.inner_slip, ball.inner_n).max(loaded(ball.outer_slip, ball.outer_n))
             };
-            near(p.slip_max_m_s, most(&slip), 1e-12, &what);
+            near(p.sliding_max_m_s, most(&slip), 1e-12, &what);
             let touches = |pair| (enter..leave).filter(|&n| run.touches(n, pair)).count();
             assert_eq!(p.collisions_ahead as usize, touches(k), "{what}");
             assert_eq!(p.collisions_behind as usize, touches(behind), "{what}");
@@ -248,10 +248,10 @@ fn every_number_of_a_summary() {
     };
     let slips = rows.iter().flat_map(|row| row.balls.iter().map(sliding));
     near(
-        s.slip_max_m_s,
+        s.sliding_max_m_s,
         slips.fold(0.0, f64::max),
         1e-12,
-        "largest slip",
+        "largest sliding speed",
     );
 }
 
@@ -358,7 +358,7 @@ fn every_peak_of_the_contacts() {
         [
             b.pair_n,
             b.pair_slip,
-            contact.peak_stress_pa(b.pair_n),
+            contact.peak_pressure_pa(b.pair_n),
             axis,
         ]
     });
@@ -472,7 +472,7 @@ fn every_quantity_of_a_verification() {
             Quantity::GapMax => (s.gap_max_rad, 0.0),
             Quantity::RingXMean => (s.ring_x_mean_m, 0.0),
             Quantity::RingYMean => (s.ring_y_mean_m, 0.0),
-            Quantity::SlipMax => (s.slip_max_m_s, 0.0),
+            Quantity::SlipMax => (s.sliding_max_m_s, 0.0),
             Quantity::RingXDeviation => (deviation(0), 1e-9),
             Quantity::RingYDeviation => (deviation(1), 1e-9),
             Quantity::OrbitSpeedMean => (of_balls(Seen::orbit), 1e-4),

@@ -86,16 +86,16 @@ impl Observer for EveryStep {
                 y: at(BallCoordinate::Y),
                 vx: at(BallCoordinate::Vx),
                 vy: at(BallCoordinate::Vy),
-                spin: c.spin_rad_s(k),
+                spin: c.rotation_rad_s(k),
                 inner_n: c.inner_force_n(k),
                 outer_n: c.outer_force_n(k),
-                inner_slip: c.inner_slip_m_s(k),
-                outer_slip: c.outer_slip_m_s(k),
+                inner_slip: c.inner_sliding_m_s(k),
+                outer_slip: c.outer_sliding_m_s(k),
                 inner_friction_n: c.inner_friction_n(k),
                 outer_friction_n: c.outer_friction_n(k),
                 radius: c.effective_radius_m(k),
                 pair_n: c.pair_force_n(k),
-                pair_slip: c.pair_slip_m_s(k),
+                pair_slip: c.pair_sliding_m_s(k),
             }
         };
         let ring = layout.ring_motion(&view.step.y1);

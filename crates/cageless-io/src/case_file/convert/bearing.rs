@@ -11,7 +11,7 @@ use crate::case_file::unit::Unit::{Micrometre, Millimetre};
 use crate::case_file::unit::{Side, decimal, round};
 
 /// Damping of the inner ring's translation that the paper's bearing needs to settle, N s/m.
-const DRAG_N_S_M: f64 = 2000.0;
+const INNER_RING_DAMPING_N_S_M: f64 = 2000.0;
 
 /// Outer radius of the outer ring at most, and half its width, over the radius of its groove.
 const OUTER_RADII_MAX: f64 = 10.0;
@@ -34,13 +34,16 @@ impl Converter<'_> {
     }
 
     /// Damping of the inner ring's translation, N s/m: as given, or what is usual.
-    fn drag_n_s_m(&self) -> f64 {
+    fn inner_ring_damping_n_s_m(&self) -> f64 {
         let usual = if self.document.rotor.is_some() {
             0.0
         } else {
-            DRAG_N_S_M
+            INNER_RING_DAMPING_N_S_M
         };
-        self.document.bearing.inner_ring_drag_n_s_m.unwrap_or(usual)
+        self.document
+            .bearing
+            .inner_ring_damping_n_s_m
+            .unwrap_or(usual)
     }
 
     /// Gives the inner ring its bore, if it is to catch a rotor.
@@ -133,7 +136,10 @@ impl Converter<'_> {
                 b.outer_conformity,
             )?,
             inner_ring_mass_kg: 0.0,
-            inner_ring_drag_n_s_m: need("inner_ring_drag_n_s_m", Some(self.drag_n_s_m()))?,
+            inner_ring_damping_n_s_m: need(
+                "inner_ring_damping_n_s_m",
+                Some(self.inner_ring_damping_n_s_m()),
+            )?,
         };
         let assumptions = b.assumptions(&dimensions);
         let assumed = |name: &str| {
@@ -175,7 +181,7 @@ impl Converter<'_> {
                 let path = join("bearing", other);
                 let value = self.places.written(&path).unwrap_or_default();
                 let message = format!(
-                    "{path} = {value} is not possible beside bearing.{one}: both say the same, \
+                    "{path} = {value} is not possible with bearing.{one}: both say the same, \
                      give one of them"
                 );
                 return Err(self.places.error(&path, message));

@@ -41,7 +41,7 @@ impl Converter<'_> {
             let value = match (preset, given[k]) {
                 (Some(preset), Some(value)) if value != preset.numbers()[k] => {
                     let allowed = format!(
-                        "left out beside {section}.preset = \"{}\", which has {}",
+                        "left out with {section}.preset = \"{}\", which has {}",
                         preset.name(),
                         preset.numbers()[k]
                     );

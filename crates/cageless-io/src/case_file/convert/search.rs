@@ -56,24 +56,28 @@ impl Converter<'_> {
             .unwrap_or([request.placements[0][0]; 2]);
         self.whole("raceways_max", search.raceways_max as u64)?;
         request.placements = placements(centres, search.raceways_max);
-        let spread = search.spread_min;
+        let spread = search.critical_gap_min_fraction;
         if !(spread > 0.0 && spread < 1.0) {
             let allowed = "more than 0 and less than 1";
-            return Err(self.refuse("search.spread_min", &spread.to_string(), allowed));
+            return Err(self.refuse(
+                "search.critical_gap_min_fraction",
+                &spread.to_string(),
+                allowed,
+            ));
         }
-        request.spread_min = spread;
-        self.whole("starts", search.starts)?;
-        request.starts = search.starts;
+        request.critical_gap_min_fraction = spread;
+        self.whole("initial_states", search.initial_states)?;
+        request.starts = search.initial_states;
         let least = request.points.len() as u64 * request.starts;
-        if (search.budget as u64) < least {
+        if (search.runs_max as u64) < least {
             let allowed = format!(
                 "{least} or more: one structure at {} operating points from {} starts",
                 request.points.len(),
                 request.starts
             );
-            return Err(self.refuse("search.budget", &search.budget.to_string(), &allowed));
+            return Err(self.refuse("search.runs_max", &search.runs_max.to_string(), &allowed));
         }
-        request.budget = search.budget;
+        request.budget = search.runs_max;
         let further = search.map_speed_rpm.as_deref().unwrap_or_default();
         if further.len() > MAPS_MAX || further.iter().any(|v| !(v.is_finite() && *v > 0.0)) {
             let allowed = format!("a list of at most {MAPS_MAX} speeds in rpm, each more than 0");

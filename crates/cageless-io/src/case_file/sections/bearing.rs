@@ -61,7 +61,7 @@ section! {
         inner_ring_mass_kg => inner_ring_mass_kg: Option<f64> = Derived, Si("kg"),
             "mass of the inner ring and attached rotating parts; that of a steel ring with shoulders of 0.2 Dw, 0.3 Dw thick below its groove and 1.6 Dw wide unless given",
             Shown("0.2", "inner ring and attached rotating parts");
-        inner_ring_drag_n_s_m => inner_ring_drag_n_s_m: Option<f64> = Derived, Si("N s/m"),
+        inner_ring_damping_n_s_m formerly inner_ring_drag_n_s_m => inner_ring_damping_n_s_m: Option<f64> = Derived, Si("N s/m"),
             "C of Zhao 2022, Eq. (14), viscous damping of inner-ring translation; 2000 unless given, 0 under a [rotor]",
             Shown("2000.0", "viscous damping of inner-ring translation (not drag\n\
                 torque), usually 0 to 1e4");
@@ -138,8 +138,8 @@ impl BearingDocument {
 
     /// Fills in what is estimated.
     pub(in crate::case_file) fn fill_in(&mut self, bearing: &Bearing) {
-        let drag = bearing.dimensions().inner_ring_drag_n_s_m;
-        self.inner_ring_drag_n_s_m.get_or_insert(drag);
+        let damping = bearing.dimensions().inner_ring_damping_n_s_m;
+        self.inner_ring_damping_n_s_m.get_or_insert(damping);
         self.assembly.get_or_insert(bearing.assembly());
         for Assumption { key, value, .. } in self.assumptions(bearing.dimensions()) {
             match key.as_str() {

@@ -20,7 +20,7 @@ section! {
             "μ", Shown("0.007", "μ (paper)");
         friction_law => friction_law: FrictionLaw = Default(FrictionLaw::Smooth), Plain,
             "friction against sliding speed",
-            Shown("\"smooth\"", "\"smooth\", μ tanh(ΔV/slip_scale), \"coulomb\", \"stribeck\"\n\
+            Shown("\"smooth\"", "\"smooth\", μ tanh(ΔV/regularisation_speed_m_s), \"coulomb\", \"stribeck\"\n\
                 (with static_friction_coefficient, at least μ, and\n\
                 stribeck_speed_m_s: μ + (μs − μ) exp(−|ΔV|/speed)) or \"table\"\n\
                 (with friction_table = [[ΔV in m/s, μ], …])");
@@ -31,29 +31,29 @@ section! {
         friction_table => friction_table: Option<FrictionTable> = Optional, Plain,
             "measured μ over the sliding speed, of friction_law = \"table\"; friction_coefficient is its last μ, also if it is left out",
             Absent;
-        slip_scale_m_s => slip_scale_m_s: f64 = Default(0.02), Si("m/s"),
-            "sliding speed at the knee of all laws but \"coulomb\"",
-            Shown("0.02", "sliding speed at the knee of the smooth law, usually 0.005\n\
-                to 0.1; \"coulomb\" does not use it");
+        regularisation_speed_m_s formerly slip_scale_m_s => regularisation_speed_m_s: f64 = Default(0.02), Si("m/s"),
+            "regularisation speed v_s: friction reaches 76 % of μ N at ΔV = v_s; \"coulomb\" does not use it",
+            Shown("0.02", "regularisation speed v_s, usually 0.005 to 0.1: friction\n\
+                reaches 76 % of μ N at ΔV = v_s; \"coulomb\" does not use it");
         outer_friction_factor => outer_friction_factor: f64 = Default(1.0), Plain,
             "friction at the outer raceway over that of the law, which holds at the inner raceway",
             Commented("1.0", "outer raceway over μ");
         ball_friction_factor => ball_friction_factor: f64 = Default(1.0), Plain,
             "friction between balls over that of the law",
             Commented("1.0", "ball against ball over μ");
-        damping => damping_n_s_m1_5: f64 = Default(2.0e5), Si("N s/m^1.5"),
+        damping_n_s_m1_5 formerly damping => damping_n_s_m1_5: f64 = Default(2.0e5), Si("N s/m^1.5"),
             "contact damping c of ball-raceway contacts, F = K δ^1.5 + c √δ dδ/dt",
             Shown("2.0e5", "contact damping c of ball-raceway contacts, N s/m^1.5,\n\
                 F = K δ^1.5 + c √δ dδ/dt, usually 1e5 to 5e5");
         ball_restitution => ball_restitution: f64 = Default(0.95), Plain,
             "coefficient of restitution between balls",
             Commented("0.95", "ball against ball, above 0 to 1 (no loss)");
-        inner_stiffness => inner_stiffness_n_m1_5: Option<f64> = Derived, HERTZ,
+        inner_stiffness_n_m1_5 formerly inner_stiffness => inner_stiffness_n_m1_5: Option<f64> = Derived, HERTZ,
             "K at the inner raceway, in place of Hertz",
             Commented("2.8e10", "K in N/m^1.5, in place of what Hertz gives");
-        outer_stiffness => outer_stiffness_n_m1_5: Option<f64> = Derived, HERTZ,
+        outer_stiffness_n_m1_5 formerly outer_stiffness => outer_stiffness_n_m1_5: Option<f64> = Derived, HERTZ,
             "K at the outer raceway, in place of Hertz", Commented("2.9e10", "");
-        ball_stiffness => ball_stiffness_n_m1_5: Option<f64> = Derived, HERTZ,
+        ball_stiffness_n_m1_5 formerly ball_stiffness => ball_stiffness_n_m1_5: Option<f64> = Derived, HERTZ,
             "K between balls, in place of Hertz", Commented("7.4e9", "");
     }
 }

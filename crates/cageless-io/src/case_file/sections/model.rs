@@ -10,8 +10,8 @@ use crate::case_file::unit::Unit::None as Plain;
 section! {
     /// `[model]`: the set of equations.
     ModelDocument {
-        profile => profile: Profile = Default(Profile::Physical), Plain,
-            "the set of equations",
+        formulation formerly profile => profile: Profile = Default(Profile::Physical), Plain,
+            "formulation of the equations of motion",
             Shown("\"physical\"", "\"physical\": consistent mechanics;\n\
                 \"paper\": the equations as published");
     }

@@ -12,13 +12,13 @@ section! {
     /// `[rotor]`: a rotor that loses its magnetic bearing and falls onto the inner ring.
     RotorDocument => Rotor {
         mass_kg => mass_kg: f64 = Required, Si("kg"),
-            "m, the part of the rotor that this bearing catches", Shown("20.0", "per bearing");
+            "m, share of the rotor mass that this bearing carries", Shown("20.0", "per bearing");
         polar_inertia_kg_m2 => polar_inertia_kg_m2: f64 = Required, Si("kg m^2"),
             "Ip of the rotor about its axis", Shown("0.02", "about its axis");
         speed_rpm => speed_rad_s: f64 = Required, RevolutionPerMinute,
-            "speed of the rotor when the magnets let go", Shown("30000.0", "counter-clockwise; negative: clockwise");
-        air_gap_um => air_gap_m: f64 = Required, Micrometre,
-            "r0, radial air gap between journal and bore of the inner ring", Shown("200.0", "radial");
+            "rotor speed at the start of the drop (loss of AMB power)", Shown("30000.0", "counter-clockwise; negative: clockwise");
+        radial_clearance_um formerly air_gap_um => radial_clearance_m: f64 = Required, Micrometre,
+            "r0, touch-down clearance: radial clearance between journal and bore of the inner ring", Shown("200.0", "radial");
         eccentricity_um => eccentricity_m: f64 = Default(0.0), Micrometre,
             "distance of the mass centre from the centre of the journal", Shown("0.0", "of the mass centre");
         eccentricity_phase_deg => eccentricity_phase_rad: f64 = Default(0.0), Degree,
@@ -34,22 +34,22 @@ section! {
         friction_table => friction_table: Option<FrictionTable> = Optional, Plain,
             "measured μr over the sliding speed, of friction_law = \"table\"; friction_coefficient is its last μr",
             Absent;
-        slip_scale_m_s => slip_scale_m_s: f64 = Default(0.05), Si("m/s"),
-            "sliding speed at the knee of all laws but \"coulomb\"", Shown("0.05", "");
-        contact_stiffness => contact_stiffness: f64 = Required, Si("N/m^p"),
+        regularisation_speed_m_s formerly slip_scale_m_s => regularisation_speed_m_s: f64 = Default(0.05), Si("m/s"),
+            "regularisation speed v_s: friction reaches 76 % of μr N at ΔV = v_s; \"coulomb\" does not use it", Shown("0.05", "");
+        contact_stiffness_n_mp formerly contact_stiffness => contact_stiffness_n_mp: f64 = Required, Si("N/m^p"),
             "K of journal and bore, F = K δ^p (1 + 1.5 α dδ/dt)", Shown("1.0e9", "K in N/m^p");
         contact_exponent => contact_exponent: f64 = Default(1.0), Plain,
             "p, 1 (conformal) to 1.5 (Hertz)", Shown("1.0", "p, 1 (conformal) to 1.5 (Hertz)");
         contact_damping_s_m => contact_damping_s_m: f64 = Required, Si("s/m"),
             "α, damping of the contact of journal and bore", Shown("0.3", "α");
         x_um => x_m: f64 = Default(0.0), Micrometre,
-            "mass centre when the magnets let go", Shown("0.0", "mass centre when the magnets let go");
+            "mass centre at the start of the drop", Shown("0.0", "mass centre at the start of the drop");
         y_um => y_m: f64 = Default(0.0), Micrometre,
-            "mass centre when the magnets let go", Shown("0.0", "");
+            "mass centre at the start of the drop", Shown("0.0", "");
         vx_m_s => vx_m_s: f64 = Default(0.0), Si("m/s"),
-            "velocity of the mass centre when the magnets let go", Shown("0.0", "");
+            "velocity of the mass centre at the start of the drop", Shown("0.0", "");
         vy_m_s => vy_m_s: f64 = Default(0.0), Si("m/s"),
-            "velocity of the mass centre when the magnets let go", Shown("0.0", "");
+            "velocity of the mass centre at the start of the drop", Shown("0.0", "");
         drive_torque_n_m => drive_torque_n_m: f64 = Default(0.0), Si("N m"),
             "torque on the rotor, drag if against the speed", Shown("0.0", "");
         clearance_limit_um => clearance_limit_m: Option<f64> = Optional, Micrometre,

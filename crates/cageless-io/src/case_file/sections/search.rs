@@ -30,13 +30,13 @@ section! {
             Commented("[-90.0, 90.0]", "places of the raceway; left out: its own");
         raceways_max: usize = Default(1), Whole(1, Some(4)),
             "number of raceways at most", Commented("1", "1 to 4");
-        spread_min: f64 = Default(cageless::design::search::SPREAD_MIN), Plain,
-            "least separation, fraction of the mean ball spacing",
-            Commented("0.8", "least separation, fraction of the mean ball spacing");
-        starts: u64 = Default(2), Whole(1, Some(64)),
+        critical_gap_min_fraction formerly spread_min: f64 = Default(cageless::design::search::CRITICAL_GAP_MIN_FRACTION), Plain,
+            "smallest accepted critical gap, as a fraction of the steady-state gap",
+            Commented("0.8", "smallest accepted critical gap, as a fraction of the steady-state gap");
+        initial_states formerly starts: u64 = Default(2), Whole(1, Some(64)),
             "unevenly spaced starts per design",
             Commented("2", "unevenly spaced starts per design, 1 to 64");
-        budget: usize = Default(cageless::design::search::BUDGET), Whole(1, None),
+        runs_max formerly budget: usize = Default(cageless::design::search::BUDGET), Whole(1, None),
             "largest number of simulations", Commented("200", "largest number of simulations");
         map_speed_rpm: Option<Vec<f64>> = Optional, RevolutionPerMinute,
             "further speeds to draw maps at",

@@ -13,7 +13,7 @@ section! {
     SolverDocument {
         method => method: IntegrationMethod = Default(IntegrationMethod::VelocityVerlet), Plain,
             "integration method",
-            Commented("\"symplectic\"", "\"abm4\": the paper's; \"adaptive\": for references");
+            Commented("\"verlet\"", "\"abm4\": the paper's; \"adaptive\": for references");
         step_us => step_s: StepDocument = Default(StepDocument::Auto), Microsecond,
             "step of the integration, from the stiffest contact unless it is a number",
             Commented("\"auto\"", "from the stiffest contact, or a number");

@@ -19,13 +19,13 @@ const VERDICTS: [(&str, &str, &str); 10] = [
         "#56b4e9",
         "collision at even spacing",
     ),
-    ("double-collision", "#f0e442", "hit from both sides"),
-    ("stress", "#cc79a7", "contact stress"),
+    ("double-collision", "#f0e442", "double collision"),
+    ("stress", "#cc79a7", "contact pressure"),
     ("gross-sliding", "#7f3b08", "gross-sliding"),
     (
         "gap-not-retained",
         "#999999",
-        "separation lost before load zone",
+        "gap lost before the load zone",
     ),
     ("failed", "#444444", "run failed"),
     ("eq-9", "#ffffff", ""),
@@ -293,13 +293,13 @@ pub fn verdicts(search: &SearchData) -> Figure {
         label: "Design map, verdicts".to_owned(),
         caption: format!(
             "Feasible designs and reasons for exclusion: too shallow to spread \
-                  the balls, sliding balls, a critical gap above the steady gap, or balls that are \
-                  hit from both sides on their way through. Blank: excluded by Eq. (8) or (9), or \
+                  the balls, sliding balls, a critical gap above the steady gap, or double \
+                  collisions. Blank: excluded by Eq. (8) or (9), or \
                   raceways that overlap. Cells have the verdict of their middle; circles are structures that \
                   were tried, each at its own place, with all requirements at all operating \
                   points.{} Double-click to see all spans.",
             if slips {
-                " Slip takes over from the right, where raceways are short and deep, and reaches \
+                " Sliding takes over from the right, where raceways are short and deep, and reaches \
                  further at higher speed."
             } else {
                 ""
@@ -354,8 +354,8 @@ pub fn critical_gaps(search: &SearchData) -> Figure {
                     cells,
                     json!({
                         "type": "contour", "showscale": false, "hoverinfo": "skip", "showlegend": false,
-                        "contours": { "coloring": "none", "start": search.spread_min, "end": 1.0,
-                                      "size": number(1.0 - search.spread_min), "showlabels": true,
+                        "contours": { "coloring": "none", "start": search.critical_gap_min_fraction, "end": 1.0,
+                                      "size": number(1.0 - search.critical_gap_min_fraction), "showlabels": true,
                                       "labelfont": { "size": 10, "color": "#fff" }, "labelformat": ".0%" },
                         "line": { "color": "#fff", "width": 1.6 },
                     }),
@@ -370,7 +370,7 @@ pub fn critical_gaps(search: &SearchData) -> Figure {
         caption: format!(
             "Critical gap over steady gap (colour, cut off at 150 %). White lines: {:.0} % and \
              100 %, between which a raceway spreads the balls and leaves room in steady flow.",
-            100.0 * search.spread_min
+            100.0 * search.critical_gap_min_fraction
         ),
         provenance: search.provenance.clone(),
         plot,

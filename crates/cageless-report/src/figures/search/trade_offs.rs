@@ -27,7 +27,7 @@ const PAIRS: [[Quantity; 2]; 4] = [
         ("Spacing scatter on arrival (% of steady gap)", |n| {
             Some(100.0 * n.motion?.spacing_scatter)
         }),
-        ("Collisions in steady state (per ball and turn)", |n| {
+        ("Collisions in steady state (per ball and orbit)", |n| {
             Some(n.motion?.collisions_late)
         }),
     ],
@@ -38,11 +38,11 @@ const PAIRS: [[Quantity; 2]; 4] = [
         ("Friction loss (W)", |n| Some(n.motion?.friction_w)),
     ],
     [
-        ("Separation reserve (°)", |n| n.margin_deg),
-        ("Slip (m/s)", |n| Some(n.motion?.slip_m_s)),
+        ("Gap reserve (°)", |n| n.margin_deg),
+        ("Sliding speed (m/s)", |n| Some(n.motion?.sliding_m_s)),
     ],
     [
-        ("Contact pressure (GPa)", |n| n.stress_gpa),
+        ("Contact pressure (MPa)", |n| n.pressure_mpa),
         ("Vibration (N)", |n| Some(n.motion?.force_deviation_n)),
     ],
 ];

@@ -43,7 +43,7 @@ fn found() -> (CaseFile, Found) {
         inner_speed_rad_s: 1000.0,
         radial_load_n: 70.0,
     });
-    (request.starts, request.spread_min) = (3, 0.7);
+    (request.starts, request.critical_gap_min_fraction) = (3, 0.7);
     let mut rejected = evaluation(3.0, None);
     rejected.placement = 1;
     rejected.rejection = Some(Rejection {
@@ -103,7 +103,7 @@ fn assert_motion(found: &MotionNumbers, m: &Motion, steady_rad: f64) {
         found.gap_min_deg,
         m.gap_min_rad * 180.0 / std::f64::consts::PI,
     );
-    close(found.slip_m_s, m.slip_m_s);
+    close(found.sliding_m_s, m.sliding_m_s);
     close(found.speed_drop_fraction, m.speed_drop_fraction);
     close(found.force_deviation_n, m.force_deviation_n);
     close(found.friction_w, m.friction_w);
@@ -124,7 +124,7 @@ fn assert_structure(found: &StructureData, number: f64) {
             degrees(0.02 + 1e-3 * number - part),
         );
         close(point.slip_shortfall.unwrap(), 0.01 + 2.0 * part);
-        close(point.stress_gpa.unwrap(), 1.0 + 1e3 * part);
+        close(point.pressure_mpa.unwrap(), 1e3 + 1e6 * part);
     }
 }
 
@@ -133,7 +133,7 @@ fn structures_have_every_number_in_its_unit() {
     let (file, found) = found();
     let data = search_data(&file, &found, vec![]).unwrap();
     assert_eq!(
-        (data.starts, data.spread_min, data.seed),
+        (data.starts, data.critical_gap_min_fraction, data.seed),
         (3, 0.7, file.case().seed)
     );
     let point = data.points[1];

@@ -111,10 +111,10 @@ pub fn analyse(path: &Path, goals: &[Goal]) -> Result<SweepData, SweepError> {
         plan: parameters(&identity.plan),
         provenance: Provenance {
             case: title.unwrap_or_else(|| path.display().to_string()),
-            profile: Some(match table.column("model_profile") {
+            profile: Some(match table.column("model_formulation") {
                 Some(_) => "varies".to_owned(),
-                None => (setting("case.model.profile"))
-                    .or_else(|| setting("case.bearing.1.case.model.profile"))
+                None => (setting("case.model.formulation"))
+                    .or_else(|| setting("case.bearing.1.case.model.formulation"))
                     .unwrap_or_default(),
             }),
             discarded: match table.column("run_settled_after_s") {
@@ -133,7 +133,7 @@ const BOOKKEEPING: [&str; 6] = [
     "verdict_passages",
     "run_settled_after_s",
     "run_energy_residual_relative",
-    "run_end_s",
+    "run_simulated_s",
     "run_steps",
     "run_rhs_evaluations",
 ];

@@ -29,7 +29,8 @@ fn rounding(unit: &str, low: f64, high: f64) -> f64 {
         "deg" => 360.0,
         // The speed of a raceway.
         "m/s" => 10.0,
-        "N" | "GPa" | "s" | "" => 1.0,
+        "MPa" => 1e3,
+        "N" | "s" | "" => 1.0,
         _ => 0.0,
     };
     ROUNDING * scale.max(low.abs()).max(high.abs())

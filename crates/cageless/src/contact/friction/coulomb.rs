@@ -30,9 +30,9 @@ impl Law for Coulomb {
 
     /// g·ΔV bounded by ±μN, the cone with the relaxed stick of [`crate::dynamics::Model`].
     #[inline(always)]
-    fn force(&self, slip_m_s: f64, normal_n: f64) -> [f64; 2] {
+    fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2] {
         let largest = self.coefficient * normal_n;
-        let wanted = self.stick_gain * slip_m_s;
+        let wanted = self.stick_gain * sliding_m_s;
         let bounded = if wanted > largest { largest } else { wanted };
         let force = if bounded < -largest {
             -largest

@@ -9,7 +9,7 @@ pub struct FrictionParameters<'a> {
     /// μ; of the Stribeck law that of fast sliding.
     pub coefficient: f64,
     /// Sliding speed at the knee, m/s.
-    pub slip_scale_m_s: f64,
+    pub regularisation_speed_m_s: f64,
     /// μs, at least μ.
     pub static_coefficient: Option<f64>,
     /// v of the Stribeck law, m/s.
@@ -27,7 +27,7 @@ pub trait Law: Copy {
 
     /// Friction force along −ΔV under the normal force `normal_n`, N, and its slope over ΔV,
     /// N·s/m.
-    fn force(&self, slip_m_s: f64, normal_n: f64) -> [f64; 2];
+    fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2];
 
     /// [`Self::force`] of two contacts; to rounding the same.
     #[inline(always)]
@@ -42,14 +42,14 @@ pub trait Law: Copy {
     fn coefficient(&self) -> f64;
 
     /// 1/ΔV at which the force has its knee, s/m; of laws that do not stick.
-    fn inverse_slip_scale(&self) -> f64 {
+    fn inverse_regularisation_speed(&self) -> f64 {
         f64::INFINITY
     }
 
     /// A function of the sliding speed, m/s, that is zero where the force is not smooth over it; of
     /// laws of which that is so.
     #[inline(always)]
-    fn edge(&self, _slip_m_s: f64) -> Option<f64> {
+    fn edge(&self, _sliding_m_s: f64) -> Option<f64> {
         None
     }
 
@@ -104,8 +104,8 @@ macro_rules! knee {
         }
 
         #[inline(always)]
-        fn inverse_slip_scale(&self) -> f64 {
-            self.inverse_slip_scale
+        fn inverse_regularisation_speed(&self) -> f64 {
+            self.inverse_regularisation_speed
         }
     };
 }
@@ -119,7 +119,7 @@ macro_rules! has_friction {
             pub fn friction(&self) -> $crate::contact::FrictionParameters<'_> {
                 $crate::contact::FrictionParameters {
                     coefficient: self.friction_coefficient,
-                    slip_scale_m_s: self.slip_scale_m_s,
+                    regularisation_speed_m_s: self.regularisation_speed_m_s,
                     static_coefficient: self.static_friction_coefficient,
                     stribeck_speed_m_s: self.stribeck_speed_m_s,
                     table: self.friction_table.as_ref(),

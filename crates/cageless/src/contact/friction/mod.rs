@@ -5,7 +5,7 @@
 //!
 //! let law = Smooth {
 //!     coefficient: 0.1,
-//!     inverse_slip_scale: 1.0 / 0.02,
+//!     inverse_regularisation_speed: 1.0 / 0.02,
 //! };
 //! let [sliding_n, _] = law.force(1.0, 500.0);
 //! assert_eq!(sliding_n, 50.0); // μ·N far from rolling
@@ -121,14 +121,14 @@ macro_rules! friction_laws {
 
             /// [`Law::force`].
             #[inline(always)]
-            pub fn force(&self, slip_m_s: f64, normal_n: f64) -> [f64; 2] {
-                match self { $(Self::$law(law) => law.force(slip_m_s, normal_n),)* }
+            pub fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2] {
+                match self { $(Self::$law(law) => law.force(sliding_m_s, normal_n),)* }
             }
 
             /// [`Law::edge`].
             #[inline(always)]
-            pub fn edge(&self, slip_m_s: f64) -> Option<f64> {
-                match self { $(Self::$law(law) => law.edge(slip_m_s),)* }
+            pub fn edge(&self, sliding_m_s: f64) -> Option<f64> {
+                match self { $(Self::$law(law) => law.edge(sliding_m_s),)* }
             }
 
             /// [`Law::STICKS`].
@@ -143,10 +143,10 @@ macro_rules! friction_laws {
                 match self { $(Self::$law(law) => law.coefficient(),)* }
             }
 
-            /// [`Law::inverse_slip_scale`].
+            /// [`Law::inverse_regularisation_speed`].
             #[inline(always)]
-            pub fn inverse_slip_scale(&self) -> f64 {
-                match self { $(Self::$law(law) => law.inverse_slip_scale(),)* }
+            pub fn inverse_regularisation_speed(&self) -> f64 {
+                match self { $(Self::$law(law) => law.inverse_regularisation_speed(),)* }
             }
         }
 
@@ -181,7 +181,7 @@ friction_laws! {
     /// μ·tanh(ΔV/scale)·N.
     smooth: Smooth per lane SmoothLanes,
     /// μ·sign(ΔV)·N while sliding, whatever holds within the cone while rolling: exact in
-    /// `symplectic`; relaxed over a few steps in the explicit methods, whose results are of
+    /// `verlet`; relaxed over a few steps in the explicit methods, whose results are of
     /// order one in `step_s`.
     coulomb: Coulomb per lane CoulombLanes,
     /// (μ + (μs − μ)·exp(−|ΔV|/v))·tanh(ΔV/scale)·N: friction that drops from static to
@@ -201,7 +201,7 @@ mod tests {
         let table = FrictionTable::new(vec![[0.01, 0.3], [0.2, 0.2], [0.9, 0.1]]).unwrap();
         let measured = FrictionParameters {
             coefficient: 0.1,
-            slip_scale_m_s: 0.02,
+            regularisation_speed_m_s: 0.02,
             static_coefficient: None,
             stribeck_speed_m_s: None,
             table: Some(&table),
@@ -210,13 +210,13 @@ mod tests {
             Friction::new(FrictionLaw::Table, &measured, 0.0),
             Friction::Smooth(Smooth {
                 coefficient: 0.1,
-                inverse_slip_scale: 50.0,
+                inverse_regularisation_speed: 50.0,
             }),
             Friction::Stribeck(Stribeck {
                 coefficient: 0.1,
                 static_excess: 0.2,
                 inverse_stribeck_speed: 10.0,
-                inverse_slip_scale: 50.0,
+                inverse_regularisation_speed: 50.0,
             }),
         ] {
             for slip in [-1.0, -0.3, -0.02, 1e-3, 0.05, 0.7] {

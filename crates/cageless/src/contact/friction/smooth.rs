@@ -10,7 +10,7 @@ law_struct! {
         /// μ.
         coefficient,
         /// 1/scale, s/m.
-        inverse_slip_scale,
+        inverse_regularisation_speed,
     }
 }
 
@@ -19,7 +19,7 @@ impl Smooth {
     #[inline(always)]
     fn at_knee(&self, knee: f64, normal_n: f64) -> [f64; 2] {
         let largest = self.coefficient * normal_n;
-        let slope = largest * (1.0 - knee * knee) * self.inverse_slip_scale;
+        let slope = largest * (1.0 - knee * knee) * self.inverse_regularisation_speed;
         [largest * knee, slope]
     }
 }
@@ -28,14 +28,14 @@ impl Law for Smooth {
     /// μ·tanh(ΔV/scale)·N along −ΔV, N, in place of the step of Zhao 2022, Eq. (20) and Eq. (21),
     /// and its slope over ΔV, N·s/m.
     #[inline(always)]
-    fn force(&self, slip_m_s: f64, normal_n: f64) -> [f64; 2] {
-        self.at_knee(tanh(slip_m_s * self.inverse_slip_scale), normal_n)
+    fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2] {
+        self.at_knee(tanh(sliding_m_s * self.inverse_regularisation_speed), normal_n)
     }
 
     #[inline(always)]
     fn forces(&self, slips_m_s: [f64; 2], normals_n: [f64; 2]) -> [[f64; 2]; 2] {
         let [s, t] = slips_m_s;
-        let [outer, inner] = tanh_pair([s * self.inverse_slip_scale, t * self.inverse_slip_scale]);
+        let [outer, inner] = tanh_pair([s * self.inverse_regularisation_speed, t * self.inverse_regularisation_speed]);
         [
             self.at_knee(outer, normals_n[0]),
             self.at_knee(inner, normals_n[1]),
@@ -51,11 +51,11 @@ impl LawConstants for Smooth {
     fn new(parameters: &FrictionParameters<'_>, _stick_gain_n_s_m: f64) -> Self {
         Self {
             coefficient: parameters.coefficient,
-            inverse_slip_scale: 1.0 / parameters.slip_scale_m_s,
+            inverse_regularisation_speed: 1.0 / parameters.regularisation_speed_m_s,
         }
     }
 
     fn describe(parameters: &FrictionParameters<'_>) -> String {
-        format!("smooth, tanh(ΔV/{} m/s)", parameters.slip_scale_m_s)
+        format!("smooth, tanh(ΔV/{} m/s)", parameters.regularisation_speed_m_s)
     }
 }

@@ -14,26 +14,26 @@ law_struct! {
         /// 1/v, s/m.
         inverse_stribeck_speed,
         /// 1/scale, s/m.
-        inverse_slip_scale,
+        inverse_regularisation_speed,
     }
 }
 
 impl Law for Stribeck {
     #[inline(always)]
-    fn force(&self, slip_m_s: f64, normal_n: f64) -> [f64; 2] {
+    fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2] {
         let largest = self.coefficient * normal_n;
-        let knee = tanh(slip_m_s * self.inverse_slip_scale);
-        let decay = exp_negative((-slip_m_s.abs() * self.inverse_stribeck_speed).max(-80.0));
+        let knee = tanh(sliding_m_s * self.inverse_regularisation_speed);
+        let decay = exp_negative((-sliding_m_s.abs() * self.inverse_stribeck_speed).max(-80.0));
         let excess = self.static_excess * decay * normal_n;
-        let slope = (largest + excess) * (1.0 - knee * knee) * self.inverse_slip_scale
+        let slope = (largest + excess) * (1.0 - knee * knee) * self.inverse_regularisation_speed
             - excess * self.inverse_stribeck_speed * knee.abs();
         [(largest + excess) * knee, slope]
     }
 
     /// Zero sliding, from which μ falls to both sides.
     #[inline(always)]
-    fn edge(&self, slip_m_s: f64) -> Option<f64> {
-        Some(slip_m_s)
+    fn edge(&self, sliding_m_s: f64) -> Option<f64> {
+        Some(sliding_m_s)
     }
 
     knee!();
@@ -47,7 +47,7 @@ impl LawConstants for Stribeck {
             coefficient: parameters.coefficient,
             static_excess: Self::coefficient_max(parameters) - parameters.coefficient,
             inverse_stribeck_speed: parameters.stribeck_speed_m_s.map_or(0.0, |v| 1.0 / v),
-            inverse_slip_scale: 1.0 / parameters.slip_scale_m_s,
+            inverse_regularisation_speed: 1.0 / parameters.regularisation_speed_m_s,
         }
     }
 

@@ -10,15 +10,15 @@ use crate::numerics::lanes::{LANES, Lanes};
 pub struct Table {
     pieces: [Piece; PIECES_MAX],
     coefficient: f64,
-    inverse_slip_scale: f64,
+    inverse_regularisation_speed: f64,
 }
 
 /// Force and slope with the piece of the table that holds ΔV.
 #[inline(always)]
-fn force(piece: &Piece, inverse_slip_scale: f64, slip_m_s: f64, normal_n: f64) -> [f64; 2] {
-    let [mu, mu_slope] = piece.coefficient(slip_m_s.abs());
-    let knee = tanh(slip_m_s * inverse_slip_scale);
-    let slope = mu * (1.0 - knee * knee) * inverse_slip_scale + mu_slope * knee.abs();
+fn force(piece: &Piece, inverse_regularisation_speed: f64, sliding_m_s: f64, normal_n: f64) -> [f64; 2] {
+    let [mu, mu_slope] = piece.coefficient(sliding_m_s.abs());
+    let knee = tanh(sliding_m_s * inverse_regularisation_speed);
+    let slope = mu * (1.0 - knee * knee) * inverse_regularisation_speed + mu_slope * knee.abs();
     [mu * knee * normal_n, slope * normal_n]
 }
 
@@ -36,15 +36,15 @@ fn edge(starts: impl Iterator<Item = f64>, speed: f64) -> f64 {
 
 impl Law for Table {
     #[inline(always)]
-    fn force(&self, slip_m_s: f64, normal_n: f64) -> [f64; 2] {
-        let speed = slip_m_s.abs();
+    fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2] {
+        let speed = sliding_m_s.abs();
         let piece = self.pieces.iter().rfind(|p| speed >= p.start);
         let piece = piece.unwrap_or(&self.pieces[0]);
-        force(piece, self.inverse_slip_scale, slip_m_s, normal_n)
+        force(piece, self.inverse_regularisation_speed, sliding_m_s, normal_n)
     }
 
-    fn edge(&self, slip_m_s: f64) -> Option<f64> {
-        Some(edge(self.pieces.iter().map(|p| p.start), slip_m_s.abs()))
+    fn edge(&self, sliding_m_s: f64) -> Option<f64> {
+        Some(edge(self.pieces.iter().map(|p| p.start), sliding_m_s.abs()))
     }
 
     knee!();
@@ -60,7 +60,7 @@ impl LawConstants for Table {
         Self {
             pieces: parameters.table.map_or(pieces, FrictionTable::pieces),
             coefficient: parameters.coefficient,
-            inverse_slip_scale: 1.0 / parameters.slip_scale_m_s,
+            inverse_regularisation_speed: 1.0 / parameters.regularisation_speed_m_s,
         }
     }
 
@@ -89,7 +89,7 @@ pub(crate) struct TableLanes {
     /// As many as the lane with most of them has.
     pieces: Vec<PieceLanes>,
     coefficient: Lanes,
-    inverse_slip_scale: Lanes,
+    inverse_regularisation_speed: Lanes,
 }
 
 /// [`Table`] of one lane. A table is too large to be copied for every contact.
@@ -116,15 +116,15 @@ impl LawLanes for TableLanes {
         Self {
             pieces: pieces.collect(),
             coefficient: all(&|t| t.coefficient),
-            inverse_slip_scale: all(&|t| t.inverse_slip_scale),
+            inverse_regularisation_speed: all(&|t| t.inverse_regularisation_speed),
         }
     }
 }
 
 impl Law for TableLane<'_> {
     #[inline(always)]
-    fn force(&self, slip_m_s: f64, normal_n: f64) -> [f64; 2] {
-        let (pieces, speed) = (&self.table.pieces, slip_m_s.abs());
+    fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2] {
+        let (pieces, speed) = (&self.table.pieces, sliding_m_s.abs());
         let mut at = 0;
         for k in 1..pieces.len() {
             at = if speed >= pieces[k].start.0[self.lane] {
@@ -134,12 +134,12 @@ impl Law for TableLane<'_> {
             };
         }
         let piece = pieces[at].get(self.lane);
-        force(&piece, self.inverse_slip_scale(), slip_m_s, normal_n)
+        force(&piece, self.inverse_regularisation_speed(), sliding_m_s, normal_n)
     }
 
-    fn edge(&self, slip_m_s: f64) -> Option<f64> {
+    fn edge(&self, sliding_m_s: f64) -> Option<f64> {
         let starts = self.table.pieces.iter().map(|p| p.start.0[self.lane]);
-        Some(edge(starts, slip_m_s.abs()))
+        Some(edge(starts, sliding_m_s.abs()))
     }
 
     #[inline(always)]
@@ -148,8 +148,8 @@ impl Law for TableLane<'_> {
     }
 
     #[inline(always)]
-    fn inverse_slip_scale(&self) -> f64 {
-        self.table.inverse_slip_scale.0[self.lane]
+    fn inverse_regularisation_speed(&self) -> f64 {
+        self.table.inverse_regularisation_speed.0[self.lane]
     }
 }
 
@@ -195,7 +195,7 @@ mod tests {
         let (dry, own) = (dry(), |t: &FrictionTable| {
             let parameters = FrictionParameters {
                 coefficient: t.coefficient_fast(),
-                slip_scale_m_s: 0.02,
+                regularisation_speed_m_s: 0.02,
                 static_coefficient: None,
                 stribeck_speed_m_s: None,
                 table: Some(t),

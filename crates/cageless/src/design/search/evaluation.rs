@@ -104,7 +104,7 @@ impl Evaluation {
         let (forms, cause) = match structure.raceways(batch.bearing) {
             Ok(raceways) => {
                 let forms = ClosedForms::new(batch.bearing, &raceways);
-                let cause = Cause::of_closed_forms(&forms, batch.request.spread_min);
+                let cause = Cause::of_closed_forms(&forms, batch.request.critical_gap_min_fraction);
                 (Some(forms), cause)
             }
             Err(error) => (None, Some(Cause::of_geometry(&error))),
@@ -148,7 +148,7 @@ impl Evaluation {
                 m.gap_deviation_rad / forms.steady_gap_rad,
                 m.collisions_late,
                 s.critical_gap_rad / forms.steady_gap_rad,
-                m.slip_m_s,
+                m.sliding_m_s,
                 s.stress_pa,
                 m.force_deviation_n,
                 m.friction_w,
@@ -205,7 +205,7 @@ impl Batch<'_, '_> {
             }
         }
         let outcomes = self.execute(stage, &jobs)?;
-        let spread_min = self.request.spread_min;
+        let critical_gap_min_fraction = self.request.critical_gap_min_fraction;
         for ((k, p), outcome) in places.into_iter().zip(outcomes) {
             let e = &mut evaluations[k];
             match outcome {
@@ -217,7 +217,7 @@ impl Batch<'_, '_> {
         for e in evaluations {
             e.reject(|e, p| {
                 let (forms, spacing) = (e.forms?, e.spacing[p]?);
-                Cause::of_spacing(&forms, &spacing, spread_min)
+                Cause::of_spacing(&forms, &spacing, critical_gap_min_fraction)
             });
         }
         Ok(())
@@ -397,7 +397,7 @@ mod tests {
             m.gap_deviation_rad,
             m.gap_min_rad,
             m.gap_mean_rad,
-            m.slip_m_s,
+            m.sliding_m_s,
             m.speed_drop_fraction,
             m.force_deviation_n,
             m.friction_w,
@@ -429,7 +429,7 @@ mod tests {
     fn objectives_are_the_worst_of_the_points() {
         let spacings = [spacing(0.030, 0.0, 1e9), spacing(0.036, 0.0, 2e9)];
         let mut motions = vec![motion(1.0), motion(2.0)];
-        (motions[0].slip_m_s, motions[0].friction_w) = (17.0, 23.0);
+        (motions[0].sliding_m_s, motions[0].friction_w) = (17.0, 23.0);
         let mut e = evaluation(spacings.to_vec(), motions.clone());
         e.rate();
         let objectives = e.objectives.unwrap();
@@ -437,7 +437,7 @@ mod tests {
             ("spacing_scatter", 10.0 / 0.04),
             ("collisions_late", 4.0),
             ("used_fraction", 0.9),
-            ("slip_m_s", 17.0),
+            ("sliding_m_s", 17.0),
             ("stress_pa", 2e9),
             ("force_deviation_n", 20.0),
             ("friction_w", 23.0),

@@ -177,7 +177,7 @@ fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrup
         }
     }
     let mut outcomes = batch.execute(Stage::Map, &jobs)?.into_iter();
-    let spread_min = batch.request.spread_min;
+    let critical_gap_min_fraction = batch.request.critical_gap_min_fraction;
     for cell in maps.iter_mut().flat_map(|m| &mut m.cells) {
         if cell.cause.is_some() {
             continue;
@@ -185,8 +185,8 @@ fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrup
         cell.cause = match (outcomes.next(), &cell.forms) {
             (Some(Ok(Numbers::PairSeparation(spacing))), Some(forms)) => {
                 cell.spacing = Some(spacing);
-                Cause::of_closed_forms(forms, spread_min)
-                    .or_else(|| Cause::of_spacing(forms, &spacing, spread_min))
+                Cause::of_closed_forms(forms, critical_gap_min_fraction)
+                    .or_else(|| Cause::of_spacing(forms, &spacing, critical_gap_min_fraction))
             }
             (Some(Err(reason)), _) => Some(Cause::Failed(reason)),
             _ => unreachable!("one spacing per job"),
@@ -226,7 +226,7 @@ fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrup
 
 /// Candidates of all placements. Without slip the critical gap is β0, with slip it may fall
 /// short of it by [`SLIP_SHORTFALL`]; so β0 over the steady gap must lie between
-/// [`Request::spread_min`] and 1/(1 − that).
+/// [`Request::critical_gap_min_fraction`] and 1/(1 − that).
 pub(super) fn candidates(batch: &Batch<'_, '_>) -> Vec<Evaluation> {
     let [_, angles] = batch.ranges;
     let mut evaluations = vec![];
@@ -283,7 +283,7 @@ fn line(batch: &Batch<'_, '_>, placement: usize, half_angle_rad: f64) -> Vec<Eva
         .collect();
     // A hair inside, or rounding to micrometres would throw out the first.
     let fractions = [
-        1.005 * batch.request.spread_min,
+        1.005 * batch.request.critical_gap_min_fraction,
         1.0 / (1.0 - SLIP_SHORTFALL),
     ];
     let mut found: Vec<RacewayLayout> = spread(fractions, CANDIDATES[1])

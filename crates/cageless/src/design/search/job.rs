@@ -151,7 +151,7 @@ fn spacing(
     let mut spacing = PairSeparation {
         critical_gap_rad: 0.0,
         shortfall: f64::NEG_INFINITY,
-        stress_pa: peak_stress_pa(&point.case(case, raceways.to_vec()))?.1,
+        stress_pa: peak_pressure_pa(&point.case(case, raceways.to_vec()))?.1,
     };
     for raceway in raceways {
         let beta0 = theoretical_gap_rad(&case.bearing, raceway, Eq11::Published);
@@ -175,7 +175,7 @@ fn spacing(
 ///
 /// # Errors
 /// The case is impossible or has no equilibrium.
-pub fn peak_stress_pa(case: &Case) -> Result<(f64, f64), equilibrium::EquilibriumError> {
+pub fn peak_pressure_pa(case: &Case) -> Result<(f64, f64), equilibrium::EquilibriumError> {
     let pitch = std::f64::consts::TAU / case.bearing.balls() as f64;
     let mut case = case.clone();
     let mut peak = (0.0f64, 0.0f64);
@@ -186,8 +186,8 @@ pub fn peak_stress_pa(case: &Case) -> Result<(f64, f64), equilibrium::Equilibriu
         };
         let e = equilibrium::solve(&case)?;
         peak = (
-            peak.0.max(e.inner_stress_max_pa),
-            peak.1.max(e.outer_stress_max_pa),
+            peak.0.max(e.inner_pressure_max_pa),
+            peak.1.max(e.outer_pressure_max_pa),
         );
     }
     Ok(peak)

@@ -39,7 +39,7 @@ pub use evaluation::{Confirmed, Evaluation, Statistics};
 pub use grid::{MapCell, SpeedMap, map_fraction};
 pub use job::{
     CROWDED_MAX, Interrupted, Job, NEIGHBOURS_WIDER, Numbers, Outcome, PairSeparation, Task,
-    peak_stress_pa, run_jobs,
+    peak_pressure_pa, run_jobs,
 };
 pub use pareto::{ALL_OBJECTIVES, OBJECTIVES, Objective, ObjectiveScale, RESOLUTION, pareto_front};
 pub use perturbed_run::{
@@ -48,7 +48,7 @@ pub use perturbed_run::{
 pub use placement::placements;
 pub use raceway_layout::{ClosedForms, OperatingPoint, RacewayLayout};
 pub use rejection::{Cause, RETAINED_FRACTION, Rejection};
-pub use request::{BUDGET, CONFIRMING_STARTS, Execute, Request, SPREAD_MIN, Stage};
+pub use request::{BUDGET, CONFIRMING_STARTS, CRITICAL_GAP_MIN_FRACTION, Execute, Request, Stage};
 
 use crate::case::Case;
 use crate::contact::hertz::STRESS_LIMIT_PA;
@@ -125,7 +125,9 @@ impl Found {
             e.rejection
                 .as_ref()
                 .filter(|r| r.point.is_some())
-                .map_or(f64::INFINITY, |r| r.cause.excess(self.request.spread_min))
+                .map_or(f64::INFINITY, |r| {
+                    r.cause.excess(self.request.critical_gap_min_fraction)
+                })
         };
         self.evaluations
             .iter()
@@ -239,10 +241,10 @@ fn optimise_from(
 ) -> Result<Option<Evaluation>, Interrupted> {
     let mut interrupted = false;
     let mut seen: Vec<([f64; 2], Evaluation)> = vec![];
-    let spread_min = batch.request.spread_min;
+    let critical_gap_min_fraction = batch.request.critical_gap_min_fraction;
     let value = |e: &Evaluation| local_optimisation::Value {
         objective: distance(e).min(2.0),
-        constraints: e.slack(spread_min),
+        constraints: e.slack(critical_gap_min_fraction),
     };
     let start = value(from);
     let found = local_optimisation::minimise(2.0, start, &mut |[x, y]| {
@@ -291,14 +293,14 @@ fn check_points(case: &Case, request: &Request) -> Result<(), SearchError> {
             point.radial_load_n
         );
         let plain = point.case(case, vec![]);
-        match peak_stress_pa(&plain) {
+        match peak_pressure_pa(&plain) {
             Ok((inner, _)) if inner > STRESS_LIMIT_PA => {
                 return Err(SearchError::Impossible(format!(
-                    "{at} the contact stress at the inner raceway is {:.2} GPa, above the {} GPa \
+                    "{at} the contact pressure at the inner raceway is {:.0} MPa, above the {:.0} MPa \
                      of ISO 76: no raceway in the outer ring changes that, lower the load or the \
                      speed",
-                    inner * 1e-9,
-                    STRESS_LIMIT_PA * 1e-9
+                    inner * 1e-6,
+                    STRESS_LIMIT_PA * 1e-6
                 )));
             }
             Ok(_) => {}
@@ -336,7 +338,7 @@ pub(super) const REQUIREMENTS: usize = 4;
 
 impl Evaluation {
     /// Slip, room in steady flow, spread, double collisions; the worst point of each.
-    fn slack(&self, spread_min: f64) -> [f64; REQUIREMENTS] {
+    fn slack(&self, critical_gap_min_fraction: f64) -> [f64; REQUIREMENTS] {
         let Some(forms) = self.forms else {
             return [-1.0; REQUIREMENTS];
         };
@@ -348,7 +350,7 @@ impl Evaluation {
             let fraction = s.critical_gap_rad / forms.steady_gap_rad;
             slack[0] = slack[0].min(SLIP_SHORTFALL - s.shortfall);
             slack[1] = slack[1].min(1.0 - fraction);
-            slack[2] = slack[2].min(fraction - spread_min);
+            slack[2] = slack[2].min(fraction - critical_gap_min_fraction);
         }
         for motion in self.motion.iter().flatten() {
             slack[3] = slack[3].min(DOUBLE_COLLISION_FRACTION - motion.double_collision_fraction);

@@ -20,19 +20,19 @@ pub const ALL_OBJECTIVES: [Objective; OBJECTIVES] = [
     },
     Objective {
         key: "collisions_late",
-        label: "collisions per ball and turn, in steady state",
+        label: "collisions per ball and orbit, in steady state",
     },
     Objective {
         key: "used_fraction",
         label: "critical over steady gap",
     },
     Objective {
-        key: "slip_m_s",
+        key: "sliding_m_s",
         label: "slip",
     },
     Objective {
         key: "stress_pa",
-        label: "contact stress",
+        label: "contact pressure",
     },
     Objective {
         key: "force_deviation_n",

@@ -50,7 +50,7 @@ macro_rules! motion {
 motion! {
     /// Contacts between balls, per ball and orbit; with one raceway, per passage.
     collisions,
-    /// Collisions per ball and turn in steady state (second half of the run).
+    /// Collisions per ball and orbit in steady state (second half of the run).
     collisions_late,
     /// Impulse between balls, per ball and orbit, N·s.
     impulse_n_s,
@@ -63,7 +63,7 @@ motion! {
     /// Mean gap of a pair on arrival, second half.
     gap_mean_rad,
     /// Largest slip at a loaded contact, mean over the passages of the second half.
-    slip_m_s,
+    sliding_m_s,
     /// Fraction of the theoretical drop of orbital speed that the balls reach, mean over the
     /// passages of the second half, of the raceway with the least.
     speed_drop_fraction,
@@ -233,7 +233,7 @@ fn motion(
         gap_deviation_rad: variance.sqrt(),
         gap_min_rad: arrivals.iter().copied().fold(f64::INFINITY, f64::min),
         gap_mean_rad,
-        slip_m_s: tally.slip_mean_m_s(),
+        sliding_m_s: tally.sliding_mean_m_s(),
         speed_drop_fraction: least_speed_drop_fraction(case, late),
         force_deviation_n: contacts.force_deviation_n(),
         friction_w: friction / case.solver.duration_s,

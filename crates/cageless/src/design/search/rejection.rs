@@ -85,9 +85,9 @@ impl Cause {
     }
 
     /// Excess over the limit, as a fraction; infinite where there is no numerical limit.
-    pub fn excess(&self, spread_min: f64) -> f64 {
+    pub fn excess(&self, critical_gap_min_fraction: f64) -> f64 {
         match self {
-            Self::InsufficientSeparation(fraction) => 1.0 - fraction / spread_min,
+            Self::InsufficientSeparation(fraction) => 1.0 - fraction / critical_gap_min_fraction,
             Self::ExcessiveSeparation(fraction) => fraction - 1.0,
             Self::Slips(shortfall) => shortfall - SLIP_SHORTFALL,
             Self::DoubleCollision(fraction) => fraction - DOUBLE_COLLISION_FRACTION,
@@ -109,22 +109,26 @@ impl Cause {
     }
 
     /// Cause of rejection by geometry alone: without slip the critical gap is β0.
-    pub(super) fn of_closed_forms(forms: &ClosedForms, spread_min: f64) -> Option<Self> {
-        (forms.fraction() < spread_min).then(|| Self::InsufficientSeparation(forms.fraction()))
+    pub(super) fn of_closed_forms(
+        forms: &ClosedForms,
+        critical_gap_min_fraction: f64,
+    ) -> Option<Self> {
+        (forms.fraction() < critical_gap_min_fraction)
+            .then(|| Self::InsufficientSeparation(forms.fraction()))
     }
 
     /// Cause of rejection by critical gap and contact stress.
     pub(super) fn of_spacing(
         forms: &ClosedForms,
         spacing: &PairSeparation,
-        spread_min: f64,
+        critical_gap_min_fraction: f64,
     ) -> Option<Self> {
         let fraction = spacing.critical_gap_rad / forms.steady_gap_rad;
         if spacing.shortfall > SLIP_SHORTFALL {
             Some(Self::Slips(spacing.shortfall))
         } else if fraction > 1.0 {
             Some(Self::ExcessiveSeparation(fraction))
-        } else if fraction < spread_min {
+        } else if fraction < critical_gap_min_fraction {
             Some(Self::InsufficientSeparation(fraction))
         } else if spacing.stress_pa > STRESS_LIMIT_PA {
             Some(Self::Stress(spacing.stress_pa))
@@ -164,17 +168,17 @@ impl std::fmt::Display for Cause {
             Self::Overlap => write!(f, "raceways overlap"),
             Self::InsufficientSeparation(fraction) => write!(
                 f,
-                "separation only {:.1} % of the mean ball spacing: raceway too shallow",
+                "critical gap only {:.1} % of the steady-state gap: raceway too shallow",
                 100.0 * fraction
             ),
             Self::ExcessiveSeparation(fraction) => write!(
                 f,
-                "critical gap {} of the mean ball spacing: raceway too deep, evenly spaced balls collide",
+                "critical gap {} of the steady-state gap: raceway too deep, evenly spaced balls collide",
                 beside(fraction, 1.0)
             ),
             Self::Slips(shortfall) => write!(
                 f,
-                "loss of separation through sliding {} ({:.0} % allowed)",
+                "sliding lowers the critical gap by {} of β0 ({:.0} % allowed)",
                 beside(shortfall, SLIP_SHORTFALL),
                 100.0 * SLIP_SHORTFALL
             ),
@@ -187,22 +191,22 @@ impl std::fmt::Display for Cause {
             ),
             Self::GapNotRetained(fraction) => write!(
                 f,
-                "separation lost before the load zone: balls return with as little as {} of the critical \
+                "gap lost before the load zone: balls return with as little as {} of the critical \
                  gap ({:.0} % required)",
                 beside(fraction, RETAINED_FRACTION),
                 100.0 * RETAINED_FRACTION
             ),
             Self::DoubleCollision(fraction) => write!(
                 f,
-                "{} of the passages hit from both sides ({:.0} % allowed)",
+                "double collisions in {} of the passages ({:.0} % allowed)",
                 beside(fraction, DOUBLE_COLLISION_FRACTION),
                 100.0 * DOUBLE_COLLISION_FRACTION
             ),
             Self::Stress(pa) => write!(
                 f,
-                "contact stress {:.2} GPa ({} GPa allowed, ISO 76)",
-                pa * 1e-9,
-                STRESS_LIMIT_PA * 1e-9
+                "contact pressure {:.0} MPa ({:.0} MPa allowed, ISO 76)",
+                pa * 1e-6,
+                STRESS_LIMIT_PA * 1e-6
             ),
             Self::Failed(reason) => write!(f, "{reason}"),
         }
@@ -307,22 +311,22 @@ mod tests {
             (
                 spacing_of(0.016, 0.0, 0.0),
                 0.2,
-                "separation only 40.0 % of the mean",
+                "critical gap only 40.0 % of the steady-state gap",
             ),
             (
                 spacing_of(0.05, 0.0, 0.0),
                 0.25,
-                "critical gap 125.0 % of the mean",
+                "critical gap 125.0 % of the steady-state gap",
             ),
             (
                 spacing_of(0.03, 0.08, 0.0),
                 0.03,
-                "through sliding 8.0 % (5 % allowed)",
+                "by 8.0 % of β0 (5 % allowed)",
             ),
             (
                 spacing_of(0.03, 0.0, 5.04e9),
                 0.2,
-                "contact stress 5.04 GPa (4.2 GPa allowed",
+                "contact pressure 5040 MPa (4200 MPa allowed",
             ),
             (
                 motion_of(0.7, 0.03, 0.0),
@@ -337,7 +341,7 @@ mod tests {
             (
                 motion_of(1.0, 0.03, 0.35),
                 0.1,
-                "35.0 % of the passages hit",
+                "double collisions in 35.0 % of the passages",
             ),
         ];
         for (cause, excess, text) in rows {

@@ -18,7 +18,7 @@ pub struct Request {
     /// Places of the raceways, ψ of their middles; the map is drawn for the first.
     pub placements: Vec<Vec<f64>>,
     /// Fraction of the steady gap that a raceway must guarantee, above 0 and below 1.
-    pub spread_min: f64,
+    pub critical_gap_min_fraction: f64,
     /// Uneven starts per structure, 1 or more.
     pub starts: u64,
     /// Runs of all balls for the front at most; below the default, maps have fewer cells.
@@ -39,7 +39,7 @@ impl Request {
             axial_span_range_m: None,
             half_angle_range_rad: None,
             placements: vec![vec![centre]],
-            spread_min: SPREAD_MIN,
+            critical_gap_min_fraction: CRITICAL_GAP_MIN_FRACTION,
             starts: 2,
             budget: BUDGET,
         }
@@ -48,8 +48,8 @@ impl Request {
 
 /// Default of [`Request::budget`].
 pub const BUDGET: usize = 200;
-/// Default of [`Request::spread_min`].
-pub const SPREAD_MIN: f64 = 0.8;
+/// Default of [`Request::critical_gap_min_fraction`].
+pub const CRITICAL_GAP_MIN_FRACTION: f64 = 0.8;
 /// Starts of the confirmation.
 pub const CONFIRMING_STARTS: u64 = 12;
 

@@ -7,7 +7,7 @@ fn statistics() -> PassageStatistics {
         passages: 231,
         collisions_mean: 0.61,
         double_collision_fraction: 0.12,
-        slip_mean_m_s: 0.34,
+        sliding_mean_m_s: 0.34,
         speed_drop_fraction: 0.93,
         gap_leave_max_rad: 0.045,
         gap_leave_min_rad: 0.016,
@@ -67,8 +67,8 @@ fn reasons_have_the_numbers() {
         // β0 of Table 2 is 1.8171°, its 0.97 fold 1.7626°.
         "critical gap 1.7626°, 3.0 % below β0 = 1.8171°",
         "at most 5 % allowed",
-        "12 % of 231 passages hit from both sides (at most 25 % allowed), 0.61 contacts",
-        "slip in a passage 0.340 m/s on average, achieved deceleration 93 %",
+        "12 % of 231 passages with a double collision (at most 25 % allowed), 0.61 contacts",
+        "sliding speed in a passage 0.340 m/s on average, achieved deceleration 93 %",
         "at least 80 % required",
         // Two balls are 2·(360°/14 − 23.898°) + 2·23.898° = 51.43° apart: three from there.
         "2θ = 50.40°: up to 2 evenly spaced balls inside at once (three from 51.43°)",
@@ -150,7 +150,7 @@ fn the_worst_raceway_decides() {
     assert_eq!(all.deciding, Some(Criterion::BothNeighbours(0.4)));
     let headline = all.headline();
     assert!(
-        headline.starts_with("FAIL: hit from both sides; 40.0 %"),
+        headline.starts_with("FAIL: double collision; 40.0 %"),
         "{headline}"
     );
     judged.push(infeasible("no passage".to_owned(), None));

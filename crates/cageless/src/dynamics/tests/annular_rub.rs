@@ -45,19 +45,19 @@ impl System for OnShaft {
 fn full_annular_rub() {
     let rotor = Rotor {
         mass_kg: 10.0,
-        contact_stiffness: 2e7,
+        contact_stiffness_n_mp: 2e7,
         friction_coefficient: 0.05,
         eccentricity_m: 4e-4,
         speed_rad_s: 500.0,
         polar_inertia_kg_m2: 1e3,
-        slip_scale_m_s: 1e-4,
+        regularisation_speed_m_s: 1e-4,
         ..rotor()
     };
     let (m, k, c) = (rotor.mass_kg, 1e6, 4e3);
     let (stiff, mu, gap, speed) = (
-        rotor.contact_stiffness,
+        rotor.contact_stiffness_n_mp,
         rotor.friction_coefficient,
-        rotor.air_gap_m,
+        rotor.radial_clearance_m,
         rotor.speed_rad_s,
     );
     let unbalance = m * rotor.eccentricity_m * speed * speed;

@@ -15,9 +15,9 @@ const G: f64 = 9.81;
 /// has reached μ at a thousandth of the sliding speed.
 pub fn rotor() -> Rotor {
     Rotor {
-        air_gap_m: 2.5e-4,
+        radial_clearance_m: 2.5e-4,
         contact_damping_s_m: 0.0,
-        slip_scale_m_s: 1e-3,
+        regularisation_speed_m_s: 1e-3,
         ..drop_case().rotor.unwrap()
     }
 }
@@ -133,7 +133,7 @@ fn fall_and_first_impact() {
         friction_coefficient: 0.0,
         ..rotor()
     };
-    let gap = rotor.air_gap_m;
+    let gap = rotor.radial_clearance_m;
     let mut run = Run::new(&rotor, RingMount::Fixed);
     let (time_s, state) = run.until(0.1, |_, system| system.contact().contact.deflection);
     close(time_s, (2.0 * gap / G).sqrt(), 1e-9, "time of the fall");
@@ -145,9 +145,9 @@ fn fall_and_first_impact() {
     );
     assert!((time_s - 7.139e-3).abs() < 1e-6);
     let (_, state) = run.until(0.1, |y, _| at(y, Coordinate::Vy));
-    let force = rotor.contact_stiffness * (-at(&state, Coordinate::Y) - gap);
+    let force = rotor.contact_stiffness_n_mp * (-at(&state, Coordinate::Y) - gap);
     let weight = rotor.mass_kg * G;
-    let expected = 1.0 + (1.0 + 2.0 * rotor.contact_stiffness * gap / weight).sqrt();
+    let expected = 1.0 + (1.0 + 2.0 * rotor.contact_stiffness_n_mp * gap / weight).sqrt();
     close(
         force / weight,
         expected,
@@ -162,12 +162,12 @@ fn pendulum_in_the_clearance() {
     for (stiffness, most) in [(1e10, 1e-4), (1e11, 1e-5)] {
         let mut rotor = Rotor {
             friction_coefficient: 0.0,
-            contact_stiffness: stiffness,
+            contact_stiffness_n_mp: stiffness,
             ..rotor()
         };
-        let radius = rotor.air_gap_m + rotor.mass_kg * G / stiffness;
+        let radius = rotor.radial_clearance_m + rotor.mass_kg * G / stiffness;
         let angle: f64 = 1e-3;
-        rotor.air_gap_m = 2.5e-4;
+        rotor.radial_clearance_m = 2.5e-4;
         let mut system = RotorInRing::new(&rotor, bore(), G, RingMount::Fixed);
         let mut start = system.start(&rotor);
         start[Coordinate::X as usize] = radius * angle.sin();
@@ -209,7 +209,7 @@ fn resting(rotor: &Rotor) -> (RotorInRing, Vec<f64>, f64) {
     let system = RotorInRing::new(rotor, bore(), G, RingMount::Turning);
     let angle = rotor.friction_coefficient.atan();
     let normal = rotor.mass_kg * G * angle.cos();
-    let radius = rotor.air_gap_m + normal / rotor.contact_stiffness;
+    let radius = rotor.radial_clearance_m + normal / rotor.contact_stiffness_n_mp;
     let mut state = system.start(rotor);
     state[Coordinate::X as usize] = -rotor.speed_rad_s.signum() * radius * angle.sin();
     state[Coordinate::Y as usize] = -radius * angle.cos();
@@ -223,13 +223,13 @@ fn climb_in_a_rigid_circle() {
     let climb = |friction: f64, stiffness: f64, lifts: bool| {
         let mut rotor = Rotor {
             friction_coefficient: friction,
-            contact_stiffness: stiffness,
+            contact_stiffness_n_mp: stiffness,
             speed_rad_s: 1e4,
             polar_inertia_kg_m2: 1e4,
-            slip_scale_m_s: 1.0,
+            regularisation_speed_m_s: 1.0,
             ..rotor()
         };
-        rotor.y_m = -rotor.air_gap_m;
+        rotor.y_m = -rotor.radial_clearance_m;
         let mut system = RotorInRing::new(&rotor, bore(), G, RingMount::Fixed);
         let mut start = system.start(&rotor);
         start[Coordinate::Y as usize] -= rotor.mass_kg * G / stiffness;
@@ -281,7 +281,7 @@ fn spin_up_of_a_held_ring() {
     let rotor = rotor();
     let (system, state, normal) = resting(&rotor);
     let bore = bore();
-    let journal = bore.radius_m - rotor.air_gap_m;
+    let journal = bore.radius_m - rotor.radial_clearance_m;
     let slip = rotor.speed_rad_s * journal;
     let mass = 1.0
         / (journal.powi(2) / rotor.polar_inertia_kg_m2
@@ -317,10 +317,10 @@ fn spin_up_of_a_held_ring() {
 #[test]
 fn spin_energy_goes_into_heat() {
     let rotor = Rotor {
-        air_gap_m: 1e-6,
+        radial_clearance_m: 1e-6,
         speed_rad_s: 300.0,
         contact_damping_s_m: 0.3,
-        slip_scale_m_s: 1e-3,
+        regularisation_speed_m_s: 1e-3,
         ..rotor()
     };
     let bore = bore();
@@ -354,7 +354,8 @@ fn rolling_balls_add_to_the_inertia_of_the_ring() {
     let bearing = &case.bearing;
     let orbit =
         cageless::kinematics::rolling_orbit_speed_rad_s(bearing, 1.0, bearing.ball_radius_m());
-    let spin = cageless::kinematics::rolling_spin_rad_s(bearing, orbit, bearing.ball_radius_m());
+    let spin =
+        cageless::kinematics::rolling_rotation_rad_s(bearing, orbit, bearing.ball_radius_m());
     assert!((orbit - 0.396479).abs() < 1e-6 && (spin - 1.914961).abs() < 1e-6);
     let one = bearing.ball_mass_kg() * (bearing.pitch_radius_m() * orbit).powi(2)
         + bearing.ball_inertia_kg_m2() * spin.powi(2);
@@ -377,7 +378,11 @@ fn backward_whirl_on_a_damped_support() {
         damping_n_s_m: 4e3,
         stop: None,
     };
-    let (m, mu, gap) = (rotor.mass_kg, rotor.friction_coefficient, rotor.air_gap_m);
+    let (m, mu, gap) = (
+        rotor.mass_kg,
+        rotor.friction_coefficient,
+        rotor.radial_clearance_m,
+    );
     let c = support.damping_n_s_m;
     let d = |w: f64| support.stiffness_n_m - support.mass_kg * w * w;
     let balance =
@@ -387,7 +392,7 @@ fn backward_whirl_on_a_damped_support() {
     let square = d * d + cw * cw;
     let force = gap
         / ((1.0 + mu * mu) * (1.0 / (m * whirl * whirl) - d / square)
-            - 1.0 / rotor.contact_stiffness);
+            - 1.0 / rotor.contact_stiffness_n_mp);
     close(whirl, 953.630988, 1e-9, "whirl of the formula");
     close(force, 4032.24127, 1e-8, "force of the formula");
     for inside in [1.0, 0.98] {
@@ -428,12 +433,12 @@ fn rolling_limit_of_dry_whirl() {
         friction_coefficient: 0.3,
         ..rotor()
     };
-    let journal = bore().radius_m - rotor.air_gap_m;
-    let whirl = -rotor.speed_rad_s * journal / rotor.air_gap_m;
+    let journal = bore().radius_m - rotor.radial_clearance_m;
+    let whirl = -rotor.speed_rad_s * journal / rotor.radial_clearance_m;
     let mut system = RotorInRing::new(&rotor, bore(), 0.0, RingMount::Fixed);
     let mut state = system.start(&rotor);
-    state[Coordinate::X as usize] = rotor.air_gap_m;
-    state[Coordinate::Vy as usize] = whirl * rotor.air_gap_m;
+    state[Coordinate::X as usize] = rotor.radial_clearance_m;
+    state[Coordinate::Vy as usize] = whirl * rotor.radial_clearance_m;
     system.derivative(0.0, &state.clone(), &mut vec![0.0; state.len()]);
     let slip = system.contact().contact.slip;
     assert!(slip.abs() < 1e-9 * rotor.speed_rad_s * journal, "{slip}");

@@ -1,0 +1,170 @@
+//! The list of results of the documentation, which follows from the table of results:
+//! `CAGELESS_WRITE=1 cargo test -p cageless-results --lib list` writes it.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use crate::meanings::MEANINGS;
+use crate::table::{CURVE, RECOMMENDATION};
+use crate::{
+    Across, Aim, DESIGN, DROP, Kind, PASSAGES, Quantity, RACEWAY, ROTOR_DROP, RUN, STATIC, VERDICT,
+    quantities,
+};
+
+const HEAD: &str = "# Results
+
+This page lists every result with its unit and its definition. Names are the same in JSON, in the columns of
+sweeps and in Python, and end in their unit; `_deg` is °, `_um` µm, `_mpa` MPa. The table is generated from the source.
+
+*Better* is the direction in which a bearing is better, where there is one. A column of a sweep is named
+after its computation: `run_collisions`, and `drop_bearing_2_collisions` for one of several bearings. Results marked \u{2020} are in no sweep.
+
+Tables of a run over time: [command line and result files](command-line.md). Symbols: [glossary](glossary.md).
+";
+
+/// Table, heading, and where its results are.
+const SECTIONS: [(&[Quantity], &str, &str); 10] = [
+    (
+        STATIC,
+        "Static equilibrium",
+        "In `cageless static --json`, `static.json`, its page and the columns `static_\u{2026}` of a sweep.",
+    ),
+    (
+        DESIGN,
+        "Design: closed forms",
+        "In `cageless design --json`, `design.json`, its page and the columns `design_\u{2026}` of a sweep.",
+    ),
+    (
+        VERDICT,
+        "Design: verdict from the motion",
+        "In `cageless design --json`, `design.json`, its page and the columns `verdict_\u{2026}` of a sweep.",
+    ),
+    (
+        PASSAGES,
+        "Design: passages of the raceway",
+        "Under `passages` of `cageless design --json` and `design.json`, and in the columns `verdict_\u{2026}` of a sweep.",
+    ),
+    (
+        RACEWAY,
+        "Design: each raceway",
+        "Under `raceways` of `cageless design --json` and `design.json`.",
+    ),
+    (
+        RECOMMENDATION,
+        "Design: recommendation",
+        "Under `recommendation` of `cageless design --json` and `design.json`.",
+    ),
+    (
+        CURVE,
+        "Design: curve of Eq. (11)",
+        "Under `curve` of `cageless design --json` and `design.json`.",
+    ),
+    (
+        RUN,
+        "Run",
+        "In `cageless run --json`, `summary.json`, its page and the columns `run_\u{2026}` of a sweep. Statistics are over the time after the transient, `settled_after_s`.",
+    ),
+    (
+        DROP,
+        "Rotor drop",
+        "In `cageless drop --json`, `summary.json`, its page and the columns `drop_\u{2026}` of a sweep. *Rotor* is how the result of a rotor on several touch-down bearings follows from those of its bearings, which are under `bearings`.",
+    ),
+    (
+        ROTOR_DROP,
+        "Rotor drop: the rotor on several bearings",
+        "In `cageless drop --json` of a rotor file, `summary.json` and the columns `drop_\u{2026}` of a sweep.",
+    ),
+];
+
+fn better(quantity: &Quantity) -> &'static str {
+    match quantity.aim {
+        Some(Aim::Low) => "lower",
+        Some(Aim::High) => "higher",
+        None => "",
+    }
+}
+
+/// Label and definition. Labels of parts are indented in tables.
+fn definition(quantity: &Quantity) -> String {
+    let (label, meaning) = (quantity.label.trim(), quantity.meaning());
+    let label = match quantity.kind {
+        Kind::Numbers => format!("{label} (list)"),
+        _ => label.to_owned(),
+    };
+    match meaning {
+        "" => label,
+        _ => format!("{label}: {meaning}"),
+    }
+}
+
+fn across(quantity: &Quantity) -> &'static str {
+    match quantity.across {
+        None => "",
+        Some(Across::Largest) => "largest",
+        Some(Across::LargestOfAll) => "largest, if all have one",
+        Some(Across::Smallest) => "smallest",
+        Some(Across::Sum) => "sum",
+        Some(Across::Same) => "the same",
+        Some(Across::Verdict) => "all bearings and planes",
+        Some(Across::WorstState) => "the worst",
+    }
+}
+
+#[test]
+fn the_list_of_results_has_every_quantity() {
+    let mut text = HEAD.to_owned();
+    for (table, heading, introduction) in SECTIONS {
+        let with_rotor = table.iter().any(|q| q.across.is_some());
+        let (more, rule) = if with_rotor {
+            (" rotor |", "---|")
+        } else {
+            ("", "")
+        };
+        let _ = write!(
+            text,
+            "\n## {heading}\n\n{introduction}\n\n| name | unit | better | definition |{more}\n|---|---|---|---|{rule}\n"
+        );
+        for quantity in table {
+            let mark = if quantity.in_sweeps { "" } else { " \u{2020}" };
+            let _ = write!(
+                text,
+                "| `{}`{mark} | {} | {} | {} |",
+                quantity.name,
+                quantity.unit_text(),
+                better(quantity),
+                definition(quantity),
+            );
+            let _ = match with_rotor {
+                true => writeln!(text, " {} |", across(quantity)),
+                false => writeln!(text),
+            };
+        }
+    }
+    assert_eq!(
+        SECTIONS.iter().map(|s| s.0.len()).sum::<usize>(),
+        quantities().count()
+    );
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/results.md");
+    if std::env::var_os("CAGELESS_WRITE").is_some() {
+        std::fs::write(&path, &text).unwrap();
+    }
+    assert!(
+        std::fs::read_to_string(&path).unwrap() == text,
+        "docs/results.md is not what the table of results gives: \
+         CAGELESS_WRITE=1 cargo test -p cageless-results --lib list"
+    );
+}
+
+#[test]
+fn a_definition_belongs_to_a_result_and_is_no_second_label() {
+    for (k, (name, meaning)) in MEANINGS.iter().enumerate() {
+        let of_name: Vec<_> = quantities().filter(|q| q.name == *name).collect();
+        assert!(!of_name.is_empty(), "{name} is not a result");
+        assert!(
+            !MEANINGS[..k].iter().any(|(other, _)| other == name),
+            "{name} twice"
+        );
+        assert!(!meaning.ends_with('.'), "{name}");
+        assert!(of_name.iter().all(|q| q.label.trim() != *meaning), "{name}");
+    }
+}
