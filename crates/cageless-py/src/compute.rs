@@ -50,7 +50,7 @@ pub fn run(
     let arrays = vec![tables.into_arrays(py)?];
     let file = file.clone();
     let data = Later::new(move || Ok(run_data(&file, &record)));
-    Computed::new("run", values, stopped, arrays, Content::Run(data))
+    Computed::new("run", values, stopped, arrays, Content::Run(Box::new(data)))
 }
 
 /// Drops the rotor of a case.

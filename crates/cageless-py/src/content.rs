@@ -17,7 +17,7 @@ use crate::errors::{input, of_file, other};
 
 /// Data of a page, or the page itself.
 pub enum Content {
-    Run(Later<RunData>),
+    Run(Box<Later<RunData>>),
     /// Kind and page of a static equilibrium, a drop or a comparison: figures are taken from the page.
     Page(&'static str, Later<String>),
     Design(Box<DesignData>),
@@ -59,10 +59,10 @@ impl Content {
         Ok(match kind {
             "run" => {
                 let values = values.to_owned();
-                Self::Run(Later::new(move || {
+                Self::Run(Box::new(Later::new(move || {
                     run_from_json(&source, &values)
                         .map_err(|e| input(format!("report.json of a saved run: {e}")))
-                }))
+                })))
             }
             "static" => Self::Page("static", Later::new(move || Ok(source.clone()))),
             "drop" => Self::Page("drop", Later::new(move || Ok(source.clone()))),

@@ -82,16 +82,12 @@ impl Tables {
     /// Tables of a drop into one bearing.
     pub fn of_drop(record: &DropRecord) -> PyResult<Self> {
         let mut tables = Self::default();
-        let snapshots = record.snapshots.iter();
-        snapshots
-            .map(|s| tables.snapshot(s))
-            .collect::<Result<(), _>>()
-            .map_err(other)?;
-        let collisions = record.collisions.iter();
-        collisions
-            .map(|c| tables.collision(c))
-            .collect::<Result<(), _>>()
-            .map_err(other)?;
+        for snapshot in &record.snapshots {
+            tables.snapshot(snapshot).map_err(other)?;
+        }
+        for collision in &record.collisions {
+            tables.collision(collision).map_err(other)?;
+        }
         Ok(tables)
     }
 

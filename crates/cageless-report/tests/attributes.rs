@@ -20,7 +20,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-import NumPy as np
+import numpy as np
 import numpy.typing as npt
 
 if TYPE_CHECKING:

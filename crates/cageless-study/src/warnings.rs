@@ -17,8 +17,6 @@ use cageless_results::{Finished, RESIDUAL_FRACTION};
 /// Largest step at which ABM4 stays unbiased without contact damping.
 const UNDAMPED_STEP_S: f64 = 0.5e-6;
 
-/// Share of all energy flows that may be unaccounted for without a warning.
-
 /// Warnings of a run.
 pub(crate) fn warnings(run: &Finished<'_>) -> Vec<String> {
     let mut warnings = of_case(run.case);

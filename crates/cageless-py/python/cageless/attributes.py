@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-import NumPy as np
+import numpy as np
 import numpy.typing as npt
 
 if TYPE_CHECKING:
@@ -86,7 +86,7 @@ class RunAttributes:
     plot_gap_map: Callable[..., go.Figure]  # smallest gap of each pair of neighbours over time, as colours
     plot_collisions: Callable[..., go.Figure]  # contacts between balls: where, when, how hard
     plot_orbit_speed: Callable[..., go.Figure]  # orbital speed of the balls over time
-    plot_slip: Callable[..., go.Figure]  # sliding speeds at the raceways
+    plot_sliding: Callable[..., go.Figure]  # sliding speeds at the raceways
     plot_phase: Callable[..., go.Figure]  # phase portrait of a ball
     plot_loads: Callable[..., go.Figure]  # forces on a ball at the raceways over ψ
     plot_load_profile: Callable[..., go.Figure]  # loads and pressures of all balls around the bearing, of the last orbits

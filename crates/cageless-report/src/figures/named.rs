@@ -44,7 +44,7 @@ pub const RUN: [Named<RunData>; 11] = [
         "orbital speed of the balls over time",
         history::orbit_speed,
     ),
-    named("slip", "sliding speeds at the raceways", history::slip),
+    named("sliding", "sliding speeds at the raceways", history::slip),
     named("phase", "phase portrait of a ball", ball::phase),
     named(
         "loads",
