@@ -65,7 +65,7 @@ const RECOMMENDATION_WORK: f64 = 1.5;
 /// Name of the task of [`judged`].
 const TASK: &str = "design";
 
-/// The task of [`judged`] with its work, for [`Progress::whole`].
+/// The task of [`judged`] with its work, for `Progress::whole`.
 pub fn task() -> (String, f64) {
     (TASK.to_owned(), 1.0 + RECOMMENDATION_WORK)
 }

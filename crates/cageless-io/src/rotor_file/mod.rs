@@ -17,7 +17,7 @@
 //! axial_mm = 200.0
 //! ```
 //!
-//! Every error becomes one [`CaseError`], as in a case file.
+//! Every error becomes one [`CaseError`](crate::case_file::CaseError), as in a case file.
 
 pub(crate) mod address;
 mod base;

@@ -32,7 +32,7 @@ class RunAttributes:
     power_loss_inner_friction_w: float  # friction at the inner raceway, W
     power_loss_outer_friction_w: float  # friction at the outer raceway, W
     power_loss_ball_friction_w: float  # friction between balls, W
-    power_loss_damping_w: float  # damping of the contacts (contact.damping_n_s_m1_5, an assumed constant), W
+    power_loss_damping_w: float  # damping of the contacts (an assumed constant), W
     power_loss_inner_ring_damping_w: float  # drag on the inner ring, W
     power_loss_rotor_friction_w: float  # friction between rotor and inner ring, W
     power_loss_rotor_damping_w: float  # damping between rotor and inner ring, W

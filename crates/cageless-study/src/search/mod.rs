@@ -41,7 +41,7 @@ const CANDIDATES_WORK: f64 = 5.0;
 const POLISHED: f64 = 15.0;
 
 /// The tasks of [`run`] with estimates of their work in runs of all balls, for
-/// [`Progress::whole`].
+/// `Progress::whole`.
 pub fn tasks(file: &CaseFile) -> Vec<(String, f64)> {
     let request = file.search();
     let points = request.points.len() as f64;
