@@ -62,7 +62,7 @@ DIFFERENCE = """
     const scale = Math.max(...a.map(Math.abs), 1e-3);
     return Math.max(...a.map((v, k) => Math.abs(v - b[k]) / scale));
   }
-  if (a && typeof a === "object") return Math.max(0, ...Object.keys(a).map((k) => difference(a[k], b[k], Math.abs(a[k.replace("_x_", "_y_")]) || 0)));
+  if (a && typeof a === "object") return Math.max(0, ...Object.keys(a).map((k) => difference(a[k], b[k], Math.abs(a[k.replace("_xy_", "_yy_").replace("_x_", "_y_")]) || 0)));
   return a === b ? 0 : Infinity;
 })
 """
@@ -80,7 +80,7 @@ STATE = NUMBERS.format("state")
 def agreement(s):
     """The engine of the page and the native one give the same numbers."""
     own = s.toml()
-    paper = own.replace('profile = "physical"', 'profile = "paper"')
+    paper = own.replace('formulation = "physical"', 'formulation = "paper"')
     s.check("the case can be that of the paper", paper != own)
     cb74 = (Path(__file__).parents[2] / "cases/cb74.toml").read_text(encoding="utf-8")
     for name, toml in ((s.name, own), ("profile paper", paper), ("CB74", cb74)):
@@ -198,7 +198,7 @@ def stop(s, server):
     s.check("the search says that the server has ended", "has ended" in s.text("studies"), s.text("studies"))
     span = s.js(f"{S}.g.raceways[0].axial_span_mm")
     s.write("span", span - 0.01)
-    s.check("the page says that it goes on", "goes on by itself" in s.text("host"), s.text("host"))
+    s.check("the page says that it goes on", "continues on its own" in s.text("host"), s.text("host"))
     s.tab.wait_for("document.querySelector('[data-search]').disabled")
     alone(s)
     s.check("and goes on", abs(s.js(f"{S}.g.raceways[0].axial_span_mm") - span + 0.01) < 1e-9)
