@@ -19,7 +19,7 @@ const TIMED_S: [f64; 2] = [0.01, 0.1];
 
 /// A case to integrate for its error, one for the time, and the true end of the former.
 pub struct Problem {
-    /// Of 2 ms, to its end by the reference.
+    /// Run of 2 ms, whose end the reference trajectory gives.
     pub short: Case,
     /// What is timed.
     pub timed: Case,

@@ -77,7 +77,7 @@ pub struct Table2Row {
     pub structure: RacewayLabel,
     /// β0 of Zhao 2022, Eq. (11), computed, degrees.
     pub theory_deg: f64,
-    /// The same with the ball's own ψ as variable of integration, degrees.
+    /// β0 by Eq. (11) with the ball's own ψ as variable of integration, degrees.
     pub theory_polar_deg: Option<f64>,
     /// β0 as printed, degrees.
     pub paper_theory_deg: f64,

@@ -225,7 +225,7 @@ fn random_runs_and_drops_end_as_they_say() {
     assert!(complete as f64 > 0.5 * cases as f64, "{complete}");
 }
 
-/// Of 3000 cases those whose automatic step was too long: few balls, or unevenly spaced ones at
+/// Random cases whose automatic step was too long: few balls, or unevenly spaced ones at
 /// rest, below a falling rotor.
 #[test]
 fn the_automatic_step_resolves_the_impact_of_a_rotor_on_few_balls() {
