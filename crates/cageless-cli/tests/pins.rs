@@ -59,9 +59,9 @@ pins! {
     bits_drop_rotor: "drop cases/rotors/two-bearings.toml +solver.duration_s=0.015 --quiet --out OUT";
 }
 
-/// `OUT/plan.toml`.
+/// `OUT/plan.toml`, for a copy of structure (d) beside it.
 const PLAN: &str = "\
-case = \"CASE\"
+case = \"case.toml\"
 seed = 3
 compute = [\"static\", \"design\", \"run\"]
 [set]
@@ -78,9 +78,8 @@ fn pin(name: &str, commands: &str) {
     let (root, dir) = (repository_case(".."), tempfile::tempdir().unwrap());
     let out = dir.path().to_str().unwrap();
     if commands.contains("plan.toml") {
-        let case = root.canonicalize().unwrap().join("cases/zhao-d.toml");
-        let plan = PLAN.replace("CASE", case.to_str().unwrap());
-        std::fs::write(dir.path().join("plan.toml"), plan).unwrap();
+        std::fs::write(dir.path().join("plan.toml"), PLAN).unwrap();
+        std::fs::copy(root.join("cases/zhao-d.toml"), dir.path().join("case.toml")).unwrap();
     }
     let mut text = String::new();
     for command in commands.split("; ") {
