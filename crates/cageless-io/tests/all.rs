@@ -10,6 +10,7 @@ mod damaged_files;
 mod derived_files;
 mod designation;
 mod dynamic_table;
+mod edited;
 mod former_names;
 mod fuzz_entries;
 mod reference;

@@ -54,7 +54,7 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
         let files = output.files(|| {
             let mut data = design_data(&file, &result, &snapshots);
             data.rings = rings(&rings_of(&file, &result), bars)?;
-            let recommended = recommended.map(|case| case.to_toml_without(file.defaults()));
+            let recommended = recommended.map(|case| file.edited(&case));
             let mut files = vec![
                 (PAGE, Some(design_page(&data))),
                 (PAGE_DATA, Some(to_json(&data)?)),

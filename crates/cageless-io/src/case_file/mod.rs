@@ -13,6 +13,8 @@ mod convert;
 mod converter;
 pub(crate) mod declaration;
 mod document;
+#[cfg(feature = "files")]
+mod edited;
 mod error;
 mod fields;
 mod file_reader;
@@ -66,6 +68,8 @@ pub struct CaseFile {
     document: CaseDocument,
     defaults: Vec<String>,
     places: Places,
+    /// The text that was read; `None` of a document that was made by other means.
+    text: Option<String>,
 }
 
 impl CaseFile {
@@ -90,7 +94,10 @@ impl CaseFile {
     pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Self, CaseError> {
         let mut root = source(text, name)?;
         overrides::apply(&mut root, overrides)?;
-        Self::from_sections(&root, name)
+        Ok(Self {
+            text: Some(text.to_owned()),
+            ..Self::from_sections(&root, name)?
+        })
     }
 
     fn from_sections(root: &spanned_toml::Section, name: &str) -> Result<Self, CaseError> {
@@ -103,6 +110,7 @@ impl CaseFile {
             document,
             defaults,
             places,
+            text: None,
         })
     }
 
@@ -120,6 +128,7 @@ impl CaseFile {
             document,
             defaults: Vec::new(),
             places,
+            text: None,
         })
     }
 
@@ -132,6 +141,20 @@ impl CaseFile {
     /// point and one raceway anywhere that the geometry allows.
     pub fn search(&self) -> &Request {
         &self.search
+    }
+
+    /// The case file with the values of `document`, which is this one changed: comments, order and
+    /// what is as before stay as they are written, what nobody gave is not written. A case that
+    /// was read from JSON is written in TOML.
+    ///
+    /// # Errors
+    /// A [`CaseError`] if TOML cannot hold the document.
+    #[cfg(feature = "files")]
+    pub fn edited(&self, document: &CaseDocument) -> Result<String, CaseError> {
+        match &self.text {
+            Some(text) if !is_json(text) => edited::edited(text, document, &self.defaults),
+            _ => document.to_toml_without(&self.defaults),
+        }
     }
 
     /// The case in the units of the file, every default filled in. Values that follow from
@@ -207,6 +230,7 @@ impl CaseFile {
             document,
             defaults: self.defaults.clone(),
             places: self.places.clone(),
+            text: None,
         })
     }
 
@@ -273,17 +297,18 @@ impl Source {
 /// Parses a case in TOML, or in JSON: a document of the same sections, or a result file of
 /// `run`, `check` and the like that holds the case as it was run.
 pub(crate) fn source(text: &str, name: &str) -> Result<spanned_toml::Section, CaseError> {
-    if text
-        .trim_start_matches('\u{feff}')
-        .trim_start()
-        .starts_with('{')
-    {
+    if is_json(text) {
         json::parse(text, name)
     } else {
         let mut root = spanned_toml::parse(text, name)?;
         former::rename(&mut root, name)?;
         Ok(root)
     }
+}
+
+fn is_json(text: &str) -> bool {
+    let text = text.trim_start_matches('\u{feff}');
+    text.trim_start().starts_with('{')
 }
 
 /// The unit of a dotted key as it is printed; empty if it has none.
