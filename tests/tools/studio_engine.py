@@ -118,7 +118,7 @@ def studies(s):
     first = s.toml()
     small = "\n[search]\naxial_span_mm = 5.1\nhalf_angle_deg = [24.0, 26.0]\nstarts = 1\n"
     s.type(first.rstrip("\n") + "\n" + small)
-    study(s, "budget", 4)
+    study(s, "budget", 32)
     s.press("search")
     s.check("a search can be cancelled", s.js("document.querySelector('[data-cancel]').offsetParent !== null"))
     s.tab.wait_for(IDLE)

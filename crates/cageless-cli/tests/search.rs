@@ -11,7 +11,7 @@ const SMALL: [&str; 4] = [
     "search.axial_span_mm=5.1",
     "search.half_angle_deg=[24,26]",
     "search.initial_states=1",
-    "search.runs_max=4",
+    "search.runs_max=32",
 ];
 
 fn search_command(out: &Path) -> std::process::Command {
@@ -95,12 +95,12 @@ fn a_search_that_was_killed_goes_on_and_finds_the_same() {
     assert!(other.stderr.contains(difference), "{}", other.stderr);
     let mut changed = search_command(&parts);
     let changed: Answer = (changed
-        .args(["--set", "search.runs_max=8"])
+        .args(["--set", "search.runs_max=33"])
         .output()
         .unwrap())
     .into();
     assert_eq!(changed.code, Some(2), "{changed:?}");
-    let difference = "another request: search.runs_max was 4, is 8: remove it";
+    let difference = "another request: search.runs_max was 32, is 33: remove it";
     assert!(changed.stderr.contains(difference), "{}", changed.stderr);
     assert_eq!(
         (other.stdout.as_str(), other.stderr.lines().count()),
@@ -145,7 +145,7 @@ fn nothing_to_recommend_is_an_outcome_with_a_reason() {
     let sets = [
         "search.axial_span_mm=1",
         "search.half_angle_deg=[10,14]",
-        "search.runs_max=4",
+        "search.runs_max=32",
     ];
     let more = ["--search", "--json", "--out", out.to_str().unwrap()];
     let answer = call_on("design", &case, &sets, &more);

@@ -72,7 +72,7 @@ const EDITS: &[Row] = &[
     (START, "[search]\nruns_max = 0.5 #", "search.runs_max", &["a whole number, 1 or more"]),
     (START, "[search]\ncritical_gap_min_fraction = 1.0 #", "search.critical_gap_min_fraction", &["less than 1"]),
     (START, "[search]\ninitial_states = 0 #", "search.initial_states", &["from 1 to 64"]),
-    (START, "[search]\nruns_max = 1 #", "search.runs_max", &["2 or more"]),
+    (START, "[search]\nruns_max = 1 #", "search.runs_max", &["32 or more with search.initial_states = 2"]),
     (START, "[search]\nmap_speed_rpm = [0] #", "search.map_speed_rpm", &["each more than 0"]),
     (START, "[search]\nraceway_max = 1 #", "search.raceway_max", &["did you mean raceways_max?"]),
     // Numbers.

@@ -11,7 +11,7 @@ import cageless
 case = cageless.Case.from_toml(cageless.template())
 
 found = case.search(
-    axial_span_mm=5.1, half_angle_deg=(24.0, 26.0), initial_states=1, runs_max=4, out="search"
+    axial_span_mm=5.1, half_angle_deg=(24.0, 26.0), initial_states=1, runs_max=32, out="search"
 )
 print(found.findings[0])
 print(found.data_front()[["axial_span_mm", "half_angle_deg", "margin_deg", "friction_w"]])

@@ -15,7 +15,7 @@ NOTEBOOKS = sorted((ROOT / "docs" / "notebooks").glob("*.ipynb"))
 COMMANDS = 8
 #: What a reader waits for, and what a test need not.
 SOONER = {
-    "case.search(initial_states=1, runs_max=12)": "case.search(\n    axial_span_mm=2.5, half_angle_deg=(7.0, 8.0), initial_states=1, runs_max=2\n)",
+    "case.search(initial_states=1, runs_max=32)": "case.search(\n    axial_span_mm=2.5, half_angle_deg=(7.0, 8.0), initial_states=1, runs_max=32\n)",
     "tolerance(samples=4)": "tolerance(samples=1)",
 }
 

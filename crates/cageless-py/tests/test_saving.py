@@ -28,7 +28,7 @@ def quick() -> cageless.Case:
 
 
 def a_search() -> cageless.SearchResult:
-    return quick().search(axial_span_mm=5.1, half_angle_deg=(24.0, 26.0), initial_states=1, runs_max=4)
+    return quick().search(axial_span_mm=5.1, half_angle_deg=(24.0, 26.0), initial_states=1, runs_max=32)
 
 
 def a_sweep() -> cageless.SweepResult:
@@ -190,7 +190,7 @@ def test_folders_of_the_command_are_read(command: Command, tmp_path: Path) -> No
 
 
 def test_the_command_leaves_a_search_that_is_read(command: Command, tmp_path: Path) -> None:
-    search = {"axial_span_mm": 5.1, "half_angle_deg": [24.0, 26.0], "initial_states": 1, "runs_max": 4}
+    search = {"axial_span_mm": 5.1, "half_angle_deg": [24.0, 26.0], "initial_states": 1, "runs_max": 32}
     path = tmp_path / "case.toml"
     path.write_text(quick().replace(search=search).to_toml())
     command("design", path, "--search", "--out", tmp_path / "search")

@@ -18,7 +18,7 @@ SMALL: dict[str, Any] = {
     "axial_span_mm": 5.1,
     "half_angle_deg": [24.0, 26.0],
     "initial_states": 1,
-    "runs_max": 4,
+    "runs_max": 32,
 }
 RING = {"bearing.outer_ring_outer_radius_mm": 31.0, "bearing.outer_ring_width_mm": 16.0}
 
@@ -78,7 +78,7 @@ def test_a_search_that_was_ended_is_finished_by_the_command(
     journal = tmp_path / "search.journal"
     assert len(journal.read_text().splitlines()) > 20
     with pytest.raises(cageless.InputError, match="search.journal: was left by another request: search.runs_max was"):
-        small().search(**SMALL | {"runs_max": 5}, out=tmp_path)
+        small().search(**SMALL | {"runs_max": 33}, out=tmp_path)
     asked = QUICK | {f"search.{k}": v for k, v in SMALL.items()}
     command("design", CASE, "--search", *sets(asked), "--out", tmp_path)
     assert not journal.exists()
@@ -126,7 +126,7 @@ def test_a_search_shows_what_it_found(found: cageless.SearchResult) -> None:
 
 
 def test_nothing_to_recommend_is_an_exception_with_the_maps(command: Command) -> None:
-    asked: dict[str, Any] = {"axial_span_mm": 1.0, "half_angle_deg": [10.0, 14.0], "runs_max": 4}
+    asked: dict[str, Any] = {"axial_span_mm": 1.0, "half_angle_deg": [10.0, 14.0], "runs_max": 32}
     case = small()
     with pytest.raises(cageless.UnphysicalError, match="raceway too shallow") as error:
         case.search(**asked)

@@ -5,8 +5,9 @@ use std::f64::consts::FRAC_PI_4;
 
 use crate::common::*;
 use cageless::design::search::{
-    Cause, Execute, Found, Interrupted, Job, Numbers, OperatingPoint, Outcome, PairSeparation,
-    RacewayLayout, Request, SearchError, Task, perturbed_runs, run_jobs, search, uneven_gaps_rad,
+    Cause, Execute, Found, Interrupted, Job, Motion, Numbers, OperatingPoint, Outcome,
+    PairSeparation, RacewayLayout, Request, SearchError, SpeedMap, Task, perturbed_runs, run_jobs,
+    search, uneven_gaps_rad,
 };
 use cageless::design::{Eq11, RacewayVerdict, judge, steady_gap_rad, theoretical_gap_rad};
 use cageless::raceway::{RacewayDimensions, axial_span_limit_m};
@@ -240,7 +241,7 @@ fn small(case: &Case) -> Request {
         axial_span_range_m: Some([5.1e-3, 5.1e-3]),
         half_angle_range_rad: Some([24f64.to_radians(), 26f64.to_radians()]),
         starts: 1,
-        budget: 4,
+        budget: 32,
         ..Request::from_case(case)
     }
 }
@@ -335,4 +336,70 @@ fn an_impossible_load_is_refused() {
         message.contains("100000 N") && message.contains("ISO 76"),
         "{message}"
     );
+}
+
+/// As if every raceway that the closed forms allow were acceptable, which takes the most
+/// simulations. Returns how many each search takes.
+fn simulations(case: &Case, request: &Request) -> usize {
+    let mut motions = 0;
+    let found = run(case, request, &mut |_, jobs| {
+        let outcome = |job: &Job| match job.task {
+            Task::PairSeparation => {
+                let raceways = job.structure.raceways(&case.bearing).unwrap();
+                Ok(Numbers::PairSeparation(PairSeparation {
+                    critical_gap_rad: 0.9 * steady_gap_rad(&case.bearing, &raceways),
+                    shortfall: 0.0,
+                    stress_pa: 1e9 * (1.0 + job.structure.half_angle_rad),
+                }))
+            }
+            Task::Motion(_) => {
+                motions += 1;
+                let mut motion = Motion::from_values([1.0; 11]);
+                motion.double_collision_fraction = 0.0;
+                motion.slip_m_s = job.structure.axial_span_m;
+                Ok(Numbers::Motion(motion))
+            }
+        };
+        Ok(jobs.iter().map(outcome).collect())
+    });
+    assert!(found.recommended.is_some() && found.confirmed.len() == 2);
+    let cells = |m: &SpeedMap| (m.axial_span_m.len() * m.half_angle_rad.len(), m.cells.len());
+    let grids = found.maps.iter().map(cells);
+    assert!(
+        grids
+            .into_iter()
+            .all(|(lines, cells)| lines == cells && cells > 0)
+    );
+    motions
+}
+
+/// Maps, candidates, optimiser and confirmation together, whatever is acceptable.
+#[test]
+fn a_search_keeps_to_its_budget() {
+    let case = structure(5.1, 25.2);
+    let own = Request::from_case(&case);
+    let mut several = own.clone();
+    several.points = vec![several.points[0]; 2];
+    several.map_speeds_rad_s = vec![300.0, 600.0];
+    several.placements = vec![vec![0.0], vec![0.3], vec![-0.4, 0.4]];
+    for (request, starts) in [
+        (own.clone(), 1),
+        (own, 2),
+        (several.clone(), 3),
+        (several, 15),
+    ] {
+        let mut request = Request { starts, ..request };
+        let least = request.budget_least();
+        for budget in [least, 2 * least, 400.max(least)] {
+            request.budget = budget;
+            let taken = simulations(&case, &request);
+            assert!(
+                (budget / 3..=budget).contains(&taken),
+                "{taken} of {budget}, {starts} starts"
+            );
+        }
+        request.budget = least - 1;
+        let error = search(&case, &request, &mut |_, _| panic!("nothing to compute")).unwrap_err();
+        assert!(matches!(error, SearchError::Impossible(_)), "{error:?}");
+    }
 }

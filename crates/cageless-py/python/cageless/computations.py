@@ -196,7 +196,7 @@ class Computations:
         >>> case = cageless.Case.from_toml(cageless.template())
         >>> case.search(runs_max=1)
         Traceback (most recent call last):
-        cageless.errors.InputError: search.runs_max = 1 is not possible: it must be 2 or more: ...
+        cageless.errors.InputError: search.runs_max = 1 is not possible: it must be 32 or more with ...
         """
         given = {f"search.{key}": value for key, value in asked.items() if value is not None}
         case = self.replace(given) if given else self  # type: ignore[attr-defined]

@@ -6,7 +6,7 @@ const TOLERANCES = {
   half_angle_deg: ["θ ±", "°"], ball_grade: ["ball grade G", ""], friction: ["friction ±", ""],
   clearance_um: ["radial internal clearance Gr ±", "µm"], speed_percent: ["speed ±", "%"], load_percent: ["load ±", "%"],
 };
-const BUDGET = 50;
+const BUDGET = 100;
 const FILES = { step: "STEP", stl: "STL", csv: "CSV of the groove" };
 
 // `text` with a raceway at each of these places; comments stay where there is one, as before.

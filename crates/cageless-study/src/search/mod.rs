@@ -9,9 +9,7 @@ mod task_runner;
 use std::path::Path;
 
 use cageless::critical_gap::CriticalGapError;
-use cageless::design::search::{
-    CONFIRMING_STARTS, Found, SearchError, Stage, map_fraction, search,
-};
+use cageless::design::search::{Found, SearchError, Stage, map_fraction, search};
 use cageless::design::{RacewayVerdict, judge};
 use cageless::raceway::RacewayDimensions;
 use cageless_io::case_file::CaseFile;
@@ -37,8 +35,8 @@ const VERDICT_WORK: f64 = 2.0;
 const MAP_WORK: f64 = 30.0;
 /// Work of the critical gaps of the candidates of one placement at one operating point, as a rule.
 const CANDIDATES_WORK: f64 = 5.0;
-/// Structures that the optimiser tries, as a rule.
-const POLISHED: f64 = 15.0;
+/// Fraction of the structures allowed that the optimiser tries, as a rule.
+const OPTIMISED: f64 = 0.6;
 
 /// The tasks of [`run`] with estimates of their work in runs of all balls, for
 /// `Progress::whole`.
@@ -47,7 +45,8 @@ pub fn tasks(file: &CaseFile) -> Vec<(String, f64)> {
     let points = request.points.len() as f64;
     let maps = points + request.map_speeds_rad_s.len() as f64;
     let starts = request.starts as f64;
-    let confirmed = CONFIRMING_STARTS.max(request.starts) as f64;
+    let of_structure = points * starts;
+    let confirmed = request.confirming_starts() as f64;
     let structures = 1.0 + f64::from(u8::from(!file.case().raceways.is_empty()));
     let stages = [
         (Stage::Map, maps * MAP_WORK * map_fraction(request)),
@@ -55,8 +54,14 @@ pub fn tasks(file: &CaseFile) -> Vec<(String, f64)> {
             Stage::Candidates,
             points * request.placements.len() as f64 * CANDIDATES_WORK,
         ),
-        (Stage::Motion, request.budget as f64),
-        (Stage::Polish, POLISHED * points * starts),
+        (
+            Stage::Motion,
+            request.front_structures() as f64 * of_structure,
+        ),
+        (
+            Stage::Polish,
+            OPTIMISED * request.optimised_structures() as f64 * of_structure,
+        ),
         (Stage::Confirm, structures * points * confirmed),
     ];
     let stages = stages.map(|(stage, work)| (task_runner::task_name(stage), work));

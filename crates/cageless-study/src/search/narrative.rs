@@ -1,7 +1,7 @@
 //! Narrative of a search: its result in sentences.
 
 use super::result::{SearchData, StructureData};
-use cageless::design::search::{Evaluation, Found, Motion};
+use cageless::design::search::{CONFIRMING_STARTS, Evaluation, Found, Motion};
 
 use super::rejections::rejections;
 
@@ -53,6 +53,13 @@ pub fn narrative(found: &Found, data: &SearchData) -> Vec<String> {
     if left_out > 0 {
         all.push(format!(
             "{left_out} designs were left out by search.runs_max."
+        ));
+    }
+    let starts = found.request.confirming_starts();
+    if starts < CONFIRMING_STARTS {
+        all.push(format!(
+            "Means and standard errors are those of {starts} starts; a larger search.budget allows \
+             {CONFIRMING_STARTS}."
         ));
     }
     all

@@ -68,16 +68,6 @@ impl Converter<'_> {
         request.critical_gap_min_fraction = spread;
         self.whole("initial_states", search.initial_states)?;
         request.starts = search.initial_states;
-        let least = request.points.len() as u64 * request.starts;
-        if (search.runs_max as u64) < least {
-            let allowed = format!(
-                "{least} or more: one structure at {} operating points from {} starts",
-                request.points.len(),
-                request.starts
-            );
-            return Err(self.refuse("search.runs_max", &search.runs_max.to_string(), &allowed));
-        }
-        request.budget = search.runs_max;
         let further = search.map_speed_rpm.as_deref().unwrap_or_default();
         if further.len() > MAPS_MAX || further.iter().any(|v| !(v.is_finite() && *v > 0.0)) {
             let allowed = format!("a list of at most {MAPS_MAX} speeds in rpm, each more than 0");
@@ -87,6 +77,18 @@ impl Converter<'_> {
             .iter()
             .map(|&v| self.si("search.map_speed_rpm", v))
             .collect::<Result<_, _>>()?;
+        let least = request.budget_least();
+        if search.budget < least {
+            let allowed = format!(
+                "{least} or more with search.starts = {}, operating points: {}, maps at further \
+                 speeds: {}",
+                request.starts,
+                request.points.len(),
+                request.map_speeds_rad_s.len()
+            );
+            return Err(self.refuse("search.budget", &search.budget.to_string(), &allowed));
+        }
+        request.budget = search.budget;
         Ok(request)
     }
 

@@ -37,7 +37,8 @@ section! {
             "unevenly spaced starts per design",
             Commented("2", "unevenly spaced starts per design, 1 to 64");
         runs_max formerly budget: usize = Default(cageless::design::search::BUDGET), Whole(1, None),
-            "largest number of simulations", Commented("200", "largest number of simulations");
+            "largest number of simulations of all balls",
+            Commented("400", "largest number of simulations of all balls");
         map_speed_rpm: Option<Vec<f64>> = Optional, RevolutionPerMinute,
             "further speeds to draw maps at",
             Commented("[6000.0, 20000.0]", "further speeds to draw maps at");

@@ -5,7 +5,7 @@ use super::pareto::OBJECTIVES;
 use super::perturbed_run::{Motion, VALUES};
 use super::raceway_layout::{ClosedForms, RacewayLayout};
 use super::rejection::{Cause, Rejection};
-use super::request::{CONFIRMING_STARTS, Execute, Request, Stage};
+use super::request::{Execute, Request, Stage};
 use crate::bearing::Bearing;
 
 /// A structure with what is known of it; later stages are left empty once it is rejected.
@@ -286,8 +286,8 @@ impl Batch<'_, '_> {
             .collect()
     }
 
-    /// Numbers of one structure from [`CONFIRMING_STARTS`] starts or more, whether it is
-    /// acceptable or not.
+    /// Numbers of one structure from [`Request::confirming_starts`], whether it is acceptable or
+    /// not.
     pub fn confirm(
         &mut self,
         role: &'static str,
@@ -299,7 +299,7 @@ impl Batch<'_, '_> {
             self.spacing(Stage::Confirm, &mut one)?;
         }
         let usual = self.request.starts as usize;
-        let starts = CONFIRMING_STARTS.max(self.request.starts);
+        let starts = self.request.confirming_starts();
         let jobs = self.motion_jobs(structure, starts);
         let outcomes = self.execute(Stage::Confirm, &jobs)?;
         let [mut evaluation] = one;

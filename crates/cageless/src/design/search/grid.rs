@@ -16,8 +16,9 @@ use crate::raceway::axial_span_limit_m;
 /// Cells of the maps along lC and θ, and the fewest of them.
 const MAP: [usize; 2] = [30, 18];
 const MAP_LEAST: [usize; 2] = [10, 6];
-/// lines of the candidates along θ, and structures on each.
+/// Lines of the candidates along θ, and structures on each; the fewest lines.
 const CANDIDATES: [usize; 2] = [26, 9];
+const LINES_LEAST: usize = 6;
 /// Spans at which β0 is tabulated to find the candidates.
 const TABLE: usize = 40;
 
@@ -193,7 +194,7 @@ fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrup
         };
     }
     // What critical gap and stress leave over has to stand the motion of all balls.
-    let left = |maps: &mut [SpeedMap]| -> Vec<(usize, usize)> {
+    let left = |maps: &[SpeedMap]| -> Vec<(usize, usize)> {
         let open = |m: &SpeedMap| {
             (0..m.cells.len())
                 .filter(|&c| m.cells[c].cause.is_none())
@@ -204,7 +205,11 @@ fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrup
             .flat_map(|(k, m)| open(m).into_iter().map(move |c| (k, c)))
             .collect()
     };
-    let places = left(maps);
+    let mut places = left(maps);
+    while places.len() > batch.request.map_cells_simulated() {
+        maps.iter_mut().for_each(thin);
+        places = left(maps);
+    }
     let jobs: Vec<Job> = places
         .iter()
         .flat_map(|&(k, c)| batch.motion_jobs_at(&maps[k].cells[c].structure, maps[k].point))
@@ -224,6 +229,32 @@ fn fill(batch: &mut Batch<'_, '_>, maps: &mut [SpeedMap]) -> Result<(), Interrup
     Ok(())
 }
 
+/// Leaves out every second line along the longer side of a map.
+fn thin(map: &mut SpeedMap) {
+    let columns = map.axial_span_m.len();
+    let steps = if columns >= map.half_angle_rad.len() {
+        [2, 1]
+    } else {
+        [1, 2]
+    };
+    let every = |step: usize| move |k: usize| k.is_multiple_of(step);
+    let (column, row) = (every(steps[0]), every(steps[1]));
+    let mut k = 0..;
+    map.cells.retain(|_| {
+        k.next()
+            .is_some_and(|k: usize| column(k % columns) && row(k / columns))
+    });
+    let mut k = 0..;
+    map.axial_span_m.retain(|_| k.next().is_some_and(column));
+    let mut k = 0..;
+    map.half_angle_rad.retain(|_| k.next().is_some_and(row));
+}
+
+/// Lines of the candidates: no more than structures that are simulated for the front.
+fn lines(request: &Request) -> usize {
+    request.front_structures().clamp(LINES_LEAST, CANDIDATES[0])
+}
+
 /// Candidates of all placements. Without slip the critical gap is β0, with slip it may fall
 /// short of it by [`SLIP_SHORTFALL`]; so β0 over the steady gap must lie between
 /// [`Request::critical_gap_min_fraction`] and 1/(1 − that).
@@ -231,18 +262,18 @@ pub(super) fn candidates(batch: &Batch<'_, '_>) -> Vec<Evaluation> {
     let [_, angles] = batch.ranges;
     let mut evaluations = vec![];
     for placement in 0..batch.request.placements.len() {
-        for half_angle_rad in spread(angles, CANDIDATES[0]) {
+        for half_angle_rad in spread(angles, lines(batch.request)) {
             evaluations.extend(line(batch, placement, half_angle_rad));
         }
     }
     evaluations
 }
 
-/// lines of the candidates halfway to the next on both sides of those on which something is
+/// Lines of the candidates halfway to the next on both sides of those on which something is
 /// acceptable.
 pub(super) fn refine(batch: &Batch<'_, '_>, known: &[Evaluation]) -> Vec<Evaluation> {
     let [_, [low, high]] = batch.ranges;
-    let half = (high - low) / (CANDIDATES[0] - 1) as f64 / 2.0;
+    let half = (high - low) / (lines(batch.request) - 1) as f64 / 2.0;
     let mut lines: Vec<(usize, f64)> = vec![];
     for e in known.iter().filter(|e| e.objectives.is_some()) {
         for half_angle_rad in [

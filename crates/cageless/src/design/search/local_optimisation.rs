@@ -5,9 +5,6 @@ use std::cell::RefCell;
 
 use cobyla::{Func, RhoBeg, StopTols, minimize};
 
-/// Evaluations of the model at most.
-const EVALUATIONS: usize = 24;
-
 /// Objective and constraints (0 or more is kept) at one place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Value<const C: usize> {
@@ -17,10 +14,11 @@ pub struct Value<const C: usize> {
     pub constraints: [f64; C],
 }
 
-/// The best place near 0 found by `evaluate` within ±`reach`, in units of the caller's steps;
-/// `None` if no place but the start was better and kept to the constraints.
+/// The best place near 0 found by about `evaluations` of the model within ±`reach`, in units of the
+/// caller's steps; `None` if no place but the start was better and kept to the constraints.
 pub fn minimise<const C: usize>(
     reach: f64,
+    evaluations: usize,
     start: Value<C>,
     evaluate: &mut dyn FnMut([f64; 2]) -> Value<C>,
 ) -> Option<[f64; 2]> {
@@ -52,7 +50,7 @@ pub fn minimise<const C: usize>(
         &[(-reach, reach), (-reach, reach)],
         &constraints,
         (),
-        EVALUATIONS,
+        evaluations,
         RhoBeg::All(0.5),
         Some(StopTols {
             xtol_abs: vec![0.02; 2],
@@ -80,7 +78,7 @@ mod tests {
             objective: (x - 1.0).powi(2) + (y - 1.0).powi(2),
             constraints: [1.0 - x - y],
         };
-        let [x, y] = minimise(2.0, value([0.0; 2]), &mut { value }).unwrap();
+        let [x, y] = minimise(2.0, 24, value([0.0; 2]), &mut { value }).unwrap();
         assert!(x + y <= 1.0 + 1e-12);
         assert!((x - 0.5).abs() < 0.1 && (y - 0.5).abs() < 0.1, "{x} {y}");
     }
@@ -91,6 +89,6 @@ mod tests {
             objective: x * x + y * y,
             constraints: [1.0],
         };
-        assert_eq!(minimise(1.0, value([0.0; 2]), &mut { value }), None);
+        assert_eq!(minimise(1.0, 24, value([0.0; 2]), &mut { value }), None);
     }
 }

@@ -24,6 +24,7 @@
 //! assert!(places[0][0].abs() < 1e-12);
 //! ```
 
+mod budget;
 mod evaluation;
 mod grid;
 mod job;
@@ -79,7 +80,7 @@ pub struct Found {
     pub request: Request,
     /// Maps: one per operating point, then one per further speed.
     pub maps: Vec<SpeedMap>,
-    /// Every candidates, with numbers or the reason of its rejection; that of the
+    /// Every candidate, with numbers or the reason of its rejection; that of the
     /// optimiser last, if it found a better one.
     pub evaluations: Vec<Evaluation>,
     /// Index of the recommended structure.
@@ -147,6 +148,11 @@ pub fn search(
     execute: &mut Execute<'_>,
 ) -> Result<Found, SearchError> {
     case.check_constant_operation("a search")?;
+    let least = request.budget_least();
+    if request.budget < least {
+        let message = format!("its budget of {} is less than {least}", request.budget);
+        return Err(SearchError::Impossible(message));
+    }
     check_points(case, request)?;
     let mut batch = Batch {
         request,
@@ -157,7 +163,7 @@ pub fn search(
     let maps = grid::maps(&mut batch)?;
     let mut evaluations = grid::candidates(&batch);
     batch.spacing(Stage::Candidates, &mut evaluations)?;
-    let limit = request.budget / (request.points.len() * request.starts as usize).max(1);
+    let limit = request.front_structures();
     // A third is kept for a closer look at what is acceptable.
     batch.motion(Stage::Motion, &mut evaluations, (limit - limit / 3).max(1))?;
     let done = evaluations.iter().filter(|e| e.motion[0].is_some()).count();
@@ -242,19 +248,20 @@ fn optimise_from(
     let mut interrupted = false;
     let mut seen: Vec<([f64; 2], Evaluation)> = vec![];
     let critical_gap_min_fraction = batch.request.critical_gap_min_fraction;
+    let tries = batch.request.optimised_structures();
     let value = |e: &Evaluation| local_optimisation::Value {
         objective: distance(e).min(2.0),
         constraints: e.slack(critical_gap_min_fraction),
     };
     let start = value(from);
-    let found = local_optimisation::minimise(2.0, start, &mut |[x, y]| {
+    let found = local_optimisation::minimise(2.0, tries, start, &mut |[x, y]| {
         let structure = grid::snapped(&RacewayLayout {
             axial_span_m: from.structure.axial_span_m * (1.0 + SPAN_STEP * x),
             half_angle_rad: from.structure.half_angle_rad * (1.0 + ANGLE_STEP * y),
             ..from.structure.clone()
         });
         let mut one = vec![Evaluation::new(batch, structure, from.placement)];
-        let allowed = batch.within(&one[0].structure);
+        let allowed = seen.len() < tries && batch.within(&one[0].structure);
         if !interrupted && allowed {
             let done = batch
                 .spacing(Stage::Polish, &mut one)

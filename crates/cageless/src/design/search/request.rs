@@ -21,7 +21,8 @@ pub struct Request {
     pub critical_gap_min_fraction: f64,
     /// Uneven starts per structure, 1 or more.
     pub starts: u64,
-    /// Runs of all balls for the front at most; below the default, maps have fewer cells.
+    /// Simulations of all balls at most, [`Request::budget_least`] or more; below the default, maps
+    /// and candidates are coarser, too.
     pub budget: usize,
 }
 
@@ -47,10 +48,10 @@ impl Request {
 }
 
 /// Default of [`Request::budget`].
-pub const BUDGET: usize = 200;
+pub const BUDGET: usize = 400;
 /// Default of [`Request::critical_gap_min_fraction`].
 pub const CRITICAL_GAP_MIN_FRACTION: f64 = 0.8;
-/// Starts of the confirmation.
+/// Starts of the confirmation with the default budget and one operating point.
 pub const CONFIRMING_STARTS: u64 = 12;
 
 /// Stage of a search.
