@@ -20,7 +20,7 @@ use crate::page::{Note, Page};
 use crate::recommended::ShownRaceway;
 use crate::reproduce_data::DesignCurve;
 use crate::search_tables as tables;
-use crate::studio_page::studio_section;
+use crate::studio_page::case_sections;
 use crate::table::{Cell, Row, Table};
 use crate::tables::parameter_table;
 use crate::text::fixed;
@@ -146,16 +146,8 @@ pub fn design_page(data: &DesignData) -> String {
             stretches: Vec::new(),
         });
     }
-    if !data.parameters.is_empty() {
-        page.section("The case as computed");
-        page.table(&parameter_table(
-            "Case",
-            "Every key of the case.",
-            &data.parameters,
-            None,
-        ));
-    }
-    studio_section(&mut page, &data.case_toml, "");
+    let title = "The case as computed";
+    case_sections(&mut page, title, &data.parameters, &data.case_toml);
     page.html()
 }
 

@@ -8,7 +8,7 @@ use crate::motion::MotionFigure;
 use crate::page::{Note, Page};
 use crate::run_data::RunData;
 use crate::sampling::range;
-use crate::studio_page::studio_section;
+use crate::studio_page::case_sections;
 use crate::tables::parameter_table;
 use crate::text::short;
 use crate::verification::verification_table;
@@ -85,16 +85,8 @@ pub fn run_page(data: &RunData) -> String {
             .for_each(|fact| page.note(Note::Remark, fact));
         page.table(&verification_table(verification, data.provenance.clone()));
     }
-    if !data.parameters.is_empty() {
-        page.section("The case as run");
-        page.table(&parameter_table(
-            "Case",
-            "Every key of the case.",
-            &data.parameters,
-            None,
-        ));
-    }
-    studio_section(&mut page, &data.case_toml, "");
+    let title = "The case as run";
+    case_sections(&mut page, title, &data.parameters, &data.case_toml);
     page.html()
 }
 

@@ -11,7 +11,7 @@ use crate::figure::Figure;
 use crate::figures::polar;
 use crate::head::Head;
 use crate::page::{Note, Page};
-use crate::studio_page::studio_section;
+use crate::studio_page::case_sections;
 use crate::table::{Cell, Row, Table};
 use crate::tables::parameter_table;
 
@@ -52,19 +52,9 @@ pub fn static_page(file: &CaseFile, record: &Record) -> String {
     page.section("Displacement, stiffness, ratings and frequencies");
     page.table(&results(file, record));
     notes(&mut page, record);
-    page.section("The case as computed");
-    page.table(&parameter_table(
-        "Case",
-        "Every key of the case.",
-        &parameters(file),
-        None,
-    ));
     // A seed beyond the whole numbers of TOML leaves the page without a studio.
-    studio_section(
-        &mut page,
-        &file.document().to_toml().unwrap_or_default(),
-        "",
-    );
+    let toml = file.document().to_toml().unwrap_or_default();
+    case_sections(&mut page, "The case as computed", &parameters(file), &toml);
     page.html()
 }
 

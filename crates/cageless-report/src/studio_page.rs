@@ -1,7 +1,9 @@
 //! Pages with a studio: one of its own, or the last section of a report.
 
+use crate::data::Parameter;
 use crate::page::Page;
 use crate::studio::Opening;
+use crate::tables::parameter_table;
 
 /// The studio of a case as a page of its own.
 pub fn studio_page(toml: &str, software: &str) -> String {
@@ -20,4 +22,18 @@ pub(crate) fn studio_section(page: &mut Page, toml: &str, about: &str) {
         }
         page.studio(toml, Opening::OnRequest);
     }
+}
+
+/// The last sections of a report: every key of its case, and the case to be changed.
+pub(crate) fn case_sections(page: &mut Page, title: &str, keys: &[Parameter], toml: &str) {
+    if !keys.is_empty() {
+        page.section(title);
+        page.table(&parameter_table(
+            "Case",
+            "Every key of the case.",
+            keys,
+            None,
+        ));
+    }
+    studio_section(page, toml, "");
 }
