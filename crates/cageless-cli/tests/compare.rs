@@ -5,6 +5,35 @@ use crate::common::*;
 // More rows than an animation has, so that it does not begin with the run.
 const SETS: [&str; 2] = ["solver.duration_s=0.02", "output.interval_us=5"];
 
+/// Numbers and page are of one comparison: without room for the page the folder stays as it was.
+#[cfg(unix)]
+#[test]
+fn a_full_disk_leaves_the_files_of_one_comparison() {
+    let dir = tempfile::tempdir().unwrap();
+    let case = repository_case("zhao-d.toml");
+    let compare = |mut command: std::process::Command, speed: &str| -> Answer {
+        command.arg("compare").arg(&case).arg("--with-conventional");
+        command.args(["--starts", "2", "--set", "solver.duration_s=0.01"]);
+        command.args(["--set", &format!("operation.inner_speed_rpm={speed}")]);
+        command.arg("--out").arg(dir.path());
+        command.output().unwrap().into()
+    };
+    assert_eq!(compare(cageless(), "12000").code, Some(0));
+    let read =
+        || ["compare.json", "report.html"].map(|f| std::fs::read(dir.path().join(f)).unwrap());
+    let before = read();
+    // Room for the numbers, none for the page.
+    let kilobytes = 1 + before[0].len() as u32 / 512;
+    assert!(before[1].len() as u32 > 1024 * kilobytes);
+    let answer = compare(on_full_disk(kilobytes), "9000");
+    assert_eq!(answer.code, Some(1), "{answer:?}");
+    assert_eq!(answer.stderr.lines().count(), 1, "{answer:?}");
+    let message = &answer.stderr;
+    assert!(message.contains("report.html: file too large"), "{message}");
+    assert!(read() == before);
+    assert_eq!(names(dir.path()), ["compare.json", "report.html"]);
+}
+
 /// Two finished runs: their numbers as they are, and nothing judged.
 #[test]
 fn finished_runs_are_shown_and_not_judged() {

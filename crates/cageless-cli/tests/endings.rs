@@ -182,15 +182,10 @@ fn a_full_disk_leaves_the_files_of_one_run() {
         names.map(|f| std::fs::read(out.join(f)).unwrap()).collect()
     };
     let before = read();
-    for (blocks, duration) in [("16", "0.002"), ("2000", "1")] {
-        let mut command = Command::new("bash");
-        command.args([
-            "-c",
-            "trap '' XFSZ; ulimit -f $1; shift; exec \"$@\"",
-            "bash",
-        ]);
-        command.args([blocks, env!("CARGO_BIN_EXE_cageless"), "run"]);
+    for (blocks, duration) in [(16, "0.002"), (2000, "1")] {
+        let mut command = on_full_disk(blocks);
         command
+            .arg("run")
             .arg(repository_case("zhao-d.toml"))
             .arg("--out")
             .arg(out);

@@ -18,6 +18,16 @@ pub fn cageless() -> Command {
     command
 }
 
+/// The binary where no file may grow beyond a size, as on a disk that is full.
+#[cfg(unix)]
+pub fn on_full_disk(kilobytes: u32) -> Command {
+    let mut command = Command::new("bash");
+    let limited = format!("trap '' XFSZ; ulimit -f {kilobytes}; exec \"$@\"");
+    command.args(["-c", &limited, "bash", env!("CARGO_BIN_EXE_cageless")]);
+    command.stdin(Stdio::null()).env_remove("RUST_BACKTRACE");
+    command
+}
+
 /// One of the cases of the repository.
 pub fn repository_case(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -49,7 +59,7 @@ impl From<Output> for Answer {
             stdout: text(output.stdout),
             // Lines of progress depend on how busy the machine is.
             stderr: (text(output.stderr).split_inclusive('\n'))
-                .filter(|line| !line.starts_with("progress: "))
+                .filter(|line| !line.starts_with("progress: ") && !line.starts_with("estimate: "))
                 .collect(),
         }
     }
