@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
-use cageless_study::{Progress, Workload, time_left};
+use cageless_study::{KNOWN, Progress, Workload, time_left};
 use indicatif::{FormattedDuration, ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// Set once the user has asked to stop.
@@ -40,7 +40,7 @@ pub fn is_quiet() -> bool {
 
 /// Work shorter than this shows no bar.
 const SILENT: Duration = Duration::from_secs(2);
-/// Work shorter than this prints no lines where stderr is no terminal.
+/// Work that takes less in all prints no lines where stderr is no terminal.
 const SILENT_LINES: Duration = Duration::from_secs(10);
 /// Positions of the bar.
 const POSITIONS: f64 = 1e4;
@@ -79,11 +79,7 @@ impl<'s> Bars<'s> {
 /// Number of lines that are due without a terminal: one as soon as the time left is known, then one
 /// for each tenth.
 fn lines_due(fraction: f64) -> usize {
-    if fraction > 0.01 {
-        1 + (10.0 * fraction) as usize
-    } else {
-        0
-    }
+    usize::from(fraction > KNOWN) + (10.0 * fraction) as usize
 }
 
 /// Time so far and time left of the whole.
@@ -110,8 +106,9 @@ impl Progress for Bars<'_> {
             return;
         }
         if !std::io::stderr().is_terminal() {
+            let whole = elapsed + time_left(elapsed, fraction).unwrap_or_default();
             let due = lines_due(fraction);
-            if elapsed >= SILENT_LINES && due > self.lines.fetch_max(due, Ordering::Relaxed) {
+            if whole >= SILENT_LINES && due > self.lines.fetch_max(due, Ordering::Relaxed) {
                 let times = times(elapsed, fraction);
                 eprintln!("progress: {task}: {:.0} %, {times}", 100.0 * fraction);
             }
@@ -148,7 +145,7 @@ mod tests {
 
     #[test]
     fn without_a_terminal_there_is_a_line_at_once_and_for_each_tenth() {
-        let due = [0.005, 0.02, 0.09, 0.1, 0.55, 1.0].map(lines_due);
+        let due = [0.0005, 0.02, 0.09, 0.1, 0.55, 1.0].map(lines_due);
         assert_eq!(due, [0, 1, 1, 2, 6, 11]);
     }
 }

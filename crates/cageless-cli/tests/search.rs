@@ -1,5 +1,6 @@
 //! `design --search`: what it leaves, that it goes on where it was stopped, and what it refuses.
 
+use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::Stdio;
 use std::time::{Duration, Instant};
@@ -207,5 +208,35 @@ fn every_raceway_of_a_case_is_judged() {
         reasons
             .iter()
             .any(|r| r.as_str().unwrap().starts_with("raceway 2:"))
+    );
+}
+
+/// Long work says early how long it will take, and nothing where that is unwanted.
+#[test]
+fn a_long_search_says_how_long_it_takes() {
+    let dir = tempfile::tempdir().unwrap();
+    let mut child = (cageless().env("RAYON_NUM_THREADS", "1"))
+        .arg("design")
+        .arg(repository_case("zhao-d.toml"))
+        .args(["--search", "--set", "search.runs_max=2000", "--out"])
+        .arg(dir.path())
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut said = String::new();
+    let mut lines = BufReader::new(child.stderr.take().unwrap());
+    lines.read_line(&mut said).unwrap();
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let times: Vec<&str> = said.trim_end().rsplit(", ").take(2).collect();
+    assert!(said.starts_with("progress: "), "{said}");
+    assert!(
+        times[0].ends_with(" left") && !times[0].starts_with("00:00:0"),
+        "{said}"
+    );
+    assert!(
+        times[1].starts_with("00:00:") && times[1].ends_with(" elapsed"),
+        "{said}"
     );
 }

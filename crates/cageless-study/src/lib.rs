@@ -34,7 +34,7 @@ pub use error::StudyError;
 pub use histories::{CollisionPoint, Histories, RunHistories, SAMPLING_HZ};
 pub use parameter::{Parameter, parameter, parameters};
 pub use passages::Passages;
-pub use progress::{Progress, Silent, Work, Workload, break_if, time_left};
+pub use progress::{KNOWN, Progress, Silent, Work, Workload, break_if, time_left};
 pub use provenance::{Provenance, profile_name, provenance};
 pub use structure::RacewayLabel;
 pub use summary::{RunSummary, Stopped};

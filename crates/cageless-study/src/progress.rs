@@ -165,7 +165,7 @@ impl Workload {
 }
 
 /// Fraction of the whole from which on the time left is known.
-const KNOWN: f64 = 0.01;
+pub const KNOWN: f64 = 0.001;
 
 /// Time left of a whole of which a fraction is done; `None` while too little is.
 pub fn time_left(elapsed: Duration, fraction: f64) -> Option<Duration> {
@@ -238,6 +238,6 @@ mod tests {
         let rounded = |fraction| left(fraction).map(|left| left.as_secs_f64().round());
         assert_eq!(rounded(0.05), Some(57.0));
         assert_eq!(rounded(1.0), Some(0.0));
-        assert_eq!([left(0.01), left(f64::NAN)], [None, None]);
+        assert_eq!([left(0.001), left(f64::NAN)], [None, None]);
     }
 }

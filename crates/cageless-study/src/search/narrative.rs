@@ -58,7 +58,7 @@ pub fn narrative(found: &Found, data: &SearchData) -> Vec<String> {
     let starts = found.request.confirming_starts();
     if starts < CONFIRMING_STARTS {
         all.push(format!(
-            "Means and standard errors are those of {starts} starts; a larger search.budget allows \
+            "Means and standard errors are those of {starts} starts; a larger search.runs_max allows \
              {CONFIRMING_STARTS}."
         ));
     }

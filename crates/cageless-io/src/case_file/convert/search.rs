@@ -78,17 +78,17 @@ impl Converter<'_> {
             .map(|&v| self.si("search.map_speed_rpm", v))
             .collect::<Result<_, _>>()?;
         let least = request.budget_least();
-        if search.budget < least {
+        if search.runs_max < least {
             let allowed = format!(
-                "{least} or more with search.starts = {}, operating points: {}, maps at further \
+                "{least} or more with search.initial_states = {}, operating points: {}, maps at further \
                  speeds: {}",
                 request.starts,
                 request.points.len(),
                 request.map_speeds_rad_s.len()
             );
-            return Err(self.refuse("search.budget", &search.budget.to_string(), &allowed));
+            return Err(self.refuse("search.runs_max", &search.runs_max.to_string(), &allowed));
         }
-        request.budget = search.budget;
+        request.budget = search.runs_max;
         Ok(request)
     }
 
