@@ -356,7 +356,7 @@ fn simulations(case: &Case, request: &Request) -> usize {
                 motions += 1;
                 let mut motion = Motion::from_values([1.0; 11]);
                 motion.double_collision_fraction = 0.0;
-                motion.slip_m_s = job.structure.axial_span_m;
+                motion.sliding_m_s = job.structure.axial_span_m;
                 Ok(Numbers::Motion(motion))
             }
         };
