@@ -29,7 +29,10 @@ fn a_full_disk_leaves_the_files_of_one_comparison() {
     assert_eq!(answer.code, Some(1), "{answer:?}");
     assert_eq!(answer.stderr.lines().count(), 1, "{answer:?}");
     let message = &answer.stderr;
-    assert!(message.contains("report.html: file too large"), "{message}");
+    assert!(
+        message.contains("report.html: cannot be written to: file too large"),
+        "{message}"
+    );
     assert!(read() == before);
     assert_eq!(names(dir.path()), ["compare.json", "report.html"]);
 }

@@ -30,7 +30,7 @@ pins! {
     static_unloaded: "static cases/conventional.toml +operation.radial_load_n=0 +operation.gravity_m_s2=0; static cases/full-6205.toml +material.preset=Si3N4 --json";
     design: "design cases/zhao-d.toml +solver.step_us=2.5 --out OUT";
     design_conventional: "design cases/conventional.toml +solver.step_us=2.5 --out OUT";
-    design_search: "design cases/zhao-d.toml --search +search.runs_max=16 +search.initial_states=1 +search.half_angle_deg=24.5 +search.axial_span_mm=[5,5.2] +solver.step_us=2.5 --out OUT";
+    design_search: "design cases/zhao-d.toml --search +search.runs_max=32 +search.initial_states=1 +search.half_angle_deg=24.5 +search.axial_span_mm=[5,5.2] +solver.step_us=2.5 --out OUT";
     tolerance: "tolerance cases/zhao-d.toml --samples 2 --speed-percent 0 --load-percent 0 --friction 0 +solver.step_us=2.5 --out OUT";
     run: "run cases/zhao-d.toml +solver.duration_s=0.02 --csv --out OUT";
     run_json: "run cases/conventional.toml +solver.duration_s=0.02 +start.gaps=bunched --json";
