@@ -7,8 +7,10 @@ use std::time::{Duration, Instant};
 
 use crate::common::*;
 
-/// A search that is soon done: one span, few angles, few runs.
-const SMALL: [&str; 4] = [
+/// A search that is soon done: one span, few angles, few runs, long steps.
+const SMALL: [&str; 6] = [
+    "solver.method=verlet",
+    "solver.step_us=auto",
     "search.axial_span_mm=5.1",
     "search.half_angle_deg=[24,26]",
     "search.initial_states=1",
@@ -144,6 +146,8 @@ fn nothing_to_recommend_is_an_outcome_with_a_reason() {
     let case = repository_case("zhao-d.toml");
     // Too shallow to spread anything.
     let sets = [
+        "solver.method=verlet",
+        "solver.step_us=auto",
         "search.axial_span_mm=1",
         "search.half_angle_deg=[10,14]",
         "search.runs_max=32",

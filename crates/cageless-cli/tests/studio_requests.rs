@@ -31,7 +31,8 @@ fn good(studio: &Studio, request: &Value) -> Value {
 /// A search that is soon done: one span, few angles, few runs.
 fn search() -> Value {
     let small = "\n[search]\naxial_span_mm = 5.1\nhalf_angle_deg = [24.0, 26.0]\nstarts = 1\n";
-    json!({ "op": "search", "case": case("zhao-d.toml") + small, "budget": 32 })
+    let case = case("zhao-d.toml").replace("step_us = 1.0 ", "step_us = 2.5 ");
+    json!({ "op": "search", "case": case + small, "budget": 32 })
 }
 
 #[test]

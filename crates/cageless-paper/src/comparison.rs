@@ -42,7 +42,7 @@ const GAP_IN_BUNCH_DEG: f64 = 0.05;
 /// Grades of ISO 3290-1 besides equal balls.
 const GRADES: [u32; 3] = [5, 10, 28];
 
-/// A speed with the raceway that `design --search` recommends for it.
+/// A speed with a raceway near that which `design --search` recommends for it.
 struct Speed {
     rpm: f64,
     duration_s: f64,
