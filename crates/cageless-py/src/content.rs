@@ -5,11 +5,12 @@ use std::sync::OnceLock;
 use cageless_io::case_file::CaseFile;
 use cageless_report::figures::named::{DESIGN, Named, RUN, SEARCH, SWEEP, TOLERANCE};
 use cageless_report::figures::{named, sweep};
-use cageless_report::tolerance::{ToleranceData, tolerance_page};
+use cageless_report::tolerance::tolerance_page;
 use cageless_report::{
     DesignData, Figure, RunData, SearchData, SweepData, SweepOutput, design_page, from_json,
     run_from_json, run_json, run_page, sweep_page, to_json,
 };
+use cageless_results::{Record, Shape, TOLERANCE_SHAPE};
 use pyo3::prelude::*;
 
 use crate::analysis::analysed;
@@ -22,7 +23,7 @@ pub enum Content {
     Page(&'static str, Later<String>),
     Design(Box<DesignData>),
     Search(Box<(CaseFile, SearchData)>),
-    Tolerance(Box<ToleranceData>),
+    Tolerance(Box<Record>),
     Analysis(Box<SweepData>),
 }
 
@@ -53,6 +54,12 @@ fn foreign(what: &'static str) -> impl Fn(serde_json::Error) -> PyErr {
     move |error| input(format!("{what}: {error}"))
 }
 
+/// The record of a JSON text.
+fn recorded(shape: &Shape, text: &str) -> Result<Record, String> {
+    let values = serde_json::from_str(text).map_err(|e| e.to_string())?;
+    Record::read(shape, &values)
+}
+
 impl Content {
     /// What [`Self::source`] wrote, of a result of this kind with these values.
     pub fn restored(kind: &str, values: &str, source: String) -> PyResult<Self> {
@@ -72,7 +79,12 @@ impl Content {
                 let data = from_json(values).map_err(foreign("numbers of a search"))?;
                 Self::Search(Box::new((file, data)))
             }
-            "tolerance" => Self::Tolerance(from_json(values).map_err(foreign("tolerance.json"))?),
+            "tolerance" => {
+                let record = recorded(&TOLERANCE_SHAPE, values);
+                Self::Tolerance(Box::new(
+                    record.map_err(|e| input(format!("tolerance.json: {e}")))?,
+                ))
+            }
             "analysis" => Self::Analysis(from_json(values).map_err(foreign("report of a sweep"))?),
             _ => Self::Page("comparison", Later::new(move || Ok(source.clone()))),
         })

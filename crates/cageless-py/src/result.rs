@@ -86,7 +86,7 @@ pub fn quantities(kind: &str) -> Vec<[&'static str; 5]> {
             ValueKind::Integer => "integer",
             ValueKind::Flag => "flag",
             ValueKind::Text => "text",
-            ValueKind::Numbers => "numbers",
+            ValueKind::Numbers | ValueKind::Range => "numbers",
         };
         let better = match q.aim {
             Some(Aim::Low) => "low",

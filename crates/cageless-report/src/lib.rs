@@ -66,4 +66,4 @@ pub use static_page::{load_distribution, static_page, static_sheet};
 pub use studio::{Opening, engine};
 pub use studio_page::studio_page;
 pub use sweep::*;
-pub use verification::{VerificationRow, VerificationTable};
+pub use verification::VerificationTable;

@@ -11,7 +11,6 @@ use crate::sampling::range;
 use crate::studio_page::case_sections;
 use crate::tables::parameter_table;
 use crate::text::short;
-use crate::verification::verification_table;
 
 /// The page of one run.
 pub fn run_page(data: &RunData) -> String {
@@ -79,11 +78,7 @@ pub fn run_page(data: &RunData) -> String {
     }
     if let Some(verification) = &data.verification {
         page.section("Numerical verification");
-        verification
-            .facts
-            .iter()
-            .for_each(|fact| page.note(Note::Remark, fact));
-        page.table(&verification_table(verification, data.provenance.clone()));
+        verification.show(&mut page, "Numerical verification", &data.provenance);
     }
     let title = "The case as run";
     case_sections(&mut page, title, &data.parameters, &data.case_toml);

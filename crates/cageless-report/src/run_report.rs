@@ -7,6 +7,7 @@ use cageless::snapshot::Snapshot;
 use cageless::vibration::{FILTER_CORNER, FILTER_ORDER, Measurement};
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::VERSION;
+use cageless_results::Record;
 use cageless_study::run::RunRecord;
 use cageless_study::{RunHistories, RunSummary, SAMPLING_HZ, parameter, parameters, provenance};
 
@@ -164,7 +165,10 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
         collisions,
         collisions_total,
         energy: energy(outcome),
-        verification: summary.verification.as_ref().map(VerificationTable::new),
+        verification: summary.verification.as_ref().map(|verification| {
+            let numbers = verification.part("numbers").into_iter();
+            VerificationTable::new(verification, numbers.flat_map(Record::members))
+        }),
         energy_residual_relative: Some(outcome.energy_residual_relative),
         vibration: vibration.map(|measured| Vibration {
             signals: vec![vibration_signal("outer ring", measured)],

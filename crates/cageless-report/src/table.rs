@@ -74,7 +74,50 @@ pub struct Table {
     pub provenance: Option<Provenance>,
 }
 
+/// Whether all cells are numbers, ranges of them, or dashes.
+fn numeric<'c>(cells: impl Iterator<Item = &'c String>) -> bool {
+    let is_number = |text: &str| text == "–" || text.replace('−', "-").parse::<f64>().is_ok();
+    let is_numeric = |cell: &String| {
+        let cell = cell.replace(" × 10", "e");
+        let mut parts = cell.split([' ', 'e']).filter(|p| !matches!(*p, "…" | "±"));
+        parts.all(|part| is_number(part) || part.chars().all(|c| "⁻⁰¹²³⁴⁵⁶⁷⁸⁹".contains(c)))
+    };
+    let mut cells = cells;
+    cells.all(is_numeric)
+}
+
 impl Table {
+    /// A table of texts, the first row the head.
+    pub fn of(
+        label: &str,
+        caption: &str,
+        rows: Vec<Vec<String>>,
+        provenance: Option<Provenance>,
+    ) -> Self {
+        let mut rows = rows.into_iter();
+        let head = rows.next().unwrap_or_default();
+        let rows: Vec<Vec<String>> = rows.collect();
+        let numeric: Vec<bool> = (0..head.len())
+            .map(|k| !rows.is_empty() && numeric(rows.iter().filter_map(|row| row.get(k))))
+            .collect();
+        let cell = |(text, numeric): (String, &bool)| match numeric {
+            true => Cell::number(text),
+            false => Cell::text(text),
+        };
+        let row = |row: Vec<String>| Row {
+            cells: row.into_iter().zip(&numeric).map(cell).collect(),
+            ..Row::default()
+        };
+        Self {
+            label: label.to_owned(),
+            caption: caption.to_owned(),
+            rows: rows.into_iter().map(row).collect(),
+            columns: head.into_iter().zip(numeric.iter().copied()).collect(),
+            provenance,
+            ..Self::default()
+        }
+    }
+
     /// HTML with the anchor `id`.
     pub fn html(&self, id: &str) -> String {
         let mut out = format!(

@@ -1,120 +1,81 @@
 //! The page of a bearing within its tolerances.
 
-pub use cageless_study::tolerance::{InfluenceRow, SampleData, ToleranceData, VerdictCount};
+use cageless_results::{Record, table_of};
+use cageless_study::lines;
 use serde_json::json;
 
+use crate::data::Provenance;
 use crate::figure::Figure;
+use crate::head::Head;
 use crate::page::{Note, Page};
 use crate::plot::{GREY, PALETTE, Plot, number, numbers};
-use crate::table::{Cell, Row, Table};
-use crate::text::{pass_word, short};
+use crate::table::Table;
+use crate::tables::parameter_table;
 
 /// The self-contained page.
-pub fn tolerance_page(data: &ToleranceData) -> String {
-    let mut page = Page::new(&data.title, "", &data.software);
-    page.verdict(Some(data.passes), &data.headline);
+pub fn tolerance_page(record: &Record) -> String {
+    let mut page = Page::new(record.text("title"), "", record.text("software"));
+    let head = Head::new(record.flag("passes"), record.text("headline"));
+    page.head(&head.facts(lines(record.rows())));
     page.section("One at a time");
-    page.table(&influence_table(data));
-    page.figure(&influence_figure(data));
-    if let Some(samples) = &data.samples {
+    page.table(&influence_table(record));
+    page.figure(&influence_figure(record));
+    if let Some(samples) = record.part("samples") {
         page.section("All at once");
-        if let Some(reason) = &samples.first_impossible {
+        if let Some(reason) = Some(samples.text("first_impossible")).filter(|r| !r.is_empty()) {
             page.note(
                 Note::Warning,
                 &format!("The first infeasible bearing: {reason}"),
             );
         }
-        page.table(&verdict_table(data, samples));
-        page.figure(&sample_figure(data, samples));
+        page.table(&parameter_table(
+            "Monte Carlo sample",
+            "Every deviation is uniform within its range and independent of the others.",
+            &lines(samples.rows()),
+            record.provenance.clone(),
+        ));
+        page.table(&verdict_table(record, samples));
+        page.figure(&sample_figure(record, samples));
     }
     page.html()
 }
 
-fn range(range: Option<[f64; 2]>, digits: usize) -> Cell {
-    Cell::number(range.map_or("–".to_owned(), |[low, high]| {
-        format!("{low:.digits$} … {high:.digits$}")
-    }))
+fn provenance(record: &Record) -> Provenance {
+    record.provenance.clone().unwrap_or_default()
 }
 
-fn influence_table(data: &ToleranceData) -> Table {
-    let number = |value: Option<f64>, digits: usize| {
-        Cell::number(value.map_or("–".to_owned(), |v| format!("{v:.digits$}")))
-    };
-    let mut rows = vec![Row {
-        cells: vec![
-            Cell::text("nominal"),
-            Cell::text(""),
-            Cell::text(""),
-            number(data.nominal_critical_gap_deg, 4),
-            number(data.nominal_double_collision_fraction.map(|s| 100.0 * s), 0),
-            number(data.nominal_sliding_m_s, 3),
-            Cell::text(pass_word(Some(data.nominal_passes))),
-            Cell::text(&data.nominal_verdict),
-        ],
-        marked: true,
-        summary: false,
-    }];
-    rows.extend(data.influences.iter().map(|row| Row {
-        cells: vec![
-            Cell::text(&row.name),
-            Cell::number(format!("{} … {}", short(row.low + 0.0), short(row.high))),
-            Cell::text(&row.unit),
-            range(row.critical_gap_deg, 4),
-            range(
-                row.double_collision_fraction.map(|s| s.map(|v| 100.0 * v)),
-                0,
-            ),
-            range(row.sliding_mean_m_s, 3),
-            Cell::text(format!("{} of {}", row.passed, row.trials)),
-            Cell::text(row.verdicts.join(", ")),
-        ],
-        ..Row::default()
-    }));
-    Table {
-        label: "Table 1".to_owned(),
-        caption: format!(
-            "Each influence at both ends of its range, all else nominal; numbers span these and the \
-             bearing nominal{}. Machining errors of the \
-             depth are largest in the middle of the raceway and run out at its ends.",
-            match data.ball_grade {
-                0 => String::new(),
-                grade => format!(
-                    "; balls: four lots of grade G{grade} (ISO 3290-1), each ball at random within \
-                     the lot's variation"
-                ),
-            }
+fn influence_table(record: &Record) -> Table {
+    let balls = match record.number("ball_grade") {
+        0.0 => String::new(),
+        grade => format!(
+            "; balls: four lots of grade G{grade} (ISO 3290-1), each ball at random within the lot's \
+             variation"
         ),
-        columns: [
-            ("Deviates", false),
-            ("by", true),
-            ("Unit", false),
-            ("Critical gap (°)", true),
-            ("Double collisions (% of passages)", true),
-            ("Sliding speed per passage (m/s)", true),
-            ("Pass", false),
-            ("Verdicts", false),
-        ]
-        .map(|(text, numeric)| (text.to_owned(), numeric))
-        .to_vec(),
-        rows,
-        provenance: Some(data.provenance.clone()),
-        ..Table::default()
-    }
+    };
+    let caption = format!(
+        "Each influence at both ends of its range, all else nominal; numbers span these and the \
+         bearing nominal{balls}. Machining errors of the depth are largest in the middle of the \
+         raceway and run out at its ends."
+    );
+    Table::of(
+        "Table 1",
+        &caption,
+        table_of(record.parts("influences")),
+        record.provenance.clone(),
+    )
 }
 
 /// Range of the critical gap over each influence.
-pub fn influence_figure(data: &ToleranceData) -> Figure {
-    let rows: Vec<&InfluenceRow> = data
-        .influences
-        .iter()
-        .filter(|row| row.critical_gap_deg.is_some())
-        .rev()
-        .collect();
-    let names: Vec<&str> = rows.iter().map(|row| row.name.as_str()).collect();
-    let ends: Vec<[f64; 2]> = rows.iter().filter_map(|row| row.critical_gap_deg).collect();
-    let base: Vec<f64> = ends.iter().map(|[low, _]| *low).collect();
-    let width: Vec<f64> = ends.iter().map(|[low, high]| high - low).collect();
-    let mut plot = Plot::new(90 + 34 * rows.len().max(2) as u32)
+pub fn influence_figure(record: &Record) -> Figure {
+    let (mut names, mut base, mut width) = (vec![], vec![], vec![]);
+    for row in record.parts("influences").iter().rev() {
+        if let [low, high] = row.values("critical_gap_deg") {
+            names.push(row.text("name"));
+            base.push(*low);
+            width.push(high - low);
+        }
+    }
+    let mut plot = Plot::new(90 + 34 * names.len().max(2) as u32)
         .set("margin", json!({ "l": 150, "r": 24, "t": 44, "b": 58 }))
         .axis("xaxis", "Critical gap (°)", json!({}))
         .axis("yaxis", "", json!({ "type": "category" }))
@@ -123,13 +84,13 @@ pub fn influence_figure(data: &ToleranceData) -> Figure {
             "base": numbers(&base), "marker": { "color": PALETTE[0] }, "width": 0.6,
             "hovertemplate": "%{y}: %{base:.4f} … %{x:.4f}°<extra></extra>",
         }));
-    if let Some(nominal) = data.nominal_critical_gap_deg {
+    if let Some(nominal) = record.value("nominal_critical_gap_deg") {
         plot = mark(plot, nominal, "nominal", 1.0, "solid");
     }
     Figure {
         label: "Figure 1".to_owned(),
         caption: "Critical gap at the ends of each range and nominal value (line).".to_owned(),
-        provenance: data.provenance.clone(),
+        provenance: provenance(record),
         plot,
     }
 }
@@ -143,45 +104,21 @@ fn mark(plot: Plot, at: f64, text: &str, y: f64, dash: &str) -> Plot {
     )
 }
 
-fn verdict_table(data: &ToleranceData, samples: &SampleData) -> Table {
-    let rows = samples
-        .verdicts
-        .iter()
-        .map(|v| Row {
-            cells: vec![
-                Cell::text(&v.verdict),
-                Cell::text(pass_word(v.passes)),
-                Cell::number(v.count.to_string()),
-                Cell::number(format!(
-                    "{:.1}",
-                    100.0 * v.count as f64 / samples.count as f64
-                )),
-            ],
-            marked: v.verdict == data.nominal_verdict,
-            summary: false,
-        })
-        .collect();
-    Table {
-        label: "Table 2".to_owned(),
-        caption: format!(
-            "Verdicts on {} bearings, every deviation uniform within its range and independent of the \
-             others (seed {}); the nominal verdict is highlighted.",
-            samples.count, samples.seed
-        ),
-        columns: vec![
-            ("Verdict".to_owned(), false),
-            ("Pass or fail".to_owned(), false),
-            ("Bearings".to_owned(), true),
-            ("Fraction (%)".to_owned(), true),
-        ],
-        rows,
-        provenance: Some(data.provenance.clone()),
-        ..Table::default()
-    }
+fn verdict_table(record: &Record, samples: &Record) -> Table {
+    let caption = format!(
+        "Verdicts on the bearings of the sample; the nominal one is {}.",
+        record.text("nominal_verdict")
+    );
+    Table::of(
+        "Table 2",
+        &caption,
+        table_of(samples.parts("verdicts")),
+        record.provenance.clone(),
+    )
 }
 
 /// Critical gaps of the bearings of the Monte Carlo sample, by verdict.
-pub fn sample_figure(data: &ToleranceData, samples: &SampleData) -> Figure {
+pub fn sample_figure(record: &Record, samples: &Record) -> Figure {
     let mut plot = Plot::new(360)
         .legend()
         .set("barmode", json!("stack"))
@@ -192,40 +129,35 @@ pub fn sample_figure(data: &ToleranceData, samples: &SampleData) -> Figure {
         )
         .axis("xaxis", "Critical gap (°)", json!({}))
         .axis("yaxis", "Bearings", json!({ "rangemode": "tozero" }));
-    let all: Vec<f64> = samples
-        .verdicts
-        .iter()
-        .flat_map(|v| v.critical_gap_deg.iter().copied())
-        .collect();
+    let verdicts = samples.parts("verdicts");
+    let gaps = verdicts.iter().map(|v| v.values("critical_gap_deg"));
+    let all: Vec<f64> = gaps.flatten().copied().collect();
     let low = all.iter().copied().fold(f64::INFINITY, f64::min);
     let high = all.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     // About the square root of the number, as bins.
     let bins = (all.len() as f64).sqrt().clamp(8.0, 40.0).round();
-    for (k, verdict) in samples.verdicts.iter().enumerate() {
-        if verdict.critical_gap_deg.is_empty() {
+    for (k, verdict) in verdicts.iter().enumerate() {
+        let gaps = verdict.values("critical_gap_deg");
+        if gaps.is_empty() {
             continue;
         }
         plot = plot.trace(json!({
-            "type": "histogram", "name": verdict.verdict,
-            "x": numbers(&verdict.critical_gap_deg),
+            "type": "histogram", "name": verdict.text("verdict"),
+            "x": numbers(gaps),
             "xbins": { "start": number(low), "end": number(high * (1.0 + 1e-9)), "size": number((high - low) / bins) },
             "marker": { "color": if k == 3 { GREY } else { PALETTE[[2, 4, 1][k]] } },
         }));
     }
-    if let Some(nominal) = data.nominal_critical_gap_deg {
+    if let Some(nominal) = record.value("nominal_critical_gap_deg") {
         plot = mark(plot, nominal, "nominal", 1.0, "solid");
     }
-    let uniform = data.uniform_gap_deg;
-    let quantiles = samples
-        .quantiles_text()
-        .map_or(String::new(), |text| format!(" {text}."));
     Figure {
         label: "Figure 2".to_owned(),
         caption: format!(
-            "Critical gap of the bearings by verdict. Evenly spaced balls have a gap of \
-             {uniform:.4}°.{quantiles}"
+            "Critical gap of the bearings by verdict. Evenly spaced balls have a gap of {:.4}°.",
+            record.number("uniform_gap_deg")
         ),
-        provenance: data.provenance.clone(),
+        provenance: provenance(record),
         plot,
     }
 }

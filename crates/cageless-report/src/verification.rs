@@ -1,150 +1,50 @@
-//! Table of the verification of a run.
+//! Verification of a run or a drop on its page.
 
 use cageless::verification::Convergence;
-use cageless_io::results::{VerificationFile, VerificationNumber, rounded};
+use cageless_results::{Record, table_of};
+use cageless_study::lines;
 use serde::{Deserialize, Serialize};
 
-use crate::data::Provenance;
-use crate::table::{Cell, Row, Table};
-use crate::text::short;
+use crate::data::{Parameter, Provenance};
+use crate::page::Page;
+use crate::table::Table;
+use crate::tables::parameter_table;
 
-/// Verification of a run as a table.
+/// Verification as it is shown.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct VerificationTable {
-    /// Predictability and balances, a sentence each.
-    pub facts: Vec<String>,
-    /// Row of each result.
-    pub rows: Vec<VerificationRow>,
-}
-
-/// Verification of one result as a table row.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct VerificationRow {
-    /// Key of the result in `summary.json`.
-    pub name: String,
-    /// Value as printed.
-    pub value: String,
-    /// Unit; may be empty.
-    pub unit: String,
-    /// `converged`, `statistical` or `step-biased`.
-    pub verdict: String,
-    /// Reason with its numbers.
-    pub reason: String,
-    /// Whether the row is highlighted.
-    pub marked: bool,
+    /// Step, replicas, predictability and balances.
+    pub facts: Vec<Parameter>,
+    /// The judgement of each result; the first row is the head.
+    pub rows: Vec<Vec<String>>,
 }
 
 impl VerificationTable {
-    /// Table of the verification of a summary.
-    pub fn new(c: &VerificationFile) -> Self {
+    /// A verification with the judgements `numbers`.
+    pub fn new<'r>(verification: &Record, numbers: impl Iterator<Item = &'r Record>) -> Self {
         Self {
-            facts: facts(c)
-                .into_iter()
-                .map(|(name, fact)| format!("{name}: {fact}"))
-                .collect(),
-            rows: c
-                .ranked()
-                .into_iter()
-                .map(|(name, number)| VerificationRow {
-                    name: name.to_owned(),
-                    value: value(number),
-                    // A count has none.
-                    unit: Some(&number.unit)
-                        .filter(|unit| *unit != "1")
-                        .cloned()
-                        .unwrap_or_default(),
-                    verdict: number.verdict.clone(),
-                    reason: number.reason.clone(),
-                    marked: number.verdict == Convergence::StepBiased.name(),
-                })
-                .collect(),
+            facts: lines(verification.rows()),
+            rows: table_of(numbers),
         }
     }
-}
 
-/// Value to its significant digits.
-pub fn value(number: &VerificationNumber) -> String {
-    let known = if number.verdict == Convergence::Converged.name() {
-        number.tolerance
-    } else {
-        number.spread
-    };
-    if number.unit == "1" {
-        format!("{}", number.value)
-    } else {
-        rounded(number.value, known)
-    }
-}
-
-/// Counts, predictability and balances: name and finding.
-pub fn facts(c: &VerificationFile) -> [(&'static str, String); 4] {
-    [
-        (
-            "verification",
-            format!(
-                "{} results converged, {} chaotic but statistically consistent, {} step-size \
-                 dependent ({} starts, steps of {} and {} µs)",
-                c.converged,
-                c.statistical,
-                c.step_biased,
-                c.replicas,
-                c.step_us,
-                c.step_us / 2.0
-            ),
-        ),
-        ("predictability", c.predictability.clone()),
-        (
-            "energy balance",
-            format!(
-                "relative error {}, {} at half the step",
-                short(c.energy_residual_relative),
-                short(c.energy_residual_relative_half_step)
-            ),
-        ),
-        (
-            "momentum balance",
-            format!(
-                "relative error {}, {} at half the step",
-                short(c.momentum_residual_relative),
-                short(c.momentum_residual_relative_half_step)
-            ),
-        ),
-    ]
-}
-
-/// Table of the verification.
-pub fn verification_table(verification: &VerificationTable, source: Provenance) -> Table {
-    let text = |name: &str| (name.to_owned(), false);
-    Table {
-        label: "Numerical verification".to_owned(),
-        caption: "Results of the run repeated from perturbed initial states and at half the step. \
-                  Converged: neither changes the result by more than the tolerance. \
-                  Statistical: chaotic but statistically consistent, one sample of a distribution \
-                  that does not depend on the step. Step-biased: step-size dependent."
-            .to_owned(),
-        columns: vec![
-            text("Result"),
-            ("Value".to_owned(), true),
-            text("Unit"),
-            text("Convergence"),
-            text("Reason"),
-        ],
-        rows: verification
-            .rows
-            .iter()
-            .map(|row| Row {
-                cells: vec![
-                    Cell::text(&row.name),
-                    Cell::number(&row.value),
-                    Cell::text(&row.unit),
-                    Cell::text(&row.verdict),
-                    Cell::text(&row.reason),
-                ],
-                marked: row.marked,
-                summary: false,
-            })
-            .collect(),
-        provenance: Some(source),
-        ..Table::default()
+    /// Adds the tables to a page; `label` is that of the judgements.
+    pub fn show(&self, page: &mut Page, label: &str, source: &Provenance) {
+        page.table(&parameter_table(
+            &format!("{label}: replicas"),
+            "Repetitions from perturbed initial states and at half the step.",
+            &self.facts,
+            Some(source.clone()),
+        ));
+        let caption = "Converged: neither perturbed initial states nor half the step change the \
+                       result by more than the tolerance. Statistical: chaotic but statistically \
+                       consistent, one sample of a distribution that does not depend on the step. \
+                       Step-biased: it changes with the step by more than the scatter explains.";
+        let mut table = Table::of(label, caption, self.rows.clone(), Some(source.clone()));
+        for row in &mut table.rows {
+            let biased = Convergence::StepBiased.name();
+            row.marked = row.cells.iter().any(|cell| cell.text == biased);
+        }
+        page.table(&table);
     }
 }

@@ -17,6 +17,7 @@ pub(crate) const fn quantity(
         name,
         unit,
         label,
+        meaning: "",
         symbol: "",
         kind: Kind::Number,
         aim: None,
@@ -34,6 +35,20 @@ pub(crate) const fn list(
     of: Source,
 ) -> Quantity {
     let kind = Kind::Numbers;
+    Quantity {
+        kind,
+        ..quantity(name, unit, label, of)
+    }
+}
+
+/// Two ends or several quantiles.
+pub(crate) const fn range(
+    name: &'static str,
+    unit: &'static str,
+    label: &'static str,
+    of: Source,
+) -> Quantity {
+    let kind = Kind::Range;
     Quantity {
         kind,
         ..quantity(name, unit, label, of)
@@ -110,6 +125,14 @@ pub(crate) const fn in_tables(quantity: Quantity) -> Quantity {
 pub(crate) const fn across(across: Across, quantity: Quantity) -> Quantity {
     let across = Some(across);
     Quantity { across, ..quantity }
+}
+
+/// A result whose label does not define it, with its definition.
+pub(crate) const fn means(meaning: &'static str, quantity: Quantity) -> Quantity {
+    Quantity {
+        meaning,
+        ..quantity
+    }
 }
 
 pub(crate) const fn low(quantity: Quantity) -> Quantity {

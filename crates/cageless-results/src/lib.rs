@@ -12,8 +12,10 @@ mod drop_judgement;
 mod drop_result;
 #[cfg(test)]
 mod list;
+#[rustfmt::skip]
 mod meanings;
 pub mod number_text;
+mod provenance;
 mod quantity;
 mod record;
 mod results;
@@ -22,6 +24,9 @@ mod static_result;
 mod table;
 #[cfg(test)]
 mod tests;
+mod tolerance_result;
+mod verification_result;
+mod view;
 
 pub use across::Across;
 pub use cell::Cell;
@@ -30,12 +35,19 @@ pub use csv::csv;
 pub use design_result::{Recommended, design_record};
 pub use drop_judgement::{DropJudgement, RESIDUAL_FRACTION};
 pub use drop_result::{DropResult, RotorRun, WindowRow, end_state_text};
+pub use provenance::{Provenance, profile_name, provenance, software};
 pub use quantity::{Aim, Kind, Quantity, bearing_in_column};
-pub use record::{Part, Record};
+pub use record::{Part, Record, Shape};
 pub use results::{Results, value_text};
-pub use source::{Finished, FinishedDrop, FinishedRotor, Judged, JudgedRaceway, Solved, Subject};
+pub use source::{
+    CountedVerdict, Deviation, Finished, FinishedDrop, FinishedRotor, Judged, JudgedRaceway,
+    Sampled, Solved, Subject, Tolerated,
+};
 pub use static_result::static_record;
 pub use table::{
-    DESIGN, DROP, PASSAGES, RACEWAY, ROTOR_DROP, RUN, STATIC, VERDICT, of_column, of_kind,
-    quantities,
+    COMPARED, DESIGN, DROP, PASSAGES, RACEWAY, ROTOR_DROP, ROTOR_VERIFICATION, RUN, STATIC,
+    VERDICT, of_column, of_kind, quantities,
 };
+pub use tolerance_result::{TOLERANCE_SHAPE, tolerance_record};
+pub use verification_result::{JudgedResult, VerifiedDrop, step_warning, verification_record};
+pub use view::table_of;

@@ -4,8 +4,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use crate::meanings::MEANINGS;
-use crate::table::{CURVE, RECOMMENDATION};
+use crate::table::*;
 use crate::{
     Across, Aim, DESIGN, DROP, Kind, PASSAGES, Quantity, RACEWAY, ROTOR_DROP, RUN, STATIC, VERDICT,
     quantities,
@@ -23,57 +22,29 @@ Tables of a run over time: [command line and result files](command-line.md). Sym
 ";
 
 /// Table, heading, and where its results are.
-const SECTIONS: [(&[Quantity], &str, &str); 10] = [
-    (
-        STATIC,
-        "Static equilibrium",
-        "In `cageless static --json`, `static.json`, its page and the columns `static_\u{2026}` of a sweep.",
-    ),
-    (
-        DESIGN,
-        "Design: closed forms",
-        "In `cageless design --json`, `design.json`, its page and the columns `design_\u{2026}` of a sweep.",
-    ),
-    (
-        VERDICT,
-        "Design: verdict from the motion",
-        "In `cageless design --json`, `design.json`, its page and the columns `verdict_\u{2026}` of a sweep.",
-    ),
-    (
-        PASSAGES,
-        "Design: passages of the raceway",
-        "Under `passages` of `cageless design --json` and `design.json`, and in the columns `verdict_\u{2026}` of a sweep.",
-    ),
-    (
-        RACEWAY,
-        "Design: each raceway",
-        "Under `raceways` of `cageless design --json` and `design.json`.",
-    ),
-    (
-        RECOMMENDATION,
-        "Design: recommendation",
-        "Under `recommendation` of `cageless design --json` and `design.json`.",
-    ),
-    (
-        CURVE,
-        "Design: curve of Eq. (11)",
-        "Under `curve` of `cageless design --json` and `design.json`.",
-    ),
-    (
-        RUN,
-        "Run",
-        "In `cageless run --json`, `summary.json`, its page and the columns `run_\u{2026}` of a sweep. Statistics are over the time after the transient, `settled_after_s`.",
-    ),
-    (
-        DROP,
-        "Rotor drop",
-        "In `cageless drop --json`, `summary.json`, its page and the columns `drop_\u{2026}` of a sweep. *Rotor* is how the result of a rotor on several touch-down bearings follows from those of its bearings, which are under `bearings`.",
-    ),
-    (
-        ROTOR_DROP,
-        "Rotor drop: the rotor on several bearings",
-        "In `cageless drop --json` of a rotor file, `summary.json` and the columns `drop_\u{2026}` of a sweep.",
-    ),
+#[rustfmt::skip]
+const SECTIONS: [(&[Quantity], &str, &str); 21] = [
+    (STATIC, "Static equilibrium", "In `cageless static --json`, `static.json`, its page and the columns `static_\u{2026}` of a sweep."),
+    (DESIGN, "Design: closed forms", "In `cageless design --json`, `design.json`, its page and the columns `design_\u{2026}` of a sweep."),
+    (VERDICT, "Design: verdict from the motion", "In `cageless design --json`, `design.json`, its page and the columns `verdict_\u{2026}` of a sweep."),
+    (PASSAGES, "Design: passages of the raceway", "Under `passages` of `cageless design --json` and `design.json`, and in the columns `verdict_\u{2026}` of a sweep."),
+    (RACEWAY, "Design: each raceway", "Under `raceways` of `cageless design --json` and `design.json`."),
+    (RECOMMENDATION, "Design: recommendation", "Under `recommendation` of `cageless design --json` and `design.json`."),
+    (CURVE, "Design: curve of Eq. (11)", "Under `curve` of `cageless design --json` and `design.json`."),
+    (RUN, "Run", "In `cageless run --json`, `summary.json`, its page and the columns `run_\u{2026}` of a sweep. Statistics are over the time after the transient, `settled_after_s`."),
+    (DROP, "Rotor drop", "In `cageless drop --json`, `summary.json`, its page and the columns `drop_\u{2026}` of a sweep. *Rotor* is how the result of a rotor on several touch-down bearings follows from those of its bearings, which are under `bearings`."),
+    (ROTOR_DROP, "Rotor drop: the rotor on several bearings", "In `cageless drop --json` of a rotor file, `summary.json` and the columns `drop_\u{2026}` of a sweep."),
+    (TOLERANCE, "Tolerance analysis", "In `cageless tolerance --json`, `tolerance.json` and its page."),
+    (INFLUENCE, "Tolerance analysis: one influence at a time", "Under `influences` of `tolerance.json`, with the list `verdicts`. Ranges are over the bearings with this deviation and the nominal one."),
+    (SAMPLES, "Tolerance analysis: everything at once", "Under `samples` of `tolerance.json`."),
+    (COMPARED, "Comparison of outer rings", "In `cageless compare --json` and `compare.json`, with the results of a run: means over the starts with their standard errors, differences and what is better."),
+    (VERIFICATION, "Verification of a run", "Under `verification` of `cageless run --verify --json` and `summary.json`."),
+    (VERIFIED, "Verification of a run: results that are judged", "Under `verification.numbers`."),
+    (DROP_VERIFICATION, "Verification of a drop", "Under `verification` of `cageless drop --verify --json` and `summary.json`; of a rotor on several bearings under `verification.bearings`."),
+    (ROTOR_VERIFICATION, "Verification of a drop of a rotor on several bearings", "Under `verification` of `cageless drop --verify --json` of a rotor file, with `bearings`."),
+    (JUDGEMENT, "Verification: the judgement of a result", "Each of `verification.numbers`, in the unit of the result."),
+    (DISTANCE, "Verification of a run: distances of the replicas", "Under `verification.distance`."),
+    (VERDICT_COUNT, "Tolerance analysis: bearings by verdict", "Under `samples.verdicts` of `tolerance.json`."),
 ];
 
 fn better(quantity: &Quantity) -> &'static str {
@@ -86,9 +57,9 @@ fn better(quantity: &Quantity) -> &'static str {
 
 /// Label and definition. Labels of parts are indented in tables.
 fn definition(quantity: &Quantity) -> String {
-    let (label, meaning) = (quantity.label.trim(), quantity.meaning());
+    let (label, meaning) = (quantity.label.trim(), quantity.meaning);
     let label = match quantity.kind {
-        Kind::Numbers => format!("{label} (list)"),
+        Kind::Numbers | Kind::Range => format!("{label} (list)"),
         _ => label.to_owned(),
     };
     match meaning {
@@ -156,15 +127,10 @@ fn the_list_of_results_has_every_quantity() {
 }
 
 #[test]
-fn a_definition_belongs_to_a_result_and_is_no_second_label() {
-    for (k, (name, meaning)) in MEANINGS.iter().enumerate() {
-        let of_name: Vec<_> = quantities().filter(|q| q.name == *name).collect();
-        assert!(!of_name.is_empty(), "{name} is not a result");
-        assert!(
-            !MEANINGS[..k].iter().any(|(other, _)| other == name),
-            "{name} twice"
-        );
+fn a_definition_is_no_sentence_and_no_second_label() {
+    for quantity in quantities().filter(|q| !q.meaning.is_empty()) {
+        let (name, meaning) = (quantity.name, quantity.meaning);
         assert!(!meaning.ends_with('.'), "{name}");
-        assert!(of_name.iter().all(|q| q.label.trim() != *meaning), "{name}");
+        assert!(quantity.label.trim() != meaning, "{name}");
     }
 }

@@ -1,61 +1,21 @@
-//! Definitions of the results whose label does not define them.
+//! Definitions that several results have: a sentence without its full stop, for readers.
 
-/// Name of a result and its definition: a sentence without its full stop, for readers.
-#[rustfmt::skip]
-pub(crate) const MEANINGS: &[(&str, &str)] = &[
-    ("ring_x_um", "from the centre of the outer ring, +x to the right"),
-    ("ring_y_um", "from the centre of the outer ring, +y upwards; a load downwards displaces the ring to negative values"),
-    ("inner_stiffness_n_m1_5", "K in F = K δ^1.5"),
-    ("outer_stiffness_n_m1_5", "K in F = K δ^1.5"),
-    ("inner_pressure_max_mpa", "largest pressure in the centre of a Hertz contact; ISO 76 allows 4200 MPa"),
-    ("outer_pressure_max_mpa", "largest pressure in the centre of a Hertz contact; ISO 76 allows 4200 MPa"),
-    ("ball_pressure_max_mpa", "largest pressure in the centre of a Hertz contact; ISO 76 allows 4200 MPa"),
-    ("epsilon_deg", "angle at the bearing centre between two balls that touch, Eq. (10)"),
-    ("uniform_gap_deg", "360°/N − ε: gap between evenly spaced balls on a conventional ring"),
-    ("axial_span_limit_mm", "up to this lC the contact points stay on the groove"),
-    ("beta0_deg", "theoretical critical gap, as published: a gap that just closes in a raceway in which balls roll without sliding"),
-    ("beta0_polar_deg", "β0 with the polar angle of the ball centre in place of the angle of the paper"),
-    ("half_angle_for_span_deg", "half angle at which β0 is the nominal gap, for the axial span of the case"),
-    ("steady_gap_deg", "gap between balls that pass the raceway at equal intervals of time; balls inside the raceway take less of the circle"),
-    ("balls_in_raceway_max", "floor(2θ/ε) + 1"),
-    ("slope_discontinuity_deg", "change of slope of the groove at ±θ, 45° up the side of the groove"),
-    ("verdict", "of a raceway: `smooth`, `double-collision`, `slips` or `infeasible`; of a drop: `pass`, `fail` or `not-judged`"),
-    ("critical_gap_deg", "largest gap at the entrance of the raceway that closes inside, from the motion of two balls"),
-    ("collisions_mean", "contacts of a ball with its neighbours during one passage of the raceway"),
-    ("double_collision_fraction", "passages in which a ball touches the ball ahead and the ball behind, over all passages"),
-    ("sliding_mean_m_s", "the largest sliding speed of a ball in each passage, averaged over the passages"),
-    ("speed_drop_fraction", "1 for a ball that rolls, less for one that slides"),
-    ("criterion", "the criterion with the least margin, or the one that is missed by most"),
-    ("margin", "difference between the value of the deciding criterion and its limit; negative beyond the limit"),
-    ("friction_torque_n_m", "dissipated power over the speed of the inner ring; without rolling resistance and lubricant"),
-    ("friction_torque_skf_n_m", "estimate for a deep groove ball bearing with a cage: P is the load, d the bore, μ = 0.0015"),
-    ("power_loss_w", "all heat of friction and damping, averaged over whole orbits of the balls"),
-    ("power_loss_stored_w", "rise of the stored energy less the work of the loads, per second"),
-    ("inner_pressure_velocity_max_mpa_m_s", "largest product of contact pressure and sliding speed at one instant"),
-    ("outer_pressure_velocity_max_mpa_m_s", "largest product of contact pressure and sliding speed at one instant"),
-    ("ball_pressure_velocity_max_mpa_m_s", "largest product of contact pressure and sliding speed at one instant"),
-    ("collisions", "contacts between two balls, from its start to its end"),
-    ("collisions_above_0_1_m_s", "contacts that begin with an approach speed above 0.1 m/s"),
-    ("collisions_above_0_5_m_s", "contacts that begin with an approach speed above 0.5 m/s"),
-    ("collisions_above_1_m_s", "contacts that begin with an approach speed above 1 m/s"),
-    ("gap_deviation_deg", "of all balls, after the transient"),
-    ("sliding_max_m_s", "of balls at the raceways, wherever the contact carries load"),
-    ("ftf_hz", "fundamental train frequency: orbits of the ball set per second"),
-    ("bpfo_hz", "ball pass frequency of the outer ring"),
-    ("bpfi_hz", "ball pass frequency of the inner ring"),
-    ("bsf_hz", "ball spin frequency: rotations of a ball about its axis per second"),
-    ("settled_after_s", "statistics are of the time after it"),
-    ("averaged_orbits", "whole orbits of the balls over which mean powers and speeds are averaged; 0: the run is shorter than one, the means are over its end"),
-    ("energy_residual_relative", "error of the energy balance over the sum of the absolute terms"),
-    ("simulated_s", "time at which the simulation ended"),
-    ("rhs_evaluations", "evaluations of the right-hand side of the equations of motion"),
-    ("end_state", "`at-rest`, `pendulum`, `bouncing`, `settling`, `forward-whirl`, `backward-whirl` or `falling`"),
-    ("impacts", "contacts of the journal with the inner ring"),
-    ("contact_fraction", "fraction of the time after the first contact in which the journal touches the inner ring"),
-    ("clearance_margin_um", "`rotor.clearance_limit_um` less the largest displacement"),
-    ("spin_up_ms", "time from the start of the drop until the sliding between journal and inner ring falls below 1 % of that at the first contact"),
-    ("dissipated_j", "heat of friction and damping at all contacts and the support"),
-    ("ball_friction_total_j", "heat of friction at both raceways and between balls"),
-    ("end_collision_rate_hz", "mean over the last fifth of the time after the first contact"),
-    ("plane_margin_min_um", "clearance less the largest displacement, the smallest of all `[[clearance]]` planes"),
-];
+pub(crate) const ABOVE_0_1: &str = "contacts that begin with an approach speed above 0.1 m/s";
+pub(crate) const ABOVE_0_5: &str = "contacts that begin with an approach speed above 0.5 m/s";
+pub(crate) const ABOVE_1: &str = "contacts that begin with an approach speed above 1 m/s";
+pub(crate) const BETA0: &str = "theoretical critical gap, as published: a gap that just closes in a raceway in which balls roll without sliding";
+pub(crate) const BPFI: &str = "ball pass frequency of the inner ring";
+pub(crate) const BPFO: &str = "ball pass frequency of the outer ring";
+pub(crate) const BSF: &str = "ball spin frequency: rotations of a ball about its axis per second";
+pub(crate) const COLLISIONS: &str = "contacts between two balls, from its start to its end";
+pub(crate) const CRITERION: &str = "the criterion with the least margin, or the one that is missed by most";
+pub(crate) const CRITICAL_GAP: &str = "largest gap at the entrance of the raceway that closes inside, from the motion of two balls";
+pub(crate) const DOUBLE_COLLISIONS: &str = "passages in which a ball touches the ball ahead and the ball behind, over all passages";
+pub(crate) const ENERGY_RESIDUAL: &str = "error of the energy balance over the sum of the absolute terms";
+pub(crate) const FTF: &str = "fundamental train frequency: orbits of the ball set per second";
+pub(crate) const HERTZ_PRESSURE: &str = "largest pressure in the centre of a Hertz contact; ISO 76 allows 4200 MPa";
+pub(crate) const MARGIN: &str = "difference between the value of the deciding criterion and its limit; negative beyond the limit";
+pub(crate) const PRESSURE_VELOCITY: &str = "largest product of contact pressure and sliding speed at one instant";
+pub(crate) const SIMULATED: &str = "time at which the simulation ended";
+pub(crate) const STIFFNESS: &str = "K in F = K δ^1.5";
+pub(crate) const VERDICT_NAMES: &str = "`smooth`, `double-collision`, `slips` or `infeasible`";

@@ -45,6 +45,16 @@ pub fn significant(value: f64, digits: usize) -> String {
     minus(text)
 }
 
+/// `value` to one digit beyond the first of `error`.
+pub(crate) fn rounded(value: f64, error: f64) -> String {
+    let decimals = if error > 0.0 {
+        (1.0 - error.log10().floor()).clamp(0.0, 9.0) as usize
+    } else {
+        6
+    };
+    format!("{value:.decimals$}")
+}
+
 /// A whole number in superscript digits.
 pub fn raised(power: &str) -> String {
     let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];

@@ -3,7 +3,6 @@
 use crate::Cell;
 use crate::across::Across;
 use crate::computation::Computation;
-use crate::meanings::MEANINGS;
 use crate::number_text::significant;
 use crate::source::{Source, Subject};
 
@@ -16,6 +15,8 @@ pub struct Quantity {
     pub unit: &'static str,
     /// Wording for readers.
     pub label: &'static str,
+    /// Definition, where the label is none: a sentence without its full stop; empty otherwise.
+    pub meaning: &'static str,
     /// Symbol at the head of a column of values of every ball; empty where tables have none.
     pub symbol: &'static str,
     /// Kind of the value.
@@ -42,8 +43,10 @@ pub enum Kind {
     Flag,
     /// A name or a sentence.
     Text,
-    /// A number for each ball.
+    /// A number for each ball, or for each of several things.
     Numbers,
+    /// Both ends of a range, or several quantiles.
+    Range,
 }
 
 /// Better direction of a quantity.
@@ -64,25 +67,15 @@ pub fn bearing_in_column(name: &str) -> Option<(usize, &str)> {
 }
 
 impl Quantity {
-    /// The computation that it is part of.
+    /// The computation of a sweep that it is part of, or that rests on it.
     pub fn computation(&self) -> Computation {
         match self.of {
             Source::Static(_) => Computation::Static,
             Source::Design(_) | Source::Curve(_) => Computation::Design,
-            Source::Verdict(_)
-            | Source::Passages(_)
-            | Source::Raceway(_)
-            | Source::Recommendation(_) => Computation::Verdict,
-            Source::Run(_) => Computation::Run,
+            Source::Run(_) | Source::Vibration(_) => Computation::Run,
             Source::Drop(_) | Source::RotorDrop(_) => Computation::Drop,
+            _ => Computation::Verdict,
         }
-    }
-
-    /// Definition, where the label is none: a sentence without its full stop; empty otherwise.
-    pub fn meaning(&self) -> &'static str {
-        let mut all = MEANINGS.iter();
-        let found = all.find(|(name, _)| *name == self.name);
-        found.map_or("", |(_, meaning)| meaning)
     }
 
     /// Name of the column in sweeps: that of the computation, then its own.
@@ -148,6 +141,7 @@ impl Quantity {
         match self.unit {
             "deg" => "°".to_owned(),
             "um" => "µm".to_owned(),
+            "us" => "µs".to_owned(),
             unit => unit.replace(' ', "·"),
         }
     }
@@ -155,6 +149,6 @@ impl Quantity {
 
 impl PartialEq for Quantity {
     fn eq(&self, other: &Self) -> bool {
-        self.column_name() == other.column_name()
+        (self.name, self.label) == (other.name, other.label)
     }
 }

@@ -1,8 +1,11 @@
 //! Results of a computation with its parts.
 
-use serde::ser::{Serialize, SerializeMap, Serializer};
+use std::ops::Deref;
 
-use crate::Results;
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use serde_json::Value;
+
+use crate::{Provenance, Quantity, Results};
 
 /// Results of a computation: values by name, lists of sentences, and parts with results of their own.
 /// Serialised as one map.
@@ -14,6 +17,27 @@ pub struct Record {
     pub sentences: Vec<(&'static str, Vec<String>)>,
     /// Parts by name.
     pub parts: Vec<(&'static str, Part)>,
+    /// Settings under which they were computed, where the record has them.
+    pub provenance: Option<Provenance>,
+}
+
+/// Names of what a kind of record holds.
+#[derive(Debug)]
+pub struct Shape {
+    /// Values.
+    pub values: &'static [Quantity],
+    /// Lists of sentences.
+    pub sentences: &'static [&'static str],
+    /// Parts, by name.
+    pub parts: &'static [(&'static str, &'static Shape)],
+}
+
+impl Deref for Record {
+    type Target = Results;
+
+    fn deref(&self) -> &Results {
+        &self.results
+    }
 }
 
 /// Part of the results of a computation.
@@ -53,6 +77,43 @@ impl Record {
         self
     }
 
+    /// Adds the settings under which the results were computed.
+    pub fn with_provenance(mut self, provenance: Provenance) -> Self {
+        self.provenance = Some(provenance);
+        self
+    }
+
+    /// The record of this shape that was written as this JSON.
+    ///
+    /// # Errors
+    /// It is no object, or a list of sentences, a part or the provenance is something else.
+    pub fn read(shape: &Shape, value: &Value) -> Result<Self, String> {
+        let object = value.as_object().ok_or("is not a record of results")?;
+        let wrong = |name: &'static str| move |error: String| format!("{name}: {error}");
+        let mut record = Self::from(Results::read(shape.values, object)?);
+        for &name in shape.sentences {
+            let sentences = serde_json::from_value(object.get(name).cloned().unwrap_or_default());
+            record =
+                record.with_sentences(name, sentences.map_err(|e| wrong(name)(e.to_string()))?);
+        }
+        for &(name, shape) in shape.parts {
+            let part = match object.get(name).unwrap_or(&Value::Null) {
+                Value::Null => Part::One(None),
+                Value::Array(items) => {
+                    let items = items.iter().map(|item| Self::read(shape, item));
+                    Part::Many(items.collect::<Result<_, _>>().map_err(wrong(name))?)
+                }
+                value => Some(Self::read(shape, value).map_err(wrong(name))?).into(),
+            };
+            record = record.with_part(name, part);
+        }
+        if let Some(provenance) = object.get("provenance") {
+            let provenance = serde_json::from_value(provenance.clone());
+            record.provenance = provenance.map_err(|e| wrong("provenance")(e.to_string()))?;
+        }
+        Ok(record)
+    }
+
     /// Sentences of a list; empty if there is none of that name.
     pub fn sentences(&self, name: &str) -> &[String] {
         let found = self.sentences.iter().find(|(n, _)| *n == name);
@@ -65,6 +126,14 @@ impl Record {
             Some((_, Part::One(record))) => record.as_deref(),
             _ => None,
         }
+    }
+
+    /// All parts that are one record.
+    pub fn members(&self) -> impl Iterator<Item = &Self> {
+        self.parts.iter().filter_map(|(_, part)| match part {
+            Part::One(record) => record.as_deref(),
+            Part::Many(_) => None,
+        })
     }
 
     /// Records of a part; empty if there are none.
@@ -88,6 +157,9 @@ impl Serialize for Record {
                 Part::One(record) => map.serialize_entry(name, record)?,
                 Part::Many(records) => map.serialize_entry(name, records)?,
             }
+        }
+        if let Some(provenance) = &self.provenance {
+            map.serialize_entry("provenance", provenance)?;
         }
         map.end()
     }

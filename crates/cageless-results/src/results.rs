@@ -1,6 +1,7 @@
 //! Values of results.
 
 use serde::ser::{Serialize, SerializeMap, Serializer};
+use serde_json::{Map, Value};
 
 use crate::Cell;
 use crate::quantity::{Kind, Quantity};
@@ -141,6 +142,14 @@ pub fn value_text(quantity: &Quantity, cell: &Cell) -> Option<String> {
         (_, Cell::Integer(count)) => Some(count.to_string()),
         (_, Cell::Number(value)) => Some(quantity.number_text(*value)),
         (_, Cell::Text(text)) => Some(text.clone()),
+        (Kind::Range, Cell::Numbers(values)) => {
+            let values = values.iter().map(|value| quantity.number_text(*value));
+            Some(values.collect::<Vec<_>>().join(" … "))
+        }
+        (_, Cell::List(cells)) => {
+            let texts = cells.iter().map(|cell| value_text(quantity, cell));
+            Some(texts.collect::<Option<Vec<_>>>()?.join(", "))
+        }
         (_, Cell::Null | Cell::Numbers(_)) => None,
     }
 }
@@ -148,19 +157,21 @@ pub fn value_text(quantity: &Quantity, cell: &Cell) -> Option<String> {
 impl Results {
     /// Adds every name with its value to a map.
     pub(crate) fn serialize_entries<M: SerializeMap>(&self, map: &mut M) -> Result<(), M::Error> {
-        for (quantity, cell) in self.iter() {
-            match (quantity.kind, cell) {
-                (_, Cell::Null) => map.serialize_entry(quantity.name, &())?,
-                (Kind::Flag, Cell::Integer(flag)) => {
-                    map.serialize_entry(quantity.name, &(*flag == 1))?;
-                }
-                (_, Cell::Integer(count)) => map.serialize_entry(quantity.name, count)?,
-                (_, Cell::Number(value)) => map.serialize_entry(quantity.name, value)?,
-                (_, Cell::Text(text)) => map.serialize_entry(quantity.name, text)?,
-                (_, Cell::Numbers(values)) => map.serialize_entry(quantity.name, values)?,
-            }
-        }
-        Ok(())
+        let mut all = self.iter();
+        all.try_for_each(|(q, cell)| map.serialize_entry(q.name, &cell.json(q.kind)))
+    }
+
+    /// The results `rows` of a JSON object.
+    pub(crate) fn read(
+        rows: &'static [Quantity],
+        object: &Map<String, Value>,
+    ) -> Result<Self, String> {
+        let cell = |q: &'static Quantity| {
+            let value = object.get(q.name);
+            let value = value.ok_or_else(|| format!("{} is missing", q.name))?;
+            Ok((q, Cell::read(q.kind, value)))
+        };
+        rows.iter().map(cell).collect::<Result<_, _>>().map(Self)
     }
 }
 

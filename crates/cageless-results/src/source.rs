@@ -1,17 +1,21 @@
 //! What results are computed from.
 
 use cageless::design::{
-    CurvePoint, Judgement, PassageStatistics, RacewayJudgement, Recommendation, RunVerdict,
+    CurvePoint, Judgement, PassageStatistics, RacewayJudgement, RacewayVerdict, Recommendation,
+    RunVerdict,
 };
 use cageless::equilibrium::Equilibrium;
 use cageless::passage::PassageTally;
 use cageless::rating::Rating;
 use cageless::simulation::{PlaneDisplacement, RunOutcome};
 use cageless::summary::Summary;
+use cageless::tolerance::{Assessment, InfluenceResult, Outcome, Samples, Tolerances};
 use cageless::touchdown::DropSummary;
+use cageless::verification::{Distance, Verification};
 use cageless::{Case, Raceway};
 
 use crate::cell::Cell;
+use crate::verification_result::{JudgedResult, VerifiedDrop};
 
 /// A static equilibrium.
 pub struct Solved<'a> {
@@ -86,6 +90,42 @@ pub struct FinishedRotor<'a> {
     pub energy_residual_relative: f64,
 }
 
+/// A bearing within tolerances.
+pub struct Tolerated<'a> {
+    /// The case.
+    pub case: &'a Case,
+    /// Grade of the balls by ISO 3290-1, 0 for equal ones.
+    pub ball_grade: u32,
+    /// Judgement of the bearings that deviate.
+    pub assessment: &'a Assessment,
+}
+
+/// One influence that deviates alone.
+pub struct Deviation<'a> {
+    /// The case.
+    pub case: &'a Case,
+    /// Its tolerances.
+    pub tolerances: &'a Tolerances,
+    /// What came out.
+    pub result: &'a InfluenceResult,
+}
+
+/// Bearings in which everything deviates.
+pub struct Sampled<'a> {
+    /// The bearings.
+    pub samples: &'a Samples,
+    /// Seed of their deviations.
+    pub seed: u64,
+}
+
+/// Bearings with the same verdict.
+pub struct CountedVerdict<'a> {
+    /// The verdict.
+    pub verdict: RacewayVerdict,
+    /// The bearings.
+    pub outcomes: Vec<&'a Outcome>,
+}
+
 macro_rules! sources {
     ($($name:ident($any:ty, $one:ty) $meaning:literal,)*) => {
         /// Function that gives a quantity, by what it is computed from.
@@ -122,5 +162,16 @@ sources! {
     Recommendation(Recommendation, Recommendation) "A raceway near the curve of Eq. (11).",
     Run(Finished<'_>, Finished<'a>) "A run.",
     Drop(FinishedDrop<'_>, FinishedDrop<'a>) "A drop onto one bearing.",
+    Tolerance(Tolerated<'_>, Tolerated<'a>) "A bearing within tolerances.",
+    Influence(Deviation<'_>, Deviation<'a>) "One influence that deviates alone.",
+    Samples(Sampled<'_>, Sampled<'a>) "Bearings in which everything deviates.",
+    VerdictCount(CountedVerdict<'_>, CountedVerdict<'a>) "Those of them with one verdict.",
+    Vibration(f64, f64) "RMS of the acceleration of the housing, m/s².",
+    Verified(Verification, Verification) "The verification of a run.",
+    DropVerified(VerifiedDrop, VerifiedDrop) "The verification of a drop in one bearing.",
+    Judged(JudgedResult, JudgedResult) "The judgement of one of its results.",
+    RotorVerified([f64; 2], [f64; 2]) "Energy balance errors of the rotor of a drop and at half the step.",
+    Distance([Distance], [Distance]) "Distances of replicas from the run.",
+    Si(f64, f64) "A value in SI.",
     RotorDrop(FinishedRotor<'_>, FinishedRotor<'a>) "A drop onto several bearings.",
 }

@@ -28,6 +28,13 @@ pub fn parameter(name: &str, value: String, unit: &str) -> Parameter {
     }
 }
 
+/// A line for each result: label, value, unit.
+pub fn lines<'r>(rows: impl IntoIterator<Item = (&'r str, String, String)>) -> Vec<Parameter> {
+    let rows = rows.into_iter();
+    rows.map(|(label, value, unit)| parameter(label, value, &unit))
+        .collect()
+}
+
 /// One line per key of the case.
 pub fn parameters(file: &CaseFile) -> Vec<Parameter> {
     let mut lines = vec![];

@@ -6,11 +6,11 @@ use std::path::Path;
 use cageless::Case;
 use cageless::simulation::{Ending, RunOutcome};
 use cageless_io::case_file::{CaseDocument, CaseFile};
-use cageless_io::results::{ResultError, SCHEMA, VERSION, VerificationFile, write_atomically};
+use cageless_io::results::{ResultError, SCHEMA, VERSION, write_atomically};
 use serde::Serialize;
 
 use crate::warnings::warnings;
-use cageless_results::{Finished, RUN, Results, Subject};
+use cageless_results::{Finished, RUN, Record, Results, Subject};
 
 /// The summary of a run. A number that is not finite becomes `null`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -34,7 +34,7 @@ pub struct RunSummary {
     pub warnings: Vec<String>,
     /// Numerical verification, if requested.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub verification: Option<VerificationFile>,
+    pub verification: Option<Record>,
     /// Reason of an early stop: the run left the physical range, or was interrupted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stopped: Option<Stopped>,

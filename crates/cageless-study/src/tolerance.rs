@@ -1,24 +1,16 @@
 //! Sensitivity of the verdict on a raceway to machining errors, scatter and operation.
 
-mod result;
-
 use cageless::critical_gap::CriticalGapError;
 use cageless::design::judge;
-use cageless::dynamics::InstructionSet;
-use cageless::tolerance::{
-    Assessment, BALL_GRADES, Influence, Outcome, Tolerances, Trial, assess, ball_grade, trials,
-};
+use cageless::tolerance::{BALL_GRADES, Outcome, Tolerances, Trial, assess, ball_grade, trials};
 use cageless::{Case, Raceway};
 use cageless_io::OptionError;
-use cageless_io::results::VERSION;
+use cageless_results::{Record, tolerance_record};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-pub use result::{InfluenceRow, SampleData, ToleranceData, VerdictCount};
-
 use crate::error::StudyError;
 use crate::progress::Progress;
-use crate::{Provenance, provenance};
 
 /// More would take days.
 const SAMPLES_MAX: u64 = 100_000;
@@ -74,12 +66,17 @@ pub fn tolerance(
     name: &str,
     request: &Request,
     progress: &dyn Progress,
-) -> Result<ToleranceData, StudyError> {
+) -> Result<Record, StudyError> {
     let tolerances = request.check(case, name)?;
     let trials = trials(case, &tolerances, request.samples, case.seed);
     let outcomes = judge_all(case, &trials, progress)?;
     let assessment = assess(&trials, &outcomes);
-    Ok(data(case, request, &tolerances, &assessment))
+    Ok(tolerance_record(
+        case,
+        request.ball_grade,
+        &tolerances,
+        &assessment,
+    ))
 }
 
 impl Request {
@@ -186,88 +183,6 @@ fn judge_all(
         return Err(StudyError::Interrupted);
     }
     outcomes
-}
-
-/// Value and unit of an influence's range in the units of the drawing.
-fn shown_range(influence: Influence, [low, high]: [f64; 2]) -> ([f64; 2], &'static str) {
-    let (factor, unit) = match influence {
-        Influence::GrooveDepth
-        | Influence::AxialSpan
-        | Influence::BallRadius
-        | Influence::Clearance => (1e6, "µm"),
-        Influence::HalfAngle => (1f64.to_degrees(), "°"),
-        Influence::Friction => (1.0, ""),
-        Influence::Speed => (30.0 / std::f64::consts::PI, "rpm"),
-        Influence::Load => (1.0, "N"),
-    };
-    ([low * factor, high * factor], unit)
-}
-
-fn data(case: &Case, request: &Request, tolerances: &Tolerances, a: &Assessment) -> ToleranceData {
-    let degrees = |range: Option<[f64; 2]>| range.map(|r| r.map(f64::to_degrees));
-    ToleranceData {
-        title: format!("Tolerances: {}", case.title),
-        software: format!("Cageless {VERSION}, {}", InstructionSet::chosen().name()),
-        provenance: Provenance {
-            discarded: "the first 16 orbits of each run".to_owned(),
-            ..provenance(case, String::new())
-        },
-        ball_grade: request.ball_grade,
-        passes: a.passes(),
-        headline: a.headline(),
-        nominal_passes: a.nominal.passes(),
-        nominal_verdict: a.nominal.verdict.name().to_owned(),
-        nominal_critical_gap_deg: a.nominal.critical_gap_rad.map(f64::to_degrees),
-        nominal_double_collision_fraction: a.nominal.double_collision_fraction,
-        nominal_sliding_m_s: a.nominal.sliding_mean_m_s,
-        uniform_gap_deg: case.bearing.nominal_gap_rad().to_degrees(),
-        influences: a
-            .influences
-            .iter()
-            .map(|row| {
-                let (range, unit) =
-                    shown_range(row.influence, tolerances.range(case, row.influence));
-                InfluenceRow {
-                    name: row.influence.name().to_owned(),
-                    low: range[0],
-                    high: range[1],
-                    unit: unit.to_owned(),
-                    trials: row.trials,
-                    passed: row.passed,
-                    verdicts: row.verdicts.iter().map(|v| v.name().to_owned()).collect(),
-                    critical_gap_deg: degrees(row.critical_gap_rad),
-                    double_collision_fraction: row.double_collision_fraction,
-                    sliding_mean_m_s: row.sliding_mean_m_s,
-                }
-            })
-            .collect(),
-        samples: a.samples.as_ref().map(|s| SampleData {
-            count: s.count,
-            seed: case.seed,
-            passed: s.passed,
-            pass_probability: s.pass_probability,
-            pass_probability_interval: s.pass_probability_interval,
-            verdicts: s
-                .verdicts
-                .iter()
-                .map(|(verdict, count)| VerdictCount {
-                    verdict: verdict.name().to_owned(),
-                    passes: verdict.passes(),
-                    count: *count,
-                    critical_gap_deg: s
-                        .outcomes
-                        .iter()
-                        .filter(|o| o.verdict == *verdict)
-                        .filter_map(|o| o.critical_gap_rad.map(f64::to_degrees))
-                        .collect(),
-                })
-                .collect(),
-            critical_gap_quantiles_deg: s
-                .critical_gap_quantiles_rad
-                .map(|q| q.map(f64::to_degrees)),
-            first_impossible: s.outcomes.iter().find_map(|o| o.reason.clone()),
-        }),
-    }
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use cageless::simulation::{Ending, Observer, RunOutcome};
 use cageless::verification::{
     LARGE_PERTURBATIONS, Replica, ReplicaError, ReplicaObserver, Verification, replicas,
 };
-use cageless_io::results::VerificationFile;
+use cageless_results::{step_warning, verification_record};
 use rayon::prelude::*;
 
 use crate::progress::Progress;
@@ -60,8 +60,8 @@ impl VerificationRuns {
         }
         match self.certify(case, outcome, progress) {
             Ok(verification) => {
-                let verification = VerificationFile::new(&verification);
-                summary.warnings.extend(verification.warning());
+                let verification = verification_record(&verification);
+                summary.warnings.extend(step_warning(&verification));
                 summary.verification = Some(verification);
             }
             Err(error) => summary.warnings.push(format!("not verified: {error}")),

@@ -17,13 +17,13 @@ const CONVERSIONS: [(&str, usize); 10] = [
     ("cageless", 68),
     ("cageless-bench", 2),
     ("cageless-cli", 11),
-    ("cageless-io", 47),
+    ("cageless-io", 41),
     ("cageless-live", 24),
     ("cageless-paper", 50),
     ("cageless-py", 3),
-    ("cageless-report", 71),
+    ("cageless-report", 68),
     ("cageless-results", 15),
-    ("cageless-study", 94),
+    ("cageless-study", 87),
 ];
 
 /// The reader of documents and the table of quantities: where units are converted.

@@ -1,13 +1,11 @@
 //! `cageless drop`.
 
-use cageless::verification::Convergence;
 use cageless_report::drop::drop_page;
 use cageless_results::number_text::significant;
 use cageless_results::{DropJudgement, DropResult};
-use cageless_study::drop::{
-    Distribution, DropRequest, DropStudy, DropVerification, EnsembleResult, study,
-};
+use cageless_study::drop::{Distribution, DropRequest, DropStudy, EnsembleResult, study};
 
+use super::run::verified;
 use crate::args::{DropArgs, Reference};
 use crate::driver::{Answer, PAGE, Tables, read_case};
 use crate::failure::Failure;
@@ -60,7 +58,8 @@ fn text(study: &DropStudy) -> String {
         text += &ensemble_text(ensemble);
     }
     if let Some(verification) = &study.verification {
-        text += &verified(verification, "verification");
+        let numbers = verification.parts("numbers").iter();
+        text += &verified(verification, numbers, "verification");
     }
     text + &warnings(&study.warnings)
 }
@@ -84,37 +83,6 @@ pub(super) fn table(names: Vec<String>, drops: &[&DropResult]) -> String {
         rows.push(row);
     }
     columns(&rows)
-}
-
-/// Judgements of a verification, under `title` and how many there are of each.
-pub(super) fn verified(verification: &DropVerification, title: &str) -> String {
-    let count =
-        |verdict: Convergence| format!("{} {}", verification.count(verdict), verdict.name());
-    let counts = [
-        Convergence::Converged,
-        Convergence::Statistical,
-        Convergence::StepBiased,
-    ]
-    .map(count)
-    .join(", ");
-    let head = [
-        "result",
-        "value",
-        "mean",
-        "half step",
-        "spread",
-        "unit",
-        "verdict",
-    ];
-    let mut rows = vec![head.map(str::to_owned).to_vec()];
-    for j in &verification.judgements {
-        let mut row = vec![j.quantity.label.to_owned()];
-        let numbers = [j.value, j.mean, j.half_step_mean, j.spread];
-        row.extend(numbers.map(|value| significant(value, 4)));
-        row.extend([j.quantity.unit_text(), j.verdict.name().to_owned()]);
-        rows.push(row);
-    }
-    format!("\n{}\n{}", pairs(&[(title, counts)]), columns(&rows))
 }
 
 fn ensemble_text(many: &EnsembleResult) -> String {

@@ -7,12 +7,13 @@ use cageless_results::DropResult;
 use cageless_results::number_text::significant;
 use cageless_study::drop::{RotorEnsemble, RotorStudy, WhirlProbability, rotor_study};
 
-use super::drop::{REST_INTERRUPTED, quantiles, requested, table, verdict, verified};
+use super::drop::{REST_INTERRUPTED, quantiles, requested, table, verdict};
+use super::run::verified;
 use crate::args::DropArgs;
 use crate::driver::{Answer, PAGE, Tables};
 use crate::failure::Failure;
 use crate::finished_run::SUMMARY;
-use crate::format::{columns, pairs, warnings};
+use crate::format::{columns, pairs, values, warnings};
 
 /// Drops a rotor into its bearings. The tables of each go to a folder of its own.
 pub fn drop_several(args: &DropArgs) -> Result<(), Failure> {
@@ -68,12 +69,10 @@ fn text(file: &RotorFile, study: &RotorStudy) -> String {
         text += &ensemble_text(ensemble);
     }
     if let Some(verification) = &study.verification {
-        let [full, half] = verification.rotor_energy_residual_relative;
-        let errors = format!("{full:.1e} at the step, {half:.1e} at half of it");
-        let label = "energy balance error of the rotor (relative)";
-        text += &format!("\n{}", pairs(&[(label, errors)]));
-        for (k, of_bearing) in verification.bearings.iter().enumerate() {
-            text += &verified(of_bearing, &format!("verification, bearing {}", k + 1));
+        text += &format!("\n{}", pairs(&values(verification)));
+        for (k, bearing) in verification.parts("bearings").iter().enumerate() {
+            let title = format!("verification, bearing {}", k + 1);
+            text += &verified(bearing, bearing.parts("numbers").iter(), &title);
         }
     }
     text + &warnings(&study.warnings)

@@ -3,10 +3,9 @@
 use cageless::Case;
 use cageless::initial_conditions::initial_state;
 use cageless::simulation::{Ending, RunOutcome};
-use cageless_io::results::VerificationFile;
 use cageless_report::run_report::run_data;
-use cageless_report::verification::{facts, value};
 use cageless_report::{run_json, run_page};
+use cageless_results::{Record, table_of};
 use cageless_study::RunSummary;
 use cageless_study::run::{Options, run as study};
 
@@ -67,23 +66,22 @@ fn text(case: &Case, outcome: &RunOutcome, summary: &RunSummary) -> String {
     lines.push(("speed", format!("{speed:.2} s per simulated second")));
     let mut text = pairs(&lines);
     if let Some(verification) = &summary.verification {
-        text += &verified(verification);
+        let numbers = verification.part("numbers").into_iter();
+        text += &verified(
+            verification,
+            numbers.flat_map(Record::members),
+            "verification",
+        );
     }
     text + &warnings(&summary.warnings)
 }
 
-/// Verification as text for the terminal.
-fn verified(c: &VerificationFile) -> String {
-    let head = ["result", "value", "unit", "verdict", "reason"].map(str::to_owned);
-    let mut rows = vec![head.to_vec()];
-    for (name, number) in c.ranked() {
-        rows.push(vec![
-            name.to_owned(),
-            value(number),
-            number.unit.clone(),
-            number.verdict.clone(),
-            number.reason.clone(),
-        ]);
-    }
-    format!("\n{}\n{}", pairs(&facts(c)), columns(&rows))
+/// Verification as text for the terminal: its results, then the judgement of each of `numbers`.
+pub(super) fn verified<'r>(
+    verification: &Record,
+    numbers: impl Iterator<Item = &'r Record>,
+    title: &str,
+) -> String {
+    let (head, rows) = (pairs(&values(verification)), columns(&table_of(numbers)));
+    format!("\n{title}\n{head}\n{rows}")
 }

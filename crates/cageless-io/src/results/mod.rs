@@ -24,7 +24,6 @@ mod dynamic_table;
 mod error;
 mod run_tables;
 mod table;
-mod verification;
 
 use std::iter::{once, repeat_n};
 use std::path::{Path, PathBuf};
@@ -36,7 +35,6 @@ pub use csv::write_csv;
 pub use dynamic_table::{ColumnKind, ColumnSpec, Row, RowsReader, RowsWriter};
 pub use error::{ResultError, is_unusable};
 pub use run_tables::read_run_table;
-pub use verification::{DistanceColumns, VerificationFile, VerificationNumber, rounded};
 
 pub use table::{Column, VERSION};
 

@@ -240,6 +240,17 @@ class SearchAttributes:
 class ToleranceAttributes:
     """Attributes of a result of this kind."""
 
+    title: str  # title
+    software: str  # program and instruction set
+    ball_grade: int | None  # grade of the balls (ISO 3290-1), 0 for equal balls
+    passes: bool | None  # passes
+    headline: str  # verdict with its reason
+    nominal_passes: bool | None  # nominal bearing passes
+    nominal_verdict: str  # verdict on the nominal bearing
+    nominal_critical_gap_deg: float  # critical gap, nominal, deg
+    nominal_double_collision_fraction: float  # double collisions, fraction of the passages, nominal
+    nominal_sliding_m_s: float  # largest sliding speed in a passage, mean, nominal, m/s
+    uniform_gap_deg: float  # nominal gap, deg
     plot_influences: Callable[..., go.Figure]  # range of the critical gap over each influence
     plot_samples: Callable[..., go.Figure]  # critical gaps of the bearings in which everything deviates, by verdict
 

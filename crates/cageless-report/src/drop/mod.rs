@@ -4,7 +4,6 @@ mod balls;
 mod rotor;
 mod scattered;
 mod several;
-mod verification;
 
 use cageless::contact::hertz::STRESS_LIMIT_PA;
 use cageless_io::case_file::CaseFile;
@@ -18,12 +17,12 @@ use crate::page::{Note, Page};
 use crate::studio_page::studio_section;
 use crate::table::{Cell, Row, Table};
 use crate::text::short;
+use crate::verification::VerificationTable;
 pub use several::rotor_page;
 
 use balls::{balls_in_motion, heat, loads};
 use rotor::of_rotor;
 use scattered::{distribution, scatter};
-use verification::verified;
 
 /// The self-contained page of a drop of the case in `file`.
 pub fn drop_page(file: &CaseFile, study: &DropStudy) -> String {
@@ -57,7 +56,9 @@ pub fn drop_page(file: &CaseFile, study: &DropStudy) -> String {
     }
     if let Some(verification) = &study.verification {
         page.section("Verification");
-        page.table(&verified(verification, "Verification".to_owned(), &source));
+        let numbers = verification.parts("numbers").iter();
+        let table = VerificationTable::new(verification, numbers);
+        table.show(&mut page, "Verification", &source);
     }
     let toml = file.document().to_toml().unwrap_or_default();
     studio_section(&mut page, &toml, "");

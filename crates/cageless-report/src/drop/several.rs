@@ -4,19 +4,20 @@ use cageless::Case;
 use cageless::simulation::PlaneDisplacement;
 use cageless_io::results::VERSION;
 use cageless_io::rotor_file::RotorFile;
-use cageless_study::drop::{RotorEnsemble, RotorStudy, RotorVerification};
+use cageless_results::Record;
+use cageless_study::drop::{RotorEnsemble, RotorStudy};
 use cageless_study::{Provenance, parameter, provenance};
 
 use super::balls::around_first_impact;
 use super::rotor::of_rotor;
 use super::scattered::{end_states, label, quantiles, scatter};
-use super::verification::verified;
 use super::{side_by_side, warned};
 use crate::head::Head;
 use crate::page::Page;
 use crate::run_report::motion;
 use crate::table::{Cell, Row, Table};
 use crate::text::short;
+use crate::verification::VerificationTable;
 
 /// The self-contained page of a drop of the rotor of `file`.
 pub fn rotor_page(file: &RotorFile, study: &RotorStudy) -> String {
@@ -146,19 +147,18 @@ fn scattered(page: &mut Page, cases: &[Case], ensemble: &RotorEnsemble) {
     }
 }
 
-fn verification_section(page: &mut Page, cases: &[Case], verification: &RotorVerification) {
+fn verification_section(page: &mut Page, cases: &[Case], verification: &Record) {
     page.section("Verification");
-    let [full, half] = verification.rotor_energy_residual_relative;
+    let [full, half] = verification.values("rotor_energy_residual_relative") else {
+        return;
+    };
     page.paragraph(&format!(
         "The energy balance error of the rotor is {full:.1e} of all flows at the step and \
          {half:.1e} at half of it."
     ));
-    for (k, (case, of_bearing)) in cases.iter().zip(&verification.bearings).enumerate() {
+    for (k, (case, bearing)) in cases.iter().zip(verification.parts("bearings")).enumerate() {
+        let table = VerificationTable::new(bearing, bearing.parts("numbers").iter());
         let source = provenance(case, String::new());
-        page.table(&verified(
-            of_bearing,
-            label("Verification", Some(k)),
-            &source,
-        ));
+        table.show(page, &label("Verification", Some(k)), &source);
     }
 }

@@ -1,6 +1,6 @@
 //! Figures of pages by name, for programs that show one without its page.
 
-use cageless_study::tolerance::ToleranceData;
+use cageless_results::Record;
 
 use super::{ball, collisions, design, energy, gap_map, history, polar, ring, search, shape};
 use super::{sweep, vibration};
@@ -105,7 +105,7 @@ pub const SEARCH: [Named<SearchData>; 3] = [
 ];
 
 /// Figures of a tolerance analysis.
-pub const TOLERANCE: [Named<ToleranceData>; 2] = [
+pub const TOLERANCE: [Named<Record>; 2] = [
     named(
         "influences",
         "range of the critical gap over each influence",
@@ -114,7 +114,7 @@ pub const TOLERANCE: [Named<ToleranceData>; 2] = [
     named(
         "samples",
         "critical gaps of the bearings in which everything deviates, by verdict",
-        |data| data.samples.as_ref().map(|s| sample_figure(data, s)),
+        |data| data.part("samples").map(|s| sample_figure(data, s)),
     ),
 ];
 

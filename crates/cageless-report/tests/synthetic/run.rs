@@ -103,25 +103,24 @@ pub fn run_data() -> RunData {
         .to_vec(),
         energy_residual_relative: Some(3.2e-7),
         verification: Some(VerificationTable {
-            facts: vec!["Runs part by a factor e every 3 ms <synthetic>.".into()],
-            rows: vec![
-                VerificationRow {
-                    name: "gap_min_deg".into(),
-                    value: "−0.0021".into(),
-                    unit: "°".into(),
-                    verdict: "converged".into(),
-                    reason: "changes by 1e-7 & less".into(),
-                    marked: false,
-                },
-                VerificationRow {
-                    name: "ring_y_mean_um".into(),
-                    value: "−22.4".into(),
-                    unit: "µm".into(),
-                    verdict: "step-biased".into(),
-                    reason: "z = −10".into(),
-                    marked: true,
-                },
-            ],
+            facts: vec![cageless_study::parameter(
+                "predictability",
+                "<synthetic>".into(),
+                "",
+            )],
+            rows: [
+                ["result", "value", "unit", "verdict", "reason"],
+                [
+                    "smallest gap",
+                    "−0.0021",
+                    "°",
+                    "converged",
+                    "changes by 1e-7 & less",
+                ],
+                ["mean displacement", "−22.4", "µm", "step-biased", "z = −10"],
+            ]
+            .map(|row| row.map(str::to_owned).to_vec())
+            .to_vec(),
         }),
         vibration: Some(vibration(&[
             ("outer ring, x", 20.0),

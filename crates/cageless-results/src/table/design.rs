@@ -11,32 +11,33 @@ use cageless::raceway::{self, axial_span_limit_m};
 
 use crate::cell::Cell;
 use crate::declare::*;
+use crate::meanings::*;
 use crate::quantity::Quantity;
 use crate::source::Source::{Curve, Design, Passages, Raceway, Recommendation, Verdict};
 
 /// Closed forms of a design; those of one raceway are of the first.
 #[rustfmt::skip]
 pub const DESIGN: &[Quantity] = &[
-    quantity("epsilon_deg", "deg", "ball angle ε", Design(|c| degrees(c.bearing.ball_angle_rad()))),
-    quantity("uniform_gap_deg", "deg", "nominal gap", Design(|c| degrees(c.bearing.nominal_gap_rad()))),
-    quantity("axial_span_limit_mm", "mm", "largest lC, Eq. (8)", Design(|c| some(axial_span_limit_m(&c.bearing) * 1e3))),
-    quantity("beta0_deg", "deg", "β0, Eq. (11)", Design(|c| of_raceway(c, |r| theoretical_gap_rad(&c.bearing, r, Eq11::Published).to_degrees()))),
-    quantity("beta0_polar_deg", "deg", "β0 with the true polar angle", Design(|c| of_raceway(c, |r| theoretical_gap_rad(&c.bearing, r, Eq11::Polar).to_degrees()))),
-    quantity("half_angle_for_span_deg", "deg", "θ by Eq. (11) for the span", Design(half_angle_for_span)),
-    quantity("steady_gap_deg", "deg", "steady-state gap, outside the raceway", Design(|c| degrees(steady_gap_rad(&c.bearing, &c.raceways)))),
-    integer("balls_in_raceway_max", "most balls inside at once", Design(|c| c.raceways.first().map_or(Cell::Null, |r| count(balls_in_raceway_max(&c.bearing, r))))),
-    low(quantity("slope_discontinuity_deg", "deg", "slope discontinuity at the raceway ends (at 45° groove angle)", Design(|c| of_raceway(c, |r| r.kink_angle_rad(FRAC_PI_4).to_degrees())))),
+    means("angle at the bearing centre between two balls that touch, Eq. (10)", quantity("epsilon_deg", "deg", "ball angle ε", Design(|c| degrees(c.bearing.ball_angle_rad())))),
+    means("360°/N − ε: gap between evenly spaced balls on a conventional ring", quantity("uniform_gap_deg", "deg", "nominal gap", Design(|c| degrees(c.bearing.nominal_gap_rad())))),
+    means("up to this lC the contact points stay on the groove", quantity("axial_span_limit_mm", "mm", "largest lC, Eq. (8)", Design(|c| some(axial_span_limit_m(&c.bearing) * 1e3)))),
+    means(BETA0, quantity("beta0_deg", "deg", "β0, Eq. (11)", Design(|c| of_raceway(c, |r| theoretical_gap_rad(&c.bearing, r, Eq11::Published).to_degrees())))),
+    means("β0 with the polar angle of the ball centre in place of the angle of the paper", quantity("beta0_polar_deg", "deg", "β0 with the true polar angle", Design(|c| of_raceway(c, |r| theoretical_gap_rad(&c.bearing, r, Eq11::Polar).to_degrees())))),
+    means("half angle at which β0 is the nominal gap, for the axial span of the case", quantity("half_angle_for_span_deg", "deg", "θ by Eq. (11) for the span", Design(half_angle_for_span))),
+    means("gap between balls that pass the raceway at equal intervals of time; balls inside the raceway take less of the circle", quantity("steady_gap_deg", "deg", "steady-state gap, outside the raceway", Design(|c| degrees(steady_gap_rad(&c.bearing, &c.raceways))))),
+    means("floor(2θ/ε) + 1", integer("balls_in_raceway_max", "most balls inside at once", Design(|c| c.raceways.first().map_or(Cell::Null, |r| count(balls_in_raceway_max(&c.bearing, r)))))),
+    means("change of slope of the groove at ±θ, 45° up the side of the groove", low(quantity("slope_discontinuity_deg", "deg", "slope discontinuity at the raceway ends (at 45° groove angle)", Design(|c| of_raceway(c, |r| r.kink_angle_rad(FRAC_PI_4).to_degrees()))))),
 ];
 
 /// Verdict on the raceways of a case: the critical gap is the largest, the verdict the worst of all.
 #[rustfmt::skip]
 pub const VERDICT: &[Quantity] = &[
-    text("verdict", "verdict", Verdict(|j| Cell::Text(j.judgement.verdict.name().to_owned()))),
+    means(VERDICT_NAMES, text("verdict", "verdict", Verdict(|j| Cell::Text(j.judgement.verdict.name().to_owned())))),
     high(flag("passes", "passes", Verdict(|j| flagged(j.judgement.passes())))),
     file_only(text("headline", "verdict with its reason", Verdict(|j| Cell::Text(j.judgement.headline())))),
-    text("criterion", "criterion that decides", Verdict(|j| j.judgement.deciding.map_or(Cell::Null, |c| Cell::Text(c.name().to_owned())))),
-    high(quantity("margin", "", "margin to the nearest limit", Verdict(|j| j.judgement.deciding.map(Criterion::margin).into()))),
-    quantity("critical_gap_deg", "deg", "critical gap", Verdict(|j| j.judgement.critical_gap_rad.map(f64::to_degrees).into())),
+    means(CRITERION, text("criterion", "criterion that decides", Verdict(|j| j.judgement.deciding.map_or(Cell::Null, |c| Cell::Text(c.name().to_owned()))))),
+    means(MARGIN, high(quantity("margin", "", "margin to the nearest limit", Verdict(|j| j.judgement.deciding.map(Criterion::margin).into())))),
+    means(CRITICAL_GAP, quantity("critical_gap_deg", "deg", "critical gap", Verdict(|j| j.judgement.critical_gap_rad.map(f64::to_degrees).into()))),
     high(quantity("gap_reserve_deg", "deg", "steady-state gap less critical gap", Verdict(|j| j.judgement.critical_gap_rad.map(|gap| (steady_gap_rad(&j.case.bearing, &j.case.raceways) - gap).to_degrees()).into()))),
 ];
 
@@ -44,10 +45,10 @@ pub const VERDICT: &[Quantity] = &[
 #[rustfmt::skip]
 pub const PASSAGES: &[Quantity] = &[
     integer("passages", "passages", Passages(|p| count(p.passages))),
-    low(quantity("collisions_mean", "", "contacts with neighbours per passage, mean", Passages(|p| some(p.collisions_mean)))),
-    low(quantity("double_collision_fraction", "", "double collisions, fraction of the passages", Passages(|p| some(p.double_collision_fraction)))),
-    low(quantity("sliding_mean_m_s", "m/s", "largest sliding speed in a passage, mean", Passages(|p| some(p.sliding_mean_m_s)))),
-    high(quantity("speed_drop_fraction", "", "reduction of the orbital speed in the raceway, fraction of that of rolling", Passages(|p| some(p.speed_drop_fraction)))),
+    means("contacts of a ball with its neighbours during one passage of the raceway", low(quantity("collisions_mean", "", "contacts with neighbours per passage, mean", Passages(|p| some(p.collisions_mean))))),
+    means(DOUBLE_COLLISIONS, low(quantity("double_collision_fraction", "", "double collisions, fraction of the passages", Passages(|p| some(p.double_collision_fraction))))),
+    means("the largest sliding speed of a ball in each passage, averaged over the passages", low(quantity("sliding_mean_m_s", "m/s", "largest sliding speed in a passage, mean", Passages(|p| some(p.sliding_mean_m_s))))),
+    means("1 for a ball that rolls, less for one that slides", high(quantity("speed_drop_fraction", "", "reduction of the orbital speed in the raceway, fraction of that of rolling", Passages(|p| some(p.speed_drop_fraction))))),
     high(quantity("gap_leave_min_deg", "deg", "smallest gap on leaving", Passages(|p| some(p.gap_leave_min_rad.to_degrees())))),
     quantity("gap_leave_max_deg", "deg", "largest gap on leaving", Passages(|p| some(p.gap_leave_max_rad.to_degrees()))),
 ];
@@ -58,9 +59,9 @@ pub const RACEWAY: &[Quantity] = &[
     part(quantity("axial_span_mm", "mm", "axial span lC", Raceway(|r| some(r.raceway.dimensions().axial_span_m * 1e3)))),
     part(quantity("half_angle_deg", "deg", "half angle θ", Raceway(|r| degrees(r.raceway.half_angle_rad())))),
     part(quantity("centre_angle_deg", "deg", "angular position ψ of the middle", Raceway(|r| degrees(r.raceway.dimensions().centre_angle_rad)))),
-    part(quantity("beta0_deg", "deg", "β0, Eq. (11)", Raceway(|r| degrees(theoretical_gap_rad(&r.case.bearing, r.raceway, Eq11::Published))))),
-    part(quantity("critical_gap_deg", "deg", "critical gap", Raceway(|r| r.judgement.critical_gap_rad.map(f64::to_degrees).into()))),
-    part(text("verdict", "verdict", Raceway(|r| Cell::Text(r.judgement.verdict.name().to_owned())))),
+    means(BETA0, part(quantity("beta0_deg", "deg", "β0, Eq. (11)", Raceway(|r| degrees(theoretical_gap_rad(&r.case.bearing, r.raceway, Eq11::Published)))))),
+    means(CRITICAL_GAP, part(quantity("critical_gap_deg", "deg", "critical gap", Raceway(|r| r.judgement.critical_gap_rad.map(f64::to_degrees).into())))),
+    means(VERDICT_NAMES, part(text("verdict", "verdict", Raceway(|r| Cell::Text(r.judgement.verdict.name().to_owned()))))),
     part(high(flag("passes", "passes", Raceway(|r| flagged(r.judgement.verdict.passes()))))),
 ];
 
@@ -72,9 +73,9 @@ pub(crate) const RECOMMENDATION: &[Quantity] = &[
     part(quantity("half_angle_deg", "deg", "half angle θ as judged", Recommendation(|r| thousandths(r.dimensions.half_angle_rad.to_degrees())))),
     part(quantity("axial_span_mm", "mm", "axial span lC as judged", Recommendation(|r| thousandths(r.dimensions.axial_span_m * 1e3)))),
     part(high(flag("passes", "passes", Recommendation(|r| flagged(r.judgement.passes()))))),
-    part(text("verdict", "verdict", Recommendation(|r| Cell::Text(r.judgement.verdict.name().to_owned())))),
+    means(VERDICT_NAMES, part(text("verdict", "verdict", Recommendation(|r| Cell::Text(r.judgement.verdict.name().to_owned()))))),
     part(text("headline", "verdict with its reason", Recommendation(|r| Cell::Text(r.judgement.headline())))),
-    part(quantity("critical_gap_deg", "deg", "critical gap", Recommendation(|r| r.judgement.critical_gap_rad.map(f64::to_degrees).into()))),
+    means(CRITICAL_GAP, part(quantity("critical_gap_deg", "deg", "critical gap", Recommendation(|r| r.judgement.critical_gap_rad.map(f64::to_degrees).into())))),
     part(integer("judged", "raceways judged", Recommendation(|r| count(r.judged)))),
     part(quantity("starting_half_angle_deg", "deg", "half angle θ of the starting point on the curve of Eq. (11)", Recommendation(|r| thousandths(r.starting_point.half_angle_rad.to_degrees())))),
     part(quantity("starting_axial_span_mm", "mm", "axial span lC of the starting point on the curve of Eq. (11)", Recommendation(|r| thousandths(r.starting_point.axial_span_m * 1e3)))),

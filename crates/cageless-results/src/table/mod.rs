@@ -4,6 +4,8 @@ mod design;
 mod drop;
 mod run;
 mod statics;
+mod tolerance;
+mod verification;
 
 use crate::computation::Computation;
 use crate::quantity::{Quantity, bearing_in_column};
@@ -11,8 +13,17 @@ use crate::quantity::{Quantity, bearing_in_column};
 pub(crate) use design::{CURVE, RECOMMENDATION};
 pub use design::{DESIGN, PASSAGES, RACEWAY, VERDICT};
 pub use drop::{DROP, ROTOR_DROP};
-pub use run::RUN;
+pub use run::{COMPARED, RUN};
 pub use statics::STATIC;
+pub use tolerance::{INFLUENCE, SAMPLES, TOLERANCE, VERDICT_COUNT};
+pub use verification::{
+    DISTANCE, DROP_VERIFICATION, JUDGEMENT, ROTOR_VERIFICATION, VERIFICATION, VERIFIED,
+};
+
+/// A time in µs.
+pub(crate) fn microseconds(time_s: f64) -> f64 {
+    time_s * 1e6
+}
 
 /// All scalar results, in the order of keys, columns and tables.
 pub fn quantities() -> impl Iterator<Item = &'static Quantity> {
@@ -27,6 +38,17 @@ pub fn quantities() -> impl Iterator<Item = &'static Quantity> {
         RUN,
         DROP,
         ROTOR_DROP,
+        TOLERANCE,
+        INFLUENCE,
+        SAMPLES,
+        VERDICT_COUNT,
+        COMPARED,
+        VERIFICATION,
+        VERIFIED,
+        DROP_VERIFICATION,
+        ROTOR_VERIFICATION,
+        JUDGEMENT,
+        DISTANCE,
     ];
     all.into_iter().flatten()
 }
@@ -38,6 +60,7 @@ pub fn of_kind(kind: &str) -> impl Iterator<Item = &'static Quantity> + use<> {
         "design" => &[DESIGN, VERDICT],
         "run" => &[RUN],
         "drop" => &[DROP, ROTOR_DROP],
+        "tolerance" => &[TOLERANCE],
         _ => &[],
     };
     tables.iter().copied().flatten()

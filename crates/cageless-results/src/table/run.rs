@@ -11,20 +11,21 @@ use cageless::summary::Summary;
 use crate::Finished;
 use crate::cell::Cell;
 use crate::declare::*;
+use crate::meanings::*;
 use crate::quantity::Quantity;
-use crate::source::Source::Run;
+use crate::source::Source::{Run, Vibration};
 
 /// Results of a run.
 #[rustfmt::skip]
 pub const RUN: &[Quantity] = &[
-    text("verdict", "verdict", Run(|r| Cell::Text(r.verdict.verdict.name().to_owned()))),
+    means(VERDICT_NAMES, text("verdict", "verdict", Run(|r| Cell::Text(r.verdict.verdict.name().to_owned())))),
     high(flag("passes", "passes", Run(|r| flagged(r.verdict.verdict.passes())))),
     file_only(text("headline", "verdict with its reason", Run(|r| Cell::Text(r.verdict.headline.clone())))),
-    text("criterion", "criterion that decides", Run(|r| r.verdict.deciding.map_or(Cell::Null, |c| Cell::Text(c.name().to_owned())))),
-    high(quantity("margin", "", "margin to the nearest limit", Run(|r| r.verdict.deciding.map(Criterion::margin).into()))),
-    low(quantity("friction_torque_n_m", "N m", "torque of gross sliding in the model", Run(|r| of_means(r, OrbitMeans::friction_torque_n_m)))),
-    quantity("friction_torque_skf_n_m", "N m", "friction torque with lubricant and cage, SKF ½ μ P d", Run(|r| skf_friction_torque_n_m(r.case).into())),
-    low(quantity("power_loss_w", "W", "power loss in the model, damping included", Run(|r| of_means(r, OrbitMeans::power_loss_w)))),
+    means(CRITERION, text("criterion", "criterion that decides", Run(|r| r.verdict.deciding.map_or(Cell::Null, |c| Cell::Text(c.name().to_owned()))))),
+    means(MARGIN, high(quantity("margin", "", "margin to the nearest limit", Run(|r| r.verdict.deciding.map(Criterion::margin).into())))),
+    means("dissipated power over the speed of the inner ring; without rolling resistance and lubricant", low(quantity("friction_torque_n_m", "N m", "torque of gross sliding in the model", Run(|r| of_means(r, OrbitMeans::friction_torque_n_m))))),
+    means("estimate for a deep groove ball bearing with a cage: P is the load, d the bore, μ = 0.0015", quantity("friction_torque_skf_n_m", "N m", "friction torque with lubricant and cage, SKF ½ μ P d", Run(|r| skf_friction_torque_n_m(r.case).into()))),
+    means("all heat of friction and damping, averaged over whole orbits of the balls", low(quantity("power_loss_w", "W", "power loss in the model, damping included", Run(|r| of_means(r, OrbitMeans::power_loss_w))))),
     quantity("power_loss_inner_friction_w", "W", "  friction at the inner raceway", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::InnerFriction)))),
     quantity("power_loss_outer_friction_w", "W", "  friction at the outer raceway", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::OuterFriction)))),
     quantity("power_loss_ball_friction_w", "W", "  friction between balls", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::BallFriction)))),
@@ -33,34 +34,34 @@ pub const RUN: &[Quantity] = &[
     quantity("power_loss_rotor_friction_w", "W", "  friction between rotor and inner ring", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::RotorFriction)))),
     quantity("power_loss_rotor_damping_w", "W", "  damping between rotor and inner ring", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::RotorDamping)))),
     quantity("power_loss_support_damping_w", "W", "  damping of the support", Run(|r| of_means(r, |m| m.power_w(EnergyTerm::SupportDamping)))),
-    quantity("power_loss_stored_w", "W", "  stored, less work of loads", Run(|r| of_means(r, OrbitMeans::stored_w))),
-    low(quantity("inner_pressure_max_mpa", "MPa", "peak contact pressure, inner raceway", Run(|r| of_summary(r, |s| s.peaks.inner.pressure_pa * 1e-6)))),
-    low(quantity("outer_pressure_max_mpa", "MPa", "peak contact pressure, outer raceway", Run(|r| of_summary(r, |s| s.peaks.outer.pressure_pa * 1e-6)))),
-    low(quantity("ball_pressure_max_mpa", "MPa", "peak contact pressure, ball on ball", Run(|r| of_summary(r, |s| s.peaks.balls.pressure_pa * 1e-6)))),
+    means("rise of the stored energy less the work of the loads, per second", quantity("power_loss_stored_w", "W", "  stored, less work of loads", Run(|r| of_means(r, OrbitMeans::stored_w)))),
+    means(HERTZ_PRESSURE, low(quantity("inner_pressure_max_mpa", "MPa", "peak contact pressure, inner raceway", Run(|r| of_summary(r, |s| s.peaks.inner.pressure_pa * 1e-6))))),
+    means(HERTZ_PRESSURE, low(quantity("outer_pressure_max_mpa", "MPa", "peak contact pressure, outer raceway", Run(|r| of_summary(r, |s| s.peaks.outer.pressure_pa * 1e-6))))),
+    means(HERTZ_PRESSURE, low(quantity("ball_pressure_max_mpa", "MPa", "peak contact pressure, ball on ball", Run(|r| of_summary(r, |s| s.peaks.balls.pressure_pa * 1e-6))))),
     quantity("inner_force_max_n", "N", "largest force at the inner raceway", Run(|r| of_summary(r, |s| s.peaks.inner.force_n))),
     quantity("outer_force_max_n", "N", "largest force at the outer raceway", Run(|r| of_summary(r, |s| s.peaks.outer.force_n))),
     quantity("ball_force_max_n", "N", "largest force between balls", Run(|r| of_summary(r, |s| s.peaks.balls.force_n))),
-    quantity("inner_pressure_velocity_max_mpa_m_s", "MPa m/s", "pressure × sliding speed, inner raceway", Run(|r| of_summary(r, |s| s.peaks.inner.pressure_velocity_pa_m_s * 1e-6))),
-    quantity("outer_pressure_velocity_max_mpa_m_s", "MPa m/s", "pressure × sliding speed, outer raceway", Run(|r| of_summary(r, |s| s.peaks.outer.pressure_velocity_pa_m_s * 1e-6))),
-    quantity("ball_pressure_velocity_max_mpa_m_s", "MPa m/s", "pressure × sliding speed, ball on ball", Run(|r| of_summary(r, |s| s.peaks.balls.pressure_velocity_pa_m_s * 1e-6))),
+    means(PRESSURE_VELOCITY, quantity("inner_pressure_velocity_max_mpa_m_s", "MPa m/s", "pressure × sliding speed, inner raceway", Run(|r| of_summary(r, |s| s.peaks.inner.pressure_velocity_pa_m_s * 1e-6)))),
+    means(PRESSURE_VELOCITY, quantity("outer_pressure_velocity_max_mpa_m_s", "MPa m/s", "pressure × sliding speed, outer raceway", Run(|r| of_summary(r, |s| s.peaks.outer.pressure_velocity_pa_m_s * 1e-6)))),
+    means(PRESSURE_VELOCITY, quantity("ball_pressure_velocity_max_mpa_m_s", "MPa m/s", "pressure × sliding speed, ball on ball", Run(|r| of_summary(r, |s| s.peaks.balls.pressure_velocity_pa_m_s * 1e-6)))),
     quantity("ring_x_mean_um", "um", "mean displacement of the inner ring, x", Run(|r| of_summary(r, |s| s.ring_x_mean_m * 1e6))),
     quantity("ring_y_mean_um", "um", "mean displacement of the inner ring, y", Run(|r| of_summary(r, |s| s.ring_y_mean_m * 1e6))),
-    low(integer("collisions", "collisions between balls", Run(|r| of_contacts(r, |c| c.all)))),
-    low(integer("collisions_above_0_1_m_s", "  collisions above 0.1 m/s", Run(|r| of_contacts(r, |c| c.above[0])))),
-    low(integer("collisions_above_0_5_m_s", "  collisions above 0.5 m/s", Run(|r| of_contacts(r, |c| c.above[1])))),
-    low(integer("collisions_above_1_m_s", "  collisions above 1 m/s", Run(|r| of_contacts(r, |c| c.above[2])))),
+    means(COLLISIONS, low(integer("collisions", "collisions between balls", Run(|r| of_contacts(r, |c| c.all))))),
+    means(ABOVE_0_1, low(integer("collisions_above_0_1_m_s", "  collisions above 0.1 m/s", Run(|r| of_contacts(r, |c| c.above[0]))))),
+    means(ABOVE_0_5, low(integer("collisions_above_0_5_m_s", "  collisions above 0.5 m/s", Run(|r| of_contacts(r, |c| c.above[1]))))),
+    means(ABOVE_1, low(integer("collisions_above_1_m_s", "  collisions above 1 m/s", Run(|r| of_contacts(r, |c| c.above[2]))))),
     quantity("gap_min_deg", "deg", "smallest gap", Run(|r| of_summary(r, |s| s.gap_min_rad.to_degrees()))),
     low(quantity("gap_max_deg", "deg", "largest gap", Run(|r| of_summary(r, |s| s.gap_max_rad.to_degrees())))),
-    low(quantity("gap_deviation_deg", "deg", "standard deviation of the gaps", Run(|r| of_summary(r, |s| s.gap_deviation_rad.to_degrees())))),
+    means("of all balls, after the transient", low(quantity("gap_deviation_deg", "deg", "standard deviation of the gaps", Run(|r| of_summary(r, |s| s.gap_deviation_rad.to_degrees()))))),
     quantity("gap_deviation_change_deg", "deg", "  change of that from the first to the second half of the run", Run(|r| of_summary(r, |s| s.gap_deviation_change_rad.to_degrees()))),
     low(quantity("outer_ring_force_deviation_n", "N", "standard deviation of the force on the outer ring", Run(|r| of_summary(r, |s| s.outer_ring_force_deviation_n)))),
-    low(quantity("sliding_max_m_s", "m/s", "largest sliding speed under load", Run(|r| of_summary(r, |s| s.sliding_max_m_s)))),
+    means("of balls at the raceways, wherever the contact carries load", low(quantity("sliding_max_m_s", "m/s", "largest sliding speed under load", Run(|r| of_summary(r, |s| s.sliding_max_m_s))))),
     quantity("orbit_speed_rpm", "rpm", "orbital speed of the balls, mean", Run(|r| of_means(r, |m| rpm(m.orbit_speed_rad_s)))),
     quantity("rotation_speed_rpm", "rpm", "rotational speed of the balls, mean", Run(|r| of_means(r, |m| rpm(m.rotation_rad_s)))),
-    quantity("ftf_hz", "Hz", "FTF in pure rolling", Run(|r| of_rolling(r, |f| f.ftf_hz))),
-    quantity("bpfo_hz", "Hz", "BPFO in pure rolling", Run(|r| of_rolling(r, |f| f.bpfo_hz))),
-    quantity("bpfi_hz", "Hz", "BPFI in pure rolling", Run(|r| of_rolling(r, |f| f.bpfi_hz))),
-    quantity("bsf_hz", "Hz", "BSF in pure rolling", Run(|r| of_rolling(r, |f| f.bsf_hz))),
+    means(FTF, quantity("ftf_hz", "Hz", "FTF in pure rolling", Run(|r| of_rolling(r, |f| f.ftf_hz)))),
+    means(BPFO, quantity("bpfo_hz", "Hz", "BPFO in pure rolling", Run(|r| of_rolling(r, |f| f.bpfo_hz)))),
+    means(BPFI, quantity("bpfi_hz", "Hz", "BPFI in pure rolling", Run(|r| of_rolling(r, |f| f.bpfi_hz)))),
+    means(BSF, quantity("bsf_hz", "Hz", "BSF in pure rolling", Run(|r| of_rolling(r, |f| f.bsf_hz)))),
     quantity("ftf_observed_hz", "Hz", "FTF in the motion (orbits of the balls)", Run(|r| of_means(r, OrbitMeans::ftf_hz))),
     quantity("bpfo_observed_hz", "Hz", "BPFO in the motion", Run(|r| of_means(r, OrbitMeans::bpfo_hz))),
     quantity("bpfi_observed_hz", "Hz", "BPFI in the motion", Run(|r| of_means(r, OrbitMeans::bpfi_hz))),
@@ -68,16 +69,22 @@ pub const RUN: &[Quantity] = &[
     integer("passages", "passages through a discrete raceway", Run(|r| Cell::Integer(r.passages.count as i64))),
     quantity("passage_duration_mean_ms", "ms", "time of a passage, mean", Run(|r| of_tally(r, |p| p.duration_mean_s() * 1e3))),
     low(quantity("passage_collisions_mean", "", "contacts per passage, mean", Run(|r| of_tally(r, PassageTally::collisions_mean)))),
-    low(quantity("double_collision_fraction", "", "double collisions, fraction of the passages", Run(|r| of_tally(r, PassageTally::double_collision_fraction)))),
+    means(DOUBLE_COLLISIONS, low(quantity("double_collision_fraction", "", "double collisions, fraction of the passages", Run(|r| of_tally(r, PassageTally::double_collision_fraction))))),
     quantity("passage_sliding_mean_m_s", "m/s", "largest sliding speed in a passage, mean", Run(|r| of_tally(r, PassageTally::sliding_mean_m_s))),
     quantity("passage_gap_min_mean_deg", "deg", "smallest gap ahead in a passage, mean", Run(|r| of_tally(r, |p| p.gap_min_mean_rad().to_degrees()))),
-    quantity("settled_after_s", "s", "end of the transient", Run(|r| of_summary(r, |s| s.settled_after_s))),
-    integer("averaged_orbits", "orbits of mean powers and speeds", Run(|r| r.summary.and_then(|s| s.means).map_or(Cell::Null, |m| Cell::Integer(i64::from(m.orbits))))),
-    quantity("energy_residual_relative", "", "energy balance error (relative)", Run(|r| some(r.outcome.energy_residual_relative))),
-    quantity("simulated_s", "s", "simulated", Run(|r| some(r.outcome.end_s))),
+    means("statistics are of the time after it", quantity("settled_after_s", "s", "end of the transient", Run(|r| of_summary(r, |s| s.settled_after_s)))),
+    means("whole orbits of the balls over which mean powers and speeds are averaged; 0: the run is shorter than one, the means are over its end", integer("averaged_orbits", "orbits of mean powers and speeds", Run(|r| r.summary.and_then(|s| s.means).map_or(Cell::Null, |m| Cell::Integer(i64::from(m.orbits)))))),
+    means(ENERGY_RESIDUAL, quantity("energy_residual_relative", "", "energy balance error (relative)", Run(|r| some(r.outcome.energy_residual_relative)))),
+    means(SIMULATED, quantity("simulated_s", "s", "simulated", Run(|r| some(r.outcome.end_s)))),
     integer("steps", "steps", Run(|r| Cell::Integer(r.outcome.steps as i64))),
-    integer("rhs_evaluations", "force evaluations", Run(|r| Cell::Integer(r.outcome.rhs_evaluations as i64))),
+    means("evaluations of the right-hand side of the equations of motion", integer("rhs_evaluations", "force evaluations", Run(|r| Cell::Integer(r.outcome.rhs_evaluations as i64)))),
     file_only(quantity("wall_s", "s", "time of the computation", Run(|r| some(r.wall_s)))),
+];
+
+/// Results that rings are compared by beyond those of a run.
+#[rustfmt::skip]
+pub const COMPARED: &[Quantity] = &[
+    part(low(quantity("vibration_rms_m_s2", "m/s²", "vibration of the housing, vertical, RMS", Vibration(|rms| some(*rms))))),
 ];
 
 fn of_means(run: &Finished<'_>, value: fn(&OrbitMeans) -> f64) -> Cell {

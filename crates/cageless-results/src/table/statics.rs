@@ -7,19 +7,20 @@ use cageless::rating::Rating;
 use crate::Solved;
 use crate::cell::Cell;
 use crate::declare::*;
+use crate::meanings::*;
 use crate::quantity::Quantity;
 use crate::source::Source::Static;
 
 /// Results of a static equilibrium, with the ratings of the bearing.
 #[rustfmt::skip]
 pub const STATIC: &[Quantity] = &[
-    quantity("ring_x_um", "um", "displacement of the inner ring, x", Static(|s| some(s.equilibrium.ring_x_m * 1e6))),
-    quantity("ring_y_um", "um", "displacement of the inner ring, y", Static(|s| some(s.equilibrium.ring_y_m * 1e6))),
+    means("from the centre of the outer ring, +x to the right", quantity("ring_x_um", "um", "displacement of the inner ring, x", Static(|s| some(s.equilibrium.ring_x_m * 1e6)))),
+    means("from the centre of the outer ring, +y upwards; a load downwards displaces the ring to negative values", quantity("ring_y_um", "um", "displacement of the inner ring, y", Static(|s| some(s.equilibrium.ring_y_m * 1e6)))),
     high(quantity("stiffness_xx_n_m", "N/m", "stiffness of the bearing, kxx", Static(|s| stiffness(s, 0, 0)))),
     high(quantity("stiffness_yy_n_m", "N/m", "stiffness of the bearing, kyy", Static(|s| stiffness(s, 1, 1)))),
     quantity("stiffness_xy_n_m", "N/m", "stiffness of the bearing, kxy = kyx", Static(|s| stiffness(s, 0, 1))),
-    low(quantity("inner_pressure_max_mpa", "MPa", "peak contact pressure, inner raceway", Static(|s| some(s.equilibrium.inner_pressure_max_pa * 1e-6)))),
-    low(quantity("outer_pressure_max_mpa", "MPa", "peak contact pressure, outer raceway", Static(|s| some(s.equilibrium.outer_pressure_max_pa * 1e-6)))),
+    means(HERTZ_PRESSURE, low(quantity("inner_pressure_max_mpa", "MPa", "peak contact pressure, inner raceway", Static(|s| some(s.equilibrium.inner_pressure_max_pa * 1e-6))))),
+    means(HERTZ_PRESSURE, low(quantity("outer_pressure_max_mpa", "MPa", "peak contact pressure, outer raceway", Static(|s| some(s.equilibrium.outer_pressure_max_pa * 1e-6))))),
     quantity("inner_force_max_n", "N", "largest force at the inner raceway", Static(|s| some(largest(&s.equilibrium.inner_force_n)))),
     quantity("outer_force_max_n", "N", "largest force at the outer raceway", Static(|s| some(largest(&s.equilibrium.outer_force_n)))),
     integer("loaded_balls", "balls under load", Static(|s| count(s.equilibrium.inner_force_n.iter().filter(|f| **f > 0.0).count()))),
@@ -37,14 +38,14 @@ pub const STATIC: &[Quantity] = &[
     high(quantity("l10r_at_speed_mrev", "Mrev", "L10r with weight and centrifugal force", Static(|s| s.rating.l10r_at_speed_mrev.into()))),
     high(quantity("l10r_at_speed_h", "h", "L10r with weight and centrifugal force, at the speed of the case", Static(|s| hours(s, s.rating.l10r_at_speed_mrev)))),
 
-    quantity("ftf_hz", "Hz", "FTF in pure rolling", Static(|s| some(s.rating.passing.ftf_hz))),
-    quantity("bpfo_hz", "Hz", "BPFO in pure rolling", Static(|s| some(s.rating.passing.bpfo_hz))),
-    quantity("bpfi_hz", "Hz", "BPFI in pure rolling", Static(|s| some(s.rating.passing.bpfi_hz))),
-    quantity("bsf_hz", "Hz", "BSF in pure rolling", Static(|s| some(s.rating.passing.bsf_hz))),
+    means(FTF, quantity("ftf_hz", "Hz", "FTF in pure rolling", Static(|s| some(s.rating.passing.ftf_hz)))),
+    means(BPFO, quantity("bpfo_hz", "Hz", "BPFO in pure rolling", Static(|s| some(s.rating.passing.bpfo_hz)))),
+    means(BPFI, quantity("bpfi_hz", "Hz", "BPFI in pure rolling", Static(|s| some(s.rating.passing.bpfi_hz)))),
+    means(BSF, quantity("bsf_hz", "Hz", "BSF in pure rolling", Static(|s| some(s.rating.passing.bsf_hz)))),
     quantity("raceway_ftf_hz", "Hz", "FTF in pure rolling through the discrete raceways", Static(|s| some(s.rating.passing.raceway_ftf_hz))),
     quantity("speed_factor_mm_rpm", "mm rpm", "speed factor n·Dpw", Static(|s| some(s.rating.speed_factor_mm_rpm))),
-    quantity("inner_stiffness_n_m1_5", "N/m^1.5", "contact stiffness K, inner raceway", Static(|s| some(s.equilibrium.inner_stiffness_n_m1_5))),
-    quantity("outer_stiffness_n_m1_5", "N/m^1.5", "contact stiffness K, outer raceway", Static(|s| some(s.equilibrium.outer_stiffness_n_m1_5))),
+    means(STIFFNESS, quantity("inner_stiffness_n_m1_5", "N/m^1.5", "contact stiffness K, inner raceway", Static(|s| some(s.equilibrium.inner_stiffness_n_m1_5)))),
+    means(STIFFNESS, quantity("outer_stiffness_n_m1_5", "N/m^1.5", "contact stiffness K, outer raceway", Static(|s| some(s.equilibrium.outer_stiffness_n_m1_5)))),
 
     column("ψ", list("ball_angle_deg", "deg", "angular position ψ", Static(|s| each(&s.equilibrium.ball_angle_rad, |a| a.to_degrees())))),
     column("r", list("effective_radius_mm", "mm", "effective ball radius r", Static(|s| each(&s.equilibrium.effective_radius_m, |r| r * 1e3)))),

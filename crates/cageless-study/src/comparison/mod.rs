@@ -20,7 +20,7 @@ use crate::histories::SAMPLING_HZ;
 use crate::progress::{Progress, Work};
 use crate::run::{Options, RunError, RunRecord, run};
 use crate::together::{Record, RunRecorder, run_together};
-use cageless_results::{RUN, Results, Subject};
+use cageless_results::{COMPARED, RUN, Results, Subject};
 
 /// Starts of each ring unless asked for otherwise: as many as run side by side.
 pub const STARTS: u64 = 8;
@@ -162,14 +162,17 @@ fn outcomes(
         }
         let results =
             (recorder.run).finished(case, &outcome, |run| Results::of(RUN, Subject::Run(run)));
-        let mut values: Vec<(&'static str, f64)> = results
-            .iter()
+        let results = match &recorder.vibration {
+            Some(vibration) => {
+                let rms_m_s2 = vibration.measurements()[1].rms();
+                results.and(Results::of(COMPARED, Subject::Vibration(&rms_m_s2)))
+            }
+            None => results,
+        };
+        let values = results.iter();
+        Ok(values
             .filter_map(|(quantity, cell)| Some((quantity.name, cell.number()?)))
-            .collect();
-        if let Some(vibration) = &recorder.vibration {
-            values.push((result::VIBRATION, vibration.measurements()[1].rms()));
-        }
-        Ok(values)
+            .collect())
     });
     outcomes.collect()
 }

@@ -4,36 +4,37 @@ use std::collections::BTreeMap;
 
 use cageless_io::case_file::{CaseDocument, CaseFile};
 use cageless_io::estimate::{Change, Estimate, SIGNIFICANCE};
-use serde::Serialize;
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
 use serde_json::{Map, Value};
 
-use cageless_results::{Aim, Kind, RUN};
-
-/// RMS of the vertical acceleration of the housing, m/s²: no result of a run without its rows.
-pub(super) const VIBRATION: &str = "vibration_rms_m_s2";
+use cageless_results::{Aim, COMPARED, Kind, Quantity, RUN};
 
 /// What a discrete raceway is there to change, and what it costs, in the order of the verdict.
 const SUBJECT: [&str; 6] = [
     "gap_deviation_deg",
-    VIBRATION,
+    "vibration_rms_m_s2",
     "outer_ring_force_deviation_n",
     "collisions",
     "power_loss_w",
     "ball_pressure_max_mpa",
 ];
 
-/// Name, label, unit and better direction of each result that is compared.
-fn compared() -> impl Iterator<Item = (&'static str, &'static str, String, Option<Aim>)> {
-    let quantities = RUN
-        .iter()
-        .filter(|q| q.in_tables && matches!(q.kind, Kind::Number | Kind::Integer));
-    let quantities = quantities.map(|q| (q.name, q.label, q.unit_text(), q.aim));
-    quantities.chain(std::iter::once((
-        VIBRATION,
-        "vibration of the housing, vertical, RMS",
-        "m/s²".to_owned(),
-        Some(Aim::Low),
-    )))
+/// Results that are compared.
+fn compared() -> impl Iterator<Item = &'static Quantity> {
+    let scalar = |q: &&Quantity| matches!(q.kind, Kind::Number | Kind::Integer);
+    RUN.iter()
+        .chain(COMPARED)
+        .filter(|q| q.in_tables)
+        .filter(scalar)
+}
+
+/// Name and unit of a result.
+fn named<S: Serializer>(quantity: &Quantity, serializer: S) -> Result<S::Ok, S::Error> {
+    let mut map = serializer.serialize_map(Some(2))?;
+    map.serialize_entry("name", quantity.name)?;
+    map.serialize_entry("unit", &quantity.unit_text())?;
+    map.end()
 }
 
 /// Scalar results of a ring, a value for each start; of a finished run one.
@@ -95,13 +96,9 @@ pub struct Starts {
 /// A scalar result of every ring.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ComparedResult {
-    /// Name with the unit at its end, as in `summary.json`.
-    pub name: &'static str,
-    /// Wording for readers.
-    #[serde(skip)]
-    pub label: &'static str,
-    /// Unit; empty if there is none.
-    pub unit: String,
+    /// The result.
+    #[serde(flatten, serialize_with = "named")]
+    pub quantity: &'static Quantity,
     /// Means over the starts in the order of the rings; `None` where a ring has none.
     pub values: Vec<Option<Estimate>>,
     /// Differences from the first ring, start by start; `None` for that itself.
@@ -134,8 +131,9 @@ impl RingComparison {
                 cases.is_some() && cases == ring.apart_from_raceway.as_ref()
             })
             .collect();
-        let results = compared().filter_map(|(name, label, unit, aim)| {
-            let of = |ring: &RingResults| ring.values.get(name).cloned().unwrap_or_default();
+        let results = compared().filter_map(|quantity| {
+            let of =
+                |ring: &RingResults| ring.values.get(quantity.name).cloned().unwrap_or_default();
             let values: Vec<Vec<f64>> = rings.iter().map(of).collect();
             let means: Vec<_> = values.iter().map(|v| Estimate::new(v)).collect();
             means.iter().any(Option::is_some).then(|| {
@@ -149,12 +147,10 @@ impl RingComparison {
                         Change::Undecided => return None,
                         change => change == Change::Lower,
                     };
-                    Some(low == (aim? == Aim::Low))
+                    Some(low == (quantity.aim? == Aim::Low))
                 });
                 ComparedResult {
-                    name,
-                    label,
-                    unit,
+                    quantity,
                     better: better.collect(),
                     values: means,
                     differences,
@@ -173,14 +169,18 @@ impl RingComparison {
 
     /// What a raceway is there to change, and what it costs.
     pub fn subject(&self) -> Vec<&ComparedResult> {
-        let of = |name: &&str| self.results.iter().find(|result| result.name == *name);
+        let of = |name: &&str| {
+            self.results
+                .iter()
+                .find(|result| result.quantity.name == *name)
+        };
         SUBJECT.iter().filter_map(of).collect()
     }
 
     /// [`Self::subject`] with the change of the scatter over time.
     pub fn subject_over_time(&self) -> Vec<&ComparedResult> {
         let mut all = self.subject();
-        let change = |result: &&ComparedResult| result.name == "gap_deviation_change_deg";
+        let change = |result: &&ComparedResult| result.quantity.name == "gap_deviation_change_deg";
         if let (Some(change), false) = (self.results.iter().find(change), all.is_empty()) {
             all.insert(1, change);
         }
@@ -226,11 +226,11 @@ impl RingComparison {
                     Change::Lower => "lowers",
                     Change::Higher => "raises",
                     Change::Undecided => {
-                        same.push(result.label.trim());
+                        same.push(result.quantity.label.trim());
                         continue;
                     }
                 };
-                let (label, unit) = (result.label.trim(), &result.unit);
+                let (label, unit) = (result.quantity.label.trim(), result.quantity.unit_text());
                 let change = format!(
                     "{word} the {label} from {} to {} {unit}",
                     from.text(),
@@ -262,13 +262,13 @@ impl RingComparison {
     pub fn rows<'r>(&self, results: impl Iterator<Item = &'r ComparedResult>) -> Vec<Vec<String>> {
         let text = |value: Option<Estimate>| value.map_or("–".to_owned(), |v| v.text());
         let row = |result: &ComparedResult| {
-            let mut row = vec![result.label.to_owned(), text(result.values[0])];
+            let mut row = vec![result.quantity.label.to_owned(), text(result.values[0])];
             for k in 1..self.runs.len() {
                 row.push(text(result.values[k]));
                 row.push(signed(result.differences[k]));
                 row.push(judged(result.better[k]).to_owned());
             }
-            row.push(result.unit.clone());
+            row.push(result.quantity.unit_text());
             row
         };
         results.map(row).collect()
@@ -309,7 +309,7 @@ mod tests {
     #[test]
     fn every_subject_is_a_result() {
         for name in SUBJECT {
-            assert!(compared().any(|(known, ..)| known == name), "{name}");
+            assert!(compared().any(|known| known.name == name), "{name}");
         }
     }
 
@@ -357,7 +357,13 @@ mod tests {
             [10.0, 9.0, 25.0, 14.0],
         );
         let comparison = RingComparison::new(&[conventional.clone(), a], STARTS);
-        let found = |name: &str| comparison.results.iter().find(|r| r.name == name).unwrap();
+        let found = |name: &str| {
+            comparison
+                .results
+                .iter()
+                .find(|r| r.quantity.name == name)
+                .unwrap()
+        };
         assert_eq!(found("gap_deviation_deg").better, [None, Some(true)]);
         assert_eq!(found("collisions").better, [None, None]);
         assert_eq!(

@@ -27,11 +27,9 @@ pub use distribution::{
 pub use ensemble::{DropRow, EnsembleResult, ensemble};
 pub use rotor_ensemble::{RotorDropRow, RotorEnsemble, rotor_ensemble};
 pub use rotor_study::{RotorStudy, rotor_study, unloaded};
-pub use rotor_verification::RotorVerification;
 pub use several::SeveralBearings;
 pub(crate) use several::run_rotor;
 pub use study::{DropRequest, DropStudy, Ended, Study, study};
-pub use verification::DropVerification;
 
 use crate::StudyError;
 use crate::progress::Progress;

@@ -7,19 +7,18 @@ use cageless_io::results::{SCHEMA, VERSION};
 use cageless_io::rotor_file::RotorFile;
 use serde::Serialize;
 
+use super::rotor_verification::verify;
 use super::several::drop_into_bearings;
 use super::study::{Subject, beside};
-use super::{
-    DropRequest, RotorEnsemble, RotorVerification, SeveralBearings, Study, rotor_ensemble,
-};
+use super::{DropRequest, RotorEnsemble, SeveralBearings, Study, rotor_ensemble};
 use crate::StudyError;
 use crate::progress::Progress;
 use crate::run::{Rows, RunError};
 use crate::warnings::{of_drop, of_scattered};
-use cageless_results::{DropResult, number_text::short};
+use cageless_results::{DropResult, Record, number_text::short};
 
 /// A drop into several bearings with what is shown beside it.
-pub type RotorStudy = Study<SeveralBearings, RotorEnsemble, RotorVerification>;
+pub type RotorStudy = Study<SeveralBearings, RotorEnsemble>;
 
 /// Drops the rotor of a file into its bearings, and whatever else is asked for; `rows` has a store
 /// for each bearing, or none. What there is when the progress cancels is kept; a drop that does
@@ -40,7 +39,6 @@ pub fn rotor_study<'r>(
 impl Subject for RotorDrop {
     type Drop = SeveralBearings;
     type Ensemble = RotorEnsemble;
-    type Verification = RotorVerification;
 
     fn warnings(&self, drop: &SeveralBearings) -> Vec<String> {
         let mut warnings = unloaded(self);
@@ -75,8 +73,8 @@ impl Subject for RotorDrop {
         &self,
         drop: &SeveralBearings,
         progress: &dyn Progress,
-    ) -> Result<RotorVerification, StudyError> {
-        RotorVerification::new(self, drop, progress)
+    ) -> Result<Record, StudyError> {
+        verify(self, drop, progress)
     }
 }
 
@@ -204,7 +202,7 @@ struct Summary<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     ensemble: Option<&'a RotorEnsemble>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    verification: Option<&'a RotorVerification>,
+    verification: Option<&'a Record>,
     warnings: &'a [String],
 }
 

@@ -5,12 +5,11 @@ use cageless::simulation::Ending;
 use cageless::touchdown::Scatter;
 use cageless_io::case_file::{CaseDocument, CaseFile};
 use cageless_io::results::{SCHEMA, VERSION};
-use cageless_results::DropResult;
+use cageless_results::{DropResult, Record};
 use serde::Serialize;
 
-use super::{
-    DropRecord, DropVerification, EnsembleResult, check_drops, check_rotor, drop_rotor, ensemble,
-};
+use super::verification::verify;
+use super::{DropRecord, EnsembleResult, check_drops, check_rotor, drop_rotor, ensemble};
 use crate::StudyError;
 use crate::progress::Progress;
 use crate::run::{Rows, RunError};
@@ -47,7 +46,7 @@ impl DropRequest {
 }
 
 /// A drop with what is shown beside it.
-pub struct Study<D, E, V> {
+pub struct Study<D, E> {
     /// The drop.
     pub drop: D,
     /// The drop of the same rotor onto conventional outer rings.
@@ -55,7 +54,7 @@ pub struct Study<D, E, V> {
     /// Scattered drops.
     pub ensemble: Option<E>,
     /// Verification of the drop.
-    pub verification: Option<V>,
+    pub verification: Option<Record>,
     /// What the numbers do not show, and what no bearing stands; what was asked for and could not be
     /// computed, and why.
     pub warnings: Vec<String>,
@@ -64,7 +63,7 @@ pub struct Study<D, E, V> {
 }
 
 /// A drop onto one bearing with what is shown beside it.
-pub type DropStudy = Study<DropRecord, EnsembleResult, DropVerification>;
+pub type DropStudy = Study<DropRecord, EnsembleResult>;
 
 /// A drop that has ended.
 pub trait Ended {
@@ -84,8 +83,6 @@ pub(super) trait Subject {
     type Drop: Ended;
     /// Scattered drops of it.
     type Ensemble;
-    /// Verification of a drop of it.
-    type Verification;
 
     /// Warnings of a drop of it.
     fn warnings(&self, drop: &Self::Drop) -> Vec<String>;
@@ -100,21 +97,15 @@ pub(super) trait Subject {
     fn scattered(&self, count: u64, progress: &dyn Progress) -> Result<Self::Ensemble, StudyError>;
 
     /// Verifies a drop.
-    fn verified(
-        &self,
-        drop: &Self::Drop,
-        progress: &dyn Progress,
-    ) -> Result<Self::Verification, StudyError>;
+    fn verified(&self, drop: &Self::Drop, progress: &dyn Progress) -> Result<Record, StudyError>;
 }
 
 /// Study of a subject.
-pub(super) type StudyOf<S> =
-    Study<<S as Subject>::Drop, <S as Subject>::Ensemble, <S as Subject>::Verification>;
+pub(super) type StudyOf<S> = Study<<S as Subject>::Drop, <S as Subject>::Ensemble>;
 
 impl Subject for Case {
     type Drop = DropRecord;
     type Ensemble = EnsembleResult;
-    type Verification = DropVerification;
 
     fn warnings(&self, drop: &DropRecord) -> Vec<String> {
         of_drop(self, &drop.result)
@@ -133,12 +124,8 @@ impl Subject for Case {
         ensemble(self, count, &Scatter::default(), progress)
     }
 
-    fn verified(
-        &self,
-        drop: &DropRecord,
-        progress: &dyn Progress,
-    ) -> Result<DropVerification, StudyError> {
-        DropVerification::new(self, &drop.result, progress)
+    fn verified(&self, drop: &DropRecord, progress: &dyn Progress) -> Result<Record, StudyError> {
+        verify(self, &drop.result, progress)
     }
 }
 
@@ -188,7 +175,7 @@ pub(super) fn beside<S: Subject>(
     Ok(study)
 }
 
-impl<D: Ended, E, V> Study<D, E, V> {
+impl<D: Ended, E> Study<D, E> {
     /// A drop with nothing beside it.
     pub fn new(drop: D) -> Self {
         Self {
@@ -257,6 +244,6 @@ struct Summary<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     ensemble: Option<&'a EnsembleResult>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    verification: Option<&'a DropVerification>,
+    verification: Option<&'a Record>,
     warnings: &'a [String],
 }

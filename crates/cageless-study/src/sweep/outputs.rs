@@ -33,7 +33,7 @@ impl Output {
                 Kind::Number => ColumnKind::Number,
                 Kind::Integer | Kind::Flag => ColumnKind::Integer,
                 Kind::Text => ColumnKind::Text,
-                Kind::Numbers => ColumnKind::Numbers,
+                Kind::Numbers | Kind::Range => ColumnKind::Numbers,
             },
         }
     }

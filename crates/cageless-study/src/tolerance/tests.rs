@@ -1,5 +1,6 @@
 use cageless::design::RacewayVerdict;
 use cageless_io::case_file::{CaseFile, template};
+use cageless_results::TOLERANCE_SHAPE;
 
 use super::*;
 
@@ -125,7 +126,7 @@ fn results_are_in_the_units_of_the_drawing() {
     let outcomes: Vec<Outcome> = (0..all.len())
         .map(|k| outcome((k + 1) as f64, verdict(k)))
         .collect();
-    let found = data(&case, &REQUEST, &tolerances, &assess(&all, &outcomes));
+    let found = tolerance_record(&case, 20, &tolerances, &assess(&all, &outcomes));
     let near = |found: f64, expected: f64| {
         assert!(
             (found - expected).abs() < 1e-9 * (1e-3 + expected.abs()),
@@ -133,58 +134,63 @@ fn results_are_in_the_units_of_the_drawing() {
         );
     };
     let degrees = |milliradians: f64| 0.18 * milliradians / std::f64::consts::PI;
-    near(found.nominal_critical_gap_deg.unwrap(), degrees(1.0));
-    near(found.nominal_double_collision_fraction.unwrap(), 0.01);
-    near(found.nominal_sliding_m_s.unwrap(), 0.1);
+    near(found.number("nominal_critical_gap_deg"), degrees(1.0));
+    near(found.number("nominal_double_collision_fraction"), 0.01);
+    near(found.number("nominal_sliding_m_s"), 0.1);
     let ball_angle = 2.0 * (4.7625 / (0.5 * (18.24 + 27.765f64))).asin();
     near(
-        found.uniform_gap_deg,
+        found.number("uniform_gap_deg"),
         360.0 / 14.0 - ball_angle * 180.0 / std::f64::consts::PI,
     );
-    assert_eq!(
-        (found.ball_grade, found.nominal_verdict.as_str()),
-        (20, "smooth")
-    );
+    assert_eq!(found.number("ball_grade"), 20.0);
+    assert_eq!(found.text("nominal_verdict"), "smooth");
     let rows = [
-        ("groove depth", -3.0, 3.0, "µm", 2),
-        ("axial span", -21.0, 21.0, "µm", 2),
-        ("half angle", -0.5, 0.5, "°", 2),
-        ("ball radii", -0.25, 0.25, "µm", 4),
-        ("friction coefficient", -0.004, 0.004, "", 2),
-        ("radial internal clearance", -6.0, 6.0, "µm", 2),
+        ("groove depth", -3.0, 3.0, "µm", 2.0),
+        ("axial span", -21.0, 21.0, "µm", 2.0),
+        ("half angle", -0.5, 0.5, "°", 2.0),
+        ("ball radii", -0.25, 0.25, "µm", 4.0),
+        ("friction coefficient", -0.004, 0.004, "", 2.0),
+        ("radial internal clearance", -6.0, 6.0, "µm", 2.0),
         // 7 % of 12 000 rpm, 40 % of 1500 N.
-        ("speed", -840.0, 840.0, "rpm", 2),
-        ("load", -600.0, 600.0, "N", 2),
+        ("speed", -840.0, 840.0, "rpm", 2.0),
+        ("load", -600.0, 600.0, "N", 2.0),
     ];
     let mut last = 1.0;
-    assert_eq!(found.influences.len(), rows.len());
-    for (row, (name, low, high, unit, trials)) in found.influences.iter().zip(rows) {
-        assert_eq!((row.name.as_str(), row.unit.as_str()), (name, unit));
-        near(row.low, low);
-        near(row.high, high);
-        assert_eq!((row.trials, row.passed), (trials, trials));
-        last += trials as f64;
+    assert_eq!(found.parts("influences").len(), rows.len());
+    for (row, (name, low, high, unit, trials)) in found.parts("influences").iter().zip(rows) {
+        assert_eq!((row.text("name"), row.text("unit")), (name, unit));
+        near(row.number("low"), low);
+        near(row.number("high"), high);
+        assert_eq!(
+            (row.number("trials"), row.number("passed")),
+            (trials, trials)
+        );
+        last += trials;
         for (k, number) in [1.0, last].into_iter().enumerate() {
-            near(row.critical_gap_deg.unwrap()[k], degrees(number));
-            near(row.double_collision_fraction.unwrap()[k], 1e-2 * number);
-            near(row.sliding_mean_m_s.unwrap()[k], 1e-1 * number);
+            near(row.values("critical_gap_deg")[k], degrees(number));
+            near(row.values("double_collision_fraction")[k], 1e-2 * number);
+            near(row.values("sliding_mean_m_s")[k], 1e-1 * number);
         }
     }
-    let samples = found.samples.as_ref().unwrap();
-    assert_eq!(
-        (samples.count, samples.passed, samples.seed),
-        (3, 1, case.seed)
-    );
-    near(samples.pass_probability, 1.0 / 3.0);
-    let quantiles = samples.critical_gap_quantiles_deg.unwrap();
-    for (quantile, number) in quantiles.into_iter().zip([1.0, 2.0, 3.0]) {
-        near(quantile, degrees(last + number));
+    let samples = found.part("samples").unwrap();
+    let counts = ["count", "passed", "seed"].map(|name| samples.number(name));
+    assert_eq!(counts, [3.0, 1.0, case.seed as f64]);
+    near(samples.number("pass_probability"), 1.0 / 3.0);
+    let quantiles = samples.values("critical_gap_quantiles_deg");
+    for (quantile, number) in quantiles.iter().zip([1.0, 2.0, 3.0]) {
+        near(*quantile, degrees(last + number));
     }
-    let counts: Vec<usize> = samples.verdicts.iter().map(|v| v.count).collect();
-    assert_eq!(counts, [1, 0, 1, 1]);
-    near(samples.verdicts[2].critical_gap_deg[0], degrees(last + 1.0));
-    assert_eq!(
-        samples.first_impossible,
-        Some(format!("reason {}", last + 2.0))
+    let verdicts = samples.parts("verdicts");
+    let counts: Vec<f64> = verdicts.iter().map(|v| v.number("count")).collect();
+    assert_eq!(counts, [1.0, 0.0, 1.0, 1.0]);
+    near(
+        verdicts[2].values("critical_gap_deg")[0],
+        degrees(last + 1.0),
     );
+    assert_eq!(
+        samples.text("first_impossible"),
+        format!("reason {}", last + 2.0)
+    );
+    let json = serde_json::to_value(&found).unwrap();
+    assert_eq!(Record::read(&TOLERANCE_SHAPE, &json), Ok(found));
 }

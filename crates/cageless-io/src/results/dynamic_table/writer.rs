@@ -252,5 +252,6 @@ fn fits(cell: &Cell, kind: ColumnKind) -> bool {
         Cell::Integer(_) => matches!(kind, ColumnKind::Integer | ColumnKind::Index),
         Cell::Text(_) => kind == ColumnKind::Text,
         Cell::Numbers(_) => kind == ColumnKind::Numbers,
+        Cell::List(_) => false,
     }
 }

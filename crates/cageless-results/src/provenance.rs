@@ -1,9 +1,11 @@
 //! The settings under which a number was computed.
 
+use cageless::dynamics::InstructionSet;
 use cageless::{Case, Profile};
 use serde::{Deserialize, Serialize};
 
-use cageless_results::number_text::short;
+use crate::number_text::short;
+use crate::table::microseconds;
 
 /// Provenance of a figure or table; printed under it.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -46,6 +48,12 @@ impl Provenance {
     }
 }
 
+/// Program and instruction set that compute.
+pub fn software() -> String {
+    let version = env!("CARGO_PKG_VERSION");
+    format!("Cageless {version}, {}", InstructionSet::chosen().name())
+}
+
 /// Name of a profile in files and figures.
 pub fn profile_name(profile: Profile) -> &'static str {
     match profile {
@@ -61,7 +69,7 @@ pub fn provenance(case: &Case, discarded: String) -> Provenance {
         profile: Some(profile_name(case.profile).to_owned()),
         friction_law: Some(case.contact.friction_law.describe(&case.contact.friction())),
         method: Some(case.solver.method.properties().label.to_owned()),
-        step_us: Some(case.solver.step_s * 1e6),
+        step_us: Some(microseconds(case.solver.step_s)),
         discarded,
     }
 }

@@ -1,0 +1,160 @@
+//! Results of a search for a raceway.
+
+use cageless::design::search::{Cause, MapCell, SpeedMap};
+
+use crate::cell::Cell;
+use crate::declare::*;
+use crate::meanings::*;
+use crate::quantity::Quantity;
+use crate::source::Source::{Map, Motion, Paper, Placement, Point, Rejection, Search, Structure, StructureAt};
+use crate::{AtPoint, SearchedPlacement};
+
+/// The search as a whole.
+#[rustfmt::skip]
+pub const SEARCH: &[Quantity] = &[
+    part(quantity("critical_gap_min_fraction", "", "smallest critical gap, fraction of the steady-state gap", Search(|s| some(s.found.request.critical_gap_min_fraction)))),
+    part(integer("starts", "uneven initial states of each structure", Search(|s| s.found.request.starts.into()))),
+    part(integer("seed", "seed", Search(|s| s.case.seed.into()))),
+    part(list("curve_axial_span_mm", "mm", "axial span lC of the curve of Eq. (11)", Search(|s| Cell::Numbers(s.curve.iter().map(|p| p.0 * 1e3).collect())))),
+    part(list("curve_half_angle_deg", "deg", "half angle θ of the curve of Eq. (11)", Search(|s| Cell::Numbers(s.curve.iter().map(|p| p.1.to_degrees()).collect())))),
+];
+
+/// An operating point.
+#[rustfmt::skip]
+pub const POINT: &[Quantity] = &[
+    // Rounding away what the conversion to SI leaves.
+    part(quantity("inner_speed_rpm", "rpm", "speed of the inner ring", Point(|p| millionths(rpm(p.inner_speed_rad_s))))),
+    part(quantity("radial_load_n", "N", "radial load", Point(|p| some(p.radial_load_n)))),
+];
+
+/// A structure: the raceways of a design.
+#[rustfmt::skip]
+pub const STRUCTURE: &[Quantity] = &[
+    part(quantity("axial_span_mm", "mm", "axial span lC", Structure(|e| millionths(e.structure.axial_span_m * 1e3)))),
+    part(quantity("half_angle_deg", "deg", "half angle θ", Structure(|e| millionths(e.structure.half_angle_rad.to_degrees())))),
+    part(quantity("centre_angles_deg", "deg", "angular positions ψ", Structure(|e| angles(&e.structure.centres_rad)))),
+    part(means("`accepted`, `rejected`, or `left out` by `search.runs_max`", text("status", "status", Structure(|e| Cell::Text(status(e).to_owned()))))),
+    part(high(flag("passes", "passes", Structure(|e| flagged((status(e) != "left out").then_some(status(e) == "accepted")))))),
+    part(text("reason", "requirement that is missed", Structure(|e| e.rejection.as_ref().map_or(Cell::Null, |r| Cell::Text(r.cause.name().to_owned()))))),
+    part(text("why", "the reason in words", Structure(|e| Cell::Text(match (&e.rejection, status(e)) {
+        (Some(rejection), _) => rejection.cause.to_string(),
+        (None, "left out") => "not run: the budget was spent on others".to_owned(),
+        _ => String::new(),
+    })))),
+    part(flag("on_front", "on the Pareto front", Structure(|e| flagged(Some(e.on_front))))),
+    part(means(BETA0, quantity("beta0_deg", "deg", "β0, Eq. (11)", Structure(|e| e.forms.map(|f| f.theoretical_gap_rad.to_degrees()).into())))),
+    part(quantity("steady_gap_deg", "deg", "steady-state gap, outside the raceway", Structure(|e| e.forms.map(|f| f.steady_gap_rad.to_degrees()).into()))),
+];
+
+/// A structure at an operating point.
+#[rustfmt::skip]
+pub const STRUCTURE_AT: &[Quantity] = &[
+    part(means("with the neighbours of the pair further off than at even spacing", quantity("critical_gap_deg", "deg", "critical gap", StructureAt(|a| at(a, |s, _| s.critical_gap_rad.to_degrees()))))),
+    part(high(quantity("margin_deg", "deg", "reserve: steady-state gap less critical gap", StructureAt(|a| at(a, |s, steady| (steady - s.critical_gap_rad).to_degrees()))))),
+    part(low(quantity("slip_shortfall", "", "sliding lowers the critical gap, fraction of β0", StructureAt(|a| a.evaluation.spacing[a.point].map(|s| s.shortfall).into())))),
+    part(low(quantity("pressure_mpa", "MPa", "peak contact pressure at rest, outer raceway", StructureAt(|a| a.evaluation.spacing[a.point].map(|s| s.stress_pa * 1e-6).into())))),
+];
+
+/// Runs of all balls from uneven initial states.
+#[rustfmt::skip]
+pub const MOTION: &[Quantity] = &[
+    part(low(quantity("collisions", "", "collisions per ball and orbit", Motion(|(m, _)| some(m.collisions))))),
+    part(low(quantity("collisions_late", "", "collisions per ball and orbit in steady state", Motion(|(m, _)| some(m.collisions_late))))),
+    part(low(means(DOUBLE_COLLISIONS, quantity("double_collision_fraction", "", "double collisions, fraction of the passages", Motion(|(m, _)| some(m.double_collision_fraction)))))),
+    part(low(quantity("impulse_mn_s", "mN s", "impulse between balls per ball and orbit", Motion(|(m, _)| some(m.impulse_n_s * 1e3))))),
+    part(low(quantity("spacing_scatter", "", "standard deviation of the gaps on arrival over the steady-state gap", Motion(|(m, steady)| some(m.gap_deviation_rad / steady))))),
+    part(high(quantity("gap_min_deg", "deg", "smallest gap on arrival", Motion(|(m, _)| degrees(m.gap_min_rad))))),
+    part(low(quantity("sliding_m_s", "m/s", "largest sliding speed in a passage, mean", Motion(|(m, _)| some(m.sliding_m_s))))),
+    part(high(means("1 for a ball that rolls, less for one that slides", quantity("speed_drop_fraction", "", "reduction of the orbital speed in the raceway, fraction of that of rolling", Motion(|(m, _)| some(m.speed_drop_fraction)))))),
+    part(low(quantity("force_deviation_n", "N", "standard deviation of the force on the outer ring", Motion(|(m, _)| some(m.force_deviation_n))))),
+    part(low(quantity("friction_w", "W", "power of sliding friction, whole run", Motion(|(m, _)| some(m.friction_w))))),
+];
+
+/// Structures that a requirement excludes.
+#[rustfmt::skip]
+pub const REJECTION: &[Quantity] = &[
+    part(in_tables(text("reason", "requirement", Rejection(|r| Cell::Text(r.0.to_owned()))))),
+    part(in_tables(text("meaning", "meaning", Rejection(|r| Cell::Text(rejection_text(r.0).to_owned()))))),
+    part(integer("count", "structures", Rejection(|r| count(r.1)))),
+];
+
+/// Angular positions of the raceways that are tried.
+#[rustfmt::skip]
+pub const PLACEMENT: &[Quantity] = &[
+    part(quantity("centre_angles_deg", "deg", "angular positions ψ", Placement(|p| angles(p.centres_rad)))),
+    part(integer("structures", "structures evaluated", Placement(|p| count(p.evaluations.len())))),
+    part(high(integer("accepted", "acceptable structures", Placement(|p| count(p.evaluations.iter().filter(|e| e.objectives.is_some()).count()))))),
+    part(low(quantity("least_shortfall", "", "sliding lowers the critical gap by at least, fraction of β0", Placement(least_shortfall)))),
+];
+
+/// Critical gaps and verdicts over lC (columns) and θ (rows).
+#[rustfmt::skip]
+pub const MAP: &[Quantity] = &[
+    part(list("axial_span_mm", "mm", "axial span lC of the columns", Map(|m| Cell::Numbers(m.axial_span_m.iter().map(|s| s * 1e3).collect())))),
+    part(list("half_angle_deg", "deg", "half angle θ of the rows", Map(|m| Cell::Numbers(m.half_angle_rad.iter().map(|a| (a.to_degrees() * 1e6).round() / 1e6).collect())))),
+    file_only(quantity("critical_gap_deg", "deg", "critical gap of each cell", Map(|m| grid(m, |c| c.spacing.map(|s| s.critical_gap_rad.to_degrees()).into())))),
+    file_only(quantity("steady_gap_deg", "deg", "steady-state gap of each cell", Map(|m| grid(m, |c| c.forms.map(|f| f.steady_gap_rad.to_degrees()).into())))),
+    file_only(text("verdict", "`smooth`, or the requirement that each cell misses", Map(|m| grid(m, |c| Cell::Text(c.cause.as_ref().map_or("smooth", Cause::name).to_owned()))))),
+    file_only(high(flag("passes", "whether each cell passes", Map(|m| grid(m, |c| flagged(Some(c.cause.is_none()))))))),
+];
+
+/// A structure of the paper for this bearing.
+#[rustfmt::skip]
+pub const PAPER: &[Quantity] = &[
+    part(text("letter", "letter in Fig. 8 of Zhao 2022", Paper(|p| Cell::Text(p.0.clone())))),
+    part(quantity("axial_span_mm", "mm", "axial span lC", Paper(|p| some(p.1[0])))),
+    part(quantity("half_angle_deg", "deg", "half angle θ", Paper(|p| some(p.1[1])))),
+];
+
+fn status(evaluation: &cageless::design::search::Evaluation) -> &'static str {
+    match (&evaluation.rejection, &evaluation.objectives) {
+        (Some(_), _) => "rejected",
+        (None, Some(_)) => "accepted",
+        (None, None) => "left out",
+    }
+}
+
+fn millionths(value: f64) -> Cell {
+    some((value * 1e6).round() / 1e6)
+}
+
+fn angles(angles_rad: &[f64]) -> Cell {
+    Cell::List(angles_rad.iter().map(|a| millionths(a.to_degrees())).collect())
+}
+
+fn at(at: &AtPoint<'_>, of: fn(&cageless::design::search::PairSeparation, f64) -> f64) -> Cell {
+    let steady = at.evaluation.forms.map_or(f64::NAN, |f| f.steady_gap_rad);
+    at.evaluation.spacing[at.point].map(|s| of(&s, steady)).into()
+}
+
+fn grid(map: &SpeedMap, of: fn(&MapCell) -> Cell) -> Cell {
+    let rows = map.cells.chunks(map.axial_span_m.len());
+    Cell::List(rows.map(|row| Cell::List(row.iter().map(of).collect())).collect())
+}
+
+/// Of the structures that spread the balls at all points, the least that sliding takes at the worst.
+fn least_shortfall(placement: &SearchedPlacement<'_>) -> Cell {
+    let worst = placement.evaluations.iter().filter_map(|e| {
+        let all: Option<Vec<f64>> = e.spacing.iter().map(|s| s.map(|s| s.shortfall)).collect();
+        all?.into_iter().reduce(f64::max)
+    });
+    worst.reduce(f64::min).into()
+}
+
+fn rejection_text(name: &str) -> &'static str {
+    match name {
+        "eq-8" => "the contact points leave the groove (Zhao 2022, Eq. (8))",
+        "eq-9" => "the contact path leaves the groove or turns back (Zhao 2022, Eq. (9))",
+        "overlap" => "two raceways overlap",
+        "insufficient-separation" => {
+            "critical gap too small a fraction of the steady-state gap: raceway too shallow"
+        }
+        "slips" => "critical gap too far below β0: excessive sliding",
+        "excessive-separation" => "raceway too deep: evenly spaced balls collide",
+        "stress" => "contact pressure above 4200 MPa (ISO 76)",
+        "gross-sliding" => "gross sliding over the raceway",
+        "gap-not-retained" => "gap lost before the load zone",
+        "double-collision" => "double collisions in too many passages",
+        _ => "a run failed",
+    }
+}

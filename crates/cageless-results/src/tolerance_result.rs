@@ -1,0 +1,87 @@
+//! Results of a tolerance analysis.
+
+use cageless::Case;
+use cageless::tolerance::{Assessment, Tolerances};
+
+use crate::table::{INFLUENCE, SAMPLES, TOLERANCE, VERDICT_COUNT};
+use crate::{
+    CountedVerdict, Deviation, Part, Provenance, Record, Results, Sampled, Shape, Subject,
+    Tolerated, provenance,
+};
+
+/// What a tolerance analysis holds.
+pub const TOLERANCE_SHAPE: Shape = Shape {
+    values: TOLERANCE,
+    sentences: &[],
+    parts: &[
+        (
+            "influences",
+            &Shape {
+                values: INFLUENCE,
+                sentences: &["verdicts"],
+                parts: &[],
+            },
+        ),
+        (
+            "samples",
+            &Shape {
+                values: SAMPLES,
+                sentences: &[],
+                parts: &[(
+                    "verdicts",
+                    &Shape {
+                        values: VERDICT_COUNT,
+                        sentences: &[],
+                        parts: &[],
+                    },
+                )],
+            },
+        ),
+    ],
+};
+
+/// Results of the bearing of a case within tolerances, its balls of a grade of ISO 3290-1 (0: equal
+/// ones): the nominal bearing, the `influences` one at a time, and the `samples` by their `verdicts`.
+pub fn tolerance_record(
+    case: &Case,
+    ball_grade: u32,
+    tolerances: &Tolerances,
+    assessment: &Assessment,
+) -> Record {
+    let influences = assessment.influences.iter().map(|result| {
+        let deviation = Deviation {
+            case,
+            tolerances,
+            result,
+        };
+        let verdicts = result.verdicts.iter().map(|v| v.name().to_owned());
+        Record::from(Results::of(INFLUENCE, Subject::Influence(&deviation)))
+            .with_sentences("verdicts", verdicts.collect())
+    });
+    let samples = assessment.samples.as_ref().map(|samples| {
+        let verdicts = samples.verdicts.iter().map(|(verdict, _)| {
+            let outcomes = samples.outcomes.iter().filter(|o| o.verdict == *verdict);
+            let counted = CountedVerdict {
+                verdict: *verdict,
+                outcomes: outcomes.collect(),
+            };
+            Results::of(VERDICT_COUNT, Subject::VerdictCount(&counted)).into()
+        });
+        let seed = case.seed;
+        let sampled = Sampled { samples, seed };
+        Record::from(Results::of(SAMPLES, Subject::Samples(&sampled)))
+            .with_part("verdicts", Part::Many(verdicts.collect()))
+    });
+    let tolerated = Tolerated {
+        case,
+        ball_grade,
+        assessment,
+    };
+    Record::from(Results::of(TOLERANCE, Subject::Tolerance(&tolerated)))
+        .with_part("influences", Part::Many(influences.collect()))
+        .with_part("samples", samples)
+        .with_provenance(Provenance {
+            discarded: "the first 16 orbits of each run".to_owned(),
+            ..provenance(case, String::new())
+        })
+}
