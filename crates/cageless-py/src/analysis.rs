@@ -1,8 +1,9 @@
 //! Analysis of the raceways of a case.
 
 use cageless_io::case_file::CaseFile;
+use cageless_report::DesignData;
 use cageless_report::design_report::{design_data, rings_of};
-use cageless_report::{DesignData, SearchData};
+use cageless_results::Record;
 use cageless_study::design::{DesignResult, Judged, judged};
 use cageless_study::rings::rings;
 use pyo3::prelude::*;
@@ -14,7 +15,7 @@ use crate::errors::{of_study, stopped};
 pub fn analysed(
     py: Python<'_>,
     file: &CaseFile,
-    search: Option<SearchData>,
+    search: Option<Record>,
 ) -> PyResult<(DesignResult, DesignData, Option<PyErr>)> {
     let background = Background::new(Some(1), None)?;
     let done = background.run(py, |progress| {

@@ -144,11 +144,11 @@ pub fn search(
     folder: Option<PathBuf>,
     background: Background,
 ) -> PyResult<Computed> {
+    let paper = structures_of(&file.case().bearing).map_err(other)?;
     let done = background.run(py, |progress| {
-        study_search::run(file, folder.as_deref(), progress)
+        study_search::run(file, folder.as_deref(), &paper, progress)
     })?;
-    let (found, mut data) = done.map_err(|error| of_study(&error))?;
-    data.paper = structures_of(&file.case().bearing).map_err(other)?;
+    let (found, data) = done.map_err(|error| of_study(&error))?;
     if let Some(folder) = &folder {
         study_search::forget(folder);
     }

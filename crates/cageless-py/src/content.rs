@@ -7,10 +7,10 @@ use cageless_report::figures::named::{DESIGN, Named, RUN, SEARCH, SWEEP, TOLERAN
 use cageless_report::figures::{named, sweep};
 use cageless_report::tolerance::tolerance_page;
 use cageless_report::{
-    DesignData, Figure, RunData, SearchData, SweepData, SweepOutput, design_page, from_json,
-    run_from_json, run_json, run_page, sweep_page, to_json,
+    DesignData, Figure, RunData, SweepData, SweepOutput, design_page, from_json, run_from_json,
+    run_json, run_page, sweep_page, to_json,
 };
-use cageless_results::{Record, Shape, TOLERANCE_SHAPE};
+use cageless_results::{Record, SEARCH_SHAPE, Shape, TOLERANCE_SHAPE};
 use pyo3::prelude::*;
 
 use crate::analysis::analysed;
@@ -22,7 +22,7 @@ pub enum Content {
     /// Kind and page of a static equilibrium, a drop or a comparison: figures are taken from the page.
     Page(&'static str, Later<String>),
     Design(Box<DesignData>),
-    Search(Box<(CaseFile, SearchData)>),
+    Search(Box<(CaseFile, Record)>),
     Tolerance(Box<Record>),
     Analysis(Box<SweepData>),
 }
@@ -76,7 +76,8 @@ impl Content {
             "design" => Self::Design(from_json(&source).map_err(foreign("report of a design"))?),
             "search" => {
                 let file = CaseFile::parse(&source, "case.toml", &[]).map_err(|e| of_file(&e))?;
-                let data = from_json(values).map_err(foreign("numbers of a search"))?;
+                let data = recorded(&SEARCH_SHAPE, values)
+                    .map_err(|e| input(format!("numbers of a search: {e}")))?;
                 Self::Search(Box::new((file, data)))
             }
             "tolerance" => {

@@ -4,8 +4,7 @@ use std::path::{Path, PathBuf};
 
 use cageless_io::results::{write_atomically, write_together};
 use cageless_report::figures::named;
-use cageless_report::{SearchData, from_json};
-use cageless_results::{Aim, Kind as ValueKind, Quantity, of_kind};
+use cageless_results::{Aim, Kind as ValueKind, Quantity, Record, SEARCH_SHAPE, of_kind};
 use cageless_study::Stopped;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -155,8 +154,8 @@ pub fn load(py: Python<'_>, dir: PathBuf) -> PyResult<Option<Computed>> {
         kind = "search";
         reason = values["refusal"].as_str().map(str::to_owned);
         values = values["search"].take();
-        let data: SearchData =
-            from_json(&values.to_string()).map_err(|e| input(format!("{shown}: {e}")))?;
+        let data =
+            Record::read(&SEARCH_SHAPE, &values).map_err(|e| input(format!("{shown}: {e}")))?;
         text = serde_json::to_string(&data).map_err(other)?;
     }
     let file = KINDS

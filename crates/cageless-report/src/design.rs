@@ -5,10 +5,8 @@ use serde::{Deserialize, Serialize};
 use cageless::design::search::NEIGHBOURS_WIDER;
 pub use cageless_study::rings::RingNumbers;
 
-pub use cageless_study::search::{
-    MapData, MotionNumbers, PlacementData, PointData, PointNumbers, PointVerdict, RejectionCount,
-    SearchData, StructureData,
-};
+use cageless_results::Record;
+use cageless_study::search::point_label;
 
 use crate::data::{Motion, Parameter, Provenance};
 use crate::figures::search as figures;
@@ -63,8 +61,9 @@ pub struct DesignData {
     pub surface: Option<RacewaySurface>,
     /// The balls of the run that was judged.
     pub motion: Option<Motion>,
-    /// Result of a search.
-    pub search: Option<SearchData>,
+    /// Result of a search, which is in `design.json`.
+    #[serde(skip)]
+    pub search: Option<Record>,
     /// Case as computed, one line per key.
     pub parameters: Vec<Parameter>,
     /// Provenance of the verdict.
@@ -275,22 +274,26 @@ fn rings_table(rings: &[RingNumbers], provenance: Provenance) -> Table {
     }
 }
 
-fn search_sections(page: &mut Page, search: &SearchData) {
+fn search_sections(page: &mut Page, search: &Record) {
     page.section("Search");
-    let several = search.points.len() > 1;
-    for (point, verdict) in search.points.iter().zip(&search.recommended_verdicts) {
+    let points = search.parts("points");
+    let several = points.len() > 1;
+    for (point, verdict) in points.iter().zip(search.parts("recommended_verdicts")) {
         let at = if several {
-            format!("At {}, from even spacing: ", point.label())
+            format!("At {}, from even spacing: ", point_label(point))
         } else {
             String::new()
         };
-        page.verdict(verdict.passes, &format!("{at}{}", verdict.headline));
+        page.verdict(
+            verdict.flag("passes"),
+            &format!("{at}{}", verdict.text("headline")),
+        );
     }
     search
-        .findings
+        .sentences("findings")
         .iter()
         .for_each(|finding| page.note(Note::Remark, finding));
-    if search.recommended.is_some() || search.own.is_some() {
+    if search.part("recommended").or(search.part("own")).is_some() {
         page.table(&tables::comparison(search));
     }
     page.section("Feasible designs");
@@ -298,10 +301,10 @@ fn search_sections(page: &mut Page, search: &SearchData) {
     page.figure(&figures::verdicts(search));
     page.figure(&figures::critical_gaps(search));
     page.table(&tables::rejections(search));
-    if search.placements.len() > 1 {
+    if search.parts("placements").len() > 1 {
         page.table(&tables::placements(search));
     }
-    if !search.front.is_empty() {
+    if !search.parts("front").is_empty() {
         page.section("Trade-offs");
         page.figure(&figures::trade_offs(search));
         page.table(&tables::front(search));

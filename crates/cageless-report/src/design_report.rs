@@ -9,13 +9,11 @@ use crate::{
 };
 use cageless::Case;
 use cageless::design::{span_angle_curve, steady_after_s, steady_case};
-use cageless::dynamics::InstructionSet;
 use cageless::raceway::axial_span_limit_m;
 use cageless::snapshot::Snapshot;
 use cageless_io::case_file::CaseFile;
-use cageless_io::results::VERSION;
-use cageless_results::{Recommended, Record};
-use cageless_study::{DesignResult, entered, parameter, parameters, provenance};
+use cageless_results::{Recommended, Record, software};
+use cageless_study::{DesignResult, entered, lines, parameter, parameters, provenance};
 
 /// Points of the curve of Eq. (11).
 const CURVE_POINTS: usize = 240;
@@ -44,10 +42,8 @@ pub fn rings_of(file: &CaseFile, result: &DesignResult) -> Vec<(&'static str, Ca
 
 /// Whether a raceway is recommended, by the search or near the curve of Eq. (11).
 fn recommends(result: &DesignResult) -> bool {
-    let searched = result
-        .search
-        .as_ref()
-        .is_some_and(|s| s.recommended.is_some());
+    let search = result.search.as_ref();
+    let searched = search.is_some_and(|s| s.part("recommended").is_some());
     let near = result.recommendation();
     searched || near.is_some_and(|r| r.passes() == Some(true))
 }
@@ -74,7 +70,7 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
         } else {
             format!("Design: {}", case.title)
         },
-        software: format!("Cageless {VERSION}, {}", InstructionSet::detect().name()),
+        software: software(),
         lead: lead(case),
         warnings: record.sentences("warnings").to_vec(),
         passes,
@@ -123,18 +119,14 @@ fn lead(case: &Case) -> String {
 
 fn results(r: &DesignResult) -> Vec<Parameter> {
     let record = &r.record;
-    let rows = |record: &Record| -> Vec<Parameter> {
-        let rows = record.results.rows();
-        rows.map(|(label, value, unit)| parameter(label, value, &unit))
-            .collect()
-    };
+    let rows = |record: &Record| lines(record.rows());
     let name = |passes| pass_word(passes).to_owned();
-    let mut lines = vec![
+    let mut all = vec![
         parameter("pass or fail", name(record.results.flag("passes")), ""),
         parameter("verdict", record.results.text("verdict").to_owned(), ""),
     ];
-    lines.extend(rows(record));
-    lines.extend(record.part("passages").into_iter().flat_map(rows));
+    all.extend(rows(record));
+    all.extend(record.part("passages").into_iter().flat_map(rows));
     let raceways = record.parts("raceways");
     for one in raceways.iter().filter(|_| raceways.len() > 1) {
         if let Some((label, value, unit)) = one.results.row("critical_gap_deg") {
@@ -143,10 +135,10 @@ fn results(r: &DesignResult) -> Vec<Parameter> {
                 one.results.number("centre_angle_deg"),
                 one.results.text("verdict")
             );
-            lines.push(parameter(&label, value, &unit));
+            all.push(parameter(&label, value, &unit));
         }
     }
-    lines
+    all
 }
 
 fn curve(case: &Case, result: &DesignResult, own: &RacewayLabel) -> DesignCurve {

@@ -2,6 +2,7 @@
 
 use cageless::Case;
 use cageless_io::case_file::{CaseDocument, CaseFile, RacewayDocument};
+use cageless_results::Cell;
 use cageless_study::{DesignResult, entered, parameter};
 use serde::{Deserialize, Serialize};
 
@@ -43,9 +44,10 @@ pub fn recommended(
         centre_angle_deg: centre,
         depth_error_um: 0.0,
     };
-    if let Some(found) = result.search.as_ref().and_then(|s| s.recommended.as_ref()) {
-        let centres = found.centre_angles_deg.iter();
-        let raceways = centres.map(|c| at(found.axial_span_mm, found.half_angle_deg, *c));
+    if let Some(found) = result.search.as_ref().and_then(|s| s.part("recommended")) {
+        let [span, angle] = ["axial_span_mm", "half_angle_deg"].map(|name| found.number(name));
+        let centres = found.items("centre_angles_deg").iter();
+        let raceways = centres.filter_map(Cell::number).map(|c| at(span, angle, c));
         return Some((RECOMMENDED, raceways.collect()));
     }
     let near = result.recommendation()?;
@@ -87,13 +89,13 @@ impl ShownRaceway {
         let surface = RacewaySurface::sample(raceway, &case.bearing, label.clone());
         let [depth, height] = surface.depth_and_height_um();
         let (passes, headline) = verdict(result);
-        let found = result.search.as_ref().and_then(|s| s.recommended.as_ref());
-        let point = found.and_then(|r| r.points.first());
+        let found = result.search.as_ref().and_then(|s| s.part("recommended"));
+        let point = found.and_then(|r| r.parts("points").first());
         let critical = match point {
-            Some(numbers) => numbers.critical_gap_deg,
+            Some(numbers) => numbers.value("critical_gap_deg"),
             None => (result.recommendation()).and_then(|r| r.0.results.value("critical_gap_deg")),
         };
-        let steady = found.and_then(|r| r.steady_gap_deg);
+        let steady = found.and_then(|r| r.value("steady_gap_deg"));
         let number = |name: &str, value: Option<f64>, digits: usize, unit: &str| {
             value.map(|v| parameter(name, format!("{v:.digits$}"), unit))
         };
@@ -109,10 +111,15 @@ impl ShownRaceway {
                 "°",
             ),
             number("steady-state gap (even spacing)", steady, 4, "°"),
-            number("gap reserve", point.and_then(|n| n.margin_deg), 4, "°"),
+            number(
+                "gap reserve",
+                point.and_then(|n| n.value("margin_deg")),
+                4,
+                "°",
+            ),
             number(
                 "peak contact pressure at rest, outer raceway",
-                point.and_then(|n| n.pressure_mpa),
+                point.and_then(|n| n.value("pressure_mpa")),
                 0,
                 "MPa",
             ),
@@ -134,9 +141,9 @@ fn verdict(result: &DesignResult) -> (Option<bool>, String) {
     let searched = result
         .search
         .as_ref()
-        .and_then(|s| s.recommended_verdicts.first());
+        .and_then(|s| s.parts("recommended_verdicts").first());
     match (searched, result.recommendation()) {
-        (Some(verdict), _) => (verdict.passes, verdict.headline.clone()),
+        (Some(verdict), _) => (verdict.flag("passes"), verdict.text("headline").to_owned()),
         (None, Some(near)) => (near.passes(), near.0.results.text("headline").to_owned()),
         (None, None) => (None, String::new()),
     }

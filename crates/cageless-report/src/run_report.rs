@@ -9,7 +9,7 @@ use cageless_io::case_file::CaseFile;
 use cageless_io::results::VERSION;
 use cageless_results::Record;
 use cageless_study::run::RunRecord;
-use cageless_study::{RunHistories, RunSummary, SAMPLING_HZ, parameter, parameters, provenance};
+use cageless_study::{RunHistories, RunSummary, SAMPLING_HZ, lines, parameters, provenance};
 
 use crate::data::{
     BearingOutline, FrequencyMark, Motion, Parameter, Provenance, RacewaySector, Vibration,
@@ -136,7 +136,7 @@ pub fn run_data(file: &CaseFile, record: &RunRecord) -> RunData {
         parameters: parameters(file),
         passes: summary.passes(),
         headline: summary.headline().to_owned(),
-        results: results(summary),
+        results: lines(summary.results.rows()),
         outline: BearingOutline::new(bearing),
         sectors: case.raceways.iter().map(RacewaySector::new).collect(),
         settled_after_s: settled,
@@ -311,11 +311,7 @@ const FACTS: [&str; 12] = [
 
 /// The key numbers that have a value.
 fn facts(summary: &RunSummary) -> Vec<Parameter> {
-    FACTS
-        .iter()
-        .filter_map(|name| summary.results.row(name))
-        .map(|(label, value, unit)| parameter(label, value, &unit))
-        .collect()
+    lines(FACTS.iter().filter_map(|name| summary.results.row(name)))
 }
 
 fn lead(case: &Case, outcome: &RunOutcome) -> String {
@@ -335,12 +331,6 @@ fn lead(case: &Case, outcome: &RunOutcome) -> String {
     )
     .trim_end()
     .to_owned()
-}
-
-fn results(summary: &RunSummary) -> Vec<Parameter> {
-    (summary.results.rows())
-        .map(|(label, value, unit)| parameter(label, value, &unit))
-        .collect()
 }
 
 fn ball_history(snapshots: &[Snapshot], k: usize) -> BallHistory {

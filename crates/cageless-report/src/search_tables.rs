@@ -1,309 +1,158 @@
 //! Tables of a search.
 
 use cageless::design::search::NEIGHBOURS_WIDER;
+use cageless_io::estimate::Estimate;
+use cageless_results::{
+    MOTION, PLACEMENT, Quantity, Record, Results, STRUCTURE, STRUCTURE_AT, heading, table_of,
+    value_text,
+};
+use cageless_study::search::{point_label, structure_label};
 
-use crate::design::{MotionNumbers, PointNumbers, SearchData, StructureData};
 use crate::table::{Cell, Row, Table};
-use crate::text::fixed;
 
 /// Rows of the front that are printed.
 const FRONT_ROWS: usize = 24;
 
-fn columns(names: &[(&str, bool)]) -> Vec<(String, bool)> {
-    names
-        .iter()
-        .map(|&(name, numeric)| (name.to_owned(), numeric))
-        .collect()
+/// Results of a structure at an operating point that tables have.
+fn quantities() -> impl Iterator<Item = &'static Quantity> {
+    let all = STRUCTURE.iter().chain(STRUCTURE_AT).chain(MOTION);
+    all.filter(|q| q.in_tables)
 }
 
-fn percent(share: Option<f64>, decimals: usize) -> String {
-    fixed(share.map(|s| 100.0 * s), decimals)
-}
-
-/// A number of a structure at a point, its error and its decimals.
-type Quantity = (
-    &'static str,
-    usize,
-    fn(&PointNumbers) -> Option<f64>,
-    Option<fn(&MotionNumbers) -> f64>,
-);
-
-/// Quantities printed for each design; the last function selects a result of the motion, which
-/// may have an error.
-const QUANTITIES: [Quantity; 14] = [
-    ("critical gap (°)", 3, |n| n.critical_gap_deg, None),
-    ("reserve (°)", 3, |n| n.margin_deg, None),
-    (
-        "critical gap below β0 (%)",
-        1,
-        |n| Some(100.0 * n.slip_shortfall?),
-        None,
-    ),
-    (
-        "peak contact pressure at rest, outer raceway (MPa)",
-        0,
-        |n| n.pressure_mpa,
-        None,
-    ),
-    (
-        "collisions per ball and orbit",
-        3,
-        |_| None,
-        Some(|m| m.collisions),
-    ),
-    (
-        "collisions per ball and orbit in steady state",
-        3,
-        |_| None,
-        Some(|m| m.collisions_late),
-    ),
-    (
-        "double collisions (%)",
-        1,
-        |_| None,
-        Some(|m| 100.0 * m.double_collision_fraction),
-    ),
-    ("impulse (mN·s)", 3, |_| None, Some(|m| m.impulse_mn_s)),
-    (
-        "spacing scatter on arrival (% of the steady gap)",
-        1,
-        |_| None,
-        Some(|m| 100.0 * m.spacing_scatter),
-    ),
-    (
-        "smallest gap on arrival (°)",
-        3,
-        |_| None,
-        Some(|m| m.gap_min_deg),
-    ),
-    ("sliding speed (m/s)", 3, |_| None, Some(|m| m.sliding_m_s)),
-    (
-        "achieved deceleration (% of kinematic value)",
-        1,
-        |_| None,
-        Some(|m| 100.0 * m.speed_drop_fraction),
-    ),
-    ("vibration (N)", 2, |_| None, Some(|m| m.force_deviation_n)),
-    (
-        "power of sliding friction, whole run (W)",
-        2,
-        |_| None,
-        Some(|m| m.friction_w),
-    ),
-];
-
-/// `0.052 ± 0.004`, or without the error if there is none.
-fn shown(quantity: &Quantity, n: &PointNumbers) -> String {
-    let (_, decimals, plain, of_motion) = quantity;
-    let Some(of) = of_motion else {
-        return fixed(plain(n), *decimals);
-    };
-    let value = fixed(n.motion.as_ref().map(of), *decimals);
-    match &n.errors {
-        Some(errors) => format!("{value} ± {}", fixed(Some(of(errors)), *decimals)),
-        None => value,
+/// A result of a structure at an operating point, with its error if there is one.
+fn shown(structure: &Record, point: &Record, q: &Quantity) -> String {
+    let mean = point.part("motion").and_then(|m| m.value(q.name));
+    let error = point.part("errors").and_then(|e| e.value(q.name));
+    if let (true, Some(mean), Some(standard_error)) = (in_motion(q), mean, error) {
+        let starts = 2;
+        return Estimate {
+            mean,
+            standard_error,
+            starts,
+        }
+        .text();
     }
+    let own: Option<&Results> = match in_motion(q) {
+        true => point.part("motion").map(|m| &m.results),
+        false if point.get(q.name).is_some() => Some(&point.results),
+        false => Some(&structure.results),
+    };
+    let text = own.and_then(|results| value_text(q, results.get(q.name)?));
+    text.unwrap_or("–".to_owned())
+}
+
+fn in_motion(quantity: &Quantity) -> bool {
+    MOTION.contains(quantity)
 }
 
 /// The recommendation beside the case's own structure.
-pub fn comparison(search: &SearchData) -> Table {
-    let structures: Vec<(&str, &StructureData)> = [
-        ("recommended", &search.recommended),
-        ("initial design", &search.own),
-    ]
-    .into_iter()
-    .filter_map(|(role, s)| s.as_ref().map(|s| (role, s)))
-    .collect();
-    let mut head = columns(&[("", false)]);
-    for _ in &structures {
-        head.extend(search.points.iter().map(|p| (p.label(), true)));
-    }
+pub fn comparison(search: &Record) -> Table {
+    let points = search.parts("points");
+    let structures: Vec<(&str, &Record)> =
+        [("recommended", "recommended"), ("initial design", "own")]
+            .into_iter()
+            .filter_map(|(role, part)| Some((role, search.part(part)?)))
+            .collect();
+    let mut columns = vec![(String::new(), false)];
     let mut groups = vec![(String::new(), 1)];
-    groups.extend(
-        structures
-            .iter()
-            .map(|(role, s)| (format!("{role}: {}", s.label()), search.points.len())),
-    );
-    let row = |name: &str, cell: &dyn Fn(&StructureData, &PointNumbers) -> String| {
-        let mut cells = vec![Cell::text(name)];
+    for (role, structure) in &structures {
+        columns.extend(points.iter().map(|p| (point_label(p), true)));
+        groups.push((
+            format!("{role}: {}", structure_label(structure)),
+            points.len(),
+        ));
+    }
+    let size = ["axial_span_mm", "half_angle_deg", "centre_angles_deg"];
+    let rows = quantities().filter(|q| !size.contains(&q.name)).map(|q| {
+        let mut cells = vec![Cell::text(heading(q))];
         for (_, structure) in &structures {
-            cells.extend(
-                structure
-                    .points
-                    .iter()
-                    .map(|n| Cell::number(cell(structure, n))),
-            );
+            let at = structure.parts("points").iter();
+            cells.extend(at.map(|point| Cell::number(shown(structure, point, q))));
         }
         Row {
             cells,
             ..Row::default()
         }
-    };
-    let mut rows = vec![
-        row("β0 of Eq. (11) (°)", &|s, _| fixed(s.beta0_deg, 3)),
-        row("steady gap (°)", &|s, _| fixed(s.steady_gap_deg, 3)),
-    ];
-    rows.extend(
-        QUANTITIES
-            .iter()
-            .map(|quantity| row(quantity.0, &|_, n| shown(quantity, n))),
-    );
+    });
     Table {
         label: "Comparison".to_owned(),
         caption: format!(
-            "From at least twelve unevenly spaced starts, ± standard error of the mean. Critical gaps are measured with the neighbours of the \
-                  pair {:.0} % further off than at even spacing. Reserve: \
-                  steady-state gap less critical gap. Critical gap below β0: shortfall of the \
-                  critical gap below β0. Achieved deceleration: lowest orbital speed in the raceway \
-                  against pure rolling. Steady state: second half of the run. \
-                  Spacing scatter: standard deviation of the gaps on arrival over the steady gap. \
-                  Vibration: standard deviation of the force on the outer ring.",
+            "From at least twelve unevenly spaced starts, ± standard error of the mean. Critical \
+             gaps are measured with the neighbours of the pair {:.0} % further off than at even \
+             spacing. Steady state: second half of the run. Reduction of the orbital speed: at the \
+             lowest orbital speed in the raceway.",
             100.0 * (NEIGHBOURS_WIDER - 1.0)
         ),
         groups,
-        columns: head,
-        rows,
-        provenance: Some(search.provenance.clone()),
+        columns,
+        rows: rows.collect(),
+        provenance: search.provenance.clone(),
     }
 }
 
 /// Number of designs excluded by each reason.
-pub fn rejections(search: &SearchData) -> Table {
-    Table {
-        label: "Rejections".to_owned(),
-        caption: "Structures of the maps at the operating points and of the band between them \
-                  that each requirement excludes; a design is counted under the first that fails."
-            .to_owned(),
-        columns: columns(&[
-            ("requirement", false),
-            ("structures", true),
-            ("meaning", false),
-        ]),
-        rows: search
-            .rejections
-            .iter()
-            .map(|r| Row {
-                cells: vec![
-                    Cell::text(&r.reason),
-                    Cell::number(r.count.to_string()),
-                    Cell::text(&r.meaning),
-                ],
-                ..Row::default()
-            })
-            .collect(),
-        ..Table::default()
+pub fn rejections(search: &Record) -> Table {
+    let caption = "Structures of the maps at the operating points and of the band between them \
+                   that each requirement excludes; a design is counted under the first that fails.";
+    let mut rows = table_of(search.parts("rejections"));
+    if rows.is_empty() {
+        let head = ["requirement", "meaning", "structures"];
+        rows.push(head.map(str::to_owned).to_vec());
     }
+    Table::of("Rejections", caption, rows, None)
+}
+
+/// Structures with their results at the first operating point; the first row is the head.
+fn structures<'r>(
+    all: impl Iterator<Item = (Vec<String>, &'r Record)>,
+    head: Vec<String>,
+) -> Vec<Vec<String>> {
+    let head = head.into_iter().chain(quantities().map(heading));
+    let mut rows = vec![head.collect()];
+    for (mut row, structure) in all {
+        if let Some(point) = structure.parts("points").first() {
+            row.extend(quantities().map(|q| shown(structure, point, q)));
+        }
+        rows.push(row);
+    }
+    rows
 }
 
 /// Places of the raceways.
-pub fn placements(search: &SearchData) -> Table {
-    let mut head = columns(&[
-        ("ψ of the middles (°)", false),
-        ("evaluated", true),
-        ("acceptable", true),
-        ("sliding lowers the critical gap by at least (%)", true),
-        ("best", false),
-    ]);
-    head.extend(columns(&[
-        ("margin (°)", true),
-        ("collisions in steady state", true),
-        ("spacing scatter on arrival (%)", true),
-        ("friction (W)", true),
-    ]));
-    let rows = search
-        .placements
-        .iter()
-        .map(|p| {
-            let places: Vec<String> = p
-                .centre_angles_deg
-                .iter()
-                .map(|c| fixed(Some(*c), 0))
-                .collect();
-            let first = p.best.as_ref().and_then(|b| b.points.first());
-            let mut cells = vec![
-                Cell::text(places.join(", ")),
-                Cell::number(p.structures.to_string()),
-                Cell::number(p.accepted.to_string()),
-                Cell::number(percent(p.least_shortfall, 1)),
-                Cell::text(p.best.as_ref().map_or("–".to_owned(), |b| {
-                    format!("lC {:.3} mm, θ {:.2}°", b.axial_span_mm, b.half_angle_deg)
-                })),
-            ];
-            cells.extend(
-                [
-                    fixed(first.and_then(|n| n.margin_deg), 3),
-                    fixed(first.and_then(|n| Some(n.motion?.collisions_late)), 3),
-                    percent(first.and_then(|n| Some(n.motion?.spacing_scatter)), 1),
-                    fixed(first.and_then(|n| Some(n.motion?.friction_w)), 2),
-                ]
-                .map(Cell::number),
-            );
-            Row {
-                cells,
-                ..Row::default()
-            }
-        })
-        .collect();
-    Table {
-        label: "Places".to_owned(),
-        caption: "Where and how many: places of the raceways, with the best acceptable structure \
-                  at each (numbers at the first operating point)."
-            .to_owned(),
-        columns: head,
-        rows,
-        ..Table::default()
-    }
+pub fn placements(search: &Record) -> Table {
+    let caption = "Where and how many: places of the raceways, with the best acceptable structure \
+                   at each (numbers at the first operating point).";
+    let none = Record::default();
+    let head = PLACEMENT.iter().map(heading).collect();
+    let all = search.parts("placements").iter().map(|placement| {
+        let own = placement.iter().map(|(q, cell)| value_text(q, cell));
+        let own = own.map(|text| text.unwrap_or("–".to_owned())).collect();
+        (own, placement.part("best").unwrap_or(&none))
+    });
+    Table::of("Places", caption, structures(all, head), None)
 }
 
 /// The Pareto front.
-pub fn front(search: &SearchData) -> Table {
-    let several = search.placements.len() > 1;
-    let mut head = columns(&[("lC (mm)", true), ("θ (°)", true)]);
-    if several {
-        head.push(("ψ (°)".to_owned(), false));
-    }
-    head.extend(QUANTITIES.iter().map(|q| (q.0.to_owned(), true)));
-    let rows = search
-        .front
+pub fn front(search: &Record) -> Table {
+    let front = search.parts("front");
+    let accepted = search
+        .parts("band")
         .iter()
-        .take(FRONT_ROWS)
-        .filter_map(|structure| {
-            let n = structure.points.first()?;
-            let mut cells = vec![
-                Cell::number(fixed(Some(structure.axial_span_mm), 3)),
-                Cell::number(fixed(Some(structure.half_angle_deg), 2)),
-            ];
-            if several {
-                let places = structure.centre_angles_deg.iter();
-                let places: Vec<String> = places.map(|c| fixed(Some(*c), 0)).collect();
-                cells.push(Cell::text(places.join(", ")));
-            }
-            cells.extend(QUANTITIES.iter().map(|q| Cell::number(shown(q, n))));
-            Some(Row {
-                cells,
-                ..Row::default()
-            })
-        })
-        .collect();
-    let accepted = search.band.iter().filter(|s| s.status == "accepted");
+        .filter(|s| s.text("status") == "accepted");
     let feasible = accepted.count();
-    Table {
-        label: "Pareto front".to_owned(),
-        caption: format!(
-            "Pareto-optimal designs, sorted by distance from the ideal point{} ({} of {} shown; \
+    let caption = format!(
+        "Pareto-optimal designs, sorted by distance from the ideal point{} ({} of {} shown; \
              numbers at the first operating point, from {} uneven starts).",
-            if search.front.len() == feasible {
-                ". All feasible designs are among them: each is the best compromise for some weights \
+        if front.len() == feasible {
+            ". All feasible designs are among them: each is the best compromise for some weights \
                  of the objectives, so that the order alone tells them apart"
-            } else {
-                ""
-            },
-            search.front.len().min(FRONT_ROWS),
-            search.front.len(),
-            search.starts
-        ),
-        columns: head,
-        rows,
-        ..Table::default()
-    }
+        } else {
+            ""
+        },
+        front.len().min(FRONT_ROWS),
+        front.len(),
+        search.number("starts")
+    );
+    let all = front.iter().take(FRONT_ROWS).map(|s| (vec![], s));
+    Table::of("Pareto front", &caption, structures(all, vec![]), None)
 }

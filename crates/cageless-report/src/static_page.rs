@@ -1,18 +1,16 @@
 //! The page of `static`, and its one-page sheet.
 
-use cageless::dynamics::InstructionSet;
 use cageless_io::case_file::CaseFile;
-use cageless_io::results::VERSION;
-use cageless_results::Record;
-use cageless_study::{Provenance, parameter, parameters};
+use cageless_results::{Record, software};
+use cageless_study::{Provenance, lines, parameters};
 
-use crate::data::{Parameter, RacewaySector};
+use crate::data::RacewaySector;
 use crate::figure::Figure;
 use crate::figures::polar;
 use crate::head::Head;
 use crate::page::{Note, Page};
 use crate::studio_page::case_sections;
-use crate::table::{Cell, Row, Table};
+use crate::table::Table;
 use crate::tables::parameter_table;
 
 /// Results at the head of the page.
@@ -84,12 +82,9 @@ fn head(file: &CaseFile, record: &Record) -> Page {
         number(case.operation.inner_speed_rad_s * 60.0 / std::f64::consts::TAU),
         number(case.operation.radial_load_n),
     );
-    let software = format!("Cageless {VERSION}, {}", InstructionSet::detect().name());
-    let mut page = Page::new(&title, &lead, &software);
-    let facts = FACTS.iter().filter_map(|name| record.results.row(name));
-    page.head(
-        &Head::default().facts(facts.map(|(label, value, unit)| parameter(label, value, &unit))),
-    );
+    let mut page = Page::new(&title, &lead, &software());
+    let facts = FACTS.iter().filter_map(|name| record.row(name));
+    page.head(&Head::default().facts(lines(facts)));
     for warning in record.sentences("warnings") {
         page.note(Note::Warning, warning);
     }
@@ -101,32 +96,17 @@ fn number(value: f64) -> String {
 }
 
 fn results(file: &CaseFile, record: &Record) -> Table {
-    let rows: Vec<Parameter> = (record.results.rows())
-        .map(|(label, value, unit)| parameter(label, value, &unit))
-        .collect();
     parameter_table(
         "Results",
         "Results of the static equilibrium and ratings of the bearing.",
-        &rows,
+        &lines(record.rows()),
         Some(provenance(file)),
     )
 }
 
 fn balls(file: &CaseFile, record: &Record) -> Table {
-    let mut columns = record.results.columns().into_iter();
-    let head = columns.next().unwrap_or_default();
-    let row = |cells: Vec<String>| Row {
-        cells: cells.into_iter().map(Cell::number).collect(),
-        ..Row::default()
-    };
-    Table {
-        label: "Balls".to_owned(),
-        caption: format!("Each ball in equilibrium: {}.", record.results.legend()),
-        columns: head.into_iter().map(|text| (text, true)).collect(),
-        rows: columns.map(row).collect(),
-        provenance: Some(provenance(file)),
-        ..Table::default()
-    }
+    let caption = format!("Each ball in equilibrium: {}.", record.legend());
+    Table::of("Balls", &caption, record.columns(), Some(provenance(file)))
 }
 
 fn notes(page: &mut Page, record: &Record) {

@@ -220,7 +220,7 @@ fn data_that_are_missing_or_too_short_leave_a_page() {
         run_page(&RunData::default()),
         design_page(&DesignData::default()),
         design_page(&DesignData {
-            search: Some(SearchData::default()),
+            search: Some(cageless_results::Record::default()),
             ..DesignData::default()
         }),
     ] {

@@ -31,6 +31,22 @@ impl Cell {
         }
     }
 
+    /// Items of a list.
+    pub fn items(&self) -> &[Self] {
+        match self {
+            Self::List(items) => items,
+            _ => &[],
+        }
+    }
+
+    /// The text, if it is one.
+    pub fn text(&self) -> Option<&str> {
+        match self {
+            Self::Text(text) => Some(text),
+            _ => None,
+        }
+    }
+
     /// The value in JSON; integers are true or false in the result of a yes or no.
     pub(crate) fn json(&self, kind: Kind) -> Value {
         match (kind, self) {

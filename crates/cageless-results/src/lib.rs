@@ -19,6 +19,7 @@ mod provenance;
 mod quantity;
 mod record;
 mod results;
+mod search_result;
 mod source;
 mod static_result;
 mod table;
@@ -39,15 +40,17 @@ pub use provenance::{Provenance, profile_name, provenance, software};
 pub use quantity::{Aim, Kind, Quantity, bearing_in_column};
 pub use record::{Part, Record, Shape};
 pub use results::{Results, value_text};
+pub use search_result::SEARCH_SHAPE;
 pub use source::{
-    CountedVerdict, Deviation, Finished, FinishedDrop, FinishedRotor, Judged, JudgedRaceway,
-    Sampled, Solved, Subject, Tolerated,
+    AtPoint, CountedVerdict, Deviation, Finished, FinishedDrop, FinishedRotor, Judged,
+    JudgedRaceway, Sampled, Searched, SearchedPlacement, Solved, Subject, Tolerated,
 };
 pub use static_result::static_record;
 pub use table::{
-    COMPARED, DESIGN, DROP, PASSAGES, RACEWAY, ROTOR_DROP, ROTOR_VERIFICATION, RUN, STATIC,
-    VERDICT, of_column, of_kind, quantities,
+    COMPARED, DESIGN, DROP, MAP, MOTION, PAPER, PASSAGES, PLACEMENT, POINT, RACEWAY, REJECTION,
+    ROTOR_DROP, ROTOR_VERIFICATION, RUN, SEARCH, STATIC, STRUCTURE, STRUCTURE_AT, VERDICT,
+    of_column, of_kind, quantities,
 };
 pub use tolerance_result::{TOLERANCE_SHAPE, tolerance_record};
 pub use verification_result::{JudgedResult, VerifiedDrop, step_warning, verification_record};
-pub use view::table_of;
+pub use view::{heading, table_of};

@@ -23,7 +23,7 @@ Tables of a run over time: [command line and result files](command-line.md). Sym
 
 /// Table, heading, and where its results are.
 #[rustfmt::skip]
-const SECTIONS: [(&[Quantity], &str, &str); 21] = [
+const SECTIONS: [(&[Quantity], &str, &str); 30] = [
     (STATIC, "Static equilibrium", "In `cageless static --json`, `static.json`, its page and the columns `static_\u{2026}` of a sweep."),
     (DESIGN, "Design: closed forms", "In `cageless design --json`, `design.json`, its page and the columns `design_\u{2026}` of a sweep."),
     (VERDICT, "Design: verdict from the motion", "In `cageless design --json`, `design.json`, its page and the columns `verdict_\u{2026}` of a sweep."),
@@ -34,6 +34,15 @@ const SECTIONS: [(&[Quantity], &str, &str); 21] = [
     (RUN, "Run", "In `cageless run --json`, `summary.json`, its page and the columns `run_\u{2026}` of a sweep. Statistics are over the time after the transient, `settled_after_s`."),
     (DROP, "Rotor drop", "In `cageless drop --json`, `summary.json`, its page and the columns `drop_\u{2026}` of a sweep. *Rotor* is how the result of a rotor on several touch-down bearings follows from those of its bearings, which are under `bearings`."),
     (ROTOR_DROP, "Rotor drop: the rotor on several bearings", "In `cageless drop --json` of a rotor file, `summary.json` and the columns `drop_\u{2026}` of a sweep."),
+    (SEARCH, "Search", "Under `search` of `cageless design --search --json` and `design.json`, with the sentences `findings`."),
+    (POINT, "Search: operating points", "Under `search.points`, and `point` of each of `search.maps`."),
+    (STRUCTURE, "Search: structures", "Under `search.recommended`, `own`, `recommended_from_usual_starts`, `own_from_usual_starts`, `front`, `band` and `placements` (`best`)."),
+    (STRUCTURE_AT, "Search: a structure at an operating point", "Under `points` of a structure."),
+    (MOTION, "Search: motion of all balls", "Under `motion` of a structure at an operating point, means over the initial states, and `errors`, their standard errors."),
+    (REJECTION, "Search: excluded structures", "Under `search.rejections`."),
+    (PLACEMENT, "Search: angular positions", "Under `search.placements`."),
+    (MAP, "Search: maps", "Under `search.maps`: a list of rows of equal θ."),
+    (PAPER, "Search: structures of the paper", "Under `search.paper`, for the bearing of Zhao 2022."),
     (TOLERANCE, "Tolerance analysis", "In `cageless tolerance --json`, `tolerance.json` and its page."),
     (INFLUENCE, "Tolerance analysis: one influence at a time", "Under `influences` of `tolerance.json`, with the list `verdicts`. Ranges are over the bearings with this deviation and the nominal one."),
     (SAMPLES, "Tolerance analysis: everything at once", "Under `samples` of `tolerance.json`."),

@@ -80,6 +80,14 @@ impl Results {
         }
     }
 
+    /// Items of a list; none if there is no list.
+    pub fn items(&self, name: &str) -> &[Cell] {
+        match self.get(name) {
+            Some(Cell::List(items)) => items,
+            _ => &[],
+        }
+    }
+
     /// Quantities for readers that have a value: label, value, unit.
     pub fn rows(&self) -> impl Iterator<Item = (&'static str, String, String)> {
         self.iter()

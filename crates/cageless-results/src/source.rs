@@ -1,5 +1,6 @@
 //! What results are computed from.
 
+use cageless::design::search::{Evaluation, Found, Motion, OperatingPoint, SpeedMap};
 use cageless::design::{
     CurvePoint, Judgement, PassageStatistics, RacewayJudgement, RacewayVerdict, Recommendation,
     RunVerdict,
@@ -126,6 +127,32 @@ pub struct CountedVerdict<'a> {
     pub outcomes: Vec<&'a Outcome>,
 }
 
+/// A search for a raceway.
+pub struct Searched<'a> {
+    /// The case.
+    pub case: &'a Case,
+    /// What it found.
+    pub found: &'a Found,
+    /// lC, m, and θ, rad, of the curve of Eq. (11).
+    pub curve: Vec<(f64, f64)>,
+}
+
+/// A structure at one of the operating points.
+pub struct AtPoint<'a> {
+    /// The structure.
+    pub evaluation: &'a Evaluation,
+    /// Number of the point, from 0.
+    pub point: usize,
+}
+
+/// Angular positions of raceways with the structures there.
+pub struct SearchedPlacement<'a> {
+    /// ψ of the middles, rad.
+    pub centres_rad: &'a [f64],
+    /// The structures.
+    pub evaluations: Vec<&'a Evaluation>,
+}
+
 macro_rules! sources {
     ($($name:ident($any:ty, $one:ty) $meaning:literal,)*) => {
         /// Function that gives a quantity, by what it is computed from.
@@ -166,6 +193,15 @@ sources! {
     Influence(Deviation<'_>, Deviation<'a>) "One influence that deviates alone.",
     Samples(Sampled<'_>, Sampled<'a>) "Bearings in which everything deviates.",
     VerdictCount(CountedVerdict<'_>, CountedVerdict<'a>) "Those of them with one verdict.",
+    Search(Searched<'_>, Searched<'a>) "A search for a raceway.",
+    Point(OperatingPoint, OperatingPoint) "One of its operating points.",
+    Structure(Evaluation, Evaluation) "One of its structures.",
+    StructureAt(AtPoint<'_>, AtPoint<'a>) "A structure at an operating point.",
+    Motion((Motion, f64), (Motion, f64)) "A motion of all balls, and the steady-state gap, rad.",
+    Rejection((&'static str, usize), (&'static str, usize)) "A requirement and the number of structures it excludes.",
+    Placement(SearchedPlacement<'_>, SearchedPlacement<'a>) "Angular positions that are tried.",
+    Map(SpeedMap, SpeedMap) "Critical gaps and verdicts over lC and θ.",
+    Paper((String, [f64; 2]), (String, [f64; 2])) "Letter, lC (mm) and θ (°) of a structure of the paper.",
     Vibration(f64, f64) "RMS of the acceleration of the housing, m/s².",
     Verified(Verification, Verification) "The verification of a run.",
     DropVerified(VerifiedDrop, VerifiedDrop) "The verification of a drop in one bearing.",

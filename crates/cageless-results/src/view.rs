@@ -2,16 +2,20 @@
 
 use crate::{Quantity, Record, value_text};
 
+/// Label and unit of a result at the head of a column.
+pub fn heading(quantity: &Quantity) -> String {
+    match quantity.printed_unit().as_str() {
+        "" => quantity.label.trim().to_owned(),
+        unit => format!("{} ({unit})", quantity.label.trim()),
+    }
+}
+
 /// A row for each record, a column for each of its results that tables have and for its lists of
 /// sentences; the first row is the head: label and unit.
 pub fn table_of<'r>(records: impl IntoIterator<Item = &'r Record>) -> Vec<Vec<String>> {
     let mut records = records.into_iter().peekable();
     let Some(first) = records.peek().copied() else {
         return vec![];
-    };
-    let head = |q: &Quantity| match q.printed_unit().as_str() {
-        "" => q.label.trim().to_owned(),
-        unit => format!("{} ({unit})", q.label.trim()),
     };
     let shown = |record: &Record| -> Vec<_> {
         let all = record
@@ -22,7 +26,13 @@ pub fn table_of<'r>(records: impl IntoIterator<Item = &'r Record>) -> Vec<Vec<St
     };
     let mut rows = vec![];
     let sentences = first.sentences.iter().map(|(name, _)| (*name).to_owned());
-    rows.push((shown(first).iter().map(|(q, _)| head(q)).chain(sentences)).collect());
+    rows.push(
+        (shown(first)
+            .iter()
+            .map(|(q, _)| heading(q))
+            .chain(sentences))
+        .collect(),
+    );
     rows.extend(records.map(|record| -> Vec<String> {
         let cells = shown(record).into_iter();
         let cells = cells.map(|(q, cell)| value_text(q, &cell).unwrap_or("–".to_owned()));

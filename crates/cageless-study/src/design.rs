@@ -14,7 +14,6 @@ use serde::Serialize;
 use crate::entered::{entered, raceway_document};
 use crate::error::StudyError;
 use crate::progress::Progress;
-use crate::search::SearchData;
 
 /// Results of `design`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -24,7 +23,7 @@ pub struct DesignResult {
     pub record: Record,
     /// Result of a search.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub search: Option<SearchData>,
+    pub search: Option<Record>,
 }
 
 impl DesignResult {

@@ -77,7 +77,7 @@ fn what_is_told_to_end_has_no_result() {
     let tolerance = tolerance(file.case(), "case", &REQUEST, &ended());
     assert!(matches!(tolerance, Err(StudyError::Interrupted)));
     let listener = ended();
-    let search = search::run(&file, None, &listener);
+    let search = search::run(&file, None, &[], &listener);
     assert!(matches!(search, Err(StudyError::Interrupted)));
     // Nothing more was begun.
     let told = listener.told.into_inner().unwrap();

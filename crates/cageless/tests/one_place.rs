@@ -23,7 +23,7 @@ const CONVERSIONS: [(&str, usize); 10] = [
     ("cageless-py", 3),
     ("cageless-report", 68),
     ("cageless-results", 15),
-    ("cageless-study", 87),
+    ("cageless-study", 66),
 ];
 
 /// The reader of documents and the table of quantities: where units are converted.

@@ -39,11 +39,11 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
         let mut result = DesignResult::new(file.case(), &judgement, recommendation.as_ref());
         let mut none_found = None;
         if args.search {
-            let (found, mut data) =
-                search::run(&file, out, bars).map_err(|error| search_failed(error, out))?;
+            let paper = structures_of(&file.case().bearing)?;
+            let (found, record) =
+                search::run(&file, out, &paper, bars).map_err(|error| search_failed(error, out))?;
             none_found = search::refusal(&file, &found);
-            data.paper = structures_of(&file.case().bearing)?;
-            result.search = Some(data);
+            result.search = Some(record);
         }
         let recommended = recommended_document(&file, &result);
         let mut text = text(&result);
@@ -145,7 +145,7 @@ fn text(r: &DesignResult) -> String {
     };
     text += &warnings(record.sentences("warnings"));
     if let Some(search) = &r.search {
-        text += &("search:\n".to_owned() + &bullets(&search.findings));
+        text += &("search:\n".to_owned() + &bullets(search.sentences("findings")));
     }
     text
 }

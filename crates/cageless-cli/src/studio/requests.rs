@@ -130,17 +130,24 @@ fn result(text: &str, client: &Client<'_>) -> Result<Value, Refusal> {
 
 /// The Pareto front of a search and what it recommends.
 fn searched(file: &CaseFile, client: &Client<'_>) -> Result<Value, Refusal> {
-    let (found, data) = search::run(file, None, client)?;
-    Ok(json!({
-        "findings": data.findings,
-        "points": data.points,
-        "recommended": data.recommended,
-        "verdicts": data.recommended_verdicts,
-        "front": data.front,
-        "rejections": data.rejections,
-        "looked_at": data.band.len(),
-        "none": search::refusal(file, &found),
-    }))
+    let (found, record) = search::run(file, None, &[], client)?;
+    let mut data = json!(record);
+    data["verdicts"] = data["recommended_verdicts"].take();
+    let names = [
+        "findings",
+        "points",
+        "recommended",
+        "verdicts",
+        "front",
+        "rejections",
+    ];
+    let mut answer: Value = names
+        .iter()
+        .map(|name| (*name, data[name].take()))
+        .collect();
+    answer["looked_at"] = record.parts("band").len().into();
+    answer["none"] = json!(search::refusal(file, &found));
+    Ok(answer)
 }
 
 /// The outer ring as a file: text, or base64 where it is binary.

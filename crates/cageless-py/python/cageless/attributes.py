@@ -232,6 +232,11 @@ class DesignAttributes:
 class SearchAttributes:
     """Attributes of a result of this kind."""
 
+    critical_gap_min_fraction: float  # smallest critical gap, fraction of the steady-state gap
+    starts: int | None  # uneven initial states of each structure
+    seed: int | None  # seed
+    curve_axial_span_mm: Floats  # axial span lC of the curve of Eq. (11), mm
+    curve_half_angle_deg: Floats  # half angle θ of the curve of Eq. (11), deg
     plot_verdicts: Callable[..., go.Figure]  # feasible designs and reasons for exclusion
     plot_critical_gaps: Callable[..., go.Figure]  # critical gap over lC and θ
     plot_trade_offs: Callable[..., go.Figure]  # trade-offs of the Pareto front

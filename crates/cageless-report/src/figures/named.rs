@@ -6,7 +6,7 @@ use super::{ball, collisions, design, energy, gap_map, history, polar, ring, sea
 use super::{sweep, vibration};
 use crate::figure::Figure;
 use crate::tolerance::{influence_figure, sample_figure};
-use crate::{DesignData, RunData, SearchData, SweepData};
+use crate::{DesignData, RunData, SweepData};
 
 /// A figure by name.
 pub struct Named<D: 'static> {
@@ -90,7 +90,7 @@ pub const DESIGN: [Named<DesignData>; 3] = [
 ];
 
 /// Figures of a search.
-pub const SEARCH: [Named<SearchData>; 3] = [
+pub const SEARCH: [Named<Record>; 3] = [
     named(
         "verdicts",
         "feasible designs and reasons for exclusion",
@@ -100,7 +100,7 @@ pub const SEARCH: [Named<SearchData>; 3] = [
         Some(search::critical_gaps(data))
     }),
     named("trade_offs", "trade-offs of the Pareto front", |data| {
-        (!data.front.is_empty()).then(|| search::trade_offs(data))
+        (!data.parts("front").is_empty()).then(|| search::trade_offs(data))
     }),
 ];
 

@@ -1,68 +1,69 @@
 //! Data of a design with its search.
 
+use cageless_results::{Record, SEARCH_SHAPE};
+use serde_json::{Value, json};
+
 use super::*;
 
 /// A structure of a search.
-fn searched(k: usize, status: &str) -> StructureData {
+fn searched(k: usize, status: &str) -> Value {
     let x = k as f64;
-    StructureData {
-        axial_span_mm: 5.0 + 0.1 * x,
-        half_angle_deg: 22.0 + x,
-        centre_angles_deg: if k == 3 { vec![-30.0, 30.0] } else { vec![0.0] },
-        status: status.to_owned(),
-        why: if status == "rejected" {
-            "slip <takes> 9 %".to_owned()
-        } else {
-            String::new()
-        },
-        on_front: k.is_multiple_of(2),
-        beta0_deg: Some(1.8),
-        steady_gap_deg: Some(1.97),
-        points: vec![PointNumbers {
-            critical_gap_deg: Some(1.7 + 0.05 * x),
-            margin_deg: Some(0.27 - 0.05 * x),
-            slip_shortfall: Some(0.02),
-            pressure_mpa: Some(1410.0),
-            motion: Some(MotionNumbers {
-                collisions: 0.3,
-                spacing_scatter: 0.2 - 0.02 * x,
-                friction_w: 0.8 + 0.1 * x,
-                ..MotionNumbers::default()
-            }),
-            errors: None,
+    json!({
+        "axial_span_mm": 5.0 + 0.1 * x, "half_angle_deg": 22.0 + x,
+        "centre_angles_deg": if k == 3 { vec![-30.0, 30.0] } else { vec![0.0] },
+        "status": status, "passes": status == "accepted", "reason": null,
+        "why": if status == "rejected" { "slip <takes> 9 %" } else { "" },
+        "on_front": k.is_multiple_of(2), "beta0_deg": 1.8, "steady_gap_deg": 1.97,
+        "points": [{
+            "critical_gap_deg": 1.7 + 0.05 * x, "margin_deg": 0.27 - 0.05 * x,
+            "slip_shortfall": 0.02, "pressure_mpa": 1410.0,
+            "motion": {
+                "collisions": 0.3, "collisions_late": 0.0, "double_collision_fraction": 0.0,
+                "impulse_mn_s": 0.0, "spacing_scatter": 0.2 - 0.02 * x, "gap_min_deg": 0.0,
+                "sliding_m_s": 0.0, "speed_drop_fraction": 0.0, "force_deviation_n": 0.0,
+                "friction_w": 0.8 + 0.1 * x,
+            },
+            "errors": null,
         }],
-        ..StructureData::default()
-    }
+    })
+}
+
+/// The record of a search that found something, as JSON.
+pub fn search_json() -> Value {
+    let point = |rpm: f64| json!({ "inner_speed_rpm": rpm, "radial_load_n": 1500.0 });
+    let map = |rpm: f64| {
+        json!({
+            "point": point(rpm), "axial_span_mm": [4.0, 5.0, 6.0], "half_angle_deg": [15.0, 25.0],
+            "critical_gap_deg": [[0.9, 1.7, 1.2], [1.0, null, 3.0]],
+            "steady_gap_deg": [[1.97, 1.97, 1.97], [1.97, 1.97, 1.97]],
+            "verdict": [
+                ["insufficient-separation", "smooth", "slips"],
+                ["double-collision", "eq-9", "excessive-separation"],
+            ],
+            "passes": [[false, true, false], [false, false, false]],
+        })
+    };
+    let place = json!({
+        "centre_angles_deg": [0.0], "structures": 0, "accepted": 0, "least_shortfall": null, "best": null,
+    });
+    json!({
+        "critical_gap_min_fraction": 0.8, "starts": 2, "seed": 0,
+        "curve_axial_span_mm": [4.9, 6.0], "curve_half_angle_deg": [35.0, 12.0],
+        "findings": ["Recommended: <this>."], "points": [point(12000.0)],
+        "recommended": searched(0, "accepted"), "recommended_verdicts": [],
+        "own": searched(1, "rejected"),
+        "front": [searched(0, "accepted"), searched(2, "accepted")],
+        "band": (0..4).map(|k| searched(k, "accepted")).collect::<Value>(),
+        "rejections": [{ "reason": "slips", "meaning": "balls slide", "count": 7 }],
+        "placements": [place, place],
+        "maps": [map(12000.0), map(3000.0), map(20000.0), map(6000.0)],
+        "paper": [{ "letter": "d", "axial_span_mm": 5.1, "half_angle_deg": 25.2 }],
+        "provenance": run_data().provenance,
+    })
 }
 
 /// A design with a search that found something.
 pub fn design() -> DesignData {
-    let map = |rpm: f64| MapData {
-        point: PointData {
-            inner_speed_rpm: rpm,
-            radial_load_n: 1500.0,
-        },
-        axial_span_mm: vec![4.0, 5.0, 6.0],
-        half_angle_deg: vec![15.0, 25.0],
-        critical_gap_deg: vec![
-            vec![Some(0.9), Some(1.7), Some(1.2)],
-            vec![Some(1.0), None, Some(3.0)],
-        ],
-        steady_gap_deg: vec![vec![Some(1.97); 3]; 2],
-        verdict: vec![
-            vec![
-                "insufficient-separation".into(),
-                "smooth".into(),
-                "slips".into(),
-            ],
-            vec![
-                "double-collision".into(),
-                "eq-9".into(),
-                "excessive-separation".into(),
-            ],
-        ],
-        passes: vec![vec![false, true, false], vec![false; 3]],
-    };
     let reproduced = reproduce();
     DesignData {
         case_toml: String::new(),
@@ -78,28 +79,7 @@ pub fn design() -> DesignData {
         contact_track: reproduced.contact_track,
         surface: reproduced.surface,
         motion: run_data().motion,
-        search: Some(SearchData {
-            findings: vec!["Recommended: <this>.".to_owned()],
-            points: vec![map(12000.0).point],
-            critical_gap_min_fraction: 0.8,
-            starts: 2,
-            recommended: Some(searched(0, "accepted")),
-            own: Some(searched(1, "rejected")),
-            front: vec![searched(0, "accepted"), searched(2, "accepted")],
-            band: (0..4).map(|k| searched(k, "accepted")).collect(),
-            rejections: vec![RejectionCount {
-                reason: "slips".to_owned(),
-                meaning: "balls slide".to_owned(),
-                count: 7,
-            }],
-            placements: vec![PlacementData::default(), PlacementData::default()],
-            maps: vec![map(12000.0), map(3000.0), map(20000.0), map(6000.0)],
-            curve_axial_span_mm: vec![4.9, 6.0],
-            curve_half_angle_deg: vec![35.0, 12.0],
-            paper: vec![structure(3)],
-            provenance: run_data().provenance,
-            ..SearchData::default()
-        }),
+        search: Some(Record::read(&SEARCH_SHAPE, &search_json()).expect("a search")),
         provenance: run_data().provenance,
         ..DesignData::default()
     }

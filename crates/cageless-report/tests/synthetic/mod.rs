@@ -10,7 +10,7 @@ mod design;
 mod run;
 
 use claims::claims;
-pub use design::design;
+pub use design::{design, search_json};
 pub use run::run_data;
 
 use cageless::kinematics::rolling_orbit_speed_rad_s;

@@ -3,6 +3,7 @@
 mod design;
 mod drop;
 mod run;
+mod search;
 mod statics;
 mod tolerance;
 mod verification;
@@ -14,6 +15,9 @@ pub(crate) use design::{CURVE, RECOMMENDATION};
 pub use design::{DESIGN, PASSAGES, RACEWAY, VERDICT};
 pub use drop::{DROP, ROTOR_DROP};
 pub use run::{COMPARED, RUN};
+pub use search::{
+    MAP, MOTION, PAPER, PLACEMENT, POINT, REJECTION, SEARCH, STRUCTURE, STRUCTURE_AT,
+};
 pub use statics::STATIC;
 pub use tolerance::{INFLUENCE, SAMPLES, TOLERANCE, VERDICT_COUNT};
 pub use verification::{
@@ -38,6 +42,15 @@ pub fn quantities() -> impl Iterator<Item = &'static Quantity> {
         RUN,
         DROP,
         ROTOR_DROP,
+        SEARCH,
+        POINT,
+        STRUCTURE,
+        STRUCTURE_AT,
+        MOTION,
+        REJECTION,
+        PLACEMENT,
+        MAP,
+        PAPER,
         TOLERANCE,
         INFLUENCE,
         SAMPLES,
@@ -60,6 +73,7 @@ pub fn of_kind(kind: &str) -> impl Iterator<Item = &'static Quantity> + use<> {
         "design" => &[DESIGN, VERDICT],
         "run" => &[RUN],
         "drop" => &[DROP, ROTOR_DROP],
+        "search" => &[SEARCH],
         "tolerance" => &[TOLERANCE],
         _ => &[],
     };

@@ -6,7 +6,9 @@ use crate::cell::Cell;
 use crate::declare::*;
 use crate::meanings::*;
 use crate::quantity::Quantity;
-use crate::source::Source::{Map, Motion, Paper, Placement, Point, Rejection, Search, Structure, StructureAt};
+use crate::source::Source::{
+    Map, Motion, Paper, Placement, Point, Rejection, Search, Structure, StructureAt,
+};
 use crate::{AtPoint, SearchedPlacement};
 
 /// The search as a whole.
@@ -119,17 +121,27 @@ fn millionths(value: f64) -> Cell {
 }
 
 fn angles(angles_rad: &[f64]) -> Cell {
-    Cell::List(angles_rad.iter().map(|a| millionths(a.to_degrees())).collect())
+    Cell::List(
+        angles_rad
+            .iter()
+            .map(|a| millionths(a.to_degrees()))
+            .collect(),
+    )
 }
 
 fn at(at: &AtPoint<'_>, of: fn(&cageless::design::search::PairSeparation, f64) -> f64) -> Cell {
     let steady = at.evaluation.forms.map_or(f64::NAN, |f| f.steady_gap_rad);
-    at.evaluation.spacing[at.point].map(|s| of(&s, steady)).into()
+    at.evaluation.spacing[at.point]
+        .map(|s| of(&s, steady))
+        .into()
 }
 
 fn grid(map: &SpeedMap, of: fn(&MapCell) -> Cell) -> Cell {
     let rows = map.cells.chunks(map.axial_span_m.len());
-    Cell::List(rows.map(|row| Cell::List(row.iter().map(of).collect())).collect())
+    Cell::List(
+        rows.map(|row| Cell::List(row.iter().map(of).collect()))
+            .collect(),
+    )
 }
 
 /// Of the structures that spread the balls at all points, the least that sliding takes at the worst.

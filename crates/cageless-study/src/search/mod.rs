@@ -2,8 +2,6 @@
 
 mod data;
 mod narrative;
-mod rejections;
-mod result;
 mod task_runner;
 
 use std::path::Path;
@@ -15,20 +13,18 @@ use cageless::raceway::RacewayDimensions;
 use cageless_io::case_file::CaseFile;
 use rayon::prelude::*;
 
+use crate::RacewayLabel;
 use crate::entered::{entered, raceway_document};
 use crate::error::StudyError;
 use crate::progress::Progress;
-pub use result::{
-    MapData, MotionNumbers, PlacementData, PointData, PointNumbers, PointVerdict, RejectionCount,
-    SearchData, StructureData,
-};
-
+use cageless_results::{Cell, Judged, Record, Results, Subject, VERDICT};
 use narrative::why_none;
+pub use narrative::{point_label, structure_label};
 pub use task_runner::JOURNAL;
 use task_runner::TaskRunner;
 
 /// Name of the task of the verdicts on the recommended structure.
-const VERDICT: &str = "search: verdict";
+const VERDICT_TASK: &str = "search: verdict";
 /// Work of such a verdict over that of a run of all balls.
 const VERDICT_WORK: f64 = 2.0;
 /// Work of the map of one speed, as a rule.
@@ -65,11 +61,12 @@ pub fn tasks(file: &CaseFile) -> Vec<(String, f64)> {
         (Stage::Confirm, structures * points * confirmed),
     ];
     let stages = stages.map(|(stage, work)| (task_runner::task_name(stage), work));
-    let verdict = (VERDICT.to_owned(), points * VERDICT_WORK);
+    let verdict = (VERDICT_TASK.to_owned(), points * VERDICT_WORK);
     stages.into_iter().chain([verdict]).collect()
 }
 
-/// Searches for the best raceway of a case, as its section `[search]` asks. With a folder,
+/// Searches for the best raceway of a case, as its section `[search]` asks; `paper` are the structures of
+/// the paper for its bearing. With a folder,
 /// what was computed is kept there until [`forget`], and a search that was ended or killed, or
 /// whose result could not be stored, resumes.
 ///
@@ -79,8 +76,9 @@ pub fn tasks(file: &CaseFile) -> Vec<(String, f64)> {
 pub fn run(
     file: &CaseFile,
     folder: Option<&Path>,
+    paper: &[RacewayLabel],
     progress: &dyn Progress,
-) -> Result<(Found, SearchData), StudyError> {
+) -> Result<(Found, Record), StudyError> {
     progress.whole(&tasks(file));
     let mut runner = TaskRunner::new(file, folder, progress)?;
     let found = search(file.case(), file.search(), &mut |stage, jobs| {
@@ -98,8 +96,8 @@ pub fn run(
         Err(SearchError::Interrupted(_)) => return Err(StudyError::Interrupted),
     };
     let verdicts = verdicts(file, &found, progress)?;
-    let data = data::search_data(file, &found, verdicts)?;
-    Ok((found, data))
+    let record = data::search_record(file, &found, verdicts, paper);
+    Ok((found, record))
 }
 
 /// Verdict on the recommended structure at every operating point, as it is when the structure is
@@ -108,7 +106,7 @@ fn verdicts(
     file: &CaseFile,
     found: &Found,
     progress: &dyn Progress,
-) -> Result<Vec<PointVerdict>, StudyError> {
+) -> Result<Vec<Record>, StudyError> {
     let Some(best) = found.recommended.map(|k| &found.evaluations[k].structure) else {
         return Ok(vec![]);
     };
@@ -124,23 +122,34 @@ fn verdicts(
         })
         .collect();
     let points = &found.request.points;
-    let task = progress.begin(VERDICT, points.len() as f64 * VERDICT_WORK);
+    let task = progress.begin(VERDICT_TASK, points.len() as f64 * VERDICT_WORK);
     points
         .par_iter()
         .map(|point| {
             let Some(case) = entered(file, raceways.clone(), Some(point)) else {
-                return Ok(PointVerdict {
-                    verdict: RacewayVerdict::Infeasible.name().to_owned(),
-                    passes: Some(false),
-                    headline: "FAIL: no solution; the case cannot have this raceway".to_owned(),
-                });
+                let text = |text: &str| Cell::Text(text.to_owned());
+                let values = [
+                    ("verdict", text(RacewayVerdict::Infeasible.name())),
+                    ("passes", Cell::Integer(0)),
+                    (
+                        "headline",
+                        text("FAIL: no solution; the case cannot have this raceway"),
+                    ),
+                    ("criterion", Cell::Null),
+                    ("margin", Cell::Null),
+                    ("critical_gap_deg", Cell::Null),
+                    ("gap_reserve_deg", Cell::Null),
+                ];
+                return Ok(Results::only(VERDICT, &values).into());
             };
             match judge(&case, &mut task.run_control(1.0, VERDICT_WORK)) {
-                Ok(judgement) => Ok(PointVerdict {
-                    verdict: judgement.verdict.name().to_owned(),
-                    passes: judgement.passes(),
-                    headline: judgement.headline(),
-                }),
+                Ok(judgement) => {
+                    let judged = Judged {
+                        case: &case,
+                        judgement: &judgement,
+                    };
+                    Ok(Results::of(VERDICT, Subject::Verdict(&judged)).into())
+                }
                 Err(CriticalGapError::Interrupted) => Err(StudyError::Interrupted),
                 Err(error) => Err(error.into()),
             }

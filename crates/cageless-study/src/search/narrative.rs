@@ -1,55 +1,77 @@
 //! Narrative of a search: its result in sentences.
 
-use super::result::{SearchData, StructureData};
 use cageless::design::search::{CONFIRMING_STARTS, Evaluation, Found, Motion};
-
-use super::rejections::rejections;
+use cageless_results::{Cell, POINT, REJECTION, Record, Results, STRUCTURE, Subject};
 
 /// Differences beyond this many standard errors count.
 const SIGNIFICANT: f64 = 2.0;
 
+/// An operating point: `12000 rpm, 1500 N`.
+pub fn point_label(point: &Record) -> String {
+    let (speed, load) = (
+        point.number("inner_speed_rpm"),
+        point.number("radial_load_n"),
+    );
+    format!("{speed:.0} rpm, {load} N")
+}
+
+/// A structure: `lC 5.1 mm, θ 25.2°`, with the places unless there is one at the bottom.
+pub fn structure_label(structure: &Record) -> String {
+    let (span, angle) = (
+        structure.number("axial_span_mm"),
+        structure.number("half_angle_deg"),
+    );
+    let size = format!("lC {span:.3} mm, θ {angle:.2}°");
+    match structure.items("centre_angles_deg") {
+        [] | [Cell::Number(0.0)] => size,
+        places => {
+            let places = places.iter().filter_map(Cell::number);
+            let places: Vec<String> = places.map(|p| format!("{p:.0}°")).collect();
+            format!("{size} at ψ = {}", places.join(", "))
+        }
+    }
+}
+
 /// The sentences for the terminal and the page.
-pub fn narrative(found: &Found, data: &SearchData) -> Vec<String> {
-    let Some(best) = &data.recommended else {
+pub fn narrative(found: &Found, record: &Record) -> Vec<String> {
+    let Some(best) = record.part("recommended") else {
         return vec![why_none(found)];
     };
-    let mut all = vec![recommendation(data, best)];
-    for (point, verdict) in data.points.iter().zip(&data.recommended_verdicts) {
+    let points = record.parts("points");
+    let verdicts = record.parts("recommended_verdicts");
+    let mut all = vec![recommendation(points, verdicts, best)];
+    for (point, verdict) in points.iter().zip(verdicts) {
         all.push(format!(
             "At {}, with this raceway in the case: {}.",
-            point.label(),
-            verdict.headline
+            point_label(point),
+            verdict.text("headline")
         ));
     }
-    if let Some(own) = &data.own {
-        for (k, point) in data.points.iter().enumerate() {
+    if let Some(own) = record.part("own") {
+        for (k, point) in points.iter().enumerate() {
             all.push(format!(
                 "At {}, against the initial design {}: {}.",
-                point.label(),
-                own.label(),
+                point_label(point),
+                structure_label(own),
                 comparison(found, best, own, k)
             ));
         }
-        if !own.why.is_empty() {
+        if !own.text("why").is_empty() {
             all.push(format!(
                 "The initial design is not acceptable: {}.",
-                own.why
+                own.text("why")
             ));
         }
     }
-    let accepted = data.band.iter().filter(|s| s.status == "accepted").count();
+    let band = record.parts("band");
+    let number = |status| band.iter().filter(|s| s.text("status") == status).count();
     all.push(format!(
         "{} designs are feasible, {} of them on the Pareto front; most frequent reasons for exclusion: {}.",
-        accepted,
-        data.front.len(),
-        data.rejections
-            .iter()
-            .take(3)
-            .map(|r| format!("{} ({})", r.meaning, r.count))
-            .collect::<Vec<_>>()
-            .join("; ")
+        number("accepted"),
+        record.parts("front").len(),
+        counted(found, 3)
     ));
-    let left_out = data.band.iter().filter(|s| s.status == "left out").count();
+    let left_out = number("left out");
     if left_out > 0 {
         all.push(format!(
             "{left_out} designs were left out by search.runs_max."
@@ -65,29 +87,32 @@ pub fn narrative(found: &Found, data: &SearchData) -> Vec<String> {
     all
 }
 
-fn recommendation(data: &SearchData, best: &StructureData) -> String {
-    let steady = best.steady_gap_deg.unwrap_or(f64::NAN);
-    let numbers: Vec<String> = data
-        .points
-        .iter()
-        .zip(&best.points)
-        .map(|(point, n)| {
-            let critical = n.critical_gap_deg.unwrap_or(f64::NAN);
-            let shortfall = n.slip_shortfall.unwrap_or(f64::NAN);
-            format!(
-                "at {} it separates balls to at least {critical:.3}°; available {steady:.3}°; reserve {:.3}°; \
-                 {:.1} % {} β0",
-                point.label(),
-                n.margin_deg.unwrap_or(f64::NAN),
-                100.0 * shortfall.abs(),
-                if shortfall < 0.0 { "above" } else { "below" },
-            )
-        })
-        .collect();
-    let failing = data
-        .recommended_verdicts
-        .iter()
-        .any(|v| v.passes != Some(true));
+/// The most frequent reasons of rejections with their numbers of structures.
+fn counted(found: &Found, most: usize) -> String {
+    let rejections = found.rejections();
+    let texts = rejections.iter().take(most).map(|rejection| {
+        let results = Results::of(REJECTION, Subject::Rejection(rejection));
+        format!("{} ({})", results.text("meaning"), rejection.1)
+    });
+    texts.collect::<Vec<_>>().join("; ")
+}
+
+fn recommendation(points: &[Record], verdicts: &[Record], best: &Record) -> String {
+    let steady = best.number("steady_gap_deg");
+    let numbers = points.iter().zip(best.parts("points")).map(|(point, n)| {
+        let shortfall = n.number("slip_shortfall");
+        format!(
+            "at {} it separates balls to at least {:.3}°; available {steady:.3}°; reserve {:.3}°; \
+             {:.1} % {} β0",
+            point_label(point),
+            n.number("critical_gap_deg"),
+            n.number("margin_deg"),
+            100.0 * shortfall.abs(),
+            if shortfall < 0.0 { "above" } else { "below" },
+        )
+    });
+    let numbers: Vec<String> = numbers.collect();
+    let failing = verdicts.iter().any(|v| v.flag("passes") != Some(true));
     format!(
         "{}: {}; {}.{}",
         if failing {
@@ -95,18 +120,17 @@ fn recommendation(data: &SearchData, best: &StructureData) -> String {
         } else {
             "Recommended"
         },
-        best.label(),
+        structure_label(best),
         numbers.join("; "),
-        if best.why.is_empty() {
-            String::new()
-        } else {
-            format!(" From more starts, however: {}.", best.why)
+        match best.text("why") {
+            "" => String::new(),
+            why => format!(" From more starts, however: {why}."),
         }
     )
 }
 
 /// Fewer, more or as many collisions, and so on: differences from the same starts, run by run.
-fn comparison(found: &Found, best: &StructureData, own: &StructureData, point: usize) -> String {
+fn comparison(found: &Found, best: &Record, own: &Record, point: usize) -> String {
     type Of = fn(&Motion) -> f64;
     let statistical: [(&str, Of, usize); 4] = [
         ("collisions per ball and orbit", |n| n.collisions, 3),
@@ -142,7 +166,8 @@ fn comparison(found: &Found, best: &StructureData, own: &StructureData, point: u
             ));
         }
     }
-    if let (Some(a), Some(b)) = (best.points[point].margin_deg, own.points[point].margin_deg) {
+    let margin = |structure: &Record| structure.parts("points")[point].value("margin_deg");
+    if let (Some(a), Some(b)) = (margin(best), margin(own)) {
         parts.push(format!(
             "reserve {a:.3}° against {b:.3}° ({})",
             if a > b { "larger" } else { "smaller" }
@@ -153,34 +178,25 @@ fn comparison(found: &Found, best: &StructureData, own: &StructureData, point: u
 
 /// Requirement that excludes all designs, as a sentence.
 pub fn why_none(found: &Found) -> String {
-    let counts: Vec<String> = rejections(found)
-        .iter()
-        .map(|r| format!("{} ({})", r.meaning, r.count))
-        .collect();
     let closest = found.closest().map_or(
         "; the geometry (Zhao 2022, Eq. (8), (9)) or search.critical_gap_min_fraction excludes all of them"
             .to_owned(),
         |e: &Evaluation| {
             let at = e.rejection.as_ref().map_or(String::new(), |r| {
                 let place = r.point.map_or(String::new(), |p| {
-                    let point = found.request.points[p];
-                    format!(
-                        " at {:.0} rpm and {} N",
-                        point.inner_speed_rad_s * 60.0 / std::f64::consts::TAU,
-                        point.radial_load_n
-                    )
+                    let point = Results::of(POINT, Subject::Point(&found.request.points[p]));
+                    let (speed, load) = (point.number("inner_speed_rpm"), point.number("radial_load_n"));
+                    format!(" at {speed:.0} rpm and {load} N")
                 });
                 format!("{}{place}", r.cause)
             });
-            format!(
-                "; the closest, lC {:.3} mm and θ {:.2}°, fails because {at}",
-                e.structure.axial_span_m * 1e3,
-                e.structure.half_angle_rad.to_degrees()
-            )
+            let size = Results::of(STRUCTURE, Subject::Structure(e));
+            let (span, angle) = (size.number("axial_span_mm"), size.number("half_angle_deg"));
+            format!("; the closest, lC {span:.3} mm and θ {angle:.2}°, fails because {at}")
         },
     );
     format!(
         "no raceway meets every requirement; structures that each excludes: {}{closest}",
-        counts.join("; ")
+        counted(found, usize::MAX)
     )
 }

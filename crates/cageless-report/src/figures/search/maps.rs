@@ -3,7 +3,9 @@
 use serde_json::{Value, json};
 
 use super::OWN;
-use crate::design::{MapData, SearchData, StructureData};
+use cageless_results::{Cell, Record};
+use cageless_study::search::{point_label, structure_label};
+
 use crate::figure::Figure;
 use crate::figures::{axis_name, axis_ref, on, panels};
 use crate::plot::{PALETTE, Plot, line, markers, number, numbers, plain, with};
@@ -37,10 +39,22 @@ const SHALLOW_SHOWN: f64 = 0.4;
 const ACROSS: usize = 3;
 
 /// The maps, slowest first.
-fn by_speed(search: &SearchData) -> Vec<&MapData> {
-    let mut maps: Vec<&MapData> = search.maps.iter().collect();
-    maps.sort_by(|a, b| a.point.inner_speed_rpm.total_cmp(&b.point.inner_speed_rpm));
+fn by_speed(search: &Record) -> Vec<&Record> {
+    let mut maps: Vec<&Record> = search.parts("maps").iter().collect();
+    maps.sort_by(|a, b| speed_rpm(a).total_cmp(&speed_rpm(b)));
     maps
+}
+
+fn speed_rpm(map: &Record) -> f64 {
+    map.part("point")
+        .map_or(f64::NAN, |p| p.number("inner_speed_rpm"))
+}
+
+/// Verdicts of a map, row by row.
+fn verdicts_of(map: &Record) -> Vec<Vec<&str>> {
+    let rows = map.items("verdict").iter();
+    rows.map(|row| row.items().iter().filter_map(Cell::text).collect())
+        .collect()
 }
 
 /// Panels of maps: place of each, size of the figure.
@@ -74,15 +88,13 @@ impl Grid {
 
 /// Lower end of the axis of spans: of the raceways that are too shallow everywhere, some
 /// are enough.
-fn shown_from_mm(search: &SearchData) -> f64 {
+fn shown_from_mm(search: &Record) -> f64 {
     let (mut works, mut widest) = (f64::INFINITY, 0.0f64);
-    for map in &search.maps {
-        for row in &map.verdict {
-            for (span, verdict) in map.axial_span_mm.iter().zip(row) {
+    for map in search.parts("maps") {
+        for row in verdicts_of(map) {
+            for (span, verdict) in map.values("axial_span_mm").iter().zip(row) {
                 widest = widest.max(*span);
-                if !["insufficient-separation", "eq-8", "eq-9", "overlap"]
-                    .contains(&verdict.as_str())
-                {
+                if !["insufficient-separation", "eq-8", "eq-9", "overlap"].contains(&verdict) {
                     works = works.min(*span);
                 }
             }
@@ -96,7 +108,7 @@ fn shown_from_mm(search: &SearchData) -> f64 {
 }
 
 /// Adds axes, title, Eq. (11), structures and marks of panel `k` over its cells.
-fn dress(plot: Plot, grid: &Grid, k: usize, search: &SearchData, map: &MapData) -> Plot {
+fn dress(plot: Plot, grid: &Grid, k: usize, search: &Record, map: &Record) -> Plot {
     let (x_name, y_name) = (axis_name("x", k), axis_name("y", k));
     let (x, y) = (axis_ref("x", k), axis_ref("y", k));
     let (x_place, y_place) = grid.place(k);
@@ -105,9 +117,9 @@ fn dress(plot: Plot, grid: &Grid, k: usize, search: &SearchData, map: &MapData) 
         let half = (high - low) / (2.0 * (values.len().max(2) - 1) as f64);
         (low - half, high + half)
     };
-    let (shown, widest) = (shown_from_mm(search), edges(&map.axial_span_mm));
+    let (shown, widest) = (shown_from_mm(search), edges(map.values("axial_span_mm")));
     let spans = json!([number(widest.0.max(shown)), number(widest.1)]);
-    let (least, most) = edges(&map.half_angle_deg);
+    let (least, most) = edges(map.values("half_angle_deg"));
     let angles = json!([number(least), number(most)]);
     let first = k.is_multiple_of(grid.across);
     let mut plot = plot
@@ -125,7 +137,7 @@ fn dress(plot: Plot, grid: &Grid, k: usize, search: &SearchData, map: &MapData) 
             }),
         )
         .text(
-            &plain(&map.point.label()),
+            &plain(&map.part("point").map_or_else(String::new, point_label)),
             (0.5, 1.02),
             (&format!("{x} domain"), &format!("{y} domain")),
             json!({ "yanchor": "bottom", "font": { "size": 13 } }),
@@ -134,8 +146,8 @@ fn dress(plot: Plot, grid: &Grid, k: usize, search: &SearchData, map: &MapData) 
             with(
                 line(
                     "Eq. (11) for the nominal gap",
-                    &search.curve_axial_span_mm,
-                    &search.curve_half_angle_deg,
+                    search.values("curve_axial_span_mm"),
+                    search.values("curve_half_angle_deg"),
                     "#000000",
                 ),
                 json!({ "line": { "width": 2 }, "legendgroup": "eq11", "showlegend": k == 0 }),
@@ -143,10 +155,11 @@ fn dress(plot: Plot, grid: &Grid, k: usize, search: &SearchData, map: &MapData) 
             &x,
             &y,
         ));
-    if !search.paper.is_empty() {
-        let spans: Vec<f64> = search.paper.iter().map(|s| s.axial_span_mm).collect();
-        let angles: Vec<f64> = search.paper.iter().map(|s| s.half_angle_deg).collect();
-        let letters: Value = search.paper.iter().map(|s| plain(&s.letter)).collect();
+    let paper = search.parts("paper");
+    if !paper.is_empty() {
+        let spans: Vec<f64> = paper.iter().map(|s| s.number("axial_span_mm")).collect();
+        let angles: Vec<f64> = paper.iter().map(|s| s.number("half_angle_deg")).collect();
+        let letters: Value = paper.iter().map(|s| plain(s.text("letter"))).collect();
         plot = plot.trace(on(
             with(
                 markers("structures of the paper", &spans, &angles, "#ffffff"),
@@ -162,13 +175,18 @@ fn dress(plot: Plot, grid: &Grid, k: usize, search: &SearchData, map: &MapData) 
         ));
     }
     for (name, structure, symbol, colour) in [
-        (OWN, &search.own, "square", PALETTE[4]),
-        ("recommended", &search.recommended, "star", "#ffdd00"),
+        (OWN, search.part("own"), "square", PALETTE[4]),
+        ("recommended", search.part("recommended"), "star", "#ffdd00"),
     ] {
         let Some(s) = structure else { continue };
         plot = plot.trace(on(
             with(
-                markers(name, &[s.axial_span_mm], &[s.half_angle_deg], colour),
+                markers(
+                    name,
+                    &[s.number("axial_span_mm")],
+                    &[s.number("half_angle_deg")],
+                    colour,
+                ),
                 json!({
                     "marker": { "size": if symbol == "star" { 15 } else { 9 }, "symbol": symbol,
                                 "line": { "width": 1.4, "color": "#000" } },
@@ -194,28 +212,32 @@ fn frame(grid: &Grid) -> Plot {
 }
 
 /// Verdict of a structure in the words of the maps; `None` if it was not run.
-fn verdict_of(structure: &StructureData) -> Option<&str> {
-    match structure.status.as_str() {
+fn verdict_of(structure: &Record) -> Option<&str> {
+    match structure.text("status") {
         "accepted" => Some("smooth"),
-        "rejected" => structure.reason.as_deref(),
+        "rejected" => Some(structure.text("reason")),
         _ => None,
     }
 }
 
 /// The structures of the band, each at its own place: between the cells of a map lies more than
 /// the whole band of raceways that work.
-fn tried(search: &SearchData) -> Value {
+fn tried(search: &Record) -> Value {
     let (mut spans, mut angles) = (vec![], vec![]);
     let (mut colours, mut texts) = (vec![], vec![]);
-    for structure in &search.band {
+    for structure in search.parts("band") {
         let verdict = verdict_of(structure);
         let Some(shown) = VERDICTS.iter().find(|v| Some(v.0) == verdict) else {
             continue;
         };
-        spans.push(structure.axial_span_mm);
-        angles.push(structure.half_angle_deg);
+        spans.push(structure.number("axial_span_mm"));
+        angles.push(structure.number("half_angle_deg"));
         colours.push(shown.1);
-        texts.push(plain(&format!("{}: {}", structure.label(), shown.2)));
+        texts.push(plain(&format!(
+            "{}: {}",
+            structure_label(structure),
+            shown.2
+        )));
     }
     with(
         markers("structures tried", &spans, &angles, "#ffffff"),
@@ -228,8 +250,8 @@ fn tried(search: &SearchData) -> Value {
 }
 
 /// Verdict of every cell, one panel per speed.
-pub fn verdicts(search: &SearchData) -> Figure {
-    let grid = Grid::new(search.maps.len());
+pub fn verdicts(search: &Record) -> Figure {
+    let grid = Grid::new(search.parts("maps").len());
     let mut plot = frame(&grid);
     let count = VERDICTS.len() as f64;
     // Bands of one colour each.
@@ -245,13 +267,13 @@ pub fn verdicts(search: &SearchData) -> Figure {
         })
         .collect();
     for (k, map) in by_speed(search).into_iter().enumerate() {
-        let codes: Vec<Vec<Value>> = map
-            .verdict
+        let verdicts = verdicts_of(map);
+        let codes: Vec<Vec<Value>> = verdicts
             .iter()
             .map(|row| {
                 row.iter()
                     .map(|name| {
-                        let code = VERDICTS.iter().position(|v| v.0 == name);
+                        let code = VERDICTS.iter().position(|v| v.0 == *name);
                         // Eq. (8), (9) and overlaps stay blank.
                         code.filter(|&c| c + 1 < VERDICTS.len())
                             .map_or(Value::Null, |c| json!(c as f64 + 0.5))
@@ -261,28 +283,37 @@ pub fn verdicts(search: &SearchData) -> Figure {
             .collect();
         plot = plot.trace(on(
             json!({
-                "type": "heatmap", "x": numbers(&map.axial_span_mm), "y": numbers(&map.half_angle_deg),
-                "z": codes, "text": map.verdict, "zmin": 0, "zmax": count, "colorscale": scale,
+                "type": "heatmap", "x": numbers(map.values("axial_span_mm")), "y": numbers(map.values("half_angle_deg")),
+                "z": codes, "text": verdicts, "zmin": 0, "zmax": count, "colorscale": scale,
                 "showscale": false, "name": "verdict",
                 "hovertemplate": "lC %{x} mm, θ %{y}°: %{text}<extra></extra>",
             }),
             &axis_ref("x", k),
             &axis_ref("y", k),
         ));
-        let speed = map.point.inner_speed_rpm;
-        if search.points.iter().any(|p| p.inner_speed_rpm == speed) {
+        let speed = speed_rpm(map);
+        if search
+            .parts("points")
+            .iter()
+            .any(|p| p.number("inner_speed_rpm") == speed)
+        {
             let (x, y) = (axis_ref("x", k), axis_ref("y", k));
             plot = plot.trace(on(tried(search), &x, &y));
         }
         plot = dress(plot, &grid, k, search, map);
     }
     let in_maps = |name: &str| {
-        let mut cells = search.maps.iter().flat_map(|m| m.verdict.iter().flatten());
+        let mut cells = search.parts("maps").iter().flat_map(verdicts_of).flatten();
         cells.any(|verdict| verdict == name)
     };
     let slips = in_maps("slips");
     for (name, colour, label) in &VERDICTS[..VERDICTS.len() - 1] {
-        if in_maps(name) || search.band.iter().any(|s| verdict_of(s) == Some(*name)) {
+        if in_maps(name)
+            || search
+                .parts("band")
+                .iter()
+                .any(|s| verdict_of(s) == Some(*name))
+        {
             plot = plot.trace(with(
                 markers(label, &[f64::NAN], &[f64::NAN], colour),
                 json!({ "marker": { "symbol": "square", "size": 12 } }),
@@ -305,14 +336,15 @@ pub fn verdicts(search: &SearchData) -> Figure {
                 ""
             }
         ),
-        provenance: search.provenance.clone(),
+        provenance: search.provenance.clone().unwrap_or_default(),
         plot,
     }
 }
 
 /// Critical gap of every cell, one panel per speed.
-pub fn critical_gaps(search: &SearchData) -> Figure {
-    let grid = Grid::new(search.maps.len());
+pub fn critical_gaps(search: &Record) -> Figure {
+    let grid = Grid::new(search.parts("maps").len());
+    let least = search.number("critical_gap_min_fraction");
     let mut plot = frame(&grid).set(
         "coloraxis",
         json!({
@@ -323,20 +355,30 @@ pub fn critical_gaps(search: &SearchData) -> Figure {
     for (k, map) in by_speed(search).into_iter().enumerate() {
         let mut fractions: Vec<Vec<Value>> = vec![];
         let mut texts: Vec<Vec<String>> = vec![];
-        for (gaps, steady) in map.critical_gap_deg.iter().zip(&map.steady_gap_deg) {
+        let steady = map.items("steady_gap_deg").iter().map(Cell::items);
+        for (gaps, steady) in map
+            .items("critical_gap_deg")
+            .iter()
+            .map(Cell::items)
+            .zip(steady)
+        {
             fractions.push(
                 gaps.iter()
                     .zip(steady)
-                    .map(|(gap, steady)| match (gap, steady) {
+                    .map(|(gap, steady)| match (gap.number(), steady.number()) {
                         (Some(gap), Some(steady)) => number(gap / steady),
                         _ => Value::Null,
                     })
                     .collect(),
             );
-            texts.push(gaps.iter().map(|g| crate::text::fixed(*g, 3)).collect());
+            texts.push(
+                gaps.iter()
+                    .map(|g| crate::text::fixed(g.number(), 3))
+                    .collect(),
+            );
         }
         let (x, y) = (axis_ref("x", k), axis_ref("y", k));
-        let cells = json!({ "x": numbers(&map.axial_span_mm), "y": numbers(&map.half_angle_deg), "z": fractions });
+        let cells = json!({ "x": numbers(map.values("axial_span_mm")), "y": numbers(map.values("half_angle_deg")), "z": fractions });
         plot = plot
             .trace(on(
                 with(
@@ -354,8 +396,8 @@ pub fn critical_gaps(search: &SearchData) -> Figure {
                     cells,
                     json!({
                         "type": "contour", "showscale": false, "hoverinfo": "skip", "showlegend": false,
-                        "contours": { "coloring": "none", "start": search.critical_gap_min_fraction, "end": 1.0,
-                                      "size": number(1.0 - search.critical_gap_min_fraction), "showlabels": true,
+                        "contours": { "coloring": "none", "start": number(least), "end": 1.0,
+                                      "size": number(1.0 - least), "showlabels": true,
                                       "labelfont": { "size": 10, "color": "#fff" }, "labelformat": ".0%" },
                         "line": { "color": "#fff", "width": 1.6 },
                     }),
@@ -370,9 +412,9 @@ pub fn critical_gaps(search: &SearchData) -> Figure {
         caption: format!(
             "Critical gap over steady gap (colour, cut off at 150 %). White lines: {:.0} % and \
              100 %, between which a raceway spreads the balls and leaves room in steady flow.",
-            100.0 * search.critical_gap_min_fraction
+            100.0 * least
         ),
-        provenance: search.provenance.clone(),
+        provenance: search.provenance.clone().unwrap_or_default(),
         plot,
     }
 }

@@ -3,49 +3,42 @@
 use serde_json::{Value, json};
 
 use super::OWN;
-use crate::design::{PointNumbers, SearchData, StructureData};
+use cageless_results::{MOTION, Record, STRUCTURE_AT, heading};
+use cageless_study::search::structure_label;
+
 use crate::figure::Figure;
 use crate::figures::{axis_name, axis_ref, on, panels};
 use crate::plot::{GREY, PALETTE, Plot, markers, numbers, plain, with};
 use crate::sampling::range;
 use crate::text::short;
 
-/// A number of a structure, the worst of its operating points.
-fn worst(structure: &StructureData, of: fn(&PointNumbers) -> Option<f64>) -> f64 {
-    structure
-        .points
-        .iter()
-        .map(|n| of(n).unwrap_or(f64::NAN))
-        .fold(f64::NEG_INFINITY, f64::max)
+/// A result of a structure, the worst of its operating points.
+fn worst(structure: &Record, name: &str) -> f64 {
+    let points = structure.parts("points").iter();
+    let at = points.map(|point| match point.part("motion") {
+        Some(motion) if motion.get(name).is_some() => motion.number(name),
+        _ => point.number(name),
+    });
+    at.fold(f64::NEG_INFINITY, f64::max)
 }
 
-type Quantity = (&'static str, fn(&PointNumbers) -> Option<f64>);
-
-/// Pairs of quantities drawn against each other.
-const PAIRS: [[Quantity; 2]; 4] = [
-    [
-        ("Spacing scatter on arrival (% of steady gap)", |n| {
-            Some(100.0 * n.motion?.spacing_scatter)
-        }),
-        ("Collisions in steady state (per ball and orbit)", |n| {
-            Some(n.motion?.collisions_late)
-        }),
-    ],
-    [
-        ("Spacing scatter on arrival (% of steady gap)", |n| {
-            Some(100.0 * n.motion?.spacing_scatter)
-        }),
-        ("Friction loss (W)", |n| Some(n.motion?.friction_w)),
-    ],
-    [
-        ("Gap reserve (°)", |n| n.margin_deg),
-        ("Sliding speed (m/s)", |n| Some(n.motion?.sliding_m_s)),
-    ],
-    [
-        ("Contact pressure (MPa)", |n| n.pressure_mpa),
-        ("Vibration (N)", |n| Some(n.motion?.force_deviation_n)),
-    ],
+/// Pairs of results drawn against each other.
+const PAIRS: [[&str; 2]; 4] = [
+    ["spacing_scatter", "collisions_late"],
+    ["spacing_scatter", "friction_w"],
+    ["margin_deg", "sliding_m_s"],
+    ["pressure_mpa", "force_deviation_n"],
 ];
+
+/// Label and unit of a result, a dash where it has none.
+fn title(name: &str) -> String {
+    let mut all = STRUCTURE_AT.iter().chain(MOTION);
+    let quantity = all.find(|q| q.name == name);
+    match quantity.map_or_else(String::new, heading) {
+        heading if heading.ends_with(')') => heading,
+        heading => format!("{heading} (–)"),
+    }
+}
 
 /// Range of an axis that shows all `values` with room around them; `None` without values.
 fn frame_of(values: &[f64]) -> Option<[f64; 2]> {
@@ -92,12 +85,10 @@ fn outside(point: &[f64; 2], frames: [Option<[f64; 2]>; 2]) -> Option<Value> {
 }
 
 /// Trade-offs of the acceptable structures.
-pub fn trade_offs(search: &SearchData) -> Figure {
-    let accepted = |front: bool| -> Vec<&StructureData> {
-        search
-            .band
-            .iter()
-            .filter(|s| s.status == "accepted" && s.on_front == front)
+pub fn trade_offs(search: &Record) -> Figure {
+    let accepted = |front: bool| -> Vec<&Record> {
+        let band = search.parts("band").iter();
+        band.filter(|s| s.text("status") == "accepted" && s.flag("on_front") == Some(front))
             .collect()
     };
     let (x_places, y_places) = (panels(2, 0.12), panels(2, 0.2));
@@ -108,19 +99,22 @@ pub fn trade_offs(search: &SearchData) -> Figure {
             "legend",
             json!({ "orientation": "h", "x": 0, "y": 1.03, "yanchor": "bottom", "font": { "size": 12 } }),
         );
-    let groups: [(&str, Vec<&StructureData>, &str, u32, &str); 4] = [
+    let groups: [(&str, Vec<&Record>, &str, u32, &str); 4] = [
         ("acceptable", accepted(false), GREY, 6, "circle"),
         ("Pareto front", accepted(true), PALETTE[0], 7, "circle"),
         (
             OWN,
-            search.own_from_usual_starts.iter().collect(),
+            search.part("own_from_usual_starts").into_iter().collect(),
             PALETTE[4],
             11,
             "square",
         ),
         (
             "recommended",
-            search.recommended_from_usual_starts.iter().collect(),
+            search
+                .part("recommended_from_usual_starts")
+                .into_iter()
+                .collect(),
             "#ffdd00",
             15,
             "star",
@@ -128,9 +122,9 @@ pub fn trade_offs(search: &SearchData) -> Figure {
     ];
     for (k, pair) in PAIRS.iter().enumerate() {
         let (x, y) = (axis_ref("x", k), axis_ref("y", k));
-        let frames = pair.map(|(_, of)| {
+        let frames = pair.map(|name| {
             let shown = groups.iter().filter(|g| g.0 != OWN).flat_map(|g| &g.1);
-            frame_of(&shown.map(|s| worst(s, of)).collect::<Vec<_>>())
+            frame_of(&shown.map(|s| worst(s, name)).collect::<Vec<_>>())
         });
         let axis = |place: [f64; 2], anchor: &str, frame: Option<[f64; 2]>| match frame {
             Some(frame) => json!({ "domain": place, "anchor": anchor, "range": numbers(&frame) }),
@@ -139,29 +133,31 @@ pub fn trade_offs(search: &SearchData) -> Figure {
         plot = plot
             .axis(
                 &axis_name("x", k),
-                pair[0].0,
+                &title(pair[0]),
                 axis(x_places[k % 2], &y, frames[0]),
             )
             .axis(
                 &axis_name("y", k),
-                pair[1].0,
+                &title(pair[1]),
                 axis(y_places[1 - k / 2], &x, frames[1]),
             );
-        for (name, structures, colour, size, symbol) in &groups {
+        for (group, structures, colour, size, symbol) in &groups {
             if structures.is_empty() {
                 continue;
             }
-            let values = |of: fn(&PointNumbers) -> Option<f64>| -> Vec<f64> {
-                structures.iter().map(|s| worst(s, of)).collect()
-            };
-            let labels: Vec<String> = structures.iter().map(|s| plain(&s.label())).collect();
-            if *name == OWN
-                && let Some(mark) = outside(&pair.map(|(_, of)| values(of)[0]), frames)
+            let values =
+                |name: &str| -> Vec<f64> { structures.iter().map(|s| worst(s, name)).collect() };
+            let labels: Vec<String> = structures
+                .iter()
+                .map(|s| plain(&structure_label(s)))
+                .collect();
+            if *group == OWN
+                && let Some(mark) = outside(&pair.map(|name| values(name)[0]), frames)
             {
                 let trace = with(
                     mark,
                     json!({
-                        "legendgroup": name, "showlegend": k == 0, "name": name,
+                        "legendgroup": group, "showlegend": k == 0, "name": group,
                         "marker": { "size": size, "symbol": symbol, "color": colour,
                                     "line": { "width": 1.2, "color": "#000" } },
                         "hovertext": labels,
@@ -173,11 +169,11 @@ pub fn trade_offs(search: &SearchData) -> Figure {
             }
             plot = plot.trace(on(
                 with(
-                    markers(name, &values(pair[0].1), &values(pair[1].1), colour),
+                    markers(group, &values(pair[0]), &values(pair[1]), colour),
                     json!({
                         "marker": { "size": size, "symbol": symbol,
                                     "line": { "width": if *size > 8 { 1.2 } else { 0.0 }, "color": "#000" } },
-                        "text": labels, "legendgroup": name, "showlegend": k == 0,
+                        "text": labels, "legendgroup": group, "showlegend": k == 0,
                         "hovertemplate": "%{text}<br>%{x:.4g}, %{y:.4g}<extra></extra>",
                     }),
                 ),
@@ -193,7 +189,7 @@ pub fn trade_offs(search: &SearchData) -> Figure {
                   the initial design, where it lies outside, is drawn at the edge with its \
                   values (horizontal, vertical)."
             .to_owned(),
-        provenance: search.provenance.clone(),
+        provenance: search.provenance.clone().unwrap_or_default(),
         plot,
     }
 }

@@ -1,7 +1,9 @@
 use cageless::design::search::{
-    ClosedForms, Motion, PairSeparation, RacewayLayout, Rejection, Request, Statistics,
+    Cause, ClosedForms, MapCell, Motion, PairSeparation, RacewayLayout, Rejection, Request,
+    Statistics,
 };
 use cageless_io::case_file::template;
+use cageless_results::Cell;
 
 use super::*;
 
@@ -93,141 +95,158 @@ fn close(found: f64, expected: f64) {
 }
 
 /// The numbers of a motion, in the units of their names, over a steady gap of `steady_rad`.
-fn assert_motion(found: &MotionNumbers, m: &Motion, steady_rad: f64) {
-    close(found.collisions, m.collisions);
-    close(found.collisions_late, m.collisions_late);
-    close(found.impulse_mn_s, 1000.0 * m.impulse_n_s);
-    close(found.double_collision_fraction, m.double_collision_fraction);
-    close(found.spacing_scatter, m.gap_deviation_rad / steady_rad);
-    close(
-        found.gap_min_deg,
-        m.gap_min_rad * 180.0 / std::f64::consts::PI,
-    );
-    close(found.sliding_m_s, m.sliding_m_s);
-    close(found.speed_drop_fraction, m.speed_drop_fraction);
-    close(found.force_deviation_n, m.force_deviation_n);
-    close(found.friction_w, m.friction_w);
+fn assert_motion(found: &Record, m: &Motion, steady_rad: f64) {
+    let expected = [
+        ("collisions", m.collisions),
+        ("collisions_late", m.collisions_late),
+        ("impulse_mn_s", 1000.0 * m.impulse_n_s),
+        ("double_collision_fraction", m.double_collision_fraction),
+        ("spacing_scatter", m.gap_deviation_rad / steady_rad),
+        ("gap_min_deg", m.gap_min_rad * 180.0 / std::f64::consts::PI),
+        ("sliding_m_s", m.sliding_m_s),
+        ("speed_drop_fraction", m.speed_drop_fraction),
+        ("force_deviation_n", m.force_deviation_n),
+        ("friction_w", m.friction_w),
+    ];
+    for (name, expected) in expected {
+        close(found.number(name), expected);
+    }
+    assert_eq!(found.iter().count(), expected.len());
 }
 
 /// Every number of a structure in the unit of its name.
-fn assert_structure(found: &StructureData, number: f64) {
+fn assert_structure(found: &Record, number: f64) {
     let degrees = |angle: f64| angle * 180.0 / std::f64::consts::PI;
-    close(found.axial_span_mm, 5.0 + 0.01 * number);
-    close(found.half_angle_deg, 20.0 + number);
-    assert_eq!(found.centre_angles_deg, [0.0, 30.0]);
-    close(found.beta0_deg.unwrap(), degrees(0.03 + 1e-3 * number));
-    close(found.steady_gap_deg.unwrap(), degrees(0.04 + 1e-3 * number));
-    for (point, part) in found.points.iter().zip([0.001 * number, 0.002 * number]) {
-        close(point.critical_gap_deg.unwrap(), degrees(0.02 + part));
+    close(found.number("axial_span_mm"), 5.0 + 0.01 * number);
+    close(found.number("half_angle_deg"), 20.0 + number);
+    let angles = [0.0, 30.0].map(Cell::Number);
+    assert_eq!(found.items("centre_angles_deg"), angles);
+    close(found.number("beta0_deg"), degrees(0.03 + 1e-3 * number));
+    close(
+        found.number("steady_gap_deg"),
+        degrees(0.04 + 1e-3 * number),
+    );
+    for (point, part) in found
+        .parts("points")
+        .iter()
+        .zip([0.001 * number, 0.002 * number])
+    {
+        close(point.number("critical_gap_deg"), degrees(0.02 + part));
         close(
-            point.margin_deg.unwrap(),
+            point.number("margin_deg"),
             degrees(0.02 + 1e-3 * number - part),
         );
-        close(point.slip_shortfall.unwrap(), 0.01 + 2.0 * part);
-        close(point.pressure_mpa.unwrap(), 1e3 + 1e6 * part);
+        close(point.number("slip_shortfall"), 0.01 + 2.0 * part);
+        close(point.number("pressure_mpa"), 1e3 + 1e6 * part);
     }
 }
 
 #[test]
 fn structures_have_every_number_in_its_unit() {
     let (file, found) = found();
-    let data = search_data(&file, &found, vec![]).unwrap();
-    assert_eq!(
-        (data.starts, data.critical_gap_min_fraction, data.seed),
-        (3, 0.7, file.case().seed)
-    );
-    let point = data.points[1];
-    close(point.inner_speed_rpm, 9_549.296_586);
-    assert_eq!(point.radial_load_n, 70.0);
-    assert_eq!(data.band.len(), 4);
-    for (structure, number) in data.band.iter().zip([4.0, 1.0, 3.0, 5.0]) {
+    let data = search_record(&file, &found, vec![], &[]);
+    let values = ["starts", "critical_gap_min_fraction", "seed"].map(|name| data.number(name));
+    assert_eq!(values, [3.0, 0.7, file.case().seed as f64]);
+    let point = &data.parts("points")[1];
+    close(point.number("inner_speed_rpm"), 9_549.296_586);
+    assert_eq!(point.number("radial_load_n"), 70.0);
+    let band = data.parts("band");
+    assert_eq!(band.len(), 4);
+    for (structure, number) in band.iter().zip([4.0, 1.0, 3.0, 5.0]) {
         assert_structure(structure, number);
-        for (point, factor) in structure.points.iter().zip([1.0, 10.0]) {
+        for (point, factor) in structure.parts("points").iter().zip([1.0, 10.0]) {
             let steady = 0.04 + 1e-3 * number;
-            assert_motion(
-                point.motion.as_ref().unwrap(),
-                &motion(factor * number),
-                steady,
-            );
-            assert_eq!(point.errors, None);
+            let found = point.part("motion").unwrap();
+            assert_motion(found, &motion(factor * number), steady);
+            assert_eq!(point.part("errors"), None);
         }
     }
-    let status = |k: usize| (data.band[k].status.as_str(), data.band[k].passes);
+    let status = |k: usize| (band[k].text("status"), band[k].flag("passes"));
     assert_eq!(status(0), ("accepted", Some(true)));
     assert_eq!(status(2), ("rejected", Some(false)));
     assert_eq!(status(3), ("left out", None));
-    assert_eq!(data.band[2].reason.as_deref(), Some("slips"));
-    assert!(data.band[2].why.contains("9.0 %"), "{}", data.band[2].why);
+    assert_eq!(band[2].text("reason"), "slips");
+    assert!(
+        band[2].text("why").contains("9.0 %"),
+        "{}",
+        band[2].text("why")
+    );
     // Nearest to the best first.
-    let front: Vec<f64> = data.front.iter().map(|s| s.half_angle_deg).collect();
+    let front = data.parts("front").iter();
+    let front: Vec<f64> = front.map(|s| s.number("half_angle_deg")).collect();
     assert_eq!(front, [21.0, 24.0]);
-    for (structure, number) in [(&data.recommended, 6.0), (&data.own, 7.0)] {
-        let structure = structure.as_ref().unwrap();
+    for (name, number) in [("recommended", 6.0), ("own", 7.0)] {
+        let structure = data.part(name).unwrap();
         assert_structure(structure, number);
-        for point in &structure.points {
+        for point in structure.parts("points") {
             let steady = 0.04 + 1e-3 * number;
             // Of one and three: mean 2, standard error 1.
-            assert_motion(
-                point.motion.as_ref().unwrap(),
-                &motion(2.0 * number),
-                steady,
-            );
-            assert_motion(point.errors.as_ref().unwrap(), &motion(number), steady);
+            let [mean, errors] = ["motion", "errors"].map(|name| point.part(name).unwrap());
+            assert_motion(mean, &motion(2.0 * number), steady);
+            assert_motion(errors, &motion(number), steady);
         }
     }
-    let usual = [
-        &data.recommended_from_usual_starts,
-        &data.own_from_usual_starts,
-    ];
-    for (structure, number) in usual.into_iter().zip([1.0, 7.0]) {
-        let structure = structure.as_ref().unwrap();
+    for (name, number) in [
+        ("recommended_from_usual_starts", 1.0),
+        ("own_from_usual_starts", 7.0),
+    ] {
+        let structure = data.part(name).unwrap();
         assert_structure(structure, number);
-        assert_eq!(structure.points[0].errors, None);
+        assert_eq!(structure.parts("points")[0].part("errors"), None);
     }
+    let json = serde_json::to_value(&data).unwrap();
+    assert_eq!(
+        Record::read(&cageless_results::SEARCH_SHAPE, &json),
+        Ok(data)
+    );
 }
 
 #[test]
 fn maps_and_places_are_those_of_their_cells_and_structures() {
     let (file, found) = found();
-    let data = search_data(&file, &found, vec![]).unwrap();
-    let map = &data.maps[0];
-    assert_eq!(map.point, data.points[1]);
-    for (found, expected) in map.axial_span_mm.iter().zip([5.0, 5.1, 5.2]) {
+    let data = search_record(&file, &found, vec![], &[]);
+    let map = &data.parts("maps")[0];
+    assert_eq!(map.part("point"), Some(&data.parts("points")[1]));
+    for (found, expected) in map.values("axial_span_mm").iter().zip([5.0, 5.1, 5.2]) {
         close(*found, expected);
     }
-    close(map.half_angle_deg[1], 22.918_312);
+    close(map.values("half_angle_deg")[1], 22.918_312);
     for (k, cell) in found.maps[0].cells.iter().enumerate() {
-        let (line, column) = (k / 3, k % 3);
-        let critical = map.critical_gap_deg[line][column].unwrap();
+        let at = |name: &str| map.items(name)[k / 3].items()[k % 3].clone();
+        let critical = at("critical_gap_deg").number().unwrap();
         close(critical, (0.02 + 1e-3 * k as f64).to_degrees());
-        let steady = map.steady_gap_deg[line][column].unwrap();
+        let steady = at("steady_gap_deg").number().unwrap();
         close(steady, (0.04 + 1e-3 * k as f64).to_degrees());
-        assert_eq!(map.passes[line][column], cell.cause.is_none());
+        assert_eq!(at("passes"), Cell::Integer(cell.cause.is_none().into()));
         let verdict = if k == 4 { "eq-8" } else { "smooth" };
-        assert_eq!(map.verdict[line][column], verdict);
+        assert_eq!(at("verdict").text(), Some(verdict));
     }
     // Of the maps at the two operating points, and of the candidates.
-    let excluded: Vec<(&str, usize)> = (data.rejections.iter())
-        .map(|r| (r.reason.as_str(), r.count))
+    let excluded = data.parts("rejections").iter();
+    let excluded: Vec<(&str, f64)> = excluded
+        .map(|r| (r.text("reason"), r.number("count")))
         .collect();
-    assert_eq!(excluded, [("eq-8", 2), ("slips", 1)]);
+    assert_eq!(excluded, [("eq-8", 2.0), ("slips", 1.0)]);
 
-    let [one, two] = data.placements.as_slice() else {
-        panic!("{:?}", data.placements)
+    let [one, two] = data.parts("placements") else {
+        panic!("{:?}", data.parts("placements"))
     };
-    assert_eq!((one.structures, one.accepted), (2, 1));
-    assert_eq!((two.structures, two.accepted), (2, 1));
-    assert_eq!(two.centre_angles_deg, [-28.647_89, 28.647_89]);
-    close(one.least_shortfall.unwrap(), 0.01 + 2.0 * 0.002);
-    close(two.least_shortfall.unwrap(), 0.01 + 2.0 * 0.006);
-    assert_eq!(one.best.as_ref().unwrap().half_angle_deg, 21.0);
-    assert_eq!(two.best.as_ref().unwrap().half_angle_deg, 24.0);
+    for placement in [one, two] {
+        let counts = ["structures", "accepted"].map(|name| placement.number(name));
+        assert_eq!(counts, [2.0, 1.0]);
+    }
+    let angles = [-28.647_89, 28.647_89].map(Cell::Number);
+    assert_eq!(two.items("centre_angles_deg"), angles);
+    close(one.number("least_shortfall"), 0.01 + 2.0 * 0.002);
+    close(two.number("least_shortfall"), 0.01 + 2.0 * 0.006);
+    let best = |placement: &Record| placement.part("best").unwrap().number("half_angle_deg");
+    assert_eq!((best(one), best(two)), (21.0, 24.0));
 
     // The curve of Eq. (11) goes through the structures of Zhao 2022, Table 2.
-    let at_5_1 = (data.curve_axial_span_mm.windows(2))
+    let at_5_1 = (data.values("curve_axial_span_mm").windows(2))
         .position(|w| w[0] <= 5.1 && 5.1 < w[1])
         .unwrap();
-    let angles = &data.curve_half_angle_deg[at_5_1..at_5_1 + 2];
+    let angles = &data.values("curve_half_angle_deg")[at_5_1..at_5_1 + 2];
     assert!(angles[1] < 25.2 && 25.2 < angles[0], "{angles:?}");
 }
 
@@ -236,8 +255,8 @@ fn maps_and_places_are_those_of_their_cells_and_structures() {
 fn differences_are_told_from_scatter() {
     let (file, mut found) = found();
     let sentence = |found: &Found| {
-        let data = search_data(&file, found, vec![]).unwrap();
-        data.findings[1].clone()
+        let data = search_record(&file, found, vec![], &[]);
+        data.sentences("findings")[1].clone()
     };
     let runs = |values: [f64; 3]| {
         Statistics::new(
