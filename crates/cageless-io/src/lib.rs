@@ -8,11 +8,11 @@
 //! journals. Without it the crate compiles for `wasm32-unknown-unknown` with few dependencies.
 //!
 //! ```
-//! use cageless_io::case_file::{CaseFile, OverTime, template};
+//! use cageless_io::case_file::{CaseFile, template};
 //!
 //! let file = CaseFile::parse(&template(false), "template", &[])?;
 //! assert_eq!(file.case().bearing.balls(), 14);
-//! assert_eq!(file.document().operation.radial_load_n, Some(OverTime::Constant(1500.0)));
+//! assert_eq!(file.document().number("operation.radial_load_n"), Some(1500.0));
 //! # Ok::<(), cageless_io::case_file::CaseError>(())
 //! ```
 

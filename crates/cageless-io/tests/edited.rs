@@ -1,25 +1,25 @@
 //! A case file with other values keeps what the user wrote.
 
-use cageless_io::case_file::{CaseFile, RacewayDocument};
+use cageless_io::case_file::{CaseFile, SectionValues};
 
 fn parse(text: &str, sets: &[&str]) -> CaseFile {
     let sets: Vec<String> = sets.iter().map(|&set| set.to_owned()).collect();
     CaseFile::parse(text, "case.toml", &sets).unwrap()
 }
 
-fn raceway(axial_span_mm: f64, half_angle_deg: f64, centre_angle_deg: f64) -> RacewayDocument {
-    RacewayDocument {
-        axial_span_mm,
-        half_angle_deg,
-        centre_angle_deg,
-        depth_error_um: 0.0,
-    }
+fn raceway(axial_span_mm: f64, half_angle_deg: f64, centre_angle_deg: f64) -> SectionValues {
+    vec![
+        ("axial_span_mm", axial_span_mm.into()),
+        ("half_angle_deg", half_angle_deg.into()),
+        ("centre_angle_deg", centre_angle_deg.into()),
+        ("depth_error_um", 0.0.into()),
+    ]
 }
 
 /// The edited text, which must read back as the document.
-fn edited(file: &CaseFile, raceways: &[RacewayDocument]) -> String {
+fn edited(file: &CaseFile, raceways: &[SectionValues]) -> String {
     let mut document = file.document().clone();
-    document.raceway = raceways.to_vec();
+    document.set_sections("raceway", raceways);
     let text = file.edited(&document).unwrap();
     assert_eq!(parse(&text, &[]).document(), &document, "{text}");
     text

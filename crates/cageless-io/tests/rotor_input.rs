@@ -2,7 +2,7 @@
 
 use crate::common::{edited, refused};
 use cageless::Start;
-use cageless_io::case_file::{CaseFile, OverTime};
+use cageless_io::case_file::{CaseFile, CaseValue};
 
 fn touchdown() -> String {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/touchdown-d.toml");
@@ -150,8 +150,8 @@ fn speed_and_load_may_be_tables_over_time() {
     );
     assert_eq!(file.case().operation.inner_speed_rad_s, 0.0);
     assert_eq!(
-        file.document().operation.inner_speed_rpm,
-        Some(OverTime::Table(vec![[0.0, 0.0], [0.5, 12000.0]]))
+        file.value("operation.inner_speed_rpm"),
+        Some(CaseValue::Table(vec![[0.0, 0.0], [0.5, 12000.0]]))
     );
     let again = parse(&file.document().to_toml().unwrap());
     assert_eq!(again.case(), file.case());

@@ -3,7 +3,7 @@
 use cageless::design::{Eq11, Estimate, theoretical_gap_rad};
 use cageless::equilibrium;
 use cageless::simulation::Control;
-use cageless_io::case_file::{CaseBase, CaseFile, CaseValue, Change};
+use cageless_io::case_file::{CaseDocument, CaseFile, CaseValue, Change};
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
 
@@ -42,7 +42,7 @@ pub(crate) fn map(grid: &Grid, control: &mut dyn FnMut(f64) -> Control) -> Resul
     };
     let [span_key, angle_key] =
         ["axial_span_mm", "half_angle_deg"].map(|k| format!("{raceway}.{k}"));
-    let case = CaseBase::parse(&grid.case, "case")?;
+    let case = CaseDocument::parse(&grid.case, "case")?;
     let across = Span::of_key(&span_key, low, high)?;
     let (mut beta0, mut ranges) = (vec![], vec![]);
     let mut margins: Map<String, Value> = Map::new();

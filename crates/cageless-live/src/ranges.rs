@@ -1,7 +1,7 @@
 //! Possible values of the keys of a case, found by trying.
 
 use cageless::simulation::Control;
-use cageless_io::case_file::{CaseBase, CaseValue, Change};
+use cageless_io::case_file::{CaseDocument, CaseValue, Change};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -78,7 +78,7 @@ pub(crate) fn ranges(
         let message = format!("at most {CONTROLS_MAX} controls and keys of each are allowed");
         return Err(Refusal::new(message));
     }
-    let base = CaseBase::parse(case, "case")?;
+    let base = CaseDocument::parse(case, "case")?;
     let mut found = serde_json::Map::new();
     for (k, span) in spans.iter().enumerate() {
         if control(k as f64 / spans.len() as f64).is_break() {
@@ -91,7 +91,7 @@ pub(crate) fn ranges(
 }
 
 /// The ranges `[low, high]` of one control within which the case as a whole is possible.
-pub(crate) fn possible(base: &CaseBase, span: &Span) -> Vec<[f64; 2]> {
+pub(crate) fn possible(base: &CaseDocument, span: &Span) -> Vec<[f64; 2]> {
     let allowed = |value: f64| {
         let part = (value - span.low) / (span.high - span.low);
         let values: Vec<CaseValue> = span

@@ -22,7 +22,7 @@ const CURVE_POINTS: usize = 240;
 /// conventional.
 pub fn rings_of(file: &CaseFile, result: &DesignResult) -> Vec<(&'static str, Case)> {
     let own = file.case();
-    let conventional = entered(file, vec![], None);
+    let conventional = entered(file, &[], None);
     let rings = [
         (
             "recommended",

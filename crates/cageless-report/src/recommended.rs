@@ -1,9 +1,9 @@
 //! The raceway that a design page is about: shape, drawing dimensions, text for a case file.
 
 use cageless::Case;
-use cageless_io::case_file::{CaseDocument, CaseFile, RacewayDocument};
+use cageless_io::case_file::{CaseDocument, CaseFile};
 use cageless_results::Cell;
-use cageless_study::{DesignResult, entered, parameter};
+use cageless_study::{DesignResult, parameter, raceway_section, with_raceways};
 use serde::{Deserialize, Serialize};
 
 use crate::data::{Parameter, RacewayLabel};
@@ -33,57 +33,61 @@ pub struct ShownRaceway {
 /// Name of a raceway that passes its verdict.
 const RECOMMENDED: &str = "recommended raceway";
 
-/// The raceways that are recommended, or the starting point, as entered in a case file.
-pub fn recommended(
-    file: &CaseFile,
-    result: &DesignResult,
-) -> Option<(&'static str, Vec<RacewayDocument>)> {
-    let at = |span: f64, angle: f64, centre: f64| RacewayDocument {
-        axial_span_mm: (span * 1e3).round() / 1e3,
-        half_angle_deg: (angle * 1e3).round() / 1e3,
-        centre_angle_deg: centre,
-        depth_error_um: 0.0,
+/// The case file with the raceways that are recommended, or the starting point, in the place of its
+/// own.
+fn recommended(file: &CaseFile, result: &DesignResult) -> Option<(&'static str, CaseDocument)> {
+    let rounded = |value: f64| (value * 1e3).round() / 1e3;
+    let at = |span: f64, angle: f64, centre: f64| {
+        raceway_section(rounded(span), rounded(angle), centre, 0.0)
     };
     if let Some(found) = result.search.as_ref().and_then(|s| s.part("recommended")) {
         let [span, angle] = ["axial_span_mm", "half_angle_deg"].map(|name| found.number(name));
         let centres = found.items("centre_angles_deg").iter();
         let raceways = centres.filter_map(Cell::number).map(|c| at(span, angle, c));
-        return Some((RECOMMENDED, raceways.collect()));
+        let raceways: Vec<_> = raceways.collect();
+        return Some((RECOMMENDED, with_raceways(file, &raceways)));
     }
     let near = result.recommendation()?;
-    let centre = file
-        .document()
-        .raceway
-        .first()
-        .map_or(0.0, |r| r.centre_angle_deg);
+    let centre = file.document().number("raceway.1.centre_angle_deg");
     let name = match near.passes() {
         Some(true) => RECOMMENDED,
         _ => "starting point (fails)",
     };
     let [span, angle] = near.dimensions();
-    Some((name, vec![at(span, angle, centre)]))
+    let raceway = at(span, angle, centre.unwrap_or(0.0));
+    Some((name, with_raceways(file, &[raceway])))
 }
 
 /// The case file with the recommended raceways in the place of its own; `None` if no raceway passes
 /// its verdict.
 pub fn recommended_document(file: &CaseFile, result: &DesignResult) -> Option<CaseDocument> {
-    let (name, raceway) = recommended(file, result)?;
-    (name == RECOMMENDED).then(|| CaseDocument {
-        raceway,
-        ..file.document().clone()
-    })
+    let (name, document) = recommended(file, result)?;
+    (name == RECOMMENDED).then_some(document)
 }
 
 /// The case with the recommended raceways in the place of its own.
 pub fn recommended_case(file: &CaseFile, result: &DesignResult) -> Option<Case> {
-    entered(file, recommended(file, result)?.1, None)
+    case_of(recommended(file, result)?.1)
+}
+
+/// The case of a document; `None` if it is impossible.
+fn case_of(document: CaseDocument) -> Option<Case> {
+    let file = CaseFile::from_document(document, "case").ok()?;
+    Some(file.case().clone())
+}
+
+/// Values of a key of all raceways.
+fn values(document: &CaseDocument, key: &str) -> Vec<f64> {
+    let numbers = 1..=document.count("raceway");
+    let value = |k: usize| document.number(&format!("raceway.{k}.{key}"));
+    numbers.filter_map(value).collect()
 }
 
 impl ShownRaceway {
     /// The recommended raceway of `result`; `None` if there is none.
     pub fn new(file: &CaseFile, result: &DesignResult) -> Option<Self> {
-        let (name, raceways) = recommended(file, result)?;
-        let case = entered(file, raceways.clone(), None)?;
+        let (name, document) = recommended(file, result)?;
+        let case = case_of(document.clone())?;
         let raceway = case.raceways.first()?;
         let label = RacewayLabel::new("", Some(raceway));
         let surface = RacewaySurface::sample(raceway, &case.bearing, label.clone());
@@ -99,10 +103,10 @@ impl ShownRaceway {
         let number = |name: &str, value: Option<f64>, digits: usize, unit: &str| {
             value.map(|v| parameter(name, format!("{v:.digits$}"), unit))
         };
-        let first = &raceways[0];
+        let first = |key: &str| document.number(&format!("raceway.1.{key}"));
         let facts = [
-            number("axial span lC", Some(first.axial_span_mm), 3, "mm"),
-            number("half angle θ", Some(first.half_angle_deg), 3, "°"),
+            number("axial span lC", first("axial_span_mm"), 3, "mm"),
+            number("half angle θ", first("half_angle_deg"), 3, "°"),
             number("largest depth below the plain groove", Some(depth), 1, "µm"),
             number(
                 "guaranteed gap after the raceway (critical gap)",
@@ -129,8 +133,8 @@ impl ShownRaceway {
             passes,
             headline,
             facts: facts.into_iter().flatten().collect(),
-            drawing: drawing(&case, &raceways, depth, height),
-            toml: toml(&raceways),
+            drawing: drawing(&case, &document, depth, height),
+            toml: toml(&document),
             contact_track: ContactTrack::sample(raceway, &case.bearing, label),
             surface,
         })
@@ -150,29 +154,23 @@ fn verdict(result: &DesignResult) -> (Option<bool>, String) {
 }
 
 /// Dimensions of the first raceway and of the ring around it.
-fn drawing(case: &Case, raceways: &[RacewayDocument], depth: f64, height: f64) -> Vec<Parameter> {
+fn drawing(case: &Case, document: &CaseDocument, depth: f64, height: f64) -> Vec<Parameter> {
     let d = case.bearing.dimensions();
-    let first = &raceways[0];
+    let [span, angle] = ["axial_span_mm", "half_angle_deg"].map(|key| values(document, key)[0]);
     let bottom = d.outer_groove_bottom_radius_m * 1e3;
     let line = |name: &str, value: f64, digits: usize, unit: &str| {
         parameter(name, format!("{value:.digits$}"), unit)
     };
-    let centres: Vec<String> = raceways
-        .iter()
-        .map(|r| format!("{:.3}", r.centre_angle_deg))
+    let centres: Vec<String> = (values(document, "centre_angle_deg").iter())
+        .map(|centre| format!("{centre:.3}"))
         .collect();
-    let contact = (first.axial_span_mm / 2.0 / (d.ball_radius_m * 1e3)).clamp(0.0, 1.0);
+    let contact = (span / 2.0 / (d.ball_radius_m * 1e3)).clamp(0.0, 1.0);
     vec![
-        line(
-            "axial span lC of the contact track",
-            first.axial_span_mm,
-            3,
-            "mm",
-        ),
-        line("half angle θ", first.half_angle_deg, 3, "°"),
+        line("axial span lC of the contact track", span, 3, "mm"),
+        line("half angle θ", angle, 3, "°"),
         line(
             "length along the groove bottom, 2θ·Ro",
-            2.0 * first.half_angle_deg.to_radians() * bottom,
+            2.0 * angle.to_radians() * bottom,
             3,
             "mm",
         ),
@@ -211,20 +209,19 @@ fn drawing(case: &Case, raceways: &[RacewayDocument], depth: f64, height: f64) -
 }
 
 /// The raceways as a case file takes them.
-fn toml(raceways: &[RacewayDocument]) -> String {
-    let section = if raceways.len() == 1 {
-        "[raceway]"
-    } else {
-        "[[raceway]]"
+fn toml(document: &CaseDocument) -> String {
+    let section = match document.count("raceway") {
+        1 => "[raceway]",
+        _ => "[[raceway]]",
     };
-    raceways
-        .iter()
-        .map(|r| {
-            format!(
-                "{section}\naxial_span_mm = {:?}\nhalf_angle_deg = {:?}\ncentre_angle_deg = {:?}\n",
-                r.axial_span_mm, r.half_angle_deg, r.centre_angle_deg
-            )
-        })
-        .collect::<Vec<_>>()
-        .join("\n")
+    let keys = ["axial_span_mm", "half_angle_deg", "centre_angle_deg"];
+    let [spans, angles, centres] = keys.map(|key| values(document, key));
+    let raceways = spans.iter().zip(&angles).zip(&centres);
+    let raceways = raceways.map(|((span, angle), centre)| {
+        format!(
+            "{section}\naxial_span_mm = {span:?}\nhalf_angle_deg = {angle:?}\n\
+             centre_angle_deg = {centre:?}\n"
+        )
+    });
+    raceways.collect::<Vec<_>>().join("\n")
 }

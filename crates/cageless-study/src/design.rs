@@ -6,12 +6,12 @@ use cageless::design::{Judgement, Recommendation, judge_watched, recommend, stea
 use cageless::raceway::RacewayDimensions;
 use cageless::recorder::Recorder;
 use cageless::snapshot::Snapshot;
-use cageless_io::case_file::{CaseFile, RacewayDocument};
+use cageless_io::case_file::CaseFile;
 
 use cageless_results::{Recommended, Record, design_record};
 use serde::Serialize;
 
-use crate::entered::{entered, raceway_document};
+use crate::entered::{entered, entered_raceway};
 use crate::error::StudyError;
 use crate::progress::Progress;
 
@@ -94,13 +94,9 @@ pub fn judged(file: &CaseFile, progress: &dyn Progress) -> Result<Judged, StudyE
         return Err(StudyError::Interrupted);
     }
     let entered = |dimensions: RacewayDimensions| {
-        let first = file.document().raceway.first();
-        let depth_error_um = first.map_or(0.0, |raceway| raceway.depth_error_um);
-        let raceway = RacewayDocument {
-            depth_error_um,
-            ..raceway_document(&dimensions)
-        };
-        entered(file, vec![raceway], None)
+        let depth_error_um = file.document().number("raceway.1.depth_error_um");
+        let raceway = entered_raceway(&dimensions, depth_error_um.unwrap_or(0.0));
+        entered(file, &[raceway], None)
     };
     let mut control = task.run_control(1.0, RECOMMENDATION_WORK);
     let recommendation = match recommend(case, &entered, &mut *control) {

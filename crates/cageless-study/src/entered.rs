@@ -3,34 +3,54 @@
 use cageless::Case;
 use cageless::design::search::OperatingPoint;
 use cageless::raceway::RacewayDimensions;
-use cageless_io::case_file::{CaseFile, OverTime, RacewayDocument};
+use cageless_io::case_file::{CaseDocument, CaseFile, SectionValues};
+
+/// The section `[raceway]` of these lengths in mm, angles in degrees and depth error in µm.
+pub fn raceway_section(
+    axial_span_mm: f64,
+    half_angle_deg: f64,
+    centre_angle_deg: f64,
+    depth_error_um: f64,
+) -> SectionValues {
+    vec![
+        ("axial_span_mm", axial_span_mm.into()),
+        ("half_angle_deg", half_angle_deg.into()),
+        ("centre_angle_deg", centre_angle_deg.into()),
+        ("depth_error_um", depth_error_um.into()),
+    ]
+}
 
 /// A raceway as it is printed and entered: whole micrometres and thousandths of a degree.
-pub fn raceway_document(dimensions: &RacewayDimensions) -> RacewayDocument {
+pub fn entered_raceway(dimensions: &RacewayDimensions, depth_error_um: f64) -> SectionValues {
     let degrees = |angle: f64| (angle.to_degrees() * 1e3).round() / 1e3;
-    RacewayDocument {
-        axial_span_mm: (dimensions.axial_span_m * 1e6).round() / 1e3,
-        half_angle_deg: degrees(dimensions.half_angle_rad),
-        centre_angle_deg: degrees(dimensions.centre_angle_rad),
-        depth_error_um: 0.0,
-    }
+    raceway_section(
+        (dimensions.axial_span_m * 1e6).round() / 1e3,
+        degrees(dimensions.half_angle_rad),
+        degrees(dimensions.centre_angle_rad),
+        depth_error_um,
+    )
+}
+
+/// The document of a case with these raceways in the place of its own.
+pub fn with_raceways(file: &CaseFile, raceways: &[SectionValues]) -> CaseDocument {
+    let mut document = file.document().clone();
+    document.set_sections("raceway", raceways);
+    document
 }
 
 /// The case with these raceways in the place of its own, at this speed and load or its own;
 /// `None` if that is impossible. An automatic step follows the raceways.
 pub fn entered(
     file: &CaseFile,
-    raceways: Vec<RacewayDocument>,
+    raceways: &[SectionValues],
     point: Option<&OperatingPoint>,
 ) -> Option<Case> {
-    let mut document = file.document().clone();
-    document.raceway = raceways;
+    let mut document = with_raceways(file, raceways);
     if let Some(point) = point {
         let rpm = point.inner_speed_rad_s * 60.0 / std::f64::consts::TAU;
         // Rounding away what the conversion to SI leaves.
-        let rpm = (rpm * 1e6).round() / 1e6;
-        document.operation.inner_speed_rpm = Some(OverTime::Constant(rpm));
-        document.operation.radial_load_n = Some(OverTime::Constant(point.radial_load_n));
+        document.set("operation.inner_speed_rpm", (rpm * 1e6).round() / 1e6);
+        document.set("operation.radial_load_n", point.radial_load_n);
     }
     let entered = CaseFile::from_document(document, "case").ok()?;
     Some(entered.case().clone())

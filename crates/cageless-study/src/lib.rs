@@ -29,7 +29,7 @@ mod warnings;
 
 pub use cageless_results::{Provenance, profile_name, provenance};
 pub use design::DesignResult;
-pub use entered::entered;
+pub use entered::{entered, raceway_section, with_raceways};
 pub use error::StudyError;
 pub use histories::{CollisionPoint, Histories, RunHistories, SAMPLING_HZ};
 pub use parameter::{Parameter, lines, parameter, parameters};

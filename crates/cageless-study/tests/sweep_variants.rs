@@ -211,12 +211,12 @@ fn one_raceway_of_several_can_vary() {
     let plan = PlanFile::parse(&text, "plan", folder.path()).expect("a plan");
     let sweep = Sweep::new(plan).expect("a sweep");
     assert_eq!(
-        sweep.file(1).expect("a case").cases()[0].document().raceway[1].half_angle_deg,
-        14.0
+        sweep.file(1).expect("a case").cases()[0].value("raceway.2.half_angle_deg"),
+        Some(14.0.into())
     );
     assert_eq!(
-        sweep.file(1).expect("a case").cases()[0].document().raceway[0].half_angle_deg,
-        25.2
+        sweep.file(1).expect("a case").cases()[0].value("raceway.1.half_angle_deg"),
+        Some(25.2.into())
     );
     let again = PlanFile::parse(sweep.normal(), "normal", Path::new("")).expect("a plan");
     assert_eq!(again.normal().expect("text"), sweep.normal());

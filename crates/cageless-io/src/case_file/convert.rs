@@ -1,31 +1,32 @@
-//! Conversion of the document to the case in SI units, with the checks of [`cageless`].
+//! Conversion of the sections to the case, with the checks of [`cageless`].
 
 mod bearing;
 mod material;
 mod operation;
-mod raceway;
 mod search;
-mod solver;
 mod start;
-mod support;
 
 use cageless::design::search::Request;
+use cageless::rotor::SupportStop;
 use cageless::step_limits::StepLimits;
-use cageless::{Case, InputError, Solver};
+use cageless::{Bearing, Case, InputError, Raceway, RacewayDimensions, Solver, Support};
 
 use super::converter::Converter;
-use super::document::{CaseDocument, SCHEMA};
+use super::document::CaseDocument;
 use super::error::CaseError;
-use super::fields::StepDocument;
-use super::spanned_toml::{Places, join, nth};
+use super::sections::CaseSections;
+use super::spanned_toml::{join, nth};
 use super::{keys, messages};
 
 /// No contact of a bearing needs steps this short.
 const NO_STEP_S: f64 = 1e-12;
+/// Step of a case whose step is still to be chosen.
+const PROVISIONAL_STEP_S: f64 = 1e-6;
 
 /// Converts and checks.
-pub(super) fn case(document: &CaseDocument, places: &Places) -> Result<(Case, Request), CaseError> {
-    let converter = Converter { document, places };
+pub(super) fn case(document: &CaseDocument) -> Result<(Case, Request), CaseError> {
+    let sections = &CaseSections::read(document)?;
+    let converter = Converter { sections, document };
     let case = converter.case()?;
     let search = converter.search(&case)?;
     Ok((case, search))
@@ -33,35 +34,33 @@ pub(super) fn case(document: &CaseDocument, places: &Places) -> Result<(Case, Re
 
 impl Converter<'_> {
     fn case(&self) -> Result<Case, CaseError> {
-        let document = self.document;
-        if document.schema != SCHEMA {
-            let allowed = format!("{SCHEMA}, the only schema that this version of Cageless reads");
-            return Err(self.refuse("schema", &document.schema.to_string(), &allowed));
-        }
+        let s = self.sections;
         let bearing = self.bearing()?;
         self.check_export_dimensions(&bearing)?;
         let raceways = self.raceways(&bearing)?;
-        let housing = document.housing.as_ref();
-        let si =
-            |section: &'static str| move |key: &str, value| self.si(&join(section, key), value);
         let start = self.start(&bearing)?;
-        let rotor = document.rotor.as_ref();
         let mut case = Case {
-            title: document.title.clone(),
+            title: s.head.title.clone(),
             bearing,
             raceways,
             operation: self.operation()?,
-            contact: document.contact.to_si(&si("contact"))?,
-            profile: document.model.formulation,
+            contact: s.contact.clone(),
+            profile: s.model.formulation,
             start,
-            solver: self.solver()?,
-            seed: self.seed()?,
-            housing: housing.map(|h| h.to_si(&si("housing"))).transpose()?,
-            rotor: rotor.map(|r| r.to_si(&si("rotor"))).transpose()?,
+            solver: Solver {
+                method: s.solver.method,
+                // An automatic step is put right once the case is known.
+                step_s: s.solver.step_s.0.unwrap_or(PROVISIONAL_STEP_S),
+                tolerance: s.solver.tolerance,
+                duration_s: s.solver.duration_s,
+            },
+            seed: s.solver.seed,
+            housing: s.housing.clone(),
+            rotor: s.rotor.clone(),
             support: self.support()?,
-            output: document.output.to_si(&si("output"))?,
+            output: s.output.clone(),
         };
-        let automatic = document.solver.step_us == StepDocument::Auto;
+        let automatic = s.solver.step_s.0.is_none();
         if automatic {
             let step_s = StepLimits::new(&case).automatic_s(case.solver.method);
             if step_s.is_finite() {
@@ -77,29 +76,60 @@ impl Converter<'_> {
         Ok(case)
     }
 
+    /// The discrete raceways.
+    fn raceways(&self, bearing: &Bearing) -> Result<Vec<Raceway>, CaseError> {
+        let raceways = self.sections.raceway.iter().enumerate();
+        let raceways = raceways.map(|(index, raceway)| {
+            let dimensions = RacewayDimensions {
+                axial_span_m: raceway.axial_span_m,
+                half_angle_rad: raceway.half_angle_rad,
+                centre_angle_rad: raceway.centre_angle_rad,
+            };
+            Raceway::new(dimensions, bearing)
+                .and_then(|made| made.with_depth_error(raceway.depth_error_m))
+                .map_err(|e| self.refused(&e, Some(index)))
+        });
+        raceways.collect()
+    }
+
+    /// The support of the outer ring.
+    fn support(&self) -> Result<Option<Support>, CaseError> {
+        let Some(s) = &self.sections.support else {
+            return Ok(None);
+        };
+        let stop = match (s.stop_gap_m, s.stop_stiffness_n_m) {
+            (None, None) => None,
+            (Some(gap_m), Some(stiffness_n_m)) => Some(SupportStop {
+                gap_m,
+                stiffness_n_m,
+            }),
+            (None, Some(_)) => return Err(self.missing("support", "stop_gap_um")),
+            (Some(_), None) => return Err(self.missing("support", "stop_stiffness_n_m")),
+        };
+        Ok(Some(Support {
+            mass_kg: s.support_mass_kg,
+            stiffness_n_m: s.support_stiffness_n_m,
+            damping_n_s_m: s.support_damping_n_s_m,
+            stop,
+        }))
+    }
+
     fn refused_case(&self, error: &InputError, case: &Case) -> CaseError {
         match error.field {
             "gaps" => {
-                let (value, allowed) = messages::gaps(self.document, &case.bearing);
-                self.refuse("start.gaps", &value, &allowed)
+                let allowed = messages::gaps(self.document, &case.bearing);
+                self.refuse("start.gaps", &allowed)
             }
             "ring_x_m" | "ring_y_m" => {
                 let path = keys::of_field(None, error.field)
                     .map_or_else(String::new, |(s, k)| join(s, k.name));
-                let value = error.value * 1e6;
-                self.refuse(
-                    &path,
-                    &format!("{value} um"),
-                    &messages::ring(&case.bearing),
-                )
+                self.refuse(&path, &messages::ring(&case.bearing))
             }
             "centre_angle_rad" => match messages::overlap(case) {
-                Some((one, other, allowed)) => {
-                    let count = self.document.raceway.len();
+                Some((other, allowed)) => {
+                    let count = self.sections.raceway.len();
                     let path = join(&nth("raceway", other, count), "centre_angle_deg");
-                    let value = self.document.raceway[other].centre_angle_deg;
-                    debug_assert!(one < other);
-                    self.refuse(&path, &value.to_string(), &allowed)
+                    self.refuse(&path, &allowed)
                 }
                 None => self.refused(error, None),
             },
@@ -119,6 +149,6 @@ impl Converter<'_> {
              mass and drag of the inner ring, stiffness and damping of the contacts decide",
             step_s.max(f64::MIN_POSITIVE)
         );
-        self.places.error("solver.step_us", message)
+        self.document.tree.error("solver.step_us", message)
     }
 }

@@ -1,225 +1,225 @@
-//! A case file as data: exactly the keys of the TOML, in the units of the file.
-//! The last words of each name are its unit; [`cageless::Case`] says what each
-//! quantity is.
+//! A case file as a tree: exactly the keys of the TOML, in the units of the file.
+
+use std::path::Path;
 
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use super::declaration::SectionDocument;
 use super::error::CaseError;
-use super::file_reader::FileReader;
-use super::key::Line::Shown;
-use super::key::{Key, Kind, Line, Presence, Values};
-pub use super::sections::bearing::{Assumption, BearingDocument};
-pub use super::sections::contact::ContactDocument;
-pub use super::sections::housing::HousingDocument;
-pub use super::sections::material::{MaterialDocument, MaterialPreset, PartMaterialDocument};
-pub use super::sections::model::ModelDocument;
-pub use super::sections::operation::OperationDocument;
-pub use super::sections::output::OutputDocument;
-pub use super::sections::raceway::RacewayDocument;
-pub use super::sections::rotor::RotorDocument;
-pub use super::sections::search::SearchDocument;
-pub use super::sections::solver::SolverDocument;
-pub use super::sections::start::StartDocument;
-pub use super::sections::support::SupportDocument;
-use super::spanned_toml::join;
-use super::unit::Unit;
+use super::key::Key;
+use super::overrides::{Replacement, section_at};
+use super::sections::{HEAD, SECTIONS, SectionTable};
+use super::spanned_toml::{Node, Origin, Section, Tree, Value, join, nth};
 use super::value::CaseValue;
+use super::{CaseFile, keys, read_text};
 
 /// The only schema of case files so far.
 pub const SCHEMA: u64 = 1;
 
-/// One section of the file format.
-#[derive(Debug)]
-pub(crate) struct SectionTable {
-    pub name: &'static str,
-    /// What the section holds.
-    pub meaning: &'static str,
-    pub keys: &'static [Key],
-    /// Whether the section may be left out as a whole, and then has no values.
-    pub optional: bool,
-    /// Its heading in the template: in force or not, with a comment.
-    pub heading: Heading,
+/// A case file as a tree. Serialised, it is the case in `summary.json`. One discrete raceway is
+/// written as a `[raceway]`, several as `[[raceway]]`.
+#[derive(Debug, Clone)]
+pub struct CaseDocument {
+    pub(crate) tree: Tree,
 }
 
-/// Heading of a section in the template.
+/// A key and its new value.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Heading {
-    /// In force.
-    Shown(&'static str),
-    /// The whole section is commented out.
-    Commented(&'static str),
-    /// The template does not have it.
-    Absent,
+pub struct Change<'a> {
+    /// `section.key`, or `raceway.2.key` for the second of several raceways.
+    pub key: &'a str,
+    /// The value.
+    pub value: &'a CaseValue,
+    /// File and line that the change comes from, for messages.
+    pub place: (&'a str, usize),
 }
 
-/// A kind of section: required or with defaults, optional, or several of one name.
-pub(super) trait SectionField: Sized {
-    const KEYS: &'static [Key];
-    const OPTIONAL: bool;
-
-    fn read(file: &mut FileReader<'_>, name: &'static str) -> Result<Self, CaseError>;
-
-    /// The keys of each section of the name.
-    fn each(&self) -> Vec<Values>;
-}
-
-impl<D: SectionDocument> SectionField for D {
-    const KEYS: &'static [Key] = D::KEYS;
-    const OPTIONAL: bool = false;
-
-    fn read(file: &mut FileReader<'_>, name: &'static str) -> Result<Self, CaseError> {
-        D::read(&mut file.section(name, D::KEYS)?)
-    }
-
-    fn each(&self) -> Vec<Values> {
-        vec![self.values()]
-    }
-}
-
-impl<D: SectionDocument> SectionField for Option<D> {
-    const KEYS: &'static [Key] = D::KEYS;
-    const OPTIONAL: bool = true;
-
-    fn read(file: &mut FileReader<'_>, name: &'static str) -> Result<Self, CaseError> {
-        file.has(name)
-            .then(|| D::read(&mut file.section(name, D::KEYS)?))
-            .transpose()
-    }
-
-    fn each(&self) -> Vec<Values> {
-        self.iter().map(D::values).collect()
-    }
-}
-
-impl<D: SectionDocument> SectionField for Vec<D> {
-    const KEYS: &'static [Key] = D::KEYS;
-    const OPTIONAL: bool = true;
-
-    fn read(file: &mut FileReader<'_>, name: &'static str) -> Result<Self, CaseError> {
-        file.sections(name, D::KEYS, D::read)
-    }
-
-    fn each(&self) -> Vec<Values> {
-        self.iter().map(D::values).collect()
-    }
-}
-
-/// Declares the sections in the order of the file format.
-macro_rules! case_document {
-    ($( $section:ident: $Document:ty, $meaning:literal, $heading:expr; )*) => {
-        /// A whole case file, every default filled in. Serialised, it is the case in
-        /// `summary.json`. One discrete raceway is written as a `[raceway]`, several as
-        /// `[[raceway]]`.
-        #[derive(Debug, Clone, PartialEq)]
-        pub struct CaseDocument {
-            /// Version of the file format.
-            pub schema: u64,
-            /// Free text.
-            pub title: String,
-            $( #[doc = $meaning] pub $section: $Document, )*
-        }
-
-        /// Sections and what each holds, in the order of the template.
-        pub(crate) const SECTIONS: &[SectionTable] = &[ $( SectionTable {
-            name: stringify!($section),
-            meaning: $meaning,
-            keys: <$Document as SectionField>::KEYS,
-            optional: <$Document as SectionField>::OPTIONAL,
-            heading: $heading,
-        }, )* ];
-
-        impl CaseDocument {
-            pub(super) fn read(
-                schema: u64,
-                title: String,
-                file: &mut FileReader<'_>,
-            ) -> Result<Self, CaseError> {
-                $( let $section = SectionField::read(file, stringify!($section))?; )*
-                Ok(Self { schema, title, $( $section, )* })
-            }
-
-            /// Every section with its keys and values.
-            fn sections(&self) -> Vec<(&'static str, Vec<Values>)> {
-                vec![ $( (stringify!($section), self.$section.each()), )* ]
-            }
-        }
-    };
-}
-
-case_document! {
-    bearing: BearingDocument, "dimensions and masses of rings and balls", Heading::Shown("");
-    material: MaterialDocument, "elastic material of rings and balls",
-        Heading::Shown("of rings and balls: bearing steel");
-    ball_material: Option<PartMaterialDocument>, "material of the balls, if different",
-        Heading::Commented("of the balls, if different (hybrid bearing)");
-    ring_material: Option<PartMaterialDocument>, "material of the rings, if different",
-        Heading::Commented("of the rings, if different");
-    raceway: Vec<RacewayDocument>, "the discrete raceway",
-        Heading::Shown("several: [[raceway]] sections; none: a conventional ring");
-    operation: OperationDocument, "speed and load", Heading::Shown("");
-    contact: ContactDocument, "friction, damping and stiffness", Heading::Shown("");
-    model: ModelDocument, "the set of equations", Heading::Shown("");
-    start: StartDocument, "the initial state",
-        Heading::Commented("the whole section may be left out");
-    solver: SolverDocument, "integration", Heading::Shown("");
-    housing: Option<HousingDocument>, "the support of the outer ring",
-        Heading::Commented("support of the outer ring; gives its vibration");
-    rotor: Option<RotorDocument>, "a rotor that falls onto the inner ring",
-        Heading::Absent;
-    support: Option<SupportDocument>, "support of the outer ring under a falling rotor",
-        Heading::Absent;
-    output: OutputDocument, "what a run writes", Heading::Shown("");
-    search: Option<SearchDocument>, "what a search for the raceway looks at",
-        Heading::Commented("ranges of `design --search`");
-}
-
-const fn head(
-    name: &'static str,
-    kind: Kind,
-    presence: fn() -> Presence<Option<CaseValue>>,
-    meaning: &'static str,
-    line: Line,
-) -> Key {
-    Key {
-        name,
-        formerly: "",
-        unit: Unit::None,
-        field: "",
-        meaning,
-        kind,
-        presence,
-        line,
-    }
-}
-
-/// Keys of the head of the file.
-pub(crate) const HEAD: &[Key] = &[
-    head(
-        "schema",
-        Kind::Whole,
-        || Presence::Default(Some(CaseValue::Integer(SCHEMA as i64))),
-        "version of the file format",
-        Shown("1", "version of this file format"),
-    ),
-    head(
-        "title",
-        Kind::Text,
-        || Presence::Default(Some(CaseValue::Text(String::new()))),
-        "free text",
-        Shown("\"Zhao 2022, structure (d)\"", "free text"),
-    ),
-    head(
-        "seed",
-        Kind::Whole,
-        || Presence::Optional,
-        "solver.seed, which may be given here as well",
-        Line::Absent,
-    ),
-];
+/// The keys of one section with their values.
+pub type SectionValues = Vec<(&'static str, CaseValue)>;
 
 impl CaseDocument {
+    /// Reads the text of a case file.
+    ///
+    /// # Errors
+    /// A [`CaseError`] if the file cannot be read or is not TOML.
+    pub fn read(path: &Path) -> Result<Self, CaseError> {
+        let name = path.display().to_string();
+        let text =
+            read_text(path, "case file").map_err(|message| CaseError::of_file(&name, message))?;
+        Self::parse(&text, &name)
+    }
+
+    /// Parses the text of a case file; `name` stands for it in messages.
+    ///
+    /// # Errors
+    /// A [`CaseError`] if the text is not TOML.
+    pub fn parse(text: &str, name: &str) -> Result<Self, CaseError> {
+        Ok(Self::from_sections(super::source(text, name)?, name))
+    }
+
+    pub(crate) fn from_sections(root: Section, name: &str) -> Self {
+        let tree = Tree::new(root, name);
+        Self { tree }
+    }
+
+    /// Replaces values.
+    ///
+    /// # Errors
+    /// A [`CaseError`] if a key has no place in this case. Whether it exists and the
+    /// value fits, [`CaseDocument::with`] says.
+    pub fn change(&mut self, changes: &[Change<'_>]) -> Result<(), CaseError> {
+        let mut changes = changes.iter().map(Replacement::from_change);
+        changes.try_for_each(|change| self.replace(&change))
+    }
+
+    pub(crate) fn replace(&mut self, replacement: &Replacement) -> Result<(), CaseError> {
+        replacement.apply(&mut self.tree.root)
+    }
+
+    /// The case with `changes`.
+    ///
+    /// # Errors
+    /// A [`CaseError`] that names file and line of the change at fault, or of the document.
+    pub fn with(&self, changes: &[Change<'_>]) -> Result<CaseFile, CaseError> {
+        let mut document = self.clone();
+        document.change(changes)?;
+        CaseFile::of(document)
+    }
+
+    /// Gives a dotted key a value, and leaves keys that say the same as they are; nothing happens
+    /// where no section can have it.
+    pub fn set(&mut self, key: &str, value: impl Into<CaseValue>) {
+        let node = value.into().node(&Origin::Nowhere);
+        let path: Vec<&str> = key.split('.').collect();
+        if let Ok((section, key)) = section_at(&mut self.tree.root, &path, &node.place) {
+            section.insert(key.to_owned(), node);
+        }
+    }
+
+    /// Gives a dotted key that is left out a value.
+    pub(crate) fn set_missing(&mut self, key: &str, value: impl Into<CaseValue>) {
+        if !self.has(key) {
+            self.set(key, value);
+        }
+    }
+
+    /// Replaces the sections of a name by these.
+    pub fn set_sections(&mut self, name: &str, sections: &[SectionValues]) {
+        let section = |values: &SectionValues| {
+            let node = |(key, value): &(&str, CaseValue)| {
+                ((*key).to_owned(), value.node(&Origin::Nowhere))
+            };
+            Node::nowhere(Value::Section(values.iter().map(node).collect()))
+        };
+        self.remove(name);
+        if !sections.is_empty() {
+            let list = Value::List(sections.iter().map(section).collect());
+            let root = &mut self.tree.root;
+            root.insert(name.to_owned(), Node::nowhere(list));
+        }
+    }
+
+    /// Removes a dotted key, or all sections of a name.
+    pub fn remove(&mut self, key: &str) {
+        let path: Vec<&str> = key.split('.').collect();
+        let nowhere = Node::nowhere(Value::Other).place;
+        if let Ok((section, key)) = section_at(&mut self.tree.root, &path, &nowhere) {
+            section.remove(key);
+        }
+    }
+
+    /// The value of a dotted key; `None` if it is left out or not a key.
+    pub fn value(&self, key: &str) -> Option<CaseValue> {
+        let section = key.split_once('.').map_or("", |(section, _)| section);
+        let name = key.rsplit_once('.').map_or(key, |(_, name)| name);
+        CaseValue::of(keys::find(section, name)?.kind, &self.tree.find(key)?.value)
+    }
+
+    /// The number of a dotted key; `None` if it is left out or no number.
+    pub fn number(&self, key: &str) -> Option<f64> {
+        match self.value(key)? {
+            CaseValue::Number(number) => Some(number),
+            CaseValue::Integer(number) => Some(number as f64),
+            _ => None,
+        }
+    }
+
+    /// Whether a dotted key has a value.
+    pub(crate) fn has(&self, key: &str) -> bool {
+        self.tree.find(key).is_some()
+    }
+
+    /// Number of sections of a name.
+    pub fn count(&self, section: &str) -> usize {
+        match self.tree.root.get(section).map(|node| &node.value) {
+            None => 0,
+            Some(Value::List(items)) => items.len(),
+            Some(_) => 1,
+        }
+    }
+
+    /// Dotted paths and contents of the sections of a name.
+    ///
+    /// # Errors
+    /// A [`CaseError`] if one is no section, or there are several where one may be.
+    pub(crate) fn sections(
+        &self,
+        table: &SectionTable,
+    ) -> Result<Vec<(String, &Section)>, CaseError> {
+        let SectionTable { name, several, .. } = *table;
+        let Some(node) = self.tree.root.get(name) else {
+            return Ok(vec![]);
+        };
+        let items = match &node.value {
+            Value::List(items) if several => items.as_slice(),
+            _ => std::slice::from_ref(node),
+        };
+        if items.len() > SECTIONS_MAX {
+            let message = format!(
+                "{} sections [[{name}]] are not possible: there may be at most {SECTIONS_MAX}",
+                items.len()
+            );
+            return Err(items[SECTIONS_MAX].error(&self.tree.name, name, message));
+        }
+        let section = |(k, item): (usize, &'_ Node)| match &item.value {
+            Value::Section(_) => Ok(nth(name, k, items.len())),
+            Value::List(_) if !several => {
+                let message = format!("{name} may be given once only: [{name}]");
+                Err(item.error(&self.tree.name, name, message))
+            }
+            _ => Err(item.refusal(&self.tree.name, name, &format!("a section, [{name}]"))),
+        };
+        let paths = items.iter().enumerate().map(section);
+        let paths = paths.collect::<Result<Vec<_>, _>>()?;
+        let contents = items.iter().filter_map(|item| match &item.value {
+            Value::Section(entries) => Some(entries),
+            _ => None,
+        });
+        Ok(paths.into_iter().zip(contents).collect())
+    }
+
+    /// The keys and values of every section, in the order of the file format.
+    fn values(&self) -> Vec<(&'static str, Vec<SectionValues>)> {
+        let value = |key: &Key, entries: &Section| {
+            Some((
+                key.name,
+                CaseValue::of(key.kind, &entries.get(key.name)?.value)?,
+            ))
+        };
+        let values = |keys: &'static [Key], entries: &Section| -> SectionValues {
+            keys.iter().filter_map(|key| value(key, entries)).collect()
+        };
+        let mut all = vec![("", vec![values(HEAD, &self.tree.root)])];
+        for table in SECTIONS {
+            let sections = self.sections(table).unwrap_or_default();
+            let sections = sections
+                .iter()
+                .map(|(_, entries)| values(table.keys, entries));
+            all.push((table.name, sections.collect()));
+        }
+        all
+    }
+
     /// The document as a case file.
     ///
     /// # Errors
@@ -237,41 +237,30 @@ impl CaseDocument {
         toml::to_string(&Without(self, left_out))
             .map_err(|e| CaseError::of_file("case", format!("cannot be written as TOML: {e}")))
     }
-
-    /// The value of a dotted key; `None` if it is left out or not a key.
-    pub(crate) fn value(&self, key: &str) -> Option<CaseValue> {
-        let (section, rest) = key.split_once('.').unwrap_or(("", key));
-        if section.is_empty() {
-            return match rest {
-                "schema" => Some(CaseValue::Integer(self.schema as i64)),
-                "title" => Some(CaseValue::Text(self.title.clone())),
-                _ => None,
-            };
-        }
-        let (_, each) = self.sections().into_iter().find(|(s, _)| *s == section)?;
-        let (number, name) = match rest.split_once('.') {
-            Some((number, name)) => (number.parse::<usize>().ok()?, name),
-            None if each.len() == 1 => (1, rest),
-            None => return None,
-        };
-        let values = each.into_iter().nth(number.checked_sub(1)?)?;
-        let (_, value) = values.into_iter().find(|(k, _)| *k == name)?;
-        Some(value)
-    }
 }
 
-/// Keys and values as a map.
-struct Keys<'a>(&'a Values);
+/// More sections of one name than fit: discrete raceways into any ring that balls roll in.
+const SECTIONS_MAX: usize = 64;
 
-impl Serialize for Keys<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|(key, value)| (key, value)))
+/// Two documents are equal if they have the same keys and values, wherever those come from.
+impl PartialEq for CaseDocument {
+    fn eq(&self, other: &Self) -> bool {
+        self.values() == other.values()
     }
 }
 
 impl Serialize for CaseDocument {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         Without(self, &[]).serialize(serializer)
+    }
+}
+
+/// Keys and values as a map.
+struct Keys<'a>(&'a SectionValues);
+
+impl Serialize for Keys<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(key, value)| (key, value)))
     }
 }
 
@@ -282,9 +271,13 @@ impl Serialize for Without<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let Self(document, left_out) = self;
         let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("schema", &document.schema)?;
-        map.serialize_entry("title", &document.title)?;
-        for (name, mut each) in document.sections() {
+        for (name, mut each) in document.values() {
+            if name.is_empty() {
+                for (key, value) in each.iter().flatten() {
+                    map.serialize_entry(key, value)?;
+                }
+                continue;
+            }
             if let ([one], false) = (each.as_mut_slice(), name == "raceway") {
                 one.retain(|(key, _)| !left_out.contains(&join(name, key)));
                 if one.is_empty() && !left_out.is_empty() {

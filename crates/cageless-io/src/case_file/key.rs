@@ -1,20 +1,25 @@
-//! A key of the case file: type, unit, field in [`cageless`], meaning, what happens if it is left
+//! A key of a file: type, unit, limits, field in [`cageless`], meaning, what happens if it is left
 //! out, and its line in the template.
 
 use super::unit::Unit;
 use super::value::CaseValue;
 
 /// What happens if a key is left out.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Presence<T> {
-    /// The case is refused.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Presence {
+    /// The file is refused.
     Required,
     /// The key takes this value.
-    Default(T),
+    Default(CaseValue),
     /// The key takes a value that follows from the rest of the case, and counts as a default.
     Derived,
     /// The key has no value.
     Optional,
+}
+
+/// A key that takes this value if it is left out.
+pub(crate) fn default(value: impl Into<CaseValue>) -> Presence {
+    Presence::Default(value.into())
 }
 
 /// Line of a key in the template: its value and a comment.
@@ -49,6 +54,58 @@ pub(crate) enum Kind {
     NumbersOr(&'static [&'static str]),
 }
 
+/// Allowed numbers of a key, in its unit. [`cageless`] has further limits, which depend on other
+/// values.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Limit {
+    /// Any.
+    None,
+    /// More than this.
+    Above(f64),
+    /// This or more.
+    AtLeast(f64),
+    /// More than the first and less than the second.
+    Inside(f64, f64),
+    /// From the first to the second.
+    Within(f64, f64),
+}
+
+impl Limit {
+    /// Whether a number is allowed.
+    pub(super) fn has(self, value: f64) -> bool {
+        match self {
+            Self::None => true,
+            Self::Above(low) => value > low,
+            Self::AtLeast(low) => value >= low,
+            Self::Inside(low, high) => value > low && value < high,
+            Self::Within(low, high) => (low..=high).contains(&value),
+        }
+    }
+
+    /// Allowed numbers as a phrase.
+    pub(super) fn allowed(self, unit: Unit) -> String {
+        let with = |value| unit.with(value);
+        match self {
+            Self::None => "a number".to_owned(),
+            Self::Above(low) => format!("more than {}", with(low)),
+            Self::AtLeast(low) => format!("at least {}", with(low)),
+            Self::Inside(low, high) => {
+                format!("more than {} and less than {}", with(low), with(high))
+            }
+            Self::Within(low, high) => format!("between {low} and {}", with(high)),
+        }
+    }
+
+    /// Allowed whole numbers as a phrase.
+    pub(super) fn whole_numbers(self) -> String {
+        match self {
+            Self::Within(low, high) => format!("a whole number from {low} to {high}"),
+            Self::AtLeast(low) => format!("a whole number, {low} or more"),
+            _ => "a whole number, 0 or more and below 2^63".to_owned(),
+        }
+    }
+}
+
 /// One key.
 #[derive(Debug)]
 pub(crate) struct Key {
@@ -56,23 +113,26 @@ pub(crate) struct Key {
     /// Name in files of earlier versions, which is read as well; empty if none.
     pub formerly: &'static str,
     pub unit: Unit,
-    /// Field of [`cageless::InputError`]; empty if none.
+    pub limit: Limit,
+    /// Field of [`cageless::InputError`], in SI units; empty if none.
     pub field: &'static str,
     pub meaning: &'static str,
     pub kind: Kind,
-    pub presence: fn() -> Presence<Option<CaseValue>>,
+    pub presence: fn() -> Presence,
     pub line: Line,
 }
 
-/// The keys of one section with their values.
-pub(crate) type Values = Vec<(&'static str, CaseValue)>;
-
 impl Key {
     /// Meaning of the key, with its unit.
-    pub(super) fn describe(&self) -> String {
+    pub(crate) fn describe(&self) -> String {
         match self.unit.symbol() {
             "" => self.meaning.to_owned(),
             unit => format!("{}, in {unit}", self.meaning),
         }
+    }
+
+    /// Whether the file is refused if the key is left out.
+    pub(crate) fn is_required(&self) -> bool {
+        matches!((self.presence)(), Presence::Required)
     }
 }

@@ -1,7 +1,7 @@
 //! Look-up of the keys of a case file.
 
-use super::document::{HEAD, SECTIONS};
-use super::key::{Key, Presence};
+use super::key::Key;
+use super::sections::{HEAD, SECTIONS};
 use super::spanned_toml::join;
 use super::unit::Unit;
 
@@ -31,9 +31,8 @@ pub(crate) fn find(section: &str, name: &str) -> Option<&'static Key> {
 
 /// What a case lacks that is to drop a rotor.
 pub fn missing_rotor() -> String {
-    let required = |key: &&Key| matches!((key.presence)(), Presence::Required);
     let names = |section: &str| {
-        let keys = of_section(section).iter().filter(required);
+        let keys = of_section(section).iter().filter(|key| key.is_required());
         keys.map(|key| key.name).collect::<Vec<_>>().join(", ")
     };
     format!(
@@ -117,6 +116,7 @@ pub fn nearest<'a>(given: &str, candidates: impl Iterator<Item = &'a str>) -> Op
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case_file::key::Presence;
 
     #[test]
     fn every_key_sets_a_field_of_its_own() {
@@ -146,11 +146,7 @@ mod tests {
                 let shown = crate::case_file::CaseValue::from_toml(&shown["x"].value);
                 let shown = shown.map(|v| v.written());
                 let title = (section, key.name) == ("", "title");
-                assert!(
-                    title || shown == default.map(|v| v.written()),
-                    "{}",
-                    key.name
-                );
+                assert!(title || shown == Some(default.written()), "{}", key.name);
             }
         }
     }

@@ -4,9 +4,9 @@ use cageless::error::Allowed;
 use cageless::{Bearing, Case, InputError};
 
 use super::document::CaseDocument;
-use super::fields::GapsDocument;
 use super::key::Key;
 use super::unit::{Side, Unit, decimal, round};
+use super::value::CaseValue;
 
 /// Allowed values of a field of [`cageless`], in the unit of its key. Rules that contain numbers
 /// in SI units are rewritten in file units.
@@ -17,6 +17,10 @@ pub(super) fn in_file_units(
     raceway: Option<usize>,
 ) -> String {
     let unit = key.unit;
+    let span = |index: usize| {
+        let key = format!("raceway.{}.axial_span_mm", index + 1);
+        document.number(&key).unwrap_or(f64::NAN)
+    };
     let reason = |why: &str| {
         if why.is_empty() {
             String::new()
@@ -44,10 +48,10 @@ pub(super) fn in_file_units(
             reason(why)
         ),
         Allowed::Rule(rule) => match (error.field, raceway) {
-            ("half_angle_rad", Some(index)) if index < document.raceway.len() => format!(
+            ("half_angle_rad", Some(index)) => format!(
                 "an angle at which the contact path rises steadily to the plain raceway (Zhao \
                  2022, Eq. (9)): with axial_span_mm = {} it turns back or leaves the groove",
-                decimal(document.raceway[index].axial_span_mm)
+                decimal(span(index))
             ),
             _ => rule.clone(),
         },
@@ -55,35 +59,67 @@ pub(super) fn in_file_units(
     }
 }
 
-/// Given and allowed values of `start.gaps`.
-pub(super) fn gaps(document: &CaseDocument, bearing: &Bearing) -> (String, String) {
+/// Allowed values of `start.gaps`.
+pub(super) fn gaps(document: &CaseDocument, bearing: &Bearing) -> String {
     let n = bearing.balls();
-    let GapsDocument::ListDeg(gaps) = &document.start.gaps else {
-        return ("\"uniform\"".to_owned(), format!("a list of {n} gaps"));
+    let gaps = match document.value("start.gaps") {
+        Some(CaseValue::Numbers(gaps)) => gaps,
+        _ => return format!("a list of {n} gaps"),
     };
-    let value = format!("{gaps:?}");
     if gaps.len() != n {
-        let allowed = format!(
+        return format!(
             "a list of {n} gaps in deg, one per ball; these are {}",
             gaps.len()
         );
-        return (value, allowed);
     }
     if let Some((k, gap)) = gaps.iter().enumerate().find(|(_, gap)| **gap < 0.0) {
-        let allowed = format!(
+        return format!(
             "0 deg or more each, balls cannot overlap; gap {} is {gap}",
             k + 1
         );
-        return (value, allowed);
     }
-    let room = n as f64 * Unit::Degree.of_si(bearing.nominal_gap_rad());
-    let allowed = format!(
+    format!(
         "gaps that add up to {:.4} deg, which is 360 - {n} ε (Zhao 2022, Eq. (10)); these add up \
          to {:.4}",
-        room,
+        n as f64 * Unit::Degree.of_si(bearing.nominal_gap_rad()),
         gaps.iter().sum::<f64>()
-    );
-    (value, allowed)
+    )
+}
+
+/// The key that a value follows from and how, if `path` is not given itself.
+pub(super) fn origin_of(
+    document: &CaseDocument,
+    path: &str,
+) -> Option<(&'static str, &'static str)> {
+    if document.has(path) {
+        return None;
+    }
+    Some(match path {
+        "bearing.ball_radius_mm" => ("bearing.ball_diameter_mm", "half of ball_diameter_mm"),
+        "bearing.inner_groove_bottom_radius_mm" | "bearing.outer_groove_bottom_radius_mm"
+            if document.has("bearing.pitch_diameter_mm") =>
+        {
+            let how = "from pitch_diameter_mm, ball diameter and clearance";
+            ("bearing.pitch_diameter_mm", how)
+        }
+        "bearing.inner_groove_curvature_radius_mm" => (
+            "bearing.inner_conformity",
+            "inner_conformity times the ball diameter",
+        ),
+        "bearing.outer_groove_curvature_radius_mm" => (
+            "bearing.outer_conformity",
+            "outer_conformity times the ball diameter",
+        ),
+        "bearing.outer_shoulder_radius_mm" => (
+            "bearing.outer_shoulder_radius_mm",
+            "estimated, as the key is left out",
+        ),
+        "bearing.inner_ring_mass_kg" => (
+            "bearing.inner_ring_mass_kg",
+            "estimated, as the key is left out",
+        ),
+        _ => return None,
+    })
 }
 
 /// Allowed initial displacement of the ring; the limit is that of [`cageless::Case::check`].
@@ -93,8 +129,8 @@ pub(super) fn ring(bearing: &Bearing) -> String {
     format!("between -{most} um and {most} um (the clearance and a tenth of the ball's radius)")
 }
 
-/// The first two raceways that overlap, and how far apart they must be.
-pub(super) fn overlap(case: &Case) -> Option<(usize, usize, String)> {
+/// The first raceway that overlaps one before it, and how far apart they must be.
+pub(super) fn overlap(case: &Case) -> Option<(usize, String)> {
     let raceways = &case.raceways;
     let overlap = |one: usize, other: usize| {
         let pair = vec![raceways[one].clone(), raceways[other].clone()];
@@ -113,5 +149,5 @@ pub(super) fn overlap(case: &Case) -> Option<(usize, usize, String)> {
         Unit::Degree.show(apart, Side::Lower),
         one + 1
     );
-    Some((one, other, allowed))
+    Some((other, allowed))
 }

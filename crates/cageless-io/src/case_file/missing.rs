@@ -1,10 +1,11 @@
 //! Required keys that a file leaves out, all of them in one message.
 
-use super::document::SECTIONS;
+use super::document::CaseDocument;
 use super::error::CaseError;
-use super::key::{Key, Presence};
+use super::key::Key;
 use super::keys;
-use super::spanned_toml::{Places, Section, Value, join};
+use super::sections::SECTIONS;
+use super::spanned_toml::{Value, join};
 
 /// What `[bearing]` and `[operation]` need by one key, or by those in its place.
 const ALTERNATIVES: [(&str, &[&str], &[&str]); 4] = [
@@ -28,7 +29,8 @@ const UNDER_A_ROTOR: [&str; 2] = [
 ];
 
 /// Refuses a file without required keys, and lists them.
-pub(super) fn check(root: &Section, places: &Places) -> Result<(), CaseError> {
+pub(super) fn check(document: &CaseDocument) -> Result<(), CaseError> {
+    let root = &document.tree.root;
     let rotor = root.contains_key("rotor");
     let has = |section: &str, key: &str| match root.get(section).map(|node| &node.value) {
         Some(Value::Section(entries)) => entries.contains_key(key),
@@ -45,7 +47,7 @@ pub(super) fn check(root: &Section, places: &Places) -> Result<(), CaseError> {
         let required = section
             .keys
             .iter()
-            .filter(|key| matches!((key.presence)(), Presence::Required) && !has(name, key.name));
+            .filter(|key| key.is_required() && !has(name, key.name));
         missing.extend(required.map(|key| (name, key.name, String::new())));
         let of_rotor = UNDER_A_ROTOR.iter().filter(|key| !has(name, key));
         if rotor && name == "bearing" {
@@ -86,5 +88,5 @@ pub(super) fn check(root: &Section, places: &Places) -> Result<(), CaseError> {
         _ => format!("; missing as well: {}", also.join(", ")),
     };
     let message = format!("{path}{more} is missing{place}: {meaning}{also}");
-    Err(places.error(&path, message))
+    Err(document.tree.error(&path, message))
 }

@@ -1,14 +1,13 @@
 //! The case file: one computation, in TOML and in the units of the workshop.
 //!
 //! Every key is declared once, in the table of its section in `sections`: type, default, unit,
-//! field of [`cageless`], meaning and template line (`key` has the columns, `declaration` what
-//! follows from a row). Reading goes through four steps: `spanned_toml` (TOML with the place of
-//! every value), `overrides` (`--set`), `read` (types and defaults, into a [`CaseDocument`]) and
-//! `convert` (SI units and the checks of [`cageless`], a file for each section).
+//! limits, field of [`cageless`], meaning and template line (`key` has the columns, `declaration`
+//! what follows from a row). A case file is a tree of values with their places, a [`CaseDocument`].
+//! Reading goes through four steps: `spanned_toml` (TOML to the tree), `overrides` (`--set`), `read`
+//! (known keys and defaults) and `convert` (sections in SI units and the checks of [`cageless`]).
 //! Every error becomes one [`CaseError`] that names the place, the key, the
 //! value and what is allowed, in the unit of the file.
 
-pub(crate) mod base;
 mod convert;
 mod converter;
 pub(crate) mod declaration;
@@ -17,17 +16,16 @@ mod document;
 mod edited;
 mod error;
 mod fields;
-mod file_reader;
 pub(crate) mod former;
 mod json;
-mod key;
+pub(crate) mod key;
 pub(crate) mod keys;
 mod messages;
 mod missing;
 pub(crate) mod named;
 pub(crate) mod overrides;
 pub(crate) mod read;
-mod reader;
+pub(crate) mod reader;
 mod reference;
 mod ring;
 mod sections;
@@ -40,25 +38,19 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-pub use base::{CaseBase, Change};
-pub use document::{
-    Assumption, BearingDocument, CaseDocument, ContactDocument, HousingDocument, MaterialDocument,
-    MaterialPreset, ModelDocument, OperationDocument, OutputDocument, PartMaterialDocument,
-    RacewayDocument, RotorDocument, SCHEMA, SearchDocument, SolverDocument, StartDocument,
-    SupportDocument,
-};
+pub use document::{CaseDocument, Change, SCHEMA, SectionValues};
 pub use error::CaseError;
-pub use fields::{GapsDocument, OverTime, RangeDocument, StepDocument};
 pub use former::on_former_name;
 pub use keys::{missing_rotor, nearest};
-pub use named::StartState;
 pub use reference::{KeyReference, LeftOut, SectionReference, ValueType, reference};
+pub use sections::bearing::Assumption;
+pub use sections::material::MaterialPreset;
 pub use template::{drop_template, template};
 pub use value::CaseValue;
 
 use crate::system::io_error_message;
 use cageless::design::search::{Request, uneven_gaps_rad};
-use spanned_toml::{Origin, Places};
+use spanned_toml::Origin;
 
 /// A case file that was read, checked and converted.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,7 +59,6 @@ pub struct CaseFile {
     search: Request,
     document: CaseDocument,
     defaults: Vec<String>,
-    places: Places,
     /// The text that was read; `None` of a document that was made by other means.
     text: Option<String>,
 }
@@ -92,24 +83,23 @@ impl CaseFile {
     /// A [`CaseError`] for anything but a complete and possible case: bad TOML,
     /// unknown or missing keys, wrong types, impossible values.
     pub fn parse(text: &str, name: &str, overrides: &[String]) -> Result<Self, CaseError> {
-        let mut root = source(text, name)?;
-        overrides::apply(&mut root, overrides)?;
+        let mut document = CaseDocument::parse(text, name)?;
+        overrides::apply(&mut document.tree.root, overrides)?;
         Ok(Self {
             text: Some(text.to_owned()),
-            ..Self::from_sections(&root, name)?
+            ..Self::of(document)?
         })
     }
 
-    fn from_sections(root: &spanned_toml::Section, name: &str) -> Result<Self, CaseError> {
-        let places = Places::new(root, name);
-        let (document, defaults) = read::document(root, &places)?;
-        let (case, search) = convert::case(&document, &places)?;
+    /// Completes and checks a document.
+    fn of(mut document: CaseDocument) -> Result<Self, CaseError> {
+        let defaults = read::complete(&mut document)?;
+        let (case, search) = convert::case(&document)?;
         Ok(Self {
             case,
             search,
             document,
             defaults,
-            places,
             text: None,
         })
     }
@@ -120,15 +110,13 @@ impl CaseFile {
     /// # Errors
     /// A [`CaseError`] without a line if the case is impossible.
     pub fn from_document(document: CaseDocument, name: &str) -> Result<Self, CaseError> {
-        let places = Places::nowhere(name);
-        let (case, search) = convert::case(&document, &places)?;
+        let mut document = document;
+        name.clone_into(&mut document.tree.name);
+        let nodes = document.tree.root.values_mut();
+        nodes.for_each(spanned_toml::Node::forget_place);
         Ok(Self {
-            case,
-            search,
-            document,
             defaults: Vec::new(),
-            places,
-            text: None,
+            ..Self::of(document)?
         })
     }
 
@@ -168,21 +156,26 @@ impl CaseFile {
     /// automatic step filled in as well: what a run used, for the record.
     pub fn document_as_run(&self) -> CaseDocument {
         let mut document = self.document.clone();
-        let (bearing, contact) = (&self.case.bearing, &mut document.contact);
-        document.bearing.fill_in(bearing);
-        for (given, hertz) in [
-            (&mut contact.inner_stiffness_n_m1_5, bearing.inner_contact()),
-            (&mut contact.outer_stiffness_n_m1_5, bearing.outer_contact()),
-            (&mut contact.ball_stiffness_n_m1_5, bearing.ball_contact()),
+        let bearing = &self.case.bearing;
+        sections::bearing::fill_in(&mut document, bearing);
+        for (key, hertz) in [
+            ("contact.inner_stiffness_n_m1_5", bearing.inner_contact()),
+            ("contact.outer_stiffness_n_m1_5", bearing.outer_contact()),
+            ("contact.ball_stiffness_n_m1_5", bearing.ball_contact()),
         ] {
-            given.get_or_insert(hertz.stiffness_n_m1_5);
+            document.set_missing(key, hertz.stiffness_n_m1_5);
         }
-        // Steps are chosen in decimals of a microsecond; the product has rounding in it.
-        let step_us = (self.case.solver.step_s * 1e15).round() / 1e9;
-        if document.solver.step_us == StepDocument::Auto {
-            document.solver.step_us = StepDocument::FixedUs(step_us);
+        if self.has_automatic_step() {
+            // Steps are chosen in decimals of a microsecond; the product has rounding in it.
+            let step_us = (self.case.solver.step_s * 1e15).round() / 1e9;
+            document.set("solver.step_us", step_us);
         }
         document
+    }
+
+    /// Whether the step follows from the case.
+    pub(crate) fn has_automatic_step(&self) -> bool {
+        self.value("solver.step_us") == Some("auto".into())
     }
 
     /// The case from uneven start number `start` under `seed`: each gap drawn evenly between 0
@@ -195,7 +188,7 @@ impl CaseFile {
         let gaps = uneven_gaps_rad(&self.case, seed, start);
         let mut document = self.document.clone();
         let degrees = gaps.into_iter().map(f64::to_degrees);
-        document.start.gaps = GapsDocument::ListDeg(degrees.collect());
+        document.set("start.gaps", CaseValue::Numbers(degrees.collect()));
         self.with_document(document)
     }
 
@@ -206,7 +199,7 @@ impl CaseFile {
     /// A [`CaseError`] if the case is not possible without its raceways.
     pub fn with_conventional_ring(&self) -> Result<Self, CaseError> {
         let mut document = self.document_as_run();
-        document.raceway.clear();
+        document.remove("raceway");
         self.with_document(document)
     }
 
@@ -214,30 +207,24 @@ impl CaseFile {
     /// differ in nothing but the raceway.
     pub fn apart_from_raceway(&self) -> CaseDocument {
         let mut document = self.document_as_run();
-        document.raceway.clear();
-        document.title.clear();
-        document.search = None;
+        document.remove("raceway");
+        document.set("title", "");
+        document.remove("search");
         // An automatic step follows the raceway.
-        document.solver.step_us = StepDocument::Auto;
+        document.set("solver.step_us", "auto");
         document
     }
 
     fn with_document(&self, document: CaseDocument) -> Result<Self, CaseError> {
-        let (case, search) = convert::case(&document, &self.places)?;
         Ok(Self {
-            case,
-            search,
-            document,
             defaults: self.defaults.clone(),
-            places: self.places.clone(),
-            text: None,
+            ..Self::of(document)?
         })
     }
 
     /// Values of `[bearing]` that are left out and estimated from its dimensions.
     pub fn assumptions(&self) -> Vec<Assumption> {
-        let bearing = &self.document.bearing;
-        bearing.assumptions(self.case.bearing.dimensions())
+        sections::bearing::assumptions(&self.document, self.case.bearing.dimensions())
     }
 
     /// The value of a dotted key, its default if it has one; `None` if it is left out or
@@ -251,14 +238,10 @@ impl CaseFile {
         if self.defaults.iter().any(|d| d == key) {
             return Source::Default;
         }
-        // The seed may stand at the head of the file as well.
-        let places = &self.places;
-        let other = (key == "solver.seed").then_some("seed");
-        let origin = places.origin(key);
-        match origin.or_else(|| places.origin(other?)) {
+        match self.document.tree.find(key).map(|node| &node.place.origin) {
             Some(Origin::Override(_)) => Source::Override,
             Some(Origin::Elsewhere(..)) => Source::Plan,
-            Some(Origin::Line(_) | Origin::File) | None => Source::CaseFile,
+            _ => Source::CaseFile,
         }
     }
 

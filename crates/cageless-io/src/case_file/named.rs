@@ -2,6 +2,8 @@
 
 use cageless::{Assembly, FrictionLaw, IntegrationMethod, Profile};
 
+use super::spanned_toml::{Node, Value};
+
 /// A choice with a name for each value. A new value needs one more line here.
 pub(crate) trait Named: Copy + PartialEq + 'static {
     /// Every name with its value.
@@ -13,6 +15,14 @@ pub(crate) trait Named: Copy + PartialEq + 'static {
             .iter()
             .find(|(n, _)| *n == name)
             .map(|&(_, value)| value)
+    }
+
+    /// The value that a text names.
+    fn of_node(node: &Node) -> Option<Self> {
+        match &node.value {
+            Value::Text(text) => Self::from_name(text),
+            _ => None,
+        }
     }
 
     /// The name of a value.
@@ -38,7 +48,7 @@ pub(crate) trait Named: Copy + PartialEq + 'static {
 
 /// Kind of initial state; [`cageless::Start`] has the details.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum StartState {
+pub(crate) enum StartState {
     /// Static equilibrium at speed.
     Settled,
     /// Pure rolling, ring where put.

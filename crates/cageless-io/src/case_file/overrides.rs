@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::document::Change;
 use super::error::CaseError;
 use super::former;
 use super::sections;
@@ -72,7 +73,7 @@ impl Replacement {
     }
 
     /// The replacement of a key, which may have its former name, by a value.
-    pub(super) fn new(mut path: Vec<String>, mut node: Node) -> Self {
+    fn new(mut path: Vec<String>, mut node: Node) -> Self {
         former::replacement(&mut path, &mut node);
         Self { path, node }
     }
@@ -80,6 +81,16 @@ impl Replacement {
     /// The dotted key.
     pub(crate) fn key(&self) -> String {
         self.path.join(".")
+    }
+
+    /// The replacement of a change.
+    pub(crate) fn from_change(change: &Change<'_>) -> Self {
+        let (file, line) = change.place;
+        let path = change.key.split('.').map(str::to_owned).collect();
+        Self::new(
+            path,
+            change.value.node(&Origin::Elsewhere(file.to_owned(), line)),
+        )
     }
 
     /// Puts the value into a file.
@@ -102,25 +113,38 @@ impl Replacement {
 /// Parts of the longest key: `bearing.2.raceway.1.axial_span_mm`.
 const PARTS_MAX: usize = 5;
 
-/// Puts the value where it belongs; makes the section if there is none.
+/// Puts the value where it belongs, in place of what says the same.
 fn insert(root: &mut Section, path: &[&str], node: Node) -> Result<(), String> {
-    let (name, index, key) = match *path {
-        [key] => {
-            // The two places of the seed are one key; the file may have the other.
-            if let ("seed", Some(Value::Section(solver))) =
-                (key, root.get_mut("solver").map(|node| &mut node.value))
-            {
+    match *path {
+        // The two places of the seed are one key; the file may have the other.
+        ["seed"] => {
+            if let Some(Value::Section(solver)) = root.get_mut("solver").map(|n| &mut n.value) {
                 solver.remove("seed");
             }
-            root.insert(key.to_owned(), node);
-            return Ok(());
         }
-        [name, key] => {
-            if (name, key) == ("solver", "seed") {
-                root.remove("seed");
-            }
-            (name, None, key)
-        }
+        ["solver", "seed"] => _ = root.remove("seed"),
+        _ => {}
+    }
+    let (section, key) = section_at(root, path, &node.place)?;
+    let name = if path.len() > 1 { path[0] } else { "" };
+    let derived = sections::derived_of(name, key, section, &node);
+    for other in sections::alternatives_of(name, key) {
+        section.remove(*other);
+    }
+    section.extend(derived);
+    section.insert(key.to_owned(), node);
+    Ok(())
+}
+
+/// The section of a key and the name of the key in it; makes the section if there is none.
+pub(super) fn section_at<'r, 'p>(
+    root: &'r mut Section,
+    path: &[&'p str],
+    place: &Place,
+) -> Result<(&'r mut Section, &'p str), String> {
+    let (name, index, key) = match *path {
+        [key] => return Ok((root, key)),
+        [name, key] => (name, None, key),
         [name, index, key] => (name, Some(index), key),
         _ => {
             let key = path.join(".");
@@ -129,25 +153,15 @@ fn insert(root: &mut Section, path: &[&str], node: Node) -> Result<(), String> {
     };
     let new = || Node {
         value: Value::Section(BTreeMap::new()),
-        place: node.place.clone(),
+        place: place.clone(),
     };
-    let section = match (
-        &mut root.entry(name.to_owned()).or_insert_with(new).value,
-        index,
-    ) {
-        (Value::Section(section), None) => section,
-        (Value::List(list), index) => section_of(list, name, index, key)?,
-        (Value::Section(_), Some(_)) => return Err(format!("there is only one [{name}]")),
-        _ => return Err(format!("`{name}` is not a section in the case file")),
-    };
-    // What says the same as the new value would contradict it.
-    let derived = sections::derived_of(name, key, section, &node);
-    for other in sections::alternatives_of(name, key) {
-        section.remove(*other);
+    let section = root.entry(name.to_owned()).or_insert_with(new);
+    match (&mut section.value, index) {
+        (Value::Section(section), None) => Ok((section, key)),
+        (Value::List(list), index) => Ok((section_of(list, name, index, key)?, key)),
+        (Value::Section(_), Some(_)) => Err(format!("there is only one [{name}]")),
+        _ => Err(format!("`{name}` is not a section in the case file")),
     }
-    section.extend(derived);
-    section.insert(key.to_owned(), node);
-    Ok(())
 }
 
 /// One of the `[[name]]` sections, `index` counting from 1.

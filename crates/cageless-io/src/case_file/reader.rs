@@ -1,43 +1,25 @@
-//! Typed access to one section.
+//! Typed access to one section of a tree.
 
+use super::declaration::Field;
 use super::error::CaseError;
-use super::key::Key;
-use super::spanned_toml::{Node, Places, Section, Value, join};
+use super::key::{Key, Limit};
+use super::spanned_toml::{Node, Origin, Section, Tree, Value, join};
 use super::unit::Unit;
 
-/// Reads the keys of one section and notes the defaults that it filled in.
+/// Reads the keys of one section.
 pub(crate) struct Reader<'a> {
+    pub(super) tree: &'a Tree,
     /// Name of the section in the table of keys.
-    section: &'static str,
+    pub(super) section: &'static str,
     /// Keys of the section.
-    keys: &'static [Key],
+    pub(super) keys: &'static [Key],
     /// Dotted path: `raceway.2` for the second of several.
-    path: String,
-    entries: Option<&'a Section>,
-    places: &'a Places,
-    defaults: &'a mut Vec<String>,
+    pub(super) path: String,
+    /// `None` where the file does not have the section: every key is missing.
+    pub(super) entries: Option<&'a Section>,
 }
 
 impl<'a> Reader<'a> {
-    /// A reader of `entries`; without entries, every key is missing.
-    pub(super) fn new(
-        section: &'static str,
-        keys: &'static [Key],
-        path: String,
-        entries: Option<&'a Section>,
-        places: &'a Places,
-        defaults: &'a mut Vec<String>,
-    ) -> Self {
-        Self {
-            section,
-            keys,
-            path,
-            entries,
-            places,
-            defaults,
-        }
-    }
-
     fn key(&self, name: &str) -> Option<&'static Key> {
         self.keys.iter().find(|key| key.name == name)
     }
@@ -46,8 +28,20 @@ impl<'a> Reader<'a> {
         self.key(name).map_or(Unit::None, |key| key.unit)
     }
 
+    fn limit(&self, name: &str) -> Limit {
+        self.key(name).map_or(Limit::None, |key| key.limit)
+    }
+
+    /// The value of a key in SI units.
+    pub(crate) fn field<T: Field>(&self, name: &str) -> Result<T, CaseError> {
+        match self.get(name) {
+            Some(node) => T::read(self, name, node),
+            None => T::absent().ok_or_else(|| self.missing(name)),
+        }
+    }
+
     /// A whole number, 0 or more.
-    pub(super) fn count(&self, name: &str, node: &Node) -> Result<u64, CaseError> {
+    pub(crate) fn count(&self, name: &str, node: &Node) -> Result<u64, CaseError> {
         // Above 2^53 a float does not tell neighbouring integers apart.
         const EXACT: f64 = 9_007_199_254_740_992.0;
         let count = match node.value {
@@ -55,13 +49,13 @@ impl<'a> Reader<'a> {
             Value::Number(f) if f >= 0.0 && f.fract() == 0.0 && f <= EXACT => Some(f as u64),
             _ => None,
         };
-        count.ok_or_else(|| {
-            let allowed = self.unit(name).whole_numbers();
-            self.refuse(name, node, &allowed)
-        })
+        let limit = self.limit(name);
+        count
+            .filter(|count| limit.has(*count as f64))
+            .ok_or_else(|| self.refuse(name, node, &limit.whole_numbers()))
     }
 
-    /// A list of numbers.
+    /// A list of numbers in SI units.
     pub(super) fn list(&self, name: &str, node: &Node) -> Result<Vec<f64>, CaseError> {
         let Value::List(items) = &node.value else {
             return Err(self.refuse(name, node, "a list of numbers in brackets"));
@@ -69,8 +63,26 @@ impl<'a> Reader<'a> {
         items.iter().map(|item| self.number(name, item)).collect()
     }
 
-    /// A number, in the unit of the file.
+    /// A number in SI units, finite and within the limits of its key.
     pub(super) fn number(&self, name: &str, node: &Node) -> Result<f64, CaseError> {
+        let value = self.plain_number(name, node)?;
+        let (unit, limit) = (self.unit(name), self.limit(name));
+        let si = unit.to_si(value);
+        if !si.is_finite() {
+            let allowed = match unit.symbol() {
+                "" => "a finite number".to_owned(),
+                symbol => format!("a finite number of {symbol}"),
+            };
+            return Err(self.refuse(name, node, &allowed));
+        }
+        if !limit.has(value) {
+            return Err(self.refuse(name, node, &limit.allowed(unit)));
+        }
+        Ok(si)
+    }
+
+    /// A number as it is in the file.
+    pub(super) fn plain_number(&self, name: &str, node: &Node) -> Result<f64, CaseError> {
         match node.value {
             // More than 2^53 units of anything is rounded, which nobody will notice.
             Value::Integer(i) => Ok(i as f64),
@@ -92,52 +104,24 @@ impl<'a> Reader<'a> {
         self.entries?.get(name)
     }
 
-    /// Notes that a key took its default.
-    pub(super) fn note_default(&mut self, name: &str) {
-        let key = self.dotted(name);
-        if !self.defaults.contains(&key) {
-            self.defaults.push(key);
-        }
-    }
-
-    /// Takes back that a key took its default.
-    pub(super) fn drop_default(&mut self, name: &str) {
-        let key = self.dotted(name);
-        self.defaults.retain(|d| *d != key);
-    }
-
     /// "KEY = VALUE is not possible: it must be ALLOWED".
-    pub(super) fn refuse(&self, name: &str, node: &Node, allowed: &str) -> CaseError {
-        let key = self.dotted(name);
-        let message = format!(
-            "{key} = {} is not possible: it must be {allowed}",
-            node.place.written
-        );
-        self.places.error_at(&node.place, &key, message)
-    }
-
-    fn dotted(&self, name: &str) -> String {
-        join(&self.path, name)
-    }
-
-    pub(super) fn missing(&self, name: &str) -> CaseError {
-        self.places
-            .error(&self.dotted(name), self.missing_text(name))
-    }
-
-    fn missing_text(&self, name: &str) -> String {
-        let meaning = self.key(name).map_or_else(String::new, Key::describe);
-        match self.entries {
-            Some(_) => format!(
-                "{} is missing in [{}]: {meaning}",
-                self.dotted(name),
-                self.section
-            ),
-            None => format!(
-                "{} is missing, as is its section [{}]: {meaning}",
-                self.dotted(name),
-                self.section
-            ),
+    pub(crate) fn refuse(&self, name: &str, node: &Node, allowed: &str) -> CaseError {
+        let key = join(&self.path, name);
+        match node.place.origin {
+            Origin::Nowhere => self.tree.refusal(&key, &node.place.written, allowed),
+            _ => node.refusal(&self.tree.name, &key, allowed),
         }
+    }
+
+    /// The error of a key that is left out.
+    pub(crate) fn missing(&self, name: &str) -> CaseError {
+        let key = join(&self.path, name);
+        let meaning = self.key(name).map_or_else(String::new, Key::describe);
+        let place = match self.tree.given(&self.path) {
+            Some(_) => format!(" in [{}]", self.section),
+            None => format!(", as is its section [{}]", self.section),
+        };
+        let message = format!("{key} is missing{place}: {meaning}");
+        self.tree.error(&key, message)
     }
 }

@@ -1,7 +1,7 @@
 //! The file format described as data: what documentation and other languages are made of.
 
-use super::document::{HEAD, SECTIONS};
 use super::key::{Key, Kind, Presence};
+use super::sections::{HEAD, SECTIONS};
 use super::value::CaseValue;
 
 /// A section of the case file.
@@ -110,9 +110,9 @@ fn key(key: &Key) -> KeyReference {
         },
         left_out: match (key.presence)() {
             Presence::Required => LeftOut::Refused,
-            Presence::Default(Some(value)) => LeftOut::Default(value),
+            Presence::Default(value) => LeftOut::Default(value),
             Presence::Derived => LeftOut::Derived,
-            Presence::Default(None) | Presence::Optional => LeftOut::Nothing,
+            Presence::Optional => LeftOut::Nothing,
         },
     }
 }

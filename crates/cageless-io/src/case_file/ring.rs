@@ -3,7 +3,7 @@
 use cageless::InputError;
 use cageless::surface::OuterRingDimensions;
 
-use super::converter::Converter;
+use super::converter::refused_in;
 use super::key::Key;
 use super::spanned_toml::join;
 use super::unit::Unit;
@@ -17,35 +17,28 @@ impl CaseFile {
     /// # Errors
     /// A [`CaseError`] if the file leaves out one of its two dimensions.
     pub fn outer_ring_dimensions(&self, blend_m: f64) -> Result<OuterRingDimensions, CaseError> {
-        let b = &self.document.bearing;
-        let required = |name: &str, value: Option<f64>| {
+        let required = |name: &str| {
+            let value = self.document.number(&join(SECTION, name));
             value
                 .map(|mm| Unit::Millimetre.to_si(mm))
                 .ok_or_else(|| self.missing_for_export(name))
         };
         Ok(OuterRingDimensions {
-            outer_ring_outer_radius_m: required(
-                "outer_ring_outer_radius_mm",
-                b.outer_ring_outer_radius_mm,
-            )?,
-            outer_ring_width_m: required("outer_ring_width_mm", b.outer_ring_width_mm)?,
+            outer_ring_outer_radius_m: required("outer_ring_outer_radius_mm")?,
+            outer_ring_width_m: required("outer_ring_width_mm")?,
             blend_m,
         })
     }
 
     /// Error of the outer ring in terms of the file.
     pub fn refused(&self, error: &InputError) -> CaseError {
-        let converter = Converter {
-            document: &self.document,
-            places: &self.places,
-        };
-        converter.refused(error, None)
+        refused_in(&self.document, None, error, None)
     }
 
     fn missing_for_export(&self, name: &str) -> CaseError {
         let path = join(SECTION, name);
         let meaning = keys::find(SECTION, name).map_or_else(String::new, Key::describe);
         let message = format!("{path} is missing in [{SECTION}], and `export` needs it: {meaning}");
-        self.places.error(&path, message)
+        self.document.tree.error(&path, message)
     }
 }

@@ -20,11 +20,28 @@ pub(crate) struct Node {
 }
 
 impl Node {
+    /// A value that stands in no file.
+    pub(crate) fn nowhere(value: Value) -> Self {
+        let (origin, written) = (Origin::Nowhere, String::new());
+        let place = Place { origin, written };
+        Self { value, place }
+    }
+
+    /// Forgets where the value and all below it come from.
+    pub(crate) fn forget_place(&mut self) {
+        self.place.origin = Origin::Nowhere;
+        match &mut self.value {
+            Value::Section(entries) => entries.values_mut().for_each(Self::forget_place),
+            Value::List(items) => items.iter_mut().for_each(Self::forget_place),
+            _ => {}
+        }
+    }
+
     /// Line in a file, from 1; 0 without one.
     pub(crate) fn line(&self) -> usize {
         match self.place.origin {
             Origin::Line(line) | Origin::Elsewhere(_, line) => line,
-            Origin::Override(_) | Origin::File => 0,
+            Origin::Override(_) | Origin::File | Origin::Nowhere => 0,
         }
     }
 
@@ -74,6 +91,8 @@ pub(crate) enum Origin {
     Override(String),
     /// Line of another file, counted from 1: a plan.
     Elsewhere(String, usize),
+    /// In no file: a default, or a value that the program gives.
+    Nowhere,
 }
 
 /// Place and text of a value.
@@ -89,93 +108,78 @@ impl Place {
         let named = Some(key.to_owned());
         match &self.origin {
             Origin::Line(line) => CaseError::on_line(file, *line, named, message),
-            Origin::File => CaseError::of_file(file, message).with_key(key),
+            Origin::File | Origin::Nowhere => CaseError::of_file(file, message).with_key(key),
             Origin::Override(text) => CaseError::of_override(text, named, message),
             Origin::Elsewhere(other, line) => CaseError::on_line(other, *line, named, message),
         }
     }
 }
 
-/// The places of all keys of one file, by dotted key.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Places {
-    file: String,
-    places: BTreeMap<String, Place>,
+/// A file as a tree of values with their places: what `--set`, axes and changes replace, and
+/// what is read and written.
+#[derive(Debug, Clone)]
+pub(crate) struct Tree {
+    pub root: Section,
+    /// Name of the file, for messages.
+    pub name: String,
 }
 
-impl Places {
-    /// For a document that was not read from a file.
-    pub(crate) fn nowhere(name: &str) -> Self {
-        Self {
-            file: name.to_owned(),
-            places: BTreeMap::new(),
-        }
+impl Tree {
+    pub(crate) fn new(root: Section, name: &str) -> Self {
+        let name = name.to_owned();
+        Self { root, name }
     }
 
-    /// Places of all values below `root`.
-    pub(crate) fn new(root: &Section, name: &str) -> Self {
-        let mut places = Self::nowhere(name);
-        places.collect("", root);
-        places
-    }
-
-    fn collect(&mut self, prefix: &str, section: &Section) {
-        for (key, node) in section {
-            self.collect_node(join(prefix, key), node);
-        }
-    }
-
-    fn collect_node(&mut self, path: String, node: &Node) {
-        match &node.value {
-            Value::Section(section) => self.collect(&path, section),
-            // A single [[raceway]] goes by the same keys as [raceway].
-            Value::List(list) => match list.as_slice() {
-                [
-                    Node {
-                        value: Value::Section(section),
-                        ..
+    /// The value of a dotted key, or a section. A single `[[raceway]]` goes by the same keys as
+    /// `[raceway]`.
+    pub(crate) fn find(&self, path: &str) -> Option<&Node> {
+        let mut parts = path.split('.');
+        let mut node = self.root.get(parts.next()?)?;
+        for part in parts {
+            node = match &node.value {
+                Value::Section(section) => match section.get(part) {
+                    None if part == "1" => node,
+                    found => found?,
+                },
+                Value::List(list) => match (part.parse::<usize>(), list.as_slice()) {
+                    (Ok(number), _) => list.get(number.checked_sub(1)?)?,
+                    (Err(_), [one]) => match &one.value {
+                        Value::Section(section) => section.get(part)?,
+                        _ => return None,
                     },
-                ] => self.collect(&path, section),
-                several => {
-                    for (k, item) in several.iter().enumerate() {
-                        if matches!(item.value, Value::Section(_)) {
-                            self.collect_node(format!("{path}.{}", k + 1), item);
-                        }
-                    }
-                }
-            },
-            _ => {}
+                    _ => return None,
+                },
+                _ => return None,
+            };
         }
-        self.places.insert(path, node.place.clone());
+        Some(node)
     }
 
-    /// Text of the value of a dotted key, if given.
-    pub(crate) fn written(&self, path: &str) -> Option<&str> {
-        self.places.get(path).map(|p| p.written.as_str())
-    }
-
-    /// Place of the value of a dotted key, if given.
-    pub(crate) fn origin(&self, path: &str) -> Option<&Origin> {
-        self.places.get(path).map(|p| &p.origin)
+    /// The value of a dotted key, or a section, if a file or an option has it.
+    pub(crate) fn given(&self, path: &str) -> Option<&Node> {
+        let is_given = |node: &&Node| node.place.origin != Origin::Nowhere;
+        self.find(path).filter(is_given)
     }
 
     /// An error at a dotted key, or at its section if the key is not written.
     pub(crate) fn error(&self, path: &str, message: String) -> CaseError {
-        let mut place = None;
         let mut known = path;
-        while place.is_none() && !known.is_empty() {
-            place = self.places.get(known);
+        while !known.is_empty() {
+            if let Some(node) = self.given(known) {
+                return node.error(&self.name, path, message);
+            }
             known = known.rsplit_once('.').map_or("", |(front, _)| front);
         }
-        match place {
-            Some(place) => self.error_at(place, path, message),
-            None => CaseError::of_file(&self.file, message).with_key(path),
-        }
+        CaseError::of_file(&self.name, message).with_key(path)
     }
 
-    /// An error at a place.
-    pub(crate) fn error_at(&self, place: &Place, path: &str, message: String) -> CaseError {
-        place.error(&self.file, path, message)
+    /// "KEY = VALUE is not possible: it must be ALLOWED", the value as written if it is, otherwise
+    /// `value`.
+    pub(crate) fn refusal(&self, path: &str, value: &str, allowed: &str) -> CaseError {
+        let given = self.given(path);
+        let value = given.map_or(value, |node| &node.place.written);
+        let message = format!("{path} = {value} is not possible: it must be {allowed}");
+        self.error(path, message)
     }
 }
 
@@ -189,7 +193,7 @@ pub(crate) fn join(section: &str, key: &str) -> String {
 }
 
 /// Path of the k-th of several sections of one name.
-pub(super) fn nth(name: &str, k: usize, count: usize) -> String {
+pub(crate) fn nth(name: &str, k: usize, count: usize) -> String {
     if count == 1 {
         name.to_owned()
     } else {

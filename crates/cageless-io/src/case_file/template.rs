@@ -1,7 +1,7 @@
 //! The case file to start from.
 
-use super::document::{HEAD, Heading, SECTIONS};
 use super::key::{Key, Line};
+use super::sections::{HEAD, Heading, SECTIONS};
 
 const INTRODUCTION: &str = "\
 # Case file of Cageless, a cageless ball bearing with a discrete raceway.

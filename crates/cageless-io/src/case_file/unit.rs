@@ -2,17 +2,11 @@
 
 use std::f64::consts::TAU;
 
-/// Greatest integer of TOML.
-const TOML_MAX: u64 = i64::MAX as u64;
-
 /// Unit of a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Unit {
     /// No unit.
     None,
-    /// No unit, a whole number: its least and greatest value; `None` where something else
-    /// limits it.
-    Whole(u64, Option<u64>),
     /// A unit of the SI system, as [`cageless`] has it.
     Si(&'static str),
     Millimetre,
@@ -27,7 +21,7 @@ impl Unit {
     /// Symbol of the unit; empty if there is none.
     pub(crate) fn symbol(self) -> &'static str {
         match self {
-            Self::None | Self::Whole(..) => "",
+            Self::None => "",
             Self::Si(symbol) => symbol,
             Self::Millimetre => "mm",
             Self::Micrometre => "um",
@@ -58,7 +52,7 @@ impl Unit {
     /// file and a program that uses [`cageless`] itself start from the same bits.
     pub(super) fn to_si(self, value: f64) -> f64 {
         match self {
-            Self::None | Self::Whole(..) | Self::Si(_) => value,
+            Self::None | Self::Si(_) => value,
             Self::Millimetre => shift(value, -3),
             Self::Micrometre | Self::Microsecond => shift(value, -6),
             Self::Degree => value.to_radians(),
@@ -70,7 +64,7 @@ impl Unit {
     /// From SI to the file's unit.
     pub(super) fn of_si(self, value: f64) -> f64 {
         match self {
-            Self::None | Self::Whole(..) | Self::Si(_) => value,
+            Self::None | Self::Si(_) => value,
             Self::Millimetre => shift(value, 3),
             Self::Micrometre | Self::Microsecond => shift(value, 6),
             Self::Degree => value.to_degrees(),
@@ -79,36 +73,16 @@ impl Unit {
         }
     }
 
-    /// Whether a whole number is within its limits.
-    pub(super) fn has(self, value: u64) -> bool {
-        let (least, most) = self.whole_limits();
-        (least..=most.unwrap_or(u64::MAX)).contains(&value)
-    }
-
-    /// Allowed whole numbers as a phrase.
-    pub(super) fn whole_numbers(self) -> String {
-        match self.whole_limits() {
-            (least, None) => format!("a whole number, {least} or more"),
-            (least, Some(TOML_MAX)) => {
-                format!("a whole number, {least} or more and below 2^63")
-            }
-            (least, Some(most)) => format!("a whole number from {least} to {most}"),
-        }
-    }
-
-    fn whole_limits(self) -> (u64, Option<u64>) {
-        match self {
-            Self::Whole(least, most) => (least, most),
-            _ => (0, Some(TOML_MAX)),
-        }
-    }
-
     /// A number of this unit, given in SI, for a message: `7.40173 mm`.
     pub(super) fn show(self, si: f64, side: Side) -> String {
-        let number = decimal(round(self.of_si(si), side));
+        self.with(round(self.of_si(si), side))
+    }
+
+    /// A number in this unit with its symbol.
+    pub(super) fn with(self, value: f64) -> String {
         match self.symbol() {
-            "" => number,
-            symbol => format!("{number} {symbol}"),
+            "" => decimal(value),
+            symbol => format!("{} {symbol}", decimal(value)),
         }
     }
 }

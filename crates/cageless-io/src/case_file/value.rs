@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 
-use super::spanned_toml::{Node, Value};
+use super::key::Kind;
+use super::spanned_toml::{Node, Origin, Place, Value};
 use super::unit::decimal;
 
 /// A value for a key, in the unit of the case file.
@@ -29,15 +30,60 @@ impl CaseValue {
             Value::Number(f) => Self::Number(*f),
             Value::Text(text) => Self::Text(text.clone()),
             Value::List(items) => {
-                let number = |node: &Node| match Self::from_toml(&node.value)? {
-                    Self::Number(f) => Some(f),
-                    Self::Integer(i) => Some(i as f64),
+                let number = |node: &Node| match node.value {
+                    Value::Number(f) => Some(f),
+                    Value::Integer(i) => Some(i as f64),
                     _ => None,
                 };
-                Self::Numbers(items.iter().map(number).collect::<Option<_>>()?)
+                let row = |node: &Node| match &node.value {
+                    Value::List(pair) if pair.len() == 2 => {
+                        Some([number(&pair[0])?, number(&pair[1])?])
+                    }
+                    _ => None,
+                };
+                match items.iter().map(number).collect() {
+                    Some(numbers) => Self::Numbers(numbers),
+                    None => Self::Table(items.iter().map(row).collect::<Option<_>>()?),
+                }
             }
             Value::Section(_) | Value::Other => return None,
         })
+    }
+
+    /// The value of a key of this type, however it is written.
+    pub(crate) fn of(kind: Kind, value: &Value) -> Option<Self> {
+        Some(match (kind, Self::from_toml(value)?) {
+            (Kind::Whole, Self::Number(f)) => Self::Integer(f as i64),
+            (Kind::Whole, whole) => whole,
+            (_, Self::Integer(i)) => Self::Number(i as f64),
+            // -0.0 is 0: friction would have no direction otherwise.
+            (_, Self::Number(f)) => Self::Number(f + 0.0),
+            (Kind::Range, Self::Numbers(ends)) if ends.iter().all(|end| *end == ends[0]) => {
+                Self::Number(*ends.first()?)
+            }
+            (Kind::OverTime | Kind::Rows(_), Self::Numbers(none)) if none.is_empty() => {
+                Self::Table(vec![])
+            }
+            (_, value) => value,
+        })
+    }
+
+    /// The value in a tree.
+    pub(crate) fn node(&self, origin: &Origin) -> Node {
+        let number = |f: &f64| Self::Number(*f).node(origin);
+        let value = match self {
+            Self::Number(f) => Value::Number(*f),
+            Self::Integer(i) => Value::Integer(*i),
+            Self::Text(text) => Value::Text(text.clone()),
+            Self::Numbers(list) => Value::List(list.iter().map(number).collect()),
+            Self::Table(rows) => {
+                let row = |row: &[f64; 2]| Self::Numbers(row.to_vec()).node(origin);
+                Value::List(rows.iter().map(row).collect())
+            }
+        };
+        let (origin, written) = (origin.clone(), self.written());
+        let place = Place { origin, written };
+        Node { value, place }
     }
 
     /// As TOML.
@@ -55,6 +101,24 @@ impl CaseValue {
                 format!("[{}]", rows.iter().map(row).collect::<Vec<_>>().join(", "))
             }
         }
+    }
+}
+
+impl From<f64> for CaseValue {
+    fn from(number: f64) -> Self {
+        Self::Number(number)
+    }
+}
+
+impl From<i64> for CaseValue {
+    fn from(number: i64) -> Self {
+        Self::Integer(number)
+    }
+}
+
+impl From<&str> for CaseValue {
+    fn from(text: &str) -> Self {
+        Self::Text(text.to_owned())
     }
 }
 

@@ -4,14 +4,14 @@ use std::slice;
 
 use toml::Value;
 
-use crate::case_file::{CaseBase, CaseError, CaseFile, CaseValue, Change};
+use crate::case_file::{CaseDocument, CaseError, CaseFile, CaseValue, Change};
 use crate::rotor_file::{RotorBase, RotorFile};
 
 /// A case or a rotor file whose values are replaced before it is read.
 #[derive(Debug, Clone)]
 pub enum PlanBase {
     /// The case of one bearing.
-    Case(CaseBase),
+    Case(CaseDocument),
     /// A rotor above several bearings.
     Rotor(RotorBase),
 }

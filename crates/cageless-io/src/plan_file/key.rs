@@ -1,6 +1,7 @@
 //! Keys of a plan: those of a case, `section.key` or `raceway.2.key`; of a rotor file with several
 //! bearings, its own and those of its cases, of all bearings or of one, `bearing.2.section.key`.
 
+use crate::case_file::key::Kind;
 use crate::case_file::keys;
 use crate::case_file::unit::Unit;
 use crate::rotor_file::address::is_number;
@@ -23,7 +24,9 @@ pub fn unit(key: &str) -> &'static str {
 
 /// Whether the values of a key are whole numbers.
 pub fn is_whole(key: &str) -> bool {
-    key_in_case(key) == "solver.seed" || matches!(unit_of(key), Unit::Whole(..))
+    let (section, name) = split(key);
+    let of_case = keys::find(section, name).map(|key| key.kind);
+    matches!(of_case, Some(Kind::Whole)) || name == "node"
 }
 
 fn unit_of(key: &str) -> Unit {

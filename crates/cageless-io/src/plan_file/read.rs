@@ -12,7 +12,7 @@ use cageless_results::Computation;
 
 use crate::case_file::named::Named;
 use crate::case_file::spanned_toml::{self, Node, Section, Value};
-use crate::case_file::{CaseBase, CaseError, CaseValue, Change, former, keys, read_text};
+use crate::case_file::{CaseDocument, CaseError, CaseValue, Change, former, keys, read_text};
 use crate::rotor_file::address::{address, is_number};
 use crate::rotor_file::{RotorBase, RotorFile, keys as rotor_keys};
 
@@ -129,7 +129,7 @@ impl<'a> PlanReader<'a> {
                 let path = folder.join(path);
                 let base = match RotorFile::is_at(&path) {
                     true => RotorBase::read(&path).map(PlanBase::Rotor),
-                    false => CaseBase::read(&path).map(PlanBase::Case),
+                    false => CaseDocument::read(&path).map(PlanBase::Case),
                 };
                 base.map_err(|error| node.error_of_its_file(self.name, "case", error))
             }
@@ -137,7 +137,7 @@ impl<'a> PlanReader<'a> {
                 RotorBase::from_sections(root.clone(), self.name, folder).map(PlanBase::Rotor)
             }
             Some((Value::Section(root), _)) => {
-                let base = CaseBase::from_sections(root.clone(), self.name);
+                let base = CaseDocument::from_sections(root.clone(), self.name);
                 Ok(PlanBase::Case(base))
             }
             Some((_, node)) => Err(self.refuse(

@@ -12,14 +12,14 @@ use super::{RotorFile, RotorFileDocument, read_matrices};
 use crate::case_file::former;
 use crate::case_file::overrides::Replacement;
 use crate::case_file::spanned_toml::{self, Node, Section, Value};
-use crate::case_file::{CaseBase, CaseError, CaseValue, Change, read_text};
+use crate::case_file::{CaseDocument, CaseError, CaseValue, Change, read_text};
 
 /// The texts of a rotor file and of its cases, parsed but not yet read.
 #[derive(Debug, Clone)]
 pub struct RotorBase {
     name: String,
     root: Section,
-    cases: Vec<CaseBase>,
+    cases: Vec<CaseDocument>,
     matrices: Option<Arc<RotorMatrices>>,
 }
 

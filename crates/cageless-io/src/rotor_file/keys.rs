@@ -2,7 +2,7 @@
 
 use crate::case_file::nearest;
 use crate::case_file::unit::Unit::{
-    self, Degree, Micrometre, Millimetre, None as Plain, RevolutionPerMinute, Si, Whole,
+    self, Degree, Micrometre, Millimetre, None as Plain, RevolutionPerMinute, Si,
 };
 
 /// A key of a section of a rotor file.
@@ -31,7 +31,7 @@ const PLACE: RotorKey = key(
     Millimetre,
     "place from the mass centre along the axis",
 );
-const NODE: RotorKey = key("node", Whole(0, None), "node of the rotor, from 0");
+const NODE: RotorKey = key("node", Plain, "node of the rotor, from 0");
 
 /// The sections with their keys; `bearing`, `unbalance` and `clearance` may be there several times.
 const SECTIONS: [(&str, &[RotorKey]); 4] = [

@@ -31,7 +31,7 @@ use cageless::Case;
 use cageless::linear_rotor::{LinearRotor, RotorError};
 use cageless::simulation::RotorDrop;
 
-use crate::case_file::{CaseFile, CaseValue, StepDocument};
+use crate::case_file::{CaseFile, CaseValue};
 use address::{Address, address};
 
 pub use base::RotorBase;
@@ -79,7 +79,7 @@ impl RotorFile {
         let (title, speed_rpm) = (document.title.as_str(), document.speed_rpm);
         let drive_torque_n_m = document.drive_torque_n_m;
         let given = cases.iter().filter_map(|file| {
-            let automatic = file.document().solver.step_us == StepDocument::Auto;
+            let automatic = file.has_automatic_step();
             (!automatic).then_some(file.case().solver.step_s)
         });
         let step = given.reduce(f64::min);
@@ -92,14 +92,14 @@ impl RotorFile {
         let mut bearings = vec![];
         for (k, (file, case)) in cases.iter().zip(drop.cases()).enumerate() {
             let mut document = file.document().clone();
-            document.title = case.title.clone();
-            document.solver.step_us = StepDocument::FixedUs(1e6 * case.solver.step_s);
-            if let (Some(section), Some(rotor)) = (&mut document.rotor, &case.rotor) {
-                section.mass_kg = rotor.mass_kg;
-                section.polar_inertia_kg_m2 = rotor.polar_inertia_kg_m2;
-                section.speed_rpm = speed_rpm;
-                section.eccentricity_um = 0.0;
-                section.drive_torque_n_m = drive_torque_n_m;
+            document.set("title", case.title.as_str());
+            document.set("solver.step_us", 1e6 * case.solver.step_s);
+            if let Some(rotor) = &case.rotor {
+                document.set("rotor.mass_kg", rotor.mass_kg);
+                document.set("rotor.polar_inertia_kg_m2", rotor.polar_inertia_kg_m2);
+                document.set("rotor.speed_rpm", speed_rpm);
+                document.set("rotor.eccentricity_um", 0.0);
+                document.set("rotor.drive_torque_n_m", drive_torque_n_m);
             }
             let carried = CaseFile::from_document(document, &format!("bearing {}", k + 1))
                 .map_err(|error| RotorError::Bearings(error.to_string()))?;

@@ -9,7 +9,7 @@ use super::document::SCHEMA;
 use super::keys::{self, HEAD};
 use super::{RotorBody, RotorClearance, RotorDescription, RotorPlace, RotorUnbalance};
 use crate::case_file::spanned_toml::{Node, Section, Value, join};
-use crate::case_file::{CaseBase, CaseError, nearest};
+use crate::case_file::{CaseDocument, CaseError, nearest};
 
 /// Keys of a rigid rotor alone.
 const RIGID: [&str; 3] = ["mass_kg", "polar_inertia_kg_m2", "transverse_inertia_kg_m2"];
@@ -152,13 +152,13 @@ pub(super) fn description(
 
 impl<'a> Part<'a> {
     /// The case of a bearing, from its file or from the section itself.
-    pub(super) fn case(&self, folder: &Path) -> Result<CaseBase, CaseError> {
+    pub(super) fn case(&self, folder: &Path) -> Result<CaseDocument, CaseError> {
         let Some(node) = self.entries.get("case") else {
             return Err(self.missing("case"));
         };
         match &node.value {
-            Value::Section(root) => Ok(CaseBase::from_sections(root.clone(), self.file)),
-            _ => CaseBase::read(&folder.join(self.text("case", node)?))
+            Value::Section(root) => Ok(CaseDocument::from_sections(root.clone(), self.file)),
+            _ => CaseDocument::read(&folder.join(self.text("case", node)?))
                 .map_err(|error| node.error_of_its_file(self.file, "case", error)),
         }
     }

@@ -14,7 +14,7 @@ use cageless_io::case_file::CaseFile;
 use rayon::prelude::*;
 
 use crate::RacewayLabel;
-use crate::entered::{entered, raceway_document};
+use crate::entered::{entered, entered_raceway};
 use crate::error::StudyError;
 use crate::progress::Progress;
 use cageless_results::{Cell, Judged, Record, Results, Subject, VERDICT};
@@ -114,11 +114,12 @@ fn verdicts(
         .centres_rad
         .iter()
         .map(|&centre_angle_rad| {
-            raceway_document(&RacewayDimensions {
+            let dimensions = RacewayDimensions {
                 axial_span_m: best.axial_span_m,
                 half_angle_rad: best.half_angle_rad,
                 centre_angle_rad,
-            })
+            };
+            entered_raceway(&dimensions, 0.0)
         })
         .collect();
     let points = &found.request.points;
@@ -126,7 +127,7 @@ fn verdicts(
     points
         .par_iter()
         .map(|point| {
-            let Some(case) = entered(file, raceways.clone(), Some(point)) else {
+            let Some(case) = entered(file, &raceways, Some(point)) else {
                 let text = |text: &str| Cell::Text(text.to_owned());
                 let values = [
                     ("verdict", text(RacewayVerdict::Infeasible.name())),

@@ -181,7 +181,7 @@ impl Variants {
                 let balls = file
                     .cases_of(&key.key)
                     .iter()
-                    .map(|f| f.document().bearing.balls);
+                    .map(|f| f.case().bearing.balls());
                 let balls = common(balls).ok_or_else(|| differs(&self.plan, key))?;
                 let centres = match centre {
                     Some(CaseValue::Numbers(list)) if list.len() == balls => list.clone(),

@@ -6,13 +6,12 @@ use cageless::time_table::TimeTable;
 use crate::case_file::converter::Converter;
 use crate::case_file::error::CaseError;
 use crate::case_file::fields::OverTime;
-use crate::case_file::spanned_toml::join;
 
 impl Converter<'_> {
     /// Speed and load.
     pub(in crate::case_file) fn operation(&self) -> Result<Operation, CaseError> {
-        let o = &self.document.operation;
-        let (speed, speeds) = self.over_time("inner_speed_rpm", o.inner_speed_rpm.as_ref())?;
+        let o = &self.sections.operation;
+        let (speed, speeds) = self.over_time("inner_speed_rpm", o.inner_speed_rad_s.as_ref())?;
         // Clockwise is counter-clockwise seen from the other face.
         let values = || speeds.iter().flatten().map(|[_, value]| *value);
         let clockwise = speed < 0.0 || values().any(|v| v < 0.0);
@@ -35,7 +34,7 @@ impl Converter<'_> {
             clockwise,
             inner_speed_rad_s: speed,
             radial_load_n: load,
-            gravity_m_s2: self.si("operation.gravity_m_s2", o.gravity_m_s2)?,
+            gravity_m_s2: o.gravity_m_s2,
             inner_speed_table: table("inner_speed_rad_s", speeds)?,
             radial_load_table: table("radial_load_n", loads)?,
         })
@@ -49,16 +48,14 @@ impl Converter<'_> {
         name: &str,
         given: Option<&OverTime>,
     ) -> Result<(f64, Option<Vec<[f64; 2]>>), CaseError> {
-        let path = join("operation", name);
         match given {
-            None if self.document.rotor.is_some() => Ok((0.0, None)),
+            None if self.sections.rotor.is_some() => Ok((0.0, None)),
             None => Err(self.missing("operation", name)),
-            Some(OverTime::Constant(value)) => Ok((self.si(&path, *value)?, None)),
-            Some(OverTime::Table(rows)) => {
-                let si = |[time, value]: &[f64; 2]| Ok([*time, self.si(&path, *value)?]);
-                let rows = rows.iter().map(si).collect::<Result<Vec<_>, _>>()?;
-                Ok((rows.first().map_or(0.0, |[_, value]| *value), Some(rows)))
-            }
+            Some(OverTime::Constant(value)) => Ok((*value, None)),
+            Some(OverTime::Table(rows)) => Ok((
+                rows.first().map_or(0.0, |[_, value]| *value),
+                Some(rows.clone()),
+            )),
         }
     }
 }

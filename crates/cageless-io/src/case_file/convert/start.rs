@@ -4,51 +4,45 @@ use cageless::numerics::random::RandomStream;
 use cageless::{Bearing, Gaps, Start};
 
 use crate::case_file::converter::Converter;
-use crate::case_file::declaration::Field;
 use crate::case_file::error::CaseError;
-use crate::case_file::fields::GapsDocument;
+use crate::case_file::fields::GivenGaps;
 use crate::case_file::named::StartState;
 
 impl Converter<'_> {
     pub(in crate::case_file) fn start(&self, bearing: &Bearing) -> Result<Start, CaseError> {
-        let s = &self.document.start;
-        let gaps = match (&s.gaps, s.gaps.si(&|value| self.si("start.gaps", value))?) {
-            (_, Some(list)) => Gaps::List(list),
-            (GapsDocument::Bunched, _) => Gaps::List(bunched(bearing)),
-            (GapsDocument::Random, _) => Gaps::List(random(bearing, self.seed()?)),
-            _ => Gaps::Uniform,
+        let s = &self.sections.start;
+        let gaps = match &s.gaps {
+            GivenGaps::Uniform => Gaps::Uniform,
+            GivenGaps::Bunched => Gaps::List(bunched(bearing)),
+            GivenGaps::Random => Gaps::List(random(bearing, self.sections.solver.seed)),
+            GivenGaps::List(list) => Gaps::List(list.clone()),
         };
-        let lead_ball_angle_rad = self.si("start.lead_ball_angle_deg", s.lead_ball_angle_deg)?;
-        match s.state {
-            StartState::Settled | StartState::AtRest => {
-                for (key, value) in [
-                    ("start.ring_x_um", s.ring_x_um),
-                    ("start.ring_y_um", s.ring_y_um),
-                ] {
-                    if let Some(value) = value {
-                        let allowed = "left out unless start.state = \"rolling\": other starts \
-                                       find the place of the ring themselves";
-                        return Err(self.refuse(key, &value.to_string(), allowed));
-                    }
+        let lead_ball_angle_rad = s.lead_ball_angle_rad;
+        if s.state != StartState::Rolling {
+            for key in ["start.ring_x_um", "start.ring_y_um"] {
+                if self.document.has(key) {
+                    let allowed = "left out unless start.state = \"rolling\": other starts \
+                                   find the place of the ring themselves";
+                    return Err(self.refuse(key, allowed));
                 }
-                if s.state == StartState::AtRest {
-                    return Ok(Start::AtRest {
-                        gaps,
-                        lead_ball_angle_rad,
-                    });
-                }
-                Ok(Start::Settled {
-                    gaps,
-                    lead_ball_angle_rad,
-                })
             }
-            StartState::Rolling => Ok(Start::Rolling {
+        }
+        Ok(match s.state {
+            StartState::Settled => Start::Settled {
                 gaps,
                 lead_ball_angle_rad,
-                ring_x_m: self.si("start.ring_x_um", s.ring_x_um.unwrap_or(0.0))?,
-                ring_y_m: self.si("start.ring_y_um", s.ring_y_um.unwrap_or(0.0))?,
-            }),
-        }
+            },
+            StartState::AtRest => Start::AtRest {
+                gaps,
+                lead_ball_angle_rad,
+            },
+            StartState::Rolling => Start::Rolling {
+                gaps,
+                lead_ball_angle_rad,
+                ring_x_m: s.ring_x_m.unwrap_or(0.0),
+                ring_y_m: s.ring_y_m.unwrap_or(0.0),
+            },
+        })
     }
 }
 

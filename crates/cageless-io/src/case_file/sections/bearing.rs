@@ -7,11 +7,11 @@ use cageless::{Assembly, Bearing, BearingDimensions};
 use serde::Serialize;
 
 use crate::case_file::declaration::section;
+use crate::case_file::document::CaseDocument;
+use crate::case_file::key::Limit::{Above, AtLeast};
 use crate::case_file::key::Line::{Absent, Commented, Shown};
 use crate::case_file::key::Presence::{Derived, Optional, Required};
-use crate::case_file::reader::Reader;
-use crate::case_file::spanned_toml::join;
-use crate::case_file::unit::Unit::{Micrometre, Millimetre, None as Plain, Si, Whole};
+use crate::case_file::unit::Unit::{Micrometre, Millimetre, None as Plain, Si};
 use crate::case_file::unit::{Side, round};
 
 /// Radius of a groove over the diameter of the ball: the usual one of deep groove ball bearings,
@@ -24,12 +24,12 @@ const RING_DENSITY_KG_M3: f64 = 7850.0;
 
 section! {
     /// `[bearing]`: dimensions and masses of rings and balls.
-    BearingDocument {
-        balls => balls: usize = Required, Whole(BALLS_MIN as u64, None),
+    struct BearingSection {
+        balls => balls: usize = Required, Plain; AtLeast(BALLS_MIN as f64),
             "N, number of balls", Shown("14", "number of balls, 3 or more (paper)");
         ball_radius_mm => ball_radius_m: Option<f64> = Optional, Millimetre,
             "Rw, radius of a ball", Shown("4.7625", "Rw, or ball_diameter_mm (paper)");
-        ball_diameter_mm: Option<f64> = Optional, Millimetre,
+        ball_diameter_mm => ball_diameter_m: Option<f64> = Optional, Millimetre,
             "Dw = 2 Rw, diameter of a ball, in place of ball_radius_mm", Absent;
         inner_groove_bottom_radius_mm => inner_groove_bottom_radius_m: Option<f64> = Optional, Millimetre,
             "Ri, radius of the inner ring at the bottom of its groove",
@@ -40,9 +40,9 @@ section! {
                 Ro - Ri - 2 Rw is half the radial internal clearance\n\
                 Gr of ISO 5753-1; below 0: preload. In place of Ri and Ro:\n\
                 pitch_diameter_mm and radial_internal_clearance_um");
-        pitch_diameter_mm: Option<f64> = Optional, Millimetre,
+        pitch_diameter_mm => pitch_diameter_m: Option<f64> = Optional, Millimetre,
             "Dpw = Ri + Ro, pitch diameter, in place of Ri and Ro", Absent;
-        radial_internal_clearance_um -> radial_internal_clearance: Option<f64> = Optional, Micrometre,
+        radial_internal_clearance_um => radial_internal_clearance_m: Option<f64> = Optional, Micrometre,
             "Gr = 2 (Ro - Ri - 2 Rw) of ISO 5753-1, in place of Ri and Ro; below 0: preload by interference, half of it at each ball", Absent;
         outer_shoulder_radius_mm => outer_shoulder_radius_m: Option<f64> = Derived, Millimetre,
             "Ros, shoulder bore radius of the outer ring; Ro - 0.2 Dw unless given",
@@ -54,9 +54,9 @@ section! {
         outer_groove_curvature_radius_mm => outer_groove_curvature_radius_m: Option<f64> = Optional, Millimetre,
             "Re, radius of the outer groove in the meridian plane",
             Shown("4.953", "Re, the same for the outer ring");
-        inner_conformity: Option<f64> = Optional, Plain,
+        inner_conformity => inner_conformity: Option<f64> = Optional, Plain,
             "fi, radius of the inner groove over Dw, in place of that radius; 0.52 unless one is given", Absent;
-        outer_conformity: Option<f64> = Optional, Plain,
+        outer_conformity => outer_conformity: Option<f64> = Optional, Plain,
             "fo = Re/Dw, in place of that radius; 0.52 unless one is given", Absent;
         inner_ring_mass_kg => inner_ring_mass_kg: Option<f64> = Derived, Si("kg"),
             "mass of the inner ring and attached rotating parts; that of a steel ring with shoulders of 0.2 Dw, 0.3 Dw thick below its groove and 1.6 Dw wide unless given",
@@ -65,20 +65,20 @@ section! {
             "C of Zhao 2022, Eq. (14), viscous damping of inner-ring translation; 2000 unless given, 0 under a [rotor]",
             Shown("2000.0", "viscous damping of inner-ring translation (not drag\n\
                 torque), usually 0 to 1e4");
-        inner_ring_polar_inertia_kg_m2 -> inner_ring_polar_inertia_kg_m2: Option<f64> = Optional, Si("kg m^2"),
+        inner_ring_polar_inertia_kg_m2 => inner_ring_polar_inertia_kg_m2: Option<f64> = Optional, Si("kg m^2"),
             "Ji of the inner ring with what turns with it, needed under a [rotor]", Absent;
-        inner_ring_bore_radius_mm -> inner_ring_bore_radius_m: Option<f64> = Optional, Millimetre,
+        inner_ring_bore_radius_mm => inner_ring_bore_radius_m: Option<f64> = Optional, Millimetre,
             "Rb, radius of the bore of the inner ring, needed under a [rotor]", Absent;
-        assembly -> assembly: Option<Assembly> = Derived, Plain,
+        assembly => assembly: Option<Assembly> = Derived, Plain,
             "way of assembly, for the load ratings: \"filling-slot\" if the balls fill more than 205° (N - 1 times ε), else \"without-slot\"",
             Commented("\"filling-slot\"", "bm of ISO 281: 1.1 with a filling slot, 1.3 \"without-slot\"\n\
                 (eccentric rings, or a fractured or split ring)");
-        ball_radius_deviation_um -> ball_radius_deviation_m: Option<Vec<f64>> = Optional, Micrometre,
+        ball_radius_deviation_um => ball_radius_deviation_m: Option<Vec<f64>> = Optional, Micrometre,
             "deviation of each ball's radius", Absent;
-        outer_ring_outer_radius_mm -> outer_ring_outer_radius_m: Option<f64> = Optional, Millimetre,
+        outer_ring_outer_radius_mm => outer_ring_outer_radius_m: Option<f64> = Optional, Millimetre,
             "outer radius of the outer ring",
             Shown("31.0", "outer ring, only for the export to CAD");
-        outer_ring_width_mm -> outer_ring_width_m: Option<f64> = Optional, Millimetre,
+        outer_ring_width_mm => outer_ring_width_m: Option<f64> = Optional, Millimetre; Above(0.0),
             "width of the outer ring", Shown("16.0", "width, only for the export to CAD");
     }
 }
@@ -108,98 +108,84 @@ pub struct Assumption {
     pub basis: &'static str,
 }
 
-impl BearingDocument {
-    /// Whether the conformity of each groove follows from keys, and its key.
-    fn conformities(&self) -> [(bool, &'static str); 2] {
-        let radii = [
-            self.inner_groove_curvature_radius_mm,
-            self.outer_groove_curvature_radius_mm,
-        ];
-        [
-            (
-                radii[0].is_some() || self.inner_conformity.is_some(),
-                "inner_conformity",
-            ),
-            (
-                radii[1].is_some() || self.outer_conformity.is_some(),
-                "outer_conformity",
-            ),
-        ]
-    }
+/// Key of each groove's conformity, and whether it follows from no key.
+pub(in crate::case_file) fn conformities(document: &CaseDocument) -> [(&'static str, bool); 2] {
+    let assumed =
+        |radius: &str, conformity: &str| !document.has(radius) && !document.has(conformity);
+    let [inner, outer] = ["bearing.inner_conformity", "bearing.outer_conformity"];
+    [
+        (
+            inner,
+            assumed("bearing.inner_groove_curvature_radius_mm", inner),
+        ),
+        (
+            outer,
+            assumed("bearing.outer_groove_curvature_radius_mm", outer),
+        ),
+    ]
+}
 
-    /// Notes the defaults of keys that have an alternative.
-    pub(in crate::case_file) fn complete(&self, reader: &mut Reader<'_>) {
-        for (given, name) in self.conformities() {
-            if !given {
-                reader.note_default(name);
-            }
+/// What is estimated, with the values in the unit of the file; of `d`, only radii that are
+/// given count.
+pub(in crate::case_file) fn assumptions(
+    document: &CaseDocument,
+    d: &BearingDimensions,
+) -> Vec<Assumption> {
+    let mm = |m: f64| Millimetre.of_si(m);
+    let diameter = 2.0 * mm(d.ball_radius_m);
+    let mut list = vec![];
+    let mut assume = |assumed: bool, key: &str, value: f64, basis| {
+        if assumed {
+            let key = key.to_owned();
+            list.push(Assumption { key, value, basis });
         }
-    }
-
-    /// Fills in what is estimated.
-    pub(in crate::case_file) fn fill_in(&mut self, bearing: &Bearing) {
-        let damping = bearing.dimensions().inner_ring_damping_n_s_m;
-        self.inner_ring_damping_n_s_m.get_or_insert(damping);
-        self.assembly.get_or_insert(bearing.assembly());
-        for Assumption { key, value, .. } in self.assumptions(bearing.dimensions()) {
-            match key.as_str() {
-                "bearing.outer_shoulder_radius_mm" => self.outer_shoulder_radius_mm = Some(value),
-                "bearing.inner_conformity" => self.inner_conformity = Some(value),
-                "bearing.outer_conformity" => self.outer_conformity = Some(value),
-                _ => self.inner_ring_mass_kg = Some(value),
-            }
-        }
-    }
-
-    /// What is estimated, with the values in the unit of the file; of `d`, only radii that are
-    /// given count.
-    pub(in crate::case_file) fn assumptions(&self, d: &BearingDimensions) -> Vec<Assumption> {
-        let mm = |m: f64| Millimetre.of_si(m);
-        let diameter = 2.0 * mm(d.ball_radius_m);
-        let mut list = vec![];
-        let mut assume = |given: bool, name: &str, value: f64, basis| {
-            if !given {
-                list.push(Assumption {
-                    key: join("bearing", name),
-                    value,
-                    basis,
-                });
-            }
-        };
-        let shoulder = mm(d.outer_groove_bottom_radius_m) - SHOULDER_HEIGHT * diameter;
+    };
+    let shoulder = mm(d.outer_groove_bottom_radius_m) - SHOULDER_HEIGHT * diameter;
+    let key = "bearing.outer_shoulder_radius_mm";
+    let basis = "shoulder height of 0.2 ball diameters";
+    assume(
+        !document.has(key),
+        key,
+        round(shoulder, Side::Nearest),
+        basis,
+    );
+    for (key, assumed) in conformities(document) {
         assume(
-            self.outer_shoulder_radius_mm.is_some(),
-            "outer_shoulder_radius_mm",
-            round(shoulder, Side::Nearest),
-            "shoulder height of 0.2 ball diameters",
+            assumed,
+            key,
+            CONFORMITY,
+            "usual in deep groove ball bearings",
         );
-        for (given, name) in self.conformities() {
-            assume(
-                given,
-                name,
-                CONFORMITY,
-                "usual in deep groove ball bearings",
-            );
-        }
-        assume(
-            self.inner_ring_mass_kg.is_some(),
-            "inner_ring_mass_kg",
-            round(self.ring_mass_kg(d), Side::Nearest),
-            "a steel ring without anything attached, 0.3 ball diameters thick below its groove, \
-             1.6 ball diameters wide unless outer_ring_width_mm is given",
-        );
-        list
     }
+    let key = "bearing.inner_ring_mass_kg";
+    let width = document.number("bearing.outer_ring_width_mm");
+    let mass = ring_mass_kg(d, width.map(|mm| Millimetre.to_si(mm)));
+    assume(
+        !document.has(key),
+        key,
+        round(mass, Side::Nearest),
+        "a steel ring without anything attached, 0.3 ball diameters thick below its groove, \
+         1.6 ball diameters wide unless outer_ring_width_mm is given",
+    );
+    list
+}
 
-    /// Mass of an inner ring between bore and shoulders.
-    fn ring_mass_kg(&self, d: &BearingDimensions) -> f64 {
-        let diameter = 2.0 * d.ball_radius_m;
-        let bottom = d.inner_groove_bottom_radius_m;
-        let bore = bore_radius_estimate_m(d);
-        let shoulder = bottom + SHOULDER_HEIGHT * diameter;
-        let width = self
-            .outer_ring_width_mm
-            .map_or(WIDTH * diameter, |mm| Millimetre.to_si(mm));
-        RING_DENSITY_KG_M3 * std::f64::consts::PI * (shoulder.powi(2) - bore.powi(2)) * width
+/// Mass of an inner ring between bore and shoulders.
+fn ring_mass_kg(d: &BearingDimensions, width_m: Option<f64>) -> f64 {
+    let diameter = 2.0 * d.ball_radius_m;
+    let bottom = d.inner_groove_bottom_radius_m;
+    let bore = bore_radius_estimate_m(d);
+    let shoulder = bottom + SHOULDER_HEIGHT * diameter;
+    let width = width_m.unwrap_or(WIDTH * diameter);
+    RING_DENSITY_KG_M3 * std::f64::consts::PI * (shoulder.powi(2) - bore.powi(2)) * width
+}
+
+/// Fills in what is estimated.
+pub(in crate::case_file) fn fill_in(document: &mut CaseDocument, bearing: &Bearing) {
+    let damping = bearing.dimensions().inner_ring_damping_n_s_m;
+    document.set_missing("bearing.inner_ring_damping_n_s_m", damping);
+    document.set_missing("bearing.assembly", bearing.assembly().name());
+    for Assumption { key, value, .. } in assumptions(document, bearing.dimensions()) {
+        document.set(&key, value);
     }
 }

@@ -7,7 +7,7 @@ use crate::case_file::unit::Unit::Si;
 
 section! {
     /// `[housing]`: support of the outer ring, for its vibration.
-    HousingDocument => Housing {
+    impl cageless::Housing {
         mass_kg => mass_kg: f64 = Required, Si("kg"),
             "mass of housing and outer ring", Commented("1.0", "housing and outer ring");
         stiffness_n_m => stiffness_n_m: f64 = Required, Si("N/m"),

@@ -2,9 +2,9 @@
 
 use crate::case_file::declaration::section;
 use crate::case_file::key::Line::{Absent, Shown};
-use crate::case_file::key::Presence::{Default, Optional};
+use crate::case_file::key::Presence::Optional;
+use crate::case_file::key::default;
 use crate::case_file::named::Named;
-use crate::case_file::reader::Reader;
 use crate::case_file::unit::Unit::{Gigapascal, None as Plain, Si};
 
 /// A bearing material by name. The numbers are typical ones at room temperature, rounded; those
@@ -55,50 +55,40 @@ impl MaterialPreset {
     }
 }
 
-section! {
-    /// `[material]`: of balls and rings where nothing else is said; bearing steel by default.
-    MaterialDocument {
-        preset: Option<MaterialPreset> = Optional, Plain,
-            "typical numbers of a bearing material, in place of the three", Absent;
-        density_kg_m3 -> density_kg_m3: Option<f64> = Default(Some(7850.0)), Si("kg/m^3"),
-            "density; that of the balls decides", Shown("7850.0", "or preset = \"100Cr6\", \"M50\", \"440C\", \"X30CrMoN15-1\",\n\"Si3N4\" in place of the three numbers");
-        youngs_modulus_gpa -> youngs_modulus_pa: Option<f64> = Default(Some(206.0)), Gigapascal,
-            "E, Young's modulus", Shown("206.0", "");
-        poisson_ratio -> poisson_ratio: Option<f64> = Default(Some(0.3)), Plain,
-            "ν, Poisson's ratio", Shown("0.3", "0 to below 0.5");
-    }
-}
-
-section! {
-    /// `[ball_material]` or `[ring_material]`, where it is not that of `[material]`.
-    PartMaterialDocument {
-        preset: Option<MaterialPreset> = Optional, Plain,
-            "typical numbers of a bearing material, in place of the three",
-            Absent;
-        density_kg_m3 -> density_kg_m3: Option<f64> = Optional, Si("kg/m^3"),
-            "density; that of the balls decides", Shown("7850.0", "or preset = \"Si3N4\", say, in place of the three numbers");
-        youngs_modulus_gpa -> youngs_modulus_pa: Option<f64> = Optional, Gigapascal,
-            "E, Young's modulus", Shown("206.0", "");
-        poisson_ratio -> poisson_ratio: Option<f64> = Optional, Plain,
-            "ν, Poisson's ratio", Shown("0.3", "0 to below 0.5");
-    }
-}
-
-impl MaterialDocument {
-    /// Leaves the defaults out that a preset replaces.
-    pub(in crate::case_file) fn complete(&mut self, reader: &mut Reader<'_>) {
-        if self.preset.is_none() {
-            return;
-        }
-        for (name, value) in NUMBERS.into_iter().zip([
-            &mut self.density_kg_m3,
-            &mut self.youngs_modulus_gpa,
-            &mut self.poisson_ratio,
-        ]) {
-            if reader.get(name).is_none() {
-                *value = None;
-                reader.drop_default(name);
+/// Declares a section of a material: its presences of density, E and ν, and a comment.
+macro_rules! material {
+    ($(#[$doc:meta])* $Name:ident, $density:expr, $modulus:expr, $ratio:expr, $comment:literal) => {
+        section! {
+            $(#[$doc])*
+            struct $Name {
+                preset => preset: Option<MaterialPreset> = Optional, Plain,
+                    "typical numbers of a bearing material, in place of the three", Absent;
+                density_kg_m3 => density_kg_m3: Option<f64> = $density, Si("kg/m^3"),
+                    "density; that of the balls decides", Shown("7850.0", $comment);
+                youngs_modulus_gpa => youngs_modulus_pa: Option<f64> = $modulus, Gigapascal,
+                    "E, Young's modulus", Shown("206.0", "");
+                poisson_ratio => poisson_ratio: Option<f64> = $ratio, Plain,
+                    "ν, Poisson's ratio", Shown("0.3", "0 to below 0.5");
             }
         }
-    }
+
+        impl $Name {
+            /// Density in kg/m³, E in Pa and ν as given.
+            pub(crate) fn numbers(&self) -> [Option<f64>; 3] {
+                [self.density_kg_m3, self.youngs_modulus_pa, self.poisson_ratio]
+            }
+        }
+    };
+}
+
+material! {
+    /// `[material]`: of balls and rings where nothing else is said; bearing steel by default.
+    MaterialSection, default(7850.0), default(206.0), default(0.3),
+    "or preset = \"100Cr6\", \"M50\", \"440C\", \"X30CrMoN15-1\",\n\"Si3N4\" in place of the three numbers"
+}
+
+material! {
+    /// `[ball_material]` or `[ring_material]`, where it is not that of `[material]`.
+    PartMaterialSection, Optional, Optional, Optional,
+    "or preset = \"Si3N4\", say, in place of the three numbers"
 }

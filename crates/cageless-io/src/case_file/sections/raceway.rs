@@ -2,23 +2,23 @@
 
 use crate::case_file::declaration::section;
 use crate::case_file::key::Line::{Commented, Shown};
-use crate::case_file::key::Presence::{Default, Required};
+use crate::case_file::key::Presence::Required;
+use crate::case_file::key::default;
 use crate::case_file::unit::Unit::{Degree, Micrometre, Millimetre};
 
 section! {
     /// `[raceway]`: a discrete raceway.
-    #[derive(Copy)]
-    RacewayDocument {
+    struct RacewaySection {
         axial_span_mm => axial_span_m: f64 = Required, Millimetre,
             "lC, largest axial distance between the two contact points",
             Shown("5.1", "lC, axial distance of the two contact points in its middle; the paper has 4.9 to 6");
         half_angle_deg => half_angle_rad: f64 = Required, Degree,
             "θ, half the angle that the raceway takes up",
             Shown("25.2", "θ, it reaches from -θ to θ; the paper has 12 to 35");
-        centre_angle_deg => centre_angle_rad: f64 = Default(0.0), Degree,
+        centre_angle_deg => centre_angle_rad: f64 = default(0.0), Degree,
             "angular position of raceway centre",
             Commented("0.0", "angular position ψ of raceway centre; 0: load direction");
-        depth_error_um => depth_error_m: f64 = Default(0.0), Micrometre,
+        depth_error_um => depth_error_m: f64 = default(0.0), Micrometre,
             "machining error of the depth at the centre, along the normal",
             Commented("0.0", "machining error of the depth at the centre, along normal");
     }

@@ -1,45 +1,48 @@
-//! The section `[search]`, from the document to what the library is asked.
+//! The section `[search]`, ranges of `design --search`.
+
+use cageless::design::search::{BUDGET, CRITICAL_GAP_MIN_FRACTION};
 
 use crate::case_file::declaration::section;
-use crate::case_file::fields::RangeDocument;
 use crate::case_file::key::Line::Commented;
-use crate::case_file::key::Presence::{Default, Optional};
-use crate::case_file::unit::Unit::{
-    Degree, Millimetre, None as Plain, RevolutionPerMinute, Si, Whole,
+use crate::case_file::key::Presence::Optional;
+use crate::case_file::key::{
+    Limit::{Above, AtLeast, Inside, Within},
+    default,
 };
+use crate::case_file::unit::Unit::{Degree, Millimetre, None as Plain, RevolutionPerMinute, Si};
 
 section! {
     /// `[search]`: what `design --search` looks at. What is `None` is that of the case, or all
     /// that the geometry allows. More than four raceways leave hardly any plain raceway between
     /// them.
-    SearchDocument {
-        inner_speed_rpm: Option<RangeDocument> = Optional, RevolutionPerMinute,
+    struct SearchSection {
+        inner_speed_rpm => inner_speed_rad_s: Option<[f64; 2]> = Optional, RevolutionPerMinute; Above(0.0),
             "speed, or lowest and highest",
             Commented("[3000.0, 12000.0]", "one number, or lowest and highest;");
-        radial_load_n: Option<RangeDocument> = Optional, Si("N"),
+        radial_load_n => radial_load_n: Option<[f64; 2]> = Optional, Si("N"); AtLeast(0.0),
             "load, or lowest and highest",
             Commented("[500.0, 1500.0]", "left out: those of the case");
-        axial_span_mm: Option<RangeDocument> = Optional, Millimetre,
+        axial_span_mm => axial_span_m: Option<[f64; 2]> = Optional, Millimetre; Above(0.0),
             "lC, or narrowest and widest",
             Commented("[4.0, 6.0]", "left out: all that the groove allows");
-        half_angle_deg: Option<RangeDocument> = Optional, Degree,
+        half_angle_deg => half_angle_rad: Option<[f64; 2]> = Optional, Degree; Inside(0.0, 90.0),
             "θ, or smallest and largest",
             Commented("[15.0, 30.0]", "left out: all that the bearing allows");
-        centre_angle_deg: Option<RangeDocument> = Optional, Degree,
+        centre_angle_deg => centre_angle_rad: Option<[f64; 2]> = Optional, Degree; Within(-180.0, 180.0),
             "ψ of the middle of one raceway, or first and last",
             Commented("[-90.0, 90.0]", "places of the raceway; left out: its own");
-        raceways_max: usize = Default(1), Whole(1, Some(4)),
+        raceways_max => raceways_max: usize = default(1), Plain; Within(1.0, 4.0),
             "number of raceways at most", Commented("1", "1 to 4");
-        critical_gap_min_fraction formerly spread_min: f64 = Default(cageless::design::search::CRITICAL_GAP_MIN_FRACTION), Plain,
+        critical_gap_min_fraction formerly spread_min => critical_gap_min_fraction: f64 = default(CRITICAL_GAP_MIN_FRACTION), Plain; Inside(0.0, 1.0),
             "smallest accepted critical gap, as a fraction of the steady-state gap",
             Commented("0.8", "smallest accepted critical gap, as a fraction of the steady-state gap");
-        initial_states formerly starts: u64 = Default(2), Whole(1, Some(64)),
+        initial_states formerly starts => initial_states: u64 = default(2), Plain; Within(1.0, 64.0),
             "unevenly spaced starts per design",
             Commented("2", "unevenly spaced starts per design, 1 to 64");
-        runs_max formerly budget: usize = Default(cageless::design::search::BUDGET), Whole(1, None),
+        runs_max formerly budget => runs_max: usize = default(BUDGET as i64), Plain; AtLeast(1.0),
             "largest number of simulations of all balls",
             Commented("400", "largest number of simulations of all balls");
-        map_speed_rpm: Option<Vec<f64>> = Optional, RevolutionPerMinute,
+        map_speed_rpm => map_speeds_rad_s: Option<Vec<f64>> = Optional, RevolutionPerMinute; Above(0.0),
             "further speeds to draw maps at",
             Commented("[6000.0, 20000.0]", "further speeds to draw maps at");
     }

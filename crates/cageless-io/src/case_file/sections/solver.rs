@@ -3,26 +3,27 @@
 use cageless::IntegrationMethod;
 
 use crate::case_file::declaration::section;
-use crate::case_file::fields::StepDocument;
+use crate::case_file::fields::Step;
 use crate::case_file::key::Line::{Commented, Shown};
-use crate::case_file::key::Presence::Default;
+use crate::case_file::key::default;
+use crate::case_file::named::Named;
 use crate::case_file::unit::Unit::{Microsecond, None as Plain, Si};
 
 section! {
     /// `[solver]`: integration. The error per step is a hundredth of what a figure shows.
-    SolverDocument {
-        method => method: IntegrationMethod = Default(IntegrationMethod::VelocityVerlet), Plain,
+    struct SolverSection {
+        method => method: IntegrationMethod = default(IntegrationMethod::VelocityVerlet.name()), Plain,
             "integration method",
             Commented("\"verlet\"", "\"abm4\": the paper's; \"adaptive\": for references");
-        step_us => step_s: StepDocument = Default(StepDocument::Auto), Microsecond,
+        step_us => step_s: Step = default("auto"), Microsecond,
             "step of the integration, from the stiffest contact unless it is a number",
             Commented("\"auto\"", "from the stiffest contact, or a number");
-        tolerance => tolerance: f64 = Default(1e-8), Plain,
+        tolerance => tolerance: f64 = default(1e-8), Plain,
             "error per step of the adaptive method",
             Commented("1.0e-8", "error per step, only for \"adaptive\"");
-        duration_s => duration_s: f64 = Default(0.5), Si("s"),
+        duration_s => duration_s: f64 = default(0.5), Si("s"),
             "simulated time", Shown("0.5", "simulated time");
-        seed: u64 = Default(0), Plain,
+        seed => seed: u64 = default(0), Plain,
             "seed of random starts (run --verify, design --search) and samples (tolerance, drop)",
             Commented("0", "of the random starts and samples of run --verify,\n\
                 design --search and tolerance");
