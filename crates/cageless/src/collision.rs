@@ -47,6 +47,8 @@ pub struct CollisionDetector<F> {
     /// Forces a step earlier, and the length of that step.
     earlier: Vec<f64>,
     earlier_step_s: f64,
+    /// Steps since balls touched; from the third on all of the above is as without contacts.
+    steps_apart: u64,
     open: Vec<Option<Collision>>,
     sink: F,
 }
@@ -60,6 +62,7 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> CollisionDetector<F> {
             forces: vec![],
             earlier: vec![],
             earlier_step_s: 0.0,
+            steps_apart: 0,
             open: vec![],
             sink,
         }
@@ -184,7 +187,13 @@ impl<F: FnMut(Collision) -> Result<(), ObserverError>> Observer for CollisionDet
     fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         let c = &view.contacts;
         let (from, to) = (view.step.t0_s, view.step.t1_s);
-        for k in 0..c.balls() {
+        self.steps_apart = if c.balls_touch() {
+            0
+        } else {
+            self.steps_apart + 1
+        };
+        let pairs = if self.steps_apart < 3 { c.balls() } else { 0 };
+        for k in 0..pairs {
             let (before, after) = (self.deflections[k], c.pair_deflection_m(k));
             let (force_before, force) = (self.forces[k], c.pair_force_n(k));
             (self.deflections[k], self.forces[k]) = (after, force);

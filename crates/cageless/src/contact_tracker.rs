@@ -100,6 +100,7 @@ impl ContactTracker {
     }
 
     /// Takes the contacts at the end of a step.
+    #[inline]
     pub fn update(&mut self, contacts: &Contacts<'_>) {
         let touch = contacts.balls_touch();
         // Most steps have no contact, and none before.
@@ -117,11 +118,13 @@ impl ContactTracker {
     }
 
     /// Whether the contact of ball `k` with the ball ahead started at the last update.
+    #[inline]
     pub fn started(&self, k: usize) -> bool {
         self.started[k]
     }
 
     /// Number of contacts that started at the last update.
+    #[inline]
     pub fn count(&self) -> u32 {
         if !self.any_started {
             return 0;

@@ -34,6 +34,7 @@ pub(crate) struct Direction {
 
 impl Direction {
     /// Direction from ball `k` to the ball ahead, forwards, about the centre of the outer ring.
+    #[inline]
     pub fn to_next(x_m: Balls<'_>, y_m: Balls<'_>, centre_m: [f64; 2], k: usize) -> Self {
         let next = if k + 1 == x_m.len() { 0 } else { k + 1 };
         let [x, y] = [x_m[k] - centre_m[0], y_m[k] - centre_m[1]];
@@ -45,6 +46,7 @@ impl Direction {
     }
 
     /// Whether the angle is the smaller one.
+    #[inline]
     pub fn below(self, other: Self) -> bool {
         let (beyond, other_beyond) = (self.sine < 0.0, other.sine < 0.0);
         if beyond != other_beyond {
@@ -57,7 +59,8 @@ impl Direction {
     /// The angle, less `pair_angle_rad`, that of two balls that touch
     /// ([`Model::pair_angle_rad`]).
     pub fn gap_rad(self, pair_angle_rad: f64) -> f64 {
-        self.sine.atan2(self.cosine).rem_euclid(TAU) - pair_angle_rad
+        let angle = self.sine.atan2(self.cosine);
+        (if angle < 0.0 { angle + TAU } else { angle }) - pair_angle_rad
     }
 }
 

@@ -18,7 +18,7 @@ use std::f64::consts::TAU;
 
 use crate::case::Case;
 use crate::dynamics::energy::EnergyTerm;
-use crate::simulation::StepView;
+use crate::simulation::{BallAngle, StepView};
 
 /// Means over the whole orbits of ball 1 after the transient; over all of that part of the run
 /// if it is shorter than one orbit.
@@ -104,13 +104,12 @@ impl OrbitMeans {
     }
 }
 
-/// Sums up to one time.
-#[derive(Debug, Clone, Copy)]
+/// Sums up to one time, and the angles of the balls then.
+#[derive(Debug, Clone, Default)]
 struct Mark {
     time_s: f64,
     ledger_j: [f64; EnergyTerm::ALL.len()],
-    /// Sum of the continuous ψ of all balls.
-    angle_rad: f64,
+    angles: Vec<BallAngle>,
     rotation_sum: f64,
     rotation_samples: u64,
 }
@@ -142,24 +141,28 @@ impl OrbitMeansTracker {
             self.rotation_samples += 1;
         }
         if self.begin.is_none() {
-            self.begin = Some(self.mark(view));
+            self.begin = Some(self.mark(Mark::default(), view));
             self.reference = [x, y];
             self.last_cross = 0.0;
             return;
         }
         let [x0, y0] = self.reference;
         let cross = x0 * y - y0 * x;
-        if self.last_cross < 0.0 && cross >= 0.0 && x0 * x + y0 * y > 0.0 {
-            self.orbits += 1;
-            self.end = Some(self.mark(view));
-        } else if self.orbits == 0 && sampled {
-            self.end = Some(self.mark(view));
+        let round = self.last_cross < 0.0 && cross >= 0.0 && x0 * x + y0 * y > 0.0;
+        self.orbits += u32::from(round);
+        if round || self.orbits == 0 && sampled {
+            let before = self.end.take().unwrap_or_default();
+            self.end = Some(self.mark(before, view));
         }
         self.last_cross = cross;
     }
 
-    fn mark(&self, view: &StepView<'_, '_>) -> Mark {
+    /// Mark of the end of a step; `before` lends its memory.
+    fn mark(&self, before: Mark, view: &StepView<'_, '_>) -> Mark {
         let layout = view.layout();
+        let mut angles = before.angles;
+        angles.clear();
+        angles.extend((0..layout.balls).map(|k| view.ball_angle(k)));
         Mark {
             time_s: view.step.t1_s,
             ledger_j: EnergyTerm::ALL.map(|term| {
@@ -169,7 +172,7 @@ impl OrbitMeansTracker {
                     f64::NAN
                 }
             }),
-            angle_rad: (0..layout.balls).map(|k| view.angle_after_rad(k)).sum(),
+            angles,
             rotation_sum: self.rotation_sum,
             rotation_samples: self.rotation_samples,
         }
@@ -177,7 +180,8 @@ impl OrbitMeansTracker {
 
     /// The means so far; `None` before two samples.
     pub fn means(&self, case: &Case) -> Option<OrbitMeans> {
-        let (begin, end) = (self.begin?, self.end?);
+        let (begin, end) = (self.begin.as_ref()?, self.end.as_ref()?);
+        let angle = |mark: &Mark| mark.angles.iter().map(BallAngle::rad).sum::<f64>();
         let time_s = end.time_s - begin.time_s;
         let balls = case.bearing.balls();
         let driven = case.rotor.is_none() && case.operation.inner_speed_table.is_none();
@@ -190,7 +194,7 @@ impl OrbitMeansTracker {
             } else {
                 f64::NAN
             },
-            orbit_speed_rad_s: (end.angle_rad - begin.angle_rad) / (balls as f64 * time_s),
+            orbit_speed_rad_s: (angle(end) - angle(begin)) / (balls as f64 * time_s),
             rotation_rad_s: (end.rotation_sum - begin.rotation_sum) / samples as f64,
             driven,
             balls,

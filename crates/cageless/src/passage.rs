@@ -20,6 +20,7 @@
 use crate::contact_tracker::ContactTracker;
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::gap::Direction;
+use crate::numerics::lanes::larger;
 use crate::numerics::root;
 use crate::raceway::Raceway;
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
@@ -139,6 +140,8 @@ struct RacewaySector {
     sin_centre: f64,
     cos_centre: f64,
     cos_half: f64,
+    /// Unit vectors from the centre to both ends.
+    ends: [[f64; 2]; 2],
 }
 
 impl RacewaySector {
@@ -149,6 +152,10 @@ impl RacewaySector {
             sin_centre,
             cos_centre,
             cos_half: d.half_angle_rad.cos(),
+            ends: [-d.half_angle_rad, d.half_angle_rad].map(|half| {
+                let (sin, cos) = (d.centre_angle_rad + half).sin_cos();
+                [sin, -cos]
+            }),
         }
     }
 
@@ -157,11 +164,32 @@ impl RacewaySector {
         x * self.sin_centre - y * self.cos_centre - self.cos_half * (x * x + y * y).sqrt()
     }
 
-    /// Whether a ball is inside; without a root for the half turn away from a raceway.
-    fn is_inside(&self, x: f64, y: f64) -> bool {
-        let along = x * self.sin_centre - y * self.cos_centre;
-        (along > 0.0 || self.cos_half < 0.0) && self.inside_by(x, y) > 0.0
+    /// Lower bound of the distance of a ball from the nearest end, m.
+    fn to_end_m(&self, x: f64, y: f64) -> f64 {
+        self.ends.iter().fold(f64::INFINITY, |least, [ex, ey]| {
+            let (along, across) = (x * ex + y * ey, (x * ey - y * ex).abs());
+            least.min(larger(across, -along))
+        })
     }
+}
+
+/// All balls are looked at this often, steps.
+const LOOK_EVERY: u64 = 8;
+/// A ball is near an end that it reaches within so many steps at its present speed: twice the steps
+/// to the next look, so that one that is hit does not get there unseen,
+const NEAR_STEPS: f64 = 16.0;
+/// or within this part of the radius of a ball: one at rest that gains 5 m/s in 8 steps of 2 µs
+/// stays within it.
+const NEAR: f64 = 0.02;
+
+/// Where a ball is, seen from a raceway.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Place {
+    /// Inside since the start: let out first.
+    StartedInside,
+    Outside,
+    /// On a passage.
+    Inside,
 }
 
 /// A passage, and where the ball was nearest to the one ahead.
@@ -173,13 +201,20 @@ struct UnderWay {
 
 /// Follows the balls through the raceways and passes each passage on when the ball goes
 /// out; one counts when the ball has come in and gone out during the run.
+///
+/// Looks at a ball in every step while it is in a raceway or near an end of one, else every 8 steps.
 pub struct PassageRecorder<F> {
     sectors: Vec<RacewaySector>,
     pair_angles: Vec<f64>,
-    /// The passage under way of each ball through each raceway.
-    inside: Vec<Option<UnderWay>>,
-    /// Balls that start inside a raceway are let out first.
-    seen_outside: Vec<bool>,
+    /// Place of each ball, seen from each raceway.
+    places: Vec<Place>,
+    under_way: Vec<UnderWay>,
+    /// Steps so far.
+    steps: u64,
+    /// Raceways and the balls that may cross an end of them before all are looked at again.
+    near: Vec<[usize; 2]>,
+    /// Least distance of the others from an end, m.
+    near_m: f64,
     contact_tracker: ContactTracker,
     sink: F,
 }
@@ -190,22 +225,20 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
         Self {
             sectors: vec![],
             pair_angles: vec![],
-            inside: vec![],
-            seen_outside: vec![],
+            places: vec![],
+            under_way: vec![],
+            steps: 0,
+            near: vec![],
+            near_m: 0.0,
             contact_tracker: ContactTracker::new(0),
             sink,
         }
     }
 
-    /// When ball `k` crosses the end of a raceway within the step, and the angle to the ball
-    /// ahead and that from the ball behind there.
-    fn end(
-        &self,
-        view: &StepView<'_, '_>,
-        k: usize,
-        sector: &RacewaySector,
-    ) -> (f64, [Direction; 2]) {
-        let layout = view.layout();
+    /// When ball `k` crosses the end of a raceway within the step, and the gaps to the ball
+    /// ahead and of the ball behind there.
+    fn end(&self, view: &StepView<'_, '_>, k: usize, r: usize) -> (f64, [f64; 2]) {
+        let (layout, sector) = (view.layout(), &self.sectors[r]);
         let (from, to) = (view.step.t0_s, view.step.t1_s);
         let inside_by = |time_s: f64| {
             let at = |coordinate| view.step.interpolate(layout.ball(coordinate, k), time_s);
@@ -216,98 +249,141 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
         let state = view.state(time_s);
         let [x, y] = [BallCoordinate::X, BallCoordinate::Y]
             .map(|c| state.layout().balls_of(state.values(), c));
-        let previous = (k + layout.balls - 1) % layout.balls;
         let centre = state.outer_ring_motion();
-        let to_next = |k| Direction::to_next(x, y, [centre.x, centre.y], k);
-        (time_s, [k, previous].map(to_next))
+        let gap = |k: usize| {
+            Direction::to_next(x, y, [centre.x, centre.y], k).gap_rad(self.pair_angles[k])
+        };
+        (time_s, [k, previous(k, layout.balls)].map(gap))
     }
+
+    /// Looks at all balls and keeps in mind which are near an end.
+    fn look(&mut self, view: &StepView<'_, '_>) -> Result<(), ObserverError> {
+        let [x, y] = view.positions();
+        let before = [BallCoordinate::X, BallCoordinate::Y].map(|c| view.before(c));
+        let centre = view.outer_ring_m();
+        self.near.clear();
+        for r in 0..self.sectors.len() {
+            for k in 0..x.len() {
+                self.cross(view, [r, k])?;
+                let way_m = (x[k] - before[0][k]).abs() + (y[k] - before[1][k]).abs();
+                let to_end_m = self.sectors[r].to_end_m(x[k] - centre[0], y[k] - centre[1]);
+                if to_end_m < self.near_m + NEAR_STEPS * way_m {
+                    self.near.push([r, k]);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Begins or ends a passage if ball `k` has crossed an end of raceway `r`.
+    fn cross(&mut self, view: &StepView<'_, '_>, [r, k]: [usize; 2]) -> Result<(), ObserverError> {
+        let ([x, y], centre) = (view.positions(), view.outer_ring_m());
+        let inside = self.sectors[r].inside_by(x[k] - centre[0], y[k] - centre[1]) > 0.0;
+        let slot = r * x.len() + k;
+        match (self.places[slot], inside) {
+            (Place::StartedInside, false) => self.places[slot] = Place::Outside,
+            (Place::Outside, true) => {
+                self.places[slot] = Place::Inside;
+                let passage = self.enter(view, k, r);
+                self.under_way.push(passage);
+            }
+            (Place::Inside, false) => {
+                self.places[slot] = Place::Outside;
+                let passage = self.leave(view, k, r);
+                (self.sink)(passage)?;
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// The passage of a ball that comes in.
+    fn enter(&self, view: &StepView<'_, '_>, k: usize, r: usize) -> UnderWay {
+        let (enter_s, [gap, gap_behind_rad]) = self.end(view, k, r);
+        let [x, y] = view.positions();
+        UnderWay {
+            passage: Passage {
+                ball: k,
+                raceway: r,
+                enter_s,
+                leave_s: enter_s,
+                gap_enter_rad: gap,
+                gap_behind_rad,
+                gap_min_rad: gap,
+                gap_leave_rad: gap,
+                collisions_ahead: 0,
+                collisions_behind: 0,
+                sliding_max_m_s: 0.0,
+                orbit_speed_range_rad_s: [view.contacts.orbit_speed_rad_s(k); 2],
+            },
+            nearest: Direction::to_next(x, y, view.outer_ring_m(), k),
+        }
+    }
+
+    /// The passage of a ball that goes out.
+    fn leave(&mut self, view: &StepView<'_, '_>, k: usize, r: usize) -> Passage {
+        let (leave_s, [gap_leave_rad, _]) = self.end(view, k, r);
+        let of_ball = |u: &UnderWay| (u.passage.ball, u.passage.raceway) == (k, r);
+        let at = self.under_way.iter().position(of_ball);
+        let UnderWay { passage, nearest } = self.under_way.swap_remove(at.expect("it came in"));
+        let least = passage.gap_enter_rad.min(gap_leave_rad);
+        Passage {
+            leave_s,
+            gap_leave_rad,
+            gap_min_rad: least.min(nearest.gap_rad(self.pair_angles[k])),
+            ..passage
+        }
+    }
+}
+
+/// The ball behind ball `k`.
+fn previous(k: usize, balls: usize) -> usize {
+    if k == 0 { balls - 1 } else { k - 1 }
 }
 
 impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorder<F> {
     fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
         let n = context.model.balls();
-        self.sectors = context
-            .case
-            .raceways
-            .iter()
-            .map(RacewaySector::new)
-            .collect();
+        let raceways = &context.case.raceways;
+        self.sectors = raceways.iter().map(RacewaySector::new).collect();
         self.pair_angles = (0..n).map(|k| context.model.pair_angle_rad(k)).collect();
-        self.inside = vec![None; n * self.sectors.len()];
-        self.seen_outside = vec![false; n * self.sectors.len()];
+        self.places = vec![Place::StartedInside; n * self.sectors.len()];
+        self.under_way.clear();
+        self.steps = 0;
+        self.near_m = NEAR * context.case.bearing.ball_radius_m();
         self.contact_tracker = ContactTracker::new(n);
         Ok(())
     }
 
     fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
-        let n = view.layout().balls;
+        self.contact_tracker.update(&view.contacts);
+        if self.steps.is_multiple_of(LOOK_EVERY) {
+            self.look(view)?;
+        } else {
+            for at in 0..self.near.len() {
+                self.cross(view, self.near[at])?;
+            }
+        }
+        self.steps += 1;
+        let c = &view.contacts;
         let [x, y] = view.positions();
         let centre = view.outer_ring_m();
-        let c = &view.contacts;
-        self.contact_tracker.update(c);
-        for (r, sector) in self.sectors.iter().enumerate() {
-            for k in 0..n {
-                let slot = r * n + k;
-                if !sector.is_inside(x[k] - centre[0], y[k] - centre[1]) {
-                    self.seen_outside[slot] = true;
-                    if let Some(UnderWay {
-                        mut passage,
-                        nearest,
-                    }) = self.inside[slot].take()
-                    {
-                        let (leave_s, [leave, _]) = self.end(view, k, sector);
-                        let pair_angle = self.pair_angles[k];
-                        passage.leave_s = leave_s;
-                        passage.gap_leave_rad = leave.gap_rad(pair_angle);
-                        let least = passage.gap_enter_rad.min(passage.gap_leave_rad);
-                        passage.gap_min_rad = least.min(nearest.gap_rad(pair_angle));
-                        (self.sink)(passage)?;
-                    }
-                    continue;
-                }
-                if !self.seen_outside[slot] {
-                    continue;
-                }
-                let previous = if k == 0 { n - 1 } else { k - 1 };
-                let now = Direction::to_next(x, y, centre, k);
-                let orbit = c.orbit_speed_rad_s(k);
-                // A contact without load may slide as it likes.
-                let slip = |slip: f64, force: f64| if force > 0.0 { slip.abs() } else { 0.0 };
-                let slip = slip(c.inner_sliding_m_s(k), c.inner_force_n(k))
-                    .max(slip(c.outer_sliding_m_s(k), c.outer_force_n(k)));
-                if self.inside[slot].is_none() {
-                    let (enter_s, [ahead, behind]) = self.end(view, k, sector);
-                    let gap = ahead.gap_rad(self.pair_angles[k]);
-                    self.inside[slot] = Some(UnderWay {
-                        passage: Passage {
-                            ball: k,
-                            raceway: r,
-                            enter_s,
-                            leave_s: enter_s,
-                            gap_enter_rad: gap,
-                            gap_behind_rad: behind.gap_rad(self.pair_angles[previous]),
-                            gap_min_rad: gap,
-                            gap_leave_rad: gap,
-                            collisions_ahead: 0,
-                            collisions_behind: 0,
-                            sliding_max_m_s: 0.0,
-                            orbit_speed_range_rad_s: [orbit, orbit],
-                        },
-                        nearest: now,
-                    });
-                }
-                let Some(UnderWay { passage, nearest }) = &mut self.inside[slot] else {
-                    continue;
-                };
-                if now.below(*nearest) {
-                    *nearest = now;
-                }
-                passage.collisions_ahead += u32::from(self.contact_tracker.started(k));
-                passage.collisions_behind += u32::from(self.contact_tracker.started(previous));
-                passage.sliding_max_m_s = passage.sliding_max_m_s.max(slip);
-                let [low, high] = passage.orbit_speed_range_rad_s;
-                passage.orbit_speed_range_rad_s = [low.min(orbit), high.max(orbit)];
+        // A contact without load may slide as it likes.
+        let loaded = |slip: f64, force: f64| if force > 0.0 { slip.abs() } else { 0.0 };
+        for UnderWay { passage, nearest } in &mut self.under_way {
+            let k = passage.ball;
+            let now = Direction::to_next(x, y, centre, k);
+            if now.below(*nearest) {
+                *nearest = now;
             }
+            let behind = previous(k, x.len());
+            passage.collisions_ahead += u32::from(self.contact_tracker.started(k));
+            passage.collisions_behind += u32::from(self.contact_tracker.started(behind));
+            let slip = loaded(c.inner_sliding_m_s(k), c.inner_force_n(k))
+                .max(loaded(c.outer_sliding_m_s(k), c.outer_force_n(k)));
+            passage.sliding_max_m_s = passage.sliding_max_m_s.max(slip);
+            let (orbit, [low, high]) = (c.orbit_speed_rad_s(k), passage.orbit_speed_range_rad_s);
+            passage.orbit_speed_range_rad_s = [low.min(orbit), high.max(orbit)];
         }
         Ok(Control::Continue(()))
     }

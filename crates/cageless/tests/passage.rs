@@ -1,8 +1,9 @@
 //! Passages through a discrete raceway.
 
+use cageless::numerics::angle::wrap_angle_rad;
 use cageless::passage::{Passage, PassageRecorder};
-use cageless::simulation::{Control, run};
-use cageless::{Case, Gaps, Start};
+use cageless::simulation::{Control, Observer, ObserverError, StepView, run};
+use cageless::{Case, Gaps, IntegrationMethod, Start};
 
 fn passages(case: &Case) -> Vec<Passage> {
     let mut found = vec![];
@@ -50,5 +51,71 @@ fn ends_are_located_within_the_step() {
         // Balls are slowed by some percent at most.
         let rolled = orbit * (b.leave_s - b.enter_s) / 50.4f64.to_radians();
         assert!((1.0..1.06).contains(&rolled), "{rolled}");
+    }
+}
+
+/// Comings in and goings out of every ball, by its angle at the end of every step.
+struct EveryStep {
+    half_rad: f64,
+    centre_rad: f64,
+    inside: Vec<Option<bool>>,
+    crossings: Vec<(usize, bool, f64)>,
+}
+
+impl Observer for EveryStep {
+    fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
+        let ([x, y], [cx, cy]) = (view.positions(), view.outer_ring_m());
+        self.inside.resize(x.len(), None);
+        for k in 0..x.len() {
+            let angle = (x[k] - cx).atan2(cy - y[k]) - self.centre_rad;
+            let inside = wrap_angle_rad(angle).abs() < self.half_rad;
+            if self.inside[k].is_some_and(|before| before != inside) {
+                self.crossings.push((k, inside, view.step.t1_s));
+            }
+            self.inside[k] = Some(inside);
+        }
+        Ok(Control::Continue(()))
+    }
+}
+
+/// Balls that start from rest, are hit by a rotor and run into each other are not looked at in every
+/// step; none of their passages begins or ends later for it.
+#[test]
+fn no_passage_is_seen_late() {
+    let mut case = crate::common::drop_case();
+    let (angle_deg, centre_deg) = (25.2, 10.0);
+    case = case.clone().with_raceways(vec![crate::common::raceway(
+        &case.bearing,
+        5.1,
+        angle_deg,
+        centre_deg,
+    )]);
+    case.set_method(IntegrationMethod::VelocityVerlet);
+    case.solver.duration_s = 0.06;
+    let mut every = EveryStep {
+        half_rad: f64::to_radians(angle_deg),
+        centre_rad: f64::to_radians(centre_deg),
+        inside: vec![],
+        crossings: vec![],
+    };
+    let mut found = vec![];
+    let mut recorder = PassageRecorder::new(|passage: Passage| {
+        found.push((passage.ball, true, passage.enter_s));
+        found.push((passage.ball, false, passage.leave_s));
+        Ok(())
+    });
+    run(&case, &mut [&mut every, &mut recorder], &mut |_| {
+        Control::Continue(())
+    })
+    .unwrap();
+    assert!(found.len() > 60, "{}", found.len());
+    for (ball, inside, time_s) in found {
+        let h = case.solver.step_s;
+        let same = |c: &&(usize, bool, f64)| (c.0, c.1) == (ball, inside) && c.2 > time_s - 1e-12;
+        let (_, _, step_end_s) = every.crossings.iter().find(same).unwrap();
+        assert!(
+            *step_end_s < time_s + h,
+            "{ball} {inside} {time_s} {step_end_s}"
+        );
     }
 }

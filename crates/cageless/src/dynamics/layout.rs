@@ -76,6 +76,7 @@ impl Layout {
 
     /// Whether there are a rotor, an inner ring whose speed is a state, and an outer ring on a
     /// support.
+    #[inline]
     pub fn has_rotor(&self) -> bool {
         self.bodies.len() > RING.len()
     }
@@ -106,11 +107,13 @@ impl Layout {
     }
 
     /// Bearings side by side.
+    #[inline]
     pub fn width(&self) -> usize {
         self.width
     }
 
     /// Index of the bearing whose places are given.
+    #[inline]
     pub fn bearing(&self) -> usize {
         self.bearing
     }
@@ -126,6 +129,7 @@ impl Layout {
         BALL.len() * self.stride + self.bodies.len() * self.width
     }
 
+    #[inline]
     fn bodies_start(&self) -> usize {
         self.start + BALL.len() * self.stride
     }
@@ -136,33 +140,39 @@ impl Layout {
     }
 
     /// Start of the array of one coordinate of all balls and bearings.
+    #[inline]
     pub fn array(&self, coordinate: BallCoordinate) -> usize {
         self.start + coordinate as usize * self.stride
     }
 
     /// Place of a coordinate of ball `k`.
+    #[inline]
     pub fn ball(&self, coordinate: BallCoordinate, k: usize) -> usize {
         debug_assert!(k < self.balls);
         self.array(coordinate) + k * self.width + self.bearing
     }
 
     /// Place of a coordinate of the inner ring.
+    #[inline]
     pub fn ring(&self, coordinate: RingCoordinate) -> usize {
         self.body(coordinate as usize)
     }
 
     /// Place of a coordinate of the bodies under a rotor.
+    #[inline]
     pub fn drop(&self, coordinate: DropCoordinate) -> usize {
         debug_assert!(self.has_rotor());
         self.body(coordinate as usize)
     }
 
     /// Place of a coordinate of the bodies by its index in their table.
+    #[inline]
     fn body(&self, index: usize) -> usize {
         self.bodies_start() + index * self.width + self.bearing
     }
 
     /// Place of a term of the energy ledger.
+    #[inline]
     pub fn energy_term(&self, term: EnergyTerm) -> usize {
         self.body(self.bodies.len() + term as usize)
     }
@@ -233,12 +243,14 @@ impl Layout {
     }
 
     /// ωi of the inner ring in a vector, rad/s, where it is a state: under a rotor.
+    #[inline]
     pub fn ring_speed_rad_s(&self, values: &[f64]) -> Option<f64> {
         self.has_rotor()
             .then(|| values[self.drop(DropCoordinate::RingSpeed)])
     }
 
     /// One coordinate of the balls of this bearing in a vector.
+    #[inline]
     pub fn balls_of<'a>(&self, values: &'a [f64], coordinate: BallCoordinate) -> Balls<'a> {
         Balls {
             values: &values[self.array(coordinate) + self.bearing..],
@@ -276,10 +288,14 @@ impl Layout {
 
     /// Whether every coordinate of this bearing is finite.
     pub(crate) fn is_finite(&self, values: &[f64]) -> bool {
-        self.motion()
-            .map(|(place, _)| values[place])
-            .sum::<f64>()
-            .is_finite()
+        // In any array each place of a bearing is `width` behind the last.
+        let own = &values[self.start..][..self.motion_len()];
+        let (mut finite, mut place) = (true, self.bearing);
+        while place < own.len() {
+            finite &= own[place].is_finite();
+            place += self.width;
+        }
+        finite
     }
 
     /// Root mean square over the coordinates of this bearing of a difference of two vectors in
@@ -315,6 +331,7 @@ pub struct Balls<'a> {
 impl<'a> Balls<'a> {
     /// N.
     #[allow(clippy::len_without_is_empty)] // never empty
+    #[inline]
     pub fn len(&self) -> usize {
         self.count
     }
@@ -332,6 +349,7 @@ impl<'a> Balls<'a> {
 impl std::ops::Index<usize> for Balls<'_> {
     type Output = f64;
 
+    #[inline]
     fn index(&self, k: usize) -> &f64 {
         &self.values[k * self.step]
     }

@@ -219,10 +219,10 @@ impl<'m> Guard<'m> {
             return Err(Cause::NotFinite);
         }
         let (inner, outer) = (layout.ring_motion(values), layout.outer_ring_motion(values));
-        let displacement_m = (inner.x - outer.x).hypot(inner.y - outer.y);
-        if displacement_m > self.ring_max {
+        let [x, y] = [inner.x - outer.x, inner.y - outer.y];
+        if x * x + y * y > self.ring_max * self.ring_max {
             return Err(Cause::RingsMeet {
-                displacement_m,
+                displacement_m: x.hypot(y),
                 balls_that_hold: self.balls_that_hold,
             });
         }

@@ -22,6 +22,7 @@ mod run_tracker;
 pub use crate::dynamics::rotor_on_bearings::PlaneDisplacement;
 pub use batch::{batches, run_batch};
 pub use guard::{Cause, Stop};
+pub(crate) use observer::BallAngle;
 pub use observer::{Control, Observer, ObserverError, RunContext, StepView};
 pub use outcome::{Ending, RunOutcome};
 pub use rotor_drop::{RotorDrop, RotorDropOutcome};

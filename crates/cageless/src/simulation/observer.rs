@@ -47,16 +47,25 @@ pub struct StepView<'a, 'm> {
 
 impl StepView<'_, '_> {
     /// Places of this bearing in the vectors of the step.
+    #[inline]
     pub fn layout(&self) -> Layout {
         self.layout
     }
 
     /// One coordinate of the balls at the end of the step.
+    #[inline]
     pub fn after(&self, coordinate: BallCoordinate) -> Balls<'_> {
         self.layout.balls_of(&self.step.y1, coordinate)
     }
 
+    /// One coordinate of the balls at the start of the step.
+    #[inline]
+    pub fn before(&self, coordinate: BallCoordinate) -> Balls<'_> {
+        self.layout.balls_of(&self.step.y0, coordinate)
+    }
+
     /// x and y of the balls at the end of the step.
+    #[inline]
     pub fn positions(&self) -> [Balls<'_>; 2] {
         [self.after(BallCoordinate::X), self.after(BallCoordinate::Y)]
     }
@@ -76,13 +85,22 @@ impl StepView<'_, '_> {
 
     /// Continuous ψ of ball `k` at the end of the step.
     pub fn angle_after_rad(&self, k: usize) -> f64 {
-        let [x, y] = self.positions().map(|values| values[k]);
-        let centre = self.outer_ring_m();
-        let (x, y) = (x - centre[0], y - centre[1]);
-        unwrap_angle_rad(x.atan2(-y), self.recent_angle_rad[k])
+        self.ball_angle(k).rad()
+    }
+
+    /// Continuous ψ of ball `k` at the end of the step, to be worked out when it is wanted.
+    #[inline]
+    pub(crate) fn ball_angle(&self, k: usize) -> BallAngle {
+        let ([x, y], centre) = (self.positions(), self.outer_ring_m());
+        BallAngle {
+            x_m: x[k] - centre[0],
+            y_m: y[k] - centre[1],
+            recent_rad: self.recent_angle_rad[k],
+        }
     }
 
     /// Centre of the outer ring at the end of the step: the origin unless it moves on a support.
+    #[inline]
     pub fn outer_ring_m(&self) -> [f64; 2] {
         let motion = self.layout.outer_ring_motion(&self.step.y1);
         [motion.x, motion.y]
@@ -111,6 +129,22 @@ impl StepView<'_, '_> {
         self.interpolator
             .borrow_mut()
             .snapshot_within(time_s, &state, &angles, &self.contacts)
+    }
+}
+
+/// Continuous ψ of a ball by its place about the centre of the outer ring and ψ less than half a turn
+/// before.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct BallAngle {
+    x_m: f64,
+    y_m: f64,
+    recent_rad: f64,
+}
+
+impl BallAngle {
+    /// The angle, rad.
+    pub fn rad(&self) -> f64 {
+        unwrap_angle_rad(self.x_m.atan2(-self.y_m), self.recent_rad)
     }
 }
 
