@@ -2,7 +2,11 @@
 
 use crate::common::{conventional, dimensions, raceway, structure};
 use cageless::contact::FrictionTable;
-use cageless::dynamics::InstructionSet;
+use cageless::dynamics::ball::BallMotion;
+use cageless::dynamics::{InstructionSet, Model, RightHandSide};
+use cageless::initial_conditions::initial_state;
+use cageless::integrator::System;
+use cageless::numerics::lanes::BATCH_WIDTH;
 use cageless::simulation::{Control, Observer, batches, run, run_batch};
 use cageless::summary::{Summary, SummaryRecorder};
 use cageless::{Case, FrictionLaw, Gaps, IntegrationMethod, Profile, Start};
@@ -191,4 +195,49 @@ fn batches_hold_every_case_once() {
     }
     assert!(batches.contains(&vec![2]) && batches.contains(&vec![3]));
     assert!(batches.contains(&vec![20, 21, 22, 23, 24]));
+}
+
+/// Every pair of neighbours is seen to touch from the first nanometre on and to be apart again,
+/// whichever lanes they are in.
+#[test]
+fn every_pair_is_seen_to_touch() {
+    for balls in [3, 14, 16, 17] {
+        let cases = mixed_of(balls, BATCH_WIDTH);
+        let models: Vec<Model> = cases.iter().map(|case| Model::new(case).unwrap()).collect();
+        let (start, _) = initial_state(&cases[0]).unwrap();
+        let alone = RightHandSide::new(&models[0]);
+        let isa = InstructionSet::chosen();
+        let together = RightHandSide::side_by_side(std::array::from_fn(|k| &models[k]), isa);
+        for mut rhs in [alone, together] {
+            let width = rhs.layout().width();
+            let (mut y, mut rates) = (vec![0.0; rhs.layout().len()], vec![0.0; rhs.layout().len()]);
+            for bearing in 0..width {
+                for k in 0..balls {
+                    let next = (k + 1) % balls;
+                    let [x, y_m] = [start.x_m()[k], start.y_m()[k]];
+                    let mut state = start.clone();
+                    for (gap_m, touch) in [(-1e-9, true), (1e-9, false)] {
+                        let distance = models[bearing].pair_distance_m(k) + gap_m;
+                        let motion = state.ball_motion(next);
+                        let moved = BallMotion {
+                            x: x + distance,
+                            y: y_m,
+                            ..motion
+                        };
+                        state.set_ball(next, moved);
+                        for other in 0..width {
+                            start.write_to(rhs.layout().of_bearing(other), &mut y);
+                        }
+                        state.write_to(rhs.layout().of_bearing(bearing), &mut y);
+                        rhs.derivative(0.0, &y, &mut rates);
+                        let contacts = rhs.contacts_of(bearing);
+                        let depth = contacts.pair_deflection_m(k);
+                        assert_eq!(depth > 0.0, touch, "{balls} {bearing} {k} {depth}");
+                        assert!(!touch || (depth - 1e-9).abs() < 1e-16, "{depth}");
+                        assert!(!touch || contacts.balls_touch());
+                    }
+                }
+            }
+        }
+    }
 }

@@ -4,7 +4,7 @@ use super::layout::Layout;
 use super::rotor::RotorContact;
 use crate::contact::outer_friction_direction;
 use crate::numerics::lanes::LANES;
-use crate::numerics::lanes::Lanes;
+use crate::numerics::lanes::{Lanes, larger};
 use crate::profile::Profile;
 use crate::simd::Workspace;
 
@@ -20,6 +20,7 @@ pub struct Contacts<'a> {
 macro_rules! per_ball {
     ($($(#[$meta:meta])* $name:ident: $($field:ident).+;)*) => {
         $($(#[$meta])*
+        #[inline]
         pub fn $name(&self, k: usize) -> f64 {
             let (block, lane) = self.place(k);
             let lanes: &Lanes = &self.work.blocks[block].$($field).+;
@@ -30,11 +31,13 @@ macro_rules! per_ball {
 
 impl Contacts<'_> {
     /// N.
+    #[inline]
     pub fn balls(&self) -> usize {
         self.layout.balls
     }
 
     /// Block and lane of ball `k`.
+    #[inline]
     fn place(&self, k: usize) -> (usize, usize) {
         let entry = k * self.layout.width() + self.layout.bearing();
         (entry / LANES, entry % LANES)
@@ -61,7 +64,8 @@ impl Contacts<'_> {
         orbit_speed_rad_s: polar.orbit;
         /// Absolute spin, rad/s.
         rotation_rad_s: spin;
-        /// δb between ball `k` and the ball ahead, m; negative: apart.
+        /// δb between ball `k` and the ball ahead, m; once all balls are apart no longer kept up to
+        /// date, but not above 0.
         pair_deflection_m: pair.deflection;
         /// Rate of [`Self::pair_deflection_m`] while any two balls touch, else 0, m/s.
         pair_rate_m_s: pair.rate;
@@ -76,13 +80,20 @@ impl Contacts<'_> {
     }
 
     /// Whether any two balls touch.
+    #[inline]
     pub fn balls_touch(&self) -> bool {
         self.work.pair_deflection_max[self.layout.bearing()] > 0.0
     }
 
     /// Largest |ΔVi| or |ΔVo| at contacts that carry load, m/s.
+    #[inline]
     pub fn sliding_max_m_s(&self) -> f64 {
-        self.work.slip_max[self.layout.bearing()]
+        let (mut most, mut lane) = (0.0, self.layout.bearing());
+        while lane < LANES {
+            most = larger(most, self.work.slip_max.0[lane]);
+            lane += self.layout.width();
+        }
+        most
     }
 
     /// Contact of the rotor with the inner ring, if there is a rotor.

@@ -91,8 +91,8 @@ impl EnergyTerm {
     };
 
     /// The terms of a bearing without a rotor.
-    pub fn without_rotor() -> &'static [Self] {
-        &Self::ALL_TERMS[..WITHOUT_ROTOR]
+    pub const fn without_rotor() -> &'static [Self] {
+        Self::ALL_TERMS.split_at(WITHOUT_ROTOR).0
     }
 
     const ALL_TERMS: &'static [Self] = &Self::ALL;

@@ -2,7 +2,7 @@
 
 use super::parameters::Parameters;
 use super::workspace::Workspace;
-use crate::contact::{Law, LawLanes, with_law};
+use crate::contact::{Law, LawLanes, ball_deflection, with_law};
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::numerics::lanes::LANES;
 
@@ -23,10 +23,12 @@ pub(crate) fn edges(p: &Parameters, w: &Workspace, y: &[f64], values: &mut Vec<f
         let (block, lane) = (k / LANES, k % LANES);
         let (results, ball) = (&w.blocks[block], p.balls(block).get(lane));
         let polar = results.polar.get(lane);
+        let at = |coordinate, k| y[layout.ball(coordinate, k)];
+        let ahead = |coordinate| at(coordinate, (k + 1) % layout.balls) - at(coordinate, k);
         let [inner, outer, pair] = [
             results.inner.deflection.0[lane],
             results.outer.deflection.0[lane],
-            results.pair.deflection.0[lane],
+            ball_deflection(&ball, ahead(BallCoordinate::X), ahead(BallCoordinate::Y)),
         ];
         values.extend([inner, outer, pair].map(|depth| depth * PER_DEPTH));
         if ball.raceway_damping > 0.0 {
@@ -35,9 +37,8 @@ pub(crate) fn edges(p: &Parameters, w: &Workspace, y: &[f64], values: &mut Vec<f
                 (depth + ball.raceway_damping / stiffness * rate) * PER_DEPTH
             };
             values.push(while_closed(inner, || {
-                let at = |coordinate| y[layout.ball(coordinate, k)];
-                let vx = at(BallCoordinate::Vx) - ring.vx;
-                let vy = at(BallCoordinate::Vy) - ring.vy;
+                let vx = at(BallCoordinate::Vx, k) - ring.vx;
+                let vy = at(BallCoordinate::Vy, k) - ring.vy;
                 let direction = &results.inner_polar;
                 let rate = -(vx * direction.ex.0[lane] + vy * direction.ey.0[lane]);
                 unclamped(ball.inner_stiffness_n_m1_5, inner, rate)

@@ -4,8 +4,8 @@ use super::motions::{CentreLanes, Motions, outer_centre};
 use super::parameters::{Parameters, Polynomial, RacewayBlock};
 use super::workspace::BlockResults;
 use crate::contact::{
-    OuterGeometry, RacewayPosition, RacewayPositionLanes, RacewayValuesLanes, nominal_geometry,
-    unequal_geometry, with_path_direction,
+    OuterGeometry, RacewayPosition, RacewayPositionLanes, RacewayValues, RacewayValuesLanes,
+    nominal_geometry, unequal_geometry, with_path_direction,
 };
 use crate::dynamics::ball::BallLanes;
 use crate::numerics::lanes::LANES;
@@ -58,6 +58,21 @@ pub(super) fn raceway_geometry<const PAPER: bool>(
             RacewayPosition::new(&raceway.constants.get(lane), &polar),
         );
     }
+    if !PAPER && !p.unequal {
+        // The radius does not go through memory: a choice between two numbers there becomes one
+        // between their addresses, lane by lane.
+        let [even, odd] = halves(&raceway.radius, &position.u);
+        for lane in 0..LANES {
+            let values = RacewayValues {
+                radius: even[lane] + odd[lane] * position.u.0[lane],
+                ..RacewayValues::default()
+            };
+            let plain = results.geometry.get(lane);
+            let geometry = nominal_geometry(&position.get(lane), &values, plain);
+            results.geometry.effective_radius.0[lane] = geometry.effective_radius;
+        }
+        return;
+    }
     polynomial(&raceway.radius, &position.u, &mut values.radius);
     if PAPER {
         polynomial(&raceway.direction, &position.u, &mut values.direction);
@@ -102,6 +117,15 @@ pub(super) fn raceway_geometry<const PAPER: bool>(
 /// Σ c_k u^k from the sums of its even and its odd powers, which do not wait for each other.
 #[inline(always)]
 fn polynomial(coefficients: &Polynomial, u: &Lanes, value: &mut Lanes) {
+    let [even, odd] = halves(coefficients, u);
+    for lane in 0..LANES {
+        value.0[lane] = even[lane] + odd[lane] * u.0[lane];
+    }
+}
+
+/// Sums of the even powers of a polynomial, and of the odd powers over u.
+#[inline(always)]
+fn halves(coefficients: &Polynomial, u: &Lanes) -> [[f64; LANES]; 2] {
     let (mut even, mut odd) = ([0.0; LANES], [0.0; LANES]);
     for [c0, c1] in coefficients.iter().rev() {
         for lane in 0..LANES {
@@ -110,7 +134,5 @@ fn polynomial(coefficients: &Polynomial, u: &Lanes, value: &mut Lanes) {
             odd[lane] = odd[lane] * square + c1.0[lane];
         }
     }
-    for lane in 0..LANES {
-        value.0[lane] = even[lane] + odd[lane] * u.0[lane];
-    }
+    [even, odd]
 }

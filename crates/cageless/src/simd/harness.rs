@@ -4,8 +4,8 @@
 use super::friction::{friction, loaded_slips};
 use super::geometry::{plain_positions, raceway_geometry};
 use super::implicit_friction;
-use super::motions::{CentreLanes, Motions, block_mut};
-use super::pairs::{pair_contacts, pair_deflections};
+use super::motions::{CentreLanes, Motions, block_at, block_mut};
+use super::pairs::{pair_contacts, pair_deflections, pairs_near};
 use super::parameters::Parameters;
 use super::rotor::{add_with_rotor, outer_ring_reactions, ring_torques, rotor_and_ledger};
 use super::sums::{Addends, Sum, Sums};
@@ -82,6 +82,8 @@ fn equations<const PAPER: bool, const ROTOR: bool>(
     let mut slip_max = Lanes::ZERO;
     let mut addends = [Lanes::ZERO; Sum::COUNT];
     for (block, results) in w.blocks.iter_mut().enumerate() {
+        // Or the constants of all lanes are read before the loop, only to be put on the stack.
+        let p = std::hint::black_box(p);
         let motions = Motions::new(p.layout, y, block);
         let balls = p.balls(block);
         plain_positions::<PAPER, ROTOR>(balls, results, motions, outer_ring);
@@ -126,19 +128,21 @@ fn equations<const PAPER: bool, const ROTOR: bool>(
             w.sums.add(&Sum::PAPER, &addends, alone, block);
         }
     }
-    w.slip_max = lane_maxima(&slip_max, alone);
+    w.slip_max = slip_max;
     w.slips_known &= !raceway_friction;
-    w.pair_deflection_max = lane_maxima(&pair_deflections(p, w, y), alone);
-    if w.pair_deflection_max.iter().any(|d| *d > 0.0) {
-        pair_contacts::<PAPER>(p, w, y);
-        w.pairs_loaded = true;
-    } else if w.pairs_loaded {
-        // Forces of the last contact must not outlive it.
-        for results in &mut w.blocks {
-            results.pair.force = Lanes::ZERO;
-            results.pair.rate = Lanes::ZERO;
+    if w.pairs_loaded || pairs_near(p, y) {
+        w.pair_deflection_max = lane_maxima(&pair_deflections(p, w, y), alone);
+        let touch = w.pair_deflection_max.iter().any(|d| *d > 0.0);
+        if touch {
+            pair_contacts::<PAPER>(p, w, y);
+        } else if w.pairs_loaded {
+            // Forces of the last contact must not outlive it.
+            for results in &mut w.blocks {
+                results.pair.force = Lanes::ZERO;
+                results.pair.rate = Lanes::ZERO;
+            }
         }
-        w.pairs_loaded = false;
+        w.pairs_loaded = touch;
     }
     accelerations(p, w, y, dydt);
     for bearing in 0..p.layout.width() {
@@ -283,10 +287,15 @@ fn inner_loads<const PAPER: bool>(
 /// Velocities and accelerations of the balls.
 #[inline(always)]
 fn accelerations(p: &Parameters, w: &Workspace, y: &[f64], dydt: &mut [f64]) {
-    let velocities = p.layout.array(BallCoordinate::Vx);
-    dydt[..velocities].copy_from_slice(&y[velocities..2 * velocities]);
     for (block, results) in w.blocks.iter().enumerate() {
         let balls = p.balls(block);
+        for (position, velocity) in [
+            (BallCoordinate::X, BallCoordinate::Vx),
+            (BallCoordinate::Y, BallCoordinate::Vy),
+        ] {
+            let velocities = block_at(y, p.layout.array(velocity) + block * LANES);
+            *block_mut(dydt, p.layout.array(position) + block * LANES) = *velocities;
+        }
         let mut rates = [[0.0; LANES]; 3];
         for lane in 0..LANES {
             let acceleration = results.load.get(lane).acceleration(&balls.get(lane));
@@ -319,24 +328,35 @@ fn ring_and_ledger<const PAPER: bool>(
     dydt[layout.ring(RingCoordinate::Vx)] = ax;
     dydt[layout.ring(RingCoordinate::Vy)] = ay;
     let paper = |power: f64| if PAPER { power } else { 0.0 };
-    for &term in layout.energy_terms() {
-        dydt[layout.energy_term(term)] = match term {
-            EnergyTerm::Drive => total(Sum::Drive),
-            EnergyTerm::Load => -ring.radial_load * motion.vy,
-            EnergyTerm::Weight => total(Sum::Weight) - ring.weight_n() * motion.vy,
-            EnergyTerm::InnerFriction => total(Sum::InnerFriction),
-            EnergyTerm::OuterFriction => total(Sum::OuterFriction),
-            EnergyTerm::BallFriction => total(Sum::BallFriction),
-            EnergyTerm::Damping => total(Sum::RacewayDamping) + total(Sum::BallDamping),
-            EnergyTerm::Drag => ring.drag * (motion.vx * motion.vx + motion.vy * motion.vy),
-            EnergyTerm::Centrifugal => paper(total(Sum::Centrifugal)),
-            EnergyTerm::FrictionDirection => paper(total(Sum::FrictionDirection)),
-            EnergyTerm::RelativeSpin => {
-                paper(total(Sum::RelativeSpin) + total(Sum::BallRelativeSpin))
-            }
-            EnergyTerm::RotorFriction | EnergyTerm::RotorDamping | EnergyTerm::SupportDamping => {
-                0.0
-            }
-        };
+    let powers: [(EnergyTerm, f64); EnergyTerm::without_rotor().len()] = [
+        (EnergyTerm::Drive, total(Sum::Drive)),
+        (EnergyTerm::Load, -ring.radial_load * motion.vy),
+        (
+            EnergyTerm::Weight,
+            total(Sum::Weight) - ring.weight_n() * motion.vy,
+        ),
+        (EnergyTerm::InnerFriction, total(Sum::InnerFriction)),
+        (EnergyTerm::OuterFriction, total(Sum::OuterFriction)),
+        (EnergyTerm::BallFriction, total(Sum::BallFriction)),
+        (
+            EnergyTerm::Damping,
+            total(Sum::RacewayDamping) + total(Sum::BallDamping),
+        ),
+        (
+            EnergyTerm::Drag,
+            ring.drag * (motion.vx * motion.vx + motion.vy * motion.vy),
+        ),
+        (EnergyTerm::Centrifugal, paper(total(Sum::Centrifugal))),
+        (
+            EnergyTerm::FrictionDirection,
+            paper(total(Sum::FrictionDirection)),
+        ),
+        (
+            EnergyTerm::RelativeSpin,
+            paper(total(Sum::RelativeSpin) + total(Sum::BallRelativeSpin)),
+        ),
+    ];
+    for (term, power) in powers {
+        dydt[layout.energy_term(term)] = power;
     }
 }

@@ -13,7 +13,7 @@ use crate::contact::{
 use crate::dynamics::ball::{BallLanes, BallLoad, Centre};
 use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
 use crate::dynamics::energy::EnergyTerm;
-use crate::numerics::lanes::{LANES, Lanes, lane_maxima};
+use crate::numerics::lanes::{LANES, Lanes};
 use crate::profile::Profile;
 
 #[inline(always)]
@@ -47,7 +47,7 @@ pub(super) fn add<const PAPER: bool>(
             w.sums.add(&Sum::PAPER, &addends, alone, block);
         }
     }
-    w.slip_max = lane_maxima(&slip_max, alone);
+    w.slip_max = slip_max;
     w.slips_known = true;
     for bearing in 0..p.layout.width() {
         let layout = p.layout.of_bearing(bearing);

@@ -10,6 +10,42 @@ use crate::dynamics::ball::BallMotion;
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::numerics::lanes::{LANES, Lanes, flat, flat_mut, larger};
 
+/// A squared distance over that at which balls touch, less 1, at which they are apart whatever the
+/// rounding.
+const APART: f64 = 1e-12;
+
+/// Whether any two neighbours may touch: without roots, for in most evaluations none do.
+#[inline(always)]
+pub(super) fn pairs_near(p: &Parameters, y: &[f64]) -> bool {
+    let (width, count) = (p.layout.width(), p.layout.entries());
+    let x = &y[p.layout.array(BallCoordinate::X)..];
+    let y = &y[p.layout.array(BallCoordinate::Y)..];
+    let near =
+        |distance: f64, dx: f64, dy: f64| dx * dx + dy * dy < distance * distance * (1.0 + APART);
+    let mut any = false;
+    for block in 0..p.layout.stride / LANES {
+        let distance = &p.balls(block).pair_distance.0;
+        let (own_x, own_y) = (block_at(x, block * LANES), block_at(y, block * LANES));
+        let next = block * LANES + width;
+        let (next_x, next_y) = (block_at(x, next), block_at(y, next));
+        for lane in 0..LANES {
+            let (dx, dy) = (next_x[lane] - own_x[lane], next_y[lane] - own_y[lane]);
+            any |= near(distance[lane], dx, dy);
+        }
+    }
+    // The last ball is behind the first; above it has padding ahead of it, or anything.
+    let last = count - width;
+    for bearing in 0..width {
+        let distance = p.balls((last + bearing) / LANES).pair_distance.0[(last + bearing) % LANES];
+        let (dx, dy) = (
+            x[bearing] - x[last + bearing],
+            y[bearing] - y[last + bearing],
+        );
+        any |= near(distance, dx, dy);
+    }
+    any
+}
+
 /// Deflection of each ball with the ball ahead; returns the largest of each lane.
 #[inline(always)]
 pub(super) fn pair_deflections(p: &Parameters, w: &mut Workspace, y: &[f64]) -> Lanes {

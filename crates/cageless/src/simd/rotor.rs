@@ -15,7 +15,7 @@ use crate::dynamics::coordinates::{DropCoordinate, RingCoordinate};
 use crate::dynamics::energy::EnergyTerm;
 use crate::dynamics::layout::Layout;
 use crate::dynamics::rotor::{RotorBody, RotorContact, bore_motion};
-use crate::numerics::lanes::{LANES, Lanes, lane_maxima};
+use crate::numerics::lanes::{LANES, Lanes};
 use crate::profile::Profile;
 
 /// Forces of the balls of a block on the outer ring: what the loads of their outer contacts are
@@ -191,7 +191,7 @@ pub(super) fn add_with_rotor(
         loaded_slips(results, &mut slip_max);
         w.sums.add(&Sum::HEAT, &addends, alone, block);
     }
-    w.slip_max = lane_maxima(&slip_max, alone);
+    w.slip_max = slip_max;
     w.slips_known = true;
     for bearing in 0..p.layout.width() {
         let layout = p.layout.of_bearing(bearing);

@@ -98,8 +98,8 @@ pub(crate) struct Workspace {
     pub pair_deflection_max: [f64; BATCH_WIDTH],
     /// Whether the results hold forces between balls.
     pub(super) pairs_loaded: bool,
-    /// Largest |ΔV| under load of each bearing, m/s.
-    pub slip_max: [f64; BATCH_WIDTH],
+    /// Largest |ΔV| under load of each lane, m/s.
+    pub slip_max: Lanes,
 }
 
 impl Workspace {
@@ -120,7 +120,7 @@ impl Workspace {
             pairs: std::array::from_fn(|_| vec![Lanes::ZERO; blocks + 1]),
             pair_deflection_max: [0.0; BATCH_WIDTH],
             pairs_loaded: false,
-            slip_max: [0.0; BATCH_WIDTH],
+            slip_max: Lanes::ZERO,
         }
     }
 }
