@@ -20,6 +20,8 @@ use std::io::Write;
 use cageless_io::on_terminal;
 use clap::Parser;
 
+pub use failure::Failure;
+
 /// The exit code of the command with these words, the first of which is its own name: 0, or 1
 /// where it was interrupted or could not go on, 2 for bad input, 3 where the motion left what
 /// is physical or nothing converged. Answers go to standard output, messages to standard error.

@@ -92,21 +92,23 @@ fn the_table_of_the_documentation_has_every_key() {
     in_step("docs/case-file.md", &text);
 }
 
-const PYTHON_HEAD: &str = r#""""The sections of a case. Fields are the keys of the case file, in its units; what is left
-``None`` takes its default.
+const PYTHON_HEAD: &str = r#""""The sections of a case. Fields are the keys of the case file, in its units, with their meaning; what
+is left ``None`` takes its default.
 
 Written by ``cargo test -p cageless-io --test all derived_files`` from the declaration of the case file.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal, TypedDict
 
 from .section import Section
 
 if TYPE_CHECKING:
+    from typing_extensions import Required
+
     from .rotors import LinearRotor
 
 "#;
@@ -148,80 +150,63 @@ fn annotation(value: &ValueType) -> String {
     }
 }
 
-/// Words on lines of at most 96 characters, each after `indent`.
-fn wrapped(text: &str, indent: &str) -> String {
-    let mut lines = vec![String::new()];
-    for word in text.split(' ') {
-        let last = lines.last_mut().unwrap();
-        if !last.is_empty() && indent.len() + last.chars().count() + word.chars().count() >= 96 {
-            lines.push(word.to_owned());
-        } else {
-            if !last.is_empty() {
-                last.push(' ');
-            }
-            last.push_str(word);
-        }
-    }
-    lines.iter().map(|l| format!("{indent}{l}\n")).collect()
-}
-
-fn sentence(text: &str) -> String {
-    let end = if text.ends_with('.') { "" } else { "." };
-    format!("{text}{end}")
-}
-
 #[test]
 fn python_has_a_class_for_every_section() {
     let mut written: Vec<String> = vec![];
-    let mut classes = String::new();
+    let (mut classes, mut sections, mut arguments) = (String::new(), String::new(), String::new());
     for section in reference() {
         // The head is arguments of `Case`; the ranges of a search are those of `Case.search`.
-        if ["", "search"].contains(&section.name) || written.contains(&class(&section)) {
+        if ["", "search"].contains(&section.name) {
+            continue;
+        }
+        let (class, name) = (class(&section), section.name);
+        let _ = match name {
+            "raceway" => writeln!(
+                arguments,
+                "    {name}: {class} | Keys | Sequence[{class} | Keys] | None"
+            ),
+            "bearing" | "operation" => writeln!(arguments, "    {name}: Required[{class} | Keys]"),
+            _ => writeln!(arguments, "    {name}: {class} | Keys | None"),
+        };
+        if name != "raceway" {
+            let none = if section.optional { " | None" } else { "" };
+            let _ = writeln!(sections, "    {name}: {class}{none}");
+        }
+        if written.contains(&class) {
             continue;
         }
         let _ = write!(
             classes,
-            "\n\n@dataclass(frozen=True, kw_only=True)\nclass {}(Section):\n    \"\"\"`[{}]`: {}\n\n    \
-             Parameters\n    ----------\n",
-            class(&section),
-            section.name,
-            sentence(section.meaning),
+            "\n\n@dataclass(frozen=True, kw_only=True)\nclass {class}(Section):\n    \"\"\"`[{name}]`: {}.\"\"\"\n\n",
+            section.meaning,
         );
-        for key in &section.keys {
-            let required = key.left_out == LeftOut::Refused;
-            let kind = annotation(&key.value)
-                .replace("Literal[", "{")
-                .replace(']', "}");
-            let kind = match key.value {
-                ValueType::Numbers | ValueType::Range | ValueType::NumbersOr(_) => {
-                    kind.replace("Sequence[float}", "sequence of float")
-                }
-                ValueType::OverTime => "float or sequence of (float, float)".to_owned(),
-                ValueType::Rows(_) => "sequence of (float, float)".to_owned(),
-                _ => kind,
-            };
-            let optional = if required { "" } else { ", optional" };
-            let _ = writeln!(classes, "    {} : {kind}{optional}", key.name);
-            classes.push_str(&wrapped(&sentence(key.meaning), "        "));
-        }
-        classes.push_str("    \"\"\"\n\n");
         // Keyword arguments, so that the order is that of the file.
         for key in &section.keys {
             let kind = annotation(&key.value);
-            let _ = match key.left_out {
-                LeftOut::Refused => writeln!(classes, "    {}: {kind}", key.name),
-                _ => writeln!(classes, "    {}: {kind} | None = None", key.name),
+            let (none, default) = match key.left_out {
+                LeftOut::Refused => ("", ""),
+                _ => (" | None", " = None"),
             };
+            let _ = writeln!(
+                classes,
+                "    {}: Annotated[{kind}{none}, {:?}]{default}",
+                key.name, key.meaning
+            );
         }
-        if section.name == "rotor" {
+        if name == "rotor" {
             classes.push_str(ROTOR_METHODS);
         }
-        written.push(class(&section));
+        written.push(class);
     }
-    let mut all = written.clone();
+    let mut all = written;
     all.push("Section".to_owned());
     all.sort();
-    let all: String = all.iter().map(|c| format!("    \"{c}\",\n")).collect();
-    let text = format!("{PYTHON_HEAD}__all__ = [\n{all}]\n{classes}");
+    let all = all.join("\", \"");
+    let text = format!(
+        "{PYTHON_HEAD}__all__ = [\"{all}\"]\n\nKeys = Mapping[str, Any]\n{classes}\n\nclass OfCase:\n    \
+         \"\"\"Sections of a case, None where it has none.\"\"\"\n\n{sections}\n\n\
+         class Arguments(TypedDict, total=False):\n    \
+         \"\"\"Keywords of a case: its sections, or mappings of their keys.\"\"\"\n\n{arguments}    title: str\n"
+    );
     in_step("crates/cageless-py/python/cageless/sections.py", &text);
 }

@@ -1,5 +1,5 @@
-//! Studies in the background: they run on their own threads while the calling thread handles signals
-//! and progress.
+//! Computations in the background: they run on their own threads while the calling thread handles
+//! signals and progress.
 
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -10,34 +10,28 @@ use std::time::{Duration, Instant};
 use cageless_study::{Progress, THREADS_MAX, Workload, on_threads};
 use pyo3::prelude::*;
 
-use crate::errors::{input, of_study};
-use crate::signals::Signals;
+use crate::errors::{Found, input};
 
 /// Interval between checks for signals.
 const EVERY: Duration = Duration::from_millis(20);
 /// Interval between progress callbacks.
 const REPORT_INTERVAL: Duration = Duration::from_millis(100);
 
-/// Threads and progress callback of a study.
-pub struct Background {
-    pub threads: Option<NonZeroUsize>,
-    /// Called with the name of the task under way and the completed fraction of the whole.
-    pub progress: Option<Py<PyAny>>,
-}
+/// Number of threads and progress callback, which gets the name of the task under way and the completed
+/// fraction of the whole.
+#[derive(FromPyObject)]
+pub struct Background(pub Option<i64>, pub Option<Py<PyAny>>);
 
 impl Background {
-    pub fn new(threads: Option<i64>, progress: Option<Py<PyAny>>) -> PyResult<Self> {
-        let threads = threads.map(count).transpose()?;
-        Ok(Self { threads, progress })
-    }
-
     /// Runs `work` with the interpreter unlocked, handling Ctrl-C and progress callbacks.
     pub fn run<T: Send>(
         self,
         py: Python<'_>,
         work: impl FnOnce(&dyn Progress) -> T + Send,
-    ) -> PyResult<T> {
-        let (signals, relay) = (Signals::new(), ProgressRelay::default());
+    ) -> Found<T> {
+        let Self(threads, callback) = self;
+        let threads = threads.map(count).transpose()?;
+        let relay = ProgressRelay::default();
         let mut failed: Option<PyErr> = None;
         let done = py.detach(|| {
             std::thread::scope(|scope| {
@@ -45,40 +39,42 @@ impl Background {
                 let relay = &relay;
                 scope.spawn(move || {
                     // The receiver waits for nothing else.
-                    let _ = sender.send(on_threads(self.threads, || work(relay)));
+                    let _ = sender.send(on_threads(threads, || work(relay)));
                 });
                 let mut reported = Instant::now();
                 loop {
-                    match receiver.recv_timeout(EVERY) {
-                        Ok(done) => return Some(done),
+                    let done = match receiver.recv_timeout(EVERY) {
+                        Ok(done) => Some(done),
                         // The thread has panicked; joining it propagates the panic.
                         Err(RecvTimeoutError::Disconnected) => return None,
-                        Err(RecvTimeoutError::Timeout) => {}
-                    }
-                    if let Some(progress) = &self.progress
-                        && failed.is_none()
-                        && reported.elapsed() >= REPORT_INTERVAL
-                    {
+                        Err(RecvTimeoutError::Timeout) => None,
+                    };
+                    let due = done.is_some() || reported.elapsed() >= REPORT_INTERVAL;
+                    if let (Some(callback), None, true) = (&callback, &failed, due) {
                         reported = Instant::now();
-                        failed = relay.tell(progress).err();
+                        failed = relay.tell(callback).err();
                     }
-                    if failed.is_some() || signals.stop() {
-                        relay.stop.store(true, Ordering::Relaxed);
+                    // The interpreter answers the thread that called us, if it is its main thread.
+                    if let Err(error) = Python::attach(|py| py.check_signals()) {
+                        failed.get_or_insert(error);
+                    }
+                    relay.stop.store(failed.is_some(), Ordering::Relaxed);
+                    if done.is_some() {
+                        return done;
                     }
                 }
             })
         });
-        signals.raised()?;
         match (failed, done) {
-            (Some(error), _) => Err(error),
-            (None, Some(done)) => done.map_err(|error| of_study(&error)),
+            (Some(error), _) => Err(error.into()),
+            (None, Some(done)) => Ok(done?),
             (None, None) => Err(input("the work has ended without a result")),
         }
     }
 }
 
 /// A number of threads.
-pub fn count(threads: i64) -> PyResult<NonZeroUsize> {
+pub fn count(threads: i64) -> Found<NonZeroUsize> {
     let count = usize::try_from(threads).ok().and_then(NonZeroUsize::new);
     count.ok_or_else(|| {
         input(format!(
@@ -97,12 +93,12 @@ struct ProgressRelay {
 }
 
 impl ProgressRelay {
-    fn tell(&self, progress: &Py<PyAny>) -> PyResult<()> {
+    fn tell(&self, callback: &Py<PyAny>) -> PyResult<()> {
         let now = self.now.lock();
         let Some(now) = now.unwrap_or_else(PoisonError::into_inner).clone() else {
             return Ok(());
         };
-        Python::attach(|py| progress.call1(py, now)).map(|_| ())
+        Python::attach(|py| callback.call1(py, now)).map(|_| ())
     }
 }
 

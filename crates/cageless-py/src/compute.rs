@@ -1,210 +1,217 @@
-//! Computations of a case or a rotor, each with its result.
+//! Computations of a case or a rotor, each with the files that the command leaves.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use cageless::equilibrium::solve;
+use cageless_io::cad::{Export, ExportOptions, Format, export as ring};
 use cageless_io::case_file::CaseFile;
-use cageless_io::rotor_file::RotorFile;
+use cageless_io::plan_file::VariantFile;
+use cageless_io::results::{PartialFile, ResultError};
 use cageless_paper::structures_of;
 use cageless_report::compare::compare_page;
 use cageless_report::compared_run::ComparedRun;
+use cageless_report::design_report::{design_data, rings_of};
 use cageless_report::drop::{drop_page, rotor_page};
+use cageless_report::recommended::recommended_document;
 use cageless_report::run_report::run_data;
-use cageless_report::{static_page, to_json};
+use cageless_report::to_json;
 use cageless_results::{Aim, static_record};
+use cageless_study::design::{DesignResult, Judged, judged, task};
 use cageless_study::drop::{DropRequest, rotor_study, study};
-use cageless_study::run::{Options, run as simulate};
+use cageless_study::rings::rings;
+use cageless_study::run::{Options, RunError, run as simulate};
 use cageless_study::sweep::analysis::{Goal, analyse as analyse_sweep};
-use cageless_study::tolerance::{Request, tolerance as within_tolerances};
-use cageless_study::{comparison, search as study_search};
+use cageless_study::tolerance::tolerance as within_tolerances;
+use cageless_study::{Progress, comparison, search as study_search};
 use pyo3::prelude::*;
-use serde_json::to_string_pretty;
+use serde::Serialize;
 
-use crate::analysis::analysed;
 use crate::background::Background;
-use crate::content::{Content, Later};
-use crate::errors::{input, of_run, of_start, of_study, of_sweep, other, reason};
-use crate::result::Computed;
+use crate::documents::File;
+use crate::errors::{Error, Found, input};
+use crate::result::{Computed, Content, Files, PAGE, PAGE_DATA, files, write_folder};
 use crate::tables::Tables;
 
-/// Runs a case with everything recorded.
-pub fn run(
+/// Text of `--json`.
+fn pretty(result: &impl Serialize) -> Found<String> {
+    Ok(serde_json::to_string_pretty(result)? + "\n")
+}
+
+/// A result whose folder has a page beside its values, which follows from `seed`.
+fn with_seed(
     py: Python<'_>,
-    file: &CaseFile,
-    verify: bool,
-    background: Background,
-) -> PyResult<Computed> {
+    kind: &str,
+    values: String,
+    tables: Vec<Tables>,
+    seed: impl FnOnce() -> Found<Files> + Send + 'static,
+) -> Found<Computed> {
+    Computed::of(py, kind, values, tables, Content::files(seed))
+}
+
+/// Runs a case with everything recorded.
+#[pyfunction]
+pub fn run(py: Python<'_>, file: &File, verify: bool, background: Background) -> Found<Computed> {
+    let file = file.case().clone();
     let mut tables = Tables::default();
-    let done = background.run(py, |progress| {
+    let record = background.run(py, |progress| {
         let options = Options {
             rows: Some(&mut tables),
             verify,
         };
-        let mut record = simulate(file, options, progress)?;
-        record.verify(file, progress);
-        Ok(record)
-    })?;
-    let record = done.map_err(of_run)?;
-    let values = record.summary.to_json().map_err(other)?;
-    let stopped = reason(&record.outcome.ending);
-    let arrays = vec![tables.into_arrays(py)?];
-    let file = file.clone();
-    let data = Later::new(move || Ok(run_data(&file, &record)));
-    Computed::new("run", values, stopped, arrays, Content::Run(Box::new(data)))
+        let mut record = simulate(&file, options, progress)?;
+        record.verify(&file, progress);
+        Ok::<_, RunError>(record)
+    })??;
+    let values = record.summary.to_json()?;
+    let content = Content::run(move || Ok(run_data(&file, &record)));
+    Computed::of(py, "run", values, vec![tables], content)
 }
 
-/// Drops the rotor of a case.
+/// Drops the rotor of a case, or one above several bearings.
+#[pyfunction]
 pub fn drop(
     py: Python<'_>,
-    file: &CaseFile,
-    request: DropRequest,
+    file: &File,
+    compare: bool,
+    samples: Option<u64>,
+    verify: bool,
     background: Background,
-) -> PyResult<Computed> {
-    request.check(file, "case").map_err(|e| of_study(&e))?;
-    let done = background.run(py, |progress| study(file, request, None, progress))?;
-    let study = done.map_err(of_run)?;
-    let values = study.to_json(file).map_err(other)?;
-    let stopped = reason(&study.drop.outcome.ending);
-    let tables = vec![Tables::of_drop(&study.drop)?.into_arrays(py)?];
-    let file = file.clone();
-    let page = Later::new(move || Ok(drop_page(&file, &study)));
-    Computed::new("drop", values, stopped, tables, Content::Page("drop", page))
-}
-
-/// Drops a rotor into its bearings.
-pub fn drop_rotor(
-    py: Python<'_>,
-    file: &RotorFile,
-    request: DropRequest,
-    background: Background,
-) -> PyResult<Computed> {
-    request.check_samples().map_err(|e| of_study(&e))?;
-    let rows = || file.bearings().iter().map(|_| None).collect();
-    let done = background.run(py, |progress| rotor_study(file, request, rows(), progress))?;
-    let study = done.map_err(of_run)?;
-    let values = study.to_json(file).map_err(other)?;
-    let last = study.drop.last_index() + 1;
-    let stopped = reason(&study.drop.last().outcome.ending);
-    let stopped = stopped.map(|reason| format!("bearing {last}: {reason}"));
-    let bearings = study.drop.bearings.iter();
-    let tables: PyResult<_> = bearings
-        .map(|b| Tables::of_drop(b)?.into_arrays(py))
-        .collect();
-    let file = file.clone();
-    let page = Later::new(move || Ok(rotor_page(&file, &study)));
-    Computed::new(
-        "drop",
-        values,
-        stopped,
-        tables?,
-        Content::Page("drop", page),
-    )
+) -> Found<Computed> {
+    let request = DropRequest {
+        compare,
+        samples,
+        verify,
+    };
+    match file.0.clone() {
+        VariantFile::Case(file) => {
+            request.check(&file, "case")?;
+            let study = background.run(py, |progress| study(&file, request, None, progress))??;
+            let tables = vec![Tables::of_drop(&study.drop)?];
+            let values = study.to_json(&file)?;
+            with_seed(py, "drop", values, tables, move || {
+                Ok(files([(PAGE, drop_page(&file, &study))]))
+            })
+        }
+        VariantFile::Rotor(file) => {
+            request.check_samples()?;
+            let rows = || file.bearings().iter().map(|_| None).collect();
+            let work = |progress: &dyn Progress| rotor_study(&file, request, rows(), progress);
+            let study = background.run(py, work)??;
+            let tables = study.drop.bearings.iter().map(Tables::of_drop);
+            let (tables, values) = (tables.collect::<Found<_>>()?, study.to_json(&file)?);
+            with_seed(py, "drop", values, tables, move || {
+                Ok(files([(PAGE, rotor_page(&file, &study))]))
+            })
+        }
+    }
 }
 
 /// Solves the static equilibrium of a case.
-pub fn static_equilibrium(py: Python<'_>, file: &CaseFile) -> PyResult<Computed> {
-    let solved = py.detach(|| solve(file.case()));
-    let solved = solved.map_err(|error| of_start(&error))?;
-    let record = static_record(file.case(), &solved);
-    let values = pretty(to_string_pretty(&record))?;
-    let file = file.clone();
-    let page = Later::new(move || Ok(static_page(&file, &record)));
-    Computed::new(
-        "static",
-        values,
-        None,
-        vec![],
-        Content::Page("static", page),
-    )
+#[pyfunction]
+pub fn static_equilibrium(py: Python<'_>, file: &File) -> Found<Computed> {
+    let file = file.case().clone();
+    let record = static_record(file.case(), &py.detach(|| solve(file.case()))?);
+    with_seed(py, "static", pretty(&record)?, vec![], move || {
+        Ok(files([("case.toml", file.document().to_toml()?)]))
+    })
 }
 
-/// The text of `--json`.
-fn pretty(json: serde_json::Result<String>) -> PyResult<String> {
-    Ok(json.map_err(other)? + "\n")
-}
-
-/// Judges the raceways of a case, and the exception if a run that the verdict rests on stopped.
-pub fn design(py: Python<'_>, file: &CaseFile) -> PyResult<(Computed, Option<PyErr>)> {
-    let (result, data, stop) = analysed(py, file, None)?;
-    let content = Content::Design(Box::new(data));
-    let result = Computed::new(
-        "design",
-        pretty(to_string_pretty(&result))?,
-        None,
-        vec![],
-        content,
-    )?;
-    Ok((result, stop))
-}
-
-/// Searches for the best raceway of a case, or resumes the search in the folder.
-pub fn search(
+/// Judges the raceways of a case and, with `search`, searches for the best one, or resumes that in the
+/// folder.
+#[pyfunction]
+pub fn design(
     py: Python<'_>,
-    file: &CaseFile,
+    file: &File,
+    search: bool,
     folder: Option<PathBuf>,
     background: Background,
-) -> PyResult<Computed> {
-    let paper = structures_of(&file.case().bearing).map_err(other)?;
-    let done = background.run(py, |progress| {
-        study_search::run(file, folder.as_deref(), &paper, progress)
-    })?;
-    let (found, data) = done.map_err(|error| of_study(&error))?;
+) -> Found<Computed> {
+    let file = file.case().clone();
+    let (result, data, stopped) = background.run(py, |progress| {
+        if search {
+            progress.whole(&[vec![task()], study_search::tasks(&file)].concat());
+        }
+        let Judged {
+            judgement,
+            recommendation,
+            snapshots,
+        } = judged(&file, progress)?;
+        let mut result = DesignResult::new(file.case(), &judgement, recommendation.as_ref());
+        if search {
+            let paper = structures_of(&file.case().bearing)?;
+            let (_, found) = study_search::run(&file, folder.as_deref(), &paper, progress)?;
+            result.search = Some(found);
+        }
+        let mut data = design_data(&file, &result, &snapshots);
+        data.rings = rings(&rings_of(&file, &result), progress)?;
+        Ok::<_, Error>((result, data, judgement.stopped))
+    })??;
+    if let (Some(stop), false) = (stopped, search) {
+        return Err(cageless_cli::Failure::stopped(&stop, "").into());
+    }
     if let Some(folder) = &folder {
         study_search::forget(folder);
     }
-    let refusal = study_search::refusal(file, &found);
-    let values = serde_json::to_string(&data).map_err(other)?;
-    let content = Content::Search(Box::new((file.clone(), data)));
-    Computed::new("search", values, refusal, vec![], content)
+    let json = pretty(&result)?;
+    let (kind, values) = match &result.search {
+        Some(found) => ("search", serde_json::to_string(found)?),
+        None => ("design", json.clone()),
+    };
+    with_seed(py, kind, values, vec![], move || {
+        let mut seed = vec![(PAGE_DATA, to_json(&data)?), ("design.json", json)];
+        if let Some(case) = recommended_document(&file, &result) {
+            seed.push(("recommended.toml", file.edited(&case)?));
+        }
+        if search {
+            seed.push(("case.toml", file.document().to_toml()?));
+        }
+        Ok(files(seed))
+    })
 }
 
 /// Compares the ring of a case with that of another, or with a conventional one, from the same
 /// uneven starts.
+#[pyfunction]
 pub fn compare(
     py: Python<'_>,
-    rings: [(&'static str, CaseFile); 2],
+    file: &File,
+    reference: Option<&File>,
     starts: u64,
     background: Background,
-) -> PyResult<Computed> {
-    let done = background.run(py, |progress| comparison::compare(&rings, starts, progress))?;
-    let (compared, comparison) = done.map_err(|error| of_study(&error))?;
-    let values = pretty(to_string_pretty(&comparison))?;
-    let page = Later::new(move || {
+) -> Found<Computed> {
+    let case: &CaseFile = file.case();
+    let reference = match reference {
+        Some(other) => ("reference", other.case().clone()),
+        None => ("conventional", case.with_conventional_ring()?),
+    };
+    let rings = [reference, ("case", case.clone())];
+    let work = |progress: &dyn Progress| comparison::compare(&rings, starts, progress);
+    let (compared, comparison) = background.run(py, work)??;
+    with_seed(py, "comparison", pretty(&comparison)?, vec![], move || {
         let runs = compared.iter().zip(&comparison.runs);
         let runs = runs.map(|(ring, name)| ComparedRun {
             name: name.clone(),
             data: run_data(&ring.file, &ring.record),
         });
-        Ok(compare_page(&runs.collect::<Vec<_>>(), &comparison))
-    });
-    Computed::new(
-        "comparison",
-        values,
-        None,
-        vec![],
-        Content::Page("comparison", page),
-    )
+        let page = compare_page(&runs.collect::<Vec<_>>(), &comparison);
+        Ok(files([(PAGE, page)]))
+    })
 }
 
-/// Judges the bearing of a case within tolerances.
+/// Judges the bearing of a case within tolerances, the JSON of a request.
+#[pyfunction]
 pub fn tolerance(
     py: Python<'_>,
-    file: &CaseFile,
-    request: &Request,
+    file: &File,
+    request: &str,
     background: Background,
-) -> PyResult<Computed> {
-    let done = background.run(py, |progress| {
-        within_tolerances(file.case(), "case", request, progress)
-    })?;
-    let data = done.map_err(|error| of_study(&error))?;
-    let values = to_json(&data).map_err(other)?;
-    Computed::new(
-        "tolerance",
-        values,
-        None,
-        vec![],
-        Content::Tolerance(Box::new(data)),
-    )
+) -> Found<Computed> {
+    let (case, request) = (file.case().case(), serde_json::from_str(request)?);
+    let work = |progress: &dyn Progress| within_tolerances(case, "case", &request, progress);
+    let data = background.run(py, work)??;
+    let values = to_json(&data)? + "\n";
+    with_seed(py, "tolerance", values, vec![], || Ok(Files::new()))
 }
 
 /// Analyses the finished sweep at `path`; of the columns `low` less is better, of `high` more.
@@ -214,36 +221,54 @@ pub fn analyse(
     path: PathBuf,
     low: Vec<String>,
     high: Vec<String>,
-) -> PyResult<Computed> {
+) -> Found<Computed> {
     let goal = |aim| move |column| Goal { column, aim };
     let low = low.into_iter().map(goal(Aim::Low));
     let goals: Vec<Goal> = low.chain(high.into_iter().map(goal(Aim::High))).collect();
-    let data = py.detach(|| analyse_sweep(&path, &goals));
-    let data = data.map_err(|e| of_sweep(&e))?;
-    let values = to_json(&data).map_err(other)?;
-    Computed::new(
-        "analysis",
-        values,
-        None,
-        vec![],
-        Content::Analysis(Box::new(data)),
-    )
+    let data = py.detach(|| analyse_sweep(&path, &goals))?;
+    let values = to_json(&data)? + "\n";
+    with_seed(py, "analysis", values, vec![], || Ok(Files::new()))
 }
 
-/// What a drop is asked for beside itself.
-pub fn requested(compare: bool, samples: Option<i64>, verify: bool) -> PyResult<DropRequest> {
-    Ok(DropRequest {
-        compare,
-        samples: samples.map(|n| whole("samples", n)).transpose()?,
-        verify,
-    })
-}
-
-/// An option that counts something.
-pub fn whole<T: TryFrom<i64>>(option: &str, value: i64) -> PyResult<T> {
-    T::try_from(value).map_err(|_| {
-        input(format!(
-            "{option} = {value} is not possible: it must be 0 or more"
-        ))
+/// Writes the outer ring as files of formats, into `folder` if it is one; the numbers of each are JSON.
+#[pyfunction]
+pub fn export(
+    py: Python<'_>,
+    file: &File,
+    folder: Option<PathBuf>,
+    targets: Vec<(String, PathBuf)>,
+    options: [Option<f64>; 4],
+) -> Found<Vec<String>> {
+    let [blend_mm, tolerance_um, chord_um, spacing_mm] = options;
+    let options = ExportOptions {
+        blend_mm,
+        tolerance_um,
+        chord_um,
+        spacing_mm,
+    };
+    let format = |(name, _): &(String, PathBuf)| {
+        let known = Format::ALL.into_iter().find(|f| f.name() == name);
+        let problem = "is not possible: it must be of step, stl, csv";
+        known.ok_or_else(|| input(format!("formats = {name:?} {problem}")))
+    };
+    let formats: Vec<Format> = targets.iter().map(format).collect::<Found<_>>()?;
+    options.check(&formats)?;
+    py.detach(|| {
+        let made = formats.iter().map(|&f| ring(file.case(), f, &options));
+        let made: Vec<_> = made.collect::<Result<_, _>>()?;
+        // Only now, so that bad input leaves no folder behind.
+        folder.map_or(Ok(()), |folder| write_folder(folder, BTreeMap::new()))?;
+        let write = |(made, (_, path)): (&Export, &(String, PathBuf))| {
+            let mut file = PartialFile::create(path)?;
+            let written = made.write(&mut file);
+            let mut numbers = written.map_err(|source| ResultError::Out {
+                path: path.clone(),
+                source,
+            })?;
+            file.commit()?;
+            numbers.file = Some(path.display().to_string());
+            Ok(serde_json::to_string_pretty(&numbers)?)
+        };
+        made.iter().zip(&targets).map(write).collect()
     })
 }

@@ -1,15 +1,14 @@
 //! Errors of the library as exceptions of the package, with the messages of the command.
 
 use std::ffi::CString;
-use std::io;
-use std::path::Path;
 
-use cageless::critical_gap::CriticalGapError;
 use cageless::equilibrium::EquilibriumError;
-use cageless::simulation::{Ending, Stop};
+use cageless::linear_rotor::RotorError;
+use cageless_cli::Failure;
 use cageless_io::cad::ExportError;
 use cageless_io::case_file::CaseError;
-use cageless_io::results::{ResultError, is_unusable};
+use cageless_io::results::ResultError;
+use cageless_paper::PaperError;
 use cageless_study::StudyError;
 use cageless_study::run::RunError;
 use cageless_study::sweep::SweepError;
@@ -24,6 +23,12 @@ mod package {
 
 use package::{CagelessError, InputError, UnphysicalError};
 
+/// An exception.
+pub struct Error(pub PyErr);
+
+/// A value, or the exception that is raised in its place.
+pub type Found<T> = Result<T, Error>;
+
 /// Shows a note as a `FutureWarning`.
 pub fn warn(note: &str) {
     Python::attach(|py| {
@@ -33,115 +38,106 @@ pub fn warn(note: &str) {
     });
 }
 
-pub fn input(message: impl ToString) -> PyErr {
-    InputError::new_err(message.to_string())
+pub fn input(message: impl ToString) -> Error {
+    Error(InputError::new_err(message.to_string()))
 }
 
-pub fn other(message: impl ToString) -> PyErr {
-    CagelessError::new_err(message.to_string())
+pub fn other(message: impl ToString) -> Error {
+    Error(CagelessError::new_err(message.to_string()))
+}
+
+/// A refused value of a key or an option.
+fn refused(message: String, key: Option<&str>, line: Option<usize>) -> Error {
+    Error(InputError::new_err((message, key.map(str::to_owned), line)))
 }
 
 /// An error of a text that the user has not written: the message without its place.
-pub fn of_values(error: &CaseError) -> PyErr {
-    InputError::new_err((
-        error.message().to_owned(),
-        error.key().map(str::to_owned),
-        None::<usize>,
-    ))
+pub fn of_values(error: CaseError) -> Error {
+    refused(error.message().to_owned(), error.key(), None)
 }
 
-pub fn of_file(error: &CaseError) -> PyErr {
-    InputError::new_err((
-        error.to_string(),
-        error.key().map(str::to_owned),
-        error.line(),
-    ))
-}
-
-pub fn stopped(stop: &Stop) -> PyErr {
-    UnphysicalError::new_err(stop.to_string())
-}
-
-pub fn of_run(error: RunError) -> PyErr {
-    match error {
-        RunError::Start(error) => of_start(&error),
-        RunError::Rows(error) => other(error),
+impl From<Error> for PyErr {
+    fn from(error: Error) -> Self {
+        error.0
     }
 }
 
-/// Reason of an early stop by the physics: the message of the command.
-pub fn reason(ending: &Ending) -> Option<String> {
-    match ending {
-        Ending::Stopped(stop) => Some(stop.to_string()),
-        _ => None,
+impl From<PyErr> for Error {
+    fn from(error: PyErr) -> Self {
+        Self(error)
     }
 }
 
-pub fn of_start(error: &EquilibriumError) -> PyErr {
-    match error {
-        EquilibriumError::Input(error) => input(error),
-        _ => UnphysicalError::new_err(error.to_string()),
-    }
-}
-
-pub fn of_gap(error: &CriticalGapError) -> PyErr {
-    match error {
-        CriticalGapError::Case(error) => of_start(error),
-        CriticalGapError::Stopped(stop) => stopped(stop),
-        CriticalGapError::Interrupted => PyKeyboardInterrupt::new_err(()),
-        error => UnphysicalError::new_err(error.to_string()),
-    }
-}
-
-pub fn of_sweep(error: &SweepError) -> PyErr {
-    match error {
-        SweepError::Plan(error) => of_file(error),
-        error if error.is_input() => input(error),
-        error => other(error),
-    }
-}
-
-pub fn of_results(error: &ResultError) -> PyErr {
-    if error.is_input() {
-        input(error)
-    } else {
-        other(error)
-    }
-}
-
-pub fn of_study(error: &StudyError) -> PyErr {
-    match error {
-        StudyError::File(error) => of_values(error),
-        StudyError::Run(error) => of_gap(error),
-        StudyError::Option(refused) => {
-            InputError::new_err((error.to_string(), Some(refused.option), None::<usize>))
+impl From<Failure> for Error {
+    fn from(failure: Failure) -> Self {
+        let message = failure.to_string();
+        match failure {
+            Failure::Input(_) => input(message),
+            Failure::Unphysical(_) => Self(UnphysicalError::new_err(message)),
+            Failure::Interrupted(_) => Self(PyKeyboardInterrupt::new_err(())),
+            Failure::Other(_) => other(message),
         }
-        StudyError::Case(_)
-        | StudyError::Input(_)
-        | StudyError::Foreign(_)
-        | StudyError::Folder { .. } => input(error),
-        StudyError::Interrupted => PyKeyboardInterrupt::new_err(()),
-        StudyError::Threads(_) | StudyError::Journal { .. } => other(error),
     }
 }
 
-pub fn of_export(error: &ExportError) -> PyErr {
-    let option = |option: &'static str| {
-        InputError::new_err((error.to_string(), Some(option), None::<usize>))
+/// Errors that are classed as the command classes them.
+macro_rules! as_of_the_command {
+    ($($error:ty),+) => {
+        $(impl From<$error> for Error {
+            fn from(error: $error) -> Self {
+                Failure::from(error).into()
+            }
+        })+
     };
-    match error {
-        ExportError::Case(error) => of_values(error),
-        ExportError::Option(refused) => option(refused.option),
-        ExportError::Format { option: name, .. } => option(name),
+}
+
+as_of_the_command!(
+    EquilibriumError,
+    PaperError,
+    ResultError,
+    RunError,
+    serde_json::Error
+);
+
+impl From<RotorError> for Error {
+    fn from(error: RotorError) -> Self {
+        input(error)
     }
 }
 
-/// A folder that cannot be made.
-pub fn of_folder(path: &Path, error: io::Error) -> PyErr {
-    let message = format!("{}: {error}", path.display());
-    if is_unusable(&error) {
-        input(message)
-    } else {
-        other(message)
+impl From<CaseError> for Error {
+    fn from(error: CaseError) -> Self {
+        refused(error.to_string(), error.key(), error.line())
+    }
+}
+
+impl From<SweepError> for Error {
+    fn from(error: SweepError) -> Self {
+        match error {
+            SweepError::Plan(error) => error.into(),
+            error => Failure::from(error).into(),
+        }
+    }
+}
+
+impl From<StudyError> for Error {
+    fn from(error: StudyError) -> Self {
+        match error {
+            StudyError::File(error) => of_values(error),
+            StudyError::Option(ref of) => refused(error.to_string(), Some(of.option), None),
+            StudyError::Folder { .. } => input(error),
+            error => Failure::from(error).into(),
+        }
+    }
+}
+
+impl From<ExportError> for Error {
+    fn from(error: ExportError) -> Self {
+        let key = match error {
+            ExportError::Case(error) => return of_values(error),
+            ExportError::Option(ref of) => of.option,
+            ExportError::Format { option, .. } => option,
+        };
+        refused(error.to_string(), Some(key), None)
     }
 }

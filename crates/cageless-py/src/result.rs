@@ -1,99 +1,122 @@
 //! The result of a computation: its values as the command writes them, tables, figures, page, files.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::sync::{LazyLock, OnceLock};
 
-use cageless_io::results::{write_atomically, write_together};
-use cageless_report::figures::named;
-use cageless_results::{Aim, Kind as ValueKind, Quantity, Record, SEARCH_SHAPE, of_kind};
-use cageless_study::Stopped;
+use cageless::equilibrium::solve;
+use cageless_io::case_file::CaseFile;
+use cageless_io::results::{is_unusable, write_atomically, write_together};
+use cageless_report::figures::named::{self, DESIGN, Named, RUN, SEARCH, SWEEP, TOLERANCE};
+use cageless_report::figures::sweep;
+use cageless_report::tolerance::tolerance_page;
+use cageless_report::{
+    Figure, RunData, SweepData, SweepOutput, design_page, from_json, run_from_json, run_json,
+    run_page, static_page, static_sheet, sweep_page,
+};
+use cageless_results::{
+    Kind, Quantity, Record, SEARCH_SHAPE, Shape, TOLERANCE_SHAPE, csv, of_kind, static_record,
+};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
-use serde_json::Value;
+use pyo3::types::{PyDict, PyList};
+use serde::de::DeserializeOwned;
 
-use crate::content::{Content, figure_of_run};
-use crate::errors::{input, of_folder, of_results, other};
+use crate::errors::{Error, Found, input, other};
 use crate::tables::Tables;
 
-/// Files of a kind of result in its folder.
-struct Kind {
-    name: &'static str,
-    values: &'static str,
-    /// File of [`Content::source`], where there is one.
-    source: &'static str,
+/// Page in the folder of a result.
+pub const PAGE: &str = "report.html";
+/// Data of the page.
+pub const PAGE_DATA: &str = "report.json";
+
+/// Files in the folder of a result by name, beside its values and tables.
+pub type Files = BTreeMap<String, String>;
+
+/// A value that is made when it is first needed.
+pub type Later<T> = Box<LazyLock<Found<T>, Box<dyn FnOnce() -> Found<T> + Send>>>;
+
+pub fn files(list: impl IntoIterator<Item = (&'static str, String)>) -> Files {
+    let owned = |(name, text): (&str, String)| (name.to_owned(), text);
+    list.into_iter().map(owned).collect()
 }
 
-const PAGE: &str = "report.html";
-const fn kind(name: &'static str, values: &'static str, source: &'static str) -> Kind {
-    Kind {
-        name,
-        values,
-        source,
+/// What figures and files are made of.
+pub enum Content {
+    /// Data of the page of a run.
+    Run(Later<RunData>),
+    /// Files from which the others follow, which pickles keep, and all of them.
+    Files(Later<Files>, OnceLock<Files>),
+}
+
+impl Content {
+    pub fn run(make: impl FnOnce() -> Found<RunData> + Send + 'static) -> Self {
+        Self::Run(Box::new(LazyLock::new(Box::new(make))))
+    }
+
+    pub fn files(make: impl FnOnce() -> Found<Files> + Send + 'static) -> Self {
+        Self::Files(Box::new(LazyLock::new(Box::new(make))), OnceLock::new())
     }
 }
 
-/// The last is looked for only where there is no other: `cageless report` writes into the folder of
-/// a sweep.
-const KINDS: [Kind; 9] = [
-    kind("run", "summary.json", "report.json"),
-    kind("drop", "summary.json", PAGE),
-    kind("sweep", "sweep.parquet", ""),
-    kind("tolerance", "tolerance.json", ""),
-    kind("search", "search.json", "case.toml"),
-    kind("design", "design.json", "report.json"),
-    kind("static", "static.json", PAGE),
-    kind("comparison", "compare.json", PAGE),
-    kind("analysis", "report.json", ""),
-];
+/// The record of a result of a kind.
+fn recorded(kind: &str, shape: &Shape, values: &str) -> Found<Record> {
+    let record = Record::read(shape, &serde_json::from_str(values)?);
+    record.map_err(|error| input(format!("numbers of a {kind}: {error}")))
+}
+
+/// All files of a result from those that pickles keep.
+fn complete(kind: &str, values: &str, mut all: Files) -> Found<Files> {
+    if all.contains_key(PAGE) {
+        return Ok(all);
+    }
+    let numbers = |error| input(format!("numbers of a {kind}: {error}"));
+    let page = match kind {
+        "static" => {
+            let case = all.remove("case.toml").unwrap_or_default();
+            let file = CaseFile::parse(&case, "case", &[])?;
+            let record = static_record(file.case(), &solve(file.case())?);
+            all.insert("sheet.html".to_owned(), static_sheet(&file, &record));
+            static_page(&file, &record)
+        }
+        "design" | "search" => {
+            let data = all.get(PAGE_DATA).map_or("", |text| text);
+            design_page(&from_json(data).map_err(numbers)?)
+        }
+        "tolerance" => tolerance_page(&recorded(kind, &TOLERANCE_SHAPE, values)?),
+        "analysis" => sweep_page(&from_json(values).map_err(numbers)?),
+        _ => return Ok(all),
+    };
+    let (name, json) = match kind {
+        "static" => ("static.csv", values),
+        _ => ("design.csv", all.get("design.json").map_or("", |json| json)),
+    };
+    if !json.is_empty() {
+        let table = csv(&serde_json::from_str(json)?);
+        all.insert(name.to_owned(), table);
+    }
+    all.insert(PAGE.to_owned(), page);
+    Ok(all)
+}
 
 /// A result of any computation.
 #[pyclass(frozen, name = "Result", module = "cageless._cageless")]
 pub struct Computed {
-    kind: &'static Kind,
+    /// Name of the computation.
+    #[pyo3(get)]
+    kind: String,
+    /// JSON of the command.
+    #[pyo3(get)]
     values: String,
-    stopped: Option<String>,
-    /// Tables of each bearing.
-    tables: Vec<Py<PyDict>>,
-    pub content: Content,
+    /// Arrays of each bearing.
+    #[pyo3(get)]
+    tables: Py<PyList>,
+    content: Content,
 }
 
-impl Computed {
-    pub fn new(
-        kind: &str,
-        values: String,
-        stopped: Option<String>,
-        tables: Vec<Py<PyDict>>,
-        content: Content,
-    ) -> PyResult<Self> {
-        let kind = KINDS.iter().find(|k| k.name == kind);
-        let kind = kind.ok_or_else(|| input("there is no such kind of results"))?;
-        Ok(Self {
-            kind,
-            values,
-            stopped,
-            tables,
-            content,
-        })
-    }
-}
-
-/// Name, unit, label, kind of value and better direction of the scalar results of a kind of result.
+/// Name, unit and label of the scalar results of a kind of result, and whether each is a number.
 #[pyfunction]
-pub fn quantities(kind: &str) -> Vec<[&'static str; 5]> {
-    let row = |q: &'static Quantity| {
-        let kind = match q.kind {
-            ValueKind::Number => "number",
-            ValueKind::Integer => "integer",
-            ValueKind::Flag => "flag",
-            ValueKind::Text => "text",
-            ValueKind::Numbers | ValueKind::Range => "numbers",
-        };
-        let better = match q.aim {
-            Some(Aim::Low) => "low",
-            Some(Aim::High) => "high",
-            None => "",
-        };
-        [q.name, q.unit, q.label, kind, better]
-    };
+pub fn quantities(kind: &str) -> Vec<(&str, &str, &str, bool)> {
+    let row = |q: &'static Quantity| (q.name, q.unit, q.label, q.kind == Kind::Number);
     of_kind(kind).map(row).collect()
 }
 
@@ -103,187 +126,130 @@ pub fn figures(kind: &str) -> Vec<(&'static str, &'static str)> {
     named::of_kind(kind)
 }
 
-/// Reads the result in a folder; `None` if it is a sweep.
-#[pyfunction]
-pub fn load(py: Python<'_>, dir: PathBuf) -> PyResult<Option<Computed>> {
-    let files = || KINDS.iter().map(|kind| kind.values);
-    let mut there: Vec<&str> = files().filter(|name| dir.join(name).is_file()).collect();
-    there.dedup();
-    if there.len() > 1 {
-        there.retain(|name| *name != "report.json");
-    }
-    let shown = dir.display();
-    let name = match there.as_slice() {
-        [one] => *one,
-        [] => {
-            let what = if dir.is_dir() {
-                "holds no result"
-            } else {
-                "is not there"
-            };
-            let mut names: Vec<&str> = files().collect();
-            names.dedup();
-            let names = names.join(", ");
-            return Err(input(format!(
-                "{shown}: {what}: one of {names} is expected in a folder"
-            )));
-        }
-        several => {
-            let listed = several.join(", ");
-            return Err(input(format!(
-                "{shown}: holds several results: {listed}; take a folder for each"
-            )));
-        }
-    };
-    if name == "sweep.parquet" {
-        return Ok(None);
-    }
-    let mut text = read(&dir.join(name))?;
-    let mut values: Value = serde_json::from_str(&text)
-        .map_err(|e| input(format!("{}: cannot be read: {e}", dir.join(name).display())))?;
-    let mut kind = match name {
-        "summary.json" if dir.join("report.json").is_file() => "run",
-        "summary.json" => "drop",
-        name => KINDS
-            .iter()
-            .find(|k| k.values == name)
-            .map_or("", |k| k.name),
-    };
-    let mut reason = stopped(&values);
-    if values.get("search").is_some_and(Value::is_object) {
-        kind = "search";
-        reason = values["refusal"].as_str().map(str::to_owned);
-        values = values["search"].take();
-        let data =
-            Record::read(&SEARCH_SHAPE, &values).map_err(|e| input(format!("{shown}: {e}")))?;
-        text = serde_json::to_string(&data).map_err(other)?;
-    }
-    let file = KINDS
-        .iter()
-        .find(|k| k.name == kind)
-        .map_or("", |k| k.source);
-    let source = match file {
-        "" => String::new(),
-        file => read(&dir.join(file))?,
-    };
-    let folders = match values["bearings"].as_array() {
-        Some(bearings) => (1..=bearings.len())
-            .map(|k| dir.join(folder_of(k)))
-            .collect(),
-        None => vec![dir],
-    };
-    let tables: PyResult<Vec<Tables>> = match kind {
-        "run" | "drop" => folders
-            .iter()
-            .map(|dir| py.detach(|| Tables::read(dir)))
-            .collect(),
-        _ => Ok(vec![]),
-    };
-    let tables: PyResult<_> = tables?.into_iter().map(|t| t.into_arrays(py)).collect();
-    let content = Content::restored(kind, &text, source)?;
-    Computed::new(kind, text, reason, tables?, content).map(Some)
-}
-
-fn read(path: &Path) -> PyResult<String> {
-    std::fs::read_to_string(path)
-        .map_err(|e| input(format!("{}: cannot be read: {e}", path.display())))
-}
-
-/// Folder of the tables of bearing `k`, from 1.
-fn folder_of(k: usize) -> String {
-    format!("bearing-{k}")
-}
-
-/// Reason of an early stop by the physics, from the values of a run or a drop.
-fn stopped(values: &Value) -> Option<String> {
-    let stop = &values["stopped"];
-    if let Some(cause) = stop["cause"].as_str() {
-        return (cause != Stopped::INTERRUPTED).then(|| {
-            format!(
-                "at t = {:.6} s {cause}. To change: {}.",
-                stop["time_s"].as_f64().unwrap_or(f64::NAN),
-                stop["advice"].as_str().unwrap_or_default()
-            )
-        });
-    }
-    let bearings = values["bearings"].as_array().into_iter().flatten();
-    let mut reasons = (1..).zip(bearings);
-    let of_bearing =
-        reasons.find_map(|(k, b)| Some(format!("bearing {k}: {}", b["stopped"].as_str()?)));
-    stop.as_str().map(str::to_owned).or(of_bearing)
-}
-
 /// Writes a file, which takes its name when it is complete.
 #[pyfunction]
-pub fn write(path: PathBuf, content: &[u8]) -> PyResult<()> {
+pub fn write(path: PathBuf, content: &[u8]) -> Found<()> {
+    let shown = path.display();
     if let Some(folder) = path.parent().filter(|f| f != &Path::new("") && !f.is_dir()) {
+        let folder = folder.display();
         return Err(input(format!(
-            "{}: the folder {} is not there; make it first",
-            path.display(),
-            folder.display()
+            "{shown}: the folder {folder} is not there; make it first"
         )));
     }
     if path.is_dir() {
-        let message = "is a directory where a file is to be";
-        return Err(input(format!("{}: {message}", path.display())));
+        return Err(input(format!(
+            "{shown}: is a directory where a file is to be"
+        )));
     }
-    write_atomically(&path, content).map_err(|e| of_results(&e))
+    Ok(write_atomically(&path, content)?)
 }
 
-/// Makes a folder and those above it.
+/// Makes a folder and those above it, and writes files that take their names together.
 #[pyfunction]
-pub fn make_folder(path: PathBuf) -> PyResult<()> {
-    std::fs::create_dir_all(&path).map_err(|e| of_folder(&path, e))
+pub fn write_folder(path: PathBuf, files: Files) -> Found<()> {
+    std::fs::create_dir_all(&path).map_err(|error| {
+        let message = format!("{}: {error}", path.display());
+        match is_unusable(&error) {
+            true => input(message),
+            false => other(message),
+        }
+    })?;
+    let files: Vec<(&str, &str)> = files.iter().map(|(n, t)| (&**n, &**t)).collect();
+    Ok(write_together(&path, &files)?)
+}
+
+impl Computed {
+    pub fn of(
+        py: Python<'_>,
+        kind: &str,
+        values: String,
+        tables: Vec<Tables>,
+        content: Content,
+    ) -> Found<Self> {
+        let tables = tables.into_iter().map(|t| t.into_arrays(py));
+        Ok(Self {
+            kind: kind.to_owned(),
+            values,
+            tables: PyList::new(py, tables.collect::<Found<Vec<_>>>()?)?.unbind(),
+            content,
+        })
+    }
+
+    /// All files, of a result other than a run.
+    fn all(&self, py: Python<'_>) -> Found<&Files> {
+        let Content::Files(seed, all) = &self.content else {
+            return Err(other("a run has data in place of files"));
+        };
+        if let Some(all) = all.get() {
+            return Ok(all);
+        }
+        let seed = made(py, seed)?.clone();
+        let files = py.detach(|| complete(&self.kind, &self.values, seed))?;
+        Ok(all.get_or_init(|| files))
+    }
+
+    /// Data of a figure, from the JSON of the values or of the page.
+    fn data<D: DeserializeOwned>(&self, json: &str) -> Found<D> {
+        from_json(json).map_err(|error| input(format!("numbers of a {}: {error}", self.kind)))
+    }
+}
+
+/// What a result keeps until it is asked for.
+fn made<'l, T: Send + Sync>(py: Python<'_>, later: &'l Later<T>) -> Found<&'l T> {
+    let made = py.detach(|| LazyLock::force(later));
+    made.as_ref().map_err(|error| Error(error.0.clone_ref(py)))
 }
 
 #[pymethods]
 impl Computed {
-    /// A result from what its methods return.
-    #[staticmethod]
-    fn restored(
-        kind: &str,
-        values: String,
-        stopped: Option<String>,
-        tables: Vec<Py<PyDict>>,
-        source: String,
-    ) -> PyResult<Self> {
-        let content = Content::restored(kind, &values, source)?;
-        Self::new(kind, values, stopped, tables, content)
+    /// A result from what its attributes and methods return.
+    #[new]
+    fn new(kind: String, values: String, tables: Py<PyList>, files: Files) -> Self {
+        let content = match kind.as_str() {
+            "run" => {
+                let summary = values.clone();
+                Content::run(move || {
+                    let text = files.get(PAGE_DATA).map_or("", |text| text);
+                    run_from_json(text, &summary)
+                        .map_err(|e| input(format!("report.json of a saved run: {e}")))
+                })
+            }
+            _ => Content::files(move || Ok(files)),
+        };
+        Self {
+            kind,
+            values,
+            tables,
+            content,
+        }
     }
 
-    /// Name of the computation.
-    #[getter]
-    fn kind(&self) -> &'static str {
-        self.kind.name
+    /// Files that pickles keep, by name.
+    fn seed(&self, py: Python<'_>) -> Found<Files> {
+        match &self.content {
+            Content::Files(seed, _) => made(py, seed).cloned(),
+            Content::Run(data) => {
+                let text = run_json(made(py, data)?, &self.values)?;
+                Ok(files([(PAGE_DATA, text)]))
+            }
+        }
     }
 
-    /// JSON of the command.
-    #[getter]
-    fn values(&self) -> &str {
-        &self.values
-    }
-
-    /// Reason of an early stop, or of a search that recommends nothing: the message of the command.
-    #[getter]
-    fn stopped(&self) -> Option<&str> {
-        self.stopped.as_deref()
-    }
-
-    /// Arrays of each bearing, the same at every call.
-    fn tables(&self, py: Python<'_>) -> Vec<Py<PyDict>> {
-        self.tables
-            .iter()
-            .map(|table| table.clone_ref(py))
-            .collect()
-    }
-
-    /// What pickles keep beside the values.
-    fn source(&self) -> PyResult<String> {
-        self.content.source(&self.values)
+    /// Files of the command by name, beside the values.
+    fn files(&self, py: Python<'_>) -> Found<Files> {
+        let mut files = self.seed(py)?;
+        match &self.content {
+            Content::Files(..) => files = self.all(py)?.clone(),
+            Content::Run(data) => {
+                let data = made(py, data)?;
+                files.insert(PAGE.to_owned(), py.detach(|| run_page(data)));
+            }
+        }
+        Ok(files)
     }
 
     /// A figure in the JSON of plotly: of a run of all balls, counted from 1, and all times, or of
-    /// some.
+    /// some; of a sweep about an output.
     fn figure(
         &self,
         py: Python<'_>,
@@ -291,60 +257,94 @@ impl Computed {
         balls: Option<Vec<usize>>,
         time_s: Option<(f64, f64)>,
         output: Option<&str>,
-    ) -> PyResult<String> {
-        let (Content::Run(data), true) = (&self.content, balls.is_some() || time_s.is_some())
-        else {
-            return self.content.figure(py, name, output);
-        };
-        let mut data = data.get()?.clone();
-        if let Some(window) = time_s {
-            let tables = Tables::of_arrays(self.tables[0].bind(py))?;
-            data = data.within(&tables.snapshots(window)?);
-        }
-        if let Some(balls) = balls {
-            let count = data.balls.len();
-            if let Some(ball) = balls.iter().find(|ball| !(1..=count).contains(*ball)) {
-                return Err(input(format!(
-                    "balls = {ball} is not possible: it must be 1 to {count}"
-                )));
+    ) -> Found<String> {
+        let nothing = || input(format!("this result has nothing to show as {name:?}"));
+        match (&self.content, self.kind.as_str()) {
+            (Content::Run(data), _) => {
+                let mut data = made(py, data)?.clone();
+                if let Some(window) = time_s {
+                    let tables = self.tables.bind(py).get_item(0)?;
+                    let tables = Tables::of_arrays(tables.cast::<PyDict>().map_err(PyErr::from)?)?;
+                    data = data.within(&tables.snapshots(window)?);
+                }
+                if let Some(balls) = balls {
+                    let balls: Vec<usize> = balls.iter().map(|ball| ball - 1).collect();
+                    data = data.of_balls(&balls);
+                }
+                drawn(py, &RUN, &data, name).ok_or_else(|| why_empty(&data, name))
             }
-            let balls: Vec<usize> = balls.iter().map(|ball| ball - 1).collect();
-            data = data.of_balls(&balls);
+            (_, "design") => {
+                let seed = self.seed(py)?;
+                let data = self.data(seed.get(PAGE_DATA).map_or("", |text| text))?;
+                drawn(py, &DESIGN, &data, name).ok_or_else(nothing)
+            }
+            (_, kind @ "search") => {
+                let record = recorded(kind, &SEARCH_SHAPE, &self.values)?;
+                drawn(py, &SEARCH, &record, name).ok_or_else(nothing)
+            }
+            (_, kind @ "tolerance") => {
+                let record = recorded(kind, &TOLERANCE_SHAPE, &self.values)?;
+                drawn(py, &TOLERANCE, &record, name).ok_or_else(nothing)
+            }
+            (_, "analysis") => {
+                let data: SweepData = self.data(&self.values)?;
+                let nothing = || input("nothing varies in this sweep");
+                match output {
+                    None => drawn(py, &SWEEP, &data, name).ok_or_else(nothing),
+                    Some(output) => of_output(&data, name, output),
+                }
+            }
+            (_, kind) => {
+                let page = self.all(py)?.get(PAGE).map_or("", |page| page);
+                let found = named::in_page(page, kind, name).map(str::to_owned);
+                found.ok_or_else(nothing)
+            }
         }
-        figure_of_run(py, &data, name)
     }
+}
 
-    /// `report.html`.
-    fn page(&self, py: Python<'_>) -> PyResult<String> {
-        self.content.page(py)
-    }
+fn drawn<D: Sync>(py: Python<'_>, figures: &[Named<D>], data: &D, name: &str) -> Option<String> {
+    let named = figures.iter().find(|figure| figure.name == name)?;
+    let figure = py.detach(|| (named.draw)(data));
+    figure.as_ref().map(Figure::json)
+}
 
-    /// Writes the files of the command into a folder; `footers` are the instruction set and the
-    /// case as run of each bearing, JSON.
-    fn save(&self, py: Python<'_>, dir: PathBuf, footers: Vec<(String, String)>) -> PyResult<()> {
-        make_folder(dir.clone())?;
-        let kind = self.kind;
-        let source = self.source()?;
-        let mut files = vec![(kind.values, self.values.clone())];
-        if !kind.source.is_empty() {
-            files.push((kind.source, source));
+/// The reason of an empty figure of a run, with advice.
+fn why_empty(data: &RunData, name: &str) -> Error {
+    let why = match name {
+        "vibration" if data.vibration.is_none() => {
+            "the case has no [housing], whose acceleration it shows: add Housing(mass_kg=…, \
+             stiffness_n_m=…, damping_n_s_m=…)"
         }
-        if kind.name == "search" {
-            let refusal = Value::from(self.stopped.clone());
-            let search = &self.values;
-            files[0].1 = format!("{{\"refusal\": {refusal}, \"search\": {search}}}\n");
-        } else if kind.source != PAGE {
-            files.push((PAGE, self.content.page(py)?));
+        "collisions" => "no balls touched",
+        _ => {
+            "the run is too short after its transient: lengthen solver.duration_s or shorten \
+             output.interval_us"
         }
-        for (k, (table, (isa, case))) in self.tables.iter().zip(&footers).enumerate() {
-            let folder = match self.tables.len() {
-                1 => dir.clone(),
-                _ => dir.join(folder_of(k + 1)),
-            };
-            make_folder(folder.clone())?;
-            Tables::of_arrays(table.bind(py))?.write(&folder, isa, case)?;
+    };
+    input(format!("{name} has nothing to show: {why}"))
+}
+
+/// A figure of one output of a sweep.
+fn of_output(data: &SweepData, name: &str, output: &str) -> Found<String> {
+    let mut outputs = data.outputs.iter();
+    let found = outputs.find(|o| o.quantity.name == output);
+    let found: &SweepOutput = found.ok_or_else(|| {
+        let names: Vec<&str> = data.outputs.iter().map(|o| &*o.quantity.name).collect();
+        let names = names.join(", ");
+        input(format!(
+            "{output:?} is not an output that varies; there are {names}"
+        ))
+    })?;
+    let figure = match (name, &found.map) {
+        ("map", Some(map)) => sweep::map(found, map, &data.provenance),
+        ("map", None) => {
+            return Err(input(format!("{output} depends on fewer than two inputs")));
         }
-        let files: Vec<(&str, &str)> = files.iter().map(|(n, t)| (*n, t.as_str())).collect();
-        write_together(&dir, &files).map_err(|e| of_results(&e))
-    }
+        _ if found.effects.is_empty() => {
+            return Err(input(format!("no input explains {output}")));
+        }
+        _ => sweep::effects(found, &data.provenance),
+    };
+    Ok(figure.json())
 }

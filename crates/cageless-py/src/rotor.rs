@@ -3,14 +3,14 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use cageless::linear_rotor::{self, DMatrix, RotorError, RotorMatrices};
+use cageless::linear_rotor::{self, DMatrix, RotorMatrices};
 use cageless_io::rotor_file::{
     RotorBody, RotorClearance, RotorDescription, RotorPlace, RotorUnbalance, write_matrices,
 };
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 
-use crate::errors::{input, of_results};
+use crate::errors::{Found, input};
 
 /// Lateral motion of a rotor with the nodes of its bearings.
 #[pyclass(frozen, module = "cageless._cageless")]
@@ -19,134 +19,109 @@ pub struct LinearRotor {
     rotor: linear_rotor::LinearRotor,
 }
 
-/// Axial place in mm or node, m·ε in g·mm, direction in degrees.
-type Unbalance<T> = (T, f64, f64);
-
-pub fn refused(error: &RotorError) -> PyErr {
-    input(error.to_string())
+/// Node, or axial place in mm.
+#[derive(FromPyObject)]
+enum Place {
+    Node(usize),
+    AxialMm(f64),
 }
 
-fn unbalances<T: Copy>(
-    values: &[Unbalance<T>],
-    place: impl Fn(T) -> RotorPlace,
-) -> Vec<RotorUnbalance> {
-    let unbalance = |(at, amount_g_mm, angle_deg): &Unbalance<T>| RotorUnbalance {
-        place: place(*at),
-        amount_g_mm: *amount_g_mm,
-        angle_deg: *angle_deg,
-    };
-    values.iter().map(unbalance).collect()
+impl From<Place> for RotorPlace {
+    fn from(place: Place) -> Self {
+        match place {
+            Place::Node(node) => Self::Node(node),
+            Place::AxialMm(axial_mm) => Self::AxialMm(axial_mm),
+        }
+    }
 }
 
-/// Name, axial place in mm or node, radial clearance in µm.
-type Clearance<T> = (String, T, f64);
+type Matrix<'py> = PyReadonlyArray2<'py, f64>;
 
-fn clearances<T: Copy>(
-    values: &[Clearance<T>],
-    place: impl Fn(T) -> RotorPlace,
-) -> Vec<RotorClearance> {
-    let clearance = |(name, at, radial_um): &Clearance<T>| RotorClearance {
-        name: name.clone(),
-        place: place(*at),
-        radial_um: *radial_um,
-    };
-    values.iter().map(clearance).collect()
+/// Mass and elasticity.
+#[derive(FromPyObject)]
+enum Body<'py> {
+    /// m, Ip and It of a rigid rotor.
+    Rigid(f64, f64, f64),
+    /// [M, C, G, K, Ksdt], Ip, nodes that are kept, largest frequency.
+    Matrices([Matrix<'py>; 5], f64, Vec<usize>, Option<f64>),
 }
 
 impl LinearRotor {
     /// The rotor of a description.
-    pub fn new(description: RotorDescription) -> PyResult<Self> {
-        let rotor = description.linear().map_err(|error| refused(&error))?;
+    pub fn of(description: RotorDescription) -> Found<Self> {
+        let rotor = description.linear()?;
         Ok(Self { description, rotor })
     }
 }
 
 #[pymethods]
 impl LinearRotor {
-    /// A rigid rotor.
-    #[staticmethod]
-    fn rigid(
-        mass_kg: f64,
-        polar_inertia_kg_m2: f64,
-        transverse_inertia_kg_m2: f64,
-        bearing_axial_mm: Vec<f64>,
-        unbalances: Vec<Unbalance<f64>>,
-        clearances: Vec<Clearance<f64>>,
-    ) -> PyResult<Self> {
-        Self::new(RotorDescription {
-            body: RotorBody::Rigid {
-                mass_kg,
-                polar_inertia_kg_m2,
-                transverse_inertia_kg_m2,
-            },
-            bearings: bearing_axial_mm
-                .into_iter()
-                .map(RotorPlace::AxialMm)
-                .collect(),
-            unbalances: self::unbalances(&unbalances, RotorPlace::AxialMm),
-            clearances: self::clearances(&clearances, RotorPlace::AxialMm),
+    /// A rotor with the places of its bearings, its unbalances (place, m·ε in g·mm, direction in
+    /// degrees) and clearances (name, place, radial in µm).
+    #[new]
+    fn new(
+        body: Body<'_>,
+        bearings: Vec<Place>,
+        unbalances: Vec<(Place, f64, f64)>,
+        clearances: Vec<(String, Place, f64)>,
+    ) -> Found<Self> {
+        let body = match body {
+            Body::Rigid(mass_kg, polar_inertia_kg_m2, transverse_inertia_kg_m2) => {
+                RotorBody::Rigid {
+                    mass_kg,
+                    polar_inertia_kg_m2,
+                    transverse_inertia_kg_m2,
+                }
+            }
+            Body::Matrices(arrays, polar_inertia_kg_m2, kept_nodes, frequency_max_hz) => {
+                let [mass, damping, gyroscopic, stiffness, spin_up] = arrays.map(|array| {
+                    let array = array.as_array();
+                    let (rows, columns) = array.dim();
+                    DMatrix::from_fn(rows, columns, |row, column| array[[row, column]])
+                });
+                RotorBody::Matrices {
+                    matrices: Arc::new(RotorMatrices {
+                        mass,
+                        damping,
+                        gyroscopic,
+                        stiffness,
+                        spin_up,
+                        polar_inertia_kg_m2,
+                    }),
+                    frequency_max_hz,
+                    kept_nodes,
+                }
+            }
+        };
+        let unbalance = |(place, amount_g_mm, angle_deg): (Place, f64, f64)| RotorUnbalance {
+            place: place.into(),
+            amount_g_mm,
+            angle_deg,
+        };
+        let clearance = |(name, place, radial_um): (String, Place, f64)| RotorClearance {
+            name,
+            place: place.into(),
+            radial_um,
+        };
+        Self::of(RotorDescription {
+            body,
+            bearings: bearings.into_iter().map(Place::into).collect(),
+            unbalances: unbalances.into_iter().map(unbalance).collect(),
+            clearances: clearances.into_iter().map(clearance).collect(),
         })
     }
 
-    /// A rotor by M, C, G, K and Ksdt, four coordinates a node.
-    #[staticmethod]
-    #[expect(clippy::too_many_arguments, reason = "the matrices of a rotor")]
-    fn from_matrices(
-        mass: PyReadonlyArray2<'_, f64>,
-        damping: PyReadonlyArray2<'_, f64>,
-        gyroscopic: PyReadonlyArray2<'_, f64>,
-        stiffness: PyReadonlyArray2<'_, f64>,
-        spin_up: PyReadonlyArray2<'_, f64>,
-        polar_inertia_kg_m2: f64,
-        nodes: Vec<usize>,
-        kept_nodes: Vec<usize>,
-        unbalances: Vec<Unbalance<usize>>,
-        clearances: Vec<Clearance<usize>>,
-        frequency_max_hz: Option<f64>,
-    ) -> PyResult<Self> {
-        let matrix = |array: &PyReadonlyArray2<'_, f64>| {
-            let array = array.as_array();
-            let (rows, columns) = array.dim();
-            DMatrix::from_fn(rows, columns, |row, column| array[[row, column]])
-        };
-        let matrices = RotorMatrices {
-            mass: matrix(&mass),
-            damping: matrix(&damping),
-            gyroscopic: matrix(&gyroscopic),
-            stiffness: matrix(&stiffness),
-            spin_up: matrix(&spin_up),
-            polar_inertia_kg_m2,
-        };
-        Self::new(RotorDescription {
-            body: RotorBody::Matrices {
-                matrices: Arc::new(matrices),
-                frequency_max_hz,
-                kept_nodes,
-            },
-            bearings: nodes.into_iter().map(RotorPlace::Node).collect(),
-            unbalances: self::unbalances(&unbalances, RotorPlace::Node),
-            clearances: self::clearances(&clearances, RotorPlace::Node),
-        })
-    }
-
-    #[getter]
-    fn mass_kg(&self) -> f64 {
-        self.rotor.mass_kg()
-    }
-
-    #[getter]
-    fn polar_inertia_kg_m2(&self) -> f64 {
-        self.rotor.polar_inertia_kg_m2()
-    }
-
-    #[getter]
-    fn mass_shares_kg(&self) -> Vec<f64> {
-        self.rotor.mass_shares_kg()
-    }
-
-    #[getter]
-    fn coordinates(&self) -> usize {
-        self.rotor.coordinates()
+    /// Mass, moment of inertia about the axis, part of the mass that each bearing carries and number of
+    /// coordinates.
+    fn numbers(&self) -> (f64, f64, Vec<f64>, usize) {
+        let rotor = &self.rotor;
+        let (mass_kg, inertia_kg_m2) = (rotor.mass_kg(), rotor.polar_inertia_kg_m2());
+        (
+            mass_kg,
+            inertia_kg_m2,
+            rotor.mass_shares_kg(),
+            rotor.coordinates(),
+        )
     }
 
     /// Real and imaginary parts of the eigenvalues at a speed, 1/s.
@@ -156,12 +131,12 @@ impl LinearRotor {
     }
 
     /// Writes the matrices for a rotor file.
-    fn save_matrices(&self, path: PathBuf) -> PyResult<()> {
-        let RotorBody::Matrices { matrices, .. } = &self.description.body else {
-            return Err(input(
-                "a rigid rotor has no matrices: a rotor file gives its mass and inertia".to_owned(),
-            ));
-        };
-        write_matrices(&path, matrices).map_err(|error| of_results(&error))
+    fn save_matrices(&self, path: PathBuf) -> Found<()> {
+        match &self.description.body {
+            RotorBody::Matrices { matrices, .. } => Ok(write_matrices(&path, matrices)?),
+            RotorBody::Rigid { .. } => Err(input(
+                "a rigid rotor has no matrices: a rotor file gives its mass and inertia",
+            )),
+        }
     }
 }

@@ -1,19 +1,16 @@
 //! Sweeps.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Mutex;
-use std::time::{Duration, Instant};
 
-use cageless_io::plan_file::{PlanFile, VariantFile};
+use cageless_io::plan_file::PlanFile;
 use cageless_study::break_if;
 use cageless_study::sweep::{Job, Shard, SweepError, write_part};
 use pyo3::prelude::*;
 
-use crate::background::count;
-use crate::case_file::CaseFile;
-use crate::errors::{input, of_file, of_sweep, of_values, other};
-use crate::rotor_file::RotorFile;
-use crate::signals::Signals;
+use crate::background::{Background, count};
+use crate::documents::File;
+use crate::errors::{Error, Found, input, of_values, other};
 
 /// A plan that can be computed.
 #[pyclass(frozen, module = "cageless._cageless")]
@@ -21,31 +18,20 @@ pub struct Sweep {
     sweep: cageless_study::sweep::Sweep,
 }
 
-/// Interval between progress callbacks.
-const REPORT_INTERVAL: Duration = Duration::from_millis(100);
-
 #[pymethods]
 impl Sweep {
     /// Reads a plan.
     #[staticmethod]
-    fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
-        let plan = PlanFile::read(&path).map_err(|e| of_file(&e))?;
+    fn read(py: Python<'_>, path: PathBuf) -> Found<Self> {
+        let plan = PlanFile::read(&path)?;
         Self::checked(py, plan)
     }
 
-    /// Reads the text of a plan, which messages call `name`; paths in it count from
-    /// `folder`.
+    /// Reads the text of a plan, which messages call `name`, without one they have no place; paths in it
+    /// count from `folder`.
     #[staticmethod]
-    fn parse(py: Python<'_>, text: &str, name: &str, folder: PathBuf) -> PyResult<Self> {
-        let plan = PlanFile::parse(text, name, &folder).map_err(|e| of_file(&e))?;
-        Self::checked(py, plan)
-    }
-
-    /// Takes the text of a plan made of values, of whose lines its user knows nothing.
-    #[staticmethod]
-    fn of_values(py: Python<'_>, text: &str) -> PyResult<Self> {
-        // Without a name, messages have no place.
-        let plan = PlanFile::parse(text, "", Path::new(".")).map_err(|e| of_file(&e))?;
+    fn parse(py: Python<'_>, text: &str, name: &str, folder: PathBuf) -> Found<Self> {
+        let plan = PlanFile::parse(text, name, &folder)?;
         Self::checked(py, plan)
     }
 
@@ -55,7 +41,7 @@ impl Sweep {
     }
 
     /// The plan with its case and every default, which is a plan again.
-    fn normal(&self) -> String {
+    fn to_toml(&self) -> String {
         self.sweep.normal().to_owned()
     }
 
@@ -65,21 +51,17 @@ impl Sweep {
     }
 
     /// The case of a variant, or its rotor above several bearings.
-    fn file<'py>(&self, py: Python<'py>, index: u64) -> PyResult<Bound<'py, PyAny>> {
+    fn file(&self, index: u64) -> Found<File> {
         if index >= self.sweep.variants() {
             let last = self.sweep.variants() - 1;
             return Err(input(format!(
                 "variant = {index} is not possible: it must be 0 to {last}"
             )));
         }
-        Ok(match self.sweep.file(index).map_err(|e| of_values(&e))? {
-            VariantFile::Case(file) => Bound::new(py, CaseFile { file: *file })?.into_any(),
-            VariantFile::Rotor(file) => Bound::new(py, RotorFile { file: *file })?.into_any(),
-        })
+        self.sweep.file(index).map(File).map_err(of_values)
     }
 
-    /// Computes what is missing of a result; `progress` is called with the variants done
-    /// and their total.
+    /// Computes what is missing of a result; `progress` gets the variants done and their total as a text.
     fn run(
         &self,
         py: Python<'_>,
@@ -87,50 +69,38 @@ impl Sweep {
         shard: Option<(u64, u64)>,
         threads: Option<i64>,
         progress: Option<Py<PyAny>>,
-    ) -> PyResult<()> {
+    ) -> Found<()> {
         let job = Job {
             result,
             shard: shard.map(share).transpose()?,
             threads: threads.map(count).transpose()?,
         };
-        let signals = Signals::new();
-        let (mut reported, mut failed) = (Instant::now(), None);
-        let done = py.detach(|| {
+        Background(Some(1), progress).run(py, |progress| {
             cageless_study::sweep::run(&self.sweep, &job, |now| {
-                let due = reported.elapsed() >= REPORT_INTERVAL || now.done == now.total;
-                if let Some(progress) = progress.as_ref().filter(|_| due) {
-                    reported = Instant::now();
-                    let reported = Python::attach(|py| progress.call1(py, (now.done, now.total)));
-                    failed = failed.take().or(reported.err());
-                }
-                break_if(failed.is_some() || signals.stop())
+                progress.show(&format!("{} {}", now.done, now.total), now.fraction());
+                break_if(progress.interrupted())
             })
-        });
-        signals.raised()?;
-        if let Some(error) = failed {
-            return Err(error);
-        }
-        done.map_err(|e| of_sweep(&e)).map(|_| ())
+        })??;
+        Ok(())
     }
 
     /// Opens a result for others to compute.
-    fn collect(&self, py: Python<'_>, result: PathBuf) -> PyResult<Collection> {
+    fn collect(&self, py: Python<'_>, result: PathBuf) -> Found<Collection> {
         let opened =
             py.detach(|| cageless_study::sweep::Collection::open(&self.sweep, &result, None));
-        let opened = opened.map_err(|e| of_sweep(&e))?;
         Ok(Collection {
-            open: Mutex::new(Some(opened)),
+            open: Mutex::new(Some(opened?)),
         })
     }
 
     /// Computes a range of variants into a file.
-    fn write_part(&self, py: Python<'_>, start: u64, end: u64, path: PathBuf) -> PyResult<()> {
-        let signals = Signals::new();
+    fn write_part(&self, py: Python<'_>, start: u64, end: u64, path: PathBuf) -> Found<()> {
         let range = start..end.min(self.sweep.variants());
-        let done =
-            py.detach(|| write_part(&self.sweep, range, &path, &|| break_if(signals.stop())));
-        signals.raised()?;
-        done.map_err(|e| of_sweep(&e)).map(|_| ())
+        Background(Some(1), None).run(py, |progress| {
+            let stop = || break_if(progress.interrupted());
+            write_part(&self.sweep, range, &path, &stop)
+        })??;
+        Ok(())
     }
 }
 
@@ -143,35 +113,30 @@ pub struct Collection {
 #[pymethods]
 impl Collection {
     /// Ranges of variants that nobody has computed.
-    fn missing(&self, py: Python<'_>) -> PyResult<Vec<(u64, u64)>> {
+    fn missing(&self, py: Python<'_>) -> Found<Vec<(u64, u64)>> {
         let missing = self.with(py, cageless_study::sweep::Collection::missing)?;
         Ok(missing.into_iter().map(|r| (r.start, r.end)).collect())
     }
 
-    /// Number of variants of the result.
-    fn total(&self, py: Python<'_>) -> PyResult<u64> {
-        self.with(py, |open| Ok(open.total()))
-    }
-
     /// File for the range from `first`.
-    fn part(&self, py: Python<'_>, first: u64) -> PyResult<PathBuf> {
+    fn part(&self, py: Python<'_>, first: u64) -> Found<PathBuf> {
         self.with(py, |open| Ok(open.part(first)))
     }
 
     /// Takes a part that was written elsewhere.
-    fn add(&self, py: Python<'_>, first: u64, part: &[u8]) -> PyResult<()> {
+    fn add(&self, py: Python<'_>, first: u64, part: &[u8]) -> Found<()> {
         self.with(py, |open| open.add(first, part))
     }
 
     /// Makes the result if nothing is missing; says whether it did.
-    fn finish(&self, py: Python<'_>) -> PyResult<bool> {
+    fn finish(&self, py: Python<'_>) -> Found<bool> {
         let open = self.open.lock().map_err(other)?.take();
         let open = open.ok_or_else(closed)?;
-        py.detach(|| open.finish()).map_err(|e| of_sweep(&e))
+        Ok(py.detach(|| open.finish())?)
     }
 
     /// Lets go of the result; what is there stays.
-    fn close(&self) -> PyResult<()> {
+    fn close(&self) -> Found<()> {
         *self.open.lock().map_err(other)? = None;
         Ok(())
     }
@@ -182,38 +147,33 @@ impl Collection {
         &self,
         py: Python<'_>,
         work: impl FnOnce(&cageless_study::sweep::Collection) -> Result<T, SweepError> + Send,
-    ) -> PyResult<T> {
+    ) -> Found<T> {
         py.detach(|| {
             let open = self.open.lock().map_err(other)?;
-            work(open.as_ref().ok_or_else(closed)?).map_err(|e| of_sweep(&e))
+            Ok(work(open.as_ref().ok_or_else(closed)?)?)
         })
     }
 }
 
-fn closed() -> PyErr {
+fn closed() -> Error {
     other("this result is closed")
 }
 
 impl Sweep {
-    fn checked(py: Python<'_>, plan: PlanFile) -> PyResult<Self> {
-        let sweep = py.detach(|| cageless_study::sweep::Sweep::new(plan));
-        let sweep = sweep.map_err(|e| of_sweep(&e))?;
+    fn checked(py: Python<'_>, plan: PlanFile) -> Found<Self> {
+        let sweep = py.detach(|| cageless_study::sweep::Sweep::new(plan))?;
         Ok(Self { sweep })
     }
 }
 
-fn share((number, of): (u64, u64)) -> PyResult<Shard> {
-    let refused = || {
-        input(format!(
-            "shard = ({number}, {of}) is not possible: it must be (I, N) with 1 ≤ I ≤ N"
-        ))
-    };
+fn share((number, of): (u64, u64)) -> Found<Shard> {
+    let problem = "is not possible: it must be (I, N) with 1 ≤ I ≤ N";
+    let refused = || input(format!("shard = ({number}, {of}) {problem}"));
     Shard::new(number, of).ok_or_else(refused)
 }
 
 /// Joins shards; says how many variants the result has.
 #[pyfunction]
-pub fn merge(py: Python<'_>, shards: Vec<PathBuf>, result: PathBuf) -> PyResult<u64> {
-    let merged = py.detach(|| cageless_study::sweep::merge(&shards, &result));
-    merged.map_err(|e| of_sweep(&e))
+pub fn merge(py: Python<'_>, shards: Vec<PathBuf>, result: PathBuf) -> Found<u64> {
+    Ok(py.detach(|| cageless_study::sweep::merge(&shards, &result))?)
 }

@@ -2,13 +2,13 @@
 
 use std::path::PathBuf;
 
-use cageless_io::results::{ColumnKind, RowsReader};
+use cageless_io::results::{ColumnKind, ResultError, RowsReader};
 use cageless_results::Cell;
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList};
+use pyo3::types::{PyDict, PyList, PyString};
 
-use crate::errors::of_results;
+use crate::errors::Found;
 
 /// Columns, their units, and the entries of the footer.
 type Contents<'py> = (Bound<'py, PyDict>, Bound<'py, PyDict>, Bound<'py, PyDict>);
@@ -20,8 +20,8 @@ const FOOTER: [&str; 7] = [
 
 /// Reads a table: numbers as arrays (NaN for none), the rest as lists.
 #[pyfunction]
-pub fn read_table(py: Python<'_>, path: PathBuf) -> PyResult<Contents<'_>> {
-    let read = py.detach(|| {
+pub fn read_table(py: Python<'_>, path: PathBuf) -> Found<Contents<'_>> {
+    let (table, cells) = py.detach(|| {
         let table = RowsReader::open(&path)?;
         let mut columns: Vec<Vec<Cell>> = table.columns().iter().map(|_| Vec::new()).collect();
         for group in 0..table.groups() {
@@ -31,9 +31,8 @@ pub fn read_table(py: Python<'_>, path: PathBuf) -> PyResult<Contents<'_>> {
                 }
             }
         }
-        Ok((table, columns))
-    });
-    let (table, cells) = read.map_err(|error| of_results(&error))?;
+        Ok::<_, ResultError>((table, columns))
+    })?;
     let (columns, units, footer) = (PyDict::new(py), PyDict::new(py), PyDict::new(py));
     for (spec, cells) in table.columns().iter().zip(cells) {
         columns.set_item(&spec.name, column(py, spec.kind, cells)?)?;
@@ -47,7 +46,7 @@ pub fn read_table(py: Python<'_>, path: PathBuf) -> PyResult<Contents<'_>> {
     Ok((columns, units, footer))
 }
 
-fn column(py: Python<'_>, kind: ColumnKind, cells: Vec<Cell>) -> PyResult<Bound<'_, PyAny>> {
+fn column(py: Python<'_>, kind: ColumnKind, cells: Vec<Cell>) -> Found<Bound<'_, PyAny>> {
     let whole = |cell: &Cell| match cell {
         Cell::Integer(value) => Some(*value),
         _ => None,
@@ -61,11 +60,11 @@ fn column(py: Python<'_>, kind: ColumnKind, cells: Vec<Cell>) -> PyResult<Bound<
     }
     if matches!(kind, ColumnKind::Text | ColumnKind::Numbers) {
         let items = cells.into_iter().map(|cell| match cell {
-            Cell::Text(text) => Ok(text.into_pyobject(py)?.into_any()),
+            Cell::Text(text) => Ok(PyString::new(py, &text).into_any()),
             Cell::Numbers(list) => Ok(list.into_pyarray(py).into_any()),
             _ => Ok(py.None().into_bound(py)),
         });
-        let items = items.collect::<PyResult<Vec<_>>>()?;
+        let items = items.collect::<Found<Vec<_>>>()?;
         return Ok(PyList::new(py, items)?.into_any());
     }
     let values: Vec<f64> = cells

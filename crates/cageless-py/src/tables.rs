@@ -1,6 +1,6 @@
 //! Tables of runs and drops: columns that grow, arrays of numpy, files of a folder.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use cageless::simulation::ObserverError;
 use cageless::{Collision, RingSnapshot, RotorSnapshot, Snapshot};
@@ -14,7 +14,7 @@ use numpy::{Element, IntoPyArray, PyArray, PyArrayMethods, PyReadonlyArrayDyn};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::errors::{input, of_results, other};
+use crate::errors::{Found, input, other};
 
 /// Names and columns of the tables. Arrays of the balls are over times and balls, so that they need
 /// neither column.
@@ -29,7 +29,7 @@ fn specified() -> [(&'static str, &'static [Column]); 4] {
 
 /// Units of the columns of each table.
 #[pyfunction]
-pub fn table_units(py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
+pub fn table_units(py: Python<'_>) -> Found<Bound<'_, PyDict>> {
     let tables = PyDict::new(py);
     for (name, columns) in specified() {
         let units = PyDict::new(py);
@@ -80,7 +80,7 @@ impl Rows for Tables {
 
 impl Tables {
     /// Tables of a drop into one bearing.
-    pub fn of_drop(record: &DropRecord) -> PyResult<Self> {
+    pub fn of_drop(record: &DropRecord) -> Found<Self> {
         let mut tables = Self::default();
         for snapshot in &record.snapshots {
             tables.snapshot(snapshot).map_err(other)?;
@@ -92,18 +92,15 @@ impl Tables {
     }
 
     /// Reads the tables of a folder.
-    pub fn read(dir: &Path) -> PyResult<Self> {
+    pub fn read(dir: &Path) -> Found<Self> {
         let mut tables = Self::default();
         for (table, (name, columns)) in tables.0.iter_mut().zip(specified()) {
             let path = dir.join(name).with_extension("parquet");
             let of_balls = name == "balls";
             if name != "rotor" || path.is_file() {
                 let columns = if of_balls { BALLS } else { columns };
-                let found = read_run_table(&path, columns).map_err(|error| of_results(&error))?;
-                *table = found
-                    .into_iter()
-                    .skip(if of_balls { 2 } else { 0 })
-                    .collect();
+                let found = read_run_table(&path, columns)?.into_iter();
+                *table = found.skip(if of_balls { 2 } else { 0 }).collect();
             }
         }
         Ok(tables)
@@ -112,7 +109,7 @@ impl Tables {
     /// `{"balls": {name: times × balls}, "ring": {name: times}, "collisions": {name: …}}`, with a
     /// rotor `"rotor"` as well. The arrays take over the memory of the columns and are not for
     /// writing: figures would not follow.
-    pub fn into_arrays(self, py: Python<'_>) -> PyResult<Py<PyDict>> {
+    pub fn into_arrays(self, py: Python<'_>) -> Found<Py<PyDict>> {
         let times = self.0[1].first().map_or(0, Vec::len);
         let tables = PyDict::new(py);
         for ((name, columns), mut values) in specified().into_iter().zip(self.0) {
@@ -140,13 +137,13 @@ impl Tables {
     }
 
     /// Copies what [`Self::into_arrays`] made.
-    pub fn of_arrays(arrays: &Bound<'_, PyDict>) -> PyResult<Self> {
+    pub fn of_arrays(arrays: &Bound<'_, PyDict>) -> Found<Self> {
         let mut tables = Self::default();
         for (table, (name, columns)) in tables.0.iter_mut().zip(specified()) {
             let Some(arrays) = arrays.get_item(name)? else {
                 continue;
             };
-            let column = |column: &Column| -> PyResult<Vec<f64>> {
+            let column = |column: &Column| -> Found<Vec<f64>> {
                 let array = arrays.get_item(column.name)?;
                 if column.integer {
                     let array: PyReadonlyArrayDyn<'_, i32> = array.extract()?;
@@ -155,13 +152,13 @@ impl Tables {
                 let array: PyReadonlyArrayDyn<'_, f64> = array.extract()?;
                 Ok(array.as_array().iter().copied().collect())
             };
-            *table = columns.iter().map(column).collect::<PyResult<_>>()?;
+            *table = columns.iter().map(column).collect::<Found<_>>()?;
         }
         Ok(tables)
     }
 
     /// Snapshots of the output times from `from` to `to`, s.
-    pub fn snapshots(&self, (from, to): (f64, f64)) -> PyResult<Vec<Snapshot>> {
+    pub fn snapshots(&self, (from, to): (f64, f64)) -> Found<Vec<Snapshot>> {
         let times = &self.0[1][0];
         let rows = times.partition_point(|t| *t < from)..times.partition_point(|t| *t <= to);
         if rows.len() < 2 {
@@ -188,32 +185,37 @@ impl Tables {
         let values = RingSnapshot::from_values(std::array::from_fn(|k| ring[k + 1][row]));
         Snapshot::from_parts(ring[0][row], values, rotor, &arrays)
     }
+}
 
-    /// Writes the tables into a folder.
-    pub fn write(&self, dir: &Path, isa: &str, case: &str) -> PyResult<()> {
-        let [_, ring, collisions, _] = &self.0;
-        let write = || {
-            let mut writer = RunWriter::create(dir, &Metadata { isa, case })?;
-            for row in 0..ring[0].len() {
-                writer.snapshot(&self.snapshot_of(row))?;
-            }
-            for row in 0..collisions[0].len() {
-                let value = |column: usize| collisions[column][row];
-                writer.collision(&Collision {
-                    start_s: value(0),
-                    duration_s: value(1),
-                    ball: value(2) as usize - 1,
-                    next_ball: value(3) as usize - 1,
-                    angle_rad: value(4),
-                    approach_speed_m_s: value(5),
-                    peak_force_n: value(6),
-                    impulse_n_s: value(7),
-                })?;
-            }
-            writer.finish()
-        };
-        write().map_err(|error| of_results(&error))
+/// Arrays of the tables of a folder.
+#[pyfunction]
+pub fn read_tables(py: Python<'_>, dir: PathBuf) -> Found<Py<PyDict>> {
+    py.detach(|| Tables::read(&dir))?.into_arrays(py)
+}
+
+/// Writes the arrays of a run or a drop as the tables of a folder, with the case as run.
+#[pyfunction]
+pub fn write_tables(dir: PathBuf, arrays: &Bound<'_, PyDict>, isa: &str, case: &str) -> Found<()> {
+    let tables = Tables::of_arrays(arrays)?;
+    let [_, ring, collisions, _] = &tables.0;
+    let mut writer = RunWriter::create(&dir, &Metadata { isa, case })?;
+    for row in 0..ring[0].len() {
+        writer.snapshot(&tables.snapshot_of(row))?;
     }
+    for row in 0..collisions[0].len() {
+        let value = |column: usize| collisions[column][row];
+        writer.collision(&Collision {
+            start_s: value(0),
+            duration_s: value(1),
+            ball: value(2) as usize - 1,
+            next_ball: value(3) as usize - 1,
+            angle_rad: value(4),
+            approach_speed_m_s: value(5),
+            peak_force_n: value(6),
+            impulse_n_s: value(7),
+        })?;
+    }
+    Ok(writer.finish()?)
 }
 
 fn frozen<'py, T: Element, D: Dimension>(

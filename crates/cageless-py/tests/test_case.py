@@ -6,6 +6,7 @@ import copy
 import dataclasses
 import pickle
 from pathlib import Path
+from typing import Any
 
 import cageless
 import numpy as np
@@ -84,6 +85,15 @@ def test_sections_may_be_mappings_of_their_keys() -> None:
     assert made == expected
     with pytest.raises(cageless.InputError, match="colour"):
         cageless.Case(bearing={"balls": 12, "colour": 1}, operation={})
+    wrong: list[dict[str, Any]] = [{"solver": 5}, {"solver": "verlet"}, {"solvers": {}}]
+    for keywords in wrong:
+        with pytest.raises((TypeError, ValueError)):
+            cageless.Case(bearing=case.bearing, operation=case.operation, **keywords)
+
+
+def test_keys_have_their_meanings_in_the_help_of_their_section() -> None:
+    assert "\n    balls: N, number of balls.\n" in (cageless.Bearing.__doc__ or "")
+    assert "θ, half the angle" in (cageless.Raceway.__doc__ or "")
 
 
 def test_the_radial_clearance_is_in_micrometres() -> None:

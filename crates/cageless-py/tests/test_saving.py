@@ -16,7 +16,7 @@ import numpy as np
 import pandas as pd
 import pytest
 from cageless.frames import filled
-from conftest import Command, falling, lively
+from conftest import ROOT, Command, falling, lively
 
 
 def template(**changes: Any) -> cageless.Case:
@@ -107,11 +107,17 @@ def test_what_is_saved_comes_back_equal(kind: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("kind", MADE)
-def test_every_result_survives_a_pickle(kind: str) -> None:
+def test_every_result_survives_a_pickle(kind: str, tmp_path: Path) -> None:
     made = result(kind)
-    back = pickle.loads(pickle.dumps(made))
+    pickled = pickle.dumps(made)
+    back = pickle.loads(pickled)
     assert_same(back, made)
     assert_same(pickle.loads(pickle.dumps(back)), made)
+    folders = [contents(each.save(tmp_path / name)) for name, each in [("a", made), ("b", back)]]
+    assert folders[0] == folders[1]
+    # The page follows from less than it holds.
+    if kind in ("static", "design", "search", "tolerance", "report"):
+        assert len(pickled) < len(folders[0]["report.html"]) / 4
 
 
 def test_a_run_that_is_not_the_same_is_not_equal() -> None:
@@ -198,6 +204,82 @@ def test_the_command_leaves_a_search_that_is_read(command: Command, tmp_path: Pa
     assert isinstance(found, cageless.SearchResult)
     assert found == cageless.Case.from_file(path).search()
     assert found.case.run().stopped is None
+
+
+SEARCH = {"axial_span_mm": 5.1, "half_angle_deg": [24.0, 26.0], "initial_states": 1, "runs_max": 32}
+SHORT = {"solver": {"duration_s": 0.002}}
+#: Of each kind of result its case, the words of the command and the call of Python.
+SAME: dict[str, tuple[Callable[[], Any], list[object], Callable[[Any], Any]]] = {
+    "run": (lambda: lively(), ["run", "--verify"], lambda case: case.run(verify=True)),
+    "drop": (
+        lambda: falling(),
+        ["drop", "--compare", "conventional", "--samples", 2],
+        lambda case: case.drop(compare=True, samples=2),
+    ),
+    "rotor": (
+        lambda: cageless.RotorCase.from_file(
+            ROOT / "cases" / "rotors" / "two-bearings.toml", {"solver.duration_s": 0.0006}
+        ),
+        ["drop"],
+        lambda case: case.drop(),
+    ),
+    "static": (template, ["static"], lambda case: case.static()),
+    "design": (quick, ["design"], lambda case: case.design()),
+    "poor": (
+        lambda: quick().replace(raceway__half_angle_deg=28.0),
+        ["design"],
+        lambda case: case.design(),
+    ),
+    "search": (
+        lambda: quick().replace(search=SEARCH),
+        ["design", "--search"],
+        lambda case: case.search(),
+    ),
+    "tolerance": (quick, ["tolerance", "--samples", 0], lambda case: case.tolerance(samples=0)),
+    "comparison": (
+        lambda: template().replace(SHORT),
+        ["compare", "--with-conventional", "--starts", 2],
+        lambda case: case.compare(starts=2),
+    ),
+}
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    """Files of a folder and of those in it."""
+    files = (path for path in folder.rglob("*") if path.is_file())
+    return {str(path.relative_to(folder)): path.read_bytes() for path in files}
+
+
+@pytest.mark.parametrize("kind", SAME)
+def test_save_leaves_the_folder_of_the_command(
+    kind: str, command: Command, tmp_path: Path
+) -> None:
+    make, [name, *options], compute = SAME[kind]
+    case = make()
+    path = tmp_path / "case.toml"
+    path.write_text(case.to_toml())
+    command(name, path, *options, "--out", tmp_path / "command")
+    saved = contents(compute(type(case).from_file(path)).save(tmp_path / "saved"))
+    written = contents(tmp_path / "command")
+    assert sorted(saved) == sorted(written)
+    # The time that a run took, with its seal; the comparison has names that the command cannot give.
+    own = {"run": {"summary.json", "report.json"}, "comparison": {"compare.json", "report.html"}}
+    for file in saved.keys() - own.get(kind, set()):
+        assert saved[file] == written[file], file
+
+
+def test_an_analysis_and_a_sweep_leave_the_folders_of_the_command(
+    command: Command, tmp_path: Path
+) -> None:
+    sweep = a_sweep()
+    (tmp_path / "plan.toml").write_text(sweep.plan.to_toml())
+    command("sweep", tmp_path / "plan.toml", "--out", tmp_path / "command")
+    assert contents(sweep.save(tmp_path / "saved")) == contents(tmp_path / "command")
+    words = ["--high", "static_ring_y_um", "--out", tmp_path / "analysis"]
+    command("report", tmp_path / "command", *words)
+    made = cageless.report(tmp_path / "command", high=["static_ring_y_um"])
+    saved = made.save(tmp_path / "python")
+    assert contents(saved) == contents(tmp_path / "analysis")
 
 
 def test_folders_that_are_no_result_are_refused(tmp_path: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -131,8 +132,9 @@ def test_nothing_to_recommend_is_an_exception_with_the_maps(command: Command) ->
     with pytest.raises(cageless.UnphysicalError, match="raceway too shallow") as error:
         case.search(**asked)
     changes = QUICK | {f"search.{k}": v for k, v in asked.items()}
+    # Lines of progress come before it.
     stderr = command("design", CASE, "--search", *sets(changes), code=3).stderr
-    assert stderr == f"error: {error.value}\n"
+    assert stderr.splitlines()[-1] == f"error: {error.value}"
     search = error.value.result
     assert isinstance(search, cageless.SearchResult)
     assert search.recommended == ()
@@ -174,6 +176,14 @@ def test_tolerances_are_those_of_the_command(command: Command, tmp_path: Path) -
     assert len(result.plot_influences().data) > 0
     assert len(result.plot_samples().data) > 0
     assert "probability" in result._repr_html_()
+
+
+def test_the_tolerances_that_are_documented_are_those_of_the_command(command: Command) -> None:
+    option = r"--([\w-]+) <[^>]+>(?:(?!\n +--).)*?\[default: (.*?)\]"
+    told = re.findall(option, command("tolerance", "--help").stdout, re.S)
+    documented = re.findall(r"(\w+): .*? (\S+) if left out", cageless.Case.tolerance.__doc__ or "")
+    assert len(documented) == 9
+    assert documented == [(name.replace("-", "_"), value) for name, value in told]
 
 
 def test_exports_have_the_bytes_of_the_command(command: Command, tmp_path: Path) -> None:

@@ -72,12 +72,12 @@ def compute(
     """Computes what is missing of a result on the workers of a client."""
     from distributed import as_completed
 
-    collection = plan._sweep.collect(os.fspath(result.absolute()))
+    collection = plan._file.collect(os.fspath(result.absolute()))
     futures: list[Any] = []
     try:
         missing = collection.missing()
         if missing:
-            text, together = plan.to_toml(), plan._sweep.together()
+            text, together = plan.to_toml(), plan._file.together()
             # Travels once to each worker, not with each task, and again to those that come.
             known = client.submit(str, text, pure=False)
             first, last = missing[0]

@@ -4,52 +4,45 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from . import sections
+from . import _cageless, sections
+from .document import Document, Progress, whole
 from .errors import InputError
 from .exports import Export
-from .results import (
-    Design,
-    Drop,
-    RingComparison,
-    Run,
-    SearchResult,
-    Static,
-    ToleranceResult,
-    complete,
-)
+from .results import Design, RingComparison, Run, SearchResult, Static, ToleranceResult, complete
 
 if TYPE_CHECKING:
     from .case import Case
 
 __all__ = ["Computations"]
 
-Progress = Callable[[str, float], object]
+#: Formats of the outer ring.
+FORMATS = {".step": "step", ".stp": "step", ".stl": "stl", ".csv": "csv"}
 
 
 def refuse(method: str, unknown: Mapping[str, Any]) -> None:
     """Refuses keywords that a method does not have; keys of the case belong to ``replace``."""
     for name, value in unknown.items():
-        parts = (part for part in vars(sections).values() if isinstance(part, type))
-        owners = [part for part in parts if name in getattr(part, "__dataclass_fields__", {})]
         hint = ""
-        if owners:
-            section = owners[0].__name__.lower()
-            hint = f"; a key of the case is changed by replace({section}__{name}={value!r})"
+        for section in sections.Section.__subclasses__():
+            if name in section.__annotations__:
+                key = f"{section.__name__.lower()}__{name}"
+                hint = f"; a key of the case is changed by replace({key}={value!r})"
+                break
         raise TypeError(f"Case.{method}() has no argument {name!r}{hint}")
 
 
-class Computations:
+class Computations(Document):
     """The computations of a :class:`Case`.
 
     Those that take long have the options ``threads``, the number of threads (default: number of
     cores), and ``progress``, called repeatedly with the name of the task and its completed
-    fraction, 0 to 1. Other threads of Python go on meanwhile; Ctrl-C ends a computation.
+    fraction, 0 to 1. Other threads of Python go on meanwhile; Ctrl-C ends a computation. One that
+    leaves the physical range raises an ``UnphysicalError``, whose ``result`` has what was computed.
     """
-
-    _file: Any
 
     def run(
         self,
@@ -61,103 +54,41 @@ class Computations:
     ) -> Run:
         """Simulates the case.
 
-        Parameters
-        ----------
-        verify : bool
-            Verify by perturbed starts and half step (17x cost); ``verification`` of the run
-            classifies the results as converged, statistical or step-biased.
+        Args:
+            verify: Verify by perturbed starts and half step (17x cost); ``verification`` of the run
+                classifies the results as converged, statistical or step-biased.
 
-        Returns
-        -------
-        Run
-
-        Raises
-        ------
-        UnphysicalError
-            If the run left the physical range; its ``result`` has what was computed.
-
-        Examples
-        --------
-        >>> import cageless
-        >>> case = cageless.Case.from_toml(cageless.template(), {"solver.duration_s": 0.002})
-        >>> run = case.run()
-        >>> run.angle_rad.shape  # times × balls
-        (21, 14)
-        >>> case.run(verify=True).verification
-        <Verification: 13 converged, 0 statistical, 0 step-biased>
+        Examples:
+            >>> import cageless
+            >>> case = cageless.Case.from_toml(cageless.template(), {"solver.duration_s": 0.002})
+            >>> run = case.run()
+            >>> run.angle_rad.shape  # times × balls
+            (21, 14)
+            >>> case.run(verify=True).verification
+            <Verification: 13 converged, 0 statistical, 0 step-biased>
         """
         refuse("run", unknown)
-        return complete(Run(self._file.run(verify, threads, progress)))
-
-    def drop(
-        self,
-        *,
-        compare: bool = False,
-        samples: int | None = None,
-        verify: bool = False,
-        threads: int | None = None,
-        progress: Progress | None = None,
-    ) -> Drop:
-        """Drops the rotor of the case onto the bearing, as ``cageless drop`` does.
-
-        Parameters
-        ----------
-        compare : bool
-            Drop it onto the same bearing with a conventional outer ring as well.
-        samples : int, optional
-            Number of further drops with scattered friction, touch-down clearance, support damping, direction
-            of the unbalance and arrangement of the balls.
-        verify : bool
-            Repeat the drop from perturbed starts and at half the step; ``data_verification()``
-            classifies the results as converged, statistical or step-biased.
-
-        Returns
-        -------
-        Drop
-
-        Raises
-        ------
-        InputError
-            If the case has no rotor.
-        UnphysicalError
-            If the drop left the physical range; its ``result`` has what was computed.
-        """
-        return complete(Drop(self._file.drop(compare, samples, verify, threads, progress)))
+        # Verification uses every core, a run alone needs one.
+        background = (threads if verify else 1, progress)
+        return complete(Run(_cageless.run(self._file, verify, background)))
 
     def static(self) -> Static:
         """Static equilibrium: ring displacement, load of each ball, contact pressure.
 
-        Returns
-        -------
-        Static
-
-        Examples
-        --------
-        >>> import cageless
-        >>> static = cageless.Case.from_toml(cageless.template()).static()
-        >>> round(static.ring_y_um, 2)
-        -13.18
+        Examples:
+            >>> import cageless
+            >>> static = cageless.Case.from_toml(cageless.template()).static()
+            >>> round(static.ring_y_um, 2)
+            -13.18
         """
-        return Static(self._file.static_equilibrium())
+        return Static(_cageless.static_equilibrium(self._file))
 
     def design(self) -> Design:
         """Analyses the raceway: limits, β0, critical gap, verdict, recommendation.
 
         Takes seconds: the verdict rests on a run of all balls.
-
-        Returns
-        -------
-        Design
-
-        Raises
-        ------
-        UnphysicalError
-            If that run left the physical range.
         """
-        found, stopped = self._file.design()
-        if stopped is not None:
-            raise stopped
-        return Design(found)
+        return Design(_cageless.design(self._file, False, None, (1, None)))
 
     def search(
         self,
@@ -171,37 +102,28 @@ class Computations:
 
         Takes minutes.
 
-        Parameters
-        ----------
-        out : path, optional
-            Folder that keeps what was computed until the search is over: after an
-            interruption the same call, or the command, continues from there.
-        **asked
-            Keys of the section ``[search]`` of a case file with their values, in place of those of
-            the case: ranges of speeds and loads, of lC, θ and ψ, numbers of raceways, starts and
-            runs.
+        Args:
+            out: Folder that keeps what was computed until the search is over: after an
+                interruption the same call, or the command, continues from there.
+            **asked: Keys of the section ``[search]`` of a case file with their values, in place of
+                those of the case: ranges of speeds and loads, of lC, θ and ψ, numbers of raceways,
+                starts and runs.
 
-        Returns
-        -------
-        SearchResult
+        Raises:
+            UnphysicalError: If no raceway meets every requirement; its ``result`` has the maps that
+                show why.
 
-        Raises
-        ------
-        UnphysicalError
-            If no raceway meets every requirement; its ``result`` has the maps that show why.
-
-        Examples
-        --------
-        >>> import cageless
-        >>> case = cageless.Case.from_toml(cageless.template())
-        >>> case.search(runs_max=1)
-        Traceback (most recent call last):
-        cageless.errors.InputError: search.runs_max = 1 is not possible: it must be 32 or more with ...
+        Examples:
+            >>> import cageless
+            >>> case = cageless.Case.from_toml(cageless.template())
+            >>> case.search(runs_max=1)
+            Traceback (most recent call last):
+            cageless.errors.InputError: search.runs_max = 1 is not possible: it must be 32 or more with ...
         """
         given = {f"search.{key}": value for key, value in asked.items() if value is not None}
-        case = self.replace(given) if given else self  # type: ignore[attr-defined]
+        file = (self.replace(given) if given else self)._file
         folder = None if out is None else os.fspath(out)
-        return complete(SearchResult(case._file.search(folder, threads, progress)))
+        return complete(SearchResult(_cageless.design(file, True, folder, (threads, progress))))
 
     def compare(
         self,
@@ -214,45 +136,34 @@ class Computations:
         """Compares the ring with that of another case, as ``cageless compare`` does: both run from
         the same uneven starts.
 
-        Parameters
-        ----------
-        reference : Case, optional
-            What to compare with; the same bearing with a conventional outer ring by default.
-        starts : int
-            Uneven starts of each ring.
+        Args:
+            reference: What to compare with; the same bearing with a conventional outer ring by
+                default.
+            starts: Uneven starts of each ring.
 
-        Returns
-        -------
-        RingComparison
-
-        Raises
-        ------
-        UnphysicalError
-            If a run left the physical range.
-
-        Examples
-        --------
-        >>> import cageless
-        >>> case = cageless.Case.from_toml(cageless.template(), {"solver.duration_s": 0.002})
-        >>> results = case.compare(starts=2).data_results()
-        >>> bool(results.loc["gap_deviation_deg", "case_error"] > 0.0)
-        True
+        Examples:
+            >>> import cageless
+            >>> case = cageless.Case.from_toml(cageless.template(), {"solver.duration_s": 0.002})
+            >>> results = case.compare(starts=2).data_results()
+            >>> bool(results.loc["gap_deviation_deg", "case_error"] > 0.0)
+            True
         """
         other = None if reference is None else reference._file
-        return RingComparison(self._file.compare(other, starts, threads, progress))
+        asked = (other, whole("starts", starts), (threads, progress))
+        return RingComparison(_cageless.compare(self._file, *asked))
 
     def tolerance(
         self,
         *,
-        samples: int = 200,
-        groove_depth_um: float = 2.0,
-        axial_span_um: float = 20.0,
-        half_angle_deg: float = 0.1,
-        ball_grade: int = 10,
-        friction: float = 0.002,
-        clearance_um: float = 10.0,
-        speed_percent: float = 5.0,
-        load_percent: float = 20.0,
+        samples: int | None = None,
+        groove_depth_um: float | None = None,
+        axial_span_um: float | None = None,
+        half_angle_deg: float | None = None,
+        ball_grade: int | None = None,
+        friction: float | None = None,
+        clearance_um: float | None = None,
+        speed_percent: float | None = None,
+        load_percent: float | None = None,
         threads: int | None = None,
         progress: Progress | None = None,
     ) -> ToleranceResult:
@@ -261,52 +172,33 @@ class Computations:
 
         Takes minutes: every bearing is run until it is judged.
 
-        Parameters
-        ----------
-        samples : int
-            Monte Carlo sample size; 0: one-at-a-time only.
-        groove_depth_um : float
-            Depth of the raceways.
-        axial_span_um : float
-            lC.
-        half_angle_deg : float
-            θ.
-        ball_grade : int
-            Grade of the balls by ISO 3290-1, 0 for balls all equal.
-        friction : float
-            μ.
-        clearance_um : float
-            Tolerance of the radial internal clearance Gr.
-        speed_percent, load_percent : float
-            Speed and load, as shares of those of the case.
+        Args:
+            samples: Monte Carlo sample size, 200 if left out; 0: one-at-a-time only.
+            groove_depth_um: Depth of the raceways, 2 if left out.
+            axial_span_um: lC, 20 if left out.
+            half_angle_deg: θ, 0.1 if left out.
+            ball_grade: Grade of the balls by ISO 3290-1, 10 if left out; 0 for balls all equal.
+            friction: μ, 0.002 if left out.
+            clearance_um: Radial internal clearance Gr, 10 if left out.
+            speed_percent: Speed, as a share of that of the case, 5 if left out.
+            load_percent: Load, as a share of that of the case, 20 if left out.
 
-        Returns
-        -------
-        ToleranceResult
+        Raises:
+            InputError: If a tolerance is not possible, or there is no discrete raceway.
 
-        Raises
-        ------
-        InputError
-            If a tolerance is not possible, or there is no discrete raceway.
-
-        Examples
-        --------
-        >>> import cageless
-        >>> case = cageless.Case.from_toml(cageless.template())
-        >>> case.tolerance(ball_grade=7)
-        Traceback (most recent call last):
-        cageless.errors.InputError: ball_grade = 7 is not possible: it must be a grade of ...
+        Examples:
+            >>> import cageless
+            >>> case = cageless.Case.from_toml(cageless.template())
+            >>> case.tolerance(ball_grade=7)
+            Traceback (most recent call last):
+            cageless.errors.InputError: ball_grade = 7 is not possible: it must be a grade of ...
         """
-        deviations = {
-            "groove_depth_um": float(groove_depth_um),
-            "axial_span_um": float(axial_span_um),
-            "half_angle_deg": float(half_angle_deg),
-            "friction": float(friction),
-            "clearance_um": float(clearance_um),
-            "speed_percent": float(speed_percent),
-            "load_percent": float(load_percent),
-        }
-        found = self._file.tolerance(samples, ball_grade, deviations, threads, progress)
+        request = locals()
+        for name in ("self", "threads", "progress"):
+            del request[name]
+        counts = {name: whole(name, request[name]) for name in ("samples", "ball_grade")}
+        given = {name: value for name, value in (request | counts).items() if value is not None}
+        found = _cageless.tolerance(self._file, json.dumps(given), (threads, progress))
         return ToleranceResult(found)
 
     def export(
@@ -324,48 +216,53 @@ class Computations:
         The case needs ``bearing.outer_ring_outer_radius_mm`` and
         ``bearing.outer_ring_width_mm``.
 
-        Parameters
-        ----------
-        out : path
-            A file, if the name ends in ``.step``, ``.stp``, ``.stl`` or ``.csv``; else a
-            folder, which gets ``outer_ring.step`` and so on, and ``export.json``.
-        formats : str or sequence of str, optional
-            ``"step"``, ``"stl"``, ``"csv"``; what the file is called, or all three.
-        blend_mm : float, optional
-            Length of the blend between each end of a discrete raceway and the plain groove;
-            0 leaves the slope discontinuity. Default: 0.5, or a fifth of the shortest half
-            raceway if that is shorter.
-        tolerance_um : float, optional
-            STEP: largest distance of the B-splines from the analytic surface. Default: 0.01.
-        chord_um : float, optional
-            STL: largest distance of a triangle from the analytic surface. Default: 5.
-        spacing_mm : float, optional
-            CSV: largest distance of neighbouring points. Default: 0.5.
+        Args:
+            out: A file, if the name ends in ``.step``, ``.stp``, ``.stl`` or ``.csv``; else a
+                folder, which gets ``outer_ring.step`` and so on, and ``export.json``.
+            formats: ``"step"``, ``"stl"``, ``"csv"``; what the file is called, or all three.
+            blend_mm: Length of the blend between each end of a discrete raceway and the plain
+                groove; 0 leaves the slope discontinuity. Default: 0.5, or a fifth of the shortest
+                half raceway if that is shorter.
+            tolerance_um: STEP: largest distance of the B-splines from the analytic surface.
+                Default: 0.01.
+            chord_um: STL: largest distance of a triangle from the analytic surface. Default: 5.
+            spacing_mm: CSV: largest distance of neighbouring points. Default: 0.5.
 
-        Returns
-        -------
-        Export
+        Raises:
+            InputError: If the case lacks the outside of the ring, or an option is not possible.
 
-        Raises
-        ------
-        InputError
-            If the case lacks the outside of the ring, or an option is not possible.
-
-        Examples
-        --------
-        >>> import cageless, tempfile
-        >>> ring = {"bearing.outer_ring_outer_radius_mm": 31.0, "bearing.outer_ring_width_mm": 16.0}
-        >>> case = cageless.Case.from_toml(cageless.template(), ring)
-        >>> with tempfile.TemporaryDirectory() as folder:
-        ...     made = case.export(folder, ["step", "stl"], chord_um=10.0)
-        >>> made.formats
-        ['step', 'stl']
-        >>> made.deviation_um["step"] < 0.01
-        True
+        Examples:
+            >>> import cageless, tempfile
+            >>> ring = {"bearing.outer_ring_outer_radius_mm": 31.0, "bearing.outer_ring_width_mm": 16.0}
+            >>> case = cageless.Case.from_toml(cageless.template(), ring)
+            >>> with tempfile.TemporaryDirectory() as folder:
+            ...     made = case.export(folder, ["step", "stl"], chord_um=10.0)
+            >>> made.formats
+            ['step', 'stl']
+            >>> made.deviation_um["step"] < 0.01
+            True
         """
+        path, ending = Path(out), Path(out).suffix.lower()
+        named = FORMATS.get(ending)
+        marked = os.fspath(out).endswith(("/", os.sep))
+        is_file = bool(ending) and not marked and not path.is_dir()
         several = [formats] if isinstance(formats, str) else formats
-        names = None if several is None else list(several)
-        made = self._file.export(
-            os.fspath(out), names, blend_mm, tolerance_um, chord_um, spacing_mm
-        )
-        return Export(json.loads(made))
+        names = list(([named] if named else ["step", "stl", "csv"]) if several is None else several)
+        if not names:
+            raise InputError("formats = [] is not possible: it must be of step, stl, csv")
+        if is_file and named is None:
+            raise InputError(
+                f"out = {path}: the name of a file ends in .step, .stp, .stl or .csv, that of a "
+                "folder has no ending, or a slash at its end"
+            )
+        if is_file and names != [named]:
+            other = next((name for name in names if name != named), named)
+            raise InputError(f"out = {path}: is the name of a file of format {named}, not of {other}")
+        targets = [(name, path if is_file else path / f"outer_ring.{name}") for name in names]
+        options = (blend_mm, tolerance_um, chord_um, spacing_mm)
+        folder = None if is_file else path
+        made = _cageless.export(self._file, folder, targets, list(options))
+        if not is_file:
+            text = made[0] if len(made) == 1 else "[" + ",\n".join(made) + "]"
+            _cageless.write(path / "export.json", f"{text}\n".encode())
+        return Export([json.loads(text) for text in made])

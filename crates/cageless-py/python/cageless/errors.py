@@ -19,12 +19,9 @@ class InputError(CagelessError, ValueError):
 
     The command ends with exit code 2.
 
-    Attributes
-    ----------
-    key : str or None
-        Key at fault, ``section.key``, where it is one of a case or plan.
-    line : int or None
-        Line of the file, from 1, where there is one.
+    Attributes:
+        key: Key at fault, ``section.key``, where it is one of a case or plan, else None.
+        line: Line of the file, from 1, where there is one, else None.
     """
 
     def __init__(self, message: str, key: str | None = None, line: int | None = None) -> None:
@@ -45,10 +42,8 @@ class UnphysicalError(CagelessError, ArithmeticError):
 
     The command ends with exit code 3.
 
-    Attributes
-    ----------
-    result : Result or None
-        Results computed until then; of a search that has nothing to recommend, its maps.
+    Attributes:
+        result: Results computed until then; of a search that has nothing to recommend, its maps.
     """
 
     result: Result | None = None

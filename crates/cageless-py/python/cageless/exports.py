@@ -19,10 +19,8 @@ __all__ = ["Export"]
 class Export:
     """Files of the outer ring.
 
-    Parameters
-    ----------
-    values : list of dict
-        For each file what ``cageless export --json`` prints.
+    Args:
+        values: For each file what ``cageless export --json`` prints.
     """
 
     values: list[dict[str, Any]]

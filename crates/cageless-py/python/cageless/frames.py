@@ -46,23 +46,16 @@ def flat(row: Row) -> Row:
 
 def ranged(rows: list[Row]) -> list[Row]:
     """Rows with both ends of their ranges as columns."""
-
-    def is_range(value: Any) -> bool:
-        pair = isinstance(value, list) and len(value) == 2
-        return pair and all(isinstance(end, (int, float)) for end in value)
-
-    ranges = {key for row in rows for key, value in row.items() if is_range(value)}
+    several = [key for row in rows for key, value in row.items() if isinstance(value, list)]
+    ranges = [key for key in several if all(len(row[key] or "  ") == 2 for row in rows)]
 
     def ends(key: str, value: Any) -> Row:
+        if key not in ranges:
+            return {key: value}
         low, high = value or (np.nan, np.nan)
         return {f"{key}_min": low, f"{key}_max": high}
 
-    found: list[Row] = []
-    for row in rows:
-        found.append({})
-        for key, value in row.items():
-            found[-1] |= ends(key, value) if key in ranges else {key: value}
-    return found
+    return [{k: v for key, value in row.items() for k, v in ends(key, value).items()} for row in rows]
 
 
 def frame(
@@ -106,7 +99,7 @@ def summary(result: Result) -> pd.DataFrame:
     known = quantities(result.kind)
     rows = []
     for name, value in scalars(result.values).items():
-        _, symbol, label, *_ = known.get(name, [name, unit(name), ""])
+        symbol, label, _ = known.get(name, (unit(name), "", False))
         rows.append({"name": name, "value": value, "unit": symbol, "label": label.strip()})
     found = pd.DataFrame(rows, columns=["name", "value", "unit", "label"], dtype=object)
     return with_units(found.set_index("name"))

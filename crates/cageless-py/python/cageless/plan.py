@@ -10,9 +10,11 @@ from typing import Any, Literal
 
 from . import _cageless
 from .case import Case
+from .document import Written
 from .errors import InputError
 from .rotors import RotorCase
 from .section import table
+from .toml import toml
 
 __all__ = ["Plan", "span"]
 
@@ -22,19 +24,14 @@ def span(
 ) -> dict[str, Any]:
     """A range for an axis of a plan.
 
-    Parameters
-    ----------
-    low, high : float
-        Both ends, which belong to it.
-    count : int, optional
-        Number of values; required on a grid, forbidden in samples.
-    scale : {"linear", "log"}
-        Spacing of the values.
+    Args:
+        low, high: Both ends, which belong to it.
+        count: Number of values; required on a grid, forbidden in samples.
+        scale: Spacing of the values.
 
-    Examples
-    --------
-    >>> span(500.0, 3000.0, 6)
-    {'from': 500.0, 'to': 3000.0, 'count': 6}
+    Examples:
+        >>> span(500.0, 3000.0, 6)
+        {'from': 500.0, 'to': 3000.0, 'count': 6}
     """
     found: dict[str, Any] = {"from": float(low), "to": float(high)}
     if count is not None:
@@ -58,54 +55,41 @@ def nested(values: Mapping[str, Any]) -> dict[str, Any]:
     return tree
 
 
-class Plan:
+class Plan(Written):
     """Plan of a sweep; see docs/sweeps.md for the meaning of its parts.
 
-    Parameters
-    ----------
-    case : Case or RotorCase
-        The case that varies, or the rotor on several bearings.
-    compute : sequence of str
-        ``"static"``, ``"design"``, ``"verdict"``, ``"run"``, ``"drop"``; of a rotor on several
-        bearings ``"drop"`` alone.
-    grid : mapping, optional
-        Axes of which every combination is taken: ``section.key`` to a list of values, or
-        to a :func:`span`. With a rotor also keys of the rotor, ``rotor.speed_rpm``, and of one
-        bearing, ``bearing.2.contact.damping_n_s_m1_5``.
-    samples : mapping, optional
-        ``method``, ``count`` and further axes.
-    scatter : mapping, optional
-        ``repeats`` and deviations, such as ``{"normal": 0.5}``.
-    keep : sequence of str, optional
-        Columns to keep besides the inputs; all if left out.
-    seed : int
-        Seed of samples and scatter.
-    title : str
-        Free text.
-    set : mapping, optional
-        Values that replace those of the case in every variant: ``section.key`` to a value, or
-        sections in sections, as ``replace`` of the case takes them.
+    Args:
+        case: The case that varies, or the rotor on several bearings.
+        compute: ``"static"``, ``"design"``, ``"verdict"``, ``"run"``, ``"drop"``; of a rotor on
+            several bearings ``"drop"`` alone.
+        grid: Axes of which every combination is taken: ``section.key`` to a list of values, or
+            to a :func:`span`. With a rotor also keys of the rotor, ``rotor.speed_rpm``, and of one
+            bearing, ``bearing.2.contact.damping_n_s_m1_5``.
+        samples: ``method``, ``count`` and further axes.
+        scatter: ``repeats`` and deviations, such as ``{"normal": 0.5}``.
+        keep: Columns to keep besides the inputs; all if left out.
+        seed: Seed of samples and scatter.
+        title: Free text.
+        set: Values that replace those of the case in every variant: ``section.key`` to a value, or
+            sections in sections, as ``replace`` of the case takes them.
 
-    Examples
-    --------
-    >>> import cageless
-    >>> case = cageless.Case.from_toml(cageless.template())
-    >>> plan = cageless.Plan(
-    ...     case=case,
-    ...     compute=["static"],
-    ...     grid={"operation.radial_load_n": cageless.span(500.0, 3000.0, 6)},
-    ... )
-    >>> len(plan)
-    6
-    >>> plan.case(0).operation.radial_load_n
-    500.0
-    >>> short = cageless.Plan(case=case, compute=["static"], set={"solver.duration_s": 0.01},
-    ...                       grid={"operation.radial_load_n": [500.0, 900.0]})
-    >>> short.case(1).solver.duration_s
-    0.01
+    Examples:
+        >>> import cageless
+        >>> case = cageless.Case.from_toml(cageless.template())
+        >>> plan = cageless.Plan(
+        ...     case=case,
+        ...     compute=["static"],
+        ...     grid={"operation.radial_load_n": cageless.span(500.0, 3000.0, 6)},
+        ... )
+        >>> len(plan)
+        6
+        >>> plan.case(0).operation.radial_load_n
+        500.0
+        >>> short = cageless.Plan(case=case, compute=["static"], set={"solver.duration_s": 0.01},
+        ...                       grid={"operation.radial_load_n": [500.0, 900.0]})
+        >>> short.case(1).solver.duration_s
+        0.01
     """
-
-    _sweep: Any
 
     def __init__(
         self,
@@ -127,15 +111,9 @@ class Plan:
             head["keep"] = list(keep)
         parts = {"grid": grid, "samples": samples, "scatter": scatter}
         head |= {name: nested(part) for name, part in parts.items() if part is not None}
-        head["case"] = case._document()
-        text = _cageless.to_toml(head)
-        self._sweep = _cageless.Sweep.of_values(text)
-
-    @classmethod
-    def _of(cls, sweep: Any) -> Plan:
-        plan = cls.__new__(cls)
-        plan._sweep = sweep
-        return plan
+        head["case"] = case._document
+        # Without a name, messages have no place.
+        self._file = _cageless.Sweep.parse(toml(head), "", ".")
 
     @classmethod
     def from_file(cls, path: str | os.PathLike[str]) -> Plan:
@@ -147,38 +125,18 @@ class Plan:
         """Reads the text of a plan; paths in it are relative to `folder`."""
         return cls._of(_cageless.Sweep.parse(text, "plan", os.fspath(folder)))
 
-    def to_toml(self) -> str:
-        """The plan with its case and every default, one key per line."""
-        return self._sweep.normal()
-
     def case(self, variant: int) -> Any:
-        """The :class:`Case` of a variant, counted from 0, or its :class:`RotorCase`.
-
-        Raises
-        ------
-        InputError
-            If that variant is an impossible case.
-        """
-        file = self._sweep.file(variant)
-        if isinstance(file, _cageless.RotorFile):
-            return RotorCase._of(file)
-        return Case._of(file)
+        """The :class:`Case` of a variant, counted from 0, or its :class:`RotorCase`; an ``InputError``
+        if that is impossible."""
+        file = self._file.file(variant)
+        return (RotorCase if file.rotor() else Case)._of(file)
 
     def cases(self) -> Iterator[Any]:
         """The cases of all variants."""
         return (self.case(variant) for variant in range(len(self)))
 
     def __len__(self) -> int:
-        return self._sweep.variants()
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Plan) and self.to_toml() == other.to_toml()
-
-    def __hash__(self) -> int:
-        return hash(self.to_toml())
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return (Plan.from_toml, (self.to_toml(),))
+        return self._file.variants()
 
     def __repr__(self) -> str:
         return f"<Plan of {len(self)} variants>"

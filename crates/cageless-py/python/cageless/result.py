@@ -44,14 +44,27 @@ TAKES: dict[str, dict[str, tuple[str, ...]]] = {
     },
     "analysis": {"shares": (), "": ("output",)},
 }
+#: File of the values of each kind; only that of the last can stand beside another.
+VALUES: dict[str, str] = {
+    "run": "summary.json",
+    "drop": "summary.json",
+    "sweep": "sweep.parquet",
+    "tolerance": "tolerance.json",
+    "search": "design.json",
+    "design": "design.json",
+    "static": "static.json",
+    "comparison": "compare.json",
+    "analysis": "report.json",
+}
+PAGE = "report.html"
 #: Texts that say in a line what a result is.
 HEADLINES = ("headline", "statement", "findings")
 
 
 @cache
-def quantities(kind: str) -> dict[str, list[str]]:
-    """Name, unit, label, kind of value and better direction of the scalar results of a kind."""
-    return {row[0]: row for row in _cageless.quantities(kind)}
+def quantities(kind: str) -> dict[str, tuple[str, str, bool]]:
+    """Unit and label of the scalar results of a kind by name, and whether each is a number."""
+    return {row[0]: row[1:] for row in _cageless.quantities(kind)}
 
 
 def array(found: Any) -> Any:
@@ -78,6 +91,35 @@ def part(whole: Result, place: Place) -> Any:
     return found
 
 
+def early_stop(values: dict[str, Any]) -> str | None:
+    """Reason of an early stop by the physics, from the values of a run or a drop."""
+    stop: Any = values.get("stopped")
+    if isinstance(stop, dict):
+        at, cause, advice = (stop[key] for key in ("time_s", "cause", "advice"))
+        # By the user.
+        return None if cause == "interrupted" else f"at t = {at:.6f} s {cause}. To change: {advice}."
+    for number, bearing in enumerate(values.get("bearings", []), 1):
+        if reason := bearing.get("stopped"):
+            return f"bearing {number}: {reason}"
+    return stop if isinstance(stop, str) else None
+
+
+class Number:
+    """A number as its text."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+
+
+def written(value: Any) -> str:
+    """JSON in one line, each :class:`Number` as its text."""
+    if isinstance(value, dict):
+        return "{" + ",".join(f"{written(k)}:{written(v)}" for k, v in value.items()) + "}"
+    if isinstance(value, list):
+        return "[" + ",".join(map(written, value)) + "]"
+    return value.text if isinstance(value, Number) else json.dumps(value, ensure_ascii=False)
+
+
 def same(tables: list[dict[str, Any]], others: list[dict[str, Any]]) -> bool:
     """Whether all columns of the tables are equal."""
     if [table.keys() for table in tables] != [other.keys() for other in others]:
@@ -98,6 +140,9 @@ class Result:
     kind: ClassVar[str] = ""
     _parts: ClassVar[dict[str, type[Result]]] = {}
 
+    def __init_subclass__(cls) -> None:
+        KINDS[cls.kind] = cls
+
     def __init__(self, core: Any, place: Place = ()) -> None:
         self._core = core
         self._place = place
@@ -112,7 +157,7 @@ class Result:
         """A value as an attribute: a section as a result, a list of numbers as an array."""
         found, cls = self.values[name], self._parts.get(name, Result)
         if found is None and name in (known := quantities(self.kind)):
-            return np.nan if known[name][3] == "number" else None
+            return np.nan if known[name][2] else None
 
         def made(values: dict[str, Any], *place: str | int) -> Result:
             inner = cls(self._core, (*self._place, *place))
@@ -136,7 +181,7 @@ class Result:
     @cached_property
     def _arrays(self) -> dict[str, dict[str, Any]]:
         """Arrays by table and column; none where each of several bearings has its own."""
-        tables: list[dict[str, dict[str, Any]]] = self._core.tables() if self._core else []
+        tables: list[dict[str, dict[str, Any]]] = self._core.tables if self._core else []
         if self._bearing is not None:
             return tables[self._bearing] if tables else {}
         return tables[0] if len(tables) == 1 and not self._place else {}
@@ -144,8 +189,7 @@ class Result:
     @property
     def stopped(self) -> str | None:
         """Reason of an early stop, with advice; None if the computation is complete."""
-        found: str | None = self._core.stopped if not self._place else self.values.get("stopped")
-        return found
+        return early_stop(self.values)
 
     @property
     def _figures(self) -> dict[str, str]:
@@ -161,17 +205,13 @@ class Result:
         """A column of a table, as an array that cannot be written to; those of the balls are over
         times and balls.
 
-        Parameters
-        ----------
-        column : str
-            Name of the column.
-        of : {"balls", "ring", "collisions", "rotor"}, optional
-            Table; default: the first that has the column.
+        Args:
+            column: Name of the column.
+            of: Table, ``"balls"``, ``"ring"``, ``"collisions"`` or ``"rotor"``; default: the first
+                that has the column.
 
-        Raises
-        ------
-        ColumnError
-            If there is no such column; also a ``KeyError``.
+        Raises:
+            ColumnError: If there is no such column; also a ``KeyError``.
         """
         tables = self._arrays if of is None else {of: self._arrays.get(of, {})}
         for columns in tables.values():
@@ -241,71 +281,57 @@ class Result:
     def report(self, path: str | os.PathLike[str]) -> Path:
         """Writes the page of the command, which works offline.
 
-        Raises
-        ------
-        InputError
-            If this is a part of a result, or the file cannot be written there.
+        Raises:
+            InputError: If this is a part of a result, or the file cannot be written there.
         """
         if self._place:
             raise InputError("a part of a result has no page of its own")
-        return files.write(path, self._core.page().encode())
+        texts = self._core.files()
+        if PAGE not in texts:
+            raise InputError(f"the folder of this result had no {PAGE}")
+        return files.write(path, texts[PAGE].encode())
 
     def save(self, folder: str | os.PathLike[str]) -> Path:
-        """Writes the files that the command writes with ``--out``. :func:`load` reads them.
-
-        Returns
-        -------
-        Path
-            The folder, which is created.
+        """Writes the files that the command writes with ``--out`` into a folder, which is created and
+        returned. :func:`load` reads them.
         """
         if self._place:
             raise InputError("a part of a result is saved with the whole")
-        bearings = self.values.get("bearings", [self.values])
-        cases = [bearing["case"] for bearing in bearings if "case" in bearing]
-        texts = [json.dumps(c, ensure_ascii=False, separators=(",", ":")) for c in cases]
-        isa = self.values.get("isa", "")
-        self._core.save(os.fspath(folder), [(isa, text) for text in texts])
+        core = self._core
+        values = json.loads(core.values, parse_float=Number)
+        texts = {VALUES[self.kind]: core.values} | core.files()
+        _cageless.write_folder(os.fspath(folder), {})
+        bearings = values.get("bearings", [values])
+        for number, (arrays, bearing) in enumerate(zip(core.tables, bearings, strict=False), 1):
+            place = Path(folder) / f"bearing-{number}" if len(core.tables) > 1 else Path(folder)
+            case = written(bearing["case"])
+            _cageless.write_tables(os.fspath(place), arrays, values["isa"], case)
+        _cageless.write_folder(os.fspath(folder), texts)
         return Path(folder)
 
     def to_csv(self, folder: str | os.PathLike[str]) -> list[Path]:
-        """Writes every frame that has rows as ``NAME.csv`` into a folder, which is created.
+        """Writes every frame that has rows as ``NAME.csv`` into a folder, which is created, and returns
+        the files.
 
         Columns have their units in their names, numbers all of their digits.
 
-        Returns
-        -------
-        list of Path
-            The files.
-
-        Raises
-        ------
-        InputError
-            If the folder cannot be used.
+        Raises:
+            InputError: If the folder cannot be used.
         """
-        _cageless.make_folder(os.fspath(folder))
-        return [
-            files.write(
-                Path(folder) / f"{name}.csv",
-                frame.to_csv(index=frame.index.names != [None]).encode(),
-            )
+        texts = {
+            f"{name}.csv": frame.to_csv(index=frame.index.names != [None])
             for name, frame in frames.filled(self).items()
-        ]
+        }
+        _cageless.write_folder(os.fspath(folder), texts)
+        return [Path(folder) / name for name in texts]
 
     def to_mat(self, path: str | os.PathLike[str]) -> Path:
         """Writes the frames as a file of MATLAB: a structure per frame with a field per column,
         and ``units`` with the unit of each. Needs SciPy.
 
-        Returns
-        -------
-        Path
-            The file.
-
-        Raises
-        ------
-        CagelessError
-            If SciPy is not installed.
-        InputError
-            If the file cannot be written there.
+        Raises:
+            CagelessError: If SciPy is not installed.
+            InputError: If the file cannot be written there.
         """
         return files.write(path, files.matlab(frames.filled(self)))
 
@@ -317,23 +343,17 @@ class Result:
         return one == two and same(self._compared(), other._compared())
 
     def _compared(self) -> list[dict[str, Any]]:
-        tables = self._core.tables() if self._core and not self._place else [self._arrays]
+        tables = self._core.tables if self._core and not self._place else [self._arrays]
         return [columns for bearing in tables for columns in bearing.values()]
 
     __hash__ = None  # type: ignore[assignment]
 
     def __reduce__(self) -> tuple[Any, ...]:
-        if self._place:
-            return (part, (self._whole(), self._place))
         core = self._core
-        source = zlib.compress(core.source().encode(), 1)
-        state = (core.kind, core.values, core.stopped, core.tables(), source)
-        return (restored, (type(self), *state))
-
-    def _whole(self) -> Result:
-        from .results import of_core
-
-        return of_core(self._core)
+        if self._place:
+            return (part, (KINDS[core.kind](core), self._place))
+        texts = zlib.compress(json.dumps(core.seed()).encode(), 1)
+        return (restored, (core.kind, core.values, list(core.tables), texts))
 
     def _headline(self) -> str:
         for key in HEADLINES:
@@ -351,7 +371,7 @@ class Result:
         known = quantities(self.kind)
         rows: list[tuple[str, object]] = []
         for name, value in frames.scalars(self.values).items():
-            _, symbol, label, *_ = known.get(name, [name, unit(name), name])
+            symbol, label, _ = known.get(name, (unit(name), name, False))
             rows.append((label.strip(), f"{value} {symbol}".strip()))
         for key in ("findings", "reasons", "warnings", "notes"):
             rows += [(key, text) for text in self.values.get(key, [])]
@@ -361,12 +381,12 @@ class Result:
         return table(rows, escape(type(self).__name__)) + parts
 
 
-def restored(
-    cls: type[Result], kind: str, values: str, stopped: str | None, tables: Any, source: bytes
-) -> Result:
+#: Classes of results by kind.
+KINDS: dict[str, type[Result]] = {}
+
+
+def restored(kind: str, values: str, tables: Any, texts: bytes) -> Result:
     """A result from its pickle."""
-    for columns in (columns for bearing in tables for columns in bearing.values()):
-        for column in columns.values():
-            column.flags.writeable = False
-    text = zlib.decompress(source).decode()
-    return cls(_cageless.Result.restored(kind, values, stopped, tables, text))
+    for column in (column for bearing in tables for t in bearing.values() for column in t.values()):
+        column.flags.writeable = False
+    return KINDS[kind](_cageless.Result(kind, values, tables, json.loads(zlib.decompress(texts))))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import tempfile
 from collections.abc import Sequence
@@ -10,18 +11,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from . import _cageless, frames
-from .attributes import (
-    AnalysisAttributes,
-    ComparisonAttributes,
-    DesignAttributes,
-    DropAttributes,
-    RunAttributes,
-    SearchAttributes,
-    StaticAttributes,
-    ToleranceAttributes,
-)
-from .errors import UnphysicalError
-from .result import Result
+from . import attributes as of
+from .errors import InputError, UnphysicalError
+from .result import KINDS, VALUES, Result
 from .sections import Raceway
 
 if TYPE_CHECKING:
@@ -30,24 +22,15 @@ if TYPE_CHECKING:
     from .case import Case
     from .plan import Plan
 
-__all__ = [
-    "Design",
-    "Drop",
-    "RingComparison",
-    "Run",
-    "SearchResult",
-    "Static",
-    "SweepReport",
-    "SweepResult",
-    "ToleranceResult",
-    "Verification",
-    "load",
-]
+__all__ = ["Design", "Drop", "RingComparison", "Run", "SearchResult", "Static", "SweepReport"]
+__all__ += ["SweepResult", "ToleranceResult", "Verification", "load"]
 
 R = TypeVar("R", bound=Result)
 
 #: File of a sweep.
-NAME = "sweep.parquet"
+NAME = VALUES["sweep"]
+#: What folders hold beside values and tables.
+FILES = ("report.html", "report.json", "sheet.html", "case.toml", "recommended.toml", "static.csv", "design.csv")
 
 
 class Verification(Result):
@@ -60,14 +43,14 @@ class Verification(Result):
         return ", ".join(f"{self.values[name]} {name.replace('_', '-')}" for name in counts)
 
 
-class Run(RunAttributes, Result):
+class Run(of.RunAttributes, Result):
     """A simulated run; units and meanings are those of the files of ``cageless run``."""
 
     kind = "run"
     _parts = {"verification": Verification}
 
 
-class Drop(DropAttributes, Result):
+class Drop(of.DropAttributes, Result):
     """The drop of a rotor into one bearing, or onto several: then each of ``bearings`` is a drop
     with the tables and figures of that bearing. ``conventional``, ``ensemble`` and ``verification``
     are None unless they were asked for."""
@@ -78,22 +61,37 @@ class Drop(DropAttributes, Result):
 Drop._parts = {"bearings": Drop, "conventional": Drop, "verification": Verification}
 
 
-class Static(StaticAttributes, Result):
+class Static(of.StaticAttributes, Result):
     """A static equilibrium and the ratings of the bearing; arrays are over the balls."""
 
     kind = "static"
 
 
-class Design(DesignAttributes, Result):
+class Design(of.DesignAttributes, Result):
     """The analysis of a raceway: limits, critical gap, verdict, recommendation."""
 
     kind = "design"
 
 
-class SearchResult(SearchAttributes, Result):
+class SearchResult(of.SearchAttributes, Result):
     """The best raceway for a range of speeds and loads."""
 
     kind = "search"
+
+    @property
+    def _searched(self) -> Case:
+        """The case that was searched."""
+        from .case import Case
+
+        return Case.from_toml(self._core.seed()["case.toml"])
+
+    @property
+    def stopped(self) -> str | None:
+        """Why nothing is recommended, with the title of the case; None if something is."""
+        if self.recommended:
+            return None
+        title = self._searched.title
+        return f"{title}: {self.values['findings'][0]}" if title else str(self.values["findings"][0])
 
     @property
     def passes(self) -> bool | None:
@@ -114,18 +112,10 @@ class SearchResult(SearchAttributes, Result):
 
     @property
     def case(self) -> Case:
-        """The case with the recommended structure, to be run.
-
-        Raises
-        ------
-        UnphysicalError
-            If there is nothing to recommend.
-        """
-        from .case import Case
-
+        """The case with the recommended structure, to be run; an ``UnphysicalError`` if there is none."""
         if not self.recommended:
             raise UnphysicalError(self.values["findings"][0])
-        case = Case.from_toml(self._core.source()).with_raceways(*self.recommended)
+        case = self._searched.with_raceways(*self.recommended)
         return case.replace({"title": f"{case.title or 'Case'}: recommended raceway"})
 
     def data_map(self, k: int = 0) -> pd.DataFrame:
@@ -133,14 +123,16 @@ class SearchResult(SearchAttributes, Result):
         return frames.cells(self.values["maps"][k])
 
     def __eq__(self, other: object) -> bool:
-        if not isinstance(other, SearchResult) or self._core.source() != other._core.source():
-            return False
-        return super().__eq__(other)
+        return (
+            isinstance(other, SearchResult)
+            and self._searched == other._searched
+            and super().__eq__(other)
+        )
 
     __hash__ = None  # type: ignore[assignment]
 
 
-class ToleranceResult(ToleranceAttributes, Result):
+class ToleranceResult(of.ToleranceAttributes, Result):
     """Tolerance analysis of a raceway."""
 
     kind = "tolerance"
@@ -159,13 +151,13 @@ class ToleranceResult(ToleranceAttributes, Result):
         return [str(row["name"]) for row in sorted(rows, key=changed, reverse=True)]
 
 
-class RingComparison(ComparisonAttributes, Result):
+class RingComparison(of.ComparisonAttributes, Result):
     """Runs of two outer rings from the same uneven starts, and their differences."""
 
     kind = "comparison"
 
 
-class SweepReport(AnalysisAttributes, Result):
+class SweepReport(of.AnalysisAttributes, Result):
     """The analysis of a finished sweep: sensitivity and best variants."""
 
     kind = "analysis"
@@ -188,10 +180,8 @@ class SweepResult(Result):
 
     A pickle holds the whole file, so that it can be read on another machine.
 
-    Parameters
-    ----------
-    path : path
-        ``sweep.parquet``, or the folder with it.
+    Args:
+        path: ``sweep.parquet``, or the folder with it.
     """
 
     kind = "sweep"
@@ -235,10 +225,6 @@ class SweepResult(Result):
 
         return Plan.from_toml(self.values["plan"])
 
-    @property
-    def stopped(self) -> None:
-        """None: a sweep is complete when its file is there."""
-
     @cached_property
     def _arrays(self) -> dict[str, dict[str, Any]]:
         return {"variants": self._contents[0]}
@@ -269,7 +255,7 @@ class SweepResult(Result):
 
     def save(self, folder: str | os.PathLike[str]) -> Path:
         """Writes a copy of the file, ``sweep.parquet``. :func:`load` reads it."""
-        _cageless.make_folder(os.fspath(folder))
+        _cageless.write_folder(os.fspath(folder), {})
         _cageless.write(os.fspath(Path(folder) / NAME), self.path.read_bytes())
         return Path(folder)
 
@@ -301,34 +287,8 @@ def _unpickled(content: bytes) -> SweepResult:
     return SweepResult(path, _temporary=temporary)
 
 
-KINDS: dict[str, type[Result]] = {
-    cls.kind: cls
-    for cls in (
-        Run,
-        Drop,
-        Static,
-        Design,
-        SearchResult,
-        ToleranceResult,
-        RingComparison,
-        SweepReport,
-    )
-}
-
-
-def of_core(core: Any) -> Any:
-    """The result that the extension module holds."""
-    return KINDS[core.kind](core)
-
-
 def complete(result: R) -> R:
-    """The result, if the computation reached its end.
-
-    Raises
-    ------
-    UnphysicalError
-        If it did not; its ``result`` is what was computed.
-    """
+    """The result, if the computation reached its end; else that is an ``UnphysicalError``."""
     if result.stopped is not None:
         error = UnphysicalError(result.stopped)
         error.result = result
@@ -336,35 +296,65 @@ def complete(result: R) -> R:
     return result
 
 
+def read(path: Path) -> str:
+    """The text of a file."""
+    try:
+        return path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(f"{path}: cannot be read: {error}") from error
+
+
 def load(path: str | os.PathLike[str]) -> Any:
-    """Reads a result that ``save`` wrote, or the command with ``--out``.
+    """Reads a result that ``save`` wrote, or the command with ``--out``: of the kind that the folder
+    holds, equal to what was saved.
 
-    Parameters
-    ----------
-    path : path
-        The folder, or the file ``sweep.parquet``.
+    Args:
+        path: The folder, or the file ``sweep.parquet``.
 
-    Returns
-    -------
-    Result
-        Of the kind that the folder holds, equal to what was saved.
+    Raises:
+        InputError: If there is no result, more than one, or a damaged one.
 
-    Raises
-    ------
-    InputError
-        If there is no result, more than one, or a damaged one.
-
-    Examples
-    --------
-    >>> import cageless, tempfile
-    >>> case = cageless.Case.from_toml(cageless.template(), {"solver.duration_s": 0.002})
-    >>> run = case.run()
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     run.save(folder) == Path(folder)
-    ...     cageless.load(folder) == run
-    True
-    True
+    Examples:
+        >>> import cageless, tempfile
+        >>> case = cageless.Case.from_toml(cageless.template(), {"solver.duration_s": 0.002})
+        >>> run = case.run()
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     run.save(folder) == Path(folder)
+        ...     cageless.load(folder) == run
+        True
+        True
     """
     path = Path(path)
-    core = None if path.is_file() else _cageless.load(os.fspath(path))
-    return SweepResult(path) if core is None else of_core(core)
+    if path.is_file():
+        return SweepResult(path)
+    kinds = {name: kind for kind, name in VALUES.items()}
+    there = [name for name in kinds if (path / name).is_file()]
+    if len(there) > 1:
+        # The command writes its analysis into the folder of the sweep.
+        there = [name for name in there if name != VALUES["analysis"]]
+    if not there:
+        what = "holds no result" if path.is_dir() else "is not there"
+        raise InputError(f"{path}: {what}: one of {', '.join(kinds)} is expected in a folder")
+    if len(there) > 1:
+        listed = ", ".join(there)
+        raise InputError(f"{path}: holds several results: {listed}; take a folder for each")
+    [name] = there
+    if name == NAME:
+        return SweepResult(path)
+    text, kind = read(path / name), kinds[name]
+    try:
+        values = json.loads(text)
+        if not isinstance(values, dict):
+            raise ValueError("it is no result")
+    except ValueError as error:
+        raise InputError(f"{path / name}: cannot be read: {error}") from error
+    files = {file: read(path / file) for file in FILES if (path / file).is_file()}
+    if kind == "drop" and "report.json" in files:
+        kind = "run"
+    if isinstance(values.get("search"), dict):
+        kind, text, files[name] = "search", json.dumps(values["search"]), text
+    bearings = range(1, len(values.get("bearings", [])) + 1)
+    places = [path / f"bearing-{number}" for number in bearings] or [path]
+    recorded = places if kind in ("run", "drop") else []
+    tables = [_cageless.read_tables(os.fspath(place)) for place in recorded]
+    return KINDS[kind](_cageless.Result(kind, text, tables, files))

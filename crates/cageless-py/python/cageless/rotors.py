@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import json
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,15 +11,15 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _cageless
+from .document import Document
 from .errors import InputError
-from .results import Drop, complete
+from .results import Drop
 
 if TYPE_CHECKING:
     from .case import Case
 
 __all__ = ["LinearRotor", "RotorCase"]
 
-Matrix = npt.NDArray[np.float64]
 #: Lateral coordinates [x, y, α, β] among those of a node, by their number.
 LATERAL = {4: [0, 1, 2, 3], 6: [0, 1, 3, 4]}
 #: Rotation about the axis among the six coordinates of a node.
@@ -31,10 +30,23 @@ class LinearRotor:
     """A rotor with linear lateral motion: rigid in up to two bearings, or any by its matrices.
 
     The speed is common to the whole rotor; x, y and z are the frame of the cases, z along the axis.
+
+    Attributes:
+        mass_kg: Mass.
+        polar_inertia_kg_m2: Moment of inertia about the axis of rotation.
+        mass_shares_kg: Part of the mass that each bearing carries when the rotor rests in them.
+        coordinates: Number of coordinates after the reduction.
     """
+
+    mass_kg: float
+    polar_inertia_kg_m2: float
+    mass_shares_kg: list[float]
+    coordinates: int
 
     def __init__(self, rotor: Any) -> None:
         self._rotor = rotor
+        numbers = rotor.numbers()
+        self.mass_kg, self.polar_inertia_kg_m2, self.mass_shares_kg, self.coordinates = numbers
 
     def __repr__(self) -> str:
         shares = ", ".join(f"{share:.3g}" for share in self.mass_shares_kg)
@@ -53,26 +65,22 @@ class LinearRotor:
     ) -> LinearRotor:
         """A rigid rotor in one or two bearings.
 
-        Parameters
-        ----------
-        bearing_axial_mm : sequence of float
-            Place of each touch-down bearing along the axis, from the mass centre.
-        unbalances : iterable of (axial_mm, amount_g_mm, angle_deg)
-            Place, m·ε and direction at the start of each unbalance.
-        clearances : iterable of (name, axial_mm, radial_um)
-            Name, place and radial clearance to the stator of magnetic bearings, seals or
-            impellers: a drop that displaces the rotor further fails.
+        Args:
+            bearing_axial_mm: Place of each touch-down bearing along the axis, from the mass centre.
+            unbalances: (axial_mm, amount_g_mm, angle_deg): place, m·ε and direction at the start of
+                each unbalance.
+            clearances: (name, axial_mm, radial_um): name, place and radial clearance to the stator of
+                magnetic bearings, seals or impellers; a drop that displaces the rotor further fails.
 
-        Raises
-        ------
-        InputError
-            If a value is out of range.
+        Raises:
+            InputError: If a value is out of range.
         """
-        listed = [(float(z), float(u), float(phase)) for z, u, phase in unbalances]
-        planes = [(str(name), float(z), float(limit)) for name, z, limit in clearances]
+        # A whole number would be a node.
         places = [float(z) for z in bearing_axial_mm]
-        inertia = (float(polar_inertia_kg_m2), float(transverse_inertia_kg_m2))
-        return cls(_cageless.LinearRotor.rigid(float(mass_kg), *inertia, places, listed, planes))
+        listed = [(float(z), u, phase) for z, u, phase in unbalances]
+        planes = [(name, float(z), limit) for name, z, limit in clearances]
+        body = (mass_kg, polar_inertia_kg_m2, transverse_inertia_kg_m2)
+        return cls(_cageless.LinearRotor(body, places, listed, planes))
 
     @classmethod
     def from_matrices(
@@ -92,53 +100,33 @@ class LinearRotor:
     ) -> LinearRotor:
         """A rotor by its matrices, M·q̈ + (C + Ω·G)·q̇ + (K + Ω̇·Ksdt)·q = f.
 
-        Parameters
-        ----------
-        M, K, C, G, Ksdt : array_like
-            Rows and columns are the coordinates [x, y, α, β] of each node in turn, in m and rad. C,
-            G and Ksdt are 0 if left out.
-        polar_inertia_kg_m2 : float
-            Moment of inertia of the whole rotor about its axis.
-        nodes : sequence of int
-            Node of each touch-down bearing, from 0.
-        kept_nodes : sequence of int
-            Further nodes whose displacements the reduction keeps, those of sensors.
-        unbalances : iterable of (node, amount_g_mm, angle_deg)
-            Node, m·ε and direction at the start of each unbalance.
-        clearances : iterable of (name, node, radial_um)
-            Name, node and radial clearance to the stator, as in :meth:`rigid`; the nodes are kept.
-        frequency_max_hz : float, optional
-            Modes with all of these nodes held are kept up to this frequency (Craig and Bampton);
-            default: all of them.
+        Args:
+            M, K, C, G, Ksdt: Matrices whose rows and columns are the coordinates [x, y, α, β] of each
+                node in turn, in m and rad. C, G and Ksdt are 0 if left out.
+            polar_inertia_kg_m2: Moment of inertia of the whole rotor about its axis.
+            nodes: Node of each touch-down bearing, from 0.
+            kept_nodes: Further nodes whose displacements the reduction keeps, those of sensors.
+            unbalances: (node, amount_g_mm, angle_deg): node, m·ε and direction at the start of each
+                unbalance.
+            clearances: (name, node, radial_um): name, node and radial clearance to the stator, as in
+                :meth:`rigid`; the nodes are kept.
+            frequency_max_hz: Modes with all of these nodes held are kept up to this frequency (Craig
+                and Bampton); default: all of them.
 
-        Raises
-        ------
-        InputError
-            If the matrices cannot be those of a rotor, or a node does not exist.
+        Raises:
+            InputError: If the matrices cannot be those of a rotor, or a node does not exist.
         """
-        mass = _matrix("M", M)
-        given = {"C": C, "G": G, "K": K, "Ksdt": Ksdt}
-        rest = {
-            name: np.zeros_like(mass) if matrix is None else _matrix(name, matrix)
-            for name, matrix in given.items()
-        }
-        listed = [(_node(n), float(u), float(phase)) for n, u, phase in unbalances]
-        planes = [(str(name), _node(n), float(limit)) for name, n, limit in clearances]
-        return cls(
-            _cageless.LinearRotor.from_matrices(
-                mass,
-                rest["C"],
-                rest["G"],
-                rest["K"],
-                rest["Ksdt"],
-                float(polar_inertia_kg_m2),
-                [_node(n) for n in nodes],
-                [_node(n) for n in kept_nodes],
-                listed,
-                planes,
-                frequency_max_hz,
-            )
-        )
+        arrays = []
+        for name, values in (("M", M), ("C", C), ("G", G), ("K", K), ("Ksdt", Ksdt)):
+            array = np.asarray(np.zeros_like(M) if values is None else values, dtype=float)
+            if array.ndim != 2:
+                raise InputError(f"matrix {name} has {array.ndim} dimensions: must have 2")
+            arrays.append(np.ascontiguousarray(array))
+        kept = [_node(node) for node in kept_nodes]
+        listed = [(_node(node), u, phase) for node, u, phase in unbalances]
+        planes = [(name, _node(node), limit) for name, node, limit in clearances]
+        body = (arrays, polar_inertia_kg_m2, kept, frequency_max_hz)
+        return cls(_cageless.LinearRotor(body, [_node(n) for n in nodes], listed, planes))
 
     @classmethod
     def from_ross(
@@ -146,11 +134,8 @@ class LinearRotor:
         rotor: Any,
         nodes: Sequence[int],
         *,
-        kept_nodes: Sequence[int] = (),
-        unbalances: Iterable[tuple[int, float, float]] = (),
-        clearances: Iterable[tuple[str, int, float]] = (),
-        frequency_max_hz: float | None = None,
         frequency_rad_s: float = 0.0,
+        **options: Any,
     ) -> LinearRotor:
         """A rotor of ROSS, or anything with its methods ``M()``, ``C()``, ``G()``, ``K()`` and
         ``Ksdt()`` and four or six coordinates a node (``number_dof``).
@@ -161,18 +146,15 @@ class LinearRotor:
         Axial motion and torsion are left out; the moment of inertia about the axis is that of the
         torsion.
 
-        Parameters
-        ----------
-        nodes : sequence of int
-            Node of each touch-down bearing, from 0.
-        frequency_rad_s : float
-            Frequency at which coefficients that depend on one are taken.
+        Args:
+            nodes: Node of each touch-down bearing, from 0.
+            frequency_rad_s: Frequency at which coefficients that depend on one are taken.
+            **options: ``kept_nodes``, ``unbalances``, ``clearances`` and ``frequency_max_hz`` of
+                :meth:`from_matrices`.
 
-        Raises
-        ------
-        InputError
-            As in :meth:`from_matrices`, or without a moment of inertia: four coordinates a node and
-            no attribute ``Ip``.
+        Raises:
+            InputError: As in :meth:`from_matrices`, or without a moment of inertia: four coordinates
+                a node and no attribute ``Ip``.
         """
         matrices = {
             name: np.asarray(_at(getattr(rotor, name), frequency_rad_s), dtype=float)
@@ -195,35 +177,7 @@ class LinearRotor:
         else:
             raise InputError("the rotor has neither torsion nor Ip: its moment of inertia is missing")
         part = {name: matrix[np.ix_(lateral, lateral)] for name, matrix in matrices.items()}
-        return cls.from_matrices(
-            **part,
-            polar_inertia_kg_m2=inertia,
-            nodes=nodes,
-            kept_nodes=kept_nodes,
-            unbalances=unbalances,
-            clearances=clearances,
-            frequency_max_hz=frequency_max_hz,
-        )
-
-    @property
-    def mass_kg(self) -> float:
-        """Mass."""
-        return self._rotor.mass_kg
-
-    @property
-    def polar_inertia_kg_m2(self) -> float:
-        """Moment of inertia about the axis of rotation."""
-        return self._rotor.polar_inertia_kg_m2
-
-    @property
-    def mass_shares_kg(self) -> list[float]:
-        """Part of the mass that each bearing carries when the rotor rests in them."""
-        return self._rotor.mass_shares_kg
-
-    @property
-    def coordinates(self) -> int:
-        """Number of coordinates after the reduction."""
-        return self._rotor.coordinates
+        return cls.from_matrices(**part, polar_inertia_kg_m2=inertia, nodes=nodes, **options)
 
     def eigenvalues(self, speed_rpm: float) -> npt.NDArray[np.complex128]:
         """Eigenvalues of the lateral motion without contact at a speed, 1/s, by rising imaginary
@@ -233,18 +187,8 @@ class LinearRotor:
         return values[np.argsort(values.imag, kind="stable")]
 
     def save_matrices(self, path: str | os.PathLike[str]) -> Path:
-        """Writes the matrices for the key ``rotor.matrices`` of a rotor file.
-
-        Returns
-        -------
-        Path
-            The file.
-
-        Raises
-        ------
-        InputError
-            If the rotor is rigid.
-        """
+        """Writes the matrices for the key ``rotor.matrices`` of a rotor file, which it returns; an
+        ``InputError`` if the rotor is rigid."""
         self._rotor.save_matrices(os.fspath(path))
         return Path(path)
 
@@ -258,35 +202,27 @@ class LinearRotor:
         **options: Any,
     ) -> Drop:
         """Drops the rotor into its bearings, as :meth:`RotorCase.drop` with its options."""
-        case = RotorCase(
-            self, cases, speed_rpm=speed_rpm, drive_torque_n_m=drive_torque_n_m, title=title
-        )
-        return case.drop(**options)
+        given = {"speed_rpm": speed_rpm, "drive_torque_n_m": drive_torque_n_m}
+        return RotorCase(self, cases, title=title, **given).drop(**options)
 
 
-class RotorCase:
+class RotorCase(Document):
     """A rotor on several touch-down bearings with the case of each: what a rotor file holds.
 
-    Parameters
-    ----------
-    rotor : LinearRotor
-        The rotor with the places of its bearings.
-    cases : sequence of Case
-        The case of each bearing. Its ``rotor`` describes the contact of journal and bore, and the
-        position and velocity of the journal at the start of the drop; mass, inertia, unbalance,
-        speed and drive are replaced by those of the rotor.
-    speed_rpm : float
-        Speed at the start of the drop.
-    drive_torque_n_m : float
-        Torque on the rotor.
-    title : str
-        Free text.
+    Args:
+        rotor: The rotor with the places of its bearings.
+        cases: The case of each bearing. Its ``rotor`` describes the contact of journal and bore, and
+            the position and velocity of the journal at the start of the drop; mass, inertia,
+            unbalance, speed and drive are replaced by those of the rotor.
+        speed_rpm: Speed at the start of the drop.
+        drive_torque_n_m: Torque on the rotor.
+        title: Free text.
 
-    Raises
-    ------
-    InputError
-        If the cases do not fit the rotor or each other.
+    Raises:
+        InputError: If the cases do not fit the rotor or each other.
     """
+
+    _name = "rotor"
 
     def __init__(
         self,
@@ -297,67 +233,9 @@ class RotorCase:
         drive_torque_n_m: float = 0.0,
         title: str = "",
     ) -> None:
-        self._file = _cageless.RotorFile.of(
-            rotor._rotor,
-            [case._file for case in cases],
-            title,
-            float(speed_rpm),
-            float(drive_torque_n_m),
-        )
-
-    @classmethod
-    def _of(cls, file: Any) -> RotorCase:
-        case = cls.__new__(cls)
-        case._file = file
-        return case
-
-    @classmethod
-    def from_file(
-        cls, path: str | os.PathLike[str], changes: Mapping[str, Any] | None = None
-    ) -> RotorCase:
-        """Reads a rotor file.
-
-        Parameters
-        ----------
-        path : path
-            TOML.
-        changes : mapping, optional
-            Values as ``--set`` gives them to ``cageless drop``: for keys of the rotor file, for
-            ``section.key`` of the cases of all bearings, for ``bearing.2.section.key`` of one.
-        """
-        return cls._of(_cageless.RotorFile.read(os.fspath(path), _changed(changes or {})))
-
-    @classmethod
-    def from_toml(
-        cls,
-        text: str,
-        changes: Mapping[str, Any] | None = None,
-        folder: str | os.PathLike[str] = ".",
-    ) -> RotorCase:
-        """Reads the text of a rotor file; paths in it are relative to `folder`."""
-        changed = _changed(changes or {})
-        return cls._of(_cageless.RotorFile.parse(text, "rotor", os.fspath(folder), changed))
-
-    def to_toml(self) -> str:
-        """A rotor file that needs no other: with its cases and matrices, every default filled
-        in."""
-        return self._file.to_toml()
-
-    def replace(self, changes: Mapping[str, Any]) -> RotorCase:
-        """The same with changes, as :meth:`from_file` takes them."""
-        return RotorCase._of(self._file.changed(_changed(changes)))
-
-    def _document(self) -> dict[str, Any]:
-        found: dict[str, Any] = json.loads(self._file.document())
-        return found
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, RotorCase) and self._file == other._file
-
-    __hash__ = None  # type: ignore[assignment]
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return (RotorCase.from_toml, (self.to_toml(),))
+        several = [case._file for case in cases]
+        head = (title, float(speed_rpm), float(drive_torque_n_m))
+        self._file = _cageless.File.of_rotor(rotor._rotor, several, *head)
 
     def __repr__(self) -> str:
         count = len(self._file.cases())
@@ -378,53 +256,12 @@ class RotorCase:
     @property
     def speed_rpm(self) -> float:
         """Speed at the start of the drop."""
-        return self._file.speed_rpm
+        return float(self._document["rotor"]["speed_rpm"])
 
     @property
     def drive_torque_n_m(self) -> float:
         """Torque on the rotor."""
-        return self._file.drive_torque_n_m
-
-    @property
-    def title(self) -> str:
-        """Free text."""
-        return self._file.title
-
-    def drop(
-        self,
-        *,
-        compare: bool = False,
-        samples: int | None = None,
-        verify: bool = False,
-        threads: int | None = None,
-        progress: Callable[[str, float], object] | None = None,
-    ) -> Drop:
-        """Drops the rotor into its bearings, as ``cageless drop`` does with a rotor file; the options
-        are those of :meth:`Case.drop`. Scattered drops scatter friction, touch-down clearance, support damping
-        and arrangement of the balls in each bearing on its own, and rotate all unbalances by one
-        angle.
-
-        Raises
-        ------
-        InputError
-            If ``samples`` is impossible.
-        UnphysicalError
-            If the drop left the physical range.
-        """
-        return complete(Drop(self._file.drop(compare, samples, verify, threads, progress)))
-
-
-def _changed(values: Mapping[str, Any]) -> list[str]:
-    from .case import changes
-
-    return changes(values)
-
-
-def _matrix(name: str, values: npt.ArrayLike) -> Matrix:
-    matrix = np.ascontiguousarray(np.asarray(values, dtype=float))
-    if matrix.ndim != 2:
-        raise InputError(f"matrix {name} has {matrix.ndim} dimensions: must have 2")
-    return matrix
+        return float(self._document["rotor"]["drive_torque_n_m"])
 
 
 def _node(node: int) -> int:

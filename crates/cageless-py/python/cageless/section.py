@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, fields
 from html import escape
-from typing import Any
+from typing import Any, get_type_hints
 
 __all__ = ["Section", "table"]
 
@@ -21,6 +21,11 @@ def table(rows: list[tuple[str, object]], caption: str) -> str:
 @dataclass(frozen=True, kw_only=True)
 class Section:
     """A section of a case file."""
+
+    def __init_subclass__(cls) -> None:
+        keys = get_type_hints(cls, include_extras=True).items()
+        listed = "".join(f"\n    {name}: {hint.__metadata__[0]}." for name, hint in keys)
+        cls.__doc__ = f"{cls.__doc__}\n\nArgs:{listed}\n"
 
     def values(self) -> dict[str, Any]:
         """Keys that are given, with their values."""

@@ -35,45 +35,29 @@ def sweep(
     on from there, on this machine or on a cluster. The bytes of the result are the same
     however it was computed.
 
-    Parameters
-    ----------
-    plan : Plan or path
-        Computations.
-    out : path, optional
-        Folder of the result, ``sweep.parquet``; one that is removed with the result's last
-        reference if left out.
-    threads : int, optional
-        Threads on this machine; as many as there are cores if left out.
-    shard : (int, int), optional
-        Number I of N parts, from 1.
-    progress : callable, optional
-        Called with the variants done and their total, now and then.
-    client : distributed.Client, optional
-        Computes on the cluster of this client, of Dask, and shows Dask's own progress.
-    shared : bool
-        `out` is a folder that all workers see: they write there, and no rows travel.
-    task_seconds : float
-        Time that a task of the cluster should take.
+    Args:
+        plan: Computations.
+        out: Folder of the result, ``sweep.parquet``; one that is removed with the result's last
+            reference if left out.
+        threads: Threads on this machine; as many as there are cores if left out.
+        shard: Number I of N parts, from 1.
+        progress: Called with the variants done and their total, now and then.
+        client: Computes on the cluster of this client, of Dask, and shows Dask's own progress.
+        shared: `out` is a folder that all workers see: they write there, and no rows travel.
+        task_seconds: Time that a task of the cluster should take.
 
-    Returns
-    -------
-    SweepResult
+    Raises:
+        InputError: If `out` belongs to another plan or cannot be written to.
 
-    Raises
-    ------
-    InputError
-        If `out` belongs to another plan or cannot be written to.
-
-    Examples
-    --------
-    >>> import cageless
-    >>> case = cageless.Case.from_toml(cageless.template())
-    >>> loads = cageless.span(500.0, 3000.0, 6)
-    >>> plan = cageless.Plan(case=case, compute=["static"],
-    ...                      grid={"operation.radial_load_n": loads})
-    >>> result = cageless.sweep(plan)
-    >>> result.data_variants()["static_ring_y_um"].is_monotonic_decreasing
-    True
+    Examples:
+        >>> import cageless
+        >>> case = cageless.Case.from_toml(cageless.template())
+        >>> loads = cageless.span(500.0, 3000.0, 6)
+        >>> plan = cageless.Plan(case=case, compute=["static"],
+        ...                      grid={"operation.radial_load_n": loads})
+        >>> result = cageless.sweep(plan)
+        >>> result.data_variants()["static_ring_y_um"].is_monotonic_decreasing
+        True
     """
     plan = read(plan)
     temporary = tempfile.TemporaryDirectory(prefix="cageless-") if out is None else None
@@ -88,7 +72,8 @@ def sweep(
     else:
         name = NAME if shard is None else "sweep.shard-{}-of-{}.parquet".format(*shard)
         path = folder / name
-        plan._sweep.run(os.fspath(path), shard, threads, progress)
+        tell = None if progress is None else lambda at, _: progress(*map(int, at.split()))
+        plan._file.run(os.fspath(path), shard, threads, tell)
     return SweepResult(path, _temporary=temporary)
 
 
@@ -97,11 +82,9 @@ def merge(
 ) -> SweepResult:
     """Joins the files of shards into ``sweep.parquet`` in the folder `out`.
 
-    Raises
-    ------
-    InputError
-        If a shard is missing, there twice, or of another plan, or if `out` holds the result of
-        another plan.
+    Raises:
+        InputError: If a shard is missing, there twice, or of another plan, or if `out` holds the
+            result of another plan.
     """
     path = Path(out) / NAME
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -117,16 +100,9 @@ def report(
 ) -> SweepReport:
     """Analyses a finished sweep, as ``cageless report`` does.
 
-    Parameters
-    ----------
-    result : SweepResult or path
-        The result, its file or its folder.
-    low, high : sequence of str
-        Columns of which less, or more, is better.
-
-    Returns
-    -------
-    SweepReport
+    Args:
+        result: The result, its file or its folder.
+        low, high: Columns of which less, or more, is better.
     """
     found = result if isinstance(result, SweepResult) else SweepResult(result)
     return found.report(low, high)

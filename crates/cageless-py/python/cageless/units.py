@@ -10,34 +10,16 @@ if TYPE_CHECKING:
 
 __all__ = ["unit", "with_units"]
 
-#: What a name ends in, the longest ending first; symbols as in the files of Cageless.
+#: Symbols as in the files of Cageless, the longest first.
+SYMBOLS = (
+    # words: every unit of a name.
+    "N s/m, rad/s, deg/s, m/s^2, kg/m^3, N/um, N s, m/s, %, rad, deg, GPa, MPa, rpm, mm, um, us, ms, Hz, "
+    "kg, mm^3, N, W, J, m, s"
+)
+#: What a name ends in: its unit in lower case.
 UNITS = {
-    "_n_s_m": "N s/m",
-    "_rad_s": "rad/s",
-    "_deg_s": "deg/s",
-    "_m_s2": "m/s^2",
-    "_kg_m3": "kg/m^3",
-    "_n_um": "N/um",
-    "_n_s": "N s",
-    "_m_s": "m/s",
-    "_percent": "%",
-    "_rad": "rad",
-    "_deg": "deg",
-    "_gpa": "GPa",
-    "_mpa": "MPa",
-    "_rpm": "rpm",
-    "_mm": "mm",
-    "_um": "um",
-    "_us": "us",
-    "_ms": "ms",
-    "_hz": "Hz",
-    "_kg": "kg",
-    "_mm3": "mm^3",
-    "_n": "N",
-    "_w": "W",
-    "_j": "J",
-    "_m": "m",
-    "_s": "s",
+    "_" + re.sub("[ /]", "_", symbol).replace("^", "").replace("%", "percent").lower(): symbol
+    for symbol in SYMBOLS.split(", ")
 }
 
 STATISTIC = re.compile(r"_(min|max|mean|std|error|end|relative)$")

@@ -1,0 +1,160 @@
+//! Case files and rotor files.
+
+use std::path::PathBuf;
+
+use cageless::dynamics::InstructionSet;
+use cageless_io::case_file::{self, CaseFile};
+use cageless_io::plan_file::VariantFile;
+use cageless_io::rotor_file::RotorFile;
+use pyo3::prelude::*;
+
+use crate::errors::{Found, input, of_values, other};
+use crate::rotor::LinearRotor;
+
+/// A case file or a rotor file that was read and checked.
+#[pyclass(frozen, module = "cageless._cageless")]
+pub struct File(pub VariantFile);
+
+/// A commented case file.
+#[pyfunction]
+pub fn template(conventional: bool) -> String {
+    case_file::template(conventional)
+}
+
+/// The case file of a bearing of ISO 15.
+#[pyfunction]
+pub fn designated(designation: &str, full_complement: bool) -> Found<String> {
+    let found = cageless_io::designation::find(designation).map_err(input)?;
+    Ok(found.case_file(full_complement))
+}
+
+/// Vector instructions that runs use on this machine.
+#[pyfunction]
+pub fn instruction_set() -> &'static str {
+    InstructionSet::chosen().name()
+}
+
+fn case(file: CaseFile) -> File {
+    File(VariantFile::Case(Box::new(file)))
+}
+
+fn rotor(file: RotorFile) -> File {
+    File(VariantFile::Rotor(Box::new(file)))
+}
+
+impl File {
+    /// The case, the first of several.
+    pub fn case(&self) -> &CaseFile {
+        &self.0.cases()[0]
+    }
+}
+
+#[pymethods]
+impl File {
+    /// Reads a case file, or a rotor file; `changes` are `section.key=value`.
+    #[staticmethod]
+    fn read(of_rotor: bool, path: PathBuf, changes: Vec<String>) -> Found<Self> {
+        Ok(match of_rotor {
+            false => case(CaseFile::read(&path, &changes)?),
+            true => rotor(RotorFile::read(&path, &changes)?),
+        })
+    }
+
+    /// Reads the text of such a file, which messages call `name`; paths in it are relative to `folder`.
+    #[staticmethod]
+    fn parse(
+        of_rotor: bool,
+        text: &str,
+        name: &str,
+        folder: PathBuf,
+        changes: Vec<String>,
+    ) -> Found<Self> {
+        Ok(match of_rotor {
+            false => case(CaseFile::parse(text, name, &changes)?),
+            true => rotor(RotorFile::parse(text, name, &folder, &changes)?),
+        })
+    }
+
+    /// Takes the text of a case that was made of values, of whose lines its user knows nothing.
+    #[staticmethod]
+    fn of_values(text: &str) -> Found<Self> {
+        let file = CaseFile::parse(text, "case", &[]);
+        Ok(case(file.map_err(of_values)?))
+    }
+
+    /// A rotor above the bearings of `cases`.
+    #[staticmethod]
+    fn of_rotor(
+        of: &LinearRotor,
+        cases: Vec<PyRef<'_, Self>>,
+        title: &str,
+        speed_rpm: f64,
+        drive_torque_n_m: f64,
+    ) -> Found<Self> {
+        let cases: Vec<_> = cases.iter().map(|file| file.case().clone()).collect();
+        let of = &of.description;
+        let file = RotorFile::new(title, of, speed_rpm, drive_torque_n_m, &cases)?;
+        Ok(rotor(file))
+    }
+
+    /// The file with changes, each `section.key=value`.
+    fn changed(&self, changes: Vec<String>) -> Found<Self> {
+        let changed = match &self.0 {
+            VariantFile::Case(_) => CaseFile::parse(&self.to_toml()?, "case", &changes).map(case),
+            VariantFile::Rotor(file) => file.changed(&changes).map(rotor),
+        };
+        changed.map_err(of_values)
+    }
+
+    /// The file with every default filled in; a rotor file with its cases and matrices.
+    fn to_toml(&self) -> Found<String> {
+        Ok(match &self.0 {
+            VariantFile::Case(file) => file.document().to_toml()?,
+            VariantFile::Rotor(file) => file.document().to_toml()?,
+        })
+    }
+
+    /// The document as JSON, of a case `as_run` with derived values.
+    fn document(&self, as_run: bool) -> Found<String> {
+        Ok(match &self.0 {
+            VariantFile::Case(file) if as_run => serde_json::to_string(&file.document_as_run())?,
+            VariantFile::Case(file) => serde_json::to_string(file.document())?,
+            VariantFile::Rotor(file) => serde_json::to_string(&file.document().to_value()?)?,
+        })
+    }
+
+    /// Keys of the case that took their default.
+    fn defaults(&self) -> Vec<String> {
+        self.case().defaults().to_vec()
+    }
+
+    /// Gr in µm, ε and the nominal gap in degrees.
+    fn derived(&self) -> [f64; 3] {
+        let bearing = &self.case().case().bearing;
+        [
+            bearing.radial_internal_clearance_m() * 1e6,
+            bearing.ball_angle_rad().to_degrees(),
+            bearing.nominal_gap_rad().to_degrees(),
+        ]
+    }
+
+    /// The rotor above several bearings, if it is the file of one.
+    fn rotor(&self) -> Found<Option<LinearRotor>> {
+        match &self.0 {
+            VariantFile::Case(_) => Ok(None),
+            VariantFile::Rotor(file) => LinearRotor::of(file.document().rotor.clone()).map(Some),
+        }
+    }
+
+    /// The case of each bearing.
+    fn cases(&self) -> Found<Vec<Self>> {
+        let VariantFile::Rotor(file) = &self.0 else {
+            return Err(other("a case has no further cases"));
+        };
+        let document = file.document().cases.iter().zip(1..);
+        let of = document.map(|(document, k)| {
+            CaseFile::from_document(document.clone(), &format!("bearing {k}"))
+        });
+        of.map(|file| Ok(case(file.map_err(of_values)?))).collect()
+    }
+}
