@@ -303,9 +303,22 @@ def test_folders_that_are_no_result_are_refused(tmp_path: Path) -> None:
     with pytest.raises(cageless.InputError, match="file"):
         static.save(tmp_path / "file")
     broken = static.save(tmp_path / "broken")
-    (broken / "static.json").write_text("{")
+    for text in ("{", "[]", "[" * 100_000, "\x00"):
+        (broken / "static.json").write_text(text)
+        with pytest.raises(cageless.InputError, match="static.json: cannot be read"):
+            cageless.load(broken)
+    (broken / "static.json").write_bytes(b"\xff")
     with pytest.raises(cageless.InputError, match="static.json: cannot be read"):
         cageless.load(broken)
+    (broken / "static.json").rename(broken / "summary.json")
+    (broken / "summary.json").write_text('{"bearings": 7, "stopped": {}}')
+    with pytest.raises(cageless.InputError, match="parquet"):
+        cageless.load(broken)
+    loaded = cageless.load(result("drop").save(tmp_path / "other"))
+    summary = {key: value for key, value in loaded.values.items() if key != "isa"}
+    (tmp_path / "other" / "summary.json").write_text(json.dumps(summary))
+    with pytest.raises(cageless.InputError, match="no isa"):
+        cageless.load(tmp_path / "other").save(tmp_path / "third")
 
 
 @pytest.mark.parametrize("kind", MADE)

@@ -94,7 +94,7 @@ def part(whole: Result, place: Place) -> Any:
 def early_stop(values: dict[str, Any]) -> str | None:
     """Reason of an early stop by the physics, from the values of a run or a drop."""
     stop: Any = values.get("stopped")
-    if isinstance(stop, dict):
+    if isinstance(stop, dict) and {"time_s", "cause", "advice"} <= stop.keys():
         at, cause, advice = (stop[key] for key in ("time_s", "cause", "advice"))
         # By the user.
         return None if cause == "interrupted" else f"at t = {at:.6f} s {cause}. To change: {advice}."
@@ -304,6 +304,8 @@ class Result:
         bearings = values.get("bearings", [values])
         for number, (arrays, bearing) in enumerate(zip(core.tables, bearings, strict=False), 1):
             place = Path(folder) / f"bearing-{number}" if len(core.tables) > 1 else Path(folder)
+            if not {"case", "isa"} <= {*bearing, *values}:
+                raise InputError(f"{VALUES[self.kind]} of this result has no case or no isa")
             case = written(bearing["case"])
             _cageless.write_tables(os.fspath(place), arrays, values["isa"], case)
         _cageless.write_folder(os.fspath(folder), texts)

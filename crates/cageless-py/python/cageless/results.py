@@ -346,15 +346,16 @@ def load(path: str | os.PathLike[str]) -> Any:
         values = json.loads(text)
         if not isinstance(values, dict):
             raise ValueError("it is no result")
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise InputError(f"{path / name}: cannot be read: {error}") from error
     files = {file: read(path / file) for file in FILES if (path / file).is_file()}
     if kind == "drop" and "report.json" in files:
         kind = "run"
     if isinstance(values.get("search"), dict):
         kind, text, files[name] = "search", json.dumps(values["search"]), text
-    bearings = range(1, len(values.get("bearings", [])) + 1)
-    places = [path / f"bearing-{number}" for number in bearings] or [path]
+    bearings = values.get("bearings")
+    count = len(bearings) if isinstance(bearings, list) else 0
+    places = [path / f"bearing-{number}" for number in range(1, count + 1)] or [path]
     recorded = places if kind in ("run", "drop") else []
     tables = [_cageless.read_tables(os.fspath(place)) for place in recorded]
     return KINDS[kind](_cageless.Result(kind, text, tables, files))
