@@ -1,10 +1,13 @@
 //! A case compared with another from the same uneven starts.
 
 use cageless::Case;
+use cageless::design::RunVerdict;
+use cageless::passage::PassageTally;
 use cageless::simulation::{Control, Ending, Observer, batches, run_batch};
-use cageless::summary::{Summary, SummaryRecorder};
+use cageless::summary::SummaryRecorder;
 use cageless_io::case_file::CaseFile;
 use cageless_io::estimate::{Change, Estimate};
+use cageless_results::{Finished, RUN, Results, Subject};
 use serde_json::{Value, json};
 
 use crate::refusal::{Refusal, read};
@@ -14,22 +17,13 @@ const ORBITS: f64 = 18.0;
 /// Starts of each case: as many as run side by side.
 const STARTS: u64 = 8;
 
-/// Name of a result in `summary.json`, and its value.
-type NamedResult = (&'static str, fn(&Summary) -> f64);
-
-/// Results that are compared; for each but the change of the gaps less is better.
-const RESULTS: [NamedResult; 5] = [
-    ("gap_deviation_deg", |s| s.gap_deviation_rad.to_degrees()),
-    ("gap_deviation_change_deg", |s| {
-        s.gap_deviation_change_rad.to_degrees()
-    }),
-    ("outer_ring_force_deviation_n", |s| {
-        s.outer_ring_force_deviation_n
-    }),
-    ("collisions", |s| s.collisions.all as f64),
-    ("power_loss_w", |s| {
-        s.means.map_or(f64::NAN, |means| means.power_loss_w())
-    }),
+/// Results of a run that are compared; for each but the change of the gaps less is better.
+const RESULTS: [&str; 5] = [
+    "gap_deviation_deg",
+    "gap_deviation_change_deg",
+    "outer_ring_force_deviation_n",
+    "collisions",
+    "power_loss_w",
 ];
 
 /// Runs both cases from the same starts: mean and standard error of each result for the reference
@@ -51,11 +45,11 @@ pub(crate) fn compare(
     let seed = files[0].case().seed;
     let [a, b] = [0usize, 1].map(|k| {
         let share = 0.5 * k as f64;
-        summaries(&files[k], seed, &mut |done| control(share + 0.5 * done))
+        results(&files[k], seed, &mut |done| control(share + 0.5 * done))
     });
     let (a, b) = (a?, b?);
-    let results = RESULTS.iter().map(|(name, of)| {
-        let of = |all: &[Summary]| all.iter().map(of).collect::<Vec<f64>>();
+    let compared = RESULTS.iter().map(|name| {
+        let of = |all: &[Results]| all.iter().map(|r| r.number(name)).collect::<Vec<f64>>();
         let (a, b) = (of(&a), of(&b));
         let difference = Estimate::of_differences(&b, &a);
         let change = difference.map_or(Change::Undecided, |d| d.change());
@@ -72,16 +66,16 @@ pub(crate) fn compare(
         "seed": seed,
         "orbits": ORBITS,
         "only_the_raceway_differs": alike,
-        "results": results.collect::<serde_json::Map<_, _>>(),
+        "results": compared.collect::<serde_json::Map<_, _>>(),
     }))
 }
 
-/// Summaries of the runs of a case from its uneven starts, side by side.
-fn summaries(
+/// Results of the runs of a case from its uneven starts, side by side.
+fn results(
     file: &CaseFile,
     seed: u64,
     control: &mut dyn FnMut(f64) -> Control,
-) -> Result<Vec<Summary>, Refusal> {
+) -> Result<Vec<Results>, Refusal> {
     let duration_s = ORBITS * file.case().rolling_orbit_s();
     let mut cases = vec![];
     for start in 0..STARTS {
@@ -102,14 +96,24 @@ fn summaries(
             let done = before as f64 + share as f64 * (time_s / duration_s).min(1.0);
             control(done / STARTS as f64)
         });
-        for (outcome, recorder) in outcomes.into_iter().zip(&recorders) {
-            match outcome?.ending {
+        let recorded = recorders.iter().zip(together);
+        for (outcome, (recorder, case)) in outcomes.into_iter().zip(recorded) {
+            let outcome = outcome?;
+            match &outcome.ending {
                 Ending::Complete => {}
                 Ending::Stopped(stop) => return Err(Refusal::new(stop.to_string())),
                 _ => return Err(Refusal::new("cancelled")),
             }
             let summary = recorder.summary();
-            found.push(summary.ok_or_else(|| Refusal::new("the run is too short"))?);
+            let finished = Finished {
+                case,
+                outcome: &outcome,
+                summary: Some(&summary.ok_or_else(|| Refusal::new("the run is too short"))?),
+                passages: &PassageTally::new(),
+                verdict: &RunVerdict::from_case(case, &[]),
+                wall_s: f64::NAN,
+            };
+            found.push(Results::of(RUN, Subject::Run(&finished)));
         }
     }
     Ok(found)

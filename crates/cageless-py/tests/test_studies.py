@@ -47,7 +47,7 @@ def test_a_verification_is_that_of_the_command(command: Command, tmp_path: Path)
     frame = verification.data_numbers()
     assert sum(counts) == len(frame) == 13
     # All are in the table that the command prints.
-    assert set(frame.index) <= {line.split()[0] for line in printed.splitlines() if line.split()}
+    assert all(f"\n{label}  " in printed for label in frame.label)
     number = verification.numbers.gap_min_deg
     assert frame.verdict["gap_min_deg"] == number.verdict
     assert frame.standard_error["gap_min_deg"] == number.standard_error

@@ -6,9 +6,9 @@ use cageless::touchdown::{DropSummary, EndState, WhirlWindow};
 use serde::{Serialize, Serializer};
 
 use crate::quantity::Kind;
-use crate::table::DROP;
+use crate::table::{DROP, PLANE};
 use crate::{
-    Across, Cell, DropJudgement, FinishedDrop, FinishedRotor, Quantity, Results, Subject,
+    Across, Cell, DropJudgement, FinishedDrop, FinishedRotor, Quantity, Record, Results, Subject,
     value_text,
 };
 
@@ -88,6 +88,19 @@ impl DropResult {
     /// `forward-whirl` or `backward-whirl`.
     pub fn end_state(&self) -> &str {
         self.results.text("end_state")
+    }
+
+    /// Results of named drops as a table for readers: a column for each; the first row is the head.
+    pub fn side_by_side(drops: &[(String, &Self)]) -> Vec<Vec<String>> {
+        let (names, drops): (Vec<String>, Vec<&Self>) = drops.iter().cloned().unzip();
+        let row = |first: &str, middle: Vec<String>, last: String| {
+            let ends = (std::iter::once(first.to_owned()), std::iter::once(last));
+            ends.0.chain(middle).chain(ends.1).collect()
+        };
+        let rows = Self::table(&drops).into_iter();
+        let head = std::iter::once(row("result", names, "unit".to_owned()));
+        head.chain(rows.map(|(label, values, unit)| row(label, values, unit)))
+            .collect()
     }
 
     /// Results of drops side by side: label, value of each drop (a dash where it has none), unit.
@@ -177,4 +190,10 @@ impl RotorRun {
             None => Cell::Null,
         }
     }
+}
+
+/// Each plane of a rotor against its clearance.
+pub fn plane_records(planes: &[PlaneDisplacement]) -> Vec<Record> {
+    let record = |plane| Record::from(Results::of(PLANE, Subject::Plane(plane)));
+    planes.iter().map(record).collect()
 }

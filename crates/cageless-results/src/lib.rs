@@ -35,7 +35,7 @@ pub use computation::Computation;
 pub use csv::csv;
 pub use design_result::{Recommended, design_record};
 pub use drop_judgement::{DropJudgement, RESIDUAL_FRACTION};
-pub use drop_result::{DropResult, RotorRun, WindowRow, end_state_text};
+pub use drop_result::{DropResult, RotorRun, WindowRow, end_state_text, plane_records};
 pub use provenance::{Provenance, profile_name, provenance, software};
 pub use quantity::{Aim, Kind, Quantity, bearing_in_column};
 pub use record::{Part, Record, Shape};

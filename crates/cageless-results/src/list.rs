@@ -23,7 +23,7 @@ Tables of a run over time: [command line and result files](command-line.md). Sym
 
 /// Table, heading, and where its results are.
 #[rustfmt::skip]
-const SECTIONS: [(&[Quantity], &str, &str); 30] = [
+const SECTIONS: [(&[Quantity], &str, &str); 31] = [
     (STATIC, "Static equilibrium", "In `cageless static --json`, `static.json`, its page and the columns `static_\u{2026}` of a sweep."),
     (DESIGN, "Design: closed forms", "In `cageless design --json`, `design.json`, its page and the columns `design_\u{2026}` of a sweep."),
     (VERDICT, "Design: verdict from the motion", "In `cageless design --json`, `design.json`, its page and the columns `verdict_\u{2026}` of a sweep."),
@@ -34,6 +34,7 @@ const SECTIONS: [(&[Quantity], &str, &str); 30] = [
     (RUN, "Run", "In `cageless run --json`, `summary.json`, its page and the columns `run_\u{2026}` of a sweep. Statistics are over the time after the transient, `settled_after_s`."),
     (DROP, "Rotor drop", "In `cageless drop --json`, `summary.json`, its page and the columns `drop_\u{2026}` of a sweep. *Rotor* is how the result of a rotor on several touch-down bearings follows from those of its bearings, which are under `bearings`."),
     (ROTOR_DROP, "Rotor drop: the rotor on several bearings", "In `cageless drop --json` of a rotor file, `summary.json` and the columns `drop_\u{2026}` of a sweep."),
+    (PLANE, "Rotor drop: planes with a clearance", "Under `clearances` of `cageless drop --json` of a rotor file."),
     (SEARCH, "Search", "Under `search` of `cageless design --search --json` and `design.json`, with the sentences `findings`."),
     (POINT, "Search: operating points", "Under `search.points`, and `point` of each of `search.maps`."),
     (STRUCTURE, "Search: structures", "Under `search.recommended`, `own`, `recommended_from_usual_starts`, `own_from_usual_starts`, `front`, `band` and `placements` (`best`)."),

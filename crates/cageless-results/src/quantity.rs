@@ -73,7 +73,7 @@ impl Quantity {
             Source::Static(_) => Computation::Static,
             Source::Design(_) | Source::Curve(_) => Computation::Design,
             Source::Run(_) | Source::Vibration(_) => Computation::Run,
-            Source::Drop(_) | Source::RotorDrop(_) => Computation::Drop,
+            Source::Drop(_) | Source::RotorDrop(_) | Source::Plane(_) => Computation::Drop,
             _ => Computation::Verdict,
         }
     }

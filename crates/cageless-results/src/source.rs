@@ -209,5 +209,6 @@ sources! {
     RotorVerified([f64; 2], [f64; 2]) "Energy balance errors of the rotor of a drop and at half the step.",
     Distance([Distance], [Distance]) "Distances of replicas from the run.",
     Si(f64, f64) "A value in SI.",
+    Plane(PlaneDisplacement, PlaneDisplacement) "A plane of a rotor with a clearance to the stator.",
     RotorDrop(FinishedRotor<'_>, FinishedRotor<'a>) "A drop onto several bearings.",
 }

@@ -16,14 +16,14 @@ const BESIDE: [&str; 4] = [
 const CONVERSIONS: [(&str, usize); 10] = [
     ("cageless", 68),
     ("cageless-bench", 2),
-    ("cageless-cli", 11),
+    ("cageless-cli", 10),
     ("cageless-io", 41),
-    ("cageless-live", 24),
+    ("cageless-live", 22),
     ("cageless-paper", 50),
     ("cageless-py", 3),
-    ("cageless-report", 68),
+    ("cageless-report", 67),
     ("cageless-results", 15),
-    ("cageless-study", 66),
+    ("cageless-study", 64),
 ];
 
 /// The reader of documents and the table of quantities: where units are converted.

@@ -1,9 +1,8 @@
 //! `cageless drop`.
 
 use cageless_report::drop::drop_page;
-use cageless_results::number_text::significant;
 use cageless_results::{DropJudgement, DropResult};
-use cageless_study::drop::{Distribution, DropRequest, DropStudy, EnsembleResult, study};
+use cageless_study::drop::{DropRequest, DropStudy, EnsembleResult, study};
 
 use super::run::verified;
 use crate::args::{DropArgs, Reference};
@@ -47,13 +46,11 @@ pub(super) fn requested(args: &DropArgs) -> DropRequest {
 }
 
 fn text(study: &DropStudy) -> String {
-    let mut names = vec!["value".to_owned()];
-    let mut drops = vec![&study.drop.result];
-    if let Some(other) = &study.conventional {
-        names.push("conventional".to_owned());
-        drops.push(&other.result);
-    }
-    let mut text = verdict(&study.drop.result.judgement) + &table(names, &drops);
+    let mut drops = vec![("value".to_owned(), &study.drop.result)];
+    let other = study.conventional.iter();
+    drops.extend(other.map(|other| ("conventional".to_owned(), &other.result)));
+    let mut text = verdict(&study.drop.result.judgement);
+    text += &columns(&DropResult::side_by_side(&drops));
     if let Some(ensemble) = &study.ensemble {
         text += &ensemble_text(ensemble);
     }
@@ -70,21 +67,6 @@ pub(super) fn verdict(judgement: &DropJudgement) -> String {
     pairs(&[("verdict", headline)]) + "\n"
 }
 
-/// Results of drops, one column each.
-pub(super) fn table(names: Vec<String>, drops: &[&DropResult]) -> String {
-    let mut head = vec!["result".to_owned()];
-    head.extend(names);
-    head.push("unit".to_owned());
-    let mut rows = vec![head];
-    for (label, values, unit) in DropResult::table(drops) {
-        let mut row = vec![label.to_owned()];
-        row.extend(values);
-        row.push(unit);
-        rows.push(row);
-    }
-    columns(&rows)
-}
-
 fn ensemble_text(many: &EnsembleResult) -> String {
     let ends = many.distribution.end_states_text();
     let mut lines = vec![("drops", format!("{} completed: {ends}", many.completed))];
@@ -94,18 +76,9 @@ fn ensemble_text(many: &EnsembleResult) -> String {
     for reason in &many.stopped {
         lines.push(("stopped", reason.clone()));
     }
-    format!("\n{}\n{}", pairs(&lines), quantiles(&many.distribution))
-}
-
-/// Distribution of each result of a bearing.
-pub(super) fn quantiles(distribution: &Distribution) -> String {
-    let head = ["result", "least", "median", "95 %", "most", "unit"].map(str::to_owned);
-    let mut rows = vec![head.to_vec()];
-    for q in &distribution.quantiles {
-        let mut row = vec![q.quantity.label.to_owned()];
-        row.extend([q.least, q.median, q.high, q.most].map(|v| significant(v, 5)));
-        row.push(q.quantity.unit_text());
-        rows.push(row);
-    }
-    columns(&rows)
+    format!(
+        "\n{}\n{}",
+        pairs(&lines),
+        columns(&many.distribution.rows())
+    )
 }

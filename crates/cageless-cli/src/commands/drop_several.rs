@@ -1,13 +1,12 @@
 //! `cageless drop` of a rotor above several bearings.
 
-use cageless::simulation::PlaneDisplacement;
 use cageless_io::rotor_file::RotorFile;
 use cageless_report::drop::rotor_page;
-use cageless_results::DropResult;
 use cageless_results::number_text::significant;
+use cageless_results::{DropResult, plane_records, table_of};
 use cageless_study::drop::{RotorEnsemble, RotorStudy, WhirlProbability, rotor_study};
 
-use super::drop::{REST_INTERRUPTED, quantiles, requested, table, verdict};
+use super::drop::{REST_INTERRUPTED, requested, verdict};
 use super::run::verified;
 use crate::args::DropArgs;
 use crate::driver::{Answer, PAGE, Tables};
@@ -59,12 +58,14 @@ fn text(file: &RotorFile, study: &RotorStudy) -> String {
             format!("{:.1e}", study.drop.rotor_energy_residual_relative),
         ),
     ];
-    let (names, drops): (Vec<String>, Vec<&DropResult>) = study.columns().into_iter().unzip();
     let mut text = verdict(&study.drop.judgement()) + &pairs(&head);
     if !study.drop.planes.is_empty() {
-        text += &format!("\n{}", planes(&study.drop.planes));
+        text += &format!(
+            "\n{}",
+            columns(&table_of(&plane_records(&study.drop.planes)))
+        );
     }
-    text += &format!("\n{}", table(names, &drops));
+    text += &format!("\n{}", columns(&DropResult::side_by_side(&study.columns())));
     if let Some(ensemble) = &study.ensemble {
         text += &ensemble_text(ensemble);
     }
@@ -76,26 +77,6 @@ fn text(file: &RotorFile, study: &RotorStudy) -> String {
         }
     }
     text + &warnings(&study.warnings)
-}
-
-/// Largest displacements of the planes of the rotor against their clearances.
-fn planes(planes: &[PlaneDisplacement]) -> String {
-    let head = [
-        "plane",
-        "largest displacement",
-        "clearance",
-        "margin",
-        "unit",
-    ];
-    let mut rows = vec![head.map(str::to_owned).to_vec()];
-    for plane in planes {
-        let (most, limit) = (plane.displacement_max_m, plane.clearance.radial_m);
-        let mut row = vec![plane.clearance.name.clone()];
-        row.extend([most, limit, limit - most].map(|value| significant(1e6 * value, 5)));
-        row.push("µm".to_owned());
-        rows.push(row);
-    }
-    columns(&rows)
 }
 
 fn ensemble_text(many: &RotorEnsemble) -> String {
@@ -123,7 +104,7 @@ fn ensemble_text(many: &RotorEnsemble) -> String {
         text += &format!(
             "\n{}\n{}",
             pairs(&[(&format!("bearing {}", k + 1), states)]),
-            quantiles(of_bearing)
+            columns(&of_bearing.rows())
         );
     }
     text

@@ -15,7 +15,7 @@ use cageless_study::{Provenance, parameter, provenance};
 use crate::head::Head;
 use crate::page::{Note, Page};
 use crate::studio_page::studio_section;
-use crate::table::{Cell, Row, Table};
+use crate::table::Table;
 use crate::text::short;
 use crate::verification::VerificationTable;
 pub use several::rotor_page;
@@ -129,32 +129,12 @@ fn results(study: &DropStudy, source: &Provenance) -> Table {
     if let Some(other) = &study.conventional {
         drops.push(("Conventional outer ring".to_owned(), &other.result));
     }
-    side_by_side(drops, source)
+    side_by_side(&drops, source)
 }
 
 /// Table of the results of drops, one column each.
-fn side_by_side(drops: Vec<(String, &DropResult)>, source: &Provenance) -> Table {
-    let mut columns = vec![("Result".to_owned(), false)];
-    let (names, drops): (Vec<_>, Vec<_>) = drops.into_iter().unzip();
-    columns.extend(names.into_iter().map(|name| (name, true)));
-    columns.push(("Unit".to_owned(), false));
-    let rows = DropResult::table(&drops)
-        .into_iter()
-        .map(|(label, values, unit)| {
-            let mut cells = vec![Cell::text(label)];
-            cells.extend(values.iter().map(Cell::number));
-            cells.push(Cell::text(unit));
-            Row {
-                cells,
-                ..Row::default()
-            }
-        });
-    Table {
-        label: "Results".to_owned(),
-        caption: "From the start of the drop to the end of the run.".to_owned(),
-        columns,
-        rows: rows.collect(),
-        provenance: Some(source.clone()),
-        ..Table::default()
-    }
+fn side_by_side(drops: &[(String, &DropResult)], source: &Provenance) -> Table {
+    let caption = "From the start of the drop to the end of the run.";
+    let rows = DropResult::side_by_side(drops);
+    Table::of("Results", caption, rows, Some(source.clone()))
 }

@@ -9,8 +9,7 @@ use serde_json::json;
 
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, markers};
-use crate::table::{Cell, Row, Table};
-use crate::text::short;
+use crate::table::Table;
 
 /// What scatters in each bearing but the arrangement of its balls, with its width.
 const SCATTERED: &str =
@@ -47,45 +46,27 @@ pub(super) fn distribution(ensemble: &EnsembleResult, source: &Provenance) -> Ta
 
 /// Table of the states at the end of scattered drops into several bearings.
 pub(super) fn end_states(ensemble: &RotorEnsemble, source: &Provenance) -> Table {
-    let row = |name: String, whirl: &WhirlProbability, states: String| Row {
-        cells: vec![
-            Cell::text(name),
-            Cell::text(whirl.percent().unwrap_or("–".to_owned())),
-            Cell::text(states),
-        ],
-        ..Row::default()
+    let row = |name: String, whirl: &WhirlProbability, states: String| {
+        vec![name, whirl.percent().unwrap_or("–".to_owned()), states]
     };
-    let bearings = ensemble.bearings.iter().enumerate().map(|(k, of_bearing)| {
-        let states = of_bearing.end_states_text();
-        row(
-            format!("Bearing {}", k + 1),
-            &of_bearing.backward_whirl,
-            states,
-        )
-    });
+    let head = ["Bearing", "Backward whirl", "State at the end"].map(str::to_owned);
     let any = row(
         "Any bearing".to_owned(),
         &ensemble.backward_whirl,
         String::new(),
     );
-    Table {
-        label: "Probability of backward whirl".to_owned(),
-        caption: format!(
-            "{} drops with the direction of the unbalances and, in each bearing on its own, \
-             {SCATTERED} and arrangement of the balls scattered (seed {}).",
-            ensemble.completed, ensemble.seed
-        ),
-        columns: [
-            ("Bearing", false),
-            ("Backward whirl", false),
-            ("State at the end", false),
-        ]
-        .map(|(text, numeric)| (text.to_owned(), numeric))
-        .to_vec(),
-        rows: std::iter::once(any).chain(bearings).collect(),
-        provenance: Some(source.clone()),
-        ..Table::default()
-    }
+    let mut rows = vec![head.to_vec(), any];
+    rows.extend((1..).zip(&ensemble.bearings).map(|(k, of_bearing)| {
+        let states = of_bearing.end_states_text();
+        row(format!("Bearing {k}"), &of_bearing.backward_whirl, states)
+    }));
+    let caption = format!(
+        "{} drops with the direction of the unbalances and, in each bearing on its own, \
+         {SCATTERED} and arrangement of the balls scattered (seed {}).",
+        ensemble.completed, ensemble.seed
+    );
+    let label = "Probability of backward whirl";
+    Table::of(label, &caption, rows, Some(source.clone()))
 }
 
 /// Table of the distribution of each result of a bearing.
@@ -95,35 +76,7 @@ pub(super) fn quantiles(
     caption: String,
     source: &Provenance,
 ) -> Table {
-    Table {
-        label,
-        caption,
-        columns: [
-            ("Result", false),
-            ("Least", true),
-            ("Median", true),
-            ("95 %", true),
-            ("Largest", true),
-            ("Unit", false),
-        ]
-        .map(|(text, numeric)| (text.to_owned(), numeric))
-        .to_vec(),
-        rows: (distribution.quantiles.iter())
-            .map(|q| Row {
-                cells: vec![
-                    Cell::text(q.quantity.label),
-                    Cell::number(short(q.least)),
-                    Cell::number(short(q.median)),
-                    Cell::number(short(q.high)),
-                    Cell::number(short(q.most)),
-                    Cell::text(q.quantity.unit_text()),
-                ],
-                ..Row::default()
-            })
-            .collect(),
-        provenance: Some(source.clone()),
-        ..Table::default()
-    }
+    Table::of(&label, &caption, distribution.rows(), Some(source.clone()))
 }
 
 /// State at the end of drops over friction and support damping, by the rows of a bearing.

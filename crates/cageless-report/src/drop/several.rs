@@ -4,7 +4,7 @@ use cageless::Case;
 use cageless::simulation::PlaneDisplacement;
 use cageless_io::results::VERSION;
 use cageless_io::rotor_file::RotorFile;
-use cageless_results::Record;
+use cageless_results::{Record, plane_records, table_of};
 use cageless_study::drop::{RotorEnsemble, RotorStudy};
 use cageless_study::{Provenance, parameter, provenance};
 
@@ -15,7 +15,7 @@ use super::{side_by_side, warned};
 use crate::head::Head;
 use crate::page::Page;
 use crate::run_report::motion;
-use crate::table::{Cell, Row, Table};
+use crate::table::Table;
 use crate::text::short;
 use crate::verification::VerificationTable;
 
@@ -58,7 +58,7 @@ pub fn rotor_page(file: &RotorFile, study: &RotorStudy) -> String {
     if !drop.planes.is_empty() {
         page.table(&planes(&drop.planes, &source));
     }
-    page.table(&side_by_side(study.columns(), &source));
+    page.table(&side_by_side(&study.columns(), &source));
     page.section("Balls");
     let bearings = cases.iter().zip(records).enumerate();
     let moving = bearings.map(|(k, (case, record))| {
@@ -92,32 +92,10 @@ pub fn rotor_page(file: &RotorFile, study: &RotorStudy) -> String {
 
 /// Table of the planes of a rotor against their clearances.
 fn planes(planes: &[PlaneDisplacement], source: &Provenance) -> Table {
-    let rows = planes.iter().map(|plane| {
-        let (most, limit) = (plane.displacement_max_m, plane.clearance.radial_m);
-        let mut cells = vec![Cell::text(&plane.clearance.name)];
-        cells.extend([most, limit, limit - most].map(|value| Cell::number(short(1e6 * value))));
-        Row {
-            cells,
-            ..Row::default()
-        }
-    });
-    Table {
-        label: "Clearances".to_owned(),
-        caption: "Largest displacement of the rotor from the stator centre in each plane. \
-                  Negative margin: the rotor touches the stator."
-            .to_owned(),
-        columns: [
-            ("Plane", false),
-            ("Largest displacement (µm)", true),
-            ("Clearance (µm)", true),
-            ("Margin (µm)", true),
-        ]
-        .map(|(text, numeric)| (text.to_owned(), numeric))
-        .to_vec(),
-        rows: rows.collect(),
-        provenance: Some(source.clone()),
-        ..Table::default()
-    }
+    let caption = "Largest displacement of the rotor from the stator centre in each plane. \
+                   Negative margin: the rotor touches the stator.";
+    let rows = table_of(&plane_records(planes));
+    Table::of("Clearances", caption, rows, Some(source.clone()))
 }
 
 fn scattered(page: &mut Page, cases: &[Case], ensemble: &RotorEnsemble) {

@@ -6,7 +6,7 @@ use crate::cell::Cell;
 use crate::declare::*;
 use crate::meanings::*;
 use crate::quantity::{Kind, Quantity};
-use crate::source::Source::{Drop, RotorDrop};
+use crate::source::Source::{Drop, Plane, RotorDrop};
 use crate::{DropJudgement, FinishedDrop};
 
 /// Results of a drop onto one bearing.
@@ -66,6 +66,15 @@ pub const DROP: &[Quantity] = &[
 pub const ROTOR_DROP: &[Quantity] = &[
     means("clearance less the largest displacement, the smallest of all `[[clearance]]` planes", high(quantity("plane_margin_min_um", "um", "smallest margin of the planes of the rotor to their clearances", RotorDrop(|d| d.planes.iter().map(|p| 1e6 * (p.clearance.radial_m - p.displacement_max_m)).reduce(f64::min).into())))),
     quantity("rotor_energy_residual_relative", "", "energy balance error of the rotor alone (relative)", RotorDrop(|d| some(d.energy_residual_relative))),
+];
+
+/// A plane of a rotor against its clearance to the stator.
+#[rustfmt::skip]
+pub const PLANE: &[Quantity] = &[
+    part(in_tables(text("name", "plane", Plane(|p| Cell::Text(p.clearance.name.clone()))))),
+    part(quantity("clearance_um", "um", "clearance", Plane(|p| some(1e6 * p.clearance.radial_m)))),
+    part(low(quantity("displacement_max_um", "um", "largest displacement from the stator centre", Plane(|p| some(1e6 * p.displacement_max_m))))),
+    part(high(means("negative: the rotor touches the stator", quantity("margin_um", "um", "margin", Plane(|p| some(1e6 * p.clearance.radial_m - 1e6 * p.displacement_max_m)))))),
 ];
 
 fn judged(drop: &FinishedDrop<'_>, kind: Kind) -> Cell {

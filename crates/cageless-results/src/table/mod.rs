@@ -13,7 +13,7 @@ use crate::quantity::{Quantity, bearing_in_column};
 
 pub(crate) use design::{CURVE, RECOMMENDATION};
 pub use design::{DESIGN, PASSAGES, RACEWAY, VERDICT};
-pub use drop::{DROP, ROTOR_DROP};
+pub use drop::{DROP, PLANE, ROTOR_DROP};
 pub use run::{COMPARED, RUN};
 pub use search::{
     MAP, MOTION, PAPER, PLACEMENT, POINT, REJECTION, SEARCH, STRUCTURE, STRUCTURE_AT,
@@ -42,6 +42,7 @@ pub fn quantities() -> impl Iterator<Item = &'static Quantity> {
         RUN,
         DROP,
         ROTOR_DROP,
+        PLANE,
         SEARCH,
         POINT,
         STRUCTURE,

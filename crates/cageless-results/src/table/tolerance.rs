@@ -79,7 +79,8 @@ fn drawn(influence: Deviates) -> (f64, &'static str) {
 
 fn end(deviation: &Deviation<'_>, k: usize) -> Cell {
     let influence = deviation.result.influence;
-    some(deviation.tolerances.range(deviation.case, influence)[k] * drawn(influence).0)
+    // Not −0.
+    some(deviation.tolerances.range(deviation.case, influence)[k] * drawn(influence).0 + 0.0)
 }
 
 fn ends(interval: Interval) -> Cell {

@@ -6,6 +6,7 @@ use cageless_io::OptionError;
 use serde::{Serialize, Serializer};
 
 use crate::StudyError;
+use cageless_results::number_text::significant;
 use cageless_results::{DROP, DropResult, Kind, Quantity, ROTOR_DROP, end_state_text};
 
 /// Most drops of an ensemble.
@@ -57,6 +58,21 @@ pub struct Quantiles {
     pub high: f64,
     /// Largest.
     pub most: f64,
+}
+
+impl Distribution {
+    /// Distributions of the results as a table for readers; the first row is the head.
+    pub fn rows(&self) -> Vec<Vec<String>> {
+        let head = ["result", "least", "median", "95 %", "most", "unit"];
+        let mut rows = vec![head.map(str::to_owned).to_vec()];
+        rows.extend(self.quantiles.iter().map(|q| {
+            let mut row = vec![q.quantity.label.to_owned()];
+            row.extend([q.least, q.median, q.high, q.most].map(|v| significant(v, 5)));
+            row.push(q.quantity.unit_text());
+            row
+        }));
+        rows
+    }
 }
 
 fn name<S: Serializer>(quantity: &&Quantity, serializer: S) -> Result<S::Ok, S::Error> {

@@ -1,6 +1,6 @@
 //! A drop into several bearings with what is shown beside it.
 
-use cageless::simulation::{PlaneDisplacement, RotorDrop};
+use cageless::simulation::RotorDrop;
 use cageless::touchdown::Scatter;
 use cageless_io::case_file::CaseDocument;
 use cageless_io::results::{SCHEMA, VERSION};
@@ -15,7 +15,7 @@ use crate::StudyError;
 use crate::progress::Progress;
 use crate::run::{Rows, RunError};
 use crate::warnings::{of_drop, of_scattered};
-use cageless_results::{DropResult, Record, number_text::short};
+use cageless_results::{DropResult, Record, number_text::short, plane_records};
 
 /// A drop into several bearings with what is shown beside it.
 pub type RotorStudy = Study<SeveralBearings, RotorEnsemble>;
@@ -107,30 +107,6 @@ pub fn unloaded(drop: &RotorDrop) -> Vec<String> {
         .collect()
 }
 
-/// A plane of a rotor against its clearance to the stator.
-#[derive(Serialize)]
-struct PlaneSummary<'a> {
-    name: &'a str,
-    clearance_um: f64,
-    displacement_max_um: f64,
-    margin_um: f64,
-}
-
-impl<'a> PlaneSummary<'a> {
-    fn new(plane: &'a PlaneDisplacement) -> Self {
-        let (limit, most) = (
-            1e6 * plane.clearance.radial_m,
-            1e6 * plane.displacement_max_m,
-        );
-        Self {
-            name: &plane.clearance.name,
-            clearance_um: limit,
-            displacement_max_um: most,
-            margin_um: limit - most,
-        }
-    }
-}
-
 impl RotorStudy {
     /// Names and results of the bearings side by side, those with conventional outer rings last.
     pub fn columns(&self) -> Vec<(String, &DropResult)> {
@@ -163,7 +139,7 @@ impl RotorStudy {
             passes: judgement.passes,
             headline: judgement.headline(),
             reasons: &judgement.reasons,
-            clearances: self.drop.planes.iter().map(PlaneSummary::new).collect(),
+            clearances: plane_records(&self.drop.planes),
             bearings: (file.bearings().iter().zip(records))
                 .map(|(file, record)| BearingSummary {
                     case: file.document_as_run(),
@@ -194,7 +170,7 @@ struct Summary<'a> {
     passes: Option<bool>,
     headline: String,
     reasons: &'a [String],
-    clearances: Vec<PlaneSummary<'a>>,
+    clearances: Vec<Record>,
     bearings: Vec<BearingSummary<'a>>,
     /// Results of each bearing with conventional outer rings.
     #[serde(skip_serializing_if = "Option::is_none")]
