@@ -1,11 +1,13 @@
 //! Files of the repository that follow from the declaration of the case file: the table of the
-//! documentation and the Python classes. `CAGELESS_WRITE=1 cargo test -p cageless-io --test
+//! documentation, the JSON schema of editors and the Python classes. `CAGELESS_WRITE=1 cargo test -p cageless-io --test
 //! derived_files` writes them after a key was added.
 
 use std::fmt::Write;
 use std::path::Path;
 
-use cageless_io::case_file::{KeyReference, LeftOut, SectionReference, ValueType, reference};
+use cageless_io::case_file::{
+    CaseValue, KeyReference, LeftOut, RangeEnd, SectionReference, ValueType, reference,
+};
 
 fn in_step(path: &str, expected: &str) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -52,6 +54,24 @@ fn left_out(key: &KeyReference) -> String {
     }
 }
 
+/// `0.5 to 1300`, `above 0`, `(0 to 90)`.
+fn range(key: &KeyReference) -> String {
+    let at = |end: RangeEnd| CaseValue::Number(end.at).written();
+    match key.range {
+        [None, None] => String::new(),
+        [Some(low), None] if low.included => format!("{} or more", at(low)),
+        [Some(low), None] => format!("above {}", at(low)),
+        [None, Some(high)] => format!("up to {}", at(high)),
+        [Some(low), Some(high)] => format!(
+            "{}{} to {}{}",
+            if low.included { "" } else { "(" },
+            at(low),
+            at(high),
+            if high.included { "" } else { ")" },
+        ),
+    }
+}
+
 #[test]
 fn the_table_of_the_documentation_has_every_key() {
     let mut text = String::from(
@@ -61,7 +81,11 @@ fn the_table_of_the_documentation_has_every_key() {
          `cageless check` validates one. The tables are generated from the source and list every \
          key. *Derived*: the value follows from the rest of the case unless it is given; \
          `cageless check` lists it with the defaults. A name after *formerly* is that of earlier \
-         versions, and is read as well.\n",
+         versions, and is read as well. *Range*: what a number may be whatever the other values \
+         are; an end in parentheses is not allowed itself.\n\n\
+         Editors with a TOML language server complete keys and mark impossible values by the JSON \
+         schema [case-file.schema.json](case-file.schema.json): its path, or that of a copy, goes \
+         into the first line of the case file, `#:schema case-file.schema.json`.\n",
     );
     for section in reference() {
         let heading = match (section.name, section.optional) {
@@ -71,15 +95,16 @@ fn the_table_of_the_documentation_has_every_key() {
         };
         let _ = write!(
             text,
-            "\n## {heading}\n\n| key | value | unit | if left out | meaning |\n|---|---|---|---|---|\n"
+            "\n## {heading}\n\n| key | value | unit | range | if left out | meaning |\n|---|---|---|---|---|---|\n"
         );
         for key in &section.keys {
             let _ = writeln!(
                 text,
-                "| `{}` | {} | {} | {} | {}{} |",
+                "| `{}` | {} | {} | {} | {} | {}{} |",
                 key.name,
                 value(&key.value),
                 key.unit,
+                range(key),
                 left_out(key),
                 key.meaning.replace('|', "\\|"),
                 match key.formerly {
@@ -209,4 +234,164 @@ fn python_has_a_class_for_every_section() {
          \"\"\"Keywords of a case: its sections, or mappings of their keys.\"\"\"\n\n{arguments}    title: str\n"
     );
     in_step("crates/cageless-py/python/cageless/sections.py", &text);
+}
+
+/// JSON schema of the value of a key.
+fn schema_of(key: &KeyReference) -> serde_json::Value {
+    use serde_json::{Value, json};
+    let [low, high] = key.range;
+    let ends = [
+        (low, ["exclusiveMinimum", "minimum"]),
+        (high, ["exclusiveMaximum", "maximum"]),
+    ];
+    let number = |kind: &str| {
+        let mut number = json!({ "type": kind });
+        for (end, names) in ends {
+            if let Some(end) = end {
+                number[names[usize::from(end.included)]] = json!(end.at);
+            }
+        }
+        number
+    };
+    let list = |items: Value| json!({ "type": "array", "items": items });
+    let row =
+        |items: Value| json!({ "type": "array", "items": items, "minItems": 2, "maxItems": 2 });
+    let plain = json!({ "type": "number" });
+    let any_of = |one: Value, other: Value| json!({ "anyOf": [one, other] });
+    let mut schema = match &key.value {
+        ValueType::Number => number("number"),
+        ValueType::Whole => number("integer"),
+        ValueType::Text => json!({ "type": "string" }),
+        ValueType::Numbers => list(number("number")),
+        ValueType::Range => any_of(number("number"), row(number("number"))),
+        ValueType::OverTime => any_of(number("number"), list(row(plain))),
+        ValueType::Rows(_) => list(row(plain)),
+        ValueType::Choice(names) => json!({ "enum": names }),
+        ValueType::NumberOr(names) => any_of(json!({ "enum": names }), number("number")),
+        ValueType::NumbersOr(names) => any_of(json!({ "enum": names }), list(number("number"))),
+    };
+    let unit = match key.unit {
+        "" => String::new(),
+        unit => format!(" ({unit})"),
+    };
+    schema["description"] = json!(format!("{}{unit}", key.meaning));
+    if let LeftOut::Default(value) = &key.left_out {
+        schema["default"] = json!(value);
+    }
+    schema
+}
+
+/// JSON schema of a section.
+fn schema_of_section(section: &SectionReference) -> serde_json::Value {
+    use serde_json::{Map, json};
+    let mut keys = Map::new();
+    for key in &section.keys {
+        keys.insert(key.name.to_owned(), schema_of(key));
+        if !key.formerly.is_empty() {
+            let mut former = schema_of(key);
+            former["deprecated"] = json!(true);
+            former["description"] = json!(format!("former name of {}", key.name));
+            keys.insert(key.formerly.to_owned(), former);
+        }
+    }
+    let required = section.keys.iter();
+    let required =
+        required.filter(|key| key.left_out == LeftOut::Refused && key.formerly.is_empty());
+    let required: Vec<_> = required.map(|key| key.name).collect();
+    json!({
+        "type": "object",
+        "description": section.meaning,
+        "properties": keys,
+        "required": required,
+        "additionalProperties": false,
+    })
+}
+
+/// JSON schema of a case file.
+fn schema() -> serde_json::Value {
+    use serde_json::json;
+    let sections = reference();
+    let mut schema = schema_of_section(&sections[0]);
+    for section in &sections[1..] {
+        let one = schema_of_section(section);
+        schema["properties"][section.name] = match section.several {
+            true => json!({ "anyOf": [one, { "type": "array", "items": one }] }),
+            false => one,
+        };
+    }
+    schema["$schema"] = json!("http://json-schema.org/draft-07/schema#");
+    schema["title"] = json!("Case file of Cageless");
+    schema["description"] = json!("one bearing, its operating conditions and the simulation");
+    schema["required"] = json!(["bearing"]);
+    schema
+}
+
+#[test]
+fn editors_have_a_schema_of_the_case_file() {
+    let text = serde_json::to_string_pretty(&schema()).unwrap() + "\n";
+    in_step("docs/case-file.schema.json", &text);
+}
+
+/// The ends of a range in schema and documentation are those that the reader keeps: what is beyond
+/// is refused for its key, and no value at an end is refused for these limits.
+#[test]
+fn ranges_are_those_of_the_reader() {
+    use cageless_io::case_file::CaseFile;
+    // Every commented line of the template in force.
+    let template = cageless_io::case_file::template(false);
+    let lines = template.lines().map(|line| match line.strip_prefix("# ") {
+        Some(key) if key.starts_with('[') => key,
+        Some(key)
+            if key
+                .split_once(" = ")
+                .is_some_and(|(key, _)| !key.contains(' ')) =>
+        {
+            key
+        }
+        _ => line,
+    });
+    let case = lines.collect::<Vec<_>>().join("\n");
+    let case = case.replace("\"settled\"", "\"rolling\"");
+    let drop = include_str!("../../../cases/touchdown-d.toml");
+    let mut ends = 0;
+    for section in reference() {
+        for key in &section.keys {
+            let name = format!("{}.{}", section.name, key.name);
+            for (end, sign) in key.range.into_iter().zip([-1.0, 1.0]) {
+                let Some(end) = end else { continue };
+                let step = if key.value == ValueType::Whole {
+                    1.0
+                } else {
+                    1e-3 * end.at.abs().max(1.0)
+                };
+                let beyond = match end.included {
+                    true => end.at + sign * step,
+                    false => end.at,
+                };
+                let dropped = ["rotor.", "support.", "bearing.inner_ring_"];
+                let text = match dropped.iter().any(|start| name.starts_with(start)) {
+                    true => drop,
+                    // Used where balls and rings have no material of their own.
+                    false if section.name == "material" => template.as_str(),
+                    false => case.as_str(),
+                };
+                let value = match key.value {
+                    ValueType::Numbers => format!("[{beyond:?}]"),
+                    ValueType::Whole => format!("{beyond}"),
+                    _ => format!("{beyond:?}"),
+                };
+                let stop = ["support.stop_gap_um=9", "support.stop_stiffness_n_m=1e8"];
+                let stop = stop.iter().filter(|_| section.name == "support");
+                let mut set: Vec<_> = stop.map(|s| (*s).to_owned()).collect();
+                set.push(format!("{name}={value}"));
+                let error = CaseFile::parse(text, "case.toml", &set).unwrap_err();
+                assert!(
+                    error.key() == Some(&name) && error.to_string().contains("--set"),
+                    "{set:?}: {error}"
+                );
+                ends += 1;
+            }
+        }
+    }
+    assert!(ends > 80, "{ends}");
 }

@@ -31,7 +31,7 @@ mod gap_scatter;
 pub mod initial_conditions;
 pub mod integrator;
 pub mod kinematics;
-pub(crate) mod limits;
+pub mod limits;
 pub mod linear_rotor;
 mod material;
 pub mod min_max_decimator;

@@ -25,7 +25,7 @@ const PROVISIONAL_STEP_S: f64 = 1e-6;
 
 /// Converts and checks.
 pub(super) fn case(document: &CaseDocument) -> Result<(Case, Request), CaseError> {
-    let sections = &CaseSections::read(document)?;
+    let sections = &CaseSections::read(&document.tree)?;
     let converter = Converter { sections, document };
     let case = converter.case()?;
     let search = converter.search(&case)?;

@@ -5,6 +5,7 @@ use cageless::InputError;
 use super::document::CaseDocument;
 use super::error::CaseError;
 use super::key::Key;
+use super::reader::missing;
 use super::sections::CaseSections;
 use super::spanned_toml::{join, nth};
 use super::unit::Side;
@@ -25,10 +26,11 @@ impl Converter<'_> {
 
     /// An error of a key that is left out.
     pub(super) fn missing(&self, section: &str, name: &str) -> CaseError {
-        let path = join(section, name);
-        let meaning = keys::find(section, name).map_or_else(String::new, Key::describe);
-        let message = format!("{path} is missing in [{section}]: {meaning}");
-        self.document.tree.error(&path, message)
+        missing(
+            &self.document.tree,
+            &join(section, name),
+            keys::find(section, name),
+        )
     }
 
     /// "KEY = VALUE is not possible: it must be ALLOWED".

@@ -20,6 +20,16 @@ pub(crate) trait Field: Sized {
     }
 }
 
+impl Reader<'_> {
+    /// The value of a key in SI units.
+    pub(crate) fn field<T: Field>(&self, name: &str) -> Result<T, CaseError> {
+        match self.get(name) {
+            Some(node) => T::read(self, name, node),
+            None => T::absent().ok_or_else(|| self.missing(name)),
+        }
+    }
+}
+
 /// A section of a file, in SI units.
 pub(crate) trait SectionKeys: Sized {
     const KEYS: &'static [Key];
@@ -36,7 +46,7 @@ macro_rules! section {
     )* }) => {
         $(#[$doc])*
         #[derive(Debug, Clone, PartialEq)]
-        pub(crate) struct $Name { $( #[doc = $meaning] pub $field: $type, )* }
+        pub(crate) struct $Name { $( pub $field: $type, )* }
 
         section! { impl $Name { $(
             $key $(formerly $former)? => $field: $type = $presence, $unit $(; $limit)?, $meaning, $line;

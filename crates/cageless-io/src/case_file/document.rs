@@ -7,31 +7,18 @@ use serde::{Serialize, Serializer};
 
 use super::error::CaseError;
 use super::key::Key;
-use super::overrides::{Replacement, section_at};
-use super::sections::{HEAD, SECTIONS, SectionTable};
-use super::spanned_toml::{Node, Origin, Section, Tree, Value, join, nth};
+use super::keys;
+use super::overrides::{Change, Replacement};
+use super::sections::CASE_FILE;
+use super::source::{read_text, source};
+use super::spanned_toml::{Node, Origin, Section, Tree, Value, join, section_at};
 use super::value::CaseValue;
-use super::{CaseFile, keys, read_text};
-
-/// The only schema of case files so far.
-pub const SCHEMA: u64 = 1;
 
 /// A case file as a tree. Serialised, it is the case in `summary.json`. One discrete raceway is
 /// written as a `[raceway]`, several as `[[raceway]]`.
 #[derive(Debug, Clone)]
 pub struct CaseDocument {
     pub(crate) tree: Tree,
-}
-
-/// A key and its new value.
-#[derive(Debug, Clone, Copy)]
-pub struct Change<'a> {
-    /// `section.key`, or `raceway.2.key` for the second of several raceways.
-    pub key: &'a str,
-    /// The value.
-    pub value: &'a CaseValue,
-    /// File and line that the change comes from, for messages.
-    pub place: (&'a str, usize),
 }
 
 /// The keys of one section with their values.
@@ -54,7 +41,7 @@ impl CaseDocument {
     /// # Errors
     /// A [`CaseError`] if the text is not TOML.
     pub fn parse(text: &str, name: &str) -> Result<Self, CaseError> {
-        Ok(Self::from_sections(super::source(text, name)?, name))
+        Ok(Self::from_sections(source(text, name)?, name))
     }
 
     pub(crate) fn from_sections(root: Section, name: &str) -> Self {
@@ -76,31 +63,10 @@ impl CaseDocument {
         replacement.apply(&mut self.tree.root)
     }
 
-    /// The case with `changes`.
-    ///
-    /// # Errors
-    /// A [`CaseError`] that names file and line of the change at fault, or of the document.
-    pub fn with(&self, changes: &[Change<'_>]) -> Result<CaseFile, CaseError> {
-        let mut document = self.clone();
-        document.change(changes)?;
-        CaseFile::of(document)
-    }
-
     /// Gives a dotted key a value, and leaves keys that say the same as they are; nothing happens
     /// where no section can have it.
     pub fn set(&mut self, key: &str, value: impl Into<CaseValue>) {
-        let node = value.into().node(&Origin::Nowhere);
-        let path: Vec<&str> = key.split('.').collect();
-        if let Ok((section, key)) = section_at(&mut self.tree.root, &path, &node.place) {
-            section.insert(key.to_owned(), node);
-        }
-    }
-
-    /// Gives a dotted key that is left out a value.
-    pub(crate) fn set_missing(&mut self, key: &str, value: impl Into<CaseValue>) {
-        if !self.has(key) {
-            self.set(key, value);
-        }
+        self.tree.set(key, value);
     }
 
     /// Replaces the sections of a name by these.
@@ -132,16 +98,13 @@ impl CaseDocument {
     pub fn value(&self, key: &str) -> Option<CaseValue> {
         let section = key.split_once('.').map_or("", |(section, _)| section);
         let name = key.rsplit_once('.').map_or(key, |(_, name)| name);
-        CaseValue::of(keys::find(section, name)?.kind, &self.tree.find(key)?.value)
+        let kind = keys::find(section, name)?.kind;
+        kind.value(&self.tree.find(key)?.value)
     }
 
     /// The number of a dotted key; `None` if it is left out or no number.
     pub fn number(&self, key: &str) -> Option<f64> {
-        match self.value(key)? {
-            CaseValue::Number(number) => Some(number),
-            CaseValue::Integer(number) => Some(number as f64),
-            _ => None,
-        }
+        self.tree.number(key)
     }
 
     /// Whether a dotted key has a value.
@@ -151,67 +114,20 @@ impl CaseDocument {
 
     /// Number of sections of a name.
     pub fn count(&self, section: &str) -> usize {
-        match self.tree.root.get(section).map(|node| &node.value) {
-            None => 0,
-            Some(Value::List(items)) => items.len(),
-            Some(_) => 1,
-        }
-    }
-
-    /// Dotted paths and contents of the sections of a name.
-    ///
-    /// # Errors
-    /// A [`CaseError`] if one is no section, or there are several where one may be.
-    pub(crate) fn sections(
-        &self,
-        table: &SectionTable,
-    ) -> Result<Vec<(String, &Section)>, CaseError> {
-        let SectionTable { name, several, .. } = *table;
-        let Some(node) = self.tree.root.get(name) else {
-            return Ok(vec![]);
-        };
-        let items = match &node.value {
-            Value::List(items) if several => items.as_slice(),
-            _ => std::slice::from_ref(node),
-        };
-        if items.len() > SECTIONS_MAX {
-            let message = format!(
-                "{} sections [[{name}]] are not possible: there may be at most {SECTIONS_MAX}",
-                items.len()
-            );
-            return Err(items[SECTIONS_MAX].error(&self.tree.name, name, message));
-        }
-        let section = |(k, item): (usize, &'_ Node)| match &item.value {
-            Value::Section(_) => Ok(nth(name, k, items.len())),
-            Value::List(_) if !several => {
-                let message = format!("{name} may be given once only: [{name}]");
-                Err(item.error(&self.tree.name, name, message))
-            }
-            _ => Err(item.refusal(&self.tree.name, name, &format!("a section, [{name}]"))),
-        };
-        let paths = items.iter().enumerate().map(section);
-        let paths = paths.collect::<Result<Vec<_>, _>>()?;
-        let contents = items.iter().filter_map(|item| match &item.value {
-            Value::Section(entries) => Some(entries),
-            _ => None,
-        });
-        Ok(paths.into_iter().zip(contents).collect())
+        self.tree.count(section)
     }
 
     /// The keys and values of every section, in the order of the file format.
     fn values(&self) -> Vec<(&'static str, Vec<SectionValues>)> {
         let value = |key: &Key, entries: &Section| {
-            Some((
-                key.name,
-                CaseValue::of(key.kind, &entries.get(key.name)?.value)?,
-            ))
+            Some((key.name, key.kind.value(&entries.get(key.name)?.value)?))
         };
         let values = |keys: &'static [Key], entries: &Section| -> SectionValues {
             keys.iter().filter_map(|key| value(key, entries)).collect()
         };
-        let mut all = vec![("", vec![values(HEAD, &self.tree.root)])];
-        for table in SECTIONS {
-            let sections = self.sections(table).unwrap_or_default();
+        let mut all = vec![("", vec![values(CASE_FILE.head, &self.tree.root)])];
+        for table in CASE_FILE.sections {
+            let sections = self.tree.sections(table).unwrap_or_default();
             let sections = sections
                 .iter()
                 .map(|(_, entries)| values(table.keys, entries));
@@ -238,9 +154,6 @@ impl CaseDocument {
             .map_err(|e| CaseError::of_file("case", format!("cannot be written as TOML: {e}")))
     }
 }
-
-/// More sections of one name than fit: discrete raceways into any ring that balls roll in.
-const SECTIONS_MAX: usize = 64;
 
 /// Two documents are equal if they have the same keys and values, wherever those come from.
 impl PartialEq for CaseDocument {

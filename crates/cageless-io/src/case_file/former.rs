@@ -4,14 +4,8 @@ use std::collections::BTreeSet;
 use std::sync::{Mutex, OnceLock};
 
 use super::error::CaseError;
-use super::keys;
+use super::sections::CASE_FILE;
 use super::spanned_toml::{Node, Section, Value, join};
-
-/// Section, former and present name of the keys that only rotor files have.
-const OF_ROTOR_FILES: [(&str, &str, &str); 2] = [
-    ("unbalance", "moment_g_mm", "amount_g_mm"),
-    ("unbalance", "phase_deg", "angle_deg"),
-];
 
 /// Section, key, former and present value.
 const VALUES: [(&str, &str, &str, &str); 2] = [
@@ -41,11 +35,13 @@ fn note(node: &Node, file: &str, former: &str, present: &str) {
 
 /// The present name of a key.
 pub(super) fn present<'a>(section: &str, key: &'a str) -> &'a str {
-    let of_case = keys::of_section(section).iter();
-    let of_case = of_case.map(|k| (section, k.formerly, k.name));
-    let mut all = of_case.chain(OF_ROTOR_FILES);
-    let found = all.find(|(of, former, _)| !key.is_empty() && (*of, *former) == (section, key));
-    found.map_or(key, |(_, _, name)| name)
+    #[cfg(feature = "files")]
+    let of_rotor = crate::rotor_file::keys::ROTOR_FILE.of_section(section);
+    #[cfg(not(feature = "files"))]
+    let of_rotor = &[];
+    let mut all = CASE_FILE.of_section(section).iter().chain(of_rotor);
+    let found = all.find(|of| !key.is_empty() && of.formerly == key);
+    found.map_or(key, |of| of.name)
 }
 
 /// Gives the keys of a case, of a rotor file or of a plan their present names, at any depth.

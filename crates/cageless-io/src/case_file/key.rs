@@ -1,6 +1,7 @@
 //! A key of a file: type, unit, limits, field in [`cageless`], meaning, what happens if it is left
 //! out, and its line in the template.
 
+use super::spanned_toml::Value;
 use super::unit::Unit;
 use super::value::CaseValue;
 
@@ -52,6 +53,26 @@ pub(crate) enum Kind {
     NumberOr(&'static [&'static str]),
     /// One of these names or a list of numbers.
     NumbersOr(&'static [&'static str]),
+}
+
+impl Kind {
+    /// The value of a key of this type, however it is written.
+    pub(crate) fn value(self, value: &Value) -> Option<CaseValue> {
+        Some(match (self, CaseValue::from_toml(value)?) {
+            (Self::Whole, CaseValue::Number(f)) => CaseValue::Integer(f as i64),
+            (Self::Whole, whole) => whole,
+            (_, CaseValue::Integer(i)) => CaseValue::Number(i as f64),
+            // -0.0 is 0: friction would have no direction otherwise.
+            (_, CaseValue::Number(f)) => CaseValue::Number(f + 0.0),
+            (Self::Range, CaseValue::Numbers(ends)) if ends.iter().all(|end| *end == ends[0]) => {
+                CaseValue::Number(*ends.first()?)
+            }
+            (Self::OverTime | Self::Rows(_), CaseValue::Numbers(none)) if none.is_empty() => {
+                CaseValue::Table(vec![])
+            }
+            (_, value) => value,
+        })
+    }
 }
 
 /// Allowed numbers of a key, in its unit. [`cageless`] has further limits, which depend on other

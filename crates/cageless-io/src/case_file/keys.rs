@@ -1,38 +1,25 @@
 //! Look-up of the keys of a case file.
 
 use super::key::Key;
-use super::sections::{HEAD, SECTIONS};
-use super::spanned_toml::join;
-use super::unit::Unit;
+use super::sections::CASE_FILE;
 
 /// Every key with its section, in the order of the file format; the head of the file first.
 pub(crate) fn all() -> impl Iterator<Item = (&'static str, &'static Key)> {
-    let of = |(name, keys): (&'static str, &'static [Key])| keys.iter().map(move |k| (name, k));
-    std::iter::once(("", HEAD))
-        .chain(SECTIONS.iter().map(|s| (s.name, s.keys)))
-        .flat_map(of)
-}
-
-/// The keys of a section.
-pub(crate) fn of_section(section: &str) -> &'static [Key] {
-    if section.is_empty() {
-        return HEAD;
-    }
-    SECTIONS
-        .iter()
-        .find(|s| s.name == section)
-        .map_or(&[], |s| s.keys)
+    CASE_FILE.all()
 }
 
 /// Looks up a key.
 pub(crate) fn find(section: &str, name: &str) -> Option<&'static Key> {
-    of_section(section).iter().find(|k| k.name == name)
+    CASE_FILE.find(section, name)
 }
 
 /// What a case lacks that is to drop a rotor.
 pub fn missing_rotor() -> String {
     let names = |section: &str| {
-        let keys = of_section(section).iter().filter(|key| key.is_required());
+        let keys = CASE_FILE
+            .of_section(section)
+            .iter()
+            .filter(|key| key.is_required());
         keys.map(|key| key.name).collect::<Vec<_>>().join(", ")
     };
     format!(
@@ -43,11 +30,6 @@ pub fn missing_rotor() -> String {
         names("rotor"),
         names("support")
     )
-}
-
-/// Unit of a key.
-pub(crate) fn unit(section: &str, name: &str) -> Unit {
-    find(section, name).map_or(Unit::None, |k| k.unit)
 }
 
 /// Section and key that set a field of [`cageless`]: in `section` if it is given, else the first
@@ -66,56 +48,10 @@ pub(crate) fn of_field(section: Option<&str>, field: &str) -> Option<(&'static s
     named(field, section).or_else(prefixed)
 }
 
-/// Meaning of a section, if there is one of that name.
-pub(crate) fn section_meaning(section: &str) -> Option<&'static str> {
-    SECTIONS
-        .iter()
-        .find(|s| s.name == section)
-        .map(|s| s.meaning)
-}
-
-/// Suggestion for an unknown name.
-pub(crate) fn hint(section: &str, name: &str) -> String {
-    let known = || of_section(section).iter().map(|k| k.name);
-    let sections = || SECTIONS.iter().map(|s| s.name);
-    if section.is_empty() {
-        if let Some(near) = nearest(name, known().chain(sections())) {
-            return match section_meaning(near) {
-                Some(_) => format!("did you mean [{near}]?"),
-                None => format!("did you mean {near}?"),
-            };
-        }
-    } else if let Some(near) = nearest(name, known()) {
-        return format!("did you mean {near}?");
-    }
-    if let Some((section, key)) = all().find(|(_, k)| k.name == name) {
-        return format!("did you mean {}?", join(section, key.name));
-    }
-    if section.is_empty() {
-        let near = nearest(name, all().map(|(_, k)| k.name));
-        if let Some((section, key)) = near.and_then(|n| all().find(|(_, k)| k.name == n)) {
-            return format!("did you mean {}?", join(section, key.name));
-        }
-        let sections: Vec<_> = sections().collect();
-        return format!("its sections are {}", sections.join(", "));
-    }
-    format!("its keys are {}", known().collect::<Vec<_>>().join(", "))
-}
-
-/// The candidate that `given` was most likely meant to be.
-pub fn nearest<'a>(given: &str, candidates: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    // A third of the letters wrong is no longer a slip of the pen.
-    let most = (given.chars().count() / 3).max(2);
-    candidates
-        .map(|c| (strsim::damerau_levenshtein(&given.to_lowercase(), c), c))
-        .filter(|&(distance, _)| distance <= most)
-        .min()
-        .map(|(_, candidate)| candidate)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case_file::format::nearest;
     use crate::case_file::key::Presence;
 
     #[test]
@@ -153,7 +89,7 @@ mod tests {
 
     #[test]
     fn a_slip_of_the_pen_finds_its_key() {
-        let names = || of_section("raceway").iter().map(|k| k.name);
+        let names = || CASE_FILE.of_section("raceway").iter().map(|k| k.name);
         assert_eq!(nearest("axial_spam_mm", names()), Some("axial_span_mm"));
         assert_eq!(nearest("axial_span_m", names()), Some("axial_span_mm"));
         assert_eq!(nearest("Half_Angle_Deg", names()), Some("half_angle_deg"));

@@ -4,7 +4,7 @@ use super::document::CaseDocument;
 use super::error::CaseError;
 use super::key::Key;
 use super::keys;
-use super::sections::SECTIONS;
+use super::sections::CASE_FILE;
 use super::spanned_toml::{Value, join};
 
 /// What `[bearing]` and `[operation]` need by one key, or by those in its place.
@@ -39,7 +39,7 @@ pub(super) fn check(document: &CaseDocument) -> Result<(), CaseError> {
         None => false,
     };
     let mut missing: Vec<(&str, &str, String)> = vec![];
-    for section in SECTIONS {
+    for section in CASE_FILE.sections {
         let name = section.name;
         if !root.contains_key(name) && name != "bearing" {
             continue;

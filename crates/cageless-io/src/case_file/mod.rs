@@ -14,8 +14,9 @@ pub(crate) mod declaration;
 mod document;
 #[cfg(feature = "files")]
 mod edited;
-mod error;
+pub(crate) mod error;
 mod fields;
+pub(crate) mod format;
 pub(crate) mod former;
 mod json;
 pub(crate) mod key;
@@ -28,27 +29,28 @@ pub(crate) mod read;
 pub(crate) mod reader;
 mod reference;
 mod ring;
-mod sections;
+pub(crate) mod sections;
+mod source;
 pub(crate) mod spanned_toml;
 mod template;
 pub(crate) mod unit;
 pub(crate) mod value;
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
-pub use document::{CaseDocument, Change, SCHEMA, SectionValues};
+pub use document::{CaseDocument, SectionValues};
 pub use error::CaseError;
+pub use format::nearest;
 pub use former::on_former_name;
-pub use keys::{missing_rotor, nearest};
-pub use reference::{KeyReference, LeftOut, SectionReference, ValueType, reference};
+pub use keys::missing_rotor;
+pub use overrides::Change;
+pub use reference::{KeyReference, LeftOut, RangeEnd, SectionReference, ValueType, reference};
 pub use sections::bearing::Assumption;
 pub use sections::material::MaterialPreset;
+pub(crate) use source::read_text;
 pub use template::{drop_template, template};
 pub use value::CaseValue;
 
-use crate::system::io_error_message;
 use cageless::design::search::{Request, uneven_gaps_rad};
 use spanned_toml::Origin;
 
@@ -140,7 +142,7 @@ impl CaseFile {
     #[cfg(feature = "files")]
     pub fn edited(&self, document: &CaseDocument) -> Result<String, CaseError> {
         match &self.text {
-            Some(text) if !is_json(text) => edited::edited(text, document, &self.defaults),
+            Some(text) if !source::is_json(text) => edited::edited(text, document, &self.defaults),
             _ => document.to_toml_without(&self.defaults),
         }
     }
@@ -157,13 +159,13 @@ impl CaseFile {
     pub fn document_as_run(&self) -> CaseDocument {
         let mut document = self.document.clone();
         let bearing = &self.case.bearing;
-        sections::bearing::fill_in(&mut document, bearing);
+        sections::bearing::fill_in(&mut document.tree, bearing);
         for (key, hertz) in [
             ("contact.inner_stiffness_n_m1_5", bearing.inner_contact()),
             ("contact.outer_stiffness_n_m1_5", bearing.outer_contact()),
             ("contact.ball_stiffness_n_m1_5", bearing.ball_contact()),
         ] {
-            document.set_missing(key, hertz.stiffness_n_m1_5);
+            document.tree.set_missing(key, hertz.stiffness_n_m1_5);
         }
         if self.has_automatic_step() {
             // Steps are chosen in decimals of a microsecond; the product has rounding in it.
@@ -224,7 +226,7 @@ impl CaseFile {
 
     /// Values of `[bearing]` that are left out and estimated from its dimensions.
     pub fn assumptions(&self) -> Vec<Assumption> {
-        sections::bearing::assumptions(&self.document, self.case.bearing.dimensions())
+        sections::bearing::assumptions(&self.document.tree, self.case.bearing.dimensions())
     }
 
     /// The value of a dotted key, its default if it has one; `None` if it is left out or
@@ -249,6 +251,18 @@ impl CaseFile {
     /// order of the file format.
     pub fn defaults(&self) -> &[String] {
         &self.defaults
+    }
+}
+
+impl CaseDocument {
+    /// The case with `changes`.
+    ///
+    /// # Errors
+    /// A [`CaseError`] that names file and line of the change at fault, or of the document.
+    pub fn with(&self, changes: &[Change<'_>]) -> Result<CaseFile, CaseError> {
+        let mut document = self.clone();
+        document.change(changes)?;
+        CaseFile::of(document)
     }
 }
 
@@ -277,28 +291,11 @@ impl Source {
     }
 }
 
-/// Parses a case in TOML, or in JSON: a document of the same sections, or a result file of
-/// `run`, `check` and the like that holds the case as it was run.
-pub(crate) fn source(text: &str, name: &str) -> Result<spanned_toml::Section, CaseError> {
-    if is_json(text) {
-        json::parse(text, name)
-    } else {
-        let mut root = spanned_toml::parse(text, name)?;
-        former::rename(&mut root, name)?;
-        Ok(root)
-    }
-}
-
-fn is_json(text: &str) -> bool {
-    let text = text.trim_start_matches('\u{feff}');
-    text.trim_start().starts_with('{')
-}
-
 /// The unit of a dotted key as it is printed; empty if it has none.
 pub fn unit(key: &str) -> &'static str {
     let section = key.split_once('.').map_or("", |(section, _)| section);
     let name = key.rsplit_once('.').map_or(key, |(_, name)| name);
-    keys::unit(section, name).printed()
+    keys::find(section, name).map_or("", |key| key.unit.printed())
 }
 
 /// A key of a case file.
@@ -318,34 +315,5 @@ pub fn keys() -> impl Iterator<Item = KeyMeaning> {
         name: spanned_toml::join(section, key.name),
         unit: key.unit.printed(),
         meaning: key.meaning,
-    })
-}
-
-/// No case file comes near this; `/dev/zero` does.
-const SIZE_MAX: u64 = 16 << 20;
-
-/// The text of a file; `what` it should be, for messages.
-pub(crate) fn read_text(path: &Path, what: &str) -> Result<String, String> {
-    // Opening a directory succeeds on Unix; the message of the read that fails
-    // later does not help.
-    if path.is_dir() {
-        return Err(format!("is a directory, not a {what}"));
-    }
-    let file =
-        File::open(path).map_err(|e| format!("cannot be opened: {}", io_error_message(&e)))?;
-    let mut bytes = Vec::new();
-    file.take(SIZE_MAX + 1)
-        .read_to_end(&mut bytes)
-        .map_err(|e| format!("cannot be read: {}", io_error_message(&e)))?;
-    if bytes.len() as u64 > SIZE_MAX {
-        return Err(format!(
-            "is larger than {} MiB: not a {what}",
-            SIZE_MAX >> 20
-        ));
-    }
-    String::from_utf8(bytes).map_err(|e| {
-        let good = e.utf8_error().valid_up_to();
-        let line = 1 + e.as_bytes()[..good].iter().filter(|&&b| b == b'\n').count();
-        format!("is not UTF-8 text: line {line} has a byte that does not belong there")
     })
 }

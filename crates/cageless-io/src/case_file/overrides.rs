@@ -1,12 +1,21 @@
 //! `--set section.key=value`: changes to a case file from the command line.
 
-use std::collections::BTreeMap;
-
-use super::document::Change;
 use super::error::CaseError;
 use super::former;
 use super::sections;
-use super::spanned_toml::{self, Node, Origin, Place, Section, Value};
+use super::spanned_toml::{self, Node, Origin, Place, Section, Value, section_at};
+use super::value::CaseValue;
+
+/// A key and its new value.
+#[derive(Debug, Clone, Copy)]
+pub struct Change<'a> {
+    /// `section.key`, or `raceway.2.key` for the second of several raceways.
+    pub key: &'a str,
+    /// The value.
+    pub value: &'a CaseValue,
+    /// File and line that the change comes from, for messages.
+    pub place: (&'a str, usize),
+}
 
 /// A key and the value that replaces its own.
 #[derive(Debug, Clone)]
@@ -134,62 +143,6 @@ fn insert(root: &mut Section, path: &[&str], node: Node) -> Result<(), String> {
     section.extend(derived);
     section.insert(key.to_owned(), node);
     Ok(())
-}
-
-/// The section of a key and the name of the key in it; makes the section if there is none.
-pub(super) fn section_at<'r, 'p>(
-    root: &'r mut Section,
-    path: &[&'p str],
-    place: &Place,
-) -> Result<(&'r mut Section, &'p str), String> {
-    let (name, index, key) = match *path {
-        [key] => return Ok((root, key)),
-        [name, key] => (name, None, key),
-        [name, index, key] => (name, Some(index), key),
-        _ => {
-            let key = path.join(".");
-            return Err(format!("`{key}` is not a key: write section.key=value"));
-        }
-    };
-    let new = || Node {
-        value: Value::Section(BTreeMap::new()),
-        place: place.clone(),
-    };
-    let section = root.entry(name.to_owned()).or_insert_with(new);
-    match (&mut section.value, index) {
-        (Value::Section(section), None) => Ok((section, key)),
-        (Value::List(list), index) => Ok((section_of(list, name, index, key)?, key)),
-        (Value::Section(_), Some(_)) => Err(format!("there is only one [{name}]")),
-        _ => Err(format!("`{name}` is not a section in the case file")),
-    }
-}
-
-/// One of the `[[name]]` sections, `index` counting from 1.
-fn section_of<'a>(
-    list: &'a mut [Node],
-    name: &str,
-    index: Option<&str>,
-    key: &str,
-) -> Result<&'a mut Section, String> {
-    let count = list.len();
-    let index: usize = match index {
-        Some(index) => index.parse().unwrap_or(0),
-        None if count == 1 => 1,
-        None => {
-            return Err(format!(
-                "there are {count} [[{name}]] sections: write {name}.1.{key} for the first"
-            ));
-        }
-    };
-    match index.checked_sub(1).and_then(|k| list.get_mut(k)) {
-        Some(Node {
-            value: Value::Section(section),
-            ..
-        }) => Ok(section),
-        _ => Err(format!(
-            "there are {count} [[{name}]] sections, counted from 1"
-        )),
-    }
 }
 
 fn is_bare(part: &str) -> bool {

@@ -1,60 +1,37 @@
 //! Completion of a document: its keys are known, none is missing, and defaults are filled in.
 
-use super::document::{CaseDocument, SCHEMA};
+use super::document::CaseDocument;
 use super::error::CaseError;
-use super::key::{Key, Presence};
-use super::keys::{self, hint};
 use super::missing;
 use super::sections::material::NUMBERS;
-use super::sections::{HEAD, SECTIONS, bearing};
-use super::spanned_toml::{Node, Section, Value, join, nth};
+use super::sections::{CASE_FILE, bearing};
+use super::spanned_toml::{Node, Section, Value, join};
 use super::value::CaseValue;
+
+/// More discrete raceways than fit into any ring that balls roll in.
+const RACEWAYS_MAX: usize = 64;
 
 /// Completes a document; the dotted keys that took their default.
 pub(super) fn complete(document: &mut CaseDocument) -> Result<Vec<String>, CaseError> {
-    // A later schema may have other keys: say so before complaining about them.
-    if document.has("schema") && document.number("schema") != Some(SCHEMA as f64) {
-        let allowed = format!("{SCHEMA}, the only schema that this version of Cageless reads");
-        let value = document.value("schema").map(|value| value.written());
-        return Err(document
-            .tree
-            .refusal("schema", &value.unwrap_or_default(), &allowed));
-    }
-    check_names(document)?;
+    CASE_FILE.check_names(&document.tree)?;
     missing::check(document)?;
     move_seed(document)?;
-    let mut left_out: Vec<(String, &Key)> = vec![];
-    let absent = |path: &str, keys: &'static [Key], entries: &Section| {
-        let keys = keys.iter().filter(|key| !entries.contains_key(key.name));
-        let keys = keys.map(|key| (join(path, key.name), key));
-        keys.collect::<Vec<_>>()
-    };
-    left_out.extend(absent("", HEAD, &document.tree.root));
-    for table in SECTIONS {
-        let sections = document.sections(table)?;
-        if sections.is_empty() && !table.optional {
-            left_out.extend(absent(table.name, table.keys, &Section::new()));
-        }
-        for (path, entries) in sections {
-            left_out.extend(absent(&path, table.keys, entries));
-        }
+    let raceways = document.count("raceway");
+    if raceways > RACEWAYS_MAX {
+        let message = format!(
+            "{raceways} sections [[raceway]] are not possible: there may be at most {RACEWAYS_MAX}"
+        );
+        let first = format!("raceway.{}", RACEWAYS_MAX + 1);
+        return Err(document.tree.error(&first, message).with_key("raceway"));
     }
-    let mut defaults = vec![];
-    for (path, key) in left_out {
-        match (key.presence)() {
-            Presence::Default(value) => document.set(&path, value),
-            Presence::Derived => {}
-            Presence::Required | Presence::Optional => continue,
-        }
-        defaults.push(path);
-    }
+    let mut defaults = CASE_FILE.fill_in(&mut document.tree)?;
     complete_sections(document, &mut defaults);
     Ok(defaults)
 }
 
 /// Fills in what follows from other keys of a section.
 fn complete_sections(document: &mut CaseDocument, defaults: &mut Vec<String>) {
-    let assumed = bearing::conformities(document).into_iter();
+    let assumed = bearing::conformities(&document.tree).into_iter();
     defaults.extend(
         assumed
             .filter(|(_, assumed)| *assumed)
@@ -112,53 +89,4 @@ fn move_seed(document: &mut CaseDocument) -> Result<(), CaseError> {
             Err(document.tree.error("solver.seed", why.to_owned()))
         }
     }
-}
-
-/// Refuses names that the table of keys does not have; the first in the file
-/// if there are several.
-fn check_names(document: &CaseDocument) -> Result<(), CaseError> {
-    let mut wrong: Vec<CaseError> = Vec::new();
-    let mut check = |section: &str, path: &str, entries: &Section| {
-        for (key, node) in entries {
-            let known = keys::find(section, key).is_some();
-            if !known && !(section.is_empty() && keys::section_meaning(key).is_some()) {
-                wrong.push(unknown(document, section, path, key, node));
-            }
-        }
-    };
-    check("", "", &document.tree.root);
-    for (name, node) in &document.tree.root {
-        let items = match &node.value {
-            Value::List(items) => items.as_slice(),
-            _ => std::slice::from_ref(node),
-        };
-        for (k, item) in items.iter().enumerate() {
-            if let (Value::Section(entries), Some(_)) = (&item.value, keys::section_meaning(name)) {
-                check(name, &nth(name, k, items.len()), entries);
-            }
-        }
-    }
-    let first = wrong
-        .into_iter()
-        .min_by_key(|e| e.line().unwrap_or(usize::MAX));
-    first.map_or(Ok(()), Err)
-}
-
-fn unknown(
-    document: &CaseDocument,
-    section: &str,
-    path: &str,
-    name: &str,
-    node: &Node,
-) -> CaseError {
-    let dotted = join(path, name);
-    let hint = hint(section, name);
-    let what = match node.value {
-        Value::Section(_) if section.is_empty() => {
-            format!("[{name}] is not a section of a case file")
-        }
-        _ if section.is_empty() => format!("{dotted} is not a key of a case file"),
-        _ => format!("{dotted} is not a key of [{section}]"),
-    };
-    node.error(&document.tree.name, &dotted, format!("{what}; {hint}"))
 }

@@ -1,6 +1,5 @@
 //! Typed access to one section of a tree.
 
-use super::declaration::Field;
 use super::error::CaseError;
 use super::key::{Key, Limit};
 use super::spanned_toml::{Node, Origin, Section, Tree, Value, join};
@@ -9,8 +8,6 @@ use super::unit::Unit;
 /// Reads the keys of one section.
 pub(crate) struct Reader<'a> {
     pub(super) tree: &'a Tree,
-    /// Name of the section in the table of keys.
-    pub(super) section: &'static str,
     /// Keys of the section.
     pub(super) keys: &'static [Key],
     /// Dotted path: `raceway.2` for the second of several.
@@ -32,14 +29,6 @@ impl<'a> Reader<'a> {
         self.key(name).map_or(Limit::None, |key| key.limit)
     }
 
-    /// The value of a key in SI units.
-    pub(crate) fn field<T: Field>(&self, name: &str) -> Result<T, CaseError> {
-        match self.get(name) {
-            Some(node) => T::read(self, name, node),
-            None => T::absent().ok_or_else(|| self.missing(name)),
-        }
-    }
-
     /// A whole number, 0 or more.
     pub(crate) fn count(&self, name: &str, node: &Node) -> Result<u64, CaseError> {
         // Above 2^53 a float does not tell neighbouring integers apart.
@@ -56,7 +45,7 @@ impl<'a> Reader<'a> {
     }
 
     /// A list of numbers in SI units.
-    pub(super) fn list(&self, name: &str, node: &Node) -> Result<Vec<f64>, CaseError> {
+    pub(crate) fn list(&self, name: &str, node: &Node) -> Result<Vec<f64>, CaseError> {
         let Value::List(items) = &node.value else {
             return Err(self.refuse(name, node, "a list of numbers in brackets"));
         };
@@ -64,7 +53,7 @@ impl<'a> Reader<'a> {
     }
 
     /// A number in SI units, finite and within the limits of its key.
-    pub(super) fn number(&self, name: &str, node: &Node) -> Result<f64, CaseError> {
+    pub(crate) fn number(&self, name: &str, node: &Node) -> Result<f64, CaseError> {
         let value = self.plain_number(name, node)?;
         let (unit, limit) = (self.unit(name), self.limit(name));
         let si = unit.to_si(value);
@@ -82,7 +71,7 @@ impl<'a> Reader<'a> {
     }
 
     /// A number as it is in the file.
-    pub(super) fn plain_number(&self, name: &str, node: &Node) -> Result<f64, CaseError> {
+    pub(crate) fn plain_number(&self, name: &str, node: &Node) -> Result<f64, CaseError> {
         match node.value {
             // More than 2^53 units of anything is rounded, which nobody will notice.
             Value::Integer(i) => Ok(i as f64),
@@ -99,7 +88,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The value of a key as it stands in the file.
-    pub(super) fn get(&self, name: &str) -> Option<&'a Node> {
+    pub(crate) fn get(&self, name: &str) -> Option<&'a Node> {
         debug_assert!(self.key(name).is_some(), "{name} is not in the table");
         self.entries?.get(name)
     }
@@ -115,13 +104,18 @@ impl<'a> Reader<'a> {
 
     /// The error of a key that is left out.
     pub(crate) fn missing(&self, name: &str) -> CaseError {
-        let key = join(&self.path, name);
-        let meaning = self.key(name).map_or_else(String::new, Key::describe);
-        let place = match self.tree.given(&self.path) {
-            Some(_) => format!(" in [{}]", self.section),
-            None => format!(", as is its section [{}]", self.section),
-        };
-        let message = format!("{key} is missing{place}: {meaning}");
-        self.tree.error(&key, message)
+        missing(self.tree, &join(&self.path, name), self.key(name))
     }
+}
+
+/// The error of a key that is left out.
+pub(crate) fn missing(tree: &Tree, path: &str, key: Option<&Key>) -> CaseError {
+    let front = path.rsplit_once('.').map_or("", |(front, _)| front);
+    let section = front.split('.').next().unwrap_or_default();
+    let place = match tree.given(front) {
+        Some(_) => format!(" in [{section}]"),
+        None => format!(", as is its section [{section}]"),
+    };
+    let meaning = key.map_or_else(String::new, Key::describe);
+    tree.error(path, format!("{path} is missing{place}: {meaning}"))
 }

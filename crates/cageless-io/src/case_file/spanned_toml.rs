@@ -37,6 +37,14 @@ impl Node {
         }
     }
 
+    /// The sections of a list, or the one that this is.
+    pub(crate) fn items(&self) -> &[Self] {
+        match &self.value {
+            Value::List(items) => items,
+            _ => std::slice::from_ref(self),
+        }
+    }
+
     /// Line in a file, from 1; 0 without one.
     pub(crate) fn line(&self) -> usize {
         match self.place.origin {
@@ -198,6 +206,62 @@ pub(crate) fn nth(name: &str, k: usize, count: usize) -> String {
         name.to_owned()
     } else {
         format!("{name}.{}", k + 1)
+    }
+}
+
+/// The section of a key and the name of the key in it; makes the section if there is none.
+pub(crate) fn section_at<'r, 'p>(
+    root: &'r mut Section,
+    path: &[&'p str],
+    place: &Place,
+) -> Result<(&'r mut Section, &'p str), String> {
+    let (name, index, key) = match *path {
+        [key] => return Ok((root, key)),
+        [name, key] => (name, None, key),
+        [name, index, key] => (name, Some(index), key),
+        _ => {
+            let key = path.join(".");
+            return Err(format!("`{key}` is not a key: write section.key=value"));
+        }
+    };
+    let new = || Node {
+        value: Value::Section(BTreeMap::new()),
+        place: place.clone(),
+    };
+    let section = root.entry(name.to_owned()).or_insert_with(new);
+    match (&mut section.value, index) {
+        (Value::Section(section), None) => Ok((section, key)),
+        (Value::List(list), index) => Ok((section_of(list, name, index, key)?, key)),
+        (Value::Section(_), Some(_)) => Err(format!("there is only one [{name}]")),
+        _ => Err(format!("`{name}` is not a section in the case file")),
+    }
+}
+
+/// One of the `[[name]]` sections, `index` counting from 1.
+fn section_of<'a>(
+    list: &'a mut [Node],
+    name: &str,
+    index: Option<&str>,
+    key: &str,
+) -> Result<&'a mut Section, String> {
+    let count = list.len();
+    let index: usize = match index {
+        Some(index) => index.parse().unwrap_or(0),
+        None if count == 1 => 1,
+        None => {
+            return Err(format!(
+                "there are {count} [[{name}]] sections: write {name}.1.{key} for the first"
+            ));
+        }
+    };
+    match index.checked_sub(1).and_then(|k| list.get_mut(k)) {
+        Some(Node {
+            value: Value::Section(section),
+            ..
+        }) => Ok(section),
+        _ => Err(format!(
+            "there are {count} [[{name}]] sections, counted from 1"
+        )),
     }
 }
 

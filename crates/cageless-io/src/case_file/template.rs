@@ -1,7 +1,8 @@
 //! The case file to start from.
 
+use super::format::Heading;
 use super::key::{Key, Line};
-use super::sections::{HEAD, Heading, SECTIONS};
+use super::sections::CASE_FILE;
 
 const INTRODUCTION: &str = "\
 # Case file of Cageless, a cageless ball bearing with a discrete raceway.
@@ -26,11 +27,11 @@ const WIDTH: usize = 104;
 /// conventional outer ring.
 pub fn template(conventional: bool) -> String {
     let mut text = INTRODUCTION.to_owned();
-    for key in HEAD {
+    for key in CASE_FILE.head {
         push_key(&mut text, key, false);
     }
     text.push_str(DEFAULTS);
-    for section in SECTIONS {
+    for section in CASE_FILE.sections {
         if matches!(section.heading, Heading::Absent) {
             continue;
         }
@@ -55,7 +56,7 @@ pub fn template(conventional: bool) -> String {
 /// The sections `[rotor]` and `[support]` of a drop, with assumed values, as in `cases/touchdown-d.toml`.
 pub fn drop_template() -> String {
     let mut text = String::new();
-    for section in SECTIONS {
+    for section in CASE_FILE.sections {
         if !["rotor", "support"].contains(&section.name) {
             continue;
         }

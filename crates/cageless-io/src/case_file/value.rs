@@ -2,8 +2,7 @@
 
 use serde::Serialize;
 
-use super::key::Kind;
-use super::spanned_toml::{Node, Origin, Place, Value};
+use super::spanned_toml::{Node, Origin, Place, Tree, Value, section_at};
 use super::unit::decimal;
 
 /// A value for a key, in the unit of the case file.
@@ -47,24 +46,6 @@ impl CaseValue {
                 }
             }
             Value::Section(_) | Value::Other => return None,
-        })
-    }
-
-    /// The value of a key of this type, however it is written.
-    pub(crate) fn of(kind: Kind, value: &Value) -> Option<Self> {
-        Some(match (kind, Self::from_toml(value)?) {
-            (Kind::Whole, Self::Number(f)) => Self::Integer(f as i64),
-            (Kind::Whole, whole) => whole,
-            (_, Self::Integer(i)) => Self::Number(i as f64),
-            // -0.0 is 0: friction would have no direction otherwise.
-            (_, Self::Number(f)) => Self::Number(f + 0.0),
-            (Kind::Range, Self::Numbers(ends)) if ends.iter().all(|end| *end == ends[0]) => {
-                Self::Number(*ends.first()?)
-            }
-            (Kind::OverTime | Kind::Rows(_), Self::Numbers(none)) if none.is_empty() => {
-                Self::Table(vec![])
-            }
-            (_, value) => value,
         })
     }
 
@@ -119,6 +100,34 @@ impl From<i64> for CaseValue {
 impl From<&str> for CaseValue {
     fn from(text: &str) -> Self {
         Self::Text(text.to_owned())
+    }
+}
+
+impl Tree {
+    /// Gives a dotted key a value, and leaves keys that say the same as they are; nothing happens
+    /// where no section can have it.
+    pub(crate) fn set(&mut self, key: &str, value: impl Into<CaseValue>) {
+        let node = value.into().node(&Origin::Nowhere);
+        let path: Vec<&str> = key.split('.').collect();
+        if let Ok((section, key)) = section_at(&mut self.root, &path, &node.place) {
+            section.insert(key.to_owned(), node);
+        }
+    }
+
+    /// Gives a dotted key that is left out a value.
+    pub(crate) fn set_missing(&mut self, key: &str, value: impl Into<CaseValue>) {
+        if self.find(key).is_none() {
+            self.set(key, value);
+        }
+    }
+
+    /// The number of a dotted key; `None` if it is left out or no number.
+    pub(crate) fn number(&self, key: &str) -> Option<f64> {
+        match CaseValue::from_toml(&self.find(key)?.value)? {
+            CaseValue::Number(number) => Some(number),
+            CaseValue::Integer(number) => Some(number as f64),
+            _ => None,
+        }
     }
 }
 

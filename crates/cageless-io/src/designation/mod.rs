@@ -4,7 +4,7 @@
 mod case_file;
 mod internal_geometry;
 
-use crate::case_file::keys;
+use crate::case_file::nearest;
 
 pub use internal_geometry::{BallSource, InternalGeometry};
 
@@ -66,7 +66,7 @@ pub fn find(designation: &str) -> Result<BoundaryDimensions, String> {
             ..found.clone()
         });
     }
-    let near = keys::nearest(designation, all.iter().map(|b| b.designation.as_str()));
+    let near = nearest(designation, all.iter().map(|b| b.designation.as_str()));
     let hint = near.map_or(String::new(), |near| format!("; did you mean {near}?"));
     Err(format!(
         "`{designation}` is not possible: it must be a deep groove ball bearing of the series 60, 62, \

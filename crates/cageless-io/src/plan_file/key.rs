@@ -1,11 +1,10 @@
 //! Keys of a plan: those of a case, `section.key` or `raceway.2.key`; of a rotor file with several
 //! bearings, its own and those of its cases, of all bearings or of one, `bearing.2.section.key`.
 
-use crate::case_file::key::Kind;
+use crate::case_file::key::{Key, Kind};
 use crate::case_file::keys;
-use crate::case_file::unit::Unit;
 use crate::rotor_file::address::is_number;
-use crate::rotor_file::keys as rotor_keys;
+use crate::rotor_file::keys::ROTOR_FILE;
 
 /// The key in the case: `bearing.2.raceway.half_angle_deg` is `raceway.half_angle_deg` in the case
 /// of bearing 2. Any other key is itself.
@@ -19,21 +18,18 @@ pub fn key_in_case(key: &str) -> &str {
 
 /// Unit of a dotted key; empty if none.
 pub fn unit(key: &str) -> &'static str {
-    unit_of(key).symbol()
+    declared(key).map_or("", |key| key.unit.symbol())
 }
 
 /// Whether the values of a key are whole numbers.
 pub fn is_whole(key: &str) -> bool {
-    let (section, name) = split(key);
-    let of_case = keys::find(section, name).map(|key| key.kind);
-    matches!(of_case, Some(Kind::Whole)) || name == "node"
+    matches!(declared(key), Some(key) if matches!(key.kind, Kind::Whole))
 }
 
-fn unit_of(key: &str) -> Unit {
+/// The declaration of a key, of a case or of a rotor file.
+fn declared(key: &str) -> Option<&'static Key> {
     let (section, name) = split(key);
-    let of_case = keys::find(section, name).map(|key| key.unit);
-    let of_rotor = || Some(rotor_keys::find(section, name)?.unit);
-    of_case.or_else(of_rotor).unwrap_or(Unit::None)
+    keys::find(section, name).or_else(|| ROTOR_FILE.find(section, name))
 }
 
 /// Section and name: `raceway.2.half_angle_deg` is `half_angle_deg` in `raceway`.

@@ -30,9 +30,6 @@ pub use base::{PlanBase, VariantFile};
 pub use key::{is_whole, key_in_case, unit};
 pub use normal::{difference, shortened, text_of};
 
-/// The only schema of plans so far.
-pub const SCHEMA: u64 = 1;
-
 /// A plan that was read and checked.
 #[derive(Debug, Clone)]
 pub struct PlanFile {

@@ -5,16 +5,20 @@ use std::path::Path;
 use super::conflict;
 use super::key::{key_in_case, order};
 use super::{
-    Axis, Kept, PlanBase, PlanFile, SCHEMA, SampleMethod, Samples, Scatter, ScatteredKey,
-    VariantFile,
+    Axis, Kept, PlanBase, PlanFile, SampleMethod, Samples, Scatter, ScatteredKey, VariantFile,
 };
 use cageless_results::Computation;
 
+use crate::case_file::format::SCHEMA;
 use crate::case_file::named::Named;
+use crate::case_file::sections::CASE_FILE;
 use crate::case_file::spanned_toml::{self, Node, Section, Value};
-use crate::case_file::{CaseDocument, CaseError, CaseValue, Change, former, keys, read_text};
+use crate::case_file::{
+    CaseDocument, CaseError, CaseValue, Change, former, keys, nearest, read_text,
+};
 use crate::rotor_file::address::{address, is_number};
-use crate::rotor_file::{RotorBase, RotorFile, keys as rotor_keys};
+use crate::rotor_file::keys::ROTOR_FILE;
+use crate::rotor_file::{RotorBase, RotorFile};
 
 /// Keys of the top level of a plan, sections last.
 const HEAD: [&str; 10] = [
@@ -104,7 +108,7 @@ impl<'a> PlanReader<'a> {
         let Some((key, node)) = unknown.min_by_key(|(_, node)| node.line()) else {
             return Ok(());
         };
-        let hint = match keys::nearest(key, HEAD.into_iter()) {
+        let hint = match nearest(key, HEAD.into_iter()) {
             Some(near) => format!("did you mean {near}?"),
             None => format!("a plan has {}", HEAD.join(", ")),
         };
@@ -184,7 +188,7 @@ impl<'a> PlanReader<'a> {
             let message = format!("samples.method is missing: {allowed}");
             return Err(self.error(head, "samples.method", message));
         };
-        let method = choice::<SampleMethod>(node)
+        let method = SampleMethod::of_node(node)
             .ok_or_else(|| self.refuse("samples.method", node, &allowed))?;
         let Some(count) = self.count("samples", "count", section, 1)? else {
             let message = "samples.count is missing: the number of points".to_owned();
@@ -237,7 +241,7 @@ impl<'a> PlanReader<'a> {
         let Value::List(items) = &node.value else {
             return Err(refused());
         };
-        let list: Option<Vec<_>> = items.iter().map(choice).collect();
+        let list: Option<Vec<_>> = items.iter().map(Computation::of_node).collect();
         let Some(mut list) = list.filter(|list| !list.is_empty()) else {
             return Err(refused());
         };
@@ -331,10 +335,11 @@ impl<'a> PlanReader<'a> {
             return Err(self.error(node, &path, message));
         };
         let of_rotor = self.of_rotor && prefix.is_empty();
-        if keys::section_meaning(section).is_none() && !(of_rotor && section == "unbalance") {
+        let is_of_rotor = of_rotor && ROTOR_FILE.has_section(section);
+        if !is_of_rotor && !CASE_FILE.has_section(section) {
             let message = format!(
                 "{path} is not a section of a case file; {}",
-                keys::hint("", section)
+                CASE_FILE.hint("", section)
             );
             return Err(self.error(node, &path, message));
         }
@@ -349,7 +354,7 @@ impl<'a> PlanReader<'a> {
             for (inner_key, node) in of_one {
                 let in_case = of_rotor
                     && section == "bearing"
-                    && rotor_keys::find(section, inner_key).is_none();
+                    && ROTOR_FILE.find(section, inner_key).is_none();
                 if in_case {
                     let prefix = format!("bearing.{key}.");
                     self.of_section(name, &prefix, inner_key, node, entries)?;
@@ -375,10 +380,13 @@ impl<'a> PlanReader<'a> {
         let path = format!("{prefix}{section}.{numbered}");
         let of_rotor = self.of_rotor && prefix.is_empty();
         let in_case = keys::find(section, key).is_some() && !FIXED.contains(&key);
-        let is_key = in_case || of_rotor && rotor_keys::find(section, key).is_some();
+        let is_key = in_case || of_rotor && ROTOR_FILE.find(section, key).is_some();
         if !is_key {
-            let near = of_rotor.then(|| rotor_keys::hint(section, key)).flatten();
-            let hint = near.unwrap_or_else(|| keys::hint(section, key));
+            let own = ROTOR_FILE.of_section(section).iter().map(|key| key.name);
+            let is_own =
+                of_rotor && (!CASE_FILE.has_section(section) || nearest(key, own).is_some());
+            let format = if is_own { &ROTOR_FILE } else { &CASE_FILE };
+            let hint = format.hint(section, key);
             let message = format!("{path} is not a key of [{section}]; {hint}");
             return Err(self.error(node, &path, message));
         }
@@ -440,13 +448,5 @@ impl<'a> PlanReader<'a> {
 
     pub(super) fn error(&self, node: &Node, key: &str, message: String) -> CaseError {
         node.error(self.name, key, message)
-    }
-}
-
-/// The choice that a text names.
-pub(super) fn choice<T: Named>(node: &Node) -> Option<T> {
-    match &node.value {
-        Value::Text(text) => T::from_name(text),
-        _ => None,
     }
 }

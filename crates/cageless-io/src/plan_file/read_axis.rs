@@ -1,7 +1,7 @@
 //! Axes and distributions in the text of a plan.
 
 use super::key::key_in_case;
-use super::read::{Entry, PlanReader, choice};
+use super::read::{Entry, PlanReader};
 use super::{Axis, AxisValues, Range, Scale, ScatterLaw};
 use crate::case_file::named::Named;
 use crate::case_file::spanned_toml::{Node, Section, Value};
@@ -73,7 +73,7 @@ impl PlanReader<'_> {
         let (from, to) = (end("from")?, end("to")?);
         let scale = match range.get("scale") {
             None => Scale::Linear,
-            Some(inner) => choice(inner)
+            Some(inner) => Scale::of_node(inner)
                 .ok_or_else(|| self.refuse(&format!("{key}.scale"), inner, &Scale::choices()))?,
         };
         if scale == Scale::Log && !(from > 0.0 && to > 0.0) {

@@ -1,6 +1,6 @@
 //! Place of a key: in the rotor file, or in the case of one of its bearings or of all.
 
-use super::keys::{self, REPLACED};
+use super::keys::{REPLACED, ROTOR_FILE};
 
 /// Place of a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,9 +26,9 @@ pub(crate) fn address<'k>(path: &'k [&'k str]) -> Result<Address<'k>, String> {
     };
     match *path {
         ["title" | "schema"] => Ok(Address::Rotor),
-        ["rotor", key] if keys::find("rotor", key).is_some() => of_rotor("rotor", key),
+        ["rotor", key] if ROTOR_FILE.find("rotor", key).is_some() => of_rotor("rotor", key),
         ["rotor", key] if REPLACED.contains(&key) => Err(unbalances()),
-        ["bearing", key] | ["bearing", _, key] if keys::find("bearing", key).is_some() => {
+        ["bearing", key] | ["bearing", _, key] if ROTOR_FILE.find("bearing", key).is_some() => {
             of_rotor("bearing", key)
         }
         ["unbalance", ..] => Ok(Address::Rotor),
@@ -43,9 +43,9 @@ pub(crate) fn address<'k>(path: &'k [&'k str]) -> Result<Address<'k>, String> {
                 key,
             )),
             _ => Err(format!(
-                "is no key of a bearing of a rotor file, which has {}; write \
-                 bearing.{number}.section.key for a key of its case",
-                keys::listed("bearing")
+                "is no key of a bearing of a rotor file; {}, or write bearing.{number}.section.key for \
+                 a key of its case",
+                ROTOR_FILE.hint("bearing", key.first().unwrap_or(&""))
             )),
         },
         _ => Ok(Address::Case(None, path)),

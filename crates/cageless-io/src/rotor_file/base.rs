@@ -7,18 +7,17 @@ use cageless::linear_rotor::RotorMatrices;
 
 use super::address::{Address, address, is_number};
 use super::matrices::matrices_of_section;
-use super::read::{self, Head};
+use super::read;
 use super::{RotorFile, RotorFileDocument, read_matrices};
 use crate::case_file::former;
 use crate::case_file::overrides::Replacement;
-use crate::case_file::spanned_toml::{self, Node, Section, Value};
+use crate::case_file::spanned_toml::{self, Node, Section, Tree, Value};
 use crate::case_file::{CaseDocument, CaseError, CaseValue, Change, read_text};
 
 /// The texts of a rotor file and of its cases, parsed but not yet read.
 #[derive(Debug, Clone)]
 pub struct RotorBase {
-    name: String,
-    root: Section,
+    tree: Tree,
     cases: Vec<CaseDocument>,
     matrices: Option<Arc<RotorMatrices>>,
 }
@@ -66,10 +65,10 @@ impl RotorBase {
                 })?;
             }
         }
-        let head = Head::new(&root, name)?;
-        let cases = head.bearings.iter().map(|bearing| bearing.case(folder));
-        let cases = cases.collect::<Result<_, _>>()?;
-        let matrices = match head.rotor.entries.get("matrices") {
+        let tree = Tree::new(root, name);
+        read::check(&tree)?;
+        let cases = read::cases(&tree, folder)?;
+        let matrices = match tree.find("rotor.matrices") {
             None => None,
             Some(node) => Some(Arc::new(match &node.value {
                 Value::Text(path) => read_matrices(&folder.join(path))
@@ -81,8 +80,7 @@ impl RotorBase {
             })),
         };
         Ok(Self {
-            name: name.to_owned(),
-            root,
+            tree,
             cases,
             matrices,
         })
@@ -112,10 +110,12 @@ impl RotorBase {
         let refused = |message: String| Err(replacement.error(message));
         match address(&path) {
             Err(message) => refused(message),
-            Ok(Address::Rotor) if LISTS.contains(&path[0]) && !self.root.contains_key(path[0]) => {
+            Ok(Address::Rotor)
+                if LISTS.contains(&path[0]) && !self.tree.root.contains_key(path[0]) =>
+            {
                 refused(format!("there is no [[{}]] section", path[0]))
             }
-            Ok(Address::Rotor) => replacement.apply(&mut self.root),
+            Ok(Address::Rotor) => replacement.apply(&mut self.tree.root),
             Ok(Address::Case(None, _)) => {
                 let mut cases = self.cases.iter_mut();
                 cases.try_for_each(|case| case.replace(replacement))
@@ -148,11 +148,12 @@ impl RotorBase {
 
     /// The rotor with its bearings.
     fn file(&self) -> Result<RotorFile, CaseError> {
-        let head = Head::new(&self.root, &self.name)?;
-        let of_rotor = |error| head.rotor.of_rotor(&error);
-        let (title, speed_rpm, drive_torque_n_m) =
-            (head.title()?, head.speed_rpm()?, head.drive()?);
-        let rotor = read::description(&head, self.matrices.as_ref())?;
+        let tree = &self.tree;
+        let of_rotor = |error| read::of_rotor(tree, &error);
+        let sections = read::sections(tree)?;
+        let (speed_rpm, drive_torque_n_m) =
+            (sections.rotor.speed_rpm.0, sections.rotor.drive_torque_n_m);
+        let rotor = read::description(tree, &sections, self.matrices.as_ref())?;
         let linear = rotor.linear().map_err(of_rotor)?;
         // What belongs to the rotor as a whole need not stand in the case of a bearing.
         let own = [
@@ -161,7 +162,8 @@ impl RotorBase {
             ("rotor.speed_rpm", speed_rpm),
         ]
         .map(|(key, value)| (key, CaseValue::Number(value)));
-        let place = (self.name.as_str(), head.line());
+        let line = tree.find("rotor").map_or(0, Node::line);
+        let place = (tree.name.as_str(), line);
         let own = own
             .each_ref()
             .map(|(key, value)| Change { key, value, place });
@@ -172,7 +174,7 @@ impl RotorBase {
             .map(|(k, case)| case.with(&own).map_err(|error| error.in_bearing(k)));
         let cases: Vec<_> = cases.collect::<Result<_, _>>()?;
         let document = RotorFileDocument {
-            title,
+            title: sections.head.title,
             rotor,
             speed_rpm,
             drive_torque_n_m,

@@ -6,10 +6,8 @@ use toml::{Table, Value};
 use super::keys::REPLACED;
 use super::matrices::MatricesFile;
 use super::{RotorBody, RotorDescription, RotorPlace};
+use crate::case_file::format::SCHEMA;
 use crate::case_file::{CaseDocument, CaseError, CaseValue};
-
-/// The only schema of rotor files so far.
-pub(super) const SCHEMA: i64 = 1;
 
 /// A rotor file that was read, its cases in it.
 #[derive(Debug, Clone, PartialEq)]
@@ -94,7 +92,7 @@ impl RotorFileDocument {
             section
         });
         let mut document = Table::new();
-        document.insert("schema".to_owned(), Value::Integer(SCHEMA));
+        document.insert("schema".to_owned(), Value::Integer(SCHEMA as i64));
         document.insert("title".to_owned(), self.title.clone().into());
         document.insert("rotor".to_owned(), rotor.into());
         let bearings: Vec<Table> = bearings.collect::<Result<_, CaseError>>()?;

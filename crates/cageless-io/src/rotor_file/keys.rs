@@ -1,92 +1,134 @@
 //! Keys of rotor files.
 
-use crate::case_file::nearest;
+use crate::case_file::declaration::{Field, section};
+use crate::case_file::error::CaseError;
+use crate::case_file::format::{Heading, SCHEMA, sections};
+use crate::case_file::key::Limit::{Above, AtLeast};
+use crate::case_file::key::Line::Absent;
+use crate::case_file::key::Presence::{Optional, Required};
+use crate::case_file::key::{Kind, default};
+use crate::case_file::reader::Reader;
+use crate::case_file::spanned_toml::{Node, Value};
 use crate::case_file::unit::Unit::{
-    self, Degree, Micrometre, Millimetre, None as Plain, RevolutionPerMinute, Si,
+    Degree, Micrometre, Millimetre, None as Plain, RevolutionPerMinute, Si,
 };
 
-/// A key of a section of a rotor file.
-pub(crate) struct RotorKey {
-    /// Its name.
-    pub name: &'static str,
-    /// Its unit.
-    pub unit: Unit,
-    /// What it means, for messages.
-    pub meaning: &'static str,
+const OF_RIGID: &str = "of a rigid rotor; or matrices, of a flexible one";
+const PLACE: &str = "place from the mass centre along the axis";
+const NODE: &str = "node of the rotor, from 0";
+
+sections! {
+    /// The sections of a rotor file.
+    RotorSections, ROTOR_FILE, "rotor file", HeadSection {
+        rotor: RotorSection, "the rotor", Heading::Absent;
+        bearing: Vec<BearingSection>, "a bearing of the rotor", Heading::Absent;
+        unbalance: Vec<UnbalanceSection>, "an unbalance of the rotor", Heading::Absent;
+        clearance: Vec<ClearanceSection>, "a clearance between rotor and stator", Heading::Absent;
+    }
 }
 
-/// Keys of the head of the file, sections last.
-pub(super) const HEAD: [&str; 6] = [
-    "schema",
-    "title",
-    "rotor",
-    "bearing",
-    "unbalance",
-    "clearance",
-];
+section! {
+    /// The head of the file.
+    struct HeadSection {
+        schema => schema: u64 = default(SCHEMA as i64), Plain, "version of the file format", Absent;
+        title => title: String = default(""), Plain, "free text", Absent;
+    }
+}
 
-const OF_RIGID: &str = "of a rigid rotor; or matrices, of a flexible one";
-const PLACE: RotorKey = key(
-    "axial_mm",
-    Millimetre,
-    "place from the mass centre along the axis",
-);
-const NODE: RotorKey = key("node", Plain, "node of the rotor, from 0");
+section! {
+    /// `[rotor]`: a rotor, rigid or by its matrices.
+    struct RotorSection {
+        mass_kg => mass_kg: Option<f64> = Optional, Si("kg"), OF_RIGID, Absent;
+        polar_inertia_kg_m2 => polar_inertia_kg_m2: Option<f64> = Optional, Si("kg m^2"),
+            OF_RIGID, Absent;
+        transverse_inertia_kg_m2 => transverse_inertia_kg_m2: Option<f64> = Optional, Si("kg m^2"),
+            OF_RIGID, Absent;
+        matrices => matrices: Option<FileOrSection> = Optional, Plain,
+            "matrices of a flexible rotor", Absent;
+        frequency_max_hz => frequency_max_hz: Option<f64> = Optional, Si("Hz"),
+            "highest frequency of the modes that are kept", Absent;
+        kept_nodes => kept_nodes: Option<Vec<usize>> = Optional, Plain; AtLeast(0.0),
+            "further nodes that are kept", Absent;
+        speed_rpm => speed_rpm: AsGiven = Required, RevolutionPerMinute,
+            "rotor speed at the start of the drop (loss of AMB power)", Absent;
+        drive_torque_n_m => drive_torque_n_m: f64 = default(0.0), Si("N m"),
+            "torque on the rotor", Absent;
+    }
+}
 
-/// The sections with their keys; `bearing`, `unbalance` and `clearance` may be there several times.
-const SECTIONS: [(&str, &[RotorKey]); 4] = [
-    (
-        "rotor",
-        &[
-            key("mass_kg", Si("kg"), OF_RIGID),
-            key("polar_inertia_kg_m2", Si("kg m^2"), OF_RIGID),
-            key("transverse_inertia_kg_m2", Si("kg m^2"), OF_RIGID),
-            key("matrices", Plain, "matrices of a flexible rotor"),
-            key(
-                "frequency_max_hz",
-                Si("Hz"),
-                "highest frequency of the modes that are kept",
-            ),
-            key("kept_nodes", Plain, "further nodes that are kept"),
-            key(
-                "speed_rpm",
-                RevolutionPerMinute,
-                "rotor speed at the start of the drop (loss of AMB power)",
-            ),
-            key("drive_torque_n_m", Si("N m"), "torque on the rotor"),
-        ],
-    ),
-    (
-        "bearing",
-        &[
-            key("case", Plain, "path of the case file of this bearing"),
-            PLACE,
-            NODE,
-        ],
-    ),
-    (
-        "unbalance",
-        &[
-            PLACE,
-            NODE,
-            key("amount_g_mm", Si("g mm"), "m·ε of the unbalance"),
-            key("angle_deg", Degree, "direction at the start"),
-        ],
-    ),
-    (
-        "clearance",
-        &[
-            PLACE,
-            NODE,
-            key("name", Plain, "name of the plane in results"),
-            key(
-                "radial_um",
-                Micrometre,
-                "radial clearance between rotor and stator in the plane",
-            ),
-        ],
-    ),
-];
+section! {
+    /// `[[bearing]]`: a bearing of the rotor.
+    struct BearingSection {
+        case => case: FileOrSection = Required, Plain, "path of the case file of this bearing", Absent;
+        axial_mm => axial_mm: Option<AsGiven> = Optional, Millimetre, PLACE, Absent;
+        node => node: Option<usize> = Optional, Plain; AtLeast(0.0), NODE, Absent;
+    }
+}
+
+section! {
+    /// `[[unbalance]]`: an unbalance of the rotor.
+    struct UnbalanceSection {
+        axial_mm => axial_mm: Option<AsGiven> = Optional, Millimetre, PLACE, Absent;
+        node => node: Option<usize> = Optional, Plain; AtLeast(0.0), NODE, Absent;
+        amount_g_mm formerly moment_g_mm => amount_g_mm: AsGiven = Required, Si("g mm"),
+            "m·ε of the unbalance", Absent;
+        angle_deg formerly phase_deg => angle_deg: AsGiven = default(0.0), Degree,
+            "direction at the start", Absent;
+    }
+}
+
+section! {
+    /// `[[clearance]]`: a clearance between rotor and stator.
+    struct ClearanceSection {
+        axial_mm => axial_mm: Option<AsGiven> = Optional, Millimetre, PLACE, Absent;
+        node => node: Option<usize> = Optional, Plain; AtLeast(0.0), NODE, Absent;
+        name => name: String = Required, Plain, "name of the plane in results", Absent;
+        radial_um => radial_um: AsGiven = Required, Micrometre; Above(0.0),
+            "radial clearance between rotor and stator in the plane", Absent;
+    }
+}
+
+/// A number in the unit of the file, which a rotor keeps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct AsGiven(pub f64);
+
+impl Field for AsGiven {
+    const KIND: Kind = Kind::Number;
+
+    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
+        reader.number(name, node)?;
+        reader.plain_number(name, node).map(Self)
+    }
+}
+
+/// The path of another file, or its content as a section, which its own reader reads.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct FileOrSection;
+
+impl Field for FileOrSection {
+    const KIND: Kind = Kind::Text;
+
+    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
+        match node.value {
+            Value::Text(_) | Value::Section(_) => Ok(Self),
+            _ => Err(reader.refuse(name, node, "the path of its file in quotes")),
+        }
+    }
+}
+
+impl Field for Vec<usize> {
+    const KIND: Kind = Kind::Numbers;
+
+    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
+        match &node.value {
+            Value::List(items) => items
+                .iter()
+                .map(|item| usize::read(reader, name, item))
+                .collect(),
+            _ => Err(reader.refuse(name, node, "a list of nodes in brackets")),
+        }
+    }
+}
 
 /// Keys of the section `[rotor]` of a case that the rotor of the file replaces.
 pub(super) const REPLACED: [&str; 6] = [
@@ -97,39 +139,3 @@ pub(super) const REPLACED: [&str; 6] = [
     "eccentricity_um",
     "eccentricity_phase_deg",
 ];
-
-const fn key(name: &'static str, unit: Unit, meaning: &'static str) -> RotorKey {
-    RotorKey {
-        name,
-        unit,
-        meaning,
-    }
-}
-
-/// The keys of a section; none if there is no such section.
-pub(super) fn of_section(section: &str) -> &'static [RotorKey] {
-    let mut sections = SECTIONS.iter();
-    let found = sections.find(|(name, _)| *name == section);
-    found.map_or(&[], |(_, keys)| keys)
-}
-
-/// Looks up a key.
-pub(crate) fn find(section: &str, name: &str) -> Option<&'static RotorKey> {
-    of_section(section).iter().find(|key| key.name == name)
-}
-
-/// Suggestion for an unknown name, if there is one.
-pub(crate) fn hint(section: &str, name: &str) -> Option<String> {
-    let names = || of_section(section).iter().map(|key| key.name);
-    match (nearest(name, names()), section) {
-        (Some(near), _) => Some(format!("did you mean {near}?")),
-        (None, "unbalance" | "clearance") => Some(format!("its keys are {}", listed(section))),
-        (None, _) => None,
-    }
-}
-
-/// Names of the keys of a section.
-pub(super) fn listed(section: &str) -> String {
-    let names: Vec<_> = of_section(section).iter().map(|key| key.name).collect();
-    names.join(", ")
-}

@@ -116,7 +116,7 @@ impl Converter<'_> {
             inner_ring_mass_kg: 0.0,
             inner_ring_damping_n_s_m: b.inner_ring_damping_n_s_m.unwrap_or(usual_damping),
         };
-        let assumptions = assumptions(self.document, &dimensions);
+        let assumptions = assumptions(&self.document.tree, &dimensions);
         let assumed = |name: &str| {
             let key = join("bearing", name);
             let found = assumptions.iter().find(|a| a.key == key);

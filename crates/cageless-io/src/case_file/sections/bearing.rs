@@ -7,10 +7,10 @@ use cageless::{Assembly, Bearing, BearingDimensions};
 use serde::Serialize;
 
 use crate::case_file::declaration::section;
-use crate::case_file::document::CaseDocument;
 use crate::case_file::key::Limit::{Above, AtLeast};
 use crate::case_file::key::Line::{Absent, Commented, Shown};
 use crate::case_file::key::Presence::{Derived, Optional, Required};
+use crate::case_file::spanned_toml::Tree;
 use crate::case_file::unit::Unit::{Micrometre, Millimetre, None as Plain, Si};
 use crate::case_file::unit::{Side, round};
 
@@ -27,47 +27,47 @@ section! {
     struct BearingSection {
         balls => balls: usize = Required, Plain; AtLeast(BALLS_MIN as f64),
             "N, number of balls", Shown("14", "number of balls, 3 or more (paper)");
-        ball_radius_mm => ball_radius_m: Option<f64> = Optional, Millimetre,
+        ball_radius_mm => ball_radius_m: Option<f64> = Optional, Millimetre; Above(0.0),
             "Rw, radius of a ball", Shown("4.7625", "Rw, or ball_diameter_mm (paper)");
-        ball_diameter_mm => ball_diameter_m: Option<f64> = Optional, Millimetre,
+        ball_diameter_mm => ball_diameter_m: Option<f64> = Optional, Millimetre; Above(0.0),
             "Dw = 2 Rw, diameter of a ball, in place of ball_radius_mm", Absent;
-        inner_groove_bottom_radius_mm => inner_groove_bottom_radius_m: Option<f64> = Optional, Millimetre,
+        inner_groove_bottom_radius_mm => inner_groove_bottom_radius_m: Option<f64> = Optional, Millimetre; Above(0.0),
             "Ri, radius of the inner ring at the bottom of its groove",
             Shown("18.24", "Ri, where the balls run on the inner ring (paper)");
-        outer_groove_bottom_radius_mm => outer_groove_bottom_radius_m: Option<f64> = Optional, Millimetre,
+        outer_groove_bottom_radius_mm => outer_groove_bottom_radius_m: Option<f64> = Optional, Millimetre; Above(0.0),
             "Ro, radius of the outer ring at the bottom of its groove",
             Shown("27.765", "Ro, where the balls run on the outer ring (paper);\n\
                 Ro - Ri - 2 Rw is half the radial internal clearance\n\
                 Gr of ISO 5753-1; below 0: preload. In place of Ri and Ro:\n\
                 pitch_diameter_mm and radial_internal_clearance_um");
-        pitch_diameter_mm => pitch_diameter_m: Option<f64> = Optional, Millimetre,
+        pitch_diameter_mm => pitch_diameter_m: Option<f64> = Optional, Millimetre; Above(0.0),
             "Dpw = Ri + Ro, pitch diameter, in place of Ri and Ro", Absent;
         radial_internal_clearance_um => radial_internal_clearance_m: Option<f64> = Optional, Micrometre,
             "Gr = 2 (Ro - Ri - 2 Rw) of ISO 5753-1, in place of Ri and Ro; below 0: preload by interference, half of it at each ball", Absent;
-        outer_shoulder_radius_mm => outer_shoulder_radius_m: Option<f64> = Derived, Millimetre,
+        outer_shoulder_radius_mm => outer_shoulder_radius_m: Option<f64> = Derived, Millimetre; Above(0.0),
             "Ros, shoulder bore radius of the outer ring; Ro - 0.2 Dw unless given",
             Shown("26.0", "Ros, shoulder bore radius of the outer ring (paper)");
-        inner_groove_curvature_radius_mm => inner_groove_curvature_radius_m: Option<f64> = Optional, Millimetre,
+        inner_groove_curvature_radius_mm => inner_groove_curvature_radius_m: Option<f64> = Optional, Millimetre; Above(0.0),
             "radius of the inner groove in the meridian plane",
             Shown("4.953", "groove radius in the axial section, usually 1.02 to 1.08 Rw;\n\
                 or inner_conformity and outer_conformity");
-        outer_groove_curvature_radius_mm => outer_groove_curvature_radius_m: Option<f64> = Optional, Millimetre,
+        outer_groove_curvature_radius_mm => outer_groove_curvature_radius_m: Option<f64> = Optional, Millimetre; Above(0.0),
             "Re, radius of the outer groove in the meridian plane",
             Shown("4.953", "Re, the same for the outer ring");
         inner_conformity => inner_conformity: Option<f64> = Optional, Plain,
             "fi, radius of the inner groove over Dw, in place of that radius; 0.52 unless one is given", Absent;
         outer_conformity => outer_conformity: Option<f64> = Optional, Plain,
             "fo = Re/Dw, in place of that radius; 0.52 unless one is given", Absent;
-        inner_ring_mass_kg => inner_ring_mass_kg: Option<f64> = Derived, Si("kg"),
+        inner_ring_mass_kg => inner_ring_mass_kg: Option<f64> = Derived, Si("kg"); Above(0.0),
             "mass of the inner ring and attached rotating parts; that of a steel ring with shoulders of 0.2 Dw, 0.3 Dw thick below its groove and 1.6 Dw wide unless given",
             Shown("0.2", "inner ring and attached rotating parts");
-        inner_ring_damping_n_s_m formerly inner_ring_drag_n_s_m => inner_ring_damping_n_s_m: Option<f64> = Derived, Si("N s/m"),
+        inner_ring_damping_n_s_m formerly inner_ring_drag_n_s_m => inner_ring_damping_n_s_m: Option<f64> = Derived, Si("N s/m"); AtLeast(0.0),
             "C of Zhao 2022, Eq. (14), viscous damping of inner-ring translation; 2000 unless given, 0 under a [rotor]",
             Shown("2000.0", "viscous damping of inner-ring translation (not drag\n\
                 torque), usually 0 to 1e4");
-        inner_ring_polar_inertia_kg_m2 => inner_ring_polar_inertia_kg_m2: Option<f64> = Optional, Si("kg m^2"),
+        inner_ring_polar_inertia_kg_m2 => inner_ring_polar_inertia_kg_m2: Option<f64> = Optional, Si("kg m^2"); Above(0.0),
             "Ji of the inner ring with what turns with it, needed under a [rotor]", Absent;
-        inner_ring_bore_radius_mm => inner_ring_bore_radius_m: Option<f64> = Optional, Millimetre,
+        inner_ring_bore_radius_mm => inner_ring_bore_radius_m: Option<f64> = Optional, Millimetre; Above(0.0),
             "Rb, radius of the bore of the inner ring, needed under a [rotor]", Absent;
         assembly => assembly: Option<Assembly> = Derived, Plain,
             "way of assembly, for the load ratings: \"filling-slot\" if the balls fill more than 205° (N - 1 times ε), else \"without-slot\"",
@@ -75,7 +75,7 @@ section! {
                 (eccentric rings, or a fractured or split ring)");
         ball_radius_deviation_um => ball_radius_deviation_m: Option<Vec<f64>> = Optional, Micrometre,
             "deviation of each ball's radius", Absent;
-        outer_ring_outer_radius_mm => outer_ring_outer_radius_m: Option<f64> = Optional, Millimetre,
+        outer_ring_outer_radius_mm => outer_ring_outer_radius_m: Option<f64> = Optional, Millimetre; Above(0.0),
             "outer radius of the outer ring",
             Shown("31.0", "outer ring, only for the export to CAD");
         outer_ring_width_mm => outer_ring_width_m: Option<f64> = Optional, Millimetre; Above(0.0),
@@ -109,9 +109,10 @@ pub struct Assumption {
 }
 
 /// Key of each groove's conformity, and whether it follows from no key.
-pub(in crate::case_file) fn conformities(document: &CaseDocument) -> [(&'static str, bool); 2] {
-    let assumed =
-        |radius: &str, conformity: &str| !document.has(radius) && !document.has(conformity);
+pub(in crate::case_file) fn conformities(tree: &Tree) -> [(&'static str, bool); 2] {
+    let assumed = |radius: &str, conformity: &str| {
+        tree.find(radius).is_none() && tree.find(conformity).is_none()
+    };
     let [inner, outer] = ["bearing.inner_conformity", "bearing.outer_conformity"];
     [
         (
@@ -127,10 +128,7 @@ pub(in crate::case_file) fn conformities(document: &CaseDocument) -> [(&'static 
 
 /// What is estimated, with the values in the unit of the file; of `d`, only radii that are
 /// given count.
-pub(in crate::case_file) fn assumptions(
-    document: &CaseDocument,
-    d: &BearingDimensions,
-) -> Vec<Assumption> {
+pub(in crate::case_file) fn assumptions(tree: &Tree, d: &BearingDimensions) -> Vec<Assumption> {
     let mm = |m: f64| Millimetre.of_si(m);
     let diameter = 2.0 * mm(d.ball_radius_m);
     let mut list = vec![];
@@ -144,12 +142,12 @@ pub(in crate::case_file) fn assumptions(
     let key = "bearing.outer_shoulder_radius_mm";
     let basis = "shoulder height of 0.2 ball diameters";
     assume(
-        !document.has(key),
+        tree.find(key).is_none(),
         key,
         round(shoulder, Side::Nearest),
         basis,
     );
-    for (key, assumed) in conformities(document) {
+    for (key, assumed) in conformities(tree) {
         assume(
             assumed,
             key,
@@ -158,10 +156,10 @@ pub(in crate::case_file) fn assumptions(
         );
     }
     let key = "bearing.inner_ring_mass_kg";
-    let width = document.number("bearing.outer_ring_width_mm");
+    let width = tree.number("bearing.outer_ring_width_mm");
     let mass = ring_mass_kg(d, width.map(|mm| Millimetre.to_si(mm)));
     assume(
-        !document.has(key),
+        tree.find(key).is_none(),
         key,
         round(mass, Side::Nearest),
         "a steel ring without anything attached, 0.3 ball diameters thick below its groove, \
@@ -181,11 +179,11 @@ fn ring_mass_kg(d: &BearingDimensions, width_m: Option<f64>) -> f64 {
 }
 
 /// Fills in what is estimated.
-pub(in crate::case_file) fn fill_in(document: &mut CaseDocument, bearing: &Bearing) {
+pub(in crate::case_file) fn fill_in(tree: &mut Tree, bearing: &Bearing) {
     let damping = bearing.dimensions().inner_ring_damping_n_s_m;
-    document.set_missing("bearing.inner_ring_damping_n_s_m", damping);
-    document.set_missing("bearing.assembly", bearing.assembly().name());
-    for Assumption { key, value, .. } in assumptions(document, bearing.dimensions()) {
-        document.set(&key, value);
+    tree.set_missing("bearing.inner_ring_damping_n_s_m", damping);
+    tree.set_missing("bearing.assembly", bearing.assembly().name());
+    for Assumption { key, value, .. } in assumptions(tree, bearing.dimensions()) {
+        tree.set(&key, value);
     }
 }

@@ -3,57 +3,50 @@
 use cageless::FrictionLaw;
 use cageless::contact::FrictionTable;
 
-use crate::case_file::declaration::section;
+use crate::case_file::key::Limit::{Above, AtLeast};
 use crate::case_file::key::Line::{Absent, Commented, Shown};
 use crate::case_file::key::Presence::{Derived, Optional};
 use crate::case_file::key::default;
+use crate::case_file::sections::friction::section_with_friction;
 use crate::case_file::unit::Unit::{None as Plain, Si};
 
 /// Unit of K in F = K·δ^1.5.
 const HERTZ: crate::case_file::unit::Unit = Si("N/m^1.5");
 
-section! {
+section_with_friction! {
     /// `[contact]`: friction, damping and stiffness. The friction coefficient is that of
     /// Zhao 2022, Table 1.
-    impl cageless::Contact {
-        friction_coefficient => friction_coefficient: f64 = default(0.007), Plain,
-            "μ", Shown("0.007", "μ (paper)");
-        friction_law => friction_law: FrictionLaw = default(FrictionLaw::Smooth.name()), Plain,
-            "friction against sliding speed",
-            Shown("\"smooth\"", "\"smooth\", μ tanh(ΔV/regularisation_speed_m_s), \"coulomb\", \"stribeck\"\n\
-                (with static_friction_coefficient, at least μ, and\n\
-                stribeck_speed_m_s: μ + (μs − μ) exp(−|ΔV|/speed)) or \"table\"\n\
-                (with friction_table = [[ΔV in m/s, μ], …])");
-        static_friction_coefficient => static_friction_coefficient: Option<f64> = Optional, Plain,
-            "μs of the Stribeck law", Absent;
-        stribeck_speed_m_s => stribeck_speed_m_s: Option<f64> = Optional, Si("m/s"),
-            "sliding speed over which the Stribeck law falls from μs to μ", Absent;
-        friction_table => friction_table: Option<FrictionTable> = Optional, Plain,
-            "measured μ over the sliding speed, of friction_law = \"table\"; friction_coefficient is its last μ, also if it is left out",
-            Absent;
-        regularisation_speed_m_s formerly slip_scale_m_s => regularisation_speed_m_s: f64 = default(0.02), Si("m/s"),
-            "regularisation speed v_s: friction reaches 76 % of μ N at ΔV = v_s; \"coulomb\" does not use it",
-            Shown("0.02", "regularisation speed v_s, usually 0.005 to 0.1: friction\n\
-                reaches 76 % of μ N at ΔV = v_s; \"coulomb\" does not use it");
-        outer_friction_factor => outer_friction_factor: f64 = default(1.0), Plain,
+    impl cageless::Contact {}
+    friction("μ", "") {
+        coefficient: default(0.007), Shown("0.007", "μ (paper)");
+        law: Shown("\"smooth\"", "\"smooth\", μ tanh(ΔV/regularisation_speed_m_s), \"coulomb\", \"stribeck\"\n\
+            (with static_friction_coefficient, at least μ, and\n\
+            stribeck_speed_m_s: μ + (μs − μ) exp(−|ΔV|/speed)) or \"table\"\n\
+            (with friction_table = [[ΔV in m/s, μ], …])");
+        table: ", also if it is left out";
+        regularisation: default(0.02), Shown("0.02", "regularisation speed v_s, usually 0.005 to 0.1: friction\n\
+            reaches 76 % of μ N at ΔV = v_s; \"coulomb\" does not use it");
+    }
+    {
+        outer_friction_factor => outer_friction_factor: f64 = default(1.0), Plain; AtLeast(0.0),
             "friction at the outer raceway over that of the law, which holds at the inner raceway",
             Commented("1.0", "outer raceway over μ");
-        ball_friction_factor => ball_friction_factor: f64 = default(1.0), Plain,
+        ball_friction_factor => ball_friction_factor: f64 = default(1.0), Plain; AtLeast(0.0),
             "friction between balls over that of the law",
             Commented("1.0", "ball against ball over μ");
-        damping_n_s_m1_5 formerly damping => damping_n_s_m1_5: f64 = default(2.0e5), Si("N s/m^1.5"),
+        damping_n_s_m1_5 formerly damping => damping_n_s_m1_5: f64 = default(2.0e5), Si("N s/m^1.5"); AtLeast(0.0),
             "contact damping c of ball-raceway contacts, F = K δ^1.5 + c √δ dδ/dt",
             Shown("2.0e5", "contact damping c of ball-raceway contacts, N s/m^1.5,\n\
                 F = K δ^1.5 + c √δ dδ/dt, usually 1e5 to 5e5");
         ball_restitution => ball_restitution: f64 = default(0.95), Plain,
             "coefficient of restitution between balls",
             Commented("0.95", "ball against ball, above 0 to 1 (no loss)");
-        inner_stiffness_n_m1_5 formerly inner_stiffness => inner_stiffness_n_m1_5: Option<f64> = Derived, HERTZ,
+        inner_stiffness_n_m1_5 formerly inner_stiffness => inner_stiffness_n_m1_5: Option<f64> = Derived, HERTZ; Above(0.0),
             "K at the inner raceway, in place of Hertz",
             Commented("2.8e10", "K in N/m^1.5, in place of what Hertz gives");
-        outer_stiffness_n_m1_5 formerly outer_stiffness => outer_stiffness_n_m1_5: Option<f64> = Derived, HERTZ,
+        outer_stiffness_n_m1_5 formerly outer_stiffness => outer_stiffness_n_m1_5: Option<f64> = Derived, HERTZ; Above(0.0),
             "K at the outer raceway, in place of Hertz", Commented("2.9e10", "");
-        ball_stiffness_n_m1_5 formerly ball_stiffness => ball_stiffness_n_m1_5: Option<f64> = Derived, HERTZ,
+        ball_stiffness_n_m1_5 formerly ball_stiffness => ball_stiffness_n_m1_5: Option<f64> = Derived, HERTZ; Above(0.0),
             "K between balls, in place of Hertz", Commented("7.4e9", "");
     }
 }

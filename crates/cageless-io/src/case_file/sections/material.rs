@@ -1,6 +1,7 @@
 //! `[material]`, `[ball_material]` and `[ring_material]`: a name, or the three numbers.
 
 use crate::case_file::declaration::section;
+use crate::case_file::key::Limit::Above;
 use crate::case_file::key::Line::{Absent, Shown};
 use crate::case_file::key::Presence::Optional;
 use crate::case_file::key::default;
@@ -63,9 +64,9 @@ macro_rules! material {
             struct $Name {
                 preset => preset: Option<MaterialPreset> = Optional, Plain,
                     "typical numbers of a bearing material, in place of the three", Absent;
-                density_kg_m3 => density_kg_m3: Option<f64> = $density, Si("kg/m^3"),
+                density_kg_m3 => density_kg_m3: Option<f64> = $density, Si("kg/m^3"); Above(0.0),
                     "density; that of the balls decides", Shown("7850.0", $comment);
-                youngs_modulus_gpa => youngs_modulus_pa: Option<f64> = $modulus, Gigapascal,
+                youngs_modulus_gpa => youngs_modulus_pa: Option<f64> = $modulus, Gigapascal; Above(0.0),
                     "E, Young's modulus", Shown("206.0", "");
                 poisson_ratio => poisson_ratio: Option<f64> = $ratio, Plain,
                     "ν, Poisson's ratio", Shown("0.3", "0 to below 0.5");

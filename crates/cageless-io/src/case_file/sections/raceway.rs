@@ -1,6 +1,7 @@
 //! `[raceway]`.
 
 use crate::case_file::declaration::section;
+use crate::case_file::key::Limit::{Above, Inside};
 use crate::case_file::key::Line::{Commented, Shown};
 use crate::case_file::key::Presence::Required;
 use crate::case_file::key::default;
@@ -9,10 +10,10 @@ use crate::case_file::unit::Unit::{Degree, Micrometre, Millimetre};
 section! {
     /// `[raceway]`: a discrete raceway.
     struct RacewaySection {
-        axial_span_mm => axial_span_m: f64 = Required, Millimetre,
+        axial_span_mm => axial_span_m: f64 = Required, Millimetre; Above(0.0),
             "lC, largest axial distance between the two contact points",
             Shown("5.1", "lC, axial distance of the two contact points in its middle; the paper has 4.9 to 6");
-        half_angle_deg => half_angle_rad: f64 = Required, Degree,
+        half_angle_deg => half_angle_rad: f64 = Required, Degree; Inside(0.0, 90.0),
             "θ, half the angle that the raceway takes up",
             Shown("25.2", "θ, it reaches from -θ to θ; the paper has 12 to 35");
         centre_angle_deg => centre_angle_rad: f64 = default(0.0), Degree,

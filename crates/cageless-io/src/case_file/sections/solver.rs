@@ -4,6 +4,7 @@ use cageless::IntegrationMethod;
 
 use crate::case_file::declaration::section;
 use crate::case_file::fields::Step;
+use crate::case_file::key::Limit::Above;
 use crate::case_file::key::Line::{Commented, Shown};
 use crate::case_file::key::default;
 use crate::case_file::named::Named;
@@ -15,13 +16,13 @@ section! {
         method => method: IntegrationMethod = default(IntegrationMethod::VelocityVerlet.name()), Plain,
             "integration method",
             Commented("\"verlet\"", "\"abm4\": the paper's; \"adaptive\": for references");
-        step_us => step_s: Step = default("auto"), Microsecond,
+        step_us => step_s: Step = default("auto"), Microsecond; Above(0.0),
             "step of the integration, from the stiffest contact unless it is a number",
             Commented("\"auto\"", "from the stiffest contact, or a number");
-        tolerance => tolerance: f64 = default(1e-8), Plain,
+        tolerance => tolerance: f64 = default(1e-8), Plain; Above(0.0),
             "error per step of the adaptive method",
             Commented("1.0e-8", "error per step, only for \"adaptive\"");
-        duration_s => duration_s: f64 = default(0.5), Si("s"),
+        duration_s => duration_s: f64 = default(0.5), Si("s"); Above(0.0),
             "simulated time", Shown("0.5", "simulated time");
         seed => seed: u64 = default(0), Plain,
             "seed of random starts (run --verify, design --search) and samples (tolerance, drop)",
