@@ -91,7 +91,7 @@ fn no_passage_is_seen_late() {
         centre_deg,
     )]);
     case.set_method(IntegrationMethod::VelocityVerlet);
-    case.solver.duration_s = 0.06;
+    case.solver.duration_s = 0.25;
     let mut every = EveryStep {
         half_rad: f64::to_radians(angle_deg),
         centre_rad: f64::to_radians(centre_deg),
@@ -108,7 +108,7 @@ fn no_passage_is_seen_late() {
         Control::Continue(())
     })
     .unwrap();
-    assert!(found.len() > 60, "{}", found.len());
+    assert!(found.len() > 60, "{} ends", found.len());
     for (ball, inside, time_s) in found {
         let h = case.solver.step_s;
         let same = |c: &&(usize, bool, f64)| (c.0, c.1) == (ball, inside) && c.2 > time_s - 1e-12;
