@@ -165,7 +165,7 @@ impl RacewaySector {
     }
 
     /// Lower bound of the distance of a ball from the nearest end, m.
-    fn to_end_m(&self, x: f64, y: f64) -> f64 {
+    fn distance_to_end_m(&self, x: f64, y: f64) -> f64 {
         self.ends.iter().fold(f64::INFINITY, |least, [ex, ey]| {
             let (along, across) = (x * ex + y * ey, (x * ey - y * ex).abs());
             least.min(larger(across, -along))
@@ -266,8 +266,9 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
             for k in 0..x.len() {
                 self.cross(view, [r, k])?;
                 let way_m = (x[k] - before[0][k]).abs() + (y[k] - before[1][k]).abs();
-                let to_end_m = self.sectors[r].to_end_m(x[k] - centre[0], y[k] - centre[1]);
-                if to_end_m < self.near_m + NEAR_STEPS * way_m {
+                let distance_to_end_m =
+                    self.sectors[r].distance_to_end_m(x[k] - centre[0], y[k] - centre[1]);
+                if distance_to_end_m < self.near_m + NEAR_STEPS * way_m {
                     self.near.push([r, k]);
                 }
             }
