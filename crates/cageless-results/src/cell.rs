@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::quantity::Kind;
+use crate::kind::Kind;
 
 /// Value of a result, or of a column of a table.
 #[derive(Debug, Clone, PartialEq)]

@@ -4,7 +4,8 @@ use std::f64::consts::TAU;
 
 use crate::across::Across;
 use crate::cell::Cell;
-use crate::quantity::{Aim, Kind, Quantity};
+use crate::kind::Kind;
+use crate::quantity::{Aim, Quantity};
 use crate::source::Source;
 
 pub(crate) const fn quantity(

@@ -7,8 +7,8 @@ use cageless::touchdown::EndState;
 use cageless::{Case, Support};
 
 use crate::cell::Cell;
+use crate::kind::Kind;
 use crate::number_text::short;
-use crate::quantity::Kind;
 use crate::source::FinishedDrop;
 
 /// Largest energy balance error, relative, of numbers that can be trusted.

@@ -5,7 +5,7 @@ use cageless::simulation::{Ending, PlaneDisplacement, RunOutcome};
 use cageless::touchdown::{DropSummary, EndState, WhirlWindow};
 use serde::{Serialize, Serializer};
 
-use crate::quantity::Kind;
+use crate::kind::Kind;
 use crate::table::{DROP, PLANE};
 use crate::{
     Across, Cell, DropJudgement, FinishedDrop, FinishedRotor, Quantity, Record, Results, Subject,

@@ -14,6 +14,8 @@ mod drop_result;
 mod list;
 #[rustfmt::skip]
 mod meanings;
+mod judged;
+mod kind;
 pub mod number_text;
 mod provenance;
 mod quantity;
@@ -36,8 +38,10 @@ pub use csv::csv;
 pub use design_result::{Recommended, design_record};
 pub use drop_judgement::{DropJudgement, RESIDUAL_FRACTION};
 pub use drop_result::{DropResult, RotorRun, WindowRow, end_state_text, plane_records};
+pub use judged::{JudgedResult, Named, VerifiedDrop};
+pub use kind::Kind;
 pub use provenance::{Provenance, profile_name, provenance, software};
-pub use quantity::{Aim, Kind, Quantity, bearing_in_column};
+pub use quantity::{Aim, Quantity, bearing_in_column};
 pub use record::{Part, Record, Shape};
 pub use results::{Results, value_text};
 pub use search_result::SEARCH_SHAPE;
@@ -52,5 +56,5 @@ pub use table::{
     of_column, of_kind, quantities,
 };
 pub use tolerance_result::{TOLERANCE_SHAPE, tolerance_record};
-pub use verification_result::{JudgedResult, VerifiedDrop, step_warning, verification_record};
+pub use verification_result::{step_warning, verification_record};
 pub use view::{heading, table_of};

@@ -3,6 +3,8 @@
 use crate::Cell;
 use crate::across::Across;
 use crate::computation::Computation;
+use crate::judged::Named;
+use crate::kind::Kind;
 use crate::number_text::significant;
 use crate::source::{Source, Subject};
 
@@ -30,23 +32,6 @@ pub struct Quantity {
     /// Whether tables for readers have it.
     pub in_tables: bool,
     pub(crate) of: Source,
-}
-
-/// Kind of a value.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Kind {
-    /// A number.
-    Number,
-    /// A count.
-    Integer,
-    /// True or false; 1 or 0 in the columns of sweeps.
-    Flag,
-    /// A name or a sentence.
-    Text,
-    /// A number for each ball, or for each of several things.
-    Numbers,
-    /// Both ends of a range, or several quantiles.
-    Range,
 }
 
 /// Better direction of a quantity.
@@ -138,11 +123,15 @@ impl Quantity {
 
     /// The unit with its symbols.
     pub fn unit_text(&self) -> String {
-        match self.unit {
-            "deg" => "°".to_owned(),
-            "um" => "µm".to_owned(),
-            "us" => "µs".to_owned(),
-            unit => unit.replace(' ', "·"),
+        self.named().unit_text()
+    }
+
+    /// Its name, label and unit.
+    pub fn named(&self) -> Named {
+        Named {
+            name: self.name,
+            label: self.label,
+            unit: self.unit,
         }
     }
 }

@@ -4,7 +4,8 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Map, Value};
 
 use crate::Cell;
-use crate::quantity::{Kind, Quantity};
+use crate::kind::Kind;
+use crate::quantity::Quantity;
 use crate::source::Subject;
 
 /// Scalar results with their quantities, in the order of the table. Serialised as a map from

@@ -16,7 +16,7 @@ use cageless::verification::{Distance, Verification};
 use cageless::{Case, Raceway};
 
 use crate::cell::Cell;
-use crate::verification_result::{JudgedResult, VerifiedDrop};
+use crate::judged::{JudgedResult, VerifiedDrop};
 
 /// A static equilibrium.
 pub struct Solved<'a> {

@@ -4,8 +4,9 @@ use crate::Across::{Largest, LargestOfAll, Same, Smallest, Sum, WorstState};
 use crate::across::Across;
 use crate::cell::Cell;
 use crate::declare::*;
+use crate::kind::Kind;
 use crate::meanings::*;
-use crate::quantity::{Kind, Quantity};
+use crate::quantity::Quantity;
 use crate::source::Source::{Drop, Plane, RotorDrop};
 use crate::{DropJudgement, FinishedDrop};
 

@@ -24,11 +24,6 @@ pub use verification::{
     DISTANCE, DROP_VERIFICATION, JUDGEMENT, ROTOR_VERIFICATION, VERIFICATION, VERIFIED,
 };
 
-/// A time in µs.
-pub(crate) fn microseconds(time_s: f64) -> f64 {
-    time_s * 1e6
-}
-
 /// All scalar results, in the order of keys, columns and tables.
 pub fn quantities() -> impl Iterator<Item = &'static Quantity> {
     let all = [

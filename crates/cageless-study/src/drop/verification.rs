@@ -52,7 +52,7 @@ pub(super) fn judged(step_s: f64, drops: &[(Role, DropResult)]) -> Record {
                 Some((*role, value))
             });
             let values: Vec<(Role, f64)> = values.collect::<Option<_>>()?;
-            Some(judge(quantity, &values, values[0].1.abs(), false))
+            Some(judge(quantity.named(), &values, values[0].1.abs(), false))
         });
     let states = |half_step: bool| -> Vec<String> {
         let of_step = drops
