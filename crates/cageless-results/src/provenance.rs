@@ -5,6 +5,7 @@ use cageless::{Case, Profile};
 use serde::{Deserialize, Serialize};
 
 use crate::number_text::short;
+use crate::table::unit::microseconds;
 
 /// Provenance of a figure or table; printed under it.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -68,7 +69,7 @@ pub fn provenance(case: &Case, discarded: String) -> Provenance {
         profile: Some(profile_name(case.profile).to_owned()),
         friction_law: Some(case.contact.friction_law.describe(&case.contact.friction())),
         method: Some(case.solver.method.properties().label.to_owned()),
-        step_us: Some(case.solver.step_s * 1e6),
+        step_us: Some(microseconds(case.solver.step_s)),
         discarded,
     }
 }

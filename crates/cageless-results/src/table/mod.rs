@@ -6,6 +6,7 @@ mod run;
 mod search;
 mod statics;
 mod tolerance;
+pub(crate) mod unit;
 mod verification;
 
 use crate::computation::Computation;
