@@ -11,8 +11,8 @@ use cageless_report::figures::named::{self, DESIGN, Named, RUN, SEARCH, SWEEP, T
 use cageless_report::figures::sweep;
 use cageless_report::tolerance::tolerance_page;
 use cageless_report::{
-    Figure, RunData, SweepData, SweepOutput, design_page, from_json, run_from_json, run_json,
-    run_page, static_page, static_sheet, sweep_page,
+    DesignData, Figure, RunData, SweepData, SweepOutput, design_page, from_json, run_from_json,
+    run_json, run_page, static_page, static_sheet, sweep_page,
 };
 use cageless_results::{
     Kind, Quantity, Record, SEARCH_SHAPE, Shape, TOLERANCE_SHAPE, csv, of_kind, static_record,
@@ -80,7 +80,11 @@ fn complete(kind: &str, values: &str, mut all: Files) -> Found<Files> {
         }
         "design" | "search" => {
             let data = all.get(PAGE_DATA).map_or("", |text| text);
-            design_page(&from_json(data).map_err(numbers)?)
+            let mut data: DesignData = from_json(data).map_err(numbers)?;
+            if kind == "search" {
+                data.search = Some(recorded(kind, &SEARCH_SHAPE, values)?);
+            }
+            design_page(&data)
         }
         "tolerance" => tolerance_page(&recorded(kind, &TOLERANCE_SHAPE, values)?),
         "analysis" => sweep_page(&from_json(values).map_err(numbers)?),

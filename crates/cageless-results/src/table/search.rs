@@ -64,7 +64,7 @@ pub const MOTION: &[Quantity] = &[
     part(low(quantity("collisions_late", "", "collisions per ball and orbit in steady state", Motion(|(m, _)| some(m.collisions_late))))),
     part(low(means(DOUBLE_COLLISIONS, quantity("double_collision_fraction", "", "double collisions, fraction of the passages", Motion(|(m, _)| some(m.double_collision_fraction)))))),
     part(low(quantity("impulse_mn_s", "mN s", "impulse between balls per ball and orbit", Motion(|(m, _)| some(m.impulse_n_s * 1e3))))),
-    part(low(quantity("spacing_scatter", "", "standard deviation of the gaps on arrival over the steady-state gap", Motion(|(m, steady)| some(m.gap_deviation_rad / steady))))),
+    part(means("standard deviation of the gaps on arrival over the steady-state gap", low(quantity("spacing_scatter", "", "spacing scatter on arrival", Motion(|(m, steady)| some(m.gap_deviation_rad / steady)))))),
     part(high(quantity("gap_min_deg", "deg", "smallest gap on arrival", Motion(|(m, _)| degrees(m.gap_min_rad))))),
     part(low(quantity("sliding_m_s", "m/s", "largest sliding speed in a passage, mean", Motion(|(m, _)| some(m.sliding_m_s))))),
     part(high(means("1 for a ball that rolls, less for one that slides", quantity("speed_drop_fraction", "", "reduction of the orbital speed in the raceway, fraction of that of rolling", Motion(|(m, _)| some(m.speed_drop_fraction)))))),
