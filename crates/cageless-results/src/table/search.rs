@@ -52,7 +52,7 @@ pub const STRUCTURE: &[Quantity] = &[
 #[rustfmt::skip]
 pub const STRUCTURE_AT: &[Quantity] = &[
     part(means("with the neighbours of the pair further off than at even spacing", quantity("critical_gap_deg", "deg", "critical gap", StructureAt(|a| at(a, |s, _| s.critical_gap_rad.to_degrees()))))),
-    part(high(quantity("margin_deg", "deg", "reserve: steady-state gap less critical gap", StructureAt(|a| at(a, |s, steady| (steady - s.critical_gap_rad).to_degrees()))))),
+    part(means("steady-state gap less critical gap", high(quantity("margin_deg", "deg", "gap reserve", StructureAt(|a| at(a, |s, steady| (steady - s.critical_gap_rad).to_degrees())))))),
     part(low(quantity("slip_shortfall", "", "sliding lowers the critical gap, fraction of β0", StructureAt(|a| a.evaluation.spacing[a.point].map(|s| s.shortfall).into())))),
     part(low(quantity("pressure_mpa", "MPa", "peak contact pressure at rest, outer raceway", StructureAt(|a| a.evaluation.spacing[a.point].map(|s| s.stress_pa * 1e-6).into())))),
 ];
@@ -66,9 +66,9 @@ pub const MOTION: &[Quantity] = &[
     part(low(quantity("impulse_mn_s", "mN s", "impulse between balls per ball and orbit", Motion(|(m, _)| some(m.impulse_n_s * 1e3))))),
     part(means("standard deviation of the gaps on arrival over the steady-state gap", low(quantity("spacing_scatter", "", "spacing scatter on arrival", Motion(|(m, steady)| some(m.gap_deviation_rad / steady)))))),
     part(high(quantity("gap_min_deg", "deg", "smallest gap on arrival", Motion(|(m, _)| degrees(m.gap_min_rad))))),
-    part(low(quantity("sliding_m_s", "m/s", "largest sliding speed in a passage, mean", Motion(|(m, _)| some(m.sliding_m_s))))),
+    part(means("largest in a passage, mean over the passages", low(quantity("sliding_m_s", "m/s", "sliding speed", Motion(|(m, _)| some(m.sliding_m_s)))))),
     part(high(means("1 for a ball that rolls, less for one that slides", quantity("speed_drop_fraction", "", "reduction of the orbital speed in the raceway, fraction of that of rolling", Motion(|(m, _)| some(m.speed_drop_fraction)))))),
-    part(low(quantity("force_deviation_n", "N", "standard deviation of the force on the outer ring", Motion(|(m, _)| some(m.force_deviation_n))))),
+    part(means("standard deviation of the force of the balls on the outer ring", low(quantity("force_deviation_n", "N", "vibration", Motion(|(m, _)| some(m.force_deviation_n)))))),
     part(low(quantity("friction_w", "W", "power of sliding friction, whole run", Motion(|(m, _)| some(m.friction_w))))),
 ];
 
