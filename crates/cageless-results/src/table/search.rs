@@ -144,7 +144,8 @@ fn grid(map: &SpeedMap, of: fn(&MapCell) -> Cell) -> Cell {
     )
 }
 
-/// Of the structures that spread the balls at all points, the least that sliding takes at the worst.
+/// Smallest fraction by which sliding lowers the critical gap, over the structures that have one at every
+/// operating point; each structure enters with its worst point.
 fn least_shortfall(placement: &SearchedPlacement<'_>) -> Cell {
     let worst = placement.evaluations.iter().filter_map(|e| {
         let all: Option<Vec<f64>> = e.spacing.iter().map(|s| s.map(|s| s.shortfall)).collect();

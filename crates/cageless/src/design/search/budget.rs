@@ -7,7 +7,7 @@ const CONFIRMED_MAX: usize = 2;
 /// Structures that the optimiser tries at most.
 const OPTIMISED_MAX: usize = 24;
 
-/// Of a budget half is for the front, a quarter for the maps, an eighth each for the optimiser and
+/// Shares of the budget: half for the front, a quarter for the maps, an eighth each for the optimiser and
 /// the confirmation.
 impl Request {
     /// The smallest possible budget: the confirmation needs two starts and as many as any
