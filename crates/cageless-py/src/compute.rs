@@ -7,7 +7,6 @@ use cageless::equilibrium::solve;
 use cageless_io::cad::{Export, ExportOptions, Format, export as ring};
 use cageless_io::case_file::CaseFile;
 use cageless_io::plan_file::VariantFile;
-use cageless_io::results::{PartialFile, ResultError};
 use cageless_paper::structures_of;
 use cageless_report::compare::compare_page;
 use cageless_report::compared_run::ComparedRun;
@@ -259,15 +258,7 @@ pub fn export(
         // Only now, so that bad input leaves no folder behind.
         folder.map_or(Ok(()), |folder| write_folder(folder, BTreeMap::new()))?;
         let write = |(made, (_, path)): (&Export, &(String, PathBuf))| {
-            let mut file = PartialFile::create(path)?;
-            let written = made.write(&mut file);
-            let mut numbers = written.map_err(|source| ResultError::Out {
-                path: path.clone(),
-                source,
-            })?;
-            file.commit()?;
-            numbers.file = Some(path.display().to_string());
-            Ok(serde_json::to_string_pretty(&numbers)?)
+            Ok(serde_json::to_string_pretty(&made.write_file(path)?)?)
         };
         made.iter().zip(&targets).map(write).collect()
     })

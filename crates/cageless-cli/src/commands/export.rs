@@ -1,14 +1,14 @@
 //! `cageless export`.
 
 use std::io::IsTerminal;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use cageless_io::cad::{
-    Counts, Export, ExportError, ExportNumbers, ExportOptions, Format, export as ring, names_file,
+    Counts, ExportError, ExportNumbers, ExportOptions, Format, export as ring, names_file,
 };
 use cageless_io::case_file::CaseFile;
 use cageless_io::on_terminal;
-use cageless_io::results::{PartialFile, ResultError, write_atomically};
+use cageless_io::results::write_atomically;
 
 use crate::args::ExportArgs;
 use crate::driver::{make_folder, print, tell};
@@ -30,7 +30,7 @@ pub fn export(args: &ExportArgs) -> Result<(), Failure> {
     // Only now, so that bad input leaves no folder behind.
     let path = target(args, format)?;
     let numbers = match &path {
-        Some(path) => into_file(&made, path)?,
+        Some(path) => made.write_file(path)?,
         None if args.json => made.write(&mut std::io::sink())?,
         None => match made.write(&mut std::io::stdout().lock()) {
             // A closed pipe is not an error.
@@ -52,18 +52,6 @@ pub fn export(args: &ExportArgs) -> Result<(), Failure> {
             Ok(())
         }
     }
-}
-
-fn into_file(made: &Export, path: &Path) -> Result<ExportNumbers, Failure> {
-    let mut file = PartialFile::create(path)?;
-    let written = made.write(&mut file);
-    let mut numbers = written.map_err(|source| ResultError::Out {
-        path: path.to_owned(),
-        source,
-    })?;
-    file.commit()?;
-    numbers.file = Some(path.display().to_string());
-    Ok(numbers)
 }
 
 /// The file to write; `None` for stdout or, with `--json`, nowhere.

@@ -8,6 +8,7 @@ use super::numbers::{Counts, ExportNumbers};
 use super::{points, step, stl};
 use crate::OptionError;
 use crate::case_file::{CaseError, CaseFile};
+use crate::results::{PartialFile, ResultError};
 use cageless::InputError;
 use cageless::error::Allowed;
 use cageless::surface::OuterRing;
@@ -89,6 +90,22 @@ enum Contents {
 }
 
 impl Export {
+    /// Writes the ring to the file at `path`, which appears once it is complete, and returns its numbers.
+    ///
+    /// # Errors
+    /// The file cannot be written.
+    pub fn write_file(&self, path: &Path) -> Result<ExportNumbers, ResultError> {
+        let mut file = PartialFile::create(path)?;
+        let written = self.write(&mut file);
+        let mut numbers = written.map_err(|source| ResultError::Out {
+            path: path.to_owned(),
+            source,
+        })?;
+        file.commit()?;
+        numbers.file = Some(path.display().to_string());
+        Ok(numbers)
+    }
+
     /// Writes the file and returns its numbers.
     ///
     /// # Errors
