@@ -7,8 +7,10 @@ use std::sync::{LazyLock, OnceLock};
 use cageless::equilibrium::solve;
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::{is_unusable, write_atomically, write_together};
-use cageless_report::figures::named::{self, DESIGN, Named, RUN, SEARCH, SWEEP, TOLERANCE};
 use cageless_report::figures::sweep;
+use cageless_report::figures::{
+    DESIGN, Named, RUN, SEARCH, SWEEP, TOLERANCE, in_page, of_kind as figures_of_kind,
+};
 use cageless_report::tolerance::tolerance_page;
 use cageless_report::{
     DesignData, Figure, RunData, SweepData, SweepOutput, design_page, from_json, run_from_json,
@@ -127,7 +129,7 @@ pub fn quantities(kind: &str) -> Vec<(&str, &str, &str, bool)> {
 /// Names of the figures of a kind of result, with what they show.
 #[pyfunction]
 pub fn figures(kind: &str) -> Vec<(&'static str, &'static str)> {
-    named::of_kind(kind)
+    figures_of_kind(kind)
 }
 
 /// Writes a file, which takes its name when it is complete.
@@ -275,7 +277,8 @@ impl Computed {
                     let balls: Vec<usize> = balls.iter().map(|ball| ball - 1).collect();
                     data = data.of_balls(&balls);
                 }
-                drawn(py, &RUN, &data, name).ok_or_else(|| why_empty(&data, name))
+                let figures = RUN.iter().flat_map(|(_, figures)| *figures);
+                drawn(py, figures, &data, name).ok_or_else(|| why_empty(&data, name))
             }
             (_, "design") => {
                 let seed = self.seed(py)?;
@@ -300,15 +303,20 @@ impl Computed {
             }
             (_, kind) => {
                 let page = self.all(py)?.get(PAGE).map_or("", |page| page);
-                let found = named::in_page(page, kind, name).map(str::to_owned);
+                let found = in_page(page, kind, name).map(str::to_owned);
                 found.ok_or_else(nothing)
             }
         }
     }
 }
 
-fn drawn<D: Sync>(py: Python<'_>, figures: &[Named<D>], data: &D, name: &str) -> Option<String> {
-    let named = figures.iter().find(|figure| figure.name == name)?;
+fn drawn<'f, D: Sync + 'static>(
+    py: Python<'_>,
+    figures: impl IntoIterator<Item = &'f Named<D>>,
+    data: &D,
+    name: &str,
+) -> Option<String> {
+    let named = figures.into_iter().find(|figure| figure.name == name)?;
     let figure = py.detach(|| (named.draw)(data));
     figure.as_ref().map(Figure::json)
 }

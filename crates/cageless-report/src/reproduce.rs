@@ -77,7 +77,7 @@ pub fn reproduce_page(data: &ReproduceData) -> String {
     if !data.vibrations.is_empty() {
         page.section("Vibration");
         for vibration in &data.vibrations {
-            let label = figures::labelled("Figure 12", &vibration.provenance);
+            let label = figures::panels::labelled("Figure 12", &vibration.provenance);
             page.figure(&vibration::vibration(&label, vibration));
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::data::Motion;
 use crate::figure::Figure;
-use crate::figures::{ball, collisions, energy, gap_map, history, polar, ring, vibration};
+use crate::figures::{RUN, SPACING};
 use crate::head::Head;
 use crate::motion::MotionFigure;
 use crate::page::{Note, Page};
@@ -19,52 +19,16 @@ pub fn run_page(data: &RunData) -> String {
     for warning in &data.warnings {
         page.note(Note::Warning, warning);
     }
-    section(
-        &mut page,
-        "Spacing and collisions",
-        [
-            gap_map::gap_map(data),
-            history::gaps(data),
-            collisions::collisions(data),
-        ],
-    );
-    if !data.balls.is_empty() {
-        let note = if data.sectors.is_empty() {
-            FLATTENED
-        } else {
-            CLOSES
-        };
-        page.note(Note::Remark, note);
-    }
-    if data.collisions.is_empty() && !data.balls.is_empty() {
-        page.note(Note::Remark, "No two balls touched.");
-    }
-    if let Some(motion) = &data.motion {
-        page.section("Balls in motion");
-        page.motion(&motion_figure(motion, &data.passages));
-    }
-    section(
-        &mut page,
-        "Loads, pressures and the inner ring",
-        [
-            polar::loads(data),
-            ring::ring_orbit(data),
-            energy::energy(data),
-        ],
-    );
-    section(
-        &mut page,
-        "Motion of the balls",
-        [history::orbit_speed(data), history::slip(data), None],
-    );
-    section(
-        &mut page,
-        "Ball 1",
-        [ball::loads(data), ball::phase(data), None],
-    );
-    if let Some(signals) = &data.vibration {
-        page.section("Vibration");
-        page.figure(&vibration::vibration("Vibration", signals));
+    for (title, figures) in RUN {
+        let figures = figures.iter().filter_map(|figure| (figure.draw)(data));
+        let figures: Vec<Figure> = figures.collect();
+        if !figures.is_empty() {
+            page.section(title);
+        }
+        figures.iter().for_each(|figure| page.figure(figure));
+        if title == SPACING {
+            motion(&mut page, data);
+        }
     }
     if !data.results.is_empty() {
         page.section("Results");
@@ -97,11 +61,23 @@ const CLOSES: &str = "Inside the discrete raceway a pair closes up by design: th
     show that the gaps have not settled. A gap is the angle between two balls less that at which they \
     just touch: in a contact, which flattens both, it is a little negative.";
 
-fn section(page: &mut Page, title: &str, figures: [Option<Figure>; 3]) {
-    if figures.iter().any(Option::is_some) {
-        page.section(title);
+/// What the gaps mean, and the balls in motion.
+fn motion(page: &mut Page, data: &RunData) {
+    if !data.balls.is_empty() {
+        let note = if data.sectors.is_empty() {
+            FLATTENED
+        } else {
+            CLOSES
+        };
+        page.note(Note::Remark, note);
     }
-    figures.iter().flatten().for_each(|f| page.figure(f));
+    if data.collisions.is_empty() && !data.balls.is_empty() {
+        page.note(Note::Remark, "No two balls touched.");
+    }
+    if let Some(motion) = &data.motion {
+        page.section("Balls in motion");
+        page.motion(&motion_figure(motion, &data.passages));
+    }
 }
 
 /// The balls of a run in motion, with its passages to choose from.

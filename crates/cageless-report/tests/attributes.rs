@@ -5,7 +5,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use cageless_report::figures::named;
+use cageless_report::figures;
 use cageless_results::{Kind, Quantity, of_kind};
 
 const FILE: &str = "crates/cageless-py/python/cageless/attributes.py";
@@ -68,7 +68,7 @@ fn attributes() -> String {
             let (label, name) = (q.label.trim(), q.name);
             let _ = writeln!(text, "    {name}: {}  # {label}{unit}", annotation(q));
         }
-        for (name, about) in named::of_kind(kind) {
+        for (name, about) in figures::of_kind(kind) {
             let _ = writeln!(text, "    plot_{name}: Callable[..., go.Figure]  # {about}");
         }
     }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use cageless_io::case_file::CaseFile;
 use cageless_report::drop::drop_page;
-use cageless_report::figures::named::{in_page, of_kind};
+use cageless_report::figures::{in_page, of_kind};
 use cageless_study::Silent;
 use cageless_study::drop::{DropRequest, study};
 use serde_json::Value;

@@ -3,7 +3,7 @@
 use serde_json::json;
 
 use super::history::{Shown, figure, shown_ball};
-use super::shade_sectors;
+use super::panels::shade_sectors;
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, line, with};
 use crate::run_data::RunData;

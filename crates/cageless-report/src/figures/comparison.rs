@@ -3,7 +3,7 @@
 use cageless_io::estimate::Estimate;
 use serde_json::{Value, json};
 
-use super::{axis_name, axis_ref, on, panels};
+use super::panels::{axis_name, axis_ref, on, panels};
 use crate::comparison::{ComparisonCell, RingComparison};
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, number, plain};

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::on;
+use super::panels::on;
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, line, number, with};
 use crate::run_data::{BallHistory, RunData};

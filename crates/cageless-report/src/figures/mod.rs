@@ -1,4 +1,4 @@
-//! The figures, each a function of its data.
+//! The figures, each a function of its data, and those of pages by name.
 
 pub mod ball;
 pub mod collisions;
@@ -8,8 +8,8 @@ pub mod design;
 pub mod energy;
 pub mod gap_map;
 pub mod history;
-pub mod named;
 pub mod orbit;
+pub(crate) mod panels;
 pub mod phase;
 pub mod polar;
 pub mod ring;
@@ -19,83 +19,257 @@ pub mod spacing;
 pub mod sweep;
 pub mod vibration;
 
-use serde_json::{Value, json};
+use cageless_results::Record;
 
-use crate::data::RacewaySector;
-use crate::plot::{Plot, SECTOR};
+use crate::figure::Figure;
+use crate::tolerance::{influence_figure, sample_figure};
+use crate::{DesignData, RunData, SweepData};
 
-/// Places of `count` panels side by side or one above the other, over 0 to 1, with
-/// `space` between them.
-fn panels(count: usize, space: f64) -> Vec<[f64; 2]> {
-    let width = (1.0 - space * (count.max(1) - 1) as f64) / count.max(1) as f64;
-    (0..count)
-        .map(|k| k as f64 * (width + space))
-        .map(|low| [low, low + width])
-        .collect()
+/// A figure by name.
+pub struct Named<D: 'static> {
+    /// Name.
+    pub name: &'static str,
+    /// What it shows.
+    pub about: &'static str,
+    /// The figure, if there is anything to show.
+    pub draw: fn(&D) -> Option<Figure>,
 }
 
-/// `xaxis` for `x` 0, `xaxis2` for 1, …
-fn axis_name(letter: &str, index: usize) -> String {
-    if index == 0 {
-        format!("{letter}axis")
-    } else {
-        format!("{letter}axis{}", index + 1)
+const fn named<D: 'static>(
+    name: &'static str,
+    about: &'static str,
+    draw: fn(&D) -> Option<Figure>,
+) -> Named<D> {
+    Named { name, about, draw }
+}
+
+/// Figures of a run under the headings of its page, in its order.
+pub const RUN: [(&str, &[Named<RunData>]); 5] = [
+    (
+        SPACING,
+        &[
+            named(
+                "gap_map",
+                "smallest gap of each pair of neighbours over time, as colours",
+                gap_map::gap_map,
+            ),
+            named("gaps", "gaps between neighbours over time", history::gaps),
+            named(
+                "collisions",
+                "contacts between balls: where, when, how hard",
+                collisions::collisions,
+            ),
+        ],
+    ),
+    (
+        "Loads, pressures and the inner ring",
+        &[
+            named(
+                "load_profile",
+                "loads and pressures of all balls around the bearing, of the last orbits",
+                polar::loads,
+            ),
+            named(
+                "ring_orbit",
+                "orbit of the inner ring's centre",
+                ring::ring_orbit,
+            ),
+            named("energy", "energy balance of the whole run", energy::energy),
+        ],
+    ),
+    (
+        "Motion of the balls",
+        &[
+            named(
+                "orbit_speed",
+                "orbital speed of the balls over time",
+                history::orbit_speed,
+            ),
+            named("sliding", "sliding speeds at the raceways", history::slip),
+        ],
+    ),
+    (
+        "Ball 1",
+        &[
+            named(
+                "loads",
+                "forces on a ball at the raceways over ψ",
+                ball::loads,
+            ),
+            named("phase", "phase portrait of a ball", ball::phase),
+        ],
+    ),
+    (
+        "Vibration",
+        &[named(
+            "vibration",
+            "vibration of the outer ring on its housing, spectrum of the whole run",
+            |data| {
+                let measured = data.vibration.as_ref()?;
+                Some(vibration::vibration("Vibration", measured))
+            },
+        )],
+    ),
+];
+
+/// The heading whose figures the motion of the balls follows.
+pub(crate) const SPACING: &str = "Spacing and collisions";
+
+/// Figures of a design.
+pub const DESIGN: [Named<DesignData>; 3] = [
+    named(
+        "curve",
+        "θ over lC by Eq. (11), with the raceway and the limits",
+        |data| data.curve.as_ref().map(design::curve),
+    ),
+    named(
+        "contact_track",
+        "contact track of the first raceway",
+        |data| data.contact_track.as_ref().map(shape::contact_track),
+    ),
+    named("surface", "surface of the first raceway", |data| {
+        data.surface.as_ref().map(shape::surface)
+    }),
+];
+
+/// Figures of a search.
+pub const SEARCH: [Named<Record>; 3] = [
+    named(
+        "verdicts",
+        "feasible designs and reasons for exclusion",
+        |data| Some(search::verdicts(data)),
+    ),
+    named("critical_gaps", "critical gap over lC and θ", |data| {
+        Some(search::critical_gaps(data))
+    }),
+    named("trade_offs", "trade-offs of the Pareto front", |data| {
+        (!data.parts("front").is_empty()).then(|| search::trade_offs(data))
+    }),
+];
+
+/// Figures of a tolerance analysis.
+pub const TOLERANCE: [Named<Record>; 2] = [
+    named(
+        "influences",
+        "range of the critical gap over each influence",
+        |data| Some(influence_figure(data)),
+    ),
+    named(
+        "samples",
+        "critical gaps of the bearings in which everything deviates, by verdict",
+        |data| data.part("samples").map(|s| sample_figure(data, s)),
+    ),
+];
+
+/// Figures of the analysis of a sweep that are about all of its outputs.
+pub const SWEEP: [Named<SweepData>; 1] = [named("shares", "sensitivity (main effects)", |data| {
+    let varies = !data.outputs.is_empty() && !data.inputs.is_empty();
+    varies.then(|| sweep::shares(data))
+})];
+
+/// Figures of the analysis of a sweep that are about one of its outputs.
+const OF_OUTPUT: [(&str, &str); 2] = [
+    (
+        "effects",
+        "means of an output over the inputs that explain most of it",
+    ),
+    (
+        "map",
+        "mean of an output over the two inputs that explain most of it",
+    ),
+];
+
+/// Name, anchor on the page and meaning of the figures of a drop.
+const DROP: [[&str; 3]; 8] = [
+    [
+        "orbit",
+        "orbit",
+        "path of the journal in the bore of the inner ring",
+    ],
+    [
+        "displacement",
+        "displacement",
+        "path of the journal from the centre of the stator, with its clearance",
+    ],
+    [
+        "spin_up",
+        "spin-up",
+        "speeds of rotor and inner ring over time",
+    ],
+    [
+        "forces",
+        "forces",
+        "forces of the rotor on the inner ring and of the balls on the outer ring over time",
+    ],
+    ["whirl", "whirl", "whirl frequency and contact over time"],
+    ["loads", "loads-of-the-balls", "largest forces of each ball"],
+    ["heat", "heat-of-the-interfaces", "heat of each interface"],
+    [
+        "end_states",
+        "state-at-the-end",
+        "states at the end of scattered drops over friction and support damping",
+    ],
+];
+
+/// Name, anchor on the page and meaning of the figures of a comparison.
+const COMPARISON: [[&str; 3]; 3] = [
+    [
+        "spacing",
+        "scatter-of-the-gaps",
+        "standard deviation of the gaps over time",
+    ],
+    [
+        "ring",
+        "height-of-the-inner-ring",
+        "height of the inner ring over time",
+    ],
+    [
+        "loads",
+        "largest-loads",
+        "largest loads at the inner raceway around the bearing",
+    ],
+];
+
+/// Name, anchor on the page and meaning of the figures of a static equilibrium.
+const STATIC: [[&str; 3]; 1] = [[
+    "loads",
+    "load-distribution",
+    "contact forces and pressures of each ball over ψ",
+]];
+
+fn on_page(kind: &str) -> &'static [[&'static str; 3]] {
+    match kind {
+        "static" => &STATIC,
+        "drop" => &DROP,
+        "comparison" => &COMPARISON,
+        _ => &[],
     }
 }
 
-/// `x` for 0, `x2` for 1, …
-fn axis_ref(letter: &str, index: usize) -> String {
-    if index == 0 {
-        letter.to_owned()
-    } else {
-        format!("{letter}{}", index + 1)
+/// Names of the figures of a kind of result, with what each shows.
+pub fn of_kind(kind: &str) -> Vec<(&'static str, &'static str)> {
+    fn names<D: 'static>(figures: &[Named<D>]) -> Vec<(&'static str, &'static str)> {
+        figures.iter().map(|f| (f.name, f.about)).collect()
+    }
+    match kind {
+        "run" => RUN.iter().flat_map(|(_, figures)| names(figures)).collect(),
+        "design" => names(&DESIGN),
+        "search" => names(&SEARCH),
+        "tolerance" => names(&TOLERANCE),
+        "analysis" => [names(&SWEEP), OF_OUTPUT.to_vec()].concat(),
+        kind => on_page(kind)
+            .iter()
+            .map(|[name, _, about]| (*name, *about))
+            .collect(),
     }
 }
 
-/// Puts a trace on a pair of axes.
-fn on(trace: Value, x: &str, y: &str) -> Value {
-    crate::plot::with(trace, json!({ "xaxis": x, "yaxis": y }))
-}
-
-/// Shades discrete raceways on an axis of ψ in (−180°, 180°].
-fn shade_sectors(mut plot: Plot, sectors: &[RacewaySector], x: &str, y: &str) -> Plot {
-    for sector in sectors {
-        let centre = sector.centre_angle_deg - 360.0 * (sector.centre_angle_deg / 360.0).round();
-        let (from, to) = (
-            centre - sector.half_angle_deg,
-            centre + sector.half_angle_deg,
-        );
-        plot = plot.band(x, y, from.max(-180.0), to.min(180.0), SECTOR);
-        if from < -180.0 {
-            plot = plot.band(x, y, from + 360.0, 180.0, SECTOR);
-        }
-        if to > 180.0 {
-            plot = plot.band(x, y, -180.0, to - 360.0, SECTOR);
-        }
-    }
-    plot
-}
-
-/// `label` with the profile behind a comma, if there is one.
-pub(crate) fn labelled(label: &str, provenance: &crate::data::Provenance) -> String {
-    match &provenance.profile {
-        Some(profile) => format!("{label}, profile {profile}"),
-        None => label.to_owned(),
-    }
-}
-
-/// Letter, lC and θ, and below it the verdict, for a small panel.
-fn panel_title(structure: &crate::data::RacewayLabel, verdict: &str) -> String {
-    let plain = crate::plot::plain;
-    let letter = if structure.letter.is_empty() {
-        String::new()
-    } else {
-        format!("<b>({})</b> ", plain(&structure.letter))
-    };
-    format!(
-        "{letter}{} mm, {}°<br><i>{}</i>",
-        structure.axial_span_mm,
-        structure.half_angle_deg,
-        plain(verdict)
-    )
+/// A figure of the page of a kind of result, in the JSON of plotly; `name` ends in `-bearing-2` for
+/// the second bearing of several.
+pub fn in_page<'p>(page: &'p str, kind: &str, name: &str) -> Option<&'p str> {
+    let (name, bearing) = name.split_at(name.find('-').unwrap_or(name.len()));
+    let [_, anchor, _] = on_page(kind).iter().find(|[n, ..]| *n == name)?;
+    let begin = format!("<script type=\"application/json\" id=\"{anchor}{bearing}-spec\">");
+    let (_, rest) = page.split_once(&begin)?;
+    Some(rest.split_once("</script>")?.0)
 }

@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use super::{axis_name, axis_ref, labelled, on, panel_title, panels};
+use super::panels::{axis_name, axis_ref, labelled, on, panel_title, panels};
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, line, number, with};
 use crate::reproduce_data::{PhasePortrait, PhasePortraits};

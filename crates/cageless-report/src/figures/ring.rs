@@ -3,7 +3,7 @@
 use serde_json::json;
 
 use super::history::figure;
-use super::on;
+use super::panels::on;
 use crate::figure::Figure;
 use crate::plot::{PALETTE, Plot, line, with};
 use crate::run_data::RunData;

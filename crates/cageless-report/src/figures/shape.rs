@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::on;
+use super::panels::on;
 use crate::figure::Figure;
 use crate::geometry::{ContactTrack, RacewaySurface};
 use crate::plot::{GREY, PALETTE, Plot, SECTOR, line, number, numbers, plain, with};

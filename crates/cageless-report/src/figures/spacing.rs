@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use super::{labelled, on};
+use super::panels::{labelled, on};
 use crate::figure::Figure;
 use crate::plot::{PALETTE, POINTS, Plot, line, plain, with};
 use crate::reproduce_data::{GapHistory, Neighbours};

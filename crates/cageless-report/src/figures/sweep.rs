@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::{axis_name, axis_ref, on, panels};
+use super::panels::{axis_name, axis_ref, on, panels};
 use crate::data::Provenance;
 use crate::figure::Figure;
 use crate::names;

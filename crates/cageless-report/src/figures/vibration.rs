@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use super::{axis_name, axis_ref, on};
+use super::panels::{axis_name, axis_ref, on};
 use crate::data::Vibration;
 use crate::figure::Figure;
 use crate::plot::{PALETTE, POINTS, Plot, line, number, plain, with};

@@ -61,36 +61,7 @@ impl Case {
         }
         self.operation.check()?;
         self.check_rotor()?;
-        let c = &self.contact;
-        c.friction_law.check(
-            &c.friction(),
-            [
-                "friction_coefficient",
-                "static_friction_coefficient",
-                "stribeck_speed_m_s",
-                "friction_table",
-            ],
-        )?;
-        positive("regularisation_speed_m_s", c.regularisation_speed_m_s)?;
-        not_negative("outer_friction_factor", c.outer_friction_factor)?;
-        not_negative("ball_friction_factor", c.ball_friction_factor)?;
-        not_negative("damping_n_s_m1_5", c.damping_n_s_m1_5)?;
-        if !(c.ball_restitution > 0.0 && c.ball_restitution <= 1.0) {
-            return Err(InputError::rule(
-                "ball_restitution",
-                c.ball_restitution,
-                "more than 0 and at most 1",
-            ));
-        }
-        for (field, stiffness) in [
-            ("inner_stiffness_n_m1_5", c.inner_stiffness_n_m1_5),
-            ("outer_stiffness_n_m1_5", c.outer_stiffness_n_m1_5),
-            ("ball_stiffness_n_m1_5", c.ball_stiffness_n_m1_5),
-        ] {
-            if let Some(value) = stiffness {
-                positive(field, value)?;
-            }
-        }
+        self.contact.check()?;
         for raceway in &self.raceways {
             raceway.fits(&self.bearing)?;
         }

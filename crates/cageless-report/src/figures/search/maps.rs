@@ -7,7 +7,7 @@ use cageless_results::{Cell, Record};
 use cageless_study::search::{point_label, structure_label};
 
 use crate::figure::Figure;
-use crate::figures::{axis_name, axis_ref, on, panels};
+use crate::figures::panels::{axis_name, axis_ref, on, panels};
 use crate::plot::{PALETTE, Plot, line, markers, number, numbers, plain, with};
 use crate::sampling::range;
 

@@ -7,7 +7,7 @@ use cageless_results::{MOTION, Record, STRUCTURE_AT, heading};
 use cageless_study::search::structure_label;
 
 use crate::figure::Figure;
-use crate::figures::{axis_name, axis_ref, on, panels};
+use crate::figures::panels::{axis_name, axis_ref, on, panels};
 use crate::plot::{GREY, PALETTE, Plot, markers, numbers, plain, with};
 use crate::sampling::range;
 use crate::text::short;

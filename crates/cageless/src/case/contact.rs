@@ -1,0 +1,92 @@
+//! Friction, damping and stiffness of the contacts.
+
+use crate::contact::friction::has_friction;
+use crate::contact::{FrictionLaw, FrictionTable};
+use crate::error::InputError;
+use crate::limits::{not_negative, positive};
+
+/// Contact and friction parameters.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Contact {
+    /// μ; of the Stribeck law and a table that of fast sliding.
+    pub friction_coefficient: f64,
+    /// Law of friction.
+    pub friction_law: FrictionLaw,
+    /// μs of the Stribeck law, at least μ; of no other law.
+    pub static_friction_coefficient: Option<f64>,
+    /// v of the Stribeck law, m/s; of no other law.
+    pub stribeck_speed_m_s: Option<f64>,
+    /// μ over the sliding speed, of the law of that name; of no other law.
+    pub friction_table: Option<FrictionTable>,
+    /// ΔV at the knee of all laws but Coulomb's.
+    pub regularisation_speed_m_s: f64,
+    /// Friction at the outer raceway over that of the law, which the inner raceway has.
+    pub outer_friction_factor: f64,
+    /// Friction between balls over that of the law.
+    pub ball_friction_factor: f64,
+    /// c of the raceway contacts, F = K δ^(3/2) + c √δ dδ/dt, N·s·m^(−3/2).
+    pub damping_n_s_m1_5: f64,
+    /// Coefficient of restitution between balls, above 0, at most 1.
+    pub ball_restitution: f64,
+    /// K at the inner raceway, N·m^(−3/2); from Hertz if `None`.
+    pub inner_stiffness_n_m1_5: Option<f64>,
+    /// K at the outer raceway, N·m^(−3/2); from Hertz if `None`.
+    pub outer_stiffness_n_m1_5: Option<f64>,
+    /// K between balls, N·m^(−3/2); from Hertz if `None`.
+    pub ball_stiffness_n_m1_5: Option<f64>,
+}
+
+has_friction!(Contact);
+
+impl Contact {
+    /// Largest friction of a kind of contact over that of the law.
+    pub fn friction_factor_max(&self) -> f64 {
+        self.outer_friction_factor
+            .max(self.ball_friction_factor)
+            .max(1.0)
+    }
+
+    /// Adds to μ; with a table every μ grows by the same fraction.
+    pub fn shift_friction(&mut self, by: f64) {
+        let sliding = self.friction_coefficient;
+        if self.friction_table.is_some() && sliding > 0.0 {
+            self.scale_friction((sliding + by) / sliding);
+        } else {
+            self.friction_coefficient += by;
+        }
+    }
+
+    /// Checks the values.
+    pub(super) fn check(&self) -> Result<(), InputError> {
+        self.friction_law.check(
+            &self.friction(),
+            [
+                "friction_coefficient",
+                "static_friction_coefficient",
+                "stribeck_speed_m_s",
+                "friction_table",
+            ],
+        )?;
+        positive("regularisation_speed_m_s", self.regularisation_speed_m_s)?;
+        not_negative("outer_friction_factor", self.outer_friction_factor)?;
+        not_negative("ball_friction_factor", self.ball_friction_factor)?;
+        not_negative("damping_n_s_m1_5", self.damping_n_s_m1_5)?;
+        if !(self.ball_restitution > 0.0 && self.ball_restitution <= 1.0) {
+            return Err(InputError::rule(
+                "ball_restitution",
+                self.ball_restitution,
+                "more than 0 and at most 1",
+            ));
+        }
+        for (field, stiffness) in [
+            ("inner_stiffness_n_m1_5", self.inner_stiffness_n_m1_5),
+            ("outer_stiffness_n_m1_5", self.outer_stiffness_n_m1_5),
+            ("ball_stiffness_n_m1_5", self.ball_stiffness_n_m1_5),
+        ] {
+            if let Some(value) = stiffness {
+                positive(field, value)?;
+            }
+        }
+        Ok(())
+    }
+}
