@@ -120,7 +120,8 @@ def compared(row, name):
     """What a search finds on a result: of the recommended raceway, of that of the case, and the mean of their
     difference from the same starts with its standard error."""
     found = re.search(rf"{name} (\S+) against (\S+), difference (\S+) ± (\S+)", " ".join(row["findings"]))
-    return [float(text) for text in found.groups()], [digits(text) for text in found.groups()]
+    texts = found.groups()
+    return [float(text.replace("−", "-")) for text in texts], [digits(text) for text in texts]
 
 
 def against(row, name):

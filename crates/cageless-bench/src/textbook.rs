@@ -77,8 +77,8 @@ impl Textbook {
             damping: contact.damping_n_s_m1_5,
             ball_damping: restitution_damping(contact.ball_restitution)
                 * (ball_mass / 2.0 * stiffness[2]).sqrt(),
-            friction: contact.friction_coefficient,
-            regularisation_speed: contact.regularisation_speed_m_s,
+            friction: contact.friction.coefficient,
+            regularisation_speed: contact.friction.regularisation_speed_m_s,
             falling: match bodies {
                 (Some(rotor), Some(support), Some(bore)) => Some(Falling {
                     rotor,
@@ -306,7 +306,8 @@ impl Falling {
             .max(0.0);
         let journal = self.bore_radius - r.radial_clearance_m;
         let slip = uy * nx - ux * ny + speed * journal - ring_speed * self.bore_radius;
-        let friction = r.friction_coefficient * (slip / r.regularisation_speed_m_s).tanh() * normal;
+        let friction =
+            r.friction.coefficient * (slip / r.friction.regularisation_speed_m_s).tanh() * normal;
         let force = [-normal * nx + friction * ny, -normal * ny - friction * nx];
         let (ax, ay) = (journal * nx - ex, journal * ny - ey);
         let moment = ax * force[1] - ay * force[0];

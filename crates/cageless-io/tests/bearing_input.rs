@@ -261,9 +261,9 @@ fn a_friction_table_gives_the_coefficient() {
     let table = format!(
         "{SHORT}[contact]\nfriction_law = \"table\"\nfriction_table = [[0, 0.3], [0.5, 0.2]]\n"
     );
-    assert_eq!(parse(&table, &[]).case().contact.friction_coefficient, 0.2);
+    assert_eq!(parse(&table, &[]).case().contact.friction.coefficient, 0.2);
     let zero = parse(SHORT, &["contact.friction_coefficient=-0.0"]);
-    let mu = zero.case().contact.friction_coefficient;
+    let mu = zero.case().contact.friction.coefficient;
     assert!(mu == 0.0 && mu.is_sign_positive());
     let error = refused(SHORT, &["bearing.outer_conformity=1e308"]);
     assert_eq!(error.key(), Some("bearing.outer_conformity"));

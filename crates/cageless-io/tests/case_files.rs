@@ -51,7 +51,7 @@ fn the_template_is_the_bearing_of_the_paper_in_si_units() {
     assert_eq!((o.radial_load_n, o.gravity_m_s2), (1500.0, 9.81));
     let c = &case.contact;
     assert_eq!(
-        (c.friction_coefficient, c.regularisation_speed_m_s),
+        (c.friction.coefficient, c.friction.regularisation_speed_m_s),
         (0.007, 0.02)
     );
     assert_eq!(

@@ -43,7 +43,7 @@ pub fn table1(case: &Case) -> Vec<Parameter> {
         "inner ring speed" "ωi" = format!("{rpm:.0}"), "rpm";
         "radial load" "Fr" = case.operation.radial_load_n, "N";
         from "Section 3.3":
-        "friction coefficient" "μ" = c.friction_coefficient, "";
+        "friction coefficient" "μ" = c.friction.coefficient, "";
         from "not in the paper":
         "groove curvature radii (0.52 ball diameters)" "Re" = mm(d.outer_groove_curvature_radius_m), "mm";
         "inner ring mass" "mi" = d.inner_ring_mass_kg, "kg";
@@ -53,7 +53,7 @@ pub fn table1(case: &Case) -> Vec<Parameter> {
         "Poisson's ratio" "ν" = m.poisson_ratio, "";
         "raceway damping" "c" = format!("{:e}", c.damping_n_s_m1_5), "N·s/m^1.5";
         "restitution between balls" "e" = c.ball_restitution, "";
-        "knee of the smooth law" "" = c.regularisation_speed_m_s, "m/s";
+        "knee of the smooth law" "" = c.friction.regularisation_speed_m_s, "m/s";
     }
 }
 

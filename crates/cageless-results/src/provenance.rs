@@ -67,7 +67,7 @@ pub fn provenance(case: &Case, discarded: String) -> Provenance {
     Provenance {
         case: case.title.clone(),
         profile: Some(profile_name(case.profile).to_owned()),
-        friction_law: Some(case.contact.friction_law.describe(&case.contact.friction())),
+        friction_law: Some(case.contact.friction_law.describe(&case.contact.friction)),
         method: Some(case.solver.method.properties().label.to_owned()),
         step_us: Some(microseconds(case.solver.step_s)),
         discarded,

@@ -142,7 +142,7 @@ impl Request {
             ("groove_depth_um", self.groove_depth_um, depth),
             ("axial_span_um", self.axial_span_um, span),
             ("half_angle_deg", self.half_angle_deg, half_angle),
-            ("friction", self.friction, case.contact.friction_coefficient),
+            ("friction", self.friction, case.contact.friction.coefficient),
             ("clearance_um", self.clearance_um, clearance),
             ("speed_percent", self.speed_percent, 100.0),
             ("load_percent", self.load_percent, 100.0),

@@ -189,7 +189,7 @@ fn of_case(case: &Case) -> Vec<String> {
     }
     let (creep, knee) = (
         limits.creep_m_s2(method) * case.solver.step_s,
-        case.contact.regularisation_speed_m_s,
+        case.contact.friction.regularisation_speed_m_s,
     );
     if creep > knee {
         // One digit, down: what is said to be enough is enough.

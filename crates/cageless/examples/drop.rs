@@ -15,7 +15,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let duration_s: f64 = arguments.next().map_or(Ok(0.1), |text| text.parse())?;
     let mut case = common::drop_case();
     if let Some(friction) = arguments.next() {
-        case.contact.friction_coefficient = friction.parse()?;
+        case.contact.friction.coefficient = friction.parse()?;
     }
     let raceway = common::raceway(&case.bearing, 5.1, 25.2, 0.0);
     case = case.with_raceways(vec![raceway]);

@@ -196,7 +196,7 @@ impl ContactPeakTracker {
         let orbit = case.rolling_orbit_speed_rad_s();
         let d = bearing.dimensions();
         let contact = &case.contact;
-        let friction = contact.friction_coefficient;
+        let friction = contact.friction.coefficient;
         let outer_friction = friction * contact.outer_friction_factor;
         let ball_friction = friction * contact.ball_friction_factor;
         let inner_m_s = (case.operation.inner_speed_rad_s - orbit) * d.inner_groove_bottom_radius_m;

@@ -62,7 +62,7 @@ pub use assembly::Assembly;
 pub use bearing::{Ball, Bearing, BearingDimensions, InnerRingBore};
 pub use case::{Case, Contact, Gaps, Housing, Operation, Output, Solver, Start};
 pub use collision::Collision;
-pub use contact::{FrictionLaw, FrictionTable};
+pub use contact::{FrictionLaw, FrictionParameters, FrictionTable};
 pub use error::InputError;
 pub use integrator::IntegrationMethod;
 pub use material::{Material, Materials};

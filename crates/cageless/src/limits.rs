@@ -58,10 +58,6 @@ pub const LIMITS: &[Limit] = &[
     limit("rotor_mass_kg", 1e-3, 1e6, "from a miniature spindle to the rotor of a power station"),
     limit("rotor_polar_inertia_kg_m2", 1e-12, 1e6, "from a miniature spindle to the rotor of a power station"),
     limit("drive_torque_n_m", -1e7, 1e7, "the largest turbines drive with some 1e7 N·m"),
-    limit("rotor_friction_coefficient", NONE, 2.0, "clean metals in vacuum stay below; it is no percentage"),
-    limit("rotor_static_friction_coefficient", NONE, 2.0, "clean metals in vacuum stay below; it is no percentage"),
-    limit("rotor_stribeck_speed_m_s", 1e-6, 1e3, "friction that drops below or above is constant"),
-    limit("rotor_regularisation_speed_m_s", 1e-6, 10.0, "the smooth law is a step below and no friction above"),
     limit("contact_stiffness_n_mp", 1e3, 1e16, "from foam to a block of steel; 1 N/um is 1e6 N/m"),
     limit("contact_damping_s_m", NONE, 1e3, "a coefficient of restitution near 0 at a few mm/s"),
     limit("inner_ring_polar_inertia_kg_m2", 1e-14, 1e6, "from a miniature ring to the rotor of a power station"),
@@ -73,7 +69,10 @@ pub const LIMITS: &[Limit] = &[
 
 /// Passes a value within the limits of its field, and every value of a field without limits.
 pub(crate) fn within(field: &'static str, value: f64) -> Result<(), InputError> {
-    let Some(limit) = LIMITS.iter().find(|l| l.field == field) else {
+    let find = |field: &str| LIMITS.iter().find(|l| l.field == field);
+    // Journal and bore have the limits of every contact.
+    let of_contact = || find(field.strip_prefix("rotor_")?);
+    let Some(limit) = find(field).or_else(of_contact) else {
         return Ok(());
     };
     let refuse = |allowed| Err(InputError::new(field, value, allowed));

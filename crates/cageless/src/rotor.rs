@@ -10,8 +10,7 @@
 //! assert!(case.check().is_ok());
 //! ```
 
-use crate::contact::friction::has_friction;
-use crate::contact::{FrictionLaw, FrictionTable};
+use crate::contact::{FrictionLaw, FrictionParameters, friction};
 use crate::error::{Allowed, InputError};
 use crate::limits::{finite, not_negative, positive};
 
@@ -31,18 +30,10 @@ pub struct Rotor {
     /// φ, direction of the mass centre from the centre of the journal at the start, from +X,
     /// counter-clockwise.
     pub eccentricity_phase_rad: f64,
-    /// μr between journal and bore; of the Stribeck law and a table that of fast sliding.
-    pub friction_coefficient: f64,
     /// Law of friction between journal and bore.
     pub friction_law: FrictionLaw,
-    /// Sliding speed at the knee of all laws but Coulomb's.
-    pub regularisation_speed_m_s: f64,
-    /// μs of the Stribeck law, at least μr; of no other law.
-    pub static_friction_coefficient: Option<f64>,
-    /// v of the Stribeck law, m/s; of no other law.
-    pub stribeck_speed_m_s: Option<f64>,
-    /// μr over the sliding speed, of the law of that name; of no other law.
-    pub friction_table: Option<FrictionTable>,
+    /// Its parameters.
+    pub friction: FrictionParameters,
     /// K of the contact between journal and bore, F = K δ^p (1 + 1.5 α dδ/dt), N/m^p.
     pub contact_stiffness_n_mp: f64,
     /// p, 1 (conformal) to 1.5 (Hertz).
@@ -89,8 +80,6 @@ pub struct SupportStop {
 /// Exponents of the contact between journal and bore: flat surfaces to a Hertz contact.
 pub const CONTACT_EXPONENTS: [f64; 2] = [1.0, 1.5];
 
-has_friction!(Rotor);
-
 impl Rotor {
     /// Centre of the journal at the start: zg − ε·e^(iφ).
     pub fn journal_start_m(&self) -> [f64; 2] {
@@ -129,19 +118,8 @@ impl Rotor {
             ));
         }
         finite("eccentricity_phase_rad", self.eccentricity_phase_rad)?;
-        positive(
-            "rotor_regularisation_speed_m_s",
-            self.regularisation_speed_m_s,
-        )?;
-        self.friction_law.check(
-            &self.friction(),
-            [
-                "rotor_friction_coefficient",
-                "rotor_static_friction_coefficient",
-                "rotor_stribeck_speed_m_s",
-                "rotor_friction_table",
-            ],
-        )?;
+        self.friction_law
+            .check(&self.friction, friction::Contact::Rotor)?;
         positive("contact_stiffness_n_mp", self.contact_stiffness_n_mp)?;
         let [least, most] = CONTACT_EXPONENTS;
         if !(least..=most).contains(&self.contact_exponent) {

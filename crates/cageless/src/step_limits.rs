@@ -272,7 +272,8 @@ impl Drop {
         let friction = if rotor.friction_law.sticks() {
             0.0
         } else {
-            rotor.friction_coefficient_max() * force * mobility / rotor.regularisation_speed_m_s
+            rotor.friction_law.coefficient_max(&rotor.friction) * force * mobility
+                / rotor.friction.regularisation_speed_m_s
         };
         let depth = (force / k).powf(1.0 / p);
         Self {
@@ -285,7 +286,7 @@ impl Drop {
             inverse_outer_mass: support.map_or(0.0, |s| 1.0 / s.mass_kg),
             support_moves: f64::from(u8::from(support.is_some())),
             friction_1_s: friction,
-            falling_1_s: rotor.friction_law.steepest_fall(&rotor.friction()) * force * mobility,
+            falling_1_s: rotor.friction_law.steepest_fall(&rotor.friction) * force * mobility,
         }
     }
 }
@@ -341,7 +342,7 @@ impl StepLimits {
             (Gaps::Uniform, _) => false,
         };
         let factor = contact.friction_factor_max();
-        let coefficient_max = factor * contact.friction_coefficient_max();
+        let coefficient_max = factor * contact.friction_law.coefficient_max(&contact.friction);
         let [friction, creep] = if contact.friction_law.sticks() {
             // The stick of explicit methods is relaxed with the step, see `Model`.
             let stick = STICK_FRACTION * 2.0 / 7.0 * mass;
@@ -349,7 +350,7 @@ impl StepLimits {
         } else {
             // Both friction forces of a ball together feel 1/5 of its mass.
             let largest = 5.0 * coefficient_max * load;
-            let rate = largest / (mass * contact.regularisation_speed_m_s);
+            let rate = largest / (mass * contact.friction.regularisation_speed_m_s);
             [rate.max(drop.friction_1_s), 0.0]
         };
         let deflection = |k: f64| (load / k).powf(2.0 / 3.0).sqrt();
@@ -366,7 +367,7 @@ impl StepLimits {
             creep_m_s2: creep,
             falling_1_s: (5.0
                 * factor
-                * contact.friction_law.steepest_fall(&contact.friction())
+                * contact.friction_law.steepest_fall(&contact.friction)
                 * load
                 / mass)
                 .max(drop.falling_1_s),

@@ -63,12 +63,12 @@ fn falling_friction_drop() -> Case {
         [4.0, 0.06],
         [9.0, 0.05],
     ];
-    case.contact.friction_table = FrictionTable::new(rows).ok();
-    case.contact.friction_coefficient = 0.05;
+    case.contact.friction.table = FrictionTable::new(rows).ok();
+    case.contact.friction.coefficient = 0.05;
     let rotor = case.rotor.as_mut().unwrap();
     rotor.friction_law = FrictionLaw::Stribeck;
-    rotor.static_friction_coefficient = Some(0.25);
-    rotor.stribeck_speed_m_s = Some(5.0);
+    rotor.friction.static_coefficient = Some(0.25);
+    rotor.friction.stribeck_speed_m_s = Some(5.0);
     case
 }
 

@@ -95,7 +95,7 @@ fn coulomb_friction_says_how_far_it_creeps() {
     assert_eq!(creep(&case, IntegrationMethod::Abm4), 0.0);
     case.contact.friction_law = FrictionLaw::Coulomb;
     let low = creep(&case, IntegrationMethod::Abm4);
-    case.contact.friction_coefficient = 0.3;
+    case.contact.friction.coefficient = 0.3;
     let high = creep(&case, IntegrationMethod::Abm4);
     // Friction is implicit there, and sticking exact.
     assert_eq!(creep(&case, IntegrationMethod::VelocityVerlet), 0.0);
@@ -167,10 +167,10 @@ fn a_ring_that_whirls_with_its_balls_keeps_its_energy_balance() {
     };
     for (mut case, rpm) in [(bunched, 16_000.0), (four, 80_000.0)] {
         case.contact.friction_law = FrictionLaw::Stribeck;
-        case.contact.friction_coefficient = 0.04;
-        case.contact.static_friction_coefficient = Some(0.12);
-        case.contact.stribeck_speed_m_s = Some(1.3);
-        case.contact.regularisation_speed_m_s = 2.5e-3;
+        case.contact.friction.coefficient = 0.04;
+        case.contact.friction.static_coefficient = Some(0.12);
+        case.contact.friction.stribeck_speed_m_s = Some(1.3);
+        case.contact.friction.regularisation_speed_m_s = 2.5e-3;
         case.contact.damping_n_s_m1_5 = 7.7e5;
         let case = automatic(case, 0.0, rpm, 2e-4);
         let residual = complete(&case).energy_residual_relative.abs();

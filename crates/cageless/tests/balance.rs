@@ -67,7 +67,7 @@ fn a_lossless_bearing_keeps_its_energy() {
     let mut d = dimensions();
     d.inner_ring_damping_n_s_m = 0.0;
     let mut case = undamped(conventional(d));
-    case.contact.friction_coefficient = 0.0;
+    case.contact.friction.coefficient = 0.0;
     case.operation.radial_load_n = 0.0;
     case.operation.gravity_m_s2 = 0.0;
     rough_start(&mut case);

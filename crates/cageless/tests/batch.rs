@@ -103,13 +103,13 @@ fn company_changes_no_bit() {
             };
         },
         // Friction that is implicit.
-        |case| case.contact.friction_coefficient = 1e-4 * case.operation.radial_load_n,
+        |case| case.contact.friction.coefficient = 1e-4 * case.operation.radial_load_n,
         |case| {
             let mu = 1e-4 * case.operation.radial_load_n;
             let table = vec![[0.0, 2.0 * mu], [mu, 1.5 * mu], [3.0 * mu, mu]];
-            case.contact.friction_coefficient = mu;
+            case.contact.friction.coefficient = mu;
             case.contact.friction_law = FrictionLaw::Table;
-            case.contact.friction_table = Some(FrictionTable::new(table).unwrap());
+            case.contact.friction.table = Some(FrictionTable::new(table).unwrap());
         },
     ];
     // An odd number leaves a lane of each bearing empty.
@@ -149,7 +149,7 @@ fn one_bearing_does_not_take_the_others_along() {
         case.contact.friction_law = FrictionLaw::Coulomb;
     }
     let expected: Vec<_> = cases.iter().map(alone).collect();
-    cases[1].contact.friction_coefficient = f64::NAN;
+    cases[1].contact.friction.coefficient = f64::NAN;
     cases[3].start = Start::Rolling {
         gaps: Gaps::Uniform,
         lead_ball_angle_rad: 0.0,

@@ -23,8 +23,8 @@ fn free_balls(law: FrictionLaw, step_s: f64) -> Case {
     case.operation.gravity_m_s2 = 0.0;
     case.operation.radial_load_n = 0.0;
     case.contact.friction_law = law;
-    case.contact.friction_coefficient = 0.2;
-    case.contact.regularisation_speed_m_s = 1e-4;
+    case.contact.friction.coefficient = 0.2;
+    case.contact.friction.regularisation_speed_m_s = 1e-4;
     case.contact.damping_n_s_m1_5 = 2e5;
     case.solver.method = IntegrationMethod::VelocityVerlet;
     case.solver.step_s = step_s;
@@ -118,7 +118,7 @@ fn a_ball_slips_then_rolls_at_five_sevenths() {
         (FrictionLaw::Smooth, 0.4),
     ] {
         let mut case = free_balls(law, 1e-6);
-        case.contact.friction_coefficient = coefficient / factor;
+        case.contact.friction.coefficient = coefficient / factor;
         case.contact.outer_friction_factor = factor;
         let d = case.bearing.dimensions();
         let track = d.outer_groove_bottom_radius_m - case.bearing.ball_radius_m();
@@ -196,7 +196,7 @@ fn dry_friction_takes_the_step_of_the_contacts() {
     let automatic = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
     for coefficient in [0.1, 0.3] {
         let mut dry = case.clone();
-        dry.contact.friction_coefficient = coefficient;
+        dry.contact.friction.coefficient = coefficient;
         dry.solver.step_s = StepLimits::new(&dry).automatic_s(IntegrationMethod::VelocityVerlet);
         assert_eq!(dry.solver.step_s, automatic);
         let (implicit, residual) = means(&dry);
@@ -223,14 +223,14 @@ fn small_regularisation_speeds_go_over_into_coulombs_law() {
     let mut case = structure(5.1, 25.2);
     case.solver.method = IntegrationMethod::VelocityVerlet;
     case.solver.duration_s = 0.01;
-    case.contact.friction_coefficient = 0.3;
+    case.contact.friction.coefficient = 0.3;
     case.contact.damping_n_s_m1_5 = 2e5;
     case.contact.friction_law = FrictionLaw::Coulomb;
     case.solver.step_s = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
     let (coulomb, _) = means(&case);
     case.contact.friction_law = FrictionLaw::Smooth;
     for (scale, distance_m) in [(0.02, 1e-9), (2e-4, 5e-11), (1e-6, 5e-12)] {
-        case.contact.regularisation_speed_m_s = scale;
+        case.contact.friction.regularisation_speed_m_s = scale;
         let automatic = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
         assert_eq!(case.solver.step_s, automatic);
         let (smooth, residual) = means(&case);
@@ -238,7 +238,7 @@ fn small_regularisation_speeds_go_over_into_coulombs_law() {
         let distance = (smooth[0] - coulomb[0]).abs();
         assert!(distance < distance_m, "{scale}: {distance:e}");
     }
-    case.contact.regularisation_speed_m_s = 0.9e-6;
+    case.contact.friction.regularisation_speed_m_s = 0.9e-6;
     assert_eq!(case.check().unwrap_err().field, "regularisation_speed_m_s");
 }
 
@@ -253,13 +253,13 @@ fn a_level_table_is_the_smooth_law() {
     let mut case = structure(5.1, 25.2);
     case.solver.method = IntegrationMethod::VelocityVerlet;
     case.solver.duration_s = 0.003;
-    case.contact.friction_coefficient = 0.1;
+    case.contact.friction.coefficient = 0.1;
     case.solver.step_s = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
     let end = |case: &Case| run(case, &mut [], &mut |_| Control::Continue(())).unwrap();
     let smooth = end(&case);
     case.contact.friction_law = FrictionLaw::Table;
     let level = FrictionTable::new(vec![[0.0, 0.1], [0.2, 0.1], [1.0, 0.1]]);
-    case.contact.friction_table = Some(level.unwrap());
+    case.contact.friction.table = Some(level.unwrap());
     let table = end(&case);
     for ball in 0..14 {
         let (a, b) = (
@@ -268,7 +268,7 @@ fn a_level_table_is_the_smooth_law() {
         );
         assert!((a.x - b.x).abs() < 1e-12 && (a.spin - b.spin).abs() < 1e-6);
     }
-    case.contact.friction_table = Some(falling_table());
+    case.contact.friction.table = Some(falling_table());
     let falling = end(&case);
     assert!(smooth.state != falling.state);
 }
@@ -277,20 +277,28 @@ fn a_level_table_is_the_smooth_law() {
 #[test]
 fn tables_come_with_their_law() {
     let mut case = structure(5.1, 25.2);
-    case.contact.friction_coefficient = 0.1;
-    case.contact.friction_table = Some(falling_table());
+    case.contact.friction.coefficient = 0.1;
+    case.contact.friction.table = Some(falling_table());
     let field = |case: &Case| case.check().unwrap_err().field;
     assert_eq!(field(&case), "friction_table");
     case.contact.friction_law = FrictionLaw::Table;
     assert!(case.check().is_ok());
-    case.contact.scale_friction(1.3);
+    case.contact.friction.scale(1.3);
     assert!(case.check().is_ok());
     case.contact.shift_friction(-0.01);
     assert!(case.check().is_ok());
-    assert!((case.contact.friction_coefficient_max() - 0.24).abs() < 1e-12);
-    case.contact.friction_coefficient = 0.007;
+    assert!(
+        (case
+            .contact
+            .friction_law
+            .coefficient_max(&case.contact.friction)
+            - 0.24)
+            .abs()
+            < 1e-12
+    );
+    case.contact.friction.coefficient = 0.007;
     assert_eq!(field(&case), "friction_coefficient");
-    case.contact.friction_table = None;
+    case.contact.friction.table = None;
     assert_eq!(field(&case), "friction_table");
 }
 
@@ -306,14 +314,14 @@ fn every_law_is_finite_and_closes_its_ledger() {
         let mut case = structure(5.1, 25.2);
         case.solver.method = IntegrationMethod::VelocityVerlet;
         case.solver.duration_s = 0.005;
-        case.contact.friction_coefficient = 0.1;
+        case.contact.friction.coefficient = 0.1;
         case.contact.friction_law = law;
         if law == FrictionLaw::Stribeck {
-            case.contact.static_friction_coefficient = Some(0.2);
-            case.contact.stribeck_speed_m_s = Some(0.1);
+            case.contact.friction.static_coefficient = Some(0.2);
+            case.contact.friction.stribeck_speed_m_s = Some(0.1);
         }
         if law == FrictionLaw::Table {
-            case.contact.friction_table = Some(falling_table());
+            case.contact.friction.table = Some(falling_table());
         }
         case.solver.step_s = StepLimits::new(&case).automatic_s(IntegrationMethod::VelocityVerlet);
         let outcome = run(&case, &mut [], &mut |_| Control::Continue(())).unwrap();
@@ -392,7 +400,7 @@ fn rows_hold_the_exact_cone() {
     case.solver.method = IntegrationMethod::VelocityVerlet;
     case.solver.duration_s = 0.004;
     case.solver.step_s = 2e-6;
-    case.contact.friction_coefficient = 0.1;
+    case.contact.friction.coefficient = 0.1;
     case.contact.friction_law = FrictionLaw::Coulomb;
     let mut rows = Rows::default();
     run(&case, &mut [&mut rows], &mut |_| Control::Continue(())).unwrap();

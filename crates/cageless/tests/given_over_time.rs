@@ -45,7 +45,7 @@ fn balls_follow_a_run_up() {
     let mut case = structure(5.1, 25.2);
     (case.solver.method, case.solver.step_s) = (IntegrationMethod::VelocityVerlet, 2e-6);
     case.solver.duration_s = 0.03;
-    case.contact.friction_coefficient = 0.05;
+    case.contact.friction.coefficient = 0.05;
     case.operation.inner_speed_rad_s = 0.0;
     case.operation.inner_speed_table = table(&[0.005, 0.025], &[0.0, 400.0]);
     let outcome = complete(&case);

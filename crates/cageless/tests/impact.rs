@@ -20,7 +20,7 @@ fn free_flight() -> Case {
     let mut case = undamped(conventional(d));
     case.operation.gravity_m_s2 = 0.0;
     case.operation.radial_load_n = 0.0;
-    case.contact.friction_coefficient = 0.0;
+    case.contact.friction.coefficient = 0.0;
     case.solver.step_s = 0.1e-6;
     case.solver.duration_s = 200e-6;
     case
@@ -260,7 +260,7 @@ fn leapfrog_impacts_keep_their_energy_on_average() {
 fn momentum_is_conserved_to_rounding() {
     let mut case = free_flight();
     case.contact.ball_restitution = 0.7;
-    case.contact.friction_coefficient = 0.1;
+    case.contact.friction.coefficient = 0.1;
     let (mut state, angles) = approaching(&case, 0.3);
     // An oblique impact of spinning balls.
     let (rw, y) = (case.bearing.ball_radius_m(), -case.bearing.pitch_radius_m());
@@ -300,7 +300,7 @@ fn momentum_is_conserved_to_rounding() {
 fn friction_between_balls_has_its_factor() {
     for factor in [0.0, 0.5, 1.0, 3.0] {
         let mut case = free_flight();
-        case.contact.friction_coefficient = 0.1;
+        case.contact.friction.coefficient = 0.1;
         case.contact.ball_friction_factor = factor;
         let (mut state, angles) = approaching(&case, 0.3);
         let motion = state.ball_motion(0);

@@ -124,36 +124,38 @@ fn expected(case: &Case, preload: f64) -> Expected {
     };
     let smooth = f64::from(u8::from(contact.friction_law != FrictionLaw::Coulomb));
     let coefficient = contact
-        .static_friction_coefficient
-        .unwrap_or(contact.friction_coefficient);
+        .friction
+        .static_coefficient
+        .unwrap_or(contact.friction.coefficient);
     let fall_of = |high: Option<f64>, low: f64, speed: Option<f64>| {
         high.zip(speed)
             .map_or(0.0, |(high, speed)| (high - low) / speed)
     };
     let falling = fall_of(
-        contact.static_friction_coefficient,
-        contact.friction_coefficient,
-        contact.stribeck_speed_m_s,
+        contact.friction.static_coefficient,
+        contact.friction.coefficient,
+        contact.friction.stribeck_speed_m_s,
     );
     Expected {
         load,
         contact_rad_s: square.sqrt(),
         damping_1_s: damping,
         friction_1_s: (smooth * 5.0 * coefficient * load
-            / (mass * contact.regularisation_speed_m_s))
+            / (mass * contact.friction.regularisation_speed_m_s))
             .max(at_rotor(&|r| match r.friction_law {
                 FrictionLaw::Coulomb => 0.0,
                 _ => {
-                    r.static_friction_coefficient
-                        .unwrap_or(r.friction_coefficient)
-                        / r.regularisation_speed_m_s
+                    r.friction
+                        .static_coefficient
+                        .unwrap_or(r.friction.coefficient)
+                        / r.friction.regularisation_speed_m_s
                 }
             })),
         falling_1_s: (5.0 * falling * load / mass).max(at_rotor(&|r| {
             fall_of(
-                r.static_friction_coefficient,
-                r.friction_coefficient,
-                r.stribeck_speed_m_s,
+                r.friction.static_coefficient,
+                r.friction.coefficient,
+                r.friction.stribeck_speed_m_s,
             )
         })),
         light: carried < 4.0 * struck,
@@ -188,8 +190,8 @@ fn given_stiffness(mut case: Case) -> Case {
 fn stribeck(case: &mut Case) {
     let contact = &mut case.contact;
     contact.friction_law = FrictionLaw::Stribeck;
-    contact.static_friction_coefficient = Some(0.02);
-    contact.stribeck_speed_m_s = Some(0.3);
+    contact.friction.static_coefficient = Some(0.02);
+    contact.friction.stribeck_speed_m_s = Some(0.3);
 }
 
 /// Load, speed, raceways, damping and friction of a bearing.
@@ -213,8 +215,8 @@ fn rates_of_a_loaded_bearing_are_the_closed_forms() {
         stribeck(&mut other);
         compare(name, &other, 0.0, 1e-9);
         other.contact.friction_law = FrictionLaw::Coulomb;
-        other.contact.static_friction_coefficient = None;
-        other.contact.stribeck_speed_m_s = None;
+        other.contact.friction.static_coefficient = None;
+        other.contact.friction.stribeck_speed_m_s = None;
         compare(name, &other, 0.0, 1e-9);
     }
 }
@@ -305,13 +307,13 @@ fn rates_of_a_drop_are_the_closed_forms() {
     change("journal of falling friction", &|c| {
         let rotor = c.rotor.as_mut().unwrap();
         rotor.friction_law = FrictionLaw::Stribeck;
-        rotor.static_friction_coefficient = Some(0.5);
-        rotor.stribeck_speed_m_s = Some(0.01);
-        rotor.regularisation_speed_m_s = 1e-4;
+        rotor.friction.static_coefficient = Some(0.5);
+        rotor.friction.stribeck_speed_m_s = Some(0.01);
+        rotor.friction.regularisation_speed_m_s = 1e-4;
     });
     change("sticking journal", &|c| {
         c.rotor.as_mut().unwrap().friction_law = FrictionLaw::Coulomb;
-        c.contact.friction_coefficient = 1e-3;
+        c.contact.friction.coefficient = 1e-3;
     });
     for (name, case) in &cases {
         compare(name, case, 0.0, 1e-3);
@@ -352,13 +354,13 @@ fn steps_follow_from_rates_and_methods() {
         light.operation.inner_speed_rad_s,
     ) = (0.0, 10.0);
     let mut dry = drop_case();
-    dry.contact.friction_coefficient = 0.5;
+    dry.contact.friction.coefficient = 0.5;
     let mut falling = structure(5.1, 25.2);
     stribeck(&mut falling);
     let mut table = structure(5.1, 25.2);
     table.contact.friction_law = FrictionLaw::Table;
-    table.contact.friction_table = FrictionTable::new(vec![[0.0, 0.1], [0.1, 0.02]]).ok();
-    table.contact.friction_coefficient = 0.02;
+    table.contact.friction.table = FrictionTable::new(vec![[0.0, 0.1], [0.1, 0.02]]).ok();
+    table.contact.friction.coefficient = 0.02;
     let mut damped = conventional(dimensions());
     damped.contact.damping_n_s_m1_5 = 5e6;
     let grid = [1.0, 1.5, 2.0, 3.0, 5.0, 7.0, 10.0];

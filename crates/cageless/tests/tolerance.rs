@@ -121,7 +121,7 @@ fn trials_change_what_they_say() {
                     (Influence::GrooveDepth, raceway.depth_error_m()),
                     (Influence::AxialSpan, raceway.dimensions().axial_span_m),
                     (Influence::HalfAngle, raceway.half_angle_rad()),
-                    (Influence::Friction, case.contact.friction_coefficient),
+                    (Influence::Friction, case.contact.friction.coefficient),
                     (
                         Influence::Clearance,
                         case.bearing.radial_internal_clearance_m(),

@@ -63,7 +63,7 @@ fn the_ledger_of_a_drop_closes() {
     }
     let mut backwards = drop_case();
     backwards.rotor.as_mut().unwrap().speed_rad_s *= -1.0;
-    backwards.contact.friction_coefficient = 0.3;
+    backwards.contact.friction.coefficient = 0.3;
     cases.push(backwards);
     let mut fixed = discrete(drop_case());
     fixed.support = None;
@@ -210,7 +210,7 @@ fn drops_side_by_side_have_their_own_bits() {
         .map(|k| {
             let mut case = rough();
             let rotor = case.rotor.as_mut().unwrap();
-            rotor.friction_coefficient = 0.1 + 0.02 * f64::from(k);
+            rotor.friction.coefficient = 0.1 + 0.02 * f64::from(k);
             rotor.eccentricity_phase_rad = f64::from(k);
             let mut case = near_contact(case);
             case.solver.duration_s = 1e-3;
@@ -311,8 +311,8 @@ fn moments(case: &Case, state: &State, c: &Contacts<'_>) -> f64 {
     let model = Model::new(case).unwrap();
     let friction = |slip: f64, normal: f64| {
         normal
-            * case.contact.friction_coefficient
-            * (slip / case.contact.regularisation_speed_m_s).tanh()
+            * case.contact.friction.coefficient
+            * (slip / case.contact.friction.regularisation_speed_m_s).tanh()
     };
     let outer_ring = state.outer_ring_motion();
     let mut sum = 0.0;

@@ -38,7 +38,7 @@ impl Observer for Nothing {
 fn a_clockwise_rotor_gives_the_mirrored_drop() {
     let mut case = near(0.012);
     let rotor = case.rotor.as_mut().unwrap();
-    (rotor.friction_coefficient, rotor.vx_m_s) = (0.3, 0.02);
+    (rotor.friction.coefficient, rotor.vx_m_s) = (0.3, 0.02);
     let (one, _) = dropped(&case, &mut Nothing);
     let rotor = case.rotor.as_mut().unwrap();
     (rotor.speed_rad_s, rotor.vx_m_s) = (-rotor.speed_rad_s, -rotor.vx_m_s);
@@ -91,7 +91,7 @@ fn heat_of_each_interface_is_its_term_of_the_energy_balance() {
     assert!((heat.total_j() / sum - 1.0).abs() < 1e-12);
     // Without friction of the balls there is none of its heat, and no other vanishes.
     let mut smooth = case.clone();
-    smooth.contact.friction_coefficient = 0.0;
+    smooth.contact.friction.coefficient = 0.0;
     let cold = dropped(&smooth, &mut Nothing).0.heat;
     assert_eq!(
         [
@@ -103,7 +103,7 @@ fn heat_of_each_interface_is_its_term_of_the_energy_balance() {
     );
     assert!(cold.rotor_friction_j > 0.0 && cold.support_damping_j > 0.0);
     let mut slippery = case;
-    slippery.rotor.as_mut().unwrap().friction_coefficient = 0.0;
+    slippery.rotor.as_mut().unwrap().friction.coefficient = 0.0;
     assert_eq!(
         dropped(&slippery, &mut Nothing).0.heat.rotor_friction_j,
         0.0
@@ -298,9 +298,9 @@ fn pressures_displacement_and_spin_up_follow_from_contacts_and_motion() {
     let mut bore = case.bearing.inner_ring_bore().unwrap();
     bore.polar_inertia_kg_m2 = 5e-6;
     case.bearing = case.bearing.with_inner_ring_bore(bore).unwrap();
-    case.contact.friction_coefficient = 0.007;
+    case.contact.friction.coefficient = 0.007;
     let rotor = case.rotor.as_mut().unwrap();
-    (rotor.speed_rad_s, rotor.friction_coefficient) = (300.0, 0.3);
+    (rotor.speed_rad_s, rotor.friction.coefficient) = (300.0, 0.3);
     let raceway = raceway(&case.bearing, 4.95, 35.0, 0.0);
     let case = case.with_raceways(vec![raceway]);
     let mut loads = Loads::of(&case);
@@ -362,13 +362,13 @@ fn scattered_values_stay_within_their_widths_and_reach_them() {
         &|k| bearing(k).radial_clearance_m / rotor.radial_clearance_m,
         [0.9, 1.1],
     );
-    let friction = rotor.friction_coefficient;
+    let friction = rotor.friction.coefficient;
     within(
         "rotor friction",
         &|k| bearing(k).rotor_friction / friction,
         [0.7, 1.3],
     );
-    let friction = case.contact.friction_coefficient;
+    let friction = case.contact.friction.coefficient;
     within(
         "ball friction",
         &|k| bearing(k).ball_friction / friction,

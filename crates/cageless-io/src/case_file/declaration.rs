@@ -39,7 +39,8 @@ pub(crate) trait SectionKeys: Sized {
 
 /// Declares a section. A row is `key => field: type = presence, unit, meaning, template line;`, with
 /// the former name of a key as `key formerly name` and limits as `unit; limit`. `struct` makes a
-/// struct of the fields, `impl` takes one of [`cageless`].
+/// struct of the fields, `impl` takes one of [`cageless`]; `@field: Type { rows }` between its rows
+/// fills in a struct of its own, whose errors name the keys.
 macro_rules! section {
     ($(#[$doc:meta])* struct $Name:ident { $(
         $key:ident $(formerly $former:ident)? => $field:ident: $type:ty = $presence:expr, $unit:expr $(; $limit:expr)?, $meaning:expr, $line:expr;
@@ -52,31 +53,49 @@ macro_rules! section {
             $key $(formerly $former)? => $field: $type = $presence, $unit $(; $limit)?, $meaning, $line;
         )* } }
     };
-    ($(#[$doc:meta])* impl $Name:ty { $(
-        $key:ident $(formerly $former:ident)? => $field:ident: $type:ty = $presence:expr, $unit:expr $(; $limit:expr)?, $meaning:expr, $line:expr;
-    )* }) => {
+    ($(#[$doc:meta])* impl $Name:ty {
+        $( $key:ident $(formerly $former:ident)? => $field:ident: $type:ty = $presence:expr, $unit:expr $(; $limit:expr)?, $meaning:expr, $line:expr; )*
+        $( @$group:ident: $($Group:ident)::+ {
+            $( $inner:ident $(formerly $inner_former:ident)? => $part:ident: $inner_type:ty = $inner_presence:expr, $inner_unit:expr $(; $inner_limit:expr)?, $inner_meaning:expr, $inner_line:expr; )*
+        }
+        $( $later:ident $(formerly $later_former:ident)? => $later_field:ident: $later_type:ty = $later_presence:expr, $later_unit:expr $(; $later_limit:expr)?, $later_meaning:expr, $later_line:expr; )* )?
+    }) => {
         $(#[$doc])*
         impl $crate::case_file::declaration::SectionKeys for $Name {
-            const KEYS: &'static [$crate::case_file::key::Key] = &[ $(
-                $crate::case_file::key::Key {
-                    name: stringify!($key),
-                    formerly: concat!($(stringify!($former))?),
-                    unit: $unit,
-                    limit: [$($limit,)? $crate::case_file::key::Limit::None][0],
-                    field: stringify!($field),
-                    meaning: $meaning,
-                    kind: <$type as $crate::case_file::declaration::Field>::KIND,
-                    presence: || $presence,
-                    line: $line,
-                },
-            )* ];
+            const KEYS: &'static [$crate::case_file::key::Key] = &[
+                $( $crate::case_file::declaration::key!($key [$($former)?] $field, $type, $presence, $unit $(; $limit)?, $meaning, $line), )*
+                $( $( $crate::case_file::declaration::key!($inner [$($inner_former)?] $inner, $inner_type, $inner_presence, $inner_unit $(; $inner_limit)?, $inner_meaning, $inner_line), )*
+                $( $crate::case_file::declaration::key!($later [$($later_former)?] $later_field, $later_type, $later_presence, $later_unit $(; $later_limit)?, $later_meaning, $later_line), )* )?
+            ];
 
             fn read(
                 reader: &$crate::case_file::reader::Reader<'_>,
             ) -> Result<Self, $crate::case_file::error::CaseError> {
-                Ok(Self { $( $field: reader.field(stringify!($key))?, )* })
+                Ok(Self {
+                    $( $field: reader.field(stringify!($key))?, )*
+                    $( $group: $($Group)::+ { $( $part: reader.field(stringify!($inner))?, )* },
+                    $( $later_field: reader.field(stringify!($later))?, )* )?
+                })
             }
         }
     };
 }
 pub(crate) use section;
+
+/// The row of a key.
+macro_rules! key {
+    ($key:ident [$($former:ident)?] $field:ident, $type:ty, $presence:expr, $unit:expr $(; $limit:expr)?, $meaning:expr, $line:expr) => {
+        $crate::case_file::key::Key {
+            name: stringify!($key),
+            formerly: concat!($(stringify!($former))?),
+            unit: $unit,
+            limit: [$($limit,)? $crate::case_file::key::Limit::None][0],
+            field: stringify!($field),
+            meaning: $meaning,
+            kind: <$type as $crate::case_file::declaration::Field>::KIND,
+            presence: || $presence,
+            line: $line,
+        }
+    };
+}
+pub(crate) use key;

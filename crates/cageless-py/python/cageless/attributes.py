@@ -82,16 +82,16 @@ class RunAttributes:
     steps: int | None  # steps
     rhs_evaluations: int | None  # force evaluations
     wall_s: float  # time of the computation, s
-    plot_gaps: Callable[..., go.Figure]  # gaps between neighbours over time
     plot_gap_map: Callable[..., go.Figure]  # smallest gap of each pair of neighbours over time, as colours
+    plot_gaps: Callable[..., go.Figure]  # gaps between neighbours over time
     plot_collisions: Callable[..., go.Figure]  # contacts between balls: where, when, how hard
-    plot_orbit_speed: Callable[..., go.Figure]  # orbital speed of the balls over time
-    plot_sliding: Callable[..., go.Figure]  # sliding speeds at the raceways
-    plot_phase: Callable[..., go.Figure]  # phase portrait of a ball
-    plot_loads: Callable[..., go.Figure]  # forces on a ball at the raceways over ψ
     plot_load_profile: Callable[..., go.Figure]  # loads and pressures of all balls around the bearing, of the last orbits
     plot_ring_orbit: Callable[..., go.Figure]  # orbit of the inner ring's centre
     plot_energy: Callable[..., go.Figure]  # energy balance of the whole run
+    plot_orbit_speed: Callable[..., go.Figure]  # orbital speed of the balls over time
+    plot_sliding: Callable[..., go.Figure]  # sliding speeds at the raceways
+    plot_loads: Callable[..., go.Figure]  # forces on a ball at the raceways over ψ
+    plot_phase: Callable[..., go.Figure]  # phase portrait of a ball
     plot_vibration: Callable[..., go.Figure]  # vibration of the outer ring on its housing, spectrum of the whole run
 
 

@@ -1,6 +1,7 @@
 //! Narrative of a search: its result in sentences.
 
 use cageless::design::search::{CONFIRMING_STARTS, Evaluation, Found, Motion};
+use cageless_results::number_text::signed;
 use cageless_results::{Cell, POINT, REJECTION, Record, Results, STRUCTURE, Subject};
 
 /// Differences beyond this many standard errors count.
@@ -159,10 +160,10 @@ fn comparison(found: &Found, best: &Record, own: &Record, point: usize) -> Strin
                 "more"
             };
             parts.push(format!(
-                "{name} {:.digits$} against {:.digits$}, difference {change:+.digits$} ± \
-                 {error:.digits$} ({word})",
+                "{name} {:.digits$} against {:.digits$}, difference {} ± {error:.digits$} ({word})",
                 of(&a.mean),
                 of(&b.mean),
+                signed(Some(change), digits),
             ));
         }
     }

@@ -61,7 +61,7 @@ fn each_option_has_its_limits() {
         (
             "friction",
             |r, v| r.friction = v,
-            case.contact.friction_coefficient,
+            case.contact.friction.coefficient,
         ),
         // A tenth of the ball radius of 4.7625 mm.
         ("clearance_um", |r, v| r.clearance_um = v, 952.5),

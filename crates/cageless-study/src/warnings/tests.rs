@@ -211,7 +211,7 @@ fn each_limit_of_the_step_warns_beyond_it() {
         "contact.friction_coefficient=0.3",
     ]);
     let creep = StepLimits::new(&creeping.case).creep_m_s2(IntegrationMethod::Abm4);
-    let knee = creeping.case.contact.regularisation_speed_m_s;
+    let knee = creeping.case.contact.friction.regularisation_speed_m_s;
     creeping.changes(false, "", |run| {
         run.case.solver.step_s = knee / creep * (1.0 - 1e-12)
     });

@@ -1,25 +1,16 @@
 //! Friction, damping and stiffness of the contacts.
 
-use crate::contact::friction::has_friction;
-use crate::contact::{FrictionLaw, FrictionTable};
+use crate::contact::{FrictionLaw, FrictionParameters, friction};
 use crate::error::InputError;
 use crate::limits::{not_negative, positive};
 
 /// Contact and friction parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contact {
-    /// μ; of the Stribeck law and a table that of fast sliding.
-    pub friction_coefficient: f64,
     /// Law of friction.
     pub friction_law: FrictionLaw,
-    /// μs of the Stribeck law, at least μ; of no other law.
-    pub static_friction_coefficient: Option<f64>,
-    /// v of the Stribeck law, m/s; of no other law.
-    pub stribeck_speed_m_s: Option<f64>,
-    /// μ over the sliding speed, of the law of that name; of no other law.
-    pub friction_table: Option<FrictionTable>,
-    /// ΔV at the knee of all laws but Coulomb's.
-    pub regularisation_speed_m_s: f64,
+    /// Its parameters.
+    pub friction: FrictionParameters,
     /// Friction at the outer raceway over that of the law, which the inner raceway has.
     pub outer_friction_factor: f64,
     /// Friction between balls over that of the law.
@@ -36,8 +27,6 @@ pub struct Contact {
     pub ball_stiffness_n_m1_5: Option<f64>,
 }
 
-has_friction!(Contact);
-
 impl Contact {
     /// Largest friction of a kind of contact over that of the law.
     pub fn friction_factor_max(&self) -> f64 {
@@ -48,26 +37,18 @@ impl Contact {
 
     /// Adds to μ; with a table every μ grows by the same fraction.
     pub fn shift_friction(&mut self, by: f64) {
-        let sliding = self.friction_coefficient;
-        if self.friction_table.is_some() && sliding > 0.0 {
-            self.scale_friction((sliding + by) / sliding);
+        let sliding = self.friction.coefficient;
+        if self.friction.table.is_some() && sliding > 0.0 {
+            self.friction.scale((sliding + by) / sliding);
         } else {
-            self.friction_coefficient += by;
+            self.friction.coefficient += by;
         }
     }
 
     /// Checks the values.
     pub(super) fn check(&self) -> Result<(), InputError> {
-        self.friction_law.check(
-            &self.friction(),
-            [
-                "friction_coefficient",
-                "static_friction_coefficient",
-                "stribeck_speed_m_s",
-                "friction_table",
-            ],
-        )?;
-        positive("regularisation_speed_m_s", self.regularisation_speed_m_s)?;
+        self.friction_law
+            .check(&self.friction, friction::Contact::Balls)?;
         not_negative("outer_friction_factor", self.outer_friction_factor)?;
         not_negative("ball_friction_factor", self.ball_friction_factor)?;
         not_negative("damping_n_s_m1_5", self.damping_n_s_m1_5)?;

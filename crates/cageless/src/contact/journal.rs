@@ -281,11 +281,10 @@ mod tests {
         let table = FrictionTable::new(vec![[0.0, 0.25], [0.1, 0.2], [2.0, 0.15]]).unwrap();
         let friction = |law| {
             let parameters = FrictionParameters {
-                coefficient: 0.15,
-                regularisation_speed_m_s: 1e-3,
                 static_coefficient: Some(0.25),
                 stribeck_speed_m_s: Some(0.1),
-                table: Some(&table),
+                table: Some(table.clone()),
+                ..FrictionParameters::smooth(0.15, 1e-3)
             };
             Friction::new(law, &parameters, 0.0)
         };

@@ -111,7 +111,10 @@ impl Estimate {
 /// normal forces of the equilibrium at ψ.
 fn friction_demand(case: &Case, equilibrium: &Equilibrium, raceway: &Raceway) -> f64 {
     let bearing = &case.bearing;
-    let friction = case.contact.friction_coefficient_max();
+    let friction = case
+        .contact
+        .friction_law
+        .coefficient_max(&case.contact.friction);
     let outer_factor = case.contact.outer_friction_factor;
     let speed = case.operation.inner_speed_rad_s;
     let centre = raceway.dimensions().centre_angle_rad;

@@ -123,7 +123,7 @@ impl Model {
             pair_angle: (0..d.balls).map(|k| bearing.pair_angle_rad(k)).collect(),
             balls,
             unequal: !case.has_nominal_geometry(),
-            friction: Friction::new(c.friction_law, &c.friction(), stick_gain),
+            friction: Friction::new(c.friction_law, &c.friction, stick_gain),
             outer: OuterRaceway {
                 pitch_radius: bearing.pitch_radius_m(),
                 orbit_radius: radii[0] - d.ball_radius_m,

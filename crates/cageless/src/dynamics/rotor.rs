@@ -85,7 +85,7 @@ impl RotorBody {
         let mobility = body.slip_mobility(&RotorContact::default(), ring_mass);
         let stick_gain = STICK_FRACTION / (mobility * case.solver.step_s);
         Some(Self {
-            friction: Friction::new(rotor.friction_law, &rotor.friction(), stick_gain),
+            friction: Friction::new(rotor.friction_law, &rotor.friction, stick_gain),
             ..body
         })
     }
@@ -107,7 +107,7 @@ impl RotorBody {
                 exponent: rotor.contact_exponent,
                 damping: rotor.contact_damping_s_m,
             },
-            friction: Friction::new(rotor.friction_law, &rotor.friction(), f64::MAX),
+            friction: Friction::new(rotor.friction_law, &rotor.friction, f64::MAX),
             ring_inertia: bore.polar_inertia_kg_m2,
             guide: None,
         }

@@ -166,14 +166,14 @@ impl Scatter {
         let mut drop = case.clone();
         let rotor = drop.rotor.as_mut().expect("a rotor");
         let sliding = streams.factor(Dimension::RotorFriction, self.friction_fraction);
-        rotor.scale_friction(sliding);
+        rotor.friction.scale(sliding);
         rotor.radial_clearance_m *=
             streams.factor(Dimension::RadialClearance, self.radial_clearance_fraction);
         let rolling = streams.factor(Dimension::BallFriction, self.friction_fraction);
-        drop.contact.scale_friction(rolling);
+        drop.contact.friction.scale(rolling);
         let mut drawn = DrawnBearing {
-            rotor_friction: rotor.friction_coefficient,
-            ball_friction: drop.contact.friction_coefficient,
+            rotor_friction: rotor.friction.coefficient,
+            ball_friction: drop.contact.friction.coefficient,
             radial_clearance_m: rotor.radial_clearance_m,
             support_damping_n_s_m: None,
         };

@@ -78,7 +78,9 @@ impl Quantity {
                 bearing.nominal_gap_rad().max(0.1_f64.to_radians())
             }
             Self::RingXMean | Self::RingYMean | Self::RingXEnd | Self::RingYEnd => PLACE_M,
-            Self::SlipMax => value.abs().max(case.contact.regularisation_speed_m_s),
+            Self::SlipMax => value
+                .abs()
+                .max(case.contact.friction.regularisation_speed_m_s),
             Self::RingXDeviation | Self::RingYDeviation => value.abs().max(0.01 * PLACE_M),
             Self::OrbitSpeedMean => orbit,
             Self::SpinMean => rolling_rotation_rad_s(bearing, orbit, radius).abs(),

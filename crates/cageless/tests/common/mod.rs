@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 
 use cageless::simulation::{Control, Ending, RunOutcome, run};
 use cageless::{
-    Bearing, BearingDimensions, Case, Contact, FrictionLaw, Gaps, InnerRingBore, IntegrationMethod,
-    Material, Operation, Output, Profile, Raceway, RacewayDimensions, Rotor, Solver, Start,
-    Support,
+    Bearing, BearingDimensions, Case, Contact, FrictionLaw, FrictionParameters, Gaps,
+    InnerRingBore, IntegrationMethod, Material, Operation, Output, Profile, Raceway,
+    RacewayDimensions, Rotor, Solver, Start, Support,
 };
 
 /// Zhao 2022, Table 1, with the usual values for what the paper leaves out.
@@ -79,12 +79,8 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
             radial_load_table: None,
         },
         contact: Contact {
-            friction_coefficient: 0.007,
             friction_law: FrictionLaw::Smooth,
-            static_friction_coefficient: None,
-            stribeck_speed_m_s: None,
-            friction_table: None,
-            regularisation_speed_m_s: 0.02,
+            friction: FrictionParameters::smooth(0.007, 0.02),
             outer_friction_factor: 1.0,
             ball_friction_factor: 1.0,
             damping_n_s_m1_5: 2e5,
@@ -134,7 +130,7 @@ pub fn drop_case() -> Case {
     case.bearing = case.bearing.with_inner_ring_bore(bore).unwrap();
     case.operation.inner_speed_rad_s = 0.0;
     case.operation.radial_load_n = 0.0;
-    case.contact.friction_coefficient = 0.1;
+    case.contact.friction.coefficient = 0.1;
     case.start = Start::AtRest {
         gaps: Gaps::Uniform,
         lead_ball_angle_rad: 0.0,
@@ -146,12 +142,8 @@ pub fn drop_case() -> Case {
         radial_clearance_m: 2e-4,
         eccentricity_m: 0.0,
         eccentricity_phase_rad: 0.0,
-        friction_coefficient: 0.15,
         friction_law: FrictionLaw::Smooth,
-        regularisation_speed_m_s: 0.05,
-        static_friction_coefficient: None,
-        stribeck_speed_m_s: None,
-        friction_table: None,
+        friction: FrictionParameters::smooth(0.15, 0.05),
         contact_stiffness_n_mp: 1e9,
         contact_exponent: 1.0,
         contact_damping_s_m: 0.3,

@@ -7,7 +7,7 @@ use crate::case_file::key::Limit::{Above, AtLeast};
 use crate::case_file::key::Line::{Absent, Commented, Shown};
 use crate::case_file::key::Presence::{Derived, Optional};
 use crate::case_file::key::default;
-use crate::case_file::sections::friction::section_with_friction;
+use crate::case_file::sections::friction::{LAWS, section_with_friction};
 use crate::case_file::unit::Unit::{None as Plain, Si};
 
 /// Unit of K in F = K·δ^1.5.
@@ -19,10 +19,7 @@ section_with_friction! {
     impl cageless::Contact {}
     friction("μ", "") {
         coefficient: default(0.007), Shown("0.007", "μ (paper)");
-        law: Shown("\"smooth\"", "\"smooth\", μ tanh(ΔV/regularisation_speed_m_s), \"coulomb\", \"stribeck\"\n\
-            (with static_friction_coefficient, at least μ, and\n\
-            stribeck_speed_m_s: μ + (μs − μ) exp(−|ΔV|/speed)) or \"table\"\n\
-            (with friction_table = [[ΔV in m/s, μ], …])");
+        law: LAWS;
         table: ", also if it is left out";
         regularisation: default(0.02), Shown("0.02", "regularisation speed v_s, usually 0.005 to 0.1: friction\n\
             reaches 76 % of μ N at ΔV = v_s; \"coulomb\" does not use it");

@@ -271,12 +271,12 @@ fn differences_are_told_from_scatter() {
     found.confirmed[1].statistics = vec![runs([10.0, 12.0, 14.0]); 2];
     for (own, word) in [
         // Differences −3, −1, −1: −1.67 ± 0.67, beyond twice its error.
-        ([7.0, 11.0, 13.0], "difference -1.67 ± 0.67 (less)"),
+        ([7.0, 11.0, 13.0], "difference −1.67 ± 0.67 (less)"),
         ([13.0, 13.0, 15.0], "difference +1.67 ± 0.67 (more)"),
         // Differences −3, 0, −1: −1.33 ± 0.88.
         (
             [7.0, 12.0, 13.0],
-            "difference -1.33 ± 0.88 (no different within the scatter)",
+            "difference −1.33 ± 0.88 (no different within the scatter)",
         ),
     ] {
         found.confirmed[0].statistics = vec![runs(own); 2];

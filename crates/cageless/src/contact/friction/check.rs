@@ -2,38 +2,34 @@
 
 use super::FrictionLaw;
 use super::friction_table::FrictionTable;
-use super::law::FrictionParameters;
+use super::parameters::{Contact, FrictionParameters, field};
 use crate::error::{Allowed, InputError};
-use crate::limits::{not_negative, positive};
 
 /// Rounding of a table that was multiplied by a factor.
 const SAME_COEFFICIENT: f64 = 1e-9;
 
 impl FrictionLaw {
-    /// Checks the coefficients of friction, and that what only one law has is given with it and with no
-    /// other; `fields` are the coefficient, the static one, the Stribeck speed and the table.
+    /// Checks the parameters, and that what only one law has is given with it and with no other.
     pub(crate) fn check(
         self,
-        friction: &FrictionParameters<'_>,
-        fields: [&'static str; 4],
+        friction: &FrictionParameters,
+        of: Contact,
     ) -> Result<(), InputError> {
-        let [coefficient, static_coefficient, speed, table] = fields;
-        not_negative(coefficient, friction.coefficient)?;
-        let last = friction.table.map(FrictionTable::coefficient_fast);
-        for (field, value, law, name) in [
+        let static_coefficient = field!(of, "static_friction_coefficient");
+        let last = friction.table.as_ref().map(FrictionTable::coefficient_fast);
+        let stribeck = (FrictionLaw::Stribeck, "the Stribeck law");
+        for (field, value, (law, name)) in [
+            (static_coefficient, friction.static_coefficient, stribeck),
             (
-                static_coefficient,
-                friction.static_coefficient,
-                FrictionLaw::Stribeck,
-                "the Stribeck law",
-            ),
-            (
-                speed,
+                field!(of, "stribeck_speed_m_s"),
                 friction.stribeck_speed_m_s,
-                FrictionLaw::Stribeck,
-                "the Stribeck law",
+                stribeck,
             ),
-            (table, last, FrictionLaw::Table, "the law \"table\""),
+            (
+                field!(of, "friction_table"),
+                last,
+                (FrictionLaw::Table, "the law \"table\""),
+            ),
         ] {
             match value {
                 None if self == law => {
@@ -47,22 +43,18 @@ impl FrictionLaw {
                 _ => {}
             }
         }
-        if let Some(value) = friction.stribeck_speed_m_s {
-            positive(speed, value)?;
-        }
-        if let Some(value) = friction.static_coefficient {
-            positive(static_coefficient, value)?;
-            if value < friction.coefficient {
-                let allowed =
-                    Allowed::AtLeast(friction.coefficient, "friction drops once surfaces slide");
-                return Err(InputError::new(static_coefficient, value, allowed));
+        friction.check(of)?;
+        match (friction.static_coefficient, last) {
+            (Some(value), _) if value < friction.coefficient => {
+                let why = "friction drops once surfaces slide";
+                let allowed = Allowed::AtLeast(friction.coefficient, why);
+                Err(InputError::new(static_coefficient, value, allowed))
             }
-        }
-        match last {
-            Some(last) if (last - friction.coefficient).abs() > SAME_COEFFICIENT * last => {
+            (_, Some(last)) if (last - friction.coefficient).abs() > SAME_COEFFICIENT * last => {
                 let rule =
                     format!("{last}, the μ of fast sliding in the last row of friction_table");
-                Err(InputError::rule(coefficient, friction.coefficient, rule))
+                let field = field!(of, "friction_coefficient");
+                Err(InputError::rule(field, friction.coefficient, rule))
             }
             _ => Ok(()),
         }

@@ -1,6 +1,7 @@
 //! Coulomb's law: sliding under μN, rolling as sticking within the cone.
 
-use super::law::{FrictionParameters, Law, LawConstants};
+use super::parameters::FrictionParameters;
+use super::law::{Law, LawConstants};
 use crate::contact::slip_problem::{SlipProblem, Slips};
 use crate::numerics::lanes::lane_struct;
 
@@ -111,14 +112,14 @@ impl Law for Coulomb {
 impl LawConstants for Coulomb {
     const NAME: &'static str = "coulomb";
 
-    fn new(parameters: &FrictionParameters<'_>, stick_gain_n_s_m: f64) -> Self {
+    fn new(parameters: &FrictionParameters, stick_gain_n_s_m: f64) -> Self {
         Self {
             coefficient: parameters.coefficient,
             stick_gain: stick_gain_n_s_m,
         }
     }
 
-    fn describe(_parameters: &FrictionParameters<'_>) -> String {
+    fn describe(_parameters: &FrictionParameters) -> String {
         "Coulomb".to_owned()
     }
 }

@@ -1,22 +1,7 @@
 //! What a law of friction is.
 
-use super::friction_table::FrictionTable;
+use super::parameters::FrictionParameters;
 use crate::contact::slip_problem::{SlipProblem, Slips};
-
-/// Parameters of the laws for one kind of contact; a law has those that it uses.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FrictionParameters<'a> {
-    /// μ; of the Stribeck law that of fast sliding.
-    pub coefficient: f64,
-    /// Sliding speed at the knee, m/s.
-    pub regularisation_speed_m_s: f64,
-    /// μs, at least μ.
-    pub static_coefficient: Option<f64>,
-    /// v of the Stribeck law, m/s.
-    pub stribeck_speed_m_s: Option<f64>,
-    /// μ over |ΔV|.
-    pub table: Option<&'a FrictionTable>,
-}
 
 /// A law of friction with its constants.
 pub trait Law: Copy {
@@ -65,18 +50,18 @@ pub trait LawConstants: Law + Send + Sync + 'static {
     const NAME: &'static str;
 
     /// Constants of the law.
-    fn new(parameters: &FrictionParameters<'_>, stick_gain_n_s_m: f64) -> Self;
+    fn new(parameters: &FrictionParameters, stick_gain_n_s_m: f64) -> Self;
 
     /// The law with its parameters in a few words.
-    fn describe(parameters: &FrictionParameters<'_>) -> String;
+    fn describe(parameters: &FrictionParameters) -> String;
 
     /// Largest coefficient of friction.
-    fn coefficient_max(parameters: &FrictionParameters<'_>) -> f64 {
+    fn coefficient_max(parameters: &FrictionParameters) -> f64 {
         parameters.coefficient
     }
 
     /// Largest fall of the coefficient of friction over the sliding speed, s/m.
-    fn steepest_fall(_parameters: &FrictionParameters<'_>) -> f64 {
+    fn steepest_fall(_parameters: &FrictionParameters) -> f64 {
         0.0
     }
 }
@@ -110,35 +95,3 @@ macro_rules! knee {
     };
 }
 pub(super) use knee;
-
-/// Implements what follows from the friction of a struct that has its law and parameters as fields.
-macro_rules! has_friction {
-    ($Owner:ty) => {
-        impl $Owner {
-            /// Parameters of the law of friction.
-            pub fn friction(&self) -> $crate::contact::FrictionParameters<'_> {
-                $crate::contact::FrictionParameters {
-                    coefficient: self.friction_coefficient,
-                    regularisation_speed_m_s: self.regularisation_speed_m_s,
-                    static_coefficient: self.static_friction_coefficient,
-                    stribeck_speed_m_s: self.stribeck_speed_m_s,
-                    table: self.friction_table.as_ref(),
-                }
-            }
-
-            /// Largest coefficient of friction of the law.
-            pub fn friction_coefficient_max(&self) -> f64 {
-                self.friction_law.coefficient_max(&self.friction())
-            }
-
-            /// Multiplies friction at every sliding speed.
-            pub fn scale_friction(&mut self, factor: f64) {
-                self.friction_coefficient *= factor;
-                let scaled = self.static_friction_coefficient.map(|mu| mu * factor);
-                self.static_friction_coefficient = scaled;
-                self.friction_table = self.friction_table.as_ref().map(|t| t.scaled(factor));
-            }
-        }
-    };
-}
-pub(crate) use has_friction;

@@ -20,12 +20,15 @@
 mod check;
 mod friction_table;
 mod law;
+mod parameters;
 mod tanh;
 
 pub(crate) use coulomb::STICK_FRACTION;
 pub use friction_table::{FrictionTable, POINTS_MAX};
-pub use law::{FrictionParameters, Law, LawConstants};
-pub(crate) use law::{LawLanes, has_friction};
+pub(crate) use law::LawLanes;
+pub use law::{Law, LawConstants};
+pub(crate) use parameters::Contact;
+pub use parameters::FrictionParameters;
 pub use tanh::tanh;
 
 /// Declares a law whose constants are numbers.
@@ -92,17 +95,17 @@ macro_rules! friction_laws {
             }
 
             /// Largest coefficient of friction.
-            pub fn coefficient_max(self, parameters: &FrictionParameters<'_>) -> f64 {
+            pub fn coefficient_max(self, parameters: &FrictionParameters) -> f64 {
                 match self { $(Self::$law => <$law as LawConstants>::coefficient_max(parameters),)* }
             }
 
             /// Largest fall of the coefficient of friction over the sliding speed, s/m.
-            pub fn steepest_fall(self, parameters: &FrictionParameters<'_>) -> f64 {
+            pub fn steepest_fall(self, parameters: &FrictionParameters) -> f64 {
                 match self { $(Self::$law => <$law as LawConstants>::steepest_fall(parameters),)* }
             }
 
             /// The law with its parameters in a few words.
-            pub fn describe(self, parameters: &FrictionParameters<'_>) -> String {
+            pub fn describe(self, parameters: &FrictionParameters) -> String {
                 match self { $(Self::$law => <$law as LawConstants>::describe(parameters),)* }
             }
         }
@@ -111,7 +114,7 @@ macro_rules! friction_laws {
             /// The law with these parameters; explicit methods give a law that sticks this gain.
             pub fn new(
                 law: FrictionLaw,
-                parameters: &FrictionParameters<'_>,
+                parameters: &FrictionParameters,
                 stick_gain_n_s_m: f64,
             ) -> Self {
                 match law {
@@ -200,11 +203,8 @@ mod tests {
     fn slopes_are_derivatives() {
         let table = FrictionTable::new(vec![[0.01, 0.3], [0.2, 0.2], [0.9, 0.1]]).unwrap();
         let measured = FrictionParameters {
-            coefficient: 0.1,
-            regularisation_speed_m_s: 0.02,
-            static_coefficient: None,
-            stribeck_speed_m_s: None,
-            table: Some(&table),
+            table: Some(table),
+            ..FrictionParameters::smooth(0.1, 0.02)
         };
         for law in [
             Friction::new(FrictionLaw::Table, &measured, 0.0),

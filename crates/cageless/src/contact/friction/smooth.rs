@@ -1,6 +1,7 @@
 //! Friction with a smooth knee at zero sliding speed.
 
-use super::law::{FrictionParameters, Law, LawConstants, knee};
+use super::parameters::FrictionParameters;
+use super::law::{Law, LawConstants, knee};
 use super::tanh::{tanh, tanh_pair};
 use crate::numerics::lanes::lane_struct;
 
@@ -48,14 +49,14 @@ impl Law for Smooth {
 impl LawConstants for Smooth {
     const NAME: &'static str = "smooth";
 
-    fn new(parameters: &FrictionParameters<'_>, _stick_gain_n_s_m: f64) -> Self {
+    fn new(parameters: &FrictionParameters, _stick_gain_n_s_m: f64) -> Self {
         Self {
             coefficient: parameters.coefficient,
             inverse_regularisation_speed: 1.0 / parameters.regularisation_speed_m_s,
         }
     }
 
-    fn describe(parameters: &FrictionParameters<'_>) -> String {
+    fn describe(parameters: &FrictionParameters) -> String {
         format!("smooth, tanh(ΔV/{} m/s)", parameters.regularisation_speed_m_s)
     }
 }

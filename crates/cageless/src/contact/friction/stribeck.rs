@@ -1,6 +1,7 @@
 //! Friction that drops from static to sliding.
 
-use super::law::{FrictionParameters, Law, LawConstants, knee};
+use super::parameters::FrictionParameters;
+use super::law::{Law, LawConstants, knee};
 use super::tanh::{exp_negative, tanh};
 use crate::numerics::lanes::lane_struct;
 
@@ -42,7 +43,7 @@ impl Law for Stribeck {
 impl LawConstants for Stribeck {
     const NAME: &'static str = "stribeck";
 
-    fn new(parameters: &FrictionParameters<'_>, _stick_gain_n_s_m: f64) -> Self {
+    fn new(parameters: &FrictionParameters, _stick_gain_n_s_m: f64) -> Self {
         Self {
             coefficient: parameters.coefficient,
             static_excess: Self::coefficient_max(parameters) - parameters.coefficient,
@@ -51,7 +52,7 @@ impl LawConstants for Stribeck {
         }
     }
 
-    fn describe(parameters: &FrictionParameters<'_>) -> String {
+    fn describe(parameters: &FrictionParameters) -> String {
         format!(
             "Stribeck, {} to {}",
             Self::coefficient_max(parameters),
@@ -59,7 +60,7 @@ impl LawConstants for Stribeck {
         )
     }
 
-    fn coefficient_max(parameters: &FrictionParameters<'_>) -> f64 {
+    fn coefficient_max(parameters: &FrictionParameters) -> f64 {
         let sliding = parameters.coefficient;
         parameters
             .static_coefficient
@@ -67,7 +68,7 @@ impl LawConstants for Stribeck {
     }
 
     /// (μs − μ)/v, that of the exponential at rest.
-    fn steepest_fall(parameters: &FrictionParameters<'_>) -> f64 {
+    fn steepest_fall(parameters: &FrictionParameters) -> f64 {
         let excess = Self::coefficient_max(parameters) - parameters.coefficient;
         parameters.stribeck_speed_m_s.map_or(0.0, |v| excess / v)
     }

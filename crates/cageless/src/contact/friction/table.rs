@@ -1,7 +1,8 @@
 //! Friction from measured points of μ over the sliding speed.
 
 use super::friction_table::{FrictionTable, PIECES_MAX, Piece, PieceLanes};
-use super::law::{FrictionParameters, Law, LawConstants, LawLanes, knee};
+use super::parameters::FrictionParameters;
+use super::law::{Law, LawConstants, LawLanes, knee};
 use super::tanh::tanh;
 use crate::numerics::lanes::{LANES, Lanes};
 
@@ -54,18 +55,18 @@ impl LawConstants for Table {
     const NAME: &'static str = "table";
 
     /// Without a table, which a checked case has, there is no friction.
-    fn new(parameters: &FrictionParameters<'_>, _stick_gain_n_s_m: f64) -> Self {
+    fn new(parameters: &FrictionParameters, _stick_gain_n_s_m: f64) -> Self {
         let mut pieces = [Piece::BEYOND; PIECES_MAX];
         pieces[0] = Piece::default();
         Self {
-            pieces: parameters.table.map_or(pieces, FrictionTable::pieces),
+            pieces: parameters.table.as_ref().map_or(pieces, FrictionTable::pieces),
             coefficient: parameters.coefficient,
             inverse_regularisation_speed: 1.0 / parameters.regularisation_speed_m_s,
         }
     }
 
-    fn describe(parameters: &FrictionParameters<'_>) -> String {
-        let points = parameters.table.map_or(0, |t| t.points().len());
+    fn describe(parameters: &FrictionParameters) -> String {
+        let points = parameters.table.as_ref().map_or(0, |t| t.points().len());
         format!(
             "table of {points} points, {} to {}",
             Self::coefficient_max(parameters),
@@ -73,13 +74,13 @@ impl LawConstants for Table {
         )
     }
 
-    fn coefficient_max(parameters: &FrictionParameters<'_>) -> f64 {
-        let table = parameters.table;
+    fn coefficient_max(parameters: &FrictionParameters) -> f64 {
+        let table = parameters.table.as_ref();
         table.map_or(parameters.coefficient, FrictionTable::coefficient_max)
     }
 
-    fn steepest_fall(parameters: &FrictionParameters<'_>) -> f64 {
-        parameters.table.map_or(0.0, FrictionTable::steepest_fall)
+    fn steepest_fall(parameters: &FrictionParameters) -> f64 {
+        parameters.table.as_ref().map_or(0.0, FrictionTable::steepest_fall)
     }
 }
 
@@ -194,11 +195,8 @@ mod tests {
         let short = FrictionTable::new(vec![[0.0, 0.1], [1.0, 0.05]]).unwrap();
         let (dry, own) = (dry(), |t: &FrictionTable| {
             let parameters = FrictionParameters {
-                coefficient: t.coefficient_fast(),
-                regularisation_speed_m_s: 0.02,
-                static_coefficient: None,
-                stribeck_speed_m_s: None,
-                table: Some(t),
+                table: Some(t.clone()),
+                ..FrictionParameters::smooth(t.coefficient_fast(), 0.02)
             };
             Table::new(&parameters, 0.0)
         });

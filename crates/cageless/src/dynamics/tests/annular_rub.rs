@@ -2,8 +2,8 @@
 
 use super::rotor_in_ring::{Coordinate, RingMount, RotorInRing};
 use super::touchdown_exact::{at, bore, close, root, rotor};
-use cageless::Rotor;
 use cageless::integrator::{Adaptive, Integrator, System};
+use cageless::{FrictionParameters, Rotor};
 
 /// A rotor on a shaft in a fixed ring: the equations of [`RotorInRing`] with the forces of the
 /// shaft on the journal, at constant speed.
@@ -46,17 +46,16 @@ fn full_annular_rub() {
     let rotor = Rotor {
         mass_kg: 10.0,
         contact_stiffness_n_mp: 2e7,
-        friction_coefficient: 0.05,
+        friction: FrictionParameters::smooth(0.05, 1e-4),
         eccentricity_m: 4e-4,
         speed_rad_s: 500.0,
         polar_inertia_kg_m2: 1e3,
-        regularisation_speed_m_s: 1e-4,
         ..rotor()
     };
     let (m, k, c) = (rotor.mass_kg, 1e6, 4e3);
     let (stiff, mu, gap, speed) = (
         rotor.contact_stiffness_n_mp,
-        rotor.friction_coefficient,
+        rotor.friction.coefficient,
         rotor.radial_clearance_m,
         rotor.speed_rad_s,
     );

@@ -6,6 +6,7 @@ use std::f64::consts::TAU;
 
 use super::rotor_in_ring::{Coordinate, RingMount, RotorInRing};
 use crate::common::drop_case;
+use cageless::contact::FrictionParameters;
 use cageless::integrator::{Adaptive, Integrator, System};
 use cageless::{InnerRingBore, Rotor, Support};
 
@@ -17,9 +18,14 @@ pub fn rotor() -> Rotor {
     Rotor {
         radial_clearance_m: 2.5e-4,
         contact_damping_s_m: 0.0,
-        regularisation_speed_m_s: 1e-3,
+        friction: friction(0.15),
         ..drop_case().rotor.unwrap()
     }
+}
+
+/// Smooth friction with its knee at 1 mm/s.
+fn friction(coefficient: f64) -> FrictionParameters {
+    FrictionParameters::smooth(coefficient, 1e-3)
 }
 
 pub fn bore() -> InnerRingBore {
@@ -130,7 +136,7 @@ pub fn close(found: f64, expected: f64, relative: f64, what: &str) {
 #[test]
 fn fall_and_first_impact() {
     let rotor = Rotor {
-        friction_coefficient: 0.0,
+        friction: friction(0.0),
         ..rotor()
     };
     let gap = rotor.radial_clearance_m;
@@ -161,7 +167,7 @@ fn fall_and_first_impact() {
 fn pendulum_in_the_clearance() {
     for (stiffness, most) in [(1e10, 1e-4), (1e11, 1e-5)] {
         let mut rotor = Rotor {
-            friction_coefficient: 0.0,
+            friction: friction(0.0),
             contact_stiffness_n_mp: stiffness,
             ..rotor()
         };
@@ -207,7 +213,7 @@ fn resting_and_slipping() {
 /// The rotor at rest and slipping in a ring whose centre is held, and the normal force.
 fn resting(rotor: &Rotor) -> (RotorInRing, Vec<f64>, f64) {
     let system = RotorInRing::new(rotor, bore(), G, RingMount::Turning);
-    let angle = rotor.friction_coefficient.atan();
+    let angle = rotor.friction.coefficient.atan();
     let normal = rotor.mass_kg * G * angle.cos();
     let radius = rotor.radial_clearance_m + normal / rotor.contact_stiffness_n_mp;
     let mut state = system.start(rotor);
@@ -222,11 +228,10 @@ fn resting(rotor: &Rotor) -> (RotorInRing, Vec<f64>, f64) {
 fn climb_in_a_rigid_circle() {
     let climb = |friction: f64, stiffness: f64, lifts: bool| {
         let mut rotor = Rotor {
-            friction_coefficient: friction,
+            friction: FrictionParameters::smooth(friction, 1.0),
             contact_stiffness_n_mp: stiffness,
             speed_rad_s: 1e4,
             polar_inertia_kg_m2: 1e4,
-            regularisation_speed_m_s: 1.0,
             ..rotor()
         };
         rotor.y_m = -rotor.radial_clearance_m;
@@ -289,7 +294,7 @@ fn spin_up_of_a_held_ring() {
     let mut run = Run::from(system, &state);
     // Friction is constant until the slip is near its scale: 1 % of the slip is left.
     let (time_s, end) = run.until(2.0, |_, s| 0.01 * slip - s.contact().contact.slip);
-    let friction = rotor.friction_coefficient * normal;
+    let friction = rotor.friction.coefficient * normal;
     close(
         time_s,
         0.99 * mass * slip / friction,
@@ -320,7 +325,6 @@ fn spin_energy_goes_into_heat() {
         radial_clearance_m: 1e-6,
         speed_rad_s: 300.0,
         contact_damping_s_m: 0.3,
-        regularisation_speed_m_s: 1e-3,
         ..rotor()
     };
     let bore = bore();
@@ -380,7 +384,7 @@ fn backward_whirl_on_a_damped_support() {
     };
     let (m, mu, gap) = (
         rotor.mass_kg,
-        rotor.friction_coefficient,
+        rotor.friction.coefficient,
         rotor.radial_clearance_m,
     );
     let c = support.damping_n_s_m;
@@ -430,7 +434,7 @@ fn backward_whirl_on_a_damped_support() {
 #[test]
 fn rolling_limit_of_dry_whirl() {
     let rotor = Rotor {
-        friction_coefficient: 0.3,
+        friction: friction(0.3),
         ..rotor()
     };
     let journal = bore().radius_m - rotor.radial_clearance_m;

@@ -1,0 +1,76 @@
+//! Parameters of the laws of friction.
+
+use super::friction_table::FrictionTable;
+use crate::error::InputError;
+use crate::limits::{not_negative, positive};
+
+/// A kind of contact with friction of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Contact {
+    /// Of the balls.
+    Balls,
+    /// Of journal and bore, whose fields in errors have the prefix `rotor_`.
+    Rotor,
+}
+
+/// Field of an error about a parameter of a contact.
+macro_rules! field {
+    ($of:expr, $name:literal) => {
+        match $of {
+            $crate::contact::friction::Contact::Balls => $name,
+            $crate::contact::friction::Contact::Rotor => concat!("rotor_", $name),
+        }
+    };
+}
+pub(super) use field;
+
+/// Parameters of the laws of friction for one kind of contact; a law has those that it uses.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FrictionParameters {
+    /// μ; of the Stribeck law and a table that of fast sliding.
+    pub coefficient: f64,
+    /// Sliding speed at the knee of all laws but Coulomb's, m/s.
+    pub regularisation_speed_m_s: f64,
+    /// μs of the Stribeck law, at least μ; of no other law.
+    pub static_coefficient: Option<f64>,
+    /// v of the Stribeck law, m/s; of no other law.
+    pub stribeck_speed_m_s: Option<f64>,
+    /// μ over |ΔV|, of the law of that name; of no other law.
+    pub table: Option<FrictionTable>,
+}
+
+impl FrictionParameters {
+    /// Those of the smooth law.
+    pub fn smooth(coefficient: f64, regularisation_speed_m_s: f64) -> Self {
+        Self {
+            coefficient,
+            regularisation_speed_m_s,
+            static_coefficient: None,
+            stribeck_speed_m_s: None,
+            table: None,
+        }
+    }
+
+    /// Multiplies friction at every sliding speed.
+    pub fn scale(&mut self, factor: f64) {
+        self.coefficient *= factor;
+        self.static_coefficient = self.static_coefficient.map(|mu| mu * factor);
+        self.table = self.table.as_ref().map(|t| t.scaled(factor));
+    }
+
+    /// Checks each parameter.
+    pub(super) fn check(&self, of: Contact) -> Result<(), InputError> {
+        positive(
+            field!(of, "regularisation_speed_m_s"),
+            self.regularisation_speed_m_s,
+        )?;
+        not_negative(field!(of, "friction_coefficient"), self.coefficient)?;
+        if let Some(value) = self.stribeck_speed_m_s {
+            positive(field!(of, "stribeck_speed_m_s"), value)?;
+        }
+        if let Some(value) = self.static_coefficient {
+            positive(field!(of, "static_friction_coefficient"), value)?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,301 @@
+"""Follows the recipes of CONTRIBUTING.md on a copy of the project, all of them at once: each touches the files
+that it lists and no other, and the command then has a law of friction, a method, a result, a figure and a key more.
+
+    recipes.py FOLDER [BUILT]
+
+FOLDER takes the copy and what is built from it; BUILT is a target folder whose dependencies are taken over.
+"""
+
+import json
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import checks
+
+HERE = Path(__file__).resolve().parents[2]
+CORE, IO, REPORT = "crates/cageless/src/", "crates/cageless-io/src/case_file/", "crates/cageless-report/src/"
+FRICTION, INTEGRATOR, FIGURES = CORE + "contact/friction/", CORE + "integrator/", REPORT + "figures/"
+
+# A new file, or [what stands before or after the change, the change] in a file that there is.
+RECIPES = {
+    "A friction law with a parameter": {
+        FRICTION
+        + "rising.rs": """//! Friction that grows with the sliding speed.
+
+use super::law::{Law, LawConstants, knee};
+use super::parameters::FrictionParameters;
+use super::tanh::tanh;
+use crate::numerics::lanes::lane_struct;
+
+law_struct! {
+    /// μ·(1 + a·|ΔV|)·tanh(ΔV/scale)·N.
+    pub struct Rising per lane RisingLanes {
+        /// μ at rest.
+        coefficient,
+        /// a, s/m.
+        rise,
+        /// 1/scale, s/m.
+        inverse_regularisation_speed,
+    }
+}
+
+impl Law for Rising {
+    #[inline(always)]
+    fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2] {
+        let knee = tanh(sliding_m_s * self.inverse_regularisation_speed);
+        let largest = self.coefficient * normal_n;
+        let factor = 1.0 + self.rise * sliding_m_s.abs();
+        let slope = largest * (1.0 - knee * knee) * self.inverse_regularisation_speed;
+        [largest * knee * factor, slope * factor + largest * self.rise * knee.abs()]
+    }
+
+    knee!();
+}
+
+impl LawConstants for Rising {
+    const NAME: &'static str = "rising";
+
+    fn new(parameters: &FrictionParameters, _stick_gain_n_s_m: f64) -> Self {
+        Self {
+            coefficient: parameters.coefficient,
+            rise: parameters.rise_s_m,
+            inverse_regularisation_speed: 1.0 / parameters.regularisation_speed_m_s,
+        }
+    }
+
+    fn describe(parameters: &FrictionParameters) -> String {
+        format!("rising by {} s/m", parameters.rise_s_m)
+    }
+}
+""",
+        FRICTION
+        + "mod.rs": [
+            ["    /// μ(|ΔV|)·tanh(ΔV/scale)·N with μ", "    /// μ·(1 + a·|ΔV|)·tanh(ΔV/scale)·N.\n    rising: Rising per lane RisingLanes,\n"],
+        ],
+        FRICTION
+        + "parameters.rs": [
+            ["    /// μs of the Stribeck law, at least μ;", "    /// a, s/m.\n    pub rise_s_m: f64,\n"],
+            ["            static_coefficient: None,", "            rise_s_m: 0.0,\n"],
+            ['        not_negative(field!(of, "friction_coefficient")', '        not_negative(field!(of, "friction_rise_s_m"), self.rise_s_m)?;\n'],
+        ],
+        IO
+        + "sections/friction.rs": [
+            [
+                "                    friction_table => table",
+                "                    friction_rise_s_m => rise_s_m: f64 = default(0.0), Si(\"s/m\"); AtLeast(0.0),\n"
+                '                        concat!("growth of ", $symbol, " over the sliding speed"), Absent;\n',
+            ]
+        ],
+    },
+    "An integrator": {
+        INTEGRATOR
+        + "heun.rs": """//! Heun's method.
+
+use super::method::{Method, NamedMethod, Properties};
+use super::runge_kutta::UnresolvedStep;
+use super::step_state::{FixedSteps, StepState};
+use super::system::System;
+
+/// y(1) = y(0) + h/2·(f(0) + f(y(0) + h·f(0))).
+#[derive(Debug, Clone)]
+pub struct Heun {
+    steps: FixedSteps,
+}
+
+impl NamedMethod for Heun {
+    const PROPERTIES: Properties = Properties {
+        name: "heun",
+        label: "Heun",
+        order: 2,
+        oscillation_limit: 0.2,
+        decay_limit: 2.0,
+        solves_stiff_part: false,
+        side_by_side: true,
+        automatic_oscillation: [0.05, 0.05],
+        automatic_decay: 0.5,
+    };
+
+    fn of_case(_dimension: usize, step_s: f64, _tolerance: f64) -> Self {
+        Self {
+            steps: FixedSteps::new(step_s),
+        }
+    }
+}
+
+impl Method for Heun {
+    fn restart<S: System>(&mut self, _system: &mut S, step: &StepState) {
+        self.steps.restart(step.t1_s);
+    }
+
+    fn perform_step<S: System>(
+        &mut self,
+        system: &mut S,
+        step: &mut StepState,
+        limit_s: f64,
+    ) -> Result<(), UnresolvedStep> {
+        (step.t1_s, _) = self.steps.next_end(limit_s);
+        let h = step.size_s();
+        for k in 0..step.y0.len() {
+            step.y1[k] = step.y0[k] + h * step.f0[k];
+        }
+        system.derivative(step.t1_s, &step.y1, &mut step.f1);
+        for k in 0..step.y0.len() {
+            step.y1[k] = step.y0[k] + 0.5 * h * (step.f0[k] + step.f1[k]);
+        }
+        system.derivative(step.t1_s, &step.y1, &mut step.f1);
+        Ok(())
+    }
+}
+""",
+        INTEGRATOR + "mod.rs": [["    /// Order 8(5,3) with error control", "    /// Heun's method.\n    heun: Heun,\n"]],
+    },
+    "A scalar result": {
+        "crates/cageless-results/src/table/run.rs": [
+            [
+                '    quantity("passage_duration_mean_ms"',
+                '    quantity("passages_per_second_hz", "Hz", "passages a second", '
+                "Run(|r| some(r.passages.count as f64 / r.outcome.end_s))),\n",
+            ]
+        ],
+    },
+    "A figure": {
+        FIGURES
+        + "magnitudes.rs": """//! Magnitudes of the terms of the energy balance.
+
+use serde_json::json;
+
+use super::history::figure;
+use crate::figure::Figure;
+use crate::plot::{Plot, numbers};
+use crate::run_data::RunData;
+
+/// Magnitudes of the terms of the energy balance.
+pub fn magnitudes(run: &RunData) -> Option<Figure> {
+    let values: Vec<f64> = run.energy.iter().map(|item| item.energy_j.abs()).collect();
+    let plot = Plot::new(300)
+        .axis("xaxis", "Term", json!({}))
+        .axis("yaxis", "Magnitude (J)", json!({}))
+        .trace(json!({ "type": "bar", "y": numbers(&values) }));
+    Some(figure(run, "Magnitudes", "Magnitudes of the terms.", plot))
+}
+""",
+        FIGURES
+        + "mod.rs": [
+            ["pub mod orbit;", "pub mod magnitudes;\n"],
+            ['            named("energy"', '            named("magnitudes", "magnitudes of the terms", magnitudes::magnitudes),\n'],
+        ],
+    },
+    "A key of the case file": {
+        CORE
+        + "case/contact.rs": [
+            ["    /// Friction between balls over that", "    /// Roughness over film thickness.\n    pub roughness_ratio: f64,\n"],
+            ['        not_negative("ball_friction_factor"', '        not_negative("roughness_ratio", self.roughness_ratio)?;\n'],
+        ],
+        IO
+        + "sections/contact.rs": [
+            [
+                "        ball_friction_factor =>",
+                "        roughness_ratio => roughness_ratio: f64 = default(0.0), Plain; AtLeast(0.0),\n"
+                '            "roughness over film thickness", Commented("0.0", "roughness over film");\n',
+            ]
+        ],
+    },
+}
+
+
+def copied(folder):
+    """The files of the project, those that are not committed included."""
+    tree = folder / "tree"
+    shutil.rmtree(tree, ignore_errors=True)
+    listed = subprocess.run(
+        ["git", "ls-files", "-co", "--exclude-standard", "-z"], cwd=HERE, capture_output=True, check=True
+    )
+    for name in listed.stdout.decode().split("\0"):
+        if name and (HERE / name).is_file():
+            (tree / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(HERE / name, tree / name)
+    return tree
+
+
+def follow(tree):
+    """Makes the changes of all recipes, each as its text in CONTRIBUTING.md says."""
+    text = (HERE / "CONTRIBUTING.md").read_text()
+    for title, changes in RECIPES.items():
+        heading = re.search(rf"### {title}: (\d) files?\n(.*?)(?=\n###? )", text, re.S)
+        checks.check(f"{title} is a recipe", heading)
+        count, recipe = heading.groups()
+        checks.check(f"{title}: number of files", int(count) == len(changes), f"{count}, not {len(changes)}")
+        for name, change in changes.items():
+            file = tree / name
+            if isinstance(change, str):
+                checks.check(f"{title}: {file.name} is new", not file.exists())
+                checks.check(f"{title}: where {file.name} goes", str(Path(name).parent) in recipe)
+                file.write_text(change)
+                continue
+            checks.check(f"{title}: {name} is listed", name in recipe or f"{Path(name).parent}/" in recipe)
+            content = file.read_text()
+            for before, line in change:
+                checks.check(f"{title}: one place in {name}", content.count(before) == 1, before)
+                content = content.replace(before, line + before, 1)
+            file.write_text(content)
+
+
+def build(folder, tree, built):
+    """The command of the copy, with the dependencies of `built` where they fit."""
+    target = folder / "target"
+    for part in ("build", "deps", ".fingerprint") if built else ():
+        for path in (built / "release" / part).glob("*"):
+            to = target / "release" / part / path.name
+            if "cageless" not in path.name and not to.exists():
+                to.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copytree(path, to) if path.is_dir() else shutil.copy2(path, to)
+    command = ["cargo", "build", "--locked", "--release", "--workspace", "--exclude", "cageless-bench", "--bins"]
+    # Pages need no engine here.
+    environment = {"CARGO_TARGET_DIR": str(target), "CAGELESS_ENGINE": "/dev/null"}
+    done = subprocess.run(command, cwd=tree, env=dict(__import__("os").environ, **environment))
+    checks.check("the copy compiles", done.returncode == 0)
+    return target / "release/cageless"
+
+
+def run(cageless, tree, out, *settings):
+    options = [option for setting in settings for option in ("--set", setting)]
+    command = [cageless, "run", "cases/zhao-d.toml", "--json", "--out", out, *options]
+    return subprocess.run(command, cwd=tree, capture_output=True, text=True)
+
+
+def main():
+    folder = Path(sys.argv[1]).resolve()
+    tree = copied(folder)
+    follow(tree)
+    if checks.failed:
+        return checks.exit_code()
+    cageless = build(folder, tree, Path(sys.argv[2]).resolve() if len(sys.argv) > 2 else None)
+    short = ["solver.duration_s=0.02", "solver.method=heun", "solver.step_us=0.2", "contact.roughness_ratio=0.5"]
+    rising = "contact.friction_law=rising"
+
+    def numbers(*settings):
+        done = run(cageless, tree, folder / "out", *short, *settings)
+        checks.check("the run completes", done.returncode == 0, done.stderr)
+        return json.loads(done.stdout)
+
+    smooth, same, more = numbers(), numbers(rising), numbers(rising, "contact.friction_rise_s_m=5")
+    checks.check("the key is in the case as run", more["case"]["contact"]["roughness_ratio"] == 0.5)
+    checks.check("the method is in the case as run", more["case"]["solver"]["method"] == "heun")
+    checks.check("the method balances energy", abs(smooth["energy_residual_relative"]) < 1e-3)
+    checks.check("the new result", more["passages_per_second_hz"] == more["passages"] / more["simulated_s"])
+    checks.check("a law without its growth is the smooth one", same["power_loss_w"] == smooth["power_loss_w"])
+    checks.check("a law with its growth is not", more["power_loss_w"] != smooth["power_loss_w"])
+    page = (folder / "out/report.html").read_text()
+    for what in ('id="magnitudes"', "rising by 5 s/m", "passages a second", "Heun"):
+        checks.check(f"the page has {what}", what in page)
+    for setting, key in (("contact.roughness_ratio=-1", "contact.roughness_ratio"), ("contact.friction_rise_s_m=-1", "contact.friction_rise_s_m")):
+        bad = run(cageless, tree, folder / "bad", setting)
+        checks.check(f"{setting} is refused", bad.returncode == 2 and key in bad.stderr, bad.stderr)
+    return checks.exit_code()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
