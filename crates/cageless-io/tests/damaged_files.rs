@@ -6,7 +6,7 @@ use std::fs;
 use cageless::linear_rotor::{DMatrix, RotorMatrices};
 use cageless_io::case_file::template;
 use cageless_io::journal::Journal;
-use cageless_io::results::{ColumnKind, ColumnSpec, RowsWriter};
+use cageless_io::results::{Column, ColumnKind, TableWriter};
 use cageless_io::rotor_file::write_matrices;
 use cageless_results::Cell;
 
@@ -208,9 +208,9 @@ fn journals() {
 fn tables() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("whole.parquet");
-    let column = |name: &str, kind| ColumnSpec {
-        name: name.to_owned(),
-        unit: String::new(),
+    let column = |name: &str, kind| Column {
+        name: name.to_owned().into(),
+        unit: "".into(),
         kind,
     };
     let columns = [
@@ -219,7 +219,7 @@ fn tables() {
         column("name", ColumnKind::Text),
         column("gaps_deg", ColumnKind::Numbers),
     ];
-    let mut writer = RowsWriter::create(&path, &columns, &[]).unwrap();
+    let mut writer = TableWriter::create(&path, &columns, &[]).unwrap();
     for k in 0..50 {
         let numbers = (0..k % 4).map(|j| j as f64).collect();
         let row = vec![

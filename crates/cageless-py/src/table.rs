@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use cageless_io::results::{ColumnKind, ResultError, RowsReader};
+use cageless_io::results::{ColumnKind, ResultError, TableReader};
 use cageless_results::Cell;
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
@@ -22,7 +22,7 @@ const FOOTER: [&str; 7] = [
 #[pyfunction]
 pub fn read_table(py: Python<'_>, path: PathBuf) -> Found<Contents<'_>> {
     let (table, cells) = py.detach(|| {
-        let table = RowsReader::open(&path)?;
+        let table = TableReader::open(&path)?;
         let mut columns: Vec<Vec<Cell>> = table.columns().iter().map(|_| Vec::new()).collect();
         for group in 0..table.groups() {
             for row in table.group(group)? {

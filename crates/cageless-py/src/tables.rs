@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use cageless::simulation::ObserverError;
 use cageless::{Collision, RingSnapshot, RotorSnapshot, Snapshot};
 use cageless_io::results::{
-    BALLS, COLLISIONS, Column, Metadata, RING, ROTOR, RunWriter, collision_values, read_run_table,
+    BALLS, COLLISIONS, Column, ColumnKind, Metadata, RING, ROTOR, RunWriter, collision_values,
+    read_run_table,
 };
 use cageless_study::drop::DropRecord;
 use cageless_study::run::Rows;
@@ -35,7 +36,7 @@ pub fn table_units(py: Python<'_>) -> Found<Bound<'_, PyDict>> {
         let units = PyDict::new(py);
         let first = BALLS[..2].iter().filter(|_| name == "balls");
         for column in first.chain(columns) {
-            units.set_item(column.name, column.unit)?;
+            units.set_item(&column.name, &column.unit)?;
         }
         tables.set_item(name, units)?;
     }
@@ -119,9 +120,9 @@ impl Tables {
             let table = PyDict::new(py);
             values.resize_with(columns.len(), Vec::new);
             for (column, values) in columns.iter().zip(values) {
-                if column.integer {
+                if column.kind == ColumnKind::Ordinal {
                     let values: Vec<i32> = values.into_iter().map(|v| v as i32).collect();
-                    table.set_item(column.name, frozen(values.into_pyarray(py)))?;
+                    table.set_item(&column.name, frozen(values.into_pyarray(py)))?;
                     continue;
                 }
                 let shape = match name {
@@ -129,7 +130,7 @@ impl Tables {
                     _ => vec![values.len()],
                 };
                 let array = ArrayD::from_shape_vec(IxDyn(&shape), values).map_err(other)?;
-                table.set_item(column.name, frozen(array.into_pyarray(py)))?;
+                table.set_item(&column.name, frozen(array.into_pyarray(py)))?;
             }
             tables.set_item(name, table)?;
         }
@@ -144,8 +145,8 @@ impl Tables {
                 continue;
             };
             let column = |column: &Column| -> Found<Vec<f64>> {
-                let array = arrays.get_item(column.name)?;
-                if column.integer {
+                let array = arrays.get_item(&column.name)?;
+                if column.kind == ColumnKind::Ordinal {
                     let array: PyReadonlyArrayDyn<'_, i32> = array.extract()?;
                     return Ok(array.as_array().iter().map(|v| f64::from(*v)).collect());
                 }

@@ -64,7 +64,7 @@ const GRID: &str = "[grid]\nrotor.speed_rpm = [15000.0, 30000.0]\n\
 #[test]
 fn a_row_has_the_results_of_the_drop_with_the_same_changes() {
     let sweep = sweep(GRID);
-    let names: Vec<&str> = sweep.columns().iter().map(|c| c.name.as_str()).collect();
+    let names: Vec<&str> = sweep.columns().iter().map(|c| &*c.name).collect();
     let reason = names.iter().position(|name| *name == "reason").unwrap();
     assert_eq!(
         names[1..reason],
@@ -77,7 +77,7 @@ fn a_row_has_the_results_of_the_drop_with_the_same_changes() {
     );
     let units: Vec<&str> = sweep.columns()[1..reason]
         .iter()
-        .map(|c| c.unit.as_str())
+        .map(|c| &*c.unit)
         .collect();
     assert_eq!(units, ["mm", "g mm", "rpm", "um"]);
     let rows = rows(&sweep);

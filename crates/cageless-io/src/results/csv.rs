@@ -6,7 +6,7 @@ use std::path::Path;
 use super::atomic_file::PartialFile;
 use super::error::ResultError;
 use super::run_tables::for_each_group;
-use super::{BALLS, COLLISIONS, Column, RING, ROTOR};
+use super::{BALLS, COLLISIONS, Column, ColumnKind, RING, ROTOR};
 
 /// Tables of a run or of a drop, and their columns.
 const TABLES: [(&str, &[Column]); 4] = [
@@ -30,14 +30,14 @@ pub fn write_csv(dir: &Path) -> Result<(), ResultError> {
         let path = dir.join(name).with_extension("csv");
         let fail = |source| ResultError::out(&path, source);
         let mut file = BufWriter::new(PartialFile::create(&path)?);
-        let names: Vec<&str> = columns.iter().map(|column| column.name).collect();
+        let names: Vec<&str> = columns.iter().map(|column| &*column.name).collect();
         writeln!(file, "{}", names.join(",")).map_err(fail)?;
         for_each_group(&table, columns, |group| {
             for row in 0..group[0].len() {
                 let cells: Vec<String> = (columns.iter().zip(&group))
-                    .map(|(column, values)| match column.integer {
-                        true => format!("{:.0}", values[row]),
-                        false => format!("{:?}", values[row]),
+                    .map(|(column, values)| match column.kind {
+                        ColumnKind::Ordinal => format!("{:.0}", values[row]),
+                        _ => format!("{:?}", values[row]),
                     })
                     .collect();
                 writeln!(file, "{}", cells.join(",")).map_err(fail)?;

@@ -1,5 +1,5 @@
 //! Results of `run --out DIR`: three tables in Parquet beside a summary in JSON; and the
-//! tables of sweeps ([`RowsWriter`], [`RowsReader`]).
+//! tables of sweeps ([`TableWriter`], [`TableReader`]).
 //!
 //! | file | a row per |
 //! |---|---|
@@ -20,11 +20,12 @@
 mod atomic_file;
 mod checksum;
 mod csv;
-mod dynamic_table;
 mod error;
+mod reader;
 mod run_tables;
 mod table;
 
+use std::borrow::Cow;
 use std::iter::{once, repeat_n};
 use std::path::{Path, PathBuf};
 
@@ -32,13 +33,12 @@ use cageless::{Collision, RotorSnapshot, Snapshot};
 
 pub use atomic_file::{PartialFile, write_atomically, write_together};
 pub use csv::write_csv;
-pub use dynamic_table::{ColumnKind, ColumnSpec, Row, RowsReader, RowsWriter};
 pub use error::{ResultError, is_unusable};
+pub use reader::TableReader;
 pub use run_tables::read_run_table;
+pub use table::{Column, ColumnKind, Row, TableWriter, VERSION};
 
-pub use table::{Column, VERSION};
-
-use table::Table;
+use run_tables::GROUP_ROWS;
 
 /// Version of the layout of results.
 pub const SCHEMA: u64 = 1;
@@ -65,17 +65,17 @@ pub struct Metadata<'a> {
 
 const fn number(name: &'static str, unit: &'static str) -> Column {
     Column {
-        name,
-        unit,
-        integer: false,
+        name: Cow::Borrowed(name),
+        unit: Cow::Borrowed(unit),
+        kind: ColumnKind::Value,
     }
 }
 
 const fn ball(name: &'static str) -> Column {
     Column {
-        name,
-        unit: "1",
-        integer: true,
+        name: Cow::Borrowed(name),
+        unit: Cow::Borrowed("1"),
+        kind: ColumnKind::Ordinal,
     }
 }
 
@@ -161,11 +161,11 @@ pub fn collision_values(c: &Collision) -> [f64; COLLISIONS.len()] {
 #[derive(Debug)]
 pub struct RunWriter {
     dir: PathBuf,
-    balls: Table,
-    ring: Table,
-    collisions: Table,
+    balls: TableWriter,
+    ring: TableWriter,
+    collisions: TableWriter,
     /// Opened with the first snapshot of a rotor.
-    rotor: Option<Table>,
+    rotor: Option<TableWriter>,
     footer: Vec<(&'static str, String)>,
 }
 
@@ -183,7 +183,9 @@ impl RunWriter {
             ("isa", metadata.isa.to_owned()),
             ("case", metadata.case.to_owned()),
         ];
-        let open = |name: &str, columns| Table::create(&dir.join(name), columns, &footer);
+        let open = |name: &str, columns| {
+            TableWriter::in_groups(&dir.join(name), columns, &footer, GROUP_ROWS)
+        };
         Ok(Self {
             dir: dir.to_owned(),
             balls: open("balls.parquet", BALLS)?,
@@ -209,7 +211,7 @@ impl RunWriter {
         for (k, array) in arrays.into_iter().enumerate() {
             self.balls.numbers(k + 2, array.iter().copied());
         }
-        self.balls.rows_added()?;
+        self.balls.added(n)?;
 
         self.ring.row(once(s.time_s).chain(s.ring.values()))?;
         s.rotor.map_or(Ok(()), |rotor| self.rotor(s.time_s, &rotor))
@@ -220,7 +222,12 @@ impl RunWriter {
             Some(table) => table,
             none => {
                 let path = self.dir.join("rotor.parquet");
-                none.insert(Table::create(&path, ROTOR, &self.footer)?)
+                none.insert(TableWriter::in_groups(
+                    &path,
+                    ROTOR,
+                    &self.footer,
+                    GROUP_ROWS,
+                )?)
             }
         };
         table.row(once(time_s).chain(rotor.values()))
@@ -244,7 +251,7 @@ impl RunWriter {
     /// the folder claims that they are one run's. All tables that failed are named.
     pub fn finish(self) -> Result<(), ResultError> {
         let tables = [self.balls, self.ring, self.collisions];
-        let closed = tables.into_iter().chain(self.rotor).map(Table::close);
+        let closed = tables.into_iter().chain(self.rotor).map(TableWriter::close);
         let dir = &self.dir;
         let tables = all(closed).map_err(|errors| ResultError::Run {
             errors,

@@ -1,4 +1,4 @@
-//! Reading the tables of runs.
+//! Reading the tables of runs, which are written in groups of rows.
 
 use std::path::Path;
 
@@ -6,10 +6,12 @@ use parquet::column::reader::ColumnReader;
 use parquet::errors::ParquetError;
 use parquet::file::reader::FileReader;
 
-use super::dynamic_table::checked;
 use super::error::ResultError;
-use super::table::{Column, GROUP_ROWS};
+use super::reader::checked;
+use super::table::Column;
 
+/// Rows that are kept in memory, at most a snapshot more: 12 MB of `balls.parquet`.
+pub(super) const GROUP_ROWS: usize = 100_000;
 /// Rows that a snapshot may add to a full group.
 const SNAPSHOT_ROWS: usize = 10_000;
 
@@ -37,7 +39,7 @@ pub(super) fn for_each_group(
     let reader = checked(path, GROUP_ROWS + SNAPSHOT_ROWS)?;
     let schema = reader.metadata().file_metadata().schema();
     let names = schema.get_fields().iter().map(|field| field.name());
-    if !names.eq(columns.iter().map(|column| column.name)) {
+    if !names.eq(columns.iter().map(|column| &*column.name)) {
         let message = "its columns are not those of a run";
         return Err(ResultError::unreadable(path, message));
     }

@@ -8,7 +8,7 @@ use std::path::Path;
 use cageless_io::case_file::CaseFile;
 use cageless_io::journal::Journal;
 use cageless_io::plan_file::PlanFile;
-use cageless_io::results::RowsReader;
+use cageless_io::results::TableReader;
 use cageless_io::rotor_file::{RotorFile, read_matrices};
 
 /// Reads a case file; one that is accepted is the same case when its document is read again, and what
@@ -106,7 +106,7 @@ pub fn journal(bytes: &[u8], owner: &str, folder: &Path) {
 pub fn table(bytes: &[u8], folder: &Path) {
     let path = folder.join("fuzz.parquet");
     fs::write(&path, bytes).unwrap();
-    let read = RowsReader::open(&path).and_then(|reader| {
+    let read = TableReader::open(&path).and_then(|reader| {
         let mut rows = 0;
         for group in 0..reader.groups() {
             rows += reader.group(group)?.len();

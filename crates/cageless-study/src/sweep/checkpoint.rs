@@ -9,7 +9,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use cageless_io::open_own;
-use cageless_io::results::{ColumnSpec, Row, RowsReader, RowsWriter, write_atomically};
+use cageless_io::results::{Column, Row, TableReader, TableWriter, write_atomically};
 use cageless_results::Cell;
 
 use super::error::SweepError;
@@ -94,7 +94,7 @@ impl Checkpoint {
             match path.extension().and_then(|e| e.to_str()) {
                 Some("partial") => std::fs::remove_file(&path).map_err(fail)?,
                 Some("parquet") => {
-                    let table = RowsReader::open(&path)?;
+                    let table = TableReader::open(&path)?;
                     identity.must_own(&table, "Remove it, and its variants are computed again")?;
                     stock.add(&table, "in another table as well; remove this one")?;
                 }
@@ -108,8 +108,8 @@ impl Checkpoint {
     /// Writes rows, which need not be contiguous.
     pub(crate) fn keep(
         &self,
-        columns: &[ColumnSpec],
-        footer: &[(String, String)],
+        columns: &[Column],
+        footer: &[(&str, String)],
         mut rows: Vec<Row>,
     ) -> Result<(), SweepError> {
         rows.sort_unstable_by_key(index);
@@ -117,7 +117,7 @@ impl Checkpoint {
             return Ok(());
         };
         let path = self.folder.join(part_name(first));
-        let mut table = RowsWriter::create(&path, columns, footer)?;
+        let mut table = TableWriter::create(&path, columns, footer)?;
         for row in rows {
             table.push(row)?;
         }
@@ -143,7 +143,7 @@ impl Checkpoint {
 
 impl Stock {
     /// Adds a table; `twice` is what is wrong with a variant that is there already.
-    pub(crate) fn add(&mut self, table: &RowsReader, twice: &str) -> Result<(), SweepError> {
+    pub(crate) fn add(&mut self, table: &TableReader, twice: &str) -> Result<(), SweepError> {
         add_isa(&mut self.isa, table.footer("isa").unwrap_or_default());
         let mut first = u64::MAX;
         for group in 0..table.groups() {

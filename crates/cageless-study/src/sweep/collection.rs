@@ -5,7 +5,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use cageless::dynamics::InstructionSet;
-use cageless_io::results::{ColumnSpec, Row, RowsReader, RowsWriter, write_atomically};
+use cageless_io::results::{Column, Row, TableReader, TableWriter, write_atomically};
 
 use super::checkpoint::{Checkpoint, part_name};
 use super::error::SweepError;
@@ -19,7 +19,7 @@ use super::merge_sorted::merge_sorted;
 /// anywhere, and brings the files back.
 #[derive(Debug)]
 pub struct Collection {
-    columns: Vec<ColumnSpec>,
+    columns: Vec<Column>,
     identity: Identity,
     result: PathBuf,
     shard: Option<Shard>,
@@ -107,7 +107,7 @@ impl Collection {
 
     fn check(&self, path: &Path) -> Result<(), SweepError> {
         let remedy = "Every computer must have the same version of Cageless";
-        self.identity.must_own(&RowsReader::open(path)?, remedy)
+        self.identity.must_own(&TableReader::open(path)?, remedy)
     }
 
     /// Keeps rows, which need not be contiguous.
@@ -167,7 +167,7 @@ pub fn write_part(
     };
     let isa = [InstructionSet::chosen().name().to_owned()];
     let footer = Identity::new(sweep).footer(&isa, None);
-    let mut table = RowsWriter::create(path, sweep.columns(), &footer)?;
+    let mut table = TableWriter::create(path, sweep.columns(), &footer)?;
     for row in rows {
         table.push(row)?;
     }

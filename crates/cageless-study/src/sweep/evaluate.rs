@@ -11,7 +11,7 @@ use cageless::simulation::{Control, Ending, RunOutcome};
 use cageless::touchdown::DropRecorder;
 use cageless_io::case_file::CaseError;
 use cageless_io::plan_file::{PlanFile, VariantFile};
-use cageless_io::results::{ColumnKind, ColumnSpec, Row};
+use cageless_io::results::{Column, ColumnKind, Row};
 use cageless_io::rotor_file::RotorFile;
 use cageless_results::Cell;
 use cageless_results::Computation;
@@ -30,7 +30,7 @@ use cageless_results::{FinishedDrop, Judged, Solved, Subject};
 pub struct Sweep {
     variants: Variants,
     outputs: Vec<Output>,
-    columns: Vec<ColumnSpec>,
+    columns: Vec<Column>,
     normal: String,
 }
 
@@ -81,7 +81,7 @@ impl Sweep {
     }
 
     /// Columns of the rows: the index, the inputs, the reason of a failure, the quantities.
-    pub fn columns(&self) -> &[ColumnSpec] {
+    pub fn columns(&self) -> &[Column] {
         &self.columns
     }
 
@@ -273,10 +273,10 @@ impl Sweep {
     }
 }
 
-fn spec(name: &str, kind: ColumnKind) -> ColumnSpec {
-    ColumnSpec {
-        name: name.to_owned(),
-        unit: String::new(),
+fn spec(name: &'static str, kind: ColumnKind) -> Column {
+    Column {
+        name: name.into(),
+        unit: "".into(),
         kind,
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use cageless_io::results::RowsReader;
+use cageless_io::results::TableReader;
 use cageless_results::Cell;
 
 use super::error::SweepError;
@@ -22,7 +22,7 @@ pub struct Failures {
 /// # Errors
 /// If it cannot be read.
 pub fn failures(result: &Path) -> Result<Failures, SweepError> {
-    let table = RowsReader::open(result)?;
+    let table = TableReader::open(result)?;
     let mut failures = Failures::default();
     let Some(reason) = table.columns().iter().position(|c| c.name == REASON) else {
         return Ok(failures);

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use cageless_io::plan_file::difference;
-use cageless_io::results::{RowsReader, VERSION};
+use cageless_io::results::{TableReader, VERSION};
 
 use super::error::SweepError;
 use super::evaluate::Sweep;
@@ -37,7 +37,7 @@ impl Identity {
     }
 
     /// Identity of an existing table; `None` if it is not one of a sweep.
-    pub fn read(table: &RowsReader) -> Option<Self> {
+    pub fn read(table: &TableReader) -> Option<Self> {
         let number = |key| table.footer(key)?.parse().ok();
         (number("schema")? == SCHEMA).then_some(())?;
         Some(Self {
@@ -49,17 +49,20 @@ impl Identity {
     }
 
     /// The footer of a table, computed with the instruction sets `isa`.
-    pub(crate) fn footer(&self, isa: &[String], shard: Option<Shard>) -> Vec<(String, String)> {
-        let entry = |key: &str, value: String| (key.to_owned(), value);
+    pub(crate) fn footer(
+        &self,
+        isa: &[String],
+        shard: Option<Shard>,
+    ) -> Vec<(&'static str, String)> {
         let mut footer = vec![
-            entry("schema", SCHEMA.to_string()),
-            entry("version", self.version.clone()),
-            entry("isa", isa.join(", ")),
-            entry("seed", self.seed.to_string()),
-            entry("variants", self.variants.to_string()),
-            entry("plan", self.plan.clone()),
+            ("schema", SCHEMA.to_string()),
+            ("version", self.version.clone()),
+            ("isa", isa.join(", ")),
+            ("seed", self.seed.to_string()),
+            ("variants", self.variants.to_string()),
+            ("plan", self.plan.clone()),
         ];
-        footer.extend(shard.map(|shard| entry("shard", shard.to_string())));
+        footer.extend(shard.map(|shard| ("shard", shard.to_string())));
         footer
     }
 
@@ -85,7 +88,7 @@ impl Identity {
         if result.is_dir() {
             return Err(foreign("is a directory where the result is to be"));
         }
-        let found = RowsReader::open(result)?;
+        let found = TableReader::open(result)?;
         let before = Self::read(&found).ok_or_else(|| foreign("is not the result of a sweep"))?;
         self.must_be(&before.text(), &what, remedy)?;
         let shard = shard.map(|s| s.to_string());
@@ -96,7 +99,7 @@ impl Identity {
     }
 
     /// Refuses a table of another sweep, or of none.
-    pub(crate) fn must_own(&self, table: &RowsReader, remedy: &str) -> Result<(), SweepError> {
+    pub(crate) fn must_own(&self, table: &TableReader, remedy: &str) -> Result<(), SweepError> {
         let what = table.path().display().to_string();
         let found = Self::read(table)
             .ok_or_else(|| SweepError::Input(format!("{what} is not part of a sweep. {remedy}")))?;

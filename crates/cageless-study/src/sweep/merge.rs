@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use cageless_io::results::RowsReader;
+use cageless_io::results::TableReader;
 
 use super::checkpoint::Stock;
 use super::error::SweepError;
@@ -21,7 +21,7 @@ pub fn merge(shards: &[PathBuf], result: &Path) -> Result<u64, SweepError> {
     let mut columns = Vec::new();
     let mut stock = Stock::default();
     for path in shards {
-        let table = RowsReader::open(path)?;
+        let table = TableReader::open(path)?;
         let identity = Identity::read(&table).ok_or_else(|| {
             SweepError::Input(format!("{} is not the result of a sweep", path.display()))
         })?;

@@ -7,7 +7,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::vec::IntoIter;
 
-use cageless_io::results::{ColumnSpec, Row, RowsReader, RowsWriter};
+use cageless_io::results::{Column, Row, TableReader, TableWriter};
 
 use super::checkpoint::index;
 use super::error::SweepError;
@@ -16,12 +16,12 @@ use super::error::SweepError;
 /// hold every variant of `range` once.
 pub(crate) fn merge_sorted(
     result: &Path,
-    columns: &[ColumnSpec],
-    footer: &[(String, String)],
+    columns: &[Column],
+    footer: &[(&str, String)],
     tables: &[(u64, PathBuf)],
     range: Range<u64>,
 ) -> Result<(), SweepError> {
-    let mut out = RowsWriter::create(result, columns, footer)?;
+    let mut out = TableWriter::create(result, columns, footer)?;
     let mut waiting = tables.iter().peekable();
     let mut open: Vec<Option<Cursor>> = Vec::new();
     let mut heads: BinaryHeap<Reverse<(u64, usize)>> = BinaryHeap::new();
@@ -57,14 +57,14 @@ pub(crate) fn merge_sorted(
 
 /// A table that is being read.
 struct Cursor {
-    table: RowsReader,
+    table: TableReader,
     next_group: usize,
     rows: IntoIter<Row>,
 }
 
 impl Cursor {
-    fn open(path: &Path, columns: &[ColumnSpec]) -> Result<Self, SweepError> {
-        let table = RowsReader::open(path)?;
+    fn open(path: &Path, columns: &[Column]) -> Result<Self, SweepError> {
+        let table = TableReader::open(path)?;
         if table.columns() != columns {
             return Err(SweepError::Input(format!(
                 "{}: its columns are not those of the sweep",

@@ -2,7 +2,7 @@
 
 use cageless_io::case_file::CaseError;
 use cageless_io::plan_file::{PlanFile, VariantFile};
-use cageless_io::results::{ColumnKind, ColumnSpec};
+use cageless_io::results::{Column, ColumnKind};
 use cageless_results::Cell;
 
 use cageless_results::{Kind, Quantity, RotorRun, quantities};
@@ -25,10 +25,10 @@ impl Output {
         }
     }
 
-    pub(crate) fn column(&self) -> ColumnSpec {
-        ColumnSpec {
-            name: self.name(),
-            unit: self.quantity.unit.to_owned(),
+    pub(crate) fn column(&self) -> Column {
+        Column {
+            name: self.name().into(),
+            unit: self.quantity.unit.into(),
             kind: match self.quantity.kind {
                 Kind::Number => ColumnKind::Number,
                 Kind::Integer | Kind::Flag => ColumnKind::Integer,

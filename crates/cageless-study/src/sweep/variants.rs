@@ -7,7 +7,7 @@ use cageless_io::plan_file::{
     Axis, AxisValues, PlanFile, SampleMethod, ScatterLaw, ScatteredKey, VariantFile, is_whole,
     key_in_case, twelve_digits, unit,
 };
-use cageless_io::results::{ColumnKind, ColumnSpec};
+use cageless_io::results::{Column, ColumnKind};
 use cageless_results::Cell;
 
 use super::latin_hypercube::LatinHypercube;
@@ -29,7 +29,7 @@ pub(crate) struct Variants {
     count: u64,
     /// Value of each scattered key in the base case.
     centres: Vec<Option<CaseValue>>,
-    columns: Vec<ColumnSpec>,
+    columns: Vec<Column>,
 }
 
 #[derive(Debug, Clone)]
@@ -74,7 +74,7 @@ impl Variants {
     }
 
     /// Columns of the inputs: axes of the grid, of the samples, scattered keys.
-    pub(crate) fn columns(&self) -> &[ColumnSpec] {
+    pub(crate) fn columns(&self) -> &[Column] {
         &self.columns
     }
 
@@ -281,10 +281,10 @@ fn axes(plan: &PlanFile) -> impl Iterator<Item = &Axis> {
     plan.grid.iter().chain(samples)
 }
 
-fn columns(plan: &PlanFile) -> Vec<ColumnSpec> {
-    let of_axes = axes(plan).map(|axis| ColumnSpec {
-        name: column_name(&axis.key),
-        unit: axis.unit().to_owned(),
+fn columns(plan: &PlanFile) -> Vec<Column> {
+    let of_axes = axes(plan).map(|axis| Column {
+        name: column_name(&axis.key).into(),
+        unit: axis.unit().into(),
         kind: match axis {
             axis if axis.is_text() => ColumnKind::Text,
             axis if is_whole(&axis.key) => ColumnKind::Integer,
@@ -294,9 +294,9 @@ fn columns(plan: &PlanFile) -> Vec<ColumnSpec> {
     let scattered = plan.scatter.iter().flat_map(|s| &s.keys);
     // What varies and is scattered has one column.
     let scattered = scattered.filter(|key| !axes(plan).any(|axis| axis.key == key.key));
-    let of_scattered = scattered.map(|key| ColumnSpec {
-        name: column_name(&key.key),
-        unit: unit(&key.key).to_owned(),
+    let of_scattered = scattered.map(|key| Column {
+        name: column_name(&key.key).into(),
+        unit: unit(&key.key).into(),
         kind: if is_per_ball(&key.key) {
             ColumnKind::Numbers
         } else {

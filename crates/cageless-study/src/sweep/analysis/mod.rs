@@ -13,7 +13,7 @@ use std::path::Path;
 
 pub use best::Goal;
 use cageless_io::plan_file::{shortened, text_of};
-use cageless_io::results::RowsReader;
+use cageless_io::results::TableReader;
 pub use result::{
     BestVariant, BestVariants, FailureGroup, HeatMap, Levels, MainEffect, SweepData, SweepOutput,
     SweepQuantity,
@@ -70,7 +70,7 @@ pub fn analyse(path: &Path, goals: &[Goal]) -> Result<SweepData, SweepError> {
     }
     let inside = path.join(RESULT);
     let path = if path.is_dir() { &inside } else { path };
-    let reader = RowsReader::open(path)?;
+    let reader = TableReader::open(path)?;
     let identity = Identity::read(&reader).ok_or_else(|| {
         SweepError::Input(format!("{} is not the result of a sweep", path.display()))
     })?;

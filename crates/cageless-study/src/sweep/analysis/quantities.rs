@@ -2,7 +2,7 @@
 
 use super::result::{Levels, SweepQuantity};
 use crate::Parameter;
-use cageless_io::results::ColumnSpec;
+use cageless_io::results::Column;
 use cageless_results::Cell;
 use cageless_results::number_text::short;
 
@@ -202,16 +202,16 @@ impl Quantities {
         Ok(quantities)
     }
 
-    fn input(&mut self, spec: &ColumnSpec, column: usize, seen: Seen) {
+    fn input(&mut self, spec: &Column, column: usize, seen: Seen) {
         self.inputs.extend(seen.scale().map(|scale| Input {
-            name: spec.name.clone(),
-            unit: spec.unit.clone(),
+            name: spec.name.to_string(),
+            unit: spec.unit.to_string(),
             column,
             scale,
         }));
     }
 
-    fn output(&mut self, spec: &ColumnSpec, column: usize, mut seen: Seen) {
+    fn output(&mut self, spec: &Column, column: usize, mut seen: Seen) {
         seen.names.truncate(NAMES_MAX);
         if seen.names.len() > 1 {
             let of_name = |name: &String| Output {
@@ -227,8 +227,8 @@ impl Quantities {
         match seen.range {
             Some([low, high]) if high - low > rounding(&spec.unit, low, high) => {
                 self.outputs.push(Output {
-                    name: spec.name.clone(),
-                    unit: spec.unit.clone(),
+                    name: spec.name.to_string(),
+                    unit: spec.unit.to_string(),
                     column,
                     is_name: None,
                     origin: low,
@@ -242,9 +242,9 @@ impl Quantities {
                 });
                 let value = number.or(seen.names.pop());
                 self.constants.extend(value.map(|value| Parameter {
-                    name: spec.name.clone(),
+                    name: spec.name.to_string(),
                     value,
-                    unit: spec.unit.clone(),
+                    unit: spec.unit.to_string(),
                     ..Parameter::default()
                 }));
             }

@@ -1,18 +1,18 @@
 //! The result as columns of a kind.
 
-use cageless_io::results::{ColumnKind, ColumnSpec, Row, RowsReader};
+use cageless_io::results::{Column, ColumnKind, Row, TableReader};
 
 use crate::sweep::error::SweepError;
 use crate::sweep::evaluate::{INDEX, REASON};
 
 /// The result of a sweep: its index, then inputs, the reason, then outputs.
 pub(super) struct Table {
-    reader: RowsReader,
+    reader: TableReader,
     reason: usize,
 }
 
 impl Table {
-    pub(super) fn new(reader: RowsReader) -> Result<Self, SweepError> {
+    pub(super) fn new(reader: TableReader) -> Result<Self, SweepError> {
         let columns = reader.columns();
         let reason = columns.iter().position(|c| c.name == REASON);
         let index = columns.first().is_some_and(|c| c.name == INDEX);
@@ -41,7 +41,7 @@ impl Table {
         self.columns().iter().position(|c| c.name == name)
     }
 
-    pub(super) fn columns(&self) -> &[ColumnSpec] {
+    pub(super) fn columns(&self) -> &[Column] {
         self.reader.columns()
     }
 

@@ -1,12 +1,12 @@
 //! Tables of sweeps come back as they were written.
 
-use cageless_io::results::{ColumnKind, ColumnSpec, Row, RowsReader, RowsWriter};
+use cageless_io::results::{Column, ColumnKind, Row, TableReader, TableWriter};
 use cageless_results::Cell;
 
-fn columns() -> Vec<ColumnSpec> {
-    let column = |name: &str, unit: &str, kind| ColumnSpec {
-        name: name.to_owned(),
-        unit: unit.to_owned(),
+fn columns() -> Vec<Column> {
+    let column = |name: &str, unit: &str, kind| Column {
+        name: name.to_owned().into(),
+        unit: unit.to_owned().into(),
         kind,
     };
     vec![
@@ -37,14 +37,14 @@ fn row(k: i64) -> Row {
 fn every_kind_of_cell_comes_back() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("rows.parquet");
-    let footer = [("plan".to_owned(), "a = 1\nb = \"ü\"".to_owned())];
-    let mut writer = RowsWriter::create(&path, &columns(), &footer).unwrap();
+    let footer = [("plan", "a = 1\nb = \"ü\"".to_owned())];
+    let mut writer = TableWriter::create(&path, &columns(), &footer).unwrap();
     let count = 40_000;
     (0..count).for_each(|k| writer.push(row(k)).unwrap());
     assert!(!path.exists());
     writer.finish().unwrap();
 
-    let reader = RowsReader::open(&path).unwrap();
+    let reader = TableReader::open(&path).unwrap();
     assert_eq!(reader.columns(), columns());
     assert_eq!(reader.rows(), count as u64);
     assert_eq!(reader.footer("plan"), Some("a = 1\nb = \"ü\""));
@@ -66,12 +66,12 @@ fn every_kind_of_cell_comes_back() {
 fn numbers_that_are_none_are_null_and_misfits_are_refused() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("rows.parquet");
-    let mut writer = RowsWriter::create(&path, &columns(), &[]).unwrap();
+    let mut writer = TableWriter::create(&path, &columns(), &[]).unwrap();
     let mut odd = row(1);
     odd[1] = Cell::Number(f64::NAN);
     writer.push(odd).unwrap();
     writer.finish().unwrap();
-    let reader = RowsReader::open(&path).unwrap();
+    let reader = TableReader::open(&path).unwrap();
     assert_eq!(reader.group(0).unwrap()[0][1], Cell::Null);
 
     for (k, cell) in [
@@ -79,21 +79,20 @@ fn numbers_that_are_none_are_null_and_misfits_are_refused() {
         (1, Cell::Integer(1)),
         (3, Cell::Number(1.0)),
     ] {
-        let mut writer = RowsWriter::create(&path, &columns(), &[]).unwrap();
+        let mut writer = TableWriter::create(&path, &columns(), &[]).unwrap();
         let mut wrong = row(1);
         wrong[k] = cell;
-        writer.push(wrong).unwrap();
-        assert!(writer.finish().is_err());
+        assert!(writer.push(wrong).is_err());
     }
     // The one that was there still is.
-    assert_eq!(RowsReader::open(&path).unwrap().rows(), 1);
+    assert_eq!(TableReader::open(&path).unwrap().rows(), 1);
 }
 
 #[test]
 fn what_is_no_table_is_refused() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("rows.parquet");
-    let message = |path| RowsReader::open(path).err().expect("refused").to_string();
+    let message = |path| TableReader::open(path).err().expect("refused").to_string();
     assert!(message(&path).contains("cannot be read"));
     std::fs::write(&path, "no table").unwrap();
     assert!(message(&path).contains("cannot be read"));
@@ -105,13 +104,13 @@ fn what_is_no_table_is_refused() {
 fn a_damaged_table_is_no_accident() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("rows.parquet");
-    let mut writer = RowsWriter::create(&path, &columns(), &[]).unwrap();
+    let mut writer = TableWriter::create(&path, &columns(), &[]).unwrap();
     (0..40).for_each(|k| writer.push(row(k)).unwrap());
     writer.finish().unwrap();
     let whole = std::fs::read(&path).unwrap();
     let read = |bytes: &[u8]| {
         std::fs::write(&path, bytes).unwrap();
-        let table = RowsReader::open(&path)?;
+        let table = TableReader::open(&path)?;
         (0..table.groups()).try_for_each(|group| table.group(group).map(drop))
     };
     let refused = |bytes: &[u8], what: &str| {
@@ -147,7 +146,7 @@ fn a_damaged_table_is_no_accident() {
 fn a_forged_table_and_one_without_a_checksum_are_refused() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("rows.parquet");
-    let mut writer = RowsWriter::create(&path, &columns(), &[]).unwrap();
+    let mut writer = TableWriter::create(&path, &columns(), &[]).unwrap();
     (0..40).for_each(|k| writer.push(row(k)).unwrap());
     writer.finish().unwrap();
     let whole = std::fs::read(&path).unwrap();
@@ -155,7 +154,7 @@ fn a_forged_table_and_one_without_a_checksum_are_refused() {
     let key = find(&whole, b"file_crc32").unwrap();
     let open = |bytes: &[u8]| {
         std::fs::write(&path, bytes).unwrap();
-        RowsReader::open(&path).map(drop)
+        TableReader::open(&path).map(drop)
     };
     // As an earlier version wrote it.
     let mut nameless = whole.clone();

@@ -1,4 +1,4 @@
-//! Reading the tables of sweeps.
+//! Reading the tables of sweeps, and what every reader of tables checks.
 
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -13,21 +13,20 @@ use parquet::file::metadata::ParquetMetaData;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::schema::types::TypePtr;
 
-use super::writer::GROUP_ROWS;
-use super::{ColumnKind, ColumnSpec, Row, UNIT};
-use crate::results::checksum::{CHECKSUM, Fault, verify};
-use crate::results::error::ResultError;
+use super::checksum::{CHECKSUM, Fault, verify};
+use super::error::ResultError;
+use super::table::{Column, ColumnKind, GROUP_ROWS, Row, UNIT};
 use crate::system::io_error_message;
 
 /// A table that is there.
-pub struct RowsReader {
+pub struct TableReader {
     path: PathBuf,
     reader: SerializedFileReader<File>,
-    columns: Vec<ColumnSpec>,
+    columns: Vec<Column>,
     footer: BTreeMap<String, String>,
 }
 
-impl RowsReader {
+impl TableReader {
     /// Opens a table.
     ///
     /// # Errors
@@ -62,7 +61,7 @@ impl RowsReader {
     }
 
     /// Its columns.
-    pub fn columns(&self) -> &[ColumnSpec] {
+    pub fn columns(&self) -> &[Column] {
         &self.columns
     }
 
@@ -166,10 +165,7 @@ fn is_readable(metadata: &ParquetMetaData, bytes: u64, rows_max: usize) -> bool 
 }
 
 /// Opens a Parquet file of ours, with at most `rows` in a group, once its checksum is right.
-pub(in crate::results) fn checked(
-    path: &Path,
-    rows: usize,
-) -> Result<SerializedFileReader<File>, ResultError> {
+pub(super) fn checked(path: &Path, rows: usize) -> Result<SerializedFileReader<File>, ResultError> {
     let unreadable = |e: std::io::Error| ResultError::unreadable(path, io_error_message(&e));
     // A pipe would be waited for.
     let kind = std::fs::metadata(path).map_err(unreadable)?;
@@ -194,7 +190,7 @@ pub(in crate::results) fn checked(
 }
 
 /// The column of a field; `None` if it is none of ours.
-fn column(field: &TypePtr, footer: &BTreeMap<String, String>) -> Option<ColumnSpec> {
+fn column(field: &TypePtr, footer: &BTreeMap<String, String>) -> Option<Column> {
     let optional = field.get_basic_info().repetition() == Repetition::OPTIONAL;
     let kind = if field.is_group() {
         ColumnKind::Numbers
@@ -209,9 +205,9 @@ fn column(field: &TypePtr, footer: &BTreeMap<String, String>) -> Option<ColumnSp
     };
     let name = field.name().to_owned();
     let unit = footer.get(&format!("{UNIT}{name}")).cloned();
-    Some(ColumnSpec {
-        unit: unit.unwrap_or_default(),
-        name,
+    Some(Column {
+        unit: unit.unwrap_or_default().into(),
+        name: name.into(),
         kind,
     })
 }
@@ -242,12 +238,12 @@ fn read_column(reader: ColumnReader, count: usize) -> Result<Vec<Cell>, ParquetE
 }
 
 /// Values, definition and repetition levels of a whole column.
-type Column<T> = (Vec<T>, Vec<i16>, Vec<i16>);
+type Levels<T> = (Vec<T>, Vec<i16>, Vec<i16>);
 
 fn read_all<T: DataType>(
     mut reader: ColumnReaderImpl<T>,
     count: usize,
-) -> Result<Column<T::T>, ParquetError> {
+) -> Result<Levels<T::T>, ParquetError> {
     let (mut values, mut definition, mut repetition) = (Vec::new(), Vec::new(), Vec::new());
     reader.read_records(
         count,
