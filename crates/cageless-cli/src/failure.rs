@@ -12,7 +12,6 @@ use cageless_io::results::ResultError;
 use cageless_paper::PaperError;
 use cageless_study::StudyError;
 use cageless_study::run::RunError;
-use cageless_study::sweep::SweepError;
 
 /// A failed command.
 #[derive(Debug)]
@@ -119,7 +118,8 @@ impl From<CriticalGapError> for Failure {
 impl From<StudyError> for Failure {
     fn from(error: StudyError) -> Self {
         match error {
-            StudyError::File(error) => error.into(),
+            StudyError::File(error) | StudyError::Plan(error) => error.into(),
+            StudyError::Files(error) => error.into(),
             StudyError::Case(error) => error.into(),
             StudyError::Option(error) => Self::Input(format!(
                 "--{} {} {}",
@@ -167,15 +167,6 @@ impl From<RunError> for Failure {
             RunError::Start(error) => error.into(),
             RunError::Rows(error) => Self::Other(anyhow::anyhow!(error)),
         }
-    }
-}
-
-impl From<SweepError> for Failure {
-    fn from(error: SweepError) -> Self {
-        if error.is_input() {
-            return Self::Input(error.to_string());
-        }
-        Self::Other(anyhow::Error::msg(error.to_string()))
     }
 }
 

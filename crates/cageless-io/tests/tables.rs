@@ -49,17 +49,16 @@ fn every_kind_of_cell_comes_back() {
     assert_eq!(reader.rows(), count as u64);
     assert_eq!(reader.footer("plan"), Some("a = 1\nb = \"ü\""));
     assert_eq!(reader.footer("unit:gaps_deg"), Some("deg"));
-    assert!(reader.groups() > 1);
-    let mut k = 0;
-    for group in 0..reader.groups() {
-        let names = reader.columns_of_group(group, &[3]).unwrap();
-        for (found, name) in reader.group(group).unwrap().into_iter().zip(names) {
-            assert_eq!(found, row(k));
-            assert_eq!(name, [row(k)[3].clone()]);
-            k += 1;
-        }
-    }
-    assert_eq!(k, count);
+    let names: Result<Vec<Row>, _> = reader.rows_of(&[3]).collect();
+    assert!(
+        names
+            .unwrap()
+            .into_iter()
+            .eq((0..count).map(|k| vec![row(k)[3].clone()]))
+    );
+    // More than one group of rows.
+    let rows: Result<Vec<Row>, _> = reader.into_rows().collect();
+    assert!(rows.unwrap().into_iter().eq((0..count).map(row)));
 }
 
 #[test]
@@ -72,7 +71,7 @@ fn numbers_that_are_none_are_null_and_misfits_are_refused() {
     writer.push(odd).unwrap();
     writer.finish().unwrap();
     let reader = TableReader::open(&path).unwrap();
-    assert_eq!(reader.group(0).unwrap()[0][1], Cell::Null);
+    assert_eq!(reader.into_rows().next().unwrap().unwrap()[1], Cell::Null);
 
     for (k, cell) in [
         (0, Cell::Null),
@@ -111,7 +110,7 @@ fn a_damaged_table_is_no_accident() {
     let read = |bytes: &[u8]| {
         std::fs::write(&path, bytes).unwrap();
         let table = TableReader::open(&path)?;
-        (0..table.groups()).try_for_each(|group| table.group(group).map(drop))
+        table.into_rows().try_for_each(|row| row.map(drop))
     };
     let refused = |bytes: &[u8], what: &str| {
         let message = read(bytes).expect_err(what).to_string();

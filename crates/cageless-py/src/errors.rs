@@ -11,7 +11,6 @@ use cageless_io::results::ResultError;
 use cageless_paper::PaperError;
 use cageless_study::StudyError;
 use cageless_study::run::RunError;
-use cageless_study::sweep::SweepError;
 use pyo3::exceptions::{PyFutureWarning, PyKeyboardInterrupt};
 use pyo3::prelude::*;
 
@@ -111,19 +110,11 @@ impl From<CaseError> for Error {
     }
 }
 
-impl From<SweepError> for Error {
-    fn from(error: SweepError) -> Self {
-        match error {
-            SweepError::Plan(error) => error.into(),
-            error => Failure::from(error).into(),
-        }
-    }
-}
-
 impl From<StudyError> for Error {
     fn from(error: StudyError) -> Self {
         match error {
             StudyError::File(error) => of_values(error),
+            StudyError::Plan(error) => error.into(),
             StudyError::Option(ref of) => refused(error.to_string(), Some(of.option), None),
             StudyError::Folder { .. } => input(error),
             error => Failure::from(error).into(),

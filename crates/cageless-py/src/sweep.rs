@@ -4,8 +4,8 @@ use std::path::PathBuf;
 use std::sync::Mutex;
 
 use cageless_io::plan_file::PlanFile;
-use cageless_study::break_if;
-use cageless_study::sweep::{Job, Shard, SweepError, write_part};
+use cageless_study::sweep::{Job, Shard, write_part};
+use cageless_study::{StudyError, break_if};
 use pyo3::prelude::*;
 
 use crate::background::{Background, count};
@@ -146,7 +146,7 @@ impl Collection {
     fn with<T: Send>(
         &self,
         py: Python<'_>,
-        work: impl FnOnce(&cageless_study::sweep::Collection) -> Result<T, SweepError> + Send,
+        work: impl FnOnce(&cageless_study::sweep::Collection) -> Result<T, StudyError> + Send,
     ) -> Found<T> {
         py.detach(|| {
             let open = self.open.lock().map_err(other)?;

@@ -24,11 +24,10 @@ pub fn read_table(py: Python<'_>, path: PathBuf) -> Found<Contents<'_>> {
     let (table, cells) = py.detach(|| {
         let table = TableReader::open(&path)?;
         let mut columns: Vec<Vec<Cell>> = table.columns().iter().map(|_| Vec::new()).collect();
-        for group in 0..table.groups() {
-            for row in table.group(group)? {
-                for (column, cell) in columns.iter_mut().zip(row) {
-                    column.push(cell);
-                }
+        let all: Vec<usize> = (0..columns.len()).collect();
+        for row in table.rows_of(&all) {
+            for (column, cell) in columns.iter_mut().zip(row?) {
+                column.push(cell);
             }
         }
         Ok::<_, ResultError>((table, columns))

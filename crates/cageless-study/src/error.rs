@@ -7,6 +7,7 @@ use cageless::InputError;
 use cageless::critical_gap::CriticalGapError;
 use cageless_io::case_file::CaseError;
 use cageless_io::journal::JournalError;
+use cageless_io::results::ResultError;
 use cageless_io::{OptionError, io_error_message};
 
 /// Error of a study.
@@ -15,6 +16,9 @@ pub enum StudyError {
     /// The case is wrong.
     #[error(transparent)]
     File(#[from] CaseError),
+    /// The plan of a sweep is wrong.
+    #[error(transparent)]
+    Plan(CaseError),
     /// The case is impossible.
     #[error(transparent)]
     Case(#[from] InputError),
@@ -33,6 +37,9 @@ pub enum StudyError {
     /// The threads could not be started.
     #[error("cannot start threads: {0}")]
     Threads(String),
+    /// Files of results cannot be written or read.
+    #[error(transparent)]
+    Files(#[from] ResultError),
     /// The folder cannot be used.
     #[error("{}: {}", path.display(), io_error_message(source))]
     Folder {
@@ -55,6 +62,11 @@ pub enum StudyError {
 }
 
 impl StudyError {
+    /// Error of a file or folder of results in the making.
+    pub(crate) fn out(path: &Path, source: io::Error) -> Self {
+        Self::Files(ResultError::out(path, source))
+    }
+
     pub(crate) fn folder(path: &Path, source: io::Error) -> Self {
         Self::Folder {
             path: path.to_owned(),

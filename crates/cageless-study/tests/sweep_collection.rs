@@ -6,6 +6,7 @@ use std::path::Path;
 use cageless::simulation::Control;
 use cageless_io::case_file::template;
 use cageless_io::plan_file::PlanFile;
+use cageless_study::StudyError;
 use cageless_study::sweep::{Collection, Job, Sweep, merge, run, write_part};
 
 /// The variants of [`sweep`].
@@ -85,7 +86,7 @@ fn merging_replaces_no_result_of_another_plan() {
     let own = shards(&one, "own");
     let error = merge(&shards(&other, "other"), &result).expect_err("another plan");
     let message = error.to_string();
-    assert!(error.is_input(), "{message}");
+    assert!(matches!(error, StudyError::Input(_)), "{message}");
     assert!(
         message.contains("sweep.parquet is of another plan: seed was 1, is 2"),
         "{message}"
@@ -114,7 +115,7 @@ fn a_part_of_another_sweep_is_refused_and_does_not_stay() {
     let foreign = part(&other, ALL, dir.path());
     let error = collection.add(0, &foreign).expect_err("foreign");
     assert!(
-        error.is_input() && error.to_string().contains("seed"),
+        matches!(error, StudyError::Input(_)) && error.to_string().contains("seed"),
         "{error}"
     );
     assert!(collection.add(0, b"no table").is_err());
@@ -133,7 +134,7 @@ fn parts_of_another_plan_are_refused() {
     fs::write(&file, foreign).expect("written");
     let refused = collection.missing().expect_err("of another plan");
     let message = refused.to_string();
-    assert!(refused.is_input(), "{message}");
+    assert!(matches!(refused, StudyError::Input(_)), "{message}");
     for said in ["rows-0000000002.parquet", "seed was 2, is 1", "Remove it"] {
         assert!(message.contains(said), "{message}");
     }

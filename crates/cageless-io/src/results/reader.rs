@@ -75,31 +75,30 @@ impl TableReader {
         u64::try_from(self.reader.metadata().file_metadata().num_rows()).unwrap_or(0)
     }
 
-    /// Number of groups of rows.
-    pub fn groups(&self) -> usize {
+    fn groups(&self) -> usize {
         self.reader.num_row_groups()
     }
 
-    /// The rows of a group.
-    ///
-    /// # Errors
-    /// If they cannot be read.
-    pub fn group(&self, index: usize) -> Result<Vec<Row>, ResultError> {
+    /// Its rows, group by group.
+    pub fn into_rows(self) -> impl Iterator<Item = Result<Row, ResultError>> {
         let all: Vec<usize> = (0..self.columns.len()).collect();
-        self.columns_of_group(index, &all)
+        (0..self.groups()).flat_map(move |group| self.rows_of_group(group, &all))
     }
 
-    /// Some of the columns of a group, as rows of these alone.
-    ///
-    /// # Errors
-    /// If they cannot be read.
-    pub fn columns_of_group(
-        &self,
-        index: usize,
-        wanted: &[usize],
-    ) -> Result<Vec<Row>, ResultError> {
-        self.read_group(index, wanted)
-            .map_err(|e| ResultError::damaged(&self.path, &e, "its data are damaged"))
+    /// Its rows group by group, of the columns `wanted` alone.
+    pub fn rows_of(&self, wanted: &[usize]) -> impl Iterator<Item = Result<Row, ResultError>> {
+        (0..self.groups()).flat_map(move |group| self.rows_of_group(group, wanted))
+    }
+
+    fn rows_of_group(&self, index: usize, wanted: &[usize]) -> Vec<Result<Row, ResultError>> {
+        match self.read_group(index, wanted) {
+            Ok(rows) => rows.into_iter().map(Ok).collect(),
+            Err(e) => vec![Err(ResultError::damaged(
+                &self.path,
+                &e,
+                "its data are damaged",
+            ))],
+        }
     }
 
     fn read_group(&self, index: usize, wanted: &[usize]) -> Result<Vec<Row>, ParquetError> {

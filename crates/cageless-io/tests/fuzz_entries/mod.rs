@@ -107,11 +107,9 @@ pub fn table(bytes: &[u8], folder: &Path) {
     let path = folder.join("fuzz.parquet");
     fs::write(&path, bytes).unwrap();
     let read = TableReader::open(&path).and_then(|reader| {
-        let mut rows = 0;
-        for group in 0..reader.groups() {
-            rows += reader.group(group)?.len();
-        }
-        assert_eq!(rows as u64, reader.rows());
+        let stated = reader.rows();
+        let rows = reader.into_rows().collect::<Result<Vec<_>, _>>()?;
+        assert_eq!(rows.len() as u64, stated);
         Ok(())
     });
     if let Err(error) = read {

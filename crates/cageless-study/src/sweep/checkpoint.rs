@@ -11,10 +11,10 @@ use std::path::{Path, PathBuf};
 use cageless_io::open_own;
 use cageless_io::results::{Column, Row, TableReader, TableWriter, write_atomically};
 use cageless_results::Cell;
+use rangemap::RangeSet;
 
-use super::error::SweepError;
 use super::footer::{Identity, add_isa};
-use super::index_set::IndexSet;
+use crate::StudyError;
 
 /// The open work folder.
 #[derive(Debug)]
@@ -27,7 +27,8 @@ pub(crate) struct Checkpoint {
 /// Contents of a work folder.
 #[derive(Debug, Default)]
 pub(crate) struct Stock {
-    pub done: IndexSet,
+    /// Indices of the variants.
+    pub done: RangeSet<u64>,
     /// Each table with its first index.
     pub tables: Vec<(u64, PathBuf)>,
     pub isa: Vec<String>,
@@ -38,21 +39,21 @@ const PLAN: &str = "plan.toml";
 
 impl Checkpoint {
     /// Opens or makes the work folder of `result`.
-    pub(crate) fn open(result: &Path) -> Result<Self, SweepError> {
+    pub(crate) fn open(result: &Path) -> Result<Self, StudyError> {
         let name = result.file_name().unwrap_or_default().to_string_lossy();
         let folder = result.with_file_name(format!("{name}.parts"));
         loop {
-            std::fs::create_dir_all(&folder).map_err(|e| SweepError::folder(&folder, e))?;
+            std::fs::create_dir_all(&folder).map_err(|e| StudyError::out(&folder, e))?;
             let path = folder.join(LOCK);
             let file = match open_own(&path) {
                 Ok(file) => file,
                 // Another process has just finished and taken the folder away.
                 Err(e) if e.kind() == io::ErrorKind::NotFound => continue,
-                Err(e) => return Err(SweepError::folder(&path, e)),
+                Err(e) => return Err(StudyError::out(&path, e)),
             };
             match file.try_lock() {
                 Err(TryLockError::WouldBlock) => {
-                    return Err(SweepError::Input(format!(
+                    return Err(StudyError::Input(format!(
                         "{}: another process is computing this sweep; wait for it, or take \
                          another --out",
                         result.display()
@@ -69,7 +70,7 @@ impl Checkpoint {
     }
 
     /// Claims the folder for a sweep, or refuses if it belongs to another.
-    pub(crate) fn claim(&self, identity: &Identity) -> Result<(), SweepError> {
+    pub(crate) fn claim(&self, identity: &Identity) -> Result<(), StudyError> {
         let path = self.folder.join(PLAN);
         match std::fs::read_to_string(&path) {
             Ok(before) => identity.must_be(
@@ -80,14 +81,14 @@ impl Checkpoint {
             Err(e) if e.kind() == io::ErrorKind::NotFound => {
                 Ok(write_atomically(&path, identity.text().as_bytes())?)
             }
-            Err(e) => Err(SweepError::folder(&path, e)),
+            Err(e) => Err(StudyError::out(&path, e)),
         }
     }
 
     /// Checkpointed part of a sweep; half-written files of a killed process are removed, and tables
     /// of another sweep are refused.
-    pub(crate) fn stock(&self, identity: &Identity) -> Result<Stock, SweepError> {
-        let fail = |e| SweepError::folder(&self.folder, e);
+    pub(crate) fn stock(&self, identity: &Identity) -> Result<Stock, StudyError> {
+        let fail = |e| StudyError::out(&self.folder, e);
         let mut stock = Stock::default();
         for entry in std::fs::read_dir(&self.folder).map_err(fail)? {
             let path = entry.map_err(fail)?.path();
@@ -111,7 +112,7 @@ impl Checkpoint {
         columns: &[Column],
         footer: &[(&str, String)],
         mut rows: Vec<Row>,
-    ) -> Result<(), SweepError> {
+    ) -> Result<(), StudyError> {
         rows.sort_unstable_by_key(index);
         let Some(first) = rows.first().map(index) else {
             return Ok(());
@@ -125,8 +126,8 @@ impl Checkpoint {
     }
 
     /// Removes the folder, now that the result is complete.
-    pub(crate) fn remove(self) -> Result<(), SweepError> {
-        std::fs::remove_dir_all(&self.folder).map_err(|e| SweepError::folder(&self.folder, e))
+    pub(crate) fn remove(self) -> Result<(), StudyError> {
+        std::fs::remove_dir_all(&self.folder).map_err(|e| StudyError::out(&self.folder, e))
     }
 
     /// Removes the folder if there is nothing in it but the lock.
@@ -143,20 +144,19 @@ impl Checkpoint {
 
 impl Stock {
     /// Adds a table; `twice` is what is wrong with a variant that is there already.
-    pub(crate) fn add(&mut self, table: &TableReader, twice: &str) -> Result<(), SweepError> {
+    pub(crate) fn add(&mut self, table: &TableReader, twice: &str) -> Result<(), StudyError> {
         add_isa(&mut self.isa, table.footer("isa").unwrap_or_default());
         let mut first = u64::MAX;
-        for group in 0..table.groups() {
-            for row in table.columns_of_group(group, &[0])? {
-                first = first.min(index(&row));
-                if !self.done.insert(index(&row)) {
-                    return Err(SweepError::Input(format!(
-                        "{}: variant {} is {twice}",
-                        table.path().display(),
-                        index(&row)
-                    )));
-                }
+        for row in table.rows_of(&[0]) {
+            let index = index(&row?);
+            if self.done.contains(&index) {
+                let path = table.path().display();
+                return Err(StudyError::Input(format!(
+                    "{path}: variant {index} is {twice}"
+                )));
             }
+            first = first.min(index);
+            self.done.insert(index..index + 1);
         }
         self.tables.push((first, table.path().to_owned()));
         Ok(())

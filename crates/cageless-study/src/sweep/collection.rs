@@ -8,11 +8,11 @@ use cageless::dynamics::InstructionSet;
 use cageless_io::results::{Column, Row, TableReader, TableWriter, write_atomically};
 
 use super::checkpoint::{Checkpoint, part_name};
-use super::error::SweepError;
 use super::evaluate::{Cancellation, Sweep};
 use super::footer::Identity;
-use super::index_set::Shard;
-use super::merge_sorted::merge_sorted;
+use super::merge::merge_sorted;
+use super::shard::Shard;
+use crate::StudyError;
 
 /// A result in the making. [`super::run`] computes on the threads of this machine; a
 /// scheduler hands out [`Collection::missing`], lets [`write_part`] compute each range
@@ -34,11 +34,11 @@ impl Collection {
     /// # Errors
     /// The result or its work folder belongs to another plan or is in use, or cannot be
     /// written to.
-    pub fn open(sweep: &Sweep, result: &Path, shard: Option<Shard>) -> Result<Self, SweepError> {
+    pub fn open(sweep: &Sweep, result: &Path, shard: Option<Shard>) -> Result<Self, StudyError> {
         let whole = 0..sweep.variants();
         let range = shard.map_or(whole, |shard| shard.range(sweep.variants()));
         if let Some(folder) = result.parent() {
-            std::fs::create_dir_all(folder).map_err(|e| SweepError::folder(folder, e))?;
+            std::fs::create_dir_all(folder).map_err(|e| StudyError::out(folder, e))?;
         }
         let checkpoint = Checkpoint::open(result)?;
         let mut collection = Self {
@@ -69,12 +69,12 @@ impl Collection {
     ///
     /// # Errors
     /// If what is there cannot be read.
-    pub fn missing(&self) -> Result<Vec<Range<u64>>, SweepError> {
+    pub fn missing(&self) -> Result<Vec<Range<u64>>, StudyError> {
         match &self.checkpoint {
-            Some(checkpoint) => Ok(checkpoint
-                .stock(&self.identity)?
-                .done
-                .missing(self.range.clone())),
+            Some(checkpoint) => {
+                let stock = checkpoint.stock(&self.identity)?;
+                Ok(stock.done.gaps(&self.range).collect())
+            }
             None => Ok(Vec::new()),
         }
     }
@@ -91,7 +91,7 @@ impl Collection {
     ///
     /// # Errors
     /// It is not of this sweep, or cannot be written.
-    pub fn add(&self, first: u64, part: &[u8]) -> Result<(), SweepError> {
+    pub fn add(&self, first: u64, part: &[u8]) -> Result<(), StudyError> {
         if self.checkpoint.is_none() {
             return Ok(());
         }
@@ -105,13 +105,13 @@ impl Collection {
         checked
     }
 
-    fn check(&self, path: &Path) -> Result<(), SweepError> {
+    fn check(&self, path: &Path) -> Result<(), StudyError> {
         let remedy = "Every computer must have the same version of Cageless";
         self.identity.must_own(&TableReader::open(path)?, remedy)
     }
 
     /// Keeps rows, which need not be contiguous.
-    pub(crate) fn keep(&self, rows: Vec<Row>) -> Result<(), SweepError> {
+    pub(crate) fn keep(&self, rows: Vec<Row>) -> Result<(), StudyError> {
         let Some(checkpoint) = &self.checkpoint else {
             return Ok(());
         };
@@ -124,12 +124,12 @@ impl Collection {
     ///
     /// # Errors
     /// If files cannot be read or written.
-    pub fn finish(self) -> Result<bool, SweepError> {
+    pub fn finish(self) -> Result<bool, StudyError> {
         let Some(checkpoint) = self.checkpoint else {
             return Ok(true);
         };
         let stock = checkpoint.stock(&self.identity)?;
-        if !stock.done.missing(self.range.clone()).is_empty() {
+        if stock.done.gaps(&self.range).next().is_some() {
             return Ok(false);
         }
         let footer = self.identity.footer(&stock.isa, self.shard);
@@ -140,7 +140,7 @@ impl Collection {
     }
 
     /// Claims the work folder; says whether the result is there already.
-    fn prepare(&self, checkpoint: &Checkpoint) -> Result<bool, SweepError> {
+    fn prepare(&self, checkpoint: &Checkpoint) -> Result<bool, StudyError> {
         if self
             .identity
             .is_there(&self.result, self.shard, self.total())?
@@ -161,7 +161,7 @@ pub fn write_part(
     range: Range<u64>,
     path: &Path,
     stop: Cancellation<'_>,
-) -> Result<bool, SweepError> {
+) -> Result<bool, StudyError> {
     let Some(rows) = sweep.evaluate(range, stop) else {
         return Ok(false);
     };

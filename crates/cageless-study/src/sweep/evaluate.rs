@@ -16,13 +16,12 @@ use cageless_io::rotor_file::RotorFile;
 use cageless_results::Cell;
 use cageless_results::Computation;
 
-use super::error::SweepError;
 use super::feasibility;
 use super::outputs::{Output, outputs};
 use super::variants::Variants;
 use crate::StudyError;
 use crate::drop::run_rotor;
-use crate::together::{Record, Recorded, RunRecorder, run_together};
+use crate::together::{Record, RunRecorder, run_together};
 use cageless_results::{FinishedDrop, Judged, Solved, Subject};
 
 /// A plan that can be computed.
@@ -47,11 +46,11 @@ impl Sweep {
     /// # Errors
     /// Too many variants, columns that there are none of, no variant that is a possible case, or an
     /// environment that asks for too many threads.
-    pub fn new(plan: PlanFile) -> Result<Self, SweepError> {
+    pub fn new(plan: PlanFile) -> Result<Self, StudyError> {
         crate::check_environment()?;
-        let normal = plan.normal()?;
-        let variants = Variants::new(plan)?;
-        let outputs = outputs(variants.plan())?;
+        let normal = plan.normal().map_err(StudyError::Plan)?;
+        let variants = Variants::new(plan).map_err(StudyError::Plan)?;
+        let outputs = outputs(variants.plan()).map_err(StudyError::Plan)?;
         let mut columns = vec![spec(INDEX, ColumnKind::Index)];
         columns.extend_from_slice(variants.columns());
         columns.push(spec(REASON, ColumnKind::Text));
@@ -101,6 +100,19 @@ impl Sweep {
         }
     }
 
+    /// Number of variants that a thread computes before it asks for more: handing them over takes
+    /// little of the time, and no thread is left with much when the others are done.
+    pub(crate) fn batch(&self) -> u64 {
+        let is_quick = |output: &Output| {
+            let of = output.quantity.computation();
+            matches!(of, Computation::Static | Computation::Design)
+        };
+        match self.outputs.iter().all(is_quick) {
+            true => 16,
+            false => self.together(),
+        }
+    }
+
     /// The case or the rotor of a variant.
     ///
     /// # Errors
@@ -112,37 +124,33 @@ impl Sweep {
     /// Rows of a range of variants, in order; `None` if cancelled. Always the same
     /// rows on one instruction set, however the variants are cut into ranges.
     pub fn evaluate(&self, range: Range<u64>, stop: Cancellation<'_>) -> Option<Vec<Row>> {
-        let mut batch: Vec<Variant> = range.map(|index| self.begin(index)).collect();
+        let mut batch: Vec<Variant<'_>> = range.map(|index| self.begin(index)).collect();
         for variant in &mut batch {
-            self.solve(variant);
-            self.describe(variant);
-            if stop().is_break() || !self.judge(variant, stop) {
-                return None;
-            }
+            self.alone(variant, stop)?;
         }
-        self.run(&mut batch, stop)?;
-        self.drop(&mut batch, stop)?;
-        self.drop_rotors(&mut batch, stop)?;
+        self.side_by_side(&mut batch, |_| true, RunRecorder::new, stop)?;
+        let drops = |case: &Case| case.rotor.is_some();
+        self.side_by_side(&mut batch, drops, |_| DropRecorder::new(), stop)?;
         Some(batch.into_iter().map(Variant::row).collect())
     }
 
-    fn begin(&self, index: u64) -> Variant {
-        let (inputs, case) = self.variants.variant(index);
-        let mut variant = Variant {
-            index,
-            inputs,
-            case: None,
-            rotor: None,
-            results: vec![Cell::Null; self.outputs.len()],
+    fn begin(&self, index: u64) -> Variant<'_> {
+        let (inputs, file) = self.variants.variant(index);
+        let mut found = Found {
+            outputs: &self.outputs,
+            cells: vec![Cell::Null; self.outputs.len()],
             reasons: Vec::new(),
         };
-        match case {
-            Ok(VariantFile::Case(file)) => variant.case = Some(file.case().clone()),
-            Ok(VariantFile::Rotor(file)) => variant.rotor = Some(*file),
+        if let Err(error) = &file {
             // Without file and line: the same row wherever the plan lies.
-            Err(error) => variant.reasons.push(error.message().to_owned()),
+            found.reasons.push(error.message().to_owned());
         }
-        variant
+        Variant {
+            index,
+            inputs,
+            file: file.ok(),
+            found,
+        }
     }
 
     fn wants(&self, computation: Computation) -> bool {
@@ -150,126 +158,75 @@ impl Sweep {
         outputs.any(|output| output.quantity.computation() == computation)
     }
 
-    fn solve(&self, variant: &mut Variant) {
-        let wanted = self.wants(Computation::Static);
-        let Some(case) = variant.case.clone().filter(|_| wanted) else {
-            return;
-        };
-        match equilibrium::solve(&case) {
-            Ok(solved) => {
-                variant.fill(&self.outputs, Subject::Static(&Solved::new(&case, &solved)))
-            }
-            Err(error) => variant.failed(Computation::Static, &error),
-        }
-    }
-
-    fn describe(&self, variant: &mut Variant) {
-        let Some(case) = variant.case.clone() else {
-            return;
-        };
-        variant.fill(&self.outputs, Subject::Design(&case));
-    }
-
-    /// Judges the raceway; returns false if cancelled.
-    fn judge(&self, variant: &mut Variant, stop: Cancellation<'_>) -> bool {
-        let wanted = self.wants(Computation::Verdict);
-        let Some(case) = variant.case.clone().filter(|_| wanted) else {
-            return true;
-        };
-        match judge(&case, &mut |_| stop()) {
-            Ok(judgement) => {
-                let judged = Judged {
-                    case: &case,
-                    judgement: &judgement,
-                };
-                variant.fill(&self.outputs, Subject::Verdict(&judged));
-                if let Some(passages) = &judgement.passages {
-                    variant.fill(&self.outputs, Subject::Passages(passages));
+    /// What is computed of one variant after the other; `None` if cancelled.
+    fn alone(&self, variant: &mut Variant<'_>, stop: Cancellation<'_>) -> Option<()> {
+        let found = &mut variant.found;
+        match &variant.file {
+            None => {}
+            Some(VariantFile::Case(file)) => {
+                let case = file.case();
+                if self.wants(Computation::Static) {
+                    match equilibrium::solve(case) {
+                        Ok(solved) => found.fill(Subject::Static(&Solved::new(case, &solved))),
+                        Err(error) => found.failed(Computation::Static, &error),
+                    }
                 }
-                if let Some(stop) = &judgement.stopped {
-                    variant.failed(Computation::Verdict, &stop.reason());
+                found.fill(Subject::Design(case));
+                if stop().is_break() {
+                    return None;
+                }
+                if self.wants(Computation::Verdict) {
+                    found.judge(case, stop)?;
                 }
             }
-            Err(CriticalGapError::Interrupted) => return false,
-            Err(error) => variant.failed(Computation::Verdict, &error),
+            Some(VariantFile::Rotor(file)) if self.wants(Computation::Drop) => {
+                match run_rotor(RotorFile::drop(file), &mut |_| stop()) {
+                    Ok(run) => match &run.stopped {
+                        Some(reason) => found.failed(Computation::Drop, reason),
+                        None => {
+                            found.cells = self.outputs.iter().map(|o| o.of_rotor(&run)).collect()
+                        }
+                    },
+                    Err(StudyError::Interrupted) => return None,
+                    Err(error) => found.failed(Computation::Drop, &error),
+                }
+            }
+            Some(VariantFile::Rotor(_)) => {}
         }
-        true
+        Some(())
     }
 
-    fn run(&self, batch: &mut [Variant], stop: Cancellation<'_>) -> Option<()> {
-        if !self.wants(Computation::Run) {
+    /// Runs the variants whose case can be `run`, side by side; `None` if cancelled.
+    fn side_by_side<R: Recorder>(
+        &self,
+        batch: &mut [Variant<'_>],
+        run: impl Fn(&Case) -> bool,
+        record: impl Fn(&Case) -> R,
+        stop: Cancellation<'_>,
+    ) -> Option<()> {
+        if !self.wants(R::COMPUTATION) {
             return Some(());
         }
-        for (variant, run) in together(batch, |_| true, RunRecorder::new, stop)? {
+        let of_case = |variant| match variant {
+            &mut Variant {
+                file: Some(VariantFile::Case(ref file)),
+                ref mut found,
+                ..
+            } if run(file.case()) => Some((found, file.case().clone())),
+            _ => None,
+        };
+        let (found, cases): (Vec<_>, Vec<Case>) = batch.iter_mut().filter_map(of_case).unzip();
+        let runs = run_together(&cases, record, |_| Box::new(move |_| stop()))?;
+        for ((found, case), run) in found.into_iter().zip(&cases).zip(runs) {
             match run {
-                Ok((recorder, outcome)) => self.record(variant, &recorder, &outcome),
-                Err(error) => variant.failed(Computation::Run, &error),
-            }
-        }
-        Some(())
-    }
-
-    fn drop(&self, batch: &mut [Variant], stop: Cancellation<'_>) -> Option<()> {
-        if !self.wants(Computation::Drop) {
-            return Some(());
-        }
-        for (variant, drop) in
-            together(batch, |c| c.rotor.is_some(), |_| DropRecorder::new(), stop)?
-        {
-            match drop {
-                Ok((recorder, outcome)) => {
-                    let Some(case) = variant.case.clone() else {
-                        continue;
-                    };
-                    if let Ending::Stopped(stop) = &outcome.ending {
-                        variant.failed(Computation::Drop, &stop.reason());
-                        continue;
-                    }
-                    let summary = recorder.summary(&outcome.state);
-                    let finished = FinishedDrop {
-                        case: &case,
-                        summary: &summary,
-                        outcome: &outcome,
-                    };
-                    variant.fill(&self.outputs, Subject::Drop(&finished));
-                }
-                Err(error) => variant.failed(Computation::Drop, &error),
-            }
-        }
-        Some(())
-    }
-
-    /// Drops rotors into several bearings, one after the other.
-    fn drop_rotors(&self, batch: &mut [Variant], stop: Cancellation<'_>) -> Option<()> {
-        for variant in batch.iter_mut().filter(|_| self.wants(Computation::Drop)) {
-            let Some(rotor) = &variant.rotor else {
-                continue;
-            };
-            match run_rotor(rotor.drop(), &mut |_| stop()) {
-                Ok(run) => match &run.stopped {
-                    Some(reason) => variant.failed(Computation::Drop, reason),
-                    None => {
-                        let outputs = self.outputs.iter();
-                        variant.results = outputs.map(|output| output.of_rotor(&run)).collect();
-                    }
+                Ok((recorder, outcome)) => match &outcome.ending {
+                    Ending::Stopped(stop) => found.failed(R::COMPUTATION, &stop.reason()),
+                    _ => recorder.results(case, &outcome, &mut |subject| found.fill(subject)),
                 },
-                Err(StudyError::Interrupted) => return None,
-                Err(error) => variant.failed(Computation::Drop, &error),
+                Err(error) => found.failed(R::COMPUTATION, &error),
             }
         }
         Some(())
-    }
-
-    fn record(&self, variant: &mut Variant, run: &RunRecorder, outcome: &RunOutcome) {
-        let Some(case) = variant.case.clone() else {
-            return;
-        };
-        if let Ending::Stopped(stop) = &outcome.ending {
-            return variant.failed(Computation::Run, &stop.reason());
-        }
-        run.finished(&case, outcome, |finished| {
-            variant.fill(&self.outputs, Subject::Run(finished));
-        });
     }
 }
 
@@ -281,19 +238,54 @@ fn spec(name: &'static str, kind: ColumnKind) -> Column {
     }
 }
 
+/// Records what the results of a computation need.
+trait Recorder: Record {
+    const COMPUTATION: Computation;
+
+    /// Gives the results of the run of `case` to `fill`.
+    fn results(self, case: &Case, outcome: &RunOutcome, fill: &mut dyn FnMut(Subject<'_>));
+}
+
+impl Recorder for RunRecorder {
+    const COMPUTATION: Computation = Computation::Run;
+
+    fn results(self, case: &Case, outcome: &RunOutcome, fill: &mut dyn FnMut(Subject<'_>)) {
+        self.finished(case, outcome, |run| fill(Subject::Run(run)));
+    }
+}
+
+impl Recorder for DropRecorder {
+    const COMPUTATION: Computation = Computation::Drop;
+
+    fn results(self, case: &Case, outcome: &RunOutcome, fill: &mut dyn FnMut(Subject<'_>)) {
+        let summary = &self.summary(&outcome.state);
+        fill(Subject::Drop(&FinishedDrop {
+            case,
+            summary,
+            outcome,
+        }));
+    }
+}
+
 /// One variant on its way to a row.
-struct Variant {
+struct Variant<'s> {
     index: u64,
     inputs: Vec<Cell>,
-    case: Option<Case>,
-    rotor: Option<RotorFile>,
-    results: Vec<Cell>,
+    /// `None` if it is impossible.
+    file: Option<VariantFile>,
+    found: Found<'s>,
+}
+
+/// Results of a variant so far.
+struct Found<'s> {
+    outputs: &'s [Output],
+    cells: Vec<Cell>,
     reasons: Vec<String>,
 }
 
-impl Variant {
-    fn fill(&mut self, outputs: &[Output], subject: Subject<'_>) {
-        for (cell, output) in self.results.iter_mut().zip(outputs) {
+impl Found<'_> {
+    fn fill(&mut self, subject: Subject<'_>) {
+        for (cell, output) in self.cells.iter_mut().zip(self.outputs) {
             if let Some(found) = output.quantity.of(subject) {
                 *cell = found;
             }
@@ -301,36 +293,38 @@ impl Variant {
     }
 
     fn failed(&mut self, computation: Computation, why: &dyn ToString) {
-        self.reasons
-            .push(format!("{}: {}", computation.name(), why.to_string()));
+        let reason = format!("{}: {}", computation.name(), why.to_string());
+        self.reasons.push(reason);
     }
 
-    fn row(self) -> Row {
-        let mut row = vec![Cell::Integer(self.index as i64)];
-        row.extend(self.inputs);
-        row.push(match self.reasons.is_empty() {
-            true => Cell::Null,
-            false => Cell::Text(self.reasons.join("; ")),
-        });
-        row.extend(self.results);
-        row
+    /// Judges the raceway; `None` if cancelled.
+    fn judge(&mut self, case: &Case, stop: Cancellation<'_>) -> Option<()> {
+        match judge(case, &mut |_| stop()) {
+            Ok(judgement) => {
+                let judgement = &judgement;
+                self.fill(Subject::Verdict(&Judged { case, judgement }));
+                if let Some(passages) = &judgement.passages {
+                    self.fill(Subject::Passages(passages));
+                }
+                if let Some(stop) = &judgement.stopped {
+                    self.failed(Computation::Verdict, &stop.reason());
+                }
+            }
+            Err(CriticalGapError::Interrupted) => return None,
+            Err(error) => self.failed(Computation::Verdict, &error),
+        }
+        Some(())
     }
 }
 
-/// Runs the variants whose case can be run, side by side; `None` if cancelled.
-fn together<'b, R: Record>(
-    batch: &'b mut [Variant],
-    runs: impl Fn(&Case) -> bool,
-    record: impl Fn(&Case) -> R,
-    stop: Cancellation<'_>,
-) -> Option<Vec<(&'b mut Variant, Recorded<R>)>> {
-    let (variants, cases): (Vec<&mut Variant>, Vec<Case>) = batch
-        .iter_mut()
-        .filter_map(|variant| {
-            let case = variant.case.clone().filter(&runs)?;
-            Some((variant, case))
-        })
-        .unzip();
-    let done = run_together(&cases, record, |_| Box::new(move |_| stop()))?;
-    Some(variants.into_iter().zip(done).collect())
+impl Variant<'_> {
+    fn row(self) -> Row {
+        let reasons = self.found.reasons;
+        let reason = (!reasons.is_empty()).then(|| Cell::Text(reasons.join("; ")));
+        let mut row = vec![Cell::Integer(self.index as i64)];
+        row.extend(self.inputs);
+        row.push(reason.unwrap_or(Cell::Null));
+        row.extend(self.found.cells);
+        row
+    }
 }

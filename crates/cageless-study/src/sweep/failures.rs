@@ -5,8 +5,8 @@ use std::path::Path;
 use cageless_io::results::TableReader;
 use cageless_results::Cell;
 
-use super::error::SweepError;
 use super::evaluate::REASON;
+use crate::StudyError;
 
 /// Number of failures and the reason of the first.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -21,18 +21,16 @@ pub struct Failures {
 ///
 /// # Errors
 /// If it cannot be read.
-pub fn failures(result: &Path) -> Result<Failures, SweepError> {
+pub fn failures(result: &Path) -> Result<Failures, StudyError> {
     let table = TableReader::open(result)?;
     let mut failures = Failures::default();
     let Some(reason) = table.columns().iter().position(|c| c.name == REASON) else {
         return Ok(failures);
     };
-    for group in 0..table.groups() {
-        for row in table.columns_of_group(group, &[reason])? {
-            if let [Cell::Text(why)] = row.as_slice() {
-                failures.count += 1;
-                failures.first.get_or_insert_with(|| why.clone());
-            }
+    for row in table.rows_of(&[reason]) {
+        if let [Cell::Text(why)] = row?.as_slice() {
+            failures.count += 1;
+            failures.first.get_or_insert_with(|| why.clone());
         }
     }
     Ok(failures)

@@ -2,14 +2,14 @@
 
 use rayon::prelude::*;
 
-use super::error::SweepError;
 use super::variants::Variants;
+use crate::StudyError;
 
 /// Variants that are tried at most, spread over the plan.
 const PROBES: u64 = 20_000;
 
 /// Refuses a plan none of whose variants is a possible case.
-pub(crate) fn some_are_possible(variants: &Variants) -> Result<(), SweepError> {
+pub(crate) fn some_are_possible(variants: &Variants) -> Result<(), StudyError> {
     let count = variants.count();
     let probes = count.min(PROBES);
     let index = |k: u64| (u128::from(k) * u128::from(count) / u128::from(probes)) as u64;
@@ -20,7 +20,7 @@ pub(crate) fn some_are_possible(variants: &Variants) -> Result<(), SweepError> {
     }
     match variants.variant(0).1 {
         Ok(_) => Ok(()),
-        Err(first) => Err(SweepError::Input(format!(
+        Err(first) => Err(StudyError::Input(format!(
             "{}{} variants is a possible case. The first: {first}",
             match variants.plan().name.as_str() {
                 "" => String::new(),

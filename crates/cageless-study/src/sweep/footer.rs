@@ -5,9 +5,9 @@ use std::path::Path;
 use cageless_io::plan_file::difference;
 use cageless_io::results::{TableReader, VERSION};
 
-use super::error::SweepError;
 use super::evaluate::Sweep;
-use super::index_set::Shard;
+use super::shard::Shard;
+use crate::StudyError;
 
 /// Version of the layout of the tables.
 const SCHEMA: u64 = 1;
@@ -78,13 +78,13 @@ impl Identity {
         result: &Path,
         shard: Option<Shard>,
         rows: u64,
-    ) -> Result<bool, SweepError> {
+    ) -> Result<bool, StudyError> {
         if !result.exists() {
             return Ok(false);
         }
         let remedy = "Choose another --out, or remove it";
         let what = result.display().to_string();
-        let foreign = |why: &str| SweepError::Input(format!("{what} {why}. {remedy}"));
+        let foreign = |why: &str| StudyError::Input(format!("{what} {why}. {remedy}"));
         if result.is_dir() {
             return Err(foreign("is a directory where the result is to be"));
         }
@@ -99,20 +99,20 @@ impl Identity {
     }
 
     /// Refuses a table of another sweep, or of none.
-    pub(crate) fn must_own(&self, table: &TableReader, remedy: &str) -> Result<(), SweepError> {
+    pub(crate) fn must_own(&self, table: &TableReader, remedy: &str) -> Result<(), StudyError> {
         let what = table.path().display().to_string();
         let found = Self::read(table)
-            .ok_or_else(|| SweepError::Input(format!("{what} is not part of a sweep. {remedy}")))?;
+            .ok_or_else(|| StudyError::Input(format!("{what} is not part of a sweep. {remedy}")))?;
         self.must_be(&found.text(), &what, remedy)
     }
 
     /// Refuses another identity, with the differences.
-    pub(crate) fn must_be(&self, before: &str, what: &str, remedy: &str) -> Result<(), SweepError> {
+    pub(crate) fn must_be(&self, before: &str, what: &str, remedy: &str) -> Result<(), StudyError> {
         let differences = difference(before, &self.text());
         if differences.is_empty() {
             return Ok(());
         }
-        Err(SweepError::Input(format!(
+        Err(StudyError::Input(format!(
             "{what} is of another plan: {}. {remedy}",
             differences.join("; ")
         )))

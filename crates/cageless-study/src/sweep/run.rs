@@ -1,17 +1,22 @@
 //! A sweep into a file: resumed where it was left, complete at its end.
 
 use std::num::NonZeroUsize;
+use std::ops::Range;
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, sync_channel};
 use std::time::{Duration, Instant};
 
 use cageless::simulation::Control;
 use cageless_io::results::Row;
+use rayon::ThreadPool;
+use rayon::prelude::*;
 
 use super::collection::Collection;
-use super::error::SweepError;
 use super::evaluate::Sweep;
-use super::index_set::Shard;
-use super::worker_pool::compute;
+use super::shard::Shard;
+use crate::StudyError;
+use crate::progress::break_if;
 
 /// Computations and output of a sweep.
 #[derive(Debug, Clone)]
@@ -58,6 +63,8 @@ pub struct Done {
     pub progress: Progress,
 }
 
+/// Interval between progress reports.
+const TICK: Duration = Duration::from_millis(100);
 /// Flush interval as a fraction of elapsed time.
 const SHARE: u32 = 20;
 /// Shortest flush interval.
@@ -77,7 +84,7 @@ pub fn run(
     sweep: &Sweep,
     job: &Job,
     mut watch: impl FnMut(&Progress) -> Control,
-) -> Result<Done, SweepError> {
+) -> Result<Done, StudyError> {
     let started = Instant::now();
     // Of its own: the thread of the caller waits here, which no worker may do.
     let pool = crate::pool(job.threads)?;
@@ -111,4 +118,54 @@ pub fn run(
         complete: collection.finish()?,
         progress,
     })
+}
+
+/// Computes `missing` on the threads of `pool`; `take` gets the rows as they come, and now
+/// and then none; `Break(())` cancels. Its error stops the work as well.
+fn compute(
+    sweep: &Sweep,
+    missing: Vec<Range<u64>>,
+    pool: &ThreadPool,
+    mut take: impl FnMut(Vec<Row>) -> Result<Control, StudyError>,
+) -> Result<(), StudyError> {
+    let stop = AtomicBool::new(false);
+    let stopped = || break_if(stop.load(Ordering::Relaxed));
+    let (sender, receiver) = sync_channel(4 * pool.current_num_threads());
+    let batches = missing
+        .into_iter()
+        .flat_map(|range| batches(range, sweep.batch()));
+    pool.in_place_scope(|scope| {
+        scope.spawn(|_| {
+            // Ends early where it is stopped, or nobody receives any longer.
+            let _ = batches
+                .par_bridge()
+                .try_for_each_with(sender, |sender, range| {
+                    sender.send(sweep.evaluate(range, &stopped)?).ok()
+                });
+        });
+        let mut collect = || {
+            loop {
+                let rows = match receiver.recv_timeout(TICK) {
+                    Ok(rows) => rows,
+                    Err(RecvTimeoutError::Timeout) => Vec::new(),
+                    Err(RecvTimeoutError::Disconnected) => return Ok(()),
+                };
+                if take(rows)?.is_break() {
+                    // What is under way in the channel is not lost.
+                    stop.store(true, Ordering::Relaxed);
+                }
+            }
+        };
+        let done = collect();
+        stop.store(true, Ordering::Relaxed);
+        // Nobody must wait for room in the channel.
+        receiver.iter().for_each(drop);
+        done
+    })
+}
+
+/// A range in pieces of `size` and a rest.
+fn batches(range: Range<u64>, size: u64) -> impl Iterator<Item = Range<u64>> {
+    let starts = range.clone().step_by(size as usize);
+    starts.map(move |start| start..range.end.min(start + size))
 }

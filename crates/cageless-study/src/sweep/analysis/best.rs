@@ -9,7 +9,7 @@ use cageless_results::number_text::short;
 
 use super::quantities::{Input, Output, Quantities};
 use super::table::Table;
-use crate::sweep::error::SweepError;
+use crate::StudyError;
 use cageless_results::{Aim, quantities as all};
 
 /// Requested direction of an output.
@@ -41,7 +41,7 @@ pub(super) fn goals<'q>(
     table: &Table,
     quantities: &'q Quantities,
     wanted: &[Goal],
-) -> Result<Vec<(&'q Output, Aim)>, SweepError> {
+) -> Result<Vec<(&'q Output, Aim)>, StudyError> {
     let number = |name: &str| {
         let mut outputs = quantities.outputs.iter();
         outputs.find(|o| o.name == name && o.is_name.is_none())
@@ -57,7 +57,7 @@ pub(super) fn goals<'q>(
         let Some(output) = number(&goal.column) else {
             let numbers = quantities.outputs.iter().filter(|o| o.is_name.is_none());
             let names: Vec<_> = numbers.map(|o| o.name.as_str()).collect();
-            return Err(SweepError::Input(format!(
+            return Err(StudyError::Input(format!(
                 "{}: {} is not an output that varies; these are {}",
                 table.path().display(),
                 goal.column,
@@ -74,7 +74,7 @@ pub(super) fn find(
     table: &Table,
     quantities: &Quantities,
     goals: &[(&Output, Aim)],
-) -> Result<Vec<BestVariants>, SweepError> {
+) -> Result<Vec<BestVariants>, StudyError> {
     let inputs = &quantities.inputs;
     let mut wanted = vec![0];
     wanted.extend(inputs.iter().map(|i| i.column));

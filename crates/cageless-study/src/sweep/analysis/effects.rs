@@ -5,7 +5,7 @@ use cageless_io::results::Row;
 
 use super::quantities::{Output, Quantities};
 use super::table::Table;
-use crate::sweep::error::SweepError;
+use crate::StudyError;
 
 /// Inputs that an output is drawn over, at most …
 const DRAWN: usize = 6;
@@ -61,7 +61,7 @@ fn wanted(quantities: &Quantities) -> Vec<usize> {
 pub(super) fn gather(
     table: &Table,
     quantities: &Quantities,
-) -> Result<Vec<SweepOutput>, SweepError> {
+) -> Result<Vec<SweepOutput>, StudyError> {
     let (inputs, outputs) = (&quantities.inputs, &quantities.outputs);
     let empty = || inputs.iter().map(|i| vec![Moments::NONE; i.count()]);
     let mut levels: Levels = outputs.iter().map(|_| empty().collect()).collect();
@@ -153,7 +153,7 @@ pub(super) fn maps(
     table: &Table,
     quantities: &Quantities,
     outputs: &[SweepOutput],
-) -> Result<Vec<Option<HeatMap>>, SweepError> {
+) -> Result<Vec<Option<HeatMap>>, StudyError> {
     let inputs = &quantities.inputs;
     let pair = |output: &SweepOutput| match *most(&output.shares, 2) {
         [x, y] if output.shares[x].unwrap_or(0.0) >= SHARE_MIN => Some((x, y)),

@@ -6,13 +6,13 @@ use super::result::FailureGroup;
 use cageless_results::Cell;
 
 use super::table::Table;
-use crate::sweep::error::SweepError;
+use crate::StudyError;
 
 /// Largest number of distinct reasons; further ones count as the last.
 const GROUPS_MAX: usize = 20;
 
 /// Failed variants by their reason, the most frequent first.
-pub(super) fn groups(table: &Table) -> Result<Vec<FailureGroup>, SweepError> {
+pub(super) fn groups(table: &Table) -> Result<Vec<FailureGroup>, StudyError> {
     let mut groups: BTreeMap<String, FailureGroup> = BTreeMap::new();
     table.each(&[0, table.reason()], |row| {
         let [index, Cell::Text(reason)] = row.as_slice() else {

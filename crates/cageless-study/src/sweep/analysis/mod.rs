@@ -21,7 +21,7 @@ pub use result::{
 
 use crate::{Parameter, Provenance};
 
-use crate::sweep::error::SweepError;
+use crate::StudyError;
 use crate::sweep::footer::Identity;
 use cageless_results::Aim;
 
@@ -60,9 +60,9 @@ fn other_result(path: &Path) -> Option<(&Path, &'static str)> {
 /// # Errors
 /// If the file is not the complete result of a sweep, cannot be read, or a goal is not
 /// one of its numbers.
-pub fn analyse(path: &Path, goals: &[Goal]) -> Result<SweepData, SweepError> {
+pub fn analyse(path: &Path, goals: &[Goal]) -> Result<SweepData, StudyError> {
     if let Some((folder, command)) = other_result(path) {
-        return Err(SweepError::Input(format!(
+        return Err(StudyError::Input(format!(
             "{} is the result of `cageless {command}`, not of a sweep: its page is report.html in \
              that folder; `cageless report` takes the folder of `cageless sweep`",
             folder.display()
@@ -72,7 +72,7 @@ pub fn analyse(path: &Path, goals: &[Goal]) -> Result<SweepData, SweepError> {
     let path = if path.is_dir() { &inside } else { path };
     let reader = TableReader::open(path)?;
     let identity = Identity::read(&reader).ok_or_else(|| {
-        SweepError::Input(format!("{} is not the result of a sweep", path.display()))
+        StudyError::Input(format!("{} is not the result of a sweep", path.display()))
     })?;
     let isa = reader.footer("isa").unwrap_or_default().to_owned();
     let table = Table::new(reader)?;
@@ -165,7 +165,7 @@ fn passed(
     table: &Table,
     outputs: &[SweepOutput],
     constants: &[Parameter],
-) -> Result<Option<[u64; 2]>, SweepError> {
+) -> Result<Option<[u64; 2]>, StudyError> {
     if let Some(output) = outputs.iter().find(|o| o.quantity.name == PASSES) {
         let count = output.count as f64;
         return Ok(Some([(output.mean * count).round() as u64, output.count]));

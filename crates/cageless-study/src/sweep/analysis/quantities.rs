@@ -7,7 +7,7 @@ use cageless_results::Cell;
 use cageless_results::number_text::short;
 
 use super::table::Table;
-use crate::sweep::error::SweepError;
+use crate::StudyError;
 
 /// Values that an input may have to be shown one by one.
 const LEVELS_MAX: usize = 24;
@@ -177,7 +177,7 @@ impl Seen {
 
 impl Quantities {
     /// Looks at every value once.
-    pub(super) fn scan(table: &Table) -> Result<Self, SweepError> {
+    pub(super) fn scan(table: &Table) -> Result<Self, StudyError> {
         let (inputs, outputs) = (table.inputs(), table.outputs());
         let wanted: Vec<usize> = inputs.iter().chain(&outputs).copied().collect();
         let mut seen: Vec<Seen> = wanted.iter().map(|_| Seen::default()).collect();

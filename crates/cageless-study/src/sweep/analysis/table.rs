@@ -2,7 +2,7 @@
 
 use cageless_io::results::{Column, ColumnKind, Row, TableReader};
 
-use crate::sweep::error::SweepError;
+use crate::StudyError;
 use crate::sweep::evaluate::{INDEX, REASON};
 
 /// The result of a sweep: its index, then inputs, the reason, then outputs.
@@ -12,13 +12,13 @@ pub(super) struct Table {
 }
 
 impl Table {
-    pub(super) fn new(reader: TableReader) -> Result<Self, SweepError> {
+    pub(super) fn new(reader: TableReader) -> Result<Self, StudyError> {
         let columns = reader.columns();
         let reason = columns.iter().position(|c| c.name == REASON);
         let index = columns.first().is_some_and(|c| c.name == INDEX);
         match reason {
             Some(reason) if index => Ok(Self { reader, reason }),
-            _ => Err(SweepError::Input(format!(
+            _ => Err(StudyError::Input(format!(
                 "{} lacks the columns of a sweep",
                 reader.path().display()
             ))),
@@ -65,10 +65,9 @@ impl Table {
         &self,
         wanted: &[usize],
         mut see: impl FnMut(&Row),
-    ) -> Result<(), SweepError> {
-        for group in 0..self.reader.groups() {
-            let rows = self.reader.columns_of_group(group, wanted)?;
-            rows.iter().for_each(&mut see);
+    ) -> Result<(), StudyError> {
+        for row in self.reader.rows_of(wanted) {
+            see(&row?);
         }
         Ok(())
     }
