@@ -1,17 +1,32 @@
 //! Files of the program's own, under names that others can guess.
 
-use std::fs::{File, OpenOptions};
+use std::fs::{File, OpenOptions, TryLockError};
 use std::io;
 use std::path::Path;
 
-/// Opens a file to read and write, or makes it. Its name is known beforehand, so that somebody
-/// else may have put something in its place: a link, symbolic or not, would lead the writing to
-/// another file, and a pipe would wait for a reader forever. Both are refused.
+/// Opens a file to read and write, or makes it, and keeps other processes from it until it is
+/// dropped; `None` if another has it. Its name is known beforehand, so that somebody else may have
+/// put something in its place: a link, symbolic or not, would lead the writing to another file, and
+/// a pipe would wait for a reader forever. Both are refused.
 ///
 /// # Errors
 /// [`io::ErrorKind::InvalidInput`] for anything but a regular file with one name, else what the
 /// system says.
-pub fn open_own(path: &Path) -> io::Result<File> {
+pub fn open_locked(path: &Path) -> io::Result<Option<File>> {
+    loop {
+        let file = open(path)?;
+        // Some network file systems have no locks; do without.
+        if let Err(TryLockError::WouldBlock) = file.try_lock() {
+            return Ok(None);
+        }
+        // Renamed or removed by another process since it was opened, it is no longer the file.
+        if path.exists() {
+            return Ok(Some(file));
+        }
+    }
+}
+
+fn open(path: &Path) -> io::Result<File> {
     let mut options = OpenOptions::new();
     options.create(true).read(true).write(true).truncate(false);
     #[cfg(unix)]

@@ -8,14 +8,14 @@
 //! removed is found. A line that was cut off by the end of the program is dropped.
 
 use std::collections::HashMap;
-use std::fs::{File, TryLockError};
+use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use crc32fast::Hasher;
 use serde::{Deserialize, Serialize};
 
-use crate::files::open_own;
+use crate::files::open_locked;
 use crate::plan_file::difference;
 use crate::system::io_error_message;
 
@@ -137,16 +137,10 @@ impl Journal {
             path: path.to_owned(),
             source,
         };
-        let mut file = open_own(path).map_err(failed)?;
-        match file.try_lock() {
-            Err(TryLockError::WouldBlock) => {
-                return Err(JournalError::Busy {
-                    path: path.to_owned(),
-                });
-            }
-            // Some network file systems have no locks; do without.
-            Err(TryLockError::Error(_)) | Ok(()) => {}
-        }
+        let busy = || JournalError::Busy {
+            path: path.to_owned(),
+        };
+        let mut file = open_locked(path).map_err(failed)?.ok_or_else(busy)?;
         let mut text = vec![];
         file.read_to_end(&mut text).map_err(failed)?;
         let foreign = |why: String| JournalError::Foreign {

@@ -39,7 +39,7 @@ mod terminal;
 pub mod touchdown_template;
 
 #[cfg(feature = "files")]
-pub use files::open_own;
+pub use files::open_locked;
 pub use option_error::OptionError;
 pub use system::io_error_message;
 pub use terminal::on_terminal;

@@ -1,11 +1,11 @@
 //! Files that appear complete or not at all.
 
-use std::fs::{File, TryLockError};
+use std::fs::File;
 use std::io::{self, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use super::error::ResultError;
-use crate::files::open_own;
+use crate::files::open_locked;
 
 /// A file that grows as `.NAME.partial` beside its place and takes its name when it
 /// is [committed](Self::commit). Dropped before, it is removed. (Temporary files of the `tempfile`
@@ -40,30 +40,17 @@ impl PartialFile {
             return Err(fail(io::ErrorKind::IsADirectory.into()));
         }
         let partial = path.with_file_name(format!(".{}.partial", name.to_string_lossy()));
-        let file = loop {
-            // Not truncated: it may belong to another run until the lock is had.
-            let file = open_own(&partial).map_err(|source| match source.kind() {
-                io::ErrorKind::InvalidInput => ResultError::Occupied {
-                    path: path.to_owned(),
-                    partial: partial.clone(),
-                    source,
-                },
-                _ => fail(source),
-            })?;
-            match file.try_lock() {
-                Err(TryLockError::WouldBlock) => {
-                    return Err(ResultError::Busy {
-                        path: path.to_owned(),
-                    });
-                }
-                // Some network file systems have no locks; do without.
-                Err(TryLockError::Error(_)) | Ok(()) => {}
-            }
-            // Committed by another run since it was opened, it is now that run's result.
-            if partial.exists() {
-                break file;
-            }
-        };
+        let file = open_locked(&partial).map_err(|source| match source.kind() {
+            io::ErrorKind::InvalidInput => ResultError::Occupied {
+                path: path.to_owned(),
+                partial: partial.clone(),
+                source,
+            },
+            _ => fail(source),
+        })?;
+        let file = file.ok_or_else(|| ResultError::Busy {
+            path: path.to_owned(),
+        })?;
         file.set_len(0).map_err(fail)?;
         Ok(Self {
             file,

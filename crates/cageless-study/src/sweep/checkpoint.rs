@@ -4,11 +4,11 @@
 //! computes) and tables of rows, each complete under its name or not there. No row is in
 //! two of them.
 
-use std::fs::{File, TryLockError};
+use std::fs::File;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use cageless_io::open_own;
+use cageless_io::open_locked;
 use cageless_io::results::{Column, Row, TableReader, TableWriter, write_atomically};
 use cageless_results::Cell;
 use rangemap::RangeSet;
@@ -45,26 +45,18 @@ impl Checkpoint {
         loop {
             std::fs::create_dir_all(&folder).map_err(|e| StudyError::out(&folder, e))?;
             let path = folder.join(LOCK);
-            let file = match open_own(&path) {
-                Ok(file) => file,
-                // Another process has just finished and taken the folder away.
-                Err(e) if e.kind() == io::ErrorKind::NotFound => continue,
-                Err(e) => return Err(StudyError::out(&path, e)),
-            };
-            match file.try_lock() {
-                Err(TryLockError::WouldBlock) => {
+            match open_locked(&path) {
+                Ok(Some(_lock)) => return Ok(Self { folder, _lock }),
+                Ok(None) => {
                     return Err(StudyError::Input(format!(
                         "{}: another process is computing this sweep; wait for it, or take \
                          another --out",
                         result.display()
                     )));
                 }
-                // Some network file systems have no locks; do without.
-                Err(TryLockError::Error(_)) | Ok(()) => {}
-            }
-            if path.exists() {
-                let _lock = file;
-                return Ok(Self { folder, _lock });
+                // Another process has just finished and taken the folder away.
+                Err(e) if e.kind() == io::ErrorKind::NotFound => {}
+                Err(e) => return Err(StudyError::out(&path, e)),
             }
         }
     }
