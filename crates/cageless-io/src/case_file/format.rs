@@ -185,19 +185,25 @@ impl Format {
         format!("its keys are {}", known().collect::<Vec<_>>().join(", "))
     }
 
+    /// Refuses another schema.
+    pub(crate) fn check_schema(&self, tree: &Tree) -> Result<(), CaseError> {
+        match tree.find("schema") {
+            Some(node) if tree.number("schema") != Some(SCHEMA as f64) => {
+                let allowed = format!(
+                    "{SCHEMA}, the only schema of {}s that this version of Cageless reads",
+                    self.name
+                );
+                Err(tree.refusal("schema", &node.place.written, &allowed))
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// Refuses another schema, and names that the format does not have; the first in the file if
     /// there are several.
     pub(crate) fn check_names(&self, tree: &Tree) -> Result<(), CaseError> {
         // A later schema may have other keys: say so before complaining about them.
-        if let Some(node) = tree.find("schema")
-            && tree.number("schema") != Some(SCHEMA as f64)
-        {
-            let allowed = format!(
-                "{SCHEMA}, the only schema of {}s that this version of Cageless reads",
-                self.name
-            );
-            return Err(tree.refusal("schema", &node.place.written, &allowed));
-        }
+        self.check_schema(tree)?;
         let mut wrong: Vec<CaseError> = Vec::new();
         let mut check = |section: &str, path: &str, entries: &Section| {
             for (key, node) in entries {

@@ -35,14 +35,17 @@ pub(crate) trait Named: Copy + PartialEq + 'static {
 
     /// `"one" or "other"`, for messages.
     fn choices() -> String {
-        let quoted: Vec<_> = Self::NAMES
-            .iter()
-            .map(|(name, _)| format!("\"{name}\""))
-            .collect();
-        match quoted.split_last() {
-            Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
-            _ => quoted.concat(),
-        }
+        let names: Vec<_> = Self::NAMES.iter().map(|(name, _)| *name).collect();
+        quoted(&names)
+    }
+}
+
+/// `"one" or "other"`.
+pub(super) fn quoted(names: &[&str]) -> String {
+    let quoted: Vec<_> = names.iter().map(|name| format!("\"{name}\"")).collect();
+    match quoted.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
+        _ => quoted.concat(),
     }
 }
 

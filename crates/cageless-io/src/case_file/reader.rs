@@ -1,19 +1,20 @@
 //! Typed access to one section of a tree.
 
 use super::error::CaseError;
-use super::key::{Key, Limit};
+use super::key::{Key, Kind, Limit};
+use super::named::quoted;
 use super::spanned_toml::{Node, Origin, Section, Tree, Value, join};
 use super::unit::Unit;
 
 /// Reads the keys of one section.
 pub(crate) struct Reader<'a> {
-    pub(super) tree: &'a Tree,
+    pub tree: &'a Tree,
     /// Keys of the section.
-    pub(super) keys: &'static [Key],
+    pub keys: &'static [Key],
     /// Dotted path: `raceway.2` for the second of several.
-    pub(super) path: String,
+    pub path: String,
     /// `None` where the file does not have the section: every key is missing.
-    pub(super) entries: Option<&'a Section>,
+    pub entries: Option<&'a Section>,
 }
 
 impl<'a> Reader<'a> {
@@ -50,6 +51,21 @@ impl<'a> Reader<'a> {
             return Err(self.refuse(name, node, "a list of numbers in brackets"));
         };
         items.iter().map(|item| self.number(name, item)).collect()
+    }
+
+    /// Items of a list, in its order.
+    pub(crate) fn items<T>(
+        &self,
+        name: &str,
+        node: &Node,
+        allowed: &str,
+        of: impl Fn(&Node) -> Option<T>,
+    ) -> Result<Vec<T>, CaseError> {
+        let items = match &node.value {
+            Value::List(items) => items.iter().map(of).collect(),
+            _ => None,
+        };
+        items.ok_or_else(|| self.refuse(name, node, allowed))
     }
 
     /// A number in SI units, finite and within the limits of its key.
@@ -113,9 +129,14 @@ pub(crate) fn missing(tree: &Tree, path: &str, key: Option<&Key>) -> CaseError {
     let front = path.rsplit_once('.').map_or("", |(front, _)| front);
     let section = front.split('.').next().unwrap_or_default();
     let place = match tree.given(front) {
+        _ if section.is_empty() => String::new(),
         Some(_) => format!(" in [{section}]"),
         None => format!(", as is its section [{section}]"),
     };
-    let meaning = key.map_or_else(String::new, Key::describe);
+    let choices = match key.map(|key| key.kind) {
+        Some(Kind::Choice(names)) => format!(", {}", quoted(&names())),
+        _ => String::new(),
+    };
+    let meaning = key.map_or_else(String::new, Key::describe) + &choices;
     tree.error(path, format!("{path} is missing{place}: {meaning}"))
 }

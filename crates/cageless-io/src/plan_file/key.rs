@@ -16,6 +16,16 @@ pub fn key_in_case(key: &str) -> &str {
     inner().unwrap_or(key)
 }
 
+/// Deviation of the radius of each ball.
+pub const BALL_DEVIATIONS: &str = "bearing.ball_radius_deviation_um";
+/// Gap behind each ball.
+pub const GAPS: &str = "start.gaps";
+
+/// Whether a key is a list with an item for each ball.
+pub fn is_per_ball(key: &str) -> bool {
+    [BALL_DEVIATIONS, GAPS].contains(&key_in_case(key))
+}
+
 /// Unit of a dotted key; empty if none.
 pub fn unit(key: &str) -> &'static str {
     declared(key).map_or("", |key| key.unit.symbol())

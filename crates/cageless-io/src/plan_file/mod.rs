@@ -16,6 +16,7 @@ mod axis;
 mod base;
 mod conflict;
 mod key;
+mod keys;
 mod normal;
 mod read;
 mod read_axis;
@@ -27,7 +28,7 @@ use crate::case_file::named::Named;
 
 pub use axis::{Axis, AxisValues, Range, Scale, twelve_digits};
 pub use base::{PlanBase, VariantFile};
-pub use key::{is_whole, key_in_case, unit};
+pub use key::{BALL_DEVIATIONS, GAPS, is_per_ball, is_whole, key_in_case, unit};
 pub use normal::{difference, shortened, text_of};
 
 /// A plan that was read and checked.

@@ -1,14 +1,13 @@
 //! Axes and distributions in the text of a plan.
 
-use super::key::key_in_case;
+use super::key::{GAPS, is_per_ball, key_in_case};
+use super::keys::RangeKeys;
 use super::read::{Entry, PlanReader};
 use super::{Axis, AxisValues, Range, Scale, ScatterLaw};
-use crate::case_file::named::Named;
+use crate::case_file::declaration::SectionKeys;
+use crate::case_file::reader::Reader;
 use crate::case_file::spanned_toml::{Node, Section, Value};
 use crate::case_file::{CaseError, CaseValue};
-
-/// Keys that are lists with an item for each ball.
-const PER_BALL: [&str; 2] = ["bearing.ball_radius_deviation_um", "start.gaps"];
 
 impl PlanReader<'_> {
     /// An axis: a list or a range. On an axis of the grid a range needs a count.
@@ -19,7 +18,7 @@ impl PlanReader<'_> {
         } else {
             "a list, or { from = …, to = …, scale = \"linear\" or \"log\" }"
         };
-        if PER_BALL.contains(&key_in_case(&key)) {
+        if is_per_ball(&key) {
             let message = format!("{key} has a value for each ball: it varies in [scatter]");
             return Err(self.error(node, &key, message));
         }
@@ -54,39 +53,36 @@ impl PlanReader<'_> {
         counted: bool,
         allowed: &str,
     ) -> Result<Range, CaseError> {
-        let known =
-            |name: &str| matches!(name, "from" | "to" | "scale") || counted && name == "count";
+        let known = |name: &str| {
+            let keys = RangeKeys::KEYS.iter().map(|key| key.name);
+            keys.into_iter().any(|key| key == name) && (counted || name != "count")
+        };
         if let Some((name, inner)) = range.iter().find(|(name, _)| !known(name)) {
             let message = format!("{key}.{name} is not part of an axis: it must be {allowed}");
             return Err(self.error(inner, &format!("{key}.{name}"), message));
         }
-        let end = |name: &str| match range.get(name) {
-            None => Err(self.error(
-                node,
-                &format!("{key}.{name}"),
-                format!("{key}.{name} is missing: an axis is {allowed}"),
-            )),
-            Some(inner) => number(inner)
-                .filter(|v| v.is_finite())
-                .ok_or_else(|| self.refuse(&format!("{key}.{name}"), inner, "a finite number")),
-        };
-        let (from, to) = (end("from")?, end("to")?);
-        let scale = match range.get("scale") {
-            None => Scale::Linear,
-            Some(inner) => Scale::of_node(inner)
-                .ok_or_else(|| self.refuse(&format!("{key}.scale"), inner, &Scale::choices()))?,
-        };
+        let mut needed = ["from", "to"].into_iter().chain(counted.then_some("count"));
+        if let Some(name) = needed.find(|name| !range.contains_key(*name)) {
+            let path = format!("{key}.{name}");
+            let message = format!("{path} is missing: an axis is {allowed}");
+            return Err(self.error(node, &path, message));
+        }
+        let RangeKeys {
+            from,
+            to,
+            scale,
+            count,
+        } = RangeKeys::read(&Reader {
+            tree: self.tree,
+            keys: RangeKeys::KEYS,
+            path: key.to_owned(),
+            entries: Some(range),
+        })?;
+        let scale = scale.unwrap_or(Scale::Linear);
         if scale == Scale::Log && !(from > 0.0 && to > 0.0) {
             let allowed = "a range above 0 at both ends, as scale is \"log\"";
             return Err(self.refuse(key, node, allowed));
         }
-        let count = match (counted, self.count(key, "count", range, 2)?) {
-            (true, None) => {
-                let message = format!("{key}.count is missing: an axis is {allowed}");
-                return Err(self.error(node, &format!("{key}.count"), message));
-            }
-            (_, count) => count,
-        };
         Ok(Range {
             from,
             to,
@@ -96,7 +92,7 @@ impl PlanReader<'_> {
     }
 
     pub(super) fn law(&self, key: &str, node: &Node) -> Result<ScatterLaw, CaseError> {
-        let gaps = key_in_case(key) == "start.gaps";
+        let gaps = key_in_case(key) == GAPS;
         let allowed = format!(
             "{{ normal = STANDARD_DEVIATION }} or {{ uniform = HALF_WIDTH }}{}",
             if gaps { ", or \"random\"" } else { "" }

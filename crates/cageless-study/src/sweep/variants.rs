@@ -4,8 +4,8 @@ use cageless::Gaps;
 use cageless::numerics::random::RandomStream;
 use cageless_io::case_file::{CaseError, CaseFile, CaseValue, Change};
 use cageless_io::plan_file::{
-    Axis, AxisValues, PlanFile, SampleMethod, ScatterLaw, ScatteredKey, VariantFile, is_whole,
-    key_in_case, twelve_digits, unit,
+    Axis, AxisValues, BALL_DEVIATIONS, GAPS, PlanFile, SampleMethod, ScatterLaw, ScatteredKey,
+    VariantFile, is_per_ball, is_whole, key_in_case, twelve_digits, unit,
 };
 use cageless_io::results::{Column, ColumnKind};
 use cageless_results::Cell;
@@ -16,10 +16,6 @@ use super::sobol::{self, Sobol};
 
 /// Most variants of a plan.
 pub(crate) const VARIANTS_MAX: u64 = 1_000_000_000;
-
-/// Keys with a value for each ball.
-const DEVIATION: &str = "bearing.ball_radius_deviation_um";
-const GAPS: &str = "start.gaps";
 
 /// The variants of a plan, each a pure function of its index.
 #[derive(Debug, Clone)]
@@ -176,7 +172,7 @@ impl Variants {
         };
         let varied = settings.iter().find(|s| s.key == key.key);
         match key_in_case(&key.key) {
-            DEVIATION => {
+            BALL_DEVIATIONS => {
                 let file = self.read(settings)?;
                 let balls = file
                     .cases_of(&key.key)
@@ -243,10 +239,6 @@ fn setting(axis: &Axis, value: CaseValue) -> Setting<'_> {
         value,
         line: axis.line,
     }
-}
-
-fn is_per_ball(key: &str) -> bool {
-    [DEVIATION, GAPS].contains(&key_in_case(key))
 }
 
 /// The name of an input: its key with underscores, and the unit if the key has none.
