@@ -41,18 +41,13 @@ pub fn columns(rows: &[Vec<String>]) -> String {
 }
 
 /// `name = value unit` lines, names lined up.
-pub fn pairs(rows: &[(&str, String)]) -> String {
-    let width = rows
-        .iter()
-        .map(|(name, _)| name.chars().count())
-        .max()
-        .unwrap_or(0);
+pub fn pairs(rows: &[(impl AsRef<str>, String)]) -> String {
+    let length = |name: &dyn AsRef<str>| name.as_ref().chars().count();
+    let width = rows.iter().map(|(name, _)| length(name)).max().unwrap_or(0);
     rows.iter()
         .map(|(name, value)| {
-            format!(
-                "{name}{}  {value}\n",
-                " ".repeat(width - name.chars().count())
-            )
+            let padding = " ".repeat(width - length(name));
+            format!("{}{padding}  {value}\n", name.as_ref())
         })
         .collect()
 }

@@ -6,18 +6,17 @@ use std::path::PathBuf;
 use cageless::equilibrium::solve;
 use cageless_io::cad::{Export, ExportOptions, Format, export as ring};
 use cageless_io::case_file::CaseFile;
-use cageless_io::plan_file::VariantFile;
 use cageless_paper::structures_of;
 use cageless_report::compare::compare_page;
 use cageless_report::compared_run::ComparedRun;
 use cageless_report::design_report::{design_data, rings_of};
-use cageless_report::drop::{drop_page, rotor_page};
+use cageless_report::drop::drop_page;
 use cageless_report::recommended::recommended_document;
 use cageless_report::run_report::run_data;
 use cageless_report::to_json;
 use cageless_results::{Aim, static_record};
 use cageless_study::design::{DesignResult, Judged, judged, task};
-use cageless_study::drop::{DropRequest, rotor_study, study};
+use cageless_study::drop::{DropRequest, study};
 use cageless_study::rings::rings;
 use cageless_study::run::{Options, RunError, run as simulate};
 use cageless_study::sweep::analysis::{Goal, analyse as analyse_sweep};
@@ -67,7 +66,7 @@ pub fn run(py: Python<'_>, file: &File, verify: bool, background: Background) ->
     Computed::of(py, "run", values, vec![tables], content)
 }
 
-/// Drops the rotor of a case, or one above several bearings.
+/// Drops a rotor into its bearings.
 #[pyfunction]
 pub fn drop(
     py: Python<'_>,
@@ -82,28 +81,15 @@ pub fn drop(
         samples,
         verify,
     };
-    match file.0.clone() {
-        VariantFile::Case(file) => {
-            request.check(&file, "case")?;
-            let study = background.run(py, |progress| study(&file, request, None, progress))??;
-            let tables = vec![Tables::of_drop(&study.drop)?];
-            let values = study.to_json(&file)?;
-            with_seed(py, "drop", values, tables, move || {
-                Ok(files([(PAGE, drop_page(&file, &study))]))
-            })
-        }
-        VariantFile::Rotor(file) => {
-            request.check_samples()?;
-            let rows = || file.bearings().iter().map(|_| None).collect();
-            let work = |progress: &dyn Progress| rotor_study(&file, request, rows(), progress);
-            let study = background.run(py, work)??;
-            let tables = study.drop.bearings.iter().map(Tables::of_drop);
-            let (tables, values) = (tables.collect::<Found<_>>()?, study.to_json(&file)?);
-            with_seed(py, "drop", values, tables, move || {
-                Ok(files([(PAGE, rotor_page(&file, &study))]))
-            })
-        }
-    }
+    let file = file.0.clone();
+    let drop = request.check(&file, "case")?;
+    let rows = drop.cases().iter().map(|_| None).collect();
+    let study = background.run(py, |progress| study(drop, request, rows, progress))??;
+    let tables = study.record.bearings.iter().map(Tables::of_drop);
+    let (tables, values) = (tables.collect::<Found<_>>()?, study.to_json(&file)?);
+    with_seed(py, "drop", values, tables, move || {
+        Ok(files([(PAGE, drop_page(&file, &study))]))
+    })
 }
 
 /// Solves the static equilibrium of a case.

@@ -35,11 +35,11 @@ pub fn instruction_set() -> &'static str {
 }
 
 fn case(file: CaseFile) -> File {
-    File(VariantFile::Case(Box::new(file)))
+    File(file.into())
 }
 
 fn rotor(file: RotorFile) -> File {
-    File(VariantFile::Rotor(Box::new(file)))
+    File(file.into())
 }
 
 impl File {

@@ -8,7 +8,7 @@ use cageless_io::results::{
     BALLS, COLLISIONS, Column, ColumnKind, Metadata, RING, ROTOR, RunWriter, collision_values,
     read_run_table,
 };
-use cageless_study::drop::DropRecord;
+use cageless_study::drop::BearingRecord;
 use cageless_study::run::Rows;
 use numpy::ndarray::{ArrayD, Dimension, IxDyn};
 use numpy::{Element, IntoPyArray, PyArray, PyArrayMethods, PyReadonlyArrayDyn};
@@ -80,8 +80,8 @@ impl Rows for Tables {
 }
 
 impl Tables {
-    /// Tables of a drop into one bearing.
-    pub fn of_drop(record: &DropRecord) -> Found<Self> {
+    /// Tables of one bearing of a drop.
+    pub fn of_drop(record: &BearingRecord) -> Found<Self> {
         let mut tables = Self::default();
         for snapshot in &record.snapshots {
             tables.snapshot(snapshot).map_err(other)?;

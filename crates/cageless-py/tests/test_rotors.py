@@ -77,6 +77,19 @@ def test_a_drop_is_that_of_the_command(command: Command, tmp_path: Path) -> None
             pd.testing.assert_frame_equal(frame, written, check_exact=True)
 
 
+def test_a_drop_of_a_rotor_in_one_bearing_is_loaded_as_it_was_saved(tmp_path: Path) -> None:
+    one = cageless.LinearRotor.rigid(
+        mass_kg=20.0,
+        polar_inertia_kg_m2=0.02,
+        transverse_inertia_kg_m2=0.3,
+        bearing_axial_mm=[0.0],
+    )
+    drop = one.drop(cases()[:1], speed_rpm=30000.0)
+    loaded = cageless.load(drop.save(tmp_path / "saved"))
+    assert loaded == drop and len(loaded.bearings) == 1
+    pd.testing.assert_frame_equal(loaded.bearings[0].data_ring(), drop.bearings[0].data_ring())
+
+
 def test_scattered_compared_and_verified_drops_are_those_of_the_command(
     command: Command, tmp_path: Path
 ) -> None:

@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use cageless_io::case_file::CaseFile;
+use cageless_io::plan_file::VariantFile;
 use cageless_report::drop::drop_page;
 use cageless_report::figures::{in_page, of_kind};
 use cageless_study::Silent;
-use cageless_study::drop::{DropRequest, study};
+use cageless_study::drop::{DropRequest, DropStudy, study};
 use serde_json::Value;
 
 /// Undoes the coding of samples as differences in steps of 1e-4.
@@ -21,16 +21,22 @@ fn decode(steps: &Value) -> Vec<f64> {
         .collect()
 }
 
+fn studied(file: &VariantFile, request: DropRequest) -> DropStudy {
+    let drop = request.check(file, "file").unwrap();
+    let rows = drop.cases().iter().map(|_| None).collect();
+    study(drop, request, rows, &Silent).unwrap()
+}
+
 #[test]
 fn the_animation_shows_the_rotor_in_the_bore() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/touchdown-d.toml");
-    let file = CaseFile::read(&path, &["solver.duration_s=0.007".to_owned()]).unwrap();
+    let file = VariantFile::read(&path, &["solver.duration_s=0.007".to_owned()]).unwrap();
     let request = DropRequest {
         compare: true,
         samples: Some(2),
         ..DropRequest::default()
     };
-    let study = study(&file, request, None, &Silent).unwrap();
+    let study = studied(&file, request);
     let page = drop_page(&file, &study);
     for (name, _) in of_kind("drop") {
         // The drop ends before the rotor is in lasting contact.
@@ -43,13 +49,13 @@ fn the_animation_shows_the_rotor_in_the_bore() {
     let data: Value = serde_json::from_str(data.split("</script>").next().unwrap()).unwrap();
     let rotor = &data["bearings"][0]["rotor"];
     let y_mm = decode(&rotor["y"]);
-    assert_eq!(y_mm.len(), study.drop.snapshots.len());
+    assert_eq!(y_mm.len(), study.record.bearings[0].snapshots.len());
     // The air gap of 0.2 mm is drawn as 1.2 mm; the contact is closed by then.
     assert!(
         (y_mm[0]).abs() < 1e-3 && y_mm.last().unwrap() < &-1.2,
         "{y_mm:?}"
     );
-    let last = study.drop.snapshots.last().unwrap();
+    let last = study.record.bearings[0].snapshots.last().unwrap();
     let turned = decode(&rotor["a"]);
     let angle = last.rotor.unwrap().angle_rad.to_degrees();
     assert!((turned.last().unwrap() - angle).abs() < 1e-3);
@@ -83,15 +89,15 @@ fn the_orbit_is_that_of_the_journal_in_the_ring_and_the_displacement_that_in_the
         "rotor.eccentricity_um=20",
         "rotor.clearance_limit_um=400",
     ];
-    let file = CaseFile::read(&path, &changes.map(str::to_owned)).unwrap();
-    let study = study(&file, DropRequest::default(), None, &Silent).unwrap();
+    let file = VariantFile::read(&path, &changes.map(str::to_owned)).unwrap();
+    let study = studied(&file, DropRequest::default());
     let page = drop_page(&file, &study);
     let paths = ["orbit", "displacement"].map(|f| trace(&page, f, "centre of the journal"));
     let numbers = |trace: &Value, axis: &str| -> Vec<f64> {
         let values = trace[axis].as_array().unwrap().iter();
         values.map(|v| v.as_f64().unwrap()).collect()
     };
-    let rows: Vec<_> = (study.drop.snapshots.iter())
+    let rows: Vec<_> = (study.record.bearings[0].snapshots.iter())
         .map(|s| {
             let r = s.rotor.unwrap();
             let (sin, cos) = r.angle_rad.sin_cos();

@@ -2,7 +2,7 @@
 
 use cageless::contact::hertz::STRESS_LIMIT_PA;
 use cageless::rating::BasicRatings;
-use cageless::simulation::{Ending, PlaneDisplacement};
+use cageless::simulation::{Ending, RotorOutcome};
 use cageless::touchdown::EndState;
 use cageless::{Case, Support};
 
@@ -119,8 +119,12 @@ impl DropJudgement {
         Self::new(failed, kept, summary.end_state == EndState::Falling)
     }
 
-    /// Verdict on a drop into several bearings with these results, of a rotor with these planes.
-    pub fn of_rotor(bearings: &[&Self], planes: &[PlaneDisplacement], rotor_residual: f64) -> Self {
+    /// Verdict on a drop by the verdicts on its bearings: that of the only one of a case, that of all
+    /// under a linear rotor.
+    pub fn of_bearings(bearings: &[&Self], rotor: Option<&RotorOutcome>) -> Self {
+        let Some(rotor) = rotor else {
+            return bearings.iter().copied().next().cloned().unwrap_or_default();
+        };
         let (mut failed, mut kept) = (vec![], vec![]);
         for (k, bearing) in bearings.iter().enumerate() {
             let list = match bearing.passes {
@@ -133,12 +137,12 @@ impl DropJudgement {
                 _ => kept.extend(numbered),
             }
         }
-        for plane in planes {
+        for plane in &rotor.planes {
             let limit_m = plane.clearance.radial_m;
             displaced(&plane.clearance.name, plane.displacement_max_m, limit_m)
                 .place(&mut failed, &mut kept);
         }
-        failed.extend(unbalanced(" of the rotor", rotor_residual));
+        failed.extend(unbalanced(" of the rotor", rotor.energy_residual_relative));
         let untouched = bearings.iter().all(|b| b.passes.is_none());
         Self::new(failed, kept, untouched)
     }

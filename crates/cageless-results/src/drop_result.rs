@@ -1,18 +1,15 @@
-//! Results of a drop.
+//! Results of one bearing of a drop.
 
 use cageless::Case;
-use cageless::simulation::{Ending, PlaneDisplacement, RunOutcome};
+use cageless::simulation::{Ending, RunOutcome};
 use cageless::touchdown::{DropSummary, EndState, WhirlWindow};
 use serde::{Serialize, Serializer};
 
 use crate::kind::Kind;
-use crate::table::{DROP, PLANE};
-use crate::{
-    Across, Cell, DropJudgement, FinishedDrop, FinishedRotor, Quantity, Record, Results, Subject,
-    value_text,
-};
+use crate::table::DROP;
+use crate::{DropJudgement, FinishedDrop, Results, Subject, value_text};
 
-/// Results of one drop.
+/// Results of one bearing of a drop.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct DropResult {
     /// Scalar results.
@@ -150,50 +147,4 @@ impl DropResult {
             ["ring_speed_rpm", "rotor_speed_rpm"].map(|name| self.results.value(name));
         Some(format!("not reached ({:.0} of {:.0} rpm)", ring?, rotor?))
     }
-}
-
-/// Results of a drop onto several bearings.
-#[derive(Debug, Clone)]
-pub struct RotorRun {
-    /// Results of each bearing.
-    pub bearings: Vec<DropResult>,
-    /// Bearing and reason, where the drop stopped early.
-    pub stopped: Option<String>,
-    /// What the energy ledger of the rotor alone lacks, over the sum of its absolute terms.
-    pub rotor_energy_residual_relative: f64,
-    /// Planes of the rotor with a clearance to the stator.
-    pub planes: Vec<PlaneDisplacement>,
-}
-
-impl RotorRun {
-    /// The verdict on all bearings and the planes of the rotor.
-    pub fn judgement(&self) -> DropJudgement {
-        let bearings: Vec<_> = self.bearings.iter().map(|b| &b.judgement).collect();
-        DropJudgement::of_rotor(&bearings, &self.planes, self.rotor_energy_residual_relative)
-    }
-
-    /// Value of a quantity for the rotor as a whole.
-    pub fn value(&self, quantity: &Quantity) -> Cell {
-        let rotor = FinishedRotor {
-            planes: &self.planes,
-            energy_residual_relative: self.rotor_energy_residual_relative,
-        };
-        if let Some(own) = quantity.of(Subject::RotorDrop(&rotor)) {
-            return own;
-        }
-        match quantity.across {
-            Some(Across::Verdict) => self.judgement().cell(quantity.kind),
-            Some(across) => {
-                let bearings = self.bearings.iter().map(|b| b.results.get(quantity.name));
-                across.of(bearings.map(|cell| cell.unwrap_or(&Cell::Null)))
-            }
-            None => Cell::Null,
-        }
-    }
-}
-
-/// Each plane of a rotor against its clearance.
-pub fn plane_records(planes: &[PlaneDisplacement]) -> Vec<Record> {
-    let record = |plane| Record::from(Results::of(PLANE, Subject::Plane(plane)));
-    planes.iter().map(record).collect()
 }

@@ -10,6 +10,7 @@ mod declare;
 mod design_result;
 mod drop_judgement;
 mod drop_result;
+mod drop_run;
 #[cfg(test)]
 mod list;
 #[rustfmt::skip]
@@ -37,7 +38,8 @@ pub use computation::Computation;
 pub use csv::csv;
 pub use design_result::{Recommended, design_record};
 pub use drop_judgement::{DropJudgement, RESIDUAL_FRACTION};
-pub use drop_result::{DropResult, RotorRun, WindowRow, end_state_text, plane_records};
+pub use drop_result::{DropResult, WindowRow, end_state_text};
+pub use drop_run::{DropRun, plane_records};
 pub use judged::{JudgedResult, Named, VerifiedDrop};
 pub use kind::Kind;
 pub use provenance::{Provenance, profile_name, provenance, software};
@@ -46,8 +48,8 @@ pub use record::{Part, Record, Shape};
 pub use results::{Results, value_text};
 pub use search_result::SEARCH_SHAPE;
 pub use source::{
-    AtPoint, CountedVerdict, Deviation, Finished, FinishedDrop, FinishedRotor, Judged,
-    JudgedRaceway, Sampled, Searched, SearchedPlacement, Solved, Subject, Tolerated,
+    AtPoint, CountedVerdict, Deviation, Finished, FinishedDrop, Judged, JudgedRaceway, Sampled,
+    Searched, SearchedPlacement, Solved, Subject, Tolerated,
 };
 pub use static_result::static_record;
 pub use table::{

@@ -8,7 +8,7 @@ use cageless::design::{
 use cageless::equilibrium::Equilibrium;
 use cageless::passage::PassageTally;
 use cageless::rating::Rating;
-use cageless::simulation::{PlaneDisplacement, RunOutcome};
+use cageless::simulation::{PlaneDisplacement, RotorOutcome, RunOutcome};
 use cageless::summary::Summary;
 use cageless::tolerance::{Assessment, InfluenceResult, Outcome, Samples, Tolerances};
 use cageless::touchdown::DropSummary;
@@ -81,14 +81,6 @@ pub struct FinishedDrop<'a> {
     pub summary: &'a DropSummary,
     /// How it ended.
     pub outcome: &'a RunOutcome,
-}
-
-/// The rotor of a drop onto several bearings that has ended.
-pub struct FinishedRotor<'a> {
-    /// Planes with a clearance to the stator.
-    pub planes: &'a [PlaneDisplacement],
-    /// Energy balance error of the rotor alone, relative.
-    pub energy_residual_relative: f64,
 }
 
 /// A bearing within tolerances.
@@ -210,5 +202,5 @@ sources! {
     Distance([Distance], [Distance]) "Distances of replicas from the run.",
     Si(f64, f64) "A value in SI.",
     Plane(PlaneDisplacement, PlaneDisplacement) "A plane of a rotor with a clearance to the stator.",
-    RotorDrop(FinishedRotor<'_>, FinishedRotor<'a>) "A drop onto several bearings.",
+    RotorDrop(RotorOutcome, RotorOutcome) "The linear rotor of a drop.",
 }

@@ -7,7 +7,7 @@ use cageless::collision::Collision;
 use cageless::simulation::{Control, ObserverError, RunOutcome, run as run_case};
 use cageless::touchdown::{DropRecorder, DropSummary};
 use cageless_io::case_file::CaseFile;
-use cageless_io::plan_file::PlanFile;
+use cageless_io::plan_file::{PlanFile, VariantFile};
 use cageless_results::Cell;
 use cageless_results::DropResult;
 use cageless_results::Record;
@@ -38,8 +38,8 @@ fn counted(results: &Results, contacts: &[Collision]) {
 #[test]
 fn contacts_between_balls_are_counted_by_their_approach_speed() {
     let file = drop(&["solver.duration_s=0.15", "output.interval_us=1000"]);
-    let found = study(&file, DropRequest::default(), None, &Silent).unwrap();
-    let drop = &found.drop;
+    let found = studied(&file, DropRequest::default());
+    let drop = &found.record.bearings[0];
     counted(&drop.result.results, &drop.collisions);
     let number = |name: &str| drop.result.results.number(name);
     assert!(number("collisions") > number("collisions_above_0_1_m_s"));
@@ -107,6 +107,13 @@ fn contacts_in_a_run_are_counted_by_their_approach_speed() {
     assert!(summary.results.number("collisions_above_0_1_m_s") > 0.0);
 }
 
+/// The study of the drop of a file.
+pub fn studied<F: Clone + Into<VariantFile>>(file: &F, request: DropRequest) -> DropStudy {
+    let drop = request.check(&file.clone().into(), "file").unwrap();
+    let rows = drop.cases().iter().map(|_| None).collect();
+    study(drop, request, rows, &Silent).unwrap()
+}
+
 /// A drop to 2.6 ms after the first contact.
 fn drop(changes: &[&str]) -> CaseFile {
     let mut set = vec!["solver.duration_s=0.009".to_owned()];
@@ -131,8 +138,8 @@ fn a_sweep_has_the_results_of_its_drops() {
             &format!("rotor.friction_coefficient={mu}"),
             &format!("rotor.radial_clearance_um={gap:?}"),
         ]);
-        let alone = study(&one, DropRequest::default(), None, &Silent).unwrap();
-        let results = alone.drop.result.results.iter();
+        let alone = studied(&one, DropRequest::default());
+        let results = alone.record.bearings[0].result.results.iter();
         for (quantity, value) in results.filter(|(quantity, _)| quantity.in_sweeps) {
             let column = sweep.column(&quantity.column_name()).unwrap();
             assert_eq!(&rows[row][column], value, "{}", quantity.name);
@@ -151,7 +158,7 @@ fn a_sweep_has_the_results_of_its_drops() {
 fn a_drop_without_a_rotor_says_which_keys_it_needs() {
     let case = CaseFile::read(&Path::new(CASES).join("zhao-d.toml"), &[]).unwrap();
     let refused = DropRequest::default()
-        .check(&case, "zhao-d.toml")
+        .check(&case.into(), "zhao-d.toml")
         .unwrap_err();
     let plan = format!("schema = 1\ncase = \"{CASES}/zhao-d.toml\"\ncompute = [\"drop\"]\n");
     let of_plan = PlanFile::parse(&plan, "plan.toml", Path::new("")).unwrap_err();
@@ -183,7 +190,7 @@ fn the_first_milliseconds_of_a_drop_are_converged() {
         ..DropRequest::default()
     };
     let file = drop(&["solver.duration_s=0.007"]);
-    let found = study(&file, request, None, &Silent).unwrap();
+    let found = studied(&file, request);
     let verification = found.verification.unwrap();
     assert_eq!(
         verification.get("end_states"),
@@ -200,7 +207,7 @@ fn the_first_milliseconds_of_a_drop_are_converged() {
     }
     // Too long a step shows.
     let file = drop(&["solver.duration_s=0.007", "solver.step_us=2.7"]);
-    let coarse = study(&file, request, None, &Silent).unwrap();
+    let coarse = studied(&file, request);
     let coarse = coarse.verification.unwrap();
     let change = |v: &Record, name: &str| {
         let j = judged(v, name);
@@ -231,9 +238,9 @@ fn scattered_drops_are_the_same_on_any_number_of_threads() {
     let drops = |threads: usize| {
         let threads = std::num::NonZeroUsize::new(threads);
         let done = on_threads(threads, || {
-            study(&drop(&["solver.duration_s=0.0075"]), request, None, &Silent)
+            studied(&drop(&["solver.duration_s=0.0075"]), request)
         });
-        done.unwrap().unwrap().ensemble.unwrap()
+        done.unwrap().ensemble.unwrap()
     };
     let one = drops(1);
     assert_eq!(one.completed, 11);
@@ -241,7 +248,7 @@ fn scattered_drops_are_the_same_on_any_number_of_threads() {
 }
 
 fn texts(study: &DropStudy, file: &CaseFile) -> serde_json::Value {
-    serde_json::from_str(&study.to_json(file).unwrap()).unwrap()
+    serde_json::from_str(&study.to_json(&file.clone().into()).unwrap()).unwrap()
 }
 
 #[test]
@@ -251,8 +258,8 @@ fn a_drop_is_warned_of_and_judged_as_a_run_is() {
         ..DropRequest::default()
     };
     let file = drop(&["solver.duration_s=0.15", "output.interval_us=1000"]);
-    let found = study(&file, request, None, &Silent).unwrap();
-    let result = &found.drop.result;
+    let found = studied(&file, request);
+    let result = &found.record.bearings[0].result;
     let pressure_mpa = result.results.number("ball_pressure_max_mpa");
     assert!(pressure_mpa > 4200.0);
     let text = format!("contact pressure between balls reaches {pressure_mpa:.0} MPa");
@@ -264,8 +271,7 @@ fn a_drop_is_warned_of_and_judged_as_a_run_is() {
     // The worst of the scattered drops, by its index.
     let rows = &found.ensemble.as_ref().unwrap().drops;
     let of = |k: usize| {
-        rows[k]
-            .bearing
+        rows[k].bearings[0]
             .result
             .results
             .number("ball_pressure_max_mpa")
@@ -314,8 +320,11 @@ fn a_drop_passes_within_its_clearance_and_fails_beyond() {
     let of = |limit_um: f64| {
         let limit = format!("rotor.clearance_limit_um={limit_um}");
         let file = drop(&["solver.duration_s=0.007", &limit]);
-        let found = study(&file, DropRequest::default(), None, &Silent).unwrap();
-        (found.drop.result.clone(), texts(&found, &file))
+        let found = studied(&file, DropRequest::default());
+        (
+            found.record.bearings[0].result.clone(),
+            texts(&found, &file),
+        )
     };
     let (free, _) = of(1e6);
     assert_eq!(free.judgement.passes, Some(true), "{:?}", free.judgement);
@@ -348,7 +357,7 @@ fn a_drop_passes_within_its_clearance_and_fails_beyond() {
 #[test]
 fn a_rotor_in_the_air_is_not_judged() {
     let file = drop(&["solver.duration_s=0.001"]);
-    let found = study(&file, DropRequest::default(), None, &Silent).unwrap();
+    let found = studied(&file, DropRequest::default());
     let json = texts(&found, &file);
     assert_eq!(
         (&json["verdict"], &json["passes"]),
@@ -363,8 +372,8 @@ fn a_rotor_in_the_air_is_not_judged() {
 #[test]
 fn a_rotor_that_its_bearing_cannot_carry_is_not_at_rest() {
     let file = drop(&["rotor.mass_kg=20000", "solver.duration_s=0.03"]);
-    let found = study(&file, DropRequest::default(), None, &Silent).unwrap();
-    let result = &found.drop.result;
+    let found = studied(&file, DropRequest::default());
+    let result = &found.record.bearings[0].result;
     assert_eq!(result.end_state(), "settling");
     assert_eq!(result.judgement.passes, Some(false));
     let reasons = result.judgement.reasons.join("; ");
@@ -384,8 +393,8 @@ fn a_rotor_that_its_bearing_cannot_carry_is_not_at_rest() {
         "support.stop_gap_um=500",
         "support.stop_stiffness_n_m=1e9",
     ]);
-    let found = study(&stopped, DropRequest::default(), None, &Silent).unwrap();
-    let reasons = found.drop.result.judgement.reasons.join("; ");
+    let found = studied(&stopped, DropRequest::default());
+    let reasons = found.record.bearings[0].result.judgement.reasons.join("; ");
     assert!(!reasons.contains("the support cannot carry"), "{reasons}");
 }
 

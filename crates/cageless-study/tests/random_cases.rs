@@ -1,7 +1,7 @@
 //! Random valid runs and drops, bunched starts included: whatever the case, its end is true.
 //! `CAGELESS_RANDOM_CASES=3000` tries as many in place of those of the suite.
 
-use cageless::simulation::{Cause, Ending, RunOutcome};
+use cageless::simulation::{Cause, Ending, RotorDrop, RunOutcome};
 use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_study::Silent;
 use cageless_study::drop::{DropRequest, study};
@@ -128,9 +128,9 @@ fn end(index: u64) -> Result<End, String> {
     };
     let duration = (STEPS * file.case().solver.step_s).min(0.02);
     let file = parsed(&[format!("solver.duration_s={duration}")]).map_err(|e| e.to_string())?;
-    let (outcome, warnings) = if file.case().rotor.is_some() {
-        match study(&file, DropRequest::default(), None, &Silent) {
-            Ok(found) => (found.drop.outcome, found.warnings),
+    let (outcome, warnings) = if let Some(drop) = RotorDrop::of_case(file.case()) {
+        match study(drop, DropRequest::default(), vec![None], &Silent) {
+            Ok(found) => (found.record.into_last_outcome(), found.warnings),
             Err(_) => return Ok(End::Refused),
         }
     } else {
@@ -157,8 +157,9 @@ fn end(index: u64) -> Result<End, String> {
 /// Whether a drop completes with its energy accounted for.
 fn balanced(file: &Result<CaseFile, CaseError>) -> bool {
     let Ok(file) = file else { return false };
-    study(file, DropRequest::default(), None, &Silent).is_ok_and(|found| {
-        let outcome = &found.drop.outcome;
+    let drop = RotorDrop::of_case(file.case()).expect("a rotor");
+    study(drop, DropRequest::default(), vec![None], &Silent).is_ok_and(|found| {
+        let outcome = &found.record.bearings[0].outcome;
         matches!(outcome.ending, Ending::Complete) && outcome.energy_residual_relative.abs() < 1e-3
     })
 }

@@ -4,15 +4,15 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::drops::judged;
+use crate::drops::{judged, studied};
 use cageless::IntegrationMethod;
-use cageless::simulation::Ending;
+use cageless::simulation::{Ending, RotorDrop};
 use cageless::touchdown::Scatter;
 use cageless_io::case_file::CaseFile;
 use cageless_io::rotor_file::{
     RotorBody, RotorClearance, RotorDescription, RotorFile, RotorPlace, RotorUnbalance,
 };
-use cageless_study::drop::{DropRequest, RotorStudy, ensemble, rotor_ensemble, rotor_study};
+use cageless_study::drop::{DropRequest, RotorRow, ensemble, study};
 use cageless_study::{Progress, Silent, StudyError, Workload, on_threads};
 
 const CASES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases");
@@ -54,8 +54,15 @@ fn two_bearings(changes: &[&str]) -> RotorFile {
     RotorFile::new("", &rotor, 30000.0, 0.0, &cases).unwrap()
 }
 
-fn studied(file: &RotorFile, request: DropRequest) -> RotorStudy {
-    rotor_study(file, request, vec![None, None], &Silent).unwrap()
+fn unbalance_deg(rotor: &RotorRow) -> f64 {
+    match rotor {
+        RotorRow::Case {
+            eccentricity_phase_deg,
+        } => eccentricity_phase_deg.unwrap(),
+        RotorRow::Linear {
+            unbalance_turn_deg, ..
+        } => unbalance_turn_deg.unwrap(),
+    }
 }
 
 #[test]
@@ -64,12 +71,13 @@ fn a_rigid_rotor_in_one_bearing_scatters_as_the_case_of_one_plane() {
     let cases = std::slice::from_ref(&case);
     let file = RotorFile::new("", &rigid(&[0.0]), 30000.0, 0.0, cases).unwrap();
     let scatter = Scatter::default();
-    let one = ensemble(case.case(), 3, &scatter, &Silent).unwrap();
-    let several = rotor_ensemble(file.drop(), 3, &scatter, &Silent).unwrap();
+    let alone = RotorDrop::of_case(case.case()).unwrap();
+    let one = ensemble(&alone, 3, &scatter, &Silent).unwrap();
+    let several = ensemble(file.drop(), 3, &scatter, &Silent).unwrap();
     assert_eq!((several.completed, several.bearings.len()), (3, 1));
     for (a, b) in one.drops.iter().zip(&several.drops) {
-        assert_eq!(a.eccentricity_phase_deg, b.unbalance_turn_deg);
-        let (a, b) = (&a.bearing, &b.bearings[0]);
+        assert_eq!(unbalance_deg(&a.rotor), unbalance_deg(&b.rotor));
+        let (a, b) = (&a.bearings[0], &b.bearings[0]);
         assert_eq!(
             (a.rotor_friction, a.ball_friction, a.radial_clearance_um),
             (b.rotor_friction, b.ball_friction, b.radial_clearance_um)
@@ -85,9 +93,10 @@ fn a_rigid_rotor_in_one_bearing_scatters_as_the_case_of_one_plane() {
             assert!((b / a - 1.0).abs() < 1e-6, "{name}: {a} {b}");
         }
     }
-    let (a, b) = (&one.distribution, &several.bearings[0]);
+    let (a, b) = (&one.bearings[0], &several.bearings[0]);
     assert_eq!(a.end_states, b.end_states);
-    assert_eq!(a.backward_whirl, several.backward_whirl);
+    assert_eq!(Some(a.backward_whirl), several.in_any_bearing);
+    assert_eq!(one.in_any_bearing, None);
 }
 
 #[test]
@@ -109,7 +118,8 @@ fn scattered_drops_into_bearings_are_the_same_on_any_number_of_threads() {
     let [a, b] = [0, 1].map(|k| &many.drops[0].bearings[k]);
     assert!(a.rotor_friction / 0.15 != b.rotor_friction / 0.15);
     assert!(a.radial_clearance_um != b.radial_clearance_um);
-    assert!(many.drops[0].unbalance_turn_deg != many.drops[1].unbalance_turn_deg);
+    let turned = [0, 1].map(|k: usize| unbalance_deg(&many.drops[k].rotor));
+    assert!(turned[0] != turned[1]);
     // The distribution of a bearing is that of its drops.
     for (k, of_bearing) in many.bearings.iter().enumerate() {
         let name = "rotor_force_max_n";
@@ -154,13 +164,15 @@ fn cancelled_drops_leave_the_drop_itself() {
         verify: true,
         ..DropRequest::default()
     };
-    let found = rotor_study(&file, request, vec![None, None], &Cancelled::default()).unwrap();
+    let drop = file.drop().clone();
+    let found = study(drop, request, vec![None, None], &Cancelled::default()).unwrap();
     assert!(found.interrupted && found.ensemble.is_none() && found.verification.is_none());
     assert_eq!(found.warnings, ["the scattered drops: interrupted"]);
-    let endings = found.drop.bearings.iter().map(|b| &b.outcome.ending);
+    let endings = found.record.bearings.iter().map(|b| &b.outcome.ending);
     assert_eq!(endings.filter(|e| matches!(e, Ending::Complete)).count(), 2);
     let case = bearing("touchdown-d.toml", &["solver.duration_s=0.0003"]);
-    let done = ensemble(case.case(), 50, &Scatter::default(), &Cancelled::default());
+    let alone = RotorDrop::of_case(case.case()).unwrap();
+    let done = ensemble(&alone, 50, &Scatter::default(), &Cancelled::default());
     assert!(matches!(done, Err(StudyError::Interrupted)));
 }
 
@@ -181,7 +193,7 @@ fn the_first_contacts_of_all_bearings_are_converged() {
         half.abs() < full.abs() && full.abs() < 1e-5,
         "{full:e} {half:e}"
     );
-    let of_drop = found.drop.bearings.iter();
+    let of_drop = found.record.bearings.iter();
     for (of_bearing, record) in bearings.iter().zip(of_drop) {
         assert_eq!(
             of_bearing.get("end_states"),
@@ -228,14 +240,15 @@ fn a_rotor_is_judged_by_its_bearings_and_its_planes() {
     let again = RotorFile::parse(&text, "again", Path::new(""), &[]).unwrap();
     assert_eq!(again.document().rotor, rotor);
     let found = studied(&file, DropRequest::default());
-    let judgement = found.drop.judgement();
+    let judgement = found.record.judgement();
     assert_eq!(judgement.passes, Some(false));
     assert_eq!(judgement.reasons.len(), 1, "{judgement:?}");
     assert!(
         judgement.reasons[0].starts_with("seal displaced by"),
         "{judgement:?}"
     );
-    let json: serde_json::Value = serde_json::from_str(&found.to_json(&file).unwrap()).unwrap();
+    let json: serde_json::Value =
+        serde_json::from_str(&found.to_json(&file.clone().into()).unwrap()).unwrap();
     assert_eq!(
         (&json["verdict"], &json["passes"]),
         (&"fail".into(), &false.into())
@@ -265,7 +278,7 @@ fn a_bearing_without_load_is_warned_of_and_has_no_weights() {
         found.warnings
     );
     let weights = |k: usize| {
-        found.drop.bearings[k]
+        found.record.bearings[k]
             .result
             .results
             .value("rotor_force_max_over_weight")

@@ -9,9 +9,10 @@ use cageless_io::results::Row;
 use cageless_io::rotor_file::{RotorFile, write_matrices};
 use cageless_results::Cell;
 use cageless_results::quantities;
-use cageless_study::Silent;
 use cageless_study::break_if;
-use cageless_study::drop::{DropRequest, RotorStudy, rotor_study};
+use cageless_study::drop::{DropRequest, DropStudy};
+
+use crate::drops::studied;
 use cageless_study::sweep::{Job, Shard, Sweep, merge, run};
 
 const ROTOR: &str = concat!(
@@ -46,14 +47,14 @@ fn rows(sweep: &Sweep) -> Vec<Row> {
 }
 
 /// The drop of `cageless drop ROTOR --set …`.
-fn drop(changes: &[&str]) -> RotorStudy {
+fn drop(changes: &[&str]) -> DropStudy {
     let set: Vec<String> = NEAR
         .iter()
         .chain(changes)
         .map(|c| (*c).to_owned())
         .collect();
     let file = RotorFile::read(Path::new(ROTOR), &set).unwrap();
-    rotor_study(&file, DropRequest::default(), vec![None, None], &Silent).unwrap()
+    studied(&file, DropRequest::default())
 }
 
 /// Two speeds, and two air gaps of the second bearing.
@@ -91,7 +92,7 @@ fn a_row_has_the_results_of_the_drop_with_the_same_changes() {
             &format!("bearing.2.rotor.radial_clearance_um={gap}"),
             "unbalance.1.amount_g_mm=150.0",
         ]);
-        let bearings = &alone.drop.bearings;
+        let bearings = &alone.record.bearings;
         for (k, bearing) in bearings.iter().enumerate() {
             let results = bearing.result.results.iter();
             for (quantity, cell) in results.filter(|(q, _)| q.in_sweeps) {
@@ -113,7 +114,7 @@ fn a_row_has_the_results_of_the_drop_with_the_same_changes() {
         );
         assert_eq!(
             value(row, "drop_rotor_energy_residual_relative"),
-            &Cell::Number(alone.drop.rotor_energy_residual_relative)
+            &Cell::Number(alone.record.rotor.unwrap().energy_residual_relative)
         );
         // Neither ring has reached its speed.
         assert_eq!(value(row, "drop_spin_up_ms"), &Cell::Null);

@@ -96,6 +96,16 @@ impl Rotor {
         ]
     }
 
+    /// Turns the mass centre to an angle at the start: the magnets held the centre of the journal,
+    /// wherever the mass centre is.
+    pub(crate) fn turn_eccentricity(&mut self, phase_rad: f64) {
+        let journal = self.journal_start_m();
+        self.eccentricity_phase_rad = phase_rad;
+        let now = self.journal_start_m();
+        self.x_m += journal[0] - now[0];
+        self.y_m += journal[1] - now[1];
+    }
+
     /// Checks the values against each other and against the bore of the inner ring.
     pub(crate) fn check(&self, bore_radius_m: f64) -> Result<(), InputError> {
         positive("rotor_mass_kg", self.mass_kg)?;

@@ -1,16 +1,8 @@
 //! What has one place: the computation of one bearing and of several, and the factors between SI and
-//! the units of readers. Both lists of exceptions may only shrink.
+//! the units of readers. The list of exceptions may only shrink.
 
 use std::fs;
 use std::path::{Path, PathBuf};
-
-/// Files for several bearings or a rotor beside the same for one bearing.
-const BESIDE: [&str; 4] = [
-    "cageless-cli/src/commands/drop_several.rs",
-    "cageless-study/src/drop/rotor_ensemble.rs",
-    "cageless-study/src/drop/rotor_study.rs",
-    "cageless-study/src/drop/rotor_verification.rs",
-];
 
 /// Places of each crate that convert units outside [`CONVERTERS`], at most.
 const CONVERSIONS: [(&str, usize); 10] = [
@@ -65,8 +57,7 @@ fn no_file_for_several_beside_one_for_one() {
         let ending = file.extension().unwrap();
         let beside =
             one.is_some_and(|one| file.with_file_name(one).with_extension(ending).exists());
-        let known = BESIDE.iter().any(|known| file.ends_with(known));
-        assert!(known || !beside, "{} beside {one:?}", file.display());
+        assert!(!beside, "{} beside {one:?}", file.display());
     }
 }
 

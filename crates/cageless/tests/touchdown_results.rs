@@ -2,7 +2,9 @@
 
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::equilibrium::outer_pressure_pa;
-use cageless::simulation::{Control, Observer, ObserverError, RunOutcome, StepView, run};
+use cageless::simulation::{
+    Control, Observer, ObserverError, RotorDrop, RunOutcome, StepView, run,
+};
 use cageless::touchdown::{DropRecorder, DropSummary, EndState, Scatter};
 use cageless::{Case, Gaps, Start};
 
@@ -328,7 +330,8 @@ fn pressures_displacement_and_spin_up_follow_from_contacts_and_motion() {
 fn scattered_values_stay_within_their_widths_and_reach_them() {
     let case = drop_case();
     let scatter = Scatter::default();
-    let drawn: Vec<_> = (0..200).map(|index| scatter.draw(&case, index).1).collect();
+    let drop = RotorDrop::of_case(&case).unwrap();
+    let drawn: Vec<_> = (0..200).map(|index| scatter.draw(&drop, index).1).collect();
     let rotor = case.rotor.as_ref().unwrap();
     let within = |name: &str, of: &dyn Fn(usize) -> f64, [least, most]: [f64; 2]| {
         let all: Vec<f64> = (0..200).map(of).collect();
@@ -346,12 +349,15 @@ fn scattered_values_stay_within_their_widths_and_reach_them() {
     eccentric.rotor.as_mut().unwrap().eccentricity_m = 2e-5;
     let held = |case: &Case| case.rotor.as_ref().unwrap().journal_start_m();
     for index in 0..20 {
-        let (drawn, start) = (scatter.draw(&eccentric, index).0, held(&eccentric));
-        let off = [0, 1].map(|axis| held(&drawn)[axis] - start[axis]);
+        let drawn = scatter
+            .draw(&RotorDrop::of_case(&eccentric).unwrap(), index)
+            .0;
+        let (drawn, start) = (held(&drawn.cases()[0]), held(&eccentric));
+        let off = [0, 1].map(|axis| drawn[axis] - start[axis]);
         assert!(off[0].hypot(off[1]) < 1e-18, "{off:?}");
     }
     let damping = case.support.as_ref().unwrap().damping_n_s_m;
-    let bearing = |k: usize| drawn[k].bearing;
+    let bearing = |k: usize| drawn[k].bearings[0];
     within(
         "damping",
         &|k| bearing(k).support_damping_n_s_m.unwrap() / damping,

@@ -9,7 +9,7 @@ use cageless_results::number_text::significant;
 use cageless_study::drop::unloaded;
 use serde::Serialize;
 
-use super::drop_several::listed;
+use super::drop::listed;
 use super::steps::{check_warnings, steps_text};
 use crate::args::CaseArgs;
 use crate::driver::{Answer, pretty, read_case};
@@ -135,7 +135,7 @@ fn check_rotor(args: &CaseArgs) -> Result<(), Failure> {
         warnings: Vec<String>,
     }
     let file = RotorFile::read(&args.case, &args.set)?;
-    let (rotor, cases) = (file.drop().rotor(), file.drop().cases());
+    let (rotor, cases) = (file.rotor(), file.drop().cases());
     let at_speed = rotor.eigenvalues(file.drop().speed_rad_s());
     let mut frequencies: Vec<f64> = (at_speed.iter())
         .map(|value| value.im / TAU)

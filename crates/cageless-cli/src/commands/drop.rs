@@ -1,84 +1,151 @@
 //! `cageless drop`.
 
+use cageless_io::plan_file::VariantFile;
 use cageless_report::drop::drop_page;
-use cageless_results::{DropJudgement, DropResult};
-use cageless_study::drop::{DropRequest, DropStudy, EnsembleResult, study};
+use cageless_results::number_text::significant;
+use cageless_results::{DropJudgement, DropResult, Record, plane_records, table_of};
+use cageless_study::drop::{
+    Distribution, DropRequest, DropStudy, Ensemble, WhirlProbability, study,
+};
 
 use super::run::verified;
 use crate::args::{DropArgs, Reference};
-use crate::driver::{Answer, PAGE, Tables, read_case};
+use crate::driver::{Answer, PAGE, Tables};
 use crate::failure::Failure;
 use crate::finished_run::SUMMARY;
-use crate::format::{columns, judged, pairs, warnings};
+use crate::format::{columns, judged, pairs, values, warnings};
 
 /// Failure of a drop whose samples or verification were interrupted.
-pub(super) const REST_INTERRUPTED: &str = "interrupted: the drop itself is complete.";
+const REST_INTERRUPTED: &str = "interrupted: the drop itself is complete.";
 
-/// Drops the rotor of a case.
+/// Drops a rotor into its bearings. Below a linear rotor the tables of each go to a folder of its own.
 pub fn touchdown(args: &DropArgs) -> Result<(), Failure> {
-    let file = read_case(&args.case)?;
-    let request = requested(args);
-    request.check(&file, &args.case.case.display().to_string())?;
+    let path = &args.case.case;
+    let file = VariantFile::read(path, &args.case.set)?;
+    let request = DropRequest {
+        compare: args.compare == Some(Reference::Conventional),
+        samples: args.samples,
+        verify: args.verify,
+    };
+    let drop = request.check(&file, &path.display().to_string())?;
+    let linear = drop.rotor().is_some();
     let output = &args.case.output;
     output.drive(&[SUMMARY, PAGE], |bars| {
         let out = output.out.as_deref();
-        let mut tables = Tables::create(out, [(String::new(), &file)])?;
-        let study = study(&file, request, tables.rows().remove(0), bars)?;
+        let folders = (1..).map(|k| match linear {
+            true => format!("bearing-{k}"),
+            false => String::new(),
+        });
+        let mut tables = Tables::create(out, folders.zip(file.cases()))?;
+        let study = study(drop, request, tables.rows(), bars)?;
         tables.finish(output.csv)?;
         let (json, text) = (study.to_json(&file)?, text(&study));
         let files = output.files(|| Ok(vec![(PAGE, Some(drop_page(&file, &study)))]))?;
         let rest_interrupted = study.interrupted.then_some(REST_INTERRUPTED);
+        let place = match linear {
+            true => format!("bearing {}: ", study.record.last_index() + 1),
+            false => String::new(),
+        };
+        let ending = Failure::of_outcome(study.record.into_last_outcome(), rest_interrupted, out);
         Ok(Answer {
             files,
-            ending: Failure::of_outcome(study.drop.outcome, rest_interrupted, out),
+            ending: ending.map_err(|failure| failure.stopped_at(&place)),
             ..Answer::new(SUMMARY, json, text)
         })
     })
 }
 
-/// What the options ask for beside the drop.
-pub(super) fn requested(args: &DropArgs) -> DropRequest {
-    DropRequest {
-        compare: args.compare == Some(Reference::Conventional),
-        samples: args.samples,
-        verify: args.verify,
-    }
+/// Numbers of four digits in a row.
+pub(super) fn listed(values: &[f64]) -> String {
+    let texts: Vec<String> = values.iter().map(|value| significant(*value, 4)).collect();
+    texts.join(", ")
 }
 
 fn text(study: &DropStudy) -> String {
-    let mut drops = vec![("value".to_owned(), &study.drop.result)];
-    let other = study.conventional.iter();
-    drops.extend(other.map(|other| ("conventional".to_owned(), &other.result)));
-    let mut text = verdict(&study.drop.result.judgement);
-    text += &columns(&DropResult::side_by_side(&drops));
+    let mut text = verdict(&study.record.judgement()) + &rotor_text(study);
+    text += &columns(&DropResult::side_by_side(
+        &study.results("value", "conventional"),
+    ));
     if let Some(ensemble) = &study.ensemble {
         text += &ensemble_text(ensemble);
     }
     if let Some(verification) = &study.verification {
-        let numbers = verification.parts("numbers").iter();
-        text += &verified(verification, numbers, "verification");
+        text += &verification_text(study, verification);
     }
     text + &warnings(&study.warnings)
 }
 
 /// PASS or FAIL with its reasons.
-pub(super) fn verdict(judgement: &DropJudgement) -> String {
+fn verdict(judgement: &DropJudgement) -> String {
     let headline = judged(judgement.passes, &judgement.headline());
     pairs(&[("verdict", headline)]) + "\n"
 }
 
-fn ensemble_text(many: &EnsembleResult) -> String {
-    let ends = many.distribution.end_states_text();
-    let mut lines = vec![("drops", format!("{} completed: {ends}", many.completed))];
-    if let Some(percent) = many.distribution.backward_whirl.percent() {
-        lines.push(("probability of backward whirl", percent));
+/// Numbers of a linear rotor and its planes.
+fn rotor_text(study: &DropStudy) -> String {
+    let (Some(rotor), Some(outcome)) = (study.drop.rotor(), &study.record.rotor) else {
+        return String::new();
+    };
+    let mut text = pairs(&[
+        ("rotor", format!("{} kg", significant(rotor.mass_kg(), 4))),
+        (
+            "carried by the bearings",
+            format!("{} kg", listed(&rotor.mass_shares_kg())),
+        ),
+        (
+            "energy balance error of the rotor (relative)",
+            format!("{:.1e}", outcome.energy_residual_relative),
+        ),
+    ]);
+    if !outcome.planes.is_empty() {
+        text += &format!("\n{}", columns(&table_of(&plane_records(&outcome.planes))));
     }
-    for reason in &many.stopped {
-        lines.push(("stopped", reason.clone()));
+    text + "\n"
+}
+
+fn verification_text(study: &DropStudy, verification: &Record) -> String {
+    let of_bearing =
+        |bearing: &Record, title: &str| verified(bearing, bearing.parts("numbers").iter(), title);
+    if study.drop.rotor().is_none() {
+        return of_bearing(verification, "verification");
     }
-    format!(
-        "\n{}\n{}",
-        pairs(&lines),
-        columns(&many.distribution.rows())
-    )
+    let bearings = (1..).zip(verification.parts("bearings"));
+    let bearings = bearings.map(|(k, b)| of_bearing(b, &format!("verification, bearing {k}")));
+    format!("\n{}", pairs(&values(verification))) + &bearings.collect::<String>()
+}
+
+fn ensemble_text(many: &Ensemble) -> String {
+    let mut drops = format!("{} completed", many.completed);
+    if many.in_any_bearing.is_none() {
+        drops += &format!(": {}", many.bearings[0].end_states_text());
+    }
+    let mut lines = vec![("drops".to_owned(), drops)];
+    let stopped = || (many.stopped.iter()).map(|reason| ("stopped".to_owned(), reason.clone()));
+    let whirl = |name: String, probability: &WhirlProbability| {
+        probability.percent().map(|percent| (name, percent))
+    };
+    let rows = |of_bearing: &Distribution| columns(&of_bearing.rows());
+    let Some(any) = &many.in_any_bearing else {
+        let only = &many.bearings[0];
+        lines.extend(whirl(
+            "probability of backward whirl".to_owned(),
+            &only.backward_whirl,
+        ));
+        lines.extend(stopped());
+        return format!("\n{}\n{}", pairs(&lines), rows(only));
+    };
+    lines.extend(stopped());
+    lines.extend(whirl(
+        "probability of backward whirl in any bearing".to_owned(),
+        any,
+    ));
+    for (k, of_bearing) in (1..).zip(many.bearings.iter()) {
+        lines.extend(whirl(format!("in bearing {k}"), &of_bearing.backward_whirl));
+    }
+    let mut text = format!("\n{}", pairs(&lines));
+    for (k, of_bearing) in (1..).zip(many.bearings.iter()) {
+        let states = [(format!("bearing {k}"), of_bearing.end_states_text())];
+        text += &format!("\n{}\n{}", pairs(&states), rows(of_bearing));
+    }
+    text
 }

@@ -4,7 +4,6 @@ mod check;
 mod compare;
 pub mod design;
 mod drop;
-mod drop_several;
 mod export;
 mod manual;
 mod report;
@@ -20,7 +19,6 @@ use cageless::dynamics::InstructionSet;
 use cageless_io::case_file::{on_former_name, template};
 use cageless_io::designation;
 use cageless_io::results::write_atomically;
-use cageless_io::rotor_file::RotorFile;
 use cageless_io::touchdown_template::touchdown_case;
 use cageless_study::check_environment;
 
@@ -51,9 +49,6 @@ pub fn dispatch(args: Args) -> Result<(), Failure> {
         Command::Design(args) => design::design(&args),
         Command::Tolerance(args) => tolerance::tolerance(&args),
         Command::Run(args) => run::run(&args),
-        Command::Drop(args) if RotorFile::is_at(&args.case.case) => {
-            drop_several::drop_several(&args)
-        }
         Command::Drop(args) => drop::touchdown(&args),
         Command::Compare(args) => compare::compare(&args),
         Command::Export(args) => export::export(&args),

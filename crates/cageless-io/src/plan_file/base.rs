@@ -1,7 +1,9 @@
 //! What the variants of a plan share: a case, or a rotor above several bearings.
 
+use std::path::Path;
 use std::slice;
 
+use cageless::simulation::RotorDrop;
 use toml::Value;
 
 use crate::case_file::{CaseDocument, CaseError, CaseFile, CaseValue, Change};
@@ -16,7 +18,7 @@ pub enum PlanBase {
     Rotor(RotorBase),
 }
 
-/// A case or a rotor file, read and checked: what a variant computes.
+/// A case or a rotor file, read and checked: what a variant or a drop computes.
 #[derive(Debug, Clone, PartialEq)]
 pub enum VariantFile {
     /// The case of one bearing.
@@ -44,13 +46,52 @@ impl PlanBase {
     /// A [`CaseError`] that names file and line of the change at fault, or of the base.
     pub fn with(&self, changes: &[Change<'_>]) -> Result<VariantFile, CaseError> {
         match self {
-            Self::Case(base) => Ok(VariantFile::Case(Box::new(base.with(changes)?))),
-            Self::Rotor(base) => Ok(VariantFile::Rotor(Box::new(base.with(changes)?))),
+            Self::Case(base) => Ok(base.with(changes)?.into()),
+            Self::Rotor(base) => Ok(base.with(changes)?.into()),
         }
     }
 }
 
+impl From<CaseFile> for VariantFile {
+    fn from(file: CaseFile) -> Self {
+        Self::Case(Box::new(file))
+    }
+}
+
+impl From<RotorFile> for VariantFile {
+    fn from(file: RotorFile) -> Self {
+        Self::Rotor(Box::new(file))
+    }
+}
+
 impl VariantFile {
+    /// Reads a case file, or a rotor file with the files that it names.
+    ///
+    /// # Errors
+    /// Those of [`CaseFile::read`] and [`RotorFile::read`].
+    pub fn read(path: &Path, overrides: &[String]) -> Result<Self, CaseError> {
+        Ok(match RotorFile::is_at(path) {
+            false => CaseFile::read(path, overrides)?.into(),
+            true => RotorFile::read(path, overrides)?.into(),
+        })
+    }
+
+    /// Free text.
+    pub fn title(&self) -> &str {
+        match self {
+            Self::Case(file) => &file.case().title,
+            Self::Rotor(file) => file.title(),
+        }
+    }
+
+    /// The drop of the rotor; `None` of a case without one.
+    pub fn drop(&self) -> Option<RotorDrop> {
+        match self {
+            Self::Case(file) => RotorDrop::of_case(file.case()),
+            Self::Rotor(file) => Some(RotorFile::drop(file).clone()),
+        }
+    }
+
     /// The case of each bearing.
     pub fn cases(&self) -> &[CaseFile] {
         match self {

@@ -155,6 +155,14 @@ impl RotorFile {
         &self.bearings
     }
 
+    /// The lateral motion of the rotor.
+    ///
+    /// # Panics
+    /// Never: the drop of a rotor file has one.
+    pub fn rotor(&self) -> &LinearRotor {
+        self.drop.rotor().expect("a linear rotor")
+    }
+
     /// The drop of the rotor into the bearings.
     pub fn drop(&self) -> &RotorDrop {
         &self.drop

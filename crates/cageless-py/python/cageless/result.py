@@ -303,7 +303,7 @@ class Result:
         _cageless.write_folder(os.fspath(folder), {})
         bearings = values.get("bearings", [values])
         for number, (arrays, bearing) in enumerate(zip(core.tables, bearings, strict=False), 1):
-            place = Path(folder) / f"bearing-{number}" if len(core.tables) > 1 else Path(folder)
+            place = Path(folder) / f"bearing-{number}" if "bearings" in values else Path(folder)
             if not {"case", "isa"} <= {*bearing, *values}:
                 raise InputError(f"{VALUES[self.kind]} of this result has no case or no isa")
             case = written(bearing["case"])

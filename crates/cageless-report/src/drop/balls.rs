@@ -1,11 +1,9 @@
 //! Figures of the balls and of the heat of a drop.
 
-use cageless::Case;
-use cageless_study::Provenance;
-use cageless_study::drop::{DropRecord, DropStudy};
+use cageless_study::drop::{BearingRecord, DropStudy};
+use cageless_study::{Provenance, provenance};
 use serde_json::json;
 
-use crate::data::Motion;
 use crate::figure::Figure;
 use crate::motion::MotionFigure;
 use crate::plot::{GREY, PALETTE, Plot, numbers};
@@ -27,8 +25,12 @@ const HEAT: [(&str, &str); 7] = [
     ("support", "support_damping_j"),
 ];
 
-/// Peak load of every ball.
-pub(super) fn loads(study: &DropStudy, source: &Provenance) -> Figure {
+/// Peak load of every ball; with the drop onto a conventional outer ring, if there is one.
+pub(super) fn loads(
+    record: &BearingRecord,
+    conventional: Option<&BearingRecord>,
+    source: &Provenance,
+) -> Figure {
     let mut plot = Plot::new(380)
         .legend()
         .set("barmode", json!("group"))
@@ -45,14 +47,14 @@ pub(super) fn loads(study: &DropStudy, source: &Provenance) -> Figure {
             "marker": { "color": colour },
         }));
     };
-    let own = &study.drop.result;
+    let own = &record.result;
     bars("inner raceway", own.results.values(INNER), PALETTE[0]);
     bars(
         "outer raceway",
         own.results.values("outer_force_max_of_ball_n"),
         PALETTE[5],
     );
-    if let Some(other) = &study.conventional {
+    if let Some(other) = conventional {
         let forces = other.result.results.values(INNER);
         bars("inner raceway, conventional ring", forces, GREY);
     }
@@ -71,29 +73,21 @@ pub(super) fn loads(study: &DropStudy, source: &Provenance) -> Figure {
     )
 }
 
-pub(super) fn balls_in_motion(case: &Case, study: &DropStudy, source: &Provenance) -> MotionFigure {
-    let mut bearings = vec![motion(
-        case,
-        "this drop",
-        &study.drop.snapshots,
-        source.clone(),
-    )];
-    if let Some(other) = &study.conventional {
-        let plain = case.conventional();
-        let title = "conventional outer ring";
-        bearings.push(motion(&plain, title, &other.snapshots, source.clone()));
-    }
-    around_first_impact(bearings, &study.drop)
-}
-
-/// Bearings in motion, from shortly before the first impact in `drop` on.
-pub(super) fn around_first_impact(bearings: Vec<Motion>, drop: &DropRecord) -> MotionFigure {
-    let end = drop.outcome.end_s;
+/// All bearings in motion, those with conventional outer rings beside them, from shortly before the
+/// first impact in the first bearing on.
+pub(super) fn balls_in_motion(study: &DropStudy) -> MotionFigure {
+    let columns = study.columns("this drop", "conventional outer ring");
+    let source = |case| provenance(case, String::new());
+    let bearings = columns
+        .iter()
+        .map(|(name, case, record)| motion(case, name, &record.snapshots, source(case)));
+    let first = &study.record.bearings[0];
+    let end = first.outcome.end_s;
     let mut stretches = vec![];
-    if let Some(ms) = drop.result.results.value("first_contact_ms") {
-        let first = 1e-3 * ms;
+    if let Some(ms) = first.result.results.value("first_contact_ms") {
+        let impact = 1e-3 * ms;
         let [before, after] = FIRST_IMPACT_S;
-        let around = [(first - before).max(0.0), (first + after).min(end)];
+        let around = [(impact - before).max(0.0), (impact + after).min(end)];
         stretches.push(("first impact".to_owned(), around));
     }
     stretches.push(("whole drop".to_owned(), [0.0, end]));
@@ -103,14 +97,18 @@ pub(super) fn around_first_impact(bearings: Vec<Motion>, drop: &DropRecord) -> M
                   mark on what turns; red: balls that touch. To scale except for the touch-down clearance and the \
                   place of the rotor in it, which are enlarged."
             .to_owned(),
-        bearings,
+        bearings: bearings.collect(),
         moments_s: vec![],
         stretches,
     }
 }
 
-/// Heat of each interface.
-pub(super) fn heat(study: &DropStudy, source: &Provenance) -> Figure {
+/// Heat of each interface; with that of the drop onto a conventional outer ring, if there is one.
+pub(super) fn heat(
+    record: &BearingRecord,
+    conventional: Option<&BearingRecord>,
+    source: &Provenance,
+) -> Figure {
     let mut plot = Plot::new(420)
         .legend()
         .set("barmode", json!("group"))
@@ -118,12 +116,12 @@ pub(super) fn heat(study: &DropStudy, source: &Provenance) -> Figure {
         .axis("xaxis", "Heat (J)", json!({ "rangemode": "tozero" }))
         .axis("yaxis", "", json!({ "autorange": "reversed" }));
     let drops = [
-        ("this drop", Some(&study.drop), PALETTE[1]),
-        ("conventional outer ring", study.conventional.as_ref(), GREY),
+        ("this drop", Some(record), PALETTE[1]),
+        ("conventional outer ring", conventional, GREY),
     ];
-    for (name, record, colour) in drops {
-        let Some(record) = record else { continue };
-        let heat = HEAT.map(|(name, result)| (name, record.result.results.number(result)));
+    for (name, drop, colour) in drops {
+        let Some(drop) = drop else { continue };
+        let heat = HEAT.map(|(name, result)| (name, drop.result.results.number(result)));
         let (names, values): (Vec<&str>, Vec<f64>) = heat.into_iter().unzip();
         plot = plot.trace(json!({
             "type": "bar", "orientation": "h", "name": name, "y": names, "x": numbers(&values),
@@ -135,7 +133,7 @@ pub(super) fn heat(study: &DropStudy, source: &Provenance) -> Figure {
         &format!(
             "Heat of each interface since the start of the drop. The energy balance closes to {:.1e} of \
              all terms.",
-            study.drop.outcome.energy_residual_relative
+            record.outcome.energy_residual_relative
         ),
         source,
         plot,

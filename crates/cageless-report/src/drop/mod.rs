@@ -1,68 +1,130 @@
 //! The page of a drop of a rotor.
 
 mod balls;
+mod label;
 mod rotor;
 mod scattered;
-mod several;
 
+use cageless::Case;
 use cageless::contact::hertz::STRESS_LIMIT_PA;
-use cageless_io::case_file::CaseFile;
+use cageless::linear_rotor::LinearRotor;
+use cageless::simulation::PlaneDisplacement;
+use cageless_io::plan_file::VariantFile;
 use cageless_io::results::VERSION;
-use cageless_results::DropResult;
-use cageless_study::drop::DropStudy;
+use cageless_results::{DropResult, Record, plane_records, table_of};
+use cageless_study::drop::{BearingRecord, DropStudy};
 use cageless_study::{Provenance, parameter, provenance};
 
+use crate::figure::Figure;
 use crate::head::Head;
 use crate::page::{Note, Page};
 use crate::studio_page::studio_section;
 use crate::table::Table;
 use crate::text::short;
 use crate::verification::VerificationTable;
-pub use several::rotor_page;
 
 use balls::{balls_in_motion, heat, loads};
+use label::label;
 use rotor::of_rotor;
-use scattered::{distribution, scatter};
+use scattered::scattered;
 
-/// The self-contained page of a drop of the case in `file`.
-pub fn drop_page(file: &CaseFile, study: &DropStudy) -> String {
-    let case = file.case();
-    let record = &study.drop;
-    let title = match case.title.as_str() {
-        "" => "Drop of a rotor",
-        title => title,
+/// The self-contained page of a drop of the rotor in `file`.
+pub fn drop_page(file: &VariantFile, study: &DropStudy) -> String {
+    let cases = study.drop.cases();
+    let title = match (file.title(), study.drop.rotor()) {
+        ("", None) => "Drop of a rotor",
+        ("", Some(_)) => "Drop of a rotor onto several bearings",
+        (title, _) => title,
     };
-    let source = provenance(case, String::new());
+    let source = provenance(&cases[0], String::new());
     let mut page = Page::new(title, "", &format!("Cageless {VERSION}"));
-    page.head(&head(&record.result));
-    warned(&mut page, &study.warnings);
+    page.head(&match study.drop.rotor() {
+        None => head(&study.record.bearings[0].result),
+        Some(rotor) => head_of_rotor(rotor, study),
+    });
+    for warning in &study.warnings {
+        page.note(Note::Warning, warning);
+    }
     page.section("Results");
-    page.table(&results(study, &source));
-    page.section("Rotor and inner ring");
-    for figure in of_rotor(case, record, study.conventional.as_ref(), &source) {
-        page.figure(&figure);
+    let planes = study.record.rotor.iter().map(|rotor| &rotor.planes);
+    for planes in planes.filter(|planes| !planes.is_empty()) {
+        page.table(&clearances(planes, &source));
+    }
+    page.table(&results(study, source));
+    for k in 0..cases.len() {
+        page.section(&label(study, "Rotor and inner ring", k));
+        figures(&mut page, study, k, |case, record, other, source| {
+            of_rotor(case, record, other, source).collect()
+        });
     }
     page.section("Balls");
-    page.figure(&loads(study, &source));
-    page.motion(&balls_in_motion(case, study, &source));
+    for k in 0..cases.len() {
+        figures(&mut page, study, k, |_, record, other, source| {
+            vec![loads(record, other, source)]
+        });
+    }
+    page.motion(&balls_in_motion(study));
     page.section("Energy");
-    page.figure(&heat(study, &source));
+    for k in 0..cases.len() {
+        figures(&mut page, study, k, |_, record, other, source| {
+            vec![heat(record, other, source)]
+        });
+    }
     if let Some(ensemble) = &study.ensemble {
-        page.section("Scattered drops");
-        page.table(&distribution(ensemble, &source));
-        let rows = ensemble.drops.iter().map(|drop| &drop.bearing);
-        let label = "State at the end";
-        page.figure(&scatter(&ensemble.distribution, rows, label, &source));
+        scattered(&mut page, study, ensemble);
     }
     if let Some(verification) = &study.verification {
-        page.section("Verification");
-        let numbers = verification.parts("numbers").iter();
-        let table = VerificationTable::new(verification, numbers);
-        table.show(&mut page, "Verification", &source);
+        verification_section(&mut page, study, verification);
     }
-    let toml = file.document().to_toml().unwrap_or_default();
-    studio_section(&mut page, &toml, "");
+    if let VariantFile::Case(file) = file {
+        let toml = file.document().to_toml().unwrap_or_default();
+        studio_section(&mut page, &toml, "");
+    }
     page.html()
+}
+
+/// Shows figures of bearing `k`: of its case, its record and that with a conventional outer ring.
+fn figures(
+    page: &mut Page,
+    study: &DropStudy,
+    k: usize,
+    of: impl Fn(&Case, &BearingRecord, Option<&BearingRecord>, &Provenance) -> Vec<Figure>,
+) {
+    let case = &study.drop.cases()[k];
+    let other = study.conventional.as_ref().map(|other| &other.bearings[k]);
+    let source = provenance(case, String::new());
+    for mut figure in of(case, &study.record.bearings[k], other, &source) {
+        figure.label = label(study, &figure.label, k);
+        page.figure(&figure);
+    }
+}
+
+/// The head of a drop of a linear rotor.
+fn head_of_rotor(rotor: &LinearRotor, study: &DropStudy) -> Head {
+    let results = || study.record.bearings.iter().map(|bearing| &bearing.result);
+    let states = (1..).zip(results());
+    let states = states.map(|(k, result)| format!("bearing {k}: {}", result.end_state_text()));
+    let states: Vec<String> = states.collect();
+    let last = study.record.last_index();
+    let end = results()
+        .nth(last)
+        .map_or(0.0, |r| r.results.number("simulated_s"));
+    let judgement = study.record.judgement();
+    let facts = [
+        parameter("Mass of the rotor", short(rotor.mass_kg()), "kg"),
+        parameter(
+            "Moment of inertia about the axis",
+            short(rotor.polar_inertia_kg_m2()),
+            "kg m²",
+        ),
+    ];
+    let carried = (1..).zip(rotor.mass_shares_kg());
+    let carried =
+        carried.map(|(k, share)| parameter(&format!("Carried by bearing {k}"), short(share), "kg"));
+    let state = format!("State after {} s: {}.", short(end), states.join("; "));
+    Head::new(judgement.passes, &judgement.headline())
+        .verdict(None, &state)
+        .facts(facts.into_iter().chain(carried))
 }
 
 fn head(drop: &DropResult) -> Head {
@@ -117,24 +179,36 @@ fn at_end(drop: &DropResult) -> String {
     )
 }
 
-/// A box for each warning.
-fn warned(page: &mut Page, warnings: &[String]) {
-    for warning in warnings {
-        page.note(Note::Warning, warning);
-    }
-}
-
-fn results(study: &DropStudy, source: &Provenance) -> Table {
-    let mut drops = vec![("This drop".to_owned(), &study.drop.result)];
-    if let Some(other) = &study.conventional {
-        drops.push(("Conventional outer ring".to_owned(), &other.result));
-    }
-    side_by_side(&drops, source)
-}
-
-/// Table of the results of drops, one column each.
-fn side_by_side(drops: &[(String, &DropResult)], source: &Provenance) -> Table {
+/// Table of the results of all bearings, one column each.
+fn results(study: &DropStudy, source: Provenance) -> Table {
     let caption = "From the start of the drop to the end of the run.";
-    let rows = DropResult::side_by_side(drops);
-    Table::of("Results", caption, rows, Some(source.clone()))
+    let rows = DropResult::side_by_side(&study.results("This drop", "Conventional outer ring"));
+    Table::of("Results", caption, rows, Some(source))
+}
+
+/// Table of the planes of a rotor against their clearances.
+fn clearances(planes: &[PlaneDisplacement], source: &Provenance) -> Table {
+    let caption = "Largest displacement of the rotor from the stator centre in each plane. \
+                   Negative margin: the rotor touches the stator.";
+    let rows = table_of(&plane_records(planes));
+    Table::of("Clearances", caption, rows, Some(source.clone()))
+}
+
+fn verification_section(page: &mut Page, study: &DropStudy, verification: &Record) {
+    page.section("Verification");
+    if let [full, half] = verification.values("rotor_energy_residual_relative") {
+        page.paragraph(&format!(
+            "The energy balance error of the rotor is {full:.1e} of all flows at the step and \
+             {half:.1e} at half of it."
+        ));
+    }
+    let bearings = match verification.parts("bearings") {
+        [] => std::slice::from_ref(verification),
+        several => several,
+    };
+    for (k, (case, bearing)) in study.drop.cases().iter().zip(bearings).enumerate() {
+        let table = VerificationTable::new(bearing, bearing.parts("numbers").iter());
+        let source = provenance(case, String::new());
+        table.show(page, &label(study, "Verification", k), &source);
+    }
 }

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use cageless::{Case, RotorSnapshot, Snapshot};
 use cageless_results::WindowRow;
 use cageless_study::Provenance;
-use cageless_study::drop::DropRecord;
+use cageless_study::drop::BearingRecord;
 use serde_json::json;
 
 use crate::figure::Figure;
@@ -27,8 +27,8 @@ fn rotors(snapshots: &[Snapshot]) -> Vec<(f64, RotorSnapshot)> {
 /// is one, dashed.
 pub(super) fn of_rotor(
     case: &Case,
-    record: &DropRecord,
-    conventional: Option<&DropRecord>,
+    record: &BearingRecord,
+    conventional: Option<&BearingRecord>,
     source: &Provenance,
 ) -> impl Iterator<Item = Figure> {
     let windows = &record.result.windows;
@@ -50,8 +50,8 @@ pub(super) fn of_rotor(
 /// A drop and that of the same rotor onto a conventional outer ring.
 struct Drops<'a> {
     case: &'a Case,
-    record: &'a DropRecord,
-    conventional: Option<&'a DropRecord>,
+    record: &'a BearingRecord,
+    conventional: Option<&'a BearingRecord>,
 }
 
 impl Drops<'_> {
@@ -61,7 +61,7 @@ impl Drops<'_> {
         mut plot: Plot,
         name: &str,
         colour: &str,
-        rows: impl Fn(&DropRecord) -> [Vec<f64>; 2],
+        rows: impl Fn(&BearingRecord) -> [Vec<f64>; 2],
     ) -> Plot {
         if let Some(other) = self.conventional {
             let [x, y] = rows(other);
@@ -202,12 +202,12 @@ fn forces(drops: &Drops<'_>, source: &Provenance) -> Figure {
         let (x, y) = history(&x, &y, POINTS);
         [x, y]
     };
-    let contact = |record: &DropRecord| {
+    let contact = |record: &BearingRecord| {
         let rows = record.snapshots.iter();
         let row = |s: &Snapshot| Some((1e3 * s.time_s, s.rotor?.contact_force_n));
         thinned(rows.filter_map(row).collect())
     };
-    let outer = |record: &DropRecord| {
+    let outer = |record: &BearingRecord| {
         let rows = record.snapshots.iter();
         let force = |s: &Snapshot| s.ring.outer_force_x_n.hypot(s.ring.outer_force_y_n);
         thinned(rows.map(|s| (1e3 * s.time_s, force(s))).collect())

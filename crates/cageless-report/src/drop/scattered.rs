@@ -1,13 +1,13 @@
 //! Tables and figures of scattered drops.
 
 use cageless_results::end_state_text;
-use cageless_study::Provenance;
-use cageless_study::drop::{
-    BearingRow, Distribution, EnsembleResult, RotorEnsemble, WhirlProbability,
-};
+use cageless_study::drop::{BearingRow, Distribution, DropStudy, Ensemble, WhirlProbability};
+use cageless_study::{Provenance, provenance};
 use serde_json::json;
 
+use super::label::label;
 use crate::figure::Figure;
+use crate::page::Page;
 use crate::plot::{PALETTE, Plot, markers};
 use crate::table::Table;
 
@@ -15,48 +15,60 @@ use crate::table::Table;
 const SCATTERED: &str =
     "friction (±30 %), touch-down clearance (±10 %), support damping (factor 2)";
 
-/// Label of a table or figure of the only bearing, or of bearing `k` of several.
-pub(super) fn label(name: &str, k: Option<usize>) -> String {
-    match k {
-        None => name.to_owned(),
-        Some(k) => format!("{name}, bearing {}", k + 1),
+/// Tables and figures of scattered drops.
+pub(super) fn scattered(page: &mut Page, study: &DropStudy, ensemble: &Ensemble) {
+    page.section("Scattered drops");
+    if let Some(any) = &ensemble.in_any_bearing {
+        page.table(&end_states(study, ensemble, any));
+    }
+    for (k, case) in study.drop.cases().iter().enumerate() {
+        let source = provenance(case, String::new());
+        let (distribution, label) = (&ensemble.bearings[k], |name| label(study, name, k));
+        let caption = match ensemble.in_any_bearing {
+            None => of_only_bearing(ensemble, distribution),
+            Some(_) => format!(
+                "{} completed drops: {}.",
+                ensemble.completed,
+                distribution.end_states_text()
+            ),
+        };
+        let rows = distribution.rows();
+        let table = Table::of(&label("Distribution"), &caption, rows, Some(source.clone()));
+        page.table(&table);
+        let rows = ensemble.drops.iter().map(|drop| &drop.bearings[k]);
+        page.figure(&scatter(
+            distribution,
+            rows,
+            &label("State at the end"),
+            &source,
+        ));
     }
 }
 
-/// Table of the scattered drops onto one bearing.
-pub(super) fn distribution(ensemble: &EnsembleResult, source: &Provenance) -> Table {
-    let whirl = match ensemble.distribution.backward_whirl.percent() {
+/// Caption of the distribution of the results of the only bearing of a case.
+fn of_only_bearing(ensemble: &Ensemble, distribution: &Distribution) -> String {
+    let whirl = match distribution.backward_whirl.percent() {
         Some(percent) => format!(" Probability of backward whirl: {percent}."),
         None => String::new(),
     };
-    let caption = format!(
+    format!(
         "{} drops with scattered {SCATTERED}, direction of the unbalance and arrangement of the \
          balls (seed {}): {}.{whirl}",
         ensemble.completed,
         ensemble.seed,
-        ensemble.distribution.end_states_text()
-    );
-    quantiles(
-        &ensemble.distribution,
-        label("Distribution", None),
-        caption,
-        source,
+        distribution.end_states_text()
     )
 }
 
-/// Table of the states at the end of scattered drops into several bearings.
-pub(super) fn end_states(ensemble: &RotorEnsemble, source: &Provenance) -> Table {
+/// Table of the states at the end of scattered drops of a linear rotor.
+fn end_states(study: &DropStudy, ensemble: &Ensemble, any: &WhirlProbability) -> Table {
     let row = |name: String, whirl: &WhirlProbability, states: String| {
         vec![name, whirl.percent().unwrap_or("–".to_owned()), states]
     };
     let head = ["Bearing", "Backward whirl", "State at the end"].map(str::to_owned);
-    let any = row(
-        "Any bearing".to_owned(),
-        &ensemble.backward_whirl,
-        String::new(),
-    );
+    let any = row("Any bearing".to_owned(), any, String::new());
     let mut rows = vec![head.to_vec(), any];
-    rows.extend((1..).zip(&ensemble.bearings).map(|(k, of_bearing)| {
+    rows.extend((1..).zip(ensemble.bearings.iter()).map(|(k, of_bearing)| {
         let states = of_bearing.end_states_text();
         row(format!("Bearing {k}"), &of_bearing.backward_whirl, states)
     }));
@@ -66,21 +78,12 @@ pub(super) fn end_states(ensemble: &RotorEnsemble, source: &Provenance) -> Table
         ensemble.completed, ensemble.seed
     );
     let label = "Probability of backward whirl";
-    Table::of(label, &caption, rows, Some(source.clone()))
-}
-
-/// Table of the distribution of each result of a bearing.
-pub(super) fn quantiles(
-    distribution: &Distribution,
-    label: String,
-    caption: String,
-    source: &Provenance,
-) -> Table {
-    Table::of(&label, &caption, distribution.rows(), Some(source.clone()))
+    let source = provenance(&study.drop.cases()[0], String::new());
+    Table::of(label, &caption, rows, Some(source))
 }
 
 /// State at the end of drops over friction and support damping, by the rows of a bearing.
-pub(super) fn scatter<'a>(
+fn scatter<'a>(
     distribution: &Distribution,
     rows: impl Iterator<Item = &'a BearingRow> + Clone,
     label: &str,

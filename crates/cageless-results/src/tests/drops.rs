@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use cageless::linear_rotor::Clearance;
-use cageless::simulation::{PlaneDisplacement, RunOutcome};
+use cageless::simulation::{PlaneDisplacement, RotorOutcome, RunOutcome};
 use cageless::touchdown::{DropRecorder, DropSummary};
 
 use super::*;
@@ -179,11 +179,13 @@ fn results_of_a_rotor_are_those_of_its_bearings() {
         },
         displacement_max_m,
     };
-    let run = RotorRun {
+    let run = DropRun {
         bearings: bearings.to_vec(),
+        rotor: Some(RotorOutcome {
+            energy_residual_relative: 0.0123,
+            planes: vec![plane(5e-4, 1e-4), plane(4e-4, 2.5e-4)],
+        }),
         stopped: None,
-        rotor_energy_residual_relative: 0.0123,
-        planes: vec![plane(5e-4, 1e-4), plane(4e-4, 2.5e-4)],
     };
     let sums = [
         "impacts",

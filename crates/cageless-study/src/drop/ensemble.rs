@@ -1,33 +1,33 @@
-//! Many drops onto one bearing whose conditions scatter.
+//! Many drops whose conditions scatter.
 
-use cageless::Case;
-use cageless::simulation::Observer;
-use cageless::touchdown::{Drawn, DropRecorder, Scatter};
+use cageless::simulation::RotorDrop;
+use cageless::touchdown::{Drawn, Scatter};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use cageless_results::DropResult;
+use cageless_results::{DropResult, DropRun};
 
-use super::{BearingRow, Distribution, check_drops};
+use super::distribution::whirls_backward;
+use super::side_by_side::{run_drops, worth_together};
+use super::{BearingRow, Bearings, Distribution, WhirlProbability, check_drops};
 use crate::StudyError;
 use crate::progress::{Progress, Work};
-use crate::together::{Record, run_together};
-
-/// Drops that one thread computes together.
-const TOGETHER: usize = 8;
 
 /// Drops whose conditions scatter.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct EnsembleResult {
-    /// Seed of the draws.
+pub struct Ensemble {
+    /// Seed of the draws: that of the case of the first bearing.
     pub seed: u64,
     /// Drops that ran to their end.
     pub completed: usize,
     /// Drops that stopped early, with the reasons.
     pub stopped: Vec<String>,
-    /// What came out of the completed drops.
+    /// Probability that a linear rotor ends in backward whirl in any of its bearings.
     #[serde(flatten)]
-    pub distribution: Distribution,
+    pub in_any_bearing: Option<WhirlProbability>,
+    /// What each bearing went through in the completed drops.
+    #[serde(flatten)]
+    pub bearings: Bearings<Distribution>,
     /// The drops, in the order of their indices.
     pub drops: Vec<DropRow>,
 }
@@ -37,76 +37,194 @@ pub struct EnsembleResult {
 pub struct DropRow {
     /// Index of the draw.
     pub index: u64,
-    /// Direction of the unbalance at the start, degrees.
-    pub eccentricity_phase_deg: f64,
-    /// Bearing.
+    /// The rotor.
     #[serde(flatten)]
-    pub bearing: BearingRow,
+    pub rotor: RotorRow,
+    /// The bearings.
+    #[serde(flatten)]
+    pub bearings: Bearings<BearingRow>,
+}
+
+/// The rotor in one drop of an ensemble.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum RotorRow {
+    /// The rotor of a case.
+    Case {
+        /// Direction of the unbalance at the start, degrees.
+        eccentricity_phase_deg: Option<f64>,
+    },
+    /// A linear rotor.
+    Linear {
+        /// Angle by which all unbalances are turned at the start, degrees.
+        unbalance_turn_deg: Option<f64>,
+        /// Energy balance error of the rotor alone, relative.
+        rotor_energy_residual_relative: f64,
+        /// Bearing and reason, where the drop stopped early.
+        stopped: Option<String>,
+    },
 }
 
 /// Drops the rotor `count` times, on all threads; the result is the same on any number of them.
 ///
 /// # Errors
-/// The case is impossible, or the progress cancelled.
+/// A case is impossible, or the progress cancelled.
 pub fn ensemble(
-    case: &Case,
+    drop: &RotorDrop,
     count: u64,
     scatter: &Scatter,
     progress: &dyn Progress,
-) -> Result<EnsembleResult, StudyError> {
+) -> Result<Ensemble, StudyError> {
     check_drops(count)?;
-    cageless::step_limits::check(case)?;
     let task = progress.begin("drops", count as f64);
     let indices: Vec<u64> = (0..count).collect();
     let rows: Result<Vec<Vec<DropRow>>, StudyError> = indices
-        .par_chunks(TOGETHER)
-        .map(|chunk| together(case, chunk, scatter, &task))
+        .par_chunks(worth_together(drop))
+        .map(|chunk| together(drop, chunk, scatter, &task))
         .collect();
-    Ok(evaluate(case.seed, rows?.into_iter().flatten().collect()))
+    Ok(evaluate(drop, rows?.into_iter().flatten().collect()))
 }
 
 fn together(
-    case: &Case,
+    drop: &RotorDrop,
     indices: &[u64],
     scatter: &Scatter,
     task: &Work<'_>,
 ) -> Result<Vec<DropRow>, StudyError> {
-    // Short drops end before they ask for the first time.
-    if task.interrupted() {
-        return Err(StudyError::Interrupted);
-    }
-    let (cases, drawn): (Vec<Case>, Vec<Drawn>) =
-        indices.iter().map(|k| scatter.draw(case, *k)).unzip();
-    let control = |runs: usize| task.run_control(case.solver.duration_s, runs as f64);
-    let runs = run_together(&cases, |_| DropRecorder::new(), control);
-    let runs = runs.ok_or(StudyError::Interrupted)?;
-    let rows = indices.iter().zip(&cases).zip(&drawn).zip(runs);
-    rows.map(|(((index, case), drawn), run)| {
-        let (recorder, outcome) = run.map_err(|error| StudyError::Input(error.to_string()))?;
-        let result = DropResult::new(case, &recorder.summary(&outcome.state), &outcome);
-        Ok(DropRow {
-            index: *index,
-            eccentricity_phase_deg: drawn.eccentricity_phase_rad.to_degrees(),
-            bearing: BearingRow::new(&drawn.bearing, result),
-        })
+    let (drops, drawn): (Vec<RotorDrop>, Vec<Drawn>) =
+        indices.iter().map(|k| scatter.draw(drop, *k)).unzip();
+    let duration_s = drop.cases()[0].solver.duration_s;
+    let control = |drops: usize| task.run_control(duration_s, drops as f64);
+    let runs = run_drops(&drops, control).ok_or(StudyError::Interrupted)?;
+    let rows = indices.iter().zip(&drawn).zip(runs);
+    rows.map(|((index, drawn), run)| {
+        let run = run.map_err(|error| StudyError::Input(error.to_string()))?;
+        Ok(DropRow::new(*index, drop, drawn, run))
     })
     .collect()
 }
 
-impl Record for DropRecorder {
-    fn observers<'s>(&'s mut self, _: &'s Case) -> Vec<Box<dyn Observer + 's>> {
-        vec![Box::new(self)]
+impl DropRow {
+    fn new(index: u64, drop: &RotorDrop, drawn: &Drawn, run: DropRun) -> Self {
+        let unbalance_deg = drawn.unbalance_rad.map(f64::to_degrees);
+        let bearings = drawn.bearings.iter().zip(run.bearings);
+        let bearings = bearings.map(|(drawn, result)| BearingRow::new(drawn, result));
+        Self {
+            index,
+            bearings: Bearings::new(drop, bearings),
+            rotor: match run.rotor {
+                None => RotorRow::Case {
+                    eccentricity_phase_deg: unbalance_deg,
+                },
+                Some(rotor) => RotorRow::Linear {
+                    unbalance_turn_deg: unbalance_deg,
+                    rotor_energy_residual_relative: rotor.energy_residual_relative,
+                    stopped: run.stopped,
+                },
+            },
+        }
+    }
+
+    /// Reason why the drop stopped early, if it did.
+    fn stopped(&self) -> Option<&String> {
+        match &self.rotor {
+            RotorRow::Case { .. } => self.bearings[0].result.stopped.as_ref(),
+            RotorRow::Linear { stopped, .. } => stopped.as_ref(),
+        }
+    }
+
+    /// Whether the rotor ends in backward whirl in any of its bearings.
+    fn whirls_backward(&self) -> bool {
+        let mut results = self.bearings.iter().map(|bearing| &bearing.result);
+        results.any(whirls_backward)
     }
 }
 
-fn evaluate(seed: u64, drops: Vec<DropRow>) -> EnsembleResult {
-    let results = || drops.iter().map(|drop| &drop.bearing.result);
-    let complete: Vec<&DropResult> = results().filter(|r| r.stopped.is_none()).collect();
-    EnsembleResult {
-        seed,
+fn evaluate(drop: &RotorDrop, drops: Vec<DropRow>) -> Ensemble {
+    let complete: Vec<&DropRow> = drops.iter().filter(|d| d.stopped().is_none()).collect();
+    let whirls = complete.iter().filter(|d| d.whirls_backward()).count();
+    let of_bearing = |k: usize| {
+        let results: Vec<&DropResult> = complete.iter().map(|d| &d.bearings[k].result).collect();
+        Distribution::new(&results)
+    };
+    let whirl = || WhirlProbability::new(whirls, complete.len());
+    Ensemble {
+        seed: drop.cases()[0].seed,
         completed: complete.len(),
-        stopped: results().filter_map(|r| r.stopped.clone()).collect(),
-        distribution: Distribution::new(&complete),
+        stopped: drops.iter().filter_map(|d| d.stopped().cloned()).collect(),
+        in_any_bearing: drop.rotor().map(|_| whirl()),
+        bearings: Bearings::new(drop, (0..drop.cases().len()).map(of_bearing)),
         drops,
+    }
+}
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use cageless_io::rotor_file::RotorFile;
+    use cageless_results::{Cell, DROP, DropJudgement, Results};
+
+    use super::*;
+
+    fn bearing(state: &str, force: f64) -> BearingRow {
+        let results = [
+            ("end_state", Cell::Text(state.to_owned())),
+            ("rotor_force_max_n", Cell::Number(force)),
+        ];
+        BearingRow {
+            rotor_friction: 0.1,
+            ball_friction: 0.1,
+            radial_clearance_um: 200.0,
+            support_damping_n_s_m: None,
+            result: DropResult {
+                results: Results::only(DROP, &results),
+                judgement: DropJudgement::default(),
+                stopped: None,
+                windows: vec![],
+            },
+        }
+    }
+
+    fn row(bearings: Vec<BearingRow>, stopped: Option<&str>) -> DropRow {
+        DropRow {
+            index: 0,
+            rotor: RotorRow::Linear {
+                unbalance_turn_deg: None,
+                rotor_energy_residual_relative: 0.0,
+                stopped: stopped.map(str::to_owned),
+            },
+            bearings: Bearings::Rotor { bearings },
+        }
+    }
+
+    #[test]
+    fn a_whirl_in_any_bearing_counts_once_and_a_drop_that_stopped_not_at_all() {
+        let (whirl, bounce) = ("backward-whirl", "bouncing");
+        let drops = vec![
+            row(vec![bearing(whirl, 1.0), bearing(whirl, 5.0)], None),
+            row(vec![bearing(bounce, 3.0), bearing(whirl, 4.0)], None),
+            row(vec![bearing(bounce, 2.0), bearing(bounce, 6.0)], None),
+            row(vec![bearing(bounce, 2.5), bearing(bounce, 7.0)], None),
+            row(
+                vec![bearing(whirl, 9.0), bearing(whirl, 9.0)],
+                Some("in bearing 1 at t = 0.1 s"),
+            ),
+        ];
+        let path = concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/../../cases/rotors/two-bearings.toml"
+        );
+        let file = RotorFile::read(Path::new(path), &["seed=3".to_owned()]).unwrap();
+        let many = evaluate(file.drop(), drops);
+        assert_eq!((many.seed, many.completed), (3, 4));
+        assert_eq!(many.stopped, ["in bearing 1 at t = 0.1 s"]);
+        assert_eq!(many.in_any_bearing.unwrap().fraction, Some(0.5));
+        let fractions = [0, 1].map(|k: usize| many.bearings[k].backward_whirl.fraction);
+        assert_eq!(fractions, [Some(0.25), Some(0.5)]);
+        let most = |k: usize| many.bearings[k].quantiles[0].most;
+        assert_eq!([most(0), most(1)], [3.0, 7.0]);
+        // Wilson 1927: 2 of 4.
+        let [low, high] = many.in_any_bearing.unwrap().interval.unwrap();
+        assert!((low - 0.150).abs() < 1e-3 && (high - 0.850).abs() < 1e-3);
     }
 }

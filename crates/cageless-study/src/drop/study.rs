@@ -1,15 +1,15 @@
 //! A drop with what is shown beside it.
 
 use cageless::Case;
-use cageless::simulation::Ending;
+use cageless::simulation::{Ending, RotorDrop};
 use cageless::touchdown::Scatter;
-use cageless_io::case_file::{CaseDocument, CaseFile};
-use cageless_io::results::{SCHEMA, VERSION};
+use cageless_io::case_file::missing_rotor;
+use cageless_io::plan_file::VariantFile;
+use cageless_results::number_text::short;
 use cageless_results::{DropResult, Record};
-use serde::Serialize;
 
 use super::verification::verify;
-use super::{DropRecord, EnsembleResult, check_drops, check_rotor, drop_rotor, ensemble};
+use super::{BearingRecord, DropRecord, Ensemble, check_drops, ensemble};
 use crate::StudyError;
 use crate::progress::Progress;
 use crate::run::{Rows, RunError};
@@ -27,32 +27,33 @@ pub struct DropRequest {
 }
 
 impl DropRequest {
-    /// Checks that the drop of a case can be studied; `name` is what messages call the case.
+    /// The drop of a file, which can be studied; `name` is what messages call the file.
     ///
     /// # Errors
     /// The case has no rotor, or the number of drops is impossible.
-    pub fn check(&self, file: &CaseFile, name: &str) -> Result<(), StudyError> {
-        check_rotor(file.case(), name)?;
-        self.check_samples()
-    }
-
-    /// Checks the number of drops.
-    ///
-    /// # Errors
-    /// It is impossible.
-    pub fn check_samples(&self) -> Result<(), StudyError> {
-        self.samples.map_or(Ok(()), check_drops)
+    pub fn check(&self, file: &VariantFile, name: &str) -> Result<RotorDrop, StudyError> {
+        let missing = || {
+            StudyError::Input(format!(
+                "{name}: {}; `cageless run` computes a bearing at speed",
+                missing_rotor()
+            ))
+        };
+        let drop = file.drop().ok_or_else(missing)?;
+        self.samples.map_or(Ok(()), check_drops)?;
+        Ok(drop)
     }
 }
 
 /// A drop with what is shown beside it.
-pub struct Study<D, E> {
+pub struct DropStudy {
     /// The drop.
-    pub drop: D,
-    /// The drop of the same rotor onto conventional outer rings.
-    pub conventional: Option<D>,
+    pub drop: RotorDrop,
+    /// Its record.
+    pub record: DropRecord,
+    /// The record of the drop of the same rotor onto conventional outer rings.
+    pub conventional: Option<DropRecord>,
     /// Scattered drops.
-    pub ensemble: Option<E>,
+    pub ensemble: Option<Ensemble>,
     /// Verification of the drop.
     pub verification: Option<Record>,
     /// What the numbers do not show, and what no bearing stands; what was asked for and could not be
@@ -62,129 +63,61 @@ pub struct Study<D, E> {
     pub interrupted: bool,
 }
 
-/// A drop onto one bearing with what is shown beside it.
-pub type DropStudy = Study<DropRecord, EnsembleResult>;
-
-/// A drop that has ended.
-pub trait Ended {
-    /// How it ended.
-    fn ending(&self) -> &Ending;
-}
-
-impl Ended for DropRecord {
-    fn ending(&self) -> &Ending {
-        &self.outcome.ending
-    }
-}
-
-/// What is dropped: a rotor with its bearing, or with several.
-pub(super) trait Subject {
-    /// A drop of it.
-    type Drop: Ended;
-    /// Scattered drops of it.
-    type Ensemble;
-
-    /// Warnings of a drop of it.
-    fn warnings(&self, drop: &Self::Drop) -> Vec<String>;
-
-    /// Warnings of the worst of scattered drops of it.
-    fn scattered_warnings(&self, ensemble: &Self::Ensemble) -> Vec<String>;
-
-    /// Drops it onto conventional outer rings.
-    fn drop_conventional(&self, progress: &dyn Progress) -> Result<Self::Drop, RunError>;
-
-    /// Drops it `count` times under conditions that scatter.
-    fn scattered(&self, count: u64, progress: &dyn Progress) -> Result<Self::Ensemble, StudyError>;
-
-    /// Verifies a drop.
-    fn verified(&self, drop: &Self::Drop, progress: &dyn Progress) -> Result<Record, StudyError>;
-}
-
-/// Study of a subject.
-pub(super) type StudyOf<S> = Study<<S as Subject>::Drop, <S as Subject>::Ensemble>;
-
-impl Subject for Case {
-    type Drop = DropRecord;
-    type Ensemble = EnsembleResult;
-
-    fn warnings(&self, drop: &DropRecord) -> Vec<String> {
-        of_drop(self, &drop.result)
-    }
-
-    fn scattered_warnings(&self, ensemble: &EnsembleResult) -> Vec<String> {
-        let drops = ensemble.drops.iter();
-        of_scattered(self, drops.map(|drop| (drop.index, &drop.bearing.result)))
-    }
-
-    fn drop_conventional(&self, progress: &dyn Progress) -> Result<DropRecord, RunError> {
-        drop_rotor(&self.conventional(), None, progress)
-    }
-
-    fn scattered(&self, count: u64, progress: &dyn Progress) -> Result<EnsembleResult, StudyError> {
-        ensemble(self, count, &Scatter::default(), progress)
-    }
-
-    fn verified(&self, drop: &DropRecord, progress: &dyn Progress) -> Result<Record, StudyError> {
-        verify(self, &drop.result, progress)
-    }
-}
-
-/// Drops the rotor of a case, and whatever else is asked for. What there is when the progress
-/// cancels is kept; a drop that does not complete has nothing beside it.
+/// Drops a rotor, and computes whatever else is asked for; `rows` has a store for each bearing, or
+/// none. What there is when the progress cancels is kept; a drop that does not complete has nothing
+/// beside it.
 ///
 /// # Errors
-/// The case cannot start, or its rows could not be stored.
-pub fn study(
-    file: &CaseFile,
+/// A bearing cannot start, or its rows could not be stored.
+pub fn study<'r>(
+    drop: RotorDrop,
     request: DropRequest,
-    rows: Option<&mut (dyn Rows + Send)>,
+    rows: Vec<Option<&'r mut (dyn Rows + Send + 'r)>>,
     progress: &dyn Progress,
 ) -> Result<DropStudy, RunError> {
-    let drop = drop_rotor(file.case(), rows, progress)?;
-    beside(file.case(), drop, request, progress)
-}
-
-/// Computes what is asked for beside a drop.
-pub(super) fn beside<S: Subject>(
-    subject: &S,
-    drop: S::Drop,
-    request: DropRequest,
-    progress: &dyn Progress,
-) -> Result<StudyOf<S>, RunError> {
-    let mut study = StudyOf::<S>::new(drop);
-    study.warnings = subject.warnings(&study.drop);
-    if !matches!(study.drop.ending(), Ending::Complete) {
+    let record = DropRecord::of(&drop, rows, progress)?;
+    let mut study = DropStudy::new(drop, record);
+    if !matches!(study.record.ending(), Ending::Complete) {
         return Ok(study);
     }
     if request.compare {
-        let other = subject.drop_conventional(progress)?;
+        let drop = study.drop.conventional();
+        let none = drop.cases().iter().map(|_| None).collect();
+        let other = DropRecord::of(&drop, none, progress)?;
         study.interrupted = matches!(other.ending(), Ending::Interrupted);
         study.conventional = Some(other);
     }
     if let (Some(count), false) = (request.samples, study.interrupted) {
-        let done = subject.scattered(count, progress);
+        let done = ensemble(&study.drop, count, &Scatter::default(), progress);
         study.ensemble = study.keep("the scattered drops", done);
         if let Some(ensemble) = &study.ensemble {
-            study.warnings.extend(subject.scattered_warnings(ensemble));
+            let warnings = scattered_warnings(&study.drop, ensemble);
+            study.warnings.extend(warnings);
         }
     }
     if request.verify && !study.interrupted {
-        let done = subject.verified(&study.drop, progress);
+        let done = verify(&study.drop, &study.record, progress);
         study.verification = study.keep("the verification", done);
     }
     Ok(study)
 }
 
-impl<D: Ended, E> Study<D, E> {
+impl DropStudy {
     /// A drop with nothing beside it.
-    pub fn new(drop: D) -> Self {
+    fn new(drop: RotorDrop, record: DropRecord) -> Self {
+        let mut warnings = unloaded(&drop);
+        for (k, (case, bearing)) in drop.cases().iter().zip(&record.bearings).enumerate() {
+            let own = of_drop(case, &bearing.result).into_iter();
+            warnings.extend(own.map(|text| in_bearing(&drop, k, &text)));
+        }
         Self {
-            interrupted: matches!(drop.ending(), Ending::Interrupted),
+            interrupted: matches!(record.ending(), Ending::Interrupted),
             drop,
+            record,
             conventional: None,
             ensemble: None,
             verification: None,
-            warnings: vec![],
+            warnings,
         }
     }
 
@@ -199,51 +132,79 @@ impl<D: Ended, E> Study<D, E> {
             }
         }
     }
-}
 
-impl DropStudy {
-    /// The drop onto one bearing, whose case is `case`, of a rotor in several.
-    pub fn of_bearing(case: &Case, drop: DropRecord) -> Self {
-        Self {
-            warnings: of_drop(case, &drop.result),
-            ..Self::new(drop)
-        }
-    }
-
-    /// `summary.json` of the study of `file`.
-    ///
-    /// # Errors
-    /// None that its fields can cause; those of the JSON writer are passed on.
-    pub fn to_json(&self, file: &CaseFile) -> Result<String, serde_json::Error> {
-        let summary = Summary {
-            schema: SCHEMA,
-            version: VERSION,
-            isa: self.drop.outcome.instruction_set.name(),
-            case: file.document_as_run(),
-            drop: &self.drop.result,
-            conventional: self.conventional.as_ref().map(|other| &other.result),
-            ensemble: self.ensemble.as_ref(),
-            verification: self.verification.as_ref(),
-            warnings: &self.warnings,
+    /// Names and records of the bearings, those with conventional outer rings last, each with its
+    /// case: `own` and `conventional` in the only bearing of a case, those below a linear rotor by
+    /// their numbers.
+    pub fn columns(&self, own: &str, conventional: &str) -> Vec<(String, Case, &BearingRecord)> {
+        let named = |k: usize, alone: &str, note: &str| match self.drop.rotor() {
+            None => alone.to_owned(),
+            Some(_) => format!("bearing {}{note}", k + 1),
         };
-        serde_json::to_string_pretty(&summary).map(|json| json + "\n")
+        let cases = || self.drop.cases().iter().enumerate();
+        let bearings = cases().zip(&self.record.bearings);
+        let bearings = bearings.map(|((k, case), b)| (named(k, own, ""), case.clone(), b));
+        let others = self.conventional.iter().flat_map(|record| &record.bearings);
+        let others = cases().zip(others).map(|((k, case), b)| {
+            let name = named(k, conventional, ", conventional");
+            (name, case.conventional(), b)
+        });
+        bearings.chain(others).collect()
+    }
+
+    /// Names and results of the bearings as [`Self::columns`].
+    pub fn results(&self, own: &str, conventional: &str) -> Vec<(String, &DropResult)> {
+        let columns = self.columns(own, conventional).into_iter();
+        columns.map(|(name, _, b)| (name, &b.result)).collect()
     }
 }
 
-/// `summary.json` of a drop.
-#[derive(Serialize)]
-struct Summary<'a> {
-    schema: u64,
-    version: &'static str,
-    isa: &'static str,
-    case: CaseDocument,
-    #[serde(flatten)]
-    drop: &'a DropResult,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    conventional: Option<&'a DropResult>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    ensemble: Option<&'a EnsembleResult>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    verification: Option<&'a Record>,
-    warnings: &'a [String],
+/// Warnings of the worst of scattered drops.
+fn scattered_warnings(drop: &RotorDrop, ensemble: &Ensemble) -> Vec<String> {
+    let of_bearing = |(k, case): (usize, &Case)| {
+        let drops = ensemble.drops.iter();
+        let drops = drops.map(|row| (row.index, &row.bearings[k].result));
+        let own = of_scattered(case, drops).into_iter();
+        own.map(|text| in_bearing(drop, k, &text))
+            .collect::<Vec<_>>()
+    };
+    drop.cases()
+        .iter()
+        .enumerate()
+        .flat_map(of_bearing)
+        .collect()
+}
+
+/// A text on a bearing, below a linear rotor with its number.
+fn in_bearing(drop: &RotorDrop, k: usize, text: &str) -> String {
+    match drop.rotor() {
+        None => text.to_owned(),
+        Some(_) => format!("bearing {}: {text}", k + 1),
+    }
+}
+
+/// Warnings of bearings that carry nothing of a linear rotor at rest, or hold it down.
+pub fn unloaded(drop: &RotorDrop) -> Vec<String> {
+    let Some(rotor) = drop.rotor() else {
+        return vec![];
+    };
+    let shares = rotor.mass_shares_kg().into_iter();
+    let shares = shares.zip(drop.carried_n()).enumerate();
+    let unloaded = shares.filter(|(_, (_, carried_n))| carried_n.is_none());
+    unloaded
+        .map(|(k, (share_kg, _))| {
+            let what = match share_kg < -1e-9 * rotor.mass_kg() {
+                true => format!(
+                    "the rotor pulls it upwards, with {} kg: the mass centre is not between the \
+                     bearings, and the rotor tips over at rest",
+                    short(-share_kg)
+                ),
+                false => "it carries nothing of the rotor at rest: the mass centre is at another \
+                          bearing"
+                    .to_owned(),
+            };
+            let text = format!("{what}; its forces have no weight to be compared with");
+            in_bearing(drop, k, &text)
+        })
+        .collect()
 }

@@ -1,47 +1,62 @@
 //! Verification of a drop: which of its results are converged.
 
-use cageless::Case;
-use cageless::simulation::Ending;
-use cageless::touchdown::DropRecorder;
-use cageless::verification::{
-    LARGE_PERTURBATIONS, Perturbation, Replica, Role, judge, replicas, z_limit,
+use cageless::simulation::RotorDrop;
+use cageless::verification::{LARGE_PERTURBATIONS, Perturbation, Role, judge, z_limit};
+use cageless_results::{
+    DropResult, DropRun, Kind, Part, ROTOR_VERIFICATION, Record, Results, Subject, VerifiedDrop,
 };
 use rayon::prelude::*;
 
+use super::DropRecord;
+use super::side_by_side::{run_drops, worth_together};
 use crate::StudyError;
 use crate::progress::{Progress, Work};
-use crate::together::run_together;
-use cageless_results::{DropResult, Kind, Record, VerifiedDrop};
 
-/// Name of the task.
-pub(super) const TASK: &str = "verify";
 /// Results that are no results of the drop.
 const LEFT_OUT: [&str; 2] = ["energy_residual_relative", "simulated_s"];
 
-/// Verifies the drop of `case` that gave `result` by drops from perturbed starts and at half the step.
+/// Verifies the drop that gave `done` by drops from perturbed starts and at half the step, judged for
+/// each bearing; the balls of all bearings are turned by one angle.
 ///
 /// # Errors
 /// A replica stopped, or the progress cancelled.
 pub(super) fn verify(
-    case: &Case,
-    result: &DropResult,
+    drop: &RotorDrop,
+    done: &DropRecord,
     progress: &dyn Progress,
 ) -> Result<Record, StudyError> {
-    let all = replicas(case, LARGE_PERTURBATIONS);
-    let task = progress.begin(TASK, all[1..].iter().map(|r| work(r.role)).sum());
-    let (full, half): (Vec<&Replica>, Vec<&Replica>) =
-        all[1..].iter().partition(|r| !r.role.half_step);
-    let groups: Result<Vec<_>, StudyError> = [half, full]
-        .into_par_iter()
-        .map(|group| together(&group, &task))
+    let case = &drop.cases()[0];
+    let roles = Role::all(case.seed, LARGE_PERTURBATIONS);
+    let task = progress.begin("verify", roles[1..].iter().map(work).sum());
+    let (full, half): (Vec<Role>, Vec<Role>) = roles[1..].iter().partition(|r| !r.half_step);
+    let together = worth_together(drop);
+    let groups: Result<Vec<_>, StudyError> = (half.par_chunks(together))
+        .chain(full.par_chunks(together))
+        .map(|group| replicas(drop, group, &task))
         .collect();
-    let mut drops = vec![(all[0].role, result.clone())];
-    drops.extend(groups?.into_iter().flatten());
-    Ok(judged(case.solver.step_s, &drops))
+    let replicas: Vec<(Role, DropRun)> = groups?.into_iter().flatten().collect();
+    let of_bearing = |k: usize| {
+        let first = (roles[0], &done.bearings[k].result);
+        let others = replicas.iter().map(|(role, r)| (*role, &r.bearings[k]));
+        let drops: Vec<_> = std::iter::once(first).chain(others).collect();
+        judged(case.solver.step_s, &drops)
+    };
+    let Some(rotor) = &done.rotor else {
+        return Ok(of_bearing(0));
+    };
+    let halved = replicas.iter().find(|(role, _)| role.half_step);
+    let halved = halved.and_then(|(_, run)| run.rotor.as_ref());
+    let residuals = [
+        rotor.energy_residual_relative,
+        halved.map_or(f64::NAN, |rotor| rotor.energy_residual_relative),
+    ];
+    let residuals = Results::of(ROTOR_VERIFICATION, Subject::RotorVerified(&residuals));
+    let bearings = (0..done.bearings.len()).map(of_bearing).collect();
+    Ok(Record::from(residuals).with_part("bearings", Part::Many(bearings)))
 }
 
-/// Judges the results of the drop at a step and of its replicas, in the order of the roles.
-pub(super) fn judged(step_s: f64, drops: &[(Role, DropResult)]) -> Record {
+/// Judges the results of a bearing in the drop and in its replicas.
+fn judged(step_s: f64, drops: &[(Role, &DropResult)]) -> Record {
     let quantities = drops[0].1.results.iter().map(|(quantity, _)| quantity);
     let judgements = quantities
         .filter(|q| matches!(q.kind, Kind::Number | Kind::Integer))
@@ -73,28 +88,26 @@ pub(super) fn judged(step_s: f64, drops: &[(Role, DropResult)]) -> Record {
 }
 
 /// Work of a replica, that of the drop being 1.
-pub(super) fn work(role: Role) -> f64 {
+fn work(role: &Role) -> f64 {
     if role.half_step { 2.0 } else { 1.0 }
 }
 
-/// The reason why there is no verification where a replica stopped.
-pub(super) fn replica_stopped(role: Role, reason: &str) -> StudyError {
-    StudyError::Input(format!("{role} stopped {reason}"))
-}
-
-fn together(group: &[&Replica], task: &Work<'_>) -> Result<Vec<(Role, DropResult)>, StudyError> {
-    let cases: Vec<Case> = group.iter().map(|replica| replica.case.clone()).collect();
-    let units = work(group[0].role);
-    let control = |runs: usize| task.run_control(cases[0].solver.duration_s, units * runs as f64);
-    let runs = run_together(&cases, |_| DropRecorder::new(), control);
-    let runs = group.iter().zip(runs.ok_or(StudyError::Interrupted)?);
-    runs.map(|(replica, run)| {
-        let (recorder, outcome) = run.map_err(|error| StudyError::Input(error.to_string()))?;
-        if let Ending::Stopped(stop) = &outcome.ending {
-            return Err(replica_stopped(replica.role, &stop.reason()));
+/// Replicas of a drop at one step.
+fn replicas(
+    drop: &RotorDrop,
+    roles: &[Role],
+    task: &Work<'_>,
+) -> Result<Vec<(Role, DropRun)>, StudyError> {
+    let drops: Vec<RotorDrop> = roles.iter().map(|role| drop.replica(*role)).collect();
+    let (units, duration_s) = (work(&roles[0]), drop.cases()[0].solver.duration_s);
+    let control = |runs: usize| task.run_control(duration_s, units * runs as f64);
+    let runs = run_drops(&drops, control).ok_or(StudyError::Interrupted)?;
+    let replicas = roles.iter().zip(runs).map(|(role, run)| {
+        let run = run.map_err(|error| StudyError::Input(error.to_string()))?;
+        match &run.stopped {
+            Some(reason) => Err(StudyError::Input(format!("{role} stopped {reason}"))),
+            None => Ok((*role, run)),
         }
-        let result = DropResult::new(&replica.case, &recorder.summary(&outcome.state), &outcome);
-        Ok((replica.role, result))
-    })
-    .collect()
+    });
+    replicas.collect()
 }

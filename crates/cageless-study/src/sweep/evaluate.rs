@@ -7,12 +7,10 @@ use cageless::critical_gap::CriticalGapError;
 use cageless::design::judge;
 use cageless::equilibrium;
 use cageless::numerics::lanes::BATCH_WIDTH;
-use cageless::simulation::{Control, Ending, RunOutcome};
-use cageless::touchdown::DropRecorder;
+use cageless::simulation::{Control, Ending};
 use cageless_io::case_file::CaseError;
 use cageless_io::plan_file::{PlanFile, VariantFile};
 use cageless_io::results::{Column, ColumnKind, Row};
-use cageless_io::rotor_file::RotorFile;
 use cageless_results::Cell;
 use cageless_results::Computation;
 
@@ -20,9 +18,9 @@ use super::feasibility;
 use super::outputs::{Output, outputs};
 use super::variants::Variants;
 use crate::StudyError;
-use crate::drop::run_rotor;
-use crate::together::{Record, RunRecorder, run_together};
-use cageless_results::{FinishedDrop, Judged, Solved, Subject};
+use crate::drop::run_drops;
+use crate::together::{RunRecorder, run_together};
+use cageless_results::{DropRun, Judged, Solved, Subject};
 
 /// A plan that can be computed.
 #[derive(Debug, Clone)]
@@ -128,9 +126,8 @@ impl Sweep {
         for variant in &mut batch {
             self.alone(variant, stop)?;
         }
-        self.side_by_side(&mut batch, |_| true, RunRecorder::new, stop)?;
-        let drops = |case: &Case| case.rotor.is_some();
-        self.side_by_side(&mut batch, drops, |_| DropRecorder::new(), stop)?;
+        self.run(&mut batch, stop)?;
+        self.drop(&mut batch, stop)?;
         Some(batch.into_iter().map(Variant::row).collect())
     }
 
@@ -160,51 +157,34 @@ impl Sweep {
 
     /// What is computed of one variant after the other; `None` if cancelled.
     fn alone(&self, variant: &mut Variant<'_>, stop: Cancellation<'_>) -> Option<()> {
-        let found = &mut variant.found;
-        match &variant.file {
-            None => {}
-            Some(VariantFile::Case(file)) => {
-                let case = file.case();
-                if self.wants(Computation::Static) {
-                    match equilibrium::solve(case) {
-                        Ok(solved) => found.fill(Subject::Static(&Solved::new(case, &solved))),
-                        Err(error) => found.failed(Computation::Static, &error),
-                    }
-                }
-                found.fill(Subject::Design(case));
-                if stop().is_break() {
-                    return None;
-                }
-                if self.wants(Computation::Verdict) {
-                    found.judge(case, stop)?;
-                }
+        let Variant {
+            file: Some(VariantFile::Case(file)),
+            found,
+            ..
+        } = variant
+        else {
+            return Some(());
+        };
+        let case = file.case();
+        if self.wants(Computation::Static) {
+            match equilibrium::solve(case) {
+                Ok(solved) => found.fill(Subject::Static(&Solved::new(case, &solved))),
+                Err(error) => found.failed(Computation::Static, &error),
             }
-            Some(VariantFile::Rotor(file)) if self.wants(Computation::Drop) => {
-                match run_rotor(RotorFile::drop(file), &mut |_| stop()) {
-                    Ok(run) => match &run.stopped {
-                        Some(reason) => found.failed(Computation::Drop, reason),
-                        None => {
-                            found.cells = self.outputs.iter().map(|o| o.of_rotor(&run)).collect()
-                        }
-                    },
-                    Err(StudyError::Interrupted) => return None,
-                    Err(error) => found.failed(Computation::Drop, &error),
-                }
-            }
-            Some(VariantFile::Rotor(_)) => {}
         }
-        Some(())
+        found.fill(Subject::Design(case));
+        if stop().is_break() {
+            return None;
+        }
+        match self.wants(Computation::Verdict) {
+            true => found.judge(case, stop),
+            false => Some(()),
+        }
     }
 
-    /// Runs the variants whose case can be `run`, side by side; `None` if cancelled.
-    fn side_by_side<R: Recorder>(
-        &self,
-        batch: &mut [Variant<'_>],
-        run: impl Fn(&Case) -> bool,
-        record: impl Fn(&Case) -> R,
-        stop: Cancellation<'_>,
-    ) -> Option<()> {
-        if !self.wants(R::COMPUTATION) {
+    /// Runs the cases; `None` if cancelled.
+    fn run(&self, batch: &mut [Variant<'_>], stop: Cancellation<'_>) -> Option<()> {
+        if !self.wants(Computation::Run) {
             return Some(());
         }
         let of_case = |variant| match variant {
@@ -212,18 +192,41 @@ impl Sweep {
                 file: Some(VariantFile::Case(ref file)),
                 ref mut found,
                 ..
-            } if run(file.case()) => Some((found, file.case().clone())),
+            } => Some((found, file.case().clone())),
             _ => None,
         };
         let (found, cases): (Vec<_>, Vec<Case>) = batch.iter_mut().filter_map(of_case).unzip();
-        let runs = run_together(&cases, record, |_| Box::new(move |_| stop()))?;
+        let runs = run_together(&cases, RunRecorder::new, |_| Box::new(move |_| stop()))?;
         for ((found, case), run) in found.into_iter().zip(&cases).zip(runs) {
             match run {
                 Ok((recorder, outcome)) => match &outcome.ending {
-                    Ending::Stopped(stop) => found.failed(R::COMPUTATION, &stop.reason()),
-                    _ => recorder.results(case, &outcome, &mut |subject| found.fill(subject)),
+                    Ending::Stopped(stop) => found.failed(Computation::Run, &stop.reason()),
+                    _ => recorder.finished(case, &outcome, |run| found.fill(Subject::Run(run))),
                 },
-                Err(error) => found.failed(R::COMPUTATION, &error),
+                Err(error) => found.failed(Computation::Run, &error),
+            }
+        }
+        Some(())
+    }
+
+    /// Drops the rotors; `None` if cancelled.
+    fn drop(&self, batch: &mut [Variant<'_>], stop: Cancellation<'_>) -> Option<()> {
+        if !self.wants(Computation::Drop) {
+            return Some(());
+        }
+        let dropped = batch.iter_mut().filter_map(|variant| {
+            let drop = variant.file.as_ref()?.drop()?;
+            Some((&mut variant.found, drop))
+        });
+        let (found, drops): (Vec<_>, Vec<_>) = dropped.unzip();
+        let runs = run_drops(&drops, |_| Box::new(move |_| stop()))?;
+        for (found, run) in found.into_iter().zip(runs) {
+            match run {
+                Ok(run) => match &run.stopped {
+                    Some(reason) => found.failed(Computation::Drop, reason),
+                    None => found.fill_drop(&run),
+                },
+                Err(error) => found.failed(Computation::Drop, &error),
             }
         }
         Some(())
@@ -235,35 +238,6 @@ fn spec(name: &'static str, kind: ColumnKind) -> Column {
         name: name.into(),
         unit: "".into(),
         kind,
-    }
-}
-
-/// Records what the results of a computation need.
-trait Recorder: Record {
-    const COMPUTATION: Computation;
-
-    /// Gives the results of the run of `case` to `fill`.
-    fn results(self, case: &Case, outcome: &RunOutcome, fill: &mut dyn FnMut(Subject<'_>));
-}
-
-impl Recorder for RunRecorder {
-    const COMPUTATION: Computation = Computation::Run;
-
-    fn results(self, case: &Case, outcome: &RunOutcome, fill: &mut dyn FnMut(Subject<'_>)) {
-        self.finished(case, outcome, |run| fill(Subject::Run(run)));
-    }
-}
-
-impl Recorder for DropRecorder {
-    const COMPUTATION: Computation = Computation::Drop;
-
-    fn results(self, case: &Case, outcome: &RunOutcome, fill: &mut dyn FnMut(Subject<'_>)) {
-        let summary = &self.summary(&outcome.state);
-        fill(Subject::Drop(&FinishedDrop {
-            case,
-            summary,
-            outcome,
-        }));
     }
 }
 
@@ -289,6 +263,14 @@ impl Found<'_> {
             if let Some(found) = output.quantity.of(subject) {
                 *cell = found;
             }
+        }
+    }
+
+    fn fill_drop(&mut self, run: &DropRun) {
+        let of_drop = |output: &Output| output.quantity.computation() == Computation::Drop;
+        let cells = self.cells.iter_mut().zip(self.outputs);
+        for (cell, output) in cells.filter(|(_, output)| of_drop(output)) {
+            *cell = output.of_drop(run);
         }
     }
 

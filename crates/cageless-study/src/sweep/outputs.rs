@@ -5,7 +5,7 @@ use cageless_io::plan_file::{PlanFile, VariantFile};
 use cageless_io::results::{Column, ColumnKind};
 use cageless_results::Cell;
 
-use cageless_results::{Kind, Quantity, RotorRun, quantities};
+use cageless_results::{DropRun, Kind, Quantity, quantities};
 
 /// A column of results.
 #[derive(Debug, Clone, Copy)]
@@ -38,8 +38,8 @@ impl Output {
         }
     }
 
-    /// Value in a drop of a rotor.
-    pub(crate) fn of_rotor(&self, run: &RotorRun) -> Cell {
+    /// Value in a drop.
+    pub(crate) fn of_drop(&self, run: &DropRun) -> Cell {
         match self.bearing {
             None => run.value(self.quantity),
             Some(k) => {

@@ -25,5 +25,5 @@ pub use guard::{Cause, Stop};
 pub(crate) use observer::BallAngle;
 pub use observer::{Control, Observer, ObserverError, RunContext, StepView};
 pub use outcome::{Ending, RunOutcome};
-pub use rotor_drop::{RotorDrop, RotorDropOutcome};
+pub use rotor_drop::{RotorDrop, RotorDropOutcome, RotorOutcome};
 pub use run::{run, run_from};

@@ -41,3 +41,10 @@ pub struct RunOutcome {
     /// Instructions used.
     pub instruction_set: InstructionSet,
 }
+
+impl RunOutcome {
+    /// Whether the run stopped, or could not be recorded.
+    pub fn has_failed(&self) -> bool {
+        matches!(self.ending, Ending::Stopped(_) | Ending::ObserverFailed(_))
+    }
+}

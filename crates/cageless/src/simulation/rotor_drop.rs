@@ -1,8 +1,8 @@
-//! The drop of a rotor into several touchdown bearings.
+//! The drop of a rotor into its touchdown bearings.
 
 use super::observer::{Control, Observer, RunContext};
 use super::outcome::RunOutcome;
-use super::run::{Bearings, drive_from};
+use super::run::{Bearings, drive_from, run};
 use super::run_tracker::RunTracker;
 use crate::case::Case;
 use crate::dynamics::rotor_on_bearings::{PlaneDisplacement, RotorLoads, RotorOnBearings};
@@ -12,37 +12,62 @@ use crate::equilibrium::EquilibriumError;
 use crate::initial_conditions::initial_state;
 use crate::integrator::System;
 use crate::linear_rotor::{LinearRotor, RotorError};
+use crate::rotor::Rotor;
 use crate::step_limits::StepLimits;
 use crate::verification::Role;
 
-/// A rotor above several touchdown bearings, each a case of its own.
+/// A rotor above its touchdown bearings, each a case of its own: the rotor in the plane of the only
+/// bearing that a case describes, or a linear rotor.
 ///
-/// The `rotor` of each case describes the contact of journal and bore (air gap, stiffness, damping,
-/// friction) and the position and velocity of the journal when the magnets let go; its mass,
-/// inertia, unbalance, speed and drive are replaced by those of the rotor.
+/// Under a linear rotor the `rotor` of each case describes the contact of journal and bore (air gap,
+/// stiffness, damping, friction) and the position and velocity of the journal when the magnets let
+/// go; its mass, inertia, unbalance, speed and drive are replaced by those of the rotor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RotorDrop {
-    rotor: LinearRotor,
-    speed_rad_s: f64,
-    drive_torque_n_m: f64,
+    rotor: Option<LinearRotor>,
     cases: Vec<Case>,
 }
 
-/// Outcome of a drop into several bearings.
+/// Outcome of a drop.
 #[derive(Debug)]
 pub struct RotorDropOutcome {
-    /// Outcome of each bearing. The journal's work is the drive of its energy ledger.
+    /// Outcome of each bearing. Under a linear rotor the journal's work is the drive of its energy
+    /// ledger.
     pub bearings: Vec<RunOutcome>,
-    /// What the energy ledger of the rotor alone lacks, over the sum of its absolute terms.
-    pub rotor_energy_residual_relative: f64,
+    /// Outcome of the linear rotor; that of a case is in the ledger of its bearing.
+    pub rotor: Option<RotorOutcome>,
+}
+
+/// Outcome of a linear rotor.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RotorOutcome {
+    /// Energy balance error of the rotor alone, relative to the sum of the absolute terms.
+    pub energy_residual_relative: f64,
     /// Planes of the rotor with a clearance to the stator.
     pub planes: Vec<PlaneDisplacement>,
+}
+
+impl RotorDropOutcome {
+    /// Index of the bearing that ended the drop of all, if one did: it stopped, or could not be
+    /// recorded.
+    pub fn stopped_bearing(&self) -> Option<usize> {
+        self.bearings.iter().position(RunOutcome::has_failed)
+    }
 }
 
 /// Smallest share of the mean load that a bearing counts as carrying.
 const LEAST_SHARE: f64 = 1e-3;
 
 impl RotorDrop {
+    /// The drop of the rotor of a case into its bearing; `None` if it has no rotor.
+    pub fn of_case(case: &Case) -> Option<Self> {
+        case.rotor.as_ref()?;
+        Some(Self {
+            rotor: None,
+            cases: vec![case.clone()],
+        })
+    }
+
     /// The drop of `rotor`, turning at `speed_rad_s`, into the bearings of `cases`, in the order
     /// of its journals. Steps are `step_s`, or the automatic step of the method without it.
     ///
@@ -90,102 +115,58 @@ impl RotorDrop {
             journal.drive_torque_n_m = drive_torque_n_m;
             carried.push(case);
         }
-        let drop = Self {
-            rotor,
-            speed_rad_s,
-            drive_torque_n_m,
+        same(&carried, "solver.method", |case| case.solver.method)?;
+        same(&carried, "solver.duration_s", |case| case.solver.duration_s)?;
+        same(&carried, "solver.tolerance", |case| case.solver.tolerance)?;
+        same(&carried, "operation.gravity_m_s2", |case| {
+            case.operation.gravity_m_s2
+        })?;
+        let step_s = bearable_step_s(&rotor, &carried, step_s)?;
+        for case in &mut carried {
+            case.solver.step_s = step_s;
+        }
+        Ok(Self {
+            rotor: Some(rotor),
             cases: carried,
-        };
-        drop.same("solver.method", |case| case.solver.method)?;
-        drop.same("solver.duration_s", |case| case.solver.duration_s)?;
-        drop.same("solver.tolerance", |case| case.solver.tolerance)?;
-        drop.same("operation.gravity_m_s2", |case| case.operation.gravity_m_s2)?;
-        drop.with_step(step_s)
-    }
-
-    /// Checks that all cases agree in a value.
-    fn same<T: PartialEq + std::fmt::Debug>(
-        &self,
-        key: &str,
-        value: impl Fn(&Case) -> T,
-    ) -> Result<(), RotorError> {
-        let first = value(&self.cases[0]);
-        for (k, case) in self.cases.iter().enumerate().skip(1) {
-            let own = value(case);
-            if own != first {
-                return Err(RotorError::Bearings(format!(
-                    "{key} is {first:?} in the case of bearing 1 and {own:?} in that of bearing \
-                     {}: all bearings of a rotor need the same",
-                    k + 1
-                )));
-            }
-        }
-        Ok(())
-    }
-
-    fn with_step(mut self, step_s: Option<f64>) -> Result<Self, RotorError> {
-        let method = self.cases[0].solver.method;
-        let (fastest, decay) = (self.rotor.fastest_rad_s(), self.rotor.fastest_decay_1_s());
-        let limits: Vec<StepLimits> = (self.cases.iter().enumerate())
-            .map(|(k, case)| {
-                StepLimits::with_linear_rotor(case, self.rotor.effective_mass_kg(k), fastest, decay)
-            })
-            .collect();
-        let least = |step: fn(&StepLimits, crate::integrator::IntegrationMethod) -> f64| {
-            let steps = limits.iter().map(|l| step(l, method));
-            steps.fold(f64::INFINITY, f64::min)
-        };
-        let (automatic, largest) = (least(StepLimits::automatic_s), least(StepLimits::largest_s));
-        let step = step_s.unwrap_or(automatic);
-        if step > largest {
-            return Err(RotorError::Bearings(format!(
-                "a step of {} µs is beyond what rotor and bearings bear, {:.3} µs: the fastest \
-                 vibration of the rotor has {:.0} Hz, that of the contacts {:.0} Hz, and the damping \
-                 of the rotor decays at up to {:.3e} 1/s. Choose a smaller step, or leave out the \
-                 fastest modes",
-                1e6 * step,
-                1e6 * largest,
-                fastest / std::f64::consts::TAU,
-                limits
-                    .iter()
-                    .fold(0.0, |most: f64, l| most.max(l.contact_rad_s))
-                    / std::f64::consts::TAU,
-                decay,
-            )));
-        }
-        for case in &mut self.cases {
-            case.solver.step_s = step;
-        }
-        Ok(self)
+        })
     }
 
     /// Weight of the rotor that each bearing carries, N; `None` where it carries none of it, or
     /// the rotor pulls it upwards.
     pub fn carried_n(&self) -> Vec<Option<f64>> {
-        let least = LEAST_SHARE * self.rotor.mass_kg() / self.cases.len() as f64;
         let gravity = self.cases[0].operation.gravity_m_s2;
-        let shares = self.rotor.mass_shares_kg().into_iter();
+        let Some(rotor) = &self.rotor else {
+            return vec![Some(self.of_rotor(|rotor| rotor.mass_kg) * gravity)];
+        };
+        let least = LEAST_SHARE * rotor.mass_kg() / self.cases.len() as f64;
+        let shares = rotor.mass_shares_kg().into_iter();
         shares
             .map(|share| (share > least).then_some(share * gravity))
             .collect()
     }
 
-    /// The rotor.
-    pub fn rotor(&self) -> &LinearRotor {
-        &self.rotor
+    /// The linear rotor; `None` where the rotor is that of the only case.
+    pub fn rotor(&self) -> Option<&LinearRotor> {
+        self.rotor.as_ref()
     }
 
     /// Speed of the rotor at the start.
     pub fn speed_rad_s(&self) -> f64 {
-        self.speed_rad_s
+        self.of_rotor(|rotor| rotor.speed_rad_s)
     }
 
-    /// The cases of the bearings as they run: with the share of the mass of each and the step.
+    /// A value of the rotor, which all cases have.
+    fn of_rotor(&self, value: fn(&Rotor) -> f64) -> f64 {
+        self.cases[0].rotor.as_ref().map_or(0.0, value)
+    }
+
+    /// The cases of the bearings as they run: below a linear rotor with the share of the mass of
+    /// each, the speed and the drive of the rotor, and the step.
     pub fn cases(&self) -> &[Case] {
         &self.cases
     }
 
-    /// The drop of this rotor into its bearings with conventional outer rings.
+    /// This drop into its bearings with conventional outer rings.
     pub fn conventional(&self) -> Self {
         self.map_cases(Case::conventional)
     }
@@ -200,16 +181,23 @@ impl RotorDrop {
         Self {
             rotor: self.rotor.clone(),
             cases: self.cases.iter().map(change).collect(),
-            ..*self
         }
     }
 
-    /// This drop with all unbalances of the rotor turned by an angle at the start.
-    pub(crate) fn unbalances_turned(mut self, angle_rad: f64) -> Self {
-        for unbalance in &mut self.rotor.unbalances {
-            unbalance.phase += angle_rad;
+    /// Turns the unbalance of the rotor of a case to an angle at the start, all unbalances of a
+    /// linear rotor by it.
+    pub(crate) fn turn_unbalances(&mut self, angle_rad: f64) {
+        match &mut self.rotor {
+            None => {
+                let rotors = self.cases.iter_mut().filter_map(|case| case.rotor.as_mut());
+                rotors.for_each(|rotor| rotor.turn_eccentricity(angle_rad));
+            }
+            Some(rotor) => {
+                for unbalance in &mut rotor.unbalances {
+                    unbalance.phase += angle_rad;
+                }
+            }
         }
-        self
     }
 
     /// Drops the rotor. `observers` watch one bearing each; `control` is called every thousand
@@ -231,6 +219,12 @@ impl RotorDrop {
             self.cases.len(),
             "observers for each bearing"
         );
+        let Some(rotor) = &self.rotor else {
+            return Ok(RotorDropOutcome {
+                bearings: vec![run(&self.cases[0], &mut observers[0], control)?],
+                rotor: None,
+            });
+        };
         let mut starts: Vec<(State, Vec<f64>)> = vec![];
         let mut models = vec![];
         for case in &self.cases {
@@ -239,9 +233,9 @@ impl RotorDrop {
         }
         let loads = RotorLoads {
             gravity: self.cases[0].operation.gravity_m_s2,
-            drive_torque: self.drive_torque_n_m,
+            drive_torque: self.of_rotor(|rotor| rotor.drive_torque_n_m),
         };
-        let mut system = RotorOnBearings::new(&self.rotor, loads, &models);
+        let mut system = RotorOnBearings::new(rotor, loads, &models);
         let mut start = vec![0.0; system.dimension()];
         let [mut places, mut velocities] = [vec![], vec![]];
         for (k, (case, (state, _))) in self.cases.iter().zip(&starts).enumerate() {
@@ -252,7 +246,7 @@ impl RotorDrop {
                 velocities.extend([journal.vx_m_s, journal.vy_m_s]);
             }
         }
-        system.set_rotor(&mut start, &places, &velocities, self.speed_rad_s);
+        system.set_rotor(&mut start, &places, &velocities, self.speed_rad_s());
         let states: Vec<State> = (0..models.len())
             .map(|k| State::from_vector(system.layout(k), &start))
             .collect();
@@ -275,10 +269,70 @@ impl RotorDrop {
         let (residual, flows) = system.rotor_residual_j(start_energy, &end);
         Ok(RotorDropOutcome {
             bearings: trackers.into_iter().map(RunTracker::outcome).collect(),
-            rotor_energy_residual_relative: if flows > 0.0 { residual / flows } else { 0.0 },
-            planes: system.planes(),
+            rotor: Some(RotorOutcome {
+                energy_residual_relative: if flows > 0.0 { residual / flows } else { 0.0 },
+                planes: system.planes(),
+            }),
         })
     }
+}
+
+/// Checks that all cases agree in a value.
+fn same<T: PartialEq + std::fmt::Debug>(
+    cases: &[Case],
+    key: &str,
+    value: impl Fn(&Case) -> T,
+) -> Result<(), RotorError> {
+    let first = value(&cases[0]);
+    for (k, case) in cases.iter().enumerate().skip(1) {
+        let own = value(case);
+        if own != first {
+            return Err(RotorError::Bearings(format!(
+                "{key} is {first:?} in the case of bearing 1 and {own:?} in that of bearing \
+                 {}: all bearings of a rotor need the same",
+                k + 1
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// `step_s`, or the automatic step of the method without it.
+fn bearable_step_s(
+    rotor: &LinearRotor,
+    cases: &[Case],
+    step_s: Option<f64>,
+) -> Result<f64, RotorError> {
+    let method = cases[0].solver.method;
+    let (fastest, decay) = (rotor.fastest_rad_s(), rotor.fastest_decay_1_s());
+    let limits: Vec<StepLimits> = (cases.iter().enumerate())
+        .map(|(k, case)| {
+            StepLimits::with_linear_rotor(case, rotor.effective_mass_kg(k), fastest, decay)
+        })
+        .collect();
+    let least = |step: fn(&StepLimits, crate::integrator::IntegrationMethod) -> f64| {
+        let steps = limits.iter().map(|l| step(l, method));
+        steps.fold(f64::INFINITY, f64::min)
+    };
+    let (automatic, largest) = (least(StepLimits::automatic_s), least(StepLimits::largest_s));
+    let step = step_s.unwrap_or(automatic);
+    if step > largest {
+        return Err(RotorError::Bearings(format!(
+            "a step of {} µs is beyond what rotor and bearings bear, {:.3} µs: the fastest \
+             vibration of the rotor has {:.0} Hz, that of the contacts {:.0} Hz, and the damping \
+             of the rotor decays at up to {:.3e} 1/s. Choose a smaller step, or leave out the \
+             fastest modes",
+            1e6 * step,
+            1e6 * largest,
+            fastest / std::f64::consts::TAU,
+            limits
+                .iter()
+                .fold(0.0, |most: f64, l| most.max(l.contact_rad_s))
+                / std::f64::consts::TAU,
+            decay,
+        )));
+    }
+    Ok(step)
 }
 
 impl Bearings for RotorOnBearings<'_> {

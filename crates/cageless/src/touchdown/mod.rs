@@ -23,5 +23,5 @@ mod whirl;
 
 pub use end_state::EndState;
 pub use recorder::{DropRecorder, DropSummary, InterfaceHeat};
-pub use scatter::{Drawn, DrawnBearing, DrawnRotor, Scatter};
+pub use scatter::{Drawn, DrawnBearing, Scatter};
 pub use whirl::WhirlWindow;

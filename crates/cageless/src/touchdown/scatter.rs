@@ -52,21 +52,13 @@ pub struct DrawnBearing {
 }
 
 /// What was drawn for one drop.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Drawn {
-    /// Bearing.
-    pub bearing: DrawnBearing,
-    /// Direction of the unbalance at the start, rad.
-    pub eccentricity_phase_rad: f64,
-}
-
-/// What was drawn for one drop of a rotor into several bearings.
 #[derive(Debug, Clone, PartialEq)]
-pub struct DrawnRotor {
+pub struct Drawn {
     /// Each bearing.
     pub bearings: Vec<DrawnBearing>,
-    /// Angle by which all unbalances are turned at the start, rad.
-    pub unbalance_turn_rad: f64,
+    /// Direction of the unbalance of a case at the start; angle by which all unbalances of a linear
+    /// rotor are turned, rad. `None` if it is not drawn.
+    pub unbalance_rad: Option<f64>,
 }
 
 /// Purpose of the random streams of drops.
@@ -110,37 +102,10 @@ impl Streams {
 }
 
 impl Scatter {
-    /// Case of drop `index` and what was drawn for it; the same seed and index give the same
-    /// drop.
-    ///
-    /// # Panics
-    /// If the case has no rotor.
-    pub fn draw(&self, case: &Case, index: u64) -> (Case, Drawn) {
-        let streams = Streams::of_bearing(case.seed, index, 0);
-        let (mut drop, bearing) = self.draw_bearing(case, streams);
-        let rotor = drop.rotor.as_mut().expect("a rotor");
-        if self.eccentricity_phase {
-            // The magnets held the centre of the journal, wherever the mass centre is.
-            let journal = rotor.journal_start_m();
-            rotor.eccentricity_phase_rad = streams.between(Dimension::UnbalanceDirection, 0.0, TAU);
-            let now = rotor.journal_start_m();
-            rotor.x_m += journal[0] - now[0];
-            rotor.y_m += journal[1] - now[1];
-        }
-        let drawn = Drawn {
-            bearing,
-            eccentricity_phase_rad: rotor.eccentricity_phase_rad,
-        };
-        (drop, drawn)
-    }
-
-    /// Drop `index` of a rotor into several bearings and what was drawn for it: the direction of
-    /// the unbalances once, all else for each bearing on its own. The seed is that of the first
-    /// case.
-    ///
-    /// # Panics
-    /// If a case has no rotor.
-    pub fn draw_rotor(&self, drop: &RotorDrop, index: u64) -> (RotorDrop, DrawnRotor) {
+    /// Drop `index` of an ensemble and what was drawn for it: the direction of the unbalances once,
+    /// all else for each bearing on its own. The same seed, that of the first case, and index give
+    /// the same drop.
+    pub fn draw(&self, drop: &RotorDrop, index: u64) -> (RotorDrop, Drawn) {
         let seed = drop.cases()[0].seed;
         let mut bearings = vec![];
         let mut scattered = drop.map_cases(|case| {
@@ -149,15 +114,16 @@ impl Scatter {
             bearings.push(drawn);
             case
         });
-        let mut unbalance_turn_rad = 0.0;
-        if self.eccentricity_phase {
+        let unbalance_rad = self.eccentricity_phase.then(|| {
             let streams = Streams::of_bearing(seed, index, 0);
-            unbalance_turn_rad = streams.between(Dimension::UnbalanceDirection, 0.0, TAU);
-            scattered = scattered.unbalances_turned(unbalance_turn_rad);
+            streams.between(Dimension::UnbalanceDirection, 0.0, TAU)
+        });
+        if let Some(angle_rad) = unbalance_rad {
+            scattered.turn_unbalances(angle_rad);
         }
-        let drawn = DrawnRotor {
+        let drawn = Drawn {
             bearings,
-            unbalance_turn_rad,
+            unbalance_rad,
         };
         (scattered, drawn)
     }

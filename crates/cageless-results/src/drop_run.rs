@@ -1,0 +1,73 @@
+//! Results of a drop: those of its bearings and of the rotor.
+
+use cageless::simulation::{PlaneDisplacement, RotorDrop, RotorDropOutcome, RotorOutcome};
+use cageless::touchdown::DropRecorder;
+
+use crate::table::PLANE;
+use crate::{Across, Cell, DropJudgement, DropResult, Quantity, Record, Results, Subject};
+
+/// Results of a drop.
+#[derive(Debug, Clone)]
+pub struct DropRun {
+    /// Results of each bearing.
+    pub bearings: Vec<DropResult>,
+    /// Outcome of a linear rotor.
+    pub rotor: Option<RotorOutcome>,
+    /// Reason why the drop stopped early, if it did, under a linear rotor with the bearing.
+    pub stopped: Option<String>,
+}
+
+impl DropRun {
+    /// Results of `drop`, which ended as `outcome`, with the recorder of each bearing.
+    pub fn new(drop: &RotorDrop, recorders: Vec<DropRecorder>, outcome: RotorDropOutcome) -> Self {
+        let ended = drop.cases().iter().zip(recorders).zip(&outcome.bearings);
+        let bearings: Vec<DropResult> = ended
+            .map(|((case, recorder), ended)| {
+                DropResult::new(case, &recorder.summary(&ended.state), ended)
+            })
+            .collect();
+        let stopped = outcome.stopped_bearing().map(|k| {
+            let reason = bearings[k].stopped.clone().unwrap_or_default();
+            match outcome.rotor {
+                None => reason,
+                Some(_) => format!("in bearing {} {reason}", k + 1),
+            }
+        });
+        Self {
+            bearings,
+            rotor: outcome.rotor,
+            stopped,
+        }
+    }
+
+    /// The verdict on all bearings and the planes of the rotor.
+    pub fn judgement(&self) -> DropJudgement {
+        let bearings: Vec<_> = self.bearings.iter().map(|b| &b.judgement).collect();
+        DropJudgement::of_bearings(&bearings, self.rotor.as_ref())
+    }
+
+    /// Value of a quantity for the drop as a whole.
+    pub fn value(&self, quantity: &Quantity) -> Cell {
+        let of_bearing = |bearing: &DropResult| bearing.results.get(quantity.name).cloned();
+        let Some(rotor) = &self.rotor else {
+            return of_bearing(&self.bearings[0]).unwrap_or(Cell::Null);
+        };
+        if let Some(own) = quantity.of(Subject::RotorDrop(rotor)) {
+            return own;
+        }
+        match quantity.across {
+            Some(Across::Verdict) => self.judgement().cell(quantity.kind),
+            Some(across) => {
+                let bearings = self.bearings.iter().map(|b| b.results.get(quantity.name));
+                across.of(bearings.map(|cell| cell.unwrap_or(&Cell::Null)))
+            }
+            None => Cell::Null,
+        }
+    }
+}
+
+/// Each plane of a rotor against its clearance.
+pub fn plane_records(planes: &[PlaneDisplacement]) -> Vec<Record> {
+    let record = |plane| Record::from(Results::of(PLANE, Subject::Plane(plane)));
+    planes.iter().map(record).collect()
+}

@@ -1,0 +1,79 @@
+//! Drops of which the results alone are kept.
+
+use cageless::Case;
+use cageless::equilibrium::EquilibriumError;
+use cageless::numerics::lanes::BATCH_WIDTH;
+use cageless::simulation::{Control, Ending, Observer, RotorDrop, RotorDropOutcome};
+use cageless::touchdown::DropRecorder;
+use cageless_results::DropRun;
+
+use crate::together::{Record, run_together};
+
+/// Number of drops like `drop` that are worth computing together: into one bearing each they go side
+/// by side, of a linear rotor one after the other.
+pub(crate) fn worth_together(drop: &RotorDrop) -> usize {
+    match drop.rotor() {
+        None => BATCH_WIDTH,
+        Some(_) => 1,
+    }
+}
+
+/// Recorders of the bearings of a drop.
+pub(super) fn recorders(drop: &RotorDrop) -> Vec<DropRecorder> {
+    let carried = drop.carried_n().into_iter();
+    carried.map(DropRecorder::of_bearing).collect()
+}
+
+impl Record for DropRecorder {
+    fn observers<'s>(&'s mut self, _: &'s Case) -> Vec<Box<dyn Observer + 's>> {
+        vec![Box::new(self)]
+    }
+}
+
+/// Computes drops in their order; `None` if interrupted. `control` has the control of so many drops
+/// together.
+pub(crate) fn run_drops<'c>(
+    drops: &[RotorDrop],
+    control: impl Fn(usize) -> Box<dyn FnMut(f64) -> Control + 'c>,
+) -> Option<Vec<Result<DropRun, EquilibriumError>>> {
+    // Short drops end before they ask for the first time.
+    if control(1)(0.0).is_break() {
+        return None;
+    }
+    let of_case = drops.iter().filter(|drop| drop.rotor().is_none());
+    let cases: Vec<Case> = of_case.map(|drop| drop.cases()[0].clone()).collect();
+    let mut of_case = run_together(&cases, |_| DropRecorder::new(), &control)?.into_iter();
+    let run = |drop: &RotorDrop| match drop.rotor() {
+        None => Some(of_case.next()?.map(|(recorder, outcome)| {
+            let outcome = RotorDropOutcome {
+                bearings: vec![outcome],
+                rotor: None,
+            };
+            DropRun::new(drop, vec![recorder], outcome)
+        })),
+        Some(_) => run_alone(drop, &mut *control(1)),
+    };
+    drops.iter().map(run).collect()
+}
+
+/// Computes the drop of a linear rotor; `None` if interrupted.
+fn run_alone(
+    drop: &RotorDrop,
+    control: &mut dyn FnMut(f64) -> Control,
+) -> Option<Result<DropRun, EquilibriumError>> {
+    let mut recorders = recorders(drop);
+    let mut observers: Vec<Vec<&mut dyn Observer>> = (recorders.iter_mut())
+        .map(|recorder| vec![recorder as &mut dyn Observer])
+        .collect();
+    let outcome = match drop.run(&mut observers, control) {
+        Ok(outcome) => outcome,
+        Err(error) => return Some(Err(error)),
+    };
+    let mut endings = outcome.bearings.iter().map(|bearing| &bearing.ending);
+    let interrupted = endings.any(|ending| matches!(ending, Ending::Interrupted));
+    // One that stops interrupts the others.
+    match outcome.stopped_bearing() {
+        None if interrupted => None,
+        _ => Some(Ok(DropRun::new(drop, recorders, outcome))),
+    }
+}
