@@ -13,7 +13,7 @@ use cageless_study::Progress;
 use cageless_study::run::Rows;
 use serde::Serialize;
 
-use crate::args::{CaseArgs, Output};
+use crate::args::Output;
 use crate::failure::Failure;
 use crate::format::pairs;
 use crate::progress::{Bars, catch_interrupt, is_quiet};
@@ -191,15 +191,15 @@ impl Tables {
 }
 
 /// Reads the case of a command.
-pub fn read_case(args: &CaseArgs) -> Result<CaseFile, Failure> {
-    CaseFile::read(&args.case, &args.set).map_err(|error| {
-        if !RotorFile::is_at(&args.case) {
+pub fn read_case(path: &Path, set: &[String]) -> Result<CaseFile, Failure> {
+    CaseFile::read(path, set).map_err(|error| {
+        if !RotorFile::is_at(path) {
             return error.into();
         }
         Failure::Input(format!(
             "{}: is the file of a rotor on several bearings, which `cageless drop`, `cageless \
              check` and the plans of `cageless sweep` take; each of its bearings is a case of its own",
-            args.case.display()
+            path.display()
         ))
     })
 }

@@ -44,7 +44,7 @@ pins! {
     export_others: "export cases/zhao-d.toml --format stl --chord-um 50 +bearing.outer_ring_outer_radius_mm=31 +bearing.outer_ring_width_mm=16 --out OUT/ring.stl; export cases/zhao-d.toml --format csv +bearing.outer_ring_outer_radius_mm=31 +bearing.outer_ring_width_mm=16 --json --out OUT/ring.csv";
     sweep: "sweep OUT/plan.toml --out OUT; report OUT --high static_inner_force_max_n";
     sweep_shards: "sweep OUT/plan.toml --shard 1/2 --out OUT --quiet; sweep OUT/plan.toml --shard 2/2 --out OUT --json; sweep merge OUT/sweep.shard-1-of-2.parquet OUT/sweep.shard-2-of-2.parquet";
-    refused: "run cases/zhao-d.toml +bearing.ball=3; static none.toml; run cases/rotors/two-bearings.toml; drop cases/zhao-d.toml; rnu; man rnu; run cases/zhao-d.toml --open; check cases/zhao-d.toml --open --out OUT; report cases";
+    refused: "run cases/zhao-d.toml +bearing.ball=3; static none.toml; run cases/rotors/two-bearings.toml; compare cases/rotors/two-bearings.toml --with-conventional; studio cases/rotors/two-bearings.toml; drop cases/zhao-d.toml; rnu; man rnu; run cases/zhao-d.toml --open; check cases/zhao-d.toml --open --out OUT; report cases";
     bits_zhao_a_paper: "run cases/zhao-a.toml +model.formulation=paper +solver.method=abm4 +solver.step_us=1 +solver.duration_s=0.01 --quiet --out OUT";
     bits_zhao_d: "run cases/zhao-d.toml +solver.duration_s=0.1 --quiet --out OUT";
     bits_cb74: "run cases/cb74.toml +solver.duration_s=0.02 --quiet --out OUT";

@@ -23,7 +23,7 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
     if RotorFile::is_at(&args.case) {
         return check_rotor(args);
     }
-    let file = read_case(args)?;
+    let file = read_case(&args.case, &args.set)?;
     let bearing = &file.case().bearing;
     let d = bearing.dimensions();
     let mm = |m: f64| format!("{:.4}", m * 1e3);

@@ -25,7 +25,7 @@ const RECOMMENDED: &str = "recommended.toml";
 pub fn design(args: &DesignArgs) -> Result<(), Failure> {
     let output = &args.case.output;
     let out = output.out.as_deref();
-    let file = read_case(&args.case)?;
+    let file = read_case(&args.case.case, &args.case.set)?;
     output.drive(&[NUMBERS, PAGE, PAGE_DATA, RECOMMENDED], |bars| {
         if args.search {
             bars.whole(&[vec![task()], search::tasks(&file)].concat());

@@ -6,18 +6,17 @@ use std::path::PathBuf;
 use cageless_io::cad::{
     Counts, ExportError, ExportNumbers, ExportOptions, Format, export as ring, names_file,
 };
-use cageless_io::case_file::CaseFile;
 use cageless_io::on_terminal;
 use cageless_io::results::write_atomically;
 
 use crate::args::ExportArgs;
-use crate::driver::{make_folder, print, tell};
+use crate::driver::{make_folder, print, read_case, tell};
 use crate::failure::Failure;
 use crate::format::pairs;
 
 /// Writes the outer ring of a case.
 pub fn export(args: &ExportArgs) -> Result<(), Failure> {
-    let file = CaseFile::read(&args.case, &args.set)?;
+    let file = read_case(&args.case, &args.set)?;
     let format = args.format.into();
     let options = ExportOptions {
         blend_mm: args.blend_mm,

@@ -18,7 +18,7 @@ use crate::format::{columns, judged, pairs, values, warnings};
 /// Simulates a case.
 pub fn run(args: &RunArgs) -> Result<(), Failure> {
     let (verify, output) = (args.verify, &args.case.output);
-    let file = read_case(&args.case)?;
+    let file = read_case(&args.case.case, &args.case.set)?;
     // A case that cannot start must not touch the folder.
     initial_state(file.case())?;
     output.drive(&[SUMMARY, PAGE, PAGE_DATA], |bars| {

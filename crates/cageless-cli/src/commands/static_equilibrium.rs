@@ -11,7 +11,7 @@ use crate::format::{columns, notes, pairs, values, warnings};
 
 /// Solves and shows the equilibrium.
 pub fn static_equilibrium(args: &CaseArgs) -> Result<(), Failure> {
-    let file = read_case(args)?;
+    let file = read_case(&args.case, &args.set)?;
     let record = static_record(file.case(), &solve(file.case())?);
     let text = pairs(&values(&record.results))
         + "\n"

@@ -4,13 +4,13 @@ use std::io::IsTerminal;
 use std::path::Path;
 
 use cageless::dynamics::InstructionSet;
-use cageless_io::case_file::{CaseFile, template};
+use cageless_io::case_file::template;
 use cageless_io::io_error_message;
 use cageless_io::results::{VERSION, write_atomically};
 use cageless_report::{engine, studio_page};
 
 use crate::args::StudioArgs;
-use crate::driver::print;
+use crate::driver::{print, read_case};
 use crate::failure::Failure;
 use crate::progress::catch_interrupt;
 use crate::studio::{Server, Token};
@@ -48,7 +48,7 @@ pub fn studio(args: &StudioArgs) -> Result<(), Failure> {
 
 /// Text of a case file, checked, with replaced values as `cageless` would read them.
 fn text(path: &Path, set: &[String]) -> Result<String, Failure> {
-    let file = CaseFile::read(path, set)?;
+    let file = read_case(path, set)?;
     let text = std::fs::read_to_string(path)
         .map_err(|e| Failure::Input(format!("{}: {}", path.display(), io_error_message(&e))))?;
     // The page shows TOML; of JSON, and of a file with replaced values, it gets the case as read.

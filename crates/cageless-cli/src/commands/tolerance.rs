@@ -14,7 +14,7 @@ const NUMBERS: &str = "tolerance.json";
 
 /// Judges the bearing within its tolerances.
 pub fn tolerance(args: &ToleranceArgs) -> Result<(), Failure> {
-    let file = read_case(&args.case)?;
+    let file = read_case(&args.case.case, &args.case.set)?;
     let name = args.case.case.display().to_string();
     let request = Request {
         samples: args.samples,
