@@ -24,6 +24,7 @@ pub(crate) mod model;
 pub(crate) mod outer_ring;
 mod right_hand_side;
 pub mod rotor;
+pub(crate) mod rotor_equations;
 pub(crate) mod rotor_on_bearings;
 pub mod state;
 mod stored_energy;

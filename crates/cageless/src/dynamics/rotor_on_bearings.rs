@@ -5,12 +5,14 @@
 //! of the rotor. The motion of a journal follows from u linearly, and every method here keeps
 //! linear relations, so that the journals stay those of the rotor.
 
+use nalgebra::DVectorView;
+
 use super::Model;
 use super::coordinates::{DROP, DropCoordinate};
 use super::energy::EnergyTerm;
 use super::layout::Layout;
-use super::right_hand_side::{JournalLoad, RightHandSide, mix};
-use super::rotor::JournalCompliance;
+use super::right_hand_side::{RightHandSide, mix};
+use super::rotor_equations::{Motion, RotorEquations, RotorLoads, at};
 use crate::integrator::{SecondOrderBlock, System};
 use crate::linear_rotor::{Clearance, DVector, LinearRotor};
 
@@ -27,21 +29,10 @@ pub(crate) enum RotorEnergyTerm {
     Loss,
 }
 
-const TERMS: usize = RotorEnergyTerm::Loss as usize + 1;
-
-/// What acts on the rotor beside the bearings.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct RotorLoads {
-    /// g, m/s², along −Y.
-    pub gravity: f64,
-    /// Torque of the drive, N·m.
-    pub drive_torque: f64,
-}
-
 /// The equations of motion of a rotor and all of its bearings.
 pub(crate) struct RotorOnBearings<'m> {
     rotor: &'m LinearRotor,
-    loads: RotorLoads,
+    equations: RotorEquations<'m>,
     bearings: Vec<RightHandSide<'m>>,
     /// Places of each bearing.
     layouts: Vec<Layout>,
@@ -59,30 +50,6 @@ pub struct PlaneDisplacement {
     pub clearance: Clearance,
     /// Largest distance of the axis of the rotor from the centre of the stator, m.
     pub displacement_max_m: f64,
-}
-
-/// Motion of the rotor at one instant.
-struct Motion {
-    u: DVector<f64>,
-    rates: DVector<f64>,
-    angle: f64,
-    speed: f64,
-}
-
-/// Coupling of bending and spin at one instant.
-struct Coupling {
-    /// b = Σ Uj·i·e^(i(θ+φj)) at the places of the unbalances, over u.
-    unbalance: DVector<f64>,
-    /// b + Ksdt·u.
-    spin_up: DVector<f64>,
-    /// Ip − bᵀ·(b + Ksdt·u): what a torque turns where bending follows freely.
-    inertia: f64,
-}
-
-/// Acceleration of the rotor.
-struct Acceleration {
-    u: DVector<f64>,
-    speed: f64,
 }
 
 impl<'m> RotorOnBearings<'m> {
@@ -105,7 +72,7 @@ impl<'m> RotorOnBearings<'m> {
         });
         Self {
             rotor,
-            loads,
+            equations: RotorEquations::new(rotor, loads),
             bearings: models.iter().map(RightHandSide::new).collect(),
             layouts,
             start,
@@ -134,11 +101,11 @@ impl<'m> RotorOnBearings<'m> {
         self.place_journals(y);
     }
 
-    fn motion(&self, y: &[f64]) -> Motion {
+    fn motion<'y>(&self, y: &'y [f64]) -> Motion<'y> {
         let (n, own) = (self.rotor.coordinates(), &y[self.start..]);
         Motion {
-            u: DVector::from_column_slice(&own[..n]),
-            rates: DVector::from_column_slice(&own[n + 1..=2 * n]),
+            u: DVectorView::from_slice(&own[..n], n),
+            rates: DVectorView::from_slice(&own[n + 1..=2 * n], n),
             angle: own[n],
             speed: own[2 * n + 1],
         }
@@ -151,113 +118,37 @@ impl<'m> RotorOnBearings<'m> {
 
     /// Writes the motion of the journals to the places of the bearings.
     fn place_journals(&self, y: &mut [f64]) {
-        let motion = self.motion(y);
+        let n = self.rotor.coordinates();
         for (layout, rows) in self.layouts.iter().zip(&self.rotor.journals) {
-            let (place, rate) = (rows * &motion.u, rows * &motion.rates);
+            let [x_m, y_m] = at(rows, &y[self.start..]);
             for (coordinate, value) in [
-                (DropCoordinate::RotorX, place[0]),
-                (DropCoordinate::RotorY, place[1]),
-                (DropCoordinate::RotorAngle, motion.angle),
+                (DropCoordinate::RotorX, x_m),
+                (DropCoordinate::RotorY, y_m),
+                (DropCoordinate::RotorAngle, y[self.start + n]),
             ] {
                 y[layout.drop(coordinate)] = value;
             }
-            self.set_rates(layout, &rate, motion.speed, y);
         }
+        self.place_journal_rates(y);
     }
 
-    /// Writes velocities to the places of one journal in a state, or accelerations in its rate.
-    fn set_rates(&self, layout: &Layout, lateral: &DVector<f64>, spin: f64, y: &mut [f64]) {
-        for (coordinate, value) in [
-            (DropCoordinate::RotorVx, lateral[0]),
-            (DropCoordinate::RotorVy, lateral[1]),
-            (DropCoordinate::RotorSpeed, spin),
-        ] {
-            y[layout.drop(coordinate)] = value;
+    /// Writes the velocities of the journals to the places of the bearings in a state, the
+    /// accelerations in its rate.
+    fn place_journal_rates(&self, y: &mut [f64]) {
+        let rates = self.start + self.rotor.coordinates() + 1;
+        for (layout, rows) in self.layouts.iter().zip(&self.rotor.journals) {
+            let [vx, vy] = at(rows, &y[rates..]);
+            for (coordinate, value) in [
+                (DropCoordinate::RotorVx, vx),
+                (DropCoordinate::RotorVy, vy),
+                (
+                    DropCoordinate::RotorSpeed,
+                    y[rates + self.rotor.coordinates()],
+                ),
+            ] {
+                y[layout.drop(coordinate)] = value;
+            }
         }
-    }
-
-    fn coupling(&self, motion: &Motion) -> Coupling {
-        let mut unbalance_coupling = DVector::zeros(motion.u.len());
-        for unbalance in &self.rotor.unbalances {
-            let (sin, cos) = (motion.angle + unbalance.phase).sin_cos();
-            let direction = DVector::from_vec(vec![-sin, cos]) * unbalance.moment;
-            unbalance_coupling.gemv_tr(1.0, &unbalance.place, &direction, 1.0);
-        }
-        let spin_up = &unbalance_coupling + &self.rotor.spin_up * &motion.u;
-        Coupling {
-            inertia: self.rotor.polar_inertia - unbalance_coupling.dot(&spin_up),
-            unbalance: unbalance_coupling,
-            spin_up,
-        }
-    }
-
-    /// Acceleration under forces over u and a torque:
-    /// ü + (b + Ksdt·u)·Ω̇ = f and Ip·Ω̇ + bᵀ·ü = τ.
-    fn respond(coupling: &Coupling, forces: DVector<f64>, torque: f64) -> Acceleration {
-        let speed = (torque - coupling.unbalance.dot(&forces)) / coupling.inertia;
-        Acceleration {
-            u: forces - &coupling.spin_up * speed,
-            speed,
-        }
-    }
-
-    /// Acceleration under a load on journal `k` alone.
-    fn respond_at(&self, k: usize, coupling: &Coupling, load: &JournalLoad) -> Acceleration {
-        let (mut forces, mut torque) = (DVector::zeros(self.rotor.coordinates()), 0.0);
-        self.add_load(k, load, &mut forces, &mut torque);
-        Self::respond(coupling, forces, torque)
-    }
-
-    /// Acceleration by everything but the bearings.
-    fn own_forces(&self, motion: &Motion) -> (DVector<f64>, f64) {
-        let (r, loads) = (self.rotor, &self.loads);
-        let mut forces = &r.lift * -loads.gravity;
-        forces.gemv(-1.0, &r.damping, &motion.rates, 1.0);
-        forces.gemv(-motion.speed, &r.gyroscopic, &motion.rates, 1.0);
-        forces.gemv(-1.0, &r.stiffness, &motion.u, 1.0);
-        let mut torque = loads.drive_torque;
-        for unbalance in &r.unbalances {
-            let (sin, cos) = (motion.angle + unbalance.phase).sin_cos();
-            let outwards = DVector::from_vec(vec![cos, sin])
-                * (unbalance.moment * motion.speed * motion.speed);
-            forces.gemv_tr(1.0, &unbalance.place, &outwards, 1.0);
-            torque -= unbalance.moment * loads.gravity * cos;
-        }
-        (forces, torque)
-    }
-
-    /// Adds a load on journal `k` to forces over u and the torque.
-    fn add_load(
-        &self,
-        k: usize,
-        [x, y, moment]: &JournalLoad,
-        forces: &mut DVector<f64>,
-        torque: &mut f64,
-    ) {
-        let force = DVector::from_vec(vec![*x, *y]);
-        forces.gemv_tr(1.0, &self.rotor.journals[k], &force, 1.0);
-        *torque += moment;
-    }
-
-    /// Response of journal `k` to unit loads on it.
-    fn compliance(&self, k: usize, coupling: &Coupling) -> JournalCompliance {
-        let units = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        let columns = units.map(|unit| {
-            let answer = self.respond_at(k, coupling, &unit);
-            let lateral = &self.rotor.journals[k] * answer.u;
-            [lateral[0], lateral[1], answer.speed]
-        });
-        std::array::from_fn(|row| std::array::from_fn(|column| columns[column][row]))
-    }
-
-    /// Adds an acceleration of the rotor over `h_s` to a state, or with 1 to its rate.
-    fn add(&self, answer: &Acceleration, h_s: f64, y: &mut [f64]) {
-        let n = self.rotor.coordinates();
-        let rates = &mut y[self.start + n + 1..];
-        for (rate, a) in rates.iter_mut().zip(answer.u.iter()) {
-            *rate += h_s * a;
-        }
-        rates[n] += h_s * answer.speed;
     }
 
     fn evaluate(&mut self, time_s: f64, y: &[f64], dydt: &mut [f64], stiff_too: bool) {
@@ -271,85 +162,41 @@ impl<'m> RotorOnBearings<'m> {
             }
         }
         let motion = self.motion(y);
-        let loads: Vec<JournalLoad> = self.bearings.iter().map(|b| b.journal_load()).collect();
-        let (mut forces, mut torque) = self.own_forces(&motion);
-        for (k, load) in loads.iter().enumerate() {
-            self.add_load(k, load, &mut forces, &mut torque);
+        self.equations.couple(&motion);
+        self.equations.load(&motion);
+        let mut journals = 0.0;
+        for (k, bearing) in self.bearings.iter().enumerate() {
+            let load = bearing.journal_load();
+            self.equations.add_load(k, &load);
+            journals += self.equations.power(k, &motion, &load);
         }
-        let answer = Self::respond(&self.coupling(&motion), forces, torque);
         let n = self.rotor.coordinates();
         let own = &mut dydt[self.start..];
         own[..n].copy_from_slice(motion.rates.as_slice());
         own[n] = motion.speed;
-        own[n + 1..=2 * n].copy_from_slice(answer.u.as_slice());
-        own[2 * n + 1] = answer.speed;
-        self.journal_accelerations(&answer.u, answer.speed, dydt);
-        for (term, power) in self.powers(&motion, &loads, answer.speed) {
+        let (acceleration, spin) = self.equations.respond();
+        own[n + 1..=2 * n].copy_from_slice(acceleration);
+        own[2 * n + 1] = spin;
+        self.place_journal_rates(dydt);
+        let [weight, drive, loss] = self.equations.powers(&motion, spin);
+        for (term, power) in [
+            (RotorEnergyTerm::Journals, journals),
+            (RotorEnergyTerm::Weight, weight),
+            (RotorEnergyTerm::Drive, drive),
+            (RotorEnergyTerm::Loss, loss),
+        ] {
             dydt[self.term(term)] = power;
         }
     }
 
-    /// Writes the accelerations of the journals to the rates of the bearings.
-    fn journal_accelerations(&self, u: &DVector<f64>, spin: f64, dydt: &mut [f64]) {
-        for (layout, rows) in self.layouts.iter().zip(&self.rotor.journals) {
-            self.set_rates(layout, &(rows * u), spin, dydt);
-        }
-    }
-
-    /// Powers of the rotor's energy ledger.
-    fn powers(
-        &self,
-        motion: &Motion,
-        loads: &[JournalLoad],
-        spin: f64,
-    ) -> [(RotorEnergyTerm, f64); TERMS] {
-        let r = self.rotor;
-        let journals = loads.iter().enumerate();
-        let mut weight = -self.loads.gravity * r.lift.dot(&motion.rates);
-        for unbalance in &r.unbalances {
-            let cos = (motion.angle + unbalance.phase).cos();
-            weight -= unbalance.moment * self.loads.gravity * cos * motion.speed;
-        }
-        // Of K the antisymmetric part alone: the symmetric one stores what it takes.
-        let circulatory = 0.5
-            * (motion.rates.dot(&(&r.stiffness * &motion.u))
-                - motion.u.dot(&(&r.stiffness * &motion.rates)));
-        let resisting = &r.damping * &motion.rates + &r.spin_up * &motion.u * spin;
-        [
-            (
-                RotorEnergyTerm::Journals,
-                journals.map(|(k, load)| self.power(k, motion, load)).sum(),
-            ),
-            (RotorEnergyTerm::Weight, weight),
-            (
-                RotorEnergyTerm::Drive,
-                self.loads.drive_torque * motion.speed,
-            ),
-            (
-                RotorEnergyTerm::Loss,
-                resisting.dot(&motion.rates) + circulatory,
-            ),
-        ]
-    }
-
-    /// Power of a load on journal `k`, W.
-    fn power(&self, k: usize, motion: &Motion, [x, y, moment]: &JournalLoad) -> f64 {
-        let rate = &self.rotor.journals[k] * &motion.rates;
-        x * rate[0] + y * rate[1] + moment * motion.speed
-    }
-
     /// Kinetic and elastic energy of the rotor, J.
-    pub fn rotor_energy_j(&self, y: &[f64]) -> f64 {
+    pub fn rotor_energy_j(&mut self, y: &[f64]) -> f64 {
         let motion = self.motion(y);
-        let coupling = self.coupling(&motion).unbalance.dot(&motion.rates);
-        0.5 * motion.rates.norm_squared()
-            + motion.speed * coupling
-            + 0.5 * self.rotor.polar_inertia * motion.speed * motion.speed
-            + 0.5 * motion.u.dot(&(&self.rotor.stiffness * &motion.u))
+        self.equations.energy_j(&motion)
     }
 
     /// What the rotor lacks to balance its ledger, and the sum of the absolute terms, J.
-    pub fn rotor_residual_j(&self, start_energy_j: f64, y: &[f64]) -> (f64, f64) {
+    pub fn rotor_residual_j(&mut self, start_energy_j: f64, y: &[f64]) -> (f64, f64) {
         let change = self.rotor_energy_j(y) - start_energy_j;
         let at = |term: RotorEnergyTerm| y[self.term(term)];
         let flows = [
@@ -367,9 +214,9 @@ impl<'m> RotorOnBearings<'m> {
         if self.rotor.planes.is_empty() {
             return;
         }
-        let u = self.motion(y).u;
         for (plane, most) in self.rotor.planes.iter().zip(&mut self.displaced_squared) {
-            *most = most.max((&plane.place * &u).norm_squared());
+            let [x, y] = at(&plane.place, &y[self.start..]);
+            *most = most.max(x * x + y * y);
         }
     }
 
@@ -432,13 +279,12 @@ impl System for RotorOnBearings<'_> {
     /// The friction of one bearing after the other: each sees the journal move by its own friction
     /// within the step, and by that of the bearings before it.
     fn add_stiff_part(&mut self, h_s: f64, y0: &[f64], y: &mut [f64], dydt: &mut [f64]) {
-        let before = self.motion(y0);
-        let mut loads = vec![];
+        let rates = self.start + self.rotor.coordinates() + 1;
         for k in 0..self.bearings.len() {
             self.place_journals(y);
             let motion = self.motion(y);
-            let coupling = self.coupling(&motion);
-            let compliance = self.compliance(k, &coupling);
+            self.equations.couple(&motion);
+            let compliance = self.equations.compliance(k);
             let places = span(&self.layouts[k]);
             let bearing = &mut self.bearings[k];
             bearing.set_journal_compliance(compliance);
@@ -448,21 +294,20 @@ impl System for RotorOnBearings<'_> {
                 &mut dydt[places],
             );
             bearing.add_stiff_part(h_s, own0, own, rate);
-            let load = bearing.friction_load();
-            let response = self.respond_at(k, &coupling, &load);
-            self.add(&response, h_s, y);
-            self.add(&response, 1.0, dydt);
-            loads.push(load);
+            let (u, spin) = self.equations.respond_at(k, &bearing.friction_load());
+            for (place, a) in (rates..).zip(u.iter().chain([&spin])) {
+                y[place] += h_s * a;
+                dydt[place] += a;
+            }
         }
         self.place_journals(y);
-        let n = self.rotor.coordinates();
-        let own = &dydt[self.start + n + 1..];
-        let (u, spin) = (DVector::from_column_slice(&own[..n]), own[n]);
-        self.journal_accelerations(&u, spin, dydt);
+        self.place_journal_rates(dydt);
         // Work of friction on the journals, by the mean of the velocities at both ends.
-        let after = self.motion(y);
-        for (k, load) in loads.iter().enumerate() {
-            let power = 0.5 * (self.power(k, &before, load) + self.power(k, &after, load));
+        for (k, bearing) in self.bearings.iter().enumerate() {
+            let load = bearing.friction_load();
+            let [before, after] =
+                [y0, &*y].map(|y| self.equations.power(k, &self.motion(y), &load));
+            let power = 0.5 * (before + after);
             let rotor = self.term(RotorEnergyTerm::Journals);
             let bearing = self.layouts[k].energy_term(EnergyTerm::Drive);
             for (place, power) in [(rotor, power), (bearing, -power)] {

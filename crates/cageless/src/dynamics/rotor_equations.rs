@@ -1,0 +1,174 @@
+//! Equations of motion of a linear rotor in its normal coordinates u.
+
+use nalgebra::{DVectorView, Vector2};
+
+use super::right_hand_side::JournalLoad;
+use super::rotor::JournalCompliance;
+use crate::linear_rotor::{DMatrix, DVector, LinearRotor};
+
+/// What acts on the rotor beside the bearings.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct RotorLoads {
+    /// g, m/s², along −Y.
+    pub gravity: f64,
+    /// Torque of the drive, N·m.
+    pub drive_torque: f64,
+}
+
+/// Motion of the rotor at one instant.
+pub(super) struct Motion<'y> {
+    pub u: DVectorView<'y, f64>,
+    pub rates: DVectorView<'y, f64>,
+    pub angle: f64,
+    pub speed: f64,
+}
+
+/// The equations with what they were evaluated to last:
+/// ü + (b + Ksdt·u)·Ω̇ = f and Ip·Ω̇ + bᵀ·ü = τ.
+pub(super) struct RotorEquations<'m> {
+    rotor: &'m LinearRotor,
+    loads: RotorLoads,
+    /// b = Σ Uj·i·e^(i(θ+φj)) at the places of the unbalances, over u.
+    unbalance: DVector<f64>,
+    /// b + Ksdt·u.
+    spin_up: DVector<f64>,
+    /// Ip − bᵀ·(b + Ksdt·u): what a torque turns where bending follows freely.
+    inertia: f64,
+    /// f, and τ.
+    forces: DVector<f64>,
+    torque: f64,
+    products: [DVector<f64>; 2],
+}
+
+/// x and y of a place on the rotor, or of its velocity.
+pub(super) fn at(rows: &DMatrix<f64>, u: &[f64]) -> [f64; 2] {
+    let parts = rows.as_slice().chunks_exact(2).zip(u);
+    let parts = parts.map(|(row, u)| [row[0] * u, row[1] * u]);
+    parts
+        .reduce(|[x, y], [dx, dy]| [x + dx, y + dy])
+        .unwrap_or_default()
+}
+
+impl<'m> RotorEquations<'m> {
+    /// The equations of a rotor under loads.
+    pub fn new(rotor: &'m LinearRotor, loads: RotorLoads) -> Self {
+        let zeros = || DVector::zeros(rotor.coordinates());
+        Self {
+            rotor,
+            loads,
+            unbalance: zeros(),
+            spin_up: zeros(),
+            inertia: 0.0,
+            forces: zeros(),
+            torque: 0.0,
+            products: [zeros(), zeros()],
+        }
+    }
+
+    /// Sets the coupling of bending and spin.
+    pub fn couple(&mut self, motion: &Motion<'_>) {
+        self.unbalance.fill(0.0);
+        for unbalance in &self.rotor.unbalances {
+            let (sin, cos) = (motion.angle + unbalance.phase).sin_cos();
+            let direction = Vector2::new(-sin, cos) * unbalance.moment;
+            self.unbalance
+                .gemv_tr(1.0, &unbalance.place, &direction, 1.0);
+        }
+        self.spin_up.gemv(1.0, &self.rotor.spin_up, &motion.u, 0.0);
+        self.spin_up += &self.unbalance;
+        self.inertia = self.rotor.polar_inertia - self.unbalance.dot(&self.spin_up);
+    }
+
+    /// Sets forces and torque to those of everything but the bearings.
+    pub fn load(&mut self, motion: &Motion<'_>) {
+        let (r, loads, forces) = (self.rotor, &self.loads, &mut self.forces);
+        forces.copy_from(&r.lift);
+        *forces *= -loads.gravity;
+        forces.gemv(-1.0, &r.damping, &motion.rates, 1.0);
+        forces.gemv(-motion.speed, &r.gyroscopic, &motion.rates, 1.0);
+        forces.gemv(-1.0, &r.stiffness, &motion.u, 1.0);
+        self.torque = loads.drive_torque;
+        for unbalance in &r.unbalances {
+            let (sin, cos) = (motion.angle + unbalance.phase).sin_cos();
+            let outwards =
+                Vector2::new(cos, sin) * (unbalance.moment * motion.speed * motion.speed);
+            forces.gemv_tr(1.0, &unbalance.place, &outwards, 1.0);
+            self.torque -= unbalance.moment * loads.gravity * cos;
+        }
+    }
+
+    /// Adds a load on journal `k`.
+    pub fn add_load(&mut self, k: usize, [x, y, moment]: &JournalLoad) {
+        let force = Vector2::new(*x, *y);
+        self.forces
+            .gemv_tr(1.0, &self.rotor.journals[k], &force, 1.0);
+        self.torque += moment;
+    }
+
+    /// Acceleration of u and of the spin under the loads.
+    pub fn respond(&mut self) -> (&[f64], f64) {
+        let speed = (self.torque - self.unbalance.dot(&self.forces)) / self.inertia;
+        self.forces.axpy(-speed, &self.spin_up, 1.0);
+        (self.forces.as_slice(), speed)
+    }
+
+    /// Acceleration under a load on journal `k` alone.
+    pub fn respond_at(&mut self, k: usize, load: &JournalLoad) -> (&[f64], f64) {
+        self.forces.fill(0.0);
+        self.torque = 0.0;
+        self.add_load(k, load);
+        self.respond()
+    }
+
+    /// Response of journal `k` to unit loads on it.
+    pub fn compliance(&mut self, k: usize) -> JournalCompliance {
+        let journal = &self.rotor.journals[k];
+        let units = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let columns = units.map(|unit| {
+            let (u, speed) = self.respond_at(k, &unit);
+            let [x, y] = at(journal, u);
+            [x, y, speed]
+        });
+        std::array::from_fn(|row| std::array::from_fn(|column| columns[column][row]))
+    }
+
+    /// Power of a load on journal `k`, W.
+    pub fn power(&self, k: usize, motion: &Motion<'_>, [x, y, moment]: &JournalLoad) -> f64 {
+        let rate = at(&self.rotor.journals[k], motion.rates.as_slice());
+        x * rate[0] + y * rate[1] + moment * motion.speed
+    }
+
+    /// Powers of gravity and drive, and what damping, cross-coupled stiffness and Ksdt take out, W,
+    /// with an acceleration of the spin.
+    pub fn powers(&mut self, motion: &Motion<'_>, spin: f64) -> [f64; 3] {
+        let (r, gravity) = (self.rotor, self.loads.gravity);
+        let mut weight = -gravity * r.lift.dot(&motion.rates);
+        for unbalance in &r.unbalances {
+            let cos = (motion.angle + unbalance.phase).cos();
+            weight -= unbalance.moment * gravity * cos * motion.speed;
+        }
+        // Of K the antisymmetric part alone: the symmetric one stores what it takes.
+        let [first, second] = &mut self.products;
+        first.gemv(1.0, &r.stiffness, &motion.u, 0.0);
+        second.gemv(1.0, &r.stiffness, &motion.rates, 0.0);
+        let circulatory = 0.5 * (motion.rates.dot(first) - motion.u.dot(second));
+        first.gemv(1.0, &r.damping, &motion.rates, 0.0);
+        second.gemv(1.0, &r.spin_up, &motion.u, 0.0);
+        first.axpy(spin, second, 1.0);
+        [
+            weight,
+            self.loads.drive_torque * motion.speed,
+            first.dot(&motion.rates) + circulatory,
+        ]
+    }
+
+    /// Kinetic and elastic energy, J.
+    pub fn energy_j(&mut self, motion: &Motion<'_>) -> f64 {
+        self.couple(motion);
+        let coupling = self.unbalance.dot(&motion.rates);
+        0.5 * motion.rates.norm_squared()
+            + motion.speed * coupling
+            + 0.5 * self.rotor.polar_inertia * motion.speed * motion.speed
+            + 0.5 * motion.u.dot(&(&self.rotor.stiffness * motion.u))
+    }
+}
