@@ -81,8 +81,8 @@ class Operation(Section):
 class Contact(Section):
     """`[contact]`: friction, damping and stiffness."""
 
-    friction_coefficient: Annotated[float | None, "μ"] = None
     friction_law: Annotated[Literal["smooth", "coulomb", "stribeck", "table"] | None, "friction against sliding speed"] = None
+    friction_coefficient: Annotated[float | None, "μ"] = None
     static_friction_coefficient: Annotated[float | None, "μs of the Stribeck law"] = None
     stribeck_speed_m_s: Annotated[float | None, "sliding speed over which the Stribeck law falls from μs to μ"] = None
     friction_table: Annotated[Sequence[Sequence[float]] | None, "measured μ over the sliding speed, of friction_law = \"table\"; friction_coefficient is its last μ, also if it is left out"] = None
@@ -144,8 +144,8 @@ class Rotor(Section):
     radial_clearance_um: Annotated[float, "r0, touch-down clearance: radial clearance between journal and bore of the inner ring"]
     eccentricity_um: Annotated[float | None, "distance of the mass centre from the centre of the journal"] = None
     eccentricity_phase_deg: Annotated[float | None, "direction of the mass centre from the journal centre at the start, from +X"] = None
-    friction_coefficient: Annotated[float, "μr between journal and bore"]
     friction_law: Annotated[Literal["smooth", "coulomb", "stribeck", "table"] | None, "friction between journal and bore against sliding speed"] = None
+    friction_coefficient: Annotated[float, "μr between journal and bore"]
     static_friction_coefficient: Annotated[float | None, "μs of the Stribeck law between journal and bore"] = None
     stribeck_speed_m_s: Annotated[float | None, "sliding speed over which the Stribeck law falls from μs to μr"] = None
     friction_table: Annotated[Sequence[Sequence[float]] | None, "measured μr over the sliding speed, of friction_law = \"table\"; friction_coefficient is its last μr"] = None
