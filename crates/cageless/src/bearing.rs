@@ -25,6 +25,7 @@
 //! # Ok::<(), cageless::InputError>(())
 //! ```
 
+mod contact_angle;
 mod dimensions;
 
 use std::f64::consts::{PI, TAU};
@@ -50,6 +51,7 @@ pub struct Bearing {
     deviations_m: Vec<f64>,
     bore: Option<InnerRingBore>,
     assembly: Assembly,
+    contact_angle_rad: f64,
 }
 
 /// Bore and polar inertia of the inner ring: what a bearing needs that catches a rotor.
@@ -108,6 +110,7 @@ impl Bearing {
             deviations_m: vec![],
             bore: None,
             assembly,
+            contact_angle_rad: 0.0,
         })
     }
 
@@ -228,7 +231,7 @@ impl Bearing {
         }
         let one = [1.0 / self.ball(k).radius_m; 2];
         let next = [1.0 / self.ball((k + 1) % self.balls()).radius_m; 2];
-        let [inner, outer] = self.dimensions.ring_curvatures();
+        let [inner, outer] = self.dimensions.ring_curvatures([self.contact_angle_rad; 2]);
         let Materials { ball, ring } = &self.materials;
         [(inner, ring), (outer, ring), (next, ball)].map(|(other, material)| {
             PointContact::between(one, other, [ball, material]).stiffness_n_m1_5

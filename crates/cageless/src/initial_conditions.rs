@@ -36,6 +36,7 @@ use crate::step_limits;
 /// The case is impossible, has no equilibrium, or one in which balls overlap.
 pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError> {
     step_limits::check(case)?;
+    case.check_planar()?;
     let bearing = &case.bearing;
     let n = bearing.balls();
     let pitch = bearing.pitch_radius_m();

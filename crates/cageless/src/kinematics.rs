@@ -35,6 +35,24 @@ pub fn orbit_speed_of_rad_s(
         * (1.0 - ball_radius_m / (r_m + ball_radius_m))
 }
 
+/// Ω of a ball that rolls under a contact angle, rad/s: with the arms `[outer, inner]` of its
+/// rotation at the two contacts and the inner contact at αi,
+///
+///   Ω = ωi (Ri + ri (1 − cos αi))/Rm · ro/(ro + ri′),
+///
+/// which is Ω(r) for αi = 0, ro = r, ri′ = Rw.
+pub fn orbit_speed_in_space_rad_s(
+    bearing: &Bearing,
+    inner_speed_rad_s: f64,
+    [outer_m, inner_m]: [f64; 2],
+    inner_angle_rad: f64,
+) -> f64 {
+    let d = bearing.dimensions();
+    let higher = d.inner_groove_curvature_radius_m * (1.0 - inner_angle_rad.cos());
+    inner_speed_rad_s * (d.inner_groove_bottom_radius_m + higher) / bearing.pitch_radius_m()
+        * (outer_m / (outer_m + inner_m))
+}
+
 /// Spin of pure rolling relative to the frame that turns with the ball's orbit,
 /// ωb = Ω(r + Rm)/r (Zhao 2022, Eq. (1) with ΔVo = 0), rad/s, clockwise.
 pub fn rolling_relative_rotation_rad_s(bearing: &Bearing, orbit_speed_rad_s: f64, r_m: f64) -> f64 {

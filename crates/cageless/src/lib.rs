@@ -60,7 +60,9 @@ pub mod vibration;
 
 pub use assembly::Assembly;
 pub use bearing::{Ball, Bearing, BearingDimensions, InnerRingBore};
-pub use case::{Case, Contact, Gaps, Housing, Operation, Output, Solver, Start};
+pub use case::{
+    Case, Contact, Gaps, Housing, Operation, Output, Row, Solver, SpatialLoad, Start, Tilt,
+};
 pub use collision::Collision;
 pub use contact::{FrictionLaw, FrictionParameters, FrictionTable};
 pub use error::InputError;

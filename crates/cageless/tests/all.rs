@@ -35,6 +35,7 @@ mod recorder;
 mod rotor_damping;
 mod rotor_planes;
 mod search;
+mod space;
 mod static_minimum;
 mod step_limits;
 mod tolerance;

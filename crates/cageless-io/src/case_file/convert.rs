@@ -58,6 +58,7 @@ impl Converter<'_> {
             housing: s.housing.clone(),
             rotor: s.rotor.clone(),
             support: self.support()?,
+            rows: vec![],
             output: s.output.clone(),
         };
         let automatic = s.solver.step_s.0.is_none();

@@ -191,22 +191,36 @@ impl BearingDimensions {
 
     /// A nominal ball against the plain raceways: inner, outer.
     pub(super) fn raceway_contacts(&self, materials: &Materials) -> [PointContact; 2] {
+        self.raceway_contacts_at(materials, [0.0; 2])
+    }
+
+    /// The same at these contact angles.
+    pub(super) fn raceway_contacts_at(
+        &self,
+        materials: &Materials,
+        angles_rad: [f64; 2],
+    ) -> [PointContact; 2] {
         let ball = [1.0 / self.ball_radius_m; 2];
-        self.ring_curvatures()
+        self.ring_curvatures(angles_rad)
             .map(|ring| PointContact::between(ball, ring, [&materials.ball, &materials.ring]))
     }
 
-    /// Principal curvatures of the raceways at the bottom of their grooves, in the plane of
-    /// rolling and across: inner, outer.
-    pub(super) fn ring_curvatures(&self) -> [[f64; 2]; 2] {
+    /// Principal curvatures of the raceways at these contact angles, in the plane of rolling,
+    /// ±cos α over the distance of the contact point from the axis, and across: inner, outer.
+    pub(super) fn ring_curvatures(&self, angles_rad: [f64; 2]) -> [[f64; 2]; 2] {
+        let [inner, outer] = angles_rad.map(f64::cos);
+        let (ri, re) = (
+            self.inner_groove_curvature_radius_m,
+            self.outer_groove_curvature_radius_m,
+        );
         [
             [
-                1.0 / self.inner_groove_bottom_radius_m,
-                -1.0 / self.inner_groove_curvature_radius_m,
+                inner / (self.inner_groove_bottom_radius_m + ri * (1.0 - inner)),
+                -1.0 / ri,
             ],
             [
-                -1.0 / self.outer_groove_bottom_radius_m,
-                -1.0 / self.outer_groove_curvature_radius_m,
+                -outer / (self.outer_groove_bottom_radius_m - re * (1.0 - outer)),
+                -1.0 / re,
             ],
         ]
     }

@@ -60,6 +60,7 @@ impl Case {
             positive("inner_speed_rad_s", self.operation.inner_speed_rad_s)?;
         }
         self.operation.check()?;
+        self.check_space()?;
         self.check_rotor()?;
         self.contact.check()?;
         for raceway in &self.raceways {

@@ -12,6 +12,8 @@
 
 mod check;
 mod contact;
+mod space;
+mod spatial_load;
 
 use std::f64::consts::TAU;
 
@@ -24,6 +26,7 @@ use crate::rotor::{Rotor, Support};
 use crate::time_table::TimeTable;
 
 pub use contact::Contact;
+pub use spatial_load::{Row, SpatialLoad, Tilt};
 
 /// Loads and speed.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,6 +44,8 @@ pub struct Operation {
     pub inner_speed_table: Option<TimeTable>,
     /// Fr over time, where it changes; not with a rotor.
     pub radial_load_table: Option<TimeTable>,
+    /// Load out of the plane.
+    pub space: SpatialLoad,
 }
 
 impl Operation {
@@ -199,6 +204,8 @@ pub struct Case {
     pub rotor: Option<Rotor>,
     /// Support of the outer ring under a rotor; without one it is fixed.
     pub support: Option<Support>,
+    /// Rows of balls on one inner ring; none for a single row in the middle plane.
+    pub rows: Vec<Row>,
     /// Output.
     pub output: Output,
 }

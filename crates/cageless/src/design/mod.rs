@@ -14,6 +14,7 @@
 //! # Ok::<(), cageless::InputError>(())
 //! ```
 
+mod contact_angle;
 mod criterion;
 mod estimate;
 mod raceway_verdict;
@@ -29,6 +30,7 @@ use crate::kinematics::raceway_delay_rad;
 use crate::numerics::{quadrature, root};
 use crate::raceway::{Raceway, RacewayDimensions, axial_span_limit_m};
 
+pub use contact_angle::{ContactAngleEstimate, kinematic_lag_rad};
 pub use criterion::{
     Criterion, DOUBLE_COLLISION_FRACTION, SLIP_SHORTFALL, SPEED_DROP_FRACTION, percent_beside,
 };

@@ -2,6 +2,11 @@
 
 use crate::error::InputError;
 
+/// An angle for a message.
+pub(super) fn degrees(angle_rad: f64) -> f64 {
+    angle_rad.to_degrees()
+}
+
 /// Why a case has no static equilibrium, or none was found.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum EquilibriumError {
@@ -19,7 +24,7 @@ pub enum EquilibriumError {
         "the balls cannot start settled: between the rings ball {} and the ball ahead of it would \
          overlap by {:.1} um; give them a gap of at least {:.2} deg (start.gaps), or begin with \
          start.state = \"rolling\"",
-        ball + 1, overlap_m * 1e6, gap_rad.to_degrees()
+        ball + 1, overlap_m * 1e6, degrees(*gap_rad)
     )]
     BallsOverlap {
         /// The ball, from 0.
@@ -28,6 +33,23 @@ pub enum EquilibriumError {
         overlap_m: f64,
         /// Gap at which they touch.
         gap_rad: f64,
+    },
+    /// A contact that left its groove over the shoulder.
+    #[error(
+        "the load presses ball {} over the shoulder of the {ring} ring: its contact angle is \
+         {:.1} deg, the groove ends at {:.1} deg; reduce axial load, moments or tilt, or raise the \
+         shoulder",
+        ball + 1, degrees(*angle_rad), degrees(*shoulder_rad)
+    )]
+    BeyondGroove {
+        /// The ball, from 0, through all rows.
+        ball: usize,
+        /// The ring: inner or outer.
+        ring: &'static str,
+        /// Its contact angle.
+        angle_rad: f64,
+        /// The contact angle at which the groove ends.
+        shoulder_rad: f64,
     },
     /// No convergence.
     #[error(

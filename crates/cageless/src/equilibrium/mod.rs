@@ -22,6 +22,7 @@ mod minimum;
 mod newton;
 mod potential;
 mod raceway_contact;
+pub mod space;
 mod stiffness;
 
 use crate::bearing::Bearing;
@@ -136,7 +137,7 @@ pub fn overload(case: &Case) -> Option<String> {
     let bearing = &case.bearing;
     let operation = &case.operation;
     let balls_kg = bearing.balls() as f64 * bearing.ball_mass_kg();
-    if case.rotor.is_some() {
+    if case.rotor.is_some() || case.spatial_field().is_some() {
         return None;
     }
     let most = operation.radial_load_n
@@ -181,6 +182,7 @@ pub fn ball_outer_geometry(case: &Case, k: usize, angle_rad: f64) -> OuterContac
 /// The case is impossible, or the iteration does not converge.
 pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
     case.check()?;
+    case.check_planar()?;
     if case.rotor.is_some() {
         let why = "a bearing under a falling rotor has no static equilibrium";
         return Err(InputError::rotor_left_out(why).into());

@@ -21,3 +21,4 @@ pub(crate) mod quadrature;
 pub mod random;
 pub(crate) mod root;
 pub mod student;
+pub mod taylor;

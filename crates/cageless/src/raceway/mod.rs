@@ -65,6 +65,8 @@ pub struct Raceway {
     direction_polynomial: Polynomial,
     /// Depth error at the centre, m.
     depth_error_m: f64,
+    /// αg by which the section is turned about the centre of the ball, rad.
+    section_angle_rad: f64,
 }
 
 /// Fraction of the way to an end of the path up to which slopes follow from r; closer to it r r′/z
@@ -125,6 +127,7 @@ impl Raceway {
             radius_polynomial: Polynomial::fit(|_| 0.0, 0.0, 1.0, 0.0),
             direction_polynomial: Polynomial::fit(|_| 0.0, 0.0, 1.0, 0.0),
             depth_error_m: 0.0,
+            section_angle_rad: 0.0,
         };
         raceway.check_path()?;
         let end = theta.sin().powi(2);
@@ -217,6 +220,36 @@ impl Raceway {
         } else {
             0.0
         }
+    }
+
+    /// Raceway whose section is turned about the centre of the ball by αg towards +Z, as a bearing
+    /// of that contact angle needs it.
+    ///
+    /// # Errors
+    /// An [`InputError`] if a flank reaches beyond the shoulder of the outer ring.
+    pub fn with_section_angle(
+        mut self,
+        angle_rad: f64,
+        bearing: &Bearing,
+    ) -> Result<Self, InputError> {
+        let [_, shoulder] = bearing.shoulder_angles_rad();
+        let most = shoulder - self.contact_angle_rad(0.0)[0];
+        if angle_rad != 0.0 && !(angle_rad.abs() < most) {
+            let why = "with a larger one a flank of the raceway reaches beyond the shoulder";
+            let allowed = Allowed::Between(-most, most, why);
+            return Err(InputError::new(
+                "raceway_contact_angle_rad",
+                angle_rad,
+                allowed,
+            ));
+        }
+        self.section_angle_rad = angle_rad;
+        Ok(self)
+    }
+
+    /// αg by which the section is turned about the centre of the ball, rad.
+    pub fn section_angle_rad(&self) -> f64 {
+        self.section_angle_rad
     }
 
     /// lC, θ and position.

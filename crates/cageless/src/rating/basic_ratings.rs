@@ -36,11 +36,17 @@ pub struct BasicRatings {
 impl BasicRatings {
     /// Ratings from ball set and grooves:
     ///
-    ///   Cr = bm fc Z^(2/3) Dw^1.8, Dw in mm (3.647 Dw^1.4 above 25.4 mm),
-    ///   C0r = f0 Z Dw²,
+    ///   Cr = bm fc (i cos α0)^0.7 Z^(2/3) Dw^1.8, Dw in mm (3.647 Dw^1.4 above 25.4 mm),
+    ///   C0r = f0 i Z Dw² cos α0,
     ///
-    /// with bm of the [way of assembly](crate::Assembly::rating_factor).
+    /// with bm of the [way of assembly](crate::Assembly::rating_factor), for one row, i = 1.
     pub fn new(bearing: &Bearing) -> Self {
+        Self::of_rows(bearing, 1)
+    }
+
+    /// Ratings of i equal rows.
+    pub fn of_rows(bearing: &Bearing, rows: usize) -> Self {
+        let across = rows as f64 * bearing.contact_angle_rad().cos();
         let z = bearing.balls() as f64;
         let diameter_mm = 2e3 * bearing.ball_radius_m();
         let (gamma, grooves) = (gamma(bearing), conformities(bearing));
@@ -53,8 +59,9 @@ impl BasicRatings {
             dynamic_n: bearing.assembly().rating_factor()
                 * dynamic_factor(gamma, grooves)
                 * z.powf(2.0 / 3.0)
-                * size,
-            static_n: static_factor(gamma, grooves) * z * diameter_mm.powi(2),
+                * size
+                * across.powf(0.7),
+            static_n: static_factor(gamma, grooves) * z * diameter_mm.powi(2) * across,
         }
     }
 

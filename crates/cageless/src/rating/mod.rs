@@ -31,6 +31,7 @@ use crate::bearing::Bearing;
 use crate::case::Case;
 use crate::contact::hertz::STRESS_LIMIT_PA;
 use crate::equilibrium::Equilibrium;
+use crate::equilibrium::space::{SpatialEquilibrium, forces_at_rest};
 use crate::material::{Material, Materials};
 
 pub use basic_ratings::{BasicRatings, dynamic_factor, static_factor};
@@ -112,6 +113,29 @@ impl Rating {
             speed_factor_mm_rpm: speed_factor_mm_rpm(case),
             materials: RatedMaterials::of(bearing),
             basic,
+        }
+    }
+
+    /// Ratings of a case in equilibrium in space: L10r from the loads of the balls under all loads,
+    /// L10 and s0, which are for radial ones, left out.
+    pub fn in_space(case: &Case, space: &SpatialEquilibrium) -> Self {
+        let reference = ReferenceLife::new(&case.bearing);
+        let life = |e: &SpatialEquilibrium| {
+            let (inner, outer) = (&e.rest.inner_force_n, &e.rest.outer_force_n);
+            let rows = e.row.chunk_by(|a, b| a == b).scan(0, |from, row| {
+                let range = *from..*from + row.len();
+                *from = range.end;
+                Some([&inner[range.clone()], &outer[range]])
+            });
+            reference.l10r_of_rows_mrev(rows)
+        };
+        Self {
+            basic: BasicRatings::of_rows(&case.bearing, case.rows.len().max(1)),
+            l10_mrev: None,
+            l10r_mrev: forces_at_rest(case).ok().and_then(|e| life(&e)),
+            l10r_at_speed_mrev: life(space),
+            static_safety_factor: None,
+            ..Self::new(case, &space.rest)
         }
     }
 

@@ -2,9 +2,9 @@
 
 use crate::bearing::Bearing;
 
-/// γ = Dw/Dpw at a contact angle of 0°.
+/// γ = Dw cos α0/Dpw.
 pub(super) fn gamma(bearing: &Bearing) -> f64 {
-    bearing.ball_radius_m() / bearing.pitch_radius_m()
+    bearing.ball_radius_m() / bearing.pitch_radius_m() * bearing.contact_angle_rad().cos()
 }
 
 /// Radii of curvature of inner and outer groove over the ball diameter.

@@ -23,11 +23,12 @@ pub struct ReferenceLife {
 impl ReferenceLife {
     /// Ratings of the balls of a bearing with a plain outer raceway:
     ///
-    ///   Qci = Cr/(0.407 Z) (1 + a^(10/3))^(3/10),
-    ///   Qce = Cr/(0.389 Z) (1 + a^(−10/3))^(3/10),
+    ///   Qci = Cr/(0.407 Z cos^0.7 α0) (1 + a^(10/3))^(3/10),
+    ///   Qce = Cr/(0.389 Z cos^0.7 α0) (1 + a^(−10/3))^(3/10),
     ///   a = 1.044 ((1 − γ)/(1 + γ))^1.72 (ri/re · (2re − Dw)/(2ri − Dw))^0.41.
     pub fn new(bearing: &Bearing) -> Self {
-        let per_ball = BasicRatings::new(bearing).dynamic_n / bearing.balls() as f64;
+        let across = bearing.contact_angle_rad().cos().powf(0.7);
+        let per_ball = BasicRatings::new(bearing).dynamic_n / bearing.balls() as f64 / across;
         let ratio = raceway_ratio(1.044, gamma(bearing), conformities(bearing));
         let rating = |integral: f64, exponent: f64| {
             per_ball / integral * (1.0 + ratio.powf(exponent)).powf(0.3)
@@ -46,9 +47,21 @@ impl ReferenceLife {
     ///
     /// At speed the outer forces hold the centrifugal forces as well.
     pub fn l10r_mrev(&self, inner_force_n: &[f64], outer_force_n: &[f64]) -> Option<f64> {
-        let inner = effective_load_n(inner_force_n, 3.0) / self.inner_rating_n;
-        let outer = effective_load_n(outer_force_n, 10.0 / 3.0) / self.outer_rating_n;
-        let sum = inner.powf(10.0 / 3.0) + outer.powf(10.0 / 3.0);
+        self.l10r_of_rows_mrev([[inner_force_n, outer_force_n]])
+    }
+
+    /// L10r of a bearing of several rows, million revolutions, from the forces of each at both
+    /// raceways: L10r = (Σ Lk^(−10/9))^(−9/10).
+    pub fn l10r_of_rows_mrev<'f>(
+        &self,
+        rows: impl IntoIterator<Item = [&'f [f64]; 2]>,
+    ) -> Option<f64> {
+        let of_row = |[inner_n, outer_n]: [&[f64]; 2]| {
+            let inner = effective_load_n(inner_n, 3.0) / self.inner_rating_n;
+            let outer = effective_load_n(outer_n, 10.0 / 3.0) / self.outer_rating_n;
+            inner.powf(10.0 / 3.0) + outer.powf(10.0 / 3.0)
+        };
+        let sum = rows.into_iter().map(of_row).reduce(|a, b| a + b)?;
         (sum > 0.0).then(|| sum.powf(-0.9))
     }
 }

@@ -6,7 +6,7 @@ use cageless::simulation::{Control, Ending, RunOutcome, run};
 use cageless::{
     Bearing, BearingDimensions, Case, Contact, FrictionLaw, FrictionParameters, Gaps,
     InnerRingBore, IntegrationMethod, Material, Operation, Output, Profile, Raceway,
-    RacewayDimensions, Rotor, Solver, Start, Support,
+    RacewayDimensions, Rotor, Solver, SpatialLoad, Start, Support,
 };
 
 /// Zhao 2022, Table 1, with the usual values for what the paper leaves out.
@@ -77,6 +77,7 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
             gravity_m_s2: 9.81,
             inner_speed_table: None,
             radial_load_table: None,
+            space: SpatialLoad::default(),
         },
         contact: Contact {
             friction_law: FrictionLaw::Smooth,
@@ -104,6 +105,7 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
         housing: None,
         rotor: None,
         support: None,
+        rows: vec![],
         output: Output { interval_s: 1e-4 },
     }
 }

@@ -1,6 +1,6 @@
 //! Operation of a case.
 
-use cageless::Operation;
+use cageless::{Operation, SpatialLoad};
 use cageless::time_table::TimeTable;
 
 use crate::case_file::converter::Converter;
@@ -37,6 +37,7 @@ impl Converter<'_> {
             gravity_m_s2: o.gravity_m_s2,
             inner_speed_table: table("inner_speed_rad_s", speeds)?,
             radial_load_table: table("radial_load_n", loads)?,
+            space: SpatialLoad::default(),
         })
     }
 

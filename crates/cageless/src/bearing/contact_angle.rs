@@ -1,0 +1,103 @@
+//! Contact angles of a bearing without load, and the shoulders that limit them.
+
+use super::{Bearing, BearingDimensions};
+use crate::contact::hertz::PointContact;
+use crate::error::{Allowed, InputError};
+use crate::ring_support::SHOULDER_HEIGHT;
+
+/// Difference of a given contact angle and that of the clearance below which they agree, rad.
+const SAME_ANGLE_RAD: f64 = 1e-3;
+
+impl BearingDimensions {
+    /// A = Re + ri − 2Rw, distance of the groove centres of a ball that touches both grooves.
+    pub(crate) fn groove_distance_m(&self) -> f64 {
+        self.inner_groove_curvature_radius_m + self.outer_groove_curvature_radius_m
+            - 2.0 * self.ball_radius_m
+    }
+
+    /// αf with cos αf = 1 − (Ro − Ri − 2Rw)/A, at which unloaded balls touch both grooves.
+    fn angle_of_clearance_rad(&self) -> f64 {
+        (1.0 - self.play_m() / self.groove_distance_m())
+            .clamp(0.0, 1.0)
+            .acos()
+    }
+}
+
+impl Bearing {
+    /// Angular-contact bearing of this free contact angle. Grooves without clearance are opened
+    /// about the pitch circle until unloaded balls touch them there, Gr = 2A(1 − cos α0); a
+    /// clearance must agree with the angle.
+    ///
+    /// # Errors
+    /// An [`InputError`] for an angle below 0 or beyond a shoulder, and for a clearance of
+    /// another angle.
+    pub fn with_contact_angle(mut self, angle_rad: f64) -> Result<Self, InputError> {
+        const FIELD: &str = "contact_angle_rad";
+        if angle_rad == 0.0 {
+            return Ok(self);
+        }
+        let d = &mut self.dimensions;
+        let room = d.groove_distance_m();
+        if d.play_m().abs() < super::ROUNDING_M {
+            let half = 0.5 * room * (1.0 - angle_rad.cos());
+            d.inner_groove_bottom_radius_m -= half;
+            d.outer_groove_bottom_radius_m += half;
+        }
+        let free = d.angle_of_clearance_rad();
+        let [inner, outer] = self.shoulder_angles_rad();
+        let most = inner.min(outer);
+        if !(angle_rad > 0.0 && angle_rad < most) {
+            let why = "at a larger angle the contact leaves the groove over its shoulder";
+            return Err(InputError::new(
+                FIELD,
+                angle_rad,
+                Allowed::Between(0.0, most, why),
+            ));
+        }
+        if (free - angle_rad).abs() > SAME_ANGLE_RAD {
+            return Err(InputError::rule(
+                FIELD,
+                angle_rad,
+                "left out, or the radial internal clearance 0: the clearance gives another free \
+                 contact angle, from 1 - cos = Gr/(2A)",
+            ));
+        }
+        self.contact_angle_rad = free;
+        [self.inner_contact, self.outer_contact] = self.contacts_at([free; 2]);
+        Ok(self)
+    }
+
+    /// α0, free contact angle; 0 of a radial bearing.
+    pub fn contact_angle_rad(&self) -> f64 {
+        self.contact_angle_rad
+    }
+
+    /// Contacts of a nominal ball with plain raceways at these contact angles: inner, outer.
+    pub fn contacts_at(&self, angles_rad: [f64; 2]) -> [PointContact; 2] {
+        self.dimensions
+            .raceway_contacts_at(&self.materials, angles_rad)
+    }
+
+    /// Contact angles at the shoulders of inner and outer ring. The inner shoulder, of which no
+    /// radius is given, has the usual height.
+    pub fn shoulder_angles_rad(&self) -> [f64; 2] {
+        let d = &self.dimensions;
+        let (ri, re) = (
+            d.inner_groove_curvature_radius_m,
+            d.outer_groove_curvature_radius_m,
+        );
+        let inner_height = SHOULDER_HEIGHT * 2.0 * d.ball_radius_m;
+        let outer_height = d.outer_groove_bottom_radius_m - d.outer_shoulder_radius_m;
+        [(inner_height, ri), (outer_height, re)]
+            .map(|(height, radius)| (1.0 - height / radius).clamp(0.0, 1.0).acos())
+    }
+
+    /// Largest displacement of the outer ring by which a row against one like it may be preloaded:
+    /// its balls then bear 4200 MPa between unloaded rings.
+    pub fn axial_preload_max_m(&self) -> f64 {
+        let (room, angle) = (self.dimensions.groove_distance_m(), self.contact_angle_rad);
+        let stretched = room + self.dimensions.interference_max_m(&self.materials);
+        // The grooves are A cos α0 apart along the radius.
+        (stretched.powi(2) - (room * angle.cos()).powi(2)).sqrt() - room * angle.sin()
+    }
+}

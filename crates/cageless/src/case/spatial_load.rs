@@ -1,0 +1,52 @@
+//! Load, tilt and rows of a bearing in space.
+
+/// Load on the inner ring out of the plane.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SpatialLoad {
+    /// Fa, along +Z.
+    pub axial_load_n: f64,
+    /// What holds or turns the axis of the inner ring.
+    pub tilt: Tilt,
+}
+
+/// Tilt of the inner ring: its axis is **a** = (p, q, √(1 − p² − q²)) with p the tilt about Y and
+/// −q the tilt about X, exact components and no small angles.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Tilt {
+    /// The shaft holds it.
+    Held {
+        /// −q.
+        x_rad: f64,
+        /// p.
+        y_rad: f64,
+    },
+    /// Moments turn it.
+    Free {
+        /// About X.
+        moment_x_n_m: f64,
+        /// About Y.
+        moment_y_n_m: f64,
+    },
+}
+
+impl Default for Tilt {
+    fn default() -> Self {
+        Self::Held {
+            x_rad: 0.0,
+            y_rad: 0.0,
+        }
+    }
+}
+
+/// One row of balls on the common inner ring.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Row {
+    /// z of its middle.
+    pub axial_position_m: f64,
+    /// σ: 1 where the balls press the outer ring towards +Z, −1 where towards −Z.
+    pub contact_sign: f64,
+    /// Displacement of its outer ring by −σ times this, which presses rows of opposite signs.
+    pub preload_m: f64,
+    /// Balls; those of the bearing if `None`.
+    pub balls: Option<usize>,
+}

@@ -1,0 +1,180 @@
+//! Energy of the ring with every ball where its energy is least, and the places where it is lowest.
+//!
+//! V(**R**, p, q) = Fr Y − Fa Z − My p + Mx q + Σ min U. Its gradient is the force and the moment
+//! left on the ring, its Hessian Uxx − Uxu Uuu⁻¹ Uux the stiffness with the balls in equilibrium.
+//! Moments act on p and q; a couple that stays fixed in space differs by the square of the tilt.
+
+use super::ball::{Rest, Ring, SpatialBall};
+use super::minimum::{Local, minimum, norm, solve};
+use crate::case::Tilt;
+use crate::equilibrium::EquilibriumError;
+
+/// Fraction of all forces that may be left on the ring.
+const FORCE_TOLERANCE: f64 = 1e-9;
+
+/// Ring and balls.
+#[derive(Debug, Clone)]
+pub(super) struct LoadBalance {
+    pub balls: Vec<SpatialBall>,
+    /// Load and weight on the ring, −Y.
+    pub down_n: f64,
+    /// Fa.
+    pub axial_n: f64,
+    pub tilt: Tilt,
+    /// Length by which tilts become displacements: the radius of the pitch circle.
+    pub arm_m: f64,
+    /// No step of the ring is longer.
+    pub longest_m: f64,
+}
+
+/// Places of the ring and of every ball.
+#[derive(Debug, Clone)]
+pub(super) struct Balanced {
+    pub ring: Ring,
+    pub rests: Vec<Rest>,
+    /// V over **R**, p, q.
+    pub local: Local<5>,
+}
+
+impl LoadBalance {
+    /// Coordinates of the ring at a place in which tilts count as displacements of the pitch
+    /// circle.
+    fn ring(&self, place: [f64; 5]) -> Ring {
+        let [x, y, z, p, q] = place;
+        [x, y, z, p / self.arm_m, q / self.arm_m]
+    }
+
+    /// V at coordinates of the ring, and every ball.
+    fn energy(&self, ring: Ring) -> (Local<5>, Vec<Rest>) {
+        let [mx, my] = match self.tilt {
+            Tilt::Held { .. } => [0.0; 2],
+            Tilt::Free {
+                moment_x_n_m,
+                moment_y_n_m,
+            } => [moment_x_n_m, moment_y_n_m],
+        };
+        let load = [0.0, self.down_n, -self.axial_n, -my, mx];
+        let work = (0..5).map(|k| load[k] * ring[k]);
+        let mut local = Local {
+            place: ring,
+            energy: work.clone().sum(),
+            magnitude: work.map(f64::abs).sum(),
+            gradient: load,
+            hessian: [[0.0; 5]; 5],
+        };
+        let rests: Vec<Rest> = self.balls.iter().map(|ball| ball.rest(ring)).collect();
+        for rest in &rests {
+            let (u, h) = (&rest.energy, &rest.energy.hessian);
+            local.energy += u.value;
+            local.magnitude += rest.magnitude;
+            let own = [[h[0][0], h[0][1]], [h[1][0], h[1][1]]];
+            for i in 0..5 {
+                local.gradient[i] += u.gradient[i + 2];
+                let follows = solve(&own, 0.0, [h[0][i + 2], h[1][i + 2]]).unwrap_or([0.0; 2]);
+                for j in 0..5 {
+                    let eased = h[j + 2][0] * follows[0] + h[j + 2][1] * follows[1];
+                    local.hessian[j][i] += h[j + 2][i + 2] - eased;
+                }
+            }
+        }
+        (local, rests)
+    }
+
+    /// V with tilts as displacements; those that are held do not move.
+    fn at(&self, place: [f64; 5]) -> Local<5> {
+        let mut local = self.energy(self.ring(place)).0;
+        local.place = place;
+        let held = matches!(self.tilt, Tilt::Held { .. });
+        for i in 0..5 {
+            let of = |k: usize| if k < 3 { 1.0 } else { 1.0 / self.arm_m };
+            local.gradient[i] *= of(i);
+            for j in 0..5 {
+                local.hessian[i][j] *= of(i) * of(j);
+                if held && i.max(j) > 2 {
+                    local.hessian[i][j] = 0.0;
+                }
+            }
+            if held && i > 2 {
+                local.gradient[i] = 0.0;
+                local.hessian[i][i] = local.hessian[0][0].abs() + local.hessian[1][1].abs() + 1.0;
+            }
+        }
+        local
+    }
+
+    /// Sum of the absolute forces that act from outside.
+    fn forces_n(&self) -> f64 {
+        let moments = match self.tilt {
+            Tilt::Held { .. } => 0.0,
+            Tilt::Free {
+                moment_x_n_m,
+                moment_y_n_m,
+            } => (moment_x_n_m.abs() + moment_y_n_m.abs()) / self.arm_m,
+        };
+        let push =
+            |ball: &SpatialBall| (ball.steady_n + ball.turning_n_m / ball.orbit_radius_m).abs();
+        self.down_n.abs() + self.axial_n.abs() + moments + self.balls.iter().map(push).sum::<f64>()
+    }
+
+    /// Force with which the balls push back at the places where the search starts, N: what an
+    /// interference or a preload adds to the forces.
+    fn preload_n(&self, place: [f64; 5]) -> f64 {
+        let rests = self.energy(self.ring(place)).1;
+        let balls = self.balls.iter().zip(&rests);
+        balls
+            .map(|(ball, rest)| ball.outer_force_n(rest.place))
+            .sum()
+    }
+
+    /// z of a deep groove ring under the axial load alone: without clearance the force grows with
+    /// z⁴, z⁴ = 2^(3/2) A^(5/2) Fa/(Z Kn), so that no stiffness holds it at 0.
+    fn axial_start_m(&self) -> f64 {
+        let ball = &self.balls[0];
+        let series = crate::case::series_stiffness_n_m1_5(
+            ball.inner_stiffness_n_m1_5,
+            ball.outer_stiffness_n_m1_5,
+        );
+        let room = ball.inner_gap_m + ball.outer.gap_m;
+        let share = self.axial_n.abs() / self.balls.len() as f64;
+        let depth = (2f64.powf(1.5) * room.powf(2.5) * share / series).powf(0.25);
+        depth.copysign(self.axial_n)
+    }
+
+    /// The lowest minimum that is reached from the right, the left and below at `depth_m` and from
+    /// the middle; of two that are level to rounding the first.
+    pub fn settle(&self, depth_m: f64) -> Result<Balanced, EquilibriumError> {
+        let [p, q] = match self.tilt {
+            Tilt::Held { x_rad, y_rad } => [y_rad * self.arm_m, -x_rad * self.arm_m],
+            Tilt::Free { .. } => [0.0; 2],
+        };
+        let z = self.axial_start_m();
+        let middle = [0.0, 0.0, 0.0, p, q];
+        let sides: &[[f64; 2]] = match self.down_n == 0.0 {
+            true => &[[0.0; 2]],
+            false => &[[1.0, -1.0], [-1.0, -1.0], [0.0, -1.0], [0.0; 2]],
+        };
+        let forces = self.forces_n() + self.preload_n(middle);
+        let mut lowest: Option<Local<5>> = None;
+        let mut failed = (f64::INFINITY, 0);
+        for [x, y] in sides {
+            let start = [x * depth_m, y * depth_m, z, p, q];
+            let found = minimum(|place| self.at(place), start, self.longest_m);
+            let residual = norm(found.gradient);
+            if !(residual <= FORCE_TOLERANCE * forces) {
+                failed = (residual.min(failed.0), failed.1 + 1);
+                continue;
+            }
+            let rounding = 1e-14 * found.magnitude;
+            if lowest.is_none_or(|best| found.energy < best.energy - rounding) {
+                lowest = Some(found);
+            }
+        }
+        let lowest = lowest.ok_or(EquilibriumError::NotConverged {
+            residual_n: failed.0,
+            iterations: failed.1,
+        })?;
+        let ring = self.ring(lowest.place);
+        let (local, rests) = self.energy(ring);
+        Ok(Balanced { ring, rests, local })
+    }
+}

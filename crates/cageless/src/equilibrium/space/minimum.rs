@@ -1,0 +1,118 @@
+//! Minimum of an energy over a few coordinates: Newton's method with a shift of the Hessian.
+
+/// An energy with its derivatives at a place.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Local<const N: usize> {
+    pub place: [f64; N],
+    /// J.
+    pub energy: f64,
+    /// Sum of the absolute terms of the energy, to which its rounding is proportional.
+    pub magnitude: f64,
+    pub gradient: [f64; N],
+    pub hessian: [[f64; N]; N],
+}
+
+const ITERATIONS: usize = 400;
+/// Newton steps after the energy no longer tells them from rounding.
+const POLISHING: usize = 4;
+
+/// Length of a vector.
+pub(super) fn norm<const N: usize>(vector: [f64; N]) -> f64 {
+    vector.iter().map(|v| v * v).sum::<f64>().sqrt()
+}
+
+/// x of (H + shift) x = b by Cholesky's factors; `None` where that is not positive definite.
+pub(super) fn solve<const N: usize>(
+    hessian: &[[f64; N]; N],
+    shift: f64,
+    b: [f64; N],
+) -> Option<[f64; N]> {
+    let mut l = [[0.0; N]; N];
+    for i in 0..N {
+        for j in 0..=i {
+            let dot: f64 = (0..j).map(|k| l[i][k] * l[j][k]).sum();
+            if i == j {
+                let square = hessian[i][i] + shift - dot;
+                // A pivot that is the rounding of its sum is none.
+                if !(square > 1e-13 * hessian[i][i].abs()) {
+                    return None;
+                }
+                l[i][i] = square.sqrt();
+            } else {
+                l[i][j] = (hessian[i][j] - dot) / l[j][j];
+            }
+        }
+    }
+    let mut x = b;
+    for i in 0..N {
+        let dot: f64 = (0..i).map(|k| l[i][k] * x[k]).sum();
+        x[i] = (x[i] - dot) / l[i][i];
+    }
+    for i in (0..N).rev() {
+        let dot: f64 = (i + 1..N).map(|k| l[k][i] * x[k]).sum();
+        x[i] = (x[i] - dot) / l[i][i];
+    }
+    Some(x)
+}
+
+/// The minimum that is reached from `start`; no step is longer than `longest`. Whether it is one,
+/// what is left of the gradient tells.
+pub(super) fn minimum<const N: usize>(
+    at: impl Fn([f64; N]) -> Local<N>,
+    start: [f64; N],
+    longest: f64,
+) -> Local<N> {
+    let mut here = at(start);
+    let mut shift = 0.0;
+    let mut polished = 0;
+    for _ in 0..ITERATIONS {
+        let size = (0..N).map(|k| here.hessian[k][k].abs()).fold(0.0, f64::max);
+        let least = (1e-12 * size).max(f64::MIN_POSITIVE);
+        let mut used = shift;
+        let step = loop {
+            let step = solve(&here.hessian, used, here.gradient.map(|g| -g));
+            match step {
+                Some(step) if norm(step) <= longest => break step,
+                _ if used > 1e30 * (size + norm(here.gradient) / longest) => return here,
+                _ => used = (4.0 * used).max(least),
+            }
+        };
+        let curved: f64 = (0..N)
+            .map(|i| {
+                (0..N)
+                    .map(|j| step[i] * here.hessian[i][j] * step[j])
+                    .sum::<f64>()
+            })
+            .sum();
+        let along: f64 = (0..N).map(|k| here.gradient[k] * step[k]).sum();
+        let predicted = -along - 0.5 * curved;
+        let there = at(std::array::from_fn(|k| here.place[k] + step[k]));
+        if predicted <= 16.0 * f64::EPSILON * here.magnitude {
+            if norm(there.gradient) < norm(here.gradient) {
+                here = there;
+                shift = if used > least { 0.1 * used } else { 0.0 };
+                polished += usize::from(used == 0.0);
+            } else if used > 0.0 && shift > 0.0 {
+                shift = 0.0;
+            } else {
+                break;
+            }
+            if polished >= POLISHING {
+                break;
+            }
+            continue;
+        }
+        let ratio = (here.energy - there.energy) / predicted;
+        if ratio < 0.25 {
+            shift = (4.0 * used).max(1e-4 * size);
+        } else if ratio > 0.75 {
+            shift = if used > least { used / 8.0 } else { 0.0 };
+        } else {
+            shift = used;
+        }
+        if ratio > 1e-4 {
+            here = there;
+        }
+    }
+    here
+}

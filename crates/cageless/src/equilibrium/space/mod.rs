@@ -1,0 +1,439 @@
+//! Static equilibrium in space: three displacements and two tilts of the inner ring, two
+//! coordinates of every ball.
+//!
+//! Each ball stays at its ψ and moves along the radius and the axis between two grooves, of which
+//! the discrete one is taken with both of its flanks; the ring takes radial and axial load,
+//! weight, and moments, or its tilt is given. Friction is left out, as in the plane, of which this is
+//! the extension: without axial load and tilt the two agree on a conventional ring.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::equilibrium::space;
+//!
+//! let mut case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! case.operation.space.axial_load_n = 300.0;
+//!
+//! let rest = space::solve(&case)?;
+//! assert!(rest.ring_z_m > 0.0); // the load pushes the ring along +Z
+//! // The loaded balls touch the inner ring under an angle.
+//! assert!(rest.inner_contact_angle_rad[0] > 0.0);
+//! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
+//! ```
+
+mod ball;
+mod load_balance;
+mod minimum;
+pub mod outer_section;
+mod shoulder;
+
+use crate::case::{Case, Row, Tilt};
+use crate::contact::hertz::PointContact;
+use crate::equilibrium::{
+    Equilibrium, EquilibriumError, RacewayContact, ball_outer_geometry, start_angles_rad,
+};
+use crate::error::InputError;
+use crate::kinematics::orbit_speed_in_space_rad_s;
+use crate::profile::Profile;
+use ball::{Ring, SpatialBall};
+use load_balance::{Balanced, LoadBalance};
+use outer_section::{Flanks, OuterSection, SectionContact};
+use shoulder::GrooveContact;
+
+/// Ring and balls in equilibrium.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SpatialEquilibrium {
+    /// What a planar equilibrium has as well, for the balls of all rows, one row after the other. A
+    /// force at the outer raceway is the resultant of both flanks, a contact there the more loaded
+    /// one.
+    pub rest: Equilibrium,
+    /// Displacement of the inner ring along the axis.
+    pub ring_z_m: f64,
+    /// Tilt of the inner ring about X, −q.
+    pub tilt_x_rad: f64,
+    /// Tilt of the inner ring about Y, p.
+    pub tilt_y_rad: f64,
+    /// Row of each ball, from 0.
+    pub row: Vec<usize>,
+    /// Contact angle at the inner raceway, positive where the axial load along +Z presses; NaN
+    /// without contact.
+    pub inner_contact_angle_rad: Vec<f64>,
+    /// Angle of the force at the outer raceway; NaN without contact.
+    pub outer_contact_angle_rad: Vec<f64>,
+    /// Forces at the flanks of the outer raceway, that towards +Z first; on the plain raceway the first
+    /// is all.
+    pub flank_force_n: Vec<[f64; 2]>,
+    /// Stiffness matrix over (X, Y, Z, tilt about X, tilt about Y), every ball staying in
+    /// equilibrium under unchanged centrifugal forces: N/m, N/rad and N, N·m/rad; `None` where
+    /// nothing holds the ring in a direction that is free.
+    pub stiffness: Option<[[f64; 5]; 5]>,
+    /// Orbital speed of each ball in rolling under these contact angles.
+    pub orbit_speed_rad_s: Vec<f64>,
+    /// Contacts whose ellipse reaches beyond a shoulder.
+    pub truncated: Vec<String>,
+}
+
+/// Times that the centrifugal forces follow the contact angles.
+const SPEED_ROUNDS: usize = 20;
+
+/// Solves the equilibrium of `case` in space with its balls at their starting angles.
+///
+/// # Errors
+/// The case is impossible, a contact leaves its groove, no ball carries a tilted ring, or the
+/// iteration does not converge.
+pub fn solve(case: &Case) -> Result<SpatialEquilibrium, EquilibriumError> {
+    case.check()?;
+    case.check_constant_operation("a static equilibrium in space")?;
+    let mut balance = balance(case);
+    let depth = contact_depth_m(case);
+    let mut settled = balance.settle(depth)?;
+    let inner_speed = case.operation.inner_speed_rad_s;
+    for _ in 0..SPEED_ROUNDS {
+        if !follow_speeds(case, &mut balance, &settled, inner_speed) {
+            break;
+        }
+        settled = balance.settle(depth)?;
+    }
+    let (solved, contacts) = result(case, &balance, &settled);
+    check(case, &solved)?;
+    shoulder::check(&case.bearing, &contacts)?;
+    Ok(solved)
+}
+
+/// Forces of every ball at both raceways and the row of each without weight and centrifugal force,
+/// on a plain outer raceway.
+///
+/// # Errors
+/// Those of [`solve`].
+pub fn forces_at_rest(case: &Case) -> Result<SpatialEquilibrium, EquilibriumError> {
+    let mut still = case.conventional();
+    still.operation.gravity_m_s2 = 0.0;
+    // What keeps an unloaded ball in its groove is next to nothing.
+    still.operation.inner_speed_rad_s *= 1e-4;
+    solve(&still)
+}
+
+/// The rows of a case; that of a bearing without further rows in the middle plane.
+fn rows(case: &Case) -> Vec<Row> {
+    match case.rows.is_empty() {
+        false => case.rows.clone(),
+        true => vec![Row {
+            axial_position_m: 0.0,
+            contact_sign: 1.0,
+            preload_m: 0.0,
+            balls: None,
+        }],
+    }
+}
+
+/// ψ of the balls of a row, with the number of each in its row.
+fn row_angles_rad(case: &Case, row: &Row) -> Vec<f64> {
+    match row.balls.filter(|n| *n != case.bearing.balls()) {
+        None => start_angles_rad(case),
+        Some(n) => {
+            let lead = case.start.lead_ball_angle_rad();
+            let pitch = std::f64::consts::TAU / n as f64;
+            (0..n).map(|k| lead + k as f64 * pitch).collect()
+        }
+    }
+}
+
+/// Balls and loads of a case, the balls rolling as in the plane.
+fn balance(case: &Case) -> LoadBalance {
+    let bearing = &case.bearing;
+    let d = bearing.dimensions();
+    let room = d.groove_distance_m();
+    let mut balls = vec![];
+    for (number, row) in rows(case).iter().enumerate() {
+        // At the free contact angle unloaded balls touch at R = 0.
+        let offset = 0.5 * row.contact_sign * room * bearing.contact_angle_rad().sin();
+        for (k, angle_rad) in row_angles_rad(case, row).into_iter().enumerate() {
+            let ball = bearing.ball(k);
+            let cos = angle_rad.cos();
+            let geometry = ball_outer_geometry(case, k, angle_rad);
+            let speed = bearing.pitch_radius_m()
+                * orbit_speed_in_space_rad_s(
+                    bearing,
+                    case.operation.inner_speed_rad_s,
+                    [geometry.effective_radius_m, ball.radius_m],
+                    0.0,
+                );
+            let doubled = match case.profile {
+                Profile::Paper => ball.mass_kg * speed * speed / bearing.pitch_radius_m(),
+                Profile::Physical => 0.0,
+            };
+            let [inner_stiffness_n_m1_5, outer_stiffness_n_m1_5, _] = case.ball_stiffness_n_m1_5(k);
+            balls.push(SpatialBall {
+                row: number,
+                angle_rad,
+                radius_m: ball.radius_m,
+                mass_kg: ball.mass_kg,
+                orbit_radius_m: d.outer_groove_bottom_radius_m - ball.radius_m,
+                outer: OuterSection {
+                    gap_m: d.outer_groove_curvature_radius_m - ball.radius_m,
+                    axial_m: -offset - row.contact_sign * row.preload_m,
+                    flanks: flanks(case, angle_rad, row.contact_sign),
+                },
+                axial_m: row.axial_position_m,
+                inner_gap_m: d.inner_groove_curvature_radius_m - ball.radius_m,
+                inner_centre_m: d.inner_groove_bottom_radius_m + d.inner_groove_curvature_radius_m,
+                inner_axial_m: offset,
+                inner_stiffness_n_m1_5,
+                outer_stiffness_n_m1_5,
+                steady_n: ball.mass_kg * case.operation.gravity_m_s2 * cos + doubled,
+                turning_n_m: ball.mass_kg * speed * speed,
+            });
+        }
+    }
+    let weight = d.inner_ring_mass_kg * case.operation.gravity_m_s2;
+    LoadBalance {
+        balls,
+        down_n: case.operation.radial_load_n + weight,
+        axial_n: case.operation.space.axial_load_n,
+        tilt: case.operation.space.tilt,
+        arm_m: bearing.pitch_radius_m(),
+        longest_m: 0.05 * bearing.ball_radius_m(),
+    }
+}
+
+/// Flanks of the raceway at ψ, in a row of this sign.
+fn flanks(case: &Case, angle_rad: f64, sign: f64) -> Option<Flanks> {
+    let d = case.bearing.dimensions();
+    let raceway = case.raceways.iter().find(|r| r.contains(angle_rad))?;
+    let [flank, _] = raceway.contact_angle_rad(raceway.local_angle_rad(angle_rad));
+    Some(Flanks {
+        angle_rad: flank,
+        section_angle_rad: sign * raceway.section_angle_rad(),
+        nominal_gap_m: d.outer_groove_curvature_radius_m - d.ball_radius_m,
+        depth_error_m: raceway.depth_error_at_m(angle_rad),
+    })
+}
+
+/// Depth of the ring below the middle from which to search: half the clearance and the deflection
+/// under the load (Stribeck).
+fn contact_depth_m(case: &Case) -> f64 {
+    let bearing = &case.bearing;
+    let [inner, outer, _] = case.stiffness_n_m1_5();
+    let load = case.operation.radial_load_n
+        + bearing.dimensions().inner_ring_mass_kg * case.operation.gravity_m_s2;
+    let share = 4.37 * load / bearing.balls() as f64;
+    let series = crate::case::series_stiffness_n_m1_5(inner, outer);
+    let thrown = (case.centrifugal_force_n() / outer).powf(2.0 / 3.0);
+    0.5 * bearing.radial_internal_clearance_m().max(0.0) + (share / series).powf(2.0 / 3.0) + thrown
+}
+
+/// Arms of rolling at the outer and the inner contact of a ball, and the inner contact angle: the
+/// axis of rotation lies along the force at the outer raceway.
+fn arms_m(ball: &SpatialBall, place: [f64; 2], ring: Ring) -> ([f64; 2], f64) {
+    let contacts = ball.outer.contacts(place);
+    let inner = ball.inner_contact(place, ring);
+    let [along, across, sum] = resultant(&contacts);
+    let pitch = if sum > 0.0 { across.atan2(along) } else { 0.0 };
+    let outer = if sum > 0.0 {
+        along.hypot(across) / sum
+    } else {
+        1.0
+    };
+    let angle = inner.map_or(pitch, |(_, angle)| angle);
+    let inner = inner.map_or(1.0, |(_, angle)| (angle - pitch).cos());
+    ([outer * ball.radius_m, inner * ball.radius_m], angle)
+}
+
+/// Resultant of the forces at a section along the radius and the axis, and their sum, all over the
+/// force K δe^(3/2).
+fn resultant(contacts: &[SectionContact]) -> [f64; 3] {
+    contacts.iter().fold([0.0; 3], |[x, y, sum], c| {
+        let (sin, cos) = c.angle_rad.sin_cos();
+        [x + c.share * cos, y + c.share * sin, sum + c.share]
+    })
+}
+
+/// Puts the centrifugal forces right for the contact angles; whether that changes anything.
+fn follow_speeds(
+    case: &Case,
+    balance: &mut LoadBalance,
+    settled: &Balanced,
+    inner_speed_rad_s: f64,
+) -> bool {
+    let bearing = &case.bearing;
+    let mut changed = false;
+    for (ball, rest) in balance.balls.iter_mut().zip(&settled.rests) {
+        let (arms, angle) = arms_m(ball, rest.place, settled.ring);
+        let speed = bearing.pitch_radius_m()
+            * orbit_speed_in_space_rad_s(bearing, inner_speed_rad_s, arms, angle);
+        let turning = ball.mass_kg * speed * speed;
+        changed |= (turning - ball.turning_n_m).abs() > 1e-12 * turning;
+        ball.turning_n_m = turning;
+    }
+    changed
+}
+
+/// Contact of a ball at an angle under a force.
+fn contact(contacts: &[PointContact; 2], ring: usize, force_n: f64) -> RacewayContact {
+    let contact = &contacts[ring];
+    RacewayContact {
+        pressure_pa: contact.peak_pressure_pa(force_n),
+        semi_axes_m: contact.semi_axes_m(force_n),
+    }
+}
+
+/// The results, and every contact with a groove.
+fn result(
+    case: &Case,
+    balance: &LoadBalance,
+    settled: &Balanced,
+) -> (SpatialEquilibrium, Vec<GrooveContact>) {
+    let bearing = &case.bearing;
+    let ring = settled.ring;
+    let [inner_stiffness_n_m1_5, outer_stiffness_n_m1_5, _] = case.stiffness_n_m1_5();
+    let stiffness = stiffness(settled);
+    let held = match balance.tilt {
+        Tilt::Held { .. } => holds::<3>(&stiffness, balance.arm_m),
+        Tilt::Free { .. } => holds::<5>(&stiffness, balance.arm_m),
+    };
+    let mut solved = SpatialEquilibrium {
+        rest: Equilibrium {
+            ring_x_m: ring[0],
+            ring_y_m: ring[1],
+            ball_angle_rad: vec![],
+            ball_distance_m: vec![],
+            effective_radius_m: vec![],
+            inner_force_n: vec![],
+            outer_force_n: vec![],
+            inner_stiffness_n_m1_5,
+            outer_stiffness_n_m1_5,
+            inner_contact: vec![],
+            outer_contact: vec![],
+            stiffness_n_m: holds::<2>(&stiffness, balance.arm_m)
+                .then(|| [0, 1].map(|i| [stiffness[i][0], stiffness[i][1]])),
+            inner_pressure_max_pa: 0.0,
+            outer_pressure_max_pa: 0.0,
+        },
+        ring_z_m: ring[2],
+        tilt_x_rad: -ring[4],
+        tilt_y_rad: ring[3],
+        row: vec![],
+        inner_contact_angle_rad: vec![],
+        outer_contact_angle_rad: vec![],
+        flank_force_n: vec![],
+        stiffness: held.then_some(stiffness),
+        orbit_speed_rad_s: vec![],
+        truncated: vec![],
+    };
+    let mut contacts = vec![];
+    for (ball, rest) in balance.balls.iter().zip(&settled.rests) {
+        contacts.extend(push_ball(&mut solved, case, ball, rest.place, ring));
+    }
+    let largest =
+        |contacts: &[RacewayContact]| contacts.iter().map(|c| c.pressure_pa).fold(0.0, f64::max);
+    solved.rest.inner_pressure_max_pa = largest(&solved.rest.inner_contact);
+    solved.rest.outer_pressure_max_pa = largest(&solved.rest.outer_contact);
+    solved.truncated = shoulder::truncated(bearing, &contacts);
+    (solved, contacts)
+}
+
+/// Adds the results of one ball; its contacts with the grooves.
+fn push_ball(
+    solved: &mut SpatialEquilibrium,
+    case: &Case,
+    ball: &SpatialBall,
+    place: [f64; 2],
+    ring: Ring,
+) -> Vec<GrooveContact> {
+    let bearing = &case.bearing;
+    let (inner_force, inner_angle) = ball.inner_contact(place, ring).unwrap_or((0.0, f64::NAN));
+    let contacts = ball.outer.contacts(place);
+    let force = ball.outer_force_n(place);
+    let [along, across, sum] = resultant(&contacts);
+    let outer_angle = if sum > 0.0 {
+        across.atan2(along)
+    } else {
+        f64::NAN
+    };
+    let (arms, rolling_angle) = arms_m(ball, place, ring);
+    let speed = case.operation.inner_speed_rad_s;
+    let number = solved.row.len();
+    let heavier = contacts.iter().max_by(|a, b| a.share.total_cmp(&b.share));
+    let at = |angle: f64| bearing.contacts_at([if angle.is_nan() { 0.0 } else { angle }; 2]);
+    let rest = &mut solved.rest;
+    rest.ball_angle_rad.push(ball.angle_rad);
+    rest.ball_distance_m.push(ball.orbit_radius_m + place[0]);
+    rest.effective_radius_m.push(arms[0]);
+    rest.inner_force_n.push(inner_force);
+    rest.outer_force_n.push(force * along.hypot(across));
+    rest.inner_contact
+        .push(contact(&at(inner_angle), 0, inner_force));
+    rest.outer_contact.push(match heavier {
+        Some(one) => contact(&at(one.angle_rad), 1, force * one.share),
+        None => contact(&at(0.0), 1, 0.0),
+    });
+    let share = |k: usize| contacts.get(k).map_or(0.0, |c| force * c.share);
+    let towards_plus = contacts.len() != 1 || outer_angle >= 0.0 || ball.outer.flanks.is_none();
+    solved.flank_force_n.push(match towards_plus {
+        true => [share(0), share(1)],
+        false => [0.0, share(0)],
+    });
+    solved.row.push(ball.row);
+    solved.inner_contact_angle_rad.push(inner_angle);
+    solved.outer_contact_angle_rad.push(outer_angle);
+    let orbit = orbit_speed_in_space_rad_s(bearing, speed, arms, rolling_angle);
+    solved.orbit_speed_rad_s.push(orbit);
+    let on_groove = |ring: usize, angle_rad: f64, force_n: f64| GrooveContact {
+        ball: number,
+        ring,
+        angle_rad,
+        reach_rad: contact(&at(angle_rad), ring, force_n).semi_axes_m[1] / ball.radius_m,
+    };
+    let outer = contacts.iter();
+    let outer = outer.map(|c| on_groove(1, c.angle_rad, force * c.share));
+    let inner = (inner_force > 0.0).then(|| on_groove(0, inner_angle, inner_force));
+    outer.chain(inner).collect()
+}
+
+/// The Hessian over (X, Y, Z, −q, p).
+fn stiffness(settled: &Balanced) -> [[f64; 5]; 5] {
+    const ORDER: [(usize, f64); 5] = [(0, 1.0), (1, 1.0), (2, 1.0), (4, -1.0), (3, 1.0)];
+    let hessian = &settled.local.hessian;
+    let entry = |i: usize, j: usize| ORDER[i].1 * ORDER[j].1 * hessian[ORDER[i].0][ORDER[j].0];
+    std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
+}
+
+/// Stiffness of a direction over the largest one below which the ring is free in it.
+const FREE: f64 = 1e-9;
+
+/// Whether a stiffness holds the ring in the first `N` directions, tilts taken over the radius of
+/// the pitch circle: none is nothing beside the others.
+fn holds<const N: usize>(stiffness: &[[f64; 5]; 5], arm_m: f64) -> bool {
+    let of = |k: usize| if k < 3 { 1.0 } else { 1.0 / arm_m };
+    let even: [[f64; N]; N] =
+        std::array::from_fn(|i| std::array::from_fn(|j| stiffness[i][j] * of(i) * of(j)));
+    let size = (0..N).map(|k| even[k][k]).fold(0.0, f64::max);
+    minimum::solve(&even, -FREE * size, [0.0; N]).is_some()
+}
+
+/// Refuses an equilibrium that the bearing cannot have.
+fn check(case: &Case, solved: &SpatialEquilibrium) -> Result<(), EquilibriumError> {
+    let rest = &solved.rest;
+    if rest.ring_x_m.hypot(rest.ring_y_m) > case.bearing.shoulder_clearance_m() {
+        return Err(EquilibriumError::Unsupported);
+    }
+    if let (Tilt::Held { x_rad, y_rad }, true) = (
+        case.operation.space.tilt,
+        rest.inner_force_n.iter().all(|force| *force == 0.0),
+    ) {
+        for (field, value) in [("tilt_x_rad", x_rad), ("tilt_y_rad", y_rad)] {
+            if value != 0.0 {
+                let rule = "less, or with a load: no ball touches the inner ring that is tilted so";
+                return Err(InputError::rule(field, value, rule).into());
+            }
+        }
+    }
+    Ok(())
+}
+
+impl SpatialEquilibrium {
+    /// What the bearing does not stand, as sentences.
+    pub fn warnings(&self) -> Vec<String> {
+        let overload = self.rest.overload().into_iter();
+        overload.chain(self.truncated.iter().cloned()).collect()
+    }
+}

@@ -1,0 +1,165 @@
+//! Section of the outer raceway at a ball: one groove, or the two flanks of a discrete raceway.
+//!
+//! A groove is a circle of radius Re about a centre; a ball at (ρ, ζ) is pressed in by
+//! δ = |d| − (Re − R) along **n** = d/|d| with d from that centre. The flanks of a discrete
+//! raceway at the angle αc, turned by αg, have their centres at
+//!
+//!   C± = B − g (cos(αg ± αc), sin(αg ± αc)),   B = (Po + g cos αg, zo + g sin αg),   g = Re − Rw,
+//!
+//! B where the nominal ball rests. Both share a ball as one contact does,
+//!
+//!   δe = (δ₊ˢ + δ₋ˢ)^(1/s) (positive parts),   s = ln 2/(−ln cos αc):
+//!
+//! δ on one flank, δo of Zhao 2022, Eq. (19), where both are pressed in by δo cos αc.
+//!
+//! ```
+//! use cageless::equilibrium::space::outer_section::{Flanks, OuterSection};
+//!
+//! let flanks = Flanks {
+//!     angle_rad: 0.5,
+//!     section_angle_rad: 0.0,
+//!     nominal_gap_m: 0.19e-3,
+//!     depth_error_m: 0.0,
+//! };
+//! let section = OuterSection {
+//!     gap_m: 0.19e-3,
+//!     axial_m: 0.0,
+//!     flanks: Some(flanks),
+//! };
+//! // In the middle a ball sits on both flanks, far from it on one.
+//! assert_eq!(section.contacts([5e-6, 0.0]).len(), 2);
+//! assert_eq!(section.contacts([5e-6, 40e-6]).len(), 1);
+//! ```
+
+use std::f64::consts::LN_2;
+
+use crate::numerics::taylor::Taylor;
+
+/// Flank angle below which the raceway is the plain groove, rad.
+const PLAIN_RAD: f64 = 1e-5;
+/// Share of one flank in the approach below which it does not touch.
+const OPEN: f64 = 1e-60;
+
+/// Two flanks at the ψ of a ball.
+#[derive(Debug, Clone, Copy)]
+pub struct Flanks {
+    /// αc.
+    pub angle_rad: f64,
+    /// αg.
+    pub section_angle_rad: f64,
+    /// g = Re − Rw of the nominal ball.
+    pub nominal_gap_m: f64,
+    /// Depth milled too much along the normals.
+    pub depth_error_m: f64,
+}
+
+/// Section at a ball.
+#[derive(Debug, Clone, Copy)]
+pub struct OuterSection {
+    /// Re − R of this ball.
+    pub gap_m: f64,
+    /// zo, of the groove's centre.
+    pub axial_m: f64,
+    /// Flanks; none outside the raceways.
+    pub flanks: Option<Flanks>,
+}
+
+/// One contact of a section with a ball.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SectionContact {
+    /// Angle of **n** from the radius towards +Z.
+    pub angle_rad: f64,
+    /// Its share w of the force K δe^(3/2).
+    pub share: f64,
+}
+
+impl OuterSection {
+    /// d and the radius |d| at which the ball touches, of the groove or of flank `sign`; u is ρ less
+    /// that of a ball that touches the plain groove in its middle.
+    fn from_centre<const N: usize>(
+        &self,
+        [beyond, axial]: [Taylor<N>; 2],
+        flank: Option<(&Flanks, Taylor<N>, f64)>,
+    ) -> ([Taylor<N>; 2], f64) {
+        let d = [beyond + self.gap_m, axial + -self.axial_m];
+        let Some((flanks, angle, sign)) = flank else {
+            return (d, self.gap_m);
+        };
+        let g = flanks.nominal_gap_m;
+        let (sin, cos) = (angle * sign + flanks.section_angle_rad).sin_cos();
+        let (sin_g, cos_g) = flanks.section_angle_rad.sin_cos();
+        let d = [d[0] + cos * g + -g * cos_g, d[1] + sin * g + -g * sin_g];
+        (d, self.gap_m + flanks.depth_error_m)
+    }
+
+    /// δ of the groove or of a flank; `None` where it is open.
+    fn approach_to<const N: usize>(
+        &self,
+        place: [Taylor<N>; 2],
+        flank: Option<(&Flanks, Taylor<N>, f64)>,
+    ) -> Option<Taylor<N>> {
+        let ([radial, axial], radius) = self.from_centre(place, flank);
+        // Near the centre there is no direction.
+        (radial.value.hypot(axial.value) > radius).then(|| radial.hypot(axial) + -radius)
+    }
+
+    /// δe of a ball at (u, ζ); `None` where nothing touches. `flank_angle` is αc, which may
+    /// be a function of ψ.
+    pub fn approach<const N: usize>(
+        &self,
+        place: [Taylor<N>; 2],
+        flank_angle: Taylor<N>,
+    ) -> Option<Taylor<N>> {
+        let Some(flanks) = self
+            .flanks
+            .as_ref()
+            .filter(|_| flank_angle.value > PLAIN_RAD)
+        else {
+            return self.approach_to(place, None);
+        };
+        let [one, other] =
+            [1.0, -1.0].map(|sign| self.approach_to(place, Some((flanks, flank_angle, sign))));
+        let (one, other) = match (one, other) {
+            (Some(one), Some(other)) if one.value >= other.value => (one, other),
+            (Some(one), Some(other)) => (other, one),
+            (one, other) => return one.or(other),
+        };
+        if other.value < OPEN * one.value {
+            return Some(one);
+        }
+        let (_, cos) = flank_angle.sin_cos();
+        let inverse = cos.ln() * (-1.0 / LN_2);
+        let ratio = other * one.recip();
+        let power = (ratio.ln() * inverse.recip()).exp();
+        Some(one * (power.ln_1p() * inverse).exp())
+    }
+
+    /// Contacts at a ball at (u, ζ): one, or both flanks, the one towards +Z first.
+    pub fn contacts(&self, [beyond, axial]: [f64; 2]) -> Vec<SectionContact> {
+        let place = [beyond, axial].map(Taylor::<0>::constant);
+        let touching = |flank| {
+            let delta: Taylor<0> = self.approach_to(place, flank)?;
+            let ([radial, axial], _) = self.from_centre(place, flank);
+            Some((delta.value, axial.value.atan2(radial.value)))
+        };
+        let flanks = self.flanks.as_ref().filter(|f| f.angle_rad > PLAIN_RAD);
+        let Some(flanks) = flanks else {
+            let one = touching(None).map(|(_, angle_rad)| SectionContact {
+                angle_rad,
+                share: 1.0,
+            });
+            return one.into_iter().collect();
+        };
+        let angle = Taylor::constant(flanks.angle_rad);
+        let both = [1.0, -1.0].map(|sign| touching(Some((flanks, angle, sign))));
+        let s = LN_2 / -flanks.angle_rad.cos().ln();
+        let joined = self.approach(place, angle).map_or(0.0, |d| d.value);
+        both.into_iter()
+            .flatten()
+            .map(|(delta, angle_rad)| SectionContact {
+                angle_rad,
+                share: (delta / joined).powf(s - 1.0),
+            })
+            .collect()
+    }
+}
