@@ -190,6 +190,13 @@ impl Tables {
     }
 }
 
+/// Reads the case of a command that takes planar ones.
+pub fn read_planar_case(path: &Path, set: &[String]) -> Result<CaseFile, Failure> {
+    let file = read_case(path, set)?;
+    file.check_planar()?;
+    Ok(file)
+}
+
 /// Reads the case of a command.
 pub fn read_case(path: &Path, set: &[String]) -> Result<CaseFile, Failure> {
     CaseFile::read(path, set).map_err(|error| {

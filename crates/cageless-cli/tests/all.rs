@@ -17,6 +17,7 @@ mod places;
 mod rotor_files;
 mod rotors;
 mod search;
+mod space;
 mod statements;
 mod studio;
 mod studio_requests;

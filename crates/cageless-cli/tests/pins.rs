@@ -28,6 +28,7 @@ pins! {
     check_rotor: "check cases/rotors/two-bearings.toml --out OUT";
     static_loaded: "static cases/zhao-d.toml --out OUT";
     static_unloaded: "static cases/conventional.toml +operation.radial_load_n=0 +operation.gravity_m_s2=0; static cases/full-6205.toml +material.preset=Si3N4 --json";
+    static_space: "static cases/zhao-d.toml +operation.axial_load_n=300 +operation.moment_x_n_m=0.5 --out OUT; static cases/full-6205.toml +operation.axial_load_n=400 +operation.tilt_y_mrad=0.5 --json";
     design: "design cases/zhao-d.toml +solver.step_us=2.5 --out OUT";
     design_conventional: "design cases/conventional.toml +solver.step_us=2.5 --out OUT";
     design_search: "design cases/zhao-d.toml --search +search.runs_max=32 +search.initial_states=1 +search.half_angle_deg=24.5 +search.axial_span_mm=[5,5.2] +solver.step_us=2.5 --out OUT";

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use cageless::equilibrium::solve;
 use cageless_io::cad::{Export, ExportOptions, Format, export as ring};
 use cageless_io::case_file::CaseFile;
 use cageless_paper::structures_of;
@@ -14,7 +13,7 @@ use cageless_report::drop::drop_page;
 use cageless_report::recommended::recommended_document;
 use cageless_report::run_report::run_data;
 use cageless_report::to_json;
-use cageless_results::{Aim, static_record};
+use cageless_results::{Aim, equilibrium_record};
 use cageless_study::design::{DesignResult, Judged, judged, task};
 use cageless_study::drop::{DropRequest, study};
 use cageless_study::rings::rings;
@@ -96,7 +95,7 @@ pub fn drop(
 #[pyfunction]
 pub fn static_equilibrium(py: Python<'_>, file: &File) -> Found<Computed> {
     let file = file.case().clone();
-    let record = static_record(file.case(), &py.detach(|| solve(file.case()))?);
+    let record = py.detach(|| equilibrium_record(file.case()))?;
     with_seed(py, "static", pretty(&record)?, vec![], move || {
         Ok(files([("case.toml", file.document().to_toml()?)]))
     })

@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{LazyLock, OnceLock};
 
-use cageless::equilibrium::solve;
 use cageless_io::case_file::CaseFile;
 use cageless_io::results::{is_unusable, write_atomically, write_together};
 use cageless_report::figures::sweep;
@@ -17,7 +16,7 @@ use cageless_report::{
     run_json, run_page, static_page, static_sheet, sweep_page,
 };
 use cageless_results::{
-    Kind, Quantity, Record, SEARCH_SHAPE, Shape, TOLERANCE_SHAPE, csv, of_kind, static_record,
+    Kind, Quantity, Record, SEARCH_SHAPE, Shape, TOLERANCE_SHAPE, csv, equilibrium_record, of_kind,
 };
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
@@ -76,7 +75,7 @@ fn complete(kind: &str, values: &str, mut all: Files) -> Found<Files> {
         "static" => {
             let case = all.remove("case.toml").unwrap_or_default();
             let file = CaseFile::parse(&case, "case", &[])?;
-            let record = static_record(file.case(), &solve(file.case())?);
+            let record = equilibrium_record(file.case())?;
             all.insert("sheet.html".to_owned(), static_sheet(&file, &record));
             static_page(&file, &record)
         }

@@ -14,7 +14,7 @@ use crate::table::Table;
 use crate::tables::parameter_table;
 
 /// Results at the head of the page.
-const FACTS: [&str; 8] = [
+const FACTS: [&str; 10] = [
     "inner_pressure_max_mpa",
     "outer_pressure_max_mpa",
     "static_safety_factor",
@@ -22,6 +22,8 @@ const FACTS: [&str; 8] = [
     "l10r_h",
     "stiffness_yy_n_m",
     "ring_y_um",
+    "ring_z_um",
+    "stiffness_zz_n_m",
     "ftf_hz",
 ];
 

@@ -1,11 +1,12 @@
 //! Results of a design.
 
-use cageless::design::{Judgement, Recommendation, span_angle_curve};
+use cageless::design::{ContactAngleEstimate, Judgement, Recommendation, span_angle_curve};
 use cageless::{Case, equilibrium};
 
 use crate::table::{CURVE, RECOMMENDATION};
 use crate::{
-    DESIGN, Judged, JudgedRaceway, PASSAGES, Part, RACEWAY, Record, Results, Subject, VERDICT,
+    CONTACT_ANGLE, DESIGN, Judged, JudgedRaceway, PASSAGES, Part, RACEWAY, Record, Results,
+    Subject, VERDICT,
 };
 
 /// Points of the lC–θ curve.
@@ -40,7 +41,10 @@ pub fn design_record(
     let curve = Record::from(Results::of(CURVE, Subject::Curve(&curve)));
     let judged = Judged { case, judgement };
     let verdict = Results::of(VERDICT, Subject::Verdict(&judged));
-    Record::from(Results::of(DESIGN, Subject::Design(case)).and(verdict))
+    let contact_angle = contact_angle(case);
+    let contact_angle = Results::of(CONTACT_ANGLE, Subject::ContactAngle(&contact_angle));
+    let closed = Results::of(DESIGN, Subject::Design(case)).and(contact_angle);
+    Record::from(closed.and(verdict))
         .with_sentences("reasons", judgement.reasons.clone())
         .with_sentences(
             "warnings",
@@ -50,6 +54,20 @@ pub fn design_record(
         .with_part("raceways", Part::Many(raceways.collect()))
         .with_part("recommendation", recommendation)
         .with_part("curve", Some(curve))
+}
+
+/// What a contact angle leaves of the first raceway, its balls pressed in as the most loaded one.
+fn contact_angle(case: &Case) -> Option<ContactAngleEstimate> {
+    let raceway = case.raceways.first()?;
+    let pressed_in_m = equilibrium::solve(case).map_or(0.0, |e| {
+        let most = e.outer_force_n.iter().copied().fold(0.0, f64::max);
+        (most / e.outer_stiffness_n_m1_5).powf(2.0 / 3.0)
+    });
+    Some(ContactAngleEstimate::new(
+        &case.bearing,
+        raceway,
+        pressed_in_m,
+    ))
 }
 
 /// A record of a recommendation, read by name.

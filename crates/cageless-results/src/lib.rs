@@ -51,11 +51,11 @@ pub use source::{
     AtPoint, CountedVerdict, Deviation, Finished, FinishedDrop, Judged, JudgedRaceway, Sampled,
     Searched, SearchedPlacement, Solved, Subject, Tolerated,
 };
-pub use static_result::static_record;
+pub use static_result::{equilibrium_record, spatial_record, static_record};
 pub use table::{
-    COMPARED, DESIGN, DROP, MAP, MOTION, PAPER, PASSAGES, PLACEMENT, POINT, RACEWAY, REJECTION,
-    ROTOR_DROP, ROTOR_VERIFICATION, RUN, SEARCH, STATIC, STRUCTURE, STRUCTURE_AT, VERDICT,
-    of_column, of_kind, quantities,
+    COMPARED, CONTACT_ANGLE, DESIGN, DROP, MAP, MOTION, PAPER, PASSAGES, PLACEMENT, POINT, RACEWAY,
+    REJECTION, ROTOR_DROP, ROTOR_VERIFICATION, RUN, SEARCH, SPACE, STATIC, STRUCTURE, STRUCTURE_AT,
+    VERDICT, of_column, of_kind, quantities,
 };
 pub use tolerance_result::{TOLERANCE_SHAPE, tolerance_record};
 pub use verification_result::{step_warning, verification_record};

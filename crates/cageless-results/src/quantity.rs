@@ -56,7 +56,7 @@ impl Quantity {
     pub fn computation(&self) -> Computation {
         match self.of {
             Source::Static(_) => Computation::Static,
-            Source::Design(_) | Source::Curve(_) => Computation::Design,
+            Source::Design(_) | Source::ContactAngle(_) | Source::Curve(_) => Computation::Design,
             Source::Run(_) | Source::Vibration(_) => Computation::Run,
             Source::Drop(_) | Source::RotorDrop(_) | Source::Plane(_) => Computation::Drop,
             _ => Computation::Verdict,
@@ -108,7 +108,7 @@ impl Quantity {
     pub fn number_text(&self, value: f64) -> String {
         // Below this a length, an angle or a stiffness is the rounding of a zero.
         let zero = match self.unit {
-            "um" | "mm" | "deg" => 1e-9,
+            "um" | "mm" | "deg" | "mrad" => 1e-9,
             "N/m" => 1e-3,
             _ => 0.0,
         };

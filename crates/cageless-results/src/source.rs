@@ -2,10 +2,11 @@
 
 use cageless::design::search::{Evaluation, Found, Motion, OperatingPoint, SpeedMap};
 use cageless::design::{
-    CurvePoint, Judgement, PassageStatistics, RacewayJudgement, RacewayVerdict, Recommendation,
-    RunVerdict,
+    ContactAngleEstimate, CurvePoint, Judgement, PassageStatistics, RacewayJudgement,
+    RacewayVerdict, Recommendation, RunVerdict,
 };
 use cageless::equilibrium::Equilibrium;
+use cageless::equilibrium::space::SpatialEquilibrium;
 use cageless::passage::PassageTally;
 use cageless::rating::Rating;
 use cageless::simulation::{PlaneDisplacement, RotorOutcome, RunOutcome};
@@ -26,6 +27,8 @@ pub struct Solved<'a> {
     pub equilibrium: &'a Equilibrium,
     /// Ratings of the bearing in it.
     pub rating: Rating,
+    /// What it has in space.
+    pub space: Option<&'a SpatialEquilibrium>,
 }
 
 impl<'a> Solved<'a> {
@@ -35,6 +38,17 @@ impl<'a> Solved<'a> {
             case,
             equilibrium,
             rating: Rating::new(case, equilibrium),
+            space: None,
+        }
+    }
+
+    /// The equilibrium of `case` in space with its ratings.
+    pub fn in_space(case: &'a Case, space: &'a SpatialEquilibrium) -> Self {
+        Self {
+            case,
+            equilibrium: &space.rest,
+            rating: Rating::in_space(case, space),
+            space: Some(space),
         }
     }
 }
@@ -174,6 +188,7 @@ macro_rules! sources {
 sources! {
     Static(Solved<'_>, Solved<'a>) "A static equilibrium.",
     Design(Case, Case) "A case, by closed forms.",
+    ContactAngle(Option<ContactAngleEstimate>, Option<ContactAngleEstimate>) "What a contact angle leaves of a raceway.",
     Curve([CurvePoint], [CurvePoint]) "The lC–θ curve of Zhao 2022, Fig. 5.",
     Verdict(Judged<'_>, Judged<'a>) "The raceways of a case with their verdict.",
     Raceway(JudgedRaceway<'_>, JudgedRaceway<'a>) "One of these raceways.",

@@ -1,10 +1,11 @@
 //! Results of a static equilibrium and the ratings of the bearing.
 
-use cageless::equilibrium::Equilibrium;
+use cageless::equilibrium::space::{self, SpatialEquilibrium};
+use cageless::equilibrium::{self, Equilibrium, EquilibriumError};
 use cageless::rating::RatedMaterials;
 use cageless::{Assembly, Case};
 
-use crate::{Record, Results, STATIC, Solved, Subject};
+use crate::{Record, Results, SPACE, STATIC, Solved, Subject};
 
 /// Results of the static equilibrium of a case: values, `warnings`, and `notes` on what they leave out.
 pub fn static_record(case: &Case, equilibrium: &Equilibrium) -> Record {
@@ -14,6 +15,27 @@ pub fn static_record(case: &Case, equilibrium: &Equilibrium) -> Record {
     Record::from(Results::of(STATIC, Subject::Static(&solved)))
         .with_sentences("warnings", warnings)
         .with_sentences("notes", notes(&solved))
+}
+
+/// Results of a static equilibrium in space.
+pub fn spatial_record(case: &Case, space: &SpatialEquilibrium) -> Record {
+    let solved = Solved::in_space(case, space);
+    let warnings = space.warnings().into_iter().chain(solved.rating.warnings());
+    let of = |rows| Results::of(rows, Subject::Static(&solved));
+    Record::from(of(STATIC).and(of(SPACE)))
+        .with_sentences("warnings", warnings.collect())
+        .with_sentences("notes", notes(&solved))
+}
+
+/// Results of the static equilibrium of a case, in space where the case is not planar.
+///
+/// # Errors
+/// The case has no equilibrium.
+pub fn equilibrium_record(case: &Case) -> Result<Record, EquilibriumError> {
+    Ok(match case.spatial_field() {
+        Some(_) => spatial_record(case, &space::solve(case)?),
+        None => static_record(case, &equilibrium::solve(case)?),
+    })
 }
 
 fn notes(solved: &Solved<'_>) -> Vec<String> {
@@ -51,13 +73,24 @@ fn notes(solved: &Solved<'_>) -> Vec<String> {
                 .to_owned(),
         ),
     }
-    if solved.rating.l10_mrev.is_none() {
+    if solved.space.is_some() {
+        notes.push(
+            "in space: L10r takes the load of every ball under rigid rings that turn exactly, not by \
+             small angles; L10 and s0 are for radial loads and left out; Cr, C0r and frequencies \
+             take the free contact angle; the motion in space is not computed"
+                .to_owned(),
+        );
+    } else if solved.rating.l10_mrev.is_none() {
         notes.push(
             "without radial load there is no basic rating life and no static safety factor"
                 .to_owned(),
         );
     }
-    if solved.equilibrium.stiffness_n_m.is_none() {
+    let is_free = match solved.space {
+        Some(space) => space.stiffness.is_none(),
+        None => solved.equilibrium.stiffness_n_m.is_none(),
+    };
+    if is_free {
         notes.push(
             "the stiffness is not defined: without load, or within the clearance, nothing holds \
              the ring in some direction"

@@ -74,6 +74,7 @@ pub fn task() -> (String, f64) {
 /// # Errors
 /// The case is impossible, a run did not converge, or the progress ended the work.
 pub fn judged(file: &CaseFile, progress: &dyn Progress) -> Result<Judged, StudyError> {
+    file.check_planar()?;
     let case = file.case();
     let steady = steady_case(case);
     let end_s = steady.solver.duration_s;

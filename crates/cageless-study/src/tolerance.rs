@@ -67,6 +67,7 @@ pub fn tolerance(
     request: &Request,
     progress: &dyn Progress,
 ) -> Result<Record, StudyError> {
+    case.check_planar()?;
     let tolerances = request.check(case, name)?;
     let trials = trials(case, &tolerances, request.samples, case.seed);
     let outcomes = judge_all(case, &trials, progress)?;

@@ -1,8 +1,7 @@
 //! `cageless static`.
 
-use cageless::equilibrium::solve;
 use cageless_report::{static_page, static_sheet};
-use cageless_results::static_record;
+use cageless_results::equilibrium_record;
 
 use crate::args::CaseArgs;
 use crate::driver::{Answer, PAGE, pretty, read_case};
@@ -12,7 +11,7 @@ use crate::format::{columns, notes, pairs, values, warnings};
 /// Solves and shows the equilibrium.
 pub fn static_equilibrium(args: &CaseArgs) -> Result<(), Failure> {
     let file = read_case(&args.case, &args.set)?;
-    let record = static_record(file.case(), &solve(file.case())?);
+    let record = equilibrium_record(file.case())?;
     let text = pairs(&values(&record.results))
         + "\n"
         + &columns(&record.results.columns())

@@ -205,6 +205,7 @@ pub fn export(
 }
 
 fn outer_ring(file: &CaseFile, options: &ExportOptions) -> Result<OuterRing, ExportError> {
+    file.check_planar()?;
     let case = file.case();
     let bottom_m = case.bearing.dimensions().outer_groove_bottom_radius_m;
     let share = (case.raceways.iter())

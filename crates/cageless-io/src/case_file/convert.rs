@@ -9,7 +9,7 @@ mod start;
 use cageless::design::search::Request;
 use cageless::rotor::SupportStop;
 use cageless::step_limits::StepLimits;
-use cageless::{Bearing, Case, InputError, Raceway, RacewayDimensions, Solver, Support};
+use cageless::{Bearing, Case, InputError, Raceway, RacewayDimensions, Row, Solver, Support};
 
 use super::converter::Converter;
 use super::document::CaseDocument;
@@ -58,7 +58,7 @@ impl Converter<'_> {
             housing: s.housing.clone(),
             rotor: s.rotor.clone(),
             support: self.support()?,
-            rows: vec![],
+            rows: self.rows(),
             output: s.output.clone(),
         };
         let automatic = s.solver.step_s.0.is_none();
@@ -88,9 +88,25 @@ impl Converter<'_> {
             };
             Raceway::new(dimensions, bearing)
                 .and_then(|made| made.with_depth_error(raceway.depth_error_m))
+                .and_then(|made| match raceway.contact_angle_rad {
+                    Some(angle) => made.with_section_angle(angle, bearing),
+                    None => Ok(made),
+                })
                 .map_err(|e| self.refused(&e, Some(index)))
         });
         raceways.collect()
+    }
+
+    /// Rows on one inner ring.
+    fn rows(&self) -> Vec<Row> {
+        let rows = self.sections.row.iter();
+        rows.map(|row| Row {
+            axial_position_m: row.axial_position_m,
+            contact_sign: row.contact_sign,
+            preload_m: row.preload_m,
+            balls: row.row_balls,
+        })
+        .collect()
     }
 
     /// The support of the outer ring.

@@ -127,6 +127,15 @@ impl CaseFile {
         &self.case
     }
 
+    /// Passes a case that a planar computation takes whole.
+    ///
+    /// # Errors
+    /// A [`CaseError`] naming the key that takes the bearing out of its plane.
+    pub fn check_planar(&self) -> Result<(), CaseError> {
+        let planar = self.case.check_planar();
+        planar.map_err(|e| converter::refused_in(&self.document, None, &e, None))
+    }
+
     /// Request of `[search]`, in SI units; without the section, the case's own operating
     /// point and one raceway anywhere that the geometry allows.
     pub fn search(&self) -> &Request {

@@ -12,6 +12,7 @@ pub(crate) enum Unit {
     Millimetre,
     Micrometre,
     Degree,
+    Milliradian,
     RevolutionPerMinute,
     Gigapascal,
     Microsecond,
@@ -26,6 +27,7 @@ impl Unit {
             Self::Millimetre => "mm",
             Self::Micrometre => "um",
             Self::Degree => "deg",
+            Self::Milliradian => "mrad",
             Self::RevolutionPerMinute => "rpm",
             Self::Gigapascal => "GPa",
             Self::Microsecond => "us",
@@ -53,7 +55,7 @@ impl Unit {
     pub(super) fn to_si(self, value: f64) -> f64 {
         match self {
             Self::None | Self::Si(_) => value,
-            Self::Millimetre => shift(value, -3),
+            Self::Millimetre | Self::Milliradian => shift(value, -3),
             Self::Micrometre | Self::Microsecond => shift(value, -6),
             Self::Degree => value.to_radians(),
             Self::RevolutionPerMinute => value * TAU / 60.0,
@@ -65,7 +67,7 @@ impl Unit {
     pub(super) fn of_si(self, value: f64) -> f64 {
         match self {
             Self::None | Self::Si(_) => value,
-            Self::Millimetre => shift(value, 3),
+            Self::Millimetre | Self::Milliradian => shift(value, 3),
             Self::Micrometre | Self::Microsecond => shift(value, 6),
             Self::Degree => value.to_degrees(),
             Self::RevolutionPerMinute => value * 60.0 / TAU,

@@ -202,6 +202,20 @@ class StaticAttributes:
     outer_semi_axis_across_mm: Floats  # contact semi-axis across the rolling direction, outer raceway, mm
     ball_orbit_rpm: Floats  # orbital speed in pure rolling, rpm
     ball_rotation_rpm: Floats  # ball speed in pure rolling (absolute rotation), rpm
+    ring_z_um: float  # displacement of the inner ring, z, um
+    tilt_x_mrad: float  # tilt of the inner ring about x, mrad
+    tilt_y_mrad: float  # tilt of the inner ring about y, mrad
+    stiffness_zz_n_m: float  # axial stiffness of the bearing, kzz, N/m
+    stiffness_xz_n_m: float  # stiffness of the bearing, kxz = kzx, N/m
+    stiffness_yz_n_m: float  # stiffness of the bearing, kyz = kzy, N/m
+    tilt_stiffness_xx_n_m_rad: float  # tilting stiffness about x, N m/rad
+    tilt_stiffness_yy_n_m_rad: float  # tilting stiffness about y, N m/rad
+    stiffness_matrix: Floats  # stiffness matrix
+    row: Floats  # row of the ball, from 1
+    inner_contact_angle_deg: Floats  # contact angle, inner raceway, deg
+    outer_contact_angle_deg: Floats  # contact angle, outer raceway, deg
+    flank_plus_force_n: Floats  # force at the outer groove, or at the flank towards +z, N
+    flank_minus_force_n: Floats  # force at the flank towards -z, N
     plot_loads: Callable[..., go.Figure]  # contact forces and pressures of each ball over ψ
 
 
@@ -217,6 +231,10 @@ class DesignAttributes:
     steady_gap_deg: float  # steady-state gap, outside the raceway, deg
     balls_in_raceway_max: int | None  # most balls inside at once
     slope_discontinuity_deg: float  # slope discontinuity at the raceway ends (at 45° groove angle), deg
+    kinematic_lag_per_pass_deg: float  # lag per pass in pure rolling, estimate, deg
+    contact_angle_three_quarters_deg: float  # contact angle that leaves three quarters of the lag, estimate, deg
+    contact_angle_half_deg: float  # contact angle that leaves half of the lag, estimate, deg
+    contact_angle_none_deg: float  # contact angle that leaves nothing of the lag, estimate, deg
     verdict: str  # verdict
     passes: bool | None  # passes
     headline: str  # verdict with its reason

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from . import _cageless, sections
 from .computations import Computations
 from .section import Section, table
-from .sections import Raceway
+from .sections import Raceway, Row
 from .toml import toml
 
 if TYPE_CHECKING:
@@ -138,6 +138,11 @@ class Case(Computations, sections.OfCase):
         found = self._document.get("raceway", [])
         several = found if isinstance(found, list) else [found]
         return tuple(Raceway(**each) for each in several)
+
+    @property
+    def rows(self) -> tuple[Row, ...]:
+        """Rows of balls on one inner ring; none for a single row."""
+        return tuple(Row(**each) for each in self._document.get("row", []))
 
     def __getattr__(self, name: str) -> Any:
         if name not in sections.OfCase.__annotations__:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from .rotors import LinearRotor
 
-__all__ = ["Bearing", "Contact", "Housing", "Material", "Model", "Operation", "Output", "Raceway", "Rotor", "Section", "Solver", "Start", "Support"]
+__all__ = ["Bearing", "Contact", "Housing", "Material", "Model", "Operation", "Output", "Raceway", "Rotor", "Row", "Section", "Solver", "Start", "Support"]
 
 Keys = Mapping[str, Any]
 
@@ -33,6 +33,7 @@ class Bearing(Section):
     outer_groove_bottom_radius_mm: Annotated[float | None, "Ro, radius of the outer ring at the bottom of its groove"] = None
     pitch_diameter_mm: Annotated[float | None, "Dpw = Ri + Ro, pitch diameter, in place of Ri and Ro"] = None
     radial_internal_clearance_um: Annotated[float | None, "Gr = 2 (Ro - Ri - 2 Rw) of ISO 5753-1, in place of Ri and Ro; below 0: preload by interference, half of it at each ball"] = None
+    contact_angle_deg: Annotated[float | None, "α0, free contact angle of an angular-contact bearing: grooves without clearance are opened about the pitch circle until unloaded balls touch them there; 0, a radial bearing, unless given; only for `static`"] = None
     outer_shoulder_radius_mm: Annotated[float | None, "Ros, shoulder bore radius of the outer ring; Ro - 0.2 Dw unless given"] = None
     inner_groove_curvature_radius_mm: Annotated[float | None, "radius of the inner groove in the meridian plane"] = None
     outer_groove_curvature_radius_mm: Annotated[float | None, "Re, radius of the outer groove in the meridian plane"] = None
@@ -66,6 +67,17 @@ class Raceway(Section):
     half_angle_deg: Annotated[float, "θ, half the angle that the raceway takes up"]
     centre_angle_deg: Annotated[float | None, "angular position of raceway centre"] = None
     depth_error_um: Annotated[float | None, "machining error of the depth at the centre, along the normal"] = None
+    contact_angle_deg: Annotated[float | None, "angle by which the section is turned about the centre of the ball, for a bearing of this contact angle; 0 unless given; only for `static`"] = None
+
+
+@dataclass(frozen=True, kw_only=True)
+class Row(Section):
+    """`[row]`: a row of balls, where one inner ring has several; only for `static`."""
+
+    axial_position_mm: Annotated[float, "z of the middle of the row"]
+    contact_sign: Annotated[float | None, "1: its balls press the outer ring towards +z; -1: towards -z. 1 below -1: back to back; -1 below 1: face to face; equal: tandem"] = None
+    preload_um: Annotated[float | None, "preload by displacement of its outer ring against the contact sign"] = None
+    balls: Annotated[int | None, "balls of the row, evenly spaced if fewer than those of [bearing], which it has unless given"] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -75,6 +87,11 @@ class Operation(Section):
     inner_speed_rpm: Annotated[float | Sequence[Sequence[float]] | None, "speed of the inner ring, negative: clockwise, the bearing then seen from its other face; or [[time in s, speed], …], linear between; left out with a [rotor], else required"] = None
     radial_load_n: Annotated[float | Sequence[Sequence[float]] | None, "Fr, load on the inner ring, downwards, or [[time in s, load], …], linear between; left out with a [rotor], else required"] = None
     gravity_m_s2: Annotated[float | None, "g, downwards"] = None
+    axial_load_n: Annotated[float | None, "Fa, load on the inner ring along the axis, +z; 0 unless given; only for `static`"] = None
+    moment_x_n_m: Annotated[float | None, "moment on the inner ring about x, which is then free to tilt; only for `static`"] = None
+    moment_y_n_m: Annotated[float | None, "moment on the inner ring about y, which is then free to tilt; only for `static`"] = None
+    tilt_x_mrad: Annotated[float | None, "tilt of the inner ring about x that the shaft holds; 0 unless given or a moment is; only for `static`"] = None
+    tilt_y_mrad: Annotated[float | None, "tilt of the inner ring about y that the shaft holds; 0 unless given or a moment is; only for `static`"] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -212,6 +229,7 @@ class Arguments(TypedDict, total=False):
     ball_material: Material | Keys | None
     ring_material: Material | Keys | None
     raceway: Raceway | Keys | Sequence[Raceway | Keys] | None
+    row: Row | Keys | Sequence[Row | Keys] | None
     operation: Required[Operation | Keys]
     contact: Contact | Keys | None
     model: Model | Keys | None

@@ -4,8 +4,8 @@ use std::f64::consts::FRAC_PI_4;
 
 use cageless::Case;
 use cageless::design::{
-    Criterion, CurvePoint, Eq11, balls_in_raceway_max, half_angle_for_gap_rad, steady_gap_rad,
-    theoretical_gap_rad,
+    ContactAngleEstimate, Criterion, CurvePoint, Eq11, balls_in_raceway_max,
+    half_angle_for_gap_rad, steady_gap_rad, theoretical_gap_rad,
 };
 use cageless::raceway::{self, axial_span_limit_m};
 
@@ -13,7 +13,9 @@ use crate::cell::Cell;
 use crate::declare::*;
 use crate::meanings::*;
 use crate::quantity::Quantity;
-use crate::source::Source::{Curve, Design, Passages, Raceway, Recommendation, Verdict};
+use crate::source::Source::{
+    ContactAngle, Curve, Design, Passages, Raceway, Recommendation, Verdict,
+};
 
 /// Closed forms of a design; those of one raceway are of the first.
 #[rustfmt::skip]
@@ -27,6 +29,16 @@ pub const DESIGN: &[Quantity] = &[
     means("gap between balls that pass the raceway at equal intervals of time; balls inside the raceway take less of the circle", quantity("steady_gap_deg", "deg", "steady-state gap, outside the raceway", Design(|c| degrees(steady_gap_rad(&c.bearing, &c.raceways))))),
     means("floor(2θ/ε) + 1", integer("balls_in_raceway_max", "most balls inside at once", Design(|c| c.raceways.first().map_or(Cell::Null, |r| count(balls_in_raceway_max(&c.bearing, r)))))),
     means("change of slope of the groove at ±θ, 45° up the side of the groove", low(quantity("slope_discontinuity_deg", "deg", "slope discontinuity at the raceway ends (at 45° groove angle)", Design(|c| of_raceway(c, |r| r.kink_angle_rad(FRAC_PI_4).to_degrees()))))),
+];
+
+/// What a contact angle, by axial load or tilt, leaves of the first raceway: estimates from rolling
+/// without sliding, no results of a motion.
+#[rustfmt::skip]
+pub const CONTACT_ANGLE: &[Quantity] = &[
+    means("how far a ball that rolls on both flanks falls behind one on a plain raceway, at a contact angle of 0; an estimate from kinematics, with the flank angle under the load of the most loaded ball", part(quantity("kinematic_lag_per_pass_deg", "deg", "lag per pass in pure rolling, estimate", ContactAngle(|e| estimated(e, |e| Some(e.lag_rad)))))),
+    means("contact angle on the plain raceway; an estimate from kinematics", part(quantity("contact_angle_three_quarters_deg", "deg", "contact angle that leaves three quarters of the lag, estimate", ContactAngle(|e| estimated(e, |e| e.three_quarters_rad))))),
+    means("contact angle on the plain raceway; an estimate from kinematics", part(quantity("contact_angle_half_deg", "deg", "contact angle that leaves half of the lag, estimate", ContactAngle(|e| estimated(e, |e| e.half_rad))))),
+    means("contact angle on the plain raceway, beyond which a ball is faster in the raceway; an estimate from kinematics", part(quantity("contact_angle_none_deg", "deg", "contact angle that leaves nothing of the lag, estimate", ContactAngle(|e| estimated(e, |e| e.none_rad))))),
 ];
 
 /// Verdict on the raceways of a case: the critical gap is the largest, the verdict the worst of all.
@@ -88,6 +100,14 @@ pub(crate) const CURVE: &[Quantity] = &[
     part(list("half_angle_deg", "deg", "half angle θ by Eq. (11)", Curve(|c| angles(c, |p| p.half_angle_rad)))),
     part(list("half_angle_polar_deg", "deg", "half angle θ by Eq. (11) with the true polar angle", Curve(|c| angles(c, |p| p.half_angle_polar_rad)))),
 ];
+
+fn estimated(
+    estimate: &Option<ContactAngleEstimate>,
+    angle_rad: impl Fn(&ContactAngleEstimate) -> Option<f64>,
+) -> Cell {
+    let angle = estimate.as_ref().and_then(angle_rad);
+    angle.map(f64::to_degrees).into()
+}
 
 fn of_raceway(case: &Case, value: impl Fn(&raceway::Raceway) -> f64) -> Cell {
     case.raceways.first().map(value).into()

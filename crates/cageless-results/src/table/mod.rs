@@ -12,14 +12,14 @@ mod verification;
 use crate::computation::Computation;
 use crate::quantity::{Quantity, bearing_in_column};
 
+pub use design::{CONTACT_ANGLE, DESIGN, PASSAGES, RACEWAY, VERDICT};
 pub(crate) use design::{CURVE, RECOMMENDATION};
-pub use design::{DESIGN, PASSAGES, RACEWAY, VERDICT};
 pub use drop::{DROP, PLANE, ROTOR_DROP};
 pub use run::{COMPARED, RUN};
 pub use search::{
     MAP, MOTION, PAPER, PLACEMENT, POINT, REJECTION, SEARCH, STRUCTURE, STRUCTURE_AT,
 };
-pub use statics::STATIC;
+pub use statics::{SPACE, STATIC};
 pub use tolerance::{INFLUENCE, SAMPLES, TOLERANCE, VERDICT_COUNT};
 pub use verification::{
     DISTANCE, DROP_VERIFICATION, JUDGEMENT, ROTOR_VERIFICATION, VERIFICATION, VERIFIED,
@@ -29,7 +29,9 @@ pub use verification::{
 pub fn quantities() -> impl Iterator<Item = &'static Quantity> {
     let all = [
         STATIC,
+        SPACE,
         DESIGN,
+        CONTACT_ANGLE,
         VERDICT,
         PASSAGES,
         RACEWAY,
@@ -66,8 +68,8 @@ pub fn quantities() -> impl Iterator<Item = &'static Quantity> {
 /// Scalar results of a kind of result: `static`, `design` with its verdict, `run` or `drop`.
 pub fn of_kind(kind: &str) -> impl Iterator<Item = &'static Quantity> + use<> {
     let tables: &'static [&'static [Quantity]] = match kind {
-        "static" => &[STATIC],
-        "design" => &[DESIGN, VERDICT],
+        "static" => &[STATIC, SPACE],
+        "design" => &[DESIGN, CONTACT_ANGLE, VERDICT],
         "run" => &[RUN],
         "drop" => &[DROP, ROTOR_DROP],
         "search" => &[SEARCH],

@@ -1,6 +1,7 @@
 //! Results of a static equilibrium.
 
 use cageless::equilibrium::RacewayContact;
+use cageless::equilibrium::space::SpatialEquilibrium;
 use cageless::kinematics::{orbit_speed_of_rad_s, rolling_rotation_rad_s};
 use cageless::rating::Rating;
 
@@ -61,6 +62,47 @@ pub const STATIC: &[Quantity] = &[
     column("ball speed", list("ball_rotation_rpm", "rpm", "ball speed in pure rolling (absolute rotation)", Static(|s| each_ball(s, |k| rpm(rolling_rotation_rad_s(&s.case.bearing, orbit_rad_s(s, k), s.equilibrium.effective_radius_m[k])))))),
 ];
 
+/// Further results of a static equilibrium in space: under an axial load, moments or a tilt, with a
+/// contact angle or several rows.
+#[rustfmt::skip]
+pub const SPACE: &[Quantity] = &[
+    means("along the axis, from where unloaded balls touch at the free contact angle", part(quantity("ring_z_um", "um", "displacement of the inner ring, z", Static(|s| space(s, |e| e.ring_z_m * 1e6))))),
+    means("-1000 times the y component of the axis of the ring", part(quantity("tilt_x_mrad", "mrad", "tilt of the inner ring about x", Static(|s| space(s, |e| e.tilt_x_rad * 1e3))))),
+    means("1000 times the x component of the axis of the ring", part(quantity("tilt_y_mrad", "mrad", "tilt of the inner ring about y", Static(|s| space(s, |e| e.tilt_y_rad * 1e3))))),
+    part(high(quantity("stiffness_zz_n_m", "N/m", "axial stiffness of the bearing, kzz", Static(|s| entry(s, 2, 2))))),
+    part(quantity("stiffness_xz_n_m", "N/m", "stiffness of the bearing, kxz = kzx", Static(|s| entry(s, 0, 2)))),
+    part(quantity("stiffness_yz_n_m", "N/m", "stiffness of the bearing, kyz = kzy", Static(|s| entry(s, 1, 2)))),
+    part(high(quantity("tilt_stiffness_xx_n_m_rad", "N m/rad", "tilting stiffness about x", Static(|s| entry(s, 3, 3))))),
+    part(high(quantity("tilt_stiffness_yy_n_m_rad", "N m/rad", "tilting stiffness about y", Static(|s| entry(s, 4, 4))))),
+    means("force or moment on the inner ring over its displacement or tilt, row by row over x, y, z, tilt about x, tilt about y; N/m, N/rad and N, N·m/rad", part(list("stiffness_matrix", "", "stiffness matrix", Static(|s| match s.space.and_then(|e| e.stiffness) {
+        Some(matrix) => Cell::Numbers(matrix.concat()),
+        None => Cell::Null,
+    })))),
+    part(list("row", "", "row of the ball, from 1", Static(|s| of_space(s, |e| e.row.iter().map(|row| (row + 1) as f64).collect())))),
+    means("positive where the inner ring is pushed towards +z", column("αi", part(list("inner_contact_angle_deg", "deg", "contact angle, inner raceway", Static(|s| of_space(s, |e| in_degrees(&e.inner_contact_angle_rad))))))),
+    means("angle of the force on the outer ring, on a discrete raceway of both flanks together", column("αo", part(list("outer_contact_angle_deg", "deg", "contact angle, outer raceway", Static(|s| of_space(s, |e| in_degrees(&e.outer_contact_angle_rad))))))),
+    column("F+", part(list("flank_plus_force_n", "N", "force at the outer groove, or at the flank towards +z", Static(|s| of_space(s, |e| e.flank_force_n.iter().map(|f| f[0]).collect()))))),
+    column("F-", part(list("flank_minus_force_n", "N", "force at the flank towards -z", Static(|s| of_space(s, |e| e.flank_force_n.iter().map(|f| f[1]).collect()))))),
+];
+
+fn space(solved: &Solved<'_>, value: fn(&SpatialEquilibrium) -> f64) -> Cell {
+    solved.space.map(value).into()
+}
+
+fn of_space(solved: &Solved<'_>, values: fn(&SpatialEquilibrium) -> Vec<f64>) -> Cell {
+    let values = solved.space.map(values);
+    values.map_or(Cell::Null, Cell::Numbers)
+}
+
+fn entry(solved: &Solved<'_>, row: usize, column: usize) -> Cell {
+    let matrix = solved.space.and_then(|e| e.stiffness);
+    matrix.map(|k| k[row][column]).into()
+}
+
+fn in_degrees(angles: &[f64]) -> Vec<f64> {
+    angles.iter().map(|a| a.to_degrees()).collect()
+}
+
 fn stiffness(solved: &Solved<'_>, row: usize, column: usize) -> Cell {
     let matrix = solved.equilibrium.stiffness_n_m;
     matrix.map(|k| k[row][column]).into()
@@ -77,7 +119,8 @@ fn each<T>(values: &[T], value: fn(&T) -> f64) -> Cell {
 }
 
 fn each_ball(solved: &Solved<'_>, value: impl Fn(usize) -> f64) -> Cell {
-    Cell::Numbers((0..solved.case.bearing.balls()).map(value).collect())
+    let balls = solved.equilibrium.ball_angle_rad.len();
+    Cell::Numbers((0..balls).map(value).collect())
 }
 
 fn pressure_mpa(contact: &RacewayContact) -> f64 {
@@ -85,6 +128,9 @@ fn pressure_mpa(contact: &RacewayContact) -> f64 {
 }
 
 fn orbit_rad_s(solved: &Solved<'_>, ball: usize) -> f64 {
+    if let Some(space) = solved.space {
+        return space.orbit_speed_rad_s[ball];
+    }
     let case = solved.case;
     let inner = case.operation.inner_speed_rad_s;
     let r = solved.equilibrium.effective_radius_m[ball];

@@ -8,7 +8,7 @@ use cageless::design::judge;
 use cageless::equilibrium;
 use cageless::numerics::lanes::BATCH_WIDTH;
 use cageless::simulation::{Control, Ending};
-use cageless_io::case_file::CaseError;
+use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_io::plan_file::{PlanFile, VariantFile};
 use cageless_io::results::{Column, ColumnKind, Row};
 use cageless_results::Cell;
@@ -46,6 +46,9 @@ impl Sweep {
     /// environment that asks for too many threads.
     pub fn new(plan: PlanFile) -> Result<Self, StudyError> {
         crate::check_environment()?;
+        for file in plan.base_file.cases() {
+            file.check_planar().map_err(StudyError::Plan)?;
+        }
         let normal = plan.normal().map_err(StudyError::Plan)?;
         let variants = Variants::new(plan).map_err(StudyError::Plan)?;
         let outputs = outputs(variants.plan()).map_err(StudyError::Plan)?;
@@ -133,6 +136,8 @@ impl Sweep {
 
     fn begin(&self, index: u64) -> Variant<'_> {
         let (inputs, file) = self.variants.variant(index);
+        let planar = |file: &VariantFile| file.cases().iter().try_for_each(CaseFile::check_planar);
+        let file = file.and_then(|file| planar(&file).map(|()| file));
         let mut found = Found {
             outputs: &self.outputs,
             cells: vec![Cell::Null; self.outputs.len()],

@@ -31,6 +31,9 @@ impl Converter<'_> {
             bearing = bearing.with_assembly(assembly);
         }
         let refused = |e| self.refused(&e, None);
+        if let Some(angle) = b.contact_angle_rad {
+            bearing = bearing.with_contact_angle(angle).map_err(refused)?;
+        }
         // The bore that is to catch a rotor.
         let (inertia, radius) = (b.inner_ring_polar_inertia_kg_m2, b.inner_ring_bore_radius_m);
         if inertia.is_some() || radius.is_some() {

@@ -1,7 +1,7 @@
 //! Operation of a case.
 
-use cageless::{Operation, SpatialLoad};
 use cageless::time_table::TimeTable;
+use cageless::{Operation, SpatialLoad, Tilt};
 
 use crate::case_file::converter::Converter;
 use crate::case_file::error::CaseError;
@@ -37,7 +37,32 @@ impl Converter<'_> {
             gravity_m_s2: o.gravity_m_s2,
             inner_speed_table: table("inner_speed_rad_s", speeds)?,
             radial_load_table: table("radial_load_n", loads)?,
-            space: SpatialLoad::default(),
+            space: self.spatial_load()?,
+        })
+    }
+
+    /// Load out of the plane. A tilt is held, or moments turn the ring.
+    fn spatial_load(&self) -> Result<SpatialLoad, CaseError> {
+        let o = &self.sections.operation;
+        let is_free = o.moment_x_n_m.or(o.moment_y_n_m).is_some();
+        let held = [("tilt_x_mrad", o.tilt_x_rad), ("tilt_y_mrad", o.tilt_y_rad)];
+        if let (true, Some((name, _))) = (is_free, held.iter().find(|(_, tilt)| tilt.is_some())) {
+            let allowed = "left out: moments turn the ring, or its tilt is given";
+            return Err(self.refuse(&format!("operation.{name}"), allowed));
+        }
+        let or_none = |value: Option<f64>| value.unwrap_or(0.0);
+        Ok(SpatialLoad {
+            axial_load_n: or_none(o.axial_load_n),
+            tilt: match is_free {
+                true => Tilt::Free {
+                    moment_x_n_m: or_none(o.moment_x_n_m),
+                    moment_y_n_m: or_none(o.moment_y_n_m),
+                },
+                false => Tilt::Held {
+                    x_rad: or_none(o.tilt_x_rad),
+                    y_rad: or_none(o.tilt_y_rad),
+                },
+            },
         })
     }
 

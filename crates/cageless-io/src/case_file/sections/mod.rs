@@ -11,6 +11,7 @@ pub(crate) mod operation;
 pub(crate) mod output;
 pub(crate) mod raceway;
 pub(crate) mod rotor;
+pub(crate) mod row;
 pub(crate) mod search;
 pub(crate) mod solver;
 pub(crate) mod start;
@@ -36,6 +37,8 @@ sections! {
         Heading::Commented("of the rings, if different");
     raceway: Vec<raceway::RacewaySection>, "the discrete raceway",
         Heading::Shown("several: [[raceway]] sections; none: a conventional ring");
+    row: Vec<row::RowSection>, "a row of balls, where one inner ring has several; only for `static`",
+        Heading::Absent;
     operation: operation::OperationSection, "speed and load", Heading::Shown("");
     contact: cageless::Contact, "friction, damping and stiffness", Heading::Shown("");
     model: model::ModelSection, "the set of equations", Heading::Shown("");

@@ -3,10 +3,10 @@
 use crate::case_file::declaration::section;
 use crate::case_file::fields::OverTime;
 use crate::case_file::key::Limit::AtLeast;
-use crate::case_file::key::Line::Shown;
+use crate::case_file::key::Line::{Absent, Shown};
 use crate::case_file::key::Presence::Optional;
 use crate::case_file::key::default;
-use crate::case_file::unit::Unit::{RevolutionPerMinute, Si};
+use crate::case_file::unit::Unit::{Milliradian, RevolutionPerMinute, Si};
 
 section! {
     /// `[operation]`: speed and load.
@@ -19,5 +19,15 @@ section! {
             Shown("1500.0", "Fr, downwards (paper), or [[time in s, N], …]");
         gravity_m_s2 => gravity_m_s2: f64 = default(9.81), Si("m/s^2"); AtLeast(0.0),
             "g, downwards", Shown("9.81", "downwards");
+        axial_load_n => axial_load_n: Option<f64> = Optional, Si("N"),
+            "Fa, load on the inner ring along the axis, +z; 0 unless given; only for `static`", Absent;
+        moment_x_n_m => moment_x_n_m: Option<f64> = Optional, Si("N m"),
+            "moment on the inner ring about x, which is then free to tilt; only for `static`", Absent;
+        moment_y_n_m => moment_y_n_m: Option<f64> = Optional, Si("N m"),
+            "moment on the inner ring about y, which is then free to tilt; only for `static`", Absent;
+        tilt_x_mrad => tilt_x_rad: Option<f64> = Optional, Milliradian,
+            "tilt of the inner ring about x that the shaft holds; 0 unless given or a moment is; only for `static`", Absent;
+        tilt_y_mrad => tilt_y_rad: Option<f64> = Optional, Milliradian,
+            "tilt of the inner ring about y that the shaft holds; 0 unless given or a moment is; only for `static`", Absent;
     }
 }

@@ -2,8 +2,8 @@
 
 use crate::case_file::declaration::section;
 use crate::case_file::key::Limit::{Above, Inside};
-use crate::case_file::key::Line::{Commented, Shown};
-use crate::case_file::key::Presence::Required;
+use crate::case_file::key::Line::{Absent, Commented, Shown};
+use crate::case_file::key::Presence::{Optional, Required};
 use crate::case_file::key::default;
 use crate::case_file::unit::Unit::{Degree, Micrometre, Millimetre};
 
@@ -22,5 +22,7 @@ section! {
         depth_error_um => depth_error_m: f64 = default(0.0), Micrometre,
             "machining error of the depth at the centre, along the normal",
             Commented("0.0", "machining error of the depth at the centre, along normal");
+        contact_angle_deg => contact_angle_rad: Option<f64> = Optional, Degree,
+            "angle by which the section is turned about the centre of the ball, for a bearing of this contact angle; 0 unless given; only for `static`", Absent;
     }
 }

@@ -1,0 +1,219 @@
+//! A bearing in space: what `static` computes of it, and what everything else refuses.
+
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use crate::common::*;
+
+fn statics(case: &Path, sets: &[&str]) -> Value {
+    let answer = call_on("static", case, sets, &["--json"]);
+    assert_eq!(answer.code, Some(0), "{answer:?}");
+    answer.json()
+}
+
+fn numbers(value: &Value, name: &str) -> Vec<f64> {
+    let items = value[name]
+        .as_array()
+        .unwrap_or_else(|| panic!("no list {name}"));
+    items
+        .iter()
+        .map(|v| v.as_f64().unwrap_or(f64::NAN))
+        .collect()
+}
+
+#[test]
+fn an_axial_load_moves_and_tilts_the_ring() {
+    let case = repository_case("zhao-d.toml");
+    let plane = statics(&case, &[]);
+    assert!(
+        plane.get("ring_z_um").is_none(),
+        "without a key nothing changes"
+    );
+    // What is 0 takes nothing out of the plane.
+    let zeros = [
+        "operation.axial_load_n=0",
+        "operation.tilt_x_mrad=0",
+        "bearing.contact_angle_deg=0",
+    ];
+    assert_eq!(statics(&case, &zeros)["ring_y_um"], plane["ring_y_um"]);
+    let loaded = statics(&case, &["operation.axial_load_n=300"]);
+    let z = loaded["ring_z_um"].as_f64().unwrap();
+    assert!(z > 30.0 && z < 60.0, "{z}");
+    assert_eq!(
+        (&loaded["tilt_x_mrad"], &loaded["tilt_y_mrad"]),
+        (&0.0.into(), &0.0.into())
+    );
+    let [inner, outer] =
+        ["inner_contact_angle_deg", "outer_contact_angle_deg"].map(|n| numbers(&loaded, n));
+    assert!(
+        inner[0] > 5.0 && (inner[0] - outer[0]).abs() < 1.0,
+        "{inner:?} {outer:?}"
+    );
+    assert_eq!(numbers(&loaded, "stiffness_matrix").len(), 25);
+    let life = |value: &Value| value["l10r_mrev"].as_f64().unwrap();
+    // A light axial load spreads the radial one over more balls, a heavy one costs life.
+    let heavy = statics(&case, &["operation.axial_load_n=3000"]);
+    assert!(life(&heavy) < 0.5 * life(&plane));
+    let free = statics(
+        &case,
+        &["operation.axial_load_n=300", "operation.moment_x_n_m=1"],
+    );
+    assert!(free["tilt_x_mrad"].as_f64().unwrap().abs() > 0.01);
+}
+
+/// A case file of two rows of the bearing of the paper, opened to 15°.
+fn pair(folder: &Path, second: &str) -> PathBuf {
+    let text = std::fs::read_to_string(repository_case("conventional.toml")).unwrap();
+    let rows =
+        format!("\n[[row]]\naxial_position_mm = -8.0\npreload_um = 5.0\n\n[[row]]\n{second}\n");
+    let path = folder.join("pair.toml");
+    std::fs::write(
+        &path,
+        text.replace("[bearing]", "[bearing]\ncontact_angle_deg = 15.0") + &rows,
+    )
+    .unwrap();
+    path
+}
+
+#[test]
+fn rows_of_a_pair_carry_alike() {
+    let folder = tempfile::tempdir().unwrap();
+    let case = pair(
+        folder.path(),
+        "axial_position_mm = 8.0\ncontact_sign = -1\npreload_um = 5.0",
+    );
+    let value = statics(&case, &[]);
+    let forces = numbers(&value, "inner_force_n");
+    let rows = numbers(&value, "row");
+    let balls = forces.len() / 2;
+    assert_eq!((rows[0], rows[balls]), (1.0, 2.0));
+    for k in 0..balls {
+        assert!(
+            (forces[k] - forces[k + balls]).abs() < 1e-6 * (1.0 + forces[k]),
+            "{forces:?}"
+        );
+    }
+    assert!(value["tilt_stiffness_xx_n_m_rad"].as_f64().unwrap() > 0.0);
+}
+
+#[test]
+fn impossible_values_are_named() {
+    let case = repository_case("zhao-d.toml");
+    for (sets, words) in [
+        (
+            &["bearing.contact_angle_deg=70"][..],
+            ["bearing.contact_angle_deg = 70", "shoulder"],
+        ),
+        (
+            &["raceway.contact_angle_deg=30"],
+            ["raceway.contact_angle_deg = 30", "shoulder"],
+        ),
+        (
+            &["operation.tilt_x_mrad=500"],
+            [
+                "operation.tilt_x_mrad = 500",
+                "between -100 mrad and 100 mrad",
+            ],
+        ),
+        (
+            &["operation.tilt_x_mrad=1", "operation.moment_y_n_m=1"],
+            ["operation.tilt_x_mrad = 1", "moments turn the ring"],
+        ),
+        (
+            &[
+                "bearing.contact_angle_deg=15",
+                "bearing.outer_groove_bottom_radius_mm=27.775",
+            ],
+            ["bearing.contact_angle_deg = 15", "clearance"],
+        ),
+    ] {
+        let answer = call_on("static", &case, sets, &[]);
+        assert_eq!(answer.code, Some(2), "{sets:?} {answer:?}");
+        for word in words {
+            assert!(answer.stderr.contains(word), "{word}: {answer:?}");
+        }
+    }
+    let folder = tempfile::tempdir().unwrap();
+    for (second, word) in [
+        ("axial_position_mm = 8.0\nballs = 0", "row without balls"),
+        ("axial_position_mm = 8.0\npreload_um = 900.0", "4200 MPa"),
+        ("axial_position_mm = 8.0\ncontact_sign = 2", "1 or -1"),
+        ("contact_sign = 1", "axial_position_mm is missing"),
+    ] {
+        let answer = call_on("static", &pair(folder.path(), second), &[], &[]);
+        assert_eq!(answer.code, Some(2), "{second} {answer:?}");
+        assert!(answer.stderr.contains(word), "{word}: {answer:?}");
+    }
+    let slipped = call_on("static", &case, &["operation.axial_load_n=9e5"], &[]);
+    assert!(matches!(slipped.code, Some(2 | 3)), "{slipped:?}");
+}
+
+/// One message each, with the key and the command that takes it.
+#[test]
+fn everything_else_refuses_what_it_would_ignore() {
+    let case = repository_case("zhao-d.toml");
+    for command in ["run", "design", "drop", "tolerance", "export", "studio"] {
+        let more: &[&str] = match command {
+            "studio" => &["--no-browser"],
+            "export" => &["--format", "csv"],
+            _ => &[],
+        };
+        for (set, key) in [
+            ("operation.axial_load_n=100", "operation.axial_load_n = 100"),
+            ("operation.moment_y_n_m=0", "operation.moment"),
+            ("operation.tilt_y_mrad=1", "operation.tilt_y_mrad = 1"),
+            ("bearing.contact_angle_deg=15", "bearing.contact_angle_deg"),
+            (
+                "raceway.contact_angle_deg=5",
+                "raceway.contact_angle_deg = 5",
+            ),
+        ] {
+            let answer = call_on(command, &case, &[set], more);
+            assert_eq!(answer.code, Some(2), "{command} {set}: {answer:?}");
+            assert!(answer.stderr.contains(key), "{command} {key}: {answer:?}");
+            assert!(
+                answer.stderr.contains("`cageless static`"),
+                "{command}: {answer:?}"
+            );
+        }
+    }
+    let name = case.to_str().unwrap();
+    let compared = call(&[
+        "compare",
+        name,
+        "--with-conventional",
+        "--set",
+        "operation.axial_load_n=1",
+    ]);
+    assert_eq!(compared.code, Some(2), "{compared:?}");
+    let folder = tempfile::tempdir().unwrap();
+    let plan = folder.path().join("plan.toml");
+    let swept = |set: &str, grid: &str| {
+        let text =
+            format!("case = {case:?}\ncompute = [\"static\"]\n[set]\n{set}\n[grid]\n{grid}\n");
+        std::fs::write(&plan, text).unwrap();
+        call(&[
+            "sweep",
+            plan.to_str().unwrap(),
+            "--out",
+            folder.path().to_str().unwrap(),
+        ])
+    };
+    let base = swept(
+        "operation.axial_load_n = 50",
+        "operation.radial_load_n = [500, 900]",
+    );
+    assert_eq!(base.code, Some(2), "{base:?}");
+    assert!(
+        base.stderr.contains("operation.axial_load_n = 50"),
+        "{base:?}"
+    );
+    let some = swept("", "operation.axial_load_n = [0, 50]");
+    assert!(
+        some.stdout.contains("axial_load_n") || some.stderr.contains("axial_load_n"),
+        "{some:?}"
+    );
+    let checked = call_on("check", &case, &["operation.axial_load_n=100"], &[]);
+    assert_eq!(checked.code, Some(0), "{checked:?}");
+}
