@@ -332,6 +332,19 @@ fn editors_have_a_schema_of_the_case_file() {
     in_step("docs/case-file.schema.json", &text);
 }
 
+/// Changes by which a case can have a key.
+fn needed(section: &str, key: &str) -> Vec<String> {
+    let stribeck = ["static_friction_coefficient=0.5", "stribeck_speed_m_s=1.0"];
+    let all = match (section, key) {
+        ("support", _) => vec!["stop_gap_um=9", "stop_stiffness_n_m=1e8"],
+        (_, "static_friction_coefficient") => vec!["friction_law=stribeck", stribeck[1]],
+        (_, "stribeck_speed_m_s") => vec!["friction_law=stribeck", stribeck[0]],
+        _ => vec![],
+    };
+    let all = all.into_iter().map(|change| format!("{section}.{change}"));
+    all.collect()
+}
+
 /// The ends of a range in schema and documentation are those that the reader keeps: what is beyond
 /// is refused for its key, and no value at an end is refused for these limits.
 #[test]
@@ -364,9 +377,9 @@ fn ranges_are_those_of_the_reader() {
                 } else {
                     1e-3 * end.at.abs().max(1.0)
                 };
-                let beyond = match end.included {
-                    true => end.at + sign * step,
-                    false => end.at,
+                let (beyond, within) = match end.included {
+                    true => (end.at + sign * step, end.at),
+                    false => (end.at, end.at - sign * step),
                 };
                 let dropped = ["rotor.", "support.", "bearing.inner_ring_"];
                 let text = match dropped.iter().any(|start| name.starts_with(start)) {
@@ -375,23 +388,29 @@ fn ranges_are_those_of_the_reader() {
                     false if section.name == "material" => template.as_str(),
                     false => case.as_str(),
                 };
-                let value = match key.value {
-                    ValueType::Numbers => format!("[{beyond:?}]"),
-                    ValueType::Whole => format!("{beyond}"),
-                    _ => format!("{beyond:?}"),
+                let parse = |at: f64| {
+                    let value = match key.value {
+                        ValueType::Numbers => format!("[{at:?}]"),
+                        ValueType::Whole => format!("{at}"),
+                        _ => format!("{at:?}"),
+                    };
+                    let mut set = needed(section.name, key.name);
+                    if section.name == "row" {
+                        set.push("row.axial_position_mm=0".to_owned());
+                    }
+                    set.push(format!("{name}={value}"));
+                    CaseFile::parse(text, "case.toml", &set)
                 };
-                let stop = ["support.stop_gap_um=9", "support.stop_stiffness_n_m=1e8"];
-                let stop = stop.iter().filter(|_| section.name == "support");
-                let mut set: Vec<_> = stop.map(|s| (*s).to_owned()).collect();
-                if section.name == "row" {
-                    set.push("row.axial_position_mm=0".to_owned());
-                }
-                set.push(format!("{name}={value}"));
-                let error = CaseFile::parse(text, "case.toml", &set).unwrap_err();
+                let error = parse(beyond).unwrap_err();
                 assert!(
                     error.key() == Some(&name) && error.to_string().contains("--set"),
-                    "{set:?}: {error}"
+                    "{name} = {beyond}: {error}"
                 );
+                // What else is refused there has other words.
+                let allowed = |text: &str| text.split_once("it must be").map(|(_, a)| a.to_owned());
+                if let Err(other) = parse(within).map_err(|e| e.to_string()) {
+                    assert_ne!(allowed(&other), allowed(&error.to_string()), "{other}");
+                }
                 ends += 1;
             }
         }
