@@ -173,14 +173,11 @@ impl RacewaySector {
     }
 }
 
-/// All balls are looked at this often, steps.
-const LOOK_EVERY: u64 = 8;
-/// A ball is near an end that it reaches within so many steps at its present speed: twice the steps
-/// to the next look, so that one that is hit does not get there unseen,
-const NEAR_STEPS: f64 = 16.0;
-/// or within this part of the radius of a ball: one at rest that gains 5 m/s in 8 steps of 2 µs
-/// stays within it.
-const NEAR: f64 = 0.02;
+/// All balls are looked at this often, s.
+const LOOK_EVERY_S: f64 = 5e-5;
+/// Speed that a ball may gain until the next look beyond as much as it has, m/s: one at rest that is
+/// hit does not get to an end unseen.
+const GAIN_M_S: f64 = 5.0;
 
 /// Where a ball is, seen from a raceway.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -202,19 +199,18 @@ struct UnderWay {
 /// Follows the balls through the raceways and passes each passage on when the ball goes
 /// out; one counts when the ball has come in and gone out during the run.
 ///
-/// Looks at a ball in every step while it is in a raceway or near an end of one, else every 8 steps.
+/// Looks at a ball in every step while it is in a raceway or near an end of one, else twenty times in
+/// a millisecond.
 pub struct PassageRecorder<F> {
     sectors: Vec<RacewaySector>,
     pair_angles: Vec<f64>,
     /// Place of each ball, seen from each raceway.
     places: Vec<Place>,
     under_way: Vec<UnderWay>,
-    /// Steps so far.
-    steps: u64,
-    /// Raceways and the balls that may cross an end of them before all are looked at again.
+    /// When all balls are looked at again, s.
+    look_s: f64,
+    /// Raceways and the balls that may cross an end of them before.
     near: Vec<[usize; 2]>,
-    /// Least distance of the others from an end, m.
-    near_m: f64,
     contact_tracker: ContactTracker,
     sink: F,
 }
@@ -227,9 +223,8 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
             pair_angles: vec![],
             places: vec![],
             under_way: vec![],
-            steps: 0,
+            look_s: 0.0,
             near: vec![],
-            near_m: 0.0,
             contact_tracker: ContactTracker::new(0),
             sink,
         }
@@ -259,16 +254,19 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
     /// Looks at all balls and keeps in mind which are near an end.
     fn look(&mut self, view: &StepView<'_, '_>) -> Result<(), ObserverError> {
         let [x, y] = view.positions();
-        let before = [BallCoordinate::X, BallCoordinate::Y].map(|c| view.before(c));
+        let [vx, vy] = [BallCoordinate::Vx, BallCoordinate::Vy].map(|c| view.after(c));
         let centre = view.outer_ring_m();
+        // The look comes at the end of a step.
+        let until_s = LOOK_EVERY_S + view.step.size_s();
+        self.look_s = view.step.t1_s + LOOK_EVERY_S;
         self.near.clear();
         for r in 0..self.sectors.len() {
             for k in 0..x.len() {
                 self.cross(view, [r, k])?;
-                let way_m = (x[k] - before[0][k]).abs() + (y[k] - before[1][k]).abs();
                 let distance_to_end_m =
                     self.sectors[r].distance_to_end_m(x[k] - centre[0], y[k] - centre[1]);
-                if distance_to_end_m < self.near_m + NEAR_STEPS * way_m {
+                let speed_m_s = 2.0 * (vx[k].abs() + vy[k].abs()) + GAIN_M_S;
+                if distance_to_end_m < speed_m_s * until_s {
                     self.near.push([r, k]);
                 }
             }
@@ -350,39 +348,36 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
         self.pair_angles = (0..n).map(|k| context.model.pair_angle_rad(k)).collect();
         self.places = vec![Place::StartedInside; n * self.sectors.len()];
         self.under_way.clear();
-        self.steps = 0;
-        self.near_m = NEAR * context.case.bearing.ball_radius_m();
+        self.look_s = 0.0;
         self.contact_tracker = ContactTracker::new(n);
         Ok(())
     }
 
     fn step(&mut self, view: &StepView<'_, '_>) -> Result<Control, ObserverError> {
         self.contact_tracker.update(&view.contacts);
-        if self.steps.is_multiple_of(LOOK_EVERY) {
+        if view.step.t1_s >= self.look_s {
             self.look(view)?;
         } else {
             for at in 0..self.near.len() {
                 self.cross(view, self.near[at])?;
             }
         }
-        self.steps += 1;
         let c = &view.contacts;
         let [x, y] = view.positions();
         let centre = view.outer_ring_m();
-        // A contact without load may slide as it likes.
-        let loaded = |slip: f64, force: f64| if force > 0.0 { slip.abs() } else { 0.0 };
+        let begun = self.contact_tracker.count() > 0;
         for UnderWay { passage, nearest } in &mut self.under_way {
             let k = passage.ball;
             let now = Direction::to_next(x, y, centre, k);
             if now.below(*nearest) {
                 *nearest = now;
             }
-            let behind = previous(k, x.len());
-            passage.collisions_ahead += u32::from(self.contact_tracker.started(k));
-            passage.collisions_behind += u32::from(self.contact_tracker.started(behind));
-            let slip = loaded(c.inner_sliding_m_s(k), c.inner_force_n(k))
-                .max(loaded(c.outer_sliding_m_s(k), c.outer_force_n(k)));
-            passage.sliding_max_m_s = passage.sliding_max_m_s.max(slip);
+            if begun {
+                let started = |k| u32::from(self.contact_tracker.started(k));
+                passage.collisions_ahead += started(k);
+                passage.collisions_behind += started(previous(k, x.len()));
+            }
+            passage.sliding_max_m_s = passage.sliding_max_m_s.max(c.loaded_sliding_m_s(k));
             let (orbit, [low, high]) = (c.orbit_speed_rad_s(k), passage.orbit_speed_range_rad_s);
             passage.orbit_speed_range_rad_s = [low.min(orbit), high.max(orbit)];
         }

@@ -109,6 +109,13 @@ fn no_passage_is_seen_late() {
     })
     .unwrap();
     assert!(found.len() > 60, "{} ends", found.len());
+    // Whoever goes out after coming in has made a passage.
+    let crossings = &every.crossings;
+    let out = crossings.iter().enumerate().filter(|(_, c)| !c.1);
+    let came_in = |(at, out): &(usize, &(usize, bool, f64))| {
+        crossings[..*at].iter().any(|c| (c.0, c.1) == (out.0, true))
+    };
+    assert_eq!(found.len(), 2 * out.filter(came_in).count());
     for (ball, inside, time_s) in found {
         let h = case.solver.step_s;
         let same = |c: &&(usize, bool, f64)| (c.0, c.1) == (ball, inside) && c.2 > time_s - 1e-12;

@@ -4,7 +4,7 @@ use super::layout::Layout;
 use super::rotor::RotorContact;
 use crate::contact::outer_friction_direction;
 use crate::numerics::lanes::LANES;
-use crate::numerics::lanes::{Lanes, larger};
+use crate::numerics::lanes::{Lanes, lane_maxima};
 use crate::profile::Profile;
 use crate::simd::Workspace;
 
@@ -88,12 +88,34 @@ impl Contacts<'_> {
     /// Largest |ΔVi| or |ΔVo| at contacts that carry load, m/s.
     #[inline]
     pub fn sliding_max_m_s(&self) -> f64 {
-        let (mut most, mut lane) = (0.0, self.layout.bearing());
-        while lane < LANES {
-            most = larger(most, self.work.slip_max.0[lane]);
-            lane += self.layout.width();
-        }
-        most
+        lane_maxima(&self.work.slip_max, self.layout.width() == 1)[self.layout.bearing()]
+    }
+
+    /// Larger of |ΔVi| and |ΔVo| of ball `k` at contacts that carry load, m/s: one without may slide as
+    /// it likes.
+    #[inline]
+    pub(crate) fn loaded_sliding_m_s(&self, k: usize) -> f64 {
+        let (block, lane) = self.place(k);
+        let (inner, outer) = (
+            &self.work.blocks[block].inner,
+            &self.work.blocks[block].outer,
+        );
+        let loaded = |slip: &Lanes, force: &Lanes| match force.0[lane] > 0.0 {
+            true => slip.0[lane].abs(),
+            false => 0.0,
+        };
+        loaded(&inner.slip, &inner.force).max(loaded(&outer.slip, &outer.force))
+    }
+
+    /// Whether any ball is pressed deeper than this into a raceway or the ball ahead.
+    pub(crate) fn any_deeper(&self, limit_m: f64) -> bool {
+        (0..self.balls()).fold(false, |any, k| {
+            let (block, lane) = self.place(k);
+            let results = &self.work.blocks[block];
+            let [outer, inner] = [&results.outer.deflection, &results.inner.deflection];
+            let deep = |deflection: &Lanes| deflection.0[lane] > limit_m;
+            any | deep(outer) | deep(inner) | deep(&results.pair.deflection)
+        })
     }
 
     /// Contact of the rotor with the inner ring, if there is a rotor.

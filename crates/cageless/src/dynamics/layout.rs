@@ -290,12 +290,11 @@ impl Layout {
     pub(crate) fn is_finite(&self, values: &[f64]) -> bool {
         // In any array each place of a bearing is `width` behind the last.
         let own = &values[self.start..][..self.motion_len()];
-        let (mut finite, mut place) = (true, self.bearing);
-        while place < own.len() {
-            finite &= own[place].is_finite();
-            place += self.width;
+        if self.width == 1 {
+            return own.iter().fold(true, |finite, v| finite & v.is_finite());
         }
-        finite
+        let mut own = own.iter().skip(self.bearing).step_by(self.width);
+        own.all(|v| v.is_finite())
     }
 
     /// Root mean square over the coordinates of this bearing of a difference of two vectors in

@@ -57,12 +57,28 @@ impl StepState {
     /// Component `k` at `time_s` within the step by cubic Hermite interpolation; error
     /// h⁴/384 times the fourth derivative.
     pub fn interpolate(&self, k: usize, time_s: f64) -> f64 {
+        self.at(time_s)([&self.y0, &self.y1, &self.f0, &self.f1].map(|values| values[k]))
+    }
+
+    /// [`Self::interpolate`] of all components.
+    pub(crate) fn interpolate_all(&self, time_s: f64) -> Vec<f64> {
+        let (states, rates) = (self.y0.iter().zip(&*self.y1), self.f0.iter().zip(&*self.f1));
+        let component = self.at(time_s);
+        let all = states.zip(rates);
+        all.map(|((y0, y1), (f0, f1))| component([*y0, *y1, *f0, *f1]))
+            .collect()
+    }
+
+    /// States and rates at both ends to the state at `time_s`.
+    #[inline]
+    fn at(&self, time_s: f64) -> impl Fn([f64; 4]) -> f64 + use<> {
         let h = self.size_s();
         let s = (time_s - self.t0_s) / h;
-        let (y0, y1) = (self.y0[k], self.y1[k]);
-        let (f0, f1) = (self.f0[k] * h, self.f1[k] * h);
         let r = 1.0 - s;
-        y0 * r * r * (1.0 + 2.0 * s) + y1 * s * s * (3.0 - 2.0 * s) + s * r * (f0 * r - f1 * s)
+        move |[y0, y1, f0, f1]| {
+            let (f0, f1) = (f0 * h, f1 * h);
+            y0 * r * r * (1.0 + 2.0 * s) + y1 * s * s * (3.0 - 2.0 * s) + s * r * (f0 * r - f1 * s)
+        }
     }
 }
 

@@ -226,7 +226,8 @@ impl<'m> Guard<'m> {
                 balls_that_hold: self.balls_that_hold,
             });
         }
-        for k in 0..layout.balls {
+        let deep = contacts.any_deeper(self.deflection_max);
+        for k in 0..if deep { layout.balls } else { 0 } {
             if contacts.outer_deflection_m(k) > self.deflection_max {
                 return Err(Cause::ThroughOuterRing(k));
             }

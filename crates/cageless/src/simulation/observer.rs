@@ -72,15 +72,10 @@ impl StepView<'_, '_> {
 
     /// Continuous ψ of ball `k` at `time_s` within the step.
     pub fn angle_rad(&self, k: usize, time_s: f64) -> f64 {
-        let x = self
-            .step
-            .interpolate(self.layout.ball(BallCoordinate::X, k), time_s);
-        let y = self
-            .step
-            .interpolate(self.layout.ball(BallCoordinate::Y, k), time_s);
+        let [x, y] = [BallCoordinate::X, BallCoordinate::Y]
+            .map(|c| self.step.interpolate(self.layout.ball(c, k), time_s));
         let centre = self.outer_ring_at_m(time_s);
-        let (x, y) = (x - centre[0], y - centre[1]);
-        unwrap_angle_rad(x.atan2(-y), self.recent_angle_rad[k])
+        self.angle_at([x - centre[0], y - centre[1]], k).rad()
     }
 
     /// Continuous ψ of ball `k` at the end of the step.
@@ -92,10 +87,17 @@ impl StepView<'_, '_> {
     #[inline]
     pub(crate) fn ball_angle(&self, k: usize) -> BallAngle {
         let ([x, y], centre) = (self.positions(), self.outer_ring_m());
+        self.angle_at([x[k] - centre[0], y[k] - centre[1]], k)
+    }
+
+    /// Continuous ψ of ball `k` at a place about the centre of the outer ring.
+    #[inline]
+    fn angle_at(&self, [x_m, y_m]: [f64; 2], k: usize) -> BallAngle {
+        let recent_rad = self.recent_angle_rad[k];
         BallAngle {
-            x_m: x[k] - centre[0],
-            y_m: y[k] - centre[1],
-            recent_rad: self.recent_angle_rad[k],
+            x_m,
+            y_m,
+            recent_rad,
         }
     }
 
@@ -117,15 +119,15 @@ impl StepView<'_, '_> {
 
     /// State at `time_s` within the step, by interpolation.
     pub fn state(&self, time_s: f64) -> State {
-        State::from_places(self.layout, |place| self.step.interpolate(place, time_s))
+        State::from_vector(self.layout, &self.step.interpolate_all(time_s))
     }
 
     /// Snapshot at `time_s` within the step, by interpolation.
     pub fn snapshot(&self, time_s: f64) -> Snapshot {
         let state = self.state(time_s);
-        let angles: Vec<f64> = (0..self.layout.balls)
-            .map(|k| self.angle_rad(k, time_s))
-            .collect();
+        let (places, centre) = ([state.x_m(), state.y_m()], state.outer_ring_motion());
+        let angle = |k| self.angle_at([places[0][k] - centre.x, places[1][k] - centre.y], k);
+        let angles: Vec<f64> = (0..self.layout.balls).map(|k| angle(k).rad()).collect();
         self.interpolator
             .borrow_mut()
             .snapshot_within(time_s, &state, &angles, &self.contacts)
