@@ -337,6 +337,7 @@ fn needed(section: &str, key: &str) -> Vec<String> {
     let stribeck = ["static_friction_coefficient=0.5", "stribeck_speed_m_s=1.0"];
     let all = match (section, key) {
         ("support", _) => vec!["stop_gap_um=9", "stop_stiffness_n_m=1e8"],
+        ("row", _) => vec!["axial_position_mm=0"],
         (_, "static_friction_coefficient") => vec!["friction_law=stribeck", stribeck[1]],
         (_, "stribeck_speed_m_s") => vec!["friction_law=stribeck", stribeck[0]],
         _ => vec![],
@@ -395,9 +396,6 @@ fn ranges_are_those_of_the_reader() {
                         _ => format!("{at:?}"),
                     };
                     let mut set = needed(section.name, key.name);
-                    if section.name == "row" {
-                        set.push("row.axial_position_mm=0".to_owned());
-                    }
                     set.push(format!("{name}={value}"));
                     CaseFile::parse(text, "case.toml", &set)
                 };
