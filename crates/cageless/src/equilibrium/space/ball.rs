@@ -63,7 +63,7 @@ fn elastic<const N: usize>(stiffness: f64, approach: Taylor<N>) -> Taylor<N> {
 
 impl SpatialBall {
     /// d from the inner groove's centre in the meridian plane of the ring through the ball.
-    fn from_inner_centre<const N: usize>(
+    fn relative_to_inner_centre<const N: usize>(
         &self,
         [beyond, axial]: [Taylor<N>; 2],
         [x, y, z, p, q]: [Taylor<N>; 5],
@@ -92,7 +92,7 @@ impl SpatialBall {
         place: [Taylor<N>; 2],
         ring: [Taylor<N>; 5],
     ) -> Option<Taylor<N>> {
-        let [radial, axial] = self.from_inner_centre(place, ring);
+        let [radial, axial] = self.relative_to_inner_centre(place, ring);
         (radial.value.hypot(axial.value) > self.inner_gap_m)
             .then(|| radial.hypot(axial) + -self.inner_gap_m)
     }
@@ -122,7 +122,7 @@ impl SpatialBall {
     pub fn inner_contact(&self, place: [f64; 2], ring: Ring) -> Option<(f64, f64)> {
         let (place, ring) = (place.map(Taylor::<0>::constant), ring.map(Taylor::constant));
         let depth = self.inner_approach(place, ring)?.value;
-        let [radial, axial] = self.from_inner_centre(place, ring);
+        let [radial, axial] = self.relative_to_inner_centre(place, ring);
         let force = self.inner_stiffness_n_m1_5 * depth * depth.sqrt();
         Some((force, (-axial.value).atan2(-radial.value)))
     }
@@ -146,7 +146,7 @@ impl SpatialBall {
             softness(self.outer_stiffness_n_m1_5),
         );
         let start = [0.0, self.outer.axial_m].map(Taylor::<0>::constant);
-        let [radial, axial] = self.from_inner_centre(start, ring.map(Taylor::constant));
+        let [radial, axial] = self.relative_to_inner_centre(start, ring.map(Taylor::constant));
         // From the outer centre to the inner one.
         let (radial, axial) = (self.outer.gap_m - radial.value, -axial.value);
         let length = radial.hypot(axial);

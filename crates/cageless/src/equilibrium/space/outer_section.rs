@@ -76,7 +76,7 @@ pub struct SectionContact {
 impl OuterSection {
     /// d and the radius |d| at which the ball touches, of the groove or of flank `sign`; u is ρ less
     /// that of a ball that touches the plain groove in its middle.
-    fn from_centre<const N: usize>(
+    fn relative_to_centre<const N: usize>(
         &self,
         [beyond, axial]: [Taylor<N>; 2],
         flank: Option<(&Flanks, Taylor<N>, f64)>,
@@ -98,7 +98,7 @@ impl OuterSection {
         place: [Taylor<N>; 2],
         flank: Option<(&Flanks, Taylor<N>, f64)>,
     ) -> Option<Taylor<N>> {
-        let ([radial, axial], radius) = self.from_centre(place, flank);
+        let ([radial, axial], radius) = self.relative_to_centre(place, flank);
         // Near the centre there is no direction.
         (radial.value.hypot(axial.value) > radius).then(|| radial.hypot(axial) + -radius)
     }
@@ -139,7 +139,7 @@ impl OuterSection {
         let place = [beyond, axial].map(Taylor::<0>::constant);
         let touching = |flank| {
             let delta: Taylor<0> = self.approach_to(place, flank)?;
-            let ([radial, axial], _) = self.from_centre(place, flank);
+            let ([radial, axial], _) = self.relative_to_centre(place, flank);
             Some((delta.value, axial.value.atan2(radial.value)))
         };
         let flanks = self.flanks.as_ref().filter(|f| f.angle_rad > PLAIN_RAD);
