@@ -108,45 +108,32 @@ impl Method for VelocityVerlet {
 /// Adds h/2·(a0 − a₋) along the direction of v0 to the velocities of planar paths, a₋ the
 /// acceleration a step earlier.
 #[inline(always)]
-fn bend_along_paths<S: System>(system: &S, h: f64, [y0, f0, before]: [&[f64]; 3], y1: &mut [f64]) {
+fn bend_along_paths<'v, S: System>(
+    system: &S,
+    h: f64,
+    [y0, f0, before]: [&'v [f64]; 3],
+    y1: &mut [f64],
+) {
     let Some(PlanarVelocities { x, y, count }) = system.planar_velocities() else {
         return;
     };
-    let mut k = 0;
-    while k + CHUNK <= count {
-        bend::<CHUNK>(h, [x + k, y + k], [y0, f0, before], y1);
-        k += CHUNK;
-    }
-    while k < count {
-        bend::<1>(h, [x + k, y + k], [y0, f0, before], y1);
-        k += 1;
-    }
+    let of = |values: &'v [f64]| [x, y].map(|at| &values[at..][..count]);
+    let (v, a, b) = (of(y0), of(f0), of(before));
+    let (front, back) = y1.split_at_mut(y);
+    bend(h, [v, a, b], &mut front[x..][..count], &mut back[..count]);
 }
 
-/// Bodies that one vector instruction works on.
-const CHUNK: usize = 8;
-
-/// [`bend_along_paths`] of neighbouring bodies.
+/// [`bend_along_paths`] of velocities along x and y.
 #[inline(always)]
-fn bend<const C: usize>(h: f64, [x, y]: [usize; 2], [y0, f0, before]: [&[f64]; 3], y1: &mut [f64]) {
-    let (vx, vy): ([f64; C], [f64; C]) = (chunk(y0, x), chunk(y0, y));
-    let (ax, ay): ([f64; C], [f64; C]) = (chunk(f0, x), chunk(f0, y));
-    let (bx, by): ([f64; C], [f64; C]) = (chunk(before, x), chunk(before, y));
-    let (mut vx1, mut vy1): ([f64; C], [f64; C]) = (chunk(y1, x), chunk(y1, y));
-    for k in 0..C {
+fn bend(h: f64, [v, a, before]: [[&[f64]; 2]; 3], vx1: &mut [f64], vy1: &mut [f64]) {
+    let ([vx, vy], [ax, ay], [bx, by]) = (v, a, before);
+    for k in 0..vx1.len() {
         let square = (vx[k] * vx[k] + vy[k] * vy[k]).max(f64::MIN_POSITIVE);
         let change = vx[k] * (ax[k] - bx[k]) + vy[k] * (ay[k] - by[k]);
         let along = 0.5 * h * change / square;
         vx1[k] += along * vx[k];
         vy1[k] += along * vy[k];
     }
-    y1[x..][..C].copy_from_slice(&vx1);
-    y1[y..][..C].copy_from_slice(&vy1);
-}
-
-#[inline(always)]
-fn chunk<const C: usize>(values: &[f64], at: usize) -> [f64; C] {
-    *values[at..].first_chunk().expect("a chunk of the vector")
 }
 
 /// x1 = x0 + h·v0 + h²/2·a0.

@@ -80,7 +80,6 @@ fn equations<const PAPER: bool, const ROTOR: bool>(
     let (ring, outer_ring) = (&w.ring, &w.outer_ring);
     w.sums.clear(alone);
     let mut slip_max = Lanes::ZERO;
-    let mut addends = [Lanes::ZERO; Sum::COUNT];
     for (block, results) in w.blocks.iter_mut().enumerate() {
         // Or the constants of all lanes are read before the loop, only to be put on the stack.
         let p = std::hint::black_box(p);
@@ -106,26 +105,26 @@ fn equations<const PAPER: bool, const ROTOR: bool>(
         } else {
             (results.outer_friction, results.inner_friction) = (Lanes::ZERO, Lanes::ZERO);
         }
-        outer_loads::<PAPER>(p, balls, results, &mut addends, motions);
+        outer_loads::<PAPER>(p, balls, results, &mut w.addends, motions);
         if p.unequal {
             slope_forces(results);
         }
         if ROTOR {
-            outer_ring_reactions(p, balls, results, &mut addends);
-            w.sums.add(&Sum::OUTER_RING, &addends, alone, block);
+            outer_ring_reactions(p, balls, results, &mut w.addends);
+            w.sums.add(&Sum::OUTER_RING, &w.addends, alone, block);
         }
-        inner_loads::<PAPER>(p, balls, results, &mut addends);
-        w.sums.add(&Sum::NORMAL, &addends, alone, block);
+        inner_loads::<PAPER>(p, balls, results, &mut w.addends);
+        w.sums.add(&Sum::NORMAL, &w.addends, alone, block);
         if raceway_friction {
             loaded_slips(results, &mut slip_max);
-            w.sums.add(&Sum::FRICTION, &addends, alone, block);
+            w.sums.add(&Sum::FRICTION, &w.addends, alone, block);
             if ROTOR {
-                ring_torques(p, results, &mut addends);
-                w.sums.add(&[Sum::RingTorque], &addends, alone, block);
+                ring_torques(p, results, &mut w.addends);
+                w.sums.add(&[Sum::RingTorque], &w.addends, alone, block);
             }
         }
         if PAPER {
-            w.sums.add(&Sum::PAPER, &addends, alone, block);
+            w.sums.add(&Sum::PAPER, &w.addends, alone, block);
         }
     }
     w.slip_max = slip_max;

@@ -29,7 +29,6 @@ pub(super) fn add<const PAPER: bool>(
     w.sums.clear(alone);
     let start_ring = CentreLanes::inner_ring(p.layout, y0);
     let mut slip_max = Lanes::ZERO;
-    let mut addends = [Lanes::ZERO; Sum::COUNT];
     with_law!(&p.friction, law => solve::<_, PAPER, false>(law, p, w, y, h_s));
     for (block, (results, friction)) in w.blocks.iter_mut().zip(&w.friction).enumerate() {
         let (balls, slips) = (p.balls(block), &friction.slips);
@@ -38,13 +37,13 @@ pub(super) fn add<const PAPER: bool>(
         apply::<PAPER>(p, balls, results, block, h_s, y, dydt);
         let start = (Motions::new(p.layout, y0, block), &start_ring);
         let end = (Motions::new(p.layout, y, block), &w.ring);
-        powers::<PAPER>(p, balls, results, start, end, &mut addends);
+        powers::<PAPER>(p, balls, results, start, end, &mut w.addends);
         results.outer_friction = slips.outer_friction;
         results.inner_friction = slips.inner_friction;
         loaded_slips(results, &mut slip_max);
-        w.sums.add(&Sum::RACEWAY_FRICTION, &addends, alone, block);
+        w.sums.add(&Sum::RACEWAY_FRICTION, &w.addends, alone, block);
         if PAPER {
-            w.sums.add(&Sum::PAPER, &addends, alone, block);
+            w.sums.add(&Sum::PAPER, &w.addends, alone, block);
         }
     }
     w.slip_max = slip_max;

@@ -80,9 +80,9 @@ impl Sums {
     #[inline(always)]
     pub fn clear(&mut self, alone: bool) {
         if alone {
-            self.alone = Self::ZERO.alone;
+            self.alone = [[0.0; PARTS]; Sum::COUNT];
         } else {
-            self.batch = Self::ZERO.batch;
+            self.batch = [[[0.0; BATCH_WIDTH]; Sum::COUNT]; PARTS];
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::motions::CentreLanes;
 use super::parameters::Parameters;
-use super::sums::Sums;
+use super::sums::{Addends, Sum, Sums};
 use crate::contact::{
     BallBallContactLanes, InnerContactLanes, JournalSlip, OuterContactLanes, OuterGeometryLanes,
     SlipProblemLanes, SlipsLanes,
@@ -75,6 +75,8 @@ impl ImplicitFriction {
 pub(crate) struct Workspace {
     pub blocks: Vec<BlockResults>,
     pub(super) sums: Sums,
+    /// What the balls of the last block add to each sum; kept, for to clear it takes time.
+    pub(super) addends: Addends,
     /// The inner ring as of the last evaluation.
     pub(super) ring: CentreLanes,
     /// The outer ring, where it moves.
@@ -109,6 +111,7 @@ impl Workspace {
         Self {
             blocks: vec![BlockResults::ZERO; blocks],
             sums: Sums::ZERO,
+            addends: [Lanes::ZERO; Sum::COUNT],
             ring: CentreLanes::ZERO,
             outer_ring: CentreLanes::ZERO,
             rotors: [RotorContact::default(); BATCH_WIDTH],
