@@ -51,8 +51,8 @@ impl Case {
     /// An [`InputError`] naming what takes it out of the plane.
     pub fn check_planar(&self) -> Result<(), InputError> {
         self.spatial_field().map_or(Ok(()), |(field, value)| {
-            let rule = "left out here: only `cageless static` takes it, everything else computes and \
-                        makes bearings of the plane";
+            let rule =
+                "left out here: only `cageless static` computes in space, all else is planar";
             Err(InputError::rule(field, value, rule))
         })
     }
