@@ -7,7 +7,7 @@ use cageless::design::Estimate;
 use cageless::equilibrium;
 use cageless::raceway::Raceway;
 use cageless_io::case_file::CaseFile;
-use cageless_results::{DESIGN, Results, Subject, equilibrium_record, static_record};
+use cageless_results::{DESIGN, Results, Subject, static_record};
 use serde_json::{Value, json};
 
 use crate::refusal::Refusal;
@@ -138,5 +138,5 @@ fn rows(results: &Results) -> Value {
 
 /// The static equilibrium of a case.
 pub(crate) fn equilibrium(case: &Case) -> Result<Value, Refusal> {
-    Ok(json!(equilibrium_record(case)?))
+    Ok(json!(static_record(case, &equilibrium::solve(case)?)))
 }

@@ -57,14 +57,9 @@ impl From<CriticalGapError> for Refusal {
     }
 }
 
-/// Reads the case of a request; its messages name the case file `case`.
-pub(crate) fn read_any(case: &str) -> Result<CaseFile, Refusal> {
-    Ok(CaseFile::parse(case, "case", &[])?)
-}
-
-/// Reads the case of a request for what is computed in the plane.
+/// Reads the planar case of a request; its messages name the case file `case`.
 pub(crate) fn read(case: &str) -> Result<CaseFile, Refusal> {
-    let file = read_any(case)?;
+    let file = CaseFile::parse(case, "case", &[])?;
     file.check_planar()?;
     Ok(file)
 }

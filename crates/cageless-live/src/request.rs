@@ -4,7 +4,7 @@ use cageless::simulation::Control;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::refusal::{Refusal, read, read_any};
+use crate::refusal::{Refusal, read};
 use crate::{compare, geometry, keys, map, motion, ranges, verdict};
 
 /// Largest request that is read, bytes.
@@ -59,7 +59,7 @@ fn result(request: &str, control: &mut dyn FnMut(f64) -> Control) -> Result<Valu
         Request::Geometry(OfCase { case }) => geometry::geometry(&read(&case)?),
         Request::Ranges { case, controls } => ranges::ranges(&case, &controls, control),
         Request::Map(grid) => map::map(&grid, control),
-        Request::Static(OfCase { case }) => geometry::equilibrium(read_any(&case)?.case()),
+        Request::Static(OfCase { case }) => geometry::equilibrium(read(&case)?.case()),
         Request::Motion { case, stretch } => motion::motion(read(&case)?.case(), &stretch, control),
         Request::Compare { case, reference } => compare::compare(&case, &reference, control),
         Request::Verdict(OfCase { case }) => verdict::verdict(read(&case)?.case(), control),
