@@ -52,8 +52,11 @@ pub fn static_page(file: &CaseFile, record: &Record) -> String {
     page.section("Displacement, stiffness, ratings and frequencies");
     page.table(&results(file, record));
     notes(&mut page, record);
-    // A seed beyond the whole numbers of TOML leaves the page without a studio.
-    let toml = file.document().to_toml().unwrap_or_default();
+    // A seed beyond the whole numbers of TOML leaves the page without a studio, which is planar.
+    let toml = match file.case().spatial_field() {
+        None => file.document().to_toml().unwrap_or_default(),
+        Some(_) => String::new(),
+    };
     case_sections(&mut page, "The case as computed", &parameters(file), &toml);
     page.html()
 }
@@ -76,8 +79,12 @@ fn head(file: &CaseFile, record: &Record) -> Page {
         title => format!("Static equilibrium: {title}"),
     };
     let bearing = &case.bearing;
+    let axial = match case.operation.space.axial_load_n {
+        0.0 => String::new(),
+        load => format!(", axial load {} N", number(load)),
+    };
     let lead = format!(
-        "{} balls of {} mm, pitch diameter {} mm; {} rpm, {} N.",
+        "{} balls of {} mm, pitch diameter {} mm; {} rpm, {} N{axial}.",
         bearing.balls(),
         number(2e3 * bearing.ball_radius_m()),
         number(2e3 * bearing.pitch_radius_m()),
