@@ -7,6 +7,7 @@ FOLDER takes the copy and what is built from it; BUILT is a target folder whose 
 """
 
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -19,7 +20,7 @@ HERE = Path(__file__).resolve().parents[2]
 CORE, IO, REPORT = "crates/cageless/src/", "crates/cageless-io/src/case_file/", "crates/cageless-report/src/"
 FRICTION, INTEGRATOR, FIGURES = CORE + "contact/friction/", CORE + "integrator/", REPORT + "figures/"
 
-# A new file, or [what stands before or after the change, the change] in a file that there is.
+# By file: the text of a new one, or for one that exists pairs of a text that occurs once and what is inserted before it.
 RECIPES = {
     "A friction law with a parameter": {
         FRICTION
@@ -255,7 +256,7 @@ def build(folder, tree, built):
     command = ["cargo", "build", "--locked", "--release", "--workspace", "--exclude", "cageless-bench", "--bins"]
     # Pages need no engine here.
     environment = {"CARGO_TARGET_DIR": str(target), "CAGELESS_ENGINE": "/dev/null"}
-    done = subprocess.run(command, cwd=tree, env=dict(__import__("os").environ, **environment))
+    done = subprocess.run(command, cwd=tree, env={**os.environ, **environment})
     checks.check("the copy compiles", done.returncode == 0)
     return target / "release/cageless"
 

@@ -10,7 +10,8 @@
 //! assert!(case.check().is_ok());
 //! ```
 
-use crate::contact::{FrictionLaw, FrictionParameters, friction};
+use crate::contact::friction::ContactKind;
+use crate::contact::{FrictionLaw, FrictionParameters};
 use crate::error::{Allowed, InputError};
 use crate::limits::{finite, not_negative, positive};
 
@@ -129,7 +130,7 @@ impl Rotor {
         }
         finite("eccentricity_phase_rad", self.eccentricity_phase_rad)?;
         self.friction_law
-            .check(&self.friction, friction::Contact::Rotor)?;
+            .check(&self.friction, ContactKind::Rotor)?;
         positive("contact_stiffness_n_mp", self.contact_stiffness_n_mp)?;
         let [least, most] = CONTACT_EXPONENTS;
         if !(least..=most).contains(&self.contact_exponent) {

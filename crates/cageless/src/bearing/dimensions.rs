@@ -194,7 +194,7 @@ impl BearingDimensions {
         self.raceway_contacts_at(materials, [0.0; 2])
     }
 
-    /// The same at these contact angles.
+    /// Hertz contacts of a nominal ball with both raceways at these contact angles: inner, outer.
     pub(super) fn raceway_contacts_at(
         &self,
         materials: &Materials,

@@ -1,6 +1,7 @@
 //! Friction, damping and stiffness of the contacts.
 
-use crate::contact::{FrictionLaw, FrictionParameters, friction};
+use crate::contact::friction::ContactKind;
+use crate::contact::{FrictionLaw, FrictionParameters};
 use crate::error::InputError;
 use crate::limits::{not_negative, positive};
 
@@ -48,7 +49,7 @@ impl Contact {
     /// Checks the values.
     pub(super) fn check(&self) -> Result<(), InputError> {
         self.friction_law
-            .check(&self.friction, friction::Contact::Balls)?;
+            .check(&self.friction, ContactKind::Balls)?;
         not_negative("outer_friction_factor", self.outer_friction_factor)?;
         not_negative("ball_friction_factor", self.ball_friction_factor)?;
         not_negative("damping_n_s_m1_5", self.damping_n_s_m1_5)?;

@@ -2,7 +2,7 @@
 
 use super::FrictionLaw;
 use super::friction_table::FrictionTable;
-use super::parameters::{Contact, FrictionParameters, field};
+use super::parameters::{ContactKind, FrictionParameters, field};
 use crate::error::{Allowed, InputError};
 
 /// Rounding of a table that was multiplied by a factor.
@@ -13,7 +13,7 @@ impl FrictionLaw {
     pub(crate) fn check(
         self,
         friction: &FrictionParameters,
-        of: Contact,
+        of: ContactKind,
     ) -> Result<(), InputError> {
         let static_coefficient = field!(of, "static_friction_coefficient");
         let last = friction.table.as_ref().map(FrictionTable::coefficient_fast);

@@ -27,7 +27,7 @@ pub(crate) use coulomb::STICK_FRACTION;
 pub use friction_table::{FrictionTable, POINTS_MAX};
 pub(crate) use law::LawLanes;
 pub use law::{Law, LawConstants};
-pub(crate) use parameters::Contact;
+pub(crate) use parameters::ContactKind;
 pub use parameters::FrictionParameters;
 pub use tanh::tanh;
 

@@ -6,10 +6,10 @@ use crate::limits::{not_negative, positive};
 
 /// A kind of contact with friction of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Contact {
-    /// Of the balls.
+pub(crate) enum ContactKind {
+    /// Ball against raceway and ball against ball.
     Balls,
-    /// Of journal and bore, whose fields in errors have the prefix `rotor_`.
+    /// Journal against bore; its fields in errors have the prefix `rotor_`.
     Rotor,
 }
 
@@ -17,8 +17,8 @@ pub(crate) enum Contact {
 macro_rules! field {
     ($of:expr, $name:literal) => {
         match $of {
-            $crate::contact::friction::Contact::Balls => $name,
-            $crate::contact::friction::Contact::Rotor => concat!("rotor_", $name),
+            $crate::contact::friction::ContactKind::Balls => $name,
+            $crate::contact::friction::ContactKind::Rotor => concat!("rotor_", $name),
         }
     };
 }
@@ -59,7 +59,7 @@ impl FrictionParameters {
     }
 
     /// Checks each parameter.
-    pub(super) fn check(&self, of: Contact) -> Result<(), InputError> {
+    pub(super) fn check(&self, of: ContactKind) -> Result<(), InputError> {
         positive(
             field!(of, "regularisation_speed_m_s"),
             self.regularisation_speed_m_s,
