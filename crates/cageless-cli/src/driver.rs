@@ -158,7 +158,12 @@ impl Tables {
             };
             make_folder(&dir)?;
             let case = serde_json::to_string(&file.document_as_run())?;
-            let writer = RunWriter::create(&dir, &Metadata { isa, case: &case })?;
+            let metadata = Metadata {
+                isa,
+                case: &case,
+                in_space: file.case().moves_in_space(),
+            };
+            let writer = RunWriter::create(&dir, &metadata)?;
             Ok((dir, Some(writer)))
         };
         bearings

@@ -155,6 +155,7 @@ fn everything_else_refuses_what_it_would_ignore() {
     let case = repository_case("zhao-d.toml");
     for command in ["run", "design", "drop", "tolerance", "export", "studio"] {
         let more: &[&str] = match command {
+            "run" => &["--verify"],
             "studio" => &["--no-browser"],
             "export" => &["--format", "csv"],
             _ => &[],
@@ -204,6 +205,7 @@ fn everything_else_refuses_what_it_would_ignore() {
         "operation.axial_load_n = 50",
         "operation.radial_load_n = [500, 900]",
     );
+    // A sweep of statics is planar; one of runs is not.
     assert_eq!(base.code, Some(2), "{base:?}");
     assert!(
         base.stderr.contains("operation.axial_load_n = 50"),
@@ -216,4 +218,75 @@ fn everything_else_refuses_what_it_would_ignore() {
     );
     let checked = call_on("check", &case, &["operation.axial_load_n=100"], &[]);
     assert_eq!(checked.code, Some(0), "{checked:?}");
+}
+
+/// What a run in space does not have, in one message each.
+#[test]
+fn a_run_in_space_says_what_it_does_not_take() {
+    let case = repository_case("zhao-d.toml");
+    for (sets, words) in [
+        (
+            &["model.formulation=paper"][..],
+            "the published equations are planar",
+        ),
+        (&["contact.friction_law=coulomb"], "needs a smooth knee"),
+        (&["operation.moment_x_n_m=1"], "operation.moment_x_n_m = 1"),
+        (
+            &[
+                "operation.moment_x_n_m=1",
+                "operation.shaft_polar_inertia_kg_m2=1e-4",
+            ],
+            "shaft_transverse_inertia_kg_m2 is missing",
+        ),
+        (
+            &["contact.friction_strips=0"],
+            "contact.friction_strips = 0",
+        ),
+    ] {
+        let sets: Vec<&str> = [&["model.motion=space"], sets].concat();
+        let answer = call_on("run", &case, &sets, &[]);
+        assert_eq!(answer.code, Some(2), "{sets:?}: {answer:?}");
+        assert!(answer.stderr.contains(words), "{words}: {answer:?}");
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let rows = pair(folder.path(), "axial_position_mm = 8.0");
+    let answer = call_on("run", &rows, &[], &[]);
+    assert_eq!(answer.code, Some(2), "{answer:?}");
+    assert!(answer.stderr.contains("one row of balls"), "{answer:?}");
+}
+
+/// A run under axial load prints what only space has, and its tables have the columns of space.
+#[test]
+fn a_run_in_space_shows_what_the_plane_has_not() {
+    let case = repository_case("zhao-d.toml");
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().to_str().unwrap();
+    let sets = [
+        "operation.axial_load_n=150",
+        "solver.method=verlet",
+        "solver.step_us=2",
+        "solver.duration_s=0.03",
+    ];
+    let answer = call_on("run", &case, &sets, &["--out", out, "--csv", "--json"]);
+    assert_eq!(answer.code, Some(0), "{answer:?}");
+    let results: serde_json::Value = serde_json::from_str(&answer.stdout).unwrap();
+    let number = |key: &str| results[key].as_f64().unwrap_or(f64::NAN);
+    assert!(
+        (15.0..30.0).contains(&number("ring_z_mean_um")),
+        "{results}"
+    );
+    assert!((2.0..8.0).contains(&number("inner_contact_angle_mean_deg")));
+    let lag = number("lag_per_pass_deg");
+    assert!((1.2..2.3).contains(&lag), "{lag}");
+    let header = |name: &str| {
+        let text = std::fs::read_to_string(folder.path().join(name)).unwrap();
+        text.lines().next().unwrap().to_owned()
+    };
+    assert!(header("balls.csv").ends_with(
+        "z_m,vz_m_s,omega_x_rad_s,omega_y_rad_s,inner_contact_angle_rad,outer_contact_angle_rad"
+    ));
+    assert!(header("ring.csv").ends_with("z_m,vz_m_s,tilt_x_rad,tilt_y_rad"));
+    let planar = call_on("run", &case, &sets[1..], &["--out", out, "--csv", "--json"]);
+    assert_eq!(planar.code, Some(0), "{planar:?}");
+    assert!(header("balls.csv").ends_with("outer_sliding_m_s"));
 }

@@ -82,7 +82,9 @@ fn snapshot(time_s: f64, balls: usize) -> Snapshot {
             ay_m_s2: time_s + 6.0,
             outer_force_x_n: time_s + 7.0,
             outer_force_y_n: time_s + 8.0,
+            ..RingSnapshot::default()
         },
+        ..Snapshot::default()
     }
 }
 
@@ -96,6 +98,7 @@ fn writer(dir: &Path) -> Result<RunWriter, ResultError> {
         &Metadata {
             isa: "avx2+fma",
             case: &serde_json::to_string(case().document()).unwrap(),
+            in_space: false,
         },
     )
 }

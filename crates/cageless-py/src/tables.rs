@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use cageless::simulation::ObserverError;
 use cageless::{Collision, RingSnapshot, RotorSnapshot, Snapshot};
 use cageless_io::results::{
-    BALLS, COLLISIONS, Column, ColumnKind, Metadata, RING, ROTOR, RunWriter, collision_values,
-    read_run_table,
+    BALLS_IN_SPACE, COLLISIONS, Column, ColumnKind, Metadata, RING, RING_IN_SPACE, ROTOR,
+    RunWriter, collision_values, read_run_table,
 };
 use cageless_study::drop::BearingRecord;
 use cageless_study::run::Rows;
@@ -21,8 +21,8 @@ use crate::errors::{Found, input, other};
 /// neither column.
 fn specified() -> [(&'static str, &'static [Column]); 4] {
     [
-        ("balls", &BALLS[2..]),
-        ("ring", RING),
+        ("balls", &BALLS_IN_SPACE[2..]),
+        ("ring", RING_IN_SPACE),
         ("collisions", COLLISIONS),
         ("rotor", ROTOR),
     ]
@@ -34,7 +34,7 @@ pub fn table_units(py: Python<'_>) -> Found<Bound<'_, PyDict>> {
     let tables = PyDict::new(py);
     for (name, columns) in specified() {
         let units = PyDict::new(py);
-        let first = BALLS[..2].iter().filter(|_| name == "balls");
+        let first = BALLS_IN_SPACE[..2].iter().filter(|_| name == "balls");
         for column in first.chain(columns) {
             units.set_item(&column.name, &column.unit)?;
         }
@@ -66,6 +66,9 @@ impl Rows for Tables {
         let [balls, ring, _, rotor] = &mut self.0;
         extend(balls, snapshot.arrays().into_iter());
         row(ring, snapshot.time_s, snapshot.ring.values());
+        if !snapshot.is_in_space() {
+            ring.truncate(RING.len());
+        }
         if let Some(values) = snapshot.rotor {
             row(rotor, snapshot.time_s, values.values());
         }
@@ -99,7 +102,7 @@ impl Tables {
             let path = dir.join(name).with_extension("parquet");
             let of_balls = name == "balls";
             if name != "rotor" || path.is_file() {
-                let columns = if of_balls { BALLS } else { columns };
+                let columns = if of_balls { BALLS_IN_SPACE } else { columns };
                 let found = read_run_table(&path, columns)?.into_iter();
                 *table = found.skip(if of_balls { 2 } else { 0 }).collect();
             }
@@ -118,7 +121,9 @@ impl Tables {
                 continue;
             }
             let table = PyDict::new(py);
-            values.resize_with(columns.len(), Vec::new);
+            if values.is_empty() {
+                values.resize_with(columns.len(), Vec::new);
+            }
             for (column, values) in columns.iter().zip(values) {
                 if column.kind == ColumnKind::Ordinal {
                     let values: Vec<i32> = values.into_iter().map(|v| v as i32).collect();
@@ -153,7 +158,11 @@ impl Tables {
                 let array: PyReadonlyArrayDyn<'_, f64> = array.extract()?;
                 Ok(array.as_array().iter().copied().collect())
             };
-            *table = columns.iter().map(column).collect::<Found<_>>()?;
+            // Those of space come last, and are not there in the plane.
+            let given = columns
+                .iter()
+                .filter(|c| arrays.contains(&*c.name).unwrap_or(false));
+            *table = given.map(column).collect::<Found<_>>()?;
         }
         Ok(tables)
     }
@@ -173,6 +182,11 @@ impl Tables {
         Ok(rows.map(|row| self.snapshot_of(row)).collect())
     }
 
+    /// Whether balls move in space.
+    fn in_space(&self) -> bool {
+        self.0[1].len() > RING.len()
+    }
+
     fn snapshot_of(&self, row: usize) -> Snapshot {
         let [balls, ring, _, rotor] = &self.0;
         let times = ring[0].len();
@@ -183,8 +197,9 @@ impl Tables {
         let arrays: Vec<f64> = arrays.copied().collect();
         let rotor = (!rotor.is_empty())
             .then(|| RotorSnapshot::from_values(std::array::from_fn(|k| rotor[k + 1][row])));
-        let values = RingSnapshot::from_values(std::array::from_fn(|k| ring[k + 1][row]));
-        Snapshot::from_parts(ring[0][row], values, rotor, &arrays)
+        let of_ring = |k: usize| ring.get(k + 1).map_or(0.0, |column| column[row]);
+        let values = RingSnapshot::from_values(std::array::from_fn(of_ring));
+        Snapshot::from_parts(ring[0][row], values, rotor, &arrays, self.in_space())
     }
 }
 
@@ -199,7 +214,12 @@ pub fn read_tables(py: Python<'_>, dir: PathBuf) -> Found<Py<PyDict>> {
 pub fn write_tables(dir: PathBuf, arrays: &Bound<'_, PyDict>, isa: &str, case: &str) -> Found<()> {
     let tables = Tables::of_arrays(arrays)?;
     let [_, ring, collisions, _] = &tables.0;
-    let mut writer = RunWriter::create(&dir, &Metadata { isa, case })?;
+    let metadata = Metadata {
+        isa,
+        case,
+        in_space: tables.in_space(),
+    };
+    let mut writer = RunWriter::create(&dir, &metadata)?;
     for row in 0..ring[0].len() {
         writer.snapshot(&tables.snapshot_of(row))?;
     }

@@ -112,6 +112,7 @@ fn results_of_a_verdict_are_its_fields() {
         double_collision_fraction: 0.47,
         sliding_mean_m_s: 0.53,
         speed_drop_fraction: 0.91,
+        lag_mean_rad: 0.04,
         gap_leave_max_rad: 0.037,
         gap_leave_min_rad: 0.029,
     };

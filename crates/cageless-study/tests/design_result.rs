@@ -18,6 +18,7 @@ fn statistics(number: f64) -> PassageStatistics {
         double_collision_fraction: 0.01 * number,
         sliding_mean_m_s: 0.02 * number,
         speed_drop_fraction: 0.03 * number,
+        lag_mean_rad: 0.04,
         gap_leave_max_rad: 0.05 * DEGREE * number,
         gap_leave_min_rad: 0.04 * DEGREE * number,
     }

@@ -12,11 +12,12 @@
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 
-use crate::case::{Case, Start};
+use crate::case::{Case, Start, Tilt};
 use crate::dynamics::ball::{BallMotion, Centre};
 use crate::dynamics::layout::Layout;
 use crate::dynamics::rotor::RotorMotion;
 use crate::dynamics::state::State;
+use crate::equilibrium::space::SpatialEquilibrium;
 use crate::equilibrium::{self, EquilibriumError, ball_outer_geometry, start_angles_rad};
 use crate::kinematics::{
     orbit_speed_of_rad_s, rolling_relative_rotation_rad_s, rolling_rotation_rad_s,
@@ -36,14 +37,11 @@ use crate::step_limits;
 /// The case is impossible, has no equilibrium, or one in which balls overlap.
 pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError> {
     step_limits::check(case)?;
-    case.check_planar()?;
+    case.check_motion()?;
     let bearing = &case.bearing;
     let n = bearing.balls();
     let pitch = bearing.pitch_radius_m();
-    let mut state = match case.rotor {
-        Some(_) => State::zero(Layout::with_rotor(n)),
-        None => State::new(n),
-    };
+    let mut state = State::zero(Layout::of_case(case));
     if let Some(rotor) = &case.rotor {
         state.set_rotor(RotorMotion {
             x: rotor.x_m,
@@ -64,21 +62,38 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
         true => equilibrium::seated_distances_m(case, ring, inner_speed),
         false => vec![pitch; n],
     };
+    let mut in_space = None;
     let (distances, ring) = match case.start {
         Start::Rolling {
             ring_x_m, ring_y_m, ..
         } => (between([ring_x_m, ring_y_m]), [ring_x_m, ring_y_m]),
         Start::AtRest { .. } => (between([0.0; 2]), [0.0; 2]),
         Start::Settled { .. } => {
-            let e = equilibrium::solve(case)?;
+            let e = if state.layout().is_in_space() {
+                in_space
+                    .insert(equilibrium::space::solve(case)?)
+                    .rest
+                    .clone()
+            } else {
+                equilibrium::solve(case)?
+            };
             e.check_balls_apart(bearing)?;
             (e.ball_distance_m, [e.ring_x_m, e.ring_y_m])
         }
     };
     for (k, (&angle, &distance)) in angles.iter().zip(&distances).enumerate() {
-        let r = ball_outer_geometry(case, k, angle).effective_radius_m;
-        let radius = bearing.ball(k).radius_m;
-        let orbit = orbit_speed_of_rad_s(bearing, radius, inner_speed, r);
+        let rest = in_space.as_ref().map(|e| Rest::of_ball(e, k));
+        let rest = rest.unwrap_or_else(|| {
+            let r = ball_outer_geometry(case, k, angle).effective_radius_m;
+            let radius = bearing.ball(k).radius_m;
+            Rest {
+                effective_radius_m: r,
+                orbit_speed_rad_s: orbit_speed_of_rad_s(bearing, radius, inner_speed, r),
+                z_m: 0.0,
+                pitch_angle_rad: 0.0,
+            }
+        });
+        let (r, orbit) = (rest.effective_radius_m, rest.orbit_speed_rad_s);
         let (speed, spin) = match case.profile {
             Profile::Physical => (orbit * pitch, rolling_rotation_rad_s(bearing, orbit, r)),
             Profile::Paper => (
@@ -87,6 +102,7 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
             ),
         };
         let (sin, cos) = angle.sin_cos();
+        let (across, along) = rest.pitch_angle_rad.sin_cos();
         state.set_ball(
             k,
             BallMotion {
@@ -94,14 +110,48 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
                 y: -distance * cos,
                 vx: speed * cos,
                 vy: speed * sin,
-                spin,
+                spin: spin * along,
             },
         );
+        if state.layout().is_in_space() {
+            // The axis of rotation lies along the force at the outer raceway.
+            state.set_ball_in_space(k, rest.z_m, [spin * across * sin, -spin * across * cos]);
+        }
     }
     state.set_ring(Centre {
         x: ring[0],
         y: ring[1],
         ..Centre::default()
     });
+    if state.layout().is_in_space() {
+        let held = match case.operation.space.tilt {
+            Tilt::Held { x_rad, y_rad } => [x_rad, y_rad],
+            Tilt::Free { .. } => [0.0; 2],
+        };
+        let rest = in_space.as_ref();
+        let [x, y] = rest.map_or(held, |e| [e.tilt_x_rad, e.tilt_y_rad]);
+        state.set_ring_in_space(rest.map_or(0.0, |e| e.ring_z_m), [y, -x]);
+    }
     Ok((state, angles))
+}
+
+/// A ball at the start.
+struct Rest {
+    effective_radius_m: f64,
+    orbit_speed_rad_s: f64,
+    z_m: f64,
+    pitch_angle_rad: f64,
+}
+
+impl Rest {
+    /// Ball `k` in equilibrium.
+    fn of_ball(e: &SpatialEquilibrium, k: usize) -> Self {
+        let angle = e.outer_contact_angle_rad[k];
+        Self {
+            effective_radius_m: e.rest.effective_radius_m[k],
+            orbit_speed_rad_s: e.orbit_speed_rad_s[k],
+            z_m: e.ball_z_m[k],
+            pitch_angle_rad: if angle.is_nan() { 0.0 } else { angle },
+        }
+    }
 }

@@ -49,6 +49,7 @@ mod scope;
 pub(crate) mod simd;
 pub mod simulation;
 pub mod snapshot;
+pub mod spatial_summary;
 pub mod step_limits;
 pub mod summary;
 pub mod surface;
@@ -61,7 +62,7 @@ pub mod vibration;
 pub use assembly::Assembly;
 pub use bearing::{Ball, Bearing, BearingDimensions, InnerRingBore};
 pub use case::{
-    Case, Contact, Gaps, Housing, Operation, Output, Row, Solver, SpatialLoad, Start, Tilt,
+    Case, Contact, Gaps, Housing, Motion, Operation, Output, Row, Solver, SpatialLoad, Start, Tilt,
 };
 pub use collision::Collision;
 pub use contact::{FrictionLaw, FrictionParameters, FrictionTable};

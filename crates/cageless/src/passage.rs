@@ -17,6 +17,8 @@
 //! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
 //! ```
 
+use std::f64::consts::TAU;
+
 use crate::contact_tracker::ContactTracker;
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::gap::Direction;
@@ -52,6 +54,11 @@ pub struct Passage {
     pub sliding_max_m_s: f64,
     /// Largest and smallest orbital speed while inside.
     pub orbit_speed_range_rad_s: [f64; 2],
+    /// Angle of the raceway.
+    pub angle_rad: f64,
+    /// Angle and time between the last raceway that the ball left and this one; `None` on its
+    /// first passage.
+    pub way_here: Option<[f64; 2]>,
 }
 
 /// Sums over passages, accumulated one by one.
@@ -59,7 +66,9 @@ pub struct Passage {
 pub struct PassageTally {
     /// Number of samples or passages.
     pub count: u64,
-    sums: [f64; 6],
+    sums: [f64; 7],
+    /// Angle and time between passages.
+    outside: [f64; 2],
     /// Largest and smallest gap to the ball ahead on going out.
     pub gap_leave_range_rad: [f64; 2],
 }
@@ -69,7 +78,8 @@ impl PassageTally {
     pub fn new() -> Self {
         Self {
             count: 0,
-            sums: [0.0; 6],
+            sums: [0.0; 7],
+            outside: [0.0; 2],
             gap_leave_range_rad: [f64::INFINITY, f64::NEG_INFINITY],
         }
     }
@@ -85,9 +95,13 @@ impl PassageTally {
             p.sliding_max_m_s,
             p.gap_min_rad,
             p.orbit_speed_range_rad_s[0],
+            p.angle_rad,
         ];
         for (sum, value) in self.sums.iter_mut().zip(values) {
             *sum += value;
+        }
+        for (sum, way) in self.outside.iter_mut().zip(p.way_here.unwrap_or_default()) {
+            *sum += way;
         }
         let [low, high] = self.gap_leave_range_rad;
         self.gap_leave_range_rad = [low.min(p.gap_leave_rad), high.max(p.gap_leave_rad)];
@@ -122,6 +136,14 @@ impl PassageTally {
         self.mean(4)
     }
 
+    /// What a ball loses in one passage against the mean orbital speed between passages: that
+    /// speed times the time inside, less the angle of the raceway. NaN until a ball has passed
+    /// two.
+    pub fn lag_mean_rad(&self) -> f64 {
+        let [angle, time] = self.outside;
+        angle / time * self.duration_mean_s() - self.mean(6)
+    }
+
     /// Mean of the smallest orbital speed in each.
     pub fn lowest_orbit_speed_mean_rad_s(&self) -> f64 {
         self.mean(5)
@@ -140,6 +162,8 @@ struct RacewaySector {
     sin_centre: f64,
     cos_centre: f64,
     cos_half: f64,
+    centre_rad: f64,
+    half_rad: f64,
     /// Unit vectors from the centre to both ends.
     ends: [[f64; 2]; 2],
 }
@@ -152,6 +176,8 @@ impl RacewaySector {
             sin_centre,
             cos_centre,
             cos_half: d.half_angle_rad.cos(),
+            centre_rad: d.centre_angle_rad,
+            half_rad: d.half_angle_rad,
             ends: [-d.half_angle_rad, d.half_angle_rad].map(|half| {
                 let (sin, cos) = (d.centre_angle_rad + half).sin_cos();
                 [sin, -cos]
@@ -162,6 +188,12 @@ impl RacewaySector {
     /// |rb|·(cos(ψ − centre) − cos θ): above zero inside, with ψ from −Y.
     fn inside_by(&self, x: f64, y: f64) -> f64 {
         x * self.sin_centre - y * self.cos_centre - self.cos_half * (x * x + y * y).sqrt()
+    }
+
+    /// Angle from the end of another raceway, or of this one a turn before, to the begin of this.
+    fn begin_behind_rad(&self, other: &Self) -> f64 {
+        let end = other.centre_rad + other.half_rad;
+        (self.centre_rad - self.half_rad - end).rem_euclid(TAU)
     }
 
     /// Lower bound of the distance of a ball from the nearest end, m.
@@ -211,6 +243,8 @@ pub struct PassageRecorder<F> {
     look_s: f64,
     /// Raceways and the balls that may cross an end of them before.
     near: Vec<[usize; 2]>,
+    /// Raceway that each ball left last, and when.
+    left: Vec<Option<(usize, f64)>>,
     contact_tracker: ContactTracker,
     sink: F,
 }
@@ -225,6 +259,7 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
             under_way: vec![],
             look_s: 0.0,
             near: vec![],
+            left: vec![],
             contact_tracker: ContactTracker::new(0),
             sink,
         }
@@ -300,6 +335,8 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
     fn enter(&self, view: &StepView<'_, '_>, k: usize, r: usize) -> UnderWay {
         let (enter_s, [gap, gap_behind_rad]) = self.end(view, k, r);
         let [x, y] = view.positions();
+        let from_end_of = |before: usize| self.sectors[r].begin_behind_rad(&self.sectors[before]);
+        let way_here = self.left[k].map(|(before, left_s)| [from_end_of(before), enter_s - left_s]);
         UnderWay {
             passage: Passage {
                 ball: k,
@@ -314,6 +351,8 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
                 collisions_behind: 0,
                 sliding_max_m_s: 0.0,
                 orbit_speed_range_rad_s: [view.contacts.orbit_speed_rad_s(k); 2],
+                angle_rad: 2.0 * self.sectors[r].half_rad,
+                way_here,
             },
             nearest: Direction::to_next(x, y, view.outer_ring_m(), k),
         }
@@ -326,6 +365,7 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> PassageRecorder<F> {
         let at = self.under_way.iter().position(of_ball);
         let UnderWay { passage, nearest } = self.under_way.swap_remove(at.expect("it came in"));
         let least = passage.gap_enter_rad.min(gap_leave_rad);
+        self.left[k] = Some((r, leave_s));
         Passage {
             leave_s,
             gap_leave_rad,
@@ -348,6 +388,7 @@ impl<F: FnMut(Passage) -> Result<(), ObserverError>> Observer for PassageRecorde
         self.pair_angles = (0..n).map(|k| context.model.pair_angle_rad(k)).collect();
         self.places = vec![Place::StartedInside; n * self.sectors.len()];
         self.under_way.clear();
+        self.left = vec![None; n];
         self.look_s = 0.0;
         self.contact_tracker = ContactTracker::new(n);
         Ok(())
@@ -403,6 +444,8 @@ mod tests {
             collisions_behind,
             sliding_max_m_s: 7.0 * number,
             orbit_speed_range_rad_s: [8.0 * number, 9.0 * number],
+            angle_rad: 0.5,
+            way_here: (number > 1.0).then_some([5.0, 20.0]),
         }
     }
 
@@ -428,6 +471,8 @@ mod tests {
         tally.add(&passage(3.0, [1, 4]));
         assert_eq!(tally.count, 2);
         assert_eq!(tally.duration_mean_s(), 4.0);
+        // 0.25 rad/s between passages, 4 s within, 0.5 rad.
+        assert_eq!(tally.lag_mean_rad(), 0.5);
         assert_eq!(tally.collisions_mean(), 4.0);
         assert_eq!(tally.double_collision_fraction(), 0.5);
         assert_eq!(tally.gap_min_mean_rad(), 10.0);

@@ -17,12 +17,13 @@
 
 use std::sync::Arc;
 
-/// Arrays over the balls.
-const ARRAYS: usize = 13;
+/// Arrays over the balls: in the plane, and all in space.
+const ARRAYS: [usize; 2] = [13, 19];
 /// Values of a ring.
-const RING: usize = 8;
-/// Time, ring and whether there is a rotor, before the rotor and the arrays of a row.
-const HEAD: usize = 1 + RING + 1;
+const RING: usize = 12;
+/// Time, ring, whether there is a rotor and whether balls move in space, before the rotor and the
+/// arrays of a row.
+const HEAD: usize = 1 + RING + 2;
 /// Values of a rotor.
 const ROTOR: usize = 13;
 
@@ -58,6 +59,19 @@ pub struct Snapshot {
     pub inner_sliding_m_s: Vec<f64>,
     /// ΔVo; positive slows the orbit and speeds the spin up.
     pub outer_sliding_m_s: Vec<f64>,
+    /// z of the ball; like the next five empty in the plane.
+    pub z_m: Vec<f64>,
+    /// Velocity of the ball's centre.
+    pub vz_m_s: Vec<f64>,
+    /// Absolute rotation about X; that about Z is −[`Self::rotation_rad_s`].
+    pub omega_x_rad_s: Vec<f64>,
+    /// Absolute rotation about Y.
+    pub omega_y_rad_s: Vec<f64>,
+    /// Contact angle at the inner raceway, positive where an axial load along +Z presses; NaN
+    /// without contact.
+    pub inner_contact_angle_rad: Vec<f64>,
+    /// Angle of the force at the outer raceway; NaN without contact.
+    pub outer_contact_angle_rad: Vec<f64>,
     /// The inner ring.
     pub ring: RingSnapshot,
     /// The rotor and what it moves, in a drop.
@@ -114,6 +128,14 @@ pub struct RingSnapshot {
     pub outer_force_x_n: f64,
     /// Force of the balls on the outer ring, friction included.
     pub outer_force_y_n: f64,
+    /// Z of the centre; like the next three 0 in the plane.
+    pub z_m: f64,
+    /// Velocity of the centre.
+    pub vz_m_s: f64,
+    /// Tilt about X.
+    pub tilt_x_rad: f64,
+    /// Tilt about Y.
+    pub tilt_y_rad: f64,
 }
 
 impl Snapshot {
@@ -122,9 +144,14 @@ impl Snapshot {
         self.x_m.len()
     }
 
+    /// Whether the balls move in space.
+    pub fn is_in_space(&self) -> bool {
+        !self.z_m.is_empty()
+    }
+
     /// The arrays over the balls, in the order of the fields.
-    pub fn arrays(&self) -> [&[f64]; ARRAYS] {
-        [
+    pub fn arrays(&self) -> Vec<&[f64]> {
+        let all: [&[f64]; ARRAYS[1]] = [
             &self.angle_rad,
             &self.x_m,
             &self.y_m,
@@ -138,7 +165,14 @@ impl Snapshot {
             &self.outer_force_n,
             &self.inner_sliding_m_s,
             &self.outer_sliding_m_s,
-        ]
+            &self.z_m,
+            &self.vz_m_s,
+            &self.omega_x_rad_s,
+            &self.omega_y_rad_s,
+            &self.inner_contact_angle_rad,
+            &self.outer_contact_angle_rad,
+        ];
+        all[..ARRAYS[usize::from(self.is_in_space())]].to_vec()
     }
 
     /// All values in one row: less to allocate where many are kept.
@@ -147,7 +181,7 @@ impl Snapshot {
         let mut row = Vec::with_capacity(HEAD + ROTOR + arrays.len() * self.balls());
         row.push(self.time_s);
         row.extend(self.ring.values());
-        row.push(f64::from(u8::from(self.rotor.is_some())));
+        row.extend([self.rotor.is_some(), self.is_in_space()].map(f64::from));
         row.extend(self.rotor.iter().flat_map(RotorSnapshot::values));
         row.extend(arrays.into_iter().flatten());
         row.into()
@@ -159,20 +193,19 @@ impl Snapshot {
     /// If it is no such row.
     pub fn from_row(row: &[f64]) -> Self {
         let (head, rest) = row.split_at(HEAD);
-        let ring = head[1..HEAD - 1]
-            .try_into()
-            .expect("time and ring come first");
-        let (rotor, arrays) = rest.split_at(if head[HEAD - 1] > 0.0 { ROTOR } else { 0 });
+        let ring = head[1..=RING].try_into().expect("time and ring come first");
+        let (rotor, arrays) = rest.split_at(if head[HEAD - 2] > 0.0 { ROTOR } else { 0 });
         Self::from_parts(
             head[0],
             RingSnapshot::from_values(ring),
             rotor.try_into().ok().map(RotorSnapshot::from_values),
             arrays,
+            head[HEAD - 1] > 0.0,
         )
     }
 
     /// Snapshot of its parts; `arrays` are the arrays over the balls, one after another in the
-    /// order of [`Self::arrays`].
+    /// order of [`Self::arrays`], with those of balls that move in space or without.
     ///
     /// # Panics
     /// If the arrays do not all have the same length.
@@ -181,14 +214,16 @@ impl Snapshot {
         ring: RingSnapshot,
         rotor: Option<RotorSnapshot>,
         arrays: &[f64],
+        in_space: bool,
     ) -> Self {
-        let balls = arrays.len() / ARRAYS;
+        let count = ARRAYS[usize::from(in_space)];
+        let balls = arrays.len() / count;
         assert!(
-            balls * ARRAYS == arrays.len(),
-            "{} values over the balls are no multiple of {ARRAYS}",
+            balls * count == arrays.len(),
+            "{} values over the balls are no multiple of {count}",
             arrays.len()
         );
-        let mut arrays = (0..ARRAYS).map(|k| arrays[k * balls..][..balls].to_vec());
+        let mut arrays = (0..count).map(|k| arrays[k * balls..][..balls].to_vec());
         let mut next = || arrays.next().unwrap_or_default();
         Self {
             time_s,
@@ -205,6 +240,12 @@ impl Snapshot {
             outer_force_n: next(),
             inner_sliding_m_s: next(),
             outer_sliding_m_s: next(),
+            z_m: next(),
+            vz_m_s: next(),
+            omega_x_rad_s: next(),
+            omega_y_rad_s: next(),
+            inner_contact_angle_rad: next(),
+            outer_contact_angle_rad: next(),
             ring,
             rotor,
         }
@@ -238,7 +279,11 @@ values!(
     ax_m_s2,
     ay_m_s2,
     outer_force_x_n,
-    outer_force_y_n
+    outer_force_y_n,
+    z_m,
+    vz_m_s,
+    tilt_x_rad,
+    tilt_y_rad
 );
 values!(
     RotorSnapshot,
@@ -264,17 +309,21 @@ mod tests {
 
     #[test]
     fn a_row_leads_back_to_its_snapshot() {
-        for rotor in [0, ROTOR] {
-            let mut row: Vec<f64> = (0..HEAD + rotor + 3 * ARRAYS).map(|k| k as f64).collect();
-            row[HEAD - 1] = if rotor > 0 { 1.0 } else { 0.0 };
+        for (rotor, space) in [(0, 0), (ROTOR, 0), (0, 1)] {
+            let count = ARRAYS[space];
+            let mut row: Vec<f64> = (0..HEAD + rotor + 3 * count).map(|k| k as f64).collect();
+            row[HEAD - 2] = if rotor > 0 { 1.0 } else { 0.0 };
+            row[HEAD - 1] = space as f64;
             let snapshot = Snapshot::from_row(&row);
-            assert_eq!((snapshot.time_s, snapshot.ring.outer_force_y_n), (0.0, 8.0));
+            assert_eq!((snapshot.time_s, snapshot.ring.tilt_y_rad), (0.0, 12.0));
             let first = (HEAD + rotor) as f64;
             assert_eq!(snapshot.angle_rad, [first, first + 1.0, first + 2.0]);
             let last = first + 36.0;
             assert_eq!(snapshot.outer_sliding_m_s, [last, last + 1.0, last + 2.0]);
+            let angle = snapshot.outer_contact_angle_rad.first().copied();
+            assert_eq!(angle, (space == 1).then_some(first + 54.0));
             let slip = snapshot.rotor.map(|r| r.contact_sliding_m_s);
-            assert_eq!(slip, (rotor > 0).then_some(22.0));
+            assert_eq!(slip, (rotor > 0).then_some(27.0));
             assert_eq!(*snapshot.to_row(), *row);
         }
     }

@@ -23,6 +23,7 @@ use crate::gap_scatter::GapScatter;
 use crate::numerics::moments::Moments;
 use crate::orbit_means::{OrbitMeans, OrbitMeansTracker};
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
+use crate::spatial_summary::{SpatialSummary, SpatialSummaryTracker};
 
 /// Headline numbers over the part of a run after [`Self::settled_after_s`].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,6 +53,8 @@ pub struct Summary {
     pub peaks: ContactPeaks,
     /// Mean powers and speeds; `None` for a part of a few steps.
     pub means: Option<OrbitMeans>,
+    /// Numbers of a run in space.
+    pub space: Option<SpatialSummary>,
 }
 
 /// Ball orbits that are left out at the start.
@@ -90,6 +93,7 @@ pub struct SummaryRecorder {
     contact_counter: Option<ContactCounter>,
     peaks: Option<ContactPeakTracker>,
     means: OrbitMeansTracker,
+    space: SpatialSummaryTracker,
 }
 
 impl SummaryRecorder {
@@ -109,6 +113,7 @@ impl SummaryRecorder {
             contact_counter: None,
             peaks: None,
             means: OrbitMeansTracker::default(),
+            space: SpatialSummaryTracker::default(),
         }
     }
 
@@ -131,6 +136,7 @@ impl SummaryRecorder {
             sliding_max_m_s: self.slip_max,
             peaks: peaks.peaks(case),
             means: self.means.means(case),
+            space: self.space.summary(),
         })
     }
 }
@@ -172,9 +178,13 @@ impl Observer for SummaryRecorder {
             self.ring_sum[k] += 0.5 * h * (view.step.y0[at] + view.step.y1[at]);
         }
         self.time += h;
+        if layout.is_in_space() {
+            self.space.step(view);
+        }
         self.slip_max = self.slip_max.max(contacts.sliding_max_m_s());
         let loaded = self.steps.is_multiple_of(LOADS_EVERY);
         if loaded {
+            self.space.look(contacts);
             let force = contacts.outer_ring_force_n();
             for (moments, force) in self.outer_ring_force.iter_mut().zip(force) {
                 moments.add(force, h);

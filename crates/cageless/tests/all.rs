@@ -36,6 +36,7 @@ mod rotor_damping;
 mod rotor_planes;
 mod search;
 mod space;
+mod space_motion;
 mod static_minimum;
 mod step_limits;
 mod tolerance;

@@ -279,6 +279,8 @@ fn a_verdict_of_a_run_changes_at_its_limits() {
                 collisions_behind: u32::from(k < twice),
                 sliding_max_m_s: 0.1,
                 orbit_speed_range_rad_s: [speed + drop * (slowed - speed), speed],
+                angle_rad: 0.5,
+                way_here: None,
             });
         }
         tally

@@ -46,6 +46,7 @@ impl Converter<'_> {
             operation: self.operation()?,
             contact: s.contact.clone(),
             profile: s.model.formulation,
+            motion: s.model.motion,
             start,
             solver: Solver {
                 method: s.solver.method,

@@ -132,8 +132,19 @@ impl CaseFile {
     /// # Errors
     /// A [`CaseError`] naming the key that takes the bearing out of its plane.
     pub fn check_planar(&self) -> Result<(), CaseError> {
-        let planar = self.case.check_planar();
-        planar.map_err(|e| converter::refused_in(&self.document, None, &e, None))
+        self.passed(self.case.check_planar())
+    }
+
+    /// Passes a case that can be run, in the plane or in space.
+    ///
+    /// # Errors
+    /// A [`CaseError`] naming the key that a run does not take.
+    pub fn check_motion(&self) -> Result<(), CaseError> {
+        self.passed(self.case.check_motion())
+    }
+
+    fn passed(&self, checked: Result<(), cageless::InputError>) -> Result<(), CaseError> {
+        checked.map_err(|e| converter::refused_in(&self.document, None, &e, None))
     }
 
     /// Request of `[search]`, in SI units; without the section, the case's own operating

@@ -1,6 +1,6 @@
 //! Choices that a case file or a plan makes by name.
 
-use cageless::{Assembly, FrictionLaw, IntegrationMethod, Profile};
+use cageless::{Assembly, FrictionLaw, IntegrationMethod, Motion, Profile};
 
 use super::spanned_toml::{Node, Value};
 
@@ -65,6 +65,10 @@ impl Named for Assembly {
 }
 
 impl Named for FrictionLaw {
+    const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
+}
+
+impl Named for Motion {
     const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
 }
 

@@ -5,13 +5,13 @@ use std::path::Path;
 
 use super::atomic_file::PartialFile;
 use super::error::ResultError;
-use super::run_tables::for_each_group;
-use super::{BALLS, COLLISIONS, Column, ColumnKind, RING, ROTOR};
+use super::run_tables::{columns_of, for_each_group};
+use super::{BALLS_IN_SPACE, COLLISIONS, Column, ColumnKind, RING_IN_SPACE, ROTOR};
 
 /// Tables of a run or of a drop, and their columns.
 const TABLES: [(&str, &[Column]); 4] = [
-    ("balls", BALLS),
-    ("ring", RING),
+    ("balls", BALLS_IN_SPACE),
+    ("ring", RING_IN_SPACE),
     ("rotor", ROTOR),
     ("collisions", COLLISIONS),
 ];
@@ -27,6 +27,7 @@ pub fn write_csv(dir: &Path) -> Result<(), ResultError> {
         if !table.exists() {
             continue;
         }
+        let columns = columns_of(&table, columns)?;
         let path = dir.join(name).with_extension("csv");
         let fail = |source| ResultError::out(&path, source);
         let mut file = BufWriter::new(PartialFile::create(&path)?);

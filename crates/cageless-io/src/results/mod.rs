@@ -61,6 +61,8 @@ pub struct Metadata<'a> {
     pub isa: &'a str,
     /// The case as run, JSON.
     pub case: &'a str,
+    /// Whether its balls move in space.
+    pub in_space: bool,
 }
 
 const fn number(name: &'static str, unit: &'static str) -> Column {
@@ -79,8 +81,9 @@ const fn ball(name: &'static str) -> Column {
     }
 }
 
-/// Columns of `balls.parquet`; from the third on as in [`Snapshot::arrays`].
-pub const BALLS: &[Column] = &[
+/// Columns of `balls.parquet` of balls that move in space; from the third on as in
+/// [`Snapshot::arrays`].
+pub const BALLS_IN_SPACE: &[Column] = &[
     number("time_s", "s"),
     ball("ball"),
     number("angle_rad", "rad"),
@@ -96,10 +99,19 @@ pub const BALLS: &[Column] = &[
     number("outer_force_n", "N"),
     number("inner_sliding_m_s", "m/s"),
     number("outer_sliding_m_s", "m/s"),
+    number("z_m", "m"),
+    number("vz_m_s", "m/s"),
+    number("omega_x_rad_s", "rad/s"),
+    number("omega_y_rad_s", "rad/s"),
+    number("inner_contact_angle_rad", "rad"),
+    number("outer_contact_angle_rad", "rad"),
 ];
 
-/// Columns of `ring.parquet`; from the second on as in [`cageless::RingSnapshot::values`].
-pub const RING: &[Column] = &[
+/// Columns of `balls.parquet` in the plane.
+pub const BALLS: &[Column] = BALLS_IN_SPACE.split_at(15).0;
+
+/// Columns of `ring.parquet` in space; from the second on as in [`cageless::RingSnapshot::values`].
+pub const RING_IN_SPACE: &[Column] = &[
     number("time_s", "s"),
     number("x_m", "m"),
     number("y_m", "m"),
@@ -109,7 +121,14 @@ pub const RING: &[Column] = &[
     number("ay_m_s2", "m/s^2"),
     number("outer_force_x_n", "N"),
     number("outer_force_y_n", "N"),
+    number("z_m", "m"),
+    number("vz_m_s", "m/s"),
+    number("tilt_x_rad", "rad"),
+    number("tilt_y_rad", "rad"),
 ];
+
+/// Columns of `ring.parquet` in the plane.
+pub const RING: &[Column] = RING_IN_SPACE.split_at(9).0;
 
 /// Columns of `rotor.parquet`; from the second on as in [`cageless::RotorSnapshot::values`].
 pub const ROTOR: &[Column] = &[
@@ -163,6 +182,7 @@ pub struct RunWriter {
     dir: PathBuf,
     balls: TableWriter,
     ring: TableWriter,
+    ring_columns: usize,
     collisions: TableWriter,
     /// Opened with the first snapshot of a rotor.
     rotor: Option<TableWriter>,
@@ -186,10 +206,15 @@ impl RunWriter {
         let open = |name: &str, columns| {
             TableWriter::in_groups(&dir.join(name), columns, &footer, GROUP_ROWS)
         };
+        let (balls, ring) = match metadata.in_space {
+            true => (BALLS_IN_SPACE, RING_IN_SPACE),
+            false => (BALLS, RING),
+        };
         Ok(Self {
             dir: dir.to_owned(),
-            balls: open("balls.parquet", BALLS)?,
-            ring: open("ring.parquet", RING)?,
+            balls: open("balls.parquet", balls)?,
+            ring: open("ring.parquet", ring)?,
+            ring_columns: ring.len(),
             collisions: open("collisions.parquet", COLLISIONS)?,
             rotor: None,
             footer: footer.to_vec(),
@@ -213,7 +238,8 @@ impl RunWriter {
         }
         self.balls.added(n)?;
 
-        self.ring.row(once(s.time_s).chain(s.ring.values()))?;
+        let ring = once(s.time_s).chain(s.ring.values());
+        self.ring.row(ring.take(self.ring_columns))?;
         s.rotor.map_or(Ok(()), |rotor| self.rotor(s.time_s, &rotor))
     }
 

@@ -9,17 +9,38 @@ use parquet::file::reader::FileReader;
 use super::error::ResultError;
 use super::reader::checked;
 use super::table::Column;
+use super::{BALLS, BALLS_IN_SPACE, RING, RING_IN_SPACE};
 
 /// Rows that are kept in memory, at most a snapshot more: 12 MB of `balls.parquet`.
 pub(super) const GROUP_ROWS: usize = 100_000;
 /// Rows that a snapshot may add to a full group.
 const SNAPSHOT_ROWS: usize = 10_000;
 
-/// A table of a run: for each of `columns` its numbers, bit by bit those that were written.
+/// Those of `columns` that a table has: without those of space in the plane.
+pub(super) fn columns_of<'c>(
+    path: &Path,
+    columns: &'c [Column],
+) -> Result<&'c [Column], ResultError> {
+    let reader = checked(path, GROUP_ROWS + SNAPSHOT_ROWS)?;
+    let count = reader
+        .metadata()
+        .file_metadata()
+        .schema()
+        .get_fields()
+        .len();
+    let planar = [(BALLS_IN_SPACE, BALLS), (RING_IN_SPACE, RING)]
+        .into_iter()
+        .find(|(all, few)| *all == columns && few.len() == count);
+    Ok(&columns[..planar.map_or(columns.len(), |(_, few)| few.len())])
+}
+
+/// A table of a run: for each of `columns` its numbers, bit by bit those that were written; those
+/// of space are left out in the plane.
 ///
 /// # Errors
 /// The file cannot be read, is damaged or has other columns.
 pub fn read_run_table(path: &Path, columns: &[Column]) -> Result<Vec<Vec<f64>>, ResultError> {
+    let columns = columns_of(path, columns)?;
     let mut found = vec![Vec::new(); columns.len()];
     for_each_group(path, columns, |group| {
         for (values, more) in found.iter_mut().zip(group) {

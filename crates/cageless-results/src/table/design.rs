@@ -61,6 +61,7 @@ pub const PASSAGES: &[Quantity] = &[
     means(DOUBLE_COLLISIONS, low(quantity("double_collision_fraction", "", "double collisions, fraction of the passages", Passages(|p| some(p.double_collision_fraction))))),
     means("the largest sliding speed of a ball in each passage, averaged over the passages", low(quantity("sliding_mean_m_s", "m/s", "largest sliding speed in a passage, mean", Passages(|p| some(p.sliding_mean_m_s))))),
     means("1 for a ball that rolls, less for one that slides", high(quantity("speed_drop_fraction", "", "reduction of the orbital speed in the raceway, fraction of that of rolling", Passages(|p| some(p.speed_drop_fraction))))),
+    means(LAG, high(quantity("lag_per_pass_deg", "deg", "lag of a ball per pass of the raceway, mean", Passages(|p| degrees(p.lag_mean_rad))))),
     high(quantity("gap_leave_min_deg", "deg", "smallest gap on leaving", Passages(|p| some(p.gap_leave_min_rad.to_degrees())))),
     quantity("gap_leave_max_deg", "deg", "largest gap on leaving", Passages(|p| some(p.gap_leave_max_rad.to_degrees()))),
 ];

@@ -6,6 +6,7 @@ use cageless::dynamics::energy::EnergyTerm;
 use cageless::orbit_means::OrbitMeans;
 use cageless::passage::PassageTally;
 use cageless::rating::{PassingFrequencies, skf_friction_torque_n_m};
+use cageless::spatial_summary::SpatialSummary;
 use cageless::summary::Summary;
 
 use crate::Finished;
@@ -46,6 +47,9 @@ pub const RUN: &[Quantity] = &[
     means(PRESSURE_VELOCITY, quantity("ball_pressure_velocity_max_mpa_m_s", "MPa m/s", "pressure × sliding speed, ball on ball", Run(|r| of_summary(r, |s| s.peaks.balls.pressure_velocity_pa_m_s * 1e-6)))),
     quantity("ring_x_mean_um", "um", "mean displacement of the inner ring, x", Run(|r| of_summary(r, |s| s.ring_x_mean_m * 1e6))),
     quantity("ring_y_mean_um", "um", "mean displacement of the inner ring, y", Run(|r| of_summary(r, |s| s.ring_y_mean_m * 1e6))),
+    quantity("ring_z_mean_um", "um", "mean displacement of the inner ring, z", Run(|r| of_space(r, |s| s.ring_z_mean_m * 1e6))),
+    means(FORCE_ANGLE, quantity("inner_contact_angle_mean_deg", "deg", "contact angle at the inner raceway, mean", Run(|r| of_space(r, |s| s.inner_contact_angle_mean_rad.to_degrees())))),
+    means(FORCE_ANGLE, quantity("outer_contact_angle_mean_deg", "deg", "contact angle at the outer raceway, mean", Run(|r| of_space(r, |s| s.outer_contact_angle_mean_rad.to_degrees())))),
     means(COLLISIONS, low(integer("collisions", "collisions between balls", Run(|r| of_contacts(r, |c| c.all))))),
     means(ABOVE_0_1, low(integer("collisions_above_0_1_m_s", "  collisions above 0.1 m/s", Run(|r| of_contacts(r, |c| c.above[0]))))),
     means(ABOVE_0_5, low(integer("collisions_above_0_5_m_s", "  collisions above 0.5 m/s", Run(|r| of_contacts(r, |c| c.above[1]))))),
@@ -68,6 +72,7 @@ pub const RUN: &[Quantity] = &[
     quantity("bsf_observed_hz", "Hz", "BSF in the motion", Run(|r| of_means(r, OrbitMeans::bsf_hz))),
     integer("passages", "passages through a discrete raceway", Run(|r| Cell::Integer(r.passages.count as i64))),
     quantity("passage_duration_mean_ms", "ms", "time of a passage, mean", Run(|r| of_tally(r, |p| p.duration_mean_s() * 1e3))),
+    means(LAG, high(quantity("lag_per_pass_deg", "deg", "lag of a ball per pass of a discrete raceway, mean", Run(|r| of_tally(r, |p| p.lag_mean_rad().to_degrees()))))),
     low(quantity("passage_collisions_mean", "", "contacts per passage, mean", Run(|r| of_tally(r, PassageTally::collisions_mean)))),
     means(DOUBLE_COLLISIONS, low(quantity("double_collision_fraction", "", "double collisions, fraction of the passages", Run(|r| of_tally(r, PassageTally::double_collision_fraction))))),
     quantity("passage_sliding_mean_m_s", "m/s", "largest sliding speed in a passage, mean", Run(|r| of_tally(r, PassageTally::sliding_mean_m_s))),
@@ -109,6 +114,11 @@ fn of_rolling(run: &Finished<'_>, value: fn(&PassingFrequencies) -> f64) -> Cell
 
 fn of_tally(run: &Finished<'_>, value: fn(&PassageTally) -> f64) -> Cell {
     some(value(run.passages))
+}
+
+/// A number of a run in space.
+fn of_space(run: &Finished<'_>, value: fn(&SpatialSummary) -> f64) -> Cell {
+    run.summary.and_then(|s| s.space.as_ref()).map(value).into()
 }
 
 fn of_summary(run: &Finished<'_>, value: fn(&Summary) -> f64) -> Cell {

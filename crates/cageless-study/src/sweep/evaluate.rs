@@ -38,6 +38,14 @@ pub type Cancellation<'a> = &'a (dyn Fn() -> Control + Sync);
 pub(crate) const INDEX: &str = "variant";
 pub(crate) const REASON: &str = "reason";
 
+/// Passes a case that these computations take: runs move in space, all else is planar.
+fn check_space(file: &CaseFile, compute: &[Computation]) -> Result<(), CaseError> {
+    match compute {
+        [Computation::Run] => file.check_motion(),
+        _ => file.check_planar(),
+    }
+}
+
 impl Sweep {
     /// Checks what the plan asks for.
     ///
@@ -46,8 +54,9 @@ impl Sweep {
     /// environment that asks for too many threads.
     pub fn new(plan: PlanFile) -> Result<Self, StudyError> {
         crate::check_environment()?;
+        let compute = plan.compute.clone();
         for file in plan.base_file.cases() {
-            file.check_planar().map_err(StudyError::Plan)?;
+            check_space(file, &compute).map_err(StudyError::Plan)?;
         }
         let normal = plan.normal().map_err(StudyError::Plan)?;
         let variants = Variants::new(plan).map_err(StudyError::Plan)?;
@@ -136,8 +145,12 @@ impl Sweep {
 
     fn begin(&self, index: u64) -> Variant<'_> {
         let (inputs, file) = self.variants.variant(index);
-        let planar = |file: &VariantFile| file.cases().iter().try_for_each(CaseFile::check_planar);
-        let file = file.and_then(|file| planar(&file).map(|()| file));
+        let compute = &self.variants.plan().compute;
+        let taken = |file: &VariantFile| {
+            let mut cases = file.cases().iter();
+            cases.try_for_each(|file| check_space(file, compute))
+        };
+        let file = file.and_then(|file| taken(&file).map(|()| file));
         let mut found = Found {
             outputs: &self.outputs,
             cells: vec![Cell::Null; self.outputs.len()],

@@ -16,6 +16,8 @@ pub struct Contact {
     pub outer_friction_factor: f64,
     /// Friction between balls over that of the law.
     pub ball_friction_factor: f64,
+    /// Strips into which motion in space divides the friction of a contact across the groove.
+    pub friction_strips: usize,
     /// c of the raceway contacts, F = K δ^(3/2) + c √δ dδ/dt, N·s·m^(−3/2).
     pub damping_n_s_m1_5: f64,
     /// Coefficient of restitution between balls, above 0, at most 1.
@@ -27,6 +29,9 @@ pub struct Contact {
     /// K between balls, N·m^(−3/2); from Hertz if `None`.
     pub ball_stiffness_n_m1_5: Option<f64>,
 }
+
+/// Most strips of a contact: twice as many change the sliding by less than a hundredth.
+pub const STRIPS_MAX: usize = 21;
 
 impl Contact {
     /// Largest friction of a kind of contact over that of the law.
@@ -59,6 +64,11 @@ impl Contact {
                 self.ball_restitution,
                 "more than 0 and at most 1",
             ));
+        }
+        if !(1..=STRIPS_MAX).contains(&self.friction_strips) {
+            let rule = format!("a whole number from 1 to {STRIPS_MAX}");
+            let given = self.friction_strips as f64;
+            return Err(InputError::rule("friction_strips", given, rule));
         }
         for (field, stiffness) in [
             ("inner_stiffness_n_m1_5", self.inner_stiffness_n_m1_5),

@@ -25,8 +25,8 @@ use crate::raceway::Raceway;
 use crate::rotor::{Rotor, Support};
 use crate::time_table::TimeTable;
 
-pub use contact::Contact;
-pub use spatial_load::{Row, SpatialLoad, Tilt};
+pub use contact::{Contact, STRIPS_MAX};
+pub use spatial_load::{Motion, Row, SpatialLoad, Tilt};
 
 /// Loads and speed.
 #[derive(Debug, Clone, PartialEq)]
@@ -192,6 +192,8 @@ pub struct Case {
     pub contact: Contact,
     /// Equations.
     pub profile: Profile,
+    /// Space in which the bearing moves.
+    pub motion: Motion,
     /// Initial state.
     pub start: Start,
     /// Integration.

@@ -1,8 +1,9 @@
 //! What takes a case out of its plane: axial load, moments or tilt, contact angles, rows.
 
-use super::{Case, Row, Tilt};
+use super::{Case, Motion, Row, Tilt};
 use crate::error::{Allowed, InputError};
-use crate::limits::finite;
+use crate::limits::{finite, positive};
+use crate::profile::Profile;
 
 /// Largest tilt, rad: more is beyond all shoulders.
 const TILT_MAX_RAD: f64 = 0.1;
@@ -45,16 +46,60 @@ impl Case {
             .map(|(field, value, _)| (field, value))
     }
 
+    /// Whether the balls of a run move in space.
+    pub fn moves_in_space(&self) -> bool {
+        self.motion == Motion::Space || self.spatial_field().is_some()
+    }
+
+    /// Passes a case whose motion can be computed.
+    ///
+    /// # Errors
+    /// An [`InputError`] naming what motion in space does not have.
+    pub fn check_motion(&self) -> Result<(), InputError> {
+        if !self.moves_in_space() {
+            return Ok(());
+        }
+        let load = &self.operation.space;
+        if let Some(row) = self.rows.first() {
+            let rule =
+                "left out here: a run has one row of balls, `cageless static` computes several";
+            return Err(InputError::rule(
+                "axial_position_m",
+                row.axial_position_m,
+                rule,
+            ));
+        }
+        if self.profile == Profile::Paper {
+            let rule = "physical: the published equations are planar";
+            return Err(InputError::rule("profile", 0.0, rule));
+        }
+        if self.contact.friction_law.sticks() {
+            let rule = "smooth, stribeck or table: sliding in two directions needs a smooth knee";
+            return Err(InputError::rule("friction_law", 0.0, rule));
+        }
+        if let (Tilt::Free { moment_x_n_m, .. }, None) = (load.tilt, load.inertias_kg_m2) {
+            let rule = "given with the inertias of what it turns";
+            return Err(InputError::rule("moment_x_n_m", moment_x_n_m, rule));
+        }
+        Ok(())
+    }
+
     /// Passes a planar case.
     ///
     /// # Errors
     /// An [`InputError`] naming what takes it out of the plane.
     pub fn check_planar(&self) -> Result<(), InputError> {
-        self.spatial_field().map_or(Ok(()), |(field, value)| {
-            let rule =
-                "left out here: only `cageless static` computes in space, all else is planar";
-            Err(InputError::rule(field, value, rule))
-        })
+        if let Some((field, value)) = self.spatial_field() {
+            let rule = "left out here: only `cageless static`, `cageless run` without --verify and \
+                        sweeps of runs compute in space, all else is planar";
+            return Err(InputError::rule(field, value, rule));
+        }
+        if self.motion == Motion::Space {
+            let rule = "auto here: only `cageless static`, `cageless run` without --verify and sweeps of runs \
+                        compute in space";
+            return Err(InputError::rule("motion", 0.0, rule));
+        }
+        Ok(())
     }
 
     /// Checks what takes the case out of its plane.
@@ -81,6 +126,10 @@ impl Case {
                 finite("moment_x_n_m", moment_x_n_m)?;
                 finite("moment_y_n_m", moment_y_n_m)?;
             }
+        }
+        if let Some([transverse, polar]) = load.inertias_kg_m2 {
+            positive("shaft_transverse_inertia_kg_m2", transverse)?;
+            positive("shaft_polar_inertia_kg_m2", polar)?;
         }
         for row in &self.rows {
             self.check_row(row)?;

@@ -24,6 +24,8 @@ pub struct PassageStatistics {
     pub sliding_mean_m_s: f64,
     /// Fraction of the theoretical drop of orbital speed that the balls reach, mean.
     pub speed_drop_fraction: f64,
+    /// Lag of a ball in the raceway against the mean orbital speed between passages.
+    pub lag_mean_rad: f64,
     /// Largest gap to the ball ahead on leaving.
     pub gap_leave_max_rad: f64,
     /// Smallest gap to the ball ahead on leaving.
@@ -366,6 +368,7 @@ fn statistics(case: &Case, raceway: &Raceway, tally: &PassageTally) -> Option<Pa
             raceway,
             tally.lowest_orbit_speed_mean_rad_s(),
         ),
+        lag_mean_rad: tally.lag_mean_rad(),
         gap_leave_max_rad,
         gap_leave_min_rad,
     })

@@ -2,6 +2,7 @@
 
 use super::layout::Layout;
 use super::rotor::RotorContact;
+use super::space::{BallContacts, SpaceWorkspace};
 use crate::contact::outer_friction_direction;
 use crate::numerics::lanes::LANES;
 use crate::numerics::lanes::{Lanes, lane_maxima};
@@ -12,6 +13,7 @@ use crate::simd::Workspace;
 #[derive(Clone, Copy)]
 pub struct Contacts<'a> {
     pub(super) work: &'a Workspace,
+    pub(super) space: Option<&'a SpaceWorkspace>,
     pub(super) layout: Layout,
     pub(super) profile: Profile,
 }
@@ -118,6 +120,11 @@ impl Contacts<'_> {
         })
     }
 
+    /// Contacts of ball `k` in space; `None` in the plane.
+    pub fn in_space(&self, k: usize) -> Option<&BallContacts> {
+        self.space.map(|space| &space.results[k])
+    }
+
     /// Contact of the rotor with the inner ring, if there is a rotor.
     pub fn rotor(&self) -> Option<RotorContact> {
         self.layout
@@ -127,6 +134,9 @@ impl Contacts<'_> {
 
     /// Force of the balls on the outer ring, friction included, N.
     pub fn outer_ring_force_n(&self) -> [f64; 2] {
+        if let Some(space) = self.space {
+            return space.outer_ring_force_n();
+        }
         (0..self.balls()).fold([0.0; 2], |[x, y], k| {
             let (block, lane) = self.place(k);
             let results = &self.work.blocks[block];

@@ -56,13 +56,33 @@ pub enum BallCoordinate {
     Vx,
     /// ẏ of the centre.
     Vy,
-    /// Spin state of Zhao 2022, Eq. (13).
+    /// Spin state of Zhao 2022, Eq. (13); in space −ωz.
     Spin,
+    /// In space: z of the centre.
+    Z,
+    /// In space: ż of the centre.
+    Vz,
+    /// In space: ωx.
+    OmegaX,
+    /// In space: ωy.
+    OmegaY,
 }
 
 impl BallCoordinate {
-    /// All, in the order of the state vector.
+    /// All of a planar bearing, in the order of the state vector.
     pub const ALL: [Self; BALL.len()] = [Self::X, Self::Y, Self::Vx, Self::Vy, Self::Spin];
+    /// All in space, in the order of the state vector.
+    pub const IN_SPACE: [Self; BALL_IN_SPACE.len()] = [
+        Self::X,
+        Self::Y,
+        Self::Vx,
+        Self::Vy,
+        Self::Spin,
+        Self::Z,
+        Self::Vz,
+        Self::OmegaX,
+        Self::OmegaY,
+    ];
 }
 
 /// Coordinates of every ball.
@@ -72,6 +92,19 @@ pub const BALL: [Coordinate; 5] = [
     coordinate("vx_m_s", "m/s", 1.0, Kind::VelocityOf(0)),
     coordinate("vy_m_s", "m/s", 1.0, Kind::VelocityOf(1)),
     coordinate("rotation_rad_s", "rad/s", 200.0, Kind::Rate),
+];
+
+/// Coordinates of every ball in space; those of the plane come first.
+pub const BALL_IN_SPACE: [Coordinate; 9] = [
+    BALL[0],
+    BALL[1],
+    BALL[2],
+    BALL[3],
+    BALL[4],
+    coordinate("z_m", "m", 1e-5, Kind::Position),
+    coordinate("vz_m_s", "m/s", 1.0, Kind::VelocityOf(5)),
+    coordinate("omega_x_rad_s", "rad/s", 200.0, Kind::Rate),
+    coordinate("omega_y_rad_s", "rad/s", 200.0, Kind::Rate),
 ];
 
 /// Index of a coordinate of the inner ring.
@@ -85,6 +118,18 @@ pub enum RingCoordinate {
     Vx,
     /// Ẏ of the centre.
     Vy,
+    /// In space: Z of the centre.
+    Z,
+    /// In space: p, x of the axis **a** = (p, q, √(1 − p² − q²)): the tilt about Y.
+    TiltP,
+    /// In space: q, y of the axis: the tilt about −X.
+    TiltQ,
+    /// In space: Ż of the centre.
+    Vz,
+    /// In space: ṗ.
+    TiltPRate,
+    /// In space: q̇.
+    TiltQRate,
 }
 
 impl RingCoordinate {
@@ -98,6 +143,20 @@ pub const RING: [Coordinate; 4] = [
     coordinate("ring_y_m", "m", 1e-5, Kind::Position),
     coordinate("ring_vx_m_s", "m/s", 0.1, Kind::VelocityOf(0)),
     coordinate("ring_vy_m_s", "m/s", 0.1, Kind::VelocityOf(1)),
+];
+
+/// Coordinates of the inner ring in space; those of the plane come first.
+pub const RING_IN_SPACE: [Coordinate; 10] = [
+    RING[0],
+    RING[1],
+    RING[2],
+    RING[3],
+    coordinate("ring_z_m", "m", 1e-5, Kind::Position),
+    coordinate("tilt_p", "1", 1e-3, Kind::Position),
+    coordinate("tilt_q", "1", 1e-3, Kind::Position),
+    coordinate("ring_vz_m_s", "m/s", 0.1, Kind::VelocityOf(4)),
+    coordinate("tilt_p_rate_per_s", "1/s", 10.0, Kind::VelocityOf(5)),
+    coordinate("tilt_q_rate_per_s", "1/s", 10.0, Kind::VelocityOf(6)),
 ];
 
 /// Index of a coordinate of the bodies under a falling rotor; those of the inner ring's centre
@@ -176,6 +235,9 @@ mod tests {
         for (k, c) in BallCoordinate::ALL.into_iter().enumerate() {
             assert_eq!(c as usize, k);
         }
+        for (k, c) in BallCoordinate::IN_SPACE.into_iter().enumerate() {
+            assert_eq!(c as usize, k);
+        }
         for (k, c) in RingCoordinate::ALL.into_iter().enumerate() {
             assert_eq!(c as usize, k);
         }
@@ -185,6 +247,8 @@ mod tests {
     fn positions_and_rates_form_runs() {
         assert_eq!(second_order_runs(&BALL), [[0, 2, 2]]);
         assert_eq!(second_order_runs(&RING), [[0, 2, 2]]);
+        assert_eq!(second_order_runs(&BALL_IN_SPACE), [[0, 2, 2], [5, 6, 1]]);
+        assert_eq!(second_order_runs(&RING_IN_SPACE), [[0, 2, 2], [4, 7, 3]]);
         assert_eq!(second_order_runs(&DROP), [[0, 2, 2], [5, 7, 2], [9, 12, 3]]);
         assert_eq!(DROP[DropCoordinate::RotorSpeed as usize].unit, "rad/s");
         assert_eq!(DropCoordinate::RotorSpeed as usize + 1, DROP.len());

@@ -12,10 +12,12 @@
 
 use super::ball::{BallMotion, Centre};
 use super::coordinates::{
-    BALL, BallCoordinate, Coordinate, DROP, DropCoordinate, RING, RingCoordinate, second_order_runs,
+    BALL, BALL_IN_SPACE, BallCoordinate, Coordinate, DROP, DropCoordinate, RING, RING_IN_SPACE,
+    RingCoordinate, second_order_runs,
 };
 use super::energy::EnergyTerm;
 use super::rotor::RotorMotion;
+use crate::case::Case;
 use crate::integrator::SecondOrderBlock;
 use crate::numerics::lanes::{BATCH_WIDTH, LANES};
 
@@ -25,13 +27,16 @@ use crate::numerics::lanes::{BATCH_WIDTH, LANES};
 ///
 /// First the coordinates of the balls ([`BALL`]), an array each, padded to a multiple of
 /// [`LANES`], so that whole vectors are computed either way; then those of the bodies
-/// ([`RING`], with a rotor [`DROP`]); then the terms of the energy ledger ([`EnergyTerm`]).
+/// ([`RING`], with a rotor [`DROP`]); then the terms of the energy ledger ([`EnergyTerm`]). In space
+/// it is [`BALL_IN_SPACE`] and [`RING_IN_SPACE`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layout {
     /// N.
     pub balls: usize,
     /// Length of one array over the balls.
     pub stride: usize,
+    /// Coordinates of a ball.
+    of_ball: &'static [Coordinate],
     /// Coordinates of the bodies.
     bodies: &'static [Coordinate],
     /// Bearings side by side.
@@ -43,30 +48,50 @@ pub struct Layout {
 }
 
 impl Layout {
+    /// Layout of the bearing of a case, alone in its vector.
+    pub fn of_case(case: &Case) -> Self {
+        let balls = case.bearing.balls();
+        match &case.rotor {
+            Some(_) => Self::with_rotor(balls),
+            None if case.moves_in_space() => Self::in_space(balls),
+            None => Self::new(balls),
+        }
+    }
+
     /// Layout for one bearing of `balls` balls.
     pub fn new(balls: usize) -> Self {
-        Self::with_bodies(balls, &RING, 1)
+        Self::with_bodies(balls, [&BALL, &RING], 1)
     }
 
     /// Layout for one bearing of `balls` balls under a falling rotor.
     pub fn with_rotor(balls: usize) -> Self {
-        Self::with_bodies(balls, &DROP, 1)
+        Self::with_bodies(balls, [&BALL, &DROP], 1)
+    }
+
+    /// Layout for one bearing of `balls` balls in space.
+    pub fn in_space(balls: usize) -> Self {
+        Self::with_bodies(balls, [&BALL_IN_SPACE, &RING_IN_SPACE], 1)
     }
 
     /// Layout for [`BATCH_WIDTH`] such bearings side by side, with the places of the first.
     pub fn side_by_side(self) -> Self {
-        Self::with_bodies(self.balls, self.bodies, BATCH_WIDTH)
+        Self::with_bodies(self.balls, [self.of_ball, self.bodies], BATCH_WIDTH)
     }
 
     /// Layout for one such bearing alone.
     pub fn alone(self) -> Self {
-        Self::with_bodies(self.balls, self.bodies, 1)
+        Self::with_bodies(self.balls, [self.of_ball, self.bodies], 1)
     }
 
-    fn with_bodies(balls: usize, bodies: &'static [Coordinate], width: usize) -> Self {
+    fn with_bodies(
+        balls: usize,
+        [of_ball, bodies]: [&'static [Coordinate]; 2],
+        width: usize,
+    ) -> Self {
         Self {
             balls,
             stride: (balls * width).next_multiple_of(LANES),
+            of_ball,
             bodies,
             width,
             bearing: 0,
@@ -78,7 +103,13 @@ impl Layout {
     /// support.
     #[inline]
     pub fn has_rotor(&self) -> bool {
-        self.bodies.len() > RING.len()
+        self.bodies.len() == DROP.len()
+    }
+
+    /// Whether balls and ring move in space.
+    #[inline]
+    pub fn is_in_space(&self) -> bool {
+        self.of_ball.len() > BALL.len()
     }
 
     /// Terms of the energy ledger.
@@ -121,17 +152,18 @@ impl Layout {
     /// Length of the vector, or of this part of it.
     #[allow(clippy::len_without_is_empty)] // never empty
     pub fn len(&self) -> usize {
-        BALL.len() * self.stride + (self.bodies.len() + self.energy_terms().len()) * self.width
+        self.of_ball.len() * self.stride
+            + (self.bodies.len() + self.energy_terms().len()) * self.width
     }
 
     /// Length of the motion of one bearing alone, which precedes its energy ledger.
     pub(crate) fn motion_len(&self) -> usize {
-        BALL.len() * self.stride + self.bodies.len() * self.width
+        self.of_ball.len() * self.stride + self.bodies.len() * self.width
     }
 
     #[inline]
     fn bodies_start(&self) -> usize {
-        self.start + BALL.len() * self.stride
+        self.start + self.of_ball.len() * self.stride
     }
 
     /// Entries of an array over the balls that are not padding.
@@ -148,8 +180,14 @@ impl Layout {
     /// Place of a coordinate of ball `k`.
     #[inline]
     pub fn ball(&self, coordinate: BallCoordinate, k: usize) -> usize {
-        debug_assert!(k < self.balls);
-        self.array(coordinate) + k * self.width + self.bearing
+        self.of_table(coordinate as usize, k)
+    }
+
+    /// Place of a coordinate of ball `k` by its index in their table.
+    #[inline]
+    fn of_table(&self, coordinate: usize, k: usize) -> usize {
+        debug_assert!(k < self.balls && coordinate < self.of_ball.len());
+        self.start + coordinate * self.stride + k * self.width + self.bearing
     }
 
     /// Place of a coordinate of the inner ring.
@@ -268,7 +306,7 @@ impl Layout {
                 rates: start + rate * size,
                 count: count * size,
             };
-        let balls = second_order_runs(&BALL).into_iter();
+        let balls = second_order_runs(self.of_ball).into_iter();
         let bodies = second_order_runs(self.bodies).into_iter();
         balls
             .map(|run| block(run, self.start, self.stride))
@@ -279,9 +317,11 @@ impl Layout {
     /// Places and coordinates of this bearing's motion, without the energy ledger.
     fn motion(&self) -> impl Iterator<Item = (usize, &'static Coordinate)> + use<> {
         let layout = *self;
-        let balls = BallCoordinate::ALL.into_iter().flat_map(move |c| {
-            (0..layout.balls).map(move |k| (layout.ball(c, k), &BALL[c as usize]))
-        });
+        let balls = self
+            .of_ball
+            .iter()
+            .enumerate()
+            .flat_map(move |(i, c)| (0..layout.balls).map(move |k| (layout.of_table(i, k), c)));
         let bodies = self.bodies.iter().enumerate();
         balls.chain(bodies.map(move |(k, c)| (layout.body(k), c)))
     }
@@ -304,15 +344,15 @@ impl Layout {
             .motion()
             .map(|(place, c)| (difference[place] / c.error_scale).powi(2))
             .sum();
-        let count = BALL.len() * self.balls + self.bodies.len();
+        let count = self.of_ball.len() * self.balls + self.bodies.len();
         (sum / count as f64).sqrt()
     }
 
     /// Every place of this bearing with the place of the same quantity in `other`.
     pub(super) fn pairs(&self, other: Self) -> impl Iterator<Item = (usize, usize)> + use<> {
         let layout = *self;
-        let balls = BallCoordinate::ALL.into_iter().flat_map(move |c| {
-            (0..layout.balls).map(move |k| (layout.ball(c, k), other.ball(c, k)))
+        let balls = (0..self.of_ball.len()).flat_map(move |c| {
+            (0..layout.balls).map(move |k| (layout.of_table(c, k), other.of_table(c, k)))
         });
         let rest = 0..self.bodies.len() + self.energy_terms().len();
         balls.chain(rest.map(move |k| (layout.body(k), other.body(k))))

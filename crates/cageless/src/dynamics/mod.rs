@@ -26,6 +26,7 @@ mod right_hand_side;
 pub mod rotor;
 pub(crate) mod rotor_equations;
 pub(crate) mod rotor_on_bearings;
+pub(crate) mod space;
 pub mod state;
 mod stored_energy;
 
@@ -33,6 +34,7 @@ pub use crate::simd::InstructionSet;
 pub use contacts::Contacts;
 pub use model::Model;
 pub use right_hand_side::RightHandSide;
+pub use space::BallContacts;
 
 #[cfg(test)]
 mod tests;

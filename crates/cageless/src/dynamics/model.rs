@@ -5,6 +5,7 @@ use super::inner_ring::InnerRing;
 use super::layout::Layout;
 use super::outer_ring::OuterRing;
 use super::rotor::RotorBody;
+use super::space::SpaceModel;
 use crate::bearing::Bearing;
 use crate::case::Case;
 use crate::contact::FrictionLaw;
@@ -59,6 +60,8 @@ pub struct Model {
     /// ωi and Fr over time, where they change.
     pub(crate) inner_speed: Option<TimeTable>,
     pub(crate) radial_load: Option<TimeTable>,
+    /// What motion in space needs besides.
+    pub(crate) space: Option<SpaceModel>,
     bearing: Bearing,
     raceways: Vec<Raceway>,
 }
@@ -108,11 +111,9 @@ impl Model {
         // 2/7 m is the mass that a force at the surface of a free ball feels.
         let lightest = balls.iter().map(|b| b.mass).fold(f64::INFINITY, f64::min);
         let stick_gain = STICK_FRACTION * 2.0 / 7.0 * lightest / case.solver.step_s;
+        let space = SpaceModel::new(case);
         Ok(Self {
-            layout: match case.rotor {
-                Some(_) => Layout::with_rotor(d.balls),
-                None => Layout::new(d.balls),
-            },
+            layout: Layout::of_case(case),
             rotor: RotorBody::new(case),
             outer_ring: OuterRing::new(case.support.as_ref()),
             profile: case.profile,
@@ -142,11 +143,12 @@ impl Model {
                 radial_load: case.operation.radial_load_n,
                 gravity: case.operation.gravity_m_s2,
             },
-            implicit_friction: StepLimits::friction_is_stiff(case),
+            implicit_friction: space.is_some() || StepLimits::friction_is_stiff(case),
             ball_damped: alpha > 0.0,
             raceway_models: case.raceways.iter().map(RacewayModel::new).collect(),
             inner_speed: case.operation.inner_speed_table.clone(),
             radial_load: case.operation.radial_load_table.clone(),
+            space,
             bearing: bearing.clone(),
             raceways: case.raceways.clone(),
         })

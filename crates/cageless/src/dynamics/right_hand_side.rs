@@ -6,6 +6,7 @@ use super::coordinates::{BallCoordinate, RingCoordinate};
 use super::layout::Layout;
 use super::model::Model;
 use super::rotor::JournalCompliance;
+use super::space::{self, BallContacts, Drive, SpaceWorkspace};
 use super::state::State;
 use crate::contact::JournalContact;
 use crate::integrator::{
@@ -27,6 +28,8 @@ pub struct RightHandSide<'m> {
     models: Vec<&'m Model>,
     parameters: Parameters,
     work: Workspace,
+    /// What motion in space needs besides.
+    space: Option<SpaceWorkspace>,
     isa: InstructionSet,
     evaluations: u64,
     /// Time of the last evaluation, s.
@@ -94,6 +97,7 @@ impl<'m> RightHandSide<'m> {
         let parameters = Parameters::new(&models, layout);
         Self {
             work: Workspace::new(&parameters),
+            space: models[0].space.as_ref().map(SpaceWorkspace::new),
             parameters,
             isa: isa.min(InstructionSet::detect()),
             evaluations: 0,
@@ -135,6 +139,7 @@ impl<'m> RightHandSide<'m> {
     pub fn contacts_of(&self, bearing: usize) -> Contacts<'_> {
         Contacts {
             work: &self.work,
+            space: self.space.as_ref(),
             layout: self.parameters.layout.of_bearing(bearing),
             profile: self.parameters.profile,
         }
@@ -158,12 +163,27 @@ impl<'m> RightHandSide<'m> {
         if self.parameters.layout.has_rotor() {
             self.parameters.set_ring_speed(y);
         }
+        let drive = self.drive();
         let (p, w) = (&self.parameters, &mut self.work);
+        if let (Some(space), Some(s)) = (&self.models[0].space, &mut self.space) {
+            let bearing = (self.models[0], space, drive);
+            space::evaluate(bearing, (w, s), y, dydt, raceway_friction);
+            return;
+        }
         with_instructions!(
             self.isa,
             [](p: &Parameters, w: &mut Workspace, y: &[f64], dydt: &mut [f64], raceway_friction: bool),
             simd::evaluate(p, w, y, dydt, raceway_friction)
         );
+    }
+
+    /// Speed and load of the first bearing as of the last evaluation.
+    fn drive(&self) -> Drive {
+        let inner = self.parameters.inner.get(0);
+        Drive {
+            inner_speed: inner.surface_speed / inner.radius,
+            radial_load: self.parameters.ring.radial_load.0[0],
+        }
     }
 
     /// Sets how the guided journal answers to loads from here on.
@@ -289,6 +309,17 @@ impl<'m> RightHandSide<'m> {
         let ring = state.ring_motion();
         let [outer_force_x_n, outer_force_y_n] = c.outer_ring_force_n();
         let each = |value: &dyn Fn(usize) -> f64| (0..n).map(value).collect();
+        let spatial = layout.is_in_space();
+        let in_space = |value: &dyn Fn(usize) -> f64| match spatial {
+            true => (0..n).map(value).collect(),
+            false => vec![],
+        };
+        let at = |coordinate, k| state.values()[layout.ball(coordinate, k)];
+        let angle = |k, of: fn(&BallContacts) -> f64| c.in_space(k).map_or(f64::NAN, of);
+        let of_ring = |coordinate| match spatial {
+            true => state.values()[layout.ring(coordinate)],
+            false => 0.0,
+        };
         Snapshot {
             time_s,
             angle_rad: angle_rad.to_vec(),
@@ -312,8 +343,18 @@ impl<'m> RightHandSide<'m> {
             outer_force_n: each(&|k| c.outer_force_n(k)),
             inner_sliding_m_s: each(&|k| c.inner_sliding_m_s(k)),
             outer_sliding_m_s: each(&|k| c.outer_sliding_m_s(k)),
+            z_m: in_space(&|k| at(BallCoordinate::Z, k)),
+            vz_m_s: in_space(&|k| at(BallCoordinate::Vz, k)),
+            omega_x_rad_s: in_space(&|k| at(BallCoordinate::OmegaX, k)),
+            omega_y_rad_s: in_space(&|k| at(BallCoordinate::OmegaY, k)),
+            inner_contact_angle_rad: in_space(&|k| angle(k, BallContacts::inner_contact_angle_rad)),
+            outer_contact_angle_rad: in_space(&|k| angle(k, BallContacts::outer_contact_angle_rad)),
             rotor: self.rotor_snapshot(state),
             ring: RingSnapshot {
+                z_m: of_ring(RingCoordinate::Z),
+                vz_m_s: of_ring(RingCoordinate::Vz),
+                tilt_x_rad: -of_ring(RingCoordinate::TiltQ),
+                tilt_y_rad: of_ring(RingCoordinate::TiltP),
                 x_m: ring.x,
                 y_m: ring.y,
                 vx_m_s: ring.vx,
@@ -357,7 +398,13 @@ impl System for RightHandSide<'_> {
 
     #[inline(always)] // into callers compiled for wider vectors
     fn add_stiff_part(&mut self, h_s: f64, y0: &[f64], y: &mut [f64], dydt: &mut [f64]) {
+        let drive = self.drive();
         let (p, w) = (&self.parameters, &mut self.work);
+        if let (Some(space), Some(s)) = (&self.models[0].space, &mut self.space) {
+            let bearing = (self.models[0], space, drive);
+            space::add_implicit_friction(bearing, (w, s), h_s, y0, y, dydt);
+            return;
+        }
         with_instructions!(
             self.isa,
             [](p: &Parameters, w: &mut Workspace, h_s: f64, y0: &[f64], y: &mut [f64], dydt: &mut [f64]),
@@ -413,13 +460,16 @@ impl System for RightHandSide<'_> {
 
     /// Those of contacts, and the corners of what is given over time.
     fn edges(&self, y: &[f64], values: &mut Vec<f64>) {
-        simd::edges(&self.parameters, &self.work, y, values);
+        match &self.models[0].space {
+            Some(space) => space::edges(space, &self.work, values),
+            None => simd::edges(&self.parameters, &self.work, y, values),
+        }
         values.extend(self.tables().map(|table| table.corner(self.time_s)));
     }
 
     fn planar_velocities(&self) -> Option<PlanarVelocities> {
         let layout = self.layout();
-        Some(PlanarVelocities {
+        (!layout.is_in_space()).then(|| PlanarVelocities {
             x: layout.array(BallCoordinate::Vx),
             y: layout.array(BallCoordinate::Vy),
             count: layout.stride,

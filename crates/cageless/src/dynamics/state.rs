@@ -124,6 +124,28 @@ impl State {
         }
     }
 
+    /// Sets z and ωx, ωy of a ball in space.
+    pub fn set_ball_in_space(&mut self, k: usize, z_m: f64, omega_rad_s: [f64; 2]) {
+        for (coordinate, value) in [
+            (BallCoordinate::Z, z_m),
+            (BallCoordinate::OmegaX, omega_rad_s[0]),
+            (BallCoordinate::OmegaY, omega_rad_s[1]),
+        ] {
+            self.values[self.layout.ball(coordinate, k)] = value;
+        }
+    }
+
+    /// Sets Z and the axis (p, q) of the inner ring in space.
+    pub fn set_ring_in_space(&mut self, z_m: f64, axis: [f64; 2]) {
+        for (coordinate, value) in [
+            (RingCoordinate::Z, z_m),
+            (RingCoordinate::TiltP, axis[0]),
+            (RingCoordinate::TiltQ, axis[1]),
+        ] {
+            self.values[self.layout.ring(coordinate)] = value;
+        }
+    }
+
     /// Motion of the centre of the inner ring.
     pub fn ring_motion(&self) -> Centre {
         self.layout.ring_motion(&self.values)

@@ -1,6 +1,7 @@
 //! Energy stored in the bodies and contacts, and the balance of the ledger.
 
 use super::model::Model;
+use super::space;
 use super::state::State;
 use crate::contact::{
     ball_deflection, hertz, inner_deflection, journal_energy_j, outer_deflection,
@@ -15,6 +16,9 @@ impl Model {
     /// Kinetic and elastic energy, J. In the `paper` profile the spin is that of
     /// Eq. (13), relative to the orbit.
     pub fn energy_j(&self, state: &State) -> f64 {
+        if let Some(space) = &self.space {
+            return space::energy_j(self, space, state);
+        }
         let ring = state.ring_motion();
         let outer_ring = state.outer_ring_motion();
         let mut sum = kinetic_j(self.ring.mass, ring.vx, ring.vy) + self.rotor_energy_j(state);

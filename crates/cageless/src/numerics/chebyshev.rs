@@ -42,6 +42,16 @@ impl Polynomial {
             .rev()
             .fold(0.0, |sum, c| sum * u + c)
     }
+
+    /// Value and slope at `x`.
+    pub fn value_and_slope(&self, x: f64) -> [f64; 2] {
+        let u = self.scale * x + self.shift;
+        let mut both = [0.0; 2];
+        for c in self.coefficients.iter().rev() {
+            both = [both[0] * u + c, both[1] * u + both[0]];
+        }
+        [both[0], both[1] * self.scale]
+    }
 }
 
 /// Chebyshev coefficients of the interpolant at the `degree + 1` Chebyshev nodes.

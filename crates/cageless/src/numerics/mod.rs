@@ -13,6 +13,7 @@ pub mod aligned;
 pub mod angle;
 pub mod bspline;
 pub(crate) mod chebyshev;
+pub mod cholesky;
 pub(crate) mod elliptic;
 pub mod lanes;
 pub mod moments;

@@ -7,11 +7,11 @@ use crate::dynamics::coordinates::BallCoordinate;
 use crate::numerics::lanes::LANES;
 
 /// 1 over the depth of a contact that is of interest, 1/m.
-const PER_DEPTH: f64 = 1e5;
+pub(crate) const PER_DEPTH: f64 = 1e5;
 /// Its fourth root, m^(−1/4).
 const ROOT: f64 = 17.782_794_100_389_23;
 /// 1 over the change of sin²ψ along a raceway over such a depth.
-const PER_SINE_SQUARE: f64 = 1e4;
+pub(crate) const PER_SINE_SQUARE: f64 = 1e4;
 
 /// Appends functions of the state of the last evaluation of one bearing alone, zero where f is not
 /// smooth: depths of contacts, what damped contacts are clamped by, the rows of friction tables, the

@@ -29,7 +29,8 @@ struct Kind {
 
 impl Kind {
     fn from_case(case: &Case) -> Option<Self> {
-        (case.solver.method.properties().side_by_side).then(|| Self {
+        let alone = !case.solver.method.properties().side_by_side || case.moves_in_space();
+        (!alone).then(|| Self {
             balls: case.bearing.balls(),
             profile: case.profile,
             law: case.contact.friction_law,

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use cageless::simulation::{Control, Ending, RunOutcome, run};
 use cageless::{
     Bearing, BearingDimensions, Case, Contact, FrictionLaw, FrictionParameters, Gaps,
-    InnerRingBore, IntegrationMethod, Material, Operation, Output, Profile, Raceway,
+    InnerRingBore, IntegrationMethod, Material, Motion, Operation, Output, Profile, Raceway,
     RacewayDimensions, Rotor, Solver, SpatialLoad, Start, Support,
 };
 
@@ -84,6 +84,7 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
             friction: FrictionParameters::smooth(0.007, 0.02),
             outer_friction_factor: 1.0,
             ball_friction_factor: 1.0,
+            friction_strips: 1,
             damping_n_s_m1_5: 2e5,
             ball_restitution: 0.95,
             inner_stiffness_n_m1_5: None,
@@ -91,6 +92,7 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
             ball_stiffness_n_m1_5: None,
         },
         profile: Profile::Physical,
+        motion: Motion::BySymmetry,
         start: Start::Settled {
             gaps: Gaps::Uniform,
             lead_ball_angle_rad: 0.0,

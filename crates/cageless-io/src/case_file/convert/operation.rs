@@ -51,7 +51,23 @@ impl Converter<'_> {
             return Err(self.refuse(&format!("operation.{name}"), allowed));
         }
         let or_none = |value: Option<f64>| value.unwrap_or(0.0);
+        let inertias = [
+            (
+                "shaft_transverse_inertia_kg_m2",
+                o.shaft_transverse_inertia_kg_m2,
+            ),
+            ("shaft_polar_inertia_kg_m2", o.shaft_polar_inertia_kg_m2),
+        ];
+        let inertias_kg_m2 = match inertias.map(|(_, value)| value) {
+            [None, None] => None,
+            [Some(transverse), Some(polar)] => Some([transverse, polar]),
+            [given, _] => {
+                let (missing, _) = inertias[usize::from(given.is_some())];
+                return Err(self.missing("operation", missing));
+            }
+        };
         Ok(SpatialLoad {
+            inertias_kg_m2,
             axial_load_n: or_none(o.axial_load_n),
             tilt: match is_free {
                 true => Tilt::Free {

@@ -45,7 +45,7 @@ section! {
         radial_internal_clearance_um => radial_internal_clearance_m: Option<f64> = Optional, Micrometre,
             "Gr = 2 (Ro - Ri - 2 Rw) of ISO 5753-1, in place of Ri and Ro; below 0: preload by interference, half of it at each ball", Absent;
         contact_angle_deg => contact_angle_rad: Option<f64> = Optional, Degree; AtLeast(0.0),
-            "α0, free contact angle of an angular-contact bearing: grooves without clearance are opened about the pitch circle until unloaded balls touch them there; 0, a radial bearing, unless given; only for `static`", Absent;
+            "α0, free contact angle of an angular-contact bearing: grooves without clearance are opened about the pitch circle until unloaded balls touch them there; 0, a radial bearing, unless given", Absent;
         outer_shoulder_radius_mm => outer_shoulder_radius_m: Option<f64> = Derived, Millimetre; Above(0.0),
             "Ros, shoulder bore radius of the outer ring; Ro - 0.2 Dw unless given",
             Shown("26.0", "Ros, shoulder bore radius of the outer ring (paper)");

@@ -1,9 +1,10 @@
 //! `[contact]`.
 
 use cageless::FrictionLaw;
+use cageless::case::STRIPS_MAX;
 use cageless::contact::FrictionTable;
 
-use crate::case_file::key::Limit::{Above, AtLeast};
+use crate::case_file::key::Limit::{Above, AtLeast, Within};
 use crate::case_file::key::Line::{Absent, Commented, Shown};
 use crate::case_file::key::Presence::{Derived, Optional};
 use crate::case_file::key::default;
@@ -31,6 +32,9 @@ section_with_friction! {
         ball_friction_factor => ball_friction_factor: f64 = default(1.0), Plain; AtLeast(0.0),
             "friction between balls over that of the law",
             Commented("1.0", "ball against ball over μ");
+        friction_strips => friction_strips: usize = default(1), Plain; Within(1.0, STRIPS_MAX as f64),
+            "strips across the groove over which friction acts in space: 1 for motion, 3 or more where heat and torque matter",
+            Absent;
         damping_n_s_m1_5 formerly damping => damping_n_s_m1_5: f64 = default(2.0e5), Si("N s/m^1.5"); AtLeast(0.0),
             "contact damping c of ball-raceway contacts, F = K δ^1.5 + c √δ dδ/dt",
             Shown("2.0e5", "contact damping c of ball-raceway contacts, N s/m^1.5,\n\

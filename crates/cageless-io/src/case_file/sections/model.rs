@@ -1,9 +1,9 @@
 //! `[model]`.
 
-use cageless::Profile;
+use cageless::{Motion, Profile};
 
 use crate::case_file::declaration::section;
-use crate::case_file::key::Line::Shown;
+use crate::case_file::key::Line::{Absent, Shown};
 use crate::case_file::key::default;
 use crate::case_file::named::Named;
 use crate::case_file::unit::Unit::None as Plain;
@@ -15,5 +15,8 @@ section! {
             "formulation of the equations of motion",
             Shown("\"physical\"", "\"physical\": consistent mechanics;\n\
                 \"paper\": the equations as published");
+        motion => motion: Motion = default(Motion::BySymmetry.name()), Plain,
+            "\"auto\": in the plane, or in space where axial load, tilt, moments or contact angles need it; \"space\": in space in any case",
+            Absent;
     }
 }

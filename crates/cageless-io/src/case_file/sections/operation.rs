@@ -2,7 +2,7 @@
 
 use crate::case_file::declaration::section;
 use crate::case_file::fields::OverTime;
-use crate::case_file::key::Limit::AtLeast;
+use crate::case_file::key::Limit::{Above, AtLeast};
 use crate::case_file::key::Line::{Absent, Shown};
 use crate::case_file::key::Presence::Optional;
 use crate::case_file::key::default;
@@ -20,14 +20,18 @@ section! {
         gravity_m_s2 => gravity_m_s2: f64 = default(9.81), Si("m/s^2"); AtLeast(0.0),
             "g, downwards", Shown("9.81", "downwards");
         axial_load_n => axial_load_n: Option<f64> = Optional, Si("N"),
-            "Fa, load on the inner ring along the axis, +z; 0 unless given; only for `static`", Absent;
+            "Fa, load on the inner ring along the axis, +z; 0 unless given", Absent;
         moment_x_n_m => moment_x_n_m: Option<f64> = Optional, Si("N m"),
-            "moment on the inner ring about x, which is then free to tilt; only for `static`", Absent;
+            "moment on the inner ring about x, which is then free to tilt", Absent;
         moment_y_n_m => moment_y_n_m: Option<f64> = Optional, Si("N m"),
-            "moment on the inner ring about y, which is then free to tilt; only for `static`", Absent;
+            "moment on the inner ring about y, which is then free to tilt", Absent;
+        shaft_transverse_inertia_kg_m2 => shaft_transverse_inertia_kg_m2: Option<f64> = Optional, Si("kg m^2"); Above(0.0),
+            "moment of inertia of inner ring and shaft about a diameter through the middle of the ring, with which moments turn it in a run", Absent;
+        shaft_polar_inertia_kg_m2 => shaft_polar_inertia_kg_m2: Option<f64> = Optional, Si("kg m^2"); Above(0.0),
+            "moment of inertia of inner ring and shaft about their axis, of the gyroscopic moment in a run", Absent;
         tilt_x_mrad => tilt_x_rad: Option<f64> = Optional, Milliradian,
-            "tilt of the inner ring about x that the shaft holds; 0 unless given or a moment is; only for `static`", Absent;
+            "tilt of the inner ring about x that the shaft holds; 0 unless given or a moment is", Absent;
         tilt_y_mrad => tilt_y_rad: Option<f64> = Optional, Milliradian,
-            "tilt of the inner ring about y that the shaft holds; 0 unless given or a moment is; only for `static`", Absent;
+            "tilt of the inner ring about y that the shaft holds; 0 unless given or a moment is", Absent;
     }
 }

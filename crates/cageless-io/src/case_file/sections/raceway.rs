@@ -23,6 +23,6 @@ section! {
             "machining error of the depth at the centre, along the normal",
             Commented("0.0", "machining error of the depth at the centre, along normal");
         contact_angle_deg => contact_angle_rad: Option<f64> = Optional, Degree,
-            "angle by which the section is turned about the centre of the ball, for a bearing of this contact angle; 0 unless given; only for `static`", Absent;
+            "angle by which the section is turned about the centre of the ball, for a bearing of this contact angle; 0 unless given", Absent;
     }
 }

@@ -31,6 +31,11 @@ pub trait Law: Copy {
         f64::INFINITY
     }
 
+    /// The law with its knee elsewhere, 1/ΔV in s/m; of laws that do not stick.
+    fn with_knee(self, _inverse_regularisation_speed: f64) -> Self {
+        self
+    }
+
     /// A function of the sliding speed, m/s, that is zero where the force is not smooth over it; of
     /// laws of which that is so.
     #[inline(always)]
@@ -91,6 +96,14 @@ macro_rules! knee {
         #[inline(always)]
         fn inverse_regularisation_speed(&self) -> f64 {
             self.inverse_regularisation_speed
+        }
+
+        #[inline(always)]
+        fn with_knee(self, inverse_regularisation_speed: f64) -> Self {
+            Self {
+                inverse_regularisation_speed,
+                ..self
+            }
         }
     };
 }

@@ -9,6 +9,7 @@ fn statistics() -> PassageStatistics {
         double_collision_fraction: 0.12,
         sliding_mean_m_s: 0.34,
         speed_drop_fraction: 0.93,
+        lag_mean_rad: 0.04,
         gap_leave_max_rad: 0.045,
         gap_leave_min_rad: 0.016,
     }

@@ -5,9 +5,10 @@
 //! Moments act on p and q; a couple that stays fixed in space differs by the square of the tilt.
 
 use super::ball::{Rest, Ring, SpatialBall};
-use super::minimum::{Local, minimum, norm, solve};
+use super::minimum::{Local, minimum, norm};
 use crate::case::Tilt;
 use crate::equilibrium::EquilibriumError;
+use crate::numerics::cholesky::solve;
 
 /// Fraction of all forces that may be left on the ring.
 const FORCE_TOLERANCE: f64 = 1e-9;

@@ -1,5 +1,7 @@
 //! Minimum of an energy over a few coordinates: Newton's method with a shift of the Hessian.
 
+use crate::numerics::cholesky::solve;
+
 /// An energy with its derivatives at a place.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Local<const N: usize> {
@@ -19,40 +21,6 @@ const POLISHING: usize = 4;
 /// Length of a vector.
 pub(super) fn norm<const N: usize>(vector: [f64; N]) -> f64 {
     vector.iter().map(|v| v * v).sum::<f64>().sqrt()
-}
-
-/// x of (H + shift) x = b by Cholesky's factors; `None` where that is not positive definite.
-pub(super) fn solve<const N: usize>(
-    hessian: &[[f64; N]; N],
-    shift: f64,
-    b: [f64; N],
-) -> Option<[f64; N]> {
-    let mut l = [[0.0; N]; N];
-    for i in 0..N {
-        for j in 0..=i {
-            let dot: f64 = (0..j).map(|k| l[i][k] * l[j][k]).sum();
-            if i == j {
-                let square = hessian[i][i] + shift - dot;
-                // A pivot that is the rounding of its sum is none.
-                if !(square > 1e-13 * hessian[i][i].abs()) {
-                    return None;
-                }
-                l[i][i] = square.sqrt();
-            } else {
-                l[i][j] = (hessian[i][j] - dot) / l[j][j];
-            }
-        }
-    }
-    let mut x = b;
-    for i in 0..N {
-        let dot: f64 = (0..i).map(|k| l[i][k] * x[k]).sum();
-        x[i] = (x[i] - dot) / l[i][i];
-    }
-    for i in (0..N).rev() {
-        let dot: f64 = (i + 1..N).map(|k| l[k][i] * x[k]).sum();
-        x[i] = (x[i] - dot) / l[i][i];
-    }
-    Some(x)
 }
 
 /// The minimum that is reached from `start`; no step is longer than `longest`. Whether it is one,

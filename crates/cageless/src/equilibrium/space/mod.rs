@@ -33,6 +33,7 @@ use crate::equilibrium::{
 };
 use crate::error::InputError;
 use crate::kinematics::orbit_speed_in_space_rad_s;
+use crate::numerics::cholesky::solve as solve_equations;
 use crate::profile::Profile;
 use ball::{Ring, SpatialBall};
 use load_balance::{Balanced, LoadBalance};
@@ -46,6 +47,8 @@ pub struct SpatialEquilibrium {
     /// force at the outer raceway is the resultant of both flanks, a contact there the more loaded
     /// one.
     pub rest: Equilibrium,
+    /// z of every ball.
+    pub ball_z_m: Vec<f64>,
     /// Displacement of the inner ring along the axis.
     pub ring_z_m: f64,
     /// Tilt of the inner ring about X, −q.
@@ -308,6 +311,7 @@ fn result(
             inner_pressure_max_pa: 0.0,
             outer_pressure_max_pa: 0.0,
         },
+        ball_z_m: vec![],
         ring_z_m: ring[2],
         tilt_x_rad: -ring[4],
         tilt_y_rad: ring[3],
@@ -372,6 +376,7 @@ fn push_ball(
         true => [share(0), share(1)],
         false => [0.0, share(0)],
     });
+    solved.ball_z_m.push(ball.axial_m + place[1]);
     solved.row.push(ball.row);
     solved.inner_contact_angle_rad.push(inner_angle);
     solved.outer_contact_angle_rad.push(outer_angle);
@@ -407,7 +412,7 @@ fn holds<const N: usize>(stiffness: &[[f64; 5]; 5], arm_m: f64) -> bool {
     let even: [[f64; N]; N] =
         std::array::from_fn(|i| std::array::from_fn(|j| stiffness[i][j] * of(i) * of(j)));
     let size = (0..N).map(|k| even[k][k]).fold(0.0, f64::max);
-    minimum::solve(&even, -FREE * size, [0.0; N]).is_some()
+    solve_equations(&even, -FREE * size, [0.0; N]).is_some()
 }
 
 /// Refuses an equilibrium that the bearing cannot have.

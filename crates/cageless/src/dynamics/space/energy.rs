@@ -1,0 +1,38 @@
+//! Energy stored in space.
+
+use super::evaluation::ball_motion;
+use super::model::SpaceModel;
+use super::ring::RingMotion;
+use crate::contact::hertz;
+use crate::dynamics::model::Model;
+use crate::dynamics::state::State;
+
+/// Kinetic and elastic energy, J; a ring whose speed is given has none of its rotation.
+pub(crate) fn energy_j(model: &Model, space: &SpaceModel, state: &State) -> f64 {
+    let (layout, y) = (state.layout(), state.values());
+    let ring = RingMotion::new(layout, y, 0.0);
+    let mut sum = 0.5 * model.ring.mass * ring.velocity.norm_squared();
+    if let Some(free) = &space.free_tilt {
+        sum += 0.5 * free.transverse * ring.axis_rate.norm_squared();
+    }
+    for (k, (ball, grooves)) in model.balls.iter().zip(&space.balls).enumerate() {
+        let [place, velocity, rotation] = ball_motion(layout, y, k);
+        let distance = place.x.hypot(place.y);
+        let direction = [place.x / distance, place.y / distance];
+        let flanks = space.flanks.iter().find_map(|f| f.at(direction));
+        let outer = grooves
+            .outer
+            .touch(distance - ball.outer_orbit_radius, place.z, flanks);
+        let inner = grooves.inner.touch(place, &ring);
+        sum += 0.5 * ball.mass * velocity.norm_squared()
+            + 0.5 * model.inertia[k] * rotation.norm_squared()
+            + hertz::energy_j(ball.outer_stiffness_n_m1_5, outer.approach)
+            + hertz::energy_j(ball.inner_stiffness_n_m1_5, inner.approach);
+        if model.balls.len() > 1 {
+            let [next, ..] = ball_motion(layout, y, (k + 1) % model.balls.len());
+            let pair = ball.pair_distance - (next - place).norm();
+            sum += hertz::energy_j(ball.pair_stiffness, pair);
+        }
+    }
+    sum
+}

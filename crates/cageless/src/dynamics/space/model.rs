@@ -1,0 +1,98 @@
+//! Constants of the equations in space.
+
+use super::inner_groove::InnerGroove;
+use super::outer_groove::{FlankModel, OuterGroove};
+use super::strips::{Strip, strips};
+use crate::case::{Case, Tilt};
+
+/// Grooves and contact ellipses of one ball.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct BallInGrooves {
+    pub outer: OuterGroove,
+    pub inner: InnerGroove,
+    /// a of a contact under 1 N, m: outer, inner.
+    pub half_length_m_n1_3: [f64; 2],
+    /// κ of a contact, 1/m: outer, inner.
+    pub curvature: [f64; 2],
+}
+
+/// Inertia of the inner ring with what turns with it, where moments turn it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct FreeTilt {
+    /// It, kg·m².
+    pub transverse: f64,
+    /// Ip, kg·m².
+    pub polar: f64,
+    /// Mx, My, N·m.
+    pub moment: [f64; 2],
+}
+
+/// Constants of the equations in space beyond those of the plane.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct SpaceModel {
+    pub balls: Vec<BallInGrooves>,
+    pub flanks: Vec<FlankModel>,
+    pub strips: Vec<Strip>,
+    /// Fa, N.
+    pub axial_load: f64,
+    /// None where the shaft holds the tilt.
+    pub free_tilt: Option<FreeTilt>,
+}
+
+impl SpaceModel {
+    /// The constants of a case that moves in space.
+    pub fn new(case: &Case) -> Option<Self> {
+        if !case.moves_in_space() {
+            return None;
+        }
+        let bearing = &case.bearing;
+        let d = bearing.dimensions();
+        let (re, ri) = (
+            d.outer_groove_curvature_radius_m,
+            d.inner_groove_curvature_radius_m,
+        );
+        let angle = bearing.contact_angle_rad();
+        let offset = 0.5 * d.groove_distance_m() * angle.sin();
+        let ellipses = bearing.contacts_at([angle; 2]);
+        let balls = (0..bearing.balls()).map(|k| {
+            let radius = bearing.ball(k).radius_m;
+            BallInGrooves {
+                outer: OuterGroove {
+                    gap: re - radius,
+                    nominal_gap: re - d.ball_radius_m,
+                    axial: -offset,
+                },
+                inner: InnerGroove {
+                    gap: ri - radius,
+                    curvature: ri,
+                    centre: d.inner_groove_bottom_radius_m + ri,
+                    axial: offset,
+                },
+                half_length_m_n1_3: [1, 0].map(|ring: usize| ellipses[ring].semi_axes_m(1.0)[1]),
+                curvature: [re, ri].map(|groove| 0.25 * (1.0 / radius + 1.0 / groove)),
+            }
+        });
+        let load = &case.operation.space;
+        let free_tilt = match (load.tilt, load.inertias_kg_m2) {
+            (
+                Tilt::Free {
+                    moment_x_n_m,
+                    moment_y_n_m,
+                },
+                Some([transverse, polar]),
+            ) => Some(FreeTilt {
+                transverse,
+                polar,
+                moment: [moment_x_n_m, moment_y_n_m],
+            }),
+            _ => None,
+        };
+        Some(Self {
+            balls: balls.collect(),
+            flanks: case.raceways.iter().map(FlankModel::new).collect(),
+            strips: strips(case.contact.friction_strips),
+            axial_load: load.axial_load_n,
+            free_tilt,
+        })
+    }
+}

@@ -1,0 +1,291 @@
+//! Contact of a ball with the outer ring: the plain groove, or the two flanks of a discrete
+//! raceway.
+//!
+//! Geometry and joined law are those of [`crate::equilibrium::space::outer_section`], here with
+//! their rates: δe changes with ψ as well, ∂δe/∂ψ, which makes a force along ψ.
+
+use std::f64::consts::LN_2;
+
+use crate::numerics::chebyshev::Polynomial;
+use crate::raceway::Raceway;
+
+/// Flank angle below which the raceway is the plain groove, rad.
+const PLAIN_RAD: f64 = 1e-5;
+/// Error of αc/(sin²θ − sin²ψ).
+const ANGLE_TOLERANCE: f64 = 1e-13;
+
+/// A discrete raceway as the equations in space use it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct FlankModel {
+    sin_centre: f64,
+    cos_centre: f64,
+    /// sin²θ.
+    end: f64,
+    /// αc/(sin²θ − sin²ψ) over sin²ψ, smooth up to the ends.
+    angle: Polynomial,
+    /// sin αg.
+    sin_section: f64,
+    /// cos αg.
+    cos_section: f64,
+    /// Depth milled too much in the middle, m.
+    depth_error: f64,
+}
+
+/// The flanks at the ψ of a ball.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct FlanksHere {
+    /// αc.
+    angle: f64,
+    /// dαc/dψ.
+    slope: f64,
+    sin_section: f64,
+    cos_section: f64,
+    /// Depth milled too much, m, and its slope over ψ.
+    depth: [f64; 2],
+}
+
+impl FlankModel {
+    pub fn new(raceway: &Raceway) -> Self {
+        let (sin_centre, cos_centre) = raceway.dimensions().centre_angle_rad.sin_cos();
+        let (sin_section, cos_section) = raceway.section_angle_rad().sin_cos();
+        let end = raceway.half_angle_rad().sin().powi(2);
+        let angle = |s: f64| raceway.contact_angle_rad(s.sqrt().asin())[0] / (end - s);
+        Self {
+            sin_centre,
+            cos_centre,
+            end,
+            angle: Polynomial::fit(angle, 0.0, end, ANGLE_TOLERANCE),
+            sin_section,
+            cos_section,
+            depth_error: raceway.depth_error_m(),
+        }
+    }
+
+    /// Sine and cosine of the angle from the middle to the direction **e**.
+    #[inline(always)]
+    fn sine_and_cosine(&self, [ex, ey]: [f64; 2]) -> [f64; 2] {
+        [
+            ex * self.cos_centre + ey * self.sin_centre,
+            ex * self.sin_centre - ey * self.cos_centre,
+        ]
+    }
+
+    /// sin²θ − sin²ψ of the direction **e**, above 0 within the raceway.
+    pub fn left(&self, direction: [f64; 2]) -> f64 {
+        let [sine, cosine] = self.sine_and_cosine(direction);
+        self.end - if cosine > 0.0 { sine * sine } else { 1.0 }
+    }
+
+    /// The flanks in the direction **e**; `None` outside.
+    #[inline]
+    pub fn at(&self, direction: [f64; 2]) -> Option<FlanksHere> {
+        let [sine, cosine] = self.sine_and_cosine(direction);
+        let square = sine * sine;
+        if cosine <= 0.0 || square >= self.end {
+            return None;
+        }
+        let left = self.end - square;
+        let [value, rise] = self.angle.value_and_slope(square);
+        let turning = 2.0 * sine * cosine;
+        let angle = left * value;
+        let share = left / self.end;
+        (angle > PLAIN_RAD).then_some(FlanksHere {
+            angle,
+            slope: (left * rise - value) * turning,
+            sin_section: self.sin_section,
+            cos_section: self.cos_section,
+            depth: [
+                self.depth_error * share * share,
+                -2.0 * self.depth_error * share / self.end * turning,
+            ],
+        })
+    }
+}
+
+/// Groove constants of one ball.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct OuterGroove {
+    /// Re − R of this ball, m.
+    pub gap: f64,
+    /// Re − Rw of the nominal ball, m.
+    pub nominal_gap: f64,
+    /// zo of the groove's centre, m.
+    pub axial: f64,
+}
+
+/// One point of contact.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Point {
+    /// nρ and nz.
+    pub normal: [f64; 2],
+    /// Share w of the force.
+    pub share: f64,
+}
+
+/// Contact of one ball with the outer ring.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct OuterTouch {
+    /// δe, m; negative: apart.
+    pub approach: f64,
+    /// The plain groove or the flank towards +Z, and the other flank.
+    pub points: [Point; 2],
+    /// ∂δe/∂ψ, m/rad.
+    pub slope: f64,
+    /// Whether the ball is within a discrete raceway.
+    pub inside: bool,
+}
+
+/// Approach and normal of a ball at **d** from the centre of a groove of which it may be this far off.
+#[inline(always)]
+fn approach([radial, axial]: [f64; 2], radius: f64) -> (f64, [f64; 2]) {
+    let length = (radial * radial + axial * axial).sqrt();
+    // Near the centre there is no direction.
+    if length < 0.5 * radius {
+        return (-radius, [1.0, 0.0]);
+    }
+    (length - radius, [radial / length, axial / length])
+}
+
+impl OuterGroove {
+    /// Contact of a ball `beyond` the place at which it touches the plain groove in its middle and
+    /// at z.
+    #[inline]
+    pub fn touch(&self, beyond: f64, z: f64, flanks: Option<FlanksHere>) -> OuterTouch {
+        let plain = [beyond + self.gap, z - self.axial];
+        let Some(here) = flanks else {
+            let (approach, normal) = approach(plain, self.gap);
+            return OuterTouch {
+                approach,
+                points: [Point { normal, share: 1.0 }, Point::default()],
+                ..OuterTouch::default()
+            };
+        };
+        let (sin, cos) = here.angle.sin_cos();
+        let g = self.nominal_gap;
+        let [depth, depth_slope] = here.depth;
+        let mut delta = [0.0; 2];
+        let mut slopes = [0.0; 2];
+        let mut points = [Point::default(); 2];
+        for (k, sign) in [1.0, -1.0].into_iter().enumerate() {
+            let cos_flank = here.cos_section * cos - sign * here.sin_section * sin;
+            let sin_flank = here.sin_section * cos + sign * here.cos_section * sin;
+            let d = [
+                plain[0] + g * (cos_flank - here.cos_section),
+                plain[1] + g * (sin_flank - here.sin_section),
+            ];
+            let normal;
+            (delta[k], normal) = approach(d, self.gap + depth);
+            slopes[k] = -sign * g * here.slope * (normal[0] * sin_flank - normal[1] * cos_flank)
+                - depth_slope;
+            points[k].normal = normal;
+        }
+        let (most, least) = if delta[0] >= delta[1] { (0, 1) } else { (1, 0) };
+        if delta[least] <= 0.0 || delta[least] < 1e-60 * delta[most] {
+            points[most].share = 1.0;
+            return OuterTouch {
+                approach: delta[most],
+                points,
+                slope: slopes[most],
+                inside: true,
+            };
+        }
+        // s = ln 2/(−ln cos αc).
+        let inverse = -cos.ln() / LN_2;
+        let exponent = 1.0 / inverse;
+        let log = (delta[least] / delta[most]).ln();
+        let power = (log * exponent).exp();
+        let joined = power.ln_1p();
+        let effective = delta[most] * (joined * inverse).exp();
+        let most_share = (-(1.0 - inverse) * joined).exp();
+        points[most].share = most_share;
+        points[least].share = most_share * ((exponent - 1.0) * log).exp();
+        let by_exponent = effective * inverse * (power / (1.0 + power) * log - joined * inverse);
+        let exponent_slope = -exponent * exponent * (sin / cos) * here.slope / LN_2;
+        OuterTouch {
+            approach: effective,
+            slope: points[0].share * slopes[0]
+                + points[1].share * slopes[1]
+                + by_exponent * exponent_slope,
+            points,
+            inside: true,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::common::structure;
+    use crate::equilibrium::space::outer_section::{Flanks, OuterSection};
+    use crate::numerics::taylor::Taylor;
+
+    fn direction(psi: f64) -> [f64; 2] {
+        [psi.sin(), -psi.cos()]
+    }
+
+    /// Over the whole raceway, on one flank and on both: approach and shares are those of the section
+    /// in equilibrium, the normals its gradient, the slope the derivative over ψ.
+    #[test]
+    fn contacts_are_those_of_the_section() {
+        let case = structure(5.1, 25.2);
+        for (turned, error) in [(0.0, 0.0), (0.1, 0.0), (0.0, 2e-6)] {
+            let raceway = case.raceways[0].clone().with_depth_error(error).unwrap();
+            let raceway = raceway.with_section_angle(turned, &case.bearing).unwrap();
+            let model = FlankModel::new(&raceway);
+            let d = case.bearing.dimensions();
+            let gap = d.outer_groove_curvature_radius_m - d.ball_radius_m;
+            let groove = OuterGroove {
+                gap,
+                nominal_gap: gap,
+                axial: 0.0,
+            };
+            for psi in [-0.43, -0.3, 0.02, 0.2, 0.4395] {
+                let [flank, slope] = raceway.contact_angle_rad(psi);
+                for place in [[6e-6, 0.0], [6e-6, 3e-6], [8e-6, -30e-6], [5e-6, 80e-6]] {
+                    let at = |psi: f64, place: [f64; 2]| {
+                        groove.touch(place[0], place[1], model.at(direction(psi)))
+                    };
+                    let touch = at(psi, place);
+                    let section = OuterSection {
+                        gap_m: gap,
+                        axial_m: 0.0,
+                        flanks: Some(Flanks {
+                            angle_rad: flank,
+                            section_angle_rad: turned,
+                            nominal_gap_m: gap,
+                            depth_error_m: raceway.depth_error_at_m(psi),
+                        }),
+                    };
+                    let [u, z, angle] = Taylor::variables([place[0], place[1], flank]);
+                    let Some(exact) = section.approach([u, z], angle) else {
+                        assert!(touch.approach <= 0.0);
+                        continue;
+                    };
+                    assert!(
+                        (touch.approach - exact.value).abs() < 1e-15,
+                        "{psi} {place:?}"
+                    );
+                    for axis in 0..2 {
+                        let found: f64 =
+                            touch.points.iter().map(|p| p.share * p.normal[axis]).sum();
+                        assert!(
+                            (found - exact.gradient[axis]).abs() < 1e-9,
+                            "{psi} {place:?}"
+                        );
+                    }
+                    let h = 1e-6;
+                    let across =
+                        (at(psi + h, place).approach - at(psi - h, place).approach) / (2.0 * h);
+                    assert!(
+                        (touch.slope - across).abs() < 1e-9,
+                        "{psi} {place:?} {} {across}",
+                        touch.slope
+                    );
+                    if error == 0.0 {
+                        assert!((touch.slope - exact.gradient[2] * slope).abs() < 1e-12);
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! Numbers of a run in space beyond those of the plane.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::simulation::{Control, run};
+//! use cageless::summary::SummaryRecorder;
+//!
+//! let mut case = common::structure(5.1, 25.2); // Zhao 2022, Table 2, structure (d)
+//! case.operation.space.axial_load_n = 150.0;
+//! case.solver.duration_s = 0.002;
+//! let mut recorder = SummaryRecorder::new();
+//! run(&case, &mut [&mut recorder], &mut |_| Control::Continue(()))?;
+//! let space = recorder.summary().unwrap().space.unwrap();
+//! assert!(space.ring_z_mean_m > 0.0 && space.inner_contact_angle_mean_rad > 0.0);
+//! # Ok::<(), cageless::equilibrium::EquilibriumError>(())
+//! ```
+
+use crate::dynamics::Contacts;
+use crate::dynamics::coordinates::RingCoordinate;
+use crate::simulation::StepView;
+
+/// Numbers over the part of a run after its transient.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SpatialSummary {
+    /// Mean of the ring's centre along the axis.
+    pub ring_z_mean_m: f64,
+    /// Angle of the sum of all forces at the inner raceway, each in its meridian plane.
+    pub inner_contact_angle_mean_rad: f64,
+    /// The same at the outer raceway.
+    pub outer_contact_angle_mean_rad: f64,
+}
+
+/// Follows a run for its [`SpatialSummary`].
+#[derive(Debug, Clone, Default)]
+pub(crate) struct SpatialSummaryTracker {
+    time_s: f64,
+    ring_z: f64,
+    /// Sums of force along the radius and the axis: inner, outer.
+    forces: [[f64; 2]; 2],
+}
+
+impl SpatialSummaryTracker {
+    /// Takes a step of a run in space.
+    pub fn step(&mut self, view: &StepView<'_, '_>) {
+        let at = view.layout().ring(RingCoordinate::Z);
+        let step_s = view.step.size_s();
+        self.ring_z += 0.5 * step_s * (view.step.y0[at] + view.step.y1[at]);
+        self.time_s += step_s;
+    }
+
+    /// Takes the contacts at the end of a step.
+    pub fn look(&mut self, contacts: &Contacts<'_>) {
+        for k in 0..contacts.balls() {
+            let Some(ball) = contacts.in_space(k) else {
+                return;
+            };
+            let pairs = [
+                (contacts.inner_force_n(k), ball.inner_contact_angle_rad()),
+                (contacts.outer_force_n(k), ball.outer_contact_angle_rad()),
+            ];
+            for (sums, (force, angle)) in self.forces.iter_mut().zip(pairs) {
+                if force > 0.0 {
+                    sums[0] += force * angle.cos();
+                    sums[1] += force * angle.sin();
+                }
+            }
+        }
+    }
+
+    /// The numbers so far; `None` in the plane.
+    pub fn summary(&self) -> Option<SpatialSummary> {
+        let [inner, outer] = self.forces.map(|[along, across]| across.atan2(along));
+        (self.time_s > 0.0).then(|| SpatialSummary {
+            ring_z_mean_m: self.ring_z / self.time_s,
+            inner_contact_angle_mean_rad: inner,
+            outer_contact_angle_mean_rad: outer,
+        })
+    }
+}
