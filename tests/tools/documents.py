@@ -33,6 +33,7 @@ from studies import MACHINE, RESULTS, ROOT, NoResults, Program, studies
 
 DOCUMENTS = [
     "README.md",
+    "docs/axial-load.md",
     "docs/design-examples.md",
     "docs/dry-friction.md",
     "docs/theory/errata.md",

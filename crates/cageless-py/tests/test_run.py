@@ -196,3 +196,19 @@ def test_a_file_of_no_format_makes_no_folder(tmp_path: Path) -> None:
     with pytest.raises(cageless.InputError, match=r"ends in \.step"):
         case.export(tmp_path / "ring.obj", ["stl"])
     assert not list(tmp_path.iterdir())
+
+
+def test_a_run_in_space_has_the_tables_of_the_command(command: Command, tmp_path: Path) -> None:
+    from conftest import quick
+
+    case = quick().replace(operation__axial_load_n=150.0)
+    (tmp_path / "case.toml").write_text(case.to_toml())
+    command("run", tmp_path / "case.toml", "--out", tmp_path / "command")
+    run = cageless.Case.from_file(tmp_path / "case.toml").run()
+    same(run.data_balls(), tmp_path / "command" / "balls.parquet")
+    same(run.data_ring(), tmp_path / "command" / "ring.parquet")
+    assert "inner_contact_angle_rad" in run.data_balls().columns
+    assert run.ring_z_mean_um > 5.0
+    run.save(tmp_path / "python")
+    back = cageless.load(tmp_path / "python")
+    same(back.data_balls(), tmp_path / "command" / "balls.parquet")
