@@ -38,6 +38,10 @@ DOCUMENTS = [
     "docs/dry-friction.md",
     "docs/theory/errata.md",
     "docs/touchdown-drops.md",
+    "docs/tutorials/cluster.md",
+    "docs/tutorials/paper.md",
+    "docs/tutorials/raceway.md",
+    "docs/tutorials/rotor-drop.md",
 ]
 MARKER = re.compile(r"<!-- (=|table) (.*?) -->(.*?)<!-- / -->", re.DOTALL)
 HOLDS = re.compile(r"<!-- holds (.*?) -->", re.DOTALL)
