@@ -35,8 +35,10 @@ def linked(name, text):
     """Files of the repository that a page links to."""
     for target in LINK.findall(outside_of_code(text)):
         if not re.match(r"[a-z]+:", target):
-            path = (ROOT / name).parent / unquote(target)
-            yield path.resolve().relative_to(ROOT).as_posix()
+            path = ((ROOT / name).parent / unquote(target)).resolve()
+            if not (path.is_file() and path.is_relative_to(ROOT)):
+                sys.exit(f"{name} links to {target}, which is no file of the repository")
+            yield path.relative_to(ROOT).as_posix()
 
 
 def sections():

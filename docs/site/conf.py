@@ -36,6 +36,8 @@ html_title = f"Cageless {release}"
 html_static_path = [str(Path(__file__).with_name("style.css"))]
 html_css_files = ["style.css"]
 html_copy_source = html_show_sourcelink = False
+# A page on the disk may not read other pages.
+html_show_search_summary = False
 html_math_renderer = "mathml"
 pygments_style, pygments_dark_style = "friendly", "github-dark"
 
