@@ -4,9 +4,10 @@ use std::io::{BufWriter, Write};
 use std::path::Path;
 
 use super::atomic_file::PartialFile;
+use super::columns::{BALLS_IN_SPACE, COLLISIONS, RING_IN_SPACE, ROTOR};
 use super::error::ResultError;
 use super::run_tables::{columns_of, for_each_group};
-use super::{BALLS_IN_SPACE, COLLISIONS, Column, ColumnKind, RING_IN_SPACE, ROTOR};
+use super::table::{Column, ColumnKind};
 
 /// Tables of a run or of a drop, and their columns.
 const TABLES: [(&str, &[Column]); 4] = [

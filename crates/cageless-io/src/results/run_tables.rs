@@ -6,10 +6,10 @@ use parquet::column::reader::ColumnReader;
 use parquet::errors::ParquetError;
 use parquet::file::reader::FileReader;
 
+use super::columns::{BALLS, BALLS_IN_SPACE, RING, RING_IN_SPACE};
 use super::error::ResultError;
 use super::reader::checked;
 use super::table::Column;
-use super::{BALLS, BALLS_IN_SPACE, RING, RING_IN_SPACE};
 
 /// Rows that are kept in memory, at most a snapshot more: 12 MB of `balls.parquet`.
 pub(super) const GROUP_ROWS: usize = 100_000;

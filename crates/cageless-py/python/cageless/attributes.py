@@ -49,6 +49,9 @@ class RunAttributes:
     ball_pressure_velocity_max_mpa_m_s: float  # pressure × sliding speed, ball on ball, MPa m/s
     ring_x_mean_um: float  # mean displacement of the inner ring, x, um
     ring_y_mean_um: float  # mean displacement of the inner ring, y, um
+    ring_z_mean_um: float  # mean displacement of the inner ring, z, um
+    inner_contact_angle_mean_deg: float  # contact angle at the inner raceway, mean, deg
+    outer_contact_angle_mean_deg: float  # contact angle at the outer raceway, mean, deg
     collisions: int | None  # collisions between balls
     collisions_above_0_1_m_s: int | None  # collisions above 0.1 m/s
     collisions_above_0_5_m_s: int | None  # collisions above 0.5 m/s
@@ -71,6 +74,7 @@ class RunAttributes:
     bsf_observed_hz: float  # BSF in the motion, Hz
     passages: int | None  # passages through a discrete raceway
     passage_duration_mean_ms: float  # time of a passage, mean, ms
+    lag_per_pass_deg: float  # lag of a ball per pass of a discrete raceway, mean, deg
     passage_collisions_mean: float  # contacts per passage, mean
     double_collision_fraction: float  # double collisions, fraction of the passages
     passage_sliding_mean_m_s: float  # largest sliding speed in a passage, mean, m/s

@@ -33,7 +33,7 @@ class Bearing(Section):
     outer_groove_bottom_radius_mm: Annotated[float | None, "Ro, radius of the outer ring at the bottom of its groove"] = None
     pitch_diameter_mm: Annotated[float | None, "Dpw = Ri + Ro, pitch diameter, in place of Ri and Ro"] = None
     radial_internal_clearance_um: Annotated[float | None, "Gr = 2 (Ro - Ri - 2 Rw) of ISO 5753-1, in place of Ri and Ro; below 0: preload by interference, half of it at each ball"] = None
-    contact_angle_deg: Annotated[float | None, "α0, free contact angle of an angular-contact bearing: grooves without clearance are opened about the pitch circle until unloaded balls touch them there; 0, a radial bearing, unless given; only for `static`"] = None
+    contact_angle_deg: Annotated[float | None, "α0, free contact angle of an angular-contact bearing: grooves without clearance are opened about the pitch circle until unloaded balls touch them there; 0, a radial bearing, unless given"] = None
     outer_shoulder_radius_mm: Annotated[float | None, "Ros, shoulder bore radius of the outer ring; Ro - 0.2 Dw unless given"] = None
     inner_groove_curvature_radius_mm: Annotated[float | None, "radius of the inner groove in the meridian plane"] = None
     outer_groove_curvature_radius_mm: Annotated[float | None, "Re, radius of the outer groove in the meridian plane"] = None
@@ -67,7 +67,7 @@ class Raceway(Section):
     half_angle_deg: Annotated[float, "θ, half the angle that the raceway takes up"]
     centre_angle_deg: Annotated[float | None, "angular position of raceway centre"] = None
     depth_error_um: Annotated[float | None, "machining error of the depth at the centre, along the normal"] = None
-    contact_angle_deg: Annotated[float | None, "angle by which the section is turned about the centre of the ball, for a bearing of this contact angle; 0 unless given; only for `static`"] = None
+    contact_angle_deg: Annotated[float | None, "angle by which the section is turned about the centre of the ball, for a bearing of this contact angle; 0 unless given"] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -87,11 +87,13 @@ class Operation(Section):
     inner_speed_rpm: Annotated[float | Sequence[Sequence[float]] | None, "speed of the inner ring, negative: clockwise, the bearing then seen from its other face; or [[time in s, speed], …], linear between; left out with a [rotor], else required"] = None
     radial_load_n: Annotated[float | Sequence[Sequence[float]] | None, "Fr, load on the inner ring, downwards, or [[time in s, load], …], linear between; left out with a [rotor], else required"] = None
     gravity_m_s2: Annotated[float | None, "g, downwards"] = None
-    axial_load_n: Annotated[float | None, "Fa, load on the inner ring along the axis, +z; 0 unless given; only for `static`"] = None
-    moment_x_n_m: Annotated[float | None, "moment on the inner ring about x, which is then free to tilt; only for `static`"] = None
-    moment_y_n_m: Annotated[float | None, "moment on the inner ring about y, which is then free to tilt; only for `static`"] = None
-    tilt_x_mrad: Annotated[float | None, "tilt of the inner ring about x that the shaft holds; 0 unless given or a moment is; only for `static`"] = None
-    tilt_y_mrad: Annotated[float | None, "tilt of the inner ring about y that the shaft holds; 0 unless given or a moment is; only for `static`"] = None
+    axial_load_n: Annotated[float | None, "Fa, load on the inner ring along the axis, +z; 0 unless given"] = None
+    moment_x_n_m: Annotated[float | None, "moment on the inner ring about x, which is then free to tilt"] = None
+    moment_y_n_m: Annotated[float | None, "moment on the inner ring about y, which is then free to tilt"] = None
+    shaft_transverse_inertia_kg_m2: Annotated[float | None, "moment of inertia of inner ring and shaft about a diameter through the middle of the ring, with which moments turn it in a run"] = None
+    shaft_polar_inertia_kg_m2: Annotated[float | None, "moment of inertia of inner ring and shaft about their axis, of the gyroscopic moment in a run"] = None
+    tilt_x_mrad: Annotated[float | None, "tilt of the inner ring about x that the shaft holds; 0 unless given or a moment is"] = None
+    tilt_y_mrad: Annotated[float | None, "tilt of the inner ring about y that the shaft holds; 0 unless given or a moment is"] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -106,6 +108,7 @@ class Contact(Section):
     regularisation_speed_m_s: Annotated[float | None, "regularisation speed v_s: friction reaches 76 % of μ N at ΔV = v_s; \"coulomb\" does not use it"] = None
     outer_friction_factor: Annotated[float | None, "friction at the outer raceway over that of the law, which holds at the inner raceway"] = None
     ball_friction_factor: Annotated[float | None, "friction between balls over that of the law"] = None
+    friction_strips: Annotated[int | None, "strips across the groove over which friction acts in space: 1 for motion, 3 or more where heat and torque matter"] = None
     damping_n_s_m1_5: Annotated[float | None, "contact damping c of ball-raceway contacts, F = K δ^1.5 + c √δ dδ/dt"] = None
     ball_restitution: Annotated[float | None, "coefficient of restitution between balls"] = None
     inner_stiffness_n_m1_5: Annotated[float | None, "K at the inner raceway, in place of Hertz"] = None
@@ -118,6 +121,7 @@ class Model(Section):
     """`[model]`: the set of equations."""
 
     formulation: Annotated[Literal["physical", "paper"] | None, "formulation of the equations of motion"] = None
+    motion: Annotated[Literal["auto", "space"] | None, "\"auto\": in the plane, or in space where axial load, tilt, moments or contact angles need it; \"space\": in space in any case"] = None
 
 
 @dataclass(frozen=True, kw_only=True)
