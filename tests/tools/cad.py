@@ -2,7 +2,7 @@
 
 OpenCASCADE opens the STEP files, trimesh the STL files and the csv module the points. The
 surface that they are held against is worked out again here, in NumPy, from Eq. (4) to (7)
-of Zhao 2022 and the blend of docs/theory/cad.md.
+of Zhao 2022, the blend of docs/theory/cad.md and the turned section of docs/theory/space.md.
 
     python cad.py path/to/cageless path/to/a/scratch/folder
 """
@@ -38,8 +38,8 @@ from OCP.TopoDS import TopoDS, TopoDS_Compound
 
 from checks import check, exit_code
 
-# Bearing, raceways (span mm, half angle °, centre °) and blends in mm that each case is
-# exported with. 6.9 mm by 10° and 4 mm by 40° are near the constraints, Eq. (8) and (9).
+# Bearing, raceways (span mm, half angle °, centre °, contact angle ° unless 0) and blends in mm
+# that each case is exported with. 6.9 mm by 10° and 4 mm by 40° are near the constraints, Eq. (8) and (9).
 PAPER = {}
 SLIM = {"outer_ring_outer_radius_mm": 27.9, "outer_ring_width_mm": 7.6}
 # Three large balls: the circle of the groove crosses the axis.
@@ -64,6 +64,10 @@ CASES = {
     "wide": (PAPER, [(4.0, 40.0, -90.0)], [1.0]),
     "three-balls": (THREE, [(4.0, 25.0, 200.0)], [0.5]),
     "large": (LARGE, [(42.0, 20.0, -33.3)], [0.0, 10.0]),
+    "angular-contact": ({"contact_angle_deg": 15.0}, [], [0.5]),
+    "turned": ({"contact_angle_deg": 15.0}, [(5.1, 25.2, 0.0, 15.0)], [0.5, 0.0]),
+    "turned-back": (PAPER, [(5.1, 25.2, 17.3, -4.0), (6.0, 12.717, -141.9, -4.0)], [0.3]),
+    "turned-three-balls": (THREE, [(4.0, 25.0, 200.0, 10.0)], [0.5]),
 }
 
 
@@ -80,13 +84,25 @@ class Ring:
         self.rw, self.ro = b["ball_radius_mm"], b["outer_groove_bottom_radius_mm"]
         self.re, self.ros = b["outer_groove_curvature_radius_mm"], b["outer_shoulder_radius_mm"]
         self.outer, self.width = b["outer_ring_outer_radius_mm"], b["outer_ring_width_mm"]
+        # A free contact angle opens the grooves about the pitch circle and offsets them.
+        free = np.radians(b.get("contact_angle_deg", 0.0))
+        room = self.re + b["inner_groove_curvature_radius_mm"] - 2 * self.rw
+        self.ro += room * (1 - np.cos(free)) / 2
         self.t = self.ro - self.rw
         self.blend = blend
         raceways = case.get("raceway", [])
+        raceways = raceways if isinstance(raceways, list) else [raceways]
         self.raceways = [
             (r["axial_span_mm"], np.radians(r["half_angle_deg"]), np.radians(r.get("centre_angle_deg", 0.0)))
-            for r in (raceways if isinstance(raceways, list) else [raceways])
+            for r in raceways
         ]  # fmt: skip
+        self.back = self.re - self.rw
+        self.turn = np.radians(raceways[0].get("contact_angle_deg", 0.0)) if raceways else free
+        # The ball that rests in the groove, whose centre is Re from its bottom.
+        self.ball = (
+            self.ro - self.re + self.back * np.cos(self.turn),
+            -room * np.sin(free) / 2 + self.back * np.sin(self.turn),
+        )
 
     def path_angle(self, span, theta, psi):
         """Contact angle of Eq. (4) to (6) at |psi| <= theta, by bisection for x."""
@@ -129,26 +145,38 @@ class Ring:
             )
         return angle
 
+    def centre(self, psi, side):
+        """Radius and height of the centre of a flank, side 1 towards +z and -1 towards -z."""
+        towards = self.turn + side * self.contact_angle(psi)
+        return self.ball[0] - self.back * np.cos(towards), self.ball[1] - self.back * np.sin(towards)
+
+    def flank(self, psi, z, side):
+        radius, height = self.centre(psi, side)
+        return radius + np.sqrt(self.re**2 - (z - height) ** 2)
+
     def groove(self, psi, z):
         """Radius of the groove."""
+        return np.minimum(self.flank(psi, z, 1), self.flank(psi, z, -1))
+
+    def ridge(self, psi):
+        """Height at which the flanks meet."""
         angle = self.contact_angle(psi)
-        back = self.re - self.rw
-        rise = np.abs(z) + back * np.sin(angle)
-        return self.t - back * np.cos(angle) + np.sqrt(self.re**2 - rise**2)
+        depth = np.sqrt(self.re**2 - (self.back * np.sin(angle)) ** 2) - self.back * np.cos(angle)
+        return self.ball[1] + depth * np.sin(self.turn)
 
     def groove_distance(self, points):
         """Distance from the groove, along the radius foreshortened by its slope."""
         psi, rho = np.arctan2(points[:, 0], -points[:, 1]), np.hypot(points[:, 0], points[:, 1])
-        n = self.normal(psi, points[:, 2])
+        n = self.normal(psi, points[:, 2], np.where(points[:, 2] < self.ridge(psi), -1, 1))
         out = -n[:, 0] * np.sin(psi) + n[:, 1] * np.cos(psi)
         return (rho - self.groove(psi, points[:, 2])) * np.abs(out)
 
-    def normal(self, psi, z):
-        """Normal out of the material, by differences within each half."""
-        h, k = 1e-6, np.where(z < 0, -1e-5, 1e-5)
-        rho = self.groove(psi, z)
-        along = (self.groove(psi + h, z) - self.groove(psi - h, z)) / (2 * h) / rho
-        across = (-3 * rho + 4 * self.groove(psi, z + k) - self.groove(psi, z + 2 * k)) / (2 * k)
+    def normal(self, psi, z, side):
+        """Normal of a flank out of the material, by differences."""
+        h, k = 1e-6, 1e-5 * side
+        rho = self.flank(psi, z, side)
+        along = (self.flank(psi + h, z, side) - self.flank(psi - h, z, side)) / (2 * h) / rho
+        across = (-3 * rho + 4 * self.flank(psi, z + k, side) - self.flank(psi, z + 2 * k, side)) / (2 * k)
         e = np.stack([np.sin(psi), -np.cos(psi), 0 * psi], axis=1)
         t = np.stack([np.cos(psi), np.sin(psi), 0 * psi], axis=1)
         n = -e + along[:, None] * t + across[:, None] * np.array([0.0, 0.0, 1.0])
@@ -160,11 +188,29 @@ class Ring:
         for k, (_, theta, centre) in enumerate(self.raceways):
             part = slice(k * count // 2 // len(self.raceways), (k + 1) * count // 2 // len(self.raceways))
             psi[part] = centre + theta * generator.uniform(-1.05, 1.05, len(psi[part]))
-        back, angle = self.re - self.rw, self.contact_angle(psi)
-        top = np.sqrt(self.re**2 - (self.ros - self.t + back * np.cos(angle)) ** 2) - back * np.sin(angle)
-        z = top * generator.uniform(-1, 1, count)
+        ends = []
+        for side in (-1, 1):
+            radius, height = self.centre(psi, side)
+            ends.append(height + side * np.sqrt(self.re**2 - (self.ros - radius) ** 2))
+        z = ends[0] + (ends[1] - ends[0]) * generator.uniform(0, 1, count)
         rho = self.groove(psi, z)
         return np.stack([rho * np.sin(psi), -rho * np.cos(psi), z], axis=1)
+
+    def balls_next_to_rest(self, count, generator):
+        """Centres of balls that press the middle of each raceway by micrometres, and how far they
+        are from its flanks."""
+        psi = []
+        for _, theta, centre in self.raceways:
+            within = 0.8 * (theta - self.blend / self.ro)
+            psi.append(centre + within * generator.uniform(-1, 1, count // len(self.raceways)))
+        psi = (np.concatenate(psi) + np.pi) % (2 * np.pi) - np.pi
+        towards = self.turn + generator.uniform(-np.pi / 2, np.pi / 2, len(psi))
+        rho, z = self.ball[0] + 0.008 * np.cos(towards), self.ball[1] + 0.008 * np.sin(towards)
+        beyond = []
+        for side in (-1, 1):
+            radius, height = self.centre(psi, side)
+            beyond.append(np.hypot(rho - radius, z - height))
+        return np.stack([rho * np.sin(psi), -rho * np.cos(psi), z], axis=1), self.re - np.maximum(*beyond)
 
     def volume(self):
         """By the trapezium rule over z within Gauss over each smooth stretch of psi."""
@@ -177,28 +223,33 @@ class Ring:
         nodes, weights = np.polynomial.legendre.leggauss(60)
         # In η, so that the arc is smooth; from the ridge to the shoulder.
         u, w = np.polynomial.legendre.leggauss(40)
-        back, total = self.re - self.rw, 0.0
+        total = 0.0
         for start, end in zip(cuts, cuts[1:]):
             psi = (start + end) / 2 + (end - start) / 2 * nodes
-            angle = self.contact_angle(psi)[:, None]
-            radius, height = self.t - back * np.cos(angle), -back * np.sin(angle)
-            low, high = np.arcsin(-height / self.re), np.arccos((self.ros - radius) / self.re)
-            eta = low + (high - low) * (u + 1) / 2
-            rho, dz = radius + self.re * np.cos(eta), self.re * np.cos(eta) * (high - low) / 2
-            hollow = np.sum(w * (rho**2 - self.ros**2) * dz, axis=1)
-            blank = (self.outer**2 - self.ros**2) * self.width / 2
-            total += np.sum(weights * (blank - hollow)) * (end - start) / 2
+            section = (self.outer**2 - self.ros**2) * self.width / 2
+            for side in (-1, 1):
+                radius, height = (v[:, None] for v in self.centre(psi, side))
+                up = np.arcsin(self.back * np.sin(self.contact_angle(psi)) / self.re)[:, None]
+                low, high = up + side * self.turn, np.arccos((self.ros - radius) / self.re)
+                eta = low + (high - low) * (u + 1) / 2
+                rho, dz = radius + self.re * np.cos(eta), self.re * np.cos(eta) * (high - low) / 2
+                section = section - np.sum(w * (rho**2 - self.ros**2) * dz, axis=1) / 2
+            total += np.sum(weights * section) * (end - start) / 2
         return total
 
 
 def case_file(binary, path, bearing, raceways):
     text = subprocess.run([binary, "new", "--conventional"], check=True, capture_output=True, text=True).stdout
     for key, value in bearing.items():
+        if key == "contact_angle_deg":
+            text = text.replace("[bearing]", f"[bearing]\n{key} = {value}")
+            continue
         lines = [line for line in text.splitlines() if line.startswith(f"{key} = ")]
         assert len(lines) == 1, key
         text = text.replace(lines[0], f"{key} = {value}")
-    for span, angle, centre in raceways:
+    for span, angle, centre, *turn in raceways:
         text += f"\n[[raceway]]\naxial_span_mm = {span}\nhalf_angle_deg = {angle}\ncentre_angle_deg = {centre}\n"
+        text += "".join(f"contact_angle_deg = {angle}\n" for angle in turn)
     path.write_text(text)
     return tomllib.loads(text)
 
@@ -288,6 +339,13 @@ def step(name, path, said, ring, generator):
         for p in ring.random_points(1000, generator)
     ]
     below(f"{name}: the surface against the faces, mm", distances, 1e-4)
+    if ring.raceways:
+        centres, expected = ring.balls_next_to_rest(200, generator)
+        felt = [
+            BRepExtrema_DistShapeShape(BRepBuilderAPI_MakeVertex(gp_Pnt(*c)).Vertex(), groove).Value()
+            for c in centres
+        ]
+        below(f"{name}: balls felt, mm", felt - expected, 2e-5)
 
 
 def title(binary, case, out):
@@ -347,23 +405,25 @@ def points(name, path, said, ring):
     below(f"{name}: unit normals", np.linalg.norm(n, axis=1) - 1, 1e-11)
     rho = np.hypot(p[:, 0], p[:, 1])
     below(f"{name}: psi", p[:, :2] - rho[:, None] * np.stack([np.sin(psi), -np.cos(psi)], axis=1), 1e-8)
-    check(f"{name}: sides", np.all(p[:, 2] * side >= 0) and np.all(np.abs(side) == 1))
+    beyond = (p[:, 2] - ring.ridge(psi)) * side
+    check(f"{name}: sides", np.all(beyond >= -1e-8) and np.all(np.abs(side) == 1))
     below(f"{name}: on the surface, mm", ring.groove_distance(p), 5e-8 + 1e-3 * said["deviation_um"])
     # Normals are orthogonal to the surface; where ends of raceways have a kink there are two.
     smooth = np.full(len(psi), True)
     for _, theta, centre in ring.raceways:
         local = np.abs((psi - centre + np.pi) % (2 * np.pi) - np.pi)
         smooth &= (np.abs(local - theta) > 1e-4 * theta) | (ring.blend > 0)
-    towards = np.where(p[:, 2] == 0, 1e-12 * side, p[:, 2])
-    below(f"{name}: normals", (ring.normal(psi, towards) - n)[smooth], 3e-6)
+    below(f"{name}: normals", (ring.normal(psi, p[:, 2], side) - n)[smooth], 3e-6)
     # At an end without blend, rounding of r to 4e-15 mm is 2e-7 mm of z here.
-    # The contact track: balls on the circle of radius T touch there, at plus and minus alpha.
+    # The contact track: balls that rest in the groove touch there, at plus and minus alpha.
     contact = kinds == "contact"
-    angle = ring.contact_angle(psi[contact])
-    below(f"{name}: contact angle", np.abs(eta[contact]) - angle, 1e-7)
-    below(f"{name}: contact radius", rho[contact] - ring.t - ring.rw * np.cos(angle), 5e-8)
-    below(f"{name}: contact height", p[contact, 2] - side[contact] * ring.rw * np.sin(angle), 5e-7)
-    ball = ring.t * np.stack([np.sin(psi), -np.cos(psi), 0 * psi], axis=1)[contact] - p[contact]
+    angle = ring.turn + side[contact] * ring.contact_angle(psi[contact])
+    below(f"{name}: contact angle", eta[contact] - angle, 1e-7)
+    radius = ring.ball[0] + ring.rw * np.cos(angle)
+    below(f"{name}: contact radius", rho[contact] - radius, 5e-8 + 5e-7 * abs(np.sin(ring.turn)))
+    below(f"{name}: contact height", p[contact, 2] - ring.ball[1] - ring.rw * np.sin(angle), 5e-7)
+    e = np.stack([np.sin(psi), -np.cos(psi), 0 * psi], axis=1)[contact]
+    ball = ring.ball[0] * e + ring.ball[1] * np.array([0.0, 0.0, 1.0]) - p[contact]
     t = np.stack([np.cos(psi), np.sin(psi), 0 * psi], axis=1)[contact]
     flat = n[contact] - np.einsum("pc,pc->p", n[contact], t)[:, None] * t
     cosine = np.einsum("pc,pc->p", flat, ball) / np.linalg.norm(flat, axis=1) / ring.rw
@@ -376,7 +436,8 @@ def points(name, path, said, ring):
     for span, theta, centre in ring.raceways:
         local = np.abs((psi - centre + np.pi) % (2 * np.pi) - np.pi)
         nearest = np.argmin(np.where(contact, local, np.inf))
-        below(f"{name}: span in the middle", 2 * np.abs(p[nearest, 2]) - span, 0.01 * span)
+        apart = (p[nearest, 2] - ring.ball[1]) * np.cos(ring.turn) - (rho[nearest] - ring.ball[0]) * np.sin(ring.turn)
+        below(f"{name}: span in the middle", 2 * np.abs(apart) - span, 0.01 * span)
 
 
 def main():

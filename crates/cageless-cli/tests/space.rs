@@ -153,11 +153,10 @@ fn impossible_values_are_named() {
 #[test]
 fn everything_else_refuses_what_it_would_ignore() {
     let case = repository_case("zhao-d.toml");
-    for command in ["run", "design", "drop", "tolerance", "export", "studio"] {
+    for command in ["run", "design", "drop", "tolerance", "studio"] {
         let more: &[&str] = match command {
             "run" => &["--verify"],
             "studio" => &["--no-browser"],
-            "export" => &["--format", "csv"],
             _ => &[],
         };
         for (set, key) in [
@@ -289,4 +288,55 @@ fn a_run_in_space_shows_what_the_plane_has_not() {
     let planar = call_on("run", &case, &sets[1..], &["--out", out, "--csv", "--json"]);
     assert_eq!(planar.code, Some(0), "{planar:?}");
     assert!(header("balls.csv").ends_with("outer_sliding_m_s"));
+}
+
+/// Loads and tilts are none of the ring's; contact angles turn its raceways and offset its groove.
+#[test]
+fn the_ring_of_a_bearing_in_space_is_exported() {
+    const SIZE: [&str; 2] = [
+        "bearing.outer_ring_outer_radius_mm=31",
+        "bearing.outer_ring_width_mm=16",
+    ];
+    let case = repository_case("zhao-d.toml");
+    let export = |case: &Path, sets: &[&str], more: &[&str]| {
+        let more = [&["--format", "csv"], more].concat();
+        call_on("export", case, &[&SIZE[..], sets].concat(), &more)
+    };
+    let plane = export(&case, &[], &[]);
+    let loaded = [
+        "operation.axial_load_n=100",
+        "operation.moment_y_n_m=2",
+        "operation.radial_load_n=5",
+    ];
+    let loaded = export(&case, &loaded, &[]);
+    assert_eq!(loaded.code, Some(0), "{loaded:?}");
+    assert_eq!(loaded.stdout, plane.stdout);
+    let turned = [
+        "bearing.contact_angle_deg=15",
+        "raceway.contact_angle_deg=15",
+    ];
+    let numbers = export(&case, &turned, &["--json"]).json();
+    assert!((numbers["contact_angle_deg"].as_f64().unwrap() - 15.0).abs() < 1e-9);
+    // ½ (Re + ri − 2Rw) sin 15°
+    let offset = -0.1905 * 15f64.to_radians().sin();
+    assert!((numbers["groove_centre_z_mm"].as_f64().unwrap() - offset).abs() < 1e-9);
+    let text = export(&case, &turned, &[]).stderr;
+    assert!(
+        text.contains("15.0000°") && text.contains("both full"),
+        "{text}"
+    );
+    let none = export(&case, &[], &["--json"]).json();
+    assert!(none.get("contact_angle_deg").is_none() && none.get("groove_centre_z_mm").is_none());
+    let refused = export(&case, &["raceway.contact_angle_deg=30"], &[]);
+    assert_eq!(refused.code, Some(2), "{refused:?}");
+    for words in ["raceway.contact_angle_deg = 30", "beyond the shoulder"] {
+        assert!(refused.stderr.contains(words), "{refused:?}");
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let rows = pair(folder.path(), "axial_position_mm = 8.0\ncontact_sign = -1");
+    let refused = export(&rows, &[], &[]);
+    assert_eq!(refused.code, Some(2), "{refused:?}");
+    for words in ["axial_position_mm = 8", "one [[row]]"] {
+        assert!(refused.stderr.contains(words), "{refused:?}");
+    }
 }

@@ -14,14 +14,15 @@ fn check_ring(raceway: Raceway, blend_m: f64) {
     for k in 0..=200 {
         let local = d.half_angle_rad * f64::from(k) / 200.0;
         let m = ring.meridian(d.centre_angle_rad + local);
-        let angle = m.contact_angle_rad;
+        let angle = m.flank_angle_rad;
         assert!(angle >= 0.0 && angle <= last + 1e-12, "{local}: {angle}");
-        assert!(m.valley_rad() <= angle + 1e-12 && angle < m.shoulder_rad());
+        let [arc, _] = m.arcs;
+        assert!(arc.valley_rad() <= angle + 1e-12 && angle < arc.shoulder_rad());
         last = angle;
     }
     for sector in ring.sectors() {
-        let patch = Patch::fit(&ring, &sector, 1e-8);
-        assert!(patch.is_ok(), "{sector:?} {:?}", patch.err());
+        let pair = Patch::pair(&ring, &sector, 1e-8);
+        assert!(pair.is_ok(), "{sector:?} {:?}", pair.err());
     }
     let mesh = Mesh::new(&ring, 20e-6, 0.0).unwrap();
     let off = (mesh.volume_m3() - ring.volume_m3()).abs();

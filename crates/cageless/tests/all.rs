@@ -43,6 +43,7 @@ mod tolerance;
 mod touchdown_balance;
 mod touchdown_reference;
 mod touchdown_results;
+mod turned_ring;
 mod unequal_balls;
 mod verdict;
 mod verification;

@@ -3,6 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::common::{STRUCTURES, dimensions, raceway, steel};
+use crate::turned_ring::{angular, turned_back};
 use cageless::surface::{Grid, Mesh, OuterRing, OuterRingDimensions, Patch};
 use cageless::{Bearing, Raceway};
 
@@ -75,8 +76,8 @@ fn volume_with_raceways() {
         let added: f64 = (0..slices)
             .map(|k| {
                 let psi = 2.0 * PI * (f64::from(k) + 0.5) / f64::from(slices);
-                let (here, there) = (r.meridian(psi), ring(&[], 0.0).meridian(psi));
-                let moment = |m: cageless::surface::Meridian| {
+                let [here, there] = [&r, &ring(&[], 0.0)].map(|r| r.meridian(psi).arcs[0]);
+                let moment = |m: cageless::surface::Arc| {
                     let n = 40;
                     let top = m.height_m(m.shoulder_rad());
                     let sum: f64 = (0..n)
@@ -156,8 +157,9 @@ fn blend_is_smooth() {
             let start = d.half_angle_rad - blend / 27.765e-3;
             for local in [start, d.half_angle_rad, -start, -d.half_angle_rad] {
                 let psi = d.centre_angle_rad + local;
-                let height = |k: f64| r.meridian(psi + k * h).centre_height_m;
-                let slope = |k: f64| r.meridian(psi + k * h).height_slope_m;
+                let arc = |k: f64| r.meridian(psi + k * h).arcs[0];
+                let height = |k: f64| arc(k).centre_height_m;
+                let slope = |k: f64| arc(k).height_slope_m;
                 assert!((height(1e-3) - height(-1e-3)).abs() < 1e-10);
                 let jump = slope(1e-3) - slope(-1e-3);
                 assert!(jump.abs() < 1e-9, "{blend} {local}: {jump}");
@@ -173,7 +175,7 @@ fn blend_is_smooth() {
     }
     let r = structure_d(0.0);
     let end = 25.2f64.to_radians();
-    let eta = r.meridian(end).shoulder_rad();
+    let eta = r.meridian(end).arcs[0].shoulder_rad();
     let [a, b] = [1e-9, -1e-9].map(|x| r.point(end + x, eta).normal);
     assert!((dot(a, b).acos() - r.kink_rad()[1]).abs() < 1e-6);
 }
@@ -222,7 +224,7 @@ fn contact_points_touch_the_ball() {
             let e = [psi.sin(), -psi.cos(), 0.0];
             let ball = e.map(|c| c * touching);
             for side in [1.0, -1.0] {
-                let contact = m.point(side * m.contact_angle_rad);
+                let contact = m.point(side * m.flank_angle_rad);
                 let arm = sub(ball, contact.position_m);
                 assert!((dot(arm, arm).sqrt() - rw).abs() < 1e-16 * 1e3);
                 let t = [psi.cos(), psi.sin(), 0.0];
@@ -244,10 +246,10 @@ fn relief_against_the_plain_groove() {
     let r = structure_d(0.5e-3);
     let [above, below] = r.relief_m();
     let (middle, plain) = (r.meridian(0.0), r.meridian(PI));
-    let depth = middle.radius_m(0.0) - plain.radius_m(0.0);
+    let depth = middle.deepest_radius_m() - plain.deepest_radius_m();
     assert!((below / depth - 1.0).abs() < 1e-6, "{below} {depth}");
     // At the contact point the plain arc is Re − Rw less its component along the normal away.
-    let contact = middle.point(middle.contact_angle_rad).position_m;
+    let contact = middle.point(middle.flank_angle_rad).position_m;
     let out = contact[1].hypot(contact[0]) - (27.765e-3 - 4.953e-3);
     let gap = 4.953e-3 - out.hypot(contact[2]);
     assert!(above >= gap && gap > 20e-6, "{above} {gap}");
@@ -275,28 +277,43 @@ fn sectors_go_all_round() {
 
 #[test]
 fn patches_follow_the_surface() {
-    for r in [structure_d(0.0), structure_d(0.5e-3), several(0.3e-3)] {
+    let rings = [
+        structure_d(0.0),
+        structure_d(0.5e-3),
+        several(0.3e-3),
+        angular(),
+        turned_back(),
+    ];
+    for r in rings {
+        let symmetric = r.section_angle_rad() == 0.0;
         for sector in r.sectors() {
             for tolerance in [1e-7, 1e-8, 1e-9] {
-                let patch = Patch::fit(&r, &sector, tolerance).unwrap();
-                let stated = patch.deviation_m(&r, &sector);
-                assert!(stated <= tolerance);
-                let mut worst = 0.0f64;
-                for i in 0..=97 {
-                    for j in 0..=53 {
-                        let span = sector.end_rad - sector.start_rad;
-                        let psi = sector.start_rad + span * f64::from(i) / 97.0;
-                        let p = patch.point_m(psi, f64::from(j) / 53.0);
-                        worst = worst.max(r.distance_m(p).abs());
-                        assert!(p[2] >= 0.0 && (j > 0 || p[2] == 0.0));
+                let pair = Patch::pair(&r, &sector, tolerance).unwrap();
+                for patch in &pair {
+                    let stated = patch.deviation_m(&r, &sector);
+                    assert!(stated <= tolerance);
+                    let mut worst = 0.0f64;
+                    for i in 0..=97 {
+                        for j in 0..=53 {
+                            let span = sector.end_rad - sector.start_rad;
+                            let psi = sector.start_rad + span * f64::from(i) / 97.0;
+                            let p = patch.point_m(psi, f64::from(j) / 53.0);
+                            worst = worst.max(r.distance_m(p).abs());
+                            let z = patch.side.sign() * p[2];
+                            assert!(!symmetric || z >= 0.0 && (j > 0 || z == 0.0));
+                        }
                     }
+                    assert!(worst <= 1.01 * stated, "{worst:e} {stated:e}");
                 }
-                assert!(worst <= 1.01 * stated, "{worst:e} {stated:e}");
-                let mirrored = patch.mirrored();
-                assert_eq!(mirrored.deviation_m(&r, &sector), stated);
-                let middle = sector.middle_rad();
-                let heights = [&patch, &mirrored].map(|p| p.point_m(middle, 0.5)[2]);
-                assert_eq!(heights[0], -heights[1]);
+                // One ridge.
+                let [upper, lower] = &pair;
+                assert_eq!(upper.along_rad, lower.along_rad);
+                for (a, b) in upper.control_m.iter().zip(&lower.control_m) {
+                    let off = sub(a[0], b[0]);
+                    assert!(dot(off, off).sqrt() < 1e-16, "{off:?}");
+                    let mirrored = |(a, b): (&[f64; 3], &[f64; 3])| *a == [b[0], b[1], -b[2]];
+                    assert!(!symmetric || a.iter().zip(b).all(mirrored));
+                }
             }
         }
     }
@@ -307,7 +324,7 @@ fn patches_follow_the_surface() {
 fn deviation_is_honest() {
     let r = structure_d(0.5e-3);
     let sector = r.sectors()[1];
-    let good = Patch::fit(&r, &sector, 1e-8).unwrap();
+    let [good, _] = Patch::pair(&r, &sector, 1e-8).unwrap();
     for (i, j) in [(3, 3), (10, 0), (0, 5), (10, 5)] {
         let mut bad = good.clone();
         let p = &mut bad.control_m[i][j];
@@ -325,7 +342,7 @@ fn deviation_is_honest() {
 fn patches_meet_the_plain_raceway_smoothly() {
     let r = structure_d(0.5e-3);
     let sector = r.sectors()[0];
-    let patch = Patch::fit(&r, &sector, 1e-8).unwrap();
+    let [patch, _] = Patch::pair(&r, &sector, 1e-8).unwrap();
     let h = (patch.along_rad[1] - patch.along_rad[0]) * 1e-4;
     for u in [0.0, 0.37, 1.0] {
         let (p, q) = (
@@ -333,7 +350,7 @@ fn patches_meet_the_plain_raceway_smoothly() {
             patch.point_m(sector.start_rad + h, u),
         );
         let tangent = sub(q, p);
-        let eta = f64::from(u as f32) * r.meridian(1.0).shoulder_rad();
+        let eta = f64::from(u as f32) * r.meridian(1.0).arcs[0].shoulder_rad();
         let normal = r.meridian(1.0).angle_rad;
         assert_eq!(normal, 1.0);
         // The plain raceway's normal where the patch starts.
@@ -359,7 +376,13 @@ fn edges_are_shared_by_two(mesh: &Mesh) {
 
 #[test]
 fn meshes_are_closed_and_keep_the_chord_error() {
-    for r in [ring(&[], 0.0), structure_d(0.0), several(0.5e-3)] {
+    for r in [
+        ring(&[], 0.0),
+        structure_d(0.0),
+        several(0.5e-3),
+        angular(),
+        turned_back(),
+    ] {
         let volume = r.volume_m3();
         for chord in [20e-6, 2e-6] {
             let mesh = Mesh::new(&r, chord, 0.0).unwrap();
@@ -375,9 +398,14 @@ fn meshes_are_closed_and_keep_the_chord_error() {
 
 #[test]
 fn grid_covers_the_groove() {
-    let r = several(0.5e-3);
-    let grid = Grid::new(&r, 0.5e-3);
-    assert!(grid.row_distance_m(&r) <= 0.5e-3 * (1.0 + 1e-9));
+    for r in [several(0.5e-3), angular(), turned_back()] {
+        check_grid(&r);
+    }
+}
+
+fn check_grid(r: &OuterRing) {
+    let grid = Grid::new(r, 0.5e-3);
+    assert!(grid.row_distance_m(r) <= 0.5e-3 * (1.0 + 1e-9));
     assert!(
         grid.meridians
             .windows(2)
@@ -387,7 +415,7 @@ fn grid_covers_the_groove() {
         let row = grid.row_rad(m);
         assert_eq!(row.len(), 2 * (grid.steps + 1));
         assert!(row.windows(2).all(|w| w[0] <= w[1]));
-        let arc = (row[1] - row[0]) * m.curvature_radius_m;
+        let arc = (row[1] - row[0]) * r.curvature_radius_m();
         assert!(arc <= 0.5e-3 * (1.0 + 1e-9), "{arc}");
         assert!(row[0] > -FRAC_PI_2);
         // From shoulder to shoulder.

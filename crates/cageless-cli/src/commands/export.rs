@@ -197,5 +197,21 @@ fn text(r: &ExportNumbers) -> String {
             ),
         ]);
     }
+    if r.contact_angle_deg.or(r.groove_centre_z_mm).is_some() {
+        let numbers = [r.contact_angle_deg, r.groove_centre_z_mm].map(Option::unwrap_or_default);
+        let [angle, height] = numbers;
+        lines.extend([
+            (
+                "contact angle",
+                format!(
+                    "{angle:.4}°; centre of the groove at z = {height:.6} mm from the middle of the ring"
+                ),
+            ),
+            (
+                "shoulders",
+                "both full: the case has no dimension of a counterbored one".to_owned(),
+            ),
+        ]);
+    }
     pairs(&lines)
 }

@@ -2,12 +2,12 @@
 //!
 //! Meridian planes between sectors cut the groove and the shoulders; the cylinder outside
 //! is in two halves and each side face is whole. Plain sectors are tori; discrete raceways
-//! and their blends two B-spline faces each that meet in an apex at z = 0.
+//! and their blends two B-spline faces each that meet in the apex between the flanks.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use cageless::numerics::bspline::Vec3;
-use cageless::surface::{OuterRing, Patch, PatchError, RingSector};
+use cageless::surface::{Arc, Meridian, OuterRing, Patch, PatchError, RingSector};
 
 /// Curve of an edge.
 #[derive(Debug)]
@@ -33,13 +33,14 @@ pub(super) enum Surface {
     Plane(f64),
     /// About Z.
     Cylinder { radius_m: f64, reference: Vec3 },
-    /// About Z, in the plane z = 0.
+    /// About Z, in the plane z = `height_m`.
     Torus {
+        height_m: f64,
         major_m: f64,
         minor_m: f64,
         reference: Vec3,
     },
-    /// Half of a sector's groove.
+    /// One side of a sector's groove.
     Spline(Patch),
 }
 
@@ -113,10 +114,11 @@ impl Solid {
             let patches = if is_torus(ring, sector) {
                 None
             } else {
-                let upper = Patch::fit(ring, sector, tolerance_m)?;
-                solid.deviation_m = solid.deviation_m.max(upper.deviation_m(ring, sector));
-                let lower = upper.mirrored();
-                Some([upper, lower])
+                let pair = Patch::pair(ring, sector, tolerance_m)?;
+                for patch in &pair {
+                    solid.deviation_m = solid.deviation_m.max(patch.deviation_m(ring, sector));
+                }
+                Some(pair)
             };
             let span = solid.span(ring, sector, ends, patches.as_ref());
             solid.groove(ring, sector, ends, &span, patches);
@@ -151,19 +153,18 @@ impl Solid {
         let meridian = ring.meridian_in(sector, psi);
         let half = ring.dimensions().outer_ring_width_m / 2.0;
         let ros = ring.shoulder_radius_m();
-        let groove = meridian.height_m(meridian.shoulder_rad());
         let at = |rho: f64, z: f64| [rho * e[0], rho * e[1], z];
         let rim = [half, -half].map(|z| self.vertex(at(ros, z)));
-        let shoulder = [groove, -groove].map(|z| self.vertex(at(ros, z)));
-        let bottom = self.vertex(at(meridian.radius_m(0.0), 0.0));
+        let shoulder = edges_of_groove_m(&meridian).map(|z| self.vertex(at(ros, z)));
+        let ridge = meridian.arcs[0].ridge_height_m();
+        let bottom = self.vertex(at(meridian.arcs[0].radius_m(ridge), ridge));
         let up = || Curve::Line([0.0, 0.0, 1.0]);
-        let arc = |height: f64| Curve::Circle {
-            centre: at(meridian.centre_radius_m, height),
+        let [upper, lower] = meridian.arcs.map(|arc| Curve::Circle {
+            centre: at(arc.centre_radius_m, arc.side.sign() * arc.centre_height_m),
             axis: t,
             reference: e,
-            radius_m: meridian.curvature_radius_m,
-        };
-        let height = meridian.centre_height_m;
+            radius_m: arc.curvature_radius_m,
+        });
         Station {
             wall: [
                 self.edge(up(), shoulder[0], rim[0]),
@@ -171,8 +172,8 @@ impl Solid {
             ],
             // About t the circle runs from +z to −z.
             arc: [
-                self.edge(arc(height), shoulder[0], bottom),
-                self.edge(arc(-height), bottom, shoulder[1]),
+                self.edge(upper, shoulder[0], bottom),
+                self.edge(lower, bottom, shoulder[1]),
             ],
             rim,
             shoulder,
@@ -188,8 +189,7 @@ impl Solid {
         patches: Option<&[Patch; 2]>,
     ) -> Span {
         let half = ring.dimensions().outer_ring_width_m / 2.0;
-        let meridian = ring.meridian_in(sector, sector.start_rad);
-        let groove = meridian.height_m(meridian.shoulder_rad());
+        let groove = edges_of_groove_m(&ring.meridian_in(sector, sector.start_rad));
         let ros = ring.shoulder_radius_m();
         let rim = [0, 1].map(|k| {
             let z = [half, -half][k];
@@ -198,7 +198,7 @@ impl Solid {
         let shoulder = [0, 1].map(|k| {
             let curve = match patches {
                 Some(patches) => row(&patches[k], patches[k].across.len() + 1),
-                None => circle(ros, [groove, -groove][k]),
+                None => circle(ros, groove[k]),
             };
             self.edge(curve, from.shoulder[k], to.shoulder[k])
         });
@@ -222,6 +222,7 @@ impl Solid {
     ) {
         let (Some([upper, lower]), Some(ridge)) = (patches, span.ridge) else {
             let torus = Surface::Torus {
+                height_m: ring.groove_height_m(),
                 major_m: ring.groove_bottom_radius_m() - ring.curvature_radius_m(),
                 minor_m: ring.curvature_radius_m(),
                 reference: radial(sector.middle_rad() + PI),
@@ -327,6 +328,12 @@ fn is_torus(ring: &OuterRing, sector: &RingSector) -> bool {
     sector.raceway.is_none() && ring.groove_bottom_radius_m() > 2.0 * ring.curvature_radius_m()
 }
 
+/// z where the groove reaches its shoulders: upper, lower.
+fn edges_of_groove_m(meridian: &Meridian) -> [f64; 2] {
+    let height = |arc: Arc| arc.side.sign() * arc.height_m(arc.shoulder_rad());
+    meridian.arcs.map(height)
+}
+
 fn along(edge: usize) -> Use {
     Use {
         edge,
@@ -374,22 +381,34 @@ mod tests {
     use crate::case_file::{CaseFile, template};
     use cageless::surface::OuterRingDimensions;
 
-    fn solid(conventional: bool, blend_m: f64) -> Solid {
-        let file = CaseFile::parse(&template(conventional), "template", &[]).unwrap();
-        let case = file.case();
+    fn solid(conventional: bool, contact_angle_deg: f64, blend_m: f64) -> Solid {
+        let given = format!("[bearing]\ncontact_angle_deg = {contact_angle_deg}");
+        let text = template(conventional).replace("[bearing]", &given);
+        let file = CaseFile::parse(&text, "template", &[]).unwrap();
+        let mut case = file.case().clone();
+        for raceway in &mut case.raceways {
+            let angle_rad = contact_angle_deg.to_radians();
+            let turned = raceway.clone().with_section_angle(angle_rad, &case.bearing);
+            *raceway = turned.unwrap();
+        }
         let size = OuterRingDimensions {
             outer_ring_outer_radius_m: 31e-3,
             outer_ring_width_m: 16e-3,
             blend_m,
         };
-        let ring = OuterRing::new(&case.bearing, &case.raceways, size).unwrap();
+        let ring = OuterRing::of(&case, size).unwrap();
         Solid::new(&ring, 1e-8).unwrap()
     }
 
     /// Every edge bounds two faces, once each way; each loop closes; a ring has genus 1.
     #[test]
     fn shell_is_closed_and_oriented() {
-        for solid in [solid(true, 0.0), solid(false, 0.0), solid(false, 5e-4)] {
+        for solid in [
+            solid(true, 0.0, 0.0),
+            solid(false, 0.0, 0.0),
+            solid(false, 0.0, 5e-4),
+            solid(false, 15.0, 5e-4),
+        ] {
             let mut uses = vec![[0; 2]; solid.edges.len()];
             for face in &solid.faces {
                 for around in &face.loops {
@@ -421,9 +440,8 @@ mod tests {
     /// Curves start and end at their vertices.
     #[test]
     fn curves_run_between_their_vertices() {
-        let solid = solid(false, 5e-4);
         let distance = |a: Vec3, b: Vec3| (0..3).map(|c| (a[c] - b[c]).powi(2)).sum::<f64>().sqrt();
-        for edge in &solid.edges {
+        let check = |solid: &Solid, edge: &Edge| {
             let [start, end] = [edge.start, edge.end].map(|k| solid.vertices[k]);
             match &edge.curve {
                 Curve::Line(direction) => {
@@ -442,6 +460,9 @@ mod tests {
                     assert!(distance(end, control[control.len() - 1]) < 1e-15);
                 }
             }
+        };
+        for solid in [solid(false, 0.0, 5e-4), solid(false, 15.0, 5e-4)] {
+            solid.edges.iter().for_each(|edge| check(&solid, edge));
         }
     }
 }

@@ -49,7 +49,7 @@ pub struct ExportOptions {
 /// Error of an export.
 #[derive(Debug, thiserror::Error)]
 pub enum ExportError {
-    /// The case lacks the outside of the ring, or its ring is impossible.
+    /// The case lacks the outside of the ring, its ring is impossible, or it has several rows.
     #[error(transparent)]
     Case(#[from] CaseError),
     /// An option is not possible.
@@ -205,7 +205,6 @@ pub fn export(
 }
 
 fn outer_ring(file: &CaseFile, options: &ExportOptions) -> Result<OuterRing, ExportError> {
-    file.check_planar()?;
     let case = file.case();
     let bottom_m = case.bearing.dimensions().outer_groove_bottom_radius_m;
     let share = (case.raceways.iter())
@@ -213,7 +212,7 @@ fn outer_ring(file: &CaseFile, options: &ExportOptions) -> Result<OuterRing, Exp
         .fold(BLEND_MM * 1e-3, f64::min);
     let blend_m = options.blend_mm.map_or(share, |mm| mm * 1e-3);
     let dimensions = file.outer_ring_dimensions(blend_m)?;
-    OuterRing::new(&case.bearing, &case.raceways, dimensions).map_err(|error| {
+    OuterRing::of(case, dimensions).map_err(|error| {
         if error.field == "blend_m" {
             refused("blend_mm", &error, 1e3, "mm").into()
         } else {

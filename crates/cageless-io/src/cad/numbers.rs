@@ -31,7 +31,7 @@ pub struct ExportNumbers {
     pub design_slope_discontinuity_45_deg: f64,
     /// Value at the shoulder.
     pub design_slope_discontinuity_shoulder_deg: f64,
-    /// Angle between the normals of the two halves of a raceway, which meet at z = 0.
+    /// Angle between the normals of the two flanks of a raceway where they meet.
     pub apex_angle_deg: f64,
     /// Largest material above the plain groove.
     pub above_plain_um: f64,
@@ -39,6 +39,12 @@ pub struct ExportNumbers {
     pub below_plain_um: f64,
     /// Number of discrete raceways.
     pub raceways: usize,
+    /// Contact angle by which the sections are turned, positive towards +z; `None` for 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub contact_angle_deg: Option<f64>,
+    /// z of the centre of the groove from the middle of the ring; `None` for 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub groove_centre_z_mm: Option<f64>,
     /// Contents of the file.
     #[serde(flatten)]
     pub counts: Counts,
@@ -101,6 +107,8 @@ impl ExportNumbers {
             design_slope_discontinuity_shoulder_deg,
         ] = ring.design_kink_rad().map(f64::to_degrees);
         let [above_plain_um, below_plain_um] = ring.relief_m().map(|m| m * 1e6);
+        let [blend_mm, groove_centre_z_mm] =
+            [ring.dimensions().blend_m, ring.groove_height_m()].map(|m| m * 1e3);
         let raceways = ring.raceways().count();
         Self {
             format,
@@ -108,11 +116,7 @@ impl ExportNumbers {
             bytes,
             volume_mm3: ring.volume_m3() * 1e9,
             deviation_um: deviation_m * 1e6,
-            blend_mm: if raceways == 0 {
-                0.0
-            } else {
-                ring.dimensions().blend_m * 1e3
-            },
+            blend_mm: if raceways == 0 { 0.0 } else { blend_mm },
             blend_deviation_um: ring.blend_deviation_m() * 1e6,
             slope_discontinuity_45_deg,
             slope_discontinuity_shoulder_deg,
@@ -122,7 +126,13 @@ impl ExportNumbers {
             above_plain_um,
             below_plain_um,
             raceways,
+            contact_angle_deg: unless_zero(ring.section_angle_rad().to_degrees()),
+            groove_centre_z_mm: unless_zero(groove_centre_z_mm),
             counts,
         }
     }
+}
+
+fn unless_zero(value: f64) -> Option<f64> {
+    (value != 0.0).then_some(value)
 }

@@ -3,16 +3,16 @@
 //!
 //! | column | |
 //! |---|---|
-//! | `kind` | `contact`: where the balls touch, at η = ±α; `surface`: the groove |
-//! | `side` | 1 for z > 0, −1 for z < 0; both halves have their own row at z = 0 |
+//! | `kind` | `contact`: where a ball touches, at η = αg ± α; `surface`: the groove |
+//! | `side` | 1 from the ridge towards +z, −1 towards −z; both sides have their own row at the ridge |
 //! | `psi_deg` | ψ from −180 to 180, ascending |
-//! | `eta_deg` | meridian angle at the centre of the arc, from the outward radius, with the sign of the side |
+//! | `eta_deg` | η, meridian angle at the centre of the arc, from the outward radius towards +z |
 //! | `x_mm`, `y_mm`, `z_mm` | position, frame of the bearing |
 //! | `nx`, `ny`, `nz` | unit normal, out of the ring's material |
 
 use std::io::{self, Write};
 
-use cageless::surface::{Grid, Meridian, OuterRing};
+use cageless::surface::{Grid, Meridian, OuterRing, Side};
 
 /// Head of the table.
 pub const COLUMNS: &str = "kind,side,psi_deg,eta_deg,x_mm,y_mm,z_mm,nx,ny,nz";
@@ -44,16 +44,20 @@ pub fn write(ring: &OuterRing, spacing_m: f64, out: &mut dyn Write) -> io::Resul
         deviation_m: 0.0,
         rows: 0,
     };
-    for side in [-1.0, 1.0] {
+    for side in [Side::Lower, Side::Upper] {
         for m in &grid.meridians {
-            table.row("contact", m, side, side * m.contact_angle_rad)?;
+            table.row("contact", m, side, m.arc(side).contact_angle_rad)?;
         }
     }
     let contact_points = table.rows;
     for m in &grid.meridians {
         for (k, eta) in grid.row_rad(m).into_iter().enumerate() {
-            let side = if k <= grid.steps { -1.0 } else { 1.0 };
-            table.row("surface", m, side, eta)?;
+            let side = if k <= grid.steps {
+                Side::Lower
+            } else {
+                Side::Upper
+            };
+            table.row("surface", m, side, side.sign() * eta)?;
         }
     }
     Ok(PointTable {
@@ -72,11 +76,9 @@ struct Table<'a> {
 }
 
 impl Table<'_> {
-    fn row(&mut self, kind: &str, meridian: &Meridian, side: f64, eta: f64) -> io::Result<()> {
-        // Mirrored, so that −0 is on its side as well.
-        let mut point = meridian.point(eta.abs());
-        point.position_m[2] *= side;
-        point.normal[2] *= side;
+    /// η counts towards the shoulder of the side.
+    fn row(&mut self, kind: &str, meridian: &Meridian, side: Side, eta: f64) -> io::Result<()> {
+        let point = meridian.arc(side).point(meridian.angle_rad, eta);
         // Picometres; the last digit of an f64 is 4e-15 mm here.
         let position = point.position_m.map(|c| format!("{:.9}", c * 1e3));
         let read = |k: usize| position[k].parse::<f64>().unwrap_or(f64::NAN) * 1e-3;
@@ -84,11 +86,12 @@ impl Table<'_> {
         self.deviation_m = self.deviation_m.max(off);
         let [x, y, z] = position;
         let [nx, ny, nz] = point.normal;
+        let side = side.sign();
         writeln!(
             self.out,
             "{kind},{side},{:.9},{:.9},{x},{y},{z},{nx:.12},{ny:.12},{nz:.12}",
             meridian.angle_rad.to_degrees(),
-            side * eta.abs().to_degrees(),
+            side * eta.to_degrees(),
         )?;
         self.rows += 1;
         Ok(())

@@ -156,11 +156,12 @@ fn surface(data: &mut Part21, surface: &Surface) -> Id {
             data.add(format!("CYLINDRICAL_SURFACE('',{place},{radius})"))
         }
         Surface::Torus {
+            height_m,
             major_m,
             minor_m,
             reference,
         } => {
-            let place = placement(data, [0.0; 3], UP, *reference);
+            let place = placement(data, [0.0, 0.0, *height_m], UP, *reference);
             let (major, minor) = (real(major_m * MM), real(minor_m * MM));
             data.add(format!("TOROIDAL_SURFACE('',{place},{major},{minor})"))
         }

@@ -72,6 +72,12 @@ impl Bearing {
         self.contact_angle_rad
     }
 
+    /// ½A sin α0 by which the centres of the grooves are off the middle, towards −Z at the outer and
+    /// +Z at the inner ring: unloaded balls then touch both.
+    pub fn groove_offset_m(&self) -> f64 {
+        0.5 * self.dimensions.groove_distance_m() * self.contact_angle_rad.sin()
+    }
+
     /// Contacts of a nominal ball with plain raceways at these contact angles: inner, outer.
     pub fn contacts_at(&self, angles_rad: [f64; 2]) -> [PointContact; 2] {
         self.dimensions

@@ -40,15 +40,13 @@ impl Raceway {
     /// the outward radius and the point. η ≥ 0 lies on the side z ≥ 0, η < 0 on its
     /// mirror image. From the range of
     /// [`Self::meridian_range_rad`] upwards the surface is that of the groove; nearer to
-    /// η = 0 the circle goes on beyond the plane z = 0.
+    /// η = 0 the circle goes on beyond the plane z = 0. The section is not turned here, see
+    /// [`crate::surface::OuterRing`].
     pub fn surface(&self, angle_rad: f64, meridian_rad: f64) -> SurfacePoint {
         let local = self.local_angle_rad(angle_rad);
-        surface_point(
-            self.groove_curve(local),
-            self.groove_curvature_radius_m,
-            angle_rad,
-            meridian_rad,
-        )
+        let (curve, re) = (self.groove_curve(local), self.groove_curvature_radius_m);
+        let side = if meridian_rad < 0.0 { -1.0 } else { 1.0 };
+        surface_point(curve, re, angle_rad, meridian_rad.abs(), side)
     }
 
     /// Range of |η| on one side at ψ: from the plane z = 0 to the shoulder.
@@ -69,8 +67,8 @@ impl Raceway {
         let re = self.groove_curvature_radius_m;
         let within = self.groove_curve(end * (1.0 - 1e-9));
         let plain = [self.groove_bottom_radius_m - re, 0.0, 0.0, 0.0];
-        let n1 = surface_point(within, re, end, meridian_rad).normal;
-        let n2 = surface_point(plain, re, end, meridian_rad).normal;
+        let normal = |curve| surface_point(curve, re, end, meridian_rad.abs(), 1.0).normal;
+        let (n1, n2) = (normal(within), normal(plain));
         let cross = cross(n1, n2);
         dot(cross, cross).sqrt().asin()
     }
@@ -93,10 +91,17 @@ pub(crate) fn groove_centre(
     ]
 }
 
-pub(crate) fn surface_point(curve: [f64; 4], re: f64, angle: f64, meridian: f64) -> SurfacePoint {
+/// Point at ψ and η of the arc of radius `re` about a centre of this curve; axial components of
+/// curve, η and arc count towards `side`, 1 or −1.
+pub(crate) fn surface_point(
+    curve: [f64; 4],
+    re: f64,
+    angle: f64,
+    meridian: f64,
+    side: f64,
+) -> SurfacePoint {
     let [radial, axial, radial_slope, axial_slope] = curve;
-    let side = if meridian < 0.0 { -1.0 } else { 1.0 };
-    let (sin_m, cos_m) = meridian.abs().sin_cos();
+    let (sin_m, cos_m) = meridian.sin_cos();
     let (sin, cos) = angle.sin_cos();
     let (e, t) = ([sin, -cos], [cos, sin]);
     let rho = radial + re * cos_m;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{Meridian, OuterRing};
+use super::{Arc, Meridian, OuterRing};
 use crate::numerics::angle::wrap_angle_rad;
 
 /// Rows of the groove all round.
@@ -42,7 +42,8 @@ impl Grid {
         }
     }
 
-    /// η of the points of a row from the shoulder at z < 0 to that at z > 0.
+    /// η of the points of a row from the lower shoulder to the upper one, from the outward radius
+    /// towards +z.
     pub fn row_rad(&self, meridian: &Meridian) -> Vec<f64> {
         row_rad(meridian, self.steps)
     }
@@ -59,22 +60,26 @@ impl Grid {
     }
 }
 
-/// η of 2·(steps + 1) points from the shoulder at z < 0 to that at z > 0.
+/// η of 2·(steps + 1) points from the lower shoulder to the upper one.
 pub(super) fn row_rad(meridian: &Meridian, steps: usize) -> Vec<f64> {
-    let (valley, shoulder) = (meridian.valley_rad(), meridian.shoulder_rad());
-    let eta = |k: usize| valley + (shoulder - valley) * k as f64 / steps as f64;
-    let lower = (0..=steps).rev().map(|k| -eta(k));
-    lower.chain((0..=steps).map(eta)).collect()
+    let eta = |arc: &Arc, k: usize| {
+        let (valley, shoulder) = (arc.valley_rad(), arc.shoulder_rad());
+        arc.side.sign() * (valley + (shoulder - valley) * k as f64 / steps as f64)
+    };
+    let [upper, lower] = &meridian.arcs;
+    let below = (0..=steps).rev().map(|k| eta(lower, k));
+    below.chain((0..=steps).map(|k| eta(upper, k))).collect()
 }
 
 /// Longest arc from the ridge to a shoulder.
 pub(super) fn widest_arc_rad(ring: &OuterRing) -> f64 {
     let middles = ring.sectors();
     let arcs = middles.iter().flat_map(|s| {
-        [s.start_rad, s.middle_rad()].map(|psi| {
-            let m = ring.meridian_in(s, psi);
-            m.shoulder_rad() - m.valley_rad()
-        })
+        let ends = [s.start_rad, s.middle_rad()];
+        ends.map(|psi| ring.meridian_in(s, psi).arcs)
     });
-    arcs.fold(0.0, f64::max)
+    let lengths = arcs
+        .flatten()
+        .map(|arc| arc.shoulder_rad() - arc.valley_rad());
+    lengths.fold(0.0, f64::max)
 }

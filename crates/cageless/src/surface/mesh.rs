@@ -141,7 +141,8 @@ impl OuterRing {
     /// Radius at the bottom of the groove at its deepest.
     pub fn deepest_radius_m(&self) -> f64 {
         let middles = self.sectors();
-        let radii = (middles.iter()).map(|s| self.meridian_in(s, s.middle_rad()).radius_m(0.0));
+        let radii =
+            (middles.iter()).map(|s| self.meridian_in(s, s.middle_rad()).deepest_radius_m());
         radii.fold(0.0, f64::max)
     }
 }
@@ -157,10 +158,11 @@ impl Row {
         let mut etas = row_rad(&meridian, steps);
         // The two points of the ridge are one.
         etas.remove(steps);
+        let ridge = meridian.arcs[0].ridge_height_m();
         let points = (etas.iter().enumerate())
             .map(|(k, &eta)| {
                 let [x, y, z] = meridian.point(eta).position_m;
-                [x, y, if k == steps { 0.0 } else { z }]
+                [x, y, if k == steps { ridge } else { z }]
             })
             .collect();
         Self {

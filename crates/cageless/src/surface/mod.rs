@@ -1,11 +1,16 @@
 //! The outer ring as a solid: cylinder outside, plane faces, two shoulders and the groove
 //! with its discrete raceways, exactly and as a B-spline or a mesh of triangles.
 //!
-//! In every meridian plane the groove is an arc of radius Re on each side of z = 0 that
-//! touches a ball on the circle of radius T = Ro − Rw at the contact angle ±α(ψ); on the
-//! plain raceway α = 0. Where a discrete raceway ends, α has a kink; a blend of a stated
-//! length replaces its last stretch by a polynomial that meets both neighbours with
-//! their curvature. The ball's centre stays on its circle all the while.
+//! In every meridian plane the groove is two arcs of radius Re that touch a ball on the circle of
+//! radius T = Ro − Rw at the contact angles ±α(ψ); on the plain raceway α = 0. Where a discrete
+//! raceway ends, α has a kink; a blend of a stated length replaces its last stretch by a polynomial
+//! that meets both neighbours with their curvature. The ball's centre stays on its circle all the
+//! while. Raceways of the contact angle αg have the section turned about that centre, which is
+//! then where a ball of this contact angle rests in the plain groove:
+//!
+//!   B = (T − (Re − Rw)(1 − cos αg), zo + (Re − Rw) sin αg)
+//!
+//! in (ρ, z), with zo of the groove's centre. Both shoulders have the radius Ros.
 //!
 //! ```
 //! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
@@ -23,29 +28,36 @@
 //! # Ok::<(), cageless::InputError>(())
 //! ```
 
+mod arc;
 mod blend;
 mod division;
 mod grid;
 mod meridian;
 mod mesh;
 mod patch;
+mod section_frame;
 mod sector;
+mod side;
 
 use std::f64::consts::FRAC_PI_4;
 
 use crate::bearing::Bearing;
+use crate::case::Case;
 use crate::error::{Allowed, InputError};
 use crate::limits::{not_negative, positive};
 use crate::numerics::angle::wrap_angle_rad;
 use crate::numerics::quadrature::gauss;
-use crate::raceway::{Raceway, SurfacePoint, apart, groove_centre};
+use crate::raceway::{Raceway, SurfacePoint, apart};
 
+pub use arc::Arc;
 use blend::RacewayZone;
 pub use grid::Grid;
 pub use meridian::Meridian;
 pub use mesh::Mesh;
 pub use patch::{Patch, PatchError};
+use section_frame::SectionFrame;
 pub use sector::RingSector;
+pub use side::Side;
 
 /// Dimensions of the outer ring other than its groove.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,14 +75,9 @@ pub struct OuterRingDimensions {
 #[derive(Debug, Clone, PartialEq)]
 pub struct OuterRing {
     dimensions: OuterRingDimensions,
-    /// T = Ro − Rw.
-    outer_orbit_radius_m: f64,
-    /// Re − Rw.
-    offset_m: f64,
-    /// Re.
-    curvature_radius_m: f64,
-    /// Ros.
-    shoulder_radius_m: f64,
+    frame: SectionFrame,
+    /// zo, of the centre of the plain groove.
+    groove_height_m: f64,
     /// Ro.
     groove_bottom_radius_m: f64,
     zones: Vec<RacewayZone>,
@@ -83,8 +90,8 @@ impl OuterRing {
     /// Lays out the solid and checks that it is one.
     ///
     /// # Errors
-    /// An [`InputError`] if raceways overlap or belong to another bearing, the groove
-    /// would cut through the ring or its side faces, or a blend does not fit.
+    /// An [`InputError`] if raceways overlap, belong to another bearing or have different contact
+    /// angles, the groove would cut through the ring or its side faces, or a blend does not fit.
     pub fn new(
         bearing: &Bearing,
         raceways: &[Raceway],
@@ -103,12 +110,23 @@ impl OuterRing {
         let d = bearing.dimensions();
         let bottom_m = d.outer_groove_bottom_radius_m;
         let zones = (raceways.iter()).map(|r| RacewayZone::new(r, dimensions.blend_m, bottom_m));
+        let axis_rad = section_angle_rad(bearing, raceways)?;
+        let groove_height_m = -bearing.groove_offset_m();
+        let offset_m = d.outer_groove_curvature_radius_m - d.ball_radius_m;
+        let (sin, cos) = axis_rad.sin_cos();
         let ring = Self {
             dimensions,
-            outer_orbit_radius_m: bearing.outer_orbit_radius_m(),
-            offset_m: d.outer_groove_curvature_radius_m - d.ball_radius_m,
-            curvature_radius_m: d.outer_groove_curvature_radius_m,
-            shoulder_radius_m: d.outer_shoulder_radius_m,
+            frame: SectionFrame {
+                axis_rad,
+                ball_m: [
+                    bearing.outer_orbit_radius_m() - offset_m * (1.0 - cos),
+                    groove_height_m + offset_m * sin,
+                ],
+                offset_m,
+                curvature_radius_m: d.outer_groove_curvature_radius_m,
+                shoulder_radius_m: d.outer_shoulder_radius_m,
+            },
+            groove_height_m,
             groove_bottom_radius_m: bottom_m,
             zones: zones.collect::<Result<_, _>>()?,
         };
@@ -116,14 +134,30 @@ impl OuterRing {
         Ok(ring)
     }
 
+    /// The ring of a case: that of its bearing, or of its row, which may press its balls to −Z.
+    ///
+    /// # Errors
+    /// That of [`Self::new`], and for several rows.
+    pub fn of(case: &Case, dimensions: OuterRingDimensions) -> Result<Self, InputError> {
+        let ring = Self::new(&case.bearing, &case.raceways, dimensions)?;
+        match case.rows.as_slice() {
+            [row] if row.contact_sign < 0.0 => Ok(ring.mirrored()),
+            [] | [_] => Ok(ring),
+            [_, second, ..] => Err(InputError::rule(
+                "axial_position_m",
+                second.axial_position_m,
+                "left out here: each row has its own ring, and that of one [[row]] is made",
+            )),
+        }
+    }
+
     /// The groove neither breaks through the cylinder outside nor through a side face.
     fn check_walls(&self) -> Result<(), InputError> {
         let d = &self.dimensions;
-        let meridians = || {
-            std::iter::once(self.plain_meridian(0.0))
-                .chain((0..self.zones.len()).map(|k| self.zone_meridian(k, 0.0)))
-        };
-        let deepest = meridians().map(|m| m.radius_m(0.0)).fold(0.0, f64::max);
+        let meridians = || std::iter::once(self.plain_meridian(0.0)).chain(self.middles());
+        let deepest = meridians()
+            .map(|m| m.deepest_radius_m())
+            .fold(0.0, f64::max);
         if d.outer_ring_outer_radius_m <= deepest {
             return Err(InputError::new(
                 "outer_ring_outer_radius_m",
@@ -132,7 +166,7 @@ impl OuterRing {
             ));
         }
         let widest = meridians()
-            .map(|m| 2.0 * m.height_m(m.shoulder_rad()))
+            .flat_map(|m| m.arcs.map(|arc| 2.0 * arc.height_m(arc.shoulder_rad())))
             .fold(0.0, f64::max);
         if d.outer_ring_width_m <= widest {
             return Err(InputError::new(
@@ -144,6 +178,15 @@ impl OuterRing {
         Ok(())
     }
 
+    /// Its mirror image in z = 0.
+    fn mirrored(self) -> Self {
+        Self {
+            frame: self.frame.mirrored(),
+            groove_height_m: -self.groove_height_m,
+            ..self
+        }
+    }
+
     /// As given.
     pub fn dimensions(&self) -> &OuterRingDimensions {
         &self.dimensions
@@ -151,7 +194,7 @@ impl OuterRing {
 
     /// Ros.
     pub fn shoulder_radius_m(&self) -> f64 {
-        self.shoulder_radius_m
+        self.frame.shoulder_radius_m
     }
 
     /// Ro.
@@ -161,7 +204,17 @@ impl OuterRing {
 
     /// Re.
     pub fn curvature_radius_m(&self) -> f64 {
-        self.curvature_radius_m
+        self.frame.curvature_radius_m
+    }
+
+    /// αg by which the raceways are turned; without raceways the contact angle of the bearing.
+    pub fn section_angle_rad(&self) -> f64 {
+        self.frame.axis_rad
+    }
+
+    /// zo, of the centre of the plain groove.
+    pub fn groove_height_m(&self) -> f64 {
+        self.groove_height_m
     }
 
     /// Section of the groove at ψ.
@@ -170,15 +223,10 @@ impl OuterRing {
             let raceway = zone.raceway();
             raceway
                 .contains(angle_rad)
-                .then(|| self.zone_meridian(k, raceway.local_angle_rad(angle_rad)))
+                .then(|| self.zone_meridian(k, angle_rad, raceway.local_angle_rad(angle_rad)))
         };
-        match self.zones.iter().enumerate().find_map(within) {
-            Some(meridian) => Meridian {
-                angle_rad,
-                ..meridian
-            },
-            None => self.plain_meridian(angle_rad),
-        }
+        let found = self.zones.iter().enumerate().find_map(within);
+        found.unwrap_or_else(|| self.plain_meridian(angle_rad))
     }
 
     /// Section of a sector at ψ; at its ends the limit from within.
@@ -186,42 +234,27 @@ impl OuterRing {
         match sector.raceway {
             Some(k) => {
                 let centre = self.zones[k].raceway().dimensions().centre_angle_rad;
-                Meridian {
-                    angle_rad,
-                    ..self.zone_meridian(k, wrap_angle_rad(angle_rad - centre))
-                }
+                self.zone_meridian(k, angle_rad, wrap_angle_rad(angle_rad - centre))
             }
             None => self.plain_meridian(angle_rad),
         }
     }
 
     fn plain_meridian(&self, angle_rad: f64) -> Meridian {
-        self.section(angle_rad, [0.0, 0.0])
+        Meridian::new(&self.frame, angle_rad, [0.0, 0.0])
     }
 
-    fn zone_meridian(&self, zone: usize, local_angle_rad: f64) -> Meridian {
-        let zone = &self.zones[zone];
-        let angle = zone.raceway().dimensions().centre_angle_rad + local_angle_rad;
-        self.section(angle, zone.contact_angle_rad(local_angle_rad))
+    fn zone_meridian(&self, zone: usize, angle_rad: f64, local_angle_rad: f64) -> Meridian {
+        let flank = self.zones[zone].contact_angle_rad(local_angle_rad);
+        Meridian::new(&self.frame, angle_rad, flank)
     }
 
-    fn section(&self, angle_rad: f64, contact: [f64; 2]) -> Meridian {
-        let [radius, height, radius_slope, height_slope] =
-            groove_centre(self.outer_orbit_radius_m, self.offset_m, contact);
-        Meridian {
-            angle_rad,
-            contact_angle_rad: contact[0],
-            centre_radius_m: radius,
-            centre_height_m: height,
-            radius_slope_m: radius_slope,
-            height_slope_m: height_slope,
-            curvature_radius_m: self.curvature_radius_m,
-            shoulder_radius_m: self.shoulder_radius_m,
-        }
+    /// Sections in the middle of each raceway, all at ψ = 0.
+    fn middles(&self) -> impl Iterator<Item = Meridian> {
+        (0..self.zones.len()).map(|k| self.zone_meridian(k, 0.0, 0.0))
     }
 
-    /// Point of the groove at ψ and meridian angle η, the angle at the centre of the arc
-    /// between the outward radius and the point; η < 0 is the side z < 0.
+    /// Point of the groove at ψ and η, as [`Meridian::point`] counts it.
     pub fn point(&self, angle_rad: f64, meridian_rad: f64) -> SurfacePoint {
         self.meridian(angle_rad).point(meridian_rad)
     }
@@ -239,11 +272,12 @@ impl OuterRing {
     pub fn volume_m3(&self) -> f64 {
         let d = &self.dimensions;
         let rim = d.outer_ring_outer_radius_m.powi(2) * d.outer_ring_width_m;
-        let moment = |m: Meridian| {
-            let groove = m.height_m(m.shoulder_rad());
+        let side = |arc: &Arc| {
+            let groove = arc.height_m(arc.shoulder_rad());
             let wall = d.outer_ring_width_m / 2.0 - groove;
-            rim / 2.0 - m.hollow_moment_m3() - self.shoulder_radius_m.powi(2) * wall
+            rim / 2.0 - arc.hollow_moment_m3() - self.shoulder_radius_m().powi(2) * wall
         };
+        let moment = |m: Meridian| (side(&m.arcs[0]) + side(&m.arcs[1])) / 2.0;
         self.sectors()
             .iter()
             .map(|sector| match sector.raceway {
@@ -259,10 +293,11 @@ impl OuterRing {
     /// Largest angle between the normals on both sides of an end of a discrete raceway as
     /// designed: 45° up the groove and at the shoulder. 0 without raceways.
     pub fn design_kink_rad(&self) -> [f64; 2] {
-        let kinks = self.zones.iter().map(|zone| {
+        let kinks = self.zones.iter().flat_map(|zone| {
             let end = zone.raceway().half_angle_rad();
-            let m = self.section(0.0, zone.raceway().contact_angle_rad(end));
-            [m.tilt_rad(FRAC_PI_4), m.tilt_rad(m.shoulder_rad())]
+            let flank = zone.raceway().contact_angle_rad(end);
+            let arcs = Meridian::new(&self.frame, 0.0, flank).arcs;
+            arcs.map(|arc| [FRAC_PI_4, arc.shoulder_rad()].map(|eta| arc.tilt_rad(eta)))
         });
         kinks.fold([0.0; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])])
     }
@@ -276,11 +311,10 @@ impl OuterRing {
         }
     }
 
-    /// Largest angle between the normals of the two halves of a discrete raceway, which
-    /// meet at z = 0 between the two contact points.
+    /// Largest angle between the normals of the two flanks of a discrete raceway, which meet between
+    /// the two contact points.
     pub fn ridge_rad(&self) -> f64 {
-        let ridges = (0..self.zones.len()).map(|k| 2.0 * self.zone_meridian(k, 0.0).valley_rad());
-        ridges.fold(0.0, f64::max)
+        self.middles().map(|m| m.ridge_rad()).fold(0.0, f64::max)
     }
 
     /// Largest distance between the blended surface and the one designed.
@@ -295,15 +329,14 @@ impl OuterRing {
                 let end = zone.raceway().half_angle_rad();
                 (0..=SAMPLES).map(move |k| {
                     let local = start + (end - start) * k as f64 / SAMPLES as f64;
-                    let designed = self.section(0.0, zone.raceway().contact_angle_rad(local));
-                    let blended = self.section(0.0, zone.contact_angle_rad(local));
-                    [blended.valley_rad(), blended.shoulder_rad()]
-                        .map(|eta| {
-                            let [rho, z] = [blended.radius_at_m(eta), blended.height_m(eta)];
-                            designed.distance_m(rho, z).abs()
-                        })
-                        .into_iter()
-                        .fold(0.0, f64::max)
+                    let section = |flank| Meridian::new(&self.frame, 0.0, flank).arcs;
+                    let designed = section(zone.raceway().contact_angle_rad(local));
+                    let blended = section(zone.contact_angle_rad(local));
+                    let off = |(arc, designed): (&Arc, &Arc)| {
+                        let at = |eta| designed.distance_m(arc.radius_at_m(eta), arc.height_m(eta));
+                        at(arc.valley_rad()).abs().max(at(arc.shoulder_rad()).abs())
+                    };
+                    blended.iter().zip(&designed).map(off).fold(0.0, f64::max)
                 })
             })
             .fold(0.0, f64::max)
@@ -315,12 +348,13 @@ impl OuterRing {
     pub fn relief_m(&self) -> [f64; 2] {
         const SAMPLES: usize = 1000;
         let plain = self.plain_meridian(0.0);
-        let middles = (0..self.zones.len()).map(|k| self.zone_meridian(k, 0.0));
-        middles.fold([0.0f64; 2], |relief, m| {
-            let (valley, range) = (m.valley_rad(), m.shoulder_rad() - m.valley_rad());
+        let arcs = self.middles().flat_map(|m| m.arcs);
+        arcs.fold([0.0f64; 2], |relief, arc| {
+            let (valley, range) = (arc.valley_rad(), arc.shoulder_rad() - arc.valley_rad());
             (0..=SAMPLES).fold(relief, |[above, below], k| {
                 let eta = valley + range * k as f64 / SAMPLES as f64;
-                let inside = plain.distance_m(m.radius_at_m(eta), m.height_m(eta));
+                let groove = plain.arc(arc.side);
+                let inside = groove.distance_m(arc.radius_at_m(eta), arc.height_m(eta));
                 [above.max(-inside), below.max(inside)]
             })
         })
@@ -330,4 +364,18 @@ impl OuterRing {
     pub fn raceways(&self) -> impl Iterator<Item = &Raceway> {
         self.zones.iter().map(RacewayZone::raceway)
     }
+}
+
+/// αg of the raceways, which is the same of all; without raceways that of the bearing.
+fn section_angle_rad(bearing: &Bearing, raceways: &[Raceway]) -> Result<f64, InputError> {
+    let Some(first) = raceways.first().map(Raceway::section_angle_rad) else {
+        return Ok(bearing.contact_angle_rad());
+    };
+    let mut angles = raceways.iter().map(Raceway::section_angle_rad);
+    angles
+        .find(|angle| *angle != first)
+        .map_or(Ok(first), |angle| {
+            let rule = "the same in all raceways: a ring has sections of one contact angle";
+            Err(InputError::rule("raceway_contact_angle_rad", angle, rule))
+        })
 }

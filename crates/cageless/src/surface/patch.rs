@@ -1,13 +1,15 @@
 //! The groove of one sector as a bicubic B-spline.
 
-use super::{Meridian, OuterRing, RingSector};
+use super::{Arc, OuterRing, RingSector, Side};
 use crate::numerics::angle::wrap_angle_rad;
 use crate::numerics::bspline::{Vec3, basis, interpolate, interval};
 
-/// C² bicubic B-spline surface of one half of a sector's groove, z ≥ 0 unless mirrored. The first parameter is ψ,
-/// the second runs from 0 at z = 0 to 1 at the shoulder, in equal steps of η.
+/// C² bicubic B-spline surface of one side of a sector's groove. The first parameter is ψ, the
+/// second runs from 0 at the ridge to 1 at the shoulder, in equal steps of η.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Patch {
+    /// Side of the ridge.
+    pub side: Side,
     /// Breakpoints over ψ, ascending; the first and the last are fourfold knots.
     pub along_rad: Vec<f64>,
     /// Breakpoints from ridge to shoulder; the first and the last are fourfold knots.
@@ -33,23 +35,30 @@ pub struct PatchError {
 const INTERVALS_MAX: usize = 500;
 
 impl Patch {
-    /// Interpolates the surface, with its own tangents at the ends, at as many points as
-    /// [`Patch::deviation_m`] needs to stay below `tolerance_m`.
+    /// Upper and lower side of a sector. Both interpolate the surface, with its own tangents at the
+    /// ends, at as many points as [`Patch::deviation_m`] of both needs to stay below `tolerance_m`,
+    /// and share the points of the ridge.
     ///
     /// # Errors
     /// A [`PatchError`] if the points would become too many.
-    pub fn fit(
+    pub fn pair(
         ring: &OuterRing,
         sector: &RingSector,
         tolerance_m: f64,
-    ) -> Result<Self, PatchError> {
+    ) -> Result<[Self; 2], PatchError> {
         let (mut along, mut across) = (4, 4);
         loop {
-            let along_rad = equal_parts(sector.start_rad, sector.end_rad, along);
-            let patch = Self::interpolated(ring, sector, along_rad, equal_parts(0.0, 1.0, across));
-            let reached_m = patch.deviation_m(ring, sector);
+            let pair = Side::BOTH.map(|side| {
+                let along_rad = equal_parts(sector.start_rad, sector.end_rad, along);
+                Self::interpolated(ring, sector, side, along_rad, equal_parts(0.0, 1.0, across))
+            });
+            let worst = |measure: fn(&Self, &OuterRing, &RingSector) -> f64| {
+                let [upper, lower] = pair.each_ref().map(|patch| measure(patch, ring, sector));
+                upper.max(lower)
+            };
+            let reached_m = worst(Self::deviation_m);
             if reached_m <= tolerance_m {
-                return Ok(patch);
+                return Ok(pair);
             }
             if along.max(across) > INTERVALS_MAX {
                 return Err(PatchError {
@@ -59,11 +68,11 @@ impl Patch {
             }
             // At its sites a direction is exact: what is off there is the other's.
             let half = tolerance_m / 2.0;
-            let off_along = patch.deviation_along_m(ring, sector) > half;
+            let off_along = worst(Self::deviation_along_m) > half;
             if off_along {
                 along = finer(along);
             }
-            if !off_along || patch.deviation_across_m(ring, sector) > half {
+            if !off_along || worst(Self::deviation_across_m) > half {
                 across = finer(across);
             }
         }
@@ -72,10 +81,11 @@ impl Patch {
     fn interpolated(
         ring: &OuterRing,
         sector: &RingSector,
+        side: Side,
         along_rad: Vec<f64>,
         across: Vec<f64>,
     ) -> Self {
-        let fibre = |psi: f64| Fibre::new(ring.meridian_in(sector, psi));
+        let fibre = |psi: f64| Fibre::new(*ring.meridian_in(sector, psi).arc(side), psi);
         let rows: Vec<Vec<Vec3>> = (along_rad.iter())
             .map(|&psi| {
                 let fibre = fibre(psi);
@@ -98,19 +108,11 @@ impl Patch {
             .map(|i| columns.iter().map(|column| column[i]).collect())
             .collect();
         Self {
+            side,
             along_rad,
             across,
             control_m,
         }
-    }
-
-    /// The other half.
-    pub fn mirrored(&self) -> Self {
-        let mut mirrored = self.clone();
-        for point in mirrored.control_m.iter_mut().flatten() {
-            point[2] = -point[2];
-        }
-        mirrored
     }
 
     /// Point of the B-spline.
@@ -163,7 +165,8 @@ impl Patch {
                 let middle = sector.middle_rad();
                 let own = middle + wrap_angle_rad(x.atan2(-y) - middle);
                 let meridian = ring.meridian_in(sector, own);
-                worst = worst.max(meridian.distance_m(rho, z).abs());
+                let arc = meridian.arc(self.side);
+                worst = worst.max(arc.distance_m(rho, self.side.sign() * z).abs());
                 if u == 1.0 {
                     worst = worst.max((rho - ring.shoulder_radius_m()).abs());
                 }
@@ -175,7 +178,8 @@ impl Patch {
 
 /// One section of the surface over the second parameter, with its derivatives.
 struct Fibre {
-    meridian: Meridian,
+    arc: Arc,
+    angle_rad: f64,
     valley: f64,
     range: f64,
     /// dη/dψ at fixed parameter: at the ridge, and how much more at the shoulder.
@@ -183,14 +187,15 @@ struct Fibre {
 }
 
 impl Fibre {
-    fn new(meridian: Meridian) -> Self {
-        let valley = meridian.valley_rad();
-        let [valley_slope, shoulder_slope] = meridian.limit_slopes();
+    fn new(arc: Arc, angle_rad: f64) -> Self {
+        let valley = arc.valley_rad();
+        let [valley_slope, shoulder_slope] = arc.limit_slopes();
         Self {
             valley,
-            range: meridian.shoulder_rad() - valley,
+            range: arc.shoulder_rad() - valley,
             drift: [valley_slope, shoulder_slope - valley_slope],
-            meridian,
+            arc,
+            angle_rad,
         }
     }
 
@@ -198,47 +203,53 @@ impl Fibre {
         self.valley + u * self.range
     }
 
-    /// Vector from its components along e, t and k.
+    /// Vector from its components along e, t and, towards the shoulder, k.
     fn vector(&self, [radial, tangential, axial]: Vec3) -> Vec3 {
-        let (sin, cos) = self.meridian.angle_rad.sin_cos();
+        let (sin, cos) = self.angle_rad.sin_cos();
         [
             radial * sin + tangential * cos,
             -radial * cos + tangential * sin,
-            axial,
+            self.arc.side.sign() * axial,
         ]
     }
 
     fn point(&self, u: f64) -> Vec3 {
-        let (m, eta) = (&self.meridian, self.eta(u));
-        // Both halves share the ridge, to the last bit.
-        let height = if u == 0.0 { 0.0 } else { m.height_m(eta) };
-        self.vector([m.radius_at_m(eta), 0.0, height])
+        let (arc, eta) = (&self.arc, self.eta(u));
+        // Exactly 0 where the section is not turned.
+        let height = if u == 0.0 {
+            arc.ridge_height_m()
+        } else {
+            arc.height_m(eta)
+        };
+        self.vector([arc.radius_at_m(eta), 0.0, height])
     }
 
     /// ∂S/∂u.
     fn across(&self, u: f64) -> Vec3 {
         let (sin, cos) = self.eta(u).sin_cos();
-        let arc = self.meridian.curvature_radius_m * self.range;
+        let arc = self.arc.curvature_radius_m * self.range;
         self.vector([-arc * sin, 0.0, arc * cos])
     }
 
     /// ∂S/∂ψ at fixed u.
     fn along(&self, u: f64) -> Vec3 {
-        let (m, eta) = (&self.meridian, self.eta(u));
+        let (arc, eta) = (&self.arc, self.eta(u));
         let (sin, cos) = eta.sin_cos();
-        let drift = m.curvature_radius_m * (self.drift[0] + u * self.drift[1]);
-        let axial = m.height_slope_m + drift * cos;
-        self.vector([
-            m.radius_slope_m - drift * sin,
-            m.radius_at_m(eta),
-            if u == 0.0 { 0.0 } else { axial },
-        ])
+        let drift = arc.curvature_radius_m * (self.drift[0] + u * self.drift[1]);
+        let radial = arc.radius_slope_m - drift * sin;
+        let axial = if u == 0.0 {
+            // The ridge stays on the axis of the section.
+            radial * arc.axis_slope()
+        } else {
+            arc.height_slope_m + drift * cos
+        };
+        self.vector([radial, arc.radius_at_m(eta), axial])
     }
 
     /// ∂²S/∂u∂ψ.
     fn twist(&self, u: f64) -> Vec3 {
         let (sin, cos) = self.eta(u).sin_cos();
-        let re = self.meridian.curvature_radius_m;
+        let re = self.arc.curvature_radius_m;
         let (arc, change) = (re * self.range, re * self.drift[1]);
         let drift = self.drift[0] + u * self.drift[1];
         self.vector([

@@ -144,11 +144,9 @@ fn row_angles_rad(case: &Case, row: &Row) -> Vec<f64> {
 fn balance(case: &Case) -> LoadBalance {
     let bearing = &case.bearing;
     let d = bearing.dimensions();
-    let room = d.groove_distance_m();
     let mut balls = vec![];
     for (number, row) in rows(case).iter().enumerate() {
-        // At the free contact angle unloaded balls touch at R = 0.
-        let offset = 0.5 * row.contact_sign * room * bearing.contact_angle_rad().sin();
+        let offset = row.contact_sign * bearing.groove_offset_m();
         for (k, angle_rad) in row_angles_rad(case, row).into_iter().enumerate() {
             let ball = bearing.ball(k);
             let cos = angle_rad.cos();
