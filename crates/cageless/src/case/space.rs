@@ -90,8 +90,8 @@ impl Case {
     /// An [`InputError`] naming what takes it out of the plane.
     pub fn check_planar(&self) -> Result<(), InputError> {
         if let Some((field, value)) = self.spatial_field() {
-            let rule = "left out here: only `cageless static`, `cageless run` without --verify and \
-                        sweeps of runs compute in space, all else is planar";
+            let rule = "left out here: only `cageless static`, `cageless run` without --verify, sweeps \
+                        of runs and `cageless export` take it, all else is planar";
             return Err(InputError::rule(field, value, rule));
         }
         if self.motion == Motion::Space {

@@ -52,7 +52,7 @@ impl SpaceModel {
             d.inner_groove_curvature_radius_m,
         );
         let angle = bearing.contact_angle_rad();
-        let offset = 0.5 * d.groove_distance_m() * angle.sin();
+        let offset = bearing.groove_offset_m();
         let ellipses = bearing.contacts_at([angle; 2]);
         let balls = (0..bearing.balls()).map(|k| {
             let radius = bearing.ball(k).radius_m;
