@@ -18,7 +18,7 @@ use crate::dynamics::layout::Layout;
 use crate::dynamics::rotor::RotorMotion;
 use crate::dynamics::state::State;
 use crate::equilibrium::space::SpatialEquilibrium;
-use crate::equilibrium::{self, EquilibriumError, ball_outer_geometry, start_angles_rad};
+use crate::equilibrium::{self, EquilibriumError, effective_radius_m, start_angles_rad};
 use crate::kinematics::{
     orbit_speed_of_rad_s, rolling_relative_rotation_rad_s, rolling_rotation_rad_s,
 };
@@ -84,7 +84,7 @@ pub fn initial_state(case: &Case) -> Result<(State, Vec<f64>), EquilibriumError>
     for (k, (&angle, &distance)) in angles.iter().zip(&distances).enumerate() {
         let rest = in_space.as_ref().map(|e| Rest::of_ball(e, k));
         let rest = rest.unwrap_or_else(|| {
-            let r = ball_outer_geometry(case, k, angle).effective_radius_m;
+            let r = effective_radius_m(case, k, angle, distance);
             let radius = bearing.ball(k).radius_m;
             Rest {
                 effective_radius_m: r,

@@ -26,6 +26,7 @@ pub mod design;
 pub mod dynamics;
 pub mod equilibrium;
 pub mod error;
+mod flank_model;
 pub mod gap;
 mod gap_scatter;
 pub mod initial_conditions;
@@ -67,6 +68,7 @@ pub use case::{
 pub use collision::Collision;
 pub use contact::{FrictionLaw, FrictionParameters, FrictionTable};
 pub use error::InputError;
+pub use flank_model::FlankModel;
 pub use integrator::IntegrationMethod;
 pub use material::{Material, Materials};
 pub use profile::Profile;

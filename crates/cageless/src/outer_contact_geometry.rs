@@ -25,6 +25,7 @@
 //! ```
 
 use crate::bearing::Bearing;
+use crate::contact::FlankSection;
 use crate::error::{Allowed, InputError};
 use crate::raceway::Raceway;
 
@@ -66,6 +67,24 @@ pub fn outer_contact_geometry(
         outer_orbit_radius_m: bearing.outer_orbit_radius_m() + h - other * cosine,
         effective_radius_m: ball_radius_m * h / own,
     }
+}
+
+/// Flanks at a ball of radius `ball_radius_m` at ψ = `angle_rad`; `None` on the plain raceway.
+pub fn flank_section(
+    bearing: &Bearing,
+    raceways: &[Raceway],
+    angle_rad: f64,
+    ball_radius_m: f64,
+) -> Option<FlankSection> {
+    let raceway = raceways.iter().find(|r| r.contains(angle_rad))?;
+    let cosine = raceway.effective_radius_m(angle_rad) / bearing.ball_radius_m();
+    let error = raceway.depth_error_at_m(angle_rad);
+    let [gap, _, square] = above_flanks(bearing, cosine, error, ball_radius_m);
+    Some(FlankSection {
+        gap,
+        height: square.sqrt(),
+        cosine,
+    })
 }
 
 /// Re + e − R, Re − Rw and h², which is negative where the ball touches no flank.

@@ -8,6 +8,7 @@ mod batch;
 mod common;
 mod critical_gap;
 mod documentation;
+mod elastic_flanks;
 mod endurance;
 mod equilibrium;
 mod falling_ring;

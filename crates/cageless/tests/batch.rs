@@ -9,7 +9,7 @@ use cageless::integrator::System;
 use cageless::numerics::lanes::BATCH_WIDTH;
 use cageless::simulation::{Control, Observer, batches, run, run_batch};
 use cageless::summary::{Summary, SummaryRecorder};
-use cageless::{Case, FrictionLaw, Gaps, IntegrationMethod, Profile, Start};
+use cageless::{Case, FlankModel, FrictionLaw, Gaps, IntegrationMethod, Profile, Start};
 
 /// Cases that differ in everything that may differ side by side.
 fn mixed(count: usize) -> Vec<Case> {
@@ -88,7 +88,7 @@ fn same(one: &[(Vec<f64>, Option<Summary>)], other: &[(Vec<f64>, Option<Summary>
 /// unequal balls, lubricated and dry, on every instruction set.
 #[test]
 fn company_changes_no_bit() {
-    let kinds: [fn(&mut Case); 5] = [
+    let kinds: [fn(&mut Case); 6] = [
         |_| {},
         |case| case.profile = Profile::Paper,
         |case| {
@@ -111,18 +111,26 @@ fn company_changes_no_bit() {
             case.contact.friction_law = FrictionLaw::Table;
             case.contact.friction.table = Some(FrictionTable::new(table).unwrap());
         },
+        |case| case.flanks = FlankModel::Elastic,
     ];
+
     // An odd number leaves a lane of each bearing empty.
-    for (balls, change) in [
-        (14, kinds[0]),
-        (13, kinds[0]),
-        (14, kinds[1]),
-        (13, kinds[2]),
-        (13, kinds[3]),
-        (14, kinds[4]),
+    for (balls, changes) in [
+        (14, vec![0]),
+        (13, vec![0]),
+        (14, vec![1]),
+        (13, vec![2]),
+        (13, vec![3]),
+        (14, vec![4]),
+        (14, vec![5]),
+        (13, vec![5, 2]),
+        (14, vec![5, 4]),
+        (14, vec![5, 3]),
     ] {
         let mut cases = mixed_of(balls, 11);
-        cases.iter_mut().for_each(change);
+        for case in &mut cases {
+            changes.iter().for_each(|k| kinds[*k](case));
+        }
         let expected: Vec<_> = cases.iter().map(alone).collect();
         assert!(
             expected.iter().any(|(_, s)| s.unwrap().collisions.all > 0)

@@ -47,6 +47,7 @@ impl Converter<'_> {
             contact: s.contact.clone(),
             profile: s.model.formulation,
             motion: s.model.motion,
+            flanks: s.model.flanks,
             start,
             solver: Solver {
                 method: s.solver.method,

@@ -1,6 +1,6 @@
 //! Choices that a case file or a plan makes by name.
 
-use cageless::{Assembly, FrictionLaw, IntegrationMethod, Motion, Profile};
+use cageless::{Assembly, FlankModel, FrictionLaw, IntegrationMethod, Motion, Profile};
 
 use super::spanned_toml::{Node, Value};
 
@@ -62,6 +62,11 @@ pub(crate) enum StartState {
 
 impl Named for Assembly {
     const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
+}
+
+impl Named for FlankModel {
+    const NAMES: &'static [(&'static str, Self)] =
+        &[("rigid", Self::Rigid), ("elastic", Self::Elastic)];
 }
 
 impl Named for FrictionLaw {

@@ -3,6 +3,7 @@
 use super::{Case, DURATION_MIN_S, Gaps, INTERVAL_MIN_S, Operation, STEPS_MAX, Start};
 use crate::contact::hertz::DEFLECTION_FRACTION_MAX;
 use crate::error::{Allowed, InputError};
+use crate::flank_model::FlankModel;
 use crate::limits::{not_negative, positive};
 use crate::profile::Profile;
 use crate::time_table::TimeTable;
@@ -62,6 +63,7 @@ impl Case {
         self.operation.check()?;
         self.check_space()?;
         self.check_rotor()?;
+        self.check_flanks()?;
         self.contact.check()?;
         for raceway in &self.raceways {
             raceway.fits(&self.bearing)?;
@@ -141,6 +143,20 @@ impl Case {
             });
         }
         Ok(())
+    }
+
+    /// Refuses elastic flanks where the equations have none.
+    fn check_flanks(&self) -> Result<(), InputError> {
+        let why = match (self.flanks, self.profile) {
+            (FlankModel::Elastic, Profile::Paper) => "the published equations have rigid flanks",
+            (FlankModel::Elastic, _) if self.contact.friction_law.sticks() => {
+                "flanks that slide in two directions and spin need a law with a \
+                 regularisation speed"
+            }
+            _ => return Ok(()),
+        };
+        let rule = format!("\"rigid\": {why}");
+        Err(InputError::rule("flanks", f64::NAN, rule))
     }
 
     /// Checks the rotor and what a case with one must and must not have.

@@ -18,6 +18,7 @@ mod spatial_load;
 use std::f64::consts::TAU;
 
 use crate::bearing::Bearing;
+use crate::flank_model::FlankModel;
 use crate::integrator::IntegrationMethod;
 use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::profile::Profile;
@@ -194,6 +195,8 @@ pub struct Case {
     pub profile: Profile,
     /// Space in which the bearing moves.
     pub motion: Motion,
+    /// Flanks of the discrete raceways in the plane.
+    pub flanks: FlankModel,
     /// Initial state.
     pub start: Start,
     /// Integration.

@@ -19,6 +19,9 @@
 //! ```
 
 mod ball_ball;
+mod flank_friction;
+mod flank_section;
+mod flanks;
 pub mod flash_temperature;
 pub mod friction;
 pub mod hertz;
@@ -31,6 +34,9 @@ mod outer_geometry;
 mod slip_problem;
 
 pub use ball_ball::{BallBallContact, ball_ball_contact, ball_deflection};
+pub use flank_friction::{AtFlanks, FlankSliding};
+pub use flank_section::{FlankPress, FlankSection};
+pub use flanks::{FlankContact, flank_contact};
 pub use friction::{Friction, FrictionLaw, FrictionParameters, FrictionTable, Law, tanh};
 pub use implicit_friction::{
     MAX_ITERATIONS, RacewayContacts, end_weights, further_step, newton_step,
@@ -49,13 +55,15 @@ pub use outer::{
     outer_friction_direction, outer_load, outer_paper_powers, outer_slip, slope_force,
 };
 pub use outer_geometry::{
-    OUTSIDE, RacewayConstants, RacewayPosition, RacewayValues, nominal_geometry, unequal_geometry,
-    with_path_direction,
+    FlankShape, OUTSIDE, RacewayConstants, RacewayPosition, RacewayValues, nominal_geometry,
+    unequal_geometry, with_path_direction,
 };
 
 pub use slip_problem::{SlipProblem, Slips};
 
 pub(crate) use ball_ball::BallBallContactLanes;
+pub(crate) use flank_friction::FlankSlidingLanes;
+pub(crate) use flanks::FlankContactLanes;
 pub(crate) use friction::{FrictionLanes, LawLanes, with_law};
 pub(crate) use inner::{InnerContactLanes, InnerRacewayLanes};
 pub(crate) use outer::{OuterContactLanes, OuterGeometryLanes, OuterRacewayLanes};

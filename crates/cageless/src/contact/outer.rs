@@ -20,6 +20,9 @@ lane_struct! {
         ball_radius,
         /// Friction over that of the law.
         friction_factor,
+        /// A, square of the semi-axis across the groove of the contact ellipse of a nominal ball on
+        /// the plain raceway over its deflection, m.
+        axis_square_per_m,
     }
 }
 

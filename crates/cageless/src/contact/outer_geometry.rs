@@ -1,5 +1,6 @@
 //! Geometry of the outer contact on a discrete raceway.
 
+use super::flank_section::FlankSection;
 use super::{OuterGeometry, OuterRaceway};
 use crate::dynamics::ball::{Ball, PolarMotion};
 use crate::numerics::lanes::lane_struct;
@@ -49,6 +50,8 @@ lane_struct! {
         radius_slope,
         /// 1/√(1 + y′² + z′²) of the contact path.
         direction,
+        /// (2 cos αc)^(−2/3), a² of the ellipse of one flank over that of one contact that takes all.
+        ellipse,
     }
 }
 
@@ -128,6 +131,53 @@ pub fn with_path_direction(
     }
 }
 
+/// Flanks of a discrete raceway at one ball of any radius R, milled too deep by
+/// e = E (1 − sin²ψ/sin²θ)², and how they change with ψ.
+#[derive(Debug, Clone, Copy)]
+pub struct FlankShape {
+    /// The flanks.
+    pub section: FlankSection,
+    /// dc/dψ of c = cos αc.
+    pub cosine_slope: f64,
+    /// de/dψ, m.
+    pub error_slope: f64,
+    /// See [`RacewayValues::ellipse`].
+    pub ellipse: f64,
+}
+
+impl FlankShape {
+    /// Flanks at a place in a raceway.
+    #[inline(always)]
+    pub fn new(
+        raceway: &RacewayConstants,
+        outer: &OuterRaceway,
+        ball: &Ball,
+        position: &RacewayPosition,
+        values: &RacewayValues,
+    ) -> Self {
+        let (sine, cosine) = (position.sine, position.cosine);
+        let c = values.radius / outer.ball_radius;
+        let depth = 1.0 - sine * sine * raceway.inverse_end;
+        let error = raceway.depth_error * depth * depth;
+        let (f, g) = (
+            outer.curvature_offset,
+            outer.curvature + error - ball.radius,
+        );
+        // d(sin²ψ)/dψ, and u = scale sin²ψ + shift.
+        let turning = 2.0 * sine * cosine;
+        Self {
+            section: FlankSection {
+                gap: g,
+                height: (g * g - f * f * (1.0 - c * c)).sqrt(),
+                cosine: c,
+            },
+            cosine_slope: values.radius_slope * raceway.scale * turning / outer.ball_radius,
+            error_slope: -2.0 * raceway.depth_error * depth * raceway.inverse_end * turning,
+            ellipse: values.ellipse,
+        }
+    }
+}
+
 /// Geometry of a ball of another radius R, or in a raceway milled too deep by e, see
 /// [`crate::outer_contact_geometry`]. With f = Re − Rw, c = r/Rw and g = Re + e − R the ball's centre lies
 /// h = √(g² − f²(1 − c²)) beyond Oe, so that |rb| = Ro − Rw + h − f c and r = R h/g, with
@@ -141,25 +191,19 @@ pub fn unequal_geometry(
     values: &RacewayValues,
     plain: OuterGeometry,
 ) -> OuterGeometry {
-    let (sine, cosine) = (position.sine, position.cosine);
-    let c = values.radius / outer.ball_radius;
-    let depth = 1.0 - sine * sine * raceway.inverse_end;
-    let error = raceway.depth_error * depth * depth;
-    let (f, g) = (
-        outer.curvature_offset,
-        outer.curvature + error - ball.radius,
+    let shape = FlankShape::new(raceway, outer, ball, position, values);
+    let (f, g) = (outer.curvature_offset, shape.section.gap);
+    let (h, c, c_slope) = (
+        shape.section.height,
+        shape.section.cosine,
+        shape.cosine_slope,
     );
-    let h = (g * g - f * f * (1.0 - c * c)).sqrt();
-    // d(sin²ψ)/dψ, and u = scale sin²ψ + shift.
-    let turning = 2.0 * sine * cosine;
-    let c_slope = values.radius_slope * raceway.scale * turning / outer.ball_radius;
-    let error_slope = -2.0 * raceway.depth_error * depth * raceway.inverse_end * turning;
     let inside = position.inside();
     let select = |new: f64, old: f64| if inside { new } else { old };
     OuterGeometry {
         orbit_radius: select(outer.orbit_radius + h - f * c, plain.orbit_radius),
         slope: select(
-            (g * error_slope + f * f * c * c_slope) / h - f * c_slope,
+            (g * shape.error_slope + f * f * c * c_slope) / h - f * c_slope,
             plain.slope,
         ),
         effective_radius: select(ball.radius * h / g, plain.effective_radius),

@@ -145,9 +145,14 @@ impl Contacts<'_> {
             let geometry = results.geometry.get(lane);
             let [dx, dy] = outer_friction_direction(self.profile, &geometry, &polar);
             let friction = results.outer_friction.0[lane];
+            // Along the radius friction at flanks adds to the normal force.
+            let normal = match results.on_flanks.has(lane) {
+                true => outer.force + results.across_friction.0[lane],
+                false => outer.force,
+            };
             [
-                x + outer.force * polar.ex + slope_force * polar.ey + friction * dx,
-                y + outer.force * polar.ey - slope_force * polar.ex + friction * dy,
+                x + normal * polar.ex + slope_force * polar.ey + friction * dx,
+                y + normal * polar.ey - slope_force * polar.ex + friction * dy,
             ]
         })
     }

@@ -11,10 +11,13 @@ use crate::case::Case;
 use crate::contact::FrictionLaw;
 use crate::contact::friction::STICK_FRACTION;
 use crate::contact::{
-    Friction, InnerRaceway, OuterGeometry, OuterRaceway, RacewayConstants, restitution_damping,
+    Friction, InnerRaceway, OuterGeometry, OuterRaceway, RacewayConstants, outer_deflection,
+    restitution_damping,
 };
 use crate::error::InputError;
-use crate::outer_contact_geometry::outer_contact_geometry;
+use crate::flank_model::FlankModel;
+use crate::numerics::chebyshev::Polynomial;
+use crate::outer_contact_geometry::{flank_section, outer_contact_geometry};
 use crate::profile::Profile;
 use crate::raceway::Raceway;
 use crate::step_limits::{self, StepLimits};
@@ -30,6 +33,8 @@ pub(crate) struct RacewayModel {
     pub radius_slope: Vec<f64>,
     /// Coefficients of 1/√(1 + y′² + z′²) over u.
     pub direction: Vec<f64>,
+    /// Coefficients of (2 cos αc)^(−2/3) over u; none with rigid flanks.
+    pub ellipse: Vec<f64>,
 }
 
 /// The equations of motion of one case.
@@ -45,6 +50,7 @@ pub struct Model {
     pair_angle: Vec<f64>,
     /// Whether outer contacts differ from those of nominal balls in raceways as designed.
     pub(crate) unequal: bool,
+    pub(crate) flanks: FlankModel,
     pub(crate) friction: Friction,
     pub(crate) outer: OuterRaceway,
     pub(crate) inner: InnerRaceway,
@@ -124,6 +130,7 @@ impl Model {
             pair_angle: (0..d.balls).map(|k| bearing.pair_angle_rad(k)).collect(),
             balls,
             unequal: !case.has_nominal_geometry(),
+            flanks: case.flanks,
             friction: Friction::new(c.friction_law, &c.friction, stick_gain),
             outer: OuterRaceway {
                 pitch_radius: bearing.pitch_radius_m(),
@@ -132,6 +139,7 @@ impl Model {
                 curvature: d.outer_groove_curvature_radius_m,
                 ball_radius: d.ball_radius_m,
                 friction_factor: c.outer_friction_factor,
+                axis_square_per_m: axis_square_per_m(case),
             },
             inner: InnerRaceway {
                 radius: d.inner_groove_bottom_radius_m,
@@ -145,7 +153,11 @@ impl Model {
             },
             implicit_friction: space.is_some() || StepLimits::friction_is_stiff(case),
             ball_damped: alpha > 0.0,
-            raceway_models: case.raceways.iter().map(RacewayModel::new).collect(),
+            raceway_models: case
+                .raceways
+                .iter()
+                .map(|raceway| RacewayModel::new(raceway, case))
+                .collect(),
             inner_speed: case.operation.inner_speed_table.clone(),
             radial_load: case.operation.radial_load_table.clone(),
             space,
@@ -186,6 +198,7 @@ impl Model {
             self.profile,
             self.law,
             self.unequal,
+            self.flanks,
             self.implicit_friction,
             self.rotor.is_some(),
         )
@@ -202,7 +215,7 @@ impl Model {
     }
 
     /// Geometry of the outer contact of ball `k`, with r and |rb| of [`outer_contact_geometry`].
-    pub(crate) fn outer_geometry(&self, k: usize, polar: &PolarMotion) -> OuterGeometry {
+    fn outer_geometry(&self, k: usize, polar: &PolarMotion) -> OuterGeometry {
         let plain = OuterGeometry::plain(&self.balls[k], polar);
         if !self.unequal {
             return plain;
@@ -216,14 +229,41 @@ impl Model {
             ..plain
         }
     }
+
+    /// Deflection of the outer contact of ball `k`, m: δo, or δe on elastic flanks.
+    pub(crate) fn outer_deflection_m(&self, k: usize, polar: &PolarMotion) -> f64 {
+        let beyond = outer_deflection(polar.distance, &self.outer_geometry(k, polar));
+        if self.flanks == FlankModel::Rigid {
+            return beyond;
+        }
+        let angle = polar.ex.atan2(-polar.ey);
+        let radius = self.balls[k].radius;
+        let flanks = flank_section(&self.bearing, &self.raceways, angle, radius);
+        flanks.map_or(beyond, |flanks| flanks.press(beyond).deflection)
+    }
 }
 
+/// a² of the contact of a nominal ball at the plain outer raceway over its deflection, m: a is
+/// proportional to F^(1/3), F = K δ^(3/2).
+fn axis_square_per_m(case: &Case) -> f64 {
+    let [_, outer, _] = case.stiffness_n_m1_5();
+    let [_, across] = case.bearing.outer_contact().semi_axes_m(outer);
+    across * across
+}
+
+/// Error of (2 cos αc)^(−2/3).
+const ELLIPSE_TOLERANCE: f64 = 1e-12;
+
 impl RacewayModel {
-    fn new(raceway: &Raceway) -> Self {
+    fn new(raceway: &Raceway, case: &Case) -> Self {
         let [a, b, _] = raceway.path_coefficients();
         let (sin_centre, cos_centre) = raceway.dimensions().centre_angle_rad.sin_cos();
         let radius = raceway.radius_polynomial();
         let end = raceway.half_angle_rad().sin().powi(2);
+        let ellipse = |square: f64| {
+            let cosine = radius.value(square) / case.bearing.ball_radius_m();
+            (2.0 * cosine).powf(-2.0 / 3.0)
+        };
         Self {
             constants: RacewayConstants {
                 sin_centre,
@@ -241,6 +281,12 @@ impl RacewayModel {
                 .map(|k| k as f64 * radius.coefficients[k])
                 .collect(),
             direction: raceway.direction_polynomial().coefficients.clone(),
+            ellipse: match case.flanks {
+                FlankModel::Rigid => vec![],
+                FlankModel::Elastic => {
+                    Polynomial::fit(ellipse, 0.0, end, ELLIPSE_TOLERANCE).coefficients
+                }
+            },
         }
     }
 }

@@ -3,9 +3,7 @@
 use super::model::Model;
 use super::space;
 use super::state::State;
-use crate::contact::{
-    ball_deflection, hertz, inner_deflection, journal_energy_j, outer_deflection,
-};
+use crate::contact::{ball_deflection, hertz, inner_deflection, journal_energy_j};
 
 /// Kinetic energy ½ m v², J.
 fn kinetic_j(mass: f64, vx: f64, vy: f64) -> f64 {
@@ -26,14 +24,13 @@ impl Model {
             let motion = state.ball_motion(k);
             let next = state.ball_motion((k + 1) % self.balls());
             let polar = motion.about(&outer_ring);
-            let geometry = self.outer_geometry(k, &polar);
             let inner = motion.about(&ring);
             let pair = ball_deflection(ball, next.x - motion.x, next.y - motion.y);
             sum += kinetic_j(ball.mass, motion.vx, motion.vy)
                 + 0.5 * self.inertia[k] * motion.spin * motion.spin
                 + hertz::energy_j(
                     ball.outer_stiffness_n_m1_5,
-                    outer_deflection(polar.distance, &geometry),
+                    self.outer_deflection_m(k, &polar),
                 )
                 + hertz::energy_j(
                     ball.inner_stiffness_n_m1_5,

@@ -20,6 +20,7 @@
 mod error;
 mod minimum;
 mod newton;
+mod outer_force;
 mod potential;
 mod raceway_contact;
 pub mod space;
@@ -27,10 +28,12 @@ mod stiffness;
 
 use crate::bearing::Bearing;
 use crate::case::{Case, Gaps};
+use crate::contact::FlankSection;
 use crate::contact::hertz::{PointContact, STRESS_LIMIT_PA};
 use crate::error::InputError;
+use crate::flank_model::FlankModel;
 use crate::kinematics::orbit_speed_of_rad_s;
-use crate::outer_contact_geometry::{OuterContactGeometry, outer_contact_geometry};
+use crate::outer_contact_geometry::{OuterContactGeometry, flank_section, outer_contact_geometry};
 use crate::profile::Profile;
 pub use error::EquilibriumError;
 use newton::{BallProblem, BallSolution, Problem};
@@ -176,6 +179,30 @@ pub fn ball_outer_geometry(case: &Case, k: usize, angle_rad: f64) -> OuterContac
     outer_contact_geometry(&case.bearing, &case.raceways, angle_rad, radius)
 }
 
+/// Elastic flanks under ball `k` of a case at ψ = `angle_rad`; `None` on the plain raceway and with
+/// rigid ones.
+fn elastic_flanks(case: &Case, k: usize, angle_rad: f64) -> Option<FlankSection> {
+    let radius = case.bearing.ball(k).radius_m;
+    let section = flank_section(&case.bearing, &case.raceways, angle_rad, radius);
+    section.filter(|_| case.flanks == FlankModel::Elastic)
+}
+
+/// r of ball `k` of a case at ψ = `angle_rad` and |rb| = `distance_m`, m: on elastic flanks a ball
+/// that is pressed in has a larger one.
+pub(crate) fn effective_radius_m(case: &Case, k: usize, angle_rad: f64, distance_m: f64) -> f64 {
+    let geometry = ball_outer_geometry(case, k, angle_rad);
+    elastic_flanks(case, k, angle_rad).map_or(geometry.effective_radius_m, |flanks| {
+        let press = flanks.press(distance_m - geometry.outer_orbit_radius_m);
+        case.bearing.ball(k).radius_m * press.cosine
+    })
+}
+
+/// Times that the centrifugal forces follow the contact angles.
+const SPEED_ROUNDS: usize = 20;
+
+/// Relative change of a centrifugal force that ends them.
+const TURNING_TOLERANCE: f64 = 1e-12;
+
 /// Solves the equilibrium of `case` with its balls at their starting angles.
 ///
 /// # Errors
@@ -188,17 +215,23 @@ pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
         return Err(InputError::rotor_left_out(why).into());
     }
     let bearing = &case.bearing;
-    let problem = problem(case, case.operation.inner_speed_rad_s);
-    let (ring, stiffness_n_m) = settle_ring(&problem)?;
+    let inner_speed = case.operation.inner_speed_rad_s;
+    let mut problem = problem(case, inner_speed);
+    let (mut ring, mut stiffness_n_m) = settle_ring(&problem)?;
+    for _ in 0..SPEED_ROUNDS {
+        if !follow_speeds(case, &mut problem, ring, inner_speed) {
+            break;
+        }
+        (ring, stiffness_n_m) = settle_ring(&problem)?;
+    }
     let solutions: Vec<BallSolution> = problem
         .balls
         .iter()
         .map(|ball| problem.ball(ball, ring))
         .collect();
-    let effective_radius_m: Vec<f64> = problem
-        .balls
-        .iter()
-        .map(|b| b.outer_geometry.effective_radius_m)
+    let effective_radius_m: Vec<f64> = (0..)
+        .zip(problem.balls.iter().zip(&solutions))
+        .map(|(k, (b, s))| effective_radius_m(case, k, b.angle, s.distance))
         .collect();
     let inner_contact: Vec<RacewayContact> = solutions
         .iter()
@@ -233,11 +266,53 @@ pub fn solve(case: &Case) -> Result<Equilibrium, EquilibriumError> {
 /// |rb| of every ball that is in equilibrium at its starting angle, for a given place of the
 /// inner ring, which turns at `inner_speed_rad_s`.
 pub(crate) fn seated_distances_m(case: &Case, ring: Place, inner_speed_rad_s: f64) -> Vec<f64> {
-    let problem = problem(case, inner_speed_rad_s);
+    let mut problem = problem(case, inner_speed_rad_s);
+    for _ in 0..SPEED_ROUNDS {
+        if !follow_speeds(case, &mut problem, ring, inner_speed_rad_s) {
+            break;
+        }
+    }
     let balls = problem.balls.iter();
     balls
         .map(|ball| problem.ball(ball, ring).distance)
         .collect()
+}
+
+/// Puts the centrifugal forces right for the contact angles of balls on elastic flanks around a ring;
+/// whether that changes anything.
+fn follow_speeds(
+    case: &Case,
+    problem: &mut Problem<'_>,
+    ring: Place,
+    inner_speed_rad_s: f64,
+) -> bool {
+    let distances: Vec<Option<f64>> = problem
+        .balls
+        .iter()
+        .map(|ball| ball.flanks.map(|_| problem.ball(ball, ring).distance))
+        .collect();
+    let mut changed = false;
+    for (k, (ball, distance)) in problem.balls.iter_mut().zip(distances).enumerate() {
+        let Some(distance) = distance else { continue };
+        let r = effective_radius_m(case, k, ball.angle, distance);
+        let turning = turning_n_m(case, k, r, inner_speed_rad_s);
+        changed |= (turning - ball.turning).abs() > TURNING_TOLERANCE * turning;
+        ball.turning = turning;
+    }
+    changed
+}
+
+/// Speed of the centre of ball `k` that rolls with the effective contact radius `r_m`, m/s.
+fn rolling_speed_m_s(case: &Case, k: usize, r_m: f64, inner_speed_rad_s: f64) -> f64 {
+    let bearing = &case.bearing;
+    let radius = bearing.ball(k).radius_m;
+    orbit_speed_of_rad_s(bearing, radius, inner_speed_rad_s, r_m) * bearing.pitch_radius_m()
+}
+
+/// Its centrifugal force times its distance from the axis, N·m.
+fn turning_n_m(case: &Case, k: usize, r_m: f64, inner_speed_rad_s: f64) -> f64 {
+    let speed = rolling_speed_m_s(case, k, r_m, inner_speed_rad_s);
+    case.bearing.ball(k).mass_kg * speed * speed
 }
 
 /// The balls of a case at their starting angles, rolling at `inner_speed_rad_s`, and its ring.
@@ -249,13 +324,8 @@ fn problem(case: &Case, inner_speed_rad_s: f64) -> Problem<'_> {
         .map(|(k, angle)| {
             let (sin, cos) = angle.sin_cos();
             let (ball, outer_geometry) = (bearing.ball(k), ball_outer_geometry(case, k, angle));
-            let orbit = orbit_speed_of_rad_s(
-                bearing,
-                ball.radius_m,
-                inner_speed_rad_s,
-                outer_geometry.effective_radius_m,
-            );
-            let speed = orbit * bearing.pitch_radius_m();
+            let r = outer_geometry.effective_radius_m;
+            let speed = rolling_speed_m_s(case, k, r, inner_speed_rad_s);
             let doubled = match case.profile {
                 Profile::Paper => ball.mass_kg * speed * speed / bearing.pitch_radius_m(),
                 Profile::Physical => 0.0,
@@ -265,11 +335,12 @@ fn problem(case: &Case, inner_speed_rad_s: f64) -> Problem<'_> {
                 angle,
                 radius: ball.radius_m,
                 outer_geometry,
+                flanks: elastic_flanks(case, k, angle),
                 inner_stiffness_n_m1_5,
                 outer_stiffness_n_m1_5,
                 e: [sin, -cos],
                 steady: ball.mass_kg * case.operation.gravity_m_s2 * cos + doubled,
-                turning: ball.mass_kg * speed * speed,
+                turning: turning_n_m(case, k, r, inner_speed_rad_s),
             }
         })
         .collect();
@@ -297,6 +368,7 @@ fn settle_ring(problem: &Problem<'_>) -> Result<(Place, Option<Stiffness>), Equi
                     - ball.outer_geometry.outer_orbit_radius_m,
                 inner_stiffness_n_m1_5: ball.inner_stiffness_n_m1_5,
                 outer_stiffness_n_m1_5: ball.outer_stiffness_n_m1_5,
+                flanks: ball.flanks,
                 steady: ball.steady,
                 turning: ball.turning,
                 deepest: bearing.ball_radius_m(),

@@ -1,6 +1,8 @@
 //! Newton's method for the forces on the ring, the place of each ball from a bracketed root.
 
+use super::outer_force::OuterForce;
 use crate::bearing::Bearing;
+use crate::contact::FlankSection;
 use crate::numerics::root;
 use crate::outer_contact_geometry::OuterContactGeometry;
 
@@ -9,6 +11,8 @@ pub(super) struct BallProblem {
     pub angle: f64,
     pub radius: f64,
     pub outer_geometry: OuterContactGeometry,
+    /// Elastic flanks under the ball.
+    pub flanks: Option<FlankSection>,
     pub inner_stiffness_n_m1_5: f64,
     pub outer_stiffness_n_m1_5: f64,
     /// Unit vector e.
@@ -46,6 +50,10 @@ impl Problem<'_> {
         let outer_orbit_radius = ball.outer_geometry.outer_orbit_radius_m;
         let inner_contact_distance =
             self.bearing.dimensions().inner_groove_bottom_radius_m + ball.radius;
+        let outer_force = |distance: f64| {
+            let beyond = distance - outer_orbit_radius;
+            OuterForce::new(ball.outer_stiffness_n_m1_5, ball.flanks.as_ref(), beyond)
+        };
         let forces = |distance: f64| {
             let offset = [
                 distance * ball.e[0] - ring[0],
@@ -55,8 +63,7 @@ impl Problem<'_> {
             let ei = offset.map(|c| c / length);
             let inner =
                 ball.inner_stiffness_n_m1_5 * (inner_contact_distance - length).max(0.0).powf(1.5);
-            let outer =
-                ball.outer_stiffness_n_m1_5 * (distance - outer_orbit_radius).max(0.0).powf(1.5);
+            let outer = outer_force(distance).force_n;
             let cosine = ei[0] * ball.e[0] + ei[1] * ball.e[1];
             let net = inner * cosine + ball.steady + ball.turning / distance - outer;
             (net, inner, outer, ei, inner_contact_distance - length)
@@ -72,10 +79,8 @@ impl Problem<'_> {
         .unwrap_or(outer_orbit_radius);
         let (_, inner, outer, ei, approach) = forces(distance);
         let slope = |k: f64, deflection: f64| 1.5 * k * deflection.max(0.0).sqrt();
-        let (ki, ko) = (
-            slope(ball.inner_stiffness_n_m1_5, approach),
-            slope(ball.outer_stiffness_n_m1_5, distance - outer_orbit_radius),
-        );
+        let ki = slope(ball.inner_stiffness_n_m1_5, approach);
+        let ko = outer_force(distance).slope_n_m;
         let stiffness = if ki > 0.0 { ki * ko / (ki + ko) } else { 0.0 };
         BallSolution {
             distance,

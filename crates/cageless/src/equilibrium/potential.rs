@@ -11,6 +11,9 @@
 //!
 //!   V(**R**) = (load + weight) Y + Σ φ.
 
+use super::outer_force::OuterForce;
+use crate::contact::FlankSection;
+
 /// One ball at its angle.
 #[derive(Debug, Clone)]
 pub(super) struct PotentialBall {
@@ -22,6 +25,8 @@ pub(super) struct PotentialBall {
     pub slack: f64,
     pub inner_stiffness_n_m1_5: f64,
     pub outer_stiffness_n_m1_5: f64,
+    /// Elastic flanks under the ball; their δe stands for u in the energy.
+    pub flanks: Option<FlankSection>,
     /// S, N.
     pub steady: f64,
     /// C, N·m.
@@ -49,9 +54,9 @@ struct Rest {
     beyond: f64,
     /// Force at the inner raceway.
     inner: f64,
-    /// Slopes of the two forces.
+    /// Slope of the force at the inner raceway.
     inner_slope: f64,
-    outer_slope: f64,
+    outer: OuterForce,
     approach: f64,
     /// L.
     length: f64,
@@ -104,7 +109,7 @@ impl PotentialBall {
             beyond,
             inner: self.inner_stiffness_n_m1_5 * inner_root.powi(3),
             inner_slope: 1.5 * self.inner_stiffness_n_m1_5 * inner_root,
-            outer_slope: 1.5 * self.outer_stiffness_n_m1_5 * beyond.max(0.0).sqrt(),
+            outer: OuterForce::new(self.outer_stiffness_n_m1_5, self.flanks.as_ref(), beyond),
             approach,
             length,
             cosine: (distance - along) / length,
@@ -115,11 +120,15 @@ impl PotentialBall {
     /// ∂U/∂u and ∂²U/∂u².
     fn slopes(&self, rest: &Rest) -> [f64; 2] {
         let distance = self.outer_orbit_radius + rest.beyond;
-        let outer = rest.outer_slope * rest.beyond.max(0.0) / 1.5;
+        // Of one contact this has the last bits of all earlier results.
+        let outer = match self.flanks {
+            None => rest.outer.slope_n_m * rest.beyond.max(0.0) / 1.5,
+            Some(_) => rest.outer.force_n,
+        };
         let turning = self.turning / distance;
         [
             outer - rest.inner * rest.cosine - self.steady - turning,
-            rest.outer_slope + rest.inner_slope * rest.cosine.powi(2)
+            rest.outer.slope_n_m + rest.inner_slope * rest.cosine.powi(2)
                 - rest.inner * rest.sine.powi(2) / rest.length
                 + turning / distance,
         ]
@@ -173,7 +182,7 @@ impl Potential {
                 |k: f64, depth: f64| 0.4 * k * depth.max(0.0).powi(2) * depth.max(0.0).sqrt();
             for term in [
                 elastic(ball.inner_stiffness_n_m1_5, rest.approach),
-                elastic(ball.outer_stiffness_n_m1_5, rest.beyond),
+                elastic(ball.outer_stiffness_n_m1_5, rest.outer.deflection_m),
                 -ball.steady * rest.beyond,
                 -ball.turning * (rest.beyond / ball.outer_orbit_radius).ln_1p(),
             ] {

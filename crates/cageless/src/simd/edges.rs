@@ -46,6 +46,11 @@ pub(crate) fn edges(p: &Parameters, w: &Workspace, y: &[f64], values: &mut Vec<f
             values.push(while_closed(outer, || {
                 let slope = results.geometry.slope.0[lane];
                 let rate = polar.radial - slope * polar.orbit;
+                let flanks = results.flanks.get(lane);
+                if results.on_flanks.has(lane) {
+                    let rate = flanks.lever * rate;
+                    return unclamped(ball.outer_stiffness_n_m1_5, flanks.deflection, rate);
+                }
                 unclamped(ball.outer_stiffness_n_m1_5, outer, rate)
             }));
         }

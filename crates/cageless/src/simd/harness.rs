@@ -1,6 +1,7 @@
 //! The right-hand side, Zhao 2022, Eq. (12) to (22): the scalar functions over the lanes of
 //! every block, the exchange between neighbouring balls, and the sums over the balls.
 
+use super::flanks;
 use super::friction::{friction, loaded_slips};
 use super::geometry::{plain_positions, raceway_geometry};
 use super::implicit_friction;
@@ -86,7 +87,7 @@ fn equations<const PAPER: bool, const ROTOR: bool>(
         let motions = Motions::new(p.layout, y, block);
         let balls = p.balls(block);
         plain_positions::<PAPER, ROTOR>(balls, results, motions, outer_ring);
-        if p.unequal {
+        if p.unequal || p.elastic {
             results.geometry.slope = Lanes::ZERO;
         }
         for raceway in &p.raceways {
@@ -108,6 +109,9 @@ fn equations<const PAPER: bool, const ROTOR: bool>(
         outer_loads::<PAPER>(p, balls, results, &mut w.addends, motions);
         if p.unequal {
             slope_forces(results);
+        }
+        if !PAPER && p.elastic {
+            flanks::outer_contacts(p, balls, results, motions, &mut w.addends, raceway_friction);
         }
         if ROTOR {
             outer_ring_reactions(p, balls, results, &mut w.addends);

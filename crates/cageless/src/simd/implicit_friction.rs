@@ -1,14 +1,15 @@
 //! Implicit friction at the raceways: the end of a step whose other forces are known.
 
+use super::beginning::{Beginning, STUCK_M_S};
+use super::flanks;
 use super::friction::loaded_slips;
 use super::motions::{CentreLanes, Motions, block_mut, outer_centre};
 use super::parameters::Parameters;
 use super::sums::{Addends, Sum};
 use super::workspace::{BlockResults, ImplicitFriction, Workspace};
 use crate::contact::{
-    Law, LawLanes, MAX_ITERATIONS, RacewayContacts, SlipProblem, Slips, end_weights, further_step,
-    inner_paper_power, inner_slip, newton_step, outer_friction_direction, outer_paper_powers,
-    outer_slip, positive, with_law,
+    Law, LawLanes, MAX_ITERATIONS, RacewayContacts, SlipProblem, further_step, inner_paper_power,
+    inner_slip, outer_friction_direction, outer_paper_powers, outer_slip, with_law,
 };
 use crate::dynamics::ball::{BallLanes, BallLoad, Centre};
 use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
@@ -38,6 +39,9 @@ pub(super) fn add<const PAPER: bool>(
         let start = (Motions::new(p.layout, y0, block), &start_ring);
         let end = (Motions::new(p.layout, y, block), &w.ring);
         powers::<PAPER>(p, balls, results, start, end, &mut w.addends);
+        if !PAPER {
+            flanks::add_heat::<false>(results, [start, end], &mut w.addends);
+        }
         results.outer_friction = slips.outer_friction;
         results.inner_friction = slips.inner_friction;
         loaded_slips(results, &mut slip_max);
@@ -130,10 +134,6 @@ pub(crate) fn add_given_friction(
     }
 }
 
-/// Sliding speed below which a law that sticks sticks, m/s: far above rounding, far below any
-/// sliding.
-pub(super) const STUCK_M_S: f64 = 1e-10;
-
 /// Friction forces of the balls of a block on the inner ring.
 #[inline(always)]
 pub(super) fn inner_friction_reactions(results: &BlockResults, addends: &mut Addends) {
@@ -158,14 +158,23 @@ pub(super) fn solve<L: LawLanes, const PAPER: bool, const ROTOR: bool>(
     for (block, (results, friction)) in w.blocks.iter_mut().zip(&mut w.friction).enumerate() {
         let motions = Motions::new(p.layout, y, block);
         let bodies = (p.balls(block), rings, motions);
+        let elastic = !PAPER && !<L::Constants as Law>::STICKS && p.elastic;
+        if elastic {
+            flanks::keep_start(results, friction, w.slips_known);
+        }
         if w.slips_known {
             first_iterate::<L, PAPER, ROTOR, true>(law, p, bodies, h_s, results, friction);
         } else {
             first_iterate::<L, PAPER, ROTOR, false>(law, p, bodies, h_s, results, friction);
         }
+        if elastic && w.slips_known {
+            flanks::first_iterate::<L, ROTOR, true>(law, p, bodies, h_s, results, friction);
+        } else if elastic {
+            flanks::first_iterate::<L, ROTOR, false>(law, p, bodies, h_s, results, friction);
+        }
     }
     if !<L::Constants as Law>::STICKS {
-        iterate(law, &mut w.friction);
+        iterate(law, p.elastic, &w.blocks, &mut w.friction);
     }
     for (results, friction) in w.blocks.iter_mut().zip(&w.friction) {
         let ([outer, inner], slips) = (&friction.weights, &friction.slips);
@@ -207,43 +216,9 @@ fn first_iterate<L: LawLanes, const PAPER: bool, const ROTOR: bool, const KNOWN:
         };
         let profile = Profile::of_build(PAPER);
         let whole = SlipProblem::new(profile, &contacts, &motion, &polar, &inner_polar, h_s);
+        let extrapolated = [results.outer.slip.0[lane], results.inner.slip.0[lane]];
         let start = friction.slips.get(lane);
-        let [outer, inner] = if !KNOWN {
-            [1.0, 1.0]
-        } else if <L::Constants as Law>::STICKS {
-            [sticking_weight(start.outer), sticking_weight(start.inner)]
-        } else {
-            // A Stribeck law falls beyond its peak; that is not stiff.
-            end_weights([
-                whole.outer_outer * positive(start.outer_slope),
-                whole.inner_inner * positive(start.inner_slope),
-            ])
-        };
-        let rest = if KNOWN {
-            [
-                (1.0 - outer) * start.outer_friction,
-                (1.0 - inner) * start.inner_friction,
-            ]
-        } else {
-            [0.0, 0.0]
-        };
-        let problem = whole.split([outer, inner], rest);
-        let end = if <L::Constants as Law>::STICKS {
-            law.end_of_step(&problem)
-        } else {
-            let extrapolated = Slips {
-                outer: results.outer.slip.0[lane],
-                inner: results.inner.slip.0[lane],
-                ..Slips::default()
-            };
-            newton_step(&law, &problem, &extrapolated.with_friction(&law, &problem))
-        };
-        friction.problem.put(lane, problem);
-        friction.slips.put(lane, end);
-        friction.weights[0].0[lane] = outer;
-        friction.weights[1].0[lane] = inner;
-        results.outer_friction.0[lane] = rest[0];
-        results.inner_friction.0[lane] = rest[1];
+        Beginning::new::<_, KNOWN>(&law, &whole, &start, extrapolated).put(lane, results, friction);
     }
 }
 
@@ -252,26 +227,32 @@ fn first_iterate<L: LawLanes, const PAPER: bool, const ROTOR: bool, const KNOWN:
 /// A ball at which Newton's method has converged keeps its solution while others iterate, so that
 /// a bearing has the same bits alone and beside others.
 #[inline(always)]
-fn iterate<L: LawLanes>(law: &L, blocks: &mut [ImplicitFriction]) {
+fn iterate<L: LawLanes>(
+    law: &L,
+    elastic: bool,
+    blocks: &[BlockResults],
+    friction: &mut [ImplicitFriction],
+) {
     for _ in 1..MAX_ITERATIONS {
         // In a loop of its own: a sum would keep those around it from becoming vector code.
         let converged = |f: &ImplicitFriction| f.slips.converged.0.iter().all(|c| *c > 0.0);
-        if blocks.iter().all(converged) {
+        if friction.iter().all(converged) {
             return;
         }
-        for ImplicitFriction { problem, slips, .. } in &mut *blocks {
+        for (results, friction) in blocks.iter().zip(&mut *friction) {
+            if elastic {
+                flanks::keep_slips(results, friction);
+            }
+            let ImplicitFriction { problem, slips, .. } = &mut *friction;
             for lane in 0..LANES {
                 let next = further_step(&law.lane(lane), &problem.get(lane), &slips.get(lane));
                 slips.put(lane, next);
             }
+            if elastic {
+                flanks::further_steps(law, results, friction);
+            }
         }
     }
-}
-
-/// θ of a contact under a law that sticks with this sliding speed at the start of the step.
-#[inline(always)]
-pub(super) fn sticking_weight(start: f64) -> f64 {
-    if start.abs() < STUCK_M_S { 1.0 } else { 0.5 }
 }
 
 /// Adds accelerations of the balls of a block to rates.
@@ -309,6 +290,9 @@ fn accelerations<const PAPER: bool>(
         for k in 0..3 {
             rates[k][lane] = acceleration[k];
         }
+    }
+    if !PAPER {
+        flanks::add_accelerations(balls, results, &mut rates);
     }
     rates
 }

@@ -7,13 +7,17 @@
 //! vector code of it. No operation depends on the width of a vector and none is fused, so
 //! every instruction set gives the same bits.
 
+mod beginning;
 mod edges;
+mod flank_polynomials;
+mod flanks;
 mod friction;
 mod geometry;
 mod harness;
 mod implicit_friction;
 mod instruction_set;
 mod motions;
+mod on_flanks;
 mod pairs;
 mod parameters;
 mod rotor;

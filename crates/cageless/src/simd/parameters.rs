@@ -1,5 +1,6 @@
 //! The constants of one bearing, or of several side by side, block by block.
 
+use super::flank_polynomials::FlankPolynomials;
 use super::motions::ring_speeds;
 use crate::contact::{
     FrictionLanes, InnerRacewayLanes, OuterRacewayLanes, RacewayConstants, RacewayConstantsLanes,
@@ -11,6 +12,7 @@ use crate::dynamics::layout::Layout;
 use crate::dynamics::model::RacewayModel;
 use crate::dynamics::outer_ring::OuterRing;
 use crate::dynamics::rotor::RotorBody;
+use crate::flank_model::FlankModel;
 use crate::numerics::lanes::LANES;
 use crate::numerics::lanes::Lanes;
 use crate::profile::Profile;
@@ -25,6 +27,8 @@ pub(super) struct RacewayBlock {
     pub radius: Polynomial,
     pub radius_slope: Polynomial,
     pub direction: Polynomial,
+    /// Those of elastic flanks of each bearing.
+    pub flanks: Vec<FlankPolynomials>,
 }
 
 /// The constants of the equations of motion, lane by lane.
@@ -34,6 +38,8 @@ pub(crate) struct Parameters {
     pub profile: Profile,
     /// Whether outer contacts differ from those of nominal balls in raceways as designed.
     pub unequal: bool,
+    /// Whether the flanks of discrete raceways are elastic.
+    pub elastic: bool,
     /// Rotor and outer ring of each bearing; empty without rotors.
     pub drops: Vec<(RotorBody, OuterRing)>,
     pub friction: FrictionLanes,
@@ -101,6 +107,7 @@ impl Parameters {
             layout,
             profile: first.profile,
             unequal,
+            elastic: first.flanks == FlankModel::Elastic,
             drops: models
                 .iter()
                 .filter_map(|m| Some((m.rotor?, m.outer_ring)))
@@ -145,5 +152,8 @@ fn raceway_block(models: &[&Model], k: usize) -> RacewayBlock {
         radius: polynomial(|r| &r.radius),
         radius_slope: polynomial(|r| &r.radius_slope),
         direction: polynomial(|r| &r.direction),
+        flanks: (0..models.len())
+            .map(|lane| FlankPolynomials::new(raceway(lane)))
+            .collect(),
     }
 }

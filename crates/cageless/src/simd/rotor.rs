@@ -1,7 +1,9 @@
 //! The bodies under a falling rotor: reactions of the balls, and their motion.
 
+use super::beginning::sticking_weight;
+use super::flanks;
 use super::friction::loaded_slips;
-use super::implicit_friction::{apply, inner_friction_reactions, solve, sticking_weight};
+use super::implicit_friction::{apply, inner_friction_reactions, solve};
 use super::motions::{CentreLanes, Motions, ring_speeds};
 use super::parameters::Parameters;
 use super::sums::{Addends, Sum, Sums};
@@ -163,6 +165,7 @@ pub(super) fn add_with_rotor(
         apply::<false>(p, balls, results, block, h_s, y, dydt);
         inner_friction_reactions(results, &mut addends);
         outer_friction_reactions(results, &mut addends);
+        flanks::add_reactions(results, &mut addends);
         ring_torques(p, results, &mut addends);
         w.sums.add(&Sum::RING_FRICTION, &addends, alone, block);
     }
@@ -177,13 +180,17 @@ pub(super) fn add_with_rotor(
     let mut slip_max = Lanes::ZERO;
     for (block, (results, friction)) in w.blocks.iter_mut().zip(&w.friction).enumerate() {
         let balls = p.balls(block);
-        let before = slip_speeds(p, balls, results, Motions::new(p.layout, y0, block), &start);
-        let after = slip_speeds(p, balls, results, Motions::new(p.layout, y, block), &end);
+        let motions_start = Motions::new(p.layout, y0, block);
+        let motions_end = Motions::new(p.layout, y, block);
+        let before = slip_speeds(p, balls, results, motions_start, &start);
+        let after = slip_speeds(p, balls, results, motions_end, &end);
         for lane in 0..LANES {
             let mean = |k: usize| 0.5 * (before[k].0[lane] + after[k].0[lane]);
             addends[Sum::OuterFriction as usize].0[lane] = results.outer_friction.0[lane] * mean(0);
             addends[Sum::InnerFriction as usize].0[lane] = results.inner_friction.0[lane] * mean(1);
         }
+        let ends = [(motions_start, &start.outer), (motions_end, &end.outer)];
+        flanks::add_heat::<true>(results, ends, &mut addends);
         let [outer, inner] = after;
         (results.outer.slip, results.inner.slip) = (outer, inner);
         results.outer_friction = friction.slips.outer_friction;

@@ -1,11 +1,12 @@
 //! Work arrays of an evaluation of the right-hand side, and its results.
 
 use super::motions::CentreLanes;
+use super::on_flanks::OnFlanks;
 use super::parameters::Parameters;
 use super::sums::{Addends, Sum, Sums};
 use crate::contact::{
-    BallBallContactLanes, InnerContactLanes, JournalSlip, OuterContactLanes, OuterGeometryLanes,
-    SlipProblemLanes, SlipsLanes,
+    BallBallContactLanes, FlankContactLanes, FlankSlidingLanes, InnerContactLanes, JournalSlip,
+    OuterContactLanes, OuterGeometryLanes, SlipProblemLanes, SlipsLanes,
 };
 use crate::dynamics::ball::{BallLoadLanes, PolarMotionLanes};
 use crate::dynamics::rotor::RotorContact;
@@ -25,6 +26,15 @@ pub(crate) struct BlockResults {
     pub outer_friction: Lanes,
     /// Force along ψ where the outer contact rises, N.
     pub slope_force: Lanes,
+    /// Contacts with elastic flanks.
+    pub flanks: FlankContactLanes,
+    /// Which lanes have them.
+    pub on_flanks: OnFlanks,
+    /// Friction along the groove at both flanks, against dρ/dt, N; over the last step where it is
+    /// implicit.
+    pub across_friction: Lanes,
+    /// Moment of the spin at both flanks, against ω, N·m; over the last step where it is implicit.
+    pub spin_moment: Lanes,
     /// Motion about the centre of the inner ring and relative to it.
     pub inner_polar: PolarMotionLanes,
     pub inner: InnerContactLanes,
@@ -44,6 +54,10 @@ impl BlockResults {
         outer: OuterContactLanes::ZERO,
         outer_friction: Lanes::ZERO,
         slope_force: Lanes::ZERO,
+        flanks: FlankContactLanes::ZERO,
+        on_flanks: OnFlanks::NONE,
+        across_friction: Lanes::ZERO,
+        spin_moment: Lanes::ZERO,
         inner_polar: PolarMotionLanes::ZERO,
         inner: InnerContactLanes::ZERO,
         inner_friction: Lanes::ZERO,
@@ -60,6 +74,14 @@ pub(super) struct ImplicitFriction {
     pub slips: SlipsLanes,
     /// Weights of the end of the step at outer and inner contacts, under a rotor.
     pub weights: [Lanes; 2],
+    /// The balls on elastic flanks in the last step.
+    pub on_flanks: OnFlanks,
+    /// Their slips before those of rigid flanks took their place.
+    pub kept: SlipsLanes,
+    /// Their sliding.
+    pub sliding: FlankSlidingLanes,
+    /// Their friction along the groove and moment of spin at the end of the step.
+    pub drags: [Lanes; 2],
 }
 
 impl ImplicitFriction {
@@ -67,6 +89,10 @@ impl ImplicitFriction {
         problem: SlipProblemLanes::ZERO,
         slips: SlipsLanes::ZERO,
         weights: [Lanes::ZERO; 2],
+        on_flanks: OnFlanks::NONE,
+        kept: SlipsLanes::ZERO,
+        sliding: FlankSlidingLanes::ZERO,
+        drags: [Lanes::ZERO; 2],
     };
 }
 

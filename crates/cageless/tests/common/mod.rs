@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use cageless::simulation::{Control, Ending, RunOutcome, run};
 use cageless::{
-    Bearing, BearingDimensions, Case, Contact, FrictionLaw, FrictionParameters, Gaps,
+    Bearing, BearingDimensions, Case, Contact, FlankModel, FrictionLaw, FrictionParameters, Gaps,
     InnerRingBore, IntegrationMethod, Material, Motion, Operation, Output, Profile, Raceway,
     RacewayDimensions, Rotor, Solver, SpatialLoad, Start, Support,
 };
@@ -93,6 +93,7 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
         },
         profile: Profile::Physical,
         motion: Motion::BySymmetry,
+        flanks: FlankModel::Rigid,
         start: Start::Settled {
             gaps: Gaps::Uniform,
             lead_ball_angle_rad: 0.0,

@@ -1,6 +1,6 @@
 //! `[model]`.
 
-use cageless::{Motion, Profile};
+use cageless::{FlankModel, Motion, Profile};
 
 use crate::case_file::declaration::section;
 use crate::case_file::key::Line::{Absent, Shown};
@@ -17,6 +17,10 @@ section! {
                 \"paper\": the equations as published");
         motion => motion: Motion = default(Motion::BySymmetry.name()), Plain,
             "\"auto\": in the plane, or in space where axial load, tilt, moments or contact angles need it; \"space\": in space in any case",
+            Absent;
+        flanks => flanks: FlankModel = default(FlankModel::Rigid.name()), Plain,
+            "flanks of the discrete raceways in the plane; \"elastic\": contact angle under load, sliding \
+             along the flanks and spin on them, only in \"physical\"",
             Absent;
     }
 }

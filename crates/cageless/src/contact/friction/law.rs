@@ -14,6 +14,15 @@ pub trait Law: Copy {
     /// N·s/m.
     fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2];
 
+    /// [`Self::force`] with the knee at another speed, of laws that do not stick: that of a contact
+    /// which spins. A law whose force depends on the sliding speed beyond the knee as well overrides it.
+    #[inline(always)]
+    fn force_with_knee(&self, sliding_m_s: f64, normal_n: f64, inverse_knee_s_m: f64) -> [f64; 2] {
+        let scale = inverse_knee_s_m / self.inverse_regularisation_speed();
+        let [force, slope] = self.force(sliding_m_s * scale, normal_n);
+        [force, slope * scale]
+    }
+
     /// [`Self::force`] of two contacts; to rounding the same.
     #[inline(always)]
     fn forces(&self, slips_m_s: [f64; 2], normals_n: [f64; 2]) -> [[f64; 2]; 2] {

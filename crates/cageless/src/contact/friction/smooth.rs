@@ -16,11 +16,11 @@ law_struct! {
 }
 
 impl Smooth {
-    /// Force and slope where the knee has this value.
+    /// Force and slope where the knee at a speed has this value.
     #[inline(always)]
-    fn at_knee(&self, knee: f64, normal_n: f64) -> [f64; 2] {
+    fn at_knee(&self, knee: f64, normal_n: f64, inverse_knee_s_m: f64) -> [f64; 2] {
         let largest = self.coefficient * normal_n;
-        let slope = largest * (1.0 - knee * knee) * self.inverse_regularisation_speed;
+        let slope = largest * (1.0 - knee * knee) * inverse_knee_s_m;
         [largest * knee, slope]
     }
 }
@@ -30,7 +30,12 @@ impl Law for Smooth {
     /// and its slope over ΔV, N·s/m.
     #[inline(always)]
     fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2] {
-        self.at_knee(tanh(sliding_m_s * self.inverse_regularisation_speed), normal_n)
+        self.force_with_knee(sliding_m_s, normal_n, self.inverse_regularisation_speed)
+    }
+
+    #[inline(always)]
+    fn force_with_knee(&self, sliding_m_s: f64, normal_n: f64, inverse_knee_s_m: f64) -> [f64; 2] {
+        self.at_knee(tanh(sliding_m_s * inverse_knee_s_m), normal_n, inverse_knee_s_m)
     }
 
     #[inline(always)]
@@ -38,8 +43,8 @@ impl Law for Smooth {
         let [s, t] = slips_m_s;
         let [outer, inner] = tanh_pair([s * self.inverse_regularisation_speed, t * self.inverse_regularisation_speed]);
         [
-            self.at_knee(outer, normals_n[0]),
-            self.at_knee(inner, normals_n[1]),
+            self.at_knee(outer, normals_n[0], self.inverse_regularisation_speed),
+            self.at_knee(inner, normals_n[1], self.inverse_regularisation_speed),
         ]
     }
 

@@ -22,11 +22,16 @@ law_struct! {
 impl Law for Stribeck {
     #[inline(always)]
     fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2] {
+        self.force_with_knee(sliding_m_s, normal_n, self.inverse_regularisation_speed)
+    }
+
+    #[inline(always)]
+    fn force_with_knee(&self, sliding_m_s: f64, normal_n: f64, inverse_knee_s_m: f64) -> [f64; 2] {
         let largest = self.coefficient * normal_n;
-        let knee = tanh(sliding_m_s * self.inverse_regularisation_speed);
+        let knee = tanh(sliding_m_s * inverse_knee_s_m);
         let decay = exp_negative((-sliding_m_s.abs() * self.inverse_stribeck_speed).max(-80.0));
         let excess = self.static_excess * decay * normal_n;
-        let slope = (largest + excess) * (1.0 - knee * knee) * self.inverse_regularisation_speed
+        let slope = (largest + excess) * (1.0 - knee * knee) * inverse_knee_s_m
             - excess * self.inverse_stribeck_speed * knee.abs();
         [(largest + excess) * knee, slope]
     }

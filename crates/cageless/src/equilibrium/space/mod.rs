@@ -29,7 +29,8 @@ mod shoulder;
 use crate::case::{Case, Row, Tilt};
 use crate::contact::hertz::PointContact;
 use crate::equilibrium::{
-    Equilibrium, EquilibriumError, RacewayContact, ball_outer_geometry, start_angles_rad,
+    Equilibrium, EquilibriumError, RacewayContact, SPEED_ROUNDS, TURNING_TOLERANCE,
+    ball_outer_geometry, start_angles_rad,
 };
 use crate::error::InputError;
 use crate::kinematics::orbit_speed_in_space_rad_s;
@@ -74,9 +75,6 @@ pub struct SpatialEquilibrium {
     /// Contacts whose ellipse reaches beyond a shoulder.
     pub truncated: Vec<String>,
 }
-
-/// Times that the centrifugal forces follow the contact angles.
-const SPEED_ROUNDS: usize = 20;
 
 /// Solves the equilibrium of `case` in space with its balls at their starting angles.
 ///
@@ -262,7 +260,7 @@ fn follow_speeds(
         let speed = bearing.pitch_radius_m()
             * orbit_speed_in_space_rad_s(bearing, inner_speed_rad_s, arms, angle);
         let turning = ball.mass_kg * speed * speed;
-        changed |= (turning - ball.turning_n_m).abs() > 1e-12 * turning;
+        changed |= (turning - ball.turning_n_m).abs() > TURNING_TOLERANCE * turning;
         ball.turning_n_m = turning;
     }
     changed

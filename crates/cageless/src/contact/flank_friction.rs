@@ -1,0 +1,138 @@
+//! Friction at the two flanks of a discrete raceway, which slide along the groove and spin as well.
+//!
+//! Beside ΔVo, across the groove, a ball with dρ/dt slides along either flank by ∓sin α dρ/dt, and
+//! its rotation ω has the part ±ω sin α normal to the flank: it spins there. One strip stands for the
+//! ellipse of each flank (semi-axis a across the groove),
+//!
+//!   s² = ΔVo² + (sin α dρ/dt)²,   v₁² = vs² + (⅔ a ω sin α)²,
+//!
+//! vs the regularisation speed of the law: friction μ(s) tanh(s/v₁) N along −**s**, whose parts along
+//! the groove leave μ N tanh(s/v₁)/s · sin² α dρ/dt along the radius, the others cancelling. Within the
+//! strip spin leaves a moment. With the slope f′ of friction over s it is, of both flanks about the
+//! bearing axis and against ω,
+//!
+//!   M = ¼ a² f′ sin² α ω/√(1 + (3 vs/(4 v₁))²):
+//!
+//! ⅜ μ N a sin α of fast spin, f′ the slope μN/v₁ of the strip, and μ N a² sin² α ω/(5 vs) of creep,
+//! both those of the pressure of Hertz. Slip within the ellipse from its curvature (Heathcote) is
+//! left out; it needs several strips.
+//!
+//! ```
+//! use cageless::contact::friction::{Law, Smooth};
+//! use cageless::contact::{AtFlanks, FlankSliding};
+//!
+//! let law = Smooth {
+//!     coefficient: 0.1,
+//!     inverse_regularisation_speed: 50.0,
+//! };
+//! let sliding = FlankSliding {
+//!     along_square: 16.0,
+//!     inverse_knee: 50.0,
+//! };
+//! // 3 m/s across and 4 m/s along the groove: three fifths of μN act across.
+//! let [force_n, _] = AtFlanks { law, sliding }.force(3.0, 500.0);
+//! assert!((force_n - 30.0).abs() < 1e-12);
+//! ```
+
+use super::flanks::FlankContact;
+use super::friction::Law;
+use super::positive;
+use crate::numerics::lanes::lane_struct;
+
+lane_struct! {
+    /// What the friction of a ball at its flanks depends on beside ΔVo.
+    pub struct FlankSliding per lane FlankSlidingLanes {
+        /// (sin α dρ/dt)², (m/s)².
+        along_square,
+        /// 1/v₁, s/m.
+        inverse_knee,
+    }
+}
+
+impl FlankSliding {
+    /// Sliding of a ball that moves outwards at `radial_m_s` and rotates at `rotation_rad_s`.
+    #[inline(always)]
+    pub fn new(
+        law: &impl Law,
+        flanks: &FlankContact,
+        radial_m_s: f64,
+        rotation_rad_s: f64,
+    ) -> Self {
+        let scale = law.inverse_regularisation_speed();
+        let spin = (2.0 / 3.0) * scale * rotation_rad_s;
+        let widening = spin * spin * flanks.sine_square * flanks.axis_square;
+        Self {
+            along_square: flanks.sine_square * radial_m_s * radial_m_s,
+            inverse_knee: scale / (1.0 + widening).sqrt(),
+        }
+    }
+}
+
+/// Sliding speed over that of the knee below which friction is linear to 1e-10.
+const LINEAR: f64 = 1e-5;
+
+/// Law of friction over ΔVo at the flanks of a ball.
+#[derive(Debug, Clone, Copy)]
+pub struct AtFlanks<L> {
+    /// Law of the contact.
+    pub law: L,
+    /// The rest of its sliding.
+    pub sliding: FlankSliding,
+}
+
+impl<L: Law> AtFlanks<L> {
+    /// Friction over s and its slope, N·s/m; ΔVo²/s².
+    #[inline(always)]
+    fn along_sliding(&self, slip_m_s: f64, normal_n: f64) -> [f64; 3] {
+        let FlankSliding {
+            along_square,
+            inverse_knee,
+        } = self.sliding;
+        let square = slip_m_s * slip_m_s;
+        // Some speed far below any other keeps 0/0 out.
+        let speed = (square + along_square + f64::MIN_POSITIVE).sqrt();
+        let inverse = 1.0 / speed;
+        let [force, slope] = self.law.force_with_knee(speed, normal_n, inverse_knee);
+        let linear = speed * inverse_knee < LINEAR;
+        let secant = if linear { slope } else { force * inverse };
+        [secant, slope, square * inverse * inverse]
+    }
+
+    /// Coefficients of the friction along the radius over dρ/dt, N·s/m, and of the moment of spin
+    /// over ω, N·m·s.
+    #[inline(always)]
+    pub fn drag(&self, flanks: &FlankContact, slip_m_s: f64, normal_n: f64) -> [f64; 2] {
+        let [secant, slope, _] = self.along_sliding(slip_m_s, normal_n);
+        let knee = 0.75 * self.sliding.inverse_knee / self.law.inverse_regularisation_speed();
+        let moment = 0.25 * flanks.axis_square * positive(slope) / (1.0 + knee * knee).sqrt();
+        [secant * flanks.sine_square, moment * flanks.sine_square]
+    }
+}
+
+impl<L: Law> Law for AtFlanks<L> {
+    /// The part of the friction across the groove.
+    #[inline(always)]
+    fn force(&self, sliding_m_s: f64, normal_n: f64) -> [f64; 2] {
+        let [secant, slope, share] = self.along_sliding(sliding_m_s, normal_n);
+        [secant * sliding_m_s, secant + (slope - secant) * share]
+    }
+
+    /// Friction at the flanks and at the inner raceway.
+    #[inline(always)]
+    fn forces(&self, slips_m_s: [f64; 2], normals_n: [f64; 2]) -> [[f64; 2]; 2] {
+        [
+            self.force(slips_m_s[0], normals_n[0]),
+            self.law.force(slips_m_s[1], normals_n[1]),
+        ]
+    }
+
+    #[inline(always)]
+    fn coefficient(&self) -> f64 {
+        self.law.coefficient()
+    }
+
+    #[inline(always)]
+    fn inverse_regularisation_speed(&self) -> f64 {
+        self.law.inverse_regularisation_speed()
+    }
+}

@@ -1,0 +1,88 @@
+//! The equations of the friction of one ball at the end of a step, where their solution begins.
+
+use super::workspace::{BlockResults, ImplicitFriction};
+use crate::contact::{Law, SlipProblem, Slips, end_weights, newton_step, positive};
+
+/// Sliding speed below which a law that sticks sticks, m/s: far above rounding, far below any
+/// sliding.
+pub(super) const STUCK_M_S: f64 = 1e-10;
+
+/// θ of a contact under a law that sticks with this sliding speed at the start of the step.
+#[inline(always)]
+pub(super) fn sticking_weight(start: f64) -> f64 {
+    if start.abs() < STUCK_M_S { 1.0 } else { 0.5 }
+}
+
+/// The equations of one ball at the beginning of their solution.
+pub(super) struct Beginning {
+    problem: SlipProblem,
+    /// First iterate, or the solution under a law that sticks.
+    slips: Slips,
+    /// θ of both contacts.
+    weights: [f64; 2],
+    /// (1 − θ)·f₀.
+    rest: [f64; 2],
+}
+
+impl Beginning {
+    /// Of the problem that friction at the end of the step changes velocities in.
+    #[inline(always)]
+    pub(super) fn new<L: Law, const KNOWN: bool>(
+        law: &L,
+        whole: &SlipProblem,
+        start: &Slips,
+        [outer_slip, inner_slip]: [f64; 2],
+    ) -> Self {
+        let [outer, inner] = if !KNOWN {
+            [1.0, 1.0]
+        } else if L::STICKS {
+            [sticking_weight(start.outer), sticking_weight(start.inner)]
+        } else {
+            // A Stribeck law falls beyond its peak; that is not stiff.
+            end_weights([
+                whole.outer_outer * positive(start.outer_slope),
+                whole.inner_inner * positive(start.inner_slope),
+            ])
+        };
+        let rest = if KNOWN {
+            [
+                (1.0 - outer) * start.outer_friction,
+                (1.0 - inner) * start.inner_friction,
+            ]
+        } else {
+            [0.0, 0.0]
+        };
+        let problem = whole.split([outer, inner], rest);
+        let slips = if L::STICKS {
+            law.end_of_step(&problem)
+        } else {
+            let extrapolated = Slips {
+                outer: outer_slip,
+                inner: inner_slip,
+                ..Slips::default()
+            };
+            newton_step(law, &problem, &extrapolated.with_friction(law, &problem))
+        };
+        Self {
+            problem,
+            slips,
+            weights: [outer, inner],
+            rest,
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn put(
+        &self,
+        lane: usize,
+        results: &mut BlockResults,
+        friction: &mut ImplicitFriction,
+    ) {
+        friction.problem.put(lane, self.problem);
+        friction.slips.put(lane, self.slips);
+        friction.weights[0].0[lane] = self.weights[0];
+        friction.weights[1].0[lane] = self.weights[1];
+        results.outer_friction.0[lane] = self.rest[0];
+        results.inner_friction.0[lane] = self.rest[1];
+    }
+}
