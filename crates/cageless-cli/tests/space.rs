@@ -340,3 +340,23 @@ fn the_ring_of_a_bearing_in_space_is_exported() {
         assert!(refused.stderr.contains(words), "{refused:?}");
     }
 }
+
+/// Elastic flanks are of the physical formulation and of laws without sticking.
+#[test]
+fn elastic_flanks_are_refused_where_there_are_none() {
+    let case = repository_case("zhao-d.toml");
+    for other in ["model.formulation=paper", "contact.friction_law=coulomb"] {
+        let answer = call_on("run", &case, &["model.flanks=elastic", other], &[]);
+        assert_eq!(answer.code, Some(2), "{other}: {answer:?}");
+        assert!(
+            answer.stderr.contains("model.flanks"),
+            "{other}: {answer:?}"
+        );
+    }
+    let unknown = call_on("check", &case, &["model.flanks=soft"], &[]);
+    assert_eq!(unknown.code, Some(2), "{unknown:?}");
+    assert!(
+        unknown.stderr.contains("\"rigid\" or \"elastic\""),
+        "{unknown:?}"
+    );
+}

@@ -122,6 +122,7 @@ class Model(Section):
 
     formulation: Annotated[Literal["physical", "paper"] | None, "formulation of the equations of motion"] = None
     motion: Annotated[Literal["auto", "space"] | None, "\"auto\": in the plane, or in space where axial load, tilt, moments or contact angles need it; \"space\": in space in any case"] = None
+    flanks: Annotated[Literal["rigid", "elastic"] | None, "flanks of the discrete raceways in the plane; \"elastic\": contact angle under load, sliding along the flanks and spin on them, only in \"physical\""] = None
 
 
 @dataclass(frozen=True, kw_only=True)
