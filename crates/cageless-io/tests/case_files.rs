@@ -88,10 +88,13 @@ fn defaults_that_were_filled_in_are_listed() {
             "raceway.depth_error_um",
             "contact.outer_friction_factor",
             "contact.ball_friction_factor",
+            "contact.friction_strips",
             "contact.ball_restitution",
             "contact.inner_stiffness_n_m1_5",
             "contact.outer_stiffness_n_m1_5",
             "contact.ball_stiffness_n_m1_5",
+            "model.motion",
+            "model.flanks",
             "start.state",
             "start.gaps",
             "start.lead_ball_angle_deg",
@@ -303,7 +306,7 @@ fn the_document_has_exactly_the_keys_of_the_file() {
             "{set}"
         );
     }
-    assert_eq!(all.len(), 40, "{all:?}");
+    assert_eq!(all.len(), 43, "{all:?}");
 }
 
 #[test]

@@ -8,6 +8,7 @@ use cageless::design::{Judgement, PassageStatistics, RacewayVerdict, RunVerdict,
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::passage::{PassageRecorder, PassageTally};
 use cageless::simulation::{Control, run};
+use cageless::spatial_summary::SpatialSummary;
 use cageless::summary::SummaryRecorder;
 use cageless_io::case_file::{CaseFile, template};
 
@@ -134,6 +135,7 @@ fn results_of_a_verdict_are_its_fields() {
         ("double_collision_fraction", 0.47),
         ("sliding_mean_m_s", 0.53),
         ("speed_drop_fraction", 0.91),
+        ("lag_per_pass_deg", 0.04 / DEGREE),
         ("gap_leave_min_deg", 0.029 / DEGREE),
         ("gap_leave_max_deg", 0.037 / DEGREE),
     ];
@@ -184,6 +186,12 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
     ] {
         *field = next(&mut k);
     }
+    let space = s.space.insert(SpatialSummary {
+        ring_z_mean_m: next(&mut k),
+        inner_contact_angle_mean_rad: next(&mut k),
+        outer_contact_angle_mean_rad: next(&mut k),
+    });
+    let space = *space;
     let m = s.means.unwrap();
     let finished = Finished {
         case: &case,
@@ -240,6 +248,16 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
         ),
         ("ring_x_mean_um", s.ring_x_mean_m / 1e-6),
         ("ring_y_mean_um", s.ring_y_mean_m / 1e-6),
+        ("ring_z_mean_um", space.ring_z_mean_m / 1e-6),
+        (
+            "inner_contact_angle_mean_deg",
+            space.inner_contact_angle_mean_rad / DEGREE,
+        ),
+        (
+            "outer_contact_angle_mean_deg",
+            space.outer_contact_angle_mean_rad / DEGREE,
+        ),
+        ("lag_per_pass_deg", tally.lag_mean_rad() / DEGREE),
         ("gap_min_deg", s.gap_min_rad / DEGREE),
         ("gap_max_deg", s.gap_max_rad / DEGREE),
         ("gap_deviation_deg", s.gap_deviation_rad / DEGREE),

@@ -34,7 +34,7 @@ section_with_friction! {
             Commented("1.0", "ball against ball over μ");
         friction_strips => friction_strips: usize = default(1), Plain; Within(1.0, STRIPS_MAX as f64),
             "strips across the groove over which friction acts in space: 1 for motion, 3 or more where heat and torque matter",
-            Absent;
+            Commented("1", "strips across the groove, of motion in space");
         damping_n_s_m1_5 formerly damping => damping_n_s_m1_5: f64 = default(2.0e5), Si("N s/m^1.5"); AtLeast(0.0),
             "contact damping c of ball-raceway contacts, F = K δ^1.5 + c √δ dδ/dt",
             Shown("2.0e5", "contact damping c of ball-raceway contacts, N s/m^1.5,\n\

@@ -3,7 +3,7 @@
 use cageless::{FlankModel, Motion, Profile};
 
 use crate::case_file::declaration::section;
-use crate::case_file::key::Line::{Absent, Shown};
+use crate::case_file::key::Line::{Commented, Shown};
 use crate::case_file::key::default;
 use crate::case_file::named::Named;
 use crate::case_file::unit::Unit::None as Plain;
@@ -17,10 +17,10 @@ section! {
                 \"paper\": the equations as published");
         motion => motion: Motion = default(Motion::BySymmetry.name()), Plain,
             "\"auto\": in the plane, or in space where axial load, tilt, moments or contact angles need it; \"space\": in space in any case",
-            Absent;
+            Commented("\"auto\"", "\"space\": also without axial load");
         flanks => flanks: FlankModel = default(FlankModel::Rigid.name()), Plain,
             "flanks of the discrete raceways in the plane; \"elastic\": contact angle under load, sliding \
              along the flanks and spin on them, only in \"physical\"",
-            Absent;
+            Commented("\"rigid\"", "\"elastic\": yield, slide and spin under load");
     }
 }
