@@ -7,24 +7,14 @@ use cageless::dynamics::state::State;
 use cageless::dynamics::{Model, RightHandSide};
 use cageless::initial_conditions::initial_state;
 use cageless::passage::{PassageRecorder, PassageTally};
-use cageless::simulation::{Control, Ending, RunOutcome, run, run_from};
+use cageless::simulation::{Control, Ending, run, run_from};
 use cageless::{Bearing, BearingDimensions, Case, Gaps, IntegrationMethod, Motion, Start, Tilt};
 
-use crate::common::{conventional, dimensions, raceway, steel, structure};
+use crate::common::{complete, conventional, dimensions, raceway, steel, structure};
 
 fn in_space(mut case: Case) -> Case {
     case.motion = Motion::Space;
     case
-}
-
-fn complete(case: &Case) -> RunOutcome {
-    let outcome = run(case, &mut [], &mut |_| Control::Continue(())).unwrap();
-    assert!(
-        matches!(outcome.ending, Ending::Complete),
-        "{:?}",
-        outcome.ending
-    );
-    outcome
 }
 
 /// Without axial load, tilt and raceway every operation of the plane is one in space with zeros.
