@@ -65,9 +65,9 @@ INTEGERS = {"ball", "next_ball"}
 # Keys that a case file may leave out; stiffnesses follow from the geometry.
 OPTIONAL = {
     "schema", "title", "bearing.assembly", "raceway.centre_angle_deg", "raceway.depth_error_um",
-    "contact.outer_friction_factor", "contact.ball_friction_factor", "contact.ball_restitution",
-    "contact.inner_stiffness_n_m1_5", "contact.outer_stiffness_n_m1_5", "contact.ball_stiffness_n_m1_5",
-    "start.state", "start.gaps", "start.lead_ball_angle_deg",
+    "contact.outer_friction_factor", "contact.ball_friction_factor", "contact.friction_strips",
+    "contact.ball_restitution", "contact.inner_stiffness_n_m1_5", "contact.outer_stiffness_n_m1_5", "contact.ball_stiffness_n_m1_5",
+    "model.motion", "model.flanks", "start.state", "start.gaps", "start.lead_ball_angle_deg",
     "solver.method", "solver.step_us", "solver.tolerance", "solver.seed",
 }  # fmt: skip
 
