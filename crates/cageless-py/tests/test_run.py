@@ -199,9 +199,8 @@ def test_a_file_of_no_format_makes_no_folder(tmp_path: Path) -> None:
 
 
 def test_a_run_in_space_has_the_tables_of_the_command(command: Command, tmp_path: Path) -> None:
-    from conftest import quick
-
-    case = quick().replace(operation__axial_load_n=150.0)
+    axial = {"operation.axial_load_n": 150.0, "solver.duration_s": 0.02}
+    case = cageless.Case.from_toml(cageless.template(), axial)
     (tmp_path / "case.toml").write_text(case.to_toml())
     command("run", tmp_path / "case.toml", "--out", tmp_path / "command")
     run = cageless.Case.from_file(tmp_path / "case.toml").run()

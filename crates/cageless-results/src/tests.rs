@@ -58,6 +58,7 @@ fn case() -> Case {
 
 const MPA: f64 = 1e6;
 const DEGREE: f64 = PI / 180.0;
+const MICROMETRE: f64 = 1e-6;
 const REVOLUTION_PER_MINUTE: f64 = 2.0 * PI / 60.0;
 
 /// Compares the numbers of `results` with `expected`, whose values all differ, to a fraction of each;
@@ -246,9 +247,9 @@ fn results_of_a_run_are_the_fields_of_its_summary() {
             "ball_pressure_velocity_max_mpa_m_s",
             s.peaks.balls.pressure_velocity_pa_m_s / 1e6,
         ),
-        ("ring_x_mean_um", s.ring_x_mean_m / 1e-6),
-        ("ring_y_mean_um", s.ring_y_mean_m / 1e-6),
-        ("ring_z_mean_um", space.ring_z_mean_m / 1e-6),
+        ("ring_x_mean_um", s.ring_x_mean_m / MICROMETRE),
+        ("ring_y_mean_um", s.ring_y_mean_m / MICROMETRE),
+        ("ring_z_mean_um", space.ring_z_mean_m / MICROMETRE),
         (
             "inner_contact_angle_mean_deg",
             space.inner_contact_angle_mean_rad / DEGREE,

@@ -14,7 +14,7 @@ const CONVERSIONS: [(&str, usize); 10] = [
     ("cageless-paper", 50),
     ("cageless-py", 3),
     ("cageless-report", 67),
-    ("cageless-results", 15),
+    ("cageless-results", 13),
     ("cageless-study", 64),
 ];
 
