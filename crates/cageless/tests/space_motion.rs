@@ -28,6 +28,13 @@ fn a_plain_ring_moves_in_space_as_in_the_plane() {
         let mut planar = conventional(dimensions());
         planar.solver.method = method;
         planar.solver.duration_s = 2e-3;
+        // Balls bounce, and damping counts.
+        planar.start = Start::Rolling {
+            gaps: Gaps::Uniform,
+            lead_ball_angle_rad: 0.0,
+            ring_x_m: 0.0,
+            ring_y_m: -15e-6,
+        };
         let (flat, spatial) = (complete(&planar), complete(&in_space(planar)));
         for k in 0..14 {
             let (a, b) = (flat.state.ball_motion(k), spatial.state.ball_motion(k));
@@ -186,6 +193,21 @@ fn residual(step_s: f64, tilt: Tilt) -> f64 {
     complete(&case).energy_residual_relative.abs()
 }
 
+/// Damping acts along the approach, which changes as a ball moves through a raceway.
+#[test]
+fn the_ledger_closes_in_a_damped_raceway() {
+    let residual = |step_s| {
+        let mut case = in_space(loaded(IntegrationMethod::VelocityVerlet, step_s));
+        case.operation.space.axial_load_n = 0.0;
+        case.contact.damping_n_s_m1_5 = 2e6;
+        case.contact.friction.coefficient = 0.0;
+        case.solver.duration_s = 5e-3;
+        complete(&case).energy_residual_relative.abs()
+    };
+    let order = (residual(0.28e-6) / residual(0.07e-6)).log2() / 2.0;
+    assert!((order - 2.0).abs() < 0.1, "{order}");
+}
+
 /// What the ledger misses shrinks with the square of the step, with spin, tilt and gyroscopic moments.
 #[test]
 fn the_ledger_closes_to_second_order() {
@@ -281,7 +303,7 @@ fn a_free_ring_is_a_symmetric_top() {
     case.solver.method = IntegrationMethod::Adaptive;
     case.solver.tolerance = 1e-11;
     let (mut state, angles) = initial_state(&case).unwrap();
-    let (p, rate) = (2e-4, 0.15);
+    let (p, rate) = (4e-3, 8.0);
     let layout = state.layout();
     state.values_mut()[layout.ring(RingCoordinate::TiltP)] = p;
     state.values_mut()[layout.ring(RingCoordinate::TiltQRate)] = rate;
@@ -307,7 +329,7 @@ fn a_free_ring_is_a_symmetric_top() {
         let found = end[layout.ring(coordinate)];
         assert!((found - expected).abs() < 1e-9, "{found} {expected}");
     }
-    assert!(expected.x.hypot(expected.y) > 5e-5);
+    assert!(expected.x.hypot(expected.y) > 1e-3);
 }
 
 /// A settled start under load and tilt stays: the ring's centre does not move.
