@@ -378,6 +378,10 @@ pub struct DesignArgs {
     /// case. With --out an interrupted search resumes.
     #[arg(long)]
     pub search: bool,
+
+    /// Simulate in space up to which axial load and tilt the raceway of the case slows the balls.
+    #[arg(long)]
+    pub axial: bool,
 }
 
 /// Arguments of commands that work on a case.

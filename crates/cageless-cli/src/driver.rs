@@ -198,7 +198,7 @@ impl Tables {
 /// Reads the case of a command that takes planar ones.
 pub fn read_planar_case(path: &Path, set: &[String]) -> Result<CaseFile, Failure> {
     let file = read_case(path, set)?;
-    file.check_planar()?;
+    file.checked(cageless::Case::check_planar)?;
     Ok(file)
 }
 

@@ -60,6 +60,6 @@ impl From<CriticalGapError> for Refusal {
 /// Reads the planar case of a request; its messages name the case file `case`.
 pub(crate) fn read(case: &str) -> Result<CaseFile, Refusal> {
     let file = CaseFile::parse(case, "case", &[])?;
-    file.check_planar()?;
+    file.checked(cageless::Case::check_planar)?;
     Ok(file)
 }

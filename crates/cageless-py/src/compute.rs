@@ -14,7 +14,7 @@ use cageless_report::recommended::recommended_document;
 use cageless_report::run_report::run_data;
 use cageless_report::to_json;
 use cageless_results::{Aim, equilibrium_record};
-use cageless_study::design::{DesignResult, Judged, judged, task};
+use cageless_study::design::{Asked, Designed, design as study_design};
 use cageless_study::drop::{DropRequest, study};
 use cageless_study::rings::rings;
 use cageless_study::run::{Options, RunError, run as simulate};
@@ -101,35 +101,34 @@ pub fn static_equilibrium(py: Python<'_>, file: &File) -> Found<Computed> {
     })
 }
 
-/// Judges the raceways of a case and, with `search`, searches for the best one, or resumes that in the
-/// folder.
+/// Judges the raceways of a case; with `axial` under axial loads, too; with `search` searches for the
+/// best one, or resumes that in the folder.
 #[pyfunction]
 pub fn design(
     py: Python<'_>,
     file: &File,
+    axial: bool,
     search: bool,
     folder: Option<PathBuf>,
     background: Background,
 ) -> Found<Computed> {
     let file = file.case().clone();
     let (result, data, stopped) = background.run(py, |progress| {
-        if search {
-            progress.whole(&[vec![task()], study_search::tasks(&file)].concat());
-        }
-        let Judged {
-            judgement,
-            recommendation,
+        let paper = structures_of(&file.case().bearing)?;
+        let asked = Asked {
+            axial,
+            search: search.then_some(&paper),
+            folder: folder.as_deref(),
+        };
+        let Designed {
+            result,
             snapshots,
-        } = judged(&file, progress)?;
-        let mut result = DesignResult::new(file.case(), &judgement, recommendation.as_ref());
-        if search {
-            let paper = structures_of(&file.case().bearing)?;
-            let (_, found) = study_search::run(&file, folder.as_deref(), &paper, progress)?;
-            result.search = Some(found);
-        }
+            stopped,
+            ..
+        } = study_design(&file, asked, progress)?;
         let mut data = design_data(&file, &result, &snapshots);
         data.rings = rings(&rings_of(&file, &result), progress)?;
-        Ok::<_, Error>((result, data, judgement.stopped))
+        Ok::<_, Error>((result, data, stopped))
     })??;
     if let (Some(stop), false) = (stopped, search) {
         return Err(cageless_cli::Failure::stopped(&stop, "").into());

@@ -9,6 +9,7 @@ use cageless_results::Record;
 use cageless_study::search::point_label;
 
 use crate::data::{Motion, Parameter, Provenance};
+use crate::figures::axial_load::{AxialLoads, axial_load};
 use crate::figures::search as figures;
 use crate::figures::{design, shape};
 use crate::geometry::{ContactTrack, RacewaySurface};
@@ -61,6 +62,9 @@ pub struct DesignData {
     pub surface: Option<RacewaySurface>,
     /// The balls of the run that was judged.
     pub motion: Option<Motion>,
+    /// Lags under axial load, if they were asked for.
+    #[serde(default)]
+    pub axial: Option<AxialLoads>,
     /// Result of a search, which is in `design.json`.
     #[serde(skip)]
     pub search: Option<Record>,
@@ -130,6 +134,10 @@ pub fn design_page(data: &DesignData) -> String {
             shape_figures(&mut page, ", initial design", track, data.surface.as_ref());
             page.end_fold();
         }
+    }
+    if let Some(axial) = &data.axial {
+        page.section("Axial load");
+        page.figure(&axial_load(axial));
     }
     if let Some(motion) = &data.motion {
         page.section("Balls in motion");

@@ -1,5 +1,6 @@
 //! Data of the report of a design.
 
+use crate::figures::axial_load::AxialLoads;
 use crate::recommended::{ShownRaceway, recommended_case};
 use crate::run_report::motion;
 use crate::text::pass_word;
@@ -8,7 +9,7 @@ use crate::{
     RacewayLabel, RacewaySurface,
 };
 use cageless::Case;
-use cageless::design::{span_angle_curve, steady_after_s, steady_case};
+use cageless::design::{AXIAL_ORBITS, span_angle_curve, steady_after_s, steady_case};
 use cageless::raceway::axial_span_limit_m;
 use cageless::snapshot::Snapshot;
 use cageless_io::case_file::CaseFile;
@@ -97,6 +98,12 @@ pub fn design_data(file: &CaseFile, result: &DesignResult, snapshots: &[Snapshot
         motion: (!snapshots.is_empty()).then(|| motion(case, &title, snapshots, source.clone())),
         shown: ShownRaceway::new(file, result),
         rings: Vec::new(),
+        axial: result.axial.as_ref().map(|axial| {
+            let [settles, counts] = AXIAL_ORBITS;
+            let discarded = format!("first {settles} of {} orbits", settles + counts);
+            let source = provenance(&steady, discarded);
+            AxialLoads::new(axial, case.operation.radial_load_n, source)
+        }),
         search: result.search.clone(),
         parameters: parameters(file),
         provenance: source,

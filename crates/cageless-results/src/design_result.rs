@@ -1,11 +1,13 @@
 //! Results of a design.
 
-use cageless::design::{ContactAngleEstimate, Judgement, Recommendation, span_angle_curve};
+use cageless::design::{
+    AxialLag, ContactAngleEstimate, Judgement, Recommendation, span_angle_curve,
+};
 use cageless::{Case, equilibrium};
 
 use crate::table::{CURVE, RECOMMENDATION};
 use crate::{
-    CONTACT_ANGLE, DESIGN, Judged, JudgedRaceway, PASSAGES, Part, RACEWAY, Record, Results,
+    AXIAL, CONTACT_ANGLE, DESIGN, Judged, JudgedRaceway, PASSAGES, Part, RACEWAY, Record, Results,
     Subject, VERDICT,
 };
 
@@ -54,6 +56,11 @@ pub fn design_record(
         .with_part("raceways", Part::Many(raceways.collect()))
         .with_part("recommendation", recommendation)
         .with_part("curve", Some(curve))
+}
+
+/// Results of motion in space at the points of [`cageless::design::axial_points`].
+pub fn axial_record(lags: &[AxialLag]) -> Record {
+    Record::from(Results::of(AXIAL, Subject::Axial(lags)))
 }
 
 /// What a contact angle leaves of the first raceway, its balls pressed in as the most loaded one.

@@ -36,7 +36,7 @@ pub use across::Across;
 pub use cell::Cell;
 pub use computation::Computation;
 pub use csv::csv;
-pub use design_result::{Recommended, design_record};
+pub use design_result::{Recommended, axial_record, design_record};
 pub use drop_judgement::{DropJudgement, RESIDUAL_FRACTION};
 pub use drop_result::{DropResult, WindowRow, end_state_text};
 pub use drop_run::{DropRun, plane_records};
@@ -53,9 +53,9 @@ pub use source::{
 };
 pub use static_result::{equilibrium_record, spatial_record, static_record};
 pub use table::{
-    COMPARED, CONTACT_ANGLE, DESIGN, DROP, MAP, MOTION, PAPER, PASSAGES, PLACEMENT, POINT, RACEWAY,
-    REJECTION, ROTOR_DROP, ROTOR_VERIFICATION, RUN, SEARCH, SPACE, STATIC, STRUCTURE, STRUCTURE_AT,
-    VERDICT, of_column, of_kind, quantities,
+    AXIAL, COMPARED, CONTACT_ANGLE, DESIGN, DROP, MAP, MOTION, PAPER, PASSAGES, PLACEMENT, POINT,
+    RACEWAY, REJECTION, ROTOR_DROP, ROTOR_VERIFICATION, RUN, SEARCH, SPACE, STATIC, STRUCTURE,
+    STRUCTURE_AT, VERDICT, of_column, of_kind, quantities,
 };
 pub use tolerance_result::{TOLERANCE_SHAPE, tolerance_record};
 pub use verification_result::{step_warning, verification_record};

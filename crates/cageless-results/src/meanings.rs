@@ -14,6 +14,7 @@ pub(crate) const DOUBLE_COLLISIONS: &str = "passages in which a ball touches the
 pub(crate) const ENERGY_RESIDUAL: &str = "error of the energy balance over the sum of the absolute terms";
 pub(crate) const FORCE_ANGLE: &str = "angle between the sum of all forces of the balls there and the radius, each in its meridian plane; of a run in space";
 pub(crate) const FTF: &str = "fundamental train frequency: orbits of the ball set per second";
+pub(crate) const KEEPS: &str = "at no tilt, by linear interpolation between the loads of the list; none if the balls keep as much under every load";
 pub(crate) const LAG: &str = "what a ball loses in one discrete raceway against its mean orbital speed outside: that speed times the time of the passage, less the angle of the raceway";
 pub(crate) const HERTZ_PRESSURE: &str = "largest pressure in the centre of a Hertz contact; ISO 76 allows 4200 MPa";
 pub(crate) const MARGIN: &str = "difference between the value of the deciding criterion and its limit; negative beyond the limit";

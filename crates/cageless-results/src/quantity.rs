@@ -56,7 +56,9 @@ impl Quantity {
     pub fn computation(&self) -> Computation {
         match self.of {
             Source::Static(_) => Computation::Static,
-            Source::Design(_) | Source::ContactAngle(_) | Source::Curve(_) => Computation::Design,
+            Source::Design(_) | Source::ContactAngle(_) | Source::Axial(_) | Source::Curve(_) => {
+                Computation::Design
+            }
             Source::Run(_) | Source::Vibration(_) => Computation::Run,
             Source::Drop(_) | Source::RotorDrop(_) | Source::Plane(_) => Computation::Drop,
             _ => Computation::Verdict,

@@ -2,7 +2,7 @@
 
 use cageless::design::search::{Evaluation, Found, Motion, OperatingPoint, SpeedMap};
 use cageless::design::{
-    ContactAngleEstimate, CurvePoint, Judgement, PassageStatistics, RacewayJudgement,
+    AxialLag, ContactAngleEstimate, CurvePoint, Judgement, PassageStatistics, RacewayJudgement,
     RacewayVerdict, Recommendation, RunVerdict,
 };
 use cageless::equilibrium::Equilibrium;
@@ -189,6 +189,7 @@ sources! {
     Static(Solved<'_>, Solved<'a>) "A static equilibrium.",
     Design(Case, Case) "A case, by closed forms.",
     ContactAngle(Option<ContactAngleEstimate>, Option<ContactAngleEstimate>) "What a contact angle leaves of a raceway.",
+    Axial([AxialLag], [AxialLag]) "Lags under axial load and tilt.",
     Curve([CurvePoint], [CurvePoint]) "The lC–θ curve of Zhao 2022, Fig. 5.",
     Verdict(Judged<'_>, Judged<'a>) "The raceways of a case with their verdict.",
     Raceway(JudgedRaceway<'_>, JudgedRaceway<'a>) "One of these raceways.",

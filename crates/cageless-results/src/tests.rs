@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 use cageless::Case;
-use cageless::design::{Judgement, PassageStatistics, RacewayVerdict, RunVerdict, steady_gap_rad};
+use cageless::design::{
+    AxialLag, Judgement, PassageStatistics, RacewayVerdict, RunVerdict, steady_gap_rad,
+};
 use cageless::dynamics::energy::EnergyTerm;
 use cageless::passage::{PassageRecorder, PassageTally};
 use cageless::simulation::{Control, run};
@@ -148,6 +150,35 @@ fn results_of_a_verdict_are_its_fields() {
         .and(Results::of(PASSAGES, Subject::Passages(&passages)));
     compare(&results, &expected, &["margin"], 1e-12);
     assert_eq!(results.get("passages"), Some(&Cell::Integer(41)));
+}
+
+#[test]
+fn results_under_axial_load_are_the_points() {
+    let at = |axial_load_n, tilt_x_rad, lag_and_angle_rad| AxialLag {
+        axial_load_n,
+        tilt_x_rad,
+        lag_and_angle_rad,
+    };
+    let lags = [
+        at(0.0, 0.0, Some([0.04, 0.0])),
+        at(100.0, 0.0, Some([-0.04, 0.25 * PI])),
+        at(100.0, 1e-3, None),
+    ];
+    let results = Results::of(AXIAL, Subject::Axial(&lags));
+    let expected = [
+        ("axial_load_three_quarters_n", 12.5),
+        ("axial_load_half_n", 25.0),
+        ("axial_load_none_n", 50.0),
+    ];
+    compare(&results, &expected, &[], 1e-12);
+    assert_eq!(results.values("axial_load_n"), [0.0, 100.0, 100.0]);
+    assert_eq!(results.values("tilt_x_mrad"), [0.0, 0.0, 1.0]);
+    let [first, second, none] = *results.values("lag_per_pass_deg") else {
+        panic!("three lags");
+    };
+    assert!((first - 0.04 / DEGREE).abs() < 1e-12 && second == -first && none.is_nan());
+    let angles = results.values("inner_contact_angle_mean_deg");
+    assert_eq!(angles[..2], [0.0, 45.0]);
 }
 
 #[test]

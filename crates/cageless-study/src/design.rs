@@ -1,19 +1,24 @@
 //! Verdict and design results of the raceways of a case.
 
+use std::path::Path;
+
 use cageless::Case;
 use cageless::critical_gap::CriticalGapError;
 use cageless::design::{Judgement, Recommendation, judge_watched, recommend, steady_case};
 use cageless::raceway::RacewayDimensions;
 use cageless::recorder::Recorder;
+use cageless::simulation::Stop;
 use cageless::snapshot::Snapshot;
 use cageless_io::case_file::CaseFile;
 
-use cageless_results::{Recommended, Record, design_record};
+use cageless_results::{Recommended, Record, axial_record, design_record};
 use serde::Serialize;
 
 use crate::entered::{entered, entered_raceway};
 use crate::error::StudyError;
 use crate::progress::Progress;
+use crate::structure::RacewayLabel;
+use crate::{axial, search};
 
 /// Results of `design`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -21,6 +26,9 @@ pub struct DesignResult {
     /// Closed forms, verdict and recommendation.
     #[serde(flatten)]
     pub record: Record,
+    /// What axial load and tilt leave of the lag.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub axial: Option<Record>,
     /// Result of a search.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub search: Option<Record>,
@@ -31,6 +39,7 @@ impl DesignResult {
     pub fn new(case: &Case, judgement: &Judgement, near: Option<&Recommendation>) -> Self {
         Self {
             record: design_record(case, judgement, near),
+            axial: None,
             search: None,
         }
     }
@@ -41,15 +50,66 @@ impl DesignResult {
     }
 }
 
-/// The verdict on a case's own raceways and what it rests on.
+/// What is asked beside the verdict.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Asked<'a> {
+    /// Motion in space under axial loads and tilts.
+    pub axial: bool,
+    /// A search for a raceway, with the structures of the paper for the bearing.
+    pub search: Option<&'a [RacewayLabel]>,
+    /// Folder in which a search that was ended resumes.
+    pub folder: Option<&'a Path>,
+}
+
+/// A design and what it rests on.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Judged {
-    /// The verdict.
-    pub judgement: Judgement,
-    /// A raceway that passes its verdict, or the starting point with the verdict that it fails.
-    pub recommendation: Option<Recommendation>,
+pub struct Designed {
+    /// The results.
+    pub result: DesignResult,
     /// The end of the run that was judged.
     pub snapshots: Vec<Snapshot>,
+    /// Cause of a run of the verdict that stopped early.
+    pub stopped: Option<Stop>,
+    /// Why a search recommends nothing.
+    pub none_found: Option<String>,
+}
+
+/// Judges the raceways of a case, finds one near the curve of Eq. (11) that passes, and does what else is
+/// asked.
+///
+/// # Errors
+/// The case is impossible, a run did not converge, or the progress ended the work.
+pub fn design(
+    file: &CaseFile,
+    asked: Asked<'_>,
+    progress: &dyn Progress,
+) -> Result<Designed, StudyError> {
+    file.checked(Case::check_planar)?;
+    let mut tasks = vec![(TASK.to_owned(), 1.0 + RECOMMENDATION_WORK)];
+    if asked.axial {
+        tasks.push(axial::task(file)?);
+    }
+    if asked.search.is_some() {
+        tasks.extend(search::tasks(file));
+    }
+    progress.whole(&tasks);
+    let (judgement, near, snapshots) = judged(file, progress)?;
+    let mut designed = Designed {
+        result: DesignResult::new(file.case(), &judgement, near.as_ref()),
+        snapshots,
+        stopped: judgement.stopped,
+        none_found: None,
+    };
+    if asked.axial {
+        let lags = axial::axial_lags(file, progress)?;
+        designed.result.axial = Some(axial_record(&lags));
+    }
+    if let Some(paper) = asked.search {
+        let (found, record) = search::run(file, asked.folder, paper, progress)?;
+        designed.none_found = search::refusal(file, &found);
+        designed.result.search = Some(record);
+    }
+    Ok(designed)
 }
 
 /// Orbits of the balls whose motion is kept.
@@ -61,20 +121,14 @@ const SNAPSHOTS: f64 = 400.0;
 /// passes, and up to five times as long as a rule if it does not.
 const RECOMMENDATION_WORK: f64 = 1.5;
 
-/// Name of the task of [`judged`].
+/// Name of the task of the verdict.
 const TASK: &str = "design";
 
-/// The task of [`judged`] with its work, for `Progress::whole`.
-pub fn task() -> (String, f64) {
-    (TASK.to_owned(), 1.0 + RECOMMENDATION_WORK)
-}
-
-/// Judges the raceways of a case, and finds one near the curve of Eq. (11) that passes.
-///
-/// # Errors
-/// The case is impossible, a run did not converge, or the progress ended the work.
-pub fn judged(file: &CaseFile, progress: &dyn Progress) -> Result<Judged, StudyError> {
-    file.check_planar()?;
+/// The verdict on the raceways of a case, a recommendation, and the end of the run that was judged.
+fn judged(
+    file: &CaseFile,
+    progress: &dyn Progress,
+) -> Result<(Judgement, Option<Recommendation>, Vec<Snapshot>), StudyError> {
     let case = file.case();
     let steady = steady_case(case);
     let end_s = steady.solver.duration_s;
@@ -103,13 +157,10 @@ pub fn judged(file: &CaseFile, progress: &dyn Progress) -> Result<Judged, StudyE
     let recommendation = match recommend(case, &entered, &mut *control) {
         Ok(found) => found,
         Err(CriticalGapError::Interrupted) => return Err(StudyError::Interrupted),
-        Err(CriticalGapError::Case(error)) => return Err(CriticalGapError::Case(error).into()),
+        Err(error @ CriticalGapError::Case(_)) => return Err(StudyError::of_run(file, error)),
         // No run of a pair can be judged here; the verdict says why.
         Err(_) => None,
     };
-    Ok(Judged {
-        judgement: judgement?,
-        recommendation,
-        snapshots,
-    })
+    let judgement = judgement.map_err(|error| StudyError::of_run(file, error))?;
+    Ok((judgement, recommendation, snapshots))
 }

@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use cageless::InputError;
 use cageless::critical_gap::CriticalGapError;
-use cageless_io::case_file::CaseError;
+use cageless::equilibrium::EquilibriumError;
+use cageless_io::case_file::{CaseError, CaseFile};
 use cageless_io::journal::JournalError;
 use cageless_io::results::ResultError;
 use cageless_io::{OptionError, io_error_message};
@@ -62,6 +63,19 @@ pub enum StudyError {
 }
 
 impl StudyError {
+    /// Error of a run of a case, naming the key that is refused.
+    pub(crate) fn of_run(file: &CaseFile, error: CriticalGapError) -> Self {
+        match error {
+            CriticalGapError::Case(EquilibriumError::Input(error)) => {
+                match file.checked(|_| Err::<(), _>(error.clone())) {
+                    Err(named) => named.into(),
+                    Ok(()) => error.into(),
+                }
+            }
+            error => error.into(),
+        }
+    }
+
     /// Error of a file or folder of results in the making.
     pub(crate) fn out(path: &Path, source: io::Error) -> Self {
         Self::Files(ResultError::out(path, source))

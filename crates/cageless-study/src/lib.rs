@@ -5,6 +5,7 @@
 //! raceway, [`search`] finds the best one, [`tolerance`] gives the probability that it passes
 //! as made, [`comparison`] sets rings side by side from the same uneven starts, [`sweep`] computes many variants of a case. A [`Progress`] follows the progress and can end the work.
 
+mod axial;
 pub mod comparison;
 pub mod design;
 pub mod drop;

@@ -395,7 +395,10 @@ fn impossible_drops_are_named() {
         "radial_load_n"
     );
     assert_eq!(field(&|c| c.rotor = None), "inner_speed_rad_s");
-    assert_eq!(field(&|c| c.profile = cageless::Profile::Paper), "profile");
+    assert_eq!(
+        field(&|c| c.profile = cageless::Profile::Paper),
+        "formulation"
+    );
     assert_eq!(
         field(&|c| c.start = Start::Settled {
             gaps: cageless::Gaps::Uniform,

@@ -6,7 +6,7 @@ use cageless_paper::structures_of;
 use cageless_report::design_report::{design_data, rings_of};
 use cageless_report::recommended::recommended_document;
 use cageless_report::{design_page, to_json};
-use cageless_study::design::{DesignResult, Judged, judged as study, task};
+use cageless_study::design::{Asked, DesignResult, Designed, design as study};
 use cageless_study::rings::rings;
 use cageless_study::{StudyError, search};
 
@@ -27,24 +27,21 @@ pub fn design(args: &DesignArgs) -> Result<(), Failure> {
     let out = output.out.as_deref();
     let file = read_planar_case(&args.case.case, &args.case.set)?;
     output.drive(&[NUMBERS, PAGE, PAGE_DATA, RECOMMENDED], |bars| {
-        if args.search {
-            bars.whole(&[vec![task()], search::tasks(&file)].concat());
-        }
-        let Judged {
-            judgement,
-            recommendation,
+        let paper = structures_of(&file.case().bearing)?;
+        let asked = Asked {
+            axial: args.axial,
+            search: args.search.then_some(&paper),
+            folder: out,
+        };
+        let Designed {
+            result,
             snapshots,
-        } = study(&file, bars)?;
-        let stopped = judgement.stopped.clone();
-        let mut result = DesignResult::new(file.case(), &judgement, recommendation.as_ref());
-        let mut none_found = None;
-        if args.search {
-            let paper = structures_of(&file.case().bearing)?;
-            let (found, record) =
-                search::run(&file, out, &paper, bars).map_err(|error| search_failed(error, out))?;
-            none_found = search::refusal(&file, &found);
-            result.search = Some(record);
-        }
+            stopped,
+            none_found,
+        } = study(&file, asked, bars).map_err(|error| match args.search {
+            true => search_failed(error, out),
+            false => error.into(),
+        })?;
         let recommended = recommended_document(&file, &result);
         let mut text = text(&result);
         if let (Some(dir), Some(_)) = (out, &recommended) {
@@ -144,6 +141,9 @@ fn text(r: &DesignResult) -> String {
         ),
     };
     text += &warnings(record.sentences("warnings"));
+    if let Some(axial) = &r.axial {
+        text += &("axial load, by motion in space:\n".to_owned() + &pairs(&values(axial)));
+    }
     if let Some(search) = &r.search {
         text += &("search:\n".to_owned() + &bullets(search.sentences("findings")));
     }

@@ -23,7 +23,7 @@ pub fn touchdown(args: &DropArgs) -> Result<(), Failure> {
     let path = &args.case.case;
     let file = VariantFile::read(path, &args.case.set)?;
     for bearing in file.cases() {
-        bearing.check_planar()?;
+        bearing.checked(cageless::Case::check_planar)?;
     }
     let request = DropRequest {
         compare: args.compare == Some(Reference::Conventional),

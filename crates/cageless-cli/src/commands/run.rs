@@ -20,9 +20,9 @@ pub fn run(args: &RunArgs) -> Result<(), Failure> {
     let (verify, output) = (args.verify, &args.case.output);
     let file = read_case(&args.case.case, &args.case.set)?;
     if verify {
-        file.check_planar()?;
+        file.checked(cageless::Case::check_planar)?;
     }
-    file.check_motion()?;
+    file.checked(cageless::Case::check_motion)?;
     // A case that cannot start must not touch the folder.
     initial_state(file.case())?;
     output.drive(&[SUMMARY, PAGE, PAGE_DATA], |bars| {

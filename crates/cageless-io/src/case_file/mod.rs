@@ -127,24 +127,15 @@ impl CaseFile {
         &self.case
     }
 
-    /// Passes a case that a planar computation takes whole.
+    /// What `check` makes of the case.
     ///
     /// # Errors
-    /// A [`CaseError`] naming the key that takes the bearing out of its plane.
-    pub fn check_planar(&self) -> Result<(), CaseError> {
-        self.passed(self.case.check_planar())
-    }
-
-    /// Passes a case that can be run, in the plane or in space.
-    ///
-    /// # Errors
-    /// A [`CaseError`] naming the key that a run does not take.
-    pub fn check_motion(&self) -> Result<(), CaseError> {
-        self.passed(self.case.check_motion())
-    }
-
-    fn passed(&self, checked: Result<(), cageless::InputError>) -> Result<(), CaseError> {
-        checked.map_err(|e| converter::refused_in(&self.document, None, &e, None))
+    /// A [`CaseError`] naming the key of the field that is refused.
+    pub fn checked<T>(
+        &self,
+        check: impl FnOnce(&cageless::Case) -> Result<T, cageless::InputError>,
+    ) -> Result<T, CaseError> {
+        check(&self.case).map_err(|e| converter::refused_in(&self.document, None, &e, None))
     }
 
     /// Request of `[search]`, in SI units; without the section, the case's own operating

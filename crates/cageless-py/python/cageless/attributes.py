@@ -249,6 +249,7 @@ class DesignAttributes:
     plot_curve: Callable[..., go.Figure]  # θ over lC by Eq. (11), with the raceway and the limits
     plot_contact_track: Callable[..., go.Figure]  # contact track of the first raceway
     plot_surface: Callable[..., go.Figure]  # surface of the first raceway
+    plot_axial_load: Callable[..., go.Figure]  # lag in the raceway over the axial load, of a design with axial loads
 
 
 class SearchAttributes:

@@ -83,12 +83,23 @@ class Computations(Document):
         """
         return Static(_cageless.static_equilibrium(self._file))
 
-    def design(self) -> Design:
+    def design(
+        self,
+        *,
+        axial: bool = False,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> Design:
         """Analyses the raceway: limits, β0, critical gap, verdict, recommendation.
 
         Takes seconds: the verdict rests on a run of all balls.
+
+        Args:
+            axial: Simulate in space what axial load and tilt leave of the lag, see ``data_axial``;
+                takes a minute.
         """
-        return Design(_cageless.design(self._file, False, None, (1, None)))
+        background = (threads if axial else 1, progress)
+        return Design(_cageless.design(self._file, axial, False, None, background))
 
     def search(
         self,
@@ -123,7 +134,7 @@ class Computations(Document):
         given = {f"search.{key}": value for key, value in asked.items() if value is not None}
         file = (self.replace(given) if given else self)._file
         folder = None if out is None else os.fspath(out)
-        return complete(SearchResult(_cageless.design(file, True, folder, (threads, progress))))
+        return complete(SearchResult(_cageless.design(file, False, True, folder, (threads, progress))))
 
     def compare(
         self,

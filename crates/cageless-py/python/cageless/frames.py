@@ -190,6 +190,12 @@ def structures(values: Row, listed: Iterable[tuple[Row, Row]]) -> pd.DataFrame:
     return frame(rows)
 
 
+def lists(found: Row) -> pd.DataFrame:
+    """Lists of equal length of a result with a row per element."""
+    columns = {key: value for key, value in found.items() if isinstance(value, list)}
+    return frame(dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True))
+
+
 def cells(found: Row) -> pd.DataFrame:
     """A map of a search with a row per cell."""
     grids = {k: v for k, v in found.items() if isinstance(v, list) and isinstance(v[0], list)}

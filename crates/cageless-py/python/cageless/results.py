@@ -72,6 +72,13 @@ class Design(of.DesignAttributes, Result):
 
     kind = "design"
 
+    def data_axial(self) -> pd.DataFrame:
+        """Lag and contact angle with a row per axial load and tilt, of a design with ``axial``."""
+        axial = self.values.get("axial")
+        if axial is None:
+            raise InputError("the design has no axial loads: case.design(axial=True) has")
+        return frames.lists(axial)
+
 
 class SearchResult(of.SearchAttributes, Result):
     """The best raceway for a range of speeds and loads."""

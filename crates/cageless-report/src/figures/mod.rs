@@ -1,5 +1,6 @@
 //! The figures, each a function of its data, and those of pages by name.
 
+pub mod axial_load;
 pub mod ball;
 pub mod collisions;
 pub mod compare;
@@ -116,7 +117,7 @@ pub const RUN: [(&str, &[Named<RunData>]); 5] = [
 pub(crate) const SPACING: &str = "Spacing and collisions";
 
 /// Figures of a design.
-pub const DESIGN: [Named<DesignData>; 3] = [
+pub const DESIGN: [Named<DesignData>; 4] = [
     named(
         "curve",
         "θ over lC by Eq. (11), with the raceway and the limits",
@@ -130,6 +131,11 @@ pub const DESIGN: [Named<DesignData>; 3] = [
     named("surface", "surface of the first raceway", |data| {
         data.surface.as_ref().map(shape::surface)
     }),
+    named(
+        "axial_load",
+        "lag in the raceway over the axial load, of a design with axial loads",
+        |data| data.axial.as_ref().map(axial_load::axial_load),
+    ),
 ];
 
 /// Figures of a search.

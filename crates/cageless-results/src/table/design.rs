@@ -4,8 +4,8 @@ use std::f64::consts::FRAC_PI_4;
 
 use cageless::Case;
 use cageless::design::{
-    ContactAngleEstimate, Criterion, CurvePoint, Eq11, balls_in_raceway_max,
-    half_angle_for_gap_rad, steady_gap_rad, theoretical_gap_rad,
+    AxialLag, ContactAngleEstimate, Criterion, CurvePoint, Eq11, axial_load_keeping_n,
+    balls_in_raceway_max, half_angle_for_gap_rad, steady_gap_rad, theoretical_gap_rad,
 };
 use cageless::raceway::{self, axial_span_limit_m};
 
@@ -14,7 +14,7 @@ use crate::declare::*;
 use crate::meanings::*;
 use crate::quantity::Quantity;
 use crate::source::Source::{
-    ContactAngle, Curve, Design, Passages, Raceway, Recommendation, Verdict,
+    Axial, ContactAngle, Curve, Design, Passages, Raceway, Recommendation, Verdict,
 };
 
 /// Closed forms of a design; those of one raceway are of the first.
@@ -39,6 +39,18 @@ pub const CONTACT_ANGLE: &[Quantity] = &[
     means("contact angle on the plain raceway; an estimate from kinematics", part(quantity("contact_angle_three_quarters_deg", "deg", "contact angle that leaves three quarters of the lag, estimate", ContactAngle(|e| estimated(e, |e| e.three_quarters_rad))))),
     means("contact angle on the plain raceway; an estimate from kinematics", part(quantity("contact_angle_half_deg", "deg", "contact angle that leaves half of the lag, estimate", ContactAngle(|e| estimated(e, |e| e.half_rad))))),
     means("contact angle on the plain raceway, beyond which a ball is faster in the raceway; an estimate from kinematics", part(quantity("contact_angle_none_deg", "deg", "contact angle that leaves nothing of the lag, estimate", ContactAngle(|e| estimated(e, |e| e.none_rad))))),
+];
+
+/// What axial load and tilt leave of the lag, by motion in space; lists are over pairs of both.
+#[rustfmt::skip]
+pub const AXIAL: &[Quantity] = &[
+    means(KEEPS, part(high(quantity("axial_load_three_quarters_n", "N", "axial load that leaves three quarters of the lag", Axial(|l| axial_load_keeping_n(l, 0.75).into()))))),
+    means(KEEPS, part(high(quantity("axial_load_half_n", "N", "axial load that leaves half of the lag", Axial(|l| axial_load_keeping_n(l, 0.5).into()))))),
+    means(KEEPS, part(high(quantity("axial_load_none_n", "N", "axial load that leaves nothing of the lag", Axial(|l| axial_load_keeping_n(l, 0.0).into()))))),
+    part(list("axial_load_n", "N", "axial load", Axial(|l| Cell::Numbers(l.iter().map(|at| at.axial_load_n).collect())))),
+    part(list("tilt_x_mrad", "mrad", "tilt about the horizontal axis", Axial(|l| Cell::Numbers(l.iter().map(|at| at.tilt_x_rad * 1e3).collect())))),
+    means(LAG, part(list("lag_per_pass_deg", "deg", "lag of a ball per pass of the raceway, mean", Axial(|l| lags(l, 0))))),
+    means("nothing where a contact leaves its groove or the run stops", part(list("inner_contact_angle_mean_deg", "deg", "contact angle at the inner raceway, mean", Axial(|l| lags(l, 1))))),
 ];
 
 /// Verdict on the raceways of a case: the critical gap is the largest, the verdict the worst of all.
@@ -108,6 +120,14 @@ fn estimated(
 ) -> Cell {
     let angle = estimate.as_ref().and_then(angle_rad);
     angle.map(f64::to_degrees).into()
+}
+
+fn lags(lags: &[AxialLag], which: usize) -> Cell {
+    let angle = |at: &AxialLag| {
+        at.lag_and_angle_rad
+            .map_or(f64::NAN, |both| both[which].to_degrees())
+    };
+    Cell::Numbers(lags.iter().map(angle).collect())
 }
 
 fn of_raceway(case: &Case, value: impl Fn(&raceway::Raceway) -> f64) -> Cell {

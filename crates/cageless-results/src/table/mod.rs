@@ -12,7 +12,7 @@ mod verification;
 use crate::computation::Computation;
 use crate::quantity::{Quantity, bearing_in_column};
 
-pub use design::{CONTACT_ANGLE, DESIGN, PASSAGES, RACEWAY, VERDICT};
+pub use design::{AXIAL, CONTACT_ANGLE, DESIGN, PASSAGES, RACEWAY, VERDICT};
 pub(crate) use design::{CURVE, RECOMMENDATION};
 pub use drop::{DROP, PLANE, ROTOR_DROP};
 pub use run::{COMPARED, RUN};
@@ -32,6 +32,7 @@ pub fn quantities() -> impl Iterator<Item = &'static Quantity> {
         SPACE,
         DESIGN,
         CONTACT_ANGLE,
+        AXIAL,
         VERDICT,
         PASSAGES,
         RACEWAY,

@@ -79,7 +79,7 @@ pub fn run(
     paper: &[RacewayLabel],
     progress: &dyn Progress,
 ) -> Result<(Found, Record), StudyError> {
-    file.check_planar()?;
+    file.checked(cageless::Case::check_planar)?;
     progress.whole(&tasks(file));
     let mut runner = TaskRunner::new(file, folder, progress)?;
     let found = search(file.case(), file.search(), &mut |stage, jobs| {

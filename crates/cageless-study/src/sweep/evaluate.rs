@@ -41,8 +41,8 @@ pub(crate) const REASON: &str = "reason";
 /// Passes a case that these computations take: runs move in space, all else is planar.
 fn check_space(file: &CaseFile, compute: &[Computation]) -> Result<(), CaseError> {
     match compute {
-        [Computation::Run] => file.check_motion(),
-        _ => file.check_planar(),
+        [Computation::Run] => file.checked(cageless::Case::check_motion),
+        _ => file.checked(cageless::Case::check_planar),
     }
 }
 

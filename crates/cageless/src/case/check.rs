@@ -194,7 +194,7 @@ impl Case {
         }
         if self.profile != Profile::Physical {
             let rule = "\"physical\": the published equations have no rotor";
-            return Err(InputError::rule("profile", f64::NAN, rule));
+            return Err(InputError::rule("formulation", f64::NAN, rule));
         }
         if !matches!(self.start, Start::AtRest { .. }) {
             let rule = "\"at-rest\": the rotor falls onto a bearing at rest";

@@ -71,7 +71,7 @@ impl Case {
         }
         if self.profile == Profile::Paper {
             let rule = "physical: the published equations are planar";
-            return Err(InputError::rule("profile", 0.0, rule));
+            return Err(InputError::rule("formulation", 0.0, rule));
         }
         if self.contact.friction_law.sticks() {
             let rule = "smooth, stribeck or table: sliding in two directions needs a smooth knee";
