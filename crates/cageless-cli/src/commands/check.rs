@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use cageless::{Case, Material, SCOPE};
+use cageless::{Case, FlankModel, Material, Profile, SCOPE};
 use cageless_io::case_file::{Assumption, CaseDocument};
 use cageless_io::rotor_file::RotorFile;
 use cageless_results::number_text::significant;
@@ -81,6 +81,7 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
             format!("{:.4}°", bearing.nominal_gap_rad().to_degrees()),
         ),
     ];
+    lines.push(("motion", motion_text(file.case()).to_owned()));
     lines.push(("steps of a run", steps_text(file.case())));
     let notes = check_warnings([file.case()]);
     let assumptions = file.assumptions();
@@ -107,6 +108,7 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
         defaults: &'a [String],
         assumptions: &'a [Assumption],
         scope: [&'static str; SCOPE.len()],
+        motion: &'static str,
         warnings: &'a [String],
     }
     let result = Checked {
@@ -115,10 +117,30 @@ pub fn check(args: &CaseArgs) -> Result<(), Failure> {
         defaults: file.defaults(),
         assumptions: &assumptions,
         scope: SCOPE,
+        motion: match file.case().moves_in_space() {
+            true => "space",
+            false => "plane",
+        },
         warnings: &notes,
     };
     let text = pairs(&lines) + &warnings(&notes);
     (args.output).deliver_numbers(Answer::new(NUMBERS, pretty(&result)?, text))
+}
+
+/// Where the balls of a run move, and whether the plane suffices.
+fn motion_text(case: &Case) -> &'static str {
+    let elastic = case.flanks == FlankModel::Elastic;
+    match (case.moves_in_space(), case.profile) {
+        (true, _) => "in space, which takes many times as long as the plane",
+        (false, Profile::Paper) => "in the plane, as published",
+        (false, _) if elastic || case.raceways.is_empty() => {
+            "in the plane, which suffices: no axial load, tilt or contact angle"
+        }
+        (false, _) => {
+            "in the plane with rigid flanks, in which balls lag more than in those of metal: \
+             model.flanks = \"elastic\" or model.motion = \"space\" has these"
+        }
+    }
 }
 
 /// Checks a rotor file.
