@@ -53,6 +53,20 @@ COLUMNS = {
 }
 
 
+def statics_in_space(binary, scratch, case):
+    """A plan with axial loads has the results of statics in space, without axial load as well."""
+    plan = scratch / "axial.toml"
+    loads = "[grid]\noperation.axial_load_n = [0, 300]\n"
+    plan.write_text(f'case = {json.dumps(str(case))}\ncompute = ["static"]\n{loads}')
+    subprocess.run([binary, "sweep", plan, "--out", scratch / "axial"], check=True, capture_output=True)
+    frame = pq.read_table(scratch / "axial" / "sweep.parquet").to_pandas()
+    command = [binary, "static", case, "--set", "operation.axial_load_n=300", "--json"]
+    static = json.loads(subprocess.run(command, check=True, capture_output=True).stdout)
+    for name in ["ring_y_um", "ring_z_um", "stiffness_zz_n_m", "l10r_mrev"]:
+        check(f"{name} in space", frame[f"static_{name}"][1] == static[name], frame[f"static_{name}"])
+    check("no displacement without axial load", abs(frame["static_ring_z_um"][0]) < 1e-6)
+
+
 def main():
     binary, scratch = Path(sys.argv[1]).resolve(), Path(sys.argv[2])
     scratch.mkdir(parents=True, exist_ok=True)
@@ -63,7 +77,9 @@ def main():
     path.unlink(missing_ok=True)
     subprocess.run([binary, "sweep", plan, "--out", out], check=True, capture_output=True)
 
+    statics_in_space(binary, scratch, case)
     schema = pq.read_schema(path)
+    check("no columns of space in the plane", "static_ring_z_um" not in schema.names)
     metadata = {key.decode(): value.decode() for key, value in schema.metadata.items()}
     for name, (kind, unit) in COLUMNS.items():
         check(f"type of {name}", schema.field(name).type == kind, schema.field(name).type)

@@ -191,7 +191,7 @@ fn everything_else_refuses_what_it_would_ignore() {
     let plan = folder.path().join("plan.toml");
     let swept = |set: &str, grid: &str| {
         let text =
-            format!("case = {case:?}\ncompute = [\"static\"]\n[set]\n{set}\n[grid]\n{grid}\n");
+            format!("case = {case:?}\ncompute = [\"design\"]\n[set]\n{set}\n[grid]\n{grid}\n");
         std::fs::write(&plan, text).unwrap();
         call(&[
             "sweep",
@@ -204,7 +204,7 @@ fn everything_else_refuses_what_it_would_ignore() {
         "operation.axial_load_n = 50",
         "operation.radial_load_n = [500, 900]",
     );
-    // A sweep of statics is planar; one of runs is not.
+    // A sweep of designs is planar; one of statics or runs is not.
     assert_eq!(base.code, Some(2), "{base:?}");
     assert!(
         base.stderr.contains("operation.axial_load_n = 50"),

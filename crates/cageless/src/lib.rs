@@ -63,7 +63,8 @@ pub mod vibration;
 pub use assembly::Assembly;
 pub use bearing::{Ball, Bearing, BearingDimensions, InnerRingBore};
 pub use case::{
-    Case, Contact, Gaps, Housing, Motion, Operation, Output, Row, Solver, SpatialLoad, Start, Tilt,
+    Case, Contact, Gaps, Housing, Motion, Operation, Output, Row, SPATIAL_FIELDS, Solver,
+    SpatialLoad, Start, Tilt,
 };
 pub use collision::Collision;
 pub use contact::{FrictionLaw, FrictionParameters, FrictionTable};

@@ -48,11 +48,36 @@ pub(crate) fn of_field(section: Option<&str>, field: &str) -> Option<(&'static s
     named(field, section).or_else(prefixed)
 }
 
+/// Whether the key of a column takes a bearing out of its plane.
+pub fn is_spatial(column: &str) -> bool {
+    cageless::SPATIAL_FIELDS.iter().any(|field| {
+        of_field(None, field).is_some_and(|(section, key)| {
+            column.starts_with(&format!("{section}_"))
+                && column.ends_with(&format!("_{}", key.name))
+        })
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::case_file::format::nearest;
     use crate::case_file::key::Presence;
+
+    #[test]
+    fn spatial_fields_have_keys() {
+        for field in cageless::SPATIAL_FIELDS {
+            assert!(of_field(None, field).is_some(), "{field}");
+        }
+        for column in [
+            "operation_axial_load_n",
+            "raceway_2_contact_angle_deg",
+            "row_1_axial_position_mm",
+        ] {
+            assert!(is_spatial(column), "{column}");
+        }
+        assert!(!is_spatial("operation_radial_load_n"));
+    }
 
     #[test]
     fn every_key_sets_a_field_of_its_own() {

@@ -42,6 +42,7 @@ pub use document::{CaseDocument, SectionValues};
 pub use error::CaseError;
 pub use format::nearest;
 pub use former::on_former_name;
+pub use keys::is_spatial;
 pub use keys::missing_rotor;
 pub use overrides::Change;
 pub use reference::{KeyReference, LeftOut, RangeEnd, SectionReference, ValueType, reference};

@@ -66,14 +66,14 @@ pub const STATIC: &[Quantity] = &[
 /// contact angle or several rows.
 #[rustfmt::skip]
 pub const SPACE: &[Quantity] = &[
-    means("along the axis, from where unloaded balls touch at the free contact angle", part(quantity("ring_z_um", "um", "displacement of the inner ring, z", Static(|s| space(s, |e| e.ring_z_m * 1e6))))),
-    means("-1000 times the y component of the axis of the ring", part(quantity("tilt_x_mrad", "mrad", "tilt of the inner ring about x", Static(|s| space(s, |e| e.tilt_x_rad * 1e3))))),
-    means("1000 times the x component of the axis of the ring", part(quantity("tilt_y_mrad", "mrad", "tilt of the inner ring about y", Static(|s| space(s, |e| e.tilt_y_rad * 1e3))))),
-    part(high(quantity("stiffness_zz_n_m", "N/m", "axial stiffness of the bearing, kzz", Static(|s| entry(s, 2, 2))))),
-    part(quantity("stiffness_xz_n_m", "N/m", "stiffness of the bearing, kxz = kzx", Static(|s| entry(s, 0, 2)))),
-    part(quantity("stiffness_yz_n_m", "N/m", "stiffness of the bearing, kyz = kzy", Static(|s| entry(s, 1, 2)))),
-    part(high(quantity("tilt_stiffness_xx_n_m_rad", "N m/rad", "tilting stiffness about x", Static(|s| entry(s, 3, 3))))),
-    part(high(quantity("tilt_stiffness_yy_n_m_rad", "N m/rad", "tilting stiffness about y", Static(|s| entry(s, 4, 4))))),
+    means("along the axis, from where unloaded balls touch at the free contact angle", quantity("ring_z_um", "um", "displacement of the inner ring, z", Static(|s| space(s, |e| e.ring_z_m * 1e6)))),
+    means("-1000 times the y component of the axis of the ring", quantity("tilt_x_mrad", "mrad", "tilt of the inner ring about x", Static(|s| space(s, |e| e.tilt_x_rad * 1e3)))),
+    means("1000 times the x component of the axis of the ring", quantity("tilt_y_mrad", "mrad", "tilt of the inner ring about y", Static(|s| space(s, |e| e.tilt_y_rad * 1e3)))),
+    high(quantity("stiffness_zz_n_m", "N/m", "axial stiffness of the bearing, kzz", Static(|s| entry(s, 2, 2)))),
+    quantity("stiffness_xz_n_m", "N/m", "stiffness of the bearing, kxz = kzx", Static(|s| entry(s, 0, 2))),
+    quantity("stiffness_yz_n_m", "N/m", "stiffness of the bearing, kyz = kzy", Static(|s| entry(s, 1, 2))),
+    high(quantity("tilt_stiffness_xx_n_m_rad", "N m/rad", "tilting stiffness about x", Static(|s| entry(s, 3, 3)))),
+    high(quantity("tilt_stiffness_yy_n_m_rad", "N m/rad", "tilting stiffness about y", Static(|s| entry(s, 4, 4)))),
     means("force or moment on the inner ring over its displacement or tilt, row by row over x, y, z, tilt about x, tilt about y; N/m, N/rad and N, N·m/rad", part(list("stiffness_matrix", "", "stiffness matrix", Static(|s| match s.space.and_then(|e| e.stiffness) {
         Some(matrix) => Cell::Numbers(matrix.concat()),
         None => Cell::Null,

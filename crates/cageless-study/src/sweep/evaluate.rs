@@ -5,10 +5,10 @@ use std::ops::Range;
 use cageless::Case;
 use cageless::critical_gap::CriticalGapError;
 use cageless::design::judge;
-use cageless::equilibrium;
+use cageless::equilibrium::{self, space};
 use cageless::numerics::lanes::BATCH_WIDTH;
 use cageless::simulation::{Control, Ending};
-use cageless_io::case_file::{CaseError, CaseFile};
+use cageless_io::case_file::{CaseError, CaseFile, is_spatial};
 use cageless_io::plan_file::{PlanFile, VariantFile};
 use cageless_io::results::{Column, ColumnKind, Row};
 use cageless_results::Cell;
@@ -29,6 +29,8 @@ pub struct Sweep {
     outputs: Vec<Output>,
     columns: Vec<Column>,
     normal: String,
+    /// Whether statics are solved in space.
+    in_space: bool,
 }
 
 /// Function that is called now and then; `Break(())` cancels the work.
@@ -38,11 +40,15 @@ pub type Cancellation<'a> = &'a (dyn Fn() -> Control + Sync);
 pub(crate) const INDEX: &str = "variant";
 pub(crate) const REASON: &str = "reason";
 
-/// Passes a case that these computations take: runs move in space, all else is planar.
+/// Passes a case that these computations take: statics and runs are in space, too, all else is planar.
 fn check_space(file: &CaseFile, compute: &[Computation]) -> Result<(), CaseError> {
-    match compute {
-        [Computation::Run] => file.checked(cageless::Case::check_motion),
-        _ => file.checked(cageless::Case::check_planar),
+    let planar = |of: &Computation| !matches!(of, Computation::Static | Computation::Run);
+    if compute.iter().any(planar) {
+        file.checked(Case::check_planar)
+    } else if compute.contains(&Computation::Run) {
+        file.checked(Case::check_motion)
+    } else {
+        Ok(())
     }
 }
 
@@ -60,7 +66,11 @@ impl Sweep {
         }
         let normal = plan.normal().map_err(StudyError::Plan)?;
         let variants = Variants::new(plan).map_err(StudyError::Plan)?;
-        let outputs = outputs(variants.plan()).map_err(StudyError::Plan)?;
+        let base = &variants.plan().base_file;
+        let spatial = |file: &CaseFile| file.case().spatial_field().is_some();
+        let in_space = base.cases().iter().any(spatial)
+            || variants.columns().iter().any(|c| is_spatial(&c.name));
+        let outputs = outputs(variants.plan(), in_space).map_err(StudyError::Plan)?;
         let mut columns = vec![spec(INDEX, ColumnKind::Index)];
         columns.extend_from_slice(variants.columns());
         columns.push(spec(REASON, ColumnKind::Text));
@@ -71,6 +81,7 @@ impl Sweep {
             outputs,
             columns,
             normal,
+            in_space,
         })
     }
 
@@ -185,9 +196,14 @@ impl Sweep {
         };
         let case = file.case();
         if self.wants(Computation::Static) {
-            match equilibrium::solve(case) {
-                Ok(solved) => found.fill(Subject::Static(&Solved::new(case, &solved))),
-                Err(error) => found.failed(Computation::Static, &error),
+            let solved = match self.in_space {
+                true => space::solve(case)
+                    .map(|solved| found.fill(Subject::Static(&Solved::in_space(case, &solved)))),
+                false => equilibrium::solve(case)
+                    .map(|solved| found.fill(Subject::Static(&Solved::new(case, &solved)))),
+            };
+            if let Err(error) = solved {
+                found.failed(Computation::Static, &error);
             }
         }
         found.fill(Subject::Design(case));

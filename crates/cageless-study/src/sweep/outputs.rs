@@ -5,7 +5,7 @@ use cageless_io::plan_file::{PlanFile, VariantFile};
 use cageless_io::results::{Column, ColumnKind};
 use cageless_results::Cell;
 
-use cageless_results::{DropRun, Kind, Quantity, quantities};
+use cageless_results::{DropRun, Kind, Quantity, SPACE, quantities};
 
 /// A column of results.
 #[derive(Debug, Clone, Copy)]
@@ -51,12 +51,14 @@ impl Output {
     }
 }
 
-/// The columns of results that a plan keeps.
+/// The columns of results that a plan keeps; those of statics in space only of one in space.
 ///
 /// # Errors
 /// `keep` names a column that is not computed.
-pub(crate) fn outputs(plan: &PlanFile) -> Result<Vec<Output>, CaseError> {
-    let computed: Vec<Output> = (all(plan))
+pub(crate) fn outputs(plan: &PlanFile, in_space: bool) -> Result<Vec<Output>, CaseError> {
+    let of_plane =
+        |output: &Output| in_space || !SPACE.iter().any(|q| q.name == output.quantity.name);
+    let computed: Vec<Output> = (all(plan).filter(of_plane))
         .filter(|output| plan.compute.contains(&output.quantity.computation()))
         .collect();
     let Some(keep) = &plan.keep else {

@@ -27,6 +27,7 @@ use crate::rotor::{Rotor, Support};
 use crate::time_table::TimeTable;
 
 pub use contact::{Contact, STRIPS_MAX};
+pub use space::SPATIAL_FIELDS;
 pub use spatial_load::{Motion, Row, SpatialLoad, Tilt};
 
 /// Loads and speed.

@@ -8,6 +8,18 @@ use crate::profile::Profile;
 /// Largest tilt, rad: more is beyond all shoulders.
 const TILT_MAX_RAD: f64 = 0.1;
 
+/// Fields that can take a bearing out of its plane, in the order in which [`Case::spatial_field`] looks.
+pub const SPATIAL_FIELDS: [&str; 8] = [
+    "axial_load_n",
+    "tilt_x_rad",
+    "tilt_y_rad",
+    "moment_x_n_m",
+    "moment_y_n_m",
+    "contact_angle_rad",
+    "raceway_contact_angle_rad",
+    "axial_position_m",
+];
+
 impl Case {
     /// The first field that takes the bearing out of its plane, with its value; `None` for a
     /// planar case.
@@ -91,11 +103,11 @@ impl Case {
     pub fn check_planar(&self) -> Result<(), InputError> {
         if let Some((field, value)) = self.spatial_field() {
             let rule = "left out here: only `cageless static`, `cageless run` without --verify, sweeps \
-                        of runs and `cageless export` take it, all else is planar";
+                        of both and `cageless export` take it, all else is planar";
             return Err(InputError::rule(field, value, rule));
         }
         if self.motion == Motion::Space {
-            let rule = "auto here: only `cageless static`, `cageless run` without --verify and sweeps of runs \
+            let rule = "auto here: only `cageless static`, `cageless run` without --verify and sweeps of both \
                         compute in space";
             return Err(InputError::rule("motion", 0.0, rule));
         }
