@@ -99,17 +99,20 @@ impl Textbook {
             if local.abs() >= raceway.half_angle_rad() {
                 continue;
             }
+            let Some(path) = raceway.contact_path() else {
+                return raceway.effective_radius_m(angle);
+            };
             let (sin, cos) = local.sin_cos();
             let mut path_x = (self.outer_orbit_radius + self.ball_radius) * sin;
             for _ in 0..NEWTON_MAX {
-                let value = path_x * cos + raceway.path_y_m(path_x) * sin;
-                let step = value / (cos + raceway.path_slope(path_x) * sin);
+                let value = path_x * cos + path.y_m(path_x) * sin;
+                let step = value / (cos + path.slope(path_x) * sin);
                 path_x -= step;
                 if step.abs() < 1e-16 {
                     break;
                 }
             }
-            return raceway.effective_radius_at_x_m(path_x);
+            return path.effective_radius_at_x_m(path_x);
         }
         self.ball_radius
     }

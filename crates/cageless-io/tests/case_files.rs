@@ -85,6 +85,8 @@ fn defaults_that_were_filled_in_are_listed() {
         [
             "bearing.assembly",
             "raceway.centre_angle_deg",
+            "raceway.shape",
+            "raceway.blend_mm",
             "raceway.depth_error_um",
             "contact.outer_friction_factor",
             "contact.ball_friction_factor",

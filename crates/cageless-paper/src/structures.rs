@@ -10,7 +10,7 @@ use cageless::numerics::angle::wrap_angle_rad;
 use cageless::numerics::moments::Moments;
 use cageless::recorder::Recorder;
 use cageless::snapshot::Snapshot;
-use cageless::{Case, FrictionLaw, Profile};
+use cageless::{Case, FrictionLaw, Profile, RacewayForm};
 use cageless_report::{OrbitSpeed, OrbitSpeeds, PhasePortrait, PhasePortraits, Provenance};
 use rayon::prelude::*;
 
@@ -120,7 +120,13 @@ pub fn between(progress: &Work<'_>) -> Result<Vec<Between>, PaperError> {
             let axial_span_mm = 0.5 * (pair[0].axial_span_mm + pair[1].axial_span_mm);
             let bearing = &cases::structure(0, READINGS[0], &[])?.bearing;
             let (span_m, gap) = (axial_span_mm * 1e-3, bearing.nominal_gap_rad());
-            let angle = half_angle_for_gap_rad(bearing, span_m, gap, Eq11::Published);
+            let angle = half_angle_for_gap_rad(
+                bearing,
+                RacewayForm::default(),
+                span_m,
+                gap,
+                Eq11::Published,
+            );
             let half_angle_deg = angle.map_or(f64::NAN, f64::to_degrees);
             let dimensions = [
                 format!("raceway.axial_span_mm={axial_span_mm:.4}"),

@@ -1,8 +1,8 @@
 //! Cases as they are when a found raceway is entered in their file.
 
-use cageless::Case;
 use cageless::design::search::OperatingPoint;
 use cageless::raceway::RacewayDimensions;
+use cageless::{Case, RacewayForm};
 use cageless_io::case_file::{CaseDocument, CaseFile, SectionValues};
 
 /// The section `[raceway]` of these lengths in mm, angles in degrees and depth error in µm.
@@ -31,10 +31,26 @@ pub fn entered_raceway(dimensions: &RacewayDimensions, depth_error_um: f64) -> S
     )
 }
 
-/// The document of a case with these raceways in the place of its own.
+/// The document of a case with these raceways, of the form of its first, in the place of its own.
 pub fn with_raceways(file: &CaseFile, raceways: &[SectionValues]) -> CaseDocument {
+    let (form, paper) = (file.case().raceway_form(), RacewayForm::default());
+    let keys = [
+        ("shape", form.shape != paper.shape),
+        ("blend_mm", form.blend_m != paper.blend_m),
+    ];
+    let own = |(key, given): (&'static str, bool)| {
+        let value = file.document().value(&format!("raceway.1.{key}"));
+        value.filter(|_| given).map(|value| (key, value))
+    };
+    let form: Vec<_> = keys.into_iter().filter_map(own).collect();
+    let formed = |values: &SectionValues| {
+        let mut values = values.clone();
+        values.extend(form.iter().cloned());
+        values
+    };
+    let raceways: Vec<_> = raceways.iter().map(formed).collect();
     let mut document = file.document().clone();
-    document.set_sections("raceway", raceways);
+    document.set_sections("raceway", &raceways);
     document
 }
 

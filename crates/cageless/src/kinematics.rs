@@ -76,7 +76,9 @@ pub fn raceway_delay_rad(bearing: &Bearing, raceways: &[Raceway]) -> f64 {
         .map(|raceway| {
             let centre = raceway.dimensions().centre_angle_rad;
             let excess = |psi: f64| outside / speed(raceway.effective_radius_m(centre + psi)) - 1.0;
-            2.0 * quadrature::gauss(excess, 0.0, raceway.half_angle_rad() * (1.0 - 1e-12), 8)
+            let pieces = raceway.pieces().iter().map(|p| p.range_rad());
+            let half = pieces.map(|[a, b]| quadrature::gauss(excess, a, b * (1.0 - 1e-12), 8));
+            2.0 * half.sum::<f64>()
         })
         .sum()
 }

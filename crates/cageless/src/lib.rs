@@ -73,7 +73,7 @@ pub use flank_model::FlankModel;
 pub use integrator::IntegrationMethod;
 pub use material::{Material, Materials};
 pub use profile::Profile;
-pub use raceway::{Raceway, RacewayDimensions};
+pub use raceway::{Raceway, RacewayDimensions, RacewayForm, RacewayShape};
 pub use rotor::{Rotor, Support, SupportStop};
 pub use scope::SCOPE;
 pub use snapshot::{RingSnapshot, RotorSnapshot, Snapshot};

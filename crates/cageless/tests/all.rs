@@ -31,6 +31,7 @@ mod passage;
 mod perturbed_run;
 mod preload;
 mod raceway_contact;
+mod raceway_shapes;
 mod rating;
 mod recorder;
 mod rotor_damping;

@@ -5,7 +5,7 @@ use cageless::design::{
     Eq11, balls_in_raceway_max, half_angle_for_gap_rad, steady_gap_rad, theoretical_gap_rad,
 };
 use cageless::raceway::axial_span_limit_m;
-use cageless::{Bearing, BearingDimensions, Raceway, RacewayDimensions};
+use cageless::{Bearing, BearingDimensions, Raceway, RacewayDimensions, RacewayForm};
 use proptest::prelude::*;
 
 fn close(a: f64, b: f64, tolerance: f64) -> bool {
@@ -53,7 +53,9 @@ fn half_angle_inverts_eq_11() {
     for meaning in [Eq11::Published, Eq11::Polar] {
         for span in [5.0e-3, 5.7e-3, 7.0e-3] {
             let gap = bearing.nominal_gap_rad();
-            let angle = half_angle_for_gap_rad(&bearing, span, gap, meaning).unwrap();
+            let angle =
+                half_angle_for_gap_rad(&bearing, RacewayForm::default(), span, gap, meaning)
+                    .unwrap();
             let raceway = Raceway::new(
                 RacewayDimensions {
                     axial_span_m: span,
@@ -71,7 +73,13 @@ fn half_angle_inverts_eq_11() {
         }
         // So narrow a groove cannot slow the balls enough at any angle.
         assert_eq!(
-            half_angle_for_gap_rad(&bearing, 1e-3, bearing.nominal_gap_rad(), meaning),
+            half_angle_for_gap_rad(
+                &bearing,
+                RacewayForm::default(),
+                1e-3,
+                bearing.nominal_gap_rad(),
+                meaning
+            ),
             None
         );
     }
@@ -131,8 +139,9 @@ fn effective_radius_lies_on_the_contact_path() {
         let touching = case.bearing.outer_orbit_radius_m();
         for k in -500..=500 {
             let psi = raceway.half_angle_rad() * f64::from(k) / 500.0 * 0.999_999;
-            let x = raceway.path_x_m(psi);
-            let y = raceway.path_y_m(x);
+            let path = raceway.contact_path().unwrap();
+            let x = path.x_m(psi);
+            let y = path.y_m(x);
             assert!(close(x.atan2(-y), psi, 1e-13), "{span} {psi}");
             let r = x.hypot(y) - touching;
             // Rounding of Ro alone is 3e-18 m.
@@ -153,7 +162,11 @@ fn path_meets_the_plain_raceway_with_zero_slope() {
         let slope = (raceway.effective_radius_m(theta * 0.9999) - rw) / (1e-4 * theta);
         assert!(slope.abs() < 1e-5, "{slope}");
         // Deepest in the middle, where the span is lC.
-        assert!(close(2.0 * raceway.path_z_m(0.0), span * 1e-3, 1e-15));
+        assert!(close(
+            2.0 * raceway.contact_path().unwrap().z_m(0.0),
+            span * 1e-3,
+            1e-15
+        ));
     }
 }
 
@@ -168,10 +181,11 @@ fn surface_touches_the_ball_at_the_contact_path() {
     let touching = case.bearing.outer_orbit_radius_m();
     for k in -20..=20 {
         let psi = raceway.half_angle_rad() * f64::from(k) / 20.5;
-        let x = raceway.path_x_m(psi);
-        let (y, z) = (raceway.path_y_m(x), raceway.path_z_m(x));
+        let path = raceway.contact_path().unwrap();
+        let x = path.x_m(psi);
+        let (y, z) = (path.y_m(x), path.z_m(x));
         let ball = [touching * psi.sin(), -touching * psi.cos(), 0.0];
-        let centre = raceway.groove_centre_m(x);
+        let centre = path.groove_centre_m(x);
         let contact = [x, y, z];
         for i in 0..3 {
             let expected = ball[i] + (contact[i] - ball[i]) * (rw - re) / rw;

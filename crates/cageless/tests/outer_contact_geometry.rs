@@ -23,7 +23,8 @@ fn the_ball_touches_both_flanks() {
                 outer_orbit_radius_m,
                 effective_radius_m,
             } = outer_contact_geometry(&bearing, std::slice::from_ref(&raceway), angle, radius);
-            let centre = raceway.groove_centre_m(raceway.path_x_m(angle));
+            let path = raceway.contact_path().unwrap();
+            let centre = path.groove_centre_m(path.x_m(angle));
             let radial = centre[0].hypot(centre[1]);
             let distance = (outer_orbit_radius_m - radial).hypot(centre[2]);
             assert!(

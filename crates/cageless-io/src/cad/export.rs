@@ -207,9 +207,21 @@ pub fn export(
 fn outer_ring(file: &CaseFile, options: &ExportOptions) -> Result<OuterRing, ExportError> {
     let case = file.case();
     let bottom_m = case.bearing.dimensions().outer_groove_bottom_radius_m;
-    let share = (case.raceways.iter())
+    let kinked = case.raceways.iter().filter(|r| r.form().blend_m == 0.0);
+    let share = kinked
         .map(|r| BLEND_FRACTION * r.half_angle_rad() * bottom_m)
         .fold(BLEND_MM * 1e-3, f64::min);
+    if let Some(mm) = options.blend_mm
+        && case.raceways.iter().any(|r| r.form().blend_m > 0.0)
+    {
+        return Err(OptionError {
+            option: "blend_mm",
+            value: plain(mm),
+            problem: "is not possible: it must be left out, the case has its own, raceway.blend_mm"
+                .to_owned(),
+        }
+        .into());
+    }
     let blend_m = options.blend_mm.map_or(share, |mm| mm * 1e-3);
     let dimensions = file.outer_ring_dimensions(blend_m)?;
     OuterRing::of(case, dimensions).map_err(|error| {

@@ -108,7 +108,7 @@ impl ExportNumbers {
         ] = ring.design_kink_rad().map(f64::to_degrees);
         let [above_plain_um, below_plain_um] = ring.relief_m().map(|m| m * 1e6);
         let [blend_mm, groove_centre_z_mm] =
-            [ring.dimensions().blend_m, ring.groove_height_m()].map(|m| m * 1e3);
+            [ring.blend_m(), ring.groove_height_m()].map(|m| m * 1e3);
         let raceways = ring.raceways().count();
         Self {
             format,
@@ -116,7 +116,7 @@ impl ExportNumbers {
             bytes,
             volume_mm3: ring.volume_m3() * 1e9,
             deviation_um: deviation_m * 1e6,
-            blend_mm: if raceways == 0 { 0.0 } else { blend_mm },
+            blend_mm,
             blend_deviation_um: ring.blend_deviation_m() * 1e6,
             slope_discontinuity_45_deg,
             slope_discontinuity_shoulder_deg,

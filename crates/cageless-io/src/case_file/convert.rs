@@ -9,7 +9,9 @@ mod start;
 use cageless::design::search::Request;
 use cageless::rotor::SupportStop;
 use cageless::step_limits::StepLimits;
-use cageless::{Bearing, Case, InputError, Raceway, RacewayDimensions, Row, Solver, Support};
+use cageless::{
+    Bearing, Case, InputError, Raceway, RacewayDimensions, RacewayForm, Row, Solver, Support,
+};
 
 use super::converter::Converter;
 use super::document::CaseDocument;
@@ -88,7 +90,11 @@ impl Converter<'_> {
                 half_angle_rad: raceway.half_angle_rad,
                 centre_angle_rad: raceway.centre_angle_rad,
             };
-            Raceway::new(dimensions, bearing)
+            let form = RacewayForm {
+                shape: raceway.shape,
+                blend_m: raceway.blend_m,
+            };
+            Raceway::formed(dimensions, form, bearing)
                 .and_then(|made| made.with_depth_error(raceway.depth_error_m))
                 .and_then(|made| match raceway.contact_angle_rad {
                     Some(angle) => made.with_section_angle(angle, bearing),
@@ -152,6 +158,11 @@ impl Converter<'_> {
                 }
                 None => self.refused(error, None),
             },
+            // What the profile does not have.
+            "shape" | "blend_m" => {
+                let formed = |r: &Raceway| r.form() != RacewayForm::default();
+                self.refused(error, case.raceways.iter().position(formed))
+            }
             _ => self.refused(error, None),
         }
     }

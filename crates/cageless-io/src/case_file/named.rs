@@ -1,6 +1,8 @@
 //! Choices that a case file or a plan makes by name.
 
-use cageless::{Assembly, FlankModel, FrictionLaw, IntegrationMethod, Motion, Profile};
+use cageless::{
+    Assembly, FlankModel, FrictionLaw, IntegrationMethod, Motion, Profile, RacewayShape,
+};
 
 use super::spanned_toml::{Node, Value};
 
@@ -80,6 +82,10 @@ impl Named for Motion {
 impl Named for Profile {
     const NAMES: &'static [(&'static str, Self)] =
         &[("physical", Self::Physical), ("paper", Self::Paper)];
+}
+
+impl Named for RacewayShape {
+    const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
 }
 
 impl Named for StartState {

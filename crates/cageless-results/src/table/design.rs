@@ -139,7 +139,13 @@ fn half_angle_for_span(case: &Case) -> Cell {
     let bearing = &case.bearing;
     let angle = case.raceways.first().and_then(|raceway| {
         let span = raceway.dimensions().axial_span_m;
-        half_angle_for_gap_rad(bearing, span, bearing.nominal_gap_rad(), Eq11::Published)
+        half_angle_for_gap_rad(
+            bearing,
+            raceway.form(),
+            span,
+            bearing.nominal_gap_rad(),
+            Eq11::Published,
+        )
     });
     angle.map(f64::to_degrees).into()
 }

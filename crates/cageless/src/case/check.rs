@@ -6,6 +6,7 @@ use crate::error::{Allowed, InputError};
 use crate::flank_model::FlankModel;
 use crate::limits::{not_negative, positive};
 use crate::profile::Profile;
+use crate::raceway::{Raceway, RacewayShape};
 use crate::time_table::TimeTable;
 
 /// Refuses a time in which nothing moves.
@@ -64,6 +65,11 @@ impl Case {
         self.check_space()?;
         self.check_rotor()?;
         self.check_flanks()?;
+        if self.profile == Profile::Paper {
+            self.check_published_form(
+                "the published equations have friction along the quartic contact path",
+            )?;
+        }
         self.contact.check()?;
         for raceway in &self.raceways {
             raceway.fits(&self.bearing)?;
@@ -157,6 +163,24 @@ impl Case {
         };
         let rule = format!("\"rigid\": {why}");
         Err(InputError::rule("flanks", f64::NAN, rule))
+    }
+
+    /// Passes raceways of Zhao 2022, with the quartic contact path up to their ends.
+    ///
+    /// # Errors
+    /// An [`InputError`] of the form of another, with `why` it cannot be.
+    pub(crate) fn check_published_form(&self, why: &str) -> Result<(), InputError> {
+        for form in self.raceways.iter().map(Raceway::form) {
+            if form.shape != RacewayShape::Quartic {
+                let rule = format!("\"quartic\": {why}");
+                return Err(InputError::rule("shape", f64::NAN, rule));
+            }
+            if form.blend_m > 0.0 {
+                let rule = format!("0: {why}");
+                return Err(InputError::rule("blend_m", form.blend_m, rule));
+            }
+        }
+        Ok(())
     }
 
     /// Checks the rotor and what a case with one must and must not have.

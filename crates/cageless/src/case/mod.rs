@@ -22,7 +22,7 @@ use crate::flank_model::FlankModel;
 use crate::integrator::IntegrationMethod;
 use crate::kinematics::rolling_orbit_speed_rad_s;
 use crate::profile::Profile;
-use crate::raceway::Raceway;
+use crate::raceway::{Raceway, RacewayForm};
 use crate::rotor::{Rotor, Support};
 use crate::time_table::TimeTable;
 
@@ -323,6 +323,11 @@ impl Case {
     /// Case with a plain outer raceway in place of its discrete ones.
     pub fn conventional(&self) -> Self {
         self.with_raceways(vec![])
+    }
+
+    /// Form of the first raceway; that of Zhao 2022 without one.
+    pub fn raceway_form(&self) -> RacewayForm {
+        self.raceways.first().map(Raceway::form).unwrap_or_default()
     }
 
     /// Case with other raceways.

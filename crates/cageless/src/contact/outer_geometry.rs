@@ -6,13 +6,15 @@ use crate::dynamics::ball::{Ball, PolarMotion};
 use crate::numerics::lanes::lane_struct;
 
 lane_struct! {
-    /// Constants of one discrete raceway.
+    /// Constants of one discrete raceway, or of a stretch of one.
     pub struct RacewayConstants per lane RacewayConstantsLanes {
         /// Sine of ψ of its middle.
         sin_centre,
         /// Cosine of ψ of its middle.
         cos_centre,
-        /// sin²θ; −1 where there is no raceway.
+        /// sin²ψ from which on this stretch of it reaches.
+        begin,
+        /// sin²ψ up to which it reaches; −1 where there is no raceway.
         end,
         /// 1/sin²θ.
         inverse_end,
@@ -59,14 +61,15 @@ lane_struct! {
 pub const OUTSIDE: f64 = 2.0;
 
 impl RacewayPosition {
-    /// Position of a ball; the raceway covers |ψ| < θ (Zhao 2022, Eq. (6)).
+    /// Position of a ball; the raceway covers |ψ| < θ (Zhao 2022, Eq. (6)), a stretch of it one of
+    /// sin²ψ.
     #[inline(always)]
     pub fn new(raceway: &RacewayConstants, polar: &PolarMotion) -> Self {
         let sine = polar.ex * raceway.cos_centre + polar.ey * raceway.sin_centre;
         let cosine = polar.ex * raceway.sin_centre - polar.ey * raceway.cos_centre;
         let square = sine * sine;
         Self {
-            sine: if cosine > 0.0 && square < raceway.end {
+            sine: if cosine > 0.0 && square >= raceway.begin && square < raceway.end {
                 sine
             } else {
                 OUTSIDE

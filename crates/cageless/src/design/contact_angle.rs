@@ -90,6 +90,11 @@ pub fn kinematic_lag_rad(
         true => root::brent(|psi| flank(psi) - seated, 0.0, end, 0.0).unwrap_or(end),
         false => 0.0,
     };
-    2.0 * (quadrature::gauss(on_both, 0.0, leaves, PANELS)
-        + quadrature::gauss(on_one, leaves, end, PANELS))
+    let mut half = 0.0;
+    for [a, b] in raceway.pieces().iter().map(|piece| piece.range_rad()) {
+        let (a, leaves, b) = (a.min(end), leaves.clamp(a.min(end), b.min(end)), b.min(end));
+        half += quadrature::gauss(on_both, a, leaves, PANELS)
+            + quadrature::gauss(on_one, leaves, b, PANELS);
+    }
+    2.0 * half
 }

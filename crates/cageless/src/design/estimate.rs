@@ -45,7 +45,7 @@ const FRICTION_DEMAND_MAX: f64 = 1.45;
 /// Largest 2θ of an estimate over the angle of three evenly spaced balls. Of the same structures
 /// those that pass stay below 1.07, those hit from both sides begin at 1.18.
 const LENGTH_MAX: f64 = 1.12;
-/// Points over half a raceway at which the friction demand is evaluated.
+/// Points over each smooth stretch of half a raceway at which the friction demand is evaluated.
 const POINTS: usize = 48;
 
 impl Estimate {
@@ -118,14 +118,13 @@ fn friction_demand(case: &Case, equilibrium: &Equilibrium, raceway: &Raceway) ->
     let outer_factor = case.contact.outer_friction_factor;
     let speed = case.operation.inner_speed_rad_s;
     let centre = raceway.dimensions().centre_angle_rad;
-    let theta = raceway.half_angle_rad();
     let orbit =
         |psi: f64| rolling_orbit_speed_rad_s(bearing, speed, raceway.effective_radius_m(psi));
     let spin =
         |psi: f64| rolling_rotation_rad_s(bearing, orbit(psi), raceway.effective_radius_m(psi));
-    let h = theta / (2.0 * POINTS as f64);
-    let demand = |k: usize| {
-        let psi = centre - theta * (k as f64 + 0.5) / POINTS as f64;
+    let demand = |[begin, end]: [f64; 2], k: usize| {
+        let h = (end - begin) / (2.0 * POINTS as f64);
+        let psi = centre - (begin + (end - begin) * (k as f64 + 0.5) / POINTS as f64);
         let rate = |f: &dyn Fn(f64) -> f64| (f(psi + h) - f(psi - h)) / (2.0 * h) * orbit(psi);
         let along = bearing.ball_mass_kg() * bearing.pitch_radius_m() * rate(&orbit);
         let turning = bearing.ball_inertia_kg_m2() * rate(&spin) / bearing.ball_radius_m();
@@ -134,7 +133,11 @@ fn friction_demand(case: &Case, equilibrium: &Equilibrium, raceway: &Raceway) ->
         let inner = over(0.5 * (turning + along), inner_force);
         inner.max(over(0.5 * (turning - along), outer_factor * outer_force))
     };
-    (0..POINTS).map(demand).fold(0.0, f64::max)
+    let pieces = raceway.pieces().iter().map(|piece| piece.range_rad());
+    let demands = pieces.flat_map(|range| (0..POINTS).map(move |k| (range, k)));
+    demands
+        .map(|(range, k)| demand(range, k))
+        .fold(0.0, f64::max)
 }
 
 /// Fi and Fo at ψ, linear between the two nearest balls of the equilibrium.

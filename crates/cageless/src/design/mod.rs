@@ -29,7 +29,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use crate::bearing::Bearing;
 use crate::kinematics::raceway_delay_rad;
 use crate::numerics::{quadrature, root};
-use crate::raceway::{Raceway, RacewayDimensions, axial_span_limit_m};
+use crate::raceway::{Raceway, RacewayDimensions, RacewayForm, axial_span_limit_m};
 
 pub use axial::{AXIAL_ORBITS, AxialLag, axial_lag, axial_load_keeping_n, axial_points};
 pub use contact_angle::{ContactAngleEstimate, kinematic_lag_rad};
@@ -71,16 +71,32 @@ pub fn theoretical_gap_rad(bearing: &Bearing, raceway: &Raceway, meaning: Eq11) 
         };
         (r + rw) / r
     };
-    // The integrand is even, smooth up to θ and 2 beyond.
+    // φ of the place ψ of a ball.
+    let phi = |psi: f64| match meaning {
+        Eq11::Published => {
+            let distance =
+                bearing.outer_orbit_radius_m() + raceway.effective_radius_m(centre + psi);
+            (distance * psi.sin() / ro).min(1.0).asin()
+        }
+        Eq11::Polar => psi,
+    };
+    // The integrand is even, smooth over each piece up to θ and 2 beyond.
     let end = (epsilon / 2.0).min(theta);
-    let inside = quadrature::gauss(integrand, 0.0, end, 8);
+    let (mut inside, mut from) = (0.0, 0.0);
+    for junction in raceway.pieces()[1..].iter().map(|p| phi(p.range_rad()[0])) {
+        let to = junction.min(end);
+        inside += quadrature::gauss(integrand, from, to, 8);
+        from = to;
+    }
+    inside += quadrature::gauss(integrand, from, end, 8);
     inside + 2.0 * (epsilon / 2.0 - end) - epsilon
 }
 
-/// θ at which a raceway of span lC has β0 = `gap_rad` (Zhao 2022, Fig. 5), or `None` if
-/// no angle that the bearing allows does.
+/// θ at which a raceway of this form and span lC has β0 = `gap_rad` (Zhao 2022, Fig. 5), or `None`
+/// if no angle that the bearing allows does.
 pub fn half_angle_for_gap_rad(
     bearing: &Bearing,
+    form: RacewayForm,
     axial_span_m: f64,
     gap_rad: f64,
     meaning: Eq11,
@@ -91,7 +107,7 @@ pub fn half_angle_for_gap_rad(
             half_angle_rad: theta,
             centre_angle_rad: 0.0,
         };
-        Raceway::new(dimensions, bearing)
+        Raceway::formed(dimensions, form, bearing)
             .map(|raceway| theoretical_gap_rad(bearing, &raceway, meaning))
     };
     // β0 grows with θ; the path exists up to an angle that depends on the span.
@@ -134,7 +150,10 @@ pub fn span_angle_curve(bearing: &Bearing, points: usize) -> Vec<CurvePoint> {
     (1..points)
         .map(|k| {
             let axial_span_m = limit * k as f64 / points as f64;
-            let angle = |meaning| half_angle_for_gap_rad(bearing, axial_span_m, gap, meaning);
+            let angle = |meaning| {
+                let paper = RacewayForm::default();
+                half_angle_for_gap_rad(bearing, paper, axial_span_m, gap, meaning)
+            };
             CurvePoint {
                 axial_span_m,
                 half_angle_rad: angle(Eq11::Published),

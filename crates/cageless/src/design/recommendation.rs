@@ -74,13 +74,19 @@ fn centre_angle_rad(case: &Case) -> f64 {
 /// Raceway of span lC on the curve of Eq. (11), in the place of the case's own.
 fn on_curve(case: &Case, axial_span_m: f64) -> Option<Raceway> {
     let gap = case.bearing.nominal_gap_rad();
-    let half_angle_rad = half_angle_for_gap_rad(&case.bearing, axial_span_m, gap, Eq11::Published)?;
+    let half_angle_rad = half_angle_for_gap_rad(
+        &case.bearing,
+        case.raceway_form(),
+        axial_span_m,
+        gap,
+        Eq11::Published,
+    )?;
     let dimensions = RacewayDimensions {
         axial_span_m,
         half_angle_rad,
         centre_angle_rad: centre_angle_rad(case),
     };
-    Raceway::new(dimensions, &case.bearing).ok()
+    Raceway::formed(dimensions, case.raceway_form(), &case.bearing).ok()
 }
 
 /// Span on the curve at which θ is `half_angle`; θ falls with the span.
@@ -176,9 +182,10 @@ fn span_for_gap(case: &Case, half_angle_rad: f64, gap_rad: f64, widest_m: f64) -
             half_angle_rad,
             centre_angle_rad: 0.0,
         };
-        Raceway::new(dimensions, &case.bearing).map_or(f64::NAN, |raceway| {
-            theoretical_gap_rad(&case.bearing, &raceway, Eq11::Published) - gap_rad
-        })
+        Raceway::formed(dimensions, case.raceway_form(), &case.bearing)
+            .map_or(f64::NAN, |raceway| {
+                theoretical_gap_rad(&case.bearing, &raceway, Eq11::Published) - gap_rad
+            })
     };
     // The path exists above a span that depends on the angle.
     let narrowest = (1..20)
@@ -206,7 +213,7 @@ fn neighbours(case: &Case, start: &StartingPoint, fraction: f64) -> Vec<RacewayD
                 half_angle_rad,
                 centre_angle_rad: centre_angle_rad(case),
             });
-            let raceway = Raceway::new(dimensions, &case.bearing).ok()?;
+            let raceway = Raceway::formed(dimensions, case.raceway_form(), &case.bearing).ok()?;
             // A shallower raceway passes without spreading the balls.
             let steady = steady_gap_rad(&case.bearing, std::slice::from_ref(&raceway));
             (gap >= CRITICAL_GAP_MIN_FRACTION * steady).then_some(dimensions)

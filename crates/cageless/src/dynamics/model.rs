@@ -19,11 +19,11 @@ use crate::flank_model::FlankModel;
 use crate::numerics::chebyshev::Polynomial;
 use crate::outer_contact_geometry::{flank_section, outer_contact_geometry};
 use crate::profile::Profile;
-use crate::raceway::Raceway;
+use crate::raceway::{ContactPath, Piece, Raceway};
 use crate::step_limits::{self, StepLimits};
 use crate::time_table::TimeTable;
 
-/// A discrete raceway as the equations use it.
+/// A stretch of a discrete raceway as the equations use it.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct RacewayModel {
     pub constants: RacewayConstants,
@@ -31,7 +31,7 @@ pub(crate) struct RacewayModel {
     pub radius: Vec<f64>,
     /// Coefficients of dr/du over u.
     pub radius_slope: Vec<f64>,
-    /// Coefficients of 1/√(1 + y′² + z′²) over u.
+    /// Coefficients of 1/√(1 + y′² + z′²) over u; none but in the `paper` profile.
     pub direction: Vec<f64>,
     /// Coefficients of (2 cos αc)^(−2/3) over u; none with rigid flanks.
     pub ellipse: Vec<f64>,
@@ -156,7 +156,10 @@ impl Model {
             raceway_models: case
                 .raceways
                 .iter()
-                .map(|raceway| RacewayModel::new(raceway, case))
+                .flat_map(|raceway| {
+                    let pieces = raceway.pieces().iter();
+                    pieces.map(|piece| RacewayModel::new(raceway, piece, case))
+                })
                 .collect(),
             inner_speed: case.operation.inner_speed_table.clone(),
             radial_load: case.operation.radial_load_table.clone(),
@@ -255,11 +258,15 @@ fn axis_square_per_m(case: &Case) -> f64 {
 const ELLIPSE_TOLERANCE: f64 = 1e-12;
 
 impl RacewayModel {
-    fn new(raceway: &Raceway, case: &Case) -> Self {
-        let [a, b, _] = raceway.path_coefficients();
+    fn new(raceway: &Raceway, piece: &Piece, case: &Case) -> Self {
+        let path = raceway.contact_path();
+        let path = path.filter(|_| case.profile == Profile::Paper);
+        let [a, b, _] = path.map_or([0.0; 3], ContactPath::coefficients);
         let (sin_centre, cos_centre) = raceway.dimensions().centre_angle_rad.sin_cos();
-        let radius = raceway.radius_polynomial();
-        let end = raceway.half_angle_rad().sin().powi(2);
+        let radius = piece.radius();
+        let [begin, end] = piece.squares();
+        let [lo, hi] = piece.domain();
+        let whole = raceway.half_angle_rad().sin().powi(2);
         let ellipse = |square: f64| {
             let cosine = radius.value(square) / case.bearing.ball_radius_m();
             (2.0 * cosine).powf(-2.0 / 3.0)
@@ -268,8 +275,9 @@ impl RacewayModel {
             constants: RacewayConstants {
                 sin_centre,
                 cos_centre,
+                begin,
                 end,
-                inverse_end: 1.0 / end,
+                inverse_end: 1.0 / whole,
                 scale: radius.scale,
                 shift: radius.shift,
                 slope_cubic: 4.0 * a,
@@ -280,11 +288,11 @@ impl RacewayModel {
             radius_slope: (1..radius.coefficients.len())
                 .map(|k| k as f64 * radius.coefficients[k])
                 .collect(),
-            direction: raceway.direction_polynomial().coefficients.clone(),
+            direction: path.map_or(vec![], |path| path.direction_polynomial().coefficients),
             ellipse: match case.flanks {
                 FlankModel::Rigid => vec![],
                 FlankModel::Elastic => {
-                    Polynomial::fit(ellipse, 0.0, end, ELLIPSE_TOLERANCE).coefficients
+                    Polynomial::fit(ellipse, lo, hi, ELLIPSE_TOLERANCE).coefficients
                 }
             },
         }

@@ -14,16 +14,6 @@ pub struct SurfacePoint {
 }
 
 impl Raceway {
-    /// Centre of groove curvature Oe at path abscissa x, branch z > 0 of the contact
-    /// point (Zhao 2022, Eq. (7)), in local coordinates.
-    pub fn groove_centre_m(&self, x_m: f64) -> [f64; 3] {
-        let (rw, re) = (self.ball_radius_m, self.groove_curvature_radius_m);
-        let y = self.path_y_m(x_m);
-        let rho = x_m.hypot(y);
-        let s = ((rw - re) * rho + self.outer_orbit_radius_m() * re) / (rw * rho);
-        [x_m * s, y * s, self.path_z_m(x_m) * (rw - re) / rw]
-    }
-
     /// Distance of Oe from the bearing axis, its z, and the derivatives of both with
     /// respect to ψ, at local ψ (branch z > 0).
     fn groove_curve(&self, local_angle_rad: f64) -> [f64; 4] {

@@ -23,20 +23,31 @@
 //! # Ok::<(), cageless::InputError>(())
 //! ```
 
+mod blend;
 mod contact_path;
+mod flank_angle;
 mod groove_surface;
+mod piece;
+mod power_angle;
+mod shape;
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::bearing::Bearing;
 use crate::error::{Allowed, InputError};
-use crate::limits::positive;
-use crate::numerics::chebyshev::Polynomial;
+use crate::limits::{not_negative, positive};
+use crate::numerics::angle::wrap_angle_rad;
+use crate::numerics::root;
 
+use blend::Blend;
+pub use contact_path::ContactPath;
+use flank_angle::FlankAngle;
 pub use groove_surface::SurfacePoint;
 pub(crate) use groove_surface::{groove_centre, surface_point};
+pub(crate) use piece::Piece;
+pub use shape::{RacewayForm, RacewayShape};
 
-/// The three numbers that define a discrete raceway.
+/// The three numbers that a discrete raceway of any shape has.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RacewayDimensions {
     /// lC, largest axial distance between the two contact points.
@@ -57,34 +68,34 @@ pub struct Raceway {
     groove_bottom_radius_m: f64,
     /// Re.
     groove_curvature_radius_m: f64,
-    /// a, b, c of Zhao 2022, Eq. (5): m⁻³, m⁻¹, m.
-    path: [f64; 3],
-    /// r over sin²ψ.
-    radius_polynomial: Polynomial,
-    /// 1/√(1 + y′² + z′²) over sin²ψ.
-    direction_polynomial: Polynomial,
+    form: RacewayForm,
+    /// From the middle to the end.
+    pieces: Vec<Piece>,
     /// Depth error at the centre, m.
     depth_error_m: f64,
     /// αg by which the section is turned about the centre of the ball, rad.
     section_angle_rad: f64,
 }
 
-/// Fraction of the way to an end of the path up to which slopes follow from r; closer to it r r′/z
-/// and r′/sin α are mostly rounding.
-const NEAR_END: f64 = 1.0 - 1e-4;
-/// Error of r(sin²ψ), m: a few roundings of Ro.
-const RADIUS_TOLERANCE_M: f64 = 1e-17;
-/// Error of the direction factor.
-const DIRECTION_TOLERANCE: f64 = 1e-13;
-
 impl Raceway {
-    /// Lays the contact path (Zhao 2022, Eq. (4), (5)) and checks that the ring can
-    /// carry it.
+    /// Raceway of Zhao 2022: [`Self::formed`] with the quartic contact path, which ends in a kink.
     ///
     /// # Errors
-    /// An [`InputError`] if the span violates Eq. (8), the path leaves the plain
-    /// raceway outwards (Eq. (9)), or an angle is out of range.
+    /// That of [`Self::formed`].
     pub fn new(dimensions: RacewayDimensions, bearing: &Bearing) -> Result<Self, InputError> {
+        Self::formed(dimensions, RacewayForm::default(), bearing)
+    }
+
+    /// Raceway of a form; checks that the ring can carry it.
+    ///
+    /// # Errors
+    /// An [`InputError`] if the span violates Zhao 2022, Eq. (8), a quartic path leaves the plain
+    /// raceway outwards (Eq. (9)), an angle is out of range or the blend does not fit.
+    pub fn formed(
+        dimensions: RacewayDimensions,
+        form: RacewayForm,
+        bearing: &Bearing,
+    ) -> Result<Self, InputError> {
         let RacewayDimensions {
             axial_span_m: span,
             half_angle_rad: theta,
@@ -118,65 +129,45 @@ impl Raceway {
             ));
         }
         let d = bearing.dimensions();
-        let mut raceway = Self {
+        let flanks = form.shape.flank_angle(span, theta, bearing)?;
+        let raceway = Self {
             dimensions,
             ball_radius_m: d.ball_radius_m,
             groove_bottom_radius_m: d.outer_groove_bottom_radius_m,
             groove_curvature_radius_m: d.outer_groove_curvature_radius_m,
-            path: path_coefficients(bearing, span, theta),
-            radius_polynomial: Polynomial::fit(|_| 0.0, 0.0, 1.0, 0.0),
-            direction_polynomial: Polynomial::fit(|_| 0.0, 0.0, 1.0, 0.0),
+            form: RacewayForm {
+                blend_m: 0.0,
+                ..form
+            },
+            pieces: vec![Piece::new(flanks, [0.0, theta], d.ball_radius_m)],
             depth_error_m: 0.0,
             section_angle_rad: 0.0,
         };
-        raceway.check_path()?;
-        let end = theta.sin().powi(2);
-        raceway.radius_polynomial = Polynomial::fit(
-            |s| raceway.radius_by_root(s.sqrt().asin()),
-            0.0,
-            end,
-            RADIUS_TOLERANCE_M,
-        );
-        raceway.direction_polynomial = Polynomial::fit(
-            |s| {
-                let x = raceway.path_x_m(s.sqrt().asin());
-                let (dy, dz) = (raceway.path_slope(x), raceway.path_axial_slope(x));
-                1.0 / (1.0 + dy * dy + dz * dz).sqrt()
-            },
-            0.0,
-            end,
-            DIRECTION_TOLERANCE,
-        );
-        Ok(raceway)
+        raceway.with_blend(form.blend_m)
     }
 
-    /// Zhao 2022, Eq. (9), r ≤ Rw, all along the path.
-    fn check_path(&self) -> Result<(), InputError> {
-        let theta = self.dimensions.half_angle_rad;
-        let end = self.path_end_m();
-        let (a, b) = (self.path[0], self.path[1]);
-        let places = (0..1000).map(|k| f64::from(k) / 1000.0);
-        for place in places.chain([NEAR_END]) {
-            let x = end * place;
-            let rho = x.hypot(self.path_y_m(x));
-            // Going along the path, ψ and r must both grow from the middle to the end.
-            let turning = -self.path_y_m(x) + x * x * (4.0 * a * x * x + 2.0 * b);
-            let rising = x == 0.0 || x + self.path_y_m(x) * self.path_slope(x) > 0.0;
-            let within = rho < self.groove_bottom_radius_m && self.end_curvature_per_m() > 0.0;
-            if !within || turning <= 0.0 || !rising {
-                return Err(InputError::rule(
-                    "half_angle_rad",
-                    theta,
-                    format!(
-                        "an angle at which the contact path rises steadily to the plain raceway \
-                         (Zhao 2022, Eq. (9)): for axial_span_m = {} it turns back or leaves the \
-                         groove",
-                        self.dimensions.axial_span_m
-                    ),
-                ));
-            }
-        }
-        Ok(())
+    /// Raceway with its ends blended into the plain one over `blend_m` each, along the bottom of the
+    /// groove and within ±θ; 0 for none.
+    ///
+    /// # Errors
+    /// An [`InputError`] if the blend is too short or too long, or the flank angle would not fall
+    /// steadily over it.
+    pub fn with_blend(mut self, blend_m: f64) -> Result<Self, InputError> {
+        not_negative("blend_m", blend_m)?;
+        let theta = self.half_angle_rad();
+        self.pieces.truncate(1);
+        let whole = self.pieces[0].ending_at(theta);
+        self.form.blend_m = blend_m;
+        self.pieces = if blend_m > 0.0 {
+            let flanks = |local: f64| whole.flanks().at(local);
+            let blend = Blend::new(flanks, theta, blend_m, self.groove_bottom_radius_m)?;
+            let start = blend.start_rad();
+            let end = Piece::new(FlankAngle::Blend(blend), [start, theta], self.ball_radius_m);
+            vec![whole.ending_at(start), end]
+        } else {
+            vec![whole]
+        };
+        Ok(self)
     }
 
     /// Raceway with the depth error `depth_error_m` at its centre (positive: too deep; negative: not deep
@@ -262,6 +253,86 @@ impl Raceway {
         self.dimensions.half_angle_rad
     }
 
+    fn outer_orbit_radius_m(&self) -> f64 {
+        self.groove_bottom_radius_m - self.ball_radius_m
+    }
+
+    /// ψ from the middle of the raceway, wrapped to [−π, π].
+    pub fn local_angle_rad(&self, angle_rad: f64) -> f64 {
+        wrap_angle_rad(angle_rad - self.dimensions.centre_angle_rad)
+    }
+
+    /// Whether a ball at ψ is inside the raceway.
+    pub fn contains(&self, angle_rad: f64) -> bool {
+        self.local_angle_rad(angle_rad).abs() < self.dimensions.half_angle_rad
+    }
+
+    /// r of a ball at ψ (Zhao 2022, Eq. (6)); Rw outside the raceway.
+    pub fn effective_radius_m(&self, angle_rad: f64) -> f64 {
+        let local = self.local_angle_rad(angle_rad);
+        self.piece_at(local).map_or(self.ball_radius_m, |piece| {
+            piece.radius().value(local.sin().powi(2))
+        })
+    }
+
+    /// r at the contact point with abscissa x from the middle of the raceway (Zhao 2022, Eq. (6)).
+    pub fn effective_radius_at_x_m(&self, x_m: f64) -> f64 {
+        if let Some(path) = self.contact_path() {
+            return path.effective_radius_at_x_m(x_m);
+        }
+        let centre = self.dimensions.centre_angle_rad;
+        let radius = |local: f64| self.effective_radius_m(centre + local);
+        let beyond = |local: f64| (self.outer_orbit_radius_m() + radius(local)) * local.sin();
+        let found = root::brent(|l| beyond(l) - x_m.abs(), 0.0, self.half_angle_rad(), 0.0);
+        found.map_or(self.ball_radius_m, radius)
+    }
+
+    fn piece_at(&self, local_angle_rad: f64) -> Option<&Piece> {
+        let local = local_angle_rad.abs();
+        self.pieces.iter().find(|p| local < p.range_rad()[1])
+    }
+
+    /// Stretches over which the flanks are smooth, from the middle to the end.
+    pub(crate) fn pieces(&self) -> &[Piece] {
+        &self.pieces
+    }
+
+    /// The quartic contact path of Zhao 2022 if this is the raceway's own, up to its ends.
+    pub fn contact_path(&self) -> Option<&ContactPath> {
+        match (self.pieces.as_slice(), self.pieces[0].flanks()) {
+            ([_], FlankAngle::Quartic(path)) => Some(path),
+            _ => None,
+        }
+    }
+
+    /// αc, the angle of the flanks at local ψ within ±θ (cos αc = r/Rw, from the radial direction,
+    /// branch z > 0), and dαc/dψ: what defines the raceway. At the ends the slope is the limit from
+    /// within; without blends it is not 0 there, which is the kink.
+    pub fn contact_angle_rad(&self, local_angle_rad: f64) -> [f64; 2] {
+        let local = local_angle_rad.abs();
+        let found = self.pieces.iter().find(|p| local <= p.range_rad()[1]);
+        let piece = found.unwrap_or(&self.pieces[self.pieces.len() - 1]);
+        piece.flanks().at(local_angle_rad)
+    }
+
+    /// [`Self::contact_angle_rad`] without the blends.
+    pub(crate) fn unblended_contact_angle_rad(&self, local_angle_rad: f64) -> [f64; 2] {
+        self.pieces[0].flanks().at(local_angle_rad)
+    }
+
+    /// Shape and blend.
+    pub fn form(&self) -> RacewayForm {
+        self.form
+    }
+
+    /// Local ψ at which the blend before +θ starts.
+    pub fn blend_start_rad(&self) -> Option<f64> {
+        match self.pieces.as_slice() {
+            [whole, _] => Some(whole.range_rad()[1]),
+            _ => None,
+        }
+    }
+
     /// Checks that the raceway was laid out for this bearing.
     pub(crate) fn fits(&self, bearing: &Bearing) -> Result<(), InputError> {
         let d = bearing.dimensions();
@@ -305,16 +376,4 @@ pub fn axial_span_limit_m(bearing: &Bearing) -> f64 {
     2.0 * (bearing.ball_radius_m().powi(2) - rise.max(0.0).powi(2))
         .max(0.0)
         .sqrt()
-}
-
-/// a, b, c of Zhao 2022, Eq. (5).
-fn path_coefficients(bearing: &Bearing, span_m: f64, theta: f64) -> [f64; 3] {
-    let ro = bearing.dimensions().outer_groove_bottom_radius_m;
-    let rw = bearing.ball_radius_m();
-    let (sin, cos) = theta.sin_cos();
-    let c = -(bearing.outer_orbit_radius_m() + (rw * rw - span_m * span_m / 4.0).sqrt());
-    let rise = ro * sin * theta.tan();
-    let a = (rise + 2.0 * ro * cos + 2.0 * c) / (2.0 * ro.powi(4) * sin.powi(4));
-    let b = -(4.0 * c + rise + 4.0 * ro * cos) / (2.0 * ro * ro * sin * sin);
-    [a, b, c]
 }

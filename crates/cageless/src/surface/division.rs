@@ -14,7 +14,7 @@ impl OuterRing {
     /// The sectors in the order of ψ, all round, none of more than 180°.
     pub fn sectors(&self) -> Vec<RingSector> {
         let mut zones: Vec<Vec<RingSector>> =
-            (0..self.zones.len()).map(|k| self.parts(k)).collect();
+            (0..self.raceways.len()).map(|k| self.parts(k)).collect();
         zones.sort_by(|a, b| a[0].start_rad.total_cmp(&b[0].start_rad));
         let Some(first) = zones.first().map(|zone| zone[0].start_rad) else {
             return plain(-PI, PI);
@@ -36,10 +36,10 @@ impl OuterRing {
 
     /// A discrete raceway: blend, middle, blend; or the middle alone.
     fn parts(&self, index: usize) -> Vec<RingSector> {
-        let zone = &self.zones[index];
-        let d = zone.raceway().dimensions();
+        let raceway = &self.raceways[index];
+        let d = raceway.dimensions();
         let (middle, theta) = (wrap_angle_rad(d.centre_angle_rad), d.half_angle_rad);
-        let ends = match zone.blend_start_rad() {
+        let ends = match raceway.blend_start_rad() {
             Some(start) => vec![-theta, -start, start, theta],
             None => vec![-theta, theta],
         };

@@ -29,7 +29,6 @@
 //! ```
 
 mod arc;
-mod blend;
 mod division;
 mod grid;
 mod meridian;
@@ -45,12 +44,10 @@ use crate::bearing::Bearing;
 use crate::case::Case;
 use crate::error::{Allowed, InputError};
 use crate::limits::{not_negative, positive};
-use crate::numerics::angle::wrap_angle_rad;
 use crate::numerics::quadrature::gauss;
 use crate::raceway::{Raceway, SurfacePoint, apart};
 
 pub use arc::Arc;
-use blend::RacewayZone;
 pub use grid::Grid;
 pub use meridian::Meridian;
 pub use mesh::Mesh;
@@ -66,8 +63,8 @@ pub struct OuterRingDimensions {
     pub outer_ring_outer_radius_m: f64,
     /// Axial distance of the side faces.
     pub outer_ring_width_m: f64,
-    /// Length of the blend at each end of each discrete raceway, along the bottom of the
-    /// groove, inside ±θ; 0 leaves the kink.
+    /// Length of the blend at each end of each discrete raceway that has none of its own, along the
+    /// bottom of the groove, inside ±θ; 0 leaves the kink.
     pub blend_m: f64,
 }
 
@@ -80,7 +77,7 @@ pub struct OuterRing {
     groove_height_m: f64,
     /// Ro.
     groove_bottom_radius_m: f64,
-    zones: Vec<RacewayZone>,
+    raceways: Vec<Raceway>,
 }
 
 /// Gauss panels of ten points in a sector of a discrete raceway.
@@ -109,8 +106,12 @@ impl OuterRing {
         apart(raceways)?;
         let d = bearing.dimensions();
         let bottom_m = d.outer_groove_bottom_radius_m;
-        let zones = (raceways.iter()).map(|r| RacewayZone::new(r, dimensions.blend_m, bottom_m));
-        let axis_rad = section_angle_rad(bearing, raceways)?;
+        let raceways = (raceways.iter()).map(|raceway| match raceway.blend_start_rad() {
+            Some(_) => Ok(raceway.clone()),
+            None => raceway.clone().with_blend(dimensions.blend_m),
+        });
+        let raceways: Vec<Raceway> = raceways.collect::<Result<_, _>>()?;
+        let axis_rad = section_angle_rad(bearing, &raceways)?;
         let groove_height_m = -bearing.groove_offset_m();
         let offset_m = d.outer_groove_curvature_radius_m - d.ball_radius_m;
         let (sin, cos) = axis_rad.sin_cos();
@@ -128,7 +129,7 @@ impl OuterRing {
             },
             groove_height_m,
             groove_bottom_radius_m: bottom_m,
-            zones: zones.collect::<Result<_, _>>()?,
+            raceways,
         };
         ring.check_walls()?;
         Ok(ring)
@@ -219,22 +220,19 @@ impl OuterRing {
 
     /// Section of the groove at ψ.
     pub fn meridian(&self, angle_rad: f64) -> Meridian {
-        let within = |(k, zone): (usize, &RacewayZone)| {
-            let raceway = zone.raceway();
-            raceway
-                .contains(angle_rad)
-                .then(|| self.zone_meridian(k, angle_rad, raceway.local_angle_rad(angle_rad)))
-        };
-        let found = self.zones.iter().enumerate().find_map(within);
-        found.unwrap_or_else(|| self.plain_meridian(angle_rad))
+        let found = self.raceways.iter().find(|r| r.contains(angle_rad));
+        found.map_or_else(
+            || self.plain_meridian(angle_rad),
+            |r| self.raceway_meridian(r, angle_rad, r.local_angle_rad(angle_rad)),
+        )
     }
 
     /// Section of a sector at ψ; at its ends the limit from within.
     pub fn meridian_in(&self, sector: &RingSector, angle_rad: f64) -> Meridian {
         match sector.raceway {
             Some(k) => {
-                let centre = self.zones[k].raceway().dimensions().centre_angle_rad;
-                self.zone_meridian(k, angle_rad, wrap_angle_rad(angle_rad - centre))
+                let raceway = &self.raceways[k];
+                self.raceway_meridian(raceway, angle_rad, raceway.local_angle_rad(angle_rad))
             }
             None => self.plain_meridian(angle_rad),
         }
@@ -244,14 +242,14 @@ impl OuterRing {
         Meridian::new(&self.frame, angle_rad, [0.0, 0.0])
     }
 
-    fn zone_meridian(&self, zone: usize, angle_rad: f64, local_angle_rad: f64) -> Meridian {
-        let flank = self.zones[zone].contact_angle_rad(local_angle_rad);
-        Meridian::new(&self.frame, angle_rad, flank)
+    fn raceway_meridian(&self, raceway: &Raceway, angle_rad: f64, local_rad: f64) -> Meridian {
+        Meridian::new(&self.frame, angle_rad, raceway.contact_angle_rad(local_rad))
     }
 
     /// Sections in the middle of each raceway, all at ψ = 0.
     fn middles(&self) -> impl Iterator<Item = Meridian> {
-        (0..self.zones.len()).map(|k| self.zone_meridian(k, 0.0, 0.0))
+        let raceways = self.raceways.iter();
+        raceways.map(|r| self.raceway_meridian(r, 0.0, 0.0))
     }
 
     /// Point of the groove at ψ and η, as [`Meridian::point`] counts it.
@@ -290,25 +288,25 @@ impl OuterRing {
             .sum()
     }
 
-    /// Largest angle between the normals on both sides of an end of a discrete raceway as
-    /// designed: 45° up the groove and at the shoulder. 0 without raceways.
+    /// Largest angle between the normals on both sides of an end of a discrete raceway without its
+    /// blends: 45° up the groove and at the shoulder. 0 without raceways.
     pub fn design_kink_rad(&self) -> [f64; 2] {
-        let kinks = self.zones.iter().flat_map(|zone| {
-            let end = zone.raceway().half_angle_rad();
-            let flank = zone.raceway().contact_angle_rad(end);
+        self.largest_kink_rad(|_| true)
+    }
+
+    /// [`Self::design_kink_rad`] of the raceways that have no blend.
+    pub fn kink_rad(&self) -> [f64; 2] {
+        self.largest_kink_rad(|raceway| raceway.blend_start_rad().is_none())
+    }
+
+    fn largest_kink_rad(&self, counts: impl Fn(&Raceway) -> bool) -> [f64; 2] {
+        let raceways = self.raceways.iter().filter(|raceway| counts(raceway));
+        let kinks = raceways.flat_map(|raceway| {
+            let flank = raceway.unblended_contact_angle_rad(raceway.half_angle_rad());
             let arcs = Meridian::new(&self.frame, 0.0, flank).arcs;
             arcs.map(|arc| [FRAC_PI_4, arc.shoulder_rad()].map(|eta| arc.tilt_rad(eta)))
         });
         kinks.fold([0.0; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])])
-    }
-
-    /// [`Self::design_kink_rad`] if it is left, 0 if it is blended.
-    pub fn kink_rad(&self) -> [f64; 2] {
-        if self.dimensions.blend_m > 0.0 {
-            [0.0; 2]
-        } else {
-            self.design_kink_rad()
-        }
     }
 
     /// Largest angle between the normals of the two flanks of a discrete raceway, which meet between
@@ -320,18 +318,15 @@ impl OuterRing {
     /// Largest distance between the blended surface and the one designed.
     pub fn blend_deviation_m(&self) -> f64 {
         const SAMPLES: usize = 400;
-        let zones = self
-            .zones
-            .iter()
-            .filter_map(|z| Some((z, z.blend_start_rad()?)));
-        zones
-            .flat_map(|(zone, start)| {
-                let end = zone.raceway().half_angle_rad();
+        let blended = (self.raceways.iter()).filter_map(|r| Some((r, r.blend_start_rad()?)));
+        blended
+            .flat_map(|(raceway, start)| {
+                let end = raceway.half_angle_rad();
                 (0..=SAMPLES).map(move |k| {
                     let local = start + (end - start) * k as f64 / SAMPLES as f64;
                     let section = |flank| Meridian::new(&self.frame, 0.0, flank).arcs;
-                    let designed = section(zone.raceway().contact_angle_rad(local));
-                    let blended = section(zone.contact_angle_rad(local));
+                    let designed = section(raceway.unblended_contact_angle_rad(local));
+                    let blended = section(raceway.contact_angle_rad(local));
                     let off = |(arc, designed): (&Arc, &Arc)| {
                         let at = |eta| designed.distance_m(arc.radius_at_m(eta), arc.height_m(eta));
                         at(arc.valley_rad()).abs().max(at(arc.shoulder_rad()).abs())
@@ -360,9 +355,15 @@ impl OuterRing {
         })
     }
 
-    /// The raceways, in the order given.
+    /// The raceways as they are made, in the order given.
     pub fn raceways(&self) -> impl Iterator<Item = &Raceway> {
-        self.zones.iter().map(RacewayZone::raceway)
+        self.raceways.iter()
+    }
+
+    /// Largest length of a blend, m; 0 if there is none.
+    pub fn blend_m(&self) -> f64 {
+        let blends = self.raceways.iter().map(|r| r.form().blend_m);
+        blends.fold(0.0, f64::max)
     }
 }
 

@@ -164,7 +164,7 @@ impl Deviation {
                     half_angle_rad: designed.half_angle_rad + of(Influence::HalfAngle),
                     ..designed
                 };
-                Raceway::new(dimensions, &bearing)?
+                Raceway::formed(dimensions, raceway.form(), &bearing)?
                     .with_depth_error(raceway.depth_error_m() + of(Influence::GrooveDepth))
             })
             .collect::<Result<_, _>>()?;

@@ -1,11 +1,13 @@
 //! `[raceway]`.
 
 use crate::case_file::declaration::section;
-use crate::case_file::key::Limit::{Above, Inside};
+use cageless::RacewayShape;
+
+use crate::case_file::key::Limit::{Above, AtLeast, Inside};
 use crate::case_file::key::Line::{Absent, Commented, Shown};
 use crate::case_file::key::Presence::{Optional, Required};
 use crate::case_file::key::default;
-use crate::case_file::unit::Unit::{Degree, Micrometre, Millimetre};
+use crate::case_file::unit::Unit::{Degree, Micrometre, Millimetre, None as Plain};
 
 section! {
     /// `[raceway]`: a discrete raceway.
@@ -19,6 +21,13 @@ section! {
         centre_angle_deg => centre_angle_rad: f64 = default(0.0), Degree,
             "angular position of raceway centre",
             Commented("0.0", "angular position ψ of raceway centre; 0: load direction");
+        shape => shape: RacewayShape = default(RacewayShape::Quartic.name()), Plain,
+            "angle of the flanks along the raceway; \"quartic\": contact path of Zhao 2022, \"ellipse\": α0 √(1 − (ψ/θ)²), \
+             \"shuttle\": α0 (1 − (ψ/θ)²), these two only in \"physical\"",
+            Commented("\"quartic\"", "path of the paper; \"ellipse\" or \"shuttle\": angle of the flanks");
+        blend_mm => blend_m: f64 = default(0.0), Millimetre; AtLeast(0.0),
+            "length of the blend into the plain raceway before each end, along the bottom of the groove; 0: none; only in \"physical\"",
+            Commented("0.0", "length of the blend before each end; 0: ends as the shape has them");
         depth_error_um => depth_error_m: f64 = default(0.0), Micrometre,
             "machining error of the depth at the centre, along the normal",
             Commented("0.0", "machining error of the depth at the centre, along normal");

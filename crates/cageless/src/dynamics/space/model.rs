@@ -87,9 +87,13 @@ impl SpaceModel {
             }),
             _ => None,
         };
+        let flanks = case.raceways.iter().flat_map(|raceway| {
+            let pieces = raceway.pieces().iter();
+            pieces.map(|piece| FlankModel::new(raceway, piece))
+        });
         Some(Self {
             balls: balls.collect(),
-            flanks: case.raceways.iter().map(FlankModel::new).collect(),
+            flanks: flanks.collect(),
             strips: strips(case.contact.friction_strips),
             axial_load: load.axial_load_n,
             free_tilt,

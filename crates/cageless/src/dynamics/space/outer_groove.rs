@@ -7,21 +7,23 @@
 use std::f64::consts::LN_2;
 
 use crate::numerics::chebyshev::Polynomial;
-use crate::raceway::Raceway;
+use crate::raceway::{Piece, Raceway};
 
 /// Flank angle below which the raceway is the plain groove, rad.
 const PLAIN_RAD: f64 = 1e-5;
-/// Error of αc/(sin²θ − sin²ψ).
-const ANGLE_TOLERANCE: f64 = 1e-13;
 
-/// A discrete raceway as the equations in space use it.
+/// A stretch of a discrete raceway as the equations in space use it.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct FlankModel {
     sin_centre: f64,
     cos_centre: f64,
+    /// sin²ψ where it begins and where it ends.
+    squares: [f64; 2],
     /// sin²θ.
     end: f64,
-    /// αc/(sin²θ − sin²ψ) over sin²ψ, smooth up to the ends.
+    /// n.
+    order: f64,
+    /// αc/(sin²θ − sin²ψ)ⁿ over sin²ψ, smooth up to the ends.
     angle: Polynomial,
     /// sin αg.
     sin_section: f64,
@@ -45,16 +47,18 @@ pub(crate) struct FlanksHere {
 }
 
 impl FlankModel {
-    pub fn new(raceway: &Raceway) -> Self {
+    pub fn new(raceway: &Raceway, piece: &Piece) -> Self {
         let (sin_centre, cos_centre) = raceway.dimensions().centre_angle_rad.sin_cos();
         let (sin_section, cos_section) = raceway.section_angle_rad().sin_cos();
         let end = raceway.half_angle_rad().sin().powi(2);
-        let angle = |s: f64| raceway.contact_angle_rad(s.sqrt().asin())[0] / (end - s);
+        let (order, angle) = piece.angle(end);
         Self {
             sin_centre,
             cos_centre,
+            squares: piece.squares(),
             end,
-            angle: Polynomial::fit(angle, 0.0, end, ANGLE_TOLERANCE),
+            order,
+            angle,
             sin_section,
             cos_section,
             depth_error: raceway.depth_error_m(),
@@ -70,10 +74,23 @@ impl FlankModel {
         ]
     }
 
-    /// sin²θ − sin²ψ of the direction **e**, above 0 within the raceway.
+    /// sin²ψ at its end less that of the direction **e**, above 0 before the end.
     pub fn left(&self, direction: [f64; 2]) -> f64 {
         let [sine, cosine] = self.sine_and_cosine(direction);
-        self.end - if cosine > 0.0 { sine * sine } else { 1.0 }
+        self.squares[1] - if cosine > 0.0 { sine * sine } else { 1.0 }
+    }
+
+    /// leftⁿ and its derivative.
+    #[inline(always)]
+    fn power(&self, left: f64) -> [f64; 2] {
+        if self.order == 1.0 {
+            [left, 1.0]
+        } else if self.order == 0.0 {
+            [1.0, 0.0]
+        } else {
+            let power = left.powf(self.order);
+            [power, self.order * power / left]
+        }
     }
 
     /// The flanks in the direction **e**; `None` outside.
@@ -81,17 +98,19 @@ impl FlankModel {
     pub fn at(&self, direction: [f64; 2]) -> Option<FlanksHere> {
         let [sine, cosine] = self.sine_and_cosine(direction);
         let square = sine * sine;
-        if cosine <= 0.0 || square >= self.end {
+        let [begin, end] = self.squares;
+        if cosine <= 0.0 || square < begin || square >= end {
             return None;
         }
         let left = self.end - square;
         let [value, rise] = self.angle.value_and_slope(square);
         let turning = 2.0 * sine * cosine;
-        let angle = left * value;
+        let [power, fall] = self.power(left);
+        let angle = power * value;
         let share = left / self.end;
         (angle > PLAIN_RAD).then_some(FlanksHere {
             angle,
-            slope: (left * rise - value) * turning,
+            slope: (power * rise - fall * value) * turning,
             sin_section: self.sin_section,
             cos_section: self.cos_section,
             depth: [
@@ -231,7 +250,7 @@ mod tests {
         for (turned, error) in [(0.0, 0.0), (0.1, 0.0), (0.0, 2e-6)] {
             let raceway = case.raceways[0].clone().with_depth_error(error).unwrap();
             let raceway = raceway.with_section_angle(turned, &case.bearing).unwrap();
-            let model = FlankModel::new(&raceway);
+            let model = FlankModel::new(&raceway, &raceway.pieces()[0]);
             let d = case.bearing.dimensions();
             let gap = d.outer_groove_curvature_radius_m - d.ball_radius_m;
             let groove = OuterGroove {

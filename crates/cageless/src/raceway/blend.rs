@@ -1,0 +1,99 @@
+//! Blend of the flanks of a discrete raceway into the plain one.
+
+use crate::error::{Allowed, InputError};
+
+/// Shortest blend in fractions of half a raceway: in less, the kink is not resolved.
+const SHARE_MIN: f64 = 0.002;
+/// Longest blend in fractions of half a raceway: the middle half stays as designed.
+const SHARE_MAX: f64 = 0.5;
+
+/// αc = (1 − t)³ (c₀ + c₁ t + c₂ t²) with t = (|ψ| − start)/length: at t = 0 it continues αc
+/// with its slope and curvature, at t = 1 all three are 0.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Blend {
+    start_rad: f64,
+    length_rad: f64,
+    coefficients: [f64; 3],
+}
+
+impl Blend {
+    /// Blend over the last `blend_m` before the ends ±θ of flanks of αc and dαc/dψ, along a circle of `bottom_m`.
+    ///
+    /// # Errors
+    /// An [`InputError`] if it is too short or too long, or the angle does not fall over it.
+    pub fn new(
+        flanks: impl Fn(f64) -> [f64; 2],
+        half_angle_rad: f64,
+        blend_m: f64,
+        bottom_m: f64,
+    ) -> Result<Self, InputError> {
+        let half = half_angle_rad * bottom_m;
+        let (least, most) = (SHARE_MIN * half, SHARE_MAX * half);
+        if !(blend_m >= least && blend_m <= most) {
+            return Err(InputError::new(
+                "blend_m",
+                blend_m,
+                Allowed::Between(
+                    least,
+                    most,
+                    "or 0, which leaves the slope discontinuity; a quarter of the length of the raceway at most",
+                ),
+            ));
+        }
+        let blend = Self::continuing(flanks, half_angle_rad, blend_m / bottom_m);
+        let rises = |k: i32| blend.along(f64::from(k) / 100.0)[1] > 0.0;
+        if (0..100).any(rises) {
+            return Err(InputError::rule(
+                "blend_m",
+                blend_m,
+                "shorter: the contact angle must fall steadily to 0 over it",
+            ));
+        }
+        Ok(blend)
+    }
+
+    fn continuing(flanks: impl Fn(f64) -> [f64; 2], half_angle_rad: f64, length_rad: f64) -> Self {
+        let start_rad = half_angle_rad - length_rad;
+        let slope_at = |local: f64| flanks(local)[1];
+        // Far from the end in its own scale, where the slope is analytic.
+        let h = length_rad / 32.0;
+        let bend = (8.0 * (slope_at(start_rad + h) - slope_at(start_rad - h))
+            - slope_at(start_rad + 2.0 * h)
+            + slope_at(start_rad - 2.0 * h))
+            / (12.0 * h);
+        let [value, slope] = flanks(start_rad);
+        let (slope, bend) = (slope * length_rad, bend * length_rad * length_rad);
+        Self {
+            start_rad,
+            length_rad,
+            coefficients: [
+                value,
+                3.0 * value + slope,
+                6.0 * value + 3.0 * slope + bend / 2.0,
+            ],
+        }
+    }
+
+    /// Local ψ at which the blend before +θ starts.
+    pub fn start_rad(&self) -> f64 {
+        self.start_rad
+    }
+
+    /// αc and dαc/dψ at local ψ.
+    pub fn at(&self, local_angle_rad: f64) -> [f64; 2] {
+        let local = local_angle_rad.abs();
+        let [angle, slope] = self.along((local - self.start_rad) / self.length_rad);
+        [angle, slope * local_angle_rad.signum()]
+    }
+
+    /// αc and dαc/dψ at t in 0 to 1.
+    fn along(&self, t: f64) -> [f64; 2] {
+        let [c0, c1, c2] = self.coefficients;
+        let rest = (1.0 - t).max(0.0);
+        let (value, slope) = ((c2 * t + c1) * t + c0, 2.0 * c2 * t + c1);
+        [
+            rest.powi(3) * value,
+            rest.powi(2) * (rest * slope - 3.0 * value) / self.length_rad,
+        ]
+    }
+}

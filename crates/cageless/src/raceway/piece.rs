@@ -1,0 +1,76 @@
+//! A stretch of a raceway over which the angle of its flanks is smooth.
+
+use super::flank_angle::FlankAngle;
+use crate::numerics::chebyshev::Polynomial;
+
+/// A stretch of half a raceway, and its mirror image.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Piece {
+    flanks: FlankAngle,
+    /// Local ψ at which it begins and ends.
+    range_rad: [f64; 2],
+    /// sin²ψ over which polynomials are fitted.
+    domain: [f64; 2],
+    /// r over sin²ψ.
+    radius: Polynomial,
+}
+
+/// Error of r(sin²ψ), m: a few roundings of Ro.
+const RADIUS_TOLERANCE_M: f64 = 1e-17;
+/// Error of αc/(sin²θ − sin²ψ)ⁿ.
+const ANGLE_TOLERANCE: f64 = 1e-13;
+
+impl Piece {
+    /// Flanks from one local ψ to another, fitted over this range.
+    pub(super) fn new(flanks: FlankAngle, range_rad: [f64; 2], ball_radius_m: f64) -> Self {
+        let domain = range_rad.map(|angle| angle.sin().powi(2));
+        let radius = |s: f64| flanks.radius_m(s.sqrt().asin(), ball_radius_m);
+        let radius = Polynomial::fit(radius, domain[0], domain[1], RADIUS_TOLERANCE_M);
+        Self {
+            flanks,
+            range_rad,
+            domain,
+            radius,
+        }
+    }
+
+    /// Part of it that ends before, by the same polynomials.
+    pub(super) fn ending_at(&self, end_rad: f64) -> Self {
+        let mut part = self.clone();
+        part.range_rad[1] = end_rad;
+        part
+    }
+
+    /// Its flanks, also beyond its end.
+    pub(super) fn flanks(&self) -> &FlankAngle {
+        &self.flanks
+    }
+
+    /// Local ψ at which it begins and ends.
+    pub fn range_rad(&self) -> [f64; 2] {
+        self.range_rad
+    }
+
+    /// sin²ψ where it begins and where it ends.
+    pub fn squares(&self) -> [f64; 2] {
+        self.range_rad.map(|angle| angle.sin().powi(2))
+    }
+
+    /// sin²ψ over which its polynomials are fitted.
+    pub fn domain(&self) -> [f64; 2] {
+        self.domain
+    }
+
+    /// r as a polynomial in sin²ψ.
+    pub fn radius(&self) -> &Polynomial {
+        &self.radius
+    }
+
+    /// n and the polynomial P in sin²ψ of αc = (sin²θ − sin²ψ)ⁿ P, with sin²θ = `end`.
+    pub fn angle(&self, end: f64) -> (f64, Polynomial) {
+        let regular = |s: f64| self.flanks.regular(s, end);
+        let [lo, hi] = self.domain;
+        let polynomial = Polynomial::fit(regular, lo, hi, ANGLE_TOLERANCE);
+        (self.flanks.order(), polynomial)
+    }
+}
