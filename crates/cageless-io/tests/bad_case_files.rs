@@ -124,7 +124,7 @@ const EDITS: &[Row] = &[
     (THETA, "half_angle_deg = 90", "raceway.half_angle_deg", &["= 90", "less than 90 deg"]),
     (THETA, "half_angle_deg = -5", "raceway.half_angle_deg", &["more than 0 deg"]),
     ("# shape = \"quartic\"", "shape = \"oval\"", "raceway.shape", &["= \"oval\"", "\"quartic\", \"ellipse\" or \"shuttle\""]),
-    ("# blend_mm = 0.0", "blend_mm = -0.5", "raceway.blend_mm", &["= -0.5", "0 mm or more"]),
+    ("# blend_mm = 0.0", "blend_mm = -0.5", "raceway.blend_mm", &["= -0.5", "at least 0 mm"]),
     ("# blend_mm = 0.0", "blend_mm = 0.01", "raceway.blend_mm", &["= 0.01", "between 0.02", "mm", "or 0"]),
     ("# blend_mm = 0.0", "blend_mm = 9", "raceway.blend_mm", &["= 9", "a quarter of the length"]),
     ("# centre_angle_deg = 0.0", "centre_angle_deg = 400", "raceway.centre_angle_deg", &["between -360 deg and 360 deg"]),

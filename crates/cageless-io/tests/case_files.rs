@@ -308,7 +308,7 @@ fn the_document_has_exactly_the_keys_of_the_file() {
             "{set}"
         );
     }
-    assert_eq!(all.len(), 43, "{all:?}");
+    assert_eq!(all.len(), 45, "{all:?}");
 }
 
 #[test]

@@ -12,6 +12,8 @@ fn raceway(axial_span_mm: f64, half_angle_deg: f64, centre_angle_deg: f64) -> Se
         ("axial_span_mm", axial_span_mm.into()),
         ("half_angle_deg", half_angle_deg.into()),
         ("centre_angle_deg", centre_angle_deg.into()),
+        ("shape", "quartic".into()),
+        ("blend_mm", 0.0.into()),
         ("depth_error_um", 0.0.into()),
     ]
 }
@@ -57,6 +59,8 @@ fn comments_and_order_stay() {
             "axial_span_mm = 5.093                        # lC",
             "half_angle_deg = 24.06                      # θ",
             "centre_angle_deg = 0.0",
+            "shape = \"quartic\"",
+            "blend_mm = 0.0",
             "depth_error_um = 0.0",
             "inner_speed_rpm = 9000.0",
             "friction_coefficient = 0.1",
@@ -70,7 +74,15 @@ fn comments_and_order_stay() {
     let document = same.document().clone();
     let text = same.edited(&document).unwrap();
     let [new, gone] = changes(CASE, &text);
-    assert_eq!(new, ["centre_angle_deg = 0.0", "depth_error_um = 0.0"]);
+    assert_eq!(
+        new,
+        [
+            "centre_angle_deg = 0.0",
+            "shape = \"quartic\"",
+            "blend_mm = 0.0",
+            "depth_error_um = 0.0"
+        ]
+    );
     assert!(gone.is_empty(), "{gone:?}");
 }
 

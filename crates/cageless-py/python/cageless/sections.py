@@ -66,6 +66,8 @@ class Raceway(Section):
     axial_span_mm: Annotated[float, "lC, largest axial distance between the two contact points"]
     half_angle_deg: Annotated[float, "θ, half the angle that the raceway takes up"]
     centre_angle_deg: Annotated[float | None, "angular position of raceway centre"] = None
+    shape: Annotated[Literal["quartic", "ellipse", "shuttle"] | None, "angle of the flanks along the raceway; \"quartic\": contact path of Zhao 2022, \"ellipse\": α0 √(1 − (ψ/θ)²), \"shuttle\": α0 (1 − (ψ/θ)²), these two only in \"physical\""] = None
+    blend_mm: Annotated[float | None, "length of the blend into the plain raceway before each end, along the bottom of the groove; 0: none; only in \"physical\""] = None
     depth_error_um: Annotated[float | None, "machining error of the depth at the centre, along the normal"] = None
     contact_angle_deg: Annotated[float | None, "angle by which the section is turned about the centre of the ball, for a bearing of this contact angle; 0 unless given"] = None
 
