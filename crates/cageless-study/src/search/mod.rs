@@ -93,7 +93,7 @@ pub fn run(
                 "no raceway can be recommended: {message}"
             )));
         }
-        Err(SearchError::Case(error)) => return Err(error.into()),
+        Err(SearchError::Case(error)) => return Err(file.refused(&error).into()),
         Err(SearchError::Interrupted(_)) => return Err(StudyError::Interrupted),
     };
     let verdicts = verdicts(file, &found, progress)?;
