@@ -21,7 +21,7 @@ const START: &str = "# [start]";
 const EDITS: &[Row] = &[
     // Names.
     ("balls = 14", "balls = 14\ncolour = 1", "bearing.colour", &["not a key of [bearing]", "its keys are balls"]),
-    ("[material]", "[lubricant]\nfilm_um = 1\n[material]", "lubricant", &["not a section", "its sections are bearing"]),
+    ("[material]", "[weather]\nfilm_um = 1\n[material]", "weather", &["not a section", "its sections are bearing"]),
     ("[material]", "[materiel]", "materiel", &["did you mean [material]?"]),
     ("axial_span_mm", "axial_spam_mm", "raceway.axial_spam_mm", &["did you mean axial_span_mm?"]),
     ("axial_span_mm = 5.1", "axial_span_m = 0.0051", "raceway.axial_span_m", &["did you mean axial_span_mm?"]),

@@ -25,6 +25,7 @@ Tables of a run over time: [command line and result files](command-line.md). Sym
 #[rustfmt::skip]
 const SECTIONS: [(&[Quantity], &str, &str); 34] = [
     (STATIC, "Static equilibrium", "In `cageless static --json`, `static.json`, its page and the columns `static_\u{2026}` of a sweep."),
+    (LUBRICATION, "Static equilibrium with a lubricant", "In `cageless static --json`, `static.json` and its page, next to those above, for a planar case with `[lubrication]`."),
     (SPACE, "Static equilibrium in space", "In `cageless static --json`, `static.json` and its page, next to those above, for a case with an axial load, moments, a tilt, a contact angle or several rows."),
     (DESIGN, "Design: closed forms", "In `cageless design --json`, `design.json`, its page and the columns `design_\u{2026}` of a sweep."),
     (CONTACT_ANGLE, "Design: contact angle", "In `cageless design --json`, `design.json` and its page: estimates of what an axial load or a tilt would leave of the first raceway."),

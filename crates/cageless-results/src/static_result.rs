@@ -2,17 +2,22 @@
 
 use cageless::equilibrium::space::{self, SpatialEquilibrium};
 use cageless::equilibrium::{self, Equilibrium, EquilibriumError};
-use cageless::rating::RatedMaterials;
+use cageless::rating::{RatedMaterials, VISCOSITY_RATIO_MIN};
 use cageless::{Assembly, Case};
 
-use crate::{Record, Results, SPACE, STATIC, Solved, Subject};
+use crate::{LUBRICATION, Record, Results, SPACE, STATIC, Solved, Subject};
 
 /// Results of the static equilibrium of a case: values, `warnings`, and `notes` on what they leave out.
 pub fn static_record(case: &Case, equilibrium: &Equilibrium) -> Record {
     let solved = Solved::new(case, equilibrium);
     let overload = equilibrium.overload().into_iter();
     let warnings = overload.chain(solved.rating.warnings()).collect();
-    Record::from(Results::of(STATIC, Subject::Static(&solved)))
+    let of = |rows| Results::of(rows, Subject::Static(&solved));
+    let results = match case.lubrication {
+        Some(_) => of(STATIC).and(of(LUBRICATION)),
+        None => of(STATIC),
+    };
+    Record::from(results)
         .with_sentences("warnings", warnings)
         .with_sentences("notes", notes(&solved))
 }
@@ -73,6 +78,7 @@ fn notes(solved: &Solved<'_>) -> Vec<String> {
                 .to_owned(),
         ),
     }
+    notes.extend(of_lubricant(solved));
     if solved.space.is_some() {
         notes.push(
             "in space: L10r takes the load of every ball under rigid rings that turn exactly, not by \
@@ -100,4 +106,31 @@ fn notes(solved: &Solved<'_>) -> Vec<String> {
     let view = case.operation.view();
     notes.extend((!view.is_empty()).then(|| view.to_owned()));
     notes
+}
+
+/// What the ratings with a lubricant leave out.
+fn of_lubricant(solved: &Solved<'_>) -> Vec<String> {
+    if solved.case.lubrication.is_none() {
+        return vec![];
+    }
+    let Some(rating) = &solved.rating.lubricated else {
+        return vec![
+            "[lubrication]: modified life and minimum load are for radial loads at speed and left out"
+                .to_owned(),
+        ];
+    };
+    let load_n = solved.case.operation.radial_load_n;
+    let thin = (rating.viscosity_ratio < VISCOSITY_RATIO_MIN).then(|| {
+        format!(
+            "the viscosity ratio κ is {:.3}: ISO 281 rates no modified life below {VISCOSITY_RATIO_MIN}",
+            rating.viscosity_ratio
+        )
+    });
+    let light = rating.minimum_radial_load_n.filter(|least| load_n < *least);
+    let light = light.map(|least| {
+        format!(
+            "the radial load is below the minimum load of SKF's rule, {least:.0} N: balls may slide"
+        )
+    });
+    thin.into_iter().chain(light).collect()
 }

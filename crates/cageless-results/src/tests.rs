@@ -182,6 +182,42 @@ fn results_under_axial_load_are_the_points() {
 }
 
 #[test]
+fn results_with_a_lubricant_are_the_fields_of_its_rating() {
+    let sets = [
+        "viscosity_mm2_s=6",
+        "contamination_factor=0.3",
+        "minimum_load_factor=0.02",
+    ];
+    let sets = sets.map(|set| format!("lubrication.{set}"));
+    let file = CaseFile::parse(&template(false), "case.toml", &sets).unwrap();
+    let case = file.case();
+    assert_eq!(case.lubrication.as_ref().unwrap().viscosity_m2_s, 6e-6);
+    let equilibrium = cageless::equilibrium::solve(case).unwrap();
+    let solved = Solved::new(case, &equilibrium);
+    let rating = solved.rating.lubricated.unwrap();
+    let life = rating.l10m_mrev.unwrap();
+    let expected = [
+        ("viscosity_ratio", rating.viscosity_ratio),
+        ("fatigue_load_limit_n", rating.fatigue_load_limit_n),
+        (
+            "life_modification_factor",
+            rating.life_modification_factor.unwrap(),
+        ),
+        ("l10m_mrev", life),
+        // 12 000 rpm.
+        ("l10m_h", life / 0.72),
+        (
+            "minimum_radial_load_n",
+            rating.minimum_radial_load_n.unwrap(),
+        ),
+    ];
+    let results = Results::of(LUBRICATION, Subject::Static(&solved));
+    compare(&results, &expected, &[], 1e-12);
+    let record = static_record(case, &equilibrium);
+    assert_eq!(record.results.number("l10m_mrev"), life);
+}
+
+#[test]
 fn results_of_a_run_are_the_fields_of_its_summary() {
     let case = case();
     let mut recorder = SummaryRecorder::new();

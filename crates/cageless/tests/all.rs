@@ -22,6 +22,7 @@ mod imports;
 mod integrator;
 mod linear_rotor;
 mod load_distribution;
+mod lubrication;
 mod observed;
 mod one_place;
 mod operating_results;

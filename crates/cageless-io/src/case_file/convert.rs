@@ -63,6 +63,7 @@ impl Converter<'_> {
             rotor: s.rotor.clone(),
             support: self.support()?,
             rows: self.rows(),
+            lubrication: s.lubrication.clone(),
             output: s.output.clone(),
         };
         let automatic = s.solver.step_s.0.is_none();

@@ -16,6 +16,7 @@ pub(crate) enum Unit {
     RevolutionPerMinute,
     Gigapascal,
     Microsecond,
+    SquareMillimetrePerSecond,
 }
 
 impl Unit {
@@ -31,6 +32,7 @@ impl Unit {
             Self::RevolutionPerMinute => "rpm",
             Self::Gigapascal => "GPa",
             Self::Microsecond => "us",
+            Self::SquareMillimetrePerSecond => "mm^2/s",
         }
     }
 
@@ -40,6 +42,7 @@ impl Unit {
             Self::Micrometre => "µm",
             Self::Degree => "°",
             Self::Microsecond => "µs",
+            Self::SquareMillimetrePerSecond => "mm²/s",
             Self::Si("N s/m") => "N·s/m",
             Self::Si("N s/m^1.5") => "N·s/m^1.5",
             Self::Si("N m") => "N·m",
@@ -56,7 +59,9 @@ impl Unit {
         match self {
             Self::None | Self::Si(_) => value,
             Self::Millimetre | Self::Milliradian => shift(value, -3),
-            Self::Micrometre | Self::Microsecond => shift(value, -6),
+            Self::Micrometre | Self::Microsecond | Self::SquareMillimetrePerSecond => {
+                shift(value, -6)
+            }
             Self::Degree => value.to_radians(),
             Self::RevolutionPerMinute => value * TAU / 60.0,
             Self::Gigapascal => shift(value, 9),
@@ -68,7 +73,9 @@ impl Unit {
         match self {
             Self::None | Self::Si(_) => value,
             Self::Millimetre | Self::Milliradian => shift(value, 3),
-            Self::Micrometre | Self::Microsecond => shift(value, 6),
+            Self::Micrometre | Self::Microsecond | Self::SquareMillimetrePerSecond => {
+                shift(value, 6)
+            }
             Self::Degree => value.to_degrees(),
             Self::RevolutionPerMinute => value * 60.0 / TAU,
             Self::Gigapascal => shift(value, -9),

@@ -206,6 +206,12 @@ class StaticAttributes:
     outer_semi_axis_across_mm: Floats  # contact semi-axis across the rolling direction, outer raceway, mm
     ball_orbit_rpm: Floats  # orbital speed in pure rolling, rpm
     ball_rotation_rpm: Floats  # ball speed in pure rolling (absolute rotation), rpm
+    viscosity_ratio: float  # viscosity ratio κ
+    fatigue_load_limit_n: float  # fatigue load limit Cu (ISO 281), N
+    life_modification_factor: float  # life modification factor aISO (ISO 281)
+    l10m_mrev: float  # modified rating life L10m (ISO 281), Mrev
+    l10m_h: float  # modified rating life L10m at the speed of the case, h
+    minimum_radial_load_n: float  # minimum radial load (SKF), N
     ring_z_um: float  # displacement of the inner ring, z, um
     tilt_x_mrad: float  # tilt of the inner ring about x, mrad
     tilt_y_mrad: float  # tilt of the inner ring about y, mrad

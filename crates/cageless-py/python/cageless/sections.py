@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from .rotors import LinearRotor
 
-__all__ = ["Bearing", "Contact", "Housing", "Material", "Model", "Operation", "Output", "Raceway", "Rotor", "Row", "Section", "Solver", "Start", "Support"]
+__all__ = ["Bearing", "Contact", "Housing", "Lubrication", "Material", "Model", "Operation", "Output", "Raceway", "Rotor", "Row", "Section", "Solver", "Start", "Support"]
 
 Keys = Mapping[str, Any]
 
@@ -204,6 +204,16 @@ class Support(Section):
 
 
 @dataclass(frozen=True, kw_only=True)
+class Lubrication(Section):
+    """`[lubrication]`: the lubricant, for modified life and minimum load of `static`."""
+
+    viscosity_mm2_s: Annotated[float, "ν, kinematic viscosity at the temperature of operation, of a grease that of its base oil"]
+    contamination_factor: Annotated[float, "eC of ISO 281: 1 extreme cleanliness, 0.8 to 0.6 high, 0.6 to 0.5 normal, 0.5 to 0.3 slight and 0.3 to 0.1 typical contamination, 0.1 to 0 severe, below a pitch diameter of 100 mm"]
+    fatigue_load_limit_n: Annotated[float | None, "Cu (SKF: Pu) of the catalogue; from a contact pressure of 1500 MPa unless given"] = None
+    minimum_load_factor: Annotated[float | None, "kr of SKF's catalogue, for the minimum load; none unless given"] = None
+
+
+@dataclass(frozen=True, kw_only=True)
 class Output(Section):
     """`[output]`: what a run writes."""
 
@@ -225,6 +235,7 @@ class OfCase:
     housing: Housing | None
     rotor: Rotor | None
     support: Support | None
+    lubrication: Lubrication | None
     output: Output
 
 
@@ -245,5 +256,6 @@ class Arguments(TypedDict, total=False):
     housing: Housing | Keys | None
     rotor: Rotor | Keys | None
     support: Support | Keys | None
+    lubrication: Lubrication | Keys | None
     output: Output | Keys | None
     title: str

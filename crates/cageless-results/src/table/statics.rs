@@ -3,7 +3,7 @@
 use cageless::equilibrium::RacewayContact;
 use cageless::equilibrium::space::SpatialEquilibrium;
 use cageless::kinematics::{orbit_speed_of_rad_s, rolling_rotation_rad_s};
-use cageless::rating::Rating;
+use cageless::rating::{LubricatedRating, Rating};
 
 use crate::Solved;
 use crate::cell::Cell;
@@ -62,6 +62,17 @@ pub const STATIC: &[Quantity] = &[
     column("ball speed", list("ball_rotation_rpm", "rpm", "ball speed in pure rolling (absolute rotation)", Static(|s| each_ball(s, |k| rpm(rolling_rotation_rad_s(&s.case.bearing, orbit_rad_s(s, k), s.equilibrium.effective_radius_m[k])))))),
 ];
 
+/// Further results of a static equilibrium with a lubricant.
+#[rustfmt::skip]
+pub const LUBRICATION: &[Quantity] = &[
+    means("κ = ν/ν1, viscosity over the one for an adequate film (ISO 281)", part(high(quantity("viscosity_ratio", "", "viscosity ratio κ", Static(|s| lubricated(s, |l| Some(l.viscosity_ratio))))))),
+    means("the load that no fatigue follows from, given or from a contact pressure of 1500 MPa", part(high(quantity("fatigue_load_limit_n", "N", "fatigue load limit Cu (ISO 281)", Static(|s| lubricated(s, |l| Some(l.fatigue_load_limit_n))))))),
+    means("from κ and eC Cu/P, P the radial load; none below κ = 0.1", part(high(quantity("life_modification_factor", "", "life modification factor aISO (ISO 281)", Static(|s| lubricated(s, |l| l.life_modification_factor)))))),
+    means("aISO L10, of 90 % of the bearings", part(high(quantity("l10m_mrev", "Mrev", "modified rating life L10m (ISO 281)", Static(|s| lubricated(s, |l| l.l10m_mrev)))))),
+    part(high(quantity("l10m_h", "h", "modified rating life L10m at the speed of the case", Static(|s| hours(s, s.rating.lubricated.and_then(|l| l.l10m_mrev)))))),
+    means("below which balls may slide, by SKF's rule for deep groove ball bearings with a cage", part(quantity("minimum_radial_load_n", "N", "minimum radial load (SKF)", Static(|s| lubricated(s, |l| l.minimum_radial_load_n))))),
+];
+
 /// Further results of a static equilibrium in space: under an axial load, moments or a tilt, with a
 /// contact angle or several rows.
 #[rustfmt::skip]
@@ -106,6 +117,10 @@ fn in_degrees(angles: &[f64]) -> Vec<f64> {
 fn stiffness(solved: &Solved<'_>, row: usize, column: usize) -> Cell {
     let matrix = solved.equilibrium.stiffness_n_m;
     matrix.map(|k| k[row][column]).into()
+}
+
+fn lubricated(s: &Solved<'_>, value: fn(&LubricatedRating) -> Option<f64>) -> Cell {
+    s.rating.lubricated.as_ref().and_then(value).into()
 }
 
 fn hours(solved: &Solved<'_>, life_mrev: Option<f64>) -> Cell {

@@ -71,6 +71,7 @@ impl Case {
             )?;
         }
         self.contact.check()?;
+        self.lubrication.as_ref().map_or(Ok(()), |l| l.check())?;
         for raceway in &self.raceways {
             raceway.fits(&self.bearing)?;
         }

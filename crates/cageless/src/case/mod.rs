@@ -21,6 +21,7 @@ use crate::bearing::Bearing;
 use crate::flank_model::FlankModel;
 use crate::integrator::IntegrationMethod;
 use crate::kinematics::rolling_orbit_speed_rad_s;
+use crate::lubrication::Lubrication;
 use crate::profile::Profile;
 use crate::raceway::{Raceway, RacewayForm};
 use crate::rotor::{Rotor, Support};
@@ -212,6 +213,8 @@ pub struct Case {
     pub support: Option<Support>,
     /// Rows of balls on one inner ring; none for a single row in the middle plane.
     pub rows: Vec<Row>,
+    /// Lubricant, which ratings need and the motion does not take.
+    pub lubrication: Option<Lubrication>,
     /// Output.
     pub output: Output,
 }

@@ -21,6 +21,7 @@
 mod basic_ratings;
 mod friction_torque;
 mod load_distribution;
+mod lubrication;
 mod passing_frequencies;
 mod ratios;
 mod reference_life;
@@ -37,6 +38,10 @@ use crate::material::{Material, Materials};
 pub use basic_ratings::{BasicRatings, dynamic_factor, static_factor};
 pub use friction_torque::{bore_radius_estimate_m, skf_friction_torque_n_m};
 pub use load_distribution::rigid_ring_forces_n;
+pub use lubrication::{
+    LubricatedRating, VISCOSITY_RATIO_MIN, life_modification_factor, minimum_radial_load_n,
+    reference_viscosity_m2_s,
+};
 pub use passing_frequencies::PassingFrequencies;
 pub use reference_life::ReferenceLife;
 
@@ -66,6 +71,8 @@ pub struct Rating {
     pub passing: PassingFrequencies,
     /// n·Dpw, speed of the inner ring times pitch diameter, mm/min.
     pub speed_factor_mm_rpm: f64,
+    /// Ratings with the lubricant; `None` of a case without one, and in space.
+    pub lubricated: Option<LubricatedRating>,
     /// Materials, of which the standards rate the first two.
     pub materials: RatedMaterials,
 }
@@ -99,18 +106,21 @@ impl Rating {
         let basic = BasicRatings::new(bearing);
         let reference = ReferenceLife::new(bearing);
         let load_n = case.operation.radial_load_n;
+        let l10_mrev = basic.l10_mrev(load_n);
+        let speed_factor_mm_rpm = speed_factor_mm_rpm(case);
         let peak_pa = equilibrium
             .inner_pressure_max_pa
             .max(equilibrium.outer_pressure_max_pa);
         Self {
-            l10_mrev: basic.l10_mrev(load_n),
+            l10_mrev,
+            lubricated: LubricatedRating::new(case, speed_factor_mm_rpm, &basic, l10_mrev),
             l10r_mrev: rigid_ring_forces_n(case).and_then(|q| reference.l10r_mrev(&q, &q)),
             l10r_at_speed_mrev: reference
                 .l10r_mrev(&equilibrium.inner_force_n, &equilibrium.outer_force_n),
             static_safety_factor: basic.static_safety_factor(load_n),
             pressure_safety: (peak_pa > 0.0).then(|| (STRESS_LIMIT_PA / peak_pa).powi(3)),
             passing: PassingFrequencies::new(case),
-            speed_factor_mm_rpm: speed_factor_mm_rpm(case),
+            speed_factor_mm_rpm,
             materials: RatedMaterials::of(bearing),
             basic,
         }
@@ -132,6 +142,7 @@ impl Rating {
         Self {
             basic: BasicRatings::of_rows(&case.bearing, case.rows.len().max(1)),
             l10_mrev: None,
+            lubricated: None,
             l10r_mrev: forces_at_rest(case).ok().and_then(|e| life(&e)),
             l10r_at_speed_mrev: life(space),
             static_safety_factor: None,

@@ -109,6 +109,7 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
         rotor: None,
         support: None,
         rows: vec![],
+        lubrication: None,
         output: Output { interval_s: 1e-4 },
     }
 }

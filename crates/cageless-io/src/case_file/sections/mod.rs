@@ -5,6 +5,7 @@ pub(crate) mod bearing;
 pub(crate) mod contact;
 pub(crate) mod friction;
 pub(crate) mod housing;
+pub(crate) mod lubrication;
 pub(crate) mod material;
 pub(crate) mod model;
 pub(crate) mod operation;
@@ -51,6 +52,8 @@ sections! {
         Heading::Absent;
     support: Option<support::SupportSection>, "support of the outer ring under a falling rotor",
         Heading::Absent;
+    lubrication: Option<cageless::Lubrication>, "the lubricant, for modified life and minimum load of `static`",
+        Heading::Commented("lubricant, for modified life and minimum load of `static`");
     output: cageless::Output, "what a run writes", Heading::Shown("");
     search: Option<search::SearchSection>, "what a search for the raceway looks at",
         Heading::Commented("ranges of `design --search`");

@@ -1,0 +1,25 @@
+//! `[lubrication]`.
+
+use crate::case_file::declaration::section;
+use crate::case_file::key::Limit::{Above, Within};
+use crate::case_file::key::Line::Commented;
+use crate::case_file::key::Presence::{Optional, Required};
+use crate::case_file::unit::Unit::{None as Plain, Si, SquareMillimetrePerSecond};
+
+section! {
+    /// `[lubrication]`: the lubricant, for ratings; the motion does not take it.
+    impl cageless::Lubrication {
+        viscosity_mm2_s => viscosity_m2_s: f64 = Required, SquareMillimetrePerSecond; Above(0.0),
+            "ν, kinematic viscosity at the temperature of operation, of a grease that of its base oil",
+            Commented("13.0", "at the temperature of operation");
+        contamination_factor => contamination_factor: f64 = Required, Plain; Within(0.0, 1.0),
+            "eC of ISO 281: 1 extreme cleanliness, 0.8 to 0.6 high, 0.6 to 0.5 normal, 0.5 to 0.3 slight and 0.3 to 0.1 typical contamination, 0.1 to 0 severe, below a pitch diameter of 100 mm",
+            Commented("0.5", "eC of ISO 281: 1 clean, 0 very severe");
+        fatigue_load_limit_n => fatigue_load_limit_n: Option<f64> = Optional, Si("N"); Above(0.0),
+            "Cu (SKF: Pu) of the catalogue; from a contact pressure of 1500 MPa unless given",
+            Commented("500.0", "Cu (SKF: Pu) of the catalogue");
+        minimum_load_factor => minimum_load_factor: Option<f64> = Optional, Plain; Above(0.0),
+            "kr of SKF's catalogue, for the minimum load; none unless given",
+            Commented("0.025", "kr of SKF, for the minimum load");
+    }
+}
