@@ -23,7 +23,7 @@ Tables of a run over time: [command line and result files](command-line.md). Sym
 
 /// Table, heading, and where its results are.
 #[rustfmt::skip]
-const SECTIONS: [(&[Quantity], &str, &str); 34] = [
+const SECTIONS: [(&[Quantity], &str, &str); 35] = [
     (STATIC, "Static equilibrium", "In `cageless static --json`, `static.json`, its page and the columns `static_\u{2026}` of a sweep."),
     (LUBRICATION, "Static equilibrium with a lubricant", "In `cageless static --json`, `static.json` and its page, next to those above, for a planar case with `[lubrication]`."),
     (SPACE, "Static equilibrium in space", "In `cageless static --json`, `static.json` and its page, next to those above, for a case with an axial load, moments, a tilt, a contact angle or several rows."),
