@@ -121,8 +121,8 @@ impl Contacts<'_> {
     }
 
     /// Contacts of ball `k` in space; `None` in the plane.
-    pub fn in_space(&self, k: usize) -> Option<&BallContacts> {
-        self.space.map(|space| &space.results[k])
+    pub fn in_space(&self, k: usize) -> Option<BallContacts> {
+        self.space.map(|space| space.contacts(k))
     }
 
     /// Contact of the rotor with the inner ring, if there is a rotor.

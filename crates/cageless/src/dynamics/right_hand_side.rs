@@ -6,7 +6,7 @@ use super::coordinates::{BallCoordinate, RingCoordinate};
 use super::layout::Layout;
 use super::model::Model;
 use super::rotor::JournalCompliance;
-use super::space::{self, BallContacts, Drive, SpaceWorkspace};
+use super::space::{self, BallContacts, Bearing, Drive, SpaceWorkspace};
 use super::state::State;
 use crate::contact::JournalContact;
 use crate::integrator::{
@@ -97,7 +97,10 @@ impl<'m> RightHandSide<'m> {
         let parameters = Parameters::new(&models, layout);
         Self {
             work: Workspace::new(&parameters),
-            space: models[0].space.as_ref().map(SpaceWorkspace::new),
+            space: models[0]
+                .space
+                .as_ref()
+                .map(|space| SpaceWorkspace::new(models[0], space)),
             parameters,
             isa: isa.min(InstructionSet::detect()),
             evaluations: 0,
@@ -166,9 +169,12 @@ impl<'m> RightHandSide<'m> {
         let drive = self.drive();
         let (p, w) = (&self.parameters, &mut self.work);
         if let (Some(space), Some(s)) = (&self.models[0].space, &mut self.space) {
-            let bearing = (self.models[0], space, drive);
-            space::evaluate(bearing, (w, s), y, dydt, raceway_friction);
-            return;
+            let b = (p, self.models[0], space, drive);
+            return with_instructions!(
+                self.isa,
+                [](b: Bearing<'_>, w: &mut Workspace, s: &mut SpaceWorkspace, y: &[f64], dydt: &mut [f64], raceway_friction: bool),
+                space::evaluate(b, (w, s), y, dydt, raceway_friction)
+            );
         }
         with_instructions!(
             self.isa,
@@ -315,7 +321,9 @@ impl<'m> RightHandSide<'m> {
             false => vec![],
         };
         let at = |coordinate, k| state.values()[layout.ball(coordinate, k)];
-        let angle = |k, of: fn(&BallContacts) -> f64| c.in_space(k).map_or(f64::NAN, of);
+        let angle = |k, of: fn(&BallContacts) -> f64| {
+            c.in_space(k).map_or(f64::NAN, |contacts| of(&contacts))
+        };
         let of_ring = |coordinate| match spatial {
             true => state.values()[layout.ring(coordinate)],
             false => 0.0,
@@ -401,9 +409,12 @@ impl System for RightHandSide<'_> {
         let drive = self.drive();
         let (p, w) = (&self.parameters, &mut self.work);
         if let (Some(space), Some(s)) = (&self.models[0].space, &mut self.space) {
-            let bearing = (self.models[0], space, drive);
-            space::add_implicit_friction(bearing, (w, s), h_s, y0, y, dydt);
-            return;
+            let b = (p, self.models[0], space, drive);
+            return with_instructions!(
+                self.isa,
+                [](b: Bearing<'_>, w: &mut Workspace, s: &mut SpaceWorkspace, h_s: f64, y0: &[f64], y: &mut [f64], dydt: &mut [f64]),
+                space::add_implicit_friction(b, (w, s), h_s, y0, y, dydt)
+            );
         }
         with_instructions!(
             self.isa,

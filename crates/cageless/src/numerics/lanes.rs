@@ -23,6 +23,24 @@ impl Lanes {
     pub fn all(value: f64) -> Self {
         Self([value; LANES])
     }
+
+    /// Adds others times a factor.
+    #[inline(always)]
+    pub fn add(&mut self, others: &Self, factor: f64) {
+        for lane in 0..LANES {
+            self.0[lane] += factor * others.0[lane];
+        }
+    }
+
+    /// Sum of all lanes, one after the other.
+    #[inline(always)]
+    pub fn sum(&self) -> f64 {
+        let mut sum = 0.0;
+        for lane in 0..LANES {
+            sum += self.0[lane];
+        }
+        sum
+    }
 }
 
 /// The numbers of consecutive blocks.

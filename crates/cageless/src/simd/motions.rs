@@ -8,14 +8,14 @@ use crate::numerics::lanes::{BATCH_WIDTH, LANES};
 
 /// A block of neighbouring entries of a vector.
 #[inline(always)]
-pub(super) fn block_at(values: &[f64], at: usize) -> &[f64; LANES] {
+pub(crate) fn block_at(values: &[f64], at: usize) -> &[f64; LANES] {
     values[at..]
         .first_chunk()
         .expect("arrays are padded to whole blocks")
 }
 
 #[inline(always)]
-pub(super) fn block_mut(values: &mut [f64], at: usize) -> &mut [f64; LANES] {
+pub(crate) fn block_mut(values: &mut [f64], at: usize) -> &mut [f64; LANES] {
     values[at..]
         .first_chunk_mut()
         .expect("arrays are padded to whole blocks")

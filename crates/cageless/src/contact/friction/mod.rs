@@ -128,21 +128,6 @@ macro_rules! friction_laws {
                 match self { $(Self::$law(law) => law.force(sliding_m_s, normal_n),)* }
             }
 
-            /// [`Law::force`] of the law with its knee at this 1/ΔV, s/m.
-            #[inline(always)]
-            pub fn force_at(
-                &self,
-                sliding_m_s: f64,
-                normal_n: f64,
-                inverse_regularisation_speed: f64,
-            ) -> [f64; 2] {
-                match self {
-                    $(Self::$law(law) => law
-                        .with_knee(inverse_regularisation_speed)
-                        .force(sliding_m_s, normal_n),)*
-                }
-            }
-
             /// [`Law::edge`].
             #[inline(always)]
             pub fn edge(&self, sliding_m_s: f64) -> Option<f64> {

@@ -19,11 +19,13 @@ pub(crate) fn energy_j(model: &Model, space: &SpaceModel, state: &State) -> f64 
         let [place, velocity, rotation] = ball_motion(layout, y, k);
         let distance = place.x.hypot(place.y);
         let direction = [place.x / distance, place.y / distance];
-        let flanks = space.flanks.iter().find_map(|f| f.at(direction));
-        let outer = grooves
-            .outer
-            .touch(distance - ball.outer_orbit_radius, place.z, flanks);
-        let inner = grooves.inner.touch(place, &ring);
+        let beyond = distance - ball.outer_orbit_radius;
+        let outer = match space.flanks_at(direction) {
+            Some(here) => grooves.outer.touch_flanks(beyond, place.z, &here),
+            None => grooves.outer.touch(beyond, place.z),
+        };
+        let from_ring = (place - ring.centre).into();
+        let inner = grooves.inner.touch(from_ring, ring.axis.into());
         sum += 0.5 * ball.mass * velocity.norm_squared()
             + 0.5 * model.inertia[k] * rotation.norm_squared()
             + hertz::energy_j(ball.outer_stiffness_n_m1_5, outer.approach)

@@ -1,62 +1,89 @@
 //! Contact of a ball with the inner ring, in the meridian plane of the ring through the ball.
 
-use super::Vector;
-use super::ring::RingMotion;
+use super::vector::{cross, dot, plus};
+use crate::numerics::lanes::lane_struct;
 
-/// Groove constants of one ball.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct InnerGroove {
-    /// ri − R, m.
-    pub gap: f64,
-    /// ri, m.
-    pub curvature: f64,
-    /// Ri + ri, distance of the groove's centre from the axis of the ring, m.
-    pub centre: f64,
-    /// zi of the groove's centre, m.
-    pub axial: f64,
+lane_struct! {
+    /// Groove constants of one ball.
+    pub(crate) struct InnerGroove per lane InnerGrooveLanes {
+        /// ri − R, m.
+        gap,
+        /// ri, m.
+        curvature,
+        /// Ri + ri, distance of the groove's centre from the axis of the ring, m.
+        centre,
+        /// zi of the groove's centre, m.
+        axial,
+    }
 }
 
-/// Contact of one ball with the inner ring.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct InnerTouch {
-    /// δi, m; negative: apart.
-    pub approach: f64,
-    /// **n** from the ball into the ring, and **l** across the groove.
-    pub normal: Vector,
-    pub across: Vector,
-    /// Place of the contact from the centre of the ring, on the undeformed groove, m.
-    pub arm: Vector,
+lane_struct! {
+    /// Contact of one ball with the inner ring.
+    pub(crate) struct InnerTouch per lane InnerTouchLanes {
+        /// δi, m; negative: apart.
+        approach,
+        /// Unit vector from the axis of the ring to the ball.
+        direction_x,
+        /// The same.
+        direction_y,
+        /// The same.
+        direction_z,
+        /// Place of the ball from the centre of the ring, m.
+        ball_x,
+        /// The same.
+        ball_y,
+        /// The same.
+        ball_z,
+        /// Distance of the ball from the centre of the groove, m.
+        length,
+        /// Sine of the contact angle, positive where an axial load along +Z presses.
+        sine,
+        /// Its cosine.
+        cosine,
+    }
+}
+
+impl InnerTouch {
     /// Place of the ball from the centre of the ring, m.
-    pub ball: Vector,
-    /// Sine and cosine of the contact angle, positive where an axial load along +Z presses.
-    pub sine: f64,
-    pub cosine: f64,
+    #[inline(always)]
+    pub fn ball(&self) -> [f64; 3] {
+        [self.ball_x, self.ball_y, self.ball_z]
+    }
+
+    /// **n** from the ball into the ring, **l** across the groove and **τ** = **n** × **l**.
+    #[inline(always)]
+    pub fn axes(&self, axis: [f64; 3]) -> [[f64; 3]; 3] {
+        let direction = [self.direction_x, self.direction_y, self.direction_z];
+        let still = [0.0; 3];
+        let normal = plus(plus(still, -self.cosine, direction), -self.sine, axis);
+        let across = plus(plus(still, -self.cosine, axis), self.sine, direction);
+        [normal, across, cross(normal, across)]
+    }
 }
 
 impl InnerGroove {
-    #[inline]
-    pub fn touch(&self, place: Vector, ring: &RingMotion) -> InnerTouch {
-        let ball = place - ring.centre;
-        let along = ball.dot(&ring.axis);
-        let radial = ball - ring.axis * along;
-        let distance = radial.norm();
-        let direction = radial / distance;
+    /// Contact of a ball at this place from the centre of the ring with this axis.
+    #[inline(always)]
+    pub fn touch(&self, ball: [f64; 3], axis: [f64; 3]) -> InnerTouch {
+        let along = dot(ball, axis);
+        let radial = plus(ball, -along, axis);
+        let distance = dot(radial, radial).sqrt();
         let (x, y) = (distance - self.centre, along - self.axial);
         let length = (x * x + y * y).sqrt();
         // Near the centre of the groove there is no direction.
-        let (approach, [n_radial, n_axial]) = match length < 0.5 * self.gap {
-            true => (-self.gap, [-1.0, 0.0]),
-            false => (length - self.gap, [x / length, y / length]),
-        };
-        let normal = direction * n_radial + ring.axis * n_axial;
+        let near = length < 0.5 * self.gap;
+        let [ball_x, ball_y, ball_z] = ball;
         InnerTouch {
-            approach,
-            normal,
-            across: ring.axis * n_radial - direction * n_axial,
-            arm: ball + normal * (self.curvature - length),
-            ball,
-            sine: -n_axial,
-            cosine: -n_radial,
+            approach: if near { -self.gap } else { length - self.gap },
+            direction_x: radial[0] / distance,
+            direction_y: radial[1] / distance,
+            direction_z: radial[2] / distance,
+            ball_x,
+            ball_y,
+            ball_z,
+            length,
+            sine: if near { 0.0 } else { -y / length },
+            cosine: if near { 1.0 } else { -x / length },
         }
     }
 }

@@ -5,22 +5,27 @@
 //! the special case z = 0 without tilt. Friction acts in strips across the groove, with spin and
 //! the differential sliding of a curved contact.
 
-mod contact;
+mod bearing;
+mod block;
 mod edges;
 mod energy;
 mod evaluation;
-mod implicit_friction;
+mod frame;
+mod friction;
 mod inner_groove;
 mod model;
+mod normal_contacts;
 mod outer_groove;
 mod ring;
 mod strips;
+mod vector;
 mod workspace;
 
+pub(crate) use bearing::{Bearing, Drive};
 pub(crate) use edges::edges;
 pub(crate) use energy::energy_j;
-pub(crate) use evaluation::{Drive, evaluate};
-pub(crate) use implicit_friction::add_implicit_friction;
+pub(crate) use evaluation::evaluate;
+pub(crate) use friction::add_implicit_friction;
 pub(crate) use model::SpaceModel;
 pub use workspace::BallContacts;
 pub(crate) use workspace::SpaceWorkspace;

@@ -1,7 +1,7 @@
 //! Constants of the equations in space.
 
 use super::inner_groove::InnerGroove;
-use super::outer_groove::{FlankModel, OuterGroove};
+use super::outer_groove::{FlankModel, FlanksHere, OuterGroove};
 use super::strips::{Strip, strips};
 use crate::case::{Case, Tilt};
 
@@ -98,5 +98,11 @@ impl SpaceModel {
             axial_load: load.axial_load_n,
             free_tilt,
         })
+    }
+
+    /// The flanks in the direction **e**; `None` outside the discrete raceways.
+    #[inline]
+    pub fn flanks_at(&self, direction: [f64; 2]) -> Option<FlanksHere> {
+        self.flanks.iter().find_map(|flanks| flanks.at(direction))
     }
 }

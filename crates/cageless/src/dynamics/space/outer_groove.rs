@@ -7,6 +7,7 @@
 use std::f64::consts::LN_2;
 
 use crate::numerics::chebyshev::Polynomial;
+use crate::numerics::lanes::lane_struct;
 use crate::raceway::{Piece, Raceway};
 
 /// Flank angle below which the raceway is the plain groove, rad.
@@ -121,37 +122,65 @@ impl FlankModel {
     }
 }
 
-/// Groove constants of one ball.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct OuterGroove {
-    /// Re − R of this ball, m.
-    pub gap: f64,
-    /// Re − Rw of the nominal ball, m.
-    pub nominal_gap: f64,
-    /// zo of the groove's centre, m.
-    pub axial: f64,
+lane_struct! {
+    /// Groove constants of one ball.
+    pub(crate) struct OuterGroove per lane OuterGrooveLanes {
+        /// Re − R of this ball, m.
+        gap,
+        /// Re − Rw of the nominal ball, m.
+        nominal_gap,
+        /// zo of the groove's centre, m.
+        axial,
+    }
 }
 
-/// One point of contact.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Point {
-    /// nρ and nz.
-    pub normal: [f64; 2],
-    /// Share w of the force.
-    pub share: f64,
+lane_struct! {
+    /// Contact of one ball with the outer ring, at the plain groove or the flank towards +Z and at the
+    /// other flank.
+    pub(crate) struct OuterTouch per lane OuterTouchLanes {
+        /// δe, m; negative: apart.
+        approach,
+        /// ∂δe/∂ψ, m/rad.
+        slope,
+        /// Whether the ball is within a discrete raceway: 1 or 0.
+        inside,
+        /// nρ of the first point.
+        radial_0,
+        /// nz of the first point.
+        axial_0,
+        /// Share w of the force of the first point.
+        share_0,
+        /// Its cube root.
+        root_0,
+        /// nρ of the second point.
+        radial_1,
+        /// nz of the second point.
+        axial_1,
+        /// Share w of the force of the second point.
+        share_1,
+        /// Its cube root.
+        root_1,
+    }
 }
 
-/// Contact of one ball with the outer ring.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct OuterTouch {
-    /// δe, m; negative: apart.
-    pub approach: f64,
-    /// The plain groove or the flank towards +Z, and the other flank.
-    pub points: [Point; 2],
-    /// ∂δe/∂ψ, m/rad.
-    pub slope: f64,
-    /// Whether the ball is within a discrete raceway.
-    pub inside: bool,
+impl OuterTouch {
+    /// nρ, nz, w and its cube root of both points.
+    #[inline(always)]
+    pub fn points(&self) -> [[f64; 4]; 2] {
+        [
+            [self.radial_0, self.axial_0, self.share_0, self.root_0],
+            [self.radial_1, self.axial_1, self.share_1, self.root_1],
+        ]
+    }
+
+    /// Σ w nρ and Σ w nz.
+    #[inline(always)]
+    pub fn resultant(&self) -> [f64; 2] {
+        [
+            self.share_0 * self.radial_0 + self.share_1 * self.radial_1,
+            self.share_0 * self.axial_0 + self.share_1 * self.axial_1,
+        ]
+    }
 }
 
 /// Approach and normal of a ball at **d** from the centre of a groove of which it may be this far off.
@@ -159,32 +188,42 @@ pub(crate) struct OuterTouch {
 fn approach([radial, axial]: [f64; 2], radius: f64) -> (f64, [f64; 2]) {
     let length = (radial * radial + axial * axial).sqrt();
     // Near the centre there is no direction.
-    if length < 0.5 * radius {
-        return (-radius, [1.0, 0.0]);
-    }
-    (length - radius, [radial / length, axial / length])
+    let near = length < 0.5 * radius;
+    (
+        if near { -radius } else { length - radius },
+        [
+            if near { 1.0 } else { radial / length },
+            if near { 0.0 } else { axial / length },
+        ],
+    )
 }
 
 impl OuterGroove {
     /// Contact of a ball `beyond` the place at which it touches the plain groove in its middle and
-    /// at z.
-    #[inline]
-    pub fn touch(&self, beyond: f64, z: f64, flanks: Option<FlanksHere>) -> OuterTouch {
+    /// at z, outside the discrete raceways.
+    #[inline(always)]
+    pub fn touch(&self, beyond: f64, z: f64) -> OuterTouch {
+        let (approach, [radial_0, axial_0]) =
+            approach([beyond + self.gap, z - self.axial], self.gap);
+        OuterTouch {
+            approach,
+            radial_0,
+            axial_0,
+            share_0: 1.0,
+            root_0: 1.0,
+            ..OuterTouch::default()
+        }
+    }
+
+    /// Contact of such a ball within a discrete raceway.
+    pub fn touch_flanks(&self, beyond: f64, z: f64, here: &FlanksHere) -> OuterTouch {
         let plain = [beyond + self.gap, z - self.axial];
-        let Some(here) = flanks else {
-            let (approach, normal) = approach(plain, self.gap);
-            return OuterTouch {
-                approach,
-                points: [Point { normal, share: 1.0 }, Point::default()],
-                ..OuterTouch::default()
-            };
-        };
         let (sin, cos) = here.angle.sin_cos();
         let g = self.nominal_gap;
         let [depth, depth_slope] = here.depth;
         let mut delta = [0.0; 2];
         let mut slopes = [0.0; 2];
-        let mut points = [Point::default(); 2];
+        let mut normals = [[0.0; 2]; 2];
         for (k, sign) in [1.0, -1.0].into_iter().enumerate() {
             let cos_flank = here.cos_section * cos - sign * here.sin_section * sin;
             let sin_flank = here.sin_section * cos + sign * here.cos_section * sin;
@@ -192,21 +231,29 @@ impl OuterGroove {
                 plain[0] + g * (cos_flank - here.cos_section),
                 plain[1] + g * (sin_flank - here.sin_section),
             ];
-            let normal;
-            (delta[k], normal) = approach(d, self.gap + depth);
+            (delta[k], normals[k]) = approach(d, self.gap + depth);
+            let normal = normals[k];
             slopes[k] = -sign * g * here.slope * (normal[0] * sin_flank - normal[1] * cos_flank)
                 - depth_slope;
-            points[k].normal = normal;
         }
+        let touch = |approach: f64, slope: f64, shares: [f64; 2]| OuterTouch {
+            approach,
+            slope,
+            inside: 1.0,
+            radial_0: normals[0][0],
+            axial_0: normals[0][1],
+            share_0: shares[0],
+            root_0: shares[0].cbrt(),
+            radial_1: normals[1][0],
+            axial_1: normals[1][1],
+            share_1: shares[1],
+            root_1: shares[1].cbrt(),
+        };
         let (most, least) = if delta[0] >= delta[1] { (0, 1) } else { (1, 0) };
+        let mut shares = [0.0; 2];
         if delta[least] <= 0.0 || delta[least] < 1e-60 * delta[most] {
-            points[most].share = 1.0;
-            return OuterTouch {
-                approach: delta[most],
-                points,
-                slope: slopes[most],
-                inside: true,
-            };
+            shares[most] = 1.0;
+            return touch(delta[most], slopes[most], shares);
         }
         // s = ln 2/(−ln cos αc).
         let inverse = -cos.ln() / LN_2;
@@ -215,19 +262,12 @@ impl OuterGroove {
         let power = (log * exponent).exp();
         let joined = power.ln_1p();
         let effective = delta[most] * (joined * inverse).exp();
-        let most_share = (-(1.0 - inverse) * joined).exp();
-        points[most].share = most_share;
-        points[least].share = most_share * ((exponent - 1.0) * log).exp();
+        shares[most] = (-(1.0 - inverse) * joined).exp();
+        shares[least] = shares[most] * ((exponent - 1.0) * log).exp();
         let by_exponent = effective * inverse * (power / (1.0 + power) * log - joined * inverse);
         let exponent_slope = -exponent * exponent * (sin / cos) * here.slope / LN_2;
-        OuterTouch {
-            approach: effective,
-            slope: points[0].share * slopes[0]
-                + points[1].share * slopes[1]
-                + by_exponent * exponent_slope,
-            points,
-            inside: true,
-        }
+        let slope = shares[0] * slopes[0] + shares[1] * slopes[1] + by_exponent * exponent_slope;
+        touch(effective, slope, shares)
     }
 }
 
@@ -261,8 +301,9 @@ mod tests {
             for psi in [-0.43, -0.3, 0.02, 0.2, 0.4395] {
                 let [flank, slope] = raceway.contact_angle_rad(psi);
                 for place in [[6e-6, 0.0], [6e-6, 3e-6], [8e-6, -30e-6], [5e-6, 80e-6]] {
-                    let at = |psi: f64, place: [f64; 2]| {
-                        groove.touch(place[0], place[1], model.at(direction(psi)))
+                    let at = |psi: f64, place: [f64; 2]| match model.at(direction(psi)) {
+                        Some(here) => groove.touch_flanks(place[0], place[1], &here),
+                        None => groove.touch(place[0], place[1]),
                     };
                     let touch = at(psi, place);
                     let section = OuterSection {
@@ -285,8 +326,7 @@ mod tests {
                         "{psi} {place:?}"
                     );
                     for axis in 0..2 {
-                        let found: f64 =
-                            touch.points.iter().map(|p| p.share * p.normal[axis]).sum();
+                        let found = touch.resultant()[axis];
                         assert!(
                             (found - exact.gradient[axis]).abs() < 1e-9,
                             "{psi} {place:?}"

@@ -35,6 +35,7 @@ impl RingMotion {
         }
     }
 
+    #[inline(always)]
     pub fn new(layout: Layout, y: &[f64], inner_speed_rad_s: f64) -> Self {
         let at = |coordinate| y[layout.ring(coordinate)];
         let (p, q) = (at(RingCoordinate::TiltP), at(RingCoordinate::TiltQ));

@@ -9,21 +9,23 @@
 //! a strip of half-width h the sliding velocity varies by ±hγ, γ = ω′n + 2κx ω′l, which widens the knee of the law to
 //! √(v² + (hγ)²) and leaves a moment.
 
-use crate::contact::Friction;
+use crate::contact::Law;
+use crate::numerics::lanes::lane_struct;
 
-/// Sliding of a contact: of its middle, and the rotation of the ball relative to the ring.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Sliding {
-    /// s0 along τ, m/s.
-    pub along: f64,
-    /// s0 along l, m/s.
-    pub across: f64,
-    /// ω′ along n, rad/s.
-    pub spin: f64,
-    /// ω′ along l, rad/s.
-    pub roll: f64,
-    /// ω′ along τ, rad/s.
-    pub yaw: f64,
+lane_struct! {
+    /// Sliding of a contact: of its middle, and the rotation of the ball relative to the ring.
+    pub(crate) struct Sliding per lane SlidingLanes {
+        /// s0 along τ, m/s.
+        along,
+        /// s0 along l, m/s.
+        across,
+        /// ω′ along n, rad/s.
+        spin,
+        /// ω′ along l, rad/s.
+        roll,
+        /// ω′ along τ, rad/s.
+        yaw,
+    }
 }
 
 impl Sliding {
@@ -105,23 +107,30 @@ pub(crate) fn strips(count: usize) -> Vec<Strip> {
         .collect()
 }
 
-/// Friction of one strip at a sliding velocity.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct StripFriction {
-    /// Force on the ball along τ and l, N.
-    pub force: [f64; 2],
-    /// −∂f/∂s along the sliding velocity, N·s/m.
-    pub steepness: f64,
-    /// |f|/|s|, −∂f/∂s across the sliding velocity, N·s/m.
-    pub secant: f64,
-    /// Unit vector of the sliding velocity.
-    pub direction: [f64; 2],
+lane_struct! {
+    /// Friction of one strip at a sliding velocity.
+    pub(crate) struct StripFriction per lane StripFrictionLanes {
+        /// Force on the ball along τ, N.
+        along,
+        /// Force on the ball along l, N.
+        across,
+        /// Φ = −∂f/∂s along τ, N·s/m; of a law that falls beyond its peak no less than 0 along s.
+        along_along,
+        /// Φ between τ and l, N·s/m.
+        along_across,
+        /// Φ along l, N·s/m.
+        across_across,
+        /// |f|/|s|, −∂f/∂s across the sliding velocity, N·s/m.
+        secant,
+        /// −∂f/∂s along the sliding velocity, N·s/m.
+        steepness,
+    }
 }
 
 /// The contact that a strip is part of.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Patch<'a> {
-    pub friction: &'a Friction,
+pub(crate) struct Patch<L> {
+    pub law: L,
     /// Normal force under which friction acts, N.
     pub normal_n: f64,
     /// a, m.
@@ -130,7 +139,7 @@ pub(crate) struct Patch<'a> {
     pub curvature: f64,
 }
 
-impl Patch<'_> {
+impl<L: Law> Patch<L> {
     /// Place of a strip, m.
     #[inline(always)]
     pub fn place(&self, strip: &Strip) -> f64 {
@@ -140,7 +149,7 @@ impl Patch<'_> {
     /// 1 over the speed at which the law has its knee in a strip, s/m.
     #[inline(always)]
     pub fn inverse_knee(&self, strip: &Strip, shear: f64) -> f64 {
-        let knee = 1.0 / self.friction.inverse_regularisation_speed();
+        let knee = 1.0 / self.law.inverse_regularisation_speed();
         let spread = strip.half_width * self.half_length_m * shear;
         1.0 / (knee * knee + spread * spread).sqrt()
     }
@@ -150,16 +159,20 @@ impl Patch<'_> {
     pub fn force(&self, strip: &Strip, slip: [f64; 2], inverse_knee: f64) -> StripFriction {
         let speed = (slip[0] * slip[0] + slip[1] * slip[1]).sqrt();
         let normal = strip.weight * self.normal_n;
-        let [size, steepness] = self.friction.force_at(speed, normal, inverse_knee);
-        let (secant, direction) = match speed > 1e-9 / inverse_knee {
-            true => (size / speed, [slip[0] / speed, slip[1] / speed]),
-            false => (steepness, [0.0; 2]),
-        };
+        let [size, steepness] = self.law.force_with_knee(speed, normal, inverse_knee);
+        let slides = speed * inverse_knee > 1e-9;
+        let inverse = if slides { 1.0 / speed } else { 0.0 };
+        let secant = if slides { size * inverse } else { steepness };
+        let [a, b] = [slip[0] * inverse, slip[1] * inverse];
+        let more = if steepness > 0.0 { steepness } else { 0.0 } - secant;
         StripFriction {
-            force: [-secant * slip[0], -secant * slip[1]],
-            steepness,
+            along: -secant * slip[0],
+            across: -secant * slip[1],
+            along_along: secant + more * a * a,
+            along_across: more * a * b,
+            across_across: secant + more * b * b,
             secant,
-            direction,
+            steepness,
         }
     }
 
@@ -172,19 +185,23 @@ impl Patch<'_> {
         friction: &StripFriction,
         inverse_knee: f64,
     ) -> f64 {
-        let knee = 1.0 / self.friction.inverse_regularisation_speed();
+        let knee = 1.0 / self.law.inverse_regularisation_speed();
         let half = strip.half_width * self.half_length_m;
         let slow = strip.knee * knee / half;
         // The steepness over μ·N/v is sech².
-        let level = strip.lever * self.half_length_m * friction.steepness / inverse_knee;
-        -level.max(0.0) * shear / (shear * shear + slow * slow).sqrt()
+        let steepness = if friction.steepness > 0.0 {
+            friction.steepness
+        } else {
+            0.0
+        };
+        let level = strip.lever * self.half_length_m * steepness / inverse_knee;
+        -level * shear / (shear * shear + slow * slow).sqrt()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::{Patch, Sliding, strips};
-    use crate::contact::Friction;
     use crate::contact::friction::Smooth;
 
     /// ∫ ¾(1 − ξ²)ξ^2k = 3/((2k + 1)(2k + 3)), exact to degree 2n − 1; the nodes of three strips.
@@ -208,12 +225,11 @@ mod tests {
 
     /// Force along τ and spin moment of a contact under 1 N with μ = 1, a = 1 mm.
     fn force_and_moment(count: usize, sliding: &Sliding, curvature: f64) -> [f64; 3] {
-        let friction = Friction::Smooth(Smooth {
-            coefficient: 1.0,
-            inverse_regularisation_speed: 1e6,
-        });
         let patch = Patch {
-            friction: &friction,
+            law: Smooth {
+                coefficient: 1.0,
+                inverse_regularisation_speed: 1e6,
+            },
             normal_n: 1.0,
             half_length_m: 1e-3,
             curvature,
@@ -225,9 +241,9 @@ mod tests {
             let inverse_knee = patch.inverse_knee(strip, shear);
             let f = patch.force(strip, slip, inverse_knee);
             let moment = patch.moment(strip, shear, &f, inverse_knee);
-            sums[0] += f.force[0];
-            sums[1] += x * f.force[0] + moment;
-            sums[2] -= f.force[0] * slip[0] + f.force[1] * slip[1] + moment * shear;
+            sums[0] += f.along;
+            sums[1] += x * f.along + moment;
+            sums[2] -= f.along * slip[0] + f.across * slip[1] + moment * shear;
         }
         sums
     }

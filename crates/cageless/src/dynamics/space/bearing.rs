@@ -1,0 +1,46 @@
+//! A bearing in space with what drives it, and what its contacts add up to.
+
+use super::Vector;
+use super::frame::SIZE;
+use super::model::{FreeTilt, SpaceModel};
+use super::ring::RingMotion;
+use crate::dynamics::model::Model;
+use crate::simd::Parameters;
+
+/// Loads and speed at one time.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Drive {
+    /// ωi, rad/s.
+    pub inner_speed: f64,
+    /// Fr, N.
+    pub radial_load: f64,
+}
+
+/// A bearing and what drives it.
+pub(crate) type Bearing<'a> = (&'a Parameters, &'a Model, &'a SpaceModel, Drive);
+
+/// Second derivatives of p and q that a moment on the ring adds.
+pub(super) fn tilting_by(free: &FreeTilt, ring: &RingMotion, moment: Vector) -> [f64; 2] {
+    let turning = moment.cross(&ring.axis) / free.transverse;
+    [turning.x, turning.y]
+}
+
+/// Sums over the contacts.
+#[derive(Default)]
+pub(super) struct Totals {
+    /// Force on the inner ring and moment about its centre, N, N·m.
+    pub ring: [f64; SIZE],
+    /// Heat at the outer and the inner contacts, W.
+    pub heat: [f64; 2],
+    pub weight: f64,
+    pub ball_friction: f64,
+    pub damping: f64,
+}
+
+impl Totals {
+    /// Force on the inner ring and moment about its centre.
+    pub fn on_ring(&self) -> [Vector; 2] {
+        let [fx, fy, fz, mx, my, mz] = self.ring;
+        [Vector::new(fx, fy, fz), Vector::new(mx, my, mz)]
+    }
+}
