@@ -143,3 +143,20 @@ fn a_verification_is_reproducible() {
     case.seed = 1;
     assert_ne!(first, certify(&case, 1));
 }
+
+/// Under axial load momentum along the axis counts as well: all three balances close to second order.
+#[test]
+fn a_run_in_space_is_verified() {
+    let mut case = structure(5.1, 25.2);
+    case.solver.duration_s = 0.05;
+    case.operation.space.axial_load_n = 150.0;
+    let c = certify(&case, 2);
+    assert!(
+        c.divergence.predictability_time_s.is_none(),
+        "{:?}",
+        c.divergence.loss
+    );
+    assert_eq!(points(&c), [Convergence::Converged; 3]);
+    let [full, half] = c.momentum_residual_relative;
+    assert!(full < 1e-8 && half < 0.35 * full, "{full:e} {half:e}");
+}

@@ -19,9 +19,6 @@ use crate::format::{columns, judged, pairs, values, warnings};
 pub fn run(args: &RunArgs) -> Result<(), Failure> {
     let (verify, output) = (args.verify, &args.case.output);
     let file = read_case(&args.case.case, &args.case.set)?;
-    if verify {
-        file.checked(cageless::Case::check_planar)?;
-    }
     file.checked(cageless::Case::check_motion)?;
     // A case that cannot start must not touch the folder.
     initial_state(file.case())?;

@@ -132,10 +132,17 @@ impl Contacts<'_> {
             .then(|| self.work.rotors[self.layout.bearing()])
     }
 
-    /// Force of the balls on the outer ring, friction included, N.
+    /// Axial force of the balls on the outer ring, friction included, N.
+    pub fn outer_ring_axial_force_n(&self) -> f64 {
+        self.space
+            .map_or(0.0, |space| space.outer_ring_force_n()[2])
+    }
+
+    /// Force of the balls on the outer ring along X and Y, friction included, N.
     pub fn outer_ring_force_n(&self) -> [f64; 2] {
         if let Some(space) = self.space {
-            return space.outer_ring_force_n();
+            let [x, y, _] = space.outer_ring_force_n();
+            return [x, y];
         }
         (0..self.balls()).fold([0.0; 2], |[x, y], k| {
             let (block, lane) = self.place(k);

@@ -1,14 +1,16 @@
 //! Balance of linear momentum.
 
 use crate::contact::centrifugal_force;
-use crate::dynamics::coordinates::BallCoordinate;
+use crate::dynamics::Contacts;
+use crate::dynamics::coordinates::{BallCoordinate, RingCoordinate};
 use crate::dynamics::layout::Layout;
 use crate::dynamics::{Model, RightHandSide};
+use crate::integrator::System;
 use crate::profile::Profile;
 use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 
 /// Compares the linear momentum of balls and inner ring with the impulses of the external
-/// forces: the outer ring, the radial load, the weights, the drag on the inner ring and, in
+/// forces: the outer ring, the loads, the weights, the drag on the inner ring and, in
 /// the `paper` profile, the centrifugal force of Zhao 2022, Eq. (15). The forces that balls
 /// and inner ring exert on each other must cancel. With a rotor its momentum and weight count,
 /// too, and with a support that of the outer ring, which the support then pushes.
@@ -17,19 +19,19 @@ use crate::simulation::{Control, Observer, ObserverError, RunContext, StepView};
 #[derive(Debug, Clone, Default)]
 pub(super) struct MomentumBalance {
     model: Option<Model>,
-    start: [f64; 2],
-    now: [f64; 2],
-    impulse: [f64; 2],
+    start: [f64; 3],
+    now: [f64; 3],
+    impulse: [f64; 3],
     absolute_impulse: f64,
-    last: Option<([f64; 2], f64)>,
+    last: Option<([f64; 3], f64)>,
 }
 
 impl MomentumBalance {
     /// |momentum now − momentum at the start − impulses| over the sum of absolute impulses.
     pub fn residual_relative(&self) -> f64 {
-        let missing = [0, 1].map(|k| self.now[k] - self.start[k] - self.impulse[k]);
+        let [x, y, z] = [0, 1, 2].map(|k| self.now[k] - self.start[k] - self.impulse[k]);
         if self.absolute_impulse > 0.0 {
-            missing[0].hypot(missing[1]) / self.absolute_impulse
+            x.hypot(y).hypot(z) / self.absolute_impulse
         } else {
             0.0
         }
@@ -37,52 +39,59 @@ impl MomentumBalance {
 }
 
 /// Sum of the momenta of balls, inner ring, rotor and outer ring, N·s.
-fn momentum(model: &Model, layout: Layout, values: &[f64]) -> [f64; 2] {
-    let ring = layout.ring_motion(values);
-    let bearing =
-        [(BallCoordinate::Vx, ring.vx), (BallCoordinate::Vy, ring.vy)].map(|(coordinate, ring)| {
-            let speeds = layout.balls_of(values, coordinate);
-            let balls: f64 = model
-                .balls
-                .iter()
-                .zip(speeds.iter())
-                .map(|(ball, v)| ball.mass * v)
-                .sum();
-            balls + model.ring.mass * ring
-        });
+fn momentum(model: &Model, layout: Layout, values: &[f64]) -> [f64; 3] {
+    let of = |coordinate: BallCoordinate, ring: RingCoordinate| {
+        let speeds = layout.balls_of(values, coordinate);
+        let balls = model.balls.iter().zip(speeds.iter());
+        let balls: f64 = balls.map(|(ball, v)| ball.mass * v).sum();
+        balls + model.ring.mass * values[layout.ring(ring)]
+    };
+    let [x, y] = [
+        of(BallCoordinate::Vx, RingCoordinate::Vx),
+        of(BallCoordinate::Vy, RingCoordinate::Vy),
+    ];
+    if layout.is_in_space() {
+        return [x, y, of(BallCoordinate::Vz, RingCoordinate::Vz)];
+    }
     let Some((body, rotor)) = model.rotor.as_ref().zip(layout.rotor_motion(values)) else {
-        return bearing;
+        return [x, y, 0.0];
     };
     let (outer, mass) = (layout.outer_ring_motion(values), model.outer_ring.mass);
     [
-        bearing[0] + body.mass * rotor.vx + mass * outer.vx,
-        bearing[1] + body.mass * rotor.vy + mass * outer.vy,
+        x + body.mass * rotor.vx + mass * outer.vx,
+        y + body.mass * rotor.vy + mass * outer.vy,
+        0.0,
     ]
 }
 
 /// Sum of the external forces at a state where the outer ring is pressed by `outer`, and
 /// the sum of their absolute values, N.
-fn external(model: &Model, layout: Layout, values: &[f64], outer: [f64; 2]) -> ([f64; 2], f64) {
+fn external(model: &Model, layout: Layout, values: &[f64], outer: [f64; 3]) -> ([f64; 3], f64) {
     let motion = layout.ring_motion(values);
     let ring = &model.ring;
     let balls: f64 = model.balls.iter().map(|ball| ball.mass).sum();
     let rotor = model.rotor.map_or(0.0, |body| body.mass);
     let weight = (ring.mass + balls + rotor) * ring.gravity;
     let outer = if model.outer_ring.mass > 0.0 {
-        let support = model
-            .outer_ring
-            .support_force(&layout.outer_ring_motion(values));
-        support.map(|force| -force)
+        let outer_ring = layout.outer_ring_motion(values);
+        let [x, y] = model.outer_ring.support_force(&outer_ring);
+        [-x, -y, 0.0]
     } else {
         outer
+    };
+    let (axial_load, vz) = match &model.space {
+        Some(space) => (space.axial_load, values[layout.ring(RingCoordinate::Vz)]),
+        None => (0.0, 0.0),
     };
     let mut force = [
         -outer[0] - ring.drag * motion.vx,
         -outer[1] - ring.drag * motion.vy - ring.radial_load - weight,
+        -outer[2] - ring.drag * vz + axial_load,
     ];
-    let mut absolute = outer[0].hypot(outer[1])
-        + ring.drag * motion.vx.hypot(motion.vy)
+    let mut absolute = outer[0].hypot(outer[1]).hypot(outer[2])
+        + ring.drag * motion.vx.hypot(motion.vy).hypot(vz)
         + ring.radial_load
+        + axial_load.abs()
         + weight;
     if model.profile == Profile::Paper {
         for (k, ball) in model.balls.iter().enumerate() {
@@ -98,14 +107,17 @@ fn external(model: &Model, layout: Layout, values: &[f64], outer: [f64; 2]) -> (
     (force, absolute)
 }
 
+fn outer_force_n(contacts: &Contacts<'_>) -> [f64; 3] {
+    let [x, y] = contacts.outer_ring_force_n();
+    [x, y, contacts.outer_ring_axial_force_n()]
+}
+
 impl Observer for MomentumBalance {
     fn begin(&mut self, context: &RunContext<'_>) -> Result<(), ObserverError> {
         let (layout, values) = (context.start.layout(), context.start.values());
         let mut rhs = RightHandSide::new(context.model);
-        let s = rhs
-            .snapshot(0.0, context.start, context.start_angle_rad)
-            .ring;
-        let outer = [s.outer_force_x_n, s.outer_force_y_n];
+        rhs.derivative(0.0, values, &mut vec![0.0; values.len()]);
+        let outer = outer_force_n(&rhs.contacts());
         let start = momentum(context.model, layout, values);
         *self = Self {
             start,
@@ -122,11 +134,11 @@ impl Observer for MomentumBalance {
             return Ok(Control::Continue(()));
         };
         let (step, layout) = (view.step, view.layout());
-        let outer = view.contacts.outer_ring_force_n();
+        let outer = outer_force_n(&view.contacts);
         let (force, absolute) = external(model, layout, &step.y1, outer);
         if let Some((force_before, absolute_before)) = self.last {
             let half = 0.5 * step.size_s();
-            for k in 0..2 {
+            for k in 0..3 {
                 self.impulse[k] += half * (force_before[k] + force[k]);
             }
             self.absolute_impulse += half * (absolute_before + absolute);

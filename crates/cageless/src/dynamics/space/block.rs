@@ -70,10 +70,10 @@ pub(crate) struct SpaceBlock {
     pub outer: OuterTouchLanes,
     pub inner: InnerTouchLanes,
     pub frames: [FrameLanes; PLACES],
-    /// Force of the outer contact over that of its flanks, N, and of the ball on the outer ring along X
-    /// and Y, friction included, N.
+    /// Force of the outer contact over that of its flanks, N, and of the ball on the outer ring,
+    /// friction included, N.
     pub outer_force_n: Lanes,
-    pub outer_ring_force_n: [Lanes; 2],
+    pub outer_ring_force_n: [Lanes; 3],
 
     /// Sliding of a ball at rest on the inner ring at the start and the end of the step.
     pub at_rest: [SlidingLanes; 2],
@@ -133,7 +133,7 @@ impl SpaceBlock {
             inner: InnerTouchLanes::ZERO,
             frames: [const { FrameLanes::ZERO }; PLACES],
             outer_force_n: Lanes::ZERO,
-            outer_ring_force_n: [Lanes::ZERO; 2],
+            outer_ring_force_n: [Lanes::ZERO; 3],
             at_rest: [const { SlidingLanes::ZERO }; 2],
             was_inside: Lanes::ZERO,
             weights: [Lanes::ZERO; PLACES],

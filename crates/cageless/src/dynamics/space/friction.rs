@@ -475,7 +475,7 @@ fn tractions(
             }
         } else {
             results.outer_friction.add(&traction.along, 1.0);
-            for i in 0..2 {
+            for i in 0..3 {
                 b.outer_ring_force_n[i].add(&force[i], -1.0);
             }
         }

@@ -57,7 +57,7 @@ pub(super) fn normal_contacts(
 
     let mut frames = b.frames.clone();
     let mut forces = [Lanes::ZERO; 3];
-    let mut on_outer_ring = [Lanes::ZERO; 2];
+    let mut on_outer_ring = [Lanes::ZERO; 3];
     let (mut damping, mut outer_force) = (Lanes::ZERO, Lanes::ZERO);
     for lane in 0..LANES {
         let (ball, touch, polar) = (balls.get(lane), b.outer.get(lane), results.polar.get(lane));
@@ -81,6 +81,7 @@ pub(super) fn normal_contacts(
         let on_ring = [
             radial * polar.ex - turning * polar.ey,
             radial * polar.ey + turning * polar.ex,
+            contact.force_n * across,
         ];
         for k in 0..2 {
             let [radial, axial, share, root] = points[k];
@@ -111,11 +112,11 @@ pub(super) fn normal_contacts(
         results.outer.deflection.0[lane] = touch.approach;
         results.outer.force.0[lane] = contact.force_n * resultant;
         outer_force.0[lane] = contact.force_n;
-        on_outer_ring[0].0[lane] = on_ring[0];
-        on_outer_ring[1].0[lane] = on_ring[1];
-        forces[0].0[lane] = -on_ring[0];
-        forces[1].0[lane] = -on_ring[1] - ball.mass * model.ring.gravity;
-        forces[2].0[lane] = -contact.force_n * across;
+        for i in 0..3 {
+            on_outer_ring[i].0[lane] = on_ring[i];
+            forces[i].0[lane] = -on_ring[i];
+        }
+        forces[1].0[lane] -= ball.mass * model.ring.gravity;
         damping.0[lane] = contact.damping_power_w;
     }
     (b.outer_force_n, b.outer_ring_force_n) = (outer_force, on_outer_ring);

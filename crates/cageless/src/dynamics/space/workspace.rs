@@ -69,9 +69,9 @@ impl SpaceWorkspace {
         }
     }
 
-    /// Force of the balls on the outer ring along X and Y, N.
-    pub fn outer_ring_force_n(&self) -> [f64; 2] {
-        [0, 1].map(|axis| {
+    /// Force of the balls on the outer ring, N.
+    pub fn outer_ring_force_n(&self) -> [f64; 3] {
+        [0, 1, 2].map(|axis| {
             let lanes = self.blocks.iter().map(|b| b.outer_ring_force_n[axis].0);
             lanes.flatten().sum()
         })
