@@ -39,13 +39,17 @@ def rounded(value, digits):
 
 
 def at(document, path):
-    """Value at a path such as `ensemble.drops.0.result.impacts`; `*` is a list of all. Nothing has nothing."""
+    """Value at a path such as `ensemble.drops.0.result.impacts`; `*` is a list of all, a name the entry of a
+    list that has it. Nothing has nothing."""
     for n, key in enumerate(keys := path.split(".")):
         if document is None:
             return None
         if key == "*":
             return [at(entry, ".".join(keys[n + 1 :])) for entry in document]
-        document = document[int(key) if isinstance(document, list) else key]
+        if isinstance(document, list) and not key.isdecimal():
+            document = next(entry for entry in document if entry["name"] == key)
+        else:
+            document = document[int(key) if isinstance(document, list) else key]
     return document
 
 

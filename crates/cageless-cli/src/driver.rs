@@ -202,6 +202,13 @@ pub fn read_planar_case(path: &Path, set: &[String]) -> Result<CaseFile, Failure
     Ok(file)
 }
 
+/// Reads the case of a command that computes its motion.
+pub fn read_moving_case(path: &Path, set: &[String]) -> Result<CaseFile, Failure> {
+    let file = read_case(path, set)?;
+    file.checked(cageless::Case::check_motion)?;
+    Ok(file)
+}
+
 /// Reads the case of a command.
 pub fn read_case(path: &Path, set: &[String]) -> Result<CaseFile, Failure> {
     CaseFile::read(path, set).map_err(|error| {

@@ -102,12 +102,12 @@ impl Case {
     /// An [`InputError`] naming what takes it out of the plane.
     pub fn check_planar(&self) -> Result<(), InputError> {
         if let Some((field, value)) = self.spatial_field() {
-            let rule = "left out here: only `cageless static`, `cageless run`, sweeps \
-                        of both and `cageless export` take it, all else is planar";
+            let rule = "left out here: only `cageless static`, `run`, `compare`, sweeps of static or run, \
+                        and `export` take it, all else is planar";
             return Err(InputError::rule(field, value, rule));
         }
         if self.motion == Motion::Space {
-            let rule = "auto here: only `cageless static`, `cageless run` and sweeps of both \
+            let rule = "auto here: only `cageless static`, `run`, `compare` and sweeps of static or run \
                         compute in space";
             return Err(InputError::rule("motion", 0.0, rule));
         }
