@@ -130,6 +130,12 @@ def compared(row, name):
     return [float(text.replace("−", "-")) for text in texts], [digits(text) for text in texts]
 
 
+def measured(result, ring):
+    """Result of a ring in a comparison with its standard error."""
+    found = result["values"][ring]
+    return f"{figures(found['mean'], 3)} ± {figures(found['standard_error'], 2)}"
+
+
 def against(row, name):
     """Result of the recommended raceway of a search against that of the case."""
     recommended, own, change, error = compared(row, name)[1]
@@ -160,7 +166,7 @@ def sector(row, k):
 
 WORDS = {
     of.__name__: of
-    for of in (against, changed, colliding, compared, digits, figures, fixed, of_ring, percent, power, sector, size, span, spun_up, wilson)
+    for of in (against, changed, colliding, compared, digits, figures, fixed, measured, of_ring, percent, power, sector, size, span, spun_up, wilson)
 }
 
 

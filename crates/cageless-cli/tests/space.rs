@@ -220,6 +220,7 @@ fn a_run_in_space_says_what_it_does_not_take() {
         ),
         (&["contact.friction_law=coulomb"], "needs a smooth knee"),
         (&["operation.moment_x_n_m=1"], "operation.moment_x_n_m = 1"),
+        (&["operation.moment_y_n_m=1"], "operation.moment_y_n_m = 1"),
         (
             &[
                 "operation.moment_x_n_m=1",

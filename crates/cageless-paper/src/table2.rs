@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use cageless::critical_gap::{CriticalGapError, PairTest, Touch, critical_gap_rad};
 use cageless::design::{Eq11, theoretical_gap_rad};
-use cageless::{Case, FrictionLaw, Profile};
+use cageless::{Case, FlankModel, FrictionLaw, Profile};
 use cageless_report::{Provenance, Spread, Table2, Table2Row, Variant};
 use rayon::prelude::*;
 
@@ -13,12 +13,16 @@ use crate::cases::{self, ODD_ROW, PUBLISHED, label};
 use crate::error::PaperError;
 use cageless_study::{Work, profile_name};
 
-/// Columns.
-const VARIANTS: [(Profile, FrictionLaw); 4] = [
-    (Profile::Paper, FrictionLaw::Coulomb),
-    (Profile::Paper, FrictionLaw::Smooth),
-    (Profile::Physical, FrictionLaw::Coulomb),
-    (Profile::Physical, FrictionLaw::Smooth),
+/// Columns: what the paper can be read as, and the flanks of metal.
+const VARIANTS: [((Profile, FrictionLaw), FlankModel); 5] = [
+    ((Profile::Paper, FrictionLaw::Coulomb), FlankModel::Rigid),
+    ((Profile::Paper, FrictionLaw::Smooth), FlankModel::Rigid),
+    ((Profile::Physical, FrictionLaw::Coulomb), FlankModel::Rigid),
+    ((Profile::Physical, FrictionLaw::Smooth), FlankModel::Rigid),
+    (
+        (Profile::Physical, FrictionLaw::Smooth),
+        FlankModel::Elastic,
+    ),
 ];
 /// Columns whose spread is shown.
 const SPREAD_OF: [usize; 2] = [0, 3];
@@ -186,9 +190,13 @@ pub fn compute(progress: &Work<'_>) -> Result<Computed, PaperError> {
             if progress.interrupted() {
                 return Ok(None);
             }
+            let (reading, flanks) = VARIANTS[column];
             let mut overrides = vec![step_override(change.step_us)];
+            if flanks == FlankModel::Elastic {
+                overrides.push("model.flanks=elastic".to_owned());
+            }
             overrides.extend(change.overrides.iter().map(|&o| o.to_owned()));
-            let case = cases::structure(row, VARIANTS[column], &overrides)?;
+            let case = cases::structure(row, reading, &overrides)?;
             let gap = gap_deg(&case, &change.test, progress);
             let _ = progress.add(share);
             gap
@@ -203,7 +211,7 @@ pub fn compute(progress: &Work<'_>) -> Result<Computed, PaperError> {
 
     let mut rows = vec![];
     for (k, published) in PUBLISHED.iter().enumerate() {
-        let case = cases::structure(k, VARIANTS[0], &[])?;
+        let case = cases::structure(k, VARIANTS[0].0, &[])?;
         let theory =
             |meaning| theoretical_gap_rad(&case.bearing, &case.raceways[0], meaning).to_degrees();
         rows.push(Table2Row {
@@ -222,7 +230,7 @@ pub fn compute(progress: &Work<'_>) -> Result<Computed, PaperError> {
     }
     let mut spreads = vec![];
     for column in SPREAD_OF {
-        let (profile, law) = VARIANTS[column];
+        let ((profile, law), _) = VARIANTS[column];
         for change in &changes {
             spreads.push(Spread {
                 cause: change.cause.to_owned(),
@@ -236,13 +244,16 @@ pub fn compute(progress: &Work<'_>) -> Result<Computed, PaperError> {
             });
         }
     }
-    let case = cases::structure(0, VARIANTS[0], &[])?;
+    let case = cases::structure(0, VARIANTS[0].0, &[])?;
     Ok(Computed {
         table: Table2 {
             variants: VARIANTS
                 .iter()
-                .map(|&(profile, law)| Variant {
-                    profile: profile_name(profile).to_owned(),
+                .map(|&((profile, law), flanks)| Variant {
+                    profile: match flanks {
+                        FlankModel::Rigid => profile_name(profile).to_owned(),
+                        FlankModel::Elastic => format!("{}, elastic flanks", profile_name(profile)),
+                    },
                     friction_law: law.name().to_owned(),
                 })
                 .collect(),
@@ -291,7 +302,7 @@ impl Computed {
 
     /// Largest |change| of a spread over the rows, degrees.
     pub fn spread_deg(&self, cause: &str, column: usize) -> f64 {
-        let (profile, law) = VARIANTS[column];
+        let ((profile, law), _) = VARIANTS[column];
         let variant = format!("{}, {}", profile_name(profile), law.name());
         self.table
             .spreads

@@ -109,8 +109,9 @@ pub fn table2(table: &Table2) -> Figure {
         "diamond-open",
         "triangle-up-open",
         "triangle-down-open",
+        "circle-open",
     ];
-    let colours = [PALETTE[0], PALETTE[5], PALETTE[2], PALETTE[4]];
+    let colours = [PALETTE[0], PALETTE[5], PALETTE[2], PALETTE[4], PALETTE[1]];
     for (k, variant) in table.variants.iter().enumerate() {
         let gaps = column(&|r| {
             r.critical_gap_deg
@@ -121,8 +122,8 @@ pub fn table2(table: &Table2) -> Figure {
         });
         let name = format!("{}, {}", variant.profile, variant.friction_law);
         plot = plot.trace(with(
-            line(&name, &theta, &gaps, colours[k % 4]),
-            json!({ "mode": "lines+markers", "marker": { "symbol": symbols[k % 4], "size": 8 } }),
+            line(&name, &theta, &gaps, colours[k % colours.len()]),
+            json!({ "mode": "lines+markers", "marker": { "symbol": symbols[k % symbols.len()], "size": 8 } }),
         ));
     }
     plot = plot.trace(with(

@@ -32,15 +32,11 @@ impl Case {
             ],
             // Free moments are spatial even where they are 0.
             Tilt::Free {
-                moment_x_n_m,
-                moment_y_n_m,
+                moment_x_n_m: x,
+                moment_y_n_m: y,
             } => [
-                (
-                    "moment_x_n_m",
-                    moment_x_n_m,
-                    moment_x_n_m != 0.0 || moment_y_n_m == 0.0,
-                ),
-                ("moment_y_n_m", moment_y_n_m, true),
+                ("moment_x_n_m", x, x != 0.0 || y == 0.0),
+                ("moment_y_n_m", y, true),
             ],
         };
         let angle = self.bearing.contact_angle_rad();
@@ -89,9 +85,19 @@ impl Case {
             let rule = "smooth, stribeck or table: sliding in two directions needs a smooth knee";
             return Err(InputError::rule("friction_law", 0.0, rule));
         }
-        if let (Tilt::Free { moment_x_n_m, .. }, None) = (load.tilt, load.inertias_kg_m2) {
+        if let (
+            Tilt::Free {
+                moment_x_n_m: x,
+                moment_y_n_m: y,
+            },
+            None,
+        ) = (load.tilt, load.inertias_kg_m2)
+        {
             let rule = "given with the inertias of what it turns";
-            return Err(InputError::rule("moment_x_n_m", moment_x_n_m, rule));
+            return Err(match x != 0.0 || y == 0.0 {
+                true => InputError::rule("moment_x_n_m", x, rule),
+                false => InputError::rule("moment_y_n_m", y, rule),
+            });
         }
         Ok(())
     }
