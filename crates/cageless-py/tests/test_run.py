@@ -211,3 +211,12 @@ def test_a_run_in_space_has_the_tables_of_the_command(command: Command, tmp_path
     run.save(tmp_path / "python")
     back = cageless.load(tmp_path / "python")
     same(back.data_balls(), tmp_path / "command" / "balls.parquet")
+
+
+def test_a_run_in_space_is_verified() -> None:
+    changes = {"operation.axial_load_n": 150.0, "solver.duration_s": 0.03}
+    run = cageless.Case.from_toml(cageless.template(), changes).run(verify=True, threads=2)
+    verification = run.verification
+    assert verification is not None
+    assert verification.values["momentum_residual_relative"] < 1e-7
+    assert verification.step_biased == 0

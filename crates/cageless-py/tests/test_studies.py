@@ -126,6 +126,23 @@ def test_a_search_shows_what_it_found(found: cageless.SearchResult) -> None:
     assert found.findings[0][:60] in repr(found)
 
 
+def test_axial_loads_of_a_design_are_those_of_the_command(command: Command, tmp_path: Path) -> None:
+    case = small()
+    command("design", CASE, *sets(QUICK), "--axial", "--out", tmp_path)
+    written = numbers((tmp_path / "design.json").read_text())
+    design = case.design(axial=True, threads=2)
+    assert design.values["axial"] == written["axial"]
+    frame = design.data_axial()
+    plain = frame[(frame.axial_load_n == 0.0) & (frame.tilt_x_mrad == 0.0)]
+    # The lag per pass of structure (d) in space, with one strip.
+    assert len(plain) == 1
+    assert plain.lag_per_pass_deg.iloc[0] == pytest.approx(1.94, abs=0.05)
+    assert 200.0 < design.axial.axial_load_three_quarters_n < design.axial.axial_load_half_n
+    assert len(design.plot_axial_load().data) >= 5
+    with pytest.raises(cageless.InputError, match="axial=True"):
+        case.design().data_axial()
+
+
 def test_nothing_to_recommend_is_an_exception_with_the_maps(command: Command) -> None:
     asked: dict[str, Any] = {"axial_span_mm": 1.0, "half_angle_deg": [10.0, 14.0], "runs_max": 32}
     case = small()
