@@ -36,6 +36,7 @@ DOCUMENTS = [
     "docs/axial-load.md",
     "docs/design-examples.md",
     "docs/dry-friction.md",
+    "docs/blended-ends.md",
     "docs/elastic-flanks.md",
     "docs/theory/errata.md",
     "docs/touchdown-drops.md",
