@@ -5,7 +5,7 @@ use cageless::equilibrium::{self, Equilibrium, EquilibriumError};
 use cageless::rating::{RatedMaterials, VISCOSITY_RATIO_MIN};
 use cageless::{Assembly, Case};
 
-use crate::{LUBRICATION, Record, Results, SPACE, STATIC, Solved, Subject};
+use crate::{DEFECTS, LUBRICATION, Record, Results, SPACE, STATIC, Solved, Subject};
 
 /// Results of the static equilibrium of a case: values, `warnings`, and `notes` on what they leave out.
 pub fn static_record(case: &Case, equilibrium: &Equilibrium) -> Record {
@@ -13,10 +13,10 @@ pub fn static_record(case: &Case, equilibrium: &Equilibrium) -> Record {
     let overload = equilibrium.overload().into_iter();
     let warnings = overload.chain(solved.rating.warnings()).collect();
     let of = |rows| Results::of(rows, Subject::Static(&solved));
-    let results = match case.lubrication {
-        Some(_) => of(STATIC).and(of(LUBRICATION)),
-        None => of(STATIC),
-    };
+    let mut results = of(STATIC).and(of(DEFECTS));
+    if case.lubrication.is_some() {
+        results = results.and(of(LUBRICATION));
+    }
     Record::from(results)
         .with_sentences("warnings", warnings)
         .with_sentences("notes", notes(&solved))
@@ -27,7 +27,7 @@ pub fn spatial_record(case: &Case, space: &SpatialEquilibrium) -> Record {
     let solved = Solved::in_space(case, space);
     let warnings = space.warnings().into_iter().chain(solved.rating.warnings());
     let of = |rows| Results::of(rows, Subject::Static(&solved));
-    Record::from(of(STATIC).and(of(SPACE)))
+    Record::from(of(STATIC).and(of(DEFECTS)).and(of(SPACE)))
         .with_sentences("warnings", warnings.collect())
         .with_sentences("notes", notes(&solved))
 }

@@ -181,6 +181,30 @@ fn results_under_axial_load_are_the_points() {
     assert_eq!(angles[..2], [0.0, 45.0]);
 }
 
+/// Orders by the closed forms with Dw = 9.525 mm, Dpw = 46.005 mm, 14 balls and 200 Hz.
+#[test]
+fn frequencies_of_defects_are_multiples_of_the_shaft_frequency() {
+    let case = case();
+    let equilibrium = cageless::equilibrium::solve(&case).unwrap();
+    let solved = Solved::new(&case, &equilibrium);
+    let g = 9.525 / 46.005;
+    let expected = [
+        ("ftf_order", 0.5 * (1.0 - g)),
+        ("bpfo_order", 7.0 * (1.0 - g)),
+        ("bpfi_order", 7.0 * (1.0 + g)),
+        ("bsf_order", 0.5 * (1.0 / g - g)),
+        ("bsf_twice_order", 1.0 / g - g),
+        ("bsf_twice_hz", 200.0 * (1.0 / g - g)),
+    ];
+    let results = Results::of(DEFECTS, Subject::Static(&solved));
+    compare(&results, &expected, &[], 1e-12);
+    let record = static_record(&case, &equilibrium);
+    assert_eq!(
+        record.results.number("bpfo_order"),
+        results.number("bpfo_order")
+    );
+}
+
 #[test]
 fn results_with_a_lubricant_are_the_fields_of_its_rating() {
     let sets = [

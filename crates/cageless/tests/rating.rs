@@ -6,8 +6,8 @@ use std::ops::ControlFlow;
 use crate::common::{conventional, dimensions, steel, structure};
 use cageless::equilibrium::solve;
 use cageless::rating::{
-    BasicRatings, Rating, ReferenceLife, SPEED_PARAMETER_MAX_MM_RPM, dynamic_factor,
-    skf_friction_torque_n_m, static_factor,
+    BasicRatings, PassingFrequencies, Rating, ReferenceLife, SPEED_PARAMETER_MAX_MM_RPM,
+    dynamic_factor, skf_friction_torque_n_m, static_factor,
 };
 use cageless::recorder::Recorder;
 use cageless::simulation::run;
@@ -339,6 +339,64 @@ fn passing_frequencies_are_the_closed_forms() {
     let slowed = Rating::new(&case, &solve(&case).unwrap()).passing;
     assert!(slowed.raceway_ftf_hz < 0.999 * slowed.ftf_hz);
     assert_eq!(slowed.ftf_hz, passing.ftf_hz);
+}
+
+/// Multiples of the shaft frequency that Case Western Reserve University publishes of its 6205-2RS at the
+/// drive end (9 balls of 7.94 mm on 39.04 mm), the last of them 2·BSF; the dimensions are
+/// rounded to 0.01 mm.
+#[test]
+fn passing_frequencies_are_those_of_the_cwru_bearing() {
+    let mut d = dimensions();
+    d.balls = 9;
+    d.ball_radius_m = 3.97e-3;
+    d.inner_groove_bottom_radius_m = 0.5 * 39.04e-3 - 3.97e-3;
+    d.outer_groove_bottom_radius_m = 0.5 * 39.04e-3 + 3.97e-3;
+    d.outer_shoulder_radius_m = 22.5e-3;
+    d.inner_groove_curvature_radius_m = 4.13e-3;
+    d.outer_groove_curvature_radius_m = 4.13e-3;
+    let case = conventional(d);
+    let passing = PassingFrequencies::new(&case);
+    let n = case.operation.inner_speed_rad_s / TAU;
+    for (found, published) in [
+        (passing.bpfi_hz, 5.4152),
+        (passing.bpfo_hz, 3.5848),
+        (passing.ftf_hz, 0.39828),
+        (2.0 * passing.bsf_hz, 4.7135),
+    ] {
+        let error = found / n / published - 1.0;
+        assert!(error.abs() < 1e-4, "{published}: {error}");
+    }
+}
+
+/// An axial load alone: the balls orbit as the closed form has it at the contact angle of the loaded
+/// bearing, not at the free one.
+#[test]
+fn passing_frequencies_of_the_loaded_bearing() {
+    let mut case = conventional(dimensions());
+    case.operation.radial_load_n = 0.0;
+    case.operation.gravity_m_s2 = 0.0;
+    case.operation.space.axial_load_n = 2000.0;
+    let space = cageless::equilibrium::space::solve(&case).unwrap();
+    let rating = Rating::in_space(&case, &space);
+    let angle = rating.loaded_contact_angle_rad.unwrap();
+    let at = PassingFrequencies::at_contact_angle(&case, angle);
+    let orbit_hz = space.orbit_speed_rad_s[0] / TAU;
+    assert!(angle > 0.1, "{angle}");
+    assert!(
+        (at.ftf_hz / orbit_hz - 1.0).abs() < 0.1 * (rating.passing.ftf_hz / orbit_hz - 1.0).abs(),
+        "{angle}: {} {} {orbit_hz}",
+        at.ftf_hz,
+        rating.passing.ftf_hz
+    );
+    let n = case.operation.inner_speed_rad_s / TAU;
+    let gamma = 9.525 / 46.005 * angle.cos();
+    for (found, expected) in [
+        (at.bpfo_hz, 7.0 * n * (1.0 - gamma)),
+        (at.bpfi_hz, 7.0 * n * (1.0 + gamma)),
+        (at.bsf_hz, 0.5 * n * (1.0 / gamma - gamma)),
+    ] {
+        assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
+    }
 }
 
 /// Orbits and rotations of a run: what they miss of FTF and BSF is the sliding in the contacts,

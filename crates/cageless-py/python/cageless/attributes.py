@@ -173,7 +173,6 @@ class StaticAttributes:
     outer_pressure_max_mpa: float  # peak contact pressure, outer raceway, MPa
     inner_force_max_n: float  # largest force at the inner raceway, N
     outer_force_max_n: float  # largest force at the outer raceway, N
-    loaded_balls: int | None  # balls under load
     static_safety_factor: float  # static safety factor s0 = C0r/Fr (ISO 76)
     pressure_safety: float  # load to the pressure limit, (4200 MPa/p)³
     assembly: str  # way of assembly
@@ -206,6 +205,12 @@ class StaticAttributes:
     outer_semi_axis_across_mm: Floats  # contact semi-axis across the rolling direction, outer raceway, mm
     ball_orbit_rpm: Floats  # orbital speed in pure rolling, rpm
     ball_rotation_rpm: Floats  # ball speed in pure rolling (absolute rotation), rpm
+    ftf_order: float  # FTF, multiple of the shaft frequency
+    bpfo_order: float  # BPFO, multiple of the shaft frequency
+    bpfi_order: float  # BPFI, multiple of the shaft frequency
+    bsf_order: float  # BSF, multiple of the shaft frequency
+    bsf_twice_order: float  # 2·BSF, multiple of the shaft frequency
+    bsf_twice_hz: float  # 2·BSF in pure rolling, Hz
     viscosity_ratio: float  # viscosity ratio κ
     fatigue_load_limit_n: float  # fatigue load limit Cu (ISO 281), N
     life_modification_factor: float  # life modification factor aISO (ISO 281)
@@ -220,6 +225,12 @@ class StaticAttributes:
     stiffness_yz_n_m: float  # stiffness of the bearing, kyz = kzy, N/m
     tilt_stiffness_xx_n_m_rad: float  # tilting stiffness about x, N m/rad
     tilt_stiffness_yy_n_m_rad: float  # tilting stiffness about y, N m/rad
+    loaded_balls: int | None  # balls under load
+    loaded_contact_angle_deg: float  # contact angle of the loaded bearing, deg
+    loaded_ftf_hz: float  # FTF of the loaded bearing, Hz
+    loaded_bpfo_hz: float  # BPFO of the loaded bearing, Hz
+    loaded_bpfi_hz: float  # BPFI of the loaded bearing, Hz
+    loaded_bsf_hz: float  # BSF of the loaded bearing, Hz
     stiffness_matrix: Floats  # stiffness matrix
     row: Floats  # row of the ball, from 1
     inner_contact_angle_deg: Floats  # contact angle, inner raceway, deg

@@ -1,9 +1,11 @@
 //! Results of a static equilibrium.
 
+use std::f64::consts::TAU;
+
 use cageless::equilibrium::RacewayContact;
 use cageless::equilibrium::space::SpatialEquilibrium;
 use cageless::kinematics::{orbit_speed_of_rad_s, rolling_rotation_rad_s};
-use cageless::rating::{LubricatedRating, Rating};
+use cageless::rating::{LubricatedRating, PassingFrequencies, Rating};
 
 use crate::Solved;
 use crate::cell::Cell;
@@ -24,7 +26,6 @@ pub const STATIC: &[Quantity] = &[
     means(HERTZ_PRESSURE, low(quantity("outer_pressure_max_mpa", "MPa", "peak contact pressure, outer raceway", Static(|s| some(s.equilibrium.outer_pressure_max_pa * 1e-6))))),
     quantity("inner_force_max_n", "N", "largest force at the inner raceway", Static(|s| some(largest(&s.equilibrium.inner_force_n)))),
     quantity("outer_force_max_n", "N", "largest force at the outer raceway", Static(|s| some(largest(&s.equilibrium.outer_force_n)))),
-    integer("loaded_balls", "balls under load", Static(|s| count(s.equilibrium.inner_force_n.iter().filter(|f| **f > 0.0).count()))),
 
     high(quantity("static_safety_factor", "", "static safety factor s0 = C0r/Fr (ISO 76)", Static(|s| s.rating.static_safety_factor.into()))),
     high(quantity("pressure_safety", "", "load to the pressure limit, (4200 MPa/p)³", Static(|s| s.rating.pressure_safety.into()))),
@@ -62,6 +63,18 @@ pub const STATIC: &[Quantity] = &[
     column("ball speed", list("ball_rotation_rpm", "rpm", "ball speed in pure rolling (absolute rotation)", Static(|s| each_ball(s, |k| rpm(rolling_rotation_rad_s(&s.case.bearing, orbit_rad_s(s, k), s.equilibrium.effective_radius_m[k])))))),
 ];
 
+/// Frequencies of defects for vibration analysts, next to those in hertz: as multiples ("orders") of the
+/// rotational frequency of the inner ring.
+#[rustfmt::skip]
+pub const DEFECTS: &[Quantity] = &[
+    means("orbital frequency of the balls over that of the shaft: where a cage would be, and one uneven ball or group of balls; their distance in side bands of BSF", part(quantity("ftf_order", "", "FTF, multiple of the shaft frequency", Static(|s| order(s, |f| f.ftf_hz))))),
+    means("a defect of the outer raceway", part(quantity("bpfo_order", "", "BPFO, multiple of the shaft frequency", Static(|s| order(s, |f| f.bpfo_hz))))),
+    means("a defect of the inner raceway; side bands at the shaft frequency", part(quantity("bpfi_order", "", "BPFI, multiple of the shaft frequency", Static(|s| order(s, |f| f.bpfi_hz))))),
+    means("a defect of a ball that meets one raceway", part(quantity("bsf_order", "", "BSF, multiple of the shaft frequency", Static(|s| order(s, |f| f.bsf_hz))))),
+    means("a defect of a ball that meets both raceways in each rotation", part(quantity("bsf_twice_order", "", "2·BSF, multiple of the shaft frequency", Static(|s| order(s, |f| 2.0 * f.bsf_hz))))),
+    part(quantity("bsf_twice_hz", "Hz", "2·BSF in pure rolling", Static(|s| some(2.0 * s.rating.passing.bsf_hz)))),
+];
+
 /// Further results of a static equilibrium with a lubricant.
 #[rustfmt::skip]
 pub const LUBRICATION: &[Quantity] = &[
@@ -85,6 +98,12 @@ pub const SPACE: &[Quantity] = &[
     quantity("stiffness_yz_n_m", "N/m", "stiffness of the bearing, kyz = kzy", Static(|s| entry(s, 1, 2))),
     high(quantity("tilt_stiffness_xx_n_m_rad", "N m/rad", "tilting stiffness about x", Static(|s| entry(s, 3, 3)))),
     high(quantity("tilt_stiffness_yy_n_m_rad", "N m/rad", "tilting stiffness about y", Static(|s| entry(s, 4, 4)))),
+    integer("loaded_balls", "balls under load", Static(|s| count(s.equilibrium.inner_force_n.iter().filter(|f| **f > 0.0).count()))),
+    means("mean of both contacts of the balls that carry, without sign; frequencies of the loaded bearing are at this angle, those above at the free contact angle", part(quantity("loaded_contact_angle_deg", "deg", "contact angle of the loaded bearing", Static(|s| s.rating.loaded_contact_angle_rad.map(f64::to_degrees).into())))),
+    means(FTF, part(quantity("loaded_ftf_hz", "Hz", "FTF of the loaded bearing", Static(|s| loaded(s, |f| f.ftf_hz))))),
+    means(BPFO, part(quantity("loaded_bpfo_hz", "Hz", "BPFO of the loaded bearing", Static(|s| loaded(s, |f| f.bpfo_hz))))),
+    means(BPFI, part(quantity("loaded_bpfi_hz", "Hz", "BPFI of the loaded bearing", Static(|s| loaded(s, |f| f.bpfi_hz))))),
+    means(BSF, part(quantity("loaded_bsf_hz", "Hz", "BSF of the loaded bearing", Static(|s| loaded(s, |f| f.bsf_hz))))),
     means("force or moment on the inner ring over its displacement or tilt, row by row over x, y, z, tilt about x, tilt about y; N/m, N/rad and N, N·m/rad", part(list("stiffness_matrix", "", "stiffness matrix", Static(|s| match s.space.and_then(|e| e.stiffness) {
         Some(matrix) => Cell::Numbers(matrix.concat()),
         None => Cell::Null,
@@ -117,6 +136,22 @@ fn in_degrees(angles: &[f64]) -> Vec<f64> {
 fn stiffness(solved: &Solved<'_>, row: usize, column: usize) -> Cell {
     let matrix = solved.equilibrium.stiffness_n_m;
     matrix.map(|k| k[row][column]).into()
+}
+
+/// A frequency over that of the inner ring; none at standstill.
+fn order(solved: &Solved<'_>, value: fn(&PassingFrequencies) -> f64) -> Cell {
+    let shaft_hz = solved.case.operation.inner_speed_rad_s.abs() / TAU;
+    (shaft_hz > 0.0)
+        .then(|| value(&solved.rating.passing) / shaft_hz)
+        .into()
+}
+
+/// A frequency at the contact angle of the loaded bearing.
+fn loaded(solved: &Solved<'_>, value: fn(&PassingFrequencies) -> f64) -> Cell {
+    let angle = solved.rating.loaded_contact_angle_rad;
+    angle
+        .map(|angle| value(&PassingFrequencies::at_contact_angle(solved.case, angle)))
+        .into()
 }
 
 fn lubricated(s: &Solved<'_>, value: fn(&LubricatedRating) -> Option<f64>) -> Cell {

@@ -42,7 +42,7 @@ pub use lubrication::{
     LubricatedRating, VISCOSITY_RATIO_MIN, life_modification_factor, minimum_radial_load_n,
     reference_viscosity_m2_s,
 };
-pub use passing_frequencies::PassingFrequencies;
+pub use passing_frequencies::{PassingFrequencies, loaded_contact_angle_rad};
 pub use reference_life::ReferenceLife;
 
 /// Largest n·Dpw of ball bearings in service, mm/min: hybrid spindle bearings under oil
@@ -69,6 +69,8 @@ pub struct Rating {
     pub pressure_safety: Option<f64>,
     /// Passing frequencies.
     pub passing: PassingFrequencies,
+    /// Contact angle of the loaded bearing, rad; `None` in the plane, and if no ball is loaded.
+    pub loaded_contact_angle_rad: Option<f64>,
     /// n·Dpw, speed of the inner ring times pitch diameter, mm/min.
     pub speed_factor_mm_rpm: f64,
     /// Ratings with the lubricant; `None` of a case without one, and in space.
@@ -120,6 +122,7 @@ impl Rating {
             static_safety_factor: basic.static_safety_factor(load_n),
             pressure_safety: (peak_pa > 0.0).then(|| (STRESS_LIMIT_PA / peak_pa).powi(3)),
             passing: PassingFrequencies::new(case),
+            loaded_contact_angle_rad: None,
             speed_factor_mm_rpm,
             materials: RatedMaterials::of(bearing),
             basic,
@@ -143,6 +146,7 @@ impl Rating {
             basic: BasicRatings::of_rows(&case.bearing, case.rows.len().max(1)),
             l10_mrev: None,
             lubricated: None,
+            loaded_contact_angle_rad: loaded_contact_angle_rad(space),
             l10r_mrev: forces_at_rest(case).ok().and_then(|e| life(&e)),
             l10r_at_speed_mrev: life(space),
             static_safety_factor: None,

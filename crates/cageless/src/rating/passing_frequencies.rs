@@ -2,8 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use super::ratios::gamma;
+use super::ratios::gamma_at;
 use crate::case::Case;
+use crate::equilibrium::space::SpatialEquilibrium;
 use crate::kinematics::raceway_delay_rad;
 
 /// Frequencies at which balls pass and turn, the outer ring standing still, by the closed
@@ -25,10 +26,15 @@ pub struct PassingFrequencies {
 }
 
 impl PassingFrequencies {
-    /// Frequencies at the speed of the case.
+    /// Frequencies at the speed of the case and the free contact angle.
     pub fn new(case: &Case) -> Self {
+        Self::at_contact_angle(case, case.bearing.contact_angle_rad())
+    }
+
+    /// Frequencies at the speed of the case and a contact angle α: γ = Dw cos α/Dpw.
+    pub fn at_contact_angle(case: &Case, contact_angle_rad: f64) -> Self {
         let n = case.operation.inner_speed_rad_s.abs() / TAU;
-        let gamma = gamma(&case.bearing);
+        let gamma = gamma_at(&case.bearing, contact_angle_rad);
         let balls = case.bearing.balls() as f64;
         let ftf_hz = 0.5 * n * (1.0 - gamma);
         Self {
@@ -39,4 +45,18 @@ impl PassingFrequencies {
             raceway_ftf_hz: ftf_hz * TAU / (TAU + raceway_delay_rad(&case.bearing, &case.raceways)),
         }
     }
+}
+
+/// Contact angle of the loaded bearing, rad: the mean of both contacts of every ball that carries, without
+/// sign; `None` if none does.
+pub fn loaded_contact_angle_rad(space: &SpatialEquilibrium) -> Option<f64> {
+    let angles = space
+        .inner_contact_angle_rad
+        .iter()
+        .zip(&space.outer_contact_angle_rad)
+        .zip(&space.rest.inner_force_n)
+        .filter(|(_, force_n)| **force_n > 0.0)
+        .map(|((inner, outer), _)| 0.5 * (inner.abs() + outer.abs()));
+    let (sum, count) = angles.fold((0.0, 0), |(sum, count), angle| (sum + angle, count + 1));
+    (count > 0).then(|| sum / f64::from(count))
 }

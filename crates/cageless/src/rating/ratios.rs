@@ -4,7 +4,12 @@ use crate::bearing::Bearing;
 
 /// γ = Dw cos α0/Dpw.
 pub(super) fn gamma(bearing: &Bearing) -> f64 {
-    bearing.ball_radius_m() / bearing.pitch_radius_m() * bearing.contact_angle_rad().cos()
+    gamma_at(bearing, bearing.contact_angle_rad())
+}
+
+/// γ = Dw cos α/Dpw at another contact angle.
+pub(super) fn gamma_at(bearing: &Bearing, contact_angle_rad: f64) -> f64 {
+    bearing.ball_radius_m() / bearing.pitch_radius_m() * contact_angle_rad.cos()
 }
 
 /// Radii of curvature of inner and outer groove over the ball diameter.
