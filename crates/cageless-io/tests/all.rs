@@ -10,6 +10,7 @@ mod damaged_files;
 mod derived_files;
 mod designation;
 mod edited;
+mod fit;
 mod former_names;
 mod fuzz_entries;
 mod reference;

@@ -28,6 +28,7 @@ def test_keywords_make_the_case_that_the_file_makes() -> None:
         start=read.start,
         solver=read.solver,
         housing=read.housing,
+        fit=read.fit,
         lubrication=read.lubrication,
         output=read.output,
     )

@@ -53,7 +53,7 @@ pub use source::{
 };
 pub use static_result::{equilibrium_record, spatial_record, static_record};
 pub use table::{
-    AXIAL, COMPARED, CONTACT_ANGLE, DEFECTS, DESIGN, DROP, LUBRICATION, MAP, MOTION, PAPER,
+    AXIAL, COMPARED, CONTACT_ANGLE, DEFECTS, DESIGN, DROP, FIT, LUBRICATION, MAP, MOTION, PAPER,
     PASSAGES, PLACEMENT, POINT, RACEWAY, REJECTION, ROTOR_DROP, ROTOR_VERIFICATION, RUN, SEARCH,
     SPACE, STATIC, STRUCTURE, STRUCTURE_AT, VERDICT, of_column, of_kind, quantities,
 };

@@ -5,7 +5,7 @@ use cageless::equilibrium::{self, Equilibrium, EquilibriumError};
 use cageless::rating::{RatedMaterials, VISCOSITY_RATIO_MIN};
 use cageless::{Assembly, Case};
 
-use crate::{DEFECTS, LUBRICATION, Record, Results, SPACE, STATIC, Solved, Subject};
+use crate::{DEFECTS, FIT, LUBRICATION, Record, Results, SPACE, STATIC, Solved, Subject};
 
 /// Results of the static equilibrium of a case: values, `warnings`, and `notes` on what they leave out.
 pub fn static_record(case: &Case, equilibrium: &Equilibrium) -> Record {
@@ -13,7 +13,7 @@ pub fn static_record(case: &Case, equilibrium: &Equilibrium) -> Record {
     let overload = equilibrium.overload().into_iter();
     let warnings = overload.chain(solved.rating.warnings()).collect();
     let of = |rows| Results::of(rows, Subject::Static(&solved));
-    let mut results = of(STATIC).and(of(DEFECTS));
+    let mut results = of_every_case(&solved);
     if case.lubrication.is_some() {
         results = results.and(of(LUBRICATION));
     }
@@ -27,9 +27,19 @@ pub fn spatial_record(case: &Case, space: &SpatialEquilibrium) -> Record {
     let solved = Solved::in_space(case, space);
     let warnings = space.warnings().into_iter().chain(solved.rating.warnings());
     let of = |rows| Results::of(rows, Subject::Static(&solved));
-    Record::from(of(STATIC).and(of(DEFECTS)).and(of(SPACE)))
+    Record::from(of_every_case(&solved).and(of(SPACE)))
         .with_sentences("warnings", warnings.collect())
         .with_sentences("notes", notes(&solved))
+}
+
+/// Results in the plane as well as in space.
+fn of_every_case(solved: &Solved<'_>) -> Results {
+    let of = |rows| Results::of(rows, Subject::Static(solved));
+    let results = of(STATIC).and(of(DEFECTS));
+    match solved.case.fit {
+        Some(_) => results.and(of(FIT)),
+        None => results,
+    }
 }
 
 /// Results of the static equilibrium of a case, in space where the case is not planar.

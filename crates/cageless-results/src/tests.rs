@@ -206,6 +206,45 @@ fn frequencies_of_defects_are_multiples_of_the_shaft_frequency() {
 }
 
 #[test]
+fn results_with_a_fit_are_its_fields() {
+    let sets = [
+        "bore_diameter_mm=30",
+        "outside_diameter_mm=62",
+        "shaft_interference_um=9",
+        "housing_interference_um=4",
+        "outer_ring_temperature_c=45",
+    ];
+    let sets = sets.map(|set| format!("fit.{set}"));
+    let file = CaseFile::parse(&template(false), "case.toml", &sets).unwrap();
+    let case = file.case();
+    let equilibrium = cageless::equilibrium::solve(case).unwrap();
+    let solved = Solved::new(case, &equilibrium);
+    let fit = case.fit.unwrap();
+    let um = 1e6;
+    let expected = [
+        ("initial_clearance_um", fit.initial_m * um),
+        ("effective_shaft_interference_um", 9.0),
+        ("effective_housing_interference_um", 4.0),
+        ("shaft_reduction_um", fit.shaft_reduction_m * um),
+        ("housing_reduction_um", fit.housing_reduction_m * um),
+        ("thermal_clearance_change_um", fit.thermal_change_m * um),
+        (
+            "operating_clearance_um",
+            case.bearing.radial_internal_clearance_m() * um,
+        ),
+        ("shaft_fit_pressure_mpa", fit.shaft_pressure_pa / MPA),
+        ("housing_fit_pressure_mpa", fit.housing_pressure_pa / MPA),
+    ];
+    let results = Results::of(FIT, Subject::Static(&solved));
+    compare(&results, &expected, &[], 1e-9);
+    let record = static_record(case, &equilibrium);
+    assert_eq!(
+        record.results.number("operating_clearance_um"),
+        results.number("operating_clearance_um")
+    );
+}
+
+#[test]
 fn results_with_a_lubricant_are_the_fields_of_its_rating() {
     let sets = [
         "viscosity_mm2_s=6",

@@ -26,6 +26,7 @@ pub mod design;
 pub mod dynamics;
 pub mod equilibrium;
 pub mod error;
+pub mod fit;
 mod flank_model;
 pub mod gap;
 mod gap_scatter;
@@ -70,6 +71,7 @@ pub use case::{
 pub use collision::Collision;
 pub use contact::{FrictionLaw, FrictionParameters, FrictionTable};
 pub use error::InputError;
+pub use fit::{Fit, OperatingClearance};
 pub use flank_model::FlankModel;
 pub use integrator::IntegrationMethod;
 pub use lubrication::Lubrication;

@@ -31,6 +31,12 @@ impl Material {
             "at least 0 and less than 0.5",
         ))
     }
+
+    /// Whether it is a steel, by modulus and density.
+    pub(crate) fn is_steel(&self) -> bool {
+        (180e9..=225e9).contains(&self.youngs_modulus_pa)
+            && (7400.0..=8200.0).contains(&self.density_kg_m3)
+    }
 }
 
 /// Materials of balls and rings: one for both, or ceramic balls in steel rings (a hybrid

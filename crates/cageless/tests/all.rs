@@ -12,6 +12,7 @@ mod elastic_flanks;
 mod endurance;
 mod equilibrium;
 mod falling_ring;
+mod fit;
 mod free_rotor;
 mod friction;
 mod geometry;

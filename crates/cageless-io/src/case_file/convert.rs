@@ -37,7 +37,7 @@ pub(super) fn case(document: &CaseDocument) -> Result<(Case, Request), CaseError
 impl Converter<'_> {
     fn case(&self) -> Result<Case, CaseError> {
         let s = self.sections;
-        let bearing = self.bearing()?;
+        let (bearing, fit) = self.bearing()?;
         self.check_export_dimensions(&bearing)?;
         let raceways = self.raceways(&bearing)?;
         let start = self.start(&bearing)?;
@@ -63,6 +63,7 @@ impl Converter<'_> {
             rotor: s.rotor.clone(),
             support: self.support()?,
             rows: self.rows(),
+            fit,
             lubrication: s.lubrication.clone(),
             output: s.output.clone(),
         };

@@ -43,6 +43,7 @@ impl Unit {
             Self::Degree => "°",
             Self::Microsecond => "µs",
             Self::SquareMillimetrePerSecond => "mm²/s",
+            Self::Si("C") => "°C",
             Self::Si("N s/m") => "N·s/m",
             Self::Si("N s/m^1.5") => "N·s/m^1.5",
             Self::Si("N m") => "N·m",

@@ -211,6 +211,15 @@ class StaticAttributes:
     bsf_order: float  # BSF, multiple of the shaft frequency
     bsf_twice_order: float  # 2·BSF, multiple of the shaft frequency
     bsf_twice_hz: float  # 2·BSF in pure rolling, Hz
+    initial_clearance_um: float  # radial internal clearance before mounting, um
+    effective_shaft_interference_um: float  # interference of shaft and bore, um
+    effective_housing_interference_um: float  # interference of outer ring and housing, um
+    shaft_reduction_um: float  # reduction of the clearance by the fit on the shaft, um
+    housing_reduction_um: float  # reduction of the clearance by the fit in the housing, um
+    thermal_clearance_change_um: float  # change of the clearance by temperatures, um
+    operating_clearance_um: float  # radial internal clearance in operation, um
+    shaft_fit_pressure_mpa: float  # pressure between shaft and bore, MPa
+    housing_fit_pressure_mpa: float  # pressure between outer ring and housing, MPa
     viscosity_ratio: float  # viscosity ratio κ
     fatigue_load_limit_n: float  # fatigue load limit Cu (ISO 281), N
     life_modification_factor: float  # life modification factor aISO (ISO 281)

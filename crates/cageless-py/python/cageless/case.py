@@ -41,7 +41,8 @@ class Case(Computations, sections.OfCase):
     ``bearing`` and ``operation`` (speed and load), required; ``raceway``, the discrete raceways, one or
     several, none for a conventional outer ring; ``material`` of balls and rings, ``ball_material`` and
     ``ring_material`` where it is not that of both; ``contact``, ``model``, ``start`` (the initial state),
-    ``solver``, ``output``; ``housing``, the support of the outer ring; ``lubrication``, for ratings;
+    ``solver``, ``output``; ``housing``, the support of the outer ring; ``fit``, from which the clearance in
+    operation follows; ``lubrication``, for ratings;
     ``rotor``, which falls onto the inner ring (``operation`` then has neither speed nor load), and the
     ``support`` of the outer ring under it; ``title``, free text. A section, or a key of it, that is left out takes the default of the
     case file: its value in :func:`template`.

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from .rotors import LinearRotor
 
-__all__ = ["Bearing", "Contact", "Housing", "Lubrication", "Material", "Model", "Operation", "Output", "Raceway", "Rotor", "Row", "Section", "Solver", "Start", "Support"]
+__all__ = ["Bearing", "Contact", "Fit", "Housing", "Lubrication", "Material", "Model", "Operation", "Output", "Raceway", "Rotor", "Row", "Section", "Solver", "Start", "Support"]
 
 Keys = Mapping[str, Any]
 
@@ -204,6 +204,31 @@ class Support(Section):
 
 
 @dataclass(frozen=True, kw_only=True)
+class Fit(Section):
+    """`[fit]`: fits and temperatures, from which the clearance in operation follows."""
+
+    bore_diameter_mm: Annotated[float | None, "d, bore diameter of the inner ring; needed with a fit on the shaft"] = None
+    outside_diameter_mm: Annotated[float | None, "D, outside diameter of the outer ring; needed with a fit in the housing"] = None
+    shaft_interference_um: Annotated[float | None, "effective interference of shaft and bore on the diameter, smoothing of the surfaces deducted; below 0: a gap"] = None
+    housing_interference_um: Annotated[float | None, "effective interference of outer ring and housing on the diameter; below 0: a gap"] = None
+    shaft_bore_diameter_mm: Annotated[float | None, "bore of a hollow shaft; 0: a solid one"] = None
+    housing_outside_diameter_mm: Annotated[float | None, "outside diameter of the housing; a thick one unless given"] = None
+    shaft_youngs_modulus_gpa: Annotated[float | None, "modulus of the shaft; that of the rings unless given"] = None
+    shaft_poisson_ratio: Annotated[float | None, "Poisson's ratio of the shaft; that of the rings unless given"] = None
+    housing_youngs_modulus_gpa: Annotated[float | None, "modulus of the housing; that of the rings unless given"] = None
+    housing_poisson_ratio: Annotated[float | None, "Poisson's ratio of the housing; that of the rings unless given"] = None
+    inner_ring_temperature_c: Annotated[float | None, "temperature of the inner ring; 20 °C unless given"] = None
+    outer_ring_temperature_c: Annotated[float | None, "temperature of the outer ring; 20 °C unless given"] = None
+    ball_temperature_c: Annotated[float | None, "temperature of the balls; the mean of both rings unless given"] = None
+    shaft_temperature_c: Annotated[float | None, "temperature of the shaft; that of the inner ring unless given"] = None
+    housing_temperature_c: Annotated[float | None, "temperature of the housing; that of the outer ring unless given"] = None
+    ring_expansion_per_k: Annotated[float | None, "coefficient of thermal expansion of the rings; 12.5e-6, bearing steel, unless given; needed of warm rings of another material"] = None
+    ball_expansion_per_k: Annotated[float | None, "coefficient of thermal expansion of the balls; 12.5e-6, bearing steel, unless given; needed of warm balls of another material"] = None
+    shaft_expansion_per_k: Annotated[float | None, "coefficient of thermal expansion of the shaft; that of the rings unless given"] = None
+    housing_expansion_per_k: Annotated[float | None, "coefficient of thermal expansion of the housing; that of the rings unless given"] = None
+
+
+@dataclass(frozen=True, kw_only=True)
 class Lubrication(Section):
     """`[lubrication]`: the lubricant, for modified life and minimum load of `static`."""
 
@@ -235,6 +260,7 @@ class OfCase:
     housing: Housing | None
     rotor: Rotor | None
     support: Support | None
+    fit: Fit | None
     lubrication: Lubrication | None
     output: Output
 
@@ -256,6 +282,7 @@ class Arguments(TypedDict, total=False):
     housing: Housing | Keys | None
     rotor: Rotor | Keys | None
     support: Support | Keys | None
+    fit: Fit | Keys | None
     lubrication: Lubrication | Keys | None
     output: Output | Keys | None
     title: str

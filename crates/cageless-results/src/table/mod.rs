@@ -19,7 +19,7 @@ pub use run::{COMPARED, RUN};
 pub use search::{
     MAP, MOTION, PAPER, PLACEMENT, POINT, REJECTION, SEARCH, STRUCTURE, STRUCTURE_AT,
 };
-pub use statics::{DEFECTS, LUBRICATION, SPACE, STATIC};
+pub use statics::{DEFECTS, FIT, LUBRICATION, SPACE, STATIC};
 pub use tolerance::{INFLUENCE, SAMPLES, TOLERANCE, VERDICT_COUNT};
 pub use verification::{
     DISTANCE, DROP_VERIFICATION, JUDGEMENT, ROTOR_VERIFICATION, VERIFICATION, VERIFIED,
@@ -30,6 +30,7 @@ pub fn quantities() -> impl Iterator<Item = &'static Quantity> {
     let all = [
         STATIC,
         DEFECTS,
+        FIT,
         LUBRICATION,
         SPACE,
         DESIGN,
@@ -71,7 +72,7 @@ pub fn quantities() -> impl Iterator<Item = &'static Quantity> {
 /// Scalar results of a kind of result: `static`, `design` with its verdict, `run` or `drop`.
 pub fn of_kind(kind: &str) -> impl Iterator<Item = &'static Quantity> + use<> {
     let tables: &'static [&'static [Quantity]] = match kind {
-        "static" => &[STATIC, DEFECTS, LUBRICATION, SPACE],
+        "static" => &[STATIC, DEFECTS, FIT, LUBRICATION, SPACE],
         "design" => &[DESIGN, CONTACT_ANGLE, VERDICT],
         "run" => &[RUN],
         "drop" => &[DROP, ROTOR_DROP],

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use cageless::OperatingClearance;
 use cageless::equilibrium::RacewayContact;
 use cageless::equilibrium::space::SpatialEquilibrium;
 use cageless::kinematics::{orbit_speed_of_rad_s, rolling_rotation_rad_s};
@@ -73,6 +74,20 @@ pub const DEFECTS: &[Quantity] = &[
     means("a defect of a ball that meets one raceway", part(quantity("bsf_order", "", "BSF, multiple of the shaft frequency", Static(|s| order(s, |f| f.bsf_hz))))),
     means("a defect of a ball that meets both raceways in each rotation", part(quantity("bsf_twice_order", "", "2·BSF, multiple of the shaft frequency", Static(|s| order(s, |f| 2.0 * f.bsf_hz))))),
     part(quantity("bsf_twice_hz", "Hz", "2·BSF in pure rolling", Static(|s| some(2.0 * s.rating.passing.bsf_hz)))),
+];
+
+/// Further results of a static equilibrium with fits and temperatures.
+#[rustfmt::skip]
+pub const FIT: &[Quantity] = &[
+    means("Gr of the file, of the bearing by itself at 20 °C", part(quantity("initial_clearance_um", "um", "radial internal clearance before mounting", Static(|s| fitted(s, |f| f.initial_m * 1e6))))),
+    means("at the temperatures of the parts; 0 or below: a gap", part(quantity("effective_shaft_interference_um", "um", "interference of shaft and bore", Static(|s| fitted(s, |f| f.shaft_interference_m * 1e6))))),
+    means("at the temperatures of the parts; 0 or below: a gap", part(quantity("effective_housing_interference_um", "um", "interference of outer ring and housing", Static(|s| fitted(s, |f| f.housing_interference_m * 1e6))))),
+    means("Lamé, the ring up to the bottom of its groove", part(quantity("shaft_reduction_um", "um", "reduction of the clearance by the fit on the shaft", Static(|s| fitted(s, |f| f.shaft_reduction_m * 1e6))))),
+    means("Lamé, the ring up to the bottom of its groove", part(quantity("housing_reduction_um", "um", "reduction of the clearance by the fit in the housing", Static(|s| fitted(s, |f| f.housing_reduction_m * 1e6))))),
+    means("by the expansion of free rings and balls over 20 °C", part(quantity("thermal_clearance_change_um", "um", "change of the clearance by temperatures", Static(|s| fitted(s, |f| f.thermal_change_m * 1e6))))),
+    means("with which everything is computed; below 0: preload", part(quantity("operating_clearance_um", "um", "radial internal clearance in operation", Static(|s| fitted(s, |f| f.operating_m() * 1e6))))),
+    part(quantity("shaft_fit_pressure_mpa", "MPa", "pressure between shaft and bore", Static(|s| fitted(s, |f| f.shaft_pressure_pa * 1e-6)))),
+    part(quantity("housing_fit_pressure_mpa", "MPa", "pressure between outer ring and housing", Static(|s| fitted(s, |f| f.housing_pressure_pa * 1e-6)))),
 ];
 
 /// Further results of a static equilibrium with a lubricant.
@@ -152,6 +167,10 @@ fn loaded(solved: &Solved<'_>, value: fn(&PassingFrequencies) -> f64) -> Cell {
     angle
         .map(|angle| value(&PassingFrequencies::at_contact_angle(solved.case, angle)))
         .into()
+}
+
+fn fitted(solved: &Solved<'_>, value: fn(&OperatingClearance) -> f64) -> Cell {
+    solved.case.fit.as_ref().map(value).into()
 }
 
 fn lubricated(s: &Solved<'_>, value: fn(&LubricatedRating) -> Option<f64>) -> Cell {

@@ -18,6 +18,7 @@ mod spatial_load;
 use std::f64::consts::TAU;
 
 use crate::bearing::Bearing;
+use crate::fit::OperatingClearance;
 use crate::flank_model::FlankModel;
 use crate::integrator::IntegrationMethod;
 use crate::kinematics::rolling_orbit_speed_rad_s;
@@ -213,6 +214,8 @@ pub struct Case {
     pub support: Option<Support>,
     /// Rows of balls on one inner ring; none for a single row in the middle plane.
     pub rows: Vec<Row>,
+    /// What fits and temperatures have made of the clearance; the bearing has that in operation.
+    pub fit: Option<OperatingClearance>,
     /// Lubricant, which ratings need and the motion does not take.
     pub lubrication: Option<Lubrication>,
     /// Output.

@@ -93,7 +93,7 @@ pub enum RatedMaterials {
 impl RatedMaterials {
     fn of(bearing: &Bearing) -> Self {
         let Materials { ball, ring } = bearing.materials();
-        match (is_steel(ball), is_steel(ring)) {
+        match (ball.is_steel(), ring.is_steel()) {
             (true, true) => Self::Steel,
             (false, true) if is_silicon_nitride(ball) => Self::Hybrid,
             _ => Self::Other,
@@ -193,12 +193,6 @@ pub fn speed_warning(speed_factor_mm_rpm: f64) -> Option<String> {
             SPEED_PARAMETER_MAX_MM_RPM * 1e-6
         )
     })
-}
-
-/// Whether a material is a steel by its modulus and density.
-fn is_steel(material: &Material) -> bool {
-    (180e9..=225e9).contains(&material.youngs_modulus_pa)
-        && (7400.0..=8200.0).contains(&material.density_kg_m3)
 }
 
 /// Whether a material is a silicon nitride for balls (ISO 26602) by its modulus and density.

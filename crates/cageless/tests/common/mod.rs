@@ -109,6 +109,7 @@ pub fn conventional(dimensions: BearingDimensions) -> Case {
         rotor: None,
         support: None,
         rows: vec![],
+        fit: None,
         lubrication: None,
         output: Output { interval_s: 1e-4 },
     }

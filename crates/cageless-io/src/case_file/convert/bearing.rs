@@ -1,9 +1,11 @@
 //! Bearing of a case.
 
 use cageless::error::Allowed;
-use cageless::{Bearing, BearingDimensions, InnerRingBore, InputError, Materials};
+use cageless::{
+    Bearing, BearingDimensions, InnerRingBore, InputError, Materials, OperatingClearance,
+};
 
-use crate::case_file::converter::Converter;
+use crate::case_file::converter::{Converter, refused_in};
 use crate::case_file::error::CaseError;
 use crate::case_file::sections::bearing::{ALTERNATIVES, CONFORMITY, assumptions};
 use crate::case_file::spanned_toml::join;
@@ -17,16 +19,19 @@ const INNER_RING_DAMPING_N_S_M: f64 = 2000.0;
 const OUTER_RADII_MAX: f64 = 10.0;
 
 impl Converter<'_> {
-    pub(in crate::case_file) fn bearing(&self) -> Result<Bearing, CaseError> {
+    /// The bearing, with the clearance in operation, and what fits and temperatures made of it.
+    pub(in crate::case_file) fn bearing(
+        &self,
+    ) -> Result<(Bearing, Option<OperatingClearance>), CaseError> {
         let b = &self.sections.bearing;
-        let dimensions = self.dimensions()?;
         let materials = Materials {
             ball: self.material_of("ball_material", self.sections.ball_material.as_ref())?,
             ring: self.material_of("ring_material", self.sections.ring_material.as_ref())?,
         };
+        let (dimensions, fit) = self.dimensions(&materials)?;
         let interference_max_m = dimensions.interference_max_m(&materials);
         let mut bearing = Bearing::new(dimensions, materials)
-            .map_err(|e| self.refused_interference(&e, interference_max_m))?;
+            .map_err(|e| self.refused_interference(&e, interference_max_m, fit))?;
         if let Some(assembly) = b.assembly {
             bearing = bearing.with_assembly(assembly);
         }
@@ -44,7 +49,7 @@ impl Converter<'_> {
             bearing = bearing.with_inner_ring_bore(bore).map_err(refused)?;
         }
         let Some(deviations_m) = &b.ball_radius_deviation_m else {
-            return Ok(bearing);
+            return Ok((bearing, fit));
         };
         if deviations_m.len() != b.balls {
             let allowed = format!("a list of {} numbers in um, one per ball", b.balls);
@@ -52,6 +57,7 @@ impl Converter<'_> {
         }
         bearing
             .with_ball_radius_deviations(deviations_m.clone())
+            .map(|bearing| (bearing, fit))
             .map_err(refused)
     }
 
@@ -59,8 +65,11 @@ impl Converter<'_> {
         value.ok_or_else(|| self.missing("bearing", name))
     }
 
-    /// The dimensions, from the radii or from what stands in their place.
-    fn dimensions(&self) -> Result<BearingDimensions, CaseError> {
+    /// The dimensions in operation, from the radii or from what stands in their place.
+    fn dimensions(
+        &self,
+        materials: &Materials,
+    ) -> Result<(BearingDimensions, Option<OperatingClearance>), CaseError> {
         let b = &self.sections.bearing;
         self.check_alternatives()?;
         let ball_radius_m = match b.ball_diameter_m {
@@ -119,6 +128,14 @@ impl Converter<'_> {
             inner_ring_mass_kg: 0.0,
             inner_ring_damping_n_s_m: b.inner_ring_damping_n_s_m.unwrap_or(usual_damping),
         };
+        let fit = self.sections.fit.as_ref();
+        let fit = fit
+            .map(|fit| fit.operating_clearance(&dimensions, materials))
+            .transpose()
+            .map_err(|e| self.refused_fit(&e))?;
+        if let Some(fit) = &fit {
+            dimensions.inner_groove_bottom_radius_m -= 0.5 * fit.change_m();
+        }
         let assumptions = assumptions(&self.document.tree, &dimensions);
         let assumed = |name: &str| {
             let key = join("bearing", name);
@@ -133,12 +150,26 @@ impl Converter<'_> {
         let mass = "inner_ring_mass_kg";
         dimensions.inner_ring_mass_kg =
             self.need(mass, b.inner_ring_mass_kg.or_else(|| assumed(mass)))?;
-        Ok(dimensions)
+        Ok((dimensions, fit))
     }
 
     /// Error of the bearing; where its clearance is too far below zero, in terms of that key.
-    fn refused_interference(&self, error: &InputError, most_m: f64) -> CaseError {
+    fn refused_interference(
+        &self,
+        error: &InputError,
+        most_m: f64,
+        fit: Option<OperatingClearance>,
+    ) -> CaseError {
         let least_m = -2.0 * most_m;
+        if let Some(fit) = fit.filter(|fit| fit.initial_m >= least_m && fit.operating_m() < least_m)
+        {
+            let [operating, least] = [fit.operating_m(), least_m].map(|m| Micrometre.of_si(m));
+            let message = format!(
+                "[fit] leaves a radial internal clearance of {operating:.2} um in operation: it must \
+                 be at least {least:.2} um, beyond which the contacts are no longer elastic"
+            );
+            return self.document.tree.error("fit", message);
+        }
         match (
             self.sections.bearing.radial_internal_clearance_m,
             &error.allowed,
@@ -152,6 +183,19 @@ impl Converter<'_> {
             }
             _ => self.refused(error, None),
         }
+    }
+
+    /// Error of fits and temperatures; of all together where none alone is at fault.
+    fn refused_fit(&self, error: &InputError) -> CaseError {
+        if error.field != "fit" {
+            return refused_in(self.document, Some("fit"), error, None);
+        }
+        let change = Micrometre.of_si(error.value);
+        let message = format!(
+            "[fit] enlarges the clearance by {change:.0} um: it must be {}",
+            error.allowed
+        );
+        self.document.tree.error("fit", message)
     }
 
     /// Refuses two keys that say the same.

@@ -3,6 +3,7 @@
 
 pub(crate) mod bearing;
 pub(crate) mod contact;
+pub(crate) mod fit;
 pub(crate) mod friction;
 pub(crate) mod housing;
 pub(crate) mod lubrication;
@@ -52,6 +53,8 @@ sections! {
         Heading::Absent;
     support: Option<support::SupportSection>, "support of the outer ring under a falling rotor",
         Heading::Absent;
+    fit: Option<cageless::Fit>, "fits and temperatures, from which the clearance in operation follows",
+        Heading::Commented("fits and temperatures: the clearance in operation");
     lubrication: Option<cageless::Lubrication>, "the lubricant, for modified life and minimum load of `static`",
         Heading::Commented("lubricant, for modified life and minimum load of `static`");
     output: cageless::Output, "what a run writes", Heading::Shown("");

@@ -1,0 +1,59 @@
+//! `[fit]`.
+
+use crate::case_file::declaration::section;
+use crate::case_file::key::Limit::{Above, AtLeast, Within};
+use crate::case_file::key::Line::{Absent, Commented};
+use crate::case_file::key::Presence::Optional;
+use crate::case_file::key::default;
+use crate::case_file::unit::Unit::{Gigapascal, Micrometre, Millimetre, None as Plain, Si};
+
+section! {
+    /// `[fit]`: fits and temperatures, which make the clearance in operation of that of the bearing by itself.
+    impl cageless::Fit {
+        bore_diameter_mm => bore_diameter_m: Option<f64> = Optional, Millimetre; Above(0.0),
+            "d, bore diameter of the inner ring; needed with a fit on the shaft",
+            Commented("30.0", "d of the inner ring");
+        outside_diameter_mm => outside_diameter_m: Option<f64> = Optional, Millimetre; Above(0.0),
+            "D, outside diameter of the outer ring; needed with a fit in the housing",
+            Commented("62.0", "D of the outer ring");
+        shaft_interference_um => shaft_interference_m: f64 = default(0.0), Micrometre,
+            "effective interference of shaft and bore on the diameter, smoothing of the surfaces deducted; below 0: a gap",
+            Commented("8.0", "of shaft and bore, on the diameter");
+        housing_interference_um => housing_interference_m: f64 = default(0.0), Micrometre,
+            "effective interference of outer ring and housing on the diameter; below 0: a gap",
+            Commented("0.0", "of outer ring and housing, below 0: a gap");
+        shaft_bore_diameter_mm => shaft_bore_diameter_m: f64 = default(0.0), Millimetre; AtLeast(0.0),
+            "bore of a hollow shaft; 0: a solid one",
+            Commented("0.0", "0: a solid shaft");
+        housing_outside_diameter_mm => housing_outside_diameter_m: Option<f64> = Optional, Millimetre; Above(0.0),
+            "outside diameter of the housing; a thick one unless given", Absent;
+        shaft_youngs_modulus_gpa => shaft_youngs_modulus_pa: Option<f64> = Optional, Gigapascal; Above(0.0),
+            "modulus of the shaft; that of the rings unless given", Absent;
+        shaft_poisson_ratio => shaft_poisson_ratio: Option<f64> = Optional, Plain; Within(0.0, 0.5),
+            "Poisson's ratio of the shaft; that of the rings unless given", Absent;
+        housing_youngs_modulus_gpa => housing_youngs_modulus_pa: Option<f64> = Optional, Gigapascal; Above(0.0),
+            "modulus of the housing; that of the rings unless given", Absent;
+        housing_poisson_ratio => housing_poisson_ratio: Option<f64> = Optional, Plain; Within(0.0, 0.5),
+            "Poisson's ratio of the housing; that of the rings unless given", Absent;
+        inner_ring_temperature_c => inner_ring_temperature_c: Option<f64> = Optional, Si("C"),
+            "temperature of the inner ring; 20 °C unless given",
+            Commented("60.0", "20 °C unless given");
+        outer_ring_temperature_c => outer_ring_temperature_c: Option<f64> = Optional, Si("C"),
+            "temperature of the outer ring; 20 °C unless given",
+            Commented("55.0", "20 °C unless given");
+        ball_temperature_c => ball_temperature_c: Option<f64> = Optional, Si("C"),
+            "temperature of the balls; the mean of both rings unless given", Absent;
+        shaft_temperature_c => shaft_temperature_c: Option<f64> = Optional, Si("C"),
+            "temperature of the shaft; that of the inner ring unless given", Absent;
+        housing_temperature_c => housing_temperature_c: Option<f64> = Optional, Si("C"),
+            "temperature of the housing; that of the outer ring unless given", Absent;
+        ring_expansion_per_k => ring_expansion_per_k: Option<f64> = Optional, Si("1/K"); Within(0.0, 1e-3),
+            "coefficient of thermal expansion of the rings; 12.5e-6, bearing steel, unless given; needed of warm rings of another material", Absent;
+        ball_expansion_per_k => ball_expansion_per_k: Option<f64> = Optional, Si("1/K"); Within(0.0, 1e-3),
+            "coefficient of thermal expansion of the balls; 12.5e-6, bearing steel, unless given; needed of warm balls of another material", Absent;
+        shaft_expansion_per_k => shaft_expansion_per_k: Option<f64> = Optional, Si("1/K"); Within(0.0, 1e-3),
+            "coefficient of thermal expansion of the shaft; that of the rings unless given", Absent;
+        housing_expansion_per_k => housing_expansion_per_k: Option<f64> = Optional, Si("1/K"); Within(0.0, 1e-3),
+            "coefficient of thermal expansion of the housing; that of the rings unless given", Absent;
+    }
+}

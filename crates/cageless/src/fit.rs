@@ -1,0 +1,334 @@
+//! Fits and temperatures of a mounted bearing, and the radial internal clearance that they leave.
+//!
+//! Rings, shaft and housing are thick-walled cylinders (Lamé), the rings up to the bottom of their grooves;
+//! temperatures are uniform in each part. The clearance that a bearing is bought with holds at 20 °C.
+//!
+//! ```
+//! # mod common { include!(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/common/mod.rs")); }
+//! use cageless::Fit;
+//!
+//! let dimensions = common::dimensions(); // Zhao 2022, Table 1
+//! let fit = Fit {
+//!     bore_diameter_m: Some(30e-3),
+//!     shaft_interference_m: 10e-6,
+//!     ..Fit::default()
+//! };
+//! let clearance = fit.operating_clearance(&dimensions, &common::steel())?;
+//! // A solid shaft of the same steel: d/Di of the interference.
+//! let expected = 10e-6 * 30.0 / 36.48;
+//! assert!((clearance.shaft_reduction_m / expected - 1.0).abs() < 1e-9);
+//! # Ok::<(), cageless::InputError>(())
+//! ```
+
+use crate::bearing::BearingDimensions;
+use crate::error::{Allowed, InputError};
+use crate::limits::{finite, not_negative, positive};
+use crate::material::{Material, Materials};
+
+/// Temperature at which clearance and interferences are stated, °C (ISO 1).
+pub const REFERENCE_TEMPERATURE_C: f64 = 20.0;
+/// Coefficient of thermal expansion of bearing steel, 1/K (NTN 2203/E, Eq. (8.5); NSK E1102f, Eq. (9.6)).
+pub const STEEL_EXPANSION_PER_K: f64 = 12.5e-6;
+/// Largest coefficient of thermal expansion, 1/K: plastics have 2e-4.
+const EXPANSION_MAX_PER_K: f64 = 1e-3;
+/// Absolute zero, °C.
+const ABSOLUTE_ZERO_C: f64 = -273.15;
+/// Largest gain of clearance over the diameter of the inner groove. A loss is limited by the contacts
+/// ([`crate::Bearing::new`]).
+const STRAIN_MAX: f64 = 0.01;
+
+/// How a bearing is mounted, and how warm its parts are.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Fit {
+    /// d, bore diameter of the inner ring; needed with a fit on the shaft.
+    pub bore_diameter_m: Option<f64>,
+    /// D, outside diameter of the outer ring; needed with a fit in the housing.
+    pub outside_diameter_m: Option<f64>,
+    /// Effective interference of shaft and bore on the diameter, smoothing deducted; below 0 a gap.
+    pub shaft_interference_m: f64,
+    /// Effective interference of outer ring and housing on the diameter; below 0 a gap.
+    pub housing_interference_m: f64,
+    /// Bore of a hollow shaft; 0, a solid one.
+    pub shaft_bore_diameter_m: f64,
+    /// Outside diameter of the housing; a thick one unless given.
+    pub housing_outside_diameter_m: Option<f64>,
+    /// Young's modulus of the shaft; that of the rings unless given.
+    pub shaft_youngs_modulus_pa: Option<f64>,
+    /// Poisson's ratio of the shaft; that of the rings unless given.
+    pub shaft_poisson_ratio: Option<f64>,
+    /// Young's modulus of the housing; that of the rings unless given.
+    pub housing_youngs_modulus_pa: Option<f64>,
+    /// Poisson's ratio of the housing; that of the rings unless given.
+    pub housing_poisson_ratio: Option<f64>,
+    /// Temperature of the inner ring; 20 °C unless given.
+    pub inner_ring_temperature_c: Option<f64>,
+    /// Temperature of the outer ring; 20 °C unless given.
+    pub outer_ring_temperature_c: Option<f64>,
+    /// Temperature of the balls; the mean of both rings unless given.
+    pub ball_temperature_c: Option<f64>,
+    /// Temperature of the shaft; that of the inner ring unless given.
+    pub shaft_temperature_c: Option<f64>,
+    /// Temperature of the housing; that of the outer ring unless given.
+    pub housing_temperature_c: Option<f64>,
+    /// Coefficient of thermal expansion of the rings; that of bearing steel unless given.
+    pub ring_expansion_per_k: Option<f64>,
+    /// Coefficient of thermal expansion of the balls; that of bearing steel for steel balls unless given.
+    pub ball_expansion_per_k: Option<f64>,
+    /// Coefficient of thermal expansion of the shaft; that of the rings unless given.
+    pub shaft_expansion_per_k: Option<f64>,
+    /// Coefficient of thermal expansion of the housing; that of the rings unless given.
+    pub housing_expansion_per_k: Option<f64>,
+}
+
+/// What fits and temperatures make of the radial internal clearance, m on the diameter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OperatingClearance {
+    /// Gr of the bearing by itself at 20 °C.
+    pub initial_m: f64,
+    /// Interference of shaft and bore at their temperatures; 0 or below: a gap, without effect.
+    pub shaft_interference_m: f64,
+    /// Interference of outer ring and housing at their temperatures.
+    pub housing_interference_m: f64,
+    /// Expansion of the inner raceway by the shaft.
+    pub shaft_reduction_m: f64,
+    /// Contraction of the outer raceway by the housing.
+    pub housing_reduction_m: f64,
+    /// Change of the clearance by the thermal expansion of free rings and balls.
+    pub thermal_change_m: f64,
+    /// Pressure between shaft and bore, Pa.
+    pub shaft_pressure_pa: f64,
+    /// Pressure between outer ring and housing, Pa.
+    pub housing_pressure_pa: f64,
+}
+
+impl OperatingClearance {
+    /// Clearance in operation: below 0, preload.
+    pub fn operating_m(&self) -> f64 {
+        self.initial_m + self.change_m()
+    }
+
+    /// Clearance in operation less that of the bearing by itself.
+    pub fn change_m(&self) -> f64 {
+        self.thermal_change_m - self.shaft_reduction_m - self.housing_reduction_m
+    }
+}
+
+/// Pressure between two cylinders of diameters `[inside, fit, outside]`, pushed together with an
+/// interference on the diameter:
+///
+///   p = δ/d2 / ([(d1² + d2²)/(d1² − d2²) + ν1]/E1 + [(d2² + d3²)/(d2² − d3²) − ν2]/E2)
+///
+/// (Lamé; NTN 2203/E, table 8.6), 1 outside, 2 inside. 0 without interference: the two do not touch.
+fn pressure_pa(
+    interference_m: f64,
+    [d3, d2, d1]: [f64; 3],
+    [inside, outside]: [(f64, f64); 2],
+) -> f64 {
+    // (1 + q²)/(1 − q²) with q of the smaller over the larger diameter; 1 of a solid shaft or a thick housing.
+    let wall = |small: f64, large: f64| {
+        let q = (small / large).powi(2);
+        (1.0 + q) / (1.0 - q)
+    };
+    let outer = (wall(d2, d1) + outside.1) / outside.0;
+    let inner = (wall(d3, d2) - inside.1) / inside.0;
+    (interference_m / d2).max(0.0) / (outer + inner)
+}
+
+/// Change of the diameter of a ring at `far` under pressure on its diameter `near`, its other side free:
+/// 2 p far/E / |(far/near)² − 1| at its outside, of the same form at its inside.
+fn free_side_m(pressure_pa: f64, near: f64, far: f64, youngs_modulus_pa: f64) -> f64 {
+    let [small, large] = [near.min(far), near.max(far)];
+    let near_share = near * near / (large * large - small * small);
+    2.0 * pressure_pa * far * near_share / youngs_modulus_pa
+}
+
+impl Fit {
+    /// The clearance of a bearing that is mounted like this.
+    ///
+    /// # Errors
+    /// An [`InputError`] naming the first field that cannot be: a diameter that is needed and left out
+    /// (its value is NaN) or within another, a temperature below absolute zero, a coefficient of expansion
+    /// that is needed of rings or balls other than of steel, a gain of clearance that no bearing has.
+    pub fn operating_clearance(
+        &self,
+        dimensions: &BearingDimensions,
+        materials: &Materials,
+    ) -> Result<OperatingClearance, InputError> {
+        let ring = (
+            materials.ring.youngs_modulus_pa,
+            materials.ring.poisson_ratio,
+        );
+        let [inner_m, outer_m] = [
+            dimensions.inner_groove_bottom_radius_m,
+            dimensions.outer_groove_bottom_radius_m,
+        ]
+        .map(|radius| 2.0 * radius);
+        let ball_m = 2.0 * dimensions.ball_radius_m;
+        self.check(inner_m, outer_m)?;
+
+        let warmer = |given: Option<f64>, otherwise: f64| {
+            given.map_or(otherwise, |t| t - REFERENCE_TEMPERATURE_C)
+        };
+        let inner_k = warmer(self.inner_ring_temperature_c, 0.0);
+        let outer_k = warmer(self.outer_ring_temperature_c, 0.0);
+        let ball_k = warmer(self.ball_temperature_c, 0.5 * (inner_k + outer_k));
+        let shaft_k = warmer(self.shaft_temperature_c, inner_k);
+        let housing_k = warmer(self.housing_temperature_c, outer_k);
+        let warm = [inner_k, outer_k, ball_k, shaft_k, housing_k];
+        let is_warm = warm.iter().any(|k| *k != 0.0);
+        let of_steel = |field, given: Option<f64>, material: &Material| match given {
+            Some(value) => Ok(value),
+            None if material.is_steel() || !is_warm => Ok(STEEL_EXPANSION_PER_K),
+            None => Err(InputError::new(field, f64::NAN, Allowed::AtLeast(0.0, ""))),
+        };
+        let ring_per_k = of_steel(
+            "ring_expansion_per_k",
+            self.ring_expansion_per_k,
+            &materials.ring,
+        )?;
+        let ball_per_k = of_steel(
+            "ball_expansion_per_k",
+            self.ball_expansion_per_k,
+            &materials.ball,
+        )?;
+        let shaft_per_k = self.shaft_expansion_per_k.unwrap_or(ring_per_k);
+        let housing_per_k = self.housing_expansion_per_k.unwrap_or(ring_per_k);
+
+        let solid = |modulus: Option<f64>, ratio: Option<f64>| {
+            (modulus.unwrap_or(ring.0), ratio.unwrap_or(ring.1))
+        };
+        let shaft = solid(self.shaft_youngs_modulus_pa, self.shaft_poisson_ratio);
+        let housing = solid(self.housing_youngs_modulus_pa, self.housing_poisson_ratio);
+
+        let on_shaft = self.bore_diameter_m.map(|bore| {
+            let interference =
+                self.shaft_interference_m + bore * (shaft_per_k * shaft_k - ring_per_k * inner_k);
+            let diameters = [self.shaft_bore_diameter_m, bore, inner_m];
+            let pressure = pressure_pa(interference, diameters, [shaft, ring]);
+            let growth = free_side_m(pressure, bore, inner_m, ring.0);
+            (interference, pressure, growth)
+        });
+        let in_housing = self.outside_diameter_m.map(|outside| {
+            let interference = self.housing_interference_m
+                + outside * (ring_per_k * outer_k - housing_per_k * housing_k);
+            let thick = self.housing_outside_diameter_m.unwrap_or(f64::INFINITY);
+            let diameters = [outer_m, outside, thick];
+            let pressure = pressure_pa(interference, diameters, [ring, housing]);
+            let shrinkage = free_side_m(pressure, outside, outer_m, ring.0);
+            (interference, pressure, shrinkage)
+        });
+        let (shaft_interference_m, shaft_pressure_pa, shaft_reduction_m) =
+            on_shaft.unwrap_or_default();
+        let (housing_interference_m, housing_pressure_pa, housing_reduction_m) =
+            in_housing.unwrap_or_default();
+        let rings = ring_per_k * (outer_m * outer_k - inner_m * inner_k);
+        let found = OperatingClearance {
+            initial_m: outer_m - inner_m - 2.0 * ball_m,
+            shaft_interference_m,
+            housing_interference_m,
+            shaft_reduction_m,
+            housing_reduction_m,
+            thermal_change_m: rings - 2.0 * ball_m * ball_per_k * ball_k,
+            shaft_pressure_pa,
+            housing_pressure_pa,
+        };
+        let strain_m = found.change_m();
+        if strain_m > STRAIN_MAX * inner_m {
+            let rule = "temperatures that enlarge the clearance by no more than a hundredth of the \
+                        diameter of the inner groove";
+            return Err(InputError::rule("fit", strain_m, rule));
+        }
+        Ok(found)
+    }
+
+    fn check(&self, inner_m: f64, outer_m: f64) -> Result<(), InputError> {
+        let bore = within_wall(
+            "bore_diameter_m",
+            self.bore_diameter_m,
+            self.shaft_interference_m != 0.0 || self.shaft_temperature_c.is_some(),
+            [0.0, inner_m],
+        )?;
+        within_wall(
+            "outside_diameter_m",
+            self.outside_diameter_m,
+            self.housing_interference_m != 0.0 || self.housing_temperature_c.is_some(),
+            [outer_m, f64::INFINITY],
+        )?;
+        finite("shaft_interference_m", self.shaft_interference_m)?;
+        finite("housing_interference_m", self.housing_interference_m)?;
+        not_negative("shaft_bore_diameter_m", self.shaft_bore_diameter_m)?;
+        if let Some(bore) = bore.filter(|bore| self.shaft_bore_diameter_m >= *bore) {
+            let allowed = Allowed::Below(bore, "the bore of the inner ring");
+            let value = self.shaft_bore_diameter_m;
+            return Err(InputError::new("shaft_bore_diameter_m", value, allowed));
+        }
+        let outside = self.outside_diameter_m.unwrap_or(outer_m);
+        if let Some(value) = self.housing_outside_diameter_m.filter(|v| !(*v > outside)) {
+            let allowed = Allowed::Above(outside, "the outside of the outer ring");
+            return Err(InputError::new(
+                "housing_outside_diameter_m",
+                value,
+                allowed,
+            ));
+        }
+        for (field, value) in [
+            ("shaft_youngs_modulus_pa", self.shaft_youngs_modulus_pa),
+            ("housing_youngs_modulus_pa", self.housing_youngs_modulus_pa),
+        ] {
+            value.map_or(Ok(()), |value| positive(field, value))?;
+        }
+        for (field, value) in [
+            ("shaft_poisson_ratio", self.shaft_poisson_ratio),
+            ("housing_poisson_ratio", self.housing_poisson_ratio),
+        ] {
+            if let Some(value) = value.filter(|v| !(0.0..0.5).contains(v)) {
+                let rule = "at least 0 and less than 0.5";
+                return Err(InputError::rule(field, value, rule));
+            }
+        }
+        for (field, value) in [
+            ("inner_ring_temperature_c", self.inner_ring_temperature_c),
+            ("outer_ring_temperature_c", self.outer_ring_temperature_c),
+            ("ball_temperature_c", self.ball_temperature_c),
+            ("shaft_temperature_c", self.shaft_temperature_c),
+            ("housing_temperature_c", self.housing_temperature_c),
+        ] {
+            let Some(value) = value else { continue };
+            if !(value.is_finite() && value > ABSOLUTE_ZERO_C) {
+                let allowed = Allowed::Above(ABSOLUTE_ZERO_C, "absolute zero");
+                return Err(InputError::new(field, value, allowed));
+            }
+        }
+        for (field, value) in [
+            ("ring_expansion_per_k", self.ring_expansion_per_k),
+            ("ball_expansion_per_k", self.ball_expansion_per_k),
+            ("shaft_expansion_per_k", self.shaft_expansion_per_k),
+            ("housing_expansion_per_k", self.housing_expansion_per_k),
+        ] {
+            if let Some(value) = value.filter(|v| !(0.0..=EXPANSION_MAX_PER_K).contains(v)) {
+                let rule = format!("from 0 to {EXPANSION_MAX_PER_K}");
+                return Err(InputError::rule(field, value, rule));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A diameter on the far side of a ring from its groove; NaN in the error of one that is needed.
+fn within_wall(
+    field: &'static str,
+    value: Option<f64>,
+    needed: bool,
+    [least, most]: [f64; 2],
+) -> Result<Option<f64>, InputError> {
+    let allowed = if most.is_finite() {
+        Allowed::Between(least, most, "the bottom of the inner groove")
+    } else {
+        Allowed::Above(least, "the bottom of the outer groove")
+    };
+    match value {
+        Some(value) if value > least && value < most => Ok(Some(value)),
+        None if !needed => Ok(None),
+        _ => Err(InputError::new(field, value.unwrap_or(f64::NAN), allowed)),
+    }
+}
