@@ -142,5 +142,10 @@ fn of_lubricant(solved: &Solved<'_>) -> Vec<String> {
             "the radial load is below the minimum load of SKF's rule, {least:.0} N: balls may slide"
         )
     });
-    thin.into_iter().chain(light).collect()
+    let skf = rating.skf_friction.map(|_| {
+        "SKF's friction model is for lubricated bearings with a cage of SKF's inner geometry; for a full \
+         complement of balls SKF has no constants; the friction of the motion is another, dry one"
+            .to_owned()
+    });
+    thin.into_iter().chain(light).chain(skf).collect()
 }

@@ -250,6 +250,7 @@ fn results_with_a_lubricant_are_the_fields_of_its_rating() {
         "viscosity_mm2_s=6",
         "contamination_factor=0.3",
         "minimum_load_factor=0.02",
+        "skf_series=\"62\"",
     ];
     let sets = sets.map(|set| format!("lubrication.{set}"));
     let file = CaseFile::parse(&template(false), "case.toml", &sets).unwrap();
@@ -259,6 +260,7 @@ fn results_with_a_lubricant_are_the_fields_of_its_rating() {
     let solved = Solved::new(case, &equilibrium);
     let rating = solved.rating.lubricated.unwrap();
     let life = rating.l10m_mrev.unwrap();
+    let skf = rating.skf_friction.unwrap();
     let expected = [
         ("viscosity_ratio", rating.viscosity_ratio),
         ("fatigue_load_limit_n", rating.fatigue_load_limit_n),
@@ -272,6 +274,13 @@ fn results_with_a_lubricant_are_the_fields_of_its_rating() {
         (
             "minimum_radial_load_n",
             rating.minimum_radial_load_n.unwrap(),
+        ),
+        ("skf_rolling_torque_n_m", skf.rolling_n_m),
+        ("skf_sliding_torque_n_m", skf.sliding_n_m),
+        ("skf_model_torque_n_m", skf.rolling_n_m + skf.sliding_n_m),
+        (
+            "skf_model_power_w",
+            (skf.rolling_n_m + skf.sliding_n_m) * 400.0 * PI,
         ),
     ];
     let results = Results::of(LUBRICATION, Subject::Static(&solved));

@@ -74,7 +74,7 @@ pub use error::InputError;
 pub use fit::{Fit, OperatingClearance};
 pub use flank_model::FlankModel;
 pub use integrator::IntegrationMethod;
-pub use lubrication::Lubrication;
+pub use lubrication::{Lubricant, Lubrication, SkfSeries};
 pub use material::{Material, Materials};
 pub use profile::Profile;
 pub use raceway::{Raceway, RacewayDimensions, RacewayForm, RacewayShape};

@@ -1,7 +1,75 @@
 //! Lubricant of a bearing, for its ratings.
 
 use crate::error::InputError;
-use crate::limits::positive;
+use crate::limits::{not_negative, positive};
+
+/// How the lubricant comes to the contacts, for its replenishment in SKF's friction model.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Lubricant {
+    /// Oil bath of a low level, or oil jet.
+    Oil,
+    /// Grease, or oil with air.
+    Grease,
+}
+
+impl Lubricant {
+    /// Every kind with its name in files.
+    pub const NAMES: &'static [(&'static str, Self)] =
+        &[("oil", Self::Oil), ("grease", Self::Grease)];
+}
+
+/// Series of deep groove ball bearings that SKF's friction model has constants for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SkfSeries {
+    /// 2 and 3, with a filling slot.
+    FillingSlot,
+    /// 42 and 43.
+    S42,
+    /// 60 and 630.
+    S60,
+    /// 62 and 622.
+    S62,
+    /// 63 and 623.
+    S63,
+    /// 64.
+    S64,
+    /// 160 and 161.
+    S160,
+    /// 617, 618, 628, 637 and 638.
+    S618,
+    /// 619 and 639.
+    S619,
+}
+
+impl SkfSeries {
+    /// Every series with its name in files.
+    pub const NAMES: &'static [(&'static str, Self)] = &[
+        ("filling-slot", Self::FillingSlot),
+        ("42", Self::S42),
+        ("60", Self::S60),
+        ("62", Self::S62),
+        ("63", Self::S63),
+        ("64", Self::S64),
+        ("160", Self::S160),
+        ("618", Self::S618),
+        ("619", Self::S619),
+    ];
+
+    /// R1 and S1 of SKF (*General catalogue* 6000 (2006), table of deep groove ball bearings).
+    pub fn constants(self) -> [f64; 2] {
+        match self {
+            Self::FillingSlot => [4.4e-7, 2.00e-3],
+            Self::S42 => [5.4e-7, 3.00e-3],
+            Self::S60 => [4.1e-7, 3.73e-3],
+            Self::S62 => [3.9e-7, 3.23e-3],
+            Self::S63 => [3.7e-7, 2.84e-3],
+            Self::S64 => [3.6e-7, 2.43e-3],
+            Self::S160 => [4.3e-7, 4.63e-3],
+            Self::S618 => [4.7e-7, 6.50e-3],
+            Self::S619 => [4.3e-7, 4.75e-3],
+        }
+    }
+}
 
 /// Lubricant at the temperature of operation.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,6 +84,12 @@ pub struct Lubrication {
     pub fatigue_load_limit_n: Option<f64>,
     /// kr, minimum load factor of SKF's catalogue, 0.015 to 0.03 for deep groove ball bearings.
     pub minimum_load_factor: Option<f64>,
+    /// Series of the bearing, for SKF's friction model; without one it is not computed.
+    pub skf_series: Option<SkfSeries>,
+    /// Oil or grease, for SKF's friction model.
+    pub lubricant: Lubricant,
+    /// μEHL, sliding friction in a full film: 0.05 mineral oil, 0.04 synthetic oil, 0.1 transmission fluid (SKF).
+    pub film_friction_coefficient: f64,
 }
 
 impl Lubrication {
@@ -26,6 +100,7 @@ impl Lubrication {
     /// or the contamination factor is not from 0 to 1.
     pub fn check(&self) -> Result<(), InputError> {
         positive("viscosity_m2_s", self.viscosity_m2_s)?;
+        not_negative("film_friction_coefficient", self.film_friction_coefficient)?;
         let factor = self.contamination_factor;
         if !(0.0..=1.0).contains(&factor) {
             return Err(InputError::rule(

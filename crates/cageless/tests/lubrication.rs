@@ -3,10 +3,10 @@
 use crate::common::{conventional, dimensions};
 use cageless::equilibrium::solve;
 use cageless::rating::{
-    BasicRatings, LubricatedRating, Rating, life_modification_factor, minimum_radial_load_n,
-    reference_viscosity_m2_s,
+    BasicRatings, LubricatedRating, Rating, SkfFriction, life_modification_factor,
+    minimum_radial_load_n, reference_viscosity_m2_s,
 };
-use cageless::{Case, Lubrication};
+use cageless::{Case, Lubricant, Lubrication, SkfSeries};
 
 fn lubricated(lubrication: Lubrication) -> Case {
     Case {
@@ -21,6 +21,9 @@ fn oil() -> Lubrication {
         contamination_factor: 0.5,
         fatigue_load_limit_n: None,
         minimum_load_factor: None,
+        skf_series: None,
+        lubricant: Lubricant::Oil,
+        film_friction_coefficient: 0.05,
     }
 }
 
@@ -99,6 +102,48 @@ fn fatigue_load_limit_is_the_load_of_1500_mpa() {
     assert!((pressure / 1.5e9 - 1.0).abs() < 1e-9, "{pressure}");
 }
 
+/// 6205 under 1000 N at 3000 rpm in 20 mm²/s, by an independent computation with the equations and constants of
+/// SKF's *General catalogue* 6000: Mrr 14.286, Msl 6.3445, together 20.63 N·mm. The rule of the same
+/// catalogue, M = ½ μ P d with μ = 0.0015 (table 1), is meant for P ≈ 0.1 C = 1480 N, good lubrication.
+#[test]
+fn friction_by_the_model_of_skf() {
+    let of = |lubrication: &Lubrication, load_n| {
+        SkfFriction::new(SkfSeries::S62, lubrication, [25.0, 52.0], 3000.0, load_n)
+    };
+    let oil = Lubrication {
+        viscosity_m2_s: 20e-6,
+        ..oil()
+    };
+    let found = of(&oil, 1000.0);
+    for (found, expected) in [
+        (found.rolling_n_m, 14.286e-3),
+        (found.sliding_n_m, 6.3445e-3),
+        (found.torque_n_m(), 20.63e-3),
+    ] {
+        assert!((found / expected - 1.0).abs() < 1e-4, "{found} {expected}");
+    }
+    let rule = 0.5 * 0.0015 * 1480.0 * 25e-3;
+    let ratio = of(&oil, 1480.0).torque_n_m() / rule;
+    assert!((0.8..1.25).contains(&ratio), "{ratio}");
+    // Grease starves the inlet twice as much: φrs² for φrs = 0.96734.
+    let grease = Lubrication {
+        lubricant: Lubricant::Grease,
+        ..oil.clone()
+    };
+    let starved = of(&grease, 1000.0).rolling_n_m / found.rolling_n_m;
+    assert!((starved / 0.96734 - 1.0).abs() < 1e-5, "{starved}");
+    // Almost no film: μbl = 0.15 for μsl = 0.050748.
+    let thin = Lubrication {
+        viscosity_m2_s: 1e-9,
+        ..oil
+    };
+    let boundary = of(&thin, 1000.0).sliding_n_m / found.sliding_n_m;
+    assert!(
+        (boundary / (0.15 / 0.050_748) - 1.0).abs() < 1e-4,
+        "{boundary}"
+    );
+}
+
 #[test]
 fn ratings_of_a_case_are_those_of_its_lubricant() {
     let case = lubricated(oil());
@@ -117,9 +162,17 @@ fn ratings_of_a_case_are_those_of_its_lubricant() {
     let given = lubricated(Lubrication {
         fatigue_load_limit_n: Some(77.0),
         minimum_load_factor: Some(0.02),
+        skf_series: Some(SkfSeries::S63),
         ..oil()
     });
     let found = rating(&given);
+    // No bore is given: 18.24 mm less 0.3 ball diameters; dm = Dpw.
+    let bore = 2.0 * (18.24 - 0.3 * 9.525);
+    let load_n = given.operation.radial_load_n;
+    let diameters = [bore, 2.0 * 46.005 - bore];
+    let skf = SkfFriction::new(SkfSeries::S63, &oil(), diameters, 12_000.0, load_n);
+    let torque = found.skf_friction.unwrap().torque_n_m();
+    assert!((torque / skf.torque_n_m() - 1.0).abs() < 1e-9);
     assert_eq!(found.fatigue_load_limit_n, 77.0);
     // 0.02 (13 · 12)^(2/3) 0.46005² kN.
     let least = 20.0 * 156f64.powf(2.0 / 3.0) * 0.46005f64.powi(2);
@@ -155,6 +208,13 @@ fn lubricants_that_cannot_be_are_refused() {
             "fatigue_load_limit_n",
             Lubrication {
                 fatigue_load_limit_n: Some(-1.0),
+                ..oil()
+            },
+        ),
+        (
+            "film_friction_coefficient",
+            Lubrication {
+                film_friction_coefficient: -0.1,
                 ..oil()
             },
         ),

@@ -1,7 +1,8 @@
 //! Choices that a case file or a plan makes by name.
 
 use cageless::{
-    Assembly, FlankModel, FrictionLaw, IntegrationMethod, Motion, Profile, RacewayShape,
+    Assembly, FlankModel, FrictionLaw, IntegrationMethod, Lubricant, Motion, Profile, RacewayShape,
+    SkfSeries,
 };
 
 use super::spanned_toml::{Node, Value};
@@ -75,6 +76,10 @@ impl Named for FrictionLaw {
     const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
 }
 
+impl Named for Lubricant {
+    const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
+}
+
 impl Named for Motion {
     const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
 }
@@ -85,6 +90,10 @@ impl Named for Profile {
 }
 
 impl Named for RacewayShape {
+    const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
+}
+
+impl Named for SkfSeries {
     const NAMES: &'static [(&'static str, Self)] = Self::NAMES;
 }
 

@@ -226,6 +226,10 @@ class StaticAttributes:
     l10m_mrev: float  # modified rating life L10m (ISO 281), Mrev
     l10m_h: float  # modified rating life L10m at the speed of the case, h
     minimum_radial_load_n: float  # minimum radial load (SKF), N
+    skf_rolling_torque_n_m: float  # rolling friction torque (SKF), N m
+    skf_sliding_torque_n_m: float  # sliding friction torque (SKF), N m
+    skf_model_torque_n_m: float  # friction torque (SKF model), N m
+    skf_model_power_w: float  # power loss (SKF model), W
     ring_z_um: float  # displacement of the inner ring, z, um
     tilt_x_mrad: float  # tilt of the inner ring about x, mrad
     tilt_y_mrad: float  # tilt of the inner ring about y, mrad

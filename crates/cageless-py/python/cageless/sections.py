@@ -236,6 +236,9 @@ class Lubrication(Section):
     contamination_factor: Annotated[float, "eC of ISO 281: 1 extreme cleanliness, 0.8 to 0.6 high, 0.6 to 0.5 normal, 0.5 to 0.3 slight and 0.3 to 0.1 typical contamination, 0.1 to 0 severe, below a pitch diameter of 100 mm"]
     fatigue_load_limit_n: Annotated[float | None, "Cu (SKF: Pu) of the catalogue; from a contact pressure of 1500 MPa unless given"] = None
     minimum_load_factor: Annotated[float | None, "kr of SKF's catalogue, for the minimum load; none unless given"] = None
+    skf_series: Annotated[Literal["filling-slot", "42", "60", "62", "63", "64", "160", "618", "619"] | None, "series of the bearing for SKF's friction model: \"62\" for 62 and 622 and so on; not computed unless given; SKF has no constants for a full complement of balls"] = None
+    lubricant: Annotated[Literal["oil", "grease"] | None, "for SKF's friction model: \"oil\", a low bath or a jet, or \"grease\", or oil with air"] = None
+    film_friction_coefficient: Annotated[float | None, "μEHL of SKF's friction model, in a full film: 0.05 mineral oil, 0.04 synthetic oil, 0.1 transmission fluid"] = None
 
 
 @dataclass(frozen=True, kw_only=True)

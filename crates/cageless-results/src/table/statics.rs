@@ -79,7 +79,7 @@ pub const DEFECTS: &[Quantity] = &[
 /// Further results of a static equilibrium with fits and temperatures.
 #[rustfmt::skip]
 pub const FIT: &[Quantity] = &[
-    means("Gr of the file, of the bearing by itself at 20 °C", part(quantity("initial_clearance_um", "um", "radial internal clearance before mounting", Static(|s| fitted(s, |f| f.initial_m * 1e6))))),
+    means("Gr of the file, at 20 °C", part(quantity("initial_clearance_um", "um", "radial internal clearance before mounting", Static(|s| fitted(s, |f| f.initial_m * 1e6))))),
     means("at the temperatures of the parts; 0 or below: a gap", part(quantity("effective_shaft_interference_um", "um", "interference of shaft and bore", Static(|s| fitted(s, |f| f.shaft_interference_m * 1e6))))),
     means("at the temperatures of the parts; 0 or below: a gap", part(quantity("effective_housing_interference_um", "um", "interference of outer ring and housing", Static(|s| fitted(s, |f| f.housing_interference_m * 1e6))))),
     means("Lamé, the ring up to the bottom of its groove", part(quantity("shaft_reduction_um", "um", "reduction of the clearance by the fit on the shaft", Static(|s| fitted(s, |f| f.shaft_reduction_m * 1e6))))),
@@ -99,6 +99,10 @@ pub const LUBRICATION: &[Quantity] = &[
     means("aISO L10, of 90 % of the bearings", part(high(quantity("l10m_mrev", "Mrev", "modified rating life L10m (ISO 281)", Static(|s| lubricated(s, |l| l.l10m_mrev)))))),
     part(high(quantity("l10m_h", "h", "modified rating life L10m at the speed of the case", Static(|s| hours(s, s.rating.lubricated.and_then(|l| l.l10m_mrev)))))),
     means("below which balls may slide, by SKF's rule for deep groove ball bearings with a cage", part(quantity("minimum_radial_load_n", "N", "minimum radial load (SKF)", Static(|s| lubricated(s, |l| l.minimum_radial_load_n))))),
+    means("φish φrs Mrr of SKF's model for deep groove ball bearings with a cage", part(low(quantity("skf_rolling_torque_n_m", "N m", "rolling friction torque (SKF)", Static(|s| lubricated(s, |l| l.skf_friction.map(|f| f.rolling_n_m))))))),
+    means("Msl of SKF's model for deep groove ball bearings with a cage", part(low(quantity("skf_sliding_torque_n_m", "N m", "sliding friction torque (SKF)", Static(|s| lubricated(s, |l| l.skf_friction.map(|f| f.sliding_n_m))))))),
+    means("of SKF's model, without seals and drag; next to the friction of the motion, which is dry, and no part of it", part(low(quantity("skf_model_torque_n_m", "N m", "friction torque (SKF model)", Static(|s| lubricated(s, |l| l.skf_friction.map(|f| f.torque_n_m()))))))),
+    part(low(quantity("skf_model_power_w", "W", "power loss (SKF model)", Static(|s| s.rating.lubricated.and_then(|l| l.skf_friction).map(|f| f.torque_n_m() * s.case.operation.inner_speed_rad_s.abs()).into())))),
 ];
 
 /// Further results of a static equilibrium in space: under an axial load, moments or a tilt, with a

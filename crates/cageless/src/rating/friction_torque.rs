@@ -16,7 +16,7 @@ pub fn bore_radius_estimate_m(d: &BearingDimensions) -> f64 {
     (bottom - WALL * (2.0 * d.ball_radius_m)).max(0.5 * bottom)
 }
 
-fn bore_radius_m(bearing: &Bearing) -> f64 {
+pub(super) fn bore_radius_m(bearing: &Bearing) -> f64 {
     let given = bearing.inner_ring_bore().map(|bore| bore.radius_m);
     given.unwrap_or_else(|| bore_radius_estimate_m(bearing.dimensions()))
 }

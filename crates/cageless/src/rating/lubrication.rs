@@ -1,6 +1,7 @@
 //! What ISO 281 and catalogues rate from the lubricant: viscosity ratio, modified life, minimum load.
 
 use super::basic_ratings::BasicRatings;
+use super::skf_friction::SkfFriction;
 use crate::case::Case;
 
 /// Speed at which the equation of the reference viscosity changes, rpm.
@@ -12,7 +13,7 @@ const VISCOSITY_RATIO_MAX: f64 = 4.0;
 /// Largest life modification factor.
 const FACTOR_MAX: f64 = 50.0;
 /// Viscosity of 1 mm²/s, m²/s.
-const MM2_S: f64 = 1e-6;
+pub(super) const MM2_S: f64 = 1e-6;
 
 /// ν1, the viscosity for an adequate film at a speed in rpm and a pitch diameter in mm, m²/s:
 ///
@@ -79,6 +80,8 @@ pub struct LubricatedRating {
     pub l10m_mrev: Option<f64>,
     /// Frm of SKF, N; `None` unless the factor of the bearing is given.
     pub minimum_radial_load_n: Option<f64>,
+    /// Friction by SKF's model; `None` unless the series of the bearing is given.
+    pub skf_friction: Option<SkfFriction>,
 }
 
 impl LubricatedRating {
@@ -111,6 +114,7 @@ impl LubricatedRating {
             life_modification_factor: factor,
             l10m_mrev: factor.zip(l10_mrev).map(|(factor, life)| factor * life),
             minimum_radial_load_n: lubrication.minimum_load_factor.map(minimum),
+            skf_friction: SkfFriction::of(case, lubrication, speed_rpm),
         })
     }
 }

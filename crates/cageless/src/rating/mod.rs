@@ -25,6 +25,7 @@ mod lubrication;
 mod passing_frequencies;
 mod ratios;
 mod reference_life;
+mod skf_friction;
 
 use std::f64::consts::TAU;
 
@@ -44,6 +45,7 @@ pub use lubrication::{
 };
 pub use passing_frequencies::{PassingFrequencies, loaded_contact_angle_rad};
 pub use reference_life::ReferenceLife;
+pub use skf_friction::SkfFriction;
 
 /// Largest n·Dpw of ball bearings in service, mm/min: hybrid spindle bearings under oil
 /// jets and bearings of aircraft engines reach 3 million.

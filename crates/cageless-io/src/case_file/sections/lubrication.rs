@@ -1,9 +1,12 @@
 //! `[lubrication]`.
 
+use cageless::{Lubricant, SkfSeries};
+
 use crate::case_file::declaration::section;
-use crate::case_file::key::Limit::{Above, Within};
+use crate::case_file::key::Limit::{Above, AtLeast, Within};
 use crate::case_file::key::Line::Commented;
 use crate::case_file::key::Presence::{Optional, Required};
+use crate::case_file::key::default;
 use crate::case_file::unit::Unit::{None as Plain, Si, SquareMillimetrePerSecond};
 
 section! {
@@ -21,5 +24,14 @@ section! {
         minimum_load_factor => minimum_load_factor: Option<f64> = Optional, Plain; Above(0.0),
             "kr of SKF's catalogue, for the minimum load; none unless given",
             Commented("0.025", "kr of SKF, for the minimum load");
+        skf_series => skf_series: Option<SkfSeries> = Optional, Plain,
+            "series of the bearing for SKF's friction model: \"62\" for 62 and 622 and so on; not computed unless given; SKF has no constants for a full complement of balls",
+            Commented("\"62\"", "for SKF's friction model, of bearings with a cage");
+        lubricant => lubricant: Lubricant = default("oil"), Plain,
+            "for SKF's friction model: \"oil\", a low bath or a jet, or \"grease\", or oil with air",
+            Commented("\"oil\"", "or \"grease\"");
+        film_friction_coefficient => film_friction_coefficient: f64 = default(0.05), Plain; AtLeast(0.0),
+            "μEHL of SKF's friction model, in a full film: 0.05 mineral oil, 0.04 synthetic oil, 0.1 transmission fluid",
+            Commented("0.05", "in a full film of mineral oil; synthetic: 0.04");
     }
 }
