@@ -173,6 +173,7 @@ class StaticAttributes:
     outer_pressure_max_mpa: float  # peak contact pressure, outer raceway, MPa
     inner_force_max_n: float  # largest force at the inner raceway, N
     outer_force_max_n: float  # largest force at the outer raceway, N
+    loaded_balls: int | None  # balls under load
     static_safety_factor: float  # static safety factor s0 = C0r/Fr (ISO 76)
     pressure_safety: float  # load to the pressure limit, (4200 MPa/p)³
     assembly: str  # way of assembly
@@ -238,7 +239,6 @@ class StaticAttributes:
     stiffness_yz_n_m: float  # stiffness of the bearing, kyz = kzy, N/m
     tilt_stiffness_xx_n_m_rad: float  # tilting stiffness about x, N m/rad
     tilt_stiffness_yy_n_m_rad: float  # tilting stiffness about y, N m/rad
-    loaded_balls: int | None  # balls under load
     loaded_contact_angle_deg: float  # contact angle of the loaded bearing, deg
     loaded_ftf_hz: float  # FTF of the loaded bearing, Hz
     loaded_bpfo_hz: float  # BPFO of the loaded bearing, Hz

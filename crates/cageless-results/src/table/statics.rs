@@ -27,6 +27,7 @@ pub const STATIC: &[Quantity] = &[
     means(HERTZ_PRESSURE, low(quantity("outer_pressure_max_mpa", "MPa", "peak contact pressure, outer raceway", Static(|s| some(s.equilibrium.outer_pressure_max_pa * 1e-6))))),
     quantity("inner_force_max_n", "N", "largest force at the inner raceway", Static(|s| some(largest(&s.equilibrium.inner_force_n)))),
     quantity("outer_force_max_n", "N", "largest force at the outer raceway", Static(|s| some(largest(&s.equilibrium.outer_force_n)))),
+    integer("loaded_balls", "balls under load", Static(|s| count(s.equilibrium.inner_force_n.iter().filter(|f| **f > 0.0).count()))),
 
     high(quantity("static_safety_factor", "", "static safety factor s0 = C0r/Fr (ISO 76)", Static(|s| s.rating.static_safety_factor.into()))),
     high(quantity("pressure_safety", "", "load to the pressure limit, (4200 MPa/p)³", Static(|s| s.rating.pressure_safety.into()))),
@@ -117,7 +118,6 @@ pub const SPACE: &[Quantity] = &[
     quantity("stiffness_yz_n_m", "N/m", "stiffness of the bearing, kyz = kzy", Static(|s| entry(s, 1, 2))),
     high(quantity("tilt_stiffness_xx_n_m_rad", "N m/rad", "tilting stiffness about x", Static(|s| entry(s, 3, 3)))),
     high(quantity("tilt_stiffness_yy_n_m_rad", "N m/rad", "tilting stiffness about y", Static(|s| entry(s, 4, 4)))),
-    integer("loaded_balls", "balls under load", Static(|s| count(s.equilibrium.inner_force_n.iter().filter(|f| **f > 0.0).count()))),
     means("mean of both contacts of the balls that carry, without sign; frequencies of the loaded bearing are at this angle, those above at the free contact angle", part(quantity("loaded_contact_angle_deg", "deg", "contact angle of the loaded bearing", Static(|s| s.rating.loaded_contact_angle_rad.map(f64::to_degrees).into())))),
     means(FTF, part(quantity("loaded_ftf_hz", "Hz", "FTF of the loaded bearing", Static(|s| loaded(s, |f| f.ftf_hz))))),
     means(BPFO, part(quantity("loaded_bpfo_hz", "Hz", "BPFO of the loaded bearing", Static(|s| loaded(s, |f| f.bpfo_hz))))),
