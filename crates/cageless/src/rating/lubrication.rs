@@ -13,7 +13,7 @@ const VISCOSITY_RATIO_MAX: f64 = 4.0;
 /// Largest life modification factor.
 const FACTOR_MAX: f64 = 50.0;
 /// Viscosity of 1 mm²/s, m²/s.
-pub(super) const MM2_S: f64 = 1e-6;
+const MM2_S: f64 = 1e-6;
 
 /// ν1, the viscosity for an adequate film at a speed in rpm and a pitch diameter in mm, m²/s:
 ///

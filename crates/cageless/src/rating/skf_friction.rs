@@ -1,7 +1,6 @@
 //! SKF's model of the friction torque, of bearings with a cage in a lubricant.
 
 use super::friction_torque::bore_radius_m;
-use super::lubrication::MM2_S;
 use crate::case::Case;
 use crate::lubrication::{Lubricant, Lubrication, SkfSeries};
 
@@ -9,6 +8,8 @@ use crate::lubrication::{Lubricant, Lubrication, SkfSeries};
 const BOUNDARY_FRICTION: f64 = 0.15;
 /// KZ of single-row deep groove ball bearings.
 const GEOMETRY_FACTOR: f64 = 3.1;
+/// Viscosity of 1 mm²/s, m²/s.
+const MM2_S: f64 = 1e-6;
 /// N·mm in N·m.
 const NMM: f64 = 1e-3;
 
