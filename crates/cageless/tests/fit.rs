@@ -225,6 +225,8 @@ fn warm_aluminium_lets_go() {
     assert_eq!(loose.operating_m(), loose.initial_m);
 }
 
+type Change = fn(&mut Fit);
+
 #[test]
 fn fits_that_cannot_be_are_refused() {
     let refused = |fit: Fit, materials: Materials| {
@@ -239,13 +241,13 @@ fn fits_that_cannot_be_are_refused() {
         },
         ..steel().into()
     };
-    let set = |change: fn(&mut Fit)| {
+    let set = |change: Change| {
         let mut fit = in_6208();
         change(&mut fit);
         fit
     };
     #[rustfmt::skip]
-    let rows: [(&str, fn(&mut Fit)); 12] = [
+    let rows: [(&str, Change); 12] = [
         ("bore_diameter_m", |f| f.bore_diameter_m = Some(50.4e-3)),
         ("bore_diameter_m", |f| (f.bore_diameter_m, f.shaft_interference_m) = (None, 1e-6)),
         ("outside_diameter_m", |f| f.outside_diameter_m = Some(68.4e-3)),
