@@ -1,15 +1,17 @@
 """Builds the site of documentation: pages that need neither a network nor a server.
 
-    python docs/site/build.py SITE [--rust TARGET/doc]
+    python docs/site/build.py SITE [--rust TARGET/doc] [--pages CAGELESS [--finished NAME=FOLDER]]
 
 Its pages are those that `docs/README.md` lists, in the sections of that list, and what they link to. The commands
 come from what `cageless help` printed (the snapshots of the tests), the Python interface from the docstrings.
-`--rust` takes in the pages of `cargo doc`. `./test site` installs what this needs, builds and tests the site.
+`--rust` takes in the pages of `cargo doc`, `--pages` those that the commands of the gallery write, `--finished` one
+that is written already. `./test site` installs what this needs, builds and tests the site.
 """
 
 import argparse
 import re
 import shutil
+import subprocess
 import sys
 import tomllib
 from pathlib import Path
@@ -21,6 +23,17 @@ from sphinx.util.docutils import docutils_namespace, patch_docutils
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 INDEX = "docs/README.md"
+# Pages of the gallery: command and what it shows.
+GALLERY = {
+    "reproduce": ("reproduce", "every table and figure of the paper, recomputed, with every claim and how it stands"),
+    "search": ("design cases/zhao-d.toml --search --set search.runs_max=60", "the best raceway for a bearing: what is feasible, why the rest is not, trade-offs"),
+    "axial": ("design cases/zhao-d.toml --axial", "a raceway with its verdict, and how much axial load and tilt it bears"),
+    "compare": ("compare cases/zhao-d.toml --with-conventional --set solver.duration_s=0.5", "a discrete raceway against a conventional ring, from the same starts"),
+    "run": ("run cases/zhao-d.toml --set operation.axial_load_n=150 --set solver.duration_s=0.2", "the motion of balls and ring in space, under axial load"),
+    "tolerance": ("tolerance cases/zhao-d.toml --samples 8", "machining, ball grade, friction and load: what changes the verdict"),
+    "drop": ("drop cases/touchdown-d.toml --compare conventional --set solver.duration_s=0.3", "a rotor that falls onto its touch-down bearing"),
+    "static": ("static cases/zhao-d.toml", "load distribution, ratings, stiffness, frequencies"),
+}
 HELP = ROOT / "crates/cageless-cli/tests/snapshots"
 LINK = re.compile(r"\]\(([^)\s#]+)[^)]*\)")
 COMMENT = re.compile(r"^[ \t]*<!--(?:(?!-->).)*-->[ \t]*\n|<!--.*?-->", re.DOTALL | re.MULTILINE)
@@ -109,11 +122,35 @@ def rust(folder):
     return "\n".join(lines) + "\n"
 
 
-def build(site, doc):
+def gallery(pages):
+    """The list of pages that commands write, with links to those that are there."""
+    lines = ["# Gallery", "", "Pages as the commands write them: one file each, which computes on its own.", ""]
+    for name, (command, shown) in GALLERY.items():
+        text = f'<a href="../gallery/{name}.html">{shown}</a>' if name in pages else shown
+        lines += [f"- {text}", "", "  ```sh", f"  cageless {command} --out {name}", "  ```", ""]
+    return "\n".join(lines)
+
+
+def written(cageless, finished, folder):
+    """Pages of the gallery by the command, or of earlier runs."""
+    folder.mkdir(parents=True)
+    for name, (command, _) in GALLERY.items():
+        out = finished.get(name, folder / name)
+        if name not in finished:
+            subprocess.run([cageless, *command.split(), "--quiet", "--out", out], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+        shutil.copyfile(out / "report.html", folder / f"{name}.html")
+        if name not in finished:
+            shutil.rmtree(out)
+    return folder
+
+
+def build(site, doc, cageless, finished):
     source = site.with_name(site.name + ".source")
-    for folder in (source, site):
+    for folder in (source, site, site.with_name(site.name + ".gallery")):
         shutil.rmtree(folder, ignore_errors=True)
+    shown = cageless and written(cageless, finished, site.with_name(site.name + ".gallery"))
     pages = {name for name in staged(source) if name.endswith(".md")}
+    (source / "docs/gallery.md").write_text(gallery(GALLERY if shown else []), encoding="utf-8")
     made = {"commands": commands(), "python": python(), "rust": rust(doc)}
     (source / "docs/reference").mkdir(parents=True)
     for name, text in made.items():
@@ -123,6 +160,8 @@ def build(site, doc):
     trees = []
     for heading, names in sections():
         listed |= set(names)
+        if heading == "Studies":
+            names = ["docs/gallery.md", *names]
         if heading == "Reference":
             names = names + [f"docs/reference/{name}.md" for name in made]
         trees += ["```{toctree}", ":hidden:", f":caption: {heading}", "", *names, "```", ""]
@@ -141,6 +180,8 @@ def build(site, doc):
         return app.statuscode
     if doc:
         shutil.copytree(doc, site / "rust")
+    if shown:
+        shown.rename(site / "gallery")
     shutil.copyfile(site / "README.html", site / "index.html")
     shutil.rmtree(source)
     print(f"{site / 'index.html'} written")
@@ -151,8 +192,12 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("site", type=Path)
     parser.add_argument("--rust", type=Path, metavar="FOLDER")
+    parser.add_argument("--pages", type=Path, metavar="CAGELESS")
+    parser.add_argument("--finished", action="append", default=[], metavar="NAME=FOLDER")
     options = parser.parse_args()
-    return build(options.site.resolve(), options.rust and options.rust.resolve())
+    finished = {name: Path(folder).resolve() for name, _, folder in (each.partition("=") for each in options.finished)}
+    rust, pages = (path and path.resolve() for path in (options.rust, options.pages))
+    return build(options.site.resolve(), rust, pages, finished)
 
 
 if __name__ == "__main__":
