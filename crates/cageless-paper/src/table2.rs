@@ -252,7 +252,7 @@ pub fn compute(progress: &Work<'_>) -> Result<Computed, PaperError> {
                 .map(|&((profile, law), flanks)| Variant {
                     profile: match flanks {
                         FlankModel::Rigid => profile_name(profile).to_owned(),
-                        FlankModel::Elastic => format!("{}, elastic flanks", profile_name(profile)),
+                        FlankModel::Elastic => Variant::ELASTIC.to_owned(),
                     },
                     friction_law: law.name().to_owned(),
                 })

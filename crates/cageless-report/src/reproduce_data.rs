@@ -64,10 +64,20 @@ pub struct Table2 {
 /// A computed column of Table 2.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Variant {
-    /// `paper` or `physical`.
+    /// `paper`, `physical`, or [`Self::ELASTIC`]: physical on elastic flanks.
     pub profile: String,
     /// `coulomb` or `smooth`.
     pub friction_law: String,
+}
+
+impl Variant {
+    /// The profile of the column with the flanks of metal, which the paper does not have.
+    pub const ELASTIC: &str = "elastic";
+
+    /// Whether the paper can be read as this.
+    pub fn is_of_the_paper(&self) -> bool {
+        self.profile != Self::ELASTIC
+    }
 }
 
 /// A row of Table 2.

@@ -50,7 +50,7 @@ pub fn static_page(file: &CaseFile, record: &Record) -> String {
     page.figure(&load_distribution(file, record));
     page.table(&balls(file, record));
     page.section("Displacement, stiffness, ratings and frequencies");
-    page.table(&results(file, record));
+    page.table(&results(file, record.rows()));
     notes(&mut page, record);
     // A seed beyond the whole numbers of TOML leaves the page without a studio, which is planar.
     let toml = match file.case().spatial_field() {
@@ -64,10 +64,20 @@ pub fn static_page(file: &CaseFile, record: &Record) -> String {
 /// The static equilibrium on one sheet of A4.
 pub fn static_sheet(file: &CaseFile, record: &Record) -> String {
     let mut page = head(file, record).sheet();
+    // What stands at its head once; frequencies in hertz, those of rolling, suffice.
+    let facts: Vec<_> = FACTS.iter().filter_map(|name| record.row(name)).collect();
+    let rows = record.rows().filter(|row| {
+        let (label, _, unit) = row;
+        let of_load = unit == "Hz" && label.ends_with("of the loaded bearing");
+        !(of_load || label.ends_with("multiple of the shaft frequency") || facts.contains(row))
+    });
+    let table = results(file, rows);
     let mut figure = load_distribution(file, record);
-    figure.plot.height_px = 400;
+    // What the table needs is left out of the figure.
+    let more = table.rows.len().saturating_sub(30) as u32;
+    figure.plot.height_px = 400u32.saturating_sub(10 * more).max(330);
     page.figure(&figure);
-    page.table(&results(file, record));
+    page.table(&table);
     notes(&mut page, record);
     page.html()
 }
@@ -104,11 +114,11 @@ fn number(value: f64) -> String {
     cageless_results::number_text::significant(value, 6)
 }
 
-fn results(file: &CaseFile, record: &Record) -> Table {
+fn results(file: &CaseFile, rows: impl Iterator<Item = (&'static str, String, String)>) -> Table {
     parameter_table(
         "Results",
         "Results of the static equilibrium and ratings of the bearing.",
-        &lines(record.rows()),
+        &lines(rows),
         Some(provenance(file)),
     )
 }

@@ -80,11 +80,13 @@ pub fn table2(table: &Table2) -> Table {
     }
     columns.extend([number("gap"), number("less theory")]);
     for variant in &table.variants {
+        let compared = variant.is_of_the_paper();
         groups.push((
             format!("{}, {} (°)", variant.profile, variant.friction_law),
-            2,
+            1 + usize::from(compared),
         ));
-        columns.extend([number("gap"), number("Δ paper")]);
+        columns.push(number("gap"));
+        columns.extend(compared.then(|| number("Δ paper")));
     }
     let mut rows: Vec<Row> = table
         .rows
@@ -95,7 +97,8 @@ pub fn table2(table: &Table2) -> Table {
     let mut caption = "Discrete angular spacing of the ten structures: theory, the paper's \
                        simulated values, and the computed critical gap, the largest with which a \
                        pair still touches on its way through the raceway. Δ: computed less the \
-                       paper's simulated value."
+                       paper's simulated value. paper, physical: the equations as published and as mechanics \
+                       has them; elastic: the latter on flanks that yield."
         .to_owned();
     if remarks {
         rows.push(summary(table, "without the marked rows", polar, |r| {
@@ -132,13 +135,12 @@ fn table2_row(table: &Table2, row: &Table2Row, polar: bool) -> Row {
         Some(row.paper_simulated_deg - row.paper_theory_deg),
         4,
     )));
-    for k in 0..table.variants.len() {
+    for (k, variant) in table.variants.iter().enumerate() {
         let gap = row.critical_gap_deg.get(k).copied().flatten();
         cells.push(Cell::number(four(gap)));
-        cells.push(Cell::dim(signed(
-            gap.map(|g| g - row.paper_simulated_deg),
-            4,
-        )));
+        let difference = gap.map(|g| g - row.paper_simulated_deg);
+        let compared = variant.is_of_the_paper();
+        cells.extend(compared.then(|| Cell::dim(signed(difference, 4))));
     }
     Row {
         cells,
@@ -153,7 +155,11 @@ fn summary(table: &Table2, name: &str, polar: bool, counts: impl Fn(&Table2Row) 
         columns: 6 + usize::from(polar),
         ..Cell::text(name)
     }];
-    for k in 0..table.variants.len() {
+    for (k, variant) in table.variants.iter().enumerate() {
+        cells.push(Cell::default());
+        if !variant.is_of_the_paper() {
+            continue;
+        }
         let most = table
             .rows
             .iter()
@@ -166,7 +172,6 @@ fn summary(table: &Table2, name: &str, polar: bool, counts: impl Fn(&Table2Row) 
             })
             .filter(|d| d.is_finite())
             .reduce(f64::max);
-        cells.push(Cell::default());
         cells.push(Cell::number(fixed(most, 4)));
     }
     Row {

@@ -93,7 +93,7 @@ fn notes(solved: &Solved<'_>) -> Vec<String> {
         notes.push(
             "in space: L10r takes the load of every ball under rigid rings that turn exactly, not by \
              small angles; L10 and s0 are for radial loads and left out; Cr, C0r and frequencies \
-             take the free contact angle; the motion in space is not computed"
+             take the free contact angle"
                 .to_owned(),
         );
     } else if solved.rating.l10_mrev.is_none() {

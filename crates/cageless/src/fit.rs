@@ -13,7 +13,7 @@
 //!     shaft_interference_m: 10e-6,
 //!     ..Fit::default()
 //! };
-//! let clearance = fit.operating_clearance(&dimensions, &common::steel())?;
+//! let clearance = fit.operating_clearance(&dimensions, &common::steel().into())?;
 //! // A solid shaft of the same steel: d/Di of the interference.
 //! let expected = 10e-6 * 30.0 / 36.48;
 //! assert!((clearance.shaft_reduction_m / expected - 1.0).abs() < 1e-9);

@@ -18,7 +18,7 @@ section! {
             Commented("62.0", "D of the outer ring");
         shaft_interference_um => shaft_interference_m: f64 = default(0.0), Micrometre,
             "effective interference of shaft and bore on the diameter, smoothing of the surfaces deducted; below 0: a gap",
-            Commented("8.0", "of shaft and bore, on the diameter");
+            Commented("0.0", "of shaft and bore, on the diameter");
         housing_interference_um => housing_interference_m: f64 = default(0.0), Micrometre,
             "effective interference of outer ring and housing on the diameter; below 0: a gap",
             Commented("0.0", "of outer ring and housing, below 0: a gap");

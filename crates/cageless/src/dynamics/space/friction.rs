@@ -17,7 +17,7 @@ use super::model::SpaceModel;
 use super::ring::RingMotion;
 use super::strips::{Patch, SlidingLanes, StripFriction};
 use super::workspace::SpaceWorkspace;
-use crate::contact::{Law, LawLanes, MAX_ITERATIONS, end_weights, with_law};
+use crate::contact::{FrictionLanes, Law, LawLanes, MAX_ITERATIONS, end_weights, with_law};
 use crate::dynamics::ball::BallLanes;
 use crate::dynamics::coordinates::RingCoordinate;
 use crate::dynamics::energy::EnergyTerm;
@@ -47,7 +47,7 @@ pub(super) fn add_explicit_friction(
     for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
         let at_rest = sliding_at_rest(b, &s.ring);
         b.at_rest = [at_rest.clone(), at_rest];
-        with_law!(&p.friction, law => slide::<_, true>(law, space, b));
+        slide(&p.friction, space, b, true);
         for step in &mut b.steps {
             (step.mean.along, step.mean.across) = (step.friction.along, step.friction.across);
         }
@@ -78,11 +78,8 @@ pub(crate) fn add_implicit_friction(
     for (block, (results, b)) in w.blocks.iter_mut().zip(&mut s.blocks).enumerate() {
         b.at_rest = [sliding_at_rest(b, &start_ring), sliding_at_rest(b, &s.ring)];
         let free = b.velocities(layout, y, block);
-        with_law!(&p.friction, law => {
-            slide::<_, true>(law, space, b);
-            begin(space, b, h_s, s.known, free);
-            iterate(law, space, b, h_s);
-        });
+        begin(space, b, h_s, s.known, free);
+        iterate(&p.friction, space, b, h_s);
         let force = tractions(space, b, results, &mut totals);
         let rates = accelerate(layout, p.balls(block), block, &force, dydt);
         for i in 0..SIZE {
@@ -159,9 +156,14 @@ impl SpaceBlock {
     }
 }
 
-/// Friction of every strip at the velocities of the last iterate; `FIRST` with knees and moments.
+/// Friction of every strip at the velocities of the last iterate; of the first with knees and moments.
 #[inline(always)]
-fn slide<L: LawLanes, const FIRST: bool>(law: &L, space: &SpaceModel, b: &mut SpaceBlock) {
+fn slide(friction: &FrictionLanes, space: &SpaceModel, b: &mut SpaceBlock, first: bool) {
+    with_law!(friction, law => slide_by(law, space, b, first));
+}
+
+#[inline(always)]
+fn slide_by(law: &impl LawLanes, space: &SpaceModel, b: &mut SpaceBlock, first: bool) {
     for place in 0..PLACES {
         let sliding = b.sliding(place, &b.velocity, 1);
         for (k, strip) in space.strips.iter().enumerate() {
@@ -173,12 +175,12 @@ fn slide<L: LawLanes, const FIRST: bool>(law: &L, space: &SpaceModel, b: &mut Sp
                 let x = patch.place(strip);
                 let slip = sliding.at(x, patch.curvature);
                 let shear = sliding.shear(x, patch.curvature);
-                if FIRST {
+                if first {
                     step.inverse_knee.0[lane] = patch.inverse_knee(strip, shear);
                 }
                 let inverse_knee = step.inverse_knee.0[lane];
                 let friction = patch.force(strip, slip, inverse_knee);
-                if FIRST {
+                if first {
                     step.mean.moment.0[lane] = patch.moment(strip, shear, &friction, inverse_knee);
                 }
                 step.slip[0].0[lane] = slip[0];
@@ -353,11 +355,12 @@ fn equations(
 /// Newton's method until the equations of all balls hold; the friction of the end of the step,
 /// linear about the last iterate, in `mean`.
 #[inline(always)]
-fn iterate<L: LawLanes>(law: &L, space: &SpaceModel, b: &mut SpaceBlock, h_s: f64) {
+fn iterate(friction: &FrictionLanes, space: &SpaceModel, b: &mut SpaceBlock, h_s: f64) {
     let (mut done, mut safe) = (Lanes::ZERO, Lanes::ZERO);
     let mut matrix = [[Lanes::ZERO; SIZE]; SIZE];
     let mut change = [Lanes::ZERO; SIZE];
     for iteration in 0..MAX_ITERATIONS {
+        slide(friction, space, b, iteration == 0);
         equations(space, b, h_s, &safe, &mut matrix, &mut change);
         cholesky::solve_lanes(&mut matrix, &mut change);
         let (mut moves, mut passes) = (Lanes::ZERO, Lanes::ZERO);
@@ -412,7 +415,6 @@ fn iterate<L: LawLanes>(law: &L, space: &SpaceModel, b: &mut SpaceBlock, h_s: f6
                 b.velocity[i].0[lane] += advance.0[lane] * change[i].0[lane];
             }
         }
-        slide::<L, false>(law, space, b);
     }
 }
 
