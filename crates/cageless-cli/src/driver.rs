@@ -195,17 +195,14 @@ impl Tables {
     }
 }
 
-/// Reads the case of a command that takes planar ones.
-pub fn read_planar_case(path: &Path, set: &[String]) -> Result<CaseFile, Failure> {
+/// Reads the case of a command that takes those which pass a check.
+pub fn read_checked(
+    path: &Path,
+    set: &[String],
+    check: fn(&cageless::Case) -> Result<(), cageless::InputError>,
+) -> Result<CaseFile, Failure> {
     let file = read_case(path, set)?;
-    file.checked(cageless::Case::check_planar)?;
-    Ok(file)
-}
-
-/// Reads the case of a command that computes its motion.
-pub fn read_moving_case(path: &Path, set: &[String]) -> Result<CaseFile, Failure> {
-    let file = read_case(path, set)?;
-    file.checked(cageless::Case::check_motion)?;
+    file.checked(check)?;
     Ok(file)
 }
 

@@ -13,7 +13,7 @@ use cageless_study::comparison::{
 use cageless_study::run::{Options, run};
 
 use crate::args::CompareArgs;
-use crate::driver::{Answer, PAGE, pretty, read_moving_case};
+use crate::driver::{Answer, PAGE, pretty, read_checked};
 use crate::failure::Failure;
 use crate::finished_run::{FinishedRun, SUMMARY};
 use crate::format::{columns, pairs};
@@ -73,7 +73,10 @@ impl Sides {
         let Some((_, folder)) = folder else {
             let mut cases = vec![];
             for (name, path) in given {
-                cases.push((name, read_moving_case(path, &args.set)?));
+                cases.push((
+                    name,
+                    read_checked(path, &args.set, cageless::Case::check_motion)?,
+                ));
             }
             if args.with_conventional {
                 cases.insert(0, ("conventional", cases[0].1.with_conventional_ring()?));
@@ -96,7 +99,11 @@ impl Sides {
             let side = if path.is_dir() {
                 Side::Run(Box::new(FinishedRun::read(path)?))
             } else {
-                Side::Case(Box::new(read_moving_case(path, &[])?))
+                Side::Case(Box::new(read_checked(
+                    path,
+                    &[],
+                    cageless::Case::check_motion,
+                )?))
             };
             sides.push((name, side));
         }

@@ -11,7 +11,7 @@ use cageless_study::rings::rings;
 use cageless_study::{StudyError, search};
 
 use crate::args::DesignArgs;
-use crate::driver::{Answer, PAGE, PAGE_DATA, pretty, read_planar_case};
+use crate::driver::{Answer, PAGE, PAGE_DATA, pretty, read_checked};
 use crate::failure::Failure;
 use crate::format::{judged, pairs, values, warnings};
 
@@ -25,7 +25,11 @@ const RECOMMENDED: &str = "recommended.toml";
 pub fn design(args: &DesignArgs) -> Result<(), Failure> {
     let output = &args.case.output;
     let out = output.out.as_deref();
-    let file = read_planar_case(&args.case.case, &args.case.set)?;
+    let file = read_checked(
+        &args.case.case,
+        &args.case.set,
+        cageless::Case::check_planar,
+    )?;
     output.drive(&[NUMBERS, PAGE, PAGE_DATA, RECOMMENDED], |bars| {
         let paper = structures_of(&file.case().bearing)?;
         let asked = Asked {

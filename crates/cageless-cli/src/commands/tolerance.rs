@@ -6,7 +6,7 @@ use cageless_results::{Record, table_of};
 use cageless_study::tolerance::{Request, tolerance as study};
 
 use crate::args::ToleranceArgs;
-use crate::driver::{Answer, PAGE, read_planar_case};
+use crate::driver::{Answer, PAGE, read_checked};
 use crate::failure::Failure;
 use crate::format::{columns, judged, pairs, values};
 
@@ -14,7 +14,11 @@ const NUMBERS: &str = "tolerance.json";
 
 /// Judges the bearing within its tolerances.
 pub fn tolerance(args: &ToleranceArgs) -> Result<(), Failure> {
-    let file = read_planar_case(&args.case.case, &args.case.set)?;
+    let file = read_checked(
+        &args.case.case,
+        &args.case.set,
+        cageless::Case::check_planar,
+    )?;
     let name = args.case.case.display().to_string();
     let request = Request {
         samples: args.samples,
