@@ -28,6 +28,6 @@ pub(crate) use edges::{PER_DEPTH, PER_SINE_SQUARE, edges};
 pub(crate) use harness::{add_implicit_friction, evaluate};
 pub(crate) use implicit_friction::add_given_friction;
 pub use instruction_set::InstructionSet;
-pub(crate) use motions::{block_at, block_mut};
+pub(crate) use motions::{Motions, block_at, block_mut};
 pub(crate) use parameters::Parameters;
 pub(crate) use workspace::{BlockResults, Workspace};

@@ -23,11 +23,11 @@ pub(crate) fn block_mut(values: &mut [f64], at: usize) -> &mut [f64; LANES] {
 
 /// The balls of one block in the state vector.
 #[derive(Clone, Copy)]
-pub(super) struct Motions<'a>([&'a [f64; LANES]; BallCoordinate::ALL.len()]);
+pub(crate) struct Motions<'a>([&'a [f64; LANES]; BallCoordinate::ALL.len()]);
 
 impl<'a> Motions<'a> {
     #[inline(always)]
-    pub(super) fn new(layout: Layout, y: &'a [f64], block: usize) -> Self {
+    pub(crate) fn new(layout: Layout, y: &'a [f64], block: usize) -> Self {
         // Not by `map`, which is not inlined into code for wider vectors.
         let mut arrays = [block_at(y, 0); BallCoordinate::ALL.len()];
         for (array, c) in arrays.iter_mut().zip(BallCoordinate::ALL) {
@@ -37,7 +37,7 @@ impl<'a> Motions<'a> {
     }
 
     #[inline(always)]
-    pub(super) fn get(&self, lane: usize) -> BallMotion {
+    pub(crate) fn get(&self, lane: usize) -> BallMotion {
         let [x, y, vx, vy, spin] = self.0;
         BallMotion {
             x: x[lane],

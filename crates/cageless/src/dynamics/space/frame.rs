@@ -65,23 +65,24 @@ lane_struct! {
         across,
         /// Moment about n beyond that of the force at the distance R, N·m.
         spin,
-        /// The same about l, N·m.
+        /// Moment about l beyond that of the force at the distance R, N·m.
         roll,
-        /// The same about τ, N·m.
+        /// Moment about τ beyond that of the force at the distance R, N·m.
         yaw,
     }
 }
 
-impl Traction {
-    /// Adds a strip at x with this force and moment.
+impl TractionLanes {
+    /// Adds a strip at x with this force along τ and l and this moment.
     #[inline(always)]
-    pub fn add(&mut self, [along, across]: [f64; 2], moment: f64, x_m: f64, curvature: f64) {
+    pub fn add(&mut self, lane: usize, strip: [f64; 3], x_m: f64, curvature: f64) {
+        let [along, across, moment] = strip;
         let bend = curvature * x_m * x_m;
-        self.along += along;
-        self.across += across;
-        self.spin += x_m * along + moment;
-        self.roll += bend * along + 2.0 * curvature * x_m * moment;
-        self.yaw -= bend * across;
+        self.along.0[lane] += along;
+        self.across.0[lane] += across;
+        self.spin.0[lane] += x_m * along + moment;
+        self.roll.0[lane] += bend * along + 2.0 * curvature * x_m * moment;
+        self.yaw.0[lane] -= bend * across;
     }
 }
 
@@ -171,12 +172,10 @@ impl Frame {
         for i in 0..3 {
             force[i] = -(t[i] * traction.along + l[i] * traction.across);
         }
-        let arm = [self.arm_x, self.arm_y, self.arm_z];
+        let turning = cross(self.arm(), [force[0], force[1], force[2]]);
         for i in 0..3 {
-            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            let turning = arm[j] * force[k] - arm[k] * force[j];
             force[3 + i] =
-                turning - (n[i] * traction.spin + l[i] * traction.roll + t[i] * traction.yaw);
+                turning[i] - (n[i] * traction.spin + l[i] * traction.roll + t[i] * traction.yaw);
         }
         force
     }

@@ -22,17 +22,17 @@ lane_struct! {
     pub(crate) struct InnerTouch per lane InnerTouchLanes {
         /// δi, m; negative: apart.
         approach,
-        /// Unit vector from the axis of the ring to the ball.
+        /// X of the unit vector from the axis of the ring to the ball.
         direction_x,
-        /// The same.
+        /// Y of that vector.
         direction_y,
-        /// The same.
+        /// Z of that vector.
         direction_z,
-        /// Place of the ball from the centre of the ring, m.
+        /// X of the ball from the centre of the ring, m.
         ball_x,
-        /// The same.
+        /// Y of the ball from there, m.
         ball_y,
-        /// The same.
+        /// Z of the ball from there, m.
         ball_z,
         /// Distance of the ball from the centre of the groove, m.
         length,

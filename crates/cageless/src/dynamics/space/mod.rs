@@ -14,6 +14,7 @@ mod frame;
 mod friction;
 mod inner_groove;
 mod model;
+mod newton;
 mod normal_contacts;
 mod outer_groove;
 mod ring;

@@ -7,9 +7,10 @@ use super::outer_groove::OuterTouchLanes;
 use super::ring::RingMotion;
 use super::vector::{cross, dot, plus};
 use crate::contact::{NormalForce, positive};
+use crate::dynamics::ball::Centre;
 use crate::dynamics::coordinates::BallCoordinate;
 use crate::numerics::lanes::{LANES, Lanes};
-use crate::simd::{BlockResults, block_at, block_mut};
+use crate::simd::{BlockResults, Motions, block_at, block_mut};
 
 /// The coordinates of the place of a ball, and those of their rates.
 const PLACE: [BallCoordinate; 3] = [BallCoordinate::X, BallCoordinate::Y, BallCoordinate::Z];
@@ -35,7 +36,11 @@ pub(super) fn normal_contacts(
     }
     results.spin = Lanes(*block_at(y, at(BallCoordinate::Spin)));
     b.velocity = b.velocities(layout, y, block);
-    polar_motion(results, &place, &velocity);
+    let motions = Motions::new(layout, y, block);
+    for lane in 0..LANES {
+        let polar = motions.get(lane).about(&Centre::default());
+        results.polar.put(lane, polar);
+    }
 
     let mut outer = OuterTouchLanes::ZERO;
     for lane in 0..LANES {
@@ -195,22 +200,4 @@ pub(super) fn normal_contacts(
     }
     (results.outer_friction, results.inner_friction) = (Lanes::ZERO, Lanes::ZERO);
     b.frames = frames;
-}
-
-/// Motion of the balls in polar coordinates about the axis of the outer ring.
-#[inline(always)]
-fn polar_motion(results: &mut BlockResults, place: &[Lanes; 3], velocity: &[Lanes; 3]) {
-    for lane in 0..LANES {
-        let ([x, y, _], [vx, vy, _]) = (of_lane(place, lane), of_lane(velocity, lane));
-        let distance = (x * x + y * y).sqrt();
-        let (ex, ey) = (x / distance, y / distance);
-        let tangential = vy * ex - vx * ey;
-        let polar = &mut results.polar;
-        polar.ex.0[lane] = ex;
-        polar.ey.0[lane] = ey;
-        polar.distance.0[lane] = distance;
-        polar.tangential.0[lane] = tangential;
-        polar.radial.0[lane] = vx * ex + vy * ey;
-        polar.orbit.0[lane] = tangential / distance;
-    }
 }
