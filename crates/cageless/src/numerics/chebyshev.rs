@@ -74,7 +74,7 @@ fn coefficients(f: &impl Fn(f64) -> f64, lo: f64, hi: f64, degree: usize) -> Vec
 }
 
 /// Σ a_j T_j(u) as powers of u, by T_{j+1} = 2u T_j − T_{j−1}.
-fn to_powers(chebyshev: &[f64]) -> Vec<f64> {
+pub fn to_powers(chebyshev: &[f64]) -> Vec<f64> {
     let n = chebyshev.len();
     let mut powers = vec![0.0; n];
     let mut previous = vec![0.0; n];

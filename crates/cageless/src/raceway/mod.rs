@@ -27,6 +27,7 @@ mod blend;
 mod contact_path;
 mod flank_angle;
 mod groove_surface;
+mod measured_flanks;
 mod piece;
 mod power_angle;
 mod shape;
@@ -44,6 +45,7 @@ pub use contact_path::ContactPath;
 use flank_angle::FlankAngle;
 pub use groove_surface::SurfacePoint;
 pub(crate) use groove_surface::{groove_centre, surface_point};
+pub use measured_flanks::MeasuredFlanks;
 pub(crate) use piece::Piece;
 pub use shape::{RacewayForm, RacewayShape};
 
@@ -129,7 +131,7 @@ impl Raceway {
             ));
         }
         let d = bearing.dimensions();
-        let flanks = form.shape.flank_angle(span, theta, bearing)?;
+        let flanks = form.flank_angle(span, theta, bearing)?;
         let raceway = Self {
             dimensions,
             ball_radius_m: d.ball_radius_m,

@@ -7,6 +7,7 @@
 
 use super::contact_path::ContactPath;
 use super::flank_angle::FlankAngle;
+use super::measured_flanks::MeasuredFlanks;
 use super::power_angle::PowerAngle;
 use crate::bearing::Bearing;
 use crate::error::InputError;
@@ -23,6 +24,8 @@ pub enum RacewayShape {
     Ellipse,
     /// αc = α0 (1 − (ψ/θ)²): a shuttle of two parabolas with pointed ends.
     Shuttle,
+    /// Fitted to the points of a ring that has been measured, [`RacewayForm::measured`].
+    Measured,
 }
 
 impl RacewayShape {
@@ -31,32 +34,13 @@ impl RacewayShape {
         ("quartic", Self::Quartic),
         ("ellipse", Self::Ellipse),
         ("shuttle", Self::Shuttle),
+        ("measured", Self::Measured),
     ];
 
     /// Its name.
     pub fn name(self) -> &'static str {
         let named = Self::NAMES.iter().find(|(_, shape)| *shape == self);
         named.map_or("", |(name, _)| name)
-    }
-
-    /// The flanks of a raceway of span lC and half angle θ.
-    pub(super) fn flank_angle(
-        self,
-        axial_span_m: f64,
-        half_angle_rad: f64,
-        bearing: &Bearing,
-    ) -> Result<FlankAngle, InputError> {
-        let power = |exponent| {
-            let middle = (axial_span_m / (2.0 * bearing.ball_radius_m())).asin();
-            FlankAngle::Power(PowerAngle::new(middle, half_angle_rad, exponent))
-        };
-        Ok(match self {
-            Self::Quartic => {
-                FlankAngle::Quartic(ContactPath::new(axial_span_m, half_angle_rad, bearing)?)
-            }
-            Self::Ellipse => power(0.5),
-            Self::Shuttle => power(1.0),
-        })
     }
 }
 
@@ -65,7 +49,38 @@ impl RacewayShape {
 pub struct RacewayForm {
     /// Angle of the flanks along the raceway.
     pub shape: RacewayShape,
+    /// The shape of a measured ring, stretched to the lC and θ of the raceway; of
+    /// [`RacewayShape::Measured`] alone.
+    pub measured: Option<MeasuredFlanks>,
     /// Length of the blend before each end along the bottom of the groove, m; 0 leaves the end as the
     /// shape has it.
     pub blend_m: f64,
+}
+
+impl RacewayForm {
+    /// The flanks of a raceway of span lC and half angle θ.
+    pub(super) fn flank_angle(
+        &self,
+        axial_span_m: f64,
+        half_angle_rad: f64,
+        bearing: &Bearing,
+    ) -> Result<FlankAngle, InputError> {
+        let middle = (axial_span_m / (2.0 * bearing.ball_radius_m())).asin();
+        let power = |exponent| FlankAngle::Power(PowerAngle::new(middle, half_angle_rad, exponent));
+        let refused = |rule: &str| Err(InputError::rule("profile", f64::NAN, rule));
+        Ok(match (self.shape, &self.measured) {
+            (RacewayShape::Measured, Some(measured)) => {
+                FlankAngle::Power(measured.scaled(middle, half_angle_rad))
+            }
+            (RacewayShape::Measured, None) => {
+                return refused("given with shape = \"measured\"");
+            }
+            (_, Some(_)) => return refused("left out, or shape = \"measured\""),
+            (RacewayShape::Quartic, None) => {
+                FlankAngle::Quartic(ContactPath::new(axial_span_m, half_angle_rad, bearing)?)
+            }
+            (RacewayShape::Ellipse, None) => power(0.5),
+            (RacewayShape::Shuttle, None) => power(1.0),
+        })
+    }
 }

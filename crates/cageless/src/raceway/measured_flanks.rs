@@ -1,0 +1,153 @@
+//! Flank angles of a ring that has been measured.
+//!
+//! ```
+//! use cageless::raceway::MeasuredFlanks;
+//!
+//! // A shuttle of 20° in its middle and a half angle of 25°, measured from the middle to an end.
+//! let angle = |psi: f64| 20.0 * (1.0 - (psi / 25.0).powi(2));
+//! let rows: Vec<_> = (0..=10).map(|k| 2.5 * f64::from(k)).collect();
+//! let rows: Vec<_> = rows.iter().map(|psi| [psi.to_radians(), angle(*psi).to_radians()]).collect();
+//! let flanks = MeasuredFlanks::fit(&rows)?;
+//! assert!((flanks.middle_rad().to_degrees() - 20.0).abs() < 1e-9);
+//! assert!(flanks.deviation_rad()[1] < 1e-9);
+//! # Ok::<(), cageless::InputError>(())
+//! ```
+
+use std::f64::consts::FRAC_PI_2;
+
+use super::power_angle::{PowerAngle, TERMS_MAX};
+use crate::error::InputError;
+use crate::numerics::chebyshev::to_powers;
+use crate::numerics::cholesky;
+
+/// Fewest and most points.
+const POINTS: [usize; 2] = [5, 20_000];
+/// Powers of 1 − (ψ/θ)² with which αc may run out: at a right angle to the plain raceway, or at a
+/// slope.
+const EXPONENTS: [f64; 2] = [0.5, 1.0];
+/// Places over half a raceway at which a fit must not rise.
+const PLACES: i32 = 200;
+/// Largest root-mean-square deviation, in parts of α0.
+const DEVIATION_MAX: f64 = 0.1;
+
+/// αc over ψ fitted to points by least squares: αc = (1 − u²)ⁿ P(u²) with u = ψ/θ, n = ½ or 1 and P of up
+/// to 7 terms. Among those that fall steadily from the middle to the ends, n and number of terms are
+/// chosen by generalised cross-validation (Craven & Wahba 1979, Numer. Math. 31, 377–403).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeasuredFlanks {
+    flanks: PowerAngle,
+    deviation_rad: [f64; 2],
+}
+
+impl MeasuredFlanks {
+    /// Fit to rows of ψ from the middle of the raceway and αc, both in rad, of one side or both; the
+    /// ends ±θ are the rows farthest from the middle and have αc = 0.
+    ///
+    /// # Errors
+    /// An [`InputError`] of `profile` if there are fewer than 5 rows or more than 20 000, the farthest
+    /// has another αc than 0, or no function that falls steadily comes near the points.
+    pub fn fit(rows: &[[f64; 2]]) -> Result<Self, InputError> {
+        let refuse = |value: f64, rule: &str| Err(InputError::rule("profile", value, rule));
+        let [least, most] = POINTS;
+        if !(least..=most).contains(&rows.len()) {
+            let rule = format!("{least} to {most} rows of ψ and flank angle");
+            return refuse(rows.len() as f64, &rule);
+        }
+        let numbers = rows.iter().flatten();
+        if let Some(angle) = numbers.clone().find(|angle| !(angle.abs() < FRAC_PI_2)) {
+            return refuse(*angle, "angles of less than 90°");
+        }
+        let theta = rows
+            .iter()
+            .fold(0.0, |far: f64, [psi, _]| far.max(psi.abs()));
+        let ends = rows.iter().filter(|[psi, _]| psi.abs() == theta);
+        if theta == 0.0 || ends.clone().any(|[_, angle]| *angle != 0.0) {
+            return refuse(
+                theta,
+                "rows up to an end of the raceway, where the flank angle is 0",
+            );
+        }
+        let fits = EXPONENTS.iter().flat_map(|exponent| {
+            let terms = 1..=TERMS_MAX.min(rows.len() / 2);
+            terms.filter_map(|terms| Self::with_terms(rows, theta, *exponent, terms))
+        });
+        let best = fits.min_by(|(a, _), (b, _)| a.total_cmp(b));
+        match best {
+            Some((_, fit)) if fit.deviation_rad[0] <= DEVIATION_MAX * fit.middle_rad() => Ok(fit),
+            _ => refuse(
+                theta,
+                "flank angles that fall steadily from the middle to 0 at the ends",
+            ),
+        }
+    }
+
+    /// The fit of an exponent and a number of terms with its score, the less the better, if it falls
+    /// steadily.
+    fn with_terms(
+        rows: &[[f64; 2]],
+        theta: f64,
+        exponent: f64,
+        terms: usize,
+    ) -> Option<(f64, Self)> {
+        // Chebyshev polynomials in 2 u² − 1; those that are not used have a coefficient of 0.
+        let mut normal = [[0.0; TERMS_MAX]; TERMS_MAX];
+        let mut right = [0.0; TERMS_MAX];
+        (terms..TERMS_MAX).for_each(|k| normal[k][k] = 1.0);
+        for [psi, angle] in rows {
+            let share = (psi / theta).powi(2);
+            let order = (2.0 * share - 1.0).acos();
+            let scale = (1.0 - share).powf(exponent);
+            let basis = |k: usize| scale * (k as f64 * order).cos();
+            for i in 0..terms {
+                right[i] += basis(i) * angle;
+                (0..=i).for_each(|j| normal[i][j] += basis(i) * basis(j));
+            }
+        }
+        let chebyshev = cholesky::solve(&normal, 0.0, right)?;
+        let mut polynomial = [0.0; TERMS_MAX];
+        polynomial.copy_from_slice(&to_powers(&chebyshev));
+        let flanks = PowerAngle::new(1.0, theta, exponent).with_polynomial(polynomial);
+        let falls = |k: i32| flanks.at(theta * f64::from(k) / f64::from(PLACES))[1] <= 0.0;
+        if !(flanks.middle_rad() > 0.0 && (0..=PLACES).all(falls)) {
+            return None;
+        }
+        let misses = rows
+            .iter()
+            .map(|[psi, angle]| (flanks.at(*psi)[0] - angle).abs());
+        let squares: f64 = misses.clone().map(|miss| miss * miss).sum();
+        let count = rows.len() as f64;
+        let deviation_rad = [(squares / count).sqrt(), misses.fold(0.0, f64::max)];
+        let fit = Self {
+            flanks,
+            deviation_rad,
+        };
+        // Rounding must not choose.
+        let squares = squares.max(count * (1e-12 * flanks.middle_rad()).powi(2));
+        Some((squares / (count - terms as f64).powi(2), fit))
+    }
+
+    /// α0, the fitted flank angle in the middle.
+    pub fn middle_rad(&self) -> f64 {
+        self.flanks.middle_rad()
+    }
+
+    /// θ of the measurement.
+    pub fn half_angle_rad(&self) -> f64 {
+        self.flanks.half_angle_rad()
+    }
+
+    /// lC of the measurement for balls of this radius.
+    pub fn axial_span_m(&self, ball_radius_m: f64) -> f64 {
+        2.0 * ball_radius_m * self.middle_rad().sin()
+    }
+
+    /// Root mean square and largest deviation of the points from the fit.
+    pub fn deviation_rad(&self) -> [f64; 2] {
+        self.deviation_rad
+    }
+
+    /// The same shape with another α0 and θ.
+    pub(super) fn scaled(&self, middle_rad: f64, half_angle_rad: f64) -> PowerAngle {
+        self.flanks.scaled(middle_rad, half_angle_rad)
+    }
+}
