@@ -502,3 +502,48 @@ fn every_value_has_its_source_and_unit() {
         assert_eq!(unit(key), printed, "{key}");
     }
 }
+
+/// The raceway of a profile: lC and θ are its own unless they are given, also in a file with several.
+#[test]
+fn a_profile_has_its_own_dimensions() {
+    let shuttle = |psi: f64| 20.0 * (1.0 - (psi / 25.0).powi(2));
+    let rows = [0.0, 5.0, 10.0, 15.0, 20.0, 25.0].map(|psi| format!("[{psi}, {}]", shuttle(psi)));
+    let profile = format!("shape = \"measured\"\nprofile = [{}]", rows.join(", "));
+    let raceway = |own: &str| {
+        let text = template(false);
+        let given = |line: &&str| !line.starts_with("half_angle_deg");
+        let own = |line| {
+            if str::starts_with(line, "axial_span_mm") {
+                own
+            } else {
+                line
+            }
+        };
+        parse(
+            &text
+                .lines()
+                .filter(given)
+                .map(own)
+                .collect::<Vec<_>>()
+                .join("\n"),
+        )
+    };
+    let file = raceway(&profile);
+    let dimensions = *file.case().raceways[0].dimensions();
+    let span = 2.0 * 4.7625e-3 * 20f64.to_radians().sin();
+    assert!((dimensions.axial_span_m - span).abs() < 1e-12);
+    assert!((dimensions.half_angle_rad.to_degrees() - 25.0).abs() < 1e-12);
+    assert_eq!(file.document().value("raceway.axial_span_mm"), None);
+    let run = file.document_as_run();
+    assert!((run.number("raceway.axial_span_mm").unwrap() - span * 1e3).abs() < 1e-4);
+    assert_eq!(run.number("raceway.half_angle_deg"), Some(25.0));
+    let again = CaseFile::from_document(run, "run").unwrap();
+    let stretched = raceway(&format!(
+        "{profile}\naxial_span_mm = 5.0\nhalf_angle_deg = 20"
+    ));
+    for (file, span, half_angle) in [(&again, span, 25.0), (&stretched, 5e-3, 20.0)] {
+        let d = *file.case().raceways[0].dimensions();
+        assert!((d.axial_span_m - span).abs() < 1e-7);
+        assert!((d.half_angle_rad.to_degrees() - half_angle).abs() < 1e-12);
+    }
+}

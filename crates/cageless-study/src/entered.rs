@@ -36,6 +36,7 @@ pub fn with_raceways(file: &CaseFile, raceways: &[SectionValues]) -> CaseDocumen
     let (form, paper) = (file.case().raceway_form(), RacewayForm::default());
     let keys = [
         ("shape", form.shape != paper.shape),
+        ("profile", form.measured.is_some()),
         ("blend_mm", form.blend_m != paper.blend_m),
     ];
     let own = |(key, given): (&'static str, bool)| {

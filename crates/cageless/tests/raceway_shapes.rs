@@ -491,7 +491,7 @@ fn points_that_cannot_be_are_refused() {
         good.iter().map(rising).collect(),
     ] {
         let error = MeasuredFlanks::fit(&rows).unwrap_err();
-        assert_eq!(error.field, "profile", "{rows:?}");
+        assert_eq!(error.field, "measured", "{rows:?}");
     }
     let dimensions = *formed(&bearing, RacewayForm::default(), 0.0).dimensions();
     for (shape, measured) in [
@@ -506,6 +506,6 @@ fn points_that_cannot_be_are_refused() {
             ..form(shape, 0.0)
         };
         let error = Raceway::formed(dimensions, form, &bearing).unwrap_err();
-        assert_eq!(error.field, "profile");
+        assert_eq!(error.field, "measured");
     }
 }

@@ -7,6 +7,7 @@ mod search;
 mod start;
 
 use cageless::design::search::Request;
+use cageless::raceway::MeasuredFlanks;
 use cageless::rotor::SupportStop;
 use cageless::step_limits::StepLimits;
 use cageless::{
@@ -87,13 +88,22 @@ impl Converter<'_> {
     fn raceways(&self, bearing: &Bearing) -> Result<Vec<Raceway>, CaseError> {
         let raceways = self.sections.raceway.iter().enumerate();
         let raceways = raceways.map(|(index, raceway)| {
+            let own = raceway.measured.as_ref();
+            let given = |value: Option<f64>, name: &str, own: Option<f64>| {
+                let section = nth("raceway", index, self.sections.raceway.len());
+                let missing = || self.missing(&section, name);
+                value.or(own).ok_or_else(missing)
+            };
+            let span = own.map(|own| own.axial_span_m(bearing.ball_radius_m()));
+            let half_angle = own.map(MeasuredFlanks::half_angle_rad);
             let dimensions = RacewayDimensions {
-                axial_span_m: raceway.axial_span_m,
-                half_angle_rad: raceway.half_angle_rad,
+                axial_span_m: given(raceway.axial_span_m, "axial_span_mm", span)?,
+                half_angle_rad: given(raceway.half_angle_rad, "half_angle_deg", half_angle)?,
                 centre_angle_rad: raceway.centre_angle_rad,
             };
             let form = RacewayForm {
                 shape: raceway.shape,
+                measured: raceway.measured,
                 blend_m: raceway.blend_m,
             };
             Raceway::formed(dimensions, form, bearing)

@@ -1,6 +1,7 @@
 //! The types of value that keys have.
 
 use cageless::contact::FrictionTable;
+use cageless::raceway::MeasuredFlanks;
 
 use super::declaration::Field;
 use super::error::CaseError;
@@ -182,23 +183,38 @@ impl Field for FrictionTable {
     const KIND: Kind = Kind::Rows("[sliding speed in m/s, μ]");
 
     fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
-        let refused = |item: &Node| {
-            let allowed = "rows of [sliding speed in m/s, μ]";
-            Err(reader.refuse(name, item, allowed))
-        };
-        let Value::List(items) = &node.value else {
-            return refused(node);
-        };
-        let mut rows = vec![];
-        for item in items {
-            match &item.value {
-                Value::List(pair) if pair.len() == 2 => rows.push([
-                    reader.plain_number(name, &pair[0])?,
-                    reader.plain_number(name, &pair[1])?,
-                ]),
-                _ => return refused(item),
-            }
-        }
+        let rows = pairs(reader, name, node, "rows of [sliding speed in m/s, μ]")?;
         Self::new(rows).map_err(|e| reader.refuse(name, node, &e.allowed.to_string()))
     }
+}
+
+impl Field for MeasuredFlanks {
+    const KIND: Kind = Kind::Rows("[ψ in deg, flank angle in deg]");
+
+    fn read(reader: &Reader<'_>, name: &str, node: &Node) -> Result<Self, CaseError> {
+        let rows = pairs(reader, name, node, "rows of [ψ in deg, flank angle in deg]")?;
+        let rows: Vec<_> = rows.iter().map(|row| row.map(f64::to_radians)).collect();
+        Self::fit(&rows).map_err(|e| reader.refuse(name, node, &e.allowed.to_string()))
+    }
+}
+
+/// Rows of two plain numbers.
+fn pairs(
+    reader: &Reader<'_>,
+    name: &str,
+    node: &Node,
+    allowed: &str,
+) -> Result<Vec<[f64; 2]>, CaseError> {
+    let refused = |item: &Node| reader.refuse(name, item, allowed);
+    let Value::List(items) = &node.value else {
+        return Err(refused(node));
+    };
+    let row = |item: &Node| match &item.value {
+        Value::List(pair) if pair.len() == 2 => Ok([
+            reader.plain_number(name, &pair[0])?,
+            reader.plain_number(name, &pair[1])?,
+        ]),
+        _ => Err(refused(item)),
+    };
+    items.iter().map(row).collect()
 }

@@ -7,8 +7,10 @@ use super::keys;
 use super::sections::CASE_FILE;
 use super::spanned_toml::{Value, join};
 
-/// What `[bearing]` and `[operation]` need by one key, or by those in its place.
-const ALTERNATIVES: [(&str, &[&str], &[&str]); 4] = [
+/// What `[bearing]`, `[operation]` and a `[raceway]` need by one key, or by those in its place.
+const ALTERNATIVES: [(&str, &[&str], &[&str]); 6] = [
+    ("raceway", &["axial_span_mm"], &["profile"]),
+    ("raceway", &["half_angle_deg"], &["profile"]),
     ("bearing", &["ball_radius_mm"], &["ball_diameter_mm"]),
     (
         "bearing",
@@ -56,7 +58,12 @@ pub(super) fn check(document: &CaseDocument) -> Result<(), CaseError> {
     }
     for (section, keys, others) in ALTERNATIVES {
         let given = |list: &[&str]| list.iter().any(|key| has(section, key));
-        if given(keys) || given(others) || rotor && section == "operation" {
+        let left_out = match section {
+            "operation" => rotor,
+            "raceway" => !root.contains_key(section),
+            _ => false,
+        };
+        if given(keys) || given(others) || left_out {
             continue;
         }
         let more = keys[1..].iter().map(|key| format!(" and {key}"));

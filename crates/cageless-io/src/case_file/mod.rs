@@ -53,7 +53,8 @@ pub use template::{drop_template, template};
 pub use value::CaseValue;
 
 use cageless::design::search::{Request, uneven_gaps_rad};
-use spanned_toml::Origin;
+use spanned_toml::{Origin, join, nth};
+use unit::Unit;
 
 /// A case file that was read, checked and converted.
 #[derive(Debug, Clone, PartialEq)]
@@ -178,6 +179,17 @@ impl CaseFile {
             ("contact.ball_stiffness_n_m1_5", bearing.ball_contact()),
         ] {
             document.tree.set_missing(key, hertz.stiffness_n_m1_5);
+        }
+        let raceways = &self.case.raceways;
+        for (index, raceway) in raceways.iter().enumerate() {
+            let section = nth("raceway", index, raceways.len());
+            let d = raceway.dimensions();
+            for (key, value) in [
+                ("axial_span_mm", Unit::Millimetre.of_si(d.axial_span_m)),
+                ("half_angle_deg", Unit::Degree.of_si(d.half_angle_rad)),
+            ] {
+                document.tree.set_missing(&join(&section, key), value);
+            }
         }
         if self.has_automatic_step() {
             // Steps are chosen in decimals of a microsecond; the product has rounding in it.

@@ -67,7 +67,7 @@ impl RacewayForm {
     ) -> Result<FlankAngle, InputError> {
         let middle = (axial_span_m / (2.0 * bearing.ball_radius_m())).asin();
         let power = |exponent| FlankAngle::Power(PowerAngle::new(middle, half_angle_rad, exponent));
-        let refused = |rule: &str| Err(InputError::rule("profile", f64::NAN, rule));
+        let refused = |rule: &str| Err(InputError::rule("measured", f64::NAN, rule));
         Ok(match (self.shape, &self.measured) {
             (RacewayShape::Measured, Some(measured)) => {
                 FlankAngle::Power(measured.scaled(middle, half_angle_rad))

@@ -2,29 +2,33 @@
 
 use crate::case_file::declaration::section;
 use cageless::RacewayShape;
+use cageless::raceway::MeasuredFlanks;
 
 use crate::case_file::key::Limit::{Above, AtLeast, Inside};
 use crate::case_file::key::Line::{Absent, Commented, Shown};
-use crate::case_file::key::Presence::{Optional, Required};
+use crate::case_file::key::Presence::{Derived, Optional};
 use crate::case_file::key::default;
 use crate::case_file::unit::Unit::{Degree, Micrometre, Millimetre, None as Plain};
 
 section! {
     /// `[raceway]`: a discrete raceway.
     struct RacewaySection {
-        axial_span_mm => axial_span_m: f64 = Required, Millimetre; Above(0.0),
-            "lC, largest axial distance between the two contact points",
+        axial_span_mm => axial_span_m: Option<f64> = Derived, Millimetre; Above(0.0),
+            "lC, largest axial distance between the two contact points; that of a profile unless given, which stretches it",
             Shown("5.1", "lC, axial distance of the two contact points in its middle; the paper has 4.9 to 6");
-        half_angle_deg => half_angle_rad: f64 = Required, Degree; Inside(0.0, 90.0),
-            "θ, half the angle that the raceway takes up",
+        half_angle_deg => half_angle_rad: Option<f64> = Derived, Degree; Inside(0.0, 90.0),
+            "θ, half the angle that the raceway takes up; that of a profile unless given, which stretches it",
             Shown("25.2", "θ, it reaches from -θ to θ; the paper has 12 to 35");
         centre_angle_deg => centre_angle_rad: f64 = default(0.0), Degree,
             "angular position of raceway centre",
             Commented("0.0", "angular position ψ of raceway centre; 0: load direction");
         shape => shape: RacewayShape = default(RacewayShape::Quartic.name()), Plain,
             "angle of the flanks along the raceway; \"quartic\": contact path of Zhao 2022, \"ellipse\": α0 √(1 − (ψ/θ)²), \
-             \"shuttle\": α0 (1 − (ψ/θ)²), these two only in \"physical\"",
-            Commented("\"quartic\"", "path of the paper; \"ellipse\" or \"shuttle\": angle of the flanks");
+             \"shuttle\": α0 (1 − (ψ/θ)²), \"measured\": that of the profile; all but the first only in \"physical\"",
+            Commented("\"quartic\"", "path of the paper; \"ellipse\" or \"shuttle\": angle of the flanks;\n\
+                \"measured\" (with profile = [[ψ in deg, angle in deg], …])");
+        profile => measured: Option<MeasuredFlanks> = Optional, Plain,
+            "measured flank angle over ψ from the middle of the raceway, of shape = \"measured\": 5 rows or more of one side or both up to the ends, where the angle is 0", Absent;
         blend_mm => blend_m: f64 = default(0.0), Millimetre; AtLeast(0.0),
             "length of the blend into the plain raceway before each end, along the bottom of the groove; 0: none; only in \"physical\"",
             Commented("0.0", "length of the blend before each end; 0: ends as the shape has them");
